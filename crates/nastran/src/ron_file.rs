@@ -1,0 +1,56 @@
+//! Reading RON files with errors that name the line, the column and the field that was probably meant.
+
+use crate::source::{InputError, Span, read_text};
+use crate::suggest::nearest;
+use ron::error::SpannedError;
+use ron::extensions::Extensions;
+use serde::de::DeserializeOwned;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Reads and parses a RON file; `Option` fields may be written without `Some`.
+///
+/// # Errors
+/// If the file cannot be read or does not say what `T` expects.
+pub fn read<T: DeserializeOwned>(path: &Path) -> Result<T, InputError> {
+    parse_at(path, &read_text(path)?)
+}
+
+/// Parses RON text; `name` is the file name that errors give.
+///
+/// # Errors
+/// If the text does not say what `T` expects.
+pub fn parse<T: DeserializeOwned>(name: &str, text: &str) -> Result<T, InputError> {
+    parse_at(Path::new(name), text)
+}
+
+fn parse_at<T: DeserializeOwned>(path: &Path, text: &str) -> Result<T, InputError> {
+    let options = ron::Options::default().with_default_extension(Extensions::IMPLICIT_SOME);
+    options.from_str(text).map_err(|error| explain(path, &error))
+}
+
+fn explain(path: &Path, error: &SpannedError) -> InputError {
+    let file: Arc<PathBuf> = Arc::new(path.to_path_buf());
+    let (start, end) = (&error.span.start, &error.span.end);
+    let end_column = if end.line == start.line { end.col.max(start.col + 1) } else { start.col + 1 };
+    let span = Span::new(&file, start.line, start.col, end_column);
+    match &error.code {
+        ron::Error::NoSuchStructField { expected, found, .. } => unknown(&span, "field", found, expected),
+        ron::Error::NoSuchEnumVariant { expected, found, .. } => unknown(&span, "choice", found, expected),
+        ron::Error::MissingStructField { field, outer } => {
+            let place = outer.as_ref().map_or(String::new(), |name| format!(" of {name}"));
+            InputError::at(&span, format!("the field `{field}`{place} is missing"))
+                .with_help(format!("add `{field}: ...` inside the parentheses that end here"))
+        }
+        code => InputError::at(&span, format!("not understood as RON: {code}")),
+    }
+}
+
+fn unknown(span: &Span, kind: &str, found: &str, expected: &[&str]) -> InputError {
+    let list = expected.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+    let error = InputError::at(span, format!("there is no {kind} `{found}` here; expected one of {list}"));
+    match nearest(found, expected.iter().copied()) {
+        Some(name) => error.with_help(format!("did you mean `{name}`?")),
+        None => error,
+    }
+}
