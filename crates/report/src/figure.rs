@@ -1,0 +1,193 @@
+//! Line charts: a grid of panels with one legend below, drawn by kuva. No other file knows which library draws.
+
+use kuva::backend::svg::SvgBackend;
+use kuva::plot::legend::{LegendEntry, LegendShape};
+use kuva::plot::{LinePlot, ScatterPlot};
+use kuva::render::figure::Figure as Grid;
+use kuva::render::layout::Layout;
+use kuva::render::plots::Plot;
+
+use crate::error::DrawError;
+use crate::palette;
+use crate::thin::thinned;
+
+/// Width of a panel, px.
+const PANEL_WIDTH: f64 = 480.0;
+/// Height of a panel, px.
+const PANEL_HEIGHT: f64 = 300.0;
+/// Points of a curve that are drawn at most.
+const POINTS: usize = 2000;
+
+/// How a series is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Style {
+    /// Points joined by a line.
+    Line,
+    /// Separate points: measurements.
+    Points,
+    /// Points joined by a dashed line: the state before, a reference, a bound.
+    DashedLine,
+}
+
+/// One curve or cloud. Series of the same name have the same colour in every panel and one entry in the legend.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Series {
+    /// Name in the legend.
+    pub name: String,
+    /// Abscissae in the unit of the panel's label.
+    pub x: Vec<f64>,
+    /// Ordinates, as many as abscissae. Points that are not finite are left out.
+    pub y: Vec<f64>,
+    /// Line, points or dashes.
+    pub style: Style,
+}
+
+impl Series {
+    /// A series from its parts.
+    pub fn new(name: impl Into<String>, x: Vec<f64>, y: Vec<f64>, style: Style) -> Self {
+        Self { name: name.into(), x, y, style }
+    }
+}
+
+/// One pair of axes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Panel {
+    /// Title above the panel; may be empty.
+    pub title: String,
+    /// Quantity and unit, `time (s)`.
+    pub x_label: String,
+    /// Quantity and unit, `Fz (N)`.
+    pub y_label: String,
+    /// What is drawn, later series above earlier ones.
+    pub series: Vec<Series>,
+}
+
+/// A grid of panels, filled row by row.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure {
+    /// Title of the whole.
+    pub title: String,
+    /// The panels.
+    pub panels: Vec<Panel>,
+    /// Panels in a row; zero counts as one.
+    pub columns: usize,
+}
+
+impl Figure {
+    /// The figure as an SVG document.
+    ///
+    /// # Errors
+    /// If there is no panel, a panel has no finite point, or x and y of a series have different lengths.
+    pub fn svg(&self) -> Result<String, DrawError> {
+        if self.panels.is_empty() {
+            return Err(DrawError::Empty(self.title.clone()));
+        }
+        let names = self.names();
+        let mut plots = Vec::new();
+        let mut layouts = Vec::new();
+        for panel in &self.panels {
+            let drawn = panel.plots(&names)?;
+            layouts.push(panel.layout(&drawn));
+            plots.push(drawn);
+        }
+        let columns = self.columns.clamp(1, self.panels.len());
+        let rows = self.panels.len().div_ceil(columns);
+        let mut grid = Grid::new(rows, columns)
+            .with_structure((0..self.panels.len()).map(|i| vec![i]).collect())
+            .with_plots(plots)
+            .with_layouts(layouts)
+            .with_cell_size(PANEL_WIDTH, PANEL_HEIGHT)
+            .with_spacing(14.0)
+            .with_title(plain(&self.title))
+            .with_title_size(18);
+        if names.len() > 1 {
+            grid = grid.with_shared_legend_entries(self.legend(&names)).with_shared_legend_bottom();
+        }
+        Ok(SvgBackend::new().with_embedded_font(false).render_scene(&grid.render()))
+    }
+
+    /// Names of the series in the order of their first appearance.
+    fn names(&self) -> Vec<&str> {
+        let mut names: Vec<&str> = Vec::new();
+        for series in self.panels.iter().flat_map(|panel| &panel.series) {
+            if !names.contains(&series.name.as_str()) {
+                names.push(&series.name);
+            }
+        }
+        names
+    }
+
+    fn legend(&self, names: &[&str]) -> Vec<LegendEntry> {
+        let style = |name: &str| {
+            self.panels
+                .iter()
+                .flat_map(|p| &p.series)
+                .find(|s| s.name == name)
+                .map_or(Style::Line, |s| s.style)
+        };
+        names
+            .iter()
+            .enumerate()
+            .map(|(i, name)| LegendEntry {
+                // kuva measures text a little too narrow; the blanks keep long names inside the box.
+                label: format!("{}\u{a0}\u{a0}", plain(name)),
+                color: palette::line(i).into(),
+                shape: if style(name) == Style::Points { LegendShape::Circle } else { LegendShape::Line },
+                dasharray: (style(name) == Style::DashedLine).then(|| "6 4".into()),
+            })
+            .collect()
+    }
+}
+
+impl Panel {
+    fn plots(&self, names: &[&str]) -> Result<Vec<Plot>, DrawError> {
+        let mut plots = Vec::new();
+        for series in &self.series {
+            if series.x.len() != series.y.len() {
+                let (first, second) = (series.x.len(), series.y.len());
+                return Err(DrawError::Lengths { what: series.name.clone(), first, second });
+            }
+            let points = thinned(&series.x, &series.y, POINTS);
+            if points.is_empty() {
+                continue;
+            }
+            let colour = palette::line(names.iter().position(|n| *n == series.name).unwrap_or(0));
+            plots.push(match series.style {
+                Style::Line => {
+                    LinePlot::new().with_data(points).with_color(colour).with_stroke_width(1.8).into()
+                }
+                Style::DashedLine => LinePlot::new()
+                    .with_data(points)
+                    .with_color(colour)
+                    .with_stroke_width(1.6)
+                    .with_dashed()
+                    .into(),
+                Style::Points => {
+                    ScatterPlot::new().with_data(points).with_color(colour).with_size(3.5).into()
+                }
+            });
+        }
+        if plots.is_empty() {
+            return Err(DrawError::Empty(format!("panel '{} {}'", self.title, self.y_label)));
+        }
+        Ok(plots)
+    }
+
+    fn layout(&self, plots: &[Plot]) -> Layout {
+        let layout = Layout::auto_from_plots(plots)
+            .with_x_label(plain(&self.x_label))
+            .with_y_label(plain(&self.y_label))
+            .with_font_family(crate::paint::FONT)
+            .with_ticks(6)
+            .with_tick_size(12)
+            .with_label_size(13)
+            .with_title_size(14)
+            .with_body_size(12);
+        if self.title.is_empty() { layout } else { layout.with_title(plain(&self.title)) }
+    }
+}
+
+/// Text in which kuva finds no mathematics to typeset.
+fn plain(text: &str) -> String {
+    text.replace('$', "\\$")
+}
