@@ -1,1 +1,26 @@
 #![doc = include_str!("../README.md")]
+
+pub mod airfoil;
+pub mod controls;
+pub mod corrections;
+pub mod error;
+pub mod flow;
+pub mod geometry;
+pub mod horseshoe;
+pub mod incidence;
+pub mod integration;
+pub mod lattice;
+pub mod mirror;
+pub mod vlm;
+
+pub use airfoil::Airfoil;
+pub use controls::ControlSurface;
+pub use corrections::Corrections;
+pub use error::AeroError;
+pub use flow::Flow;
+pub use geometry::AeroBox;
+pub use incidence::camber_and_twist;
+pub use integration::{BoxLoads, Integration};
+pub use lattice::{Lattice, Surface};
+pub use mirror::{BoxMap, MirrorPlane};
+pub use vlm::{SteadyAero, influence};

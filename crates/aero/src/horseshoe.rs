@@ -1,0 +1,132 @@
+//! Velocity of a horseshoe vortex: a bound segment and two legs along +x to infinity (Biot-Savart).
+//!
+//! With r1, r2 from the segment's ends to the point, a segment of circulation 1 induces
+//! `(r1 x r2) (|r1|+|r2|) / (4 pi |r1||r2| (|r1||r2| + r1.r2))`, a leg from r = 0 along +x
+//! `(x_hat x r) / (4 pi |r| (|r| - x))` (Katz and Plotkin, Low-Speed Aerodynamics, section 10.4.5, rearranged).
+//! Both are singular on the vortex itself only, not on its extension. Where the last factor would be a small
+//! difference it is replaced by the quotient with its conjugate, so that nothing cancels.
+//!
+//! On the vortex: each segment has a core of [`CORE`] times the smaller of the two boxes' sizes, within which its
+//! velocity falls linearly to zero on the line. A point on the line therefore gets nothing from that segment (the
+//! principal value) and all of the other two; and because the core is relative, size does not matter. Control
+//! points of a panel are half a box from every vortex of it, so cores act only between surfaces, as when a tail
+//! stands in line with the strip edges of a wing.
+
+use crate::lattice::Lattice;
+use nalgebra::{Point3, Vector3};
+use std::f64::consts::PI;
+
+/// Radius of a vortex core over the size (smaller of chord and width) of the smaller of the two boxes involved.
+///
+/// Large enough to hide the rounding of 8-character fields of a deck, small beside half a box.
+pub const CORE: f64 = 0.01;
+
+/// One horseshoe of unit strength in `cp`: circulation `V chord/2`.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Horseshoe {
+    from: Vector3<f64>,
+    to: Vector3<f64>,
+    length_2: f64,
+    core: f64,
+    circulation: f64,
+}
+
+impl Horseshoe {
+    /// The horseshoe of a box, its x stretched by `1/beta` (Prandtl-Glauert).
+    fn new(panel: &crate::AeroBox, beta: f64) -> Self {
+        let [from, to] = panel.bound_vortex().map(|p| stretched(&p, beta));
+        Self {
+            from,
+            to,
+            length_2: (to - from).norm_squared(),
+            core: CORE * size(panel),
+            circulation: panel.chord_m() / 2.0,
+        }
+    }
+}
+
+/// Points that receive velocity, each with the direction of which the component is taken.
+///
+/// One array for each number, so that the loop over points is straight and wide.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Receivers {
+    point: [Vec<f64>; 3],
+    normal: [Vec<f64>; 3],
+    core: Vec<f64>,
+}
+
+impl Receivers {
+    /// Three-quarter points and normals of the boxes, x stretched by `1/beta`; mirrored about `plane` if given.
+    ///
+    /// The velocity of a vortex's image along n is that of the vortex itself, at the mirrored point, along the
+    /// mirrored n: so points are mirrored, not vortices.
+    pub(crate) fn new(lattice: &Lattice, beta: f64, plane: Option<f64>) -> Self {
+        let mut all = Self::default();
+        for panel in &lattice.boxes {
+            let (mut p, mut n) = (stretched(&panel.three_quarter_point(), beta), panel.normal());
+            if let Some(y_m) = plane {
+                p.y = 2.0 * y_m - p.y;
+                n.y = -n.y;
+            }
+            for axis in 0..3 {
+                all.point[axis].push(p[axis]);
+                all.normal[axis].push(n[axis]);
+            }
+            all.core.push(CORE * size(panel));
+        }
+        all
+    }
+
+    /// Adds `factor` times the incidence that each receiver's flow lacks for a unit `cp` of one box: -v.n/V.
+    pub(crate) fn add_incidence(&self, vortex: &Horseshoe, factor: f64, out: &mut [f64]) {
+        let [px, py, pz] = &self.point;
+        let [nx, ny, nz] = &self.normal;
+        let scale = -factor * vortex.circulation / (4.0 * PI);
+        let count = out.len();
+        // Equal lengths known to the compiler: no bounds checks inside.
+        let (px, py, pz, core) = (&px[..count], &py[..count], &pz[..count], &self.core[..count]);
+        let (nx, ny, nz) = (&nx[..count], &ny[..count], &nz[..count]);
+        for i in 0..count {
+            let v = velocity(vortex, [px[i], py[i], pz[i]], core[i].min(vortex.core));
+            out[i] += scale * (v[0] * nx[i] + v[1] * ny[i] + v[2] * nz[i]);
+        }
+    }
+}
+
+/// The horseshoes of all boxes, x stretched by `1/beta`.
+pub(crate) fn horseshoes(lattice: &Lattice, beta: f64) -> Vec<Horseshoe> {
+    lattice.boxes.iter().map(|panel| Horseshoe::new(panel, beta)).collect()
+}
+
+fn stretched(p: &Point3<f64>, beta: f64) -> Vector3<f64> {
+    Vector3::new(p.x / beta, p.y, p.z)
+}
+
+fn size(panel: &crate::AeroBox) -> f64 {
+    panel.chord_m().min(panel.width_m())
+}
+
+/// 4 pi times the velocity of a horseshoe of circulation 1 at a point.
+#[inline]
+fn velocity(vortex: &Horseshoe, point: [f64; 3], core: f64) -> [f64; 3] {
+    let [x1, y1, z1] = [point[0] - vortex.from.x, point[1] - vortex.from.y, point[2] - vortex.from.z];
+    let [x2, y2, z2] = [point[0] - vortex.to.x, point[1] - vortex.to.y, point[2] - vortex.to.z];
+    let r1 = (x1 * x1 + y1 * y1 + z1 * z1).sqrt().max(core);
+    let r2 = (x2 * x2 + y2 * y2 + z2 * z2).sqrt().max(core);
+    let core_2 = core * core;
+    let cross = [y1 * z2 - z1 * y2, z1 * x2 - x1 * z2, x1 * y2 - y1 * x2];
+    let cross_2 = cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2];
+    let (product, dot) = (r1 * r2, x1 * x2 + y1 * y2 + z1 * z2);
+    let sum = if dot < 0.0 { cross_2.max(core_2 * vortex.length_2) / (product - dot) } else { product + dot };
+    let bound = (r1 + r2) / (product * sum);
+    let (leg_1, leg_2) = (leg(x1, y1 * y1 + z1 * z1, r1, core_2), leg(x2, y2 * y2 + z2 * z2, r2, core_2));
+    [bound * cross[0], bound * cross[1] - leg_2 * z2 + leg_1 * z1, bound * cross[2] + leg_2 * y2 - leg_1 * y1]
+}
+
+/// Factor of `x_hat x r` for a leg along +x: `1/(r (r - x))`.
+#[inline]
+fn leg(x: f64, rho_2: f64, r: f64, core_2: f64) -> f64 {
+    // Multiplying by 1 = (r + x)/(r + x) downstream avoids the difference r - x.
+    let (top, bottom) = if x > 0.0 { (r + x, rho_2.max(core_2)) } else { (1.0, r - x) };
+    top / (bottom * r)
+}

@@ -1,0 +1,110 @@
+//! Pressures to loads: the matrix S of P = q W S Q w + q S `f_e`, box by box.
+//!
+//! The pressure of a box acts at its quarter point along its normal. In the k-set that is a lift along the normal
+//! at the midpoint and a nose-up moment about it of chord/4 times the lift.
+
+use crate::corrections::Corrections;
+use crate::lattice::Lattice;
+use nalgebra::{Point3, Vector3};
+
+/// Areas and arms of the boxes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Integration {
+    area_m2: Vec<f64>,
+    arm_m: Vec<f64>,
+}
+
+/// Loads of all boxes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BoxLoads {
+    /// `[lift_0, moment_0, lift_1, ...]`: lift along the normal in N, nose-up moment about the midpoint in N m.
+    pub values: Vec<f64>,
+}
+
+impl Integration {
+    /// Areas and arms of a lattice's boxes.
+    pub fn new(lattice: &Lattice) -> Self {
+        let area_m2 = lattice.boxes.iter().map(crate::AeroBox::area_m2).collect();
+        Self { area_m2, arm_m: lattice.boxes.iter().map(|panel| panel.chord_m() / 4.0).collect() }
+    }
+
+    /// Number of boxes.
+    pub fn len(&self) -> usize {
+        self.area_m2.len()
+    }
+
+    /// True if there are no boxes.
+    pub fn is_empty(&self) -> bool {
+        self.area_m2.is_empty()
+    }
+
+    /// Area of box `j`, m2.
+    ///
+    /// # Panics
+    /// If there is no such box.
+    pub fn area(&self, j: usize) -> f64 {
+        self.area_m2[j]
+    }
+
+    /// Nose-up moment about the midpoint per unit lift of box `j`: chord/4, m.
+    ///
+    /// # Panics
+    /// If there is no such box.
+    pub fn moment_arm(&self, j: usize) -> f64 {
+        self.arm_m[j]
+    }
+
+    /// Corrected loads at dynamic pressure `q_pa` for theoretical pressure coefficients `cp`:
+    /// lift = q A (`W_force` cp + `f_e`), moment = q A chord/4 (`W_moment` cp + `f_e`).
+    ///
+    /// # Panics
+    /// If `cp` or the corrections are for another number of boxes.
+    pub fn box_loads(&self, q_pa: f64, cp: &[f64], corrections: &Corrections) -> BoxLoads {
+        let n = self.len();
+        assert!(
+            cp.len() == n && corrections.len() == n,
+            "pressures or corrections are for another number of boxes"
+        );
+        let one = |j: usize| {
+            let (area, arm, offset) = (q_pa * self.area_m2[j], self.arm_m[j], corrections.pressure_offset[j]);
+            let lift = area * (corrections.force[j] * cp[j] + offset);
+            [lift, area * (corrections.moment[j] * cp[j] + offset) * arm]
+        };
+        BoxLoads { values: (0..n).flat_map(one).collect() }
+    }
+}
+
+impl BoxLoads {
+    /// Number of boxes.
+    pub fn len(&self) -> usize {
+        self.values.len() / 2
+    }
+
+    /// True if there are no boxes.
+    pub fn is_empty(&self) -> bool {
+        self.values.is_empty()
+    }
+
+    /// Force (N) and moment (N m) of one box on the lattice's axes, the moment about the box midpoint.
+    ///
+    /// # Panics
+    /// If there is no such box.
+    pub fn vector(&self, lattice: &Lattice, j: usize) -> (Vector3<f64>, Vector3<f64>) {
+        let panel = &lattice.boxes[j];
+        (panel.normal() * self.values[2 * j], panel.pitch_axis() * self.values[2 * j + 1])
+    }
+
+    /// Sum of all boxes: force (N) and moment (N m) about a point, along x aft, y right, z up.
+    ///
+    /// # Panics
+    /// If the lattice has fewer boxes.
+    pub fn resultant(&self, lattice: &Lattice, about: &Point3<f64>) -> ([f64; 3], [f64; 3]) {
+        let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
+        for j in 0..self.len() {
+            let (f, m) = self.vector(lattice, j);
+            force += f;
+            moment += m + (lattice.boxes[j].mid_point() - about).cross(&f);
+        }
+        (force.into(), moment.into())
+    }
+}

@@ -1,0 +1,255 @@
+//! Panels divided into boxes: CAERO1 with NSPAN/NCHORD or AEFACT divisions.
+//!
+//! Boxes are numbered as Nastran numbers them: from the panel's own number, chordwise first, then spanwise;
+//! panels in ascending order. So the boxes' order in the lattice is that of ascending numbers.
+
+use crate::geometry::AeroBox;
+use nalgebra::{Point3, Vector3};
+use nastran::{Aefact, BulkData, Caero1, Divisions, Frames, InputError};
+use std::collections::HashSet;
+
+/// More boxes than this are refused: the influence matrix alone would take 3 GB.
+const MOST_BOXES: usize = 20_000;
+
+/// One panel of a lattice.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Surface {
+    /// Number of the panel (EID of the CAERO1).
+    pub id: u32,
+    /// Name for reports.
+    pub name: String,
+    /// Index of its first box.
+    pub first_box: usize,
+    /// Boxes along the chord.
+    pub chordwise: usize,
+    /// Strips along the span.
+    pub spanwise: usize,
+}
+
+/// Boxes of all panels.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Lattice {
+    /// Boxes, panel by panel, chordwise first, then spanwise.
+    pub boxes: Vec<AeroBox>,
+    /// Panels.
+    pub surfaces: Vec<Surface>,
+}
+
+impl Lattice {
+    /// The boxes of a deck's CAERO1 panels.
+    ///
+    /// # Errors
+    /// If a panel refers to an AEFACT or a coordinate system that is not there, divisions do not rise from 0 to 1,
+    /// a panel has no area, box numbers collide, or there are more than 20000 boxes; the card is blamed.
+    pub fn from_bulk(bulk: &BulkData) -> Result<Self, InputError> {
+        let frames = Frames::resolve(bulk)?;
+        let mut lattice = Self::default();
+        for panel in bulk.panels.values() {
+            let corners = panel_corners(panel, &frames)?;
+            let span = fractions(bulk, panel, panel.span_divisions, "spanwise")?;
+            let chord = fractions(bulk, panel, panel.chord_divisions, "chordwise")?;
+            let boxes = divide(panel.id, &corners, &span, &chord).ok_or_else(|| {
+                InputError::at(&panel.span, format!("boxes of CAERO1 {} exceed the largest number", panel.id))
+            })?;
+            if lattice.len() + boxes.len() > MOST_BOXES {
+                return Err(InputError::at(
+                    &panel.span,
+                    format!("the panels have more than {MOST_BOXES} boxes"),
+                )
+                .with_help("use fewer spanwise or chordwise divisions"));
+            }
+            if let (Some(last), Some(previous)) = (lattice.boxes.last(), lattice.surfaces.last())
+                && last.id >= panel.id
+            {
+                return Err(InputError::at(
+                    &panel.span,
+                    format!(
+                        "boxes of CAERO1 {} run to {} and collide with CAERO1 {}",
+                        previous.id, last.id, panel.id
+                    ),
+                )
+                .with_help("number the panels further apart than they have boxes"));
+            }
+            lattice.push(format!("CAERO1 {}", panel.id), panel.id, boxes, chord.len() - 1);
+        }
+        Ok(lattice)
+    }
+
+    /// One panel from corner points of its boxes, for lattices that come from no deck; `chordwise` boxes a strip.
+    ///
+    /// # Errors
+    /// If the boxes do not fill whole strips, share a number, or one has no area or no chord along x.
+    pub fn from_corners(name: &str, chordwise: usize, boxes: Vec<AeroBox>) -> Result<Self, InputError> {
+        if chordwise == 0 || !boxes.len().is_multiple_of(chordwise) {
+            return Err(InputError::general(format!(
+                "{} boxes of {name} do not fill strips of {chordwise} boxes each",
+                boxes.len()
+            )));
+        }
+        for panel in &boxes {
+            let finite = panel.corners.iter().flat_map(|c| c.iter()).all(|value| value.is_finite());
+            if !finite || panel.area_m2() <= 0.0 || panel.chord_m() <= 0.0 {
+                return Err(InputError::general(format!(
+                    "box {} of {name} has no area or no chord along x",
+                    panel.id
+                )));
+            }
+        }
+        let mut lattice = Self::default();
+        let id = boxes.first().map_or(0, |panel| panel.id);
+        lattice.push(name.to_owned(), id, boxes, chordwise);
+        lattice.refuse_shared_numbers()
+    }
+
+    /// A trapezoid from a leading-edge point and chord to another, `divisions` = (chordwise, spanwise) equal parts.
+    ///
+    /// # Errors
+    /// As [`Lattice::from_bulk`] for such a CAERO1.
+    pub fn trapezoid(
+        id: u32,
+        side_1: [f64; 3],
+        chord_1_m: f64,
+        side_2: [f64; 3],
+        chord_2_m: f64,
+        divisions: [u32; 2],
+    ) -> Result<Self, InputError> {
+        let panel = Caero1 {
+            id,
+            property: 0,
+            cp: 0,
+            span_divisions: Divisions::Equal(divisions[1]),
+            chord_divisions: Divisions::Equal(divisions[0]),
+            group: 1,
+            point_1: side_1,
+            chord_1: chord_1_m,
+            point_4: side_2,
+            chord_4: chord_2_m,
+            span: nastran::Span::generated("trapezoid"),
+        };
+        Self::from_bulk(&BulkData { panels: [(id, panel)].into(), ..BulkData::default() })
+    }
+
+    /// This lattice and another behind it.
+    ///
+    /// # Errors
+    /// If they share a box number.
+    pub fn joined(&self, other: &Self) -> Result<Self, InputError> {
+        let mut all = self.clone();
+        let shift =
+            |surface: &Surface| Surface { first_box: surface.first_box + self.len(), ..surface.clone() };
+        all.surfaces.extend(other.surfaces.iter().map(shift));
+        all.boxes.extend(other.boxes.iter().cloned());
+        all.refuse_shared_numbers()
+    }
+
+    /// The same lattice with every length multiplied by `factor`.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        let mut lattice = self.clone();
+        for corner in lattice.boxes.iter_mut().flat_map(|panel| panel.corners.iter_mut()) {
+            *corner *= factor;
+        }
+        lattice
+    }
+
+    /// Number of boxes.
+    pub fn len(&self) -> usize {
+        self.boxes.len()
+    }
+
+    /// True if there are no boxes.
+    pub fn is_empty(&self) -> bool {
+        self.boxes.is_empty()
+    }
+
+    /// Index of the box with this number.
+    pub fn index_of(&self, box_id: u32) -> Option<usize> {
+        self.boxes.iter().position(|panel| panel.id == box_id)
+    }
+
+    fn push(&mut self, name: String, id: u32, boxes: Vec<AeroBox>, chordwise: usize) {
+        let spanwise = boxes.len() / chordwise;
+        self.surfaces.push(Surface { id, name, first_box: self.len(), chordwise, spanwise });
+        self.boxes.extend(boxes);
+    }
+
+    fn refuse_shared_numbers(self) -> Result<Self, InputError> {
+        let mut seen = HashSet::new();
+        match self.boxes.iter().find(|panel| !seen.insert(panel.id)) {
+            Some(panel) => Err(InputError::general(format!("box number {} is used twice", panel.id))),
+            None => Ok(self),
+        }
+    }
+}
+
+/// Corners 1 to 4 of a panel in basic axes; its chords lie along basic x.
+fn panel_corners(panel: &Caero1, frames: &Frames) -> Result<[Point3<f64>; 4], InputError> {
+    let leading_1 = frames.point(panel.cp, panel.point_1, &panel.span)?;
+    let leading_4 = frames.point(panel.cp, panel.point_4, &panel.span)?;
+    let along = |from: &Point3<f64>, chord: f64| from + Vector3::x() * chord;
+    let width = (leading_4 - leading_1).yz().norm();
+    // Negated so that numbers that are not numbers are refused too.
+    let chords_fit = panel.chord_1 >= 0.0 && panel.chord_4 >= 0.0 && panel.chord_1 + panel.chord_4 > 0.0;
+    if !(chords_fit && width > 0.0 && (panel.chord_1 + panel.chord_4 + width).is_finite()) {
+        return Err(InputError::at(
+            &panel.span,
+            format!(
+                "CAERO1 {} has no area: chords {} and {} m, width {width} m",
+                panel.id, panel.chord_1, panel.chord_4
+            ),
+        )
+        .with_help("chords must not be negative nor both zero, and the sides must lie apart in y or z"));
+    }
+    Ok([leading_1, along(&leading_1, panel.chord_1), along(&leading_4, panel.chord_4), leading_4])
+}
+
+/// Boundaries of the divisions, from 0 to 1.
+fn fractions(bulk: &BulkData, panel: &Caero1, of: Divisions, which: &str) -> Result<Vec<f64>, InputError> {
+    match of {
+        Divisions::Equal(count) if count == 0 || count as usize > MOST_BOXES => Err(InputError::at(
+            &panel.span,
+            format!("CAERO1 {} has {count} {which} divisions, expected 1 to {MOST_BOXES}", panel.id),
+        )),
+        Divisions::Equal(count) => Ok((0..=count).map(|i| f64::from(i) / f64::from(count)).collect()),
+        Divisions::Aefact(id) => {
+            let list = bulk.factors.get(&id).ok_or_else(|| {
+                InputError::at(
+                    &panel.span,
+                    format!("CAERO1 {} refers to AEFACT {id}, which is not there", panel.id),
+                )
+            })?;
+            rising_fractions(list)
+        }
+    }
+}
+
+/// The numbers of an AEFACT, which must rise from 0 to 1.
+fn rising_fractions(list: &Aefact) -> Result<Vec<f64>, InputError> {
+    let rising = list.values.windows(2).all(|pair| pair[0] < pair[1]);
+    let ends = (list.values.first(), list.values.last());
+    if list.values.len() >= 2 && rising && ends == (Some(&0.0), Some(&1.0)) {
+        return Ok(list.values.clone());
+    }
+    Err(InputError::at(&list.span, format!("divisions on AEFACT {} do not rise from 0.0 to 1.0", list.id))
+        .with_help("list the boundaries of all strips or boxes, the first 0.0 and the last 1.0"))
+}
+
+/// The boxes of a panel; `None` if their numbers do not fit.
+fn divide(id: u32, corners: &[Point3<f64>; 4], span: &[f64], chord: &[f64]) -> Option<Vec<AeroBox>> {
+    let [c1, c2, c3, c4] = corners;
+    // Equal values stay equal and the ends are the panel's own corners, to the last bit: flat panels stay flat.
+    let between = |a: f64, b: f64, f: f64| if f == 1.0 { b } else { a + f * (b - a) };
+    let mix = |a: &Point3<f64>, b: &Point3<f64>, f: f64| {
+        Point3::new(between(a.x, b.x, f), between(a.y, b.y, f), between(a.z, b.z, f))
+    };
+    let at = |eta: f64, xi: f64| mix(&mix(c1, c4, eta), &mix(c2, c3, eta), xi);
+    let mut boxes = Vec::with_capacity((span.len() - 1) * (chord.len() - 1));
+    for side in span.windows(2) {
+        for edge in chord.windows(2) {
+            let corners =
+                [at(side[0], edge[0]), at(side[0], edge[1]), at(side[1], edge[1]), at(side[1], edge[0])];
+            boxes.push(AeroBox { id: id.checked_add(u32::try_from(boxes.len()).ok()?)?, corners });
+        }
+    }
+    Some(boxes)
+}
