@@ -25,10 +25,10 @@ fn planform(wing: &WingFile) -> &Planform {
     wing.planform().expect("data/tuflex/wing.ron is a parametric wing")
 }
 
-fn box_counts(bulk: &BulkData) -> Vec<u32> {
+fn box_counts(bulk: &BulkData) -> Vec<usize> {
     let number = |divisions| match divisions {
-        Divisions::Equal(number) => number,
-        Divisions::Aefact(id) => bulk.factors[&id].values.len() as u32 - 1,
+        Divisions::Equal(number) => number as usize,
+        Divisions::Aefact(id) => bulk.factors[&id].values.len() - 1,
     };
     bulk.panels.values().map(|panel| number(panel.span_divisions) * number(panel.chord_divisions)).collect()
 }
@@ -156,6 +156,22 @@ fn camber_and_twist_enter_as_nose_up_incidence() -> Outcome {
     assert!((twisted[707].to_degrees() - 2.0).abs() < 1e-12);
     wing.fairing.as_mut().ok_or("the wing has a fairing")?.camber = false;
     assert_eq!(of(&wing)?[707], 0.0);
+    Ok(())
+}
+
+#[test]
+fn strips_may_be_as_unequal_as_the_control_surfaces_need() -> Outcome {
+    let mut wing = planform(&tuflex()?).clone();
+    wing.controls.truncate(1);
+    wing.controls[0].strips = (2, 2);
+    (wing.boxes.spanwise, wing.boxes.strip_edges) = (3, Some(vec![0.0, 0.2, 0.7, 1.0]));
+    let bulk = wing.bulk(&data("tuflex"), Mount::Aircraft)?;
+    assert_eq!(box_counts(&bulk), [36]);
+    assert_eq!(bulk.box_lists[&501].boxes, [100_022, 100_023, 100_024]);
+    for edges in [vec![0.0, 0.7, 0.2, 1.0], vec![0.0, 0.2, 1.0], vec![0.1, 0.2, 0.7, 1.0]] {
+        wing.boxes.strip_edges = Some(edges);
+        assert!(wing.bulk(&data("tuflex"), Mount::Aircraft).is_err());
+    }
     Ok(())
 }
 
