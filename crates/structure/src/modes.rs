@@ -1,0 +1,260 @@
+//! Natural modes: K x = omega^2 M x by block subspace iteration, proven complete by a pivot count.
+//!
+//! Bathe's subspace iteration (*Finite Element Procedures*, ch. 11) with a fixed start block without symmetry. A
+//! structure that can move freely is factorised as K + s M, where s goes down to the first elastic eigenvalue as soon
+//! as that shows. After convergence the number of eigenvalues below a shift just above the last mode
+//! ([`crate::sturm`]) must be the number found; if not, the block grows and the iteration goes on. A single-vector
+//! method would miss the copies of repeated frequencies (two equal wings) without noticing.
+//!
+//! Motions without mass have no frequency and are not counted among the modes.
+
+use crate::flexibility::{Factor, SingularStructure};
+use crate::sparse;
+use crate::sturm;
+use crate::subspace::{self, Noise, Ritz};
+use crate::system::System;
+use faer::{Mat, MatRef};
+
+/// Residual at which a mode is converged; its eigenvalue's relative error is about the square of it.
+const CONVERGED: f64 = 1e-9;
+
+/// Residual that is accepted when round-off prevents a smaller one.
+const STAGNANT: f64 = 1e-5;
+
+/// Sweeps with one block size.
+const SWEEPS: usize = 200;
+
+/// A mode of a loose structure is rigid if its eigenvalue is below this share of the first elastic one.
+const RIGID: f64 = 1e-6;
+
+/// Natural modes in ascending frequency.
+#[derive(Debug, Clone)]
+pub struct Modes {
+    /// Natural frequencies, rad/s. Exactly zero for a rigid motion: as many as the stiffness has loose pivots, if their
+    /// computed eigenvalue is less than a millionth of the first elastic one.
+    pub omega_rad_s: Vec<f64>,
+    /// Shapes, f-set x modes: X^T M X = E. The largest displacement along z is positive; of a mode that hardly
+    /// moves along z, the largest component.
+    pub shapes: Mat<f64>,
+}
+
+/// Why modes could not be computed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ModesError {
+    /// More modes were asked for than there are motions with mass.
+    #[error(
+        "{asked} modes were asked for, but the masses allow only {available} (hint: ask for fewer, or give the material a density)"
+    )]
+    TooMany {
+        /// Number asked for.
+        asked: usize,
+        /// Number of motions with mass.
+        available: usize,
+    },
+    /// A motion has neither stiffness nor mass.
+    #[error("a motion has neither stiffness nor mass: {0}")]
+    Massless(SingularStructure),
+    /// The pivots near this frequency have no certain sign.
+    #[error(
+        "the modes below {omega_rad_s} rad/s cannot be counted, pivots stay too small (hint: look for motions without stiffness and mass)"
+    )]
+    Uncountable {
+        /// The frequency.
+        omega_rad_s: f64,
+    },
+    /// The iteration did not converge.
+    #[error(
+        "{asked} modes did not converge, the largest residual is {residual:.1e} (hint: look for stiffnesses or masses many orders of magnitude off)"
+    )]
+    NotConverged {
+        /// Number asked for.
+        asked: usize,
+        /// Largest residual of the modes asked for.
+        residual: f64,
+    },
+    /// The count of eigenvalues contradicts the modes found, whatever the size of the block.
+    #[error(
+        "{found} modes were found, but {counted} lie below {omega_rad_s} rad/s (hint: look for stiffnesses or masses many orders of magnitude off)"
+    )]
+    Incomplete {
+        /// Modes found below the frequency.
+        found: usize,
+        /// Modes counted below it.
+        counted: usize,
+        /// The frequency.
+        omega_rad_s: f64,
+    },
+}
+
+/// The `count` lowest natural modes.
+///
+/// # Errors
+/// If there are not so many, a motion has neither stiffness nor mass, or the completeness cannot be shown.
+pub fn normal_modes(system: &System, count: usize) -> Result<Modes, ModesError> {
+    let n = system.free_count();
+    if count > n {
+        return Err(ModesError::TooMany { asked: count, available: n });
+    }
+    if count == 0 {
+        return Ok(Modes { omega_rad_s: Vec::new(), shapes: Mat::zeros(n, 0) });
+    }
+    let mut search = Search::new(system, count)?;
+    let mut incomplete = None;
+    loop {
+        search.converge()?;
+        match search.check()? {
+            None => return Ok(search.modes()),
+            Some(difference) if search.block.ncols() >= n || search.exhausted() => {
+                return Err(incomplete.unwrap_or(difference));
+            }
+            Some(difference) => incomplete = Some(difference),
+        }
+        let more = (search.block.ncols() / 2).max(4).min(n - search.block.ncols());
+        tracing::debug!(more, "the count of eigenvalues asks for a larger block");
+        search.block = search.noise.extend(search.block.as_ref(), more);
+    }
+}
+
+struct Search<'a> {
+    system: &'a System,
+    count: usize,
+    /// Number of loose motions of the stiffness alone.
+    rigid: usize,
+    shift: f64,
+    factor: Factor,
+    noise: Noise,
+    block: Mat<f64>,
+    ritz: Ritz,
+}
+
+impl<'a> Search<'a> {
+    fn new(system: &'a System, count: usize) -> Result<Self, ModesError> {
+        let n = system.free_count();
+        let mut factor = Factor::held(system.stiffness());
+        let rigid = factor.loose.len();
+        let mut shift = 0.0;
+        if rigid > 0 {
+            shift = first_shift(system);
+            factor = shifted(system, shift)?;
+        }
+        let size = (2 * count.max(rigid)).min(count.max(rigid) + 8).min(n);
+        let mut noise = Noise::new();
+        let block = noise.extend(Mat::zeros(n, 0).as_ref(), size);
+        let ritz = Ritz { values: Vec::new(), vectors: Mat::zeros(n, 0) };
+        Ok(Self { system, count, rigid, shift, factor, noise, block, ritz })
+    }
+
+    /// True if the block holds every motion with mass.
+    fn exhausted(&self) -> bool {
+        self.ritz.values.len() < self.block.ncols()
+    }
+
+    fn converge(&mut self) -> Result<(), ModesError> {
+        let (k, m) = (self.system.stiffness(), self.system.mass());
+        let mut worst = f64::INFINITY;
+        let mut best = f64::INFINITY;
+        let mut idle = 0;
+        let mut x = self.block.clone();
+        for _ in 0..SWEEPS {
+            self.ritz = subspace::sweep(k, m, &self.factor, x.as_ref())
+                .ok_or(ModesError::NotConverged { asked: self.count, residual: worst })?;
+            let available = self.ritz.values.len();
+            if available < self.count {
+                return Err(ModesError::TooMany { asked: self.count, available });
+            }
+            x = self.ritz.vectors.clone();
+            if self.lower_shift()? {
+                continue;
+            }
+            let residuals = subspace::residuals(m, &self.factor, self.shift, &self.ritz, self.count);
+            worst = residuals.into_iter().fold(0.0, f64::max);
+            idle = if worst < 0.5 * best { 0 } else { idle + 1 };
+            best = best.min(worst);
+            if worst < CONVERGED || (worst < STAGNANT && idle > 8) {
+                self.block = self.keep_size(x.as_ref());
+                return Ok(());
+            }
+        }
+        Err(ModesError::NotConverged { asked: self.count, residual: worst })
+    }
+
+    /// The vectors found, filled with zeros to the block's size so that [`Search::exhausted`] still tells.
+    fn keep_size(&self, x: MatRef<'_, f64>) -> Mat<f64> {
+        Mat::from_fn(x.nrows(), self.block.ncols(), |i, j| if j < x.ncols() { x[(i, j)] } else { 0.0 })
+    }
+
+    /// Brings the shift of a loose structure down to its first elastic eigenvalue.
+    fn lower_shift(&mut self) -> Result<bool, ModesError> {
+        let Some(first) = self.ritz.values.get(self.rigid).copied().filter(|_| self.rigid > 0) else {
+            return Ok(false);
+        };
+        if first <= 0.0 || first > 0.1 * self.shift {
+            return Ok(false);
+        }
+        self.shift = first;
+        self.factor = shifted(self.system, first)?;
+        Ok(true)
+    }
+
+    /// Compares the modes found with the count of eigenvalues just above the last one.
+    fn check(&self) -> Result<Option<ModesError>, ModesError> {
+        let last = self.ritz.values[self.count - 1];
+        // A nearby frequency that belongs to a pair shall be on the same side, the nudged shift included.
+        let above = (last * (1.0 + 1e-5)).max(1e-3 * self.shift);
+        let counted = sturm::count_below_square(self.system, above)?;
+        let found = self.ritz.values.iter().filter(|value| **value < above).count();
+        let difference = ModesError::Incomplete { found, counted, omega_rad_s: above.sqrt() };
+        Ok((found != counted).then_some(difference))
+    }
+
+    fn modes(&self) -> Modes {
+        let omega = |at: usize| {
+            let value = self.ritz.values[at];
+            if at < self.rigid && value < RIGID * self.shift { 0.0 } else { value.max(0.0).sqrt() }
+        };
+        let omega_rad_s = (0..self.count).map(omega).collect();
+        let mut shapes = self.ritz.vectors.subcols(0, self.count).to_owned();
+        for j in 0..self.count {
+            if sign_component(self.system, shapes.subcols(j, 1)) < 0.0 {
+                for i in 0..shapes.nrows() {
+                    shapes[(i, j)] = -shapes[(i, j)];
+                }
+            }
+        }
+        Modes { omega_rad_s, shapes }
+    }
+}
+
+/// A start for the shift of a loose structure: a millionth of the smallest ratio of stiffness to mass.
+fn first_shift(system: &System) -> f64 {
+    let (k, m) = (sparse::diagonal(system.stiffness()), sparse::diagonal(system.mass()));
+    let ratios = k.iter().zip(&m).filter(|(k, m)| **k > 0.0 && **m > 0.0).map(|(k, m)| k / m);
+    let least = ratios.fold(f64::INFINITY, f64::min);
+    if least.is_finite() { 1e-6 * least } else { 1.0 }
+}
+
+fn shifted(system: &System, shift: f64) -> Result<Factor, ModesError> {
+    let factor = Factor::held(sparse::combine(system.stiffness(), shift, system.mass()).as_ref());
+    if factor.loose.is_empty() {
+        return Ok(factor);
+    }
+    Err(ModesError::Massless(SingularStructure::at(system, &factor.loose)))
+}
+
+/// The component that must be positive. Of equally large ones (a mirror image) the first is taken.
+fn sign_component(system: &System, shape: MatRef<'_, f64>) -> f64 {
+    let motion = system.expand(shape);
+    let largest = |components: &[usize]| {
+        let values = || (0..motion.nrows()).filter(|i| components.contains(&(i % 6))).map(|i| motion[(i, 0)]);
+        let size = values().map(f64::abs).fold(0.0, f64::max);
+        values().find(|value| value.abs() >= (1.0 - 1e-6) * size).unwrap_or(0.0)
+    };
+    let (z, displacement) = (largest(&[2]), largest(&[0, 1, 2]));
+    if z.abs() > 1e-6 * displacement.abs() {
+        z
+    } else if displacement == 0.0 {
+        largest(&[3, 4, 5])
+    } else {
+        displacement
+    }
+}

@@ -1,0 +1,49 @@
+//! How many natural frequencies lie below a given one, without computing any.
+//!
+//! By Sylvester's law of inertia K - omega^2 M = L D L^T has as many negative pivots as there are eigenvalues below
+//! omega^2 (Bathe, *Finite Element Procedures*, ch. 10). The factorisation does not pivot: close to an eigenvalue
+//! of the matrix or of a leading block of it a pivot is tiny and its sign means nothing. Then the shift is moved by a
+//! few millionths, and if that does not help the count is refused.
+
+use crate::flexibility::Factor;
+use crate::modes::ModesError;
+use crate::sparse;
+use crate::system::System;
+
+/// Scaled pivots below this one have no sign.
+const TINY: f64 = 1e-13;
+
+/// Relative changes of the shift that are tried, one after the other.
+const NUDGES: [f64; 5] = [0.0, 1e-6, -1e-6, 3e-6, -3e-6];
+
+/// The number of natural frequencies below `omega_rad_s`, each counted as often as it occurs; rigid motions count
+/// as zero frequencies.
+///
+/// # Errors
+/// If the pivots stay too small to count, as for a motion with neither stiffness nor mass.
+pub fn count_below(system: &System, omega_rad_s: f64) -> Result<usize, ModesError> {
+    // A frequency is not negative; below zero there is none (and NaN is none either).
+    if omega_rad_s.is_nan() || omega_rad_s <= 0.0 {
+        return Ok(0);
+    }
+    count_below_square(system, omega_rad_s * omega_rad_s)
+}
+
+/// Eigenvalues of K x = lambda M x below a positive `shift`.
+pub(crate) fn count_below_square(system: &System, shift: f64) -> Result<usize, ModesError> {
+    let (k, m) = (system.stiffness(), system.mass());
+    let mass = sparse::diagonal(m);
+    for nudge in NUDGES {
+        let shift = shift * (1.0 + nudge);
+        let size: Vec<f64> =
+            sparse::diagonal(k).iter().zip(&mass).map(|(k, m)| k.abs() + shift * m).collect();
+        let Some(factor) = Factor::indefinite(sparse::combine(k, -shift, m).as_ref(), &size) else {
+            continue;
+        };
+        let pivots = factor.pivots();
+        if pivots.iter().all(|(_, pivot)| pivot.abs() > TINY) {
+            return Ok(pivots.iter().filter(|(_, pivot)| *pivot < 0.0).count());
+        }
+    }
+    Err(ModesError::Uncountable { omega_rad_s: shift.sqrt() })
+}

@@ -1,0 +1,176 @@
+//! The assembled structure: sparse stiffness and mass, and the way between all motions and the free ones.
+
+use crate::assemble;
+use crate::dofs::DofMap;
+use crate::mass_properties::{self, MassProperties};
+use crate::model::Model;
+use crate::sparse::{self, Entry, Sparse};
+use faer::sparse::SparseColMatRef;
+use faer::{Mat, MatRef};
+use nalgebra::Point3;
+use nastran::InputError;
+use std::collections::BTreeMap;
+
+/// An assembled structure.
+///
+/// The g-set has six degrees of freedom a node (three displacements in m, three rotations in rad, basic axes),
+/// nodes in the order of [`System::node_ids`]: degree of freedom 6 * node + component - 1. The f-set are the free
+/// ones; u_g = T u_f.
+#[derive(Debug, Clone)]
+pub struct System {
+    ids: Vec<u32>,
+    points: Vec<Point3<f64>>,
+    dofs: DofMap,
+    k_gg: Sparse,
+    m_gg: Sparse,
+    k_ff: Sparse,
+    m_ff: Sparse,
+}
+
+impl System {
+    /// Assembles a model.
+    ///
+    /// # Errors
+    /// If rigid links contradict each other, form a circle, or a dependent motion is clamped.
+    pub fn assemble(model: &Model) -> Result<Self, InputError> {
+        let dofs = DofMap::of(model)?;
+        let ids = model.nodes.iter().map(|node| node.id).collect();
+        let points = model.nodes.iter().map(|node| node.point).collect();
+        Ok(Self::build(ids, points, assemble::global(model), dofs))
+    }
+
+    /// A structure given by its matrices: nodes `ids` in ascending order at `points`, g-set stiffness and mass
+    /// (6 n x 6 n; their lower triangles are read), and the clamped degrees of freedom.
+    ///
+    /// # Panics
+    /// If the sizes do not belong together or a clamped degree of freedom is not below 6 n.
+    pub fn from_matrices(
+        ids: Vec<u32>,
+        points: Vec<Point3<f64>>,
+        k_gg: MatRef<'_, f64>,
+        m_gg: MatRef<'_, f64>,
+        clamped: &[usize],
+    ) -> Self {
+        let n = 6 * ids.len();
+        assert_eq!(points.len(), ids.len(), "one point a node");
+        assert_eq!((k_gg.nrows(), k_gg.ncols()), (n, n), "six degrees of freedom a node");
+        assert_eq!((m_gg.nrows(), m_gg.ncols()), (n, n), "six degrees of freedom a node");
+        let mut entries = Vec::new();
+        for column in 0..n {
+            for row in column..n {
+                let (k, m) = (k_gg[(row, column)], m_gg[(row, column)]);
+                if k != 0.0 || m != 0.0 {
+                    entries.push(Entry { row, column, k, m });
+                }
+            }
+        }
+        let mut is_clamped = vec![false; n];
+        for dof in clamped {
+            is_clamped[*dof] = true;
+        }
+        Self::build(ids, points, sparse::pair(n, entries), DofMap::new(&is_clamped, &BTreeMap::new()))
+    }
+
+    fn build(ids: Vec<u32>, points: Vec<Point3<f64>>, (k_gg, m_gg): (Sparse, Sparse), dofs: DofMap) -> Self {
+        let (k_ff, m_ff) = assemble::reduced(k_gg.as_ref(), m_gg.as_ref(), &dofs);
+        tracing::debug!(nodes = ids.len(), free = dofs.free.len(), entries = k_ff.val().len(), "assembled");
+        Self { ids, points, dofs, k_gg, m_gg, k_ff, m_ff }
+    }
+
+    /// Number of nodes.
+    pub fn node_count(&self) -> usize {
+        self.ids.len()
+    }
+
+    /// Number of free degrees of freedom.
+    pub fn free_count(&self) -> usize {
+        self.dofs.free.len()
+    }
+
+    /// Grid numbers, ascending.
+    pub fn node_ids(&self) -> &[u32] {
+        &self.ids
+    }
+
+    /// Position of a grid among the nodes.
+    pub fn node_index(&self, id: u32) -> Option<usize> {
+        self.ids.binary_search(&id).ok()
+    }
+
+    /// Places of the nodes in the basic system, m.
+    pub fn points(&self) -> &[Point3<f64>] {
+        &self.points
+    }
+
+    /// Position in the g-set of each free degree of freedom, ascending.
+    pub fn free_dofs(&self) -> &[usize] {
+        &self.dofs.free
+    }
+
+    /// Grid and component (1 to 6) of a free degree of freedom.
+    pub fn name(&self, free: usize) -> (u32, u8) {
+        let dof = self.dofs.free[free];
+        (self.ids[dof / 6], u8::try_from(dof % 6 + 1).expect("a remainder below six"))
+    }
+
+    /// u_g = T u_f, column by column.
+    pub fn expand(&self, u_f: MatRef<'_, f64>) -> Mat<f64> {
+        let row = |i: usize, j: usize| self.dofs.rows[i].iter().map(|(at, f)| f * u_f[(*at, j)]).sum();
+        Mat::from_fn(self.dofs.rows.len(), u_f.ncols(), row)
+    }
+
+    /// f_f = T^T f_g, column by column: loads on clamped motions go to the ground.
+    pub fn reduce(&self, f_g: MatRef<'_, f64>) -> Mat<f64> {
+        let mut reduced = Mat::zeros(self.free_count(), f_g.ncols());
+        for j in 0..f_g.ncols() {
+            for (i, row) in self.dofs.rows.iter().enumerate() {
+                for (at, factor) in row {
+                    reduced[(*at, j)] += factor * f_g[(i, j)];
+                }
+            }
+        }
+        reduced
+    }
+
+    /// M_gg a: the forces (N, Nm) that accelerate the masses by `acc_g` (m/s^2, rad/s^2), g-set.
+    pub fn inertia_loads(&self, acc_g: MatRef<'_, f64>) -> Mat<f64> {
+        sparse::multiply(self.m_gg.as_ref(), acc_g)
+    }
+
+    /// K_gg u: the forces (N, Nm) that hold the shape `u_g`, g-set; minus the applied loads these are the
+    /// reactions at the clamps.
+    pub fn elastic_loads(&self, u_g: MatRef<'_, f64>) -> Mat<f64> {
+        sparse::multiply(self.k_gg.as_ref(), u_g)
+    }
+
+    /// Stiffness of the f-set.
+    pub fn stiffness(&self) -> SparseColMatRef<'_, usize, f64> {
+        self.k_ff.as_ref()
+    }
+
+    /// Mass of the f-set, with the pattern of the stiffness.
+    pub fn mass(&self) -> SparseColMatRef<'_, usize, f64> {
+        self.m_ff.as_ref()
+    }
+
+    /// The six rigid motions about a point, g-set x 6: unit displacements along x, y, z, unit rotations about them.
+    pub fn rigid_body(&self, about: &Point3<f64>) -> Mat<f64> {
+        let mut rigid = Mat::zeros(6 * self.points.len(), 6);
+        for (node, point) in self.points.iter().enumerate() {
+            let arm = point - about;
+            for axis in 0..3 {
+                let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+                rigid[(6 * node + axis, axis)] = 1.0;
+                rigid[(6 * node + 3 + axis, 3 + axis)] = 1.0;
+                rigid[(6 * node + next, 3 + axis)] = -arm[last];
+                rigid[(6 * node + last, 3 + axis)] = arm[next];
+            }
+        }
+        rigid
+    }
+
+    /// Mass, centre of gravity and inertia of the whole structure, clamped nodes included.
+    pub fn mass_properties(&self) -> MassProperties {
+        mass_properties::of(self)
+    }
+}
