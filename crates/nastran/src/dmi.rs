@@ -5,10 +5,10 @@
 //! 8-character fields, because some other programs read runs and `THRU` wrongly without a word.
 //!
 //! # What is lost
-//! An 8-character field holds 7 digits at most. [`Dmi::rounded_to_fields`] rounds to what the fields hold; what
-//! is rounded is written and read again without any loss, bit by bit. The rounding changes a number of
-//! magnitude 0.1 to 10 by at most 5.1e-7 of itself (negative ones by 5.1e-6), smaller and larger ones by less
-//! than 1e-3, the worst being exponents of three digits.
+//! [`Dmi::rounded_to_fields`] rounds to what an 8-character field can hold; what is rounded is written and read
+//! again without any loss, bit by bit. The rounding changes a positive number from 0.1 to 10 by at most 5.1e-7
+//! of itself and a negative one by at most 5.1e-6 (the sign takes a digit); for magnitudes from 1e-9 to 1e9
+//! it is at most 5.1e-4 of the number, and 0.051 if the exponent takes three digits.
 
 use crate::real;
 use std::fmt::Write as _;

@@ -1,1 +1,144 @@
-//! Fields (placeholder).
+//! From lines to fields: small (8 columns), large (16 columns, `*`) and free (commas) lines, with tabs,
+//! comments and continuations. Every field keeps its line and columns.
+//!
+//! A line is free if a comma stands in its first ten columns. A continuation starts with `+`, `*`, a blank or
+//! a comma and continues the card before it; if both ends carry a continuation name, the names must agree,
+//! because sorted continuations are not supported. `$` starts a comment anywhere.
+
+use crate::source::{InputError, Span};
+use std::ops::Range;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// The data fields of one whole line; a large line has half of them.
+pub(crate) const FIELDS_PER_LINE: usize = 8;
+
+/// One field as it stands in the file.
+#[derive(Debug, Clone)]
+pub(crate) struct Field {
+    /// The text with the blanks around it.
+    pub(crate) raw: String,
+    /// The columns of the text without the blanks; of the whole field if it is empty.
+    pub(crate) span: Span,
+}
+
+impl Field {
+    pub(crate) fn text(&self) -> &str {
+        self.raw.trim()
+    }
+}
+
+/// One line cut into fields.
+#[derive(Debug)]
+pub(crate) struct Line {
+    /// The card's name, or the continuation mark.
+    pub(crate) head: Field,
+    /// Eight data fields, four on a large line.
+    pub(crate) data: Vec<Field>,
+    /// The name of the continuation that follows, without its `+`; often empty.
+    pub(crate) tail: String,
+    /// True for comma-separated lines.
+    pub(crate) is_free: bool,
+}
+
+impl Line {
+    /// True if the line continues the card before it.
+    pub(crate) fn is_continuation(&self) -> bool {
+        let head = self.head.text();
+        head.is_empty() || head.starts_with(['+', '*'])
+    }
+
+    /// Cuts a line; nothing if it is blank or only a comment.
+    pub(crate) fn cut(file: &Arc<PathBuf>, number: usize, text: &str) -> Result<Option<Self>, InputError> {
+        let source = Columns::new(file, number, text);
+        if source.characters.iter().all(|(character, _)| character.is_whitespace()) {
+            return Ok(None);
+        }
+        let is_free = source.characters.iter().take(10).any(|(character, _)| *character == ',');
+        if is_free { source.free().map(Some) } else { Ok(Some(source.fixed())) }
+    }
+}
+
+/// A line's characters, comment removed and tabs expanded, each with its column in the file.
+struct Columns<'a> {
+    file: &'a Arc<PathBuf>,
+    number: usize,
+    characters: Vec<(char, usize)>,
+}
+
+impl<'a> Columns<'a> {
+    fn new(file: &'a Arc<PathBuf>, number: usize, text: &str) -> Self {
+        let mut characters = Vec::with_capacity(80);
+        for (index, character) in text.chars().take_while(|character| *character != '$').enumerate() {
+            if character == '\t' {
+                characters.push((' ', index + 1));
+                while characters.len() % 8 != 0 {
+                    characters.push((' ', index + 1));
+                }
+            } else {
+                characters.push((character, index + 1));
+            }
+        }
+        Self { file, number, characters }
+    }
+
+    /// The column in the file, also beyond the end of the line.
+    fn column(&self, index: usize) -> usize {
+        match (self.characters.get(index), self.characters.last()) {
+            (Some((_, column)), _) => *column,
+            (None, Some((_, last))) => last + 1 + index - self.characters.len(),
+            (None, None) => index + 1,
+        }
+    }
+
+    fn field(&self, range: Range<usize>) -> Field {
+        let end = range.end.min(self.characters.len());
+        let inside = self.characters.get(range.start..end).unwrap_or(&[]);
+        let is_text = |(character, _): &(char, usize)| !character.is_whitespace();
+        let (first, last) = match (inside.iter().position(is_text), inside.iter().rposition(is_text)) {
+            (Some(first), Some(last)) => (range.start + first, range.start + last + 1),
+            _ => (range.start, range.end.max(range.start + 1)),
+        };
+        let start_column = self.column(first);
+        let end_column = self.column(last - 1) + 1;
+        let span = Span::new(self.file, self.number, start_column, end_column.max(start_column + 1));
+        Field { raw: inside.iter().map(|(character, _)| *character).collect(), span }
+    }
+
+    fn fixed(&self) -> Line {
+        let head = self.field(0..8);
+        let width = if head.text().contains('*') { 16 } else { 8 };
+        let data = (8..72).step_by(width).map(|start| self.field(start..start + width)).collect();
+        let tail = self.field(72..80).text().to_owned();
+        let tail = tail.strip_prefix(['+', '*']).unwrap_or("").to_owned();
+        Line { head, data, tail, is_free: false }
+    }
+
+    fn free(&self) -> Result<Line, InputError> {
+        let mut pieces = Vec::new();
+        let mut start = 0;
+        for end in 0..=self.characters.len() {
+            if end == self.characters.len() || self.characters[end].0 == ',' {
+                pieces.push(self.field(start..end));
+                start = end + 1;
+            }
+        }
+        let mut data = pieces.split_off(1);
+        let head = pieces.remove(0);
+        let count = if head.text().contains('*') { FIELDS_PER_LINE / 2 } else { FIELDS_PER_LINE };
+        let rest = if data.len() > count { data.split_off(count) } else { Vec::new() };
+        let tail = rest.first().map_or("", Field::text);
+        let is_mark = tail.is_empty() || tail.starts_with(['+', '*']);
+        let surplus = rest.iter().skip(usize::from(is_mark)).find(|field| !field.text().is_empty());
+        if let Some(surplus) = surplus {
+            let message = format!("a free-field line has at most {count} fields after its name");
+            return Err(
+                InputError::at(&surplus.span, message).with_help("go on in a line that starts with a comma")
+            );
+        }
+        let tail = tail.get(1..).unwrap_or("").to_owned();
+        let beyond = self.characters.len();
+        data.resize_with(count, || self.field(beyond..beyond));
+        Ok(Line { head, data, tail, is_free: true })
+    }
+}

@@ -29,8 +29,7 @@ impl Frames {
     /// not span a plane; the system's card is blamed.
     pub fn resolve(deck: &BulkData) -> Result<Self, InputError> {
         let basic = Frame { origin: Point3::origin(), axes: Matrix3::identity() };
-        let unread = deck.unknown.keys().filter(|name| name.starts_with("CORD")).cloned().collect();
-        let mut frames = Self { frames: BTreeMap::from([(0, basic)]), unread };
+        let mut frames = Self { frames: BTreeMap::from([(0, basic)]), unread: unread(deck) };
         for id in deck.coords.keys() {
             frames.resolve_one(deck, *id)?;
         }
@@ -143,19 +142,39 @@ impl Frames {
     }
 
     fn missing(&self, cid: u32, span: Option<&Span>) -> InputError {
-        let message = format!("coordinate system {cid} is not defined");
-        let error = match span {
-            Some(span) => InputError::at(span, message),
-            None => InputError::general(message),
-        };
-        if self.unread.is_empty() {
-            error.with_help(format!("add a CORD2R {cid} or correct the number"))
-        } else {
-            error.with_help(format!(
-                "the deck has {} cards, which are not read; use CORD1R or CORD2R",
-                self.unread.join(", ")
-            ))
+        missing(&self.unread, cid, span)
+    }
+}
+
+/// Demands that every system a grid refers to has been read.
+pub(crate) fn check_grids(deck: &BulkData) -> Result<(), InputError> {
+    let known = |cid: u32| cid == 0 || deck.coords.contains_key(&cid);
+    for grid in deck.grids.values() {
+        if let Some(cid) = [grid.cp, grid.cd].into_iter().find(|cid| !known(*cid)) {
+            let error = missing(&unread(deck), cid, Some(&grid.span));
+            let message = format!("grid {} refers to coordinate system {cid}, which is not defined", grid.id);
+            return Err(InputError { message, ..error });
         }
+    }
+    Ok(())
+}
+
+/// The names of coordinate system cards that are in the deck but not read.
+fn unread(deck: &BulkData) -> Vec<String> {
+    deck.unknown.keys().filter(|name| name.starts_with("CORD")).cloned().collect()
+}
+
+fn missing(unread: &[String], cid: u32, span: Option<&Span>) -> InputError {
+    let message = format!("coordinate system {cid} is not defined");
+    let error = match span {
+        Some(span) => InputError::at(span, message),
+        None => InputError::general(message),
+    };
+    if unread.is_empty() {
+        error.with_help(format!("add a CORD2R {cid} or correct the number"))
+    } else {
+        let names = unread.join(", ");
+        error.with_help(format!("the deck has {names} cards, which are not read; use CORD1R or CORD2R"))
     }
 }
 

@@ -1,15 +1,22 @@
 #![doc = include_str!("../README.md")]
 
+mod aero_cards;
+mod card;
 pub mod cards;
 pub mod deck;
 pub mod dmi;
-pub mod field;
+mod dmi_reader;
+mod field;
 pub mod geometry;
+mod include;
+mod property_cards;
 pub mod real;
 pub mod ron_file;
 pub mod source;
+mod structure_cards;
 pub mod suggest;
 pub mod table;
+pub mod write;
 
 pub use cards::*;
 pub use deck::{parse_deck, read_deck};
@@ -17,3 +24,4 @@ pub use dmi::Dmi;
 pub use geometry::Frames;
 pub use source::{InputError, Span, read_text};
 pub use table::Table;
+pub use write::write_deck;

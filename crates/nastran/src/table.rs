@@ -91,7 +91,7 @@ impl Table {
     }
 
     /// Refuses columns that `known` does not accept; `expected` says what may stand there, for instance
-    /// "V_m_s, alpha_deg" (separated by commas, so that a misspelt name finds its neighbour).
+    /// `"V_m_s, alpha_deg"` (separated by commas, so that a misspelt name finds its neighbour).
     ///
     /// # Errors
     /// If a column is not accepted.
