@@ -1,1 +1,23 @@
 #![doc = include_str!("../README.md")]
+
+pub mod basis;
+pub mod bounds;
+pub mod calibration;
+pub mod campaign;
+mod cone_program;
+pub mod fit;
+pub mod identifiability;
+pub mod left_out;
+pub mod objective;
+pub mod schedule;
+pub mod settings;
+pub mod statics;
+
+pub use calibration::{AirspeedCalibration, Calibration, TiltTare, calibrate};
+pub use campaign::{Campaign, Noise, RunEntry, StaticPoint, Use};
+pub use fit::{Ending, Fit};
+pub use identifiability::Identifiability;
+pub use objective::{LineFit, Nonlinearity};
+pub use schedule::{CorrectionSet, Outside, Schedule};
+pub use settings::Settings;
+pub use statics::{AirspeedData, StaticData};

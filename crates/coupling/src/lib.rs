@@ -1,1 +1,21 @@
 #![doc = include_str!("../README.md")]
+
+pub mod case;
+pub mod divergence;
+pub mod error;
+pub mod planform;
+pub mod root_loads;
+pub mod spline;
+pub mod steady;
+pub mod supported;
+pub mod wing;
+pub mod wing_file;
+
+pub use case::{CorrectableBoxes, RootSensitivity, SteadyCase, SteadyModel};
+pub use error::CouplingError;
+pub use root_loads::{Balance, RootLoads, root_rows};
+pub use spline::Spline;
+pub use steady::{SteadyOperator, SteadyState};
+pub use supported::SupportedStructure;
+pub use wing::{ElasticWing, GRAVITY_M_S2, WingParts, spline_nodes};
+pub use wing_file::{Mount, RootPlane, SplineKind, WingFile};

@@ -1,0 +1,220 @@
+//! The whole calibration: every airspeed for itself and in parallel, then what they say together.
+
+use crate::basis::Basis;
+use crate::bounds::{BoundRow, bound_rows};
+use crate::campaign::Campaign;
+use crate::fit::{Ending, Fit, Problem};
+use crate::identifiability::{Identifiability, Inputs, identifiability};
+use crate::left_out::{LeftOut, LeftOutAirspeed, left_out_airspeed, left_out_angles};
+use crate::objective::{LineFit, line_fit, objective};
+use crate::settings::Settings;
+use crate::statics::{AirspeedData, StaticData};
+use aero::{Corrections, Flow};
+use coupling::{CouplingError, SteadyCase, SteadyModel};
+use faer::Mat;
+use nastran::InputError;
+use rayon::prelude::*;
+
+/// Corrections of one airspeed and how good they are.
+#[derive(Debug, Clone)]
+pub struct AirspeedCalibration {
+    /// The data that were fitted.
+    pub data: AirspeedData,
+    /// Corrections of the wing's boxes.
+    pub corrections: Corrections,
+    /// The sequence of cone programs.
+    pub fit: Fit,
+    /// Straight lines through the data, their error, tests for nonlinearity.
+    pub line: LineFit,
+    /// Eq. 8 of the straight lines.
+    pub line_floor: f64,
+    /// Eq. 8 that noise alone gives; none if noise is not known.
+    pub noise_floor: Option<f64>,
+    /// What the data can tell.
+    pub identifiability: Option<Identifiability>,
+    /// Every other angle left out of a fit and predicted.
+    pub left_out: Option<LeftOut>,
+    /// This airspeed left out and predicted from its neighbours' corrections.
+    pub left_out_airspeed: Option<LeftOutAirspeed>,
+}
+
+/// What tilting the wing with wind off says about its weight and arm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TiltTare {
+    /// Rows.
+    pub points: usize,
+    /// Root mean square of measured minus modelled weight, by channel (N, N m, N m).
+    pub rms: [f64; 3],
+    /// The same over the standard deviation of a row; none if noise is not known.
+    pub rms_over_noise: Option<[f64; 3]>,
+}
+
+/// A finished calibration.
+#[derive(Debug, Clone)]
+pub struct Calibration {
+    /// Airspeeds in ascending order.
+    pub airspeeds: Vec<AirspeedCalibration>,
+    /// The data behind them: blocks, noise, what was left aside.
+    pub data: StaticData,
+    /// Tilt tares, if the campaign has any.
+    pub tilt_tare: Option<TiltTare>,
+    /// Probability below which a single test for nonlinearity is significant (the setting shared by all tests).
+    pub nonlinearity_level: f64,
+}
+
+/// Finds corrections for every airspeed of a campaign.
+///
+/// # Errors
+/// Bad data (an airspeed with fewer than three angles), or a wing that diverges at one of the airspeeds.
+pub fn calibrate<M: SteadyModel>(
+    model: &M, campaign: &Campaign, settings: &Settings,
+) -> Result<Calibration, CouplingError> {
+    let data = StaticData::from_campaign(campaign)?;
+    check_settings(model, settings)?;
+    let context = Context::new(model, campaign.rho_kg_m3, &data, settings);
+    let mut airspeeds =
+        data.airspeeds.par_iter().map(|airspeed| context.airspeed(airspeed)).collect::<Result<Vec<_>, _>>()?;
+    let across = left_out_airspeed(model, campaign.rho_kg_m3, &airspeeds, data.channels, settings.weights)?;
+    for (airspeed, left_out) in airspeeds.iter_mut().zip(across) {
+        airspeed.left_out_airspeed = left_out;
+    }
+    let tests = airspeeds.iter().flat_map(|a| a.line.nonlinearity).flatten().count().max(1);
+    Ok(Calibration {
+        tilt_tare: tilt_tare(model, campaign.rho_kg_m3, &data)?,
+        nonlinearity_level: settings.significance / tests as f64,
+        airspeeds,
+        data,
+    })
+}
+
+fn check_settings<M: SteadyModel>(model: &M, settings: &Settings) -> Result<(), InputError> {
+    let boxes = model.correctable();
+    let rows = boxes.chord_rows.iter().copied().min().unwrap_or(0);
+    if settings.chord_strips == 0 || settings.chord_strips > rows {
+        return Err(InputError::general(format!(
+            "{} chordwise strips of corrections on a wing of {rows} chordwise boxes",
+            settings.chord_strips
+        ))
+        .with_help("take a number from 1 to the number of chordwise boxes"));
+    }
+    Ok(())
+}
+
+/// What all airspeeds share.
+struct Context<'a, M: SteadyModel> {
+    model: &'a M,
+    rho_kg_m3: f64,
+    data: &'a StaticData,
+    settings: &'a Settings,
+    basis: Basis,
+    bounds: Vec<BoundRow>,
+}
+
+impl<'a, M: SteadyModel> Context<'a, M> {
+    fn new(model: &'a M, rho_kg_m3: f64, data: &'a StaticData, settings: &'a Settings) -> Self {
+        let boxes = model.correctable();
+        let basis = Basis::new(boxes, settings.chord_strips, settings.span_order);
+        let bounds = bound_rows(&basis, boxes, settings.neighbour_bound, settings.least_factor);
+        Self { model, rho_kg_m3, data, settings, basis, bounds }
+    }
+
+    fn airspeed(&self, airspeed: &AirspeedData) -> Result<AirspeedCalibration, CouplingError> {
+        let flow = Flow { v_m_s: airspeed.v_m_s, rho_kg_m3: self.rho_kg_m3 };
+        let line = line_fit(self.data, airspeed);
+        let line_floor = objective(line.rmse, self.settings.weights);
+        let noise_floor = self.data.noise_floor(airspeed);
+        let metric = self.metric(flow, airspeed)?;
+        let problem = Problem {
+            model: self.model,
+            flow,
+            angles: &airspeed.angles,
+            channels: self.data.channels,
+            basis: &self.basis,
+            bounds: &self.bounds,
+            metric: &metric,
+            settings: self.settings,
+            line_floor,
+            noise_floor: noise_floor.unwrap_or(0.0),
+        };
+        let fit = problem.fit()?;
+        let solution = problem.linearise(&fit.x)?;
+        let point_sigma = self.data.point_sigma.unwrap_or(line.rmse);
+        Ok(AirspeedCalibration {
+            corrections: self.basis.corrections(&fit.x),
+            identifiability: identifiability(
+                &solution,
+                &Inputs {
+                    basis: &self.basis,
+                    metric: &metric,
+                    prior_spread: self.settings.prior_spread,
+                    channels: self.data.channels,
+                    angles: &airspeed.angles,
+                    point_sigma,
+                    common_sigma: self.common_sigma(),
+                },
+            ),
+            left_out: left_out_angles(&problem, &line)?,
+            left_out_airspeed: None,
+            data: airspeed.clone(),
+            fit,
+            line,
+            line_floor,
+            noise_floor,
+        })
+    }
+
+    /// The mean of a few blocks' offsets is itself uncertain by their spread over the root of their number.
+    fn common_sigma(&self) -> [f64; 3] {
+        let blocks = self.data.blocks.len().max(1) as f64;
+        self.data.block_sigma.map(|sigma| sigma / blocks.sqrt())
+    }
+
+    /// Metric of change in units of the theoretical pressures (rms over boxes and angles).
+    fn metric(&self, flow: Flow, airspeed: &AirspeedData) -> Result<Mat<f64>, CouplingError> {
+        let shares = &self.model.correctable().area_share;
+        let mut mean_square = 0.0;
+        for angle in &airspeed.angles {
+            let cp = self.model.pressure_coefficients(&SteadyCase::new(flow, angle.alpha_rad))?;
+            mean_square += cp.iter().zip(shares).map(|(cp, share)| share * cp * cp).sum::<f64>();
+        }
+        mean_square /= airspeed.angles.len() as f64;
+        Ok(self.basis.change_metric(shares, [1.0, 1.0, 1.0 / mean_square.max(f64::MIN_POSITIVE)]))
+    }
+}
+
+/// Compares tilt tares with the modelled weight.
+fn tilt_tare<M: SteadyModel>(
+    model: &M, rho_kg_m3: f64, data: &StaticData,
+) -> Result<Option<TiltTare>, CouplingError> {
+    if data.tilt_tares.is_empty() {
+        return Ok(None);
+    }
+    let neutral = Corrections::neutral(model.correctable().len());
+    let cases: Vec<SteadyCase> = data
+        .tilt_tares
+        .iter()
+        .map(|point| SteadyCase::new(Flow { v_m_s: 0.0, rho_kg_m3 }, point.alpha_rad))
+        .collect();
+    let loads = model.root_loads(&cases, &neutral)?;
+    let rms = std::array::from_fn(|c| {
+        let squares = data.tilt_tares.iter().zip(&loads).filter_map(|(point, load)| {
+            point.loads[c].map(|measured| (measured - load.to_array()[c]).powi(2))
+        });
+        (squares.sum::<f64>() / data.tilt_tares.len() as f64).sqrt()
+    });
+    let over = |sigma: [f64; 3]| std::array::from_fn(|c| rms[c] / sigma[c].max(f64::MIN_POSITIVE));
+    Ok(Some(TiltTare { points: data.tilt_tares.len(), rms, rms_over_noise: data.point_sigma.map(over) }))
+}
+
+impl Calibration {
+    /// Endings that are not a success.
+    pub fn failures(&self) -> Vec<(f64, Ending)> {
+        let bad = |ending| !matches!(ending, Ending::Converged | Ending::AtNoiseFloor);
+        self.airspeeds.iter().filter(|a| bad(a.fit.ending)).map(|a| (a.data.v_m_s, a.fit.ending)).collect()
+    }
+
+    /// Cone programs of the main fits.
+    pub fn cone_programs(&self) -> usize {
+        self.airspeeds.iter().map(|airspeed| airspeed.fit.cone_programs).sum()
+    }
+}

@@ -1,0 +1,193 @@
+//! One airspeed: a sequence of cone programs with steps halved on the true objective.
+
+use crate::basis::Basis;
+use crate::bounds::{BoundRow, active_neighbours};
+use crate::cone_program::{ConeProgram, NoSolution};
+use crate::objective::{objective, rmse};
+use crate::settings::Settings;
+use crate::statics::Angle;
+use aero::Flow;
+use coupling::{CouplingError, RootSensitivity, SteadyCase, SteadyModel};
+use faer::Mat;
+
+/// How a fit ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ending {
+    /// The objective reached the straight-line floor.
+    Converged,
+    /// The line was not reached, but what is left is below the noise floor.
+    AtNoiseFloor,
+    /// No step lowers the objective further, and it is above both floors (the bounds may hold it there).
+    Stalled,
+    /// The bounds contradict each other.
+    InfeasibleBounds,
+    /// The wing diverges at this airspeed.
+    Diverged,
+}
+
+/// What a fit needs to know.
+pub(crate) struct Problem<'a, M: SteadyModel> {
+    pub(crate) model: &'a M,
+    pub(crate) flow: Flow,
+    pub(crate) angles: &'a [Angle],
+    pub(crate) channels: [bool; 3],
+    pub(crate) basis: &'a Basis,
+    pub(crate) bounds: &'a [BoundRow],
+    pub(crate) metric: &'a Mat<f64>,
+    pub(crate) settings: &'a Settings,
+    /// The straight-line floor of Eq. 8.
+    pub(crate) line_floor: f64,
+    /// The noise floor of Eq. 8; zero if noise is unknown.
+    pub(crate) noise_floor: f64,
+}
+
+/// Where a fit came to.
+#[derive(Debug, Clone)]
+pub struct Fit {
+    /// Unknowns.
+    pub x: Vec<f64>,
+    /// RMSE by channel before and after.
+    pub rmse: [[f64; 3]; 2],
+    /// Eq. 8 before and after.
+    pub objective: [f64; 2],
+    /// Eq. 8 after each accepted step.
+    pub history: Vec<f64>,
+    /// Cone programs solved.
+    pub cone_programs: usize,
+    /// How it ended.
+    pub ending: Ending,
+    /// Neighbour rows at their bound.
+    pub neighbour_bound_active: usize,
+}
+
+impl<M: SteadyModel> Problem<'_, M> {
+    /// Runs the sequence from the neutral corrections.
+    pub(crate) fn fit(&self) -> Result<Fit, CouplingError> {
+        let neutral = self.basis.neutral();
+        let mut x = neutral.clone();
+        let mut at = self.linearise(&x)?;
+        let before = at.rmse;
+        let target = 1.02 * self.line_floor + 0.02 * self.noise_floor;
+        let mut history = vec![self.objective(at.rmse)];
+        let mut ending = Ending::Stalled;
+        let mut cone_programs = 0;
+        loop {
+            if self.objective(at.rmse) <= target {
+                ending = Ending::Converged;
+                break;
+            }
+            if cone_programs == self.settings.most_cone_programs {
+                break;
+            }
+            cone_programs += 1;
+            match self.program(&at, &x, &neutral) {
+                Ok(goal) => match self.step(&x, &goal, &neutral, &at)? {
+                    Some((next, linearised)) => (x, at) = (next, linearised),
+                    None => break,
+                },
+                Err(NoSolution::Infeasible) => {
+                    ending = Ending::InfeasibleBounds;
+                    break;
+                }
+                Err(NoSolution::Numerical) => break,
+            }
+            history.push(self.objective(at.rmse));
+        }
+        if ending == Ending::Stalled && self.objective(at.rmse) <= self.noise_floor {
+            ending = Ending::AtNoiseFloor;
+        }
+        Ok(Fit {
+            objective: [self.objective(before), self.objective(at.rmse)],
+            rmse: [before, at.rmse],
+            neighbour_bound_active: active_neighbours(self.bounds, &x),
+            x,
+            history,
+            cone_programs,
+            ending,
+        })
+    }
+
+    /// Eq. 8 of channel errors.
+    fn objective(&self, rmse: [f64; 3]) -> f64 {
+        objective(rmse, self.settings.weights)
+    }
+
+    /// Residuals and Jacobians at x.
+    pub(crate) fn linearise(&self, x: &[f64]) -> Result<Linearised, CouplingError> {
+        let corrections = self.basis.corrections(x);
+        let sensitivities = self.model.sensitivities(&self.cases(), &corrections)?;
+        let residuals = self.residuals(sensitivities.iter().map(|s| s.loads.to_array()));
+        Ok(Linearised { rmse: rmse(&residuals, self.channels), residuals, sensitivities })
+    }
+
+    fn cases(&self) -> Vec<SteadyCase> {
+        self.angles.iter().map(|angle| SteadyCase::new(self.flow, angle.alpha_rad)).collect()
+    }
+
+    /// Simulated minus measured, by angle and channel.
+    fn residuals(&self, loads: impl Iterator<Item = [f64; 3]>) -> Vec<[f64; 3]> {
+        loads.zip(self.angles).map(|(sim, angle)| std::array::from_fn(|c| sim[c] - angle.loads[c])).collect()
+    }
+
+    /// Weight of the change: small against the objective, measured in pressure.
+    fn change_weight(&self, at: &Linearised) -> f64 {
+        self.settings.change_weight * self.objective(at.rmse).max(self.noise_floor)
+    }
+
+    fn program(&self, at: &Linearised, x: &[f64], neutral: &[f64]) -> Result<Vec<f64>, NoSolution> {
+        let measured: Vec<usize> = (0..3).filter(|&c| self.channels[c]).collect();
+        let gradients: Vec<Mat<f64>> = at.sensitivities.iter().map(|s| self.basis.gradient(s)).collect();
+        let residuals: Vec<Vec<f64>> =
+            measured.iter().map(|&c| at.residuals.iter().map(|r| r[c]).collect()).collect();
+        let jacobians: Vec<Mat<f64>> = measured
+            .iter()
+            .map(|&c| Mat::from_fn(self.angles.len(), x.len(), |i, k| gradients[i][(c, k)]))
+            .collect();
+        let weights: Vec<f64> = measured.iter().map(|&c| self.settings.weights[c]).collect();
+        ConeProgram {
+            residuals: &residuals,
+            jacobians: &jacobians,
+            weights: &weights,
+            from: x,
+            neutral,
+            metric: self.metric,
+            change_weight: self.change_weight(at),
+            bounds: self.bounds,
+        }
+        .solve()
+    }
+
+    /// The longest of the steps 1, 1/2, 1/4 ... towards the goal that lowers the true objective; none if all fail.
+    fn step(
+        &self, x: &[f64], goal: &[f64], neutral: &[f64], at: &Linearised,
+    ) -> Result<Option<(Vec<f64>, Linearised)>, CouplingError> {
+        let weight = self.change_weight(at);
+        let merit = |x: &[f64], rmse: [f64; 3]| self.objective(rmse) + weight * self.change(x, neutral);
+        let now = merit(x, at.rmse);
+        let mut share = 1.0;
+        for _ in 0..self.settings.most_halvings {
+            let next: Vec<f64> = x.iter().zip(goal).map(|(a, b)| a + share * (b - a)).collect();
+            match self.linearise(&next) {
+                Ok(linearised) if merit(&next, linearised.rmse) < now * (1.0 - 1e-6) => {
+                    return Ok(Some((next, linearised)));
+                }
+                Ok(_) | Err(CouplingError::Diverged { .. }) => share *= 0.5,
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(None)
+    }
+
+    /// (x - x0)' M (x - x0): mean square change of pressure.
+    fn change(&self, x: &[f64], neutral: &[f64]) -> f64 {
+        let d: Vec<f64> = x.iter().zip(neutral).map(|(a, b)| a - b).collect();
+        (0..d.len()).map(|j| (0..d.len()).map(|i| d[i] * self.metric[(i, j)]).sum::<f64>() * d[j]).sum()
+    }
+}
+
+/// The model around one set of corrections.
+pub(crate) struct Linearised {
+    pub(crate) rmse: [f64; 3],
+    pub(crate) residuals: Vec<[f64; 3]>,
+    pub(crate) sensitivities: Vec<RootSensitivity>,
+}

@@ -1,0 +1,102 @@
+//! The objective of Eq. 8, the straight-line floor under it, and the test for what no line can follow.
+
+use crate::statics::{AirspeedData, StaticData};
+use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
+
+/// Root mean square error a channel (zero for a channel that is not measured).
+pub fn rmse(residuals: &[[f64; 3]], channels: [bool; 3]) -> [f64; 3] {
+    std::array::from_fn(|c| {
+        if !channels[c] || residuals.is_empty() {
+            return 0.0;
+        }
+        (residuals.iter().map(|r| r[c] * r[c]).sum::<f64>() / residuals.len() as f64).sqrt()
+    })
+}
+
+/// Eq. 8: `F = w_Fz RMSE(Fz) + w_Mx RMSE(Mx) + w_My RMSE(My)`, N and N m added as the paper does.
+pub fn objective(rmse: [f64; 3], weights: [f64; 3]) -> f64 {
+    (0..3).map(|c| weights[c] * rmse[c]).sum()
+}
+
+/// What a channel's means do that no straight line can follow.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Nonlinearity {
+    /// Second derivative over two: the load per rad² of the least-squares parabola.
+    pub curvature_per_rad2: f64,
+    /// F statistic of the line's error against noise (or of the curvature against the scatter about a parabola).
+    pub f: f64,
+    /// Probability of an F as large without any nonlinearity.
+    pub p_value: f64,
+}
+
+/// Straight lines through the means of one airspeed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LineFit {
+    /// RMSE of the least-squares straight line in alpha, by channel.
+    pub rmse: [f64; 3],
+    /// Residuals of the line by angle and channel.
+    pub residuals: Vec<[f64; 3]>,
+    /// Tests for nonlinearity by channel; none where nothing can be said (three angles without known noise).
+    pub nonlinearity: [Option<Nonlinearity>; 3],
+}
+
+/// Fits a straight line to every channel of an airspeed and tests what is left.
+///
+/// With known noise (declared, or from replicates) the test is F = (squares about the line / (n - 2)) / variance,
+/// with means weighted by their replicates. Without, the noise is the scatter about a parabola, and the test is of
+/// the curvature alone.
+pub fn line_fit(data: &StaticData, airspeed: &AirspeedData) -> LineFit {
+    let alphas: Vec<f64> = airspeed.angles.iter().map(|angle| angle.alpha_rad).collect();
+    let mut residuals = vec![[0.0; 3]; alphas.len()];
+    let mut nonlinearity = [None; 3];
+    for channel in (0..3).filter(|&c| data.channels[c]) {
+        let loads: Vec<f64> = airspeed.angles.iter().map(|angle| angle.loads[channel]).collect();
+        let (line, _) = polynomial_residuals(&alphas, &loads, 1);
+        for (row, value) in residuals.iter_mut().zip(&line) {
+            row[channel] = *value;
+        }
+        nonlinearity[channel] = test(data, airspeed, channel, &alphas, &loads, &line);
+    }
+    LineFit { rmse: rmse(&residuals, data.channels), residuals, nonlinearity }
+}
+
+fn test(
+    data: &StaticData, airspeed: &AirspeedData, channel: usize, alphas: &[f64], loads: &[f64], line: &[f64],
+) -> Option<Nonlinearity> {
+    let count = alphas.len();
+    let squares = |residuals: &[f64]| residuals.iter().map(|r| r * r).sum::<f64>();
+    let (parabola, coefficients) = polynomial_residuals(alphas, loads, 2);
+    let curvature_per_rad2 = coefficients.get(2).copied().unwrap_or(0.0);
+    if let Some(sigma) = data.point_sigma {
+        let freedom = (count - 2) as f64;
+        let weighted: f64 = line.iter().zip(&airspeed.angles).map(|(r, angle)| r * r * angle.replicates as f64).sum();
+        let f = weighted / freedom / sigma[channel].powi(2).max(f64::MIN_POSITIVE);
+        let p_value = match data.noise_dof {
+            Some(dof) => FisherSnedecor::new(freedom, dof as f64).ok()?.sf(f),
+            None => ChiSquared::new(freedom).ok()?.sf(f * freedom),
+        };
+        return Some(Nonlinearity { curvature_per_rad2, f, p_value });
+    }
+    if count < 4 {
+        return None;
+    }
+    let freedom = (count - 3) as f64;
+    let f = (squares(line) - squares(&parabola)) / (squares(&parabola) / freedom).max(f64::MIN_POSITIVE);
+    Some(Nonlinearity { curvature_per_rad2, f, p_value: FisherSnedecor::new(1.0, freedom).ok()?.sf(f.max(0.0)) })
+}
+
+/// Residuals and coefficients (ascending powers) of a least-squares polynomial of order 1 or 2.
+fn polynomial_residuals(x: &[f64], y: &[f64], order: usize) -> (Vec<f64>, Vec<f64>) {
+    use faer::linalg::solvers::SolveLstsq;
+    if x.len() <= order {
+        return (vec![0.0; x.len()], Vec::new());
+    }
+    let scale = x.iter().map(|v| v.abs()).fold(f64::MIN_POSITIVE, f64::max);
+    let power = |value: f64, k: usize| (0..k).fold(1.0, |product, _| product * value);
+    let matrix = faer::Mat::from_fn(x.len(), order + 1, |i, k| power(x[i] / scale, k));
+    let right = faer::Mat::from_fn(x.len(), 1, |i, _| y[i]);
+    let solution = matrix.qr().solve_lstsq(right);
+    let fitted = |i: usize| (0..=order).map(|k| solution[(k, 0)] * matrix[(i, k)]).sum::<f64>();
+    let residuals = (0..x.len()).map(|i| y[i] - fitted(i)).collect();
+    (residuals, (0..=order).map(|k| solution[(k, 0)] / power(scale, k)).collect())
+}

@@ -1,0 +1,45 @@
+//! Settings of a calibration.
+
+/// What the user may choose; [`Settings::default`] is what the paper does, with our numbers where it gives none.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Settings {
+    /// Weights of Fz, Mx and My in Eq. 8 (1, 1, 1: newtons and newton metres are added).
+    pub weights: [f64; 3],
+    /// Chordwise strips of the polynomials.
+    pub chord_strips: usize,
+    /// Order of the polynomials in span.
+    pub span_order: usize,
+    /// Largest difference of chordwise neighbours (the paper does not print its own).
+    pub neighbour_bound: f64,
+    /// Least force and moment factor at any box.
+    pub least_factor: f64,
+    /// Weight of the change from theory, as a share of the objective for a change as large as the theoretical
+    /// pressures themselves.
+    pub change_weight: f64,
+    /// Expected size of corrections, one standard deviation, relative to the theoretical pressures: the prior of the
+    /// posterior spread.
+    pub prior_spread: f64,
+    /// Most cone programs an airspeed.
+    pub most_cone_programs: usize,
+    /// Most halvings of a step.
+    pub most_halvings: usize,
+    /// Probability below which nonlinearity is called significant, shared among all channels and airspeeds tested.
+    pub significance: f64,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            weights: [1.0; 3],
+            chord_strips: 12,
+            span_order: 4,
+            neighbour_bound: 0.05,
+            least_factor: 0.05,
+            change_weight: 1e-3,
+            prior_spread: 0.3,
+            most_cone_programs: 6,
+            most_halvings: 8,
+            significance: 0.01,
+        }
+    }
+}

@@ -1,0 +1,314 @@
+//! From rows of static cases to what is fitted: means per airspeed and angle, block offsets taken out.
+//!
+//! The model of a row is `cell mean + offset of its block + noise`, one offset a block and channel, common to all
+//! airspeeds. Offsets are random effects that sum to zero: estimated jointly from the cells that several blocks
+//! share, then shrunk by the share of their spread that noise explains. An offset common to all blocks cannot be
+//! told from a pressure offset and stays in the data.
+
+use crate::campaign::{Campaign, StaticPoint};
+use faer::Mat;
+use nastran::{InputError, Span};
+use std::collections::BTreeMap;
+
+/// Airspeeds closer than this share are one.
+const SAME_AIRSPEED: f64 = 2e-3;
+/// Angles closer than this are one, rad (0.05 degrees).
+const SAME_ANGLE_RAD: f64 = 8.7e-4;
+
+/// One angle at one airspeed: the mean of its replicates after block offsets are removed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Angle {
+    /// Mean angle of attack, rad.
+    pub alpha_rad: f64,
+    /// Mean Fz, Mx, My; meaningless where the campaign lacks the channel.
+    pub loads: [f64; 3],
+    /// Number of replicates.
+    pub replicates: usize,
+}
+
+/// All angles at one airspeed, neutral controls, ascending.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AirspeedData {
+    /// Mean airspeed, m/s.
+    pub v_m_s: f64,
+    /// Angles in ascending order.
+    pub angles: Vec<Angle>,
+}
+
+/// A block's offset by channel, already shrunk.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BlockOffset {
+    /// Its name in the file.
+    pub block: String,
+    /// Fz, Mx, My.
+    pub offset: [f64; 3],
+}
+
+/// Static cases ready to be fitted.
+#[derive(Debug, Clone)]
+pub struct StaticData {
+    /// Which channels are measured.
+    pub channels: [bool; 3],
+    /// Airspeeds in ascending order.
+    pub airspeeds: Vec<AirspeedData>,
+    /// Offsets that were taken out.
+    pub blocks: Vec<BlockOffset>,
+    /// Spread of the block offsets (random effect), one standard deviation a channel; zero without blocks.
+    pub block_sigma: [f64; 3],
+    /// Standard deviation of one row: declared, or pooled from replicates.
+    pub point_sigma: Option<[f64; 3]>,
+    /// Degrees of freedom behind `point_sigma`; none if it was declared.
+    pub noise_dof: Option<usize>,
+    /// Rows at V = 0.
+    pub tilt_tares: Vec<StaticPoint>,
+    /// Rows with a control deflected, which take no part in the fit.
+    pub deflected: usize,
+}
+
+/// A cell: rows of one airspeed and angle.
+struct Cell<'a> {
+    v_m_s: f64,
+    alpha_rad: f64,
+    rows: Vec<&'a StaticPoint>,
+}
+
+impl StaticData {
+    /// Groups a campaign's rows, estimates and removes block offsets, and the noise.
+    ///
+    /// # Errors
+    /// If there is no airspeed, or an airspeed has fewer than three different angles.
+    pub fn from_campaign(campaign: &Campaign) -> Result<Self, InputError> {
+        let fitted: Vec<&StaticPoint> =
+            campaign.points.iter().filter(|point| point.v_m_s > 0.0 && point.controls_rad.is_empty()).collect();
+        let tilt_tares: Vec<StaticPoint> = campaign.points.iter().filter(|p| p.v_m_s == 0.0).cloned().collect();
+        let cells = cells(&fitted);
+        check_angles(campaign, &cells)?;
+        let mut data = Self {
+            channels: campaign.channels,
+            airspeeds: Vec::new(),
+            blocks: Vec::new(),
+            block_sigma: [0.0; 3],
+            point_sigma: campaign.noise.map(|noise| noise.static_point.to_array()),
+            noise_dof: None,
+            deflected: campaign.points.len() - fitted.len() - tilt_tares.len(),
+            tilt_tares,
+        };
+        data.remove_blocks(&cells);
+        Ok(data)
+    }
+
+    /// Standard deviation of the mean of an angle's replicates, by channel.
+    pub fn mean_sigma(&self, angle: &Angle) -> Option<[f64; 3]> {
+        self.point_sigma.map(|sigma| sigma.map(|s| s / (angle.replicates as f64).sqrt()))
+    }
+
+    /// The noise floor of Eq. 8 at an airspeed: the sum over channels of the standard deviation of a row over the
+    /// root of the rows an angle.
+    pub fn noise_floor(&self, airspeed: &AirspeedData) -> Option<f64> {
+        let sigma = self.point_sigma?;
+        let mean_inverse =
+            airspeed.angles.iter().map(|angle| 1.0 / angle.replicates as f64).sum::<f64>() / airspeed.angles.len() as f64;
+        Some((0..3).filter(|&c| self.channels[c]).map(|c| sigma[c] * mean_inverse.sqrt()).sum())
+    }
+
+    fn remove_blocks(&mut self, cells: &[Cell<'_>]) {
+        let mut names: Vec<&str> = Vec::new();
+        for row in cells.iter().flat_map(|cell| &cell.rows) {
+            let name = block_name(row);
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+        let mut offsets = vec![[0.0; 3]; names.len()];
+        let mut pooled = [0.0; 3];
+        let mut dof = 0;
+        for channel in (0..3).filter(|&c| self.channels[c]) {
+            let fit = BlockFit::new(cells, &names, channel);
+            dof = fit.dof;
+            pooled[channel] = if fit.dof > 0 { (fit.residual_squares / fit.dof as f64).sqrt() } else { 0.0 };
+            let sigma = self.point_sigma.map_or(pooled[channel], |declared| declared[channel]);
+            let (spread, shrunk) = fit.shrunk(sigma);
+            self.block_sigma[channel] = spread;
+            for (offset, value) in offsets.iter_mut().zip(shrunk) {
+                offset[channel] = value;
+            }
+        }
+        if self.point_sigma.is_none() && dof > 0 {
+            self.point_sigma = Some(pooled);
+            self.noise_dof = Some(dof);
+        }
+        let offset_of = |row: &StaticPoint, channel: usize| {
+            names.iter().position(|name| *name == block_name(row)).map_or(0.0, |i| offsets[i][channel])
+        };
+        let mut airspeeds: Vec<(AirspeedData, usize)> = Vec::new();
+        for cell in cells {
+            let count = cell.rows.len();
+            let mean = |channel: usize| {
+                let value = |row: &&StaticPoint| row.loads[channel].unwrap_or(0.0) - offset_of(row, channel);
+                cell.rows.iter().map(value).sum::<f64>() / count as f64
+            };
+            let angle = Angle { alpha_rad: cell.alpha_rad, loads: [mean(0), mean(1), mean(2)], replicates: count };
+            match airspeeds.last_mut() {
+                Some((last, rows)) if same_airspeed(last.v_m_s, cell.v_m_s) => {
+                    last.v_m_s = (last.v_m_s * *rows as f64 + cell.v_m_s * count as f64) / (*rows + count) as f64;
+                    *rows += count;
+                    last.angles.push(angle);
+                }
+                _ => airspeeds.push((AirspeedData { v_m_s: cell.v_m_s, angles: vec![angle] }, count)),
+            }
+        }
+        self.airspeeds = airspeeds.into_iter().map(|(airspeed, _)| airspeed).collect();
+        if names.len() > 1 {
+            self.blocks = names
+                .iter()
+                .zip(offsets)
+                .map(|(name, offset)| BlockOffset { block: (*name).to_owned(), offset })
+                .collect();
+        }
+    }
+}
+
+/// Fixed-effects estimate of the block offsets of one channel (cells eliminated, offsets sum to zero).
+struct BlockFit {
+    offsets: Vec<f64>,
+    /// Variance of each offset per unit noise variance.
+    variance: Vec<f64>,
+    residual_squares: f64,
+    dof: usize,
+}
+
+impl BlockFit {
+    fn new(cells: &[Cell<'_>], names: &[&str], channel: usize) -> Self {
+        let blocks = names.len();
+        let mut normal = Mat::<f64>::zeros(blocks, blocks);
+        let mut right = vec![0.0; blocks];
+        let mut squares = 0.0;
+        let mut rows = 0;
+        for cell in cells {
+            let count = cell.rows.len() as f64;
+            let value = |row: &&StaticPoint| row.loads[channel].unwrap_or(0.0);
+            let mean = cell.rows.iter().map(value).sum::<f64>() / count;
+            let mut in_block = vec![0.0; blocks];
+            for row in &cell.rows {
+                let block = names.iter().position(|name| *name == block_name(row)).unwrap_or(0);
+                in_block[block] += 1.0;
+                right[block] += value(row) - mean;
+                squares += (value(row) - mean).powi(2);
+            }
+            for a in 0..blocks {
+                normal[(a, a)] += in_block[a];
+                for b in 0..blocks {
+                    normal[(a, b)] -= in_block[a] * in_block[b] / count;
+                }
+            }
+            rows += cell.rows.len();
+        }
+        let inverse = pseudo_inverse(&normal);
+        let rank = (0..blocks).map(|a| (0..blocks).map(|b| normal[(a, b)] * inverse[(b, a)]).sum::<f64>()).sum::<f64>();
+        let offsets: Vec<f64> =
+            (0..blocks).map(|a| (0..blocks).map(|b| inverse[(a, b)] * right[b]).sum()).collect();
+        let explained: f64 = offsets.iter().zip(&right).map(|(b, r)| b * r).sum();
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a rank is a small whole number")]
+        let rank = rank.round().max(0.0) as usize;
+        Self {
+            variance: (0..blocks).map(|a| inverse[(a, a)]).collect(),
+            offsets,
+            residual_squares: (squares - explained).max(0.0),
+            dof: (rows - cells.len()).saturating_sub(rank),
+        }
+    }
+
+    /// Standard deviation of the offsets beyond noise (method of moments), and the offsets shrunk accordingly.
+    fn shrunk(&self, sigma: f64) -> (f64, Vec<f64>) {
+        if self.offsets.len() < 2 {
+            return (0.0, vec![0.0; self.offsets.len()]);
+        }
+        let noise: Vec<f64> = self.variance.iter().map(|v| v * sigma * sigma).collect();
+        let total = self.offsets.iter().map(|b| b * b).sum::<f64>() / (self.offsets.len() - 1) as f64;
+        let expected = noise.iter().sum::<f64>() / (self.offsets.len() - 1) as f64;
+        let spread = (total - expected).max(0.0);
+        let shrink = |(b, n): (&f64, &f64)| if spread > 0.0 { b * spread / (spread + n) } else { 0.0 };
+        let mut shrunk: Vec<f64> = self.offsets.iter().zip(&noise).map(shrink).collect();
+        let mean = shrunk.iter().sum::<f64>() / shrunk.len() as f64;
+        shrunk.iter_mut().for_each(|b| *b -= mean);
+        (spread.sqrt(), shrunk)
+    }
+}
+
+fn block_name(row: &StaticPoint) -> &str {
+    row.block.as_deref().unwrap_or("")
+}
+
+fn same_airspeed(a: f64, b: f64) -> bool {
+    (a - b).abs() <= SAME_AIRSPEED * a.max(b)
+}
+
+/// Groups rows by airspeed, then angle, both ascending.
+fn cells<'a>(rows: &[&'a StaticPoint]) -> Vec<Cell<'a>> {
+    let mut sorted = rows.to_vec();
+    sorted.sort_by(|a, b| a.v_m_s.total_cmp(&b.v_m_s));
+    let mut groups: Vec<Vec<&StaticPoint>> = Vec::new();
+    for row in sorted {
+        match groups.last_mut() {
+            Some(group) if same_airspeed(group[0].v_m_s, row.v_m_s) => group.push(row),
+            _ => groups.push(vec![row]),
+        }
+    }
+    let mut cells: Vec<Cell<'a>> = Vec::new();
+    for mut group in groups {
+        group.sort_by(|a, b| a.alpha_rad.total_cmp(&b.alpha_rad));
+        let first = cells.len();
+        for row in group {
+            match cells[first..].last_mut() {
+                Some(cell) if (cell.rows[0].alpha_rad - row.alpha_rad).abs() <= SAME_ANGLE_RAD => cell.rows.push(row),
+                _ => cells.push(Cell { v_m_s: 0.0, alpha_rad: 0.0, rows: vec![row] }),
+            }
+        }
+    }
+    for cell in &mut cells {
+        let count = cell.rows.len() as f64;
+        cell.v_m_s = cell.rows.iter().map(|row| row.v_m_s).sum::<f64>() / count;
+        cell.alpha_rad = cell.rows.iter().map(|row| row.alpha_rad).sum::<f64>() / count;
+    }
+    cells
+}
+
+/// Every airspeed needs three angles: a line through two has no error to compare with.
+fn check_angles(campaign: &Campaign, cells: &[Cell<'_>]) -> Result<(), InputError> {
+    let mut counts: BTreeMap<usize, (usize, f64, Span)> = BTreeMap::new();
+    let mut group = 0;
+    for (index, cell) in cells.iter().enumerate() {
+        if index > 0 && !same_airspeed(cells[index - 1].v_m_s, cell.v_m_s) {
+            group += 1;
+        }
+        counts.entry(group).or_insert((0, cell.v_m_s, cell.rows[0].span.clone())).0 += 1;
+    }
+    if counts.is_empty() {
+        return Err(InputError::in_file(&campaign.folder, "the campaign has no static case with wind on and neutral controls")
+            .with_help("calibration needs at least three angles at one airspeed"));
+    }
+    for (angles, v_m_s, span) in counts.into_values() {
+        if angles < 3 {
+            return Err(InputError::at(
+                &span,
+                format!("the airspeed {v_m_s} m/s has {angles} different angle(s), at least three are needed"),
+            )
+            .with_help("add angles at this airspeed, or take its rows out of the static cases"));
+        }
+    }
+    Ok(())
+}
+
+/// Pseudo-inverse of a small symmetric positive semi-definite matrix.
+fn pseudo_inverse(matrix: &Mat<f64>) -> Mat<f64> {
+    let size = matrix.nrows();
+    let Ok(eigen) = matrix.self_adjoint_eigen(faer::Side::Lower) else { return Mat::zeros(size, size) };
+    let values: Vec<f64> = (0..size).map(|i| eigen.S()[i]).collect();
+    let largest = values.iter().copied().fold(0.0, f64::max);
+    Mat::from_fn(size, size, |a, b| {
+        (0..size)
+            .filter(|&i| values[i] > 1e-9 * largest)
+            .map(|i| eigen.U()[(a, i)] * eigen.U()[(b, i)] / values[i])
+            .sum()
+    })
+}

@@ -1,0 +1,44 @@
+//! What can go wrong between structure and air.
+
+use aero::AeroError;
+use nastran::InputError;
+use structure::SingularStructure;
+
+/// Why a coupled wing cannot be built or solved.
+#[derive(Debug, thiserror::Error)]
+pub enum CouplingError {
+    /// A file is wrong.
+    #[error(transparent)]
+    Input(#[from] InputError),
+    /// The structure is not held.
+    #[error("{0}")]
+    Singular(#[from] SingularStructure),
+    /// The lattice cannot be solved.
+    #[error("{0}")]
+    Aero(#[from] AeroError),
+    /// A spline names a degree of freedom that the reduced structure lacks.
+    #[error("the spline uses degree of freedom {dof} of the structure, which was not kept")]
+    SplineOutsideStructure {
+        /// Index in the g-set.
+        dof: usize,
+    },
+    /// The wing diverges at this dynamic pressure.
+    #[error("the wing diverges: dynamic pressure {q_pa:.1} Pa is at or beyond its divergence pressure{}",
+        .divergence_pa.map_or(String::new(), |q| format!(" of {q:.1} Pa")))]
+    Diverged {
+        /// Dynamic pressure asked for, Pa.
+        q_pa: f64,
+        /// Lowest divergence pressure, Pa, if it was computed.
+        divergence_pa: Option<f64>,
+    },
+    /// Something has the wrong length.
+    #[error("{what}: {got} values, expected {expected}")]
+    Size {
+        /// What was counted.
+        what: &'static str,
+        /// Its length.
+        got: usize,
+        /// The length needed.
+        expected: usize,
+    },
+}

@@ -1,0 +1,256 @@
+//! The steady elastic wing (design equations of ARCHITECTURE.md, Eqs. 4 to 7 of the paper).
+//!
+//! ```text
+//! u = F Gᵀ P + sag(alpha),   P = q W S (Q D G u + cp_0(alpha)) + q S f_e
+//! (I - q F Gᵀ W S Q D G) u = F Gᵀ P_0 + sag(alpha)
+//! root loads = R P + weight(alpha) - weight(0)
+//! ```
+//! `P_0` are the loads of the undeformed wing. The tare takes the weight out at alpha = 0, but not the sag.
+
+use crate::case::{CorrectableBoxes, RootSensitivity, SteadyCase, SteadyModel};
+use crate::error::CouplingError;
+use crate::root_loads::RootLoads;
+use crate::supported::SupportedStructure;
+use crate::wing::ElasticWing;
+use aero::{BoxLoads, Corrections, Flow};
+use faer::linalg::solvers::{PartialPivLu, Solve};
+use faer::Mat;
+
+/// A wing in one steady case.
+#[derive(Debug, Clone)]
+pub struct SteadyState {
+    /// Displacement of the s-set (empty for a rigid wing), m and rad.
+    pub displacement: Vec<f64>,
+    /// Uncorrected pressure coefficients on the deformed wing, one a box.
+    pub cp: Vec<f64>,
+    /// Corrected box loads, two a box.
+    pub box_loads: BoxLoads,
+    /// What the balance feels.
+    pub root: RootLoads,
+    /// Height of the tip above its wind-off place at alpha = 0, m.
+    pub tip_z_m: f64,
+}
+
+/// A wing with corrections at one flow: factorised once, solved for many cases.
+#[derive(Debug)]
+pub struct SteadyOperator<'a> {
+    wing: &'a ElasticWing,
+    flow: Flow,
+    corrections: Corrections,
+    factor: Option<PartialPivLu<f64>>,
+}
+
+impl ElasticWing {
+    /// The wing at a flow with corrections (one entry for each correctable box).
+    ///
+    /// # Errors
+    /// If the dynamic pressure is at or beyond divergence, or the corrections have the wrong length.
+    pub fn at(&self, flow: Flow, corrections: &Corrections) -> Result<SteadyOperator<'_>, CouplingError> {
+        let corrections = self.padded(corrections)?;
+        let factor = match &self.supported {
+            None => None,
+            Some(structure) => Some(self.factorise(structure, flow, &corrections)?),
+        };
+        Ok(SteadyOperator { wing: self, flow, corrections, factor })
+    }
+
+    /// H = Gᵀ W S Q D G: loads on the s-set per unit displacement and dynamic pressure.
+    pub(crate) fn aerodynamic_stiffness(&self, structure: &SupportedStructure, corrections: &Corrections) -> Mat<f64> {
+        let loads = self.k_loads_of_pressures(1.0, self.cp_displacement.as_ref(), corrections);
+        structure.gather(loads.as_ref())
+    }
+
+    /// `q W S cp` for several columns of pressures: 2 rows a box.
+    pub fn k_loads_of_pressures(&self, q_pa: f64, cp: faer::MatRef<'_, f64>, c: &Corrections) -> Mat<f64> {
+        Mat::from_fn(2 * cp.nrows(), cp.ncols(), |row, column| {
+            let (j, lift) = (row / 2, q_pa * self.integration.area(row / 2) * cp[(row / 2, column)]);
+            if row % 2 == 0 { c.force[j] * lift } else { c.moment[j] * lift * self.integration.moment_arm(j) }
+        })
+    }
+
+    fn factorise(
+        &self, structure: &SupportedStructure, flow: Flow, corrections: &Corrections,
+    ) -> Result<PartialPivLu<f64>, CouplingError> {
+        let q_pa = flow.dynamic_pressure_pa();
+        let loop_gain = &structure.flexibility * &self.aerodynamic_stiffness(structure, corrections);
+        let size = structure.size();
+        let matrix = Mat::from_fn(size, size, |i, j| f64::from(u8::from(i == j)) - q_pa * loop_gain[(i, j)]);
+        let factor = matrix.partial_piv_lu();
+        // det(I - q F H) starts at one and changes its sign at the first divergence pressure.
+        let negative = (0..size).filter(|&i| factor.U()[(i, i)] <= 0.0).count();
+        let odd = factor.P().arrays().0.to_vec();
+        if (negative + usize::from(permutation_is_odd(&odd))) % 2 == 1 {
+            return Err(CouplingError::Diverged { q_pa, divergence_pa: self.divergence_pressure(corrections)? });
+        }
+        Ok(factor)
+    }
+}
+
+impl SteadyOperator<'_> {
+    /// Solves cases; their flow is this operator's.
+    pub fn solve(&self, cases: &[SteadyCase]) -> Vec<SteadyState> {
+        let (wing, q_pa) = (self.wing, self.flow.dynamic_pressure_pa());
+        let mut cp = self.rigid_pressures(cases);
+        let displacement = match (&wing.supported, &self.factor) {
+            (Some(structure), Some(factor)) => {
+                let mut loads = wing.k_loads_of_pressures(q_pa, cp.as_ref(), &self.corrections);
+                self.add_offset(&mut loads, q_pa);
+                let mut u = &structure.flexibility * &structure.gather(loads.as_ref());
+                for (column, case) in cases.iter().enumerate() {
+                    let field = self.gravity_field(case.alpha_rad);
+                    for row in 0..u.nrows() {
+                        u[(row, column)] += (0..3).map(|axis| structure.sag[(row, axis)] * field[axis]).sum::<f64>();
+                    }
+                }
+                let u = factor.solve(&u);
+                cp += &wing.cp_displacement * &u;
+                u
+            }
+            _ => Mat::zeros(0, cases.len()),
+        };
+        let mut loads = wing.k_loads_of_pressures(q_pa, cp.as_ref(), &self.corrections);
+        self.add_offset(&mut loads, q_pa);
+        (0..cases.len()).map(|column| self.state(column, &cases[column], &cp, &displacement, &loads)).collect()
+    }
+
+    /// Root loads and derivatives: with `Lambda = R (I - q W S Q D G F Gᵀ)⁻¹` (3 rows, the same for all angles),
+    /// `dr/dW_m = Lambda_m (q S cp)_m` and `dr/df_e = q Lambda S`.
+    pub fn sensitivities(&self, cases: &[SteadyCase]) -> Vec<RootSensitivity> {
+        let (wing, q_pa) = (self.wing, self.flow.dynamic_pressure_pa());
+        let lambda = self.adjoint();
+        let places = &wing.correctable.places;
+        let arm = |p: usize| wing.integration.moment_arm(p);
+        let lift = |p: usize| q_pa * wing.integration.area(p);
+        self.solve(cases)
+            .into_iter()
+            .map(|state| RootSensitivity {
+                loads: state.root,
+                by_force: Mat::from_fn(3, places.len(), |i, b| {
+                    lambda[(i, 2 * places[b])] * lift(places[b]) * state.cp[places[b]]
+                }),
+                by_moment: Mat::from_fn(3, places.len(), |i, b| {
+                    lambda[(i, 2 * places[b] + 1)] * lift(places[b]) * arm(places[b]) * state.cp[places[b]]
+                }),
+                by_offset: Mat::from_fn(3, places.len(), |i, b| {
+                    let p = places[b];
+                    lift(p) * (lambda[(i, 2 * p)] + arm(p) * lambda[(i, 2 * p + 1)])
+                }),
+            })
+            .collect()
+    }
+
+    /// Lambda, 3 by 2 a box: root loads per unit box load, the wing's answer to that load included.
+    pub fn adjoint(&self) -> Mat<f64> {
+        let wing = self.wing;
+        let (Some(structure), Some(factor)) = (&wing.supported, &self.factor) else {
+            return wing.root_rows.clone();
+        };
+        let q_pa = self.flow.dynamic_pressure_pa();
+        let loads = wing.k_loads_of_pressures(q_pa, wing.cp_displacement.as_ref(), &self.corrections);
+        let by_displacement = &wing.root_rows * &loads;
+        let z = factor.solve_transpose(by_displacement.transpose().to_owned());
+        let by_load = structure.flexibility.transpose() * &z;
+        Mat::from_fn(3, wing.root_rows.ncols(), |row, column| {
+            let elastic: f64 =
+                structure.spline_rows[column].iter().map(|&(dof, value)| value * by_load[(dof, row)]).sum();
+            wing.root_rows[(row, column)] + elastic
+        })
+    }
+
+    /// Pressures of the undeformed wing: angle of attack, camber and controls.
+    fn rigid_pressures(&self, cases: &[SteadyCase]) -> Mat<f64> {
+        let wing = self.wing;
+        Mat::from_fn(wing.lattice.len(), cases.len(), |j, column| {
+            let case = &cases[column];
+            let controls = case.controls_rad.iter().enumerate().take(wing.controls.len());
+            wing.cp_alpha[(j, 0)] * case.alpha_rad
+                + wing.cp_camber[(j, 0)]
+                + controls.map(|(i, delta)| wing.cp_controls[(j, i)] * delta).sum::<f64>()
+        })
+    }
+
+    fn add_offset(&self, loads: &mut Mat<f64>, q_pa: f64) {
+        let integration = &self.wing.integration;
+        for column in 0..loads.ncols() {
+            for (j, f_e) in self.corrections.pressure_offset.iter().enumerate() {
+                let lift = q_pa * integration.area(j) * f_e;
+                loads[(2 * j, column)] += lift;
+                loads[(2 * j + 1, column)] += lift * integration.moment_arm(j);
+            }
+        }
+    }
+
+    /// Gravity in balance axes: g sin(alpha) aft, g cos(alpha) down.
+    fn gravity_field(&self, alpha_rad: f64) -> [f64; 3] {
+        let g = self.wing.gravity_m_s2;
+        [g * alpha_rad.sin(), 0.0, -g * alpha_rad.cos()]
+    }
+
+    fn state(
+        &self, column: usize, case: &SteadyCase, cp: &Mat<f64>, displacement: &Mat<f64>, loads: &Mat<f64>,
+    ) -> SteadyState {
+        let wing = self.wing;
+        let loads = loads.col_as_slice(column).to_vec();
+        let mut root: [f64; 3] = std::array::from_fn(|row| {
+            loads.iter().enumerate().map(|(k, load)| wing.root_rows[(row, k)] * load).sum()
+        });
+        let displacement = displacement.col_as_slice(column).to_vec();
+        let mut tip_z_m = 0.0;
+        if let Some(structure) = &wing.supported {
+            let (field, tare) = (self.gravity_field(case.alpha_rad), self.gravity_field(0.0));
+            for (row, load) in root.iter_mut().enumerate() {
+                *load += (0..3).map(|axis| structure.weight[(row, axis)] * (field[axis] - tare[axis])).sum::<f64>();
+            }
+            let wind_off: f64 = (0..3).map(|axis| structure.sag[(structure.tip_z, axis)] * tare[axis]).sum();
+            tip_z_m = displacement[structure.tip_z] - wind_off;
+        }
+        SteadyState {
+            cp: cp.col_as_slice(column).to_vec(),
+            box_loads: BoxLoads { values: loads },
+            root: RootLoads::from_array(root),
+            displacement,
+            tip_z_m,
+        }
+    }
+}
+
+impl SteadyModel for ElasticWing {
+    fn correctable(&self) -> &CorrectableBoxes {
+        &self.correctable
+    }
+
+    fn root_loads(&self, cases: &[SteadyCase], corrections: &Corrections) -> Result<Vec<RootLoads>, CouplingError> {
+        let Some(first) = cases.first() else { return Ok(Vec::new()) };
+        Ok(self.at(first.flow, corrections)?.solve(cases).into_iter().map(|state| state.root).collect())
+    }
+
+    fn sensitivities(
+        &self, cases: &[SteadyCase], corrections: &Corrections,
+    ) -> Result<Vec<RootSensitivity>, CouplingError> {
+        let Some(first) = cases.first() else { return Ok(Vec::new()) };
+        Ok(self.at(first.flow, corrections)?.sensitivities(cases))
+    }
+
+    fn pressure_coefficients(&self, case: &SteadyCase) -> Result<Vec<f64>, CouplingError> {
+        let neutral = Corrections::neutral(self.correctable.len());
+        let state = self.at(case.flow, &neutral)?.solve(std::slice::from_ref(case));
+        Ok(self.correctable.places.iter().map(|&place| state[0].cp[place]).collect())
+    }
+}
+
+/// Parity of a permutation given as an array.
+fn permutation_is_odd(permutation: &[usize]) -> bool {
+    let mut seen = vec![false; permutation.len()];
+    let mut odd = false;
+    for start in 0..permutation.len() {
+        let mut length = 0;
+        let mut at = start;
+        while !seen[at] {
+            seen[at] = true;
+            at = permutation[at];
+            length += 1;
+        }
+        odd ^= length > 0 && length % 2 == 0;
+    }
+    odd
+}

@@ -1,0 +1,112 @@
+//! The structure as the air sees it: its flexibility at the degrees of freedom the spline uses.
+//!
+//! A spline touches few degrees of freedom (the s-set: those of the axis grids). With `F = Nᵀ K⁻¹ N` on that
+//! set the steady elastic problem is exact, whatever the number of modes somebody keeps for dynamics:
+//! `u_s = F Gᵀ P + K⁻¹ f_g` restricted to s.
+
+use crate::spline::Spline;
+use crate::error::CouplingError;
+use faer::{Mat, MatRef};
+use nalgebra::Point3;
+use structure::{Flexibility, System};
+
+/// A clamped structure reduced to the degrees of freedom that carry boxes.
+#[derive(Debug, Clone)]
+pub struct SupportedStructure {
+    /// The s-set: g degrees of freedom used by the spline (and the tip's), ascending.
+    pub s_dofs: Vec<usize>,
+    /// F, s by s: displacement of the s-set per unit load on it, m and rad per N and N m.
+    pub flexibility: Mat<f64>,
+    /// s by 3: displacement of the s-set in a unit gravity field along x, y, z (K⁻¹ M r), per m/s².
+    pub sag: Mat<f64>,
+    /// 3 by 3: root loads (rows Fz, Mx, My) of the weight in a unit field along x, y, z, per m/s².
+    pub weight: Mat<f64>,
+    /// The spline's rows with columns renumbered to the s-set, two a box.
+    pub spline_rows: Vec<Vec<(usize, f64)>>,
+    /// Where the tip's z displacement stands in the s-set.
+    pub tip_z: usize,
+}
+
+impl SupportedStructure {
+    /// Reduces a clamped system. `tip` is the index of the node whose height is reported.
+    ///
+    /// # Errors
+    /// If the structure is not held (its loose grids are named).
+    pub fn new(system: &System, spline: &Spline, tip: usize, balance: &Point3<f64>) -> Result<Self, CouplingError> {
+        let flexibility = Flexibility::new(system)?;
+        let mut s_dofs = spline.used_dofs();
+        if !s_dofs.contains(&(6 * tip + 2)) {
+            s_dofs.push(6 * tip + 2);
+            s_dofs.sort_unstable();
+        }
+        let mut units = Mat::zeros(spline.g_size(), s_dofs.len());
+        for (column, &dof) in s_dofs.iter().enumerate() {
+            units[(dof, column)] = 1.0;
+        }
+        let f = restrict(system.expand(flexibility.displacements(system.reduce(units.as_ref()).as_ref()).as_ref()).as_ref(), &s_dofs);
+        let rigid = system.rigid_body(balance);
+        let field = system.inertia_loads(rigid.as_ref().subcols(0, 3));
+        let sag_g = system.expand(flexibility.displacements(system.reduce(field.as_ref()).as_ref()).as_ref());
+        let weight = Mat::from_fn(3, 3, |row, column| {
+            (0..field.nrows()).map(|dof| rigid[(dof, row + 2)] * field[(dof, column)]).sum()
+        });
+        let sag = restrict(sag_g.as_ref(), &s_dofs);
+        Self::from_parts(s_dofs, symmetric(&f), sag, weight, spline, tip)
+    }
+
+    /// From given matrices, for structures that come as numbers (another code's, or truncated to some modes).
+    ///
+    /// # Errors
+    /// If the spline uses a degree of freedom that `s_dofs` lacks, or the tip's is not among them.
+    pub fn from_parts(
+        s_dofs: Vec<usize>, flexibility: Mat<f64>, sag: Mat<f64>, weight: Mat<f64>, spline: &Spline, tip: usize,
+    ) -> Result<Self, CouplingError> {
+        let place = |dof: usize| s_dofs.binary_search(&dof).map_err(|_| CouplingError::SplineOutsideStructure { dof });
+        let spline_rows = spline
+            .rows()
+            .iter()
+            .map(|row| row.iter().map(|&(dof, value)| Ok((place(dof)?, value))).collect())
+            .collect::<Result<Vec<Vec<(usize, f64)>>, CouplingError>>()?;
+        let tip_z = place(6 * tip + 2)?;
+        Ok(Self { flexibility, sag, weight, spline_rows, tip_z, s_dofs })
+    }
+
+    /// Size of the s-set.
+    pub fn size(&self) -> usize {
+        self.s_dofs.len()
+    }
+
+    /// `Gᵀ P`: loads on the s-set of box loads (two rows a box), column by column.
+    pub fn gather(&self, p_k: MatRef<'_, f64>) -> Mat<f64> {
+        let mut loads = Mat::zeros(self.size(), p_k.ncols());
+        for column in 0..p_k.ncols() {
+            for (row, entries) in self.spline_rows.iter().enumerate() {
+                for &(dof, value) in entries {
+                    loads[(dof, column)] += value * p_k[(row, column)];
+                }
+            }
+        }
+        loads
+    }
+
+    /// Dense s-columns of the k-set displacement: rows 2 a box.
+    pub fn k_displacements(&self) -> Mat<f64> {
+        let mut g = Mat::zeros(self.spline_rows.len(), self.size());
+        for (row, entries) in self.spline_rows.iter().enumerate() {
+            for &(dof, value) in entries {
+                g[(row, dof)] += value;
+            }
+        }
+        g
+    }
+}
+
+/// The rows `dofs` of a matrix.
+pub fn restrict(matrix: MatRef<'_, f64>, dofs: &[usize]) -> Mat<f64> {
+    Mat::from_fn(dofs.len(), matrix.ncols(), |row, column| matrix[(dofs[row], column)])
+}
+
+/// The symmetric part: a flexibility is symmetric, its solve only to round-off.
+fn symmetric(f: &Mat<f64>) -> Mat<f64> {
+    Mat::from_fn(f.nrows(), f.ncols(), |i, j| 0.5 * (f[(i, j)] + f[(j, i)]))
+}

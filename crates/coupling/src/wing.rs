@@ -1,0 +1,288 @@
+//! The elastic wing on its balance: lattice, spline, structure and root-load rows, assembled once.
+
+use crate::case::CorrectableBoxes;
+use crate::error::CouplingError;
+use crate::root_loads::{Balance, root_rows};
+use crate::spline::Spline;
+use crate::supported::SupportedStructure;
+use crate::wing_file::{Mount, RootPlane, SplineKind, WingFile};
+use aero::{ControlSurface, Corrections, Integration, Lattice, MirrorPlane, SteadyAero};
+use faer::{Mat, MatRef};
+use nalgebra::Point3;
+use nastran::{BulkData, InputError};
+use std::path::Path;
+use structure::{Model, System};
+
+/// Standard gravity, m/s².
+pub const GRAVITY_M_S2: f64 = 9.806_65;
+
+/// A wing on a balance in steady flow, rigid if it has no structure.
+///
+/// Everything that depends on neither airspeed nor corrections is here, computed once: the pressures per unit
+/// angle of attack, camber, control deflection and per unit displacement of the structure.
+#[derive(Debug)]
+pub struct ElasticWing {
+    /// All boxes, fairing included.
+    pub lattice: Lattice,
+    /// Control surfaces.
+    pub controls: Vec<ControlSurface>,
+    /// Balance point and metric boxes.
+    pub balance: Balance,
+    /// The plane at the root.
+    pub plane: MirrorPlane,
+    /// Boxes that corrections are found for.
+    pub correctable: CorrectableBoxes,
+    /// Box areas and arms (Eq. 4).
+    pub integration: Integration,
+    /// R, 3 by 2 a box: root loads of box loads.
+    pub root_rows: Mat<f64>,
+    /// Incidence of camber and twist (w^g), rad, one a box.
+    pub camber: Vec<f64>,
+    /// The reduced structure; none for a rigid wing.
+    pub supported: Option<SupportedStructure>,
+    /// The assembled structure and its spline, for what needs more than steady loads.
+    pub structure: Option<(System, Spline)>,
+    /// Gravity the weight is computed with, m/s².
+    pub gravity_m_s2: f64,
+    pub(crate) aero: SteadyAero,
+    /// Cp per rad of angle of attack, n by 1.
+    pub(crate) cp_alpha: Mat<f64>,
+    /// Cp of camber and twist, n by 1.
+    pub(crate) cp_camber: Mat<f64>,
+    /// Cp per rad of each control, n by controls.
+    pub(crate) cp_controls: Mat<f64>,
+    /// Q D G: Cp per unit displacement of the s-set, n by s.
+    pub(crate) cp_displacement: Mat<f64>,
+}
+
+/// What an [`ElasticWing`] is made of.
+#[derive(Debug)]
+pub struct WingParts {
+    /// All boxes.
+    pub lattice: Lattice,
+    /// Control surfaces.
+    pub controls: Vec<ControlSurface>,
+    /// Balance point and metric boxes.
+    pub balance: Balance,
+    /// Plane at the root.
+    pub plane: MirrorPlane,
+    /// Mach number of the steady aerodynamics.
+    pub mach: f64,
+    /// Which surfaces of the lattice are fairings: in the flow, never corrected.
+    pub fairing_surfaces: Vec<u32>,
+    /// Camber and twist incidence, one a box, rad.
+    pub camber: Vec<f64>,
+    /// The reduced structure.
+    pub supported: Option<SupportedStructure>,
+    /// The assembled structure and its spline.
+    pub structure: Option<(System, Spline)>,
+}
+
+impl ElasticWing {
+    /// Assembles a wing from its parts; solves for the unit pressures (one factorisation of the AIC).
+    ///
+    /// # Errors
+    /// If a box crosses the root plane or sizes differ.
+    pub fn new(parts: WingParts) -> Result<Self, CouplingError> {
+        let boxes = parts.lattice.len();
+        for (what, got) in [("camber and twist", parts.camber.len()), ("metric flags", parts.balance.metric.len())] {
+            if got != boxes {
+                return Err(CouplingError::Size { what, got, expected: boxes });
+            }
+        }
+        let aero = SteadyAero::new(&parts.lattice, parts.plane, parts.mach)?;
+        let s_size = parts.supported.as_ref().map_or(0, SupportedStructure::size);
+        let controls = parts.controls.len();
+        let mut w = Mat::zeros(boxes, 2 + controls + s_size);
+        for j in 0..boxes {
+            w[(j, 0)] = parts.lattice.boxes[j].normal().z;
+            w[(j, 1)] = parts.camber[j];
+        }
+        for (column, control) in parts.controls.iter().enumerate() {
+            for (&j, slope) in control.boxes.iter().zip(&control.slope) {
+                w[(j, 2 + column)] = *slope;
+            }
+        }
+        if let Some(structure) = &parts.supported {
+            for j in 0..boxes {
+                for &(dof, value) in &structure.spline_rows[2 * j + 1] {
+                    w[(j, 2 + controls + dof)] += value;
+                }
+            }
+        }
+        let cp = aero.pressures(w.as_ref());
+        let columns = |from: usize, count: usize| cp.as_ref().subcols(from, count).to_owned();
+        Ok(Self {
+            correctable: correctable_boxes(&parts.lattice, &parts.fairing_surfaces),
+            integration: Integration::new(&parts.lattice),
+            root_rows: root_rows(&parts.lattice, &parts.balance),
+            cp_alpha: columns(0, 1),
+            cp_camber: columns(1, 1),
+            cp_controls: columns(2, controls),
+            cp_displacement: columns(2 + controls, s_size),
+            lattice: parts.lattice,
+            controls: parts.controls,
+            balance: parts.balance,
+            plane: parts.plane,
+            camber: parts.camber,
+            supported: parts.supported,
+            structure: parts.structure,
+            gravity_m_s2: GRAVITY_M_S2,
+            aero,
+        })
+    }
+
+    /// Reads a wing's RON file and everything it names, and assembles the wing as it stands in the tunnel.
+    ///
+    /// # Errors
+    /// Bad input, a structure that is not held, a box across the root plane.
+    pub fn read(path: &Path) -> Result<(WingFile, Self), CouplingError> {
+        let file = WingFile::read(path)?;
+        let bulk = file.bulk(Mount::Tunnel)?;
+        let wing = Self::from_bulk(&file, &bulk)?;
+        Ok((file, wing))
+    }
+
+    /// Assembles the wing that a file describes from its deck.
+    ///
+    /// # Errors
+    /// As [`ElasticWing::read`].
+    pub fn from_bulk(file: &WingFile, bulk: &BulkData) -> Result<Self, CouplingError> {
+        Self::new(wing_parts(file, bulk)?)
+    }
+
+    /// Corrections of the correctable boxes spread over the whole lattice, neutral elsewhere.
+    ///
+    /// # Errors
+    /// If there is not one entry for each correctable box.
+    pub fn padded(&self, corrections: &Corrections) -> Result<Corrections, CouplingError> {
+        if corrections.len() != self.correctable.len() {
+            return Err(CouplingError::Size {
+                what: "corrections (one for each box of the wing, fairing excluded)",
+                got: corrections.len(),
+                expected: self.correctable.len(),
+            });
+        }
+        Ok(corrections.padded(self.lattice.len(), &self.correctable.places))
+    }
+
+    /// Pressure coefficients of any incidence, columns one by one: `cp = Q w`.
+    pub fn pressures(&self, w: MatRef<'_, f64>) -> Mat<f64> {
+        self.aero.pressures(w)
+    }
+
+    /// Q D G: pressure coefficients per unit displacement of the s-set, boxes by s.
+    pub fn pressures_by_displacement(&self) -> MatRef<'_, f64> {
+        self.cp_displacement.as_ref()
+    }
+
+    /// Pressure coefficients per rad of each control, boxes by controls.
+    pub fn pressures_by_control(&self) -> MatRef<'_, f64> {
+        self.cp_controls.as_ref()
+    }
+
+    /// Pressure coefficients per rad of angle of attack, one a box.
+    pub fn pressures_by_alpha(&self) -> &[f64] {
+        self.cp_alpha.col_as_slice(0)
+    }
+
+    /// Pressure coefficients of camber and twist, one a box.
+    pub fn pressures_of_camber(&self) -> &[f64] {
+        self.cp_camber.col_as_slice(0)
+    }
+}
+
+/// Turns a deck into the parts of a wing.
+fn wing_parts(file: &WingFile, bulk: &BulkData) -> Result<WingParts, CouplingError> {
+    let lattice = Lattice::from_bulk(bulk)?;
+    let controls = ControlSurface::all_from_bulk(bulk, &lattice)?;
+    let camber = aero::camber_and_twist(bulk, &lattice)?;
+    let fairing_surfaces = file.fairing_panel_ids();
+    let mut metric = vec![true; lattice.len()];
+    if !file.fairing_metric {
+        for surface in lattice.surfaces.iter().filter(|surface| fairing_surfaces.contains(&surface.id)) {
+            metric[surface.first_box..surface.first_box + surface.chordwise * surface.spanwise].fill(false);
+        }
+    }
+    let point = Point3::new(file.balance.x_m, file.balance.y_m, file.balance.z_m);
+    let plane = match file.root_plane {
+        Some(RootPlane::None) => MirrorPlane::None,
+        Some(RootPlane::Symmetric(y_m)) => MirrorPlane::Symmetric { y_m },
+        None => MirrorPlane::Symmetric { y_m: inner_edge(&lattice) },
+    };
+    let mut parts = WingParts {
+        lattice,
+        controls,
+        balance: Balance { point, metric },
+        plane,
+        mach: 0.0,
+        fairing_surfaces,
+        camber,
+        supported: None,
+        structure: None,
+    };
+    if !bulk.grids.is_empty() {
+        let system = System::assemble(&Model::from_bulk(bulk)?)?;
+        let nodes = spline_nodes(file, bulk, &system)?;
+        let spline = match file.spline {
+            SplineKind::Beam => Spline::beam(&parts.lattice, system.points(), &nodes),
+            SplineKind::NearestNode => Spline::nearest_node(&parts.lattice, system.points(), &nodes),
+        };
+        let tip = tip_node(&system, &nodes);
+        parts.supported = Some(SupportedStructure::new(&system, &spline, tip, &point)?);
+        parts.structure = Some((system, spline));
+    }
+    Ok(parts)
+}
+
+/// Indices of the spline's grids among the system's nodes, in the order the file gives them.
+pub fn spline_nodes(file: &WingFile, bulk: &BulkData, system: &System) -> Result<Vec<usize>, InputError> {
+    file.spline_grid_ids(bulk)
+        .into_iter()
+        .map(|id| {
+            system.node_index(id).ok_or_else(|| {
+                InputError::in_file(&file.path, format!("the spline set names grid {id}, which the deck does not have"))
+            })
+        })
+        .collect()
+}
+
+/// The spline node with the largest y.
+fn tip_node(system: &System, nodes: &[usize]) -> usize {
+    nodes.iter().copied().max_by(|&a, &b| system.points()[a].y.total_cmp(&system.points()[b].y)).unwrap_or(0)
+}
+
+/// The smallest y of any corner.
+fn inner_edge(lattice: &Lattice) -> f64 {
+    lattice.boxes.iter().flat_map(|panel| panel.corners).map(|corner| corner.y).fold(f64::INFINITY, f64::min)
+}
+
+/// The planform of all boxes that are not fairing.
+fn correctable_boxes(lattice: &Lattice, fairing: &[u32]) -> CorrectableBoxes {
+    let mut boxes = CorrectableBoxes {
+        places: Vec::new(),
+        chord_row: Vec::new(),
+        chord_rows: Vec::new(),
+        strip: Vec::new(),
+        y_norm: Vec::new(),
+        area_share: Vec::new(),
+    };
+    let mut strips = 0;
+    for surface in lattice.surfaces.iter().filter(|surface| !fairing.contains(&surface.id)) {
+        for strip in 0..surface.spanwise {
+            for row in 0..surface.chordwise {
+                boxes.places.push(surface.first_box + strip * surface.chordwise + row);
+                boxes.chord_row.push(row);
+                boxes.chord_rows.push(surface.chordwise);
+                boxes.strip.push(strips + strip);
+            }
+        }
+        strips += surface.spanwise;
+    }
+    let corners = || boxes.places.iter().flat_map(|&place| lattice.boxes[place].corners).map(|corner| corner.y);
+    let (low, high) = corners().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), y| (a.min(y), b.max(y)));
+    let total: f64 = boxes.places.iter().map(|&place| lattice.boxes[place].area_m2()).sum();
+    boxes.y_norm = boxes.places.iter().map(|&p| (lattice.boxes[p].mid_point().y - low) / (high - low)).collect();
+    boxes.area_share = boxes.places.iter().map(|&place| lattice.boxes[place].area_m2() / total).collect();
+    boxes
+}

@@ -1,0 +1,229 @@
+//! Laws of the coupled wing: what must hold for any wing, whatever the numbers.
+
+use aero::{Corrections, Flow};
+use coupling::planform::Planform;
+use coupling::wing_file::Source;
+use coupling::{ElasticWing, Mount, Spline, SteadyCase, SteadyModel, WingFile};
+use faer::Mat;
+use nalgebra::{Point3, Vector3};
+use std::path::{Path, PathBuf};
+
+const RHO: f64 = 1.225;
+
+fn wing_path() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/tuflex/wing.ron")
+}
+
+/// The shipped wing on a coarser lattice, so that the laws run quickly; `change` alters the planform first.
+fn wing(change: impl Fn(&mut Planform)) -> (WingFile, ElasticWing) {
+    let mut file = WingFile::read(&wing_path()).unwrap();
+    let Source::Parametric(planform) = &mut file.source else { panic!("the shipped wing is parametric") };
+    planform.boxes.chordwise = 4;
+    planform.boxes.spanwise = 14;
+    planform.controls.clear();
+    change(planform);
+    let bulk = file.bulk(Mount::Tunnel).unwrap();
+    let wing = ElasticWing::from_bulk(&file, &bulk).unwrap();
+    (file, wing)
+}
+
+fn flow(v_m_s: f64) -> Flow {
+    Flow { v_m_s, rho_kg_m3: RHO }
+}
+
+fn uneven(boxes: usize) -> Corrections {
+    let wave = |b: usize, phase: f64| (b as f64 * 0.37 + phase).sin();
+    Corrections {
+        force: (0..boxes).map(|b| 1.0 + 0.2 * wave(b, 0.0)).collect(),
+        moment: (0..boxes).map(|b| 1.0 + 0.3 * wave(b, 1.0)).collect(),
+        pressure_offset: (0..boxes).map(|b| 0.1 * wave(b, 2.0)).collect(),
+    }
+}
+
+#[test]
+fn a_rigid_motion_is_splined_exactly() {
+    let (_, wing) = wing(|planform| planform.dihedral_deg = 5.0);
+    let (system, beam) = wing.structure.as_ref().unwrap();
+    let nodes: Vec<usize> = (0..20).collect();
+    let nearest = Spline::nearest_node(&wing.lattice, system.points(), &nodes);
+    let about = Point3::new(0.3, -0.2, 0.1);
+    let rigid = system.rigid_body(&about);
+    for spline in [beam, &nearest] {
+        let moved = spline.displace(rigid.as_ref());
+        for (j, panel) in wing.lattice.boxes.iter().enumerate() {
+            for motion in 0..6 {
+                let (t, r) = if motion < 3 {
+                    (Vector3::ith(motion, 1.0), Vector3::zeros())
+                } else {
+                    (Vector3::zeros(), Vector3::ith(motion - 3, 1.0))
+                };
+                let heave = panel.normal().dot(&(t + r.cross(&(panel.mid_point() - about))));
+                let pitch = panel.pitch_axis().dot(&r);
+                assert!((moved[(2 * j, motion)] - heave).abs() < 1e-12, "box {j} motion {motion}");
+                assert!((moved[(2 * j + 1, motion)] - pitch).abs() < 1e-12, "box {j} motion {motion}");
+            }
+        }
+    }
+}
+
+#[test]
+fn virtual_work_is_the_same_on_both_sides() {
+    let (_, wing) = wing(|_| ());
+    let (_, spline) = wing.structure.as_ref().unwrap();
+    let u = Mat::from_fn(spline.g_size(), 1, |i, _| (i as f64 * 0.7).sin());
+    let p = Mat::from_fn(2 * wing.lattice.len(), 1, |i, _| (i as f64 * 0.3).cos());
+    let on_boxes: f64 = (0..p.nrows()).map(|i| p[(i, 0)] * spline.displace(u.as_ref())[(i, 0)]).sum();
+    let on_grids: f64 = (0..u.nrows()).map(|i| u[(i, 0)] * spline.loads(p.as_ref())[(i, 0)]).sum();
+    assert!((on_boxes - on_grids).abs() < 1e-12 * on_boxes.abs().max(1.0));
+}
+
+#[test]
+fn a_cubic_bending_shape_is_splined_exactly() {
+    // Straight beam along y: w = y^3, slope 3 y^2, which the beam element and its spline contain exactly.
+    let points: Vec<Point3<f64>> = (0..5).map(|i| Point3::new(0.0, 0.25 * f64::from(i), 0.0)).collect();
+    let corner = |x: f64, y: f64| Point3::new(x, y, 0.0);
+    let lattice = aero::Lattice {
+        boxes: (0..7)
+            .map(|i| {
+                let (a, b) = (0.14 * f64::from(i), 0.14 * f64::from(i + 1));
+                aero::AeroBox { id: 1 + i, corners: [corner(-0.1, a), corner(0.1, a), corner(0.1, b), corner(-0.1, b)] }
+            })
+            .collect(),
+        surfaces: Vec::new(),
+    };
+    let mut u = Mat::zeros(30, 1);
+    for (node, point) in points.iter().enumerate() {
+        u[(6 * node + 2, 0)] = point.y.powi(3);
+        u[(6 * node + 3, 0)] = 3.0 * point.y.powi(2);
+    }
+    let moved = Spline::beam(&lattice, &points, &[0, 1, 2, 3, 4]).displace(u.as_ref());
+    for (j, panel) in lattice.boxes.iter().enumerate() {
+        assert!((moved[(2 * j, 0)] - panel.mid_point().y.powi(3)).abs() < 1e-13);
+        assert!(moved[(2 * j + 1, 0)].abs() < 1e-13);
+    }
+}
+
+#[test]
+fn a_flat_wing_at_zero_incidence_without_weight_carries_nothing() {
+    let (_, mut wing) = wing(|planform| planform.airfoil = None);
+    wing.gravity_m_s2 = 0.0;
+    let neutral = Corrections::neutral(wing.correctable.len());
+    let loads = wing.root_loads(&[SteadyCase::new(flow(40.0), 0.0)], &neutral).unwrap();
+    assert_eq!(loads[0].to_array(), [0.0; 3]);
+}
+
+#[test]
+fn loads_are_affine_in_alpha_without_weight() {
+    let (_, mut wing) = wing(|_| ());
+    wing.gravity_m_s2 = 0.0;
+    let corrections = uneven(wing.correctable.len());
+    let cases: Vec<SteadyCase> = [-0.07, 0.01, 0.09].map(|alpha| SteadyCase::new(flow(34.0), alpha)).to_vec();
+    let loads = wing.root_loads(&cases, &corrections).unwrap();
+    for channel in 0..3 {
+        let value = |i: usize| loads[i].to_array()[channel];
+        assert!((value(0) + value(2) - 2.0 * value(1)).abs() < 1e-10 * value(2).abs().max(1.0));
+    }
+}
+
+#[test]
+fn neutral_corrections_leave_loads_bit_identical() {
+    let (_, wing) = wing(|_| ());
+    let boxes = wing.correctable.len();
+    let case = [SteadyCase::new(flow(30.0), 0.03)];
+    let neutral = wing.root_loads(&case, &Corrections::neutral(boxes)).unwrap();
+    let written = Corrections { force: vec![1.0; boxes], moment: vec![1.0; boxes], pressure_offset: vec![0.0; boxes] };
+    assert_eq!(neutral, wing.root_loads(&case, &written).unwrap());
+    // ... and are those of a path that knows no corrections: R S q cp, with cp of the deformed wing
+    let state = &wing.at(flow(30.0), &written).unwrap().solve(&case)[0];
+    let q_pa = flow(30.0).dynamic_pressure_pa();
+    for (j, cp) in state.cp.iter().enumerate() {
+        assert_eq!(state.box_loads.values[2 * j], q_pa * wing.integration.area(j) * cp);
+    }
+}
+
+#[test]
+fn the_adjoint_jacobian_agrees_with_central_differences_at_fifty_boxes() {
+    let (_, wing) = wing(|_| ());
+    let boxes = wing.correctable.len();
+    let corrections = uneven(boxes);
+    let case = [SteadyCase::new(flow(40.0), 0.05)];
+    let exact = &wing.sensitivities(&case, &corrections).unwrap()[0];
+    let step = 1e-4;
+    for index in 0..50 {
+        let b = index * boxes / 50;
+        for (family, by_box) in [&exact.by_force, &exact.by_moment, &exact.by_offset].into_iter().enumerate() {
+            let moved = |sign: f64| {
+                let mut c = corrections.clone();
+                [&mut c.force, &mut c.moment, &mut c.pressure_offset][family][b] += sign * step;
+                wing.root_loads(&case, &c).unwrap()[0].to_array()
+            };
+            let (up, down) = (moved(1.0), moved(-1.0));
+            let scale = (0..3).map(|c| by_box[(c, b)].abs()).fold(1e-6, f64::max);
+            for channel in 0..3 {
+                let difference = (up[channel] - down[channel]) / (2.0 * step);
+                let error = (by_box[(channel, b)] - difference).abs() / scale;
+                assert!(error < 1e-6, "box {b} family {family} channel {channel}: {error:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_weight_is_tared_at_zero_angle_but_the_sag_stays() {
+    let (_, mut wing) = wing(|planform| planform.airfoil = None);
+    let neutral = Corrections::neutral(wing.correctable.len());
+    let wind_off = wing.root_loads(&[SteadyCase::new(flow(0.0), 0.0)], &neutral).unwrap();
+    assert_eq!(wind_off[0].to_array(), [0.0; 3]);
+    let case = [SteadyCase::new(flow(40.0), 0.0)];
+    let with_sag = wing.root_loads(&case, &neutral).unwrap()[0];
+    wing.gravity_m_s2 = 0.0;
+    let without = wing.root_loads(&case, &neutral).unwrap()[0];
+    // A wing swept back that hangs down is washed in: the flat wing lifts only because it sags.
+    assert_eq!(without.fz_n, 0.0);
+    assert!(with_sag.fz_n > 0.1, "{with_sag:?}");
+}
+
+#[test]
+fn tilted_wind_off_the_balance_feels_the_weight_and_its_arm() {
+    let (file, wing) = wing(|_| ());
+    let neutral = Corrections::neutral(wing.correctable.len());
+    let alpha = 0.2_f64;
+    let loads = wing.root_loads(&[SteadyCase::new(flow(0.0), alpha)], &neutral).unwrap()[0];
+    let (system, _) = wing.structure.as_ref().unwrap();
+    let mass = system.mass_properties();
+    let arm = mass.centre - Point3::new(file.balance.x_m, file.balance.y_m, file.balance.z_m);
+    let g = coupling::GRAVITY_M_S2;
+    let relieved = mass.mass_kg * g * (1.0 - alpha.cos());
+    assert!((loads.fz_n - relieved).abs() < 1e-10);
+    assert!((loads.mx_nm - arm.y * relieved).abs() < 1e-10);
+    assert!((loads.my_nm - (-arm.x * relieved + arm.z * mass.mass_kg * g * alpha.sin())).abs() < 1e-10);
+}
+
+#[test]
+fn a_fairing_disturbs_the_flow_but_not_the_balance() {
+    let (_, with) = wing(|_| ());
+    assert_eq!(with.correctable.len(), 56);
+    assert_eq!(with.lattice.len(), 56 + 12);
+    for j in 56..68 {
+        assert!(!with.balance.metric[j]);
+        assert!((0..3).all(|row| with.root_rows[(row, 2 * j)] == 0.0 && with.root_rows[(row, 2 * j + 1)] == 0.0));
+    }
+}
+
+#[test]
+fn a_wing_beyond_divergence_is_refused_with_both_pressures() {
+    // Swept forward, the shipped wing diverges.
+    let (_, wing) = wing(|planform| {
+        planform.quarter_chord_sweep_deg = -30.0;
+        planform.fairing = None;
+    });
+    let neutral = Corrections::neutral(wing.correctable.len());
+    let v_d = wing.divergence_speed(RHO, &neutral).unwrap().expect("a forward-swept wing diverges");
+    assert!(wing.at(flow(0.98 * v_d), &neutral).is_ok());
+    let message = wing.at(flow(1.02 * v_d), &neutral).unwrap_err().to_string();
+    let q_d = 0.5 * RHO * v_d * v_d;
+    assert!(message.contains("diverges") && message.contains(&format!("{q_d:.1} Pa")), "{message}");
+    // loads grow without bound on the way there: 1 / (1 - q/q_D)
+    let lift = |share: f64| wing.root_loads(&[SteadyCase::new(flow(v_d * share.sqrt()), 0.02)], &neutral).unwrap()[0].mx_nm / share;
+    assert!(lift(0.999) > 50.0 * lift(0.1));
+}
