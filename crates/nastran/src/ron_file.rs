@@ -26,14 +26,18 @@ pub fn parse<T: DeserializeOwned>(name: &str, text: &str) -> Result<T, InputErro
 
 fn parse_at<T: DeserializeOwned>(path: &Path, text: &str) -> Result<T, InputError> {
     let options = ron::Options::default().with_default_extension(Extensions::IMPLICIT_SOME);
-    options.from_str(text).map_err(|error| explain(path, &error))
+    options.from_str(text).map_err(|error| explain(path, text, &error))
 }
 
-fn explain(path: &Path, error: &SpannedError) -> InputError {
+fn explain(path: &Path, text: &str, error: &SpannedError) -> InputError {
     let file: Arc<PathBuf> = Arc::new(path.to_path_buf());
     let (start, end) = (&error.span.start, &error.span.end);
-    let end_column = if end.line == start.line { end.col.max(start.col + 1) } else { start.col + 1 };
-    let span = Span::new(&file, start.line, start.col, end_column);
+    // The parser starts at the blanks before the word it does not like.
+    let line = text.lines().nth(start.line.saturating_sub(1)).unwrap_or("");
+    let rest = line.chars().skip(start.col.saturating_sub(1));
+    let column = start.col + rest.take_while(|character| character.is_whitespace()).count();
+    let end_column = if end.line == start.line { end.col.max(column + 1) } else { column + 1 };
+    let span = Span::new(&file, start.line, column, end_column);
     match &error.code {
         ron::Error::NoSuchStructField { expected, found, .. } => unknown(&span, "field", found, expected),
         ron::Error::NoSuchEnumVariant { expected, found, .. } => unknown(&span, "choice", found, expected),

@@ -1,9 +1,9 @@
 //! The name somebody probably meant: the nearest by edit distance (Levenshtein 1965), case ignored.
 
-/// The candidate nearest to `name`, if it is near enough to be a slip of the pen: at most a third of the
-/// letters differ (at least one may).
+/// The candidate nearest to `name`, if it is near enough to be a slip of the pen: about a third of the letters
+/// may differ, one of two and none of one.
 pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let allowed = (name.chars().count() / 3).max(1);
+    let allowed = (name.chars().count() + 1) / 3;
     candidates
         .into_iter()
         .map(|candidate| (distance(name, candidate), candidate))

@@ -1,0 +1,102 @@
+//! CSV and RON files, and the names somebody probably meant.
+
+use nastran::{Table, ron_file};
+use serde::Deserialize;
+
+const TABLE: &str =
+    "# measured\nV_m_s, alpha_deg,note\n\n18,  1.5,\"a, \"\"b\"\"\"\n# between\n22,,none\nnan,x1,\n";
+
+fn message(error: &nastran::InputError) -> String {
+    error.to_string()
+}
+
+#[test]
+fn cells_are_found_by_row_and_column_name() {
+    let table = Table::parse("t.csv", TABLE).expect("a good table");
+    assert_eq!(table.columns().collect::<Vec<_>>(), ["V_m_s", "alpha_deg", "note"]);
+    assert_eq!((table.len(), table.is_empty(), table.has("note"), table.has("x")), (3, false, true, false));
+    assert_eq!(table.number(0, "alpha_deg"), Ok(1.5));
+    assert_eq!(table.text(0, "note"), Ok("a, \"b\""));
+    assert_eq!(table.span(0, "alpha_deg").to_string(), "t.csv:4:6");
+    assert_eq!(
+        Table::parse("t.csv", "a\r\n1\r\n2\r\n").and_then(|table| table.numbers("a")),
+        Ok(vec![1.0, 2.0])
+    );
+}
+
+#[test]
+fn cells_that_are_no_numbers_are_refused_with_their_place() {
+    let table = Table::parse("t.csv", TABLE).expect("a good table");
+    let number = |row, column| message(&table.number(row, column).expect_err("must be refused"));
+    assert_eq!(number(1, "alpha_deg"), "t.csv:6:4: column `alpha_deg` is empty here; expected a number");
+    assert_eq!(number(2, "V_m_s"), "t.csv:7:1: `nan` in column `V_m_s` is not a finite number");
+    assert_eq!(number(2, "alpha_deg"), "t.csv:7:5: `x1` in column `alpha_deg` is not a finite number");
+    assert_eq!(number(3, "V_m_s"), "t.csv: the table has 3 rows; row 4 is wanted");
+}
+
+#[test]
+fn misspelt_columns_are_named_with_what_was_meant() {
+    let table = Table::parse("t.csv", "V_ms,alpha_deg\n1,2\n").expect("a good table");
+    assert_eq!(
+        message(&table.require(&["alpha_deg", "V_m_s"]).unwrap_err()),
+        "t.csv:1: the column `V_m_s` is missing (hint: is `V_ms` meant to be `V_m_s`?)"
+    );
+    assert_eq!(
+        message(&table.require(&["mass_kg"]).unwrap_err()),
+        "t.csv:1: the column `mass_kg` is missing (hint: the columns here are V_ms, alpha_deg)"
+    );
+    let known = |name: &str| ["V_m_s", "alpha_deg"].contains(&name);
+    assert_eq!(
+        message(&table.allow_only(known, "`V_m_s`, `alpha_deg`").unwrap_err()),
+        "t.csv:1:1: unknown column `V_ms`; expected `V_m_s`, `alpha_deg` (hint: did you mean `V_m_s`?)"
+    );
+}
+
+#[test]
+fn tables_of_the_wrong_shape_are_refused() {
+    let error = |text: &str| message(&Table::parse("t.csv", text).expect_err("must be refused"));
+    assert_eq!(
+        error("# only this\n"),
+        "t.csv: the table is empty (hint: the first line must name the columns)"
+    );
+    assert_eq!(
+        error("a,b\n1\n"),
+        "t.csv:2: this row has 1 cells, the header has 2 (hint: empty cells still need their commas)"
+    );
+    assert_eq!(error("a,b,a\n"), "t.csv:1:5: the column `a` occurs twice");
+    assert_eq!(error("a,,b\n"), "t.csv:1:3: this column has no name");
+    assert_eq!(
+        error("a,b\n1,\"2\n"),
+        "t.csv:2:3: a quoted cell does not end on its line (hint: add the closing \")"
+    );
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Wing {
+    span_m: f64,
+    taper: Option<f64>,
+}
+
+#[test]
+fn ron_files_name_line_and_column_and_the_field_that_was_meant() {
+    let wing: Wing = ron_file::parse("w.ron", "(span_m: 1.8, taper: 0.5)").expect("a good file");
+    assert_eq!((wing.span_m, wing.taper), (1.8, Some(0.5)), "options need no Some");
+    let error = |text: &str| ron_file::parse::<Wing>("w.ron", text).expect_err("must be refused");
+    let misspelt = error("(\n    spam_m: 1.8,\n)");
+    assert_eq!(misspelt.message, "there is no field `spam_m` here; expected one of `span_m`, `taper`");
+    assert_eq!(misspelt.help.as_deref(), Some("did you mean `span_m`?"));
+    assert_eq!(misspelt.span.map(|span| span.line), Some(2));
+    let missing = error("(\n    taper: 0.5,\n)");
+    assert_eq!(missing.message, "the field `span_m` of Wing is missing");
+    let syntax = error("(\n    span_m: abc,\n)");
+    assert_eq!(syntax.span.map(|span| (span.line, span.column)), Some((2, 13)));
+}
+
+#[test]
+fn only_near_names_are_suggested() {
+    use nastran::suggest::{distance, nearest};
+    assert_eq!((distance("kitten", "sitting"), distance("", "abc"), distance("Wing", "wing")), (3, 3, 0));
+    assert_eq!(nearest("chrod", ["span", "chord"]), Some("chord"));
+    assert_eq!(nearest("mass", ["span", "chord"]), None);
+}
