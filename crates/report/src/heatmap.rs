@@ -36,7 +36,8 @@ const HEIGHT: f64 = 420.0;
 const LEFT: f64 = 30.0;
 const RIGHT: f64 = 120.0;
 const TOP: f64 = 80.0;
-const BOTTOM: f64 = 70.0;
+/// Room for the spanwise axis below a planform, px.
+const SPAN_AXIS: f64 = 62.0;
 
 /// The planforms side by side, each with its own colour bar.
 ///
@@ -47,7 +48,7 @@ pub fn svg(title: &str, views: &[PlanformView]) -> Result<String, DrawError> {
         return Err(DrawError::Empty(title.into()));
     }
     let frames = views.iter().map(Frame::new).collect::<Result<Vec<_>, _>>()?;
-    let height = frames.iter().map(|f| f.height).fold(160.0, f64::max) + TOP + BOTTOM;
+    let height = frames.iter().map(|f| f.height + SPAN_AXIS).fold(170.0, f64::max) + TOP;
     let width: f64 = frames.iter().map(|f| f.width + LEFT + RIGHT).sum();
     let mut canvas = Canvas::new(width, height);
     canvas.text((width / 2.0, 28.0), 18.0, Anchor::Middle, title);

@@ -1,0 +1,161 @@
+//! The command line: every command with its options and defaults, in one place.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+use crate::paths;
+
+/// The command line.
+#[derive(Debug, Parser)]
+#[command(name = "xtask", bin_name = "cargo xtask", version, disable_help_subcommand = true)]
+#[command(about = "Calibrate an aeroelastic wing from loads measured at its root, and fly it")]
+pub struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+    /// Options of every command.
+    #[command(flatten)]
+    pub common: Common,
+}
+
+/// Options of every command.
+#[derive(Debug, Clone, Default, Args)]
+pub struct Common {
+    /// Folder for the results [default: out/NAME]; replaced as a whole once all results are complete
+    #[arg(long, global = true, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Print result.json to standard output, and nothing else there
+    #[arg(long, global = true)]
+    pub json: bool,
+    /// No progress and no summary
+    #[arg(long, global = true)]
+    pub quiet: bool,
+    /// Number of threads [default: all processors]
+    #[arg(long, global = true, value_name = "N", value_parser = threads)]
+    pub threads: Option<usize>,
+    /// Seed of whatever is random
+    #[arg(long, global = true, value_name = "N")]
+    pub seed: Option<u64>,
+}
+
+impl Common {
+    /// The folder for the results of a command.
+    pub fn out(&self, command: &str) -> PathBuf {
+        self.out.clone().unwrap_or_else(|| paths::in_repository(&format!("out/{command}")))
+    }
+}
+
+fn threads(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(number @ 1..=1024) => Ok(number),
+        _ => Err("expected a number from 1 to 1024".into()),
+    }
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Corrections per airspeed from static loads measured at the wing root
+    Calibrate(CalibrateArgs),
+    /// Time histories of wind-tunnel runs, simulated from their inputs and set beside what was measured
+    Simulate(SimulateArgs),
+    /// Trim, pull-up, push-down, chirp and doublet of the full aircraft, initial beside updated model
+    Fullaircraft(FullaircraftArgs),
+    /// Calibrate, simulate and fullaircraft, one after the other
+    Pipeline(PipelineArgs),
+    /// The virtual wind tunnel: writes a campaign folder
+    Tunnel(TunnelArgs),
+    /// Time of the main steps
+    Bench(BenchArgs),
+    /// Check the house rules of the repository
+    Tidy(TidyArgs),
+}
+
+/// Options of `calibrate`.
+#[derive(Debug, Clone, Default, Args)]
+pub struct CalibrateArgs {
+    /// The wing [default: data/tuflex/wing.ron]
+    #[arg(long, value_name = "FILE")]
+    pub wing: Option<PathBuf>,
+    /// The folder of measurements [default: data/tuflex/measured]
+    #[arg(long, value_name = "DIR")]
+    pub campaign: Option<PathBuf>,
+}
+
+/// Options of `simulate`.
+#[derive(Debug, Clone, Default, Args)]
+pub struct SimulateArgs {
+    /// Runs to simulate [default: all runs of the campaign]
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    pub run: Vec<PathBuf>,
+    /// The wing [default: data/tuflex/wing.ron]
+    #[arg(long, value_name = "FILE")]
+    pub wing: Option<PathBuf>,
+    /// Corrections from `calibrate` [default: out/calibrate's if of the same wing, else calibrated first]
+    #[arg(long, value_name = "FILE")]
+    pub corrections: Option<PathBuf>,
+    /// The folder of measurements [default: data/tuflex/measured]
+    #[arg(long, value_name = "DIR")]
+    pub campaign: Option<PathBuf>,
+}
+
+/// Options of `fullaircraft`.
+#[derive(Debug, Clone, Default, Args)]
+pub struct FullaircraftArgs {
+    /// The aircraft [default: data/tuflex/aircraft.ron]
+    #[arg(long, value_name = "FILE")]
+    pub aircraft: Option<PathBuf>,
+    /// Corrections from `calibrate` [default: out/calibrate's if of the same wing, else calibrated first]
+    #[arg(long, value_name = "FILE")]
+    pub corrections: Option<PathBuf>,
+    /// The wing [default: data/tuflex/wing.ron]
+    #[arg(long, value_name = "FILE")]
+    pub wing: Option<PathBuf>,
+}
+
+/// Options of `pipeline`: none of its own.
+#[derive(Debug, Clone, Default, Args)]
+pub struct PipelineArgs {}
+
+/// Options of `tunnel`.
+#[derive(Debug, Clone, Default, Args)]
+pub struct TunnelArgs {
+    /// What the tunnel measures and hides [default: data/tuflex/tunnel.ron]
+    #[arg(long, value_name = "FILE")]
+    pub runs: Option<PathBuf>,
+}
+
+/// Options of `bench`: none of its own.
+#[derive(Debug, Clone, Default, Args)]
+pub struct BenchArgs {}
+
+/// Options of `tidy`: none of its own.
+#[derive(Debug, Clone, Default, Args)]
+pub struct TidyArgs {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn options_stand_before_or_after_the_command() {
+        let cli =
+            Cli::try_parse_from(["x", "--json", "simulate", "--run", "a.csv", "b.csv", "--threads", "2"]);
+        let cli = cli.unwrap();
+        assert!(cli.common.json);
+        assert_eq!(cli.common.threads, Some(2));
+        assert!(matches!(cli.command, Command::Simulate(args) if args.run.len() == 2));
+    }
+
+    #[test]
+    fn no_threads_at_all_are_refused() {
+        assert!(Cli::try_parse_from(["x", "tidy", "--threads", "0"]).is_err());
+    }
+}

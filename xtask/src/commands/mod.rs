@@ -1,0 +1,9 @@
+//! One file per command.
+
+pub(crate) mod bench;
+pub(crate) mod calibrate;
+pub(crate) mod fullaircraft;
+pub(crate) mod pipeline;
+pub(crate) mod simulate;
+pub(crate) mod tidy;
+pub(crate) mod tunnel;

@@ -1,0 +1,57 @@
+//! The commands of wingroot, `cargo xtask NAME`: read arguments, call the crates, write and print results.
+//!
+//! A command is one file in `commands/` with a `run` function and its options in [`args`]; nothing is computed here.
+//! Exit status: 0 done, 2 wrong usage or bad input, 3 the computation could not be completed.
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+pub mod args;
+mod commands;
+pub mod failure;
+pub mod output;
+pub mod paths;
+pub mod progress;
+pub mod show;
+pub mod tidy;
+
+use args::{Cli, Command, Common};
+use failure::Failure;
+
+/// Reads the command line, runs the command and turns its end into the exit status.
+pub fn main() -> ExitCode {
+    let cli = Cli::parse();
+    show::start_logging(&cli.common);
+    match set_threads(&cli.common).and_then(|()| run(&cli)) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            show::failure(&failure);
+            ExitCode::from(failure.exit_status())
+        }
+    }
+}
+
+fn run(cli: &Cli) -> Result<(), Failure> {
+    let common = &cli.common;
+    match &cli.command {
+        Command::Calibrate(args) => commands::calibrate::run(args, common),
+        Command::Simulate(args) => commands::simulate::run(args, common),
+        Command::Fullaircraft(args) => commands::fullaircraft::run(args, common),
+        Command::Pipeline(args) => commands::pipeline::run(args, common),
+        Command::Tunnel(args) => commands::tunnel::run(args, common),
+        Command::Bench(args) => commands::bench::run(args, common),
+        Command::Tidy(args) => commands::tidy::run(args, common),
+    }
+}
+
+/// One number of threads for our own loops (rayon) and for the matrix library.
+fn set_threads(common: &Common) -> Result<(), Failure> {
+    let Some(threads) = common.threads else { return Ok(()) };
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build_global()
+        .map_err(|error| Failure::Computation(format!("{threads} threads cannot be started: {error}")))?;
+    faer::set_global_parallelism(if threads == 1 { faer::Par::Seq } else { faer::Par::rayon(threads) });
+    Ok(())
+}

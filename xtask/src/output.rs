@@ -1,0 +1,153 @@
+//! Results are written whole or not at all.
+//!
+//! A command writes into a hidden folder beside its target; [`ResultFolder::commit`] puts that in the target's
+//! place by renaming. A command that fails or is interrupted leaves the earlier result as it was.
+
+use std::path::{Path, PathBuf};
+
+use nastran::InputError;
+use serde::Serialize;
+
+use crate::failure::Failure;
+
+/// The file by which a folder is known as an earlier result, which may be replaced.
+const MARK: &str = "result.json";
+
+/// Results in the making. Dropped without [`commit`](Self::commit) it leaves nothing behind.
+#[derive(Debug)]
+pub struct ResultFolder {
+    target: PathBuf,
+    partial: PathBuf,
+}
+
+impl ResultFolder {
+    /// Starts the results that will stand at `target`.
+    ///
+    /// # Errors
+    /// If `target` is something else than an earlier result (a folder with `result.json`) or an empty folder,
+    /// which nothing here may delete; or if no folder can be made beside it.
+    pub fn begin(target: &Path) -> Result<Self, Failure> {
+        let target = std::path::absolute(target).map_err(|e| refused(target, &e))?;
+        check_replaceable(&target)?;
+        let parent = target
+            .parent()
+            .ok_or_else(|| InputError::in_file(&target, "results need a folder of their own"))?;
+        std::fs::create_dir_all(parent).map_err(|e| refused(parent, &e))?;
+        clear_leftovers(&target);
+        let partial = beside(&target, "partial");
+        std::fs::create_dir_all(&partial).map_err(|e| refused(&partial, &e))?;
+        Ok(Self { target, partial })
+    }
+
+    /// The folder to write into until [`commit`](Self::commit).
+    pub fn path(&self) -> &Path {
+        &self.partial
+    }
+
+    /// Writes a text file; `name` may contain folders.
+    ///
+    /// # Errors
+    /// If the file cannot be written.
+    pub fn write_text(&self, name: &str, text: &str) -> Result<(), Failure> {
+        let path = self.partial.join(name);
+        if let Some(folder) = path.parent() {
+            std::fs::create_dir_all(folder).map_err(|e| refused(folder, &e))?;
+        }
+        std::fs::write(&path, text).map_err(|e| refused(&path, &e))
+    }
+
+    /// Writes a value as JSON; numbers that are not finite become `null`, as JSON has none.
+    ///
+    /// # Errors
+    /// If the file cannot be written.
+    pub fn write_json<T: Serialize>(&self, name: &str, value: &T) -> Result<(), Failure> {
+        let text = serde_json::to_string_pretty(value).map_err(Failure::computation)?;
+        self.write_text(name, &(text + "\n"))
+    }
+
+    /// Puts the results in the place of an earlier one and returns where they are.
+    ///
+    /// # Errors
+    /// If the folders cannot be renamed; the earlier result is then still there.
+    pub fn commit(self) -> Result<PathBuf, Failure> {
+        let before = beside(&self.target, "before");
+        let replaced = self.target.exists();
+        if replaced {
+            check_replaceable(&self.target)?;
+            std::fs::rename(&self.target, &before).map_err(|e| refused(&self.target, &e))?;
+        }
+        if let Err(error) = std::fs::rename(&self.partial, &self.target) {
+            if replaced {
+                std::fs::rename(&before, &self.target).map_err(|e| refused(&before, &e))?;
+            }
+            return Err(refused(&self.target, &error));
+        }
+        if replaced {
+            std::fs::remove_dir_all(&before).map_err(|e| refused(&before, &e))?;
+        }
+        Ok(self.target.clone())
+    }
+}
+
+impl Drop for ResultFolder {
+    fn drop(&mut self) {
+        if self.partial.exists() {
+            // Nothing can be done about a folder that resists; it is hidden and cleared by the next run.
+            let _ = std::fs::remove_dir_all(&self.partial);
+        }
+    }
+}
+
+fn refused(path: &Path, error: &std::io::Error) -> Failure {
+    let error = InputError::in_file(path, format!("the result cannot be written: {error}"));
+    error.with_help("choose another folder with --out DIR").into()
+}
+
+fn check_replaceable(target: &Path) -> Result<(), Failure> {
+    let Ok(mut entries) = std::fs::read_dir(target) else {
+        return if target.exists() {
+            Err(InputError::in_file(target, "a file stands where the result folder should be").into())
+        } else {
+            Ok(())
+        };
+    };
+    if entries.next().is_none() || target.join(MARK).is_file() {
+        return Ok(());
+    }
+    let message =
+        format!("the folder holds files but no {MARK}, so it is no earlier result and is not replaced");
+    Err(InputError::in_file(target, message).with_help("choose a new or empty folder with --out DIR").into())
+}
+
+/// `.NAME.KIND-PROCESS` beside the target.
+fn beside(target: &Path, kind: &str) -> PathBuf {
+    target.with_file_name(format!("{}{}", prefix(target, kind), std::process::id()))
+}
+
+fn prefix(target: &Path, kind: &str) -> String {
+    let name = target.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
+    format!(".{name}.{kind}-")
+}
+
+/// Clears what a killed command left beside the target, and brings back a result it had set aside.
+fn clear_leftovers(target: &Path) {
+    let Some(entries) = target.parent().and_then(|folder| std::fs::read_dir(folder).ok()) else { return };
+    for path in entries.flatten().map(|entry| entry.path()) {
+        let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
+        let dead =
+            |kind| name.strip_prefix(&prefix(target, kind)).is_some_and(|process| !is_running(process));
+        let _ = if dead("before") && !target.exists() {
+            std::fs::rename(&path, target)
+        } else if dead("before") || dead("partial") {
+            std::fs::remove_dir_all(&path)
+        } else {
+            Ok(())
+        };
+    }
+}
+
+/// Whether a process lives; where that cannot be seen (no /proc) it is taken to live.
+fn is_running(process: &str) -> bool {
+    process.parse::<u32>().is_ok()
+        && (!Path::new("/proc/self").exists() || Path::new("/proc").join(process).exists())
+}

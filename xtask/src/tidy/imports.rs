@@ -1,0 +1,151 @@
+//! Who may import whom. The direction of the imports is the architecture: the physics cannot learn of the
+//! optimiser, nor any analysis of the virtual wind tunnel's answers, if their manifests do not list them.
+
+use std::path::Path;
+use std::process::Command;
+
+use serde_json::Value;
+
+use super::Complaint;
+use crate::failure::Failure;
+
+/// Every package of ours and the packages of ours it may depend on, in code and tests.
+const MAY_IMPORT: &[(&str, &[&str])] = &[
+    ("nastran", &[]),
+    ("report", &[]),
+    ("structure", &["nastran"]),
+    ("aero", &["nastran"]),
+    ("coupling", &["nastran", "structure", "aero"]),
+    ("calibrate", &["nastran", "structure", "aero", "coupling"]),
+    ("maneuver", &["nastran", "structure", "aero", "coupling"]),
+    ("fullaircraft", &["nastran", "structure", "aero", "coupling", "maneuver"]),
+    ("tunnel", &["nastran", "structure", "aero", "coupling", "maneuver"]),
+    ("validation", &["nastran", "structure", "aero", "coupling", "calibrate", "maneuver", "fullaircraft"]),
+    (
+        "xtask",
+        &[
+            "nastran",
+            "structure",
+            "aero",
+            "coupling",
+            "calibrate",
+            "maneuver",
+            "fullaircraft",
+            "tunnel",
+            "report",
+        ],
+    ),
+];
+
+/// Libraries that only the named packages may use: each has one seam.
+const ONLY_IN: &[(&str, &[&str])] = &[
+    ("clarabel", &["calibrate"]),
+    ("kuva", &["report"]),
+    ("clap", &["xtask"]),
+    ("codespan-reporting", &["xtask"]),
+    ("indicatif", &["xtask"]),
+    ("tracing-subscriber", &["xtask"]),
+];
+
+/// A package of the workspace and what it depends on directly.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Package {
+    /// Its name.
+    pub name: String,
+    /// Names of the packages of ours it depends on.
+    pub ours: Vec<String>,
+    /// Names of the libraries of others it depends on.
+    pub theirs: Vec<String>,
+}
+
+/// The packages of the workspace, from `cargo metadata`.
+///
+/// # Errors
+/// If cargo does not run or answers something unexpected.
+pub fn packages(root: &Path) -> Result<Vec<Package>, Failure> {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let output = Command::new(cargo)
+        .args(["metadata", "--no-deps", "--offline", "--format-version", "1"])
+        .current_dir(root)
+        .output()
+        .map_err(|error| Failure::Computation(format!("cargo metadata does not run: {error}")))?;
+    if !output.status.success() {
+        let complaint = String::from_utf8_lossy(&output.stderr).into_owned();
+        return Err(Failure::Computation(format!("cargo metadata failed: {complaint}")));
+    }
+    let metadata: Value = serde_json::from_slice(&output.stdout).map_err(Failure::computation)?;
+    let list = metadata["packages"]
+        .as_array()
+        .ok_or_else(|| Failure::computation("cargo metadata lists no packages"))?;
+    Ok(list.iter().map(package).collect())
+}
+
+fn package(value: &Value) -> Package {
+    let dependencies = value["dependencies"].as_array().map_or(&[][..], Vec::as_slice);
+    // A dependency of ours has a path, one of others a registry.
+    let names = |ours: bool| {
+        let chosen = dependencies.iter().filter(|d| d["path"].is_string() == ours);
+        chosen.filter_map(|d| d["name"].as_str().map(str::to_string)).collect()
+    };
+    Package {
+        name: value["name"].as_str().unwrap_or_default().to_string(),
+        ours: names(true),
+        theirs: names(false),
+    }
+}
+
+/// Complaints about imports against the direction, and about packages the table does not know.
+pub fn check(packages: &[Package]) -> Vec<Complaint> {
+    let mut complaints = Vec::new();
+    for package in packages {
+        let name = package.name.as_str();
+        let Some((_, allowed)) = MAY_IMPORT.iter().find(|(known, _)| *known == name) else {
+            complaints
+                .push(Complaint::new(name, "the package is not in the table of xtask/src/tidy/imports.rs"));
+            continue;
+        };
+        for import in package.ours.iter().filter(|import| !allowed.contains(&import.as_str())) {
+            complaints
+                .push(Complaint::new(name, format!("imports `{import}`, against the direction of imports")));
+        }
+        for (library, users) in ONLY_IN {
+            if package.theirs.iter().any(|used| used == library) && !users.contains(&name) {
+                let message = format!("uses `{library}`, which only {} may use", users.join(", "));
+                complaints.push(Complaint::new(name, message));
+            }
+        }
+    }
+    complaints
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn package(name: &str, ours: &[&str], theirs: &[&str]) -> Package {
+        let owned = |list: &[&str]| list.iter().map(ToString::to_string).collect();
+        Package { name: name.into(), ours: owned(ours), theirs: owned(theirs) }
+    }
+
+    #[test]
+    fn an_import_against_the_direction_is_found() {
+        let packages = [
+            package("maneuver", &["coupling", "calibrate"], &[]),
+            package("validation", &["tunnel"], &[]),
+            package("coupling", &["aero"], &["clarabel", "faer"]),
+            package("novel", &[], &[]),
+            package("aero", &["nastran"], &["faer"]),
+        ];
+        let places: Vec<String> = check(&packages).into_iter().map(|c| c.place).collect();
+        assert_eq!(places, ["maneuver", "validation", "coupling", "novel"]);
+    }
+
+    #[test]
+    fn the_table_itself_has_no_circle() {
+        let mut done: Vec<&str> = Vec::new();
+        for (name, imports) in MAY_IMPORT {
+            assert!(imports.iter().all(|import| done.contains(import) || *import == "report"), "{name}");
+            done.push(name);
+        }
+    }
+}
