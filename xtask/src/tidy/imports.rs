@@ -41,6 +41,8 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
 const ONLY_IN: &[(&str, &[&str])] = &[
     ("clarabel", &["calibrate"]),
     ("kuva", &["report"]),
+    ("rand_chacha", &["tunnel"]),
+    ("rand_distr", &["tunnel"]),
     ("clap", &["xtask"]),
     ("codespan-reporting", &["xtask"]),
     ("indicatif", &["xtask"]),
