@@ -106,16 +106,14 @@ fn element_axes(id: u32, placement: &BeamPlacement, span: &Span) -> Result<(f64,
     let along = b - a;
     let length = along.norm();
     let scale = a.coords.norm().max(b.coords.norm());
-    // Negated so that a NaN is refused as well.
-    let too_short = !(length > 1e-12 * scale);
-    if too_short || !length.is_finite() {
+    if length <= 1e-12 * scale || !length.is_finite() {
         let message = format!("beam {id} has no length: both ends are at ({}, {}, {})", a.x, a.y, a.z);
         return Err(InputError::at(span, message).with_help("check its two grids and the offset vectors"));
     }
     let x = along / length;
     let normal = x.cross(&placement.orientation);
-    let parallel = !(normal.norm() > 1e-8 * placement.orientation.norm());
-    if parallel {
+    let sine = normal.norm() / placement.orientation.norm();
+    if sine < 1e-8 || !sine.is_finite() {
         let v = placement.orientation;
         let message =
             format!("beam {id}: orientation vector ({}, {}, {}) is zero or along the beam", v.x, v.y, v.z);

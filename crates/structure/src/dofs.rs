@@ -1,7 +1,7 @@
 //! Degrees of freedom: which are free, and how every motion follows from the free ones.
 //!
 //! The g-set has six a node, in the order of the nodes, components 1 to 6, basic axes. The f-set are those of
-//! them that are neither clamped nor dependent; u_g = T u_f.
+//! them that are neither clamped nor dependent; `u_g` = T `u_f`.
 
 use crate::model::Model;
 use crate::rigid::{self, Combination};

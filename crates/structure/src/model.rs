@@ -200,7 +200,7 @@ fn undefined<T: Display>(
     let count = known.len();
     let mut list = known.take(SHOWN).map(|id| id.to_string()).collect::<Vec<_>>().join(", ");
     if count > SHOWN {
-        list += &format!(" and {} more", count - SHOWN);
+        list.push_str(" and more");
     }
     let help =
         if count == 0 { format!("the deck has no {kind}") } else { format!("there are {kind} {list}") };

@@ -1,6 +1,6 @@
 //! Rigid links (RBE2): the dependent nodes follow the independent node as one body.
 //!
-//! u_d = u_i + theta_i x (x_d - x_i), theta_d = theta_i, for the listed components. A link's independent node may
+//! `u_d` = `u_i` + `theta_i` x (`x_d` - `x_i`), `theta_d` = `theta_i`, for the listed components. A link's independent node may
 //! be a dependent node of another link; the chain is resolved until only independent motions are left.
 
 use crate::model::Model;

@@ -2,16 +2,13 @@
 //!
 //! By Sylvester's law of inertia K - omega^2 M = L D L^T has as many negative pivots as there are eigenvalues below
 //! omega^2 (Bathe, *Finite Element Procedures*, ch. 10). The factorisation does not pivot: close to an eigenvalue
-//! of the matrix or of a leading block of it a pivot is tiny and its sign means nothing. Then the shift is moved by a
-//! few millionths, and if that does not help the count is refused.
+//! of the matrix or of a leading block of it a pivot may be within round-off, and its sign means nothing. Then the
+//! shift is moved by a few millionths, and if that does not help the count is refused.
 
 use crate::flexibility::Factor;
 use crate::modes::ModesError;
 use crate::sparse;
 use crate::system::System;
-
-/// Scaled pivots below this one have no sign.
-const TINY: f64 = 1e-13;
 
 /// Relative changes of the shift that are tried, one after the other.
 const NUDGES: [f64; 5] = [0.0, 1e-6, -1e-6, 3e-6, -3e-6];
@@ -40,9 +37,8 @@ pub(crate) fn count_below_square(system: &System, shift: f64) -> Result<usize, M
         let Some(factor) = Factor::indefinite(sparse::combine(k, -shift, m).as_ref(), &size) else {
             continue;
         };
-        let pivots = factor.pivots();
-        if pivots.iter().all(|(_, pivot)| pivot.abs() > TINY) {
-            return Ok(pivots.iter().filter(|(_, pivot)| *pivot < 0.0).count());
+        if factor.doubtful().is_empty() {
+            return Ok(factor.pivots().iter().filter(|(_, pivot)| *pivot < 0.0).count());
         }
     }
     Err(ModesError::Uncountable { omega_rad_s: shift.sqrt() })

@@ -64,7 +64,7 @@ fn product(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
 
 /// One sweep: (K + s M)^-1 M x, orthonormalised, projected; `None` if the small problem does not converge.
 pub(crate) fn sweep(k: SparseRef<'_>, m: SparseRef<'_>, factor: &Factor, x: MatRef<'_, f64>) -> Option<Ritz> {
-    let basis = orthonormal(m, factor.solve(sparse::multiply(m, x).as_ref()));
+    let basis = orthonormal(m, factor.solve(sparse::multiply(m, x).as_ref()).as_ref());
     let projected = inner(basis.as_ref(), sparse::multiply(k, basis.as_ref()).as_ref());
     let eigen = projected.self_adjoint_eigen(Side::Lower).ok()?;
     let values = eigen.S().column_vector().iter().copied().collect();
@@ -72,7 +72,7 @@ pub(crate) fn sweep(k: SparseRef<'_>, m: SparseRef<'_>, factor: &Factor, x: MatR
 }
 
 /// Gram-Schmidt in the inner product of M, twice for each vector; dependent and massless vectors are left out.
-fn orthonormal(m: SparseRef<'_>, x: Mat<f64>) -> Mat<f64> {
+fn orthonormal(m: SparseRef<'_>, x: MatRef<'_, f64>) -> Mat<f64> {
     let n = x.nrows();
     let mut basis = Mat::<f64>::zeros(n, x.ncols());
     let mut momenta = Mat::<f64>::zeros(n, x.ncols());

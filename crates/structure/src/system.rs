@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 ///
 /// The g-set has six degrees of freedom a node (three displacements in m, three rotations in rad, basic axes),
 /// nodes in the order of [`System::node_ids`]: degree of freedom 6 * node + component - 1. The f-set are the free
-/// ones; u_g = T u_f.
+/// ones; `u_g` = T `u_f`.
 #[derive(Debug, Clone)]
 pub struct System {
     ids: Vec<u32>,
@@ -31,19 +31,26 @@ impl System {
     /// Assembles a model.
     ///
     /// # Errors
-    /// If rigid links contradict each other, form a circle, or a dependent motion is clamped.
+    /// If rigid links contradict each other, form a circle, or a dependent motion is clamped; if a mass or stiffness
+    /// is beyond floating-point numbers.
     pub fn assemble(model: &Model) -> Result<Self, InputError> {
         let dofs = DofMap::of(model)?;
         let ids = model.nodes.iter().map(|node| node.id).collect();
         let points = model.nodes.iter().map(|node| node.point).collect();
-        Ok(Self::build(ids, points, assemble::global(model), dofs))
+        let system = Self::build(ids, points, assemble::global(model), dofs);
+        if !system.is_finite() {
+            let message = "the stiffness or mass of the structure is beyond floating-point numbers";
+            let help = "look for an offset, mass or coordinate many orders of magnitude off";
+            return Err(InputError::general(message).with_help(help));
+        }
+        Ok(system)
     }
 
     /// A structure given by its matrices: nodes `ids` in ascending order at `points`, g-set stiffness and mass
     /// (6 n x 6 n; their lower triangles are read), and the clamped degrees of freedom.
     ///
     /// # Panics
-    /// If the sizes do not belong together or a clamped degree of freedom is not below 6 n.
+    /// If the sizes do not belong together, a clamped degree of freedom is not below 6 n, or an entry is not finite.
     pub fn from_matrices(
         ids: Vec<u32>,
         points: Vec<Point3<f64>>,
@@ -68,7 +75,14 @@ impl System {
         for dof in clamped {
             is_clamped[*dof] = true;
         }
-        Self::build(ids, points, sparse::pair(n, entries), DofMap::new(&is_clamped, &BTreeMap::new()))
+        let dofs = DofMap::new(&is_clamped, &BTreeMap::new());
+        let system = Self::build(ids, points, sparse::pair(n, entries), dofs);
+        assert!(system.is_finite(), "stiffness and mass are finite numbers");
+        system
+    }
+
+    fn is_finite(&self) -> bool {
+        [&self.k_gg, &self.m_gg, &self.k_ff, &self.m_ff].iter().all(|a| a.val().iter().all(|v| v.is_finite()))
     }
 
     fn build(ids: Vec<u32>, points: Vec<Point3<f64>>, (k_gg, m_gg): (Sparse, Sparse), dofs: DofMap) -> Self {
@@ -110,16 +124,16 @@ impl System {
     /// Grid and component (1 to 6) of a free degree of freedom.
     pub fn name(&self, free: usize) -> (u32, u8) {
         let dof = self.dofs.free[free];
-        (self.ids[dof / 6], u8::try_from(dof % 6 + 1).expect("a remainder below six"))
+        (self.ids[dof / 6], [1, 2, 3, 4, 5, 6][dof % 6])
     }
 
-    /// u_g = T u_f, column by column.
+    /// `u_g` = T `u_f`, column by column.
     pub fn expand(&self, u_f: MatRef<'_, f64>) -> Mat<f64> {
         let row = |i: usize, j: usize| self.dofs.rows[i].iter().map(|(at, f)| f * u_f[(*at, j)]).sum();
         Mat::from_fn(self.dofs.rows.len(), u_f.ncols(), row)
     }
 
-    /// f_f = T^T f_g, column by column: loads on clamped motions go to the ground.
+    /// `f_f` = T^T `f_g`, column by column: loads on clamped motions go to the ground.
     pub fn reduce(&self, f_g: MatRef<'_, f64>) -> Mat<f64> {
         let mut reduced = Mat::zeros(self.free_count(), f_g.ncols());
         for j in 0..f_g.ncols() {
@@ -132,12 +146,12 @@ impl System {
         reduced
     }
 
-    /// M_gg a: the forces (N, Nm) that accelerate the masses by `acc_g` (m/s^2, rad/s^2), g-set.
+    /// `M_gg` a: the forces (N, Nm) that accelerate the masses by `acc_g` (m/s^2, rad/s^2), g-set.
     pub fn inertia_loads(&self, acc_g: MatRef<'_, f64>) -> Mat<f64> {
         sparse::multiply(self.m_gg.as_ref(), acc_g)
     }
 
-    /// K_gg u: the forces (N, Nm) that hold the shape `u_g`, g-set; minus the applied loads these are the
+    /// `K_gg` u: the forces (N, Nm) that hold the shape `u_g`, g-set; minus the applied loads these are the
     /// reactions at the clamps.
     pub fn elastic_loads(&self, u_g: MatRef<'_, f64>) -> Mat<f64> {
         sparse::multiply(self.k_gg.as_ref(), u_g)

@@ -1,0 +1,163 @@
+//! Natural frequencies against closed forms, and the proof that none is missing.
+
+mod common;
+
+use common::{AREA, E, I, RHO, beam, close, section, system};
+use nalgebra::Point3;
+use structure::{ModesError, count_below, normal_modes};
+
+/// beta L of the clamped-free and of the free-free beam (roots of cos cosh = -1 and = 1; Blevins).
+const CLAMPED_FREE: [f64; 3] = [1.875_104_069, 4.694_091_133, 7.854_757_438];
+const FREE_FREE: [f64; 3] = [4.730_040_745, 7.853_204_624, 10.995_607_838];
+
+fn omega(beta_l: f64, length: f64, i: f64) -> f64 {
+    (beta_l / length).powi(2) * (E * i / (RHO * AREA)).sqrt()
+}
+
+fn sorted(mut values: Vec<f64>) -> Vec<f64> {
+    values.sort_by(f64::total_cmp);
+    values
+}
+
+#[test]
+fn a_clamped_beam_has_the_frequencies_of_the_closed_form() {
+    let system = system(&(beam(1, 40, 2.0, 0.0) + &section() + "SPC1,1,123456,1\n"));
+    let modes = normal_modes(&system, 5).unwrap();
+    let expected =
+        sorted(CLAMPED_FREE.iter().flat_map(|b| [omega(*b, 2.0, I[0]), omega(*b, 2.0, I[1])]).collect());
+    for (mode, expected) in expected.iter().take(5).enumerate() {
+        close(modes.omega_rad_s[mode], *expected, 1e-5, &format!("mode {mode}"));
+    }
+}
+
+#[test]
+fn modes_are_orthonormal_and_their_sign_is_settled() {
+    let system = system(&(beam(1, 12, 2.0, 0.0) + &section() + "SPC1,1,123456,1\n"));
+    let modes = normal_modes(&system, 8).unwrap();
+    let full = system.expand(modes.shapes.as_ref());
+    let product = full.transpose() * system.inertia_loads(full.as_ref());
+    let stiffness = full.transpose() * system.elastic_loads(full.as_ref());
+    let largest = modes.omega_rad_s[7].powi(2);
+    for i in 0..8 {
+        for j in 0..8 {
+            let unit = f64::from(u8::from(i == j));
+            assert!((product[(i, j)] - unit).abs() < 1e-10, "{i} {j}: {}", product[(i, j)]);
+            let square = unit * modes.omega_rad_s[i].powi(2);
+            assert!((stiffness[(i, j)] - square).abs() < 1e-7 * largest, "{i} {j}");
+        }
+        let largest = |component: usize| {
+            let column = (0..system.node_count()).map(|node| full[(6 * node + component, i)]);
+            column.fold(0.0f64, |a, b| if b.abs() > a.abs() { b } else { a })
+        };
+        let decisive = if largest(2).abs() > 1e-3 { largest(2) } else { largest(0) + largest(1) };
+        assert!(decisive > 0.0, "mode {i}: {decisive}");
+    }
+}
+
+#[test]
+fn a_free_beam_has_six_zero_modes_and_then_those_of_the_closed_form() {
+    let system = system(&(beam(1, 40, 2.0, 0.0) + &section()));
+    let modes = normal_modes(&system, 10).unwrap();
+    assert_eq!(modes.omega_rad_s[..6], [0.0; 6]);
+    let expected =
+        sorted(FREE_FREE.iter().flat_map(|b| [omega(*b, 2.0, I[0]), omega(*b, 2.0, I[1])]).collect());
+    for (mode, expected) in expected.iter().take(4).enumerate() {
+        close(modes.omega_rad_s[6 + mode], *expected, 1e-5, &format!("mode {mode}"));
+    }
+    assert_eq!(count_below(&system, 0.99 * expected[0]).unwrap(), 6);
+}
+
+#[test]
+fn only_the_rigid_modes_can_be_asked_for() {
+    let system = system(&(beam(1, 10, 2.0, 0.0) + &section()));
+    assert_eq!(normal_modes(&system, 4).unwrap().omega_rad_s, vec![0.0; 4]);
+}
+
+#[test]
+fn two_equal_wings_have_every_frequency_twice() {
+    let deck = beam(1, 20, 2.0, 0.0) + &beam(101, 20, 2.0, 1.0) + &section() + "SPC1,1,123456,1,101\n";
+    let double = system(&deck);
+    let single = system(&(beam(1, 20, 2.0, 0.0) + &section() + "SPC1,1,123456,1\n"));
+    let one = normal_modes(&single, 6).unwrap();
+    let two = normal_modes(&double, 12).unwrap();
+    for mode in 0..12 {
+        close(two.omega_rad_s[mode], one.omega_rad_s[mode / 2], 1e-8, &format!("mode {mode}"));
+    }
+    for mode in 0..6 {
+        let above = one.omega_rad_s[mode] * 1.001;
+        assert_eq!(count_below(&double, above).unwrap(), 2 * (mode + 1), "below {above}");
+    }
+    // An odd number cuts the last pair; it is found nevertheless.
+    let odd = normal_modes(&double, 5).unwrap();
+    close(odd.omega_rad_s[4], one.omega_rad_s[2], 1e-8, "half a pair");
+}
+
+#[test]
+fn the_count_of_frequencies_is_exact_between_any_two() {
+    let system = system(&(beam(1, 15, 2.0, 0.0) + &section() + "SPC1,1,123456,1\n"));
+    let modes = normal_modes(&system, 20).unwrap();
+    for (below, pair) in modes.omega_rad_s.windows(2).enumerate() {
+        let between = 0.5 * (pair[0] + pair[1]);
+        assert_eq!(count_below(&system, between).unwrap(), below + 1, "below {between}");
+    }
+    assert_eq!(count_below(&system, 0.0).unwrap(), 0);
+}
+
+#[test]
+fn motions_without_mass_have_no_frequency() {
+    // A massless beam with a point mass at its tip: exactly three displacements have mass.
+    let section = section().replace(&format!(",{RHO:?}"), ",0.");
+    let system = system(&(beam(1, 4, 2.0, 0.0) + &section + "SPC1,1,123456,1\nCONM2,1,5,,3.0\n"));
+    let modes = normal_modes(&system, 3).unwrap();
+    let spring = |i: f64| (3.0 * E * i / 8.0 / 3.0).sqrt();
+    close(modes.omega_rad_s[0], spring(I[1]), 1e-9, "plane 2");
+    close(modes.omega_rad_s[1], spring(I[0]), 1e-9, "plane 1");
+    close(modes.omega_rad_s[2], (E * AREA / 2.0 / 3.0).sqrt(), 1e-9, "extension");
+    assert_eq!(normal_modes(&system, 4).unwrap_err(), ModesError::TooMany { asked: 4, available: 3 });
+    assert_eq!(count_below(&system, 1e9).unwrap(), 3);
+}
+
+#[test]
+fn an_overhanging_mass_on_a_shaft_swings_with_its_full_moment_of_inertia() {
+    // Only twist about y is free: the mass at arm r, with own inertia, on the torsion spring GJ/L.
+    let deck = "GRID,1,,0.,0.,0.\nGRID,2,,0.,2.,0.\nCBAR,1,1,1,2,0.,0.,1.\nSPC1,1,123456,1\nSPC1,1,12346,2\n\
+                CONM2,1,2,,0.5,0.3,0.,0.4\n,0.01,,0.02,,,0.03\n";
+    let system = system(&(deck.to_owned() + &section().replace(&format!(",{RHO:?}"), ",0.")));
+    let modes = normal_modes(&system, 1).unwrap();
+    let inertia = 0.5 * (0.3f64.powi(2) + 0.4f64.powi(2)) + 0.02;
+    close(modes.omega_rad_s[0], (common::G * I[2] / 2.0 / inertia).sqrt(), 1e-10, "swing");
+}
+
+#[test]
+fn point_masses_have_their_own_mass_properties() {
+    let deck = "GRID,1,,0.,0.,0.\nGRID,2,,2.,0.,0.\nGRID,3,,0.,3.,0.\n\
+                CONM2,1,1,,1.0,0.,0.,1.0\nCONM2,2,2,,2.0\nCONM2,3,3,-1,3.0,0.,3.,2.\n,0.1,0.02,0.2,,,0.3\n";
+    let properties = system(deck).mass_properties();
+    let bodies = [
+        (1.0, Point3::new(0.0, 0.0, 1.0)),
+        (2.0, Point3::new(2.0, 0.0, 0.0)),
+        (3.0, Point3::new(0.0, 3.0, 2.0)),
+    ];
+    let centre = bodies.iter().fold(nalgebra::Vector3::zeros(), |sum, (m, p)| sum + p.coords * *m) / 6.0;
+    let mut inertia = nalgebra::Matrix3::new(0.1, -0.02, 0.0, -0.02, 0.2, 0.0, 0.0, 0.0, 0.3);
+    for (m, p) in bodies {
+        let r = p.coords - centre;
+        inertia += (nalgebra::Matrix3::identity() * r.norm_squared() - r * r.transpose()) * m;
+    }
+    close(properties.mass_kg, 6.0, 1e-14, "mass");
+    assert!((properties.centre.coords - centre).norm() < 1e-13, "{}", properties.centre);
+    assert!((properties.inertia_kg_m2 - inertia).norm() < 1e-12, "{}", properties.inertia_kg_m2);
+}
+
+#[test]
+fn a_structure_given_by_matrices_has_the_same_modes() {
+    let system = system(&(beam(1, 6, 2.0, 0.0) + &section() + "SPC1,1,123456,1\n"));
+    let n = 6 * system.node_count();
+    let unit = faer::Mat::<f64>::identity(n, n);
+    let (k, m) = (system.elastic_loads(unit.as_ref()), system.inertia_loads(unit.as_ref()));
+    let clamped: Vec<usize> = (0..6).collect();
+    let ids = system.node_ids().to_vec();
+    let same =
+        structure::System::from_matrices(ids, system.points().to_vec(), k.as_ref(), m.as_ref(), &clamped);
+    assert_eq!(normal_modes(&same, 4).unwrap().omega_rad_s, normal_modes(&system, 4).unwrap().omega_rad_s);
+}
