@@ -21,7 +21,12 @@ impl BoundRow {
 
 /// All bounds of a wing: for every family, strip and pair of chordwise neighbours `|difference| <= neighbour`,
 /// and for every box `factor >= least_factor`.
-pub fn bound_rows(basis: &Basis, boxes: &CorrectableBoxes, neighbour: f64, least_factor: f64) -> Vec<BoundRow> {
+pub fn bound_rows(
+    basis: &Basis,
+    boxes: &CorrectableBoxes,
+    neighbour: f64,
+    least_factor: f64,
+) -> Vec<BoundRow> {
     let mut rows = Vec::new();
     for b in 0..boxes.len() {
         let strip = basis.strip_of[b];

@@ -67,13 +67,18 @@ pub struct Calibration {
 /// # Errors
 /// Bad data (an airspeed with fewer than three angles), or a wing that diverges at one of the airspeeds.
 pub fn calibrate<M: SteadyModel>(
-    model: &M, campaign: &Campaign, settings: &Settings,
+    model: &M,
+    campaign: &Campaign,
+    settings: &Settings,
 ) -> Result<Calibration, CouplingError> {
     let data = StaticData::from_campaign(campaign)?;
     check_settings(model, settings)?;
     let context = Context::new(model, campaign.rho_kg_m3, &data, settings);
-    let mut airspeeds =
-        data.airspeeds.par_iter().map(|airspeed| context.airspeed(airspeed)).collect::<Result<Vec<_>, _>>()?;
+    let mut airspeeds = data
+        .airspeeds
+        .par_iter()
+        .map(|airspeed| context.airspeed(airspeed))
+        .collect::<Result<Vec<_>, _>>()?;
     let across = left_out_airspeed(model, campaign.rho_kg_m3, &airspeeds, data.channels, settings.weights)?;
     for (airspeed, left_out) in airspeeds.iter_mut().zip(across) {
         airspeed.left_out_airspeed = left_out;
@@ -184,7 +189,9 @@ impl<'a, M: SteadyModel> Context<'a, M> {
 
 /// Compares tilt tares with the modelled weight.
 fn tilt_tare<M: SteadyModel>(
-    model: &M, rho_kg_m3: f64, data: &StaticData,
+    model: &M,
+    rho_kg_m3: f64,
+    data: &StaticData,
 ) -> Result<Option<TiltTare>, CouplingError> {
     if data.tilt_tares.is_empty() {
         return Ok(None);

@@ -170,8 +170,11 @@ fn static_points(table: &Table) -> Result<([bool; 3], Vec<StaticPoint>), InputEr
     let has = |name: &str| table.has(name);
     let channels = CHANNELS.map(has);
     if !channels.contains(&true) {
-        return Err(InputError::at(&table.span(0, "V_m_s"), "none of the columns Fz_N, Mx_Nm, My_Nm is there")
-            .with_help("a static case needs at least one measured load"));
+        return Err(InputError::at(
+            &table.span(0, "V_m_s"),
+            "none of the columns Fz_N, Mx_Nm, My_Nm is there",
+        )
+        .with_help("a static case needs at least one measured load"));
     }
     let controls: Vec<&str> = table.columns().filter(|name| name.starts_with("delta_")).collect();
     let optional = |row: usize, name: &str| has(name).then(|| table.number(row, name)).transpose();
@@ -179,7 +182,10 @@ fn static_points(table: &Table) -> Result<([bool; 3], Vec<StaticPoint>), InputEr
     for row in 0..table.len() {
         let v_m_s = table.number(row, "V_m_s")?;
         if v_m_s < 0.0 {
-            return Err(InputError::at(&table.span(row, "V_m_s"), "an airspeed is zero (tilt tare) or positive"));
+            return Err(InputError::at(
+                &table.span(row, "V_m_s"),
+                "an airspeed is zero (tilt tare) or positive",
+            ));
         }
         let mut controls_rad = Vec::new();
         for name in &controls {

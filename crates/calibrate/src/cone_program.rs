@@ -9,7 +9,8 @@
 use crate::bounds::BoundRow;
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{
-    DefaultSettingsBuilder, DefaultSolver, IPSolver, NonnegativeConeT, SecondOrderConeT, SolverStatus, SupportedConeT,
+    DefaultSettingsBuilder, DefaultSolver, IPSolver, NonnegativeConeT, SecondOrderConeT, SolverStatus,
+    SupportedConeT,
 };
 use faer::Mat;
 
@@ -84,13 +85,13 @@ impl ConeProgram<'_> {
     fn change_cost(&self, size: usize, channels: usize) -> (CscMatrix<f64>, Vec<f64>) {
         let mut entries = Triplets::default();
         let mut linear = vec![0.0; size + channels];
-        for j in 0..size {
+        for (j, slope) in linear.iter_mut().enumerate().take(size) {
             for i in 0..size {
                 let value = 2.0 * self.change_weight * self.metric[(i, j)];
                 if value == 0.0 {
                     continue;
                 }
-                linear[j] -= value * self.neutral[i];
+                *slope -= value * self.neutral[i];
                 if i <= j {
                     entries.push(i, j, value);
                 }
@@ -101,7 +102,11 @@ impl ConeProgram<'_> {
     }
 
     fn run(
-        &self, quadratic: &CscMatrix<f64>, linear: &[f64], constraint: &CscMatrix<f64>, right: &[f64],
+        &self,
+        quadratic: &CscMatrix<f64>,
+        linear: &[f64],
+        constraint: &CscMatrix<f64>,
+        right: &[f64],
         cones: &[SupportedConeT<f64>],
     ) -> Result<Vec<f64>, NoSolution> {
         let settings =
@@ -111,8 +116,12 @@ impl ConeProgram<'_> {
         solver.solve();
         tracing::debug!(iterations = solver.info.iterations, status = ?solver.solution.status, "cone program");
         match solver.solution.status {
-            SolverStatus::Solved | SolverStatus::AlmostSolved => Ok(solver.solution.x[..self.from.len()].to_vec()),
-            SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible => Err(NoSolution::Infeasible),
+            SolverStatus::Solved | SolverStatus::AlmostSolved => {
+                Ok(solver.solution.x[..self.from.len()].to_vec())
+            }
+            SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible => {
+                Err(NoSolution::Infeasible)
+            }
             _ => Err(NoSolution::Numerical),
         }
     }

@@ -159,7 +159,11 @@ impl<M: SteadyModel> Problem<'_, M> {
 
     /// The longest of the steps 1, 1/2, 1/4 ... towards the goal that lowers the true objective; none if all fail.
     fn step(
-        &self, x: &[f64], goal: &[f64], neutral: &[f64], at: &Linearised,
+        &self,
+        x: &[f64],
+        goal: &[f64],
+        neutral: &[f64],
+        at: &Linearised,
     ) -> Result<Option<(Vec<f64>, Linearised)>, CouplingError> {
         let weight = self.change_weight(at);
         let merit = |x: &[f64], rmse: [f64; 3]| self.objective(rmse) + weight * self.change(x, neutral);

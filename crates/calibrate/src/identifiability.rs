@@ -1,8 +1,8 @@
 //! What the data can tell: singular values, determined directions, leverage of each family, posterior spread.
 //!
 //! Corrections are measured in pressure (the metric M of the minimum change), data in standard deviations of the
-//! means. The prior is N(theory, prior_spread² M⁻¹); with whitened Jacobian J the posterior precision is
-//! `M / prior² + J' J`. Without known noise, the straight line's own error stands for it.
+//! means. The prior is N(theory, s² M⁻¹) with s such that a family's corrections have a root mean square of
+//! `prior_spread` over the boxes; with whitened Jacobian J the posterior precision is `M / s² + J' J`. Without known noise, the straight line's own error stands for it.
 
 use crate::basis::{Basis, FAMILIES};
 use crate::fit::Linearised;
@@ -18,7 +18,8 @@ pub struct Identifiability {
     pub singular_values: Vec<f64>,
     /// How many of them the data know better than the prior.
     pub determined_directions: usize,
-    /// By family and channel: share of the channel's sensitivity (sum of squares) that runs through the family.
+    /// By family and channel: how strongly the channel hangs on the family, as a share of how strongly it hangs on
+    /// all (roots of sums of squares of the sensitivities).
     pub leverage: [[f64; 3]; 3],
     /// By family: standard deviation of the corrections after over before the data, mean over boxes. Near one: the
     /// data say nothing about it.
@@ -31,9 +32,10 @@ pub struct Identifiability {
 }
 
 impl Identifiability {
-    /// Families that the data leave as they were (less than a tenth of their prior spread taken away).
+    /// Families that no channel hangs on (less than a twentieth of what it hangs on all): whatever the fit gives
+    /// them is the prior's.
     pub fn undetermined(&self) -> Vec<&'static str> {
-        (0..3).filter(|&f| self.remaining_spread[f] > 0.9).map(|f| FAMILIES[f]).collect()
+        (0..3).filter(|&f| self.leverage[f].iter().all(|share| *share < 0.05)).map(|f| FAMILIES[f]).collect()
     }
 }
 
@@ -53,6 +55,8 @@ pub(crate) struct Inputs<'a> {
 /// Analyses one airspeed at its solution; none if the metric is singular (a strip without boxes).
 pub(crate) fn identifiability(at: &Linearised, inputs: &Inputs<'_>) -> Option<Identifiability> {
     let size = inputs.basis.size();
+    // Each family's mean square over the boxes is the sum over its unknowns.
+    let prior_spread = inputs.prior_spread / (size as f64 / FAMILIES.len() as f64).sqrt();
     let measured: Vec<usize> = (0..3).filter(|&c| inputs.channels[c]).collect();
     let gradients: Vec<Mat<f64>> = at.sensitivities.iter().map(|s| inputs.basis.gradient(s)).collect();
     let rows: Vec<(usize, usize)> =
@@ -65,12 +69,11 @@ pub(crate) fn identifiability(at: &Linearised, inputs: &Inputs<'_>) -> Option<Id
     let sigma = |(c, i): (usize, usize)| {
         (inputs.point_sigma[c] / (inputs.angles[i].replicates as f64).sqrt()).max(f64::MIN_POSITIVE)
     };
-    let whitened =
-        Mat::from_fn(rows.len(), size, |r, k| scaled[(k, r)] * inputs.prior_spread / sigma(rows[r]));
+    let whitened = Mat::from_fn(rows.len(), size, |r, k| scaled[(k, r)] * prior_spread / sigma(rows[r]));
     let svd = whitened.thin_svd().ok()?;
     let singular_values: Vec<f64> = (0..svd.S().dim()).map(|i| svd.S()[i]).collect();
     let noise = noise_covariance(&rows, inputs, sigma);
-    let posterior = Posterior::new(&scaled, inputs.prior_spread, &noise)?;
+    let posterior = Posterior::new(&scaled, prior_spread, &noise)?;
     let by_box = posterior.by_box(inputs.basis, factor.L());
     Some(Identifiability {
         determined_directions: singular_values.iter().filter(|&&s| s > 1.0).count(),
@@ -84,7 +87,9 @@ pub(crate) fn identifiability(at: &Linearised, inputs: &Inputs<'_>) -> Option<Id
 
 /// Noise of the means, and the offset common to all blocks: it moves all angles of a channel together.
 fn noise_covariance(
-    rows: &[(usize, usize)], inputs: &Inputs<'_>, sigma: impl Fn((usize, usize)) -> f64,
+    rows: &[(usize, usize)],
+    inputs: &Inputs<'_>,
+    sigma: impl Fn((usize, usize)) -> f64,
 ) -> Mat<f64> {
     Mat::from_fn(rows.len(), rows.len(), |a, b| {
         let common = if rows[a].0 == rows[b].0 { inputs.common_sigma[rows[a].0].powi(2) } else { 0.0 };
@@ -149,7 +154,7 @@ impl Posterior {
     }
 }
 
-/// Share of each channel's squared sensitivity that runs through each family.
+/// Share of each channel's sensitivity that runs through each family.
 fn leverage(scaled: &Mat<f64>, rows: &[(usize, usize)], inputs: &Inputs<'_>) -> [[f64; 3]; 3] {
     let family_size = inputs.basis.size() / 3;
     let mut shares = [[0.0; 3]; 3];
@@ -157,12 +162,14 @@ fn leverage(scaled: &Mat<f64>, rows: &[(usize, usize)], inputs: &Inputs<'_>) -> 
         let of = |family: usize| -> f64 {
             let columns = rows.iter().enumerate().filter(|(_, row)| row.0 == channel);
             columns
-                .map(|(r, _)| (0..family_size).map(|k| scaled[(family * family_size + k, r)].powi(2)).sum::<f64>())
+                .map(|(r, _)| {
+                    (0..family_size).map(|k| scaled[(family * family_size + k, r)].powi(2)).sum::<f64>()
+                })
                 .sum()
         };
         let total: f64 = (0..3).map(of).sum();
         for (family, share) in shares.iter_mut().enumerate() {
-            share[channel] = of(family) / total.max(f64::MIN_POSITIVE);
+            share[channel] = (of(family) / total.max(f64::MIN_POSITIVE)).sqrt();
         }
     }
     shares

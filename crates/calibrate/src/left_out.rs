@@ -32,7 +32,8 @@ pub struct LeftOutAirspeed {
 
 /// Fits every other angle (both ends included) and predicts the rest; none with fewer than five angles.
 pub(crate) fn left_out_angles<M: SteadyModel>(
-    problem: &Problem<'_, M>, line: &LineFit,
+    problem: &Problem<'_, M>,
+    line: &LineFit,
 ) -> Result<Option<LeftOut>, CouplingError> {
     if problem.angles.len() < 5 {
         return Ok(None);
@@ -66,7 +67,11 @@ pub(crate) fn left_out_angles<M: SteadyModel>(
 
 /// Each airspeed with the corrections interpolated from the others (the nearest at the ends).
 pub(crate) fn left_out_airspeed<M: SteadyModel>(
-    model: &M, rho_kg_m3: f64, airspeeds: &[AirspeedCalibration], channels: [bool; 3], weights: [f64; 3],
+    model: &M,
+    rho_kg_m3: f64,
+    airspeeds: &[AirspeedCalibration],
+    channels: [bool; 3],
+    weights: [f64; 3],
 ) -> Result<Vec<Option<LeftOutAirspeed>>, CouplingError> {
     let mut results = Vec::with_capacity(airspeeds.len());
     for (index, airspeed) in airspeeds.iter().enumerate() {
@@ -82,7 +87,8 @@ pub(crate) fn left_out_airspeed<M: SteadyModel>(
         }
         let schedule = Schedule { wing: String::new(), wing_hash: String::new(), sets: others };
         let v_m_s = airspeed.data.v_m_s;
-        let corrections = schedule.at(v_m_s, Outside::Refuse).or_else(|_| schedule.at(v_m_s, Outside::Nearest))?;
+        let corrections =
+            schedule.at(v_m_s, Outside::Refuse).or_else(|_| schedule.at(v_m_s, Outside::Nearest))?;
         let residuals = predicted(model, Flow { v_m_s, rho_kg_m3 }, &airspeed.data.angles, &corrections)?;
         results.push(Some(LeftOutAirspeed {
             objective_before: airspeed.fit.objective[0],
@@ -94,7 +100,10 @@ pub(crate) fn left_out_airspeed<M: SteadyModel>(
 
 /// Simulated minus measured.
 fn predicted<M: SteadyModel>(
-    model: &M, flow: Flow, angles: &[Angle], corrections: &Corrections,
+    model: &M,
+    flow: Flow,
+    angles: &[Angle],
+    corrections: &Corrections,
 ) -> Result<Vec<[f64; 3]>, CouplingError> {
     let cases: Vec<SteadyCase> = angles.iter().map(|angle| SteadyCase::new(flow, angle.alpha_rad)).collect();
     let loads = model.root_loads(&cases, corrections)?;

@@ -61,7 +61,12 @@ pub fn line_fit(data: &StaticData, airspeed: &AirspeedData) -> LineFit {
 }
 
 fn test(
-    data: &StaticData, airspeed: &AirspeedData, channel: usize, alphas: &[f64], loads: &[f64], line: &[f64],
+    data: &StaticData,
+    airspeed: &AirspeedData,
+    channel: usize,
+    alphas: &[f64],
+    loads: &[f64],
+    line: &[f64],
 ) -> Option<Nonlinearity> {
     let count = alphas.len();
     let squares = |residuals: &[f64]| residuals.iter().map(|r| r * r).sum::<f64>();
@@ -69,7 +74,8 @@ fn test(
     let curvature_per_rad2 = coefficients.get(2).copied().unwrap_or(0.0);
     if let Some(sigma) = data.point_sigma {
         let freedom = (count - 2) as f64;
-        let weighted: f64 = line.iter().zip(&airspeed.angles).map(|(r, angle)| r * r * angle.replicates as f64).sum();
+        let weighted: f64 =
+            line.iter().zip(&airspeed.angles).map(|(r, angle)| r * r * angle.replicates as f64).sum();
         let f = weighted / freedom / sigma[channel].powi(2).max(f64::MIN_POSITIVE);
         let p_value = match data.noise_dof {
             Some(dof) => FisherSnedecor::new(freedom, dof as f64).ok()?.sf(f),
@@ -82,7 +88,11 @@ fn test(
     }
     let freedom = (count - 3) as f64;
     let f = (squares(line) - squares(&parabola)) / (squares(&parabola) / freedom).max(f64::MIN_POSITIVE);
-    Some(Nonlinearity { curvature_per_rad2, f, p_value: FisherSnedecor::new(1.0, freedom).ok()?.sf(f.max(0.0)) })
+    Some(Nonlinearity {
+        curvature_per_rad2,
+        f,
+        p_value: FisherSnedecor::new(1.0, freedom).ok()?.sf(f.max(0.0)),
+    })
 }
 
 /// Residuals and coefficients (ascending powers) of a least-squares polynomial of order 1 or 2.

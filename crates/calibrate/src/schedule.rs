@@ -63,7 +63,10 @@ impl Schedule {
             }
             let mut values = set.force.iter().chain(&set.moment).chain(&set.pressure_offset);
             if values.any(|value| !value.is_finite()) {
-                return Err(InputError::in_file(path, format!("a correction at {} m/s is not finite", set.v_m_s)));
+                return Err(InputError::in_file(
+                    path,
+                    format!("a correction at {} m/s is not finite", set.v_m_s),
+                ));
             }
         }
         if schedule.sets.windows(2).any(|pair| pair[0].v_m_s >= pair[1].v_m_s) {
@@ -113,7 +116,11 @@ impl Schedule {
             "// Corrections of the panel model by airspeed: force and moment factors (1 = theory) and pressure offsets\n\
              // f_e/q, one number a box of the wing (fairing excluded), chordwise first, then spanwise.\n",
         );
-        let _ = writeln!(text, "Corrections(\n    wing: {:?},\n    wing_hash: {:?},\n    sets: [", self.wing, self.wing_hash);
+        let _ = writeln!(
+            text,
+            "Corrections(\n    wing: {:?},\n    wing_hash: {:?},\n    sets: [",
+            self.wing, self.wing_hash
+        );
         for set in &self.sets {
             let list = |values: &[f64]| {
                 let numbers: Vec<String> = values.iter().map(|value| format!("{value:?}")).collect();

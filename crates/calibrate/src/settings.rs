@@ -1,5 +1,7 @@
 //! Settings of a calibration.
 
+use coupling::wing_file::CorrectionSettings;
+
 /// What the user may choose; [`Settings::default`] is what the paper does, with our numbers where it gives none.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Settings {
@@ -40,6 +42,18 @@ impl Default for Settings {
             most_cone_programs: 6,
             most_halvings: 8,
             significance: 0.01,
+        }
+    }
+}
+
+impl Settings {
+    /// The settings a wing's file asks for, defaults elsewhere.
+    pub fn of_wing(correction: &CorrectionSettings) -> Self {
+        Self {
+            chord_strips: correction.chord_strips,
+            span_order: correction.span_order,
+            neighbour_bound: correction.neighbour_bound,
+            ..Self::default()
         }
     }
 }

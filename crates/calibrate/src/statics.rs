@@ -78,9 +78,13 @@ impl StaticData {
     /// # Errors
     /// If there is no airspeed, or an airspeed has fewer than three different angles.
     pub fn from_campaign(campaign: &Campaign) -> Result<Self, InputError> {
-        let fitted: Vec<&StaticPoint> =
-            campaign.points.iter().filter(|point| point.v_m_s > 0.0 && point.controls_rad.is_empty()).collect();
-        let tilt_tares: Vec<StaticPoint> = campaign.points.iter().filter(|p| p.v_m_s == 0.0).cloned().collect();
+        let fitted: Vec<&StaticPoint> = campaign
+            .points
+            .iter()
+            .filter(|point| point.v_m_s > 0.0 && point.controls_rad.is_empty())
+            .collect();
+        let tilt_tares: Vec<StaticPoint> =
+            campaign.points.iter().filter(|p| p.v_m_s == 0.0).cloned().collect();
         let cells = cells(&fitted);
         check_angles(campaign, &cells)?;
         let mut data = Self {
@@ -106,8 +110,8 @@ impl StaticData {
     /// root of the rows an angle.
     pub fn noise_floor(&self, airspeed: &AirspeedData) -> Option<f64> {
         let sigma = self.point_sigma?;
-        let mean_inverse =
-            airspeed.angles.iter().map(|angle| 1.0 / angle.replicates as f64).sum::<f64>() / airspeed.angles.len() as f64;
+        let mean_inverse = airspeed.angles.iter().map(|angle| 1.0 / angle.replicates as f64).sum::<f64>()
+            / airspeed.angles.len() as f64;
         Some((0..3).filter(|&c| self.channels[c]).map(|c| sigma[c] * mean_inverse.sqrt()).sum())
     }
 
@@ -147,10 +151,12 @@ impl StaticData {
                 let value = |row: &&StaticPoint| row.loads[channel].unwrap_or(0.0) - offset_of(row, channel);
                 cell.rows.iter().map(value).sum::<f64>() / count as f64
             };
-            let angle = Angle { alpha_rad: cell.alpha_rad, loads: [mean(0), mean(1), mean(2)], replicates: count };
+            let angle =
+                Angle { alpha_rad: cell.alpha_rad, loads: [mean(0), mean(1), mean(2)], replicates: count };
             match airspeeds.last_mut() {
                 Some((last, rows)) if same_airspeed(last.v_m_s, cell.v_m_s) => {
-                    last.v_m_s = (last.v_m_s * *rows as f64 + cell.v_m_s * count as f64) / (*rows + count) as f64;
+                    last.v_m_s =
+                        (last.v_m_s * *rows as f64 + cell.v_m_s * count as f64) / (*rows + count) as f64;
                     *rows += count;
                     last.angles.push(angle);
                 }
@@ -204,11 +210,17 @@ impl BlockFit {
             rows += cell.rows.len();
         }
         let inverse = pseudo_inverse(&normal);
-        let rank = (0..blocks).map(|a| (0..blocks).map(|b| normal[(a, b)] * inverse[(b, a)]).sum::<f64>()).sum::<f64>();
+        let rank = (0..blocks)
+            .map(|a| (0..blocks).map(|b| normal[(a, b)] * inverse[(b, a)]).sum::<f64>())
+            .sum::<f64>();
         let offsets: Vec<f64> =
             (0..blocks).map(|a| (0..blocks).map(|b| inverse[(a, b)] * right[b]).sum()).collect();
         let explained: f64 = offsets.iter().zip(&right).map(|(b, r)| b * r).sum();
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a rank is a small whole number")]
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a rank is a small whole number"
+        )]
         let rank = rank.round().max(0.0) as usize;
         Self {
             variance: (0..blocks).map(|a| inverse[(a, a)]).collect(),
@@ -230,7 +242,9 @@ impl BlockFit {
         let shrink = |(b, n): (&f64, &f64)| if spread > 0.0 { b * spread / (spread + n) } else { 0.0 };
         let mut shrunk: Vec<f64> = self.offsets.iter().zip(&noise).map(shrink).collect();
         let mean = shrunk.iter().sum::<f64>() / shrunk.len() as f64;
-        shrunk.iter_mut().for_each(|b| *b -= mean);
+        for offset in &mut shrunk {
+            *offset -= mean;
+        }
         (spread.sqrt(), shrunk)
     }
 }
@@ -260,7 +274,9 @@ fn cells<'a>(rows: &[&'a StaticPoint]) -> Vec<Cell<'a>> {
         let first = cells.len();
         for row in group {
             match cells[first..].last_mut() {
-                Some(cell) if (cell.rows[0].alpha_rad - row.alpha_rad).abs() <= SAME_ANGLE_RAD => cell.rows.push(row),
+                Some(cell) if (cell.rows[0].alpha_rad - row.alpha_rad).abs() <= SAME_ANGLE_RAD => {
+                    cell.rows.push(row)
+                }
                 _ => cells.push(Cell { v_m_s: 0.0, alpha_rad: 0.0, rows: vec![row] }),
             }
         }
@@ -284,14 +300,19 @@ fn check_angles(campaign: &Campaign, cells: &[Cell<'_>]) -> Result<(), InputErro
         counts.entry(group).or_insert((0, cell.v_m_s, cell.rows[0].span.clone())).0 += 1;
     }
     if counts.is_empty() {
-        return Err(InputError::in_file(&campaign.folder, "the campaign has no static case with wind on and neutral controls")
-            .with_help("calibration needs at least three angles at one airspeed"));
+        return Err(InputError::in_file(
+            &campaign.folder,
+            "the campaign has no static case with wind on and neutral controls",
+        )
+        .with_help("calibration needs at least three angles at one airspeed"));
     }
     for (angles, v_m_s, span) in counts.into_values() {
         if angles < 3 {
             return Err(InputError::at(
                 &span,
-                format!("the airspeed {v_m_s} m/s has {angles} different angle(s), at least three are needed"),
+                format!(
+                    "the airspeed {v_m_s} m/s has {angles} different angle(s), at least three are needed"
+                ),
             )
             .with_help("add angles at this airspeed, or take its rows out of the static cases"));
         }

@@ -75,14 +75,20 @@ pub trait SteadyModel: Sync {
     ///
     /// # Errors
     /// If the flow is beyond divergence.
-    fn root_loads(&self, cases: &[SteadyCase], corrections: &Corrections) -> Result<Vec<RootLoads>, CouplingError>;
+    fn root_loads(
+        &self,
+        cases: &[SteadyCase],
+        corrections: &Corrections,
+    ) -> Result<Vec<RootLoads>, CouplingError>;
 
     /// Root loads and derivatives of cases that share a flow, in their order.
     ///
     /// # Errors
     /// If the flow is beyond divergence.
     fn sensitivities(
-        &self, cases: &[SteadyCase], corrections: &Corrections,
+        &self,
+        cases: &[SteadyCase],
+        corrections: &Corrections,
     ) -> Result<Vec<RootSensitivity>, CouplingError>;
 
     /// Theoretical pressure coefficients of the correctable boxes in a case, before any correction: the measure

@@ -12,7 +12,10 @@ impl ElasticWing {
     ///
     /// # Errors
     /// If the eigenvalues do not converge (reported as a wing that diverges at any pressure).
-    pub(crate) fn divergence_pressure(&self, corrections: &Corrections) -> Result<Option<f64>, CouplingError> {
+    pub(crate) fn divergence_pressure(
+        &self,
+        corrections: &Corrections,
+    ) -> Result<Option<f64>, CouplingError> {
         let Some(structure) = &self.supported else { return Ok(None) };
         let loop_gain = &structure.flexibility * &self.aerodynamic_stiffness(structure, corrections);
         let values = loop_gain
@@ -32,7 +35,11 @@ impl ElasticWing {
     ///
     /// # Errors
     /// If the corrections have the wrong length.
-    pub fn divergence_speed(&self, rho_kg_m3: f64, corrections: &Corrections) -> Result<Option<f64>, CouplingError> {
+    pub fn divergence_speed(
+        &self,
+        rho_kg_m3: f64,
+        corrections: &Corrections,
+    ) -> Result<Option<f64>, CouplingError> {
         let padded = self.padded(corrections)?;
         Ok(self.divergence_pressure(&padded)?.map(|q_pa| (2.0 * q_pa / rho_kg_m3).sqrt()))
     }

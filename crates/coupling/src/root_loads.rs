@@ -30,14 +30,22 @@ impl RootLoads {
 impl std::ops::Add for RootLoads {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        Self { fz_n: self.fz_n + other.fz_n, mx_nm: self.mx_nm + other.mx_nm, my_nm: self.my_nm + other.my_nm }
+        Self {
+            fz_n: self.fz_n + other.fz_n,
+            mx_nm: self.mx_nm + other.mx_nm,
+            my_nm: self.my_nm + other.my_nm,
+        }
     }
 }
 
 impl std::ops::Sub for RootLoads {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
-        Self { fz_n: self.fz_n - other.fz_n, mx_nm: self.mx_nm - other.mx_nm, my_nm: self.my_nm - other.my_nm }
+        Self {
+            fz_n: self.fz_n - other.fz_n,
+            mx_nm: self.mx_nm - other.mx_nm,
+            my_nm: self.my_nm - other.my_nm,
+        }
     }
 }
 

@@ -26,10 +26,9 @@ impl Spline {
     pub fn nearest_node(lattice: &Lattice, points: &[Point3<f64>], nodes: &[usize]) -> Self {
         let rows = lattice.boxes.iter().flat_map(|panel| {
             let mid = panel.mid_point();
-            let nearest = nodes
-                .iter()
-                .copied()
-                .min_by(|&a, &b| (points[a] - mid).norm_squared().total_cmp(&(points[b] - mid).norm_squared()));
+            let nearest = nodes.iter().copied().min_by(|&a, &b| {
+                (points[a] - mid).norm_squared().total_cmp(&(points[b] - mid).norm_squared())
+            });
             let motion = nearest.map_or_else(PointMotion::default, unit_motion);
             let origin = nearest.map_or(mid, |node| points[node]);
             box_rows(panel, &mid, &origin, &motion)
@@ -54,6 +53,12 @@ impl Spline {
             box_rows(panel, &mid, &foot, &motion)
         });
         Self { rows: rows.collect(), g_size: 6 * points.len() }
+    }
+
+    /// Splines of consecutive parts of a lattice as one, each part on its own nodes of the same structure with
+    /// `g_size` degrees of freedom.
+    pub fn joined(parts: impl IntoIterator<Item = Self>, g_size: usize) -> Self {
+        Self { rows: parts.into_iter().flat_map(|part| part.rows).collect(), g_size }
     }
 
     /// Rows of G, 2 a box.
@@ -101,7 +106,12 @@ fn unit_motion(node: usize) -> PointMotion {
 }
 
 /// The two rows of a box that is tied rigidly to a point moving as `motion`.
-fn box_rows(panel: &AeroBox, mid: &Point3<f64>, origin: &Point3<f64>, motion: &PointMotion) -> [Vec<(usize, f64)>; 2] {
+fn box_rows(
+    panel: &AeroBox,
+    mid: &Point3<f64>,
+    origin: &Point3<f64>,
+    motion: &PointMotion,
+) -> [Vec<(usize, f64)>; 2] {
     let normal = panel.normal();
     let axis = panel.pitch_axis();
     // n . (u + r x arm) = n . u + r . (arm x n)
@@ -131,7 +141,11 @@ fn combine(motion: &PointMotion, weights: [f64; 6]) -> Vec<(usize, f64)> {
 }
 
 /// The foot of the perpendicular from `point` on the axis, and how that foot moves with the nodes.
-fn motion_on_axis(points: &[Point3<f64>], nodes: &[usize], point: &Point3<f64>) -> (Point3<f64>, PointMotion) {
+fn motion_on_axis(
+    points: &[Point3<f64>],
+    nodes: &[usize],
+    point: &Point3<f64>,
+) -> (Point3<f64>, PointMotion) {
     let mut best: Option<(f64, usize, f64)> = None;
     for (segment, pair) in nodes.windows(2).enumerate() {
         let along = points[pair[1]] - points[pair[0]];

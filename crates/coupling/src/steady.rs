@@ -13,8 +13,8 @@ use crate::root_loads::RootLoads;
 use crate::supported::SupportedStructure;
 use crate::wing::ElasticWing;
 use aero::{BoxLoads, Corrections, Flow};
-use faer::linalg::solvers::{PartialPivLu, Solve};
 use faer::Mat;
+use faer::linalg::solvers::{PartialPivLu, Solve};
 
 /// A wing in one steady case.
 #[derive(Debug, Clone)]
@@ -55,7 +55,11 @@ impl ElasticWing {
     }
 
     /// H = Gᵀ W S Q D G: loads on the s-set per unit displacement and dynamic pressure.
-    pub(crate) fn aerodynamic_stiffness(&self, structure: &SupportedStructure, corrections: &Corrections) -> Mat<f64> {
+    pub(crate) fn aerodynamic_stiffness(
+        &self,
+        structure: &SupportedStructure,
+        corrections: &Corrections,
+    ) -> Mat<f64> {
         let loads = self.k_loads_of_pressures(1.0, self.cp_displacement.as_ref(), corrections);
         structure.gather(loads.as_ref())
     }
@@ -68,8 +72,16 @@ impl ElasticWing {
         })
     }
 
-    fn factorise(
-        &self, structure: &SupportedStructure, flow: Flow, corrections: &Corrections,
+    /// `I - q F H` factorised (s by s) for corrections of the whole lattice: what turns the displacement of the
+    /// undeformed loads into that of the deformed wing.
+    ///
+    /// # Errors
+    /// If the dynamic pressure is at or beyond divergence.
+    pub fn factorise(
+        &self,
+        structure: &SupportedStructure,
+        flow: Flow,
+        corrections: &Corrections,
     ) -> Result<PartialPivLu<f64>, CouplingError> {
         let q_pa = flow.dynamic_pressure_pa();
         let loop_gain = &structure.flexibility * &self.aerodynamic_stiffness(structure, corrections);
@@ -80,7 +92,10 @@ impl ElasticWing {
         let negative = (0..size).filter(|&i| factor.U()[(i, i)] <= 0.0).count();
         let odd = factor.P().arrays().0.to_vec();
         if (negative + usize::from(permutation_is_odd(&odd))) % 2 == 1 {
-            return Err(CouplingError::Diverged { q_pa, divergence_pa: self.divergence_pressure(corrections)? });
+            return Err(CouplingError::Diverged {
+                q_pa,
+                divergence_pa: self.divergence_pressure(corrections)?,
+            });
         }
         Ok(factor)
     }
@@ -99,7 +114,8 @@ impl SteadyOperator<'_> {
                 for (column, case) in cases.iter().enumerate() {
                     let field = self.gravity_field(case.alpha_rad);
                     for row in 0..u.nrows() {
-                        u[(row, column)] += (0..3).map(|axis| structure.sag[(row, axis)] * field[axis]).sum::<f64>();
+                        u[(row, column)] +=
+                            (0..3).map(|axis| structure.sag[(row, axis)] * field[axis]).sum::<f64>();
                     }
                 }
                 let u = factor.solve(&u);
@@ -110,7 +126,9 @@ impl SteadyOperator<'_> {
         };
         let mut loads = wing.k_loads_of_pressures(q_pa, cp.as_ref(), &self.corrections);
         self.add_offset(&mut loads, q_pa);
-        (0..cases.len()).map(|column| self.state(column, &cases[column], &cp, &displacement, &loads)).collect()
+        (0..cases.len())
+            .map(|column| self.state(column, &cases[column], &cp, &displacement, &loads))
+            .collect()
     }
 
     /// Root loads and derivatives: with `Lambda = R (I - q W S Q D G F Gᵀ)⁻¹` (3 rows, the same for all angles),
@@ -187,7 +205,12 @@ impl SteadyOperator<'_> {
     }
 
     fn state(
-        &self, column: usize, case: &SteadyCase, cp: &Mat<f64>, displacement: &Mat<f64>, loads: &Mat<f64>,
+        &self,
+        column: usize,
+        case: &SteadyCase,
+        cp: &Mat<f64>,
+        displacement: &Mat<f64>,
+        loads: &Mat<f64>,
     ) -> SteadyState {
         let wing = self.wing;
         let loads = loads.col_as_slice(column).to_vec();
@@ -199,7 +222,9 @@ impl SteadyOperator<'_> {
         if let Some(structure) = &wing.supported {
             let (field, tare) = (self.gravity_field(case.alpha_rad), self.gravity_field(0.0));
             for (row, load) in root.iter_mut().enumerate() {
-                *load += (0..3).map(|axis| structure.weight[(row, axis)] * (field[axis] - tare[axis])).sum::<f64>();
+                *load += (0..3)
+                    .map(|axis| structure.weight[(row, axis)] * (field[axis] - tare[axis]))
+                    .sum::<f64>();
             }
             let wind_off: f64 = (0..3).map(|axis| structure.sag[(structure.tip_z, axis)] * tare[axis]).sum();
             tip_z_m = displacement[structure.tip_z] - wind_off;
@@ -219,13 +244,19 @@ impl SteadyModel for ElasticWing {
         &self.correctable
     }
 
-    fn root_loads(&self, cases: &[SteadyCase], corrections: &Corrections) -> Result<Vec<RootLoads>, CouplingError> {
+    fn root_loads(
+        &self,
+        cases: &[SteadyCase],
+        corrections: &Corrections,
+    ) -> Result<Vec<RootLoads>, CouplingError> {
         let Some(first) = cases.first() else { return Ok(Vec::new()) };
         Ok(self.at(first.flow, corrections)?.solve(cases).into_iter().map(|state| state.root).collect())
     }
 
     fn sensitivities(
-        &self, cases: &[SteadyCase], corrections: &Corrections,
+        &self,
+        cases: &[SteadyCase],
+        corrections: &Corrections,
     ) -> Result<Vec<RootSensitivity>, CouplingError> {
         let Some(first) = cases.first() else { return Ok(Vec::new()) };
         Ok(self.at(first.flow, corrections)?.sensitivities(cases))

@@ -4,8 +4,8 @@
 //! set the steady elastic problem is exact, whatever the number of modes somebody keeps for dynamics:
 //! `u_s = F Gᵀ P + K⁻¹ f_g` restricted to s.
 
-use crate::spline::Spline;
 use crate::error::CouplingError;
+use crate::spline::Spline;
 use faer::{Mat, MatRef};
 use nalgebra::Point3;
 use structure::{Flexibility, System};
@@ -32,7 +32,12 @@ impl SupportedStructure {
     ///
     /// # Errors
     /// If the structure is not held (its loose grids are named).
-    pub fn new(system: &System, spline: &Spline, tip: usize, balance: &Point3<f64>) -> Result<Self, CouplingError> {
+    pub fn new(
+        system: &System,
+        spline: &Spline,
+        tip: usize,
+        balance: &Point3<f64>,
+    ) -> Result<Self, CouplingError> {
         let flexibility = Flexibility::new(system)?;
         let mut s_dofs = spline.used_dofs();
         if !s_dofs.contains(&(6 * tip + 2)) {
@@ -43,7 +48,12 @@ impl SupportedStructure {
         for (column, &dof) in s_dofs.iter().enumerate() {
             units[(dof, column)] = 1.0;
         }
-        let f = restrict(system.expand(flexibility.displacements(system.reduce(units.as_ref()).as_ref()).as_ref()).as_ref(), &s_dofs);
+        let f = restrict(
+            system
+                .expand(flexibility.displacements(system.reduce(units.as_ref()).as_ref()).as_ref())
+                .as_ref(),
+            &s_dofs,
+        );
         let rigid = system.rigid_body(balance);
         let field = system.inertia_loads(rigid.as_ref().subcols(0, 3));
         let sag_g = system.expand(flexibility.displacements(system.reduce(field.as_ref()).as_ref()).as_ref());
@@ -59,16 +69,23 @@ impl SupportedStructure {
     /// # Errors
     /// If the spline uses a degree of freedom that `s_dofs` lacks, or the tip's is not among them.
     pub fn from_parts(
-        s_dofs: Vec<usize>, flexibility: Mat<f64>, sag: Mat<f64>, weight: Mat<f64>, spline: &Spline, tip: usize,
+        s_dofs: Vec<usize>,
+        flexibility: Mat<f64>,
+        sag: Mat<f64>,
+        weight: Mat<f64>,
+        spline: &Spline,
+        tip: usize,
     ) -> Result<Self, CouplingError> {
-        let place = |dof: usize| s_dofs.binary_search(&dof).map_err(|_| CouplingError::SplineOutsideStructure { dof });
+        let place = |dof: usize| {
+            s_dofs.binary_search(&dof).map_err(|_| CouplingError::SplineOutsideStructure { dof })
+        };
         let spline_rows = spline
             .rows()
             .iter()
             .map(|row| row.iter().map(|&(dof, value)| Ok((place(dof)?, value))).collect())
             .collect::<Result<Vec<Vec<(usize, f64)>>, CouplingError>>()?;
         let tip_z = place(6 * tip + 2)?;
-        Ok(Self { flexibility, sag, weight, spline_rows, tip_z, s_dofs })
+        Ok(Self { s_dofs, flexibility, sag, weight, spline_rows, tip_z })
     }
 
     /// Size of the s-set.

@@ -85,7 +85,9 @@ impl ElasticWing {
     /// If a box crosses the root plane or sizes differ.
     pub fn new(parts: WingParts) -> Result<Self, CouplingError> {
         let boxes = parts.lattice.len();
-        for (what, got) in [("camber and twist", parts.camber.len()), ("metric flags", parts.balance.metric.len())] {
+        for (what, got) in
+            [("camber and twist", parts.camber.len()), ("metric flags", parts.balance.metric.len())]
+        {
             if got != boxes {
                 return Err(CouplingError::Size { what, got, expected: boxes });
             }
@@ -236,12 +238,18 @@ fn wing_parts(file: &WingFile, bulk: &BulkData) -> Result<WingParts, CouplingErr
 }
 
 /// Indices of the spline's grids among the system's nodes, in the order the file gives them.
+///
+/// # Errors
+/// If the set names a grid that the deck does not have.
 pub fn spline_nodes(file: &WingFile, bulk: &BulkData, system: &System) -> Result<Vec<usize>, InputError> {
     file.spline_grid_ids(bulk)
         .into_iter()
         .map(|id| {
             system.node_index(id).ok_or_else(|| {
-                InputError::in_file(&file.path, format!("the spline set names grid {id}, which the deck does not have"))
+                InputError::in_file(
+                    &file.path,
+                    format!("the spline set names grid {id}, which the deck does not have"),
+                )
             })
         })
         .collect()
@@ -279,10 +287,12 @@ fn correctable_boxes(lattice: &Lattice, fairing: &[u32]) -> CorrectableBoxes {
         }
         strips += surface.spanwise;
     }
-    let corners = || boxes.places.iter().flat_map(|&place| lattice.boxes[place].corners).map(|corner| corner.y);
+    let corners =
+        || boxes.places.iter().flat_map(|&place| lattice.boxes[place].corners).map(|corner| corner.y);
     let (low, high) = corners().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), y| (a.min(y), b.max(y)));
     let total: f64 = boxes.places.iter().map(|&place| lattice.boxes[place].area_m2()).sum();
-    boxes.y_norm = boxes.places.iter().map(|&p| (lattice.boxes[p].mid_point().y - low) / (high - low)).collect();
+    boxes.y_norm =
+        boxes.places.iter().map(|&p| (lattice.boxes[p].mid_point().y - low) / (high - low)).collect();
     boxes.area_share = boxes.places.iter().map(|&place| lattice.boxes[place].area_m2() / total).collect();
     boxes
 }

@@ -86,7 +86,10 @@ fn a_cubic_bending_shape_is_splined_exactly() {
         boxes: (0..7)
             .map(|i| {
                 let (a, b) = (0.14 * f64::from(i), 0.14 * f64::from(i + 1));
-                aero::AeroBox { id: 1 + i, corners: [corner(-0.1, a), corner(0.1, a), corner(0.1, b), corner(-0.1, b)] }
+                aero::AeroBox {
+                    id: 1 + i,
+                    corners: [corner(-0.1, a), corner(0.1, a), corner(0.1, b), corner(-0.1, b)],
+                }
             })
             .collect(),
         surfaces: Vec::new(),
@@ -131,7 +134,8 @@ fn neutral_corrections_leave_loads_bit_identical() {
     let boxes = wing.correctable.len();
     let case = [SteadyCase::new(flow(30.0), 0.03)];
     let neutral = wing.root_loads(&case, &Corrections::neutral(boxes)).unwrap();
-    let written = Corrections { force: vec![1.0; boxes], moment: vec![1.0; boxes], pressure_offset: vec![0.0; boxes] };
+    let written =
+        Corrections { force: vec![1.0; boxes], moment: vec![1.0; boxes], pressure_offset: vec![0.0; boxes] };
     assert_eq!(neutral, wing.root_loads(&case, &written).unwrap());
     // ... and are those of a path that knows no corrections: R S q cp, with cp of the deformed wing
     let state = &wing.at(flow(30.0), &written).unwrap().solve(&case)[0];
@@ -151,7 +155,8 @@ fn the_adjoint_jacobian_agrees_with_central_differences_at_fifty_boxes() {
     let step = 1e-4;
     for index in 0..50 {
         let b = index * boxes / 50;
-        for (family, by_box) in [&exact.by_force, &exact.by_moment, &exact.by_offset].into_iter().enumerate() {
+        for (family, by_box) in [&exact.by_force, &exact.by_moment, &exact.by_offset].into_iter().enumerate()
+        {
             let moved = |sign: f64| {
                 let mut c = corrections.clone();
                 [&mut c.force, &mut c.moment, &mut c.pressure_offset][family][b] += sign * step;
@@ -206,7 +211,9 @@ fn a_fairing_disturbs_the_flow_but_not_the_balance() {
     assert_eq!(with.lattice.len(), 56 + 12);
     for j in 56..68 {
         assert!(!with.balance.metric[j]);
-        assert!((0..3).all(|row| with.root_rows[(row, 2 * j)] == 0.0 && with.root_rows[(row, 2 * j + 1)] == 0.0));
+        assert!(
+            (0..3).all(|row| with.root_rows[(row, 2 * j)] == 0.0 && with.root_rows[(row, 2 * j + 1)] == 0.0)
+        );
     }
 }
 
@@ -224,6 +231,9 @@ fn a_wing_beyond_divergence_is_refused_with_both_pressures() {
     let q_d = 0.5 * RHO * v_d * v_d;
     assert!(message.contains("diverges") && message.contains(&format!("{q_d:.1} Pa")), "{message}");
     // loads grow without bound on the way there: 1 / (1 - q/q_D)
-    let lift = |share: f64| wing.root_loads(&[SteadyCase::new(flow(v_d * share.sqrt()), 0.02)], &neutral).unwrap()[0].mx_nm / share;
+    let lift = |share: f64| {
+        wing.root_loads(&[SteadyCase::new(flow(v_d * share.sqrt()), 0.02)], &neutral).unwrap()[0].mx_nm
+            / share
+    };
     assert!(lift(0.999) > 50.0 * lift(0.1));
 }
