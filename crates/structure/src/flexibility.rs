@@ -6,7 +6,7 @@
 //! eps |x|^T |A| |x|; a pivot that is not well above this cannot be told from zero, and its motion is loose. It is held
 //! where it was found, so that the elimination goes on and names every further one.
 //!
-//! This file is the seam to faer's sparse factorisation; `sturm.rs` and `modes.rs` use [`Factor`].
+//! This file is the seam to faer's sparse factorisation; `sturm.rs` and `modes.rs` use `Factor`.
 
 use crate::sparse::{self, Sparse};
 use crate::system::System;
@@ -115,13 +115,11 @@ impl Factor {
             let mut factor = Self::with_springs(a, &springs);
             // One at a time: behind a loose pivot the others mean nothing.
             let next = factor.doubtful().into_iter().find(|dof| !factor.loose.contains(dof));
-            match next.filter(|dof| !springs.contains(dof)) {
-                Some(dof) => springs.push(dof),
-                None => {
-                    factor.loose.extend(springs);
-                    return factor;
-                }
-            }
+            let Some(dof) = next.filter(|dof| !springs.contains(dof)) else {
+                factor.loose.extend(springs);
+                return factor;
+            };
+            springs.push(dof);
         }
     }
 

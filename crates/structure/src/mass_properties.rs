@@ -1,6 +1,6 @@
 //! Mass, centre of gravity and moments of inertia of a structure, from the rigid motions of its mass matrix.
 //!
-//! With R the six rigid motions about a point, R^T M R = [m E, -m [c]; m [c], I]; the inertia is moved from that
+//! With R the six rigid motions about a point, `R^T M R = [m E, -m [c]; m [c], I]`; the inertia is moved from that
 //! point to the centre by Steiner's theorem.
 
 use crate::system::System;

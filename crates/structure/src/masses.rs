@@ -1,7 +1,7 @@
 //! Point masses (CONM2): a rigid body fixed to a node.
 //!
 //! With the body's centre of gravity at r from the node, its velocity is u + theta x r, which gives the 6 x 6
-//! matrix [m E, -m [r]; m [r], I - m [r][r]] about the node. The card's products of inertia are positive
+//! matrix `[m E, -m [r]; m [r], I - m [r][r]]` about the node. The card's products of inertia are positive
 //! integrals (I21 = int x1 x2 dm) and enter the inertia matrix with a minus sign, as in Nastran.
 
 use crate::element::Element;

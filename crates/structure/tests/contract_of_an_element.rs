@@ -120,8 +120,8 @@ fn specimen(
         orientation: rotation * Vector3::new(0.1, 1.0, 0.3),
         pins: [Vec::new(), Vec::new()],
     };
-    let beam = Beam::new(7, [0, 1], &placement, property, &material(), &span()).unwrap();
-    let (a, b) = (&property.stations[0], property.stations.last().unwrap());
+    let beam = Beam::new(7, [0, 1], &placement, property, &material(), &span()).expect("a possible beam");
+    let (a, b) = (&property.stations[0], property.stations.last().expect("has stations"));
     let per_length = 2700.0 * 0.5 * (a.area + b.area) + 0.5 * (a.nsm + b.nsm);
     Specimen { mass_kg: per_length * beam.length_m(), element: beam, points: points.to_vec(), inertia: None }
 }

@@ -7,7 +7,7 @@ use nastran::parse_deck;
 use structure::{Flexibility, Model, ModesError, System, normal_modes};
 
 fn message(deck: &str) -> String {
-    let bulk = parse_deck("wing.bdf", deck).unwrap();
+    let bulk = parse_deck("wing.bdf", deck).expect("the cards are well formed");
     match Model::from_bulk(&bulk).and_then(|model| System::assemble(&model)) {
         Ok(_) => "accepted".to_owned(),
         Err(error) => error.to_string(),

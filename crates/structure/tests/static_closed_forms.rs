@@ -109,9 +109,10 @@ fn one_tapered_element_has_the_deflection_of_the_integral() {
             let id = element + 1;
             deck = deck.replace(&format!("CBEAM,{id},1,"), &format!("CBEAM,{id},{id},"));
             let (ia, ib) = (4e-9 * a, 4e-9 * b);
-            deck += &format!(
+            let card = format!(
                 "PBEAM,{id},1,1.-4,{ia:.8E},{ia:.8E},,2.-9\n,,,,,,,,\n,YES,1.0,1.-4,{ib:.8E},{ib:.8E},,2.-9\n,,,,,,,,\n,0.,0.\n"
             );
+            deck.push_str(&card);
         }
         let system = system(&(deck + "MAT1,1,7.+10,2.7+10,,2700.\nSPC1,1,123456,1\n"));
         let u = displaced(&system, &[(u32::try_from(n).unwrap() + 1, 3, p)]);

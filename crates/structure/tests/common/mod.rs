@@ -1,6 +1,11 @@
 //! Decks of straight beams, written card by card.
 
-#![expect(unreachable_pub, reason = "shared by the test files of this folder")]
+#![expect(
+    clippy::unwrap_used,
+    clippy::format_push_string,
+    unreachable_pub,
+    reason = "helpers of the tests in this folder"
+)]
 #![allow(dead_code, reason = "not every test file uses every helper")]
 
 use faer::Mat;
