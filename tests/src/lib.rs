@@ -49,5 +49,9 @@ pub fn list(value: &Value) -> &[Value] {
 #[track_caller]
 pub fn assert_close(what: &str, got: f64, want: f64, rel: f64, abs: f64) {
     let off = (got - want).abs();
-    assert!(off <= abs + rel * want.abs(), "{what}: {got} instead of {want}, off by {:.3e}", off / want.abs());
+    assert!(
+        off <= abs + rel * want.abs(),
+        "{what}: {got} instead of {want}, off by {:.3e}",
+        off / want.abs()
+    );
 }

@@ -1,5 +1,7 @@
 //! The vortex lattice beside PanelAero 2025.8 (see data/panelaero/README.md): matrices, pressures, strips, totals.
 
+#![expect(clippy::unwrap_used, reason = "a helper of tests may fail the test where it stands")]
+
 use aero::{AeroBox, Corrections, Integration, Lattice, MirrorPlane, SteadyAero, incidence};
 use faer::Mat;
 use nalgebra::Point3;
@@ -32,9 +34,11 @@ fn pitch_axis(name: &str) -> Point3<f64> {
 
 /// Pressures, strips and totals for 1 rad against the tables of mesh `name`.
 fn compare(name: &str, lattice: &Lattice, plane: MirrorPlane, first_row: usize) {
-    let (cps, strips, totals) = (table(&format!("{name}_cp")), table(&format!("{name}_strips")), table(&format!("{name}_totals")));
+    let (cps, strips, totals) =
+        (table(&format!("{name}_cp")), table(&format!("{name}_strips")), table(&format!("{name}_totals")));
     for (case, mach) in [0.0, 0.5].into_iter().enumerate() {
-        let cp = SteadyAero::new(lattice, plane, mach).unwrap().pressures_of(&incidence::angle_of_attack(lattice));
+        let cp =
+            SteadyAero::new(lattice, plane, mach).unwrap().pressures_of(&incidence::angle_of_attack(lattice));
         let full = cps.len() / 2;
         for (j, cp) in cp.iter().enumerate() {
             let want = cps.number(case * full + first_row + j, "cp").unwrap();
@@ -45,7 +49,13 @@ fn compare(name: &str, lattice: &Lattice, plane: MirrorPlane, first_row: usize) 
         for (s, boxes) in lattice.boxes.chunks(chordwise).enumerate() {
             let lift: f64 = boxes.iter().zip(&cp[s * chordwise..]).map(|(b, cp)| b.area_m2() * cp).sum();
             let want = strips.number(first_strip + s, "l").unwrap();
-            assert_close(&format!("mesh {name} Mach {mach} strip {s}"), lift / boxes[0].width_m(), want, TOLERANCE, 0.0);
+            assert_close(
+                &format!("mesh {name} Mach {mach} strip {s}"),
+                lift / boxes[0].width_m(),
+                want,
+                TOLERANCE,
+                0.0,
+            );
         }
         if plane == MirrorPlane::None {
             let loads = Integration::new(lattice).box_loads(1.0, &cp, &Corrections::neutral(lattice.len()));
@@ -53,7 +63,13 @@ fn compare(name: &str, lattice: &Lattice, plane: MirrorPlane, first_row: usize) 
             for (got, column) in [(force[2], "Fz"), (moment[0], "Mx"), (moment[1], "My")] {
                 let want = totals.number(case, column).unwrap();
                 // The rolling moment of a symmetric wing is zero but for round-off.
-                assert_close(&format!("mesh {name} Mach {mach} {column}"), got, want, TOLERANCE, 1e-11 * force[2]);
+                assert_close(
+                    &format!("mesh {name} Mach {mach} {column}"),
+                    got,
+                    want,
+                    TOLERANCE,
+                    1e-11 * force[2],
+                );
             }
         }
     }

@@ -48,16 +48,17 @@ impl Lattice {
             let corners = panel_corners(panel, &frames)?;
             let span = fractions(bulk, panel, panel.span_divisions, "spanwise")?;
             let chord = fractions(bulk, panel, panel.chord_divisions, "chordwise")?;
-            let boxes = divide(panel.id, &corners, &span, &chord).ok_or_else(|| {
-                InputError::at(&panel.span, format!("boxes of CAERO1 {} exceed the largest number", panel.id))
-            })?;
-            if lattice.len() + boxes.len() > MOST_BOXES {
+            let count = (span.len() - 1).saturating_mul(chord.len() - 1);
+            if lattice.len().saturating_add(count) > MOST_BOXES {
                 return Err(InputError::at(
                     &panel.span,
                     format!("the panels have more than {MOST_BOXES} boxes"),
                 )
                 .with_help("use fewer spanwise or chordwise divisions"));
             }
+            let boxes = divide(panel.id, &corners, &span, &chord).ok_or_else(|| {
+                InputError::at(&panel.span, format!("boxes of CAERO1 {} exceed the largest number", panel.id))
+            })?;
             if let (Some(last), Some(previous)) = (lattice.boxes.last(), lattice.surfaces.last())
                 && last.id >= panel.id
             {

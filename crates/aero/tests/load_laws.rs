@@ -1,0 +1,162 @@
+//! Laws of box loads and corrections: P = q W S Q w + q S f_e, in two and in six components per box.
+
+#![expect(clippy::unwrap_used, reason = "a helper of tests may fail the test where it stands")]
+
+use aero::{BoxLoads, Corrections, Integration, Lattice};
+use nalgebra::{Point3, Vector3};
+use nastran::Dmi;
+
+const Q_PA: f64 = 708.0;
+
+/// Boxes of all sorts: flat, with dihedral, given from tip to root, and upright.
+fn mixed() -> Lattice {
+    let flat = Lattice::trapezoid(1, [0.0, 0.0, 0.0], 0.3, [0.3, 1.0, 0.0], 0.2, [3, 4]).unwrap();
+    let dihedral = Lattice::trapezoid(101, [0.3, 1.0, 0.0], 0.2, [0.6, 1.8, 0.4], 0.1, [3, 4]).unwrap();
+    let inwards = Lattice::trapezoid(201, [0.2, -0.8, 0.1], 0.1, [0.0, 0.0, 0.0], 0.3, [2, 3]).unwrap();
+    let fin = Lattice::trapezoid(301, [1.5, 0.0, 0.1], 0.3, [1.7, 0.0, 0.6], 0.2, [2, 3]).unwrap();
+    flat.joined(&dihedral).unwrap().joined(&inwards).unwrap().joined(&fin).unwrap()
+}
+
+/// Some numbers around `mean`, different for each `seed`.
+fn varied(n: usize, mean: f64, seed: f64) -> Vec<f64> {
+    (0..n).map(|i| mean + 0.4 * (seed + 1.7 * i as f64).sin()).collect()
+}
+
+fn some(n: usize) -> Corrections {
+    Corrections {
+        force: varied(n, 1.0, 1.0),
+        moment: varied(n, 1.0, 2.0),
+        pressure_offset: varied(n, 0.0, 3.0),
+    }
+}
+
+#[test]
+fn neutral_corrections_leave_loads_as_they_are_to_the_last_bit() {
+    let lattice = mixed();
+    let s = Integration::new(&lattice);
+    let cp = varied(lattice.len(), 0.5, 0.0);
+    let loads = s.box_loads(Q_PA, &cp, &Corrections::neutral(lattice.len()));
+    for (j, pair) in loads.values.chunks(2).enumerate() {
+        let lift = Q_PA * s.area(j) * cp[j];
+        assert_eq!(pair, [lift, lift * s.moment_arm(j)]);
+    }
+    assert!(Corrections::neutral(5).is_neutral() && !some(5).is_neutral());
+}
+
+#[test]
+fn loads_are_affine_in_pressures_factors_and_offsets() {
+    let lattice = mixed();
+    let n = lattice.len();
+    let s = Integration::new(&lattice);
+    let (cp_a, cp_b, c) = (varied(n, 0.5, 0.0), varied(n, 0.1, 9.0), some(n));
+    let middle: Vec<f64> = cp_a.iter().zip(&cp_b).map(|(a, b)| 0.3 * a + 0.7 * b).collect();
+    let of = |cp: &[f64]| s.box_loads(Q_PA, cp, &c).values;
+    for (got, (a, b)) in of(&middle).iter().zip(of(&cp_a).iter().zip(of(&cp_b))) {
+        assert!((got - (0.3 * a + 0.7 * b)).abs() < 1e-11 * (1.0 + a.abs() + b.abs()));
+    }
+}
+
+#[test]
+fn factors_never_multiply_the_offset() {
+    let lattice = mixed();
+    let n = lattice.len();
+    let s = Integration::new(&lattice);
+    let offset = varied(n, 0.0, 3.0);
+    let with = |factor: f64, cp: f64| {
+        let c =
+            Corrections { force: vec![factor; n], moment: vec![factor; n], pressure_offset: offset.clone() };
+        s.box_loads(Q_PA, &vec![cp; n], &c).values
+    };
+    // Without pressures the factors have nothing to act on.
+    assert_eq!(with(0.5, 0.0), with(1.7, 0.0));
+    // Doubling the factors adds the theoretical load once more, and no offset.
+    let neutral = s.box_loads(Q_PA, &vec![0.8; n], &Corrections::neutral(n)).values;
+    for ((double, single), theory) in with(2.0, 0.8).iter().zip(with(1.0, 0.8)).zip(neutral) {
+        assert!((double - single - theory).abs() < 1e-10 * theory.abs());
+    }
+}
+
+#[test]
+fn padding_gives_a_fairing_neutral_corrections() {
+    let wing = some(4);
+    let all = wing.padded(7, &[3, 4, 5, 6]);
+    assert_eq!(all.len(), 7);
+    assert_eq!(all.force[..3], [1.0; 3]);
+    assert_eq!(all.moment[..3], [1.0; 3]);
+    assert_eq!(all.pressure_offset[..3], [0.0; 3]);
+    assert_eq!((&all.force[3..], &all.moment[3..]), (&wing.force[..], &wing.moment[..]));
+    assert_eq!(all.pressure_offset[3..], wing.pressure_offset[..]);
+}
+
+/// 56 strips of 12 boxes and 3 of a fairing: 708 rows of FA2J, 1416 of WKK, force and moment alternating.
+#[test]
+fn matrices_for_nastran_have_one_and_two_rows_per_box_and_come_back() {
+    let places: Vec<usize> = (36..708).collect();
+    let all = some(672).padded(708, &places);
+    let (wkk, fa2j) = (all.wkk(), all.fa2j());
+    assert_eq!((wkk.form, wkk.rows, wkk.columns.len(), wkk.columns[0].len()), (3, 1416, 1, 1416));
+    assert_eq!((fa2j.form, fa2j.rows, fa2j.columns[0].len()), (2, 708, 708));
+    assert_eq!(wkk.columns[0][72..74], [all.force[36], all.moment[36]]);
+    assert_eq!(Corrections::from_dmi(&wkk, &fa2j).unwrap(), all);
+    let mut full = Dmi { columns: vec![vec![0.0; 1416]; 1416], form: 1, ..wkk.clone() };
+    for (i, factor) in wkk.columns[0].iter().enumerate() {
+        full.columns[i][i] = *factor;
+    }
+    assert_eq!(Corrections::from_dmi(&full, &fa2j).unwrap(), all);
+    full.columns[3][4] = 0.1;
+    assert!(Corrections::from_dmi(&full, &fa2j).unwrap_err().message.contains("not diagonal"));
+    assert!(
+        Corrections::from_dmi(&wkk, &some(3).fa2j())
+            .unwrap_err()
+            .message
+            .contains("two and one for each box")
+    );
+}
+
+#[test]
+fn six_factors_are_placed_by_the_normal() {
+    let lattice = mixed();
+    let n = lattice.len();
+    let six = Corrections { force: vec![2.0; n], moment: vec![3.0; n], ..Corrections::neutral(n) }
+        .six_dof(&lattice);
+    let at = |id: u32| six[lattice.index_of(id).unwrap()];
+    assert_eq!(at(1), [1.0, 1.0, 2.0, 1.0, 3.0, 1.0]);
+    assert_eq!(at(101), [1.0, 2.0, 2.0, 1.0, 3.0, 3.0]);
+    assert_eq!(at(301), [1.0, 2.0, 1.0, 1.0, 1.0, 3.0]);
+}
+
+/// Loads as vectors of six components, corrected by six factors, summed as a program with six components would.
+#[test]
+fn six_components_per_box_agree_with_two() {
+    let lattice = mixed();
+    let n = lattice.len();
+    let (s, c, cp) = (Integration::new(&lattice), some(n), varied(n, 0.5, 0.0));
+    let about = Point3::new(0.075, 0.0, 0.0);
+    let (force, moment) = s.box_loads(Q_PA, &cp, &c).resultant(&lattice, &about);
+    let factors = c.six_dof(&lattice);
+    let (mut sum_f, mut sum_m) = (Vector3::zeros(), Vector3::zeros());
+    for (j, panel) in lattice.boxes.iter().enumerate() {
+        let arm = panel.quarter_point() - panel.mid_point();
+        let theory = panel.normal() * (Q_PA * panel.area_m2() * cp[j]);
+        let offset = panel.normal() * (Q_PA * panel.area_m2() * c.pressure_offset[j]);
+        let at_middle = arm.cross(&theory);
+        let f = Vector3::from_fn(|axis, _| factors[j][axis] * theory[axis]) + offset;
+        let m = Vector3::from_fn(|axis, _| factors[j][3 + axis] * at_middle[axis]) + arm.cross(&offset);
+        sum_f += f;
+        sum_m += m + (panel.mid_point() - about).cross(&f);
+    }
+    let (force, moment) = (Vector3::from(force), Vector3::from(moment));
+    assert!((sum_f - force).norm() < 1e-12 * force.norm());
+    assert!((sum_m - moment).norm() < 1e-12 * moment.norm());
+}
+
+#[test]
+fn lift_ahead_of_the_point_is_a_nose_up_moment() {
+    let lattice = Lattice::trapezoid(1, [0.0, 0.0, 0.0], 1.0, [0.0, 1.0, 0.0], 1.0, [1, 1]).unwrap();
+    let loads = Integration::new(&lattice).box_loads(1.0, &[1.0], &Corrections::neutral(1));
+    assert_eq!(loads, BoxLoads { values: vec![1.0, 0.25] });
+    let (force, moment) = loads.resultant(&lattice, &Point3::new(1.0, 0.0, 0.0));
+    assert_eq!(force, [0.0, 0.0, 1.0]);
+    // 0.75 m ahead of the point and 0.5 m to the right: My = -x Fz, Mx = y Fz
+    assert_eq!(moment, [0.5, 0.75, 0.0]);
+}
