@@ -9,6 +9,7 @@ use clap::Parser;
 
 pub mod args;
 mod commands;
+mod corrections;
 pub mod failure;
 pub mod output;
 pub mod paths;

@@ -43,6 +43,12 @@ pub fn failure(failure: &Failure) {
     let _ = std::io::stderr().write_all(&text);
 }
 
+/// Prints a remark to standard error.
+pub fn note(text: &str) {
+    // If standard error is closed there is nobody left to tell.
+    let _ = writeln!(std::io::stderr(), "note: {text}");
+}
+
 /// Prints a summary for people: to standard output, or to standard error if that carries JSON.
 pub fn summary(common: &Common, text: &str) {
     if common.quiet {

@@ -54,6 +54,8 @@ pub struct TiltTare {
 pub struct Calibration {
     /// Airspeeds in ascending order.
     pub airspeeds: Vec<AirspeedCalibration>,
+    /// Air density of the campaign, kg/m³.
+    pub rho_kg_m3: f64,
     /// The data behind them: blocks, noise, what was left aside.
     pub data: StaticData,
     /// Tilt tares, if the campaign has any.
@@ -73,6 +75,7 @@ pub fn calibrate<M: SteadyModel>(
 ) -> Result<Calibration, CouplingError> {
     let data = StaticData::from_campaign(campaign)?;
     check_settings(model, settings)?;
+    check_divergence(model, campaign.rho_kg_m3, &data)?;
     let context = Context::new(model, campaign.rho_kg_m3, &data, settings);
     let mut airspeeds = data
         .airspeeds
@@ -88,8 +91,31 @@ pub fn calibrate<M: SteadyModel>(
         tilt_tare: tilt_tare(model, campaign.rho_kg_m3, &data)?,
         nonlinearity_level: settings.significance / tests as f64,
         airspeeds,
+        rho_kg_m3: campaign.rho_kg_m3,
         data,
     })
+}
+
+/// An airspeed at which the uncorrected wing diverges is a mistake in the data or in the wing.
+fn check_divergence<M: SteadyModel>(model: &M, rho_kg_m3: f64, data: &StaticData) -> Result<(), CouplingError> {
+    let neutral = Corrections::neutral(model.correctable().len());
+    for airspeed in &data.airspeeds {
+        let case = SteadyCase::new(Flow { v_m_s: airspeed.v_m_s, rho_kg_m3 }, 0.0);
+        match model.root_loads(&[case], &neutral) {
+            Err(CouplingError::Diverged { divergence_pa, .. }) => {
+                let speed = divergence_pa.map_or_else(String::new, |q_pa| {
+                    format!(", its divergence speed is {:.2} m/s", (2.0 * q_pa / rho_kg_m3).sqrt())
+                });
+                let message = format!("the wing diverges at {} m/s{speed}", airspeed.v_m_s);
+                return Err(InputError::at(&airspeed.span, message)
+                    .with_help("take the airspeed out of the static cases, or check the wing's stiffness")
+                    .into());
+            }
+            Err(error) => return Err(error),
+            Ok(_) => {}
+        }
+    }
+    Ok(())
 }
 
 fn check_settings<M: SteadyModel>(model: &M, settings: &Settings) -> Result<(), InputError> {

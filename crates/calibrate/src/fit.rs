@@ -21,7 +21,7 @@ pub enum Ending {
     Stalled,
     /// The bounds contradict each other.
     InfeasibleBounds,
-    /// The wing diverges at this airspeed.
+    /// Every step towards a better objective makes the wing diverge.
     Diverged,
 }
 
@@ -82,8 +82,11 @@ impl<M: SteadyModel> Problem<'_, M> {
             cone_programs += 1;
             match self.program(&at, &x, &neutral) {
                 Ok(goal) => match self.step(&x, &goal, &neutral, &at)? {
-                    Some((next, linearised)) => (x, at) = (next, linearised),
-                    None => break,
+                    Step::Taken(next, linearised) => (x, at) = (next, linearised),
+                    Step::Refused(why) => {
+                        ending = why;
+                        break;
+                    }
                 },
                 Err(NoSolution::Infeasible) => {
                     ending = Ending::InfeasibleBounds;
@@ -157,29 +160,32 @@ impl<M: SteadyModel> Problem<'_, M> {
         .solve()
     }
 
-    /// The longest of the steps 1, 1/2, 1/4 ... towards the goal that lowers the true objective; none if all fail.
+    /// The longest of the steps 1, 1/2, 1/4 ... towards the goal that lowers the true objective.
     fn step(
         &self,
         x: &[f64],
         goal: &[f64],
         neutral: &[f64],
         at: &Linearised,
-    ) -> Result<Option<(Vec<f64>, Linearised)>, CouplingError> {
+    ) -> Result<Step, CouplingError> {
         let weight = self.change_weight(at);
         let merit = |x: &[f64], rmse: [f64; 3]| self.objective(rmse) + weight * self.change(x, neutral);
         let now = merit(x, at.rmse);
         let mut share = 1.0;
+        let mut why = Ending::Diverged;
         for _ in 0..self.settings.most_halvings {
             let next: Vec<f64> = x.iter().zip(goal).map(|(a, b)| a + share * (b - a)).collect();
             match self.linearise(&next) {
                 Ok(linearised) if merit(&next, linearised.rmse) < now * (1.0 - 1e-6) => {
-                    return Ok(Some((next, linearised)));
+                    return Ok(Step::Taken(next, linearised));
                 }
-                Ok(_) | Err(CouplingError::Diverged { .. }) => share *= 0.5,
+                Ok(_) => why = Ending::Stalled,
+                Err(CouplingError::Diverged { .. }) => {}
                 Err(error) => return Err(error),
             }
+            share *= 0.5;
         }
-        Ok(None)
+        Ok(Step::Refused(why))
     }
 
     /// (x - x0)' M (x - x0): mean square change of pressure.
@@ -187,6 +193,14 @@ impl<M: SteadyModel> Problem<'_, M> {
         let d: Vec<f64> = x.iter().zip(neutral).map(|(a, b)| a - b).collect();
         (0..d.len()).map(|j| (0..d.len()).map(|i| d[i] * self.metric[(i, j)]).sum::<f64>() * d[j]).sum()
     }
+}
+
+/// A step towards the solution of a cone program.
+enum Step {
+    /// It lowers the true objective: the new unknowns and the model around them.
+    Taken(Vec<f64>, Linearised),
+    /// No part of it does.
+    Refused(Ending),
 }
 
 /// The model around one set of corrections.

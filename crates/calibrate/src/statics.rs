@@ -33,6 +33,8 @@ pub struct AirspeedData {
     pub v_m_s: f64,
     /// Angles in ascending order.
     pub angles: Vec<Angle>,
+    /// Where its first row stands.
+    pub span: Span,
 }
 
 /// A block's offset by channel, already shrunk.
@@ -160,7 +162,7 @@ impl StaticData {
                     *rows += count;
                     last.angles.push(angle);
                 }
-                _ => airspeeds.push((AirspeedData { v_m_s: cell.v_m_s, angles: vec![angle] }, count)),
+                _ => airspeeds.push((AirspeedData { v_m_s: cell.v_m_s, angles: vec![angle], span: cell.rows[0].span.clone() }, count)),
             }
         }
         self.airspeeds = airspeeds.into_iter().map(|(airspeed, _)| airspeed).collect();

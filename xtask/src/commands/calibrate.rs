@@ -1,9 +1,218 @@
-//! `calibrate`: placeholder.
+//! `calibrate`: measured root loads in, corrections of the panel model by airspeed out.
+
+use std::path::Path;
+use std::time::Instant;
+
+use aero::MirrorPlane;
+use calibrate::{AirspeedCalibration, Calibration, Campaign, Settings};
+use coupling::{ElasticWing, SteadyCase, WingFile};
+use serde_json::{Value, json};
 
 use crate::args::{CalibrateArgs, Common};
+use crate::commands::calibrate_figures as figures;
+use crate::corrections::{campaign_path, schedule, wing_path};
 use crate::failure::Failure;
+use crate::output::ResultFolder;
+use crate::show;
 
 /// Runs the command.
-pub(crate) fn run(_args: &CalibrateArgs, _common: &Common) -> Result<(), Failure> {
-    Err(Failure::Computation("calibrate is not available yet".into()))
+pub(crate) fn run(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
+    let start = Instant::now();
+    let (file, wing) = ElasticWing::read(&wing_path(args.wing.as_deref()))?;
+    let campaign = Campaign::read(&campaign_path(args.campaign.as_deref()))?;
+    let settings = Settings::of_wing(&file.correction);
+    let calibration = calibrate::calibrate(&wing, &campaign, &settings)?;
+    let seconds = start.elapsed().as_secs_f64();
+    let mut result = result(&wing, &campaign, &calibration)?;
+    result["seconds"] = json!(seconds);
+    let out = write(&common.out("calibrate"), &file, &wing, &calibration, &result)?;
+    show::summary(common, &summary(&calibration, &out, seconds));
+    show::json(common, &result)?;
+    match calibration.failures().as_slice() {
+        [] => Ok(()),
+        failures => {
+            let list: Vec<String> = failures.iter().map(|(v, ending)| format!("{v} m/s: {ending:?}")).collect();
+            Err(Failure::Computation(format!("the fit did not reach its floor at {}", list.join(", "))))
+        }
+    }
+}
+
+/// Writes corrections, DMI cards, figures and result.json.
+fn write(
+    out: &Path, file: &WingFile, wing: &ElasticWing, calibration: &Calibration, result: &Value,
+) -> Result<std::path::PathBuf, Failure> {
+    let folder = ResultFolder::begin(out)?;
+    folder.write_text("corrections.ron", &schedule(file, calibration).to_ron())?;
+    for airspeed in &calibration.airspeeds {
+        let name = speed_name(airspeed.data.v_m_s);
+        let padded = wing.padded(&airspeed.corrections)?;
+        folder.write_text(&format!("wkk_{name}.bdf"), &padded.wkk().rounded_to_fields().write())?;
+        folder.write_text(&format!("fa2j_{name}.bdf"), &padded.fa2j().rounded_to_fields().write())?;
+        let map = figures::corrections(wing, airspeed).map_err(Failure::computation)?;
+        folder.write_text(&format!("corrections_{name}.svg"), &map)?;
+    }
+    folder.write_text("static_loads.svg", &figures::static_loads(wing, calibration)?)?;
+    folder.write_json("result.json", result)?;
+    folder.commit()
+}
+
+/// 18 m/s -> `18`, 22.5 m/s -> `22.5`.
+pub(crate) fn speed_name(v_m_s: f64) -> String {
+    let text = format!("{v_m_s:.3}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+fn result(wing: &ElasticWing, campaign: &Campaign, calibration: &Calibration) -> Result<Value, Failure> {
+    let data = &calibration.data;
+    let airspeeds: Vec<Value> =
+        calibration.airspeeds.iter().map(|airspeed| airspeed_result(airspeed, calibration)).collect();
+    let blocks: Vec<Value> =
+        data.blocks.iter().map(|b| json!({ "block": b.block, "offset": channels(b.offset) })).collect();
+    Ok(json!({
+        "command": "calibrate",
+        "campaign": campaign.name,
+        "airspeeds": airspeeds,
+        "cone_programs": calibration.cone_programs(),
+        "blocks": blocks,
+        "block_sigma": channels(data.block_sigma),
+        "point_sigma": data.point_sigma.map(channels),
+        "noise_from": match (data.noise_dof, data.point_sigma) {
+            (Some(dof), _) => format!("replicates, {dof} degrees of freedom"),
+            (None, Some(_)) => "the campaign's declaration".into(),
+            (None, None) => "unknown: no replicates and none declared".into(),
+        },
+        "nonlinearity_level": calibration.nonlinearity_level,
+        "rows_with_deflected_controls_left_aside": data.deflected,
+        "tilt_tare": calibration.tilt_tare.map(|tare| json!({
+            "points": tare.points, "rms": channels(tare.rms), "rms_over_noise": tare.rms_over_noise.map(channels),
+        })),
+        "root_plane": root_plane(wing, campaign, calibration)?,
+    }))
+}
+
+fn airspeed_result(airspeed: &AirspeedCalibration, calibration: &Calibration) -> Value {
+    let fit = &airspeed.fit;
+    let measured = calibration.data.channels;
+    let nonlinearity: Vec<Value> = (0..3)
+        .filter_map(|c| airspeed.line.nonlinearity[c].map(|test| (c, test)))
+        .map(|(c, test)| {
+            json!({
+                "channel": calibrate::campaign::CHANNELS[c],
+                "curvature_per_deg2": test.curvature_per_rad2 * 1.0_f64.to_radians().powi(2),
+                "f": test.f, "p_value": test.p_value,
+                "significant": test.p_value < calibration.nonlinearity_level,
+            })
+        })
+        .collect();
+    json!({
+        "V_m_s": airspeed.data.v_m_s,
+        "objective_before": fit.objective[0],
+        "objective_after": fit.objective[1],
+        "line_floor": airspeed.line_floor,
+        "noise_floor": airspeed.noise_floor,
+        "iterations": fit.cone_programs,
+        "ending": format!("{:?}", fit.ending),
+        "rmse_before": measured_channels(fit.rmse[0], measured),
+        "rmse_after": measured_channels(fit.rmse[1], measured),
+        "line_rmse": measured_channels(airspeed.line.rmse, measured),
+        "determined_directions": airspeed.identifiability.as_ref().map(|told| told.determined_directions),
+        "neighbour_bound_active": fit.neighbour_bound_active,
+        "nonlinearity": nonlinearity,
+        "identifiability": airspeed.identifiability.as_ref().map(identifiability),
+        "left_out": airspeed.left_out.as_ref().map(|left_out| json!({
+            "alpha_deg": left_out.alphas_rad.iter().map(|a| a.to_degrees()).collect::<Vec<_>>(),
+            "objective_before": left_out.objective_before,
+            "objective_after": left_out.objective_after,
+            "line_error": left_out.line_error,
+        })),
+        "left_out_airspeed": airspeed.left_out_airspeed.as_ref().map(|left_out| json!({
+            "objective_before": left_out.objective_before, "objective_after": left_out.objective_after,
+        })),
+    })
+}
+
+fn identifiability(told: &calibrate::Identifiability) -> Value {
+    let by_family = |values: [f64; 3]| json!({ "force": values[0], "moment": values[1], "pressure_offset": values[2] });
+    json!({
+        "singular_values": told.singular_values,
+        "leverage": { "force": channels(told.leverage[0]), "moment": channels(told.leverage[1]),
+                      "pressure_offset": channels(told.leverage[2]) },
+        "remaining_spread": by_family(told.remaining_spread),
+        "posterior_sigma": by_family(told.posterior_sigma),
+        "predicted_sigma": channels(told.predicted_sigma),
+        "undetermined": told.undetermined(),
+    })
+}
+
+/// What the choice of the plane at the root does to the rigid lift slope.
+fn root_plane(wing: &ElasticWing, campaign: &Campaign, calibration: &Calibration) -> Result<Value, Failure> {
+    let area_m2: f64 = wing.correctable.places.iter().map(|&place| wing.lattice.boxes[place].area_m2()).sum();
+    let slope = |cp: &dyn Fn(usize) -> f64| {
+        let lift = |&place: &usize| cp(place) * wing.lattice.boxes[place].area_m2() * wing.lattice.boxes[place].normal().z;
+        wing.correctable.places.iter().map(lift).sum::<f64>() / area_m2
+    };
+    let chosen = slope(&|place| wing.pressures_by_alpha()[place]);
+    let name = match wing.plane {
+        MirrorPlane::None => "None".to_owned(),
+        MirrorPlane::Symmetric { y_m } => format!("Symmetric({y_m})"),
+        MirrorPlane::Antisymmetric { y_m } => format!("Antisymmetric({y_m})"),
+    };
+    let free = if wing.plane == MirrorPlane::None {
+        chosen
+    } else {
+        let alone = aero::SteadyAero::new(&wing.lattice, MirrorPlane::None, 0.0).map_err(Failure::computation)?;
+        let upward = faer::Mat::from_fn(wing.lattice.len(), 1, |j, _| wing.lattice.boxes[j].normal().z);
+        let cp = alone.pressures(upward.as_ref());
+        slope(&|place| cp[(place, 0)])
+    };
+    let fastest = calibration.airspeeds.last().map_or(0.0, |a| a.data.v_m_s);
+    let flow = aero::Flow { v_m_s: fastest, rho_kg_m3: campaign.rho_kg_m3 };
+    let neutral = aero::Corrections::neutral(wing.correctable.len());
+    let states = wing.at(flow, &neutral)?.solve(&[SteadyCase::new(flow, 0.0), SteadyCase::new(flow, 0.01)]);
+    let elastic = (states[1].root.fz_n - states[0].root.fz_n) / 0.01 / (flow.dynamic_pressure_pa() * area_m2);
+    Ok(json!({
+        "choice": name, "lift_slope_per_rad": chosen, "lift_slope_per_rad_without_plane": free,
+        "elastic_lift_slope_per_rad_at_highest_airspeed": elastic,
+    }))
+}
+
+fn summary(calibration: &Calibration, out: &Path, seconds: f64) -> String {
+    let head = ["V (m/s)", "F before", "F after", "line floor", "noise floor", "programs", "left out: before", "after", "ending"];
+    let mut table = report::Table::new(&head);
+    for a in &calibration.airspeeds {
+        let number = |value: f64| format!("{value:.4}");
+        let optional = |value: Option<f64>| value.map_or_else(|| "-".into(), number);
+        table.row([
+            speed_name(a.data.v_m_s),
+            number(a.fit.objective[0]),
+            number(a.fit.objective[1]),
+            number(a.line_floor),
+            optional(a.noise_floor),
+            a.fit.cone_programs.to_string(),
+            optional(a.left_out.as_ref().map(|l| l.objective_before)),
+            optional(a.left_out.as_ref().map(|l| l.objective_after)),
+            format!("{:?}", a.fit.ending),
+        ]);
+    }
+    let mut text = format!("{table}\n");
+    for a in &calibration.airspeeds {
+        let bent: Vec<&str> = (0..3)
+            .filter(|&c| a.line.nonlinearity[c].is_some_and(|test| test.p_value < calibration.nonlinearity_level))
+            .map(|c| calibrate::campaign::CHANNELS[c])
+            .collect();
+        if !bent.is_empty() {
+            let v = speed_name(a.data.v_m_s);
+            text += &format!("{v} m/s: {} cannot be followed by a straight line; reported, not fitted\n", bent.join(", "));
+        }
+    }
+    text + &format!("{seconds:.2} s; results in {}\n", out.display())
+}
+
+fn channels(values: [f64; 3]) -> Value {
+    measured_channels(values, [true; 3])
+}
+
+fn measured_channels(values: [f64; 3], measured: [bool; 3]) -> Value {
+    let named = (0..3).filter(|&c| measured[c]).map(|c| (calibrate::campaign::CHANNELS[c].to_owned(), json!(values[c])));
+    Value::Object(named.collect())
 }

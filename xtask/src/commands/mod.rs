@@ -2,6 +2,7 @@
 
 pub(crate) mod bench;
 pub(crate) mod calibrate;
+mod calibrate_figures;
 pub(crate) mod fullaircraft;
 pub(crate) mod pipeline;
 pub(crate) mod simulate;

@@ -1,0 +1,76 @@
+//! The figures of `calibrate`: root loads over the angle of attack (Fig. 8 of the paper), factors on the planform
+//! (Fig. 7).
+
+use aero::{Corrections, Flow};
+use calibrate::{AirspeedCalibration, Calibration};
+use coupling::{ElasticWing, SteadyCase};
+use report::{DrawError, Figure, Panel, PlanformView, Series, Style};
+
+use crate::commands::calibrate::speed_name;
+use crate::failure::Failure;
+
+/// Measured, initial and updated root loads at every airspeed.
+pub(crate) fn static_loads(wing: &ElasticWing, calibration: &Calibration) -> Result<String, Failure> {
+    let names = [("Fz (N)", 0), ("Mx (N m)", 1), ("My (N m)", 2)];
+    let neutral = Corrections::neutral(wing.correctable.len());
+    let mut panels = Vec::new();
+    for airspeed in &calibration.airspeeds {
+        let measured: Vec<f64> = airspeed.data.angles.iter().map(|angle| angle.alpha_rad.to_degrees()).collect();
+        let initial = simulated(wing, airspeed, &neutral, calibration)?;
+        let updated = simulated(wing, airspeed, &airspeed.corrections, calibration)?;
+        for (label, c) in names.into_iter().filter(|&(_, c)| calibration.data.channels[c]) {
+            let of = |loads: &[[f64; 3]]| loads.iter().map(|load| load[c]).collect::<Vec<f64>>();
+            let points = airspeed.data.angles.iter().map(|angle| angle.loads[c]).collect();
+            panels.push(Panel {
+                title: format!("{} m/s", speed_name(airspeed.data.v_m_s)),
+                x_label: "angle of attack (deg)".into(),
+                y_label: label.into(),
+                series: vec![
+                    Series::new("initial", measured.clone(), of(&initial), Style::DashedLine),
+                    Series::new("updated", measured.clone(), of(&updated), Style::Line),
+                    Series::new("measured", measured.clone(), points, Style::Points),
+                ],
+            });
+        }
+    }
+    let columns = calibration.data.channels.iter().filter(|&&measured| measured).count();
+    Figure { title: "Root loads: initial and updated model beside the measurements".into(), panels, columns }
+        .svg()
+        .map_err(Failure::computation)
+}
+
+fn simulated(
+    wing: &ElasticWing, airspeed: &AirspeedCalibration, corrections: &Corrections, calibration: &Calibration,
+) -> Result<Vec<[f64; 3]>, Failure> {
+    let flow = Flow { v_m_s: airspeed.data.v_m_s, rho_kg_m3: calibration.rho_kg_m3 };
+    let cases: Vec<SteadyCase> =
+        airspeed.data.angles.iter().map(|angle| SteadyCase::new(flow, angle.alpha_rad)).collect();
+    Ok(wing.at(flow, corrections)?.solve(&cases).iter().map(|state| state.root.to_array()).collect())
+}
+
+/// The three corrections of one airspeed on the planform.
+pub(crate) fn corrections(wing: &ElasticWing, airspeed: &AirspeedCalibration) -> Result<String, DrawError> {
+    let corners: Vec<[(f64, f64); 4]> = wing
+        .correctable
+        .places
+        .iter()
+        .map(|&place| wing.lattice.boxes[place].corners.map(|corner| (corner.x, corner.y)))
+        .collect();
+    let c = &airspeed.corrections;
+    let view = |title: &str, label: &str, values: &[f64], neutral: f64| {
+        let reach = values.iter().map(|value| (value - neutral).abs()).fold(0.05, f64::max);
+        PlanformView {
+            corners: corners.clone(),
+            values: values.to_vec(),
+            label: label.into(),
+            title: title.into(),
+            range: Some((neutral - reach, neutral + reach)),
+        }
+    };
+    let views = [
+        view("force factor", "W force (-)", &c.force, 1.0),
+        view("moment factor", "W moment (-)", &c.moment, 1.0),
+        view("pressure offset", "f_e/q (-)", &c.pressure_offset, 0.0),
+    ];
+    report::heatmap::svg(&format!("Corrections at {} m/s", speed_name(airspeed.data.v_m_s)), &views)
+}

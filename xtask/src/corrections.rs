@@ -1,0 +1,96 @@
+//! A wing with its corrections: from a file, from the last `calibrate` if it was of this wing, or found now.
+
+use std::path::{Path, PathBuf};
+
+use calibrate::{Calibration, Campaign, CorrectionSet, Schedule, Settings, calibrate};
+use coupling::{CouplingError, ElasticWing, WingFile};
+use nastran::InputError;
+
+use crate::args::Common;
+use crate::failure::Failure;
+use crate::paths;
+
+impl From<CouplingError> for Failure {
+    fn from(error: CouplingError) -> Self {
+        match error {
+            CouplingError::Input(input) => Self::Input(input),
+            other => Self::computation(other),
+        }
+    }
+}
+
+/// A wing, where it was read from, and its corrections by airspeed.
+#[derive(Debug)]
+pub(crate) struct CorrectedWing {
+    /// The wing's file.
+    pub(crate) file: WingFile,
+    /// The wing as it stands in the tunnel.
+    pub(crate) wing: ElasticWing,
+    /// Its corrections.
+    pub(crate) schedule: Schedule,
+    /// Where the corrections come from, in words.
+    pub(crate) origin: String,
+}
+
+/// Reads a wing and takes its corrections from `corrections`, or from out/calibrate if they belong to the same
+/// wing (hash), or calibrates it now and says so.
+///
+/// # Errors
+/// Bad input, corrections of another wing, or a calibration that cannot be done.
+pub(crate) fn corrected_wing(
+    wing: Option<&Path>, corrections: Option<&Path>, campaign: Option<&Path>, common: &Common,
+) -> Result<CorrectedWing, Failure> {
+    let (file, wing) = ElasticWing::read(&wing_path(wing))?;
+    if let Some(path) = corrections {
+        let schedule = Schedule::read(path)?;
+        if schedule.wing_hash != file.hash {
+            let message = format!("these corrections belong to another wing than {}", file.path.display());
+            let help = "corrections hold for the wing they were found with: calibrate this one, or name the other with --wing";
+            return Err(InputError::in_file(path, message).with_help(help).into());
+        }
+        check_boxes(&schedule, &wing, path)?;
+        return Ok(CorrectedWing { file, wing, schedule, origin: path.display().to_string() });
+    }
+    let last = paths::in_repository("out/calibrate/corrections.ron");
+    if let Some(schedule) = Schedule::read(&last).ok().filter(|schedule| schedule.wing_hash == file.hash) {
+        check_boxes(&schedule, &wing, &last)?;
+        return Ok(CorrectedWing { file, wing, schedule, origin: last.display().to_string() });
+    }
+    let campaign = Campaign::read(&campaign_path(campaign))?;
+    let origin = format!("calibrated now from {}", campaign.folder.display());
+    if !common.quiet {
+        crate::show::note(&format!("no corrections of this wing in {}: {origin}", last.display()));
+    }
+    let calibration = calibrate(&wing, &campaign, &Settings::of_wing(&file.correction))?;
+    let schedule = schedule(&file, &calibration);
+    Ok(CorrectedWing { file, wing, schedule, origin })
+}
+
+/// The corrections of a calibration as a schedule.
+pub(crate) fn schedule(file: &WingFile, calibration: &Calibration) -> Schedule {
+    let set = |a: &calibrate::AirspeedCalibration| CorrectionSet::new(a.data.v_m_s, a.corrections.clone());
+    Schedule {
+        wing: file.name.clone(),
+        wing_hash: file.hash.clone(),
+        sets: calibration.airspeeds.iter().map(set).collect(),
+    }
+}
+
+/// The wing's file: given, or the shipped one.
+pub(crate) fn wing_path(given: Option<&Path>) -> PathBuf {
+    paths::given_or(given, "data/tuflex/wing.ron")
+}
+
+/// The campaign's folder: given, or the shipped one.
+pub(crate) fn campaign_path(given: Option<&Path>) -> PathBuf {
+    paths::given_or(given, "data/tuflex/measured")
+}
+
+fn check_boxes(schedule: &Schedule, wing: &ElasticWing, path: &Path) -> Result<(), Failure> {
+    let (got, expected) = (schedule.sets[0].force.len(), wing.correctable.len());
+    if got == expected {
+        return Ok(());
+    }
+    let message = format!("{got} corrections an airspeed, but the wing has {expected} boxes (fairing excluded)");
+    Err(InputError::in_file(path, message).with_help("calibrate again: the wing's lattice has changed").into())
+}
