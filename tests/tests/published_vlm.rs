@@ -162,19 +162,20 @@ fn slender_and_long_wings() {
     assert_close("aspect ratio 1000", long, 2.0 * PI / (1.0 + 2.0 / 1000.0), rel, 0.0);
 }
 
+/// Equal strips only: with cosine spacing AVL's control points are not in the middles of the strips, so its
+/// run 2 is another discretisation. Induced drag, Clr and Clb are outside this linear theory of normal loads.
 #[test]
 fn avl_simple_wing() {
     let case = published("vlm__avl_simple_wing");
     let rel = number(&case["tolerance"]["rel"]);
     let expected = &case["expected"];
     let planform = Planform { semispan: 7.5, root: 2.2, tip: 1.8, tip_x: 0.4 };
-    let coefficients = |spanwise: &[f64]| {
-        let lattice = planform.lattice(spanwise, &uniform(1));
+    let (lift, moment) = {
+        let lattice = planform.lattice(&uniform(12), &uniform(1));
         let (lift, moment, _) = slopes(planform, &lattice, 0.0);
-        // about x = 0.5 m, over the mean chord of 2 m
-        (lift, (moment + 0.5 * lift) / 2.0)
+        let [reference_x, reference_chord] = [0.5, 2.0];
+        (lift, (moment + reference_x * lift) / reference_chord)
     };
-    let (lift, moment) = coefficients(&uniform(12));
     // AVL turns the sections by 2 deg and the stream by alpha: the normalwash is the sine of the sum.
     let twist_deg = number(&case["inputs"]["twist_deg"][0]);
     let angle = |alpha_deg: f64| (alpha_deg + twist_deg).to_radians().sin();
