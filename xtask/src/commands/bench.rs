@@ -1,9 +1,106 @@
-//! `bench`: placeholder.
+//! `bench`: time of the main steps, beside the paper's way of doing the same in the same run.
+
+use std::time::{Duration, Instant};
+
+use aero::{MirrorPlane, SteadyAero};
+use calibrate::{Calibration, Campaign, Settings, calibrate};
+use coupling::ElasticWing;
+use serde_json::{Value, json};
 
 use crate::args::{BenchArgs, Common};
+use crate::commands::bench_general;
+use crate::corrections::{campaign_path, wing_path};
 use crate::failure::Failure;
+use crate::output::ResultFolder;
+use crate::show;
+
+/// Each step is run once to warm up and then this often; the median counts.
+const REPEATS: usize = 7;
+/// The general optimiser gets this long for one airspeed.
+const GENERAL: Duration = Duration::from_secs(30);
 
 /// Runs the command.
-pub(crate) fn run(_args: &BenchArgs, _common: &Common) -> Result<(), Failure> {
-    Err(Failure::Computation("bench is not available yet".into()))
+pub(crate) fn run(_args: &BenchArgs, common: &Common) -> Result<(), Failure> {
+    let (file, wing) = ElasticWing::read(&wing_path(None))?;
+    let campaign = Campaign::read(&campaign_path(None))?;
+    let settings = Settings::of_wing(&file.correction);
+    let mut rows = Vec::new();
+    rows.push(row(&format!("vlm_{}_boxes_with_image", wing.lattice.len()), median(|| {
+        SteadyAero::new(&wing.lattice, wing.plane, 0.0).map(drop).map_err(Failure::computation)
+    })?));
+    rows.push(row(&format!("vlm_{}_boxes_free", wing.lattice.len()), median(|| {
+        SteadyAero::new(&wing.lattice, MirrorPlane::None, 0.0).map(drop).map_err(Failure::computation)
+    })?));
+    let calibration = calibrate(&wing, &campaign, &settings)?;
+    let whole = median(|| {
+        let (file, wing) = ElasticWing::read(&wing_path(None))?;
+        calibrate(&wing, &campaign, &Settings::of_wing(&file.correction))?;
+        Ok(())
+    })?;
+    let airspeeds = calibration.airspeeds.len();
+    rows.push(row(&format!("calibrate_{airspeeds}_airspeeds_with_wing_and_aic"), whole));
+    rows.push(general(&wing, &campaign, &settings, &calibration, whole / airspeeds as f64)?);
+    let result = json!({ "command": "bench", "rows": rows, "peak_MB": peak_mb() });
+    let folder = ResultFolder::begin(&common.out("bench"))?;
+    folder.write_json("result.json", &result)?;
+    folder.commit()?;
+    show::summary(common, &summary(&rows));
+    show::json(common, &result)
+}
+
+/// One airspeed by a general optimiser with finite differences (the paper's way), beside ours.
+fn general(
+    wing: &ElasticWing, campaign: &Campaign, settings: &Settings, calibration: &Calibration, ours: f64,
+) -> Result<Value, Failure> {
+    let Some(fastest) = calibration.airspeeds.last() else {
+        return Err(Failure::Computation("the campaign has no airspeed".into()));
+    };
+    let peer = bench_general::fit(wing, &fastest.data, campaign.rho_kg_m3, settings, GENERAL)
+        .map_err(Failure::computation)?;
+    Ok(json!({
+        "name": format!("calibrate_one_airspeed_{}_m_s", fastest.data.v_m_s),
+        "seconds": ours,
+        "objective": fastest.fit.objective[1],
+        "line_floor": fastest.line_floor,
+        "cone_programs": fastest.fit.cone_programs,
+        "peer": "L-BFGS with forward differences of the same model (argmin), stopped after 30 s at most",
+        "peer_seconds": peer.seconds,
+        "peer_simulations": peer.simulations,
+        "peer_objective": peer.objective,
+        "ratio": peer.seconds / ours,
+    }))
+}
+
+fn row(name: &str, seconds: f64) -> Value {
+    json!({ "name": name, "seconds": seconds })
+}
+
+/// Median wall time of a step.
+fn median(mut step: impl FnMut() -> Result<(), Failure>) -> Result<f64, Failure> {
+    step()?;
+    let mut times = Vec::with_capacity(REPEATS);
+    for _ in 0..REPEATS {
+        let start = Instant::now();
+        step()?;
+        times.push(start.elapsed().as_secs_f64());
+    }
+    times.sort_by(f64::total_cmp);
+    Ok(times[REPEATS / 2])
+}
+
+/// Largest memory of this process so far, MB; none where the system does not say.
+fn peak_mb() -> Option<f64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+    line.trim().trim_end_matches(" kB").trim().parse::<f64>().ok().map(|kb| kb / 1024.0)
+}
+
+fn summary(rows: &[Value]) -> String {
+    let mut table = report::Table::new(&["step", "seconds", "peer's seconds", "ratio", "F", "peer's F"]);
+    for row in rows {
+        let number = |key: &str| row[key].as_f64().map_or_else(|| "-".into(), |value| format!("{value:.4}"));
+        let name = row["name"].as_str().unwrap_or_default().to_owned();
+        table.row([name, number("seconds"), number("peer_seconds"), number("ratio"), number("objective"), number("peer_objective")]);
+    }
+    format!("{table}\nMedian of {REPEATS} runs after one to warm up; the peer's is one run.\n")
 }

@@ -1,9 +1,57 @@
-//! `pipeline`: placeholder.
+//! `pipeline`: calibrate the shipped wing, simulate its runs, fly the mirrored aircraft.
 
-use crate::args::{Common, PipelineArgs};
+use std::path::Path;
+use std::time::Instant;
+
+use serde_json::{Map, Value, json};
+
+use crate::args::{CalibrateArgs, Common, FullaircraftArgs, PipelineArgs, SimulateArgs};
+use crate::commands::{calibrate, fullaircraft, simulate};
 use crate::failure::Failure;
+use crate::output::ResultFolder;
+use crate::{paths, show};
 
-/// Runs the command.
-pub(crate) fn run(_args: &PipelineArgs, _common: &Common) -> Result<(), Failure> {
-    Err(Failure::Computation("pipeline is not available yet".into()))
+/// Runs the command: every step writes its own folder below `out` (or below `--out DIR`).
+pub(crate) fn run(_args: &PipelineArgs, common: &Common) -> Result<(), Failure> {
+    let base = common.out.clone().unwrap_or_else(|| paths::in_repository("out"));
+    let start = Instant::now();
+    // With --json the steps say nothing on standard output: their results are gathered at the end.
+    let quiet = common.quiet || common.json;
+    let step = |name: &str| Common { out: Some(base.join(name)), json: false, quiet, ..common.clone() };
+    let heading = |name: &str| {
+        if !quiet {
+            show::summary(common, &format!("== {name}\n"));
+        }
+    };
+    let mut seconds = Map::new();
+    let mut timed = |name: &str, run: &dyn Fn(&Common) -> Result<(), Failure>| -> Result<(), Failure> {
+        heading(name);
+        let from = Instant::now();
+        run(&step(name))?;
+        seconds.insert(name.to_owned(), json!(from.elapsed().as_secs_f64()));
+        Ok(())
+    };
+    timed("calibrate", &|common| calibrate::run(&CalibrateArgs::default(), common))?;
+    let corrections = Some(base.join("calibrate/corrections.ron"));
+    timed("simulate", &|common| {
+        simulate::run(&SimulateArgs { corrections: corrections.clone(), ..Default::default() }, common)
+    })?;
+    timed("fullaircraft", &|common| {
+        fullaircraft::run(&FullaircraftArgs { corrections: corrections.clone(), ..Default::default() }, common)
+    })?;
+    let total = start.elapsed().as_secs_f64();
+    let mut result = json!({ "command": "pipeline", "seconds": total, "steps": seconds });
+    for name in ["calibrate", "simulate", "fullaircraft"] {
+        result[name] = read_result(&base.join(name))?;
+    }
+    let folder = ResultFolder::begin(&base.join("pipeline"))?;
+    folder.write_json("result.json", &result)?;
+    folder.commit()?;
+    show::summary(common, &format!("pipeline done in {total:.1} s; results in {}\n", base.display()));
+    show::json(common, &result)
+}
+
+fn read_result(folder: &Path) -> Result<Value, Failure> {
+    let text = nastran::read_text(&folder.join("result.json"))?;
+    serde_json::from_str(&text).map_err(Failure::computation)
 }

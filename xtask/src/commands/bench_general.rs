@@ -1,0 +1,123 @@
+//! The paper's way of calibrating, on our own model: a general optimiser with finite differences of the simulation
+//! (Fig. 5, S19 and S28). Only `bench` runs it, to be set beside the cone programs.
+//!
+//! The bounds enter as a quadratic penalty, as the optimiser (L-BFGS) knows none.
+
+use std::cell::Cell;
+use std::time::{Duration, Instant};
+
+use aero::Flow;
+use argmin::core::{CostFunction, Error, Executor, Gradient, State};
+use argmin::solver::linesearch::MoreThuenteLineSearch;
+use argmin::solver::quasinewton::LBFGS;
+use calibrate::basis::Basis;
+use calibrate::bounds::{BoundRow, bound_rows};
+use calibrate::objective::{objective, rmse};
+use calibrate::{AirspeedData, Settings};
+use coupling::{ElasticWing, SteadyCase, SteadyModel};
+
+/// Where the general optimiser came to.
+pub(crate) struct GeneralFit {
+    pub(crate) seconds: f64,
+    /// Steady solutions of all angles that it asked for.
+    pub(crate) simulations: usize,
+    pub(crate) objective: f64,
+}
+
+/// Forward difference step, as fmincon's default for values near one.
+const STEP: f64 = 1.5e-8;
+/// Weight of a squared violation of a bound, N.
+const PENALTY: f64 = 1e4;
+
+struct PapersProblem<'a> {
+    wing: &'a ElasticWing,
+    data: &'a AirspeedData,
+    basis: Basis,
+    bounds: Vec<BoundRow>,
+    cases: Vec<SteadyCase>,
+    simulations: Cell<usize>,
+    stop: Instant,
+}
+
+impl PapersProblem<'_> {
+    /// Eq. 8 alone.
+    fn objective(&self, x: &[f64]) -> Result<f64, Error> {
+        self.simulations.set(self.simulations.get() + 1);
+        let loads = self.wing.root_loads(&self.cases, &self.basis.corrections(x))?;
+        let residuals: Vec<[f64; 3]> = loads
+            .iter()
+            .zip(&self.data.angles)
+            .map(|(load, angle)| std::array::from_fn(|c| load.to_array()[c] - angle.loads[c]))
+            .collect();
+        Ok(objective(rmse(&residuals, [true; 3]), [1.0; 3]))
+    }
+}
+
+impl CostFunction for PapersProblem<'_> {
+    type Param = Vec<f64>;
+    type Output = f64;
+
+    fn cost(&self, x: &Vec<f64>) -> Result<f64, Error> {
+        if Instant::now() > self.stop {
+            return Err(Error::msg("time is up"));
+        }
+        let broken: f64 = self.bounds.iter().map(|row| (row.value(x) - row.limit).max(0.0).powi(2)).sum();
+        Ok(self.objective(x)? + PENALTY * broken)
+    }
+}
+
+impl Gradient for PapersProblem<'_> {
+    type Param = Vec<f64>;
+    type Gradient = Vec<f64>;
+
+    fn gradient(&self, x: &Vec<f64>) -> Result<Vec<f64>, Error> {
+        let here = self.cost(x)?;
+        let mut moved = x.clone();
+        (0..x.len())
+            .map(|k| {
+                let step = STEP * x[k].abs().max(1.0);
+                moved[k] = x[k] + step;
+                let slope = (self.cost(&moved)? - here) / step;
+                moved[k] = x[k];
+                Ok(slope)
+            })
+            .collect()
+    }
+}
+
+/// Fits one airspeed until the optimiser stops or the time is up; what was best counts.
+pub(crate) fn fit(
+    wing: &ElasticWing, data: &AirspeedData, rho_kg_m3: f64, settings: &Settings, most: Duration,
+) -> Result<GeneralFit, Error> {
+    let start = Instant::now();
+    let boxes = &wing.correctable;
+    let basis = Basis::new(boxes, settings.chord_strips, settings.span_order);
+    let flow = Flow { v_m_s: data.v_m_s, rho_kg_m3 };
+    let mut x = basis.neutral();
+    let mut simulations = 0;
+    let mut reached = f64::INFINITY;
+    // argmin returns nothing when a cost fails, so the search runs in short legs from the best point so far.
+    while start.elapsed() < most {
+        let problem = PapersProblem {
+            wing,
+            data,
+            bounds: bound_rows(&basis, boxes, settings.neighbour_bound, settings.least_factor),
+            basis: basis.clone(),
+            cases: data.angles.iter().map(|angle| SteadyCase::new(flow, angle.alpha_rad)).collect(),
+            simulations: Cell::new(0),
+            stop: start + 2 * most,
+        };
+        let solver = LBFGS::new(MoreThuenteLineSearch::new(), 10);
+        let run = Executor::new(problem, solver).configure(|state| state.param(x.clone()).max_iters(5)).run();
+        let Ok(mut end) = run else { break };
+        simulations += end.problem.problem.as_ref().map_or(0, |problem| problem.simulations.get());
+        let cost = end.state.get_best_cost();
+        let Some(best) = end.state.take_best_param() else { break };
+        let progress = cost < reached * (1.0 - 1e-4);
+        (x, reached) = (best, cost.min(reached));
+        if !progress {
+            break;
+        }
+    }
+    Ok(GeneralFit { seconds: start.elapsed().as_secs_f64(), simulations, objective: reached })
+}
