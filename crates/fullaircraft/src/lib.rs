@@ -1,1 +1,29 @@
 #![doc = include_str!("../README.md")]
+
+pub mod aircraft;
+pub mod aircraft_file;
+mod beam;
+pub mod cards;
+mod closing;
+pub mod error;
+pub mod flight;
+pub mod free_modes;
+mod fuselage;
+pub mod history;
+pub mod mirror;
+pub mod numbers;
+pub mod results;
+pub mod shape;
+mod stepping;
+mod tail;
+pub mod trim;
+pub mod vtu;
+
+pub use aircraft::{Aircraft, WingPlaces};
+pub use aircraft_file::{AircraftFile, FlightPoint, Surfaces};
+pub use error::AircraftError;
+pub use flight::FreeFlight;
+pub use free_modes::FreeModes;
+pub use history::FlightHistory;
+pub use results::{Comparison, Summary};
+pub use trim::{FlightModel, Trimmed};

@@ -1,0 +1,339 @@
+//! The RON file that describes an aircraft: which wing, what stands around it, what it weighs and what it flies.
+
+use nastran::{InputError, Span, ron_file};
+use serde::{Deserialize, Serialize};
+use std::path::{Path, PathBuf};
+
+/// An aircraft as its file describes it; angles in degrees as in the file.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename = "Aircraft")]
+pub struct AircraftFile {
+    /// What reports call it.
+    pub name: String,
+    /// The wing's file, relative to this one.
+    pub wing: String,
+    /// Airspeed whose corrections all flight points use, m/s.
+    pub correction_airspeed_m_s: f64,
+    /// Air density, kg/m3.
+    pub rho_kg_m3: f64,
+    /// What is in the flow.
+    pub surfaces: Surfaces,
+    /// Mass properties of the whole.
+    pub total: Total,
+    /// Fuselage.
+    pub fuselage: Fuselage,
+    /// Right half of the horizontal tail.
+    pub htp: TailSurface,
+    /// Vertical tail.
+    pub vtp: TailSurface,
+    /// Steady flight, where dynamic maneuvers start.
+    pub trim: FlightPoint,
+    /// Steady pull-up.
+    pub pull_up: FlightPoint,
+    /// Steady push-down.
+    pub push_down: FlightPoint,
+    /// Aileron doublet.
+    pub doublet: Doublet,
+    /// Aileron chirp.
+    pub chirp: Chirp,
+    /// Second-order actuators.
+    pub actuator: Actuator,
+    /// Highest frequency of elastic modes in dynamic maneuvers, Hz.
+    pub modes_up_to_hz: f64,
+    /// The file as it was named when read.
+    #[serde(skip)]
+    pub path: PathBuf,
+}
+
+/// What is in the flow; the structure is the same in both cases.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Surfaces {
+    /// Wings, tail and fuselage: alpha and elevator balance lift and pitching moment.
+    All,
+    /// Wings alone: alpha balances the lift, the pitching moment stays unbalanced.
+    WingsOnly,
+}
+
+/// Mass properties of the whole aircraft.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Total {
+    /// Mass, kg.
+    pub mass_kg: f64,
+    /// x of the centre of gravity, m; its y and z are zero.
+    pub x_cg_m: f64,
+    /// About x through the centre of gravity, kg m2.
+    pub ixx_kg_m2: f64,
+    /// About y through the centre of gravity, kg m2.
+    pub iyy_kg_m2: f64,
+    /// About z through the centre of gravity, kg m2.
+    pub izz_kg_m2: f64,
+}
+
+/// A beam of round section: equally stiff both ways.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RoundBeam {
+    /// Bending stiffness, N m2.
+    pub ei_nm2: f64,
+    /// Torsional stiffness, N m2.
+    pub gj_nm2: f64,
+    /// Mass per length, kg/m.
+    pub mass_kg_m: f64,
+}
+
+/// A tube along x at y = z = 0, a cruciform of boxes in the flow.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Fuselage {
+    /// Nose and tail end, m.
+    pub x_m: (f64, f64),
+    /// Where the wing interrupts the boxes, m.
+    pub gap_x_m: (f64, f64),
+    /// Height of the vertical arm, m.
+    pub height_m: f64,
+    /// Half the width of the horizontal arm, counted in strips of the wing.
+    pub half_width_wing_strips: usize,
+    /// Boxes along x.
+    pub boxes: FuselageBoxes,
+    /// The tube.
+    pub beam: RoundBeam,
+}
+
+/// Boxes along x in each of the two strips of an arm.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FuselageBoxes {
+    /// From the nose to the gap.
+    pub ahead: u32,
+    /// From the gap to the tail end.
+    pub behind: u32,
+}
+
+/// A trapezoidal surface: half a horizontal tail (along +y) or a vertical tail (along +z).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TailSurface {
+    /// Leading edge of the root, m.
+    pub root_leading_edge_m: (f64, f64, f64),
+    /// From root to tip, m.
+    pub span_m: f64,
+    /// Chord at the root, m.
+    pub root_chord_m: f64,
+    /// Chord at the tip, m.
+    pub tip_chord_m: f64,
+    /// Sweep of the leading edge, aft positive.
+    pub leading_edge_sweep_deg: f64,
+    /// Numbers of boxes.
+    pub boxes: TailBoxes,
+    /// The control surface, over the whole span.
+    pub control: TailControl,
+    /// Along the quarter chord.
+    pub beam: RoundBeam,
+}
+
+/// Boxes of a tail surface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TailBoxes {
+    /// Along the chord.
+    pub chordwise: u32,
+    /// Along the span.
+    pub spanwise: u32,
+}
+
+/// Elevator or rudder.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TailControl {
+    /// Its name.
+    pub name: String,
+    /// Boxes of a strip that belong to it, counted from the trailing edge.
+    pub chord_boxes: u32,
+    /// Their share of the chord: boxes before and behind the hinge have different lengths.
+    pub chord_share: f64,
+}
+
+/// A steady point of flight.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FlightPoint {
+    /// Airspeed, m/s.
+    #[serde(rename = "V_m_s")]
+    pub v_m_s: f64,
+    /// Lift over weight.
+    pub load_factor: f64,
+    /// Nose up, deg/s.
+    pub pitch_rate_deg_s: f64,
+}
+
+/// One period of a square wave: first up, then down.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Doublet {
+    /// Name of the wing's control surface.
+    pub control: String,
+    /// Deflection, deg.
+    pub amplitude_deg: f64,
+    /// One over the period, Hz.
+    pub frequency_hz: f64,
+    /// When it starts, s.
+    pub start_s: f64,
+    /// Length of the time history, s.
+    pub duration_s: f64,
+}
+
+/// A sine whose frequency rises linearly.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Chirp {
+    /// Name of the wing's control surface.
+    pub control: String,
+    /// Deflection, deg.
+    pub amplitude_deg: f64,
+    /// At the start, Hz.
+    pub from_hz: f64,
+    /// At the end, Hz.
+    pub to_hz: f64,
+    /// Length, s.
+    pub duration_s: f64,
+}
+
+/// An actuator of second order.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Actuator {
+    /// Natural frequency, Hz.
+    pub frequency_hz: f64,
+    /// Share of critical damping.
+    pub damping_ratio: f64,
+}
+
+impl AircraftFile {
+    /// Reads and checks an aircraft's file; the wing's is not read.
+    ///
+    /// # Errors
+    /// If it cannot be read or a number makes no sense.
+    pub fn read(path: &Path) -> Result<Self, InputError> {
+        let mut file: Self = ron_file::read(path)?;
+        file.path = path.to_path_buf();
+        file.check()?;
+        Ok(file)
+    }
+
+    /// Where the wing's file is.
+    pub fn wing_path(&self) -> PathBuf {
+        self.path.parent().unwrap_or_else(|| Path::new("")).join(&self.wing)
+    }
+
+    /// The file as the place of cards made from it.
+    pub fn span(&self) -> Span {
+        Span::whole_file(&self.path)
+    }
+
+    fn check(&self) -> Result<(), InputError> {
+        let positive = [
+            ("correction_airspeed_m_s", self.correction_airspeed_m_s),
+            ("rho_kg_m3", self.rho_kg_m3),
+            ("total.mass_kg", self.total.mass_kg),
+            ("total.ixx_kg_m2", self.total.ixx_kg_m2),
+            ("total.iyy_kg_m2", self.total.iyy_kg_m2),
+            ("total.izz_kg_m2", self.total.izz_kg_m2),
+            ("fuselage.height_m", self.fuselage.height_m),
+            ("trim.V_m_s", self.trim.v_m_s),
+            ("pull_up.V_m_s", self.pull_up.v_m_s),
+            ("push_down.V_m_s", self.push_down.v_m_s),
+            ("doublet.frequency_hz", self.doublet.frequency_hz),
+            ("actuator.frequency_hz", self.actuator.frequency_hz),
+            ("actuator.damping_ratio", self.actuator.damping_ratio),
+            ("modes_up_to_hz", self.modes_up_to_hz),
+        ];
+        let finite = [
+            ("total.x_cg_m", self.total.x_cg_m),
+            ("trim.load_factor", self.trim.load_factor),
+            ("trim.pitch_rate_deg_s", self.trim.pitch_rate_deg_s),
+            ("pull_up.load_factor", self.pull_up.load_factor),
+            ("pull_up.pitch_rate_deg_s", self.pull_up.pitch_rate_deg_s),
+            ("push_down.load_factor", self.push_down.load_factor),
+            ("push_down.pitch_rate_deg_s", self.push_down.pitch_rate_deg_s),
+            ("doublet.amplitude_deg", self.doublet.amplitude_deg),
+            ("chirp.amplitude_deg", self.chirp.amplitude_deg),
+            ("chirp.from_hz", self.chirp.from_hz),
+            ("chirp.to_hz", self.chirp.to_hz),
+        ];
+        self.refuse(&positive, |value| value.is_finite() && value > 0.0, "a number above zero")?;
+        self.refuse(&finite, f64::is_finite, "a finite number")?;
+        let history = |value: f64| (0.0..=600.0).contains(&value);
+        let durations = [
+            ("doublet.start_s", self.doublet.start_s),
+            ("doublet.duration_s", self.doublet.duration_s),
+            ("chirp.duration_s", self.chirp.duration_s),
+        ];
+        self.refuse(&durations, history, "0 to 600 s")?;
+        self.fuselage
+            .check()
+            .and(self.htp.check("htp"))
+            .and(self.vtp.check("vtp"))
+            .map_err(|message| InputError::in_file(&self.path, message))
+    }
+
+    fn refuse(
+        &self,
+        values: &[(&str, f64)],
+        fits: impl Fn(f64) -> bool,
+        what: &str,
+    ) -> Result<(), InputError> {
+        match values.iter().find(|(_, value)| !fits(*value)) {
+            None => Ok(()),
+            Some((name, value)) => {
+                Err(InputError::in_file(&self.path, format!("{name} is {value}, expected {what}")))
+            }
+        }
+    }
+}
+
+impl RoundBeam {
+    fn check(&self, part: &str) -> Result<(), String> {
+        let fits = |value: f64| value.is_finite() && value > 0.0;
+        if fits(self.ei_nm2) && fits(self.gj_nm2) && fits(self.mass_kg_m) {
+            return Ok(());
+        }
+        Err(format!("{part}.beam needs stiffnesses and a mass above zero"))
+    }
+}
+
+impl Fuselage {
+    fn check(&self) -> Result<(), String> {
+        let places = [self.x_m.0, self.gap_x_m.0, self.gap_x_m.1, self.x_m.1];
+        if !places.windows(2).all(|pair| pair[0] < pair[1]) || !places.iter().all(|x| x.is_finite()) {
+            return Err("fuselage: x_m and gap_x_m must follow each other as nose, gap, tail end".to_owned());
+        }
+        if self.half_width_wing_strips == 0 || self.boxes.ahead == 0 || self.boxes.behind == 0 {
+            return Err("fuselage: strips and boxes must be at least one".to_owned());
+        }
+        self.beam.check("fuselage")
+    }
+}
+
+impl TailSurface {
+    fn check(&self, part: &str) -> Result<(), String> {
+        let fits = |value: f64| value.is_finite() && value > 0.0;
+        let (x, y, z) = self.root_leading_edge_m;
+        if !(fits(self.span_m) && fits(self.root_chord_m) && fits(self.tip_chord_m)) {
+            return Err(format!("{part}: span and chords must be above zero"));
+        }
+        if ![x, y, z].iter().all(|value| value.is_finite()) || self.leading_edge_sweep_deg.abs() > 75.0 {
+            return Err(format!("{part}: the root must have a place, and the sweep be within 75 deg"));
+        }
+        let (boxes, control) = (&self.boxes, &self.control);
+        let most = 1..=200;
+        if !most.contains(&boxes.chordwise) || !most.contains(&boxes.spanwise) {
+            return Err(format!("{part}: boxes must be 1 to 200 each way"));
+        }
+        let inside = (0.0..1.0).contains(&control.chord_share) && control.chord_share > 0.0;
+        if control.chord_boxes == 0 || control.chord_boxes >= boxes.chordwise || !inside {
+            return Err(format!("{part}: the control needs some, but not all, of the chord and its boxes"));
+        }
+        self.beam.check(part)
+    }
+}

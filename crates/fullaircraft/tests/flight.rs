@@ -1,0 +1,72 @@
+//! Dynamic maneuvers: laws that any aircraft obeys, and the size of the answer to a doublet.
+
+mod common;
+
+use common::{assert_near, whole};
+use fullaircraft::{FlightHistory, FreeFlight, FreeModes};
+
+#[test]
+fn without_input_nothing_moves() {
+    let (aircraft, model) = (whole(), whole().uncorrected());
+    let trimmed = model.trim("trim", &aircraft.file.trim).unwrap();
+    let modes = FreeModes::new(aircraft).unwrap();
+    let history = FreeFlight::new(&model, &modes, &trimmed, "outer").unwrap().fly(&[0.0; 200]);
+    assert!(
+        history
+            .tip_acceleration_m_s2
+            .iter()
+            .chain(history.tip_rates_deg_s.iter().flatten())
+            .all(|v| *v == 0.0)
+    );
+    assert!(history.alpha_deg.iter().all(|alpha| *alpha == trimmed.alpha_rad.to_degrees()));
+    assert!(history.root_right[0].iter().all(|fz| *fz == trimmed.root_loads[0].fz_n));
+    // The accelerometer sits a little inboard of the tip.
+    let tip_m = trimmed.tip_deflection_m[0];
+    assert!(history.tip_deflection_m[0] > 0.9 * tip_m && history.tip_deflection_m[0] < tip_m);
+}
+
+#[test]
+fn an_antisymmetric_doublet_rolls_the_aircraft_and_leaves_symmetric_motion_alone() {
+    let (aircraft, model) = (whole(), whole().uncorrected());
+    let trimmed = model.trim("trim", &aircraft.file.trim).unwrap();
+    let modes = FreeModes::new(aircraft).unwrap();
+    let flight = FreeFlight::new(&model, &modes, &trimmed, &aircraft.file.doublet.control).unwrap();
+    let history = flight.doublet(&aircraft.file.doublet);
+    let change = |values: &[f64]| values.iter().map(|v| v - values[0]).collect::<Vec<f64>>();
+    assert!(FlightHistory::peak(&change(&history.alpha_deg)) < 1e-6);
+    let (right, left) = (change(&history.root_right[0]), change(&history.root_left[0]));
+    let size = FlightHistory::peak(&right);
+    assert!(size > 1.0 && right.iter().zip(&left).all(|(r, l)| (r + l).abs() < 1e-6 * size));
+    // Right trailing edge down first: the right wing goes up, a negative roll rate.
+    let early = history.t_s.iter().position(|t| *t > 0.13).unwrap();
+    assert!(history.aileron_deg[early] > 5.0 && history.tip_rates_deg_s[0][early] < -1.0);
+    assert_near("largest aileron", FlightHistory::peak(&history.aileron_deg), 10.0, 0.10);
+    let last = history.t_s.len() - 1;
+    assert!(history.aileron_deg[last].abs() < 1e-3 && history.tip_acceleration_m_s2[last].abs() < 0.1);
+}
+
+#[test]
+fn a_steady_aileron_gives_the_roll_rate_at_which_roll_damping_balances_it() {
+    // After the transient the rolling moment of the ailerons and that of the roll rate cancel: no acceleration, and
+    // with it no inertia in the root loads, while the roll rate stays.
+    let (aircraft, model) = (whole(), whole().uncorrected());
+    let trimmed = model.trim("trim", &aircraft.file.trim).unwrap();
+    let modes = FreeModes::new(aircraft).unwrap();
+    let flight = FreeFlight::new(&model, &modes, &trimmed, "outer").unwrap();
+    let history = flight.fly(&vec![0.02; 600]);
+    let (k, roll) = (599, &history.tip_rates_deg_s[0]);
+    assert!(roll[k] < 0.0, "right wing up: {}", roll[k]);
+    let per_s = (roll[k] - roll[k - 100]).abs() / roll[k].abs() / 0.2;
+    assert!(per_s < 0.2, "the roll rate still changes by {per_s} of itself per second");
+    let twice = flight.fly(&vec![0.04; 600]);
+    assert_near("linearity", twice.tip_rates_deg_s[0][k], 2.0 * roll[k], 1e-9);
+}
+
+#[test]
+fn a_control_that_is_not_there_is_named_with_those_that_are() {
+    let (aircraft, model) = (whole(), whole().uncorrected());
+    let trimmed = model.trim("trim", &aircraft.file.trim).unwrap();
+    let modes = FreeModes::new(aircraft).unwrap();
+    let error = FreeFlight::new(&model, &modes, &trimmed, "outr").unwrap_err().to_string();
+    assert!(error.contains("outr") && error.contains("L_outer"), "{error}");
+}
