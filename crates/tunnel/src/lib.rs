@@ -1,1 +1,23 @@
 #![doc = include_str!("../README.md")]
+
+mod campaign;
+mod comparison;
+mod curvature;
+mod file;
+mod noise;
+mod polars;
+mod readme;
+mod sections;
+mod statics;
+mod structure;
+mod truth;
+
+pub use campaign::{Campaign, campaign};
+pub use comparison::{AirspeedComparison, ChannelComparison, FlightState, HalfWingFlight, compare};
+pub use file::{
+    AirspeedSections, BeamChange, Blocks, ChannelNoise, Corners, Mesh, Noise, Sections, Statics,
+    TruthSettings, TunnelFile,
+};
+pub use readme::{Found, Story, readme};
+pub use statics::StaticRow;
+pub use truth::{TrueState, Truth, TunnelError};

@@ -43,8 +43,7 @@ pub(crate) fn run(args: &TunnelArgs, common: &Common) -> Result<(), Failure> {
     let found: Vec<Found> = calibration.airspeeds.iter().map(|airspeed| found(&model, airspeed)).collect();
     let flight = flight(&truth, &calibration)?;
     let file_name = shown(&path);
-    let story =
-        Story { tunnel: &file, file_name, seed, comparison: &comparison, found: &found, flight };
+    let story = Story { tunnel: &file, file_name, seed, comparison: &comparison, found: &found, flight };
     folder.write_text("README.md", &tunnel::readme(&story))?;
     let result = result(&story, campaign.rows.len());
     folder.write_json("result.json", &result)?;
@@ -95,7 +94,8 @@ fn found(model: &ElasticWing, airspeed: &AirspeedCalibration) -> Found {
 /// The half wing in flight without corrections and with those of the highest airspeed.
 fn flight(truth: &Truth, calibration: &Calibration) -> Result<[[FlightState; 2]; 3], Failure> {
     let mut wing = HalfWingFlight::new(&truth.baseline_file, HALF_MASS_KG, truth.rho_kg_m3)?;
-    let fastest = calibration.airspeeds.last().ok_or_else(|| Failure::computation("no airspeed was measured"))?;
+    let fastest =
+        calibration.airspeeds.last().ok_or_else(|| Failure::computation("no airspeed was measured"))?;
     let neutral = aero::Corrections::neutral(fastest.corrections.len());
     let mut fly = |(v_m_s, load_factor): (f64, f64)| {
         let before = wing.trimmed(v_m_s, load_factor, &neutral)?;
@@ -132,7 +132,9 @@ fn result(story: &Story<'_>, rows: usize) -> Value {
 
 fn summary(story: &Story<'_>, out: &Path, seconds: f64) -> String {
     let mut text = format!("{} (seed {}; not measurements)\n", story.tunnel.name, story.seed);
-    text.push_str("  V m/s   error of the uncorrected model: Fz    Mx    My      Eq. 8 before    after    line\n");
+    text.push_str(
+        "  V m/s   error of the uncorrected model: Fz    Mx    My      Eq. 8 before    after    line\n",
+    );
     for (row, found) in story.comparison.iter().zip(story.found) {
         let [fz, mx, my] = row.channels.map(|channel| 100.0 * channel.relative_error);
         let _ = writeln!(

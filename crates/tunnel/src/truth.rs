@@ -1,0 +1,177 @@
+//! The true wing: the wing file's planform with another lattice, another beam and real sections.
+
+use crate::curvature;
+use crate::file::{Mesh, TunnelFile};
+use crate::sections::SectionModel;
+use crate::structure::change_beam;
+use aero::{Corrections, Flow};
+use coupling::planform::Planform;
+use coupling::wing_file::Source;
+use coupling::{CouplingError, ElasticWing, Mount, RootLoads, SteadyCase, WingFile};
+use nastran::InputError;
+
+/// Why the tunnel could not measure.
+#[derive(Debug, thiserror::Error)]
+pub enum TunnelError {
+    /// A file is wrong.
+    #[error(transparent)]
+    Input(#[from] InputError),
+    /// The true wing cannot be solved.
+    #[error(transparent)]
+    Wing(#[from] CouplingError),
+    /// The sections' curvature did not settle.
+    #[error(
+        "the sections at {v_m_s} m/s and {alpha_deg} degrees do not settle: the last step was {step:.1e} rad"
+    )]
+    Unsettled {
+        /// Airspeed.
+        v_m_s: f64,
+        /// Angle of attack.
+        alpha_deg: f64,
+        /// Largest change of a section's incidence in the last step, rad.
+        step: f64,
+    },
+}
+
+/// What the balance and the tip would show without noise.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TrueState {
+    /// Root loads.
+    pub loads: RootLoads,
+    /// Height of the tip above its wind-off place at alpha = 0, m.
+    pub tip_z_m: f64,
+}
+
+/// The wing in the tunnel.
+#[derive(Debug)]
+pub struct Truth {
+    /// File of the wing as it is modelled by those who calibrate.
+    pub baseline_file: WingFile,
+    /// The wing file with the truth's lattice, beam and damping.
+    pub file: WingFile,
+    /// Lattice and structure.
+    pub wing: ElasticWing,
+    /// Air density, kg/m³.
+    pub rho_kg_m3: f64,
+    sections: Option<SectionModel>,
+    curvature: bool,
+}
+
+impl Truth {
+    /// Builds the true wing.
+    ///
+    /// # Errors
+    /// Bad files, strips that do not fit the control surfaces, a wing that is no parametric one.
+    pub fn build(tunnel: &TunnelFile) -> Result<Self, TunnelError> {
+        let baseline_file = WingFile::read(&tunnel.beside(&tunnel.wing))?;
+        let mut file = baseline_file.clone();
+        let Source::Parametric(planform) = &mut file.source else {
+            return Err(InputError::in_file(
+                &tunnel.path,
+                "the wing is a deck; the tunnel needs a parametric wing",
+            )
+            .with_help("give a wing file with `source: Parametric(...)`")
+            .into());
+        };
+        if let Some(mesh) = &tunnel.truth.mesh {
+            remesh(planform, mesh).map_err(|message| InputError::in_file(&tunnel.path, message))?;
+        }
+        if let (Some(structure), Some(beam)) = (&mut planform.structure, &tunnel.truth.beam) {
+            structure.elements = beam.elements;
+            file.damping_ratio = beam.damping_ratio;
+        }
+        let mut bulk = file.bulk(Mount::Tunnel)?;
+        if let (Some(planform), Some(beam)) = (file.planform(), &tunnel.truth.beam) {
+            change_beam(&mut bulk, planform, beam);
+        }
+        let wing = ElasticWing::from_bulk(&file, &bulk)?;
+        let sections = match (&tunnel.truth.sections, file.planform()) {
+            (Some(sections), Some(planform)) => Some(SectionModel::new(
+                sections,
+                &tunnel.beside(&sections.polars),
+                &wing,
+                planform.mean_chord_m(),
+            )?),
+            _ => None,
+        };
+        Ok(Self {
+            baseline_file,
+            file,
+            wing,
+            rho_kg_m3: tunnel.rho_kg_m3,
+            sections,
+            curvature: tunnel.curvature,
+        })
+    }
+
+    /// What the sections do at an airspeed, as factors and offsets of the true lattice's own boxes (curvature not
+    /// included: it is no property of an airspeed alone).
+    pub fn corrections(&self, v_m_s: f64) -> Corrections {
+        match &self.sections {
+            None => Corrections::neutral(self.wing.correctable.len()),
+            Some(sections) => sections.corrections(&self.wing, v_m_s),
+        }
+    }
+
+    /// The wing at an airspeed (zero: weight only) and several angles.
+    ///
+    /// # Errors
+    /// Beyond divergence, or if sections with curvature do not settle.
+    pub fn states(&self, v_m_s: f64, alphas_rad: &[f64]) -> Result<Vec<TrueState>, TunnelError> {
+        let flow = Flow { v_m_s, rho_kg_m3: self.rho_kg_m3 };
+        let corrections = self.corrections(v_m_s);
+        let cases: Vec<SteadyCase> = alphas_rad.iter().map(|&alpha| SteadyCase::new(flow, alpha)).collect();
+        if let (true, true, Some(sections)) = (self.curvature, v_m_s > 0.0, &self.sections) {
+            let solve = |case| curvature::solve(&self.wing, sections, &corrections, case);
+            return cases.iter().map(solve).collect();
+        }
+        let states = self.wing.at(flow, &corrections)?.solve(&cases);
+        Ok(states.iter().map(|state| TrueState { loads: state.root, tip_z_m: state.tip_z_m }).collect())
+    }
+}
+
+/// Another lattice on the same planform; control surfaces keep their place.
+fn remesh(planform: &mut Planform, mesh: &Mesh) -> Result<(), String> {
+    let edges_m = planform.strip_edges_m();
+    let of_controls = |first: usize, last: usize| [edges_m[first - 1], edges_m[last]];
+    let mut marks_m = vec![0.0, planform.semispan_m];
+    marks_m
+        .extend(planform.controls.iter().flat_map(|control| of_controls(control.strips.0, control.strips.1)));
+    marks_m.sort_by(f64::total_cmp);
+    marks_m.dedup_by(|a, b| (*a - *b).abs() < 1e-9 * planform.semispan_m);
+    if mesh.strips.len() + 1 != marks_m.len() || mesh.strips.contains(&0) {
+        return Err(format!(
+            "strips has {} numbers, expected {} above zero",
+            mesh.strips.len(),
+            marks_m.len() - 1
+        ));
+    }
+    let mut fractions = vec![0.0];
+    for (ends, &count) in marks_m.windows(2).zip(&mesh.strips) {
+        let at = |i: usize| (ends[0] + (ends[1] - ends[0]) * i as f64 / count as f64) / planform.semispan_m;
+        fractions.extend((1..=count).map(at));
+    }
+    if let Some(last) = fractions.last_mut() {
+        *last = 1.0;
+    }
+    let strip_at = |y_m: f64| fractions.iter().filter(|f| **f * planform.semispan_m < y_m - 1e-9).count();
+    for control in &mut planform.controls {
+        let [from_m, to_m] = of_controls(control.strips.0, control.strips.1);
+        control.strips = (strip_at(from_m) + 1, strip_at(to_m));
+        let boxes = control.chord_boxes * mesh.chordwise;
+        if boxes % planform.boxes.chordwise != 0 {
+            return Err(format!(
+                "with {} boxes along the chord the hinge of {} is on no edge",
+                mesh.chordwise, control.name
+            ));
+        }
+        control.chord_boxes = boxes / planform.boxes.chordwise;
+    }
+    planform.boxes.chordwise = mesh.chordwise;
+    planform.boxes.spanwise = fractions.len() - 1;
+    planform.boxes.strip_edges = Some(fractions);
+    if let Some(fairing) = &mut planform.fairing {
+        fairing.strips = mesh.fairing_strips;
+    }
+    Ok(())
+}
