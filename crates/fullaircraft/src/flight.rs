@@ -91,6 +91,23 @@ impl<'a> FreeFlight<'a> {
         Ok(Self { aircraft, trimmed, a, b, outputs })
     }
 
+    /// Growth rate of the fastest growing motion without input, 1/s: the largest real part of the eigenvalues;
+    /// `None` if they do not converge. Rigid motions that neither grow nor decay count as zero, and come out as
+    /// a little more than that because their eigenvalue is a multiple one.
+    pub fn growth_rate_per_s(&self) -> Option<f64> {
+        let values = self.a.eigenvalues().ok()?;
+        Some(values.iter().map(|value| value.re).fold(f64::NEG_INFINITY, f64::max))
+    }
+
+    /// A sentence if a motion doubles within `duration_s` without any input: rounding errors then grow, too.
+    pub fn warning(&self, name: &str, duration_s: f64) -> Option<String> {
+        let rate = self.growth_rate_per_s()?;
+        (rate * duration_s > std::f64::consts::LN_2).then(|| {
+            let doubling_s = std::f64::consts::LN_2 / rate;
+            format!("{name}: the free aircraft is unstable, a motion doubles in {doubling_s:.2} s")
+        })
+    }
+
     /// The doublet of the aircraft's file.
     pub fn doublet(&self, doublet: &Doublet) -> FlightHistory {
         let half_s = 0.5 / doublet.frequency_hz;

@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 pub mod aircraft;
+mod aircraft_check;
 pub mod aircraft_file;
 mod beam;
 pub mod cards;

@@ -22,6 +22,8 @@ pub struct Flown {
     pub doublet: FlightHistory,
     /// Aileron chirp from `trim`.
     pub chirp: FlightHistory,
+    /// What to be wary of in the dynamic maneuvers.
+    pub warnings: Vec<String>,
 }
 
 /// Both models.
@@ -120,7 +122,11 @@ impl Aircraft {
         let modes = FreeModes::new(self)?;
         let initial = self.uncorrected().fly_all(&modes)?;
         let updated = self.with_corrections(wing)?.fly_all(&modes)?;
-        Ok(Comparison { initial, updated, frequencies_hz: modes.frequencies_hz(), warnings: self.warnings() })
+        let mut warnings = self.warnings();
+        for (model, flown) in [("initial", &initial), ("updated", &updated)] {
+            warnings.extend(flown.warnings.iter().map(|warning| format!("{model}, {warning}")));
+        }
+        Ok(Comparison { initial, updated, frequencies_hz: modes.frequencies_hz(), warnings })
     }
 
     /// Sentences about flight points that contradict themselves.
@@ -139,14 +145,19 @@ impl FlightModel<'_> {
     pub fn fly_all(&self, modes: &FreeModes) -> Result<Flown, AircraftError> {
         let file = &self.aircraft.file;
         let trim = self.trim("trim", &file.trim)?;
-        let doublet = FreeFlight::new(self, modes, &trim, &file.doublet.control)?.doublet(&file.doublet);
-        let chirp = FreeFlight::new(self, modes, &trim, &file.chirp.control)?.chirp(&file.chirp);
+        let doublet = FreeFlight::new(self, modes, &trim, &file.doublet.control)?;
+        let chirp = FreeFlight::new(self, modes, &trim, &file.chirp.control)?;
+        let warnings = [
+            doublet.warning("doublet", file.doublet.duration_s),
+            chirp.warning("chirp", file.chirp.duration_s),
+        ];
         Ok(Flown {
+            warnings: warnings.into_iter().flatten().collect(),
+            doublet: doublet.doublet(&file.doublet),
+            chirp: chirp.chirp(&file.chirp),
             pull_up: self.trim("pull_up", &file.pull_up)?,
             push_down: self.trim("push_down", &file.push_down)?,
             trim,
-            doublet,
-            chirp,
         })
     }
 }

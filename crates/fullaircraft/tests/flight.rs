@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{assert_near, whole};
+use common::{assert_near, whole, wings};
 use fullaircraft::{FlightHistory, FreeFlight, FreeModes};
 
 #[test]
@@ -69,4 +69,23 @@ fn a_control_that_is_not_there_is_named_with_those_that_are() {
     let modes = FreeModes::new(aircraft).unwrap();
     let error = FreeFlight::new(&model, &modes, &trimmed, "outr").unwrap_err().to_string();
     assert!(error.contains("outr") && error.contains("L_outer"), "{error}");
+}
+
+#[test]
+fn the_tail_makes_the_aircraft_stable() {
+    // The centre of gravity (0.40 m) lies behind the aerodynamic centre of the wings (0.368 m, independent program), so
+    // wings alone must diverge in pitch within a second or so; the tail is sized to prevent that.
+    let growth = |aircraft: &fullaircraft::Aircraft| {
+        let model = aircraft.uncorrected();
+        let trimmed = model.trim("trim", &aircraft.file.trim).unwrap();
+        let modes = FreeModes::new(aircraft).unwrap();
+        let flight = FreeFlight::new(&model, &modes, &trimmed, "outer").unwrap();
+        (flight.growth_rate_per_s().unwrap(), flight.warning("doublet", 2.0))
+    };
+    let (alone, warning) = growth(wings());
+    assert!(alone > 1.0, "{alone}");
+    assert!(warning.unwrap().contains("unstable"));
+    let (whole, warning) = growth(whole());
+    assert!(whole < 0.1 * alone, "{whole}");
+    assert_eq!(warning, None);
 }

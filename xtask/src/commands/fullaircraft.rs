@@ -1,9 +1,120 @@
-//! `fullaircraft`: placeholder.
+//! `fullaircraft`: trim, pull-up, push-down, chirp and doublet of the full aircraft, initial beside updated model.
+
+use std::path::PathBuf;
+use std::time::Instant;
+
+use calibrate::Outside;
+use fullaircraft::{Aircraft, AircraftError, AircraftFile, Comparison, Summary};
 
 use crate::args::{Common, FullaircraftArgs};
+use crate::commands::fullaircraft_figures as figures;
+use crate::corrections::corrected_wing;
 use crate::failure::Failure;
+use crate::output::ResultFolder;
+use crate::{paths, show};
+
+impl From<AircraftError> for Failure {
+    fn from(error: AircraftError) -> Self {
+        match error {
+            AircraftError::Input(input) => Self::Input(input),
+            AircraftError::Coupling(coupling) => coupling.into(),
+            other => Self::computation(other),
+        }
+    }
+}
 
 /// Runs the command.
-pub(crate) fn run(_args: &FullaircraftArgs, _common: &Common) -> Result<(), Failure> {
-    Err(Failure::Computation("fullaircraft is not available yet".into()))
+pub(crate) fn run(args: &FullaircraftArgs, common: &Common) -> Result<(), Failure> {
+    let start = Instant::now();
+    let file = AircraftFile::read(&paths::given_or(args.aircraft.as_deref(), "data/tuflex/aircraft.ron"))?;
+    let wing_path = args.wing.clone().unwrap_or_else(|| file.wing_path());
+    let wing = corrected_wing(Some(&wing_path), args.corrections.as_deref(), None, common)?;
+    // The nearest set stands for airspeeds between the calibrated ones, as published (40 m/s for 37 and 42 m/s).
+    let corrections = wing.schedule.at(file.correction_airspeed_m_s, Outside::Nearest)?;
+    let aircraft = Aircraft::new(file, wing.file)?;
+    let comparison = aircraft.compare(&corrections)?;
+    let summary = comparison.summary(&aircraft, start.elapsed().as_secs_f64());
+    let out = write(common, &aircraft, &comparison, &summary)?;
+    for warning in &summary.warnings {
+        if !common.quiet {
+            show::note(warning);
+        }
+    }
+    let text = format!(
+        "{}\ncorrections at {} m/s: {}\n{} boxes, {:.2} s; results in {}\n",
+        table(&summary),
+        summary.correction_airspeed_m_s,
+        wing.origin,
+        summary.boxes,
+        summary.seconds,
+        out.display()
+    );
+    show::summary(common, &text);
+    show::json(common, &summary)
+}
+
+fn write(
+    common: &Common,
+    aircraft: &Aircraft,
+    comparison: &Comparison,
+    summary: &Summary,
+) -> Result<PathBuf, Failure> {
+    let folder = ResultFolder::begin(&common.out("fullaircraft"))?;
+    for (model, flown) in [("initial", &comparison.initial), ("updated", &comparison.updated)] {
+        folder.write_text(&format!("doublet_{model}.csv"), &flown.doublet.csv())?;
+        folder.write_text(&format!("chirp_{model}.csv"), &flown.chirp.csv())?;
+        for (name, trimmed) in
+            [("trim", &flown.trim), ("pull_up", &flown.pull_up), ("push_down", &flown.push_down)]
+        {
+            folder.write_text(&format!("{name}_{model}.vtu"), &aircraft.vtu(trimmed))?;
+        }
+    }
+    for (name, text) in figures::all(aircraft, comparison).map_err(Failure::computation)? {
+        folder.write_text(name, &text)?;
+    }
+    folder.write_json("result.json", summary)?;
+    folder.commit()
+}
+
+fn table(summary: &Summary) -> report::Table {
+    let mut table = report::Table::new(&["", "initial", "updated"]);
+    let (initial, updated) = (&summary.models.initial, &summary.models.updated);
+    let steady = [
+        ("trim", &initial.trim, &updated.trim),
+        ("pull-up", &initial.pull_up, &updated.pull_up),
+        ("push-down", &initial.push_down, &updated.push_down),
+    ];
+    for (name, before, after) in steady {
+        let what = format!("{name}, {} m/s, n = {}", before.v_m_s, before.load_factor);
+        table.row([
+            format!("{what}: alpha (deg)"),
+            format!("{:.2}", before.alpha_deg),
+            format!("{:.2}", after.alpha_deg),
+        ]);
+        table.row([
+            "    elevator (deg)".to_owned(),
+            format!("{:.2}", before.elevator_deg),
+            format!("{:.2}", after.elevator_deg),
+        ]);
+        table.row([
+            "    tip deflection (m)".to_owned(),
+            format!("{:.3}", before.tip_deflection_m),
+            format!("{:.3}", after.tip_deflection_m),
+        ]);
+    }
+    for (name, before, after) in
+        [("doublet", &initial.doublet, &updated.doublet), ("chirp", &initial.chirp, &updated.chirp)]
+    {
+        table.row([
+            format!("{name}: peak tip acceleration (m/s2)"),
+            format!("{:.1}", before.peak_tip_acceleration_m_s2),
+            format!("{:.1}", after.peak_tip_acceleration_m_s2),
+        ]);
+        table.row([
+            "    peak tip rate (deg/s)".to_owned(),
+            format!("{:.1}", before.peak_tip_rate_deg_s),
+            format!("{:.1}", after.peak_tip_rate_deg_s),
+        ]);
+    }
+    table
 }

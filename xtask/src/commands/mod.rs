@@ -5,6 +5,7 @@ mod bench_general;
 pub(crate) mod calibrate;
 mod calibrate_figures;
 pub(crate) mod fullaircraft;
+mod fullaircraft_figures;
 pub(crate) mod pipeline;
 pub(crate) mod simulate;
 pub(crate) mod tidy;

@@ -1,0 +1,65 @@
+//! The figures of `fullaircraft`: deformed shapes and time histories, initial beside updated model.
+
+use fullaircraft::{Aircraft, Comparison, FlightHistory, Trimmed};
+use report::deformed::{self, Quad, View};
+use report::{DrawError, Figure, Panel, Series, Style};
+
+/// File names and SVG texts.
+pub(crate) fn all(
+    aircraft: &Aircraft,
+    comparison: &Comparison,
+) -> Result<Vec<(&'static str, String)>, DrawError> {
+    let (initial, updated) = (&comparison.initial, &comparison.updated);
+    Ok(vec![
+        ("pull_up.svg", shapes(aircraft, "Pull-up", &initial.pull_up, &updated.pull_up)?),
+        ("push_down.svg", shapes(aircraft, "Push-down", &initial.push_down, &updated.push_down)?),
+        ("doublet.svg", histories("Aileron doublet in free flight", &initial.doublet, &updated.doublet)?),
+        ("chirp.svg", histories("Aileron chirp in free flight", &initial.chirp, &updated.chirp)?),
+    ])
+}
+
+fn shapes(
+    aircraft: &Aircraft,
+    title: &str,
+    initial: &Trimmed,
+    updated: &Trimmed,
+) -> Result<String, DrawError> {
+    let point = initial.point;
+    let wings = aircraft.right.boxes.len() + aircraft.left.boxes.len();
+    let view = |name: &str, trimmed: &Trimmed| View {
+        title: format!("{name}: tip {:.3} m", trimmed.tip_deflection_m[0]),
+        groups: vec!["wings".into(), "tail and fuselage".into()],
+        quads: aircraft
+            .deformed(trimmed)
+            .into_iter()
+            .enumerate()
+            .map(|(j, corners)| Quad { corners, group: usize::from(j >= wings) })
+            .collect(),
+    };
+    let title = format!("{title}: {} m/s, load factor {}", point.v_m_s, point.load_factor);
+    deformed::svg(&title, &[view("initial", initial), view("updated", updated)])
+}
+
+fn histories(title: &str, initial: &FlightHistory, updated: &FlightHistory) -> Result<String, DrawError> {
+    type Pick = fn(&FlightHistory) -> &Vec<f64>;
+    let quantities: [(&str, Pick); 8] = [
+        ("aileron (deg)", |h| &h.aileron_deg),
+        ("angle of attack (deg)", |h| &h.alpha_deg),
+        ("tip deflection (m)", |h| &h.tip_deflection_m),
+        ("tip acceleration (m/s2)", |h| &h.tip_acceleration_m_s2),
+        ("tip roll rate (deg/s)", |h| &h.tip_rates_deg_s[0]),
+        ("tip pitch rate (deg/s)", |h| &h.tip_rates_deg_s[1]),
+        ("tip yaw rate (deg/s)", |h| &h.tip_rates_deg_s[2]),
+        ("right root Mx (N m)", |h| &h.root_right[1]),
+    ];
+    let panel = |(label, pick): (&str, Pick)| Panel {
+        title: String::new(),
+        x_label: "time (s)".into(),
+        y_label: label.into(),
+        series: vec![
+            Series::new("initial", initial.t_s.clone(), pick(initial).clone(), Style::DashedLine),
+            Series::new("updated", updated.t_s.clone(), pick(updated).clone(), Style::Line),
+        ],
+    };
+    Figure { title: title.into(), panels: quantities.into_iter().map(panel).collect(), columns: 2 }.svg()
+}
