@@ -1,0 +1,109 @@
+//! The wing on its balance in the tunnel, moving: modes, quasi-steady aerodynamics, root loads as a sum of forces.
+//!
+//! Relative to the pitching support, with the kept modes Phi and the static residual of the others:
+//! ```text
+//! u   = Phi xi + F_r Gᵀ P + S_r c            F_r = F - Phi Omega⁻² Phiᵀ,  c = (g sin a, -g cos a, -a'')
+//! P   = q W S Q (D1 G u + D2 G Phi xi'/V + alpha n_z + (x_j - x_p) n_z alpha'/V + w_camber + w_control) + q S f_e
+//! xi'' + 2 zeta Omega xi' + Omega² xi = Phiᵀ (Gᵀ P + M r c)
+//! root loads = R P + r_bᵀ M (r c - Phi xi'') - weight(0)
+//! ```
+//! S_r c is what the truncated modes do statically under the fields of acceleration c (aft, up, nose-up rotation).
+//! In steady state nothing depends on the number of modes. Thin here: the air has no memory (its unsteady successor
+//! keeps this interface), and the truncated modes have no inertia of their own.
+
+use crate::operators::{FIELDS, RigOperators};
+use crate::rig_model::RigModel;
+use aero::{Corrections, Flow};
+use coupling::{CouplingError, ElasticWing};
+use structure::ModesError;
+
+/// A second-order actuator between commanded and actual deflection.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Actuator {
+    /// Natural frequency, Hz.
+    pub frequency_hz: f64,
+    /// Damping ratio.
+    pub damping_ratio: f64,
+}
+
+/// How a rig is modelled.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RigSettings {
+    /// Modes kept (all, if the structure has fewer).
+    pub modes: usize,
+    /// Modal damping, a share of critical.
+    pub damping_ratio: f64,
+    /// x of the axis the wing is pitched about, m.
+    pub pitch_axis_x_m: f64,
+    /// Every control's actuator. 15 Hz and 0.8 are assumed: no measurement of the servos is known.
+    pub actuator: Actuator,
+    /// Cutoff of the smoothing of measured inputs and of the filter on loads that are compared, Hz.
+    pub cutoff_hz: f64,
+    /// Grids whose vertical acceleration is given: name and node index.
+    pub sensors: Vec<(String, usize)>,
+}
+
+impl RigSettings {
+    /// Twenty modes, 25 Hz, the assumed actuator, no sensors.
+    pub fn new(damping_ratio: f64, pitch_axis_x_m: f64) -> Self {
+        Self {
+            modes: 20,
+            damping_ratio,
+            pitch_axis_x_m,
+            actuator: Actuator { frequency_hz: 15.0, damping_ratio: 0.8 },
+            cutoff_hz: 25.0,
+            sensors: Vec::new(),
+        }
+    }
+}
+
+/// Why a rig cannot be set up.
+#[derive(Debug, thiserror::Error)]
+pub enum RigError {
+    /// The wing cannot be solved at this flow.
+    #[error(transparent)]
+    Coupling(#[from] CouplingError),
+    /// Its modes cannot be found.
+    #[error("{0}")]
+    Modes(#[from] ModesError),
+}
+
+/// A wing with everything that depends on neither airspeed nor corrections.
+#[derive(Debug)]
+pub struct Rig<'a> {
+    pub(crate) wing: &'a ElasticWing,
+    pub(crate) settings: RigSettings,
+    pub(crate) operators: RigOperators,
+}
+
+impl<'a> Rig<'a> {
+    /// Finds the modes and the pressures of motion.
+    ///
+    /// # Errors
+    /// If the modes do not converge.
+    pub fn new(wing: &'a ElasticWing, settings: RigSettings) -> Result<Self, RigError> {
+        let operators = RigOperators::new(wing, &settings)?;
+        Ok(Self { wing, settings, operators })
+    }
+
+    /// Natural frequencies of the kept modes, rad/s.
+    pub fn omega_rad_s(&self) -> &[f64] {
+        &self.operators.omega_rad_s
+    }
+
+    /// The rig at a flow with corrections (one entry for each correctable box): a linear system.
+    ///
+    /// # Errors
+    /// If the wing diverges there, or the corrections have the wrong length.
+    pub fn at(&self, flow: Flow, corrections: &Corrections) -> Result<RigModel, RigError> {
+        // refuses divergence, with both pressures in its message
+        self.wing.at(flow, corrections)?;
+        let padded = self.wing.padded(corrections)?;
+        Ok(crate::assemble::assemble(self, flow, &padded))
+    }
+
+    /// Number of acceleration fields (aft, up, nose-up rotation about the pitch axis).
+    pub(crate) fn fields() -> usize {
+        FIELDS
+    }
+}

@@ -1,0 +1,137 @@
+//! A measured run: inputs and loads over a uniform time, read from CSV and checked.
+
+use nastran::table::Table;
+use nastran::{InputError, Span};
+use std::path::Path;
+
+/// Time steps may differ by this share (files print few digits).
+const SAME_STEP: f64 = 1e-3;
+/// An airspeed may vary by this share of its mean within a run.
+const SAME_AIRSPEED: f64 = 0.02;
+
+/// A run as measured.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Run {
+    /// Name of the file without folder and ending.
+    pub name: String,
+    /// Time of every sample, s.
+    pub t_s: Vec<f64>,
+    /// Time step, s.
+    pub time_step_s: f64,
+    /// Mean airspeed, m/s; zero for a wind-off run.
+    pub v_m_s: f64,
+    /// Measured angle of attack of the balance, rad.
+    pub alpha_rad: Vec<f64>,
+    /// Measured Fz, Mx, My (N, N m, N m); none for a file of inputs alone.
+    pub loads: Option<[Vec<f64>; 3]>,
+    /// Commanded deflections by control, rad.
+    pub controls_rad: Vec<(String, Vec<f64>)>,
+    /// Measured tip deflection, m.
+    pub tip_z_m: Option<Vec<f64>>,
+    /// Measured accelerations by sensor, m/s².
+    pub accelerations: Vec<(String, Vec<f64>)>,
+}
+
+impl Run {
+    /// Reads a run.
+    ///
+    /// # Errors
+    /// A missing or misspelt column, a cell that is not a number, a time step that changes, an airspeed that is
+    /// not constant within 2 %, fewer than three samples.
+    pub fn read(path: &Path) -> Result<Self, InputError> {
+        let table = Table::read(path)?;
+        let name = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+        Self::from_table(name, &table, path)
+    }
+
+    fn from_table(name: String, table: &Table, path: &Path) -> Result<Self, InputError> {
+        table.require(&["t_s", "V_m_s", "alpha_deg"])?;
+        let loads = ["Fz_N", "Mx_Nm", "My_Nm"];
+        table.allow_only(
+            |column| {
+                ["t_s", "V_m_s", "alpha_deg", "tip_z_m"].contains(&column)
+                    || loads.contains(&column)
+                    || inner(column, "delta_", "_deg").is_some()
+                    || inner(column, "az_", "_m_s2").is_some()
+            },
+            "t_s, V_m_s, alpha_deg, Fz_N, Mx_Nm, My_Nm, tip_z_m, delta_NAME_deg or az_NAME_m_s2",
+        )?;
+        if table.len() < 3 {
+            return Err(InputError::in_file(path, format!("a run needs at least three samples, this has {}", table.len())));
+        }
+        let measured = loads.iter().filter(|column| table.has(column)).count();
+        if measured > 0 {
+            table.require(&loads)?;
+        }
+        let t_s = table.numbers("t_s")?;
+        let columns = |prefix: &str, suffix: &str, factor: f64| -> Result<Vec<(String, Vec<f64>)>, InputError> {
+            let named = table.columns().filter_map(|column| inner(column, prefix, suffix).map(|name| (column, name)));
+            named
+                .map(|(column, name)| {
+                    let values = table.numbers(column)?;
+                    Ok((name.to_owned(), values.into_iter().map(|value| value * factor).collect()))
+                })
+                .collect()
+        };
+        Ok(Self {
+            name,
+            time_step_s: time_step(&t_s, |row| table.span(row, "t_s"))?,
+            v_m_s: airspeed(&table.numbers("V_m_s")?, |row| table.span(row, "V_m_s"))?,
+            alpha_rad: table.numbers("alpha_deg")?.into_iter().map(f64::to_radians).collect(),
+            loads: if measured == 0 {
+                None
+            } else {
+                Some([table.numbers(loads[0])?, table.numbers(loads[1])?, table.numbers(loads[2])?])
+            },
+            controls_rad: columns("delta_", "_deg", 1.0_f64.to_radians())?,
+            tip_z_m: table.has("tip_z_m").then(|| table.numbers("tip_z_m")).transpose()?,
+            accelerations: columns("az_", "_m_s2", 1.0)?,
+            t_s,
+        })
+    }
+
+    /// Number of samples.
+    pub fn len(&self) -> usize {
+        self.t_s.len()
+    }
+
+    /// Never true: a run has at least three samples.
+    pub fn is_empty(&self) -> bool {
+        self.t_s.is_empty()
+    }
+}
+
+/// NAME of `prefixNAMEsuffix`.
+fn inner<'a>(column: &'a str, prefix: &str, suffix: &str) -> Option<&'a str> {
+    column.strip_prefix(prefix)?.strip_suffix(suffix).filter(|name| !name.is_empty())
+}
+
+/// The uniform time step, or the line where it changes.
+fn time_step(t_s: &[f64], span: impl Fn(usize) -> Span) -> Result<f64, InputError> {
+    let first = t_s[1] - t_s[0];
+    if first <= 0.0 {
+        return Err(InputError::at(&span(1), format!("time must ascend, here it goes from {} to {} s", t_s[0], t_s[1])));
+    }
+    for (row, pair) in t_s.windows(2).enumerate() {
+        let step = pair[1] - pair[0];
+        if (step - first).abs() > SAME_STEP * first {
+            let message = format!("the time step changes from {first:.6} s to {step:.6} s");
+            return Err(InputError::at(&span(row + 1), message)
+                .with_help("a run has one time step throughout: resample it, or split it where it changes"));
+        }
+    }
+    Ok((t_s[t_s.len() - 1] - t_s[0]) / (t_s.len() - 1) as f64)
+}
+
+/// The mean airspeed, or the line that is too far from it.
+fn airspeed(v_m_s: &[f64], span: impl Fn(usize) -> Span) -> Result<f64, InputError> {
+    let mean = v_m_s.iter().sum::<f64>() / v_m_s.len() as f64;
+    let far = |v: &f64| *v < 0.0 || (v - mean).abs() > SAME_AIRSPEED * mean.max(1e-3);
+    match v_m_s.iter().position(far) {
+        None => Ok(mean),
+        Some(row) => {
+            let message = format!("the airspeed {} m/s is more than 2 % from the run's mean of {mean:.3} m/s", v_m_s[row]);
+            Err(InputError::at(&span(row), message).with_help("a run is flown at one airspeed; split it"))
+        }
+    }
+}
