@@ -15,9 +15,9 @@ use crate::aircraft_file::{Chirp, Doublet};
 use crate::error::AircraftError;
 use crate::free_modes::FreeModes;
 use crate::history::FlightHistory;
-use crate::stepping::Step;
 use crate::trim::{FlightModel, Trimmed};
 use faer::{Mat, MatRef};
+use maneuver::{ExactStep, Signal, signals};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
 
@@ -110,24 +110,32 @@ impl<'a> FreeFlight<'a> {
 
     /// The doublet of the aircraft's file.
     pub fn doublet(&self, doublet: &Doublet) -> FlightHistory {
-        let half_s = 0.5 / doublet.frequency_hz;
-        self.fly(&samples(doublet.duration_s, |t| match ((t - doublet.start_s) / half_s + 1e-9).floor() {
-            0.0 => doublet.amplitude_deg.to_radians(),
-            1.0 => -doublet.amplitude_deg.to_radians(),
-            _ => 0.0,
-        }))
+        let command = signals::Doublet {
+            height: doublet.amplitude_deg.to_radians(),
+            frequency_hz: doublet.frequency_hz,
+            start_s: doublet.start_s,
+        };
+        self.fly(&samples(doublet.duration_s, &command))
     }
 
     /// The chirp of the aircraft's file.
     pub fn chirp(&self, chirp: &Chirp) -> FlightHistory {
-        let sweep = 0.5 * (chirp.to_hz - chirp.from_hz) / chirp.duration_s;
-        let amplitude = chirp.amplitude_deg.to_radians();
-        self.fly(&samples(chirp.duration_s, |t| amplitude * (TAU * t * (chirp.from_hz + sweep * t)).sin()))
+        let command = signals::Chirp {
+            height: chirp.amplitude_deg.to_radians(),
+            from_hz: chirp.from_hz,
+            to_hz: chirp.to_hz,
+            duration_s: chirp.duration_s,
+            start_s: 0.0,
+        };
+        self.fly(&samples(chirp.duration_s, &command))
     }
 
     /// The answer to commands (rad, right trailing edge down), one every [`TIME_STEP_S`], linear between.
     pub fn fly(&self, command_rad: &[f64]) -> FlightHistory {
-        let states = Step::new(&self.a, &self.b, TIME_STEP_S).run(command_rad);
+        let b = Mat::from_fn(self.b.len(), 1, |i, _| self.b[i]);
+        let command = Mat::from_fn(1, command_rad.len(), |_, k| command_rad[k]);
+        let at_rest = vec![0.0; self.a.nrows()];
+        let states = ExactStep::new(self.a.as_ref(), b.as_ref(), TIME_STEP_S).run(&at_rest, command.as_ref());
         let y = &self.outputs * &states;
         let at = |row: usize, offset: f64| (0..y.ncols()).map(|k| y[(row, k)] + offset).collect::<Vec<f64>>();
         let degrees = |values: Vec<f64>| values.into_iter().map(f64::to_degrees).collect::<Vec<f64>>();
@@ -171,10 +179,10 @@ impl Aircraft {
 }
 
 /// Samples of a command.
-fn samples(duration_s: f64, command: impl Fn(f64) -> f64) -> Vec<f64> {
+fn samples(duration_s: f64, command: &dyn Signal) -> Vec<f64> {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the file allows 0 to 600 s")]
     let count = (duration_s / TIME_STEP_S).round() as usize + 1;
-    (0..count).map(|k| command(k as f64 * TIME_STEP_S)).collect()
+    signals::sampled(command, TIME_STEP_S, count)
 }
 
 fn box_loads(model: &FlightModel<'_>, modes: &FreeModes, trimmed: &Trimmed, pair: [usize; 2]) -> BoxLoads {

@@ -15,7 +15,6 @@ pub mod mirror;
 pub mod numbers;
 pub mod results;
 pub mod shape;
-mod stepping;
 mod tail;
 pub mod trim;
 pub mod vtu;

@@ -80,7 +80,8 @@ pub struct Doublet {
 
 impl Signal for Doublet {
     fn at(&self, t_s: f64) -> f64 {
-        match (t_s - self.start_s) * self.frequency_hz {
+        // a sample that rounding puts just before an edge belongs behind it
+        match (t_s - self.start_s) * self.frequency_hz + 1e-9 {
             share if (0.0..0.5).contains(&share) => self.height,
             share if (0.5..1.0).contains(&share) => -self.height,
             _ => 0.0,

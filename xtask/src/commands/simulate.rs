@@ -1,9 +1,188 @@
-//! `simulate`: placeholder.
+//! `simulate`: measured runs flown again, with and without corrections, beside what was measured.
+
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use aero::{Corrections, Flow};
+use calibrate::{Campaign, Outside};
+use maneuver::{Rig, RigError, RigModel, RigSettings, Run, Simulated};
+use nastran::InputError;
+use rayon::prelude::*;
+use report::{Figure, Panel, Series, Style};
+use serde_json::{Value, json};
 
 use crate::args::{Common, SimulateArgs};
+use crate::corrections::{CorrectedWing, campaign_path, corrected_wing};
 use crate::failure::Failure;
+use crate::output::ResultFolder;
+use crate::{progress, show};
+
+impl From<RigError> for Failure {
+    fn from(error: RigError) -> Self {
+        match error {
+            RigError::Coupling(coupling) => coupling.into(),
+            RigError::Modes(modes) => Self::computation(modes),
+        }
+    }
+}
+
+/// A run flown with both models.
+struct Flown {
+    file: PathBuf,
+    run: Run,
+    initial: Simulated,
+    updated: Simulated,
+}
 
 /// Runs the command.
-pub(crate) fn run(_args: &SimulateArgs, _common: &Common) -> Result<(), Failure> {
-    Err(Failure::Computation("simulate is not available yet".into()))
+pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
+    let start = Instant::now();
+    let folder = campaign_path(args.campaign.as_deref());
+    let campaign = Campaign::read(&folder)?;
+    let files: Vec<PathBuf> = if args.run.is_empty() {
+        campaign.runs.iter().map(|run| folder.join(&run.file)).collect()
+    } else {
+        args.run.clone()
+    };
+    if files.is_empty() {
+        return Err(InputError::in_file(&folder, "the campaign has no runs")
+            .with_help("list them under `runs` in campaign.ron, or name files with --run")
+            .into());
+    }
+    let runs = files.iter().map(|file| Ok((file, Run::read(file)?))).collect::<Result<Vec<_>, InputError>>()?;
+    let corrected =
+        corrected_wing(args.wing.as_deref(), args.corrections.as_deref(), args.campaign.as_deref(), common)?;
+    let rig = Rig::new(&corrected.wing, settings(&corrected))?;
+    let bar = progress::bar(common, runs.len(), "flying runs");
+    let flown = runs
+        .into_par_iter()
+        .map(|(file, run)| {
+            let flown = fly(file, run, &rig, &corrected, campaign.rho_kg_m3);
+            bar.inc(1);
+            flown
+        })
+        .collect::<Result<Vec<_>, Failure>>()?;
+    bar.finish_and_clear();
+    let seconds = start.elapsed().as_secs_f64();
+    let result = json!({
+        "command": "simulate",
+        "corrections": corrected.origin,
+        "modes": rig.omega_rad_s().len(),
+        "runs": flown.iter().map(run_result).collect::<Vec<_>>(),
+        "seconds": seconds,
+    });
+    let out = write(&common.out("simulate"), &flown, &result)?;
+    show::summary(common, &summary(&flown, &out, seconds));
+    show::json(common, &result)
+}
+
+fn settings(corrected: &CorrectedWing) -> RigSettings {
+    let file = &corrected.file;
+    let mut settings = RigSettings::new(file.damping_ratio, file.pitch_axis_x());
+    if let (Some(planform), Some((system, _))) = (file.planform(), &corrected.wing.structure) {
+        let node = |(name, grid): (String, u32)| system.node_index(grid).map(|node| (name, node));
+        settings.sensors = planform.sensor_grids().into_iter().filter_map(node).collect();
+    }
+    settings
+}
+
+/// Flies a run with the initial and the updated model.
+fn fly(
+    file: &Path, run: Run, rig: &Rig<'_>, corrected: &CorrectedWing, rho_kg_m3: f64,
+) -> Result<Flown, Failure> {
+    let flow = Flow { v_m_s: run.v_m_s, rho_kg_m3 };
+    let neutral = Corrections::neutral(corrected.wing.correctable.len());
+    let corrections =
+        if run.v_m_s > 0.0 { corrections_at(file, corrected, run.v_m_s)? } else { neutral.clone() };
+    let simulate = |model: &RigModel| maneuver::simulate(&run, model, file);
+    let initial = simulate(&rig.at(flow, &neutral)?)?;
+    let updated = simulate(&rig.at(flow, &corrections)?)?;
+    Ok(Flown { file: file.to_path_buf(), initial, updated, run })
+}
+
+/// Corrections at a run's airspeed: it may stray a little from the calibrated range, as tunnels do.
+fn corrections_at(file: &Path, corrected: &CorrectedWing, v_m_s: f64) -> Result<Corrections, InputError> {
+    let schedule = &corrected.schedule;
+    schedule.at(v_m_s, Outside::Refuse).or_else(|refused| {
+        let near = schedule.sets.iter().any(|set| (set.v_m_s - v_m_s).abs() <= 0.02 * set.v_m_s);
+        if near {
+            return schedule.at(v_m_s, Outside::Nearest);
+        }
+        Err(InputError::in_file(file, refused.message).with_help("calibrate at this airspeed, or leave the run out"))
+    })
+}
+
+fn write(out: &Path, flown: &[Flown], result: &Value) -> Result<PathBuf, Failure> {
+    let folder = ResultFolder::begin(out)?;
+    for flight in flown {
+        folder.write_text(&format!("{}.csv", flight.run.name), &flight.updated.history.to_csv())?;
+        let figure = figure(flight).svg().map_err(Failure::computation)?;
+        folder.write_text(&format!("{}.svg", flight.run.name), &figure)?;
+    }
+    folder.write_json("result.json", result)?;
+    folder.commit()
+}
+
+fn run_result(flown: &Flown) -> Value {
+    let channels = |values: Option<[f64; 3]>| {
+        values.map(|v| json!({ "Fz_N": v[0], "Mx_Nm": v[1], "My_Nm": v[2] }))
+    };
+    json!({
+        "file": flown.file.display().to_string(),
+        "V_m_s": flown.run.v_m_s,
+        "samples": flown.run.len(),
+        "residual_rms": { "initial": channels(flown.initial.residual_rms), "updated": channels(flown.updated.residual_rms) },
+        "raw_percent": { "initial": channels(flown.initial.residual_percent), "updated": channels(flown.updated.residual_percent) },
+    })
+}
+
+/// Loads measured, initial and updated, and what moved the wing.
+fn figure(flown: &Flown) -> Figure {
+    let t_s = &flown.run.t_s;
+    let mut panels = Vec::new();
+    for (c, (name, label)) in
+        [("Fz_N", "Fz (N)"), ("Mx_Nm", "Mx (N m)"), ("My_Nm", "My (N m)")].into_iter().enumerate()
+    {
+        let mut series = Vec::new();
+        if let Some(loads) = &flown.run.loads {
+            series.push(Series::new("measured", t_s.clone(), loads[c].clone(), Style::Line));
+        }
+        for (model, simulated, style) in
+            [("initial", &flown.initial, Style::DashedLine), ("updated", &flown.updated, Style::Line)]
+        {
+            let values = simulated.history.get(name).unwrap_or(&[]).to_vec();
+            series.push(Series::new(model, t_s.clone(), values, style));
+        }
+        panels.push(Panel { title: String::new(), x_label: "time (s)".into(), y_label: label.into(), series });
+    }
+    let alpha: Vec<f64> = flown.run.alpha_rad.iter().map(|alpha| alpha.to_degrees()).collect();
+    let mut inputs = vec![Series::new("angle of attack", t_s.clone(), alpha, Style::Line)];
+    for (name, values) in &flown.run.controls_rad {
+        let degrees: Vec<f64> = values.iter().map(|delta| delta.to_degrees()).collect();
+        if degrees.iter().any(|delta| *delta != 0.0) {
+            inputs.push(Series::new(format!("{name} aileron, commanded"), t_s.clone(), degrees, Style::Line));
+        }
+    }
+    panels.push(Panel {
+        title: String::new(),
+        x_label: "time (s)".into(),
+        y_label: "angle (deg)".into(),
+        series: inputs,
+    });
+    Figure { title: format!("{} at {:.1} m/s", flown.run.name, flown.run.v_m_s), panels, columns: 1 }
+}
+
+fn summary(flown: &[Flown], out: &Path, seconds: f64) -> String {
+    let head = ["run", "V (m/s)", "Fz initial (N)", "updated", "Mx initial (N m)", "updated", "My initial (N m)", "updated"];
+    let mut table = report::Table::new(&head);
+    for flight in flown {
+        let mut cells = vec![flight.run.name.clone(), format!("{:.1}", flight.run.v_m_s)];
+        for c in 0..3 {
+            for simulated in [&flight.initial, &flight.updated] {
+                cells.push(simulated.residual_rms.map_or_else(|| "-".into(), |rms| format!("{:.3}", rms[c])));
+            }
+        }
+        table.row(cells);
+    }
+    format!("Root mean square of measured minus simulated:\n{table}\n{seconds:.2} s; results in {}\n", out.display())
 }

@@ -63,7 +63,7 @@ fn failure(error: TunnelError) -> Failure {
     match error {
         TunnelError::Input(error) => error.into(),
         TunnelError::Wing(error) => error.into(),
-        error @ TunnelError::Unsettled { .. } => Failure::computation(error),
+        error @ (TunnelError::Unsettled { .. } | TunnelError::Rig(_)) => Failure::computation(error),
     }
 }
 
