@@ -37,7 +37,7 @@ impl Default for Settings {
             span_order: 4,
             neighbour_bound: 0.05,
             least_factor: 0.05,
-            change_weight: 1e-3,
+            change_weight: 1e-1,
             prior_spread: 0.3,
             most_cone_programs: 6,
             most_halvings: 8,

@@ -1,6 +1,8 @@
 //! A campaign folder as texts: `campaign.ron`, `static.csv` and the runs.
 
 use crate::file::TunnelFile;
+use crate::run_file::Purpose;
+use crate::runs;
 use crate::statics::{self, StaticRow};
 use crate::truth::{Truth, TunnelError};
 use std::fmt::Write as _;
@@ -23,6 +25,7 @@ pub struct Campaign {
 pub fn campaign(tunnel: &TunnelFile, truth: &Truth, seed: u64) -> Result<Campaign, TunnelError> {
     let rows = statics::measure(tunnel, truth, seed)?;
     let mut files = vec![("static.csv".to_owned(), statics::csv(&rows))];
+    files.extend(runs::measure(tunnel, truth, seed)?);
     files.push(("campaign.ron".to_owned(), entry(tunnel)));
     Ok(Campaign { seed, rows, files })
 }
@@ -42,6 +45,13 @@ fn entry(tunnel: &TunnelFile) -> String {
         noise(tunnel.noise.sample),
         noise(tunnel.noise.static_point),
     );
+    for run in &tunnel.runs {
+        let usage = match run.purpose {
+            Purpose::Train => "Train",
+            Purpose::Holdout => "Holdout",
+        };
+        let _ = writeln!(text, "        (file: {:?}, use: {usage}),", run.file);
+    }
     text.push_str("    ],\n)\n");
     text
 }

@@ -1,5 +1,6 @@
 //! The file of the virtual wind tunnel: what it measures, with what noise, and the truth it hides.
 
+use crate::run_file::{Dynamics, RunPlan};
 use nastran::{InputError, ron_file};
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
@@ -24,6 +25,12 @@ pub struct TunnelFile {
     pub statics: Statics,
     /// Declared (and true) noise.
     pub noise: Noise,
+    /// How runs are measured; needed only for runs.
+    #[serde(default)]
+    pub dynamics: Option<Dynamics>,
+    /// Runs in time.
+    #[serde(default)]
+    pub runs: Vec<RunPlan>,
     /// The file as it was named when read.
     #[serde(skip)]
     pub path: PathBuf,
@@ -216,7 +223,7 @@ impl TunnelFile {
         if statics.airspeeds_m_s.iter().any(|v| !(v.is_finite() && *v > 0.0)) {
             return Some(("airspeeds_m_s must be positive".into(), "V = 0 rows come from tilt_deg"));
         }
-        if statics.angles_deg.iter().chain(&statics.tilt_deg).any(|a| !(a.abs() <= 30.0)) {
+        if statics.angles_deg.iter().chain(&statics.tilt_deg).any(|a| a.is_nan() || a.abs() > 30.0) {
             return Some((
                 "an angle is beyond 30 degrees".into(),
                 "the model is linear in the angle of attack",
@@ -230,6 +237,14 @@ impl TunnelFile {
         }
         if offsets.iter().chain([&statics.tip_z_sigma_m]).any(|s| !(s.is_finite() && *s >= 0.0)) {
             return Some(("a standard deviation is negative or not a number".into(), "zero is allowed here"));
+        }
+        if !self.runs.is_empty()
+            && self.dynamics.is_none_or(|d| !(d.sample_rate_hz > 0.0 && d.half_loss_deg > 0.0))
+        {
+            return Some((
+                "runs need `dynamics` with a positive sample_rate_hz and half_loss_deg".into(),
+                "see the shipped file",
+            ));
         }
         let sections = self.truth.sections.as_ref()?;
         let rising = sections.by_airspeed.windows(2).all(|pair| pair[0].v_m_s < pair[1].v_m_s);

@@ -7,6 +7,8 @@ mod file;
 mod noise;
 mod polars;
 mod readme;
+mod run_file;
+mod runs;
 mod sections;
 mod statics;
 mod structure;
@@ -19,5 +21,6 @@ pub use file::{
     TruthSettings, TunnelFile,
 };
 pub use readme::{Found, Story, readme};
+pub use run_file::{ActuatorSettings, Dynamics, Joiner, MotionPlan, Purpose, RunPlan};
 pub use statics::StaticRow;
 pub use truth::{TrueState, Truth, TunnelError};

@@ -8,7 +8,7 @@ use rand_distr::{Distribution, StandardNormal};
 
 /// What a stream is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Purpose {
+pub(crate) enum Stream {
     /// Rows of the static cases.
     StaticRows,
     /// Offsets of blocks.
@@ -24,13 +24,13 @@ pub(crate) enum Purpose {
 pub(crate) struct NoiseSource(ChaCha8Rng);
 
 impl NoiseSource {
-    pub(crate) fn new(seed: u64, purpose: Purpose) -> Self {
+    pub(crate) fn new(seed: u64, stream: Stream) -> Self {
         let mut generator = ChaCha8Rng::seed_from_u64(seed);
-        generator.set_stream(match purpose {
-            Purpose::StaticRows => 1,
-            Purpose::BlockOffsets => 2,
-            Purpose::TiltTares => 3,
-            Purpose::Run(number) => 1000 + u64::from(number),
+        generator.set_stream(match stream {
+            Stream::StaticRows => 1,
+            Stream::BlockOffsets => 2,
+            Stream::TiltTares => 3,
+            Stream::Run(number) => 1000 + u64::from(number),
         });
         Self(generator)
     }

@@ -66,6 +66,13 @@ pub fn readme(story: &Story<'_>) -> String {
         "Columns and conventions are those of any campaign; `campaign.ron` declares the noise, which is the true one.\n\
          All tables below are printed by the command that made the data.\n\n",
     );
+    if !story.tunnel.runs.is_empty() {
+        text.push_str(
+            "Runs: file names give motion, control, degrees and airspeed. The\n\
+             wing in them has things no model here has, as the one in the paper's tunnel had. The measured angle has noise,\n\
+             deflections are as commanded. Which runs may be used to fit and which only to judge stands in `campaign.ron`.\n\n",
+        );
+    }
     static_tables(&mut text, story);
     calibration_tables(&mut text, story);
     flight_table(&mut text, story);
@@ -140,7 +147,7 @@ fn calibration_tables(text: &mut String, story: &Story<'_>) {
 fn flight_table(text: &mut String, story: &Story<'_>) {
     text.push_str(
         "## The corrections of 40 m/s in flight\n\nThe half wing alone carries 10 kg (no tail, no fuselage, no \
-         rotation).\n\n| | uncorrected | corrected | ratio or change | paper |\n|---|---|---|---|---|\n",
+         rotation); `cargo xtask fullaircraft` flies the whole aircraft.\n\n| | uncorrected | corrected | ratio or change | paper |\n|---|---|---|---|---|\n",
     );
     let [trim, up, down] = story.flight;
     let _ = writeln!(

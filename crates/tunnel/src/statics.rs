@@ -1,7 +1,7 @@
 //! Static cases: every airspeed and angle in every block, and wind-off tilt tares.
 
 use crate::file::TunnelFile;
-use crate::noise::{NoiseSource, Purpose};
+use crate::noise::{NoiseSource, Stream};
 use crate::truth::{TrueState, Truth, TunnelError};
 use std::fmt::Write as _;
 
@@ -24,9 +24,9 @@ pub struct StaticRow {
 pub(crate) fn measure(tunnel: &TunnelFile, truth: &Truth, seed: u64) -> Result<Vec<StaticRow>, TunnelError> {
     let statics = &tunnel.statics;
     let mut rows = Vec::new();
-    let mut tares = NoiseSource::new(seed, Purpose::TiltTares);
-    let mut points = NoiseSource::new(seed, Purpose::StaticRows);
-    let mut offsets = NoiseSource::new(seed, Purpose::BlockOffsets);
+    let mut tares = NoiseSource::new(seed, Stream::TiltTares);
+    let mut points = NoiseSource::new(seed, Stream::StaticRows);
+    let mut offsets = NoiseSource::new(seed, Stream::BlockOffsets);
     let states = |v_m_s: f64, angles_deg: &[f64]| {
         let alphas: Vec<f64> = angles_deg.iter().map(|angle| angle.to_radians()).collect();
         truth.states(v_m_s, &alphas)

@@ -19,6 +19,9 @@ pub enum TunnelError {
     /// The true wing cannot be solved.
     #[error(transparent)]
     Wing(#[from] CouplingError),
+    /// The rig cannot be set up.
+    #[error(transparent)]
+    Rig(#[from] maneuver::RigError),
     /// The sections' curvature did not settle.
     #[error(
         "the sections at {v_m_s} m/s and {alpha_deg} degrees do not settle: the last step was {step:.1e} rad"
@@ -159,7 +162,7 @@ fn remesh(planform: &mut Planform, mesh: &Mesh) -> Result<(), String> {
         let [from_m, to_m] = of_controls(control.strips.0, control.strips.1);
         control.strips = (strip_at(from_m) + 1, strip_at(to_m));
         let boxes = control.chord_boxes * mesh.chordwise;
-        if boxes % planform.boxes.chordwise != 0 {
+        if !boxes.is_multiple_of(planform.boxes.chordwise) {
             return Err(format!(
                 "with {} boxes along the chord the hinge of {} is on no edge",
                 mesh.chordwise, control.name

@@ -23,6 +23,7 @@ fn the_shipped_campaigns_say_that_they_are_no_measurements() {
 fn the_shipped_static_cases_are_reproduced_to_their_last_digit() {
     for (name, folder) in CAMPAIGNS {
         let file = TunnelFile::read(&data(name)).unwrap();
+        let file = TunnelFile { runs: Vec::new(), ..file };
         let made = campaign(&file, &Truth::build(&file).unwrap(), file.seed).unwrap();
         let text = &made.files.iter().find(|(name, _)| name == "static.csv").unwrap().1;
         let made = Table::parse("made", text).unwrap();

@@ -1,0 +1,131 @@
+//! Runs in time: the true wing in the rig, with what the model does not have (joiner, loss of deflection).
+
+use crate::file::TunnelFile;
+use crate::noise::{NoiseSource, Stream};
+use crate::run_file::{Dynamics, MotionPlan, RunPlan};
+use crate::statics::tidy_zero;
+use crate::truth::{Truth, TunnelError};
+use aero::Flow;
+use maneuver::signals::{Chirp, Constant, Doublet, OneMinusCosine};
+use maneuver::{Actuator, Motion, Rig, RigSettings, Signal, Smooth, TimeHistory};
+use nastran::InputError;
+use std::fmt::Write as _;
+
+/// Everything is at rest before.
+const START_S: f64 = 0.5;
+
+/// All runs as file names and texts.
+pub(crate) fn measure(
+    tunnel: &TunnelFile,
+    truth: &Truth,
+    seed: u64,
+) -> Result<Vec<(String, String)>, TunnelError> {
+    let Some(dynamics) = tunnel.dynamics.as_ref().filter(|_| !tunnel.runs.is_empty()) else {
+        return Ok(Vec::new());
+    };
+    let settings = RigSettings {
+        actuator: Actuator {
+            frequency_hz: dynamics.actuator.frequency_hz,
+            damping_ratio: dynamics.actuator.damping_ratio,
+        },
+        ..RigSettings::new(truth.file.damping_ratio, truth.file.pitch_axis_x())
+    };
+    let rig = Rig::new(&truth.wing, settings)?;
+    let mut files = Vec::with_capacity(tunnel.runs.len());
+    for (number, plan) in (0..).zip(&tunnel.runs) {
+        let flow = Flow { v_m_s: plan.v_m_s, rho_kg_m3: truth.rho_kg_m3 };
+        let model = rig.at(flow, &truth.corrections(plan.v_m_s))?;
+        let (motion, commanded) = motion(plan, dynamics, &model.controls)
+            .map_err(|message| InputError::in_file(&tunnel.path, format!("{}: {message}", plan.file)))?;
+        let history = model.fly(&motion);
+        let noise = NoiseSource::new(seed, Stream::Run(number));
+        files.push((plan.file.clone(), csv(tunnel, dynamics, plan, &history, &motion, &commanded, noise)));
+    }
+    Ok(files)
+}
+
+/// What moves the rig (deflections with their loss), and the commanded deflection, rad.
+fn motion(plan: &RunPlan, dynamics: &Dynamics, controls: &[String]) -> Result<(Motion, Vec<f64>), String> {
+    let time_step_s = 1.0 / dynamics.sample_rate_hz;
+    let samples = 1..=steps(plan.length_s * dynamics.sample_rate_hz)?;
+    let times: Vec<f64> = std::iter::once(0.0).chain(samples.map(|i| f64::from(i) * time_step_s)).collect();
+    let base = plan.alpha_deg.to_radians();
+    let still: Box<dyn Signal> = Box::new(Constant(0.0));
+    let (alpha, command): (Box<dyn Signal>, Box<dyn Signal>) = match &plan.motion {
+        MotionPlan::OneMinusCosine { to_deg, frequency_hz } => {
+            let height = to_deg.to_radians() - base;
+            (Box::new(OneMinusCosine { base, height, frequency_hz: *frequency_hz, start_s: START_S }), still)
+        }
+        MotionPlan::Doublet { deflection_deg, frequency_hz, .. } => {
+            let height = deflection_deg.to_radians();
+            (
+                Box::new(Constant(base)),
+                Box::new(Doublet { height, frequency_hz: *frequency_hz, start_s: START_S }),
+            )
+        }
+        MotionPlan::Chirp { deflection_deg, from_hz, to_hz, duration_s, .. } => {
+            let (height, duration_s) = (deflection_deg.to_radians(), *duration_s);
+            let chirp = Chirp { height, from_hz: *from_hz, to_hz: *to_hz, duration_s, start_s: START_S };
+            (Box::new(Constant(base)), Box::new(chirp))
+        }
+    };
+    let of = |value: &dyn Fn(f64) -> f64| times.iter().map(|&t_s| value(t_s)).collect::<Vec<f64>>();
+    let commanded = of(&|t_s| command.at(t_s));
+    let mut controls_rad = vec![vec![0.0; times.len()]; controls.len()];
+    if let Some(name) = plan.motion.control() {
+        let place = controls.iter().position(|control| control == name);
+        let place =
+            place.ok_or_else(|| format!("the wing has no control {name}; it has {}", controls.join(", ")))?;
+        let half_loss = dynamics.half_loss_deg.to_radians();
+        controls_rad[place] = commanded.iter().map(|d| d / (1.0 + (d / half_loss).powi(2))).collect();
+    }
+    let alpha = Smooth {
+        value: of(&|t_s| alpha.at(t_s)),
+        rate: of(&|t_s| alpha.rate(t_s)),
+        second: of(&|t_s| alpha.second(t_s)),
+    };
+    Ok((Motion { time_step_s, alpha, controls_rad }, commanded))
+}
+
+/// A number of time steps that a run can have.
+fn steps(count: f64) -> Result<u32, String> {
+    if !(3.0..=1e6).contains(&count) {
+        return Err(format!("{count} samples, expected 3 to a million"));
+    }
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked in the lines above")]
+    Ok(count.round() as u32)
+}
+
+/// The run as the balance and the angle sensor show it.
+fn csv(
+    tunnel: &TunnelFile,
+    dynamics: &Dynamics,
+    plan: &RunPlan,
+    history: &TimeHistory,
+    motion: &Motion,
+    commanded: &[f64],
+    mut noise: NoiseSource,
+) -> String {
+    let mut text = String::from("t_s,V_m_s,alpha_deg,Fz_N,Mx_Nm,My_Nm,tip_z_m");
+    if let Some(control) = plan.motion.control() {
+        let _ = write!(text, ",delta_{control}_deg");
+    }
+    text.push('\n');
+    let channel = |name: &str, i: usize| history.get(name).map_or(0.0, |values| values[i]);
+    for (i, command) in commanded.iter().enumerate() {
+        let error = noise.channels(tunnel.noise.sample);
+        let joiner = dynamics.joiner.loads(motion.alpha.second[i]);
+        let clean = ["Fz_N", "Mx_Nm", "My_Nm"].map(|name| channel(name, i));
+        let [fz, mx, my]: [f64; 3] = std::array::from_fn(|c| tidy_zero(clean[c] + joiner[c] + error[c]));
+        let alpha = motion.alpha.value[i].to_degrees() + noise.normal(dynamics.alpha_sigma_deg);
+        let tip = tidy_zero(channel("tip_z_m", i) + noise.normal(tunnel.statics.tip_z_sigma_m));
+        let t_s = i as f64 * motion.time_step_s;
+        let v_m_s = plan.v_m_s;
+        let _ = write!(text, "{t_s:.4},{v_m_s:.2},{alpha:.4},{fz:.4},{mx:.4},{my:.4},{tip:.5}");
+        if plan.motion.control().is_some() {
+            let _ = write!(text, ",{:.4}", tidy_zero(command.to_degrees()));
+        }
+        text.push('\n');
+    }
+    text
+}
