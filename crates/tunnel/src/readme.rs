@@ -50,7 +50,7 @@ pub struct Story<'a> {
 /// The README's text.
 pub fn readme(story: &Story<'_>) -> String {
     let mut text = format!(
-        "# {}\n\nTHESE ARE NOT MEASUREMENTS. The measurements of the wing in the paper are not public. What is here was\n\
+        "# {}\n\n## Source\n\nTHESE ARE NOT MEASUREMENTS. The measurements of the wing in the paper are not public. What is here was\n\
          computed by the virtual wind tunnel of this repository (`cargo xtask tunnel --runs {}`, seed {}): a model that\n\
          differs from the one being calibrated in its lattice, its structure and its section aerodynamics, with noise,\n\
          block offsets and, at V = 0, tilt tares. Nothing that analyses these data may read that file.\n\n",
