@@ -63,6 +63,10 @@ pub fn readme(story: &Story<'_>) -> String {
         "The sections follow straight lines through their viscous polars; curvature is left out here.\n\n"
     });
     text.push_str(
+        "The truth's numbers were chosen by trial until calibration and flight came out near what the paper prints. So the\n\
+         agreement below was put in; it confirms neither the paper nor this program. What does not agree is left to be seen.\n\n",
+    );
+    text.push_str(
         "Columns and conventions are those of any campaign; `campaign.ron` declares the noise, which is the true one.\n\
          All tables below are printed by the command that made the data.\n\n",
     );
