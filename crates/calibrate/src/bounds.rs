@@ -1,7 +1,19 @@
 //! The linear bounds: chordwise neighbours differ by at most a setting, factors stay above a minimum.
+//!
+//! They hold at every box, which is some 5000 rows on the paper's wing, but along the span they bound a polynomial:
+//! the cone programs start with the rows of a few well-placed strips, and rows that a step would break join them.
 
 use crate::basis::Basis;
 use coupling::CorrectableBoxes;
+
+/// All bounds of a wing, and which of them a fit starts with.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bounds {
+    /// Every row, at every box.
+    pub rows: Vec<BoundRow>,
+    /// Rows at the strips nearest to Lobatto's points of the span, where a polynomial's bounds matter most.
+    pub first: Vec<usize>,
+}
 
 /// A row `sum of coefficient * unknown <= limit`.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,15 +31,43 @@ impl BoundRow {
     }
 }
 
-/// All bounds of a wing: for every family, strip and pair of chordwise neighbours `|difference| <= neighbour`,
-/// and for every box `factor >= least_factor`.
-pub fn bound_rows(
-    basis: &Basis,
-    boxes: &CorrectableBoxes,
-    neighbour: f64,
-    least_factor: f64,
-) -> Vec<BoundRow> {
+impl Bounds {
+    /// How far from x towards a goal all bounds hold (1: all the way), and the rows that the goal breaks.
+    pub fn share_within(&self, x: &[f64], goal: &[f64]) -> (f64, Vec<usize>) {
+        let mut share = 1.0_f64;
+        let mut broken = Vec::new();
+        for (index, row) in self.rows.iter().enumerate() {
+            let (here, there) = (row.value(x), row.value(goal));
+            if there > row.limit && here < there {
+                share = share.min(((row.limit - here) / (there - here)).max(0.0));
+                broken.push(index);
+            }
+        }
+        (share, broken)
+    }
+}
+
+/// The bounds of a wing.
+pub fn bounds(basis: &Basis, boxes: &CorrectableBoxes, neighbour: f64, least_factor: f64) -> Bounds {
+    let points = 5 * basis.terms;
+    let lobatto = |k: usize| 0.5 * (1.0 - (std::f64::consts::PI * k as f64 / (points - 1) as f64).cos());
+    let nearest = |y: f64| {
+        let distance = |b: &usize| (boxes.y_norm[*b] - y).abs();
+        (0..boxes.len()).min_by(|a, b| distance(a).total_cmp(&distance(b))).map(|b| boxes.strip[b])
+    };
+    let strips: Vec<usize> = (0..points).filter_map(|k| nearest(lobatto(k))).collect();
+    let (rows, strip_of_row) = bound_rows(basis, boxes, neighbour, least_factor);
+    let first = (0..rows.len()).filter(|&row| strips.contains(&strip_of_row[row])).collect();
+    Bounds { rows, first }
+}
+
+/// All rows: for every family, strip and pair of chordwise neighbours `|difference| <= neighbour`,
+/// and for every box `factor >= least_factor`; and the strip of each row.
+fn bound_rows(
+    basis: &Basis, boxes: &CorrectableBoxes, neighbour: f64, least_factor: f64,
+) -> (Vec<BoundRow>, Vec<usize>) {
     let mut rows = Vec::new();
+    let mut strips = Vec::new();
     for b in 0..boxes.len() {
         let strip = basis.strip_of[b];
         let first_of_strip = boxes.chord_row[b] == 0 || basis.strip_of[b - 1] != strip;
@@ -51,13 +91,9 @@ pub fn bound_rows(
                 rows.push(BoundRow { entries: negative.collect(), limit: -least_factor });
             }
         }
+        strips.resize(rows.len(), boxes.strip[b]);
     }
-    rows
-}
-
-/// Largest violation of any bound at x; zero or negative if all hold.
-pub fn violation(rows: &[BoundRow], x: &[f64]) -> f64 {
-    rows.iter().map(|row| row.value(x) - row.limit).fold(f64::NEG_INFINITY, f64::max)
+    (rows, strips)
 }
 
 /// Number of neighbour rows that are active (within 1 % of the bound).

@@ -1,7 +1,7 @@
 //! The whole calibration: every airspeed for itself and in parallel, then what they say together.
 
 use crate::basis::Basis;
-use crate::bounds::{BoundRow, bound_rows};
+use crate::bounds::{Bounds, bounds};
 use crate::campaign::Campaign;
 use crate::fit::{Ending, Fit, Problem};
 use crate::identifiability::{Identifiability, Inputs, identifiability};
@@ -138,14 +138,14 @@ struct Context<'a, M: SteadyModel> {
     data: &'a StaticData,
     settings: &'a Settings,
     basis: Basis,
-    bounds: Vec<BoundRow>,
+    bounds: Bounds,
 }
 
 impl<'a, M: SteadyModel> Context<'a, M> {
     fn new(model: &'a M, rho_kg_m3: f64, data: &'a StaticData, settings: &'a Settings) -> Self {
         let boxes = model.correctable();
         let basis = Basis::new(boxes, settings.chord_strips, settings.span_order);
-        let bounds = bound_rows(&basis, boxes, settings.neighbour_bound, settings.least_factor);
+        let bounds = bounds(&basis, boxes, settings.neighbour_bound, settings.least_factor);
         Self { model, rho_kg_m3, data, settings, basis, bounds }
     }
 

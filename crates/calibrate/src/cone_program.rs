@@ -33,8 +33,8 @@ pub(crate) struct ConeProgram<'a> {
     pub(crate) metric: &'a Mat<f64>,
     /// Weight mu of the change.
     pub(crate) change_weight: f64,
-    /// Bounds.
-    pub(crate) bounds: &'a [BoundRow],
+    /// The bounds that take part.
+    pub(crate) bounds: &'a [&'a BoundRow],
 }
 
 /// How a program ended without a solution.

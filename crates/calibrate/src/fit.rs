@@ -1,7 +1,7 @@
 //! One airspeed: a sequence of cone programs with steps halved on the true objective.
 
 use crate::basis::Basis;
-use crate::bounds::{BoundRow, active_neighbours};
+use crate::bounds::{BoundRow, Bounds, active_neighbours};
 use crate::cone_program::{ConeProgram, NoSolution};
 use crate::objective::{objective, rmse};
 use crate::settings::Settings;
@@ -32,7 +32,7 @@ pub(crate) struct Problem<'a, M: SteadyModel> {
     pub(crate) angles: &'a [Angle],
     pub(crate) channels: [bool; 3],
     pub(crate) basis: &'a Basis,
-    pub(crate) bounds: &'a [BoundRow],
+    pub(crate) bounds: &'a Bounds,
     pub(crate) metric: &'a Mat<f64>,
     pub(crate) settings: &'a Settings,
     /// The straight-line floor of Eq. 8.
@@ -71,6 +71,7 @@ impl<M: SteadyModel> Problem<'_, M> {
         let mut history = vec![self.objective(at.rmse)];
         let mut ending = Ending::Stalled;
         let mut cone_programs = 0;
+        let mut working = self.bounds.first.clone();
         loop {
             if self.objective(at.rmse) <= target {
                 ending = Ending::Converged;
@@ -80,14 +81,17 @@ impl<M: SteadyModel> Problem<'_, M> {
                 break;
             }
             cone_programs += 1;
-            match self.program(&at, &x, &neutral) {
-                Ok(goal) => match self.step(&x, &goal, &neutral, &at)? {
-                    Step::Taken(next, linearised) => (x, at) = (next, linearised),
-                    Step::Refused(why) => {
-                        ending = why;
-                        break;
+            match self.program(&at, &x, &neutral, &working) {
+                Ok(goal) => {
+                    let goal = self.within_bounds(&x, goal, &mut working);
+                    match self.step(&x, &goal, &neutral, &at)? {
+                        Step::Taken(next, linearised) => (x, at) = (next, linearised),
+                        Step::Refused(why) => {
+                            ending = why;
+                            break;
+                        }
                     }
-                },
+                }
                 Err(NoSolution::Infeasible) => {
                     ending = Ending::InfeasibleBounds;
                     break;
@@ -102,7 +106,7 @@ impl<M: SteadyModel> Problem<'_, M> {
         Ok(Fit {
             objective: [self.objective(before), self.objective(at.rmse)],
             rmse: [before, at.rmse],
-            neighbour_bound_active: active_neighbours(self.bounds, &x),
+            neighbour_bound_active: active_neighbours(&self.bounds.rows, &x),
             x,
             history,
             cone_programs,
@@ -137,7 +141,22 @@ impl<M: SteadyModel> Problem<'_, M> {
         self.settings.change_weight * self.objective(at.rmse).max(self.noise_floor)
     }
 
-    fn program(&self, at: &Linearised, x: &[f64], neutral: &[f64]) -> Result<Vec<f64>, NoSolution> {
+    /// The goal, or the point on the way to it where the first bound outside the working set is met; bounds that the
+    /// goal breaks join the working set.
+    fn within_bounds(&self, x: &[f64], goal: Vec<f64>, working: &mut Vec<usize>) -> Vec<f64> {
+        let (share, broken) = self.bounds.share_within(x, &goal);
+        if broken.is_empty() {
+            return goal;
+        }
+        working.extend(broken);
+        working.sort_unstable();
+        working.dedup();
+        x.iter().zip(&goal).map(|(a, b)| a + share * (b - a)).collect()
+    }
+
+    fn program(
+        &self, at: &Linearised, x: &[f64], neutral: &[f64], working: &[usize],
+    ) -> Result<Vec<f64>, NoSolution> {
         let measured: Vec<usize> = (0..3).filter(|&c| self.channels[c]).collect();
         let gradients: Vec<Mat<f64>> = at.sensitivities.iter().map(|s| self.basis.gradient(s)).collect();
         let residuals: Vec<Vec<f64>> =
@@ -146,6 +165,7 @@ impl<M: SteadyModel> Problem<'_, M> {
             .iter()
             .map(|&c| Mat::from_fn(self.angles.len(), x.len(), |i, k| gradients[i][(c, k)]))
             .collect();
+        let bounds: Vec<&BoundRow> = working.iter().map(|&row| &self.bounds.rows[row]).collect();
         let weights: Vec<f64> = measured.iter().map(|&c| self.settings.weights[c]).collect();
         ConeProgram {
             residuals: &residuals,
@@ -155,7 +175,7 @@ impl<M: SteadyModel> Problem<'_, M> {
             neutral,
             metric: self.metric,
             change_weight: self.change_weight(at),
-            bounds: self.bounds,
+            bounds: &bounds,
         }
         .solve()
     }

@@ -11,7 +11,7 @@ use argmin::core::{CostFunction, Error, Executor, Gradient};
 use argmin::solver::linesearch::MoreThuenteLineSearch;
 use argmin::solver::quasinewton::LBFGS;
 use calibrate::basis::Basis;
-use calibrate::bounds::{BoundRow, bound_rows};
+use calibrate::bounds::{BoundRow, bounds};
 use calibrate::objective::{objective, rmse};
 use calibrate::{AirspeedData, Settings};
 use coupling::{ElasticWing, SteadyCase, SteadyModel};
@@ -101,7 +101,7 @@ pub(crate) fn fit(
         let problem = PapersProblem {
             wing,
             data,
-            bounds: bound_rows(&basis, boxes, settings.neighbour_bound, settings.least_factor),
+            bounds: bounds(&basis, boxes, settings.neighbour_bound, settings.least_factor).rows,
             basis: basis.clone(),
             cases: data.angles.iter().map(|angle| SteadyCase::new(flow, angle.alpha_rad)).collect(),
             simulations: Cell::new(0),
