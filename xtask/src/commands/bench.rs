@@ -63,7 +63,7 @@ fn general(
         "objective": fastest.fit.objective[1],
         "line_floor": fastest.line_floor,
         "cone_programs": fastest.fit.cone_programs,
-        "peer": "L-BFGS with forward differences of the same model (argmin), stopped after 30 s at most",
+        "peer": "L-BFGS with forward differences of the same model (argmin), ended after the first ten iterations beyond 30 s",
         "peer_seconds": peer.seconds,
         "peer_simulations": peer.simulations,
         "peer_objective": peer.objective,

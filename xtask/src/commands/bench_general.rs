@@ -26,6 +26,8 @@ pub(crate) struct GeneralFit {
 
 /// Forward difference step, as fmincon's default for values near one.
 const STEP: f64 = 1.5e-8;
+/// Length of the search's first step, in corrections.
+const FIRST_STEP: f64 = 0.1;
 /// Weight of a squared violation of a bound, N.
 const PENALTY: f64 = 1e4;
 
@@ -37,6 +39,8 @@ struct PapersProblem<'a> {
     cases: Vec<SteadyCase>,
     simulations: Cell<usize>,
     stop: Instant,
+    /// Factor on the cost, so that the first step of the search has a sensible length.
+    scale: f64,
 }
 
 impl PapersProblem<'_> {
@@ -62,7 +66,7 @@ impl CostFunction for PapersProblem<'_> {
             return Err(Error::msg("time is up"));
         }
         let broken: f64 = self.bounds.iter().map(|row| (row.value(x) - row.limit).max(0.0).powi(2)).sum();
-        Ok(self.objective(x)? + PENALTY * broken)
+        Ok(self.scale * (self.objective(x)? + PENALTY * broken))
     }
 }
 
@@ -98,7 +102,7 @@ pub(crate) fn fit(
     let mut reached = f64::INFINITY;
     // argmin returns nothing when a cost fails, so the search runs in short legs from the best point so far.
     while start.elapsed() < most {
-        let problem = PapersProblem {
+        let mut problem = PapersProblem {
             wing,
             data,
             bounds: bounds(&basis, boxes, settings.neighbour_bound, settings.least_factor).rows,
@@ -106,12 +110,16 @@ pub(crate) fn fit(
             cases: data.angles.iter().map(|angle| SteadyCase::new(flow, angle.alpha_rad)).collect(),
             simulations: Cell::new(0),
             stop: start + 2 * most,
+            scale: 1.0,
         };
+        let slope = problem.gradient(&x)?.iter().map(|value| value * value).sum::<f64>().sqrt();
+        problem.scale = FIRST_STEP / slope.max(f64::MIN_POSITIVE);
+        let scale = problem.scale;
         let solver = LBFGS::new(MoreThuenteLineSearch::new(), 10);
-        let run = Executor::new(problem, solver).configure(|state| state.param(x.clone()).max_iters(5)).run();
-        let Ok(mut end) = run else { break };
+        let run = Executor::new(problem, solver).configure(|state| state.param(x.clone()).max_iters(10)).run();
+        let mut end = match run { Ok(end) => end, Err(e) => { tracing::warn!("general optimiser: {e}"); break; } };
         simulations += end.problem.problem.as_ref().map_or(0, |problem| problem.simulations.get());
-        let cost = end.state.get_best_cost();
+        let cost = end.state.get_best_cost() / scale;
         let Some(best) = end.state.take_best_param() else { break };
         let progress = cost < reached * (1.0 - 1e-4);
         (x, reached) = (best, cost.min(reached));
