@@ -38,7 +38,10 @@ pub(crate) struct CorrectedWing {
 /// # Errors
 /// Bad input, corrections of another wing, or a calibration that cannot be done.
 pub(crate) fn corrected_wing(
-    wing: Option<&Path>, corrections: Option<&Path>, campaign: Option<&Path>, common: &Common,
+    wing: Option<&Path>,
+    corrections: Option<&Path>,
+    campaign: Option<&Path>,
+    common: &Common,
 ) -> Result<CorrectedWing, Failure> {
     let (file, wing) = ElasticWing::read(&wing_path(wing))?;
     if let Some(path) = corrections {
@@ -91,6 +94,9 @@ fn check_boxes(schedule: &Schedule, wing: &ElasticWing, path: &Path) -> Result<(
     if got == expected {
         return Ok(());
     }
-    let message = format!("{got} corrections an airspeed, but the wing has {expected} boxes (fairing excluded)");
-    Err(InputError::in_file(path, message).with_help("calibrate again: the wing's lattice has changed").into())
+    let message =
+        format!("{got} corrections an airspeed, but the wing has {expected} boxes (fairing excluded)");
+    Err(InputError::in_file(path, message)
+        .with_help("calibrate again: the wing's lattice has changed")
+        .into())
 }

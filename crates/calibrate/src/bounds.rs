@@ -64,7 +64,10 @@ pub fn bounds(basis: &Basis, boxes: &CorrectableBoxes, neighbour: f64, least_fac
 /// All rows: for every family, strip and pair of chordwise neighbours `|difference| <= neighbour`,
 /// and for every box `factor >= least_factor`; and the strip of each row.
 fn bound_rows(
-    basis: &Basis, boxes: &CorrectableBoxes, neighbour: f64, least_factor: f64,
+    basis: &Basis,
+    boxes: &CorrectableBoxes,
+    neighbour: f64,
+    least_factor: f64,
 ) -> (Vec<BoundRow>, Vec<usize>) {
     let mut rows = Vec::new();
     let mut strips = Vec::new();

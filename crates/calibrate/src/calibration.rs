@@ -97,7 +97,11 @@ pub fn calibrate<M: SteadyModel>(
 }
 
 /// An airspeed at which the uncorrected wing diverges is a mistake in the data or in the wing.
-fn check_divergence<M: SteadyModel>(model: &M, rho_kg_m3: f64, data: &StaticData) -> Result<(), CouplingError> {
+fn check_divergence<M: SteadyModel>(
+    model: &M,
+    rho_kg_m3: f64,
+    data: &StaticData,
+) -> Result<(), CouplingError> {
     let neutral = Corrections::neutral(model.correctable().len());
     for airspeed in &data.airspeeds {
         let case = SteadyCase::new(Flow { v_m_s: airspeed.v_m_s, rho_kg_m3 }, 0.0);

@@ -155,7 +155,11 @@ impl<M: SteadyModel> Problem<'_, M> {
     }
 
     fn program(
-        &self, at: &Linearised, x: &[f64], neutral: &[f64], working: &[usize],
+        &self,
+        at: &Linearised,
+        x: &[f64],
+        neutral: &[f64],
+        working: &[usize],
     ) -> Result<Vec<f64>, NoSolution> {
         let measured: Vec<usize> = (0..3).filter(|&c| self.channels[c]).collect();
         let gradients: Vec<Mat<f64>> = at.sensitivities.iter().map(|s| self.basis.gradient(s)).collect();
@@ -181,13 +185,7 @@ impl<M: SteadyModel> Problem<'_, M> {
     }
 
     /// The longest of the steps 1, 1/2, 1/4 ... towards the goal that lowers the true objective.
-    fn step(
-        &self,
-        x: &[f64],
-        goal: &[f64],
-        neutral: &[f64],
-        at: &Linearised,
-    ) -> Result<Step, CouplingError> {
+    fn step(&self, x: &[f64], goal: &[f64], neutral: &[f64], at: &Linearised) -> Result<Step, CouplingError> {
         let weight = self.change_weight(at);
         let merit = |x: &[f64], rmse: [f64; 3]| self.objective(rmse) + weight * self.change(x, neutral);
         let now = merit(x, at.rmse);

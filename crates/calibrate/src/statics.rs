@@ -162,7 +162,10 @@ impl StaticData {
                     *rows += count;
                     last.angles.push(angle);
                 }
-                _ => airspeeds.push((AirspeedData { v_m_s: cell.v_m_s, angles: vec![angle], span: cell.rows[0].span.clone() }, count)),
+                _ => airspeeds.push((
+                    AirspeedData { v_m_s: cell.v_m_s, angles: vec![angle], span: cell.rows[0].span.clone() },
+                    count,
+                )),
             }
         }
         self.airspeeds = airspeeds.into_iter().map(|(airspeed, _)| airspeed).collect();

@@ -20,7 +20,12 @@ struct Linear {
 impl Linear {
     /// left * self
     fn mapped(&self, left: MatRef<'_, f64>) -> Self {
-        Self { xi: left * &self.xi, rate: left * &self.rate, air: left * &self.air, fields: left * &self.fields }
+        Self {
+            xi: left * &self.xi,
+            rate: left * &self.rate,
+            air: left * &self.air,
+            fields: left * &self.fields,
+        }
     }
 
     fn plus(self, other: &Self) -> Self {

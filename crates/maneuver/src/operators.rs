@@ -86,7 +86,10 @@ fn rigid() -> RigOperators {
 }
 
 fn structural(
-    wing: &ElasticWing, supported: &SupportedStructure, system: &System, settings: &RigSettings,
+    wing: &ElasticWing,
+    supported: &SupportedStructure,
+    system: &System,
+    settings: &RigSettings,
 ) -> Result<RigOperators, RigError> {
     let modes = modes_of(system, settings.modes)?;
     let count = modes.omega_rad_s.len();
@@ -96,7 +99,8 @@ fn structural(
     let fields_g = fields(system, &Point3::new(settings.pitch_axis_x_m, balance.y, balance.z));
     let field_loads = system.inertia_loads(fields_g.as_ref());
     let flexibility = Flexibility::new(system).map_err(coupling::CouplingError::from)?;
-    let answer = system.expand(flexibility.displacements(system.reduce(field_loads.as_ref()).as_ref()).as_ref());
+    let answer =
+        system.expand(flexibility.displacements(system.reduce(field_loads.as_ref()).as_ref()).as_ref());
     let answer = restrict(answer.as_ref(), &supported.s_dofs);
     let modal_fields = shapes_g.transpose() * &field_loads;
     let soft = |m: usize| 1.0 / modes.omega_rad_s[m].powi(2);

@@ -110,7 +110,9 @@ impl RigModel {
         if states == 0 {
             return Vec::new();
         }
-        let forcing = Mat::from_fn(states, 1, |i, _| -(0..inputs.len()).map(|k| self.b[(i, k)] * inputs[k]).sum::<f64>());
+        let forcing = Mat::from_fn(states, 1, |i, _| {
+            -(0..inputs.len()).map(|k| self.b[(i, k)] * inputs[k]).sum::<f64>()
+        });
         let x = self.a.partial_piv_lu().solve(&forcing);
         (0..states).map(|i| x[(i, 0)]).collect()
     }

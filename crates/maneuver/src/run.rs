@@ -57,22 +57,28 @@ impl Run {
             "t_s, V_m_s, alpha_deg, Fz_N, Mx_Nm, My_Nm, tip_z_m, delta_NAME_deg or az_NAME_m_s2",
         )?;
         if table.len() < 3 {
-            return Err(InputError::in_file(path, format!("a run needs at least three samples, this has {}", table.len())));
+            return Err(InputError::in_file(
+                path,
+                format!("a run needs at least three samples, this has {}", table.len()),
+            ));
         }
         let measured = loads.iter().filter(|column| table.has(column)).count();
         if measured > 0 {
             table.require(&loads)?;
         }
         let t_s = table.numbers("t_s")?;
-        let columns = |prefix: &str, suffix: &str, factor: f64| -> Result<Vec<(String, Vec<f64>)>, InputError> {
-            let named = table.columns().filter_map(|column| inner(column, prefix, suffix).map(|name| (column, name)));
-            named
-                .map(|(column, name)| {
-                    let values = table.numbers(column)?;
-                    Ok((name.to_owned(), values.into_iter().map(|value| value * factor).collect()))
-                })
-                .collect()
-        };
+        let columns =
+            |prefix: &str, suffix: &str, factor: f64| -> Result<Vec<(String, Vec<f64>)>, InputError> {
+                let named = table
+                    .columns()
+                    .filter_map(|column| inner(column, prefix, suffix).map(|name| (column, name)));
+                named
+                    .map(|(column, name)| {
+                        let values = table.numbers(column)?;
+                        Ok((name.to_owned(), values.into_iter().map(|value| value * factor).collect()))
+                    })
+                    .collect()
+            };
         Ok(Self {
             name,
             time_step_s: time_step(&t_s, |row| table.span(row, "t_s"))?,
@@ -110,7 +116,10 @@ fn inner<'a>(column: &'a str, prefix: &str, suffix: &str) -> Option<&'a str> {
 fn time_step(t_s: &[f64], span: impl Fn(usize) -> Span) -> Result<f64, InputError> {
     let first = t_s[1] - t_s[0];
     if first <= 0.0 {
-        return Err(InputError::at(&span(1), format!("time must ascend, here it goes from {} to {} s", t_s[0], t_s[1])));
+        return Err(InputError::at(
+            &span(1),
+            format!("time must ascend, here it goes from {} to {} s", t_s[0], t_s[1]),
+        ));
     }
     for (row, pair) in t_s.windows(2).enumerate() {
         let step = pair[1] - pair[0];
@@ -130,7 +139,10 @@ fn airspeed(v_m_s: &[f64], span: impl Fn(usize) -> Span) -> Result<f64, InputErr
     match v_m_s.iter().position(far) {
         None => Ok(mean),
         Some(row) => {
-            let message = format!("the airspeed {} m/s is more than 2 % from the run's mean of {mean:.3} m/s", v_m_s[row]);
+            let message = format!(
+                "the airspeed {} m/s is more than 2 % from the run's mean of {mean:.3} m/s",
+                v_m_s[row]
+            );
             Err(InputError::at(&span(row), message).with_help("a run is flown at one airspeed; split it"))
         }
     }

@@ -9,9 +9,19 @@ use std::f64::consts::TAU;
 #[test]
 fn the_exponential_of_a_rotation_is_a_rotation() {
     let angle = 37.0;
-    let turn = Mat::from_fn(2, 2, |i, j| if i == j { 0.0 } else if i < j { angle } else { -angle });
+    let turn = Mat::from_fn(2, 2, |i, j| {
+        if i == j {
+            0.0
+        } else if i < j {
+            angle
+        } else {
+            -angle
+        }
+    });
     let e = exponential(turn.as_ref());
-    for (i, j, expected) in [(0, 0, angle.cos()), (0, 1, angle.sin()), (1, 0, -angle.sin()), (1, 1, angle.cos())] {
+    for (i, j, expected) in
+        [(0, 0, angle.cos()), (0, 1, angle.sin()), (1, 0, -angle.sin()), (1, 1, angle.cos())]
+    {
         assert!((e[(i, j)] - expected).abs() < 1e-12, "{i} {j}");
     }
 }
@@ -45,7 +55,10 @@ fn signals_are_what_their_formulas_say() {
     assert_eq!([0.0, 1.0].map(|t| Step { height: 1.0, start_s: 0.5 }.at(t)), [0.0, 1.0]);
     let steps = ThreeTwoOneOne { height: 1.0, unit_s: 1.0, start_s: 0.0 };
     assert_eq!(sampled(&steps, 1.0, 8), [1.0, 1.0, 1.0, -1.0, -1.0, 1.0, -1.0, 0.0]);
-    for signal in [&bump as &dyn Signal, &Chirp { height: 1.0, from_hz: 0.0, to_hz: 10.0, duration_s: 30.0, start_s: 0.0 }] {
+    for signal in [
+        &bump as &dyn Signal,
+        &Chirp { height: 1.0, from_hz: 0.0, to_hz: 10.0, duration_s: 30.0, start_s: 0.0 },
+    ] {
         let (t, e) = (0.83, 1e-5);
         assert!((signal.rate(t) - (signal.at(t + e) - signal.at(t - e)) / (2.0 * e)).abs() < 1e-5);
         assert!((signal.second(t) - (signal.rate(t + e) - signal.rate(t - e)) / (2.0 * e)).abs() < 1e-4);
@@ -134,12 +147,16 @@ fn run(name: &str, text: &str) -> Result<Run, nastran::InputError> {
 fn a_run_with_a_changing_time_step_is_refused_at_its_line() {
     let text = "t_s,V_m_s,alpha_deg\n0,30,1\n0.005,30,1\n0.010,30,1\n0.016,30,1\n";
     let message = run("step", text).unwrap_err().to_string();
-    assert!(message.contains("run.csv:5:1: the time step changes from 0.005000 s to 0.006000 s"), "{message}");
+    assert!(
+        message.contains("run.csv:5:1: the time step changes from 0.005000 s to 0.006000 s"),
+        "{message}"
+    );
 }
 
 #[test]
 fn a_misspelt_column_and_a_changing_airspeed_are_refused() {
-    let misspelt = run("column", "t_s,V_m_s,alpha_deg,dleta_inner_deg\n0,30,1,0\n1,30,1,0\n2,30,1,0\n").unwrap_err();
+    let misspelt =
+        run("column", "t_s,V_m_s,alpha_deg,dleta_inner_deg\n0,30,1,0\n1,30,1,0\n2,30,1,0\n").unwrap_err();
     assert!(misspelt.to_string().contains("run.csv:1:21"), "{misspelt}");
     let windy = run("wind", "t_s,V_m_s,alpha_deg\n0,30,1\n1,30,1\n2,33,1\n").unwrap_err();
     assert!(windy.to_string().contains("2 %"), "{windy}");

@@ -120,7 +120,11 @@ fn a_very_slow_pitch_run_equals_the_static_loads_within_half_a_per_cent() {
         let state = &operator.solve(&[SteadyCase::new(flow(30.0), alpha.at(i as f64 * 0.005))])[0];
         for (c, expected) in state.root.to_array().into_iter().enumerate() {
             let got = history.get(channels[c]).unwrap()[i];
-            assert!((got - expected).abs() < 0.005 * peak[c], "{} at sample {i}: {got} {expected}", channels[c]);
+            assert!(
+                (got - expected).abs() < 0.005 * peak[c],
+                "{} at sample {i}: {got} {expected}",
+                channels[c]
+            );
         }
     }
 }

@@ -25,12 +25,16 @@ pub(crate) fn run(_args: &BenchArgs, common: &Common) -> Result<(), Failure> {
     let campaign = Campaign::read(&campaign_path(None))?;
     let settings = Settings::of_wing(&file.correction);
     let mut rows = Vec::new();
-    rows.push(row(&format!("vlm_{}_boxes_with_image", wing.lattice.len()), median(|| {
-        SteadyAero::new(&wing.lattice, wing.plane, 0.0).map(drop).map_err(Failure::computation)
-    })?));
-    rows.push(row(&format!("vlm_{}_boxes_free", wing.lattice.len()), median(|| {
-        SteadyAero::new(&wing.lattice, MirrorPlane::None, 0.0).map(drop).map_err(Failure::computation)
-    })?));
+    rows.push(row(
+        &format!("vlm_{}_boxes_with_image", wing.lattice.len()),
+        median(|| SteadyAero::new(&wing.lattice, wing.plane, 0.0).map(drop).map_err(Failure::computation))?,
+    ));
+    rows.push(row(
+        &format!("vlm_{}_boxes_free", wing.lattice.len()),
+        median(|| {
+            SteadyAero::new(&wing.lattice, MirrorPlane::None, 0.0).map(drop).map_err(Failure::computation)
+        })?,
+    ));
     let calibration = calibrate(&wing, &campaign, &settings)?;
     let whole = median(|| {
         let (file, wing) = ElasticWing::read(&wing_path(None))?;
@@ -50,7 +54,11 @@ pub(crate) fn run(_args: &BenchArgs, common: &Common) -> Result<(), Failure> {
 
 /// One airspeed by a general optimiser with finite differences (the paper's way), beside ours.
 fn general(
-    wing: &ElasticWing, campaign: &Campaign, settings: &Settings, calibration: &Calibration, ours: f64,
+    wing: &ElasticWing,
+    campaign: &Campaign,
+    settings: &Settings,
+    calibration: &Calibration,
+    ours: f64,
 ) -> Result<Value, Failure> {
     let Some(fastest) = calibration.airspeeds.last() else {
         return Err(Failure::Computation("the campaign has no airspeed".into()));
@@ -100,7 +108,14 @@ fn summary(rows: &[Value]) -> String {
     for row in rows {
         let number = |key: &str| row[key].as_f64().map_or_else(|| "-".into(), |value| format!("{value:.4}"));
         let name = row["name"].as_str().unwrap_or_default().to_owned();
-        table.row([name, number("seconds"), number("peer_seconds"), number("ratio"), number("objective"), number("peer_objective")]);
+        table.row([
+            name,
+            number("seconds"),
+            number("peer_seconds"),
+            number("ratio"),
+            number("objective"),
+            number("peer_objective"),
+        ]);
     }
     format!("{table}\nMedian of {REPEATS} runs after one to warm up; the peer's is one run.\n")
 }

@@ -91,7 +91,11 @@ impl Gradient for PapersProblem<'_> {
 
 /// Fits one airspeed until the optimiser stops or the time is up; what was best counts.
 pub(crate) fn fit(
-    wing: &ElasticWing, data: &AirspeedData, rho_kg_m3: f64, settings: &Settings, most: Duration,
+    wing: &ElasticWing,
+    data: &AirspeedData,
+    rho_kg_m3: f64,
+    settings: &Settings,
+    most: Duration,
 ) -> Result<GeneralFit, Error> {
     let start = Instant::now();
     let boxes = &wing.correctable;
@@ -116,8 +120,15 @@ pub(crate) fn fit(
         problem.scale = FIRST_STEP / slope.max(f64::MIN_POSITIVE);
         let scale = problem.scale;
         let solver = LBFGS::new(MoreThuenteLineSearch::new(), 10);
-        let run = Executor::new(problem, solver).configure(|state| state.param(x.clone()).max_iters(10)).run();
-        let mut end = match run { Ok(end) => end, Err(e) => { tracing::warn!("general optimiser: {e}"); break; } };
+        let run =
+            Executor::new(problem, solver).configure(|state| state.param(x.clone()).max_iters(10)).run();
+        let mut end = match run {
+            Ok(end) => end,
+            Err(e) => {
+                tracing::warn!("general optimiser: {e}");
+                break;
+            }
+        };
         simulations += end.problem.problem.as_ref().map_or(0, |problem| problem.simulations.get());
         let cost = end.state.get_best_cost() / scale;
         let Some(best) = end.state.take_best_param() else { break };

@@ -31,7 +31,8 @@ pub(crate) fn run(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> 
     match calibration.failures().as_slice() {
         [] => Ok(()),
         failures => {
-            let list: Vec<String> = failures.iter().map(|(v, ending)| format!("{v} m/s: {ending:?}")).collect();
+            let list: Vec<String> =
+                failures.iter().map(|(v, ending)| format!("{v} m/s: {ending:?}")).collect();
             Err(Failure::Computation(format!("the fit did not reach its floor at {}", list.join(", "))))
         }
     }
@@ -39,7 +40,11 @@ pub(crate) fn run(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> 
 
 /// Writes corrections, DMI cards, figures and result.json.
 fn write(
-    out: &Path, file: &WingFile, wing: &ElasticWing, calibration: &Calibration, result: &Value,
+    out: &Path,
+    file: &WingFile,
+    wing: &ElasticWing,
+    calibration: &Calibration,
+    result: &Value,
 ) -> Result<std::path::PathBuf, Failure> {
     let folder = ResultFolder::begin(out)?;
     folder.write_text("corrections.ron", &schedule(file, calibration).to_ron())?;
@@ -132,7 +137,8 @@ fn airspeed_result(airspeed: &AirspeedCalibration, calibration: &Calibration) ->
 }
 
 fn identifiability(told: &calibrate::Identifiability) -> Value {
-    let by_family = |values: [f64; 3]| json!({ "force": values[0], "moment": values[1], "pressure_offset": values[2] });
+    let by_family =
+        |values: [f64; 3]| json!({ "force": values[0], "moment": values[1], "pressure_offset": values[2] });
     json!({
         "singular_values": told.singular_values,
         "leverage": { "force": channels(told.leverage[0]), "moment": channels(told.leverage[1]),
@@ -148,7 +154,9 @@ fn identifiability(told: &calibrate::Identifiability) -> Value {
 fn root_plane(wing: &ElasticWing, campaign: &Campaign, calibration: &Calibration) -> Result<Value, Failure> {
     let area_m2: f64 = wing.correctable.places.iter().map(|&place| wing.lattice.boxes[place].area_m2()).sum();
     let slope = |cp: &dyn Fn(usize) -> f64| {
-        let lift = |&place: &usize| cp(place) * wing.lattice.boxes[place].area_m2() * wing.lattice.boxes[place].normal().z;
+        let lift = |&place: &usize| {
+            cp(place) * wing.lattice.boxes[place].area_m2() * wing.lattice.boxes[place].normal().z
+        };
         wing.correctable.places.iter().map(lift).sum::<f64>() / area_m2
     };
     let chosen = slope(&|place| wing.pressures_by_alpha()[place]);
@@ -160,7 +168,8 @@ fn root_plane(wing: &ElasticWing, campaign: &Campaign, calibration: &Calibration
     let free = if wing.plane == MirrorPlane::None {
         chosen
     } else {
-        let alone = aero::SteadyAero::new(&wing.lattice, MirrorPlane::None, 0.0).map_err(Failure::computation)?;
+        let alone =
+            aero::SteadyAero::new(&wing.lattice, MirrorPlane::None, 0.0).map_err(Failure::computation)?;
         let upward = faer::Mat::from_fn(wing.lattice.len(), 1, |j, _| wing.lattice.boxes[j].normal().z);
         let cp = alone.pressures(upward.as_ref());
         slope(&|place| cp[(place, 0)])
@@ -177,7 +186,17 @@ fn root_plane(wing: &ElasticWing, campaign: &Campaign, calibration: &Calibration
 }
 
 fn summary(calibration: &Calibration, out: &Path, seconds: f64) -> String {
-    let head = ["V (m/s)", "F before", "F after", "line floor", "noise floor", "programs", "left out: before", "after", "ending"];
+    let head = [
+        "V (m/s)",
+        "F before",
+        "F after",
+        "line floor",
+        "noise floor",
+        "programs",
+        "left out: before",
+        "after",
+        "ending",
+    ];
     let mut table = report::Table::new(&head);
     for a in &calibration.airspeeds {
         let number = |value: f64| format!("{value:.4}");
@@ -197,12 +216,17 @@ fn summary(calibration: &Calibration, out: &Path, seconds: f64) -> String {
     let mut text = format!("{table}\n");
     for a in &calibration.airspeeds {
         let bent: Vec<&str> = (0..3)
-            .filter(|&c| a.line.nonlinearity[c].is_some_and(|test| test.p_value < calibration.nonlinearity_level))
+            .filter(|&c| {
+                a.line.nonlinearity[c].is_some_and(|test| test.p_value < calibration.nonlinearity_level)
+            })
             .map(|c| calibrate::campaign::CHANNELS[c])
             .collect();
         if !bent.is_empty() {
             let v = speed_name(a.data.v_m_s);
-            text += &format!("{v} m/s: {} cannot be followed by a straight line; reported, not fitted\n", bent.join(", "));
+            text += &format!(
+                "{v} m/s: {} cannot be followed by a straight line; reported, not fitted\n",
+                bent.join(", ")
+            );
         }
     }
     text + &format!("{seconds:.2} s; results in {}\n", out.display())
@@ -213,6 +237,8 @@ fn channels(values: [f64; 3]) -> Value {
 }
 
 fn measured_channels(values: [f64; 3], measured: [bool; 3]) -> Value {
-    let named = (0..3).filter(|&c| measured[c]).map(|c| (calibrate::campaign::CHANNELS[c].to_owned(), json!(values[c])));
+    let named = (0..3)
+        .filter(|&c| measured[c])
+        .map(|c| (calibrate::campaign::CHANNELS[c].to_owned(), json!(values[c])));
     Value::Object(named.collect())
 }

@@ -15,7 +15,8 @@ pub(crate) fn static_loads(wing: &ElasticWing, calibration: &Calibration) -> Res
     let neutral = Corrections::neutral(wing.correctable.len());
     let mut panels = Vec::new();
     for airspeed in &calibration.airspeeds {
-        let measured: Vec<f64> = airspeed.data.angles.iter().map(|angle| angle.alpha_rad.to_degrees()).collect();
+        let measured: Vec<f64> =
+            airspeed.data.angles.iter().map(|angle| angle.alpha_rad.to_degrees()).collect();
         let initial = simulated(wing, airspeed, &neutral, calibration)?;
         let updated = simulated(wing, airspeed, &airspeed.corrections, calibration)?;
         for (label, c) in names.into_iter().filter(|&(_, c)| calibration.data.channels[c]) {
@@ -40,7 +41,10 @@ pub(crate) fn static_loads(wing: &ElasticWing, calibration: &Calibration) -> Res
 }
 
 fn simulated(
-    wing: &ElasticWing, airspeed: &AirspeedCalibration, corrections: &Corrections, calibration: &Calibration,
+    wing: &ElasticWing,
+    airspeed: &AirspeedCalibration,
+    corrections: &Corrections,
+    calibration: &Calibration,
 ) -> Result<Vec<[f64; 3]>, Failure> {
     let flow = Flow { v_m_s: airspeed.data.v_m_s, rho_kg_m3: calibration.rho_kg_m3 };
     let cases: Vec<SteadyCase> =

@@ -37,7 +37,10 @@ pub(crate) fn run(_args: &PipelineArgs, common: &Common) -> Result<(), Failure> 
         simulate::run(&SimulateArgs { corrections: corrections.clone(), ..Default::default() }, common)
     })?;
     timed("fullaircraft", &|common| {
-        fullaircraft::run(&FullaircraftArgs { corrections: corrections.clone(), ..Default::default() }, common)
+        fullaircraft::run(
+            &FullaircraftArgs { corrections: corrections.clone(), ..Default::default() },
+            common,
+        )
     })?;
     let total = start.elapsed().as_secs_f64();
     let mut result = json!({ "command": "pipeline", "seconds": total, "steps": seconds });

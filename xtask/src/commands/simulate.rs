@@ -49,7 +49,8 @@ pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
             .with_help("list them under `runs` in campaign.ron, or name files with --run")
             .into());
     }
-    let runs = files.iter().map(|file| Ok((file, Run::read(file)?))).collect::<Result<Vec<_>, InputError>>()?;
+    let runs =
+        files.iter().map(|file| Ok((file, Run::read(file)?))).collect::<Result<Vec<_>, InputError>>()?;
     let corrected =
         corrected_wing(args.wing.as_deref(), args.corrections.as_deref(), args.campaign.as_deref(), common)?;
     let rig = Rig::new(&corrected.wing, settings(&corrected))?;
@@ -88,7 +89,11 @@ fn settings(corrected: &CorrectedWing) -> RigSettings {
 
 /// Flies a run with the initial and the updated model.
 fn fly(
-    file: &Path, run: Run, rig: &Rig<'_>, corrected: &CorrectedWing, rho_kg_m3: f64,
+    file: &Path,
+    run: Run,
+    rig: &Rig<'_>,
+    corrected: &CorrectedWing,
+    rho_kg_m3: f64,
 ) -> Result<Flown, Failure> {
     let flow = Flow { v_m_s: run.v_m_s, rho_kg_m3 };
     let neutral = Corrections::neutral(corrected.wing.correctable.len());
@@ -108,7 +113,8 @@ fn corrections_at(file: &Path, corrected: &CorrectedWing, v_m_s: f64) -> Result<
         if near {
             return schedule.at(v_m_s, Outside::Nearest);
         }
-        Err(InputError::in_file(file, refused.message).with_help("calibrate at this airspeed, or leave the run out"))
+        Err(InputError::in_file(file, refused.message)
+            .with_help("calibrate at this airspeed, or leave the run out"))
     })
 }
 
@@ -124,9 +130,8 @@ fn write(out: &Path, flown: &[Flown], result: &Value) -> Result<PathBuf, Failure
 }
 
 fn run_result(flown: &Flown) -> Value {
-    let channels = |values: Option<[f64; 3]>| {
-        values.map(|v| json!({ "Fz_N": v[0], "Mx_Nm": v[1], "My_Nm": v[2] }))
-    };
+    let channels =
+        |values: Option<[f64; 3]>| values.map(|v| json!({ "Fz_N": v[0], "Mx_Nm": v[1], "My_Nm": v[2] }));
     json!({
         "file": flown.file.display().to_string(),
         "V_m_s": flown.run.v_m_s,
@@ -143,17 +148,20 @@ fn figure(flown: &Flown) -> Figure {
     for (c, (name, label)) in
         [("Fz_N", "Fz (N)"), ("Mx_Nm", "Mx (N m)"), ("My_Nm", "My (N m)")].into_iter().enumerate()
     {
-        let mut series = Vec::new();
+        let of = |simulated: &Simulated| simulated.history.get(name).unwrap_or(&[]).to_vec();
+        let mut series = vec![
+            Series::new("initial", t_s.clone(), of(&flown.initial), Style::DashedLine),
+            Series::new("updated", t_s.clone(), of(&flown.updated), Style::Line),
+        ];
         if let Some(loads) = &flown.run.loads {
             series.push(Series::new("measured", t_s.clone(), loads[c].clone(), Style::Line));
         }
-        for (model, simulated, style) in
-            [("initial", &flown.initial, Style::DashedLine), ("updated", &flown.updated, Style::Line)]
-        {
-            let values = simulated.history.get(name).unwrap_or(&[]).to_vec();
-            series.push(Series::new(model, t_s.clone(), values, style));
-        }
-        panels.push(Panel { title: String::new(), x_label: "time (s)".into(), y_label: label.into(), series });
+        panels.push(Panel {
+            title: String::new(),
+            x_label: "time (s)".into(),
+            y_label: label.into(),
+            series,
+        });
     }
     let alpha: Vec<f64> = flown.run.alpha_rad.iter().map(|alpha| alpha.to_degrees()).collect();
     let mut inputs = vec![Series::new("angle of attack", t_s.clone(), alpha, Style::Line)];
@@ -169,11 +177,20 @@ fn figure(flown: &Flown) -> Figure {
         y_label: "angle (deg)".into(),
         series: inputs,
     });
-    Figure { title: format!("{} at {:.1} m/s", flown.run.name, flown.run.v_m_s), panels, columns: 1 }
+    Figure { title: format!("{} at {:.1} m/s", flown.run.name, flown.run.v_m_s), panels, columns: 2 }
 }
 
 fn summary(flown: &[Flown], out: &Path, seconds: f64) -> String {
-    let head = ["run", "V (m/s)", "Fz initial (N)", "updated", "Mx initial (N m)", "updated", "My initial (N m)", "updated"];
+    let head = [
+        "run",
+        "V (m/s)",
+        "Fz initial (N)",
+        "updated",
+        "Mx initial (N m)",
+        "updated",
+        "My initial (N m)",
+        "updated",
+    ];
     let mut table = report::Table::new(&head);
     for flight in flown {
         let mut cells = vec![flight.run.name.clone(), format!("{:.1}", flight.run.v_m_s)];
@@ -184,5 +201,8 @@ fn summary(flown: &[Flown], out: &Path, seconds: f64) -> String {
         }
         table.row(cells);
     }
-    format!("Root mean square of measured minus simulated:\n{table}\n{seconds:.2} s; results in {}\n", out.display())
+    format!(
+        "Root mean square of measured minus simulated:\n{table}\n{seconds:.2} s; results in {}\n",
+        out.display()
+    )
 }
