@@ -5,6 +5,8 @@
 //! sin(alpha) and sin(camber) as incidence; the elastic incidence times cos(alpha), which is a structure softer by
 //! cos(alpha) whose displacement is cos(alpha) times Loads Kernel's; weight not tared at alpha = 0.
 
+#![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
+
 use aero::{Corrections, Flow, Lattice, MirrorPlane};
 use coupling::{Balance, ElasticWing, Spline, SteadyCase, SupportedStructure, WingParts};
 use faer::{Mat, Side};
@@ -48,15 +50,17 @@ impl LoadsKernelWing {
     fn read() -> Self {
         let grid = Table::read(&data("grid.csv")).unwrap();
         let number = |row: usize, column: &str| grid.number(row, column).unwrap();
-        let points =
-            (0..grid.len()).map(|i| Point3::new(number(i, "x_m"), number(i, "y_m"), number(i, "z_m"))).collect();
+        let points = (0..grid.len())
+            .map(|i| Point3::new(number(i, "x_m"), number(i, "y_m"), number(i, "z_m")))
+            .collect();
         let (stiffness, mass) = (matrix("kgg.csv"), matrix("mgg.csv"));
         let free = 168;
         // M is diagonal there: scale to a standard symmetric eigenproblem.
         let root = |i: usize| mass[(i + 6, i + 6)].sqrt();
         let scaled = Mat::from_fn(free, free, |i, j| stiffness[(i + 6, j + 6)] / (root(i) * root(j)));
         let eigen = scaled.self_adjoint_eigen(Side::Lower).unwrap();
-        let shapes = Mat::from_fn(174, MODES, |i, m| if i < 6 { 0.0 } else { eigen.U()[(i - 6, m)] / root(i - 6) });
+        let shapes =
+            Mat::from_fn(174, MODES, |i, m| if i < 6 { 0.0 } else { eigen.U()[(i - 6, m)] / root(i - 6) });
         Self { points, shapes, omega2: (0..MODES).map(|m| eigen.S()[m]).collect(), mass }
     }
 

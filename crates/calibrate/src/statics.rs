@@ -280,7 +280,7 @@ fn cells<'a>(rows: &[&'a StaticPoint]) -> Vec<Cell<'a>> {
         for row in group {
             match cells[first..].last_mut() {
                 Some(cell) if (cell.rows[0].alpha_rad - row.alpha_rad).abs() <= SAME_ANGLE_RAD => {
-                    cell.rows.push(row)
+                    cell.rows.push(row);
                 }
                 _ => cells.push(Cell { v_m_s: 0.0, alpha_rad: 0.0, rows: vec![row] }),
             }

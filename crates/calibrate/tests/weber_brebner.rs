@@ -1,5 +1,7 @@
 //! The measured swept wing of Weber and Brebner (ARC R&M 2882): a rigid wing, two channels, five angles.
 
+#![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
+
 mod common;
 
 use calibrate::{Calibration, Campaign, Settings, calibrate};

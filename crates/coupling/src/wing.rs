@@ -142,7 +142,8 @@ impl ElasticWing {
         let file = WingFile::read(path)?;
         let bulk = file.bulk(Mount::Tunnel)?;
         if !bulk.unknown.is_empty() {
-            let cards: Vec<String> = bulk.unknown.iter().map(|(name, count)| format!("{name} ({count})")).collect();
+            let cards: Vec<String> =
+                bulk.unknown.iter().map(|(name, count)| format!("{name} ({count})")).collect();
             tracing::warn!("{}: cards that are not read: {}", file.path.display(), cards.join(", "));
         }
         let wing = Self::from_bulk(&file, &bulk)?;

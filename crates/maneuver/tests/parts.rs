@@ -1,22 +1,21 @@
 //! Exact stepping, smoothing and signals against closed forms.
 
+#![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
+
 use faer::Mat;
 use maneuver::signals::{Chirp, Doublet, OneMinusCosine, Signal, Step, ThreeTwoOneOne, sampled};
 use maneuver::step::{ExactStep, exponential};
 use maneuver::{Run, smooth_from_rest, zero_phase};
+use std::cmp::Ordering;
 use std::f64::consts::TAU;
 
 #[test]
 fn the_exponential_of_a_rotation_is_a_rotation() {
     let angle = 37.0;
-    let turn = Mat::from_fn(2, 2, |i, j| {
-        if i == j {
-            0.0
-        } else if i < j {
-            angle
-        } else {
-            -angle
-        }
+    let turn = Mat::from_fn(2, 2, |i, j| match i.cmp(&j) {
+        Ordering::Equal => 0.0,
+        Ordering::Less => angle,
+        Ordering::Greater => -angle,
     });
     let e = exponential(turn.as_ref());
     for (i, j, expected) in
@@ -86,7 +85,7 @@ fn s35_reduced_frequencies_of_the_pitch_runs() {
 #[test]
 fn the_smoother_is_three_decibels_down_at_its_cutoff_and_has_no_phase() {
     let (h, f) = (0.005, 10.0);
-    let wave: Vec<f64> = (0..2000).map(|i| (TAU * f * i as f64 * h).sin()).collect();
+    let wave: Vec<f64> = (0..2000).map(|i| (TAU * f * f64::from(i) * h).sin()).collect();
     let amplitude = |cutoff_hz: f64| {
         let smooth = zero_phase(&wave, h, cutoff_hz);
         let project = |shift: f64| -> f64 {

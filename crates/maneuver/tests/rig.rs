@@ -1,5 +1,7 @@
 //! Laws of the rig: steady limits, inertia, damping.
 
+#![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
+
 use aero::{Corrections, Flow};
 use coupling::planform::Planform;
 use coupling::wing_file::Source;

@@ -1,5 +1,6 @@
 //! `calibrate`: measured root loads in, corrections of the panel model by airspeed out.
 
+use std::fmt::Write as _;
 use std::path::Path;
 use std::time::Instant;
 
@@ -223,8 +224,9 @@ fn summary(calibration: &Calibration, out: &Path, seconds: f64) -> String {
             .collect();
         if !bent.is_empty() {
             let v = speed_name(a.data.v_m_s);
-            text += &format!(
-                "{v} m/s: {} cannot be followed by a straight line; reported, not fitted\n",
+            let _ = writeln!(
+                text,
+                "{v} m/s: {} cannot be followed by a straight line; reported, not fitted",
                 bent.join(", ")
             );
         }

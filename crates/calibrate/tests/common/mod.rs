@@ -1,5 +1,6 @@
 //! Campaigns made by the model itself with planted corrections: what calibration must find again is then known.
 
+#![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 #![allow(dead_code, reason = "each test binary uses its share")]
 
 use aero::{Corrections, Flow};
