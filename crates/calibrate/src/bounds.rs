@@ -24,7 +24,15 @@ pub struct BoundRow {
     pub limit: f64,
 }
 
+/// Bounds are kept this share inside, so that neither the solver's tolerance nor rounding breaks them.
+const INSIDE: f64 = 1e-6;
+
 impl BoundRow {
+    /// The limit that is aimed at, a little inside.
+    pub fn inside(&self) -> f64 {
+        self.limit - INSIDE * self.limit.abs()
+    }
+
     /// Left side at x.
     pub fn value(&self, x: &[f64]) -> f64 {
         self.entries.iter().map(|&(unknown, coefficient)| coefficient * x[unknown]).sum()
@@ -38,8 +46,9 @@ impl Bounds {
         let mut broken = Vec::new();
         for (index, row) in self.rows.iter().enumerate() {
             let (here, there) = (row.value(x), row.value(goal));
-            if there > row.limit && here < there {
-                share = share.min(((row.limit - here) / (there - here)).max(0.0));
+            // a tenth of the margin is left to the solver
+            if there > row.limit - 0.1 * INSIDE * row.limit.abs() && here < there {
+                share = share.min(((row.inside() - here) / (there - here)).max(0.0));
                 broken.push(index);
             }
         }

@@ -14,9 +14,6 @@ use clarabel::solver::{
 };
 use faer::Mat;
 
-/// Bounds are kept this share inside, so that the solver's tolerance does not break them.
-const INSIDE: f64 = 1e-6;
-
 /// One linearised problem.
 pub(crate) struct ConeProgram<'a> {
     /// Residuals at `from`, one vector a channel.
@@ -73,7 +70,7 @@ impl ConeProgram<'_> {
             for &(unknown, coefficient) in &bound.entries {
                 entries.push(right.len(), unknown, coefficient);
             }
-            right.push(bound.limit - INSIDE * bound.limit.abs());
+            right.push(bound.inside());
         }
         cones.push(NonnegativeConeT(self.bounds.len()));
         let constraint = entries.matrix(right.len(), size + channels);
