@@ -52,6 +52,31 @@ fn planted_loads_are_met_to_the_floor_in_few_cone_programs() {
 }
 
 #[test]
+fn random_truths_are_met_to_the_floor_too() {
+    let wing = small_wing();
+    let boxes = &wing.correctable;
+    for seed in 0..16 {
+        let random = |k: usize| draw(100 * seed + k);
+        let shape = |k: usize, b: usize| {
+            let (x, y) = (boxes.chord_row[b] as f64 / 5.0 - 0.5, boxes.y_norm[b]);
+            random(k) + random(k + 1) * x + random(k + 2) * (y - 0.5) + random(k + 3) * (y * y - 0.3)
+        };
+        let truth = Corrections {
+            force: (0..boxes.len()).map(|b| 1.0 + 0.2 * shape(0, b)).collect(),
+            moment: vec![1.0; boxes.len()],
+            pressure_offset: (0..boxes.len()).map(|b| 0.1 * shape(10, b)).collect(),
+        };
+        let v_m_s = [18.0, 30.0, 40.0][seed % 3];
+        let data =
+            campaign(rows(&wing, v_m_s, &truth, None, |i, c| 0.01 * random(20 + 3 * i + c)), Some(noise()));
+        let result = calibrate(&wing, &data, &small_settings()).unwrap();
+        let fit = &result.airspeeds[0].fit;
+        assert_eq!(fit.ending, Ending::Converged, "seed {seed}: {:?}", fit.history);
+        assert!(fit.cone_programs <= 6, "seed {seed}: {:?}", fit.history);
+    }
+}
+
+#[test]
 fn corrections_respect_every_bound_at_every_box() {
     let wing = small_wing();
     let settings = small_settings();
