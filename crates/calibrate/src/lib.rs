@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 pub mod basis;
+mod blocks;
 pub mod bounds;
 pub mod calibration;
 pub mod campaign;

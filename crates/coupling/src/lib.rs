@@ -10,6 +10,7 @@ pub mod steady;
 pub mod supported;
 pub mod wing;
 pub mod wing_file;
+mod wing_parts;
 
 pub use case::{CorrectableBoxes, RootSensitivity, SteadyCase, SteadyModel};
 pub use error::CouplingError;
@@ -17,5 +18,6 @@ pub use root_loads::{Balance, RootLoads, root_rows};
 pub use spline::Spline;
 pub use steady::{SteadyOperator, SteadyState};
 pub use supported::SupportedStructure;
-pub use wing::{ElasticWing, GRAVITY_M_S2, WingParts, spline_nodes};
+pub use wing::{ElasticWing, GRAVITY_M_S2, WingParts};
 pub use wing_file::{Mount, RootPlane, SplineKind, WingFile};
+pub use wing_parts::spline_nodes;

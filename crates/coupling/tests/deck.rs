@@ -38,8 +38,9 @@ fn the_shipped_wing_as_a_deck_has_the_same_loads() {
         controls_rad: vec![0.1, -0.05, 0.02],
     };
     let neutral = Corrections::neutral(672);
-    let loads =
-        |wing: &ElasticWing| wing.root_loads(&[case.clone()], &neutral).expect("no divergence")[0].to_array();
+    let loads = |wing: &ElasticWing| {
+        wing.root_loads(std::slice::from_ref(&case), &neutral).expect("no divergence")[0].to_array()
+    };
     for (deck, ours) in loads(&from_deck).into_iter().zip(loads(&parametric)) {
         // W2GJ passes through fields of 8 characters: 5e-6 of each slope at most
         assert!((deck / ours - 1.0).abs() < 1e-5, "{deck} {ours}");
