@@ -11,6 +11,7 @@ use serde_json::{Value, json};
 
 use crate::args::{CalibrateArgs, Common};
 use crate::commands::calibrate_figures as figures;
+use crate::commands::calibrate_strips::{self, Strips};
 use crate::corrections::{campaign_path, schedule, wing_path};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
@@ -26,7 +27,11 @@ pub(crate) fn run(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> 
     let seconds = start.elapsed().as_secs_f64();
     let mut result = result(&wing, &campaign, &calibration)?;
     result["seconds"] = json!(seconds);
-    let out = write(&common.out("calibrate"), &file, &wing, &calibration, &result)?;
+    let strips = calibrate_strips::compare(&campaign.folder, &wing, &calibration)?;
+    if let Some(strips) = &strips {
+        result["strips"] = strips.result();
+    }
+    let out = write(&common.out("calibrate"), (&file, &wing), &calibration, strips.as_ref(), &result)?;
     show::summary(common, &summary(&calibration, &out, seconds));
     show::json(common, &result)?;
     match calibration.failures().as_slice() {
@@ -42,9 +47,9 @@ pub(crate) fn run(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> 
 /// Writes corrections, DMI cards, figures and result.json.
 fn write(
     out: &Path,
-    file: &WingFile,
-    wing: &ElasticWing,
+    (file, wing): (&WingFile, &ElasticWing),
     calibration: &Calibration,
+    strips: Option<&Strips>,
     result: &Value,
 ) -> Result<std::path::PathBuf, Failure> {
     let folder = ResultFolder::begin(out)?;
@@ -58,6 +63,9 @@ fn write(
         folder.write_text(&format!("corrections_{name}.svg"), &map)?;
     }
     folder.write_text("static_loads.svg", &figures::static_loads(wing, calibration)?)?;
+    if let Some(strips) = strips {
+        folder.write_text("strips.svg", &strips.svg()?)?;
+    }
     folder.write_json("result.json", result)?;
     folder.commit()
 }

@@ -4,6 +4,7 @@ pub(crate) mod bench;
 mod bench_general;
 pub(crate) mod calibrate;
 mod calibrate_figures;
+mod calibrate_strips;
 pub(crate) mod fullaircraft;
 mod fullaircraft_figures;
 pub(crate) mod pipeline;
