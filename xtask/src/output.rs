@@ -106,7 +106,8 @@ fn refused(path: &Path, error: &std::io::Error) -> Failure {
 fn check_replaceable(target: &Path) -> Result<(), Failure> {
     let Ok(mut entries) = std::fs::read_dir(target) else {
         return if target.exists() {
-            Err(InputError::in_file(target, "a file stands where the result folder should be").into())
+            let error = InputError::in_file(target, "a file stands where the result folder should be");
+            Err(error.with_help("choose a new or empty folder with --out DIR").into())
         } else {
             Ok(())
         };

@@ -10,12 +10,17 @@ use aero::Flow;
 use coupling::{CouplingError, RootSensitivity, SteadyCase, SteadyModel};
 use faer::Mat;
 
+/// The weight of the change never falls below that of this share of the objective at the start.
+const LEAST_SHARE: f64 = 0.01;
+/// An objective below this many noise floors is what noise gives, within its own scatter.
+const AT_NOISE: f64 = 1.5;
+
 /// How a fit ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ending {
     /// The objective reached the straight-line floor.
     Converged,
-    /// The line was not reached, but what is left is below the noise floor.
+    /// The line was not reached, but what is left is no more than noise gives (1.5 noise floors at most).
     AtNoiseFloor,
     /// No step lowers the objective further, and it is above both floors (the bounds may hold it there).
     Stalled,
@@ -81,10 +86,11 @@ impl<M: SteadyModel> Problem<'_, M> {
                 break;
             }
             cone_programs += 1;
-            match self.program(&at, &x, &neutral, &working) {
+            let weight = self.change_weight(&at, before);
+            match self.program(&at, (&x, &neutral), weight, &working) {
                 Ok(goal) => {
                     let goal = self.within_bounds(&x, goal, &mut working);
-                    match self.step(&x, &goal, &neutral, &at)? {
+                    match self.step((&x, &neutral), &goal, weight, &at)? {
                         Step::Taken(next, linearised) => (x, at) = (next, linearised),
                         Step::Refused(why) => {
                             ending = why;
@@ -100,7 +106,7 @@ impl<M: SteadyModel> Problem<'_, M> {
             }
             history.push(self.objective(at.rmse));
         }
-        if ending == Ending::Stalled && self.objective(at.rmse) <= self.noise_floor {
+        if ending == Ending::Stalled && self.objective(at.rmse) <= AT_NOISE * self.noise_floor {
             ending = Ending::AtNoiseFloor;
         }
         Ok(Fit {
@@ -136,9 +142,12 @@ impl<M: SteadyModel> Problem<'_, M> {
         loads.zip(self.angles).map(|(sim, angle)| std::array::from_fn(|c| sim[c] - angle.loads[c])).collect()
     }
 
-    /// Weight of the change: small against the objective, measured in pressure.
-    fn change_weight(&self, at: &Linearised) -> f64 {
-        self.settings.change_weight * self.objective(at.rmse).max(self.noise_floor)
+    /// Weight of the change: small against the objective. It falls with the objective, but not beyond a share of where
+    /// the fit started or of the noise: a weight too small for the solver's arithmetic leaves the undetermined
+    /// directions to chance, and the linearisation does not hold that far out.
+    fn change_weight(&self, at: &Linearised, before: [f64; 3]) -> f64 {
+        let least = (LEAST_SHARE * self.objective(before)).max(self.noise_floor);
+        self.settings.change_weight * self.objective(at.rmse).max(least)
     }
 
     /// The goal, or the point on the way to it where the first bound outside the working set is met; bounds that the
@@ -157,8 +166,8 @@ impl<M: SteadyModel> Problem<'_, M> {
     fn program(
         &self,
         at: &Linearised,
-        x: &[f64],
-        neutral: &[f64],
+        (x, neutral): (&[f64], &[f64]),
+        weight: f64,
         working: &[usize],
     ) -> Result<Vec<f64>, NoSolution> {
         let measured: Vec<usize> = (0..3).filter(|&c| self.channels[c]).collect();
@@ -178,15 +187,20 @@ impl<M: SteadyModel> Problem<'_, M> {
             from: x,
             neutral,
             metric: self.metric,
-            change_weight: self.change_weight(at),
+            change_weight: weight,
             bounds: &bounds,
         }
         .solve()
     }
 
     /// The longest of the steps 1, 1/2, 1/4 ... towards the goal that lowers the true objective.
-    fn step(&self, x: &[f64], goal: &[f64], neutral: &[f64], at: &Linearised) -> Result<Step, CouplingError> {
-        let weight = self.change_weight(at);
+    fn step(
+        &self,
+        (x, neutral): (&[f64], &[f64]),
+        goal: &[f64],
+        weight: f64,
+        at: &Linearised,
+    ) -> Result<Step, CouplingError> {
         let merit = |x: &[f64], rmse: [f64; 3]| self.objective(rmse) + weight * self.change(x, neutral);
         let now = merit(x, at.rmse);
         let mut share = 1.0;

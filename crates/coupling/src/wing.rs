@@ -7,9 +7,9 @@ use crate::spline::Spline;
 use crate::supported::SupportedStructure;
 use crate::wing_file::{Mount, WingFile};
 use crate::wing_parts::{correctable_boxes, wing_parts};
-use aero::{ControlSurface, Corrections, Integration, Lattice, MirrorPlane, SteadyAero};
+use aero::{AeroError, ControlSurface, Corrections, Integration, Lattice, MirrorPlane, SteadyAero};
 use faer::{Mat, MatRef};
-use nastran::BulkData;
+use nastran::{BulkData, InputError};
 use std::path::Path;
 use structure::System;
 
@@ -146,7 +146,7 @@ impl ElasticWing {
                 bulk.unknown.iter().map(|(name, count)| format!("{name} ({count})")).collect();
             tracing::warn!("{}: cards that are not read: {}", file.path.display(), cards.join(", "));
         }
-        let wing = Self::from_bulk(&file, &bulk)?;
+        let wing = Self::from_bulk(&file, &bulk).map_err(|error| blame_root_plane(error, &file))?;
         Ok((file, wing))
     }
 
@@ -196,5 +196,18 @@ impl ElasticWing {
     /// Pressure coefficients of camber and twist, one a box.
     pub fn pressures_of_camber(&self) -> &[f64] {
         self.cp_camber.col_as_slice(0)
+    }
+}
+
+/// A plane that does not fit the boxes is the file's `root_plane`.
+fn blame_root_plane(error: CouplingError, file: &WingFile) -> CouplingError {
+    match error {
+        CouplingError::Aero(
+            plane
+            @ (AeroError::CrossesPlane { .. } | AeroError::InPlane { .. } | AeroError::BothSides { .. }),
+        ) => InputError::in_field(&file.path, "root_plane", plane.to_string())
+            .with_help("all boxes, the fairing's included, lie on one side of root_plane: check its y")
+            .into(),
+        other => other,
     }
 }

@@ -5,13 +5,12 @@
 
 mod deck_source;
 mod hash;
-mod place;
 
 pub use crate::planform::Mount;
 pub use deck_source::DeckSource;
 
 use crate::planform::{AXIS_SET, FAIRING_PANEL, Fault, Planform, ROOT_SET};
-use nastran::{BulkData, Divisions, InputError, MonitorPoint, Span, ron_file};
+use nastran::{BulkData, Divisions, InputError, MonitorPoint, Span, named_file, place_of, ron_file};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::path::{Path, PathBuf};
 
@@ -159,13 +158,14 @@ impl WingFile {
         let text = nastran::read_text(path)?;
         let mut wing: Self = ron_file::read(path)?;
         wing.path = path.to_path_buf();
-        wing.check().map_err(|fault| fault.at(&place::of(&fault.anchor, &text, path)))?;
+        wing.check().map_err(|fault| fault.at(&place_of(&[&fault.anchor], &text, path)))?;
+        let files = wing.named_files()?;
         let bulk = wing.bulk(Mount::Tunnel)?;
-        wing.check_chord_strips(&bulk).map_err(|fault| fault.at(&place::of(&fault.anchor, &text, path)))?;
+        wing.check_chord_strips(&bulk).map_err(|fault| fault.at(&place_of(&[&fault.anchor], &text, path)))?;
         if let Source::Deck(deck) = &wing.source {
-            deck.check(&bulk).map_err(|fault| fault.at(&place::of(&fault.anchor, &text, path)))?;
+            deck.check(&bulk).map_err(|fault| fault.at(&place_of(&[&fault.anchor], &text, path)))?;
         }
-        wing.hash = hash::of_files(&text, &wing.named_files())?;
+        wing.hash = hash::of_files(&text, &files)?;
         Ok(wing)
     }
 
@@ -235,13 +235,13 @@ impl WingFile {
         }
     }
 
-    fn named_files(&self) -> Vec<PathBuf> {
-        let folder = self.folder();
+    fn named_files(&self) -> Result<Vec<PathBuf>, InputError> {
         match &self.source {
-            Source::Deck(deck) => vec![folder.join(&deck.file)],
+            Source::Deck(deck) => Ok(vec![named_file(&self.path, &deck.file)?]),
             Source::Parametric(planform) => {
                 let distribution = planform.structure.as_ref().map(|structure| &structure.distribution);
-                planform.airfoil.iter().chain(distribution).map(|file| folder.join(file)).collect()
+                let names = planform.airfoil.iter().chain(distribution);
+                names.map(|name| named_file(&self.path, name)).collect()
             }
         }
     }

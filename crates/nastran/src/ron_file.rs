@@ -46,7 +46,8 @@ fn explain(path: &Path, text: &str, error: &SpannedError) -> InputError {
             InputError::at(&span, format!("the field `{field}`{place} is missing"))
                 .with_help(format!("add `{field}: ...` inside the parentheses that end here"))
         }
-        code => InputError::at(&span, format!("not understood as RON: {code}")),
+        code => InputError::at(&span, format!("not understood as RON: {code}"))
+            .with_help("compare with a shipped file of the same kind, such as data/tuflex/wing.ron"),
     }
 }
 

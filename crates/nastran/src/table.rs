@@ -122,14 +122,16 @@ impl Table {
             return Err(InputError::at(
                 &cell.span,
                 format!("column `{column}` is empty here; expected a number"),
-            ));
+            )
+            .with_help("fill the cell, or take the row out"));
         }
         match cell.text.parse::<f64>() {
             Ok(value) if value.is_finite() => Ok(value),
             _ => Err(InputError::at(
                 &cell.span,
                 format!("`{}` in column `{column}` is not a finite number", cell.text),
-            )),
+            )
+            .with_help("write a number such as 1.5 or -2e-3, or take the row out")),
         }
     }
 

@@ -28,9 +28,18 @@ fn cells_are_found_by_row_and_column_name() {
 fn cells_that_are_no_numbers_are_refused_with_their_place() {
     let table = Table::parse("t.csv", TABLE).expect("a good table");
     let number = |row, column| message(&table.number(row, column).expect_err("must be refused"));
-    assert_eq!(number(1, "alpha_deg"), "t.csv:6:4: column `alpha_deg` is empty here; expected a number");
-    assert_eq!(number(2, "V_m_s"), "t.csv:7:1: `nan` in column `V_m_s` is not a finite number");
-    assert_eq!(number(2, "alpha_deg"), "t.csv:7:5: `x1` in column `alpha_deg` is not a finite number");
+    assert_eq!(
+        number(1, "alpha_deg"),
+        "t.csv:6:4: column `alpha_deg` is empty here; expected a number (hint: fill the cell, or take the row out)"
+    );
+    assert_eq!(
+        number(2, "V_m_s"),
+        "t.csv:7:1: `nan` in column `V_m_s` is not a finite number (hint: write a number such as 1.5 or -2e-3, or take the row out)"
+    );
+    assert_eq!(
+        number(2, "alpha_deg"),
+        "t.csv:7:5: `x1` in column `alpha_deg` is not a finite number (hint: write a number such as 1.5 or -2e-3, or take the row out)"
+    );
     assert_eq!(number(3, "V_m_s"), "t.csv: the table has 3 rows; row 4 is wanted");
 }
 

@@ -26,15 +26,15 @@ impl Fault {
     }
 }
 
-/// Refuses a number that is not finite or does not exceed zero.
+/// Refuses a number that is not above zero, or so large that it can only be a slip.
 pub(crate) fn positive(field: &str, value: f64) -> Result<(), Fault> {
-    if value.is_finite() && value > 0.0 {
+    if value > 0.0 && value <= 1e4 {
         return Ok(());
     }
     Err(Fault::field(
         field,
-        format!("{field} is {value}, expected a number above zero"),
-        "lengths are in metres",
+        format!("{field} is {value}, expected a number above zero, 10000 at most"),
+        "the unit is in the field's name",
     ))
 }
 
@@ -53,7 +53,7 @@ pub(crate) fn count(field: &str, value: usize, low: usize, high: usize) -> Resul
         return Ok(());
     }
     let message = format!("{field} is {value}, expected a whole number from {low} to {high}");
-    Err(Fault::field(field, message, "counts start at one"))
+    Err(Fault::field(field, message, "counts have no decimal point"))
 }
 
 impl Planform {
@@ -115,7 +115,7 @@ impl Planform {
         if first < 1 || first > last || last > self.boxes.spanwise {
             return fault(
                 format!(
-                    "control surface {name} has strips ({first}, {last}), outside 1 to {}",
+                    "control surface {name} has strips ({first}, {last}), expected two that ascend from 1 to {}",
                     self.boxes.spanwise
                 ),
                 "give the first and the last strip, counted from 1 at the root",
@@ -123,7 +123,10 @@ impl Planform {
         }
         if control.chord_boxes < 1 || control.chord_boxes >= self.boxes.chordwise {
             return fault(
-                format!("control surface {name} has chord_boxes {}", control.chord_boxes),
+                format!(
+                    "control surface {name} has {} boxes along the chord of {}",
+                    control.chord_boxes, self.boxes.chordwise
+                ),
                 "at least one box and fewer than all boxes of the chord",
             );
         }
@@ -169,8 +172,10 @@ impl BeamStructure {
             }
             let inside = (0.0..=semispan_m).contains(&item.y_m) && (-1.0..=2.0).contains(&item.x_over_c);
             if !(inside && item.mass_kg.is_finite() && item.mass_kg >= 0.0) {
-                let message =
-                    format!("{name}: y_m {}, x_over_c {}, mass_kg {}", item.y_m, item.x_over_c, item.mass_kg);
+                let message = format!(
+                    "{name} has y_m {}, x_over_c {} and mass_kg {}, one of which cannot be",
+                    item.y_m, item.x_over_c, item.mass_kg
+                );
                 let help =
                     "expected y_m from 0 to the half span, x_over_c from -1 to 2 and mass_kg not below zero";
                 return Err(Fault::named(name, message, help));

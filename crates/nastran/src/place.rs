@@ -1,0 +1,88 @@
+//! Finds where a field or a name stands in a text file, for complaints that come after parsing.
+
+use crate::source::{InputError, Span, read_text};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Where the last of `anchors` stands, each searched for behind the one before, outside comments (`//`) and not
+/// inside a longer word: `["total:", "mass_kg:"]` is the first `mass_kg` behind `total`. As far as they are
+/// found; the whole file if not even the first is.
+pub fn place_of(anchors: &[&str], text: &str, path: &Path) -> Span {
+    let file = Arc::new(path.to_path_buf());
+    let mut found = Span::whole_file(path);
+    let (mut anchors, mut wanted) = (anchors.iter(), None);
+    for (index, line) in text.lines().enumerate() {
+        let code = line.split("//").next().unwrap_or(line);
+        let mut from = 0;
+        while let Some(anchor) = wanted.or_else(|| anchors.next()) {
+            let Some(start) = word(code, anchor, from) else {
+                wanted = Some(anchor);
+                break;
+            };
+            let column = code[..start].chars().count() + 1;
+            let width = anchor.trim_end_matches(':').chars().count();
+            found = Span::new(&file, index + 1, column, column + width);
+            (from, wanted) = (start + anchor.len(), None);
+        }
+    }
+    found
+}
+
+/// The first place of `anchor` from byte `from` that is no part of a longer word.
+fn word(code: &str, anchor: &str, from: usize) -> Option<usize> {
+    let in_word = |start: usize| code[..start].ends_with(|c: char| c.is_alphanumeric() || c == '_');
+    code.get(from..)?.match_indices(anchor).map(|(start, _)| from + start).find(|start| !in_word(*start))
+}
+
+impl InputError {
+    /// An error about a field of a RON file, given as `outer.inner`: at its line, which is looked up in the file.
+    pub fn in_field(path: &Path, field: &str, message: impl Into<String>) -> Self {
+        let anchors: Vec<String> = field.split('.').map(|name| format!("{name}:")).collect();
+        let anchors: Vec<&str> = anchors.iter().map(String::as_str).collect();
+        // The file was read before; should it be gone, its name has to do.
+        let text = read_text(path).unwrap_or_default();
+        Self::at(&place_of(&anchors, &text, path), message)
+    }
+}
+
+/// The path of a file that another names, relative to the folder of the other.
+///
+/// # Errors
+/// If it is not there: at the line that names it.
+pub fn named_file(named_in: &Path, name: &str) -> Result<PathBuf, InputError> {
+    let path = named_in.parent().unwrap_or_else(|| Path::new("")).join(name);
+    if path.is_file() {
+        return Ok(path);
+    }
+    let text = read_text(named_in).unwrap_or_default();
+    let quoted = format!("\"{name}\"");
+    let message = format!("the file {} does not exist", path.display());
+    Err(InputError::at(&place_of(&[&quoted], &text, named_in), message)
+        .with_help("names of files are relative to the file they stand in"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TEXT: &str =
+        "Wing( // mass_kg: 1\n    total: (mass_kg: 2),\n    ä: (x: 1), tail: (\n  mass_kg: 3))\n";
+
+    fn line_and_column(anchors: &[&str]) -> (usize, usize) {
+        let span = place_of(anchors, TEXT, Path::new("a.ron"));
+        (span.line, span.column)
+    }
+
+    #[test]
+    fn a_field_is_found_behind_the_one_around_it_and_not_in_comments() {
+        assert_eq!(line_and_column(&["mass_kg:"]), (2, 13));
+        assert_eq!(line_and_column(&["tail:", "mass_kg:"]), (4, 3));
+        assert_eq!(line_and_column(&["tail:"]), (3, 16));
+    }
+
+    #[test]
+    fn a_field_left_out_leads_to_the_one_around_it_or_to_the_file() {
+        assert_eq!(line_and_column(&["tail:", "span_m:"]), (3, 16));
+        assert_eq!(line_and_column(&["kg:"]), (0, 0));
+    }
+}

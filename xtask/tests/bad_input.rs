@@ -1,0 +1,206 @@
+//! Bad input, given as a user gives it: one clear error with its place and a hint, exit status 2, nothing half-written,
+//! an earlier result left as it was.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Broken copies of the shipped wing and campaign, and an earlier result.
+struct Case {
+    folder: PathBuf,
+}
+
+const EARLIER: &str = "{ \"command\": \"an earlier result\" }";
+
+impl Case {
+    fn new(name: &str) -> Self {
+        let folder = std::env::temp_dir().join(format!("wingroot-bad-{}-{name}", std::process::id()));
+        let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../data/tuflex");
+        std::fs::create_dir_all(folder.join("campaign")).expect("a temporary folder");
+        for file in ["wing.ron", "e214.dat", "beam_distribution.csv"] {
+            std::fs::copy(data.join(file), folder.join(file)).expect("a shipped file");
+        }
+        for file in ["campaign.ron", "static.csv", "aoa_2hz_30.csv"] {
+            std::fs::copy(data.join("measured").join(file), folder.join("campaign").join(file))
+                .expect("a shipped file");
+        }
+        std::fs::create_dir_all(folder.join("results/out")).expect("a temporary folder");
+        std::fs::write(folder.join("results/out/result.json"), EARLIER).expect("a temporary file");
+        Self { folder }
+    }
+
+    /// Rewrites a file of the case.
+    fn change(&self, file: &str, change: impl Fn(&str) -> String) -> &Self {
+        let path = self.folder.join(file);
+        let text = std::fs::read_to_string(&path).expect("a file of the case");
+        let changed = change(&text);
+        assert_ne!(changed, text, "the change does nothing");
+        std::fs::write(path, changed).expect("a temporary file");
+        self
+    }
+
+    /// Runs a command on the case; it must fail with status 2 and say all of `expected`, with a hint.
+    fn fails(&self, arguments: &[&str], expected: &[&str]) {
+        let output = Command::new(env!("CARGO_BIN_EXE_xtask"))
+            .args(arguments)
+            .args(["--out", "results/out"])
+            .current_dir(&self.folder)
+            .output()
+            .expect("the command starts");
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{said}");
+        for part in expected.iter().chain(&["hint: "]) {
+            assert!(said.contains(part), "`{part}` is not in: {said}");
+        }
+        assert!(output.stdout.is_empty() && !said.contains("panicked"), "{said}");
+        let left: Vec<_> =
+            std::fs::read_dir(self.folder.join("results")).expect("its folder").flatten().collect();
+        assert_eq!(left.len(), 1, "something half-written: {left:?}");
+        let earlier =
+            std::fs::read_to_string(self.folder.join("results/out/result.json")).expect("still there");
+        assert_eq!(earlier, EARLIER);
+    }
+
+    fn calibrate_fails(&self, expected: &[&str]) {
+        self.fails(&["calibrate", "--wing", "wing.ron", "--campaign", "campaign"], expected);
+    }
+}
+
+impl Drop for Case {
+    fn drop(&mut self) {
+        // a folder that stays is only untidy
+        let _ = std::fs::remove_dir_all(&self.folder);
+    }
+}
+
+/// The text with one line (counted from one) changed.
+fn with_line(text: &str, number: usize, change: impl Fn(&str) -> String) -> String {
+    let lines = text.lines().enumerate();
+    lines.map(|(i, line)| if i + 1 == number { change(line) } else { line.to_owned() } + "\n").collect()
+}
+
+/// A CSV line with one cell (counted from zero) replaced.
+fn with_cell(line: &str, cell: usize, value: &str) -> String {
+    let mut cells: Vec<&str> = line.split(',').collect();
+    cells[cell] = value;
+    cells.join(",")
+}
+
+#[test]
+fn a_missing_file_is_named() {
+    let case = Case::new("missing");
+    case.fails(
+        &["calibrate", "--wing", "wing.ron", "--campaign", "nowhere"],
+        &["nowhere/campaign.ron: the file does not exist"],
+    );
+    std::fs::remove_file(case.folder.join("e214.dat")).expect("a file of the case");
+    case.calibrate_fails(&["e214.dat"]);
+}
+
+#[test]
+fn a_misspelt_field_is_found_with_the_one_that_was_meant() {
+    let case = Case::new("field");
+    case.change("campaign/campaign.ron", |text| text.replace("static_cases", "static_case"));
+    case.calibrate_fails(&["campaign.ron:10:5", "`static_case`", "did you mean `static_cases`?"]);
+    let case = Case::new("wing-field");
+    case.change("wing.ron", |text| text.replace("tip_chord_m", "tip_cord_m"));
+    case.calibrate_fails(&["wing.ron:13:9", "did you mean `tip_chord_m`?"]);
+}
+
+#[test]
+fn a_missing_or_non_numeric_cell_is_found_by_line_and_column() {
+    for (name, value, expected) in
+        [("empty", "", "is empty here"), ("word", "abc", "`abc`"), ("nan", "NaN", "`NaN`")]
+    {
+        let case = Case::new(name);
+        case.change("campaign/static.csv", |text| with_line(text, 8, |line| with_cell(line, 2, value)));
+        case.calibrate_fails(&["static.csv:8:12", "Fz_N", expected]);
+    }
+}
+
+#[test]
+fn a_misspelt_column_is_found_with_the_one_that_was_meant() {
+    let case = Case::new("column");
+    case.change("campaign/static.csv", |text| text.replace("Mx_Nm", "Mx_N"));
+    case.calibrate_fails(&["static.csv:1:22", "`Mx_N`", "did you mean `Mx_Nm`?"]);
+}
+
+#[test]
+fn an_airspeed_with_two_angles_is_refused_at_its_first_row() {
+    let case = Case::new("angles");
+    let kept = |line: &&str| !line.starts_with("30.00") || line.starts_with("30.00,-");
+    case.change("campaign/static.csv", |text| {
+        text.lines().filter(kept).map(|line| format!("{line}\n")).collect()
+    });
+    case.calibrate_fails(&[
+        "static.csv:16:1: the airspeed 30 m/s has 2 different angle(s), at least three are needed",
+    ]);
+}
+
+#[test]
+fn an_airspeed_beyond_divergence_is_refused_with_the_divergence_speed() {
+    let case = Case::new("divergence");
+    let forward =
+        |text: &str| text.replace("quarter_chord_sweep_deg: 20.0", "quarter_chord_sweep_deg: -30.0");
+    case.change("wing.ron", forward);
+    case.calibrate_fails(&["static.csv:", "the wing diverges at 34 m/s, its divergence speed is 32."]);
+}
+
+#[test]
+fn a_run_with_a_changing_time_step_is_refused_at_its_line() {
+    let case = Case::new("step");
+    case.change("campaign/aoa_2hz_30.csv", |text| with_line(text, 50, |line| with_cell(line, 0, "0.2420")));
+    case.fails(
+        &["simulate", "--wing", "wing.ron", "--campaign", "campaign", "--run", "campaign/aoa_2hz_30.csv"],
+        &["aoa_2hz_30.csv:50:1: the time step changes from 0.005000 s to 0.007000 s"],
+    );
+}
+
+#[test]
+fn a_run_that_moves_an_unknown_control_is_told_the_wings_own() {
+    let case = Case::new("control");
+    let flap = |text: &str| {
+        text.lines()
+            .enumerate()
+            .map(|(i, line)| format!("{line},{}\n", if i == 0 { "delta_flap_deg" } else { "1.0" }))
+            .collect()
+    };
+    case.change("campaign/aoa_2hz_30.csv", flap);
+    case.fails(
+        &["simulate", "--wing", "wing.ron", "--campaign", "campaign", "--run", "campaign/aoa_2hz_30.csv"],
+        &["flap", "inner, middle, outer"],
+    );
+}
+
+#[test]
+fn a_deck_with_an_undefined_property_is_refused_at_the_element() {
+    let case = Case::new("deck");
+    let deck = "GRID,1,,0.,0.,0.\nGRID,2,,0.,1.,0.\nCBAR,11,7,1,2,0.,0.,1.\nSPC1,1,123456,1\nSET1,1,1,2\n\
+                CAERO1,100001,1,,4,2,,,1,+\n+,0.,0.,0.,.2,0.,1.,0.,.2\nPAERO1,1\n";
+    std::fs::write(case.folder.join("wing.bdf"), deck).expect("a temporary file");
+    let wing = "Wing(name: \"a deck\", source: Deck((file: \"wing.bdf\", fairing_panels: [], spline_set: 1)),\n\
+                balance: (x_m: 0.0, y_m: 0.0, z_m: 0.0), correction: (chord_strips: 2, span_order: 2))";
+    std::fs::write(case.folder.join("wing.ron"), wing).expect("a temporary file");
+    case.calibrate_fails(&["wing.bdf:3:", "7"]);
+}
+
+#[test]
+fn corrections_of_another_wing_are_refused() {
+    let case = Case::new("hash");
+    let set = "Corrections(wing: \"other\", wing_hash: \"0000\", sets: [(V_m_s: 30.0, force: [1.0], moment: [1.0], pressure_offset: [0.0])])";
+    std::fs::write(case.folder.join("corrections.ron"), set).expect("a temporary file");
+    case.fails(
+        &["fullaircraft", "--wing", "wing.ron", "--corrections", "corrections.ron"],
+        &["corrections.ron", "another wing"],
+    );
+}
+
+#[test]
+fn a_misspelt_option_is_a_wrong_usage() {
+    let output = Command::new(env!("CARGO_BIN_EXE_xtask"))
+        .args(["calibrate", "--wimg", "x"])
+        .output()
+        .expect("it starts");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(said.contains("--wing"), "{said}");
+}
