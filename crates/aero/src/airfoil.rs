@@ -135,7 +135,8 @@ fn pair(line: &str, span: &Span) -> Result<Pair, InputError> {
         || numbers.next().and_then(|word| word.parse::<f64>().ok()).filter(|value| value.is_finite());
     match (next(), next()) {
         (Some(x), Some(z)) => Ok((x, z, span.line)),
-        _ => Err(InputError::at(span, format!("\"{}\" is not a pair of numbers x z", line.trim()))),
+        _ => Err(InputError::at(span, format!("\"{}\" is not a pair of numbers x z", line.trim()))
+            .with_help("a title line, then x z pairs in Selig's or Lednicer's order, chord 1")),
     }
 }
 

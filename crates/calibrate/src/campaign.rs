@@ -1,12 +1,15 @@
 //! A campaign: a folder of measurements (`campaign.ron`, `static.csv`, runs), read and checked.
 
 use nastran::table::Table;
-use nastran::{InputError, Span, ron_file};
+use nastran::{InputError, Span, named_file, ron_file};
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 
 /// The three channels of the balance, in the order of every array here.
 pub const CHANNELS: [&str; 3] = ["Fz_N", "Mx_Nm", "My_Nm"];
+
+/// Airspeeds of measurements, m/s: below, dynamic pressure means nothing; above, incompressible flow.
+pub const AIRSPEEDS_M_S: std::ops::RangeInclusive<f64> = 0.1..=340.0;
 
 /// One standard deviation of each channel.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
@@ -132,17 +135,21 @@ impl Campaign {
         let path = folder.join("campaign.ron");
         let file: CampaignFile = ron_file::read(&path)?;
         if !(file.rho_kg_m3.is_finite() && file.rho_kg_m3 > 0.0) {
-            return Err(InputError::in_file(&path, "rho_kg_m3 must be a positive number")
+            return Err(InputError::in_field(&path, "rho_kg_m3", "rho_kg_m3 must be a positive number")
                 .with_help("air at sea level has 1.225 kg/m3"));
         }
         if let Some(noise) = &file.noise {
             let all = noise.sample.to_array().into_iter().chain(noise.static_point.to_array());
             if all.into_iter().any(|sigma| !(sigma.is_finite() && sigma > 0.0)) {
-                return Err(InputError::in_file(&path, "noise must be positive standard deviations")
-                    .with_help("write `noise: None` to have it estimated from replicates"));
+                return Err(InputError::in_field(
+                    &path,
+                    "noise",
+                    "noise must be positive standard deviations",
+                )
+                .with_help("write `noise: None` to have it estimated from replicates"));
             }
         }
-        let table = Table::read(&folder.join(&file.static_cases))?;
+        let table = Table::read(&named_file(&path, &file.static_cases)?)?;
         let (channels, points) = static_points(&table)?;
         Ok(Self {
             name: file.name,
@@ -181,11 +188,16 @@ fn static_points(table: &Table) -> Result<([bool; 3], Vec<StaticPoint>), InputEr
     let mut points = Vec::with_capacity(table.len());
     for row in 0..table.len() {
         let v_m_s = table.number(row, "V_m_s")?;
-        if v_m_s < 0.0 {
-            return Err(InputError::at(
-                &table.span(row, "V_m_s"),
-                "an airspeed is zero (tilt tare) or positive",
-            ));
+        if v_m_s != 0.0 && !AIRSPEEDS_M_S.contains(&v_m_s) {
+            let message = format!("the airspeed {v_m_s:e} m/s is neither zero nor within 0.1 to 340 m/s");
+            return Err(InputError::at(&table.span(row, "V_m_s"), message)
+                .with_help("zero marks a tilt tare; the air is taken as incompressible"));
+        }
+        let alpha_deg = table.number(row, "alpha_deg")?;
+        if alpha_deg.abs() > 90.0 {
+            let message = format!("the angle of attack {alpha_deg:e} degrees is beyond 90 degrees");
+            return Err(InputError::at(&table.span(row, "alpha_deg"), message)
+                .with_help("angles are in degrees, nose up positive"));
         }
         let mut controls_rad = Vec::new();
         for name in &controls {
@@ -197,7 +209,7 @@ fn static_points(table: &Table) -> Result<([bool; 3], Vec<StaticPoint>), InputEr
         }
         points.push(StaticPoint {
             v_m_s,
-            alpha_rad: table.number(row, "alpha_deg")?.to_radians(),
+            alpha_rad: alpha_deg.to_radians(),
             loads: [optional(row, CHANNELS[0])?, optional(row, CHANNELS[1])?, optional(row, CHANNELS[2])?],
             block: has("block").then(|| table.text(row, "block").map(str::to_owned)).transpose()?,
             controls_rad,

@@ -6,6 +6,8 @@ use std::path::Path;
 
 /// Time steps may differ by this share (files print few digits).
 const SAME_STEP: f64 = 1e-3;
+/// Largest airspeed, m/s: the air is taken as incompressible.
+const FASTEST_M_S: f64 = 340.0;
 /// An airspeed may vary by this share of its mean within a run.
 const SAME_AIRSPEED: f64 = 0.02;
 
@@ -60,7 +62,8 @@ impl Run {
             return Err(InputError::in_file(
                 path,
                 format!("a run needs at least three samples, this has {}", table.len()),
-            ));
+            )
+            .with_help("every row is a sample; lines starting with # are comments"));
         }
         let measured = loads.iter().filter(|column| table.has(column)).count();
         if measured > 0 {
@@ -68,14 +71,14 @@ impl Run {
         }
         let t_s = table.numbers("t_s")?;
         let columns =
-            |prefix: &str, suffix: &str, factor: f64| -> Result<Vec<(String, Vec<f64>)>, InputError> {
+            |prefix: &str, suffix: &str, angle: bool| -> Result<Vec<(String, Vec<f64>)>, InputError> {
                 let named = table
                     .columns()
                     .filter_map(|column| inner(column, prefix, suffix).map(|name| (column, name)));
                 named
                     .map(|(column, name)| {
-                        let values = table.numbers(column)?;
-                        Ok((name.to_owned(), values.into_iter().map(|value| value * factor).collect()))
+                        let values = if angle { angles(table, column)? } else { table.numbers(column)? };
+                        Ok((name.to_owned(), values))
                     })
                     .collect()
             };
@@ -83,15 +86,15 @@ impl Run {
             name,
             time_step_s: time_step(&t_s, |row| table.span(row, "t_s"))?,
             v_m_s: airspeed(&table.numbers("V_m_s")?, |row| table.span(row, "V_m_s"))?,
-            alpha_rad: table.numbers("alpha_deg")?.into_iter().map(f64::to_radians).collect(),
+            alpha_rad: angles(table, "alpha_deg")?,
             loads: if measured == 0 {
                 None
             } else {
                 Some([table.numbers(loads[0])?, table.numbers(loads[1])?, table.numbers(loads[2])?])
             },
-            controls_rad: columns("delta_", "_deg", 1.0_f64.to_radians())?,
+            controls_rad: columns("delta_", "_deg", true)?,
             tip_z_m: table.has("tip_z_m").then(|| table.numbers("tip_z_m")).transpose()?,
-            accelerations: columns("az_", "_m_s2", 1.0)?,
+            accelerations: columns("az_", "_m_s2", false)?,
             t_s,
         })
     }
@@ -107,6 +110,16 @@ impl Run {
     }
 }
 
+/// A column of angles, from degrees to rad.
+fn angles(table: &Table, column: &str) -> Result<Vec<f64>, InputError> {
+    let degrees = table.numbers(column)?;
+    if let Some(row) = degrees.iter().position(|angle| angle.abs() > 90.0) {
+        let message = format!("{column} is {:e}, beyond 90 degrees", degrees[row]);
+        return Err(InputError::at(&table.span(row, column), message).with_help("angles are in degrees"));
+    }
+    Ok(degrees.into_iter().map(f64::to_radians).collect())
+}
+
 /// NAME of `prefixNAMEsuffix`.
 fn inner<'a>(column: &'a str, prefix: &str, suffix: &str) -> Option<&'a str> {
     column.strip_prefix(prefix)?.strip_suffix(suffix).filter(|name| !name.is_empty())
@@ -119,7 +132,8 @@ fn time_step(t_s: &[f64], span: impl Fn(usize) -> Span) -> Result<f64, InputErro
         return Err(InputError::at(
             &span(1),
             format!("time must ascend, here it goes from {} to {} s", t_s[0], t_s[1]),
-        ));
+        )
+        .with_help("sort the rows by t_s"));
     }
     for (row, pair) in t_s.windows(2).enumerate() {
         let step = pair[1] - pair[0];
@@ -134,8 +148,12 @@ fn time_step(t_s: &[f64], span: impl Fn(usize) -> Span) -> Result<f64, InputErro
 
 /// The mean airspeed, or the line that is too far from it.
 fn airspeed(v_m_s: &[f64], span: impl Fn(usize) -> Span) -> Result<f64, InputError> {
+    if let Some(row) = v_m_s.iter().position(|v| !(0.0..=FASTEST_M_S).contains(v)) {
+        let message = format!("the airspeed {:e} m/s is not within 0 to {FASTEST_M_S} m/s", v_m_s[row]);
+        return Err(InputError::at(&span(row), message).with_help("zero marks a wind-off run"));
+    }
     let mean = v_m_s.iter().sum::<f64>() / v_m_s.len() as f64;
-    let far = |v: &f64| *v < 0.0 || (v - mean).abs() > SAME_AIRSPEED * mean.max(1e-3);
+    let far = |v: &f64| (v - mean).abs() > SAME_AIRSPEED * mean.max(1e-3);
     match v_m_s.iter().position(far) {
         None => Ok(mean),
         Some(row) => {

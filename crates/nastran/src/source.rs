@@ -110,6 +110,9 @@ pub fn read_text(path: &Path) -> Result<String, InputError> {
     std::fs::read_to_string(path).map_err(|error| match error.kind() {
         std::io::ErrorKind::NotFound => InputError::in_file(path, "the file does not exist")
             .with_help("check the path; relative paths start from the folder the command runs in"),
-        _ => InputError::in_file(path, format!("the file cannot be read: {error}")),
+        _ if path.is_dir() => InputError::in_file(path, "this is a folder; expected a text file")
+            .with_help("name the file in it"),
+        _ => InputError::in_file(path, format!("the file cannot be read: {error}"))
+            .with_help("it must be a text file (UTF-8) that you may read"),
     })
 }
