@@ -129,7 +129,7 @@ fn an_airspeed_with_two_angles_is_refused_at_its_first_row() {
     let case = Case::new("angles");
     let kept = |line: &&str| !line.starts_with("30.00") || line.starts_with("30.00,-");
     case.change("campaign/static.csv", |text| {
-        text.lines().filter(kept).map(|line| format!("{line}\n")).collect()
+        text.lines().filter(kept).map(|line| line.to_owned() + "\n").collect()
     });
     case.calibrate_fails(&[
         "static.csv:16:1: the airspeed 30 m/s has 2 different angle(s), at least three are needed",
@@ -161,7 +161,7 @@ fn a_run_that_moves_an_unknown_control_is_told_the_wings_own() {
     let flap = |text: &str| {
         text.lines()
             .enumerate()
-            .map(|(i, line)| format!("{line},{}\n", if i == 0 { "delta_flap_deg" } else { "1.0" }))
+            .map(|(i, line)| line.to_owned() + if i == 0 { ",delta_flap_deg\n" } else { ",1.0\n" })
             .collect()
     };
     case.change("campaign/aoa_2hz_30.csv", flap);

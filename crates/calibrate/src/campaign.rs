@@ -149,8 +149,9 @@ impl Campaign {
                 .with_help("write `noise: None` to have it estimated from replicates"));
             }
         }
-        let table = Table::read(&named_file(&path, &file.static_cases)?)?;
-        let (channels, points) = static_points(&table)?;
+        let statics = named_file(&path, &file.static_cases)?;
+        let table = Table::read(&statics)?;
+        let (channels, points) = static_points(&table, &statics)?;
         Ok(Self {
             name: file.name,
             folder: folder.to_path_buf(),
@@ -164,7 +165,7 @@ impl Campaign {
 }
 
 /// Reads the rows of `static.csv`.
-fn static_points(table: &Table) -> Result<([bool; 3], Vec<StaticPoint>), InputError> {
+fn static_points(table: &Table, path: &Path) -> Result<([bool; 3], Vec<StaticPoint>), InputError> {
     table.require(&["V_m_s", "alpha_deg"])?;
     table.allow_only(
         |name| {
@@ -174,6 +175,10 @@ fn static_points(table: &Table) -> Result<([bool; 3], Vec<StaticPoint>), InputEr
         },
         "V_m_s, alpha_deg, Fz_N, Mx_Nm, My_Nm, block, tip_z_m or delta_NAME_deg",
     )?;
+    if table.is_empty() {
+        return Err(InputError::in_file(path, "there are no static cases below the header")
+            .with_help("calibration needs at least three angles at one airspeed"));
+    }
     let has = |name: &str| table.has(name);
     let channels = CHANNELS.map(has);
     if !channels.contains(&true) {

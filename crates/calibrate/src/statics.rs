@@ -230,8 +230,12 @@ fn check_angles(campaign: &Campaign, cells: &[Cell<'_>]) -> Result<(), InputErro
         counts.entry(group).or_insert((0, cell.v_m_s, cell.rows[0].span.clone())).0 += 1;
     }
     if counts.is_empty() {
-        return Err(InputError::in_file(
-            &campaign.folder,
+        let place = campaign
+            .points
+            .first()
+            .map_or_else(|| Span::whole_file(&campaign.folder), |row| row.span.clone());
+        return Err(InputError::at(
+            &place,
             "the campaign has no static case with wind on and neutral controls",
         )
         .with_help("calibration needs at least three angles at one airspeed"));

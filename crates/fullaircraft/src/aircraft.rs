@@ -147,7 +147,9 @@ impl Aircraft {
             .ok_or_else(|| {
                 let names: Vec<&str> = self.flow.controls.iter().map(|c| c.name.as_str()).collect();
                 let message = format!("there is no pair of control surfaces {name}");
-                InputError::in_file(&self.file.path, message)
+                let text = nastran::read_text(&self.file.path).unwrap_or_default();
+                let place = nastran::place_of(&["control:", &format!("\"{name}\"")], &text, &self.file.path);
+                InputError::at(&place, message)
                     .with_help(format!("controls are {} (L_ is the left one)", names.join(", ")))
             })
     }

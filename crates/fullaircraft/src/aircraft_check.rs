@@ -3,6 +3,18 @@
 use crate::aircraft_file::{AircraftFile, Fuselage, RoundBeam, TailSurface};
 use nastran::InputError;
 
+/// What is wrong with a part of the aircraft, and the field whose place in the file is shown.
+struct Fault {
+    field: String,
+    message: String,
+}
+
+impl Fault {
+    fn new(part: &str, message: &str) -> Self {
+        Self { field: part.to_owned(), message: format!("{part}: {message}") }
+    }
+}
+
 impl AircraftFile {
     /// Refuses numbers that make no sense.
     pub(crate) fn check(&self) -> Result<(), InputError> {
@@ -14,9 +26,6 @@ impl AircraftFile {
             ("total.iyy_kg_m2", self.total.iyy_kg_m2),
             ("total.izz_kg_m2", self.total.izz_kg_m2),
             ("fuselage.height_m", self.fuselage.height_m),
-            ("trim.V_m_s", self.trim.v_m_s),
-            ("pull_up.V_m_s", self.pull_up.v_m_s),
-            ("push_down.V_m_s", self.push_down.v_m_s),
             ("doublet.frequency_hz", self.doublet.frequency_hz),
             ("actuator.frequency_hz", self.actuator.frequency_hz),
             ("actuator.damping_ratio", self.actuator.damping_ratio),
@@ -37,6 +46,13 @@ impl AircraftFile {
         ];
         self.refuse(&positive, |value| value.is_finite() && value > 0.0, "a number above zero")?;
         self.refuse(&finite, f64::is_finite, "a finite number")?;
+        let airspeeds = [
+            ("trim.V_m_s", self.trim.v_m_s),
+            ("pull_up.V_m_s", self.pull_up.v_m_s),
+            ("push_down.V_m_s", self.push_down.v_m_s),
+        ];
+        let incompressible = |value: f64| (0.1..=340.0).contains(&value);
+        self.refuse(&airspeeds, incompressible, "0.1 to 340 m/s: the air is taken as incompressible")?;
         let history = |value: f64| (0.0..=600.0).contains(&value);
         let durations = [
             ("doublet.start_s", self.doublet.start_s),
@@ -44,11 +60,10 @@ impl AircraftFile {
             ("chirp.duration_s", self.chirp.duration_s),
         ];
         self.refuse(&durations, history, "0 to 600 s")?;
-        self.fuselage
-            .check()
-            .and(self.htp.check("htp"))
-            .and(self.vtp.check("vtp"))
-            .map_err(|message| InputError::in_file(&self.path, message))
+        self.fuselage.check().and(self.htp.check("htp")).and(self.vtp.check("vtp")).map_err(|fault| {
+            InputError::in_field(&self.path, &fault.field, fault.message)
+                .with_help("data/tuflex/aircraft.ron explains every field")
+        })
     }
 
     fn refuse(
@@ -60,53 +75,62 @@ impl AircraftFile {
         match values.iter().find(|(_, value)| !fits(*value)) {
             None => Ok(()),
             Some((name, value)) => {
-                Err(InputError::in_file(&self.path, format!("{name} is {value}, expected {what}")))
+                Err(InputError::in_field(&self.path, name, format!("{name} is {value}, expected {what}"))
+                    .with_help("the unit is in the field's name"))
             }
         }
     }
 }
 
 impl RoundBeam {
-    fn check(&self, part: &str) -> Result<(), String> {
+    fn check(&self, part: &str) -> Result<(), Fault> {
         let fits = |value: f64| value.is_finite() && value > 0.0;
         if fits(self.ei_nm2) && fits(self.gj_nm2) && fits(self.mass_kg_m) {
             return Ok(());
         }
-        Err(format!("{part}.beam needs stiffnesses and a mass above zero"))
+        let message = format!("{part}.beam needs stiffnesses and a mass above zero");
+        Err(Fault { field: format!("{part}.beam"), message })
     }
 }
 
 impl Fuselage {
-    fn check(&self) -> Result<(), String> {
+    fn check(&self) -> Result<(), Fault> {
         let places = [self.x_m.0, self.gap_x_m.0, self.gap_x_m.1, self.x_m.1];
         if !places.windows(2).all(|pair| pair[0] < pair[1]) || !places.iter().all(|x| x.is_finite()) {
-            return Err("fuselage: x_m and gap_x_m must follow each other as nose, gap, tail end".to_owned());
+            return Err(Fault::new(
+                "fuselage",
+                "x_m and gap_x_m must follow each other as nose, gap, tail end",
+            ));
         }
         if self.half_width_wing_strips == 0 || self.boxes.ahead == 0 || self.boxes.behind == 0 {
-            return Err("fuselage: strips and boxes must be at least one".to_owned());
+            return Err(Fault::new("fuselage", "strips and boxes must be at least one"));
         }
         self.beam.check("fuselage")
     }
 }
 
 impl TailSurface {
-    fn check(&self, part: &str) -> Result<(), String> {
+    fn check(&self, part: &str) -> Result<(), Fault> {
         let fits = |value: f64| value.is_finite() && value > 0.0;
         let (x, y, z) = self.root_leading_edge_m;
         if !(fits(self.span_m) && fits(self.root_chord_m) && fits(self.tip_chord_m)) {
-            return Err(format!("{part}: span and chords must be above zero"));
+            return Err(Fault::new(part, "span and chords must be above zero"));
         }
         if ![x, y, z].iter().all(|value| value.is_finite()) || self.leading_edge_sweep_deg.abs() > 75.0 {
-            return Err(format!("{part}: the root must have a place, and the sweep be within 75 deg"));
+            return Err(Fault::new(part, "the root must have a place, and the sweep be within 75 deg"));
         }
         let (boxes, control) = (&self.boxes, &self.control);
         let most = 1..=200;
         if !most.contains(&boxes.chordwise) || !most.contains(&boxes.spanwise) {
-            return Err(format!("{part}: boxes must be 1 to 200 each way"));
+            return Err(Fault {
+                field: format!("{part}.boxes"),
+                message: format!("{part}: boxes must be 1 to 200 each way"),
+            });
         }
         let inside = (0.0..1.0).contains(&control.chord_share) && control.chord_share > 0.0;
         if control.chord_boxes == 0 || control.chord_boxes >= boxes.chordwise || !inside {
-            return Err(format!("{part}: the control needs some, but not all, of the chord and its boxes"));
+            let message = format!("{part}: the control needs some, but not all, of the chord and its boxes");
+            return Err(Fault { field: format!("{part}.control"), message });
         }
         self.beam.check(part)
     }

@@ -218,6 +218,7 @@ impl AircraftFile {
         let mut file: Self = ron_file::read(path)?;
         file.path = path.to_path_buf();
         file.check()?;
+        nastran::named_file(path, &file.wing)?;
         Ok(file)
     }
 

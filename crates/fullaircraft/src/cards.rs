@@ -8,7 +8,7 @@ use aero::Lattice;
 use coupling::WingFile;
 use coupling::planform::Mount;
 use nalgebra::{Point3, Vector3};
-use nastran::{BulkData, Frames, InputError, Span};
+use nastran::{BulkData, Frames, InputError};
 
 /// Parts in ascending numbers: each has one step of numbers to itself, the right wing keeps its own.
 const LEFT_WING: u32 = 1;
@@ -154,11 +154,11 @@ fn root_grid(wing: &BulkData, spline: &[u32]) -> Result<Option<(u32, Point3<f64>
 /// The outer edge of the strip that the fuselage's half width is given by.
 fn strip_edge(lattice: &Lattice, file: &AircraftFile) -> Result<f64, InputError> {
     let strip = file.fuselage.half_width_wing_strips;
-    let fault = |message| InputError::at(&Span::whole_file(&file.path), message);
+    let fault = |field, message| InputError::in_field(&file.path, field, message);
     let surface = lattice.surfaces.first().filter(|surface| strip < surface.spanwise).ok_or_else(|| {
-        fault(format!(
-            "fuselage.half_width_wing_strips is {strip}, as wide as the wing's first panel or wider"
-        ))
+        let message =
+            format!("fuselage.half_width_wing_strips is {strip}, as wide as the wing's first panel or wider");
+        fault("fuselage.half_width_wing_strips", message).with_help("a fuselage is a few strips wide")
     })?;
     let inboard = &lattice.boxes[surface.first_box..surface.first_box + strip * surface.chordwise];
     let x_m = || inboard.iter().flat_map(|panel| panel.corners).map(|corner| corner.x);
@@ -169,7 +169,8 @@ fn strip_edge(lattice: &Lattice, file: &AircraftFile) -> Result<f64, InputError>
             "fuselage.gap_x_m is ({gap_front}, {gap_back}), but inside the fuselage the wing reaches from x = \
              {front:.3} to {back:.3} m"
         );
-        return Err(fault(message).with_help("boxes of wing and fuselage must not overlap; widen the gap"));
+        return Err(fault("fuselage.gap_x_m", message)
+            .with_help("boxes of wing and fuselage must not overlap; widen the gap"));
     }
     Ok(lattice.boxes[surface.first_box + strip * surface.chordwise].corners[0].y)
 }

@@ -28,7 +28,8 @@ pub(crate) fn mass(
             "total.mass_kg is {}, but wings, tail and fuselage beam weigh {:.3} kg already",
             total.mass_kg, rest.mass_kg
         );
-        return Err(InputError::in_file(&file.path, message));
+        return Err(InputError::in_field(&file.path, "total.mass_kg", message)
+            .with_help("the totals are those of the whole aircraft, wings and tail included"));
     }
     let mut place = Point3::from((centre.coords * total.mass_kg - rest.centre.coords * rest.mass_kg) / mass);
     // The rest is symmetric; its centre is off the plane by round-off only.
@@ -45,7 +46,7 @@ pub(crate) fn mass(
             place.x
         );
         let help = "each must be above zero and less than the sum of the other two";
-        return Err(InputError::in_file(&file.path, message).with_help(help));
+        return Err(InputError::in_field(&file.path, "total.ixx_kg_m2", message).with_help(help));
     }
     let offset = (place - at).into();
     Ok(Conm2 { id, grid, cid: 0, mass, offset, inertia: [x, 0.0, y, 0.0, 0.0, z], span: file.span() })

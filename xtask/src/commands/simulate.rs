@@ -40,7 +40,9 @@ pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
     let folder = campaign_path(args.campaign.as_deref());
     let campaign = Campaign::read(&folder)?;
     let files: Vec<PathBuf> = if args.run.is_empty() {
-        campaign.runs.iter().map(|run| folder.join(&run.file)).collect()
+        let listed_in = folder.join("campaign.ron");
+        let named = |run: &calibrate::campaign::RunEntry| nastran::named_file(&listed_in, &run.file);
+        campaign.runs.iter().map(named).collect::<Result<_, _>>()?
     } else {
         args.run.clone()
     };
@@ -49,6 +51,7 @@ pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
             .with_help("list them under `runs` in campaign.ron, or name files with --run")
             .into());
     }
+    refuse_twins(&files)?;
     let runs =
         files.iter().map(|file| Ok((file, Run::read(file)?))).collect::<Result<Vec<_>, InputError>>()?;
     let corrected =
@@ -75,6 +78,18 @@ pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
     let out = write(&common.out("simulate"), &flown, &result)?;
     show::summary(common, &summary(&flown, &out, seconds));
     show::json(common, &result)
+}
+
+/// Results are named after their runs, so no two runs may share a name.
+fn refuse_twins(files: &[PathBuf]) -> Result<(), InputError> {
+    for (index, file) in files.iter().enumerate() {
+        if let Some(twin) = files[..index].iter().find(|other| other.file_stem() == file.file_stem()) {
+            let message = format!("this run has the same name as {}", twin.display());
+            return Err(InputError::in_file(file, message)
+                .with_help("results are named after their runs: name each run once, or rename one"));
+        }
+    }
+    Ok(())
 }
 
 fn settings(corrected: &CorrectedWing) -> RigSettings {
