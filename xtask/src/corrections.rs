@@ -2,7 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use calibrate::{Calibration, Campaign, CorrectionSet, Schedule, Settings, calibrate};
+use aero::Corrections;
+use calibrate::{Calibration, Campaign, CorrectionSet, Outside, Schedule, Settings, calibrate};
 use coupling::{CouplingError, ElasticWing, WingFile};
 use nastran::InputError;
 
@@ -77,6 +78,17 @@ pub(crate) fn schedule(file: &WingFile, calibration: &Calibration) -> Schedule {
         wing_hash: file.hash.clone(),
         sets: calibration.airspeeds.iter().map(set).collect(),
     }
+}
+
+/// Corrections at an airspeed, which may stray a little from the calibrated range, as tunnels do.
+///
+/// # Errors
+/// If it is more than 2 % outside.
+pub(crate) fn corrections_at(schedule: &Schedule, v_m_s: f64) -> Result<Corrections, InputError> {
+    schedule.at(v_m_s, Outside::Refuse).or_else(|refused| {
+        let near = schedule.sets.iter().any(|set| (set.v_m_s - v_m_s).abs() <= 0.02 * set.v_m_s);
+        if near { schedule.at(v_m_s, Outside::Nearest) } else { Err(refused) }
+    })
 }
 
 /// The wing's file: given, or the shipped one.

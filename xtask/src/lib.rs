@@ -35,6 +35,14 @@ pub fn main() -> ExitCode {
 
 fn run(cli: &Cli) -> Result<(), Failure> {
     let common = &cli.common;
+    if let (
+        Command::Calibrate(_) | Command::Simulate(_) | Command::Fullaircraft(_) | Command::Tunnel(_),
+        Some(out),
+    ) = (&cli.command, &common.out)
+    {
+        // Before the work, not after it.
+        output::check_replaceable(out)?;
+    }
     match &cli.command {
         Command::Calibrate(args) => commands::calibrate::run(args, common),
         Command::Simulate(args) => commands::simulate::run(args, common),

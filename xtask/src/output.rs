@@ -103,7 +103,11 @@ fn refused(path: &Path, error: &std::io::Error) -> Failure {
     error.with_help("choose another folder with --out DIR").into()
 }
 
-fn check_replaceable(target: &Path) -> Result<(), Failure> {
+/// Refuses a target that is something else than an earlier result or an empty folder.
+///
+/// # Errors
+/// If nothing here may delete it.
+pub fn check_replaceable(target: &Path) -> Result<(), Failure> {
     let Ok(mut entries) = std::fs::read_dir(target) else {
         return if target.exists() {
             let error = InputError::in_file(target, "a file stands where the result folder should be");

@@ -16,7 +16,7 @@ impl Case {
         let folder = std::env::temp_dir().join(format!("wingroot-bad-{}-{name}", std::process::id()));
         let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../data/tuflex");
         std::fs::create_dir_all(folder.join("campaign")).expect("a temporary folder");
-        for file in ["wing.ron", "e214.dat", "beam_distribution.csv"] {
+        for file in ["wing.ron", "e214.dat", "beam_distribution.csv", "aircraft.ron"] {
             std::fs::copy(data.join(file), folder.join(file)).expect("a shipped file");
         }
         for file in ["campaign.ron", "static.csv", "aoa_2hz_30.csv"] {
@@ -93,7 +93,8 @@ fn a_missing_file_is_named() {
         &["nowhere/campaign.ron: the file does not exist"],
     );
     std::fs::remove_file(case.folder.join("e214.dat")).expect("a file of the case");
-    case.calibrate_fails(&["e214.dat"]);
+    case.calibrate_fails(&["wing.ron:23:18: the file e214.dat does not exist"]);
+    case.fails(&["calibrate", "--wing", "campaign"], &["campaign: this is a folder"]);
 }
 
 #[test]
@@ -167,7 +168,7 @@ fn a_run_that_moves_an_unknown_control_is_told_the_wings_own() {
     case.change("campaign/aoa_2hz_30.csv", flap);
     case.fails(
         &["simulate", "--wing", "wing.ron", "--campaign", "campaign", "--run", "campaign/aoa_2hz_30.csv"],
-        &["flap", "inner, middle, outer"],
+        &["aoa_2hz_30.csv:1:46: ", "flap", "inner, middle, outer"],
     );
 }
 
@@ -192,6 +193,86 @@ fn corrections_of_another_wing_are_refused() {
         &["fullaircraft", "--wing", "wing.ron", "--corrections", "corrections.ron"],
         &["corrections.ron", "another wing"],
     );
+}
+
+#[test]
+fn static_cases_that_are_not_there_are_missed_in_their_file() {
+    let case = Case::new("no-rows");
+    case.change("campaign/static.csv", |text| text.lines().next().unwrap_or_default().to_owned());
+    case.calibrate_fails(&["static.csv: there are no static cases below the header"]);
+    case.change("campaign/static.csv", |_| String::new());
+    case.calibrate_fails(&["static.csv: the table is empty"]);
+}
+
+#[test]
+fn numbers_that_cannot_be_are_refused_at_their_cell() {
+    for (name, column, value, expected) in [
+        ("fast", 0, "1e300", "static.csv:8:1: the airspeed 1e300 m/s"),
+        ("backward", 0, "-18", "static.csv:8:1: the airspeed -18.0 m/s"),
+        ("steep", 1, "4e9", "static.csv:8:7: the angle of attack"),
+    ] {
+        let case = Case::new(name);
+        case.change("campaign/static.csv", |text| with_line(text, 8, |line| with_cell(line, column, value)));
+        case.calibrate_fails(&[expected]);
+    }
+    for (name, column, expected) in
+        [("fast-run", 1, "csv:8:8: the airspeed 1e300 m/s"), ("steep-run", 2, "csv:8:14: alpha_deg is 1e300")]
+    {
+        let case = Case::new(name);
+        let change = |text: &str| with_line(text, 8, |line| with_cell(line, column, "1e300"));
+        case.change("campaign/aoa_2hz_30.csv", change);
+        case.fails(&["simulate", "--wing", "wing.ron", "--run", "campaign/aoa_2hz_30.csv"], &[expected]);
+    }
+}
+
+#[test]
+fn a_number_that_cannot_be_is_refused_at_its_field() {
+    let case = Case::new("density");
+    case.change("campaign/campaign.ron", |text| text.replace("rho_kg_m3: 1.225", "rho_kg_m3: 0.0"));
+    case.calibrate_fails(&["campaign.ron:4:5: rho_kg_m3"]);
+    let case = Case::new("plane");
+    case.change("wing.ron", |text| text.replace("Symmetric(-0.09)", "Symmetric(0.3)"));
+    case.calibrate_fails(&["wing.ron:63:5: box ", "crosses the plane of symmetry y = 0.3 m"]);
+    for (name, from, to, expected) in [
+        ("tail-field", "span_m: 0.45", "spann_m: 0.45", "aircraft.ron:43:9: there is no field `spann_m`"),
+        ("speed", "(V_m_s: 37.0", "(V_m_s: -37.0", "aircraft.ron:68:15: pull_up.V_m_s is -37"),
+        ("tail-boxes", "spanwise: 12", "spanwise: 0", "aircraft.ron:47:9: htp: boxes"),
+        ("no-wing", "wing: \"wing.ron\"", "wing: \"wng.ron\"", "aircraft.ron:9:11: the file wng.ron"),
+    ] {
+        let case = Case::new(name);
+        case.change("aircraft.ron", |text| text.replace(from, to));
+        case.fails(&["fullaircraft", "--aircraft", "aircraft.ron"], &[expected]);
+    }
+}
+
+#[test]
+fn two_runs_of_one_name_would_overwrite_each_other() {
+    let case = Case::new("twins");
+    std::fs::copy(case.folder.join("campaign/aoa_2hz_30.csv"), case.folder.join("aoa_2hz_30.csv"))
+        .expect("a temporary file");
+    case.fails(
+        &["simulate", "--run", "campaign/aoa_2hz_30.csv", "aoa_2hz_30.csv"],
+        &["aoa_2hz_30.csv: this run has the same name as campaign/aoa_2hz_30.csv"],
+    );
+}
+
+#[test]
+fn results_replace_neither_a_file_nor_a_folder_of_something_else() {
+    for name in ["out-file", "out-folder"] {
+        let case = Case::new(name);
+        // what stands in the way is no earlier result: the campaign's folder, the wing's file
+        let target = if name == "out-file" { "wing.ron" } else { "campaign" };
+        let output = Command::new(env!("CARGO_BIN_EXE_xtask"))
+            .args(["calibrate", "--wing", "wing.ron", "--campaign", "campaign", "--out", target])
+            .current_dir(&case.folder)
+            .output()
+            .expect("the command starts");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.code() == Some(2) && said.contains("hint: choose a new"), "{said}");
+        assert!(case.folder.join("wing.ron").is_file() && case.folder.join("campaign/static.csv").is_file());
+        let hidden = std::fs::read_dir(&case.folder).expect("its folder").flatten();
+        assert!(hidden.into_iter().all(|entry| !entry.file_name().to_string_lossy().starts_with('.')));
+    }
 }
 
 #[test]

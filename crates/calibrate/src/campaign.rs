@@ -194,13 +194,13 @@ fn static_points(table: &Table, path: &Path) -> Result<([bool; 3], Vec<StaticPoi
     for row in 0..table.len() {
         let v_m_s = table.number(row, "V_m_s")?;
         if v_m_s != 0.0 && !AIRSPEEDS_M_S.contains(&v_m_s) {
-            let message = format!("the airspeed {v_m_s:e} m/s is neither zero nor within 0.1 to 340 m/s");
+            let message = format!("the airspeed {v_m_s:?} m/s is neither zero nor within 0.1 to 340 m/s");
             return Err(InputError::at(&table.span(row, "V_m_s"), message)
                 .with_help("zero marks a tilt tare; the air is taken as incompressible"));
         }
         let alpha_deg = table.number(row, "alpha_deg")?;
         if alpha_deg.abs() > 90.0 {
-            let message = format!("the angle of attack {alpha_deg:e} degrees is beyond 90 degrees");
+            let message = format!("the angle of attack {alpha_deg:?} degrees is beyond 90 degrees");
             return Err(InputError::at(&table.span(row, "alpha_deg"), message)
                 .with_help("angles are in degrees, nose up positive"));
         }

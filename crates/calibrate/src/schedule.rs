@@ -94,7 +94,7 @@ impl Schedule {
                 "no corrections at {v_m_s} m/s: they were found from {} to {} m/s",
                 first.v_m_s, last.v_m_s
             ))
-            .with_help("choose an airspeed inside, or take the nearest set (`--corrections-at nearest`)"));
+            .with_help("choose an airspeed inside, or calibrate at this one"));
         }
         if self.sets.len() == 1 {
             return Ok(first.corrections());

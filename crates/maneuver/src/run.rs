@@ -114,7 +114,7 @@ impl Run {
 fn angles(table: &Table, column: &str) -> Result<Vec<f64>, InputError> {
     let degrees = table.numbers(column)?;
     if let Some(row) = degrees.iter().position(|angle| angle.abs() > 90.0) {
-        let message = format!("{column} is {:e}, beyond 90 degrees", degrees[row]);
+        let message = format!("{column} is {:?}, beyond 90 degrees", degrees[row]);
         return Err(InputError::at(&table.span(row, column), message).with_help("angles are in degrees"));
     }
     Ok(degrees.into_iter().map(f64::to_radians).collect())
@@ -149,7 +149,7 @@ fn time_step(t_s: &[f64], span: impl Fn(usize) -> Span) -> Result<f64, InputErro
 /// The mean airspeed, or the line that is too far from it.
 fn airspeed(v_m_s: &[f64], span: impl Fn(usize) -> Span) -> Result<f64, InputError> {
     if let Some(row) = v_m_s.iter().position(|v| !(0.0..=FASTEST_M_S).contains(v)) {
-        let message = format!("the airspeed {:e} m/s is not within 0 to {FASTEST_M_S} m/s", v_m_s[row]);
+        let message = format!("the airspeed {:?} m/s is not within 0 to {FASTEST_M_S} m/s", v_m_s[row]);
         return Err(InputError::at(&span(row), message).with_help("zero marks a wind-off run"));
     }
     let mean = v_m_s.iter().sum::<f64>() / v_m_s.len() as f64;

@@ -28,8 +28,9 @@ pub fn motion_of(run: &Run, model: &RigModel, file: &Path) -> Result<Motion, Inp
     for (name, values) in &run.controls_rad {
         let Some(place) = model.controls.iter().position(|control| control == name) else {
             let known = if model.controls.is_empty() { "none".into() } else { model.controls.join(", ") };
-            return Err(InputError::in_file(
-                file,
+            let text = nastran::read_text(file).unwrap_or_default();
+            return Err(InputError::at(
+                &nastran::place_of(&[&format!("delta_{name}_deg")], &text, file),
                 format!("the run moves a control {name}, which the wing does not have"),
             )
             .with_help(format!("the wing's controls: {known}")));

@@ -5,10 +5,11 @@ use std::time::Instant;
 
 use calibrate::Outside;
 use fullaircraft::{Aircraft, AircraftError, AircraftFile, Comparison, Summary};
+use nastran::InputError;
 
 use crate::args::{Common, FullaircraftArgs};
 use crate::commands::fullaircraft_figures as figures;
-use crate::corrections::corrected_wing;
+use crate::corrections::{corrected_wing, corrections_at};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::{paths, show};
@@ -30,6 +31,10 @@ pub(crate) fn run(args: &FullaircraftArgs, common: &Common) -> Result<(), Failur
     let wing_path = args.wing.clone().unwrap_or_else(|| file.wing_path());
     let wing = corrected_wing(Some(&wing_path), args.corrections.as_deref(), None, common)?;
     // The nearest set stands for airspeeds between the calibrated ones, as published (40 m/s for 37 and 42 m/s).
+    corrections_at(&wing.schedule, file.correction_airspeed_m_s).map_err(|refused| {
+        InputError::in_field(&file.path, "correction_airspeed_m_s", refused.message)
+            .with_help("choose an airspeed within those of the calibration")
+    })?;
     let corrections = wing.schedule.at(file.correction_airspeed_m_s, Outside::Nearest)?;
     let aircraft = Aircraft::new(file, wing.file)?;
     let comparison = aircraft.compare(&corrections)?;

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use aero::{Corrections, Flow};
-use calibrate::{Campaign, Outside};
+use calibrate::Campaign;
 use maneuver::{Rig, RigError, RigModel, RigSettings, Run, Simulated};
 use nastran::InputError;
 use rayon::prelude::*;
@@ -12,7 +12,7 @@ use report::{Figure, Panel, Series, Style};
 use serde_json::{Value, json};
 
 use crate::args::{Common, SimulateArgs};
-use crate::corrections::{CorrectedWing, campaign_path, corrected_wing};
+use crate::corrections::{CorrectedWing, campaign_path, corrected_wing, corrections_at};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::{progress, show};
@@ -112,25 +112,18 @@ fn fly(
 ) -> Result<Flown, Failure> {
     let flow = Flow { v_m_s: run.v_m_s, rho_kg_m3 };
     let neutral = Corrections::neutral(corrected.wing.correctable.len());
-    let corrections =
-        if run.v_m_s > 0.0 { corrections_at(file, corrected, run.v_m_s)? } else { neutral.clone() };
+    let corrections = if run.v_m_s > 0.0 {
+        corrections_at(&corrected.schedule, run.v_m_s).map_err(|refused| {
+            InputError::in_file(file, refused.message)
+                .with_help("calibrate at this airspeed, or leave the run out")
+        })?
+    } else {
+        neutral.clone()
+    };
     let simulate = |model: &RigModel| maneuver::simulate(&run, model, file);
     let initial = simulate(&rig.at(flow, &neutral)?)?;
     let updated = simulate(&rig.at(flow, &corrections)?)?;
     Ok(Flown { file: file.to_path_buf(), initial, updated, run })
-}
-
-/// Corrections at a run's airspeed: it may stray a little from the calibrated range, as tunnels do.
-fn corrections_at(file: &Path, corrected: &CorrectedWing, v_m_s: f64) -> Result<Corrections, InputError> {
-    let schedule = &corrected.schedule;
-    schedule.at(v_m_s, Outside::Refuse).or_else(|refused| {
-        let near = schedule.sets.iter().any(|set| (set.v_m_s - v_m_s).abs() <= 0.02 * set.v_m_s);
-        if near {
-            return schedule.at(v_m_s, Outside::Nearest);
-        }
-        Err(InputError::in_file(file, refused.message)
-            .with_help("calibrate at this airspeed, or leave the run out"))
-    })
 }
 
 fn write(out: &Path, flown: &[Flown], result: &Value) -> Result<PathBuf, Failure> {

@@ -33,7 +33,7 @@ pub(crate) fn positive(field: &str, value: f64) -> Result<(), Fault> {
     }
     Err(Fault::field(
         field,
-        format!("{field} is {value}, expected a number above zero, 10000 at most"),
+        format!("{field} is {value:?}, expected a number above zero, 10000 at most"),
         "the unit is in the field's name",
     ))
 }
@@ -43,7 +43,7 @@ pub(crate) fn within(field: &str, value: f64, low: f64, high: f64) -> Result<(),
     if (low..=high).contains(&value) {
         return Ok(());
     }
-    let message = format!("{field} is {value}, expected a number from {low} to {high}");
+    let message = format!("{field} is {value:?}, expected a number from {low} to {high}");
     Err(Fault::field(field, message, "the unit is in the field's name"))
 }
 
@@ -52,7 +52,7 @@ pub(crate) fn count(field: &str, value: usize, low: usize, high: usize) -> Resul
     if (low..=high).contains(&value) {
         return Ok(());
     }
-    let message = format!("{field} is {value}, expected a whole number from {low} to {high}");
+    let message = format!("{field} is {value:?}, expected a whole number from {low} to {high}");
     Err(Fault::field(field, message, "counts have no decimal point"))
 }
 
