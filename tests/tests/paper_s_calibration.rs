@@ -22,8 +22,11 @@ fn measured() -> &'static Calibration {
     })
 }
 
-/// Offset at alpha = 0 and slope per rad of a line through loads at the airspeed's angles, by channel.
-fn line(airspeed: &AirspeedCalibration, loads: &[[f64; 3]]) -> [(f64, f64); 3] {
+/// Offset at alpha = 0 and slope per rad, by channel.
+type Lines = [(f64, f64); 3];
+
+/// Straight lines through loads at the airspeed's angles.
+fn line(airspeed: &AirspeedCalibration, loads: &[[f64; 3]]) -> Lines {
     let alphas: Vec<f64> = airspeed.data.angles.iter().map(|angle| angle.alpha_rad).collect();
     let count = alphas.len() as f64;
     let mean = alphas.iter().sum::<f64>() / count;
@@ -37,14 +40,14 @@ fn line(airspeed: &AirspeedCalibration, loads: &[[f64; 3]]) -> [(f64, f64); 3] {
 }
 
 /// Lines of the uncorrected model and of the data.
-fn initial_and_measured(airspeed: &AirspeedCalibration) -> ([(f64, f64); 3], [(f64, f64); 3]) {
+fn initial_and_measured(airspeed: &AirspeedCalibration) -> [Lines; 2] {
     let flow = Flow { v_m_s: airspeed.data.v_m_s, rho_kg_m3: measured().rho_kg_m3 };
     let cases: Vec<SteadyCase> =
         airspeed.data.angles.iter().map(|angle| SteadyCase::new(flow, angle.alpha_rad)).collect();
     let loads = wing().1.root_loads(&cases, &Corrections::neutral(672)).expect("no divergence");
     let loads: Vec<[f64; 3]> = loads.into_iter().map(coupling::RootLoads::to_array).collect();
     let data: Vec<[f64; 3]> = airspeed.data.angles.iter().map(|angle| angle.loads).collect();
-    (line(airspeed, &loads), line(airspeed, &data))
+    [line(airspeed, &loads), line(airspeed, &data)]
 }
 
 #[test]
@@ -137,7 +140,7 @@ fn s32_the_pressure_offset_fades_with_airspeed() {
 #[test]
 fn s33_slopes_of_lift_are_close_offsets_are_large_when_slow_and_the_update_removes_them() {
     for airspeed in &measured().airspeeds {
-        let (initial, data) = initial_and_measured(airspeed);
+        let [initial, data] = initial_and_measured(airspeed);
         let v = airspeed.data.v_m_s;
         assert!((initial[0].1 / data[0].1 - 1.0).abs() < 0.1, "slope of Fz at {v}: {initial:?} {data:?}");
         // offset of Fz as a share of the measured one

@@ -101,7 +101,7 @@ impl RigModel {
         let step = ExactStep::new(self.a.as_ref(), self.b.as_ref(), motion.time_step_s);
         let states = step.run(&self.equilibrium(&first), inputs.as_ref());
         let outputs = &self.c * &states + &self.d * &inputs;
-        self.history(motion, &states, &outputs)
+        self.history(motion, &outputs)
     }
 
     /// The state that constant inputs lead to.
@@ -117,11 +117,10 @@ impl RigModel {
         (0..states).map(|i| x[(i, 0)]).collect()
     }
 
-    fn history(&self, motion: &Motion, states: &Mat<f64>, outputs: &Mat<f64>) -> TimeHistory {
+    /// The columns of a run's file; deflections are commands there, so that a simulated run can be flown again.
+    fn history(&self, motion: &Motion, outputs: &Mat<f64>) -> TimeHistory {
         let samples = outputs.ncols();
-        let row = |matrix: &Mat<f64>, row: usize, factor: f64| -> Vec<f64> {
-            (0..samples).map(|i| factor * matrix[(row, i)]).collect()
-        };
+        let row = |row: usize| -> Vec<f64> { (0..samples).map(|i| outputs[(row, i)]).collect() };
         let degrees = 1.0_f64.to_degrees();
         let mut history = TimeHistory {
             t_s: (0..samples).map(|i| i as f64 * motion.time_step_s).collect(),
@@ -130,15 +129,16 @@ impl RigModel {
         history.push("V_m_s", vec![self.flow.v_m_s; samples]);
         history.push("alpha_deg", motion.alpha.value.iter().map(|alpha| alpha * degrees).collect());
         for (index, name) in ["Fz_N", "Mx_Nm", "My_Nm"].into_iter().enumerate() {
-            history.push(name, row(outputs, index, 1.0));
+            history.push(name, row(index));
         }
-        let modes = (states.nrows() - 2 * self.controls.len()) / 2;
         for (control, name) in self.controls.iter().enumerate() {
-            history.push(format!("delta_{name}_deg"), row(states, 2 * modes + control, degrees));
+            let commanded = motion.controls_rad.get(control);
+            let commanded = commanded.map(|values| values.iter().map(|delta| delta * degrees).collect());
+            history.push(format!("delta_{name}_deg"), commanded.unwrap_or_else(|| vec![0.0; samples]));
         }
-        history.push("tip_z_m", row(outputs, 3, 1.0));
+        history.push("tip_z_m", row(3));
         for (sensor, name) in self.sensors.iter().enumerate() {
-            history.push(format!("az_{name}_m_s2"), row(outputs, 4 + sensor, 1.0));
+            history.push(format!("az_{name}_m_s2"), row(4 + sensor));
         }
         history
     }

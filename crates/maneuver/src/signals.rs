@@ -2,6 +2,9 @@
 
 use std::f64::consts::{PI, TAU};
 
+/// A sample that rounding puts this little before an edge (of its unit, or s) belongs behind it.
+const EDGE: f64 = 1e-9;
+
 /// A signal of time; angles in rad, time in s.
 pub trait Signal: Send + Sync {
     /// Value.
@@ -80,8 +83,7 @@ pub struct Doublet {
 
 impl Signal for Doublet {
     fn at(&self, t_s: f64) -> f64 {
-        // a sample that rounding puts just before an edge belongs behind it
-        match (t_s - self.start_s) * self.frequency_hz + 1e-9 {
+        match (t_s - self.start_s) * self.frequency_hz + EDGE {
             share if (0.0..0.5).contains(&share) => self.height,
             share if (0.5..1.0).contains(&share) => -self.height,
             _ => 0.0,
@@ -100,7 +102,7 @@ pub struct Step {
 
 impl Signal for Step {
     fn at(&self, t_s: f64) -> f64 {
-        if t_s >= self.start_s { self.height } else { 0.0 }
+        if t_s + EDGE >= self.start_s { self.height } else { 0.0 }
     }
 }
 
@@ -117,7 +119,7 @@ pub struct ThreeTwoOneOne {
 
 impl Signal for ThreeTwoOneOne {
     fn at(&self, t_s: f64) -> f64 {
-        match (t_s - self.start_s) / self.unit_s {
+        match (t_s - self.start_s) / self.unit_s + EDGE {
             unit if (0.0..3.0).contains(&unit) || (5.0..6.0).contains(&unit) => self.height,
             unit if (3.0..5.0).contains(&unit) || (6.0..7.0).contains(&unit) => -self.height,
             _ => 0.0,
