@@ -132,6 +132,30 @@ fn smoothing_a_noisy_angle_leaves_what_its_filter_lets_through() {
     assert_eq!((smooth.rate[0], smooth.second[0]), (0.0, 0.0));
 }
 
+#[test]
+fn below_thirteen_hertz_the_second_derivative_of_a_noisy_angle_is_good_to_five_per_cent_of_its_peak() {
+    // the same signal and noise; noise on the second derivative grows with the cutoff to the power 5/2, so at 25 Hz
+    // (a quarter of the peak) it is what the filter must let through. The corners, where the second derivative
+    // jumps, belong to no smooth curve.
+    let (h, count, sigma) = (0.005, 400, 0.01);
+    let signal = OneMinusCosine { base: 1.3, height: 3.7, frequency_hz: 2.0, start_s: 0.5 };
+    let draw = |k: usize| {
+        let x = (k as f64 * 12.9898).sin() * 43_758.545_3;
+        (x - x.floor() - 0.5) * 12.0_f64.sqrt()
+    };
+    let measured: Vec<f64> = (0..count).map(|i| signal.at(i as f64 * h) + sigma * draw(i)).collect();
+    let kept: Vec<usize> = (40..360_usize).filter(|i| i.abs_diff(100) > 12 && i.abs_diff(200) > 12).collect();
+    let peak = 0.5 * 3.7 * (TAU * 2.0).powi(2);
+    let share = |cutoff_hz: f64| {
+        let smooth = smooth_from_rest(&measured, h, cutoff_hz);
+        let square = |i: &usize| (smooth.second[*i] - signal.second(*i as f64 * h)).powi(2);
+        (kept.iter().map(square).sum::<f64>() / kept.len() as f64).sqrt() / peak
+    };
+    for cutoff_hz in [8.0, 10.0, 12.0] {
+        assert!(share(cutoff_hz) < 0.05, "{cutoff_hz} Hz: {}", share(cutoff_hz));
+    }
+}
+
 fn run(name: &str, text: &str) -> Result<Run, nastran::InputError> {
     let folder = std::env::temp_dir().join(format!("wingroot-run-{}-{name}", std::process::id()));
     std::fs::create_dir_all(&folder).unwrap();

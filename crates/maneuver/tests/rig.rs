@@ -2,30 +2,15 @@
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
+mod common;
+
 use aero::{Corrections, Flow};
-use coupling::planform::Planform;
-use coupling::wing_file::Source;
+use common::{uneven, wing_with};
 use coupling::{ElasticWing, Mount, SteadyCase, WingFile};
 use maneuver::signals::{Doublet, OneMinusCosine, Signal, sampled};
 use maneuver::{Motion, Rig, RigSettings, Smooth};
-use std::path::Path;
 
 const RHO: f64 = 1.225;
-
-fn wing_with(change: impl Fn(&mut Planform)) -> (WingFile, ElasticWing) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/tuflex/wing.ron");
-    let mut file = WingFile::read(&path).unwrap();
-    let Source::Parametric(planform) = &mut file.source else { panic!("the shipped wing is parametric") };
-    planform.boxes.chordwise = 4;
-    planform.boxes.spanwise = 56;
-    for control in &mut planform.controls {
-        control.chord_boxes = 1;
-    }
-    change(planform);
-    let bulk = file.bulk(Mount::Tunnel).unwrap();
-    let wing = ElasticWing::from_bulk(&file, &bulk).unwrap();
-    (file, wing)
-}
 
 /// Stiffer by a factor, in every panel of the deck.
 fn stiffened(factor: f64) -> (WingFile, ElasticWing) {
@@ -58,15 +43,6 @@ fn motion(alpha: &dyn Signal, samples: usize, controls_rad: Vec<Vec<f64>>) -> Mo
             second: times.map(|t| alpha.second(t)).collect(),
         },
         controls_rad,
-    }
-}
-
-fn uneven(wing: &ElasticWing) -> Corrections {
-    let boxes = &wing.correctable;
-    Corrections {
-        force: (0..boxes.len()).map(|b| 1.2 - 0.6 * boxes.y_norm[b]).collect(),
-        moment: vec![0.9; boxes.len()],
-        pressure_offset: (0..boxes.len()).map(|b| 0.1 * (1.0 - boxes.y_norm[b])).collect(),
     }
 }
 
