@@ -157,13 +157,14 @@ fn figure(flown: &Flown) -> Figure {
         [("Fz_N", "Fz (N)"), ("Mx_Nm", "Mx (N m)"), ("My_Nm", "My (N m)")].into_iter().enumerate()
     {
         let of = |simulated: &Simulated| simulated.history.get(name).unwrap_or(&[]).to_vec();
-        let mut series = vec![
-            Series::new("initial", t_s.clone(), of(&flown.initial), Style::DashedLine),
-            Series::new("updated", t_s.clone(), of(&flown.updated), Style::Line),
-        ];
-        if let Some(loads) = &flown.run.loads {
-            series.push(Series::new("measured", t_s.clone(), loads[c].clone(), Style::Line));
-        }
+        // the measurement first, so that its noise covers neither model
+        let measured = flown.run.loads.as_ref().map(|loads| loads[c].clone());
+        let mut series: Vec<Series> = measured
+            .map(|values| Series::new("measured", t_s.clone(), values, Style::Line))
+            .into_iter()
+            .collect();
+        series.push(Series::new("initial", t_s.clone(), of(&flown.initial), Style::DashedLine));
+        series.push(Series::new("updated", t_s.clone(), of(&flown.updated), Style::Line));
         panels.push(Panel {
             title: String::new(),
             x_label: "time (s)".into(),
