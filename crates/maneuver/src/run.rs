@@ -4,8 +4,10 @@ use nastran::table::Table;
 use nastran::{InputError, Span};
 use std::path::Path;
 
-/// Time steps may differ by this share (files print few digits).
-const SAME_STEP: f64 = 1e-3;
+/// Single time steps may differ by this share: files print few digits (300 Hz with four decimals is 3 % off).
+const SAME_STEP: f64 = 0.05;
+/// No sample may be further than this share of a step from where a uniform step puts it.
+const DRIFT: f64 = 0.1;
 /// Largest airspeed, m/s: the air is taken as incompressible.
 const FASTEST_M_S: f64 = 340.0;
 /// An airspeed may vary by this share of its mean within a run.
@@ -143,7 +145,19 @@ fn time_step(t_s: &[f64], span: impl Fn(usize) -> Span) -> Result<f64, InputErro
                 .with_help("a run has one time step throughout: resample it, or split it where it changes"));
         }
     }
-    Ok((t_s[t_s.len() - 1] - t_s[0]) / (t_s.len() - 1) as f64)
+    let step = (t_s[t_s.len() - 1] - t_s[0]) / (t_s.len() - 1) as f64;
+    let off = |row: usize| (t_s[row] - t_s[0] - row as f64 * step).abs();
+    match (0..t_s.len()).max_by(|&a, &b| off(a).total_cmp(&off(b))) {
+        Some(row) if off(row) > DRIFT * step => {
+            let message = format!(
+                "the time step changes: this sample is {:.1} steps off a uniform one",
+                off(row) / step
+            );
+            Err(InputError::at(&span(row), message)
+                .with_help("a run has one time step throughout: resample it, or split it where it changes"))
+        }
+        _ => Ok(step),
+    }
 }
 
 /// The mean airspeed, or the line that is too far from it.

@@ -93,3 +93,19 @@ fn every_unit_of_a_sampled_signal_has_its_number_of_samples() {
         );
     }
 }
+
+/// A run of 300 samples whose time is printed with four decimals.
+fn printed(time: impl Fn(usize) -> f64) -> String {
+    let rows = (0..300).map(|i| format!("{:.4},30,1\n", time(i)));
+    "t_s,V_m_s,alpha_deg\n".to_owned() + &rows.collect::<String>()
+}
+
+#[test]
+fn a_step_that_few_digits_blur_is_uniform_and_one_that_creeps_is_not() {
+    let run = read("digits", &printed(|i| i as f64 / 300.0)).unwrap();
+    assert!((run.time_step_s * 300.0 - 1.0).abs() < 1e-4);
+    // 200 Hz, then 2 % slower: no single step tells, the sum does
+    let creeping = |i: usize| if i < 150 { 0.005 * i as f64 } else { 0.75 + 0.0051 * (i - 150) as f64 };
+    let message = read("creep", &printed(creeping)).unwrap_err().to_string();
+    assert!(message.contains("the time step changes") && message.contains("run.csv:152"), "{message}");
+}
