@@ -105,22 +105,32 @@ fn check_table_row(row: &Value, rel: f64) {
     }
 }
 
-/// The formula is an approximation: lattices that agree with each other to 1e-8 (the tables above) meet it within
-/// the case's 4 % for short and for long wings only and carry 4 to 6 % less between, on any mesh. So the tolerance
-/// is asked where it can hold (aspect ratios 1, 2 and 20), and the trend everywhere: lift falls with sweep and
-/// rises with aspect ratio, in the formula's order.
+/// The case's 4 % holds at 13 of 24 wings. The formula is an approximation: lattices that agree with each other to
+/// 1e-8 (the tables above) carry more than 4 % less at aspect ratios 4 to 10, on any mesh. Those rows are known
+/// deviations, held between bounds. Everywhere lift falls with sweep and rises with aspect ratio, as in the formula.
 #[test]
 fn helmbold_lowry_polhamus() {
     let case = published("vlm__helmbold_lowry_polhamus");
     let rel = number(&case["tolerance"]["rel"]);
+    // aspect ratio, then the deviation in per cent at 0, 15, 30 and 45 degrees (none: within the tolerance)
+    let known = [
+        (4.0, [Some(-6.0), Some(-5.6), Some(-4.7), None]),
+        (6.0, [Some(-6.0), Some(-5.7), Some(-5.1), Some(-4.4)]),
+        (10.0, [Some(-5.2), Some(-5.0), Some(-4.6), Some(-4.2)]),
+    ];
     let mut rows = Vec::new();
-    for row in list(&case["expected"]) {
+    for (i, row) in list(&case["expected"]).iter().enumerate() {
         let (aspect_ratio, sweep, want) =
             (number(&row["AR"]), number(&row["sweep_c2_deg"]), number(&row["CLa"]));
         let got = lift_slope(Planform::constant_chord(aspect_ratio, sweep), 8, 32);
         println!("aspect ratio {aspect_ratio}, sweep {sweep} deg: {got:.4} beside {want:.4}");
-        if !(4.0..=10.0).contains(&aspect_ratio) {
-            assert_close(&format!("aspect ratio {aspect_ratio} sweep {sweep}"), got, want, rel, 0.0);
+        let what = format!("aspect ratio {aspect_ratio} sweep {sweep}");
+        match known.iter().find(|(ratio, _)| *ratio == aspect_ratio).and_then(|(_, row)| row[i % 4]) {
+            None => assert_close(&what, got, want, rel, 0.0),
+            Some(per_cent) => {
+                let deviation = 100.0 * (got / want - 1.0);
+                assert!((deviation - per_cent).abs() < 0.1, "{what}: {deviation} %, known {per_cent} %");
+            }
         }
         rows.push((aspect_ratio, sweep, got));
     }

@@ -32,7 +32,7 @@ fn lamar_measured_rectangular_wing() {
 
 /// Inboard of 90 % span with the mesh the case names; outboard with 60 strips, so that linear interpolation between
 /// strips does not miss the curvature. The last station (98.3 %, inside the outermost strip of any mesh like the
-/// source's) is printed, not asserted: 2.05 to 1.78 from 32 strips on to many, 2.06 in the source.
+/// source's) is a known deviation: 9 % below the source there, 2.05 to 1.78 from 32 strips on to many beside 2.06.
 #[test]
 fn pazy_wing_strip_slopes() {
     let case = published("vlm__pazy_strip_slopes");
@@ -54,6 +54,8 @@ fn pazy_wing_strip_slopes() {
         println!("{eta:.4} of the semispan: {got:.4} beside {:.4}", row[1]);
         if eta < 0.98 {
             assert_close(&format!("{eta:.4} of the semispan"), got, row[1], rel, 0.0);
+        } else {
+            assert!((-0.10..=-0.09).contains(&(got / row[1] - 1.0)), "last station: {got} beside {}", row[1]);
         }
     }
 }
@@ -67,18 +69,24 @@ fn weber_and_brebner() -> (Value, Planform, Lattice, Vec<f64>) {
     (case, planform, lattice, cp)
 }
 
-/// The case's band: measured to 0.003 (and printed to 0.0005), a lattice 0 to 4 % higher. At 10.5 deg the measured
-/// lift has left the straight line (0.103 in the last step, 0.121 in the first), so it is compared up to 8.4 deg.
+/// The case's band: measured to 0.003, a lattice 0 to 4 % higher. It holds from 4.2 to 8.4 deg. Two known deviations
+/// are held between bounds: at 2.1 deg ours is 0.0032 low (half a printed unit of the measured CL is 0.0005), and at
+/// 10.5 deg the measured lift has left the straight line (0.103 in the last step, 0.121 in the first).
 #[test]
 fn weber_and_brebner_measured_lift_and_its_centre() {
     let (case, planform, lattice, cp) = weber_and_brebner();
     let slope = sum(&lattice, &cp, |_| 1.0) / planform.area();
     let expected = &case["expected"];
+    // angle in deg, least and largest deviation of CL
+    let known = [(2.1, -0.0034, -0.0030), (10.5, 0.029, 0.031)];
     for (alpha, want) in numbers(&expected["alpha_deg"]).iter().zip(numbers(&expected["CL"])) {
         let got = slope * alpha.to_radians();
         println!("{alpha} deg: {got:.4} beside {want}");
-        let band = want - 0.0035..=1.04 * want + 0.0035;
-        assert!(*alpha > 9.0 || band.contains(&got), "{alpha} deg: {got} not in {band:?}");
+        let band = match known.iter().find(|(angle, ..)| angle == alpha) {
+            None => want - 0.003..=1.04 * want + 0.003,
+            Some((_, least, largest)) => want + least..=want + largest,
+        };
+        assert!(band.contains(&got), "{alpha} deg: {got} not in {band:?}");
     }
     let centre = sum(&lattice, &cp, |panel| panel.mid_point().y) / sum(&lattice, &cp, |_| planform.semispan);
     assert_close("centre of lift", centre, number(&expected["derived_root_loads"]["eta_cp"]), 0.0, 0.008);

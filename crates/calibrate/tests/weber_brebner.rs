@@ -45,8 +45,8 @@ fn the_corrected_wing_has_the_measured_spanwise_lift_which_was_not_used() {
             (0..8).map(|row| state.box_loads.values[usize::try_from(2 * (strip * 8 + row)).unwrap()]).sum();
         let cl = lift / q_pa / (1.2445 / 40.0 * 0.4978);
         let measured = table.number(r, "cl").unwrap();
-        // measured to 0.01; the panel model misses the tip vortex of the last twentieth
-        let tolerance = if eta < 0.93 { 0.01 } else { 0.02 };
-        assert!((cl - measured).abs() < tolerance, "cl at {eta}: {cl} against {measured}");
+        // measured to 0.01; a known deviation at the last station, as a flat lattice has no vortex above the tip
+        let band = if eta < 0.93 { -0.01..=0.01 } else { -0.018..=-0.015 };
+        assert!(band.contains(&(cl - measured)), "cl at {eta}: {cl} against {measured}");
     }
 }

@@ -29,7 +29,7 @@ pub(crate) fn run(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> 
     result["seconds"] = json!(seconds);
     let strips = calibrate_strips::compare(&campaign.folder, &wing, &calibration)?;
     if let Some(strips) = &strips {
-        result["strips"] = strips.result();
+        strips.add_to(&mut result);
     }
     let out = write(&common.out("calibrate"), (&file, &wing), &calibration, strips.as_ref(), &result)?;
     show::summary(common, &summary(&calibration, &out, seconds));

@@ -127,26 +127,26 @@ fn interpolated(places: &[f64], values: &[f64], at: f64) -> f64 {
 }
 
 impl Strips {
-    /// For result.json.
-    pub(crate) fn result(&self) -> Value {
+    /// Puts `strips` (a row a station) and `strips_rms` into the result.
+    pub(crate) fn add_to(&self, result: &mut Value) {
         let rms = |model: &[f64]| {
             let squares = model.iter().zip(&self.measured).map(|(m, x)| (m - x).powi(2)).sum::<f64>();
             (squares / model.len() as f64).sqrt()
         };
         let row = |i: usize| {
             json!({
-                "two_y_over_b": self.two_y_over_b[i], "measured": self.measured[i],
+                "two_y_over_b": self.two_y_over_b[i], "measured_cl_over_CL": self.measured[i],
                 "initial": self.initial[i], "updated": self.updated[i],
             })
         };
-        json!({
+        result["strips"] = (0..self.measured.len()).map(row).collect();
+        result["strips_rms"] = json!({
             "note": "cl/CL; not used in the fit",
             "V_m_s": self.v_m_s,
             "alpha_deg": self.alpha_deg,
-            "rows": (0..self.measured.len()).map(row).collect::<Vec<_>>(),
-            "rms_initial": rms(&self.initial),
-            "rms_updated": rms(&self.updated),
-        })
+            "initial": rms(&self.initial),
+            "updated": rms(&self.updated),
+        });
     }
 
     /// cl/CL over the span.
