@@ -70,16 +70,19 @@ fn s05_the_tip_bends_ten_per_cent_of_the_half_span_in_the_tunnel() {
         .at(flow, &Corrections::neutral(672))
         .expect("no divergence")
         .solve(&[SteadyCase::new(flow, 0.0)])[0];
-    // that program counts from the jig shape: the sag of the weight at rest is part of it
+    // The document does not say from where the tip is measured. The same program's deflections in flight are from the
+    // jig shape, so this one is taken to be: then it is met. From the wing at rest, sagging under its weight, ours is
+    // 12 % more; that is held too, so that neither changes unnoticed.
     let supported = wing.supported.as_ref().expect("an elastic wing");
     let from_jig_m = state.displacement[supported.tip_z];
     assert_close("tip from the jig shape", from_jig_m, 0.185, 0.03, 0.0);
-    assert!((0.09..0.12).contains(&(state.tip_z_m / 1.8)), "{}", state.tip_z_m);
+    assert!((1.10..1.13).contains(&(state.tip_z_m / 0.185)), "{}", state.tip_z_m);
 }
 
 #[test]
 fn s13_loads_are_dynamic_pressure_times_the_inverse_of_the_aic_times_downwash() {
-    // Eq. 5: f = q A^-1 w, checked by putting the pressures back: A cp = w
+    // Eq. 5: f = q A^-1 w, checked by putting the pressures back, A cp = w, and by a box's lift, q S cp, at a q that
+    // is not 1
     let lattice = small_lattice();
     let plane = MirrorPlane::Symmetric { y_m: 0.0 };
     let a = aero::influence(&lattice, plane, 0.0).expect("a lattice");
@@ -88,6 +91,11 @@ fn s13_loads_are_dynamic_pressure_times_the_inverse_of_the_aic_times_downwash() 
     let back = &a * &cp;
     for j in 0..lattice.len() {
         assert_close("downwash", back[(j, 0)], w[(j, 0)], 1e-12, 1e-15);
+    }
+    let cp: Vec<f64> = (0..lattice.len()).map(|j| cp[(j, 0)]).collect();
+    let loads = Integration::new(&lattice).box_loads(980.0, &cp, &Corrections::neutral(lattice.len()));
+    for (j, panel) in lattice.boxes.iter().enumerate() {
+        assert_close("lift of a box", loads.values[2 * j], 980.0 * panel.area_m2() * cp[j], 1e-12, 0.0);
     }
 }
 
