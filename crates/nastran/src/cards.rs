@@ -3,6 +3,10 @@
 //! Numbers are in the deck's own units (SI for wingroot's wings) and, for points, in the coordinate system the
 //! card names; [`crate::geometry`] resolves them to the basic system.
 
+use crate::fe_cards::{
+    Cbush, Conm1, Crod, Genel, Mat2, Mat8, Mat9, Mpc, Pbush, Pcomp, Prod, Pshell, Psolid, Rbar, Rbe3,
+    ScalarElement, ScalarProperty, ShellElement, SolidElement, SplineCard,
+};
 use crate::source::Span;
 use std::collections::BTreeMap;
 
@@ -314,6 +318,52 @@ pub struct BulkData {
     pub rigid: BTreeMap<u32, Rbe2>,
     /// SPC1, in file order.
     pub constraints: Vec<Spc1>,
+    /// CQUAD4, CTRIA3.
+    pub shells: BTreeMap<u32, ShellElement>,
+    /// PSHELL.
+    pub shell_properties: BTreeMap<u32, Pshell>,
+    /// PCOMP, PCOMPG.
+    pub laminates: BTreeMap<u32, Pcomp>,
+    /// CHEXA, CPENTA, CTETRA.
+    pub solids: BTreeMap<u32, SolidElement>,
+    /// PSOLID.
+    pub solid_properties: BTreeMap<u32, Psolid>,
+    /// CROD.
+    pub rods: BTreeMap<u32, Crod>,
+    /// PROD.
+    pub rod_properties: BTreeMap<u32, Prod>,
+    /// CBUSH.
+    pub bushes: BTreeMap<u32, Cbush>,
+    /// PBUSH.
+    pub bush_properties: BTreeMap<u32, Pbush>,
+    /// CELAS1, CELAS2.
+    pub springs: BTreeMap<u32, ScalarElement>,
+    /// PELAS.
+    pub spring_properties: BTreeMap<u32, ScalarProperty>,
+    /// CMASS1, CMASS2.
+    pub scalar_masses: BTreeMap<u32, ScalarElement>,
+    /// PMASS.
+    pub mass_properties: BTreeMap<u32, ScalarProperty>,
+    /// GENEL.
+    pub general: BTreeMap<u32, Genel>,
+    /// CONM1.
+    pub mass_matrices: BTreeMap<u32, Conm1>,
+    /// RBAR.
+    pub rigid_bars: BTreeMap<u32, Rbar>,
+    /// RBE3.
+    pub averages: BTreeMap<u32, Rbe3>,
+    /// MPC, in file order.
+    pub equations: Vec<Mpc>,
+    /// MAT2.
+    pub plane_materials: BTreeMap<u32, Mat2>,
+    /// MAT8.
+    pub ply_materials: BTreeMap<u32, Mat8>,
+    /// MAT9.
+    pub solid_materials: BTreeMap<u32, Mat9>,
+    /// SPLINE1, SPLINE2.
+    pub splines: BTreeMap<u32, SplineCard>,
+    /// PARAM with a number, by name in capitals.
+    pub parameters: BTreeMap<String, f64>,
     /// CAERO1.
     pub panels: BTreeMap<u32, Caero1>,
     /// PAERO1 (bodies are not read).
