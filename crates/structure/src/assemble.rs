@@ -5,17 +5,20 @@ use crate::model::Model;
 use crate::sparse::{self, Entry, Sparse};
 use faer::sparse::SparseColMatRef;
 use nalgebra::DMatrix;
+use std::borrow::Cow;
 
 /// Stiffness and mass of the g-set.
 pub(crate) fn global(model: &Model) -> (Sparse, Sparse) {
     let mut entries = Vec::new();
     for element in model.elements() {
-        let dofs: Vec<usize> =
-            element.nodes().iter().flat_map(|node| (0..6).map(move |c| 6 * node + c)).collect();
-        let value = |matrix: Option<&DMatrix<f64>>, i, j| matrix.map_or(0.0, |matrix| matrix[(i, j)]);
+        let dofs = element.dofs();
+        let (stiffness, mass) = (element.stiffness(), element.mass());
+        let value = |matrix: &Option<Cow<'_, DMatrix<f64>>>, i, j| {
+            matrix.as_ref().map_or(0.0, |matrix| matrix[(i, j)])
+        };
         for (j, column) in dofs.iter().enumerate() {
             for (i, row) in dofs.iter().enumerate().filter(|(_, row)| *row >= column) {
-                let (k, m) = (value(element.stiffness(), i, j), value(element.mass(), i, j));
+                let (k, m) = (value(&stiffness, i, j), value(&mass, i, j));
                 if k != 0.0 || m != 0.0 {
                     entries.push(Entry { row: *row, column: *column, k, m });
                 }

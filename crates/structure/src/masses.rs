@@ -7,6 +7,7 @@
 use crate::element::Element;
 use nalgebra::{DMatrix, Matrix3, Point3, Vector3};
 use nastran::{Conm2, Frames, InputError};
+use std::borrow::Cow;
 
 /// A rigid body at a node.
 #[derive(Debug, Clone)]
@@ -82,10 +83,10 @@ impl Element for PointMass {
     fn nodes(&self) -> &[usize] {
         &self.node
     }
-    fn stiffness(&self) -> Option<&DMatrix<f64>> {
+    fn stiffness(&self) -> Option<Cow<'_, DMatrix<f64>>> {
         None
     }
-    fn mass(&self) -> Option<&DMatrix<f64>> {
-        Some(&self.mass)
+    fn mass(&self) -> Option<Cow<'_, DMatrix<f64>>> {
+        Some(Cow::Borrowed(&self.mass))
     }
 }

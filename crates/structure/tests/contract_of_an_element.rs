@@ -30,8 +30,8 @@ fn rigid(points: &[Point3<f64>]) -> DMatrix<f64> {
 
 fn contract<E: Element>(build: impl Fn(&Rotation3<f64>) -> Specimen<E>) {
     let straight = build(&Rotation3::identity());
-    let k = straight.element.stiffness().expect("has stiffness").clone();
-    let m = straight.element.mass().expect("has mass").clone();
+    let k = straight.element.stiffness().expect("has stiffness").into_owned();
+    let m = straight.element.mass().expect("has mass").into_owned();
     assert_eq!(k, k.transpose(), "the stiffness is symmetric");
     assert_eq!(m, m.transpose(), "the mass is symmetric");
 
@@ -69,7 +69,7 @@ fn contract<E: Element>(build: impl Fn(&Rotation3<f64>) -> Specimen<E>) {
     }
     for (own, other) in [(&k, turned.element.stiffness()), (&m, turned.element.mass())] {
         let expected = &t * own * t.transpose();
-        let error = (other.expect("as before") - &expected).amax() / own.amax();
+        let error = (other.expect("as before").into_owned() - &expected).amax() / own.amax();
         assert!(error < 1e-13, "a turned element is the turned matrix: {error:e}");
     }
 }
@@ -166,7 +166,7 @@ fn the_mass_of_a_linear_taper_has_the_centre_of_a_trapezium() {
     let points = [Point3::origin(), Point3::new(2.0, 0.0, 0.0)];
     let card = property(vec![station(0.0, 3.0), station(1.0, 1.0)]);
     let beam = specimen(&Rotation3::identity(), &card, points, [Vector3::zeros(); 2]);
-    let total = rigid(&points).transpose() * beam.element.mass().unwrap() * rigid(&points);
+    let total = rigid(&points).transpose() * beam.element.mass().unwrap().into_owned() * rigid(&points);
     // Rotation about z, force along y: m x_c; a trapezium with sides 3 and 1: x_c = L/3 (3 + 2)/(3 + 1)
     let centre = total[(1, 5)] / total[(1, 1)];
     assert!((centre - 2.0 / 3.0 * 5.0 / 4.0).abs() < 1e-13, "{centre}");
