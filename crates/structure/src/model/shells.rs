@@ -8,6 +8,7 @@ use crate::shell::Shell;
 use nalgebra::{Matrix2, Matrix3, Point3, Vector3};
 use nastran::{InputError, MaterialDirection, Pcomp, Ply, Pshell, ShellElement, Span};
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::sync::Arc;
 
 impl Builder<'_> {
@@ -16,10 +17,10 @@ impl Builder<'_> {
         let mut elements: Vec<Arc<dyn Element>> = Vec::with_capacity(self.bulk.shells.len());
         for card in self.bulk.shells.values() {
             let user = format!("{} {}", if card.grids.len() == 4 { "CQUAD4" } else { "CTRIA3" }, card.id);
-            if !sections.contains_key(&card.property) {
-                sections.insert(card.property, Arc::new(self.section(card, &user)?));
-            }
-            let section = Arc::clone(&sections[&card.property]);
+            let section = match sections.entry(card.property) {
+                Entry::Occupied(known) => Arc::clone(known.get()),
+                Entry::Vacant(place) => Arc::clone(place.insert(Arc::new(self.section(card, &user)?))),
+            };
             let nodes = self.nodes_of(&card.grids, &user, &card.span)?;
             let points: Vec<Point3<f64>> = nodes.iter().map(|node| self.nodes[*node].point).collect();
             let angle = self.angle(card, &points, &user)?;
