@@ -6,6 +6,7 @@ mod beam_mass;
 mod constraints;
 mod dofs;
 pub mod element;
+mod factor;
 pub mod flexibility;
 pub mod laminate;
 pub mod mass_properties;
