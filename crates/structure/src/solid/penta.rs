@@ -1,10 +1,14 @@
 //! CPENTA with six corners: linear over the triangle 1-2-3, linear from it to 4-5-6, and four incompatible modes.
 //!
 //! Local coordinates: r from corner 1 to 2, s from 1 to 3, z from -1 (triangle 1-2-3) to 1 (triangle 4-5-6). The
-//! mode 1 - z^2 frees bending along the prism as in the hexahedron. A flat prism that bends like a plate needs
-//! deflections quadratic over the triangle: p^2, p q, q^2 with p = r - 1/3, q = s - 1/3. They span the
-//! same space whichever corner comes first, and their derivatives have no mean over the triangle. Within its plane
-//! the triangle stays one of constant strain.
+//! mode 1 - z^2 frees bending along the prism as in the hexahedron. The modes p^2, p q, q^2 with p = r - 1/3,
+//! q = s - 1/3 let the strains vary over the triangle; they span the same space whichever corner comes first, and
+//! their derivatives have no mean over the triangle. A long prism bends exactly.
+//!
+//! A flat prism bent like a plate keeps the mean of its parasitic shear: displacements linear over a triangle cannot
+//! make it vanish, and an element that took it away by itself would fail the patch test beside others. Within its
+//! plane the triangle is one of constant strain. So wedges are for corners of meshes and for transitions, not for
+//! thin plates.
 
 use super::shape::{Gradients, ModeGradients, QuadraturePoint, Shape, Values, gauss_2, gauss_3};
 
