@@ -18,6 +18,7 @@ use super::shape::{Gradients, ModeGradients, QuadraturePoint, Shape, Values, gau
 #[derive(Debug)]
 pub(crate) struct Hexa;
 
+/// Local coordinates of the corners.
 const CORNERS: [[f64; 3]; 8] = [
     [-1.0, -1.0, -1.0],
     [1.0, -1.0, -1.0],
@@ -32,10 +33,6 @@ const CORNERS: [[f64; 3]; 8] = [
 impl Shape for Hexa {
     fn card(&self) -> &'static str {
         "CHEXA"
-    }
-
-    fn corners(&self) -> &'static [[f64; 3]] {
-        &CORNERS
     }
 
     fn middle(&self) -> [f64; 3] {

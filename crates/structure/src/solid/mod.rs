@@ -27,8 +27,9 @@ use shape::{Gradients, ModeGradients, Shape, Values};
 use std::borrow::Cow;
 use std::sync::Arc;
 
-/// Smallest volume spanned by the edges at a corner, relative to their lengths, that still is one.
-const SMALLEST_CORNER: f64 = 1e-6;
+/// Smallest ratio that still counts as more than nothing: of a distance of corners to the element's size, of a
+/// volume to the lengths that span it.
+const SMALLEST: f64 = 1e-6;
 
 /// A solid element.
 #[derive(Debug, Clone)]
@@ -47,7 +48,8 @@ impl Solid {
     /// the model: eight (CHEXA), six (CPENTA) or four (CTETRA) in Nastran's order. `span` is the element's card.
     ///
     /// # Errors
-    /// If the number of corners is another, a node is repeated, or the corners enclose no proper volume.
+    /// If the number of corners is another, two corners are one, or the Jacobian is zero or changes its sign among
+    /// the points of integration. (At a corner it may: an element of the usual patch test has such a one.)
     pub fn new(
         id: u32,
         nodes: Vec<usize>,
@@ -109,30 +111,30 @@ impl Solid {
             let message = format!("{} {}: {what}", self.shape.card(), self.id);
             Err(InputError::at(span, message).with_help(help))
         };
-        for (i, node) in self.nodes.iter().enumerate() {
-            if let Some(j) = self.nodes[..i].iter().position(|other| other == node) {
-                let what = format!("its corners {} and {} are the same grid", j + 1, i + 1);
-                return bad(what, "use CPENTA or CTETRA for a solid with fewer corners");
-            }
+        if let Some((i, j)) = self.pair(|i, j| self.nodes[i] == self.nodes[j]) {
+            let what = format!("its corners {i} and {j} are the same grid");
+            return bad(what, "use CPENTA or CTETRA for a solid with fewer corners");
         }
-        let numbering = "look for grids in the wrong order: about one face, then about the opposite one in \
-                         the same sense, each grid opposite its partner";
+        let largest = self.corners.column_iter().map(|corner| corner.norm()).fold(0.0, f64::max);
+        let apart = |i, j| (self.corners.column(i) - self.corners.column(j)).norm();
+        if let Some((i, j)) = self.pair(|i, j| apart(i, j) <= SMALLEST * largest) {
+            let what = format!("its corners {i} and {j} are at the same place");
+            return bad(what, "use CPENTA or CTETRA for a solid with fewer corners");
+        }
         let mut sense = 0.0;
-        for (i, corner) in self.shape.corners().iter().enumerate() {
-            let (edges, volume) = self.jacobian(*corner);
+        for point in self.shape.mass_points().into_iter().chain(self.shape.stiffness_points()) {
+            let (edges, volume) = self.jacobian(point.at);
             let relative = volume / edges.column_iter().map(|edge| edge.norm()).product::<f64>();
-            // Also refuses what is not a number.
-            if !(relative.abs() > SMALLEST_CORNER && volume.is_finite()) {
-                return bad(format!("it is flat or has no length at corner {}", i + 1), numbering);
+            let help = "look for grids in the wrong order: about one face, then about the opposite one in the \
+                        same sense, each grid opposite its partner";
+            // What is not a number or overflows is no volume either.
+            if !(relative.abs() > SMALLEST && volume.is_finite()) {
+                return bad("it is flat, at least in a part of it".to_string(), help);
             }
             if sense * volume < 0.0 {
-                return bad(format!("it is turned inside out at corner {}", i + 1), numbering);
+                return bad("it is turned inside out in a part of it".to_string(), help);
             }
             sense = volume;
-        }
-        let inside = self.shape.mass_points().into_iter().chain(self.shape.stiffness_points());
-        if inside.into_iter().any(|point| self.jacobian(point.at).1 * sense <= 0.0) {
-            return bad("it is turned inside out within".to_string(), numbering);
         }
         let modes = self.modes_by_corners(&self.with_modes());
         if self.mode_motions() > 0 && modes.is_none_or(|modes| !modes.iter().all(|value| value.is_finite())) {
@@ -140,6 +142,13 @@ impl Solid {
             return bad(what, "look for lengths or moduli many orders of magnitude off");
         }
         Ok(())
+    }
+
+    /// The first two corners, counted from one, of which something is true.
+    fn pair(&self, is_so: impl Fn(usize, usize) -> bool) -> Option<(usize, usize)> {
+        let n = self.nodes.len();
+        let all = (0..n).flat_map(|j| (0..j).map(move |i| (i, j)));
+        all.into_iter().find(|(i, j)| is_so(*i, *j)).map(|(i, j)| (i + 1, j + 1))
     }
 
     fn mode_motions(&self) -> usize {

@@ -16,6 +16,7 @@ use super::shape::{Gradients, ModeGradients, QuadraturePoint, Shape, Values, gau
 #[derive(Debug)]
 pub(crate) struct Penta;
 
+/// Local coordinates of the corners.
 const CORNERS: [[f64; 3]; 6] =
     [[0.0, 0.0, -1.0], [1.0, 0.0, -1.0], [0.0, 1.0, -1.0], [0.0, 0.0, 1.0], [1.0, 0.0, 1.0], [0.0, 1.0, 1.0]];
 
@@ -25,10 +26,6 @@ const TRIANGLE_GRADIENTS: [[f64; 3]; 2] = [[-1.0, 1.0, 0.0], [-1.0, 0.0, 1.0]];
 impl Shape for Penta {
     fn card(&self) -> &'static str {
         "CPENTA"
-    }
-
-    fn corners(&self) -> &'static [[f64; 3]] {
-        &CORNERS
     }
 
     fn middle(&self) -> [f64; 3] {

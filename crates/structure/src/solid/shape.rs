@@ -24,8 +24,6 @@ pub(crate) struct QuadraturePoint {
 pub(crate) trait Shape: Debug + Sync {
     /// Name of its card.
     fn card(&self) -> &'static str;
-    /// Local coordinates of its corners, in Nastran's order.
-    fn corners(&self) -> &'static [[f64; 3]];
     /// Local coordinates of its middle, where the modes' Jacobian is taken.
     fn middle(&self) -> [f64; 3];
     /// Shape functions.

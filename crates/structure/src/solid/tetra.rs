@@ -9,15 +9,9 @@ use super::shape::{Gradients, ModeGradients, QuadraturePoint, Shape, Values};
 #[derive(Debug)]
 pub(crate) struct Tetra;
 
-const CORNERS: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-
 impl Shape for Tetra {
     fn card(&self) -> &'static str {
         "CTETRA"
-    }
-
-    fn corners(&self) -> &'static [[f64; 3]] {
-        &CORNERS
     }
 
     fn middle(&self) -> [f64; 3] {
