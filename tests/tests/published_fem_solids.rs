@@ -88,3 +88,148 @@ fn thick_cylinder_hardly_compressible() {
         assert_close(&format!("radial displacement, nu = {name}"), got, want, 0.02, 0.0);
     }
 }
+
+/// The three meshes of the straight beam: how far the lines between elements lean, by their number.
+const LEANING: [(&str, fn(usize) -> f64); 3] = [
+    ("rectangular", |_| 0.0),
+    ("trapezoidal", |line| if line % 2 == 1 { 1.0 } else { -1.0 }),
+    ("parallelogram", |_| 1.0),
+];
+
+/// The straight beam along x, `depth` along y, `thickness` along z, clamped at x = 0.
+fn straight_beam(case: &Value, cells: [usize; 3], leaning: fn(usize) -> f64) -> SolidMesh {
+    let [length, depth, thickness] = ["L", "h", "t"].map(|name| number(&case["inputs"][name]));
+    let material = material_of(case);
+    let place = |[i, j, k]: [usize; 3]| {
+        let [x, y, z] = [(i, 0), (j, 1), (k, 2)].map(|(at, axis)| at as f64 / cells[axis] as f64);
+        let lean = if i == 0 || i == cells[0] { 0.0 } else { leaning(i) * 6.0 / cells[0] as f64 };
+        let y = depth * (y - 0.5);
+        Point3::new(length * x + lean * y, y, thickness * (z - 0.5))
+    };
+    SolidMesh::block(cells, place, |_| Arc::clone(&material))
+}
+
+/// Displacement along the load, or twist, of the tip for unit loads: extension, in plane, out of plane, twist.
+fn tip_motions(mesh: &SolidMesh, cells: [usize; 3]) -> [f64; 4] {
+    let held: Vec<_> = nodes(cells, |[i, _, _]| i == 0)
+        .iter()
+        .flat_map(|at| (0..3).map(move |axis| (3 * at + axis, 0.0)))
+        .collect();
+    let tip = nodes(cells, |[i, _, _]| i == cells[0]);
+    let load = |traction: &dyn Fn(&Point3<f64>) -> Vector3<f64>| {
+        let mut loads = Vec::new();
+        for j in 0..cells[1] {
+            for k in 0..cells[2] {
+                let face =
+                    [[0, 0], [1, 0], [1, 1], [0, 1]].map(|[a, b]| node(cells, [cells[0], j + a, k + b]));
+                loads.extend(mesh.face_loads(face, |p, _| traction(p)));
+            }
+        }
+        let u = mesh.solve(&held, &loads);
+        // The work of unit loads is the motion that belongs to them.
+        loads.iter().map(|(dof, force)| u[*dof] * force).sum::<f64>()
+    };
+    let span = |axis: usize| {
+        let of = |at: &usize| mesh.points[*at][axis];
+        tip.iter().map(of).fold(f64::MIN, f64::max) - tip.iter().map(of).fold(f64::MAX, f64::min)
+    };
+    let (depth, thickness) = (span(1), span(2));
+    // A couple of tractions that turn about x: r x t = r^2 / its integral per area.
+    let polar = depth * thickness * (depth * depth + thickness * thickness) / 12.0;
+    [
+        load(&|_| Vector3::x() / (depth * thickness)),
+        load(&|_| Vector3::y() / (depth * thickness)),
+        load(&|_| Vector3::z() / (depth * thickness)),
+        load(&|p| Vector3::new(0.0, -p.z, p.y) / polar),
+    ]
+}
+
+const LOADS: [&str; 4] =
+    ["extension", "in_plane_shear", "out_of_plane_shear", "twist_saint_venant_recomputed"];
+
+#[test]
+fn macneal_and_harder_straight_beam() {
+    let case = published("fem__mh_straight_beam");
+    for cells in [[6, 1, 1], [12, 2, 1], [24, 8, 4], [48, 8, 8]] {
+        for (name, leaning) in LEANING {
+            let got = tip_motions(&straight_beam(&case, cells, leaning), cells);
+            for (load, got) in LOADS.iter().zip(got) {
+                let want = number(&case["expected"][load]);
+                println!("{cells:?} {name} {load}: {got:.5e}, expected {want:.5e}, ratio {:.4}", got / want);
+            }
+        }
+    }
+}
+
+#[test]
+fn macneal_and_harder_curved_beam() {
+    let case = published("fem__mh_curved_beam");
+    let [inner, outer, thickness] = ["Ri", "Ro", "t"].map(|name| number(&case["inputs"][name]));
+    let material = material_of(&case);
+    for cells in [[6, 1, 1], [12, 2, 1], [24, 4, 4], [48, 4, 4], [48, 8, 4]] {
+        let place = |[i, j, k]: [usize; 3]| {
+            let (sin, cos) = (i as f64 / cells[0] as f64 * 90.0).to_radians().sin_cos();
+            let radius = outer - j as f64 / cells[1] as f64 * (outer - inner);
+            Point3::new(radius * sin, radius * cos, k as f64 / cells[2] as f64 * thickness)
+        };
+        let mesh = SolidMesh::block(cells, place, |_| Arc::clone(&material));
+        let held: Vec<_> = nodes(cells, |[i, _, _]| i == 0)
+            .iter()
+            .flat_map(|at| (0..3).map(move |axis| (3 * at + axis, 0.0)))
+            .collect();
+        let tip = nodes(cells, |[i, _, _]| i == cells[0]);
+        for (axis, name) in [(0, "in_plane"), (2, "out_of_plane")] {
+            let loads: Vec<_> = tip.iter().map(|at| (3 * at + axis, 1.0 / tip.len() as f64)).collect();
+            let u = mesh.solve(&held, &loads);
+            let got = tip.iter().map(|at| u[3 * at + axis]).sum::<f64>() / tip.len() as f64;
+            let want = number(&case["expected"][name]);
+            println!("{cells:?} {name}: {got:.5e}, expected {want:.5e}, ratio {:.4}", got / want);
+        }
+    }
+}
+
+/// Thickness of the plate for solids, as the case's note says; deflections are then times 1e-6.
+const PLATE_THICKNESS: f64 = 0.01;
+
+#[test]
+fn macneal_and_harder_square_plate() {
+    let case = published("fem__mh_rect_plate_1");
+    let [side, q, force] = ["a", "q", "P"].map(|name| number(&case["inputs"][name]));
+    let material = material_of(&case);
+    for n in [4, 8, 16, 32] {
+        let cells = [n, n, 1];
+        let place = |[i, j, k]: [usize; 3]| {
+            let [x, y] = [i, j].map(|at| 0.5 * side * at as f64 / n as f64);
+            Point3::new(x, y, PLATE_THICKNESS * (k as f64 - 0.5))
+        };
+        let mesh = SolidMesh::block(cells, place, |_| Arc::clone(&material));
+        // The middle of the plate is the corner (0, 0), the edges are the far sides.
+        let mut symmetry: Vec<_> = nodes(cells, |[i, _, _]| i == 0).iter().map(|at| (3 * at, 0.0)).collect();
+        symmetry.extend(nodes(cells, |[_, j, _]| j == 0).iter().map(|at| (3 * at + 1, 0.0)));
+        let edge = |at: [usize; 3]| at[0] == n || at[1] == n;
+        let mut clamped = symmetry.clone();
+        clamped.extend(nodes(cells, edge).iter().flat_map(|at| (0..3).map(move |axis| (3 * at + axis, 0.0))));
+        let mut supported = symmetry;
+        supported.extend(nodes(cells, edge).iter().map(|at| (3 * at + 2, 0.0)));
+        supported.extend(nodes(cells, |[i, _, _]| i == n).iter().map(|at| (3 * at + 1, 0.0)));
+        supported.extend(nodes(cells, |[_, j, _]| j == n).iter().map(|at| (3 * at, 0.0)));
+        let centre = [0, 1].map(|k| 3 * node(cells, [0, 0, k]) + 2);
+        let point: Vec<_> = centre.iter().map(|dof| (*dof, force / 8.0)).collect();
+        let mut uniform = Vec::new();
+        for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
+            let face = [[0, 0], [1, 0], [1, 1], [0, 1]].map(|[a, b]| node(cells, [i + a, j + b, 1]));
+            uniform.extend(mesh.face_loads(face, |_, normal| normal * q));
+        }
+        for (name, held, loads) in [
+            ("ss_udl", &supported, &uniform),
+            ("ss_point", &supported, &point),
+            ("cl_udl", &clamped, &uniform),
+            ("cl_point", &clamped, &point),
+        ] {
+            let u = mesh.solve(held, loads);
+            let got = 0.5 * (u[centre[0]] + u[centre[1]]) * 1e6;
+            let want = number(&case["expected"][name]);
+            println!("{n} x {n} {name}: {got:.5}, expected {want:.5}, ratio {:.4}", got / want);
+        }
+    }
+}

@@ -4,6 +4,8 @@
 //! Inertia beside the closed form of a tetrahedron with corners v: int x x^T dV = V/20 (sum v v^T + s s^T), s the
 //! sum of the corners (shapes with plane faces are put together from tetrahedra), and of the box, m/12 (b^2 + c^2).
 
+#![expect(clippy::unwrap_used, reason = "a helper of tests may fail the test where it stands")]
+
 use nalgebra::{DMatrix, DVector, Matrix3, Point3, Rotation3, Vector3};
 use nastran::{Mat1, Mat9, Span};
 use std::sync::Arc;

@@ -1,4 +1,4 @@
-//! CHEXA with eight corners: trilinear shape functions and the quadratic modes 1 - x^2, 1 - y^2, 1 - z^2 of Wilson.
+//! CHEXA with eight corners: trilinear shape functions and 21 strain modes.
 //!
 //! ```text
 //!      8 ------- 7
@@ -9,10 +9,16 @@
 //!    1 ------- 2
 //! ```
 //!
-//! The trilinear element bends with a parasitic shear that locks it when it is slender; the modes take that shear
-//! away (Wilson, Taylor, Doherty, Ghaboussi, *Incompatible displacement models*, 1973).
+//! The trilinear element bends with parasitic strains that lock it when it is slender. 21 strain modes take them away:
+//!
+//! - nine of Wilson's incompatible displacements 1 - x^2, 1 - y^2, 1 - z^2 along three directions: strain
+//!   a x (gradient along x) and so on (Wilson, Taylor, Doherty, Ghaboussi, *Incompatible displacement models*, 1973).
+//!   Constant bending of a box is exact with them;
+//! - twelve bilinear ones, xx: x y, x z; xy: x z, y z; and so on in turn, for bending that changes across the element,
+//!   without which thin plates lock (Andelfinger and Ramm, *EAS-elements for two- and three-dimensional plate and
+//!   shell structures*, Int. J. Num. Meth. Eng. 36, 1993).
 
-use super::shape::{Gradients, ModeGradients, QuadraturePoint, Shape, Values, gauss_2, gauss_3};
+use super::shape::{Gradients, ModeStrains, QuadraturePoint, Shape, Values, gauss_2, gauss_3};
 
 /// The family of the hexahedron.
 #[derive(Debug)]
@@ -54,11 +60,28 @@ impl Shape for Hexa {
     }
 
     fn mode_count(&self) -> usize {
-        3
+        21
     }
 
-    fn mode_gradients(&self, at: [f64; 3]) -> ModeGradients {
-        ModeGradients::from_fn(|row, mode| if row == mode { -2.0 * at[row] } else { 0.0 })
+    fn mode_strains(&self, at: [f64; 3]) -> ModeStrains {
+        let mut modes = ModeStrains::zeros();
+        for axis in 0..3 {
+            // Rows 3, 4, 5 are the shears of an axis with the next.
+            let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+            let own = [
+                (axis, at[axis]),
+                (3 + axis, at[axis]),
+                (3 + axis, at[next]),
+                (axis, at[axis] * at[next]),
+                (axis, at[axis] * at[last]),
+                (3 + axis, at[axis] * at[last]),
+                (3 + axis, at[next] * at[last]),
+            ];
+            for (mode, (row, strain)) in own.into_iter().enumerate() {
+                modes[(row, 7 * axis + mode)] = strain;
+            }
+        }
+        modes
     }
 
     fn stiffness_points(&self) -> Vec<QuadraturePoint> {

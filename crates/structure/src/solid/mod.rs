@@ -1,11 +1,11 @@
 //! Solid elements (CHEXA, CPENTA, CTETRA) with three displacements a corner.
 //!
-//! Strains are B u + G a: B from isoparametric shape functions, a the amounts of incompatible modes that belong to
-//! the element alone, chosen by least energy (K_aa a = -K_au u, static condensation). With the modes' gradients
-//! taken as (det J0 / det J) J0^-T grad, J0 the Jacobian in the middle, their mean over the element is zero, so a
-//! constant stress does no work on them and any distorted mesh passes the patch test (Taylor, Beresford, Wilson,
-//! *A non-conforming element for stress analysis*, Int. J. Num. Meth. Eng. 10, 1976). What the modes are is told in
-//! the file of each family.
+//! Strains are B u + E a: B from isoparametric shape functions, a the amounts of strain modes that belong to the
+//! element alone, chosen by least energy (K_aa a = -K_au u, static condensation). The modes are given in local
+//! coordinates and turned by the Jacobian J0 in the middle, E = (det J0 / det J) J0^-T E_local J0^-1; so their mean over
+//! the element is zero, a constant stress does no work on them, and any distorted mesh passes the patch test
+//! (Taylor, Beresford, Wilson, Int. J. Num. Meth. Eng. 10, 1976; Simo and Rifai, same journal 29, 1990). What
+//! the modes are is told in the file of each family.
 //!
 //! A parallelepiped bends exactly. A mesh of trapezoidal sides still locks when it is slender, as every element
 //! with eight corners that passes the patch test must (MacNeal, 1987).
@@ -20,10 +20,10 @@ mod shape;
 mod tetra;
 
 use crate::element::Element;
-use crate::solid_material::SolidMaterial;
-use nalgebra::{DMatrix, DVector, Matrix3, Matrix6xX, Point3, SMatrix, Vector3};
+use crate::solid_material::{COMPONENTS, SolidMaterial};
+use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Matrix6xX, Point3, SMatrix, Vector3};
 use nastran::{InputError, Span};
-use shape::{Gradients, ModeGradients, Shape, Values};
+use shape::{Gradients, ModeStrains, Shape, Values};
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -89,7 +89,7 @@ impl Solid {
     }
 
     /// Stress (xx, yy, zz, xy, yz, zx; Pa, basic axes) at local coordinates `at` under `displacements` (three a
-    /// corner, m), the incompatible modes included. Local coordinates: -1 to 1 (CHEXA); r, s over the
+    /// corner, m), the strain modes included. Local coordinates: -1 to 1 (CHEXA); r, s over the
     /// triangle from corner 1 to 2 and 3, then -1 to 1 (CPENTA); any (CTETRA).
     ///
     /// # Panics
@@ -97,7 +97,7 @@ impl Solid {
     pub fn stress(&self, displacements: &DVector<f64>, at: [f64; 3]) -> [f64; 6] {
         let own = 3 * self.nodes.len();
         assert_eq!(displacements.len(), own, "three displacements a corner");
-        let mut motion = displacements.clone().resize_vertically(own + self.mode_motions(), 0.0);
+        let mut motion = displacements.clone().resize_vertically(own + self.shape.mode_count(), 0.0);
         if let Some(modes) = self.modes_by_corners(&self.with_modes()) {
             motion.rows_mut(own, modes.nrows()).copy_from(&(modes * displacements));
         }
@@ -137,7 +137,9 @@ impl Solid {
             sense = volume;
         }
         let modes = self.modes_by_corners(&self.with_modes());
-        if self.mode_motions() > 0 && modes.is_none_or(|modes| !modes.iter().all(|value| value.is_finite())) {
+        if self.shape.mode_count() > 0
+            && modes.is_none_or(|modes| !modes.iter().all(|value| value.is_finite()))
+        {
             let what = "its stiffness cannot be computed".to_string();
             return bad(what, "look for lengths or moduli many orders of magnitude off");
         }
@@ -151,38 +153,33 @@ impl Solid {
         all.into_iter().find(|(i, j)| is_so(*i, *j)).map(|(i, j)| (i + 1, j + 1))
     }
 
-    fn mode_motions(&self) -> usize {
-        3 * self.shape.mode_count()
-    }
-
     /// The Jacobian dx/dxi (columns: local coordinates) and its determinant.
     fn jacobian(&self, at: [f64; 3]) -> (Matrix3<f64>, f64) {
         let jacobian = self.corners * self.shape.gradients(at).transpose();
         (jacobian, jacobian.determinant())
     }
 
-    /// [B G]: the six strains from the corners' displacements and the modes, and the size of a unit of local volume.
+    /// [B E]: the six strains from the corners' displacements and the modes, and the size of a unit of local volume.
     fn strains(&self, at: [f64; 3]) -> (Matrix6xX<f64>, f64) {
         let (jacobian, volume) = self.jacobian(at);
         let (middle, volume_middle) = self.jacobian(self.shape.middle());
         // The check has made sure that neither is singular.
         let inverse = |matrix: Matrix3<f64>| matrix.try_inverse().unwrap_or_else(Matrix3::zeros).transpose();
-        let corners: Gradients = inverse(jacobian) * self.shape.gradients(at);
-        let modes: ModeGradients = inverse(middle) * self.shape.mode_gradients(at) * (volume_middle / volume);
-        let own = self.nodes.len();
-        let mut strains = Matrix6xX::zeros(3 * own + self.mode_motions());
-        for i in 0..own {
-            write_strains(&mut strains, 3 * i, &corners.column(i).into_owned());
+        let gradients: Gradients = inverse(jacobian) * self.shape.gradients(at);
+        let modes: ModeStrains =
+            strain_transformation(&inverse(middle)) * self.shape.mode_strains(at) * (volume_middle / volume);
+        let (own, count) = (3 * self.nodes.len(), self.shape.mode_count());
+        let mut strains = Matrix6xX::zeros(own + count);
+        for i in 0..self.nodes.len() {
+            write_strains(&mut strains, 3 * i, &gradients.column(i).into_owned());
         }
-        for i in 0..self.shape.mode_count() {
-            write_strains(&mut strains, 3 * (own + i), &modes.column(i).into_owned());
-        }
+        strains.columns_mut(own, count).copy_from(&modes.columns(0, count));
         (strains, volume.abs())
     }
 
     /// Stiffness over the corners' displacements and the modes.
     fn with_modes(&self) -> DMatrix<f64> {
-        let order = 3 * self.nodes.len() + self.mode_motions();
+        let order = 3 * self.nodes.len() + self.shape.mode_count();
         let mut k = DMatrix::zeros(order, order);
         for point in self.shape.stiffness_points() {
             let (strains, volume) = self.strains(point.at);
@@ -194,7 +191,7 @@ impl Solid {
 
     /// -K_aa^-1 K_au: the modes from the corners' displacements; `None` without modes, or if they cannot be found.
     fn modes_by_corners(&self, k: &DMatrix<f64>) -> Option<DMatrix<f64>> {
-        let (own, modes) = (3 * self.nodes.len(), self.mode_motions());
+        let (own, modes) = (3 * self.nodes.len(), self.shape.mode_count());
         let factor = (modes > 0).then(|| k.view((own, own), (modes, modes)).into_owned().cholesky())??;
         Some(-factor.solve(&k.view((own, 0), (modes, own))))
     }
@@ -215,7 +212,7 @@ impl Element for Solid {
     }
 
     fn stiffness(&self) -> Option<Cow<'_, DMatrix<f64>>> {
-        let (own, modes) = (3 * self.nodes.len(), self.mode_motions());
+        let (own, modes) = (3 * self.nodes.len(), self.shape.mode_count());
         let full = self.with_modes();
         let mut k = full.view((0, 0), (own, own)).into_owned();
         if let Some(by_corners) = self.modes_by_corners(&full) {
@@ -257,4 +254,17 @@ fn write_strains(strains: &mut Matrix6xX<f64>, column: usize, g: &Vector3<f64>) 
         strains[(3 + axis, column + axis)] = g[next];
         strains[(3 + axis, column + next)] = g[axis];
     }
+}
+
+/// The six components (engineering shear) of the strain G E G^T from those of E.
+fn strain_transformation(g: &Matrix3<f64>) -> Matrix6<f64> {
+    let mut t = Matrix6::zeros();
+    for (column, (k, l)) in COMPONENTS.into_iter().enumerate() {
+        for (row, (i, j)) in COMPONENTS.into_iter().enumerate() {
+            // An engineering shear stands with one half at two places of E, and is twice its entry of G E G^T.
+            let both = g[(i, k)] * g[(j, l)] + g[(i, l)] * g[(j, k)];
+            t[(row, column)] = if i == j { 0.5 * both } else { both };
+        }
+    }
+    t
 }

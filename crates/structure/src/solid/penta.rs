@@ -1,16 +1,15 @@
-//! CPENTA with six corners: linear over the triangle 1-2-3, linear from it to 4-5-6, and four incompatible modes.
+//! CPENTA with six corners: linear over the triangle 1-2-3, linear from it to 4-5-6, and twelve strain modes.
 //!
 //! Local coordinates: r from corner 1 to 2, s from 1 to 3, z from -1 (triangle 1-2-3) to 1 (triangle 4-5-6). The
-//! mode 1 - z^2 frees bending along the prism as in the hexahedron. The modes p^2, p q, q^2 with p = r - 1/3,
-//! q = s - 1/3 let the strains vary over the triangle; they span the same space whichever corner comes first, and
-//! their derivatives have no mean over the triangle. A long prism bends exactly.
+//! strain modes are those of the incompatible displacements 1 - z^2, p^2, p q, q^2 with p = r - 1/3, q = s - 1/3, each
+//! along three directions; they span the same space whichever corner comes first. A long prism bends exactly.
 //!
 //! A flat prism bent like a plate keeps the mean of its parasitic shear: displacements linear over a triangle cannot
 //! make it vanish, and an element that took it away by itself would fail the patch test beside others. Within its
 //! plane the triangle is one of constant strain. So wedges are for corners of meshes and for transitions, not for
 //! thin plates.
 
-use super::shape::{Gradients, ModeGradients, QuadraturePoint, Shape, Values, gauss_2, gauss_3};
+use super::shape::{Gradients, ModeStrains, QuadraturePoint, Shape, Values, gauss_2, gauss_3};
 
 /// The family of the wedge.
 #[derive(Debug)]
@@ -47,13 +46,33 @@ impl Shape for Penta {
     }
 
     fn mode_count(&self) -> usize {
-        4
+        12
     }
 
-    fn mode_gradients(&self, [r, s, z]: [f64; 3]) -> ModeGradients {
+    fn mode_strains(&self, [r, s, z]: [f64; 3]) -> ModeStrains {
         let (p, q) = (r - 1.0 / 3.0, s - 1.0 / 3.0);
-        // columns: 1 - z^2, p^2, p q, q^2
-        ModeGradients::from([[0.0, 0.0, -2.0 * z], [2.0 * p, 0.0, 0.0], [q, p, 0.0], [0.0, 2.0 * q, 0.0]])
+        let [rr, ss, zz, rs, sz, zr] = [0, 1, 2, 3, 4, 5];
+        let mut modes = ModeStrains::zeros();
+        let single = [
+            (zz, z),
+            (sz, z),
+            (zr, z),
+            (rr, p),
+            (rr, q),
+            (ss, p),
+            (ss, q),
+            (rs, p),
+            (rs, q),
+            (zr, p),
+            (sz, q),
+            (zr, q),
+        ];
+        for (mode, (row, strain)) in single.into_iter().enumerate() {
+            modes[(row, mode)] = strain;
+        }
+        // The deflection p q has both shears.
+        modes[(sz, 11)] = p;
+        modes
     }
 
     fn stiffness_points(&self) -> Vec<QuadraturePoint> {

@@ -1,7 +1,7 @@
-//! What the families of solids differ in: shape functions, incompatible modes and quadrature over the parent shape.
+//! What the families of solids differ in: shape functions, strain modes and quadrature over the parent shape.
 //!
-//! Arrays are padded with zeros to the largest family, eight corners and four modes, so that one element routine
-//! serves all without allocation.
+//! Arrays are padded with zeros to the largest family, eight corners and 21 modes, so that one element routine
+//! serves all.
 
 use nalgebra::{SMatrix, SVector};
 use std::fmt::Debug;
@@ -10,8 +10,8 @@ use std::fmt::Debug;
 pub(crate) type Values = SVector<f64, 8>;
 /// Their derivatives by the three local coordinates (rows).
 pub(crate) type Gradients = SMatrix<f64, 3, 8>;
-/// Derivatives of the incompatible modes by the local coordinates (rows).
-pub(crate) type ModeGradients = SMatrix<f64, 3, 4>;
+/// Strains of the modes (columns) in local coordinates: xx, yy, zz, xy, yz, zx, engineering shear.
+pub(crate) type ModeStrains = SMatrix<f64, 6, 21>;
 
 /// A place in the parent shape and its weight.
 #[derive(Debug, Clone, Copy)]
@@ -30,10 +30,10 @@ pub(crate) trait Shape: Debug + Sync {
     fn values(&self, at: [f64; 3]) -> Values;
     /// Their derivatives.
     fn gradients(&self, at: [f64; 3]) -> Gradients;
-    /// Number of incompatible modes, each for all three displacements.
+    /// Number of strain modes.
     fn mode_count(&self) -> usize;
-    /// Their derivatives; their integral over the parent shape is zero.
-    fn mode_gradients(&self, at: [f64; 3]) -> ModeGradients;
+    /// Their strains; their integral over the parent shape is zero.
+    fn mode_strains(&self, at: [f64; 3]) -> ModeStrains;
     /// Quadrature of the stiffness.
     fn stiffness_points(&self) -> Vec<QuadraturePoint>;
     /// Quadrature of the mass, exact for the shape with straight edges.

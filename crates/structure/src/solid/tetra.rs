@@ -3,7 +3,7 @@
 //! Local coordinates r, s, t run from corner 1 to corners 2, 3, 4. The element is stiff in bending; it is there to
 //! fill corners of meshes.
 
-use super::shape::{Gradients, ModeGradients, QuadraturePoint, Shape, Values};
+use super::shape::{Gradients, ModeStrains, QuadraturePoint, Shape, Values};
 
 /// The family of the tetrahedron.
 #[derive(Debug)]
@@ -34,8 +34,8 @@ impl Shape for Tetra {
         0
     }
 
-    fn mode_gradients(&self, _: [f64; 3]) -> ModeGradients {
-        ModeGradients::zeros()
+    fn mode_strains(&self, _: [f64; 3]) -> ModeStrains {
+        ModeStrains::zeros()
     }
 
     fn stiffness_points(&self) -> Vec<QuadraturePoint> {
