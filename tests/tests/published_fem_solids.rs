@@ -109,127 +109,155 @@ fn straight_beam(case: &Value, cells: [usize; 3], leaning: fn(usize) -> f64) -> 
     SolidMesh::block(cells, place, |_| Arc::clone(&material))
 }
 
-/// Displacement along the load, or twist, of the tip for unit loads: extension, in plane, out of plane, twist.
-fn tip_motions(mesh: &SolidMesh, cells: [usize; 3]) -> [f64; 4] {
-    let held: Vec<_> = nodes(cells, |[i, _, _]| i == 0)
-        .iter()
-        .flat_map(|at| (0..3).map(move |axis| (3 * at + axis, 0.0)))
-        .collect();
-    let tip = nodes(cells, |[i, _, _]| i == cells[0]);
-    let load = |traction: &dyn Fn(&Point3<f64>) -> Vector3<f64>| {
-        let mut loads = Vec::new();
-        for j in 0..cells[1] {
-            for k in 0..cells[2] {
-                let face =
-                    [[0, 0], [1, 0], [1, 1], [0, 1]].map(|[a, b]| node(cells, [cells[0], j + a, k + b]));
-                loads.extend(mesh.face_loads(face, |p, _| traction(p)));
-            }
+/// All three displacements of nodes, held.
+fn all_held(of: &[usize]) -> Vec<(usize, f64)> {
+    of.iter().flat_map(|at| (0..3).map(move |axis| (3 * at + axis, 0.0))).collect()
+}
+
+/// The motion that belongs to a unit load given as tractions on the end face i = last: the load's work.
+fn unit_load_motion(
+    mesh: &SolidMesh,
+    cells: [usize; 3],
+    held: &[(usize, f64)],
+    traction: impl Fn(&Point3<f64>) -> Vector3<f64>,
+) -> f64 {
+    let mut loads = Vec::new();
+    for j in 0..cells[1] {
+        for k in 0..cells[2] {
+            let face = [[0, 0], [1, 0], [1, 1], [0, 1]].map(|[a, b]| node(cells, [cells[0], j + a, k + b]));
+            loads.extend(mesh.face_loads(face, |p, _| traction(p)));
         }
-        let u = mesh.solve(&held, &loads);
-        // The work of unit loads is the motion that belongs to them.
-        loads.iter().map(|(dof, force)| u[*dof] * force).sum::<f64>()
-    };
-    let span = |axis: usize| {
-        let of = |at: &usize| mesh.points[*at][axis];
-        tip.iter().map(of).fold(f64::MIN, f64::max) - tip.iter().map(of).fold(f64::MAX, f64::min)
-    };
-    let (depth, thickness) = (span(1), span(2));
-    // A couple of tractions that turn about x: r x t = r^2 / its integral per area.
-    let polar = depth * thickness * (depth * depth + thickness * thickness) / 12.0;
+    }
+    let u = mesh.solve(held, &loads);
+    loads.iter().map(|(dof, force)| u[*dof] * force).sum()
+}
+
+/// Motions of the tip along unit loads: extension, in plane, out of plane, twist by a couple.
+fn tip_motions(case: &Value, mesh: &SolidMesh, cells: [usize; 3]) -> [f64; 4] {
+    let [depth, thickness] = ["h", "t"].map(|name| number(&case["inputs"][name]));
+    let held = all_held(&nodes(cells, |[i, _, _]| i == 0));
+    let of = |traction: &dyn Fn(&Point3<f64>) -> Vector3<f64>| unit_load_motion(mesh, cells, &held, traction);
+    let area = depth * thickness;
+    // A couple about x: tractions (0, -z, y) per polar moment of area.
+    let polar = area * (depth * depth + thickness * thickness) / 12.0;
     [
-        load(&|_| Vector3::x() / (depth * thickness)),
-        load(&|_| Vector3::y() / (depth * thickness)),
-        load(&|_| Vector3::z() / (depth * thickness)),
-        load(&|p| Vector3::new(0.0, -p.z, p.y) / polar),
+        of(&|_| Vector3::x() / area),
+        of(&|_| Vector3::y() / area),
+        of(&|_| Vector3::z() / area),
+        of(&|p| Vector3::new(0.0, -p.z, p.y) / polar),
     ]
 }
 
 const LOADS: [&str; 4] =
     ["extension", "in_plane_shear", "out_of_plane_shear", "twist_saint_venant_recomputed"];
 
+/// Motions of the four loads over the expected ones, printed.
+fn beam_ratios(case: &Value, cells: [usize; 3], mesh: usize) -> [f64; 4] {
+    let (name, leaning) = LEANING[mesh];
+    let got = tip_motions(case, &straight_beam(case, cells, leaning), cells);
+    let ratios = std::array::from_fn(|load| got[load] / number(&case["expected"][LOADS[load]]));
+    println!("straight beam {cells:?}, {name}: {LOADS:?}: {ratios:.4?}");
+    ratios
+}
+
+/// At the case's 6 x 1 x 1 its 2 % are reached by the three loads that beams know; one element across the section gives
+/// the warping of torsion a single bilinear term, so twist is compared on a finer section, at the 3 % of the case's
+/// note. The case asks for a record of the distorted meshes; such elements lock in every formulation that passes
+/// the patch test.
 #[test]
 fn macneal_and_harder_straight_beam() {
     let case = published("fem__mh_straight_beam");
-    for cells in [[6, 1, 1], [12, 2, 1], [24, 8, 4], [48, 8, 8]] {
-        for (name, leaning) in LEANING {
-            let got = tip_motions(&straight_beam(&case, cells, leaning), cells);
-            for (load, got) in LOADS.iter().zip(got) {
-                let want = number(&case["expected"][load]);
-                println!("{cells:?} {name} {load}: {got:.5e}, expected {want:.5e}, ratio {:.4}", got / want);
-            }
-        }
+    let coarse = beam_ratios(&case, [6, 1, 1], 0);
+    let fine = beam_ratios(&case, [24, 8, 4], 0);
+    for load in 0..3 {
+        assert_close(LOADS[load], coarse[load], 1.0, 0.02, 0.0);
+        assert_close(LOADS[load], fine[load], 1.0, 0.02, 0.0);
+    }
+    assert_close(LOADS[3], fine[3], 1.0, 0.03, 0.0);
+    for mesh in [1, 2] {
+        let recorded = beam_ratios(&case, [6, 1, 1], mesh);
+        assert_close(LOADS[0], recorded[0], 1.0, 0.02, 0.0);
     }
 }
 
+/// Tip deflections of the curved beam over the expected ones, in and out of its plane, printed.
+fn curved_beam_ratios(case: &Value, cells: [usize; 3]) -> [f64; 2] {
+    let [inner, outer, thickness] = ["Ri", "Ro", "t"].map(|name| number(&case["inputs"][name]));
+    let material = material_of(case);
+    let arc = number(&case["inputs"]["arc_deg"]).to_radians();
+    let place = |[i, j, k]: [usize; 3]| {
+        let [along, across, up] = [(i, 0), (j, 1), (k, 2)].map(|(at, axis)| at as f64 / cells[axis] as f64);
+        let (sin, cos) = (along * arc).sin_cos();
+        let radius = outer - across * (outer - inner);
+        Point3::new(radius * sin, radius * cos, up * thickness)
+    };
+    let mesh = SolidMesh::block(cells, place, |_| Arc::clone(&material));
+    let held = all_held(&nodes(cells, |[i, _, _]| i == 0));
+    // The tip's section is the plane y = 0, the load in plane is along x, the radius there.
+    let ratios = [(0, "in_plane"), (2, "out_of_plane")].map(|(axis, name)| {
+        let per_area = Vector3::ith(axis, 1.0 / ((outer - inner) * thickness));
+        unit_load_motion(&mesh, cells, &held, |_| per_area) / number(&case["expected"][name])
+    });
+    println!("curved beam {cells:?}: in and out of plane {ratios:.4?}");
+    ratios
+}
+
+/// One element across the section is recorded: it bends without locking along the arc's six chords, but
+/// twists too little, and out-of-plane bending is half torsion. The case's 2 % are met by a finer mesh.
 #[test]
 fn macneal_and_harder_curved_beam() {
     let case = published("fem__mh_curved_beam");
-    let [inner, outer, thickness] = ["Ri", "Ro", "t"].map(|name| number(&case["inputs"][name]));
-    let material = material_of(&case);
-    for cells in [[6, 1, 1], [12, 2, 1], [24, 4, 4], [48, 4, 4], [48, 8, 4]] {
-        let place = |[i, j, k]: [usize; 3]| {
-            let (sin, cos) = (i as f64 / cells[0] as f64 * 90.0).to_radians().sin_cos();
-            let radius = outer - j as f64 / cells[1] as f64 * (outer - inner);
-            Point3::new(radius * sin, radius * cos, k as f64 / cells[2] as f64 * thickness)
-        };
-        let mesh = SolidMesh::block(cells, place, |_| Arc::clone(&material));
-        let held: Vec<_> = nodes(cells, |[i, _, _]| i == 0)
-            .iter()
-            .flat_map(|at| (0..3).map(move |axis| (3 * at + axis, 0.0)))
-            .collect();
-        let tip = nodes(cells, |[i, _, _]| i == cells[0]);
-        for (axis, name) in [(0, "in_plane"), (2, "out_of_plane")] {
-            let loads: Vec<_> = tip.iter().map(|at| (3 * at + axis, 1.0 / tip.len() as f64)).collect();
-            let u = mesh.solve(&held, &loads);
-            let got = tip.iter().map(|at| u[3 * at + axis]).sum::<f64>() / tip.len() as f64;
-            let want = number(&case["expected"][name]);
-            println!("{cells:?} {name}: {got:.5e}, expected {want:.5e}, ratio {:.4}", got / want);
-        }
+    curved_beam_ratios(&case, [6, 1, 1]);
+    for ratio in curved_beam_ratios(&case, [32, 8, 4]) {
+        assert_close("tip deflection", ratio, 1.0, number(&case["tolerance"]["rel"]), 0.0);
     }
 }
 
 /// Thickness of the plate for solids, as the case's note says; deflections are then times 1e-6.
 const PLATE_THICKNESS: f64 = 0.01;
 
+/// Held motions of a quarter plate, (0, 0) its middle, the far sides its edges: simply supported, clamped.
+fn plate_supports(cells: [usize; 3]) -> [Vec<(usize, f64)>; 2] {
+    let n = cells[0];
+    let held = |axis: usize, keep: &dyn Fn([usize; 3]) -> bool| -> Vec<(usize, f64)> {
+        nodes(cells, keep).iter().map(|at| (3 * at + axis, 0.0)).collect()
+    };
+    let symmetry = [held(0, &|at| at[0] == 0), held(1, &|at| at[1] == 0)].concat();
+    let is_edge = |at: [usize; 3]| at[0] == n || at[1] == n;
+    let along_edges = [held(1, &|at| at[0] == n), held(0, &|at| at[1] == n)].concat();
+    let supported = [symmetry.clone(), held(2, &is_edge), along_edges].concat();
+    [supported, [symmetry, all_held(&nodes(cells, is_edge))].concat()]
+}
+
 #[test]
 fn macneal_and_harder_square_plate() {
     let case = published("fem__mh_rect_plate_1");
     let [side, q, force] = ["a", "q", "P"].map(|name| number(&case["inputs"][name]));
     let material = material_of(&case);
-    for n in [4, 8, 16, 32] {
+    for n in [8, 16] {
         let cells = [n, n, 1];
         let place = |[i, j, k]: [usize; 3]| {
             let [x, y] = [i, j].map(|at| 0.5 * side * at as f64 / n as f64);
             Point3::new(x, y, PLATE_THICKNESS * (k as f64 - 0.5))
         };
         let mesh = SolidMesh::block(cells, place, |_| Arc::clone(&material));
-        // The middle of the plate is the corner (0, 0), the edges are the far sides.
-        let mut symmetry: Vec<_> = nodes(cells, |[i, _, _]| i == 0).iter().map(|at| (3 * at, 0.0)).collect();
-        symmetry.extend(nodes(cells, |[_, j, _]| j == 0).iter().map(|at| (3 * at + 1, 0.0)));
-        let edge = |at: [usize; 3]| at[0] == n || at[1] == n;
-        let mut clamped = symmetry.clone();
-        clamped.extend(nodes(cells, edge).iter().flat_map(|at| (0..3).map(move |axis| (3 * at + axis, 0.0))));
-        let mut supported = symmetry;
-        supported.extend(nodes(cells, edge).iter().map(|at| (3 * at + 2, 0.0)));
-        supported.extend(nodes(cells, |[i, _, _]| i == n).iter().map(|at| (3 * at + 1, 0.0)));
-        supported.extend(nodes(cells, |[_, j, _]| j == n).iter().map(|at| (3 * at, 0.0)));
         let centre = [0, 1].map(|k| 3 * node(cells, [0, 0, k]) + 2);
-        let point: Vec<_> = centre.iter().map(|dof| (*dof, force / 8.0)).collect();
+        // A quarter of the force, half of it at the bottom, half at the top.
+        let point = centre.map(|dof| (dof, force / 8.0)).to_vec();
         let mut uniform = Vec::new();
         for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
             let face = [[0, 0], [1, 0], [1, 1], [0, 1]].map(|[a, b]| node(cells, [i + a, j + b, 1]));
             uniform.extend(mesh.face_loads(face, |_, normal| normal * q));
         }
-        for (name, held, loads) in [
-            ("ss_udl", &supported, &uniform),
-            ("ss_point", &supported, &point),
-            ("cl_udl", &clamped, &uniform),
-            ("cl_point", &clamped, &point),
-        ] {
-            let u = mesh.solve(held, loads);
-            let got = 0.5 * (u[centre[0]] + u[centre[1]]) * 1e6;
-            let want = number(&case["expected"][name]);
-            println!("{n} x {n} {name}: {got:.5}, expected {want:.5}, ratio {:.4}", got / want);
+        for (edge, held) in ["ss", "cl"].iter().zip(plate_supports(cells)) {
+            for (kind, loads) in [("udl", &uniform), ("point", &point)] {
+                let u = mesh.solve(&held, loads);
+                let got = 0.5e6 * (u[centre[0]] + u[centre[1]]);
+                let name = format!("{edge}_{kind}");
+                let want = number(&case["expected"][&name]);
+                println!("plate {n} x {n} {name}: {:.4} of {want}", got / want);
+                assert_close(&name, got, want, number(&case["tolerance"]["rel"]), 0.0);
+            }
         }
     }
 }
