@@ -6,6 +6,7 @@
 //! solids. Units: a = 1, q0 = 1. The sign of the case: z up, deflection along the load.
 
 #![expect(clippy::unwrap_used, reason = "a helper of tests may fail the test where it stands")]
+#![expect(clippy::print_stdout, reason = "results beside the exact ones are printed")]
 
 mod solid_mesh;
 

@@ -180,13 +180,17 @@ impl Solid {
     /// Stiffness over the corners' displacements and the modes.
     fn with_modes(&self) -> DMatrix<f64> {
         let order = 3 * self.nodes.len() + self.shape.mode_count();
-        let mut k = DMatrix::zeros(order, order);
-        for point in self.shape.stiffness_points() {
+        let points = self.shape.stiffness_points();
+        // All points in one product: faster than one product a point.
+        let mut strains_t = DMatrix::zeros(order, 6 * points.len());
+        let mut stresses = DMatrix::zeros(6 * points.len(), order);
+        for (i, point) in points.iter().enumerate() {
             let (strains, volume) = self.strains(point.at);
-            let stresses = self.material.stiffness * &strains;
-            k.gemm_tr(point.weight * volume, &strains, &stresses, 1.0);
+            let elastic = self.material.stiffness * (point.weight * volume);
+            stresses.rows_mut(6 * i, 6).copy_from(&(elastic * &strains));
+            strains_t.columns_mut(6 * i, 6).copy_from(&strains.transpose());
         }
-        k
+        strains_t * stresses
     }
 
     /// -K_aa^-1 K_au: the modes from the corners' displacements; `None` without modes, or if they cannot be found.
