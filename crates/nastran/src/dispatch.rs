@@ -31,11 +31,11 @@ fn structure_card(deck: &mut BulkData, card: &Card) -> Result<bool, InputError> 
             let item = structure::grid(card)?;
             keep(&mut deck.grids, card, item.id, item, |item| &item.span)
         }
-        "CORD1R" => structure::cord1r(card)?
+        "CORD1R" | "CORD1C" | "CORD1S" => structure::cord1(card)?
             .into_iter()
             .try_for_each(|item| keep(&mut deck.coords, card, item.id, item, |item| &item.span)),
-        "CORD2R" => {
-            let item = structure::cord2r(card)?;
+        "CORD2R" | "CORD2C" | "CORD2S" => {
+            let item = structure::cord2(card)?;
             keep(&mut deck.coords, card, item.id, item, |item| &item.span)
         }
         "CBAR" | "CBEAM" => {

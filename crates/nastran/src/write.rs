@@ -8,7 +8,8 @@
 //! DMI matrices are written by [`Dmi::write`](crate::Dmi::write), in 8-character fields.
 
 use crate::cards::{
-    BeamElement, BeamProperty, BulkData, Caero1, Coord, CoordDefinition, Divisions, MonitorPoint, Orientation,
+    BeamElement, BeamProperty, BulkData, Caero1, Coord, CoordDefinition, CoordKind, Divisions, MonitorPoint,
+    Orientation,
 };
 use crate::real;
 use std::fmt::Write as _;
@@ -88,11 +89,16 @@ fn aerodynamics(deck: &BulkData, text: &mut String) {
 }
 
 fn coord(coord: &Coord) -> String {
+    let [by_points, by_grids] = match coord.kind {
+        CoordKind::Rectangular => ["CORD2R", "CORD1R"],
+        CoordKind::Cylindrical => ["CORD2C", "CORD1C"],
+        CoordKind::Spherical => ["CORD2S", "CORD1S"],
+    };
     match &coord.definition {
         CoordDefinition::Points { rid, a, b, c } => {
-            Fields::new("CORD2R").ints([coord.id, *rid]).reals(a).reals(b).reals(c).write()
+            Fields::new(by_points).ints([coord.id, *rid]).reals(a).reals(b).reals(c).write()
         }
-        CoordDefinition::Grids(grids) => Fields::new("CORD1R").int(coord.id).ints(*grids).write(),
+        CoordDefinition::Grids(grids) => Fields::new(by_grids).int(coord.id).ints(*grids).write(),
     }
 }
 
