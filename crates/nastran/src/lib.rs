@@ -26,6 +26,7 @@ pub mod ron_file;
 mod shell_cards;
 mod solid_cards;
 pub mod source;
+mod spline_cards;
 mod spring_cards;
 mod structure_cards;
 pub mod suggest;
