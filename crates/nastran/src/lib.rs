@@ -3,6 +3,7 @@
 mod aero_cards;
 mod card;
 pub mod cards;
+mod counts;
 pub mod deck;
 pub mod dmi;
 mod dmi_reader;
