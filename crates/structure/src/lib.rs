@@ -23,6 +23,7 @@ mod springs;
 pub mod sturm;
 mod subspace;
 pub mod system;
+pub mod update;
 
 pub use beam::{Beam, BeamPlacement};
 pub use constraints::Dependent;
