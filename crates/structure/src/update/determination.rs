@@ -28,6 +28,9 @@ impl Determination {
         count: usize,
         limit: f64,
     ) -> (Self, Vec<f64>) {
+        if count == 0 {
+            return (Self { directions: Vec::new(), sigma: Vec::new(), determined: 0 }, Vec::new());
+        }
         // Rows of zeros give every direction its singular value.
         let rows = sensitivities.len().max(count);
         let j = DMatrix::from_fn(rows, count, |i, p| sensitivities.get(i).map_or(0.0, |row| row[p]));
@@ -105,5 +108,6 @@ mod tests {
         let (found, step) = Determination::of(&[], &[], 2, 0.5);
         assert_eq!((found.determined, step), (0, vec![0.0, 0.0]));
         assert!(found.sigma.iter().all(|sigma| sigma.is_infinite()));
+        assert_eq!(Determination::of(&[vec![]], &[1.0], 0, 0.5).0.determined, 0);
     }
 }
