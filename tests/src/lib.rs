@@ -4,6 +4,7 @@
 //! `cargo xtask validate` call it, so that the table is what the tests check.
 
 pub mod cases;
+pub mod fem;
 pub mod half_wing;
 pub mod registry;
 pub mod row;

@@ -1,5 +1,6 @@
 //! The published cases, a file for each family; every file has its `CASES`, which the registry lists.
 
 pub mod divergence;
+pub mod shells;
 pub mod vlm;
 pub mod wings;

@@ -1,6 +1,7 @@
 //! What the readers of all kinds of cards share: the deck, its frames, and where each grid stands.
 
 use super::{Clamp, Node};
+use crate::laminate::ShearModel;
 use nalgebra::Matrix3;
 use nastran::{BulkData, Frames, InputError, Span};
 use std::collections::BTreeMap;
@@ -11,11 +12,13 @@ pub(super) struct Builder<'a> {
     pub(super) bulk: &'a BulkData,
     pub(super) frames: Frames,
     pub(super) nodes: Vec<Node>,
+    /// How laminates get their transverse shear stiffness.
+    pub(super) shear: ShearModel,
     places: BTreeMap<u32, usize>,
 }
 
 impl<'a> Builder<'a> {
-    pub(super) fn new(bulk: &'a BulkData) -> Result<Self, InputError> {
+    pub(super) fn new(bulk: &'a BulkData, shear: ShearModel) -> Result<Self, InputError> {
         let places = bulk.grids.keys().enumerate().map(|(place, id)| (*id, place)).collect();
         let frames = Frames::resolve(bulk)?;
         let mut nodes = Vec::with_capacity(bulk.grids.len());
@@ -25,7 +28,7 @@ impl<'a> Builder<'a> {
                 if grid.cd == 0 { Matrix3::identity() } else { frames.axes_at(grid.cd, &grid.span)? };
             nodes.push(Node { id: grid.id, point, axes });
         }
-        Ok(Self { bulk, frames, nodes, places })
+        Ok(Self { bulk, frames, nodes, shear, places })
     }
 
     /// Position of a grid that `user` names.

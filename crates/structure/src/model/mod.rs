@@ -10,6 +10,7 @@ mod shells;
 
 use crate::constraints::Dependent;
 use crate::element::Element;
+use crate::laminate::ShearModel;
 use nalgebra::{Matrix3, Point3};
 use nastran::{BulkData, InputError, Span};
 use std::sync::Arc;
@@ -71,7 +72,15 @@ impl Model {
     /// If a card refers to something that is not there, or describes no possible element; the card is blamed and
     /// the hint lists what there is.
     pub fn from_bulk(bulk: &BulkData) -> Result<Self, InputError> {
-        let builder = build::Builder::new(bulk)?;
+        Self::from_bulk_with(bulk, ShearModel::Equilibrium)
+    }
+
+    /// As [`Model::from_bulk`], with another rule for the transverse shear stiffness of laminates (PCOMP).
+    ///
+    /// # Errors
+    /// As [`Model::from_bulk`].
+    pub fn from_bulk_with(bulk: &BulkData, shear: ShearModel) -> Result<Self, InputError> {
+        let builder = build::Builder::new(bulk, shear)?;
         let mut elements = builder.beams()?;
         elements.extend(builder.shells()?);
         elements.extend(builder.springs()?);

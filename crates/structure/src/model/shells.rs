@@ -2,7 +2,7 @@
 
 use super::build::{Builder, undefined};
 use crate::element::Element;
-use crate::laminate::{PlacedPly, ShearModel, ShellSection};
+use crate::laminate::{PlacedPly, ShellSection};
 use crate::plane_material::PlaneMaterial;
 use crate::shell::Shell;
 use nalgebra::{Matrix2, Matrix3, Point3, Vector3};
@@ -122,7 +122,7 @@ impl Builder<'_> {
             placed.push(PlacedPly { material, angle_rad, z_low_m: low, z_high_m: high });
             low = high;
         }
-        Ok(ShellSection::laminate(&placed, card.nsm, ShearModel::Equilibrium))
+        Ok(ShellSection::laminate(&placed, card.nsm, self.shear))
     }
 
     /// A plane material by its number, whatever its kind.

@@ -7,19 +7,19 @@ use nalgebra::{Matrix2, RowSVector, SMatrix, Vector2};
 const NATURAL: [[f64; 2]; 3] = [[-1.0, -1.0], [1.0, 0.0], [0.0, 1.0]];
 
 /// Three points inside, exact to second degree.
-pub(super) fn points(plane: &[[f64; 2]]) -> Vec<Point<18>> {
+pub(super) fn points(corners: &[[f64; 3]]) -> Vec<Point<18>> {
     let (low, high) = (1.0 / 6.0, 2.0 / 3.0);
-    [[low, low], [high, low], [low, high]].map(|at| point(plane, at, 1.0 / 6.0)).into()
+    [[low, low], [high, low], [low, high]].map(|at| point(corners, at, 1.0 / 6.0)).into()
 }
 
 /// The operators at r, s with integration weight `weight`.
-pub(super) fn point(plane: &[[f64; 2]], at: [f64; 2], weight: f64) -> Point<18> {
+pub(super) fn point(corners: &[[f64; 3]], at: [f64; 2], weight: f64) -> Point<18> {
     // Rows (x, y) by r and by s.
     let j = Matrix2::new(
-        plane[1][0] - plane[0][0],
-        plane[1][1] - plane[0][1],
-        plane[2][0] - plane[0][0],
-        plane[2][1] - plane[0][1],
+        corners[1][0] - corners[0][0],
+        corners[1][1] - corners[0][1],
+        corners[2][0] - corners[0][0],
+        corners[2][1] - corners[0][1],
     );
     let inverse = j.try_inverse().unwrap_or_else(Matrix2::zeros);
     let shapes = [1.0 - at[0] - at[1], at[0], at[1]];
