@@ -17,7 +17,7 @@ pub struct Grid {
     pub id: u32,
     /// Coordinate system of `xyz`; 0 is basic.
     pub cp: u32,
-    /// Coordinates in `cp` (for cylindrical systems r, theta in degrees, z).
+    /// Coordinates in `cp` (as its [`CoordKind`] says).
     pub xyz: [f64; 3],
     /// Displacement coordinate system; 0 is basic.
     pub cd: u32,
@@ -27,10 +27,22 @@ pub struct Grid {
     pub span: Span,
 }
 
-/// How a rectangular coordinate system is given.
+/// What the three coordinates of a system are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum CoordKind {
+    /// x, y, z (CORD1R, CORD2R).
+    #[default]
+    Rectangular,
+    /// r, theta in degrees from x, z (CORD1C, CORD2C).
+    Cylindrical,
+    /// r, theta in degrees from z, phi in degrees from x about z (CORD1S, CORD2S).
+    Spherical,
+}
+
+/// How a coordinate system is given.
 #[derive(Debug, Clone, PartialEq)]
 pub enum CoordDefinition {
-    /// CORD2R: origin, a point on the z axis, a point in the xz plane, all in system `rid`.
+    /// CORD2R, CORD2C, CORD2S: origin, a point on the z axis, a point in the xz plane, all in system `rid`.
     Points {
         /// Reference system.
         rid: u32,
@@ -41,15 +53,17 @@ pub enum CoordDefinition {
         /// In the xz plane.
         c: [f64; 3],
     },
-    /// CORD1R: the same three points given by grids.
+    /// CORD1R, CORD1C, CORD1S: the same three points given by grids.
     Grids([u32; 3]),
 }
 
-/// A rectangular coordinate system (CORD1R, CORD2R).
+/// A coordinate system (CORD1R, CORD1C, CORD1S, CORD2R, CORD2C, CORD2S).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Coord {
     /// Identification number.
     pub id: u32,
+    /// Rectangular, cylindrical or spherical.
+    pub kind: CoordKind,
     /// The three points that define it.
     pub definition: CoordDefinition,
     /// Where the card stands.
@@ -304,7 +318,7 @@ pub struct MonitorPoint {
 pub struct BulkData {
     /// GRID.
     pub grids: BTreeMap<u32, Grid>,
-    /// CORD1R, CORD2R.
+    /// CORD1R, CORD1C, CORD1S, CORD2R, CORD2C, CORD2S.
     pub coords: BTreeMap<u32, Coord>,
     /// CBAR, CBEAM.
     pub beams: BTreeMap<u32, BeamElement>,

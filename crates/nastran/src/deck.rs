@@ -20,16 +20,20 @@ use std::sync::Arc;
 /// Reads a deck with the files it includes.
 ///
 /// # Errors
-/// If a file cannot be read, a field is not what its card demands, an identification number is given twice, or
+/// If a file cannot be read or has nothing in it, a field is not what its card demands, an identification number is given twice, or
 /// a grid refers to a coordinate system that is not there.
 pub fn read_deck(path: &Path) -> Result<BulkData, InputError> {
-    parse_at(path, &read_text(path)?)
+    let text = read_text(path)?;
+    if text.trim().is_empty() {
+        return Err(InputError::in_file(path, "the deck is empty").with_help("expected bulk data cards"));
+    }
+    parse_at(path, &text)
 }
 
 /// Parses a deck; `name` is its file name in errors and the place included files are relative to.
 ///
 /// # Errors
-/// As [`read_deck`].
+/// As [`read_deck`]; a text without cards is a deck without cards.
 pub fn parse_deck(name: &str, text: &str) -> Result<BulkData, InputError> {
     parse_at(Path::new(name), text)
 }

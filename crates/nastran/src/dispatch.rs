@@ -6,6 +6,7 @@ use crate::cards::BulkData;
 use crate::fe_dispatch;
 use crate::property_cards as property;
 use crate::rigid_cards as rigid;
+use crate::section_cards as section;
 use crate::shell_cards::CornerThickness;
 use crate::source::{InputError, Span};
 use crate::structure_cards as structure;
@@ -31,19 +32,25 @@ fn structure_card(deck: &mut BulkData, card: &Card) -> Result<bool, InputError> 
             let item = structure::grid(card)?;
             keep(&mut deck.grids, card, item.id, item, |item| &item.span)
         }
-        "CORD1R" => structure::cord1r(card)?
+        "CORD1R" | "CORD1C" | "CORD1S" => structure::cord1(card)?
             .into_iter()
             .try_for_each(|item| keep(&mut deck.coords, card, item.id, item, |item| &item.span)),
-        "CORD2R" => {
-            let item = structure::cord2r(card)?;
+        "CORD2R" | "CORD2C" | "CORD2S" => {
+            let item = structure::cord2(card)?;
             keep(&mut deck.coords, card, item.id, item, |item| &item.span)
         }
         "CBAR" | "CBEAM" => {
             let item = structure::beam_element(card)?;
             keep(&mut deck.beams, card, item.id, item, |item| &item.span)
         }
-        "PBAR" | "PBEAM" => {
-            let item = if card.name == "PBAR" { property::pbar(card)? } else { property::pbeam(card)? };
+        "PBAR" | "PBEAM" | "PBARL" | "PBEAML" => {
+            let read = match card.name.as_str() {
+                "PBAR" => property::pbar,
+                "PBEAM" => property::pbeam,
+                "PBARL" => section::pbarl,
+                _ => section::pbeaml,
+            };
+            let item = read(card)?;
             keep(&mut deck.beam_properties, card, item.id, item, |item| &item.span)
         }
         "MAT1" => {

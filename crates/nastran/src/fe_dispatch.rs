@@ -10,6 +10,7 @@ use crate::shell_cards as shell;
 use crate::shell_cards::CornerThickness;
 use crate::solid_cards as solid;
 use crate::source::InputError;
+use crate::spline_cards as spline;
 use crate::spring_cards as spring;
 
 /// Keeps an element; false if the card is none of these.
@@ -111,10 +112,22 @@ pub(crate) fn property(deck: &mut BulkData, card: &Card) -> Result<bool, InputEr
     .map(|()| true)
 }
 
-/// Keeps an equation; false if the card is none.
+/// Keeps an equation, spline or parameter; false if the card is none of these.
 pub(crate) fn other(deck: &mut BulkData, card: &Card) -> Result<bool, InputError> {
     match card.name.as_str() {
         "MPC" => deck.equations.push(rigid::mpc(card)?),
+        "SPLINE1" | "SPLINE2" => {
+            let item = spline::spline(card)?;
+            keep(&mut deck.splines, card, item.id, item, |item| &item.span)?;
+        }
+        "PARAM" => {
+            let Some((name, value)) = spline::parameter(card)? else { return Ok(false) };
+            let before = deck.parameters.insert(name.clone(), value);
+            if let Some(before) = before.filter(|before| *before != value) {
+                let message = format!("parameter {name} is {value} here and {before} before");
+                return Err(card.error(1, message).with_help("give every parameter once"));
+            }
+        }
         _ => return Ok(false),
     }
     Ok(true)

@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod aero_cards;
+mod beam_sections;
 mod card;
 mod card_lists;
 mod card_values;
@@ -24,9 +25,11 @@ mod property_cards;
 pub mod real;
 mod rigid_cards;
 pub mod ron_file;
+mod section_cards;
 mod shell_cards;
 mod solid_cards;
 pub mod source;
+mod spline_cards;
 mod spring_cards;
 mod structure_cards;
 pub mod suggest;

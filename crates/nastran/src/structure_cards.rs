@@ -1,7 +1,9 @@
 //! Grids, coordinate systems, elements, masses and constraints: from fields to the structs of [`crate::cards`].
 
 use crate::card::Card;
-use crate::cards::{BeamElement, Conm2, Coord, CoordDefinition, Grid, Orientation, Rbe2, Set1, Spc1};
+use crate::cards::{
+    BeamElement, Conm2, Coord, CoordDefinition, CoordKind, Grid, Orientation, Rbe2, Set1, Spc1,
+};
 use crate::real;
 use crate::source::InputError;
 
@@ -17,12 +19,13 @@ pub(crate) fn grid(card: &Card) -> Result<Grid, InputError> {
     })
 }
 
-/// CORD1R: CID G1 G2 G3, twice on one card.
-pub(crate) fn cord1r(card: &Card) -> Result<Vec<Coord>, InputError> {
+/// CORD1R, CORD1C, CORD1S: CID G1 G2 G3, twice on one card.
+pub(crate) fn cord1(card: &Card) -> Result<Vec<Coord>, InputError> {
     let one = |from: usize| -> Result<Coord, InputError> {
         let grids = [card.id(from + 1, "G1")?, card.id(from + 2, "G2")?, card.id(from + 3, "G3")?];
         Ok(Coord {
             id: card.id(from, "CID")?,
+            kind: kind(card),
             definition: CoordDefinition::Grids(grids),
             span: card.span.clone(),
         })
@@ -34,15 +37,23 @@ pub(crate) fn cord1r(card: &Card) -> Result<Vec<Coord>, InputError> {
     Ok(systems)
 }
 
-/// CORD2R: CID RID A1 A2 A3 B1 B2 B3 / C1 C2 C3.
-pub(crate) fn cord2r(card: &Card) -> Result<Coord, InputError> {
+/// CORD2R, CORD2C, CORD2S: CID RID A1 A2 A3 B1 B2 B3 / C1 C2 C3.
+pub(crate) fn cord2(card: &Card) -> Result<Coord, InputError> {
     let definition = CoordDefinition::Points {
         rid: card.count_or(1, "RID", 0)?,
         a: card.vector(2, ["A1", "A2", "A3"])?,
         b: card.vector(5, ["B1", "B2", "B3"])?,
         c: card.vector(8, ["C1", "C2", "C3"])?,
     };
-    Ok(Coord { id: card.id(0, "CID")?, definition, span: card.span.clone() })
+    Ok(Coord { id: card.id(0, "CID")?, kind: kind(card), definition, span: card.span.clone() })
+}
+
+fn kind(card: &Card) -> CoordKind {
+    match card.name.chars().last() {
+        Some('C') => CoordKind::Cylindrical,
+        Some('S') => CoordKind::Spherical,
+        _ => CoordKind::Rectangular,
+    }
 }
 
 /// CBAR, CBEAM: EID PID GA GB X1 X2 X3 OFFT / PA PB W1A W2A W3A W1B W2B W3B (/ SA SB).

@@ -204,10 +204,12 @@ fn a_grid_in_an_undefined_coordinate_system_is_refused() {
         "t.bdf:1:1: grid 1 refers to coordinate system 3, which is not defined"
     );
     let unread =
-        parse_deck("t.bdf", "CORD2C,3,,0.,0.,0.,0.,0.,1.\n,1.,0.,0.\nGRID,1,,0.,0.,0.,3\n").unwrap_err();
+        parse_deck("t.bdf", "CORD3G,3,,0.,0.,0.,0.,0.,1.\n,1.,0.,0.\nGRID,1,,0.,0.,0.,3\n").unwrap_err();
     assert_eq!(
         unread.help.as_deref(),
-        Some("the deck has CORD2C cards, which are not read; use CORD1R or CORD2R")
+        Some(
+            "the deck has CORD3G cards, which are not read; use CORD1R, CORD1C, CORD1S, CORD2R, CORD2C or CORD2S"
+        )
     );
 }
 

@@ -1,6 +1,6 @@
 //! Cards of general finite elements: fields, Nastran's defaults, and what is refused.
 
-use nastran::{BulkData, BushAxes, MaterialDirection, Orientation, ScalarValue, parse_deck};
+use nastran::{BulkData, BushAxes, MaterialDirection, Orientation, ScalarValue, SplineKind, parse_deck};
 
 fn parse(text: &str) -> BulkData {
     parse_deck("t.bdf", text).unwrap_or_else(|error| panic!("{error}"))
@@ -164,4 +164,20 @@ fn materials() {
     assert_eq!(ply.rho, 1600.0);
     let solid = &deck.solid_materials[&3];
     assert_eq!((solid.g[5], solid.g[6], solid.g[15], solid.g[20], solid.rho), (16.0, 22.0, 44.0, 66.0, 0.5));
+}
+
+#[test]
+fn splines_and_parameters() {
+    let deck = parse(concat!(
+        "SPLINE1,1,1001,1001,1020,5\nSPLINE2,2,1001,1021,1040,6,0.,,9\n",
+        "PARAM,wtmass,.00259\nPARAM,POST,-1\nPARAM,AUTOSPC,YES\nPARAM,W,1.,2.\n"
+    ));
+    assert_eq!((deck.splines[&1].kind, deck.splines[&1].boxes), (SplineKind::Plate, (1001, 1020)));
+    assert_eq!(deck.splines[&2].kind, SplineKind::Beam { system: 9, torsional_ratio: 1.0 });
+    assert_eq!((deck.parameters["WTMASS"], deck.parameters["POST"]), (0.002_59, -1.0));
+    assert_eq!(
+        (deck.parameters.len(), deck.unknown["PARAM"]),
+        (2, 2),
+        "words and complex numbers are counted"
+    );
 }
