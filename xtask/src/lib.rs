@@ -15,6 +15,7 @@ pub mod output;
 pub mod paths;
 pub mod progress;
 pub mod show;
+pub mod structures;
 pub mod tidy;
 
 use args::{Cli, Command, Common};
@@ -40,6 +41,8 @@ fn run(cli: &Cli) -> Result<(), Failure> {
         | Command::Simulate(_)
         | Command::Fullaircraft(_)
         | Command::Tunnel(_)
+        | Command::Modes(_)
+        | Command::Deck(_)
         | Command::Validate(_),
         Some(out),
     ) = (&cli.command, &common.out)
@@ -53,6 +56,8 @@ fn run(cli: &Cli) -> Result<(), Failure> {
         Command::Fullaircraft(args) => commands::fullaircraft::run(args, common),
         Command::Pipeline(args) => commands::pipeline::run(args, common),
         Command::Tunnel(args) => commands::tunnel::run(args, common),
+        Command::Modes(args) => commands::modes::run(args, common),
+        Command::Deck(args) => commands::deck::run(args, common),
         Command::Validate(args) => commands::validate::run(args, common),
         Command::Bench(args) => commands::bench::run(args, common),
         Command::Tidy(args) => commands::tidy::run(args, common),

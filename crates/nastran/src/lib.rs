@@ -7,6 +7,7 @@ mod card_lists;
 mod card_values;
 pub mod cards;
 mod checks;
+mod counts;
 pub mod deck;
 mod dispatch;
 pub mod dmi;

@@ -64,7 +64,11 @@ pub(crate) fn assembled(
 }
 
 /// Stiffness and mass of an element, the mass in the form and unit the model asks for.
-fn matrices(model: &Model, element: &Arc<dyn Element>, dofs: &[usize]) -> [Option<DMatrix<f64>>; 2] {
+pub(crate) fn matrices(
+    model: &Model,
+    element: &Arc<dyn Element>,
+    dofs: &[usize],
+) -> [Option<DMatrix<f64>>; 2] {
     let k = element.stiffness().map(std::borrow::Cow::into_owned);
     let mut m = element.mass().map(std::borrow::Cow::into_owned);
     if model.mass_form == MassForm::Lumped && k.is_some() {
