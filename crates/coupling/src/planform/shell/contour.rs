@@ -98,3 +98,36 @@ impl Planform {
         Point3::new(quarter.x + aft * cos + up * sin, quarter.y, quarter.z + up * cos - aft * sin)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Contour, Side};
+    use aero::Airfoil;
+
+    const TEXT: &str = include_str!("../../../../../data/tuflex/e214.dat");
+
+    #[test]
+    fn both_surfaces_pass_through_the_published_points() {
+        let contour = Contour { airfoil: Airfoil::parse("e214.dat", TEXT).expect("the shipped section") };
+        let words = |line: &str| -> Vec<f64> {
+            line.split_whitespace().map(|word| word.parse().expect("a number")).collect()
+        };
+        let points: Vec<Vec<f64>> = TEXT.lines().skip(1).map(words).collect();
+        // The foremost point is at 0.00005: chords count from there.
+        let chord = 1.0 - 0.00005;
+        for (place, point) in points.iter().enumerate() {
+            let side = if place <= 32 { Side::Upper } else { Side::Lower };
+            let height = contour.height(side, (point[0] - 0.00005) / chord) * chord;
+            assert!((height - point[1]).abs() < 1e-12, "{point:?}: {height}");
+        }
+    }
+
+    #[test]
+    fn lengths_and_area_are_a_little_more_than_the_polygon_s() {
+        let contour = Contour { airfoil: Airfoil::parse("e214.dat", TEXT).expect("the shipped section") };
+        // Sums over the straight lines through the file's 61 points: 2.0390 and 0.07220.
+        let arc = contour.arc(Side::Upper, 0.0, 1.0) + contour.arc(Side::Lower, 0.0, 1.0);
+        assert!((2.0390..2.0410).contains(&arc), "{arc}");
+        assert!((0.07220..0.07240).contains(&contour.area()), "{}", contour.area());
+    }
+}
