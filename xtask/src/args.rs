@@ -66,6 +66,8 @@ pub enum Command {
     Pipeline(PipelineArgs),
     /// The virtual wind tunnel: writes a campaign folder
     Tunnel(TunnelArgs),
+    /// Our results beside every published reference
+    Validate(ValidateArgs),
     /// Time of the main steps
     Bench(BenchArgs),
     /// Check the house rules of the repository
@@ -124,6 +126,17 @@ pub struct TunnelArgs {
     /// What the tunnel measures and hides [default: data/tuflex/tunnel.ron]
     #[arg(long, value_name = "FILE")]
     pub runs: Option<PathBuf>,
+}
+
+/// Options of `validate`.
+#[derive(Debug, Clone, Default, Args)]
+pub struct ValidateArgs {
+    /// The folder of published cases [default: data/published]
+    #[arg(long, value_name = "DIR")]
+    pub data: Option<PathBuf>,
+    /// Only cases whose name begins with this
+    #[arg(long, value_name = "NAME")]
+    pub only: Option<String>,
 }
 
 /// Options of `bench`: none of its own.

@@ -70,20 +70,26 @@ pub(crate) fn beam_element(card: &Card) -> Result<BeamElement, InputError> {
 }
 
 fn orientation(card: &Card) -> Result<Orientation, InputError> {
+    optional_orientation(card)?.ok_or_else(|| {
+        card.empty(4, "X1", "an orientation vector or a grid")
+            .with_help("defaults from BAROR or BEAMOR are not read; give the vector on the element")
+    })
+}
+
+/// Fields G0 or X1 X2 X3 of bars, beams and bushes; nothing if all are empty.
+pub(crate) fn optional_orientation(card: &Card) -> Result<Option<Orientation>, InputError> {
     let text = card.text(4);
     if text.parse::<i64>().is_ok() && card.text(5).is_empty() && card.text(6).is_empty() {
-        return Ok(Orientation::Grid(card.id(4, "G0")?));
+        return Ok(Some(Orientation::Grid(card.id(4, "G0")?)));
     }
     if text.is_empty() && card.text(5).is_empty() && card.text(6).is_empty() {
-        return Err(card
-            .empty(4, "X1", "an orientation vector or a grid")
-            .with_help("defaults from BAROR or BEAMOR are not read; give the vector on the element"));
+        return Ok(None);
     }
     let vector = card.vector(4, ["X1", "X2", "X3"])?;
     if vector == [0.0; 3] {
         return Err(card.error(4, format!("the orientation vector of {} is zero", card.name)));
     }
-    Ok(Orientation::Vector(vector))
+    Ok(Some(Orientation::Vector(vector)))
 }
 
 /// CONM2: EID G CID M X1 X2 X3 blank / I11 I21 I22 I31 I32 I33.

@@ -178,10 +178,10 @@ fn monitoring_stations_keep_their_labels() {
 
 #[test]
 fn unknown_cards_are_counted() {
-    let deck = parse("CQUAD4,1,2,3,4,5,6\nCQUAD4,2,2,3,4,5,6\nGRDSET,,,,,,,345\n");
+    let deck = parse("CQUADR,1,2,3,4,5,6\nCQUADR,2,2,3,4,5,6\nGRDSET,,,,,,,345\n");
     assert_eq!(
         deck.unknown.iter().map(|(name, n)| (name.as_str(), *n)).collect::<Vec<_>>(),
-        [("CQUAD4", 2), ("GRDSET", 1)]
+        [("CQUADR", 2), ("GRDSET", 1)]
     );
 }
 
@@ -193,7 +193,7 @@ fn a_number_given_twice_is_refused_with_both_places() {
     );
     assert_eq!(
         error("CBAR,1,1,1,2,0.,0.,1.\nCBEAM,1,1,1,2,0.,0.,1.\n"),
-        "t.bdf:2:7: CBEAM 1 is given twice; the number or name is taken since t.bdf:1:1"
+        "t.bdf:2:7: CBEAM 1 has the number of another element, CBAR 1 at t.bdf:1:1"
     );
 }
 

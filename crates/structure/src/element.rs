@@ -6,9 +6,10 @@
 
 use nalgebra::DMatrix;
 use std::borrow::Cow;
+use std::fmt::Debug;
 
 /// A finite element.
-pub trait Element: Sync {
+pub trait Element: Debug + Send + Sync {
     /// Identification number, for messages.
     fn id(&self) -> u32;
     /// Positions of its nodes in the model's list of nodes.

@@ -11,3 +11,4 @@ pub(crate) mod pipeline;
 pub(crate) mod simulate;
 pub(crate) mod tidy;
 pub(crate) mod tunnel;
+pub(crate) mod validate;

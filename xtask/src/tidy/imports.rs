@@ -33,6 +33,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
             "fullaircraft",
             "tunnel",
             "report",
+            "validation",
         ],
     ),
 ];

@@ -1,0 +1,5 @@
+//! The published cases, a file for each family; every file has its `CASES`, which the registry lists.
+
+pub mod divergence;
+pub mod vlm;
+pub mod wings;
