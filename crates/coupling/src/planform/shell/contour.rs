@@ -4,7 +4,7 @@ use crate::planform::Planform;
 use aero::Airfoil;
 use nalgebra::Point3;
 use nastran::InputError;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Steps of the numerical arc length and area, in sqrt(x): the arc's error is below 1e-5 of it.
 const STEPS: usize = 400;
@@ -23,13 +23,15 @@ pub(super) const SIDES: [Side; 2] = [Side::Lower, Side::Upper];
 #[derive(Debug)]
 pub(super) struct Contour {
     airfoil: Airfoil,
+    /// The section's file, for complaints.
+    pub(super) path: PathBuf,
 }
 
 impl Contour {
     pub(super) fn read(planform: &Planform, folder: &Path) -> Result<Self, InputError> {
         // `Planform::check` made sure that there is one.
-        let file = planform.airfoil.as_deref().unwrap_or_default();
-        Ok(Self { airfoil: Airfoil::read(&folder.join(file))? })
+        let path = folder.join(planform.airfoil.as_deref().unwrap_or_default());
+        Ok(Self { airfoil: Airfoil::read(&path)?, path })
     }
 
     pub(super) fn height(&self, side: Side, x_over_c: f64) -> f64 {
@@ -103,12 +105,18 @@ impl Planform {
 mod tests {
     use super::{Contour, Side};
     use aero::Airfoil;
+    use std::path::PathBuf;
 
     const TEXT: &str = include_str!("../../../../../data/tuflex/e214.dat");
 
+    fn shipped() -> Contour {
+        let airfoil = Airfoil::parse("e214.dat", TEXT).expect("the shipped section");
+        Contour { airfoil, path: PathBuf::from("e214.dat") }
+    }
+
     #[test]
     fn both_surfaces_pass_through_the_published_points() {
-        let contour = Contour { airfoil: Airfoil::parse("e214.dat", TEXT).expect("the shipped section") };
+        let contour = shipped();
         let words = |line: &str| -> Vec<f64> {
             line.split_whitespace().map(|word| word.parse().expect("a number")).collect()
         };
@@ -124,7 +132,7 @@ mod tests {
 
     #[test]
     fn lengths_and_area_are_a_little_more_than_the_polygon_s() {
-        let contour = Contour { airfoil: Airfoil::parse("e214.dat", TEXT).expect("the shipped section") };
+        let contour = shipped();
         // Sums over the straight lines through the file's 61 points: 2.0390 and 0.07220.
         let arc = contour.arc(Side::Upper, 0.0, 1.0) + contour.arc(Side::Lower, 0.0, 1.0);
         assert!((2.0390..2.0410).contains(&arc), "{arc}");

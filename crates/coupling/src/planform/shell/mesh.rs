@@ -44,7 +44,7 @@ impl<'wing> Mesh<'wing> {
             );
             let help =
                 "move `mesh: (edges_over_c: (.., ..))` away from the sharp edges, or correct the airfoil";
-            return Err(InputError::general(message).with_help(help));
+            return Err(InputError::in_file(&contour.path, message).with_help(help));
         }
         let y_m = subdivided(&planform.strip_edges_m(), settings.mesh.spanwise_per_strip);
         Ok(Self { settings, planform, contour, y_m, lines, layers: settings.mesh.thickness })
