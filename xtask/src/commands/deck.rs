@@ -3,9 +3,10 @@
 use std::time::Instant;
 
 use coupling::{DeckOptions, NastranDeck};
+use faer::Mat;
 use nastran::InputError;
-use serde_json::json;
-use structure::{Model, System, normal_modes};
+use serde_json::{Value, json};
+use structure::{Flexibility, Model, System, normal_modes};
 
 use super::modes::hertz;
 use crate::args::{Common, DeckArgs};
@@ -13,6 +14,9 @@ use crate::corrections::{corrected_wing, corrections_at, wing_path};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
+
+/// Load at the tip for the comparison of deflections, N.
+const TIP_LOAD_N: f64 = 10.0;
 
 /// Runs the command.
 pub(crate) fn run(args: &DeckArgs, common: &Common) -> Result<(), Failure> {
@@ -34,12 +38,13 @@ pub(crate) fn run(args: &DeckArgs, common: &Common) -> Result<(), Failure> {
     }
     let system = System::assemble(&Model::from_bulk(&deck.bulk)?)?;
     let modes = normal_modes(&system, args.count).map_err(Failure::computation)?;
+    let tip = tip_load(&file, &deck.bulk, &system);
     let boxes = aero::Lattice::from_bulk(&deck.bulk)?.len();
     let result = json!({
         "command": "deck", "wing": file.name, "wing_hash": file.hash, "file": "wing.bdf",
         "mass_kg": system.mass_properties().mass_kg, "grids": system.node_count(),
         "elements": deck.bulk.element_counts(), "frequencies_hz": hertz(&modes),
-        "boxes": boxes, "splines": deck.bulk.splines.len(), "corrections_at_m_s": args.airspeed,
+        "boxes": boxes, "splines": deck.bulk.splines.len(), "corrections_at_m_s": args.airspeed, "tip_load": tip,
         "seconds": start.elapsed().as_secs_f64(),
     });
     let folder = ResultFolder::begin(&common.out("deck"))?;
@@ -57,6 +62,20 @@ pub(crate) fn run(args: &DeckArgs, common: &Common) -> Result<(), Failure> {
     );
     show::summary(common, &text);
     show::json(common, &result)
+}
+
+/// Deflections under a load at the outermost spline grid, for comparison with other programs; nothing for a structure
+/// that is not held.
+fn tip_load(file: &coupling::WingFile, bulk: &nastran::BulkData, system: &System) -> Option<Value> {
+    let nodes = coupling::spline_nodes(file, bulk, system).ok()?;
+    let y = |node: usize| system.points()[node].y;
+    let tip = nodes.into_iter().max_by(|a, b| y(*a).total_cmp(&y(*b)))?;
+    let mut load = Mat::zeros(6 * system.node_count(), 1);
+    load[(6 * tip + 2, 0)] = TIP_LOAD_N;
+    let free = Flexibility::new(system).ok()?.displacements(system.reduce(load.as_ref()).as_ref());
+    let motion = system.expand(free.as_ref());
+    let six: Vec<f64> = (0..6).map(|component| motion[(6 * tip + component, 0)]).collect();
+    Some(json!({ "grid": system.node_ids()[tip], "fz_N": TIP_LOAD_N, "displacement_m_rad": six }))
 }
 
 /// The corrections of the file that is named, at the airspeed that is, for every box of the lattice.
