@@ -38,9 +38,16 @@ impl Outcome {
 
 /// Every case that is computed. A new file of cases has its line here.
 pub fn cases() -> impl Iterator<Item = &'static Case> {
-    [cases::vlm::CASES, cases::wings::CASES, cases::divergence::CASES, cases::shells::CASES]
-        .into_iter()
-        .flatten()
+    [
+        cases::vlm::CASES,
+        cases::wings::CASES,
+        cases::divergence::CASES,
+        cases::shells::CASES,
+        cases::vibrations::CASES,
+        cases::laminates::CASES,
+    ]
+    .into_iter()
+    .flatten()
 }
 
 /// Files of `data/published` that are not compared, and why.

@@ -121,7 +121,7 @@ fn a_planted_weight_does_not_go_into_the_corrections() {
         planform.boxes.chordwise = 6;
         planform.boxes.spanwise = 14;
         planform.controls.clear();
-        let masses = &mut planform.structure.as_mut().unwrap().point_masses;
+        let masses = planform.structure.as_mut().unwrap().point_masses_mut();
         for mass in masses {
             mass.mass_kg *= 4.0;
         }

@@ -178,7 +178,9 @@ impl WingFile {
         match &self.source {
             Source::Deck(deck) => deck.bulk(&self.folder(), mount),
             Source::Parametric(planform) => {
-                let mut bulk = planform.bulk(&self.folder(), mount)?;
+                let BalancePoint { x_m, y_m, z_m } = self.balance;
+                let balance = nalgebra::Point3::new(x_m, y_m, z_m);
+                let mut bulk = planform.bulk_on_balance(&self.folder(), mount, &balance)?;
                 if mount == Mount::Tunnel && planform.structure.is_some() {
                     bulk.monitors.push(self.root_monitor());
                 }
@@ -239,7 +241,7 @@ impl WingFile {
         match &self.source {
             Source::Deck(deck) => Ok(vec![named_file(&self.path, &deck.file)?]),
             Source::Parametric(planform) => {
-                let distribution = planform.structure.as_ref().map(|structure| &structure.distribution);
+                let distribution = planform.structure.as_ref().and_then(|structure| structure.distribution());
                 let names = planform.airfoil.iter().chain(distribution);
                 names.map(|name| named_file(&self.path, name)).collect()
             }

@@ -106,12 +106,14 @@ fn flanged(height: f64, widths: [f64; 2], web: f64, flanges: [f64; 2]) -> Option
     let between = above.y - below.y;
     let stiff = [0, 1].map(|end| flanges[end] * widths[end].powi(3));
     let shear_centre = below.y + between * stiff[1] / (stiff[0] + stiff[1]);
+    // Of equal flanges only round-off would be left.
+    let offset = whole.neutral_axis[0] - shear_centre;
     let walls = widths[0] * flanges[0].powi(3) + widths[1] * flanges[1].powi(3) + between * web.powi(3);
     let flange_area = widths[0] * flanges[0] + widths[1] * flanges[1];
     Some(Section {
         j: walls / 3.0,
         shear_factors: [web * clear / whole.area, flange_area / (1.2 * whole.area)],
-        neutral_axis: [whole.neutral_axis[0] - shear_centre, 0.0],
+        neutral_axis: [if widths[0] == widths[1] && flanges[0] == flanges[1] { 0.0 } else { offset }, 0.0],
         ..whole
     })
 }

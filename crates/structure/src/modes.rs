@@ -8,7 +8,8 @@
 //!
 //! Motions without mass have no frequency and are not counted among the modes.
 
-use crate::flexibility::{Factor, SingularStructure};
+use crate::factor::Factor;
+use crate::flexibility::SingularStructure;
 use crate::sparse;
 use crate::sturm;
 use crate::subspace::{self, Noise, Ritz};

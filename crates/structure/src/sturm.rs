@@ -5,7 +5,7 @@
 //! of the matrix or of a leading block of it a pivot may be within round-off, and its sign means nothing. Then the
 //! shift is moved by a few millionths, and if that does not help the count is refused.
 
-use crate::flexibility::Factor;
+use crate::factor::Factor;
 use crate::modes::ModesError;
 use crate::sparse;
 use crate::system::System;
@@ -37,7 +37,7 @@ pub(crate) fn count_below_square(system: &System, shift: f64) -> Result<usize, M
         let Some(factor) = Factor::indefinite(sparse::combine(k, -shift, m).as_ref(), &size) else {
             continue;
         };
-        if factor.doubtful().is_empty() {
+        if factor.is_certain() {
             return Ok(factor.pivots().iter().filter(|(_, pivot)| *pivot < 0.0).count());
         }
     }

@@ -1,6 +1,6 @@
 //! A block of vectors, M-orthonormal, and its Rayleigh-Ritz values: one sweep of subspace iteration.
 
-use crate::flexibility::Factor;
+use crate::factor::Factor;
 use crate::sparse;
 use faer::linalg::matmul::matmul;
 use faer::sparse::SparseColMatRef;

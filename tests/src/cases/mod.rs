@@ -1,6 +1,8 @@
 //! The published cases, a file for each family; every file has its `CASES`, which the registry lists.
 
 pub mod divergence;
+pub mod laminates;
 pub mod shells;
+pub mod vibrations;
 pub mod vlm;
 pub mod wings;

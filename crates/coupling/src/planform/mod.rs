@@ -13,10 +13,19 @@ pub(crate) mod check;
 mod controls;
 mod distribution;
 mod panels;
+mod point_mass;
+mod shell;
+mod structure;
 mod warnings;
 
-pub use beam::{BeamStructure, PointMass};
+pub use beam::BeamStructure;
 pub(crate) use check::Fault;
+pub use point_mass::PointMass;
+pub use shell::{
+    BALANCE_BUSH, BALANCE_GRID, Band, FIRST_MESH_GRID, Foam, LineMass, MeshCounts, MeshSettings, PlyMaterial,
+    PlySettings, Profile, ROOT_GRID, SectionIntegrals, ShellSolid, Surface,
+};
+pub use structure::Structure;
 
 use nalgebra::Point3;
 use nastran::{BulkData, InputError, Span};
@@ -79,9 +88,9 @@ pub struct Planform {
     /// Trailing edge control surfaces.
     #[serde(default)]
     pub controls: Vec<Control>,
-    /// The beam; `None` is a rigid wing.
+    /// What it is made of; `None` is a rigid wing.
     #[serde(default)]
-    pub structure: Option<BeamStructure>,
+    pub structure: Option<Structure>,
 }
 
 /// Numbers of boxes.
@@ -170,22 +179,35 @@ impl Planform {
 
     /// Names and grids of the sensors, in the file's order.
     pub fn sensor_grids(&self) -> Vec<(String, u32)> {
-        let sensors = self.structure.iter().flat_map(|structure| &structure.sensors);
-        sensors.map(|sensor| sensor.name.clone()).zip(FIRST_SENSOR_GRID..).collect()
+        self.structure.as_ref().map_or_else(Vec::new, Structure::sensor_grids)
     }
 
-    /// The wing as bulk data; file names are relative to `folder`.
+    /// The wing as bulk data; file names are relative to `folder`. The balance, which only a shell-and-solid wing
+    /// has as an element of its own, is at the root's quarter chord.
     ///
     /// # Errors
     /// If a number makes no sense or a file it names is missing or wrong.
     pub fn bulk(&self, folder: &Path, mount: Mount) -> Result<BulkData, InputError> {
+        self.bulk_on_balance(folder, mount, &self.point(0.0, 0.25))
+    }
+
+    /// As [`Planform::bulk`], held at a balance point.
+    ///
+    /// # Errors
+    /// As [`Planform::bulk`].
+    pub fn bulk_on_balance(
+        &self,
+        folder: &Path,
+        mount: Mount,
+        balance: &Point3<f64>,
+    ) -> Result<BulkData, InputError> {
         let span = Span::generated("parametric wing");
         self.check().map_err(|fault| fault.at(&span))?;
         let mut bulk = BulkData::default();
         self.add_panels(&mut bulk, folder, mount, &span)?;
         self.add_controls(&mut bulk, &span);
         if let Some(structure) = &self.structure {
-            structure.add_to(&mut bulk, self, folder, mount)?;
+            structure.add_to(&mut bulk, self, folder, mount, balance)?;
         }
         Ok(bulk)
     }

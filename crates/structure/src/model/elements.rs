@@ -140,10 +140,10 @@ impl Builder<'_> {
     pub(super) fn axes_at(
         &self,
         system: u32,
-        _place: &Point3<f64>,
+        place: &Point3<f64>,
         span: &Span,
     ) -> Result<Matrix3<f64>, InputError> {
-        self.frames.axes_at(system, span)
+        self.frames.axes_at_point(system, place, span)
     }
 
     fn motions(

@@ -7,6 +7,7 @@ mod build;
 mod elements;
 mod links;
 mod shells;
+mod solids;
 
 use crate::constraints::Dependent;
 use crate::element::Element;
@@ -83,6 +84,7 @@ impl Model {
         let builder = build::Builder::new(bulk, shear)?;
         let mut elements = builder.beams()?;
         elements.extend(builder.shells()?);
+        elements.extend(builder.solids()?);
         elements.extend(builder.springs()?);
         elements.extend(builder.masses()?);
         let dependents = builder.dependents()?;
