@@ -100,7 +100,7 @@ impl<'wing> Mesh<'wing> {
             b: coordinates(&(root + up)),
             c: coordinates(&(root + along.into_inner())),
         };
-        Coord { id: AXIS_SYSTEM, definition, span: span.clone() }
+        Coord { id: AXIS_SYSTEM, kind: nastran::CoordKind::Rectangular, definition, span: span.clone() }
     }
 
     /// CHEXA with its lower side first, PSOLID and MAT1. The density is raised by the share of the section that
