@@ -5,7 +5,7 @@ use coupling::{ElasticWing, Mount, SteadyCase, SteadyModel, WingFile};
 use std::path::{Path, PathBuf};
 
 fn shipped() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/tuflex/wing.ron")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/tuflex/wing_beam.ron")
 }
 
 /// Writes the shipped wing as a deck and a wing file that names it; gives the folder.

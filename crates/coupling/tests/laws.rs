@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 const RHO: f64 = 1.225;
 
 fn wing_path() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/tuflex/wing.ron")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/tuflex/wing_beam.ron")
 }
 
 /// The shipped wing on a coarser lattice, so that the laws run quickly; `change` alters the planform first.

@@ -8,18 +8,21 @@
 //!
 //! This file is the seam to faer's sparse factorisation.
 
+use crate::ordering::reverse_cuthill_mckee;
 use crate::sparse::{self, Sparse};
 use crate::subspace::{Noise, inner};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::ldlt::factor::LdltRegularization;
-use faer::sparse::SparseColMatRef;
+use faer::perm::PermRef;
 use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::cholesky::supernodal::SupernodalLdltRef;
 use faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, LdltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
     factorize_symbolic_cholesky,
 };
-use faer::{Conj, Mat, MatRef, Par, Side, Spec};
+use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
+use faer::{Conj, Mat, MatMut, MatRef, Par, Side, Spec};
+use rayon::iter::ParallelIterator;
 
 /// Scaled pivots up to this one are held at once.
 const LOOSE: f64 = 1e-14;
@@ -35,6 +38,9 @@ const WEAKEST: usize = 8;
 
 /// Inverse iterations on them. A motion that meets no stiffness stands out after the first.
 const ITERATIONS: usize = 3;
+
+/// Columns that are solved together.
+const TOGETHER: usize = 8;
 
 /// S A S = L D L^T with S the scaling to a unit diagonal.
 #[derive(Debug)]
@@ -91,13 +97,7 @@ impl Factor {
     ) -> Option<Self> {
         let scale: Vec<f64> = size.iter().map(|d| if *d > 0.0 { 1.0 / d.sqrt() } else { 1.0 }).collect();
         let scaled = scaled(a, &scale, springs);
-        let params = CholeskySymbolicParams {
-            supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
-            ..Default::default()
-        };
-        let symbolic =
-            factorize_symbolic_cholesky(scaled.symbolic(), Side::Lower, SymmetricOrdering::Amd, params)
-                .expect("memory for the pattern of the factor");
+        let symbolic = analysed(scaled.symbolic());
         let mut values = vec![0.0; symbolic.len_val()];
         let mut memory =
             MemBuffer::new(symbolic.factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Spec::default()));
@@ -224,16 +224,40 @@ impl Factor {
         x
     }
 
+    /// Columns are solved in groups of a fixed size, so the result is the same on any number of threads.
     fn solve_scaled(&self, mut x: Mat<f64>) -> Mat<f64> {
-        let mut memory = MemBuffer::new(self.symbolic.solve_in_place_scratch::<f64>(x.ncols(), Par::Seq));
-        LdltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
-            Conj::No,
-            x.as_mut(),
-            Par::Seq,
-            MemStack::new(&mut memory),
-        );
+        let solve = |mut group: MatMut<'_, f64>| {
+            let scratch = self.symbolic.solve_in_place_scratch::<f64>(group.ncols(), Par::Seq);
+            let mut memory = MemBuffer::new(scratch);
+            LdltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
+                Conj::No,
+                group.as_mut(),
+                Par::Seq,
+                MemStack::new(&mut memory),
+            );
+        };
+        x.par_col_chunks_mut(TOGETHER).for_each(solve);
         x
     }
+}
+
+/// The pattern of the factor in the order that fills in less.
+fn analysed(pattern: SymbolicSparseColMatRef<'_, usize>) -> SymbolicCholesky<usize> {
+    let analyse = |order: SymmetricOrdering<'_, usize>| {
+        let params = CholeskySymbolicParams {
+            supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
+            ..Default::default()
+        };
+        factorize_symbolic_cholesky(pattern, Side::Lower, order, params)
+            .expect("memory for the pattern of the factor")
+    };
+    let by_degree = analyse(SymmetricOrdering::Amd);
+    let order = reverse_cuthill_mckee(pattern);
+    let mut inverse = vec![0; order.len()];
+    order.iter().enumerate().for_each(|(place, dof)| inverse[*dof] = place);
+    let by_level = analyse(SymmetricOrdering::Custom(PermRef::new_checked(&order, &inverse, order.len())));
+    tracing::debug!(by_degree = by_degree.len_val(), by_level = by_level.len_val(), "entries of the factor");
+    if by_level.len_val() < by_degree.len_val() { by_level } else { by_degree }
 }
 
 /// Gram-Schmidt, twice for each column; a column that vanishes stays zero.

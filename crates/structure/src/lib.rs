@@ -16,6 +16,7 @@ pub mod matrix_element;
 pub mod mesh;
 pub mod model;
 pub mod modes;
+mod ordering;
 pub mod plane_material;
 mod section;
 pub mod shell;

@@ -159,20 +159,36 @@ pub(crate) fn combine(
     Sparse::new(a.symbolic().to_owned().expect("memory for a copy of the pattern"), values)
 }
 
-/// `a x`, one column after the other.
+/// Columns that are worked on together: the matrix is read once for all of them.
+const TOGETHER: usize = 4;
+
+/// `a x`; each column of the result is summed in the same order on any number of threads.
 pub(crate) fn multiply(a: SparseColMatRef<'_, usize, f64>, x: MatRef<'_, f64>) -> Mat<f64> {
-    let mut product = Mat::zeros(a.nrows(), x.ncols());
-    for column in 0..x.ncols() {
-        for j in 0..a.ncols() {
-            let factor = x[(j, column)];
-            if factor != 0.0 {
+    let groups = x.ncols().div_ceil(TOGETHER);
+    let products: Vec<Vec<[f64; TOGETHER]>> = (0..groups)
+        .into_par_iter()
+        .map(|group| {
+            let first = group * TOGETHER;
+            let width = TOGETHER.min(x.ncols() - first);
+            let mut product = vec![[0.0; TOGETHER]; a.nrows()];
+            for j in 0..a.ncols() {
+                let mut factor = [0.0; TOGETHER];
+                for (column, factor) in factor.iter_mut().enumerate().take(width) {
+                    *factor = x[(j, first + column)];
+                }
+                if factor == [0.0; TOGETHER] {
+                    continue;
+                }
                 for (row, value) in a.row_idx_of_col(j).zip(a.val_of_col(j)) {
-                    product[(row, column)] += value * factor;
+                    for (sum, factor) in product[row].iter_mut().zip(factor) {
+                        *sum += value * factor;
+                    }
                 }
             }
-        }
-    }
-    product
+            product
+        })
+        .collect();
+    Mat::from_fn(a.nrows(), x.ncols(), |i, j| products[j / TOGETHER][i][j % TOGETHER])
 }
 
 /// The diagonal.

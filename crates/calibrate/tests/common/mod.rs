@@ -30,7 +30,7 @@ pub(crate) fn small_wing() -> ElasticWing {
 
 /// The shipped wing with its planform changed.
 pub(crate) fn wing_with(change: impl Fn(&mut Planform)) -> ElasticWing {
-    let mut file = WingFile::read(&path("tuflex/wing.ron")).unwrap();
+    let mut file = WingFile::read(&path("tuflex/wing_beam.ron")).unwrap();
     let Source::Parametric(planform) = &mut file.source else { panic!("the shipped wing is parametric") };
     change(planform);
     let bulk = file.bulk(Mount::Tunnel).unwrap();

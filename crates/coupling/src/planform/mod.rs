@@ -1,4 +1,5 @@
-//! A parametric wing: a trapezoidal half wing with a swept beam, turned into the same [`BulkData`] a deck gives.
+//! A parametric wing: a trapezoidal half wing with a swept beam, or shells around a solid core, turned into the same
+//! [`BulkData`] a deck gives.
 //!
 //! Axes: x aft, y to the right tip, z up; the root leading edge is at (`root_leading_edge_x_m`, 0, 0). Spans are
 //! measured along y. The straight quarter-chord line carries the sweep, so the leading edge of the chord at y is
@@ -6,7 +7,8 @@
 //!
 //! Numbering: wing panel and first box 100001, fairing 200001, control surfaces (AESURF, AELIST, CORD2R) from
 //! 501, grids of the elastic axis from 1001, sensors from 3001, point masses from 4001, beams from 2001.
-//! SET1 1 lists the axis grids (the spline's), SET1 2 the root grid.
+//! SET1 1 lists the axis grids (the spline's), SET1 2 the grid that holds the root. The shells' own numbers are in
+//! `shell`.
 
 mod beam;
 pub(crate) mod check;
@@ -44,7 +46,7 @@ pub const FIRST_SENSOR_GRID: u32 = 3001;
 pub const FIRST_MASS_GRID: u32 = 4001;
 /// SET1 with the grids of the elastic axis.
 pub const AXIS_SET: u32 = 1;
-/// SET1 with the root's grid alone.
+/// SET1 with the grid alone that holds the root.
 pub const ROOT_SET: u32 = 2;
 
 /// How the wing is held, which decides what belongs to the model besides the wing itself.
@@ -71,7 +73,8 @@ pub struct Planform {
     /// Dihedral, tip up positive: z = y tan(dihedral).
     #[serde(default)]
     pub dihedral_deg: f64,
-    /// Twist at root and tip, nose up positive, linear between; it enters the flow condition, not the geometry.
+    /// Twist at root and tip, nose up positive, linear between; boxes stay flat and have it as incidence, the
+    /// sections of a shell-and-solid wing are turned by it.
     #[serde(default)]
     pub twist_deg: (f64, f64),
     /// x of the leading edge at the root.
