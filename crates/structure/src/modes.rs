@@ -140,7 +140,7 @@ struct Search<'a> {
 impl<'a> Search<'a> {
     fn new(system: &'a System, count: usize) -> Result<Self, ModesError> {
         let n = system.free_count();
-        let mut factor = Factor::held(system.stiffness());
+        let mut factor = Factor::held(system.analysis(), system.stiffness());
         let rigid = factor.loose.len();
         let mut shift = 0.0;
         if rigid > 0 {
@@ -250,7 +250,8 @@ fn first_shift(system: &System) -> f64 {
 }
 
 fn shifted(system: &System, shift: f64) -> Result<Factor, ModesError> {
-    let factor = Factor::held(sparse::combine(system.stiffness(), shift, system.mass()).as_ref());
+    let factor =
+        Factor::held(system.analysis(), sparse::combine(system.stiffness(), shift, system.mass()).as_ref());
     if factor.loose.is_empty() {
         return Ok(factor);
     }
