@@ -24,15 +24,13 @@ fn result(folder: &Path, arguments: &[&str]) -> Value {
     serde_json::from_str(&text).expect("JSON")
 }
 
-/// The beam wing, as it was first shipped.
+/// The beam wing.
 fn wing(folder: &Path) -> PathBuf {
     let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../data/tuflex");
     for file in ["e214.dat", "beam_distribution.csv"] {
         std::fs::copy(data.join(file), folder.join(file)).expect("a shipped file");
     }
-    let beam = data.join("wing_beam.ron");
-    let shipped = if beam.is_file() { beam } else { data.join("wing.ron") };
-    std::fs::copy(shipped, folder.join("wing.ron")).expect("a shipped file");
+    std::fs::copy(data.join("wing_beam.ron"), folder.join("wing.ron")).expect("a shipped file");
     folder.join("wing.ron")
 }
 

@@ -19,13 +19,13 @@ fn data(file: &str) -> PathBuf {
 }
 
 fn tuflex() -> WingFile {
-    WingFile::read(&data("wing_shell.ron")).unwrap_or_else(|error| panic!("{error}"))
+    WingFile::read(&data("wing.ron")).unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn shell(planform: &mut Planform) -> &mut ShellSolid {
     match &mut planform.structure {
         Some(Structure::ShellSolid(shell)) => shell,
-        _ => panic!("wing_shell.ron is no shell-and-solid wing"),
+        _ => panic!("wing.ron is no shell-and-solid wing"),
     }
 }
 

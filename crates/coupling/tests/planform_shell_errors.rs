@@ -12,7 +12,7 @@ fn complaint(test: &str, from: &str, to: &str) -> (String, String) {
     let folder = std::env::temp_dir().join(format!("wingroot_shell_{test}_{}", std::process::id()));
     std::fs::create_dir_all(&folder).expect("a temporary folder");
     std::fs::copy(data("e214.dat"), folder.join("e214.dat")).expect("the section");
-    let text = std::fs::read_to_string(data("wing_shell.ron")).expect("the shipped wing");
+    let text = std::fs::read_to_string(data("wing.ron")).expect("the shipped wing");
     assert!(text.contains(from), "the wing file does not contain {from}");
     let text = text.replacen(from, to, 1);
     let path = folder.join("wing.ron");
@@ -108,7 +108,7 @@ fn a_skin_with_a_gap_is_refused() {
     let folder = std::env::temp_dir().join(format!("wingroot_shell_gap_{}", std::process::id()));
     std::fs::create_dir_all(&folder).expect("a temporary folder");
     std::fs::copy(data("e214.dat"), folder.join("e214.dat")).expect("the section");
-    let text = std::fs::read_to_string(data("wing_shell.ron")).expect("the shipped wing");
+    let text = std::fs::read_to_string(data("wing.ron")).expect("the shipped wing");
     let text = text.replace("(1.8, 0.09e-3)]", "(1.8, 0.0)]");
     let path = folder.join("wing.ron");
     std::fs::write(&path, text).expect("a temporary file");
