@@ -23,6 +23,7 @@ use faer::sparse::linalg::cholesky::{
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, Mat, MatMut, MatRef, Par, Side, Spec};
 use rayon::iter::ParallelIterator;
+use std::sync::Arc;
 
 /// Scaled pivots up to this one are held at once.
 const LOOSE: f64 = 1e-14;
@@ -42,10 +43,13 @@ const ITERATIONS: usize = 3;
 /// Columns that are solved together.
 const TOGETHER: usize = 8;
 
+/// The pattern of a factor in its order of elimination; the same for every matrix of one pattern.
+pub(crate) type Analysis = SymbolicCholesky<usize>;
+
 /// S A S = L D L^T with S the scaling to a unit diagonal.
 #[derive(Debug)]
 pub(crate) struct Factor {
-    symbolic: SymbolicCholesky<usize>,
+    symbolic: Arc<Analysis>,
     values: Vec<f64>,
     scale: Vec<f64>,
     scaled: Sparse,
@@ -55,10 +59,10 @@ pub(crate) struct Factor {
 
 impl Factor {
     /// Of a positive semidefinite matrix; what is loose is held and listed.
-    pub(crate) fn held(a: SparseColMatRef<'_, usize, f64>) -> Self {
+    pub(crate) fn held(analysis: &Arc<Analysis>, a: SparseColMatRef<'_, usize, f64>) -> Self {
         let mut springs = Vec::new();
         loop {
-            let mut factor = Self::with_springs(a, &springs);
+            let mut factor = Self::with_springs(analysis, a, &springs);
             let found = if factor.loose.is_empty() { factor.loose_motions() } else { factor.loose.clone() };
             let new: Vec<usize> = found.into_iter().filter(|dof| !springs.contains(dof)).collect();
             if new.is_empty() {
@@ -70,13 +74,13 @@ impl Factor {
     }
 
     /// With springs to the ground at some degrees of freedom, as stiff as what they hold.
-    fn with_springs(a: SparseColMatRef<'_, usize, f64>, springs: &[usize]) -> Self {
+    fn with_springs(analysis: &Arc<Analysis>, a: SparseColMatRef<'_, usize, f64>, springs: &[usize]) -> Self {
         let regularization = LdltRegularization {
             dynamic_regularization_signs: Some(&vec![1; a.ncols()]),
             dynamic_regularization_delta: HELD,
             dynamic_regularization_epsilon: LOOSE,
         };
-        let mut factor = Self::new(a, &sparse::diagonal(a), springs, regularization)
+        let mut factor = Self::new(analysis, a, &sparse::diagonal(a), springs, regularization)
             .expect("a positive pivot is put in the place of every other, and entries are finite");
         let loose = factor.pivots().into_iter().filter(|(_, pivot)| *pivot == HELD).map(|(dof, _)| dof);
         factor.loose = loose.collect();
@@ -85,11 +89,16 @@ impl Factor {
 
     /// Of an indefinite matrix, without pivoting; `None` if a pivot is exactly zero. `size` gives the scale of
     /// each degree of freedom.
-    pub(crate) fn indefinite(a: SparseColMatRef<'_, usize, f64>, size: &[f64]) -> Option<Self> {
-        Self::new(a, size, &[], LdltRegularization::default())
+    pub(crate) fn indefinite(
+        analysis: &Arc<Analysis>,
+        a: SparseColMatRef<'_, usize, f64>,
+        size: &[f64],
+    ) -> Option<Self> {
+        Self::new(analysis, a, size, &[], LdltRegularization::default())
     }
 
     fn new(
+        analysis: &Arc<Analysis>,
         a: SparseColMatRef<'_, usize, f64>,
         size: &[f64],
         springs: &[usize],
@@ -97,7 +106,7 @@ impl Factor {
     ) -> Option<Self> {
         let scale: Vec<f64> = size.iter().map(|d| if *d > 0.0 { 1.0 / d.sqrt() } else { 1.0 }).collect();
         let scaled = scaled(a, &scale, springs);
-        let symbolic = analysed(scaled.symbolic());
+        let symbolic = Arc::clone(analysis);
         let mut values = vec![0.0; symbolic.len_val()];
         let mut memory =
             MemBuffer::new(symbolic.factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Spec::default()));
@@ -242,7 +251,7 @@ impl Factor {
 }
 
 /// The pattern of the factor in the order that fills in less.
-fn analysed(pattern: SymbolicSparseColMatRef<'_, usize>) -> SymbolicCholesky<usize> {
+pub(crate) fn analysed(pattern: SymbolicSparseColMatRef<'_, usize>) -> SymbolicCholesky<usize> {
     let analyse = |order: SymmetricOrdering<'_, usize>| {
         let params = CholeskySymbolicParams {
             supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,

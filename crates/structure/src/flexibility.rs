@@ -43,7 +43,7 @@ impl Flexibility {
     /// # Errors
     /// If the structure can move without force.
     pub fn new(system: &System) -> Result<Self, SingularStructure> {
-        let factor = Factor::held(system.stiffness());
+        let factor = Factor::held(system.analysis(), system.stiffness());
         if factor.loose.is_empty() {
             return Ok(Self { factor });
         }

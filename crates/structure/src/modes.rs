@@ -17,9 +17,14 @@ use crate::subspace::{self, Noise, Ritz};
 use crate::system::System;
 use faer::{Mat, MatRef};
 
-/// Residual at which a mode is converged; its eigenvalue's relative error is about the square of it. Round-off allows
-/// little less for a few ten thousand motions.
-const CONVERGED: f64 = 1e-7;
+/// Residual at which a mode is converged; its eigenvalue's relative error is about the square of it, or round-off.
+const CONVERGED: f64 = 1e-9;
+
+/// The same for structures of more than [`LARGE`] motions, whose round-off does not allow less.
+const CONVERGED_LARGE: f64 = 1e-7;
+
+/// Number of motions of a large structure.
+const LARGE: usize = 3000;
 
 /// Residual that is accepted when round-off prevents a smaller one (a thousand elements in a row): frequencies are
 /// then good to about six digits.
@@ -135,7 +140,7 @@ struct Search<'a> {
 impl<'a> Search<'a> {
     fn new(system: &'a System, count: usize) -> Result<Self, ModesError> {
         let n = system.free_count();
-        let mut factor = Factor::held(system.stiffness());
+        let mut factor = Factor::held(system.analysis(), system.stiffness());
         let rigid = factor.loose.len();
         let mut shift = 0.0;
         if rigid > 0 {
@@ -156,6 +161,7 @@ impl<'a> Search<'a> {
 
     fn converge(&mut self) -> Result<(), ModesError> {
         let (k, m) = (self.system.stiffness(), self.system.mass());
+        let enough = if self.system.free_count() > LARGE { CONVERGED_LARGE } else { CONVERGED };
         let mut worst = f64::INFINITY;
         let mut best = f64::INFINITY;
         let mut idle = 0;
@@ -176,8 +182,11 @@ impl<'a> Search<'a> {
             worst = residuals.into_iter().fold(0.0, f64::max);
             idle = if worst < 0.5 * best { 0 } else { idle + 1 };
             best = best.min(worst);
-            if worst < CONVERGED || (worst < STAGNANT && idle > 8) {
+            if worst < enough || (worst < STAGNANT && idle > 8) {
                 self.block = self.keep_size(x.as_ref());
+                if let Some(refined) = subspace::refined(m, &self.factor, self.shift, &self.ritz, kept) {
+                    self.ritz = refined;
+                }
                 return Ok(());
             }
         }
@@ -241,7 +250,8 @@ fn first_shift(system: &System) -> f64 {
 }
 
 fn shifted(system: &System, shift: f64) -> Result<Factor, ModesError> {
-    let factor = Factor::held(sparse::combine(system.stiffness(), shift, system.mass()).as_ref());
+    let factor =
+        Factor::held(system.analysis(), sparse::combine(system.stiffness(), shift, system.mass()).as_ref());
     if factor.loose.is_empty() {
         return Ok(factor);
     }

@@ -34,7 +34,9 @@ pub(crate) fn count_below_square(system: &System, shift: f64) -> Result<usize, M
         let shift = shift * (1.0 + nudge);
         let size: Vec<f64> =
             sparse::diagonal(k).iter().zip(&mass).map(|(k, m)| k.abs() + shift * m).collect();
-        let Some(factor) = Factor::indefinite(sparse::combine(k, -shift, m).as_ref(), &size) else {
+        let Some(factor) =
+            Factor::indefinite(system.analysis(), sparse::combine(k, -shift, m).as_ref(), &size)
+        else {
             continue;
         };
         if factor.is_certain() {

@@ -84,6 +84,35 @@ pub(crate) fn sweep(k: SparseRef<'_>, m: SparseRef<'_>, factor: &Factor, x: MatR
     Some(Ritz { values, vectors: product(basis.as_ref(), eigen.U()) })
 }
 
+/// One more step with a converged block, its values from the projected (K + s M) Y = M X as Bathe takes them: K itself, whose
+/// entries are many orders of magnitude above the lowest modes' energy, does not enter.
+pub(crate) fn refined(
+    m: SparseRef<'_>,
+    factor: &Factor,
+    shift: f64,
+    ritz: &Ritz,
+    count: usize,
+) -> Option<Ritz> {
+    let n = ritz.vectors.nrows();
+    let scaled = Mat::from_fn(n, count, |i, j| (ritz.values[j] + shift) * ritz.vectors[(i, j)]);
+    let momenta = sparse::multiply(m, scaled.as_ref());
+    let y = factor.solve(momenta.as_ref());
+    let symmetric = |a: Mat<f64>| Mat::from_fn(count, count, |i, j| 0.5 * (a[(i, j)] + a[(j, i)]));
+    let stiffness = symmetric(inner(y.as_ref(), momenta.as_ref()));
+    let mass = symmetric(inner(y.as_ref(), sparse::multiply(m, y.as_ref()).as_ref()));
+    // M = V D V^T; with W = V D^-1/2 the problem is W^T K W.
+    let eigen = mass.self_adjoint_eigen(Side::Lower).ok()?;
+    let (v, d) = (eigen.U(), eigen.S().column_vector());
+    if d.iter().any(|value| *value <= ALIKE) {
+        return None;
+    }
+    let w = Mat::from_fn(count, count, |i, j| v[(i, j)] / d[j].sqrt());
+    let small = symmetric(w.transpose() * &stiffness * &w);
+    let eigen = small.self_adjoint_eigen(Side::Lower).ok()?;
+    let values = eigen.S().column_vector().iter().map(|value| value - shift).collect();
+    Some(Ritz { values, vectors: product(y.as_ref(), product(w.as_ref(), eigen.U()).as_ref()) })
+}
+
 /// An M-orthonormal basis with its momenta M x.
 struct Space<'a> {
     m: SparseRef<'a>,

@@ -2,6 +2,7 @@
 
 use crate::assemble::{self, Assembled};
 use crate::dofs::{DofMap, Sets};
+use crate::factor::{self, Analysis};
 use crate::mass_properties::{self, MassProperties};
 use crate::model::Model;
 use crate::sparse::{self, Pattern, Sparse};
@@ -9,6 +10,7 @@ use faer::sparse::SparseColMatRef;
 use faer::{Mat, MatRef};
 use nalgebra::Point3;
 use nastran::InputError;
+use std::sync::{Arc, OnceLock};
 
 /// An assembled structure.
 ///
@@ -24,6 +26,8 @@ pub struct System {
     m_gg: Sparse,
     k_ff: Sparse,
     m_ff: Sparse,
+    /// Made when something is factorised for the first time.
+    analysis: OnceLock<Arc<Analysis>>,
 }
 
 impl System {
@@ -58,7 +62,7 @@ impl System {
         let Assembled { k_gg, m_gg, k_ff, m_ff } = assemble::assembled(model, &dofs, factors);
         let ids = model.nodes.iter().map(|node| node.id).collect();
         let points = model.nodes.iter().map(|node| node.point).collect();
-        let system = Self { ids, points, dofs, k_gg, m_gg, k_ff, m_ff };
+        let system = Self { ids, points, dofs, k_gg, m_gg, k_ff, m_ff, analysis: OnceLock::new() };
         tracing::debug!(
             nodes = system.ids.len(),
             free = system.free_count(),
@@ -107,7 +111,7 @@ impl System {
         };
         let all: Vec<usize> = (0..n).collect();
         let ((k_gg, m_gg), (k_ff, m_ff)) = (sum(&all), sum(&dofs.free));
-        let system = Self { ids, points, dofs, k_gg, m_gg, k_ff, m_ff };
+        let system = Self { ids, points, dofs, k_gg, m_gg, k_ff, m_ff, analysis: OnceLock::new() };
         assert!(system.is_finite(), "stiffness and mass are finite numbers");
         system
     }
@@ -190,6 +194,11 @@ impl System {
     /// Mass of the f-set, with the pattern of the stiffness.
     pub fn mass(&self) -> SparseColMatRef<'_, usize, f64> {
         self.m_ff.as_ref()
+    }
+
+    /// The pattern of the factor of stiffness, mass and their combinations.
+    pub(crate) fn analysis(&self) -> &Arc<Analysis> {
+        self.analysis.get_or_init(|| Arc::new(factor::analysed(self.k_ff.symbolic())))
     }
 
     /// The six rigid motions about a point, g-set x 6: unit displacements along x, y, z, unit rotations about them.
