@@ -2,6 +2,7 @@
 
 pub(crate) mod bench;
 mod bench_general;
+mod bench_structure;
 pub(crate) mod calibrate;
 mod calibrate_figures;
 mod calibrate_strips;
