@@ -42,7 +42,10 @@ pub fn cases() -> impl Iterator<Item = &'static Case> {
         cases::vlm::CASES,
         cases::wings::CASES,
         cases::divergence::CASES,
+        cases::plates::CASES,
         cases::shells::CASES,
+        cases::solids::CASES,
+        cases::pagano::CASES,
         cases::vibrations::CASES,
         cases::laminates::CASES,
     ]
@@ -51,7 +54,13 @@ pub fn cases() -> impl Iterator<Item = &'static Case> {
 }
 
 /// Files of `data/published` that are not compared, and why.
-pub const LISTED: &[(&str, &str)] = &[];
+pub const LISTED: &[(&str, &str)] = &[
+    ("fem__ha144ds_modes", "the deck of the half model is not in the file, only its frequencies"),
+    (
+        "fem_measured__tang_dowell_modes",
+        "mass and inertia of the slender body at the tip, and the place of the mass axis, are not in the file",
+    ),
+];
 
 /// Reads a case from a folder and computes it.
 pub fn compute(folder: &Path, case: &Case) -> Outcome {

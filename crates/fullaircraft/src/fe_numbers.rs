@@ -42,7 +42,7 @@ pub(crate) fn raise(new: &mut BulkData, step: u32) {
         (c.id, c.property, c.grids) = (cards(c.id), cards(c.property), c.grids.map(cards));
     });
     new.rod_properties = rekeyed(take(&mut new.rod_properties), cards, |c| {
-        (c.id, c.material) = (cards(c.id), cards(c.material))
+        (c.id, c.material) = (cards(c.id), cards(c.material));
     });
     new.mass_matrices = rekeyed(take(&mut new.mass_matrices), cards, |c| {
         (c.id, c.grid, c.cid) = (cards(c.id), cards(c.grid), system(c.cid, step));

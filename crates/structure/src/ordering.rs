@@ -23,7 +23,9 @@ pub(crate) fn reverse_cuthill_mckee(pattern: SymbolicSparseColMatRef<'_, usize>)
         }
         let start = far_end(pattern, &degree, first);
         let component = levels(pattern, &degree, start).0;
-        component.iter().for_each(|at| seen[*at] = true);
+        for at in &component {
+            seen[*at] = true;
+        }
         order.extend(component);
     }
     order.reverse();

@@ -310,7 +310,7 @@ fn three_point_bending(case: &Value) -> Vec<Row> {
     // s from the middle to the end; a knife at half the span.
     let (nx, ny) = (100, 8);
     let length = 0.5 * span_m + overhang;
-    let knife = (nx as f64 * 0.5 * span_m / length).round() as usize;
+    let knife = (0..nx).find(|i| *i as f64 * length >= (0.5 * span_m - 1e-12) * nx as f64).unwrap_or(nx);
     let mesh = Mesh::mapped(nx, ny, |s, t| [length * s, width * (t - 0.5), 0.0]).of_plies(ply, &plies);
     let mesh = mesh.clamped(&[1, 5, 6], |i, _| i == 0).clamped(&[3], |i, _| i == knife);
     let mesh = mesh.clamped(&[2], |i, j| i == 0 && j == ny / 2);

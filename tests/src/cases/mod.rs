@@ -2,7 +2,10 @@
 
 pub mod divergence;
 pub mod laminates;
+pub mod pagano;
+pub mod plates;
 pub mod shells;
+pub mod solids;
 pub mod vibrations;
 pub mod vlm;
 pub mod wings;

@@ -1,6 +1,6 @@
 //! Natural frequencies of plates, a membrane, beams and a wing given by its flexibility (data/published, `fem__*`).
 
-use super::shells::plate;
+use super::plates::plate;
 use crate::fem::{Mesh, frequencies_hz, span};
 use crate::registry::Case;
 use crate::row::Row;

@@ -1,6 +1,9 @@
 //! Blocks of hexahedra, assembled and solved for the tests of solids: three displacements a node, sparse Cholesky.
 
-#![expect(clippy::unwrap_used, reason = "a helper of tests may fail the test where it stands")]
+#![expect(
+    clippy::missing_panics_doc,
+    reason = "a case that cannot be solved is the case's own fault; the registry turns the panic into words"
+)]
 
 use faer::Mat;
 use faer::prelude::Solve;
@@ -11,21 +14,23 @@ use std::sync::Arc;
 use structure::{Element, Solid, SolidMaterial};
 
 /// A mesh of solids; degree of freedom 3 * node + axis.
-pub(crate) struct SolidMesh {
-    pub(crate) points: Vec<Point3<f64>>,
-    pub(crate) solids: Vec<Solid>,
+pub struct SolidMesh {
+    /// Places of the nodes.
+    pub points: Vec<Point3<f64>>,
+    /// The elements.
+    pub solids: Vec<Solid>,
 }
 
 /// Nodes along the three directions of a block.
-pub(crate) type Counts = [usize; 3];
+pub type Counts = [usize; 3];
 
 /// Node of a block of `cells` cells.
-pub(crate) fn node(cells: Counts, [i, j, k]: [usize; 3]) -> usize {
+pub fn node(cells: Counts, [i, j, k]: [usize; 3]) -> usize {
     (k * (cells[1] + 1) + j) * (cells[0] + 1) + i
 }
 
 /// All nodes of a block that `keep` wants, by their places in it.
-pub(crate) fn nodes(cells: Counts, keep: impl Fn([usize; 3]) -> bool) -> Vec<usize> {
+pub fn nodes(cells: Counts, keep: impl Fn([usize; 3]) -> bool) -> Vec<usize> {
     let all =
         (0..=cells[2]).flat_map(|k| (0..=cells[1]).flat_map(move |j| (0..=cells[0]).map(move |i| [i, j, k])));
     all.filter(|at| keep(*at)).map(|at| node(cells, at)).collect()
@@ -33,10 +38,11 @@ pub(crate) fn nodes(cells: Counts, keep: impl Fn([usize; 3]) -> bool) -> Vec<usi
 
 impl SolidMesh {
     /// From the elements' nodes and materials.
-    pub(crate) fn new(points: Vec<Point3<f64>>, elements: &[(Vec<usize>, Arc<SolidMaterial>)]) -> Self {
+    pub fn new(points: Vec<Point3<f64>>, elements: &[(Vec<usize>, Arc<SolidMaterial>)]) -> Self {
         let build = |(id, (nodes, material)): (u32, &(Vec<usize>, Arc<SolidMaterial>))| {
             let corners: Vec<_> = nodes.iter().map(|at| points[*at]).collect();
-            Solid::new(id, nodes.clone(), &corners, material, &Span::generated("test")).unwrap()
+            Solid::new(id, nodes.clone(), &corners, material, &Span::generated("published case"))
+                .expect("the case describes a possible element")
         };
         let solids = (1..).zip(elements).map(build).collect();
         Self { points, solids }
@@ -44,7 +50,7 @@ impl SolidMesh {
 
     /// A block of hexahedra: `place` maps places in the block (0 to 1 along each direction) into space, `material`
     /// chooses by the layer (third direction).
-    pub(crate) fn block(
+    pub fn block(
         cells: Counts,
         place: impl Fn([usize; 3]) -> Point3<f64>,
         material: impl Fn(usize) -> Arc<SolidMaterial>,
@@ -68,7 +74,7 @@ impl SolidMesh {
     }
 
     /// Displacements under `loads` (degree of freedom, force) with `held` (degree of freedom, displacement).
-    pub(crate) fn solve(&self, held: &[(usize, f64)], loads: &[(usize, f64)]) -> Vec<f64> {
+    pub fn solve(&self, held: &[(usize, f64)], loads: &[(usize, f64)]) -> Vec<f64> {
         let n = 3 * self.points.len();
         let mut given = vec![None; n];
         for (dof, value) in held {
@@ -85,7 +91,7 @@ impl SolidMesh {
         }
         let mut triplets = Vec::new();
         for solid in &self.solids {
-            let k = solid.stiffness().unwrap();
+            let k = solid.stiffness().expect("a solid has stiffness");
             let dofs: Vec<_> = solid.dofs().iter().map(|dof| dof / 6 * 3 + dof % 6).collect();
             for (j, column) in dofs.iter().enumerate() {
                 for (i, row) in dofs.iter().enumerate().filter(|(_, row)| given[**row].is_none()) {
@@ -96,21 +102,22 @@ impl SolidMesh {
                 }
             }
         }
-        let k = SparseColMat::<usize, f64>::try_new_from_triplets(free.len(), free.len(), &triplets).unwrap();
+        let k = SparseColMat::<usize, f64>::try_new_from_triplets(free.len(), free.len(), &triplets)
+            .expect("rows and columns are below the number of motions");
         let rhs = Mat::from_fn(free.len(), 1, |i, _| load[free[i]]);
-        let solution = k.sp_cholesky(faer::Side::Lower).unwrap().solve(&rhs);
+        let solution = k.sp_cholesky(faer::Side::Lower).expect("the block is held").solve(&rhs);
         (0..n).map(|dof| given[dof].unwrap_or_else(|| solution[(place[dof], 0)])).collect()
     }
 
     /// Stress of an element at local coordinates.
-    pub(crate) fn stress(&self, element: usize, displacements: &[f64], at: [f64; 3]) -> [f64; 6] {
+    pub fn stress(&self, element: usize, displacements: &[f64], at: [f64; 3]) -> [f64; 6] {
         let solid = &self.solids[element];
         let own = |i: usize, _| displacements[3 * solid.nodes()[i / 3] + i % 3];
         solid.stress(&DVector::from_fn(3 * solid.nodes().len(), own), at)
     }
 
     /// Forces at the four corners of a bilinear face under `traction` (a force per area by place).
-    pub(crate) fn face_loads(
+    pub fn face_loads(
         &self,
         corners: [usize; 4],
         traction: impl Fn(&Point3<f64>, &Vector3<f64>) -> Vector3<f64>,
@@ -138,5 +145,5 @@ impl SolidMesh {
 }
 
 /// Places of a hexahedron's corners in a cell, in Nastran's order.
-pub(crate) const HEXA: [[usize; 3]; 8] =
+pub const HEXA: [[usize; 3]; 8] =
     [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]];
