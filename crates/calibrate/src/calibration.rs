@@ -3,12 +3,14 @@
 use crate::basis::Basis;
 use crate::bounds::{Bounds, bounds};
 use crate::campaign::Campaign;
-use crate::fit::{Ending, Fit, Problem};
+use crate::campaign::{TIP, TipReading};
+use crate::fit::{Ending, Fit, FlowGroup, Problem};
 use crate::identifiability::{Identifiability, Inputs, identifiability};
 use crate::left_out::{LeftOut, LeftOutAirspeed, left_out_airspeed, left_out_angles};
 use crate::objective::{LineFit, line_fit, objective};
 use crate::settings::Settings;
 use crate::statics::{AirspeedData, StaticData};
+use crate::tip_zero::TipZero;
 use aero::{Corrections, Flow};
 use coupling::{CouplingError, SteadyCase, SteadyModel};
 use faer::Mat;
@@ -26,6 +28,8 @@ pub struct AirspeedCalibration {
     pub fit: Fit,
     /// Straight lines through the data, their error, tests for nonlinearity.
     pub line: LineFit,
+    /// Weights of Eq. 8: the settings', and the tip's in N m/m (zero if it is not fitted).
+    pub weights: [f64; 4],
     /// Eq. 8 of the straight lines.
     pub line_floor: f64,
     /// Eq. 8 that noise alone gives; none if noise is not known.
@@ -74,7 +78,7 @@ pub fn calibrate<M: SteadyModel>(
     settings: &Settings,
 ) -> Result<Calibration, CouplingError> {
     let data = StaticData::from_campaign(campaign)?;
-    check_settings(model, settings)?;
+    check_settings(model, settings, &data)?;
     check_divergence(model, campaign.rho_kg_m3, &data)?;
     let context = Context::new(model, campaign.rho_kg_m3, &data, settings);
     let mut airspeeds = data
@@ -82,7 +86,7 @@ pub fn calibrate<M: SteadyModel>(
         .par_iter()
         .map(|airspeed| context.airspeed(airspeed))
         .collect::<Result<Vec<_>, _>>()?;
-    let across = left_out_airspeed(model, campaign.rho_kg_m3, &airspeeds, data.channels, settings.weights)?;
+    let across = left_out_airspeed(model, campaign.rho_kg_m3, &airspeeds, &data)?;
     for (airspeed, left_out) in airspeeds.iter_mut().zip(across) {
         airspeed.left_out_airspeed = left_out;
     }
@@ -122,7 +126,15 @@ fn check_divergence<M: SteadyModel>(
     Ok(())
 }
 
-fn check_settings<M: SteadyModel>(model: &M, settings: &Settings) -> Result<(), InputError> {
+fn check_settings<M: SteadyModel>(
+    model: &M,
+    settings: &Settings,
+    data: &StaticData,
+) -> Result<(), InputError> {
+    if data.channels[TIP] && !model.has_tip() {
+        return Err(InputError::general("the campaign fits tip deflections, but the wing is rigid")
+            .with_help("give the wing a structure, or write `tip: Unused` in campaign.ron"));
+    }
     let boxes = model.correctable();
     let rows = boxes.chord_rows.iter().copied().min().unwrap_or(0);
     if settings.chord_strips == 0 || settings.chord_strips > rows {
@@ -156,14 +168,16 @@ impl<'a, M: SteadyModel> Context<'a, M> {
     fn airspeed(&self, airspeed: &AirspeedData) -> Result<AirspeedCalibration, CouplingError> {
         let flow = Flow { v_m_s: airspeed.v_m_s, rho_kg_m3: self.rho_kg_m3 };
         let line = line_fit(self.data, airspeed);
-        let line_floor = objective(line.rmse, self.settings.weights);
-        let noise_floor = self.data.noise_floor(airspeed);
+        let weights = self.weights(&[flow])?;
+        let line_floor = objective(line.rmse, weights);
+        let noise_floor = self.data.noise_floor(airspeed, weights);
         let metric = self.metric(flow, airspeed)?;
         let problem = Problem {
             model: self.model,
-            flow,
-            angles: &airspeed.angles,
+            groups: vec![FlowGroup { flow, angles: &airspeed.angles }],
             channels: self.data.channels,
+            weights,
+            zero: TipZero::new(vec![0; airspeed.angles.len()], self.data.tip == TipReading::FreeZero),
             basis: &self.basis,
             bounds: &self.bounds,
             metric: &metric,
@@ -183,7 +197,8 @@ impl<'a, M: SteadyModel> Context<'a, M> {
                     metric: &metric,
                     prior_spread: self.settings.prior_spread,
                     channels: self.data.channels,
-                    angles: &airspeed.angles,
+                    angles: airspeed.angles.iter().collect(),
+                    zero: &problem.zero,
                     point_sigma,
                     common_sigma: self.common_sigma(),
                 },
@@ -193,15 +208,34 @@ impl<'a, M: SteadyModel> Context<'a, M> {
             data: airspeed.clone(),
             fit,
             line,
+            weights,
             line_floor,
             noise_floor,
         })
     }
 
     /// The mean of a few blocks' offsets is itself uncertain by their spread over the root of their number.
-    fn common_sigma(&self) -> [f64; 3] {
+    fn common_sigma(&self) -> [f64; 4] {
         let blocks = self.data.blocks.len().max(1) as f64;
         self.data.block_sigma.map(|sigma| sigma / blocks.sqrt())
+    }
+
+    /// Weights of Eq. 8, the tip's in N m/m: see `Settings::tip_weight`.
+    fn weights(&self, flows: &[Flow]) -> Result<[f64; 4], CouplingError> {
+        let [fz, mx, my] = self.settings.weights;
+        if !self.data.channels[TIP] {
+            return Ok([fz, mx, my, 0.0]);
+        }
+        let neutral = Corrections::neutral(self.model.correctable().len());
+        let (mut moments_nm, mut heights_m) = (0.0, 0.0);
+        for &flow in flows {
+            let cases = [-0.01, 0.01].map(|alpha_rad| SteadyCase::new(flow, alpha_rad));
+            let [down, up] = &self.model.root_loads(&cases, &neutral)?[..] else { continue };
+            let tips = self.model.tip_deflections(&cases, &neutral)?;
+            moments_nm += (up.mx_nm - down.mx_nm).abs();
+            heights_m += (tips[1] - tips[0]).abs();
+        }
+        Ok([fz, mx, my, self.settings.tip_weight * moments_nm / heights_m.max(f64::MIN_POSITIVE)])
     }
 
     /// Metric of change in units of the theoretical pressures (rms over boxes and angles).
@@ -239,7 +273,7 @@ fn tilt_tare<M: SteadyModel>(
         });
         (squares.sum::<f64>() / data.tilt_tares.len() as f64).sqrt()
     });
-    let over = |sigma: [f64; 3]| std::array::from_fn(|c| rms[c] / sigma[c].max(f64::MIN_POSITIVE));
+    let over = |sigma: [f64; 4]| std::array::from_fn(|c| rms[c] / sigma[c].max(f64::MIN_POSITIVE));
     Ok(Some(TiltTare { points: data.tilt_tares.len(), rms, rms_over_noise: data.point_sigma.map(over) }))
 }
 

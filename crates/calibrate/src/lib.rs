@@ -13,9 +13,10 @@ pub mod objective;
 pub mod schedule;
 pub mod settings;
 pub mod statics;
+mod tip_zero;
 
 pub use calibration::{AirspeedCalibration, Calibration, TiltTare, calibrate};
-pub use campaign::{Campaign, Noise, RunEntry, StaticPoint, Use};
+pub use campaign::{Campaign, Noise, RunEntry, Sets, StaticPoint, TipReading, Use};
 pub use fit::{Ending, Fit};
 pub use identifiability::Identifiability;
 pub use objective::{LineFit, Nonlinearity};

@@ -5,6 +5,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use aero::MirrorPlane;
+use calibrate::campaign::TIP;
 use calibrate::{AirspeedCalibration, Calibration, Campaign, Settings};
 use coupling::{ElasticWing, SteadyCase, WingFile};
 use serde_json::{Value, json};
@@ -80,16 +81,19 @@ fn result(wing: &ElasticWing, campaign: &Campaign, calibration: &Calibration) ->
     let data = &calibration.data;
     let airspeeds: Vec<Value> =
         calibration.airspeeds.iter().map(|airspeed| airspeed_result(airspeed, calibration)).collect();
-    let blocks: Vec<Value> =
-        data.blocks.iter().map(|b| json!({ "block": b.block, "offset": channels(b.offset) })).collect();
+    let blocks: Vec<Value> = data
+        .blocks
+        .iter()
+        .map(|b| json!({ "block": b.block, "offset": channels(b.offset, data.channels) }))
+        .collect();
     Ok(json!({
         "command": "calibrate",
         "campaign": campaign.name,
         "airspeeds": airspeeds,
         "cone_programs": calibration.cone_programs(),
         "blocks": blocks,
-        "block_sigma": channels(data.block_sigma),
-        "point_sigma": data.point_sigma.map(channels),
+        "block_sigma": channels(data.block_sigma, data.channels),
+        "point_sigma": data.point_sigma.map(|sigma| channels(sigma, data.channels)),
         "noise_from": match (data.noise_dof, data.point_sigma) {
             (Some(dof), _) => format!("replicates, {dof} degrees of freedom"),
             (None, Some(_)) => "the campaign's declaration".into(),
@@ -98,7 +102,7 @@ fn result(wing: &ElasticWing, campaign: &Campaign, calibration: &Calibration) ->
         "nonlinearity_level": calibration.nonlinearity_level,
         "rows_with_deflected_controls_left_aside": data.deflected,
         "tilt_tare": calibration.tilt_tare.map(|tare| json!({
-            "points": tare.points, "rms": channels(tare.rms), "rms_over_noise": tare.rms_over_noise.map(channels),
+            "points": tare.points, "rms": loads(tare.rms), "rms_over_noise": tare.rms_over_noise.map(loads),
         })),
         "root_plane": root_plane(wing, campaign, calibration)?,
     }))
@@ -107,7 +111,7 @@ fn result(wing: &ElasticWing, campaign: &Campaign, calibration: &Calibration) ->
 fn airspeed_result(airspeed: &AirspeedCalibration, calibration: &Calibration) -> Value {
     let fit = &airspeed.fit;
     let measured = calibration.data.channels;
-    let nonlinearity: Vec<Value> = (0..3)
+    let nonlinearity: Vec<Value> = (0..4)
         .filter_map(|c| airspeed.line.nonlinearity[c].map(|test| (c, test)))
         .map(|(c, test)| {
             json!({
@@ -132,7 +136,7 @@ fn airspeed_result(airspeed: &AirspeedCalibration, calibration: &Calibration) ->
         "determined_directions": airspeed.identifiability.as_ref().map(|told| told.determined_directions),
         "neighbour_bound_active": fit.neighbour_bound_active,
         "nonlinearity": nonlinearity,
-        "identifiability": airspeed.identifiability.as_ref().map(identifiability),
+        "identifiability": airspeed.identifiability.as_ref().map(|told| identifiability(told, measured)),
         "left_out": airspeed.left_out.as_ref().map(|left_out| json!({
             "alpha_deg": left_out.alphas_rad.iter().map(|a| a.to_degrees()).collect::<Vec<_>>(),
             "objective_before": left_out.objective_before,
@@ -145,7 +149,8 @@ fn airspeed_result(airspeed: &AirspeedCalibration, calibration: &Calibration) ->
     })
 }
 
-fn identifiability(told: &calibrate::Identifiability) -> Value {
+fn identifiability(told: &calibrate::Identifiability, measured: [bool; 4]) -> Value {
+    let channels = |values: [f64; 4]| channels(values, measured);
     let by_family =
         |values: [f64; 3]| json!({ "force": values[0], "moment": values[1], "pressure_offset": values[2] });
     json!({
@@ -224,7 +229,7 @@ fn summary(calibration: &Calibration, out: &Path, seconds: f64) -> String {
     }
     let mut text = format!("{table}\n");
     for a in &calibration.airspeeds {
-        let bent: Vec<&str> = (0..3)
+        let bent: Vec<&str> = (0..4)
             .filter(|&c| {
                 a.line.nonlinearity[c].is_some_and(|test| test.p_value < calibration.nonlinearity_level)
             })
@@ -242,12 +247,17 @@ fn summary(calibration: &Calibration, out: &Path, seconds: f64) -> String {
     text + &format!("{seconds:.2} s; results in {}\n", out.display())
 }
 
-fn channels(values: [f64; 3]) -> Value {
-    measured_channels(values, [true; 3])
+fn loads([fz, mx, my]: [f64; 3]) -> Value {
+    channels([fz, mx, my, 0.0], [false; 4])
 }
 
-fn measured_channels(values: [f64; 3], measured: [bool; 3]) -> Value {
-    let named = (0..3)
+/// All root loads, and the tip's height if it is fitted.
+fn channels(values: [f64; 4], measured: [bool; 4]) -> Value {
+    measured_channels(values, [true, true, true, measured[TIP]])
+}
+
+fn measured_channels(values: [f64; 4], measured: [bool; 4]) -> Value {
+    let named = (0..4)
         .filter(|&c| measured[c])
         .map(|c| (calibrate::campaign::CHANNELS[c].to_owned(), json!(values[c])));
     Value::Object(named.collect())
