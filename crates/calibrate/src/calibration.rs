@@ -1,12 +1,13 @@
-//! The whole calibration: every airspeed for itself and in parallel, then what they say together.
+//! The whole calibration: every airspeed for itself and in parallel, then what they say together; or one set for all.
 
 use crate::basis::Basis;
 use crate::bounds::{Bounds, bounds};
-use crate::campaign::Campaign;
-use crate::campaign::{TIP, TipReading};
+use crate::campaign::{Campaign, Sets, TIP, TipReading};
+use crate::common::CommonCalibration;
 use crate::fit::{Ending, Fit, FlowGroup, Problem};
 use crate::identifiability::{Identifiability, Inputs, identifiability};
 use crate::left_out::{LeftOut, LeftOutAirspeed, left_out_airspeed, left_out_angles};
+use crate::lift_factor::{LiftFactor, lift_factor};
 use crate::objective::{LineFit, line_fit, objective};
 use crate::settings::Settings;
 use crate::statics::{AirspeedData, StaticData};
@@ -36,6 +37,8 @@ pub struct AirspeedCalibration {
     pub noise_floor: Option<f64>,
     /// What the data can tell.
     pub identifiability: Option<Identifiability>,
+    /// Factor on all loads of the theory that fits best; only where the tip is fitted.
+    pub lift: Option<LiftFactor>,
     /// Every other angle left out of a fit and predicted.
     pub left_out: Option<LeftOut>,
     /// This airspeed left out and predicted from its neighbours' corrections.
@@ -56,8 +59,10 @@ pub struct TiltTare {
 /// A finished calibration.
 #[derive(Debug, Clone)]
 pub struct Calibration {
-    /// Airspeeds in ascending order.
+    /// Airspeeds in ascending order; empty if one set serves all.
     pub airspeeds: Vec<AirspeedCalibration>,
+    /// The set that serves all airspeeds, if the campaign asks for one.
+    pub common: Option<CommonCalibration>,
     /// Air density of the campaign, kg/m³.
     pub rho_kg_m3: f64,
     /// The data behind them: blocks, noise, what was left aside.
@@ -81,11 +86,12 @@ pub fn calibrate<M: SteadyModel>(
     check_settings(model, settings, &data)?;
     check_divergence(model, campaign.rho_kg_m3, &data)?;
     let context = Context::new(model, campaign.rho_kg_m3, &data, settings);
-    let mut airspeeds = data
-        .airspeeds
-        .par_iter()
-        .map(|airspeed| context.airspeed(airspeed))
-        .collect::<Result<Vec<_>, _>>()?;
+    let (each, common) = match data.sets {
+        Sets::EachAirspeed => (&data.airspeeds[..], None),
+        Sets::Common => (&[][..], Some(context.common()?)),
+    };
+    let mut airspeeds =
+        each.par_iter().map(|airspeed| context.airspeed(airspeed)).collect::<Result<Vec<_>, _>>()?;
     let across = left_out_airspeed(model, campaign.rho_kg_m3, &airspeeds, &data)?;
     for (airspeed, left_out) in airspeeds.iter_mut().zip(across) {
         airspeed.left_out_airspeed = left_out;
@@ -95,6 +101,7 @@ pub fn calibrate<M: SteadyModel>(
         tilt_tare: tilt_tare(model, campaign.rho_kg_m3, &data)?,
         nonlinearity_level: settings.significance / tests as f64,
         airspeeds,
+        common,
         rho_kg_m3: campaign.rho_kg_m3,
         data,
     })
@@ -148,13 +155,13 @@ fn check_settings<M: SteadyModel>(
 }
 
 /// What all airspeeds share.
-struct Context<'a, M: SteadyModel> {
-    model: &'a M,
-    rho_kg_m3: f64,
-    data: &'a StaticData,
-    settings: &'a Settings,
-    basis: Basis,
-    bounds: Bounds,
+pub(crate) struct Context<'a, M: SteadyModel> {
+    pub(crate) model: &'a M,
+    pub(crate) rho_kg_m3: f64,
+    pub(crate) data: &'a StaticData,
+    pub(crate) settings: &'a Settings,
+    pub(crate) basis: Basis,
+    pub(crate) bounds: Bounds,
 }
 
 impl<'a, M: SteadyModel> Context<'a, M> {
@@ -171,7 +178,7 @@ impl<'a, M: SteadyModel> Context<'a, M> {
         let weights = self.weights(&[flow])?;
         let line_floor = objective(line.rmse, weights);
         let noise_floor = self.data.noise_floor(airspeed, weights);
-        let metric = self.metric(flow, airspeed)?;
+        let metric = self.metric(std::slice::from_ref(airspeed))?;
         let problem = Problem {
             model: self.model,
             groups: vec![FlowGroup { flow, angles: &airspeed.angles }],
@@ -184,6 +191,8 @@ impl<'a, M: SteadyModel> Context<'a, M> {
             settings: self.settings,
             line_floor,
             noise_floor: noise_floor.unwrap_or(0.0),
+            start: 1.0,
+            slack: 1.0,
         };
         let fit = problem.fit()?;
         let solution = problem.linearise(&fit.x)?;
@@ -194,6 +203,7 @@ impl<'a, M: SteadyModel> Context<'a, M> {
                 &solution,
                 &Inputs {
                     basis: &self.basis,
+                    area_share: &self.model.correctable().area_share,
                     metric: &metric,
                     prior_spread: self.settings.prior_spread,
                     channels: self.data.channels,
@@ -203,6 +213,7 @@ impl<'a, M: SteadyModel> Context<'a, M> {
                     common_sigma: self.common_sigma(),
                 },
             ),
+            lift: if self.data.channels[TIP] { lift_factor(&problem, point_sigma)? } else { None },
             left_out: left_out_angles(&problem, &line)?,
             left_out_airspeed: None,
             data: airspeed.clone(),
@@ -215,13 +226,13 @@ impl<'a, M: SteadyModel> Context<'a, M> {
     }
 
     /// The mean of a few blocks' offsets is itself uncertain by their spread over the root of their number.
-    fn common_sigma(&self) -> [f64; 4] {
+    pub(crate) fn common_sigma(&self) -> [f64; 4] {
         let blocks = self.data.blocks.len().max(1) as f64;
         self.data.block_sigma.map(|sigma| sigma / blocks.sqrt())
     }
 
     /// Weights of Eq. 8, the tip's in N m/m: see `Settings::tip_weight`.
-    fn weights(&self, flows: &[Flow]) -> Result<[f64; 4], CouplingError> {
+    pub(crate) fn weights(&self, flows: &[Flow]) -> Result<[f64; 4], CouplingError> {
         let [fz, mx, my] = self.settings.weights;
         if !self.data.channels[TIP] {
             return Ok([fz, mx, my, 0.0]);
@@ -239,14 +250,18 @@ impl<'a, M: SteadyModel> Context<'a, M> {
     }
 
     /// Metric of change in units of the theoretical pressures (rms over boxes and angles).
-    fn metric(&self, flow: Flow, airspeed: &AirspeedData) -> Result<Mat<f64>, CouplingError> {
+    pub(crate) fn metric(&self, airspeeds: &[AirspeedData]) -> Result<Mat<f64>, CouplingError> {
         let shares = &self.model.correctable().area_share;
-        let mut mean_square = 0.0;
-        for angle in &airspeed.angles {
-            let cp = self.model.pressure_coefficients(&SteadyCase::new(flow, angle.alpha_rad))?;
-            mean_square += cp.iter().zip(shares).map(|(cp, share)| share * cp * cp).sum::<f64>();
+        let (mut mean_square, mut count) = (0.0, 0.0);
+        for airspeed in airspeeds {
+            let flow = Flow { v_m_s: airspeed.v_m_s, rho_kg_m3: self.rho_kg_m3 };
+            for angle in &airspeed.angles {
+                let cp = self.model.pressure_coefficients(&SteadyCase::new(flow, angle.alpha_rad))?;
+                mean_square += cp.iter().zip(shares).map(|(cp, share)| share * cp * cp).sum::<f64>();
+                count += 1.0;
+            }
         }
-        mean_square /= airspeed.angles.len() as f64;
+        mean_square /= count;
         Ok(self.basis.change_metric(shares, [1.0, 1.0, 1.0 / mean_square.max(f64::MIN_POSITIVE)]))
     }
 }
@@ -280,12 +295,15 @@ fn tilt_tare<M: SteadyModel>(
 impl Calibration {
     /// Endings that are not a success.
     pub fn failures(&self) -> Vec<(f64, Ending)> {
-        let bad = |ending| !matches!(ending, Ending::Converged | Ending::AtNoiseFloor);
-        self.airspeeds.iter().filter(|a| bad(a.fit.ending)).map(|a| (a.data.v_m_s, a.fit.ending)).collect()
+        let bad = |ending: &Ending| !matches!(ending, Ending::Converged | Ending::AtNoiseFloor);
+        let common = self.common.iter().map(|common| (common.v_range_m_s[1], common.fit.ending));
+        let each = self.airspeeds.iter().map(|a| (a.data.v_m_s, a.fit.ending));
+        each.chain(common).filter(|(_, ending)| bad(ending)).collect()
     }
 
     /// Cone programs of the main fits.
     pub fn cone_programs(&self) -> usize {
-        self.airspeeds.iter().map(|airspeed| airspeed.fit.cone_programs).sum()
+        let common = self.common.iter().map(|common| common.fit.cone_programs);
+        self.airspeeds.iter().map(|airspeed| airspeed.fit.cone_programs).chain(common).sum()
     }
 }

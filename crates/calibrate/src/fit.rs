@@ -8,7 +8,7 @@ use crate::objective::{objective, rmse};
 use crate::settings::Settings;
 use crate::statics::Angle;
 use crate::tip_zero::TipZero;
-use aero::Flow;
+use aero::{Corrections, Flow};
 use coupling::{CouplingError, RootSensitivity, SteadyCase, SteadyModel};
 use faer::Mat;
 use rayon::prelude::*;
@@ -56,6 +56,10 @@ pub(crate) struct Problem<'a, M: SteadyModel> {
     pub(crate) line_floor: f64,
     /// The noise floor of Eq. 8; zero if noise is unknown.
     pub(crate) noise_floor: f64,
+    /// Force and moment factor of every box that the sequence starts from and change is measured from: one is theory.
+    pub(crate) start: f64,
+    /// How many times the floor counts as reaching it: above one where rows are correlated.
+    pub(crate) slack: f64,
 }
 
 /// Where a fit came to.
@@ -84,13 +88,14 @@ impl FlowGroup<'_> {
 }
 
 impl<M: SteadyModel> Problem<'_, M> {
-    /// Runs the sequence from the neutral corrections.
+    /// Runs the sequence from the start.
     pub(crate) fn fit(&self) -> Result<Fit, CouplingError> {
-        let neutral = self.basis.neutral();
+        let neutral: Vec<f64> = self.basis.neutral().iter().map(|one| self.start * one).collect();
         let mut x = neutral.clone();
         let mut at = self.linearise(&x)?;
-        let before = at.rmse;
-        let target = 1.02 * self.line_floor + 0.02 * self.noise_floor;
+        let before =
+            if x == self.basis.neutral() { at.rmse } else { self.linearise(&self.basis.neutral())?.rmse };
+        let target = self.slack * (1.02 * self.line_floor + 0.02 * self.noise_floor);
         let mut history = vec![self.objective(at.rmse)];
         let mut ending = Ending::Stalled;
         let mut cone_programs = 0;
@@ -145,13 +150,7 @@ impl<M: SteadyModel> Problem<'_, M> {
 
     /// Residuals and Jacobians at x.
     pub(crate) fn linearise(&self, x: &[f64]) -> Result<Linearised, CouplingError> {
-        let corrections = self.basis.corrections(x);
-        let by_group = self
-            .groups
-            .par_iter()
-            .map(|group| self.model.sensitivities(&group.cases(), &corrections))
-            .collect::<Result<Vec<_>, _>>()?;
-        let sensitivities: Vec<RootSensitivity> = by_group.into_iter().flatten().collect();
+        let sensitivities = self.sensitivities(&self.basis.corrections(x))?;
         let mut residuals = self.misses(&sensitivities);
         let mut tip: Vec<f64> = residuals.iter().map(|row| row[TIP]).collect();
         self.zero.centre(&mut tip);
@@ -159,6 +158,19 @@ impl<M: SteadyModel> Problem<'_, M> {
             row[TIP] = value;
         }
         Ok(Linearised { rmse: rmse(&residuals, self.channels), residuals, sensitivities })
+    }
+
+    /// Readings and derivatives of all rows.
+    pub(crate) fn sensitivities(
+        &self,
+        corrections: &Corrections,
+    ) -> Result<Vec<RootSensitivity>, CouplingError> {
+        let by_group = self
+            .groups
+            .par_iter()
+            .map(|group| self.model.sensitivities(&group.cases(), corrections))
+            .collect::<Result<Vec<_>, _>>()?;
+        Ok(by_group.into_iter().flatten().collect())
     }
 
     /// All rows in the order of the groups.

@@ -28,6 +28,8 @@ pub struct Identifiability {
     pub remaining_spread: [f64; 3],
     /// By family: posterior standard deviation of the corrections, root mean square over boxes.
     pub posterior_sigma: [f64; 3],
+    /// Standard deviation of the area-weighted mean of the force factor, before the data (the prior's) and after.
+    pub mean_force_sigma: [f64; 2],
     /// Posterior standard deviation of the predicted reading by channel, root mean square over the angles, the offset
     /// common to all blocks included.
     pub predicted_sigma: [f64; 4],
@@ -44,6 +46,8 @@ impl Identifiability {
 /// What the analysis needs beside the linearisation.
 pub(crate) struct Inputs<'a> {
     pub(crate) basis: &'a Basis,
+    /// Area share of each box.
+    pub(crate) area_share: &'a [f64],
     pub(crate) metric: &'a Mat<f64>,
     pub(crate) prior_spread: f64,
     pub(crate) channels: [bool; 4],
@@ -87,6 +91,7 @@ pub(crate) fn identifiability(at: &Linearised, inputs: &Inputs<'_>) -> Option<Id
         leverage: leverage(&scaled, &rows, inputs),
         remaining_spread: by_box.0,
         posterior_sigma: by_box.1,
+        mean_force_sigma: posterior.mean_force(inputs, factor.L()),
         predicted_sigma: posterior.predicted(&rows),
     })
 }
@@ -153,6 +158,24 @@ impl Posterior {
             }
         }
         (ratio, sigma.map(f64::sqrt))
+    }
+
+    /// Spread of the area-weighted mean of the force factor before and after the data.
+    fn mean_force(&self, inputs: &Inputs<'_>, metric_factor: faer::MatRef<'_, f64>) -> [f64; 2] {
+        let basis = inputs.basis;
+        let mut mean = Mat::zeros(basis.size(), 1);
+        for (b, share) in inputs.area_share.iter().enumerate() {
+            let from = basis.column(0, basis.strip_of[b]);
+            for k in 0..basis.terms {
+                mean[(from + k, 0)] += share * basis.polynomials[(b, k)];
+            }
+        }
+        let in_units = lower_solve(metric_factor, &mean);
+        let explained_by = &self.gain * &in_units;
+        let loads = self.load_of_unit.transpose() * &in_units;
+        let prior: f64 = (0..basis.size()).map(|k| in_units[(k, 0)].powi(2)).sum();
+        let told: f64 = (0..loads.nrows()).map(|r| loads[(r, 0)] * explained_by[(r, 0)]).sum();
+        [prior, (prior - told).max(0.0)].map(|square| self.prior_spread * square.sqrt())
     }
 
     /// Posterior spread of the predicted loads by channel, rms over angles.

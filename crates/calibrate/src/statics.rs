@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 /// Airspeeds closer than this share are one.
 const SAME_AIRSPEED: f64 = 2e-3;
 /// Angles closer than this are one, rad (0.05 degrees).
-const SAME_ANGLE_RAD: f64 = 8.7e-4;
+pub(crate) const SAME_ANGLE_RAD: f64 = 8.7e-4;
 
 /// One angle at one airspeed: the mean of its replicates after block offsets are removed.
 #[derive(Debug, Clone, PartialEq)]

@@ -43,6 +43,16 @@ impl TipZero {
         }
     }
 
+    /// By block, the variance of the mean of rows whose own variances are one over these numbers.
+    pub(crate) fn means_of_inverse(&self, replicates: impl Iterator<Item = f64>) -> Vec<f64> {
+        let (mut sums, mut counts) = (vec![0.0; self.blocks], vec![0.0_f64; self.blocks]);
+        for (number, &block) in replicates.zip(&self.block_of) {
+            sums[block] += 1.0 / number;
+            counts[block] += 1.0;
+        }
+        sums.iter().zip(&counts).map(|(sum, count)| sum / count.max(1.0).powi(2)).collect()
+    }
+
     /// Number of free zeros.
     pub(crate) fn count(&self) -> usize {
         if self.free { self.blocks } else { 0 }
