@@ -4,13 +4,14 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::time::Instant;
 
-use aero::MirrorPlane;
+use aero::{Corrections, MirrorPlane};
 use calibrate::campaign::TIP;
 use calibrate::{AirspeedCalibration, Calibration, Campaign, Settings};
 use coupling::{ElasticWing, SteadyCase, WingFile};
 use serde_json::{Value, json};
 
 use crate::args::{CalibrateArgs, Common};
+use crate::commands::calibrate_common as common_set;
 use crate::commands::calibrate_figures as figures;
 use crate::commands::calibrate_strips::{self, Strips};
 use crate::corrections::{campaign_path, schedule, wing_path};
@@ -28,6 +29,9 @@ pub(crate) fn run(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> 
     let seconds = start.elapsed().as_secs_f64();
     let mut result = result(&wing, &campaign, &calibration)?;
     result["seconds"] = json!(seconds);
+    if let Some(set) = &calibration.common {
+        result["common"] = common_set::result(set, &calibration);
+    }
     let strips = calibrate_strips::compare(&campaign.folder, &wing, &calibration)?;
     if let Some(strips) = &strips {
         strips.add_to(&mut result);
@@ -57,18 +61,34 @@ fn write(
     folder.write_text("corrections.ron", &schedule(file, calibration).to_ron())?;
     for airspeed in &calibration.airspeeds {
         let name = speed_name(airspeed.data.v_m_s);
-        let padded = wing.padded(&airspeed.corrections)?;
-        folder.write_text(&format!("wkk_{name}.bdf"), &padded.wkk().rounded_to_fields().write())?;
-        folder.write_text(&format!("fa2j_{name}.bdf"), &padded.fa2j().rounded_to_fields().write())?;
-        let map = figures::corrections(wing, airspeed).map_err(Failure::computation)?;
-        folder.write_text(&format!("corrections_{name}.svg"), &map)?;
+        write_set(&folder, wing, (&name, &format!("{name} m/s")), &airspeed.corrections)?;
     }
-    folder.write_text("static_loads.svg", &figures::static_loads(wing, calibration)?)?;
+    match &calibration.common {
+        None => folder.write_text("static_loads.svg", &figures::static_loads(wing, calibration)?)?,
+        Some(set) => {
+            write_set(&folder, wing, ("common", "all airspeeds"), &set.corrections)?;
+            folder.write_text("readings.svg", &common_set::figure(wing, set, calibration)?)?;
+        }
+    }
     if let Some(strips) = strips {
         folder.write_text("strips.svg", &strips.svg()?)?;
     }
     folder.write_json("result.json", result)?;
     folder.commit()
+}
+
+/// One set of corrections as DMI cards and as a picture.
+fn write_set(
+    folder: &ResultFolder,
+    wing: &ElasticWing,
+    (name, at): (&str, &str),
+    corrections: &Corrections,
+) -> Result<(), Failure> {
+    let padded = wing.padded(corrections)?;
+    folder.write_text(&format!("wkk_{name}.bdf"), &padded.wkk().rounded_to_fields().write())?;
+    folder.write_text(&format!("fa2j_{name}.bdf"), &padded.fa2j().rounded_to_fields().write())?;
+    let map = figures::corrections(wing, corrections, at).map_err(Failure::computation)?;
+    folder.write_text(&format!("corrections_{name}.svg"), &map)
 }
 
 /// 18 m/s -> `18`, 22.5 m/s -> `22.5`.
@@ -122,7 +142,7 @@ fn airspeed_result(airspeed: &AirspeedCalibration, calibration: &Calibration) ->
             })
         })
         .collect();
-    json!({
+    let mut result = json!({
         "V_m_s": airspeed.data.v_m_s,
         "objective_before": fit.objective[0],
         "objective_after": fit.objective[1],
@@ -146,10 +166,15 @@ fn airspeed_result(airspeed: &AirspeedCalibration, calibration: &Calibration) ->
         "left_out_airspeed": airspeed.left_out_airspeed.as_ref().map(|left_out| json!({
             "objective_before": left_out.objective_before, "objective_after": left_out.objective_after,
         })),
-    })
+    });
+    if let Some(lift) = &airspeed.lift {
+        result["lift_factor"] = common_set::lift_factor(lift, calibration);
+        result["weights"] = measured_channels(airspeed.weights, measured);
+    }
+    result
 }
 
-fn identifiability(told: &calibrate::Identifiability, measured: [bool; 4]) -> Value {
+pub(crate) fn identifiability(told: &calibrate::Identifiability, measured: [bool; 4]) -> Value {
     let channels = |values: [f64; 4]| channels(values, measured);
     let by_family =
         |values: [f64; 3]| json!({ "force": values[0], "moment": values[1], "pressure_offset": values[2] });
@@ -188,7 +213,7 @@ fn root_plane(wing: &ElasticWing, campaign: &Campaign, calibration: &Calibration
         let cp = alone.pressures(upward.as_ref());
         slope(&|place| cp[(place, 0)])
     };
-    let fastest = calibration.airspeeds.last().map_or(0.0, |a| a.data.v_m_s);
+    let fastest = calibration.data.airspeeds.last().map_or(0.0, |a| a.v_m_s);
     let flow = aero::Flow { v_m_s: fastest, rho_kg_m3: campaign.rho_kg_m3 };
     let neutral = aero::Corrections::neutral(wing.correctable.len());
     let states = wing.at(flow, &neutral)?.solve(&[SteadyCase::new(flow, 0.0), SteadyCase::new(flow, 0.01)]);
@@ -227,7 +252,10 @@ fn summary(calibration: &Calibration, out: &Path, seconds: f64) -> String {
             format!("{:?}", a.fit.ending),
         ]);
     }
-    let mut text = format!("{table}\n");
+    let mut text = match &calibration.common {
+        None => format!("{table}\n"),
+        Some(set) => common_set::table(set, calibration),
+    };
     for a in &calibration.airspeeds {
         let bent: Vec<&str> = (0..4)
             .filter(|&c| {
@@ -256,7 +284,7 @@ fn channels(values: [f64; 4], measured: [bool; 4]) -> Value {
     measured_channels(values, [true, true, true, measured[TIP]])
 }
 
-fn measured_channels(values: [f64; 4], measured: [bool; 4]) -> Value {
+pub(crate) fn measured_channels(values: [f64; 4], measured: [bool; 4]) -> Value {
     let named = (0..4)
         .filter(|&c| measured[c])
         .map(|c| (calibrate::campaign::CHANNELS[c].to_owned(), json!(values[c])));

@@ -57,15 +57,14 @@ fn simulated(
     Ok(wing.at(flow, corrections)?.solve(&cases).iter().map(reading).collect())
 }
 
-/// The three corrections of one airspeed on the planform.
-pub(crate) fn corrections(wing: &ElasticWing, airspeed: &AirspeedCalibration) -> Result<String, DrawError> {
+/// Three corrections on the planform; `at` names the airspeed or airspeeds.
+pub(crate) fn corrections(wing: &ElasticWing, c: &Corrections, at: &str) -> Result<String, DrawError> {
     let corners: Vec<[(f64, f64); 4]> = wing
         .correctable
         .places
         .iter()
         .map(|&place| wing.lattice.boxes[place].corners.map(|corner| (corner.x, corner.y)))
         .collect();
-    let c = &airspeed.corrections;
     let view = |title: &str, label: &str, values: &[f64], neutral: f64| {
         let reach = values.iter().map(|value| (value - neutral).abs()).fold(0.05, f64::max);
         PlanformView {
@@ -81,5 +80,5 @@ pub(crate) fn corrections(wing: &ElasticWing, airspeed: &AirspeedCalibration) ->
         view("moment factor", "W moment (-)", &c.moment, 1.0),
         view("pressure offset", "f_e/q (-)", &c.pressure_offset, 0.0),
     ];
-    report::heatmap::svg(&format!("Corrections at {} m/s", speed_name(airspeed.data.v_m_s)), &views)
+    report::heatmap::svg(&format!("Corrections at {at}"), &views)
 }

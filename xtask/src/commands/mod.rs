@@ -3,6 +3,7 @@
 pub(crate) mod bench;
 mod bench_general;
 pub(crate) mod calibrate;
+mod calibrate_common;
 mod calibrate_figures;
 mod calibrate_strips;
 pub(crate) mod fullaircraft;
