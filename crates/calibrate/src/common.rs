@@ -94,33 +94,45 @@ impl<M: SteadyModel> Context<'_, M> {
             groups,
         };
         let lift = lift_factor(&problem, point_sigma)?;
-        let wide = lift.as_ref().map_or(1.0, LiftFactor::widening);
-        problem.slack = curves.slack(wide);
+        problem.slack = curves.slack(lift.as_ref().map_or(1.0, LiftFactor::widening));
         problem.start = lift.as_ref().map_or(1.0, |lift| lift.factor.max(self.settings.least_factor));
+        self.fitted(&problem, curve_rmse, point_sigma, lift)
+    }
+
+    /// Runs the fit and says what came of it.
+    fn fitted(
+        &self,
+        problem: &Problem<'_, M>,
+        curve_rmse: [f64; 4],
+        point_sigma: [f64; 4],
+        lift: Option<LiftFactor>,
+    ) -> Result<CommonCalibration, CouplingError> {
         let fit = problem.fit()?;
+        let wide = lift.as_ref().map_or(1.0, LiftFactor::widening);
         let corrections = self.basis.corrections(&fit.x);
         let area_share = &self.model.correctable().area_share;
         let inputs = Inputs {
             basis: &self.basis,
             area_share,
-            metric: &metric,
+            metric: problem.metric,
             prior_spread: self.settings.prior_spread,
-            channels: data.channels,
-            angles,
+            channels: problem.channels,
+            angles: problem.angles().collect(),
             zero: &problem.zero,
             point_sigma: point_sigma.map(|sigma| wide * sigma),
             common_sigma: self.common_sigma(),
         };
+        let v_m_s = problem.groups.iter().map(|group| group.flow.v_m_s);
         Ok(CommonCalibration {
-            v_range_m_s: [flows[0].v_m_s, flows[flows.len() - 1].v_m_s],
-            rows: q_pa.len(),
+            v_range_m_s: v_m_s.fold([f64::INFINITY, 0.0], |[low, high], v| [low.min(v), high.max(v)]),
+            rows: problem.angles().count(),
             mean_force_factor: corrections.force.iter().zip(area_share).map(|(w, share)| w * share).sum(),
             identifiability: identifiability(&problem.linearise(&fit.x)?, &inputs),
             corrections,
             fit,
-            weights,
+            weights: problem.weights,
             curve_rmse,
-            curve_floor,
+            curve_floor: problem.line_floor,
             point_sigma,
             lift,
         })
