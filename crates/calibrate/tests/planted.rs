@@ -14,7 +14,7 @@ use coupling::ElasticWing;
 const ALPHAS_DEG: [f64; 5] = [-4.0, -2.0, 0.0, 2.0, 4.0];
 
 fn noise() -> Noise {
-    let static_point = ChannelNoise { fz_n: 0.05, mx_nm: 0.03, my_nm: 0.02 };
+    let static_point = ChannelNoise { fz_n: Some(0.05), mx_nm: Some(0.03), my_nm: Some(0.02), tip_z_m: None };
     Noise { sample: static_point, static_point }
 }
 

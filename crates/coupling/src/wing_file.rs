@@ -40,6 +40,10 @@ pub struct WingFile {
     /// How boxes follow the structure.
     #[serde(default)]
     pub spline: SplineKind,
+    /// The grid whose height is the tip deflection (a sensor's or point mass's of a parametric wing is 3001 or
+    /// 4001 and up); left out: the grid the boxes follow that has the largest y.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tip_grid: Option<u32>,
     /// The unknowns of the calibration.
     pub correction: CorrectionSettings,
     /// Reserved for effects beyond this model; must be empty.
@@ -197,7 +201,8 @@ impl WingFile {
         }
     }
 
-    /// Grids the boxes follow. The one with the largest y is where tip deflections are read.
+    /// Grids the boxes follow. The one with the largest y is where tip deflections are read, unless `tip_grid` says
+    /// otherwise.
     pub fn spline_grid_ids(&self, bulk: &BulkData) -> Vec<u32> {
         match &self.source {
             Source::Parametric(_) => bulk.sets.get(&AXIS_SET).map_or_else(Vec::new, |set| set.ids.clone()),

@@ -4,6 +4,7 @@ pub(crate) mod bench;
 mod bench_general;
 mod bench_structure;
 pub(crate) mod calibrate;
+mod calibrate_common;
 mod calibrate_figures;
 mod calibrate_strips;
 pub(crate) mod deck;

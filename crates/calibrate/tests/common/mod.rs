@@ -4,7 +4,7 @@
 #![allow(dead_code, reason = "each test binary uses its share")]
 
 use aero::{Corrections, Flow};
-use calibrate::{Campaign, Noise, Settings, StaticPoint};
+use calibrate::{Campaign, Noise, Sets, Settings, StaticPoint, TipReading};
 use coupling::planform::Planform;
 use coupling::wing_file::Source;
 use coupling::{ElasticWing, Mount, SteadyCase, SteadyModel, WingFile};
@@ -96,6 +96,8 @@ pub(crate) fn campaign(points: Vec<StaticPoint>, noise: Option<Noise>) -> Campai
         rho_kg_m3: RHO,
         noise,
         channels: [true; 3],
+        tip: TipReading::Unused,
+        sets: Sets::EachAirspeed,
         points,
         runs: Vec::new(),
     }
