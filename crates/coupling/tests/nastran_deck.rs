@@ -108,6 +108,6 @@ fn corrections_are_written_for_every_box_and_come_back() {
     corrections.force[3] = 1.25;
     corrections.pressure_offset[5] = -0.125;
     let options = DeckOptions { modes: 1, bars: false, corrections: Some(corrections.clone()) };
-    let read = parse_deck("wing.bdf", &NastranDeck::of(file, &options).unwrap().text).unwrap();
+    let read = parse_deck("wing.bdf", &NastranDeck::of(&file, &options).unwrap().text).unwrap();
     assert_eq!(Corrections::from_dmi(&read.matrices["WKK"], &read.matrices["FA2J"]).unwrap(), corrections);
 }
