@@ -3,6 +3,7 @@
 pub mod airfoil;
 pub mod controls;
 pub mod corrections;
+pub mod dlm;
 pub mod error;
 pub mod flow;
 pub mod geometry;
