@@ -123,9 +123,10 @@ fn beside(name: &str, got: &Result, plane: MirrorPlane, fit: &str, at: [f64; 2])
     if !half {
         let totals = block(&format!("{name}_oscillating_totals"), &["Fz_", "Mx_", "My_"], fit, at);
         for kind in 0..3 {
-            // The rolling moment of a whole wing is nothing: its size is that of the pitching moment.
-            let size_from = if kind == 1 { 2 } else { kind };
-            let size = totals.iter().map(|(_, want)| want[size_from].norm()).fold(0.0, f64::max);
+            // One size for forces, one for moments: the rolling moment of a whole wing is nothing by itself.
+            let same = if kind == 0 { 0..1 } else { 1..3 };
+            let size =
+                totals.iter().flat_map(|(_, want)| &want[same.clone()]).map(|v| v.norm()).fold(0.0, f64::max);
             for (name, want) in &totals {
                 largest = largest.max((got.totals[case(name)][kind] - want[kind]).norm() / size);
             }

@@ -6,12 +6,12 @@ use nastran::Table;
 use validation::data;
 
 /// A table of the folder.
-pub fn table(name: &str) -> Table {
+pub(crate) fn table(name: &str) -> Table {
     Table::read(&data(&format!("panelaero/{name}.csv"))).unwrap()
 }
 
 /// The boxes of a mesh.
-pub fn mesh(name: &str) -> Lattice {
+pub(crate) fn mesh(name: &str) -> Lattice {
     let table = table(&format!("mesh_{name}"));
     let number = |row, axis: &str, corner| table.number(row, &format!("{axis}{corner}")).unwrap();
     let boxes = (0..table.len()).map(|row| {
@@ -24,6 +24,6 @@ pub fn mesh(name: &str) -> Lattice {
 }
 
 /// Pitch axis of each mesh: second line of its file.
-pub fn pitch_axis(name: &str) -> Point3<f64> {
+pub(crate) fn pitch_axis(name: &str) -> Point3<f64> {
     Point3::new(if name == "A" { 0.5 } else { 0.4 }, 0.0, 0.0)
 }
