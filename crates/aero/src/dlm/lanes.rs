@@ -91,7 +91,22 @@ impl Lanes {
     /// exp(-v) for v >= 0; 1e-304 beyond 700.
     #[inline(always)]
     pub(super) fn exp_of_minus(self) -> Self {
-        self.map(exp_of_minus)
+        let v = self.map(|v| if v < 700.0 { v } else { 700.0 });
+        let n = v.map(|v| rounded(v * std::f64::consts::LOG2_E));
+        let rest = n.zip(v, |n, v| (n * LN_2[0] - v) + n * LN_2[1]);
+        // 2^-n: the low bits of 2^52 + m are the whole number m, here the exponent's.
+        let scale = n.map(|n| f64::from_bits((1023.0 - n + 4_503_599_627_370_496.0).to_bits() << 52));
+        scale * rest.polynomial(&EXP)
+    }
+
+    /// Horner's rule; coefficients by falling powers.
+    #[inline(always)]
+    fn polynomial<const N: usize>(self, coefficients: &[f64; N]) -> Self {
+        let mut sum = Self::all(coefficients[0]);
+        for coefficient in &coefficients[1..] {
+            sum = sum * self + Self::all(*coefficient);
+        }
+        sum
     }
 
     /// Cosine and sine, for arguments up to 1e5.
@@ -102,7 +117,7 @@ impl Lanes {
         // Half turns: an odd number of them changes both signs.
         let sign = turns.map(|n| 1.0 - 4.0 * (0.5 * n - rounded(0.5 * n)).abs());
         let square = rest * rest;
-        (sign * square.map(|q| alternating::<0>(q)), sign * rest * square.map(|q| alternating::<1>(q)))
+        (sign * square.polynomial(&COS), sign * rest * square.polynomial(&SIN))
     }
 }
 
@@ -111,29 +126,27 @@ fn rounded(v: f64) -> f64 {
     (v + ROUND) - ROUND
 }
 
-#[inline(always)]
-fn exp_of_minus(v: f64) -> f64 {
-    let v = if v < 700.0 { v } else { 700.0 };
-    let n = rounded(v * std::f64::consts::LOG2_E);
-    let rest = (n * LN_2[0] - v) + n * LN_2[1];
-    let mut series = 1.0;
-    for i in (1..=13_i32).rev() {
-        series = 1.0 + series * rest * (1.0 / f64::from(i));
+/// 1, -+1/2!, 1/4! ... or 1, -+1/3!, 1/5! ...: `first` is 0 or 1, the sign of the second `sign`; highest power first.
+const fn series<const N: usize>(first: usize, step: usize, sign: f64) -> [f64; N] {
+    let mut list = [1.0; N];
+    let mut i = 1;
+    let mut last = 1.0;
+    while i < N {
+        let mut factor = first + step * (i - 1) + 1;
+        while factor <= first + step * i {
+            last /= factor as f64;
+            factor += 1;
+        }
+        last *= sign;
+        list[N - 1 - i] = last;
+        i += 1;
     }
-    // 2^-n: the low bits of 2^52 + m are the whole number m, here the exponent's.
-    let bits = (1023.0 - n + 4_503_599_627_370_496.0).to_bits() << 52;
-    series * f64::from_bits(bits)
+    list
 }
 
-/// cos v (START 0) or sin v / v (START 1) from v^2 for |v| up to pi/2.
-#[inline(always)]
-fn alternating<const START: i32>(square: f64) -> f64 {
-    let mut series = 1.0;
-    for i in (1..=11_i32).rev() {
-        series = 1.0 - series * square * (1.0 / f64::from((2 * i + START) * (2 * i + START - 1)));
-    }
-    series
-}
+const EXP: [f64; 14] = series(0, 1, 1.0);
+const COS: [f64; 12] = series(0, 2, -1.0);
+const SIN: [f64; 12] = series(1, 2, -1.0);
 
 impl Add for Lanes {
     type Output = Self;
