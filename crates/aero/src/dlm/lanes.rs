@@ -1,4 +1,4 @@
-//! Eight numbers at a time, in plain arrays that the compiler turns into vector instructions.
+//! Numbers side by side in two vector registers, of whatever width the processor has.
 //!
 //! All of it is inlined into the loop of `numerators.rs`, which `pulp` has compiled for each set of vector
 //! instructions and picks at run time. No function of the platform's library is called, as those take one number:
@@ -6,10 +6,12 @@
 //! Functions, 1980), which branches nowhere.
 #![expect(clippy::inline_always, reason = "a call would leave the vector instructions of the loop around it")]
 
+use pulp::Simd;
+use pulp::bytemuck::cast;
 use std::ops::{Add, AddAssign, Mul, Sub};
 
-/// Numbers in one vector.
-pub(super) const WIDTH: usize = 8;
+/// Lists that are read by [`Lanes`] have a multiple of this length: two of the widest registers.
+pub(super) const PADDING: usize = 16;
 
 /// Adding and subtracting this rounds to the nearest whole number.
 const ROUND: f64 = 6_755_399_441_055_744.0;
@@ -19,114 +21,135 @@ const LN_2: [f64; 2] = [6.931_471_803_691_238_16e-1, 1.908_214_929_270_587_70e-1
 const PI: [f64; 3] =
     [3.141_592_653_468_251_228_34, 1.215_420_101_260_793_195_32e-10, 4.044_532_497_591_901_263_08e-21];
 
-/// A vector of numbers.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Lanes(pub(super) [f64; WIDTH]);
+/// Numbers in two registers.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Lanes<S: Simd> {
+    simd: S,
+    both: [S::f64s; 2],
+}
 
-impl Lanes {
+impl<S: Simd> Lanes<S> {
+    /// How many numbers.
+    pub(super) const WIDTH: usize = 2 * S::F64_LANES;
+
     #[inline(always)]
-    pub(super) fn all(value: f64) -> Self {
-        Self([value; WIDTH])
+    pub(super) fn all(simd: S, value: f64) -> Self {
+        Self { simd, both: [simd.splat_f64s(value); 2] }
     }
 
     /// The first numbers of a slice.
     #[inline(always)]
-    pub(super) fn load(from: &[f64]) -> Self {
-        let mut lanes = [0.0; WIDTH];
-        lanes.copy_from_slice(&from[..WIDTH]);
-        Self(lanes)
+    pub(super) fn load(simd: S, from: &[f64]) -> Self {
+        let (vectors, _) = S::as_simd_f64s(from);
+        Self { simd, both: [vectors[0], vectors[1]] }
     }
 
     /// Adds the numbers to the first of a slice.
     #[inline(always)]
     pub(super) fn add_to(self, to: &mut [f64]) {
-        for (sum, value) in to[..WIDTH].iter_mut().zip(self.0) {
-            *sum += value;
+        let (vectors, _) = S::as_mut_simd_f64s(to);
+        for (sum, value) in vectors[..2].iter_mut().zip(self.both) {
+            *sum = self.simd.add_f64s(*sum, value);
         }
     }
 
     #[inline(always)]
-    fn map(mut self, f: impl Fn(f64) -> f64) -> Self {
-        for value in &mut self.0 {
-            *value = f(*value);
-        }
-        self
+    fn map(self, f: impl Fn(S, S::f64s) -> S::f64s) -> Self {
+        let [a, b] = self.both;
+        Self { both: [f(self.simd, a), f(self.simd, b)], ..self }
     }
 
     #[inline(always)]
-    fn zip(mut self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
-        for (value, other) in self.0.iter_mut().zip(other.0) {
-            *value = f(*value, other);
-        }
-        self
+    fn zip(self, other: Self, f: impl Fn(S, S::f64s, S::f64s) -> S::f64s) -> Self {
+        let ([a, b], [c, d]) = (self.both, other.both);
+        Self { both: [f(self.simd, a, c), f(self.simd, b, d)], ..self }
+    }
+
+    /// One number everywhere.
+    #[inline(always)]
+    pub(super) fn same(self, value: f64) -> Self {
+        Self::all(self.simd, value)
+    }
+
+    /// self * by + add, in one instruction where there is one.
+    #[inline(always)]
+    pub(super) fn times_plus(self, by: Self, add: Self) -> Self {
+        let ([a, b], [c, d], [e, f]) = (self.both, by.both, add.both);
+        Self { both: [self.simd.mul_add_e_f64s(a, c, e), self.simd.mul_add_e_f64s(b, d, f)], ..self }
     }
 
     #[inline(always)]
     pub(super) fn sqrt(self) -> Self {
-        self.map(f64::sqrt)
+        self.map(|s, v| s.sqrt_f64s(v))
     }
 
     #[inline(always)]
     pub(super) fn recip(self) -> Self {
-        self.map(|v| 1.0 / v)
+        self.same(1.0).zip(self, |s, one, v| s.div_f64s(one, v))
     }
 
     #[inline(always)]
     pub(super) fn abs(self) -> Self {
-        self.map(f64::abs)
+        self.map(|s, v| s.abs_f64s(v))
     }
 
     /// 1 where the number is not negative, else -1.
     #[inline(always)]
     pub(super) fn sign(self) -> Self {
-        self.map(|v| if v < 0.0 { -1.0 } else { 1.0 })
+        self.map(|s, v| {
+            let (one, less) = (s.splat_f64s(1.0), s.splat_f64s(-1.0));
+            s.select_f64s(s.less_than_f64s(v, s.splat_f64s(0.0)), less, one)
+        })
     }
 
     /// At least `least`, which keeps products clear of subnormal numbers: those are slow.
     #[inline(always)]
     pub(super) fn at_least(self, least: f64) -> Self {
-        self.map(|v| if v > least { v } else { least })
+        self.map(|s, v| s.max_f64s(v, s.splat_f64s(least)))
     }
 
-    /// exp(-v) for v >= 0; 1e-304 beyond 700.
     #[inline(always)]
-    pub(super) fn exp_of_minus(self) -> Self {
-        let v = self.map(|v| if v < 700.0 { v } else { 700.0 });
-        let n = v.map(|v| rounded(v * std::f64::consts::LOG2_E));
-        let rest = n.zip(v, |n, v| (n * LN_2[0] - v) + n * LN_2[1]);
-        // 2^-n: the low bits of 2^52 + m are the whole number m, here the exponent's.
-        let scale = n.map(|n| f64::from_bits((1023.0 - n + 4_503_599_627_370_496.0).to_bits() << 52));
-        scale * rest.polynomial(&EXP)
+    fn rounded(self) -> Self {
+        (self + self.same(ROUND)) - self.same(ROUND)
     }
 
     /// Horner's rule; coefficients by falling powers.
     #[inline(always)]
     fn polynomial<const N: usize>(self, coefficients: &[f64; N]) -> Self {
-        let mut sum = Self::all(coefficients[0]);
+        let mut sum = self.same(coefficients[0]);
         for coefficient in &coefficients[1..] {
-            sum = sum * self + Self::all(*coefficient);
+            sum = sum.times_plus(self, self.same(*coefficient));
         }
         sum
+    }
+
+    /// exp(-v) for v >= 0; 1e-304 beyond 700.
+    #[inline(always)]
+    pub(super) fn exp_of_minus(self) -> Self {
+        let v = self.map(|s, v| s.min_f64s(v, s.splat_f64s(700.0)));
+        let n = (v * std::f64::consts::LOG2_E).rounded();
+        let rest = n * LN_2[0] - v + n * LN_2[1];
+        // 2^-n: added to 2^52, the whole number 1023 - n times 2^32 stands at the foot of the upper half of the bits;
+        // the exponent is twenty bits further up, where the shift puts it and drops what was above.
+        let exponent = (v.same(1023.0) - n) * 4_294_967_296.0 + v.same(4_503_599_627_370_496.0);
+        let scale = exponent.map(|s, v| cast(s.wrapping_dyn_shl_u32s(cast(v), s.splat_u32s(20))));
+        scale * rest.polynomial(&EXP)
     }
 
     /// Cosine and sine, for arguments up to 1e5.
     #[inline(always)]
     pub(super) fn cos_sin(self) -> (Self, Self) {
-        let turns = self.map(|v| rounded(v * std::f64::consts::FRAC_1_PI));
-        let rest = self.zip(turns, |v, n| ((v - n * PI[0]) - n * PI[1]) - n * PI[2]);
+        let turns = (self * std::f64::consts::FRAC_1_PI).rounded();
+        let rest = ((self - turns * PI[0]) - turns * PI[1]) - turns * PI[2];
         // Half turns: an odd number of them changes both signs.
-        let sign = turns.map(|n| 1.0 - 4.0 * (0.5 * n - rounded(0.5 * n)).abs());
+        let half = turns * 0.5;
+        let sign = self.same(1.0) - (half - half.rounded()).abs() * 4.0;
         let square = rest * rest;
         (sign * square.polynomial(&COS), sign * rest * square.polynomial(&SIN))
     }
 }
 
-#[inline(always)]
-fn rounded(v: f64) -> f64 {
-    (v + ROUND) - ROUND
-}
-
-/// 1, -+1/2!, 1/4! ... or 1, -+1/3!, 1/5! ...: `first` is 0 or 1, the sign of the second `sign`; highest power first.
+/// Taylor's coefficients by falling powers: 1/(first + step i)! times `sign`^i.
 const fn series<const N: usize>(first: usize, step: usize, sign: f64) -> [f64; N] {
     let mut list = [1.0; N];
     let mut i = 1;
@@ -148,39 +171,39 @@ const EXP: [f64; 14] = series(0, 1, 1.0);
 const COS: [f64; 12] = series(0, 2, -1.0);
 const SIN: [f64; 12] = series(1, 2, -1.0);
 
-impl Add for Lanes {
+impl<S: Simd> Add for Lanes<S> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        self.zip(other, |a, b| a + b)
+        self.zip(other, |s, a, b| s.add_f64s(a, b))
     }
 }
 
-impl Sub for Lanes {
+impl<S: Simd> Sub for Lanes<S> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
-        self.zip(other, |a, b| a - b)
+        self.zip(other, |s, a, b| s.sub_f64s(a, b))
     }
 }
 
-impl Mul for Lanes {
+impl<S: Simd> Mul for Lanes<S> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        self.zip(other, |a, b| a * b)
+        self.zip(other, |s, a, b| s.mul_f64s(a, b))
     }
 }
 
-impl Mul<f64> for Lanes {
+impl<S: Simd> Mul<f64> for Lanes<S> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, factor: f64) -> Self {
-        self.map(|v| v * factor)
+        self * self.same(factor)
     }
 }
 
-impl AddAssign for Lanes {
+impl<S: Simd> AddAssign for Lanes<S> {
     #[inline(always)]
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
@@ -190,23 +213,41 @@ impl AddAssign for Lanes {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use pulp::{Arch, WithSimd};
+
+    /// exp(-v), cos v and sin v of one number.
+    struct Functions(f64);
+
+    impl WithSimd for Functions {
+        type Output = [f64; 3];
+
+        fn with_simd<S: Simd>(self, simd: S) -> [f64; 3] {
+            let v = Lanes::all(simd, self.0);
+            let (cos, sin) = v.cos_sin();
+            [v.exp_of_minus(), cos, sin].map(|lanes| {
+                let mut list = [0.0; PADDING];
+                lanes.add_to(&mut list);
+                list[0]
+            })
+        }
+    }
 
     #[test]
     fn exponentials_are_those_of_the_library() {
         for i in 0..70_000_u32 {
             let v = f64::from(i) * 0.01;
-            let got = Lanes::all(v).exp_of_minus().0[0];
+            let [got, ..] = Arch::new().dispatch(Functions(v));
             assert!((got / (-v).exp() - 1.0).abs() < 1e-15, "{v}: {got}");
         }
-        assert!(Lanes::all(1e6).exp_of_minus().0[0] < 1e-303);
+        assert!(Arch::new().dispatch(Functions(1e6))[0] < 1e-303);
     }
 
     #[test]
     fn cosines_and_sines_are_those_of_the_library() {
         for i in -50_000..50_000_i32 {
             let v = f64::from(i) * 0.013;
-            let (cos, sin) = Lanes::all(v).cos_sin();
-            assert!((cos.0[0] - v.cos()).abs() < 1e-15 && (sin.0[0] - v.sin()).abs() < 1e-15, "{v}");
+            let [_, cos, sin] = Arch::new().dispatch(Functions(v));
+            assert!((cos - v.cos()).abs() < 1e-15 && (sin - v.sin()).abs() < 1e-15, "{v}");
         }
     }
 }

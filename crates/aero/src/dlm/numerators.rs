@@ -15,7 +15,7 @@
 
 use crate::dlm::exponentials::KernelIntegral;
 use crate::dlm::ladder::{Doubling, EqualSteps, HalfDoubling, Ladder};
-use crate::dlm::lanes::{Lanes, WIDTH};
+use crate::dlm::lanes::{Lanes, PADDING};
 use faer::c64;
 use pulp::{Arch, Simd, WithSimd};
 
@@ -81,7 +81,7 @@ pub(super) struct Pairs {
 impl Pairs {
     /// Room for `count` pairs, sums at zero.
     pub(super) fn reset(&mut self, count: usize) {
-        let padded = count.next_multiple_of(WIDTH);
+        let padded = count.next_multiple_of(PADDING);
         for list in self.shift.iter_mut().chain(&mut self.sum).chain([&mut self.x]) {
             list.clear();
             list.resize(padded, 0.0);
@@ -107,28 +107,34 @@ impl WithSimd for Step<'_> {
 
     /// Compiled once for each set of vector instructions; everything it calls is inlined.
     #[inline(always)]
-    fn with_simd<S: Simd>(self, _simd: S) {
+    fn with_simd<S: Simd>(self, simd: S) {
         let Self { stream, at, pairs } = self;
         let flat = at.weights[1] == 0.0;
         match (stream.integral, flat) {
-            (KernelIntegral::Desmarais, true) => all::<Doubling, false>(stream, at, pairs),
-            (KernelIntegral::Desmarais, false) => all::<Doubling, true>(stream, at, pairs),
-            (KernelIntegral::Laschka, true) => all::<EqualSteps, false>(stream, at, pairs),
-            (KernelIntegral::Laschka, false) => all::<EqualSteps, true>(stream, at, pairs),
-            (KernelIntegral::Fine, true) => all::<HalfDoubling, false>(stream, at, pairs),
-            (KernelIntegral::Fine, false) => all::<HalfDoubling, true>(stream, at, pairs),
+            (KernelIntegral::Desmarais, true) => all::<S, Doubling<S>, false>(simd, stream, at, pairs),
+            (KernelIntegral::Desmarais, false) => all::<S, Doubling<S>, true>(simd, stream, at, pairs),
+            (KernelIntegral::Laschka, true) => all::<S, EqualSteps<S>, false>(simd, stream, at, pairs),
+            (KernelIntegral::Laschka, false) => all::<S, EqualSteps<S>, true>(simd, stream, at, pairs),
+            (KernelIntegral::Fine, true) => all::<S, HalfDoubling<S>, false>(simd, stream, at, pairs),
+            (KernelIntegral::Fine, false) => all::<S, HalfDoubling<S>, true>(simd, stream, at, pairs),
         }
     }
 }
 
 #[inline(always)]
-fn all<L: Ladder, const SECOND: bool>(stream: &Stream, at: &Coefficients, pairs: &mut Pairs) {
+fn all<S: Simd, L: Ladder<S>, const SECOND: bool>(
+    simd: S,
+    stream: &Stream,
+    at: &Coefficients,
+    pairs: &mut Pairs,
+) {
     let Pairs { x, shift: [cos, sin], sum: [re, im] } = pairs;
-    let inputs = x.chunks_exact(WIDTH).zip(cos.chunks_exact(WIDTH)).zip(sin.chunks_exact(WIDTH));
-    let outputs = re.chunks_exact_mut(WIDTH).zip(im.chunks_exact_mut(WIDTH));
+    let width = Lanes::<S>::WIDTH;
+    let inputs = x.chunks_exact(width).zip(cos.chunks_exact(width)).zip(sin.chunks_exact(width));
+    let outputs = re.chunks_exact_mut(width).zip(im.chunks_exact_mut(width));
     for (((x, cos), sin), (re, im)) in inputs.zip(outputs) {
-        let shift = (Lanes::load(cos), Lanes::load(sin));
-        let sum = eight::<L, SECOND>(stream, at, Lanes::load(x), shift);
+        let shift = (Lanes::load(simd, cos), Lanes::load(simd, sin));
+        let sum = several::<S, L, SECOND>(stream, at, Lanes::load(simd, x), shift);
         sum.0.add_to(re);
         sum.1.add_to(im);
     }
@@ -136,32 +142,37 @@ fn all<L: Ladder, const SECOND: bool>(stream: &Stream, at: &Coefficients, pairs:
 
 /// P and Q of the module's equations.
 #[inline(always)]
-fn sums<L: Ladder, const SECOND: bool>(stream: &Stream, at: &Coefficients, a: Lanes) -> [Lanes; 4] {
+fn sums<S: Simd, L: Ladder<S>, const SECOND: bool>(
+    stream: &Stream,
+    at: &Coefficients,
+    a: Lanes<S>,
+) -> [Lanes<S>; 4] {
+    let same = |value: f64| a.same(value);
     let mut ladder = L::start(a, &stream.b);
-    let mut sums = [Lanes::all(0.0); 4];
+    let mut sums = [a.same(0.0); 4];
     for term in &at.terms {
         let e = ladder.next();
-        sums[0] += e * term[0];
-        sums[1] += e * term[1];
+        sums[0] = e.times_plus(same(term[0]), sums[0]);
+        sums[1] = e.times_plus(same(term[1]), sums[1]);
         if SECOND {
-            sums[2] += e * term[2];
-            sums[3] += e * term[3];
+            sums[2] = e.times_plus(same(term[2]), sums[2]);
+            sums[3] = e.times_plus(same(term[3]), sums[3]);
         }
     }
     sums
 }
 
-/// Weighted numerators of eight pairs; `shift` is exp(-i kappa x).
+/// Weighted numerators of some pairs; `shift` is exp(-i kappa x).
 #[inline(always)]
-fn eight<L: Ladder, const SECOND: bool>(
+fn several<S: Simd, L: Ladder<S>, const SECOND: bool>(
     stream: &Stream,
     at: &Coefficients,
-    x: Lanes,
-    shift: (Lanes, Lanes),
-) -> (Lanes, Lanes) {
-    let (one, mach) = (Lanes::all(1.0), stream.mach);
+    x: Lanes<S>,
+    shift: (Lanes<S>, Lanes<S>),
+) -> (Lanes<S>, Lanes<S>) {
+    let (one, zero, mach) = (x.same(1.0), x.same(0.0), stream.mach);
     let beta_2 = 1.0 - mach * mach;
-    let big_r = (x * x + Lanes::all(beta_2 * at.r * at.r)).sqrt();
+    let big_r = (x * x + x.same(beta_2 * at.r * at.r)).sqrt();
     let inverse = big_r.recip();
     let u = (big_r * mach - x) * (1.0 / (beta_2 * at.r));
     let (a, sign) = (u.abs(), u.sign());
@@ -169,46 +180,44 @@ fn eight<L: Ladder, const SECOND: bool>(
     let inverse_s = s.recip();
     // 1 - a/s without cancellation.
     let g = inverse_s * (s + a).recip();
-    let [p_re, p_im, q_re, q_im] = sums::<L, SECOND>(stream, at, a);
+    let [p_re, p_im, q_re, q_im] = sums::<S, L, SECOND>(stream, at, a);
     let slope = x * inverse;
     let ratio = inverse * (mach * at.r);
     let turn = phase(stream, big_r, x);
     let past = (one - sign) * 0.5;
     let whole = past * at.whole[0];
-    let inside = (sign * (g + p_re) + ratio * inverse_s, p_im);
-    let first_re = turned(inside, turn).0 + whole * shift.0 - one - slope;
-    let first_im = turned(inside, turn).1 + whole * shift.1;
-    let weight = at.weights[0];
+    let (re, im) = turned((sign * (g + p_re) + ratio * inverse_s, p_im), turn);
+    let first =
+        ((re + whole * shift.0 - one - slope) * at.weights[0], (im + whole * shift.1) * at.weights[0]);
     if !SECOND {
-        return (first_re * weight, first_im * weight);
+        return first;
     }
     let ka = a * (stream.kappa * at.r);
     let inverse_s3 = inverse_s * inverse_s * inverse_s;
     let b_re = (g + g) - a * inverse_s3 + p_re - ka * p_im + q_re;
     let b_im = ka * (g + p_re) + p_im + q_im;
     let near = inverse * inverse * (beta_2 * at.r * at.r);
-    let steady = ratio * inverse_s3 * ((s * s * near) + Lanes::all(2.0) + ratio * u);
+    let two = one + one;
+    let steady = ratio * inverse_s3 * (s * s * near + two + ratio * u);
     let inside = (sign * b_re + steady, b_im + ratio * ratio * inverse_s * (stream.kappa * at.r));
     let whole = past * at.whole[1];
-    let second_re =
-        slope * (near + Lanes::all(2.0)) + Lanes::all(2.0) - turned(inside, turn).0 - whole * shift.0;
-    let second_im = Lanes::all(0.0) - turned(inside, turn).1 - whole * shift.1;
-    let other = at.weights[1];
-    (first_re * weight + second_re * other, first_im * weight + second_im * other)
+    let (re, im) = turned(inside, turn);
+    let second = (slope * (near + two) + two - re - whole * shift.0, zero - im - whole * shift.1);
+    (first.0 + second.0 * at.weights[1], first.1 + second.1 * at.weights[1])
 }
 
 /// exp(-i kappa M (R - M x)/beta^2).
 #[inline(always)]
-fn phase(stream: &Stream, big_r: Lanes, x: Lanes) -> (Lanes, Lanes) {
+fn phase<S: Simd>(stream: &Stream, big_r: Lanes<S>, x: Lanes<S>) -> (Lanes<S>, Lanes<S>) {
     let mach = stream.mach;
     if mach == 0.0 {
-        return (Lanes::all(1.0), Lanes::all(0.0));
+        return (x.same(1.0), x.same(0.0));
     }
     ((big_r - x * mach) * (-stream.kappa * mach / (1.0 - mach * mach))).cos_sin()
 }
 
 #[inline(always)]
-fn turned(value: (Lanes, Lanes), by: (Lanes, Lanes)) -> (Lanes, Lanes) {
+fn turned<S: Simd>(value: (Lanes<S>, Lanes<S>), by: (Lanes<S>, Lanes<S>)) -> (Lanes<S>, Lanes<S>) {
     (value.0 * by.0 - value.1 * by.1, value.0 * by.1 + value.1 * by.0)
 }
 
