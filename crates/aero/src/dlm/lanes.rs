@@ -90,16 +90,15 @@ impl<S: Simd> Lanes<S> {
 
     #[inline(always)]
     pub(super) fn abs(self) -> Self {
-        self.map(|s, v| s.abs_f64s(v))
+        (self.same(0.0) - self).zip(self, |s, a, b| s.max_f64s(a, b))
     }
 
-    /// 1 where the number is not negative, else -1.
+    /// 1 where the number is positive, -1 where it is negative, between them at 0.
+    ///
+    /// Products and bounds only: comparisons with a mask would not be inlined.
     #[inline(always)]
     pub(super) fn sign(self) -> Self {
-        self.map(|s, v| {
-            let (one, less) = (s.splat_f64s(1.0), s.splat_f64s(-1.0));
-            s.select_f64s(s.less_than_f64s(v, s.splat_f64s(0.0)), less, one)
-        })
+        (self * 1e300).at_least(-1.0).map(|s, v| s.min_f64s(v, s.splat_f64s(1.0)))
     }
 
     /// At least `least`, which keeps products clear of subnormal numbers: those are slow.
