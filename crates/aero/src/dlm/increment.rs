@@ -6,7 +6,7 @@
 use crate::dlm::numerators::{Coefficients, Pairs, Stream};
 use crate::dlm::span_fit::{MOST_POINTS, PLANAR, SpanFit, Weights, weights};
 use crate::dlm::strips::Strip;
-use faer::{Mat, MatRef, c64};
+use faer::{Mat, c64};
 use pulp::Arch;
 use rayon::prelude::*;
 use std::f64::consts::PI;
@@ -27,26 +27,24 @@ struct Across {
 }
 
 impl Increment {
-    /// Incidence per unit `cp` that oscillation adds; rows are receiving boxes, columns sending ones.
-    pub(super) fn matrix(&self, stream: &Stream) -> Mat<c64> {
-        let rows = self.receivers.iter().map(|strip| strip.lines.len()).sum::<usize>();
-        let columns = self.senders.iter().map(|strip| strip.lines.len()).sum::<usize>();
-        let mut values = vec![c64::default(); rows * columns];
+    /// Adds the incidence per unit `cp` that oscillation adds; rows are receiving boxes, columns sending ones.
+    pub(super) fn add_to(&self, matrix: &mut Mat<c64>, stream: &Stream) {
+        let mut columns = matrix.col_iter_mut();
         let mut blocks = Vec::with_capacity(self.senders.len());
-        let mut rest = values.as_mut_slice();
         for strip in &self.senders {
-            let (block, after) = rest.split_at_mut(rows * strip.lines.len());
-            blocks.push((strip, block));
-            rest = after;
+            blocks.push((strip, columns.by_ref().take(strip.lines.len()).collect::<Vec<_>>()));
         }
         let arch = Arch::new();
-        blocks.into_par_iter().for_each(|(sender, block)| self.columns(arch, stream, sender, block));
-        MatRef::from_column_major_slice(&values, rows, columns).to_owned()
+        blocks.into_par_iter().for_each(|(sender, block)| {
+            // Columns of a matrix of our own making are contiguous.
+            let block =
+                block.into_iter().filter_map(|column| Some(column.try_as_col_major_mut()?.as_slice_mut()));
+            self.columns(arch, stream, sender, &mut block.collect::<Vec<_>>());
+        });
     }
 
     /// Columns of the boxes of one strip.
-    fn columns(&self, arch: Arch, stream: &Stream, sender: &Strip, out: &mut [c64]) {
-        let rows = out.len() / sender.lines.len();
+    fn columns(&self, arch: Arch, stream: &Stream, sender: &Strip, out: &mut [&mut [c64]]) {
         let (mut pairs, mut at) = (Pairs::default(), Coefficients::default());
         let turn = |x: f64| c64::new((stream.kappa * x).cos(), -(stream.kappa * x).sin());
         let points = self.fit.points();
@@ -75,12 +73,11 @@ impl Increment {
                 at.set(stream, across.r[p], across.weights[p]);
                 pairs.add(arch, stream, &at);
             }
-            for (j, line) in sender.lines.iter().enumerate() {
+            for (j, (line, column)) in sender.lines.iter().zip(out.iter_mut()).enumerate() {
                 let factor = -line.chord / (8.0 * PI);
-                let column = &mut out[j * rows..(j + 1) * rows][receiver.boxes.clone()];
-                for (i, value) in column.iter_mut().enumerate() {
+                for (i, value) in column[receiver.boxes.clone()].iter_mut().enumerate() {
                     let sum = c64::new(pairs.sum[0][j * count + i], pairs.sum[1][j * count + i]);
-                    *value = sum * factor;
+                    *value += sum * factor;
                 }
             }
         }

@@ -5,6 +5,7 @@
 //! Frequencies are given as omega/V in 1/m; the reduced frequency is k = (omega/V) `c_ref`/2.
 
 mod exponentials;
+mod halves;
 mod increment;
 pub mod kernel;
 mod ladder;
