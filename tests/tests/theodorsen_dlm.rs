@@ -23,7 +23,7 @@ fn section(n: u32, k: f64, w: impl Fn(f64, usize) -> c64) -> [c64; 2] {
     let mut width = 4.0 / f64::from(n);
     while edges.last().unwrap() < &4000.0 {
         edges.push(edges.last().unwrap() + width);
-        width *= 1.3;
+        width *= 1.6;
     }
     let semispan = *edges.last().unwrap();
     let eta: Vec<f64> = edges.iter().map(|y| y / semispan).collect();

@@ -4,7 +4,7 @@
 //! order always, so that the numbers do not depend on the threads.
 
 use crate::dlm::numerators::{Coefficients, Pairs, Stream};
-use crate::dlm::span_fit::{MOST_POINTS, PLANAR, SpanFit, Weights, weights};
+use crate::dlm::span_fit::{Cores, LOGARITHM_CORE, MOST_POINTS, PLANAR, SpanFit, Weights, weights};
 use crate::dlm::strips::Strip;
 use faer::{Mat, c64};
 use pulp::Arch;
@@ -89,8 +89,11 @@ fn across(fit: SpanFit, receiver: &Strip, sender: &Strip) -> Across {
     let offset = receiver.receiver - sender.middle;
     let e = sender.half_width_m;
     let (y, z) = (offset.dot(&sender.along), offset.dot(&sender.normal()));
-    let core = receiver.core_m().min(sender.core_m());
-    let Weights([first, second]) = weights(fit, y / e, z / e, core / e);
+    let cores = Cores {
+        pole: receiver.core_m().min(sender.core_m()) / e,
+        logarithm: LOGARITHM_CORE * receiver.half_width_m.min(e) / e,
+    };
+    let Weights([first, second]) = weights(fit, y / e, z / e, cores);
     // Component of the incidence: along the receiver's normal, in the sender's axes.
     let (parallel, beside) = (receiver.normal().dot(&sender.normal()), receiver.normal().dot(&sender.along));
     let mut across = Across::default();

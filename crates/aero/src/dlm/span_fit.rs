@@ -14,7 +14,8 @@
 //!
 //! Within [`PLANAR`] half widths of the plane a point is taken to be in it: the fit's error would be divided by z there.
 //! In the plane each end of the line has a core as the vortex lattice's legs have, so that a tail in line with the edges
-//! of a wing's strips gets the mean of its neighbours.
+//! of a wing's strips gets the mean of its neighbours. Besides its pole each end has a logarithm, with a wider core: its
+//! factor is the fit's slope at the end, which is nothing in the kernel itself but differs between neighbouring fits.
 
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
@@ -22,6 +23,16 @@ use std::sync::LazyLock;
 
 /// Points closer to a strip's plane than this many half widths of the strip are in it (as in Nastran).
 pub const PLANAR: f64 = 1e-3;
+/// Core of the logarithm over the smaller half width of the two strips.
+pub(super) const LOGARITHM_CORE: f64 = 0.1;
+
+/// Cores of the line's ends, in half widths.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Cores {
+    pub(super) pole: f64,
+    pub(super) logarithm: f64,
+}
+
 /// Beyond this many half widths from the middle Gauss' rule is exact to round-off.
 const FAR: f64 = 3.0;
 /// Points of Gauss' rule; at FAR its error is 6^-32.
@@ -69,9 +80,9 @@ impl SpanFit {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Weights(pub(super) [[f64; MOST_POINTS]; 2]);
 
-/// The weights for a point at (y, z), both in half widths, with a `core` in half widths.
-pub(super) fn weights(fit: SpanFit, y: f64, z: f64, core: f64) -> Weights {
-    let [first, second] = moments(y, z.abs(), core);
+/// The weights for a point at (y, z), both in half widths, with `cores` of the line's ends.
+pub(super) fn weights(fit: SpanFit, y: f64, z: f64, cores: Cores) -> Weights {
+    let [first, second] = moments(y, z.abs(), cores);
     let mut weights = [[0.0; MOST_POINTS]; 2];
     for i in 0..fit.points().len() {
         let cardinal = fit.cardinal(i);
@@ -83,12 +94,12 @@ pub(super) fn weights(fit: SpanFit, y: f64, z: f64, core: f64) -> Weights {
 }
 
 /// Moments 0 to 4 of 1/rho^2 and of 1/rho^4 over -1..1; those of 1/rho^4 are 0 in the plane.
-fn moments(y: f64, z: f64, core: f64) -> [[f64; MOST_POINTS]; 2] {
+fn moments(y: f64, z: f64, cores: Cores) -> [[f64; MOST_POINTS]; 2] {
     let planar = z <= PLANAR;
     let [first, mut second] = if y * y + z * z > FAR * FAR {
         far_moments(y, z)
     } else if planar {
-        in_plane(y, core)
+        in_plane(y, cores)
     } else {
         near_moments(y, z)
     };
@@ -142,12 +153,23 @@ fn continued(zeroth: f64, first: f64, y: f64, square: f64) -> [f64; MOST_POINTS]
 }
 
 /// In the plane, finite part; within the core of an end its pole falls to zero.
-fn in_plane(y: f64, core: f64) -> [[f64; MOST_POINTS]; 2] {
-    let core_2 = core * core;
-    let pole = |d: f64| d / (d * d).max(core_2);
-    let zeroth = pole(y - 1.0) - pole(y + 1.0);
-    let log = 0.5 * (((y - 1.0).powi(2).max(core_2)) / ((y + 1.0).powi(2).max(core_2))).ln();
-    [continued(zeroth, y * zeroth + log, y, y * y), [0.0; MOST_POINTS]]
+fn in_plane(y: f64, cores: Cores) -> [[f64; MOST_POINTS]; 2] {
+    let pole = |d: f64| d / (d * d).max(cores.pole * cores.pole);
+    let distance = |d: f64| d.abs().max(cores.logarithm);
+    // By parts: int eta^p/(eta-y)^2 = -[eta^p/(eta-y)] + p int eta^(p-1)/(eta-y), of which the last by recurrence. So a
+    // pole has the value at the end as its factor, and taking it away takes nothing else.
+    let mut simple = (distance(y - 1.0) / distance(y + 1.0)).ln();
+    let mut moments = [0.0; MOST_POINTS];
+    for (power, moment) in moments.iter_mut().enumerate() {
+        let (p, even) = (power as f64, power % 2 == 0);
+        let left = pole(y + 1.0);
+        *moment = pole(y - 1.0) - if even { left } else { -left };
+        if power > 0 {
+            *moment += p * simple;
+            simple = y * simple + if even { 0.0 } else { 2.0 / p };
+        }
+    }
+    [moments, [0.0; MOST_POINTS]]
 }
 
 /// Out of the plane.
@@ -168,6 +190,8 @@ fn near_moments(y: f64, z: f64) -> [[f64; MOST_POINTS]; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    const CORES: Cores = Cores { pole: 0.01, logarithm: 0.1 };
 
     /// The same moments by Simpson's rule with very many steps.
     fn by_quadrature(y: f64, z: f64) -> [[f64; MOST_POINTS]; 2] {
@@ -199,7 +223,7 @@ mod tests {
             (3.1, 0.7),
             (-40.0, 9.0),
         ] {
-            let (got, want) = (moments(y, z, 0.01), by_quadrature(y, z));
+            let (got, want) = (moments(y, z, CORES), by_quadrature(y, z));
             for kind in 0..2 {
                 for power in 0..MOST_POINTS {
                     let (got, want) = (got[kind][power], want[kind][power]);
@@ -214,7 +238,7 @@ mod tests {
     fn in_the_plane_the_finite_part_is_the_limit_of_the_sum_without_its_infinite_part() {
         // pi/z for a point above the line, nothing beside it, and the same with powers of y.
         for y in [-0.5, 0.2, 1.7_f64] {
-            let (plane, z): (_, f64) = (in_plane(y, 0.01), 1e-5);
+            let (plane, z): (_, f64) = (in_plane(y, CORES), 1e-5);
             let above = near_moments(y, z);
             for power in 0..MOST_POINTS {
                 let infinite =
@@ -229,7 +253,7 @@ mod tests {
     fn a_polynomial_of_the_fits_degree_is_integrated_exactly() {
         for (fit, degree) in [(SpanFit::Parabolic, 2), (SpanFit::Quartic, 4)] {
             for power in 0..=degree {
-                let Weights([one, two]) = weights(fit, 0.4, 0.3, 0.01);
+                let Weights([one, two]) = weights(fit, 0.4, 0.3, CORES);
                 let at = |weights: [f64; MOST_POINTS]| -> f64 {
                     fit.points().iter().zip(weights).map(|(p, w)| w * p.powi(power)).sum()
                 };
