@@ -86,7 +86,6 @@ fn errors(name: &str, plane: MirrorPlane, settings: DlmSettings) -> f64 {
             largest = largest.max(beside(name, &got, plane, fit, [mach, k]));
         }
     }
-    println!("mesh {name} {plane:?} {settings:?}: {largest:.2e}");
     largest
 }
 

@@ -6,32 +6,42 @@
 
 #![expect(clippy::unwrap_used, reason = "a helper of tests may fail the test where it stands")]
 
-mod wings;
-
-use aero::{DlmSettings, DoubletLattice, KernelIntegral, SpanFit};
+use aero::{AeroBox, DlmSettings, DoubletLattice, KernelIntegral, Lattice, MirrorPlane, SpanFit};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, c64};
+use nalgebra::Point3;
 use std::f64::consts::PI;
 use validation::{list, number, published};
-use wings::{Planform, WALL, uniform};
 
 const SETTINGS: DlmSettings = DlmSettings { integral: KernelIntegral::Fine, fit: SpanFit::Quartic };
 
-/// Lift coefficients of a section of chord 2 (so that omega/V is k) with `n` boxes for columns of incidence by x.
-fn section(n: u32, k: f64, w: impl Fn(f64, usize) -> c64) -> [c64; 2] {
+/// Half of the endless wing, chord 2, `n` boxes along it.
+fn endless(n: u32) -> Lattice {
     let mut edges = vec![0.0];
     let mut width = 4.0 / f64::from(n);
-    while edges.last().unwrap() < &4000.0 {
+    while *edges.last().unwrap() < 4000.0 {
         edges.push(edges.last().unwrap() + width);
         width *= 1.6;
     }
-    let semispan = *edges.last().unwrap();
-    let eta: Vec<f64> = edges.iter().map(|y| y / semispan).collect();
-    let wing = Planform { semispan, root: 2.0, tip: 2.0, tip_x: 0.0 };
-    let lattice = wing.lattice(&eta, &uniform(n));
-    let all = DoubletLattice::new(&lattice, WALL, 0.0, &SETTINGS).unwrap().influence(k).unwrap();
+    let x = |i: u32| 2.0 * f64::from(i) / f64::from(n);
+    let boxes = edges.windows(2).flat_map(|sides| {
+        (0..n).map(|i| {
+            [(i, sides[0]), (i + 1, sides[0]), (i + 1, sides[1]), (i, sides[1])]
+                .map(|(i, y)| Point3::new(x(i), y, 0.0))
+        })
+    });
+    let boxes = (1..).zip(boxes).map(|(id, corners)| AeroBox { id, corners }).collect();
+    Lattice::from_corners("endless", usize::try_from(n).unwrap(), boxes).unwrap()
+}
+
+/// Lift coefficients of a section of chord 2 (so that omega/V is k) with `n` boxes for columns of incidence by x.
+fn section(n: u32, k: f64, w: impl Fn(f64, usize) -> c64) -> [c64; 2] {
+    let lattice = endless(n);
+    let plane = MirrorPlane::Symmetric { y_m: 0.0 };
+    let all = DoubletLattice::new(&lattice, plane, 0.0, &SETTINGS).unwrap().influence(k).unwrap();
     let n = usize::try_from(n).unwrap();
-    let section = Mat::from_fn(n, n, |i, j| (0..lattice.len() / n).map(|s| all[(i, s * n + j)]).sum::<c64>());
+    let section =
+        Mat::from_fn(n, n, |i, j| (0..lattice.len() / n).map(|strip| all[(i, strip * n + j)]).sum::<c64>());
     let right = Mat::from_fn(n, 2, |i, column| w(lattice.boxes[i].three_quarter_point().x, column));
     let cp = section.partial_piv_lu().solve(right);
     [0, 1].map(|column| (0..n).map(|i| cp[(i, column)]).sum::<c64>() / c64::from(n as f64))

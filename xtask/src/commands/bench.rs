@@ -8,7 +8,7 @@ use coupling::ElasticWing;
 use serde_json::{Value, json};
 
 use crate::args::{BenchArgs, Common};
-use crate::commands::bench_general;
+use crate::commands::{bench_dlm, bench_general};
 use crate::corrections::{campaign_path, wing_path};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
@@ -34,6 +34,11 @@ pub(crate) fn run(_args: &BenchArgs, common: &Common) -> Result<(), Failure> {
         median(|| {
             SteadyAero::new(&wing.lattice, MirrorPlane::None, 0.0).map(drop).map_err(Failure::computation)
         })?,
+    ));
+    let aircraft = bench_dlm::aircraft()?;
+    rows.push(row(
+        &format!("dlm_{}_boxes_8_frequencies", aircraft.len()),
+        median(|| bench_dlm::eight_frequencies(&aircraft))?,
     ));
     let calibration = calibrate(&wing, &campaign, &settings)?;
     let whole = median(|| {

@@ -16,10 +16,9 @@ pub(super) const PADDING: usize = 16;
 /// Adding and subtracting this rounds to the nearest whole number.
 const ROUND: f64 = 6_755_399_441_055_744.0;
 /// ln 2 in two parts, of which the first has zeros at its end: exact products with whole numbers.
-const LN_2: [f64; 2] = [6.931_471_803_691_238_16e-1, 1.908_214_929_270_587_70e-10];
+const LN_2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
 /// pi in three such parts.
-const PI: [f64; 3] =
-    [3.141_592_653_468_251_228_34, 1.215_420_101_260_793_195_32e-10, 4.044_532_497_591_901_263_08e-21];
+const PI: [f64; 3] = [3.141_592_653_468_251_2, 1.215_420_101_260_793_2e-10, 4.044_532_497_591_901e-21];
 
 /// Numbers in two registers.
 #[derive(Debug, Clone, Copy)]
@@ -80,17 +79,17 @@ impl<S: Simd> Lanes<S> {
 
     #[inline(always)]
     pub(super) fn sqrt(self) -> Self {
-        self.map(|s, v| s.sqrt_f64s(v))
+        self.map(S::sqrt_f64s)
     }
 
     #[inline(always)]
     pub(super) fn recip(self) -> Self {
-        self.same(1.0).zip(self, |s, one, v| s.div_f64s(one, v))
+        self.same(1.0).zip(self, S::div_f64s)
     }
 
     #[inline(always)]
     pub(super) fn abs(self) -> Self {
-        (self.same(0.0) - self).zip(self, |s, a, b| s.max_f64s(a, b))
+        (self.same(0.0) - self).zip(self, S::max_f64s)
     }
 
     /// 1 where the number is positive, -1 where it is negative, between them at 0.
@@ -174,7 +173,7 @@ impl<S: Simd> Add for Lanes<S> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        self.zip(other, |s, a, b| s.add_f64s(a, b))
+        self.zip(other, S::add_f64s)
     }
 }
 
@@ -182,7 +181,7 @@ impl<S: Simd> Sub for Lanes<S> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
-        self.zip(other, |s, a, b| s.sub_f64s(a, b))
+        self.zip(other, S::sub_f64s)
     }
 }
 
@@ -190,7 +189,7 @@ impl<S: Simd> Mul for Lanes<S> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        self.zip(other, |s, a, b| s.mul_f64s(a, b))
+        self.zip(other, S::mul_f64s)
     }
 }
 

@@ -127,7 +127,8 @@ impl DoubletLattice {
         let pairs = halves.pairs();
         let symmetric = own.submatrix(0, 0, pairs, pairs) + image.submatrix(0, 0, pairs, pairs);
         let symmetric = self.factorised(&symmetric)?;
-        *&mut own.subcols_mut(0, pairs) -= &image;
+        let mut between_pairs = own.subcols_mut(0, pairs);
+        between_pairs -= &image;
         let antisymmetric = self.factorised(&own)?;
         Ok(OscillatoryAero { factors: Factors::Halves([symmetric, antisymmetric], halves.clone()) })
     }

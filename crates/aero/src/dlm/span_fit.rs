@@ -63,7 +63,7 @@ impl SpanFit {
     fn cardinal(self, i: usize) -> [f64; MOST_POINTS] {
         let points = self.points();
         let mut product = [1.0, 0.0, 0.0, 0.0, 0.0];
-        for (_, at) in points.iter().enumerate().filter(|(j, _)| *j != i) {
+        for at in points.iter().filter(|at| **at != points[i]) {
             let scale = 1.0 / (points[i] - at);
             let mut next = [0.0; MOST_POINTS];
             for power in 0..MOST_POINTS {
@@ -82,13 +82,13 @@ pub(super) struct Weights(pub(super) [[f64; MOST_POINTS]; 2]);
 
 /// The weights for a point at (y, z), both in half widths, with `cores` of the line's ends.
 pub(super) fn weights(fit: SpanFit, y: f64, z: f64, cores: Cores) -> Weights {
-    let [first, second] = moments(y, z.abs(), cores);
+    let moments = moments(y, z.abs(), cores);
     let mut weights = [[0.0; MOST_POINTS]; 2];
     for i in 0..fit.points().len() {
         let cardinal = fit.cardinal(i);
-        let dot = |moments: &[f64; MOST_POINTS]| cardinal.iter().zip(moments).map(|(c, m)| c * m).sum();
-        weights[0][i] = dot(&first);
-        weights[1][i] = dot(&second);
+        for (weights, moments) in weights.iter_mut().zip(&moments) {
+            weights[i] = cardinal.iter().zip(moments).map(|(c, m)| c * m).sum();
+        }
     }
     Weights(weights)
 }
@@ -134,9 +134,10 @@ fn far_moments(y: f64, z: f64) -> [[f64; MOST_POINTS]; 2] {
     for (eta, weight) in RULE.iter() {
         let inverse = 1.0 / ((y - eta) * (y - eta) + z * z);
         let (mut one, mut two) = (weight * inverse, weight * inverse * inverse);
-        for power in 0..MOST_POINTS {
-            moments[0][power] += one;
-            moments[1][power] += two;
+        let [first, second] = &mut moments;
+        for (first, second) in first.iter_mut().zip(second) {
+            *first += one;
+            *second += two;
             one *= eta;
             two *= eta;
         }
@@ -202,10 +203,12 @@ mod tests {
             let ends = if i == 0 || i == parts { 1.0 } else { f64::from(2 + 2 * (i % 2)) };
             let eta = -1.0 + h * f64::from(i);
             let inverse = 1.0 / ((y - eta).powi(2) + z * z);
-            for power in 0..MOST_POINTS {
-                let weight = eta.powi(i32::try_from(power).unwrap_or(0)) * ends * h / 3.0;
-                sum[0][power] += weight * inverse;
-                sum[1][power] += weight * inverse * inverse;
+            let mut weight = ends * h / 3.0;
+            let [one, two] = &mut sum;
+            for (one, two) in one.iter_mut().zip(two) {
+                *one += weight * inverse;
+                *two += weight * inverse * inverse;
+                weight *= eta;
             }
         }
         sum

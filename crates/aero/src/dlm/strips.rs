@@ -69,14 +69,14 @@ impl Strip {
         }
         let strip = Self {
             boxes: index..index + 1,
-            middle: Point2::new((from.y + to.y) / 2.0, (from.z + to.z) / 2.0),
+            middle: Point2::new(f64::midpoint(from.y, to.y), f64::midpoint(from.z, to.z)),
             along: (to - from).yz() / width,
             half_width_m: width / 2.0,
             receiver: Point2::new(receiver.y, receiver.z),
             lines: Vec::new(),
         };
         let line = Line {
-            x: (from.x + to.x) / 2.0,
+            x: f64::midpoint(from.x, to.x),
             sweep: (to.x - from.x) / 2.0,
             receiver_x: receiver.x,
             chord: panel.chord_m(),
