@@ -8,7 +8,7 @@ use coupling::{ElasticWing, WingFile};
 use serde_json::{Value, json};
 
 use crate::args::{BenchArgs, Common};
-use crate::commands::{bench_general, bench_structure};
+use crate::commands::{bench_dlm, bench_general, bench_structure};
 use crate::corrections::{campaign_path, wing_path};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
@@ -35,6 +35,11 @@ pub(crate) fn run(_args: &BenchArgs, common: &Common) -> Result<(), Failure> {
         median(|| {
             SteadyAero::new(&wing.lattice, MirrorPlane::None, 0.0).map(drop).map_err(Failure::computation)
         })?,
+    ));
+    let aircraft = bench_dlm::aircraft()?;
+    rows.push(row(
+        &format!("dlm_{}_boxes_8_frequencies", aircraft.len()),
+        median(|| bench_dlm::eight_frequencies(&aircraft))?,
     ));
     let calibration = calibrate(&wing, &campaign, &settings)?;
     let whole = median(|| {
