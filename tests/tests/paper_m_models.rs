@@ -27,7 +27,8 @@ fn at(q_pa: f64, alpha_deg: f64, delta_deg: f64) -> Condition {
     Condition::unpowered(q_pa, alpha_deg, delta_deg)
 }
 
-/// Half differences of the means over eight angles of attack: dynamic pressure, elevator, both; `ends` of the elevator.
+/// Effects over eight angles of attack, mean at the high level less mean at the low one: dynamic pressure, elevator,
+/// both; `ends` of the elevator.
 fn effects(model: &Model, ends: [f64; 2]) -> [f64; 3] {
     let mean = |v_m_s: f64, delta: f64| {
         let alphas = (4..=18).step_by(2);
