@@ -13,6 +13,7 @@ use crate::failure::Failure;
 const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("nastran", &[]),
     ("report", &[]),
+    ("response", &["nastran"]),
     ("structure", &["nastran"]),
     ("aero", &["nastran"]),
     ("coupling", &["nastran", "structure", "aero"]),
@@ -20,7 +21,10 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("maneuver", &["nastran", "structure", "aero", "coupling"]),
     ("fullaircraft", &["nastran", "structure", "aero", "coupling", "maneuver"]),
     ("tunnel", &["nastran", "structure", "aero", "coupling", "maneuver"]),
-    ("validation", &["nastran", "structure", "aero", "coupling", "calibrate", "maneuver", "fullaircraft"]),
+    (
+        "validation",
+        &["nastran", "structure", "aero", "coupling", "calibrate", "maneuver", "fullaircraft", "response"],
+    ),
     (
         "xtask",
         &[
@@ -34,6 +38,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
             "tunnel",
             "report",
             "validation",
+            "response",
         ],
     ),
 ];
@@ -42,8 +47,8 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
 const ONLY_IN: &[(&str, &[&str])] = &[
     ("clarabel", &["calibrate"]),
     ("kuva", &["report"]),
-    ("rand_chacha", &["tunnel"]),
-    ("rand_distr", &["tunnel"]),
+    ("rand_chacha", &["tunnel", "response"]),
+    ("rand_distr", &["tunnel", "response"]),
     ("clap", &["xtask"]),
     ("codespan-reporting", &["xtask"]),
     ("indicatif", &["xtask"]),

@@ -1,0 +1,4 @@
+//! Response surfaces.
+
+pub mod asymmetry;
+pub mod mav;
