@@ -58,19 +58,20 @@ pub(crate) fn wing_parts(file: &WingFile, bulk: &BulkData) -> Result<WingParts, 
 /// Indices of the spline's grids among the system's nodes, in the order the file gives them.
 ///
 /// # Errors
-/// If the set names a grid that the deck does not have.
+/// If the set names a grid that the deck does not have, or that no element holds.
 pub fn spline_nodes(file: &WingFile, bulk: &BulkData, system: &System) -> Result<Vec<usize>, InputError> {
-    file.spline_grid_ids(bulk)
-        .into_iter()
-        .map(|id| {
-            system.node_index(id).ok_or_else(|| {
-                InputError::in_file(
-                    &file.path,
-                    format!("the spline set names grid {id}, which the deck does not have"),
-                )
-            })
-        })
-        .collect()
+    let place = |id: u32| {
+        let fault = |what: &str| {
+            InputError::in_file(&file.path, format!("the spline set names grid {id}, which {what}"))
+        };
+        let node = system.node_index(id).ok_or_else(|| fault("the deck does not have"))?;
+        if system.is_attached(node) {
+            return Ok(node);
+        }
+        Err(fault("no element holds: loads on it would be lost")
+            .with_help("name grids of the structure, or tie this one to it with RBE2 or RBE3"))
+    };
+    file.spline_grid_ids(bulk).into_iter().map(place).collect()
 }
 
 /// The node whose height is the tip deflection: the file's `tip_grid`, or the spline node with the largest y.

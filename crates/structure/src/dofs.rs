@@ -55,8 +55,9 @@ impl Sets {
     }
 
     /// Holds motions that nothing touches: `is_touched` tells of a degree of freedom of the g-set (basic axes)
-    /// whether an element has stiffness or mass there. A motion that another one follows counts as touched.
-    pub(crate) fn hold_untouched(&mut self, is_touched: impl Fn(usize) -> bool) {
+    /// whether an element has stiffness or mass there. A motion that another one follows counts as touched. Gives for each
+    /// motion whether it is touched or follows others.
+    pub(crate) fn hold_untouched(&mut self, is_touched: impl Fn(usize) -> bool) -> Vec<bool> {
         let mut touched = vec![false; self.clamped.len()];
         for (dof, mark) in touched.iter_mut().enumerate() {
             *mark = match self.axes[dof / 6] {
@@ -71,9 +72,14 @@ impl Sets {
                 }
             }
         }
-        for (clamped, touched) in self.clamped.iter_mut().zip(touched) {
+        // Dependent motions follow what they follow, touched or not.
+        for dof in self.dependent.keys() {
+            touched[*dof] = true;
+        }
+        for (clamped, touched) in self.clamped.iter_mut().zip(&touched) {
             *clamped |= !touched;
         }
+        touched
     }
 
     /// The free motions and T.

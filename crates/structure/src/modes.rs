@@ -1,7 +1,7 @@
 //! Natural modes: K x = omega^2 M x by block subspace iteration, proven complete by a pivot count.
 //!
 //! Bathe's subspace iteration (*Finite Element Procedures*, ch. 11), each sweep over a short block Krylov space
-//! ([`crate::subspace`]), with a fixed start block without symmetry. A
+//! (`subspace.rs`), with a fixed start block without symmetry. A
 //! structure that can move freely is factorised as K + s M, where s goes down to the first elastic eigenvalue as soon
 //! as that shows. After convergence the number of eigenvalues below a shift just above the last mode
 //! ([`crate::sturm`]) must be the number found; if not, the block grows and the iteration goes on. A single-vector

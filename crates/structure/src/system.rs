@@ -26,6 +26,8 @@ pub struct System {
     m_gg: Sparse,
     k_ff: Sparse,
     m_ff: Sparse,
+    /// Nodes whose displacements no element touches.
+    unattached: Vec<usize>,
     /// Made when something is factorised for the first time.
     analysis: OnceLock<Arc<Analysis>>,
 }
@@ -57,12 +59,15 @@ impl System {
         for element in model.elements() {
             element.dofs().into_iter().for_each(|dof| touched[dof] = true);
         }
-        sets.hold_untouched(|dof| touched[dof]);
+        let touched = sets.hold_untouched(|dof| touched[dof]);
+        let unattached: Vec<usize> =
+            (0..model.nodes.len()).filter(|node| touched[6 * node..6 * node + 3] == [false; 3]).collect();
         let dofs = sets.map();
         let Assembled { k_gg, m_gg, k_ff, m_ff } = assemble::assembled(model, &dofs, factors);
         let ids = model.nodes.iter().map(|node| node.id).collect();
         let points = model.nodes.iter().map(|node| node.point).collect();
-        let system = Self { ids, points, dofs, k_gg, m_gg, k_ff, m_ff, analysis: OnceLock::new() };
+        let system =
+            Self { ids, points, dofs, k_gg, m_gg, k_ff, m_ff, unattached, analysis: OnceLock::new() };
         tracing::debug!(
             nodes = system.ids.len(),
             free = system.free_count(),
@@ -111,7 +116,17 @@ impl System {
         };
         let all: Vec<usize> = (0..n).collect();
         let ((k_gg, m_gg), (k_ff, m_ff)) = (sum(&all), sum(&dofs.free));
-        let system = Self { ids, points, dofs, k_gg, m_gg, k_ff, m_ff, analysis: OnceLock::new() };
+        let system = Self {
+            ids,
+            points,
+            dofs,
+            k_gg,
+            m_gg,
+            k_ff,
+            m_ff,
+            unattached: Vec::new(),
+            analysis: OnceLock::new(),
+        };
         assert!(system.is_finite(), "stiffness and mass are finite numbers");
         system
     }
@@ -138,6 +153,11 @@ impl System {
     /// Position of a grid among the nodes.
     pub fn node_index(&self, id: u32) -> Option<usize> {
         self.ids.binary_search(&id).ok()
+    }
+
+    /// Whether an element holds a node, or it follows others; a load on a node that nothing holds has no effect.
+    pub fn is_attached(&self, node: usize) -> bool {
+        self.unattached.binary_search(&node).is_err()
     }
 
     /// Places of the nodes in the basic system, m.

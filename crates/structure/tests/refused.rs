@@ -123,3 +123,11 @@ fn a_motion_without_stiffness_is_named() {
     let error = Flexibility::new(&system(&deck)).unwrap_err();
     assert_eq!(error.loose, [(2, 5)], "{error}");
 }
+
+#[test]
+fn a_grid_that_nothing_touches_is_held_and_known() {
+    let system = system(&(beam(1, 2, 2.0, 0.0) + &section() + "SPC1,1,123456,1\nGRID,50,,5.,5.,5.\n"));
+    assert!(Flexibility::new(&system).is_ok());
+    let attached = |id: u32| system.is_attached(system.node_index(id).unwrap());
+    assert!(attached(1) && attached(3) && !attached(50));
+}
