@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod assemble;
+pub mod deflection;
 pub mod history;
 mod operators;
 pub mod rig;
@@ -11,6 +12,7 @@ pub mod simulate;
 pub mod smoothing;
 pub mod step;
 
+pub use deflection::{DeflectionAt, DeflectionCorrection, fly_commanded, simulate_commanded};
 pub use history::{Channel, TimeHistory};
 pub use rig::{Actuator, Rig, RigError, RigSettings};
 pub use rig_model::{Inputs, Motion, RigModel};
