@@ -3,6 +3,7 @@
 mod assemble;
 pub mod deflection;
 pub mod history;
+pub mod maneuver_file;
 mod operators;
 pub mod rig;
 pub mod rig_model;
@@ -14,6 +15,7 @@ pub mod step;
 
 pub use deflection::{DeflectionAt, DeflectionCorrection, fly_commanded, simulate_commanded};
 pub use history::{Channel, TimeHistory};
+pub use maneuver_file::ManeuverFile;
 pub use rig::{Actuator, Rig, RigError, RigSettings};
 pub use rig_model::{Inputs, Motion, RigModel};
 pub use run::Run;
