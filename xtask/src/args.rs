@@ -91,10 +91,21 @@ pub struct CalibrateArgs {
 
 /// Options of `simulate`.
 #[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask simulate
+  cargo xtask simulate --run data/tuflex/measured/aoa_2hz_30.csv
+  cargo xtask simulate --maneuver data/tuflex/maneuvers/doublet.ron data/tuflex/maneuvers/chirp.ron
+  cargo xtask simulate --wing out/deflection/wing.ron --corrections out/deflection/corrections.ron
+
+The initial model is theory; the updated one has the corrections, and the wing's deflection correction if its file
+has one (commanded deflection, times K(deflection, V), actuator, surface). Deflections in results are commands.")]
 pub struct SimulateArgs {
-    /// Runs to simulate [default: all runs of the campaign]
+    /// Runs to simulate [default: all runs of the campaign, unless maneuvers are named]
     #[arg(long, value_name = "FILE", num_args = 1..)]
     pub run: Vec<PathBuf>,
+    /// Maneuvers declared in RON to fly (data/tuflex/maneuvers/doublet.ron explains every field)
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    pub maneuver: Vec<PathBuf>,
     /// The wing [default: data/tuflex/wing.ron]
     #[arg(long, value_name = "FILE")]
     pub wing: Option<PathBuf>,

@@ -16,6 +16,7 @@ mod modes_pictures;
 mod modes_update;
 pub(crate) mod pipeline;
 pub(crate) mod simulate;
+mod simulate_maneuvers;
 pub(crate) mod tidy;
 pub(crate) mod tunnel;
 pub(crate) mod validate;
