@@ -2,6 +2,7 @@
 
 mod assemble;
 pub mod deflection;
+pub mod deflection_fit;
 pub mod history;
 pub mod maneuver_file;
 mod operators;

@@ -1,6 +1,7 @@
 //! `simulate`: measured runs flown again, with and without corrections, beside what was measured; and declared
 //! maneuvers.
 
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -257,7 +258,7 @@ fn summary(flown: &[Flown], out: &Path, seconds: f64) -> String {
         text = format!("Root mean square of measured minus simulated:\n{table}");
     }
     if declared {
-        text += &format!("Largest change of a simulated load from its beginning:\n{changes}");
+        let _ = write!(text, "Largest change of a simulated load from its beginning:\n{changes}");
     }
     format!("{text}\n{seconds:.2} s; results in {}\n", out.display())
 }
