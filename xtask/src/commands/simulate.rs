@@ -114,7 +114,8 @@ fn refuse_twins(files: &[PathBuf]) -> Result<(), InputError> {
     Ok(())
 }
 
-fn settings(corrected: &CorrectedWing) -> RigSettings {
+/// How the rig of a wing is modelled.
+pub(crate) fn settings(corrected: &CorrectedWing) -> RigSettings {
     let file = &corrected.file;
     let mut settings = RigSettings::new(file.damping_ratio, file.pitch_axis_x());
     if let (Some(planform), Some((system, _))) = (file.planform(), &corrected.wing.structure) {

@@ -116,6 +116,11 @@ fn known(table: &DeflectionTable, earlier: &[DeflectionTable], controls: &[&str]
 }
 
 impl DeflectionTable {
+    /// What is wrong with the numbers, if anything; whether the wing has the control is asked when its file is read.
+    pub fn complaint(&self) -> Option<String> {
+        self.fault().map(|(_, message, _)| message)
+    }
+
     fn fault(&self) -> Option<Fault> {
         let name = &self.control;
         if self.rows.is_empty() {
