@@ -12,6 +12,7 @@
 //! The first is exact for white noise of the declared size and counts the filter's correlation; the second also sees
 //! what the model cannot follow and the noise of the measured angle. The larger of the two is taken.
 
+use crate::history::TimeHistory;
 use crate::rig_model::{Motion, RigModel};
 use crate::run::Run;
 use crate::simulate::motion_of;
@@ -116,7 +117,7 @@ pub fn fit_doublet(
     let unmoved = model.fly(&Motion { controls_rad: still, ..motion.clone() });
     let moved = model.fly(&motion);
     let channel = |c: usize| {
-        let of = |history: &crate::TimeHistory| history.get(LOADS[c]).unwrap_or(&[]).to_vec();
+        let of = |history: &TimeHistory| history.get(LOADS[c]).unwrap_or(&[]).to_vec();
         let (with, without) = (of(&moved), of(&unmoved));
         let x = with.iter().zip(&without).map(|(a, b)| a - b).collect::<Vec<f64>>();
         let y = measured[c].iter().zip(&without).map(|(m, b)| m - b).collect::<Vec<f64>>();
@@ -303,6 +304,19 @@ pub fn tables(factors: &[FittedFactor]) -> Result<Vec<DeflectionTable>, InputErr
         }
     }
     Ok(all)
+}
+
+/// Root mean square of measured minus simulated changes of Fz, Mx, My (filtered, without their means: what a deflection
+/// correction can be blamed for); none if the run has no loads.
+pub fn change_rms(run: &Run, simulated: &TimeHistory, cutoff_hz: f64) -> Option<[f64; 3]> {
+    let measured = run.loads.as_ref()?;
+    let rms = |c: usize| {
+        let of_model = simulated.get(LOADS[c]).unwrap_or(&[]);
+        let off: Vec<f64> = measured[c].iter().zip(of_model).map(|(m, s)| m - s).collect();
+        let off = centred(zero_phase(&off, run.time_step_s, cutoff_hz));
+        (dot(&off, &off) / off.len().max(1) as f64).sqrt()
+    };
+    Some([rms(0), rms(1), rms(2)])
 }
 
 /// Root mean square residual over sigma, all channels of all runs; runs count by their samples.

@@ -74,11 +74,13 @@ fn each_aileron_loses_what_its_table_says() {
             "{control} {degrees}: {per_degree} {expected}"
         );
     }
-    // Inner and middle saturate; the outer one rises above one at 5 degrees first (S43).
+    // Inner and middle saturate; the outer one rises at 5 degrees first (S43).
     for name in ["inner", "middle"] {
-        assert!((table(name, 5.0) - 1.0).abs() < 0.02 && table(name, 15.0) < 0.95 && table(name, 25.0) < 0.8);
+        assert!(table(name, 5.0) < table(name, 1.0) && table(name, 25.0) < 0.8 * table(name, 1.0), "{name}");
     }
-    assert!(table("outer", 1.0) < 1.03 && table("outer", 5.0) > 1.1 && table("outer", 25.0) < 0.8);
+    assert!(
+        table("outer", 5.0) > 1.1 * table("outer", 1.0) && table("outer", 25.0) < 0.8 * table("outer", 1.0)
+    );
 }
 
 #[test]
@@ -174,7 +176,7 @@ fn a_joiner_resists_pitch_acceleration() {
 fn the_shipped_runs_can_be_read_and_are_small() {
     let entries = nastran::read_text(&data("measured/campaign.ron")).unwrap();
     let files: Vec<&str> =
-        entries.split('"').filter(|word| word.ends_with(".csv") && *word != "static.csv").collect();
+        entries.split('"').filter(|word| word.contains(".csv") && *word != "static.csv").collect();
     assert!(files.len() >= 15, "{files:?}");
     let mut bytes = 0;
     for file in files {

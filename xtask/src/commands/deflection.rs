@@ -9,9 +9,11 @@ use calibrate::Campaign;
 use calibrate::campaign::Use;
 use coupling::wing_file::DeflectionTable;
 use maneuver::deflection_fit::{
-    DoubletFit, FittedFactor, doublet_of, fit_doublet, gap, noise_gap, pooled, tables,
+    DoubletFit, FittedFactor, change_rms, doublet_of, fit_doublet, gap, noise_gap, pooled, tables,
 };
-use maneuver::{DeflectionAt, DeflectionCorrection, Rig, RigModel, RigSettings, Run, simulate_commanded};
+use maneuver::{
+    DeflectionAt, DeflectionCorrection, Rig, RigModel, RigSettings, Run, Simulated, simulate_commanded,
+};
 use nastran::InputError;
 
 use crate::args::{Common, DeflectionArgs};
@@ -33,15 +35,15 @@ pub(crate) struct Measured {
     model: usize,
 }
 
-/// A held-out doublet: root mean square residuals with deflections as commanded, and corrected.
+/// A held-out doublet: root mean square residuals of Fz, Mx, My with deflections as commanded, and corrected.
 pub(crate) struct Judged {
     /// Name of the run.
     pub(crate) name: String,
     samples: usize,
-    /// Fz, Mx, My as commanded.
-    pub(crate) before: [f64; 3],
-    /// Fz, Mx, My with K.
-    pub(crate) after: [f64; 3],
+    /// Of the loads.
+    pub(crate) loads: [[f64; 3]; 2],
+    /// Of their changes, without the mean: no part of the trim.
+    pub(crate) changes: [[f64; 3]; 2],
 }
 
 /// What was found.
@@ -65,13 +67,14 @@ pub(crate) struct Found<'a> {
 }
 
 impl Found<'_> {
-    /// Gaps of the held-out doublets before and after; none without declared noise or held-out runs.
-    pub(crate) fn gaps(&self) -> Option<[f64; 2]> {
+    /// Gaps of the held-out doublets before and after, of the loads or of their changes; none without declared noise
+    /// or held-out runs.
+    pub(crate) fn gaps(&self, of: impl Fn(&Judged) -> [[f64; 3]; 2]) -> Option<[f64; 2]> {
         let sigma = self.sigma.filter(|_| !self.judged.is_empty())?;
-        let of = |rms: &dyn Fn(&Judged) -> [f64; 3]| {
-            gap(&self.judged.iter().map(|run| (run.samples, rms(run))).collect::<Vec<_>>(), sigma)
+        let at = |state: usize| {
+            gap(&self.judged.iter().map(|run| (run.samples, of(run)[state])).collect::<Vec<_>>(), sigma)
         };
-        Some([of(&|run| run.before), of(&|run| run.after)])
+        Some([at(0), at(1)])
     }
 }
 
@@ -103,7 +106,7 @@ pub(crate) fn run(args: &DeflectionArgs, common: &Common) -> Result<(), Failure>
     let noise_gap = noise_gap(first.run.time_step_s, settings.cutoff_hz);
     let factors = pooled(&fits.iter().map(|(_, fit)| fit.clone()).collect::<Vec<_>>());
     let tables = tables(&factors)?;
-    let (judged, remarks) = judge(&doublets, &models, &tables)?;
+    let (judged, remarks) = judge(&doublets, &models, &tables, settings.cutoff_hz)?;
     let found = Found { corrected: &corrected, fits, factors, tables, judged, sigma, noise_gap, remarks };
     for remark in &found.remarks {
         show::note(remark);
@@ -155,6 +158,7 @@ fn judge(
     doublets: &[Measured],
     models: &[RigModel],
     tables: &[DeflectionTable],
+    cutoff_hz: f64,
 ) -> Result<(Vec<Judged>, Vec<String>), Failure> {
     let correction = DeflectionCorrection::new(tables.to_vec());
     let (mut judged, mut remarks) = (Vec::new(), Vec::new());
@@ -170,10 +174,14 @@ fn judge(
         for (control, commanded) in &run.controls_rad {
             remarks.extend(at.beyond(control, commanded).map(|beyond| format!("{}: {beyond}", run.name)));
         }
-        let before = simulate_commanded(run, model, &DeflectionAt::default(), &doublet.file)?.residual_rms;
-        let after = simulate_commanded(run, model, &at, &doublet.file)?.residual_rms;
-        if let (Some(before), Some(after)) = (before, after) {
-            judged.push(Judged { name: run.name.clone(), samples: run.len(), before, after });
+        let before = simulate_commanded(run, model, &DeflectionAt::default(), &doublet.file)?;
+        let after = simulate_commanded(run, model, &at, &doublet.file)?;
+        let change = |simulated: &Simulated| change_rms(run, &simulated.history, cutoff_hz);
+        if let (Some(loads), Some(changes)) = (
+            before.residual_rms.zip(after.residual_rms).map(<[_; 2]>::from),
+            change(&before).zip(change(&after)).map(<[_; 2]>::from),
+        ) {
+            judged.push(Judged { name: run.name.clone(), samples: run.len(), loads, changes });
         }
     }
     Ok((judged, remarks))

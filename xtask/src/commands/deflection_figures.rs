@@ -1,5 +1,6 @@
 //! The figures of `deflection`: equivalent over commanded deflection (Fig. 15 of the paper) and the factor (Fig. 16), a
-//! panel for each control surface and a line for each airspeed; points are one standard error above and below.
+//! panel for each control surface and a line for each airspeed. Standard errors are smaller than the points as a rule, and
+//! in `deflection.csv`.
 
 use maneuver::deflection_fit::FittedFactor;
 use report::{Figure, Panel, Series, Style};
@@ -12,7 +13,7 @@ pub(crate) fn equivalents(factors: &[FittedFactor]) -> Figure {
     for panel in &mut figure.panels {
         let most = panel.series.iter().flat_map(|series| &series.x).fold(0.0, |most: f64, x| most.max(*x));
         panel.series.insert(0, Series::new("linear", vec![0.0, most], vec![0.0, most], Style::DashedLine));
-        for series in panel.series.iter_mut().filter(|series| series.name.ends_with("m/s")) {
+        for series in panel.series.iter_mut().filter(|series| series.style == Style::Line) {
             series.x.insert(0, 0.0);
             series.y.insert(0, 0.0);
         }
@@ -39,13 +40,9 @@ fn figure(factors: &[FittedFactor], y_label: &str, y: impl Fn(&FittedFactor, f64
             let at: Vec<&&FittedFactor> =
                 of.iter().filter(|fitted| format!("{:.1} m/s", fitted.v_m_s) == speed).collect();
             let x: Vec<f64> = at.iter().map(|fitted| fitted.commanded_rad.to_degrees()).collect();
-            let line = at.iter().map(|fitted| y(fitted, fitted.factor)).collect();
-            series.push(Series::new(speed, x.clone(), line, Style::Line));
-            for sign in [-1.0, 1.0] {
-                let bound =
-                    at.iter().map(|fitted| y(fitted, fitted.factor + sign * fitted.standard_error)).collect();
-                series.push(Series::new("one standard error", x.clone(), bound, Style::Points));
-            }
+            let values: Vec<f64> = at.iter().map(|fitted| y(fitted, fitted.factor)).collect();
+            series.push(Series::new(speed.clone(), x.clone(), values.clone(), Style::Line));
+            series.push(Series::new(speed, x, values, Style::Points));
         }
         Panel {
             title: format!("{control} aileron"),

@@ -16,7 +16,13 @@ pub(crate) fn json(found: &Found<'_>, seconds: f64) -> Value {
             "standard_error": fitted.standard_error, "runs": fitted.runs })
     };
     let channels = |v: [f64; 3]| json!({ "Fz_N": v[0], "Mx_Nm": v[1], "My_Nm": v[2] });
-    let run = |run: &Judged| json!({ "run": run.name, "before": channels(run.before), "after": channels(run.after) });
+    let both = |v: [[f64; 3]; 2]| json!({ "before": channels(v[0]), "after": channels(v[1]) });
+    let run = |run: &Judged| json!({ "run": run.name, "residual_rms": both(run.loads), "residual_rms_of_changes": both(run.changes) });
+    let gap = |gaps: Option<[f64; 2]>| {
+        gaps.map(
+            |[before, after]| json!({ "before": before, "after": after, "noise_alone": found.noise_gap }),
+        )
+    };
     let fits: Vec<Value> = found
         .fits
         .iter()
@@ -34,10 +40,9 @@ pub(crate) fn json(found: &Found<'_>, seconds: f64) -> Value {
         "factors": found.factors.iter().map(factor).collect::<Vec<_>>(),
         "training": fits,
         "holdout": {
-            "gap": found.gaps().map(|[before, after]| {
-                json!({ "before": before, "after": after, "noise_alone": found.noise_gap })
-            }),
-            "residual_rms": found.judged.iter().map(run).collect::<Vec<_>>(),
+            "gap": gap(found.gaps(|run| run.loads)),
+            "gap_of_changes": gap(found.gaps(|run| run.changes)),
+            "runs": found.judged.iter().map(run).collect::<Vec<_>>(),
         },
         "remarks": found.remarks,
         "seconds": seconds,
@@ -86,10 +91,10 @@ pub(crate) fn summary(found: &Found<'_>, out: &Path, seconds: f64) -> String {
             fitted.runs.to_string(),
         ]);
     }
-    let held = match found.gaps() {
-        Some([before, after]) => format!(
-            "{} held-out doublets: residual over noise {before:.2} with deflections as commanded, {after:.2} corrected \
-             ({:.2} is noise alone)",
+    let held = match found.gaps(|run| run.changes).zip(found.gaps(|run| run.loads)) {
+        Some(([before, after], [whole_before, whole_after])) => format!(
+            "{} held-out doublets, residual over noise ({:.2} is noise alone): {before:.2} with deflections as commanded, \
+             {after:.2} corrected; {whole_before:.2} and {whole_after:.2} with what the trim is off",
             found.judged.len(),
             found.noise_gap
         ),
