@@ -134,9 +134,9 @@ fn s36_the_updated_model_matches_all_three_loads_at_the_beginning() {
 #[test]
 fn s37_at_half_a_hertz_the_updated_amplitude_is_better_than_the_initial_one() {
     let run = flown("aoa_0p5hz_30");
-    for c in 0..3 {
+    for (c, load) in LOADS.into_iter().enumerate() {
         let [initial, updated] = [0, 1].map(|model| run.percent[model][c]);
-        assert!(updated < 0.1 * initial, "{}: {initial} % to {updated} %", LOADS[c]);
+        assert!(updated < 0.1 * initial, "{load}: {initial} % to {updated} %");
     }
     // the paper: the torsion moment improves most
     assert!(run.percent[0][2] > run.percent[0][0] && run.percent[0][2] > run.percent[0][1]);
@@ -154,10 +154,10 @@ fn s38_at_two_hertz_all_amplitudes_match() {
 #[test]
 fn s39_at_four_hertz_the_torsion_moment_does_not_follow_and_the_others_do() {
     let run = flown("aoa_4hz_30");
-    for c in 0..2 {
+    for (c, load) in LOADS.into_iter().enumerate().take(2) {
         let ratio = amplitude(&run.simulated, c, 4.0) / amplitude(&run.measured, c, 4.0);
-        assert!((ratio - 1.0).abs() < 0.05, "{}: {ratio}", LOADS[c]);
-        assert!(run.percent[1][c] < 8.0, "{}: {} %", LOADS[c], run.percent[1][c]);
+        assert!((ratio - 1.0).abs() < 0.05, "{load}: {ratio}");
+        assert!(run.percent[1][c] < 8.0, "{load}: {} %", run.percent[1][c]);
     }
     // the joiner's inertia is in no model: the residual of My is a fifth of its variation and more, and it has the shape
     // of the angle's second derivative, two bumps down and one up

@@ -100,8 +100,10 @@ impl Curve {
         let (first, last) = ends.map_or((v_m_s, v_m_s), |(first, last)| (first.v_m_s, last.v_m_s));
         let inside = (first * (1.0 - STRAY)..=last * (1.0 + STRAY)).contains(&v_m_s);
         if !inside && table.outside == OutsideAirspeeds::Refuse {
+            let range =
+                if rows.len() > 1 { format!("from {first} to {last}") } else { format!("at {first}") };
             let message = format!(
-                "the deflection correction of {} was measured from {first} to {last} m/s, not at {v_m_s:.2} m/s",
+                "the deflection correction of {} was measured {range} m/s, not at {v_m_s:.2} m/s",
                 table.control
             );
             return Err(InputError::general(message).with_help(
