@@ -126,7 +126,8 @@ pub struct SimulateArgs {
   cargo xtask deflection --campaign my_campaign --wing my_wing.ron --out out/my_deflection
   cargo xtask simulate --wing out/deflection/wing.ron --corrections out/deflection/corrections.ron
 
-Runs that are doublets of one control surface and marked `use: Train` are fitted; those marked Holdout only judge.
+Runs that are doublets of one control surface are fitted if they are marked `use: Train` or not marked at all; those
+marked Holdout only judge.
 Writes wing.ron (the given wing with the correction), corrections.ron (the given ones, for that wing), deflection.csv,
 equivalent.svg, factors.svg and result.json. The factor is linear between measured deflections and airspeeds, kept
 below the smallest and above the largest deflection, and refused beyond the measured airspeeds.")]

@@ -167,3 +167,20 @@ fn a_rewritten_file_keeps_its_comments_and_is_the_same_wing_with_the_tables() {
         assert_eq!(as_before, wing);
     }
 }
+
+#[test]
+fn a_rewritten_deck_wing_names_its_deck_by_the_absolute_path() {
+    let copy = Copy::new("deck", |_| {
+        "Wing(name: \"deck\", source: Deck((file: \"wing.bdf\")), balance: (x_m: 0.0, y_m: 0.0, z_m: 0.0), \
+         correction: (chord_strips: 1, span_order: 1))\n"
+            .to_owned()
+    });
+    std::fs::write(copy.0.join("wing.bdf"), "BEGIN BULK\nGRID,1,,0.,0.,0.\nENDDATA\n").unwrap();
+    let wing = copy.read().unwrap();
+    let rewritten = wing.with_deflection(vec![table("AIL1")]).unwrap();
+    assert!(rewritten.beside.is_empty());
+    let path = copy.0.join("wing.bdf");
+    assert!(rewritten.text.contains(&format!("{:?}", path.to_string_lossy())), "{}", rewritten.text);
+    let again: WingFile = nastran::ron_file::parse("again.ron", &rewritten.text).unwrap();
+    assert_eq!(again.deflection, [table("AIL1")]);
+}
