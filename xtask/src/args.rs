@@ -181,9 +181,13 @@ pub struct ValidateArgs {
     pub only: Option<String>,
 }
 
-/// Options of `bench`: none of its own.
-#[derive(Debug, Clone, Default, Args)]
-pub struct BenchArgs {}
+/// Options of `bench`.
+#[derive(Debug, Clone, Args)]
+pub struct BenchArgs {
+    /// A Python with PanelAero, timed on the same boxes in the same run [default: python3, if it has it]
+    #[arg(long, value_name = "PYTHON", default_value = "python3")]
+    pub peer_python: PathBuf,
+}
 
 /// Options of `tidy`: none of its own.
 #[derive(Debug, Clone, Default, Args)]

@@ -1,7 +1,10 @@
 #![doc = include_str!("../README.md")]
 
+pub mod air;
 mod assemble;
 pub mod history;
+mod linear;
+mod load_rows;
 mod operators;
 pub mod rig;
 pub mod rig_model;
@@ -9,9 +12,12 @@ pub mod run;
 pub mod signals;
 pub mod simulate;
 pub mod smoothing;
+mod state_space;
 pub mod step;
 
+pub use air::AirModel;
 pub use history::{Channel, TimeHistory};
+pub use load_rows::Station;
 pub use rig::{Actuator, Rig, RigError, RigSettings};
 pub use rig_model::{Inputs, Motion, RigModel};
 pub use run::Run;
