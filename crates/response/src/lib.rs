@@ -3,16 +3,23 @@
 pub mod asymmetry;
 pub mod mav;
 
+mod choice;
 mod columns;
 mod data;
 mod distributions;
 mod fault;
+mod predict;
+mod pure_error;
 mod qr;
 mod regression;
 mod reml;
 mod term;
+mod total_sum;
 
+pub use choice::{Choice, Criteria, ErrorRule, Rules, Search, Step, choose};
 pub use data::{Blocks, Data};
 pub use fault::Fault;
+pub use predict::{Prediction, Slope};
+pub use pure_error::{BlockShare, FTest, PureError, block_share, lack_of_fit, pure_error};
 pub use regression::{BlockOffset, Blocking, Coefficient, Regression};
 pub use term::Term;

@@ -69,7 +69,9 @@ impl Qr {
     }
 
     fn push(&mut self, mut rest: Vec<f64>, mut shares: Vec<f64>, norm: f64) {
-        rest.iter_mut().for_each(|value| *value /= norm);
+        for value in &mut rest {
+            *value /= norm;
+        }
         shares.push(norm);
         self.q.push(rest);
         self.r.push(shares);

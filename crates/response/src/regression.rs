@@ -4,10 +4,12 @@
 use crate::columns::Columns;
 use crate::data::{Blocks, Data};
 use crate::distributions::{t_quantile, two_sided_t};
-use crate::fault::Fault;
+use crate::fault::{Fault, list};
+use crate::pure_error::FTest;
 use crate::qr::{Qr, dot, residuals, subtract};
 use crate::reml::{transformed, variance_ratio};
 use crate::term::Term;
+use crate::total_sum::total_sum;
 
 /// What is done with the blocks of the data.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -227,9 +229,36 @@ impl Regression {
         self.qr.leverage(&self.padded(terms))
     }
 
-    /// x' (X'X)^-1 z, in the same way.
-    pub(crate) fn covariance(&self, one: &[f64], other: &[f64]) -> f64 {
-        dot(&self.qr.whiten(&self.padded(one)), &self.qr.whiten(&self.padded(other)))
+    /// F test of a family of terms: what they explain together beyond the others, against the residual. One for a term
+    /// alone is the square of its t.
+    ///
+    /// # Errors
+    /// If a term of the family is not in the surface, or the family is empty.
+    pub fn family_test(&self, family: &[Term]) -> Result<FTest, Fault> {
+        let (mut values, mut white, mut names) = (Vec::new(), Vec::new(), Vec::new());
+        for term in family {
+            let found = self.coefficients.iter().position(|c| c.term == *term).ok_or_else(|| {
+                let known: Vec<String> = self.terms().iter().map(ToString::to_string).collect();
+                let known = list(known.iter().map(String::as_str));
+                Fault::Unknown { what: "term in the surface", name: term.to_string(), known }
+            })?;
+            let mut unit = vec![0.0; self.parameters()];
+            unit[found] = 1.0;
+            white.push(self.qr.whiten(&unit));
+            values.push(self.coefficients[found].value);
+            names.push(term.to_string());
+        }
+        if family.is_empty() {
+            return Err(Fault::Number {
+                what: "the number of terms to test",
+                value: 0.0,
+                expected: "at least 1",
+            });
+        }
+        // b' C^-1 b with C = W' W, the family's part of (X'X)^-1
+        let explained = Qr::new(&white, &names)?.leverage(&values);
+        let (above, below) = (family.len() as f64, self.degrees_of_freedom);
+        Ok(FTest::new(explained, above, self.error_variance * below, below))
     }
 
     fn padded(&self, terms: &[f64]) -> Vec<f64> {
@@ -239,18 +268,6 @@ impl Regression {
     }
 }
 
-/// Sum of squares that the terms have to explain.
-fn total_sum(data: &Data, y: &[f64], terms: &[Term], blocking: Blocking) -> Result<f64, Fault> {
-    let constant: Vec<Term> = terms.iter().filter(|term| term.is_constant()).cloned().collect();
-    let mut columns = Columns::of_terms(data, &constant)?;
-    if blocking == Blocking::Fixed {
-        columns = columns.with_blocks(data.blocks());
-    }
-    let qr = Qr::new(&columns.values, &columns.names)?;
-    let (rest, _) = qr.remainder(y);
-    Ok(dot(&rest, &rest))
-}
-
 /// Offsets of all blocks from those of all but the last of each column.
 fn fixed_offsets(mut solved: &[f64], of: &[Blocks]) -> Vec<BlockOffset> {
     let mut offsets = Vec::new();
@@ -258,7 +275,9 @@ fn fixed_offsets(mut solved: &[f64], of: &[Blocks]) -> Vec<BlockOffset> {
         let (own, others) = solved.split_at(blocks.labels.len() - 1);
         solved = others;
         let mut last = [0.0];
-        own.iter().for_each(|value| subtract(&mut last, *value, &[1.0]));
+        for value in own {
+            subtract(&mut last, *value, &[1.0]);
+        }
         for (label, value) in blocks.labels.iter().zip(own.iter().chain(&last)) {
             let (blocks, label) = (blocks.name.clone(), label.clone());
             offsets.push(BlockOffset { blocks, label, value: *value });
