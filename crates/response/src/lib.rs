@@ -6,6 +6,7 @@ pub mod mav;
 mod choice;
 mod columns;
 mod data;
+pub mod design;
 mod distributions;
 mod fault;
 mod predict;

@@ -52,7 +52,8 @@ fn recovery(published: &Published, series: Series, response: usize, order: u32, 
     let mut kept = vec![0; true_terms.len()];
     let mut spurious = 0;
     for data in &draws {
-        let choice = choose(data, &name, &candidates, Rules { search, ..Rules::default() }).expect("a choice");
+        let choice =
+            choose(data, &name, &candidates, Rules { search, ..Rules::default() }).expect("a choice");
         assert!(choice.complete);
         let chosen = choice.fitted.terms();
         for ((term, _), kept) in true_terms.iter().zip(&mut kept) {
