@@ -66,6 +66,12 @@ pub enum Command {
     Pipeline(PipelineArgs),
     /// The virtual wind tunnel: writes a campaign folder
     Tunnel(TunnelArgs),
+    /// Natural frequencies and shapes of a structure; with measurements, their fit by factors of regions
+    Modes(ModesArgs),
+    /// The wing as a Nastran deck: structure, boxes and splines
+    Deck(DeckArgs),
+    /// Our results beside every published reference
+    Validate(ValidateArgs),
     /// Time of the main steps
     Bench(BenchArgs),
     /// Check the house rules of the repository
@@ -124,6 +130,55 @@ pub struct TunnelArgs {
     /// What the tunnel measures and hides [default: data/tuflex/tunnel.ron]
     #[arg(long, value_name = "FILE")]
     pub runs: Option<PathBuf>,
+}
+
+/// Options of `modes`.
+#[derive(Debug, Clone, Default, Args)]
+pub struct ModesArgs {
+    /// The wing [default: data/tuflex/wing.ron]
+    #[arg(long, value_name = "FILE", conflicts_with = "deck")]
+    pub wing: Option<PathBuf>,
+    /// A Nastran deck instead of a wing
+    #[arg(long, value_name = "FILE")]
+    pub deck: Option<PathBuf>,
+    /// Number of modes [default: 10, or as many as there are]
+    #[arg(long, value_name = "N")]
+    pub count: Option<usize>,
+    /// Measured frequencies, shapes and deflections, and the regions whose stiffness and mass are fitted to them
+    #[arg(long, value_name = "FILE")]
+    pub measured: Option<PathBuf>,
+}
+
+/// Options of `deck`.
+#[derive(Debug, Clone, Default, Args)]
+pub struct DeckArgs {
+    /// The wing [default: data/tuflex/wing.ron]
+    #[arg(long, value_name = "FILE")]
+    pub wing: Option<PathBuf>,
+    /// Corrections from `calibrate` to write as WKK and FA2J
+    #[arg(long, value_name = "FILE")]
+    pub corrections: Option<PathBuf>,
+    /// Airspeed of the corrections, m/s [default: the first of the file]
+    #[arg(long, value_name = "V", requires = "corrections")]
+    pub airspeed: Option<f64>,
+    /// Number of modes asked for in the case control
+    #[arg(long, value_name = "N", default_value_t = 10)]
+    pub count: usize,
+    /// Write CBAR and PBAR instead of CBEAM and PBEAM where the section is uniform and has no offsets (for programs
+    /// without CBEAM)
+    #[arg(long)]
+    pub bars: bool,
+}
+
+/// Options of `validate`.
+#[derive(Debug, Clone, Default, Args)]
+pub struct ValidateArgs {
+    /// The folder of published cases [default: data/published]
+    #[arg(long, value_name = "DIR")]
+    pub data: Option<PathBuf>,
+    /// Only cases whose name begins with this
+    #[arg(long, value_name = "NAME")]
+    pub only: Option<String>,
 }
 
 /// Options of `bench`: none of its own.

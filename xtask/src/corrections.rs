@@ -70,14 +70,16 @@ pub(crate) fn corrected_wing(
     Ok(CorrectedWing { file, wing, schedule, origin })
 }
 
-/// The corrections of a calibration as a schedule.
+/// The corrections of a calibration as a schedule; one set for all airspeeds stands at both ends of their range.
 pub(crate) fn schedule(file: &WingFile, calibration: &Calibration) -> Schedule {
     let set = |a: &calibrate::AirspeedCalibration| CorrectionSet::new(a.data.v_m_s, a.corrections.clone());
-    Schedule {
-        wing: file.name.clone(),
-        wing_hash: file.hash.clone(),
-        sets: calibration.airspeeds.iter().map(set).collect(),
+    let mut sets: Vec<CorrectionSet> = calibration.airspeeds.iter().map(set).collect();
+    if let Some(common) = &calibration.common {
+        let [slow, fast] = common.v_range_m_s;
+        let ends = if slow < fast { vec![slow, fast] } else { vec![fast] };
+        sets.extend(ends.into_iter().map(|v_m_s| CorrectionSet::new(v_m_s, common.corrections.clone())));
     }
+    Schedule { wing: file.name.clone(), wing_hash: file.hash.clone(), sets }
 }
 
 /// Corrections at an airspeed, which may stray a little from the calibrated range, as tunnels do.

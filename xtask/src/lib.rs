@@ -15,6 +15,7 @@ pub mod output;
 pub mod paths;
 pub mod progress;
 pub mod show;
+pub mod structures;
 pub mod tidy;
 
 use args::{Cli, Command, Common};
@@ -36,7 +37,13 @@ pub fn main() -> ExitCode {
 fn run(cli: &Cli) -> Result<(), Failure> {
     let common = &cli.common;
     if let (
-        Command::Calibrate(_) | Command::Simulate(_) | Command::Fullaircraft(_) | Command::Tunnel(_),
+        Command::Calibrate(_)
+        | Command::Simulate(_)
+        | Command::Fullaircraft(_)
+        | Command::Tunnel(_)
+        | Command::Modes(_)
+        | Command::Deck(_)
+        | Command::Validate(_),
         Some(out),
     ) = (&cli.command, &common.out)
     {
@@ -49,6 +56,9 @@ fn run(cli: &Cli) -> Result<(), Failure> {
         Command::Fullaircraft(args) => commands::fullaircraft::run(args, common),
         Command::Pipeline(args) => commands::pipeline::run(args, common),
         Command::Tunnel(args) => commands::tunnel::run(args, common),
+        Command::Modes(args) => commands::modes::run(args, common),
+        Command::Deck(args) => commands::deck::run(args, common),
+        Command::Validate(args) => commands::validate::run(args, common),
         Command::Bench(args) => commands::bench::run(args, common),
         Command::Tidy(args) => commands::tidy::run(args, common),
     }

@@ -39,6 +39,18 @@ pub enum AeroError {
         /// What was asked for.
         mach: f64,
     },
+    /// A frequency that is none.
+    #[error("omega/V of {omega_over_v} 1/m is out of range: expected a number that is not negative")]
+    Frequency {
+        /// What was asked for, 1/m.
+        omega_over_v: f64,
+    },
+    /// A box that the stream sees as a line along itself.
+    #[error("box {id} has no width across the stream (y, z), which doublets need")]
+    NoWidth {
+        /// The box.
+        id: u32,
+    },
     /// No boxes.
     #[error("the lattice has no boxes")]
     Empty,

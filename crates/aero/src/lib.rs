@@ -3,6 +3,7 @@
 pub mod airfoil;
 pub mod controls;
 pub mod corrections;
+pub mod dlm;
 pub mod error;
 pub mod flow;
 pub mod geometry;
@@ -16,6 +17,7 @@ pub mod vlm;
 pub use airfoil::Airfoil;
 pub use controls::ControlSurface;
 pub use corrections::Corrections;
+pub use dlm::{DlmSettings, DoubletLattice, KernelIntegral, OscillatoryAero, SpanFit, oscillatory};
 pub use error::AeroError;
 pub use flow::Flow;
 pub use geometry::AeroBox;

@@ -18,28 +18,52 @@ use rayon::prelude::*;
 /// # Errors
 /// If the lattice is empty, meets the plane of symmetry, or the Mach number is not in 0..1.
 pub fn influence(lattice: &Lattice, plane: MirrorPlane, mach: f64) -> Result<Mat<f64>, AeroError> {
+    plane.check(lattice)?;
+    let mut matrix = influence_of_own(lattice, mach)?;
+    if let Some((y_m, sign)) = plane.image() {
+        add(&mut matrix, lattice, mach, Some(y_m), sign);
+    }
+    Ok(matrix)
+}
+
+/// The influence matrix without an image.
+///
+/// # Errors
+/// If the lattice is empty or the Mach number is not in 0..1.
+pub(crate) fn influence_of_own(lattice: &Lattice, mach: f64) -> Result<Mat<f64>, AeroError> {
     if !(0.0..1.0).contains(&mach) {
         return Err(AeroError::Mach { mach });
     }
     if lattice.is_empty() {
         return Err(AeroError::Empty);
     }
-    plane.check(lattice)?;
-    let beta = (1.0 - mach * mach).sqrt();
-    let vortices = horseshoes(lattice, beta);
-    let own = Receivers::new(lattice, beta, None);
-    let image = plane.image().map(|(y_m, sign)| (Receivers::new(lattice, beta, Some(y_m)), sign));
     let mut matrix = Mat::zeros(lattice.len(), lattice.len());
+    add(&mut matrix, lattice, mach, None, 1.0);
+    Ok(matrix)
+}
+
+/// The influence of the lattice's mirror image about y = `y_m` alone.
+pub(crate) fn influence_of_image(lattice: &Lattice, mach: f64, y_m: f64) -> Mat<f64> {
+    let mut matrix = Mat::zeros(lattice.len(), lattice.len());
+    add(&mut matrix, lattice, mach, Some(y_m), 1.0);
+    matrix
+}
+
+/// Adds `factor` times the influence of the lattice on itself, or of its image about a plane.
+fn add(matrix: &mut Mat<f64>, lattice: &Lattice, mach: f64, plane: Option<f64>, factor: f64) {
+    let beta = (1.0 - mach * mach).sqrt();
+    let (vortices, receivers) = (horseshoes(lattice, beta), Receivers::new(lattice, beta, plane));
     matrix.par_col_iter_mut().zip(vortices.par_iter()).for_each(|(column, vortex)| {
         // A column of a new matrix is contiguous.
         let Some(column) = column.try_as_col_major_mut() else { return };
-        let column = column.as_slice_mut();
-        own.add_incidence(vortex, 1.0, column);
-        if let Some((receivers, sign)) = &image {
-            receivers.add_incidence(vortex, *sign, column);
-        }
+        receivers.add_incidence(vortex, factor, column.as_slice_mut());
     });
-    Ok(matrix)
+}
+
+/// The row of the first pivot that is lost in round-off, if any.
+pub(crate) fn lost_pivot(sizes: &[f64]) -> Option<usize> {
+    let largest = sizes.iter().fold(0.0, |a: f64, b| a.max(*b));
+    sizes.iter().position(|size| !size.is_finite() || *size <= 1e-13 * largest)
 }
 
 /// The lattice solved once: pressures for any incidence.
@@ -55,11 +79,8 @@ impl SteadyAero {
     /// As [`influence`], and if the matrix is singular.
     pub fn new(lattice: &Lattice, plane: MirrorPlane, mach: f64) -> Result<Self, AeroError> {
         let factors = influence(lattice, plane, mach)?.partial_piv_lu();
-        let pivots = factors.U().diagonal();
-        let size = |i: usize| pivots[i].abs();
-        let largest = (0..lattice.len()).map(size).fold(0.0, f64::max);
-        let lost = |&i: &usize| !size(i).is_finite() || size(i) <= 1e-13 * largest;
-        match (0..lattice.len()).find(lost) {
+        let pivots: Vec<f64> = factors.U().diagonal().column_vector().iter().map(|p| p.abs()).collect();
+        match lost_pivot(&pivots) {
             Some(i) => Err(AeroError::Singular { id: lattice.boxes[i].id }),
             None => Ok(Self { factors }),
         }

@@ -66,15 +66,15 @@ impl Basis {
         (0..self.terms).map(|k| x[from + k] * self.polynomials[(b, k)]).sum()
     }
 
-    /// Chain rule: 3 by unknowns from derivatives by the corrections of each box.
+    /// Chain rule: 4 (Fz, Mx, My, tip height) by unknowns from derivatives by the corrections of each box.
     pub fn gradient(&self, sensitivity: &RootSensitivity) -> Mat<f64> {
-        let mut gradient = Mat::zeros(3, self.size());
+        let mut gradient = Mat::zeros(4, self.size());
         let families = [&sensitivity.by_force, &sensitivity.by_moment, &sensitivity.by_offset];
         for (family, by_box) in families.into_iter().enumerate() {
             for b in 0..self.strip_of.len() {
                 let from = self.column(family, self.strip_of[b]);
                 for k in 0..self.terms {
-                    for channel in 0..3 {
+                    for channel in 0..4 {
                         gradient[(channel, from + k)] += by_box[(channel, b)] * self.polynomials[(b, k)];
                     }
                 }

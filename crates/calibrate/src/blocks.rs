@@ -25,7 +25,7 @@ impl BlockFit {
         let mut rows = 0;
         for cell in cells {
             let count = cell.rows.len() as f64;
-            let value = |row: &&StaticPoint| row.loads[channel].unwrap_or(0.0);
+            let value = |row: &&StaticPoint| row.reading(channel);
             let mean = cell.rows.iter().map(value).sum::<f64>() / count;
             let mut in_block = vec![0.0; blocks];
             for row in &cell.rows {

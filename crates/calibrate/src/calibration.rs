@@ -1,14 +1,17 @@
-//! The whole calibration: every airspeed for itself and in parallel, then what they say together.
+//! The whole calibration: every airspeed for itself and in parallel, then what they say together; or one set for all.
 
 use crate::basis::Basis;
 use crate::bounds::{Bounds, bounds};
-use crate::campaign::Campaign;
-use crate::fit::{Ending, Fit, Problem};
+use crate::campaign::{Campaign, Sets, TIP, TipReading};
+use crate::common::CommonCalibration;
+use crate::fit::{Ending, Fit, FlowGroup, Problem};
 use crate::identifiability::{Identifiability, Inputs, identifiability};
 use crate::left_out::{LeftOut, LeftOutAirspeed, left_out_airspeed, left_out_angles};
+use crate::lift_factor::{LiftFactor, lift_factor};
 use crate::objective::{LineFit, line_fit, objective};
 use crate::settings::Settings;
 use crate::statics::{AirspeedData, StaticData};
+use crate::tip_zero::TipZero;
 use aero::{Corrections, Flow};
 use coupling::{CouplingError, SteadyCase, SteadyModel};
 use faer::Mat;
@@ -26,12 +29,16 @@ pub struct AirspeedCalibration {
     pub fit: Fit,
     /// Straight lines through the data, their error, tests for nonlinearity.
     pub line: LineFit,
+    /// Weights of Eq. 8: the settings', and the tip's in N m/m (zero if it is not fitted).
+    pub weights: [f64; 4],
     /// Eq. 8 of the straight lines.
     pub line_floor: f64,
     /// Eq. 8 that noise alone gives; none if noise is not known.
     pub noise_floor: Option<f64>,
     /// What the data can tell.
     pub identifiability: Option<Identifiability>,
+    /// Factor on all loads of the theory that fits best; only where the tip is fitted.
+    pub lift: Option<LiftFactor>,
     /// Every other angle left out of a fit and predicted.
     pub left_out: Option<LeftOut>,
     /// This airspeed left out and predicted from its neighbours' corrections.
@@ -52,8 +59,10 @@ pub struct TiltTare {
 /// A finished calibration.
 #[derive(Debug, Clone)]
 pub struct Calibration {
-    /// Airspeeds in ascending order.
+    /// Airspeeds in ascending order; empty if one set serves all.
     pub airspeeds: Vec<AirspeedCalibration>,
+    /// The set that serves all airspeeds, if the campaign asks for one.
+    pub common: Option<CommonCalibration>,
     /// Air density of the campaign, kg/m³.
     pub rho_kg_m3: f64,
     /// The data behind them: blocks, noise, what was left aside.
@@ -74,15 +83,16 @@ pub fn calibrate<M: SteadyModel>(
     settings: &Settings,
 ) -> Result<Calibration, CouplingError> {
     let data = StaticData::from_campaign(campaign)?;
-    check_settings(model, settings)?;
+    check_settings(model, settings, &data)?;
     check_divergence(model, campaign.rho_kg_m3, &data)?;
     let context = Context::new(model, campaign.rho_kg_m3, &data, settings);
-    let mut airspeeds = data
-        .airspeeds
-        .par_iter()
-        .map(|airspeed| context.airspeed(airspeed))
-        .collect::<Result<Vec<_>, _>>()?;
-    let across = left_out_airspeed(model, campaign.rho_kg_m3, &airspeeds, data.channels, settings.weights)?;
+    let (each, common) = match data.sets {
+        Sets::EachAirspeed => (&data.airspeeds[..], None),
+        Sets::Common => (&[][..], Some(context.common()?)),
+    };
+    let mut airspeeds =
+        each.par_iter().map(|airspeed| context.airspeed(airspeed)).collect::<Result<Vec<_>, _>>()?;
+    let across = left_out_airspeed(model, campaign.rho_kg_m3, &airspeeds, &data)?;
     for (airspeed, left_out) in airspeeds.iter_mut().zip(across) {
         airspeed.left_out_airspeed = left_out;
     }
@@ -91,6 +101,7 @@ pub fn calibrate<M: SteadyModel>(
         tilt_tare: tilt_tare(model, campaign.rho_kg_m3, &data)?,
         nonlinearity_level: settings.significance / tests as f64,
         airspeeds,
+        common,
         rho_kg_m3: campaign.rho_kg_m3,
         data,
     })
@@ -122,7 +133,15 @@ fn check_divergence<M: SteadyModel>(
     Ok(())
 }
 
-fn check_settings<M: SteadyModel>(model: &M, settings: &Settings) -> Result<(), InputError> {
+fn check_settings<M: SteadyModel>(
+    model: &M,
+    settings: &Settings,
+    data: &StaticData,
+) -> Result<(), InputError> {
+    if data.channels[TIP] && !model.has_tip() {
+        return Err(InputError::general("the campaign fits tip deflections, but the wing is rigid")
+            .with_help("give the wing a structure, or write `tip: Unused` in campaign.ron"));
+    }
     let boxes = model.correctable();
     let rows = boxes.chord_rows.iter().copied().min().unwrap_or(0);
     if settings.chord_strips == 0 || settings.chord_strips > rows {
@@ -136,13 +155,13 @@ fn check_settings<M: SteadyModel>(model: &M, settings: &Settings) -> Result<(), 
 }
 
 /// What all airspeeds share.
-struct Context<'a, M: SteadyModel> {
-    model: &'a M,
-    rho_kg_m3: f64,
-    data: &'a StaticData,
-    settings: &'a Settings,
-    basis: Basis,
-    bounds: Bounds,
+pub(crate) struct Context<'a, M: SteadyModel> {
+    pub(crate) model: &'a M,
+    pub(crate) rho_kg_m3: f64,
+    pub(crate) data: &'a StaticData,
+    pub(crate) settings: &'a Settings,
+    pub(crate) basis: Basis,
+    pub(crate) bounds: Bounds,
 }
 
 impl<'a, M: SteadyModel> Context<'a, M> {
@@ -156,20 +175,24 @@ impl<'a, M: SteadyModel> Context<'a, M> {
     fn airspeed(&self, airspeed: &AirspeedData) -> Result<AirspeedCalibration, CouplingError> {
         let flow = Flow { v_m_s: airspeed.v_m_s, rho_kg_m3: self.rho_kg_m3 };
         let line = line_fit(self.data, airspeed);
-        let line_floor = objective(line.rmse, self.settings.weights);
-        let noise_floor = self.data.noise_floor(airspeed);
-        let metric = self.metric(flow, airspeed)?;
+        let weights = self.weights(&[flow])?;
+        let line_floor = objective(line.rmse, weights);
+        let noise_floor = self.data.noise_floor(airspeed, weights);
+        let metric = self.metric(std::slice::from_ref(airspeed))?;
         let problem = Problem {
             model: self.model,
-            flow,
-            angles: &airspeed.angles,
+            groups: vec![FlowGroup { flow, angles: &airspeed.angles }],
             channels: self.data.channels,
+            weights,
+            zero: TipZero::new(vec![0; airspeed.angles.len()], self.data.tip == TipReading::FreeZero),
             basis: &self.basis,
             bounds: &self.bounds,
             metric: &metric,
             settings: self.settings,
             line_floor,
             noise_floor: noise_floor.unwrap_or(0.0),
+            start: 1.0,
+            slack: 1.0,
         };
         let fit = problem.fit()?;
         let solution = problem.linearise(&fit.x)?;
@@ -180,39 +203,65 @@ impl<'a, M: SteadyModel> Context<'a, M> {
                 &solution,
                 &Inputs {
                     basis: &self.basis,
+                    area_share: &self.model.correctable().area_share,
                     metric: &metric,
                     prior_spread: self.settings.prior_spread,
                     channels: self.data.channels,
-                    angles: &airspeed.angles,
+                    angles: airspeed.angles.iter().collect(),
+                    zero: &problem.zero,
                     point_sigma,
                     common_sigma: self.common_sigma(),
                 },
             ),
+            lift: if self.data.channels[TIP] { lift_factor(&problem, point_sigma)? } else { None },
             left_out: left_out_angles(&problem, &line)?,
             left_out_airspeed: None,
             data: airspeed.clone(),
             fit,
             line,
+            weights,
             line_floor,
             noise_floor,
         })
     }
 
     /// The mean of a few blocks' offsets is itself uncertain by their spread over the root of their number.
-    fn common_sigma(&self) -> [f64; 3] {
+    pub(crate) fn common_sigma(&self) -> [f64; 4] {
         let blocks = self.data.blocks.len().max(1) as f64;
         self.data.block_sigma.map(|sigma| sigma / blocks.sqrt())
     }
 
-    /// Metric of change in units of the theoretical pressures (rms over boxes and angles).
-    fn metric(&self, flow: Flow, airspeed: &AirspeedData) -> Result<Mat<f64>, CouplingError> {
-        let shares = &self.model.correctable().area_share;
-        let mut mean_square = 0.0;
-        for angle in &airspeed.angles {
-            let cp = self.model.pressure_coefficients(&SteadyCase::new(flow, angle.alpha_rad))?;
-            mean_square += cp.iter().zip(shares).map(|(cp, share)| share * cp * cp).sum::<f64>();
+    /// Weights of Eq. 8, the tip's in N m/m: see `Settings::tip_weight`.
+    pub(crate) fn weights(&self, flows: &[Flow]) -> Result<[f64; 4], CouplingError> {
+        let [fz, mx, my] = self.settings.weights;
+        if !self.data.channels[TIP] {
+            return Ok([fz, mx, my, 0.0]);
         }
-        mean_square /= airspeed.angles.len() as f64;
+        let neutral = Corrections::neutral(self.model.correctable().len());
+        let (mut moments_nm, mut heights_m) = (0.0, 0.0);
+        for &flow in flows {
+            let cases = [-0.01, 0.01].map(|alpha_rad| SteadyCase::new(flow, alpha_rad));
+            let [down, up] = &self.model.root_loads(&cases, &neutral)?[..] else { continue };
+            let tips = self.model.tip_deflections(&cases, &neutral)?;
+            moments_nm += (up.mx_nm - down.mx_nm).abs();
+            heights_m += (tips[1] - tips[0]).abs();
+        }
+        Ok([fz, mx, my, self.settings.tip_weight * moments_nm / heights_m.max(f64::MIN_POSITIVE)])
+    }
+
+    /// Metric of change in units of the theoretical pressures (rms over boxes and angles).
+    pub(crate) fn metric(&self, airspeeds: &[AirspeedData]) -> Result<Mat<f64>, CouplingError> {
+        let shares = &self.model.correctable().area_share;
+        let (mut mean_square, mut count) = (0.0, 0.0);
+        for airspeed in airspeeds {
+            let flow = Flow { v_m_s: airspeed.v_m_s, rho_kg_m3: self.rho_kg_m3 };
+            for angle in &airspeed.angles {
+                let cp = self.model.pressure_coefficients(&SteadyCase::new(flow, angle.alpha_rad))?;
+                mean_square += cp.iter().zip(shares).map(|(cp, share)| share * cp * cp).sum::<f64>();
+                count += 1.0;
+            }
+        }
+        mean_square /= count;
         Ok(self.basis.change_metric(shares, [1.0, 1.0, 1.0 / mean_square.max(f64::MIN_POSITIVE)]))
     }
 }
@@ -239,19 +288,22 @@ fn tilt_tare<M: SteadyModel>(
         });
         (squares.sum::<f64>() / data.tilt_tares.len() as f64).sqrt()
     });
-    let over = |sigma: [f64; 3]| std::array::from_fn(|c| rms[c] / sigma[c].max(f64::MIN_POSITIVE));
+    let over = |sigma: [f64; 4]| std::array::from_fn(|c| rms[c] / sigma[c].max(f64::MIN_POSITIVE));
     Ok(Some(TiltTare { points: data.tilt_tares.len(), rms, rms_over_noise: data.point_sigma.map(over) }))
 }
 
 impl Calibration {
     /// Endings that are not a success.
     pub fn failures(&self) -> Vec<(f64, Ending)> {
-        let bad = |ending| !matches!(ending, Ending::Converged | Ending::AtNoiseFloor);
-        self.airspeeds.iter().filter(|a| bad(a.fit.ending)).map(|a| (a.data.v_m_s, a.fit.ending)).collect()
+        let bad = |ending: &Ending| !matches!(ending, Ending::Converged | Ending::AtNoiseFloor);
+        let common = self.common.iter().map(|common| (common.v_range_m_s[1], common.fit.ending));
+        let each = self.airspeeds.iter().map(|a| (a.data.v_m_s, a.fit.ending));
+        each.chain(common).filter(|(_, ending)| bad(ending)).collect()
     }
 
     /// Cone programs of the main fits.
     pub fn cone_programs(&self) -> usize {
-        self.airspeeds.iter().map(|airspeed| airspeed.fit.cone_programs).sum()
+        let common = self.common.iter().map(|common| common.fit.cone_programs);
+        self.airspeeds.iter().map(|airspeed| airspeed.fit.cone_programs).chain(common).sum()
     }
 }

@@ -5,32 +5,63 @@ use nastran::{InputError, Span, named_file, ron_file};
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 
-/// The three channels of the balance, in the order of every array here.
-pub const CHANNELS: [&str; 3] = ["Fz_N", "Mx_Nm", "My_Nm"];
+/// The columns that can be fitted, in the order of every array of four: three of the balance, and the tip's height.
+pub const CHANNELS: [&str; 4] = ["Fz_N", "Mx_Nm", "My_Nm", "tip_z_m"];
+
+/// Index of the tip's height among [`CHANNELS`].
+pub const TIP: usize = 3;
 
 /// Airspeeds of measurements, m/s: below, dynamic pressure means nothing; above, incompressible flow.
 pub const AIRSPEEDS_M_S: std::ops::RangeInclusive<f64> = 0.1..=340.0;
 
-/// One standard deviation of each channel.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
+/// One standard deviation of each channel; left out where the campaign does not have the channel.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize)]
+#[serde(deny_unknown_fields, default)]
 pub struct ChannelNoise {
     /// Fz, N.
     #[serde(rename = "fz_N")]
-    pub fz_n: f64,
+    pub fz_n: Option<f64>,
     /// Mx, N m.
     #[serde(rename = "mx_Nm")]
-    pub mx_nm: f64,
+    pub mx_nm: Option<f64>,
     /// My, N m.
     #[serde(rename = "my_Nm")]
-    pub my_nm: f64,
+    pub my_nm: Option<f64>,
+    /// Height of the tip, m.
+    pub tip_z_m: Option<f64>,
 }
 
 impl ChannelNoise {
-    /// In the order Fz, Mx, My.
-    pub fn to_array(self) -> [f64; 3] {
-        [self.fz_n, self.mx_nm, self.my_nm]
+    /// In the order of [`CHANNELS`]; zero for a channel that is left out.
+    pub fn to_array(self) -> [f64; 4] {
+        self.given().map(|sigma| sigma.unwrap_or(0.0))
     }
+
+    fn given(self) -> [Option<f64>; 4] {
+        [self.fz_n, self.mx_nm, self.my_nm, self.tip_z_m]
+    }
+}
+
+/// What the tip's height in `static.csv` is used for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+pub enum TipReading {
+    /// Nothing (the default of a campaign with root loads).
+    Unused,
+    /// It is fitted, its zero unknown: one free offset for each block (the default without root loads).
+    FreeZero,
+    /// It is fitted, its zero known: the wind-off shape at alpha = 0.
+    Zeroed,
+}
+
+/// How many sets of corrections a campaign asks for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+pub enum Sets {
+    /// One for each airspeed, from its angles, as in the paper.
+    #[default]
+    EachAirspeed,
+    /// One for all airspeeds: for sweeps of the airspeed at a few angles. Corrections belong to coefficients, so
+    /// loads and tip may grow with dynamic pressure as the elastic wing's do.
+    Common,
 }
 
 /// Declared noise of a campaign.
@@ -83,6 +114,10 @@ struct CampaignFile {
     rho_kg_m3: f64,
     #[serde(default)]
     noise: Option<Noise>,
+    #[serde(default)]
+    tip: Option<TipReading>,
+    #[serde(default)]
+    sets: Sets,
     static_cases: String,
     #[serde(default)]
     runs: Vec<RunEntry>,
@@ -95,7 +130,7 @@ pub struct StaticPoint {
     pub v_m_s: f64,
     /// Angle of attack of the balance, rad.
     pub alpha_rad: f64,
-    /// Fz, Mx, My (N, N m, N m); none for a channel the campaign lacks.
+    /// Fz, Mx, My (N, N m, N m); none for a load the campaign lacks.
     pub loads: [Option<f64>; 3],
     /// Day or mounting.
     pub block: Option<String>,
@@ -105,6 +140,13 @@ pub struct StaticPoint {
     pub tip_z_m: Option<f64>,
     /// Where the row stands.
     pub span: Span,
+}
+
+impl StaticPoint {
+    /// What was read on a channel of [`CHANNELS`]; zero where there is none.
+    pub(crate) fn reading(&self, channel: usize) -> f64 {
+        self.loads.get(channel).copied().unwrap_or(self.tip_z_m).unwrap_or(0.0)
+    }
 }
 
 /// A campaign as read.
@@ -118,8 +160,12 @@ pub struct Campaign {
     pub rho_kg_m3: f64,
     /// Declared noise.
     pub noise: Option<Noise>,
-    /// Which channels it has.
+    /// Which root loads it has.
     pub channels: [bool; 3],
+    /// What its tip readings are used for.
+    pub tip: TipReading,
+    /// Corrections by airspeed, or one set for all.
+    pub sets: Sets,
     /// All rows of the static cases, tilt tares included.
     pub points: Vec<StaticPoint>,
     /// Runs.
@@ -130,7 +176,7 @@ impl Campaign {
     /// Reads a campaign folder.
     ///
     /// # Errors
-    /// A missing file, a misspelt field or column, a cell that is empty or not a number, no load channel at all.
+    /// A missing file, a misspelt field or column, a cell that is empty or not a number, nothing to fit.
     pub fn read(folder: &Path) -> Result<Self, InputError> {
         let path = folder.join("campaign.ron");
         let file: CampaignFile = ron_file::read(&path)?;
@@ -138,29 +184,55 @@ impl Campaign {
             return Err(InputError::in_field(&path, "rho_kg_m3", "rho_kg_m3 must be a positive number")
                 .with_help("air at sea level has 1.225 kg/m3"));
         }
-        if let Some(noise) = &file.noise {
-            let all = noise.sample.to_array().into_iter().chain(noise.static_point.to_array());
-            if all.into_iter().any(|sigma| !(sigma.is_finite() && sigma > 0.0)) {
-                return Err(InputError::in_field(
-                    &path,
-                    "noise",
-                    "noise must be positive standard deviations",
-                )
-                .with_help("write `noise: None` to have it estimated from replicates"));
-            }
-        }
         let statics = named_file(&path, &file.static_cases)?;
         let table = Table::read(&statics)?;
         let (channels, points) = static_points(&table, &statics)?;
+        let tip = file.tip.unwrap_or(if channels.contains(&true) {
+            TipReading::Unused
+        } else {
+            TipReading::FreeZero
+        });
+        if tip != TipReading::Unused && !table.has("tip_z_m") {
+            return Err(InputError::in_field(&path, "tip", "the static cases have no column tip_z_m to fit")
+                .with_help("write `tip: Unused`, or add the column"));
+        }
+        let [fz, mx, my] = channels;
+        if let Some(noise) = &file.noise {
+            check_noise(noise, [fz, mx, my, tip != TipReading::Unused], &path)?;
+        }
         Ok(Self {
             name: file.name,
             folder: folder.to_path_buf(),
             rho_kg_m3: file.rho_kg_m3,
             noise: file.noise,
             channels,
+            tip,
+            sets: file.sets,
             points,
             runs: file.runs,
         })
+    }
+
+    /// Which channels of [`CHANNELS`] are fitted.
+    pub fn fitted(&self) -> [bool; 4] {
+        let [fz, mx, my] = self.channels;
+        [fz, mx, my, self.tip != TipReading::Unused]
+    }
+}
+
+/// Declared noise is positive, and there for every channel that is fitted.
+fn check_noise(noise: &Noise, fitted: [bool; 4], path: &Path) -> Result<(), InputError> {
+    let fault = |message: String| {
+        InputError::in_field(path, "noise", message)
+            .with_help("write `noise: None` to have it estimated from replicates")
+    };
+    let all = noise.sample.given().into_iter().chain(noise.static_point.given());
+    if all.flatten().any(|sigma| !(sigma.is_finite() && sigma > 0.0)) {
+        return Err(fault("noise must be positive standard deviations".to_owned()));
+    }
+    match (0..CHANNELS.len()).find(|&c| fitted[c] && noise.static_point.given()[c].is_none()) {
+        Some(c) => Err(fault(format!("noise of a static_point is not given for {}", CHANNELS[c]))),
+        None => Ok(()),
     }
 }
 
@@ -169,7 +241,7 @@ fn static_points(table: &Table, path: &Path) -> Result<([bool; 3], Vec<StaticPoi
     table.require(&["V_m_s", "alpha_deg"])?;
     table.allow_only(
         |name| {
-            ["V_m_s", "alpha_deg", "block", "tip_z_m"].contains(&name)
+            ["V_m_s", "alpha_deg", "block"].contains(&name)
                 || CHANNELS.contains(&name)
                 || (name.starts_with("delta_") && name.ends_with("_deg"))
         },
@@ -180,13 +252,13 @@ fn static_points(table: &Table, path: &Path) -> Result<([bool; 3], Vec<StaticPoi
             .with_help("calibration needs at least three angles at one airspeed"));
     }
     let has = |name: &str| table.has(name);
-    let channels = CHANNELS.map(has);
-    if !channels.contains(&true) {
+    let channels = [CHANNELS[0], CHANNELS[1], CHANNELS[2]].map(has);
+    if !CHANNELS.into_iter().any(has) {
         return Err(InputError::at(
             &table.span(0, "V_m_s"),
-            "none of the columns Fz_N, Mx_Nm, My_Nm is there",
+            "none of the columns Fz_N, Mx_Nm, My_Nm, tip_z_m is there",
         )
-        .with_help("a static case needs at least one measured load"));
+        .with_help("a static case needs at least one measured load, or the tip's height"));
     }
     let controls: Vec<&str> = table.columns().filter(|name| name.starts_with("delta_")).collect();
     let optional = |row: usize, name: &str| has(name).then(|| table.number(row, name)).transpose();

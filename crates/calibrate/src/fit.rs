@@ -1,14 +1,17 @@
-//! One airspeed: a sequence of cone programs with steps halved on the true objective.
+//! One airspeed, or all with one set: a sequence of cone programs with steps halved on the true objective.
 
 use crate::basis::Basis;
 use crate::bounds::{BoundRow, Bounds, active_neighbours};
+use crate::campaign::TIP;
 use crate::cone_program::{ConeProgram, NoSolution};
 use crate::objective::{objective, rmse};
 use crate::settings::Settings;
 use crate::statics::Angle;
-use aero::Flow;
+use crate::tip_zero::TipZero;
+use aero::{Corrections, Flow};
 use coupling::{CouplingError, RootSensitivity, SteadyCase, SteadyModel};
 use faer::Mat;
+use rayon::prelude::*;
 
 /// The weight of the change never falls below that of this share of the objective at the start.
 const LEAST_SHARE: f64 = 0.01;
@@ -30,12 +33,21 @@ pub enum Ending {
     Diverged,
 }
 
+/// Rows that share a flow.
+pub(crate) struct FlowGroup<'a> {
+    pub(crate) flow: Flow,
+    pub(crate) angles: &'a [Angle],
+}
+
 /// What a fit needs to know.
 pub(crate) struct Problem<'a, M: SteadyModel> {
     pub(crate) model: &'a M,
-    pub(crate) flow: Flow,
-    pub(crate) angles: &'a [Angle],
-    pub(crate) channels: [bool; 3],
+    pub(crate) groups: Vec<FlowGroup<'a>>,
+    pub(crate) channels: [bool; 4],
+    /// Weights of Eq. 8, the tip's in N m/m.
+    pub(crate) weights: [f64; 4],
+    /// The zero of the tip reading.
+    pub(crate) zero: TipZero,
     pub(crate) basis: &'a Basis,
     pub(crate) bounds: &'a Bounds,
     pub(crate) metric: &'a Mat<f64>,
@@ -44,6 +56,10 @@ pub(crate) struct Problem<'a, M: SteadyModel> {
     pub(crate) line_floor: f64,
     /// The noise floor of Eq. 8; zero if noise is unknown.
     pub(crate) noise_floor: f64,
+    /// Force and moment factor of every box that the sequence starts from and change is measured from: one is theory.
+    pub(crate) start: f64,
+    /// How many times the floor counts as reaching it: above one where rows are correlated.
+    pub(crate) slack: f64,
 }
 
 /// Where a fit came to.
@@ -52,7 +68,7 @@ pub struct Fit {
     /// Unknowns.
     pub x: Vec<f64>,
     /// RMSE by channel before and after.
-    pub rmse: [[f64; 3]; 2],
+    pub rmse: [[f64; 4]; 2],
     /// Eq. 8 before and after.
     pub objective: [f64; 2],
     /// Eq. 8 after each accepted step.
@@ -65,14 +81,21 @@ pub struct Fit {
     pub neighbour_bound_active: usize,
 }
 
+impl FlowGroup<'_> {
+    fn cases(&self) -> Vec<SteadyCase> {
+        self.angles.iter().map(|angle| SteadyCase::new(self.flow, angle.alpha_rad)).collect()
+    }
+}
+
 impl<M: SteadyModel> Problem<'_, M> {
-    /// Runs the sequence from the neutral corrections.
+    /// Runs the sequence from the start.
     pub(crate) fn fit(&self) -> Result<Fit, CouplingError> {
-        let neutral = self.basis.neutral();
+        let neutral: Vec<f64> = self.basis.neutral().iter().map(|one| self.start * one).collect();
         let mut x = neutral.clone();
         let mut at = self.linearise(&x)?;
-        let before = at.rmse;
-        let target = 1.02 * self.line_floor + 0.02 * self.noise_floor;
+        let before =
+            if x == self.basis.neutral() { at.rmse } else { self.linearise(&self.basis.neutral())?.rmse };
+        let target = self.slack * (1.02 * self.line_floor + 0.02 * self.noise_floor);
         let mut history = vec![self.objective(at.rmse)];
         let mut ending = Ending::Stalled;
         let mut cone_programs = 0;
@@ -121,31 +144,65 @@ impl<M: SteadyModel> Problem<'_, M> {
     }
 
     /// Eq. 8 of channel errors.
-    fn objective(&self, rmse: [f64; 3]) -> f64 {
-        objective(rmse, self.settings.weights)
+    fn objective(&self, rmse: [f64; 4]) -> f64 {
+        objective(rmse, self.weights)
     }
 
     /// Residuals and Jacobians at x.
     pub(crate) fn linearise(&self, x: &[f64]) -> Result<Linearised, CouplingError> {
-        let corrections = self.basis.corrections(x);
-        let sensitivities = self.model.sensitivities(&self.cases(), &corrections)?;
-        let residuals = self.residuals(sensitivities.iter().map(|s| s.loads.to_array()));
+        let sensitivities = self.sensitivities(&self.basis.corrections(x))?;
+        let mut residuals = self.misses(&sensitivities);
+        let mut tip: Vec<f64> = residuals.iter().map(|row| row[TIP]).collect();
+        self.zero.centre(&mut tip);
+        for (row, value) in residuals.iter_mut().zip(tip) {
+            row[TIP] = value;
+        }
         Ok(Linearised { rmse: rmse(&residuals, self.channels), residuals, sensitivities })
     }
 
-    fn cases(&self) -> Vec<SteadyCase> {
-        self.angles.iter().map(|angle| SteadyCase::new(self.flow, angle.alpha_rad)).collect()
+    /// Readings and derivatives of all rows.
+    pub(crate) fn sensitivities(
+        &self,
+        corrections: &Corrections,
+    ) -> Result<Vec<RootSensitivity>, CouplingError> {
+        let by_group = self
+            .groups
+            .par_iter()
+            .map(|group| self.model.sensitivities(&group.cases(), corrections))
+            .collect::<Result<Vec<_>, _>>()?;
+        Ok(by_group.into_iter().flatten().collect())
     }
 
-    /// Simulated minus measured, by angle and channel.
-    fn residuals(&self, loads: impl Iterator<Item = [f64; 3]>) -> Vec<[f64; 3]> {
-        loads.zip(self.angles).map(|(sim, angle)| std::array::from_fn(|c| sim[c] - angle.loads[c])).collect()
+    /// All rows in the order of the groups.
+    pub(crate) fn angles(&self) -> impl Iterator<Item = &Angle> {
+        self.groups.iter().flat_map(|group| group.angles)
+    }
+
+    /// Simulated minus measured, by row and channel, the zero of the tip not taken out.
+    pub(crate) fn misses(&self, sensitivities: &[RootSensitivity]) -> Vec<[f64; 4]> {
+        let miss = |(at, angle): (&RootSensitivity, &Angle)| {
+            let (simulated, measured) = (at.readings(), angle.readings());
+            std::array::from_fn(|c| simulated[c] - measured[c])
+        };
+        sensitivities.iter().zip(self.angles()).map(miss).collect()
+    }
+
+    /// Derivatives of one channel's residuals by the unknowns, rows by unknowns, a free zero eliminated.
+    pub(crate) fn jacobian(&self, gradients: &[Mat<f64>], channel: usize) -> Mat<f64> {
+        let mut jacobian =
+            Mat::from_fn(gradients.len(), self.basis.size(), |i, k| gradients[i][(channel, k)]);
+        if channel == TIP && self.zero.count() > 0 {
+            for k in 0..jacobian.ncols() {
+                self.zero.centre(jacobian.col_as_slice_mut(k));
+            }
+        }
+        jacobian
     }
 
     /// Weight of the change: small against the objective. It falls with the objective, but not beyond a share of where
     /// the fit started or of the noise: a weight too small for the solver's arithmetic leaves the undetermined
     /// directions to chance, and the linearisation does not hold that far out.
-    fn change_weight(&self, at: &Linearised, before: [f64; 3]) -> f64 {
+    fn change_weight(&self, at: &Linearised, before: [f64; 4]) -> f64 {
         let least = (LEAST_SHARE * self.objective(before)).max(self.noise_floor);
         self.settings.change_weight * self.objective(at.rmse).max(least)
     }
@@ -170,16 +227,16 @@ impl<M: SteadyModel> Problem<'_, M> {
         weight: f64,
         working: &[usize],
     ) -> Result<Vec<f64>, NoSolution> {
-        let measured: Vec<usize> = (0..3).filter(|&c| self.channels[c]).collect();
+        let measured: Vec<usize> = (0..4).filter(|&c| self.channels[c]).collect();
         let gradients: Vec<Mat<f64>> = at.sensitivities.iter().map(|s| self.basis.gradient(s)).collect();
+        // The solver sees the tip in N m, as a number of the size of the loads.
+        let unit = |c: usize| if c == TIP { self.weights[TIP] } else { 1.0 };
         let residuals: Vec<Vec<f64>> =
-            measured.iter().map(|&c| at.residuals.iter().map(|r| r[c]).collect()).collect();
-        let jacobians: Vec<Mat<f64>> = measured
-            .iter()
-            .map(|&c| Mat::from_fn(self.angles.len(), x.len(), |i, k| gradients[i][(c, k)]))
-            .collect();
+            measured.iter().map(|&c| at.residuals.iter().map(|r| unit(c) * r[c]).collect()).collect();
+        let jacobians: Vec<Mat<f64>> =
+            measured.iter().map(|&c| faer::Scale(unit(c)) * self.jacobian(&gradients, c)).collect();
         let bounds: Vec<&BoundRow> = working.iter().map(|&row| &self.bounds.rows[row]).collect();
-        let weights: Vec<f64> = measured.iter().map(|&c| self.settings.weights[c]).collect();
+        let weights: Vec<f64> = measured.iter().map(|&c| self.weights[c] / unit(c)).collect();
         ConeProgram {
             residuals: &residuals,
             jacobians: &jacobians,
@@ -201,7 +258,7 @@ impl<M: SteadyModel> Problem<'_, M> {
         weight: f64,
         at: &Linearised,
     ) -> Result<Step, CouplingError> {
-        let merit = |x: &[f64], rmse: [f64; 3]| self.objective(rmse) + weight * self.change(x, neutral);
+        let merit = |x: &[f64], rmse: [f64; 4]| self.objective(rmse) + weight * self.change(x, neutral);
         let now = merit(x, at.rmse);
         let mut share = 1.0;
         let mut why = Ending::Diverged;
@@ -237,7 +294,8 @@ enum Step {
 
 /// The model around one set of corrections.
 pub(crate) struct Linearised {
-    pub(crate) rmse: [f64; 3],
-    pub(crate) residuals: Vec<[f64; 3]>,
+    pub(crate) rmse: [f64; 4],
+    /// By row and channel, the tip's about its zero.
+    pub(crate) residuals: Vec<[f64; 4]>,
     pub(crate) sensitivities: Vec<RootSensitivity>,
 }

@@ -5,8 +5,10 @@
 //! `prior_spread` over the boxes; with whitened Jacobian J the posterior precision is `M / s² + J' J`. Without known noise, the straight line's own error stands for it.
 
 use crate::basis::{Basis, FAMILIES};
+use crate::campaign::TIP;
 use crate::fit::Linearised;
 use crate::statics::Angle;
+use crate::tip_zero::TipZero;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 
@@ -20,15 +22,17 @@ pub struct Identifiability {
     pub determined_directions: usize,
     /// By family and channel: how strongly the channel hangs on the family, as a share of how strongly it hangs on
     /// all (roots of sums of squares of the sensitivities).
-    pub leverage: [[f64; 3]; 3],
+    pub leverage: [[f64; 4]; 3],
     /// By family: standard deviation of the corrections after over before the data, mean over boxes. Near one: the
     /// data say nothing about it.
     pub remaining_spread: [f64; 3],
     /// By family: posterior standard deviation of the corrections, root mean square over boxes.
     pub posterior_sigma: [f64; 3],
-    /// Posterior standard deviation of the predicted load by channel, root mean square over the angles, the offset
+    /// Standard deviation of the area-weighted mean of the force factor, before the data (the prior's) and after.
+    pub mean_force_sigma: [f64; 2],
+    /// Posterior standard deviation of the predicted reading by channel, root mean square over the angles, the offset
     /// common to all blocks included.
-    pub predicted_sigma: [f64; 3],
+    pub predicted_sigma: [f64; 4],
 }
 
 impl Identifiability {
@@ -42,14 +46,19 @@ impl Identifiability {
 /// What the analysis needs beside the linearisation.
 pub(crate) struct Inputs<'a> {
     pub(crate) basis: &'a Basis,
+    /// Area share of each box.
+    pub(crate) area_share: &'a [f64],
     pub(crate) metric: &'a Mat<f64>,
     pub(crate) prior_spread: f64,
-    pub(crate) channels: [bool; 3],
-    pub(crate) angles: &'a [Angle],
+    pub(crate) channels: [bool; 4],
+    /// All rows in the order of the sensitivities.
+    pub(crate) angles: Vec<&'a Angle>,
+    /// Rows that share a zero of the tip.
+    pub(crate) zero: &'a TipZero,
     /// Standard deviation of one row by channel.
-    pub(crate) point_sigma: [f64; 3],
+    pub(crate) point_sigma: [f64; 4],
     /// Spread of the offset common to all blocks, by channel.
-    pub(crate) common_sigma: [f64; 3],
+    pub(crate) common_sigma: [f64; 4],
 }
 
 /// Analyses one airspeed at its solution; none if the metric is singular (a strip without boxes).
@@ -57,11 +66,12 @@ pub(crate) fn identifiability(at: &Linearised, inputs: &Inputs<'_>) -> Option<Id
     let size = inputs.basis.size();
     // Each family's mean square over the boxes is the sum over its unknowns.
     let prior_spread = inputs.prior_spread / (size as f64 / FAMILIES.len() as f64).sqrt();
-    let measured: Vec<usize> = (0..3).filter(|&c| inputs.channels[c]).collect();
+    let measured: Vec<usize> = (0..4).filter(|&c| inputs.channels[c]).collect();
     let gradients: Vec<Mat<f64>> = at.sensitivities.iter().map(|s| inputs.basis.gradient(s)).collect();
     let rows: Vec<(usize, usize)> =
         measured.iter().flat_map(|&c| (0..inputs.angles.len()).map(move |i| (c, i))).collect();
-    let raw = Mat::from_fn(rows.len(), size, |r, k| gradients[rows[r].1][(rows[r].0, k)]);
+    let mut raw = Mat::from_fn(rows.len(), size, |r, k| gradients[rows[r].1][(rows[r].0, k)]);
+    centre_tip(&mut raw, &rows, inputs);
     let factor = inputs.metric.llt(Side::Lower).ok()?;
     // J L^-T prior: unknowns in units of their prior spread
     let transposed = Mat::from_fn(size, rows.len(), |k, r| raw[(r, k)]);
@@ -81,8 +91,17 @@ pub(crate) fn identifiability(at: &Linearised, inputs: &Inputs<'_>) -> Option<Id
         leverage: leverage(&scaled, &rows, inputs),
         remaining_spread: by_box.0,
         posterior_sigma: by_box.1,
+        mean_force_sigma: posterior.mean_force(inputs, factor.L()),
         predicted_sigma: posterior.predicted(&rows),
     })
+}
+
+/// The zero of the tip is not known: only what rows say about their block's mean counts.
+fn centre_tip(raw: &mut Mat<f64>, rows: &[(usize, usize)], inputs: &Inputs<'_>) {
+    let Some(first) = rows.iter().position(|row| row.0 == TIP) else { return };
+    for k in 0..raw.ncols() {
+        inputs.zero.centre(&mut raw.col_as_slice_mut(k)[first..first + inputs.angles.len()]);
+    }
 }
 
 /// Noise of the means, and the offset common to all blocks: it moves all angles of a channel together.
@@ -141,11 +160,29 @@ impl Posterior {
         (ratio, sigma.map(f64::sqrt))
     }
 
+    /// Spread of the area-weighted mean of the force factor before and after the data.
+    fn mean_force(&self, inputs: &Inputs<'_>, metric_factor: faer::MatRef<'_, f64>) -> [f64; 2] {
+        let basis = inputs.basis;
+        let mut mean = Mat::zeros(basis.size(), 1);
+        for (b, share) in inputs.area_share.iter().enumerate() {
+            let from = basis.column(0, basis.strip_of[b]);
+            for k in 0..basis.terms {
+                mean[(from + k, 0)] += share * basis.polynomials[(b, k)];
+            }
+        }
+        let in_units = lower_solve(metric_factor, &mean);
+        let explained_by = &self.gain * &in_units;
+        let loads = self.load_of_unit.transpose() * &in_units;
+        let prior: f64 = (0..basis.size()).map(|k| in_units[(k, 0)].powi(2)).sum();
+        let told: f64 = (0..loads.nrows()).map(|r| loads[(r, 0)] * explained_by[(r, 0)]).sum();
+        [prior, (prior - told).max(0.0)].map(|square| self.prior_spread * square.sqrt())
+    }
+
     /// Posterior spread of the predicted loads by channel, rms over angles.
-    fn predicted(&self, rows: &[(usize, usize)]) -> [f64; 3] {
+    fn predicted(&self, rows: &[(usize, usize)]) -> [f64; 4] {
         let signal = self.load_of_unit.transpose() * &self.load_of_unit;
         let told = (&self.gain * &self.load_of_unit).transpose() * &signal;
-        let mut sums = [(0.0, 0); 3];
+        let mut sums = [(0.0, 0); 4];
         for (r, &(channel, _)) in rows.iter().enumerate() {
             sums[channel].0 += (signal[(r, r)] - told[(r, r)]).max(0.0);
             sums[channel].1 += 1;
@@ -155,10 +192,10 @@ impl Posterior {
 }
 
 /// Share of each channel's sensitivity that runs through each family.
-fn leverage(scaled: &Mat<f64>, rows: &[(usize, usize)], inputs: &Inputs<'_>) -> [[f64; 3]; 3] {
+fn leverage(scaled: &Mat<f64>, rows: &[(usize, usize)], inputs: &Inputs<'_>) -> [[f64; 4]; 3] {
     let family_size = inputs.basis.size() / 3;
-    let mut shares = [[0.0; 3]; 3];
-    for channel in (0..3).filter(|&c| inputs.channels[c]) {
+    let mut shares = [[0.0; 4]; 3];
+    for channel in (0..4).filter(|&c| inputs.channels[c]) {
         let of = |family: usize| -> f64 {
             let columns = rows.iter().enumerate().filter(|(_, row)| row.0 == channel);
             columns

@@ -4,7 +4,7 @@ use crate::statics::{AirspeedData, StaticData};
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
 /// Root mean square error a channel (zero for a channel that is not measured).
-pub fn rmse(residuals: &[[f64; 3]], channels: [bool; 3]) -> [f64; 3] {
+pub fn rmse<const N: usize>(residuals: &[[f64; N]], channels: [bool; N]) -> [f64; N] {
     std::array::from_fn(|c| {
         if !channels[c] || residuals.is_empty() {
             return 0.0;
@@ -13,9 +13,12 @@ pub fn rmse(residuals: &[[f64; 3]], channels: [bool; 3]) -> [f64; 3] {
     })
 }
 
-/// Eq. 8: `F = w_Fz RMSE(Fz) + w_Mx RMSE(Mx) + w_My RMSE(My)`, N and N m added as the paper does.
-pub fn objective(rmse: [f64; 3], weights: [f64; 3]) -> f64 {
-    (0..3).map(|c| weights[c] * rmse[c]).sum()
+/// Eq. 8: `F = w_Fz RMSE(Fz) + w_Mx RMSE(Mx) + w_My RMSE(My)`, N and N m added as the paper does; with a fourth
+/// channel `+ w_tip RMSE(tip)`, whose weight in N m/m makes it commensurable (see [`Settings::tip_weight`]).
+///
+/// [`Settings::tip_weight`]: crate::Settings::tip_weight
+pub fn objective<const N: usize>(rmse: [f64; N], weights: [f64; N]) -> f64 {
+    (0..N).map(|c| weights[c] * rmse[c]).sum()
 }
 
 /// What a channel's means do that no straight line can follow.
@@ -33,11 +36,11 @@ pub struct Nonlinearity {
 #[derive(Debug, Clone, PartialEq)]
 pub struct LineFit {
     /// RMSE of the least-squares straight line in alpha, by channel.
-    pub rmse: [f64; 3],
+    pub rmse: [f64; 4],
     /// Residuals of the line by angle and channel.
-    pub residuals: Vec<[f64; 3]>,
+    pub residuals: Vec<[f64; 4]>,
     /// Tests for nonlinearity by channel; none where nothing can be said (three angles without known noise).
-    pub nonlinearity: [Option<Nonlinearity>; 3],
+    pub nonlinearity: [Option<Nonlinearity>; 4],
 }
 
 /// Fits a straight line to every channel of an airspeed and tests what is left.
@@ -47,10 +50,10 @@ pub struct LineFit {
 /// the curvature alone.
 pub fn line_fit(data: &StaticData, airspeed: &AirspeedData) -> LineFit {
     let alphas: Vec<f64> = airspeed.angles.iter().map(|angle| angle.alpha_rad).collect();
-    let mut residuals = vec![[0.0; 3]; alphas.len()];
-    let mut nonlinearity = [None; 3];
-    for channel in (0..3).filter(|&c| data.channels[c]) {
-        let loads: Vec<f64> = airspeed.angles.iter().map(|angle| angle.loads[channel]).collect();
+    let mut residuals = vec![[0.0; 4]; alphas.len()];
+    let mut nonlinearity = [None; 4];
+    for channel in (0..4).filter(|&c| data.channels[c]) {
+        let loads: Vec<f64> = airspeed.angles.iter().map(|angle| angle.readings()[channel]).collect();
         let (line, _) = polynomial_residuals(&alphas, &loads, 1);
         for (row, value) in residuals.iter_mut().zip(&line) {
             row[channel] = *value;
@@ -96,7 +99,7 @@ fn test(
 }
 
 /// Residuals and coefficients (ascending powers) of a least-squares polynomial of order 1 or 2.
-fn polynomial_residuals(x: &[f64], y: &[f64], order: usize) -> (Vec<f64>, Vec<f64>) {
+pub(crate) fn polynomial_residuals(x: &[f64], y: &[f64], order: usize) -> (Vec<f64>, Vec<f64>) {
     use faer::linalg::solvers::SolveLstsq;
     if x.len() <= order {
         return (vec![0.0; x.len()], Vec::new());

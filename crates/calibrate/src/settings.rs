@@ -7,6 +7,11 @@ use coupling::wing_file::CorrectionSettings;
 pub struct Settings {
     /// Weights of Fz, Mx and My in Eq. 8 (1, 1, 1: newtons and newton metres are added).
     pub weights: [f64; 3],
+    /// Weight of the tip's height in Eq. 8, on top of the rule that makes metres commensurable: a metre counts as
+    /// the bending moment Mx (N m) that belongs to it by theory, the ratio of the uncorrected wing's derivatives by
+    /// the angle of attack (summed over the airspeeds of a common set). A tip that is wrong by one per cent then
+    /// counts as much as an Mx that is.
+    pub tip_weight: f64,
     /// Chordwise strips of the polynomials.
     pub chord_strips: usize,
     /// Order of the polynomials in span.
@@ -34,6 +39,7 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             weights: [1.0; 3],
+            tip_weight: 1.0,
             chord_strips: 12,
             span_order: 4,
             neighbour_bound: 0.05,

@@ -4,16 +4,19 @@
 //! airspeeds. Offsets are random effects that sum to zero: estimated jointly from the cells that several blocks
 //! share, then shrunk by the share of their spread that noise explains. An offset common to all blocks cannot be
 //! told from a pressure offset and stays in the data.
+//!
+//! With one set of corrections for all airspeeds (`Sets::Common`), means are kept apart by block, as each block has a
+//! zero of the tip reading of its own, which the fit finds.
 
 use crate::blocks::BlockFit;
-use crate::campaign::{Campaign, StaticPoint};
+use crate::campaign::{Campaign, Sets, StaticPoint, TIP, TipReading};
 use nastran::{InputError, Span};
 use std::collections::BTreeMap;
 
 /// Airspeeds closer than this share are one.
 const SAME_AIRSPEED: f64 = 2e-3;
 /// Angles closer than this are one, rad (0.05 degrees).
-const SAME_ANGLE_RAD: f64 = 8.7e-4;
+pub(crate) const SAME_ANGLE_RAD: f64 = 8.7e-4;
 
 /// One angle at one airspeed: the mean of its replicates after block offsets are removed.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,8 +25,23 @@ pub struct Angle {
     pub alpha_rad: f64,
     /// Mean Fz, Mx, My; meaningless where the campaign lacks the channel.
     pub loads: [f64; 3],
+    /// Mean height of the tip, m; meaningless where it is not fitted.
+    pub tip_z_m: f64,
+    /// Index (in [`StaticData::block_names`]) of the block its rows are from; zero where blocks are averaged, which
+    /// is always so with corrections by airspeed.
+    pub block: usize,
+    /// Line of its first row in the file, which is the order it was measured in.
+    pub line: usize,
     /// Number of replicates.
     pub replicates: usize,
+}
+
+impl Angle {
+    /// Fz, Mx, My and the tip's height.
+    pub fn readings(&self) -> [f64; 4] {
+        let [fz, mx, my] = self.loads;
+        [fz, mx, my, self.tip_z_m]
+    }
 }
 
 /// All angles at one airspeed, neutral controls, ascending.
@@ -42,23 +60,29 @@ pub struct AirspeedData {
 pub struct BlockOffset {
     /// Its name in the file.
     pub block: String,
-    /// Fz, Mx, My.
-    pub offset: [f64; 3],
+    /// Fz, Mx, My, tip height (whose zeros are the fit's business where one set serves all airspeeds).
+    pub offset: [f64; 4],
 }
 
 /// Static cases ready to be fitted.
 #[derive(Debug, Clone)]
 pub struct StaticData {
-    /// Which channels are measured.
-    pub channels: [bool; 3],
+    /// Which channels are fitted.
+    pub channels: [bool; 4],
+    /// What the tip's zero is.
+    pub tip: TipReading,
+    /// Corrections by airspeed, or one set for all.
+    pub sets: Sets,
+    /// Names of the blocks in the order of the rows.
+    pub block_names: Vec<String>,
     /// Airspeeds in ascending order.
     pub airspeeds: Vec<AirspeedData>,
     /// Offsets that were taken out.
     pub blocks: Vec<BlockOffset>,
     /// Spread of the block offsets (random effect), one standard deviation a channel; zero without blocks.
-    pub block_sigma: [f64; 3],
+    pub block_sigma: [f64; 4],
     /// Standard deviation of one row: declared, or pooled from replicates.
-    pub point_sigma: Option<[f64; 3]>,
+    pub point_sigma: Option<[f64; 4]>,
     /// Degrees of freedom behind `point_sigma`; none if it was declared.
     pub noise_dof: Option<usize>,
     /// Rows at V = 0.
@@ -88,12 +112,18 @@ impl StaticData {
         let tilt_tares: Vec<StaticPoint> =
             campaign.points.iter().filter(|p| p.v_m_s == 0.0).cloned().collect();
         let cells = cells(&fitted);
-        check_angles(campaign, &cells)?;
+        match campaign.sets {
+            Sets::EachAirspeed => check_angles(campaign, &cells)?,
+            Sets::Common => check_rows(campaign, fitted.len())?,
+        }
         let mut data = Self {
-            channels: campaign.channels,
+            channels: campaign.fitted(),
+            tip: campaign.tip,
+            sets: campaign.sets,
+            block_names: Vec::new(),
             airspeeds: Vec::new(),
             blocks: Vec::new(),
-            block_sigma: [0.0; 3],
+            block_sigma: [0.0; 4],
             point_sigma: campaign.noise.map(|noise| noise.static_point.to_array()),
             noise_dof: None,
             deflected: campaign.points.len() - fitted.len() - tilt_tares.len(),
@@ -104,17 +134,19 @@ impl StaticData {
     }
 
     /// Standard deviation of the mean of an angle's replicates, by channel.
-    pub fn mean_sigma(&self, angle: &Angle) -> Option<[f64; 3]> {
+    pub fn mean_sigma(&self, angle: &Angle) -> Option<[f64; 4]> {
         self.point_sigma.map(|sigma| sigma.map(|s| s / (angle.replicates as f64).sqrt()))
     }
 
     /// The noise floor of Eq. 8 at an airspeed: the sum over channels of the standard deviation of a row over the
-    /// root of the rows an angle.
-    pub fn noise_floor(&self, airspeed: &AirspeedData) -> Option<f64> {
+    /// root of the rows an angle, times the channel's weight.
+    pub fn noise_floor(&self, airspeed: &AirspeedData, weights: [f64; 4]) -> Option<f64> {
         let sigma = self.point_sigma?;
         let mean_inverse = airspeed.angles.iter().map(|angle| 1.0 / angle.replicates as f64).sum::<f64>()
             / airspeed.angles.len() as f64;
-        Some((0..3).filter(|&c| self.channels[c]).map(|c| sigma[c] * mean_inverse.sqrt()).sum())
+        Some(
+            (0..4).filter(|&c| self.channels[c]).map(|c| weights[c] * (sigma[c] * mean_inverse.sqrt())).sum(),
+        )
     }
 
     fn remove_blocks(&mut self, cells: &[Cell<'_>]) {
@@ -125,10 +157,12 @@ impl StaticData {
                 names.push(name);
             }
         }
-        let mut offsets = vec![[0.0; 3]; names.len()];
-        let mut pooled = [0.0; 3];
+        let mut offsets = vec![[0.0; 4]; names.len()];
+        let mut pooled = [0.0; 4];
         let mut dof = 0;
-        for channel in (0..3).filter(|&c| self.channels[c]) {
+        let common = self.sets == Sets::Common;
+        // A common set finds the tip's zero of each block itself.
+        for channel in (0..4).filter(|&c| self.channels[c] && !(common && c == TIP)) {
             let fit = BlockFit::new(cells, &names, channel);
             dof = fit.dof;
             pooled[channel] = if fit.dof > 0 { (fit.residual_squares / fit.dof as f64).sqrt() } else { 0.0 };
@@ -143,18 +177,41 @@ impl StaticData {
             self.point_sigma = Some(pooled);
             self.noise_dof = Some(dof);
         }
-        let offset_of = |row: &StaticPoint, channel: usize| {
-            names.iter().position(|name| *name == block_name(row)).map_or(0.0, |i| offsets[i][channel])
-        };
+        self.block_names = names.iter().map(|&name| name.to_owned()).collect();
+        if common {
+            self.average(&split_by_block(cells, &names), &names, &offsets);
+        } else {
+            self.average(cells, &names, &offsets);
+        }
+        if names.len() > 1 {
+            self.blocks = names
+                .iter()
+                .zip(offsets)
+                .map(|(name, offset)| BlockOffset { block: (*name).to_owned(), offset })
+                .collect();
+        }
+    }
+
+    /// Means of the cells, block offsets taken out, by airspeed.
+    fn average(&mut self, cells: &[Cell<'_>], names: &[&str], offsets: &[[f64; 4]]) {
+        let block_of = |row: &StaticPoint| names.iter().position(|name| *name == block_name(row));
+        let offset_of =
+            |row: &StaticPoint, channel: usize| block_of(row).map_or(0.0, |i| offsets[i][channel]);
         let mut airspeeds: Vec<(AirspeedData, usize)> = Vec::new();
         for cell in cells {
             let count = cell.rows.len();
             let mean = |channel: usize| {
-                let value = |row: &&StaticPoint| row.loads[channel].unwrap_or(0.0) - offset_of(row, channel);
+                let value = |row: &&StaticPoint| row.reading(channel) - offset_of(row, channel);
                 cell.rows.iter().map(value).sum::<f64>() / count as f64
             };
-            let angle =
-                Angle { alpha_rad: cell.alpha_rad, loads: [mean(0), mean(1), mean(2)], replicates: count };
+            let angle = Angle {
+                alpha_rad: cell.alpha_rad,
+                loads: [mean(0), mean(1), mean(2)],
+                tip_z_m: mean(TIP),
+                block: if self.sets == Sets::Common { block_of(cell.rows[0]).unwrap_or(0) } else { 0 },
+                line: cell.rows.iter().map(|row| row.span.line).min().unwrap_or(0),
+                replicates: count,
+            };
             match airspeeds.last_mut() {
                 Some((last, rows)) if same_airspeed(last.v_m_s, cell.v_m_s) => {
                     last.v_m_s =
@@ -169,14 +226,28 @@ impl StaticData {
             }
         }
         self.airspeeds = airspeeds.into_iter().map(|(airspeed, _)| airspeed).collect();
-        if names.len() > 1 {
-            self.blocks = names
-                .iter()
-                .zip(offsets)
-                .map(|(name, offset)| BlockOffset { block: (*name).to_owned(), offset })
-                .collect();
+    }
+}
+
+/// Cells of one block each, in the order of the cells, then of the blocks.
+fn split_by_block<'a>(cells: &[Cell<'a>], names: &[&str]) -> Vec<Cell<'a>> {
+    let mut split = Vec::new();
+    for cell in cells {
+        for name in names {
+            let rows: Vec<&StaticPoint> =
+                cell.rows.iter().copied().filter(|row| block_name(row) == *name).collect();
+            let count = rows.len() as f64;
+            if rows.is_empty() {
+                continue;
+            }
+            split.push(Cell {
+                v_m_s: rows.iter().map(|row| row.v_m_s).sum::<f64>() / count,
+                alpha_rad: rows.iter().map(|row| row.alpha_rad).sum::<f64>() / count,
+                rows,
+            });
         }
     }
+    split
 }
 
 pub(crate) fn block_name(row: &StaticPoint) -> &str {
@@ -219,6 +290,17 @@ fn cells<'a>(rows: &[&'a StaticPoint]) -> Vec<Cell<'a>> {
     cells
 }
 
+/// A common set needs some rows: a zero, a slope, and something to compare them with.
+fn check_rows(campaign: &Campaign, rows: usize) -> Result<(), InputError> {
+    if rows >= 3 {
+        return Ok(());
+    }
+    let place =
+        campaign.points.first().map_or_else(|| Span::whole_file(&campaign.folder), |row| row.span.clone());
+    Err(InputError::at(&place, format!("{rows} static cases with wind on and neutral controls"))
+        .with_help("a common set of corrections needs at least three"))
+}
+
 /// Every airspeed needs three angles: a line through two has no error to compare with.
 fn check_angles(campaign: &Campaign, cells: &[Cell<'_>]) -> Result<(), InputError> {
     let mut counts: BTreeMap<usize, (usize, f64, Span)> = BTreeMap::new();
@@ -248,7 +330,10 @@ fn check_angles(campaign: &Campaign, cells: &[Cell<'_>]) -> Result<(), InputErro
                     "the airspeed {v_m_s} m/s has {angles} different angle(s), at least three are needed"
                 ),
             )
-            .with_help("add angles at this airspeed, or take its rows out of the static cases"));
+            .with_help(
+                "add angles at this airspeed, take its rows out of the static cases, or ask for one set of \
+                 corrections for all airspeeds (`sets: Common` in campaign.ron)",
+            ));
         }
     }
     Ok(())

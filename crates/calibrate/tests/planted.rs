@@ -14,7 +14,7 @@ use coupling::ElasticWing;
 const ALPHAS_DEG: [f64; 5] = [-4.0, -2.0, 0.0, 2.0, 4.0];
 
 fn noise() -> Noise {
-    let static_point = ChannelNoise { fz_n: 0.05, mx_nm: 0.03, my_nm: 0.02 };
+    let static_point = ChannelNoise { fz_n: Some(0.05), mx_nm: Some(0.03), my_nm: Some(0.02), tip_z_m: None };
     Noise { sample: static_point, static_point }
 }
 
@@ -121,7 +121,7 @@ fn a_planted_weight_does_not_go_into_the_corrections() {
         planform.boxes.chordwise = 6;
         planform.boxes.spanwise = 14;
         planform.controls.clear();
-        let masses = &mut planform.structure.as_mut().unwrap().point_masses;
+        let masses = planform.structure.as_mut().unwrap().point_masses_mut();
         for mass in masses {
             mass.mass_kg *= 4.0;
         }

@@ -1,4 +1,4 @@
-//! What calibration needs of a wing: root loads of a steady case and their sensitivities.
+//! What calibration needs of a wing: root loads and tip deflection of a steady case and their sensitivities.
 
 use crate::error::CouplingError;
 use crate::root_loads::RootLoads;
@@ -23,17 +23,27 @@ impl SteadyCase {
     }
 }
 
-/// Root loads of one case and their derivatives by the corrections of each correctable box.
+/// Root loads and tip deflection of one case and their derivatives by the corrections of each correctable box.
 #[derive(Debug, Clone)]
 pub struct RootSensitivity {
     /// The loads themselves.
     pub loads: RootLoads,
-    /// 3 by boxes: d(Fz, Mx, My)/d(force factor).
+    /// Height of the tip above its wind-off place at alpha = 0, m; zero for a rigid wing.
+    pub tip_z_m: f64,
+    /// 4 by boxes: d(Fz, Mx, My, tip height)/d(force factor).
     pub by_force: Mat<f64>,
-    /// 3 by boxes: d(Fz, Mx, My)/d(moment factor).
+    /// 4 by boxes: d(Fz, Mx, My, tip height)/d(moment factor).
     pub by_moment: Mat<f64>,
-    /// 3 by boxes: d(Fz, Mx, My)/d(pressure offset f_e/q).
+    /// 4 by boxes: d(Fz, Mx, My, tip height)/d(pressure offset f_e/q).
     pub by_offset: Mat<f64>,
+}
+
+impl RootSensitivity {
+    /// Fz, Mx, My (N, N m, N m) and the tip's height (m).
+    pub fn readings(&self) -> [f64; 4] {
+        let [fz, mx, my] = self.loads.to_array();
+        [fz, mx, my, self.tip_z_m]
+    }
 }
 
 /// The boxes corrections are found for, as a planform: where each stands chordwise and spanwise.
@@ -81,7 +91,24 @@ pub trait SteadyModel: Sync {
         corrections: &Corrections,
     ) -> Result<Vec<RootLoads>, CouplingError>;
 
-    /// Root loads and derivatives of cases that share a flow, in their order.
+    /// Height of the tip above its wind-off place at alpha = 0 in cases that share a flow, m, in their order.
+    ///
+    /// # Errors
+    /// If the flow is beyond divergence.
+    fn tip_deflections(
+        &self,
+        cases: &[SteadyCase],
+        corrections: &Corrections,
+    ) -> Result<Vec<f64>, CouplingError> {
+        Ok(self.sensitivities(cases, corrections)?.iter().map(|case| case.tip_z_m).collect())
+    }
+
+    /// Whether the model has a tip that can deflect: a rigid wing has none.
+    fn has_tip(&self) -> bool {
+        true
+    }
+
+    /// Root loads, tip deflection and derivatives of cases that share a flow, in their order.
     ///
     /// # Errors
     /// If the flow is beyond divergence.

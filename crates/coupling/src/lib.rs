@@ -3,6 +3,7 @@
 pub mod case;
 pub mod divergence;
 pub mod error;
+pub mod nastran_deck;
 pub mod planform;
 pub mod root_loads;
 pub mod spline;
@@ -14,6 +15,7 @@ mod wing_parts;
 
 pub use case::{CorrectableBoxes, RootSensitivity, SteadyCase, SteadyModel};
 pub use error::CouplingError;
+pub use nastran_deck::{DeckOptions, NastranDeck};
 pub use root_loads::{Balance, RootLoads, root_rows};
 pub use spline::Spline;
 pub use steady::{SteadyOperator, SteadyState};

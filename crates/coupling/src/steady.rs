@@ -131,8 +131,8 @@ impl SteadyOperator<'_> {
             .collect()
     }
 
-    /// Root loads and derivatives: with `Lambda = R (I - q W S Q D G F Gᵀ)⁻¹` (3 rows, the same for all angles),
-    /// `dr/dW_m = Lambda_m (q S cp)_m` and `dr/df_e = q Lambda S`.
+    /// Root loads, tip deflection and derivatives: with Lambda of [`Self::adjoint`] (4 rows, the same for all
+    /// angles), `dr/dW_m = Lambda_m (q S cp)_m` and `dr/df_e = q Lambda S`.
     pub fn sensitivities(&self, cases: &[SteadyCase]) -> Vec<RootSensitivity> {
         let (wing, q_pa) = (self.wing, self.flow.dynamic_pressure_pa());
         let lambda = self.adjoint();
@@ -143,13 +143,14 @@ impl SteadyOperator<'_> {
             .into_iter()
             .map(|state| RootSensitivity {
                 loads: state.root,
-                by_force: Mat::from_fn(3, places.len(), |i, b| {
+                tip_z_m: state.tip_z_m,
+                by_force: Mat::from_fn(4, places.len(), |i, b| {
                     lambda[(i, 2 * places[b])] * lift(places[b]) * state.cp[places[b]]
                 }),
-                by_moment: Mat::from_fn(3, places.len(), |i, b| {
+                by_moment: Mat::from_fn(4, places.len(), |i, b| {
                     lambda[(i, 2 * places[b] + 1)] * lift(places[b]) * arm(places[b]) * state.cp[places[b]]
                 }),
-                by_offset: Mat::from_fn(3, places.len(), |i, b| {
+                by_offset: Mat::from_fn(4, places.len(), |i, b| {
                     let p = places[b];
                     lift(p) * (lambda[(i, 2 * p)] + arm(p) * lambda[(i, 2 * p + 1)])
                 }),
@@ -157,21 +158,31 @@ impl SteadyOperator<'_> {
             .collect()
     }
 
-    /// Lambda, 3 by 2 a box: root loads per unit box load, the wing's answer to that load included.
+    /// Lambda, 4 by 2 a box: root loads (Fz, Mx, My) and height of the tip per unit box load, the wing's answer to
+    /// that load included.
+    ///
+    /// ```text
+    /// root:  R + R q W S Q D G (I - q F H)⁻¹ F Gᵀ     tip:  e_tipᵀ (I - q F H)⁻¹ F Gᵀ
+    /// ```
+    /// A rigid wing's tip has a row of zeros.
     pub fn adjoint(&self) -> Mat<f64> {
         let wing = self.wing;
+        let direct = |row: usize, column: usize| if row < 3 { wing.root_rows[(row, column)] } else { 0.0 };
         let (Some(structure), Some(factor)) = (&wing.supported, &self.factor) else {
-            return wing.root_rows.clone();
+            return Mat::from_fn(4, wing.root_rows.ncols(), direct);
         };
         let q_pa = self.flow.dynamic_pressure_pa();
         let loads = wing.k_loads_of_pressures(q_pa, wing.cp_displacement.as_ref(), &self.corrections);
         let by_displacement = &wing.root_rows * &loads;
-        let z = factor.solve_transpose(by_displacement.transpose().to_owned());
-        let by_load = structure.flexibility.transpose() * &z;
-        Mat::from_fn(3, wing.root_rows.ncols(), |row, column| {
+        let root = factor.solve_transpose(by_displacement.transpose().to_owned());
+        let root = structure.flexibility.transpose() * &root;
+        let unit = Mat::from_fn(structure.size(), 1, |i, _| f64::from(u8::from(i == structure.tip_z)));
+        let tip = structure.flexibility.transpose() * &factor.solve_transpose(unit);
+        Mat::from_fn(4, wing.root_rows.ncols(), |row, column| {
+            let by_load = |dof: usize| if row < 3 { root[(dof, row)] } else { tip[(dof, 0)] };
             let elastic: f64 =
-                structure.spline_rows[column].iter().map(|&(dof, value)| value * by_load[(dof, row)]).sum();
-            wing.root_rows[(row, column)] + elastic
+                structure.spline_rows[column].iter().map(|&(dof, value)| value * by_load(dof)).sum();
+            direct(row, column) + elastic
         })
     }
 
@@ -251,6 +262,19 @@ impl SteadyModel for ElasticWing {
     ) -> Result<Vec<RootLoads>, CouplingError> {
         let Some(first) = cases.first() else { return Ok(Vec::new()) };
         Ok(self.at(first.flow, corrections)?.solve(cases).into_iter().map(|state| state.root).collect())
+    }
+
+    fn tip_deflections(
+        &self,
+        cases: &[SteadyCase],
+        corrections: &Corrections,
+    ) -> Result<Vec<f64>, CouplingError> {
+        let Some(first) = cases.first() else { return Ok(Vec::new()) };
+        Ok(self.at(first.flow, corrections)?.solve(cases).into_iter().map(|state| state.tip_z_m).collect())
+    }
+
+    fn has_tip(&self) -> bool {
+        self.supported.is_some()
     }
 
     fn sensitivities(

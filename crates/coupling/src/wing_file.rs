@@ -40,6 +40,10 @@ pub struct WingFile {
     /// How boxes follow the structure.
     #[serde(default)]
     pub spline: SplineKind,
+    /// The grid whose height is the tip deflection (a sensor's or point mass's of a parametric wing is 3001 or
+    /// 4001 and up); left out: the grid the boxes follow that has the largest y.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tip_grid: Option<u32>,
     /// The unknowns of the calibration.
     pub correction: CorrectionSettings,
     /// Reserved for effects beyond this model; must be empty.
@@ -178,7 +182,9 @@ impl WingFile {
         match &self.source {
             Source::Deck(deck) => deck.bulk(&self.folder(), mount),
             Source::Parametric(planform) => {
-                let mut bulk = planform.bulk(&self.folder(), mount)?;
+                let BalancePoint { x_m, y_m, z_m } = self.balance;
+                let balance = nalgebra::Point3::new(x_m, y_m, z_m);
+                let mut bulk = planform.bulk_on_balance(&self.folder(), mount, &balance)?;
                 if mount == Mount::Tunnel && planform.structure.is_some() {
                     bulk.monitors.push(self.root_monitor());
                 }
@@ -195,7 +201,8 @@ impl WingFile {
         }
     }
 
-    /// Grids the boxes follow. The one with the largest y is where tip deflections are read.
+    /// Grids the boxes follow. The one with the largest y is where tip deflections are read, unless `tip_grid` says
+    /// otherwise.
     pub fn spline_grid_ids(&self, bulk: &BulkData) -> Vec<u32> {
         match &self.source {
             Source::Parametric(_) => bulk.sets.get(&AXIS_SET).map_or_else(Vec::new, |set| set.ids.clone()),
@@ -239,7 +246,7 @@ impl WingFile {
         match &self.source {
             Source::Deck(deck) => Ok(vec![named_file(&self.path, &deck.file)?]),
             Source::Parametric(planform) => {
-                let distribution = planform.structure.as_ref().map(|structure| &structure.distribution);
+                let distribution = planform.structure.as_ref().and_then(|structure| structure.distribution());
                 let names = planform.airfoil.iter().chain(distribution);
                 names.map(|name| named_file(&self.path, name)).collect()
             }

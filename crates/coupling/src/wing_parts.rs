@@ -48,7 +48,7 @@ pub(crate) fn wing_parts(file: &WingFile, bulk: &BulkData) -> Result<WingParts, 
             SplineKind::Beam => Spline::beam(&parts.lattice, system.points(), &nodes),
             SplineKind::NearestNode => Spline::nearest_node(&parts.lattice, system.points(), &nodes),
         };
-        let tip = tip_node(&system, &nodes);
+        let tip = tip_node(file, &system, &nodes)?;
         parts.supported = Some(SupportedStructure::new(&system, &spline, tip, &point)?);
         parts.structure = Some((system, spline));
     }
@@ -58,24 +58,36 @@ pub(crate) fn wing_parts(file: &WingFile, bulk: &BulkData) -> Result<WingParts, 
 /// Indices of the spline's grids among the system's nodes, in the order the file gives them.
 ///
 /// # Errors
-/// If the set names a grid that the deck does not have.
+/// If the set names a grid that the deck does not have, or that no element holds.
 pub fn spline_nodes(file: &WingFile, bulk: &BulkData, system: &System) -> Result<Vec<usize>, InputError> {
-    file.spline_grid_ids(bulk)
-        .into_iter()
-        .map(|id| {
-            system.node_index(id).ok_or_else(|| {
-                InputError::in_file(
-                    &file.path,
-                    format!("the spline set names grid {id}, which the deck does not have"),
-                )
-            })
-        })
-        .collect()
+    let place = |id: u32| {
+        let fault = |what: &str| {
+            InputError::in_file(&file.path, format!("the spline set names grid {id}, which {what}"))
+        };
+        let node = system.node_index(id).ok_or_else(|| fault("the deck does not have"))?;
+        if system.is_attached(node) {
+            return Ok(node);
+        }
+        Err(fault("no element holds: loads on it would be lost")
+            .with_help("name grids of the structure, or tie this one to it with RBE2 or RBE3"))
+    };
+    file.spline_grid_ids(bulk).into_iter().map(place).collect()
 }
 
-/// The spline node with the largest y.
-fn tip_node(system: &System, nodes: &[usize]) -> usize {
-    nodes.iter().copied().max_by(|&a, &b| system.points()[a].y.total_cmp(&system.points()[b].y)).unwrap_or(0)
+/// The node whose height is the tip deflection: the file's `tip_grid`, or the spline node with the largest y.
+fn tip_node(file: &WingFile, system: &System, nodes: &[usize]) -> Result<usize, InputError> {
+    let y_m = |node: usize| system.points()[node].y;
+    match file.tip_grid {
+        None => Ok(nodes.iter().copied().max_by(|&a, &b| y_m(a).total_cmp(&y_m(b))).unwrap_or(0)),
+        Some(id) => system.node_index(id).ok_or_else(|| {
+            InputError::in_field(
+                &file.path,
+                "tip_grid",
+                format!("tip_grid is {id}, which the structure does not have"),
+            )
+            .with_help("give the number of a grid, or leave it out for the outermost grid of the axis")
+        }),
+    }
 }
 
 /// The smallest y of any corner.

@@ -18,11 +18,11 @@ fn data(file: &str) -> PathBuf {
 }
 
 fn tuflex() -> Result<WingFile, nastran::InputError> {
-    WingFile::read(&data("tuflex/wing.ron"))
+    WingFile::read(&data("tuflex/wing_beam.ron"))
 }
 
 fn planform(wing: &WingFile) -> &Planform {
-    wing.planform().expect("data/tuflex/wing.ron is a parametric wing")
+    wing.planform().expect("data/tuflex/wing_beam.ron is a parametric wing")
 }
 
 fn box_counts(bulk: &BulkData) -> Vec<usize> {
@@ -41,7 +41,7 @@ fn edited(test: &str, from: &str, to: &str) -> Result<PathBuf, std::io::Error> {
     for file in ["e214.dat", "beam_distribution.csv"] {
         std::fs::copy(data("tuflex").join(file), folder.join(file))?;
     }
-    let text = std::fs::read_to_string(data("tuflex/wing.ron"))?;
+    let text = std::fs::read_to_string(data("tuflex/wing_beam.ron"))?;
     assert!(text.contains(from), "the wing file does not contain {from}");
     let path = folder.join("wing.ron");
     std::fs::write(&path, text.replacen(from, to, 1))?;
@@ -59,7 +59,7 @@ fn complaint(test: &str, from: &str, to: &str) -> Result<String, Box<dyn std::er
 
 /// Line and column of `text` in the shipped wing file, edited.
 fn place(from: &str, to: &str, anchor: &str) -> Result<String, std::io::Error> {
-    let text = std::fs::read_to_string(data("tuflex/wing.ron"))?.replacen(from, to, 1);
+    let text = std::fs::read_to_string(data("tuflex/wing_beam.ron"))?.replacen(from, to, 1);
     let at = text.find(anchor).expect("the anchor is in the file");
     let line = text[..at].lines().count();
     let column = at - text[..at].rfind('\n').map_or(0, |newline| newline + 1) + 1;

@@ -57,7 +57,7 @@ pub fn build(file: &AircraftFile, wing: &WingFile) -> Result<Cards, InputError> 
     let wing_spline = wing.spline_grid_ids(&right);
     let root = root_grid(&right, &wing_spline)?.ok_or_else(|| {
         InputError::in_file(&wing.path, "the wing has no structure, which a flexible aircraft needs")
-            .with_help("add `structure: (...)` to the wing's file")
+            .with_help("add `structure: ShellSolid((...))` or `Beam((...))` to the wing's file")
     })?;
     let image = Image::of(&right)?;
     let step = Step::above(&right, lattice.boxes.last().map_or(0, |panel| panel.id));

@@ -7,6 +7,8 @@ mod beam;
 pub mod cards;
 mod closing;
 pub mod error;
+mod fe_mirror;
+mod fe_numbers;
 pub mod flight;
 pub mod free_modes;
 mod fuselage;

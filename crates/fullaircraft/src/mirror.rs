@@ -8,6 +8,7 @@
 //! deck says in local axes changes accordingly: the products of inertia xy and yz, and of a beam's section what
 //! lies along its z axis (`I12`, z offsets), because element z is the cross product of axis and orientation vector.
 
+use crate::fe_mirror;
 use aero::Lattice;
 use nalgebra::Point3;
 use nastran::{
@@ -48,6 +49,7 @@ impl Image {
             unknown: bulk.unknown.clone(),
             ..BulkData::default()
         };
+        fe_mirror::add(bulk, &mut image)?;
         for grid in bulk.grids.values() {
             image.grids.insert(grid.id, mirrored_grid(grid, &frames)?);
         }

@@ -1,5 +1,6 @@
 //! Numbers of cards: raised by a step so that models can stand in one deck, and put together.
 
+use crate::fe_numbers;
 use nastran::{BulkData, CoordDefinition, Divisions, InputError, Orientation};
 use std::collections::BTreeMap;
 
@@ -28,7 +29,7 @@ impl Step {
             bulk.box_lists.keys().max(),
             bulk.sets.keys().max(),
         ];
-        let largest = keys.into_iter().flatten().copied().max().unwrap_or(0);
+        let largest = keys.into_iter().flatten().copied().max().unwrap_or(0).max(fe_numbers::largest(bulk));
         let power = |least: u32, above: u32| {
             std::iter::successors(Some(least), |power| power.checked_mul(10)).find(|power| *power > above)
         };
@@ -68,6 +69,7 @@ pub fn raised(bulk: &BulkData, step: Step, prefix: &str) -> BulkData {
         (r.id, r.independent) = (cards(r.id), cards(r.independent));
         r.dependent.iter_mut().for_each(|id| *id = cards(*id));
     });
+    fe_numbers::raise(&mut new, step.cards);
     new.constraints.iter_mut().flat_map(|c| &mut c.grids).for_each(|id| *id = cards(*id));
     let divisions = |d: Divisions| match d {
         Divisions::Aefact(id) => Divisions::Aefact(cards(id)),
@@ -95,7 +97,11 @@ pub fn raised(bulk: &BulkData, step: Step, prefix: &str) -> BulkData {
     new
 }
 
-fn rekeyed<T>(map: BTreeMap<u32, T>, key: impl Fn(u32) -> u32, change: impl Fn(&mut T)) -> BTreeMap<u32, T> {
+pub(crate) fn rekeyed<T>(
+    map: BTreeMap<u32, T>,
+    key: impl Fn(u32) -> u32,
+    change: impl Fn(&mut T),
+) -> BTreeMap<u32, T> {
     let change = |(id, mut card): (u32, T)| {
         change(&mut card);
         (key(id), card)
@@ -107,7 +113,8 @@ fn rekeyed<T>(map: BTreeMap<u32, T>, key: impl Fn(u32) -> u32, change: impl Fn(&
 ///
 /// # Errors
 /// If both use a number for the same kind of card.
-pub fn join(all: &mut BulkData, other: BulkData) -> Result<(), InputError> {
+pub fn join(all: &mut BulkData, mut other: BulkData) -> Result<(), InputError> {
+    fe_numbers::join(all, &mut other)?;
     merge(&mut all.grids, other.grids, "GRID")?;
     merge(&mut all.coords, other.coords, "CORD2R")?;
     merge(&mut all.beams, other.beams, "CBEAM")?;
@@ -136,7 +143,11 @@ pub fn join(all: &mut BulkData, other: BulkData) -> Result<(), InputError> {
     Ok(())
 }
 
-fn merge<T>(all: &mut BTreeMap<u32, T>, other: BTreeMap<u32, T>, kind: &str) -> Result<(), InputError> {
+pub(crate) fn merge<T>(
+    all: &mut BTreeMap<u32, T>,
+    other: BTreeMap<u32, T>,
+    kind: &str,
+) -> Result<(), InputError> {
     for (id, card) in other {
         if all.insert(id, card).is_some() {
             return Err(InputError::general(format!(

@@ -4,7 +4,9 @@ use crate::aircraft_file::TailSurface;
 use crate::beam;
 use crate::numbers::Step;
 use nalgebra::{Point3, Vector3};
-use nastran::{Aefact, Aelist, Aesurf, BulkData, Caero1, Coord, CoordDefinition, Divisions, Dmi, Span};
+use nastran::{
+    Aefact, Aelist, Aesurf, BulkData, Caero1, Coord, CoordDefinition, CoordKind, Divisions, Dmi, Span,
+};
 
 /// Beam elements of a tail surface.
 const ELEMENTS: u32 = 4;
@@ -48,7 +50,7 @@ pub(crate) fn cards(tail: &TailSurface, outward: &Vector3<f64>, first: Step, spa
         b: (root + normal).into(),
         c: (root + along.cross(&normal)).into(),
     };
-    bulk.coords.insert(id, Coord { id, definition, span: span.clone() });
+    bulk.coords.insert(id, Coord { id, kind: CoordKind::Rectangular, definition, span: span.clone() });
     let moving = rows - tail.control.chord_boxes..rows;
     let boxes = (0..strips).flat_map(|strip| moving.clone().map(move |row| first.boxes + strip * rows + row));
     bulk.box_lists.insert(id, Aelist { id, boxes: boxes.collect(), span: span.clone() });

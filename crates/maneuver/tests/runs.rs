@@ -54,7 +54,7 @@ fn fewer_than_three_samples_are_refused() {
 fn a_simulated_run_flown_again_gives_its_own_loads() {
     // deflections are commands in a run's file, and a simulated one has the same columns: were they what the
     // surface did, the actuator would act twice
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/tuflex/wing.ron");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/tuflex/wing_beam.ron");
     let (file, wing) = ElasticWing::read(&path).unwrap();
     let rig = Rig::new(&wing, RigSettings::new(file.damping_ratio, file.pitch_axis_x())).unwrap();
     let neutral = Corrections::neutral(wing.correctable.len());

@@ -3,6 +3,10 @@
 //! Numbers are in the deck's own units (SI for wingroot's wings) and, for points, in the coordinate system the
 //! card names; [`crate::geometry`] resolves them to the basic system.
 
+use crate::fe_cards::{
+    Cbush, Conm1, Crod, Genel, Mat2, Mat8, Mat9, Mpc, Pbush, Pcomp, Prod, Pshell, Psolid, Rbar, Rbe3,
+    ScalarElement, ScalarProperty, ShellElement, SolidElement, SplineCard,
+};
 use crate::source::Span;
 use std::collections::BTreeMap;
 
@@ -13,7 +17,7 @@ pub struct Grid {
     pub id: u32,
     /// Coordinate system of `xyz`; 0 is basic.
     pub cp: u32,
-    /// Coordinates in `cp` (for cylindrical systems r, theta in degrees, z).
+    /// Coordinates in `cp` (as its [`CoordKind`] says).
     pub xyz: [f64; 3],
     /// Displacement coordinate system; 0 is basic.
     pub cd: u32,
@@ -23,10 +27,22 @@ pub struct Grid {
     pub span: Span,
 }
 
-/// How a rectangular coordinate system is given.
+/// What the three coordinates of a system are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum CoordKind {
+    /// x, y, z (CORD1R, CORD2R).
+    #[default]
+    Rectangular,
+    /// r, theta in degrees from x, z (CORD1C, CORD2C).
+    Cylindrical,
+    /// r, theta in degrees from z, phi in degrees from x about z (CORD1S, CORD2S).
+    Spherical,
+}
+
+/// How a coordinate system is given.
 #[derive(Debug, Clone, PartialEq)]
 pub enum CoordDefinition {
-    /// CORD2R: origin, a point on the z axis, a point in the xz plane, all in system `rid`.
+    /// CORD2R, CORD2C, CORD2S: origin, a point on the z axis, a point in the xz plane, all in system `rid`.
     Points {
         /// Reference system.
         rid: u32,
@@ -37,15 +53,17 @@ pub enum CoordDefinition {
         /// In the xz plane.
         c: [f64; 3],
     },
-    /// CORD1R: the same three points given by grids.
+    /// CORD1R, CORD1C, CORD1S: the same three points given by grids.
     Grids([u32; 3]),
 }
 
-/// A rectangular coordinate system (CORD1R, CORD2R).
+/// A coordinate system (CORD1R, CORD1C, CORD1S, CORD2R, CORD2C, CORD2S).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Coord {
     /// Identification number.
     pub id: u32,
+    /// Rectangular, cylindrical or spherical.
+    pub kind: CoordKind,
     /// The three points that define it.
     pub definition: CoordDefinition,
     /// Where the card stands.
@@ -300,7 +318,7 @@ pub struct MonitorPoint {
 pub struct BulkData {
     /// GRID.
     pub grids: BTreeMap<u32, Grid>,
-    /// CORD1R, CORD2R.
+    /// CORD1R, CORD1C, CORD1S, CORD2R, CORD2C, CORD2S.
     pub coords: BTreeMap<u32, Coord>,
     /// CBAR, CBEAM.
     pub beams: BTreeMap<u32, BeamElement>,
@@ -314,6 +332,52 @@ pub struct BulkData {
     pub rigid: BTreeMap<u32, Rbe2>,
     /// SPC1, in file order.
     pub constraints: Vec<Spc1>,
+    /// CQUAD4, CTRIA3.
+    pub shells: BTreeMap<u32, ShellElement>,
+    /// PSHELL.
+    pub shell_properties: BTreeMap<u32, Pshell>,
+    /// PCOMP, PCOMPG.
+    pub laminates: BTreeMap<u32, Pcomp>,
+    /// CHEXA, CPENTA, CTETRA.
+    pub solids: BTreeMap<u32, SolidElement>,
+    /// PSOLID.
+    pub solid_properties: BTreeMap<u32, Psolid>,
+    /// CROD.
+    pub rods: BTreeMap<u32, Crod>,
+    /// PROD.
+    pub rod_properties: BTreeMap<u32, Prod>,
+    /// CBUSH.
+    pub bushes: BTreeMap<u32, Cbush>,
+    /// PBUSH.
+    pub bush_properties: BTreeMap<u32, Pbush>,
+    /// CELAS1, CELAS2.
+    pub springs: BTreeMap<u32, ScalarElement>,
+    /// PELAS.
+    pub spring_properties: BTreeMap<u32, ScalarProperty>,
+    /// CMASS1, CMASS2.
+    pub scalar_masses: BTreeMap<u32, ScalarElement>,
+    /// PMASS.
+    pub mass_properties: BTreeMap<u32, ScalarProperty>,
+    /// GENEL.
+    pub general: BTreeMap<u32, Genel>,
+    /// CONM1.
+    pub mass_matrices: BTreeMap<u32, Conm1>,
+    /// RBAR.
+    pub rigid_bars: BTreeMap<u32, Rbar>,
+    /// RBE3.
+    pub averages: BTreeMap<u32, Rbe3>,
+    /// MPC, in file order.
+    pub equations: Vec<Mpc>,
+    /// MAT2.
+    pub plane_materials: BTreeMap<u32, Mat2>,
+    /// MAT8.
+    pub ply_materials: BTreeMap<u32, Mat8>,
+    /// MAT9.
+    pub solid_materials: BTreeMap<u32, Mat9>,
+    /// SPLINE1, SPLINE2.
+    pub splines: BTreeMap<u32, SplineCard>,
+    /// PARAM with a number, by name in capitals.
+    pub parameters: BTreeMap<String, f64>,
     /// CAERO1.
     pub panels: BTreeMap<u32, Caero1>,
     /// PAERO1 (bodies are not read).

@@ -3,15 +3,16 @@
 //! If the deck has a `BEGIN BULK`, everything before it is skipped; `ENDDATA` ends the deck. Cards that are not
 //! read are counted by name in [`BulkData::unknown`], so that nothing is dropped in silence.
 
-use crate::aero_cards as aero;
 use crate::card::Card;
 use crate::cards::BulkData;
+use crate::checks;
+use crate::dispatch;
 use crate::dmi_reader::DmiCards;
 use crate::field::Line;
 use crate::include;
-use crate::property_cards as property;
+use crate::numbers::Numbers;
+use crate::shell_cards::CornerThickness;
 use crate::source::{InputError, Span, read_text};
-use crate::structure_cards as structure;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -19,16 +20,20 @@ use std::sync::Arc;
 /// Reads a deck with the files it includes.
 ///
 /// # Errors
-/// If a file cannot be read, a field is not what its card demands, an identification number is given twice, or
+/// If a file cannot be read or has nothing in it, a field is not what its card demands, an identification number is given twice, or
 /// a grid refers to a coordinate system that is not there.
 pub fn read_deck(path: &Path) -> Result<BulkData, InputError> {
-    parse_at(path, &read_text(path)?)
+    let text = read_text(path)?;
+    if text.trim().is_empty() {
+        return Err(InputError::in_file(path, "the deck is empty").with_help("expected bulk data cards"));
+    }
+    parse_at(path, &text)
 }
 
 /// Parses a deck; `name` is its file name in errors and the place included files are relative to.
 ///
 /// # Errors
-/// As [`read_deck`].
+/// As [`read_deck`]; a text without cards is a deck without cards.
 pub fn parse_deck(name: &str, text: &str) -> Result<BulkData, InputError> {
     parse_at(Path::new(name), text)
 }
@@ -52,6 +57,8 @@ fn is_begin_bulk(line: &str) -> bool {
 struct Reader {
     deck: BulkData,
     matrices: DmiCards,
+    numbers: Numbers,
+    thicknesses: Vec<CornerThickness>,
     card: Option<Card>,
     files: BTreeMap<PathBuf, Span>,
     has_ended: bool,
@@ -114,7 +121,8 @@ impl Reader {
         if card.name == "DMI" {
             return self.matrices.add(card);
         }
-        if !structure_card(&mut self.deck, &card)? && !aero_card(&mut self.deck, &card)? {
+        self.numbers.claim(&card)?;
+        if !dispatch::card(&mut self.deck, &mut self.thicknesses, &card)? {
             *self.deck.unknown.entry(card.name).or_default() += 1;
         }
         Ok(())
@@ -123,106 +131,8 @@ impl Reader {
     fn finish(mut self) -> Result<BulkData, InputError> {
         self.deck.matrices = self.matrices.assemble()?;
         crate::geometry::check_grids(&self.deck)?;
+        checks::corner_thicknesses(&self.deck, &self.thicknesses)?;
+        checks::material_axes(&self.deck)?;
         Ok(self.deck)
     }
-}
-
-/// Keeps the item of a card whose name is known here.
-fn structure_card(deck: &mut BulkData, card: &Card) -> Result<bool, InputError> {
-    match card.name.as_str() {
-        "GRID" => {
-            let item = structure::grid(card)?;
-            keep(&mut deck.grids, card, item.id, item, |item| &item.span)
-        }
-        "CORD1R" => structure::cord1r(card)?
-            .into_iter()
-            .try_for_each(|item| keep(&mut deck.coords, card, item.id, item, |item| &item.span)),
-        "CORD2R" => {
-            let item = structure::cord2r(card)?;
-            keep(&mut deck.coords, card, item.id, item, |item| &item.span)
-        }
-        "CBAR" | "CBEAM" => {
-            let item = structure::beam_element(card)?;
-            keep(&mut deck.beams, card, item.id, item, |item| &item.span)
-        }
-        "PBAR" | "PBEAM" => {
-            let item = if card.name == "PBAR" { property::pbar(card)? } else { property::pbeam(card)? };
-            keep(&mut deck.beam_properties, card, item.id, item, |item| &item.span)
-        }
-        "MAT1" => {
-            let item = property::mat1(card)?;
-            keep(&mut deck.materials, card, item.id, item, |item| &item.span)
-        }
-        "CONM2" => {
-            let item = structure::conm2(card)?;
-            keep(&mut deck.masses, card, item.id, item, |item| &item.span)
-        }
-        "RBE2" => {
-            let item = structure::rbe2(card)?;
-            keep(&mut deck.rigid, card, item.id, item, |item| &item.span)
-        }
-        "SPC1" => {
-            deck.constraints.push(structure::spc1(card)?);
-            Ok(())
-        }
-        "SET1" => {
-            let item = structure::set1(card)?;
-            keep(&mut deck.sets, card, item.id, item, |item| &item.span)
-        }
-        _ => return Ok(false),
-    }
-    .map(|()| true)
-}
-
-fn aero_card(deck: &mut BulkData, card: &Card) -> Result<bool, InputError> {
-    match card.name.as_str() {
-        "CAERO1" => {
-            let item = aero::caero1(card)?;
-            keep(&mut deck.panels, card, item.id, item, |item| &item.span)
-        }
-        "PAERO1" => {
-            keep(&mut deck.panel_properties, card, card.id(0, "PID")?, card.span.clone(), |span| span)
-        }
-        "AEFACT" => {
-            let item = aero::aefact(card)?;
-            keep(&mut deck.factors, card, item.id, item, |item| &item.span)
-        }
-        "AESURF" => {
-            let item = aero::aesurf(card)?;
-            keep(&mut deck.surfaces, card, item.id, item, |item| &item.span)
-        }
-        "AELIST" => {
-            let item = aero::aelist(card)?;
-            keep(&mut deck.box_lists, card, item.id, item, |item| &item.span)
-        }
-        "MONPNT1" | "MONPNT3" => {
-            let item = aero::monitor(card)?;
-            if let Some(first) = deck.monitors.iter().find(|other| other.name == item.name) {
-                return Err(twice(card, &format!("monitoring station {}", item.name), &first.span));
-            }
-            deck.monitors.push(item);
-            Ok(())
-        }
-        _ => return Ok(false),
-    }
-    .map(|()| true)
-}
-
-fn keep<T>(
-    map: &mut BTreeMap<u32, T>,
-    card: &Card,
-    id: u32,
-    item: T,
-    span: impl Fn(&T) -> &Span,
-) -> Result<(), InputError> {
-    if let Some(first) = map.get(&id) {
-        return Err(twice(card, &format!("{} {id}", card.name), span(first)));
-    }
-    map.insert(id, item);
-    Ok(())
-}
-
-fn twice(card: &Card, what: &str, first: &Span) -> InputError {
-    let message = format!("{what} is given twice; the number or name is taken since {first}");
-    card.error(0, message).with_help("give every card its own number or name")
 }

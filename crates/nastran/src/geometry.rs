@@ -1,9 +1,14 @@
-//! Coordinate systems: the rectangular systems of a deck (CORD1R, CORD2R) resolved to the basic system.
+//! Coordinate systems: the systems of a deck (CORD1R, CORD2R, and the cylindrical and spherical ones) resolved to
+//! the basic system.
 //!
 //! The three points of a system give its axes: z from A to B, x in the half plane of C, y = z x x. They may
 //! stand in another system or be grids of other systems, in any order, but not in a circle.
+//!
+//! Cylindrical coordinates are r, theta, z with x = r cos(theta), y = r sin(theta). Spherical ones are r, theta, phi
+//! with x = r sin(theta) cos(phi), y = r sin(theta) sin(phi), z = r cos(theta). The axes at a point are those in
+//! which r, theta and z (or phi) grow; on the z axis, where they are not defined, those of theta (or phi) zero.
 
-use crate::cards::{BulkData, Coord, CoordDefinition, Grid};
+use crate::cards::{BulkData, Coord, CoordDefinition, CoordKind, Grid};
 use crate::source::{InputError, Span};
 use nalgebra::{Matrix3, Point3, Vector3};
 use std::collections::{BTreeMap, BTreeSet};
@@ -19,6 +24,52 @@ pub struct Frames {
 struct Frame {
     origin: Point3<f64>,
     axes: Matrix3<f64>,
+    kind: CoordKind,
+}
+
+impl Frame {
+    /// The place of three coordinates, in the basic system.
+    fn place(&self, coordinates: [f64; 3]) -> Point3<f64> {
+        self.origin + self.axes * cartesian(self.kind, coordinates)
+    }
+
+    /// The directions in which the coordinates grow at a point of the basic system, as columns.
+    fn axes_at(&self, point: &Point3<f64>) -> Matrix3<f64> {
+        let local = self.axes.transpose() * (point - self.origin);
+        let across = local.x.hypot(local.y);
+        // Nearer to the axis than round-off of the place, the direction would be noise.
+        let scale = local.norm() + self.origin.coords.norm();
+        let (cos, sin) =
+            if across > 1e-12 * scale { (local.x / across, local.y / across) } else { (1.0, 0.0) };
+        let turned = match self.kind {
+            CoordKind::Rectangular => return self.axes,
+            CoordKind::Cylindrical => Matrix3::new(cos, -sin, 0.0, sin, cos, 0.0, 0.0, 0.0, 1.0),
+            CoordKind::Spherical => {
+                let distance = local.norm();
+                let (up, out) = if distance > 1e-12 * scale {
+                    (local.z / distance, across / distance)
+                } else {
+                    (1.0, 0.0)
+                };
+                let radial = Vector3::new(out * cos, out * sin, up);
+                let polar = Vector3::new(up * cos, up * sin, -out);
+                Matrix3::from_columns(&[radial, polar, Vector3::new(-sin, cos, 0.0)])
+            }
+        };
+        self.axes * turned
+    }
+}
+
+fn cartesian(kind: CoordKind, [first, second, third]: [f64; 3]) -> Vector3<f64> {
+    let (sin, cos) = second.to_radians().sin_cos();
+    match kind {
+        CoordKind::Rectangular => Vector3::new(first, second, third),
+        CoordKind::Cylindrical => Vector3::new(first * cos, first * sin, third),
+        CoordKind::Spherical => {
+            let (sin_phi, cos_phi) = third.to_radians().sin_cos();
+            Vector3::new(first * sin * cos_phi, first * sin * sin_phi, first * cos)
+        }
+    }
 }
 
 impl Frames {
@@ -28,7 +79,8 @@ impl Frames {
     /// If a system refers to one or to a grid that is not there, refers to itself by detours, or its points do
     /// not span a plane; the system's card is blamed.
     pub fn resolve(deck: &BulkData) -> Result<Self, InputError> {
-        let basic = Frame { origin: Point3::origin(), axes: Matrix3::identity() };
+        let kind = CoordKind::Rectangular;
+        let basic = Frame { origin: Point3::origin(), axes: Matrix3::identity(), kind };
         let mut frames = Self { frames: BTreeMap::from([(0, basic)]), unread: unread(deck) };
         for id in deck.coords.keys() {
             frames.resolve_one(deck, *id)?;
@@ -36,29 +88,59 @@ impl Frames {
         Ok(frames)
     }
 
-    /// The point `xyz` of system `cid`, in the basic system. `span` is the card that refers to `cid`.
+    /// The place of coordinates `xyz` of system `cid`, in the basic system; angles in degrees. `span` is the card
+    /// that refers to `cid`.
     ///
     /// # Errors
     /// If there is no such system.
     pub fn point(&self, cid: u32, xyz: [f64; 3], span: &Span) -> Result<Point3<f64>, InputError> {
         let frame = self.frames.get(&cid).ok_or_else(|| self.missing(cid, Some(span)))?;
-        Ok(frame.origin + frame.axes * Vector3::from(xyz))
+        Ok(frame.place(xyz))
     }
 
-    /// The axes of system `cid` as columns (x, y, z) in the basic system.
+    /// The axes of rectangular system `cid` as columns (x, y, z) in the basic system.
     ///
     /// # Errors
-    /// If there is no such system; the error has no place, see [`Frames::axes_at`].
+    /// As [`Frames::axes_at`], without a place.
     pub fn axes(&self, cid: u32) -> Result<Matrix3<f64>, InputError> {
-        self.frames.get(&cid).map(|frame| frame.axes).ok_or_else(|| self.missing(cid, None))
+        self.rectangular(cid, None)
     }
 
     /// As [`Frames::axes`]; `span` is the card that refers to `cid`.
     ///
     /// # Errors
-    /// If there is no such system, with the card's place.
+    /// If there is no such system, or its axes differ from point to point ([`Frames::axes_at_point`] has those),
+    /// with the card's place.
     pub fn axes_at(&self, cid: u32, span: &Span) -> Result<Matrix3<f64>, InputError> {
-        self.frames.get(&cid).map(|frame| frame.axes).ok_or_else(|| self.missing(cid, Some(span)))
+        self.rectangular(cid, Some(span))
+    }
+
+    /// The axes of system `cid` at a point of the basic system, as columns in the basic system: x, y, z; r, theta, z;
+    /// or r, theta, phi. For rectangular systems as [`Frames::axes_at`].
+    ///
+    /// # Errors
+    /// If there is no such system; `span` is the card that refers to it.
+    pub fn axes_at_point(
+        &self,
+        cid: u32,
+        point: &Point3<f64>,
+        span: &Span,
+    ) -> Result<Matrix3<f64>, InputError> {
+        let frame = self.frames.get(&cid).ok_or_else(|| self.missing(cid, Some(span)))?;
+        Ok(frame.axes_at(point))
+    }
+
+    fn rectangular(&self, cid: u32, span: Option<&Span>) -> Result<Matrix3<f64>, InputError> {
+        let frame = self.frames.get(&cid).ok_or_else(|| self.missing(cid, span))?;
+        if frame.kind == CoordKind::Rectangular {
+            return Ok(frame.axes);
+        }
+        let message = format!("coordinate system {cid} is not rectangular, which is needed here");
+        let error = match span {
+            Some(span) => InputError::at(span, message),
+            None => InputError::general(message),
+        };
+        Err(error.with_help("name a CORD1R or CORD2R"))
     }
 
     /// A grid's place in the basic system.
@@ -135,7 +217,7 @@ impl Frames {
         let y = z.cross(&towards_c).try_normalize(1e-9).ok_or_else(degenerate)?;
         let axes = Matrix3::from_columns(&[y.cross(&z), y, z]);
         if axes.iter().all(|value| value.is_finite()) {
-            Ok(Frame { origin: a, axes })
+            Ok(Frame { origin: a, axes, kind: coord.kind })
         } else {
             Err(degenerate())
         }
@@ -174,12 +256,12 @@ fn missing(unread: &[String], cid: u32, span: Option<&Span>) -> InputError {
         error.with_help(format!("add a CORD2R {cid} or correct the number"))
     } else {
         let names = unread.join(", ");
-        error.with_help(format!("the deck has {names} cards, which are not read; use CORD1R or CORD2R"))
+        error.with_help(format!("the deck has {names} cards, which are not read; use CORD1R, CORD1C, CORD1S, CORD2R, CORD2C or CORD2S"))
     }
 }
 
 fn grid<'a>(deck: &'a BulkData, id: u32, coord: &Coord) -> Result<&'a Grid, InputError> {
     deck.grids.get(&id).ok_or_else(|| {
-        InputError::at(&coord.span, format!("grid {id} of CORD1R {} does not exist", coord.id))
+        InputError::at(&coord.span, format!("grid {id} of coordinate system {} does not exist", coord.id))
     })
 }

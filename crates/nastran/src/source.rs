@@ -104,15 +104,44 @@ impl std::error::Error for InputError {}
 
 /// Reads a text file, or says which file could not be read and why.
 ///
+/// A byte order mark at the start is dropped.
+///
 /// # Errors
-/// If the file is missing, unreadable or not UTF-8.
+/// If the file is missing, unreadable or not UTF-8; the latter with the line.
 pub fn read_text(path: &Path) -> Result<String, InputError> {
-    std::fs::read_to_string(path).map_err(|error| match error.kind() {
+    let bytes = std::fs::read(path).map_err(|error| match error.kind() {
         std::io::ErrorKind::NotFound => InputError::in_file(path, "the file does not exist")
             .with_help("check the path; relative paths start from the folder the command runs in"),
         _ if path.is_dir() => InputError::in_file(path, "this is a folder; expected a text file")
             .with_help("name the file in it"),
         _ => InputError::in_file(path, format!("the file cannot be read: {error}"))
             .with_help("it must be a text file (UTF-8) that you may read"),
-    })
+    })?;
+    decode(path, bytes)
+}
+
+/// The text of a file's bytes.
+fn decode(path: &Path, bytes: Vec<u8>) -> Result<String, InputError> {
+    if bytes.starts_with(&[0xFF, 0xFE]) || bytes.starts_with(&[0xFE, 0xFF]) {
+        return Err(InputError::in_file(path, "the file is in UTF-16; expected UTF-8 or plain ASCII")
+            .with_help("save it again as UTF-8"));
+    }
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let good = error.utf8_error().valid_up_to();
+        let before = String::from_utf8_lossy(&error.as_bytes()[..good]).into_owned();
+        let line = before.matches('\n').count() + 1;
+        let column = before.rsplit('\n').next().unwrap_or("").chars().count() + 1;
+        let place = Span::new(&Arc::new(path.to_path_buf()), line, column, column + 1);
+        let message = format!("byte {:#04X} is not UTF-8", error.as_bytes()[good]);
+        InputError::at(&place, message).with_help(
+            "save the file as UTF-8; letters such as umlauts in an older encoding are the usual cause",
+        )
+    })?;
+    if let Some(at) = text.find('\0') {
+        let line = text[..at].matches('\n').count() + 1;
+        let place = Span::new(&Arc::new(path.to_path_buf()), line, 0, 0);
+        return Err(InputError::at(&place, "the file has zero bytes, so it is no text file in UTF-8")
+            .with_help("UTF-16 without a mark at its start is a usual cause; save it again as UTF-8"));
+    }
+    Ok(text.strip_prefix('\u{FEFF}').map(str::to_owned).unwrap_or(text))
 }

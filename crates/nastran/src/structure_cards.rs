@@ -1,7 +1,9 @@
 //! Grids, coordinate systems, elements, masses and constraints: from fields to the structs of [`crate::cards`].
 
 use crate::card::Card;
-use crate::cards::{BeamElement, Conm2, Coord, CoordDefinition, Grid, Orientation, Rbe2, Set1, Spc1};
+use crate::cards::{
+    BeamElement, Conm2, Coord, CoordDefinition, CoordKind, Grid, Orientation, Rbe2, Set1, Spc1,
+};
 use crate::real;
 use crate::source::InputError;
 
@@ -17,12 +19,13 @@ pub(crate) fn grid(card: &Card) -> Result<Grid, InputError> {
     })
 }
 
-/// CORD1R: CID G1 G2 G3, twice on one card.
-pub(crate) fn cord1r(card: &Card) -> Result<Vec<Coord>, InputError> {
+/// CORD1R, CORD1C, CORD1S: CID G1 G2 G3, twice on one card.
+pub(crate) fn cord1(card: &Card) -> Result<Vec<Coord>, InputError> {
     let one = |from: usize| -> Result<Coord, InputError> {
         let grids = [card.id(from + 1, "G1")?, card.id(from + 2, "G2")?, card.id(from + 3, "G3")?];
         Ok(Coord {
             id: card.id(from, "CID")?,
+            kind: kind(card),
             definition: CoordDefinition::Grids(grids),
             span: card.span.clone(),
         })
@@ -34,15 +37,23 @@ pub(crate) fn cord1r(card: &Card) -> Result<Vec<Coord>, InputError> {
     Ok(systems)
 }
 
-/// CORD2R: CID RID A1 A2 A3 B1 B2 B3 / C1 C2 C3.
-pub(crate) fn cord2r(card: &Card) -> Result<Coord, InputError> {
+/// CORD2R, CORD2C, CORD2S: CID RID A1 A2 A3 B1 B2 B3 / C1 C2 C3.
+pub(crate) fn cord2(card: &Card) -> Result<Coord, InputError> {
     let definition = CoordDefinition::Points {
         rid: card.count_or(1, "RID", 0)?,
         a: card.vector(2, ["A1", "A2", "A3"])?,
         b: card.vector(5, ["B1", "B2", "B3"])?,
         c: card.vector(8, ["C1", "C2", "C3"])?,
     };
-    Ok(Coord { id: card.id(0, "CID")?, definition, span: card.span.clone() })
+    Ok(Coord { id: card.id(0, "CID")?, kind: kind(card), definition, span: card.span.clone() })
+}
+
+fn kind(card: &Card) -> CoordKind {
+    match card.name.chars().last() {
+        Some('C') => CoordKind::Cylindrical,
+        Some('S') => CoordKind::Spherical,
+        _ => CoordKind::Rectangular,
+    }
 }
 
 /// CBAR, CBEAM: EID PID GA GB X1 X2 X3 OFFT / PA PB W1A W2A W3A W1B W2B W3B (/ SA SB).
@@ -70,20 +81,26 @@ pub(crate) fn beam_element(card: &Card) -> Result<BeamElement, InputError> {
 }
 
 fn orientation(card: &Card) -> Result<Orientation, InputError> {
+    optional_orientation(card)?.ok_or_else(|| {
+        card.empty(4, "X1", "an orientation vector or a grid")
+            .with_help("defaults from BAROR or BEAMOR are not read; give the vector on the element")
+    })
+}
+
+/// Fields G0 or X1 X2 X3 of bars, beams and bushes; nothing if all are empty.
+pub(crate) fn optional_orientation(card: &Card) -> Result<Option<Orientation>, InputError> {
     let text = card.text(4);
     if text.parse::<i64>().is_ok() && card.text(5).is_empty() && card.text(6).is_empty() {
-        return Ok(Orientation::Grid(card.id(4, "G0")?));
+        return Ok(Some(Orientation::Grid(card.id(4, "G0")?)));
     }
     if text.is_empty() && card.text(5).is_empty() && card.text(6).is_empty() {
-        return Err(card
-            .empty(4, "X1", "an orientation vector or a grid")
-            .with_help("defaults from BAROR or BEAMOR are not read; give the vector on the element"));
+        return Ok(None);
     }
     let vector = card.vector(4, ["X1", "X2", "X3"])?;
     if vector == [0.0; 3] {
         return Err(card.error(4, format!("the orientation vector of {} is zero", card.name)));
     }
-    Ok(Orientation::Vector(vector))
+    Ok(Some(Orientation::Vector(vector)))
 }
 
 /// CONM2: EID G CID M X1 X2 X3 blank / I11 I21 I22 I31 I32 I33.

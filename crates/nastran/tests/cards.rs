@@ -178,10 +178,10 @@ fn monitoring_stations_keep_their_labels() {
 
 #[test]
 fn unknown_cards_are_counted() {
-    let deck = parse("CQUAD4,1,2,3,4,5,6\nCQUAD4,2,2,3,4,5,6\nGRDSET,,,,,,,345\n");
+    let deck = parse("CQUADR,1,2,3,4,5,6\nCQUADR,2,2,3,4,5,6\nGRDSET,,,,,,,345\n");
     assert_eq!(
         deck.unknown.iter().map(|(name, n)| (name.as_str(), *n)).collect::<Vec<_>>(),
-        [("CQUAD4", 2), ("GRDSET", 1)]
+        [("CQUADR", 2), ("GRDSET", 1)]
     );
 }
 
@@ -193,7 +193,7 @@ fn a_number_given_twice_is_refused_with_both_places() {
     );
     assert_eq!(
         error("CBAR,1,1,1,2,0.,0.,1.\nCBEAM,1,1,1,2,0.,0.,1.\n"),
-        "t.bdf:2:7: CBEAM 1 is given twice; the number or name is taken since t.bdf:1:1"
+        "t.bdf:2:7: CBEAM 1 has the number of another element, CBAR 1 at t.bdf:1:1"
     );
 }
 
@@ -204,10 +204,12 @@ fn a_grid_in_an_undefined_coordinate_system_is_refused() {
         "t.bdf:1:1: grid 1 refers to coordinate system 3, which is not defined"
     );
     let unread =
-        parse_deck("t.bdf", "CORD2C,3,,0.,0.,0.,0.,0.,1.\n,1.,0.,0.\nGRID,1,,0.,0.,0.,3\n").unwrap_err();
+        parse_deck("t.bdf", "CORD3G,3,,0.,0.,0.,0.,0.,1.\n,1.,0.,0.\nGRID,1,,0.,0.,0.,3\n").unwrap_err();
     assert_eq!(
         unread.help.as_deref(),
-        Some("the deck has CORD2C cards, which are not read; use CORD1R or CORD2R")
+        Some(
+            "the deck has CORD3G cards, which are not read; use CORD1R, CORD1C, CORD1S, CORD2R, CORD2C or CORD2S"
+        )
     );
 }
 

@@ -54,7 +54,7 @@ fn systems_that_cannot_be_resolved_are_refused() {
         error("CORD2R,1,7,0.,0.,0.,0.,0.,1.\n,1.,0.,0.\n"),
         "t.bdf:1:1: coordinate system 7 is not defined"
     );
-    assert_eq!(error("CORD1R,1,2,3,4\n"), "t.bdf:1:1: grid 2 of CORD1R 1 does not exist");
+    assert_eq!(error("CORD1R,1,2,3,4\n"), "t.bdf:1:1: grid 2 of coordinate system 1 does not exist");
     for points in [
         "0.,0.,0.,0.,0.,0.\n,1.,0.,0.",
         "0.,0.,0.,0.,0.,1.\n,0.,0.,2.",
@@ -88,7 +88,56 @@ fn a_long_chain_of_systems_is_resolved() {
     assert_eq!(origin, Point3::new(0.0, 0.0, f64::from(count)));
 }
 
+#[test]
+fn cylindrical_and_spherical_points_and_axes() {
+    let deck = parse_deck(
+        "t.bdf",
+        concat!(
+            "CORD2C,1,,1.,0.,0.,1.,0.,1.\n,2.,0.,0.\nCORD2S,2,,1.,0.,0.,1.,0.,1.\n,2.,0.,0.\n",
+            "CORD2R,3,1,2.,90.,0.,2.,90.,1.\n,3.,90.,0.\nGRID,1,1,2.,90.,3.,1\nGRID,2,2,2.,90.,90.,2\nGRID,3,3,1.\n"
+        ),
+    )
+    .expect("a good deck");
+    let frames = Frames::resolve(&deck).expect("good systems");
+    let place = |id: u32| frames.grid_point(&deck.grids[&id]).expect("systems exist");
+    assert!((place(1) - Point3::new(1.0, 2.0, 3.0)).norm() < 1e-15, "{}", place(1));
+    assert!((place(2) - Point3::new(1.0, 2.0, 0.0)).norm() < 1e-15, "{}", place(2));
+    // The rectangular system stands at r = 2, theta = 90 degrees of the first, its x axis outwards.
+    assert!((place(3) - Point3::new(1.0, 3.0, 0.0)).norm() < 1e-15, "{}", place(3));
+    let span = Span::generated("test");
+    let axes = |cid: u32| frames.axes_at_point(cid, &place(1), &span).expect("systems exist");
+    let turned = nalgebra::Matrix3::new(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0);
+    assert!((axes(1) - turned).norm() < 1e-15);
+    assert_eq!(axes(3), frames.axes_at(3, &span).expect("rectangular"));
+    // On the axis theta counts as zero.
+    let on_axis = frames.axes_at_point(1, &Point3::new(1.0, 0.0, 7.0), &span).expect("a system");
+    assert_eq!(on_axis, nalgebra::Matrix3::identity());
+    let error = frames.axes_at(1, &span).expect_err("differs from point to point");
+    assert_eq!(error.message, "coordinate system 1 is not rectangular, which is needed here");
+}
+
 proptest! {
+    #[test]
+    fn axes_at_a_point_are_where_its_coordinates_grow(
+        first in 0.5..3.0_f64, second in 10.0..170.0_f64, third in 10.0..80.0_f64,
+        a in prop::array::uniform3(-1.0..1.0_f64), is_spherical in any::<bool>(),
+    ) {
+        let letter = if is_spherical { 'S' } else { 'C' };
+        let [x, y, z] = a.map(|value| nastran::real::format(value, 8));
+        let text = format!("CORD2{letter},1,,{x},{y},{z},3.,3.,1.\n,-2.,2.,5.\n");
+        let frames = Frames::resolve(&parse_deck("t.bdf", &text).expect("a good deck")).expect("a good system");
+        let span = Span::generated("test");
+        let at = |q: [f64; 3]| frames.point(1, q, &span).expect("a system");
+        let here = [first, second, third];
+        let axes = frames.axes_at_point(1, &at(here), &span).expect("a system");
+        for i in 0..3 {
+            let (mut ahead, mut behind) = (here, here);
+            (ahead[i], behind[i]) = (here[i] + 1e-4, here[i] - 1e-4);
+            let direction = (at(ahead) - at(behind)).normalize();
+            prop_assert!((direction - axes.column(i)).norm() < 1e-7, "{} {}", direction, axes);
+        }
+    }
+
     #[test]
     fn axes_are_orthonormal_and_right_handed(a in prop::array::uniform3(-5.0..5.0), b in prop::array::uniform3(-5.0..5.0), c in prop::array::uniform3(-5.0..5.0)) {
         let number = |value: f64| nastran::real::format(value, 16);

@@ -8,6 +8,7 @@ mod paint;
 pub mod palette;
 pub mod table;
 mod thin;
+pub mod vtu;
 
 pub use error::DrawError;
 pub use figure::{Figure, Panel, Series, Style};

@@ -1,48 +1,124 @@
-//! Sums the elements into the stiffness and mass of the whole, and reduces them to the free motions.
+//! Sums the elements into stiffness and mass of all motions and of the free ones.
+//!
+//! Element matrices are computed in parallel, a batch at a time, and added in the order of the elements: the sums are
+//! the same on any number of threads. Free motions get the element's matrix by its own rows of T, so the whole is never
+//! multiplied with T.
 
 use crate::dofs::DofMap;
-use crate::model::Model;
-use crate::sparse::{self, Entry, Sparse};
-use faer::sparse::SparseColMatRef;
+use crate::element::Element;
+use crate::model::{MassForm, Model};
+use crate::sparse::{Pattern, Sparse};
 use nalgebra::DMatrix;
+use rayon::prelude::*;
+use std::sync::Arc;
 
-/// Stiffness and mass of the g-set.
-pub(crate) fn global(model: &Model) -> (Sparse, Sparse) {
-    let mut entries = Vec::new();
-    for element in model.elements() {
-        let dofs: Vec<usize> =
-            element.nodes().iter().flat_map(|node| (0..6).map(move |c| 6 * node + c)).collect();
-        let value = |matrix: Option<&DMatrix<f64>>, i, j| matrix.map_or(0.0, |matrix| matrix[(i, j)]);
-        for (j, column) in dofs.iter().enumerate() {
-            for (i, row) in dofs.iter().enumerate().filter(|(_, row)| *row >= column) {
-                let (k, m) = (value(element.stiffness(), i, j), value(element.mass(), i, j));
-                if k != 0.0 || m != 0.0 {
-                    entries.push(Entry { row: *row, column: *column, k, m });
-                }
-            }
-        }
-    }
-    sparse::pair(6 * model.nodes.len(), entries)
+/// Elements whose matrices are in memory at a time.
+const BATCH: usize = 512;
+
+/// Stiffness and mass of the g-set and of the f-set.
+pub(crate) struct Assembled {
+    pub(crate) k_gg: Sparse,
+    pub(crate) m_gg: Sparse,
+    pub(crate) k_ff: Sparse,
+    pub(crate) m_ff: Sparse,
 }
 
-/// T^T K T and T^T M T for matrices of one pattern.
-pub(crate) fn reduced(
-    k: SparseColMatRef<'_, usize, f64>,
-    m: SparseColMatRef<'_, usize, f64>,
-    dofs: &DofMap,
-) -> (Sparse, Sparse) {
-    let mut entries = Vec::with_capacity(k.val().len());
-    for j in 0..k.ncols() {
-        for ((i, k), m) in k.row_idx_of_col(j).zip(k.val_of_col(j)).zip(m.val_of_col(j)) {
-            for (row, left) in &dofs.rows[i] {
-                for (column, right) in &dofs.rows[j] {
-                    if row >= column {
-                        let factor = left * right;
-                        entries.push(Entry { row: *row, column: *column, k: factor * k, m: factor * m });
-                    }
-                }
+/// An element's motions among the free ones: T of its own rows, or where each row stands if no row is a combination.
+enum Free {
+    Places(Vec<Option<usize>>),
+    Combined { dofs: Vec<usize>, t: DMatrix<f64> },
+}
+
+/// The sums over all elements of a model; `factors` scales stiffness and mass of an element by its number in the list.
+pub(crate) fn assembled(
+    model: &Model,
+    map: &DofMap,
+    factors: impl Fn(usize) -> [f64; 2] + Sync,
+) -> Assembled {
+    let dofs: Vec<Vec<usize>> = model.elements.iter().map(|element| element.dofs()).collect();
+    let free: Vec<Free> = dofs.iter().map(|dofs| free_motions(dofs, map)).collect();
+    let free_lists: Vec<Vec<usize>> = free.iter().map(Free::list).collect();
+    let mut all = Pattern::of(6 * model.nodes.len(), &dofs).values();
+    let mut own = Pattern::of(map.free.len(), &free_lists).values();
+    for batch in (0..model.elements.len()).step_by(BATCH) {
+        let range = batch..(batch + BATCH).min(model.elements.len());
+        let one = |at: usize| {
+            let [k, m] = matrices(model, &model.elements[at], &dofs[at]);
+            let [stiffer, heavier] = factors(at);
+            let (k, m) = (k.map(|k| k * stiffer), m.map(|m| m * heavier));
+            let reduced = [free[at].reduce(k.as_ref()), free[at].reduce(m.as_ref())];
+            ([k, m], reduced)
+        };
+        let computed: Vec<_> = range.clone().into_par_iter().map(one).collect();
+        for (at, ([k, m], [k_f, m_f])) in range.zip(computed) {
+            all.add(&dofs[at], k.as_ref(), m.as_ref());
+            match &free[at] {
+                Free::Places(places) => own.add_where(places, k.as_ref(), m.as_ref()),
+                Free::Combined { dofs, .. } => own.add(dofs, k_f.as_ref(), m_f.as_ref()),
             }
         }
     }
-    sparse::pair(dofs.free.len(), entries)
+    let (k_gg, m_gg) = all.symmetric();
+    let (k_ff, m_ff) = own.symmetric();
+    Assembled { k_gg, m_gg, k_ff, m_ff }
+}
+
+/// Stiffness and mass of an element, the mass in the form and unit the model asks for.
+pub(crate) fn matrices(
+    model: &Model,
+    element: &Arc<dyn Element>,
+    dofs: &[usize],
+) -> [Option<DMatrix<f64>>; 2] {
+    let k = element.stiffness().map(std::borrow::Cow::into_owned);
+    let mut m = element.mass().map(std::borrow::Cow::into_owned);
+    if model.mass_form == MassForm::Lumped && k.is_some() {
+        m = m.map(|m| lumped(&m, dofs));
+    }
+    [k, m.map(|m| m * model.mass_factor)]
+}
+
+/// Each displacement keeps the sum of its row over displacements of the same component.
+fn lumped(mass: &DMatrix<f64>, dofs: &[usize]) -> DMatrix<f64> {
+    let of_row = |i: usize| -> f64 {
+        let component = dofs[i] % 6;
+        if component > 2 {
+            return 0.0;
+        }
+        (0..dofs.len()).filter(|j| dofs[*j] % 6 == component).map(|j| mass[(i, j)]).sum()
+    };
+    DMatrix::from_diagonal(&nalgebra::DVector::from_fn(dofs.len(), |i, _| of_row(i)))
+}
+
+fn free_motions(dofs: &[usize], map: &DofMap) -> Free {
+    let is_plain = |dof: &usize| matches!(map.rows[*dof].as_slice(), [] | [(_, 1.0)]);
+    if dofs.iter().all(is_plain) {
+        return Free::Places(dofs.iter().map(|dof| map.rows[*dof].first().map(|(at, _)| *at)).collect());
+    }
+    let mut own: Vec<usize> = dofs.iter().flat_map(|dof| map.rows[*dof].iter().map(|(at, _)| *at)).collect();
+    own.sort_unstable();
+    own.dedup();
+    let mut t = DMatrix::zeros(dofs.len(), own.len());
+    for (row, dof) in dofs.iter().enumerate() {
+        for (at, factor) in &map.rows[*dof] {
+            t[(row, own.binary_search(at).expect("every motion is in the list"))] += factor;
+        }
+    }
+    Free::Combined { dofs: own, t }
+}
+
+impl Free {
+    fn list(&self) -> Vec<usize> {
+        match self {
+            Self::Places(places) => places.iter().flatten().copied().collect(),
+            Self::Combined { dofs, .. } => dofs.clone(),
+        }
+    }
+
+    /// T^T A T; nothing where the element's own matrix can be added as it is.
+    fn reduce(&self, matrix: Option<&DMatrix<f64>>) -> Option<DMatrix<f64>> {
+        match (self, matrix) {
+            (Self::Combined { t, .. }, Some(matrix)) => Some(t.transpose() * matrix * t),
+            _ => None,
+        }
+    }
 }

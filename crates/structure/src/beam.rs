@@ -16,6 +16,7 @@ use crate::element::Element;
 use crate::section::Section;
 use nalgebra::{DMatrix, Matrix3, Matrix6, Point3, SMatrix, Vector3};
 use nastran::{BeamProperty, InputError, Mat1, Span};
+use std::borrow::Cow;
 
 pub(crate) type Matrix12 = SMatrix<f64, 12, 12>;
 
@@ -93,11 +94,11 @@ impl Element for Beam {
     fn nodes(&self) -> &[usize] {
         &self.nodes
     }
-    fn stiffness(&self) -> Option<&DMatrix<f64>> {
-        Some(&self.stiffness)
+    fn stiffness(&self) -> Option<Cow<'_, DMatrix<f64>>> {
+        Some(Cow::Borrowed(&self.stiffness))
     }
-    fn mass(&self) -> Option<&DMatrix<f64>> {
-        Some(&self.mass)
+    fn mass(&self) -> Option<Cow<'_, DMatrix<f64>>> {
+        Some(Cow::Borrowed(&self.mass))
     }
 }
 

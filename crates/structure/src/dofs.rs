@@ -1,26 +1,35 @@
 //! Degrees of freedom: which are free, and how every motion follows from the free ones.
 //!
-//! The g-set has six a node, in the order of the nodes, components 1 to 6, basic axes. The f-set are those of
-//! them that are neither clamped nor dependent; `u_g` = T `u_f`.
+//! The g-set has six a node, in the order of the nodes, components 1 to 6, basic axes. The f-set are the motions, in
+//! the axes of each grid's displacement system, that are neither clamped nor dependent; `u_g` = T `u_f`.
 
-use crate::model::Model;
-use crate::rigid::{self, Combination};
+use crate::constraints::{self, Combination};
+use crate::model::{Model, Node};
+use nalgebra::Matrix3;
 use nastran::InputError;
 use std::collections::BTreeMap;
 
 /// The sets of a structure and the transformation T.
 #[derive(Debug, Clone)]
 pub(crate) struct DofMap {
-    /// Position in the g-set of each free degree of freedom.
+    /// Each free motion: 6 * node + component - 1, in the grid's own axes.
     pub(crate) free: Vec<usize>,
-    /// Rows of T: the free degrees of freedom (position in the f-set) each of the g-set follows.
+    /// Rows of T: the free motions (position in the f-set) each degree of freedom of the g-set follows.
     pub(crate) rows: Vec<Combination>,
 }
 
-impl DofMap {
-    /// The sets of a model.
+/// What a model says about its motions, before anything is known about stiffness.
+#[derive(Debug, Clone)]
+pub(crate) struct Sets {
+    clamped: Vec<bool>,
+    dependent: BTreeMap<usize, Combination>,
+    axes: Vec<Option<Matrix3<f64>>>,
+}
+
+impl Sets {
+    /// Of a model.
     pub(crate) fn of(model: &Model) -> Result<Self, InputError> {
-        let dependent = rigid::dependence(model)?;
+        let dependent = constraints::resolved(&model.nodes, &model.dependents)?;
         let mut clamped = vec![false; 6 * model.nodes.len()];
         for clamp in &model.clamps {
             for component in &clamp.components {
@@ -29,32 +38,83 @@ impl DofMap {
                     let grid = model.nodes[clamp.node].id;
                     let message =
                         format!("GRID {grid} component {component} is clamped, but it follows a rigid link");
-                    let help = "clamp the independent grid of the RBE2, or take the component out of it";
+                    let help =
+                        "clamp what it follows (the independent grid), or take the component out of the link";
                     return Err(InputError::at(&clamp.span, message).with_help(help));
                 }
                 clamped[dof] = true;
             }
         }
-        Ok(Self::new(&clamped, &dependent))
+        Ok(Self { clamped, dependent, axes: model.nodes.iter().map(turned).collect() })
     }
 
-    /// From the clamped ones and what the dependent ones follow.
-    pub(crate) fn new(clamped: &[bool], dependent: &BTreeMap<usize, Combination>) -> Self {
-        let is_free = |dof: &usize| !clamped[*dof] && !dependent.contains_key(dof);
-        let free: Vec<usize> = (0..clamped.len()).filter(is_free).collect();
-        let mut place = vec![None; clamped.len()];
+    /// Clamped motions only, basic axes.
+    pub(crate) fn clamped(clamped: Vec<bool>) -> Self {
+        let axes = vec![None; clamped.len() / 6];
+        Self { clamped, dependent: BTreeMap::new(), axes }
+    }
+
+    /// Holds motions that nothing touches: `is_touched` tells of a degree of freedom of the g-set (basic axes)
+    /// whether an element has stiffness or mass there. A motion that another one follows counts as touched. Gives for each
+    /// motion whether it is touched or follows others.
+    pub(crate) fn hold_untouched(&mut self, is_touched: impl Fn(usize) -> bool) -> Vec<bool> {
+        let mut touched = vec![false; self.clamped.len()];
+        for (dof, mark) in touched.iter_mut().enumerate() {
+            *mark = match self.axes[dof / 6] {
+                Some(_) => (0..3).any(|axis| is_touched(dof - dof % 3 + axis)),
+                None => is_touched(dof),
+            };
+        }
+        for (dof, row) in &self.dependent {
+            if touched[*dof] {
+                for (source, _) in row {
+                    touched[*source] = true;
+                }
+            }
+        }
+        // Dependent motions follow what they follow, touched or not.
+        for dof in self.dependent.keys() {
+            touched[*dof] = true;
+        }
+        for (clamped, touched) in self.clamped.iter_mut().zip(&touched) {
+            *clamped |= !touched;
+        }
+        touched
+    }
+
+    /// The free motions and T.
+    pub(crate) fn map(&self) -> DofMap {
+        let is_free = |dof: &usize| !self.clamped[*dof] && !self.dependent.contains_key(dof);
+        let free: Vec<usize> = (0..self.clamped.len()).filter(is_free).collect();
+        let mut place = vec![None; self.clamped.len()];
         for (at, dof) in free.iter().enumerate() {
             place[*dof] = Some(at);
         }
-        let to_free = |row: &Combination| -> Combination {
+        let to_free = |row: &[(usize, f64)]| -> Combination {
             row.iter().filter_map(|(dof, factor)| place[*dof].map(|at| (at, *factor))).collect()
         };
-        let rows = (0..clamped.len())
-            .map(|dof| match dependent.get(&dof) {
-                Some(row) => to_free(row),
-                None => to_free(&vec![(dof, 1.0)]),
-            })
+        let own: Vec<Combination> = (0..self.clamped.len())
+            .map(|dof| self.dependent.get(&dof).map_or_else(|| to_free(&[(dof, 1.0)]), |row| to_free(row)))
             .collect();
-        Self { free, rows }
+        let rows = (0..own.len()).map(|dof| self.basic(&own, dof)).collect();
+        DofMap { free, rows }
     }
+
+    /// A row of T in basic axes from the rows in the grid's own axes.
+    fn basic(&self, own: &[Combination], dof: usize) -> Combination {
+        let Some(axes) = &self.axes[dof / 6] else { return own[dof].clone() };
+        let mut sum: BTreeMap<usize, f64> = BTreeMap::new();
+        for axis in 0..3 {
+            let share = axes[(dof % 3, axis)];
+            for (at, factor) in &own[dof - dof % 3 + axis] {
+                *sum.entry(*at).or_default() += share * factor;
+            }
+        }
+        sum.into_iter().filter(|(_, factor)| *factor != 0.0).collect()
+    }
+}
+
+/// A node's displacement axes, if they are not the basic ones.
+fn turned(node: &Node) -> Option<Matrix3<f64>> {
+    (node.axes != Matrix3::identity()).then_some(node.axes)
 }

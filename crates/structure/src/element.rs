@@ -1,18 +1,26 @@
-//! What every finite element is to the rest of the crate: nodes, a stiffness and a mass.
+//! What every finite element is to the rest of the crate: motions it joins, a stiffness and a mass.
 //!
 //! Assembly, flexibility and modes know only this; a new kind of element is a new file that implements it and
-//! one line in [`crate::Model`].
+//! one line in [`crate::Model`]. Matrices may be computed when they are asked for (a solid's would fill the memory
+//! of a large model) or kept.
 
 use nalgebra::DMatrix;
+use std::borrow::Cow;
+use std::fmt::Debug;
 
-/// A finite element with six degrees of freedom a node (three displacements, three rotations, basic axes).
-pub trait Element {
+/// A finite element.
+pub trait Element: Debug + Send + Sync {
     /// Identification number, for messages.
     fn id(&self) -> u32;
     /// Positions of its nodes in the model's list of nodes.
     fn nodes(&self) -> &[usize];
-    /// Stiffness, 6 n x 6 n for n nodes, N/m and Nm/rad, symmetric; `None` if it has none.
-    fn stiffness(&self) -> Option<&DMatrix<f64>>;
-    /// Mass, 6 n x 6 n, kg and kg m^2, symmetric; `None` if it has none.
-    fn mass(&self) -> Option<&DMatrix<f64>>;
+    /// The motions its matrices belong to, as degrees of freedom of the g-set (6 * node + component - 1, basic axes).
+    /// By default all six of each node, in the order of the nodes.
+    fn dofs(&self) -> Vec<usize> {
+        self.nodes().iter().flat_map(|node| (0..6).map(move |component| 6 * node + component)).collect()
+    }
+    /// Stiffness over [`Element::dofs`], N/m and Nm/rad, symmetric; `None` if it has none.
+    fn stiffness(&self) -> Option<Cow<'_, DMatrix<f64>>>;
+    /// Mass over [`Element::dofs`], kg and kg m^2, symmetric; `None` if it has none.
+    fn mass(&self) -> Option<Cow<'_, DMatrix<f64>>>;
 }

@@ -7,12 +7,16 @@
 use crate::element::Element;
 use nalgebra::{DMatrix, Matrix3, Point3, Vector3};
 use nastran::{Conm2, Frames, InputError};
+use std::borrow::Cow;
 
 /// A rigid body at a node.
 #[derive(Debug, Clone)]
 pub struct PointMass {
     id: u32,
     node: [usize; 1],
+    /// Components (0 to 5) that have inertia. A mere mass says nothing about rotations, which may not exist at a
+    /// solid's node.
+    moving: Vec<usize>,
     mass: DMatrix<f64>,
 }
 
@@ -32,7 +36,9 @@ impl PointMass {
         mass.view_mut((0, 3), (3, 3)).copy_from(&(-cross * mass_kg));
         mass.view_mut((3, 0), (3, 3)).copy_from(&(cross * mass_kg));
         mass.view_mut((3, 3), (3, 3)).copy_from(&(inertia_kg_m2 - cross * cross * mass_kg));
-        Self { id, node: [node], mass }
+        let moving: Vec<usize> = (0..6).filter(|i| mass.row(*i).iter().any(|value| *value != 0.0)).collect();
+        let mass = DMatrix::from_fn(moving.len(), moving.len(), |i, j| mass[(moving[i], moving[j])]);
+        Self { id, node: [node], moving, mass }
     }
 
     /// From a card; `node` is the position of its grid, `point` the grid's place in the basic system.
@@ -82,10 +88,13 @@ impl Element for PointMass {
     fn nodes(&self) -> &[usize] {
         &self.node
     }
-    fn stiffness(&self) -> Option<&DMatrix<f64>> {
+    fn dofs(&self) -> Vec<usize> {
+        self.moving.iter().map(|component| 6 * self.node[0] + component).collect()
+    }
+    fn stiffness(&self) -> Option<Cow<'_, DMatrix<f64>>> {
         None
     }
-    fn mass(&self) -> Option<&DMatrix<f64>> {
-        Some(&self.mass)
+    fn mass(&self) -> Option<Cow<'_, DMatrix<f64>>> {
+        Some(Cow::Borrowed(&self.mass))
     }
 }

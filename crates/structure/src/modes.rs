@@ -1,6 +1,7 @@
 //! Natural modes: K x = omega^2 M x by block subspace iteration, proven complete by a pivot count.
 //!
-//! Bathe's subspace iteration (*Finite Element Procedures*, ch. 11) with a fixed start block without symmetry. A
+//! Bathe's subspace iteration (*Finite Element Procedures*, ch. 11), each sweep over a short block Krylov space
+//! (`subspace.rs`), with a fixed start block without symmetry. A
 //! structure that can move freely is factorised as K + s M, where s goes down to the first elastic eigenvalue as soon
 //! as that shows. After convergence the number of eigenvalues below a shift just above the last mode
 //! ([`crate::sturm`]) must be the number found; if not, the block grows and the iteration goes on. A single-vector
@@ -8,15 +9,22 @@
 //!
 //! Motions without mass have no frequency and are not counted among the modes.
 
-use crate::flexibility::{Factor, SingularStructure};
+use crate::factor::Factor;
+use crate::flexibility::SingularStructure;
 use crate::sparse;
 use crate::sturm;
 use crate::subspace::{self, Noise, Ritz};
 use crate::system::System;
 use faer::{Mat, MatRef};
 
-/// Residual at which a mode is converged; its eigenvalue's relative error is about the square of it.
+/// Residual at which a mode is converged; its eigenvalue's relative error is about the square of it, or round-off.
 const CONVERGED: f64 = 1e-9;
+
+/// The same for structures of more than [`LARGE`] motions, whose round-off does not allow less.
+const CONVERGED_LARGE: f64 = 1e-7;
+
+/// Number of motions of a large structure.
+const LARGE: usize = 3000;
 
 /// Residual that is accepted when round-off prevents a smaller one (a thousand elements in a row): frequencies are
 /// then good to about six digits.
@@ -132,7 +140,7 @@ struct Search<'a> {
 impl<'a> Search<'a> {
     fn new(system: &'a System, count: usize) -> Result<Self, ModesError> {
         let n = system.free_count();
-        let mut factor = Factor::held(system.stiffness());
+        let mut factor = Factor::held(system.analysis(), system.stiffness());
         let rigid = factor.loose.len();
         let mut shift = 0.0;
         if rigid > 0 {
@@ -153,6 +161,7 @@ impl<'a> Search<'a> {
 
     fn converge(&mut self) -> Result<(), ModesError> {
         let (k, m) = (self.system.stiffness(), self.system.mass());
+        let enough = if self.system.free_count() > LARGE { CONVERGED_LARGE } else { CONVERGED };
         let mut worst = f64::INFINITY;
         let mut best = f64::INFINITY;
         let mut idle = 0;
@@ -164,7 +173,8 @@ impl<'a> Search<'a> {
             if available < self.count {
                 return Err(ModesError::TooMany { asked: self.count, available });
             }
-            x = self.ritz.vectors.clone();
+            let kept = self.block.ncols().min(available);
+            x = self.ritz.vectors.subcols(0, kept).to_owned();
             if self.lower_shift()? {
                 continue;
             }
@@ -172,8 +182,11 @@ impl<'a> Search<'a> {
             worst = residuals.into_iter().fold(0.0, f64::max);
             idle = if worst < 0.5 * best { 0 } else { idle + 1 };
             best = best.min(worst);
-            if worst < CONVERGED || (worst < STAGNANT && idle > 8) {
+            if worst < enough || (worst < STAGNANT && idle > 8) {
                 self.block = self.keep_size(x.as_ref());
+                if let Some(refined) = subspace::refined(m, &self.factor, self.shift, &self.ritz, kept) {
+                    self.ritz = refined;
+                }
                 return Ok(());
             }
         }
@@ -237,7 +250,8 @@ fn first_shift(system: &System) -> f64 {
 }
 
 fn shifted(system: &System, shift: f64) -> Result<Factor, ModesError> {
-    let factor = Factor::held(sparse::combine(system.stiffness(), shift, system.mass()).as_ref());
+    let factor =
+        Factor::held(system.analysis(), sparse::combine(system.stiffness(), shift, system.mass()).as_ref());
     if factor.loose.is_empty() {
         return Ok(factor);
     }

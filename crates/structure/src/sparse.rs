@@ -3,48 +3,150 @@
 //! Entries are summed in the order of the elements, whatever the number of threads, and only once for both
 //! triangles: the matrices are the same on every run and exactly symmetric.
 
-use faer::sparse::{SparseColMat, SparseColMatRef, Triplet};
+use faer::sparse::{SparseColMat, SparseColMatRef, SymbolicSparseColMat};
 use faer::{Mat, MatRef};
+use nalgebra::DMatrix;
+use rayon::prelude::*;
 
 /// Sparse matrix of this crate.
 pub(crate) type Sparse = SparseColMat<usize, f64>;
 
-/// One entry of the lower triangle (row >= column): place, stiffness, mass.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Entry {
-    pub(crate) row: usize,
-    pub(crate) column: usize,
-    pub(crate) k: f64,
-    pub(crate) m: f64,
+/// Where entries can stand in a symmetric matrix: the lower triangle, column by column, rows ascending.
+pub(crate) struct Pattern {
+    columns: Vec<usize>,
+    rows: Vec<usize>,
 }
 
-/// Stiffness and mass of order `n` from entries of the lower triangle; entries at one place are added in the
-/// order given. Both get the same pattern, with every diagonal entry in it.
-pub(crate) fn pair(n: usize, mut entries: Vec<Entry>) -> (Sparse, Sparse) {
-    entries.extend((0..n).map(|row| Entry { row, column: row, k: 0.0, m: 0.0 }));
-    // A stable sort: equal places keep the order of the elements.
-    entries.sort_by_key(|entry| (entry.column, entry.row));
-    let mut merged: Vec<Entry> = Vec::with_capacity(entries.len());
-    for entry in entries {
-        match merged.last_mut() {
-            Some(last) if last.row == entry.row && last.column == entry.column => {
-                last.k += entry.k;
-                last.m += entry.m;
+impl Pattern {
+    /// Of a matrix of order `n` whose entries join the motions of each list. Every diagonal entry is in it.
+    pub(crate) fn of(n: usize, lists: &[Vec<usize>]) -> Self {
+        let mut users: Vec<Vec<u32>> = vec![Vec::new(); n];
+        for (list, dofs) in (0_u32..).zip(lists) {
+            for dof in dofs {
+                users[*dof].push(list);
             }
-            _ => merged.push(entry),
+        }
+        let column = |(j, users): (usize, &Vec<u32>)| {
+            let mut rows = vec![j];
+            for list in users {
+                rows.extend(lists[*list as usize].iter().filter(|row| **row > j));
+            }
+            rows.sort_unstable();
+            rows.dedup();
+            rows
+        };
+        let filled: Vec<Vec<usize>> = users.par_iter().enumerate().map(column).collect();
+        let mut columns = vec![0; n + 1];
+        for (j, rows) in filled.iter().enumerate() {
+            columns[j + 1] = columns[j] + rows.len();
+        }
+        Self { columns, rows: filled.concat() }
+    }
+
+    /// The matrices with this pattern, zero so far.
+    pub(crate) fn values(self) -> Values {
+        let count = self.rows.len();
+        Values { pattern: self, k: vec![0.0; count], m: vec![0.0; count] }
+    }
+}
+
+/// Stiffness and mass of one pattern, while they are summed.
+pub(crate) struct Values {
+    pattern: Pattern,
+    k: Vec<f64>,
+    m: Vec<f64>,
+}
+
+impl Values {
+    /// Adds matrices over `dofs`.
+    pub(crate) fn add(&mut self, dofs: &[usize], k: Option<&DMatrix<f64>>, m: Option<&DMatrix<f64>>) {
+        self.add_pairs(dofs.iter().copied().enumerate().collect(), k, m);
+    }
+
+    /// Adds those rows and columns of matrices that have a place.
+    pub(crate) fn add_where(
+        &mut self,
+        places: &[Option<usize>],
+        k: Option<&DMatrix<f64>>,
+        m: Option<&DMatrix<f64>>,
+    ) {
+        let pairs = places.iter().enumerate().filter_map(|(i, place)| place.map(|place| (i, place)));
+        self.add_pairs(pairs.collect(), k, m);
+    }
+
+    /// Adds one entry of the lower triangle, `row` >= `column`, which the pattern has.
+    pub(crate) fn add_entry(&mut self, row: usize, column: usize, [k, m]: [f64; 2]) {
+        let start = self.pattern.columns[column];
+        let rows = &self.pattern.rows[start..self.pattern.columns[column + 1]];
+        let entry = start + rows.binary_search(&row).expect("the pattern has the entry");
+        self.k[entry] += k;
+        self.m[entry] += m;
+    }
+
+    fn add_pairs(
+        &mut self,
+        mut pairs: Vec<(usize, usize)>,
+        k: Option<&DMatrix<f64>>,
+        m: Option<&DMatrix<f64>>,
+    ) {
+        pairs.sort_by_key(|(_, dof)| *dof);
+        for (at, (j, column)) in pairs.iter().enumerate() {
+            let range = self.pattern.columns[*column]..self.pattern.columns[column + 1];
+            let rows = &self.pattern.rows[range.clone()];
+            let mut place = 0;
+            for (i, row) in &pairs[at..] {
+                place += rows[place..].binary_search(row).expect("the pattern has every entry of an element");
+                let entry = range.start + place;
+                if let Some(k) = k {
+                    self.k[entry] += k[(*i, *j)];
+                }
+                if let Some(m) = m {
+                    self.m[entry] += m[(*i, *j)];
+                }
+            }
         }
     }
-    let build = |value: fn(&Entry) -> f64| {
-        let mut triplets = Vec::with_capacity(2 * merged.len());
-        for entry in &merged {
-            triplets.push(Triplet::new(entry.row, entry.column, value(entry)));
-            if entry.row != entry.column {
-                triplets.push(Triplet::new(entry.column, entry.row, value(entry)));
+
+    /// Both matrices with both triangles.
+    pub(crate) fn symmetric(self) -> (Sparse, Sparse) {
+        let Pattern { columns, rows } = self.pattern;
+        let n = columns.len() - 1;
+        let mut counts = vec![0; n + 1];
+        for j in 0..n {
+            for row in &rows[columns[j]..columns[j + 1]] {
+                counts[j + 1] += 1;
+                if *row != j {
+                    counts[row + 1] += 1;
+                }
             }
         }
-        Sparse::try_new_from_triplets(n, n, &triplets).expect("rows and columns are below n")
-    };
-    (build(|entry| entry.k), build(|entry| entry.m))
+        for j in 0..n {
+            counts[j + 1] += counts[j];
+        }
+        let mut next = counts.clone();
+        let mut full = vec![0; counts[n]];
+        let mut source = vec![0; counts[n]];
+        // The upper triangle first, from columns in ascending order, then the lower one: rows ascend.
+        for upper in [true, false] {
+            for j in 0..n {
+                let entries = columns[j]..columns[j + 1];
+                for (entry, below) in entries.clone().zip(&rows[entries]) {
+                    let (row, column) = if upper { (j, *below) } else { (*below, j) };
+                    if upper && row == column {
+                        continue;
+                    }
+                    full[next[column]] = row;
+                    source[next[column]] = entry;
+                    next[column] += 1;
+                }
+            }
+        }
+        let symbolic = SymbolicSparseColMat::new_checked(n, n, counts, None, full);
+        let of = |values: &[f64]| {
+            Sparse::new(symbolic.clone(), source.iter().map(|entry| values[*entry]).collect::<Vec<f64>>())
+        };
+        (of(&self.k), of(&self.m))
+    }
 }
 
 /// `a + factor b` for matrices of one pattern.
@@ -57,20 +159,36 @@ pub(crate) fn combine(
     Sparse::new(a.symbolic().to_owned().expect("memory for a copy of the pattern"), values)
 }
 
-/// `a x`, one column after the other.
+/// Columns that are worked on together: the matrix is read once for all of them.
+const TOGETHER: usize = 4;
+
+/// `a x`; each column of the result is summed in the same order on any number of threads.
 pub(crate) fn multiply(a: SparseColMatRef<'_, usize, f64>, x: MatRef<'_, f64>) -> Mat<f64> {
-    let mut product = Mat::zeros(a.nrows(), x.ncols());
-    for column in 0..x.ncols() {
-        for j in 0..a.ncols() {
-            let factor = x[(j, column)];
-            if factor != 0.0 {
+    let groups = x.ncols().div_ceil(TOGETHER);
+    let products: Vec<Vec<[f64; TOGETHER]>> = (0..groups)
+        .into_par_iter()
+        .map(|group| {
+            let first = group * TOGETHER;
+            let width = TOGETHER.min(x.ncols() - first);
+            let mut product = vec![[0.0; TOGETHER]; a.nrows()];
+            for j in 0..a.ncols() {
+                let mut factor = [0.0; TOGETHER];
+                for (column, factor) in factor.iter_mut().enumerate().take(width) {
+                    *factor = x[(j, first + column)];
+                }
+                if factor == [0.0; TOGETHER] {
+                    continue;
+                }
                 for (row, value) in a.row_idx_of_col(j).zip(a.val_of_col(j)) {
-                    product[(row, column)] += value * factor;
+                    for (sum, factor) in product[row].iter_mut().zip(factor) {
+                        *sum += value * factor;
+                    }
                 }
             }
-        }
-    }
-    product
+            product
+        })
+        .collect();
+    Mat::from_fn(a.nrows(), x.ncols(), |i, j| products[j / TOGETHER][i][j % TOGETHER])
 }
 
 /// The diagonal.

@@ -5,7 +5,7 @@
 //! of the matrix or of a leading block of it a pivot may be within round-off, and its sign means nothing. Then the
 //! shift is moved by a few millionths, and if that does not help the count is refused.
 
-use crate::flexibility::Factor;
+use crate::factor::Factor;
 use crate::modes::ModesError;
 use crate::sparse;
 use crate::system::System;
@@ -34,10 +34,12 @@ pub(crate) fn count_below_square(system: &System, shift: f64) -> Result<usize, M
         let shift = shift * (1.0 + nudge);
         let size: Vec<f64> =
             sparse::diagonal(k).iter().zip(&mass).map(|(k, m)| k.abs() + shift * m).collect();
-        let Some(factor) = Factor::indefinite(sparse::combine(k, -shift, m).as_ref(), &size) else {
+        let Some(factor) =
+            Factor::indefinite(system.analysis(), sparse::combine(k, -shift, m).as_ref(), &size)
+        else {
             continue;
         };
-        if factor.doubtful().is_empty() {
+        if factor.is_certain() {
             return Ok(factor.pivots().iter().filter(|(_, pivot)| *pivot < 0.0).count());
         }
     }

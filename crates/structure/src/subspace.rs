@@ -1,13 +1,16 @@
-//! A block of vectors, M-orthonormal, and its Rayleigh-Ritz values: one sweep of subspace iteration.
+//! A block Krylov space, M-orthonormal, and its Rayleigh-Ritz values: one sweep of subspace iteration.
 
-use crate::flexibility::Factor;
+use crate::factor::Factor;
 use crate::sparse;
 use faer::linalg::matmul::matmul;
 use faer::sparse::SparseColMatRef;
 use faer::{Accum, Mat, MatRef, Par, Side};
 
-/// A direction that keeps less than this share of its length is in the space of those before it.
-const DEPENDENT: f64 = 1e-12;
+/// A direction that keeps less than this share of the square of its length is in the space of those before it.
+const DEPENDENT: f64 = 1e-24;
+
+/// Columns of one block whose combination keeps less than this share (of squares of unit columns) are alike.
+const ALIKE: f64 = 1e-13;
 
 type SparseRef<'a> = SparseColMatRef<'a, usize, f64>;
 
@@ -62,43 +65,115 @@ fn product(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
     product
 }
 
-/// One sweep: (K + s M)^-1 M x, orthonormalised, projected; `None` if the small problem does not converge.
+/// How often (K + s M)^-1 M is applied to a block before the Rayleigh-Ritz values are taken: the space is then a
+/// block Krylov space, in which the lowest modes converge several times as fast as by applying it once.
+const DEPTH: usize = 2;
+
+/// Rayleigh-Ritz pairs of the space spanned by x, (K + s M)^-1 M x and so on; `None` if the small problem does not converge.
 pub(crate) fn sweep(k: SparseRef<'_>, m: SparseRef<'_>, factor: &Factor, x: MatRef<'_, f64>) -> Option<Ritz> {
-    let basis = orthonormal(m, factor.solve(sparse::multiply(m, x).as_ref()).as_ref());
+    let mut space = Space { m, basis: Mat::zeros(x.nrows(), 0), momenta: Mat::zeros(x.nrows(), 0) };
+    // The start itself may have parts without mass; what the factor makes of it has not.
+    let mut last = space.extend(factor.solve(sparse::multiply(m, x).as_ref()))?;
+    for _ in 0..DEPTH {
+        last = space.extend(factor.solve(space.momenta.subcols(last.start, last.len())))?;
+    }
+    let basis = space.basis;
     let projected = inner(basis.as_ref(), sparse::multiply(k, basis.as_ref()).as_ref());
     let eigen = projected.self_adjoint_eigen(Side::Lower).ok()?;
     let values = eigen.S().column_vector().iter().copied().collect();
     Some(Ritz { values, vectors: product(basis.as_ref(), eigen.U()) })
 }
 
-/// Gram-Schmidt in the inner product of M, twice for each vector; dependent and massless vectors are left out.
-fn orthonormal(m: SparseRef<'_>, x: MatRef<'_, f64>) -> Mat<f64> {
-    let n = x.nrows();
-    let mut basis = Mat::<f64>::zeros(n, x.ncols());
-    let mut momenta = Mat::<f64>::zeros(n, x.ncols());
-    let mut count = 0;
-    for j in 0..x.ncols() {
-        let mut v = x.subcols(j, 1).to_owned();
-        let before = m_norm(m, &v);
-        for _ in 0..2 {
-            let share = inner(momenta.subcols(0, count), v.as_ref());
-            matmul(v.as_mut(), Accum::Add, basis.subcols(0, count), share.as_ref(), -1.0, Par::Seq);
-        }
-        let momentum = sparse::multiply(m, v.as_ref());
-        let norm = inner(v.as_ref(), momentum.as_ref())[(0, 0)].max(0.0).sqrt();
-        if norm > DEPENDENT * before {
-            for i in 0..n {
-                basis[(i, count)] = v[(i, 0)] / norm;
-                momenta[(i, count)] = momentum[(i, 0)] / norm;
-            }
-            count += 1;
-        }
+/// One more step with a converged block, its values from the projected (K + s M) Y = M X as Bathe takes them: K itself, whose
+/// entries are many orders of magnitude above the lowest modes' energy, does not enter.
+pub(crate) fn refined(
+    m: SparseRef<'_>,
+    factor: &Factor,
+    shift: f64,
+    ritz: &Ritz,
+    count: usize,
+) -> Option<Ritz> {
+    let n = ritz.vectors.nrows();
+    let scaled = Mat::from_fn(n, count, |i, j| (ritz.values[j] + shift) * ritz.vectors[(i, j)]);
+    let momenta = sparse::multiply(m, scaled.as_ref());
+    let y = factor.solve(momenta.as_ref());
+    let symmetric = |a: Mat<f64>| Mat::from_fn(count, count, |i, j| 0.5 * (a[(i, j)] + a[(j, i)]));
+    let stiffness = symmetric(inner(y.as_ref(), momenta.as_ref()));
+    let mass = symmetric(inner(y.as_ref(), sparse::multiply(m, y.as_ref()).as_ref()));
+    // M = V D V^T; with W = V D^-1/2 the problem is W^T K W.
+    let eigen = mass.self_adjoint_eigen(Side::Lower).ok()?;
+    let (v, d) = (eigen.U(), eigen.S().column_vector());
+    if d.iter().any(|value| *value <= ALIKE) {
+        return None;
     }
-    basis.subcols(0, count).to_owned()
+    let w = Mat::from_fn(count, count, |i, j| v[(i, j)] / d[j].sqrt());
+    let small = symmetric(w.transpose() * &stiffness * &w);
+    let eigen = small.self_adjoint_eigen(Side::Lower).ok()?;
+    let values = eigen.S().column_vector().iter().map(|value| value - shift).collect();
+    Some(Ritz { values, vectors: product(y.as_ref(), product(w.as_ref(), eigen.U()).as_ref()) })
 }
 
-fn m_norm(m: SparseRef<'_>, v: &Mat<f64>) -> f64 {
-    inner(v.as_ref(), sparse::multiply(m, v.as_ref()).as_ref())[(0, 0)].max(0.0).sqrt()
+/// An M-orthonormal basis with its momenta M x.
+struct Space<'a> {
+    m: SparseRef<'a>,
+    basis: Mat<f64>,
+    momenta: Mat<f64>,
+}
+
+impl Space<'_> {
+    /// Adds the directions of `x` that are new, and says where they stand. Twice, as Gram-Schmidt needs; within the block by
+    /// the eigenvectors of its own inner products (SVQB), dependent and massless directions left out.
+    fn extend(&mut self, mut x: Mat<f64>) -> Option<std::ops::Range<usize>> {
+        let mut momenta = sparse::multiply(self.m, x.as_ref());
+        let before = squares(x.as_ref(), momenta.as_ref());
+        for _ in 0..2 {
+            self.project(&mut x, &mut momenta);
+        }
+        // What is left of each column in units of its own length: a small new direction counts as much as a large one.
+        let after = squares(x.as_ref(), momenta.as_ref());
+        let new: Vec<usize> = (0..x.ncols()).filter(|j| after[*j] > DEPENDENT * before[*j]).collect();
+        let unit =
+            |y: &Mat<f64>| Mat::from_fn(y.nrows(), new.len(), |i, j| y[(i, new[j])] / after[new[j]].sqrt());
+        (x, momenta) = (unit(&x), unit(&momenta));
+        let mut least = ALIKE;
+        for _ in 0..2 {
+            let gram = inner(x.as_ref(), momenta.as_ref());
+            let gram = Mat::from_fn(gram.nrows(), gram.ncols(), |i, j| 0.5 * (gram[(i, j)] + gram[(j, i)]));
+            let eigen = gram.self_adjoint_eigen(Side::Lower).ok()?;
+            let values: Vec<f64> = eigen.S().column_vector().iter().copied().collect();
+            let kept: Vec<usize> = (0..values.len()).filter(|at| values[*at] > least).collect();
+            let u = eigen.U();
+            let turn = Mat::from_fn(u.nrows(), kept.len(), |i, j| u[(i, kept[j])] / values[kept[j]].sqrt());
+            x = product(x.as_ref(), turn.as_ref());
+            // Afresh: what came out of small differences has lost its right angle with the basis, and its momentum.
+            momenta = sparse::multiply(self.m, x.as_ref());
+            self.project(&mut x, &mut momenta);
+            // What is left after the first round is orthonormal but for round-off.
+            least = 0.25;
+        }
+        let start = self.basis.ncols();
+        self.basis = beside(self.basis.as_ref(), x.as_ref());
+        self.momenta = beside(self.momenta.as_ref(), momenta.as_ref());
+        Some(start..self.basis.ncols())
+    }
+
+    /// Takes what lies in the basis out of `x`, and out of its momenta.
+    fn project(&self, x: &mut Mat<f64>, momenta: &mut Mat<f64>) {
+        let share = inner(self.momenta.as_ref(), x.as_ref());
+        matmul(x.as_mut(), Accum::Add, self.basis.as_ref(), share.as_ref(), -1.0, Par::Seq);
+        matmul(momenta.as_mut(), Accum::Add, self.momenta.as_ref(), share.as_ref(), -1.0, Par::Seq);
+    }
+}
+
+/// Inner products of the columns of `x` with those of `y`, one by one.
+fn squares(x: MatRef<'_, f64>, y: MatRef<'_, f64>) -> Vec<f64> {
+    (0..x.ncols()).map(|j| x.col(j).iter().zip(y.col(j).iter()).map(|(a, b)| a * b).sum()).collect()
+}
+
+/// Columns of `x`, then those of `y`.
+fn beside(x: MatRef<'_, f64>, y: MatRef<'_, f64>) -> Mat<f64> {
+    let (n, first) = (y.nrows(), x.ncols());
+    Mat::from_fn(n, first + y.ncols(), |i, j| if j < first { x[(i, j)] } else { y[(i, j - first)] })
 }
 
 /// How far each of the first `count` pairs is from being a mode: the M-norm of (lambda + s) (K + s M)^-1 M x - x.
@@ -114,5 +189,6 @@ pub(crate) fn residuals(
     let image = factor.solve(sparse::multiply(m, x).as_ref());
     let factors = &ritz.values;
     let error = Mat::from_fn(x.nrows(), count, |i, j| (factors[j] + shift) * image[(i, j)] - x[(i, j)]);
-    (0..count).map(|j| m_norm(m, &error.subcols(j, 1).to_owned())).collect()
+    let squares = squares(error.as_ref(), sparse::multiply(m, error.as_ref()).as_ref());
+    squares.into_iter().map(|square| square.max(0.0).sqrt()).collect()
 }

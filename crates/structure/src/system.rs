@@ -1,15 +1,16 @@
 //! The assembled structure: sparse stiffness and mass, and the way between all motions and the free ones.
 
-use crate::assemble;
-use crate::dofs::DofMap;
+use crate::assemble::{self, Assembled};
+use crate::dofs::{DofMap, Sets};
+use crate::factor::{self, Analysis};
 use crate::mass_properties::{self, MassProperties};
 use crate::model::Model;
-use crate::sparse::{self, Entry, Sparse};
+use crate::sparse::{self, Pattern, Sparse};
 use faer::sparse::SparseColMatRef;
 use faer::{Mat, MatRef};
 use nalgebra::Point3;
 use nastran::InputError;
-use std::collections::BTreeMap;
+use std::sync::{Arc, OnceLock};
 
 /// An assembled structure.
 ///
@@ -25,19 +26,54 @@ pub struct System {
     m_gg: Sparse,
     k_ff: Sparse,
     m_ff: Sparse,
+    /// Nodes whose displacements no element touches.
+    unattached: Vec<usize>,
+    /// Made when something is factorised for the first time.
+    analysis: OnceLock<Arc<Analysis>>,
 }
 
 impl System {
     /// Assembles a model.
     ///
+    /// Motions that no element has stiffness or mass for (rotations at a solid's nodes, grids nothing is attached
+    /// to) are held.
+    ///
     /// # Errors
     /// If rigid links contradict each other, form a circle, or a dependent motion is clamped; if a mass or stiffness
     /// is beyond floating-point numbers.
     pub fn assemble(model: &Model) -> Result<Self, InputError> {
-        let dofs = DofMap::of(model)?;
+        Self::assemble_scaled(model, |_| [1.0, 1.0])
+    }
+
+    /// As [`System::assemble`], stiffness and mass of each element (by its place in [`Model::elements`]) multiplied by
+    /// the two factors.
+    ///
+    /// # Errors
+    /// As [`System::assemble`].
+    pub fn assemble_scaled(
+        model: &Model,
+        factors: impl Fn(usize) -> [f64; 2] + Sync,
+    ) -> Result<Self, InputError> {
+        let mut sets = Sets::of(model)?;
+        let mut touched = vec![false; 6 * model.nodes.len()];
+        for element in model.elements() {
+            element.dofs().into_iter().for_each(|dof| touched[dof] = true);
+        }
+        let touched = sets.hold_untouched(|dof| touched[dof]);
+        let unattached: Vec<usize> =
+            (0..model.nodes.len()).filter(|node| touched[6 * node..6 * node + 3] == [false; 3]).collect();
+        let dofs = sets.map();
+        let Assembled { k_gg, m_gg, k_ff, m_ff } = assemble::assembled(model, &dofs, factors);
         let ids = model.nodes.iter().map(|node| node.id).collect();
         let points = model.nodes.iter().map(|node| node.point).collect();
-        let system = Self::build(ids, points, assemble::global(model), dofs);
+        let system =
+            Self { ids, points, dofs, k_gg, m_gg, k_ff, m_ff, unattached, analysis: OnceLock::new() };
+        tracing::debug!(
+            nodes = system.ids.len(),
+            free = system.free_count(),
+            entries = system.k_ff.val().len(),
+            "assembled"
+        );
         if !system.is_finite() {
             let message = "the stiffness or mass of the structure is beyond floating-point numbers";
             let help = "look for an offset, mass or coordinate many orders of magnitude off";
@@ -62,33 +98,41 @@ impl System {
         assert_eq!(points.len(), ids.len(), "one point a node");
         assert_eq!((k_gg.nrows(), k_gg.ncols()), (n, n), "six degrees of freedom a node");
         assert_eq!((m_gg.nrows(), m_gg.ncols()), (n, n), "six degrees of freedom a node");
-        let mut entries = Vec::new();
-        for column in 0..n {
-            for row in column..n {
-                let (k, m) = (k_gg[(row, column)], m_gg[(row, column)]);
-                if k != 0.0 || m != 0.0 {
-                    entries.push(Entry { row, column, k, m });
-                }
-            }
-        }
         let mut is_clamped = vec![false; n];
         for dof in clamped {
             is_clamped[*dof] = true;
         }
-        let dofs = DofMap::new(&is_clamped, &BTreeMap::new());
-        let system = Self::build(ids, points, sparse::pair(n, entries), dofs);
+        let dofs = Sets::clamped(is_clamped).map();
+        let sum = |at: &[usize]| {
+            let entry = |i: usize, j: usize| [k_gg[(at[i], at[j])], m_gg[(at[i], at[j])]];
+            let below = (0..at.len()).flat_map(|j| (j..at.len()).map(move |i| (i, j)));
+            let filled: Vec<Vec<usize>> =
+                below.filter(|(i, j)| entry(*i, *j) != [0.0; 2]).map(|(i, j)| vec![j, i]).collect();
+            let mut values = Pattern::of(at.len(), &filled).values();
+            for pair in &filled {
+                values.add_entry(pair[1], pair[0], entry(pair[1], pair[0]));
+            }
+            values.symmetric()
+        };
+        let all: Vec<usize> = (0..n).collect();
+        let ((k_gg, m_gg), (k_ff, m_ff)) = (sum(&all), sum(&dofs.free));
+        let system = Self {
+            ids,
+            points,
+            dofs,
+            k_gg,
+            m_gg,
+            k_ff,
+            m_ff,
+            unattached: Vec::new(),
+            analysis: OnceLock::new(),
+        };
         assert!(system.is_finite(), "stiffness and mass are finite numbers");
         system
     }
 
     fn is_finite(&self) -> bool {
         [&self.k_gg, &self.m_gg, &self.k_ff, &self.m_ff].iter().all(|a| a.val().iter().all(|v| v.is_finite()))
-    }
-
-    fn build(ids: Vec<u32>, points: Vec<Point3<f64>>, (k_gg, m_gg): (Sparse, Sparse), dofs: DofMap) -> Self {
-        let (k_ff, m_ff) = assemble::reduced(k_gg.as_ref(), m_gg.as_ref(), &dofs);
-        tracing::debug!(nodes = ids.len(), free = dofs.free.len(), entries = k_ff.val().len(), "assembled");
-        Self { ids, points, dofs, k_gg, m_gg, k_ff, m_ff }
     }
 
     /// Number of nodes.
@@ -109,6 +153,11 @@ impl System {
     /// Position of a grid among the nodes.
     pub fn node_index(&self, id: u32) -> Option<usize> {
         self.ids.binary_search(&id).ok()
+    }
+
+    /// Whether an element holds a node, or it follows others; a load on a node that nothing holds has no effect.
+    pub fn is_attached(&self, node: usize) -> bool {
+        self.unattached.binary_search(&node).is_err()
     }
 
     /// Places of the nodes in the basic system, m.
@@ -165,6 +214,11 @@ impl System {
     /// Mass of the f-set, with the pattern of the stiffness.
     pub fn mass(&self) -> SparseColMatRef<'_, usize, f64> {
         self.m_ff.as_ref()
+    }
+
+    /// The pattern of the factor of stiffness, mass and their combinations.
+    pub(crate) fn analysis(&self) -> &Arc<Analysis> {
+        self.analysis.get_or_init(|| Arc::new(factor::analysed(self.k_ff.symbolic())))
     }
 
     /// The six rigid motions about a point, g-set x 6: unit displacements along x, y, z, unit rotations about them.

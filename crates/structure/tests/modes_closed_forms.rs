@@ -159,5 +159,8 @@ fn a_structure_given_by_matrices_has_the_same_modes() {
     let ids = system.node_ids().to_vec();
     let same =
         structure::System::from_matrices(ids, system.points().to_vec(), k.as_ref(), m.as_ref(), &clamped);
-    assert_eq!(normal_modes(&same, 4).unwrap().omega_rad_s, normal_modes(&system, 4).unwrap().omega_rad_s);
+    let (same, own) = (normal_modes(&same, 4).unwrap(), normal_modes(&system, 4).unwrap());
+    for (same, own) in same.omega_rad_s.iter().zip(&own.omega_rad_s) {
+        close(*same, *own, 1e-11, "frequency");
+    }
 }

@@ -4,7 +4,7 @@ mod common;
 
 use common::{beam, section, system};
 use nastran::parse_deck;
-use structure::{Flexibility, Model, ModesError, System, normal_modes};
+use structure::{Flexibility, Model, System};
 
 fn message(deck: &str) -> String {
     let bulk = parse_deck("wing.bdf", deck).expect("the cards are well formed");
@@ -65,14 +65,6 @@ fn a_clamped_dependent_grid_is_refused() {
 }
 
 #[test]
-fn one_component_of_a_grid_with_turned_axes_cannot_be_clamped() {
-    let deck = "GRID,1,,0.,0.,0.,5\nCORD2R,5,,0.,0.,0.,0.,1.,1.\n,1.,0.,0.\nSPC1,1,3,1\n";
-    let text = message(deck);
-    assert!(text.contains("that grid's displacement system 5 is turned"), "{text}");
-    assert_eq!(message(&deck.replace("SPC1,1,3,1", "SPC1,1,123,1")), "accepted");
-}
-
-#[test]
 fn a_component_that_nothing_holds_is_named() {
     // Plane 1, plane 2 and extension are held at the root, twist is not.
     let system = system(&(beam(1, 1, 2.0, 0.0) + &section() + "SPC1,1,12346,1\nSPC1,1,12346,2\n"));
@@ -122,8 +114,20 @@ fn a_hinge_in_a_held_beam_carries_no_moment() {
 }
 
 #[test]
-fn a_motion_without_stiffness_and_mass_has_no_modes() {
+fn a_motion_without_stiffness_is_named() {
+    // Twist is touched by the beam but has neither stiffness nor inertia.
+    let section = section()
+        .replace(&format!("{:.1E}\n", common::I[2]), "0.\n")
+        .replace(&format!("{:.1E}", common::G), "0.");
+    let deck = beam(1, 1, 2.0, 0.0) + &section + "SPC1,1,123456,1\nSPC1,1,1346,2\n";
+    let error = Flexibility::new(&system(&deck)).unwrap_err();
+    assert_eq!(error.loose, [(2, 5)], "{error}");
+}
+
+#[test]
+fn a_grid_that_nothing_touches_is_held_and_known() {
     let system = system(&(beam(1, 2, 2.0, 0.0) + &section() + "SPC1,1,123456,1\nGRID,50,,5.,5.,5.\n"));
-    let error = normal_modes(&system, 2).unwrap_err();
-    assert!(matches!(&error, ModesError::Massless(loose) if loose.loose.contains(&(50, 1))), "{error}");
+    assert!(Flexibility::new(&system).is_ok());
+    let attached = |id: u32| system.is_attached(system.node_index(id).unwrap());
+    assert!(attached(1) && attached(3) && !attached(50));
 }

@@ -5,7 +5,7 @@ use crate::file::{Mesh, TunnelFile};
 use crate::sections::SectionModel;
 use crate::structure::change_beam;
 use aero::{Corrections, Flow};
-use coupling::planform::Planform;
+use coupling::planform::{Planform, Structure};
 use coupling::wing_file::Source;
 use coupling::{CouplingError, ElasticWing, Mount, RootLoads, SteadyCase, WingFile};
 use nastran::InputError;
@@ -80,6 +80,12 @@ impl Truth {
             remesh(planform, mesh).map_err(|message| InputError::in_file(&tunnel.path, message))?;
         }
         if let (Some(structure), Some(beam)) = (&mut planform.structure, &tunnel.truth.beam) {
+            let Structure::Beam(structure) = structure else {
+                let message = "the wing is no beam, but `truth: (beam: ...)` changes one";
+                return Err(InputError::in_field(&tunnel.path, "beam", message)
+                    .with_help("give a wing file with `structure: Beam((...))`")
+                    .into());
+            };
             structure.elements = beam.elements;
             file.damping_ratio = beam.damping_ratio;
         }

@@ -40,7 +40,7 @@ fn the_same_seed_gives_the_same_files_and_another_seed_others() {
 fn a_truth_without_differences_is_the_wing_of_the_file() {
     let file = plain();
     let truth = Truth::build(&file).unwrap();
-    let (_, wing) = ElasticWing::read(&data("wing.ron")).unwrap();
+    let (_, wing) = ElasticWing::read(&data("wing_beam.ron")).unwrap();
     let flow = Flow { v_m_s: 34.0, rho_kg_m3: file.rho_kg_m3 };
     let alphas = [-0.05, 0.0, 0.07];
     let cases = alphas.map(|alpha| SteadyCase::new(flow, alpha));
@@ -56,7 +56,7 @@ fn a_truth_without_differences_is_the_wing_of_the_file() {
 #[test]
 fn the_shipped_truth_differs_in_lattice_structure_and_sections() {
     let truth = Truth::build(&shipped()).unwrap();
-    let (_, model) = ElasticWing::read(&data("wing.ron")).unwrap();
+    let (_, model) = ElasticWing::read(&data("wing_beam.ron")).unwrap();
     let shape = |wing: &ElasticWing| (wing.lattice.surfaces[0].chordwise, wing.lattice.surfaces[0].spanwise);
     assert_eq!((shape(&model), shape(&truth.wing)), ((12, 56), (16, 44)));
     let nodes = |wing: &ElasticWing| wing.structure.as_ref().unwrap().0.node_count();
@@ -71,7 +71,7 @@ fn the_shipped_truth_differs_in_lattice_structure_and_sections() {
 #[test]
 fn control_surfaces_keep_their_place_on_another_lattice() {
     let truth = Truth::build(&shipped()).unwrap();
-    let (_, model) = ElasticWing::read(&data("wing.ron")).unwrap();
+    let (_, model) = ElasticWing::read(&data("wing_beam.ron")).unwrap();
     let area = |wing: &ElasticWing, control: usize| -> f64 {
         wing.controls[control].boxes.iter().map(|&j| wing.lattice.boxes[j].area_m2()).sum()
     };

@@ -4,11 +4,11 @@ use std::time::{Duration, Instant};
 
 use aero::{MirrorPlane, SteadyAero};
 use calibrate::{Calibration, Campaign, Settings, calibrate};
-use coupling::ElasticWing;
+use coupling::{ElasticWing, WingFile};
 use serde_json::{Value, json};
 
 use crate::args::{BenchArgs, Common};
-use crate::commands::bench_general;
+use crate::commands::{bench_dlm, bench_general, bench_structure};
 use crate::corrections::{campaign_path, wing_path};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
@@ -21,10 +21,11 @@ const GENERAL: Duration = Duration::from_secs(30);
 
 /// Runs the command.
 pub(crate) fn run(_args: &BenchArgs, common: &Common) -> Result<(), Failure> {
+    // First, while the process is small: these rows tell their peak of memory.
+    let mut rows = bench_structure::rows(&WingFile::read(&wing_path(None))?)?;
     let (file, wing) = ElasticWing::read(&wing_path(None))?;
     let campaign = Campaign::read(&campaign_path(None))?;
     let settings = Settings::of_wing(&file.correction);
-    let mut rows = Vec::new();
     rows.push(row(
         &format!("vlm_{}_boxes_with_image", wing.lattice.len()),
         median(|| SteadyAero::new(&wing.lattice, wing.plane, 0.0).map(drop).map_err(Failure::computation))?,
@@ -34,6 +35,11 @@ pub(crate) fn run(_args: &BenchArgs, common: &Common) -> Result<(), Failure> {
         median(|| {
             SteadyAero::new(&wing.lattice, MirrorPlane::None, 0.0).map(drop).map_err(Failure::computation)
         })?,
+    ));
+    let aircraft = bench_dlm::aircraft()?;
+    rows.push(row(
+        &format!("dlm_{}_boxes_8_frequencies", aircraft.len()),
+        median(|| bench_dlm::eight_frequencies(&aircraft))?,
     ));
     let calibration = calibrate(&wing, &campaign, &settings)?;
     let whole = median(|| {
@@ -97,25 +103,27 @@ fn median(mut step: impl FnMut() -> Result<(), Failure>) -> Result<f64, Failure>
 }
 
 /// Largest memory of this process so far, MB; none where the system does not say.
-fn peak_mb() -> Option<f64> {
+pub(super) fn peak_mb() -> Option<f64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
     line.trim().trim_end_matches(" kB").trim().parse::<f64>().ok().map(|kb| kb / 1024.0)
 }
 
 fn summary(rows: &[Value]) -> String {
-    let mut table = report::Table::new(&["step", "seconds", "peer's seconds", "ratio", "F", "peer's F"]);
+    let mut table =
+        report::Table::new(&["step", "seconds", "peak MB", "peer's seconds", "ratio", "F", "peer's F"]);
     for row in rows {
         let number = |key: &str| row[key].as_f64().map_or_else(|| "-".into(), |value| format!("{value:.4}"));
         let name = row["name"].as_str().unwrap_or_default().to_owned();
         table.row([
             name,
             number("seconds"),
+            row["peak_MB"].as_f64().map_or_else(|| "-".into(), |value| format!("{value:.0}")),
             number("peer_seconds"),
             number("ratio"),
             number("objective"),
             number("peer_objective"),
         ]);
     }
-    format!("{table}\nMedian of {REPEATS} runs after one to warm up; the peer's is one run.\n")
+    format!("{table}\nMedian of {REPEATS} runs after one to warm up; meshes and the peer run once.\n")
 }

@@ -4,12 +4,14 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::time::Instant;
 
-use aero::MirrorPlane;
+use aero::{Corrections, MirrorPlane};
+use calibrate::campaign::TIP;
 use calibrate::{AirspeedCalibration, Calibration, Campaign, Settings};
 use coupling::{ElasticWing, SteadyCase, WingFile};
 use serde_json::{Value, json};
 
 use crate::args::{CalibrateArgs, Common};
+use crate::commands::calibrate_common as common_set;
 use crate::commands::calibrate_figures as figures;
 use crate::commands::calibrate_strips::{self, Strips};
 use crate::corrections::{campaign_path, schedule, wing_path};
@@ -27,6 +29,9 @@ pub(crate) fn run(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> 
     let seconds = start.elapsed().as_secs_f64();
     let mut result = result(&wing, &campaign, &calibration)?;
     result["seconds"] = json!(seconds);
+    if let Some(set) = &calibration.common {
+        result["common"] = common_set::result(set, &calibration);
+    }
     let strips = calibrate_strips::compare(&campaign.folder, &wing, &calibration)?;
     if let Some(strips) = &strips {
         strips.add_to(&mut result);
@@ -56,18 +61,34 @@ fn write(
     folder.write_text("corrections.ron", &schedule(file, calibration).to_ron())?;
     for airspeed in &calibration.airspeeds {
         let name = speed_name(airspeed.data.v_m_s);
-        let padded = wing.padded(&airspeed.corrections)?;
-        folder.write_text(&format!("wkk_{name}.bdf"), &padded.wkk().rounded_to_fields().write())?;
-        folder.write_text(&format!("fa2j_{name}.bdf"), &padded.fa2j().rounded_to_fields().write())?;
-        let map = figures::corrections(wing, airspeed).map_err(Failure::computation)?;
-        folder.write_text(&format!("corrections_{name}.svg"), &map)?;
+        write_set(&folder, wing, (&name, &format!("{name} m/s")), &airspeed.corrections)?;
     }
-    folder.write_text("static_loads.svg", &figures::static_loads(wing, calibration)?)?;
+    match &calibration.common {
+        None => folder.write_text("static_loads.svg", &figures::static_loads(wing, calibration)?)?,
+        Some(set) => {
+            write_set(&folder, wing, ("common", "all airspeeds"), &set.corrections)?;
+            folder.write_text("readings.svg", &common_set::figure(wing, set, calibration)?)?;
+        }
+    }
     if let Some(strips) = strips {
         folder.write_text("strips.svg", &strips.svg()?)?;
     }
     folder.write_json("result.json", result)?;
     folder.commit()
+}
+
+/// One set of corrections as DMI cards and as a picture.
+fn write_set(
+    folder: &ResultFolder,
+    wing: &ElasticWing,
+    (name, at): (&str, &str),
+    corrections: &Corrections,
+) -> Result<(), Failure> {
+    let padded = wing.padded(corrections)?;
+    folder.write_text(&format!("wkk_{name}.bdf"), &padded.wkk().rounded_to_fields().write())?;
+    folder.write_text(&format!("fa2j_{name}.bdf"), &padded.fa2j().rounded_to_fields().write())?;
+    let map = figures::corrections(wing, corrections, at).map_err(Failure::computation)?;
+    folder.write_text(&format!("corrections_{name}.svg"), &map)
 }
 
 /// 18 m/s -> `18`, 22.5 m/s -> `22.5`.
@@ -80,16 +101,19 @@ fn result(wing: &ElasticWing, campaign: &Campaign, calibration: &Calibration) ->
     let data = &calibration.data;
     let airspeeds: Vec<Value> =
         calibration.airspeeds.iter().map(|airspeed| airspeed_result(airspeed, calibration)).collect();
-    let blocks: Vec<Value> =
-        data.blocks.iter().map(|b| json!({ "block": b.block, "offset": channels(b.offset) })).collect();
+    let blocks: Vec<Value> = data
+        .blocks
+        .iter()
+        .map(|b| json!({ "block": b.block, "offset": channels(b.offset, data.channels) }))
+        .collect();
     Ok(json!({
         "command": "calibrate",
         "campaign": campaign.name,
         "airspeeds": airspeeds,
         "cone_programs": calibration.cone_programs(),
         "blocks": blocks,
-        "block_sigma": channels(data.block_sigma),
-        "point_sigma": data.point_sigma.map(channels),
+        "block_sigma": channels(data.block_sigma, data.channels),
+        "point_sigma": data.point_sigma.map(|sigma| channels(sigma, data.channels)),
         "noise_from": match (data.noise_dof, data.point_sigma) {
             (Some(dof), _) => format!("replicates, {dof} degrees of freedom"),
             (None, Some(_)) => "the campaign's declaration".into(),
@@ -98,7 +122,7 @@ fn result(wing: &ElasticWing, campaign: &Campaign, calibration: &Calibration) ->
         "nonlinearity_level": calibration.nonlinearity_level,
         "rows_with_deflected_controls_left_aside": data.deflected,
         "tilt_tare": calibration.tilt_tare.map(|tare| json!({
-            "points": tare.points, "rms": channels(tare.rms), "rms_over_noise": tare.rms_over_noise.map(channels),
+            "points": tare.points, "rms": loads(tare.rms), "rms_over_noise": tare.rms_over_noise.map(loads),
         })),
         "root_plane": root_plane(wing, campaign, calibration)?,
     }))
@@ -107,7 +131,7 @@ fn result(wing: &ElasticWing, campaign: &Campaign, calibration: &Calibration) ->
 fn airspeed_result(airspeed: &AirspeedCalibration, calibration: &Calibration) -> Value {
     let fit = &airspeed.fit;
     let measured = calibration.data.channels;
-    let nonlinearity: Vec<Value> = (0..3)
+    let nonlinearity: Vec<Value> = (0..4)
         .filter_map(|c| airspeed.line.nonlinearity[c].map(|test| (c, test)))
         .map(|(c, test)| {
             json!({
@@ -118,7 +142,7 @@ fn airspeed_result(airspeed: &AirspeedCalibration, calibration: &Calibration) ->
             })
         })
         .collect();
-    json!({
+    let mut result = json!({
         "V_m_s": airspeed.data.v_m_s,
         "objective_before": fit.objective[0],
         "objective_after": fit.objective[1],
@@ -132,7 +156,7 @@ fn airspeed_result(airspeed: &AirspeedCalibration, calibration: &Calibration) ->
         "determined_directions": airspeed.identifiability.as_ref().map(|told| told.determined_directions),
         "neighbour_bound_active": fit.neighbour_bound_active,
         "nonlinearity": nonlinearity,
-        "identifiability": airspeed.identifiability.as_ref().map(identifiability),
+        "identifiability": airspeed.identifiability.as_ref().map(|told| identifiability(told, measured)),
         "left_out": airspeed.left_out.as_ref().map(|left_out| json!({
             "alpha_deg": left_out.alphas_rad.iter().map(|a| a.to_degrees()).collect::<Vec<_>>(),
             "objective_before": left_out.objective_before,
@@ -142,10 +166,16 @@ fn airspeed_result(airspeed: &AirspeedCalibration, calibration: &Calibration) ->
         "left_out_airspeed": airspeed.left_out_airspeed.as_ref().map(|left_out| json!({
             "objective_before": left_out.objective_before, "objective_after": left_out.objective_after,
         })),
-    })
+    });
+    if let Some(lift) = &airspeed.lift {
+        result["lift_factor"] = common_set::lift_factor(lift, calibration);
+        result["weights"] = measured_channels(airspeed.weights, measured);
+    }
+    result
 }
 
-fn identifiability(told: &calibrate::Identifiability) -> Value {
+pub(crate) fn identifiability(told: &calibrate::Identifiability, measured: [bool; 4]) -> Value {
+    let channels = |values: [f64; 4]| channels(values, measured);
     let by_family =
         |values: [f64; 3]| json!({ "force": values[0], "moment": values[1], "pressure_offset": values[2] });
     json!({
@@ -183,7 +213,7 @@ fn root_plane(wing: &ElasticWing, campaign: &Campaign, calibration: &Calibration
         let cp = alone.pressures(upward.as_ref());
         slope(&|place| cp[(place, 0)])
     };
-    let fastest = calibration.airspeeds.last().map_or(0.0, |a| a.data.v_m_s);
+    let fastest = calibration.data.airspeeds.last().map_or(0.0, |a| a.v_m_s);
     let flow = aero::Flow { v_m_s: fastest, rho_kg_m3: campaign.rho_kg_m3 };
     let neutral = aero::Corrections::neutral(wing.correctable.len());
     let states = wing.at(flow, &neutral)?.solve(&[SteadyCase::new(flow, 0.0), SteadyCase::new(flow, 0.01)]);
@@ -222,9 +252,12 @@ fn summary(calibration: &Calibration, out: &Path, seconds: f64) -> String {
             format!("{:?}", a.fit.ending),
         ]);
     }
-    let mut text = format!("{table}\n");
+    let mut text = match &calibration.common {
+        None => format!("{table}\n"),
+        Some(set) => common_set::table(set, calibration),
+    };
     for a in &calibration.airspeeds {
-        let bent: Vec<&str> = (0..3)
+        let bent: Vec<&str> = (0..4)
             .filter(|&c| {
                 a.line.nonlinearity[c].is_some_and(|test| test.p_value < calibration.nonlinearity_level)
             })
@@ -242,12 +275,17 @@ fn summary(calibration: &Calibration, out: &Path, seconds: f64) -> String {
     text + &format!("{seconds:.2} s; results in {}\n", out.display())
 }
 
-fn channels(values: [f64; 3]) -> Value {
-    measured_channels(values, [true; 3])
+fn loads([fz, mx, my]: [f64; 3]) -> Value {
+    channels([fz, mx, my, 0.0], [false; 4])
 }
 
-fn measured_channels(values: [f64; 3], measured: [bool; 3]) -> Value {
-    let named = (0..3)
+/// All root loads, and the tip's height if it is fitted.
+fn channels(values: [f64; 4], measured: [bool; 4]) -> Value {
+    measured_channels(values, [true, true, true, measured[TIP]])
+}
+
+pub(crate) fn measured_channels(values: [f64; 4], measured: [bool; 4]) -> Value {
+    let named = (0..4)
         .filter(|&c| measured[c])
         .map(|c| (calibrate::campaign::CHANNELS[c].to_owned(), json!(values[c])));
     Value::Object(named.collect())

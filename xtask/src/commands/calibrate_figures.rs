@@ -2,8 +2,9 @@
 //! (Fig. 7).
 
 use aero::{Corrections, Flow};
+use calibrate::campaign::TIP;
 use calibrate::{AirspeedCalibration, Calibration};
-use coupling::{ElasticWing, SteadyCase};
+use coupling::{ElasticWing, SteadyCase, SteadyState};
 use report::{DrawError, Figure, Panel, PlanformView, Series, Style};
 
 use crate::commands::calibrate::speed_name;
@@ -11,7 +12,7 @@ use crate::failure::Failure;
 
 /// Measured, initial and updated root loads at every airspeed.
 pub(crate) fn static_loads(wing: &ElasticWing, calibration: &Calibration) -> Result<String, Failure> {
-    let names = [("Fz (N)", 0), ("Mx (N m)", 1), ("My (N m)", 2)];
+    let names = [("Fz (N)", 0), ("Mx (N m)", 1), ("My (N m)", 2), ("tip (m)", TIP)];
     let neutral = Corrections::neutral(wing.correctable.len());
     let mut panels = Vec::new();
     for airspeed in &calibration.airspeeds {
@@ -20,8 +21,8 @@ pub(crate) fn static_loads(wing: &ElasticWing, calibration: &Calibration) -> Res
         let initial = simulated(wing, airspeed, &neutral, calibration)?;
         let updated = simulated(wing, airspeed, &airspeed.corrections, calibration)?;
         for (label, c) in names.into_iter().filter(|&(_, c)| calibration.data.channels[c]) {
-            let of = |loads: &[[f64; 3]]| loads.iter().map(|load| load[c]).collect::<Vec<f64>>();
-            let points = airspeed.data.angles.iter().map(|angle| angle.loads[c]).collect();
+            let of = |loads: &[[f64; 4]]| loads.iter().map(|load| load[c]).collect::<Vec<f64>>();
+            let points = airspeed.data.angles.iter().map(|angle| angle.readings()[c]).collect();
             panels.push(Panel {
                 title: format!("{} m/s", speed_name(airspeed.data.v_m_s)),
                 x_label: "angle of attack (deg)".into(),
@@ -45,22 +46,25 @@ fn simulated(
     airspeed: &AirspeedCalibration,
     corrections: &Corrections,
     calibration: &Calibration,
-) -> Result<Vec<[f64; 3]>, Failure> {
+) -> Result<Vec<[f64; 4]>, Failure> {
     let flow = Flow { v_m_s: airspeed.data.v_m_s, rho_kg_m3: calibration.rho_kg_m3 };
     let cases: Vec<SteadyCase> =
         airspeed.data.angles.iter().map(|angle| SteadyCase::new(flow, angle.alpha_rad)).collect();
-    Ok(wing.at(flow, corrections)?.solve(&cases).iter().map(|state| state.root.to_array()).collect())
+    let reading = |state: &SteadyState| {
+        let [fz, mx, my] = state.root.to_array();
+        [fz, mx, my, state.tip_z_m]
+    };
+    Ok(wing.at(flow, corrections)?.solve(&cases).iter().map(reading).collect())
 }
 
-/// The three corrections of one airspeed on the planform.
-pub(crate) fn corrections(wing: &ElasticWing, airspeed: &AirspeedCalibration) -> Result<String, DrawError> {
+/// Three corrections on the planform; `at` names the airspeed or airspeeds.
+pub(crate) fn corrections(wing: &ElasticWing, c: &Corrections, at: &str) -> Result<String, DrawError> {
     let corners: Vec<[(f64, f64); 4]> = wing
         .correctable
         .places
         .iter()
         .map(|&place| wing.lattice.boxes[place].corners.map(|corner| (corner.x, corner.y)))
         .collect();
-    let c = &airspeed.corrections;
     let view = |title: &str, label: &str, values: &[f64], neutral: f64| {
         let reach = values.iter().map(|value| (value - neutral).abs()).fold(0.05, f64::max);
         PlanformView {
@@ -76,5 +80,5 @@ pub(crate) fn corrections(wing: &ElasticWing, airspeed: &AirspeedCalibration) ->
         view("moment factor", "W moment (-)", &c.moment, 1.0),
         view("pressure offset", "f_e/q (-)", &c.pressure_offset, 0.0),
     ];
-    report::heatmap::svg(&format!("Corrections at {} m/s", speed_name(airspeed.data.v_m_s)), &views)
+    report::heatmap::svg(&format!("Corrections at {at}"), &views)
 }

@@ -4,7 +4,7 @@
 #![allow(dead_code, reason = "each test binary uses its share")]
 
 use aero::{Corrections, Flow};
-use calibrate::{Campaign, Noise, Settings, StaticPoint};
+use calibrate::{Campaign, Noise, Sets, Settings, StaticPoint, TipReading};
 use coupling::planform::Planform;
 use coupling::wing_file::Source;
 use coupling::{ElasticWing, Mount, SteadyCase, SteadyModel, WingFile};
@@ -30,7 +30,7 @@ pub(crate) fn small_wing() -> ElasticWing {
 
 /// The shipped wing with its planform changed.
 pub(crate) fn wing_with(change: impl Fn(&mut Planform)) -> ElasticWing {
-    let mut file = WingFile::read(&path("tuflex/wing.ron")).unwrap();
+    let mut file = WingFile::read(&path("tuflex/wing_beam.ron")).unwrap();
     let Source::Parametric(planform) = &mut file.source else { panic!("the shipped wing is parametric") };
     change(planform);
     let bulk = file.bulk(Mount::Tunnel).unwrap();
@@ -96,6 +96,8 @@ pub(crate) fn campaign(points: Vec<StaticPoint>, noise: Option<Noise>) -> Campai
         rho_kg_m3: RHO,
         noise,
         channels: [true; 3],
+        tip: TipReading::Unused,
+        sets: Sets::EachAirspeed,
         points,
         runs: Vec::new(),
     }

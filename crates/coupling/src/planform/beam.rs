@@ -7,7 +7,9 @@
 
 use super::distribution::{Distribution, Section};
 use super::panels::card_number;
-use super::{AXIS_SET, FIRST_AXIS_GRID, FIRST_MASS_GRID, FIRST_SENSOR_GRID, Mount, Planform, ROOT_SET};
+use super::{
+    AXIS_SET, FIRST_AXIS_GRID, FIRST_MASS_GRID, FIRST_SENSOR_GRID, Mount, Planform, PointMass, ROOT_SET,
+};
 use nalgebra::Point3;
 use nastran::{
     BeamElement, BeamProperty, BeamStation, BulkData, Conm2, Grid, InputError, Mat1, Orientation, Rbe2, Set1,
@@ -38,20 +40,6 @@ pub struct BeamStructure {
     /// Accelerometers with their masses, tied like point masses; each has its own grid to be read at.
     #[serde(default)]
     pub sensors: Vec<PointMass>,
-}
-
-/// A mass without inertia of its own, in the plane of the wing.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct PointMass {
-    /// Its name, unique in the wing.
-    pub name: String,
-    /// Span station.
-    pub y_m: f64,
-    /// Place on the chord, 0 at the leading edge.
-    pub x_over_c: f64,
-    /// Mass.
-    pub mass_kg: f64,
 }
 
 /// The axis while cards are made of it.

@@ -1,6 +1,7 @@
 //! What a parametric wing must satisfy before cards are made of it.
 
-use super::{BeamStructure, Control, Fairing, Planform, PointMass};
+use super::point_mass::check_masses;
+use super::{BeamStructure, Control, Fairing, Planform};
 use nastran::{InputError, Span};
 
 /// Something wrong in a wing file, with the text that leads to its place there.
@@ -76,7 +77,7 @@ impl Planform {
         for (index, control) in self.controls.iter().enumerate() {
             self.check_control(control, &self.controls[..index])?;
         }
-        self.structure.as_ref().map_or(Ok(()), |structure| structure.check(self.semispan_m))
+        self.structure.as_ref().map_or(Ok(()), |structure| structure.check(self))
     }
 
     fn check_strip_edges(&self) -> Result<(), Fault> {
@@ -158,29 +159,8 @@ impl Fairing {
 }
 
 impl BeamStructure {
-    fn check(&self, semispan_m: f64) -> Result<(), Fault> {
+    pub(super) fn check(&self, semispan_m: f64) -> Result<(), Fault> {
         count("elements", self.elements, 1, 1900)?;
-        let all: Vec<&PointMass> = self.point_masses.iter().chain(&self.sensors).collect();
-        for (index, item) in all.iter().enumerate() {
-            let name = &item.name;
-            if name.is_empty() || all[..index].iter().any(|other| other.name == *name) {
-                return Err(Fault::named(
-                    name,
-                    format!("two masses are called \"{name}\""),
-                    "give each its own name",
-                ));
-            }
-            let inside = (0.0..=semispan_m).contains(&item.y_m) && (-1.0..=2.0).contains(&item.x_over_c);
-            if !(inside && item.mass_kg.is_finite() && item.mass_kg >= 0.0) {
-                let message = format!(
-                    "{name} has y_m {}, x_over_c {} and mass_kg {}, one of which cannot be",
-                    item.y_m, item.x_over_c, item.mass_kg
-                );
-                let help =
-                    "expected y_m from 0 to the half span, x_over_c from -1 to 2 and mass_kg not below zero";
-                return Err(Fault::named(name, message, help));
-            }
-        }
-        Ok(())
+        check_masses(self.point_masses.iter().chain(&self.sensors), semispan_m)
     }
 }

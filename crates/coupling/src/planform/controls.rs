@@ -3,7 +3,7 @@
 use super::panels::{card_number, coordinates};
 use super::{Control, Planform, WING_PANEL};
 use nalgebra::Vector3;
-use nastran::{Aelist, Aesurf, BulkData, Coord, CoordDefinition, Span};
+use nastran::{Aelist, Aesurf, BulkData, Coord, CoordDefinition, CoordKind, Span};
 
 /// The first surface's number; AESURF, AELIST and CORD2R of a surface share theirs.
 const FIRST_CONTROL: u32 = 501;
@@ -11,7 +11,15 @@ const FIRST_CONTROL: u32 = 501;
 impl Planform {
     pub(super) fn add_controls(&self, bulk: &mut BulkData, span: &Span) {
         for (id, control) in (FIRST_CONTROL..).zip(&self.controls) {
-            bulk.coords.insert(id, Coord { id, definition: self.hinge(control), span: span.clone() });
+            bulk.coords.insert(
+                id,
+                Coord {
+                    id,
+                    kind: CoordKind::Rectangular,
+                    definition: self.hinge(control),
+                    span: span.clone(),
+                },
+            );
             bulk.box_lists.insert(id, Aelist { id, boxes: self.control_boxes(control), span: span.clone() });
             let label = control.name.clone();
             let surface = Aesurf { id, label, parts: vec![(id, id)], effectiveness: 1.0, span: span.clone() };

@@ -1,4 +1,5 @@
-//! A parametric wing: a trapezoidal half wing with a swept beam, turned into the same [`BulkData`] a deck gives.
+//! A parametric wing: a trapezoidal half wing with a swept beam, or shells around a solid core, turned into the same
+//! [`BulkData`] a deck gives.
 //!
 //! Axes: x aft, y to the right tip, z up; the root leading edge is at (`root_leading_edge_x_m`, 0, 0). Spans are
 //! measured along y. The straight quarter-chord line carries the sweep, so the leading edge of the chord at y is
@@ -6,17 +7,27 @@
 //!
 //! Numbering: wing panel and first box 100001, fairing 200001, control surfaces (AESURF, AELIST, CORD2R) from
 //! 501, grids of the elastic axis from 1001, sensors from 3001, point masses from 4001, beams from 2001.
-//! SET1 1 lists the axis grids (the spline's), SET1 2 the root grid.
+//! SET1 1 lists the axis grids (the spline's), SET1 2 the grid that holds the root. The shells' own numbers are in
+//! `shell`.
 
 mod beam;
 pub(crate) mod check;
 mod controls;
 mod distribution;
 mod panels;
+mod point_mass;
+mod shell;
+mod structure;
 mod warnings;
 
-pub use beam::{BeamStructure, PointMass};
+pub use beam::BeamStructure;
 pub(crate) use check::Fault;
+pub use point_mass::PointMass;
+pub use shell::{
+    BALANCE_BUSH, BALANCE_GRID, Band, FIRST_MESH_GRID, Foam, LineMass, MeshCounts, MeshSettings, PlyMaterial,
+    PlySettings, Profile, ROOT_GRID, SectionIntegrals, ShellSolid, Surface,
+};
+pub use structure::Structure;
 
 use nalgebra::Point3;
 use nastran::{BulkData, InputError, Span};
@@ -35,7 +46,7 @@ pub const FIRST_SENSOR_GRID: u32 = 3001;
 pub const FIRST_MASS_GRID: u32 = 4001;
 /// SET1 with the grids of the elastic axis.
 pub const AXIS_SET: u32 = 1;
-/// SET1 with the root's grid alone.
+/// SET1 with the grid alone that holds the root.
 pub const ROOT_SET: u32 = 2;
 
 /// How the wing is held, which decides what belongs to the model besides the wing itself.
@@ -62,7 +73,8 @@ pub struct Planform {
     /// Dihedral, tip up positive: z = y tan(dihedral).
     #[serde(default)]
     pub dihedral_deg: f64,
-    /// Twist at root and tip, nose up positive, linear between; it enters the flow condition, not the geometry.
+    /// Twist at root and tip, nose up positive, linear between; boxes stay flat and have it as incidence, the
+    /// sections of a shell-and-solid wing are turned by it.
     #[serde(default)]
     pub twist_deg: (f64, f64),
     /// x of the leading edge at the root.
@@ -79,9 +91,9 @@ pub struct Planform {
     /// Trailing edge control surfaces.
     #[serde(default)]
     pub controls: Vec<Control>,
-    /// The beam; `None` is a rigid wing.
+    /// What it is made of; `None` is a rigid wing.
     #[serde(default)]
-    pub structure: Option<BeamStructure>,
+    pub structure: Option<Structure>,
 }
 
 /// Numbers of boxes.
@@ -170,22 +182,35 @@ impl Planform {
 
     /// Names and grids of the sensors, in the file's order.
     pub fn sensor_grids(&self) -> Vec<(String, u32)> {
-        let sensors = self.structure.iter().flat_map(|structure| &structure.sensors);
-        sensors.map(|sensor| sensor.name.clone()).zip(FIRST_SENSOR_GRID..).collect()
+        self.structure.as_ref().map_or_else(Vec::new, Structure::sensor_grids)
     }
 
-    /// The wing as bulk data; file names are relative to `folder`.
+    /// The wing as bulk data; file names are relative to `folder`. The balance, which only a shell-and-solid wing
+    /// has as an element of its own, is at the root's quarter chord.
     ///
     /// # Errors
     /// If a number makes no sense or a file it names is missing or wrong.
     pub fn bulk(&self, folder: &Path, mount: Mount) -> Result<BulkData, InputError> {
+        self.bulk_on_balance(folder, mount, &self.point(0.0, 0.25))
+    }
+
+    /// As [`Planform::bulk`], held at a balance point.
+    ///
+    /// # Errors
+    /// As [`Planform::bulk`].
+    pub fn bulk_on_balance(
+        &self,
+        folder: &Path,
+        mount: Mount,
+        balance: &Point3<f64>,
+    ) -> Result<BulkData, InputError> {
         let span = Span::generated("parametric wing");
         self.check().map_err(|fault| fault.at(&span))?;
         let mut bulk = BulkData::default();
         self.add_panels(&mut bulk, folder, mount, &span)?;
         self.add_controls(&mut bulk, &span);
         if let Some(structure) = &self.structure {
-            structure.add_to(&mut bulk, self, folder, mount)?;
+            structure.add_to(&mut bulk, self, folder, mount, balance)?;
         }
         Ok(bulk)
     }

@@ -11,7 +11,7 @@ use std::path::Path;
 
 /// The coarse wing, changed.
 pub fn wing_with(change: impl Fn(&mut Planform)) -> (WingFile, ElasticWing) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/tuflex/wing.ron");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/tuflex/wing_beam.ron");
     let mut file = WingFile::read(&path).unwrap();
     let Source::Parametric(planform) = &mut file.source else { panic!("the shipped wing is parametric") };
     planform.boxes.chordwise = 4;

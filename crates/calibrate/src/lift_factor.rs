@@ -1,0 +1,163 @@
+//! One number for the lift: the factor on all box loads of the theory that fits best, and its standard uncertainty.
+//!
+//! Few data do not determine a distribution of corrections, but they do determine this: with `W = s` at every box and no
+//! pressure offset, `s` is the least-squares solution over all fitted channels, each row in its standard deviation, free
+//! zeros of the tip eliminated (Gauss-Newton from s = 1, on the exact derivative). Its uncertainty is
+//!
+//! ```text
+//! sigma(s) = sqrt(max(1, chi²/dof)) sqrt((1 + rho) / (1 - rho)) / sqrt(sum (dr/ds / sigma_r)²)
+//! ```
+//! where rho is the correlation of neighbouring residuals in the order of the file (not below zero): the rows of a sweep
+//! come from one slow process and say less than as many independent ones.
+
+use crate::campaign::TIP;
+use crate::fit::Problem;
+use aero::Corrections;
+use coupling::{CouplingError, RootSensitivity, SteadyModel};
+
+/// Gauss-Newton steps at most; the problem is one smooth curve, and three or four do.
+const MOST_STEPS: usize = 20;
+
+/// The uniform factor on lift.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LiftFactor {
+    /// Factor on the theoretical load of every box.
+    pub factor: f64,
+    /// Its standard uncertainty from the scatter of the data alone, no prior.
+    pub sigma: f64,
+    /// Correlation rho of neighbouring residuals.
+    pub correlation: f64,
+    /// Root mean square of the residuals that are left, by channel (N, N m, N m, m).
+    pub rmse: [f64; 4],
+    /// Free zeros of the tip reading by block: what the reading shows when the tip has not moved, m, and its standard
+    /// uncertainty; empty if the zero is known.
+    pub tip_zeros: Vec<(f64, f64)>,
+}
+
+impl LiftFactor {
+    /// How much wider correlated rows make every uncertainty than independent ones.
+    pub fn widening(&self) -> f64 {
+        ((1.0 + self.correlation) / (1.0 - self.correlation)).sqrt()
+    }
+}
+
+/// Rows at one factor.
+struct At {
+    /// Residual and derivative by channel and row, in standard deviations; the tip's about its zero.
+    rows: Vec<(usize, Vec<f64>, Vec<f64>)>,
+    /// Means by block of simulated minus measured tip and of its derivative, m.
+    tip_means: (Vec<f64>, Vec<f64>),
+}
+
+/// Finds the factor; none if nothing hangs on it.
+pub(crate) fn lift_factor<M: SteadyModel>(
+    problem: &Problem<'_, M>,
+    point_sigma: [f64; 4],
+) -> Result<Option<LiftFactor>, CouplingError> {
+    let mut factor = 1.0;
+    let mut at = at(problem, point_sigma, factor)?;
+    for _ in 0..MOST_STEPS {
+        let (slope, information) = at.normal();
+        if information <= 0.0 {
+            return Ok(None);
+        }
+        let step = -slope / information;
+        factor += step;
+        at = self::at(problem, point_sigma, factor)?;
+        if step.abs() < 1e-10 {
+            break;
+        }
+    }
+    let (_, information) = at.normal();
+    let count: usize = at.rows.iter().map(|row| row.1.len()).sum();
+    let squares: f64 = at.rows.iter().flat_map(|row| &row.1).map(|r| r * r).sum();
+    let freedom = count.saturating_sub(1 + problem.zero.count()).max(1) as f64;
+    let scatter = (squares / freedom).max(1.0).sqrt();
+    let mut found = LiftFactor {
+        factor,
+        sigma: 0.0,
+        correlation: at.correlation(problem),
+        rmse: [0.0; 4],
+        tip_zeros: Vec::new(),
+    };
+    let wide = scatter * found.widening();
+    found.sigma = wide / information.sqrt();
+    for (channel, residuals, _) in &at.rows {
+        let squares: f64 =
+            residuals.iter().zip(problem.angles()).map(|(r, a)| r * r / a.replicates as f64).sum();
+        found.rmse[*channel] = point_sigma[*channel] * (squares / residuals.len() as f64).sqrt();
+    }
+    if problem.zero.count() > 0 {
+        let (zeros, arms) = &at.tip_means;
+        let shares = problem.zero.means_of_inverse(problem.angles().map(|angle| angle.replicates as f64));
+        found.tip_zeros = (0..zeros.len())
+            .map(|b| {
+                let own = wide * point_sigma[TIP] * shares[b].sqrt();
+                (-zeros[b], own.hypot(arms[b] * found.sigma))
+            })
+            .collect();
+    }
+    Ok(Some(found))
+}
+
+/// Residuals and derivatives at a factor.
+fn at<M: SteadyModel>(
+    problem: &Problem<'_, M>,
+    point_sigma: [f64; 4],
+    factor: f64,
+) -> Result<At, CouplingError> {
+    let boxes = problem.model.correctable().len();
+    let corrections = Corrections {
+        force: vec![factor; boxes],
+        moment: vec![factor; boxes],
+        pressure_offset: vec![0.0; boxes],
+    };
+    let sensitivities = problem.sensitivities(&corrections)?;
+    let misses = problem.misses(&sensitivities);
+    let slope = |at: &RootSensitivity, channel: usize| -> f64 {
+        (0..boxes).map(|b| at.by_force[(channel, b)] + at.by_moment[(channel, b)]).sum()
+    };
+    let means = (
+        problem.zero.means(|row| misses[row][TIP]),
+        problem.zero.means(|row| slope(&sensitivities[row], TIP)),
+    );
+    let rows = (0..4).filter(|&c| problem.channels[c]).map(|channel| {
+        let mut residuals: Vec<f64> = misses.iter().map(|row| row[channel]).collect();
+        let mut slopes: Vec<f64> = sensitivities.iter().map(|at| slope(at, channel)).collect();
+        if channel == TIP {
+            problem.zero.centre(&mut residuals);
+            problem.zero.centre(&mut slopes);
+        }
+        let sigma = point_sigma[channel].max(f64::MIN_POSITIVE);
+        for ((r, s), angle) in residuals.iter_mut().zip(&mut slopes).zip(problem.angles()) {
+            let weight = (angle.replicates as f64).sqrt() / sigma;
+            *r *= weight;
+            *s *= weight;
+        }
+        (channel, residuals, slopes)
+    });
+    Ok(At { rows: rows.collect(), tip_means: means })
+}
+
+impl At {
+    /// Gradient and curvature of half the sum of squares.
+    fn normal(&self) -> (f64, f64) {
+        let pairs = || self.rows.iter().flat_map(|(_, residuals, slopes)| residuals.iter().zip(slopes));
+        (pairs().map(|(r, s)| r * s).sum(), pairs().map(|(_, s)| s * s).sum())
+    }
+
+    /// Correlation of residuals that follow one another in the file, blocks apart, all channels together.
+    fn correlation<M: SteadyModel>(&self, problem: &Problem<'_, M>) -> f64 {
+        let place: Vec<(usize, usize)> = problem.angles().map(|angle| (angle.block, angle.line)).collect();
+        let mut order: Vec<usize> = (0..place.len()).collect();
+        order.sort_by_key(|&row| place[row]);
+        let (mut products, mut squares) = (0.0, 0.0);
+        for (_, residuals, _) in &self.rows {
+            for pair in order.windows(2).filter(|pair| place[pair[0]].0 == place[pair[1]].0) {
+                products += residuals[pair[0]] * residuals[pair[1]];
+                squares += 0.5 * (residuals[pair[0]].powi(2) + residuals[pair[1]].powi(2));
+            }
+        }
+        (products / f64::max(squares, f64::MIN_POSITIVE)).clamp(0.0, 0.99)
+    }
+}

@@ -1,0 +1,58 @@
+//! Splines and parameters: SPLINE1, SPLINE2 and PARAM, from fields to the structs of [`crate::fe_cards`].
+
+use crate::card::Card;
+use crate::fe_cards::{SplineCard, SplineKind};
+use crate::real;
+use crate::source::InputError;
+
+/// SPLINE1: EID CAERO BOX1 BOX2 SETG DZ METH USAGE / NELEM MELEM, and
+/// SPLINE2: EID CAERO ID1 ID2 SETG DZ DTOR CID / DTHX DTHY blank USAGE.
+///
+/// The number of elements of a finite plate is skipped; smoothing (DZ), attachment flexibility (DTHX, DTHY) and other
+/// methods than the infinite plate are refused.
+pub(crate) fn spline(card: &Card) -> Result<SplineCard, InputError> {
+    card.unset(5, "DZ")?;
+    let kind = if card.name == "SPLINE1" {
+        card.ends_after(10)?;
+        card.word(6, "METH", &["IPS"])?;
+        card.word(7, "USAGE", &["BOTH"])?;
+        SplineKind::Plate
+    } else {
+        card.ends_after(12)?;
+        card.unset(8, "DTHX")?;
+        card.unset(9, "DTHY")?;
+        card.word(11, "USAGE", &["BOTH"])?;
+        let torsional_ratio = match card.optional_real(6, "DTOR")? {
+            None => 1.0,
+            Some(_) => card.positive(6, "DTOR")?,
+        };
+        SplineKind::Beam { system: card.count_or(7, "CID", 0)?, torsional_ratio }
+    };
+    let boxes = (card.id(2, "BOX1")?, card.id(3, "BOX2")?);
+    if boxes.1 < boxes.0 {
+        let message = format!("box {} of {} comes after box {}", boxes.0, card.name, boxes.1);
+        return Err(card.error(3, message).with_help("name the first box, then the last"));
+    }
+    let (id, panel, set) = (card.id(0, "EID")?, card.id(1, "CAERO")?, card.id(4, "SETG")?);
+    Ok(SplineCard { id, panel, boxes, set, kind, span: card.span.clone() })
+}
+
+/// PARAM: name and value; nothing if the value is no number, or complex.
+pub(crate) fn parameter(card: &Card) -> Result<Option<(String, f64)>, InputError> {
+    let name = card.name_at(0, "N")?;
+    let text = card.text(1);
+    if text.is_empty() {
+        return Err(card.empty(1, "V1", "a value"));
+    }
+    let whole = text.parse::<i32>().ok().map(f64::from);
+    let Some(value) = whole.or_else(|| real::parse(text)) else {
+        if text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) {
+            return Err(card.wrong(1, "V1", "a number or a word"));
+        }
+        return Ok(None);
+    };
+    if name == "WTMASS" && (value <= 0.0 || whole.is_some()) {
+        return Err(card.wrong(1, "V1", "a real number above zero, as WTMASS must be"));
+    }
+    Ok(card.text(2).is_empty().then_some((name, value)))
+}

@@ -1,0 +1,116 @@
+//! VTK unstructured grids (`.vtu`, XML, ASCII) for ParaView, from plain numbers.
+
+use std::fmt::Write as _;
+
+/// The shape of a cell, with VTK's number for it; nodes in VTK's order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CellType {
+    /// Two points.
+    Line = 3,
+    /// Three points.
+    Triangle = 5,
+    /// Four points around.
+    Quadrilateral = 9,
+    /// Four points.
+    Tetrahedron = 10,
+    /// Eight points.
+    Hexahedron = 12,
+    /// Six points.
+    Wedge = 13,
+}
+
+/// A named field, as many components a point or cell as its values divide into.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Field {
+    /// Name with unit.
+    pub name: String,
+    /// Components of one point or cell.
+    pub components: usize,
+    /// Values, components of the first point or cell first.
+    pub values: Vec<f64>,
+}
+
+/// A mesh with fields.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Mesh {
+    /// Points, m.
+    pub points: Vec<[f64; 3]>,
+    /// Cells: shape and positions of its points.
+    pub cells: Vec<(CellType, Vec<usize>)>,
+    /// Fields on the points.
+    pub point_fields: Vec<Field>,
+    /// Fields on the cells.
+    pub cell_fields: Vec<Field>,
+}
+
+impl Mesh {
+    /// The mesh as a file's text.
+    pub fn vtu(&self) -> String {
+        let mut points = String::new();
+        for [x, y, z] in &self.points {
+            // Writing to a String cannot fail.
+            let _ = writeln!(points, "{x:.9e} {y:.9e} {z:.9e}");
+        }
+        let (mut nodes, mut ends, mut types, mut end) = (String::new(), String::new(), String::new(), 0);
+        for (kind, cell) in &self.cells {
+            let line: Vec<String> = cell.iter().map(usize::to_string).collect();
+            let _ = writeln!(nodes, "{}", line.join(" "));
+            end += cell.len();
+            let _ = writeln!(ends, "{end}");
+            let _ = writeln!(types, "{}", *kind as u8);
+        }
+        let fields = |fields: &[Field]| fields.iter().map(field).collect::<String>();
+        format!(
+            "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n\
+             <UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<PointData>\n{}</PointData>\n\
+             <CellData>\n{}</CellData>\n<Points>\n{}</Points>\n<Cells>\n{}{}{}</Cells>\n</Piece>\n</UnstructuredGrid>\n\
+             </VTKFile>\n",
+            self.points.len(),
+            self.cells.len(),
+            fields(&self.point_fields),
+            fields(&self.cell_fields),
+            array("Float64", "points", 3, &points),
+            array("Int32", "connectivity", 1, &nodes),
+            array("Int32", "offsets", 1, &ends),
+            array("UInt8", "types", 1, &types),
+        )
+    }
+}
+
+fn field(field: &Field) -> String {
+    let mut text = String::new();
+    for item in field.values.chunks(field.components.max(1)) {
+        let line: Vec<String> = item.iter().map(|value| format!("{value:.6e}")).collect();
+        let _ = writeln!(text, "{}", line.join(" "));
+    }
+    let name = field.name.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
+    array("Float64", &name, field.components, &text)
+}
+
+fn array(kind: &str, name: &str, components: usize, text: &str) -> String {
+    format!(
+        "<DataArray type=\"{kind}\" Name=\"{name}\" NumberOfComponents=\"{components}\" format=\"ascii\">\n\
+         {text}</DataArray>\n"
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cells_of_all_shapes_are_numbered_as_vtk_does() {
+        let field = Field { name: "a < b".into(), components: 3, values: vec![0.0; 24] };
+        let cells = vec![
+            (CellType::Line, vec![0, 1]),
+            (CellType::Quadrilateral, vec![0, 1, 2, 3]),
+            (CellType::Hexahedron, (0..8).collect()),
+        ];
+        let mesh = Mesh { points: vec![[0.0; 3]; 8], cells, point_fields: vec![field], cell_fields: vec![] };
+        let text = mesh.vtu();
+        assert!(text.contains("NumberOfPoints=\"8\" NumberOfCells=\"3\""));
+        assert!(text.contains("\n2\n6\n14\n</DataArray>"), "offsets are ends");
+        assert!(text.contains("\n3\n9\n12\n</DataArray>"), "types");
+        assert!(text.contains("Name=\"a &lt; b\" NumberOfComponents=\"3\""));
+    }
+}

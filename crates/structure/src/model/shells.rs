@@ -1,0 +1,148 @@
+//! Shells and their sections: CQUAD4 and CTRIA3 with PSHELL, PCOMP and PCOMPG.
+
+use super::build::{Builder, undefined};
+use crate::element::Element;
+use crate::laminate::{PlacedPly, ShellSection};
+use crate::plane_material::PlaneMaterial;
+use crate::shell::Shell;
+use nalgebra::{Matrix2, Matrix3, Point3, Vector3};
+use nastran::{InputError, MaterialDirection, Pcomp, Ply, Pshell, ShellElement, Span};
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
+use std::sync::Arc;
+
+impl Builder<'_> {
+    pub(super) fn shells(&self) -> Result<Vec<Arc<dyn Element>>, InputError> {
+        let mut sections: BTreeMap<u32, Arc<ShellSection>> = BTreeMap::new();
+        let mut elements: Vec<Arc<dyn Element>> = Vec::with_capacity(self.bulk.shells.len());
+        for card in self.bulk.shells.values() {
+            let user = format!("{} {}", if card.grids.len() == 4 { "CQUAD4" } else { "CTRIA3" }, card.id);
+            let section = match sections.entry(card.property) {
+                Entry::Occupied(known) => Arc::clone(known.get()),
+                Entry::Vacant(place) => Arc::clone(place.insert(Arc::new(self.section(card, &user)?))),
+            };
+            let nodes = self.nodes_of(&card.grids, &user, &card.span)?;
+            let points: Vec<Point3<f64>> = nodes.iter().map(|node| self.nodes[*node].point).collect();
+            let angle = self.angle(card, &points, &user)?;
+            let shell = Shell::new(card.id, nodes, &points, card.offset, section, angle, &card.span)?;
+            elements.push(Arc::new(shell));
+        }
+        Ok(elements)
+    }
+
+    /// From the element's x axis to the material's, rad.
+    fn angle(&self, card: &ShellElement, points: &[Point3<f64>], user: &str) -> Result<f64, InputError> {
+        let system = match card.direction {
+            MaterialDirection::AngleDeg(angle) => return Ok(angle.to_radians()),
+            MaterialDirection::System(system) => system,
+        };
+        // A degenerate element is refused with its own message where it is made.
+        let Some(axes) = Shell::axes_of(points) else { return Ok(0.0) };
+        let middle = points.iter().map(|point| point.coords).sum::<Vector3<f64>>() / (points.len() as f64);
+        let x = axes * self.axes_at(system, &Point3::from(middle), &card.span)?.column(0);
+        if x.x.hypot(x.y) < 1e-6 {
+            let message = format!("{user}: the x axis of system {system} (MCID) is normal to the element");
+            let help = "its projection is the material's direction; choose another system, or an angle";
+            return Err(InputError::at(&card.span, message).with_help(help));
+        }
+        Ok(x.y.atan2(x.x))
+    }
+
+    fn section(&self, card: &ShellElement, user: &str) -> Result<ShellSection, InputError> {
+        let bulk = self.bulk;
+        if let Some(property) = bulk.shell_properties.get(&card.property) {
+            return self.plain(property);
+        }
+        if let Some(laminate) = bulk.laminates.get(&card.property) {
+            return self.laminate(laminate);
+        }
+        let known: Vec<&u32> = bulk.shell_properties.keys().chain(bulk.laminates.keys()).collect();
+        Err(undefined(user, "PSHELL or PCOMP", card.property, known.into_iter(), &card.span))
+    }
+
+    fn plain(&self, card: &Pshell) -> Result<ShellSection, InputError> {
+        let user = format!("PSHELL {}", card.id);
+        let t = card.thickness;
+        let sound = t > 0.0 && t.is_finite() && card.bending_ratio >= 0.0 && card.shear_ratio >= 0.0;
+        if !sound || card.coupling.is_some() {
+            let message = if sound {
+                format!("{user}: membrane and bending coupled by MID4 are not read")
+            } else {
+                format!(
+                    "{user} has the thickness {t} and ratios {}, {}",
+                    card.bending_ratio, card.shear_ratio
+                )
+            };
+            let help = "thickness is positive, 12I/T^3 and TS/T are not negative; for coupling use PCOMP";
+            return Err(InputError::at(&card.span, message).with_help(help));
+        }
+        let material = |id: Option<u32>| id.map(|id| self.plane(id, &user, &card.span)).transpose();
+        let (membrane, bending) = (material(card.membrane)?, material(card.bending)?);
+        let shear = material(card.shear)?;
+        let q = |material: &Option<PlaneMaterial>| material.map_or_else(Matrix3::zeros, |m| m.stiffness);
+        let density = membrane.or(bending).map_or(0.0, |material| material.density);
+        let bends = bending.is_some() && card.bending_ratio > 0.0;
+        let shear = match shear {
+            // A membrane has no transverse stiffness at all.
+            _ if !bends => Matrix2::zeros(),
+            Some(material) => material.turned_shear(0.0) * (card.shear_ratio * t),
+            None => Matrix2::from_element(f64::INFINITY),
+        };
+        let section = ShellSection {
+            membrane: q(&membrane) * t,
+            coupling: Matrix3::zeros(),
+            bending: q(&bending) * (card.bending_ratio * t.powi(3) / 12.0),
+            shear,
+            mass_kg_m2: density * t + card.nsm,
+            mass_moment_kg_m: 0.0,
+            mass_inertia_kg: density * t.powi(3) / 12.0,
+        };
+        Ok(if bends { section.with_finite_shear() } else { section })
+    }
+
+    fn laminate(&self, card: &Pcomp) -> Result<ShellSection, InputError> {
+        let user = format!("PCOMP {}", card.id);
+        let mirrored: &[Ply] = if card.is_symmetric { &card.plies } else { &[] };
+        let plies: Vec<&Ply> = card.plies.iter().chain(mirrored.iter().rev()).collect();
+        let total: f64 = plies.iter().map(|ply| ply.thickness).sum();
+        let wrong = plies.iter().find(|ply| !(ply.thickness > 0.0 && ply.thickness.is_finite()));
+        if plies.is_empty() || wrong.is_some() {
+            let message = match wrong {
+                Some(ply) => format!("{user} has a ply of thickness {}", ply.thickness),
+                None => format!("{user} has no plies"),
+            };
+            return Err(InputError::at(&card.span, message).with_help("every ply has a positive thickness"));
+        }
+        let mut low = card.z0.unwrap_or(-0.5 * total);
+        let mut placed = Vec::with_capacity(plies.len());
+        for ply in plies {
+            let material = self.plane(ply.material, &user, &card.span)?;
+            let high = low + ply.thickness;
+            let angle_rad = ply.angle_deg.to_radians();
+            placed.push(PlacedPly { material, angle_rad, z_low_m: low, z_high_m: high });
+            low = high;
+        }
+        Ok(ShellSection::laminate(&placed, card.nsm, self.shear))
+    }
+
+    /// A plane material by its number, whatever its kind.
+    fn plane(&self, id: u32, user: &str, span: &Span) -> Result<PlaneMaterial, InputError> {
+        let bulk = self.bulk;
+        if let Some(card) = bulk.ply_materials.get(&id) {
+            return PlaneMaterial::ply(card);
+        }
+        if let Some(card) = bulk.plane_materials.get(&id) {
+            return PlaneMaterial::anisotropic(card);
+        }
+        if let Some(card) = bulk.materials.get(&id) {
+            return PlaneMaterial::isotropic(card);
+        }
+        let known: Vec<&u32> = bulk
+            .materials
+            .keys()
+            .chain(bulk.plane_materials.keys())
+            .chain(bulk.ply_materials.keys())
+            .collect();
+        Err(undefined(user, "MAT1, MAT2 or MAT8", id, known.into_iter(), span))
+    }
+}

@@ -1,0 +1,214 @@
+//! Shells (CQUAD4, CTRIA3): flat elements of first-order shear theory with six motions a node.
+//!
+//! The element's plane goes through its corners' middle, normal to the cross product of its diagonals. Corners of a warped
+//! quadrilateral stand off that plane; its membrane strains are those of a shallow shell. With an offset, rigid arms along
+//! the normal connect the grids to the reference surface. Over the plane:
+//!
+//! - transverse shear is tied at the sides (MITC4, Dvorkin and Bathe 1984; MITC3, Lee and Bathe 2004), so thin shells do
+//!   not lock;
+//! - a quadrilateral's membrane has four incompatible modes with Taylor's correction (Taylor, Beresford and Wilson
+//!   1976), condensed, so bending in its plane does not lock and the patch test holds; a triangle's membrane strain is
+//!   constant, as Nastran's;
+//! - rotation about the normal is tied to the membrane's own rotation (Hughes and Brezzi 1989) by a weak stiffness.
+//!
+//! Local motions a node: u, v, w, rotations about x, y, z. Strains: u,x; v,y; u,y + v,x. Curvatures: ry,x; -rx,y;
+//! ry,y - rx,x. Transverse shears: w,x + ry; w,y - rx.
+
+mod point;
+mod quad;
+mod triangle;
+
+use crate::element::Element;
+use crate::laminate::ShellSection;
+use nalgebra::{DMatrix, DVector, Matrix3, Point3, SMatrix, SVector, Vector3};
+use nastran::{InputError, Span};
+use point::{mass, modes_of, stiffness, strains_at};
+use std::borrow::Cow;
+use std::sync::Arc;
+
+/// Stiffness of the rotation about the normal, in units of the membrane's shear stiffness (Hughes and Brezzi take one).
+/// Less, and the kinks between flat elements turn for nothing, however fine the mesh: MacNeal and Harder's twisted
+/// beam is 32 % too soft at a thousandth. More stiffens curved shells: their hemisphere is 4 % too stiff at one with
+/// 16 x 16 elements. A tenth keeps both within 2 %.
+const DRILLING: f64 = 0.1;
+
+/// Of three or four corners, an element's sine of the smallest angle below which it is degenerate.
+const DEGENERATE: f64 = 1e-4;
+
+/// Strains of a shell at a point, in the element's axes ([`Shell::axes`]).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ShellStrains {
+    /// Membrane strains at the reference surface (x, y, xy).
+    pub membrane: [f64; 3],
+    /// Curvatures (x, y, xy), 1/m: strains at height z are membrane + z curvature.
+    pub curvature: [f64; 3],
+    /// Transverse shears (xz, yz).
+    pub shear: [f64; 2],
+}
+
+/// A shell element.
+#[derive(Debug, Clone)]
+pub struct Shell {
+    id: u32,
+    nodes: Vec<usize>,
+    /// Rows are the element's x, y and normal in basic axes.
+    axes: Matrix3<f64>,
+    /// Corners: x, y and height above the element's plane.
+    corners: Vec<[f64; 3]>,
+    /// From each grid along the normal to the reference surface.
+    offset_m: f64,
+    section: Arc<ShellSection>,
+    /// From the element's x axis to the section's.
+    angle_rad: f64,
+}
+
+impl Shell {
+    /// A shell between the nodes at `points` (three or four), its reference surface `offset_m` off the grids along
+    /// the normal. The section's x axis is turned by `angle_rad` from the side between the first two corners.
+    ///
+    /// # Errors
+    /// If the corners do not span an area, or a corner's angle is 180 degrees or more.
+    pub fn new(
+        id: u32,
+        nodes: Vec<usize>,
+        points: &[Point3<f64>],
+        offset_m: f64,
+        section: Arc<ShellSection>,
+        angle_rad: f64,
+        span: &Span,
+    ) -> Result<Self, InputError> {
+        let frame = Frame::of(points).filter(Frame::is_convex);
+        let Some(frame) = frame else {
+            let name = if points.len() == 4 { "CQUAD4" } else { "CTRIA3" };
+            let message = format!("{name} {id} has no area, or a corner of 180 degrees or more");
+            let help = "give its grids in order around the element, each once";
+            return Err(InputError::at(span, message).with_help(help));
+        };
+        Ok(Self { id, nodes, axes: frame.axes, corners: frame.corners, offset_m, section, angle_rad })
+    }
+
+    /// Axes of the element: rows x (along the side between the first two corners), y and normal, in basic axes.
+    pub fn axes(&self) -> &Matrix3<f64> {
+        &self.axes
+    }
+
+    /// The element's axes for corners at `points`; `None` if they span no area. A material direction is turned
+    /// into an angle with these.
+    pub fn axes_of(points: &[Point3<f64>]) -> Option<Matrix3<f64>> {
+        Frame::of(points).map(|frame| frame.axes)
+    }
+
+    /// Area of the reference surface, m^2.
+    pub fn area_m2(&self) -> f64 {
+        match self.corners.len() {
+            4 => quad::points(&self.corners).iter().map(|point| point.area_m2).sum(),
+            _ => triangle::points(&self.corners).iter().map(|point| point.area_m2).sum(),
+        }
+    }
+
+    /// The section in the element's axes.
+    pub fn section(&self) -> ShellSection {
+        self.section.turned(self.angle_rad)
+    }
+
+    /// Strains under `displacements` (six a node, basic axes) at natural coordinates `at`: -1 to 1 in a
+    /// quadrilateral; 0 to 1 along the first two sides from corner 1 in a triangle.
+    ///
+    /// # Panics
+    /// If there are not six displacements a node.
+    pub fn strains(&self, displacements: &[f64], at: [f64; 2]) -> ShellStrains {
+        assert_eq!(displacements.len(), 6 * self.nodes.len(), "six displacements a node");
+        let local = self.transformation() * DVector::from_column_slice(displacements);
+        let section = self.section();
+        if self.corners.len() == 4 {
+            let local = SVector::<f64, 24>::from_column_slice(local.as_slice());
+            let modes = modes_of(&quad::points(&self.corners), &section, DRILLING, &local);
+            strains_at(&quad::point(&self.corners, at, 0.0), &local, &modes)
+        } else {
+            let local = SVector::<f64, 18>::from_column_slice(local.as_slice());
+            strains_at(&triangle::point(&self.corners, at, 0.0), &local, &SVector::zeros())
+        }
+    }
+
+    /// Motions of the reference surface in the element's axes by those of the grids in basic axes.
+    fn transformation(&self) -> DMatrix<f64> {
+        let n = self.nodes.len();
+        let mut t = DMatrix::zeros(6 * n, 6 * n);
+        let normal: Vector3<f64> = self.axes.row(2).transpose();
+        // theta x r = -[r] theta
+        let lever = -(self.axes * (normal * self.offset_m).cross_matrix());
+        for at in (0..6 * n).step_by(6) {
+            t.view_mut((at, at), (3, 3)).copy_from(&self.axes);
+            t.view_mut((at + 3, at + 3), (3, 3)).copy_from(&self.axes);
+            t.view_mut((at, at + 3), (3, 3)).copy_from(&lever);
+        }
+        t
+    }
+
+    /// A matrix over the reference surface's motions as one over the grids', basic axes.
+    fn basic<const D: usize>(&self, local: &SMatrix<f64, D, D>) -> DMatrix<f64> {
+        let t = self.transformation();
+        let matrix = t.transpose() * DMatrix::from_column_slice(D, D, local.as_slice()) * &t;
+        0.5 * (&matrix + matrix.transpose())
+    }
+}
+
+impl Element for Shell {
+    fn id(&self) -> u32 {
+        self.id
+    }
+    fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+    fn stiffness(&self) -> Option<Cow<'_, DMatrix<f64>>> {
+        let section = self.section();
+        Some(Cow::Owned(if self.corners.len() == 4 {
+            self.basic(&stiffness(&quad::points(&self.corners), &section, DRILLING))
+        } else {
+            self.basic(&stiffness(&triangle::points(&self.corners), &section, DRILLING))
+        }))
+    }
+    fn mass(&self) -> Option<Cow<'_, DMatrix<f64>>> {
+        Some(Cow::Owned(if self.corners.len() == 4 {
+            self.basic(&mass(&quad::points(&self.corners), &self.section))
+        } else {
+            self.basic(&mass(&triangle::points(&self.corners), &self.section))
+        }))
+    }
+}
+
+/// Where an element lies.
+struct Frame {
+    axes: Matrix3<f64>,
+    /// x, y and height above the plane.
+    corners: Vec<[f64; 3]>,
+}
+
+impl Frame {
+    fn of(points: &[Point3<f64>]) -> Option<Self> {
+        let count = points.len() as f64;
+        let middle = points.iter().map(|point| point.coords).sum::<Vector3<f64>>() / count;
+        let (one, other) = match points {
+            [a, b, c] => (b - a, c - a),
+            [a, b, c, d] => (c - a, d - b),
+            _ => return None,
+        };
+        let normal = one.cross(&other).try_normalize(DEGENERATE * one.norm() * other.norm())?;
+        let side = points[1] - points[0];
+        let x = (side - normal * normal.dot(&side)).try_normalize(1e-12 * one.norm())?;
+        let axes = Matrix3::from_rows(&[x.transpose(), normal.cross(&x).transpose(), normal.transpose()]);
+        let corners = points.iter().map(|point| (axes * (point.coords - middle)).into()).collect();
+        axes.iter().all(|value| value.is_finite()).then_some(Self { axes, corners })
+    }
+
+    /// Whether every corner turns left by a visible angle.
+    fn is_convex(&self) -> bool {
+        let n = self.corners.len();
+        (0..n).all(|at| {
+            let [a, b, c] = [0, 1, 2].map(|step| self.corners[(at + step) % n]);
+            let (one, other) = ([b[0] - a[0], b[1] - a[1]], [c[0] - b[0], c[1] - b[1]]);
+            let cross = one[0] * other[1] - one[1] * other[0];
+            cross > DEGENERATE * one[0].hypot(one[1]) * other[0].hypot(other[1])
+        })
+    }
+}

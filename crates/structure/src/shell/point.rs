@@ -1,0 +1,109 @@
+//! What quadrilateral and triangle have in common: sums over integration points, the condensed incompatible modes.
+
+use super::ShellStrains;
+use crate::laminate::ShellSection;
+use nalgebra::{Matrix4, RowSVector, SMatrix, SVector};
+
+/// Strain operators at one point, D = 6 motions a node.
+pub(super) struct Point<const D: usize> {
+    /// Area it stands for, m^2 (weight times Jacobian).
+    pub(super) area_m2: f64,
+    /// Shape functions of the nodes.
+    pub(super) shape: Vec<f64>,
+    pub(super) membrane: SMatrix<f64, 3, D>,
+    pub(super) bending: SMatrix<f64, 3, D>,
+    pub(super) shear: SMatrix<f64, 2, D>,
+    /// Rotation about the normal less the membrane's own, (v,x - u,y) / 2.
+    pub(super) drilling: RowSVector<f64, D>,
+    /// Membrane strains of the four incompatible modes; zero if there are none.
+    pub(super) modes: SMatrix<f64, 3, 4>,
+    /// Their part in `drilling`.
+    pub(super) mode_drilling: RowSVector<f64, 4>,
+}
+
+/// Stiffness before condensation: motions, motions by modes, modes.
+struct Parts<const D: usize> {
+    uu: SMatrix<f64, D, D>,
+    ua: SMatrix<f64, D, 4>,
+    aa: Matrix4<f64>,
+}
+
+fn parts<const D: usize>(points: &[Point<D>], section: &ShellSection, drilling: f64) -> Parts<D> {
+    let (a, b, d) = (&section.membrane, &section.coupling, &section.bending);
+    let turn = drilling * a[(2, 2)].max(section.shear[(0, 0)] * 1e-3);
+    let mut sum = Parts { uu: SMatrix::zeros(), ua: SMatrix::zeros(), aa: Matrix4::zeros() };
+    for point in points {
+        let da = point.area_m2;
+        let (m, k) = (&point.membrane, &point.bending);
+        let force = (a * m + b * k) * da;
+        let moment = (b * m + d * k) * da;
+        sum.uu += m.transpose() * force + k.transpose() * moment;
+        sum.uu += point.shear.transpose() * (section.shear * point.shear) * da;
+        sum.uu += point.drilling.transpose() * point.drilling * (turn * da);
+        sum.ua += force.transpose() * point.modes;
+        sum.ua += point.drilling.transpose() * point.mode_drilling * (turn * da);
+        sum.aa += point.modes.transpose() * (a * point.modes) * da;
+        sum.aa += point.mode_drilling.transpose() * point.mode_drilling * (turn * da);
+    }
+    sum
+}
+
+/// Stiffness, the modes condensed.
+pub(super) fn stiffness<const D: usize>(
+    points: &[Point<D>],
+    section: &ShellSection,
+    drilling: f64,
+) -> SMatrix<f64, D, D> {
+    let Parts { uu, ua, aa } = parts(points, section, drilling);
+    aa.cholesky().map_or(uu, |factor| uu - ua * factor.solve(&ua.transpose()))
+}
+
+/// Amplitudes of the incompatible modes under local motions `u`.
+pub(super) fn modes_of<const D: usize>(
+    points: &[Point<D>],
+    section: &ShellSection,
+    drilling: f64,
+    u: &SVector<f64, D>,
+) -> SVector<f64, 4> {
+    let Parts { ua, aa, .. } = parts(points, section, drilling);
+    aa.cholesky().map_or_else(SVector::zeros, |factor| -factor.solve(&(ua.transpose() * u)))
+}
+
+pub(super) fn strains_at<const D: usize>(
+    point: &Point<D>,
+    u: &SVector<f64, D>,
+    modes: &SVector<f64, 4>,
+) -> ShellStrains {
+    let membrane = point.membrane * u + point.modes * modes;
+    let curvature = point.bending * u;
+    let shear = point.shear * u;
+    ShellStrains { membrane: membrane.into(), curvature: curvature.into(), shear: shear.into() }
+}
+
+/// Consistent mass: the kinetic energy of the velocities u + z ry, v - z rx, w.
+pub(super) fn mass<const D: usize>(points: &[Point<D>], section: &ShellSection) -> SMatrix<f64, D, D> {
+    let (m, first, second) = (section.mass_kg_m2, section.mass_moment_kg_m, section.mass_inertia_kg);
+    let mut sum = SMatrix::<f64, D, D>::zeros();
+    for point in points {
+        for (i, left) in point.shape.iter().enumerate() {
+            for (j, right) in point.shape.iter().enumerate() {
+                let share = left * right * point.area_m2;
+                let (i, j) = (6 * i, 6 * j);
+                for axis in 0..3 {
+                    sum[(i + axis, j + axis)] += share * m;
+                }
+                for (row, column, value) in [
+                    (0, 4, first),
+                    (4, 0, first),
+                    (1, 3, -first),
+                    (3, 1, -first),
+                    (3, 3, second),
+                    (4, 4, second),
+                ] {
+                    sum[(i + row, j + column)] += share * value;
+                }
+            }
+        }
+    }
+    sum
+}

@@ -1,0 +1,53 @@
+//! CTETRA with four corners: linear shape functions, constant strain, no modes.
+//!
+//! Local coordinates r, s, t run from corner 1 to corners 2, 3, 4. The element is stiff in bending; it is there to
+//! fill corners of meshes.
+
+use super::shape::{Gradients, ModeStrains, QuadraturePoint, Shape, Values};
+
+/// The family of the tetrahedron.
+#[derive(Debug)]
+pub(crate) struct Tetra;
+
+impl Shape for Tetra {
+    fn card(&self) -> &'static str {
+        "CTETRA"
+    }
+
+    fn middle(&self) -> [f64; 3] {
+        [0.25; 3]
+    }
+
+    fn values(&self, [r, s, t]: [f64; 3]) -> Values {
+        Values::from([1.0 - r - s - t, r, s, t, 0.0, 0.0, 0.0, 0.0])
+    }
+
+    fn gradients(&self, _: [f64; 3]) -> Gradients {
+        Gradients::from_fn(|row, i| match i {
+            0 => -1.0,
+            i if i == row + 1 => 1.0,
+            _ => 0.0,
+        })
+    }
+
+    fn mode_count(&self) -> usize {
+        0
+    }
+
+    fn mode_strains(&self, _: [f64; 3]) -> ModeStrains {
+        ModeStrains::zeros()
+    }
+
+    fn stiffness_points(&self) -> Vec<QuadraturePoint> {
+        vec![QuadraturePoint { at: self.middle(), weight: 1.0 / 6.0 }]
+    }
+
+    /// Four points, exact to degree 2 (Hammer and Stroud, 1956): N N^T has that degree, det J is constant.
+    fn mass_points(&self) -> Vec<QuadraturePoint> {
+        let far = (5.0 + 3.0 * 5.0_f64.sqrt()) / 20.0;
+        let near = (5.0 - 5.0_f64.sqrt()) / 20.0;
+        [[near, near, near], [far, near, near], [near, far, near], [near, near, far]]
+            .map(|at| QuadraturePoint { at, weight: 1.0 / 24.0 })
+            .to_vec()
+    }
+}

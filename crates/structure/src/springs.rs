@@ -1,0 +1,158 @@
+//! Springs, bushes, rods, general elements and mass matrices: cards to matrices in basic axes.
+
+use crate::matrix_element::MatrixElement;
+use crate::model::Node;
+use nalgebra::{DMatrix, DVector, Matrix3, Point3, Vector3};
+use nastran::{Conm1, Crod, Genel, InputError, Mat1, Pbush, Prod};
+
+/// One motion of a node in its own axes (component 0 to 5) as degrees of freedom of the g-set.
+pub(crate) fn motion(nodes: &[Node], node: usize, component: usize) -> [(usize, f64); 3] {
+    let axis = nodes[node].axes.column(component % 3);
+    let first = 6 * node + component - component % 3;
+    [0, 1, 2].map(|k| (first + k, axis[k]))
+}
+
+/// `value` times the square of the difference of two motions (one, if the other is the ground).
+pub(crate) fn scalar(
+    nodes: &[Node],
+    ends: [Option<(usize, usize)>; 2],
+    value: f64,
+) -> (Vec<usize>, DMatrix<f64>) {
+    let (mut dofs, mut difference) = (Vec::new(), Vec::new());
+    for (end, sign) in ends.into_iter().zip([1.0, -1.0]) {
+        for (dof, factor) in end.into_iter().flat_map(|(node, component)| motion(nodes, node, component)) {
+            if let Some(at) = dofs.iter().position(|other| *other == dof) {
+                difference[at] += sign * factor;
+            } else {
+                dofs.push(dof);
+                difference.push(sign * factor);
+            }
+        }
+    }
+    let difference = DVector::from_vec(difference);
+    (dofs, &difference * difference.transpose() * value)
+}
+
+/// A bush at `place` between two nodes, or a node and the ground. Columns of `axes` are its x, y, z.
+pub(crate) fn bush(
+    id: u32,
+    nodes: &[Node],
+    ends: (usize, Option<usize>),
+    place: &Point3<f64>,
+    axes: &Matrix3<f64>,
+    property: &Pbush,
+) -> MatrixElement {
+    let all: Vec<usize> = [Some(ends.0), ends.1].into_iter().flatten().collect();
+    let dofs: Vec<usize> = all.iter().flat_map(|node| (0..6).map(move |c| 6 * node + c)).collect();
+    let mut strain = DMatrix::zeros(6, dofs.len());
+    // The motion of the spring's ends at its place: displacement u + theta x r, rotation theta.
+    for (end, node) in all.iter().enumerate() {
+        let sign = if end == 0 { -1.0 } else { 1.0 };
+        let lever = -(place - nodes[*node].point).cross_matrix();
+        let turn = axes.transpose() * sign;
+        strain.view_mut((0, 6 * end), (3, 3)).copy_from(&turn);
+        strain.view_mut((0, 6 * end + 3), (3, 3)).copy_from(&(turn * lever));
+        strain.view_mut((3, 6 * end + 3), (3, 3)).copy_from(&turn);
+    }
+    let k = DMatrix::from_diagonal(&DVector::from_column_slice(&property.stiffness));
+    MatrixElement::spring(id, &dofs, &(strain.transpose() * k * &strain))
+}
+
+/// A rod: stretch and twist, and its mass on the displacements.
+///
+/// # Errors
+/// If it has no length.
+pub(crate) fn rod(
+    card: &Crod,
+    nodes: &[Node],
+    ends: [usize; 2],
+    property: &Prod,
+    material: &Mat1,
+) -> Result<MatrixElement, InputError> {
+    let [a, b] = ends.map(|node| nodes[node].point);
+    let length = (b - a).norm();
+    let Some(x) = (b - a).try_normalize(1e-12 * (a.coords.norm() + b.coords.norm())) else {
+        let message = format!("CROD {} has no length: both ends are at ({}, {}, {})", card.id, a.x, a.y, a.z);
+        return Err(InputError::at(&card.span, message).with_help("check its two grids"));
+    };
+    let dofs: Vec<usize> = ends.iter().flat_map(|node| (0..6).map(move |c| 6 * node + c)).collect();
+    let along = |from: usize| {
+        DVector::from_fn(12, |i, _| {
+            let sign = if i < 6 { -1.0 } else { 1.0 };
+            if (from..from + 3).contains(&(i % 6)) { sign * x[i % 6 - from] } else { 0.0 }
+        })
+    };
+    let (stretch, twist) = (along(0), along(3));
+    let k = &stretch * stretch.transpose() * (material.e * property.area / length)
+        + &twist * twist.transpose() * (material.g * property.j / length);
+    let mass = (material.rho * property.area + property.nsm) * length;
+    let m = DMatrix::from_fn(12, 12, |i, j| {
+        let same = i % 6 == j % 6 && i % 6 < 3;
+        if same { mass / if i == j { 3.0 } else { 6.0 } } else { 0.0 }
+    });
+    let used: Vec<usize> = (0..12).filter(|i| k[(*i, *i)] != 0.0 || m[(*i, *i)] != 0.0).collect();
+    let small =
+        |matrix: &DMatrix<f64>| DMatrix::from_fn(used.len(), used.len(), |i, j| matrix[(used[i], used[j])]);
+    let (k, m) = (small(&k), small(&m));
+    Ok(MatrixElement::new(card.id, used.into_iter().map(|i| dofs[i]).collect(), k, m))
+}
+
+/// A general element: K over (ui, ud) = `[k, -k S; -S^T k, S^T k S]`, k the given stiffness or the inverse of the given
+/// flexibility; without S, k over ui alone.
+///
+/// # Errors
+/// If the flexibility cannot be inverted.
+pub(crate) fn general(
+    card: &Genel,
+    nodes: &[Node],
+    ui: &[(usize, usize)],
+    ud: &[(usize, usize)],
+) -> Result<MatrixElement, InputError> {
+    let n = ui.len();
+    let given = DMatrix::from_fn(n, n, |i, j| 0.5 * (card.matrix[i][j] + card.matrix[j][i]));
+    let k = if card.is_flexibility { given.cholesky().map(|factor| factor.inverse()) } else { Some(given) };
+    let Some(k) = k.filter(|k| k.iter().all(|value| value.is_finite())) else {
+        let message = format!("GENEL {}: its flexibility Z is not positive definite", card.id);
+        return Err(
+            InputError::at(&card.span, message).with_help("a force must move its own point along itself")
+        );
+    };
+    let count = if card.s.is_empty() { 0 } else { ud.len() };
+    // Elastic motion: ui less what the support's motion carries along.
+    let elastic = DMatrix::from_fn(n, n + count, |i, j| match j.checked_sub(n) {
+        None => f64::from(u8::from(i == j)),
+        Some(j) => -card.s[i][j],
+    });
+    let local = elastic.transpose() * k * &elastic;
+    let motions: Vec<[(usize, f64); 3]> =
+        ui.iter().chain(&ud[..count]).map(|(node, component)| motion(nodes, *node, *component)).collect();
+    let mut dofs: Vec<usize> =
+        motions.iter().flatten().filter(|(_, f)| *f != 0.0).map(|(dof, _)| *dof).collect();
+    dofs.sort_unstable();
+    dofs.dedup();
+    let mut t = DMatrix::<f64>::zeros(motions.len(), dofs.len());
+    for (row, parts) in motions.iter().enumerate() {
+        for (dof, factor) in parts.iter().filter(|(_, f)| *f != 0.0) {
+            t[(row, dofs.binary_search(dof).expect("every motion is in the list"))] += factor;
+        }
+    }
+    Ok(MatrixElement::spring(card.id, &dofs, &(t.transpose() * local * &t)))
+}
+
+/// A mass matrix at a node, its axes the columns of `axes`.
+pub(crate) fn mass_matrix(card: &Conm1, node: usize, axes: &Matrix3<f64>) -> MatrixElement {
+    let mut turn = DMatrix::zeros(6, 6);
+    turn.view_mut((0, 0), (3, 3)).copy_from(axes);
+    turn.view_mut((3, 3), (3, 3)).copy_from(axes);
+    let own = DMatrix::from_fn(6, 6, |i, j| card.mass[i][j]);
+    let dofs: Vec<usize> = (0..6).map(|component| 6 * node + component).collect();
+    MatrixElement::mass(card.id, &dofs, &(&turn * own * turn.transpose()))
+}
+
+/// Axes of a bush from its line and an orientation vector: x along, y in the plane of the vector.
+pub(crate) fn line_axes(along: &Vector3<f64>, orientation: Option<&Vector3<f64>>) -> Option<Matrix3<f64>> {
+    let x = along.try_normalize(0.0)?;
+    let any = if x.x.abs() < 0.9 { Vector3::x() } else { Vector3::y() };
+    let z = x.cross(orientation.unwrap_or(&any)).try_normalize(1e-9)?;
+    Some(Matrix3::from_columns(&[x, z.cross(&x), z]))
+}

@@ -1,0 +1,11 @@
+//! The published cases, a file for each family; every file has its `CASES`, which the registry lists.
+
+pub mod divergence;
+pub mod laminates;
+pub mod pagano;
+pub mod plates;
+pub mod shells;
+pub mod solids;
+pub mod vibrations;
+pub mod vlm;
+pub mod wings;

@@ -1,0 +1,136 @@
+//! Every published case: which function computes it, or why it is not compared.
+
+use crate::cases;
+use crate::row::{Row, Verdict};
+use serde_json::Value;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
+
+/// A case of `data/published` that is computed.
+#[derive(Debug, Clone, Copy)]
+pub struct Case {
+    /// File name without `.json`.
+    pub file: &'static str,
+    /// From the file's content to rows. May panic where the file is not what it should be: [`compute`] turns that
+    /// into words.
+    pub run: fn(&Value) -> Vec<Row>,
+}
+
+/// A case that is computed, with its result.
+#[derive(Debug, Clone)]
+pub struct Outcome {
+    /// File name without `.json`.
+    pub file: String,
+    /// Source as the file gives it.
+    pub source: String,
+    /// The rows, or why there are none.
+    pub rows: Result<Vec<Row>, String>,
+}
+
+impl Outcome {
+    /// Whether every row is met, known or recorded.
+    pub fn is_good(&self) -> bool {
+        self.rows
+            .as_ref()
+            .is_ok_and(|rows| !rows.is_empty() && rows.iter().all(|row| row.verdict() != Verdict::NotMet))
+    }
+}
+
+/// Every case that is computed. A new file of cases has its line here.
+pub fn cases() -> impl Iterator<Item = &'static Case> {
+    [
+        cases::vlm::CASES,
+        cases::wings::CASES,
+        cases::divergence::CASES,
+        cases::plates::CASES,
+        cases::shells::CASES,
+        cases::solids::CASES,
+        cases::pagano::CASES,
+        cases::vibrations::CASES,
+        cases::laminates::CASES,
+    ]
+    .into_iter()
+    .flatten()
+}
+
+/// Files of `data/published` that are not compared, and why.
+pub const LISTED: &[(&str, &str)] = &[
+    ("dlm__dlm_aic_rect_ar4_sym", "compared in tests/published_dlm.rs; not a row of this table"),
+    ("dlm__dlm_aic_swept_taper_dihedral_sym", "compared in tests/published_dlm.rs; not a row of this table"),
+    ("dlm__dlm_gaf_subsonic", "compared in tests/published_dlm.rs; not a row of this table"),
+    ("dlm__dlm_vanzyl_AR20_pitch", "compared in tests/published_dlm.rs; not a row of this table"),
+    ("unsteady2d__theodorsen", "compared in tests/published_dlm.rs; not a row of this table"),
+    ("fem__ha144ds_modes", "the deck of the half model is not in the file, only its frequencies"),
+    (
+        "fem_measured__tang_dowell_modes",
+        "mass and inertia of the slender body at the tip, and the place of the mass axis, are not in the file",
+    ),
+    ("pazy__pazy_flutter_onset_aoa3", "needs modes about the deformed wing (the case's own note)"),
+    (
+        "pazy__pazy_gvt",
+        "compared in tests/published_pazy.rs, which fits a wing to it first; not a row of this table",
+    ),
+    (
+        "pazy__pazy_static_aeroelastic_aoa3",
+        "compared in tests/published_pazy.rs, which fits a wing to it first; not a row of this table",
+    ),
+    (
+        "pazy__pazy_static_aeroelastic_aoa5",
+        "compared in tests/published_pazy.rs, which fits a wing to it first; not a row of this table",
+    ),
+    (
+        "pazy__pazy_static_bending_skin1",
+        "compared in tests/published_pazy.rs, which fits a wing to it first; not a row of this table",
+    ),
+    (
+        "pazy__pazy_static_torsion_skin1",
+        "compared in tests/published_pazy.rs, which fits a wing to it first; not a row of this table",
+    ),
+];
+
+/// Reads a case from a folder and computes it.
+pub fn compute(folder: &Path, case: &Case) -> Outcome {
+    let path = folder.join(format!("{}.json", case.file));
+    let read = std::fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()));
+    let value: Result<Value, String> = read
+        .and_then(|text| serde_json::from_str(&text).map_err(|error| format!("{}: {error}", path.display())));
+    let source = value.as_ref().ok().and_then(|value| value["source"].as_str()).unwrap_or_default().into();
+    let rows = value.and_then(|value| {
+        catch_unwind(AssertUnwindSafe(|| (case.run)(&value))).map_err(|panic| {
+            let text = panic.downcast_ref::<String>().cloned();
+            let text = text.or_else(|| panic.downcast_ref::<&str>().map(ToString::to_string));
+            format!("{}: {}", case.file, text.unwrap_or_else(|| "the computation broke off".into()))
+        })
+    });
+    Outcome { file: case.file.into(), source, rows }
+}
+
+/// Computes a registered case and fails if a row is not met: the body of a named test.
+///
+/// # Panics
+/// If no case is registered under that name, it cannot be computed, or a row is not met.
+#[track_caller]
+pub fn check(file: &str) {
+    let case = cases().find(|case| case.file == file);
+    let case = case.unwrap_or_else(|| panic!("{file} is not registered (tests/src/registry.rs)"));
+    let outcome = compute(&crate::data("published"), case);
+    let rows = outcome.rows.unwrap_or_else(|message| panic!("{message}"));
+    assert!(!rows.is_empty(), "{file}: nothing was compared");
+    let bad: Vec<String> = rows
+        .iter()
+        .filter(|row| row.verdict() == Verdict::NotMet)
+        .map(|row| {
+            format!(
+                "{}: {} beside {} ({:+.3e}, {:+.3} %), tolerance {}, {:?}",
+                row.quantity,
+                row.ours,
+                row.reference,
+                row.difference(),
+                100.0 * row.relative_difference(),
+                row.tolerance_text(),
+                row.tolerance
+            )
+        })
+        .collect();
+    assert!(bad.is_empty(), "{file}: {} of {} rows\n{}", bad.len(), rows.len(), bad.join("\n"));
+}
