@@ -3,8 +3,11 @@
 pub mod asymmetry;
 pub mod mav;
 
+mod candidates;
 mod choice;
+
 mod columns;
+mod cross_validation;
 mod data;
 pub mod design;
 mod distributions;
@@ -19,7 +22,9 @@ mod reml;
 mod term;
 mod total_sum;
 
+pub use candidates::{Candidates, candidates};
 pub use choice::{Choice, Criteria, ErrorRule, Rules, Search, Step, choose};
+pub use cross_validation::cross_validation;
 pub use data::{Blocks, Data};
 pub use effects::{Effect, EffectTest, Effects, effects};
 pub use fault::Fault;

@@ -108,20 +108,16 @@ pub fn pure_error(data: &Data, response: &str, blocking: Blocking) -> Result<Pur
     if blocking != Blocking::Ignored {
         let columns = Columns::default().with_blocks(data.blocks());
         let values = columns.values.iter().map(|column| about_means(column, &of_point, count));
-        // offsets that the distinct points do not tell apart are means of points already
-        let mut kept = Columns::default();
-        for (column, name) in values.zip(columns.names) {
-            let mut tried = kept.clone();
-            tried.names.push(name);
-            tried.values.push(column);
-            if Qr::new(&tried.values, &tried.names).is_ok() {
-                kept = tried;
+        let mut kept = Qr::new(&[], &[])?;
+        for (column, name) in values.zip(&columns.names) {
+            match kept.add(&column, name, &columns.names) {
+                // offsets that the distinct points do not tell apart are means of points already
+                Ok(()) | Err(Fault::Aliased { .. }) => {}
+                Err(other) => return Err(other),
             }
         }
-        if kept.len() > 0 {
-            rest = Qr::new(&kept.values, &kept.names)?.remainder(&rest).0;
-            parameters += kept.len();
-        }
+        rest = kept.remainder(&rest).0;
+        parameters += kept.q.len();
     }
     if parameters >= data.points() {
         let why = match data.points() - count {

@@ -44,14 +44,20 @@ impl Qr {
         }
         let mut qr = Self { q: Vec::new(), r: Vec::new() };
         for (column, name) in columns.iter().zip(names) {
-            let (rest, shares) = qr.remainder(column);
-            let (before, after) = (dot(column, column).sqrt(), dot(&rest, &rest).sqrt());
-            if after <= LEAST_REMAINDER * before {
-                return Err(qr.aliased(name, names, &shares, before));
-            }
-            qr.push(rest, shares, after);
+            qr.add(column, name, names)?;
         }
         Ok(qr)
+    }
+
+    /// Orthogonalises one column more; `names` are those of the columns before it (or more), for the fault.
+    pub(crate) fn add(&mut self, column: &[f64], name: &str, names: &[String]) -> Result<(), Fault> {
+        let (rest, shares) = self.remainder(column);
+        let (before, after) = (dot(column, column).sqrt(), dot(&rest, &rest).sqrt());
+        if after <= LEAST_REMAINDER * before {
+            return Err(self.aliased(name, names, &shares, before));
+        }
+        self.push(rest, shares, after);
+        Ok(())
     }
 
     /// What is left of a column without what the others explain, and their shares.

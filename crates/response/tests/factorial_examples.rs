@@ -23,7 +23,7 @@ fn of<'a>(all: &'a Effects, term: &str) -> &'a Effect {
 /// Half a unit of the last printed digit, and a hair.
 fn printed(got: f64, want: f64, decimals: i32, what: &str) {
     let unit = 10.0_f64.powi(-decimals);
-    assert!((got - want).abs() <= 0.5000001 * unit, "{what}: {got}, printed {want}");
+    assert!((got - want).abs() <= 0.500_000_1 * unit, "{what}: {got}, printed {want}");
 }
 
 /// The same for significant digits.
@@ -50,9 +50,9 @@ fn nist_ceramics_two_to_the_five() {
         printed(test.t * test.t, anova.number(row, "f").unwrap(), 3, name);
         let p = anova.number(row, "p").unwrap();
         if p < 1e-4 {
-            digits(test.p_value, p, 3, name)
+            digits(test.p_value, p, 3, name);
         } else {
-            printed(test.p_value, p, 6, name)
+            printed(test.p_value, p, 6, name);
         }
         assert_eq!(test.significant, p < 0.05, "{name}");
     }

@@ -5,8 +5,8 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 use response::{
-    Blocking, Blocks, Data, ErrorRule, FTest, Regression, Rules, Search, Term, choose, lack_of_fit,
-    pure_error,
+    Blocking, Blocks, Data, ErrorRule, FTest, Regression, Rules, Search, Term, choose, cross_validation,
+    lack_of_fit, pure_error,
 };
 
 struct Drawn {
@@ -58,8 +58,8 @@ fn close(got: f64, want: f64, relative: f64, what: &str) {
 
 /// The plain way: normal equations of centred columns by elimination.
 fn plain_predictions(data: &Data, terms: &[Term]) -> Vec<f64> {
-    let y = data.response_values("y").unwrap();
-    let columns: Vec<Vec<f64>> = terms.iter().map(|term| data.column(term).unwrap()).collect();
+    let y = data.response_values("y").expect("y");
+    let columns: Vec<Vec<f64>> = terms.iter().map(|term| data.column(term).expect("a column")).collect();
     let scale: Vec<f64> = columns.iter().map(|c| c.iter().map(|v| v * v).sum::<f64>().sqrt()).collect();
     let n = columns.len();
     let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
@@ -70,13 +70,10 @@ fn plain_predictions(data: &Data, terms: &[Term]) -> Vec<f64> {
         })
         .collect();
     for i in 0..n {
-        for k in 0..n {
-            if k != i {
-                let factor = rows[k][i] / rows[i][i];
-                for j in i..=n {
-                    rows[k][j] -= factor * rows[i][j];
-                }
-            }
+        let pivot = rows[i].clone();
+        for (_, row) in rows.iter_mut().enumerate().filter(|(k, _)| *k != i) {
+            let factor = row[i] / pivot[i];
+            row.iter_mut().zip(&pivot).for_each(|(value, pivot)| *value -= factor * pivot);
         }
     }
     let solution: Vec<f64> = (0..n).map(|i| rows[i][n] / rows[i][i] / scale[i]).collect();
@@ -107,49 +104,35 @@ fn an_orthogonalised_fit_predicts_as_the_plain_one() {
 fn shifted_blocks_change_nothing_but_their_offsets() {
     let drawn = drawn(3);
     let shift = [5.0, -2.0, 0.5, 11.0];
-    for blocking in [Blocking::Fixed, Blocking::Random] {
-        let before = Regression::fit(&drawn.data(), "y", &second_order(), blocking).unwrap();
-        let shifted = drawn.with(|x| x, |i, y| y + shift[i % 4]);
-        let after = Regression::fit(&shifted, "y", &second_order(), blocking).unwrap();
-        if blocking == Blocking::Random {
-            // random blocks know that large offsets are large: nothing but the variance of blocks may grow
-            assert!(after.block_variance > 10.0 * before.block_variance.max(0.1));
-            continue;
-        }
-        let mean = shift.iter().sum::<f64>() / 4.0;
-        for (one, other) in before.coefficients.iter().zip(&after.coefficients) {
-            let moved = if one.term.is_constant() { mean } else { 0.0 };
-            assert!(
-                (other.value - one.value - moved).abs() < 1e-9 * one.value.abs().max(1.0),
-                "{}",
-                one.term
-            );
-            close(other.standard_error, one.standard_error, 1e-10, "standard error");
-        }
-        for (k, (one, other)) in before.offsets.iter().zip(&after.offsets).enumerate() {
-            assert!((other.value - one.value - shift[k] + mean).abs() < 1e-9, "{}", one.label);
-        }
-        close(after.residual_sum, before.residual_sum, 1e-10, "residual sum");
-        let rules = Rules::default();
-        let one = choose(&drawn.data(), "y", &second_order(), rules).unwrap();
-        let other = choose(&shifted, "y", &second_order(), rules).unwrap();
-        assert_eq!(one.fitted.terms(), other.fitted.terms());
-        close(
-            pure_error(&repeated(&shifted), "y", Blocking::Fixed).unwrap().sum,
-            pure_error(&repeated(&drawn.data()), "y", Blocking::Fixed).unwrap().sum,
-            1e-9,
-            "pure error",
-        );
+    let shifted = drawn.with(|x| x, |i, y| y + shift[i % 4]);
+    let before = Regression::fit(&drawn.data(), "y", &second_order(), Blocking::Fixed).unwrap();
+    let after = Regression::fit(&shifted, "y", &second_order(), Blocking::Fixed).unwrap();
+    let mean = shift.iter().sum::<f64>() / 4.0;
+    for (one, other) in before.coefficients.iter().zip(&after.coefficients) {
+        let moved = if one.term.is_constant() { mean } else { 0.0 };
+        assert!((other.value - one.value - moved).abs() < 1e-9 * one.value.abs().max(1.0), "{}", one.term);
+        close(other.standard_error, one.standard_error, 1e-10, "standard error");
     }
+    for (k, (one, other)) in before.offsets.iter().zip(&after.offsets).enumerate() {
+        assert!((other.value - one.value - shift[k] + mean).abs() < 1e-9, "{}", one.label);
+    }
+    close(after.residual_sum, before.residual_sum, 1e-10, "residual sum");
+    close(after.total_sum, before.total_sum, 1e-10, "total sum");
+    let one = choose(&drawn.data(), "y", &second_order(), Rules::default()).unwrap();
+    let other = choose(&shifted, "y", &second_order(), Rules::default()).unwrap();
+    assert_eq!(one.fitted.terms(), other.fitted.terms());
+    let pure = |data: &Data| pure_error(&repeated(data), "y", Blocking::Fixed).unwrap().sum;
+    close(pure(&shifted), pure(&drawn.data()), 1e-9, "pure error");
 }
 
 /// The same data with factors rounded, so that points coincide.
 fn repeated(data: &Data) -> Data {
-    let round = |name| data.factor_values(name).unwrap().iter().map(|v: &f64| (v / 4.0).round()).collect();
+    let round =
+        |name| data.factor_values(name).expect("a factor").iter().map(|v: &f64| (v / 4.0).round()).collect();
     Data::new()
         .factor("x", round("x"))
         .and_then(|new| new.factor("z", round("z")))
-        .and_then(|new| new.response("y", data.response_values("y").unwrap().to_vec()))
+        .and_then(|new| new.response("y", data.response_values("y").expect("y").to_vec()))
         .and_then(|new| new.block(data.blocks()[0].clone()))
         .expect("data")
 }
@@ -185,6 +168,23 @@ fn leaving_one_point_out_is_what_its_leverage_says() {
         sum += (drawn.y[out] - fitted.value(&data.point(out)).unwrap()).powi(2);
     }
     close(choice.curve[choice.chosen].criteria.leave_one_out, sum / 40.0, 1e-9, "leave-one-out");
+    // and so do folds of one point
+    let each: Vec<usize> = (0..40).collect();
+    let folds = cross_validation(&data, "y", &choice.fitted.terms(), (Blocking::Ignored, &each)).unwrap();
+    close(folds, sum / 40.0, 1e-9, "folds of one point");
+}
+
+#[test]
+fn a_block_that_is_left_out_is_predicted_at_the_mean_of_the_others() {
+    // no scatter: what is left of block k is its offset from the mean of the other three
+    let offsets = [3.0, -1.0, 0.5, 2.0];
+    let drawn = drawn(2);
+    let data = drawn.with(|x| x, |i, _| 1.0 + 2.0 * drawn.x[i] + offsets[i % 4]);
+    let fold: Vec<usize> = (0..40).map(|i| i % 4).collect();
+    let got = cross_validation(&data, "y", &terms(&["1", "x"]), (Blocking::Fixed, &fold)).unwrap();
+    let sum: f64 = offsets.iter().sum();
+    let want = offsets.iter().map(|o| (o - (sum - o) / 3.0).powi(2)).sum::<f64>() / 4.0;
+    close(got, want, 1e-9, "cross-validation by blocks");
 }
 
 #[test]
@@ -256,7 +256,7 @@ fn lack_of_fit_splits_the_residual_of_a_line() {
 fn predictions_know_how_far_they_are_from_the_data() {
     // a straight line: variance s^2 (1/n + (x - mean)^2 / Sxx)
     let x: Vec<f64> = (0..10).map(f64::from).collect();
-    let y: Vec<f64> = x.iter().map(|x| 2.0 + 3.0 * x + if *x as i32 % 2 == 0 { 0.1 } else { -0.1 }).collect();
+    let y = x.iter().enumerate().map(|(i, x)| 2.0 + 3.0 * x + if i % 2 == 0 { 0.1 } else { -0.1 }).collect();
     let data = Data::new().factor("x", x).and_then(|d| d.response("y", y)).unwrap();
     let fitted = Regression::fit(&data, "y", &terms(&["1", "x"]), Blocking::Ignored).unwrap();
     for at in [-3.0, 0.0, 4.5, 9.0, 20.0] {

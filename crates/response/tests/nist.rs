@@ -29,12 +29,6 @@ fn longley_has_nine_certified_digits() {
     let values = certified.numbers("value").unwrap();
     let errors = certified.numbers("standard_error").unwrap();
     for (coefficient, (value, error)) in fitted.coefficients.iter().zip(values.iter().zip(errors)) {
-        println!(
-            "{} {} {}",
-            coefficient.term,
-            digits(coefficient.value, *value),
-            digits(coefficient.standard_error, error)
-        );
         assert!(digits(coefficient.value, *value) > 9.0, "{}", coefficient.term);
         assert!(digits(coefficient.standard_error, error) > 9.0, "{}", coefficient.term);
     }
@@ -54,7 +48,6 @@ fn wampler_one_and_two_have_nine_digits() {
         let powers = terms(&["1", "x", "x^2", "x^3", "x^4", "x^5"]);
         let fitted = Regression::fit(&data, "y", &powers, Blocking::Ignored).expect("a fit");
         for (coefficient, certified) in fitted.coefficients.iter().zip(coefficients) {
-            println!("{} {}", coefficient.term, digits(coefficient.value, certified));
             assert!(digits(coefficient.value, certified) > 9.0, "{}", coefficient.term);
         }
     }

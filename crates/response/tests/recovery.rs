@@ -61,9 +61,7 @@ fn recovery(published: &Published, series: Series, response: usize, order: u32, 
         }
         spurious += chosen.iter().filter(|term| !true_terms.iter().any(|(known, _)| known == *term)).count();
     }
-    println!("{name} {search:?}: spurious {}", spurious as f64 / DRAWS as f64);
     for ((term, effect), kept) in true_terms.iter().zip(&kept) {
-        println!("   {term} {effect:.1} kept {kept}");
         if *effect >= 5.0 {
             assert!(f64::from(*kept) >= 0.95 * DRAWS as f64, "{name}: {term} of {effect} kept {kept}");
         }
