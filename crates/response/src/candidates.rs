@@ -37,15 +37,15 @@ pub fn candidates(
     for term in Term::up_to_order(factors, order).into_iter().skip(1) {
         let column = data.column(&term)?;
         // one point has to be left for the error
-        if names.len() + 1 >= data.points() {
-            left_out.push((term, "any other: there are no more points".to_string()));
-            continue;
-        }
-        match kept.add(&column, &term.to_string(), &names) {
-            Ok(()) => {
+        let room = names.len() + 1 < data.points();
+        let mut with = kept.clone();
+        match with.add(&column, &term.to_string(), &names) {
+            Ok(()) if room => {
+                kept = with;
                 names.push(term.to_string());
                 terms.push(term);
             }
+            Ok(()) => left_out.push((term, "any other: there are no more points".to_string())),
             Err(Fault::Aliased { others, .. }) => left_out.push((term, others)),
             Err(other) => return Err(other),
         }

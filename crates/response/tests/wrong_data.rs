@@ -39,7 +39,7 @@ fn says(message: &str, parts: &[&str]) {
 #[test]
 fn text_in_a_column_is_named_with_its_place() {
     let error = data(&GOOD.replace("0.44", "o.44")).expect_err("text").to_string();
-    says(&error, &["runs.csv:6:8", "`o.44`", "`CL`"]);
+    says(&error, &["runs.csv:6:9", "`o.44`", "`CL`"]);
     let error = data(&GOOD.replace("CL", "Cl")).expect_err("another name").to_string();
     says(&error, &["`CL`"]);
 }
