@@ -65,15 +65,16 @@ impl Data {
         blocks: &[&str],
     ) -> Result<Self, InputError> {
         let mut data = Self::new();
+        let here = |fault: Fault| fault.in_table(table);
         for name in factors {
-            data = data.factor(name, table.numbers(name)?)?;
+            data = data.factor(name, table.numbers(name)?).map_err(here)?;
         }
         for name in responses {
-            data = data.response(name, table.numbers(name)?)?;
+            data = data.response(name, table.numbers(name)?).map_err(here)?;
         }
         for name in blocks {
             let labels = (0..table.len()).map(|row| table.text(row, name)).collect::<Result<Vec<_>, _>>()?;
-            data = data.block(Blocks::from_labels(name, labels))?;
+            data = data.block(Blocks::from_labels(name, labels)).map_err(here)?;
         }
         Ok(data)
     }

@@ -1,5 +1,6 @@
 //! What can be wrong with data, terms and designs: each fault names the factor, term or block, and what to do.
 
+use nastran::{InputError, Table};
 use thiserror::Error;
 
 /// Why there is no answer.
@@ -121,7 +122,26 @@ pub enum Fault {
     },
 }
 
-impl From<Fault> for nastran::InputError {
+impl Fault {
+    /// The fault at its cell or column of the table that the data come from, or at the table as a whole.
+    pub fn in_table(&self, table: &Table) -> InputError {
+        let (row, column) = match self {
+            Self::ConstantFactor { name, .. }
+            | Self::ConstantResponse { name, .. }
+            | Self::Name { name, .. }
+            | Self::Block { name, .. } => (0, name.as_str()),
+            // of a term: at its factor
+            Self::NotFinite { name, point, .. } => {
+                let factors = name.split(['*', '/', '^']);
+                (point - 1, factors.map(str::trim).find(|name| table.has(name)).unwrap_or(""))
+            }
+            _ => (0, ""),
+        };
+        InputError::at(&table.span(row, column), self.to_string())
+    }
+}
+
+impl From<Fault> for InputError {
     fn from(fault: Fault) -> Self {
         Self::general(fault.to_string())
     }

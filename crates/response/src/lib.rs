@@ -1,11 +1,9 @@
 //! Response surfaces of measured coefficients: polynomials in a few factors, chosen and tested by statistics.
 
+mod analysis;
 pub mod asymmetry;
-pub mod mav;
-
 mod candidates;
 mod choice;
-
 mod columns;
 mod cross_validation;
 mod data;
@@ -14,14 +12,17 @@ mod distributions;
 mod effects;
 mod fault;
 mod lenth;
+pub mod mav;
 mod predict;
 mod pure_error;
 mod qr;
 mod regression;
 mod reml;
+mod study;
 mod term;
 mod total_sum;
 
+pub use analysis::{Analysis, analyse};
 pub use candidates::{Candidates, candidates};
 pub use choice::{Choice, Criteria, ErrorRule, Rules, Search, Step, choose};
 pub use cross_validation::cross_validation;
@@ -32,4 +33,5 @@ pub use lenth::{Lenth, PlotPoint, half_normal_plot, normal_plot};
 pub use predict::{Prediction, Slope};
 pub use pure_error::{BlockShare, FTest, PureError, block_share, lack_of_fit, pure_error};
 pub use regression::{BlockOffset, Blocking, Coefficient, Regression};
+pub use study::{EffectsStudy, Study, TableAnalysis, TableStudy};
 pub use term::Term;

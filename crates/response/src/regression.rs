@@ -1,6 +1,8 @@
 //! A response surface fitted to data: given terms by least squares, with fixed or random block offsets, and what the fit
 //! says of itself. Coefficients are in the unit of the response over that of the term.
 
+use serde::Deserialize;
+
 use crate::columns::Columns;
 use crate::data::{Blocks, Data};
 use crate::distributions::{t_quantile, two_sided_t};
@@ -12,7 +14,7 @@ use crate::term::Term;
 use crate::total_sum::total_sum;
 
 /// What is done with the blocks of the data.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
 pub enum Blocking {
     /// They are not looked at.
     Ignored,

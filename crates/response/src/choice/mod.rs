@@ -12,6 +12,8 @@ mod criteria;
 mod reduced;
 mod search;
 
+use serde::Deserialize;
+
 use crate::columns::Columns;
 use crate::data::Data;
 use crate::fault::Fault;
@@ -27,7 +29,7 @@ use reduced::Reduced;
 use search::{best_subsets, ranked, stepwise};
 
 /// How sets are looked for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
 pub enum Search {
     /// Morelli's ranking: candidates orthogonalised one after the other, always the one that takes most off the residual.
     Ranked,
@@ -39,7 +41,7 @@ pub enum Search {
 }
 
 /// The rule for sigma0^2.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 pub enum ErrorRule {
     /// t0^2 s^2 / 2: a term stays from |t| = t0 on. s^2 is the larger of the pure error of replicates (offsets of blocks
     /// taken out; if there are any) and the residual variance with all candidates, so that neither replicates that are
