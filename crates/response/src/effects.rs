@@ -3,9 +3,11 @@
 
 use crate::columns::Columns;
 use crate::data::Data;
+use crate::design::detectable_noncentrality;
 use crate::distributions::{probability, two_sided_t};
 use crate::fault::Fault;
 use crate::lenth::Lenth;
+use crate::pure_error::FTest;
 use crate::qr::{Qr, dot, residuals};
 use crate::regression::Blocking;
 use crate::term::Term;
@@ -51,8 +53,28 @@ pub struct Effects {
     pub degrees_of_freedom: f64,
     /// Sum of squares of the error.
     pub residual_sum: f64,
+    /// Degrees of freedom of the offsets of blocks; 0 if they are not taken out.
+    pub block_degrees_of_freedom: f64,
+    /// What the offsets of blocks take off the sum of squares.
+    pub block_sum: f64,
     /// Lenth's margins; `None` for fewer than 3 effects.
     pub lenth: Option<Lenth>,
+}
+
+impl Effects {
+    /// F test of the offsets of blocks against the error; none without them or without an error.
+    pub fn block_test(&self) -> Option<FTest> {
+        let (above, below) = (self.block_degrees_of_freedom, self.degrees_of_freedom);
+        (above > 0.0 && below > 0.0).then(|| FTest::new(self.block_sum, above, self.residual_sum, below))
+    }
+
+    /// The effect (same unit) that a test like this one finds with the given probability.
+    ///
+    /// # Errors
+    /// As [`detectable_noncentrality`].
+    pub fn detectable(&self, test: &EffectTest, level: f64, wanted: f64) -> Result<f64, Fault> {
+        Ok(test.standard_error * detectable_noncentrality(self.degrees_of_freedom, level, wanted)?)
+    }
 }
 
 /// Effects of the given two-level factors up to interactions of `order` factors. What a fraction cannot tell apart is
@@ -75,15 +97,19 @@ pub fn effects(
         return Err(Fault::Block { name, why: "effects are computed with fixed blocks".into() });
     }
     let y = data.response_values(response)?;
-    let (mut columns, terms) = coded(data, factors, order)?;
+    let (plain, terms) = coded(data, factors, order)?;
+    let mut columns = plain.clone();
     if blocking == Blocking::Fixed {
         columns = columns.with_blocks(data.blocks());
     }
+    let block_degrees_of_freedom = (columns.len() - plain.len()) as f64;
     let qr = Qr::new(&columns.values, &columns.names)?;
     let solution = qr.solve(&columns.values, y);
     let rest = residuals(&columns.values, &solution, y);
     let degrees_of_freedom = (y.len() - columns.len()) as f64;
     let residual_sum = dot(&rest, &rest);
+    let without = Qr::new(&plain.values, &plain.names)?.remainder(y).0;
+    let block_sum = if block_degrees_of_freedom > 0.0 { dot(&without, &without) - residual_sum } else { 0.0 };
     let effect = |(k, (term, aliases)): (usize, (Term, Vec<(Term, bool)>))| {
         let mut unit = vec![0.0; columns.len()];
         unit[k + 1] = 1.0;
@@ -104,7 +130,16 @@ pub fn effects(
     let values: Vec<f64> = effects.iter().map(|effect| effect.value).collect();
     let lenth = Lenth::of(&values, level).ok();
     let response = response.to_string();
-    Ok(Effects { response, mean: solution[0], effects, degrees_of_freedom, residual_sum, lenth })
+    Ok(Effects {
+        response,
+        mean: solution[0],
+        effects,
+        degrees_of_freedom,
+        residual_sum,
+        block_degrees_of_freedom,
+        block_sum,
+        lenth,
+    })
 }
 
 type Aliased = (Term, Vec<(Term, bool)>);

@@ -130,10 +130,10 @@ impl Fault {
             | Self::ConstantResponse { name, .. }
             | Self::Name { name, .. }
             | Self::Block { name, .. } => (0, name.as_str()),
-            // of a term: at its factor
+            // of a term: at its last factor, where what is divided by stands
             Self::NotFinite { name, point, .. } => {
                 let factors = name.split(['*', '/', '^']);
-                (point - 1, factors.map(str::trim).find(|name| table.has(name)).unwrap_or(""))
+                (point - 1, factors.rev().map(str::trim).find(|name| table.has(name)).unwrap_or(""))
             }
             _ => (0, ""),
         };
