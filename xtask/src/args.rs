@@ -201,7 +201,7 @@ pub struct ResponseArgs {
     pub search: Option<String>,
     /// sigma0^2 of the predicted squared error is T^2/2 times the variance of errors: terms stay from |t| = T on
     /// [default: 3]
-    #[arg(long, value_name = "T")]
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
     pub least_t: Option<f64>,
     /// Level of tests and intervals [default: 0.95]
     #[arg(long, value_name = "P")]

@@ -130,9 +130,8 @@ impl Regression {
         columns: &Columns,
     ) -> Result<Self, Fault> {
         let [blocks] = data.blocks() else {
-            let name = data.blocks().get(1).map_or(String::new(), |blocks| blocks.name.clone());
-            let why = format!("random blocks need one block column, there are {}", data.blocks().len());
-            return Err(Fault::Block { name, why });
+            let why = format!("random blocks need one column of blocks, there are {}", data.blocks().len());
+            return Err(Fault::Design { why });
         };
         let y = data.response_values(response)?;
         let ratio = variance_ratio(columns, y, blocks)?;

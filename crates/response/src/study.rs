@@ -3,11 +3,11 @@
 
 use std::path::Path;
 
-use nastran::{InputError, Table, ron_file};
+use nastran::{InputError, Table, place_of, read_text, ron_file};
 use serde::Deserialize;
 
 use crate::analysis::{Analysis, analyse};
-use crate::candidates::candidates;
+use crate::candidates::{Candidates, candidates};
 use crate::choice::{ErrorRule, Rules, Search};
 use crate::data::Data;
 use crate::effects::{Effects, effects};
@@ -119,6 +119,9 @@ impl Study {
             return Err(InputError::in_field(path, "tables", "there is no table to analyse")
                 .with_help("add one, `(data: \"runs.csv\", factors: [\"alpha\"], responses: [\"CL\"])`"));
         }
+        for table in &study.tables {
+            table.check(path)?;
+        }
         Ok(study)
     }
 }
@@ -142,6 +145,32 @@ impl TableStudy {
         }
     }
 
+    /// Complains at the line of the file about what can be seen without the table.
+    fn check(&self, path: &Path) -> Result<(), InputError> {
+        let of_table = format!("\"{}\"", self.data);
+        let place = |name: &str| -> Result<_, InputError> {
+            Ok(place_of(&[of_table.as_str(), name], &read_text(path)?, path))
+        };
+        for (field, names) in [("factors:", &self.factors), ("responses:", &self.responses)] {
+            if names.is_empty() {
+                return Err(InputError::at(&place(field)?, "no column is named here"));
+            }
+        }
+        for text in &self.terms {
+            let quoted = format!("\"{text}\"");
+            let term: Term = text.parse().map_err(|fault: Fault| match place(&quoted) {
+                Ok(span) => InputError::at(&span, fault.to_string()),
+                Err(error) => error,
+            })?;
+            if let Some((factor, _)) = term.powers().find(|(f, _)| !self.factors.iter().any(|own| own == f)) {
+                let message = format!("the term `{text}` has `{factor}`, which is no factor of this table");
+                return Err(InputError::at(&place(&quoted)?, message)
+                    .with_help(format!("the factors are {}", self.factors.join(", "))));
+            }
+        }
+        Ok(())
+    }
+
     /// The rules of the choice.
     pub fn rules(&self) -> Rules {
         let (search, error, hierarchical) = (self.search, self.sigma0_squared, self.hierarchical);
@@ -161,7 +190,7 @@ impl TableStudy {
         }
         let data = Data::from_table(table, &factors, &responses, &names(&self.blocks))?;
         let here = |fault: Fault| fault.in_table(table);
-        let (candidates, left_out) = self.candidates(&data).map_err(here)?;
+        let Candidates { terms: candidates, left_out } = self.candidates(&data).map_err(here)?;
         let one = |name: &&str| analyse(&data, name, &candidates, self.rules(), self.level);
         let analyses = responses.iter().map(one).collect::<Result<_, _>>().map_err(here)?;
         let effects = match self.effects_study(&data) {
@@ -171,21 +200,21 @@ impl TableStudy {
         Ok(TableAnalysis { data, candidates, left_out, responses: analyses, effects })
     }
 
-    fn candidates(&self, data: &Data) -> Result<(Vec<Term>, Vec<(Term, String)>), Fault> {
+    fn candidates(&self, data: &Data) -> Result<Candidates, Fault> {
         let order = self.order.or_else(|| self.terms.is_empty().then_some(ORDER));
-        let (mut terms, mut left_out) = (vec![Term::constant()], Vec::new());
-        if let Some(order) = order {
-            let found = candidates(data, &data.factor_names(), order, self.blocking)?;
-            (terms, left_out) = (found.terms, found.left_out);
-        }
+        let mut found = match order {
+            Some(order) => candidates(data, &data.factor_names(), order, self.blocking)?,
+            None => Candidates { terms: vec![Term::constant()], left_out: Vec::new() },
+        };
         for text in &self.terms {
             let term: Term = text.parse()?;
-            left_out.retain(|(other, _)| *other != term);
-            if !terms.contains(&term) {
-                terms.push(term);
+            // what is asked for by name is not left out: a fit refuses it
+            found.left_out.retain(|(other, _)| *other != term);
+            if !found.terms.contains(&term) {
+                found.terms.push(term);
             }
         }
-        Ok((terms, left_out))
+        Ok(found)
     }
 
     fn effects_study(&self, data: &Data) -> Option<EffectsStudy> {

@@ -2,7 +2,9 @@
 //! normal and half-normal plots; curves of published models.
 
 use report::{Figure, Panel, Series, Style};
-use response::{Analysis, Effects, PlotPoint, TableAnalysis, TableStudy, half_normal_plot, mav, normal_plot};
+use response::{
+    Analysis, Effects, Lenth, PlotPoint, TableAnalysis, TableStudy, half_normal_plot, mav, normal_plot,
+};
 
 use crate::failure::Failure;
 
@@ -155,7 +157,18 @@ pub(super) fn effects(study: &TableStudy, all: &[Effects]) -> Result<Option<Stri
                     cloud(&name, std::slice::from_ref(point))
                 })
                 .collect();
-            if let Some(lenth) = &effects.lenth {
+            // noise lies on a line through zero whose slope is its standard deviation
+            let tested = effects.effects[0].test.map(|test| test.standard_error);
+            if let Some(sigma) = tested.or_else(|| effects.lenth.map(|lenth| lenth.pseudo_standard_error)) {
+                let ends = vec![bottom, top];
+                series.push(Series::new(
+                    "noise",
+                    ends.iter().map(|end| sigma * end).collect(),
+                    ends,
+                    Style::Line,
+                ));
+            }
+            if let Some(lenth) = worth_a_look(effects) {
                 let at = |margin: f64| {
                     Series::new("Lenth's margin", vec![margin; 2], vec![bottom, top], Style::DashedLine)
                 };
@@ -179,6 +192,11 @@ pub(super) fn effects(study: &TableStudy, all: &[Effects]) -> Result<Option<Stri
     Figure { title, panels, columns: 2 }.svg().map(Some).map_err(Failure::computation)
 }
 
+/// Lenth's margins if they say something: of few effects most must be noise, and replicates say more.
+pub(super) fn worth_a_look(effects: &Effects) -> Option<Lenth> {
+    effects.lenth.filter(|_| effects.effects.len() > 5 || effects.degrees_of_freedom <= 0.0)
+}
+
 /// A figure of the published models.
 pub(super) fn published(figure: mav::figures::Figure) -> Result<String, Failure> {
     let panels = figure.panels.into_iter().map(|panel| Panel {
@@ -192,6 +210,6 @@ pub(super) fn published(figure: mav::figures::Figure) -> Result<String, Failure>
             .collect(),
     });
     let panels: Vec<Panel> = panels.collect();
-    let columns = panels.len().clamp(1, 3);
+    let columns = if panels.len() == 6 { 2 } else { 3 };
     Figure { title: figure.title, panels, columns }.svg().map_err(Failure::computation)
 }

@@ -6,28 +6,40 @@ use std::fmt::Write as _;
 use report::Table;
 use response::{Analysis, Effects, FTest, Fault, Step, TableAnalysis, TableStudy};
 
-use super::response_files::change;
+use super::response_figures::worth_a_look;
+use super::response_files::{aliases, change};
 
 /// Sizes beyond the chosen one that are printed; all are in the tables.
 const SIZES_BEYOND: usize = 3;
 
 /// A number with five significant digits.
 pub(super) fn number(value: f64) -> String {
-    let exponent = value.abs().log10().floor();
-    if value == 0.0 || !value.is_finite() {
-        return format!("{value}");
+    let size = value.abs();
+    if value == 0.0 || !(1e-4..1e6).contains(&size) {
+        return if value == 0.0 { "0".into() } else { format!("{value:.4e}") };
     }
-    if !(-4.0..6.0).contains(&exponent) {
-        return format!("{value:.4e}");
+    let mut decimals: usize = 8;
+    let mut limit = 1e-3;
+    while decimals > 0 && size >= limit {
+        (decimals, limit) = (decimals - 1, 10.0 * limit);
     }
-    // between 0 and 8: the exponent is from -4 to 5
-    let decimals = (4.0 - exponent).max(0.0) as usize;
     format!("{value:.decimals$}")
+}
+
+/// A share of the variance; rounding below zero is none.
+fn share(value: f64) -> String {
+    format!("{:.5}", if value.abs() < 5e-6 { 0.0 } else { value })
 }
 
 /// A probability: small ones by their order.
 fn probability(p: f64) -> String {
-    if p < 1e-4 { format!("{p:.1e}") } else { format!("{p:.4}") }
+    if p < 1e-300 {
+        "<1e-300".into()
+    } else if p < 1e-4 {
+        format!("{p:.1e}")
+    } else {
+        format!("{p:.4}")
+    }
 }
 
 /// All of a table.
@@ -109,8 +121,8 @@ fn curve(steps: &[Step], chosen: usize) -> Table {
             criteria.terms.to_string(),
             number(criteria.pse) + if index == chosen { " *" } else { "" },
             number(criteria.mse),
-            format!("{:.5}", criteria.r_squared),
-            format!("{:.5}", criteria.adjusted_r_squared),
+            share(criteria.r_squared),
+            share(criteria.adjusted_r_squared),
             number(criteria.leave_one_out),
             format!("{:.1}", criteria.bic),
             change(before, &step.terms),
@@ -178,11 +190,6 @@ fn effect_table(text: &mut String, study: &TableStudy, effects: &Effects) {
     for effect in &effects.effects {
         let test = effect.test.as_ref();
         let of_test = |say: &dyn Fn(&response::EffectTest) -> String| test.map_or_else(|| "-".into(), say);
-        let aliases: Vec<String> = effect
-            .aliases
-            .iter()
-            .map(|(term, opposite)| format!("{}{term}", if *opposite { "-" } else { "" }))
-            .collect();
         table.row([
             effect.term.to_string(),
             number(effect.value),
@@ -194,11 +201,11 @@ fn effect_table(text: &mut String, study: &TableStudy, effects: &Effects) {
                 let smallest = effects.detectable(test, study.level, 0.9);
                 smallest.map_or_else(|_| "-".into(), number)
             }),
-            aliases.join(", "),
+            aliases(effect).join(", "),
         ]);
     }
     let _ = write!(text, "{table}");
-    if let Some(lenth) = &effects.lenth {
+    if let Some(lenth) = worth_a_look(effects) {
         let _ = writeln!(
             text,
             "Lenth: pseudo standard error {}, margin {}, simultaneous margin {}",
