@@ -1,4 +1,4 @@
-//! Response surfaces of measured coefficients: polynomials in a few factors, chosen and tested by statistics.
+#![doc = include_str!("../README.md")]
 
 mod analysis;
 pub mod asymmetry;
