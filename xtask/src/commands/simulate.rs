@@ -1,17 +1,20 @@
-//! `simulate`: measured runs flown again, with and without corrections, beside what was measured.
+//! `simulate`: measured runs flown again, with and without corrections, beside what was measured; and declared
+//! maneuvers.
 
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use aero::{Corrections, Flow};
 use calibrate::Campaign;
-use maneuver::{Rig, RigError, RigModel, RigSettings, Run, Simulated};
+use maneuver::{DeflectionAt, Rig, RigError, RigSettings, Run, Simulated, simulate_commanded};
 use nastran::InputError;
 use rayon::prelude::*;
 use report::{Figure, Panel, Series, Style};
 use serde_json::{Value, json};
 
 use crate::args::{Common, SimulateArgs};
+use crate::commands::simulate_maneuvers;
 use crate::corrections::{CorrectedWing, campaign_path, corrected_wing, corrections_at};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
@@ -26,51 +29,59 @@ impl From<RigError> for Failure {
     }
 }
 
-/// A run flown with both models.
-struct Flown {
-    file: PathBuf,
-    run: Run,
-    initial: Simulated,
-    updated: Simulated,
+/// A run or a maneuver flown with both models.
+pub(crate) struct Flown {
+    /// Its file.
+    pub(crate) file: PathBuf,
+    /// What moved, and what was measured.
+    pub(crate) run: Run,
+    /// Theory.
+    pub(crate) initial: Simulated,
+    /// With corrections of loads and deflections.
+    pub(crate) updated: Simulated,
+    /// What the user should know.
+    pub(crate) remarks: Vec<String>,
 }
 
 /// Runs the command.
 pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
     let start = Instant::now();
     let folder = campaign_path(args.campaign.as_deref());
-    let campaign = Campaign::read(&folder)?;
-    let files: Vec<PathBuf> = if args.run.is_empty() {
-        let listed_in = folder.join("campaign.ron");
-        let named = |run: &calibrate::campaign::RunEntry| nastran::named_file(&listed_in, &run.file);
-        campaign.runs.iter().map(named).collect::<Result<_, _>>()?
+    let files = if args.run.is_empty() && args.maneuver.is_empty() {
+        listed_runs(&folder)?
     } else {
         args.run.clone()
     };
-    if files.is_empty() {
-        return Err(InputError::in_file(&folder, "the campaign has no runs")
-            .with_help("list them under `runs` in campaign.ron, or name files with --run")
-            .into());
-    }
-    refuse_twins(&files)?;
+    refuse_twins(&files.iter().chain(&args.maneuver).cloned().collect::<Vec<_>>())?;
     let runs =
         files.iter().map(|file| Ok((file, Run::read(file)?))).collect::<Result<Vec<_>, InputError>>()?;
+    let rho_kg_m3 = if runs.is_empty() { 0.0 } else { Campaign::read(&folder)?.rho_kg_m3 };
     let corrected =
         corrected_wing(args.wing.as_deref(), args.corrections.as_deref(), args.campaign.as_deref(), common)?;
-    let rig = Rig::new(&corrected.wing, settings(&corrected))?;
+    let maneuvers = simulate_maneuvers::read(&args.maneuver, &corrected)?;
+    let settings = settings(&corrected);
+    let rig = Rig::new(&corrected.wing, settings.clone())?;
     let bar = progress::bar(common, runs.len(), "flying runs");
-    let flown = runs
+    let mut flown = runs
         .into_par_iter()
         .map(|(file, run)| {
-            let flown = fly(file, run, &rig, &corrected, campaign.rho_kg_m3);
+            let flown = fly(file, run, &rig, &corrected, rho_kg_m3);
             bar.inc(1);
             flown
         })
         .collect::<Result<Vec<_>, Failure>>()?;
     bar.finish_and_clear();
+    flown.extend(simulate_maneuvers::fly(maneuvers, &rig, &settings, &corrected)?);
+    for remark in
+        flown.iter().flat_map(|flown| flown.remarks.iter().map(move |r| format!("{}: {r}", flown.run.name)))
+    {
+        show::note(&remark);
+    }
     let seconds = start.elapsed().as_secs_f64();
     let result = json!({
         "command": "simulate",
         "corrections": corrected.origin,
+        "deflection_correction": !corrected.file.deflection.is_empty(),
         "modes": rig.omega_rad_s().len(),
         "runs": flown.iter().map(run_result).collect::<Vec<_>>(),
         "seconds": seconds,
@@ -78,6 +89,17 @@ pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
     let out = write(&common.out("simulate"), &flown, &result)?;
     show::summary(common, &summary(&flown, &out, seconds));
     show::json(common, &result)
+}
+
+/// The runs of a campaign.
+fn listed_runs(folder: &Path) -> Result<Vec<PathBuf>, InputError> {
+    let listed_in = folder.join("campaign.ron");
+    let runs = Campaign::read(folder)?.runs;
+    if runs.is_empty() {
+        return Err(InputError::in_file(folder, "the campaign has no runs")
+            .with_help("list them under `runs` in campaign.ron, or name files with --run or --maneuver"));
+    }
+    runs.iter().map(|run| nastran::named_file(&listed_in, &run.file)).collect()
 }
 
 /// Results are named after their runs, so no two runs may share a name.
@@ -92,7 +114,8 @@ fn refuse_twins(files: &[PathBuf]) -> Result<(), InputError> {
     Ok(())
 }
 
-fn settings(corrected: &CorrectedWing) -> RigSettings {
+/// How the rig of a wing is modelled.
+pub(crate) fn settings(corrected: &CorrectedWing) -> RigSettings {
     let file = &corrected.file;
     let mut settings = RigSettings::new(file.damping_ratio, file.pitch_axis_x());
     if let (Some(planform), Some((system, _))) = (file.planform(), &corrected.wing.structure) {
@@ -112,18 +135,31 @@ fn fly(
 ) -> Result<Flown, Failure> {
     let flow = Flow { v_m_s: run.v_m_s, rho_kg_m3 };
     let neutral = Corrections::neutral(corrected.wing.correctable.len());
-    let corrections = if run.v_m_s > 0.0 {
-        corrections_at(&corrected.schedule, run.v_m_s).map_err(|refused| {
-            InputError::in_file(file, refused.message)
-                .with_help("calibrate at this airspeed, or leave the run out")
-        })?
-    } else {
-        neutral.clone()
+    let (corrections, deflection) = at_airspeed(file, run.v_m_s, corrected)?;
+    let beyond = run.controls_rad.iter().filter_map(|(name, commanded)| deflection.beyond(name, commanded));
+    let remarks = beyond.map(|beyond| beyond.to_string()).collect();
+    let simulate = |corrections: &Corrections, deflection: &DeflectionAt| -> Result<Simulated, Failure> {
+        Ok(simulate_commanded(&run, &rig.at(flow, corrections)?, deflection, file)?)
     };
-    let simulate = |model: &RigModel| maneuver::simulate(&run, model, file);
-    let initial = simulate(&rig.at(flow, &neutral)?)?;
-    let updated = simulate(&rig.at(flow, &corrections)?)?;
-    Ok(Flown { file: file.to_path_buf(), initial, updated, run })
+    let initial = simulate(&neutral, &DeflectionAt::default())?;
+    let updated = simulate(&corrections, &deflection)?;
+    Ok(Flown { file: file.to_path_buf(), initial, updated, run, remarks })
+}
+
+/// The corrections of loads and of deflections at the airspeed of a file; none without wind.
+pub(crate) fn at_airspeed(
+    file: &Path,
+    v_m_s: f64,
+    corrected: &CorrectedWing,
+) -> Result<(Corrections, DeflectionAt), InputError> {
+    if v_m_s == 0.0 {
+        return Ok((Corrections::neutral(corrected.wing.correctable.len()), DeflectionAt::default()));
+    }
+    let corrections = corrections_at(&corrected.schedule, v_m_s).map_err(|refused| {
+        InputError::in_file(file, refused.message)
+            .with_help("calibrate at this airspeed, or leave this file out")
+    })?;
+    Ok((corrections, simulate_maneuvers::deflection_at(file, v_m_s, corrected)?))
 }
 
 fn write(out: &Path, flown: &[Flown], result: &Value) -> Result<PathBuf, Failure> {
@@ -145,6 +181,7 @@ fn run_result(flown: &Flown) -> Value {
         "V_m_s": flown.run.v_m_s,
         "samples": flown.run.len(),
         "residual_rms": { "initial": channels(flown.initial.residual_rms), "updated": channels(flown.updated.residual_rms) },
+        "remarks": flown.remarks,
         "raw_percent": { "initial": channels(flown.initial.residual_percent), "updated": channels(flown.updated.residual_percent) },
     })
 }
@@ -201,17 +238,34 @@ fn summary(flown: &[Flown], out: &Path, seconds: f64) -> String {
         "updated",
     ];
     let mut table = report::Table::new(&head);
+    let mut changes = report::Table::new(&head);
     for flight in flown {
         let mut cells = vec![flight.run.name.clone(), format!("{:.1}", flight.run.v_m_s)];
-        for c in 0..3 {
-            for simulated in [&flight.initial, &flight.updated] {
-                cells.push(simulated.residual_rms.map_or_else(|| "-".into(), |rms| format!("{:.3}", rms[c])));
-            }
-        }
-        table.row(cells);
+        let of = |simulated: &Simulated, c: usize| {
+            simulated.residual_rms.map_or_else(|| largest_change(simulated, c), |rms| rms[c])
+        };
+        let numbers = (0..3).flat_map(|c| [of(&flight.initial, c), of(&flight.updated, c)]);
+        cells.extend(numbers.map(|number| format!("{number:.3}")));
+        if flight.run.loads.is_some() {
+            table.row(cells)
+        } else {
+            changes.row(cells)
+        };
     }
-    format!(
-        "Root mean square of measured minus simulated:\n{table}\n{seconds:.2} s; results in {}\n",
-        out.display()
-    )
+    let measured = flown.iter().any(|flight| flight.run.loads.is_some());
+    let declared = flown.iter().any(|flight| flight.run.loads.is_none());
+    let mut text = String::new();
+    if measured {
+        text = format!("Root mean square of measured minus simulated:\n{table}");
+    }
+    if declared {
+        let _ = write!(text, "Largest change of a simulated load from its beginning:\n{changes}");
+    }
+    format!("{text}\n{seconds:.2} s; results in {}\n", out.display())
+}
+
+/// Farthest that a load goes from its first sample.
+fn largest_change(simulated: &Simulated, channel: usize) -> f64 {
+    let values = simulated.history.get(["Fz_N", "Mx_Nm", "My_Nm"][channel]).unwrap_or(&[]);
+    values.iter().map(|value| (value - values[0]).abs()).fold(0.0, f64::max)
 }
