@@ -72,6 +72,8 @@ pub enum Command {
     Modes(ModesArgs),
     /// The wing as a Nastran deck: structure, boxes and splines
     Deck(DeckArgs),
+    /// Response surfaces of measured coefficients: terms chosen by the predicted squared error, and their tests
+    Response(ResponseArgs),
     /// Our results beside every published reference
     Validate(ValidateArgs),
     /// Time of the main steps
@@ -207,6 +209,48 @@ pub struct DeckArgs {
     pub bars: bool,
 }
 
+/// Options of `response`.
+#[derive(Debug, Clone, Default, Args)]
+pub struct ResponseArgs {
+    /// A CSV file, a RON file that names tables, or a folder with response.ron or CSV files [default: data/mav]
+    #[arg(long, value_name = "PATH")]
+    pub data: Option<PathBuf>,
+    /// Columns of factors, instead of what a RON file says
+    #[arg(long, value_name = "A,B", value_delimiter = ',', requires = "data", requires = "responses")]
+    pub factors: Vec<String>,
+    /// Columns of responses
+    #[arg(long, value_name = "CL,CM", value_delimiter = ',', requires = "factors")]
+    pub responses: Vec<String>,
+    /// Columns of blocks: runs, days, mountings
+    #[arg(long, value_name = "DAY", value_delimiter = ',', requires = "factors")]
+    pub blocks: Vec<String>,
+    /// Candidates: all products of powers of the factors up to this order [default: 2, or the terms only]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=9))]
+    pub order: Option<u32>,
+    /// Candidates by name, such as n^2/q, besides those of --order if that is given
+    #[arg(long, value_name = "TERMS", value_delimiter = ',')]
+    pub terms: Vec<String>,
+    /// What is done with blocks: fixed or random offsets, or not looked at [default: fixed]
+    #[arg(long, value_name = "HOW", value_parser = ["fixed", "random", "ignored"])]
+    pub blocking: Option<String>,
+    /// How sets of terms are looked for [default: best]
+    #[arg(long, value_name = "HOW", value_parser = ["best", "stepwise", "ranked"])]
+    pub search: Option<String>,
+    /// sigma0^2 of the predicted squared error is T^2/2 times the variance of errors: terms stay from |t| = T on
+    /// [default: 3]
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    pub least_t: Option<f64>,
+    /// Level of tests and intervals [default: 0.95]
+    #[arg(long, value_name = "P")]
+    pub level: Option<f64>,
+    /// Columns of two-level factors whose effects are computed [default: all factors, if all have two levels]
+    #[arg(long, value_name = "A,B", value_delimiter = ',', requires = "factors")]
+    pub effects: Vec<String>,
+    /// Columns that are blocks for the effects [default: those of --blocks]
+    #[arg(long, value_name = "DAY", value_delimiter = ',', requires = "effects")]
+    pub effect_blocks: Vec<String>,
+}
+
 /// Options of `validate`.
 #[derive(Debug, Clone, Default, Args)]
 pub struct ValidateArgs {
@@ -218,9 +262,13 @@ pub struct ValidateArgs {
     pub only: Option<String>,
 }
 
-/// Options of `bench`: none of its own.
-#[derive(Debug, Clone, Default, Args)]
-pub struct BenchArgs {}
+/// Options of `bench`.
+#[derive(Debug, Clone, Args)]
+pub struct BenchArgs {
+    /// A Python with PanelAero, timed on the same boxes in the same run [default: python3, if it has it]
+    #[arg(long, value_name = "PYTHON", default_value = "python3")]
+    pub peer_python: PathBuf,
+}
 
 /// Options of `tidy`: none of its own.
 #[derive(Debug, Clone, Default, Args)]

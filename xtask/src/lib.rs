@@ -44,6 +44,7 @@ fn run(cli: &Cli) -> Result<(), Failure> {
         | Command::Tunnel(_)
         | Command::Modes(_)
         | Command::Deck(_)
+        | Command::Response(_)
         | Command::Validate(_),
         Some(out),
     ) = (&cli.command, &common.out)
@@ -60,6 +61,7 @@ fn run(cli: &Cli) -> Result<(), Failure> {
         Command::Tunnel(args) => commands::tunnel::run(args, common),
         Command::Modes(args) => commands::modes::run(args, common),
         Command::Deck(args) => commands::deck::run(args, common),
+        Command::Response(args) => commands::response::run(args, common),
         Command::Validate(args) => commands::validate::run(args, common),
         Command::Bench(args) => commands::bench::run(args, common),
         Command::Tidy(args) => commands::tidy::run(args, common),

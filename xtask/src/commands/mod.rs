@@ -1,6 +1,7 @@
 //! One file per command.
 
 pub(crate) mod bench;
+mod bench_chirp;
 mod bench_dlm;
 mod bench_general;
 mod bench_structure;
@@ -18,6 +19,11 @@ pub(crate) mod modes;
 mod modes_pictures;
 mod modes_update;
 pub(crate) mod pipeline;
+pub(crate) mod response;
+mod response_figures;
+mod response_files;
+mod response_source;
+mod response_text;
 pub(crate) mod simulate;
 mod simulate_maneuvers;
 pub(crate) mod tidy;
