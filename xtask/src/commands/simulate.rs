@@ -7,17 +7,15 @@ use std::time::Instant;
 
 use aero::{Corrections, Flow};
 use calibrate::Campaign;
-use maneuver::{DeflectionAt, Rig, RigError, RigSettings, Run, Simulated, simulate_commanded};
+use maneuver::{DeflectionAt, Rig, RigError, RigModel, RigSettings, Run, Simulated, simulate_commanded};
 use nastran::InputError;
 use rayon::prelude::*;
-use report::{Figure, Panel, Series, Style};
 use serde_json::{Value, json};
 
 use crate::args::{Common, SimulateArgs};
-use crate::commands::simulate_maneuvers;
+use crate::commands::{simulate_files, simulate_maneuvers};
 use crate::corrections::{CorrectedWing, campaign_path, corrected_wing, corrections_at};
 use crate::failure::Failure;
-use crate::output::ResultFolder;
 use crate::{progress, show};
 
 impl From<RigError> for Failure {
@@ -39,6 +37,8 @@ pub(crate) struct Flown {
     pub(crate) initial: Simulated,
     /// With corrections of loads and deflections.
     pub(crate) updated: Simulated,
+    /// With corrections of loads alone, if deflections are corrected.
+    pub(crate) as_commanded: Option<Simulated>,
     /// What the user should know.
     pub(crate) remarks: Vec<String>,
 }
@@ -61,11 +61,12 @@ pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
     let maneuvers = simulate_maneuvers::read(&args.maneuver, &corrected)?;
     let settings = settings(&corrected);
     let rig = Rig::new(&corrected.wing, settings.clone())?;
+    let models = models(&runs, &rig, &corrected, rho_kg_m3)?;
     let bar = progress::bar(common, runs.len(), "flying runs");
     let mut flown = runs
         .into_par_iter()
         .map(|(file, run)| {
-            let flown = fly(file, run, &rig, &corrected, rho_kg_m3);
+            let flown = fly(file, run, &models, &corrected);
             bar.inc(1);
             flown
         })
@@ -86,7 +87,7 @@ pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
         "runs": flown.iter().map(run_result).collect::<Vec<_>>(),
         "seconds": seconds,
     });
-    let out = write(&common.out("simulate"), &flown, &result)?;
+    let out = simulate_files::write(&common.out("simulate"), &flown, &result)?;
     show::summary(common, &summary(&flown, &out, seconds));
     show::json(common, &result)
 }
@@ -125,25 +126,51 @@ pub(crate) fn settings(corrected: &CorrectedWing) -> RigSettings {
     settings
 }
 
-/// Flies a run with the initial and the updated model.
-fn fly(
-    file: &Path,
-    run: Run,
+/// What flies at one airspeed.
+struct Models {
+    v_m_s: f64,
+    initial: RigModel,
+    updated: RigModel,
+}
+
+/// Initial and updated model at every airspeed of the runs.
+fn models(
+    runs: &[(&PathBuf, Run)],
     rig: &Rig<'_>,
     corrected: &CorrectedWing,
     rho_kg_m3: f64,
-) -> Result<Flown, Failure> {
-    let flow = Flow { v_m_s: run.v_m_s, rho_kg_m3 };
+) -> Result<Vec<Models>, Failure> {
+    let mut first_of: Vec<(&PathBuf, f64)> = Vec::new();
+    for (file, run) in runs {
+        if !first_of.iter().any(|(_, v_m_s)| *v_m_s == run.v_m_s) {
+            first_of.push((file, run.v_m_s));
+        }
+    }
     let neutral = Corrections::neutral(corrected.wing.correctable.len());
-    let (corrections, deflection) = at_airspeed(file, run.v_m_s, corrected)?;
+    let at = |(file, v_m_s): (&PathBuf, f64)| {
+        let flow = Flow { v_m_s, rho_kg_m3 };
+        let (corrections, _) = at_airspeed(file, v_m_s, corrected)?;
+        Ok(Models { v_m_s, initial: rig.at(flow, &neutral)?, updated: rig.at(flow, &corrections)? })
+    };
+    first_of.into_par_iter().map(at).collect()
+}
+
+/// Flies a run with the initial and the updated model.
+fn fly(file: &Path, run: Run, models: &[Models], corrected: &CorrectedWing) -> Result<Flown, Failure> {
+    let Some(model) = models.iter().find(|model| model.v_m_s == run.v_m_s) else {
+        return Err(Failure::Computation(format!("no model at {} m/s", run.v_m_s)));
+    };
+    let (_, deflection) = at_airspeed(file, run.v_m_s, corrected)?;
     let beyond = run.controls_rad.iter().filter_map(|(name, commanded)| deflection.beyond(name, commanded));
     let remarks = beyond.map(|beyond| beyond.to_string()).collect();
-    let simulate = |corrections: &Corrections, deflection: &DeflectionAt| -> Result<Simulated, Failure> {
-        Ok(simulate_commanded(&run, &rig.at(flow, corrections)?, deflection, file)?)
-    };
-    let initial = simulate(&neutral, &DeflectionAt::default())?;
-    let updated = simulate(&corrections, &deflection)?;
-    Ok(Flown { file: file.to_path_buf(), initial, updated, run, remarks })
+    let none = DeflectionAt::default();
+    let initial = simulate_commanded(&run, &model.initial, &none, file)?;
+    let updated = simulate_commanded(&run, &model.updated, &deflection, file)?;
+    let moves = run.controls_rad.iter().any(|(_, values)| values.iter().any(|delta| *delta != 0.0));
+    let as_commanded = (moves && deflection != none)
+        .then(|| simulate_commanded(&run, &model.updated, &none, file))
+        .transpose()?;
+    Ok(Flown { file: file.to_path_buf(), initial, updated, as_commanded, run, remarks })
 }
 
 /// The corrections of loads and of deflections at the airspeed of a file; none without wind.
@@ -162,17 +189,6 @@ pub(crate) fn at_airspeed(
     Ok((corrections, simulate_maneuvers::deflection_at(file, v_m_s, corrected)?))
 }
 
-fn write(out: &Path, flown: &[Flown], result: &Value) -> Result<PathBuf, Failure> {
-    let folder = ResultFolder::begin(out)?;
-    for flight in flown {
-        folder.write_text(&format!("{}.csv", flight.run.name), &flight.updated.history.to_csv())?;
-        let figure = figure(flight).svg().map_err(Failure::computation)?;
-        folder.write_text(&format!("{}.svg", flight.run.name), &figure)?;
-    }
-    folder.write_json("result.json", result)?;
-    folder.commit()
-}
-
 fn run_result(flown: &Flown) -> Value {
     let channels =
         |values: Option<[f64; 3]>| values.map(|v| json!({ "Fz_N": v[0], "Mx_Nm": v[1], "My_Nm": v[2] }));
@@ -184,46 +200,6 @@ fn run_result(flown: &Flown) -> Value {
         "remarks": flown.remarks,
         "raw_percent": { "initial": channels(flown.initial.residual_percent), "updated": channels(flown.updated.residual_percent) },
     })
-}
-
-/// Loads measured, initial and updated, and what moved the wing.
-fn figure(flown: &Flown) -> Figure {
-    let t_s = &flown.run.t_s;
-    let mut panels = Vec::new();
-    for (c, (name, label)) in
-        [("Fz_N", "Fz (N)"), ("Mx_Nm", "Mx (N m)"), ("My_Nm", "My (N m)")].into_iter().enumerate()
-    {
-        let of = |simulated: &Simulated| simulated.history.get(name).unwrap_or(&[]).to_vec();
-        // the measurement first, so that its noise covers neither model
-        let measured = flown.run.loads.as_ref().map(|loads| loads[c].clone());
-        let mut series: Vec<Series> = measured
-            .map(|values| Series::new("measured", t_s.clone(), values, Style::Line))
-            .into_iter()
-            .collect();
-        series.push(Series::new("initial", t_s.clone(), of(&flown.initial), Style::DashedLine));
-        series.push(Series::new("updated", t_s.clone(), of(&flown.updated), Style::Line));
-        panels.push(Panel {
-            title: String::new(),
-            x_label: "time (s)".into(),
-            y_label: label.into(),
-            series,
-        });
-    }
-    let alpha: Vec<f64> = flown.run.alpha_rad.iter().map(|alpha| alpha.to_degrees()).collect();
-    let mut inputs = vec![Series::new("angle of attack", t_s.clone(), alpha, Style::Line)];
-    for (name, values) in &flown.run.controls_rad {
-        let degrees: Vec<f64> = values.iter().map(|delta| delta.to_degrees()).collect();
-        if degrees.iter().any(|delta| *delta != 0.0) {
-            inputs.push(Series::new(format!("{name} aileron, commanded"), t_s.clone(), degrees, Style::Line));
-        }
-    }
-    panels.push(Panel {
-        title: String::new(),
-        x_label: "time (s)".into(),
-        y_label: "angle (deg)".into(),
-        series: inputs,
-    });
-    Figure { title: format!("{} at {:.1} m/s", flown.run.name, flown.run.v_m_s), panels, columns: 2 }
 }
 
 fn summary(flown: &[Flown], out: &Path, seconds: f64) -> String {

@@ -84,6 +84,7 @@ fn fly_one(
         file: file.path.clone(),
         initial: simulated(fly_commanded(&initial, &motion, &DeflectionAt::default())),
         updated: simulated(fly_commanded(&updated, &motion, &deflection)),
+        as_commanded: None,
         run,
         remarks,
     })
