@@ -87,7 +87,11 @@ fn response(text: &mut String, study: &TableStudy, table: &TableAnalysis, analys
         number(choice.sigma0_squared),
         number(fitted.error_variance.sqrt()),
         fitted.degrees_of_freedom,
-        if choice.complete { "" } else { "; the search of all subsets was ended early" }
+        if choice.complete {
+            ""
+        } else {
+            "; the search of all subsets was ended early, another may have a lower PSE"
+        }
     );
     let interval = format!("{} % interval", 100.0 * study.level);
     let mut terms = Table::new(&["term", "coefficient", "standard error", "t", "p", &interval]);
