@@ -60,6 +60,8 @@ pub enum Command {
     Calibrate(CalibrateArgs),
     /// Time histories of wind-tunnel runs, simulated from their inputs and set beside what was measured
     Simulate(SimulateArgs),
+    /// How much of a commanded deflection acts, by surface, airspeed and deflection, from measured doublets
+    Deflection(DeflectionArgs),
     /// Trim, pull-up, push-down, chirp and doublet of the full aircraft, initial beside updated model
     Fullaircraft(FullaircraftArgs),
     /// Calibrate, simulate and fullaircraft, one after the other
@@ -93,10 +95,21 @@ pub struct CalibrateArgs {
 
 /// Options of `simulate`.
 #[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask simulate
+  cargo xtask simulate --run data/tuflex/measured/aoa_2hz_30.csv
+  cargo xtask simulate --maneuver data/tuflex/maneuvers/doublet.ron data/tuflex/maneuvers/chirp.ron
+  cargo xtask simulate --wing out/deflection/wing.ron --corrections out/deflection/corrections.ron
+
+The initial model is theory; the updated one has the corrections, and the wing's deflection correction if its file
+has one (commanded deflection, times K(deflection, V), actuator, surface). Deflections in results are commands.")]
 pub struct SimulateArgs {
-    /// Runs to simulate [default: all runs of the campaign]
+    /// Runs to simulate [default: all runs of the campaign, unless maneuvers are named]
     #[arg(long, value_name = "FILE", num_args = 1..)]
     pub run: Vec<PathBuf>,
+    /// Maneuvers declared in RON to fly (data/tuflex/maneuvers/doublet.ron explains every field)
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    pub maneuver: Vec<PathBuf>,
     /// The wing [default: data/tuflex/wing.ron]
     #[arg(long, value_name = "FILE")]
     pub wing: Option<PathBuf>,
@@ -106,6 +119,29 @@ pub struct SimulateArgs {
     /// The folder of measurements [default: data/tuflex/measured]
     #[arg(long, value_name = "DIR")]
     pub campaign: Option<PathBuf>,
+}
+
+/// Options of `deflection`.
+#[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask deflection
+  cargo xtask deflection --campaign my_campaign --wing my_wing.ron --out out/my_deflection
+  cargo xtask simulate --wing out/deflection/wing.ron --corrections out/deflection/corrections.ron
+
+Runs that are doublets of one control surface and marked `use: Train` are fitted; those marked Holdout only judge.
+Writes wing.ron (the given wing with the correction), corrections.ron (the given ones, for that wing), deflection.csv,
+equivalent.svg, factors.svg and result.json. The factor is linear between measured deflections and airspeeds, kept
+below the smallest and above the largest deflection, and refused beyond the measured airspeeds.")]
+pub struct DeflectionArgs {
+    /// The wing [default: data/tuflex/wing.ron]
+    #[arg(long, value_name = "FILE")]
+    pub wing: Option<PathBuf>,
+    /// The folder of measurements [default: data/tuflex/measured]
+    #[arg(long, value_name = "DIR")]
+    pub campaign: Option<PathBuf>,
+    /// Corrections from `calibrate` [default: out/calibrate's if of the same wing, else calibrated first]
+    #[arg(long, value_name = "FILE")]
+    pub corrections: Option<PathBuf>,
 }
 
 /// Options of `fullaircraft`.
@@ -240,9 +276,13 @@ pub struct ValidateArgs {
     pub only: Option<String>,
 }
 
-/// Options of `bench`: none of its own.
-#[derive(Debug, Clone, Default, Args)]
-pub struct BenchArgs {}
+/// Options of `bench`.
+#[derive(Debug, Clone, Args)]
+pub struct BenchArgs {
+    /// A Python with PanelAero, timed on the same boxes in the same run [default: python3, if it has it]
+    #[arg(long, value_name = "PYTHON", default_value = "python3")]
+    pub peer_python: PathBuf,
+}
 
 /// Options of `tidy`: none of its own.
 #[derive(Debug, Clone, Default, Args)]

@@ -39,6 +39,7 @@ fn run(cli: &Cli) -> Result<(), Failure> {
     if let (
         Command::Calibrate(_)
         | Command::Simulate(_)
+        | Command::Deflection(_)
         | Command::Fullaircraft(_)
         | Command::Tunnel(_)
         | Command::Modes(_)
@@ -54,6 +55,7 @@ fn run(cli: &Cli) -> Result<(), Failure> {
     match &cli.command {
         Command::Calibrate(args) => commands::calibrate::run(args, common),
         Command::Simulate(args) => commands::simulate::run(args, common),
+        Command::Deflection(args) => commands::deflection::run(args, common),
         Command::Fullaircraft(args) => commands::fullaircraft::run(args, common),
         Command::Pipeline(args) => commands::pipeline::run(args, common),
         Command::Tunnel(args) => commands::tunnel::run(args, common),
