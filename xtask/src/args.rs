@@ -73,7 +73,7 @@ pub enum Command {
     /// The wing as a Nastran deck: structure, boxes and splines
     Deck(DeckArgs),
     /// Response surfaces of measured coefficients: terms chosen by the predicted squared error, and their tests
-    Response(ResponseArgs),
+    Response(Box<ResponseArgs>),
     /// Our results beside every published reference
     Validate(ValidateArgs),
     /// Time of the main steps
@@ -249,6 +249,21 @@ pub struct ResponseArgs {
     /// Columns that are blocks for the effects [default: those of --blocks]
     #[arg(long, value_name = "DAY", value_delimiter = ',', requires = "effects")]
     pub effect_blocks: Vec<String>,
+    /// Points (a CSV with the columns of the factors) at which the surfaces are predicted
+    #[arg(long, value_name = "FILE")]
+    pub at: Option<PathBuf>,
+    /// Instead: displacement fields (CSV, `x_mm,y_mm,w_mm`) whose ratio of left to right side is computed
+    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with_all = ["data", "factors", "order", "terms", "at"])]
+    pub displacement: Vec<PathBuf>,
+    /// Fields of a rigid wing in the same set-up [default: the paper's mean ratio, 0.956]
+    #[arg(long, value_name = "FILE", num_args = 1.., requires = "displacement")]
+    pub rigid: Vec<PathBuf>,
+    /// Plane of symmetry of the fields, mm [default: 0]
+    #[arg(long, value_name = "Y", allow_negative_numbers = true, requires = "displacement")]
+    pub centre_y_mm: Option<f64>,
+    /// Standard deviation of the error of a point of the fields, mm [default: 0.05]
+    #[arg(long, value_name = "W", requires = "displacement")]
+    pub sigma_w_mm: Option<f64>,
 }
 
 /// Options of `validate`.

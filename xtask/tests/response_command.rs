@@ -199,3 +199,57 @@ fn what_is_wrong_is_named_with_its_place_and_nothing_is_written() {
     }
     std::fs::remove_dir_all(folder).expect("it was made above");
 }
+
+#[test]
+fn points_of_ones_own_are_predicted_and_those_beyond_the_data_are_marked() {
+    let folder = folder("at");
+    own_table(&folder);
+    std::fs::write(folder.join("at.csv"), "A,B,remark\n2,5,inside\n8,10,corner\n30,10,far\n")
+        .expect("a file");
+    let result = result(&folder, &[&["--data", "mine.csv", "--at", "at.csv"], &COLUMNS[..]].concat());
+    let points = result["at"][0]["points"].as_array().expect("a list");
+    let number = |point: usize, key: &str| points[point][key].as_f64().expect("a number");
+    for (point, (a, b)) in [(2.0, 5.0), (8.0, 10.0), (30.0, 10.0)].into_iter().enumerate() {
+        let truth = 0.3 + 0.1 * a + 0.01 * a * b;
+        let error = number(point, "standard_error");
+        assert!((number(point, "value") - truth).abs() < 4.0 * error, "{point}");
+        let width = |key: &str| {
+            points[point][key][1].as_f64().unwrap_or(0.0) - points[point][key][0].as_f64().unwrap_or(0.0)
+        };
+        assert!(width("reading_interval") > width("mean_interval") && width("mean_interval") > 0.0);
+        assert_eq!(points[point]["beyond_data"], Value::Bool(point == 2));
+    }
+    assert!(number(2, "standard_error") > 3.0 * number(0, "standard_error"));
+    assert!(folder.join("out/mine_CL_at.csv").is_file());
+    std::fs::write(folder.join("at.csv"), "A\n2\n").expect("a file");
+    let output = run(&folder, &[&["--data", "mine.csv", "--at", "at.csv"], &COLUMNS[..]].concat());
+    assert_eq!(output.status.code(), Some(2));
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(message.contains("at.csv:1") && message.contains("`B`"), "{message}");
+    std::fs::remove_dir_all(folder).expect("it was made above");
+}
+
+#[test]
+fn the_ratio_of_a_displacement_field_is_that_of_its_sides() {
+    let folder = folder("displacement");
+    let mut text = String::from("x_mm,y_mm,w_mm\n");
+    for (x, y) in (0..10).flat_map(|i| (-7..8).map(move |j| (10 * i, 10 * j))) {
+        let _ = writeln!(text, "{x},{y},{}", 1.0 + 0.003 * f64::from(y));
+    }
+    std::fs::write(folder.join("field.csv"), text).expect("a file");
+    let result = result(&folder, &["--displacement", "field.csv"]);
+    // sides 7 -+ 0.03 (1 + ... + 7), and half of the middle row to either
+    let want = (7.5 - 0.84) / (7.5 + 0.84);
+    let got = result["fields"][0]["ratio"].as_f64().expect("a number");
+    assert!((got - want).abs() < 1e-12, "{got}");
+    assert_eq!(result["fields"][0]["beyond_the_rigid_wing"], true);
+    assert_eq!(result["rigid"]["mean"], 0.956);
+    // a rigid wing as asymmetric as the field leaves nothing of it
+    let arguments = ["--displacement", "field.csv", "--rigid", "field.csv", "field.csv"];
+    let beside = self::result(&folder, &arguments);
+    assert_eq!(beside["fields"][0]["beyond_the_rigid_wing"], false);
+    let output = run(&folder, &["--displacement", "field.csv", "--centre-y-mm", "500"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("field.csv: no point of the left half"));
+    std::fs::remove_dir_all(folder).expect("it was made above");
+}

@@ -195,7 +195,7 @@ fn the_best_subsets_are_those_of_trying_all() {
         for hierarchical in [true, false] {
             let rules = Rules { hierarchical, ..Rules::default() };
             let choice = choose(&data, "y", &candidates, rules).unwrap();
-            assert!(choice.complete);
+            assert!(choice.complete && choice.curve_complete);
             let mut best = vec![f64::INFINITY; candidates.len() + 1];
             for set in 0..1_usize << (candidates.len() - 1) {
                 let chosen = (0..candidates.len()).filter(|k| *k == 0 || set >> (k - 1) & 1 == 1);

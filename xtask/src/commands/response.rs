@@ -10,8 +10,9 @@ use response::mav::{Published, figures};
 use response::{TableAnalysis, TableStudy};
 use serde_json::{Value, json};
 
+use super::response_points::Points;
 use super::response_source::Source;
-use super::{response_figures, response_files, response_text};
+use super::{response_asymmetry, response_figures, response_files, response_text};
 use crate::args::{Common, ResponseArgs};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
@@ -19,19 +20,30 @@ use crate::show;
 
 /// Runs the command.
 pub(crate) fn run(args: &ResponseArgs, common: &Common) -> Result<(), Failure> {
+    if !args.displacement.is_empty() {
+        return response_asymmetry::run(args, common);
+    }
     let start = Instant::now();
     let source = Source::read(args)?;
+    let points = wanted_points(args, &source)?;
     let analyses: Vec<TableAnalysis> = source
         .tables
         .par_iter()
         .map(|(study, table)| study.analyse(table).map_err(Failure::from))
         .collect::<Result<_, _>>()?;
     let folder = ResultFolder::begin(&common.out("response"))?;
-    let (mut responses, mut text) = (Vec::new(), format!("{}\n", source.name));
+    let (mut responses, mut at, mut text) = (Vec::new(), Vec::new(), format!("{}\n", source.name));
     let mut known = BTreeMap::new();
     for ((study, _), analysis) in source.tables.iter().zip(&analyses) {
-        responses.extend(write(&folder, &stem(study, &mut known), study, analysis)?);
+        let stem = stem(study, &mut known);
+        responses.extend(write(&folder, &stem, study, analysis)?);
         let _ = write!(text, "\n{}", response_text::table(study, analysis));
+        let Some(points) = points.as_ref().filter(|points| points.require(study).is_ok()) else { continue };
+        for predictions in points.predictions(study, analysis)? {
+            folder.write_text(&format!("{stem}_{}_at.csv", predictions.response()), &predictions.csv())?;
+            let _ = write!(text, "\n{}", predictions.text());
+            at.push(predictions.json(&study.data));
+        }
     }
     let notes = match &source.published {
         Some(published) => draw_published(&folder, published)?,
@@ -39,14 +51,28 @@ pub(crate) fn run(args: &ResponseArgs, common: &Common) -> Result<(), Failure> {
     };
     let seconds = start.elapsed().as_secs_f64();
     let result = json!({
-        "command": "response", "name": source.name, "responses": responses, "published_figures": notes,
-        "seconds": seconds,
+        "command": "response", "name": source.name, "responses": responses, "at": at,
+        "published_figures": notes, "seconds": seconds,
     });
     folder.write_json("result.json", &result)?;
     let out = folder.commit()?;
     let _ = write!(text, "\nwritten to {} in {seconds:.1} s", out.display());
     show::summary(common, &text);
     show::json(common, &result)
+}
+
+/// The points of `--at`; they need the factors of a table at least.
+fn wanted_points(args: &ResponseArgs, source: &Source) -> Result<Option<Points>, Failure> {
+    let Some(path) = &args.at else { return Ok(None) };
+    let points = Points::read(path)?;
+    let mut complaint = None;
+    for (study, _) in &source.tables {
+        match points.require(study) {
+            Ok(()) => return Ok(Some(points)),
+            Err(error) => complaint = Some(error),
+        }
+    }
+    complaint.map_or(Ok(None), |error| Err(error.into()))
 }
 
 /// Name for the files of a table: that of its file, numbered if a file is analysed twice.

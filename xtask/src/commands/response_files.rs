@@ -34,7 +34,7 @@ pub(super) fn response(study: &TableStudy, table: &TableAnalysis, analysis: &Ana
         "r2": chosen.r_squared, "adjusted_r2": chosen.adjusted_r_squared, "pse": chosen.pse, "mse": chosen.mse,
         "bic": chosen.bic, "leave_one_out": chosen.leave_one_out, "sigma0_squared": choice.sigma0_squared,
         "level": study.level, "degrees_of_freedom": fitted.degrees_of_freedom,
-        "error_standard_deviation": fitted.error_variance.sqrt(), "search_complete": choice.complete,
+        "error_standard_deviation": fitted.error_variance.sqrt(), "search_complete": choice.complete, "curve_complete": choice.curve_complete,
         "candidates": table.candidates.iter().map(ToString::to_string).collect::<Vec<_>>(),
         "candidates_left_out": left_out,
         "curve": curve(&choice.curve),

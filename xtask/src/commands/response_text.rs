@@ -87,7 +87,11 @@ fn response(text: &mut String, study: &TableStudy, table: &TableAnalysis, analys
         number(choice.sigma0_squared),
         number(fitted.error_variance.sqrt()),
         fitted.degrees_of_freedom,
-        if choice.complete { "" } else { "; the search of all subsets was ended early" }
+        if choice.complete {
+            ""
+        } else {
+            "; the search of all subsets was ended early, another may have a lower PSE"
+        }
     );
     let interval = format!("{} % interval", 100.0 * study.level);
     let mut terms = Table::new(&["term", "coefficient", "standard error", "t", "p", &interval]);
@@ -98,7 +102,11 @@ fn response(text: &mut String, study: &TableStudy, table: &TableAnalysis, analys
             coefficient.term.to_string(),
             number(coefficient.value),
             number(coefficient.standard_error),
-            format!("{:.2}", coefficient.t),
+            if coefficient.t.abs() < 1e6 {
+                format!("{:.2}", coefficient.t)
+            } else {
+                format!("{:.1e}", coefficient.t)
+            },
             probability(coefficient.p_value),
             format!("{} to {}", number(low), number(high)),
         ]);
@@ -140,7 +148,14 @@ fn or_reason<T>(result: &Result<T, Fault>, say: impl Fn(&T) -> String) -> String
 }
 
 fn tests(study: &TableStudy, analysis: &Analysis) -> Vec<String> {
-    let mut lines = vec![
+    let fitted = &analysis.choice.fitted;
+    let mut lines = Vec::new();
+    if fitted.residual_sum <= 1e-24 * fitted.total_sum {
+        lines.push(
+            "the surface goes through all points: errors and tests below are rounding only".to_string(),
+        );
+    }
+    lines.extend([
         format!("all terms: {}", or_reason(&analysis.all_terms, f_test)),
         format!(
             "pure error of a reading: {}",
@@ -151,7 +166,7 @@ fn tests(study: &TableStudy, analysis: &Analysis) -> Vec<String> {
             ))
         ),
         format!("lack of fit: {}", or_reason(&analysis.lack_of_fit, f_test)),
-    ];
+    ]);
     if let Some(share) = &analysis.block_share {
         let say = |share: &response::BlockShare| {
             format!("{:.0} % of the variance; {}", 100.0 * share.removed(), f_test(&share.test()))

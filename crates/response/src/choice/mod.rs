@@ -35,7 +35,8 @@ pub enum Search {
     Ranked,
     /// The same with steps back.
     Stepwise,
-    /// All subsets, by branch and bound; ended early (and said so) if that takes too long.
+    /// All subsets, by branch and bound: first for the lowest predicted squared error, then for every size; each ended early
+    /// (and said so) if it takes too long.
     #[default]
     BestSubset,
 }
@@ -104,8 +105,10 @@ pub struct Choice {
     pub chosen: usize,
     /// sigma0^2, unit of the response squared.
     pub sigma0_squared: f64,
-    /// False if the search of all subsets was ended early.
+    /// False if the search of all subsets was ended before it was certain that no other has a lower predicted squared error.
     pub complete: bool,
+    /// False if that search was ended before the same was certain of the residual sum of every size.
+    pub curve_complete: bool,
 }
 
 /// Candidates that a search can take.
@@ -144,10 +147,13 @@ pub fn choose(data: &Data, response: &str, candidates: &[Term], rules: Rules) ->
         Blocking::Ignored => {}
     }
     let problem = Reduced::new(&always, &columns, &free, &y, rules.hierarchical)?;
-    let (found, complete) = match rules.search {
-        Search::Ranked => (ranked(&problem), true),
-        Search::Stepwise => (stepwise(&problem), true),
-        Search::BestSubset => best_subsets(&problem),
+    let (found, complete, curve_complete) = match rules.search {
+        Search::Ranked => (ranked(&problem), true, true),
+        Search::Stepwise => (stepwise(&problem), true, true),
+        Search::BestSubset => {
+            let subsets = best_subsets(&problem, 2.0 * sigma0_squared);
+            (subsets.found, subsets.lowest_is_certain, subsets.all_are_certain)
+        }
     };
     let basis = Basis::new(&always, &columns, constant.len(), full.total_sum, sigma0_squared)?;
     let curve = found.into_iter().flatten().map(|found| {
@@ -161,7 +167,7 @@ pub fn choose(data: &Data, response: &str, candidates: &[Term], rules: Rules) ->
     };
     let chosen = (0..curve.len()).reduce(lower).unwrap_or(0);
     let fitted = Regression::fit(data, response, &curve[chosen].terms, rules.blocking)?;
-    Ok(Choice { fitted, curve, chosen, sigma0_squared, complete })
+    Ok(Choice { fitted, curve, chosen, sigma0_squared, complete, curve_complete })
 }
 
 fn sigma0_squared(data: &Data, response: &str, full: &Regression, rules: Rules) -> Result<f64, Fault> {

@@ -75,6 +75,11 @@ impl Reduced {
         (0..self.count()).map(|k| 1 << k).sum()
     }
 
+    /// Those that must be in wherever a candidate is.
+    pub(crate) fn needs(&self, candidate: usize) -> Set {
+        self.below[candidate]
+    }
+
     /// True if a candidate may join a set.
     pub(crate) fn may_join(&self, candidate: usize, set: Set) -> bool {
         set >> candidate & 1 == 0 && self.below[candidate] & !set == 0
