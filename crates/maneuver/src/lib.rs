@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod assemble;
+pub mod flutter;
 pub mod history;
 mod operators;
 pub mod rig;
