@@ -49,6 +49,7 @@ pub fn cases() -> impl Iterator<Item = &'static Case> {
         cases::vibrations::CASES,
         cases::laminates::CASES,
         cases::flutter_strips::CASES,
+        cases::flutter_wings::CASES,
     ]
     .into_iter()
     .flatten()

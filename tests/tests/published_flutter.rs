@@ -4,3 +4,13 @@
 fn flutter_typical_section_theodorsen() {
     validation::check("flutter__typical_section_theodorsen");
 }
+
+#[test]
+fn flutter_goland_wing() {
+    validation::check("flutter__goland_wing");
+}
+
+#[test]
+fn flutter_measured_papa_0012_a() {
+    validation::check("flutter_measured__papa_0012_a");
+}

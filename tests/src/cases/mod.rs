@@ -2,6 +2,7 @@
 
 pub mod divergence;
 pub mod flutter_strips;
+pub mod flutter_wings;
 pub mod laminates;
 pub mod pagano;
 pub mod plates;

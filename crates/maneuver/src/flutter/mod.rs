@@ -1,8 +1,10 @@
 //! Flutter and divergence: p-k roots of given masses, stiffnesses and air forces, and eigenvalues of a linear system over airspeed.
 
 mod curves;
+mod divergence;
 mod error;
 mod forces;
+mod modal_air;
 mod pk;
 mod root;
 mod spline;
@@ -11,5 +13,6 @@ mod system;
 pub use curves::{Crossing, FlutterCurves, Root};
 pub use error::FlutterError;
 pub use forces::{FormulaForces, GafTable, GeneralisedForces};
+pub use modal_air::{gaf_table, generalised_forces, incidence_of_motion};
 pub use spline::MatrixSpline;
 pub use system::Aeroelastic;
