@@ -48,6 +48,7 @@ pub fn cases() -> impl Iterator<Item = &'static Case> {
         cases::pagano::CASES,
         cases::vibrations::CASES,
         cases::laminates::CASES,
+        cases::flutter_decks::CASES,
         cases::flutter_strips::CASES,
         cases::flutter_wings::CASES,
     ]

@@ -14,3 +14,8 @@ fn flutter_goland_wing() {
 fn flutter_measured_papa_0012_a() {
     validation::check("flutter_measured__papa_0012_a");
 }
+
+#[test]
+fn flutter_swept15_d10023a() {
+    validation::check("flutter__swept15_d10023a");
+}

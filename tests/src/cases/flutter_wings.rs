@@ -66,7 +66,8 @@ fn goland(case: &Value) -> Vec<Row> {
                 let [mass, stiffness] = wing.matrices();
                 let flutter = first_flutter(mass, stiffness, &forces, &speeds(20.0, 220.0, 41, rho));
                 let row = |what: &str, ours: f64, key: &str| {
-                    let name = format!("{} by {} boxes, {convention}, density {rho}: {what}", mesh[0], mesh[1]);
+                    let name =
+                        format!("{} by {} boxes, {convention}, density {rho}: {what}", mesh[0], mesh[1]);
                     Row::relative(name, ours, number(&entry[key]), 0.01)
                 };
                 rows.push(row("flutter speed (m/s)", flutter.flow.v_m_s, "VF"));
@@ -75,11 +76,19 @@ fn goland(case: &Value) -> Vec<Row> {
         }
     }
     let uvlm = &case["expected"]["uvlm_sharpy_rho_1p02"];
-    let fine = rows.iter().find(|row| row.quantity.starts_with("20 by 8 boxes, I about EA, density 1.02: flutter speed"));
+    let fine = rows
+        .iter()
+        .find(|row| row.quantity.starts_with("20 by 8 boxes, I about EA, density 1.02: flutter speed"));
     let ours = fine.map_or(f64::NAN, |row| row.ours);
     let want = number(&uvlm["V"]);
     let range = crate::numbers(&uvlm["range"]);
-    rows.push(Row::band("beside a vortex lattice in time (m/s)", ours, want, range[0] - want, range[1] - want));
+    rows.push(Row::band(
+        "beside a vortex lattice in time (m/s)",
+        ours,
+        want,
+        range[0] - want,
+        range[1] - want,
+    ));
     rows
 }
 
@@ -88,8 +97,10 @@ fn goland(case: &Value) -> Vec<Row> {
 fn papa(case: &Value) -> Vec<Row> {
     let input = |name: &str| number(&case["inputs"][name]);
     let (chord, span) = (input("chord_in") / 12.0, input("semi_span_in") / 12.0);
-    let lattice = Lattice::trapezoid(1, [0.0; 3], chord, [0.0, span, 0.0], chord, [12, 20]).expect("a rectangle");
-    let motion = |mode: usize, x: f64, _y: f64| if mode == 0 { (-1.0, 0.0) } else { (-(x - chord / 2.0), 1.0) };
+    let lattice =
+        Lattice::trapezoid(1, [0.0; 3], chord, [0.0, span, 0.0], chord, [12, 20]).expect("a rectangle");
+    let motion =
+        |mode: usize, x: f64, _y: f64| if mode == 0 { (-1.0, 0.0) } else { (-(x - chord / 2.0), 1.0) };
     let diagonal = |a: f64, b: f64| Mat::from_fn(2, 2, |i, j| if i == j { [a, b][i] } else { 0.0 });
     let mut rows = Vec::new();
     for entry in list(&case["expected"]) {
@@ -112,11 +123,23 @@ fn papa(case: &Value) -> Vec<Row> {
         let measured = number(&entry["q_psf"]);
         let name = format!("Mach {mach} flutter pressure (psf)");
         // The case asks for 10 % below Mach 0.7 and nothing above.
-        rows.push(if mach < 0.7 { Row::relative(name, q, measured, 0.1) } else { Row::record(name, q, measured) });
+        rows.push(if mach < 0.7 {
+            Row::relative(name, q, measured, 0.1)
+        } else {
+            Row::record(name, q, measured)
+        });
         rows.push(Row::relative(format!("Mach {mach} frequency (Hz)"), f, number(&entry["f_hz"]), 0.04));
         let other = &entry["own_dlm_at_test_V"][1];
-        rows.push(Row::record(format!("Mach {mach} beside another lattice: pressure (psf)"), q, number(&other["q"])));
-        rows.push(Row::record(format!("Mach {mach} beside another lattice: frequency (Hz)"), f, number(&other["f"])));
+        rows.push(Row::record(
+            format!("Mach {mach} beside another lattice: pressure (psf)"),
+            q,
+            number(&other["q"]),
+        ));
+        rows.push(Row::record(
+            format!("Mach {mach} beside another lattice: frequency (Hz)"),
+            f,
+            number(&other["f"]),
+        ));
     }
     rows
 }

@@ -35,7 +35,9 @@ impl Aeroelastic<'_> {
             let pressure = self.divergence_pressure(v)?;
             Ok(pressure.map_or(f64::NEG_INFINITY, |q_d| v - (2.0 * q_d / rho_kg_m3).sqrt()))
         };
-        let Some(&first) = speeds_m_s.first() else { return Err(FlutterError::Empty("the list of airspeeds")) };
+        let Some(&first) = speeds_m_s.first() else {
+            return Err(FlutterError::Empty("the list of airspeeds"));
+        };
         let mut low = first;
         if over(first)? >= 0.0 {
             return Ok(Some(first));

@@ -64,10 +64,7 @@ impl Aeroelastic<'_> {
                 return Err(FlutterError::Number { what, value, expected: "positive" });
             }
         }
-        let vacuum = Leg {
-            from: Place { flow: *first, share: 0.0 },
-            to: Place { flow: *first, share: 1.0 },
-        };
+        let vacuum = Leg { from: Place { flow: *first, share: 0.0 }, to: Place { flow: *first, share: 1.0 } };
         let mut curves = FlutterCurves { flows: flows.to_vec(), branches: Vec::new(), crossings: Vec::new() };
         for (branch, state) in self.modes()?.into_iter().enumerate() {
             let mut track = self.march(Track { state, before: None }, vacuum, 1.0, branch)?;
@@ -111,7 +108,11 @@ impl Aeroelastic<'_> {
             let value = eigen.S()[i];
             if !(value.re > 0.0 && value.im.abs() <= 1e-9 * value.re) {
                 let expected = "positive (a coordinate without stiffness cannot be followed from rest)";
-                return Err(FlutterError::Number { what: "the square of a natural frequency", value: value.re, expected });
+                return Err(FlutterError::Number {
+                    what: "the square of a natural frequency",
+                    value: value.re,
+                    expected,
+                });
             }
             let u = (0..n).map(|row| eigen.U()[(row, i)]).collect();
             states.push(State { p: c64::new(0.0, value.re.sqrt()), u, real: false, beyond: false });
@@ -196,9 +197,8 @@ impl Aeroelastic<'_> {
         let at = |p: f64| self.matrix(c64::from(p), forces, place.flow, place.share);
         let (rest, rate) = (at(0.0), self.slope(c64::default(), forces, place.flow, place.share));
         let mass = self.mass().to_owned().partial_piv_lu();
-        let right = Mat::from_fn(n, 2 * n, |i, j| {
-            if j < n { -rest[(i, j)].re } else { -rate[(i, j - n)].re }
-        });
+        let right =
+            Mat::from_fn(n, 2 * n, |i, j| if j < n { -rest[(i, j)].re } else { -rate[(i, j - n)].re });
         let lower = faer::linalg::solvers::Solve::solve(&mass, right);
         let a = Mat::from_fn(2 * n, 2 * n, |i, j| match i.checked_sub(n) {
             None => f64::from(u8::from(j == i + n)),
@@ -216,7 +216,13 @@ impl Aeroelastic<'_> {
     }
 
     /// Where a branch changes the sign of its growth rate between both ends of a leg.
-    fn crossing(&self, from: &Track, to: &Track, leg: Leg, branch: usize) -> Result<Option<Crossing>, FlutterError> {
+    fn crossing(
+        &self,
+        from: &Track,
+        to: &Track,
+        leg: Leg,
+        branch: usize,
+    ) -> Result<Option<Crossing>, FlutterError> {
         let (mut low, mut high) = ((0.0, from.state.p.re), (1.0, to.state.p.re));
         if (low.1 > 0.0) == (high.1 > 0.0) {
             return Ok(None);

@@ -95,11 +95,8 @@ impl Aeroelastic<'_> {
             let point = self.point(state.p, kappa, state.real, place)?;
             state.beyond = point.beyond;
             let (steps, dp) = bordered(&point, &state.u);
-            let dkappa = if state.real {
-                0.0
-            } else {
-                ((state.p + dp[0]).im / v - kappa) / (1.0 - dp[1].im / v)
-            };
+            let dkappa =
+                if state.real { 0.0 } else { ((state.p + dp[0]).im / v - kappa) / (1.0 - dp[1].im / v) };
             let step = dp[0] + dp[1] * dkappa;
             if !step.norm().is_finite() {
                 return Err(Missed::Far);

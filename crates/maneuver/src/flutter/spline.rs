@@ -24,7 +24,9 @@ impl MatrixSpline {
     /// If there is no knot, the knots do not rise, or sizes differ.
     pub fn new(knots: Vec<f64>, values: Vec<Mat<c64>>) -> Result<Self, FlutterError> {
         let Some(first) = values.first() else { return Err(FlutterError::Empty("a table of matrices")) };
-        if let Some(pair) = knots.windows(2).find(|pair| pair[0].partial_cmp(&pair[1]) != Some(std::cmp::Ordering::Less)) {
+        if let Some(pair) =
+            knots.windows(2).find(|pair| pair[0].partial_cmp(&pair[1]) != Some(std::cmp::Ordering::Less))
+        {
             return Err(FlutterError::NotRising { first: pair[0], second: pair[1] });
         }
         let odd = values.iter().find(|v| (v.nrows(), v.ncols()) != (first.nrows(), first.ncols()));
@@ -171,6 +173,8 @@ mod tests {
         assert!(MatrixSpline::new(vec![1.0, 1.0], values(2)).is_err());
         assert!(MatrixSpline::new(vec![1.0, f64::NAN], values(2)).is_err());
         assert!(MatrixSpline::new(vec![1.0, 2.0], values(3)).is_err());
-        assert!(MatrixSpline::new(vec![1.0, 2.0], vec![scalar(c64::new(1.0, 0.0)), Mat::zeros(2, 2)]).is_err());
+        assert!(
+            MatrixSpline::new(vec![1.0, 2.0], vec![scalar(c64::new(1.0, 0.0)), Mat::zeros(2, 2)]).is_err()
+        );
     }
 }

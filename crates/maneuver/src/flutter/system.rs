@@ -45,7 +45,8 @@ impl<'a> Aeroelastic<'a> {
         forces: &'a dyn GeneralisedForces,
     ) -> Result<Self, FlutterError> {
         let expected = forces.size();
-        for (what, matrix) in [("the mass", &mass), ("the damping", &damping), ("the stiffness", &stiffness)] {
+        for (what, matrix) in [("the mass", &mass), ("the damping", &damping), ("the stiffness", &stiffness)]
+        {
             let (rows, columns) = (matrix.nrows(), matrix.ncols());
             if (rows, columns) != (expected, expected) {
                 return Err(FlutterError::Size { what, rows, columns, expected });
