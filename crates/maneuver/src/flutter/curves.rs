@@ -1,5 +1,6 @@
 //! Results of a stability analysis: roots over airspeed, and where they change their stability.
 
+use super::FlutterError;
 use aero::Flow;
 use faer::c64;
 use std::f64::consts::TAU;
@@ -46,15 +47,36 @@ pub struct Crossing {
 pub struct FlutterCurves {
     /// The flows, in the order asked for.
     pub flows: Vec<Flow>,
-    /// A list for each mode in ascending frequency: its root at each flow, or why it could not be followed so far.
+    /// A list for each mode in ascending frequency: its root at each flow. A list that is shorter than the flows belongs to a
+    /// mode that could not be followed further.
     pub branches: Vec<Vec<Root>>,
     /// Changes of stability, in the order of the flows.
     pub crossings: Vec<Crossing>,
+    /// Why modes could not be followed to the last flow.
+    pub lost: Vec<FlutterError>,
 }
 
 impl FlutterCurves {
     /// The first oscillation that becomes unstable.
     pub fn flutter(&self) -> Option<&Crossing> {
         self.crossings.iter().find(|crossing| crossing.unstable && crossing.omega_rad_s > 0.0)
+    }
+
+    /// Sorts the crossings along the flows.
+    pub(super) fn sort(&mut self) {
+        let flows = &self.flows;
+        let leg = |crossing: &Crossing| {
+            flows.windows(2).position(|pair| {
+                let inside = |of: fn(&Flow) -> f64| {
+                    let (a, b, x) = (of(&pair[0]), of(&pair[1]), of(&crossing.flow));
+                    a.min(b) <= x && x <= a.max(b)
+                };
+                inside(|flow| flow.v_m_s) && inside(|flow| flow.rho_kg_m3)
+            })
+        };
+        self.crossings.sort_by(|a, b| {
+            let same_leg = leg(a).cmp(&leg(b));
+            same_leg.then(a.flow.dynamic_pressure_pa().total_cmp(&b.flow.dynamic_pressure_pa()))
+        });
     }
 }

@@ -55,46 +55,69 @@ impl Aeroelastic<'_> {
     /// round-off; so a sweep may be one of airspeed, of density, or matched.
     ///
     /// # Errors
-    /// If there is no flow, an airspeed or density is not positive, the structure has no modes (a singular mass), or a mode
-    /// is lost.
+    /// If there is no flow, an airspeed or density is not positive, or a natural frequency is zero. A mode that cannot be
+    /// followed to the end is no error, but stands in [`FlutterCurves::lost`].
     pub fn pk(&self, flows: &[Flow]) -> Result<FlutterCurves, FlutterError> {
-        let Some(first) = flows.first() else { return Err(FlutterError::Empty("the list of flows")) };
+        if flows.is_empty() {
+            return Err(FlutterError::Empty("the list of flows"));
+        }
         for (what, value) in flows.iter().flat_map(|f| [("airspeed", f.v_m_s), ("density", f.rho_kg_m3)]) {
             if !(value > 0.0 && value.is_finite()) {
                 return Err(FlutterError::Number { what, value, expected: "positive" });
             }
         }
-        let vacuum = Leg { from: Place { flow: *first, share: 0.0 }, to: Place { flow: *first, share: 1.0 } };
-        let mut curves = FlutterCurves { flows: flows.to_vec(), branches: Vec::new(), crossings: Vec::new() };
+        let mut curves = FlutterCurves {
+            flows: flows.to_vec(),
+            branches: Vec::new(),
+            crossings: Vec::new(),
+            lost: Vec::new(),
+        };
         for (branch, state) in self.modes()?.into_iter().enumerate() {
-            let mut track = self.march(Track { state, before: None }, vacuum, 1.0, branch)?;
-            track.before = None;
-            let mut roots = vec![root_of(&track.state)];
-            for pair in flows.windows(2) {
-                let leg = Leg { from: vacuum.to, to: vacuum.to }.between(pair[0], pair[1]);
-                let next = self.march(track.clone(), leg, 1.0, branch)?;
-                if let Some(crossing) = self.crossing(&track, &next, leg, branch)? {
-                    curves.crossings.push(crossing);
+            let mut roots = Vec::with_capacity(flows.len());
+            match self.follow(Track { state, before: None }, &curves.flows, branch, &mut roots) {
+                Ok(crossings) => curves.crossings.extend(crossings),
+                Err((crossings, error @ FlutterError::Lost { .. })) => {
+                    curves.crossings.extend(crossings);
+                    curves.lost.push(error);
                 }
-                roots.push(root_of(&next.state));
-                track = next;
+                Err((_, error)) => return Err(error),
             }
             curves.branches.push(roots);
         }
-        let order = |crossing: &Crossing| {
-            flows.windows(2).position(|pair| {
-                let inside = |f: fn(&Flow) -> f64| {
-                    let (a, b, x) = (f(&pair[0]), f(&pair[1]), f(&crossing.flow));
-                    a.min(b) <= x && x <= a.max(b)
-                };
-                inside(|flow| flow.v_m_s) && inside(|flow| flow.rho_kg_m3)
-            })
-        };
-        curves.crossings.sort_by(|a, b| {
-            let same_leg = order(a).cmp(&order(b));
-            same_leg.then(a.flow.dynamic_pressure_pa().total_cmp(&b.flow.dynamic_pressure_pa()))
-        });
+        curves.sort();
         Ok(curves)
+    }
+
+    /// Follows one mode, first from a vacuum into the first flow; what was found stands beside an error.
+    fn follow(
+        &self,
+        start: Track,
+        flows: &[Flow],
+        branch: usize,
+        roots: &mut Vec<Root>,
+    ) -> Result<Vec<Crossing>, (Vec<Crossing>, FlutterError)> {
+        let mut crossings = Vec::new();
+        let still = |share: f64| Place { flow: flows[0], share };
+        let vacuum = Leg { from: still(0.0), to: still(1.0) };
+        let fail = |error| (Vec::new(), error);
+        let mut track = self.march(start, vacuum, 1.0, branch).map_err(fail)?;
+        track.before = None;
+        roots.push(root_of(&track.state));
+        for pair in flows.windows(2) {
+            let [from, to] = [pair[0], pair[1]].map(|flow| Place { flow, share: 1.0 });
+            let leg = Leg { from, to };
+            let next = match self.march(track.clone(), leg, 1.0, branch) {
+                Ok(next) => next,
+                Err(error) => return Err((crossings, error)),
+            };
+            match self.crossing(&track, &next, leg, branch) {
+                Ok(found) => crossings.extend(found),
+                Err(error) => return Err((crossings, error)),
+            }
+            roots.push(root_of(&next.state));
+            track = next;
+        }
+        Ok(crossings)
     }
 
     /// Modes in a vacuum, ascending.
@@ -252,12 +275,6 @@ impl Aeroelastic<'_> {
             unstable,
             beyond_table: at.state.beyond,
         }))
-    }
-}
-
-impl Leg {
-    fn between(self, from: Flow, to: Flow) -> Self {
-        Self { from: Place { flow: from, ..self.from }, to: Place { flow: to, ..self.to } }
     }
 }
 
