@@ -43,6 +43,7 @@ fn run(cli: &Cli) -> Result<(), Failure> {
         | Command::Tunnel(_)
         | Command::Modes(_)
         | Command::Deck(_)
+        | Command::Flutter(_)
         | Command::Validate(_),
         Some(out),
     ) = (&cli.command, &common.out)
@@ -58,6 +59,7 @@ fn run(cli: &Cli) -> Result<(), Failure> {
         Command::Tunnel(args) => commands::tunnel::run(args, common),
         Command::Modes(args) => commands::modes::run(args, common),
         Command::Deck(args) => commands::deck::run(args, common),
+        Command::Flutter(args) => commands::flutter::run(args, common),
         Command::Validate(args) => commands::validate::run(args, common),
         Command::Bench(args) => commands::bench::run(args, common),
         Command::Tidy(args) => commands::tidy::run(args, common),

@@ -9,6 +9,8 @@ mod calibrate_common;
 mod calibrate_figures;
 mod calibrate_strips;
 pub(crate) mod deck;
+pub(crate) mod flutter;
+mod flutter_figures;
 pub(crate) mod fullaircraft;
 mod fullaircraft_figures;
 pub(crate) mod modes;

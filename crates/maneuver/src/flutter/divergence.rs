@@ -25,34 +25,42 @@ impl Aeroelastic<'_> {
         Ok((largest > 0.0).then(|| 1.0 / largest))
     }
 
-    /// Lowest divergence airspeed at a density, m/s, looked for between two airspeeds in steps: exact where the forces do not
-    /// depend on the airspeed; where they do, the first airspeed at which the pressure of divergence is reached.
+    /// Lowest divergence airspeed at a density, m/s, up to the last of rising airspeeds (see [`first_divergence`]).
     ///
     /// # Errors
     /// As [`Aeroelastic::divergence_pressure`].
     pub fn divergence_speed(&self, rho_kg_m3: f64, speeds_m_s: &[f64]) -> Result<Option<f64>, FlutterError> {
-        let over = |v: f64| -> Result<f64, FlutterError> {
-            let pressure = self.divergence_pressure(v)?;
-            Ok(pressure.map_or(f64::NEG_INFINITY, |q_d| v - (2.0 * q_d / rho_kg_m3).sqrt()))
-        };
-        let Some(&first) = speeds_m_s.first() else {
-            return Err(FlutterError::Empty("the list of airspeeds"));
-        };
-        let mut low = first;
-        if over(first)? >= 0.0 {
-            return Ok(Some(first));
-        }
-        for &speed in &speeds_m_s[1..] {
-            if over(speed)? >= 0.0 {
-                let mut high = speed;
-                while high - low > 1e-10 * high {
-                    let middle = f64::midpoint(low, high);
-                    if over(middle)? >= 0.0 { high = middle } else { low = middle }
-                }
-                return Ok(Some(high));
-            }
-            low = speed;
-        }
-        Ok(None)
+        first_divergence(speeds_m_s, |v_m_s| {
+            Ok(self.divergence_pressure(v_m_s)?.map(|q_pa| (2.0 * q_pa / rho_kg_m3).sqrt()))
+        })
     }
+}
+
+/// The lowest airspeed that is its own divergence speed, m/s, where `divergence_at` gives the divergence speed of the forces at
+/// an airspeed (they may depend on it by their corrections). Rising airspeeds bracket it; `None` if it is above the last.
+/// If the first diverges already, it is returned.
+///
+/// # Errors
+/// What `divergence_at` reports.
+pub fn first_divergence<E>(
+    speeds_m_s: &[f64],
+    mut divergence_at: impl FnMut(f64) -> Result<Option<f64>, E>,
+) -> Result<Option<f64>, E> {
+    let mut reached =
+        |v_m_s: f64| -> Result<bool, E> { Ok(divergence_at(v_m_s)?.is_some_and(|limit| v_m_s >= limit)) };
+    let mut low = None;
+    for &speed in speeds_m_s {
+        if !reached(speed)? {
+            low = Some(speed);
+            continue;
+        }
+        let Some(mut low) = low else { return Ok(Some(speed)) };
+        let mut high = speed;
+        while high - low > 1e-10 * high {
+            let middle = f64::midpoint(low, high);
+            if reached(middle)? { high = middle } else { low = middle }
+        }
+        return Ok(Some(high));
+    }
+    Ok(None)
 }

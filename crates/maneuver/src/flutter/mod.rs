@@ -14,6 +14,7 @@ mod state_space;
 mod system;
 
 pub use curves::{Crossing, FlutterCurves, Root};
+pub use divergence::first_divergence;
 pub use error::FlutterError;
 pub use forces::{FormulaForces, GafTable, GeneralisedForces};
 pub use modal_air::{gaf_table, generalised_forces, incidence_of_motion};
