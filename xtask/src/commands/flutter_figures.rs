@@ -8,8 +8,8 @@ use report::{Figure, Panel, Series, Style};
 use super::flutter::Stability;
 
 /// Modes drawn; the table has all.
-const DRAWN: usize = 8;
-/// Damping g below which a mode is not drawn: it is far from flutter and would squeeze the others.
+const DRAWN: usize = 7;
+/// Damping g below which a mode is drawn at it: it is far from flutter and would squeeze the others.
 const LEAST: f64 = -0.5;
 
 /// Airspeed, then frequency (Hz) and damping g of every mode; empty where a mode does not oscillate or was not followed.
@@ -39,17 +39,15 @@ pub(super) fn figure(model: &Stability) -> Figure {
     let methods = [("state matrix", &model.state_matrix), ("p-k on the doublet lattice", &model.p_k)];
     let mut panels = Vec::new();
     for (name, curves) in methods {
-        let drawn = curves.branches.iter().filter(|branch| branch.iter().any(visible)).take(DRAWN);
-        let drawn: Vec<&Vec<Root>> = drawn.collect();
-        for (label, value) in [
-            ("damping g", (|root: &Root| root.damping_g().unwrap_or(f64::NAN)) as fn(&Root) -> f64),
-            ("frequency (Hz)", Root::frequency_hz),
-        ] {
-            let series = drawn.iter().enumerate().map(|(i, branch)| {
-                let seen = |root: &Root| if visible(root) { value(root) } else { f64::NAN };
-                let y: Vec<f64> = branch.iter().map(seen).collect();
-                let x = curves.flows.iter().take(y.len()).map(|flow| flow.v_m_s).collect();
-                Series::new(format!("mode {}", i + 1), x, y, Style::Line)
+        let value: [(&str, fn(&Root) -> f64); 2] = [
+            ("damping g, not below -0.5", |root| root.damping_g().map_or(f64::NAN, |g| g.max(LEAST))),
+            ("frequency (Hz)", |root| if root.p.im > 0.0 { root.frequency_hz() } else { f64::NAN }),
+        ];
+        for (label, value) in value {
+            let series = curves.branches.iter().take(DRAWN).enumerate().map(|(mode, branch)| {
+                let x = curves.flows.iter().take(branch.len()).map(|flow| flow.v_m_s).collect();
+                let y = branch.iter().map(value).collect();
+                Series::new(format!("mode {}", mode + 1), x, y, Style::Line)
             });
             panels.push(Panel {
                 title: name.into(),
@@ -60,8 +58,4 @@ pub(super) fn figure(model: &Stability) -> Figure {
         }
     }
     Figure { title: format!("Stability of the {} model", model.name), panels, columns: 2 }
-}
-
-fn visible(root: &Root) -> bool {
-    root.damping_g().is_some_and(|g| g > LEAST)
 }

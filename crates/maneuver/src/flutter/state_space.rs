@@ -15,6 +15,8 @@ const ROUND_OFF: f64 = 1e-12;
 const REAL: f64 = 1e-9;
 /// Accuracy of a change of stability, as a share of the airspeed.
 const ACCURACY: f64 = 1e-10;
+/// Damping, a share of critical, below which an eigenvalue at the first flow is a mode (and not, say, an actuator).
+const MODE: f64 = 0.5;
 /// Halvings of the way between two flows for the curves.
 const HALVINGS: u32 = 6;
 /// Likeness of shapes below which steps are halved.
@@ -57,7 +59,8 @@ impl Spectrum {
     }
 }
 
-/// Eigenvalues that oscillate at the first flow, followed through the list, and every change of stability.
+/// Eigenvalues that oscillate at the first flow with less than half the critical damping, followed through the list, and every
+/// change of stability (of all eigenvalues; it is ascribed to the branch nearest in frequency).
 ///
 /// A list of a branch ends where its eigenvalue does not oscillate any more. `matrix` gives A at a flow; flows in between
 /// are asked for too.
@@ -71,8 +74,8 @@ pub fn flutter_of_state_space<E: From<FlutterError>>(
     let mut at = |flow: Flow| -> Result<Spectrum, E> { Ok(Spectrum::new(&matrix(flow)?)?) };
     let Some(&first) = flows.first() else { return Err(FlutterError::Empty("the list of flows").into()) };
     let mut here = at(first)?;
-    let mut places: Vec<usize> =
-        (0..here.values.len()).filter(|i| Spectrum::oscillates(here.values[*i])).collect();
+    let mode = |value: c64| Spectrum::oscillates(value) && value.re.abs() < MODE * value.norm();
+    let mut places: Vec<usize> = (0..here.values.len()).filter(|i| mode(here.values[*i])).collect();
     places.sort_by(|a, b| here.values[*a].im.total_cmp(&here.values[*b].im));
     let mut curves = FlutterCurves {
         flows: flows.to_vec(),
