@@ -48,6 +48,8 @@ pub fn cases() -> impl Iterator<Item = &'static Case> {
         cases::pagano::CASES,
         cases::vibrations::CASES,
         cases::laminates::CASES,
+        cases::gusts::CASES,
+        cases::gust_bah::CASES,
         cases::flutter_decks::CASES,
         cases::flutter_strips::CASES,
         cases::flutter_wings::CASES,

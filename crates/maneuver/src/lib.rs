@@ -2,6 +2,7 @@
 
 mod assemble;
 pub mod flutter;
+pub mod gust;
 pub mod history;
 mod operators;
 pub mod rig;

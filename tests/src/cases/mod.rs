@@ -4,6 +4,8 @@ pub mod divergence;
 pub mod flutter_decks;
 pub mod flutter_strips;
 pub mod flutter_wings;
+pub mod gust_bah;
+pub mod gusts;
 pub mod laminates;
 pub mod pagano;
 pub mod plates;
