@@ -19,3 +19,8 @@ fn flutter_measured_papa_0012_a() {
 fn flutter_swept15_d10023a() {
     validation::check("flutter__swept15_d10023a");
 }
+
+#[test]
+fn flutter_0012_pknl() {
+    validation::check("flutter__flutter_0012_pknl");
+}

@@ -1,13 +1,14 @@
 //! Flutter of wings on the doublet lattice, with known modes (data/published/flutter*__*.json).
 
-use super::flutter_strips::{Goland, first_flutter, goland_strips, speeds};
+use super::flutter_decks::NASTRAN;
+use super::flutter_strips::{Goland, first_flutter, goland_strips, natural_rad_s, speeds};
 use crate::half_wing::WALL;
 use crate::registry::Case;
-use crate::row::Row;
-use crate::{list, number};
-use aero::{DlmSettings, DoubletLattice, Flow, Lattice};
+use crate::row::{Row, worst};
+use crate::{list, number, numbers};
+use aero::{DlmSettings, DoubletLattice, Flow, Lattice, MirrorPlane};
 use faer::Mat;
-use maneuver::flutter::{Aeroelastic, GafTable, gaf_table};
+use maneuver::flutter::{Aeroelastic, FlutterCurves, GafTable, gaf_table};
 use serde_json::Value;
 use std::f64::consts::TAU;
 
@@ -15,6 +16,7 @@ use std::f64::consts::TAU;
 pub const CASES: &[Case] = &[
     Case { file: "flutter__goland_wing", run: goland },
     Case { file: "flutter_measured__papa_0012_a", run: papa },
+    Case { file: "flutter__flutter_0012_pknl", run: rigid_plate },
 ];
 
 /// A table of a half wing beside the wall for box motions `(mode, x, y) -> (h up, nose-up angle)` at box midpoints, at
@@ -142,4 +144,82 @@ fn papa(case: &Value) -> Vec<Row> {
         ));
     }
     rows
+}
+
+/// A rigid plate 10 m by 1 m on springs at its leading edge, airspeed and density matched along an atmosphere. Facts of
+/// pyNastran's model `models/aero/2_mode_flutter` (github.com/SteveDoyle2/pyNastran, BSD-3): 10 mm of 2800 kg/m3 in elements
+/// of lumped mass over grids at x = 0, .333, .667 and 1 m; 1e5 N/m and 1e5 N m/rad; 20 by 5 boxes, no symmetry.
+fn rigid_plate(case: &Value) -> Vec<Row> {
+    let expected = &case["expected"];
+    // a quarter of each element's mass goes to each of its corners
+    let (mass, x) = (280.0, [0.0, 0.333, 0.667, 1.0]);
+    let lumps: Vec<f64> = (0..4)
+        .map(|i| {
+            let left = if i > 0 { x[i] - x[i - 1] } else { 0.0 };
+            let right = if i < 3 { x[i + 1] - x[i] } else { 0.0 };
+            0.5 * mass * (left + right)
+        })
+        .collect();
+    let moment = |power: i32| -> f64 { lumps.iter().zip(x).map(|(m, x)| m * x.powi(power)).sum() };
+    // displacement up and nose-up angle about the leading edge: z = h - x theta
+    let entries = [mass, -moment(1), -moment(1), moment(2)];
+    let inertia = Mat::from_fn(2, 2, |i, j| entries[2 * i + j]);
+    let stiffness = Mat::from_fn(2, 2, |i, j| if i == j { 1e5 } else { 0.0 });
+    let (f, g) = (number(&case["tolerance"]["f"]), 0.01);
+    let mut rows = Vec::new();
+    for (i, omega) in natural_rad_s(&inertia, &stiffness).into_iter().enumerate() {
+        let want = number(&expected["modes_hz"][i]);
+        rows.push(Row::relative(format!("mode {} (Hz)", i + 1), omega / TAU, want, f));
+    }
+    // k, 1/k, density, Mach number, airspeed, g, Hz
+    let printed = ["1", "2"].map(|mode| -> Vec<Vec<f64>> {
+        list(&expected["flutter"][mode]["rows"]).iter().map(numbers).collect()
+    });
+    let flows: Vec<Flow> = printed[0].iter().map(|row| Flow { v_m_s: row[4], rho_kg_m3: row[2] }).collect();
+    // The print is that of the Mach number before the last of the source's list: see the note in tests/README.md.
+    let curves = plate_curves(&inertia, &stiffness, 0.4, &flows);
+    for (mode, table) in printed.iter().enumerate() {
+        let [mut damping, mut frequency, mut collapsing] = [Vec::new(), Vec::new(), Vec::new()];
+        for (root, row) in curves.branches[mode].iter().zip(table) {
+            let at = format!("at {} m/s, {} kg/m3", row[4], row[2]);
+            let hz = Row::relative(at.clone(), root.frequency_hz(), row[6], f);
+            if row[6] == 0.0 {
+                frequency.push(Row::absolute(at, root.frequency_hz(), 0.0, 0.0));
+            } else if row[5] < -3.0 {
+                collapsing.push(hz);
+            } else {
+                damping.push(Row::absolute(at, root.damping_g().unwrap_or(f64::NAN), row[5], g));
+                frequency.push(hz);
+            }
+        }
+        rows.push(worst(&format!("mode {} damping g", mode + 1), damping));
+        rows.push(worst(&format!("mode {} frequency (Hz)", mode + 1), frequency));
+        if !collapsing.is_empty() {
+            let reason = "the root is about to stop oscillating, where its frequency falls without bound";
+            let row = worst(&format!("mode {} frequency (Hz), damping g below -3", mode + 1), collapsing);
+            rows.push(row.known(0.02, 0.035, reason));
+        }
+    }
+    let flutter = |mach: f64| {
+        plate_curves(&inertia, &stiffness, mach, &flows).flutter().map_or(f64::NAN, |c| c.flow.rho_kg_m3)
+    };
+    rows.push(Row::record("flutter density at Mach 0.5, beside 0.4 (kg/m3)", flutter(0.5), flutter(0.4)));
+    rows
+}
+
+/// Roots of the rigid plate with forces of a Mach number.
+fn plate_curves(inertia: &Mat<f64>, stiffness: &Mat<f64>, mach: f64, flows: &[Flow]) -> FlutterCurves {
+    let lattice = Lattice::trapezoid(1, [0.0; 3], 1.0, [0.0, 10.0, 0.0], 1.0, [5, 20]).expect("a rectangle");
+    let motion = Mat::from_fn(2 * lattice.len(), 2, |row, mode| match (row % 2, mode) {
+        (0, 0) | (1, 1) => 1.0,
+        (0, _) => -lattice.boxes[row / 2].mid_point().x,
+        _ => 0.0,
+    });
+    let doublets = DoubletLattice::new(&lattice, MirrorPlane::None, mach, &NASTRAN).expect("one wing");
+    let kappa = UP_TO_ONE.map(|k| 2.0 * k);
+    let forces = gaf_table(&lattice, &doublets, motion.as_ref(), None, &kappa).expect("rising frequencies");
+    let none = Mat::zeros(2, 2);
+    let system =
+        Aeroelastic::new(inertia.clone(), none, stiffness.clone(), &forces).expect("two coordinates");
+    system.pk(flows).unwrap_or_else(|error| panic!("{error}"))
 }
