@@ -48,6 +48,7 @@ pub fn cases() -> impl Iterator<Item = &'static Case> {
         cases::pagano::CASES,
         cases::vibrations::CASES,
         cases::laminates::CASES,
+        cases::unsteady2d::CASES,
         cases::gusts::CASES,
         cases::gust_bah::CASES,
         cases::flutter_decks::CASES,
@@ -64,7 +65,6 @@ pub const LISTED: &[(&str, &str)] = &[
     ("dlm__dlm_aic_swept_taper_dihedral_sym", "compared in tests/published_dlm.rs; not a row of this table"),
     ("dlm__dlm_gaf_subsonic", "compared in tests/published_dlm.rs; not a row of this table"),
     ("dlm__dlm_vanzyl_AR20_pitch", "compared in tests/published_dlm.rs; not a row of this table"),
-    ("unsteady2d__theodorsen", "compared in tests/published_dlm.rs; not a row of this table"),
     ("fem__ha144ds_modes", "the deck of the half model is not in the file, only its frequencies"),
     (
         "fem_measured__tang_dowell_modes",

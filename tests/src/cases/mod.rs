@@ -11,6 +11,7 @@ pub mod pagano;
 pub mod plates;
 pub mod shells;
 pub mod solids;
+pub mod unsteady2d;
 pub mod vibrations;
 pub mod vlm;
 pub mod wings;
