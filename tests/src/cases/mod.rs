@@ -1,6 +1,7 @@
 //! The published cases, a file for each family; every file has its `CASES`, which the registry lists.
 
 pub mod divergence;
+pub mod dlm;
 pub mod flutter_decks;
 pub mod flutter_strips;
 pub mod flutter_wings;
