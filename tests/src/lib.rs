@@ -8,6 +8,7 @@ pub mod fem;
 pub mod half_wing;
 pub mod registry;
 pub mod row;
+pub mod theodorsen;
 
 pub use registry::{Case, Outcome, check};
 pub use row::{Row, Tolerance, Verdict};

@@ -74,6 +74,8 @@ pub enum Command {
     Deck(DeckArgs),
     /// Response surfaces of measured coefficients: terms chosen by the predicted squared error, and their tests
     Response(Box<ResponseArgs>),
+    /// Flutter and divergence speeds of the wing, initial beside updated, by two methods, with V-g and V-f curves
+    Flutter(FlutterArgs),
     /// Our results beside every published reference
     Validate(ValidateArgs),
     /// Time of the main steps
@@ -264,6 +266,30 @@ pub struct ResponseArgs {
     /// Standard deviation of the error of a point of the fields, mm [default: 0.05]
     #[arg(long, value_name = "W", requires = "displacement")]
     pub sigma_w_mm: Option<f64>,
+}
+
+/// Options of `flutter`.
+#[derive(Debug, Clone, Default, Args)]
+pub struct FlutterArgs {
+    /// The wing [default: data/tuflex/wing.ron]
+    #[arg(long, value_name = "FILE")]
+    pub wing: Option<PathBuf>,
+    /// Corrections from `calibrate` [default: out/calibrate's if of the same wing, else calibrated first]
+    #[arg(long, value_name = "FILE")]
+    pub corrections: Option<PathBuf>,
+    /// The folder of measurements, for its air density [default: data/tuflex/measured]
+    #[arg(long, value_name = "DIR")]
+    pub campaign: Option<PathBuf>,
+    /// Highest airspeed looked at, m/s [default: 100, up to which air is nearly incompressible]
+    #[arg(long, value_name = "V", value_parser = airspeed)]
+    pub to: Option<f64>,
+}
+
+fn airspeed(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(v_m_s) if v_m_s > 0.0 && v_m_s <= 300.0 => Ok(v_m_s),
+        _ => Err("expected an airspeed above 0 and up to 300 m/s".into()),
+    }
 }
 
 /// Options of `validate`.

@@ -45,6 +45,7 @@ fn run(cli: &Cli) -> Result<(), Failure> {
         | Command::Modes(_)
         | Command::Deck(_)
         | Command::Response(_)
+        | Command::Flutter(_)
         | Command::Validate(_),
         Some(out),
     ) = (&cli.command, &common.out)
@@ -62,6 +63,7 @@ fn run(cli: &Cli) -> Result<(), Failure> {
         Command::Modes(args) => commands::modes::run(args, common),
         Command::Deck(args) => commands::deck::run(args, common),
         Command::Response(args) => commands::response::run(args, common),
+        Command::Flutter(args) => commands::flutter::run(args, common),
         Command::Validate(args) => commands::validate::run(args, common),
         Command::Bench(args) => commands::bench::run(args, common),
         Command::Tidy(args) => commands::tidy::run(args, common),

@@ -4,6 +4,8 @@ pub mod air;
 mod assemble;
 pub mod deflection;
 pub mod deflection_fit;
+pub mod flutter;
+pub mod gust;
 pub mod history;
 mod linear;
 mod load_rows;

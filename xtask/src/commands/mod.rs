@@ -13,6 +13,8 @@ pub(crate) mod deck;
 pub(crate) mod deflection;
 mod deflection_figures;
 mod deflection_results;
+pub(crate) mod flutter;
+mod flutter_figures;
 pub(crate) mod fullaircraft;
 mod fullaircraft_figures;
 pub(crate) mod modes;

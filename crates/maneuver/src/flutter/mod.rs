@@ -1,0 +1,25 @@
+//! Flutter and divergence: p-k roots of given masses, stiffnesses and air forces, and eigenvalues of a linear system over airspeed.
+
+mod curves;
+mod divergence;
+mod error;
+mod forces;
+mod modal_air;
+mod pk;
+mod rig_forces;
+mod root;
+mod scheduled;
+mod spline;
+mod state_space;
+mod system;
+
+pub use curves::{Crossing, FlutterCurves, Root};
+pub use divergence::first_divergence;
+pub use error::FlutterError;
+pub use forces::{FormulaForces, GafTable, GeneralisedForces};
+pub use modal_air::{gaf_table, generalised_forces, incidence_of_motion};
+pub use rig_forces::ModePressures;
+pub use scheduled::ScheduledForces;
+pub use spline::MatrixSpline;
+pub use state_space::flutter_of_state_space;
+pub use system::Aeroelastic;

@@ -1,0 +1,60 @@
+//! A rig's modes in the air of the doublet lattice, for p-k.
+
+use super::modal_air::{generalised_forces, incidence_of_motion};
+use super::{FlutterError, GafTable};
+use crate::rig::Rig;
+use aero::{Corrections, DoubletLattice};
+use faer::{Mat, c64};
+
+/// Pressures of a rig's modes at a table of frequencies: solved once, integrated with any corrections.
+#[derive(Debug, Clone)]
+pub struct ModePressures {
+    omega_over_v: Vec<f64>,
+    motion: Mat<f64>,
+    cp: Vec<Mat<c64>>,
+}
+
+impl Rig<'_> {
+    /// How the boxes move with the kept modes: two rows a box (h along the normal at the midpoint, theta nose up).
+    pub fn box_motion(&self) -> Mat<f64> {
+        match &self.wing.supported {
+            Some(supported) => &supported.k_displacements() * &self.operators.shapes,
+            None => Mat::zeros(2 * self.wing.lattice.len(), 0),
+        }
+    }
+
+    /// Pressures of the kept modes at rising frequencies omega/V, 1/m; one factorisation each.
+    ///
+    /// # Errors
+    /// As [`DoubletLattice::at`].
+    pub fn mode_pressures(
+        &self,
+        doublets: &DoubletLattice,
+        omega_over_v: &[f64],
+    ) -> Result<ModePressures, FlutterError> {
+        let motion = self.box_motion();
+        let mut cp = Vec::with_capacity(omega_over_v.len());
+        for &kappa in omega_over_v {
+            let w = incidence_of_motion(&self.wing.lattice, motion.as_ref(), kappa);
+            cp.push(doublets.at(kappa)?.pressures(w.as_ref()));
+        }
+        Ok(ModePressures { omega_over_v: omega_over_v.to_vec(), motion, cp })
+    }
+
+    /// The generalised forces of these pressures with corrections of every box of the lattice.
+    ///
+    /// # Errors
+    /// If the frequencies do not rise.
+    pub fn gaf_table(
+        &self,
+        pressures: &ModePressures,
+        corrections: &Corrections,
+    ) -> Result<GafTable, FlutterError> {
+        let motion = pressures.motion.as_ref();
+        let q = pressures
+            .cp
+            .iter()
+            .map(|cp| generalised_forces(&self.wing.integration, motion, cp.as_ref(), Some(corrections)));
+        GafTable::new(pressures.omega_over_v.clone(), q.collect())
+    }
+}

@@ -1,0 +1,193 @@
+//! Stability of a linear system x' = A x whose matrix depends on the flow: eigenvalues over airspeed.
+//!
+//! Changes of stability are found from the number of unstable eigenvalues, which needs no following of branches: between two
+//! flows where it differs, the change is halved in on. Branches are followed for the curves only, by shape and
+//! distance, in steps that are halved while it is not plain which is which.
+
+use super::FlutterError;
+use super::curves::{Crossing, FlutterCurves, Root};
+use aero::Flow;
+use faer::{Mat, c64};
+
+/// Real parts below this share of the largest eigenvalue are round-off.
+const ROUND_OFF: f64 = 1e-12;
+/// An eigenvalue with a smaller share of imaginary part does not oscillate.
+const REAL: f64 = 1e-9;
+/// Accuracy of a change of stability, as a share of the airspeed.
+const ACCURACY: f64 = 1e-10;
+/// Damping, a share of critical, below which an eigenvalue at the first flow is a mode (and not, say, an actuator).
+const MODE: f64 = 0.5;
+/// Halvings of the way between two flows for the curves.
+const HALVINGS: u32 = 6;
+/// Likeness of shapes below which steps are halved.
+const SAME_SHAPE: f64 = 0.8;
+
+/// Eigenvalues and eigenvectors at a flow.
+struct Spectrum {
+    values: Vec<c64>,
+    vectors: Mat<c64>,
+}
+
+impl Spectrum {
+    fn new(a: &Mat<f64>) -> Result<Self, FlutterError> {
+        let eigen = a.eigen().map_err(|_| FlutterError::Eigenvalues("the system"))?;
+        let values: Vec<c64> = (0..a.nrows()).map(|i| eigen.S()[i]).collect();
+        Ok(Self { values, vectors: eigen.U().to_owned() })
+    }
+
+    fn oscillates(value: c64) -> bool {
+        value.im > REAL * value.norm()
+    }
+
+    /// Unstable eigenvalues that oscillate (pairs counted once), and that do not.
+    fn unstable(&self) -> [usize; 2] {
+        let size = self.values.iter().map(|value| value.norm()).fold(0.0, f64::max);
+        let growing = |value: &&c64| value.re > ROUND_OFF * size;
+        let oscillating =
+            self.values.iter().filter(growing).filter(|value| Self::oscillates(**value)).count();
+        let all = self.values.iter().filter(growing).count();
+        [oscillating, all - 2 * oscillating]
+    }
+
+    fn likeness(&self, i: usize, other: &Self, j: usize) -> f64 {
+        let n = self.values.len();
+        let product: c64 = (0..n).map(|row| self.vectors[(row, i)].conj() * other.vectors[(row, j)]).sum();
+        let size = |spectrum: &Self, k: usize| -> f64 {
+            (0..n).map(|row| spectrum.vectors[(row, k)].norm_sqr()).sum()
+        };
+        product.norm_sqr() / (size(self, i) * size(other, j)).max(f64::MIN_POSITIVE)
+    }
+}
+
+/// Eigenvalues that oscillate at the first flow with less than half the critical damping, followed through the list, and every
+/// change of stability (of all eigenvalues; it is ascribed to the branch nearest in frequency).
+///
+/// A list of a branch ends where its eigenvalue does not oscillate any more. `matrix` gives A at a flow; flows in between
+/// are asked for too.
+///
+/// # Errors
+/// What `matrix` reports; if there is no flow, or eigenvalues do not converge.
+pub fn flutter_of_state_space<E: From<FlutterError>>(
+    flows: &[Flow],
+    mut matrix: impl FnMut(Flow) -> Result<Mat<f64>, E>,
+) -> Result<FlutterCurves, E> {
+    let mut at = |flow: Flow| -> Result<Spectrum, E> { Ok(Spectrum::new(&matrix(flow)?)?) };
+    let Some(&first) = flows.first() else { return Err(FlutterError::Empty("the list of flows").into()) };
+    let mut here = at(first)?;
+    let mode = |value: c64| Spectrum::oscillates(value) && value.re.abs() < MODE * value.norm();
+    let mut places: Vec<usize> = (0..here.values.len()).filter(|i| mode(here.values[*i])).collect();
+    places.sort_by(|a, b| here.values[*a].im.total_cmp(&here.values[*b].im));
+    let mut curves = FlutterCurves {
+        flows: flows.to_vec(),
+        branches: places.iter().map(|i| vec![root(here.values[*i])]).collect(),
+        crossings: Vec::new(),
+        lost: Vec::new(),
+    };
+    let mut alive: Vec<Option<usize>> = places.into_iter().map(Some).collect();
+    for pair in flows.windows(2) {
+        let there = at(pair[1])?;
+        alive = follow((pair[0], &here), (pair[1], &there), alive, HALVINGS, &mut at)?;
+        for (branch, place) in curves.branches.iter_mut().zip(&alive) {
+            branch.extend(place.map(|i| root(there.values[i])));
+        }
+        for kind in 0..2 {
+            changes((pair[0], &here), (pair[1], &there), kind, &mut at, &mut curves)?;
+        }
+        here = there;
+    }
+    curves.sort();
+    Ok(curves)
+}
+
+fn root(p: c64) -> Root {
+    Root { p, beyond_table: false }
+}
+
+fn middle(a: Flow, b: Flow) -> Flow {
+    Flow { v_m_s: f64::midpoint(a.v_m_s, b.v_m_s), rho_kg_m3: f64::midpoint(a.rho_kg_m3, b.rho_kg_m3) }
+}
+
+/// Which eigenvalue of the second spectrum each living branch of the first becomes.
+fn follow<E: From<FlutterError>>(
+    from: (Flow, &Spectrum),
+    to: (Flow, &Spectrum),
+    alive: Vec<Option<usize>>,
+    halvings: u32,
+    at: &mut impl FnMut(Flow) -> Result<Spectrum, E>,
+) -> Result<Vec<Option<usize>>, E> {
+    let (matched, plain) = matched(from.1, to.1, &alive);
+    if plain || halvings == 0 {
+        return Ok(matched);
+    }
+    let between = middle(from.0, to.0);
+    let spectrum = at(between)?;
+    let alive = follow(from, (between, &spectrum), alive, halvings - 1, at)?;
+    follow((between, &spectrum), to, alive, halvings - 1, at)
+}
+
+/// The best pairs first; whether all are plain.
+fn matched(from: &Spectrum, to: &Spectrum, alive: &[Option<usize>]) -> (Vec<Option<usize>>, bool) {
+    let mut pairs = Vec::new();
+    for (branch, place) in alive.iter().enumerate() {
+        let Some(i) = *place else { continue };
+        for (j, value) in to.values.iter().enumerate().filter(|(_, value)| Spectrum::oscillates(**value)) {
+            let near = (value - from.values[i]).norm() / from.values[i].norm();
+            let like = from.likeness(i, to, j);
+            pairs.push((like - near, like, branch, j));
+        }
+    }
+    pairs.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut found = vec![None; alive.len()];
+    let mut taken = vec![false; to.values.len()];
+    let mut plain = true;
+    for (_, like, branch, j) in pairs {
+        if found[branch].is_none() && !taken[j] {
+            found[branch] = Some(j);
+            taken[j] = true;
+            plain &= like > SAME_SHAPE;
+        }
+    }
+    let kept = alive.iter().zip(&found).all(|(before, after)| before.is_some() == after.is_some());
+    (found, plain && kept)
+}
+
+/// Changes of the number of unstable eigenvalues that oscillate (`kind` 0) or do not (1) between two flows: one that is net.
+fn changes<E: From<FlutterError>>(
+    from: (Flow, &Spectrum),
+    to: (Flow, &Spectrum),
+    kind: usize,
+    at: &mut impl FnMut(Flow) -> Result<Spectrum, E>,
+    curves: &mut FlutterCurves,
+) -> Result<(), E> {
+    let before = from.1.unstable()[kind];
+    if before == to.1.unstable()[kind] {
+        return Ok(());
+    }
+    let unstable = to.1.unstable()[kind] > before;
+    let (mut low, mut high) = (from.0, to.0);
+    let mut last = None;
+    while (high.v_m_s - low.v_m_s).abs() > ACCURACY * high.v_m_s
+        || (high.rho_kg_m3 - low.rho_kg_m3).abs() > ACCURACY * high.rho_kg_m3
+    {
+        let flow = middle(low, high);
+        let spectrum = at(flow)?;
+        if spectrum.unstable()[kind] == before {
+            low = flow
+        } else {
+            high = flow
+        }
+        last = Some(spectrum);
+    }
+    let spectrum = last.as_ref().unwrap_or(to.1);
+    let wanted = |value: &&c64| if kind == 0 { Spectrum::oscillates(**value) } else { value.im == 0.0 };
+    let nearest = spectrum.values.iter().filter(wanted).min_by(|a, b| a.re.abs().total_cmp(&b.re.abs()));
+    let omega_rad_s = nearest.map_or(0.0, |value| value.im);
+    let place = curves.flows.iter().position(|flow| *flow == to.0).unwrap_or(0);
+    let distance =
+        |branch: &[Root]| branch.get(place).map_or(f64::INFINITY, |r| (r.p.im - omega_rad_s).abs());
+    let branch = (0..curves.branches.len())
+        .min_by(|a, b| distance(&curves.branches[*a]).total_cmp(&distance(&curves.branches[*b])))
+        .unwrap_or(0);
+    curves.crossings.push(Crossing { branch, flow: high, omega_rad_s, unstable, beyond_table: false });
+    Ok(())
+}

@@ -1,0 +1,142 @@
+//! The aeroelastic equations of a p-k solution (Rodden and Johnson, *MSC/NASTRAN Aeroelastic Analysis User's Guide*, 1994,
+//! ch. 2; Rodden, Harder and Bellinger 1979).
+//!
+//! ```text
+//! F(p, kappa) u = [M p² + C p + K - q (Re Q(kappa) + p/(kappa V) Im Q(kappa))] u = 0,   Im p = kappa V
+//! ```
+//! p in 1/s, kappa = omega/V in 1/m. On the imaginary axis this is the exact equation of oscillation; away from it the
+//! imaginary part of Q damps in proportion to p, as in Nastran. A steady root (kappa = 0) takes the limit of Im Q/kappa.
+
+use super::{FlutterError, GeneralisedForces};
+use aero::Flow;
+use faer::{Mat, MatRef, c64};
+
+/// Im Q/kappa at rest is taken at this share of the table's largest frequency.
+const NEARLY_AT_REST: f64 = 1e-6;
+
+/// Mass, damping, stiffness and air forces of a structure in generalised coordinates, any consistent units.
+pub struct Aeroelastic<'a> {
+    mass: Mat<f64>,
+    damping: Mat<f64>,
+    stiffness: Mat<f64>,
+    forces: &'a dyn GeneralisedForces,
+}
+
+/// Forces split as the equation needs them.
+#[derive(Debug, Clone)]
+pub(super) struct SplitForces {
+    /// Re Q.
+    pub(super) real: Mat<f64>,
+    /// Im Q/kappa, m.
+    pub(super) damping: Mat<f64>,
+    /// Whether kappa is beyond the table, so that the apparent mass Re Q/kappa² and the damping Im Q/kappa of its end are held.
+    pub(super) beyond: bool,
+}
+
+impl<'a> Aeroelastic<'a> {
+    /// From square matrices of one size; the damping is that of the structure (zero matrix for none).
+    ///
+    /// # Errors
+    /// If sizes differ or a number is not finite.
+    pub fn new(
+        mass: Mat<f64>,
+        damping: Mat<f64>,
+        stiffness: Mat<f64>,
+        forces: &'a dyn GeneralisedForces,
+    ) -> Result<Self, FlutterError> {
+        let expected = forces.size();
+        for (what, matrix) in [("the mass", &mass), ("the damping", &damping), ("the stiffness", &stiffness)]
+        {
+            let (rows, columns) = (matrix.nrows(), matrix.ncols());
+            if (rows, columns) != (expected, expected) {
+                return Err(FlutterError::Size { what, rows, columns, expected });
+            }
+            if let Some(value) = matrix.col_iter().flat_map(|c| c.iter().copied()).find(|v| !v.is_finite()) {
+                return Err(FlutterError::Number { what, value, expected: "finite" });
+            }
+        }
+        Ok(Self { mass, damping, stiffness, forces })
+    }
+
+    /// Modes of mass one: natural frequencies in rad/s and one damping ratio for all.
+    ///
+    /// # Errors
+    /// As [`Aeroelastic::new`].
+    pub fn of_modes(
+        omega_rad_s: &[f64],
+        damping_ratio: f64,
+        forces: &'a dyn GeneralisedForces,
+    ) -> Result<Self, FlutterError> {
+        let n = omega_rad_s.len();
+        let diagonal = |value: &dyn Fn(f64) -> f64| {
+            Mat::from_fn(n, n, |i, j| if i == j { value(omega_rad_s[i]) } else { 0.0 })
+        };
+        Self::new(
+            diagonal(&|_| 1.0),
+            diagonal(&|omega| 2.0 * damping_ratio * omega),
+            diagonal(&|omega| omega * omega),
+            forces,
+        )
+    }
+
+    /// Number of coordinates.
+    pub fn size(&self) -> usize {
+        self.mass.nrows()
+    }
+
+    /// Mass.
+    pub fn mass(&self) -> MatRef<'_, f64> {
+        self.mass.as_ref()
+    }
+
+    /// Damping of the structure.
+    pub fn damping(&self) -> MatRef<'_, f64> {
+        self.damping.as_ref()
+    }
+
+    /// Stiffness.
+    pub fn stiffness(&self) -> MatRef<'_, f64> {
+        self.stiffness.as_ref()
+    }
+
+    /// The air forces.
+    pub fn forces(&self) -> &dyn GeneralisedForces {
+        self.forces
+    }
+
+    /// The forces at kappa; beyond the table its end is held (see [`SplitForces::beyond`]).
+    pub(super) fn split(&self, kappa: f64, v_m_s: f64) -> Result<SplitForces, FlutterError> {
+        let (_, high) = self.forces.range();
+        let n = self.size();
+        let place = kappa.min(high);
+        let real_at = if place < NEARLY_AT_REST * high { 0.0 } else { place };
+        let damping_at = place.max(NEARLY_AT_REST * high);
+        let q = self.forces.at(real_at, v_m_s)?;
+        let slow = if damping_at == real_at { q.clone() } else { self.forces.at(damping_at, v_m_s)? };
+        let grown = (kappa / place.max(f64::MIN_POSITIVE)).powi(2);
+        let factor = if kappa > high { grown } else { 1.0 };
+        Ok(SplitForces {
+            real: Mat::from_fn(n, n, |i, j| factor * q[(i, j)].re),
+            damping: Mat::from_fn(n, n, |i, j| slow[(i, j)].im / damping_at),
+            beyond: kappa > high,
+        })
+    }
+
+    /// F(p, kappa) with the air forces multiplied by `share`.
+    pub(super) fn matrix(&self, p: c64, forces: &SplitForces, flow: Flow, share: f64) -> Mat<c64> {
+        let (q_pa, v) = (share * flow.dynamic_pressure_pa(), flow.v_m_s);
+        Mat::from_fn(self.size(), self.size(), |i, j| {
+            let real = self.stiffness[(i, j)] - q_pa * forces.real[(i, j)];
+            let rate = self.damping[(i, j)] - q_pa / v * forces.damping[(i, j)];
+            p * p * self.mass[(i, j)] + p * rate + real
+        })
+    }
+
+    /// dF/dp at fixed kappa, as [`Aeroelastic::matrix`].
+    pub(super) fn slope(&self, p: c64, forces: &SplitForces, flow: Flow, share: f64) -> Mat<c64> {
+        let rate = share * flow.dynamic_pressure_pa() / flow.v_m_s;
+        Mat::from_fn(self.size(), self.size(), |i, j| {
+            p * 2.0 * self.mass[(i, j)] + self.damping[(i, j)] - rate * forces.damping[(i, j)]
+        })
+    }
+}

@@ -1,0 +1,214 @@
+//! Laws of flutter and divergence: both methods agree where they solve the same equations; branches keep their identity.
+
+#![allow(clippy::unwrap_used, reason = "a test whose data cannot be computed must fail")]
+
+mod common;
+
+use aero::{DlmSettings, DoubletLattice, Flow};
+use common::{uneven, wing_with};
+use faer::linalg::solvers::Solve;
+use faer::{Mat, c64};
+use maneuver::flutter::{
+    Aeroelastic, FlutterError, FormulaForces, GafTable, GeneralisedForces, ScheduledForces,
+    flutter_of_state_space, generalised_forces, incidence_of_motion,
+};
+use maneuver::{Rig, RigSettings};
+use std::f64::consts::TAU;
+
+const RHO: f64 = 1.225;
+
+fn speeds(low: f64, high: f64, count: u32) -> Vec<Flow> {
+    let step = (high - low) / f64::from(count - 1);
+    (0..count).map(|i| Flow { v_m_s: low + step * f64::from(i), rho_kg_m3: RHO }).collect()
+}
+
+/// Air without memory on three coordinates: Q = q0 + i kappa q1, with a flutter and a divergence.
+fn quasi_steady(kappa: f64) -> Mat<c64> {
+    let q0 = [[0.02, 3.0, 0.3], [-0.4, 0.6, 0.2], [0.1, -0.3, 0.4]];
+    let q1 = [[-1.0, -0.3, 0.1], [-0.2, -0.8, 0.1], [0.05, 0.1, -0.6]];
+    Mat::from_fn(3, 3, |i, j| c64::new(q0[i][j], kappa * q1[i][j]))
+}
+
+const OMEGA: [f64; 3] = [10.0, 17.0, 40.0];
+
+fn formula() -> FormulaForces<fn(f64) -> Mat<c64>> {
+    FormulaForces { size: 3, range: (0.0, 1e4), formula: quasi_steady }
+}
+
+/// The same as x' = A x.
+fn companion(flow: Flow) -> Mat<f64> {
+    let (q, v) = (flow.dynamic_pressure_pa(), flow.v_m_s);
+    let forces = quasi_steady(1.0);
+    Mat::from_fn(6, 6, |i, j| match (i < 3, j < 3) {
+        (true, _) => f64::from(u8::from(j == i + 3)),
+        (false, true) => q * forces[(i - 3, j)].re - if i - 3 == j { OMEGA[j].powi(2) } else { 0.0 },
+        (false, false) => q / v * forces[(i - 3, j - 3)].im - if i == j { 0.02 * OMEGA[j - 3] } else { 0.0 },
+    })
+}
+
+#[test]
+fn in_air_without_memory_the_roots_of_pk_are_the_eigenvalues() {
+    let forces = formula();
+    let system = Aeroelastic::of_modes(&OMEGA, 0.01, &forces).unwrap();
+    let flows = speeds(1.0, 20.0, 39);
+    let pk = system.pk(&flows).unwrap();
+    assert!(pk.lost.is_empty(), "{:?}", pk.lost);
+    for (place, flow) in flows.iter().enumerate() {
+        let eigenvalues = companion(*flow).eigenvalues().unwrap();
+        for branch in &pk.branches {
+            let p = branch[place].p;
+            let off = eigenvalues.iter().map(|value| (value - p).norm()).fold(f64::INFINITY, f64::min);
+            assert!(off < 1e-8 * p.norm().max(1.0), "{} m/s: {p} off by {off:e}", flow.v_m_s);
+        }
+        // no two branches on one root
+        for (i, a) in pk.branches.iter().enumerate() {
+            assert!(pk.branches[..i].iter().all(|b| (a[place].p - b[place].p).norm() > 1e-6));
+        }
+    }
+    let state_space = flutter_of_state_space::<FlutterError>(&flows, |flow| Ok(companion(flow))).unwrap();
+    let (a, b) = (pk.flutter().unwrap(), state_space.flutter().unwrap());
+    assert!((a.flow.v_m_s / b.flow.v_m_s - 1.0).abs() < 1e-8, "{a:?} {b:?}");
+    assert!((a.omega_rad_s / b.omega_rad_s - 1.0).abs() < 1e-6, "{a:?} {b:?}");
+    assert_eq!(
+        pk.crossings.len(),
+        state_space.crossings.len(),
+        "{:?} {:?}",
+        pk.crossings,
+        state_space.crossings
+    );
+}
+
+#[test]
+fn at_divergence_a_real_root_is_zero() {
+    let forces = formula();
+    let system = Aeroelastic::of_modes(&OMEGA, 0.01, &forces).unwrap();
+    let q = system.divergence_pressure(0.0).unwrap().unwrap();
+    let v = (2.0 * q / RHO).sqrt();
+    let from_speeds = system.divergence_speed(RHO, &[1.0, 10.0, 100.0]).unwrap().unwrap();
+    assert!((from_speeds / v - 1.0).abs() < 1e-9);
+    let a = companion(Flow { v_m_s: v, rho_kg_m3: RHO });
+    let least = a.eigenvalues().unwrap().iter().map(|value| value.norm()).fold(f64::INFINITY, f64::min);
+    assert!(least < 1e-9, "{least:e}");
+    let below = companion(Flow { v_m_s: 0.99 * v, rho_kg_m3: RHO });
+    let steady = below.partial_piv_lu().solve(Mat::<f64>::identity(6, 6));
+    assert!(steady.norm_max().is_finite());
+}
+
+#[test]
+fn a_coarser_list_of_airspeeds_finds_the_same_flutter() {
+    let forces = formula();
+    let system = Aeroelastic::of_modes(&OMEGA, 0.01, &forces).unwrap();
+    let fine = *system.pk(&speeds(1.0, 20.0, 77)).unwrap().flutter().unwrap();
+    for count in [2, 3, 8] {
+        let coarse = *system.pk(&speeds(1.0, 20.0, count)).unwrap().flutter().unwrap();
+        assert!((coarse.flow.v_m_s / fine.flow.v_m_s - 1.0).abs() < 1e-9, "{count}: {coarse:?} {fine:?}");
+        assert_eq!(coarse.branch, fine.branch);
+    }
+}
+
+#[test]
+fn without_coupling_modes_that_cross_in_frequency_keep_their_identity() {
+    // the first stiffens with dynamic pressure, the second softens; they meet and pass
+    let forces = FormulaForces {
+        size: 2,
+        range: (0.0, 1e4),
+        formula: |kappa: f64| {
+            Mat::from_fn(2, 2, |i, j| match (i, j) {
+                (0, 0) => c64::new(-2.0, -0.1 * kappa),
+                (1, 1) => c64::new(1.0, -0.2 * kappa),
+                _ => c64::default(),
+            })
+        },
+    };
+    let system = Aeroelastic::of_modes(&[10.0, 14.0], 0.0, &forces).unwrap();
+    let flows = speeds(1.0, 14.0, 14);
+    let curves = system.pk(&flows).unwrap();
+    for (place, flow) in flows.iter().enumerate() {
+        let q = flow.dynamic_pressure_pa();
+        for (branch, (squared, damping)) in [(100.0 + 2.0 * q, 0.1), (196.0 - q, 0.2)].into_iter().enumerate()
+        {
+            let rate: f64 = -0.5 * q / flow.v_m_s * damping;
+            let p = curves.branches[branch][place].p;
+            assert!((p.re - rate).abs() < 1e-9, "{p} {rate}");
+            assert!((p.norm_sqr() - squared).abs() < 1e-6, "{p} {squared}");
+        }
+    }
+}
+
+#[test]
+fn tables_do_not_extrapolate_and_frequencies_beyond_them_are_marked() {
+    let kappa = [0.0, 0.1, 0.5, 1.0, 2.0];
+    let table = GafTable::new(kappa.to_vec(), kappa.iter().map(|k| quasi_steady(*k)).collect()).unwrap();
+    assert!(matches!(table.at(2.1, 10.0), Err(FlutterError::OutsideTable { .. })));
+    let system = Aeroelastic::of_modes(&OMEGA, 0.01, &table).unwrap();
+    // omega/V of the third mode is 4 at 10 m/s and 2 at 20 m/s
+    let curves = system.pk(&speeds(9.0, 30.0, 22)).unwrap();
+    assert!(curves.branches[2][0].beyond_table);
+    assert!(!curves.branches[0][0].beyond_table);
+}
+
+#[test]
+fn bad_input_is_refused_with_a_sentence() {
+    let forces = formula();
+    let system = Aeroelastic::of_modes(&OMEGA, 0.01, &forces).unwrap();
+    assert!(system.pk(&[]).is_err());
+    assert!(system.pk(&[Flow { v_m_s: 0.0, rho_kg_m3: RHO }]).is_err());
+    assert!(system.pk(&[Flow { v_m_s: 1.0, rho_kg_m3: f64::NAN }]).is_err());
+    assert!(Aeroelastic::of_modes(&OMEGA[..2], 0.01, &forces).is_err());
+    let free = Aeroelastic::of_modes(&[0.0, 1.0, 2.0], 0.0, &forces).unwrap();
+    assert!(free.pk(&speeds(1.0, 2.0, 2)).is_err());
+    assert!(GafTable::new(vec![0.0, -1.0], vec![quasi_steady(0.0), quasi_steady(1.0)]).is_err());
+    assert!(ScheduledForces::new(Vec::new()).is_err());
+}
+
+#[test]
+fn tables_of_a_schedule_are_mixed_as_their_corrections_are() {
+    let table = |factor: f64| {
+        let kappa = vec![0.0, 1.0, 2.0];
+        let q = kappa.iter().map(|k| quasi_steady(*k) * faer::Scale(c64::from(factor))).collect();
+        GafTable::new(kappa, q).unwrap()
+    };
+    let forces = ScheduledForces::new(vec![(10.0, table(1.0)), (20.0, table(2.0))]).unwrap();
+    for (v, factor) in [(5.0, 1.0), (10.0, 1.0), (15.0, 1.0 + 125.0 / 300.0), (20.0, 2.0), (30.0, 2.0)] {
+        let off = forces.at(0.7, v).unwrap() - quasi_steady(0.7) * faer::Scale(c64::from(factor));
+        assert!(off.norm_max() < 1e-12, "{v}");
+    }
+}
+
+/// The wing's state matrix beside p-k with forces of the same air without memory. What is left is what the truncated modes
+/// do statically in the one and not in the other; it fades with their number.
+#[test]
+fn the_wing_flutters_alike_by_both_methods() {
+    let (file, wing) = wing_with(|_| ());
+    let corrections = uneven(&wing);
+    let padded = wing.padded(&corrections).unwrap();
+    let doublets = DoubletLattice::new(&wing.lattice, wing.plane, 0.0, &DlmSettings::default()).unwrap();
+    let still = doublets.at(0.0).unwrap();
+    let flows = speeds(10.0, 200.0, 20);
+    let difference = |modes: usize| {
+        let settings = RigSettings { modes, ..RigSettings::new(file.damping_ratio, file.pitch_axis_x()) };
+        let rig = Rig::new(&wing, settings).unwrap();
+        let motion = rig.box_motion();
+        let kappa = [0.0, 1.0, 300.0];
+        let q = kappa.map(|kappa| {
+            let w = incidence_of_motion(&wing.lattice, motion.as_ref(), kappa);
+            let cp = still.pressures(w.as_ref());
+            generalised_forces(&wing.integration, motion.as_ref(), cp.as_ref(), Some(&padded))
+        });
+        let table = GafTable::new(kappa.to_vec(), q.to_vec()).unwrap();
+        let system = Aeroelastic::of_modes(rig.omega_rad_s(), file.damping_ratio, &table).unwrap();
+        let pk = *system.pk(&flows).unwrap().flutter().unwrap();
+        let matrix = |flow: Flow| Ok::<_, FlutterError>(rig.at(flow, &corrections).unwrap().a);
+        let eigen = *flutter_of_state_space(&flows, matrix).unwrap().flutter().unwrap();
+        println!(
+            "{modes} modes: p-k {:.4} m/s {:.3} Hz, state matrix {:.4} m/s {:.3} Hz",
+            pk.flow.v_m_s,
+            pk.omega_rad_s / TAU,
+            eigen.flow.v_m_s,
+            eigen.omega_rad_s / TAU
+        );
+        pk.flow.v_m_s / eigen.flow.v_m_s - 1.0
+    };
+    let (few, many) = (difference(12).abs(), difference(40).abs());
+    assert!(few < 1e-3 && many < 1e-4, "{few:e} {many:e}");
+}

@@ -1,0 +1,61 @@
+//! V-g and V-f curves of the flutter command, as a table and as a picture.
+
+use std::fmt::Write as _;
+
+use maneuver::flutter::{FlutterCurves, Root};
+use report::{Figure, Panel, Series, Style};
+
+use super::flutter::Stability;
+
+/// Modes drawn; the table has all.
+const DRAWN: usize = 7;
+/// Damping g below which a mode is drawn at it: it is far from flutter and would squeeze the others.
+const LEAST: f64 = -0.5;
+
+/// Airspeed, then frequency (Hz) and damping g of every mode; empty where a mode does not oscillate or was not followed.
+pub(super) fn csv(curves: &FlutterCurves) -> String {
+    let mut text = String::from("V_m_s");
+    for mode in 1..=curves.branches.len() {
+        let _ = write!(text, ",frequency_{mode}_hz,damping_{mode}_g");
+    }
+    text.push('\n');
+    for (place, flow) in curves.flows.iter().enumerate() {
+        let _ = write!(text, "{}", flow.v_m_s);
+        for branch in &curves.branches {
+            match branch.get(place).and_then(|root| Some((root.frequency_hz(), root.damping_g()?))) {
+                Some((hz, g)) => {
+                    let _ = write!(text, ",{hz},{g}");
+                }
+                None => text.push_str(",,"),
+            }
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// Damping and frequency over airspeed, the state matrix above, p-k below.
+pub(super) fn figure(model: &Stability) -> Figure {
+    let methods = [("state matrix", &model.state_matrix), ("p-k on the doublet lattice", &model.p_k)];
+    let mut panels = Vec::new();
+    for (name, curves) in methods {
+        let value: [(&str, fn(&Root) -> f64); 2] = [
+            ("damping g, not below -0.5", |root| root.damping_g().map_or(f64::NAN, |g| g.max(LEAST))),
+            ("frequency (Hz)", |root| if root.p.im > 0.0 { root.frequency_hz() } else { f64::NAN }),
+        ];
+        for (label, value) in value {
+            let series = curves.branches.iter().take(DRAWN).enumerate().map(|(mode, branch)| {
+                let x = curves.flows.iter().take(branch.len()).map(|flow| flow.v_m_s).collect();
+                let y = branch.iter().map(value).collect();
+                Series::new(format!("mode {}", mode + 1), x, y, Style::Line)
+            });
+            panels.push(Panel {
+                title: name.into(),
+                x_label: "airspeed (m/s)".into(),
+                y_label: label.into(),
+                series: series.collect(),
+            });
+        }
+    }
+    Figure { title: format!("Stability of the {} model", model.name), panels, columns: 2 }
+}
