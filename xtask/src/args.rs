@@ -336,6 +336,13 @@ mod tests {
     }
 
     #[test]
+    fn airspeeds_that_none_can_fly_are_refused() {
+        for v in ["0", "-5", "nan", "1e4", "fast"] {
+            assert!(Cli::try_parse_from(["x", "flutter", &format!("--to={v}")]).is_err(), "{v}");
+        }
+    }
+
+    #[test]
     fn no_threads_at_all_are_refused() {
         assert!(Cli::try_parse_from(["x", "tidy", "--threads", "0"]).is_err());
     }

@@ -180,6 +180,9 @@ fn cantilever(i: usize, y: f64) -> f64 {
 }
 
 /// Natural frequencies of matrices, rad/s, ascending.
+///
+/// # Panics
+/// If the eigenvalues do not converge.
 pub fn natural_rad_s(mass: &Mat<f64>, stiffness: &Mat<f64>) -> Vec<f64> {
     let ratio = faer::linalg::solvers::Solve::solve(&mass.partial_piv_lu(), stiffness);
     let mut omega: Vec<f64> =

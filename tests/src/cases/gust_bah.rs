@@ -146,7 +146,8 @@ fn answers(structure: &Value) -> Answers {
     let modes = normal_modes(&system, 12).expect("twelve motions with mass");
     let shapes = system.expand(modes.shapes.as_ref());
     let row = |grid: u32, component: usize| 6 * system.node_index(grid).expect("a grid") + component;
-    let t3 = Mat::from_fn(12, 12, |i, mode| shapes[(row(i as u32 + 1, 2), mode)]);
+    let grids: Vec<usize> = (1..=12).map(|grid| row(grid, 2)).collect();
+    let t3 = Mat::from_fn(12, 12, |i, mode| shapes[(grids[i], mode)]);
     let r2 = Mat::from_fn(1, 12, |_, mode| shapes[(row(12, 4), mode)]);
     let genel = &structure["genel"];
     let table = |value: &Value| {

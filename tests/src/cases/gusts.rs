@@ -64,8 +64,8 @@ fn rigid_wing(case: &Value) -> Vec<Row> {
             let printed: Vec<Vec<f64>> = list(&want["rows"]).iter().map(numbers).collect();
             let size = printed.iter().map(|row| row[1 + answer].abs()).fold(0.0, f64::max);
             let each = printed.iter().map(|row| {
-                let place = (row[0] / step).round();
-                let ours = got.answers[answer][place as usize];
+                let after = (0..samples).position(|k| step * f64::from(k) > row[0] - 0.5 * step);
+                let ours = got.answers[answer][after.expect("a time within the period")];
                 Row::absolute(format!("at V t/c = {}", row[0]), ours, row[1 + answer], 0.01 * size)
             });
             rows.push(worst(&name(what), each.collect()));

@@ -12,6 +12,9 @@ const DRAWN: usize = 7;
 /// Damping g below which a mode is drawn at it: it is far from flutter and would squeeze the others.
 const LEAST: f64 = -0.5;
 
+/// Label of an axis, and what of a root is drawn on it.
+type Quantity = (&'static str, fn(&Root) -> f64);
+
 /// Airspeed, then frequency (Hz) and damping g of every mode; empty where a mode does not oscillate or was not followed.
 pub(super) fn csv(curves: &FlutterCurves) -> String {
     let mut text = String::from("V_m_s");
@@ -39,11 +42,11 @@ pub(super) fn figure(model: &Stability) -> Figure {
     let methods = [("state matrix", &model.state_matrix), ("p-k on the doublet lattice", &model.p_k)];
     let mut panels = Vec::new();
     for (name, curves) in methods {
-        let value: [(&str, fn(&Root) -> f64); 2] = [
+        let quantities: [Quantity; 2] = [
             ("damping g, not below -0.5", |root| root.damping_g().map_or(f64::NAN, |g| g.max(LEAST))),
             ("frequency (Hz)", |root| if root.p.im > 0.0 { root.frequency_hz() } else { f64::NAN }),
         ];
-        for (label, value) in value {
+        for (label, value) in quantities {
             let series = curves.branches.iter().take(DRAWN).enumerate().map(|(mode, branch)| {
                 let x = curves.flows.iter().take(branch.len()).map(|flow| flow.v_m_s).collect();
                 let y = branch.iter().map(value).collect();

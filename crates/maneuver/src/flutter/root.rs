@@ -127,7 +127,9 @@ impl Aeroelastic<'_> {
         let size = self.product(u, u).norm();
         if size > 0.0 && size.is_finite() {
             let factor = 1.0 / size.sqrt();
-            u.iter_mut().for_each(|value| *value *= factor);
+            for value in u.iter_mut() {
+                *value *= factor;
+            }
         }
     }
 

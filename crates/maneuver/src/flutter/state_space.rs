@@ -172,9 +172,9 @@ fn changes<E: From<FlutterError>>(
         let flow = middle(low, high);
         let spectrum = at(flow)?;
         if spectrum.unstable()[kind] == before {
-            low = flow
+            low = flow;
         } else {
-            high = flow
+            high = flow;
         }
         last = Some(spectrum);
     }
