@@ -121,6 +121,9 @@ pub struct SimulateArgs {
     /// The folder of measurements [default: data/tuflex/measured]
     #[arg(long, value_name = "DIR")]
     pub campaign: Option<PathBuf>,
+    /// Give the lift of every strip, too: NAME_stations.csv
+    #[arg(long)]
+    pub strips: bool,
 }
 
 /// Options of `deflection`.

@@ -6,11 +6,13 @@
 mod deck_source;
 mod deflection;
 mod hash;
+mod stations;
 mod write;
 
 pub use crate::planform::Mount;
 pub use deck_source::DeckSource;
 pub use deflection::{DeflectionRow, DeflectionTable, OutsideAirspeeds};
+pub use stations::StationAt;
 pub use write::Rewritten;
 
 use crate::planform::{AXIS_SET, FAIRING_PANEL, Fault, Planform, ROOT_SET};
@@ -53,6 +55,9 @@ pub struct WingFile {
     /// How much of a commanded deflection acts, by control surface, airspeed and deflection; left out: all of it.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub deflection: Vec<DeflectionTable>,
+    /// Where along the span loads are given beside the balance's.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub stations: Vec<StationAt>,
     /// Reserved for effects beyond this model; must be empty.
     #[serde(default)]
     pub effects: Vec<ReservedEffect>,
@@ -287,6 +292,7 @@ impl WingFile {
             within("root_plane", y_m, -1e4, 1e4)?;
         }
         within("damping_ratio", self.damping_ratio, 0.0, 0.5)?;
+        stations::check(&self.stations)?;
         count("chord_strips", self.correction.chord_strips, 1, 100)?;
         count("span_order", self.correction.span_order, 0, 8)?;
         positive("neighbour_bound", self.correction.neighbour_bound)?;

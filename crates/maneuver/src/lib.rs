@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 pub mod air;
+mod air_fit;
 mod assemble;
 pub mod deflection;
 pub mod deflection_fit;
@@ -21,6 +22,7 @@ mod state_space;
 pub mod step;
 
 pub use air::AirModel;
+pub use air_fit::AirFit;
 pub use deflection::{DeflectionAt, DeflectionCorrection, fly_commanded, simulate_commanded};
 pub use history::{Channel, TimeHistory};
 pub use load_rows::Station;

@@ -4,7 +4,8 @@
 //! A load is a sum of forces: `rows P + inertia (M r c - M Phi xi'')`, both over what the station counts as its own: all
 //! that is metric for the balance, all boxes and grids outboard of a monitoring station, a strip's boxes.
 
-use coupling::ElasticWing;
+use coupling::wing_file::StationAt;
+use coupling::{ElasticWing, WingFile};
 use faer::{Mat, MatRef};
 use nalgebra::Point3;
 use structure::System;
@@ -16,6 +17,18 @@ pub struct Station {
     pub name: String,
     /// Reference point of the moments; what has a larger y counts.
     pub point: Point3<f64>,
+}
+
+impl Station {
+    /// The stations of a wing's file.
+    pub fn of_wing(file: &WingFile) -> Vec<Self> {
+        let balance = file.balance;
+        let one = |at: &StationAt| Self {
+            name: at.name.clone(),
+            point: Point3::new(at.x_m.unwrap_or(balance.x_m), at.y_m, at.z_m.unwrap_or(balance.z_m)),
+        };
+        file.stations.iter().map(one).collect()
+    }
 }
 
 /// Rows of loads with the names of their channels.

@@ -68,7 +68,7 @@ impl RigOperators {
         };
         let rows = looked_at(wing, motion.as_ref());
         let place = (&wing.lattice, wing.plane, wing.mach);
-        let air = UnsteadyAir::new(settings.air, place, columns, steady, rate, rows.as_ref())
+        let air = UnsteadyAir::new(settings.air, place, columns, steady, rate, rows)
             .map_err(coupling::CouplingError::from)?;
         Ok(Self {
             omega_rad_s: parts.omega_rad_s,

@@ -48,16 +48,18 @@ impl Run {
         Self::from_table(name, &table, path)
     }
 
+    /// Whether a run's file may have a column.
+    pub fn has_column(column: &str) -> bool {
+        ["t_s", "V_m_s", "alpha_deg", "tip_z_m", "Fz_N", "Mx_Nm", "My_Nm"].contains(&column)
+            || inner(column, "delta_", "_deg").is_some()
+            || inner(column, "az_", "_m_s2").is_some()
+    }
+
     fn from_table(name: String, table: &Table, path: &Path) -> Result<Self, InputError> {
         table.require(&["t_s", "V_m_s", "alpha_deg"])?;
         let loads = ["Fz_N", "Mx_Nm", "My_Nm"];
         table.allow_only(
-            |column| {
-                ["t_s", "V_m_s", "alpha_deg", "tip_z_m"].contains(&column)
-                    || loads.contains(&column)
-                    || inner(column, "delta_", "_deg").is_some()
-                    || inner(column, "az_", "_m_s2").is_some()
-            },
+            Self::has_column,
             "t_s, V_m_s, alpha_deg, Fz_N, Mx_Nm, My_Nm, tip_z_m, delta_NAME_deg or az_NAME_m_s2",
         )?;
         if table.len() < 3 {

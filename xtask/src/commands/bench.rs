@@ -21,8 +21,9 @@ const GENERAL: Duration = Duration::from_secs(30);
 
 /// Runs the command.
 pub(crate) fn run(args: &BenchArgs, common: &Common) -> Result<(), Failure> {
-    // First, while the process is small: these rows tell their peak of memory.
-    let mut rows = bench_structure::rows(&WingFile::read(&wing_path(None))?)?;
+    // First, while the process is small and in the order of their size: these rows tell their peak of memory.
+    let mut rows = vec![doublets(&bench_dlm::aircraft()?, args)?];
+    rows.extend(bench_structure::rows(&WingFile::read(&wing_path(None))?)?);
     let (file, wing) = ElasticWing::read(&wing_path(None))?;
     let campaign = Campaign::read(&campaign_path(None))?;
     let settings = Settings::of_wing(&file.correction);
@@ -36,8 +37,6 @@ pub(crate) fn run(args: &BenchArgs, common: &Common) -> Result<(), Failure> {
             SteadyAero::new(&wing.lattice, MirrorPlane::None, 0.0).map(drop).map_err(Failure::computation)
         })?,
     ));
-    let aircraft = bench_dlm::aircraft()?;
-    rows.push(doublets(&aircraft, args)?);
     rows.extend(bench_chirp::rows(&file, &wing)?);
     let calibration = calibrate(&wing, &campaign, &settings)?;
     let whole = median(|| {
@@ -60,7 +59,6 @@ pub(crate) fn run(args: &BenchArgs, common: &Common) -> Result<(), Failure> {
 fn doublets(aircraft: &Lattice, args: &BenchArgs) -> Result<Value, Failure> {
     let ours = median(|| bench_dlm::eight_frequencies(aircraft))?;
     let mut row = row(&format!("dlm_{}_boxes_8_frequencies", aircraft.len()), ours);
-    // of the whole process so far: more than the lattice's own
     row["peak_MB"] = json!(peak_mb());
     if let Some(peer) = bench_dlm::panelaero(aircraft, args)? {
         let seconds = peer["seconds"].as_f64().unwrap_or_default();
@@ -124,16 +122,26 @@ pub(super) fn peak_mb() -> Option<f64> {
 }
 
 fn summary(rows: &[Value]) -> String {
-    let mut table =
-        report::Table::new(&["step", "seconds", "peak MB", "peer's seconds", "ratio", "F", "peer's F"]);
+    let mut table = report::Table::new(&[
+        "step",
+        "seconds",
+        "peak MB",
+        "peer's seconds",
+        "peer's MB",
+        "ratio",
+        "F",
+        "peer's F",
+    ]);
     for row in rows {
         let number = |key: &str| row[key].as_f64().map_or_else(|| "-".into(), |value| format!("{value:.4}"));
+        let whole = |key: &str| row[key].as_f64().map_or_else(|| "-".into(), |value| format!("{value:.0}"));
         let name = row["name"].as_str().unwrap_or_default().to_owned();
         table.row([
             name,
             number("seconds"),
-            row["peak_MB"].as_f64().map_or_else(|| "-".into(), |value| format!("{value:.0}")),
+            whole("peak_MB"),
             number("peer_seconds"),
+            whole("peer_peak_MB"),
             number("ratio"),
             number("objective"),
             number("peer_objective"),

@@ -34,11 +34,11 @@ pub(crate) fn rows(file: &WingFile, wing: &ElasticWing) -> Result<Vec<Value>, Fa
     Ok(vec![
         row(
             &format!("unsteady_air_{boxes}_boxes_13_frequencies_with_modes"),
-            median(|| Ok(drop(Rig::new(wing, settings())?)))?,
+            median(|| Rig::new(wing, settings()).map(drop).map_err(Failure::from))?,
         ),
         row(
             &format!("state_space_{}_states_at_an_airspeed", model.a.nrows()),
-            median(|| Ok(drop(rig.at(flow, &neutral)?)))?,
+            median(|| rig.at(flow, &neutral).map(drop).map_err(Failure::from))?,
         ),
         row(
             "chirp_30_s_at_1_khz",

@@ -7,10 +7,12 @@ use std::time::Instant;
 
 use aero::{Corrections, Flow};
 use calibrate::Campaign;
-use maneuver::{DeflectionAt, Rig, RigError, RigModel, RigSettings, Run, Simulated, simulate_commanded};
+use maneuver::{
+    DeflectionAt, Rig, RigError, RigModel, RigSettings, Run, Simulated, Station, simulate_commanded,
+};
 use nastran::InputError;
 use rayon::prelude::*;
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 use crate::args::{Common, SimulateArgs};
 use crate::commands::{simulate_files, simulate_maneuvers};
@@ -59,7 +61,7 @@ pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
     let corrected =
         corrected_wing(args.wing.as_deref(), args.corrections.as_deref(), args.campaign.as_deref(), common)?;
     let maneuvers = simulate_maneuvers::read(&args.maneuver, &corrected)?;
-    let settings = settings(&corrected);
+    let settings = RigSettings { strip_loads: args.strips, ..settings(&corrected) };
     let rig = Rig::new(&corrected.wing, settings.clone())?;
     let models = models(&runs, &rig, &corrected, rho_kg_m3)?;
     let bar = progress::bar(common, runs.len(), "flying runs");
@@ -84,6 +86,7 @@ pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
         "corrections": corrected.origin,
         "deflection_correction": !corrected.file.deflection.is_empty(),
         "modes": rig.omega_rad_s().len(),
+        "air": air_result(&rig),
         "runs": flown.iter().map(run_result).collect::<Vec<_>>(),
         "seconds": seconds,
     });
@@ -123,6 +126,7 @@ pub(crate) fn settings(corrected: &CorrectedWing) -> RigSettings {
         let node = |(name, grid): (String, u32)| system.node_index(grid).map(|node| (name, node));
         settings.sensors = planform.sensor_grids().into_iter().filter_map(node).collect();
     }
+    settings.stations = Station::of_wing(file);
     settings
 }
 
@@ -153,6 +157,20 @@ fn models(
         Ok(Models { v_m_s, initial: rig.at(flow, &neutral)?, updated: rig.at(flow, &corrections)? })
     };
     first_of.into_par_iter().map(at).collect()
+}
+
+/// The rational approximation: its poles and how far it is from the doublet lattice at the lattice's own frequencies.
+fn air_result(rig: &Rig<'_>) -> Value {
+    let Some(fit) = rig.air_fit() else { return Value::Null };
+    let percent = |errors: Vec<(String, f64)>| {
+        errors.into_iter().map(|(name, error)| (name, json!(100.0 * error))).collect::<Map<_, _>>()
+    };
+    json!({
+        "reduced_frequencies": fit.reduced_frequencies,
+        "poles": fit.poles,
+        "largest_error_percent_by_load": percent(fit.by_row),
+        "largest_error_percent_by_motion": percent(fit.by_motion),
+    })
 }
 
 /// Flies a run with the initial and the updated model.

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use maneuver::{Simulated, TimeHistory};
+use maneuver::{Run, Simulated, TimeHistory};
 use report::{Figure, Panel, Series, Style};
 use serde_json::Value;
 
@@ -20,13 +20,26 @@ pub(crate) fn write(out: &Path, flown: &[Flown], result: &Value) -> Result<PathB
     let folder = ResultFolder::begin(out)?;
     for flight in flown {
         let name = &flight.run.name;
-        folder.write_text(&format!("{name}.csv"), &flight.updated.history.to_csv())?;
+        let (run, stations) = split(&flight.updated.history);
+        folder.write_text(&format!("{name}.csv"), &run.to_csv())?;
+        if !stations.channels.is_empty() {
+            folder.write_text(&format!("{name}_stations.csv"), &stations.to_csv())?;
+        }
         folder.write_text(&format!("{name}_models.csv"), &models(flight).to_csv())?;
         let figure = figure(flight).svg().map_err(Failure::computation)?;
         folder.write_text(&format!("{name}.svg"), &figure)?;
     }
     folder.write_json("result.json", result)?;
     folder.commit()
+}
+
+/// The columns that a run's file has, and all others: loads at stations and of strips.
+fn split(history: &TimeHistory) -> (TimeHistory, TimeHistory) {
+    let part = |of_run: bool| TimeHistory {
+        t_s: history.t_s.clone(),
+        channels: history.channels.iter().filter(|c| Run::has_column(&c.name) == of_run).cloned().collect(),
+    };
+    (part(true), part(false))
 }
 
 /// The curves of a run's figure: inputs, and each load as measured and by each model.

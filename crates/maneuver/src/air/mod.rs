@@ -15,7 +15,7 @@ pub use rational::RationalAir;
 pub use table::{AirTable, MotionColumns};
 
 use aero::{AeroError, DlmSettings, DoubletLattice, Lattice, MirrorPlane};
-use faer::{Mat, MatRef, c64};
+use faer::{Mat, c64};
 
 /// Reduced frequencies k = omega `c`/(2V), c the mean chord, at which the doublet lattice is solved. They reach 2, some 50
 /// Hz of a .2 m chord at 18 m/s, and lie closer where the wake's answer bends.
@@ -59,6 +59,8 @@ pub struct UnsteadyAir {
     pub chord_m: f64,
     /// Pressures at the table's frequencies; none for quasi-steady air.
     pub table: Option<AirTable>,
+    /// The rows the poles were chosen for: loads per unit pressure coefficient, rows by boxes.
+    pub looked_at: Mat<f64>,
     /// The rational function.
     pub rational: RationalAir,
     /// The rational function for modes that are faster than the table: with the poles of the wake alone it is rougher at
@@ -92,23 +94,52 @@ impl UnsteadyAir {
         columns: MotionColumns,
         steady: Mat<f64>,
         rate: Mat<f64>,
-        looked_at: MatRef<'_, f64>,
+        looked_at: Mat<f64>,
     ) -> Result<Self, AeroError> {
         let chord_m = mean_chord_m(lattice);
         let AirModel::Unsteady { lags, doublets } = model else {
             let rational = RationalAir::quasi_steady(steady, rate);
             let [beyond, instant] = [rational.clone(), rational.clone()];
-            return Ok(Self { columns, chord_m, table: None, rational, beyond, instant, lattice: None });
+            return Ok(Self {
+                columns,
+                chord_m,
+                table: None,
+                looked_at,
+                rational,
+                beyond,
+                instant,
+                lattice: None,
+            });
         };
         let solver = DoubletLattice::new(lattice, plane, mach, &doublets)?;
         let kappa: Vec<f64> = REDUCED_FREQUENCIES.iter().map(|k| 2.0 * k / chord_m).collect();
         let table = AirTable::new(&solver, &columns, &kappa)?;
-        let poles = poles::choose(&table, steady.as_ref(), looked_at, lags);
+        let poles = poles::choose(&table, steady.as_ref(), looked_at.as_ref(), lags);
         let slow_poles: Vec<f64> = SLOW_POLES.iter().map(|k| 2.0 * k / chord_m).collect();
         let beyond = RationalAir::fit(&table, steady.clone(), &slow_poles);
         let instant = beyond.clone().without_lags();
         let rational = RationalAir::fit(&table, steady, &poles);
-        Ok(Self { columns, chord_m, table: Some(table), rational, beyond, instant, lattice: Some(solver) })
+        Ok(Self {
+            columns,
+            chord_m,
+            table: Some(table),
+            looked_at,
+            rational,
+            beyond,
+            instant,
+            lattice: Some(solver),
+        })
+    }
+
+    /// How far the rational function is from the doublet lattice at the table's own frequencies, in the rows it was chosen
+    /// for; none for quasi-steady air.
+    pub fn accuracy(&self) -> Option<Accuracy> {
+        let table = self.table.as_ref()?;
+        let samples: Vec<(f64, Mat<c64>)> =
+            table.omega_over_v_per_m.iter().copied().zip(table.cp.iter().cloned()).collect();
+        let rows = self.looked_at.as_ref();
+        let largest = accuracy::largest(rows, table.cp.iter());
+        Some(Accuracy::at(&self.rational, &samples, rows, largest.as_ref()))
     }
 
     /// The air at an airspeed, for modes with natural frequencies that ascend.
