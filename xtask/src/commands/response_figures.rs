@@ -211,5 +211,8 @@ pub(super) fn published(figure: mav::figures::Figure) -> Result<String, Failure>
     });
     let panels: Vec<Panel> = panels.collect();
     let columns = if panels.len() == 6 { 2 } else { 3 };
-    Figure { title: figure.title, panels, columns }.svg().map_err(Failure::computation)
+    // a single panel is too narrow for more than the beginning; result.json has it all
+    let end = if panels.len() > 1 { None } else { figure.title.find([',', '(']) };
+    let title = figure.title[..end.unwrap_or(figure.title.len())].trim_end().to_string();
+    Figure { title, panels, columns }.svg().map_err(Failure::computation)
 }
