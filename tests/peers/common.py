@@ -23,6 +23,19 @@ def written_deck(*options):
     return out / "wing.bdf", json.loads((out / "result.json").read_text())
 
 
+def panelaero_grid(c):
+    """PanelAero's description of boxes given by their corners, boxes by 4 by 3."""
+    import numpy as np
+    l1, l2, b1, b2 = c[:, 1] - c[:, 0], c[:, 2] - c[:, 3], c[:, 3] - c[:, 0], c[:, 2] - c[:, 1]
+    lm, bm, n = (l1 + l2) / 2, (b1 + b2) / 2, len(c)
+    normal = np.cross(l1, b1)
+    p1, p3, sets = c[:, 0] + l1 / 4, c[:, 3] + l2 / 4, np.arange(6 * n).reshape(n, 6)
+    point = {name: c[:, 0] + f * lm + b1 / 2 for name, f in [('offset_l', 0.25), ('offset_k', 0.5), ('offset_j', 0.75)]}
+    return {'ID': np.arange(1, n + 1), 'n': n, 'l': lm[:, 0].copy(), 'A': np.linalg.norm(np.cross(lm, bm), axis=1),
+            'N': normal / np.linalg.norm(normal, axis=1)[:, None], 'offset_P1': p1, 'offset_P3': p3, 'r': p3 - p1,
+            'set_l': sets, 'set_k': sets, 'set_j': sets, 'coord_desc': 'bodyfixed', **point}
+
+
 class Comparison:
     """Collects numbers beside each other and ends with a failure if one is too far off."""
 

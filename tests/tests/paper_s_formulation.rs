@@ -8,7 +8,7 @@ use coupling::planform::Planform;
 use coupling::wing_file::Source;
 use coupling::{ElasticWing, Mount, RootPlane, SteadyCase, WingFile};
 use faer::Mat;
-use maneuver::{Rig, RigSettings};
+use maneuver::{AirModel, Rig, RigSettings};
 use validation::{assert_close, data};
 
 fn file_with(change: impl Fn(&mut Planform)) -> WingFile {
@@ -116,8 +116,11 @@ fn s14_pitch_gives_incidence_and_heave_rate_gives_minus_its_share_of_the_airspee
         planform.controls.clear();
     });
     let wing = wing_of(&file);
-    let settings = RigSettings { modes: 1, ..RigSettings::new(0.0, file.pitch_axis_x()) };
-    let rig = Rig::new(&wing, settings).expect("modes");
+    let settings = |modes: usize| {
+        let air = AirModel::QuasiSteady;
+        RigSettings { modes, air, ..RigSettings::new(0.0, file.pitch_axis_x()) }
+    };
+    let rig = Rig::new(&wing, settings(1)).expect("modes");
     let flow = Flow { v_m_s: 30.0, rho_kg_m3: 1.225 };
     let neutral = Corrections::neutral(wing.correctable.len());
     let model = rig.at(flow, &neutral).expect("no divergence");
@@ -143,8 +146,7 @@ fn s14_pitch_gives_incidence_and_heave_rate_gives_minus_its_share_of_the_airspee
     // the static residual of the other modes changes the answer by what they bend meanwhile
     assert!(work < 0.0 && damping < 0.0);
     assert_close("aerodynamic damping", damping, work, 0.2, 0.0);
-    let all = Rig::new(&wing, RigSettings { modes: 60, ..RigSettings::new(0.0, file.pitch_axis_x()) })
-        .expect("modes");
+    let all = Rig::new(&wing, settings(60)).expect("modes");
     let all = all.at(flow, &neutral).expect("no divergence");
     let modes = (all.a.nrows()) / 2;
     assert_close("aerodynamic damping, no residual", all.a[(modes, modes)], work, 1e-3, 0.0);

@@ -60,6 +60,8 @@ pub enum Command {
     Calibrate(CalibrateArgs),
     /// Time histories of wind-tunnel runs, simulated from their inputs and set beside what was measured
     Simulate(SimulateArgs),
+    /// How much of a commanded deflection acts, by surface, airspeed and deflection, from measured doublets
+    Deflection(DeflectionArgs),
     /// Trim, pull-up, push-down, chirp and doublet of the full aircraft, initial beside updated model
     Fullaircraft(FullaircraftArgs),
     /// Calibrate, simulate and fullaircraft, one after the other
@@ -70,6 +72,8 @@ pub enum Command {
     Modes(ModesArgs),
     /// The wing as a Nastran deck: structure, boxes and splines
     Deck(DeckArgs),
+    /// Response surfaces of measured coefficients: terms chosen by the predicted squared error, and their tests
+    Response(Box<ResponseArgs>),
     /// Flutter and divergence speeds of the wing, initial beside updated, by two methods, with V-g and V-f curves
     Flutter(FlutterArgs),
     /// Our results beside every published reference
@@ -93,10 +97,21 @@ pub struct CalibrateArgs {
 
 /// Options of `simulate`.
 #[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask simulate
+  cargo xtask simulate --run data/tuflex/measured/aoa_2hz_30.csv
+  cargo xtask simulate --maneuver data/tuflex/maneuvers/doublet.ron data/tuflex/maneuvers/chirp.ron
+  cargo xtask simulate --wing out/deflection/wing.ron --corrections out/deflection/corrections.ron
+
+The initial model is theory; the updated one has the corrections, and the wing's deflection correction if its file
+has one (commanded deflection, times K(deflection, V), actuator, surface). Deflections in results are commands.")]
 pub struct SimulateArgs {
-    /// Runs to simulate [default: all runs of the campaign]
+    /// Runs to simulate [default: all runs of the campaign, unless maneuvers are named]
     #[arg(long, value_name = "FILE", num_args = 1..)]
     pub run: Vec<PathBuf>,
+    /// Maneuvers declared in RON to fly (data/tuflex/maneuvers/doublet.ron explains every field)
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    pub maneuver: Vec<PathBuf>,
     /// The wing [default: data/tuflex/wing.ron]
     #[arg(long, value_name = "FILE")]
     pub wing: Option<PathBuf>,
@@ -106,6 +121,30 @@ pub struct SimulateArgs {
     /// The folder of measurements [default: data/tuflex/measured]
     #[arg(long, value_name = "DIR")]
     pub campaign: Option<PathBuf>,
+}
+
+/// Options of `deflection`.
+#[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask deflection
+  cargo xtask deflection --campaign my_campaign --wing my_wing.ron --out out/my_deflection
+  cargo xtask simulate --wing out/deflection/wing.ron --corrections out/deflection/corrections.ron
+
+Runs that are doublets of one control surface are fitted if they are marked `use: Train` or not marked at all; those
+marked Holdout only judge.
+Writes wing.ron (the given wing with the correction), corrections.ron (the given ones, for that wing), deflection.csv,
+equivalent.svg, factors.svg and result.json. The factor is linear between measured deflections and airspeeds, kept
+below the smallest and above the largest deflection, and refused beyond the measured airspeeds.")]
+pub struct DeflectionArgs {
+    /// The wing [default: data/tuflex/wing.ron]
+    #[arg(long, value_name = "FILE")]
+    pub wing: Option<PathBuf>,
+    /// The folder of measurements [default: data/tuflex/measured]
+    #[arg(long, value_name = "DIR")]
+    pub campaign: Option<PathBuf>,
+    /// Corrections from `calibrate` [default: out/calibrate's if of the same wing, else calibrated first]
+    #[arg(long, value_name = "FILE")]
+    pub corrections: Option<PathBuf>,
 }
 
 /// Options of `fullaircraft`.
@@ -172,6 +211,63 @@ pub struct DeckArgs {
     pub bars: bool,
 }
 
+/// Options of `response`.
+#[derive(Debug, Clone, Default, Args)]
+pub struct ResponseArgs {
+    /// A CSV file, a RON file that names tables, or a folder with response.ron or CSV files [default: data/mav]
+    #[arg(long, value_name = "PATH")]
+    pub data: Option<PathBuf>,
+    /// Columns of factors, instead of what a RON file says
+    #[arg(long, value_name = "A,B", value_delimiter = ',', requires = "data", requires = "responses")]
+    pub factors: Vec<String>,
+    /// Columns of responses
+    #[arg(long, value_name = "CL,CM", value_delimiter = ',', requires = "factors")]
+    pub responses: Vec<String>,
+    /// Columns of blocks: runs, days, mountings
+    #[arg(long, value_name = "DAY", value_delimiter = ',', requires = "factors")]
+    pub blocks: Vec<String>,
+    /// Candidates: all products of powers of the factors up to this order [default: 2, or the terms only]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=9))]
+    pub order: Option<u32>,
+    /// Candidates by name, such as n^2/q, besides those of --order if that is given
+    #[arg(long, value_name = "TERMS", value_delimiter = ',')]
+    pub terms: Vec<String>,
+    /// What is done with blocks: fixed or random offsets, or not looked at [default: fixed]
+    #[arg(long, value_name = "HOW", value_parser = ["fixed", "random", "ignored"])]
+    pub blocking: Option<String>,
+    /// How sets of terms are looked for [default: best]
+    #[arg(long, value_name = "HOW", value_parser = ["best", "stepwise", "ranked"])]
+    pub search: Option<String>,
+    /// sigma0^2 of the predicted squared error is T^2/2 times the variance of errors: terms stay from |t| = T on
+    /// [default: 3]
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    pub least_t: Option<f64>,
+    /// Level of tests and intervals [default: 0.95]
+    #[arg(long, value_name = "P")]
+    pub level: Option<f64>,
+    /// Columns of two-level factors whose effects are computed [default: all factors, if all have two levels]
+    #[arg(long, value_name = "A,B", value_delimiter = ',', requires = "factors")]
+    pub effects: Vec<String>,
+    /// Columns that are blocks for the effects [default: those of --blocks]
+    #[arg(long, value_name = "DAY", value_delimiter = ',', requires = "effects")]
+    pub effect_blocks: Vec<String>,
+    /// Points (a CSV with the columns of the factors) at which the surfaces are predicted
+    #[arg(long, value_name = "FILE")]
+    pub at: Option<PathBuf>,
+    /// Instead: displacement fields (CSV, `x_mm,y_mm,w_mm`) whose ratio of left to right side is computed
+    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with_all = ["data", "factors", "order", "terms", "at"])]
+    pub displacement: Vec<PathBuf>,
+    /// Fields of a rigid wing in the same set-up [default: the paper's mean ratio, 0.956]
+    #[arg(long, value_name = "FILE", num_args = 1.., requires = "displacement")]
+    pub rigid: Vec<PathBuf>,
+    /// Plane of symmetry of the fields, mm [default: 0]
+    #[arg(long, value_name = "Y", allow_negative_numbers = true, requires = "displacement")]
+    pub centre_y_mm: Option<f64>,
+    /// Standard deviation of the error of a point of the fields, mm [default: 0.05]
+    #[arg(long, value_name = "W", requires = "displacement")]
+    pub sigma_w_mm: Option<f64>,
+}
+
 /// Options of `flutter`.
 #[derive(Debug, Clone, Default, Args)]
 pub struct FlutterArgs {
@@ -207,9 +303,13 @@ pub struct ValidateArgs {
     pub only: Option<String>,
 }
 
-/// Options of `bench`: none of its own.
-#[derive(Debug, Clone, Default, Args)]
-pub struct BenchArgs {}
+/// Options of `bench`.
+#[derive(Debug, Clone, Args)]
+pub struct BenchArgs {
+    /// A Python with PanelAero, timed on the same boxes in the same run [default: python3, if it has it]
+    #[arg(long, value_name = "PYTHON", default_value = "python3")]
+    pub peer_python: PathBuf,
+}
 
 /// Options of `tidy`: none of its own.
 #[derive(Debug, Clone, Default, Args)]

@@ -39,10 +39,12 @@ fn run(cli: &Cli) -> Result<(), Failure> {
     if let (
         Command::Calibrate(_)
         | Command::Simulate(_)
+        | Command::Deflection(_)
         | Command::Fullaircraft(_)
         | Command::Tunnel(_)
         | Command::Modes(_)
         | Command::Deck(_)
+        | Command::Response(_)
         | Command::Flutter(_)
         | Command::Validate(_),
         Some(out),
@@ -54,11 +56,13 @@ fn run(cli: &Cli) -> Result<(), Failure> {
     match &cli.command {
         Command::Calibrate(args) => commands::calibrate::run(args, common),
         Command::Simulate(args) => commands::simulate::run(args, common),
+        Command::Deflection(args) => commands::deflection::run(args, common),
         Command::Fullaircraft(args) => commands::fullaircraft::run(args, common),
         Command::Pipeline(args) => commands::pipeline::run(args, common),
         Command::Tunnel(args) => commands::tunnel::run(args, common),
         Command::Modes(args) => commands::modes::run(args, common),
         Command::Deck(args) => commands::deck::run(args, common),
+        Command::Response(args) => commands::response::run(args, common),
         Command::Flutter(args) => commands::flutter::run(args, common),
         Command::Validate(args) => commands::validate::run(args, common),
         Command::Bench(args) => commands::bench::run(args, common),

@@ -291,3 +291,75 @@ fn a_misspelt_option_is_a_wrong_usage() {
     assert_eq!(output.status.code(), Some(2));
     assert!(said.contains("--wing"), "{said}");
 }
+
+#[test]
+fn bad_maneuvers_are_refused_by_name_and_place() {
+    let good = std::fs::read_to_string(
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../data/tuflex/maneuvers/doublet.ron"),
+    )
+    .expect("a shipped maneuver");
+    let line = |field: &str| {
+        good.lines().position(|line| line.trim_start().starts_with(field)).expect("a field") + 1
+    };
+    for (name, from, to, place, said) in [
+        ("length", "length_s: 3.0", "length_s: -3.0", line("length_s"), "the length -3.0 s"),
+        (
+            "frequency",
+            "frequency_hz: 1.0, start",
+            "frequency_hz: 150.0, start",
+            line("Doublet(of: \"inner"),
+            "half the sampling rate",
+        ),
+        ("surface", "of: \"inner\"", "of: \"iner\"", line("Doublet(of: \"inner"), "did you mean \"inner\"?"),
+        (
+            "limit",
+            "height_deg: 15.0",
+            "height_deg: 45.0",
+            line("Doublet(of: \"inner"),
+            "beyond 30 degrees (assumed",
+        ),
+        (
+            "actuator",
+            "actuator: Assumed",
+            "actuator: None",
+            line("Doublet(of: \"inner"),
+            "there is no actuator",
+        ),
+    ] {
+        let case = Case::new(&format!("maneuver-{name}"));
+        std::fs::write(case.folder.join("maneuver.ron"), &good).expect("a temporary file");
+        case.change("maneuver.ron", |text| text.replace(from, to));
+        case.fails(
+            &["simulate", "--wing", "wing.ron", "--campaign", "campaign", "--maneuver", "maneuver.ron"],
+            &[&format!("maneuver.ron:{place}:"), said],
+        );
+    }
+    // no corrections were found there
+    let case = Case::new("maneuver-airspeed");
+    std::fs::write(case.folder.join("maneuver.ron"), good.replace("V_m_s: 30.0", "V_m_s: 80.0"))
+        .expect("a temporary file");
+    case.fails(
+        &["simulate", "--wing", "wing.ron", "--campaign", "campaign", "--maneuver", "maneuver.ron"],
+        &["maneuver.ron: no corrections at 80 m/s"],
+    );
+}
+
+#[test]
+fn a_campaign_without_doublets_and_a_bad_deflection_table_are_refused() {
+    let case = Case::new("no-doublets");
+    case.change("campaign/campaign.ron", |text| {
+        let keep = |line: &&str| !line.contains("(file:") || line.contains("aoa_2hz_30.csv");
+        text.lines().filter(keep).collect::<Vec<_>>().join("\n")
+    });
+    case.fails(
+        &["deflection", "--wing", "wing.ron", "--campaign", "campaign"],
+        &["no run for training is a doublet"],
+    );
+    let table =
+        "deflection: [(control: \"inner\", rows: [(V_m_s: 30.0, commanded_deg: [5.0], factor: [9.0])])],";
+    case.change("wing.ron", |text| text.replace("effects: [],", &format!("effects: [],\n    {table}")));
+    case.fails(
+        &["simulate", "--wing", "wing.ron", "--campaign", "campaign"],
+        &["wing.ron:", "a factor of 9.0000"],
+    );
+}

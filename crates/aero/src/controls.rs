@@ -17,6 +17,9 @@ pub struct ControlSurface {
     pub boxes: Vec<usize>,
     /// Incidence per rad of deflection of these boxes, same order; includes the effectiveness EFF.
     pub slope: Vec<f64>,
+    /// Incidence times V per rad/s of deflection of these boxes, m: the lever of their three-quarter points about
+    /// the hinge; includes EFF.
+    pub lever_m: Vec<f64>,
 }
 
 impl ControlSurface {
@@ -35,26 +38,43 @@ impl ControlSurface {
                     format!("the label {} is used by two AESURF", card.label),
                 ));
             }
-            let mut slopes: BTreeMap<usize, f64> = BTreeMap::new();
+            let mut parts: BTreeMap<usize, [f64; 2]> = BTreeMap::new();
             for (cid, list) in &card.parts {
                 let hinge = frames.axes_at(*cid, &card.span)?.column(1).into_owned();
+                let origin = frames.point(*cid, [0.0; 3], &card.span)?;
                 for place in places(box_list(bulk, card, *list)?, &index)? {
-                    let slope = card.effectiveness * hinge.dot(&lattice.boxes[place].pitch_axis());
-                    *slopes.entry(place).or_insert(0.0) += slope;
+                    let panel = &lattice.boxes[place];
+                    let arm = panel.three_quarter_point() - origin;
+                    let sum = parts.entry(place).or_insert([0.0; 2]);
+                    sum[0] += card.effectiveness * hinge.dot(&panel.pitch_axis());
+                    sum[1] -= card.effectiveness * hinge.cross(&arm).dot(&panel.normal());
                 }
             }
-            let (boxes, slope) = slopes.into_iter().unzip();
-            all.push(Self { name: card.label.clone(), boxes, slope });
+            all.push(Self {
+                name: card.label.clone(),
+                boxes: parts.keys().copied().collect(),
+                slope: parts.values().map(|part| part[0]).collect(),
+                lever_m: parts.values().map(|part| part[1]).collect(),
+            });
         }
         Ok(all)
     }
 
     /// Incidence per rad of deflection of every box of a lattice of `boxes` boxes.
     pub fn column(&self, boxes: usize) -> Vec<f64> {
+        self.spread(&self.slope, boxes)
+    }
+
+    /// Incidence times V per rad/s of deflection of every box of a lattice of `boxes` boxes, m.
+    pub fn rate_column_m(&self, boxes: usize) -> Vec<f64> {
+        self.spread(&self.lever_m, boxes)
+    }
+
+    fn spread(&self, values: &[f64], boxes: usize) -> Vec<f64> {
         let mut w = vec![0.0; boxes];
-        for (&place, &slope) in self.boxes.iter().zip(&self.slope) {
-            if let Some(value) = w.get_mut(place) {
-                *value = slope;
+        for (&place, &value) in self.boxes.iter().zip(values) {
+            if let Some(entry) = w.get_mut(place) {
+                *entry = value;
             }
         }
         w

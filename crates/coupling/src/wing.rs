@@ -30,6 +30,8 @@ pub struct ElasticWing {
     pub balance: Balance,
     /// The plane at the root.
     pub plane: MirrorPlane,
+    /// Mach number of the air.
+    pub mach: f64,
     /// Boxes that corrections are found for.
     pub correctable: CorrectableBoxes,
     /// Box areas and arms (Eq. 4).
@@ -66,7 +68,7 @@ pub struct WingParts {
     pub balance: Balance,
     /// Plane at the root.
     pub plane: MirrorPlane,
-    /// Mach number of the steady aerodynamics.
+    /// Mach number of the air.
     pub mach: f64,
     /// Which surfaces of the lattice are fairings: in the flow, never corrected.
     pub fairing_surfaces: Vec<u32>,
@@ -126,6 +128,7 @@ impl ElasticWing {
             controls: parts.controls,
             balance: parts.balance,
             plane: parts.plane,
+            mach: parts.mach,
             camber: parts.camber,
             supported: parts.supported,
             structure: parts.structure,

@@ -4,10 +4,14 @@
 //! Reading checks everything, the files it names included, so that later steps meet no bad input.
 
 mod deck_source;
+mod deflection;
 mod hash;
+mod write;
 
 pub use crate::planform::Mount;
 pub use deck_source::DeckSource;
+pub use deflection::{DeflectionRow, DeflectionTable, OutsideAirspeeds};
+pub use write::Rewritten;
 
 use crate::planform::{AXIS_SET, FAIRING_PANEL, Fault, Planform, ROOT_SET};
 use nastran::{BulkData, Divisions, InputError, MonitorPoint, Span, named_file, place_of, ron_file};
@@ -46,6 +50,9 @@ pub struct WingFile {
     pub tip_grid: Option<u32>,
     /// The unknowns of the calibration.
     pub correction: CorrectionSettings,
+    /// How much of a commanded deflection acts, by control surface, airspeed and deflection; left out: all of it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub deflection: Vec<DeflectionTable>,
     /// Reserved for effects beyond this model; must be empty.
     #[serde(default)]
     pub effects: Vec<ReservedEffect>,
@@ -166,6 +173,7 @@ impl WingFile {
         let files = wing.named_files()?;
         let bulk = wing.bulk(Mount::Tunnel)?;
         wing.check_chord_strips(&bulk).map_err(|fault| fault.at(&place_of(&[&fault.anchor], &text, path)))?;
+        deflection::check(&wing.deflection, &bulk, &text, path)?;
         if let Source::Deck(deck) = &wing.source {
             deck.check(&bulk).map_err(|fault| fault.at(&place_of(&[&fault.anchor], &text, path)))?;
         }
@@ -223,6 +231,11 @@ impl WingFile {
         }
     }
 
+    /// The largest deflection of a control surface, degrees, if the file gives one (a deck cannot).
+    pub fn deflection_limit_deg(&self, control: &str) -> Option<f64> {
+        self.planform()?.controls.iter().find(|surface| surface.name == control)?.limit_deg
+    }
+
     /// The folder that relative file names start from.
     pub fn folder(&self) -> PathBuf {
         self.path.parent().unwrap_or_else(|| Path::new("")).to_path_buf()
@@ -255,6 +268,11 @@ impl WingFile {
 
     fn check(&self) -> Result<(), Fault> {
         use crate::planform::check::{count, positive, within};
+        if !self.effects.is_empty() && !self.deflection.is_empty() {
+            let message =
+                "the wing has both a deflection correction and effects, which may be the same physics";
+            return Err(Fault::field("effects", message, "leave `deflection` or `effects` out"));
+        }
         if !self.effects.is_empty() {
             let help = "leave `effects` out or write `effects: []`";
             return Err(Fault::field("effects", "the list of effects is reserved and must be empty", help));

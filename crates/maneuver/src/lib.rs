@@ -1,9 +1,15 @@
 #![doc = include_str!("../README.md")]
 
+pub mod air;
 mod assemble;
+pub mod deflection;
+pub mod deflection_fit;
 pub mod flutter;
 pub mod gust;
 pub mod history;
+mod linear;
+mod load_rows;
+pub mod maneuver_file;
 mod operators;
 pub mod rig;
 pub mod rig_model;
@@ -11,9 +17,14 @@ pub mod run;
 pub mod signals;
 pub mod simulate;
 pub mod smoothing;
+mod state_space;
 pub mod step;
 
+pub use air::AirModel;
+pub use deflection::{DeflectionAt, DeflectionCorrection, fly_commanded, simulate_commanded};
 pub use history::{Channel, TimeHistory};
+pub use load_rows::Station;
+pub use maneuver_file::ManeuverFile;
 pub use rig::{Actuator, Rig, RigError, RigSettings};
 pub use rig_model::{Inputs, Motion, RigModel};
 pub use run::Run;

@@ -1,5 +1,7 @@
 //! What a rig needs at every airspeed, computed once: modes on the s-set, static residuals, pressures of motion.
 
+use crate::air::{AirModel, MotionColumns, UnsteadyAir};
+use crate::load_rows::{LoadRows, Momentum};
 use crate::rig::{RigError, RigSettings};
 use coupling::supported::restrict;
 use coupling::{ElasticWing, SupportedStructure};
@@ -23,66 +25,128 @@ pub(crate) struct RigOperators {
     pub(crate) residual_fields: Mat<f64>,
     /// Phiᵀ M r, m by fields.
     pub(crate) modal_fields: Mat<f64>,
-    /// r_bᵀ M r, rows Fz, Mx, My by fields.
-    pub(crate) rigid_inertia: Mat<f64>,
-    /// r_bᵀ M Phi, rows Fz, Mx, My by m.
-    pub(crate) modal_inertia: Mat<f64>,
-    /// Q D2 G Phi, boxes by m: Cp per unit modal velocity times V.
-    pub(crate) cp_rates: Mat<f64>,
-    /// Q (x_j - x_p) n_z, boxes by 1: Cp per unit pitch rate times V.
-    pub(crate) cp_pitch_rate: Mat<f64>,
+    /// What is looked at: the balance's three loads first, then stations and strips.
+    pub(crate) loads: LoadRows,
+    /// Pressures of motion: the modes, root pitch, then the controls.
+    pub(crate) air: UnsteadyAir,
     /// Phi at each sensor's z, sensors by m.
     pub(crate) sensor_shapes: Mat<f64>,
     /// x of each sensor aft of the pitch axis, m.
     pub(crate) sensor_arms_m: Vec<f64>,
 }
 
+/// The structure's part.
+struct Structural {
+    omega_rad_s: Vec<f64>,
+    shapes: Mat<f64>,
+    residual: Mat<f64>,
+    residual_fields: Mat<f64>,
+    modal_fields: Mat<f64>,
+    loads: LoadRows,
+    sensor_shapes: Mat<f64>,
+    sensor_arms_m: Vec<f64>,
+}
+
 impl RigOperators {
     pub(crate) fn new(wing: &ElasticWing, settings: &RigSettings) -> Result<Self, RigError> {
         let parts = match (&wing.supported, &wing.structure) {
             (Some(supported), Some((system, _))) => structural(wing, supported, system, settings)?,
-            _ => rigid(),
+            _ => rigid(wing, settings),
         };
-        let boxes = wing.lattice.len();
+        let motion = wing.supported.as_ref().map(|supported| &supported.k_displacements() * &parts.shapes);
+        let columns = columns(wing, motion.as_ref(), settings.pitch_axis_x_m);
         let modes = parts.omega_rad_s.len();
-        let mut w = Mat::zeros(boxes, modes + 1);
-        if let Some(supported) = &wing.supported {
-            let motion = &supported.k_displacements() * &parts.shapes;
-            for j in 0..boxes {
-                // w = theta' (x_34 - x_mid)/V - h'/V: nose-up rate about the midpoint, minus heave rate
-                let quarter = 0.25 * wing.lattice.boxes[j].chord_m();
-                for mode in 0..modes {
-                    w[(j, mode)] = quarter * motion[(2 * j + 1, mode)] - motion[(2 * j, mode)];
-                }
-            }
-        }
-        for (j, panel) in wing.lattice.boxes.iter().enumerate() {
-            w[(j, modes)] = (panel.three_quarter_point().x - settings.pitch_axis_x_m) * panel.normal().z;
-        }
-        let cp = wing.pressures(w.as_ref());
+        let bent = wing.pressures_by_displacement() * &parts.shapes;
+        let steady = Mat::from_fn(wing.lattice.len(), columns.still.ncols(), |j, column| match column {
+            mode if mode < modes => bent[(j, mode)],
+            pitch if pitch == modes => wing.pressures_by_alpha()[j],
+            control => wing.pressures_by_control()[(j, control - modes - 1)],
+        });
+        let rate = match settings.air {
+            AirModel::QuasiSteady => wing.pressures(columns.moving.as_ref()),
+            AirModel::Unsteady { .. } => Mat::zeros(0, 0),
+        };
+        let rows = looked_at(wing, motion.as_ref());
+        let place = (&wing.lattice, wing.plane, wing.mach);
+        let air = UnsteadyAir::new(settings.air, place, columns, steady, rate, rows.as_ref())
+            .map_err(coupling::CouplingError::from)?;
         Ok(Self {
-            cp_rates: cp.as_ref().subcols(0, modes).to_owned(),
-            cp_pitch_rate: cp.as_ref().subcols(modes, 1).to_owned(),
-            ..parts
+            omega_rad_s: parts.omega_rad_s,
+            shapes: parts.shapes,
+            residual: parts.residual,
+            residual_fields: parts.residual_fields,
+            modal_fields: parts.modal_fields,
+            loads: parts.loads,
+            sensor_shapes: parts.sensor_shapes,
+            sensor_arms_m: parts.sensor_arms_m,
+            air,
         })
     }
 }
 
+/// Incidences of the modes (`motion`: two rows a box by modes), of root pitch and of the controls.
+fn columns(wing: &ElasticWing, motion: Option<&Mat<f64>>, pitch_axis_x_m: f64) -> MotionColumns {
+    let boxes = wing.lattice.len();
+    let modes = motion.map_or(0, Mat::ncols);
+    let mut still = Mat::zeros(boxes, modes + 1 + wing.controls.len());
+    let mut moving = Mat::zeros(boxes, still.ncols());
+    for (j, panel) in wing.lattice.boxes.iter().enumerate() {
+        if let Some(motion) = motion {
+            // theta + theta' (x_34 - x_mid)/V - h'/V
+            let quarter = 0.25 * panel.chord_m();
+            for mode in 0..modes {
+                still[(j, mode)] = motion[(2 * j + 1, mode)];
+                moving[(j, mode)] = quarter * motion[(2 * j + 1, mode)] - motion[(2 * j, mode)];
+            }
+        }
+        still[(j, modes)] = panel.normal().z;
+        moving[(j, modes)] = (panel.three_quarter_point().x - pitch_axis_x_m) * panel.normal().z;
+    }
+    for (c, control) in wing.controls.iter().enumerate() {
+        let (slope, lever) = (control.column(boxes), control.rate_column_m(boxes));
+        for j in 0..boxes {
+            still[(j, modes + 1 + c)] = slope[j];
+            moving[(j, modes + 1 + c)] = lever[j];
+        }
+    }
+    MotionColumns { still, moving }
+}
+
+/// Generalised forces of the modes and root loads per unit pressure coefficient and dynamic pressure, rows by boxes:
+/// what the poles are chosen for, without corrections.
+fn looked_at(wing: &ElasticWing, motion: Option<&Mat<f64>>) -> Mat<f64> {
+    let modes = motion.map_or(0, Mat::ncols);
+    Mat::from_fn(modes + 3, wing.lattice.len(), |row, j| {
+        let (area, arm) = (wing.integration.area(j), wing.integration.moment_arm(j));
+        let by = |k: usize| match motion {
+            Some(motion) if row < modes => motion[(k, row)],
+            _ => wing.root_rows[(row - modes, k)],
+        };
+        area * (by(2 * j) + arm * by(2 * j + 1))
+    })
+}
+
 /// A wing without structure: no modes, no inertia.
-fn rigid() -> RigOperators {
-    RigOperators {
+fn rigid(wing: &ElasticWing, settings: &RigSettings) -> Structural {
+    Structural {
         omega_rad_s: Vec::new(),
         shapes: Mat::zeros(0, 0),
         residual: Mat::zeros(0, 0),
         residual_fields: Mat::zeros(0, FIELDS),
         modal_fields: Mat::zeros(0, FIELDS),
-        rigid_inertia: Mat::zeros(3, FIELDS),
-        modal_inertia: Mat::zeros(3, 0),
-        cp_rates: Mat::zeros(0, 0),
-        cp_pitch_rate: Mat::zeros(0, 0),
+        loads: loads(wing, settings, None),
         sensor_shapes: Mat::zeros(0, 0),
         sensor_arms_m: Vec::new(),
     }
+}
+
+fn loads(wing: &ElasticWing, settings: &RigSettings, momentum: Option<&Momentum<'_>>) -> LoadRows {
+    let mut parts = vec![LoadRows::balance(wing, momentum, FIELDS)];
+    parts.extend(settings.stations.iter().map(|s| LoadRows::station(wing, s, momentum, FIELDS)));
+    if settings.strip_loads {
+        parts.push(LoadRows::strips(wing, FIELDS, momentum.map_or(0, |m| m.modes.ncols())));
+    }
+    LoadRows::stacked(&parts)
 }
 
 fn structural(
@@ -90,7 +154,7 @@ fn structural(
     supported: &SupportedStructure,
     system: &System,
     settings: &RigSettings,
-) -> Result<RigOperators, RigError> {
+) -> Result<Structural, RigError> {
     let modes = modes_of(system, settings.modes)?;
     let count = modes.omega_rad_s.len();
     let shapes_g = system.expand(modes.shapes.as_ref());
@@ -98,6 +162,7 @@ fn structural(
     let balance = wing.balance.point;
     let fields_g = fields(system, &Point3::new(settings.pitch_axis_x_m, balance.y, balance.z));
     let field_loads = system.inertia_loads(fields_g.as_ref());
+    let mode_loads = system.inertia_loads(shapes_g.as_ref());
     let flexibility = Flexibility::new(system).map_err(coupling::CouplingError::from)?;
     let answer =
         system.expand(flexibility.displacements(system.reduce(field_loads.as_ref()).as_ref()).as_ref());
@@ -105,20 +170,13 @@ fn structural(
     let modal_fields = shapes_g.transpose() * &field_loads;
     let soft = |m: usize| 1.0 / modes.omega_rad_s[m].powi(2);
     let weighted = Mat::from_fn(supported.size(), count, |i, m| shapes[(i, m)] * soft(m));
-    let rigid = system.rigid_body(&balance);
-    let to_root = |loads: &Mat<f64>| {
-        let all = rigid.transpose() * loads;
-        Mat::from_fn(3, loads.ncols(), |row, column| all[(row + 2, column)])
-    };
     let sensor = |s: usize| settings.sensors[s].1;
-    Ok(RigOperators {
+    let momentum = Momentum { system, fields: field_loads.as_ref(), modes: mode_loads.as_ref() };
+    Ok(Structural {
         residual: &supported.flexibility - &weighted * shapes.transpose(),
         residual_fields: answer - &weighted * &modal_fields,
-        rigid_inertia: to_root(&field_loads),
-        modal_inertia: to_root(&system.inertia_loads(shapes_g.as_ref())),
         modal_fields,
-        cp_rates: Mat::zeros(0, 0),
-        cp_pitch_rate: Mat::zeros(0, 0),
+        loads: loads(wing, settings, Some(&momentum)),
         sensor_shapes: Mat::from_fn(settings.sensors.len(), count, |s, m| shapes_g[(6 * sensor(s) + 2, m)]),
         sensor_arms_m: (0..settings.sensors.len())
             .map(|s| system.points()[sensor(s)].x - settings.pitch_axis_x_m)

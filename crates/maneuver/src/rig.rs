@@ -11,6 +11,9 @@
 //! In steady state nothing depends on the number of modes. Thin here: the air has no memory (its unsteady successor
 //! keeps this interface), and the truncated modes have no inertia of their own.
 
+use crate::air::{AirModel, AirParts, RationalAir, UnsteadyAir};
+use crate::assemble::assemble;
+use crate::load_rows::Station;
 use crate::operators::{FIELDS, RigOperators};
 use crate::rig_model::RigModel;
 use aero::{Corrections, Flow};
@@ -41,6 +44,12 @@ pub struct RigSettings {
     pub cutoff_hz: f64,
     /// Grids whose vertical acceleration is given: name and node index.
     pub sensors: Vec<(String, usize)>,
+    /// How the air answers motion.
+    pub air: AirModel,
+    /// Where loads are given beside the balance.
+    pub stations: Vec<Station>,
+    /// Whether the lift of every strip is given.
+    pub strip_loads: bool,
 }
 
 impl RigSettings {
@@ -53,6 +62,9 @@ impl RigSettings {
             actuator: Actuator { frequency_hz: 15.0, damping_ratio: 0.8 },
             cutoff_hz: 25.0,
             sensors: Vec::new(),
+            air: AirModel::default(),
+            stations: Vec::new(),
+            strip_loads: false,
         }
     }
 }
@@ -91,6 +103,11 @@ impl<'a> Rig<'a> {
         &self.operators.omega_rad_s
     }
 
+    /// Pressures of motion: modes, root pitch, controls.
+    pub fn air(&self) -> &UnsteadyAir {
+        &self.operators.air
+    }
+
     /// The rig at a flow with corrections (one entry for each correctable box): a linear system.
     ///
     /// # Errors
@@ -99,7 +116,28 @@ impl<'a> Rig<'a> {
         // refuses divergence, with both pressures in its message
         self.wing.at(flow, corrections)?;
         let padded = self.wing.padded(corrections)?;
-        Ok(crate::assemble::assemble(self, flow, &padded))
+        let air = self.operators.air.at_airspeed(&self.operators.omega_rad_s, flow.v_m_s);
+        Ok(assemble(self, flow, &padded, &air))
+    }
+
+    /// The rig with the air of one frequency alone, straight from the doublet lattice: [`RigModel::transfer`] is exact at
+    /// `omega_rad_s` and means nothing elsewhere.
+    ///
+    /// # Errors
+    /// As [`Rig::at`]; without a stream or at rest there is no such model.
+    pub fn at_frequency(
+        &self,
+        flow: Flow,
+        corrections: &Corrections,
+        omega_rad_s: f64,
+    ) -> Result<RigModel, RigError> {
+        self.wing.at(flow, corrections)?;
+        let padded = self.wing.padded(corrections)?;
+        let kappa = omega_rad_s / flow.v_m_s;
+        let cp = self.operators.air.exact(kappa).map_err(CouplingError::from)?;
+        let frozen = RationalAir::frozen(&cp, kappa);
+        let air = AirParts { families: [&frozen; 2], slow_modes: 0 };
+        Ok(assemble(self, flow, &padded, &air))
     }
 
     /// Number of acceleration fields (aft, up, nose-up rotation about the pitch axis).

@@ -4,8 +4,8 @@ use crate::history::TimeHistory;
 use crate::smoothing::Smooth;
 use crate::step::ExactStep;
 use aero::Flow;
-use faer::Mat;
 use faer::linalg::solvers::Solve;
+use faer::{Mat, c64};
 
 /// Where the inputs of the linear system stand: one, alpha, alpha', alpha'', g sin(alpha), g cos(alpha), commands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -44,10 +44,11 @@ impl Inputs {
     }
 }
 
-/// `x' = A x + B u`, `y = C x + D u`; outputs Fz, Mx, My, tip z, then the sensors' vertical accelerations.
+/// `x' = A x + B u`, `y = C x + D u`; outputs are the loads (Fz, Mx, My first), tip z, then the
+/// sensors' vertical accelerations.
 #[derive(Debug, Clone)]
 pub struct RigModel {
-    /// States by states: modal displacements and velocities, deflections and their rates.
+    /// States by states: modal displacements and velocities, deflections and their rates, lags of the air.
     pub a: Mat<f64>,
     /// States by inputs.
     pub b: Mat<f64>,
@@ -61,6 +62,8 @@ pub struct RigModel {
     pub controls: Vec<String>,
     /// Names of the sensors.
     pub sensors: Vec<String>,
+    /// Channels of the loads: the balance's `Fz_N`, `Mx_Nm`, `My_Nm`, then those of stations and strips.
+    pub loads: Vec<String>,
     /// The flow.
     pub flow: Flow,
     pub(crate) gravity_m_s2: f64,
@@ -97,10 +100,19 @@ impl RigModel {
                 inputs[(Inputs::CONTROLS + control, i)] = values[i];
             }
         }
-        let first: Vec<f64> = (0..self.inputs.len()).map(|k| inputs[(k, 0)]).collect();
+        // what differs from the first sample, so that a wing at rest stays there to the last digit
+        let first = inputs.as_ref().subcols(0, 1).to_owned();
+        let change = Mat::from_fn(inputs.nrows(), samples, |k, i| inputs[(k, i)] - first[(k, 0)]);
+        let at_rest = self.equilibrium(first.col_as_slice(0));
+        let at_rest = &self.c * Mat::from_fn(at_rest.len(), 1, |i, _| at_rest[i]) + &self.d * &first;
         let step = ExactStep::new(self.a.as_ref(), self.b.as_ref(), motion.time_step_s);
-        let states = step.run(&self.equilibrium(&first), inputs.as_ref());
-        let outputs = &self.c * &states + &self.d * &inputs;
+        let still = vec![0.0; self.a.nrows()];
+        let mut outputs = step.outputs(&still, change.as_ref(), self.c.as_ref(), self.d.as_ref());
+        for i in 0..samples {
+            for row in 0..outputs.nrows() {
+                outputs[(row, i)] += at_rest[(row, 0)];
+            }
+        }
         self.history(motion, &outputs)
     }
 
@@ -117,6 +129,34 @@ impl RigModel {
         (0..states).map(|i| x[(i, 0)]).collect()
     }
 
+    /// Outputs by inputs at a frequency: amplitudes for inputs of amplitude one, `C (i omega - A)⁻¹ B + D`.
+    pub fn transfer(&self, omega_rad_s: f64) -> Mat<c64> {
+        let n = self.a.nrows();
+        let complex = |m: &Mat<f64>| Mat::from_fn(m.nrows(), m.ncols(), |i, j| c64::from(m[(i, j)]));
+        let direct = complex(&self.d);
+        if n == 0 {
+            return direct;
+        }
+        let resolvent =
+            Mat::from_fn(n, n, |i, j| c64::new(-self.a[(i, j)], if i == j { omega_rad_s } else { 0.0 }));
+        complex(&self.c) * resolvent.partial_piv_lu().solve(complex(&self.b)) + direct
+    }
+
+    /// Outputs by root pitch and commanded deflections swinging at a frequency, per rad: [`RigModel::transfer`] with angle
+    /// of attack, its derivatives and gravity's share (linear in it) taken together.
+    pub fn frequency_response(&self, omega_rad_s: f64) -> Mat<c64> {
+        let by_input = self.transfer(omega_rad_s);
+        let pitch = |row: usize| {
+            by_input[(row, Inputs::ALPHA)] + by_input[(row, Inputs::ALPHA_RATE)] * c64::new(0.0, omega_rad_s)
+                - by_input[(row, Inputs::ALPHA_SECOND)] * omega_rad_s.powi(2)
+                + by_input[(row, Inputs::G_SIN)] * self.gravity_m_s2
+        };
+        Mat::from_fn(by_input.nrows(), 1 + self.controls.len(), |row, motion| match motion {
+            0 => pitch(row),
+            control => by_input[(row, Inputs::CONTROLS + control - 1)],
+        })
+    }
+
     /// The columns of a run's file; deflections are commands there, so that a simulated run can be flown again.
     fn history(&self, motion: &Motion, outputs: &Mat<f64>) -> TimeHistory {
         let samples = outputs.ncols();
@@ -128,7 +168,7 @@ impl RigModel {
         };
         history.push("V_m_s", vec![self.flow.v_m_s; samples]);
         history.push("alpha_deg", motion.alpha.value.iter().map(|alpha| alpha * degrees).collect());
-        for (index, name) in ["Fz_N", "Mx_Nm", "My_Nm"].into_iter().enumerate() {
+        for (index, name) in self.loads.iter().enumerate().take(3) {
             history.push(name, row(index));
         }
         for (control, name) in self.controls.iter().enumerate() {
@@ -136,9 +176,13 @@ impl RigModel {
             let commanded = commanded.map(|values| values.iter().map(|delta| delta * degrees).collect());
             history.push(format!("delta_{name}_deg"), commanded.unwrap_or_else(|| vec![0.0; samples]));
         }
-        history.push("tip_z_m", row(3));
+        let tip = self.loads.len();
+        history.push("tip_z_m", row(tip));
         for (sensor, name) in self.sensors.iter().enumerate() {
-            history.push(format!("az_{name}_m_s2"), row(4 + sensor));
+            history.push(format!("az_{name}_m_s2"), row(tip + 1 + sensor));
+        }
+        for (index, name) in self.loads.iter().enumerate().skip(3) {
+            history.push(name, row(index));
         }
         history
     }

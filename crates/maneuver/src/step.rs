@@ -7,6 +7,10 @@
 //!     [  0    0   0 ]   [  0     0     I ]
 //! ```
 //! so stepping has no error of its own, whatever the step and however stiff the system.
+//!
+//! Long histories of few outputs do not need every state. With `z = x - G1 u` the step is `z1 = Phi z0 + E u0`,
+//! `E = G0 + Phi G1`; a block of T samples then is one product of known matrices with its inputs and its first z, and
+//! only the first z of every block is stepped ([`ExactStep::outputs`]).
 
 use faer::linalg::solvers::Solve;
 use faer::{Mat, MatRef};
@@ -63,6 +67,78 @@ impl ExactStep {
             }
         }
         states
+    }
+}
+
+/// Samples in a block of [`ExactStep::outputs`].
+const BLOCK: usize = 32;
+
+impl ExactStep {
+    /// Outputs `y = C x + D u` at every sample, outputs by samples: the same as of [`ExactStep::run`], at a fraction of
+    /// its time for long histories. `inputs` is inputs by samples, with one sample at least.
+    pub fn outputs(
+        &self,
+        x0: &[f64],
+        inputs: MatRef<'_, f64>,
+        c: MatRef<'_, f64>,
+        d: MatRef<'_, f64>,
+    ) -> Mat<f64> {
+        let (states, m, p) = (self.transition.nrows(), inputs.nrows(), c.nrows());
+        let samples = inputs.ncols();
+        let blocks = samples.div_ceil(BLOCK);
+        let drive = &self.from_first + &self.transition * &self.from_last;
+        let kernels = Kernels::new(self.transition.as_ref(), drive.as_ref(), c);
+        // the last block is filled up with zeros, whose outputs are not looked at
+        let stacked = Mat::from_fn(m * BLOCK, blocks, |row, block| {
+            let sample = block * BLOCK + row / m;
+            if sample < samples { inputs[(row % m, sample)] } else { 0.0 }
+        });
+        let ends = &kernels.to_end * &stacked;
+        let mut firsts = Mat::zeros(states, blocks);
+        let first_input = inputs.subcols(0, 1);
+        let mut z = Mat::from_fn(states, 1, |i, _| x0[i]) - &self.from_last * first_input;
+        for block in 0..blocks {
+            firsts.as_mut().subcols_mut(block, 1).copy_from(&z);
+            z = &kernels.over_block * &z + ends.as_ref().subcols(block, 1);
+        }
+        let inside = &kernels.free * &firsts + &kernels.forced * &stacked;
+        let direct = (c * &self.from_last + d) * inputs;
+        Mat::from_fn(p, samples, |row, k| direct[(row, k)] + inside[((k % BLOCK) * p + row, k / BLOCK)])
+    }
+}
+
+/// The matrices that a block of samples is multiplied with.
+struct Kernels {
+    /// C Phi^j, one below the other.
+    free: Mat<f64>,
+    /// Block Toeplitz: `C Phi^(j-1-i) E` for i < j.
+    forced: Mat<f64>,
+    /// `Phi^(T-1-i) E`, side by side.
+    to_end: Mat<f64>,
+    /// Phi^T.
+    over_block: Mat<f64>,
+}
+
+impl Kernels {
+    fn new(phi: MatRef<'_, f64>, drive: MatRef<'_, f64>, c: MatRef<'_, f64>) -> Self {
+        let (states, m, p) = (phi.nrows(), drive.ncols(), c.nrows());
+        let mut free = Mat::zeros(p * BLOCK, states);
+        let mut to_end = Mat::zeros(states, m * BLOCK);
+        let mut rows = c.to_owned();
+        let mut columns = drive.to_owned();
+        for j in 0..BLOCK {
+            free.as_mut().subrows_mut(j * p, p).copy_from(&rows);
+            to_end.as_mut().subcols_mut((BLOCK - 1 - j) * m, m).copy_from(&columns);
+            rows = &rows * phi;
+            columns = phi * &columns;
+        }
+        let pulses = &free * drive;
+        let forced = Mat::from_fn(p * BLOCK, m * BLOCK, |row, column| {
+            let (j, i) = (row / p, column / m);
+            if i < j { pulses[((j - 1 - i) * p + row % p, column % m)] } else { 0.0 }
+        });
+        let over_block = (0..BLOCK.ilog2()).fold(phi.to_owned(), |power, _| &power * &power);
+        Self { free, forced, to_end, over_block }
     }
 }
 

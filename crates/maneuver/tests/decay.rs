@@ -8,7 +8,7 @@ use aero::{Corrections, Flow};
 use common::wing_with;
 use coupling::ElasticWing;
 use maneuver::signals::{OneMinusCosine, Signal};
-use maneuver::{Motion, Rig, RigSettings, Smooth};
+use maneuver::{AirModel, Motion, Rig, RigSettings, Smooth};
 use std::f64::consts::PI;
 
 const STEP_S: f64 = 0.001;
@@ -58,7 +58,14 @@ fn wind_off_the_wing_rings_at_its_first_frequency_with_its_own_damping() {
     let (file, wing) = wing_with(|_| ());
     let omega = structure::normal_modes(&wing.structure.as_ref().unwrap().0, 1).unwrap().omega_rad_s[0];
     for damping_ratio in [0.01, file.damping_ratio, 0.05] {
-        let rig = Rig::new(&wing, RigSettings::new(damping_ratio, file.pitch_axis_x())).unwrap();
+        let rig = Rig::new(
+            &wing,
+            RigSettings {
+                air: AirModel::QuasiSteady,
+                ..RigSettings::new(damping_ratio, file.pitch_axis_x())
+            },
+        )
+        .unwrap();
         // after 1.5 s nothing is left of the second bending
         let (rings_at, damping) = frequency_and_damping(&ringing(&rig, &wing, 0.0, 4000), 1.5..4.0);
         let expected = omega * (1.0 - damping_ratio * damping_ratio).sqrt();

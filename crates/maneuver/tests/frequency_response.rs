@@ -6,72 +6,54 @@
 //! (K - w² M - Gᵀ q W S Q (D1 + i w D2/V) G) u = Gᵀ P_input + M r c,   c = (g a, 0, w² a)
 //! root loads = R P + r_bᵀ M (r c + w² u)
 //! ```
+//! Q is the vortex lattice's (air that answers at once) or the doublet lattice's at that frequency.
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
 mod common;
 
-use aero::{Corrections, Flow};
+use aero::{Corrections, DlmSettings, DoubletLattice, Flow};
 use common::{uneven, wing_with};
 use coupling::{ElasticWing, GRAVITY_M_S2, WingFile};
-use faer::Mat;
 use faer::linalg::solvers::Solve;
-use maneuver::{Inputs, Rig, RigModel, RigSettings};
+use faer::{Mat, c64};
+use maneuver::{AirModel, Rig, RigModel, RigSettings};
 use nalgebra::Point3;
 use std::f64::consts::TAU;
 
-/// Real and imaginary part of Fz, Mx, My.
-type Response = [(f64, f64); 3];
+const I: c64 = c64::new(0.0, 1.0);
 
-/// x of (re + i im) x = (b_re + i b_im), columns real and imaginary.
-fn complex_solve(re: &Mat<f64>, im: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
-    let n = re.nrows();
-    let block = Mat::from_fn(2 * n, 2 * n, |i, j| match (i < n, j < n) {
-        (true, true) => re[(i, j)],
-        (true, false) => -im[(i, j - n)],
-        (false, true) => im[(i - n, j)],
-        (false, false) => re[(i - n, j - n)],
-    });
-    let right = Mat::from_fn(2 * n, 1, |i, _| if i < n { b[(i, 0)] } else { b[(i - n, 1)] });
-    let x = block.partial_piv_lu().solve(&right);
-    Mat::from_fn(n, 2, |i, part| x[(i + part * n, 0)])
+type Complex = Mat<c64>;
+
+fn complex(m: &Mat<f64>) -> Complex {
+    Mat::from_fn(m.nrows(), m.ncols(), |i, j| c64::from(m[(i, j)]))
 }
 
-/// The rig's answer to inputs that swing at a frequency: C (i w - A)⁻¹ B v + D v.
-fn of_rig(model: &RigModel, omega: f64, v: &Mat<f64>) -> Response {
-    let n = model.a.nrows();
-    let re = Mat::from_fn(n, n, |i, j| -model.a[(i, j)]);
-    let im = Mat::from_fn(n, n, |i, j| if i == j { omega } else { 0.0 });
-    let x = complex_solve(&re, &im, &(&model.b * v));
-    let y = &model.c * &x + &model.d * v;
-    std::array::from_fn(|c| (y[(c, 0)], y[(c, 1)]))
+/// A real linear map of complex columns.
+fn mapped(z: &Complex, map: impl Fn(&Mat<f64>) -> Mat<f64>) -> Complex {
+    let part = |of: fn(c64) -> f64| map(&Mat::from_fn(z.nrows(), z.ncols(), |i, j| of(z[(i, j)])));
+    let (re, im) = (part(|z| z.re), part(|z| z.im));
+    Mat::from_fn(re.nrows(), re.ncols(), |i, j| c64::new(re[(i, j)], im[(i, j)]))
 }
 
-/// The inputs of a swinging angle of attack of 1 rad, real and imaginary (gravity taken linear).
-fn swing(model: &RigModel, omega: f64) -> Mat<f64> {
-    let mut v = Mat::zeros(model.inputs.len(), 2);
-    v[(Inputs::ALPHA, 0)] = 1.0;
-    v[(Inputs::ALPHA_RATE, 1)] = omega;
-    v[(Inputs::ALPHA_SECOND, 0)] = -omega * omega;
-    v[(Inputs::G_SIN, 0)] = GRAVITY_M_S2;
-    v
-}
+/// The air as a map from incidences to pressures.
+type Air<'a> = &'a dyn Fn(&Complex) -> Complex;
 
-/// What acts on the wing: incidence of the boxes (real, imaginary), and fields of acceleration aft, up, nose up.
+/// What acts on the wing: incidence of the boxes, and fields of acceleration aft, up, nose up.
 struct Forcing {
-    cp: Mat<f64>,
+    incidence: Complex,
     fields: [f64; 3],
 }
 
-/// Root loads without modes, see the module.
+/// Root loads Fz, Mx, My without modes, see the module.
 fn without_modes(
     file: &WingFile,
     wing: &ElasticWing,
-    flow: Flow,
-    corrections: &Corrections,
+    (flow, corrections): (Flow, &Corrections),
     omega: f64,
+    air: Air<'_>,
     forcing: &Forcing,
-) -> Response {
+) -> Complex {
     let (system, spline) = wing.structure.as_ref().unwrap();
     let (free, boxes) = (system.free_count(), wing.lattice.len());
     let q_pa = flow.dynamic_pressure_pa();
@@ -79,47 +61,86 @@ fn without_modes(
     let stiffness = system.reduce(system.elastic_loads(units.as_ref()).as_ref());
     let mass = system.reduce(system.inertia_loads(units.as_ref()).as_ref());
     let motion = spline.displace(units.as_ref());
-    let angle = Mat::from_fn(boxes, free, |j, k| motion[(2 * j + 1, k)]);
     let slowness = if flow.v_m_s > 0.0 { omega / flow.v_m_s } else { 0.0 };
-    let rate = Mat::from_fn(boxes, free, |j, k| {
+    let incidence = Mat::from_fn(boxes, free, |j, k| {
         let lever = 0.25 * wing.lattice.boxes[j].chord_m();
-        slowness * (lever * motion[(2 * j + 1, k)] - motion[(2 * j, k)])
+        let down = lever * motion[(2 * j + 1, k)] - motion[(2 * j, k)];
+        c64::new(motion[(2 * j + 1, k)], slowness * down)
     });
-    let loads = |cp: &Mat<f64>| wing.k_loads_of_pressures(q_pa, cp.as_ref(), corrections);
-    let to_free = |p_k: &Mat<f64>| system.reduce(spline.loads(p_k.as_ref()).as_ref());
-    let (by_angle, by_rate) = (loads(&wing.pressures(angle.as_ref())), loads(&wing.pressures(rate.as_ref())));
-    let input = loads(&forcing.cp);
+    let loads = |cp: &Complex| mapped(cp, |cp| wing.k_loads_of_pressures(q_pa, cp.as_ref(), corrections));
+    let to_free = |p_k: &Complex| mapped(p_k, |p| system.reduce(spline.loads(p.as_ref()).as_ref()));
+    let (by_motion, input) = (loads(&air(&incidence)), loads(&air(&forcing.incidence)));
     let balance = wing.balance.point;
     let moving = system.rigid_body(&Point3::new(file.pitch_axis_x(), balance.y, balance.z));
-    let field = Mat::from_fn(moving.nrows(), 2, |dof, part| {
-        let of = |k: usize| moving[(dof, [0, 2, 4][k])] * forcing.fields[k];
-        if part == 0 { of(0) + of(1) + of(2) } else { 0.0 }
+    let field = Mat::from_fn(moving.nrows(), 1, |dof, _| {
+        (0..3).map(|k| moving[(dof, [0, 2, 4][k])] * forcing.fields[k]).sum::<f64>()
     });
     let field_loads = system.inertia_loads(field.as_ref());
-    let re = &stiffness - faer::Scale(omega * omega) * &mass - to_free(&by_angle);
-    let im = faer::Scale(-1.0) * &to_free(&by_rate);
-    let u = complex_solve(&re, &im, &(to_free(&input) + system.reduce(field_loads.as_ref())));
-    // (angle + i rate) (u_re + i u_im)
-    let (a, r) = (&by_angle * &u, &by_rate * &u);
-    let box_loads = Mat::from_fn(2 * boxes, 2, |k, part| {
-        input[(k, part)] + a[(k, part)] + if part == 0 { -r[(k, 1)] } else { r[(k, 0)] }
-    });
-    let accelerations = faer::Scale(omega * omega) * &system.expand(u.as_ref());
-    let inertia = field_loads + system.inertia_loads(accelerations.as_ref());
-    let at_balance = system.rigid_body(&balance).transpose() * &inertia;
-    let air = &wing.root_rows * &box_loads;
-    let part = |c: usize, part: usize| air[(c, part)] + at_balance[(c + 2, part)];
-    std::array::from_fn(|c| (part(c, 0), part(c, 1)))
+    let dynamic = complex(&(&stiffness - faer::Scale(omega * omega) * &mass)) - to_free(&by_motion);
+    let right = to_free(&input) + complex(&system.reduce(field_loads.as_ref()));
+    let u = dynamic.partial_piv_lu().solve(&right);
+    let box_loads = input + by_motion * &u;
+    let accelerations = mapped(&u, |u| faer::Scale(omega * omega) * &system.expand(u.as_ref()));
+    let inertia = complex(&field_loads) + mapped(&accelerations, |a| system.inertia_loads(a.as_ref()));
+    let at_balance = mapped(&inertia, |f| system.rigid_body(&balance).transpose() * f);
+    let of_air = mapped(&box_loads, |p| &wing.root_rows * p);
+    Mat::from_fn(3, 1, |c, _| of_air[(c, 0)] + at_balance[(c + 2, 0)])
 }
 
-/// Largest difference, as a share of the channel's size.
-fn apart(a: &Response, b: &Response) -> f64 {
-    let of = |c: usize| (a[c].0 - b[c].0).hypot(a[c].1 - b[c].1) / b[c].0.hypot(b[c].1);
+/// Pitch of 1 rad about the axis (gravity taken linear).
+fn pitching(file: &WingFile, wing: &ElasticWing, flow: Flow, omega: f64) -> Forcing {
+    let slowness = if flow.v_m_s > 0.0 { omega / flow.v_m_s } else { 0.0 };
+    let incidence = Mat::from_fn(wing.lattice.len(), 1, |j, _| {
+        let panel = &wing.lattice.boxes[j];
+        let arm = panel.three_quarter_point().x - file.pitch_axis_x();
+        (c64::new(1.0, 0.0) + I * slowness * arm) * panel.normal().z
+    });
+    Forcing { incidence, fields: [GRAVITY_M_S2, 0.0, omega * omega] }
+}
+
+/// A deflection of 1 rad; three-quarter points move down at the rate times their distance aft of the hinge, here of
+/// the leading edge of the control's foremost box in each strip.
+fn deflecting(wing: &ElasticWing, flow: Flow, omega: f64, control: usize) -> Forcing {
+    let surface = &wing.controls[control];
+    let mut incidence = Mat::zeros(wing.lattice.len(), 1);
+    for (&j, slope) in surface.boxes.iter().zip(&surface.slope) {
+        let panel = &wing.lattice.boxes[j];
+        let strip = surface
+            .boxes
+            .iter()
+            .filter(|&&other| (wing.lattice.boxes[other].mid_point().y - panel.mid_point().y).abs() < 1e-9);
+        let hinge_x = strip
+            .map(|&other| {
+                let [front, _, _, other_front] = wing.lattice.boxes[other].corners;
+                0.5 * (front.x + other_front.x)
+            })
+            .fold(f64::INFINITY, f64::min);
+        // about a swept hinge the point goes down by the distance normal to the hinge: cos(sweep) is in `slope`
+        let lever = (panel.three_quarter_point().x - hinge_x) * slope;
+        incidence[(j, 0)] = c64::new(*slope, omega / flow.v_m_s * lever);
+    }
+    Forcing { incidence, fields: [0.0; 3] }
+}
+
+/// Largest difference of a column of the rig's loads, as a share of the channel's size.
+fn apart(response: &Complex, motion: usize, exact: &Complex) -> f64 {
+    let of = |c: usize| (response[(c, motion)] - exact[(c, 0)]).norm() / exact[(c, 0)].norm();
     (0..3).map(of).fold(0.0, f64::max)
 }
 
-fn undamped(file: &WingFile, modes: usize) -> RigSettings {
-    RigSettings { modes, ..RigSettings::new(0.0, file.pitch_axis_x()) }
+fn undamped(file: &WingFile, modes: usize, air: AirModel) -> RigSettings {
+    RigSettings { modes, air, ..RigSettings::new(0.0, file.pitch_axis_x()) }
+}
+
+/// The assumed actuator's answer: 15 Hz, 0.8.
+fn actuator(omega: f64) -> c64 {
+    let natural = TAU * 15.0;
+    c64::from(natural * natural)
+        / (c64::from(natural * natural - omega * omega) + I * (1.6 * natural * omega))
+}
+
+fn at_once(wing: &ElasticWing, w: &Complex) -> Complex {
+    mapped(w, |w| wing.pressures(w.as_ref()))
 }
 
 #[test]
@@ -127,34 +148,51 @@ fn pitching_at_a_frequency_loads_the_root_as_the_whole_structure_without_modes_d
     let (file, wing) = wing_with(|_| ());
     let corrections = uneven(&wing);
     let padded = wing.padded(&corrections).unwrap();
-    let all = Rig::new(&wing, undamped(&file, usize::MAX)).unwrap();
-    let kept = Rig::new(&wing, undamped(&file, 20)).unwrap();
+    let all = Rig::new(&wing, undamped(&file, usize::MAX, AirModel::QuasiSteady)).unwrap();
+    let kept = Rig::new(&wing, undamped(&file, 20, AirModel::QuasiSteady)).unwrap();
     for v_m_s in [0.0, 30.0] {
         let flow = Flow { v_m_s, rho_kg_m3: 1.225 };
         let (all, kept) = (all.at(flow, &corrections).unwrap(), kept.at(flow, &corrections).unwrap());
         for f_hz in [0.5, 2.0, 4.0, 9.0] {
             let omega = TAU * f_hz;
-            let by_alpha = wing.pressures_by_alpha();
-            let slowness = if v_m_s > 0.0 { omega / v_m_s } else { 0.0 };
-            let turning = Mat::from_fn(wing.lattice.len(), 1, |j, _| {
-                let panel = &wing.lattice.boxes[j];
-                slowness * (panel.three_quarter_point().x - file.pitch_axis_x()) * panel.normal().z
-            });
-            let turning = wing.pressures(turning.as_ref());
-            let cp =
-                Mat::from_fn(
-                    wing.lattice.len(),
-                    2,
-                    |j, part| {
-                        if part == 0 { by_alpha[j] } else { turning[(j, 0)] }
-                    },
-                );
-            let forcing = Forcing { cp, fields: [GRAVITY_M_S2, 0.0, omega * omega] };
-            let exact = without_modes(&file, &wing, flow, &padded, omega, &forcing);
-            let whole = apart(&of_rig(&all, omega, &swing(&all, omega)), &exact);
-            let truncated = apart(&of_rig(&kept, omega, &swing(&kept, omega)), &exact);
-            assert!(whole < 1e-6, "all modes at {v_m_s} m/s, {f_hz} Hz: {whole:e}");
-            assert!(truncated < 5e-3, "twenty modes at {v_m_s} m/s, {f_hz} Hz: {truncated:e}");
+            let forcing = pitching(&file, &wing, flow, omega);
+            let exact = without_modes(&file, &wing, (flow, &padded), omega, &|w| at_once(&wing, w), &forcing);
+            let by_all = apart(&all.frequency_response(omega), 0, &exact);
+            assert!(by_all < 1e-6, "{v_m_s} m/s, {f_hz} Hz, all modes: {by_all:e}");
+            let by_kept = apart(&kept.frequency_response(omega), 0, &exact);
+            assert!(by_kept < 1e-3, "{v_m_s} m/s, {f_hz} Hz, twenty modes: {by_kept:e}");
+        }
+    }
+}
+
+#[test]
+fn with_the_doublet_lattice_as_its_air_the_rig_at_a_frequency_is_the_whole_structure_without_modes() {
+    let (file, wing) = wing_with(|_| ());
+    let corrections = uneven(&wing);
+    let padded = wing.padded(&corrections).unwrap();
+    let all = Rig::new(&wing, undamped(&file, usize::MAX, AirModel::default())).unwrap();
+    let kept = Rig::new(&wing, undamped(&file, 20, AirModel::default())).unwrap();
+    let doublets =
+        DoubletLattice::new(&wing.lattice, wing.plane, wing.mach, &DlmSettings::default()).unwrap();
+    for (v_m_s, f_hz) in [(18.0, 0.5), (18.0, 4.0), (30.0, 4.0), (30.0, 9.0)] {
+        let (flow, omega) = (Flow { v_m_s, rho_kg_m3: 1.225 }, TAU * f_hz);
+        let of_frequency = doublets.at(omega / v_m_s).unwrap();
+        let air = |w: &Complex| of_frequency.pressures(w.as_ref());
+        let [all, kept] = [&all, &kept]
+            .map(|rig| rig.at_frequency(flow, &corrections, omega).unwrap().frequency_response(omega));
+        for motion in 0..=wing.controls.len() {
+            let mut forcing = pitching(&file, &wing, flow, omega);
+            let mut share = c64::from(1.0);
+            if motion > 0 {
+                forcing = deflecting(&wing, flow, omega, motion - 1);
+                share = actuator(omega);
+            }
+            let exact = without_modes(&file, &wing, (flow, &padded), omega, &air, &forcing);
+            let exact = Mat::from_fn(3, 1, |c, _| share * exact[(c, 0)]);
+            let (by_all, by_kept) = (apart(&all, motion, &exact), apart(&kept, motion, &exact));
+            assert!(by_all < 1e-6, "{v_m_s} m/s, {f_hz} Hz, motion {motion}, all modes: {by_all:e}");
+            // the left-out modes' answer is taken without lag
+            assert!(by_kept < 1e-3, "{v_m_s} m/s, {f_hz} Hz, motion {motion}, twenty modes: {by_kept:e}");
         }
     }
 }
@@ -165,23 +203,15 @@ fn a_swinging_aileron_loads_the_root_behind_its_actuator_as_the_structure_withou
     let corrections = uneven(&wing);
     let padded = wing.padded(&corrections).unwrap();
     let flow = Flow { v_m_s: 30.0, rho_kg_m3: 1.225 };
-    let rig = Rig::new(&wing, undamped(&file, usize::MAX)).unwrap();
-    let model = rig.at(flow, &corrections).unwrap();
-    // the assumed actuator: 15 Hz, 0.8
-    let (natural, damping) = (TAU * 15.0, 0.8);
+    let rig = Rig::new(&wing, undamped(&file, usize::MAX, AirModel::QuasiSteady)).unwrap();
+    let model: RigModel = rig.at(flow, &corrections).unwrap();
     for f_hz in [1.0, 6.0] {
         let omega = TAU * f_hz;
-        let (re, im) = (natural * natural - omega * omega, 2.0 * damping * natural * omega);
-        let size = natural * natural / (re * re + im * im);
         for control in 0..wing.controls.len() {
-            let cp = Mat::from_fn(wing.lattice.len(), 2, |j, part| {
-                let share = if part == 0 { size * re } else { -size * im };
-                wing.pressures_by_control()[(j, control)] * share
-            });
-            let exact = without_modes(&file, &wing, flow, &padded, omega, &Forcing { cp, fields: [0.0; 3] });
-            let mut v = Mat::zeros(model.inputs.len(), 2);
-            v[(Inputs::CONTROLS + control, 0)] = 1.0;
-            let difference = apart(&of_rig(&model, omega, &v), &exact);
+            let forcing = deflecting(&wing, flow, omega, control);
+            let exact = without_modes(&file, &wing, (flow, &padded), omega, &|w| at_once(&wing, w), &forcing);
+            let exact = Mat::from_fn(3, 1, |c, _| actuator(omega) * exact[(c, 0)]);
+            let difference = apart(&model.frequency_response(omega), 1 + control, &exact);
             assert!(difference < 1e-6, "control {control} at {f_hz} Hz: {difference:e}");
         }
     }

@@ -45,6 +45,27 @@ fn a_damped_oscillator_answers_a_ramp_exactly_at_any_step() {
 }
 
 #[test]
+fn outputs_block_by_block_are_those_of_all_states_step_by_step() {
+    let (states, inputs, outputs) = (5, 2, 3);
+    let number = |i: usize, j: usize| ((7 * i + 3 * j) as f64).sin();
+    let a = Mat::from_fn(states, states, |i, j| number(i, j) - if i == j { 4.0 } else { 0.0 });
+    let b = Mat::from_fn(states, inputs, |i, j| number(i + 2, j));
+    let c = Mat::from_fn(outputs, states, |i, j| number(i, j + 9));
+    let d = Mat::from_fn(outputs, inputs, |i, j| number(i + 1, j + 4));
+    let step = ExactStep::new(a.as_ref(), b.as_ref(), 0.02);
+    let x0 = [0.3, -0.2, 0.5, 0.1, 0.7];
+    for samples in [1, 2, 31, 32, 33, 64, 1000] {
+        let u = Mat::from_fn(inputs, samples, |i, k| number(i + 5, k));
+        let x = step.run(&x0, u.as_ref());
+        let expected = &c * &x + &d * &u;
+        let got = step.outputs(&x0, u.as_ref(), c.as_ref(), d.as_ref());
+        assert_eq!((got.nrows(), got.ncols()), (outputs, samples));
+        let apart = (&got - &expected).norm_max();
+        assert!(apart < 1e-12, "{samples} samples: {apart:e}");
+    }
+}
+
+#[test]
 fn signals_are_what_their_formulas_say() {
     let bump = OneMinusCosine { base: 1.3, height: 3.7, frequency_hz: 2.0, start_s: 0.5 };
     assert_eq!(bump.at(0.0), 1.3);

@@ -4,6 +4,8 @@ use crate::source::{InputError, Span, read_text};
 use crate::suggest::nearest;
 use ron::error::SpannedError;
 use ron::extensions::Extensions;
+use ron::ser::PrettyConfig;
+use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -22,6 +24,18 @@ pub fn read<T: DeserializeOwned>(path: &Path) -> Result<T, InputError> {
 /// If the text does not say what `T` expects.
 pub fn parse<T: DeserializeOwned>(name: &str, text: &str) -> Result<T, InputError> {
     parse_at(Path::new(name), text)
+}
+
+/// A value as RON text that [`read`] understands, four spaces a level, with the name of its type in front.
+///
+/// # Errors
+/// If the value cannot be written as RON.
+pub fn to_text<T: Serialize>(value: &T) -> Result<String, InputError> {
+    let config = PrettyConfig::new().struct_names(false).extensions(Extensions::IMPLICIT_SOME);
+    ron::Options::default()
+        .with_default_extension(Extensions::IMPLICIT_SOME)
+        .to_string_pretty(value, config)
+        .map_err(|error| InputError::general(format!("this cannot be written as RON: {error}")))
 }
 
 fn parse_at<T: DeserializeOwned>(path: &Path, text: &str) -> Result<T, InputError> {

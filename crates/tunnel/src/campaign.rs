@@ -50,7 +50,13 @@ fn entry(tunnel: &TunnelFile) -> String {
             Purpose::Train => "Train",
             Purpose::Holdout => "Holdout",
         };
-        let _ = writeln!(text, "        (file: {:?}, use: {usage}),", run.file);
+        let _ = write!(text, "        (file: {:?}, use: {usage}", run.file);
+        for (field, value) in [("block", &run.block), ("repeat_of", &run.repeat_of)] {
+            if let Some(value) = value {
+                let _ = write!(text, ", {field}: {value:?}");
+            }
+        }
+        text.push_str(if run.v_m_s == 0.0 { ", wind_off: true),\n" } else { "),\n" });
     }
     text.push_str("    ],\n)\n");
     text

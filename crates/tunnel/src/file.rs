@@ -1,6 +1,7 @@
 //! The file of the virtual wind tunnel: what it measures, with what noise, and the truth it hides.
 
 use crate::run_file::{Dynamics, RunPlan};
+use coupling::wing_file::DeflectionTable;
 use nastran::{InputError, ron_file};
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
@@ -31,6 +32,9 @@ pub struct TunnelFile {
     /// Runs in time.
     #[serde(default)]
     pub runs: Vec<RunPlan>,
+    /// How the runs are split into training and held-out ones, in words, for the campaign's README.
+    #[serde(default)]
+    pub split: Option<String>,
     /// The file as it was named when read.
     #[serde(skip)]
     pub path: PathBuf,
@@ -238,14 +242,38 @@ impl TunnelFile {
         if offsets.iter().chain([&statics.tip_z_sigma_m]).any(|s| !(s.is_finite() && *s >= 0.0)) {
             return Some(("a standard deviation is negative or not a number".into(), "zero is allowed here"));
         }
-        if !self.runs.is_empty()
-            && self.dynamics.is_none_or(|d| !(d.sample_rate_hz > 0.0 && d.half_loss_deg > 0.0))
+        self.run_fault().or_else(|| self.section_fault())
+    }
+
+    /// The first thing about runs that cannot be.
+    fn run_fault(&self) -> Option<(String, &'static str)> {
+        if self.runs.is_empty() {
+            return None;
+        }
+        let Some(dynamics) = self.dynamics.as_ref().filter(|dynamics| dynamics.sample_rate_hz > 0.0) else {
+            let what = "runs need `dynamics` with a positive sample_rate_hz";
+            return Some((what.into(), "see the shipped file"));
+        };
+        if let Some(complaint) = dynamics.deflection.iter().find_map(DeflectionTable::complaint) {
+            return Some((complaint, "a table is that of a wing's file"));
+        }
+        let days = &self.statics.blocks.replicates;
+        let unknown = |block: &String| !days.iter().any(|(day, _)| day == block);
+        if let Some(block) =
+            self.runs.iter().filter_map(|run| run.block.as_ref()).find(|block| unknown(block))
         {
             return Some((
-                "runs need `dynamics` with a positive sample_rate_hz and half_loss_deg".into(),
-                "see the shipped file",
+                format!("no block of the static cases is called {block}"),
+                "runs share the days' offsets",
             ));
         }
+        let named = |file: &String| self.runs.iter().any(|run| run.file == *file);
+        let lost = self.runs.iter().filter_map(|run| run.repeat_of.as_ref()).find(|file| !named(file));
+        lost.map(|file| (format!("no run is called {file}, which another repeats"), "give a run's file name"))
+    }
+
+    /// The first thing about sections that cannot be.
+    fn section_fault(&self) -> Option<(String, &'static str)> {
         let sections = self.truth.sections.as_ref()?;
         let rising = sections.by_airspeed.windows(2).all(|pair| pair[0].v_m_s < pair[1].v_m_s);
         if sections.by_airspeed.is_empty() || !rising {

@@ -3,6 +3,7 @@
 
 use crate::comparison::{AirspeedComparison, FlightState};
 use crate::file::TunnelFile;
+use crate::run_file::{MotionPlan, Purpose, RunPlan};
 use std::fmt::Write as _;
 
 /// What calibration found at one airspeed. Corners are root leading, root trailing, tip leading, tip trailing.
@@ -70,17 +71,53 @@ pub fn readme(story: &Story<'_>) -> String {
         "Columns and conventions are those of any campaign; `campaign.ron` declares the noise, which is the true one.\n\
          All tables below are printed by the command that made the data.\n\n",
     );
-    if !story.tunnel.runs.is_empty() {
-        text.push_str(
-            "Runs: file names give motion, control, degrees and airspeed. The\n\
-             wing in them has things no model here has, as the one in the paper's tunnel had. The measured angle has noise,\n\
-             deflections are as commanded. Which runs may be used to fit and which only to judge stands in `campaign.ron`.\n\n",
-        );
-    }
+    runs(&mut text, story.tunnel);
     static_tables(&mut text, story);
     calibration_tables(&mut text, story);
     flight_table(&mut text, story);
     text
+}
+
+/// What was flown, and which runs are held out.
+fn runs(text: &mut String, tunnel: &TunnelFile) {
+    if tunnel.runs.is_empty() {
+        return;
+    }
+    text.push_str(
+        "## Runs\n\nFile names give motion, control, degrees or Hz, and airspeed. The wing in them has things no model \
+         here has, as\nthe one in the paper's tunnel had. The measured angle has noise, deflections are as commanded, and \
+         runs in the wind have\nthe offset of their day (`block`).\n\n| | train | held out |\n|---|---|---|\n",
+    );
+    let kind = |run: &RunPlan| match run.motion {
+        MotionPlan::OneMinusCosine { .. } if run.v_m_s > 0.0 => "pitch",
+        MotionPlan::OneMinusCosine { .. } => "pitch without wind",
+        MotionPlan::Doublet { .. } => "doublets",
+        MotionPlan::Chirp { .. } => "chirps",
+    };
+    for name in ["pitch", "pitch without wind", "doublets", "chirps"] {
+        let count =
+            |purpose| tunnel.runs.iter().filter(|run| kind(run) == name && run.purpose == purpose).count();
+        let _ = writeln!(text, "| {name} | {} | {} |", count(Purpose::Train), count(Purpose::Holdout));
+    }
+    text.push('\n');
+    if let Some(split) = &tunnel.split {
+        let _ = writeln!(text, "{}\n", wrapped(split, 118));
+    }
+}
+
+/// A paragraph in lines of limited length.
+fn wrapped(words: &str, width: usize) -> String {
+    let mut lines: Vec<String> = Vec::new();
+    for word in words.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if line.len() + 1 + word.len() <= width => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines.join("\n")
 }
 
 /// The uncorrected model beside the truth (the paper's Figure 8).

@@ -1,9 +1,10 @@
 //! The part of the tunnel's file that is about runs in time.
 
+use coupling::wing_file::DeflectionTable;
 use serde::Deserialize;
 
 /// How runs are measured, and what moves in them that the model does not have.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Dynamics {
     /// Samples per second.
@@ -12,8 +13,9 @@ pub struct Dynamics {
     pub alpha_sigma_deg: f64,
     /// Every control's actuator.
     pub actuator: ActuatorSettings,
-    /// Deflection d acts as `d / (1 + (d / half_loss)^2)`, degrees.
-    pub half_loss_deg: f64,
+    /// What of a commanded deflection acts, by control surface, airspeed and deflection; left out: all of it.
+    #[serde(default)]
+    pub deflection: Vec<DeflectionTable>,
     /// What turns with the wing between it and the balance.
     pub joiner: Joiner,
 }
@@ -56,7 +58,13 @@ pub struct RunPlan {
     pub file: String,
     /// What analyses may use it for.
     pub purpose: Purpose,
-    /// Airspeed.
+    /// Day: its offset, the static cases' of that name, is on all samples of a run in the wind.
+    #[serde(default)]
+    pub block: Option<String>,
+    /// File of the run that this one repeats.
+    #[serde(default)]
+    pub repeat_of: Option<String>,
+    /// Airspeed; zero is wind-off.
     #[serde(rename = "V_m_s")]
     pub v_m_s: f64,
     /// Angle of attack at the beginning, degrees.

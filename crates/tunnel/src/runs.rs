@@ -1,13 +1,16 @@
-//! Runs in time: the true wing in the rig, with what the model does not have (joiner, loss of deflection).
+//! Runs in time: the true wing in the rig, with what the model does not have (joiner, loss of deflection) and what the
+//! balance adds (noise, the day's offset).
 
 use crate::file::TunnelFile;
 use crate::noise::{NoiseSource, Stream};
 use crate::run_file::{Dynamics, MotionPlan, RunPlan};
-use crate::statics::tidy_zero;
+use crate::statics::{block_offsets, tidy_zero};
 use crate::truth::{Truth, TunnelError};
 use aero::Flow;
 use maneuver::signals::{Chirp, Constant, Doublet, OneMinusCosine};
-use maneuver::{Actuator, Motion, Rig, RigSettings, Signal, Smooth, TimeHistory};
+use maneuver::{
+    Actuator, DeflectionCorrection, Motion, Rig, RigSettings, Signal, Smooth, TimeHistory, fly_commanded,
+};
 use nastran::InputError;
 use std::fmt::Write as _;
 
@@ -31,20 +34,32 @@ pub(crate) fn measure(
         ..RigSettings::new(truth.file.damping_ratio, truth.file.pitch_axis_x())
     };
     let rig = Rig::new(&truth.wing, settings)?;
+    let deflection = DeflectionCorrection::new(dynamics.deflection.clone());
+    let offsets = block_offsets(tunnel, seed);
     let mut files = Vec::with_capacity(tunnel.runs.len());
     for (number, plan) in (0..).zip(&tunnel.runs) {
         let flow = Flow { v_m_s: plan.v_m_s, rho_kg_m3: truth.rho_kg_m3 };
         let model = rig.at(flow, &truth.corrections(plan.v_m_s))?;
         let (motion, commanded) = motion(plan, dynamics, &model.controls)
             .map_err(|message| InputError::in_file(&tunnel.path, format!("{}: {message}", plan.file)))?;
-        let history = model.fly(&motion);
-        let noise = NoiseSource::new(seed, Stream::Run(number));
-        files.push((plan.file.clone(), csv(tunnel, dynamics, plan, &history, &motion, &commanded, noise)));
+        let history = fly_commanded(&model, &motion, &deflection.at(plan.v_m_s)?);
+        let day = offsets.iter().find(|(block, _)| Some(*block) == plan.block.as_deref() && plan.v_m_s > 0.0);
+        let balance = Balance {
+            offset: day.map_or([0.0; 3], |(_, offset)| *offset),
+            noise: NoiseSource::new(seed, Stream::Run(number)),
+        };
+        files.push((plan.file.clone(), csv(tunnel, dynamics, plan, &history, &motion, &commanded, balance)));
     }
     Ok(files)
 }
 
-/// What moves the rig (deflections with their loss), and the commanded deflection, rad.
+/// What the balance adds to the loads.
+struct Balance {
+    offset: [f64; 3],
+    noise: NoiseSource,
+}
+
+/// What moves the rig (deflections as commanded), and the one that moves, rad.
 fn motion(plan: &RunPlan, dynamics: &Dynamics, controls: &[String]) -> Result<(Motion, Vec<f64>), String> {
     let time_step_s = 1.0 / dynamics.sample_rate_hz;
     let samples = 1..=steps(plan.length_s * dynamics.sample_rate_hz)?;
@@ -76,8 +91,7 @@ fn motion(plan: &RunPlan, dynamics: &Dynamics, controls: &[String]) -> Result<(M
         let place = controls.iter().position(|control| control == name);
         let place =
             place.ok_or_else(|| format!("the wing has no control {name}; it has {}", controls.join(", ")))?;
-        let half_loss = dynamics.half_loss_deg.to_radians();
-        controls_rad[place] = commanded.iter().map(|d| d / (1.0 + (d / half_loss).powi(2))).collect();
+        controls_rad[place].clone_from(&commanded);
     }
     let alpha = Smooth {
         value: of(&|t_s| alpha.at(t_s)),
@@ -104,8 +118,9 @@ fn csv(
     history: &TimeHistory,
     motion: &Motion,
     commanded: &[f64],
-    mut noise: NoiseSource,
+    balance: Balance,
 ) -> String {
+    let Balance { offset, mut noise } = balance;
     let mut text = String::from("t_s,V_m_s,alpha_deg,Fz_N,Mx_Nm,My_Nm,tip_z_m");
     if let Some(control) = plan.motion.control() {
         let _ = write!(text, ",delta_{control}_deg");
@@ -116,7 +131,8 @@ fn csv(
         let error = noise.channels(tunnel.noise.sample);
         let joiner = dynamics.joiner.loads(motion.alpha.second[i]);
         let clean = ["Fz_N", "Mx_Nm", "My_Nm"].map(|name| channel(name, i));
-        let [fz, mx, my]: [f64; 3] = std::array::from_fn(|c| tidy_zero(clean[c] + joiner[c] + error[c]));
+        let [fz, mx, my]: [f64; 3] =
+            std::array::from_fn(|c| tidy_zero(clean[c] + joiner[c] + offset[c] + error[c]));
         let alpha = motion.alpha.value[i].to_degrees() + noise.normal(dynamics.alpha_sigma_deg);
         let tip = tidy_zero(channel("tip_z_m", i) + noise.normal(tunnel.statics.tip_z_sigma_m));
         let t_s = i as f64 * motion.time_step_s;

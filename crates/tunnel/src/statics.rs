@@ -26,7 +26,7 @@ pub(crate) fn measure(tunnel: &TunnelFile, truth: &Truth, seed: u64) -> Result<V
     let mut rows = Vec::new();
     let mut tares = NoiseSource::new(seed, Stream::TiltTares);
     let mut points = NoiseSource::new(seed, Stream::StaticRows);
-    let mut offsets = NoiseSource::new(seed, Stream::BlockOffsets);
+    let mut offsets = block_offsets(tunnel, seed).into_iter().map(|(_, offset)| offset);
     let states = |v_m_s: f64, angles_deg: &[f64]| {
         let alphas: Vec<f64> = angles_deg.iter().map(|angle| angle.to_radians()).collect();
         truth.states(v_m_s, &alphas)
@@ -48,7 +48,7 @@ pub(crate) fn measure(tunnel: &TunnelFile, truth: &Truth, seed: u64) -> Result<V
         for (alpha_deg, state) in statics.tilt_deg.iter().zip(&tilted) {
             row(0.0, *alpha_deg, state, [0.0; 3], &mut tares);
         }
-        let offset = offsets.channels(statics.blocks.offset_sigma);
+        let offset = offsets.next().unwrap_or_default();
         for _ in 0..*replicates {
             for (v_m_s, states) in &tested {
                 for (alpha_deg, state) in statics.angles_deg.iter().zip(states) {
@@ -58,6 +58,17 @@ pub(crate) fn measure(tunnel: &TunnelFile, truth: &Truth, seed: u64) -> Result<V
         }
     }
     Ok(rows)
+}
+
+/// What each day adds to all wind-on readings: Fz, Mx, My.
+pub(crate) fn block_offsets(tunnel: &TunnelFile, seed: u64) -> Vec<(&str, [f64; 3])> {
+    let mut source = NoiseSource::new(seed, Stream::BlockOffsets);
+    let blocks = &tunnel.statics.blocks;
+    blocks
+        .replicates
+        .iter()
+        .map(|(block, _)| (block.as_str(), source.channels(blocks.offset_sigma)))
+        .collect()
 }
 
 /// The rows as `static.csv`.

@@ -5,7 +5,7 @@
 use maneuver::Run;
 use nastran::Table;
 use std::path::{Path, PathBuf};
-use tunnel::{ChannelNoise, Joiner, MotionPlan, Truth, TunnelFile, campaign};
+use tunnel::{ChannelNoise, Joiner, MotionPlan, Purpose, Truth, TunnelFile, campaign};
 
 fn data(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/tuflex").join(name)
@@ -27,7 +27,9 @@ fn tables(file: &TunnelFile) -> Vec<Table> {
 
 #[test]
 fn a_run_begins_with_the_static_loads() {
-    let file = quiet(|motion| matches!(motion, MotionPlan::OneMinusCosine { frequency_hz: 4.0, .. }));
+    let mut file = quiet(|motion| matches!(motion, MotionPlan::OneMinusCosine { frequency_hz: 4.0, .. }));
+    // without the day's offset
+    file.runs[0].block = None;
     let truth = Truth::build(&file).unwrap();
     let expected = truth.states(30.0, &[1.3_f64.to_radians()]).unwrap()[0].loads.to_array();
     let run = &tables(&file)[0];
@@ -39,23 +41,126 @@ fn a_run_begins_with_the_static_loads() {
 }
 
 #[test]
-fn larger_deflections_lose_more_of_their_effect() {
-    let file = quiet(|motion| matches!(motion, MotionPlan::Doublet { control, .. } if control == "inner"));
-    let at_30: Vec<Table> = tables(&file).into_iter().take(3).collect();
-    let per_degree: Vec<f64> = at_30
+fn each_aileron_loses_what_its_table_says() {
+    let table = |name: &str, degrees: f64| {
+        let file = TunnelFile::read(&data("tunnel.ron")).unwrap();
+        let tables = file.dynamics.unwrap().deflection;
+        let rows = &tables.iter().find(|table| table.control == name).unwrap().rows;
+        let row = rows.iter().find(|row| row.v_m_s == 30.0).unwrap();
+        row.factors()[row.commanded_deg.iter().position(|d| *d == degrees).unwrap()]
+    };
+    let mut file = quiet(|motion| matches!(motion, MotionPlan::Doublet { .. }));
+    file.runs.retain(|run| run.v_m_s == 30.0 && run.repeat_of.is_none());
+    let found: Vec<(String, f64, f64)> = file
+        .runs
         .iter()
-        .map(|run| {
+        .zip(tables(&file))
+        .map(|(plan, run)| {
             let fz = run.numbers("Fz_N").unwrap();
-            let delta = run.numbers("delta_inner_deg").unwrap();
+            let MotionPlan::Doublet { control, deflection_deg, .. } = &plan.motion else {
+                panic!("a doublet")
+            };
             let peak = fz.iter().map(|f| f - fz[0]).fold(0.0, f64::max);
-            peak / delta.iter().copied().fold(0.0, f64::max)
+            (control.clone(), *deflection_deg, peak / deflection_deg)
         })
         .collect();
-    // All else is linear, so the ratios are those of 1 / (1 + (d/35)^2).
-    let kept = |degrees: f64| 1.0 / (1.0 + (degrees / 35.0_f64).powi(2));
-    for (found, degrees) in per_degree.iter().zip([5.0, 15.0, 25.0]) {
-        let expected = kept(degrees) / kept(5.0);
-        assert!((found / per_degree[0] - expected).abs() < 1e-3, "{degrees} degrees: {found} {expected}");
+    assert_eq!(found.len(), 12);
+    // All else is linear, so per degree the ratios are those of the factors.
+    for (control, degrees, per_degree) in &found {
+        let smallest = found.iter().find(|(other, d, _)| other == control && *d == 5.0).unwrap();
+        let expected = table(control, *degrees) / table(control, 5.0);
+        assert!(
+            (per_degree / smallest.2 - expected).abs() < 1e-3,
+            "{control} {degrees}: {per_degree} {expected}"
+        );
+    }
+    // Inner and middle saturate; the outer one rises at 5 degrees first (S43).
+    for name in ["inner", "middle"] {
+        assert!(table(name, 5.0) < table(name, 1.0) && table(name, 25.0) < 0.8 * table(name, 1.0), "{name}");
+    }
+    assert!(
+        table("outer", 5.0) > 1.1 * table("outer", 1.0) && table("outer", 25.0) < 0.8 * table("outer", 1.0)
+    );
+}
+
+#[test]
+fn runs_of_a_day_share_its_offset_and_those_without_wind_have_none() {
+    let mut file = quiet(|motion| matches!(motion, MotionPlan::OneMinusCosine { frequency_hz: 4.0, .. }));
+    assert_eq!(file.runs.iter().map(|run| run.v_m_s).collect::<Vec<_>>(), [30.0, 30.0, 0.0]);
+    file.runs[2].motion = file.runs[0].motion.clone();
+    let first = |tables: &[Table], run: usize| {
+        ["Fz_N", "Mx_Nm", "My_Nm"].map(|name| tables[run].number(0, name).unwrap())
+    };
+    let with = tables(&file);
+    file.runs.iter_mut().for_each(|run| run.block = None);
+    let without = tables(&file);
+    let offsets = [0, 1, 2].map(|run| {
+        let (with, without) = (first(&with, run), first(&without, run));
+        [0, 1, 2].map(|c| with[c] - without[c])
+    });
+    assert_eq!(offsets[2], [0.0; 3]);
+    assert_ne!(offsets[0], offsets[1], "two days");
+    // the static cases' offset of the same day
+    let made = campaign(&file, &Truth::build(&file).unwrap(), 1).unwrap();
+    let truth = Truth::build(&file).unwrap();
+    for (run, day) in ["day_1", "day_2"].into_iter().enumerate() {
+        let row = made.rows.iter().find(|row| row.v_m_s == 30.0 && row.block == day).unwrap();
+        let clean = truth.states(30.0, &[row.alpha_deg.to_radians()]).unwrap()[0].loads.to_array();
+        for c in 0..3 {
+            let noise = row.loads[c] - clean[c] - offsets[run][c];
+            // five standard deviations of a static point
+            assert!(noise.abs() < 5.0 * file.noise.static_point.to_array()[c], "{day} channel {c}: {noise}");
+        }
+    }
+}
+
+#[test]
+fn without_wind_a_run_is_weight_and_inertia() {
+    let file = quiet(|motion| matches!(motion, MotionPlan::OneMinusCosine { .. }));
+    let wind_off: Vec<_> = file.runs.iter().filter(|run| run.v_m_s == 0.0).collect();
+    assert_eq!(wind_off.len(), 3);
+    let truth = Truth::build(&file).unwrap();
+    let expected = truth.states(0.0, &[1.3_f64.to_radians()]).unwrap()[0].loads.to_array();
+    for (plan, run) in file.runs.iter().zip(tables(&file)).filter(|(plan, _)| plan.v_m_s == 0.0) {
+        for (name, expected) in ["Fz_N", "Mx_Nm", "My_Nm"].into_iter().zip(expected) {
+            let values = run.numbers(name).unwrap();
+            assert!((values[0] - expected).abs() < 1e-4, "{}: {} {expected}", plan.file, values[0]);
+            assert!(values.iter().all(|value| value.abs() < 100.0), "{}", plan.file);
+        }
+    }
+    let entries = campaign(&file, &truth, 1).unwrap().files.pop().unwrap().1;
+    assert_eq!(entries.matches("wind_off: true").count(), 3);
+    assert!(entries.contains(
+        "(file: \"aoa_4hz_30.csv\", use: Holdout, block: \"day_2\", repeat_of: \"aoa_4hz_30_day_1.csv\"),"
+    ));
+}
+
+#[test]
+fn every_run_of_the_paper_is_flown() {
+    let file = TunnelFile::read(&data("tunnel.ron")).unwrap();
+    let flown = |wanted: &dyn Fn(&MotionPlan) -> bool, v_m_s: f64, purpose: Purpose| {
+        file.runs.iter().any(|run| run.v_m_s == v_m_s && run.purpose == purpose && wanted(&run.motion))
+    };
+    for hz in [0.5, 2.0, 4.0] {
+        let pitch = |m: &MotionPlan| matches!(m, MotionPlan::OneMinusCosine { to_deg: 5.0, frequency_hz } if *frequency_hz == hz);
+        assert!(flown(&pitch, 30.0, Purpose::Train) && flown(&pitch, 30.0, Purpose::Holdout), "{hz} Hz");
+    }
+    for name in ["inner", "middle", "outer"] {
+        for v_m_s in [18.0, 22.0, 30.0, 34.0] {
+            for degrees in [5.0, 15.0, 25.0] {
+                let doublet = |m: &MotionPlan| matches!(m, MotionPlan::Doublet { control, deflection_deg, .. } if control == name && *deflection_deg == degrees);
+                assert!(flown(&doublet, v_m_s, Purpose::Train), "{name} {degrees} {v_m_s}");
+            }
+            for degrees in [2.0, 5.0] {
+                let chirp = |m: &MotionPlan| matches!(m, MotionPlan::Chirp { control, deflection_deg, from_hz: 0.0, to_hz: 10.0, duration_s: 30.0 } if control == name && *deflection_deg == degrees);
+                let either = flown(&chirp, v_m_s, Purpose::Train) || flown(&chirp, v_m_s, Purpose::Holdout);
+                assert!(either, "{name} {degrees} {v_m_s}");
+            }
+        }
+    }
+    for degrees in [5.0, 15.0, 25.0] {
+        let shown = |m: &MotionPlan| matches!(m, MotionPlan::Doublet { control, deflection_deg, .. } if control == "inner" && *deflection_deg == degrees);
+        assert!(flown(&shown, 30.0, Purpose::Holdout), "Figs. 12 to 14: {degrees}");
     }
 }
 
@@ -69,14 +174,52 @@ fn a_joiner_resists_pitch_acceleration() {
 
 #[test]
 fn the_shipped_runs_can_be_read_and_are_small() {
-    let file = TunnelFile::read(&data("tunnel.ron")).unwrap();
+    let entries = nastran::read_text(&data("measured/campaign.ron")).unwrap();
+    let files: Vec<&str> =
+        entries.split('"').filter(|word| word.contains(".csv") && *word != "static.csv").collect();
+    assert!(files.len() >= 15, "{files:?}");
     let mut bytes = 0;
-    for plan in &file.runs {
-        let path = data("measured").join(&plan.file);
+    for file in files {
+        let path = data("measured").join(file);
         let run = Run::read(&path).unwrap();
         assert!((run.time_step_s - 0.005).abs() < 1e-9 && run.loads.is_some());
-        assert_eq!(run.v_m_s, plan.v_m_s);
+        // the name ends with the airspeed, or begins with wind_off
+        let named = path.file_stem().unwrap().to_str().unwrap().trim_end_matches("_day_1");
+        let v_m_s = if named.starts_with("wind_off") {
+            0.0
+        } else {
+            named.rsplit('_').next().unwrap().parse().unwrap()
+        };
+        assert_eq!(run.v_m_s, v_m_s, "{file}");
         bytes += std::fs::metadata(&path).unwrap().len();
     }
-    assert!(bytes < 5_000_000, "{bytes} bytes");
+    assert!(bytes < 30_000_000, "{bytes} bytes");
+}
+
+#[test]
+fn a_tunnel_file_whose_runs_cannot_be_is_refused() {
+    let text = nastran::read_text(&data("tunnel.ron")).unwrap();
+    for (test, from, to, said) in [
+        ("day", "block: \"day_2\"", "block: \"day_3\"", "no block of the static cases is called day_3"),
+        (
+            "repeat",
+            "repeat_of: \"aoa_2hz_30_day_1.csv\"",
+            "repeat_of: \"aoa.csv\"",
+            "no run is called aoa.csv",
+        ),
+        (
+            "table",
+            "(V_m_s: 22.0, commanded_deg: [1.0, 2.5,",
+            "(V_m_s: 22.0, commanded_deg: [2.5, 2.5,",
+            "must ascend",
+        ),
+        ("rate", "sample_rate_hz: 200.0", "sample_rate_hz: 0.0", "positive sample_rate_hz"),
+    ] {
+        assert!(text.contains(from), "{test}");
+        let path = std::env::temp_dir().join(format!("wingroot-tunnel-{}-{test}.ron", std::process::id()));
+        std::fs::write(&path, text.replacen(from, to, 1)).unwrap();
+        let error = TunnelFile::read(&path).unwrap_err();
+        std::fs::remove_file(&path).unwrap();
+        assert!(error.message.contains(said) && error.help.is_some(), "{test}: {error}");
+    }
 }

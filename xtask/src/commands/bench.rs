@@ -2,13 +2,13 @@
 
 use std::time::{Duration, Instant};
 
-use aero::{MirrorPlane, SteadyAero};
+use aero::{Lattice, MirrorPlane, SteadyAero};
 use calibrate::{Calibration, Campaign, Settings, calibrate};
 use coupling::{ElasticWing, WingFile};
 use serde_json::{Value, json};
 
 use crate::args::{BenchArgs, Common};
-use crate::commands::{bench_dlm, bench_general, bench_structure};
+use crate::commands::{bench_chirp, bench_dlm, bench_general, bench_structure};
 use crate::corrections::{campaign_path, wing_path};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
@@ -20,7 +20,7 @@ const REPEATS: usize = 7;
 const GENERAL: Duration = Duration::from_secs(30);
 
 /// Runs the command.
-pub(crate) fn run(_args: &BenchArgs, common: &Common) -> Result<(), Failure> {
+pub(crate) fn run(args: &BenchArgs, common: &Common) -> Result<(), Failure> {
     // First, while the process is small: these rows tell their peak of memory.
     let mut rows = bench_structure::rows(&WingFile::read(&wing_path(None))?)?;
     let (file, wing) = ElasticWing::read(&wing_path(None))?;
@@ -37,10 +37,8 @@ pub(crate) fn run(_args: &BenchArgs, common: &Common) -> Result<(), Failure> {
         })?,
     ));
     let aircraft = bench_dlm::aircraft()?;
-    rows.push(row(
-        &format!("dlm_{}_boxes_8_frequencies", aircraft.len()),
-        median(|| bench_dlm::eight_frequencies(&aircraft))?,
-    ));
+    rows.push(doublets(&aircraft, args)?);
+    rows.extend(bench_chirp::rows(&file, &wing)?);
     let calibration = calibrate(&wing, &campaign, &settings)?;
     let whole = median(|| {
         let (file, wing) = ElasticWing::read(&wing_path(None))?;
@@ -56,6 +54,22 @@ pub(crate) fn run(_args: &BenchArgs, common: &Common) -> Result<(), Failure> {
     folder.commit()?;
     show::summary(common, &summary(&rows));
     show::json(common, &result)
+}
+
+/// The doublet lattice of a whole aircraft, beside PanelAero's on the same boxes where it is there.
+fn doublets(aircraft: &Lattice, args: &BenchArgs) -> Result<Value, Failure> {
+    let ours = median(|| bench_dlm::eight_frequencies(aircraft))?;
+    let mut row = row(&format!("dlm_{}_boxes_8_frequencies", aircraft.len()), ours);
+    // of the whole process so far: more than the lattice's own
+    row["peak_MB"] = json!(peak_mb());
+    if let Some(peer) = bench_dlm::panelaero(aircraft, args)? {
+        let seconds = peer["seconds"].as_f64().unwrap_or_default();
+        row["peer"] = json!("PanelAero");
+        row["peer_seconds"] = json!(seconds);
+        row["peer_peak_MB"] = peer["peak_MB"].clone();
+        row["ratio"] = json!(seconds / ours);
+    }
+    Ok(row)
 }
 
 /// One airspeed by a general optimiser with finite differences (the paper's way), beside ours.
@@ -85,12 +99,12 @@ fn general(
     }))
 }
 
-fn row(name: &str, seconds: f64) -> Value {
+pub(super) fn row(name: &str, seconds: f64) -> Value {
     json!({ "name": name, "seconds": seconds })
 }
 
 /// Median wall time of a step.
-fn median(mut step: impl FnMut() -> Result<(), Failure>) -> Result<f64, Failure> {
+pub(super) fn median(mut step: impl FnMut() -> Result<(), Failure>) -> Result<f64, Failure> {
     step()?;
     let mut times = Vec::with_capacity(REPEATS);
     for _ in 0..REPEATS {
@@ -125,5 +139,10 @@ fn summary(rows: &[Value]) -> String {
             number("peer_objective"),
         ]);
     }
-    format!("{table}\nMedian of {REPEATS} runs after one to warm up; meshes and the peer run once.\n")
+    let alone = if rows.iter().any(|row| row["peer"] == "PanelAero") {
+        ""
+    } else {
+        "PanelAero is not there, so the doublet lattice stands alone; --peer-python names a Python that has it.\n"
+    };
+    format!("{table}\n{alone}Median of {REPEATS} runs after one to warm up; meshes and the peer run once.\n")
 }

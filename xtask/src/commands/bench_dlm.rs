@@ -3,7 +3,12 @@
 use aero::{DlmSettings, DoubletLattice, Lattice, MirrorPlane};
 use faer::{Mat, c64};
 
+use crate::args::BenchArgs;
 use crate::failure::Failure;
+use crate::paths;
+use serde_json::Value;
+use std::fmt::Write as _;
+use std::process::Command;
 
 /// omega `c_ref`/(2 V), with `c_ref` = 0.225 m.
 const REDUCED_FREQUENCIES: [f64; 8] = [0.001, 0.01, 0.03, 0.1, 0.3, 0.6, 1.0, 1.5];
@@ -40,4 +45,24 @@ pub(crate) fn eight_frequencies(lattice: &Lattice) -> Result<(), Failure> {
         std::hint::black_box(pressures);
     }
     Ok(())
+}
+
+/// PanelAero's time and memory on the same boxes and frequencies, as its script prints them; none where it is absent.
+pub(crate) fn panelaero(lattice: &Lattice, args: &BenchArgs) -> Result<Option<Value>, Failure> {
+    let mut corners = String::new();
+    for panel in &lattice.boxes {
+        let numbers: Vec<String> =
+            panel.corners.iter().flat_map(|c| [c.x, c.y, c.z]).map(|v| format!("{v:?}")).collect();
+        let _ = writeln!(corners, "{}", numbers.join(","));
+    }
+    let file = std::env::temp_dir().join(format!("wingroot_boxes_{}.csv", std::process::id()));
+    std::fs::write(&file, corners).map_err(Failure::computation)?;
+    let mut command = Command::new(&args.peer_python);
+    command.arg(paths::in_repository("tests/peers/time_panelaero.py")).arg(&file).arg(MACH.to_string());
+    command.args(REDUCED_FREQUENCIES.map(|k| (k / HALF_CHORD_M).to_string()));
+    let output = command.output();
+    // A file in the folder for temporary files harms nobody if it stays.
+    drop(std::fs::remove_file(&file));
+    let Ok(output) = output else { return Ok(None) };
+    Ok(serde_json::from_slice(&output.stdout).ok())
 }

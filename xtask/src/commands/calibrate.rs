@@ -64,7 +64,10 @@ fn write(
         write_set(&folder, wing, (&name, &format!("{name} m/s")), &airspeed.corrections)?;
     }
     match &calibration.common {
-        None => folder.write_text("static_loads.svg", &figures::static_loads(wing, calibration)?)?,
+        None => {
+            folder.write_text("static_loads.csv", &figures::static_loads_csv(wing, calibration)?)?;
+            folder.write_text("static_loads.svg", &figures::static_loads(wing, calibration)?)?;
+        }
         Some(set) => {
             write_set(&folder, wing, ("common", "all airspeeds"), &set.corrections)?;
             folder.write_text("readings.svg", &common_set::figure(wing, set, calibration)?)?;

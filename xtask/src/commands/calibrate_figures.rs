@@ -5,10 +5,38 @@ use aero::{Corrections, Flow};
 use calibrate::campaign::TIP;
 use calibrate::{AirspeedCalibration, Calibration};
 use coupling::{ElasticWing, SteadyCase, SteadyState};
+use std::fmt::Write as _;
+
 use report::{DrawError, Figure, Panel, PlanformView, Series, Style};
 
 use crate::commands::calibrate::speed_name;
 use crate::failure::Failure;
+
+/// The curves of [`static_loads`] as CSV: a row for every airspeed and angle.
+pub(crate) fn static_loads_csv(wing: &ElasticWing, calibration: &Calibration) -> Result<String, Failure> {
+    let names = ["Fz_N", "Mx_Nm", "My_Nm", "tip_z_m"];
+    let channels: Vec<usize> = (0..names.len()).filter(|&c| calibration.data.channels[c]).collect();
+    let mut text = String::from("V_m_s,alpha_deg");
+    for c in &channels {
+        for of in ["measured", "initial", "updated"] {
+            let _ = write!(text, ",{of}_{}", names[*c]);
+        }
+    }
+    text.push('\n');
+    let neutral = Corrections::neutral(wing.correctable.len());
+    for airspeed in &calibration.airspeeds {
+        let initial = simulated(wing, airspeed, &neutral, calibration)?;
+        let updated = simulated(wing, airspeed, &airspeed.corrections, calibration)?;
+        for (i, angle) in airspeed.data.angles.iter().enumerate() {
+            let _ = write!(text, "{},{:.6}", airspeed.data.v_m_s, angle.alpha_rad.to_degrees());
+            for &c in &channels {
+                let _ = write!(text, ",{:.7},{:.7},{:.7}", angle.readings()[c], initial[i][c], updated[i][c]);
+            }
+            text.push('\n');
+        }
+    }
+    Ok(text)
+}
 
 /// Measured, initial and updated root loads at every airspeed.
 pub(crate) fn static_loads(wing: &ElasticWing, calibration: &Calibration) -> Result<String, Failure> {

@@ -30,6 +30,11 @@ pub(crate) fn run(args: &FullaircraftArgs, common: &Common) -> Result<(), Failur
     let file = AircraftFile::read(&paths::given_or(args.aircraft.as_deref(), "data/tuflex/aircraft.ron"))?;
     let wing_path = args.wing.clone().unwrap_or_else(|| file.wing_path());
     let wing = corrected_wing(Some(&wing_path), args.corrections.as_deref(), None, common)?;
+    if !wing.file.deflection.is_empty() && !common.quiet {
+        show::note(
+            "the wing's deflection correction is not applied in flight: surfaces go where they are commanded",
+        );
+    }
     // The nearest set stands for airspeeds between the calibrated ones, as published (40 m/s for 37 and 42 m/s).
     corrections_at(&wing.schedule, file.correction_airspeed_m_s).map_err(|refused| {
         InputError::in_field(&file.path, "correction_airspeed_m_s", refused.message)

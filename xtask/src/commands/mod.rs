@@ -1,6 +1,7 @@
 //! One file per command.
 
 pub(crate) mod bench;
+mod bench_chirp;
 mod bench_dlm;
 mod bench_general;
 mod bench_structure;
@@ -9,6 +10,9 @@ mod calibrate_common;
 mod calibrate_figures;
 mod calibrate_strips;
 pub(crate) mod deck;
+pub(crate) mod deflection;
+mod deflection_figures;
+mod deflection_results;
 pub(crate) mod flutter;
 mod flutter_figures;
 pub(crate) mod fullaircraft;
@@ -17,7 +21,17 @@ pub(crate) mod modes;
 mod modes_pictures;
 mod modes_update;
 pub(crate) mod pipeline;
+mod pipeline_figures;
+pub(crate) mod response;
+mod response_asymmetry;
+mod response_figures;
+mod response_files;
+mod response_points;
+mod response_source;
+mod response_text;
 pub(crate) mod simulate;
+mod simulate_files;
+mod simulate_maneuvers;
 pub(crate) mod tidy;
 pub(crate) mod tunnel;
 pub(crate) mod validate;

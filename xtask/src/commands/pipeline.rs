@@ -1,12 +1,12 @@
-//! `pipeline`: calibrate the shipped wing, simulate its runs, fly the mirrored aircraft.
+//! `pipeline`: calibrate the shipped wing, correct its deflections, simulate its runs, fly the mirrored aircraft.
 
 use std::path::Path;
 use std::time::Instant;
 
 use serde_json::{Map, Value, json};
 
-use crate::args::{CalibrateArgs, Common, FullaircraftArgs, PipelineArgs, SimulateArgs};
-use crate::commands::{calibrate, fullaircraft, simulate};
+use crate::args::{CalibrateArgs, Common, DeflectionArgs, FullaircraftArgs, PipelineArgs, SimulateArgs};
+use crate::commands::{calibrate, deflection, fullaircraft, pipeline_figures, simulate};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::{paths, show};
@@ -33,8 +33,13 @@ pub(crate) fn run(_args: &PipelineArgs, common: &Common) -> Result<(), Failure> 
     };
     timed("calibrate", &|common| calibrate::run(&CalibrateArgs::default(), common))?;
     let corrections = Some(base.join("calibrate/corrections.ron"));
+    timed("deflection", &|common| {
+        deflection::run(&DeflectionArgs { corrections: corrections.clone(), ..Default::default() }, common)
+    })?;
     timed("simulate", &|common| {
-        simulate::run(&SimulateArgs { corrections: corrections.clone(), ..Default::default() }, common)
+        let of_deflection = |name: &str| Some(base.join("deflection").join(name));
+        let (wing, corrections) = (of_deflection("wing.ron"), of_deflection("corrections.ron"));
+        simulate::run(&SimulateArgs { wing, corrections, ..Default::default() }, common)
     })?;
     timed("fullaircraft", &|common| {
         fullaircraft::run(
@@ -44,10 +49,11 @@ pub(crate) fn run(_args: &PipelineArgs, common: &Common) -> Result<(), Failure> 
     })?;
     let total = start.elapsed().as_secs_f64();
     let mut result = json!({ "command": "pipeline", "seconds": total, "steps": seconds });
-    for name in ["calibrate", "simulate", "fullaircraft"] {
+    for name in ["calibrate", "deflection", "simulate", "fullaircraft"] {
         result[name] = read_result(&base.join(name))?;
     }
     let folder = ResultFolder::begin(&base.join("pipeline"))?;
+    result["figures"] = pipeline_figures::gather(&base, &folder)?;
     folder.write_json("result.json", &result)?;
     folder.commit()?;
     show::summary(common, &format!("pipeline done in {total:.1} s; results in {}\n", base.display()));

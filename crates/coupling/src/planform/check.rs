@@ -131,6 +131,12 @@ impl Planform {
                 "at least one box and fewer than all boxes of the chord",
             );
         }
+        if let Some(limit_deg) = control.limit_deg.filter(|limit| !(*limit > 0.0 && *limit <= 90.0)) {
+            return fault(
+                format!("control surface {name} has limit_deg {limit_deg:?}, expected a number up to 90"),
+                "leave limit_deg out if it is not known",
+            );
+        }
         for other in earlier {
             if other.name.eq_ignore_ascii_case(name) {
                 return fault(format!("two control surfaces are called {name}"), "give each its own name");

@@ -132,6 +132,9 @@ pub struct Control {
     pub strips: (usize, usize),
     /// How many boxes of a strip belong to it, counted from the trailing edge.
     pub chord_boxes: usize,
+    /// Largest deflection either way; left out: not known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub limit_deg: Option<f64>,
 }
 
 fn yes() -> bool {

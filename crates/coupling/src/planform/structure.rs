@@ -53,6 +53,14 @@ impl Structure {
         }
     }
 
+    /// As [`Structure::distribution`], to rename it.
+    pub(crate) fn distribution_mut(&mut self) -> Option<&mut String> {
+        match self {
+            Self::Beam(beam) => Some(&mut beam.distribution),
+            Self::ShellSolid(_) => None,
+        }
+    }
+
     pub(super) fn check(&self, planform: &Planform) -> Result<(), Fault> {
         match self {
             Self::Beam(beam) => beam.check(planform.semispan_m),

@@ -1,0 +1,242 @@
+//! A maneuver declared in RON: airspeed, angle of attack, sampling, and what moves. Reading it refuses what cannot be
+//! by line and column; [`ManeuverFile::checked`] refuses what the wing cannot do.
+
+mod check;
+mod motion;
+mod own_signal;
+
+pub use check::{DEFAULT_LIMIT_DEG, Growing, growing};
+
+use crate::rig::{Actuator, RigSettings};
+use nastran::{InputError, ron_file};
+use own_signal::OwnSignal;
+use serde::Deserialize;
+use std::path::{Path, PathBuf};
+
+/// A maneuver as its file declares it; angles in degrees.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields, rename = "Maneuver")]
+pub struct ManeuverFile {
+    /// Airspeed; zero is wind-off.
+    #[serde(rename = "V_m_s")]
+    pub v_m_s: f64,
+    /// Air density; left out: 1.225 kg/m³, sea level.
+    #[serde(default = "sea_level")]
+    pub rho_kg_m3: f64,
+    /// Angle of attack at the beginning; left out only if an own signal gives the angle.
+    #[serde(default)]
+    pub alpha_deg: Option<f64>,
+    /// Samples per second.
+    pub sample_rate_hz: f64,
+    /// From the first sample to the last.
+    pub length_s: f64,
+    /// What moves the control surfaces.
+    #[serde(default)]
+    pub actuator: ActuatorChoice,
+    /// What moves; motions of the same thing add up.
+    pub motions: Vec<MotionSpec>,
+    /// The file as it was named when read.
+    #[serde(skip)]
+    pub path: PathBuf,
+    /// Signals of [`MotionSpec::FromFile`], in their order.
+    #[serde(skip)]
+    own: Vec<OwnSignal>,
+}
+
+/// What stands between a commanded deflection and the control surface.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub enum ActuatorChoice {
+    /// The assumed actuator of [`RigSettings::new`].
+    #[default]
+    Assumed,
+    /// Nothing: surfaces follow at once, so no command may jump. It is flown as an actuator of ten times the sampling
+    /// rate, late by a fiftieth of a sample.
+    None,
+    /// A second-order actuator.
+    SecondOrder {
+        /// Natural frequency.
+        frequency_hz: f64,
+        /// Damping ratio.
+        damping_ratio: f64,
+    },
+}
+
+/// What moves: `of` is `"alpha"` or the name of a control surface; everything is zero outside the motion.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub enum MotionSpec {
+    /// `height/2 (1 - cos(2 pi f t))` for one period.
+    OneMinusCosine {
+        /// What moves.
+        of: String,
+        /// Largest departure.
+        height_deg: f64,
+        /// One over the duration.
+        frequency_hz: f64,
+        /// Beginning.
+        #[serde(default)]
+        start_s: f64,
+    },
+    /// `+height` for half a period, `-height` for the other.
+    Doublet {
+        /// What moves.
+        of: String,
+        /// Height of each half.
+        height_deg: f64,
+        /// One over the length of both halves.
+        frequency_hz: f64,
+        /// Beginning.
+        #[serde(default)]
+        start_s: f64,
+    },
+    /// A sine whose frequency runs linearly.
+    Chirp {
+        /// What moves.
+        of: String,
+        /// Amplitude.
+        height_deg: f64,
+        /// Frequency at the beginning.
+        from_hz: f64,
+        /// Frequency at the end.
+        to_hz: f64,
+        /// Duration.
+        duration_s: f64,
+        /// Beginning.
+        #[serde(default)]
+        start_s: f64,
+    },
+    /// A step that stays.
+    Step {
+        /// What moves.
+        of: String,
+        /// Height.
+        height_deg: f64,
+        /// Beginning.
+        #[serde(default)]
+        start_s: f64,
+    },
+    /// Three units up, two down, one up, one down.
+    ThreeTwoOneOne {
+        /// What moves.
+        of: String,
+        /// Height.
+        height_deg: f64,
+        /// Length of one unit.
+        unit_s: f64,
+        /// Beginning.
+        #[serde(default)]
+        start_s: f64,
+    },
+    /// A signal of one's own: a CSV file with `t_s` and `alpha_deg` (the angle itself) or `delta_NAME_deg` columns,
+    /// linear between its samples and constant before and behind them.
+    FromFile {
+        /// The file, relative to the maneuver's.
+        file: String,
+        /// Where its t_s = 0 is.
+        #[serde(default)]
+        start_s: f64,
+    },
+}
+
+fn sea_level() -> f64 {
+    1.225
+}
+
+impl MotionSpec {
+    /// Its name in a file.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::OneMinusCosine { .. } => "OneMinusCosine",
+            Self::Doublet { .. } => "Doublet",
+            Self::Chirp { .. } => "Chirp",
+            Self::Step { .. } => "Step",
+            Self::ThreeTwoOneOne { .. } => "ThreeTwoOneOne",
+            Self::FromFile { .. } => "FromFile",
+        }
+    }
+
+    /// What moves; none for a file, whose columns say it.
+    pub fn of(&self) -> Option<&str> {
+        match self {
+            Self::OneMinusCosine { of, .. }
+            | Self::Doublet { of, .. }
+            | Self::Chirp { of, .. }
+            | Self::Step { of, .. }
+            | Self::ThreeTwoOneOne { of, .. } => Some(of),
+            Self::FromFile { .. } => None,
+        }
+    }
+
+    /// Beginning, s.
+    pub fn start_s(&self) -> f64 {
+        match self {
+            Self::OneMinusCosine { start_s, .. }
+            | Self::Doublet { start_s, .. }
+            | Self::Chirp { start_s, .. }
+            | Self::Step { start_s, .. }
+            | Self::ThreeTwoOneOne { start_s, .. }
+            | Self::FromFile { start_s, .. } => *start_s,
+        }
+    }
+
+    /// Whether it jumps.
+    pub(crate) fn jumps(&self) -> bool {
+        matches!(self, Self::Doublet { .. } | Self::Step { .. } | Self::ThreeTwoOneOne { .. })
+    }
+}
+
+impl ManeuverFile {
+    /// Reads a maneuver and the signals it names.
+    ///
+    /// # Errors
+    /// A missing or misspelt field, a negative time or length, a frequency above half the sampling rate, an airspeed or
+    /// angle that cannot be, a file that is missing: with file, line and column.
+    pub fn read(path: &Path) -> Result<Self, InputError> {
+        let mut file: Self = ron_file::read(path)?;
+        file.path = path.to_path_buf();
+        check::numbers(&file)?;
+        for spec in &file.motions {
+            if let MotionSpec::FromFile { file: name, .. } = spec {
+                file.own.push(OwnSignal::read(&nastran::named_file(path, name)?)?);
+            }
+        }
+        check::angle_is_given_once(&file)?;
+        Ok(file)
+    }
+
+    /// Name of the file without folder and ending, which results take.
+    pub fn name(&self) -> String {
+        self.path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned())
+    }
+
+    /// The rig's settings with the maneuver's actuator.
+    pub fn settings(&self, base: &RigSettings) -> RigSettings {
+        let actuator = match self.actuator {
+            ActuatorChoice::Assumed => base.actuator,
+            ActuatorChoice::None => {
+                Actuator { frequency_hz: 10.0 * self.sample_rate_hz, damping_ratio: 0.5_f64.sqrt() }
+            }
+            ActuatorChoice::SecondOrder { frequency_hz, damping_ratio } => {
+                Actuator { frequency_hz, damping_ratio }
+            }
+        };
+        RigSettings { actuator, ..base.clone() }
+    }
+
+    /// Number of samples.
+    pub fn samples(&self) -> usize {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "reading bounds the number of samples"
+        )]
+        let steps = (self.length_s * self.sample_rate_hz).round() as usize;
+        steps + 1
+    }
+
+    /// Times of the samples, s.
+    pub fn times(&self) -> Vec<f64> {
+        (0..self.samples()).map(|i| i as f64 / self.sample_rate_hz).collect()
+    }
+}

@@ -1,0 +1,95 @@
+//! Numbers by which models of different size are compared.
+
+use crate::columns::Columns;
+use crate::fault::Fault;
+use crate::qr::{Qr, dot, subtract};
+
+use super::reduced::Reduced;
+use super::search::Found;
+
+/// The criteria of one model. N points, m terms, p parameters (terms and offsets of blocks), RSS the residual sum.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Criteria {
+    /// Terms, the constant included.
+    pub terms: usize,
+    /// RSS.
+    pub residual_sum: f64,
+    /// RSS / N, unit of the response squared.
+    pub mse: f64,
+    /// MSE + 2 sigma0^2 m / N, the same unit.
+    pub pse: f64,
+    /// 1 - RSS / TSS, with TSS about the mean of each fixed block.
+    pub r_squared: f64,
+    /// The same with both sums over their degrees of freedom.
+    pub adjusted_r_squared: f64,
+    /// N ln(RSS / N) + p ln N (Schwarz), errors taken as normal.
+    pub bic: f64,
+    /// Mean square of the residuals of leave-one-out cross-validation (PRESS over N), from the leverages h: r / (1 - h).
+    pub leave_one_out: f64,
+}
+
+/// What the criteria of all models of a choice share.
+pub(super) struct Basis {
+    /// Orthonormal columns of what always stays, then of the candidates.
+    qr: Qr,
+    always: usize,
+    constant: usize,
+    total_sum: f64,
+    sigma0_squared: f64,
+}
+
+impl Basis {
+    pub(super) fn new(
+        always: &Columns,
+        candidates: &Columns,
+        constant: usize,
+        total_sum: f64,
+        sigma0_squared: f64,
+    ) -> Result<Self, Fault> {
+        let names: Vec<String> = always.names.iter().chain(&candidates.names).cloned().collect();
+        let values: Vec<Vec<f64>> = always.values.iter().chain(&candidates.values).cloned().collect();
+        let qr = Qr::new(&values, &names)?;
+        Ok(Self { qr, always: always.len(), constant, total_sum, sigma0_squared })
+    }
+
+    pub(super) fn criteria(&self, problem: &Reduced, found: Found, y: &[f64]) -> Criteria {
+        let members = found.set.count_ones() as usize;
+        let (n, terms, parameters) = (y.len() as f64, members + self.constant, members + self.always);
+        let mse = found.sum / n;
+        let left = n - parameters as f64;
+        let free = n - self.always as f64;
+        Criteria {
+            terms,
+            residual_sum: found.sum,
+            mse,
+            pse: mse + 2.0 * self.sigma0_squared * terms as f64 / n,
+            r_squared: 1.0 - found.sum / self.total_sum,
+            adjusted_r_squared: 1.0 - (found.sum / left) / (self.total_sum / free),
+            bic: n * mse.ln() + parameters as f64 * n.ln(),
+            leave_one_out: self.leave_one_out(problem, found, y) / n,
+        }
+    }
+
+    /// Sum of squares of the residuals, each over one minus its leverage.
+    fn leave_one_out(&self, problem: &Reduced, found: Found, y: &[f64]) -> f64 {
+        let (fixed, free) = self.qr.q.split_at(self.always);
+        let mut columns = fixed.to_vec();
+        for coordinates in problem.orthogonalised(found.set).0 {
+            let mut column = vec![0.0; y.len()];
+            for (share, q) in coordinates.iter().zip(free) {
+                subtract(&mut column, -share, q);
+            }
+            columns.push(column);
+        }
+        let mut rest = y.to_vec();
+        for column in &columns {
+            let share = dot(column, &rest);
+            subtract(&mut rest, share, column);
+        }
+        let of_point = |(i, rest): (usize, &f64)| {
+            let leverage: f64 = columns.iter().map(|column| column[i] * column[i]).sum();
+            (rest / (1.0 - leverage)).powi(2)
+        };
+        rest.iter().enumerate().map(of_point).sum()
+    }
+}

@@ -1,0 +1,50 @@
+//! The columns of a model: one for each term, and for each block column its offsets, which sum to zero over its blocks, so
+//! that the coefficients of the terms are those of the mean block.
+
+use crate::data::{Blocks, Data};
+use crate::fault::Fault;
+use crate::term::Term;
+
+/// Columns with their names.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Columns {
+    pub(crate) names: Vec<String>,
+    pub(crate) values: Vec<Vec<f64>>,
+}
+
+impl Columns {
+    /// Columns of terms.
+    pub(crate) fn of_terms(data: &Data, terms: &[Term]) -> Result<Self, Fault> {
+        let mut columns = Self::default();
+        for (index, term) in terms.iter().enumerate() {
+            if terms[..index].contains(term) {
+                let others = format!("`{term}`");
+                return Err(Fault::Aliased { term: term.to_string(), others });
+            }
+            columns.push(term.to_string(), data.column(term)?);
+        }
+        Ok(columns)
+    }
+
+    /// The same and the offsets of blocks: for each but the last, 1 in it and -1 in the last.
+    pub(crate) fn with_blocks(mut self, blocks: &[Blocks]) -> Self {
+        for blocks in blocks {
+            let last = blocks.labels.len() - 1;
+            for (index, label) in blocks.labels[..last].iter().enumerate() {
+                let code = |of: &usize| f64::from(i8::from(*of == index) - i8::from(*of == last));
+                self.push(format!("{} {label}", blocks.name), blocks.of_point.iter().map(code).collect());
+            }
+        }
+        self
+    }
+
+    /// How many.
+    pub(crate) fn len(&self) -> usize {
+        self.values.len()
+    }
+
+    fn push(&mut self, name: String, values: Vec<f64>) {
+        self.names.push(name);
+        self.values.push(values);
+    }
+}

@@ -1,0 +1,109 @@
+//! What `deflection` found as JSON, as CSV and as a table for people.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use maneuver::deflection_fit::FittedFactor;
+use serde_json::{Value, json};
+
+use crate::commands::deflection::{Found, Judged};
+
+/// `result.json`.
+pub(crate) fn json(found: &Found<'_>, seconds: f64) -> Value {
+    let factor = |fitted: &FittedFactor| {
+        json!({ "control": fitted.control, "V_m_s": fitted.v_m_s, "commanded_deg": fitted.commanded_rad.to_degrees(),
+            "equivalent_deg": fitted.factor * fitted.commanded_rad.to_degrees(), "factor": fitted.factor,
+            "standard_error": fitted.standard_error, "runs": fitted.runs })
+    };
+    let channels = |v: [f64; 3]| json!({ "Fz_N": v[0], "Mx_Nm": v[1], "My_Nm": v[2] });
+    let both = |v: [[f64; 3]; 2]| json!({ "before": channels(v[0]), "after": channels(v[1]) });
+    let run = |run: &Judged| json!({ "run": run.name, "residual_rms": both(run.loads), "residual_rms_of_changes": both(run.changes) });
+    let gap = |gaps: Option<[f64; 2]>| {
+        gaps.map(
+            |[before, after]| json!({ "before": before, "after": after, "noise_alone": found.noise_gap }),
+        )
+    };
+    let fits: Vec<Value> = found
+        .fits
+        .iter()
+        .map(|(measured, fit)| {
+            json!({ "file": measured.file.display().to_string(), "factor": fit.factor,
+                "standard_error": fit.standard_error, "noise_error": fit.noise_error,
+                "gap": fit.gap.map(|[before, after]| json!({ "before": before, "after": after })) })
+        })
+        .collect();
+    json!({
+        "command": "deflection",
+        "corrections": found.corrected.origin,
+        "standard_errors": "the larger of: declared white noise through the zero-phase filter (exact); Bartlett's sum of \
+                            the correlated residuals over 0.2 s",
+        "factors": found.factors.iter().map(factor).collect::<Vec<_>>(),
+        "training": fits,
+        "holdout": {
+            "gap": gap(found.gaps(|run| run.loads)),
+            "gap_of_changes": gap(found.gaps(|run| run.changes)),
+            "runs": found.judged.iter().map(run).collect::<Vec<_>>(),
+        },
+        "remarks": found.remarks,
+        "seconds": seconds,
+    })
+}
+
+/// `deflection.csv`.
+pub(crate) fn csv(factors: &[FittedFactor]) -> String {
+    let mut text = String::from("control,V_m_s,commanded_deg,equivalent_deg,factor,standard_error,runs\n");
+    for fitted in factors {
+        let commanded = fitted.commanded_rad.to_degrees();
+        let _ = writeln!(
+            text,
+            "{},{:.3},{commanded:.4},{:.5},{:.6},{:.6},{}",
+            fitted.control,
+            fitted.v_m_s,
+            fitted.factor * commanded,
+            fitted.factor,
+            fitted.standard_error,
+            fitted.runs
+        );
+    }
+    text
+}
+
+/// The table for people.
+pub(crate) fn summary(found: &Found<'_>, out: &Path, seconds: f64) -> String {
+    let mut table = report::Table::new(&[
+        "surface",
+        "V (m/s)",
+        "commanded (deg)",
+        "equivalent (deg)",
+        "K",
+        "standard error",
+        "runs",
+    ]);
+    for fitted in &found.factors {
+        let commanded = fitted.commanded_rad.to_degrees();
+        table.row([
+            fitted.control.clone(),
+            format!("{:.1}", fitted.v_m_s),
+            format!("{commanded:.1}"),
+            format!("{:.2}", fitted.factor * commanded),
+            format!("{:.3}", fitted.factor),
+            format!("{:.3}", fitted.standard_error),
+            fitted.runs.to_string(),
+        ]);
+    }
+    let held = match found.gaps(|run| run.changes).zip(found.gaps(|run| run.loads)) {
+        Some(([before, after], [whole_before, whole_after])) => format!(
+            "{} held-out doublets, residual over noise ({:.2} is noise alone): {before:.2} with deflections as commanded, \
+             {after:.2} corrected; {whole_before:.2} and {whole_after:.2} with what the trim is off",
+            found.judged.len(),
+            found.noise_gap
+        ),
+        None if found.judged.is_empty() => "no doublet is held out to judge by".to_owned(),
+        None => "no noise is declared, so no gap is given; residuals are in result.json".to_owned(),
+    };
+    format!(
+        "{table}\n{held}\nThe wing with this correction is {}\n{seconds:.2} s; results in {}\n",
+        out.join("wing.ron").display(),
+        out.display()
+    )
+}

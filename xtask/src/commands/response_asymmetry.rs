@@ -1,0 +1,90 @@
+//! `response --displacement FIELD.csv`: the asymmetry ratio of displacement fields (Eqs. 2 and 3), with its uncertainty from
+//! the noise of the points and from a rigid wing.
+
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+use report::Table;
+use response::asymmetry::{Asymmetry, RigidWing, Settings, asymmetry, read_displacements};
+use serde_json::{Value, json};
+
+use super::response_text::number;
+use crate::args::{Common, ResponseArgs};
+use crate::failure::Failure;
+use crate::output::ResultFolder;
+use crate::show;
+
+/// Runs the command for fields.
+pub(super) fn run(args: &ResponseArgs, common: &Common) -> Result<(), Failure> {
+    let mut settings = Settings::default();
+    settings.centre_y_mm = args.centre_y_mm.unwrap_or(settings.centre_y_mm);
+    settings.sigma_w_mm = args.sigma_w_mm.unwrap_or(settings.sigma_w_mm);
+    settings.confidence = args.level.unwrap_or(settings.confidence);
+    let rigid_fields = ratios(&args.rigid, &settings)?;
+    let rigid = if rigid_fields.is_empty() {
+        RigidWing::PUBLISHED
+    } else {
+        RigidWing::from_ratios(&rigid_fields.iter().map(|field| field.ratio).collect::<Vec<_>>())?
+    };
+    let fields = ratios(&args.displacement, &settings)?;
+    let folder = ResultFolder::begin(&common.out("response"))?;
+    let result = json!({
+        "command": "response",
+        "rigid": { "mean": rigid.mean, "bias": rigid.bias(), "scatter": rigid.scatter, "fields": rigid_fields.len() },
+        "fields": args.displacement.iter().zip(&fields).map(|(path, field)| of_field(path, field, &rigid)).collect::<Vec<_>>(),
+    });
+    folder.write_json("result.json", &result)?;
+    let out = folder.commit()?;
+    let text = summary(args, &fields, &rigid);
+    show::summary(common, &format!("{text}written to {}", out.display()));
+    show::json(common, &result)
+}
+
+fn ratios(paths: &[PathBuf], settings: &Settings) -> Result<Vec<Asymmetry>, Failure> {
+    let one = |path: &PathBuf| {
+        let field = read_displacements(path)?;
+        asymmetry(&field, settings).map_err(|error| {
+            // what is wrong with the points is said without their file
+            let place = nastran::InputError::in_file(path, error.message.clone());
+            let error = if error.span.is_some() { error } else { place };
+            Failure::from(error)
+        })
+    };
+    paths.iter().map(one).collect()
+}
+
+fn of_field(path: &std::path::Path, field: &Asymmetry, rigid: &RigidWing) -> Value {
+    json!({
+        "file": path.display().to_string(), "ratio": field.ratio, "sigma": field.sigma, "interval": field.interval,
+        "left_mm3": field.left_mm3, "right_mm3": field.right_mm3, "pairs": field.pairs, "unpaired": field.unpaired,
+        "equally_spaced": field.equally_spaced, "beyond_the_rigid_wing": rigid.is_exceeded_by(field),
+    })
+}
+
+fn summary(args: &ResponseArgs, fields: &[Asymmetry], rigid: &RigidWing) -> String {
+    let mut table =
+        Table::new(&["field", "left/right", "sigma", "interval", "pairs", "unpaired", "asymmetric"]);
+    for (path, field) in args.displacement.iter().zip(fields) {
+        table.row([
+            path.display().to_string(),
+            number(field.ratio),
+            number(field.sigma),
+            field.interval.map_or_else(
+                || "open".to_string(),
+                |(low, high)| format!("{} to {}", number(low), number(high)),
+            ),
+            field.pairs.to_string(),
+            field.unpaired.to_string(),
+            if rigid.is_exceeded_by(field) {
+                "yes".into()
+            } else {
+                "not told from the rigid wing".to_string()
+            },
+        ]);
+    }
+    let mut text = table.to_string();
+    let scatter = rigid.scatter.map_or_else(String::new, |scatter| format!(", scatter {}", number(scatter)));
+    let source = if args.rigid.is_empty() { "the paper's" } else { "from its fields" };
+    let _ = writeln!(text, "rigid wing ({source}): mean ratio {}{scatter}", number(rigid.mean));
+    text
+}

@@ -1,0 +1,236 @@
+//! What `response` prints: of each response the chosen terms with their errors, the curve of the predicted squared error,
+//! and the tests; of two-level factors their effects.
+
+use std::fmt::Write as _;
+
+use report::Table;
+use response::{Analysis, Effects, FTest, Fault, Step, TableAnalysis, TableStudy};
+
+use super::response_figures::worth_a_look;
+use super::response_files::{aliases, change};
+
+/// Sizes beyond the chosen one that are printed; all are in the tables.
+const SIZES_BEYOND: usize = 3;
+
+/// A number with five significant digits.
+pub(super) fn number(value: f64) -> String {
+    let size = value.abs();
+    if value == 0.0 || !(1e-4..1e6).contains(&size) {
+        return if value == 0.0 { "0".into() } else { format!("{value:.4e}") };
+    }
+    let mut decimals: usize = 8;
+    let mut limit = 1e-3;
+    while decimals > 0 && size >= limit {
+        (decimals, limit) = (decimals - 1, 10.0 * limit);
+    }
+    format!("{value:.decimals$}")
+}
+
+/// A share of the variance; rounding below zero is none.
+fn share(value: f64) -> String {
+    format!("{:.5}", if value.abs() < 5e-6 { 0.0 } else { value })
+}
+
+/// A probability: small ones by their order.
+fn probability(p: f64) -> String {
+    if p < 1e-300 {
+        "<1e-300".into()
+    } else if p < 1e-4 {
+        format!("{p:.1e}")
+    } else {
+        format!("{p:.4}")
+    }
+}
+
+/// All of a table.
+pub(super) fn table(study: &TableStudy, analysis: &TableAnalysis) -> String {
+    let data = &analysis.data;
+    let blocks: Vec<String> =
+        data.blocks().iter().map(|blocks| format!("{} ({})", blocks.name, blocks.labels.len())).collect();
+    let mut text = format!(
+        "{}: {} points, factors {}; blocks: {}\n",
+        study.data,
+        data.points(),
+        data.factor_names().join(", "),
+        if blocks.is_empty() {
+            "none".into()
+        } else {
+            format!("{}, {:?}", blocks.join(", "), study.blocking)
+        }
+    );
+    for (term, others) in &analysis.left_out {
+        let _ = writeln!(text, "no candidate: {term}, which the points do not tell from {others}");
+    }
+    for of_response in &analysis.responses {
+        text.push('\n');
+        response(&mut text, study, analysis, of_response);
+    }
+    for effects in &analysis.effects {
+        text.push('\n');
+        effect_table(&mut text, study, effects);
+    }
+    text
+}
+
+fn response(text: &mut String, study: &TableStudy, table: &TableAnalysis, analysis: &Analysis) {
+    let choice = &analysis.choice;
+    let (fitted, chosen) = (&choice.fitted, &choice.curve[choice.chosen].criteria);
+    let _ = writeln!(
+        text,
+        "{}: {} of {} terms; R2 {:.5}, adjusted {:.5}; PSE {} (sigma0^2 {}); one reading {} with {} degrees of freedom{}",
+        fitted.response,
+        fitted.coefficients.len(),
+        table.candidates.len(),
+        chosen.r_squared,
+        chosen.adjusted_r_squared,
+        number(chosen.pse),
+        number(choice.sigma0_squared),
+        number(fitted.error_variance.sqrt()),
+        fitted.degrees_of_freedom,
+        if choice.complete {
+            ""
+        } else {
+            "; the search of all subsets was ended early, another may have a lower PSE"
+        }
+    );
+    let interval = format!("{} % interval", 100.0 * study.level);
+    let mut terms = Table::new(&["term", "coefficient", "standard error", "t", "p", &interval]);
+    for coefficient in &fitted.coefficients {
+        let (low, high) =
+            coefficient.interval(study.level, fitted.degrees_of_freedom).unwrap_or((f64::NAN, f64::NAN));
+        terms.row([
+            coefficient.term.to_string(),
+            number(coefficient.value),
+            number(coefficient.standard_error),
+            if coefficient.t.abs() < 1e6 {
+                format!("{:.2}", coefficient.t)
+            } else {
+                format!("{:.1e}", coefficient.t)
+            },
+            probability(coefficient.p_value),
+            format!("{} to {}", number(low), number(high)),
+        ]);
+    }
+    let _ = write!(text, "{terms}");
+    let shown = (choice.chosen + 1 + SIZES_BEYOND).min(choice.curve.len());
+    let _ = write!(text, "{}", curve(&choice.curve[..shown], choice.chosen));
+    for line in tests(study, analysis) {
+        let _ = writeln!(text, "{line}");
+    }
+}
+
+fn curve(steps: &[Step], chosen: usize) -> Table {
+    let head = ["size", "PSE", "MSE", "R2", "adjusted R2", "leave-one-out", "BIC", "from the size before"];
+    let mut table = Table::new(&head);
+    for (index, step) in steps.iter().enumerate() {
+        let criteria = &step.criteria;
+        let before = index.checked_sub(1).map_or(&[][..], |before| &steps[before].terms);
+        table.row([
+            criteria.terms.to_string(),
+            number(criteria.pse) + if index == chosen { " *" } else { "" },
+            number(criteria.mse),
+            share(criteria.r_squared),
+            share(criteria.adjusted_r_squared),
+            number(criteria.leave_one_out),
+            format!("{:.1}", criteria.bic),
+            change(before, &step.terms),
+        ]);
+    }
+    table
+}
+
+fn f_test(test: &FTest) -> String {
+    format!("F({}, {}) = {}, p = {}", test.above, test.below, number(test.f), probability(test.p_value))
+}
+
+fn or_reason<T>(result: &Result<T, Fault>, say: impl Fn(&T) -> String) -> String {
+    result.as_ref().map_or_else(|fault| format!("not known: {fault}"), say)
+}
+
+fn tests(study: &TableStudy, analysis: &Analysis) -> Vec<String> {
+    let fitted = &analysis.choice.fitted;
+    let mut lines = Vec::new();
+    if fitted.residual_sum <= 1e-24 * fitted.total_sum {
+        lines.push(
+            "the surface goes through all points: errors and tests below are rounding only".to_string(),
+        );
+    }
+    lines.extend([
+        format!("all terms: {}", or_reason(&analysis.all_terms, f_test)),
+        format!(
+            "pure error of a reading: {}",
+            or_reason(&analysis.pure_error, |pure| format!(
+                "{} with {} degrees of freedom",
+                number(pure.variance().sqrt()),
+                pure.degrees_of_freedom
+            ))
+        ),
+        format!("lack of fit: {}", or_reason(&analysis.lack_of_fit, f_test)),
+    ]);
+    if let Some(share) = &analysis.block_share {
+        let say = |share: &response::BlockShare| {
+            format!("{:.0} % of the variance; {}", 100.0 * share.removed(), f_test(&share.test()))
+        };
+        lines.push(format!("of the pure error blocks explain: {}", or_reason(share, say)));
+    }
+    if let Some(random) = &analysis.random_blocks {
+        let say = |fitted: &response::Regression| {
+            let (between, within) = (fitted.block_variance.sqrt(), fitted.error_variance.sqrt());
+            format!("{} between, {} within", number(between), number(within))
+        };
+        lines.push(format!("standard deviations of random blocks: {}", or_reason(random, say)));
+    }
+    if let Some(left_out) = &analysis.left_out_blocks {
+        let say = |mean_square: &f64| number(mean_square.sqrt());
+        lines.push(format!("each block predicted from the others, rms: {}", or_reason(left_out, say)));
+    }
+    let lsd = number(analysis.least_significant_difference);
+    lines.push(format!("least significant difference at {} %: {lsd}", 100.0 * study.level));
+    lines
+}
+
+fn effect_table(text: &mut String, study: &TableStudy, effects: &Effects) {
+    let _ = writeln!(
+        text,
+        "effects on {} from low to high; mean {}, {} degrees of freedom of the error, blocks {} ({})",
+        effects.response,
+        number(effects.mean),
+        effects.degrees_of_freedom,
+        effects.block_degrees_of_freedom,
+        f_or_none(effects)
+    );
+    let found = "90 % found from";
+    let mut table =
+        Table::new(&["effect", "value", "standard error", "t", "p", "real", found, "not told from"]);
+    for effect in &effects.effects {
+        let test = effect.test.as_ref();
+        let of_test = |say: &dyn Fn(&response::EffectTest) -> String| test.map_or_else(|| "-".into(), say);
+        table.row([
+            effect.term.to_string(),
+            number(effect.value),
+            of_test(&|test| number(test.standard_error)),
+            of_test(&|test| format!("{:.2}", test.t)),
+            of_test(&|test| probability(test.p_value)),
+            of_test(&|test| if test.significant { "yes".into() } else { "no".into() }),
+            of_test(&|test| {
+                let smallest = effects.detectable(test, study.level, 0.9);
+                smallest.map_or_else(|_| "-".into(), number)
+            }),
+            aliases(effect).join(", "),
+        ]);
+    }
+    let _ = write!(text, "{table}");
+    if let Some(lenth) = worth_a_look(effects) {
+        let _ = writeln!(
+            text,
+            "Lenth: pseudo standard error {}, margin {}, simultaneous margin {}",
+            number(lenth.pseudo_standard_error),
+            number(lenth.margin),
+            number(lenth.simultaneous_margin)
+        );
+    }
+}
+
+fn f_or_none(effects: &Effects) -> String {
+    effects.block_test().as_ref().map_or_else(|| "no test".into(), f_test)
+}

@@ -1,0 +1,93 @@
+//! What `simulate` writes: a run's CSV, the curves of its figure as CSV, and the figure.
+
+use std::path::{Path, PathBuf};
+
+use maneuver::{Simulated, TimeHistory};
+use report::{Figure, Panel, Series, Style};
+use serde_json::Value;
+
+use crate::commands::simulate::Flown;
+use crate::failure::Failure;
+use crate::output::ResultFolder;
+
+/// Channels and labels of the loads.
+const LOADS: [(&str, &str); 3] = [("Fz_N", "Fz (N)"), ("Mx_Nm", "Mx (N m)"), ("My_Nm", "My (N m)")];
+/// The updated model with every deflection acting as commanded.
+const AS_COMMANDED: &str = "updated, deflections as commanded";
+
+/// Writes everything and puts it in place.
+pub(crate) fn write(out: &Path, flown: &[Flown], result: &Value) -> Result<PathBuf, Failure> {
+    let folder = ResultFolder::begin(out)?;
+    for flight in flown {
+        let name = &flight.run.name;
+        folder.write_text(&format!("{name}.csv"), &flight.updated.history.to_csv())?;
+        folder.write_text(&format!("{name}_models.csv"), &models(flight).to_csv())?;
+        let figure = figure(flight).svg().map_err(Failure::computation)?;
+        folder.write_text(&format!("{name}.svg"), &figure)?;
+    }
+    folder.write_json("result.json", result)?;
+    folder.commit()
+}
+
+/// The curves of a run's figure: inputs, and each load as measured and by each model.
+fn models(flown: &Flown) -> TimeHistory {
+    let mut curves = TimeHistory { t_s: flown.run.t_s.clone(), channels: Vec::new() };
+    let degrees = |values: &[f64]| values.iter().map(|value| value.to_degrees()).collect::<Vec<f64>>();
+    curves.push("alpha_deg", degrees(&flown.run.alpha_rad));
+    for (name, values) in &flown.run.controls_rad {
+        curves.push(format!("delta_{name}_deg"), degrees(values));
+    }
+    for (c, (channel, _)) in LOADS.into_iter().enumerate() {
+        if let Some(loads) = &flown.run.loads {
+            curves.push(format!("measured_{channel}"), loads[c].clone());
+        }
+        let models = [("initial", Some(&flown.initial)), ("updated", Some(&flown.updated))];
+        for (model, simulated) in models.into_iter().chain([("as_commanded", flown.as_commanded.as_ref())]) {
+            if let Some(values) = simulated.and_then(|simulated| simulated.history.get(channel)) {
+                curves.push(format!("{model}_{channel}"), values.to_vec());
+            }
+        }
+    }
+    curves
+}
+
+/// Loads measured, initial and updated, and what moved the wing.
+fn figure(flown: &Flown) -> Figure {
+    let t_s = &flown.run.t_s;
+    let mut panels = Vec::new();
+    for (c, (name, label)) in LOADS.into_iter().enumerate() {
+        let of = |simulated: &Simulated| simulated.history.get(name).unwrap_or(&[]).to_vec();
+        // the measurement first, so that its noise covers neither model
+        let measured = flown.run.loads.as_ref().map(|loads| loads[c].clone());
+        let mut series: Vec<Series> = measured
+            .map(|values| Series::new("measured", t_s.clone(), values, Style::Line))
+            .into_iter()
+            .collect();
+        series.push(Series::new("initial", t_s.clone(), of(&flown.initial), Style::DashedLine));
+        if let Some(as_commanded) = &flown.as_commanded {
+            series.push(Series::new(AS_COMMANDED, t_s.clone(), of(as_commanded), Style::DashedLine));
+        }
+        series.push(Series::new("updated", t_s.clone(), of(&flown.updated), Style::Line));
+        panels.push(Panel {
+            title: String::new(),
+            x_label: "time (s)".into(),
+            y_label: label.into(),
+            series,
+        });
+    }
+    let alpha: Vec<f64> = flown.run.alpha_rad.iter().map(|alpha| alpha.to_degrees()).collect();
+    let mut inputs = vec![Series::new("angle of attack", t_s.clone(), alpha, Style::Line)];
+    for (name, values) in &flown.run.controls_rad {
+        let degrees: Vec<f64> = values.iter().map(|delta| delta.to_degrees()).collect();
+        if degrees.iter().any(|delta| *delta != 0.0) {
+            inputs.push(Series::new(format!("{name} aileron, commanded"), t_s.clone(), degrees, Style::Line));
+        }
+    }
+    panels.push(Panel {
+        title: String::new(),
+        x_label: "time (s)".into(),
+        y_label: "angle (deg)".into(),
+        series: inputs,
+    });
+    Figure { title: format!("{} at {:.1} m/s", flown.run.name, flown.run.v_m_s), panels, columns: 2 }
+}

@@ -1,0 +1,102 @@
+//! Declared maneuvers flown with the initial and the updated model; part of `simulate`.
+
+use std::path::{Path, PathBuf};
+
+use aero::{Corrections, Flow};
+use maneuver::maneuver_file::growing;
+use maneuver::{
+    DeflectionAt, DeflectionCorrection, ManeuverFile, Rig, RigSettings, Run, Simulated, fly_commanded,
+};
+use nastran::InputError;
+use rayon::prelude::*;
+
+use crate::commands::simulate::{Flown, at_airspeed};
+use crate::corrections::CorrectedWing;
+use crate::failure::Failure;
+
+/// Reads maneuvers and checks them against the wing, before anything is computed with them.
+pub(crate) fn read(
+    files: &[PathBuf],
+    corrected: &CorrectedWing,
+) -> Result<Vec<(ManeuverFile, Vec<String>)>, Failure> {
+    let controls: Vec<String> = corrected.wing.controls.iter().map(|control| control.name.clone()).collect();
+    let checked = |path: &PathBuf| {
+        let file = ManeuverFile::read(path)?;
+        let remarks = file.checked(&corrected.file, &controls)?;
+        Ok((file, remarks))
+    };
+    files.iter().map(checked).collect::<Result<_, InputError>>().map_err(Failure::from)
+}
+
+/// Flies them: one rig for each actuator.
+pub(crate) fn fly(
+    maneuvers: Vec<(ManeuverFile, Vec<String>)>,
+    base: &Rig<'_>,
+    settings: &RigSettings,
+    corrected: &CorrectedWing,
+) -> Result<Vec<Flown>, Failure> {
+    let mut rigs: Vec<(RigSettings, Rig<'_>)> = Vec::new();
+    for (file, _) in &maneuvers {
+        let own = file.settings(settings);
+        if own != *settings && !rigs.iter().any(|(known, _)| *known == own) {
+            rigs.push((own.clone(), Rig::new(&corrected.wing, own)?));
+        }
+    }
+    let flown = |(file, remarks): (ManeuverFile, Vec<String>)| {
+        let own = file.settings(settings);
+        let rig = rigs.iter().find(|(known, _)| *known == own).map_or(base, |(_, rig)| rig);
+        fly_one(&file, remarks, rig, corrected)
+    };
+    maneuvers.into_par_iter().map(flown).collect()
+}
+
+fn fly_one(
+    file: &ManeuverFile,
+    mut remarks: Vec<String>,
+    rig: &Rig<'_>,
+    corrected: &CorrectedWing,
+) -> Result<Flown, Failure> {
+    let flow = Flow { v_m_s: file.v_m_s, rho_kg_m3: file.rho_kg_m3 };
+    let (corrections, deflection) = at_airspeed(&file.path, file.v_m_s, corrected)?;
+    let neutral = Corrections::neutral(corrected.wing.correctable.len());
+    let initial = rig.at(flow, &neutral)?;
+    let updated = rig.at(flow, &corrections)?;
+    for (model, name) in [(&initial, "initial"), (&updated, "updated")] {
+        remarks.extend(growing(model).map(|growing| format!("{name} model at {} m/s {growing}", file.v_m_s)));
+    }
+    let motion = file.motion(&updated);
+    for (control, commanded) in updated.controls.iter().zip(&motion.controls_rad) {
+        remarks.extend(deflection.beyond(control, commanded).map(|beyond| beyond.to_string()));
+    }
+    let simulated = |history| Simulated { history, residual_rms: None, residual_percent: None };
+    let run = Run {
+        name: file.name(),
+        t_s: file.times(),
+        time_step_s: motion.time_step_s,
+        v_m_s: file.v_m_s,
+        alpha_rad: motion.alpha.value.clone(),
+        loads: None,
+        controls_rad: updated.controls.iter().cloned().zip(motion.controls_rad.iter().cloned()).collect(),
+        tip_z_m: None,
+        accelerations: Vec::new(),
+    };
+    Ok(Flown {
+        file: file.path.clone(),
+        initial: simulated(fly_commanded(&initial, &motion, &DeflectionAt::default())),
+        updated: simulated(fly_commanded(&updated, &motion, &deflection)),
+        as_commanded: None,
+        run,
+        remarks,
+    })
+}
+
+/// The corrections of deflections at an airspeed; an error names the file that flies there.
+pub(crate) fn deflection_at(
+    path: &Path,
+    v_m_s: f64,
+    corrected: &CorrectedWing,
+) -> Result<DeflectionAt, InputError> {
+    DeflectionCorrection::of_wing(&corrected.file)
+        .at(v_m_s)
+        .map_err(|refused| InputError { span: InputError::in_file(path, "").span, ..refused })
+}
