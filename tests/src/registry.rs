@@ -52,6 +52,7 @@ pub fn cases() -> impl Iterator<Item = &'static Case> {
         cases::unsteady2d::CASES,
         cases::gusts::CASES,
         cases::gust_bah::CASES,
+        cases::flutter_plate::CASES,
         cases::flutter_decks::CASES,
         cases::flutter_strips::CASES,
         cases::flutter_wings::CASES,
@@ -62,10 +63,6 @@ pub fn cases() -> impl Iterator<Item = &'static Case> {
 
 /// Files of `data/published` that are not compared, and why.
 pub const LISTED: &[(&str, &str)] = &[
-    (
-        "flutter__ha145e_modes",
-        "the plate's mesh (40 grids) and where it is held are not in the file; the beam of the same wing is flutter__swept15_d10023a",
-    ),
     (
         "flutter__pazy_sol145_NO_tipmass",
         "the finite element model of the wing with its skin is not in the file, only the deck's name; `cargo xtask flutter` \

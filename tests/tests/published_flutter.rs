@@ -24,3 +24,8 @@ fn flutter_swept15_d10023a() {
 fn flutter_0012_pknl() {
     validation::check("flutter__flutter_0012_pknl");
 }
+
+#[test]
+fn flutter_ha145e_modes() {
+    validation::check("flutter__ha145e_modes");
+}

@@ -3,6 +3,7 @@
 pub mod divergence;
 pub mod dlm;
 pub mod flutter_decks;
+pub mod flutter_plate;
 pub mod flutter_strips;
 pub mod flutter_wings;
 pub mod gust_bah;
