@@ -3,6 +3,7 @@
 use crate::error::CouplingError;
 use crate::wing::ElasticWing;
 use aero::Corrections;
+use faer::c64;
 
 impl ElasticWing {
     /// Lowest divergence pressure of the wing with corrections of the whole lattice, Pa; `None` if no positive
@@ -21,13 +22,7 @@ impl ElasticWing {
         let values = loop_gain
             .eigenvalues()
             .map_err(|_| CouplingError::Diverged { q_pa: 0.0, divergence_pa: None })?;
-        let scale = values.iter().map(|value| value.norm()).fold(0.0, f64::max);
-        let largest = values
-            .iter()
-            .filter(|value| value.im.abs() <= 1e-9 * value.re.abs() && value.re > 1e-9 * scale)
-            .map(|value| value.re)
-            .fold(0.0, f64::max);
-        Ok((largest > 0.0).then(|| 1.0 / largest))
+        Ok(lowest_pressure(&values))
     }
 
     /// Lowest divergence airspeed at an air density, m/s, with corrections (one entry for each correctable box);
@@ -43,4 +38,16 @@ impl ElasticWing {
         let padded = self.padded(corrections)?;
         Ok(self.divergence_pressure(&padded)?.map(|q_pa| (2.0 * q_pa / rho_kg_m3).sqrt()))
     }
+}
+
+/// One over the largest positive real eigenvalue of a loop's gain per unit pressure: the lowest pressure at which the loop
+/// closes on itself; `None` if there is none.
+pub fn lowest_pressure(gains: &[c64]) -> Option<f64> {
+    let scale = gains.iter().map(|value| value.norm()).fold(0.0, f64::max);
+    let largest = gains
+        .iter()
+        .filter(|value| value.im.abs() <= 1e-9 * value.re.abs() && value.re > 1e-9 * scale)
+        .map(|value| value.re)
+        .fold(0.0, f64::max);
+    (largest > 0.0).then(|| 1.0 / largest)
 }

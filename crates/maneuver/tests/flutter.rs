@@ -12,7 +12,7 @@ use maneuver::flutter::{
     Aeroelastic, FlutterError, FormulaForces, GafTable, GeneralisedForces, ScheduledForces,
     flutter_of_state_space, generalised_forces, incidence_of_motion,
 };
-use maneuver::{Rig, RigSettings};
+use maneuver::{AirModel, Rig, RigSettings};
 use std::f64::consts::TAU;
 
 const RHO: f64 = 1.225;
@@ -186,7 +186,9 @@ fn the_wing_flutters_alike_by_both_methods() {
     let still = doublets.at(0.0).unwrap();
     let flows = speeds(10.0, 200.0, 20);
     let difference = |modes: usize| {
-        let settings = RigSettings { modes, ..RigSettings::new(file.damping_ratio, file.pitch_axis_x()) };
+        let air = AirModel::QuasiSteady;
+        let settings =
+            RigSettings { modes, air, ..RigSettings::new(file.damping_ratio, file.pitch_axis_x()) };
         let rig = Rig::new(&wing, settings).unwrap();
         let motion = rig.box_motion();
         let kappa = [0.0, 1.0, 300.0];
@@ -211,4 +213,27 @@ fn the_wing_flutters_alike_by_both_methods() {
     };
     let (few, many) = (difference(12).abs(), difference(40).abs());
     assert!(few < 1e-3 && many < 1e-4, "{few:e} {many:e}");
+}
+
+#[test]
+fn in_unsteady_air_the_state_matrix_flutters_as_p_k_on_the_doublet_lattice_does() {
+    let (file, wing) = wing_with(|_| ());
+    let corrections = uneven(&wing);
+    let padded = wing.padded(&corrections).unwrap();
+    let rig = Rig::new(&wing, RigSettings::new(file.damping_ratio, file.pitch_axis_x())).unwrap();
+    let doublets = DoubletLattice::new(&wing.lattice, wing.plane, 0.0, &DlmSettings::default()).unwrap();
+    let half_chord_m = 0.5 * rig.air().chord_m;
+    let kappa: Vec<f64> = [0.0, 0.02, 0.06, 0.12, 0.2, 0.3, 0.42, 0.55, 0.7, 0.9, 1.15, 1.5, 2.0]
+        .map(|k| k / half_chord_m)
+        .to_vec();
+    let pressures = rig.mode_pressures(&doublets, &kappa).unwrap();
+    let table = rig.gaf_table(&pressures, &padded).unwrap();
+    let system = Aeroelastic::of_modes(rig.omega_rad_s(), file.damping_ratio, &table).unwrap();
+    let flows = speeds(10.0, 200.0, 20);
+    let pk = *system.pk(&flows).unwrap().flutter().unwrap();
+    let matrix = |flow: Flow| Ok::<_, FlutterError>(rig.at(flow, &corrections).unwrap().a);
+    let eigen = *flutter_of_state_space(&flows, matrix).unwrap().flutter().unwrap();
+    // the rational function is within 1 % of the lattice; flutter is where much cancels
+    let [v, f] = [pk.flow.v_m_s / eigen.flow.v_m_s - 1.0, pk.omega_rad_s / eigen.omega_rad_s - 1.0];
+    assert!(v.abs() < 0.01 && f.abs() < 0.01, "{v:e} {f:e} at {} m/s", pk.flow.v_m_s);
 }

@@ -1,6 +1,7 @@
 //! Divergence: the stiffness that the steady air takes away, `det(K - q Re Q(0)) = 0`.
 
 use super::{Aeroelastic, FlutterError};
+use coupling::divergence::lowest_pressure;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 
@@ -16,13 +17,7 @@ impl Aeroelastic<'_> {
         let real = Mat::from_fn(n, n, |i, j| q[(i, j)].re);
         let gain = self.stiffness().to_owned().partial_piv_lu().solve(&real);
         let values = gain.eigenvalues().map_err(|_| FlutterError::Eigenvalues("the steady air forces"))?;
-        let scale = values.iter().map(|value| value.norm()).fold(0.0, f64::max);
-        let largest = values
-            .iter()
-            .filter(|value| value.im.abs() <= 1e-9 * value.re.abs() && value.re > 1e-9 * scale)
-            .map(|value| value.re)
-            .fold(0.0, f64::max);
-        Ok((largest > 0.0).then(|| 1.0 / largest))
+        Ok(lowest_pressure(&values))
     }
 
     /// Lowest divergence airspeed at a density, m/s, up to the last of rising airspeeds (see [`first_divergence`]).
