@@ -1,5 +1,6 @@
 //! The RON file that describes an aircraft: which wing, what stands around it, what it weighs and what it flies.
 
+use crate::envelope::{LiftLimits, lift_limits};
 use nastran::{InputError, Span, ron_file};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -12,6 +13,9 @@ pub struct AircraftFile {
     pub name: String,
     /// The wing's file, relative to this one.
     pub wing: String,
+    /// Polars of the wing's section (CSV `V_mps,Re,alpha_deg,cl,...`), relative to this file: for stall lines and warnings.
+    #[serde(default)]
+    pub section_polars: Option<String>,
     /// Airspeed whose corrections all flight points use, m/s.
     pub correction_airspeed_m_s: f64,
     /// Air density, kg/m3.
@@ -225,6 +229,15 @@ impl AircraftFile {
     /// Where the wing's file is.
     pub fn wing_path(&self) -> PathBuf {
         self.path.parent().unwrap_or_else(|| Path::new("")).join(&self.wing)
+    }
+
+    /// Lift limits of the wing's section, if the file names polars.
+    ///
+    /// # Errors
+    /// If they cannot be read.
+    pub fn lift_limits(&self) -> Result<Option<Vec<LiftLimits>>, InputError> {
+        let folder = self.path.parent().unwrap_or_else(|| Path::new(""));
+        self.section_polars.as_ref().map(|name| lift_limits(&folder.join(name))).transpose()
     }
 
     /// The file as the place of cards made from it.

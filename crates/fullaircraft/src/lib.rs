@@ -6,6 +6,7 @@ pub mod aircraft_file;
 mod beam;
 pub mod cards;
 mod closing;
+pub mod envelope;
 pub mod error;
 mod fe_mirror;
 mod fe_numbers;
@@ -23,6 +24,7 @@ pub mod vtu;
 
 pub use aircraft::{Aircraft, WingPlaces};
 pub use aircraft_file::{AircraftFile, FlightPoint, Surfaces};
+pub use envelope::{Envelope, LiftLimits};
 pub use error::AircraftError;
 pub use flight::FreeFlight;
 pub use free_modes::FreeModes;

@@ -122,8 +122,14 @@ impl Aircraft {
         let modes = FreeModes::new(self)?;
         let initial = self.uncorrected().fly_all(&modes)?;
         let updated = self.with_corrections(wing)?.fly_all(&modes)?;
+        let limits = self.file.lift_limits()?;
         let mut warnings = self.warnings();
         for (model, flown) in [("initial", &initial), ("updated", &updated)] {
+            for (name, trimmed) in
+                [("trim", &flown.trim), ("pull_up", &flown.pull_up), ("push_down", &flown.push_down)]
+            {
+                warnings.extend(self.validity(&format!("{model}, {name}"), trimmed, limits.as_deref()));
+            }
             warnings.extend(flown.warnings.iter().map(|warning| format!("{model}, {warning}")));
         }
         Ok(Comparison { initial, updated, frequencies_hz: modes.frequencies_hz(), warnings })

@@ -82,6 +82,12 @@ fn write(
     for (name, text) in figures::all(aircraft, comparison).map_err(Failure::computation)? {
         folder.write_text(name, &text)?;
     }
+    if let Some(limits) = aircraft.file.lift_limits()? {
+        let envelope = aircraft.envelope(&limits);
+        folder.write_text("envelope.csv", &envelope.csv())?;
+        let drawn = figures::envelope(aircraft, &envelope).map_err(Failure::computation)?;
+        folder.write_text("envelope.svg", &drawn)?;
+    }
     folder.write_json("result.json", summary)?;
     folder.commit()
 }

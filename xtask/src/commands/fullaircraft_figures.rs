@@ -1,6 +1,6 @@
 //! The figures of `fullaircraft`: deformed shapes and time histories, initial beside updated model.
 
-use fullaircraft::{Aircraft, Comparison, FlightHistory, Trimmed};
+use fullaircraft::{Aircraft, Comparison, Envelope, FlightHistory, Trimmed};
 use report::deformed::{self, Quad, View};
 use report::{DrawError, Figure, Panel, Series, Style};
 
@@ -16,6 +16,34 @@ pub(crate) fn all(
         ("doublet.svg", histories("Aileron doublet in free flight", &initial.doublet, &updated.doublet)?),
         ("chirp.svg", histories("Aileron chirp in free flight", &initial.chirp, &updated.chirp)?),
     ])
+}
+
+/// The V-n envelope with stall lines and the two limit points.
+pub(crate) fn envelope(aircraft: &Aircraft, envelope: &Envelope) -> Result<String, DrawError> {
+    let line = |name: &str, n: &Vec<f64>, style| Series::new(name, envelope.v_m_s.clone(), n.clone(), style);
+    let (up, down) = (&aircraft.file.pull_up, &aircraft.file.push_down);
+    let points = Series::new(
+        "pull-up and push-down",
+        vec![up.v_m_s, down.v_m_s],
+        vec![up.load_factor, down.load_factor],
+        Style::Points,
+    );
+    let [stall_low, stall_high] = &envelope.stall;
+    let [low, high] = &envelope.limit;
+    let series = vec![
+        line("stall line, upper", stall_high, Style::DashedLine),
+        line("stall line, lower", stall_low, Style::DashedLine),
+        line("limit, upper", high, Style::Line),
+        line("limit, lower", low, Style::Line),
+        points,
+    ];
+    let panel = Panel {
+        title: String::new(),
+        x_label: "airspeed (m/s)".into(),
+        y_label: "load factor".into(),
+        series,
+    };
+    Figure { title: "V-n envelope, section's lift limits".into(), panels: vec![panel], columns: 1 }.svg()
 }
 
 fn shapes(
