@@ -61,6 +61,11 @@ impl Spline {
         Self { rows: parts.into_iter().flat_map(|part| part.rows).collect(), g_size }
     }
 
+    /// From rows of G, two a box, each a list of (g degree of freedom, coefficient).
+    pub fn from_rows(rows: Vec<Vec<(usize, f64)>>, g_size: usize) -> Self {
+        Self { rows, g_size }
+    }
+
     /// Rows of G, 2 a box.
     pub fn rows(&self) -> &[Vec<(usize, f64)>] {
         &self.rows

@@ -142,7 +142,7 @@ impl Aircraft {
             });
             warnings.push(format!(
                 "{name}: {outside} of {} strips leave the section's polar (lift coefficient {least:.2} to {most:.2}), \
-                 the furthest with {:.2}: they would stall",
+                 the furthest with {:.2}: linear lift is not known to hold there",
                 strips.len(),
                 furthest.unwrap_or(f64::NAN)
             ));

@@ -3,12 +3,8 @@
 //! Numbers are in the deck's own units (SI for wingroot's wings) and, for points, in the coordinate system the
 //! card names; [`crate::geometry`] resolves them to the basic system.
 
-use crate::fe_cards::{
-    Cbush, Conm1, Crod, Genel, Mat2, Mat8, Mat9, Mpc, Pbush, Pcomp, Prod, Pshell, Psolid, Rbar, Rbe3,
-    ScalarElement, ScalarProperty, ShellElement, SolidElement, SplineCard,
-};
+pub use crate::bulk_data::BulkData;
 use crate::source::Span;
-use std::collections::BTreeMap;
 
 /// A grid point (GRID).
 #[derive(Debug, Clone, PartialEq)]
@@ -311,89 +307,4 @@ pub struct MonitorPoint {
     pub is_structural: bool,
     /// Where the card stands.
     pub span: Span,
-}
-
-/// What a deck says. Maps are in ascending identification numbers, which is Nastran's own order.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct BulkData {
-    /// GRID.
-    pub grids: BTreeMap<u32, Grid>,
-    /// CORD1R, CORD1C, CORD1S, CORD2R, CORD2C, CORD2S.
-    pub coords: BTreeMap<u32, Coord>,
-    /// CBAR, CBEAM.
-    pub beams: BTreeMap<u32, BeamElement>,
-    /// PBAR, PBEAM.
-    pub beam_properties: BTreeMap<u32, BeamProperty>,
-    /// MAT1.
-    pub materials: BTreeMap<u32, Mat1>,
-    /// CONM2.
-    pub masses: BTreeMap<u32, Conm2>,
-    /// RBE2.
-    pub rigid: BTreeMap<u32, Rbe2>,
-    /// SPC1, in file order.
-    pub constraints: Vec<Spc1>,
-    /// CQUAD4, CTRIA3.
-    pub shells: BTreeMap<u32, ShellElement>,
-    /// PSHELL.
-    pub shell_properties: BTreeMap<u32, Pshell>,
-    /// PCOMP, PCOMPG.
-    pub laminates: BTreeMap<u32, Pcomp>,
-    /// CHEXA, CPENTA, CTETRA.
-    pub solids: BTreeMap<u32, SolidElement>,
-    /// PSOLID.
-    pub solid_properties: BTreeMap<u32, Psolid>,
-    /// CROD.
-    pub rods: BTreeMap<u32, Crod>,
-    /// PROD.
-    pub rod_properties: BTreeMap<u32, Prod>,
-    /// CBUSH.
-    pub bushes: BTreeMap<u32, Cbush>,
-    /// PBUSH.
-    pub bush_properties: BTreeMap<u32, Pbush>,
-    /// CELAS1, CELAS2.
-    pub springs: BTreeMap<u32, ScalarElement>,
-    /// PELAS.
-    pub spring_properties: BTreeMap<u32, ScalarProperty>,
-    /// CMASS1, CMASS2.
-    pub scalar_masses: BTreeMap<u32, ScalarElement>,
-    /// PMASS.
-    pub mass_properties: BTreeMap<u32, ScalarProperty>,
-    /// GENEL.
-    pub general: BTreeMap<u32, Genel>,
-    /// CONM1.
-    pub mass_matrices: BTreeMap<u32, Conm1>,
-    /// RBAR.
-    pub rigid_bars: BTreeMap<u32, Rbar>,
-    /// RBE3.
-    pub averages: BTreeMap<u32, Rbe3>,
-    /// MPC, in file order.
-    pub equations: Vec<Mpc>,
-    /// MAT2.
-    pub plane_materials: BTreeMap<u32, Mat2>,
-    /// MAT8.
-    pub ply_materials: BTreeMap<u32, Mat8>,
-    /// MAT9.
-    pub solid_materials: BTreeMap<u32, Mat9>,
-    /// SPLINE1, SPLINE2.
-    pub splines: BTreeMap<u32, SplineCard>,
-    /// PARAM with a number, by name in capitals.
-    pub parameters: BTreeMap<String, f64>,
-    /// CAERO1.
-    pub panels: BTreeMap<u32, Caero1>,
-    /// PAERO1 (bodies are not read).
-    pub panel_properties: BTreeMap<u32, Span>,
-    /// AEFACT.
-    pub factors: BTreeMap<u32, Aefact>,
-    /// AESURF.
-    pub surfaces: BTreeMap<u32, Aesurf>,
-    /// AELIST.
-    pub box_lists: BTreeMap<u32, Aelist>,
-    /// SET1.
-    pub sets: BTreeMap<u32, Set1>,
-    /// MONPNT1, MONPNT3, in file order.
-    pub monitors: Vec<MonitorPoint>,
-    /// DMI matrices by name.
-    pub matrices: BTreeMap<String, crate::dmi::Dmi>,
-    /// Cards that are not read, with how often each occurs.
-    pub unknown: BTreeMap<String, usize>,
 }

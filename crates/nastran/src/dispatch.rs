@@ -10,6 +10,7 @@ use crate::section_cards as section;
 use crate::shell_cards::CornerThickness;
 use crate::source::{InputError, Span};
 use crate::structure_cards as structure;
+use crate::trim_cards as trim;
 use std::collections::BTreeMap;
 
 /// Keeps the item of a card; false if cards of that name are not read.
@@ -20,6 +21,7 @@ pub(crate) fn card(
 ) -> Result<bool, InputError> {
     Ok(structure_card(deck, card)?
         || aero_card(deck, card)?
+        || trim_card(deck, card)?
         || fe_dispatch::element(deck, thicknesses, card)?
         || fe_dispatch::property(deck, card)?
         || fe_dispatch::other(deck, card)?)
@@ -109,6 +111,34 @@ fn aero_card(deck: &mut BulkData, card: &Card) -> Result<bool, InputError> {
                 return Err(twice(card, &format!("monitoring station {}", item.name), &first.span));
             }
             deck.monitors.push(item);
+            Ok(())
+        }
+        _ => return Ok(false),
+    }
+    .map(|()| true)
+}
+
+/// Keeps the item of a card of static aeroelasticity.
+fn trim_card(deck: &mut BulkData, card: &Card) -> Result<bool, InputError> {
+    match card.name.as_str() {
+        "AEROS" => {
+            let item = trim::aeros(card)?;
+            if let Some(first) = &deck.aero_reference {
+                return Err(twice(card, "AEROS", &first.span));
+            }
+            deck.aero_reference = Some(item);
+            Ok(())
+        }
+        "AESTAT" => {
+            let item = trim::aestat(card)?;
+            keep(&mut deck.trim_variables, card, item.id, item, |item| &item.span)
+        }
+        "TRIM" => {
+            let item = trim::trim(card)?;
+            keep(&mut deck.trims, card, item.id, item, |item| &item.span)
+        }
+        "SUPORT" => {
+            deck.supports.extend(trim::suport(card)?);
             Ok(())
         }
         _ => return Ok(false),

@@ -369,6 +369,9 @@ pub enum SplineKind {
         system: u32,
         /// DTOR.
         torsional_ratio: f64,
+        /// DTHX, DTHY: flexibility with which rotations about the spline's x and y axes are attached; 0 rigidly,
+        /// -1 not at all.
+        attachment: [f64; 2],
     },
 }
 

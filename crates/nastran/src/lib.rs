@@ -2,6 +2,7 @@
 
 mod aero_cards;
 mod beam_sections;
+pub mod bulk_data;
 mod card;
 mod card_lists;
 mod card_values;
@@ -34,6 +35,7 @@ mod spring_cards;
 mod structure_cards;
 pub mod suggest;
 pub mod table;
+pub mod trim_cards;
 pub mod write;
 
 pub use cards::*;
@@ -44,4 +46,5 @@ pub use geometry::Frames;
 pub use place::{named_file, place_of};
 pub use source::{InputError, Span, read_text};
 pub use table::Table;
+pub use trim_cards::{Aeros, Aestat, Suport, Trim};
 pub use write::write_deck;

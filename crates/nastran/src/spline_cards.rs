@@ -8,7 +8,7 @@ use crate::source::InputError;
 /// SPLINE1: EID CAERO BOX1 BOX2 SETG DZ METH USAGE / NELEM MELEM, and
 /// SPLINE2: EID CAERO ID1 ID2 SETG DZ DTOR CID / DTHX DTHY blank USAGE.
 ///
-/// The number of elements of a finite plate is skipped; smoothing (DZ), attachment flexibility (DTHX, DTHY) and other
+/// The number of elements of a finite plate is skipped; smoothing (DZ) and other
 /// methods than the infinite plate are refused.
 pub(crate) fn spline(card: &Card) -> Result<SplineCard, InputError> {
     card.unset(5, "DZ")?;
@@ -19,14 +19,13 @@ pub(crate) fn spline(card: &Card) -> Result<SplineCard, InputError> {
         SplineKind::Plate
     } else {
         card.ends_after(12)?;
-        card.unset(8, "DTHX")?;
-        card.unset(9, "DTHY")?;
+        let attachment = [attachment(card, 8, "DTHX")?, attachment(card, 9, "DTHY")?];
         card.word(11, "USAGE", &["BOTH"])?;
         let torsional_ratio = match card.optional_real(6, "DTOR")? {
             None => 1.0,
             Some(_) => card.positive(6, "DTOR")?,
         };
-        SplineKind::Beam { system: card.count_or(7, "CID", 0)?, torsional_ratio }
+        SplineKind::Beam { system: card.count_or(7, "CID", 0)?, torsional_ratio, attachment }
     };
     let boxes = (card.id(2, "BOX1")?, card.id(3, "BOX2")?);
     if boxes.1 < boxes.0 {
@@ -35,6 +34,15 @@ pub(crate) fn spline(card: &Card) -> Result<SplineCard, InputError> {
     }
     let (id, panel, set) = (card.id(0, "EID")?, card.id(1, "CAERO")?, card.id(4, "SETG")?);
     Ok(SplineCard { id, panel, boxes, set, kind, span: card.span.clone() })
+}
+
+/// Flexibility of a rotation: zero or more, or -1 for none.
+fn attachment(card: &Card, index: usize, name: &str) -> Result<f64, InputError> {
+    let value = card.real_or(index, name, 0.0)?;
+    if value >= 0.0 || (value + 1.0).abs() < 1e-9 {
+        return Ok(value);
+    }
+    Err(card.wrong(index, name, "-1.0 (not attached) or a flexibility of zero or more"))
 }
 
 /// PARAM: name and value; nothing if the value is no number, or complex.

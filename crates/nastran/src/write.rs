@@ -32,6 +32,9 @@ pub fn write_deck(deck: &BulkData) -> String {
     for (name, count) in &deck.unknown {
         let _ = writeln!(text, "$ not written because not read: {count} {name}");
     }
+    if deck.aero_reference.is_some() || !deck.trims.is_empty() || !deck.supports.is_empty() {
+        text.push_str("$ not written: AEROS, AESTAT, TRIM and SUPORT\n");
+    }
     text.push_str("BEGIN BULK\n");
     deck.parameters.iter().for_each(|(name, value)| text.push_str(&parameter(name, *value)));
     structure::structure(deck, &mut text);

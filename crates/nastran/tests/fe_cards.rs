@@ -173,7 +173,10 @@ fn splines_and_parameters() {
         "PARAM,wtmass,.00259\nPARAM,POST,-1\nPARAM,AUTOSPC,YES\nPARAM,W,1.,2.\n"
     ));
     assert_eq!((deck.splines[&1].kind, deck.splines[&1].boxes), (SplineKind::Plate, (1001, 1020)));
-    assert_eq!(deck.splines[&2].kind, SplineKind::Beam { system: 9, torsional_ratio: 1.0 });
+    assert_eq!(
+        deck.splines[&2].kind,
+        SplineKind::Beam { system: 9, torsional_ratio: 1.0, attachment: [0.0; 2] }
+    );
     assert_eq!((deck.parameters["WTMASS"], deck.parameters["POST"]), (0.002_59, -1.0));
     assert_eq!(
         (deck.parameters.len(), deck.unknown["PARAM"]),

@@ -244,8 +244,10 @@ fn materials(dice: &mut Dice, deck: &mut BulkData) {
 }
 
 fn others(dice: &mut Dice, deck: &mut BulkData) {
-    for kind in [SplineKind::Plate, SplineKind::Beam { system: dice.id(), torsional_ratio: dice.positive() }]
-    {
+    for kind in [
+        SplineKind::Plate,
+        SplineKind::Beam { system: dice.id(), torsional_ratio: dice.positive(), attachment: [0.0, -1.0] },
+    ] {
         let (id, panel, set, first) = (dice.id(), dice.id(), dice.id(), dice.id());
         let boxes = (first, dice.id());
         deck.splines.insert(id, SplineCard { id, panel, boxes, set, kind, span: span() });

@@ -13,6 +13,7 @@ pub mod pagano;
 pub mod plates;
 pub mod shells;
 pub mod solids;
+pub mod trim;
 pub mod unsteady2d;
 pub mod vibrations;
 pub mod vlm;

@@ -18,7 +18,7 @@ pub(crate) fn all(
     ])
 }
 
-/// The V-n envelope with stall lines and the two limit points.
+/// The V-n envelope with the lift at the ends of the section's polars and the two limit points.
 pub(crate) fn envelope(aircraft: &Aircraft, envelope: &Envelope) -> Result<String, DrawError> {
     let line = |name: &str, n: &Vec<f64>, style| Series::new(name, envelope.v_m_s.clone(), n.clone(), style);
     let (up, down) = (&aircraft.file.pull_up, &aircraft.file.push_down);
@@ -31,8 +31,8 @@ pub(crate) fn envelope(aircraft: &Aircraft, envelope: &Envelope) -> Result<Strin
     let [stall_low, stall_high] = &envelope.stall;
     let [low, high] = &envelope.limit;
     let series = vec![
-        line("stall line, upper", stall_high, Style::DashedLine),
-        line("stall line, lower", stall_low, Style::DashedLine),
+        line("end of the polars, upper", stall_high, Style::DashedLine),
+        line("end of the polars, lower", stall_low, Style::DashedLine),
         line("limit, upper", high, Style::Line),
         line("limit, lower", low, Style::Line),
         points,

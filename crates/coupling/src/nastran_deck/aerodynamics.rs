@@ -100,7 +100,7 @@ fn add_splines(
         Some(axis) => {
             // The spline's plane is that of axis and stream; its y axis runs along the grids.
             let system = add_system(bulk, &first, &Vector3::x(), &axis, span);
-            nastran::SplineKind::Beam { system, torsional_ratio: 1.0 }
+            nastran::SplineKind::Beam { system, torsional_ratio: 1.0, attachment: [0.0; 2] }
         }
         None => nastran::SplineKind::Plate,
     };

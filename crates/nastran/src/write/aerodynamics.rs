@@ -54,8 +54,13 @@ fn spline(spline: &SplineCard) -> String {
     let card = Fields::new(name).ints([spline.id, spline.panel, spline.boxes.0, spline.boxes.1, spline.set]);
     match spline.kind {
         SplineKind::Plate => card.real(0.0).write(),
-        SplineKind::Beam { system, torsional_ratio } => {
-            card.real(0.0).real(torsional_ratio).int(system).write()
+        SplineKind::Beam { system, torsional_ratio, attachment } => {
+            let card = card.real(0.0).real(torsional_ratio).int(system);
+            if attachment == [0.0; 2] {
+                card.write()
+            } else {
+                card.real(attachment[0]).real(attachment[1]).write()
+            }
         }
     }
 }

@@ -1,0 +1,109 @@
+//! Static aeroelasticity: AEROS, AESTAT, TRIM and SUPORT.
+
+use crate::card::Card;
+use crate::source::{InputError, Span};
+
+/// References of the aerodynamics (AEROS).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Aeros {
+    /// Aerodynamic system, x along the stream; 0 is basic.
+    pub acsid: u32,
+    /// System of accelerations, rates and derivatives; 0 is basic.
+    pub rcsid: u32,
+    /// Reference chord.
+    pub chord: f64,
+    /// Reference span.
+    pub span_length: f64,
+    /// Reference area.
+    pub area: f64,
+    /// Symmetry about the xz plane: 1 symmetric, 0 none, -1 antisymmetric.
+    pub symmetry: i32,
+    /// Where the card stands.
+    pub span: Span,
+}
+
+/// A rigid-body trim variable (AESTAT).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Aestat {
+    /// Identification number.
+    pub id: u32,
+    /// ANGLEA, SIDES, ROLL, PITCH, YAW or URDD1 to URDD6.
+    pub label: String,
+    /// Where the card stands.
+    pub span: Span,
+}
+
+/// A trim condition (TRIM).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Trim {
+    /// Identification number.
+    pub id: u32,
+    /// Mach number.
+    pub mach: f64,
+    /// Dynamic pressure.
+    pub q: f64,
+    /// Variables with given values.
+    pub fixed: Vec<(String, f64)>,
+    /// Where the card stands.
+    pub span: Span,
+}
+
+/// Fictitious supports of one grid (SUPORT).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Suport {
+    /// Grid.
+    pub grid: u32,
+    /// Components, digits 1 to 6.
+    pub components: Vec<u8>,
+    /// Where the card stands.
+    pub span: Span,
+}
+
+/// AEROS: ACSID RCSID REFC REFB REFS SYMXZ SYMXY.
+pub(crate) fn aeros(card: &Card) -> Result<Aeros, InputError> {
+    card.unset(6, "SYMXY")?;
+    let symmetry = card.integer_or(5, "SYMXZ", 0)?;
+    if !(-1..=1).contains(&symmetry) {
+        return Err(card.wrong(5, "SYMXZ", "1, 0 or -1"));
+    }
+    Ok(Aeros {
+        acsid: card.count_or(0, "ACSID", 0)?,
+        rcsid: card.count_or(1, "RCSID", 0)?,
+        chord: card.positive(2, "REFC")?,
+        span_length: card.positive(3, "REFB")?,
+        area: card.positive(4, "REFS")?,
+        symmetry,
+        span: card.span.clone(),
+    })
+}
+
+/// AESTAT: ID LABEL.
+pub(crate) fn aestat(card: &Card) -> Result<Aestat, InputError> {
+    Ok(Aestat { id: card.id(0, "ID")?, label: card.name_at(1, "LABEL")?, span: card.span.clone() })
+}
+
+/// TRIM: ID MACH Q LABEL1 UX1 LABEL2 UX2 AEQR / LABEL3 UX3 ...
+pub(crate) fn trim(card: &Card) -> Result<Trim, InputError> {
+    if !card.text(7).is_empty() && card.real(7, "AEQR")? != 1.0 {
+        return Err(card.wrong(7, "AEQR", "empty or 1., the elastic aircraft"));
+    }
+    let mut fixed = Vec::new();
+    for at in [3, 5].into_iter().chain((8..card.len()).step_by(2)) {
+        if !card.text(at).is_empty() {
+            fixed.push((card.name_at(at, "LABEL")?, card.real(at + 1, "UX")?));
+        }
+    }
+    let mach = card.not_negative(1, "MACH", 0.0)?;
+    Ok(Trim { id: card.id(0, "ID")?, mach, q: card.positive(2, "Q")?, fixed, span: card.span.clone() })
+}
+
+/// SUPORT: ID1 C1 ID2 C2 ...
+pub(crate) fn suport(card: &Card) -> Result<Vec<Suport>, InputError> {
+    let places = (0..card.len().max(1)).step_by(2).filter(|at| *at == 0 || !card.text(*at).is_empty());
+    places
+        .map(|at| {
+            let (grid, components) = (card.id(at, "ID")?, card.some_components(at + 1, "C")?);
+            Ok(Suport { grid, components, span: card.span.clone() })
+        })
+        .collect()
+}
