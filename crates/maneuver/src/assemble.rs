@@ -9,11 +9,22 @@ use aero::{Corrections, Flow};
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 
-/// Builds the state space of a rig at a flow; corrections are of the whole lattice.
-pub(crate) fn assemble(rig: &Rig<'_>, flow: Flow, corrections: &Corrections, air: &AirParts<'_>) -> RigModel {
-    let o = &rig.operators;
+/// What the air and gravity do to a rig at a flow, before the modes are set free: the displacement of the s-set and the
+/// box loads, by everything in the layout.
+pub(crate) struct OpenLoop {
+    pub(crate) displacement: Linear,
+    pub(crate) box_loads: Linear,
+}
+
+/// The open loop of a rig at a flow; corrections are of the whole lattice.
+pub(crate) fn open_loop(
+    rig: &Rig<'_>,
+    flow: Flow,
+    corrections: &Corrections,
+    air: &AirParts<'_>,
+) -> OpenLoop {
     let layout = Layout {
-        modes: o.omega_rad_s.len(),
+        modes: rig.operators.omega_rad_s.len(),
         slow_modes: air.slow_modes,
         controls: rig.wing.controls.len(),
         poles: air.families.map(|family| family.lags.len()),
@@ -21,26 +32,18 @@ pub(crate) fn assemble(rig: &Rig<'_>, flow: Flow, corrections: &Corrections, air
     };
     let loads = box_loads(rig, flow, corrections, (layout, air));
     let (displacement, box_loads) = elastic(rig, flow, corrections, loads);
+    OpenLoop { displacement, box_loads }
+}
+
+/// Builds the state space of a rig at a flow; corrections are of the whole lattice.
+pub(crate) fn assemble(rig: &Rig<'_>, flow: Flow, corrections: &Corrections, air: &AirParts<'_>) -> RigModel {
+    let OpenLoop { displacement, box_loads } = open_loop(rig, flow, corrections, air);
+    let (o, layout) = (&rig.operators, box_loads.layout);
     let modal = modal_accelerations(rig, &box_loads);
-    let (mut loads, mut tip) = (box_loads.mapped(o.loads.air.as_ref()), Linear::zeros(1, layout));
+    let mut loads = box_loads.mapped(o.loads.air.as_ref());
+    loads.by += inertia(rig, layout);
     let accelerations = layout.modal_accelerations().start;
-    for row in 0..o.loads.names.len() {
-        // forces of the air and of gravity, less what accelerates the masses
-        for mode in 0..layout.modes {
-            loads.by[(row, accelerations + mode)] -= o.loads.by_modes[(row, mode)];
-        }
-        for field in 0..layout.fields {
-            loads.by[(row, layout.field(field))] += o.loads.by_fields[(row, field)];
-        }
-        // the tare: wind off, alpha = 0, the field is g down
-        loads.by[(row, layout.one())] += o.loads.by_fields[(row, 1)] * rig.wing.gravity_m_s2;
-    }
-    if let Some(supported) = &rig.wing.supported {
-        let z = supported.tip_z;
-        let unit = Mat::from_fn(1, supported.size(), |_, j| f64::from(u8::from(j == z)));
-        tip = displacement.mapped(unit.as_ref());
-        tip.by[(0, layout.one())] += supported.sag[(z, 2)] * rig.wing.gravity_m_s2;
-    }
+    let tip = tip(rig, &displacement);
     let mut sensors = Linear::zeros(o.sensor_arms_m.len(), layout);
     for (s, arm_m) in o.sensor_arms_m.iter().enumerate() {
         for mode in 0..layout.modes {
@@ -51,6 +54,36 @@ pub(crate) fn assemble(rig: &Rig<'_>, flow: Flow, corrections: &Corrections, air
     }
     let outputs = [loads, tip, sensors].map(|part| part.with_modal(&modal));
     state_space(rig, flow, &modal, (&outputs, air.families.map(|family| family.poles_per_m.as_slice())))
+}
+
+/// The share of gravity and of accelerated masses in the loads that are looked at: rows by the layout's columns.
+pub(crate) fn inertia(rig: &Rig<'_>, layout: Layout) -> Mat<f64> {
+    let o = &rig.operators;
+    let mut by = Mat::zeros(o.loads.names.len(), layout.len());
+    let accelerations = layout.modal_accelerations().start;
+    for row in 0..o.loads.names.len() {
+        // forces of gravity, less what accelerates the masses
+        for mode in 0..layout.modes {
+            by[(row, accelerations + mode)] -= o.loads.by_modes[(row, mode)];
+        }
+        for field in 0..layout.fields {
+            by[(row, layout.field(field))] += o.loads.by_fields[(row, field)];
+        }
+        // the tare: wind off, alpha = 0, the field is g down
+        by[(row, layout.one())] += o.loads.by_fields[(row, 1)] * rig.wing.gravity_m_s2;
+    }
+    by
+}
+
+/// Height of the tip above its wind-off place at alpha = 0.
+pub(crate) fn tip(rig: &Rig<'_>, displacement: &Linear) -> Linear {
+    let layout = displacement.layout;
+    let Some(supported) = &rig.wing.supported else { return Linear::zeros(1, layout) };
+    let z = supported.tip_z;
+    let unit = Mat::from_fn(1, supported.size(), |_, j| f64::from(u8::from(j == z)));
+    let mut tip = displacement.mapped(unit.as_ref());
+    tip.by[(0, layout.one())] += supported.sag[(z, 2)] * rig.wing.gravity_m_s2;
+    tip
 }
 
 /// `xi'' = Phiᵀ Gᵀ P + Phiᵀ M r c - Omega² xi - 2 zeta Omega xi'`, solved for xi'': the air's share of it (apparent

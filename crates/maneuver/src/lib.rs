@@ -3,6 +3,7 @@
 pub mod air;
 mod air_fit;
 mod assemble;
+pub mod compact;
 pub mod deflection;
 pub mod deflection_fit;
 pub mod flutter;

@@ -1,0 +1,232 @@
+//! A rig at one flow in few numbers: forces of the air on modes and balance by everything that moves, zone by zone along
+//! the span, and what structure and masses add. From it frequency responses follow in microseconds, with changes of the
+//! air, the structure and the masses ([`Change`]) applied exactly, without assembling the wing again.
+//!
+//! ```text
+//! (s² M + s C + K - Z_m(s)) xi = Z_u(s) u + F c        c = (g sin a, -g cos a, -a'')
+//! loads = R_m(s) xi + R_u(s) u + inertia
+//! ```
+//! Z and R are sums over zones of strips, so that factors along the span multiply zones. Thin here: changes of the air
+//! do not pass through the static residual of the truncated modes, which belongs to the unchanged wing.
+
+mod change;
+mod response;
+mod zones;
+
+pub use change::{Change, PointMass};
+pub use response::{Constants, Drive, Outputs};
+pub use zones::Zones;
+
+use crate::air::RationalAir;
+use crate::assemble::{inertia, open_loop, tip};
+use crate::linear::Layout;
+use crate::rig::{Actuator, Rig, RigError};
+use aero::{Corrections, Flow};
+use coupling::ElasticWing;
+use faer::{Mat, MatRef};
+
+/// Loads of the balance among the outputs: Fz, Mx, My.
+pub(crate) const BALANCE: usize = 3;
+
+/// What strain energy of bending and of torsion add to the stiffness of the modes: both m by m, in (rad/s)²; their sum
+/// is the stiffness of a wing that does nothing else.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StiffnessParts {
+    /// Of bending.
+    pub bending: Mat<f64>,
+    /// Of torsion.
+    pub torsion: Mat<f64>,
+}
+
+/// See the module.
+#[derive(Debug, Clone)]
+pub struct Compact {
+    /// The flow.
+    pub flow: Flow,
+    /// Names of the controls.
+    pub controls: Vec<String>,
+    /// The zones.
+    pub zones: Zones,
+    pub(crate) layout: Layout,
+    pub(crate) poles_per_m: [Vec<f64>; 2],
+    /// Air on modes and balance by the layout's columns: all of it, then the share of each zone.
+    pub(crate) air: Mat<f64>,
+    pub(crate) zone_air: Vec<Mat<f64>>,
+    /// The share of each zone if its lift acted one chord further forward: a moment.
+    pub(crate) zone_moment: Vec<Mat<f64>>,
+    /// Apparent mass of still air, modes and balance by motions, times s².
+    pub(crate) apparent: Mat<f64>,
+    /// Lift of each zone by the layout's columns, N.
+    pub(crate) lift: Mat<f64>,
+    /// Lift of each zone on modes and balance, per N.
+    pub(crate) zone_drive: Mat<f64>,
+    /// Modes and balance per unit pitching moment coefficient of each zone; and per unit of upwash gradient, 1/m.
+    pub(crate) unit_moment: Mat<f64>,
+    pub(crate) unit_upwash: Vec<f64>,
+    /// Tip by the layout's columns.
+    pub(crate) tip: Mat<f64>,
+    /// Gravity and accelerated masses in the balance's loads, by the layout's columns.
+    pub(crate) inertia: Mat<f64>,
+    pub(crate) modal_fields: Mat<f64>,
+    /// Height of each zone's middle by modes.
+    pub(crate) heights: Mat<f64>,
+    pub(crate) omega_rad_s: Vec<f64>,
+    pub(crate) damping_ratio: f64,
+    pub(crate) actuator: Actuator,
+    pub(crate) gravity_m_s2: f64,
+    pub(crate) balance_m: [f64; 2],
+    pub(crate) pitch_axis_x_m: f64,
+    pub(crate) stiffness: Option<StiffnessParts>,
+    pub(crate) cutoff_hz: f64,
+}
+
+impl Compact {
+    /// The rig at a flow with corrections (one entry for each correctable box).
+    ///
+    /// # Errors
+    /// As [`Rig::at`].
+    pub fn new(
+        rig: &Rig<'_>,
+        flow: Flow,
+        corrections: &Corrections,
+        stiffness: Option<&StiffnessParts>,
+    ) -> Result<Self, RigError> {
+        rig.wing.at(flow, corrections)?;
+        let (o, wing) = (&rig.operators, rig.wing);
+        let corrections = wing.padded(corrections)?;
+        let parts = o.air.at_airspeed(&o.omega_rad_s, flow.v_m_s);
+        let open = open_loop(rig, flow, &corrections, &parts);
+        let layout = open.box_loads.layout;
+        let zones = Zones::new(wing);
+        let rows = Rows::new(rig, &zones);
+        let steady = SteadyLoads::new(wing, flow, &corrections, &zones);
+        let box_loads = open.box_loads.by.as_ref();
+        let zone_air = zones.each(|boxes| rows.of_boxes(box_loads, boxes));
+        let zone_moment = zones.each_with_chord(wing, |boxes, chord_m| rows.as_moment(box_loads, boxes, chord_m));
+        Ok(Self {
+            flow,
+            controls: wing.controls.iter().map(|control| control.name.clone()).collect(),
+            air: rows.all.as_ref() * box_loads,
+            apparent: rows.apparent(wing, flow, &corrections, &o.air.instant),
+            lift: zones.lift(wing, box_loads),
+            zone_drive: rows.all.as_ref() * &steady.unit_lift,
+            unit_moment: rows.all.as_ref() * &steady.unit_moment,
+            unit_upwash: (rows.all.as_ref() * &steady.upwash).col_as_slice(0).to_vec(),
+            tip: tip(rig, &open.displacement).by,
+            inertia: inertia(rig, layout).subrows(0, BALANCE).to_owned(),
+            modal_fields: o.modal_fields.clone(),
+            heights: rows.heights,
+            poles_per_m: parts.families.map(|family| family.poles_per_m.clone()),
+            omega_rad_s: o.omega_rad_s.clone(),
+            damping_ratio: rig.settings.damping_ratio,
+            actuator: rig.settings.actuator,
+            gravity_m_s2: wing.gravity_m_s2,
+            balance_m: [wing.balance.point.x, wing.balance.point.y],
+            pitch_axis_x_m: rig.settings.pitch_axis_x_m,
+            stiffness: stiffness.cloned(),
+            cutoff_hz: rig.settings.cutoff_hz,
+            layout,
+            zones,
+            zone_air,
+            zone_moment,
+        })
+    }
+
+    /// Number of modes.
+    pub fn modes(&self) -> usize {
+        self.layout.modes
+    }
+
+    /// Gravity, m/s².
+    pub fn gravity_m_s2(&self) -> f64 {
+        self.gravity_m_s2
+    }
+
+    /// Cutoff of the smoothing of measured inputs, Hz.
+    pub fn cutoff_hz(&self) -> f64 {
+        self.cutoff_hz
+    }
+}
+
+/// Rows by which box loads (two a box) act on modes and balance.
+struct Rows {
+    all: Mat<f64>,
+    heights: Mat<f64>,
+}
+
+impl Rows {
+    fn new(rig: &Rig<'_>, zones: &Zones) -> Self {
+        let (o, boxes) = (&rig.operators, rig.wing.lattice.len());
+        let modes = o.omega_rad_s.len();
+        let motion = match &rig.wing.supported {
+            Some(supported) => &supported.k_displacements() * &o.shapes,
+            None => Mat::zeros(2 * boxes, 0),
+        };
+        let all = Mat::from_fn(modes + BALANCE, 2 * boxes, |row, k| {
+            if row < modes { motion[(k, row)] } else { o.loads.air[(row - modes, k)] }
+        });
+        Self { heights: zones.heights(rig.wing, motion.as_ref()), all }
+    }
+
+    /// The share of some boxes.
+    fn of_boxes(&self, box_loads: MatRef<'_, f64>, boxes: &[usize]) -> Mat<f64> {
+        let pick: Vec<usize> = boxes.iter().flat_map(|j| [2 * j, 2 * j + 1]).collect();
+        let left = Mat::from_fn(self.all.nrows(), pick.len(), |row, k| self.all[(row, pick[k])]);
+        let right = Mat::from_fn(pick.len(), box_loads.ncols(), |k, column| box_loads[(pick[k], column)]);
+        left * right
+    }
+
+    /// The lift of some boxes times a chord, as a moment nose up.
+    fn as_moment(&self, box_loads: MatRef<'_, f64>, boxes: &[usize], chord_m: &[f64]) -> Mat<f64> {
+        let left = Mat::from_fn(self.all.nrows(), boxes.len(), |row, k| {
+            chord_m[k] * self.all[(row, 2 * boxes[k] + 1)]
+        });
+        let lift = Mat::from_fn(boxes.len(), box_loads.ncols(), |k, column| box_loads[(2 * boxes[k], column)]);
+        left * lift
+    }
+
+    fn apparent(
+        &self,
+        wing: &ElasticWing,
+        flow: Flow,
+        corrections: &Corrections,
+        instant: &RationalAir,
+    ) -> Mat<f64> {
+        let loads = wing.k_loads_of_pressures(0.5 * flow.rho_kg_m3, instant.second.as_ref(), corrections);
+        self.all.as_ref() * &loads
+    }
+}
+
+/// Box loads that do not depend on motion, two rows a box.
+struct SteadyLoads {
+    /// 1 N on each zone, distributed as its lift by angle of attack.
+    unit_lift: Mat<f64>,
+    /// A pitching moment coefficient of one in each zone.
+    unit_moment: Mat<f64>,
+    /// Incidence growing by one a metre of span from the balance outward.
+    upwash: Mat<f64>,
+}
+
+impl SteadyLoads {
+    fn new(wing: &ElasticWing, flow: Flow, corrections: &Corrections, zones: &Zones) -> Self {
+        let (boxes, q_pa) = (wing.lattice.len(), flow.dynamic_pressure_pa());
+        let alpha = Mat::from_fn(boxes, 1, |j, _| wing.pressures_by_alpha()[j]);
+        let alpha = wing.k_loads_of_pressures(1.0, alpha.as_ref(), corrections);
+        let mut unit_lift = Mat::zeros(2 * boxes, zones.len());
+        let mut unit_moment = Mat::zeros(2 * boxes, zones.len());
+        for (zone, members) in zones.boxes.iter().enumerate() {
+            let total: f64 = members.iter().map(|&j| alpha[(2 * j, 0)]).sum();
+            for &j in members {
+                unit_lift[(2 * j, zone)] = alpha[(2 * j, 0)] / total;
+                unit_lift[(2 * j + 1, zone)] = alpha[(2 * j + 1, 0)] / total;
+                unit_moment[(2 * j + 1, zone)] = q_pa * wing.integration.area(j) * zones.chord_m[zone];
+            }
+        }
+        let slope = Mat::from_fn(boxes, 1, |j, _| {
+            let panel = &wing.lattice.boxes[j];
+            (panel.mid_point().y - wing.balance.point.y) * panel.normal().z
+        });
+        let upwash = wing.k_loads_of_pressures(q_pa, wing.pressures(slope.as_ref()).as_ref(), corrections);
+        Self { unit_lift, unit_moment, upwash }
+    }
+}

@@ -1,0 +1,111 @@
+//! The compact rig is the rig: the same responses as its state space, the same steady loads as the steady wing.
+
+#![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
+
+mod common;
+
+use aero::{Corrections, Flow};
+use common::{uneven, wing_with};
+use coupling::{ElasticWing, SteadyCase};
+use faer::{Mat, c64};
+use maneuver::compact::{Change, Compact, Constants, Drive, Outputs};
+use maneuver::{Rig, RigSettings};
+use std::f64::consts::TAU;
+
+fn flow(v_m_s: f64) -> Flow {
+    Flow { v_m_s, rho_kg_m3: 1.225 }
+}
+
+/// Root pitch with gravity's share, then the controls: what [`maneuver::RigModel::frequency_response`] gives.
+fn as_the_rig_gives_it(compact: &Compact, response: &Mat<c64>) -> Mat<c64> {
+    Mat::from_fn(4, 1 + compact.controls.len(), |row, motion| match motion {
+        0 => response[(row, Drive::PITCH)] + response[(row, Drive::G_SIN)] * compact.gravity_m_s2(),
+        control => response[(row, Drive::CONTROLS + control - 1)],
+    })
+}
+
+#[test]
+fn the_compact_rig_answers_as_its_state_space_does() {
+    let (file, wing) = wing_with(|_| ());
+    let rig = Rig::new(&wing, RigSettings::new(file.damping_ratio, file.pitch_axis_x())).unwrap();
+    let corrections = uneven(&wing);
+    for v_m_s in [0.0, 18.0, 34.0] {
+        let model = rig.at(flow(v_m_s), &corrections).unwrap();
+        let compact = Compact::new(&rig, flow(v_m_s), &corrections, None).unwrap();
+        let omegas: Vec<f64> = [0.3, 2.0, 4.5, 9.0, 20.0].iter().map(|f| TAU * f).collect();
+        let change = Change::none(compact.zones.len());
+        let responses = compact.responses(&change, &omegas, true);
+        for (omega, response) in omegas.iter().zip(&responses) {
+            let (ours, theirs) = (as_the_rig_gives_it(&compact, response), model.frequency_response(*omega));
+            for row in 0..4 {
+                for column in 0..ours.ncols() {
+                    let largest = (0..ours.ncols()).map(|j| theirs[(row, j)].norm()).fold(0.0, f64::max);
+                    let off = (ours[(row, column)] - theirs[(row, column)]).norm();
+                    // round-off of the state space, whose lags are far from the modes in size
+                    assert!(off < 1e-8 * largest, "{v_m_s} m/s, {omega} rad/s, {row} by {column}: {off:e} of {largest:e}");
+                }
+            }
+        }
+    }
+}
+
+fn steady_difference(wing: &ElasticWing, compact: &Compact, corrections: &Corrections, v_m_s: f64) -> f64 {
+    let change = Change::none(compact.zones.len());
+    let rest = compact.at_rest(&change, &Constants::default(), false);
+    let response = &compact.responses(&change, &[0.0], false)[0];
+    let (alpha, g) = (0.06_f64, compact.gravity_m_s2());
+    let ours = |row: usize| {
+        rest[row]
+            + response[(row, Drive::PITCH)].re * alpha
+            + response[(row, Drive::G_SIN)].re * g * alpha.sin()
+            + response[(row, Drive::G_COS)].re * g * alpha.cos()
+    };
+    let state = &wing.at(flow(v_m_s), corrections).unwrap().solve(&[SteadyCase::new(flow(v_m_s), alpha)])[0];
+    let theirs = state.root.to_array();
+    let loads = (0..3).map(|row| (ours(row) - theirs[row]).abs() / theirs[0].abs().max(1.0));
+    let tip = (ours(Outputs::TIP) - state.tip_z_m).abs();
+    loads.chain([tip]).fold(0.0, f64::max)
+}
+
+#[test]
+fn at_rest_the_compact_rig_carries_the_steady_wing_s_loads() {
+    let (file, wing) = wing_with(|_| ());
+    let rig = Rig::new(&wing, RigSettings::new(file.damping_ratio, file.pitch_axis_x())).unwrap();
+    for corrections in [Corrections::neutral(wing.correctable.len()), uneven(&wing)] {
+        for v_m_s in [0.0, 22.0, 34.0] {
+            let compact = Compact::new(&rig, flow(v_m_s), &corrections, None).unwrap();
+            let off = steady_difference(&wing, &compact, &corrections, v_m_s);
+            assert!(off < 1e-9, "{v_m_s} m/s: {off:e}");
+        }
+    }
+}
+
+#[test]
+fn a_factor_on_every_zone_is_that_factor_on_every_box_of_the_wing() {
+    let (file, wing) = wing_with(|_| ());
+    // few modes: what the truncated ones do statically is the only difference
+    let settings = RigSettings { modes: 40, ..RigSettings::new(file.damping_ratio, file.pitch_axis_x()) };
+    let rig = Rig::new(&wing, settings).unwrap();
+    let neutral = Corrections::neutral(wing.correctable.len());
+    let factor = 0.1;
+    let changed = Corrections {
+        force: vec![1.0 + factor; neutral.len()],
+        moment: vec![1.0 + factor; neutral.len()],
+        ..neutral.clone()
+    };
+    let compact = Compact::new(&rig, flow(30.0), &neutral, None).unwrap();
+    let direct = Compact::new(&rig, flow(30.0), &changed, None).unwrap();
+    let none = Change::none(compact.zones.len());
+    let change = Change { zone_force: vec![factor; compact.zones.len()], ..none.clone() };
+    let omegas = [0.0, 12.0, 30.0];
+    let (ours, theirs) = (compact.responses(&change, &omegas, true), direct.responses(&none, &omegas, true));
+    for (a, b) in ours.iter().zip(&theirs) {
+        for row in 0..3 {
+            let largest = (0..2).map(|j| b[(row, j)].norm()).fold(0.0, f64::max);
+            for column in 0..2 {
+                let off = (a[(row, column)] - b[(row, column)]).norm() / largest;
+                assert!(off < 1e-3, "{row} by {column}: {off:e}");
+            }
+        }
+    }
+}
