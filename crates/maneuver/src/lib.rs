@@ -6,6 +6,7 @@ mod assemble;
 pub mod compact;
 pub mod deflection;
 pub mod deflection_fit;
+pub mod effects;
 pub mod flutter;
 pub mod gust;
 pub mod history;

@@ -19,6 +19,8 @@ pub(crate) struct RigOperators {
     pub(crate) omega_rad_s: Vec<f64>,
     /// Phi on the s-set, s by m.
     pub(crate) shapes: Mat<f64>,
+    /// Phi on the g-set.
+    pub(crate) shapes_g: Mat<f64>,
     /// F_r, s by s: flexibility of the truncated modes.
     pub(crate) residual: Mat<f64>,
     /// S_r, s by fields: static answer of the truncated modes to the fields.
@@ -39,6 +41,7 @@ pub(crate) struct RigOperators {
 struct Structural {
     omega_rad_s: Vec<f64>,
     shapes: Mat<f64>,
+    shapes_g: Mat<f64>,
     residual: Mat<f64>,
     residual_fields: Mat<f64>,
     modal_fields: Mat<f64>,
@@ -73,6 +76,7 @@ impl RigOperators {
         Ok(Self {
             omega_rad_s: parts.omega_rad_s,
             shapes: parts.shapes,
+            shapes_g: parts.shapes_g,
             residual: parts.residual,
             residual_fields: parts.residual_fields,
             modal_fields: parts.modal_fields,
@@ -131,6 +135,7 @@ fn rigid(wing: &ElasticWing, settings: &RigSettings) -> Structural {
     Structural {
         omega_rad_s: Vec::new(),
         shapes: Mat::zeros(0, 0),
+        shapes_g: Mat::zeros(0, 0),
         residual: Mat::zeros(0, 0),
         residual_fields: Mat::zeros(0, FIELDS),
         modal_fields: Mat::zeros(0, FIELDS),
@@ -183,6 +188,7 @@ fn structural(
             .collect(),
         omega_rad_s: modes.omega_rad_s,
         shapes,
+        shapes_g,
     })
 }
 

@@ -8,8 +8,8 @@ use aero::{Corrections, Flow};
 use common::{uneven, wing_with};
 use coupling::{ElasticWing, SteadyCase};
 use faer::{Mat, c64};
-use maneuver::compact::{Change, Compact, Constants, Drive, Outputs};
-use maneuver::{Rig, RigSettings};
+use maneuver::compact::{Change, Compact, Constants, Drive, Outputs, ResponseTable};
+use maneuver::{Motion, Rig, RigSettings, Smooth};
 use std::f64::consts::TAU;
 
 fn flow(v_m_s: f64) -> Flow {
@@ -42,7 +42,10 @@ fn the_compact_rig_answers_as_its_state_space_does() {
                     let largest = (0..ours.ncols()).map(|j| theirs[(row, j)].norm()).fold(0.0, f64::max);
                     let off = (ours[(row, column)] - theirs[(row, column)]).norm();
                     // round-off of the state space, whose lags are far from the modes in size
-                    assert!(off < 1e-8 * largest, "{v_m_s} m/s, {omega} rad/s, {row} by {column}: {off:e} of {largest:e}");
+                    assert!(
+                        off < 1e-8 * largest,
+                        "{v_m_s} m/s, {omega} rad/s, {row} by {column}: {off:e} of {largest:e}"
+                    );
                 }
             }
         }
@@ -106,6 +109,58 @@ fn a_factor_on_every_zone_is_that_factor_on_every_box_of_the_wing() {
                 let off = (a[(row, column)] - b[(row, column)]).norm() / largest;
                 assert!(off < 1e-3, "{row} by {column}: {off:e}");
             }
+        }
+    }
+}
+
+/// A run of 3 s: a bell of root pitch or of a control, without kinks whose ringing would lie beyond the band.
+fn motion(dt: f64, pitch: bool, controls: usize) -> Motion {
+    let times: Vec<f64> = (0..=(3.0 / dt).round() as usize).map(|i| i as f64 * dt).collect();
+    let (height, width) = (0.06, 0.09);
+    let bell = |t: f64| height * (-((t - 1.0) / width).powi(2)).exp();
+    let x = |t: f64| -2.0 * (t - 1.0) / width.powi(2);
+    let of = |value: &dyn Fn(f64) -> f64| times.iter().map(|&t| value(t)).collect::<Vec<f64>>();
+    let mut alpha = Smooth { value: vec![0.02; times.len()], rate: of(&|_| 0.0), second: of(&|_| 0.0) };
+    let mut controls_rad = vec![vec![0.0; times.len()]; controls];
+    if pitch {
+        alpha = Smooth {
+            value: of(&|t| 0.02 + bell(t)),
+            rate: of(&|t| x(t) * bell(t)),
+            second: of(&|t| (x(t).powi(2) - 2.0 / width.powi(2)) * bell(t)),
+        };
+    } else {
+        controls_rad[0] = of(&bell);
+    }
+    Motion { time_step_s: dt, alpha, controls_rad }
+}
+
+#[test]
+fn a_history_by_fourier_transform_is_the_one_stepped_in_time() {
+    let (file, wing) = wing_with(|_| ());
+    let rig = Rig::new(&wing, RigSettings::new(file.damping_ratio, file.pitch_axis_x())).unwrap();
+    let corrections = uneven(&wing);
+    for (v_m_s, pitch) in [(0.0, true), (22.0, true), (30.0, false)] {
+        let model = rig.at(flow(v_m_s), &corrections).unwrap();
+        let compact = Compact::new(&rig, flow(v_m_s), &corrections, None).unwrap();
+        let change = Change::none(compact.zones.len());
+        let table = ResponseTable::new(&compact, &change, &Constants::default(), false);
+        // the stepped one has drives that are straight between samples: fine steps for it
+        let (coarse, fine) =
+            (motion(0.01, pitch, model.controls.len()), motion(0.001, pitch, model.controls.len()));
+        let g = compact.gravity_m_s2();
+        let sin: Vec<f64> = coarse.alpha.value.iter().map(|a| g * a.sin()).collect();
+        let cos: Vec<f64> = coarse.alpha.value.iter().map(|a| g * a.cos()).collect();
+        let mut drives: Vec<(usize, &[f64])> =
+            vec![(Drive::PITCH, &coarse.alpha.value), (Drive::G_SIN, &sin), (Drive::G_COS, &cos)];
+        let controls = coarse.controls_rad.iter().enumerate();
+        drives.extend(controls.map(|(c, values)| (Drive::CONTROLS + c, values.as_slice())));
+        let ours = table.fly(&drives, 0.01);
+        let theirs = model.fly(&fine);
+        for (row, name) in ["Fz_N", "Mx_Nm", "My_Nm", "tip_z_m"].into_iter().enumerate() {
+            let theirs: Vec<f64> = theirs.get(name).unwrap().iter().step_by(10).copied().collect();
+            let swing = theirs.iter().map(|x| (x - theirs[0]).abs()).fold(1e-6, f64::max);
+            let off = ours[row].iter().zip(&theirs).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(off < 1e-3 * swing, "{v_m_s} m/s {name}: {off:.2e} of {swing:.2e}");
         }
     }
 }

@@ -11,13 +11,16 @@
 
 mod change;
 mod response;
+mod spectrum;
+mod stiffness;
 mod zones;
 
 pub use change::{Change, PointMass};
 pub use response::{Constants, Drive, Outputs};
+pub use spectrum::ResponseTable;
+pub use stiffness::StiffnessParts;
 pub use zones::Zones;
 
-use crate::air::RationalAir;
 use crate::assemble::{inertia, open_loop, tip};
 use crate::linear::Layout;
 use crate::rig::{Actuator, Rig, RigError};
@@ -27,16 +30,6 @@ use faer::{Mat, MatRef};
 
 /// Loads of the balance among the outputs: Fz, Mx, My.
 pub(crate) const BALANCE: usize = 3;
-
-/// What strain energy of bending and of torsion add to the stiffness of the modes: both m by m, in (rad/s)²; their sum
-/// is the stiffness of a wing that does nothing else.
-#[derive(Debug, Clone, PartialEq)]
-pub struct StiffnessParts {
-    /// Of bending.
-    pub bending: Mat<f64>,
-    /// Of torsion.
-    pub torsion: Mat<f64>,
-}
 
 /// See the module.
 #[derive(Debug, Clone)]
@@ -56,6 +49,9 @@ pub struct Compact {
     pub(crate) zone_moment: Vec<Mat<f64>>,
     /// Apparent mass of still air, modes and balance by motions, times s².
     pub(crate) apparent: Mat<f64>,
+    /// The wake's part in a rational function with few poles: modes and balance by motions, one a pole, times s/(s + g V).
+    pub(crate) wake: Vec<Mat<f64>>,
+    pub(crate) wake_poles_per_m: Vec<f64>,
     /// Lift of each zone by the layout's columns, N.
     pub(crate) lift: Mat<f64>,
     /// Lift of each zone on modes and balance, per N.
@@ -96,18 +92,27 @@ impl Compact {
         let corrections = wing.padded(corrections)?;
         let parts = o.air.at_airspeed(&o.omega_rad_s, flow.v_m_s);
         let open = open_loop(rig, flow, &corrections, &parts);
-        let layout = open.box_loads.layout;
+        let (layout, q_pa) = (open.box_loads.layout, flow.dynamic_pressure_pa());
         let zones = Zones::new(wing);
         let rows = Rows::new(rig, &zones);
         let steady = SteadyLoads::new(wing, flow, &corrections, &zones);
         let box_loads = open.box_loads.by.as_ref();
         let zone_air = zones.each(|boxes| rows.of_boxes(box_loads, boxes));
-        let zone_moment = zones.each_with_chord(wing, |boxes, chord_m| rows.as_moment(box_loads, boxes, chord_m));
+        let zone_moment =
+            zones.each_with_chord(wing, |boxes, chord_m| rows.as_moment(box_loads, boxes, chord_m));
         Ok(Self {
             flow,
             controls: wing.controls.iter().map(|control| control.name.clone()).collect(),
             air: rows.all.as_ref() * box_loads,
-            apparent: rows.apparent(wing, flow, &corrections, &o.air.instant),
+            apparent: rows.of_pressures(wing, 0.5 * flow.rho_kg_m3, &corrections, &o.air.instant.second),
+            wake: o
+                .air
+                .beyond
+                .lags
+                .iter()
+                .map(|lag| rows.of_pressures(wing, q_pa, &corrections, lag))
+                .collect(),
+            wake_poles_per_m: o.air.beyond.poles_per_m.clone(),
             lift: zones.lift(wing, box_loads),
             zone_drive: rows.all.as_ref() * &steady.unit_lift,
             unit_moment: rows.all.as_ref() * &steady.unit_moment,
@@ -140,6 +145,19 @@ impl Compact {
     /// Gravity, m/s².
     pub fn gravity_m_s2(&self) -> f64 {
         self.gravity_m_s2
+    }
+
+    /// Height of the outermost zone in the first mode; zero for a rigid wing.
+    pub(crate) fn outer_shape(&self) -> f64 {
+        match self.zones.len().checked_sub(1) {
+            Some(zone) if self.modes() > 0 => self.heights[(zone, 0)],
+            _ => 0.0,
+        }
+    }
+
+    /// Stiffness of the first mode, (rad/s)².
+    pub(crate) fn first_stiffness(&self) -> f64 {
+        self.omega_rad_s.first().map_or(0.0, |omega| omega * omega)
     }
 
     /// Cutoff of the smoothing of measured inputs, Hz.
@@ -181,19 +199,20 @@ impl Rows {
         let left = Mat::from_fn(self.all.nrows(), boxes.len(), |row, k| {
             chord_m[k] * self.all[(row, 2 * boxes[k] + 1)]
         });
-        let lift = Mat::from_fn(boxes.len(), box_loads.ncols(), |k, column| box_loads[(2 * boxes[k], column)]);
+        let lift =
+            Mat::from_fn(boxes.len(), box_loads.ncols(), |k, column| box_loads[(2 * boxes[k], column)]);
         left * lift
     }
 
-    fn apparent(
+    /// Modes and balance by motions, for pressures by motions.
+    fn of_pressures(
         &self,
         wing: &ElasticWing,
-        flow: Flow,
+        q_pa: f64,
         corrections: &Corrections,
-        instant: &RationalAir,
+        cp: &Mat<f64>,
     ) -> Mat<f64> {
-        let loads = wing.k_loads_of_pressures(0.5 * flow.rho_kg_m3, instant.second.as_ref(), corrections);
-        self.all.as_ref() * &loads
+        self.all.as_ref() * &wing.k_loads_of_pressures(q_pa, cp.as_ref(), corrections)
     }
 }
 

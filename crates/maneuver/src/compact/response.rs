@@ -109,7 +109,7 @@ impl Compact {
     pub fn responses(&self, change: &Change, omegas_rad_s: &[f64], everything: bool) -> Vec<Mat<c64>> {
         let air = self.changed(change);
         let lift = everything.then(|| self.changed_lift(change));
-        let weights = self.weights(change, omegas_rad_s);
+        let weights = self.weights(omegas_rad_s);
         let of = |blocks: &Blocks| &blocks.by * &weights;
         let (air_values, lift_values) = (of(&air), lift.as_ref().map(of));
         let tip = self.blocks(&self.tip, change);
@@ -118,7 +118,7 @@ impl Compact {
         let at = |(k, omega): (usize, &f64)| {
             let s = c64::new(0.0, *omega);
             let mut z = self.at(&air, &air_values, k);
-            self.add_apparent_mass(&mut z, change, *omega);
+            self.add_memory(&mut z, change, *omega);
             let lift = lift.as_ref().zip(lift_values.as_ref()).map(|(l, values)| self.at(l, values, k));
             let tip = self.at(&tip, &tip_values, k);
             self.solve(s, &z, (&tip, lift.as_ref()), &structure, change)
@@ -131,7 +131,7 @@ impl Compact {
     pub fn at_rest(&self, change: &Change, constants: &Constants, everything: bool) -> Vec<f64> {
         let air = self.changed(change);
         let lift = self.changed_lift(change);
-        let weights = self.weights(change, &[0.0]);
+        let weights = self.weights(&[0.0]);
         let z = self.at(&air, &(&air.by * &weights), 0);
         let l = self.at(&lift, &(&lift.by * &weights), 0);
         let structure = Structural::new(self, change);
@@ -163,7 +163,8 @@ impl Compact {
                 + self.inertia[(row, one)] * (1.0 + change.mass)
                 + structure.points_tare(row, self.gravity_m_s2);
         }
-        rest[Outputs::TIP] = self.tip[(0, one)] + (0..m).map(|k| self.tip[(0, k)] * xi[(k, 0)].re).sum::<f64>();
+        rest[Outputs::TIP] =
+            self.tip[(0, one)] + (0..m).map(|k| self.tip[(0, k)] * xi[(k, 0)].re).sum::<f64>();
         if everything {
             let (lifts, heights) = (self.outputs().lifts(), self.outputs().heights());
             for zone in 0..self.zones.len() {
@@ -231,11 +232,9 @@ impl Compact {
     }
 
     /// The functions of s at all frequencies: real parts, then imaginary parts.
-    fn weights(&self, change: &Change, omegas_rad_s: &[f64]) -> Mat<f64> {
+    fn weights(&self, omegas_rad_s: &[f64]) -> Mat<f64> {
         let n = omegas_rad_s.len();
-        let slower = 1.0 / (1.0 + change.lag);
-        let poles: Vec<f64> =
-            self.poles_per_m.iter().flatten().map(|pole| pole * self.flow.v_m_s * slower).collect();
+        let poles: Vec<f64> = self.poles_per_m.iter().flatten().map(|pole| pole * self.flow.v_m_s).collect();
         Mat::from_fn(3 + poles.len(), 2 * n, |function, column| {
             let (omega, imaginary) = (omegas_rad_s[column % n], column >= n);
             match (function, imaginary) {
@@ -267,13 +266,24 @@ impl Compact {
         })
     }
 
-    fn add_apparent_mass(&self, z: &mut Mat<c64>, change: &Change, omega: f64) {
-        if change.apparent_mass != 0.0 {
-            let factor = -change.apparent_mass * omega * omega;
+    /// Apparent mass and a wake with another memory: the difference of the few poles' functions is added, as the many poles
+    /// of the approximation are no lags of their own.
+    fn add_memory(&self, z: &mut Mat<c64>, change: &Change, omega: f64) {
+        let mut add = |factor: c64, by: &Mat<f64>| {
             for motion in 0..z.ncols() {
                 for row in 0..z.nrows() {
-                    z[(row, motion)] += c64::from(factor * self.apparent[(row, motion)]);
+                    z[(row, motion)] += factor * by[(row, motion)];
                 }
+            }
+        };
+        if change.apparent_mass != 0.0 {
+            add(c64::from(-change.apparent_mass * omega * omega), &self.apparent);
+        }
+        if change.lag != 0.0 && self.flow.v_m_s > 0.0 {
+            let s = c64::new(0.0, omega);
+            let lag = |g: f64| s / (s + c64::from(g * self.flow.v_m_s));
+            for (by, &g) in self.wake.iter().zip(&self.wake_poles_per_m) {
+                add(lag(g / (1.0 + change.lag)) - lag(g), by);
             }
         }
     }
@@ -363,8 +373,12 @@ impl Compact {
 
     fn lift_direct(&self, s: c64, lift: &Mat<c64>, zone: usize, column: usize) -> c64 {
         let (m, drive) = (self.modes(), self.drive());
+        let field = |f: usize| c64::from(self.lift[(zone, self.layout.field(f))]);
         match column {
-            Drive::PITCH | Drive::INCIDENCE => lift[(zone, m)],
+            Drive::PITCH => lift[(zone, m)] - s * s * field(2),
+            Drive::INCIDENCE => lift[(zone, m)],
+            Drive::G_SIN => field(0),
+            Drive::G_COS => -field(1),
             c if (Drive::CONTROLS..drive.lifts()).contains(&c) => {
                 lift[(zone, m + 1 + c - Drive::CONTROLS)] * self.deflection(s)
             }

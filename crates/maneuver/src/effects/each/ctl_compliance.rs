@@ -1,0 +1,28 @@
+//! The linkage gives way under the hinge moment: the surface turns back in proportion to dynamic pressure.
+
+use super::prelude::*;
+
+/// See the module.
+#[derive(Debug)]
+pub(crate) struct CtlCompliance;
+
+impl Effect for CtlCompliance {
+    fn spec(&self) -> &'static Spec {
+        &Spec {
+            name: "ctl_compliance",
+            title: "the linkage gives way",
+            side: Side::Control,
+            rivals: &["ctl_scale", "tors_stiff"],
+            experiment: "an airspeed sweep at one deflection; a potentiometer at the surface",
+        }
+    }
+
+    fn parameters(&self) -> Vec<Parameter> {
+        vec![Parameter::new("k_at_30_m_s", (-0.3, 2.0), 0.15)]
+    }
+
+    fn inputs(&self, p: &[f64], place: &Place<'_>, inputs: &mut Inputs) {
+        let less = 1.0 / (1.0 + p[0] * place.q_over_reference());
+        inputs.controls_rad.iter_mut().flatten().for_each(|delta| *delta *= less);
+    }
+}

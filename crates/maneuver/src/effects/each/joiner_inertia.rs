@@ -1,0 +1,58 @@
+//! A rigid body between balance and wing root (joiner, turntable, adapter) that no model has: it turns with the wing on the
+//! balance's metric side.
+//!
+//! `Fz += m x a''`, `Mx += m y ... ` as forces of inertia of a body whose centre is (x aft, y, z up) of the balance point:
+//! `Fz += m x a'' + m g (1 - cos a)`, `My += -I a'' + g m z sin a - g m x (1 - cos a)`, with the tare at alpha = 0 taken off.
+
+use super::prelude::*;
+
+/// No adapter is heavier, kg.
+const LARGEST_MASS_KG: f64 = 10.0;
+
+/// See the module.
+#[derive(Debug)]
+pub(crate) struct JoinerInertia;
+
+impl Effect for JoinerInertia {
+    fn spec(&self) -> &'static Spec {
+        &Spec {
+            name: "joiner_inertia",
+            title: "a rigid body between balance and wing root that the model lacks (joiner)",
+            side: Side::Balance,
+            rivals: &["added_mass", "wing_mass_error", "crosstalk", "delay"],
+            experiment: "wind-off pitch at 2, 4 and 6 Hz, and a wind-off tilt",
+        }
+    }
+
+    fn parameters(&self) -> Vec<Parameter> {
+        vec![
+            Parameter::new("mx_kg_m", (-0.3, 0.3), 0.05),
+            Parameter::new("Iyy_kg_m2", (0.0, 0.5), 0.05),
+            Parameter::new("mz_kg_m", (-0.5, 0.5), 0.05),
+            Parameter::new("my_kg_m", (-1.0, 1.0), 0.1),
+        ]
+    }
+
+    /// A body's first moments are bounded by its inertia and a largest mass: `(m x)² + (m z)² <= m I`.
+    fn constrain(&self, p: &mut [f64]) {
+        let room = (LARGEST_MASS_KG * p[1].max(0.0)).sqrt();
+        let arm = p[0].hypot(p[2]);
+        if arm > room {
+            let shorter = room / arm;
+            p[0] *= shorter;
+            p[2] *= shorter;
+        }
+    }
+
+    fn loads(&self, p: &[f64], place: &Place<'_>, seen: &Seen<'_>, loads: &mut Loads) {
+        let [mx, iyy, mz, my] = [p[0], p[1], p[2], p[3]];
+        let g = place.gravity_m_s2;
+        for i in 0..seen.len() {
+            let (a, second) = (seen.inputs.alpha.value[i], seen.inputs.alpha.second[i]);
+            let lighter = g * (1.0 - a.cos());
+            loads.balance[0][i] += mx * second;
+            loads.balance[1][i] += my * lighter;
+            loads.balance[2][i] += -iyy * second + g * mz * a.sin() - mx * lighter;
+        }
+    }
+}

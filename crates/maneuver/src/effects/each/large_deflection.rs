@@ -1,0 +1,46 @@
+//! A wing that bends far reaches less far out, and its lift leans inward: arms shorten by half the integral of the
+//! slope squared, Fz by half the slope squared. One is the geometry's own size.
+
+use super::prelude::*;
+
+/// See the module.
+#[derive(Debug)]
+pub(crate) struct LargeDeflection;
+
+impl Effect for LargeDeflection {
+    fn spec(&self) -> &'static Spec {
+        &Spec {
+            name: "large_deflection",
+            title: "arm shortening and tilt of the lift at large bending",
+            side: Side::Structure,
+            rivals: &["stall", "lift_slope", "balance_nonlin"],
+            experiment: "the tip's deflection measured; wide angles at high q",
+        }
+    }
+
+    fn parameters(&self) -> Vec<Parameter> {
+        vec![Parameter::new("scale", (0.0, 2.0), 0.5)]
+    }
+
+    fn needs_zones(&self) -> bool {
+        true
+    }
+
+    fn loads(&self, p: &[f64], place: &Place<'_>, seen: &Seen<'_>, loads: &mut Loads) {
+        let (y, count) = (&place.zones.y_m, seen.lift_n.len());
+        for i in 0..seen.len() {
+            let (mut shorter, mut inner_m, mut inner_h) = (0.0, 0.0, 0.0);
+            for zone in 0..count {
+                let height = seen.height_m[zone][i];
+                let run = (y[zone] - inner_m).max(f64::MIN_POSITIVE);
+                let slope = (height - inner_h) / run;
+                shorter += 0.5 * slope * slope * run;
+                (inner_m, inner_h) = (y[zone], height);
+                let lift = seen.lift_n[zone][i];
+                let lost = 0.5 * slope * slope * lift;
+                loads.balance[0][i] -= p[0] * lost;
+                loads.balance[1][i] -= p[0] * (shorter * lift + lost * y[zone]);
+            }
+        }
+    }
+}

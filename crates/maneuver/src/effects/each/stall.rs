@@ -1,0 +1,42 @@
+//! Beyond an effective angle lift grows less: what a strip's angle (its lift over q S a) exceeds is lost by a factor.
+//! The first parameter says how far below 16 degrees the limit lies, so that zero is no stall.
+
+use super::prelude::*;
+
+/// See the module.
+#[derive(Debug)]
+pub(crate) struct Stall;
+
+impl Effect for Stall {
+    fn spec(&self) -> &'static Spec {
+        &Spec {
+            name: "stall",
+            title: "lift saturates beyond an angle",
+            side: Side::Aerodynamics,
+            rivals: &["q_error", "balance_nonlin", "dynamic_stall"],
+            experiment: "a wide sweep of angles, up and down",
+        }
+    }
+
+    fn parameters(&self) -> Vec<Parameter> {
+        vec![Parameter::new("earlier_than_16_deg", (0.0, 14.0), 8.0), Parameter::new("k", (0.0, 3.0), 0.5)]
+    }
+
+    fn needs_zones(&self) -> bool {
+        true
+    }
+
+    fn forces(&self, p: &[f64], place: &Place<'_>, seen: &Seen<'_>, forces: &mut Forces) {
+        let limit = (16.0 - p[0]).to_radians();
+        for zone in 0..forces.lift_n.len() {
+            let by_angle = lift_by_angle(place, zone);
+            for i in 0..seen.len() {
+                // what the strip would carry without loss
+                let lift = seen.lift_n[zone][i];
+                let angle = if by_angle > 0.0 { lift / by_angle } else { 0.0 };
+                let over = (angle.abs() - limit).max(0.0) * angle.signum();
+                forces.lift_n[zone][i] -= (p[1] / (1.0 + p[1])) * over * by_angle;
+            }
+        }
+    }
+}

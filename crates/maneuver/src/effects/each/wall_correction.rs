@@ -1,0 +1,31 @@
+//! The tunnel's walls turn the stream in proportion to lift: `alpha += delta_w S/C C_L`, delta_w S/C taken as one number.
+
+use super::prelude::*;
+
+/// See the module.
+#[derive(Debug)]
+pub(crate) struct WallCorrection;
+
+impl Effect for WallCorrection {
+    fn spec(&self) -> &'static Spec {
+        &Spec {
+            name: "wall_correction",
+            title: "interference of the tunnel's walls",
+            side: Side::Flow,
+            rivals: &["lift_slope", "ac_shift", "q_error"],
+            experiment: "two sizes of model, or wall pressures",
+        }
+    }
+
+    fn parameters(&self) -> Vec<Parameter> {
+        vec![Parameter::new("delta_w_s_over_c_rad", (-0.1, 0.1), 0.015)]
+    }
+
+    fn change(&self, p: &[f64], place: &Place<'_>, change: &mut Change) {
+        let area: f64 = place.zones.area_m2.iter().sum();
+        let lift = place.q_pa() * area;
+        if lift > 0.0 {
+            change.incidence_by_fz += p[0] / lift;
+        }
+    }
+}

@@ -1,0 +1,192 @@
+//! Static points and runs of a compact rig with effects.
+
+use super::{Active, Forces, Inputs, Loads, Place, Seen};
+use crate::compact::{Change, Compact, Constants, Drive, Outputs, ResponseTable};
+
+/// How often forces that depend on the state are put back into the wing; what stalls changes its own angle little.
+const ROUNDS: usize = 4;
+/// Rounds end when no lift changes by more than this share of the largest.
+const SETTLED: f64 = 1e-4;
+
+/// What drives a wing: a run, or static points one beside the other.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stimulus {
+    /// Angle and commands.
+    pub inputs: Inputs,
+    /// Time step, s.
+    pub time_step_s: f64,
+    /// Whether samples are static points.
+    pub steady: bool,
+    /// Clock time of the first sample, h.
+    pub clock_h: f64,
+}
+
+/// What a wing with effects shows.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Flown {
+    /// Fz, Mx, My, N and N m.
+    pub loads: [Vec<f64>; 3],
+    /// Height of the tip, m.
+    pub tip_m: Vec<f64>,
+}
+
+/// The linear part of a wing with effects at one flow.
+#[derive(Debug, Clone)]
+pub struct Model {
+    change: Change,
+    constants: Constants,
+    everything: bool,
+    table: ResponseTable,
+}
+
+impl Model {
+    /// Computes responses, or takes those of `before` if the effects change nothing in them.
+    pub fn new(rig: &Compact, effects: &[Active], before: Option<&Self>) -> Self {
+        match before.filter(|before| before.serves(rig, effects)) {
+            Some(before) => before.clone(),
+            None => {
+                let (change, constants, everything) = asked(rig, effects);
+                let table = ResponseTable::new(rig, &change, &constants, everything);
+                Self { table, change, constants, everything }
+            }
+        }
+    }
+
+    /// Whether it is the linear part for these effects, too.
+    pub fn serves(&self, rig: &Compact, effects: &[Active]) -> bool {
+        let (change, constants, everything) = asked(rig, effects);
+        self.change == change && self.constants == constants && (self.everything || !everything)
+    }
+}
+
+/// What effects ask of the linear wing.
+fn asked(rig: &Compact, effects: &[Active]) -> (Change, Constants, bool) {
+    let place = place(rig, 0.0, true, 0.0);
+    let mut change = Change::none(rig.zones.len());
+    let mut constants = Constants::default();
+    for active in effects {
+        active.effect.change(&active.values, &place, &mut change);
+        active.effect.constants(&active.values, &place, &mut constants);
+    }
+    (change, constants, effects.iter().any(|active| active.effect.needs_zones()))
+}
+
+fn place(rig: &Compact, time_step_s: f64, steady: bool, clock_h: f64) -> Place<'_> {
+    Place {
+        flow: rig.flow,
+        zones: &rig.zones,
+        controls: &rig.controls,
+        time_step_s,
+        steady,
+        clock_h,
+        gravity_m_s2: rig.gravity_m_s2(),
+        outer_shape: rig.outer_shape(),
+        first_stiffness: rig.first_stiffness(),
+    }
+}
+
+/// Flies a stimulus. `model` is of the same rig and effects.
+pub fn fly(rig: &Compact, model: &Model, effects: &[Active], stimulus: &Stimulus) -> Flown {
+    let place = place(rig, stimulus.time_step_s, stimulus.steady, stimulus.clock_h);
+    let mut inputs = stimulus.inputs.clone();
+    for active in effects {
+        active.effect.inputs(&active.values, &place, &mut inputs);
+    }
+    let samples = inputs.alpha.value.len();
+    let g = rig.gravity_m_s2();
+    // gravity follows the balance's own angle
+    let g_sin: Vec<f64> = stimulus.inputs.alpha.value.iter().map(|a| g * a.sin()).collect();
+    let g_cos: Vec<f64> = stimulus.inputs.alpha.value.iter().map(|a| g * a.cos()).collect();
+    let mut drives: Vec<(usize, &[f64])> = vec![
+        (Drive::PITCH, &inputs.alpha.value),
+        (Drive::INCIDENCE, &inputs.incidence_rad),
+        (Drive::G_SIN, &g_sin),
+        (Drive::G_COS, &g_cos),
+    ];
+    let controls = inputs.controls_rad.iter().enumerate();
+    drives.extend(controls.map(|(c, values)| (Drive::CONTROLS + c, values.as_slice())));
+    drives.retain(|(_, values)| values.iter().any(|value| *value != 0.0));
+    let outputs = |drives: &[(usize, &[f64])]| {
+        if stimulus.steady || drives.is_empty() {
+            model.table.steady(drives, samples)
+        } else {
+            model.table.fly(drives, stimulus.time_step_s)
+        }
+    };
+    let mut answer = outputs(&drives);
+    if model.everything {
+        let mut forces = Forces::none(rig.zones.len(), samples);
+        for _ in 0..ROUNDS {
+            let wanted = forces_at(rig, &place, effects, (&inputs, &answer, &forces));
+            let settled = settled(&forces, &wanted);
+            forces = wanted;
+            if settled {
+                break;
+            }
+            let mut all = drives.clone();
+            let lifts =
+                forces.lift_n.iter().enumerate().map(|(z, v)| (rig.drive().lifts() + z, v.as_slice()));
+            let modal = forces.modal.iter().enumerate().map(|(m, v)| (rig.drive().modal() + m, v.as_slice()));
+            all.extend(lifts.chain(modal).filter(|(_, v)| v.iter().any(|value| *value != 0.0)));
+            answer = outputs(&all);
+        }
+    }
+    let split = Split::new(rig, &answer);
+    let seen = split.seen(&inputs);
+    let mut loads = Loads { balance: split.loads.clone(), tip_m: split.tip_m.to_vec() };
+    for active in effects {
+        active.effect.loads(&active.values, &place, &seen, &mut loads);
+    }
+    Flown { loads: loads.balance, tip_m: loads.tip_m }
+}
+
+/// The forces of a state; effects see the lift without the forces of the round before.
+fn forces_at(
+    rig: &Compact,
+    place: &Place<'_>,
+    effects: &[Active],
+    (inputs, answer, before): (&Inputs, &[Vec<f64>], &Forces),
+) -> Forces {
+    let split = Split::new(rig, answer);
+    let without =
+        |(lift, added): (&Vec<f64>, &Vec<f64>)| lift.iter().zip(added).map(|(l, a)| l - a).collect();
+    let lift_n: Vec<Vec<f64>> = split.lift_n.iter().zip(&before.lift_n).map(without).collect();
+    let seen = Seen { lift_n: &lift_n, ..split.seen(inputs) };
+    let mut forces = Forces::none(rig.zones.len(), seen.len());
+    for active in effects {
+        active.effect.forces(&active.values, place, &seen, &mut forces);
+    }
+    forces
+}
+
+fn settled(before: &Forces, after: &Forces) -> bool {
+    let each = |f: &Forces| f.lift_n.iter().chain(&f.modal).flatten().copied().collect::<Vec<f64>>();
+    let (before, after) = (each(before), each(after));
+    let largest = after.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
+    before.iter().zip(&after).all(|(a, b)| (a - b).abs() <= SETTLED * largest)
+}
+
+/// Outputs by their kind.
+struct Split<'a> {
+    loads: [Vec<f64>; 3],
+    tip_m: &'a [f64],
+    lift_n: &'a [Vec<f64>],
+    height_m: &'a [Vec<f64>],
+}
+
+impl<'a> Split<'a> {
+    fn new(rig: &Compact, answer: &'a [Vec<f64>]) -> Self {
+        let outputs = rig.outputs();
+        let zones = if answer.len() > outputs.lifts() { rig.zones.len() } else { 0 };
+        Self {
+            loads: std::array::from_fn(|c| answer[c].clone()),
+            tip_m: &answer[Outputs::TIP],
+            lift_n: &answer[answer.len() - 2 * zones..answer.len() - zones],
+            height_m: &answer[answer.len() - zones..],
+        }
+    }
+
+    fn seen<'b>(&'b self, inputs: &'b Inputs) -> Seen<'b> {
+        Seen { inputs, loads: &self.loads, tip_m: self.tip_m, lift_n: self.lift_n, height_m: self.height_m }
+    }
+}

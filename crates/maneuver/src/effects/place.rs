@@ -1,0 +1,109 @@
+//! What effects see and change on their way through a simulation.
+
+use crate::compact::Zones;
+use crate::smoothing::Smooth;
+use aero::Flow;
+
+/// Airspeed that effects which depend on dynamic pressure are referred to, m/s.
+pub(super) const REFERENCE_V_M_S: f64 = 30.0;
+
+/// Where and when.
+#[derive(Debug, Clone, Copy)]
+pub struct Place<'a> {
+    /// The flow; at rest the airspeed is zero.
+    pub flow: Flow,
+    /// Zones of the wing.
+    pub zones: &'a Zones,
+    /// Names of the controls.
+    pub controls: &'a [String],
+    /// Time step, s.
+    pub time_step_s: f64,
+    /// Samples are separate static points, not a history.
+    pub steady: bool,
+    /// Clock time of the first sample, h.
+    pub clock_h: f64,
+    /// Gravity, m/s².
+    pub gravity_m_s2: f64,
+    /// Height of the outermost zone in the first mode, and that mode's stiffness, (rad/s)²; zero for a rigid wing.
+    pub outer_shape: f64,
+    /// See above.
+    pub first_stiffness: f64,
+}
+
+impl Place<'_> {
+    /// Dynamic pressure over that at 30 m/s.
+    pub fn q_over_reference(&self) -> f64 {
+        (self.flow.v_m_s / REFERENCE_V_M_S).powi(2)
+    }
+
+    /// Dynamic pressure, Pa.
+    pub fn q_pa(&self) -> f64 {
+        self.flow.dynamic_pressure_pa()
+    }
+}
+
+/// What drives the wing, sample by sample.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Inputs {
+    /// Angle of attack of the balance with derivatives, rad; derivatives are zero at static points.
+    pub alpha: Smooth,
+    /// Additional angle of the stream alone, rad.
+    pub incidence_rad: Vec<f64>,
+    /// Deflections at the hinge before the servo, in the wing's order, rad.
+    pub controls_rad: Vec<Vec<f64>>,
+}
+
+/// What the wing did.
+#[derive(Debug, Clone, Copy)]
+pub struct Seen<'a> {
+    /// What drove it.
+    pub inputs: &'a Inputs,
+    /// Fz, Mx, My, N and N m, before any effect on the balance.
+    pub loads: &'a [Vec<f64>; 3],
+    /// Height of the tip, m.
+    pub tip_m: &'a [f64],
+    /// Lift of every zone, N; empty unless asked for.
+    pub lift_n: &'a [Vec<f64>],
+    /// Height of every zone above its wind-off place at alpha = 0, m; empty unless asked for.
+    pub height_m: &'a [Vec<f64>],
+}
+
+impl Seen<'_> {
+    /// Number of samples.
+    pub fn len(&self) -> usize {
+        self.inputs.alpha.value.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+/// Forces beyond the linear wing's.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Forces {
+    /// Lift added in every zone, N.
+    pub lift_n: Vec<Vec<f64>>,
+    /// Force on the first modes (modal).
+    pub modal: Vec<Vec<f64>>,
+}
+
+impl Forces {
+    /// None.
+    pub fn none(zones: usize, samples: usize) -> Self {
+        Self {
+            lift_n: vec![vec![0.0; samples]; zones],
+            modal: vec![vec![0.0; samples]; crate::compact::Drive::DRIVEN_MODES],
+        }
+    }
+}
+
+/// What the balance shows.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Loads {
+    /// Fz, Mx, My, N and N m.
+    pub balance: [Vec<f64>; 3],
+    /// Height of the tip, m.
+    pub tip_m: Vec<f64>,
+}

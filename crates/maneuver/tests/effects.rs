@@ -1,0 +1,153 @@
+//! What every effect keeps: without size it changes no bit, with a plausible size it shows, its bounds and constraints hold.
+
+#![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
+
+mod common;
+
+use aero::{Corrections, Flow};
+use common::wing_with;
+use coupling::Mount;
+use maneuver::compact::{Compact, StiffnessParts};
+use maneuver::effects::{Active, Effect, Flown, Inputs, Model, Stimulus, fly, library};
+use maneuver::{Rig, RigSettings, Smooth};
+use std::sync::Arc;
+
+const DT: f64 = 0.01;
+
+/// Pitch of 5 degrees at 2 Hz with a doublet of every control beside it, at 20 degrees.
+fn run(controls: usize) -> Stimulus {
+    let times: Vec<f64> = (0..=300).map(|i| f64::from(i) * DT).collect();
+    let w = std::f64::consts::TAU * 2.0;
+    let bell = |t: f64| (-((t - 1.2) / 0.3).powi(2)).exp();
+    let of = |value: &dyn Fn(f64) -> f64| times.iter().map(|&t| value(t)).collect::<Vec<f64>>();
+    let alpha = Smooth {
+        value: of(&|t| 0.05 + 0.09 * bell(t) * (w * t).sin()),
+        rate: of(&|t| 0.09 * w * bell(t) * (w * t).cos()),
+        second: of(&|t| -0.09 * w * w * bell(t) * (w * t).sin()),
+    };
+    let delta = of(&|t| 0.35 * bell(t) * (0.5 * w * t).sin());
+    let incidence_rad = vec![0.0; times.len()];
+    let inputs = Inputs { alpha, incidence_rad, controls_rad: vec![delta; controls] };
+    Stimulus { inputs, time_step_s: DT, steady: false, clock_h: 0.5 }
+}
+
+fn points(controls: usize) -> Stimulus {
+    let value: Vec<f64> = [-4.0_f64, -2.0, 0.0, 4.0, 8.0].iter().map(|a| a.to_radians()).collect();
+    let still = vec![0.0; value.len()];
+    let controls_rad = vec![vec![0.1; value.len()]; controls];
+    let alpha = Smooth { rate: still.clone(), second: still.clone(), value };
+    Stimulus {
+        inputs: Inputs { alpha, incidence_rad: still, controls_rad },
+        time_step_s: DT,
+        steady: true,
+        clock_h: 0.0,
+    }
+}
+
+fn with(compact: &Compact, effects: &[Active], stimulus: &Stimulus) -> Flown {
+    fly(compact, &Model::new(compact, effects, None), effects, stimulus)
+}
+
+fn compact(v_m_s: f64) -> Compact {
+    let (file, wing) = wing_with(|_| ());
+    let settings = RigSettings { modes: 8, ..RigSettings::new(file.damping_ratio, file.pitch_axis_x()) };
+    let rig = Rig::new(&wing, settings).unwrap();
+    let flow = Flow { v_m_s, rho_kg_m3: 1.225 };
+    let parts = StiffnessParts::new(&rig, &file.bulk(Mount::Tunnel).unwrap()).unwrap();
+    Compact::new(&rig, flow, &Corrections::neutral(wing.correctable.len()), parts.as_ref()).unwrap()
+}
+
+#[test]
+fn an_effect_without_size_changes_no_bit_and_one_of_plausible_size_shows() {
+    let compact = compact(34.0);
+    let controls = compact.controls.len();
+    let stimuli = [run(controls), points(controls)];
+    let clean = stimuli.each_ref().map(|stimulus| with(&compact, &[], stimulus));
+    for effect in library(&compact.controls) {
+        let (name, parameters) = (effect.spec().name, effect.parameters());
+        let none = vec![0.0; parameters.len()];
+        let zero = stimuli
+            .each_ref()
+            .map(|stimulus| with(&compact, &[Active::new(effect.clone(), &none)], stimulus));
+        for (zero, clean) in zero.iter().zip(&clean) {
+            assert!(zero == clean, "{name} without size changes the loads");
+        }
+        let sizes: Vec<f64> =
+            parameters.iter().map(|p| if p.upper > 0.0 { p.plausible } else { -p.plausible }).collect();
+        let sized = stimuli
+            .each_ref()
+            .map(|stimulus| with(&compact, &[Active::new(effect.clone(), &sizes)], stimulus));
+        let change = sized.iter().zip(&clean).flat_map(|(a, b)| {
+            let pairs = a.loads.iter().flatten().zip(b.loads.iter().flatten());
+            pairs.map(|(x, y)| (x - y).abs()).collect::<Vec<f64>>()
+        });
+        let largest = change.fold(0.0, f64::max);
+        println!("{name} {}: {largest:.3}", effect.form());
+        assert!(
+            largest.is_finite() && largest > 0.01,
+            "{name} of plausible size changes loads by {largest} only"
+        );
+    }
+}
+
+#[test]
+fn bounds_hold_zero_is_allowed_and_constraints_move_nothing_twice() {
+    let controls = ["inner".to_owned(), "outer".to_owned()];
+    let all = library(&controls);
+    for effect in &all {
+        let parameters = effect.parameters();
+        for p in &parameters {
+            assert!(p.lower <= 0.0 && p.upper >= 0.0 && p.lower < p.upper && p.plausible > 0.0, "{p:?}");
+        }
+        for share in [-2.0, -0.5, 0.0, 0.5, 2.0] {
+            let values: Vec<f64> = parameters.iter().map(|p| share * p.upper.max(-p.lower)).collect();
+            let once = Active::new(effect.clone(), &values);
+            let twice = Active::new(effect.clone(), &once.values);
+            for (a, b) in once.values.iter().zip(&twice.values) {
+                assert!((a - b).abs() <= 1e-12 * a.abs(), "{}: {a} {b}", effect.spec().name);
+            }
+            for (value, p) in once.values.iter().zip(&parameters) {
+                assert!(*value >= p.lower && *value <= p.upper);
+            }
+        }
+    }
+    let known = |name: &str| all.iter().any(|e| e.spec().name == name);
+    let rivals: Vec<&str> = all.iter().flat_map(|e| e.spec().rivals).copied().collect();
+    for rival in rivals {
+        assert!(known(rival), "{rival} is nobody's name");
+    }
+}
+
+#[test]
+fn a_body_on_the_balance_is_heavy_enough_for_its_moments() {
+    let joiner = library(&[]).into_iter().find(|e| e.spec().name == "joiner_inertia").unwrap();
+    let impossible = Active::new(joiner, &[0.3, 0.001, 0.4, 0.0]);
+    let [mx, iyy, mz, _] = impossible.values[..] else { panic!("four parameters") };
+    assert!(mx * mx + mz * mz <= 10.0 * iyy * (1.0 + 1e-12), "{mx} {iyy} {mz}");
+}
+
+#[test]
+fn stiffness_splits_into_bending_and_torsion_and_a_stiffer_wing_is_one_with_stiffer_modes() {
+    let (file, wing) = wing_with(|_| ());
+    let rig = Rig::new(&wing, RigSettings::new(file.damping_ratio, file.pitch_axis_x())).unwrap();
+    let parts = StiffnessParts::new(&rig, &file.bulk(Mount::Tunnel).unwrap()).unwrap().unwrap();
+    // the first mode bends, and some mode twists: its energy lies in the torsion constant
+    let share = |i: usize| parts.torsion[(i, i)] / (parts.torsion[(i, i)] + parts.bending[(i, i)]);
+    let shares: Vec<f64> = (0..parts.torsion.nrows()).map(share).collect();
+    assert!(shares.iter().all(|s| (-1e-9..=1.0 + 1e-9).contains(s)), "{shares:?}");
+    assert!(shares[0] < 0.1 && shares.iter().any(|s| *s > 0.6), "{shares:?}");
+}
+
+#[test]
+fn an_error_of_dynamic_pressure_scales_what_the_air_does_and_nothing_else() {
+    let compact = compact(30.0);
+    let find = |name: &str| -> Arc<dyn Effect> {
+        library(&compact.controls).into_iter().find(|e| e.spec().name == name).unwrap()
+    };
+    let stimulus = points(compact.controls.len());
+    let q = with(&compact, &[Active::new(find("q_error"), &[0.05])], &stimulus);
+    let clean = with(&compact, &[], &stimulus);
+    // an elastic wing washes out: less than in proportion
+    let ratio = q.loads[0][4] / clean.loads[0][4];
+    assert!(ratio > 1.0 && ratio < 1.06, "{ratio}");
+}
