@@ -1,6 +1,14 @@
 #![doc = include_str!("../README.md")]
 
+pub mod analysis;
+pub mod bank;
+pub mod candidate;
 pub mod data;
+pub mod directions;
+pub mod level;
 pub mod noise;
+pub mod problem;
+pub mod search;
 pub mod simulator;
 pub mod transform;
+pub mod uncertain;

@@ -1,1 +1,159 @@
 //! Pure error: what repeated measurements differ by, or what was stated.
+//!
+//! Repeats are compared after the simulation is taken off, as their angles are never quite the same. Per channel and band
+//! of frequencies the mean square of half the difference estimates the noise; where the campaign states its noise, the
+//! larger counts. Differences of means estimate the offset of a run.
+
+use crate::data::Dataset;
+use crate::transform::{cosines, frequency_hz};
+use calibrate::Use;
+use maneuver::effects::Flown;
+
+/// Upper ends of the bands, Hz.
+pub const BANDS_HZ: [f64; 5] = [1.0, 2.0, 4.0, 8.0, 12.0];
+
+/// So many coefficients are needed for an estimate that may stand alone.
+const ENOUGH: usize = 12;
+
+/// Why the noise is not known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "the noise is not known: no training run repeats another, and campaign.ron states none; add `noise: Some(...)`, or `repeat_of` to runs that were flown twice"
+)]
+pub struct NoiseUnknown;
+
+/// See the module. Channels are Fz, Mx, My.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Noise {
+    /// Standard deviation of a cosine coefficient by airspeed, channel and band.
+    pub run: Vec<[[f64; 5]; 3]>,
+    /// Of the offset of a run, and of a block of static points.
+    pub offset: [f64; 3],
+    /// Of a static point.
+    pub point: [f64; 3],
+    /// How many pairs of runs were compared.
+    pub pairs: usize,
+}
+
+impl Noise {
+    /// Estimates the noise of a data set; `simulated` are its runs as the model flies them, in its order.
+    ///
+    /// # Errors
+    /// If there are neither repeats nor stated noise.
+    pub fn new(data: &Dataset, simulated: &[Flown]) -> Result<Self, NoiseUnknown> {
+        let pairs: Vec<(usize, usize)> = data
+            .runs
+            .iter()
+            .enumerate()
+            .filter_map(|(i, run)| run.repeat_of.map(|first| (first, i)))
+            .filter(|&(a, b)| {
+                let train = |i: usize| data.runs[i].usage == Use::Train;
+                let (first, second) = (&data.runs[a], &data.runs[b]);
+                train(a) && train(b) && first.measured[0].len() == second.measured[0].len()
+            })
+            .collect();
+        if pairs.is_empty() && data.stated.is_none() {
+            return Err(NoiseUnknown);
+        }
+        let mut sums = vec![[[(0.0, 0_usize); 5]; 3]; data.airspeeds_m_s.len()];
+        let mut offsets = [(0.0, 0_usize); 3];
+        for &(a, b) in &pairs {
+            let run = &data.runs[a];
+            for c in 0..3 {
+                let residual = |i: usize| -> Vec<f64> {
+                    data.runs[i].measured[c].iter().zip(&simulated[i].loads[c]).map(|(m, s)| m - s).collect()
+                };
+                let difference: Vec<f64> = residual(a)
+                    .iter()
+                    .zip(residual(b))
+                    .map(|(a, b)| (a - b) / std::f64::consts::SQRT_2)
+                    .collect();
+                let (samples, dt) = (difference.len(), run.stimulus.time_step_s);
+                for (k, value) in cosines(&difference, dt).iter().enumerate() {
+                    if k == 0 {
+                        offsets[c].0 += value * value / samples as f64;
+                        offsets[c].1 += 1;
+                    } else {
+                        let sum = &mut sums[run.airspeed][c][band(frequency_hz(k, samples, dt))];
+                        *sum = (sum.0 + value * value, sum.1 + 1);
+                    }
+                }
+            }
+        }
+        let decimation = data.runs.iter().map(|run| run.decimation).max().unwrap_or(1) as f64;
+        let stated = data.stated.map(|(sample, _)| sample.map(|sigma| sigma * sigma / decimation));
+        let variance = |v: usize, c: usize, b: usize| {
+            let at = sums[v][c][b];
+            let pooled = sums.iter().map(|s| s[c][b]).fold((0.0, 0), |a, s| (a.0 + s.0, a.1 + s.1));
+            let estimate = [at, pooled].into_iter().find(|s| s.1 >= ENOUGH).map(|s| s.0 / s.1 as f64);
+            let all = sums.iter().flat_map(|s| s[c]).fold((0.0, 0), |a, s| (a.0 + s.0, a.1 + s.1));
+            let estimate = estimate.or((all.1 > 0).then(|| all.0 / all.1 as f64));
+            estimate.unwrap_or(0.0).max(stated.map_or(0.0, |s| s[c])).max(f64::MIN_POSITIVE)
+        };
+        let run = (0..data.airspeeds_m_s.len())
+            .map(|v| std::array::from_fn(|c| std::array::from_fn(|b| variance(v, c, b).sqrt())))
+            .collect();
+        let scatter = static_scatter(data);
+        let offset = std::array::from_fn(|c| {
+            let runs = if offsets[c].1 > 0 { (offsets[c].0 / offsets[c].1 as f64).sqrt() } else { 0.0 };
+            runs.max(scatter.1[c]).max(data.stated.map_or(1e-3, |(_, point)| point[c]))
+        });
+        let point = std::array::from_fn(|c| {
+            data.stated.map_or_else(|| scatter.0[c].max(offset[c]), |(_, point)| point[c].max(scatter.0[c]))
+        });
+        Ok(Self { run, offset, point, pairs: pairs.len() })
+    }
+
+    /// Standard deviation of a coefficient.
+    pub fn sigma(&self, airspeed: usize, channel: usize, frequency_hz: f64) -> f64 {
+        self.run[airspeed][channel][band(frequency_hz)]
+    }
+}
+
+/// The band of a frequency.
+pub fn band(frequency_hz: f64) -> usize {
+    BANDS_HZ.iter().position(|end| frequency_hz < *end).unwrap_or(BANDS_HZ.len() - 1)
+}
+
+/// Scatter of repeated static points within blocks, and of blocks.
+fn static_scatter(data: &Dataset) -> ([f64; 3], [f64; 3]) {
+    let (mut within, mut between) = ([(0.0, 0_usize); 3], [(0.0, 0_usize); 3]);
+    for group in data.statics.iter().filter(|group| group.usage == Use::Train) {
+        if data.airspeeds_m_s[group.airspeed] == 0.0 {
+            continue;
+        }
+        let alphas = &group.stimulus.inputs.alpha.value;
+        for c in 0..3 {
+            let reading = |i: usize| group.measured[i][c];
+            let mut done = vec![false; alphas.len()];
+            for i in 0..alphas.len() {
+                let same = |j: &usize| (alphas[*j] - alphas[i]).abs() < 1e-4 && reading(*j).is_some();
+                let twins: Vec<usize> = (i..alphas.len()).filter(same).filter(|j| !done[*j]).collect();
+                twins.iter().for_each(|j| done[*j] = true);
+                let mut means = Vec::new();
+                let mut blocks: Vec<Option<usize>> = twins.iter().map(|j| group.blocks[*j]).collect();
+                blocks.dedup();
+                for block in blocks {
+                    let values: Vec<f64> = twins
+                        .iter()
+                        .filter(|j| group.blocks[**j] == block)
+                        .filter_map(|j| reading(*j))
+                        .collect();
+                    let mean = values.iter().sum::<f64>() / values.len().max(1) as f64;
+                    if values.len() > 1 {
+                        within[c].0 += values.iter().map(|v| (v - mean).powi(2)).sum::<f64>();
+                        within[c].1 += values.len() - 1;
+                    }
+                    means.push(mean);
+                }
+                if means.len() > 1 {
+                    let mean = means.iter().sum::<f64>() / means.len() as f64;
+                    between[c].0 += means.iter().map(|v| (v - mean).powi(2)).sum::<f64>();
+                    between[c].1 += means.len() - 1;
+                }
+            }
+        }
+    }
+    let root = |(sum, count): (f64, usize)| if count > 0 { (sum / count as f64).sqrt() } else { 0.0 };
+    (within.map(root), between.map(root))
+}

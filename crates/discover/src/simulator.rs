@@ -118,5 +118,5 @@ fn corrections(schedule: &Schedule, v_m_s: f64, wing: &ElasticWing) -> Result<Co
     if v_m_s == 0.0 {
         return Ok(Corrections::neutral(wing.correctable.len()));
     }
-    schedule.at(v_m_s, Outside::Nearest)
+    schedule.at(v_m_s, Outside::Refuse).or_else(|_| schedule.at(v_m_s, Outside::Nearest))
 }

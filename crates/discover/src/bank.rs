@@ -1,0 +1,162 @@
+//! What the search would find where nothing is missing: campaigns of the model itself with other numerics, parameters
+//! within their uncertainty and noise. Thresholds and floors come from them.
+
+use crate::data::Dataset;
+use crate::level::{Level, Setting};
+use crate::problem::Problem;
+use crate::search::weigh;
+use crate::uncertain::UNCERTAIN;
+use maneuver::effects::{Active, Flown};
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+use rand_distr::{Distribution, StandardNormal};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// Campaigns without effect.
+pub const CAMPAIGNS: u64 = 20;
+/// Standard deviations above the mean of what is found where nothing is missing.
+const SIGMAS: f64 = 3.0;
+/// Nats on top: the bank's campaigns are made with the model's own numerics, or close to it.
+const MARGIN: f64 = 20.0;
+/// Threshold of an effect the bank says nothing of.
+const UNKNOWN: f64 = 30.0;
+
+/// Thresholds of evidence by effect and form, and what the misfit is without effects.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Thresholds {
+    /// By `name form`.
+    pub evidence: BTreeMap<String, f64>,
+    /// Chi square a row where nothing is missing, mean.
+    pub misfit: f64,
+    /// Above this something is missing.
+    pub misfit_limit: f64,
+    /// Gap where nothing is missing: training, held out.
+    pub floor: [f64; 2],
+}
+
+impl Default for Thresholds {
+    fn default() -> Self {
+        Self { evidence: BTreeMap::new(), misfit: 1.0, misfit_limit: 1.5, floor: [1.0; 2] }
+    }
+}
+
+impl Thresholds {
+    /// Threshold of an effect in a form.
+    pub fn of(&self, name: &str, form: &str) -> f64 {
+        self.evidence.get(&format!("{name} {form}")).copied().unwrap_or(UNKNOWN)
+    }
+
+    /// Makes campaigns without effect and searches them.
+    pub fn from_nulls(setting: &Setting<'_>, train: &Problem<'_>, holdout: &Problem<'_>, seed: u64) -> Self {
+        let one = |k: u64| {
+            let mut random = ChaCha8Rng::seed_from_u64(seed);
+            random.set_stream(k + 1);
+            null(setting, train, holdout, &mut random, k)
+        };
+        let nulls: Vec<Null> = (0..CAMPAIGNS).into_par_iter().map(one).collect();
+        let mut evidence: BTreeMap<String, Vec<f64>> = BTreeMap::new();
+        for null in &nulls {
+            for (name, value) in &null.evidence {
+                evidence.entry(name.clone()).or_default().push(value.max(0.0));
+            }
+        }
+        // an effect that screening passed over found nothing there
+        let of = |values: Vec<f64>| {
+            let mut all = values;
+            all.resize(nulls.len(), 0.0);
+            let (mean, sd) = mean_and_sd(&all);
+            mean + SIGMAS * sd + MARGIN
+        };
+        let misfits: Vec<f64> = nulls.iter().map(|null| null.misfit).collect();
+        let (misfit, sd) = mean_and_sd(&misfits);
+        let floor = |k: usize| mean_and_sd(&nulls.iter().map(|null| null.gap[k]).collect::<Vec<f64>>()).0;
+        Self {
+            evidence: evidence.into_iter().map(|(name, values)| (name, of(values))).collect(),
+            misfit,
+            misfit_limit: misfit + SIGMAS * sd,
+            floor: [floor(0), floor(1)],
+        }
+    }
+}
+
+struct Null {
+    evidence: Vec<(String, f64)>,
+    misfit: f64,
+    gap: [f64; 2],
+}
+
+fn null(
+    setting: &Setting<'_>,
+    train: &Problem<'_>,
+    holdout: &Problem<'_>,
+    random: &mut ChaCha8Rng,
+    k: u64,
+) -> Null {
+    let others = setting.others.len() as u64;
+    let truth = match (k % (others + 1)).checked_sub(1) {
+        None => setting.simulator,
+        Some(other) => &setting.others[usize::try_from(other).unwrap_or(0)],
+    };
+    let mut effects = Vec::new();
+    for (name, parameter, sigma) in UNCERTAIN {
+        if let Some(effect) = setting.library.iter().find(|effect| effect.spec().name == name) {
+            let mut values = vec![0.0; effect.parameters().len()];
+            values[parameter] = sigma * normal(random);
+            effects.push(Active::new(Arc::clone(effect), &values));
+        }
+    }
+    let models = truth.models(&effects, None);
+    let mut train = pretend(train, &|places| truth.fly(&models, &effects, places), random);
+    let holdout = pretend(holdout, &|places| truth.fly(&models, &effects, places), random);
+    let level = Level::new(setting, &mut train, &[], None);
+    let weighed = weigh(setting, &train, &level, &Thresholds::default());
+    let gap = |problem: &Problem<'_>| {
+        let flown = setting.simulator.fly(&level.models, &[], &problem.places());
+        problem.gap(&flown).all
+    };
+    Null {
+        evidence: weighed
+            .iter()
+            .map(|w| (format!("{} {}", w.name(), w.refit.active.effect.form()), w.evidence))
+            .collect(),
+        misfit: level.chi2 / train.len() as f64,
+        gap: [gap(&train), gap(&holdout)],
+    }
+}
+
+/// The problem with loads of a simulation and noise.
+fn pretend<'a>(
+    problem: &Problem<'a>,
+    fly: &dyn Fn(&[usize]) -> Vec<Flown>,
+    random: &mut ChaCha8Rng,
+) -> Problem<'a> {
+    problem.pretending(&fly(&problem.places()), || normal(random))
+}
+
+fn normal(random: &mut ChaCha8Rng) -> f64 {
+    StandardNormal.sample(random)
+}
+
+fn mean_and_sd(values: &[f64]) -> (f64, f64) {
+    let n = values.len().max(1) as f64;
+    let mean = values.iter().sum::<f64>() / n;
+    let square = values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / (n - 1.0).max(1.0);
+    (mean, square.sqrt())
+}
+
+/// A fingerprint of what a bank depends on, as FNV-1a of words.
+pub fn key(wing_hash: &str, data: &Dataset) -> String {
+    let mut words = vec![wing_hash.to_owned(), format!("{:?}", data.airspeeds_m_s)];
+    for run in &data.runs {
+        let commands: f64 = run.stimulus.inputs.controls_rad.iter().flatten().map(|d| d.abs()).sum();
+        words.push(format!("{} {:?} {} {commands:.3}", run.airspeed, run.usage, run.measured[0].len()));
+    }
+    let mut hash: u64 = 0xcbf2_9ce4_8422_2325;
+    for byte in words.join("|").bytes() {
+        hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+    }
+    format!("{hash:016x}")
+}

@@ -1,0 +1,268 @@
+//! A candidate effect beside those found: screened by secants, fitted in the full simulation, weighed.
+
+use crate::level::{Level, Setting, norm};
+use crate::problem::Problem;
+use crate::uncertain::{NUDGES, known};
+use faer::linalg::solvers::Solve;
+use faer::{Mat, Side};
+use maneuver::effects::{Active, Effect, Flown};
+use std::sync::Arc;
+
+/// Most steps of a refit.
+const STEPS: usize = 6;
+/// A step that gains less than this of chi square is the last.
+const ENOUGH: f64 = 0.5;
+/// Sizes in units of the plausible that starting points have, beside what the secants say.
+const STARTS: [f64; 2] = [0.5, 1.5];
+
+/// A candidate and what screening says of it.
+#[derive(Debug, Clone)]
+pub struct Screened {
+    /// The effect.
+    pub effect: Arc<dyn Effect>,
+    /// Secants by parameter, per plausible size.
+    secants: Mat<f64>,
+    /// What chi square would fall by.
+    pub gain: f64,
+    start: Vec<f64>,
+}
+
+/// A candidate that was fitted, together with the effects found before it.
+#[derive(Debug, Clone)]
+pub struct Refit {
+    /// The candidate.
+    pub active: Active,
+    /// Standard deviations of its parameters.
+    pub sigma: Vec<f64>,
+    /// Residual with it.
+    pub residual: Vec<f64>,
+    /// Chi square with it, without the prior.
+    pub chi2: f64,
+    /// `sum (theta/plausible)²`.
+    pub prior: f64,
+    /// `ln |J'J|` terms: log of the determinant of `J'J/phi + I/4` for phi = 1 kept as eigenvalues.
+    pub eigenvalues: Vec<f64>,
+}
+
+impl Screened {
+    /// Flies the candidate at its plausible size, parameter by parameter.
+    pub fn new(
+        setting: &Setting<'_>,
+        problem: &Problem<'_>,
+        level: &Level,
+        effect: &Arc<dyn Effect>,
+    ) -> Self {
+        let parameters = effect.parameters();
+        let trial = Trial { setting, problem, level, effect };
+        let secant = |k: usize| {
+            let sign = if parameters[k].upper > 0.0 { 1.0 } else { -1.0 };
+            let mut sizes = vec![0.0; parameters.len()];
+            sizes[k] = sign;
+            // a parameter that does nothing alone (the power of an airspeed, a limit) is tried beside the others
+            let mut column = trial.change(&sizes);
+            if column.iter().all(|value| *value == 0.0) {
+                let others: Vec<f64> =
+                    parameters.iter().map(|p| 0.5 * f64::from(u8::from(p.upper > 0.0))).collect();
+                let mut both = others.clone();
+                both[k] += sign;
+                let (with, without) = (trial.change(&both), trial.change(&others));
+                column = with.iter().zip(without).map(|(a, b)| a - b).collect();
+            }
+            column.iter_mut().for_each(|value| *value *= sign);
+            column
+        };
+        let columns: Vec<Vec<f64>> = (0..parameters.len()).map(secant).collect();
+        let rows = problem.len();
+        let secants = Mat::from_fn(rows, columns.len(), |i, j| columns[j][i]);
+        let (step, gain) = linear_step(level, &secants, &level.residual, &vec![0.0; columns.len()]);
+        Self { effect: Arc::clone(effect), secants, gain, start: step }
+    }
+
+    /// Fits the candidate in the full simulation: Levenberg and Marquardt with Broyden's updates of the secants, from what
+    /// the secants say and from plausible sizes.
+    pub fn refit(&self, setting: &Setting<'_>, problem: &Problem<'_>, level: &Level) -> Refit {
+        let trial = Trial { setting, problem, level, effect: &self.effect };
+        let parameters = self.effect.parameters();
+        let signs: Vec<f64> = self.start.iter().map(|s| if *s < 0.0 { -1.0 } else { 1.0 }).collect();
+        let mut starts = vec![self.start.clone()];
+        if parameters.len() == 1 {
+            starts.extend(STARTS.map(|size| vec![size * signs[0]; 1]));
+        }
+        let mut best: Option<Point> = None;
+        for start in starts {
+            let point = trial.point(&start);
+            if best.as_ref().is_none_or(|b| point.score < b.score) {
+                best = Some(point);
+            }
+        }
+        let mut point = best.unwrap_or_else(|| trial.point(&self.start));
+        let mut jacobian = self.secants.clone();
+        let origin = trial.point_at_rest();
+        if point.score > origin.score {
+            point = origin;
+        }
+        let mut damping = 0.0;
+        for _ in 0..STEPS {
+            let (step, _) = damped_step(level, &jacobian, &point, damping);
+            let sizes: Vec<f64> = point.sizes.iter().zip(&step).map(|(a, b)| a + b).collect();
+            let next = trial.point(&sizes);
+            broyden(&mut jacobian, &point, &next);
+            let gained = point.score - next.score;
+            if gained > 0.0 {
+                point = next;
+                damping *= 0.3;
+            } else {
+                damping = if damping == 0.0 { 1.0 } else { 10.0 * damping };
+            }
+            if gained.abs() < ENOUGH || damping > 1e4 {
+                break;
+            }
+        }
+        trial.finish(point, &jacobian)
+    }
+}
+
+/// Something to try around a level.
+struct Trial<'a> {
+    setting: &'a Setting<'a>,
+    problem: &'a Problem<'a>,
+    level: &'a Level,
+    effect: &'a Arc<dyn Effect>,
+}
+
+/// Sizes in units of the plausible, and what they give.
+struct Point {
+    sizes: Vec<f64>,
+    residual: Vec<f64>,
+    chi2: f64,
+    score: f64,
+}
+
+impl Trial<'_> {
+    fn active(&self, sizes: &[f64]) -> Active {
+        let parameters = self.effect.parameters();
+        let values: Vec<f64> = sizes.iter().zip(&parameters).map(|(size, p)| size * p.plausible).collect();
+        Active::new(Arc::clone(self.effect), &values)
+    }
+
+    fn change(&self, sizes: &[f64]) -> Vec<f64> {
+        let mut effects = self.level.effects.clone();
+        effects.push(self.active(sizes));
+        let simulator = self.setting.simulator;
+        let flown = simulator.fly(
+            &simulator.models(&effects, Some(&self.level.models)),
+            &effects,
+            &self.problem.places(),
+        );
+        let all: Vec<usize> = (0..self.problem.segments.len()).collect();
+        let before: Vec<&Flown> = self.level.flown.iter().collect();
+        self.problem.change(&all, &flown, &before)
+    }
+
+    fn point(&self, sizes: &[f64]) -> Point {
+        // as the bounds and physics allow
+        let parameters = self.effect.parameters();
+        let allowed = self.active(sizes).values;
+        let sizes: Vec<f64> = allowed.iter().zip(&parameters).map(|(value, p)| value / p.plausible).collect();
+        let change = self.change(&sizes);
+        let residual: Vec<f64> = self.level.residual.iter().zip(change).map(|(r, c)| r - c).collect();
+        let chi2 = norm(&self.level.shared, &residual);
+        let score = chi2 + sizes.iter().map(|s| s * s).sum::<f64>();
+        Point { sizes, residual, chi2, score }
+    }
+
+    fn point_at_rest(&self) -> Point {
+        let none = vec![0.0; self.effect.parameters().len()];
+        Point {
+            sizes: none,
+            residual: self.level.residual.clone(),
+            chi2: self.level.chi2,
+            score: self.level.chi2,
+        }
+    }
+
+    fn finish(&self, point: Point, jacobian: &Mat<f64>) -> Refit {
+        let parameters = self.effect.parameters();
+        let gram = self.level.shared.gram(jacobian.as_ref());
+        let k = gram.nrows();
+        let mut precision = gram.clone();
+        for j in 0..k {
+            precision[(j, j)] += 1.0;
+        }
+        let covariance = precision
+            .llt(Side::Lower)
+            .map_or_else(|_| Mat::identity(k, k), |factor| factor.solve(Mat::<f64>::identity(k, k)));
+        let sigma = (0..k).map(|j| parameters[j].plausible * covariance[(j, j)].max(0.0).sqrt()).collect();
+        let eigenvalues = gram
+            .self_adjoint_eigen(Side::Lower)
+            .map_or_else(|_| vec![0.0; k], |e| (0..k).map(|j| e.S()[j].max(0.0)).collect());
+        Refit {
+            active: self.active(&point.sizes),
+            sigma,
+            prior: point.sizes.iter().map(|s| s * s).sum(),
+            residual: point.residual,
+            chi2: point.chi2,
+            eigenvalues,
+        }
+    }
+}
+
+impl Refit {
+    /// Logarithm of the Bayes factor against the level without the candidate, chi square divided by `phi`:
+    /// `-(chi²_e - chi²_0)/(2 phi) - prior/2 - ½ ln |J'J/phi + I/4| + k ln 2 ...` (a normal prior of the plausible sizes).
+    pub fn evidence(&self, level: &Level, phi: f64) -> f64 {
+        let occam: f64 = self.eigenvalues.iter().map(|e| 0.5 * (1.0 + e / phi).ln()).sum();
+        0.5 * (level.chi2 - self.chi2) / phi - 0.5 * self.prior - occam
+    }
+
+    /// Whether some parameter is larger than calibration could have it.
+    pub fn is_more_than_a_nudge(&self) -> bool {
+        let parameters = self.active.parameters();
+        let name = self.active.effect.spec().name;
+        self.active.values.iter().enumerate().any(|(k, value)| {
+            let bound = known(name, k).map_or(0.02 * parameters[k].plausible, |sigma| NUDGES * sigma);
+            value.abs() > bound
+        })
+    }
+}
+
+/// The step that the linear model takes, and what chi square falls by.
+fn linear_step(level: &Level, jacobian: &Mat<f64>, residual: &[f64], sizes: &[f64]) -> (Vec<f64>, f64) {
+    let k = jacobian.ncols();
+    let stacked =
+        Mat::from_fn(residual.len(), k + 1, |i, j| if j < k { jacobian[(i, j)] } else { residual[i] });
+    let gram = level.shared.gram(stacked.as_ref());
+    let mut normal = gram.submatrix(0, 0, k, k).to_owned();
+    for j in 0..k {
+        normal[(j, j)] += 1.0;
+    }
+    let right = Mat::from_fn(k, 1, |j, _| gram[(j, k)] - sizes[j]);
+    let step = match normal.llt(Side::Lower) {
+        Ok(factor) => factor.solve(&right),
+        Err(_) => Mat::zeros(k, 1),
+    };
+    let gain = (0..k).map(|j| step[(j, 0)] * right[(j, 0)]).sum();
+    ((0..k).map(|j| step[(j, 0)]).collect(), gain)
+}
+
+fn damped_step(level: &Level, jacobian: &Mat<f64>, point: &Point, damping: f64) -> (Vec<f64>, f64) {
+    let (step, gain) = linear_step(level, jacobian, &point.residual, &point.sizes);
+    (step.iter().map(|s| s / (1.0 + damping)).collect(), gain)
+}
+
+/// Makes the secants agree with a step that was flown.
+fn broyden(jacobian: &mut Mat<f64>, from: &Point, to: &Point) {
+    let step: Vec<f64> = to.sizes.iter().zip(&from.sizes).map(|(a, b)| a - b).collect();
+    let length: f64 = step.iter().map(|s| s * s).sum();
+    if length < 1e-12 {
+        return;
+    }
+    for i in 0..jacobian.nrows() {
+        let predicted: f64 = (0..step.len()).map(|j| jacobian[(i, j)] * step[j]).sum();
+        // the residual falls by what the simulation gains
+        let missed = (from.residual[i] - to.residual[i] - predicted) / length;
+        for (j, s) in step.iter().enumerate() {
+            jacobian[(i, j)] += missed * s;
+        }
+    }
+}

@@ -1,0 +1,66 @@
+//! What calibration leaves open: six directions of corrections at every airspeed, as terms of the simulation.
+//!
+//! Static root loads determine an offset and a slope of three channels, no more. A factor on all zones, one growing to the
+//! tip and a shift of the aerodynamic centre move the slopes; incidence, its gradient along the span and a zero-lift moment
+//! move the offsets.
+
+use maneuver::compact::{Change, Constants};
+use maneuver::effects::{Effect, Inputs, Parameter, Place, Side, Spec};
+
+/// Directions of an airspeed.
+pub const DIRECTIONS: usize = 6;
+
+/// Standard deviations before any data: what a panel model may be off by.
+const WIDE: [f64; DIRECTIONS] = [0.1, 0.2, 0.02, 0.01, 0.01, 0.01];
+
+/// All six directions at one airspeed.
+#[derive(Debug)]
+pub struct Directions {
+    /// The airspeed, m/s.
+    pub v_m_s: f64,
+}
+
+impl Effect for Directions {
+    fn spec(&self) -> &'static Spec {
+        &Spec {
+            name: "corrections",
+            title: "the corrections' six determined directions",
+            side: Side::Aerodynamics,
+            rivals: &[],
+            experiment: "",
+        }
+    }
+
+    fn parameters(&self) -> Vec<Parameter> {
+        let names = ["force", "force_tip", "aft_over_c", "incidence_rad", "gradient_rad_m", "cm0"];
+        (0..DIRECTIONS).map(|k| Parameter::new(names[k], (-10.0, 10.0), WIDE[k])).collect()
+    }
+
+    fn inputs(&self, p: &[f64], place: &Place<'_>, inputs: &mut Inputs) {
+        if self.here(place) && p[3] != 0.0 {
+            inputs.incidence_rad.iter_mut().for_each(|value| *value += p[3]);
+        }
+    }
+
+    fn change(&self, p: &[f64], place: &Place<'_>, change: &mut Change) {
+        if self.here(place) {
+            for (zone, y) in place.zones.y_norm.iter().enumerate() {
+                change.zone_force[zone] += p[0] - p[1] * y * y;
+                change.zone_aft_over_c[zone] += p[2];
+            }
+        }
+    }
+
+    fn constants(&self, p: &[f64], place: &Place<'_>, constants: &mut Constants) {
+        if self.here(place) {
+            constants.upwash_rad_m += p[4];
+            constants.moment_coefficient += p[5];
+        }
+    }
+}
+
+impl Directions {
+    fn here(&self, place: &Place<'_>) -> bool {
+        self.v_m_s > 0.0 && place.flow.v_m_s == self.v_m_s
+    }
+}

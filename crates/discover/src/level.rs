@@ -1,0 +1,128 @@
+//! The model with the effects that were found so far, around which candidates are tried.
+
+use crate::data::Dataset;
+use crate::directions::{DIRECTIONS, Directions};
+use crate::problem::{Problem, Shared, difference};
+use crate::simulator::{Models, Simulator};
+use crate::uncertain::UNCERTAIN;
+use faer::Mat;
+use maneuver::effects::{Active, Effect, Flown};
+use rayon::prelude::*;
+use std::sync::Arc;
+
+/// What is asked of a search.
+#[derive(Debug)]
+pub struct Setting<'a> {
+    /// The data.
+    pub data: &'a Dataset,
+    /// The wing in them.
+    pub simulator: &'a Simulator,
+    /// The same wing with other numerics: how far apart they are is a measure of how right either can be.
+    pub others: &'a [Simulator],
+    /// The library.
+    pub library: &'a [Arc<dyn Effect>],
+    /// How uncertain the corrections' directions are, as a share of what they are before any data: one if the campaign's own
+    /// static points determine them, less if they were found with others.
+    pub open_corrections: f64,
+}
+
+/// See the module.
+#[derive(Debug)]
+pub struct Level {
+    /// Effects found.
+    pub effects: Vec<Active>,
+    /// Linear parts with them.
+    pub models: Models,
+    /// All segments flown with them.
+    pub flown: Vec<Flown>,
+    /// Residual.
+    pub residual: Vec<f64>,
+    /// What runs share.
+    pub shared: Shared,
+    /// `r' (I + G G')⁻¹ r`.
+    pub chi2: f64,
+}
+
+/// What other numerics' difference is multiplied by.
+const NUMERICS: f64 = 1.5;
+
+impl Level {
+    /// Sets tolerances of the problem and columns around the model with `effects`.
+    pub fn new(
+        setting: &Setting<'_>,
+        problem: &mut Problem<'_>,
+        effects: &[Active],
+        before: Option<&Models>,
+    ) -> Self {
+        let places = problem.places();
+        let simulator = setting.simulator;
+        let models = simulator.models(effects, before);
+        let flown = simulator.fly(&models, effects, &places);
+        let without = |k: usize| {
+            let rest: Vec<Active> =
+                effects.iter().enumerate().filter(|(i, _)| *i != k).map(|(_, e)| e.clone()).collect();
+            let plain = simulator.fly(&simulator.models(&rest, Some(&models)), &rest, &places);
+            flown.iter().zip(&plain).map(|(with, plain)| difference(with, plain)).collect::<Vec<Flown>>()
+        };
+        let found: Vec<Vec<Flown>> = (0..effects.len()).map(without).collect();
+        problem.set_tolerances(&flown, &found);
+        let residual = problem.residual(&flown);
+        let columns = shared_columns(setting, problem, effects, &models, &flown);
+        let shared = Shared::new(&columns, problem.len());
+        let chi2 = norm(&shared, &residual);
+        Self { effects: effects.to_vec(), models, flown, residual, shared, chi2 }
+    }
+}
+
+/// `x' (I + G G')⁻¹ x`.
+pub fn norm(shared: &Shared, x: &[f64]) -> f64 {
+    shared.gram(Mat::from_fn(x.len(), 1, |i, _| x[i]).as_ref())[(0, 0)]
+}
+
+fn shared_columns(
+    setting: &Setting<'_>,
+    problem: &Problem<'_>,
+    effects: &[Active],
+    models: &Models,
+    flown: &[Flown],
+) -> Vec<Vec<f64>> {
+    let (simulator, data) = (setting.simulator, setting.data);
+    let all: Vec<usize> = (0..problem.segments.len()).collect();
+    let changed = |extra: Active, segments: &[usize]| {
+        let mut more = effects.to_vec();
+        more.push(extra);
+        let places: Vec<usize> = segments.iter().map(|s| problem.segments[*s].place).collect();
+        let after = simulator.fly(&simulator.models(&more, Some(models)), &more, &places);
+        let before: Vec<&Flown> = segments.iter().map(|s| &flown[*s]).collect();
+        problem.change(segments, &after, &before)
+    };
+    let calibrated = UNCERTAIN.par_iter().filter_map(|(name, parameter, sigma)| {
+        let effect = setting.library.iter().find(|effect| effect.spec().name == *name)?;
+        let mut values = vec![0.0; effect.parameters().len()];
+        values[*parameter] = *sigma;
+        Some(changed(Active::new(Arc::clone(effect), &values), &all))
+    });
+    let windy: Vec<(usize, usize)> = (0..data.airspeeds_m_s.len())
+        .filter(|v| data.airspeeds_m_s[*v] > 0.0)
+        .flat_map(|v| (0..DIRECTIONS).map(move |k| (v, k)))
+        .collect();
+    let directions = windy.par_iter().map(|&(v, k)| {
+        let effect: Arc<dyn Effect> = Arc::new(Directions { v_m_s: simulator.rigs[v].flow.v_m_s });
+        let mut values = vec![0.0; DIRECTIONS];
+        values[k] = effect.parameters()[k].plausible * setting.open_corrections;
+        changed(Active::new(effect, &values), &problem.at_airspeed(v))
+    });
+    let numerics = setting.others.par_iter().map(|other| {
+        let places = problem.places();
+        let after = other.fly(&other.models(effects, None), effects, &places);
+        let before: Vec<&Flown> = flown.iter().collect();
+        let mut column = problem.change(&all, &after, &before);
+        column.iter_mut().for_each(|value| *value *= NUMERICS);
+        column
+    });
+    let mut columns: Vec<Vec<f64>> = calibrated.collect();
+    columns.extend(directions.collect::<Vec<_>>());
+    columns.extend(numerics.collect::<Vec<_>>());
+    columns.retain(|column| column.iter().any(|value| *value != 0.0));
+    columns
+}

@@ -1,0 +1,255 @@
+//! Effects one after the other, each weighed against all others, until none is left that the data ask for.
+
+use crate::bank::Thresholds;
+use crate::candidate::{Refit, Screened};
+use crate::level::{Level, Setting};
+use crate::problem::Problem;
+use maneuver::effects::Active;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{RngCore, SeedableRng};
+use rayon::prelude::*;
+
+/// Candidates that are fitted: so many, and all within a share of the best in screening.
+const KEPT: usize = 8;
+/// See above.
+const KEPT_SHARE: f64 = 0.35;
+/// Most effects that one campaign may lack.
+const MOST: usize = 4;
+/// An effect that adds less than this of the first one's evidence only repairs the first one's form.
+const REPAIR_SHARE: f64 = 0.002;
+/// Below this share of the misfit explained, the best effect of the library is not the one that is missing.
+const EXPLAINED: f64 = 0.1;
+/// Draws of the bootstrap over runs.
+const DRAWS: usize = 400;
+/// Effects that win at least this share of draws belong to the set.
+const IN_SET: f64 = 0.05;
+/// Evidence within this of the best, or within [`CLOSE_SHARE`] of it, is no distinction.
+const CLOSE: f64 = 5.0;
+/// See above.
+const CLOSE_SHARE: f64 = 0.15;
+
+/// A candidate's weight.
+#[derive(Debug, Clone)]
+pub struct Weighed {
+    /// The fit.
+    pub refit: Refit,
+    /// Logarithm of the Bayes factor against the level without it.
+    pub evidence: f64,
+    /// Threshold it must pass.
+    pub threshold: f64,
+}
+
+impl Weighed {
+    /// Name of the effect.
+    pub fn name(&self) -> &'static str {
+        self.refit.active.effect.spec().name
+    }
+}
+
+/// An effect that was found.
+#[derive(Debug, Clone)]
+pub struct Found {
+    /// The effect with its values.
+    pub active: Active,
+    /// Standard deviations.
+    pub sigma: Vec<f64>,
+    /// Logarithm of the Bayes factor.
+    pub evidence: f64,
+    /// Share of bootstrap draws that it, or its twin in the set, wins.
+    pub confidence: f64,
+    /// Other effects that the data do not tell from it.
+    pub confused_with: Vec<&'static str>,
+}
+
+/// What a search ends with.
+#[derive(Debug, Clone)]
+pub struct Outcome {
+    /// Effects, the first found first.
+    pub found: Vec<Found>,
+    /// Chi square a row before any effect, and with all found.
+    pub misfit: [f64; 2],
+    /// The best candidate that was not named.
+    pub next_best: Option<Weighed>,
+    /// Whether more is missing than the library explains.
+    pub unexplained: bool,
+    /// Candidates of the first level by falling evidence.
+    pub first_level: Vec<(String, f64, f64)>,
+}
+
+/// All candidates beside the effects of a level, by falling evidence.
+pub fn weigh(
+    setting: &Setting<'_>,
+    problem: &Problem<'_>,
+    level: &Level,
+    limits: &Thresholds,
+) -> Vec<Weighed> {
+    let taken: Vec<&str> = level.effects.iter().map(|active| active.effect.spec().name).collect();
+    let mut screened: Vec<Screened> = setting
+        .library
+        .par_iter()
+        .filter(|effect| !taken.contains(&effect.spec().name))
+        .map(|effect| Screened::new(setting, problem, level, effect))
+        .collect();
+    screened.sort_by(|a, b| b.gain.total_cmp(&a.gain));
+    let best = screened.first().map_or(0.0, |s| s.gain);
+    let kept = screened.iter().enumerate().filter(|(i, s)| *i < KEPT || s.gain > KEPT_SHARE * best).count();
+    screened.truncate(kept);
+    let refits: Vec<Refit> = screened.par_iter().map(|s| s.refit(setting, problem, level)).collect();
+    let rows = problem.len() as f64;
+    let least = refits.iter().map(|r| r.chi2).fold(level.chi2, f64::min);
+    let phi = (least / rows).max(1.0);
+    let mut weighed: Vec<Weighed> = refits
+        .into_iter()
+        .map(|refit| {
+            let active = &refit.active;
+            let threshold = limits.of(active.effect.spec().name, active.effect.form());
+            Weighed { evidence: refit.evidence(level, phi), threshold, refit }
+        })
+        .collect();
+    weighed.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
+    weighed
+}
+
+/// Searches a training problem.
+pub fn search(
+    setting: &Setting<'_>,
+    problem: &mut Problem<'_>,
+    limits: &Thresholds,
+    seed: u64,
+) -> (Outcome, Level) {
+    let rows = problem.len() as f64;
+    let mut level = Level::new(setting, problem, &[], None);
+    let start = level.chi2;
+    let mut found: Vec<Found> = Vec::new();
+    let mut next_best = None;
+    let mut first_level = Vec::new();
+    let mut first_evidence = None;
+    while found.len() < MOST {
+        let weighed = weigh(setting, problem, &level, limits);
+        if first_evidence.is_none() {
+            first_level = weighed
+                .iter()
+                .map(|w| (format!("{} {}", w.name(), w.refit.active.effect.form()), w.evidence, w.threshold))
+                .collect();
+        }
+        let least = REPAIR_SHARE * first_evidence.unwrap_or(0.0);
+        let passes = |w: &&Weighed| w.evidence > w.threshold.max(least) && w.refit.is_more_than_a_nudge();
+        let Some(best) = weighed.iter().find(passes) else {
+            next_best = weighed.into_iter().next();
+            break;
+        };
+        let explained =
+            (level.chi2 - best.refit.chi2) / (level.chi2 - rows * limits.misfit).max(f64::MIN_POSITIVE);
+        if level.chi2 > rows * limits.misfit_limit && explained < EXPLAINED {
+            next_best = Some(best.clone());
+            break;
+        }
+        first_evidence.get_or_insert(best.evidence);
+        let (confidence, confused_with) = distinguish(problem, &level, &weighed, best, seed);
+        found.push(Found {
+            active: best.refit.active.clone(),
+            sigma: best.refit.sigma.clone(),
+            evidence: best.evidence,
+            confidence,
+            confused_with,
+        });
+        let effects: Vec<Active> = found.iter().map(|f| f.active.clone()).collect();
+        level = Level::new(setting, problem, &effects, Some(&level.models));
+        if found.len() > 1 {
+            level = revise(setting, problem, limits, &mut found, level);
+        }
+    }
+    let misfit = [start / rows, level.chi2 / rows];
+    let unexplained = misfit[1] > limits.misfit_limit;
+    (Outcome { found, misfit, next_best, unexplained, first_level }, level)
+}
+
+/// Fits every effect again beside the others, takes a better one in its place, and drops what is not needed any more.
+fn revise(
+    setting: &Setting<'_>,
+    problem: &mut Problem<'_>,
+    limits: &Thresholds,
+    found: &mut Vec<Found>,
+    last: Level,
+) -> Level {
+    for index in (0..found.len()).rev().skip(1) {
+        let others: Vec<Active> =
+            found.iter().enumerate().filter(|(i, _)| *i != index).map(|(_, f)| f.active.clone()).collect();
+        let without = Level::new(setting, problem, &others, Some(&last.models));
+        let weighed = weigh(setting, problem, &without, limits);
+        match weighed.iter().find(|w| w.evidence > w.threshold && w.refit.is_more_than_a_nudge()) {
+            None => {
+                found.remove(index);
+            }
+            Some(best) => {
+                let own = weighed.iter().find(|w| w.name() == found[index].active.effect.spec().name);
+                // the earlier name stays unless another is clearly better
+                let chosen = own.filter(|own| own.evidence > best.evidence - CLOSE).unwrap_or(best);
+                if chosen.name() != found[index].active.effect.spec().name {
+                    found[index].confused_with.clear();
+                }
+                found[index].active = chosen.refit.active.clone();
+                found[index].sigma.clone_from(&chosen.refit.sigma);
+                found[index].evidence = chosen.evidence;
+            }
+        }
+    }
+    let effects: Vec<Active> = found.iter().map(|f| f.active.clone()).collect();
+    Level::new(setting, problem, &effects, Some(&last.models))
+}
+
+/// Bootstrap over segments: how often a candidate would have won, and which others would have.
+fn distinguish(
+    problem: &Problem<'_>,
+    level: &Level,
+    weighed: &[Weighed],
+    best: &Weighed,
+    seed: u64,
+) -> (f64, Vec<&'static str>) {
+    let rows = problem.len() as f64;
+    let phi = (best.refit.chi2 / rows).max(1.0);
+    let by_segment = |w: &Weighed| -> Vec<f64> {
+        let weighted = level.shared.weighted(&w.refit.residual);
+        let of = |segment: &crate::problem::Segment| {
+            segment.rows.clone().map(|i| w.refit.residual[i] * weighted[i]).sum::<f64>()
+        };
+        problem.segments.iter().map(of).collect()
+    };
+    let shares: Vec<Vec<f64>> = weighed.iter().map(by_segment).collect();
+    let fixed: Vec<f64> = weighed.iter().map(|w| w.evidence + 0.5 * w.refit.chi2 / phi).collect();
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    let count = problem.segments.len();
+    let mut wins = vec![0_usize; weighed.len()];
+    for _ in 0..DRAWS {
+        let mut weights = vec![0.0; count];
+        for _ in 0..count {
+            weights[(random.next_u64() % count as u64) as usize] += 1.0;
+        }
+        let score = |c: usize| {
+            let chi2: f64 = shares[c].iter().zip(&weights).map(|(s, w)| s * w).sum();
+            fixed[c] - 0.5 * chi2 / phi
+        };
+        if let Some(winner) = (0..weighed.len()).max_by(|a, b| score(*a).total_cmp(&score(*b))) {
+            wins[winner] += 1;
+        }
+    }
+    let share = |name: &str| {
+        let of_name = weighed.iter().zip(&wins).filter(|(w, _)| w.name() == name);
+        of_name.map(|(_, wins)| *wins).sum::<usize>() as f64 / DRAWS as f64
+    };
+    let close = CLOSE.max(CLOSE_SHARE * best.evidence.abs());
+    let mut set: Vec<&'static str> = weighed
+        .iter()
+        .filter(|w| w.name() != best.name())
+        .filter(|w| share(w.name()) >= IN_SET || w.evidence > best.evidence - close)
+        .map(Weighed::name)
+        .collect();
+    set.dedup();
+    let mut unique: Vec<&'static str> = Vec::new();
+    for name in set {
+        if !unique.contains(&name) {
+            unique.push(name);
+        }
+    }
+    (share(best.name()), unique)
+}
