@@ -50,7 +50,9 @@ impl Effect for CtlSaturation {
         for (control, inverse) in inputs.controls_rad.iter_mut().zip(p) {
             let inverse = inverse * faster;
             if inverse > 0.0 {
-                control.iter_mut().for_each(|delta| *delta = (inverse * *delta).tanh() / inverse);
+                for delta in control.iter_mut() {
+                    *delta = (inverse * *delta).tanh() / inverse;
+                }
             }
         }
     }

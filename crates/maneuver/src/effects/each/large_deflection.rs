@@ -27,19 +27,18 @@ impl Effect for LargeDeflection {
     }
 
     fn loads(&self, p: &[f64], place: &Place<'_>, seen: &Seen<'_>, loads: &mut Loads) {
-        let (y, count) = (&place.zones.y_m, seen.lift_n.len());
+        let zones = || place.zones.y_m.iter().zip(seen.lift_n.iter().zip(seen.height_m));
         for i in 0..seen.len() {
             let (mut shorter, mut inner_m, mut inner_h) = (0.0, 0.0, 0.0);
-            for zone in 0..count {
-                let height = seen.height_m[zone][i];
-                let run = (y[zone] - inner_m).max(f64::MIN_POSITIVE);
+            for (&y, (lift, height)) in zones() {
+                let (lift, height) = (lift[i], height[i]);
+                let run = (y - inner_m).max(f64::MIN_POSITIVE);
                 let slope = (height - inner_h) / run;
                 shorter += 0.5 * slope * slope * run;
-                (inner_m, inner_h) = (y[zone], height);
-                let lift = seen.lift_n[zone][i];
+                (inner_m, inner_h) = (y, height);
                 let lost = 0.5 * slope * slope * lift;
                 loads.balance[0][i] -= p[0] * lost;
-                loads.balance[1][i] -= p[0] * (shorter * lift + lost * y[zone]);
+                loads.balance[1][i] -= p[0] * (shorter * lift + lost * y);
             }
         }
     }
