@@ -20,6 +20,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("calibrate", &["nastran", "structure", "aero", "coupling"]),
     ("maneuver", &["nastran", "structure", "aero", "coupling"]),
     ("fullaircraft", &["nastran", "structure", "aero", "coupling", "maneuver"]),
+    ("discover", &["nastran", "aero", "coupling", "calibrate", "maneuver"]),
     ("tunnel", &["nastran", "structure", "aero", "coupling", "maneuver"]),
     (
         "validation",
@@ -39,6 +40,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
             "report",
             "validation",
             "response",
+            "discover",
         ],
     ),
 ];
@@ -47,8 +49,8 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
 const ONLY_IN: &[(&str, &[&str])] = &[
     ("clarabel", &["calibrate"]),
     ("kuva", &["report"]),
-    ("rand_chacha", &["tunnel", "response"]),
-    ("rand_distr", &["tunnel", "response"]),
+    ("rand_chacha", &["tunnel", "response", "discover"]),
+    ("rand_distr", &["tunnel", "response", "discover"]),
     ("clap", &["xtask"]),
     ("codespan-reporting", &["xtask"]),
     ("indicatif", &["xtask"]),

@@ -1,0 +1,245 @@
+//! Static points and runs of a campaign as the search wants them: grouped by airspeed, runs at one sample rate.
+
+use calibrate::{Campaign, RunEntry, Use};
+use coupling::ElasticWing;
+use maneuver::effects::{Inputs, Stimulus};
+use maneuver::{Run, Smooth, smooth_from_rest, zero_phase};
+use nastran::{InputError, named_file};
+
+/// Sample rate that runs are brought to, Hz: five times the highest frequency that is looked at, and more.
+pub const RATE_HZ: f64 = 100.0;
+/// Cutoff of the filter before samples are left out, Hz.
+const ANTI_ALIAS_HZ: f64 = 25.0;
+/// Airspeeds closer than this share are one.
+const SAME_AIRSPEED: f64 = 0.005;
+
+/// A run.
+#[derive(Debug, Clone)]
+pub struct RunData {
+    /// Name of its file without ending.
+    pub name: String,
+    /// Training or held out.
+    pub usage: Use,
+    /// Place of its airspeed in [`Dataset::airspeeds_m_s`].
+    pub airspeed: usize,
+    /// Place of its block in [`Dataset::blocks`].
+    pub block: Option<usize>,
+    /// Place in [`Dataset::runs`] of the run it repeats.
+    pub repeat_of: Option<usize>,
+    /// What moved, at [`RATE_HZ`] or the file's own rate if that is lower.
+    pub stimulus: Stimulus,
+    /// Measured Fz, Mx, My at the same samples, N and N m.
+    pub measured: [Vec<f64>; 3],
+    /// Samples of the file to one of these.
+    pub decimation: usize,
+}
+
+/// The static points of one airspeed (zero: tilt tares).
+#[derive(Debug, Clone)]
+pub struct StaticGroup {
+    /// Place of its airspeed.
+    pub airspeed: usize,
+    /// Angles and deflections, one sample a point.
+    pub stimulus: Stimulus,
+    /// Measured Fz, Mx, My by point; none for a channel that the campaign lacks.
+    pub measured: Vec<[Option<f64>; 3]>,
+    /// Place of each point's block.
+    pub blocks: Vec<Option<usize>>,
+    /// Whether no run or every run of this airspeed is held out: held-out airspeeds give nothing away.
+    pub usage: Use,
+}
+
+/// See the module.
+#[derive(Debug, Clone)]
+pub struct Dataset {
+    /// Airspeeds, m/s, ascending; zero is still air.
+    pub airspeeds_m_s: Vec<f64>,
+    /// Air density, kg/m³.
+    pub rho_kg_m3: f64,
+    /// Names of blocks.
+    pub blocks: Vec<String>,
+    /// Runs in the campaign's order.
+    pub runs: Vec<RunData>,
+    /// Static points.
+    pub statics: Vec<StaticGroup>,
+    /// Standard deviations as stated: of a sample of a run, of a static point.
+    pub stated: Option<([f64; 3], [f64; 3])>,
+    /// How training and held-out runs were divided, if the campaign does not say it.
+    pub split: Option<String>,
+}
+
+impl Dataset {
+    /// Reads the runs of a campaign for a wing.
+    ///
+    /// # Errors
+    /// A run that cannot be read or moves a control the wing does not have.
+    pub fn read(campaign: &Campaign, wing: &ElasticWing) -> Result<Self, InputError> {
+        let listed_in = campaign.folder.join("campaign.ron");
+        let mut read = Vec::with_capacity(campaign.runs.len());
+        for entry in &campaign.runs {
+            let path = named_file(&listed_in, &entry.file)?;
+            let run = Run::read(&path)?;
+            for (control, _) in &run.controls_rad {
+                if !wing.controls.iter().any(|known| &known.name == control) {
+                    let known: Vec<&str> =
+                        wing.controls.iter().map(|control| control.name.as_str()).collect();
+                    let message = format!("the run moves a control {control}, which the wing does not have");
+                    return Err(InputError::in_file(&path, message)
+                        .with_help(format!("the wing's controls: {}", known.join(", "))));
+                }
+            }
+            read.push(run);
+        }
+        let airspeeds_m_s = airspeeds(campaign, &read);
+        let blocks = blocks(campaign);
+        let (usage, split) = usage(&campaign.runs);
+        let controls: Vec<&str> = wing.controls.iter().map(|control| control.name.as_str()).collect();
+        let runs: Vec<RunData> = read
+            .iter()
+            .enumerate()
+            .filter_map(|(i, run)| {
+                let entry = &campaign.runs[i];
+                let measured = run.loads.as_ref()?;
+                let repeats = |file: &String| campaign.runs.iter().position(|other| &other.file == file);
+                let decimation = decimation(run.time_step_s);
+                let kept = |values: &[f64]| values.iter().step_by(decimation).copied().collect::<Vec<f64>>();
+                let filtered = |values: &Vec<f64>| kept(&zero_phase(values, run.time_step_s, ANTI_ALIAS_HZ));
+                Some(RunData {
+                    name: run.name.clone(),
+                    usage: usage[i],
+                    airspeed: nearest(&airspeeds_m_s, run.v_m_s),
+                    block: place(&blocks, entry.block.as_deref()),
+                    repeat_of: entry.repeat_of.as_ref().and_then(repeats),
+                    stimulus: stimulus(run, entry, &controls, decimation),
+                    measured: if decimation > 1 {
+                        measured.each_ref().map(filtered)
+                    } else {
+                        measured.clone()
+                    },
+                    decimation,
+                })
+            })
+            .collect();
+        let statics = statics(campaign, &airspeeds_m_s, &blocks, &controls, &runs);
+        let stated = campaign.noise.as_ref().and_then(|noise| {
+            let [sample, point] = [noise.sample, noise.static_point].map(|n| n.to_array());
+            let three = |n: [f64; 4]| [n[0], n[1], n[2]];
+            (sample[..3].iter().all(|s| *s > 0.0)).then(|| (three(sample), three(point)))
+        });
+        Ok(Self { airspeeds_m_s, rho_kg_m3: campaign.rho_kg_m3, blocks, runs, statics, stated, split })
+    }
+}
+
+fn airspeeds(campaign: &Campaign, runs: &[Run]) -> Vec<f64> {
+    let mut all: Vec<f64> =
+        runs.iter().map(|run| run.v_m_s).chain(campaign.points.iter().map(|point| point.v_m_s)).collect();
+    all.sort_by(f64::total_cmp);
+    all.dedup_by(|b, a| (*b - *a).abs() <= SAME_AIRSPEED * *a);
+    all
+}
+
+fn nearest(airspeeds_m_s: &[f64], v_m_s: f64) -> usize {
+    let far = |i: &usize| (airspeeds_m_s[*i] - v_m_s).abs();
+    (0..airspeeds_m_s.len()).min_by(|a, b| far(a).total_cmp(&far(b))).unwrap_or(0)
+}
+
+fn blocks(campaign: &Campaign) -> Vec<String> {
+    let of_runs = campaign.runs.iter().filter_map(|run| run.block.clone());
+    let mut all: Vec<String> =
+        campaign.points.iter().filter_map(|point| point.block.clone()).chain(of_runs).collect();
+    all.sort();
+    all.dedup();
+    all
+}
+
+fn place(blocks: &[String], name: Option<&str>) -> Option<usize> {
+    blocks.iter().position(|block| Some(block.as_str()) == name)
+}
+
+/// Every third run is held out where the campaign says nothing.
+fn usage(runs: &[RunEntry]) -> (Vec<Use>, Option<String>) {
+    let all: Vec<Use> = runs
+        .iter()
+        .enumerate()
+        .map(|(i, run)| run.usage.unwrap_or(if i % 3 == 2 { Use::Holdout } else { Use::Train }))
+        .collect();
+    let open = runs.iter().filter(|run| run.usage.is_none()).count();
+    let split =
+        (open > 0).then(|| format!("{open} runs have no `use`: every third run of the list is held out"));
+    (all, split)
+}
+
+fn decimation(time_step_s: f64) -> usize {
+    let ratio = 1.0 / (time_step_s * RATE_HZ);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small positive number")]
+    let whole = (ratio + 1e-6).floor().max(1.0) as usize;
+    whole
+}
+
+fn stimulus(run: &Run, entry: &RunEntry, controls: &[&str], decimation: usize) -> Stimulus {
+    let kept = |values: &[f64]| values.iter().step_by(decimation).copied().collect::<Vec<f64>>();
+    let smooth = smooth_from_rest(&run.alpha_rad, run.time_step_s, ANTI_ALIAS_HZ);
+    let alpha = Smooth { value: kept(&smooth.value), rate: kept(&smooth.rate), second: kept(&smooth.second) };
+    let samples = alpha.value.len();
+    let commanded = |name: &&str| {
+        let own = run.controls_rad.iter().find(|(control, _)| control == name);
+        own.map_or_else(|| vec![0.0; samples], |(_, values)| kept(values))
+    };
+    Stimulus {
+        inputs: Inputs {
+            incidence_rad: vec![0.0; samples],
+            controls_rad: controls.iter().map(commanded).collect(),
+            alpha,
+        },
+        time_step_s: run.time_step_s * decimation as f64,
+        steady: false,
+        clock_h: entry.start_s.unwrap_or(0.0) / 3600.0,
+    }
+}
+
+fn statics(
+    campaign: &Campaign,
+    airspeeds_m_s: &[f64],
+    blocks: &[String],
+    controls: &[&str],
+    runs: &[RunData],
+) -> Vec<StaticGroup> {
+    let groups = airspeeds_m_s.iter().enumerate().filter_map(|(airspeed, _)| {
+        let points: Vec<_> =
+            campaign.points.iter().filter(|p| nearest(airspeeds_m_s, p.v_m_s) == airspeed).collect();
+        if points.is_empty() {
+            return None;
+        }
+        let still = vec![0.0; points.len()];
+        let deflection = |name: &&str| {
+            let of = |p: &&calibrate::StaticPoint| {
+                p.controls_rad.iter().find(|(control, _)| control == name).map_or(0.0, |(_, delta)| *delta)
+            };
+            points.iter().map(of).collect::<Vec<f64>>()
+        };
+        let here: Vec<Use> =
+            runs.iter().filter(|run| run.airspeed == airspeed).map(|run| run.usage).collect();
+        let held_out = !here.is_empty() && here.iter().all(|usage| *usage == Use::Holdout);
+        Some(StaticGroup {
+            airspeed,
+            stimulus: Stimulus {
+                inputs: Inputs {
+                    alpha: Smooth {
+                        value: points.iter().map(|p| p.alpha_rad).collect(),
+                        rate: still.clone(),
+                        second: still.clone(),
+                    },
+                    incidence_rad: still,
+                    controls_rad: controls.iter().map(deflection).collect(),
+                },
+                time_step_s: 1.0 / RATE_HZ,
+                steady: true,
+                clock_h: 0.0,
+            },
+            measured: points.iter().map(|p| p.loads).collect(),
+            blocks: points.iter().map(|p| place(blocks, p.block.as_deref())).collect(),
+            usage: if held_out { Use::Holdout } else { Use::Train },
+        })
+    });
+    groups.collect()
+}

@@ -1,0 +1,1 @@
+//! Pure error: what repeated measurements differ by, or what was stated.

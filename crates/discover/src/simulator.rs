@@ -1,0 +1,122 @@
+//! The wing flown through all of a campaign's points and runs, with any effects.
+
+use crate::data::Dataset;
+use aero::{Corrections, Flow};
+use calibrate::{Outside, Schedule};
+use coupling::{CouplingError, ElasticWing, Mount, WingFile};
+use maneuver::compact::{Compact, StiffnessParts};
+use maneuver::effects::{Active, Flown, Model, Stimulus, fly};
+use maneuver::{AirModel, DeflectionCorrection, Rig, RigError, RigSettings};
+use nastran::InputError;
+use rayon::prelude::*;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Modes of the search's model: those below 100 Hz or so; the others answer statically.
+const MODES: usize = 10;
+
+/// Why a wing cannot be flown through a campaign.
+#[derive(Debug, thiserror::Error)]
+pub enum SimulatorError {
+    /// A file is wrong.
+    #[error(transparent)]
+    Input(#[from] InputError),
+    /// The rig cannot be set up.
+    #[error(transparent)]
+    Rig(#[from] RigError),
+    /// The wing cannot be solved.
+    #[error(transparent)]
+    Wing(#[from] CouplingError),
+}
+
+/// See the module.
+#[derive(Debug)]
+pub struct Simulator {
+    /// The wing at every airspeed of the data set.
+    pub rigs: Vec<Compact>,
+    /// Static groups first, then runs: airspeed and stimulus.
+    stimuli: Vec<(usize, Stimulus)>,
+    runs: AtomicUsize,
+}
+
+/// Linear parts at every airspeed.
+pub type Models = Vec<Arc<Model>>;
+
+impl Simulator {
+    /// The wing with corrections at the airspeeds of a data set.
+    ///
+    /// # Errors
+    /// If the wing diverges at one of them, or corrections do not reach there.
+    pub fn new(
+        file: &WingFile,
+        wing: &ElasticWing,
+        schedule: &Schedule,
+        data: &Dataset,
+        air: AirModel,
+    ) -> Result<Self, SimulatorError> {
+        let settings =
+            RigSettings { modes: MODES, air, ..RigSettings::new(file.damping_ratio, file.pitch_axis_x()) };
+        let rig = Rig::new(wing, settings)?;
+        let parts = StiffnessParts::new(&rig, &file.bulk(Mount::Tunnel)?)?;
+        let at = |v_m_s: &f64| -> Result<Compact, SimulatorError> {
+            let flow = Flow { v_m_s: *v_m_s, rho_kg_m3: data.rho_kg_m3 };
+            let corrections = corrections(schedule, *v_m_s, wing)?;
+            Ok(Compact::new(&rig, flow, &corrections, parts.as_ref())?)
+        };
+        let rigs = data.airspeeds_m_s.par_iter().map(at).collect::<Result<Vec<_>, _>>()?;
+        let names: Vec<String> = wing.controls.iter().map(|control| control.name.clone()).collect();
+        let deflection = DeflectionCorrection::new(file.deflection.clone());
+        let commanded = |airspeed: usize, stimulus: &Stimulus| -> Result<(usize, Stimulus), SimulatorError> {
+            let mut stimulus = stimulus.clone();
+            let v_m_s = data.airspeeds_m_s[airspeed];
+            if v_m_s > 0.0 {
+                let at = deflection.at(v_m_s)?;
+                for (name, values) in names.iter().zip(&mut stimulus.inputs.controls_rad) {
+                    *values = at.acting(name, values);
+                }
+            }
+            Ok((airspeed, stimulus))
+        };
+        let statics = data.statics.iter().map(|group| commanded(group.airspeed, &group.stimulus));
+        let runs = data.runs.iter().map(|run| commanded(run.airspeed, &run.stimulus));
+        let stimuli = statics.chain(runs).collect::<Result<_, _>>()?;
+        Ok(Self { rigs, stimuli, runs: AtomicUsize::new(0) })
+    }
+
+    /// Linear parts for effects, those of `before` where they serve.
+    pub fn models(&self, effects: &[Active], before: Option<&Models>) -> Models {
+        self.rigs
+            .iter()
+            .enumerate()
+            .map(|(i, rig)| match before.map(|models| &models[i]).filter(|m| m.serves(rig, effects)) {
+                Some(model) => Arc::clone(model),
+                None => Arc::new(Model::new(rig, effects, None)),
+            })
+            .collect()
+    }
+
+    /// Flies those of the static groups and runs that are wanted (static groups first, then runs).
+    pub fn fly(&self, models: &Models, effects: &[Active], wanted: &[usize]) -> Vec<Flown> {
+        self.runs.fetch_add(1, Ordering::Relaxed);
+        wanted
+            .iter()
+            .map(|&place| {
+                let (airspeed, stimulus) = &self.stimuli[place];
+                fly(&self.rigs[*airspeed], &models[*airspeed], effects, stimulus)
+            })
+            .collect()
+    }
+
+    /// How often all was flown so far.
+    pub fn count(&self) -> usize {
+        self.runs.load(Ordering::Relaxed)
+    }
+}
+
+/// Corrections at an airspeed: the schedule's, the nearest beyond its range (a tunnel strays), none in still air.
+fn corrections(schedule: &Schedule, v_m_s: f64, wing: &ElasticWing) -> Result<Corrections, InputError> {
+    if v_m_s == 0.0 {
+        return Ok(Corrections::neutral(wing.correctable.len()));
+    }
+    schedule.at(v_m_s, Outside::Nearest)
+}

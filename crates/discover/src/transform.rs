@@ -1,0 +1,62 @@
+//! Records as cosine coefficients: few numbers that hold all below a frequency, whether a record is periodic or not.
+//!
+//! The orthonormal DCT-II of N samples; coefficient k belongs to the frequency k/(2 N dt). White noise of standard
+//! deviation sigma gives coefficients of standard deviation sigma.
+
+use rustdct::DctPlanner;
+
+/// Highest frequency that is looked at, Hz.
+pub const HIGHEST_HZ: f64 = 12.0;
+
+/// Coefficients up to [`HIGHEST_HZ`].
+pub fn cosines(values: &[f64], time_step_s: f64) -> Vec<f64> {
+    let n = values.len();
+    if n == 0 {
+        return Vec::new();
+    }
+    let mut all = values.to_vec();
+    DctPlanner::new().plan_dct2(n).process_dct2(&mut all);
+    let (first, others) = ((1.0 / n as f64).sqrt(), (2.0 / n as f64).sqrt());
+    all.truncate(count(n, time_step_s));
+    all.iter_mut().enumerate().for_each(|(k, value)| *value *= if k == 0 { first } else { others });
+    all
+}
+
+/// Number of coefficients of a record.
+pub fn count(samples: usize, time_step_s: f64) -> usize {
+    let last = 2.0 * samples as f64 * time_step_s * HIGHEST_HZ;
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a number of samples")]
+    let last = last.floor() as usize;
+    (last + 1).min(samples)
+}
+
+/// Frequency of a coefficient, Hz.
+pub fn frequency_hz(k: usize, samples: usize, time_step_s: f64) -> f64 {
+    k as f64 / (2.0 * samples as f64 * time_step_s)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_cosines_keep_the_energy_of_a_slow_record() {
+        let values: Vec<f64> =
+            (0..300).map(|i| (std::f64::consts::TAU * 3.0 * f64::from(i) * 0.01).sin() + 0.5).collect();
+        let energy: f64 = values.iter().map(|v| v * v).sum();
+        let kept: f64 = cosines(&values, 0.01).iter().map(|c| c * c).sum();
+        assert!((kept / energy - 1.0).abs() < 2e-3, "{}", kept / energy);
+        assert_eq!(cosines(&values, 0.01).len(), 73);
+    }
+
+    #[test]
+    fn a_cosine_of_the_basis_is_one_coefficient() {
+        let n = 200;
+        let values: Vec<f64> = (0..n)
+            .map(|i| (std::f64::consts::PI * 7.0 * (f64::from(i) + 0.5) / f64::from(n)).cos())
+            .collect();
+        let all = cosines(&values, 0.01);
+        assert!((all[7] - 10.0).abs() < 1e-10, "sqrt(N/2): {}", all[7]);
+        assert!(all.iter().enumerate().all(|(k, c)| k == 7 || c.abs() < 1e-10));
+    }
+}
