@@ -145,6 +145,11 @@ impl Compact {
         self.layout.modes
     }
 
+    /// y of the balance, m.
+    pub(crate) fn balance_y_m(&self) -> f64 {
+        self.balance_m[1]
+    }
+
     /// Gravity, m/s².
     pub fn gravity_m_s2(&self) -> f64 {
         self.gravity_m_s2

@@ -16,7 +16,8 @@ impl Compact {
         let weights = self.weights(omegas_rad_s);
         let of = |blocks: &Blocks| &blocks.by * &weights;
         let (air_values, lift_values) = (of(&air), lift.as_ref().map(of));
-        let tip = self.blocks(&self.tip, change);
+        // the tip's height is the shape of the modes and the unchanged wing's static residual: no force of the air
+        let tip = self.blocks(&self.tip, &Change::none(self.zones.len()));
         let tip_values = of(&tip);
         let structure = Structural::new(self, change);
         let at = |(k, omega): (usize, &f64)| {
@@ -77,7 +78,22 @@ impl Compact {
                 rest[heights + zone] = (0..m).map(|k| self.heights[(zone, k)] * xi[(k, 0)].re).sum();
             }
         }
+        self.turn_at_rest(&mut rest, change, everything);
         rest
+    }
+
+    /// What loads at rest turn the wing in the stream: the response by incidence has the loop closed already.
+    fn turn_at_rest(&self, rest: &mut [f64], change: &Change, everything: bool) {
+        let gains = incidence_gains(change);
+        if gains == [0.0; 3] {
+            return;
+        }
+        let incidence: f64 = gains.iter().zip(rest.iter()).map(|(gain, load)| gain * load).sum();
+        for response in self.responses(change, &[0.0], everything) {
+            for (row, value) in rest.iter_mut().enumerate() {
+                *value += response[(row, Drive::INCIDENCE)].re * incidence;
+            }
+        }
     }
 
     /// Apparent mass and a wake with another memory: the difference of the few poles' functions is added, as the many poles
@@ -204,9 +220,14 @@ impl Compact {
     }
 }
 
+/// Angle of attack by Fz, Mx and My.
+fn incidence_gains(change: &Change) -> [f64; 3] {
+    [change.incidence_by_fz, 0.0, change.incidence_by_my]
+}
+
 /// Loads that turn the wing in the stream: `y = H u + H_incidence (g y)`.
 fn feed_back(response: &mut Mat<c64>, change: &Change) {
-    let gains = [change.incidence_by_fz, 0.0, change.incidence_by_my];
+    let gains = incidence_gains(change);
     if gains == [0.0; 3] {
         return;
     }

@@ -78,6 +78,7 @@ fn place(rig: &Compact, time_step_s: f64, steady: bool, clock_h: f64) -> Place<'
         steady,
         clock_h,
         gravity_m_s2: rig.gravity_m_s2(),
+        balance_y_m: rig.balance_y_m(),
         outer_shape: rig.outer_shape(),
         first_stiffness: rig.first_stiffness(),
     }

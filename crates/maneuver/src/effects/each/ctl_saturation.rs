@@ -1,6 +1,6 @@
 //! Control surfaces lose effectiveness at large deflections: K_delta(delta, V) of the first paper's Eq. 10.
 //!
-//! Two forms. `tanh`: `delta_eff = (1 + e) s tanh(delta/s)`, 1/s for each surface and e common, so that zero is no loss.
+//! Two forms. `tanh`: `delta_eff = s tanh(delta/s)`, by 1/s for each surface, so that zero is no loss.
 //! `table`: for each surface what is added to K at 5, 15 and 25 degrees, straight between, constant outside, where tanh
 //! does not fit: an effectiveness above one. In both, what differs from one grows with airspeed by a common power.
 
