@@ -124,6 +124,9 @@ pub struct SimulateArgs {
     /// Give the lift of every strip, too: NAME_stations.csv
     #[arg(long)]
     pub strips: bool,
+    /// Switch off an effect of the wing's file (may be repeated)
+    #[arg(long, value_name = "EFFECT")]
+    pub without: Vec<String>,
 }
 
 /// Options of `deflection`.

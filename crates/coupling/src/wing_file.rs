@@ -5,6 +5,7 @@
 
 mod deck_source;
 mod deflection;
+mod effects;
 mod hash;
 mod stations;
 mod write;
@@ -12,12 +13,13 @@ mod write;
 pub use crate::planform::Mount;
 pub use deck_source::DeckSource;
 pub use deflection::{DeflectionRow, DeflectionTable, OutsideAirspeeds};
+pub use effects::{EffectValidity, WingEffect};
 pub use stations::StationAt;
 pub use write::Rewritten;
 
 use crate::planform::{AXIS_SET, FAIRING_PANEL, Fault, Planform, ROOT_SET};
 use nastran::{BulkData, Divisions, InputError, MonitorPoint, Span, named_file, place_of, ron_file};
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
 /// A wing as its file describes it.
@@ -58,9 +60,9 @@ pub struct WingFile {
     /// Where along the span loads are given beside the balance's.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub stations: Vec<StationAt>,
-    /// Reserved for effects beyond this model; must be empty.
+    /// Effects beyond this model, with their parameters: `maneuver::effects` says which there are.
     #[serde(default)]
-    pub effects: Vec<ReservedEffect>,
+    pub effects: Vec<WingEffect>,
     /// The file as it was named when read.
     #[serde(skip)]
     pub path: PathBuf,
@@ -123,22 +125,6 @@ pub struct CorrectionSettings {
     pub neighbour_bound: f64,
 }
 
-/// An entry of the reserved list; its content is not looked at because no entry is accepted.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ReservedEffect;
-
-impl<'de> Deserialize<'de> for ReservedEffect {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        serde::de::IgnoredAny::deserialize(deserializer).map(|_| Self)
-    }
-}
-
-impl Serialize for ReservedEffect {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_unit()
-    }
-}
-
 /// `root_plane: None` in the file is a choice ([`RootPlane::None`]), not an absent field.
 mod root_plane_field {
     use super::RootPlane;
@@ -179,6 +165,7 @@ impl WingFile {
         let bulk = wing.bulk(Mount::Tunnel)?;
         wing.check_chord_strips(&bulk).map_err(|fault| fault.at(&place_of(&[&fault.anchor], &text, path)))?;
         deflection::check(&wing.deflection, &bulk, &text, path)?;
+        effects::check(&wing.effects, !wing.deflection.is_empty(), &text, path)?;
         if let Source::Deck(deck) = &wing.source {
             deck.check(&bulk).map_err(|fault| fault.at(&place_of(&[&fault.anchor], &text, path)))?;
         }
@@ -273,15 +260,6 @@ impl WingFile {
 
     fn check(&self) -> Result<(), Fault> {
         use crate::planform::check::{count, positive, within};
-        if !self.effects.is_empty() && !self.deflection.is_empty() {
-            let message =
-                "the wing has both a deflection correction and effects, which may be the same physics";
-            return Err(Fault::field("effects", message, "leave `deflection` or `effects` out"));
-        }
-        if !self.effects.is_empty() {
-            let help = "leave `effects` out or write `effects: []`";
-            return Err(Fault::field("effects", "the list of effects is reserved and must be empty", help));
-        }
         for (field, value) in
             [("x_m", self.balance.x_m), ("y_m", self.balance.y_m), ("z_m", self.balance.z_m)]
         {

@@ -104,14 +104,14 @@ fn a_misspelt_control_is_suggested_and_a_second_table_of_one_refused() {
 }
 
 #[test]
-fn a_wing_with_both_a_deflection_correction_and_effects_is_refused() {
+fn a_wing_with_both_a_deflection_correction_and_an_effect_of_its_controls_is_refused() {
     let field =
         "deflection: [(control: \"inner\", rows: [(V_m_s: 18.0, commanded_deg: [5.0], factor: [1.0])])],";
     let copy = Copy::new("both", |text| {
-        let text = text.replace("effects: []", "effects: [saturation(half: 20.0)]");
+        let text = text.replace("effects: []", "effects: [(name: \"ctl_saturation\", parameters: {})]");
         format!("{}{field}\n)\n", &text[..text.rfind(')').unwrap()])
     });
-    assert!(copy.read().unwrap_err().message.contains("both a deflection correction and effects"));
+    assert!(copy.read().unwrap_err().message.contains("both a deflection correction and ctl_saturation"));
 }
 
 #[test]

@@ -244,7 +244,12 @@ fn numbers_that_cannot_be_are_refused_at_their_place() -> Outcome {
         ("divides", "chord_strips: 12", "chord_strips: 5", "chord_strips:"),
         ("order", "span_order: 4", "span_order: 40", "span_order:"),
         ("outside", "y_m: 1.545", "y_m: 1.845", "\"servo_outer\""),
-        ("effects", "effects: []", "effects: [added_mass(factor: 1.0)]", "effects:"),
+        (
+            "effects",
+            "effects: []",
+            "effects: [(name: \"a\", parameters: {\"b\": 1.0}, covariance: [[-1.0]])]",
+            "covariance:",
+        ),
     ] {
         let text = complaint(test, from, to)?;
         let expected = place(from, to, anchor)?;

@@ -51,24 +51,32 @@ pub fn motion_of(run: &Run, model: &RigModel, file: &Path) -> Result<Motion, Inp
 pub fn simulate(run: &Run, model: &RigModel, file: &Path) -> Result<Simulated, InputError> {
     let mut history = model.fly(&motion_of(run, model, file)?);
     history.t_s.clone_from(&run.t_s);
-    let (mut residual_rms, mut residual_percent) = (None, None);
-    if let Some(measured) = &run.loads {
-        let filtered = |values: &[f64]| zero_phase(values, run.time_step_s, model.cutoff_hz);
-        let channel = |c: usize| history.get(["Fz_N", "Mx_Nm", "My_Nm"][c]).unwrap_or(&[]);
-        let rms: [f64; 3] = std::array::from_fn(|c| {
-            let difference: Vec<f64> =
-                filtered(&measured[c]).iter().zip(filtered(channel(c))).map(|(m, s)| m - s).collect();
-            root_mean_square(&difference)
-        });
-        let variation = |values: &[f64]| {
-            let mean = values.iter().sum::<f64>() / values.len() as f64;
-            root_mean_square(&values.iter().map(|value| value - mean).collect::<Vec<f64>>())
-        };
-        let percent = |c: usize| 100.0 * rms[c] / variation(&filtered(&measured[c])).max(f64::MIN_POSITIVE);
-        residual_rms = Some(rms);
-        residual_percent = Some(std::array::from_fn(percent));
+    Ok(Simulated::of(run, history, model.cutoff_hz))
+}
+
+impl Simulated {
+    /// A flown history of a run beside what was measured; `cutoff_hz` is that of the filter.
+    pub fn of(run: &Run, history: TimeHistory, cutoff_hz: f64) -> Self {
+        let (mut residual_rms, mut residual_percent) = (None, None);
+        if let Some(measured) = &run.loads {
+            let filtered = |values: &[f64]| zero_phase(values, run.time_step_s, cutoff_hz);
+            let channel = |c: usize| history.get(["Fz_N", "Mx_Nm", "My_Nm"][c]).unwrap_or(&[]);
+            let rms: [f64; 3] = std::array::from_fn(|c| {
+                let difference: Vec<f64> =
+                    filtered(&measured[c]).iter().zip(filtered(channel(c))).map(|(m, s)| m - s).collect();
+                root_mean_square(&difference)
+            });
+            let variation = |values: &[f64]| {
+                let mean = values.iter().sum::<f64>() / values.len() as f64;
+                root_mean_square(&values.iter().map(|value| value - mean).collect::<Vec<f64>>())
+            };
+            let percent =
+                |c: usize| 100.0 * rms[c] / variation(&filtered(&measured[c])).max(f64::MIN_POSITIVE);
+            residual_rms = Some(rms);
+            residual_percent = Some(std::array::from_fn(percent));
+        }
+        Self { history, residual_rms, residual_percent }
     }
-    Ok(Simulated { history, residual_rms, residual_percent })
 }
 
 fn root_mean_square(values: &[f64]) -> f64 {

@@ -115,7 +115,7 @@ fn a_factor_on_every_zone_is_that_factor_on_every_box_of_the_wing() {
 
 /// A run of 3 s: a bell of root pitch or of a control, without kinks whose ringing would lie beyond the band.
 fn motion(dt: f64, pitch: bool, controls: usize) -> Motion {
-    let times: Vec<f64> = (0..=(3.0 / dt).round() as usize).map(|i| i as f64 * dt).collect();
+    let times: Vec<f64> = (0..4000).map(|i| f64::from(i) * dt).take_while(|t| *t < 3.0 + 0.5 * dt).collect();
     let (height, width) = (0.06, 0.09);
     let bell = |t: f64| height * (-((t - 1.0) / width).powi(2)).exp();
     let x = |t: f64| -2.0 * (t - 1.0) / width.powi(2);

@@ -30,6 +30,7 @@ mod response_points;
 mod response_source;
 mod response_text;
 pub(crate) mod simulate;
+mod simulate_effects;
 mod simulate_files;
 mod simulate_maneuvers;
 pub(crate) mod tidy;

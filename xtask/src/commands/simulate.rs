@@ -7,6 +7,7 @@ use std::time::Instant;
 
 use aero::{Corrections, Flow};
 use calibrate::Campaign;
+use maneuver::effects::Beside;
 use maneuver::{
     DeflectionAt, Rig, RigError, RigModel, RigSettings, Run, Simulated, Station, simulate_commanded,
 };
@@ -15,6 +16,7 @@ use rayon::prelude::*;
 use serde_json::{Map, Value, json};
 
 use crate::args::{Common, SimulateArgs};
+use crate::commands::simulate_effects::{self, WingEffects};
 use crate::commands::{simulate_files, simulate_maneuvers};
 use crate::corrections::{CorrectedWing, campaign_path, corrected_wing, corrections_at};
 use crate::failure::Failure;
@@ -60,10 +62,11 @@ pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
     let rho_kg_m3 = if runs.is_empty() { 0.0 } else { Campaign::read(&folder)?.rho_kg_m3 };
     let corrected =
         corrected_wing(args.wing.as_deref(), args.corrections.as_deref(), args.campaign.as_deref(), common)?;
+    let effects = simulate_effects::of(&corrected, &args.without)?;
     let maneuvers = simulate_maneuvers::read(&args.maneuver, &corrected)?;
     let settings = RigSettings { strip_loads: args.strips, ..settings(&corrected) };
     let rig = Rig::new(&corrected.wing, settings.clone())?;
-    let models = models(&runs, &rig, &corrected, rho_kg_m3)?;
+    let models = models(&runs, &rig, &corrected, &effects, rho_kg_m3)?;
     let bar = progress::bar(common, runs.len(), "flying runs");
     let mut flown = runs
         .into_par_iter()
@@ -74,14 +77,17 @@ pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
         })
         .collect::<Result<Vec<_>, Failure>>()?;
     bar.finish_and_clear();
-    flown.extend(simulate_maneuvers::fly(maneuvers, &rig, &settings, &corrected)?);
+    flown.extend(simulate_maneuvers::fly(maneuvers, &rig, &settings, (&corrected, &effects))?);
+    for remark in effects.remarks() {
+        show::note(&remark);
+    }
     for remark in
         flown.iter().flat_map(|flown| flown.remarks.iter().map(move |r| format!("{}: {r}", flown.run.name)))
     {
         show::note(&remark);
     }
     let seconds = start.elapsed().as_secs_f64();
-    let result = json!({
+    let mut result = json!({
         "command": "simulate",
         "corrections": corrected.origin,
         "deflection_correction": !corrected.file.deflection.is_empty(),
@@ -90,6 +96,7 @@ pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
         "runs": flown.iter().map(run_result).collect::<Vec<_>>(),
         "seconds": seconds,
     });
+    effects.put_into(&mut result);
     let out = simulate_files::write(&common.out("simulate"), &flown, &result)?;
     show::summary(common, &summary(&flown, &out, seconds));
     show::json(common, &result)
@@ -135,6 +142,7 @@ struct Models {
     v_m_s: f64,
     initial: RigModel,
     updated: RigModel,
+    effects: Option<Beside>,
 }
 
 /// Initial and updated model at every airspeed of the runs.
@@ -142,6 +150,7 @@ fn models(
     runs: &[(&PathBuf, Run)],
     rig: &Rig<'_>,
     corrected: &CorrectedWing,
+    effects: &WingEffects,
     rho_kg_m3: f64,
 ) -> Result<Vec<Models>, Failure> {
     let mut first_of: Vec<(&PathBuf, f64)> = Vec::new();
@@ -154,7 +163,12 @@ fn models(
     let at = |(file, v_m_s): (&PathBuf, f64)| {
         let flow = Flow { v_m_s, rho_kg_m3 };
         let (corrections, _) = at_airspeed(file, v_m_s, corrected)?;
-        Ok(Models { v_m_s, initial: rig.at(flow, &neutral)?, updated: rig.at(flow, &corrections)? })
+        Ok(Models {
+            v_m_s,
+            initial: rig.at(flow, &neutral)?,
+            updated: rig.at(flow, &corrections)?,
+            effects: effects.at(rig, flow, &corrections)?,
+        })
     };
     first_of.into_par_iter().map(at).collect()
 }
@@ -183,11 +197,14 @@ fn fly(file: &Path, run: Run, models: &[Models], corrected: &CorrectedWing) -> R
     let remarks = beyond.map(|beyond| beyond.to_string()).collect();
     let none = DeflectionAt::default();
     let initial = simulate_commanded(&run, &model.initial, &none, file)?;
-    let updated = simulate_commanded(&run, &model.updated, &deflection, file)?;
+    let updated = |deflection: &DeflectionAt| -> Result<Simulated, InputError> {
+        let plain = simulate_commanded(&run, &model.updated, deflection, file)?;
+        let Some(effects) = &model.effects else { return Ok(plain) };
+        simulate_effects::added(effects, plain, (&run, file), &model.updated, deflection)
+    };
     let moves = run.controls_rad.iter().any(|(_, values)| values.iter().any(|delta| *delta != 0.0));
-    let as_commanded = (moves && deflection != none)
-        .then(|| simulate_commanded(&run, &model.updated, &none, file))
-        .transpose()?;
+    let as_commanded = (moves && deflection != none).then(|| updated(&none)).transpose()?;
+    let updated = updated(&deflection)?;
     Ok(Flown { file: file.to_path_buf(), initial, updated, as_commanded, run, remarks })
 }
 

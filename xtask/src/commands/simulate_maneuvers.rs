@@ -5,12 +5,13 @@ use std::path::{Path, PathBuf};
 use aero::{Corrections, Flow};
 use maneuver::maneuver_file::growing;
 use maneuver::{
-    DeflectionAt, DeflectionCorrection, ManeuverFile, Rig, RigSettings, Run, Simulated, fly_commanded,
+    DeflectionAt, DeflectionCorrection, ManeuverFile, Motion, Rig, RigSettings, Run, Simulated, fly_commanded,
 };
 use nastran::InputError;
 use rayon::prelude::*;
 
 use crate::commands::simulate::{Flown, at_airspeed};
+use crate::commands::simulate_effects::WingEffects;
 use crate::corrections::CorrectedWing;
 use crate::failure::Failure;
 
@@ -33,7 +34,7 @@ pub(crate) fn fly(
     maneuvers: Vec<(ManeuverFile, Vec<String>)>,
     base: &Rig<'_>,
     settings: &RigSettings,
-    corrected: &CorrectedWing,
+    (corrected, effects): (&CorrectedWing, &WingEffects),
 ) -> Result<Vec<Flown>, Failure> {
     let mut rigs: Vec<(RigSettings, Rig<'_>)> = Vec::new();
     for (file, _) in &maneuvers {
@@ -45,7 +46,7 @@ pub(crate) fn fly(
     let flown = |(file, remarks): (ManeuverFile, Vec<String>)| {
         let own = file.settings(settings);
         let rig = rigs.iter().find(|(known, _)| *known == own).map_or(base, |(_, rig)| rig);
-        fly_one(&file, remarks, rig, corrected)
+        fly_one(&file, remarks, rig, (corrected, effects))
     };
     maneuvers.into_par_iter().map(flown).collect()
 }
@@ -54,7 +55,7 @@ fn fly_one(
     file: &ManeuverFile,
     mut remarks: Vec<String>,
     rig: &Rig<'_>,
-    corrected: &CorrectedWing,
+    (corrected, effects): (&CorrectedWing, &WingEffects),
 ) -> Result<Flown, Failure> {
     let flow = Flow { v_m_s: file.v_m_s, rho_kg_m3: file.rho_kg_m3 };
     let (corrections, deflection) = at_airspeed(&file.path, file.v_m_s, corrected)?;
@@ -67,6 +68,12 @@ fn fly_one(
     let motion = file.motion(&updated);
     for (control, commanded) in updated.controls.iter().zip(&motion.controls_rad) {
         remarks.extend(deflection.beyond(control, commanded).map(|beyond| beyond.to_string()));
+    }
+    let mut flown = fly_commanded(&updated, &motion, &deflection);
+    if let Some(effects) = effects.at(rig, flow, &corrections)? {
+        let acting = updated.controls.iter().zip(&motion.controls_rad);
+        let controls_rad = acting.map(|(name, commanded)| deflection.acting(name, commanded)).collect();
+        effects.add(&Motion { controls_rad, ..motion.clone() }, &mut flown);
     }
     let simulated = |history| Simulated { history, residual_rms: None, residual_percent: None };
     let run = Run {
@@ -83,7 +90,7 @@ fn fly_one(
     Ok(Flown {
         file: file.path.clone(),
         initial: simulated(fly_commanded(&initial, &motion, &DeflectionAt::default())),
-        updated: simulated(fly_commanded(&updated, &motion, &deflection)),
+        updated: simulated(flown),
         as_commanded: None,
         run,
         remarks,

@@ -1,7 +1,7 @@
-//! A wing's file with another deflection correction: the given text with the tables added at its end, comments kept,
-//! or all of it written anew where the text already has tables or names files in other folders.
+//! A wing's file with another deflection correction or other effects: the given text with them added at its end, comments
+//! kept, or all of it written anew where the text already has some or names files in other folders.
 
-use super::{DeflectionTable, Source, WingFile};
+use super::{DeflectionTable, Source, WingEffect, WingFile};
 use nastran::{InputError, ron_file};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -15,6 +15,9 @@ pub struct Rewritten {
     pub beside: Vec<(String, PathBuf)>,
 }
 
+/// How an empty list of effects is written.
+const EMPTY_EFFECTS: [&str; 2] = ["    effects: [],\n", "    effects: [],\r\n"];
+
 impl WingFile {
     /// The file of the same wing with these deflection corrections instead of its own. Files it names are to be
     /// copied beside it; a deck, which may include others, is named by its absolute path instead.
@@ -22,7 +25,34 @@ impl WingFile {
     /// # Errors
     /// If a named file is missing, or the new text does not read back as the same wing.
     pub fn with_deflection(&self, tables: Vec<DeflectionTable>) -> Result<Rewritten, InputError> {
-        let mut wanted = Self { deflection: tables, ..self.clone() };
+        let field = tables_text(&tables);
+        let wanted = Self { deflection: tables, ..self.clone() };
+        self.rewritten(wanted, |original| with_field(original, &field)).map_err(|error| {
+            let by_hand = "paste the tables of out/deflection/deflection.csv into the file by hand";
+            if error.help.is_none() { error.with_help(by_hand) } else { error }
+        })
+    }
+
+    /// The file of the same wing with these effects instead of its own; files beside it as by [`Self::with_deflection`].
+    ///
+    /// # Errors
+    /// If a named file is missing, or the new text does not read back as the same wing: values that are no numbers.
+    pub fn with_effects(&self, effects: Vec<WingEffect>) -> Result<Rewritten, InputError> {
+        let field = effects_text(&effects)?;
+        let wanted = Self { effects, ..self.clone() };
+        let add = |original: &str| {
+            // a list that is there and empty makes room
+            let code = EMPTY_EFFECTS.iter().fold(original.to_owned(), |text, empty| text.replace(empty, ""));
+            with_field(&code, &field)
+        };
+        self.rewritten(wanted, add)
+    }
+
+    fn rewritten(
+        &self,
+        mut wanted: Self,
+        add: impl Fn(&str) -> Option<String>,
+    ) -> Result<Rewritten, InputError> {
         let mut beside = Vec::new();
         let files = self.named_files()?;
         match &mut wanted.source {
@@ -48,29 +78,40 @@ impl WingFile {
                 Self { path: self.path.clone(), hash: self.hash.clone(), ..read } == wanted
             })
         };
-        if let Some(text) = with_tables(&original, &wanted.deflection).filter(|text| same(text)) {
+        if let Some(text) = add(&original).filter(|text| same(text)) {
             return Ok(Rewritten { text, beside });
         }
         let text = format!("Wing{}\n", ron_file::to_text(&wanted)?);
         if same(&text) {
             return Ok(Rewritten { text, beside });
         }
-        Err(InputError::in_file(
-            &self.path,
-            "the wing with its deflection correction does not read back the same",
-        )
-        .with_help("paste the tables of out/deflection/deflection.csv into the file by hand"))
+        Err(InputError::in_file(&self.path, "the wing with what was added does not read back the same"))
     }
 }
 
-/// The text with the tables in front of its last parenthesis.
-fn with_tables(original: &str, tables: &[DeflectionTable]) -> Option<String> {
+/// The text with a field in front of its last parenthesis.
+fn with_field(original: &str, field: &str) -> Option<String> {
     let end = original.rfind(')')?;
     let (head, tail) = original.split_at(end);
     let code = head.trim_end();
     // A comment on the last line would hide a comma behind it, so the comma goes on a line of its own if needed.
     let comma = if code.ends_with(',') { "" } else { "," };
-    Some(format!("{code}{comma}\n\n{}{tail}", tables_text(tables)))
+    Some(format!("{code}{comma}\n\n{field}{tail}"))
+}
+
+/// The field `effects` as it stands in a file.
+fn effects_text(effects: &[WingEffect]) -> Result<String, InputError> {
+    let mut text = String::from(
+        "    // Effects beyond this model, with the values of their parameters; simulate --without NAME switches one off.\n    \
+         effects: [\n",
+    );
+    for effect in effects {
+        let lines: Vec<String> =
+            ron_file::to_text(effect)?.lines().map(|line| format!("        {line}")).collect();
+        let _ = writeln!(text, "{},", lines.join("\n"));
+    }
+    text.push_str("    ],\n");
+    Ok(text)
 }
 
 /// The field `deflection` as it stands in a file.

@@ -9,14 +9,17 @@
 //! Z and R are sums over zones of strips, so that factors along the span multiply zones. Thin here: changes of the air
 //! do not pass through the static residual of the truncated modes, which belongs to the unchanged wing.
 
+mod blocks;
 mod change;
+mod drive;
 mod response;
 mod spectrum;
 mod stiffness;
+mod structural;
 mod zones;
 
 pub use change::{Change, PointMass};
-pub use response::{Constants, Drive, Outputs};
+pub use drive::{Constants, Drive, Outputs};
 pub use spectrum::ResponseTable;
 pub use stiffness::StiffnessParts;
 pub use zones::Zones;
@@ -140,6 +143,11 @@ impl Compact {
     /// Number of modes.
     pub fn modes(&self) -> usize {
         self.layout.modes
+    }
+
+    /// y of the balance, m.
+    pub(crate) fn balance_y_m(&self) -> f64 {
+        self.balance_m[1]
     }
 
     /// Gravity, m/s².

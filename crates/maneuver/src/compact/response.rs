@@ -1,109 +1,13 @@
 //! Frequency responses of a [`Compact`] rig with changes, and its steady answer to what is constant.
 
+use super::blocks::Blocks;
+use super::drive::{Constants, Drive, Outputs};
+use super::structural::Structural;
 use super::{BALANCE, Change, Compact};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, c64};
 
-/// Where drives stand among the columns of a response.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Drive {
-    controls: usize,
-    zones: usize,
-}
-
-impl Drive {
-    /// Pitch of the root with everything it brings but gravity, per rad.
-    pub const PITCH: usize = 0;
-    /// Angle of attack of the air alone, per rad.
-    pub const INCIDENCE: usize = 1;
-    /// Gravity aft, per m/s².
-    pub const G_SIN: usize = 2;
-    /// Gravity down, per m/s².
-    pub const G_COS: usize = 3;
-    /// First commanded deflection, per rad.
-    pub const CONTROLS: usize = 4;
-    /// How many modes may be driven by forces of their own.
-    pub const DRIVEN_MODES: usize = 2;
-
-    /// First zone's additional lift, per N.
-    pub fn lifts(self) -> usize {
-        Self::CONTROLS + self.controls
-    }
-
-    /// Force on the first mode, per N (modal).
-    pub fn modal(self) -> usize {
-        self.lifts() + self.zones
-    }
-
-    /// Number of drives, those of lift and modes included or not.
-    pub fn len(self, everything: bool) -> usize {
-        if everything { self.modal() + Self::DRIVEN_MODES } else { self.lifts() }
-    }
-
-    /// Never true.
-    pub fn is_empty(self) -> bool {
-        false
-    }
-}
-
-/// Where outputs stand among the rows of a response.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Outputs {
-    zones: usize,
-}
-
-impl Outputs {
-    /// Height of the tip, m; Fz, Mx, My come before it.
-    pub const TIP: usize = BALANCE;
-
-    /// Lift of the first zone, N.
-    pub fn lifts(self) -> usize {
-        BALANCE + 1
-    }
-
-    /// Height of the first zone, m.
-    pub fn heights(self) -> usize {
-        self.lifts() + self.zones
-    }
-
-    /// Number of outputs, those of zones included or not.
-    pub fn len(self, everything: bool) -> usize {
-        if everything { self.heights() + self.zones } else { BALANCE + 1 }
-    }
-
-    /// Never true.
-    pub fn is_empty(self) -> bool {
-        false
-    }
-}
-
-/// What acts on the wing at rest beside angle of attack, gravity and controls.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Constants {
-    /// Pitching moment coefficient added everywhere.
-    pub moment_coefficient: f64,
-    /// Incidence growing along the span, rad/m.
-    pub upwash_rad_m: f64,
-}
-
-/// The air's forces with changes, in blocks that multiply functions of s.
-struct Blocks {
-    /// (rows times motions) by functions: 1, s, s², then p/(p + g) of both families.
-    by: Mat<f64>,
-    rows: usize,
-}
-
 impl Compact {
-    /// Where drives stand.
-    pub fn drive(&self) -> Drive {
-        Drive { controls: self.controls.len(), zones: self.zones.len() }
-    }
-
-    /// Where outputs stand.
-    pub fn outputs(&self) -> Outputs {
-        Outputs { zones: self.zones.len() }
-    }
-
     /// Outputs by drives at several frequencies (rad/s, zero included), one matrix each; `everything` adds lifts and heights
     /// of the zones, and what drives them.
     pub fn responses(&self, change: &Change, omegas_rad_s: &[f64], everything: bool) -> Vec<Mat<c64>> {
@@ -112,7 +16,8 @@ impl Compact {
         let weights = self.weights(omegas_rad_s);
         let of = |blocks: &Blocks| &blocks.by * &weights;
         let (air_values, lift_values) = (of(&air), lift.as_ref().map(of));
-        let tip = self.blocks(&self.tip, change);
+        // the tip's height is the shape of the modes and the unchanged wing's static residual: no force of the air
+        let tip = self.blocks(&self.tip, &Change::none(self.zones.len()));
         let tip_values = of(&tip);
         let structure = Structural::new(self, change);
         let at = |(k, omega): (usize, &f64)| {
@@ -173,97 +78,22 @@ impl Compact {
                 rest[heights + zone] = (0..m).map(|k| self.heights[(zone, k)] * xi[(k, 0)].re).sum();
             }
         }
+        self.turn_at_rest(&mut rest, change, everything);
         rest
     }
 
-    /// Modes and balance by the layout's columns with the factors of the zones.
-    fn zone_sum(&self, change: &Change) -> Mat<f64> {
-        let mut total = self.air.clone();
-        if change.by_zone() {
-            for zone in 0..self.zones.len() {
-                let (force, aft) = (change.zone_force[zone], change.zone_aft_over_c[zone]);
-                if force != 0.0 {
-                    total += faer::Scale(force) * &self.zone_air[zone];
-                }
-                if aft != 0.0 {
-                    total -= faer::Scale(aft) * &self.zone_moment[zone];
-                }
+    /// What loads at rest turn the wing in the stream: the response by incidence has the loop closed already.
+    fn turn_at_rest(&self, rest: &mut [f64], change: &Change, everything: bool) {
+        let gains = incidence_gains(change);
+        if gains == [0.0; 3] {
+            return;
+        }
+        let incidence: f64 = gains.iter().zip(rest.iter()).map(|(gain, load)| gain * load).sum();
+        for response in self.responses(change, &[0.0], everything) {
+            for (row, value) in rest.iter_mut().enumerate() {
+                *value += response[(row, Drive::INCIDENCE)].re * incidence;
             }
         }
-        total
-    }
-
-    fn changed(&self, change: &Change) -> Blocks {
-        self.blocks(&self.zone_sum(change), change)
-    }
-
-    fn changed_lift(&self, change: &Change) -> Blocks {
-        let factor = |zone: usize| 1.0 + change.zone_force[zone];
-        let lift = Mat::from_fn(self.lift.nrows(), self.lift.ncols(), |zone, column| {
-            factor(zone) * self.lift[(zone, column)]
-        });
-        self.blocks(&lift, change)
-    }
-
-    /// Columns of the layout sorted by motion and function of s.
-    fn blocks(&self, total: &Mat<f64>, change: &Change) -> Blocks {
-        let (layout, rows) = (self.layout, total.nrows());
-        let functions = 3 + layout.poles[0] + layout.poles[1];
-        let mut by = Mat::zeros(rows * layout.motions(), functions);
-        let first_control = layout.modes + 1;
-        let factor = |motion: usize| {
-            let slope = if motion < first_control { 1.0 + change.lift_slope } else { 1.0 };
-            slope * (1.0 + change.pressure)
-        };
-        let mut put = |motion: usize, function: usize, column: usize| {
-            for row in 0..rows {
-                by[(motion * rows + row, function)] = factor(motion) * total[(row, column)];
-            }
-        };
-        for motion in 0..layout.motions() {
-            for derivative in 0..3 {
-                put(motion, derivative, layout.motion(derivative).start + motion);
-            }
-        }
-        for (lag, (family, pole, motion)) in layout.every_lag().enumerate() {
-            put(motion, 3 + family * layout.poles[0] + pole, layout.first_lag() + lag);
-        }
-        Blocks { by, rows }
-    }
-
-    /// The functions of s at all frequencies: real parts, then imaginary parts.
-    fn weights(&self, omegas_rad_s: &[f64]) -> Mat<f64> {
-        let n = omegas_rad_s.len();
-        let poles: Vec<f64> = self.poles_per_m.iter().flatten().map(|pole| pole * self.flow.v_m_s).collect();
-        Mat::from_fn(3 + poles.len(), 2 * n, |function, column| {
-            let (omega, imaginary) = (omegas_rad_s[column % n], column >= n);
-            match (function, imaginary) {
-                (0, false) => 1.0,
-                (0, true) | (1, false) | (2, true) => 0.0,
-                (1, true) => omega,
-                (2, false) => -omega * omega,
-                (lag, _) => {
-                    let g = poles[lag - 3];
-                    let scale = omega * omega + g * g;
-                    if scale == 0.0 {
-                        0.0
-                    } else if imaginary {
-                        omega * g / scale
-                    } else {
-                        omega * omega / scale
-                    }
-                }
-            }
-        })
-    }
-
-    /// Rows by motions at one of the frequencies.
-    fn at(&self, blocks: &Blocks, values: &Mat<f64>, k: usize) -> Mat<c64> {
-        let n = values.ncols() / 2;
-        Mat::from_fn(blocks.rows, self.layout.motions(), |row, motion| {
-            let place = motion * blocks.rows + row;
-            c64::new(values[(place, k)], values[(place, n + k)])
-        })
     }
 
     /// Apparent mass and a wake with another memory: the difference of the few poles' functions is added, as the many poles
@@ -390,9 +220,14 @@ impl Compact {
     }
 }
 
+/// Angle of attack by Fz, Mx and My.
+fn incidence_gains(change: &Change) -> [f64; 3] {
+    [change.incidence_by_fz, 0.0, change.incidence_by_my]
+}
+
 /// Loads that turn the wing in the stream: `y = H u + H_incidence (g y)`.
 fn feed_back(response: &mut Mat<c64>, change: &Change) {
-    let gains = [change.incidence_by_fz, 0.0, change.incidence_by_my];
+    let gains = incidence_gains(change);
     if gains == [0.0; 3] {
         return;
     }
@@ -404,106 +239,5 @@ fn feed_back(response: &mut Mat<c64>, change: &Change) {
         for row in 0..response.nrows() {
             response[(row, column)] += by_incidence[row] * incidence;
         }
-    }
-}
-
-/// Structure and masses with changes.
-struct Structural {
-    mass: Mat<f64>,
-    damping: Mat<f64>,
-    stiffness: Mat<f64>,
-    /// Added to the unchanged wing's rows of the balance by modal accelerations, and by fields; of modes by fields.
-    balance_by_modes: Mat<f64>,
-    balance_by_fields: Mat<f64>,
-    modal_by_fields: Mat<f64>,
-    mass_factor: f64,
-}
-
-impl Structural {
-    fn new(rig: &Compact, change: &Change) -> Self {
-        let m = rig.modes();
-        let unit = |i: usize, j: usize| f64::from(u8::from(i == j));
-        let zeta = rig.damping_ratio * (1.0 + change.damping);
-        let mut stiffness = Mat::from_fn(m, m, |i, j| unit(i, j) * rig.omega_rad_s[i].powi(2));
-        if let Some(parts) = &rig.stiffness {
-            stiffness += faer::Scale(change.bending) * &parts.bending;
-            stiffness += faer::Scale(change.torsion) * &parts.torsion;
-        } else {
-            // nobody split it: all of it
-            stiffness = faer::Scale(1.0 + change.bending) * stiffness;
-        }
-        let mut all = Self {
-            mass: Mat::from_fn(m, m, |i, j| unit(i, j) * (1.0 + change.mass)),
-            damping: Mat::from_fn(m, m, |i, j| unit(i, j) * 2.0 * zeta * rig.omega_rad_s[i]),
-            stiffness,
-            balance_by_modes: Mat::zeros(BALANCE, m),
-            balance_by_fields: Mat::zeros(BALANCE, 3),
-            modal_by_fields: Mat::zeros(m, 3),
-            mass_factor: 1.0 + change.mass,
-        };
-        for point in &change.points {
-            all.add(rig, point);
-        }
-        all
-    }
-
-    fn add(&mut self, rig: &Compact, point: &super::PointMass) {
-        let zones = &rig.zones;
-        let Some(zone) = zones.nearest(point.y_norm) else { return };
-        let (x, y) = (zones.x_m[zone] + point.aft_over_c * zones.chord_m[zone], zones.y_m[zone]);
-        let shape: Vec<f64> = (0..rig.modes()).map(|mode| rig.heights[(zone, mode)]).collect();
-        let field = [0.0, 1.0, -(x - rig.pitch_axis_x_m)];
-        let row = [1.0, y - rig.balance_m[1], -(x - rig.balance_m[0])];
-        for i in 0..shape.len() {
-            for j in 0..shape.len() {
-                self.mass[(i, j)] += point.mass_kg * shape[i] * shape[j];
-            }
-            for f in 0..3 {
-                self.modal_by_fields[(i, f)] += point.mass_kg * shape[i] * field[f];
-            }
-        }
-        for r in 0..BALANCE {
-            for (mode, height) in shape.iter().enumerate() {
-                self.balance_by_modes[(r, mode)] -= point.mass_kg * row[r] * height;
-            }
-            for f in 0..3 {
-                self.balance_by_fields[(r, f)] += point.mass_kg * row[r] * field[f];
-            }
-        }
-    }
-
-    /// `s² M + s C + K - Z`.
-    fn dynamic(&self, s: c64, z: &Mat<c64>, m: usize) -> Mat<c64> {
-        Mat::from_fn(m, m, |i, j| {
-            s * s * self.mass[(i, j)] + s * self.damping[(i, j)] + self.stiffness[(i, j)] - z[(i, j)]
-        })
-    }
-
-    /// Share of a field of acceleration in a row of modes and balance.
-    fn field(&self, rig: &Compact, row: usize, field: usize) -> f64 {
-        let m = rig.modes();
-        // what the truncated modes do under the field, in the air
-        let air = rig.air[(row, rig.layout.field(field))];
-        air + if row < m {
-            rig.modal_fields[(row, field)] * self.mass_factor + self.modal_by_fields[(row, field)]
-        } else {
-            rig.inertia[(row - m, rig.layout.field(field))] * self.mass_factor
-                + self.balance_by_fields[(row - m, field)]
-        }
-    }
-
-    /// Balance by modes: air and momentum.
-    fn balance(&self, s: c64, rig: &Compact, z: &Mat<c64>) -> Mat<c64> {
-        let (m, first) = (rig.modes(), rig.layout.modal_accelerations().start);
-        Mat::from_fn(BALANCE, m, |row, mode| {
-            let momentum =
-                rig.inertia[(row, first + mode)] * self.mass_factor + self.balance_by_modes[(row, mode)];
-            z[(m + row, mode)] + s * s * momentum
-        })
-    }
-
-    /// What the tare takes off for the points.
-    fn points_tare(&self, row: usize, gravity_m_s2: f64) -> f64 {
-        self.balance_by_fields[(row, 1)] * gravity_m_s2
     }
 }

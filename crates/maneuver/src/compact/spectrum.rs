@@ -169,13 +169,14 @@ fn steps(length: f64, step: f64) -> usize {
 fn fast_length(least: usize) -> usize {
     let smooth = |mut n: usize| {
         for p in [2, 3, 5] {
-            while n % p == 0 {
+            while n.is_multiple_of(p) {
                 n /= p;
             }
         }
         n == 1
     };
-    (least..).find(|n| n % 2 == 0 && smooth(*n)).unwrap_or(least)
+    // a power of two lies between any number and its double
+    (least..=2 * least).find(|n| n.is_multiple_of(2) && smooth(*n)).unwrap_or(least)
 }
 
 /// The change from the first sample, brought back to zero after the last.

@@ -42,14 +42,12 @@ pub struct Model {
 impl Model {
     /// Computes responses, or takes those of `before` if the effects change nothing in them.
     pub fn new(rig: &Compact, effects: &[Active], before: Option<&Self>) -> Self {
-        match before.filter(|before| before.serves(rig, effects)) {
-            Some(before) => before.clone(),
-            None => {
-                let (change, constants, everything) = asked(rig, effects);
-                let table = ResponseTable::new(rig, &change, &constants, everything);
-                Self { table, change, constants, everything }
-            }
+        if let Some(before) = before.filter(|before| before.serves(rig, effects)) {
+            return before.clone();
         }
+        let (change, constants, everything) = asked(rig, effects);
+        let table = ResponseTable::new(rig, &change, &constants, everything);
+        Self { change, constants, everything, table }
     }
 
     /// Whether it is the linear part for these effects, too.
@@ -80,6 +78,7 @@ fn place(rig: &Compact, time_step_s: f64, steady: bool, clock_h: f64) -> Place<'
         steady,
         clock_h,
         gravity_m_s2: rig.gravity_m_s2(),
+        balance_y_m: rig.balance_y_m(),
         outer_shape: rig.outer_shape(),
         first_stiffness: rig.first_stiffness(),
     }

@@ -9,16 +9,20 @@
 //! 4. [`Effect::loads`]: what reaches the balance and what its amplifiers make of it.
 
 mod active;
+mod beside;
 mod each;
 mod flight;
 mod library;
+mod of_wing;
 mod place;
 mod signal;
 mod spec;
 
 pub use active::Active;
+pub use beside::Beside;
 pub use flight::{Flown, Model, Stimulus, fly};
 pub use library::library;
+pub use of_wing::{of_wing, without};
 pub use place::{Forces, Inputs, Loads, Place, Seen};
 pub use spec::{Parameter, Side, Spec};
 

@@ -24,6 +24,8 @@ pub struct Place<'a> {
     pub clock_h: f64,
     /// Gravity, m/s².
     pub gravity_m_s2: f64,
+    /// y of the balance, m.
+    pub balance_y_m: f64,
     /// Height of the outermost zone in the first mode, and that mode's stiffness, (rad/s)²; zero for a rigid wing.
     pub outer_shape: f64,
     /// See above.

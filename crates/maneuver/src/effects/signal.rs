@@ -101,9 +101,9 @@ mod tests {
         assert_eq!(delayed(&values, dt, 0.0), values);
         for delay in [0.004, -0.0137, 0.03] {
             let later = delayed(&values, dt, delay);
-            for i in 10..390 {
+            for (i, value) in later.iter().enumerate().take(390).skip(10) {
                 let exact = (std::f64::consts::TAU * 4.0 * (i as f64 * dt - delay)).sin();
-                assert!((later[i] - exact).abs() < 2e-3, "{delay} {i}: {} {exact}", later[i]);
+                assert!((value - exact).abs() < 2e-3, "{delay} {i}: {value} {exact}");
             }
         }
     }

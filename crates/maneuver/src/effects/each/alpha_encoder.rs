@@ -27,7 +27,9 @@ impl Effect for AlphaEncoder {
             if !place.steady && p[1] != 0.0 {
                 *values = signal::delayed(values, place.time_step_s, p[1]);
             }
-            values.iter_mut().for_each(|value| *value += p[0] * *value);
+            for value in values.iter_mut() {
+                *value += p[0] * *value;
+            }
         }
     }
 }

@@ -27,7 +27,9 @@ impl Effect for BalanceNonlin {
 
     fn loads(&self, p: &[f64], _place: &Place<'_>, _seen: &Seen<'_>, loads: &mut Loads) {
         for (channel, k) in loads.balance.iter_mut().zip(p) {
-            channel.iter_mut().for_each(|value| *value += k * *value * *value);
+            for value in channel.iter_mut() {
+                *value += k * *value * *value;
+            }
         }
     }
 }

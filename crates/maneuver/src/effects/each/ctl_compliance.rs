@@ -2,6 +2,9 @@
 
 use super::prelude::*;
 
+/// Commands over what the surface does: it turns no further than five times its command.
+const SMALLEST: f64 = 0.2;
+
 /// See the module.
 #[derive(Debug)]
 pub(crate) struct CtlCompliance;
@@ -22,7 +25,8 @@ impl Effect for CtlCompliance {
     }
 
     fn inputs(&self, p: &[f64], place: &Place<'_>, inputs: &mut Inputs) {
-        let less = 1.0 / (1.0 + p[0] * place.q_over_reference());
+        // a linkage that turns the surface further must not turn it round
+        let less = 1.0 / (1.0 + p[0] * place.q_over_reference()).max(SMALLEST);
         inputs.controls_rad.iter_mut().flatten().for_each(|delta| *delta *= less);
     }
 }

@@ -1,6 +1,6 @@
 //! Control surfaces lose effectiveness at large deflections: K_delta(delta, V) of the first paper's Eq. 10.
 //!
-//! Two forms. `tanh`: `delta_eff = (1 + e) s tanh(delta/s)`, 1/s for each surface and e common, so that zero is no loss.
+//! Two forms. `tanh`: `delta_eff = s tanh(delta/s)`, by 1/s for each surface, so that zero is no loss.
 //! `table`: for each surface what is added to K at 5, 15 and 25 degrees, straight between, constant outside, where tanh
 //! does not fit: an effectiveness above one. In both, what differs from one grows with airspeed by a common power.
 
@@ -50,7 +50,9 @@ impl Effect for CtlSaturation {
         for (control, inverse) in inputs.controls_rad.iter_mut().zip(p) {
             let inverse = inverse * faster;
             if inverse > 0.0 {
-                control.iter_mut().for_each(|delta| *delta = (inverse * *delta).tanh() / inverse);
+                for delta in control.iter_mut() {
+                    *delta = (inverse * *delta).tanh() / inverse;
+                }
             }
         }
     }

@@ -31,9 +31,8 @@ impl Effect for CubicStiffness {
         if shape == 0.0 {
             return;
         }
-        for i in 0..seen.len() {
-            let z = outer[i];
-            forces.modal[0][i] -= p[0] * z * z * place.first_stiffness * z / shape;
+        for (modal, z) in forces.modal[0].iter_mut().zip(outer) {
+            *modal -= p[0] * z * z * place.first_stiffness * z / shape;
         }
     }
 }

@@ -29,7 +29,7 @@ impl Effect for Friction {
             return;
         }
         for i in 0..seen.len() {
-            // measured rates never are zero: below a few degrees a second friction is taken in proportion
+            // measured rates never are zero: below a degree a second friction is taken in proportion
             let rate = seen.inputs.alpha.rate[i];
             loads.balance[2][i] += p[0] * (rate / SLOW_RAD_S).clamp(-1.0, 1.0);
         }

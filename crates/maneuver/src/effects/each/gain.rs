@@ -27,7 +27,9 @@ impl Effect for Gain {
 
     fn loads(&self, p: &[f64], _place: &Place<'_>, _seen: &Seen<'_>, loads: &mut Loads) {
         for (channel, gain) in loads.balance.iter_mut().zip(p) {
-            channel.iter_mut().for_each(|value| *value += gain * *value);
+            for value in channel.iter_mut() {
+                *value += gain * *value;
+            }
         }
     }
 }

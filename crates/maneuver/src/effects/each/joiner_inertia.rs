@@ -1,8 +1,9 @@
 //! A rigid body between balance and wing root (joiner, turntable, adapter) that no model has: it turns with the wing on the
 //! balance's metric side.
 //!
-//! `Fz += m x a''`, `Mx += m y ... ` as forces of inertia of a body whose centre is (x aft, y, z up) of the balance point:
-//! `Fz += m x a'' + m g (1 - cos a)`, `My += -I a'' + g m z sin a - g m x (1 - cos a)`, with the tare at alpha = 0 taken off.
+//! Forces of inertia and weight of a body whose centre is (x aft, y, z up) of the balance point, in axes that pitch with
+//! it: `Fz += m x a''`, `Mx += g m y (1 - cos a)`, `My += -I a'' + g m z sin a - g m x (1 - cos a)`, the tare at alpha = 0
+//! taken off. Left out are what its mass alone does to Fz, `m g (1 - cos a)`, and its product of inertia `m x y`.
 
 use super::prelude::*;
 

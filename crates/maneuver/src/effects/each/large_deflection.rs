@@ -1,5 +1,8 @@
 //! A wing that bends far reaches less far out, and its lift leans inward: arms shorten by half the integral of the
-//! slope squared, Fz by half the slope squared. One is the geometry's own size.
+//! slope squared, Fz by half the slope squared, and the inward part pushes at the wing's height:
+//! `Mx += -lift (shorter + slope² y/2 - slope z)`. One is the geometry's own size, to second order.
+//!
+//! For a circular arc under a load at its end, which leans by theta, Mx is `F L sin(theta)/theta`.
 
 use super::prelude::*;
 
@@ -27,19 +30,19 @@ impl Effect for LargeDeflection {
     }
 
     fn loads(&self, p: &[f64], place: &Place<'_>, seen: &Seen<'_>, loads: &mut Loads) {
-        let (y, count) = (&place.zones.y_m, seen.lift_n.len());
+        let zones = || place.zones.y_m.iter().zip(seen.lift_n.iter().zip(seen.height_m));
         for i in 0..seen.len() {
-            let (mut shorter, mut inner_m, mut inner_h) = (0.0, 0.0, 0.0);
-            for zone in 0..count {
-                let height = seen.height_m[zone][i];
-                let run = (y[zone] - inner_m).max(f64::MIN_POSITIVE);
+            let (mut shorter, mut inner_m, mut inner_h) = (0.0, place.balance_y_m, 0.0);
+            for (&y, (lift, height)) in zones() {
+                let (lift, height) = (lift[i], height[i]);
+                let run = (y - inner_m).max(f64::MIN_POSITIVE);
                 let slope = (height - inner_h) / run;
                 shorter += 0.5 * slope * slope * run;
-                (inner_m, inner_h) = (y[zone], height);
-                let lift = seen.lift_n[zone][i];
+                (inner_m, inner_h) = (y, height);
                 let lost = 0.5 * slope * slope * lift;
                 loads.balance[0][i] -= p[0] * lost;
-                loads.balance[1][i] -= p[0] * (shorter * lift + lost * y[zone]);
+                let raised = slope * height;
+                loads.balance[1][i] -= p[0] * (lift * (shorter - raised) + lost * (y - place.balance_y_m));
             }
         }
     }

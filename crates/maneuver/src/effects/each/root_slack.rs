@@ -34,10 +34,10 @@ impl Effect for RootSlack {
         if shape == 0.0 || p[0] == 0.0 {
             return;
         }
-        for i in 0..seen.len() {
+        for (modal, z) in forces.modal[0].iter_mut().zip(outer) {
             // inside the gap all of the force is missing, outside what the gap takes off
-            let missing = outer[i].clamp(-0.5 * p[0], 0.5 * p[0]);
-            forces.modal[0][i] += SOFT * place.first_stiffness * missing / shape;
+            let missing = z.clamp(-0.5 * p[0], 0.5 * p[0]);
+            *modal += SOFT * place.first_stiffness * missing / shape;
         }
     }
 }

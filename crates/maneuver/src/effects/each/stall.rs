@@ -1,4 +1,5 @@
-//! Beyond an effective angle lift grows less: what a strip's angle (its lift over q S a) exceeds is lost by a factor.
+//! Beyond an effective angle lift grows less: `a -= k (|a| - limit)`, a the angle that is left (lift over q S
+//! 2 pi), hence of what a strip would exceed the limit by without loss, k/(1 + k) is lost: lift never falls.
 //! The first parameter says how far below 16 degrees the limit lies, so that zero is no stall.
 
 use super::prelude::*;

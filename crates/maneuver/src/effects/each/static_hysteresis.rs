@@ -1,4 +1,5 @@
 //! Separation that starts late and ends late: beyond an angle lift is lost, and comes back only below a smaller one.
+//! Both angles are fixed; the share of the angle beyond the smaller one that is lost is the parameter.
 
 use super::prelude::*;
 

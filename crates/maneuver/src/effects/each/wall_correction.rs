@@ -1,4 +1,5 @@
 //! The tunnel's walls turn the stream in proportion to lift: `alpha += delta_w S/C C_L`, delta_w S/C taken as one number.
+//! The balance's Fz stands for lift: gravity's change and inertia are small beside it.
 
 use super::prelude::*;
 

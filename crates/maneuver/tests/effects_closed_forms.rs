@@ -1,0 +1,286 @@
+//! Effects against closed forms: what each adds to the loads is what its equation says, computed here by hand.
+
+#![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
+
+mod common;
+
+use aero::{Corrections, Flow};
+use common::flown::{compact, effect, points, run, swing, with};
+use common::wing_with;
+use maneuver::compact::{Change, Compact, Drive, Outputs, PointMass, Zones};
+use maneuver::effects::{Active, Inputs, Loads, Place, Seen, Stimulus};
+use maneuver::{Rig, RigSettings, Smooth};
+use std::f64::consts::TAU;
+
+/// Loads with one effect, and without any.
+fn beside(compact: &Compact, name: &str, values: &[f64], stimulus: &Stimulus) -> [[Vec<f64>; 3]; 2] {
+    let active = Active::new(effect(compact, name), values);
+    [with(compact, &[active], stimulus).loads, with(compact, &[], stimulus).loads]
+}
+
+#[test]
+fn a_body_on_the_balance_adds_its_inertia_and_its_weight() {
+    let compact = compact(30.0);
+    let stimulus = run(compact.controls.len());
+    let (mx, iyy, mz, my) = (0.04, 0.1, 0.2, -0.3);
+    let [ours, clean] = beside(&compact, "joiner_inertia", &[mx, iyy, mz, my], &stimulus);
+    let (alpha, g) = (&stimulus.inputs.alpha, compact.gravity_m_s2());
+    for i in 0..alpha.value.len() {
+        let (a, second) = (alpha.value[i], alpha.second[i]);
+        // force of inertia and weight of a point at (x, y, z) in axes that turn nose up by a, less the tare
+        let fz = mx * second;
+        let my_added = -iyy * second + mz * g * a.sin() + mx * g * (a.cos() - 1.0);
+        let mx_added = my * g * (1.0 - a.cos());
+        for (c, added) in [fz, mx_added, my_added].into_iter().enumerate() {
+            assert!((ours[c][i] - clean[c][i] - added).abs() < 1e-9, "channel {c} sample {i}");
+        }
+    }
+}
+
+#[test]
+fn channels_of_the_balance_do_what_their_formulas_say() {
+    let compact = compact(30.0);
+    for stimulus in [run(compact.controls.len()), points(compact.controls.len())] {
+        let [ours, y] = beside(&compact, "gain", &[0.1, -0.2, 0.05], &stimulus);
+        let [bent, _] = beside(&compact, "balance_nonlin", &[0.001, 0.0, -0.002], &stimulus);
+        let [mixed, _] = beside(&compact, "crosstalk", &[0.0, 0.01, 0.02, 0.0, -0.03, 0.04], &stimulus);
+        for i in 0..y[0].len() {
+            let [fz, mx, my] = [0, 1, 2].map(|c| y[c][i]);
+            let pairs = [
+                (ours[0][i], 1.1 * fz),
+                (ours[1][i], 0.8 * mx),
+                (ours[2][i], 1.05 * my),
+                (bent[0][i], fz + 0.001 * fz * fz),
+                (bent[1][i], mx),
+                (bent[2][i], my - 0.002 * my * my),
+                (mixed[0][i], fz + 0.01 * my),
+                (mixed[1][i], mx + 0.02 * fz),
+                (mixed[2][i], my - 0.03 * fz + 0.04 * mx),
+            ];
+            for (a, b) in pairs {
+                assert!((a - b).abs() < 1e-9, "sample {i}: {a} {b}");
+            }
+        }
+    }
+}
+
+#[test]
+fn friction_and_cables_pull_against_the_turning_and_the_angle() {
+    let compact = compact(30.0);
+    let stimulus = run(compact.controls.len());
+    let alpha = &stimulus.inputs.alpha;
+    let [rubbed, clean] = beside(&compact, "friction", &[-0.3], &stimulus);
+    let [held, _] = beside(&compact, "cable_stiffness", &[4.0], &stimulus);
+    for (i, my) in clean[2].iter().enumerate() {
+        if alpha.rate[i].abs() > 0.1 {
+            assert!((rubbed[2][i] - my + 0.3 * alpha.rate[i].signum()).abs() < 1e-12);
+        }
+        assert!((held[2][i] - my + 4.0 * alpha.value[i]).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn a_late_balance_shows_the_run_of_a_while_ago() {
+    let compact = compact(30.0);
+    let stimulus = run(compact.controls.len());
+    let [late, clean] = beside(&compact, "delay", &[3.0 * stimulus.time_step_s], &stimulus);
+    for (late, clean) in late.iter().zip(&clean) {
+        for (late, clean) in late[3..].iter().zip(clean) {
+            assert!((late - clean).abs() < 1e-9);
+        }
+    }
+}
+
+#[test]
+fn an_error_of_dynamic_pressure_is_another_density_of_the_air() {
+    let (file, wing) = wing_with(|_| ());
+    let rig = Rig::new(
+        &wing,
+        RigSettings { modes: 40, ..RigSettings::new(file.damping_ratio, file.pitch_axis_x()) },
+    )
+    .unwrap();
+    let neutral = Corrections::neutral(wing.correctable.len());
+    let at = |rho_kg_m3: f64| Compact::new(&rig, Flow { v_m_s: 30.0, rho_kg_m3 }, &neutral, None).unwrap();
+    let (thin, dense) = (at(1.225), at(1.225 * 1.05));
+    let none = Change::none(thin.zones.len());
+    let more = Change { pressure: 0.05, ..none.clone() };
+    let omegas = [0.0, 3.0 * TAU, 8.0 * TAU];
+    let (ours, theirs) = (thin.responses(&more, &omegas, true), dense.responses(&none, &omegas, true));
+    for (ours, theirs) in ours.iter().zip(&theirs) {
+        for row in 0..=Outputs::TIP {
+            for column in [Drive::PITCH, Drive::INCIDENCE, Drive::CONTROLS] {
+                // the static residual of the modes beyond the fortieth stays that of the thin air
+                let (a, b) = (ours[(row, column)], theirs[(row, column)]);
+                assert!((a - b).norm() < 2e-3 * b.norm().max(1e-3), "{row} by {column}: {a} {b}");
+            }
+        }
+    }
+}
+
+#[test]
+fn camber_is_an_inclined_stream_and_a_compliant_balance_closes_its_loop() {
+    let compact = compact(30.0);
+    let stimulus = points(compact.controls.len());
+    let [cambered, _] = beside(&compact, "camber", &[0.4, 0.0], &stimulus);
+    let [inclined, clean] = beside(&compact, "alpha_offset", &[0.4], &stimulus);
+    assert_eq!(cambered, inclined);
+    // My = My_0 + My_alpha k My, all of it: what camber and controls do at rest as well
+    let by_incidence: [f64; 3] =
+        std::array::from_fn(|c| (inclined[c][0] - clean[c][0]) / 0.4_f64.to_radians());
+    let k = 5e-4;
+    let [soft, _] = beside(&compact, "balance_compliance", &[k], &stimulus);
+    for i in 0..soft[0].len() {
+        for c in 0..3 {
+            let expected = clean[c][i] + by_incidence[c] * k * soft[2][i];
+            assert!((soft[c][i] - expected).abs() < 1e-9 * swing(&clean[c]), "channel {c} point {i}");
+        }
+    }
+}
+
+#[test]
+fn a_mass_at_the_tip_lowers_the_first_frequency_as_rayleigh_says() {
+    // without air: the response of the first mode peaks where its stiffness and masses say
+    let compact = compact(0.0);
+    let peak = |change: &Change| {
+        let omegas: Vec<f64> = (0..2000).map(|i| TAU * (2.0 + 0.003 * f64::from(i))).collect();
+        let responses = compact.responses(change, &omegas, false);
+        let height = |k: usize| responses[k][(Outputs::TIP, Drive::G_COS)].norm();
+        omegas[(0..omegas.len()).max_by(|a, b| height(*a).total_cmp(&height(*b))).unwrap()]
+    };
+    let none = Change::none(compact.zones.len());
+    let point = PointMass { mass_kg: 0.02, y_norm: 0.97, aft_over_c: 0.2 };
+    let before = peak(&none);
+    let after = peak(&Change { points: vec![point], ..none.clone() });
+    // the mode's height at the outermost zone per unit of modal mass: the compliance of a force there, less all other modes'
+    let everything = compact.responses(&none, &[0.0], true);
+    let zone = compact.zones.len() - 1;
+    let by_modal = everything[0][(compact.outputs().heights() + zone, compact.drive().modal())].re;
+    let shape = by_modal * before * before;
+    let rayleigh = before / (1.0 + point.mass_kg * shape * shape).sqrt();
+    assert!(
+        after < before && ((before - after) / (before - rayleigh) - 1.0).abs() < 0.1,
+        "{before} {after} {rayleigh}"
+    );
+}
+
+#[test]
+fn slope_and_loss_towards_the_tip_are_correction_factors_of_the_steady_wing() {
+    let (file, wing) = wing_with(|_| ());
+    let rig = Rig::new(
+        &wing,
+        RigSettings { modes: 40, ..RigSettings::new(file.damping_ratio, file.pitch_axis_x()) },
+    )
+    .unwrap();
+    let neutral = Corrections::neutral(wing.correctable.len());
+    let flow = Flow { v_m_s: 30.0, rho_kg_m3: 1.225 };
+    let plain = Compact::new(&rig, flow, &neutral, None).unwrap();
+    let boxes = &wing.correctable;
+    let by = |factor: &dyn Fn(f64) -> f64| {
+        let factors: Vec<f64> = boxes.y_norm.iter().map(|y| factor(*y)).collect();
+        let corrections = Corrections { force: factors.clone(), moment: factors, ..neutral.clone() };
+        Compact::new(&rig, flow, &corrections, None).unwrap()
+    };
+    // (effect, value, factor along the span, how far zones are from strips)
+    let cases: [(&str, f64, fn(f64) -> f64, f64); 2] =
+        [("lift_slope", -0.1, |_| 0.9, 1e-3), ("tip_loss", 0.3, |y| 1.0 - 0.3 * y * y, 6e-3)];
+    let still = vec![0.0; 2];
+    let alpha = Smooth { value: vec![0.0, 0.06], rate: still.clone(), second: still.clone() };
+    let inputs =
+        Inputs { alpha, incidence_rad: still.clone(), controls_rad: vec![still; plain.controls.len()] };
+    let stimulus = Stimulus { inputs, time_step_s: 0.01, steady: true, clock_h: 0.0 };
+    for (name, value, factor, tolerance) in cases {
+        let [ours, clean] = beside(&plain, name, &[value], &stimulus);
+        let theirs = with(&by(&factor), &[], &stimulus).loads;
+        for c in 0..3 {
+            let [a, b, before] = [&ours, &theirs, &clean].map(|loads| loads[c][1] - loads[c][0]);
+            assert!((a - b).abs() < tolerance * before.abs(), "{name} channel {c}: {a} {b} before {before}");
+            assert!((b - before).abs() > 0.03 * before.abs(), "{name} channel {c}");
+        }
+    }
+}
+
+/// What large deflection does to a strip's loads where all lift sits at the end of a circular arc.
+#[test]
+fn an_arc_under_a_load_at_its_end_has_the_moment_of_the_circle() {
+    let (count, length, force, theta) = (400_usize, 2.0, 50.0, 0.25_f64);
+    let along: Vec<f64> = (1..=count).map(|i| length * i as f64 / count as f64).collect();
+    let radius = length / theta;
+    // heights over the undeformed arm, as a linear structure has them: the slope is the angle
+    let height_m: Vec<Vec<f64>> = along.iter().map(|s| vec![0.5 * s * s / radius]).collect();
+    let mut lift_n = vec![vec![0.0]; count];
+    lift_n[count - 1][0] = force;
+    let each = |value: f64| vec![value; count];
+    let zones = Zones {
+        boxes: vec![Vec::new(); count],
+        y_norm: along.iter().map(|s| s / length).collect(),
+        y_m: along,
+        x_m: each(0.0),
+        chord_m: each(0.2),
+        area_m2: each(0.01),
+        width_m: each(0.05),
+    };
+    let place = Place {
+        flow: Flow { v_m_s: 30.0, rho_kg_m3: 1.225 },
+        zones: &zones,
+        controls: &[],
+        time_step_s: 0.01,
+        steady: true,
+        clock_h: 0.0,
+        gravity_m_s2: 9.81,
+        balance_y_m: 0.0,
+        outer_shape: 0.0,
+        first_stiffness: 0.0,
+    };
+    let still = || vec![0.0];
+    let alpha = Smooth { value: still(), rate: still(), second: still() };
+    let inputs = Inputs { alpha, incidence_rad: still(), controls_rad: Vec::new() };
+    let balance = [vec![force], vec![force * length], still()];
+    let seen = Seen { inputs: &inputs, loads: &balance, tip_m: &[0.0], lift_n: &lift_n, height_m: &height_m };
+    let mut loads = Loads { balance: balance.clone(), tip_m: still() };
+    let effect =
+        maneuver::effects::library(&[]).into_iter().find(|e| e.spec().name == "large_deflection").unwrap();
+    effect.loads(&[1.0], &place, &seen, &mut loads);
+    // a follower load at angle theta: Fz = F cos(theta), Mx = F R sin(theta); equal to second order of theta
+    let (fz, mx) = (force * theta.cos(), force * radius * theta.sin());
+    let second = 0.5 * theta * theta * force;
+    assert!((loads.balance[0][0] - fz).abs() < 0.02 * second, "{} {fz}", loads.balance[0][0]);
+    assert!((loads.balance[1][0] - mx).abs() < 0.02 * second * length, "{} {mx}", loads.balance[1][0]);
+}
+
+#[test]
+fn stall_bends_a_rigid_wing_s_lift_to_the_piecewise_line() {
+    let (file, wing) = wing_with(|planform| planform.structure = None);
+    let rig = Rig::new(&wing, RigSettings::new(file.damping_ratio, file.pitch_axis_x())).unwrap();
+    let neutral = Corrections::neutral(wing.correctable.len());
+    let flow = Flow { v_m_s: 30.0, rho_kg_m3: 1.225 };
+    let compact = Compact::new(&rig, flow, &neutral, None).unwrap();
+    let stimulus = points(compact.controls.len());
+    let (earlier, k) = (13.0, 0.5);
+    let [ours, clean] = beside(&compact, "stall", &[earlier, k], &stimulus);
+    // every zone's own lift from the response, its limit from its area
+    let none = Change::none(compact.zones.len());
+    let response = &compact.responses(&none, &[0.0], true)[0];
+    let rest = compact.at_rest(&none, &maneuver::compact::Constants::default(), true);
+    let mut bends = false;
+    for (i, alpha) in stimulus.inputs.alpha.value.iter().enumerate() {
+        let mut lost = 0.0;
+        for zone in 0..compact.zones.len() {
+            let row = compact.outputs().lifts() + zone;
+            let controls = (0..compact.controls.len()).map(|c| 0.1 * response[(row, Drive::CONTROLS + c)].re);
+            let lift = rest[row] + response[(row, Drive::PITCH)].re * alpha + controls.sum::<f64>();
+            let limit = (16.0 - earlier).to_radians()
+                * TAU
+                * flow.dynamic_pressure_pa()
+                * compact.zones.area_m2[zone];
+            lost += k / (1.0 + k) * (lift.abs() - limit).max(0.0) * lift.signum();
+        }
+        bends |= lost.abs() > 0.0;
+        assert!(
+            (clean[0][i] - lost - ours[0][i]).abs() < 1e-6,
+            "{alpha}: {} {lost} {}",
+            clean[0][i],
+            ours[0][i]
+        );
+    }
+    assert!(bends, "no zone stalls");
+}

@@ -1,0 +1,173 @@
+//! Effects in a wing's file: what is refused and where; what is written reads back and flies the same, bit for bit.
+
+#![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
+
+mod common;
+
+use aero::{Corrections, Flow};
+use common::flown::run;
+use coupling::wing_file::{EffectValidity, WingEffect};
+use coupling::{ElasticWing, Mount, WingFile};
+use maneuver::effects::{Active, Beside, library, of_wing, without};
+use maneuver::{Motion, Rig, RigSettings, TimeHistory};
+use std::path::{Path, PathBuf};
+
+const EMPTY: &str = "effects: [],";
+
+fn data(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/tuflex").join(name)
+}
+
+/// A wing's file in a folder of its own.
+struct Copy(PathBuf);
+
+impl Copy {
+    fn new(test: &str, text: &str) -> Self {
+        let folder = std::env::temp_dir().join(format!("wingroot-effects-{}-{test}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        for file in ["e214.dat", "beam_distribution.csv"] {
+            std::fs::copy(data(file), folder.join(file)).unwrap();
+        }
+        std::fs::write(folder.join("wing.ron"), text).unwrap();
+        Self(folder)
+    }
+
+    fn read(&self) -> Result<WingFile, nastran::InputError> {
+        WingFile::read(&self.0.join("wing.ron"))
+    }
+}
+
+impl Drop for Copy {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+/// The shipped beam wing.
+fn text() -> String {
+    let text = nastran::read_text(&data("wing_beam.ron")).unwrap();
+    assert!(text.contains(EMPTY));
+    text
+}
+
+fn some(controls: &[String]) -> Vec<Active> {
+    let one = |name: &str, values: &[f64]| {
+        Active::new(library(controls).into_iter().find(|e| e.spec().name == name).unwrap(), values)
+    };
+    vec![
+        one("joiner_inertia", &[0.3, 0.1 / 3.0, 0.5, 0.0]),
+        one("ctl_saturation", &[1.0 / 0.7, 2.0, 0.0, 0.1]),
+        one("stall", &[12.0, 0.7]),
+    ]
+}
+
+fn flown(wing: &ElasticWing, rig: &Rig<'_>, file: &WingFile, effects: &[Active]) -> TimeHistory {
+    let flow = Flow { v_m_s: 30.0, rho_kg_m3: 1.225 };
+    let corrections = Corrections::neutral(wing.correctable.len());
+    let model = rig.at(flow, &corrections).unwrap();
+    let inputs = run(wing.controls.len()).inputs;
+    let motion = Motion { time_step_s: 0.01, alpha: inputs.alpha, controls_rad: inputs.controls_rad };
+    let mut history = model.fly(&motion);
+    let bulk = file.bulk(Mount::Tunnel).unwrap();
+    if let Some(beside) = Beside::new(rig, flow, &corrections, effects, &bulk).unwrap() {
+        beside.add(&motion, &mut history);
+    }
+    history
+}
+
+#[test]
+fn effects_written_into_a_wing_s_file_read_back_and_fly_the_same_bits() {
+    let copy = Copy::new("round", &text());
+    let file = copy.read().unwrap();
+    let wing = ElasticWing::from_bulk(&file, &file.bulk(Mount::Tunnel).unwrap()).unwrap();
+    let controls: Vec<String> = wing.controls.iter().map(|control| control.name.clone()).collect();
+    let effects = some(&controls);
+    let mut listed: Vec<WingEffect> = effects.iter().map(Active::to_wing).collect();
+    listed[0].sigma = vec![("Iyy_kg_m2".into(), 0.01)];
+    listed[0].evidence = Some(321.5);
+    listed[0].rivals = vec!["added_mass".into()];
+    listed[0].data_hash = "0123456789abcdef".into();
+    listed[0].validity = Some(EffectValidity { v_m_s: Some((18.0, 34.0)), ..EffectValidity::default() });
+    listed[2].covariance = vec![vec![1.0, 0.1], vec![0.1, 0.04]];
+    let written = file.with_effects(listed.clone()).unwrap();
+    assert!(written.text.contains("// ") && !written.text.contains(EMPTY), "comments stay");
+    let second = Copy::new("round2", &written.text);
+    let read = second.read().unwrap();
+    assert_eq!(read.effects, listed);
+    assert_ne!(read.hash, file.hash);
+    // once more: a list that is there is replaced
+    let again = read.with_effects(listed[1..].to_vec()).unwrap();
+    assert_eq!(Copy::new("round3", &again.text).read().unwrap().effects, listed[1..]);
+
+    let rig = Rig::new(
+        &wing,
+        RigSettings { modes: 8, ..RigSettings::new(file.damping_ratio, file.pitch_axis_x()) },
+    )
+    .unwrap();
+    let from_file = of_wing(&read, &controls).unwrap();
+    let plain = flown(&wing, &rig, &file, &[]);
+    let in_memory = flown(&wing, &rig, &file, &effects);
+    assert!(in_memory == flown(&wing, &rig, &read, &from_file), "the file's effects fly otherwise");
+    assert!(in_memory != plain);
+    let names: Vec<String> = listed.iter().map(|effect| effect.name.clone()).collect();
+    let none = without(&from_file, &names).unwrap();
+    assert!(flown(&wing, &rig, &read, &none) == plain, "all switched off is the wing without effects");
+    let two = without(&from_file, &names[..1]).unwrap();
+    assert!(two.len() == 2 && flown(&wing, &rig, &read, &two) != in_memory);
+    let unknown = without(&from_file, &["joiner_inertja".to_owned()]).unwrap_err();
+    assert!(unknown.help.unwrap().contains("joiner_inertia"));
+}
+
+#[test]
+fn effects_that_cannot_be_are_refused_at_their_place() {
+    let controls = ["inner", "middle", "outer"].map(str::to_owned);
+    // (list, part of the message, part of the hint, what stands at the place)
+    let cases = [
+        ("(name: \"joiner\", parameters: {})", "no effect \"joiner\"", "", "\"joiner\""),
+        ("(name: \"gainn\", parameters: {})", "no effect \"gainn\"", "did you mean \"gain\"", "\"gainn\""),
+        ("(name: \"delay\", parameters: {\"tau\": 0.01})", "no parameter \"tau\"", "tau_s", "\"tau\""),
+        ("(name: \"delay\", parameters: {\"tau_s\": 0.1})", "expected -0.06 to 0.06", "unit", "\"tau_s\""),
+        ("(name: \"ctl_saturation\", form: \"tan\", parameters: {})", "no form \"tan\"", "tanh", "form"),
+        (
+            "(name: \"joiner_inertia\", parameters: {\"mx_kg_m\": 0.2})",
+            "other parameters allow",
+            "",
+            "parameters",
+        ),
+        (
+            "(name: \"delay\", parameters: {}), (name: \"delay\", parameters: {})",
+            "listed twice",
+            "once",
+            "\"delay\"",
+        ),
+        (
+            "(name: \"delay\", parameters: {\"tau_s\": 0.0}, sigma: {\"tau\": 1.0})",
+            "no parameter listed",
+            "tau_s",
+            "\"tau\"",
+        ),
+        (
+            "(name: \"delay\", parameters: {\"tau_s\": 0.0, \"tau_s\": 0.0})",
+            "listed twice",
+            "once",
+            "\"tau_s\"",
+        ),
+        ("(name: \"delay\", parameters: {}, validity: (V_m_s: (3.0, 1.0)))", "does not ascend", "", "V_m_s"),
+        (
+            "(name: \"delay\", parameters: {}, covariance: [[1.0]])",
+            "symmetric matrix of 0 by 0",
+            "",
+            "covariance",
+        ),
+    ];
+    for (index, (list, message, help, at)) in cases.into_iter().enumerate() {
+        let changed = text().replace(EMPTY, &format!("effects: [{list}],"));
+        let copy = Copy::new(&format!("refused{index}"), &changed);
+        let error = copy.read().and_then(|file| of_wing(&file, &controls)).unwrap_err();
+        assert!(error.message.contains(message), "{list}: {}", error.message);
+        assert!(error.help.clone().unwrap_or_default().contains(help), "{list}: {:?}", error.help);
+        let span = error.span.unwrap();
+        let line = changed.lines().nth(span.line - 1).unwrap();
+        assert!(line[span.column - 1..].starts_with(at), "{list}: {}", &line[span.column - 1..]);
+    }
+}
