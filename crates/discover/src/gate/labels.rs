@@ -11,6 +11,8 @@ use super::{CHANNELS, Defect, DefectKind};
 const ORDERS: [[usize; 3]; 5] = [[1, 0, 2], [2, 1, 0], [0, 2, 1], [1, 2, 0], [2, 0, 1]];
 /// An exchange explains the data if what it leaves is less than this share of what the labels leave.
 const EXPLAINS: f64 = 0.1;
+/// The same for all data at once, where only shapes are compared.
+const EXPLAINS_ALL: f64 = 0.3;
 /// What the labels leave must be more than this share of the load, or nothing is wrong.
 const WRONG: f64 = 0.1;
 
@@ -24,12 +26,12 @@ pub(super) fn everywhere(records: &[Record]) -> Vec<Defect> {
     let own = shapes_left(records, [0, 1, 2]);
     let best = ORDERS.map(|order| (shapes_left(records, order), order));
     let best = best.iter().min_by(|a, b| a.0.total_cmp(&b.0)).copied().unwrap_or((own, [0, 1, 2]));
-    if best.0 < EXPLAINS * own && own > WRONG { vec![exchanged(None, best.1)] } else { Vec::new() }
+    if best.0 < EXPLAINS_ALL * own && own > WRONG { vec![exchanged(None, best.1)] } else { Vec::new() }
 }
 
 fn exchange_explains(records: &[Record]) -> bool {
     let own = shapes_left(records, [0, 1, 2]);
-    ORDERS.iter().any(|order| shapes_left(records, *order) < EXPLAINS * own)
+    ORDERS.iter().any(|order| shapes_left(records, *order) < EXPLAINS_ALL * own)
 }
 
 fn sign_everywhere(c: usize) -> Defect {

@@ -68,6 +68,8 @@ pub fn defects(data: &Dataset, simulated: &[Flown], sigma: &[[f64; 3]]) -> Vec<D
     add(airspeed::wrong(&records));
     add(samples::spikes(&records));
     add(timing::lags(&records));
-    add(repeats::differ(&records));
+    // a run that is named already differs from its repeat of course
+    let named: Vec<String> = all.iter().filter_map(|defect| defect.run.clone()).collect();
+    all.extend(repeats::differ(&records, &named));
     all
 }

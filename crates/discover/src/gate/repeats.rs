@@ -10,8 +10,8 @@ const SHARE: f64 = 0.1;
 /// And so many times the other pairs' difference.
 const BEYOND_OTHERS: f64 = 5.0;
 
-/// See the module.
-pub(super) fn differ(records: &[Record]) -> Vec<Defect> {
+/// See the module; pairs with a run that is `named` already are left out.
+pub(super) fn differ(records: &[Record], named: &[String]) -> Vec<Defect> {
     let mut found = Vec::new();
     for c in 0..3 {
         let pairs: Vec<(usize, usize, f64, f64)> = records
@@ -19,7 +19,11 @@ pub(super) fn differ(records: &[Record]) -> Vec<Defect> {
             .enumerate()
             .filter_map(|(i, record)| {
                 let first = record.repeat_of?;
-                let (difference, variation) = difference(records.get(first)?, record, c)?;
+                let known = |record: &Record| named.contains(&record.name);
+                if known(record) || known(records.get(first)?) {
+                    return None;
+                }
+                let (difference, variation) = difference(&records[first], record, c)?;
                 Some((first, i, difference, variation))
             })
             .collect();

@@ -18,9 +18,9 @@ const STUCK: f64 = 0.2;
 /// Least height of a spike, standard deviations.
 const SPIKE: f64 = 15.0;
 /// And over that of all but three per cent of the samples, and over that of peers.
-const SPIKE_OVER_OTHERS: f64 = 5.0;
+const SPIKE_OVER_OTHERS: f64 = 4.0;
 /// A spike is over within so many samples.
-const NARROW: usize = 3;
+const NARROW: usize = 2;
 
 /// Stuck and clipped channels.
 pub(super) fn flat(records: &[Record]) -> Vec<Defect> {
@@ -138,8 +138,10 @@ pub(super) fn spikes(records: &[Record]) -> Vec<Defect> {
 
 fn spike(record: &Record, c: usize) -> Option<Spike> {
     let pair =
-        record.channels[c].as_ref().filter(|pair| !record.steady && pair.measured.len() > 20 * NARROW)?;
-    let residual: Vec<f64> = pair.measured.iter().zip(&pair.simulated).map(|(m, s)| m - s).collect();
+        record.channels[c].as_ref().filter(|pair| !record.steady && pair.measured.len() > 30 * NARROW)?;
+    // a control that does half of what the model thinks leaves edges; the run's own gain takes them off
+    let gain = record.about_mean(c)?.gain(record.sigma[c]).unwrap_or(1.0);
+    let residual: Vec<f64> = pair.measured.iter().zip(&pair.simulated).map(|(m, s)| m - gain * s).collect();
     let n = residual.len();
     let out = |i: usize| (residual[i] - 0.5 * (residual[i - NARROW] + residual[i + NARROW])).abs();
     let outs: Vec<f64> = (NARROW..n - NARROW).map(out).collect();

@@ -11,31 +11,31 @@ use maneuver::AirModel;
 use maneuver::effects::{Active, Flown};
 
 /// A folder in `data/`.
-pub fn folder(name: &str) -> PathBuf {
+pub(crate) fn folder(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data").join(name)
 }
 
 /// A campaign, its wing, and the wing flown through it.
-pub struct Flight {
+pub(crate) struct Flight {
     /// As measured.
-    pub data: Dataset,
+    pub(crate) data: Dataset,
     /// The wing.
-    pub simulator: Simulator,
+    pub(crate) simulator: Simulator,
     /// As flown without effects.
-    pub flown: Vec<Flown>,
+    pub(crate) flown: Vec<Flown>,
     /// Names of the controls.
-    pub controls: Vec<String>,
+    pub(crate) controls: Vec<String>,
 }
 
 impl Flight {
     /// Everything flown with effects.
-    pub fn with(&self, effects: &[Active]) -> Vec<Flown> {
+    pub(crate) fn with(&self, effects: &[Active]) -> Vec<Flown> {
         let all: Vec<usize> = (0..self.data.statics.len() + self.data.runs.len()).collect();
         self.simulator.fly(&self.simulator.models(effects, None), effects, &all)
     }
 
     /// Measurements replaced by what was flown, with noise of the stated size from a simple generator.
-    pub fn pretend(&self, flown: &[Flown], seed: u64) -> Dataset {
+    pub(crate) fn pretend(&self, flown: &[Flown], seed: u64) -> Dataset {
         let mut data = self.data.clone();
         let (sample, point) = data.stated.expect("the shipped campaign states its noise");
         let mut state = seed;
@@ -67,13 +67,13 @@ impl Flight {
     }
 
     /// Place of a run among the runs.
-    pub fn run(&self, name: &str) -> usize {
+    pub(crate) fn run(&self, name: &str) -> usize {
         self.data.runs.iter().position(|run| run.name == name).expect("a run of the campaign")
     }
 }
 
 /// The shipped campaign.
-pub fn shipped() -> &'static Flight {
+pub(crate) fn shipped() -> &'static Flight {
     static FLIGHT: OnceLock<Flight> = OnceLock::new();
     FLIGHT.get_or_init(|| {
         let (file, wing) = ElasticWing::read(&folder("tuflex/wing_beam.ron")).expect("the shipped wing");
@@ -85,7 +85,7 @@ pub fn shipped() -> &'static Flight {
         let schedule = Schedule { wing: file.name.clone(), wing_hash: file.hash.clone(), sets };
         let data = Dataset::read(&campaign, &wing).expect("its runs");
         let simulator =
-            Simulator::new(&file, &wing, &schedule, &data, AirModel::Unsteady).expect("a simulator");
+            Simulator::new(&file, &wing, &schedule, &data, AirModel::default()).expect("a simulator");
         let all: Vec<usize> = (0..data.statics.len() + data.runs.len()).collect();
         let flown = simulator.fly(&simulator.models(&[], None), &[], &all);
         let controls = wing.controls.iter().map(|control| control.name.clone()).collect();
