@@ -20,7 +20,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("calibrate", &["nastran", "structure", "aero", "coupling"]),
     ("maneuver", &["nastran", "structure", "aero", "coupling"]),
     ("fullaircraft", &["nastran", "structure", "aero", "coupling", "maneuver"]),
-    ("discover", &["nastran", "aero", "coupling", "calibrate", "maneuver"]),
+    ("discover", &["nastran", "aero", "coupling", "calibrate", "maneuver", "response"]),
     ("tunnel", &["nastran", "structure", "aero", "coupling", "maneuver"]),
     (
         "validation",

@@ -1,0 +1,146 @@
+//! A run or a static group beside its simulation, and the few numbers by which it is compared with its peers.
+
+use crate::data::Dataset;
+use crate::locate::Maneuver;
+use maneuver::effects::Flown;
+
+/// Names of the channels.
+pub(crate) const CHANNELS: [&str; 3] = ["Fz_N", "Mx_Nm", "My_Nm"];
+
+/// One channel.
+#[derive(Debug, Clone)]
+pub(crate) struct Pair {
+    pub(crate) measured: Vec<f64>,
+    pub(crate) simulated: Vec<f64>,
+}
+
+/// See the module.
+#[derive(Debug, Clone)]
+pub(crate) struct Record {
+    pub(crate) name: String,
+    pub(crate) steady: bool,
+    pub(crate) v_m_s: f64,
+    pub(crate) maneuver: Maneuver,
+    pub(crate) alpha_rad: f64,
+    pub(crate) repeat_of: Option<usize>,
+    pub(crate) time_step_s: f64,
+    pub(crate) sigma: [f64; 3],
+    pub(crate) channels: [Option<Pair>; 3],
+}
+
+/// Records in the order static groups, runs.
+pub(crate) fn records(data: &Dataset, simulated: &[Flown], sigma: &[[f64; 3]]) -> Vec<Record> {
+    let statics = data.statics.iter().map(|group| {
+        let v_m_s = data.airspeeds_m_s[group.airspeed];
+        let present: Vec<usize> =
+            (0..3).filter(|&c| group.measured.iter().any(|loads| loads[c].is_some())).collect();
+        let kept: Vec<usize> = (0..group.measured.len())
+            .filter(|&i| present.iter().all(|&c| group.measured[i][c].is_some()))
+            .collect();
+        let name = if v_m_s > 0.0 {
+            format!("static points at {v_m_s} m/s")
+        } else {
+            "static points without wind".to_owned()
+        };
+        (name, &group.stimulus, v_m_s, None, kept, present)
+    });
+    let runs = data.runs.iter().map(|run| {
+        let kept: Vec<usize> = (0..run.measured[0].len()).collect();
+        let repeat = run.repeat_of.map(|first| first + data.statics.len());
+        (run.name.clone(), &run.stimulus, data.airspeeds_m_s[run.airspeed], repeat, kept, vec![0, 1, 2])
+    });
+    let of = |place: usize, c: usize, i: usize| match place.checked_sub(data.statics.len()) {
+        None => data.statics[place].measured[i][c].unwrap_or(f64::NAN),
+        Some(run) => data.runs[run].measured[c][i],
+    };
+    statics
+        .chain(runs)
+        .enumerate()
+        .map(|(place, (name, stimulus, v_m_s, repeat_of, kept, present))| Record {
+            name,
+            steady: stimulus.steady,
+            v_m_s,
+            maneuver: Maneuver::of(stimulus, v_m_s),
+            alpha_rad: mean(&stimulus.inputs.alpha.value),
+            repeat_of,
+            time_step_s: stimulus.time_step_s,
+            sigma: sigma[place],
+            channels: std::array::from_fn(|c| {
+                present.contains(&c).then(|| Pair {
+                    measured: kept.iter().map(|&i| of(place, c, i)).collect(),
+                    simulated: kept.iter().map(|&i| simulated[place].loads[c][i]).collect(),
+                })
+            }),
+        })
+        .collect()
+}
+
+impl Record {
+    /// A channel with the mean taken off.
+    pub(crate) fn about_mean(&self, c: usize) -> Option<Pair> {
+        let off = |values: &[f64]| {
+            let mean = mean(values);
+            values.iter().map(|value| value - mean).collect()
+        };
+        self.channels[c]
+            .as_ref()
+            .map(|pair| Pair { measured: off(&pair.measured), simulated: off(&pair.simulated) })
+    }
+
+    /// What tells most of its sign and size: all of it with wind, what moves without.
+    pub(crate) fn signal(&self, c: usize) -> Option<Pair> {
+        if self.v_m_s > 0.0 { self.channels[c].clone() } else { self.about_mean(c) }
+    }
+}
+
+impl Pair {
+    /// Factor on the simulation that brings it nearest to the measurement; none if the simulation hardly moves.
+    pub(crate) fn gain(&self, sigma: f64) -> Option<f64> {
+        let power = dot(&self.simulated, &self.simulated);
+        (power > 25.0 * sigma * sigma * self.simulated.len() as f64)
+            .then(|| dot(&self.measured, &self.simulated) / power)
+    }
+}
+
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+pub(crate) fn mean(values: &[f64]) -> f64 {
+    if values.is_empty() { 0.0 } else { values.iter().sum::<f64>() / values.len() as f64 }
+}
+
+/// The middle value; none of none.
+pub(crate) fn median(mut values: Vec<f64>) -> Option<f64> {
+    values.retain(|value| value.is_finite());
+    values.sort_by(f64::total_cmp);
+    let n = values.len();
+    (n > 0).then(|| 0.5 * (values[(n - 1) / 2] + values[n / 2]))
+}
+
+/// One standard deviation of a sample of Fz, Mx, My for [`super::defects`], static groups first, then runs: as stated, or
+/// from what runs hold above 10 Hz, where little else is.
+pub fn rough_noise(data: &Dataset) -> Vec<[f64; 3]> {
+    let quiet = |c: usize| {
+        let of = |run: &crate::data::RunData| {
+            let (values, dt) = (&run.measured[c], run.stimulus.time_step_s);
+            let all = crate::transform::cosines(values, dt);
+            let high = all.iter().enumerate().filter(|(k, _)| {
+                crate::transform::frequency_hz(*k, values.len(), dt) > 0.85 * crate::transform::HIGHEST_HZ
+            });
+            // the middle of |x| of normal numbers
+            median(high.map(|(_, value)| value.abs()).collect()).map(|middle| middle / 0.6745)
+        };
+        median(data.runs.iter().filter_map(of).collect()).unwrap_or(0.0)
+    };
+    let rough: [f64; 3] = std::array::from_fn(|c| match data.stated {
+        Some((sample, _)) => sample[c],
+        None => quiet(c),
+    });
+    let statics = data.statics.iter().map(|_| data.stated.map_or(rough, |(_, point)| point));
+    let runs = data.runs.iter().map(|run| {
+        let behind_filter = if data.stated.is_some() { (run.decimation as f64).sqrt() } else { 1.0 };
+        rough.map(|sigma| (sigma / behind_filter).max(f64::MIN_POSITIVE))
+    });
+    statics.chain(runs).collect()
+}

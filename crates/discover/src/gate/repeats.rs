@@ -1,0 +1,66 @@
+//! Repeats that differ by far more than noise and offset of a day.
+
+use super::record::{Record, dot, mean, median};
+use super::{CHANNELS, Defect, DefectKind};
+
+/// The difference counts if it is so many standard deviations of a sample.
+const FAR: f64 = 8.0;
+/// And this share of the load's variation.
+const SHARE: f64 = 0.1;
+/// And so many times the other pairs' difference.
+const BEYOND_OTHERS: f64 = 5.0;
+
+/// See the module; pairs with a run that is `named` already are left out.
+pub(super) fn differ(records: &[Record], named: &[String]) -> Vec<Defect> {
+    let mut found = Vec::new();
+    for c in 0..3 {
+        let pairs: Vec<(usize, usize, f64, f64)> = records
+            .iter()
+            .enumerate()
+            .filter_map(|(i, record)| {
+                let first = record.repeat_of?;
+                let known = |record: &Record| named.contains(&record.name);
+                if known(record) || known(records.get(first)?) {
+                    return None;
+                }
+                let (difference, variation) = difference(&records[first], record, c)?;
+                Some((first, i, difference, variation))
+            })
+            .collect();
+        for &(first, second, difference, variation) in &pairs {
+            let others = pairs.iter().filter(|pair| pair.1 != second).map(|pair| pair.2).collect();
+            let usual = median(others).unwrap_or(0.0);
+            if difference > FAR && difference > SHARE * variation && difference > BEYOND_OTHERS * usual {
+                let (channel, name) = (CHANNELS[c], &records[second].name);
+                let sentence = format!(
+                    "{channel} of {name} differs from {}, which it repeats, by {difference:.0} times the noise",
+                    records[first].name
+                );
+                let run = Some(name.clone());
+                found.push(Defect { kind: DefectKind::Repeat, run, channel: Some(channel), sentence });
+            }
+        }
+    }
+    found
+}
+
+/// Root mean squares in standard deviations of a sample: of the residuals' difference without its mean, of the load.
+fn difference(first: &Record, second: &Record, c: usize) -> Option<(f64, f64)> {
+    let (a, b) = (first.channels[c].as_ref()?, second.channels[c].as_ref()?);
+    if a.measured.len() != b.measured.len() {
+        return None;
+    }
+    let residual = |pair: &super::record::Pair| -> Vec<f64> {
+        pair.measured.iter().zip(&pair.simulated).map(|(m, s)| m - s).collect()
+    };
+    let difference: Vec<f64> = residual(a).iter().zip(residual(b)).map(|(a, b)| a - b).collect();
+    let rms = |values: &[f64]| {
+        let mean = mean(values);
+        let off: Vec<f64> = values.iter().map(|value| value - mean).collect();
+        (dot(&off, &off) / off.len() as f64).sqrt()
+    };
+    Some((
+        rms(&difference) / (std::f64::consts::SQRT_2 * second.sigma[c]),
+        rms(&b.simulated) / second.sigma[c],
+    ))
+}

@@ -1,0 +1,156 @@
+//! Channels that stand still or end at a value while the load moves, and single samples far off.
+//!
+//! Samples that are equal to a small part of the noise show that the channel did not measure: noise never rests.
+
+use super::record::{Pair, Record, median};
+use super::{CHANNELS, Defect, DefectKind};
+
+/// A stretch is flat if it spans less than this share of the noise.
+const FLAT: f64 = 0.1;
+/// Shortest flat stretch, samples: neighbours are alike behind a filter.
+const SHORTEST: usize = 6;
+/// So many samples in flat stretches at an end of the range make a clipped channel.
+const CLIPPED: usize = 10;
+/// The simulation must move by so many standard deviations meanwhile.
+const MOVES: f64 = 3.0;
+/// A channel that stands still for this share of a run is stuck.
+const STUCK: f64 = 0.2;
+/// Least height of a spike, standard deviations.
+const SPIKE: f64 = 15.0;
+/// And over that of all but three per cent of the samples, and over that of peers.
+const SPIKE_OVER_OTHERS: f64 = 4.0;
+/// A spike is over within so many samples.
+const NARROW: usize = 2;
+
+/// Stuck and clipped channels.
+pub(super) fn flat(records: &[Record]) -> Vec<Defect> {
+    let mut found = Vec::new();
+    for record in records.iter().filter(|record| !record.steady) {
+        for (c, pair) in record.channels.iter().enumerate() {
+            let Some(pair) = pair else { continue };
+            if let Some((kind, what)) = flat_in(pair, record.sigma[c]) {
+                let (channel, name) = (CHANNELS[c], &record.name);
+                let sentence = format!("{channel} of {name} {what}");
+                found.push(Defect { kind, run: Some(name.clone()), channel: Some(channel), sentence });
+            }
+        }
+    }
+    found
+}
+
+fn range(values: &[f64]) -> (f64, f64) {
+    values
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(*value), high.max(*value)))
+}
+
+fn flat_in(pair: &Pair, sigma: f64) -> Option<(DefectKind, String)> {
+    let (low, high) = range(&pair.measured);
+    let stretches: Vec<(usize, usize)> = stretches(&pair.measured, FLAT * sigma)
+        .into_iter()
+        .filter(|(from, to)| to - from >= SHORTEST)
+        .collect();
+    let moves = |inside: &[&(usize, usize)]| {
+        let all: Vec<f64> =
+            inside.iter().flat_map(|(from, to)| pair.simulated[*from..*to].iter().copied()).collect();
+        let (least, most) = range(&all);
+        most - least > MOVES * sigma
+    };
+    let longest = stretches.iter().filter(|stretch| moves(&[stretch])).max_by_key(|(from, to)| to - from);
+    if let Some((from, to)) = longest
+        && (to - from) as f64 > STUCK * pair.measured.len() as f64
+    {
+        return Some((
+            DefectKind::Stuck,
+            format!("is stuck at {:.4} while the load moves", pair.measured[*from]),
+        ));
+    }
+    for (value, word) in [(low, "smallest"), (high, "largest")] {
+        // a filter after clipping swings past the end by a little
+        let near = |&&(from, to): &&(usize, usize)| {
+            (pair.measured[from..to].iter().sum::<f64>() / (to - from) as f64 - value).abs()
+                < 0.02 * (high - low)
+        };
+        let there: Vec<&(usize, usize)> = stretches.iter().filter(near).collect();
+        let samples: usize = there.iter().map(|(from, to)| to - from).sum();
+        if samples >= CLIPPED && moves(&there) {
+            let what = format!("is clipped: {samples} samples stand at its {word} value {value:.3}");
+            return Some((DefectKind::Clipped, what));
+        }
+    }
+    None
+}
+
+/// Longest stretches from left to right that span less than a width.
+fn stretches(values: &[f64], width: f64) -> Vec<(usize, usize)> {
+    let (mut all, mut from) = (Vec::new(), 0);
+    while from < values.len() {
+        let (mut low, mut high, mut to) = (values[from], values[from], from + 1);
+        while to < values.len() {
+            (low, high) = (low.min(values[to]), high.max(values[to]));
+            if high - low > width {
+                break;
+            }
+            to += 1;
+        }
+        all.push((from, to));
+        from = to;
+    }
+    all
+}
+
+/// The most that a sample stands out of its neighbours: height in the channel's unit, and where.
+struct Spike {
+    height: f64,
+    usual: f64,
+    at: usize,
+    narrow: bool,
+}
+
+/// Single samples far off.
+pub(super) fn spikes(records: &[Record]) -> Vec<Defect> {
+    let mut found = Vec::new();
+    for c in 0..3 {
+        let all: Vec<Option<Spike>> = records.iter().map(|record| spike(record, c)).collect();
+        for (i, record) in records.iter().enumerate() {
+            let Some(spike) = &all[i] else { continue };
+            let peers = (0..records.len())
+                .filter(|&j| j != i && records[j].maneuver.same_kind(&record.maneuver))
+                .filter_map(|j| all[j].as_ref().map(|spike| spike.height));
+            let usual = spike.usual.max(median(peers.collect()).unwrap_or(0.0));
+            if spike.narrow
+                && spike.height > SPIKE * record.sigma[c]
+                && spike.height > SPIKE_OVER_OTHERS * usual
+            {
+                let (channel, name) = (CHANNELS[c], &record.name);
+                let sentence = format!(
+                    "{channel} of {name} has samples far off at {:.2} s: by {:.0} times the noise",
+                    spike.at as f64 * record.time_step_s,
+                    spike.height / record.sigma[c]
+                );
+                let run = Some(name.clone());
+                found.push(Defect { kind: DefectKind::Spikes, run, channel: Some(channel), sentence });
+            }
+        }
+    }
+    found
+}
+
+fn spike(record: &Record, c: usize) -> Option<Spike> {
+    let pair =
+        record.channels[c].as_ref().filter(|pair| !record.steady && pair.measured.len() > 30 * NARROW)?;
+    // a control that does half of what the model thinks leaves edges; the run's own gain takes them off
+    let gain = record.about_mean(c)?.gain(record.sigma[c]).unwrap_or(1.0);
+    let residual: Vec<f64> = pair.measured.iter().zip(&pair.simulated).map(|(m, s)| m - gain * s).collect();
+    let n = residual.len();
+    let out = |i: usize| (residual[i] - 0.5 * (residual[i - NARROW] + residual[i + NARROW])).abs();
+    let outs: Vec<f64> = (NARROW..n - NARROW).map(out).collect();
+    let k = (0..outs.len()).max_by(|&a, &b| outs[a].total_cmp(&outs[b]))?;
+    let mut sorted = outs.clone();
+    sorted.sort_by(f64::total_cmp);
+    let narrow = (0..outs.len())
+        .filter(|&j| (2 * NARROW..=4 * NARROW).contains(&j.abs_diff(k)))
+        .all(|j| outs[j] < 0.35 * outs[k]);
+    let usual = sorted[sorted.len() * 97 / 100];
+    Some(Spike { height: outs[k], usual, at: k + NARROW, narrow })
+}

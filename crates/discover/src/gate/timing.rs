@@ -1,0 +1,97 @@
+//! Runs that are late or early against runs like them, by cross-correlation with the simulation.
+
+use super::record::{Record, dot, median};
+use super::{Defect, DefectKind};
+
+/// Longest lag that is looked for, s.
+const LONGEST_S: f64 = 0.3;
+/// Least lag against the peers, s.
+const LEAST_S: f64 = 0.03;
+/// Least phase against the peers at a pitching frequency, turns: missing dynamics may do half of it.
+const LEAST_TURNS: f64 = 30.0 / 360.0;
+/// A channel counts if it looks like the simulation so much, shifted.
+const LIKE: f64 = 0.8;
+/// Channels must agree within this, s.
+const AGREE_S: f64 = 0.02;
+/// So many peers make a comparison.
+const ENOUGH: usize = 3;
+
+/// See the module.
+pub(super) fn lags(records: &[Record]) -> Vec<Defect> {
+    let all: Vec<Option<f64>> = records.iter().map(lag_s).collect();
+    let peers = |i: usize, like: &dyn Fn(&Record) -> bool| -> Vec<f64> {
+        (0..records.len()).filter(|&j| j != i && like(&records[j])).filter_map(|j| all[j]).collect()
+    };
+    let mut found = Vec::new();
+    for (i, record) in records.iter().enumerate() {
+        let Some(lag) = all[i] else { continue };
+        let mut others = peers(i, &|other| other.maneuver == record.maneuver);
+        if others.len() < ENOUGH {
+            others = peers(i, &|other| other.maneuver.same_kind(&record.maneuver));
+        }
+        if others.len() < ENOUGH {
+            continue;
+        }
+        let Some(usual) = median(others.clone()) else { continue };
+        let spread = median(others.iter().map(|other| (other - usual).abs()).collect()).unwrap_or(0.0);
+        let late = lag - usual;
+        if late.abs() > least_s(record).max(9.0 * spread) {
+            let (name, word) = (&record.name, if late > 0.0 { "late" } else { "early" });
+            found.push(Defect {
+                kind: DefectKind::Lag,
+                run: Some(name.clone()),
+                channel: None,
+                sentence: format!("{name} is {:.0} ms {word} against runs like it", 1e3 * late.abs()),
+            });
+        }
+    }
+    found
+}
+
+fn least_s(record: &Record) -> f64 {
+    match record.maneuver {
+        crate::locate::Maneuver::Pitch { frequency_hz, .. } => LEAST_S.max(LEAST_TURNS / frequency_hz),
+        _ => LEAST_S,
+    }
+}
+
+/// Lag of the measurement on which the channels agree, s.
+fn lag_s(record: &Record) -> Option<f64> {
+    if record.steady {
+        return None;
+    }
+    let lags: Vec<f64> = (0..3)
+        .filter_map(|c| {
+            let pair = record.about_mean(c)?;
+            pair.gain(record.sigma[c])?;
+            best_lag_s(&pair.measured, &pair.simulated, record.time_step_s)
+        })
+        .collect();
+    let usual = median(lags.clone())?;
+    (lags.len() > 1 && lags.iter().all(|lag| (lag - usual).abs() < AGREE_S)).then_some(usual)
+}
+
+/// The shift at which two records look most alike, between samples by a parabola.
+pub(super) fn best_lag_s(late: &[f64], early: &[f64], time_step_s: f64) -> Option<f64> {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small positive number")]
+    let longest = (LONGEST_S / time_step_s).round() as usize;
+    let n = late.len().min(early.len());
+    if n < 4 * longest {
+        return None;
+    }
+    // ends are compared only where both are inside
+    let inner = &early[longest..n - longest];
+    let at = |shift: usize| {
+        let shifted = &late[shift..shift + inner.len()];
+        dot(shifted, inner) / (dot(shifted, shifted) * dot(inner, inner)).sqrt()
+    };
+    let values: Vec<f64> = (0..=2 * longest).map(at).collect();
+    let best = (1..2 * longest).max_by(|&a, &b| values[a].total_cmp(&values[b]))?;
+    let [before, here, after] = [values[best - 1], values[best], values[best + 1]];
+    let bend = before - 2.0 * here + after;
+    if here < LIKE || bend >= 0.0 {
+        return None;
+    }
+    let between = 0.5 * (before - after) / bend;
+    Some((best as f64 - longest as f64 + between.clamp(-0.5, 0.5)) * time_step_s)
+}

@@ -1,0 +1,5 @@
+//! Where simulation and measurements disagree.
+
+pub mod maneuver;
+
+pub use maneuver::Maneuver;

@@ -1,0 +1,94 @@
+//! The shipped campaign beside the shipped wing, calibrated on it.
+
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
+use calibrate::{Campaign, CorrectionSet, Schedule, Settings, calibrate};
+use coupling::ElasticWing;
+use discover::data::Dataset;
+use discover::simulator::Simulator;
+use maneuver::AirModel;
+use maneuver::effects::{Active, Flown};
+
+/// A folder in `data/`.
+pub(crate) fn folder(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data").join(name)
+}
+
+/// A campaign, its wing, and the wing flown through it.
+pub(crate) struct Flight {
+    /// As measured.
+    pub(crate) data: Dataset,
+    /// The wing.
+    pub(crate) simulator: Simulator,
+    /// As flown without effects.
+    pub(crate) flown: Vec<Flown>,
+    /// Names of the controls.
+    pub(crate) controls: Vec<String>,
+}
+
+impl Flight {
+    /// Everything flown with effects.
+    pub(crate) fn with(&self, effects: &[Active]) -> Vec<Flown> {
+        let all: Vec<usize> = (0..self.data.statics.len() + self.data.runs.len()).collect();
+        self.simulator.fly(&self.simulator.models(effects, None), effects, &all)
+    }
+
+    /// Measurements replaced by what was flown, with noise of the stated size from a simple generator.
+    pub(crate) fn pretend(&self, flown: &[Flown], seed: u64) -> Dataset {
+        let mut data = self.data.clone();
+        let (sample, point) = data.stated.expect("the shipped campaign states its noise");
+        let mut state = seed;
+        // sum of twelve uniform numbers (Knuth's generator), variance one
+        let mut normal = || -> f64 {
+            (0..12)
+                .map(|_| {
+                    state =
+                        state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+                    (state >> 33) as f64 / (1_u64 << 31) as f64
+                })
+                .sum::<f64>()
+                - 6.0
+        };
+        let (statics, runs) = flown.split_at(data.statics.len());
+        for (group, flown) in data.statics.iter_mut().zip(statics) {
+            for (i, loads) in group.measured.iter_mut().enumerate() {
+                *loads = std::array::from_fn(|c| Some(flown.loads[c][i] + point[c] * normal()));
+            }
+        }
+        for (run, flown) in data.runs.iter_mut().zip(runs) {
+            let behind_filter = (run.decimation as f64).sqrt();
+            for c in 0..3 {
+                let noisy = flown.loads[c].iter().map(|value| value + sample[c] / behind_filter * normal());
+                run.measured[c] = noisy.collect();
+            }
+        }
+        data
+    }
+
+    /// Place of a run among the runs.
+    pub(crate) fn run(&self, name: &str) -> usize {
+        self.data.runs.iter().position(|run| run.name == name).expect("a run of the campaign")
+    }
+}
+
+/// The shipped campaign.
+pub(crate) fn shipped() -> &'static Flight {
+    static FLIGHT: OnceLock<Flight> = OnceLock::new();
+    FLIGHT.get_or_init(|| {
+        let (file, wing) = ElasticWing::read(&folder("tuflex/wing_beam.ron")).expect("the shipped wing");
+        let campaign = Campaign::read(&folder("tuflex/measured")).expect("the shipped campaign");
+        let found =
+            calibrate(&wing, &campaign, &Settings::of_wing(&file.correction)).expect("it can be calibrated");
+        let sets =
+            found.airspeeds.iter().map(|a| CorrectionSet::new(a.data.v_m_s, a.corrections.clone())).collect();
+        let schedule = Schedule { wing: file.name.clone(), wing_hash: file.hash.clone(), sets };
+        let data = Dataset::read(&campaign, &wing).expect("its runs");
+        let simulator =
+            Simulator::new(&file, &wing, &schedule, &data, AirModel::default()).expect("a simulator");
+        let all: Vec<usize> = (0..data.statics.len() + data.runs.len()).collect();
+        let flown = simulator.fly(&simulator.models(&[], None), &[], &all);
+        let controls = wing.controls.iter().map(|control| control.name.clone()).collect();
+        Flight { data, simulator, flown, controls }
+    })
+}
