@@ -11,7 +11,7 @@
 
 use crate::deck_spline;
 use crate::error::AircraftError;
-use crate::trim_solve::solve;
+use crate::trim_balance::Balance;
 use aero::{ControlSurface, Integration, Lattice, MirrorPlane, SteadyAero, camber_and_twist, incidence};
 use coupling::{CouplingError, Spline};
 use faer::linalg::solvers::Solve;
@@ -176,7 +176,14 @@ impl TrimDeck {
         let cp = self.pressures(q, Elastic::Restrained, true);
         let air = (self.motions.transpose() * (&self.gather * &cp)) * faer::Scale(q);
         let balance = air - &self.inertia;
-        let values = solve(&balance, &x, &self.variables)?;
+        let rows: Vec<usize> = (0..balance.nrows()).collect();
+        let row_names = vec!["motions of SUPORT"; rows.len()];
+        let asked = Balance { matrix: &balance, rows: &rows, row_names: &row_names, names: &self.variables };
+        let values = asked.solve(&x).map_err(|why| {
+            InputError::general(format!("there is no such trim: {why}")).with_help(
+                "leave as many variables free as motions are supported, each with an effect of its own",
+            )
+        })?;
         let cp: Vec<f64> = (0..cp.nrows())
             .map(|row| values.iter().enumerate().map(|(j, value)| cp[(row, j)] * value).sum())
             .collect();
