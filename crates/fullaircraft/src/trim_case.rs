@@ -178,40 +178,65 @@ impl TrimAt<'_> {
     /// give what is asked for.
     pub fn solve(&self, case: &TrimCase) -> Result<Balanced, AircraftError> {
         let first = 1 + self.tools.variables.all.len();
-        // zero unless given; motions come out unless asked for or held
         let mut x: Vec<Option<f64>> = vec![Some(0.0); self.names.len()];
         x[0] = Some(1.0);
-        x[first..].fill(None);
         for (name, value) in &case.given {
             x[1 + self.tools.variables.place(name)?] = Some(*value);
         }
         for name in &case.free {
             x[1 + self.tools.variables.place(name)?] = None;
         }
-        let mut rows: Vec<usize> = (0..MOTIONS.len()).collect();
+        let mut outcome: Vec<usize> = (0..MOTIONS.len()).collect();
         for name in &case.held {
             let at = motion(name)?;
-            x[first + at] = Some(0.0);
-            rows.retain(|row| *row != at);
+            outcome.retain(|row| *row != at);
         }
+        let mut asked = Vec::new();
         for (name, value) in &case.targets {
-            x[first + motion(name)?] = Some(*value);
+            let at = motion(name)?;
+            x[first + at] = Some(*value);
+            outcome.retain(|row| *row != at);
+            asked.push(at);
         }
-        let balance = Balance { matrix: &self.balance, rows: &rows, row_names: &ROWS, names: &self.names };
         let refuse = |why: String| AircraftError::NotTrimmable {
             point: case.name.clone(),
             v_m_s: self.v_m_s,
             load_factor: case.load_factor(),
             why,
         };
-        if case.free.len() != case.targets.len() {
-            let (free, targets) = (case.free.len(), case.targets.len());
+        if case.free.len() != asked.len() {
+            let (count, free, targets) = (case.free.len(), case.free.join(", "), asked.len());
             return Err(refuse(format!(
-                "{free} variables are free ({}) for {targets} motions asked for",
-                case.free.join(", ")
+                "{count} variables are free ({free}) for {targets} motions asked for"
             )));
         }
-        Ok(Balanced { x: balance.solve(&x).map_err(refuse)? })
+        let answers = self.answers(&outcome, first);
+        let mut matrix = self.balance.clone();
+        for row in (0..MOTIONS.len()).filter(|row| !outcome.contains(row)) {
+            for column in 0..matrix.ncols() {
+                for (k, motion) in outcome.iter().enumerate() {
+                    matrix[(row, column)] += self.balance[(row, first + motion)] * answers[(k, column)];
+                }
+            }
+        }
+        let balance = Balance { matrix: &matrix, rows: &asked, row_names: &ROWS, names: &self.names };
+        let mut x = balance.solve(&x).map_err(refuse)?;
+        let outcomes = combine(answers.as_ref(), &x);
+        for (motion, value) in outcome.iter().zip(outcomes) {
+            x[first + motion] = value;
+        }
+        Ok(Balanced { x })
+    }
+
+    /// What motions nobody asks for become per unit of each column (their own columns: zero), by their own equations.
+    fn answers(&self, outcome: &[usize], first: usize) -> Mat<f64> {
+        let n = outcome.len();
+        let own = Mat::from_fn(n, n, |i, j| self.balance[(outcome[i], first + outcome[j])]);
+        let by = Mat::from_fn(n, self.balance.ncols(), |i, column| {
+            let unknown = outcome.iter().any(|motion| first + motion == column);
+            if unknown { 0.0 } else { -self.balance[(outcome[i], column)] }
+        });
+        own.partial_piv_lu().solve(&by)
     }
 
     /// Value of a variable or motion, in the unit its name says.
