@@ -19,6 +19,7 @@ use aero::{Corrections, Flow};
 use coupling::{Balance, CouplingError, GRAVITY_M_S2, RootLoads, SupportedStructure, root_rows};
 use faer::{Mat, MatRef};
 use nalgebra::Point3;
+use std::sync::OnceLock;
 
 /// Pitch rates that differ by more than this share are warned about.
 const PITCH_RATE_TOLERANCE: f64 = 0.02;
@@ -50,6 +51,8 @@ pub struct FlightModel<'a> {
     pub aircraft: &'a Aircraft,
     /// Corrections of all boxes in the flow.
     pub corrections: Corrections,
+    /// Lowest divergence pressure, Pa, once it has been asked for.
+    divergence_pa: OnceLock<Option<f64>>,
 }
 
 /// The aircraft in balanced flight.
@@ -82,12 +85,20 @@ impl Aircraft {
     /// # Errors
     /// If there is not one entry for each box of the wing.
     pub fn with_corrections(&self, wing: &Corrections) -> Result<FlightModel<'_>, AircraftError> {
-        Ok(FlightModel { aircraft: self, corrections: self.corrections(wing)? })
+        Ok(FlightModel {
+            aircraft: self,
+            corrections: self.corrections(wing)?,
+            divergence_pa: OnceLock::new(),
+        })
     }
 
     /// The aircraft as modelled before any measurement.
     pub fn uncorrected(&self) -> FlightModel<'_> {
-        FlightModel { aircraft: self, corrections: Corrections::neutral(self.flow.lattice.len()) }
+        FlightModel {
+            aircraft: self,
+            corrections: Corrections::neutral(self.flow.lattice.len()),
+            divergence_pa: OnceLock::new(),
+        }
     }
 
     /// The structure held at the centre.
@@ -178,6 +189,19 @@ impl FlightModel<'_> {
     /// Name of the elevator's variable.
     pub(crate) fn elevator(&self) -> String {
         format!("{}_deg", self.aircraft.file.htp.control.name)
+    }
+
+    /// Lowest dynamic pressure at which the aircraft, held at the wing's root, diverges, Pa; `None` if there is none. By
+    /// eigenvalues: a mirrored aircraft has them in pairs close together, between which a determinant's sign tells nothing.
+    ///
+    /// # Errors
+    /// If the eigenvalues do not converge.
+    pub fn divergence_pressure_pa(&self) -> Result<Option<f64>, AircraftError> {
+        if let Some(known) = self.divergence_pa.get() {
+            return Ok(*known);
+        }
+        let found = self.aircraft.flow.divergence_pressure(&self.corrections)?;
+        Ok(*self.divergence_pa.get_or_init(|| found))
     }
 
     /// Airspeed and density of a point.

@@ -17,7 +17,7 @@ use crate::trim_balance::Balance;
 use crate::trim_stations::{MonitorPoint, Stations};
 use crate::trim_variables::{Acts, MOTION_UNITS, MOTIONS, TrimVariables, motion};
 use aero::Flow;
-use coupling::SupportedStructure;
+use coupling::{CouplingError, SupportedStructure};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, MatRef};
 use nalgebra::Point3;
@@ -108,9 +108,13 @@ impl<'a> TrimTools<'a> {
     pub fn at(&'a self, model: &FlightModel<'_>, v_m_s: f64) -> Result<TrimAt<'a>, AircraftError> {
         let held = self.aircraft.held()?;
         let flow = Flow { v_m_s, rho_kg_m3: self.aircraft.file.rho_kg_m3 };
+        let q_pa = flow.dynamic_pressure_pa();
+        let divergence_pa = model.divergence_pressure_pa()?;
+        if divergence_pa.is_some_and(|limit_pa| q_pa >= limit_pa) {
+            return Err(CouplingError::Diverged { q_pa, divergence_pa }.into());
+        }
         self.factorisations.fetch_add(1, Ordering::Relaxed);
         let factor = self.aircraft.flow.factorise(held, flow, &model.corrections)?;
-        let q_pa = flow.dynamic_pressure_pa();
         let cp = self.pressures(v_m_s);
         let mut u = &held.flexibility * &held.gather(model.loads(q_pa, cp.as_ref()).as_ref());
         let first = cp.ncols() - MOTIONS.len();
