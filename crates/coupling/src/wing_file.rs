@@ -12,6 +12,7 @@ mod write;
 pub use crate::planform::Mount;
 pub use deck_source::DeckSource;
 pub use deflection::{DeflectionRow, DeflectionTable, OutsideAirspeeds};
+pub use hash::of_text as fingerprint;
 pub use stations::StationAt;
 pub use write::Rewritten;
 

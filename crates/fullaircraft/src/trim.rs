@@ -148,20 +148,7 @@ impl FlightModel<'_> {
             }
             other => other,
         })?;
-        let rad = |name: &str| at.value(&balanced, name).map_or(0.0, f64::to_radians);
-        let air = at.air_loads(&balanced);
-        let stations = at.station_loads(&balanced);
-        Ok(Trimmed {
-            point: *point,
-            alpha_rad: rad("alpha_deg"),
-            elevator_rad: rad(&self.elevator()),
-            tip_deflection_m: at.tip_deflection_m(&balanced),
-            displacement: at.displacement(&balanced),
-            fz_n: air[2],
-            my_nm: air[4],
-            root_loads: [0, 1].map(|side| RootLoads::from_array(stations[side])),
-            box_loads: at.box_loads(&balanced),
-        })
+        Ok(at.trimmed(&balanced, point))
     }
 
     /// The trim of a point: angle of attack and elevator (with wings only, the angle alone) against lift and pitching moment; what

@@ -11,13 +11,15 @@
 //! drag, no suction, no centrifugal forces (ω² r is 2 m/s² at the tip of a 3.6 m wing rolling at 60 deg/s, along the span).
 
 use crate::aircraft::Aircraft;
+use crate::aircraft_file::FlightPoint;
 use crate::error::AircraftError;
-use crate::trim::FlightModel;
+use crate::trim::{FlightModel, Trimmed};
 use crate::trim_balance::Balance;
-use crate::trim_stations::{MonitorPoint, Stations};
+use crate::trim_stations::Stations;
 use crate::trim_variables::{Acts, MOTION_UNITS, MOTIONS, TrimVariables, motion};
 use aero::Flow;
-use coupling::{CouplingError, SupportedStructure};
+use coupling::wing_file::StationAt;
+use coupling::{CouplingError, RootLoads, SupportedStructure};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, MatRef};
 use nalgebra::Point3;
@@ -86,7 +88,7 @@ impl<'a> TrimTools<'a> {
     ///
     /// # Errors
     /// If a point has nothing outboard of it.
-    pub fn new(aircraft: &'a Aircraft, points: &[MonitorPoint]) -> Result<Self, AircraftError> {
+    pub fn new(aircraft: &'a Aircraft, points: &[StationAt]) -> Result<Self, AircraftError> {
         Ok(Self {
             aircraft,
             variables: TrimVariables::new(aircraft),
@@ -285,6 +287,26 @@ impl TrimAt<'_> {
         std::array::from_fn(|row| {
             loads.iter().enumerate().map(|(k, load)| self.tools.sums[(row, k)] * load).sum()
         })
+    }
+}
+
+impl TrimAt<'_> {
+    /// All of a trim, as flight at a point.
+    pub fn trimmed(&self, balanced: &Balanced, point: &FlightPoint) -> Trimmed {
+        let elevator = format!("{}_deg", self.tools.aircraft.file.htp.control.name);
+        let rad = |name: &str| self.value(balanced, name).map_or(0.0, f64::to_radians);
+        let (air, stations) = (self.air_loads(balanced), self.station_loads(balanced));
+        Trimmed {
+            point: *point,
+            alpha_rad: rad("alpha_deg"),
+            elevator_rad: rad(&elevator),
+            tip_deflection_m: self.tip_deflection_m(balanced),
+            displacement: self.displacement(balanced),
+            fz_n: air[2],
+            my_nm: air[4],
+            root_loads: [0, 1].map(|side| RootLoads::from_array(stations[side])),
+            box_loads: self.box_loads(balanced),
+        }
     }
 }
 

@@ -4,25 +4,11 @@
 //! axes on both sides: Fz up, Mx = +y Fz (negative on the left under lift), My nose up.
 
 use crate::aircraft::{Aircraft, WingPlaces};
+use coupling::wing_file::StationAt;
 use coupling::{Balance, root_rows};
 use faer::{Mat, MatRef};
 use nalgebra::{Point3, Vector3};
 use nastran::InputError;
-use serde::{Deserialize, Serialize};
-
-/// A point of the right wing that is monitored, with its image on the left.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct MonitorPoint {
-    /// Its name.
-    pub name: String,
-    /// Place the moments are about, m: x.
-    pub x_m: f64,
-    /// Everything outboard of this y counts.
-    pub y_m: f64,
-    /// z.
-    pub z_m: f64,
-}
 
 /// A station on one side.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,11 +33,11 @@ pub struct Stations {
 }
 
 impl Stations {
-    /// The roots, and `points` outboard of them.
+    /// The roots, the stations of the wing's file, and `points` of the right wing with their images.
     ///
     /// # Errors
-    /// If a point has no boxes or grids outboard of it.
-    pub fn new(aircraft: &Aircraft, points: &[MonitorPoint]) -> Result<Self, InputError> {
+    /// If two have the same name, or one has no boxes or grids outboard of it.
+    pub fn new(aircraft: &Aircraft, points: &[StationAt]) -> Result<Self, InputError> {
         let root = aircraft.root_point();
         let whole = |side: &str, wing: &WingPlaces| Station {
             name: format!("{side} root"),
@@ -60,7 +46,12 @@ impl Stations {
             nodes: wing.nodes.clone(),
         };
         let mut all = vec![whole("right", &aircraft.right), whole("left", &aircraft.left)];
-        for point in points {
+        let points: Vec<&StationAt> = aircraft.wing.stations.iter().chain(points).collect();
+        for (at, point) in points.iter().enumerate() {
+            if point.name == "root" || points[..at].iter().any(|other| other.name == point.name) {
+                return Err(InputError::general(format!("two stations are called {}", point.name))
+                    .with_help("give every station its own name; the wing's file may have some, too"));
+            }
             all.push(outboard(aircraft, point, "right", &aircraft.right, 1.0)?);
             all.push(outboard(aircraft, point, "left", &aircraft.left, -1.0)?);
         }
@@ -83,7 +74,7 @@ impl Stations {
 
 fn outboard(
     aircraft: &Aircraft,
-    point: &MonitorPoint,
+    point: &StationAt,
     side: &str,
     wing: &WingPlaces,
     sign: f64,
@@ -100,7 +91,8 @@ fn outboard(
             InputError::general(message).with_help("expected a y between the wing's root and its tip")
         );
     }
-    let place = Point3::new(point.x_m, sign * point.y_m, point.z_m);
+    let root = aircraft.root_point();
+    let place = Point3::new(point.x_m.unwrap_or(root.x), sign * point.y_m, point.z_m.unwrap_or(root.z));
     Ok(Station { name: format!("{side} {}", point.name), point: place, boxes, nodes })
 }
 

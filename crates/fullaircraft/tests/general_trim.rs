@@ -5,7 +5,8 @@ mod common;
 
 use common::{assert_near, whole, wings};
 use coupling::GRAVITY_M_S2;
-use fullaircraft::{AircraftError, MonitorPoint, Steady, TrimCase, TrimTools};
+use coupling::wing_file::StationAt;
+use fullaircraft::{AircraftError, Steady, TrimCase, TrimTools};
 
 const OUTER: &str = "outer";
 
@@ -50,7 +51,7 @@ fn air_loads_and_thrust_balance_mass_times_what_an_accelerometer_feels() {
 #[test]
 fn a_maneuver_to_the_left_is_the_image_of_the_one_to_the_right() {
     let aircraft = whole();
-    let point = MonitorPoint { name: "half".to_owned(), x_m: 0.3, y_m: 0.9, z_m: 0.0 };
+    let point = StationAt { name: "half".to_owned(), x_m: Some(0.3), y_m: 0.9, z_m: None };
     let tools = TrimTools::new(aircraft, &[point]).unwrap();
     let model = aircraft.uncorrected();
     let at = tools.at(&model, 30.0).unwrap();
@@ -172,7 +173,7 @@ fn thrust_pushes_by_its_weight_s_share_and_pitches_by_its_arm() {
 #[test]
 fn stations_add_up_and_the_tip_carries_less_than_the_root() {
     let aircraft = wings();
-    let point = |name: &str, y_m| MonitorPoint { name: name.to_owned(), x_m: 0.2, y_m, z_m: 0.0 };
+    let point = |name: &str, y_m| StationAt { name: name.to_owned(), x_m: Some(0.2), y_m, z_m: None };
     let tools = TrimTools::new(aircraft, &[point("a", 0.45), point("b", 1.35)]).unwrap();
     let model = aircraft.uncorrected();
     let at = tools.at(&model, 30.0).unwrap();
