@@ -5,6 +5,7 @@ mod bench_chirp;
 mod bench_dlm;
 mod bench_general;
 mod bench_structure;
+mod bench_trim;
 pub(crate) mod calibrate;
 mod calibrate_common;
 mod calibrate_figures;
