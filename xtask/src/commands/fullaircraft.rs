@@ -10,6 +10,7 @@ use nastran::InputError;
 
 use crate::args::{Common, FullaircraftArgs};
 use crate::commands::fullaircraft_cases;
+use crate::commands::fullaircraft_derivatives as derivatives;
 use crate::commands::fullaircraft_figures as figures;
 use crate::corrections::{corrected_wing, corrections_at};
 use crate::failure::Failure;
@@ -52,8 +53,9 @@ pub(crate) fn run(args: &FullaircraftArgs, common: &Common) -> Result<(), Failur
         }
     }
     let text = format!(
-        "{}\ncorrections at {} m/s: {origin}\n{} boxes, {:.2} s; results in {}\n",
+        "{}\n{}\ncorrections at {} m/s: {origin}\n{} boxes, {:.2} s; results in {}\n",
         table(&summary),
+        derivatives::table(&summary.derivatives),
         summary.correction_airspeed_m_s,
         summary.boxes,
         summary.seconds,
