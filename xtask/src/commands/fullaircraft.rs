@@ -9,9 +9,9 @@ use fullaircraft::{Aircraft, AircraftError, AircraftFile, Comparison, Summary};
 use nastran::InputError;
 
 use crate::args::{Common, FullaircraftArgs};
-use crate::commands::fullaircraft_cases;
 use crate::commands::fullaircraft_derivatives as derivatives;
 use crate::commands::fullaircraft_figures as figures;
+use crate::commands::{fullaircraft_cases, fullaircraft_deck};
 use crate::corrections::{corrected_wing, corrections_at};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
@@ -41,6 +41,9 @@ pub(crate) struct Prepared {
 pub(crate) fn run(args: &FullaircraftArgs, common: &Common) -> Result<(), Failure> {
     if let Some(cases) = &args.cases {
         return fullaircraft_cases::run(cases, args, common);
+    }
+    if let Some(deck) = &args.deck {
+        return fullaircraft_deck::run(deck, common);
     }
     let start = Instant::now();
     let Prepared { aircraft, corrections, origin } = prepared(args, common)?;

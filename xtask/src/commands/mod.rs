@@ -20,6 +20,7 @@ pub(crate) mod fullaircraft;
 mod fullaircraft_cases;
 mod fullaircraft_cases_figures;
 mod fullaircraft_cases_store;
+mod fullaircraft_deck;
 mod fullaircraft_derivatives;
 mod fullaircraft_figures;
 pub(crate) mod modes;
