@@ -47,6 +47,8 @@ pub struct TrimDeck {
     origin: Point3<f64>,
     /// Controls in proportion to others.
     links: Links,
+    /// MONPNT1 that are left out because their component is made of grids.
+    pub skipped_monitors: Vec<String>,
     monitors: Vec<Monitor>,
     /// Pressures of the undeformed aircraft, boxes by variables.
     cp_variables: Mat<f64>,
@@ -128,10 +130,12 @@ impl TrimDeck {
             (aero.pressures(incidence.as_ref()), aero.pressures(theta.as_ref()));
         let stiffness = &gather * &cp_displacement;
         let divergence = divergence(&structure.restrained, &stiffness)?;
+        let (monitors, skipped_monitors) = monitors(bulk, &lattice, &frames, &integration)?;
         let at = |m: &Mat<f64>| coupling::supported::restrict(m.as_ref(), &s_dofs);
         Ok(Self {
             links: Links::new(bulk, &variables)?,
-            monitors: monitors(bulk, &lattice, &frames, &integration)?,
+            monitors,
+            skipped_monitors,
             cp_variables,
             cp_displacement,
             stiffness,

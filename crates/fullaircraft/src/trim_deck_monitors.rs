@@ -24,17 +24,17 @@ impl Monitor {
     }
 }
 
-/// The MONPNT1 of a deck.
+/// The MONPNT1 of a deck, and the names of those left out because their component is made of grids.
 ///
 /// # Errors
-/// If a component, list, box or system is not there, or the component is made of grids.
+/// If a component, list, box or system is not there.
 pub(crate) fn monitors(
     bulk: &BulkData,
     lattice: &Lattice,
     frames: &Frames,
     integration: &Integration,
-) -> Result<Vec<Monitor>, InputError> {
-    let mut all = Vec::new();
+) -> Result<(Vec<Monitor>, Vec<String>), InputError> {
+    let (mut all, mut skipped) = (Vec::new(), Vec::new());
     for card in bulk.monitors.iter().filter(|card| !card.is_structural) {
         let axes: Matrix3<f64> = frames.axes_at(card.cd, &card.span)?;
         let point = frames.point(card.cp, card.xyz, &card.span)?;
@@ -46,10 +46,14 @@ pub(crate) fn monitors(
             let turned: [Vector3<f64>; 2] = [axes.transpose() * force, axes.transpose() * moment];
             (place, std::array::from_fn(|i| turned[i / 3][i % 3]))
         };
+        if bulk.aero_components.get(&card.set).is_some_and(|component| component.of == ComponentOf::Grids) {
+            skipped.push(card.name.clone());
+            continue;
+        }
         let boxes = boxes(bulk, &card.set, lattice).map_err(|why| InputError::at(&card.span, why))?;
         all.push(Monitor { name: card.name.clone(), parts: boxes.into_iter().map(part).collect() });
     }
-    Ok(all)
+    Ok((all, skipped))
 }
 
 fn boxes(bulk: &BulkData, name: &str, lattice: &Lattice) -> Result<Vec<usize>, String> {
@@ -57,9 +61,7 @@ fn boxes(bulk: &BulkData, name: &str, lattice: &Lattice) -> Result<Vec<usize>, S
     let mut places = Vec::new();
     for list in &component.lists {
         match component.of {
-            ComponentOf::Grids => {
-                return Err(format!("AECOMP {name} is made of grids; expected boxes or panels"));
-            }
+            ComponentOf::Grids => {}
             ComponentOf::Panels => {
                 let surface = lattice.surfaces.iter().find(|surface| surface.id == *list);
                 let surface =

@@ -8,14 +8,14 @@ use std::path::Path;
 /// HA144A with more cards, or with some lines in other words.
 fn deck(more: &str, change: &[(&str, &str)]) -> BulkData {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/published/decks/ha144a_fsw.bdf");
-    let mut text = std::fs::read_to_string(path).unwrap();
+    let mut text = std::fs::read_to_string(path).expect("the shipped deck");
     for (from, to) in change {
         assert!(text.contains(from), "{from}");
         text = text.replacen(from, to, 1);
     }
     let at = text.find("ENDDATA").unwrap_or(text.len());
     text.insert_str(at, more);
-    parse_deck("ha144a", &text).unwrap()
+    parse_deck("ha144a", &text).expect("cards that are right")
 }
 
 fn near(a: f64, b: f64, share: f64) {

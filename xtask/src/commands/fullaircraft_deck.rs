@@ -91,6 +91,13 @@ pub(crate) fn run(path: &Path, common: &Common) -> Result<(), Failure> {
         bar.inc(1);
     }
     bar.finish_and_clear();
+    let skipped = known.map_or_else(Vec::new, |(_, deck)| deck.skipped_monitors);
+    if !skipped.is_empty() && !common.quiet {
+        show::note(&format!(
+            "left out, as their components are made of grids: MONPNT1 {}",
+            skipped.join(", ")
+        ));
+    }
     summary.seconds = start.elapsed().as_secs_f64();
     folder.write_json("result.json", &summary)?;
     let out = folder.commit()?;
