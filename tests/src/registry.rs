@@ -64,10 +64,6 @@ pub fn cases() -> impl Iterator<Item = &'static Case> {
 
 /// Files of `data/published` that are not compared, and why.
 pub const LISTED: &[(&str, &str)] = &[
-    (
-        "trim__ha144b_divergence_sym",
-        "its structure is a GENEL with an MPC and its ailerons hang on a SPLINE1; trim reads SPLINE2 only so far",
-    ),
     ("trim__freedlm", "its deck is named, but not in the file"),
     (
         "flutter__pazy_sol145_NO_tipmass",

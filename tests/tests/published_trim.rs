@@ -7,3 +7,9 @@ use validation::registry::check;
 fn the_forward_swept_aircraft_trims_as_published() {
     check("trim__ha144a");
 }
+
+/// HA144B: five divergence pressures of the BAH wing, on a beam spline and a plate spline.
+#[test]
+fn the_bah_wing_diverges_as_published() {
+    check("trim__ha144b_divergence_sym");
+}

@@ -155,6 +155,14 @@ pub struct DeflectionArgs {
 
 /// Options of `fullaircraft`.
 #[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask fullaircraft
+  cargo xtask fullaircraft --cases data/tuflex/cases.ron
+  cargo xtask fullaircraft --deck data/published/decks/ha144a_fsw.bdf
+
+With --cases: every maneuver of the file at every airspeed, with both models, and the load envelope (cases.csv,
+envelope.csv, envelope.svg, result.json in out/fullaircraft_cases). Finished cases are kept beside that folder until all are
+done: a run that was stopped goes on where it was when it is started again with the same inputs.")]
 pub struct FullaircraftArgs {
     /// The aircraft [default: data/tuflex/aircraft.ron]
     #[arg(long, value_name = "FILE")]
@@ -165,6 +173,12 @@ pub struct FullaircraftArgs {
     /// The wing [default: data/tuflex/wing.ron]
     #[arg(long, value_name = "FILE")]
     pub wing: Option<PathBuf>,
+    /// A grid of airspeeds, load factors and maneuvers (data/tuflex/cases.ron explains every field)
+    #[arg(long, value_name = "FILE.ron")]
+    pub cases: Option<PathBuf>,
+    /// The trims of a whole-aircraft Nastran deck (SOL 144) instead of the aircraft
+    #[arg(long, value_name = "FILE.bdf", conflicts_with_all = ["cases", "aircraft", "wing", "corrections"])]
+    pub deck: Option<PathBuf>,
 }
 
 /// Options of `pipeline`: none of its own.

@@ -13,10 +13,7 @@ impl ElasticWing {
     ///
     /// # Errors
     /// If the eigenvalues do not converge (reported as a wing that diverges at any pressure).
-    pub(crate) fn divergence_pressure(
-        &self,
-        corrections: &Corrections,
-    ) -> Result<Option<f64>, CouplingError> {
+    pub fn divergence_pressure(&self, corrections: &Corrections) -> Result<Option<f64>, CouplingError> {
         let Some(structure) = &self.supported else { return Ok(None) };
         let loop_gain = &structure.flexibility * &self.aerodynamic_stiffness(structure, corrections);
         let values = loop_gain

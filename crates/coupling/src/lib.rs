@@ -19,7 +19,7 @@ pub use nastran_deck::{DeckOptions, NastranDeck};
 pub use root_loads::{Balance, RootLoads, root_rows};
 pub use spline::Spline;
 pub use steady::{SteadyOperator, SteadyState};
-pub use supported::SupportedStructure;
+pub use supported::{RigidInertia, SupportedStructure};
 pub use wing::{ElasticWing, GRAVITY_M_S2, WingParts};
 pub use wing_file::{Mount, RootPlane, SplineKind, WingFile};
 pub use wing_parts::spline_nodes;

@@ -27,6 +27,20 @@ pub struct SupportedStructure {
     pub tip_z: usize,
 }
 
+/// What rigid accelerations do to a held structure: unit accelerations along x, y, z and about them, about the balance
+/// point, in this order.
+#[derive(Debug, Clone)]
+pub struct RigidInertia {
+    /// s by 6: the motions themselves on the s-set, m and rad.
+    pub motions: Mat<f64>,
+    /// s by 6: K⁻¹ M r on the s-set; accelerating by a moves it by minus this times a.
+    pub sag: Mat<f64>,
+    /// 6 by 6: rᵀ M r, forces and moments that accelerate the whole, kg, kg m and kg m².
+    pub mass: Mat<f64>,
+    /// 6 by 6: (M r)ᵀ K⁻¹ M r, for inertia relief in mean axes.
+    pub work: Mat<f64>,
+}
+
 impl SupportedStructure {
     /// Reduces a clamped system. `tip` is the index of the node whose height is reported.
     ///
@@ -38,6 +52,19 @@ impl SupportedStructure {
         tip: usize,
         balance: &Point3<f64>,
     ) -> Result<Self, CouplingError> {
+        Self::with_inertia(system, spline, tip, balance).map(|(structure, _)| structure)
+    }
+
+    /// As [`SupportedStructure::new`], and what all six rigid accelerations do to it.
+    ///
+    /// # Errors
+    /// If the structure is not held (its loose grids are named).
+    pub fn with_inertia(
+        system: &System,
+        spline: &Spline,
+        tip: usize,
+        balance: &Point3<f64>,
+    ) -> Result<(Self, RigidInertia), CouplingError> {
         let flexibility = Flexibility::new(system)?;
         let mut s_dofs = spline.used_dofs();
         if !s_dofs.contains(&(6 * tip + 2)) {
@@ -48,20 +75,25 @@ impl SupportedStructure {
         for (column, &dof) in s_dofs.iter().enumerate() {
             units[(dof, column)] = 1.0;
         }
-        let f = restrict(
-            system
-                .expand(flexibility.displacements(system.reduce(units.as_ref()).as_ref()).as_ref())
-                .as_ref(),
-            &s_dofs,
-        );
+        let displaced = |f_g: MatRef<'_, f64>| {
+            system.expand(flexibility.displacements(system.reduce(f_g).as_ref()).as_ref())
+        };
+        let f = restrict(displaced(units.as_ref()).as_ref(), &s_dofs);
         let rigid = system.rigid_body(balance);
-        let field = system.inertia_loads(rigid.as_ref().subcols(0, 3));
-        let sag_g = system.expand(flexibility.displacements(system.reduce(field.as_ref()).as_ref()).as_ref());
+        let field = system.inertia_loads(rigid.as_ref());
+        let sag_g = displaced(field.as_ref());
+        let sag = restrict(sag_g.as_ref(), &s_dofs);
+        let inertia = RigidInertia {
+            mass: rigid.transpose() * &field,
+            work: field.transpose() * &sag_g,
+            motions: restrict(rigid.as_ref(), &s_dofs),
+            sag: sag.clone(),
+        };
         let weight = Mat::from_fn(3, 3, |row, column| {
             (0..field.nrows()).map(|dof| rigid[(dof, row + 2)] * field[(dof, column)]).sum()
         });
-        let sag = restrict(sag_g.as_ref(), &s_dofs);
-        Self::from_parts(s_dofs, symmetric(&f), sag, weight, spline, tip)
+        let sag = sag.as_ref().subcols(0, 3).to_owned();
+        Ok((Self::from_parts(s_dofs, symmetric(&f), sag, weight, spline, tip)?, inertia))
     }
 
     /// From given matrices, for structures that come as numbers (another code's, or truncated to some modes).

@@ -14,6 +14,7 @@ pub use crate::planform::Mount;
 pub use deck_source::DeckSource;
 pub use deflection::{DeflectionRow, DeflectionTable, OutsideAirspeeds};
 pub use effects::{EffectValidity, WingEffect};
+pub use hash::of_text as fingerprint;
 pub use stations::StationAt;
 pub use write::Rewritten;
 

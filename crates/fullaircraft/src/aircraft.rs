@@ -10,7 +10,9 @@ use crate::cards::{self, Cards};
 use crate::closing;
 use crate::error::AircraftError;
 use aero::{ControlSurface, Corrections, Lattice, MirrorPlane, camber_and_twist};
-use coupling::{Balance, ElasticWing, Spline, SplineKind, SupportedStructure, WingFile, WingParts};
+use coupling::{
+    Balance, ElasticWing, RigidInertia, Spline, SplineKind, SupportedStructure, WingFile, WingParts,
+};
 use nalgebra::Point3;
 use nastran::{BulkData, Frames, InputError, Spc1};
 use std::path::Path;
@@ -53,6 +55,8 @@ pub struct Aircraft {
     pub centre: usize,
     /// Mass properties of the whole.
     pub mass: MassProperties,
+    /// What rigid accelerations, about the centre of gravity, do to the structure held at the centre.
+    pub inertia: RigidInertia,
 }
 
 impl Aircraft {
@@ -89,6 +93,8 @@ impl Aircraft {
         let held = held(&cards)?;
         let mass = free.mass_properties();
         let centre_of_gravity = Point3::new(file.total.x_cg_m, 0.0, 0.0);
+        let (supported, inertia) =
+            SupportedStructure::with_inertia(&held, &spline, right.tip, &centre_of_gravity)?;
         let parts = WingParts {
             controls: ControlSurface::all_from_bulk(&in_flow, &lattice)?,
             balance: Balance { point: centre_of_gravity, metric: vec![true; lattice.len()] },
@@ -101,13 +107,13 @@ impl Aircraft {
                 .filter(|id| !cards.is_wing_panel(*id))
                 .collect(),
             camber: camber_and_twist(&in_flow, &lattice)?,
-            supported: Some(SupportedStructure::new(&held, &spline, right.tip, &centre_of_gravity)?),
+            supported: Some(supported),
             structure: None,
             lattice,
         };
         let flow = ElasticWing::new(parts)?;
         let centre = node(&free, cards.centre)?;
-        Ok(Self { file, wing, bulk: cards.bulk, free, spline, flow, right, left, centre, mass })
+        Ok(Self { file, wing, bulk: cards.bulk, free, spline, flow, right, left, centre, mass, inertia })
     }
 
     /// Corrections of one wing's boxes spread over the aircraft: the same on the right wing, mirrored on the left,

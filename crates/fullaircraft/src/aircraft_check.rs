@@ -46,6 +46,11 @@ impl AircraftFile {
         ];
         self.refuse(&positive, |value| value.is_finite() && value > 0.0, "a number above zero")?;
         self.refuse(&finite, f64::is_finite, "a finite number")?;
+        if let Some(line) = self.thrust_line {
+            let (x, y, z) = line.point_m;
+            let numbers = [x, y, z, line.up_deg].map(|value| ("thrust_line", value));
+            self.refuse(&numbers, f64::is_finite, "finite numbers")?;
+        }
         let airspeeds = [
             ("trim.V_m_s", self.trim.v_m_s),
             ("pull_up.V_m_s", self.pull_up.v_m_s),

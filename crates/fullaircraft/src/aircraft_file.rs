@@ -30,6 +30,9 @@ pub struct AircraftFile {
     pub htp: TailSurface,
     /// Vertical tail.
     pub vtp: TailSurface,
+    /// Where thrust acts; without it, forward through the centre of gravity.
+    #[serde(default)]
+    pub thrust_line: Option<ThrustLine>,
     /// Steady flight, where dynamic maneuvers start.
     pub trim: FlightPoint,
     /// Steady pull-up.
@@ -156,6 +159,16 @@ pub struct TailControl {
     pub chord_boxes: u32,
     /// Their share of the chord: boxes before and behind the hinge have different lengths.
     pub chord_share: f64,
+}
+
+/// The line thrust acts along. Its force reaches the structure at the wing's root.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ThrustLine {
+    /// A point of it, m.
+    pub point_m: (f64, f64, f64),
+    /// How far it points up from straight ahead, deg.
+    pub up_deg: f64,
 }
 
 /// A steady point of flight.

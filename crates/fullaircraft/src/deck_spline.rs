@@ -8,6 +8,7 @@
 //! beam spline does not give to six digits.
 //! A box's incidence is built from w' and phi as a rotation; the term x phi' of the surface's gradient is left out, as there.
 
+use crate::deck_plate;
 use aero::{AeroBox, Lattice};
 use coupling::Spline;
 use faer::Mat;
@@ -67,10 +68,10 @@ impl Attachment {
     }
 }
 
-/// The splines of a deck: SPLINE2 as described above; every box must have one.
+/// The splines of a deck: SPLINE2 as described above, SPLINE1 as [`crate::deck_plate`] says; every box must have one.
 ///
 /// # Errors
-/// If a box has no spline or two, a spline is a SPLINE1, or names a set, grid or system that is not there.
+/// If a box has no spline or two, or a spline names a set, grid or system that is not there.
 pub(crate) fn splines(
     bulk: &BulkData,
     lattice: &Lattice,
@@ -79,10 +80,21 @@ pub(crate) fn splines(
 ) -> Result<Spline, InputError> {
     let mut rows: Vec<Option<Vec<(usize, f64)>>> = vec![None; 2 * lattice.len()];
     for card in bulk.splines.values() {
-        let boxes: Vec<usize> = (0..lattice.len())
-            .filter(|&j| (card.boxes.0..=card.boxes.1).contains(&lattice.boxes[j].id))
-            .collect();
-        for (place, pair) in boxes.iter().zip(beam(bulk, card, lattice, &boxes, ids, points)?) {
+        let (boxes, pairs) = match card.kind {
+            SplineKind::Plate => {
+                let boxes = deck_plate::boxes(card, lattice)?;
+                let pairs = deck_plate::rows(bulk, card, lattice, &boxes, ids, points)?;
+                (boxes, pairs)
+            }
+            SplineKind::Beam { .. } => {
+                let range = card.boxes.0..=card.boxes.1;
+                let boxes: Vec<usize> =
+                    (0..lattice.len()).filter(|&j| range.contains(&lattice.boxes[j].id)).collect();
+                let pairs = beam(bulk, card, lattice, &boxes, ids, points)?;
+                (boxes, pairs)
+            }
+        };
+        for (place, pair) in boxes.iter().zip(pairs) {
             for (k, row) in pair.into_iter().enumerate() {
                 if rows[2 * place + k].replace(row).is_some() {
                     let message = format!("box {} has two splines", lattice.boxes[*place].id);
@@ -91,13 +103,37 @@ pub(crate) fn splines(
             }
         }
     }
-    let whole: Option<Vec<_>> = rows.into_iter().collect();
-    whole.map(|rows| Spline::from_rows(rows, 6 * points.len())).ok_or_else(|| {
-        InputError::general("a box has no spline").with_help("name every box in a SPLINE2 of the deck")
-    })
+    if let Some(loose) = (0..lattice.len()).find(|&j| rows[2 * j].is_none()) {
+        let other: Vec<&str> =
+            bulk.unknown.keys().map(String::as_str).filter(|name| name.starts_with("SPLINE")).collect();
+        let message = if other.is_empty() {
+            format!("box {} has no spline", lattice.boxes[loose].id)
+        } else {
+            format!(
+                "box {} has no spline that is read; the deck has {}",
+                lattice.boxes[loose].id,
+                other.join(", ")
+            )
+        };
+        return Err(
+            InputError::general(message).with_help("name every box in a SPLINE1 or SPLINE2 of the deck")
+        );
+    }
+    Ok(Spline::from_rows(rows.into_iter().flatten().collect(), 6 * points.len()))
 }
 
-type BoxRows = [Vec<(usize, f64)>; 2];
+/// The grids of a spline's set as places of nodes.
+pub(crate) fn nodes(bulk: &BulkData, card: &SplineCard, ids: &[u32]) -> Result<Vec<usize>, InputError> {
+    let blame = |message: String| InputError::at(&card.span, message);
+    let set = bulk.sets.get(&card.set).ok_or_else(|| blame(format!("SET1 {} is not there", card.set)))?;
+    let node = |id: &u32| {
+        ids.binary_search(id).map_err(|_| blame(format!("GRID {id} of SET1 {} is not there", set.id)))
+    };
+    set.ids.iter().map(node).collect()
+}
+
+/// Heave and pitch of a box by degrees of freedom of the g-set.
+pub(crate) type BoxRows = [Vec<(usize, f64)>; 2];
 
 fn beam(
     bulk: &BulkData,
@@ -108,20 +144,15 @@ fn beam(
     points: &[Point3<f64>],
 ) -> Result<Vec<BoxRows>, InputError> {
     let blame = |message: String| InputError::at(&card.span, message);
-    let SplineKind::Beam { system, torsional_ratio, attachment } = card.kind else {
-        return Err(blame(format!("SPLINE1 {} is not yet used for trim", card.id)).with_help("use SPLINE2"));
-    };
+    let SplineKind::Beam { system, torsional_ratio, attachment } = card.kind else { return Ok(Vec::new()) };
     let Some(first) = boxes.first() else {
         return Err(blame(format!("spline {} has no boxes", card.id)));
     };
     let frames = Frames::resolve(bulk)?;
     let axes = axes(&lattice.boxes[*first], &frames.axes_at(system, &card.span)?.column(1).into_owned());
     let origin = frames.point(system, [0.0; 3], &card.span)?;
-    let set = bulk.sets.get(&card.set).ok_or_else(|| blame(format!("SET1 {} is not there", card.set)))?;
     let mut attached = Vec::new();
-    for id in &set.ids {
-        let node =
-            ids.binary_search(id).map_err(|_| blame(format!("GRID {id} of SET1 {} is not there", set.id)))?;
+    for node in nodes(bulk, card, ids)? {
         let at = axes.transpose() * (points[node] - origin);
         attached.push(Attachment::new(node, Part::Heave, &at, 0.0));
         for (part, flexibility) in [Part::AboutX, Part::AboutY].into_iter().zip(attachment) {

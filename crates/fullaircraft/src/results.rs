@@ -1,6 +1,7 @@
 //! Everything an aircraft flies, with and without corrections, and the numbers that sum it up.
 
 use crate::aircraft::Aircraft;
+use crate::derivatives::Derivatives;
 use crate::error::AircraftError;
 use crate::flight::FreeFlight;
 use crate::free_modes::FreeModes;
@@ -22,6 +23,8 @@ pub struct Flown {
     pub doublet: FlightHistory,
     /// Aileron chirp from `trim`.
     pub chirp: FlightHistory,
+    /// Stability and control derivatives at the airspeed of `trim`.
+    pub derivatives: Derivatives,
     /// What to be wary of in the dynamic maneuvers.
     pub warnings: Vec<String>,
 }
@@ -92,6 +95,15 @@ pub struct BothModels {
     pub updated: ModelNumbers,
 }
 
+/// Derivatives of both models.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct BothDerivatives {
+    /// Without corrections.
+    pub initial: Derivatives,
+    /// With corrections.
+    pub updated: Derivatives,
+}
+
 /// What `result.json` holds.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Summary {
@@ -101,6 +113,8 @@ pub struct Summary {
     pub aircraft: String,
     /// Both models.
     pub models: BothModels,
+    /// Stability and control derivatives and the neutral point at the airspeed of `trim`.
+    pub derivatives: BothDerivatives,
     /// Airspeed whose corrections were used.
     pub correction_airspeed_m_s: f64,
     /// Number of boxes in the flow.
@@ -159,6 +173,7 @@ impl FlightModel<'_> {
         ];
         Ok(Flown {
             warnings: warnings.into_iter().flatten().collect(),
+            derivatives: self.derivatives(file.trim.v_m_s)?,
             doublet: doublet.doublet(&file.doublet),
             chirp: chirp.chirp(&file.chirp),
             pull_up: self.trim("pull_up", &file.pull_up)?,
@@ -175,6 +190,10 @@ impl Comparison {
             command: "fullaircraft",
             aircraft: aircraft.file.name.clone(),
             models: BothModels { initial: self.initial.numbers(), updated: self.updated.numbers() },
+            derivatives: BothDerivatives {
+                initial: self.initial.derivatives.clone(),
+                updated: self.updated.derivatives.clone(),
+            },
             correction_airspeed_m_s: aircraft.file.correction_airspeed_m_s,
             boxes: aircraft.flow.lattice.len(),
             frequencies_hz: self.frequencies_hz.clone(),

@@ -5,24 +5,24 @@
 //! u = F (Gᵀ P - n g M z)          (held at the centre, where alpha is counted)
 //! sum Fz = n m g,   sum My about the centre of gravity = 0
 //! ```
-//! Everything is linear in alpha and elevator, so two unit solutions and one constant give both by a 2 by 2 system; with
-//! wings only, alpha follows from the lift alone. Load factor, airspeed and pitch rate are taken as they are:
+//! Solved as one of the trims of [`crate::trim_case`]; with wings only, alpha follows from the lift alone. Load factor, airspeed and pitch rate are taken as they are:
 //! a steady pull-up has the pitch rate (n - 1) g/V, and [`FlightPoint::warning`] says so if it has not.
 //! Small angles: lift is along z, the weight's component along x is left out, loads act on the undeformed places.
 
 use crate::aircraft::{Aircraft, WingPlaces};
 use crate::aircraft_file::{FlightPoint, Surfaces};
 use crate::error::AircraftError;
-use aero::{Corrections, Flow, incidence};
+use crate::trim_case::{TrimCase, TrimTools};
+use crate::trim_stations::nodal_loads;
+use crate::trim_variables::MOTIONS;
+use aero::{Corrections, Flow};
 use coupling::{Balance, CouplingError, GRAVITY_M_S2, RootLoads, SupportedStructure, root_rows};
-use faer::linalg::solvers::Solve;
 use faer::{Mat, MatRef};
-use nalgebra::{Point3, Vector3};
+use nalgebra::Point3;
+use std::sync::OnceLock;
 
 /// Pitch rates that differ by more than this share are warned about.
 const PITCH_RATE_TOLERANCE: f64 = 0.02;
-/// A 2 by 2 system whose columns are as parallel as this has no solution worth the name.
-const SINGULAR: f64 = 1e-6;
 
 impl FlightPoint {
     /// Pitch rate of a steady pull-up or push-down with this load factor: (n - 1) g/V, rad/s.
@@ -51,6 +51,8 @@ pub struct FlightModel<'a> {
     pub aircraft: &'a Aircraft,
     /// Corrections of all boxes in the flow.
     pub corrections: Corrections,
+    /// Lowest divergence pressure, Pa, once it has been asked for.
+    divergence_pa: OnceLock<Option<f64>>,
 }
 
 /// The aircraft in balanced flight.
@@ -83,12 +85,20 @@ impl Aircraft {
     /// # Errors
     /// If there is not one entry for each box of the wing.
     pub fn with_corrections(&self, wing: &Corrections) -> Result<FlightModel<'_>, AircraftError> {
-        Ok(FlightModel { aircraft: self, corrections: self.corrections(wing)? })
+        Ok(FlightModel {
+            aircraft: self,
+            corrections: self.corrections(wing)?,
+            divergence_pa: OnceLock::new(),
+        })
     }
 
     /// The aircraft as modelled before any measurement.
     pub fn uncorrected(&self) -> FlightModel<'_> {
-        FlightModel { aircraft: self, corrections: Corrections::neutral(self.flow.lattice.len()) }
+        FlightModel {
+            aircraft: self,
+            corrections: Corrections::neutral(self.flow.lattice.len()),
+            divergence_pa: OnceLock::new(),
+        }
     }
 
     /// The structure held at the centre.
@@ -114,19 +124,7 @@ impl Aircraft {
 
     /// Root loads (3 rows) of nodal loads on one wing, g-set columns.
     pub(crate) fn wing_nodal_loads(&self, wing: &WingPlaces, f_g: MatRef<'_, f64>) -> Mat<f64> {
-        let about = self.root_point();
-        let mut root = Mat::zeros(3, f_g.ncols());
-        for column in 0..f_g.ncols() {
-            for &node in &wing.nodes {
-                let part = |from: usize| Vector3::from_fn(|axis, _| f_g[(6 * node + from + axis, column)]);
-                let (force, moment) = (part(0), part(3));
-                let moment = moment + (self.free.points()[node] - about).cross(&force);
-                root[(0, column)] += force.z;
-                root[(1, column)] += moment.x;
-                root[(2, column)] += moment.y;
-            }
-        }
-        root
+        nodal_loads(self, &wing.nodes, &self.root_point(), f_g)
     }
 }
 
@@ -142,39 +140,55 @@ impl FlightModel<'_> {
             load_factor: point.load_factor,
             why,
         };
-        let (aircraft, flow) = (self.aircraft, self.flow(point));
-        let (held, q_pa) = (aircraft.held()?, flow.dynamic_pressure_pa());
-        let factor =
-            aircraft.flow.factorise(held, flow, &self.corrections).map_err(|e| refuse(e.to_string()))?;
-        let rigid = self.rigid_pressures(point);
-        let mut u = &held.flexibility * &held.gather(self.loads(q_pa, rigid.as_ref()).as_ref());
-        for row in 0..held.size() {
-            u[(row, 0)] -= held.sag[(row, 2)] * point.load_factor * GRAVITY_M_S2;
-        }
-        let u = factor.solve(&u);
-        let cp = &rigid + aircraft.flow.pressures_by_displacement() * &u;
-        let loads = self.loads(q_pa, cp.as_ref());
-        let sums = &aircraft.flow.root_rows * &loads;
-        let weight_n = point.load_factor * aircraft.mass.mass_kg * GRAVITY_M_S2;
-        let (alpha_rad, elevator_rad) = self.balance(&sums, weight_n).map_err(refuse)?;
-        let combine = |m: &Mat<f64>| -> Vec<f64> {
-            (0..m.nrows()).map(|i| m[(i, 0)] + m[(i, 1)] * alpha_rad + m[(i, 2)] * elevator_rad).collect()
+        let tools = TrimTools::new(self.aircraft, &[])?;
+        let at = tools.at(self, point.v_m_s).map_err(|error| refuse(error.to_string()))?;
+        let balanced = at.solve(&self.symmetric(name, point)).map_err(|error| match error {
+            AircraftError::Input(input) => {
+                refuse(format!("{}; {}", input.message, input.help.unwrap_or_default()))
+            }
+            other => other,
+        })?;
+        Ok(at.trimmed(&balanced, point))
+    }
+
+    /// The trim of a point: angle of attack and elevator (with wings only, the angle alone) against lift and pitching moment; what
+    /// symmetric flight does not do is held.
+    fn symmetric(&self, name: &str, point: &FlightPoint) -> TrimCase {
+        let whole = self.aircraft.file.surfaces == Surfaces::All;
+        let named = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>();
+        let mut case = TrimCase {
+            name: name.to_owned(),
+            v_m_s: point.v_m_s,
+            given: vec![("pitch_rate_deg_s".to_owned(), point.pitch_rate_deg_s)],
+            free: named(&["alpha_deg"]),
+            targets: vec![(MOTIONS[2].to_owned(), point.load_factor)],
+            held: named(&[MOTIONS[0], MOTIONS[1], MOTIONS[3], MOTIONS[5]]),
         };
-        let (displacement, total) = (combine(&u), combine(&sums));
-        let box_loads = combine(&loads);
-        Ok(Trimmed {
-            point: *point,
-            alpha_rad,
-            elevator_rad,
-            tip_deflection_m: [&aircraft.right, &aircraft.left].map(|wing| {
-                held.s_dofs.binary_search(&(6 * wing.tip + 2)).map_or(f64::NAN, |at| displacement[at])
-            }),
-            displacement,
-            fz_n: total[0],
-            my_nm: total[2],
-            root_loads: self.root_loads(&box_loads, point.load_factor),
-            box_loads,
-        })
+        if whole {
+            case.free.push(self.elevator());
+            case.targets.push((MOTIONS[4].to_owned(), 0.0));
+        } else {
+            case.held.push(MOTIONS[4].to_owned());
+        }
+        case
+    }
+
+    /// Name of the elevator's variable.
+    pub(crate) fn elevator(&self) -> String {
+        format!("{}_deg", self.aircraft.file.htp.control.name)
+    }
+
+    /// Lowest dynamic pressure at which the aircraft, held at the wing's root, diverges, Pa; `None` if there is none. By
+    /// eigenvalues: a mirrored aircraft has them in pairs close together, between which a determinant's sign tells nothing.
+    ///
+    /// # Errors
+    /// If the eigenvalues do not converge.
+    pub fn divergence_pressure_pa(&self) -> Result<Option<f64>, AircraftError> {
+        if let Some(known) = self.divergence_pa.get() {
+            return Ok(*known);
+        }
+        let found = self.aircraft.flow.divergence_pressure(&self.corrections)?;
+        Ok(*self.divergence_pa.get_or_init(|| found))
     }
 
     /// Airspeed and density of a point.
@@ -182,30 +196,8 @@ impl FlightModel<'_> {
         Flow { v_m_s: point.v_m_s, rho_kg_m3: self.aircraft.file.rho_kg_m3 }
     }
 
-    /// Pressures of the undeformed aircraft: fixed part (camber and pitch rate), per rad alpha, per rad elevator.
-    fn rigid_pressures(&self, point: &FlightPoint) -> Mat<f64> {
-        let wing = &self.aircraft.flow;
-        let rate = incidence::pitch_rate(&wing.lattice, self.aircraft.file.total.x_cg_m, point.v_m_s);
-        let rate = wing.pressures(MatRef::from_column_major_slice(&rate, rate.len(), 1));
-        let (alpha, camber, controls) =
-            (wing.pressures_by_alpha(), wing.pressures_of_camber(), self.elevator());
-        let rate_rad_s = point.pitch_rate_deg_s.to_radians();
-        Mat::from_fn(wing.lattice.len(), 3, |j, column| match column {
-            0 => camber[j] + rate[(j, 0)] * rate_rad_s,
-            1 => alpha[j],
-            _ => controls.iter().map(|&at| wing.pressures_by_control()[(j, at)]).sum(),
-        })
-    }
-
-    /// Both halves of the elevator; none with wings only.
-    fn elevator(&self) -> Vec<usize> {
-        self.aircraft
-            .control_pair(&self.aircraft.file.htp.control.name)
-            .map_or_else(|_| Vec::new(), Vec::from)
-    }
-
     /// Box loads of pressures, the pressure offset in the first column.
-    fn loads(&self, q_pa: f64, cp: MatRef<'_, f64>) -> Mat<f64> {
+    pub(crate) fn loads(&self, q_pa: f64, cp: MatRef<'_, f64>) -> Mat<f64> {
         let wing = &self.aircraft.flow;
         let mut loads = wing.k_loads_of_pressures(q_pa, cp, &self.corrections);
         for (j, f_e) in self.corrections.pressure_offset.iter().enumerate() {
@@ -214,43 +206,5 @@ impl FlightModel<'_> {
             loads[(2 * j + 1, 0)] += lift * wing.integration.moment_arm(j);
         }
         loads
-    }
-
-    /// Alpha and elevator from the sums (rows Fz, Mx, My; columns fixed, per alpha, per elevator).
-    fn balance(&self, sums: &Mat<f64>, weight_n: f64) -> Result<(f64, f64), String> {
-        let missing = weight_n - sums[(0, 0)];
-        let (lift, pitch) = (sums[(0, 1)], sums[(2, 1)]);
-        if self.aircraft.file.surfaces == Surfaces::WingsOnly {
-            let alpha = missing / lift;
-            return if alpha.is_finite() {
-                Ok((alpha, 0.0))
-            } else {
-                Err("no lift follows alpha".to_owned())
-            };
-        }
-        let (lift_e, pitch_e) = (sums[(0, 2)], sums[(2, 2)]);
-        let determinant = lift * pitch_e - lift_e * pitch;
-        let size = (lift * pitch_e).abs().max((lift_e * pitch).abs());
-        if !determinant.is_finite() || determinant.abs() <= SINGULAR * size {
-            return Err("alpha and elevator do the same, or the elevator does nothing".to_owned());
-        }
-        let alpha = (missing * pitch_e + lift_e * sums[(2, 0)]) / determinant;
-        let elevator = (-lift * sums[(2, 0)] - pitch * missing) / determinant;
-        Ok((alpha, elevator))
-    }
-
-    /// Root loads of box loads, with weight and inertia at a load factor.
-    fn root_loads(&self, box_loads: &[f64], load_factor: f64) -> [RootLoads; 2] {
-        let aircraft = self.aircraft;
-        let rigid = aircraft.free.rigid_body(&aircraft.root_point());
-        let field = aircraft.free.inertia_loads(rigid.as_ref().subcols(2, 1));
-        [&aircraft.right, &aircraft.left].map(|wing| {
-            let rows = aircraft.wing_root_rows(wing);
-            let inertia = aircraft.wing_nodal_loads(wing, field.as_ref());
-            RootLoads::from_array(std::array::from_fn(|row| {
-                let air: f64 = box_loads.iter().enumerate().map(|(k, load)| rows[(row, k)] * load).sum();
-                air - load_factor * GRAVITY_M_S2 * inertia[(row, 0)]
-            }))
-        })
     }
 }

@@ -4,13 +4,14 @@ use crate::cards::{
     Aefact, Aelist, Aesurf, BeamElement, BeamProperty, Caero1, Conm2, Coord, Grid, Mat1, MonitorPoint, Rbe2,
     Set1, Spc1,
 };
+use crate::case_control::Subcase;
 use crate::dmi::Dmi;
 use crate::fe_cards::{
     Cbush, Conm1, Crod, Genel, Mat2, Mat8, Mat9, Mpc, Pbush, Pcomp, Prod, Pshell, Psolid, Rbar, Rbe3,
     ScalarElement, ScalarProperty, ShellElement, SolidElement, SplineCard,
 };
 use crate::source::Span;
-use crate::trim_cards::{Aeros, Aestat, Suport, Trim};
+use crate::trim_cards::{Aecomp, Aelink, Aeros, Aestat, Suport, Trim};
 use std::collections::BTreeMap;
 
 /// What a deck says. Maps are in ascending identification numbers, which is Nastran's own order.
@@ -100,6 +101,12 @@ pub struct BulkData {
     pub trim_variables: BTreeMap<u32, Aestat>,
     /// TRIM.
     pub trims: BTreeMap<u32, Trim>,
+    /// AELINK, in file order.
+    pub aero_links: Vec<Aelink>,
+    /// AECOMP by name.
+    pub aero_components: BTreeMap<String, Aecomp>,
+    /// Subcases of the case control.
+    pub subcases: Vec<Subcase>,
     /// SUPORT, in file order.
     pub supports: Vec<Suport>,
     /// Cards that are not read, with how often each occurs.

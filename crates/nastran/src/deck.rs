@@ -1,10 +1,11 @@
 //! Decks: files, INCLUDE, executive and case control, and one struct for each card.
 //!
-//! If the deck has a `BEGIN BULK`, everything before it is skipped; `ENDDATA` ends the deck. Cards that are not
+//! Before a `BEGIN BULK` only selections of subcases are read; `ENDDATA` ends the deck. Cards that are not
 //! read are counted by name in [`BulkData::unknown`], so that nothing is dropped in silence.
 
 use crate::card::Card;
 use crate::cards::BulkData;
+use crate::case_control;
 use crate::checks;
 use crate::dispatch;
 use crate::dmi_reader::DmiCards;
@@ -42,6 +43,9 @@ fn parse_at(path: &Path, text: &str) -> Result<BulkData, InputError> {
     let mut reader = Reader::default();
     let lines: Vec<&str> = text.lines().collect();
     let bulk = lines.iter().position(|line| is_begin_bulk(line)).map_or(0, |index| index + 1);
+    if bulk > 0 {
+        reader.deck.subcases = case_control::read(path, &lines[..bulk - 1])?;
+    }
     reader.files.insert(include::identity(path), Span::whole_file(path));
     reader.lines(path, &lines, bulk)?;
     reader.finish()

@@ -137,6 +137,18 @@ fn trim_card(deck: &mut BulkData, card: &Card) -> Result<bool, InputError> {
             let item = trim::trim(card)?;
             keep(&mut deck.trims, card, item.id, item, |item| &item.span)
         }
+        "AELINK" => {
+            deck.aero_links.push(trim::aelink(card)?);
+            Ok(())
+        }
+        "AECOMP" => {
+            let item = trim::aecomp(card)?;
+            if let Some(first) = deck.aero_components.get(&item.name) {
+                return Err(twice(card, &format!("component {}", item.name), &first.span));
+            }
+            deck.aero_components.insert(item.name.clone(), item);
+            Ok(())
+        }
         "SUPORT" => {
             deck.supports.extend(trim::suport(card)?);
             Ok(())

@@ -1,4 +1,4 @@
-//! Static aeroelasticity: AEROS, AESTAT, TRIM and SUPORT.
+//! Static aeroelasticity: AEROS, AESTAT, TRIM, SUPORT, AELINK and AECOMP.
 
 use crate::card::Card;
 use crate::source::{InputError, Span};
@@ -57,6 +57,72 @@ pub struct Suport {
     pub components: Vec<u8>,
     /// Where the card stands.
     pub span: Span,
+}
+
+/// One control in proportion to others (AELINK): dependent + sum of coefficient times independent = 0.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Aelink {
+    /// The TRIM it holds for; none for all (ALWAYS or 0).
+    pub trim: Option<u32>,
+    /// The dependent control.
+    pub dependent: String,
+    /// Independent controls and their coefficients.
+    pub terms: Vec<(String, f64)>,
+    /// Where the card stands.
+    pub span: Span,
+}
+
+/// What lists a component is made of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ComponentOf {
+    /// Boxes (AELIST).
+    Boxes,
+    /// Whole panels (CAERO).
+    Panels,
+    /// Grids (SET1).
+    Grids,
+}
+
+/// Boxes whose loads a monitoring station adds up (AECOMP).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Aecomp {
+    /// Name.
+    pub name: String,
+    /// What the lists are.
+    pub of: ComponentOf,
+    /// Their numbers.
+    pub lists: Vec<u32>,
+    /// Where the card stands.
+    pub span: Span,
+}
+
+/// AELINK: ID LABLD LABL1 C1 LABL2 C2 LABL3 C3 / LABL4 C4 ...
+pub(crate) fn aelink(card: &Card) -> Result<Aelink, InputError> {
+    let always = card.text(0).eq_ignore_ascii_case("ALWAYS");
+    let trim = if always { 0 } else { card.count_or(0, "ID", 0)? };
+    let mut terms = Vec::new();
+    for at in (2..card.len()).step_by(2) {
+        if !card.text(at).is_empty() {
+            terms.push((card.name_at(at, "LABL")?, card.real(at + 1, "C")?));
+        }
+    }
+    if terms.is_empty() {
+        return Err(card.empty(2, "LABL1", "an independent control and its coefficient"));
+    }
+    let dependent = card.name_at(1, "LABLD")?;
+    Ok(Aelink { trim: (trim > 0).then_some(trim), dependent, terms, span: card.span.clone() })
+}
+
+/// AECOMP: NAME LISTTYPE LISTID1 LISTID2 ...
+pub(crate) fn aecomp(card: &Card) -> Result<Aecomp, InputError> {
+    let of = match card.name_at(1, "LISTTYPE")?.as_str() {
+        "AELIST" => ComponentOf::Boxes,
+        "CAERO" => ComponentOf::Panels,
+        "SET1" => ComponentOf::Grids,
+        _ => return Err(card.wrong(1, "LISTTYPE", "AELIST, CAERO or SET1")),
+    };
+    let lists = card.id_list(2, "LISTID")?;
+    Ok(Aecomp { name: card.name_at(0, "NAME")?, of, lists, span: card.span.clone() })
 }
 
 /// AEROS: ACSID RCSID REFC REFB REFS SYMXZ SYMXY.

@@ -32,8 +32,9 @@ pub fn write_deck(deck: &BulkData) -> String {
     for (name, count) in &deck.unknown {
         let _ = writeln!(text, "$ not written because not read: {count} {name}");
     }
-    if deck.aero_reference.is_some() || !deck.trims.is_empty() || !deck.supports.is_empty() {
-        text.push_str("$ not written: AEROS, AESTAT, TRIM and SUPORT\n");
+    let linked = !deck.aero_links.is_empty() || !deck.aero_components.is_empty();
+    if linked || deck.aero_reference.is_some() || !deck.trims.is_empty() || !deck.supports.is_empty() {
+        text.push_str("$ not written: case control, AEROS, AESTAT, TRIM, SUPORT, AELINK and AECOMP\n");
     }
     text.push_str("BEGIN BULK\n");
     deck.parameters.iter().for_each(|(name, value)| text.push_str(&parameter(name, *value)));

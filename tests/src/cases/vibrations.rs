@@ -151,11 +151,11 @@ pub(super) fn bah_system(inputs: &Value) -> System {
     System::assemble(&Model::from_bulk(&bulk).expect("the wing")).expect("the wing")
 }
 
-fn scalar(id: u32, value: f64, ends: [Option<(u32, u8)>; 2]) -> ScalarElement {
+pub(super) fn scalar(id: u32, value: f64, ends: [Option<(u32, u8)>; 2]) -> ScalarElement {
     ScalarElement { id, value: ScalarValue::Given(value), ends, span: span() }
 }
 
-fn bah_structure(inputs: &Value) -> BulkData {
+pub(super) fn bah_structure(inputs: &Value) -> BulkData {
     let mut bulk = BulkData::default();
     for (name, xyz) in inputs["grids"].as_object().into_iter().flatten() {
         let (id, xyz) = (name.parse().expect("a grid's number"), numbers(xyz));

@@ -3,12 +3,15 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
+use aero::Corrections;
 use calibrate::Outside;
 use fullaircraft::{Aircraft, AircraftError, AircraftFile, Comparison, Summary};
 use nastran::InputError;
 
 use crate::args::{Common, FullaircraftArgs};
+use crate::commands::fullaircraft_derivatives as derivatives;
 use crate::commands::fullaircraft_figures as figures;
+use crate::commands::{fullaircraft_cases, fullaircraft_deck};
 use crate::corrections::{corrected_wing, corrections_at};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
@@ -24,9 +27,49 @@ impl From<AircraftError> for Failure {
     }
 }
 
+/// An aircraft and the corrections it flies with.
+pub(crate) struct Prepared {
+    /// The aircraft.
+    pub(crate) aircraft: Aircraft,
+    /// Corrections of one wing's boxes.
+    pub(crate) corrections: Corrections,
+    /// Where they come from, in words.
+    pub(crate) origin: String,
+}
+
 /// Runs the command.
 pub(crate) fn run(args: &FullaircraftArgs, common: &Common) -> Result<(), Failure> {
+    if let Some(cases) = &args.cases {
+        return fullaircraft_cases::run(cases, args, common);
+    }
+    if let Some(deck) = &args.deck {
+        return fullaircraft_deck::run(deck, common);
+    }
     let start = Instant::now();
+    let Prepared { aircraft, corrections, origin } = prepared(args, common)?;
+    let comparison = aircraft.compare(&corrections)?;
+    let summary = comparison.summary(&aircraft, start.elapsed().as_secs_f64());
+    let out = write(common, &aircraft, &comparison, &summary)?;
+    for warning in &summary.warnings {
+        if !common.quiet {
+            show::note(warning);
+        }
+    }
+    let text = format!(
+        "{}\n{}\ncorrections at {} m/s: {origin}\n{} boxes, {:.2} s; results in {}\n",
+        table(&summary),
+        derivatives::table(&summary.derivatives),
+        summary.correction_airspeed_m_s,
+        summary.boxes,
+        summary.seconds,
+        out.display()
+    );
+    show::summary(common, &text);
+    show::json(common, &summary)
+}
+
+/// Reads and assembles the aircraft with the corrections of its wing.
+pub(crate) fn prepared(args: &FullaircraftArgs, common: &Common) -> Result<Prepared, Failure> {
     let file = AircraftFile::read(&paths::given_or(args.aircraft.as_deref(), "data/tuflex/aircraft.ron"))?;
     let wing_path = args.wing.clone().unwrap_or_else(|| file.wing_path());
     let wing = corrected_wing(Some(&wing_path), args.corrections.as_deref(), None, common)?;
@@ -42,25 +85,7 @@ pub(crate) fn run(args: &FullaircraftArgs, common: &Common) -> Result<(), Failur
     })?;
     let corrections = wing.schedule.at(file.correction_airspeed_m_s, Outside::Nearest)?;
     let aircraft = Aircraft::new(file, wing.file)?;
-    let comparison = aircraft.compare(&corrections)?;
-    let summary = comparison.summary(&aircraft, start.elapsed().as_secs_f64());
-    let out = write(common, &aircraft, &comparison, &summary)?;
-    for warning in &summary.warnings {
-        if !common.quiet {
-            show::note(warning);
-        }
-    }
-    let text = format!(
-        "{}\ncorrections at {} m/s: {}\n{} boxes, {:.2} s; results in {}\n",
-        table(&summary),
-        summary.correction_airspeed_m_s,
-        wing.origin,
-        summary.boxes,
-        summary.seconds,
-        out.display()
-    );
-    show::summary(common, &text);
-    show::json(common, &summary)
+    Ok(Prepared { aircraft, corrections, origin: wing.origin })
 }
 
 fn write(

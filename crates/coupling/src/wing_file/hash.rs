@@ -20,6 +20,11 @@ pub(super) fn of_files(text: &str, files: &[PathBuf]) -> Result<String, InputErr
     Ok(format!("{hash:016x}"))
 }
 
+/// The hash of one text, as 16 hexadecimal digits.
+pub fn of_text(text: &str) -> String {
+    format!("{:016x}", extend(OFFSET_BASIS, text))
+}
+
 fn extend(hash: u64, text: &str) -> u64 {
     let step = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(PRIME);
     let hash = text.bytes().filter(|&byte| byte != b'\r').fold(hash, step);

@@ -1,0 +1,131 @@
+//! The structure of a user's deck as trim needs it: SUPORT motions, flexibility held and in mean axes, inertia loads.
+
+use crate::error::AircraftError;
+use aero::Integration;
+use coupling::{CouplingError, Spline};
+use faer::linalg::solvers::Solve;
+use faer::{Mat, MatRef};
+use nalgebra::{Matrix3, Point3};
+use nastran::{BulkData, InputError, Spc1};
+use structure::{Flexibility, Model, System};
+
+/// The deck's structure.
+pub(crate) fn assembled(bulk: &BulkData) -> Result<System, InputError> {
+    System::assemble(&Model::from_bulk(bulk)?)
+}
+
+/// The structure clamped at its SUPORT motions.
+pub(crate) fn held(bulk: &BulkData) -> Result<System, InputError> {
+    let mut bulk = bulk.clone();
+    for support in &bulk.supports {
+        let clamp = Spc1 {
+            set: 1,
+            components: support.components.clone(),
+            grids: vec![support.grid],
+            span: support.span.clone(),
+        };
+        bulk.constraints.push(clamp);
+    }
+    assembled(&bulk)
+}
+
+/// The rigid motions of the SUPORT components, g-set by motions; none for a deck without SUPORT, held by its constraints.
+pub(crate) fn support_motions(bulk: &BulkData, free: &System) -> Result<Mat<f64>, InputError> {
+    let [support, rest @ ..] = bulk.supports.as_slice() else {
+        return Ok(Mat::zeros(6 * free.node_count(), 0));
+    };
+    let node = free.node_index(support.grid).ok_or_else(|| {
+        InputError::at(&support.span, format!("GRID {} of SUPORT is not there", support.grid))
+    })?;
+    if rest.iter().any(|other| other.grid != support.grid) || bulk.grids[&support.grid].cd != 0 {
+        return Err(InputError::at(&support.span, "SUPORT names several grids, or one with its own axes")
+            .with_help("support one grid with basic displacement axes"));
+    }
+    let rigid = free.rigid_body(&free.points()[node]);
+    let columns: Vec<usize> =
+        bulk.supports.iter().flat_map(|s| &s.components).map(|c| usize::from(*c) - 1).collect();
+    Ok(Mat::from_fn(rigid.nrows(), columns.len(), |i, j| rigid[(i, columns[j])]))
+}
+
+/// Unit motions along and about the reference axes.
+pub(crate) fn reference_motions(free: &System, origin: &Point3<f64>, axes: &Matrix3<f64>) -> Mat<f64> {
+    let rigid = free.rigid_body(origin);
+    Mat::from_fn(rigid.nrows(), 6, |i, j| {
+        (0..3).map(|k| rigid[(i, 3 * (j / 3) + k)] * axes[(k, j % 3)]).sum()
+    })
+}
+
+/// Incidence by displacement and load by pressure, on the s-set.
+pub(crate) fn coupling_matrices(
+    spline: &Spline,
+    s_dofs: &[usize],
+    integration: &Integration,
+) -> (Mat<f64>, Mat<f64>) {
+    let n = integration.len();
+    let (mut theta, mut gather) = (Mat::zeros(n, s_dofs.len()), Mat::zeros(s_dofs.len(), n));
+    for (row, entries) in spline.rows().iter().enumerate() {
+        let j = row / 2;
+        let arm = if row % 2 == 0 { 1.0 } else { integration.moment_arm(j) };
+        for (dof, value) in entries {
+            let at = s_dofs.binary_search(dof).expect("the s-set is what the spline uses");
+            gather[(at, j)] += value * arm * integration.area(j);
+            if row % 2 == 1 {
+                theta[(j, at)] += value;
+            }
+        }
+    }
+    (theta, gather)
+}
+
+/// The structure on the s-set.
+pub(crate) struct Reduced {
+    /// Flexibility held at the SUPORT motions.
+    pub(crate) restrained: Mat<f64>,
+    /// Flexibility in mean axes.
+    pub(crate) unrestrained: Mat<f64>,
+    /// Displacement by each variable's inertia loads, held.
+    pub(crate) sag: Mat<f64>,
+    /// SUPORT motions by each variable's inertia.
+    pub(crate) inertia: Mat<f64>,
+}
+
+impl Reduced {
+    /// Reduces; `d` are the SUPORT motions, `a` the accelerations of the variables, both g-set by columns.
+    pub(crate) fn new(
+        free: &System,
+        held: &System,
+        d: &Mat<f64>,
+        a: &Mat<f64>,
+        s_dofs: &[usize],
+    ) -> Result<Self, AircraftError> {
+        let flexibility = Flexibility::new(held)?;
+        let displaced =
+            |f_g: MatRef<'_, f64>| held.expand(flexibility.displacements(held.reduce(f_g).as_ref()).as_ref());
+        let at = |m: &Mat<f64>| coupling::supported::restrict(m.as_ref(), s_dofs);
+        let mut units = Mat::zeros(d.nrows(), s_dofs.len());
+        for (column, &dof) in s_dofs.iter().enumerate() {
+            units[(dof, column)] = 1.0;
+        }
+        let f_gs = displaced(units.as_ref());
+        let (md, ma) = (free.inertia_loads(d.as_ref()), free.inertia_loads(a.as_ref()));
+        let restrained = at(&f_gs);
+        let sag = at(&displaced(ma.as_ref()));
+        let inertia = d.transpose() * ma;
+        if d.ncols() == 0 {
+            return Ok(Self { unrestrained: restrained.clone(), restrained, sag, inertia });
+        }
+        let m_rr = d.transpose() * &md;
+        let factor = m_rr.partial_piv_lu();
+        // B = D M_rr^-1 (s by r): R F Rᵀ = F - B C - Cᵀ Bᵀ + B E Bᵀ
+        let b = factor.solve(at(d).transpose()).transpose().to_owned();
+        let c = md.transpose() * &f_gs;
+        let e = md.transpose() * displaced(md.as_ref());
+        let bc = &b * &c;
+        let unrestrained = &restrained - &bc - bc.transpose() + &b * e * b.transpose();
+        if unrestrained.col_iter().any(|column| column.iter().any(|value| !value.is_finite())) {
+            let message = "no mass moves with a SUPORT motion";
+            return Err(CouplingError::from(InputError::general(message)).into());
+        }
+        Ok(Self { restrained, unrestrained, sag, inertia })
+    }
+}

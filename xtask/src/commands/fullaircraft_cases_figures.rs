@@ -1,0 +1,58 @@
+//! The figures of `fullaircraft --cases`: the load envelope along the span, and all cases at the right root.
+
+use fullaircraft::cases::{CaseResult, MODELS};
+use fullaircraft::cases_envelope::{Extreme, LOADS, ranges};
+use fullaircraft::{Station, Stations};
+use report::{DrawError, Figure, Panel, Series, Style};
+
+/// The envelope of the right wing's stations over y, initial dashed beside updated.
+pub(crate) fn envelope(stations: &Stations, envelope: &[Extreme]) -> Result<String, DrawError> {
+    let mut places: Vec<&Station> = stations.all.iter().filter(|s| s.name.starts_with("right")).collect();
+    places.sort_by(|a, b| a.point.y.total_cmp(&b.point.y));
+    let line = |model: &str, load: &str, end: &str| {
+        let style = if model == "initial" { Style::DashedLine } else { Style::Line };
+        let (mut x, mut y) = (Vec::new(), Vec::new());
+        for place in &places {
+            let found = envelope
+                .iter()
+                .find(|e| e.model == model && e.station == place.name && e.load == load && e.end == end);
+            if let Some(extreme) = found {
+                x.push(place.point.y);
+                y.push(extreme.value);
+            }
+        }
+        Series::new(format!("{model}, {end}"), x, y, style)
+    };
+    let panel = |load: &'static str| Panel {
+        title: String::new(),
+        x_label: "y of the station (m)".into(),
+        y_label: load.replace('_', " "),
+        series: MODELS
+            .iter()
+            .flat_map(|model| ["smallest", "largest"].map(|end| line(model, load, end)))
+            .collect(),
+    };
+    let panels = LOADS.into_iter().map(panel).collect();
+    Figure { title: "Load envelope of the right wing".into(), panels, columns: 2 }.svg()
+}
+
+/// All cases at the right root: bending and torsion over lift; both ends of what moves.
+pub(crate) fn cloud(results: &[CaseResult]) -> Result<String, DrawError> {
+    let points = |model: &str, across: usize, up: usize| {
+        let of_model = results.iter().filter(|result| result.model == model);
+        let loads = of_model.filter_map(|result| result.loads.iter().find(|s| s.station == "right root"));
+        let pairs: Vec<(f64, f64)> = loads
+            .flat_map(|place| [0, 1].map(|end| (ranges(place)[across][end], ranges(place)[up][end])))
+            .collect();
+        let (x, y) = pairs.into_iter().unzip();
+        Series::new(model, x, y, Style::Points)
+    };
+    let panel = |(across, up): (usize, usize)| Panel {
+        title: String::new(),
+        x_label: LOADS[across].replace('_', " "),
+        y_label: LOADS[up].replace('_', " "),
+        series: MODELS.iter().map(|model| points(model, across, up)).collect(),
+    };
+    let panels = [(0, 1), (1, 2)].into_iter().map(panel).collect();
+    Figure { title: "All cases at the right wing's root".into(), panels, columns: 2 }.svg()
+}

@@ -1,0 +1,196 @@
+//! `fullaircraft --deck`: the trims a user's whole-aircraft Nastran deck asks for (SOL 144).
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::path::Path;
+use std::time::Instant;
+
+use fullaircraft::trim_deck_cases::select;
+use fullaircraft::{DeckCase, Elastic, TrimDeck, TrimmedDeck, deck_cases};
+use nastran::BulkData;
+use serde::Serialize;
+
+use crate::args::Common;
+use crate::failure::Failure;
+use crate::output::ResultFolder;
+use crate::{progress, show};
+
+/// Names of the coefficients in the order of the library.
+const COEFFICIENTS: [&str; 6] = ["CX", "CY", "CZ", "Cl", "Cm", "Cn"];
+/// How many divergence pressures are given.
+const DIVERGENCES: usize = 5;
+
+/// What `result.json` holds; forces, lengths and pressures in the deck's units.
+#[derive(Debug, Serialize)]
+struct Summary {
+    command: &'static str,
+    deck: String,
+    boxes: usize,
+    cards_not_read: BTreeMap<String, usize>,
+    subcases: Vec<Trimmed>,
+    seconds: f64,
+}
+
+/// One subcase.
+#[derive(Debug, Serialize)]
+struct Trimmed {
+    subcase: u32,
+    label: String,
+    trim: u32,
+    mach: f64,
+    q: f64,
+    refused: Option<String>,
+    values: BTreeMap<String, f64>,
+    lift: Option<f64>,
+    monitors: BTreeMap<String, [f64; 6]>,
+    divergence_q: Vec<f64>,
+    neutral_point_x: [Option<f64>; 3],
+    derivatives: BTreeMap<String, Derivative>,
+}
+
+/// Coefficients per unit of a variable, about the reference axes.
+#[derive(Debug, Serialize)]
+struct Derivative {
+    rigid: BTreeMap<&'static str, f64>,
+    restrained: BTreeMap<&'static str, f64>,
+    unrestrained: BTreeMap<&'static str, f64>,
+}
+
+/// Runs the command.
+pub(crate) fn run(path: &Path, common: &Common) -> Result<(), Failure> {
+    let start = Instant::now();
+    let bulk = nastran::read_deck(path)?;
+    let cases = deck_cases(&bulk)?;
+    if !bulk.unknown.is_empty() && !common.quiet {
+        let list: Vec<String> = bulk.unknown.iter().map(|(card, n)| format!("{n} {card}")).collect();
+        show::note(&format!("these cards are not read: {}", list.join(", ")));
+    }
+    let folder = ResultFolder::begin(&common.out("fullaircraft_deck"))?;
+    let mut summary = Summary {
+        command: "fullaircraft --deck",
+        deck: path.display().to_string(),
+        boxes: 0,
+        cards_not_read: bulk.unknown.clone(),
+        subcases: Vec::new(),
+        seconds: 0.0,
+    };
+    let bar = progress::bar(common, cases.len(), "subcases");
+    let mut known: Option<(DeckCase, TrimDeck)> = None;
+    for case in &cases {
+        let deck = match known.take().filter(|(before, _)| is_same(before, case)) {
+            Some((_, deck)) => deck,
+            None => assembled(&bulk, case)?,
+        };
+        summary.boxes = deck.lattice.len();
+        let found = deck.trim_card(&case.trim);
+        if let Ok(trimmed) = &found {
+            folder.write_text(&format!("boxes_trim_{}.csv", case.trim.id), &boxes(&deck, trimmed))?;
+        }
+        summary.subcases.push(numbers(case, &deck, found.map_err(|error| error.to_string())));
+        known = Some((case.clone(), deck));
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    let skipped = known.map_or_else(Vec::new, |(_, deck)| deck.skipped_monitors);
+    if !skipped.is_empty() && !common.quiet {
+        show::note(&format!(
+            "left out, as their components are made of grids: MONPNT1 {}",
+            skipped.join(", ")
+        ));
+    }
+    summary.seconds = start.elapsed().as_secs_f64();
+    folder.write_json("result.json", &summary)?;
+    let out = folder.commit()?;
+    let text = format!(
+        "{}\n{} boxes, {:.2} s; results in {}",
+        text(&summary),
+        summary.boxes,
+        summary.seconds,
+        out.display()
+    );
+    show::summary(common, &text);
+    show::json(common, &summary)?;
+    match summary.subcases.iter().find_map(|case| case.refused.clone()) {
+        Some(why) if summary.subcases.iter().all(|case| case.refused.is_some()) => {
+            Err(Failure::Computation(why))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Whether two subcases have the same boundary conditions and air.
+fn is_same(a: &DeckCase, b: &DeckCase) -> bool {
+    let of = |case: &DeckCase| (case.subcase.spc, case.subcase.mpc, case.subcase.symmetry, case.trim.mach);
+    of(a) == of(b)
+}
+
+fn assembled(bulk: &BulkData, case: &DeckCase) -> Result<TrimDeck, Failure> {
+    Ok(TrimDeck::new(&select(bulk, &case.subcase)?, case.trim.mach)?)
+}
+
+fn numbers(case: &DeckCase, deck: &TrimDeck, found: Result<TrimmedDeck, String>) -> Trimmed {
+    let (q, kinds) = (case.trim.q, [Elastic::Rigid, Elastic::Restrained, Elastic::Unrestrained]);
+    let [rigid, restrained, unrestrained] = kinds.map(|kind| deck.derivatives(q, kind));
+    let named = |values: &[f64; 6]| COEFFICIENTS.into_iter().zip(*values).collect();
+    let derivatives = deck.variables.iter().map(|name| {
+        let derivative = Derivative {
+            rigid: named(&rigid[name]),
+            restrained: named(&restrained[name]),
+            unrestrained: named(&unrestrained[name]),
+        };
+        (name.clone(), derivative)
+    });
+    let (trimmed, refused) = match found {
+        Ok(trimmed) => (Some(trimmed), None),
+        Err(why) => (None, Some(why)),
+    };
+    Trimmed {
+        subcase: case.subcase.id,
+        label: case.subcase.label.clone(),
+        trim: case.trim.id,
+        mach: case.trim.mach,
+        q,
+        refused,
+        values: trimmed.as_ref().map(|trimmed| trimmed.values.clone()).unwrap_or_default(),
+        lift: trimmed.as_ref().map(|trimmed| trimmed.lift.iter().sum()),
+        monitors: trimmed.map(|trimmed| trimmed.monitors).unwrap_or_default(),
+        divergence_q: deck.divergence_pressures().iter().copied().take(DIVERGENCES).collect(),
+        neutral_point_x: kinds.map(|kind| deck.neutral_point_x(q, kind)),
+        derivatives: derivatives.collect(),
+    }
+}
+
+/// Pressures and lifts of all boxes.
+fn boxes(deck: &TrimDeck, trimmed: &TrimmedDeck) -> String {
+    let mut text = String::from("box,cp,lift\n");
+    for (j, panel) in deck.lattice.boxes.iter().enumerate() {
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "{},{},{}", panel.id, trimmed.cp[j], trimmed.lift[j]);
+    }
+    text
+}
+
+fn text(summary: &Summary) -> String {
+    let mut text = String::new();
+    for case in &summary.subcases {
+        let first = case.divergence_q.first().map_or("none".to_owned(), |q| format!("{q:.6}"));
+        let head = format!("TRIM {}, Mach {}, q {}", case.trim, case.mach, case.q);
+        let _ = writeln!(text, "SUBCASE {} {}: {head}; divergence at q {first}", case.subcase, case.label);
+        if let Some(why) = &case.refused {
+            let _ = writeln!(text, "  not trimmed: {why}");
+        }
+        let mut table = report::Table::new(&["", "trim", "CZ rigid", "CZ elastic", "Cm rigid", "Cm elastic"]);
+        for (name, derivative) in &case.derivatives {
+            let value = case.values.get(name).map_or("-".to_owned(), |value| format!("{value:.6e}"));
+            let (rigid, free) = (&derivative.rigid, &derivative.unrestrained);
+            let cells = [rigid["CZ"], free["CZ"], rigid["Cm"], free["Cm"]].map(|x| format!("{x:.6}"));
+            table.row([name.clone(), value].into_iter().chain(cells));
+        }
+        let _ = writeln!(text, "{table}");
+        for (name, loads) in &case.monitors {
+            let loads: Vec<String> = loads.iter().map(|load| format!("{load:.4e}")).collect();
+            let _ = writeln!(text, "  MONPNT1 {name}: {}", loads.join(" "));
+        }
+    }
+    text
+}
