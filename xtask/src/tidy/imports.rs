@@ -21,6 +21,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("maneuver", &["nastran", "structure", "aero", "coupling"]),
     ("fullaircraft", &["nastran", "structure", "aero", "coupling", "maneuver"]),
     ("tunnel", &["nastran", "structure", "aero", "coupling", "maneuver"]),
+    ("hidden", &["nastran", "structure", "aero", "coupling", "maneuver", "tunnel"]),
     (
         "validation",
         &["nastran", "structure", "aero", "coupling", "calibrate", "maneuver", "fullaircraft", "response"],
@@ -47,8 +48,8 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
 const ONLY_IN: &[(&str, &[&str])] = &[
     ("clarabel", &["calibrate"]),
     ("kuva", &["report"]),
-    ("rand_chacha", &["tunnel", "response"]),
-    ("rand_distr", &["tunnel", "response"]),
+    ("rand_chacha", &["tunnel", "response", "hidden"]),
+    ("rand_distr", &["tunnel", "response", "hidden"]),
     ("clap", &["xtask"]),
     ("codespan-reporting", &["xtask"]),
     ("indicatif", &["xtask"]),
