@@ -32,6 +32,8 @@ pub struct Zones {
     pub height_m: Vec<Vec<f64>>,
     /// Nose-up twist, rad.
     pub twist_rad: Vec<Vec<f64>>,
+    /// Area, m².
+    pub area_m2: [f64; ZONES],
     /// Middle along the span, m.
     pub y_m: [f64; ZONES],
 }

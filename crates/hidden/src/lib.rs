@@ -1,13 +1,20 @@
 #![doc = include_str!("../README.md")]
 
 pub mod air;
+pub mod answer;
 mod bench;
+pub mod campaign;
+mod case;
+mod decimate;
 pub mod design;
 pub mod effects;
+mod faults;
 pub mod flown;
 mod jitter;
 mod modal;
+mod noise;
 pub mod physics;
+pub mod plan;
 mod random;
 mod separated;
 pub mod separation;
@@ -17,5 +24,9 @@ pub mod strips;
 mod system;
 mod truth_wing;
 
+pub use answer::Answer;
 pub use bench::{Bench, Fineness};
+pub use campaign::CampaignFiles;
+pub use case::Case;
 pub use jitter::Jitter;
+pub use plan::{CasePlan, Class, Defect, Mix, SeedRange, cases};

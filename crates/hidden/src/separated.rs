@@ -38,7 +38,7 @@ pub(crate) fn fly_separated(
         state = at.linear.equilibrium(inputs.col_as_slice(0));
         for (zone, angle) in angles(at, &state, inputs[(Inputs::ALPHA, 0)]).into_iter().enumerate() {
             points[zone] = flow.point(zone, angle);
-            lost[zone] += 0.5 * (Separation::lost(points[zone], angle) - lost[zone]);
+            lost[zone] += 0.5 * (flow.lost(points[zone], angle) - lost[zone]);
         }
     }
     let mut outputs = Mat::zeros(at.linear.c.nrows(), inputs.ncols());
@@ -48,7 +48,7 @@ pub(crate) fn fly_separated(
             let alpha_rad = inputs[(Inputs::ALPHA, i)];
             for (zone, angle) in angles(at, x.col_as_slice(0), alpha_rad).into_iter().enumerate() {
                 points[zone] += share * (flow.point(zone, angle) - points[zone]);
-                let now = Separation::lost(points[zone], angle);
+                let now = flow.lost(points[zone], angle);
                 inputs[(places.zone(0, zone), i)] = now;
                 inputs[(places.zone(1, zone), i)] = (now - lost[zone]) / STEP_S;
                 lost[zone] = now;

@@ -13,6 +13,8 @@ pub struct Separation {
     pub width_rad: f64,
     /// Time constant in chords travelled.
     pub chords: f64,
+    /// Factor of what is lost.
+    pub strength: f64,
 }
 
 impl Separation {
@@ -23,8 +25,8 @@ impl Separation {
     }
 
     /// Incidence that a zone lacks, rad.
-    pub fn lost(point: f64, angle_rad: f64) -> f64 {
-        angle_rad * ((0.5 * (1.0 + point.max(0.0).sqrt())).powi(2) - 1.0)
+    pub fn lost(&self, point: f64, angle_rad: f64) -> f64 {
+        self.strength * angle_rad * ((0.5 * (1.0 + point.max(0.0).sqrt())).powi(2) - 1.0)
     }
 }
 
@@ -34,11 +36,11 @@ mod tests {
 
     #[test]
     fn attached_flow_loses_little_and_separated_flow_three_quarters() {
-        let flow = Separation { angle_rad: vec![0.15], width_rad: 0.02, chords: 3.0 };
+        let flow = Separation { angle_rad: vec![0.15], width_rad: 0.02, chords: 3.0, strength: 1.0 };
         assert!((flow.point(0, 0.15) - 0.7).abs() < 1e-12);
-        assert!(Separation::lost(flow.point(0, 0.02), 0.02).abs() < 1e-4);
+        assert!(flow.lost(flow.point(0, 0.02), 0.02).abs() < 1e-4);
         // f = .04: ((1 + .2)/2)² = .36
-        assert!((Separation::lost(flow.point(0, 1.0), 1.0) + 0.64).abs() < 1e-6);
-        assert!((Separation::lost(flow.point(0, -1.0), -1.0) - 0.64).abs() < 1e-6);
+        assert!((flow.lost(flow.point(0, 1.0), 1.0) + 0.64).abs() < 1e-6);
+        assert!((flow.lost(flow.point(0, -1.0), -1.0) - 0.64).abs() < 1e-6);
     }
 }

@@ -97,9 +97,9 @@ impl TrueWing<'_> {
         AtSpeed { v_m_s, linear, step }
     }
 
-    /// Flies commands; everything is at rest before.
-    pub(crate) fn fly(&self, at: &AtSpeed, commands: &Commands, (start_s, record): (f64, u64)) -> Flown {
-        let here = At {
+    /// What an effect may know of a flight.
+    pub(crate) fn here<'c>(at: &AtSpeed, commands: &'c Commands, (start_s, record): (f64, u64)) -> At<'c> {
+        At {
             v_m_s: at.v_m_s,
             q_pa: 0.5 * RHO_KG_M3 * at.v_m_s * at.v_m_s,
             start_s,
@@ -108,21 +108,29 @@ impl TrueWing<'_> {
             alpha_rad: &commands.alpha[0],
             alpha_rate: &commands.alpha[1],
             alpha_second: &commands.alpha[2],
-        };
+        }
+    }
+
+    /// What the wing does with commands, everything at rest before: the same for all records of a run.
+    pub(crate) fn fly(&self, at: &AtSpeed, commands: &Commands) -> Flown {
+        let here = Self::here(at, commands, (0.0, 0));
         let inputs = self.inputs(at.linear.inputs, &here, commands);
         let separation = self.effects.iter().find_map(|effect| effect.separation());
         let outputs = match separation {
             Some(separation) => fly_separated(self.parts, at, inputs, &separation),
             None => fly_linear(at, &inputs),
         };
-        let mut flown = self.flown(&outputs);
+        self.flown(&outputs)
+    }
+
+    /// What balance and data acquisition make of it in one record.
+    pub(crate) fn measure(&self, here: &At<'_>, flown: &mut Flown) {
         for effect in self.effects {
-            effect.balance(&here, &mut flown);
+            effect.balance(here, flown);
         }
         for effect in self.effects {
-            effect.sensor(&here, &mut flown);
+            effect.sensor(here, flown);
         }
-        flown
     }
 
     /// Inputs of the linear system by sample.
@@ -165,6 +173,7 @@ impl TrueWing<'_> {
             lift_n: (0..ZONES).map(|zone| row(4 + zone)).collect(),
             height_m: (0..ZONES).map(|zone| row(4 + ZONES + zone)).collect(),
             twist_rad: (0..ZONES).map(|zone| row(4 + 2 * ZONES + zone)).collect(),
+            area_m2: std::array::from_fn(|zone| strips.area_of_zone_m2(zone)),
             y_m: std::array::from_fn(|zone| strips.middle_of_zone_m(zone)),
         });
         Flown { loads: [row(0), row(1), row(2)], tip_z_m: row(3), zones }

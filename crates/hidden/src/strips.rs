@@ -88,6 +88,11 @@ impl Strips {
         members().map(|strip| self.y_m[strip]).sum::<f64>() / members().count().max(1) as f64
     }
 
+    /// Area of a zone, m².
+    pub fn area_of_zone_m2(&self, zone: usize) -> f64 {
+        (0..self.len()).filter(|strip| self.zone[*strip] == zone).map(|strip| self.area_m2(strip)).sum()
+    }
+
     /// Rows by boxes: lifts of all strips, then moments, per unit pressure coefficient and dynamic pressure.
     pub(crate) fn rows(&self, wing: &ElasticWing) -> Mat<f64> {
         let count = self.len();

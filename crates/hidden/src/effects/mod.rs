@@ -10,7 +10,45 @@ use crate::strips::Strips;
 use std::fmt::Debug;
 
 mod ac_shift;
+mod act_lag;
+mod act_rate;
+mod added_mass;
+mod aero_lag;
+mod alpha_encoder;
+mod alpha_offset;
+mod backlash;
+mod balance_nonlin;
+mod bend_stiff;
+mod cable_stiffness;
+mod camber;
+mod crosstalk;
+mod ctl_alpha_interaction;
+mod ctl_asym;
+mod ctl_compliance;
+mod ctl_saturation;
+mod ctl_scale;
+mod damping;
+mod daq_filter;
+mod delay;
+mod delta_offset;
+mod drift;
+mod filters;
+mod flow_upwash_gradient;
+mod friction;
+mod gain;
+mod inplane_force;
 mod joiner_inertia;
+mod large_deflection;
+mod lift_slope;
+mod mx_alpha_squared;
+mod q_error;
+mod re_dependence;
+mod shedding_tone;
+mod stall;
+mod tip_loss;
+mod tip_mass;
+mod tors_stiff;
+mod wing_mass_error;
 
 /// What a wing is to an effect.
 #[derive(Debug, Clone, Copy)]
@@ -53,6 +91,11 @@ pub trait Effect: Debug + Send + Sync {
         let _ = (at, flown);
     }
 
+    /// Changes what the angle sensor says, degrees.
+    fn reading(&self, alpha_deg: &mut [f64]) {
+        let _ = alpha_deg;
+    }
+
     /// Changes what the balance and the data acquisition make of it.
     fn sensor(&self, at: &At<'_>, flown: &mut Flown) {
         let _ = (at, flown);
@@ -81,19 +124,35 @@ pub struct Parameter {
     pub high: f64,
     /// Sign.
     pub sign: Sign,
-    /// Whether it is a size: zero means no effect, and weak cases scale it. Others are a shape.
-    pub size: bool,
+    /// What it is.
+    pub role: Role,
+}
+
+/// What a parameter is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Role {
+    /// A size: zero means no effect, and weak cases scale it.
+    Size,
+    /// A shape.
+    Shape,
+    /// One of so many, from zero.
+    Choice(usize),
 }
 
 impl Parameter {
     /// A size.
     pub(crate) const fn size(name: &'static str, low: f64, high: f64, sign: Sign) -> Self {
-        Self { name, low, high, sign, size: true }
+        Self { name, low, high, sign, role: Role::Size }
     }
 
     /// A shape.
     pub(crate) const fn shape(name: &'static str, low: f64, high: f64, sign: Sign) -> Self {
-        Self { name, low, high, sign, size: false }
+        Self { name, low, high, sign, role: Role::Shape }
+    }
+
+    /// One of `count`.
+    pub(crate) const fn choice(name: &'static str, count: usize) -> Self {
+        Self { name, low: 1.0, high: 1.0, sign: Sign::Plus, role: Role::Choice(count) }
     }
 }
 
@@ -111,9 +170,56 @@ pub struct Kind {
 }
 
 /// All kinds.
-pub const KINDS: &[Kind] = &[ac_shift::KIND, joiner_inertia::KIND];
+pub const KINDS: &[Kind] = &[
+    ac_shift::KIND,
+    act_lag::KIND,
+    act_rate::KIND,
+    added_mass::KIND,
+    aero_lag::KIND,
+    alpha_encoder::KIND,
+    alpha_offset::KIND,
+    backlash::KIND,
+    balance_nonlin::KIND,
+    bend_stiff::KIND,
+    cable_stiffness::KIND,
+    camber::KIND,
+    crosstalk::KIND,
+    ctl_alpha_interaction::KIND,
+    ctl_asym::KIND,
+    ctl_compliance::KIND,
+    ctl_saturation::KIND,
+    ctl_scale::KIND,
+    damping::KIND,
+    daq_filter::KIND,
+    delay::KIND,
+    delta_offset::KIND,
+    drift::KIND,
+    flow_upwash_gradient::KIND,
+    friction::KIND,
+    gain::KIND,
+    inplane_force::KIND,
+    joiner_inertia::KIND,
+    large_deflection::KIND,
+    lift_slope::KIND,
+    mx_alpha_squared::KIND,
+    q_error::KIND,
+    re_dependence::KIND,
+    shedding_tone::KIND,
+    stall::KIND,
+    tip_loss::KIND,
+    tip_mass::KIND,
+    tors_stiff::KIND,
+    wing_mass_error::KIND,
+];
 
 /// The kind with a name.
 pub fn kind(name: &str) -> Option<&'static Kind> {
     KINDS.iter().find(|kind| kind.name == name)
+}
+
+/// A drawn choice as an index.
+fn chosen(value: f64, count: usize) -> usize {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a choice is a small whole number")]
+    let index = value.max(0.0) as usize;
+    index.min(count - 1)
 }

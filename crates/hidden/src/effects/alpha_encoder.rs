@@ -1,0 +1,25 @@
+//! An angle sensor with a wrong gain: the wing turns further than it says, with a sine (the obvious form: a factor).
+
+use super::{Effect, Kind, Parameter, Sign};
+
+pub(super) const KIND: Kind = Kind {
+    name: "alpha_encoder",
+    in_library: true,
+    parameters: &[
+        Parameter::size("g", 0.005, 0.1, Sign::Either),
+    ],
+    make: |values| Box::new(AlphaEncoder { gain: values[0] }),
+};
+
+#[derive(Debug)]
+struct AlphaEncoder {
+    gain: f64,
+}
+
+impl Effect for AlphaEncoder {
+    fn reading(&self, alpha_deg: &mut [f64]) {
+        for angle in alpha_deg {
+            *angle = (angle.to_radians().sin() / (1.0 + self.gain)).asin().to_degrees();
+        }
+    }
+}
