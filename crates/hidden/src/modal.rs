@@ -15,8 +15,9 @@ use tunnel::{BeamChange, Mesh, TunnelError};
 
 /// Fields of acceleration: aft, up, nose-up rotation about the pitch axis.
 pub(crate) const FIELDS: usize = 3;
-/// Relative change from which derivatives are taken; all are linear, so its size only matters to rounding.
-const STEP: f64 = 0.25;
+/// Change from which derivatives are taken. Matrices are linear in stiffness and mass, and nearly so in the mass's place (its
+/// square is lost).
+const STEP: f64 = 0.0625;
 
 /// What can be changed: each at the root and at the tip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -24,6 +25,8 @@ pub(crate) enum Part {
     Bending,
     Torsion,
     Mass,
+    /// The mass moved aft, everywhere alike.
+    MassAft,
 }
 
 /// Matrices that follow from the mass.
@@ -53,6 +56,8 @@ pub(crate) struct ModalStructure {
     pub(crate) stiffness_by: [[Mat<f64>; 2]; 2],
     /// Change of the masses per unit relative change at root and tip.
     pub(crate) masses_by: [Masses; 2],
+    /// The same per chord by which the distributed mass moves aft.
+    pub(crate) masses_by_aft: Masses,
     pub(crate) pitch_axis_x_m: f64,
     pub(crate) balance: Point3<f64>,
 }
@@ -138,8 +143,8 @@ impl ModalStructure {
             let (k, _) = changed(part, end)?;
             Ok(Mat::from_fn(k.nrows(), k.ncols(), |i, j| (k[(i, j)] - plain[(i, j)]) / STEP))
         };
-        let heavier = |end: usize| -> Result<Masses, TunnelError> {
-            Ok(changed(Part::Mass, end)?.1.change_from(&unchanged))
+        let heavier = |part: Part, end: usize| -> Result<Masses, TunnelError> {
+            Ok(changed(part, end)?.1.change_from(&unchanged))
         };
         let none = CouplingError::Size { what: "structures of the true wing", got: 0, expected: 1 };
         let supported = wing_of_truth.supported.as_ref().ok_or(TunnelError::Wing(none))?;
@@ -152,7 +157,8 @@ impl ModalStructure {
                 [softer(Part::Bending, 0)?, softer(Part::Bending, 1)?],
                 [softer(Part::Torsion, 0)?, softer(Part::Torsion, 1)?],
             ],
-            masses_by: [heavier(0)?, heavier(1)?],
+            masses_by: [heavier(Part::Mass, 0)?, heavier(Part::Mass, 1)?],
+            masses_by_aft: heavier(Part::MassAft, 0)?,
             masses: unchanged,
             pitch_axis_x_m,
             balance,
@@ -167,6 +173,7 @@ fn changed_beam(part: Part, end: usize, elements: usize) -> BeamChange {
         Part::Bending => beam.bending = ends,
         Part::Torsion => beam.torsion = ends,
         Part::Mass => beam.mass = ends,
+        Part::MassAft => beam.mass_aft_over_c = STEP,
     }
     beam
 }

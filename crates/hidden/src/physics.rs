@@ -65,6 +65,12 @@ pub struct Physics {
     pub flap: Vec<f64>,
     /// Factor of a strip's apparent mass.
     pub apparent_mass: Vec<f64>,
+    /// Factor of what a strip's lags add.
+    pub lag_amplitude: Vec<f64>,
+    /// How much further aft the loads of every control's deflection act, share of the chord.
+    pub flap_aft_over_c: Vec<f64>,
+    /// Shift of the distributed mass, aft, share of the chord.
+    pub mass_aft_over_c: f64,
     /// Factor of every lag's rate.
     pub lag_rate: Vec<f64>,
     /// Factor of the airspeed that acts, where the campaign says another.
@@ -88,6 +94,9 @@ impl Physics {
             incidence_rad: vec![0.0; count],
             flap: vec![1.0; controls],
             apparent_mass: vec![1.0; count],
+            lag_amplitude: vec![1.0; count],
+            flap_aft_over_c: vec![0.0; controls],
+            mass_aft_over_c: 0.0,
             lag_rate: vec![1.0; LAGS],
             airspeed: 1.0,
         }

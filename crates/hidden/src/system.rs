@@ -218,11 +218,17 @@ impl Parts {
             let slow = lag_place.is_some() && layout.poles > 0;
             let air = if slow { &self.air.rational } else { &self.air.instant };
             let control = (layout.modes + 1..layout.modes + 1 + layout.inputs.controls).contains(&motion);
-            let flap = if control { physics.flap[motion - layout.modes - 1] } else { 1.0 };
+            let of_control = |values: &[f64], else_: f64| {
+                if control { values[motion - layout.modes - 1] } else { else_ }
+            };
+            let flap = of_control(&physics.flap, 1.0);
+            let flap_aft = of_control(&physics.flap_aft_over_c, 0.0);
             for (derivative, matrix) in [&air.steady, &air.rate, &air.second].into_iter().enumerate() {
                 for row in 0..2 * count {
                     let apparent = if derivative == 2 { physics.apparent_mass[row % count] } else { 1.0 };
-                    let value = factors[derivative] * flap * apparent * matrix[(row, motion)];
+                    let moved = if row < count { 0.0 } else { flap_aft * matrix[(row - count, motion)] };
+                    let own = matrix[(row, motion)] - self.strips.chord_m[row % count] * moved;
+                    let value = factors[derivative] * flap * apparent * own;
                     match layout.place(motion, derivative) {
                         Some(place) => rows.add(row, place, value),
                         None if motion < layout.modes => by_acceleration[(row, motion)] += value,
@@ -234,7 +240,10 @@ impl Parts {
                 for pole in 0..layout.poles {
                     let at = layout.lag(pole, place);
                     for row in 0..2 * count {
-                        rows.state[(row, at)] += q_pa * flap * air.lags[pole][(row, motion)];
+                        let amplitude = q_pa * flap * physics.lag_amplitude[row % count];
+                        let moved = if row < count { 0.0 } else { flap_aft * air.lags[pole][(row - count, motion)] };
+                        let aft_m = self.strips.chord_m[row % count];
+                        rows.state[(row, at)] += amplitude * (air.lags[pole][(row, motion)] - aft_m * moved);
                     }
                 }
             }
@@ -315,6 +324,7 @@ impl Parts {
         let mut masses = structure.masses.clone();
         masses.add(physics.mass.root, &structure.masses_by[0]);
         masses.add(physics.mass.tip, &structure.masses_by[1]);
+        masses.add(physics.mass_aft_over_c, &structure.masses_by_aft);
         for point in &physics.point_masses {
             let distance = |strip: &usize| (self.strips.eta[*strip] - point.eta).abs();
             let Some(strip) = (0..self.strips.len()).min_by(|a, b| distance(a).total_cmp(&distance(b))) else {
