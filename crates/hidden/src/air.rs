@@ -31,8 +31,6 @@ pub struct StripAir {
     pub(crate) by_strip: Mat<f64>,
     /// Steady strip loads of camber and twist.
     pub(crate) camber: Vec<f64>,
-    /// Modes.
-    pub(crate) modes: usize,
     /// Controls.
     pub(crate) controls: usize,
     /// The highest frequency of the table, omega/V.
@@ -72,7 +70,6 @@ impl StripAir {
             instant: RationalAir::fit(&table, steady, &slow).without_lags(),
             by_strip: &rows * &wing.pressures(unit.as_ref()),
             camber: (&rows * &camber).col_as_slice(0).to_vec(),
-            modes: strips.height.ncols(),
             controls: wing.controls.len(),
             highest_per_m: per_m(&REDUCED_FREQUENCIES[REDUCED_FREQUENCIES.len() - 1]),
         })

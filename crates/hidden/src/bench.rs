@@ -1,13 +1,19 @@
 //! The benchmark's bench: one truth geometry, whose expensive parts are computed once and shared by all cases.
 
 use crate::air::StripAir;
+use crate::detect::{Loads, Metric, clean};
+use crate::effects::Effect;
+use crate::jitter::{self, Jitter};
 use crate::modal::ModalStructure;
 use crate::physics::Physics;
+use crate::simulate::TrueWing;
 use crate::strips::Strips;
 use crate::system::Parts;
 use crate::truth_wing::{elements, file, mesh, same_beam, wing};
 use coupling::planform::Planform;
+use rayon::prelude::*;
 use std::path::Path;
+use std::sync::OnceLock;
 use tunnel::TunnelError;
 
 /// How fine the truth is.
@@ -37,6 +43,7 @@ pub struct Bench {
     /// Number of boxes of the true lattice.
     pub boxes: usize,
     damping_ratio: f64,
+    metric: OnceLock<Metric>,
 }
 
 impl Bench {
@@ -59,6 +66,7 @@ impl Bench {
             controls: truth.wing.controls.iter().map(|control| control.name.clone()).collect(),
             boxes: truth.wing.lattice.len(),
             damping_ratio: file.damping_ratio,
+            metric: OnceLock::new(),
             parts: Parts {
                 structure,
                 strips,
@@ -79,5 +87,29 @@ impl Bench {
     pub(crate) fn neutral(&self) -> Physics {
         let parts = &self.parts;
         Physics::neutral(&parts.structure, &parts.strips, self.controls.len(), self.damping_ratio)
+    }
+
+    /// The wing of a jitter at an airspeed, before effects.
+    pub(crate) fn jittered(&self, jitter: &Jitter, v_m_s: f64) -> Physics {
+        let mut physics = self.neutral();
+        jitter.apply(&self.parts.strips, v_m_s, &mut physics);
+        physics
+    }
+
+    /// Noise-free training loads of a jittered wing with effects.
+    pub(crate) fn clean_loads(&self, jitter: &Jitter, effects: &[Box<dyn Effect>]) -> Loads {
+        let physics = |v_m_s: f64| self.jittered(jitter, v_m_s);
+        let wing = TrueWing { parts: &self.parts, jittered: &physics, effects, servo: jitter.servo() };
+        clean(&wing, &self.controls)
+    }
+
+    /// What differences are measured with; computed when it is first needed.
+    pub(crate) fn metric(&self) -> &Metric {
+        self.metric.get_or_init(|| {
+            let middle = self.clean_loads(&Jitter::none(), &[]);
+            let off = |parameter: usize| self.clean_loads(&Jitter::unit(parameter), &[]);
+            let jittered: Vec<Loads> = (0..jitter::COUNT).into_par_iter().map(off).collect();
+            Metric::new(&middle, &jittered, &self.controls)
+        })
     }
 }

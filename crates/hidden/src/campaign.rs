@@ -143,7 +143,8 @@ pub(crate) fn records(wing: &TrueWing<'_>, plan: &[Planned], speeds: &[AtSpeed],
             for effect in wing.effects {
                 effect.reading(&mut reading);
             }
-            let degrees = |values: &[f64]| values.iter().map(|value| value.to_degrees()).collect::<Vec<f64>>();
+            let degrees =
+                |values: &[f64]| values.iter().map(|value| value.to_degrees()).collect::<Vec<f64>>();
             all.push(Record {
                 file: file_name(planned, block),
                 block,
@@ -174,10 +175,9 @@ pub(crate) fn static_points(
     still: &AtSpeed,
     (seed, stream): (u64, Stream),
 ) -> Vec<StaticPoint> {
-    let offsets = block_offsets(seed);
     let mut random = Random::new(seed, stream);
     let mut all = Vec::new();
-    for block in 0..BLOCKS {
+    for (block, day) in block_offsets(seed).into_iter().enumerate() {
         let tares = TILT_DEG.iter().map(|alpha| (still, *alpha));
         let tested = speeds.iter().flat_map(|at| STATIC_ANGLES_DEG.iter().map(move |alpha| (at, *alpha)));
         for (at, alpha_deg) in tares.chain(tested) {
@@ -187,7 +187,7 @@ pub(crate) fn static_points(
             let here = TrueWing::here(at, &commands, (0.0, u64::MAX));
             wing.measure(&here, &mut flown);
             let error = noise::channels(&mut random, noise::STATIC_POINT);
-            let offset = if at.v_m_s > 0.0 { offsets[block] } else { [0.0; 3] };
+            let offset = if at.v_m_s > 0.0 { day } else { [0.0; 3] };
             let loads = std::array::from_fn(|c| flown.loads[c][0] + offset[c] + error[c]);
             let tip_z_m = flown.tip_z_m[0] + random.normal(noise::TIP_M);
             all.push(StaticPoint { v_m_s: at.v_m_s, alpha_deg, loads, tip_z_m, block });
@@ -248,7 +248,8 @@ fn static_csv(points: &[StaticPoint]) -> String {
     for point in points {
         let [fz, mx, my] = point.loads.map(tidy);
         let (v, alpha, tip) = (point.v_m_s, point.alpha_deg, tidy(point.tip_z_m));
-        let _ = writeln!(text, "{v:.2},{alpha:.2},{fz:.4},{mx:.4},{my:.4},block_{},{tip:.5}", point.block + 1);
+        let _ =
+            writeln!(text, "{v:.2},{alpha:.2},{fz:.4},{mx:.4},{my:.4},block_{},{tip:.5}", point.block + 1);
     }
     text
 }

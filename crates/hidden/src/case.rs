@@ -28,6 +28,10 @@ const STABLE: f64 = -0.2;
 /// How often sizes are halved until the wing is stable.
 const MOST_HALVINGS: usize = 8;
 
+/// How often, and how closely, sizes are scaled to a detectability.
+const MOST_SCALINGS: usize = 6;
+const SCALED_WITHIN: f64 = 0.15;
+
 /// The effects of a plan.
 pub(crate) fn effects(hidden: &[Hidden]) -> Vec<Box<dyn Effect>> {
     hidden.iter().filter_map(|hidden| Some((kind(&hidden.name)?.make)(&hidden.values))).collect()
@@ -39,7 +43,9 @@ pub(crate) fn scaled(hidden: &[Hidden], factor: f64) -> Vec<Hidden> {
         let mut scaled = hidden.clone();
         if let Some(kind) = kind(&hidden.name) {
             let sizes = kind.parameters.iter().zip(&mut scaled.values);
-            sizes.filter(|(parameter, _)| parameter.role == Role::Size).for_each(|(_, value)| *value *= factor);
+            sizes
+                .filter(|(parameter, _)| parameter.role == Role::Size)
+                .for_each(|(_, value)| *value *= factor);
         }
         scaled
     };
@@ -47,13 +53,6 @@ pub(crate) fn scaled(hidden: &[Hidden], factor: f64) -> Vec<Hidden> {
 }
 
 impl Bench {
-    /// The wing of a jitter at an airspeed, before effects.
-    pub(crate) fn jittered(&self, jitter: &Jitter, v_m_s: f64) -> Physics {
-        let mut physics = self.neutral();
-        jitter.apply(&self.parts.strips, v_m_s, &mut physics);
-        physics
-    }
-
     /// Makes a case. The same plan gives the same bytes, whatever the number of threads.
     pub fn case(&self, plan: &CasePlan) -> Case {
         let jitter = Jitter::of(plan.seed);
@@ -68,16 +67,56 @@ impl Bench {
             }
             plan.effects = scaled(&plan.effects, 0.5);
         }
+        let d2 = self.detectability(&mut plan, &jitter);
         let mut measured = self.measured(&plan, &physics, &jitter);
         if let Some(defect) = &plan.defect {
             spoil(&mut measured, defect);
         }
         let files = texts(&measured, &self.controls, false);
-        Case { measured, files, answer: Answer::of(&plan) }
+        let mut answer = Answer::of(&plan);
+        answer.d2 = d2;
+        for effect in &mut answer.effects {
+            // of one alone; with several, each beside the wing without any
+            effect.d2 =
+                if plan.effects.len() == 1 { d2 } else { Some(self.alone(&plan, &effect.name, &jitter)) };
+        }
+        Case { measured, files, answer }
     }
 
-    fn measured(&self, plan: &CasePlan, physics: &(dyn Fn(f64) -> Physics + Sync), jitter: &Jitter) -> Measured {
-        let wing_with = |effects| TrueWing { parts: &self.parts, jittered: physics, effects, servo: jitter.servo() };
+    /// How well the plan's effects can be seen together; sizes are scaled to the plan's target first.
+    fn detectability(&self, plan: &mut CasePlan, jitter: &Jitter) -> Option<f64> {
+        if plan.effects.is_empty() {
+            return None;
+        }
+        let without = self.clean_loads(jitter, &[]);
+        let of = |hidden: &[Hidden]| self.metric().d2(&self.clean_loads(jitter, &effects(hidden)), &without);
+        let mut d2 = of(&plan.effects);
+        let Some(target) = plan.target_d2 else { return Some(d2) };
+        for _ in 0..MOST_SCALINGS {
+            if (d2 / target - 1.0).abs() < SCALED_WITHIN || d2 <= 0.0 {
+                break;
+            }
+            plan.effects = scaled(&plan.effects, (target / d2).sqrt().clamp(0.02, 3.0));
+            d2 = of(&plan.effects);
+        }
+        Some(d2)
+    }
+
+    /// How well one of several effects could be seen alone.
+    fn alone(&self, plan: &CasePlan, name: &str, jitter: &Jitter) -> f64 {
+        let one: Vec<Hidden> = plan.effects.iter().filter(|hidden| hidden.name == name).cloned().collect();
+        let with = self.clean_loads(jitter, &effects(&one));
+        self.metric().d2(&with, &self.clean_loads(jitter, &[]))
+    }
+
+    fn measured(
+        &self,
+        plan: &CasePlan,
+        physics: &(dyn Fn(f64) -> Physics + Sync),
+        jitter: &Jitter,
+    ) -> Measured {
+        let wing_with =
+            |effects| TrueWing { parts: &self.parts, jittered: physics, effects, servo: jitter.servo() };
         let none = Vec::new();
         let effects = effects(&plan.effects);
         let (plain, wing) = (wing_with(&none), wing_with(&effects));

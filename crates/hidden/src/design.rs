@@ -78,7 +78,11 @@ pub struct Planned {
 impl Planned {
     /// Number of written samples.
     pub fn samples(&self) -> usize {
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "lengths are a few seconds")]
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "lengths are a few seconds"
+        )]
         let steps = (self.length_s * SAMPLE_RATE_HZ as f64).round() as usize;
         steps + 1
     }
@@ -125,10 +129,12 @@ pub fn runs(controls: &[String]) -> Vec<Planned> {
         }
     }
     if !controls.is_empty() {
-        add("doublet_last_15_40".into(), 40.0, START_S + 2.0, Move::Doublet {
-            control: controls.len() - 1,
-            deflection_deg: 15.0,
-        });
+        add(
+            "doublet_last_15_40".into(),
+            40.0,
+            START_S + 2.0,
+            Move::Doublet { control: controls.len() - 1, deflection_deg: 15.0 },
+        );
         for (place, v_m_s) in [18.0, 22.0, 30.0, 34.0, 40.0].into_iter().enumerate() {
             let control = place % controls.len();
             let motion = Move::Chirp { control, deflection_deg: 4.0 };

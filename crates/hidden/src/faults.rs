@@ -20,7 +20,8 @@ pub(crate) fn spoil(measured: &mut Measured, defect: &Defect) {
             }
         }
         Defect::Clipped { channel, share } => {
-            let largest = |record: &Record| record.loads[*channel].iter().map(|load| load.abs()).fold(0.0, f64::max);
+            let largest =
+                |record: &Record| record.loads[*channel].iter().map(|load| load.abs()).fold(0.0, f64::max);
             let most = share * measured.records.iter().map(largest).fold(0.0, f64::max);
             let loads = measured.records.iter_mut().flat_map(|record| &mut record.loads[*channel]);
             loads.for_each(|load| *load = load.clamp(-most, most));

@@ -99,7 +99,8 @@ impl Jitter {
             physics.lift_offset[strip] = section_offset(v_m_s) + LIFT_OFFSET * j[10];
             physics.moment_offset[strip] = -0.2 * section_offset(v_m_s) + MOMENT_OFFSET * j[11];
             physics.apparent_mass[strip] = 1.0 + APPARENT_MASS * (j[12] + j[26] * outward);
-            physics.lag_amplitude[strip] = LAG_OF_SECTIONS * (1.0 + LAG_AMPLITUDE * (j[27] + j[28] * outward));
+            physics.lag_amplitude[strip] =
+                LAG_OF_SECTIONS * (1.0 + LAG_AMPLITUDE * (j[27] + j[28] * outward));
         }
     }
 

@@ -23,6 +23,17 @@ pub(crate) fn buffet_sigma(channel: usize, q_pa: f64) -> f64 {
     BUFFET[channel] * q_pa / (0.5 * RHO_KG_M3 * 900.0)
 }
 
+/// How many samples of buffet say as much as one of white noise of the same size, about a slow difference: (1 + r)/(1 - r).
+pub(crate) fn correlated_samples() -> f64 {
+    let keep = keep();
+    (1.0 + keep) / (1.0 - keep)
+}
+
+/// Correlation of neighbouring samples.
+fn keep() -> f64 {
+    (-1.0 / (SAMPLE_RATE_HZ as f64 * BUFFET_S)).exp()
+}
+
 /// Normal numbers with correlations 0.8 (Fz, Mx), -0.7 (Fz, My) and -0.6 (Mx, My): rows of their matrix's factor.
 fn correlated(random: &mut Random) -> [f64; 3] {
     let n: [f64; 3] = std::array::from_fn(|_| random.normal(1.0));
@@ -39,7 +50,7 @@ pub(crate) fn channels(random: &mut Random, sigma: [f64; 3]) -> [f64; 3] {
 
 /// White noise and buffet of a record, by channel and sample.
 pub(crate) fn of_record(random: &mut Random, q_pa: f64, samples: usize) -> [Vec<f64>; 3] {
-    let keep = (-1.0 / (SAMPLE_RATE_HZ as f64 * BUFFET_S)).exp();
+    let keep = keep();
     let fresh = (1.0 - keep * keep).sqrt();
     let mut buffet = correlated(random);
     let mut all: [Vec<f64>; 3] = std::array::from_fn(|_| Vec::with_capacity(samples));

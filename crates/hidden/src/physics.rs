@@ -79,7 +79,12 @@ pub struct Physics {
 
 impl Physics {
     /// As the lattice and the beam are.
-    pub(crate) fn neutral(structure: &ModalStructure, strips: &Strips, controls: usize, damping: f64) -> Self {
+    pub(crate) fn neutral(
+        structure: &ModalStructure,
+        strips: &Strips,
+        controls: usize,
+        damping: f64,
+    ) -> Self {
         let count = strips.len();
         Self {
             bending: Ends::default(),

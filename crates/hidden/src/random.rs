@@ -19,8 +19,6 @@ pub(crate) enum Stream {
     Statics,
     /// Static points of the reference campaign.
     Reference,
-    /// A data defect.
-    Defect,
     /// A record of a run.
     Record(u64),
 }
@@ -40,7 +38,6 @@ impl Random {
             Stream::Offsets => 4,
             Stream::Statics => 5,
             Stream::Reference => 6,
-            Stream::Defect => 7,
             Stream::Record(number) => 1000 + number,
         });
         Self(generator)

@@ -28,18 +28,22 @@ pub(crate) fn fly_separated(
     let places = at.linear.inputs;
     let chord_m = parts.strips.chord_m.iter().sum::<f64>() / parts.strips.len().max(1) as f64;
     let share = 1.0 - (-STEP_S * at.v_m_s / (flow.chords * chord_m)).exp();
-    let mut state = Vec::new();
+    let plain = at.linear.equilibrium(inputs.col_as_slice(0));
+    let by_zone = at.linear.equilibrium_by_zone();
+    let mut state = plain.clone();
     let mut points = [1.0; ZONES];
     let mut lost = [0.0; ZONES];
     for _ in 0..STEADY_STEPS {
-        for (zone, incidence) in lost.iter().enumerate() {
-            inputs[(places.zone(0, zone), 0)] = *incidence;
-        }
-        state = at.linear.equilibrium(inputs.col_as_slice(0));
         for (zone, angle) in angles(at, &state, inputs[(Inputs::ALPHA, 0)]).into_iter().enumerate() {
             points[zone] = flow.point(zone, angle);
             lost[zone] += 0.5 * (flow.lost(points[zone], angle) - lost[zone]);
         }
+        for (i, value) in state.iter_mut().enumerate() {
+            *value = plain[i] + (0..ZONES).map(|zone| by_zone[(i, zone)] * lost[zone]).sum::<f64>();
+        }
+    }
+    for (zone, incidence) in lost.iter().enumerate() {
+        inputs[(places.zone(0, zone), 0)] = *incidence;
     }
     let mut outputs = Mat::zeros(at.linear.c.nrows(), inputs.ncols());
     let mut x = Mat::from_fn(state.len(), 1, |i, _| state[i]);

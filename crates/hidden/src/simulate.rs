@@ -1,14 +1,14 @@
 //! The true wing with its effects, flown at 400 Hz.
 
-use crate::design::{Move, Planned, RHO_KG_M3, SAMPLE_RATE_HZ, START_S, STEPS_PER_SAMPLE};
 use crate::design::{CHIRP_S, CHIRP_TO_HZ, DOUBLET_HZ};
+use crate::design::{Move, Planned, RHO_KG_M3, SAMPLE_RATE_HZ, START_S, STEPS_PER_SAMPLE};
 use crate::effects::{Effect, WingView};
 use crate::flown::{At, Flown, Zones};
 use crate::physics::Physics;
 use crate::separated::fly_separated;
 use crate::servo::Servo;
 use crate::strips::ZONES;
-use crate::system::{Inputs, LinearWing, Parts};
+use crate::system::{Inputs, LinearWing, Parts, ZonesOf};
 use faer::Mat;
 use maneuver::ExactStep;
 use maneuver::signals::{Chirp, Doublet, OneMinusCosine, Signal};
@@ -44,11 +44,8 @@ impl Commands {
             Move::Pitch { height_deg, frequency_hz } => {
                 let height = height_deg.to_radians();
                 let pitch = OneMinusCosine { base, height, frequency_hz, start_s: START_S };
-                alpha = [
-                    sampled(&|t| pitch.at(t)),
-                    sampled(&|t| pitch.rate(t)),
-                    sampled(&|t| pitch.second(t)),
-                ];
+                alpha =
+                    [sampled(&|t| pitch.at(t)), sampled(&|t| pitch.rate(t)), sampled(&|t| pitch.second(t))];
             }
             Move::Doublet { control, deflection_deg } => {
                 let height = deflection_deg.to_radians();
@@ -80,8 +77,12 @@ pub(crate) struct AtSpeed {
 }
 
 impl TrueWing<'_> {
-    fn needs_zones(&self) -> bool {
-        self.effects.iter().any(|effect| effect.needs_zones() || effect.separation().is_some())
+    fn zones(&self) -> ZonesOf {
+        if self.effects.iter().any(|effect| effect.separation().is_some()) {
+            return ZonesOf::Both;
+        }
+        let asked = self.effects.iter().any(|effect| effect.needs_zones());
+        if asked { ZonesOf::Outputs } else { ZonesOf::Nothing }
     }
 
     /// Everything about an airspeed.
@@ -92,7 +93,7 @@ impl TrueWing<'_> {
         for effect in self.effects {
             effect.physics(wing, v_m_s, &mut physics);
         }
-        let linear = parts.at(v_m_s, RHO_KG_M3, &physics, self.needs_zones());
+        let linear = parts.at(v_m_s, RHO_KG_M3, &physics, self.zones());
         let step = ExactStep::new(linear.a.as_ref(), linear.b.as_ref(), STEP_S);
         AtSpeed { v_m_s, linear, step }
     }

@@ -64,7 +64,7 @@ impl Strips {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "eta is between 0 and 1")]
         let zone = eta.iter().map(|eta| ((eta * ZONES as f64) as usize).min(ZONES - 1)).collect();
         let width_m = (0..count).map(|strip| first(strip).width_m()).collect();
-        Ok(Self { boxes, eta, x_quarter_m, chord_m, width_m, zone, height, twist, y_m })
+        Ok(Self { boxes, y_m, eta, x_quarter_m, chord_m, width_m, zone, height, twist })
     }
 
     /// Number of strips.

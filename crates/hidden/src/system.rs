@@ -9,7 +9,7 @@
 //! static residual, but more modes than a model has.
 
 use crate::air::StripAir;
-use crate::modal::{FIELDS, Masses, ModalStructure};
+use crate::modal::{Masses, ModalStructure};
 use crate::physics::Physics;
 use crate::strips::{Strips, ZONES};
 use faer::Mat;
@@ -20,6 +20,17 @@ use std::f64::consts::TAU;
 const FASTEST_LAGGED_HZ: f64 = 60.0;
 /// Below this airspeed there are no lags, m/s.
 const STILL_M_S: f64 = 5.0;
+
+/// What of the zones a system has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum ZonesOf {
+    /// Nothing.
+    Nothing,
+    /// Their loads and displacements, as outputs.
+    Outputs,
+    /// These, and the incidence that they lack, as inputs.
+    Both,
+}
 
 /// Where inputs stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -74,16 +85,16 @@ pub(crate) struct Parts {
 }
 
 /// Sizes and columns while a system is assembled.
-struct Layout {
-    modes: usize,
-    inputs: Inputs,
+pub(crate) struct Layout {
+    pub(crate) modes: usize,
+    pub(crate) inputs: Inputs,
     /// Motions that have lags, with how many poles.
     lagged: Vec<usize>,
     poles: usize,
 }
 
 impl Layout {
-    fn states(&self) -> usize {
+    pub(crate) fn states(&self) -> usize {
         2 * self.modes + self.poles * self.lagged.len()
     }
 
@@ -108,17 +119,14 @@ impl Layout {
 }
 
 /// Rows by states and inputs.
-struct Rows {
-    state: Mat<f64>,
-    input: Mat<f64>,
+pub(crate) struct Rows {
+    pub(crate) state: Mat<f64>,
+    pub(crate) input: Mat<f64>,
 }
 
 impl Rows {
-    fn zeros(rows: usize, layout: &Layout) -> Self {
-        Self {
-            state: Mat::zeros(rows, layout.states()),
-            input: Mat::zeros(rows, layout.inputs.len()),
-        }
+    pub(crate) fn zeros(rows: usize, layout: &Layout) -> Self {
+        Self { state: Mat::zeros(rows, layout.states()), input: Mat::zeros(rows, layout.inputs.len()) }
     }
 
     fn add(&mut self, row: usize, place: Result<usize, usize>, value: f64) {
@@ -128,7 +136,7 @@ impl Rows {
         }
     }
 
-    fn mapped(&self, left: &Mat<f64>) -> Self {
+    pub(crate) fn mapped(&self, left: &Mat<f64>) -> Self {
         Self { state: left * &self.state, input: left * &self.input }
     }
 
@@ -141,7 +149,13 @@ impl Rows {
 
 impl Parts {
     /// Assembles the system at an airspeed.
-    pub(crate) fn at(&self, v_said_m_s: f64, rho_kg_m3: f64, physics: &Physics, zones: bool) -> LinearWing {
+    pub(crate) fn at(
+        &self,
+        v_said_m_s: f64,
+        rho_kg_m3: f64,
+        physics: &Physics,
+        zones: ZonesOf,
+    ) -> LinearWing {
         let v_m_s = v_said_m_s * physics.airspeed;
         let layout = self.layout(v_m_s, zones);
         let (strip_loads, by_acceleration) = self.strip_loads(&layout, v_m_s, rho_kg_m3, physics);
@@ -189,9 +203,10 @@ impl Parts {
         }
     }
 
-    fn layout(&self, v_m_s: f64, zones: bool) -> Layout {
+    fn layout(&self, v_m_s: f64, zones: ZonesOf) -> Layout {
         let modes = self.structure.omega_rad_s.len();
-        let inputs = Inputs { controls: self.air.controls, zones: if zones { ZONES } else { 0 } };
+        let inputs =
+            Inputs { controls: self.air.controls, zones: if zones == ZonesOf::Both { ZONES } else { 0 } };
         let fastest = (TAU * FASTEST_LAGGED_HZ).min(self.air.highest_per_m * v_m_s);
         let slow = self.structure.omega_rad_s.iter().take_while(|omega| **omega < fastest).count();
         let others = modes + 1 + inputs.controls + inputs.zones;
@@ -241,7 +256,8 @@ impl Parts {
                     let at = layout.lag(pole, place);
                     for row in 0..2 * count {
                         let amplitude = q_pa * flap * physics.lag_amplitude[row % count];
-                        let moved = if row < count { 0.0 } else { flap_aft * air.lags[pole][(row - count, motion)] };
+                        let moved =
+                            if row < count { 0.0 } else { flap_aft * air.lags[pole][(row - count, motion)] };
                         let aft_m = self.strips.chord_m[row % count];
                         rows.state[(row, at)] += amplitude * (air.lags[pole][(row, motion)] - aft_m * moved);
                     }
@@ -304,123 +320,6 @@ impl Parts {
             forces.input[(i, Inputs::ALPHA + 2)] -= masses.fields[(i, 2)];
         }
     }
-
-    /// Phiᵀ K Phi of this case.
-    fn stiffness(&self, physics: &Physics) -> Mat<f64> {
-        let [bending, torsion] = &self.structure.stiffness_by;
-        let modes = self.structure.omega_rad_s.len();
-        Mat::from_fn(modes, modes, |i, j| {
-            let base = if i == j { self.structure.omega_rad_s[i].powi(2) } else { 0.0 };
-            base + physics.bending.root * bending[0][(i, j)]
-                + physics.bending.tip * bending[1][(i, j)]
-                + physics.torsion.root * torsion[0][(i, j)]
-                + physics.torsion.tip * torsion[1][(i, j)]
-        })
-    }
-
-    /// The masses of this case.
-    fn masses(&self, physics: &Physics) -> Masses {
-        let structure = &self.structure;
-        let mut masses = structure.masses.clone();
-        masses.add(physics.mass.root, &structure.masses_by[0]);
-        masses.add(physics.mass.tip, &structure.masses_by[1]);
-        masses.add(physics.mass_aft_over_c, &structure.masses_by_aft);
-        for point in &physics.point_masses {
-            let distance = |strip: &usize| (self.strips.eta[*strip] - point.eta).abs();
-            let Some(strip) = (0..self.strips.len()).min_by(|a, b| distance(a).total_cmp(&distance(b))) else {
-                continue;
-            };
-            let (y_m, x_m) = (
-                self.strips.y_m[strip],
-                self.strips.x_quarter_m[strip] + (point.x_over_c - 0.25) * self.strips.chord_m[strip],
-            );
-            let aft_m = x_m - self.strips.x_quarter_m[strip];
-            let z = |mode: usize| {
-                self.strips.height[(strip, mode)] - aft_m * self.strips.twist[(strip, mode)]
-            };
-            let by_field = [0.0, 1.0, -(x_m - structure.pitch_axis_x_m)];
-            let by_load =
-                [1.0, y_m - structure.balance.y, -(x_m - structure.balance.x)].map(|arm| arm * point.mass_kg);
-            for i in 0..layout_modes(structure) {
-                for j in 0..layout_modes(structure) {
-                    masses.modal[(i, j)] += point.mass_kg * z(i) * z(j);
-                }
-                for (field, by) in by_field.iter().enumerate() {
-                    masses.fields[(i, field)] += point.mass_kg * z(i) * by;
-                }
-                for (row, load) in by_load.iter().enumerate() {
-                    masses.loads_by_modes[(row, i)] += load * z(i);
-                }
-            }
-            for (row, load) in by_load.iter().enumerate() {
-                for field in 0..FIELDS {
-                    masses.loads_by_fields[(row, field)] += load * by_field[field];
-                }
-            }
-        }
-        masses
-    }
-
-    fn outputs(
-        &self,
-        layout: &Layout,
-        strip_loads: &Rows,
-        acceleration: &Rows,
-        masses: &Masses,
-        zones: bool,
-    ) -> Rows {
-        let count = if zones { 4 + 4 * ZONES } else { 4 };
-        let mut all = Rows::zeros(count, layout);
-        let inertia = acceleration.mapped(&masses.loads_by_modes);
-        let balance = strip_loads.mapped(&self.balance_rows);
-        for row in 0..3 {
-            for column in 0..layout.states() {
-                all.state[(row, column)] = balance.state[(row, column)] - inertia.state[(row, column)];
-            }
-            for column in 0..layout.inputs.len() {
-                all.input[(row, column)] = balance.input[(row, column)] - inertia.input[(row, column)];
-            }
-            all.input[(row, Inputs::G_SIN)] += masses.loads_by_fields[(row, 0)];
-            all.input[(row, Inputs::G_COS)] -= masses.loads_by_fields[(row, 1)];
-            all.input[(row, Inputs::ALPHA + 2)] -= masses.loads_by_fields[(row, 2)];
-            // tared wind off at alpha = 0
-            all.input[(row, Inputs::ONE)] += masses.loads_by_fields[(row, 1)] * self.gravity_m_s2;
-        }
-        for mode in 0..layout.modes {
-            all.state[(3, mode)] = self.structure.tip[mode];
-        }
-        if zones {
-            self.add_zones(&mut all, layout, strip_loads);
-        }
-        all
-    }
-
-    /// Lift, mean height, mean twist and mean upward velocity of every zone.
-    fn add_zones(&self, all: &mut Rows, layout: &Layout, strip_loads: &Rows) {
-        for zone in 0..ZONES {
-            let members: Vec<usize> =
-                (0..self.strips.len()).filter(|strip| self.strips.zone[*strip] == zone).collect();
-            let share = 1.0 / members.len().max(1) as f64;
-            for &strip in &members {
-                for column in 0..layout.states() {
-                    all.state[(4 + zone, column)] += strip_loads.state[(strip, column)];
-                }
-                for column in 0..layout.inputs.len() {
-                    all.input[(4 + zone, column)] += strip_loads.input[(strip, column)];
-                }
-                for mode in 0..layout.modes {
-                    let (height, twist) = (self.strips.height[(strip, mode)], self.strips.twist[(strip, mode)]);
-                    all.state[(4 + ZONES + zone, mode)] += share * height;
-                    all.state[(4 + 2 * ZONES + zone, mode)] += share * twist;
-                    all.state[(4 + 3 * ZONES + zone, layout.modes + mode)] += share * height;
-                }
-            }
-        }
-    }
-}
-
-fn layout_modes(structure: &ModalStructure) -> usize {
-    structure.omega_rad_s.len()
 }
 
 impl LinearWing {
@@ -431,5 +330,11 @@ impl LinearWing {
             -(0..inputs.len()).map(|k| self.b[(i, k)] * inputs[k]).sum::<f64>()
         });
         self.a.partial_piv_lu().solve(&forcing).col_as_slice(0).to_vec()
+    }
+
+    /// States per unit of constant incidence of every zone, states by zones.
+    pub(crate) fn equilibrium_by_zone(&self) -> Mat<f64> {
+        let forcing = Mat::from_fn(self.a.nrows(), ZONES, |i, zone| -self.b[(i, self.inputs.zone(0, zone))]);
+        self.a.partial_piv_lu().solve(&forcing)
     }
 }

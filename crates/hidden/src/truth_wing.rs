@@ -44,8 +44,11 @@ pub(crate) fn file(path: &Path) -> Result<(WingFile, Planform), InputError> {
     let file = WingFile::read(path)?;
     let beam = |planform: &&Planform| matches!(planform.structure, Some(Structure::Beam(_)));
     let planform = file.planform().filter(beam).cloned().ok_or_else(|| {
-        InputError::in_file(path, "the benchmark hides effects in a parametric wing with a beam, and this is none")
-            .with_help("give a wing file with `source: Parametric((...))` and `structure: Beam((...))`")
+        InputError::in_file(
+            path,
+            "the benchmark hides effects in a parametric wing with a beam, and this is none",
+        )
+        .with_help("give a wing file with `source: Parametric((...))` and `structure: Beam((...))`")
     })?;
     Ok((file, planform))
 }
@@ -66,7 +69,7 @@ pub(crate) fn mesh(planform: &Planform, (chord_share, span_share): (f64, f64)) -
         planform.controls.iter().all(|control| whole(control.chord_boxes))
     };
     let first = times(planform.boxes.chordwise, chord_share);
-    let chordwise = (first..).find(fits).unwrap_or(planform.boxes.chordwise);
+    let chordwise = (first..=4 * first).find(fits).unwrap_or(planform.boxes.chordwise);
     let fairing_strips = planform.fairing.as_ref().map_or(1, |fairing| times(fairing.strips, span_share));
     Mesh { chordwise, strips, fairing_strips }
 }

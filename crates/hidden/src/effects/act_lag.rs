@@ -1,15 +1,13 @@
 //! A slower servo: critically damped, of second order (the obvious form: first order).
 
-use super::{Effect, Kind, Parameter, Sign};
 use super::filters::lag;
+use super::{Effect, Kind, Parameter, Sign};
 use crate::flown::At;
 
 pub(super) const KIND: Kind = Kind {
     name: "act_lag",
     in_library: true,
-    parameters: &[
-        Parameter::size("tau_s", 0.003, 0.08, Sign::Plus),
-    ],
+    parameters: &[Parameter::size("tau_s", 0.003, 0.08, Sign::Plus)],
     make: |values| Box::new(ActLag { lag_s: values[0] }),
 };
 

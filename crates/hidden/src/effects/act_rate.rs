@@ -6,9 +6,7 @@ use crate::flown::At;
 pub(super) const KIND: Kind = Kind {
     name: "act_rate",
     in_library: true,
-    parameters: &[
-        Parameter::size("inv_rmax_s_per_rad", 0.05, 1.0, Sign::Plus),
-    ],
+    parameters: &[Parameter::size("inv_rmax_s_per_rad", 0.05, 1.0, Sign::Plus)],
     make: |values| Box::new(ActRate { inverse: values[0] }),
 };
 

@@ -6,9 +6,7 @@ use crate::physics::Physics;
 pub(super) const KIND: Kind = Kind {
     name: "aero_lag",
     in_library: true,
-    parameters: &[
-        Parameter::size("dlag", 0.08, 3.0, Sign::Plus),
-    ],
+    parameters: &[Parameter::size("dlag", 0.08, 3.0, Sign::Plus)],
     make: |values| Box::new(AeroLag { change: values[0] }),
 };
 

@@ -5,9 +5,7 @@ use super::{Effect, Kind, Parameter, Sign};
 pub(super) const KIND: Kind = Kind {
     name: "alpha_encoder",
     in_library: true,
-    parameters: &[
-        Parameter::size("g", 0.005, 0.1, Sign::Either),
-    ],
+    parameters: &[Parameter::size("g", 0.005, 0.1, Sign::Either)],
     make: |values| Box::new(AlphaEncoder { gain: values[0] }),
 };
 

@@ -6,9 +6,7 @@ use crate::physics::Physics;
 pub(super) const KIND: Kind = Kind {
     name: "alpha_offset",
     in_library: true,
-    parameters: &[
-        Parameter::size("a0_deg", 0.03, 2.0, Sign::Either),
-    ],
+    parameters: &[Parameter::size("a0_deg", 0.03, 2.0, Sign::Either)],
     make: |values| Box::new(AlphaOffset { angle_deg: values[0] }),
 };
 

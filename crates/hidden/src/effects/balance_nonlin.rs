@@ -6,10 +6,7 @@ use crate::flown::{At, Flown};
 pub(super) const KIND: Kind = Kind {
     name: "balance_nonlin",
     in_library: true,
-    parameters: &[
-        Parameter::size("k2_over_range", 0.01, 0.2, Sign::Either),
-        Parameter::choice("channel", 3),
-    ],
+    parameters: &[Parameter::size("k2_over_range", 0.01, 0.2, Sign::Either), Parameter::choice("channel", 3)],
     make: |values| Box::new(BalanceNonlin { bend: values[0], channel: super::chosen(values[1], 3) }),
 };
 

@@ -6,9 +6,7 @@ use crate::flown::{At, Flown};
 pub(super) const KIND: Kind = Kind {
     name: "cable_stiffness",
     in_library: true,
-    parameters: &[
-        Parameter::size("k_Nm_rad", 0.5, 20.0, Sign::Plus),
-    ],
+    parameters: &[Parameter::size("k_Nm_rad", 0.5, 20.0, Sign::Plus)],
     make: |values| Box::new(CableStiffness { spring_nm_rad: values[0] }),
 };
 

@@ -7,9 +7,7 @@ use crate::flown::{At, Flown};
 pub(super) const KIND: Kind = Kind {
     name: "crosstalk",
     in_library: true,
-    parameters: &[
-        Parameter::size("c_My_Fz_m", 0.002, 0.08, Sign::Either),
-    ],
+    parameters: &[Parameter::size("c_My_Fz_m", 0.002, 0.08, Sign::Either)],
     make: |values| Box::new(Crosstalk { moment_of_lift_m: values[0] }),
 };
 

@@ -6,9 +6,7 @@ use crate::flown::At;
 pub(super) const KIND: Kind = Kind {
     name: "ctl_alpha_interaction",
     in_library: false,
-    parameters: &[
-        Parameter::size("kda_per_rad", 0.5, 5.0, Sign::Either),
-    ],
+    parameters: &[Parameter::size("kda_per_rad", 0.5, 5.0, Sign::Either)],
     make: |values| Box::new(CtlAlphaInteraction { per_rad: values[0] }),
 };
 

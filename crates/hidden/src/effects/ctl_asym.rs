@@ -6,9 +6,7 @@ use crate::flown::At;
 pub(super) const KIND: Kind = Kind {
     name: "ctl_asym",
     in_library: false,
-    parameters: &[
-        Parameter::size("ka", 0.05, 0.5, Sign::Plus),
-    ],
+    parameters: &[Parameter::size("ka", 0.05, 0.4, Sign::Plus)],
     make: |values| Box::new(CtlAsym { loss: values[0] }),
 };
 

@@ -7,9 +7,7 @@ use crate::flown::At;
 pub(super) const KIND: Kind = Kind {
     name: "ctl_compliance",
     in_library: true,
-    parameters: &[
-        Parameter::size("k", 0.02, 0.8, Sign::Plus),
-    ],
+    parameters: &[Parameter::size("k", 0.02, 0.8, Sign::Plus)],
     make: |values| Box::new(CtlCompliance { softness: values[0] }),
 };
 

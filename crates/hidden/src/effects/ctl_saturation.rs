@@ -7,9 +7,7 @@ use crate::flown::At;
 pub(super) const KIND: Kind = Kind {
     name: "ctl_saturation",
     in_library: true,
-    parameters: &[
-        Parameter::size("inv_s_per_rad", 0.4, 5.0, Sign::Plus),
-    ],
+    parameters: &[Parameter::size("inv_s_per_rad", 0.4, 5.0, Sign::Plus)],
     make: |values| Box::new(CtlSaturation { inverse: values[0] }),
 };
 

@@ -6,9 +6,7 @@ use crate::physics::Physics;
 pub(super) const KIND: Kind = Kind {
     name: "damping",
     in_library: true,
-    parameters: &[
-        Parameter::size("dz", 0.2, 5.0, Sign::Plus),
-    ],
+    parameters: &[Parameter::size("dz", 0.2, 5.0, Sign::Plus)],
     make: |values| Box::new(Damping { change: values[0] }),
 };
 

@@ -1,15 +1,13 @@
 //! A low pass of four poles with the delay of the two poles that are stated (the obvious form: two poles).
 
-use super::{Effect, Kind, Parameter, Sign};
 use super::filters::butterworth_4;
+use super::{Effect, Kind, Parameter, Sign};
 use crate::flown::{At, Flown};
 
 pub(super) const KIND: Kind = Kind {
     name: "daq_filter",
     in_library: true,
-    parameters: &[
-        Parameter::size("inv_fc_s", 0.01, 0.25, Sign::Plus),
-    ],
+    parameters: &[Parameter::size("inv_fc_s", 0.01, 0.25, Sign::Plus)],
     make: |values| Box::new(DaqFilter { inverse_s: values[0] }),
 };
 

@@ -1,15 +1,13 @@
 //! Loads that are recorded late or early, not all channels alike (the obvious form: one time).
 
-use super::{Effect, Kind, Parameter, Sign};
 use super::filters::delayed;
+use super::{Effect, Kind, Parameter, Sign};
 use crate::flown::{At, Flown};
 
 pub(super) const KIND: Kind = Kind {
     name: "delay",
     in_library: true,
-    parameters: &[
-        Parameter::size("tau_s", 0.0015, 0.04, Sign::Either),
-    ],
+    parameters: &[Parameter::size("tau_s", 0.0015, 0.04, Sign::Either)],
     make: |values| Box::new(Delay { late_s: values[0] }),
 };
 

@@ -6,10 +6,7 @@ use crate::flown::{At, Flown};
 pub(super) const KIND: Kind = Kind {
     name: "drift",
     in_library: true,
-    parameters: &[
-        Parameter::size("d_per_h", 0.1, 3.0, Sign::Either),
-        Parameter::choice("channel", 3),
-    ],
+    parameters: &[Parameter::size("d_per_h", 0.1, 3.0, Sign::Either), Parameter::choice("channel", 3)],
     make: |values| Box::new(Drift { per_h: values[0], channel: super::chosen(values[1], 3) }),
 };
 

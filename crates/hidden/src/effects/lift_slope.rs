@@ -6,9 +6,7 @@ use crate::physics::Physics;
 pub(super) const KIND: Kind = Kind {
     name: "lift_slope",
     in_library: true,
-    parameters: &[
-        Parameter::size("dk", 0.008, 0.35, Sign::Either),
-    ],
+    parameters: &[Parameter::size("dk", 0.008, 0.35, Sign::Either)],
     make: |values| Box::new(LiftSlope { change: values[0] }),
 };
 

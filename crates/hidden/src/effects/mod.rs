@@ -219,7 +219,11 @@ pub fn kind(name: &str) -> Option<&'static Kind> {
 
 /// A drawn choice as an index.
 fn chosen(value: f64, count: usize) -> usize {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a choice is a small whole number")]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a choice is a small whole number"
+    )]
     let index = value.max(0.0) as usize;
     index.min(count - 1)
 }

@@ -6,9 +6,7 @@ use crate::physics::Physics;
 pub(super) const KIND: Kind = Kind {
     name: "re_dependence",
     in_library: true,
-    parameters: &[
-        Parameter::size("r", 0.01, 0.4, Sign::Either),
-    ],
+    parameters: &[Parameter::size("r", 0.01, 0.4, Sign::Either)],
     make: |values| Box::new(ReDependence { power: values[0] }),
 };
 

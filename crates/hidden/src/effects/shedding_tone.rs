@@ -9,7 +9,7 @@ pub(super) const KIND: Kind = Kind {
     name: "shedding_tone",
     in_library: false,
     parameters: &[
-        Parameter::size("A_N", 0.2, 4.0, Sign::Plus),
+        Parameter::size("A_N", 0.15, 2.0, Sign::Plus),
         Parameter::shape("hz_per_m_s", 0.25, 0.7, Sign::Plus),
     ],
     make: |values| Box::new(SheddingTone { amplitude_n: values[0], hz_per_m_s: values[1] }),
