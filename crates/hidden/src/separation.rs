@@ -9,8 +9,8 @@
 pub struct Separation {
     /// Angle at which 30 % of the chord are separated, rad, by zone.
     pub angle_rad: Vec<f64>,
-    /// Width of the exponentials, rad.
-    pub width_rad: f64,
+    /// Widths of the exponentials before and beyond it, rad.
+    pub width_rad: (f64, f64),
     /// Time constant in chords travelled.
     pub chords: f64,
     /// Factor of what is lost.
@@ -20,8 +20,12 @@ pub struct Separation {
 impl Separation {
     /// The steady point of separation of a zone.
     pub fn point(&self, zone: usize, angle_rad: f64) -> f64 {
-        let beyond = (angle_rad.abs() - self.angle_rad[zone]) / self.width_rad;
-        if beyond <= 0.0 { 1.0 - 0.3 * beyond.exp() } else { 0.04 + 0.66 * (-beyond).exp() }
+        let beyond = angle_rad.abs() - self.angle_rad[zone];
+        if beyond <= 0.0 {
+            1.0 - 0.3 * (beyond / self.width_rad.0).exp()
+        } else {
+            0.04 + 0.66 * (-beyond / self.width_rad.1).exp()
+        }
     }
 
     /// Incidence that a zone lacks, rad.
@@ -36,7 +40,7 @@ mod tests {
 
     #[test]
     fn attached_flow_loses_little_and_separated_flow_three_quarters() {
-        let flow = Separation { angle_rad: vec![0.15], width_rad: 0.02, chords: 3.0, strength: 1.0 };
+        let flow = Separation { angle_rad: vec![0.15], width_rad: (0.02, 0.02), chords: 3.0, strength: 1.0 };
         assert!((flow.point(0, 0.15) - 0.7).abs() < 1e-12);
         assert!(flow.lost(flow.point(0, 0.02), 0.02).abs() < 1e-4);
         // f = .04: ((1 + .2)/2)² = .36

@@ -16,6 +16,10 @@ pub(super) const KIND: Kind = Kind {
 
 /// Lift slope that is lost beyond the beginning, at full strength.
 const LOSS: f64 = 0.8;
+/// Widths of the exponentials over the angle between them: beyond it about `LOSS` is lost, before it the curve is round, and
+/// the lift rises on everywhere.
+const BEFORE: f64 = 0.2;
+const BEYOND: f64 = 0.55;
 
 #[derive(Debug)]
 struct Stall {
@@ -31,7 +35,7 @@ impl Effect for Stall {
         let by_zone = |zone: usize| middle * (0.95 + 0.1 * zone as f64 / (ZONES - 1) as f64);
         (self.strength != 0.0).then(|| Separation {
             angle_rad: (0..ZONES).map(by_zone).collect(),
-            width_rad: (middle - begins) / 2.5,
+            width_rad: (BEFORE * middle, BEYOND * middle),
             chords: 3.0,
             strength: self.strength / LOSS,
         })
