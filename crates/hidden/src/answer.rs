@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 pub struct TrueEffect {
     /// Name.
     pub name: String,
-    /// Parameters by name with unit, as hidden.
+    /// Parameters by name with unit, as hidden or as an estimate may be compared with them.
     pub parameters: Vec<TrueParameter>,
     /// Detectability of this effect alone; none if it was not computed.
     pub d2: Option<f64>,
@@ -50,15 +50,22 @@ impl Answer {
     /// The answer to a plan, detectabilities still missing.
     pub(crate) fn of(plan: &CasePlan) -> Self {
         let effect = |hidden: &crate::plan::Hidden| {
-            let parameters = kind(&hidden.name).map_or(&[][..], |kind| kind.parameters);
+            let kind = kind(&hidden.name);
+            let parameters = kind.map_or(&[][..], |kind| kind.parameters);
+            let compared = kind.and_then(|kind| kind.compared);
             let parameter = |(parameter, value): (&crate::effects::Parameter, &f64)| TrueParameter {
                 name: parameter.name.to_owned(),
                 value: *value,
                 size: parameter.role == Role::Size,
             };
+            let size =
+                |(name, value): (&str, f64)| TrueParameter { name: name.to_owned(), value, size: true };
             TrueEffect {
                 name: hidden.name.clone(),
-                parameters: parameters.iter().zip(&hidden.values).map(parameter).collect(),
+                parameters: match compared {
+                    Some(compared) => compared(&hidden.values).into_iter().map(size).collect(),
+                    None => parameters.iter().zip(&hidden.values).map(parameter).collect(),
+                },
                 d2: None,
             }
         };

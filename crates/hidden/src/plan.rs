@@ -216,8 +216,8 @@ const SINGLES: [&str; 29] = [
     "inplane_force",
     "large_deflection",
 ];
-/// What no library has.
-const OUTSIDE: [&str; 3] = ["mx_alpha_squared", "ctl_asym", "shedding_tone"];
+/// What no library has; the second is removed from it.
+const OUTSIDE: [&str; 4] = ["mx_alpha_squared", "ctl_asym", "shedding_tone", "balance_creep"];
 
 /// The first `count` cases of a seed. A shorter list is the beginning of a longer one.
 pub fn cases(seed: u64, count: usize, mix: &Mix) -> Vec<CasePlan> {
@@ -259,7 +259,11 @@ fn draw(list_seed: u64, index: usize, class: Class, number: usize) -> CasePlan {
         effects: effects.collect(),
         target_d2: (class == Class::Weak).then(|| WEAK_D2[(number / SINGLES.len() + number) % 4]),
         defect: (class == Class::Defect).then(|| defect(number, &mut random)),
-        leave_out: (class == Class::LeftOut).then(|| in_turn(&SINGLES).to_owned()),
+        leave_out: match class {
+            Class::LeftOut => Some(in_turn(&SINGLES).to_owned()),
+            Class::OutOfLibrary if in_turn(&OUTSIDE) == "ctl_asym" => Some("ctl_asym".to_owned()),
+            _ => None,
+        },
     }
 }
 

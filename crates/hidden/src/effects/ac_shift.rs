@@ -6,6 +6,7 @@ use crate::physics::Physics;
 pub(super) const KIND: Kind = Kind {
     name: "ac_shift",
     in_library: true,
+    compared: None,
     parameters: &[Parameter::size("dx_over_c", 0.004, 0.05, Sign::Either)],
     make: |values| Box::new(AcShift { aft_over_c: values[0] }),
 };

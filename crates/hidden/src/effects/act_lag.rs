@@ -7,6 +7,7 @@ use crate::flown::At;
 pub(super) const KIND: Kind = Kind {
     name: "act_lag",
     in_library: true,
+    compared: None,
     parameters: &[Parameter::size("tau_s", 0.003, 0.08, Sign::Plus)],
     make: |values| Box::new(ActLag { lag_s: values[0] }),
 };

@@ -6,7 +6,8 @@ use crate::flown::At;
 pub(super) const KIND: Kind = Kind {
     name: "act_rate",
     in_library: true,
-    parameters: &[Parameter::size("inv_rmax_s_per_rad", 0.05, 1.0, Sign::Plus)],
+    compared: None,
+    parameters: &[Parameter::size("inverse_rate_s_per_rad", 0.05, 1.0, Sign::Plus)],
     make: |values| Box::new(ActRate { inverse: values[0] }),
 };
 

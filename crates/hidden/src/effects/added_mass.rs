@@ -6,6 +6,7 @@ use crate::physics::Physics;
 pub(super) const KIND: Kind = Kind {
     name: "added_mass",
     in_library: true,
+    compared: None,
     parameters: &[Parameter::size("dam", 0.06, 0.9, Sign::Either)],
     make: |values| Box::new(AddedMass { change: values[0] }),
 };

@@ -6,6 +6,7 @@ use crate::physics::Physics;
 pub(super) const KIND: Kind = Kind {
     name: "aero_lag",
     in_library: true,
+    compared: None,
     parameters: &[Parameter::size("dlag", 0.08, 3.0, Sign::Plus)],
     make: |values| Box::new(AeroLag { change: values[0] }),
 };

@@ -5,7 +5,8 @@ use super::{Effect, Kind, Parameter, Sign};
 pub(super) const KIND: Kind = Kind {
     name: "alpha_encoder",
     in_library: true,
-    parameters: &[Parameter::size("g", 0.005, 0.1, Sign::Either)],
+    compared: None,
+    parameters: &[Parameter::size("g_a", 0.005, 0.1, Sign::Either)],
     make: |values| Box::new(AlphaEncoder { gain: values[0] }),
 };
 

@@ -6,6 +6,7 @@ use crate::physics::Physics;
 pub(super) const KIND: Kind = Kind {
     name: "alpha_offset",
     in_library: true,
+    compared: None,
     parameters: &[Parameter::size("a0_deg", 0.03, 2.0, Sign::Either)],
     make: |values| Box::new(AlphaOffset { angle_deg: values[0] }),
 };

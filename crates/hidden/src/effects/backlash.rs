@@ -6,6 +6,7 @@ use crate::flown::At;
 pub(super) const KIND: Kind = Kind {
     name: "backlash",
     in_library: true,
+    compared: None,
     parameters: &[Parameter::size("gap_deg", 0.1, 3.0, Sign::Plus)],
     make: |values| Box::new(Backlash { gap_deg: values[0] }),
 };

@@ -6,6 +6,10 @@ use crate::flown::{At, Flown};
 pub(super) const KIND: Kind = Kind {
     name: "balance_nonlin",
     in_library: true,
+    compared: Some(|values| {
+        let channel = super::chosen(values[1], 3);
+        vec![(["k_fz_per_N", "k_mx_per_Nm", "k_my_per_Nm"][channel], values[0] / RANGE[channel])]
+    }),
     parameters: &[Parameter::size("k2_over_range", 0.01, 0.2, Sign::Either), Parameter::choice("channel", 3)],
     make: |values| Box::new(BalanceNonlin { bend: values[0], channel: super::chosen(values[1], 3) }),
 };

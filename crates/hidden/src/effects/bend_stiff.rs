@@ -6,6 +6,7 @@ use crate::physics::{Ends, Physics};
 pub(super) const KIND: Kind = Kind {
     name: "bend_stiff",
     in_library: true,
+    compared: None,
     parameters: &[Parameter::size("dEI", 0.02, 0.45, Sign::Either)],
     make: |values| Box::new(BendStiff { change: values[0] }),
 };

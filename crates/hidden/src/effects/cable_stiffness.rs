@@ -6,7 +6,8 @@ use crate::flown::{At, Flown};
 pub(super) const KIND: Kind = Kind {
     name: "cable_stiffness",
     in_library: true,
-    parameters: &[Parameter::size("k_Nm_rad", 0.5, 20.0, Sign::Plus)],
+    compared: None,
+    parameters: &[Parameter::size("k_c_Nm_per_rad", 0.5, 20.0, Sign::Plus)],
     make: |values| Box::new(CableStiffness { spring_nm_rad: values[0] }),
 };
 

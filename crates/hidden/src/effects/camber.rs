@@ -6,6 +6,7 @@ use crate::physics::Physics;
 pub(super) const KIND: Kind = Kind {
     name: "camber",
     in_library: true,
+    compared: None,
     parameters: &[
         Parameter::size("dcl0_deg", 0.03, 2.0, Sign::Either),
         Parameter::size("dcm0", 0.001, 0.03, Sign::Either),

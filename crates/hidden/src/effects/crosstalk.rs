@@ -7,7 +7,8 @@ use crate::flown::{At, Flown};
 pub(super) const KIND: Kind = Kind {
     name: "crosstalk",
     in_library: true,
-    parameters: &[Parameter::size("c_My_Fz_m", 0.002, 0.08, Sign::Either)],
+    compared: None,
+    parameters: &[Parameter::size("c_my_fz_m", 0.002, 0.08, Sign::Either)],
     make: |values| Box::new(Crosstalk { moment_of_lift_m: values[0] }),
 };
 

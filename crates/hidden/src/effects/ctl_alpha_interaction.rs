@@ -5,7 +5,8 @@ use crate::flown::At;
 
 pub(super) const KIND: Kind = Kind {
     name: "ctl_alpha_interaction",
-    in_library: false,
+    in_library: true,
+    compared: None,
     parameters: &[Parameter::size("kda_per_rad", 0.5, 5.0, Sign::Either)],
     make: |values| Box::new(CtlAlphaInteraction { per_rad: values[0] }),
 };

@@ -5,7 +5,8 @@ use crate::flown::At;
 
 pub(super) const KIND: Kind = Kind {
     name: "ctl_asym",
-    in_library: false,
+    in_library: true,
+    compared: None,
     parameters: &[Parameter::size("ka", 0.05, 0.4, Sign::Plus)],
     make: |values| Box::new(CtlAsym { loss: values[0] }),
 };

@@ -7,7 +7,8 @@ use crate::flown::At;
 pub(super) const KIND: Kind = Kind {
     name: "ctl_compliance",
     in_library: true,
-    parameters: &[Parameter::size("k", 0.02, 0.8, Sign::Plus)],
+    compared: None,
+    parameters: &[Parameter::size("k_at_30_m_s", 0.02, 0.8, Sign::Plus)],
     make: |values| Box::new(CtlCompliance { softness: values[0] }),
 };
 

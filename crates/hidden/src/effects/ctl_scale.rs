@@ -6,6 +6,7 @@ use crate::physics::Physics;
 pub(super) const KIND: Kind = Kind {
     name: "ctl_scale",
     in_library: true,
+    compared: None,
     parameters: &[Parameter::size("deta", 0.01, 0.4, Sign::Either)],
     make: |values| Box::new(CtlScale { change: values[0] }),
 };

@@ -6,6 +6,7 @@ use crate::physics::Physics;
 pub(super) const KIND: Kind = Kind {
     name: "damping",
     in_library: true,
+    compared: None,
     parameters: &[Parameter::size("dz", 0.2, 5.0, Sign::Plus)],
     make: |values| Box::new(Damping { change: values[0] }),
 };

@@ -7,7 +7,8 @@ use crate::flown::{At, Flown};
 pub(super) const KIND: Kind = Kind {
     name: "daq_filter",
     in_library: true,
-    parameters: &[Parameter::size("inv_fc_s", 0.01, 0.25, Sign::Plus)],
+    compared: None,
+    parameters: &[Parameter::size("inverse_corner_s", 0.01, 0.25, Sign::Plus)],
     make: |values| Box::new(DaqFilter { inverse_s: values[0] }),
 };
 

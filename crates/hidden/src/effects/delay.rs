@@ -7,6 +7,7 @@ use crate::flown::{At, Flown};
 pub(super) const KIND: Kind = Kind {
     name: "delay",
     in_library: true,
+    compared: None,
     parameters: &[Parameter::size("tau_s", 0.0015, 0.04, Sign::Either)],
     make: |values| Box::new(Delay { late_s: values[0] }),
 };

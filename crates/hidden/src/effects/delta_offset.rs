@@ -6,6 +6,7 @@ use crate::flown::At;
 pub(super) const KIND: Kind = Kind {
     name: "delta_offset",
     in_library: true,
+    compared: None,
     parameters: &[Parameter::size("d0_deg", 0.05, 2.0, Sign::Either), Parameter::choice("control", 3)],
     make: |values| Box::new(DeltaOffset { offset_deg: values[0], control: super::chosen(values[1], 3) }),
 };

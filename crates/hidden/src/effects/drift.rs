@@ -6,6 +6,10 @@ use crate::flown::{At, Flown};
 pub(super) const KIND: Kind = Kind {
     name: "drift",
     in_library: true,
+    compared: Some(|values| {
+        let channel = super::chosen(values[1], 3);
+        vec![(["d_fz_N_per_h", "d_mx_Nm_per_h", "d_my_Nm_per_h"][channel], SIZE[channel] * values[0])]
+    }),
     parameters: &[Parameter::size("d_per_h", 0.1, 3.0, Sign::Either), Parameter::choice("channel", 3)],
     make: |values| Box::new(Drift { per_h: values[0], channel: super::chosen(values[1], 3) }),
 };

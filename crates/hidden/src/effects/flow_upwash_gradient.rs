@@ -6,7 +6,8 @@ use crate::physics::Physics;
 pub(super) const KIND: Kind = Kind {
     name: "flow_upwash_gradient",
     in_library: true,
-    parameters: &[Parameter::size("a1_deg_m", 0.03, 1.5, Sign::Either)],
+    compared: None,
+    parameters: &[Parameter::size("a1_deg_per_m", 0.03, 1.5, Sign::Either)],
     make: |values| Box::new(FlowUpwashGradient { per_m: values[0] }),
 };
 

@@ -6,6 +6,7 @@ use crate::flown::{At, Flown};
 pub(super) const KIND: Kind = Kind {
     name: "friction",
     in_library: true,
+    compared: None,
     parameters: &[Parameter::size("c_Nm", 0.02, 1.5, Sign::Minus)],
     make: |values| Box::new(Friction { torque_nm: values[0] }),
 };

@@ -6,6 +6,7 @@ use crate::flown::{At, Flown};
 pub(super) const KIND: Kind = Kind {
     name: "gain",
     in_library: true,
+    compared: Some(|values| vec![(["g_fz", "g_mx", "g_my"][super::chosen(values[1], 3)], values[0])]),
     parameters: &[Parameter::size("g", 0.004, 0.2, Sign::Either), Parameter::choice("channel", 3)],
     make: |values| Box::new(Gain { gain: values[0], channel: super::chosen(values[1], 3) }),
 };

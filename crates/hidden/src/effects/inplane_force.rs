@@ -8,6 +8,7 @@ use std::f64::consts::TAU;
 pub(super) const KIND: Kind = Kind {
     name: "inplane_force",
     in_library: true,
+    compared: None,
     parameters: &[
         Parameter::size("k_s", 0.15, 1.2, Sign::Plus),
         Parameter::shape("cd0", 0.003, 0.02, Sign::Plus),

@@ -8,6 +8,11 @@ use coupling::GRAVITY_M_S2;
 pub(super) const KIND: Kind = Kind {
     name: "joiner_inertia",
     in_library: true,
+    compared: Some(|values| {
+        let joiner = Joiner::new(values[0], values[1], values[2]);
+        let (mx, mz) = (joiner.aft_kg_m, joiner.up_kg_m);
+        vec![("Iyy_kg_m2", joiner.inertia_kg_m2), ("mx_kg_m", mx), ("mz_kg_m", mz)]
+    }),
     parameters: &[
         Parameter::size("Iyy_kg_m2", 0.01, 0.25, Sign::Plus),
         // lever of the mass over its radius of inertia; below one, or the body is impossible

@@ -8,6 +8,7 @@ use crate::strips::ZONES;
 pub(super) const KIND: Kind = Kind {
     name: "large_deflection",
     in_library: true,
+    compared: None,
     parameters: &[Parameter::size("scale", 0.3, 2.0, Sign::Plus)],
     make: |values| Box::new(LargeDeflection { scale: values[0] }),
 };

@@ -6,6 +6,7 @@ use crate::physics::Physics;
 pub(super) const KIND: Kind = Kind {
     name: "lift_slope",
     in_library: true,
+    compared: None,
     parameters: &[Parameter::size("dk", 0.008, 0.35, Sign::Either)],
     make: |values| Box::new(LiftSlope { change: values[0] }),
 };

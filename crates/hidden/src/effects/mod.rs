@@ -17,6 +17,7 @@ mod aero_lag;
 mod alpha_encoder;
 mod alpha_offset;
 mod backlash;
+mod balance_creep;
 mod balance_nonlin;
 mod bend_stiff;
 mod cable_stiffness;
@@ -156,6 +157,9 @@ impl Parameter {
     }
 }
 
+/// Names with unit and values that an estimate may be compared with, from the values of the parameters.
+pub type Compared = fn(&[f64]) -> Vec<(&'static str, f64)>;
+
 /// A kind of effect.
 #[derive(Debug, Clone, Copy)]
 pub struct Kind {
@@ -163,6 +167,8 @@ pub struct Kind {
     pub name: &'static str,
     /// Whether a library may be expected to know it.
     pub in_library: bool,
+    /// Parameters with which an estimate may be compared, by name with unit, if they are not the sizes themselves.
+    pub compared: Option<Compared>,
     /// How its parameters are drawn.
     pub parameters: &'static [Parameter],
     /// Builds it from its parameters, in their order.
@@ -179,6 +185,7 @@ pub const KINDS: &[Kind] = &[
     alpha_encoder::KIND,
     alpha_offset::KIND,
     backlash::KIND,
+    balance_creep::KIND,
     balance_nonlin::KIND,
     bend_stiff::KIND,
     cable_stiffness::KIND,

@@ -6,6 +6,7 @@ use crate::flown::{At, Flown};
 pub(super) const KIND: Kind = Kind {
     name: "mx_alpha_squared",
     in_library: false,
+    compared: None,
     parameters: &[Parameter::size("k_m3", 0.05, 0.8, Sign::Either)],
     make: |values| Box::new(MxAlphaSquared { volume_m3: values[0] }),
 };

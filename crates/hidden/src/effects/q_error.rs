@@ -7,6 +7,7 @@ use crate::physics::Physics;
 pub(super) const KIND: Kind = Kind {
     name: "q_error",
     in_library: true,
+    compared: None,
     parameters: &[Parameter::size("eps", 0.004, 0.2, Sign::Either)],
     make: |values| Box::new(QError { share: values[0] }),
 };

@@ -6,6 +6,7 @@ use crate::physics::Physics;
 pub(super) const KIND: Kind = Kind {
     name: "re_dependence",
     in_library: true,
+    compared: None,
     parameters: &[Parameter::size("r", 0.01, 0.4, Sign::Either)],
     make: |values| Box::new(ReDependence { power: values[0] }),
 };

@@ -8,6 +8,7 @@ use std::f64::consts::TAU;
 pub(super) const KIND: Kind = Kind {
     name: "shedding_tone",
     in_library: false,
+    compared: None,
     parameters: &[
         Parameter::size("A_N", 0.15, 2.0, Sign::Plus),
         Parameter::shape("hz_per_m_s", 0.25, 0.7, Sign::Plus),

@@ -7,6 +7,7 @@ use crate::strips::ZONES;
 pub(super) const KIND: Kind = Kind {
     name: "stall",
     in_library: true,
+    compared: None,
     parameters: &[
         Parameter::size("k", 0.08, 1.1, Sign::Plus),
         Parameter::shape("alpha_s_deg", 2.5, 7.0, Sign::Plus),

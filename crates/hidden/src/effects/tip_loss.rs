@@ -6,6 +6,7 @@ use crate::physics::Physics;
 pub(super) const KIND: Kind = Kind {
     name: "tip_loss",
     in_library: true,
+    compared: None,
     parameters: &[Parameter::size("dt", 0.02, 0.7, Sign::Either)],
     make: |values| Box::new(TipLoss { loss: values[0] }),
 };

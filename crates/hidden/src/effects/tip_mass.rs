@@ -6,6 +6,7 @@ use crate::physics::{Physics, PointMass};
 pub(super) const KIND: Kind = Kind {
     name: "tip_mass",
     in_library: true,
+    compared: None,
     parameters: &[
         Parameter::size("m_kg", 0.01, 0.25, Sign::Plus),
         Parameter::shape("y_over_L", 0.8, 0.97, Sign::Plus),

@@ -6,6 +6,7 @@ use crate::physics::{Ends, Physics};
 pub(super) const KIND: Kind = Kind {
     name: "tors_stiff",
     in_library: true,
+    compared: None,
     parameters: &[Parameter::size("dGJ", 0.04, 0.6, Sign::Either)],
     make: |values| Box::new(TorsStiff { change: values[0] }),
 };

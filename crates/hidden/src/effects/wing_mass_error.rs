@@ -6,6 +6,7 @@ use crate::physics::{Ends, Physics};
 pub(super) const KIND: Kind = Kind {
     name: "wing_mass_error",
     in_library: true,
+    compared: None,
     parameters: &[Parameter::size("dm_over_m", 0.01, 0.25, Sign::Either)],
     make: |values| Box::new(WingMassError { share: values[0] }),
 };
