@@ -113,7 +113,7 @@ fn start_times(seed: u64, runs: usize) -> Vec<Vec<f64>> {
 }
 
 /// All records of a wing, with noise.
-pub(crate) fn records(wing: &TrueWing<'_>, plan: &[Planned], speeds: &[AtSpeed], seed: u64) -> Vec<Record> {
+pub(crate) fn records(wing: &TrueWing<'_>, plan: &[Planned], speeds: &[&AtSpeed], seed: u64) -> Vec<Record> {
     let controls = wing.parts.air.controls;
     let offsets = block_offsets(seed);
     let times = start_times(seed, plan.len());
@@ -132,7 +132,9 @@ pub(crate) fn records(wing: &TrueWing<'_>, plan: &[Planned], speeds: &[AtSpeed],
             let errors = noise::of_record(&mut random, here.q_pa, samples);
             let own = noise::channels(&mut random, noise::RECORD);
             let loads = std::array::from_fn(|channel| {
-                let offset = offsets[block][channel] + own[channel];
+                // zeros are taken without wind
+                let day = if here.v_m_s > 0.0 { offsets[block][channel] } else { 0.0 };
+                let offset = day + own[channel];
                 let clean = decimated(&measured.loads[channel]);
                 clean.iter().zip(&errors[channel]).map(|(load, error)| load + offset + error).collect()
             });
@@ -190,7 +192,9 @@ pub(crate) fn static_points(
             let offset = if at.v_m_s > 0.0 { day } else { [0.0; 3] };
             let loads = std::array::from_fn(|c| flown.loads[c][0] + offset[c] + error[c]);
             let tip_z_m = flown.tip_z_m[0] + random.normal(noise::TIP_M);
-            all.push(StaticPoint { v_m_s: at.v_m_s, alpha_deg, loads, tip_z_m, block });
+            let mut reading = [alpha_deg];
+            wing.effects.iter().for_each(|effect| effect.reading(&mut reading));
+            all.push(StaticPoint { v_m_s: at.v_m_s, alpha_deg: reading[0], loads, tip_z_m, block });
         }
     }
     all
@@ -237,7 +241,7 @@ fn entry(records: &[Record], noise_known: bool) -> String {
         if let Some(of) = &record.repeat_of {
             let _ = write!(text, ", repeat_of: {of:?}");
         }
-        text.push_str("),\n");
+        text.push_str(if record.v_m_s == 0.0 { ", wind_off: true),\n" } else { "),\n" });
     }
     text.push_str("    ],\n)\n");
     text
@@ -249,7 +253,7 @@ fn static_csv(points: &[StaticPoint]) -> String {
         let [fz, mx, my] = point.loads.map(tidy);
         let (v, alpha, tip) = (point.v_m_s, point.alpha_deg, tidy(point.tip_z_m));
         let _ =
-            writeln!(text, "{v:.2},{alpha:.2},{fz:.4},{mx:.4},{my:.4},block_{},{tip:.5}", point.block + 1);
+            writeln!(text, "{v:.2},{alpha:.3},{fz:.4},{mx:.4},{my:.4},block_{},{tip:.5}", point.block + 1);
     }
     text
 }

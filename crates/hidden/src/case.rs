@@ -3,7 +3,7 @@
 use crate::answer::Answer;
 use crate::bench::Bench;
 use crate::campaign::{CampaignFiles, Measured, airspeeds_m_s, records, static_points, texts};
-use crate::design::runs;
+use crate::design::{runs, wind_off_runs};
 use crate::effects::{Effect, Role, kind};
 use crate::faults::spoil;
 use crate::jitter::Jitter;
@@ -122,9 +122,15 @@ impl Bench {
         let (plain, wing) = (wing_with(&none), wing_with(&effects));
         let speeds_of = |wing: &TrueWing<'_>| airspeeds_m_s().map(|v_m_s| wing.at(v_m_s));
         let speeds = speeds_of(&wing);
+        let still = wing.at(0.0);
+        let mut planned = runs(&self.controls);
+        if plan.wind_off {
+            planned.extend(wind_off_runs());
+        }
+        let tested: Vec<&AtSpeed> = speeds.iter().chain([&still]).collect();
         Measured {
-            records: records(&wing, &runs(&self.controls), &speeds, plan.seed),
-            statics: static_points(&wing, &speeds, &wing.at(0.0), (plan.seed, Stream::Statics)),
+            records: records(&wing, &planned, &tested, plan.seed),
+            statics: static_points(&wing, &speeds, &still, (plan.seed, Stream::Statics)),
             reference: static_points(
                 &plain,
                 &speeds_of(&plain),

@@ -144,6 +144,19 @@ pub fn runs(controls: &[String]) -> Vec<Planned> {
     all
 }
 
+/// Pitch without wind at 2, 4 and 6 Hz, which separates what has mass from what the air does; 4 Hz is held out.
+pub fn wind_off_runs() -> Vec<Planned> {
+    let run = |frequency_hz: f64| Planned {
+        name: format!("wind_off_{frequency_hz}hz"),
+        v_m_s: 0.0,
+        alpha_deg: BASE_DEG,
+        length_s: START_S + 1.0 / frequency_hz + 1.0,
+        motion: Move::Pitch { height_deg: 5.0, frequency_hz },
+        train: frequency_hz != 4.0,
+    };
+    [2.0, 4.0, 6.0].map(run).to_vec()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -51,7 +51,7 @@ pub struct Physics {
     pub damping: Vec<f64>,
     /// Masses that are added.
     pub point_masses: Vec<PointMass>,
-    /// Factor of every strip's loads.
+    /// Factor of every strip's loads but for its apparent mass.
     pub lift: Vec<f64>,
     /// Shift of the point where a strip's lift acts, aft, share of the chord.
     pub centre_aft_over_c: Vec<f64>,

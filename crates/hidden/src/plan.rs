@@ -133,6 +133,9 @@ pub struct CasePlan {
     pub defect: Option<Defect>,
     /// Effect to be removed from the library before the case is judged.
     pub leave_out: Option<String>,
+    /// Whether pitch without wind is flown too; not in lists of cases.
+    #[serde(default)]
+    pub wind_off: bool,
 }
 
 /// What a seed may be used for; the ranges are kept apart.
@@ -264,6 +267,7 @@ fn draw(list_seed: u64, index: usize, class: Class, number: usize) -> CasePlan {
             Class::OutOfLibrary if in_turn(&OUTSIDE) == "ctl_asym" => Some("ctl_asym".to_owned()),
             _ => None,
         },
+        wind_off: false,
     }
 }
 

@@ -240,7 +240,8 @@ impl Parts {
             let flap_aft = of_control(&physics.flap_aft_over_c, 0.0);
             for (derivative, matrix) in [&air.steady, &air.rate, &air.second].into_iter().enumerate() {
                 for row in 0..2 * count {
-                    let apparent = if derivative == 2 { physics.apparent_mass[row % count] } else { 1.0 };
+                    let strip = row % count;
+                    let apparent = if derivative == 2 { apparent_mass(physics, strip) } else { 1.0 };
                     let moved = if row < count { 0.0 } else { flap_aft * matrix[(row - count, motion)] };
                     let own = matrix[(row, motion)] - self.strips.chord_m[row % count] * moved;
                     let value = factors[derivative] * flap * apparent * own;
@@ -320,6 +321,11 @@ impl Parts {
             forces.input[(i, Inputs::ALPHA + 2)] -= masses.fields[(i, 2)];
         }
     }
+}
+
+/// Factor of a strip's apparent mass before the strip's own factor, which is of its circulation alone.
+fn apparent_mass(physics: &Physics, strip: usize) -> f64 {
+    physics.apparent_mass[strip] / physics.lift[strip].max(0.05)
 }
 
 impl LinearWing {

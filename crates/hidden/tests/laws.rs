@@ -21,6 +21,7 @@ fn plan(effects: Vec<Hidden>) -> CasePlan {
         target_d2: None,
         defect: None,
         leave_out: None,
+        wind_off: false,
     }
 }
 
@@ -103,4 +104,26 @@ fn twice_an_effect_is_seen_about_four_times_as_well() {
     };
     let ratio = d2(0.2) / d2(0.1);
     assert!((ratio - 4.0).abs() < 0.2, "{ratio}");
+}
+
+#[test]
+fn without_wind_a_joiner_shows_and_a_lift_slope_does_not() {
+    let bench = bench();
+    let moment = |effects: Vec<Hidden>| -> Vec<f64> {
+        let case = bench.case(&CasePlan { wind_off: true, ..plan(effects) });
+        let entry = &case.files.measured[0].1;
+        assert_eq!(entry.matches("wind_off: true").count(), 6);
+        let run = case.measured.records.iter().find(|record| record.file == "wind_off_6hz.csv");
+        run.expect("a run without wind").loads[2].clone()
+    };
+    let hidden = |name: &str, values: &[f64]| vec![Hidden { name: name.into(), values: values.to_vec() }];
+    let without = moment(Vec::new());
+    let apart = |with: Vec<f64>| with.iter().zip(&without).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    // I alpha'' of a pitch of 5 degrees at 6 Hz: .1 times 5/2 degrees times (12 pi)², and what the filter leaves of it
+    let joiner = apart(moment(hidden("joiner_inertia", &[0.1, 0.05, 0.05])));
+    let largest = 0.1 * 2.5_f64.to_radians() * (12.0 * std::f64::consts::PI).powi(2);
+    assert!((joiner / largest - 1.0).abs() < 0.1, "{joiner} for {largest}");
+    // there is apparent mass alone, which no circulation changes (the flap's factor has no part in pitch)
+    let slope = apart(moment(hidden("lift_slope", &[0.2])));
+    assert!(slope < 1e-6 * joiner, "{slope}");
 }

@@ -1,7 +1,7 @@
 //! The scorer on verdicts whose metrics are known beforehand.
 
 use hidden::answer::{TrueEffect, TrueParameter};
-use hidden::score::{Estimate, Gap, Gaps, Named};
+use hidden::score::{Estimate, Gap, Gaps, Named, gates};
 use hidden::{Answer, Class, Families, Verdict, VerdictKind, score};
 use std::path::Path;
 
@@ -111,6 +111,11 @@ fn silence_is_no_false_name_and_no_hit() {
     assert!(false_naming.high.is_some_and(|high| (high - 0.0520).abs() < 5e-5));
     assert_eq!(scored.metrics["top1_clear"].value, Some(0.0));
     assert_eq!(scored.metrics["precision"].value, None);
+    // every gate is of a metric that is there, and none is reached without cases
+    let gates = gates(&scored);
+    assert!(gates.iter().all(|gate| scored.metrics.contains_key(&gate.metric)));
+    let reached = |name: &str| gates.iter().any(|gate| gate.metric == name && gate.reached);
+    assert!(reached("null_false_naming") && !reached("top1_clear") && !reached("precision"));
 }
 
 #[test]

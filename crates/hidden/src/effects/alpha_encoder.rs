@@ -17,6 +17,9 @@ struct AlphaEncoder {
 
 impl Effect for AlphaEncoder {
     fn reading(&self, alpha_deg: &mut [f64]) {
+        if self.gain == 0.0 {
+            return;
+        }
         for angle in alpha_deg {
             *angle = (angle.to_radians().sin() / (1.0 + self.gain)).asin().to_degrees();
         }

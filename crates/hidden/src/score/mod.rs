@@ -2,6 +2,7 @@
 
 mod costs;
 mod families;
+mod gates;
 mod judged;
 mod naming;
 mod parameters;
@@ -9,6 +10,7 @@ mod verdict;
 mod wilson;
 
 pub use families::Families;
+pub use gates::{Bound, Gate, gates};
 pub use verdict::{Estimate, Gap, Gaps, Named, Verdict, VerdictKind};
 pub use wilson::wilson;
 
