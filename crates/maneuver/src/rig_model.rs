@@ -67,7 +67,8 @@ pub struct RigModel {
     /// The flow.
     pub flow: Flow,
     pub(crate) gravity_m_s2: f64,
-    pub(crate) cutoff_hz: f64,
+    /// Cutoff of the smoothing of measured inputs and of the filter on loads that are compared, Hz.
+    pub cutoff_hz: f64,
 }
 
 /// What moves the rig: angle of attack with its derivatives, and commanded deflections in the wing's order, rad.

@@ -22,6 +22,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("fullaircraft", &["nastran", "structure", "aero", "coupling", "maneuver"]),
     ("discover", &["nastran", "aero", "coupling", "calibrate", "maneuver", "response"]),
     ("tunnel", &["nastran", "structure", "aero", "coupling", "maneuver"]),
+    ("hidden", &["nastran", "structure", "aero", "coupling", "maneuver", "tunnel"]),
     (
         "validation",
         &["nastran", "structure", "aero", "coupling", "calibrate", "maneuver", "fullaircraft", "response"],
@@ -49,8 +50,8 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
 const ONLY_IN: &[(&str, &[&str])] = &[
     ("clarabel", &["calibrate"]),
     ("kuva", &["report"]),
-    ("rand_chacha", &["tunnel", "response", "discover"]),
-    ("rand_distr", &["tunnel", "response", "discover"]),
+    ("rand_chacha", &["tunnel", "response", "discover", "hidden"]),
+    ("rand_distr", &["tunnel", "response", "discover", "hidden"]),
     ("clap", &["xtask"]),
     ("codespan-reporting", &["xtask"]),
     ("indicatif", &["xtask"]),

@@ -1,0 +1,39 @@
+#![doc = include_str!("../README.md")]
+
+pub mod air;
+pub mod answer;
+mod bench;
+pub mod campaign;
+mod case;
+mod changed;
+mod decimate;
+pub mod design;
+mod detect;
+pub mod effects;
+mod faults;
+pub mod flown;
+#[cfg(test)]
+mod independent;
+mod jitter;
+mod modal;
+mod noise;
+mod outputs;
+pub mod physics;
+pub mod plan;
+mod random;
+pub mod score;
+mod separated;
+pub mod separation;
+mod servo;
+mod simulate;
+pub mod strips;
+mod system;
+mod truth_wing;
+
+pub use answer::Answer;
+pub use bench::{Bench, Fineness};
+pub use campaign::CampaignFiles;
+pub use case::Case;
+pub use jitter::Jitter;
+pub use plan::{CasePlan, Class, Defect, Mix, SeedRange, cases};
+pub use score::{Families, Metrics, Verdict, VerdictKind, score};

@@ -1,0 +1,44 @@
+//! Metrics of the gap before and after, and of what an answer costs.
+
+use super::judged::Judged;
+use super::{Gap, Metric};
+use std::collections::BTreeMap;
+
+/// A gap this much above its floor is visible.
+const VISIBLE: f64 = 1.2;
+
+/// Adds the metrics.
+pub(super) fn add(cases: &[Judged<'_>], metrics: &mut BTreeMap<String, Metric>) {
+    let held_out = |case: &Judged<'_>| -> Option<Gap> {
+        let gap = case.verdict.gap?.holdout;
+        (case.first_is_right() && gap.before > VISIBLE * gap.floor).then_some(gap)
+    };
+    let gaps: Vec<Gap> = cases.iter().filter_map(held_out).collect();
+    let removed =
+        gaps.iter().map(|gap| (gap.before - gap.after) / (gap.before - gap.floor).max(f64::MIN_POSITIVE));
+    metrics.insert("gap_share_removed_median".to_owned(), Metric::median(removed.collect()));
+    let ratios = gaps.iter().map(|gap| gap.after / gap.before);
+    metrics.insert("gap_ratio_median".to_owned(), Metric::median(ratios.collect()));
+    metrics.insert(
+        "gap_within_twice_the_floor".to_owned(),
+        Metric::share_of(&gaps, |gap| gap.after <= 2.0 * gap.floor),
+    );
+    metrics.insert(
+        "gap_of_nulls_over_floor_median".to_owned(),
+        Metric::median(
+            cases
+                .iter()
+                .filter(|case| case.is_null())
+                .filter_map(|case| case.verdict.gap.map(|gap| gap.holdout.before / gap.holdout.floor))
+                .collect(),
+        ),
+    );
+    let seconds: Vec<f64> = cases.iter().filter_map(|case| case.verdict.seconds).collect();
+    metrics.insert("seconds_mean".to_owned(), Metric::mean(&seconds));
+    metrics.insert(
+        "seconds_most".to_owned(),
+        Metric::number(seconds.iter().copied().reduce(f64::max), seconds.len()),
+    );
+    let runs: Vec<f64> = cases.iter().filter_map(|case| case.verdict.model_runs).collect();
+    metrics.insert("model_runs_mean".to_owned(), Metric::mean(&runs));
+}

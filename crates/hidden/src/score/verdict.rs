@@ -1,0 +1,145 @@
+//! What `discover` answered, as its `result.json` says it.
+
+use nastran::InputError;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// The kind of answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum VerdictKind {
+    /// Effects are named.
+    Effects,
+    /// Rivals are listed that the data cannot tell apart.
+    Ambiguous,
+    /// The model explains the data.
+    None,
+    /// Something is missing that no effect explains.
+    Unknown,
+    /// The data are at fault.
+    DataDefect,
+}
+
+/// An estimate.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Estimate {
+    /// Value.
+    pub value: f64,
+    /// One standard deviation.
+    #[serde(default)]
+    pub sigma: Option<f64>,
+}
+
+/// A named effect.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Named {
+    /// Name.
+    pub name: String,
+    /// Stated probability that it is right.
+    #[serde(default)]
+    pub confidence: Option<f64>,
+    /// What it may be instead.
+    #[serde(default)]
+    pub confused_with: Vec<String>,
+    /// Parameters by name with unit.
+    #[serde(default)]
+    pub parameters: BTreeMap<String, Estimate>,
+}
+
+/// A gap before and after, and the one that remains without any missing effect.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Gap {
+    /// Before.
+    pub before: f64,
+    /// After.
+    pub after: f64,
+    /// Floor.
+    pub floor: f64,
+}
+
+/// Gaps of the training and of the held-out runs.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Gaps {
+    /// Training runs.
+    pub training: Gap,
+    /// Held-out runs.
+    pub holdout: Gap,
+}
+
+/// See the module. What else a result holds is not looked at.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Verdict {
+    /// The kind of answer.
+    #[serde(rename = "verdict")]
+    pub kind: VerdictKind,
+    /// Named effects, the surest first; of `Ambiguous` the rivals.
+    #[serde(default)]
+    pub effects: Vec<Named>,
+    /// Gaps.
+    #[serde(default)]
+    pub gap: Option<Gaps>,
+    /// Time it took, s.
+    #[serde(default)]
+    pub seconds: Option<f64>,
+    /// Simulations of a campaign it took.
+    #[serde(default)]
+    pub model_runs: Option<f64>,
+}
+
+impl Verdict {
+    /// From the text of a `result.json`; `path` is for the error's message.
+    ///
+    /// # Errors
+    /// Text that is no JSON, or lacks a verdict.
+    pub fn from_json(text: &str, path: &Path) -> Result<Self, InputError> {
+        serde_json::from_str(text).map_err(|error| {
+            InputError::in_file(path, format!("this is no result of `discover`: {error}"))
+                .with_help("give the result.json that `cargo xtask discover` wrote")
+        })
+    }
+
+    /// Names that are claimed, the surest first; none unless effects or rivals are.
+    pub fn names(&self) -> Vec<&str> {
+        match self.kind {
+            VerdictKind::Effects | VerdictKind::Ambiguous => {
+                self.effects.iter().map(|effect| effect.name.as_str()).collect()
+            }
+            VerdictKind::None | VerdictKind::Unknown | VerdictKind::DataDefect => Vec::new(),
+        }
+    }
+
+    /// The names and what they may be instead, each once.
+    pub fn set(&self) -> Vec<&str> {
+        let mut set = self.names();
+        if set.is_empty() {
+            return set;
+        }
+        for rival in self.effects.iter().flat_map(|effect| &effect.confused_with) {
+            if !set.contains(&rival.as_str()) {
+                set.push(rival);
+            }
+        }
+        set
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_result_is_read_with_more_keys_than_are_needed() {
+        let text = r#"{ "command": "discover", "verdict": "effects",
+            "located": [ {"channel":"My_Nm","regressor":"alpha_ddot","share_of_residual":0.78} ],
+            "effects": [ {"name":"joiner_inertia","confidence":0.98,"confused_with":["added_mass"],
+                          "parameters":{"Iyy_kg_m2":{"value":0.011,"sigma":0.0004}}} ],
+            "next_experiment": "wind-off pitch",
+            "gap": {"training":{"before":41.2,"after":11.0,"floor":9.8},
+                    "holdout":{"before":39.0,"after":12.1,"floor":10.3}} }"#;
+        let verdict = Verdict::from_json(text, Path::new("result.json")).expect("a result");
+        assert_eq!(verdict.set(), ["joiner_inertia", "added_mass"]);
+        assert_eq!(verdict.gap.map(|gap| gap.holdout.after), Some(12.1));
+        assert!(Verdict::from_json("{}", Path::new("result.json")).is_err());
+    }
+}

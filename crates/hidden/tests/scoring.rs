@@ -1,0 +1,136 @@
+//! The scorer on verdicts whose metrics are known beforehand.
+
+use hidden::answer::{TrueEffect, TrueParameter};
+use hidden::score::{Estimate, Gap, Gaps, Named, gates};
+use hidden::{Answer, Class, Families, Verdict, VerdictKind, score};
+use std::path::Path;
+
+fn answer(class: Class, effects: &[(&str, f64)]) -> Answer {
+    let effect = |(name, d2): &(&str, f64)| TrueEffect {
+        name: (*name).to_owned(),
+        parameters: vec![TrueParameter { name: "size".to_owned(), value: 2.0, size: true }],
+        d2: Some(*d2),
+    };
+    Answer {
+        list_seed: 0,
+        index: 0,
+        class,
+        effects: effects.iter().map(effect).collect(),
+        defect: None,
+        leave_out: None,
+        d2: None,
+    }
+}
+
+fn verdict(kind: VerdictKind, names: &[(&str, f64)]) -> Verdict {
+    let named = |(name, confidence): &(&str, f64)| Named {
+        name: (*name).to_owned(),
+        confidence: Some(*confidence),
+        confused_with: Vec::new(),
+        parameters: [("size".to_owned(), Estimate { value: 2.2, sigma: Some(0.2) })].into(),
+    };
+    let gap = Gap { before: 10.0, after: 3.0, floor: 2.0 };
+    Verdict {
+        kind,
+        effects: names.iter().map(named).collect(),
+        gap: Some(Gaps { training: gap, holdout: gap }),
+        seconds: Some(2.0),
+        model_runs: Some(400.0),
+    }
+}
+
+fn families() -> Families {
+    Families::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/hidden/families.ron"))
+        .expect("the shipped families")
+}
+
+#[test]
+fn a_mixed_list_has_the_metrics_that_are_counted_by_hand() {
+    use Class::{LeftOut, Null, OutOfLibrary, Pair, Single};
+    use VerdictKind::{Ambiguous, Effects, None as Nothing, Unknown};
+    let cases = [
+        (answer(Null, &[]), verdict(Nothing, &[])),
+        (answer(Null, &[]), verdict(Effects, &[("stall", 0.7)])),
+        (answer(Single, &[("stall", 5000.0)]), verdict(Effects, &[("stall", 0.99)])),
+        // a twin, and one name too many
+        (answer(Single, &[("delay", 4000.0)]), verdict(Effects, &[("daq_filter", 0.9), ("friction", 0.6)])),
+        (answer(Single, &[("camber", 500.0)]), verdict(Ambiguous, &[("camber", 0.5), ("alpha_offset", 0.5)])),
+        (answer(Single, &[("gain", 20.0)]), verdict(Nothing, &[])),
+        (
+            answer(Pair, &[("stall", 900.0), ("gain", 800.0)]),
+            verdict(Effects, &[("gain", 0.9), ("stall", 0.8)]),
+        ),
+        (answer(OutOfLibrary, &[("shedding_tone", 9e4)]), verdict(Unknown, &[])),
+        (answer(LeftOut, &[("delay", 9e4)]), verdict(Effects, &[("daq_filter", 0.9)])),
+    ];
+    let mut cases = cases.to_vec();
+    cases[8].0.leave_out = Some("delay".to_owned());
+    let scored = score(&cases, &families());
+    let value = |name: &str| scored.metrics[name].value.expect("cases");
+    let close = |name: &str, expected: f64| {
+        assert!((value(name) - expected).abs() < 1e-12, "{name}: {} for {expected}", value(name));
+    };
+    close("null_false_naming", 0.5);
+    close("top1_clear", 0.5);
+    close("top1_family_clear", 1.0);
+    close("top1_visible", 1.0);
+    close("silent_near_floor", 1.0);
+    // named: a null, four right or twins (one a pair)
+    close("precision", 3.0 / 5.0);
+    close("precision_family", 4.0 / 5.0);
+    close("set_coverage", 2.0 / 3.0);
+    close("set_size", 5.0 / 3.0);
+    // of three seen, one is exact: rivals name no structure
+    close("exact_structure", 1.0 / 3.0);
+    close("extra_names", 0.25);
+    close("pair_both", 1.0);
+    close("out_of_library_flagged", 1.0);
+    close("out_of_library_misnamed", 0.0);
+    close("left_out_misnamed", 0.0);
+    close("parameter_error_median", 0.1);
+    close("parameter_90_coverage", 1.0);
+    close("gap_share_removed_median", 7.0 / 8.0);
+    close("gap_ratio_median", 0.3);
+    close("seconds_most", 2.0);
+    assert_eq!(scored.confusion["delay"]["daq_filter+friction"], 1);
+    assert_eq!(scored.confusion["none"]["none"], 1);
+    assert_eq!(scored.confusion["camber"]["alpha_offset|camber"], 1);
+    assert_eq!(scored.metrics["null_false_naming"].n, 2);
+}
+
+#[test]
+fn silence_is_no_false_name_and_no_hit() {
+    let cases: Vec<_> = (0..70)
+        .map(|_| (answer(Class::Null, &[]), verdict(VerdictKind::None, &[])))
+        .chain([(answer(Class::Single, &[("stall", 5000.0)]), verdict(VerdictKind::None, &[]))])
+        .collect();
+    let scored = score(&cases, &families());
+    let false_naming = scored.metrics["null_false_naming"];
+    assert_eq!(false_naming.value, Some(0.0));
+    // none of 70: 3.8415/73.8415
+    assert!(false_naming.high.is_some_and(|high| (high - 0.0520).abs() < 5e-5));
+    assert_eq!(scored.metrics["top1_clear"].value, Some(0.0));
+    assert_eq!(scored.metrics["precision"].value, None);
+    // every gate is of a metric that is there, and none is reached without cases
+    let gates = gates(&scored);
+    assert!(gates.iter().all(|gate| scored.metrics.contains_key(&gate.metric)));
+    let reached = |name: &str| gates.iter().any(|gate| gate.metric == name && gate.reached);
+    assert!(reached("null_false_naming") && !reached("top1_clear") && !reached("precision"));
+}
+
+#[test]
+fn families_name_effects_that_exist_once() {
+    let families = families();
+    assert!(families.are_kin("delay", "daq_filter") && families.are_kin("stall", "stall"));
+    assert!(!families.are_kin("delay", "camber"));
+}
+
+#[test]
+fn answers_and_metrics_survive_their_files() {
+    let answer = answer(Class::Pair, &[("stall", 900.0), ("gain", 800.0)]);
+    let text = serde_json::to_string(&answer).expect("an answer");
+    assert_eq!(serde_json::from_str::<Answer>(&text).expect("the same"), answer);
+    let scored = score(&[(answer, verdict(VerdictKind::Unknown, &[]))], &families());
+    let text = serde_json::to_string(&scored).expect("metrics");
+    assert_eq!(serde_json::from_str::<hidden::Metrics>(&text).expect("the same"), scored);
+}
