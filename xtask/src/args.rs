@@ -62,6 +62,8 @@ pub enum Command {
     Simulate(SimulateArgs),
     /// How much of a commanded deflection acts, by surface, airspeed and deflection, from measured doublets
     Deflection(DeflectionArgs),
+    /// Where simulation and measurements disagree, which effect is missing, the wing with it, the gap before and after
+    Discover(DiscoverArgs),
     /// Trim, pull-up, push-down, chirp and doublet of the full aircraft, initial beside updated model
     Fullaircraft(FullaircraftArgs),
     /// Calibrate, simulate and fullaircraft, one after the other
@@ -151,6 +153,30 @@ pub struct DeflectionArgs {
     /// Corrections from `calibrate` [default: out/calibrate's if of the same wing, else calibrated first]
     #[arg(long, value_name = "FILE")]
     pub corrections: Option<PathBuf>,
+}
+
+/// Options of `discover`.
+#[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask discover
+  cargo xtask discover --wing my/wing.ron --campaign my/measured
+
+Static points and training runs are searched for effects that the model lacks; held-out runs only judge. Defects of the data
+stop the search (exit status 3). Written: wing.ron (the wing with the effects), corrections.ron (calibrated again with
+them), null_bank.ron (what the search finds where nothing is missing), runs/NAME.csv and .svg of held-out runs, result.json.")]
+pub struct DiscoverArgs {
+    /// The wing [default: data/tuflex/wing.ron]
+    #[arg(long, value_name = "FILE")]
+    pub wing: Option<PathBuf>,
+    /// The folder of measurements [default: data/tuflex/measured]
+    #[arg(long, value_name = "DIR")]
+    pub campaign: Option<PathBuf>,
+    /// Corrections found with other data than this campaign's [default: out/calibrate's if of the same wing, else calibrated first]
+    #[arg(long, value_name = "FILE")]
+    pub corrections: Option<PathBuf>,
+    /// A bank of null campaigns [default: the shipped or last one if of the same wing and campaign, else made first]
+    #[arg(long, value_name = "FILE")]
+    pub bank: Option<PathBuf>,
 }
 
 /// Options of `fullaircraft`.

@@ -40,6 +40,7 @@ fn run(cli: &Cli) -> Result<(), Failure> {
         Command::Calibrate(_)
         | Command::Simulate(_)
         | Command::Deflection(_)
+        | Command::Discover(_)
         | Command::Fullaircraft(_)
         | Command::Tunnel(_)
         | Command::Modes(_)
@@ -57,6 +58,7 @@ fn run(cli: &Cli) -> Result<(), Failure> {
         Command::Calibrate(args) => commands::calibrate::run(args, common),
         Command::Simulate(args) => commands::simulate::run(args, common),
         Command::Deflection(args) => commands::deflection::run(args, common),
+        Command::Discover(args) => commands::discover::run(args, common),
         Command::Fullaircraft(args) => commands::fullaircraft::run(args, common),
         Command::Pipeline(args) => commands::pipeline::run(args, common),
         Command::Tunnel(args) => commands::tunnel::run(args, common),

@@ -26,7 +26,10 @@ const UNKNOWN: f64 = 30.0;
 
 /// Thresholds of evidence by effect and form, and what the misfit is without effects.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Thresholds {
+    /// What it belongs to: see [`key`].
+    pub key: String,
     /// By `name form`.
     pub evidence: BTreeMap<String, f64>,
     /// Chi square a row where nothing is missing, mean.
@@ -39,7 +42,13 @@ pub struct Thresholds {
 
 impl Default for Thresholds {
     fn default() -> Self {
-        Self { evidence: BTreeMap::new(), misfit: 1.0, misfit_limit: 1.5, floor: [1.0; 2] }
+        Self {
+            key: String::new(),
+            evidence: BTreeMap::new(),
+            misfit: 1.0,
+            misfit_limit: 1.5,
+            floor: [1.0; 2],
+        }
     }
 }
 
@@ -74,6 +83,7 @@ impl Thresholds {
         let (misfit, sd) = mean_and_sd(&misfits);
         let floor = |k: usize| mean_and_sd(&nulls.iter().map(|null| null.gap[k]).collect::<Vec<f64>>()).0;
         Self {
+            key: String::new(),
             evidence: evidence.into_iter().map(|(name, values)| (name, of(values))).collect(),
             misfit,
             misfit_limit: misfit + SIGMAS * sd,

@@ -43,6 +43,8 @@ pub struct StaticGroup {
     pub stimulus: Stimulus,
     /// Measured Fz, Mx, My by point; none for a channel that the campaign lacks.
     pub measured: Vec<[Option<f64>; 3]>,
+    /// Place of each point in the campaign's list.
+    pub points: Vec<usize>,
     /// Place of each point's block.
     pub blocks: Vec<Option<usize>>,
     /// Whether no run or every run of this airspeed is held out: held-out airspeeds give nothing away.
@@ -205,8 +207,9 @@ fn statics(
     runs: &[RunData],
 ) -> Vec<StaticGroup> {
     let groups = airspeeds_m_s.iter().enumerate().filter_map(|(airspeed, _)| {
-        let points: Vec<_> =
-            campaign.points.iter().filter(|p| nearest(airspeeds_m_s, p.v_m_s) == airspeed).collect();
+        let here = |i: &usize| nearest(airspeeds_m_s, campaign.points[*i].v_m_s) == airspeed;
+        let indices: Vec<usize> = (0..campaign.points.len()).filter(here).collect();
+        let points: Vec<_> = indices.iter().map(|i| &campaign.points[*i]).collect();
         if points.is_empty() {
             return None;
         }
@@ -237,6 +240,7 @@ fn statics(
                 clock_h: 0.0,
             },
             measured: points.iter().map(|p| p.loads).collect(),
+            points: indices,
             blocks: points.iter().map(|p| place(blocks, p.block.as_deref())).collect(),
             usage: if held_out { Use::Holdout } else { Use::Train },
         })

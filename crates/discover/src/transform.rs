@@ -4,6 +4,12 @@
 //! deviation sigma gives coefficients of standard deviation sigma.
 
 use rustdct::DctPlanner;
+use std::cell::RefCell;
+
+thread_local! {
+    /// Plans are made once a length.
+    static PLANNER: RefCell<DctPlanner<f64>> = RefCell::new(DctPlanner::new());
+}
 
 /// Highest frequency that is looked at, Hz.
 pub const HIGHEST_HZ: f64 = 12.0;
@@ -15,7 +21,7 @@ pub fn cosines(values: &[f64], time_step_s: f64) -> Vec<f64> {
         return Vec::new();
     }
     let mut all = values.to_vec();
-    DctPlanner::new().plan_dct2(n).process_dct2(&mut all);
+    PLANNER.with_borrow_mut(|planner| planner.plan_dct2(n)).process_dct2(&mut all);
     let (first, others) = ((1.0 / n as f64).sqrt(), (2.0 / n as f64).sqrt());
     all.truncate(count(n, time_step_s));
     all.iter_mut().enumerate().for_each(|(k, value)| *value *= if k == 0 { first } else { others });

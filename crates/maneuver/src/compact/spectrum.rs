@@ -8,9 +8,15 @@
 use super::{Compact, Constants};
 use faer::{Mat, c64};
 use rustfft::FftPlanner;
+use std::cell::RefCell;
 use std::f64::consts::{PI, TAU};
 
 use super::change::Change;
+
+thread_local! {
+    /// Plans are made once a length.
+    static PLANNER: RefCell<FftPlanner<f64>> = RefCell::new(FftPlanner::new());
+}
 
 /// Highest frequency of the grid, Hz: as far as the smoothing of inputs lets anything through.
 const HIGHEST_HZ: f64 = 25.0;
@@ -74,8 +80,8 @@ impl ResponseTable {
             return self.rest.iter().map(|_| Vec::new()).collect();
         };
         let length = fast_length(samples + steps(RETURN_S + self.rest_s, time_step_s));
-        let mut planner = FftPlanner::<f64>::new();
-        let (forward, backward) = (planner.plan_fft_forward(length), planner.plan_fft_inverse(length));
+        let (forward, backward) = PLANNER
+            .with_borrow_mut(|planner| (planner.plan_fft_forward(length), planner.plan_fft_inverse(length)));
         let moving: Vec<&(usize, &[f64])> =
             drives.iter().filter(|(_, values)| values.iter().any(|value| *value != values[0])).collect();
         let spectra: Vec<Vec<c64>> = moving

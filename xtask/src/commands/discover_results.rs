@@ -1,0 +1,188 @@
+//! What `discover` found as JSON, as entries of a wing's file and as a table for people.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use coupling::wing_file::{EffectValidity, WingEffect};
+use discover::gate::Defect;
+use discover::problem::Gap;
+use discover::search::Found;
+use serde_json::{Map, Value, json};
+
+use crate::commands::discover::Discovered;
+
+/// Held out, the gap may be so many times its floor.
+const CLOSED: f64 = 2.0;
+
+/// effects, ambiguous, unknown or none.
+pub(crate) fn verdict(found: &Discovered<'_>) -> &'static str {
+    let outcome = &found.report.outcome;
+    let ambiguous = |effect: &Found| !effect.confused_with.is_empty();
+    if outcome.found.is_empty() {
+        if outcome.unexplained { "unknown" } else { "none" }
+    } else if outcome.found.iter().any(ambiguous) {
+        "ambiguous"
+    } else {
+        "effects"
+    }
+}
+
+/// `result.json`.
+pub(crate) fn json(found: &Discovered<'_>, seconds: f64) -> Value {
+    let outcome = &found.report.outcome;
+    let parameters = |effect: &Found| {
+        let each = effect.active.parameters().into_iter().zip(effect.active.values.iter().zip(&effect.sigma));
+        each.map(|(p, (value, sigma))| (p.name, json!({ "value": value, "sigma": sigma })))
+            .collect::<Map<_, _>>()
+    };
+    let effect = |effect: &Found| {
+        let spec = effect.active.effect.spec();
+        json!({ "name": spec.name, "form": effect.active.effect.form(), "title": spec.title,
+            "confidence": effect.confidence, "confused_with": effect.confused_with,
+            "log_bayes_factor": effect.evidence, "stays_with_the_wing": spec.side.travels(),
+            "parameters": parameters(effect) })
+    };
+    let [train, holdout] = found.report.gaps;
+    json!({
+        "command": "discover",
+        "verdict": verdict(found),
+        "effects": outcome.found.iter().map(effect).collect::<Vec<_>>(),
+        "next_experiment": next_experiment(found),
+        "gap": { "training": gap(train, found.limits.floor[0]), "holdout": gap(holdout, found.limits.floor[1]) },
+        "success": success(found),
+        "misfit": { "before": outcome.misfit[0], "after": outcome.misfit[1],
+            "nothing_missing": found.limits.misfit, "limit": found.limits.misfit_limit },
+        "not_named": outcome.next_best.as_ref().map(|next| {
+            json!({ "name": next.name(), "log_bayes_factor": next.evidence, "threshold": next.threshold })
+        }),
+        "candidates": outcome.first_level.iter().map(|(name, evidence, threshold)| {
+            json!({ "name": name.trim(), "log_bayes_factor": evidence, "threshold": threshold })
+        }).collect::<Vec<_>>(),
+        "corrections": found.corrected.origin,
+        "null_bank": found.bank,
+        "data_hash": found.data_hash,
+        "split": found.prepared.data.split,
+        "repeated_pairs": found.prepared.noise.pairs,
+        "model_runs": found.report.model_runs,
+        "seconds": seconds,
+    })
+}
+
+/// `result.json` where the data are at fault.
+pub(crate) fn defects(found: &[Defect], seconds: f64) -> Value {
+    let defect = |d: &Defect| json!({ "kind": format!("{:?}", d.kind), "run": d.run, "channel": d.channel, "sentence": d.sentence });
+    json!({ "command": "discover", "verdict": "data_defect", "effects": [],
+        "defects": found.iter().map(defect).collect::<Vec<_>>(), "seconds": seconds })
+}
+
+fn gap([before, after]: [Gap; 2], floor: f64) -> Value {
+    let channels = |v: [f64; 3]| json!({ "Fz_N": v[0], "Mx_Nm": v[1], "My_Nm": v[2] });
+    json!({ "before": before.all, "after": after.all, "floor": floor,
+        "by_channel": { "before": channels(before.by_channel), "after": channels(after.by_channel) },
+        "raw_percent": { "before": channels(before.raw_percent), "after": channels(after.raw_percent) } })
+}
+
+/// The held-out gap shrank, and to at most twice what is left where nothing is missing.
+fn success(found: &Discovered<'_>) -> bool {
+    let [before, after] = found.report.gaps[1];
+    !found.report.outcome.found.is_empty()
+        && after.all < before.all
+        && after.all <= CLOSED * found.limits.floor[1]
+}
+
+fn next_experiment(found: &Discovered<'_>) -> Option<String> {
+    let open = |effect: &&Found| !effect.confused_with.is_empty();
+    let outcome = &found.report.outcome;
+    outcome.found.iter().find(open).map(|effect| effect.active.effect.spec().experiment.to_owned())
+}
+
+/// Entries of the wing's file.
+pub(crate) fn effects(found: &Discovered<'_>) -> Vec<WingEffect> {
+    let data = &found.prepared.data;
+    let range = |values: &mut dyn Iterator<Item = f64>| {
+        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
+        (low <= high).then_some((low, high))
+    };
+    let train = || data.runs.iter().filter(|run| !crate::commands::discover::is_held_out(run.usage));
+    let validity = EffectValidity {
+        alpha_deg: range(
+            &mut train().flat_map(|run| &run.stimulus.inputs.alpha.value).map(|a| a.to_degrees()),
+        ),
+        v_m_s: range(&mut train().map(|run| data.airspeeds_m_s[run.airspeed])),
+        frequency_hz: Some((0.0, discover::transform::HIGHEST_HZ)),
+        delta_deg: range(
+            &mut train()
+                .flat_map(|run| run.stimulus.inputs.controls_rad.iter().flatten())
+                .map(|d| d.to_degrees()),
+        ),
+    };
+    let entry = |effect: &Found| {
+        let names: Vec<String> = effect.active.parameters().into_iter().map(|p| p.name).collect();
+        WingEffect {
+            name: effect.active.effect.spec().name.to_owned(),
+            form: effect.active.effect.form().to_owned(),
+            parameters: names.iter().cloned().zip(effect.active.values.iter().copied()).collect(),
+            sigma: names.into_iter().zip(effect.sigma.iter().copied()).collect(),
+            covariance: Vec::new(),
+            validity: Some(validity),
+            evidence: Some(effect.evidence),
+            rivals: effect.confused_with.iter().map(|name| (*name).to_owned()).collect(),
+            data_hash: found.data_hash.clone(),
+        }
+    };
+    found.report.outcome.found.iter().map(entry).collect()
+}
+
+/// The table for people.
+pub(crate) fn summary(found: &Discovered<'_>, out: &Path, seconds: f64) -> String {
+    let mut text = String::new();
+    let outcome = &found.report.outcome;
+    for effect in &outcome.found {
+        let spec = effect.active.effect.spec();
+        let _ = writeln!(
+            text,
+            "{}: {} (log Bayes factor {:.0}, confidence {:.2})",
+            spec.name, spec.title, effect.evidence, effect.confidence
+        );
+        for (p, (value, sigma)) in
+            effect.active.parameters().iter().zip(effect.active.values.iter().zip(&effect.sigma))
+        {
+            let _ = writeln!(text, "    {:<24} {value:>10.4} +- {sigma:.4}", p.name);
+        }
+        if !effect.confused_with.is_empty() {
+            let _ = writeln!(text, "    not told from: {}", effect.confused_with.join(", "));
+        }
+    }
+    match verdict(found) {
+        "none" => text.push_str("no effect above the floor\n"),
+        "unknown" => text.push_str("something is missing that no effect of the library explains\n"),
+        _ => {}
+    }
+    if let Some(next) = next_experiment(found) {
+        let _ = writeln!(text, "next: {next}");
+    }
+    let [train, holdout] = found.report.gaps;
+    for (name, [before, after], floor) in
+        [("training", train, found.limits.floor[0]), ("held out", holdout, found.limits.floor[1])]
+    {
+        let _ = writeln!(
+            text,
+            "gap, {name:<9} {:>6.1} -> {:>5.1} standard deviations of the noise (nothing missing: {floor:.1})",
+            before.all, after.all
+        );
+    }
+    let shrank = if success(found) {
+        "the held-out gap closed"
+    } else if outcome.found.is_empty() {
+        "nothing was added"
+    } else {
+        "the held-out gap did not close: no success is claimed"
+    };
+    let _ = writeln!(
+        text,
+        "{shrank}; {seconds:.1} s, {} model runs; results in {}",
+        found.report.model_runs,
+        out.display()
+    );
+    text
+}
