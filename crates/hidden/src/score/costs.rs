@@ -30,6 +30,7 @@ pub(super) fn add(cases: &[Judged<'_>], metrics: &mut BTreeMap<String, Metric>) 
                 .iter()
                 .filter(|case| case.is_null())
                 .filter_map(|case| case.verdict.gap.map(|gap| gap.holdout.before / gap.holdout.floor))
+                .filter(|ratio| ratio.is_finite())
                 .collect(),
         ),
     );

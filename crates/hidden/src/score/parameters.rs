@@ -19,7 +19,8 @@ pub(super) fn add(cases: &[Judged<'_>], metrics: &mut BTreeMap<String, Metric>) 
     metrics.insert("confidence_ece".to_owned(), Metric::number(calibration_error(&stated), stated.len()));
     let mut errors: BTreeMap<&str, Vec<f64>> = BTreeMap::new();
     let (mut inside, mut with_sigma) = (0, 0);
-    for (effect, parameter, estimate) in cases.iter().flat_map(|case| estimates(case)) {
+    let finite = |(_, _, estimate): &(&str, &TrueParameter, Estimate)| estimate.value.is_finite();
+    for (effect, parameter, estimate) in cases.iter().flat_map(estimates).filter(finite) {
         let error = (estimate.value / parameter.value - 1.0).abs();
         errors.entry(effect).or_default().push(error);
         if let Some(sigma) = estimate.sigma {

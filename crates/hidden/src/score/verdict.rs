@@ -1,9 +1,14 @@
 //! What `discover` answered, as its `result.json` says it.
 
 use nastran::InputError;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 use std::collections::BTreeMap;
 use std::path::Path;
+
+/// A number; JSON writes one that is none as null.
+fn number<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
+    Ok(Option::<f64>::deserialize(from)?.unwrap_or(f64::NAN))
+}
 
 /// The kind of answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -25,6 +30,7 @@ pub enum VerdictKind {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Estimate {
     /// Value.
+    #[serde(deserialize_with = "number")]
     pub value: f64,
     /// One standard deviation.
     #[serde(default)]
@@ -51,10 +57,13 @@ pub struct Named {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Gap {
     /// Before.
+    #[serde(deserialize_with = "number")]
     pub before: f64,
     /// After.
+    #[serde(deserialize_with = "number")]
     pub after: f64,
     /// Floor.
+    #[serde(deserialize_with = "number")]
     pub floor: f64,
 }
 
@@ -137,9 +146,12 @@ mod tests {
             "next_experiment": "wind-off pitch",
             "gap": {"training":{"before":41.2,"after":11.0,"floor":9.8},
                     "holdout":{"before":39.0,"after":12.1,"floor":10.3}} }"#;
+        let unknown_floor = text.replace("10.3", "null");
         let verdict = Verdict::from_json(text, Path::new("result.json")).expect("a result");
         assert_eq!(verdict.set(), ["joiner_inertia", "added_mass"]);
         assert_eq!(verdict.gap.map(|gap| gap.holdout.after), Some(12.1));
+        let verdict = Verdict::from_json(&unknown_floor, Path::new("result.json")).expect("a result");
+        assert!(verdict.gap.is_some_and(|gap| gap.holdout.floor.is_nan()));
         assert!(Verdict::from_json("{}", Path::new("result.json")).is_err());
     }
 }
