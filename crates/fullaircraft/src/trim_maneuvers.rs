@@ -7,8 +7,7 @@
 //! steady sideslip     beta given, no rates; n_y = tan(bank) n_z comes out
 //! ```
 //! Turn rates: the turn's rate g tan φ/V is about the vertical; sin φ of it is pitch, cos φ of it yaw (small climb and pitch
-//! angles). Positive turns and slips are to the right: a turn's load factor with a minus in front of the direction is no
-//! maneuver, so its direction is a flag.
+//! angles). Positive slips are to the right; a turn's direction is a flag.
 
 use crate::aircraft_file::{AircraftFile, Surfaces};
 use crate::trim_case::TrimCase;
