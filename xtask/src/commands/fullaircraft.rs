@@ -8,6 +8,7 @@ use fullaircraft::{Aircraft, AircraftError, AircraftFile, Comparison, Summary};
 use nastran::InputError;
 
 use crate::args::{Common, FullaircraftArgs};
+use crate::commands::fullaircraft_effects;
 use crate::commands::fullaircraft_figures as figures;
 use crate::corrections::{corrected_wing, corrections_at};
 use crate::failure::Failure;
@@ -40,9 +41,13 @@ pub(crate) fn run(args: &FullaircraftArgs, common: &Common) -> Result<(), Failur
         InputError::in_field(&file.path, "correction_airspeed_m_s", refused.message)
             .with_help("choose an airspeed within those of the calibration")
     })?;
-    let corrections = wing.schedule.at(file.correction_airspeed_m_s, Outside::Nearest)?;
-    let aircraft = Aircraft::new(file, wing.file)?;
-    let comparison = aircraft.compare(&corrections)?;
+    let mut corrections = wing.schedule.at(file.correction_airspeed_m_s, Outside::Nearest)?;
+    let effects = fullaircraft_effects::travelling(&wing, &file, &mut corrections)?;
+    for remark in effects.remarks().iter().filter(|_| !common.quiet) {
+        show::note(remark);
+    }
+    let mut aircraft = Aircraft::new(file, wing.file)?;
+    let comparison = effects.compare(&mut aircraft, &corrections)?;
     let summary = comparison.summary(&aircraft, start.elapsed().as_secs_f64());
     let out = write(common, &aircraft, &comparison, &summary)?;
     for warning in &summary.warnings {

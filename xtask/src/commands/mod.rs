@@ -16,6 +16,7 @@ mod deflection_results;
 pub(crate) mod flutter;
 mod flutter_figures;
 pub(crate) mod fullaircraft;
+mod fullaircraft_effects;
 mod fullaircraft_figures;
 pub(crate) mod modes;
 mod modes_pictures;
