@@ -51,15 +51,15 @@ pub fn motion_of(run: &Run, model: &RigModel, file: &Path) -> Result<Motion, Inp
 pub fn simulate(run: &Run, model: &RigModel, file: &Path) -> Result<Simulated, InputError> {
     let mut history = model.fly(&motion_of(run, model, file)?);
     history.t_s.clone_from(&run.t_s);
-    Ok(Simulated::of(run, history, model.cutoff_hz))
+    Ok(Simulated::of(run, history, model))
 }
 
 impl Simulated {
-    /// A flown history of a run beside what was measured; `cutoff_hz` is that of the filter.
-    pub fn of(run: &Run, history: TimeHistory, cutoff_hz: f64) -> Self {
+    /// A history flown by a model beside what the run measured.
+    pub fn of(run: &Run, history: TimeHistory, model: &RigModel) -> Self {
         let (mut residual_rms, mut residual_percent) = (None, None);
         if let Some(measured) = &run.loads {
-            let filtered = |values: &[f64]| zero_phase(values, run.time_step_s, cutoff_hz);
+            let filtered = |values: &[f64]| zero_phase(values, run.time_step_s, model.cutoff_hz);
             let channel = |c: usize| history.get(["Fz_N", "Mx_Nm", "My_Nm"][c]).unwrap_or(&[]);
             let rms: [f64; 3] = std::array::from_fn(|c| {
                 let difference: Vec<f64> =

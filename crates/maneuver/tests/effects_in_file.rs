@@ -141,10 +141,10 @@ fn effects_that_cannot_be_are_refused_at_their_place() {
             "\"delay\"",
         ),
         (
-            "(name: \"delay\", parameters: {\"tau_s\": 0.0}, sigma: {\"tau\": 1.0})",
+            "(name: \"delay\", parameters: {\"tau_s\": 0.0}, sigma: {\"tau_x\": 1.0})",
             "no parameter listed",
             "tau_s",
-            "\"tau\"",
+            "\"tau_x\"",
         ),
         (
             "(name: \"delay\", parameters: {\"tau_s\": 0.0, \"tau_s\": 0.0})",

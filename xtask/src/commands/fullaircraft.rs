@@ -11,7 +11,7 @@ use nastran::InputError;
 use crate::args::{Common, FullaircraftArgs};
 use crate::commands::fullaircraft_derivatives as derivatives;
 use crate::commands::fullaircraft_figures as figures;
-use crate::commands::{fullaircraft_cases, fullaircraft_deck};
+use crate::commands::{fullaircraft_cases, fullaircraft_deck, fullaircraft_effects};
 use crate::corrections::{corrected_wing, corrections_at};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
@@ -33,6 +33,8 @@ pub(crate) struct Prepared {
     pub(crate) aircraft: Aircraft,
     /// Corrections of one wing's boxes.
     pub(crate) corrections: Corrections,
+    /// Effects of the wing that fly with it.
+    pub(crate) effects: fullaircraft_effects::Travelling,
     /// Where they come from, in words.
     pub(crate) origin: String,
 }
@@ -46,8 +48,8 @@ pub(crate) fn run(args: &FullaircraftArgs, common: &Common) -> Result<(), Failur
         return fullaircraft_deck::run(deck, common);
     }
     let start = Instant::now();
-    let Prepared { aircraft, corrections, origin } = prepared(args, common)?;
-    let comparison = aircraft.compare(&corrections)?;
+    let Prepared { mut aircraft, corrections, effects, origin } = prepared(args, common)?;
+    let comparison = effects.compare(&mut aircraft, &corrections)?;
     let summary = comparison.summary(&aircraft, start.elapsed().as_secs_f64());
     let out = write(common, &aircraft, &comparison, &summary)?;
     for warning in &summary.warnings {
@@ -83,9 +85,13 @@ pub(crate) fn prepared(args: &FullaircraftArgs, common: &Common) -> Result<Prepa
         InputError::in_field(&file.path, "correction_airspeed_m_s", refused.message)
             .with_help("choose an airspeed within those of the calibration")
     })?;
-    let corrections = wing.schedule.at(file.correction_airspeed_m_s, Outside::Nearest)?;
+    let mut corrections = wing.schedule.at(file.correction_airspeed_m_s, Outside::Nearest)?;
+    let effects = fullaircraft_effects::travelling(&wing, &file, &mut corrections)?;
+    for remark in effects.remarks().iter().filter(|_| !common.quiet) {
+        show::note(remark);
+    }
     let aircraft = Aircraft::new(file, wing.file)?;
-    Ok(Prepared { aircraft, corrections, origin: wing.origin })
+    Ok(Prepared { aircraft, corrections, effects, origin: wing.origin })
 }
 
 fn write(

@@ -25,6 +25,7 @@ mod fullaircraft_cases_figures;
 mod fullaircraft_cases_store;
 mod fullaircraft_deck;
 mod fullaircraft_derivatives;
+mod fullaircraft_effects;
 mod fullaircraft_figures;
 pub(crate) mod modes;
 mod modes_pictures;

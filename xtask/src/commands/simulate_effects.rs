@@ -83,5 +83,5 @@ pub(crate) fn added(
     let controls_rad = acting.map(|(name, commanded)| deflection.acting(name, commanded)).collect();
     let mut history = plain.history;
     effects.add(&Motion { controls_rad, ..motion }, &mut history);
-    Ok(Simulated::of(run, history, model.cutoff_hz))
+    Ok(Simulated::of(run, history, model))
 }

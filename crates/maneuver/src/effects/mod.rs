@@ -17,6 +17,7 @@ mod of_wing;
 mod place;
 mod signal;
 mod spec;
+mod travel;
 
 pub use active::Active;
 pub use beside::Beside;
@@ -25,6 +26,7 @@ pub use library::library;
 pub use of_wing::{of_wing, without};
 pub use place::{Forces, Inputs, Loads, Place, Seen};
 pub use spec::{Parameter, Side, Spec};
+pub use travel::{Carried, acting_deflection, carry};
 
 use crate::compact::{Change, Constants};
 
