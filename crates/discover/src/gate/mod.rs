@@ -12,8 +12,8 @@ mod timing;
 
 use crate::data::Dataset;
 use maneuver::effects::Flown;
-use record::CHANNELS;
 pub use record::rough_noise;
+pub(crate) use record::{CHANNELS, mean, median};
 
 /// What is wrong.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

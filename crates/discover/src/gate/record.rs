@@ -2,10 +2,15 @@
 
 use crate::data::Dataset;
 use crate::locate::Maneuver;
-use maneuver::effects::Flown;
+use maneuver::effects::{Flown, Stimulus};
 
 /// Names of the channels.
 pub(crate) const CHANNELS: [&str; 3] = ["Fz_N", "Mx_Nm", "My_Nm"];
+
+/// A control jumps if it moves by this share of its height within two samples.
+const JUMP: f64 = 0.2;
+/// Loads and models of them are rough for so many samples around.
+const AROUND: usize = 15;
 
 /// One channel.
 #[derive(Debug, Clone)]
@@ -25,6 +30,8 @@ pub(crate) struct Record {
     pub(crate) repeat_of: Option<usize>,
     pub(crate) time_step_s: f64,
     pub(crate) sigma: [f64; 3],
+    /// Samples at a jump of a control; of a chirp none.
+    pub(crate) edges: Vec<bool>,
     pub(crate) channels: [Option<Pair>; 3],
 }
 
@@ -65,6 +72,7 @@ pub(crate) fn records(data: &Dataset, simulated: &[Flown], sigma: &[[f64; 3]]) -
             repeat_of,
             time_step_s: stimulus.time_step_s,
             sigma: sigma[place],
+            edges: edges(stimulus, v_m_s),
             channels: std::array::from_fn(|c| {
                 present.contains(&c).then(|| Pair {
                     measured: kept.iter().map(|&i| of(place, c, i)).collect(),
@@ -73,6 +81,24 @@ pub(crate) fn records(data: &Dataset, simulated: &[Flown], sigma: &[[f64; 3]]) -
             }),
         })
         .collect()
+}
+
+/// Samples around jumps of a control.
+fn edges(stimulus: &Stimulus, v_m_s: f64) -> Vec<bool> {
+    let samples = stimulus.inputs.alpha.value.len();
+    let mut edges = vec![false; samples];
+    if stimulus.steady || matches!(Maneuver::of(stimulus, v_m_s), Maneuver::Chirp { .. }) {
+        return edges;
+    }
+    for delta in &stimulus.inputs.controls_rad {
+        let height = delta.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+        for i in 2..samples {
+            if height > 0.0 && (delta[i] - delta[i - 2]).abs() > JUMP * height {
+                edges[i.saturating_sub(AROUND)..(i + AROUND).min(samples)].fill(true);
+            }
+        }
+    }
+    edges
 }
 
 impl Record {

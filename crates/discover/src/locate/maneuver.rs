@@ -124,8 +124,17 @@ fn pitch_hz(alpha_rad: &[f64], time_step_s: f64) -> Option<f64> {
     if high.is_nan() || high - low < STILL_RAD {
         return None;
     }
-    let above = |value: &f64| *value > 0.5 * (low + high);
-    let time_s = alpha_rad.iter().filter(|value| above(value)).count() as f64 * time_step_s;
+    // part of the step between two samples that is above the middle, straight lines between
+    let middle = 0.5 * (low + high);
+    let above = |pair: &[f64]| {
+        let (least, most) = (pair[0].min(pair[1]), pair[0].max(pair[1]));
+        if most > least {
+            ((most - middle) / (most - least)).clamp(0.0, 1.0)
+        } else {
+            f64::from(least > middle)
+        }
+    };
+    let time_s = alpha_rad.windows(2).map(above).sum::<f64>() * time_step_s;
     // noise crosses the middle to and fro: once above, the angle must come down by a quarter before it counts again
     let (mut waves, mut up) = (0.0, false);
     for value in alpha_rad {

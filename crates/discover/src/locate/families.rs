@@ -1,0 +1,76 @@
+//! Families of regressors that a residual may go with: what moves, and powers, rates and signs of it.
+//!
+//! Each also times dynamic pressure and airspeed, unless the campaign's airspeeds do not tell them apart.
+
+use super::residuals::Unit;
+
+/// Airspeed that dynamic pressure and airspeed are referred to, m/s.
+const REFERENCE_V_M_S: f64 = 30.0;
+/// Rate above which its sign counts fully, rad/s: far above the rate of a noisy angle.
+const FULL_RATE_RAD_S: f64 = 0.2;
+
+/// A column of a unit, by name of its family.
+pub struct Column {
+    /// Name of the family.
+    pub family: &'static str,
+    /// History or points.
+    pub values: Vec<f64>,
+}
+
+/// Names of the families, `run_id` apart.
+pub const FAMILIES: [&str; 10] = [
+    "1",
+    "alpha",
+    "alpha^2, alpha^3",
+    "alpha_dot",
+    "alpha_ddot",
+    "sign(alpha_dot)",
+    "delta",
+    "delta|delta|, delta^3",
+    "delta_dot",
+    "clock_time",
+];
+
+/// All columns of a unit, the same order for all units of a campaign.
+pub fn columns(unit: &Unit) -> Vec<Column> {
+    let inputs = &unit.stimulus.inputs;
+    let alpha = &inputs.alpha;
+    let of =
+        |values: &[f64], f: &dyn Fn(f64) -> f64| values.iter().map(|value| f(*value)).collect::<Vec<f64>>();
+    let one = vec![1.0; alpha.value.len()];
+    let mut base: Vec<(&'static str, Vec<f64>)> = vec![
+        ("1", one.clone()),
+        ("alpha", alpha.value.clone()),
+        ("alpha^2, alpha^3", of(&alpha.value, &|a| a * a)),
+        ("alpha^2, alpha^3", of(&alpha.value, &|a| a * a * a)),
+        ("alpha_dot", alpha.rate.clone()),
+        ("alpha_ddot", alpha.second.clone()),
+        ("sign(alpha_dot)", of(&alpha.rate, &|rate| rate / rate.hypot(FULL_RATE_RAD_S))),
+    ];
+    for delta in &inputs.controls_rad {
+        base.push(("delta", delta.clone()));
+        base.push(("delta|delta|, delta^3", of(delta, &|d| d * d.abs())));
+        base.push(("delta|delta|, delta^3", of(delta, &|d| d * d * d)));
+        base.push(("delta_dot", rate(delta, unit)));
+    }
+    let v = unit.v_m_s / REFERENCE_V_M_S;
+    let mut all: Vec<Column> = base
+        .into_iter()
+        .flat_map(|(family, values)| {
+            let times = |factor: f64| Column { family, values: of(&values, &|value| factor * value) };
+            [times(1.0), times(v * v), times(v)]
+        })
+        .collect();
+    all.push(Column { family: "clock_time", values: of(&one, &|_| unit.stimulus.clock_h) });
+    all
+}
+
+/// Central differences; static points have no rate.
+fn rate(values: &[f64], unit: &Unit) -> Vec<f64> {
+    let n = values.len();
+    let at = |i: usize| {
+        let (before, after) = (i.saturating_sub(1), (i + 1).min(n - 1));
+        (values[after] - values[before]) / ((after - before).max(1) as f64 * unit.stimulus.time_step_s)
+    };
+    if unit.stimulus.steady { vec![0.0; n] } else { (0..n).map(at).collect() }
+}

@@ -1,0 +1,78 @@
+//! Power of the residual over that of pure error by channel, kind of maneuver and band of frequencies, with F limits.
+
+use super::residuals::Residuals;
+use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
+
+/// Ends of the bands, Hz.
+pub const BANDS_HZ: [(f64, f64); 5] = [(0.0, 1.0), (1.0, 2.0), (2.0, 4.0), (4.0, 8.0), (8.0, 12.0)];
+/// A cell without a gap is above its limit once in a hundred.
+const LEVEL: f64 = 0.99;
+
+/// A cell of the map.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cell {
+    /// Channel.
+    pub channel: &'static str,
+    /// Kind of maneuver, in words.
+    pub maneuver: String,
+    /// Place in [`BANDS_HZ`]; static points are in the first.
+    pub band: usize,
+    /// Mean square of the residual over that of pure error; means of runs are left out.
+    pub power: f64,
+    /// What it stays below 99 times in a hundred where there is nothing but pure error.
+    pub limit: f64,
+    /// Number of coefficients or points.
+    pub rows: usize,
+    /// Number of runs or static groups.
+    pub units: usize,
+}
+
+/// The band of a frequency.
+pub fn band(frequency_hz: f64) -> usize {
+    BANDS_HZ.iter().position(|(_, end)| frequency_hz < *end).unwrap_or(BANDS_HZ.len() - 1)
+}
+
+/// The map, the largest power first.
+pub fn map(residuals: &Residuals) -> Vec<Cell> {
+    let mut cells: Vec<Cell> = Vec::new();
+    for unit in &residuals.units {
+        let maneuver = unit.maneuver.label(&residuals.controls);
+        for (c, channel) in crate::gate::CHANNELS.into_iter().enumerate() {
+            let mut sums = [(0.0, 0_usize); BANDS_HZ.len()];
+            for (k, row) in unit.rows[c].iter().enumerate() {
+                if unit.weight[c][k] > 0.0 && (unit.stimulus.steady || k > 0) {
+                    let sum = &mut sums[band(unit.frequency_hz[k])];
+                    *sum = (sum.0 + row * row, sum.1 + 1);
+                }
+            }
+            for (band, (sum, rows)) in sums.into_iter().enumerate().filter(|(_, sum)| sum.1 > 0) {
+                let same = |cell: &&mut Cell| {
+                    cell.channel == channel && cell.maneuver == maneuver && cell.band == band
+                };
+                if let Some(cell) = cells.iter_mut().find(same) {
+                    // sums until all are in
+                    (cell.power, cell.rows, cell.units) =
+                        (cell.power + sum, cell.rows + rows, cell.units + 1);
+                } else {
+                    let maneuver = maneuver.clone();
+                    cells.push(Cell { channel, maneuver, band, power: sum, limit: 0.0, rows, units: 1 });
+                }
+            }
+        }
+    }
+    for cell in &mut cells {
+        cell.power /= cell.rows as f64;
+        cell.limit = limit(cell.rows as f64, residuals.degrees_of_freedom);
+    }
+    cells.sort_by(|a, b| b.power.total_cmp(&a.power));
+    cells
+}
+
+/// The quantile of a ratio of mean squares.
+pub(super) fn limit(above: f64, below: Option<f64>) -> f64 {
+    let quantile = match below {
+        Some(below) => FisherSnedecor::new(above, below).map(|f| f.inverse_cdf(LEVEL)),
+        None => ChiSquared::new(above).map_or(Ok(f64::NAN), |chi2| Ok(chi2.inverse_cdf(LEVEL) / above)),
+    };
+    quantile.unwrap_or(f64::NAN)
+}
