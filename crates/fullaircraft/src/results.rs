@@ -3,9 +3,9 @@
 use crate::aircraft::Aircraft;
 use crate::error::AircraftError;
 use crate::flight::FreeFlight;
-use crate::free_modes::FreeModes;
 use crate::history::FlightHistory;
 use crate::trim::{FlightModel, Trimmed};
+use crate::unsteady::FlightAir;
 use aero::Corrections;
 use serde::Serialize;
 
@@ -119,9 +119,9 @@ impl Aircraft {
     /// # Errors
     /// If a point cannot be trimmed, a control is not there, or the corrections have the wrong length.
     pub fn compare(&self, wing: &Corrections) -> Result<Comparison, AircraftError> {
-        let modes = FreeModes::new(self)?;
-        let initial = self.uncorrected().fly_all(&modes)?;
-        let updated = self.with_corrections(wing)?.fly_all(&modes)?;
+        let air = FlightAir::new(self)?;
+        let initial = self.uncorrected().fly_all(&air)?;
+        let updated = self.with_corrections(wing)?.fly_all(&air)?;
         let limits = self.file.lift_limits()?;
         let mut warnings = self.warnings();
         for (model, flown) in [("initial", &initial), ("updated", &updated)] {
@@ -132,7 +132,7 @@ impl Aircraft {
             }
             warnings.extend(flown.warnings.iter().map(|warning| format!("{model}, {warning}")));
         }
-        Ok(Comparison { initial, updated, frequencies_hz: modes.frequencies_hz(), warnings })
+        Ok(Comparison { initial, updated, frequencies_hz: air.modes.frequencies_hz(), warnings })
     }
 
     /// Sentences about flight points that contradict themselves.
@@ -148,14 +148,15 @@ impl FlightModel<'_> {
     ///
     /// # Errors
     /// If a point cannot be trimmed or a control is not there.
-    pub fn fly_all(&self, modes: &FreeModes) -> Result<Flown, AircraftError> {
+    pub fn fly_all(&self, air: &FlightAir) -> Result<Flown, AircraftError> {
         let file = &self.aircraft.file;
         let trim = self.trim("trim", &file.trim)?;
-        let doublet = FreeFlight::new(self, modes, &trim, &file.doublet.control)?;
-        let chirp = FreeFlight::new(self, modes, &trim, &file.chirp.control)?;
+        let doublet = FreeFlight::new(self, air, &trim, &file.doublet.control)?;
+        let chirp = FreeFlight::new(self, air, &trim, &file.chirp.control)?;
         let warnings = [
             doublet.warning("doublet", file.doublet.duration_s),
             chirp.warning("chirp", file.chirp.duration_s),
+            air.warning(file.trim.v_m_s),
         ];
         Ok(Flown {
             warnings: warnings.into_iter().flatten().collect(),

@@ -47,6 +47,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
 const ONLY_IN: &[(&str, &[&str])] = &[
     ("clarabel", &["calibrate"]),
     ("kuva", &["report"]),
+    ("ode_solvers", &["fullaircraft"]),
     ("rand_chacha", &["tunnel", "response"]),
     ("rand_distr", &["tunnel", "response"]),
     ("clap", &["xtask"]),
