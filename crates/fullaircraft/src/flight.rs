@@ -10,7 +10,7 @@ use crate::error::AircraftError;
 use crate::flight_equations::Inputs;
 use crate::flight_gust::Gust;
 use crate::flight_model::FlyingAircraft;
-use crate::flight_state::vector;
+use crate::flight_state::{self, vector};
 use crate::history::FlightHistory;
 use crate::trim::{FlightModel, Trimmed};
 use crate::unsteady::FlightAir;
@@ -71,7 +71,7 @@ impl FreeFlight {
         let evaluate = |state: &[f64], inputs: &Inputs| {
             let evaluated = equations.evaluate(state, inputs);
             let rates = vector(state, 3) - Vector3::new(0.0, equations.reference.pitch_rate_rad_s, 0.0);
-            (layout.small_rates(&evaluated.derivative, &rates), flying.read(state, &evaluated))
+            (flight_state::small_rates(&evaluated.derivative, &rates), flying.read(state, &evaluated))
         };
         let (_, y_0) = evaluate(&at_trim, &still);
         let (n, outputs, inputs) = (layout.small(), y_0.len(), input_count(&still));
@@ -84,7 +84,7 @@ impl FreeFlight {
         };
         for state in 0..n {
             let [up, down] =
-                [DIFFERENCE, -DIFFERENCE].map(|h| evaluate(&layout.moved(&at_trim, state, h), &still));
+                [DIFFERENCE, -DIFFERENCE].map(|h| evaluate(&flight_state::moved(&at_trim, state, h), &still));
             slope(&mut a, state, &up.0, &down.0);
             slope(&mut c, state, &up.1, &down.1);
         }

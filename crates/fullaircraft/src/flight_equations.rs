@@ -12,7 +12,7 @@
 //! so that the force is perpendicular to the stream: no drag, as the trim has no thrust. `M_hold` is what the trim leaves unbalanced (only for
 //! wings alone). Accelerations on the right (apparent mass) are solved for in every evaluation.
 
-use crate::flight_state::{PLACE, StateLayout, attitude, attitude_rate, vector};
+use crate::flight_state::{PLACE, StateLayout, attitude, attitude_rate, mode_state, vector};
 use crate::unsteady::RIGID;
 use faer::Mat;
 use maneuver::air::RationalAir;
@@ -189,7 +189,7 @@ impl Equations {
         derivative[6..PLACE].copy_from_slice(&attitude_rate(state, &omega));
         derivative[PLACE..PLACE + 3].copy_from_slice((turn * velocity).as_slice());
         for mode in 0..layout.modes {
-            derivative[layout.mode(mode)] = state[layout.mode_rate(mode)];
+            derivative[mode_state(mode)] = state[layout.mode_rate(mode)];
             derivative[layout.mode_rate(mode)] = accelerations[6 + mode];
         }
         for drive in 0..layout.drives {
@@ -223,7 +223,7 @@ impl Equations {
         }
         air[3] -= reference.pitch_rate_rad_s / reference.v_m_s;
         for mode in 0..layout.modes {
-            air[RIGID + mode] = state[layout.mode(mode)];
+            air[RIGID + mode] = state[mode_state(mode)];
             air[n + RIGID + mode] = state[layout.mode_rate(mode)] / stream.v;
         }
         for drive in 0..layout.drives {
@@ -279,7 +279,7 @@ impl Equations {
             let w = self.omega_rad_s[mode];
             left[(6 + mode, 6 + mode)] += 1.0;
             right[6 + mode] -= q_0 * self.generalised.constant[6 + mode]
-                + w * w * state[layout.mode(mode)]
+                + w * w * state[mode_state(mode)]
                 + 2.0 * self.damping_ratio * w * state[layout.mode_rate(mode)];
         }
         // a positive definite mass plus a small apparent one: never singular in flight

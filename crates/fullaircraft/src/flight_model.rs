@@ -5,7 +5,7 @@ use crate::error::AircraftError;
 use crate::flight_equations::{AirRows, Equations, Evaluated, Inputs, Reference};
 use crate::flight_gust::Gust;
 use crate::flight_rows::LoadParts;
-use crate::flight_sensors::{FIXED, Sensors};
+use crate::flight_sensors::{FIXED, Sensors, Unit};
 use crate::flight_state::StateLayout;
 use crate::free_modes::FreeModes;
 use crate::history::{FlightHistory, StationHistory, SurfaceHistory, UnitHistory};
@@ -14,7 +14,7 @@ use crate::unsteady::{FlightAir, RIGID};
 use coupling::GRAVITY_M_S2;
 use faer::Mat;
 use maneuver::air::RationalAir;
-use nalgebra::Vector3;
+use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::TAU;
 
 /// See the module.
@@ -43,60 +43,17 @@ impl FlyingAircraft {
         gust: Option<Gust>,
     ) -> Result<Self, AircraftError> {
         let aircraft = model.aircraft;
-        let modes = &air.modes;
-        let flow = model.flow(&trimmed.point);
-        let q_pa = flow.dynamic_pressure_pa();
-        let parts = LoadParts::new(aircraft, modes);
         let gusts = if gust.is_some() { air.gust_x_m.len() } else { 0 };
-        let motions = motions(air, &drives, gusts);
-        let rows = |rows: &Mat<f64>| -> AirRows {
-            let by_pressure = by_pressure(model, rows);
-            let constant = (0..rows.nrows())
-                .map(|i| {
-                    trimmed.box_loads.iter().enumerate().map(|(k, p)| rows[(i, k)] * p).sum::<f64>() / q_pa
-                })
-                .collect();
-            AirRows::new(constant, &motions.mapped(&by_pressure))
-        };
-        let generalised = rows(&generalised_rows(model, modes));
-        let omega_rad_s = modes.elastic_omega_rad_s().to_vec();
-        let eta: Vec<f64> = omega_rad_s
-            .iter()
-            .enumerate()
-            .map(|(mode, omega)| q_pa * generalised.constant[6 + mode] / (omega * omega))
-            .collect();
-        let pitch: f64 = eta
-            .iter()
-            .enumerate()
-            .map(|(i, eta)| eta * modes.elastic_shape(6 * aircraft.centre + 4, i))
-            .sum();
-        let actuator = &aircraft.file.actuator;
-        let held: Vec<f64> = (3..6).map(|row| -q_pa * generalised.constant[row]).collect();
-        let equations = Equations {
-            layout: StateLayout {
-                modes: modes.elastic(),
-                drives: drives.len(),
-                motions: motions.steady.ncols(),
-                poles: motions.poles_per_m.len(),
-            },
-            reference: Reference {
-                v_m_s: flow.v_m_s,
-                alpha_rad: trimmed.alpha_rad - pitch,
-                pitch_rate_rad_s: trimmed.point.pitch_rate_deg_s.to_radians(),
-            },
-            rho_kg_m3: flow.rho_kg_m3,
-            gravity_m_s2: GRAVITY_M_S2,
-            mass_kg: aircraft.mass.mass_kg,
-            inertia: aircraft.mass.inertia_kg_m2,
-            omega_rad_s,
-            damping_ratio: aircraft.wing.damping_ratio,
-            actuator: [TAU * actuator.frequency_hz, actuator.damping_ratio],
-            poles_per_m: motions.poles_per_m.clone(),
-            generalised,
-            hold: Vector3::new(held[0], held[1], held[2]),
-        };
-        let loads = rows(&parts.air);
-        let sensors = Sensors::new((aircraft, modes), (trimmed, &eta), (parts, loads), &equations);
+        let rows = Rows { model, trimmed, motions: motions(air, &drives, gusts) };
+        let generalised = rows.of(&generalised_rows(model, &air.modes));
+        let q_pa = model.flow(&trimmed.point).dynamic_pressure_pa();
+        let amplitude =
+            |(mode, omega): (usize, &f64)| q_pa * generalised.constant[6 + mode] / (omega * omega);
+        let eta: Vec<f64> = air.modes.elastic_omega_rad_s().iter().enumerate().map(amplitude).collect();
+        let equations = equations(&rows, air, &eta, generalised, drives.len());
+        let parts = LoadParts::new(aircraft, &air.modes);
+        let loads = rows.of(&parts.air);
+        let sensors = Sensors::new((aircraft, &air.modes), (trimmed, &eta), (parts, loads), &equations);
         let first = air.gust_x_m.first().copied().unwrap_or(0.0);
         Ok(Self {
             equations,
@@ -134,6 +91,23 @@ impl FlyingAircraft {
         self.sensors.read(&self.equations, state, evaluated)
     }
 
+    /// Histories of the inertial units.
+    fn units(&self, y: &Mat<f64>) -> Vec<UnitHistory> {
+        let row = |at: usize| (0..y.ncols()).map(|k| y[(at, k)]).collect::<Vec<f64>>();
+        let one = |(i, unit): (usize, &Unit)| {
+            let at = Sensors::unit(self.drives.len(), i);
+            UnitHistory {
+                name: unit.name.clone(),
+                deflection_m: row(at),
+                acceleration_m_s2: std::array::from_fn(|axis| row(at + 1 + axis)),
+                rates_deg_s: std::array::from_fn(|axis| {
+                    row(at + 4 + axis).into_iter().map(f64::to_degrees).collect()
+                }),
+            }
+        };
+        self.sensors.units.iter().enumerate().map(one).collect()
+    }
+
     /// Outputs (a column a sample) and commands (rad, a list a drive) as histories.
     pub(crate) fn history(&self, t_s: Vec<f64>, y: &Mat<f64>, commands: &[Vec<f64>]) -> FlightHistory {
         let drives = self.drives.len();
@@ -141,21 +115,7 @@ impl FlyingAircraft {
         let degrees = |values: Vec<f64>| values.into_iter().map(f64::to_degrees).collect::<Vec<f64>>();
         let rows = |at: usize| std::array::from_fn(|i| row(at + i));
         let angles = |at: usize| std::array::from_fn(|i| degrees(row(at + i)));
-        let units: Vec<UnitHistory> = self
-            .sensors
-            .units
-            .iter()
-            .enumerate()
-            .map(|(i, unit)| {
-                let at = Sensors::unit(drives, i);
-                UnitHistory {
-                    name: unit.name.clone(),
-                    deflection_m: row(at),
-                    acceleration_m_s2: rows(at + 1),
-                    rates_deg_s: angles(at + 4),
-                }
-            })
-            .collect();
+        let units = self.units(y);
         let first_load = self.sensors.first_load(drives);
         let part = |part: usize| rows(first_load + 3 * part);
         let tip = &units[self.sensors.outermost];
@@ -164,19 +124,14 @@ impl FlyingAircraft {
             command_deg: degrees(commands[drive].clone()),
             deflection_deg: degrees(row(FIXED + drive)),
         };
-        let surfaces: Vec<SurfaceHistory> = (0..drives).map(surface).collect();
-        let (first, others) = match surfaces.split_first() {
-            Some((first, others)) => (first.clone(), others.to_vec()),
-            None => {
-                let still = vec![0.0; t_s.len()];
-                let none = SurfaceHistory {
-                    command_deg: still.clone(),
-                    deflection_deg: still,
-                    ..SurfaceHistory::default()
-                };
-                (none, Vec::new())
-            }
-        };
+        let mut surfaces = (0..drives).map(surface);
+        let still = || vec![0.0; t_s.len()];
+        let first = surfaces.next().unwrap_or_else(|| SurfaceHistory {
+            name: String::new(),
+            command_deg: still(),
+            deflection_deg: still(),
+        });
+        let others = surfaces.collect();
         let up = &tip.acceleration_m_s2[2];
         let upwards_at_trim = up.first().copied().unwrap_or(0.0);
         FlightHistory {
@@ -203,6 +158,67 @@ impl FlyingAircraft {
             units,
             t_s,
         }
+    }
+}
+
+/// What makes rows of air loads of a trimmed model.
+struct Rows<'a> {
+    model: &'a FlightModel<'a>,
+    trimmed: &'a Trimmed,
+    motions: RationalAir,
+}
+
+impl Rows<'_> {
+    /// Rows by box loads made rows by motions, per unit dynamic pressure.
+    fn of(&self, rows: &Mat<f64>) -> AirRows {
+        let q_pa = self.model.flow(&self.trimmed.point).dynamic_pressure_pa();
+        let loads = self.trimmed.box_loads.iter().enumerate();
+        let at_trim = |i: usize| loads.clone().map(|(k, p)| rows[(i, k)] * p).sum::<f64>() / q_pa;
+        let constant = (0..rows.nrows()).map(at_trim).collect();
+        AirRows::new(constant, &self.motions.mapped(&by_pressure(self.model, rows)))
+    }
+}
+
+/// The equations of a trimmed model; `eta` are the modes' amplitudes in the trim.
+fn equations(
+    rows: &Rows<'_>,
+    air: &FlightAir,
+    eta: &[f64],
+    generalised: AirRows,
+    drives: usize,
+) -> Equations {
+    let (aircraft, trimmed) = (rows.model.aircraft, rows.trimmed);
+    let (modes, flow) = (&air.modes, rows.model.flow(&trimmed.point));
+    let pitch: f64 =
+        eta.iter().enumerate().map(|(i, eta)| eta * modes.elastic_shape(6 * aircraft.centre + 4, i)).sum();
+    let alpha_rad = trimmed.alpha_rad - pitch;
+    // the air's moment in the trim, turned as the equations turn it
+    let q_pa = flow.dynamic_pressure_pa();
+    let moment = Vector3::from_fn(|axis, _| q_pa * generalised.constant[3 + axis]);
+    let turn = UnitQuaternion::from_scaled_axis(Vector3::new(0.0, -alpha_rad, 0.0));
+    let actuator = &aircraft.file.actuator;
+    Equations {
+        layout: StateLayout {
+            modes: modes.elastic(),
+            drives,
+            motions: rows.motions.steady.ncols(),
+            poles: rows.motions.poles_per_m.len(),
+        },
+        reference: Reference {
+            v_m_s: flow.v_m_s,
+            alpha_rad,
+            pitch_rate_rad_s: trimmed.point.pitch_rate_deg_s.to_radians(),
+        },
+        rho_kg_m3: flow.rho_kg_m3,
+        gravity_m_s2: GRAVITY_M_S2,
+        mass_kg: aircraft.mass.mass_kg,
+        inertia: aircraft.mass.inertia_kg_m2,
+        omega_rad_s: modes.elastic_omega_rad_s().to_vec(),
+        damping_ratio: aircraft.wing.damping_ratio,
+        actuator: [TAU * actuator.frequency_hz, actuator.damping_ratio],
+        poles_per_m: rows.motions.poles_per_m.clone(),
+        generalised,
+        hold: -(turn * moment),
     }
 }
 

@@ -115,11 +115,10 @@ fn momentum(aircraft: &Aircraft, modes: &FreeModes) -> Mat<f64> {
 /// What a product of rates makes of the acceleration `omega (omega . r) - omega² r`.
 fn centripetal((i, j): (usize, usize), arm: &Vector3<f64>) -> Vector3<f64> {
     Vector3::from_fn(|axis, _| match (i == j, axis == i, axis == j) {
-        (true, true, _) => 0.0,
         (true, false, _) => -arm[axis],
         (false, true, _) => arm[j],
         (false, _, true) => arm[i],
-        (false, false, false) => 0.0,
+        _ => 0.0,
     })
 }
 

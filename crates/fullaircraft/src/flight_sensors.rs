@@ -8,7 +8,7 @@
 use crate::aircraft::{Aircraft, WingPlaces};
 use crate::flight_equations::{AirRows, Equations, Evaluated};
 use crate::flight_rows::{LoadParts, PRODUCTS};
-use crate::flight_state::{attitude, euler_angles, vector};
+use crate::flight_state::{PLACE, attitude, euler_angles, mode_state, vector};
 use crate::free_modes::FreeModes;
 use crate::trim::Trimmed;
 use faer::Mat;
@@ -97,7 +97,7 @@ impl Sensors {
     pub(crate) fn read(&self, equations: &Equations, state: &[f64], evaluated: &Evaluated) -> Vec<f64> {
         let layout = equations.layout;
         let [v, alpha, beta] = Equations::stream_of(state);
-        let pitch: f64 = self.pitch.iter().enumerate().map(|(i, p)| p * state[layout.mode(i)]).sum();
+        let pitch: f64 = self.pitch.iter().enumerate().map(|(i, p)| p * state[mode_state(i)]).sum();
         let lift = evaluated.q_pa * equations.generalised.at(&evaluated.air)[2];
         let omega = vector(state, 3);
         let mut out = Vec::with_capacity(self.count(layout.drives));
@@ -109,7 +109,7 @@ impl Sensors {
         ]);
         out.extend([-omega.x, omega.y, -omega.z]);
         out.extend(euler_angles(&attitude(state)));
-        out.extend(&state[crate::flight_state::PLACE..crate::flight_state::PLACE + 3]);
+        out.extend(&state[PLACE..PLACE + 3]);
         out.extend((0..layout.drives).map(|drive| state[layout.drive(drive)]));
         for unit in &self.units {
             out.extend(unit.read(equations, state, evaluated));
@@ -156,7 +156,7 @@ impl Unit {
         let of = |shapes: &[Vector3<f64>], value: &dyn Fn(usize) -> f64| {
             shapes.iter().enumerate().map(|(mode, shape)| shape * value(mode)).sum::<Vector3<f64>>()
         };
-        let eta = |mode: usize| state[layout.mode(mode)];
+        let eta = |mode: usize| state[mode_state(mode)];
         let rate = |mode: usize| state[layout.mode_rate(mode)];
         let second = |mode: usize| evaluated.accelerations[6 + mode];
         let a = &evaluated.accelerations;

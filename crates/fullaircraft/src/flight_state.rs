@@ -25,12 +25,8 @@ pub(crate) const PLACE: usize = 10;
 const ELASTIC: usize = 13;
 
 impl StateLayout {
-    pub(crate) fn mode(self, mode: usize) -> usize {
-        ELASTIC + mode
-    }
-
     pub(crate) fn mode_rate(self, mode: usize) -> usize {
-        self.mode(self.modes) + mode
+        mode_state(self.modes) + mode
     }
 
     pub(crate) fn drive(self, drive: usize) -> usize {
@@ -53,29 +49,34 @@ impl StateLayout {
     pub(crate) fn small(self) -> usize {
         self.len() - 1
     }
+}
 
-    /// A state `h` away from `from` in the small state `at`.
-    pub(crate) fn moved(self, from: &[f64], at: usize, h: f64) -> Vec<f64> {
-        let mut state = from.to_vec();
-        match at {
-            first if first < ATTITUDE => state[first] += h,
-            turn if turn < ATTITUDE + 3 => {
-                let vector = Vector3::from_fn(|axis, _| if axis + ATTITUDE == turn { h } else { 0.0 });
-                let turned = attitude(from) * UnitQuaternion::from_scaled_axis(vector);
-                put_attitude(&mut state, &turned);
-            }
-            rest => state[rest + 1] += h,
+/// Where a mode stands.
+pub(crate) fn mode_state(mode: usize) -> usize {
+    ELASTIC + mode
+}
+
+/// A state `h` away from `from` in the small state `at`.
+pub(crate) fn moved(from: &[f64], at: usize, h: f64) -> Vec<f64> {
+    let mut state = from.to_vec();
+    match at {
+        first if first < ATTITUDE => state[first] += h,
+        turn if turn < ATTITUDE + 3 => {
+            let vector = Vector3::from_fn(|axis, _| if axis + ATTITUDE == turn { h } else { 0.0 });
+            let turned = attitude(from) * UnitQuaternion::from_scaled_axis(vector);
+            put_attitude(&mut state, &turned);
         }
-        state
+        rest => state[rest + 1] += h,
     }
+    state
+}
 
-    /// Rates of the small states from those of the full ones; `rates` are the rotation rates against the trim's.
-    pub(crate) fn small_rates(self, derivative: &[f64], rates: &Vector3<f64>) -> Vec<f64> {
-        let mut small = derivative[..ATTITUDE].to_vec();
-        small.extend(rates.iter());
-        small.extend(&derivative[PLACE..]);
-        small
-    }
+/// Rates of the small states from those of the full ones; `rates` are the rotation rates against the trim's.
+pub(crate) fn small_rates(derivative: &[f64], rates: &Vector3<f64>) -> Vec<f64> {
+    let mut small = derivative[..ATTITUDE].to_vec();
+    small.extend(rates.iter());
+    small.extend(&derivative[PLACE..]);
+    small
 }
 
 pub(crate) fn vector(state: &[f64], from: usize) -> Vector3<f64> {

@@ -86,7 +86,7 @@ pub struct StationHistory {
 }
 
 /// Three histories with the heads of their columns.
-fn three<'a>(names: [String; 3], values: &'a [Vec<f64>; 3]) -> impl Iterator<Item = (String, &'a [f64])> {
+fn three(names: [String; 3], values: &[Vec<f64>; 3]) -> impl Iterator<Item = (String, &[f64])> {
     names.into_iter().zip(values.iter().map(Vec::as_slice))
 }
 

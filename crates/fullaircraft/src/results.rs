@@ -3,6 +3,9 @@
 use crate::aircraft::Aircraft;
 use crate::error::AircraftError;
 use crate::flight::FreeFlight;
+use crate::flight_fly::Integration;
+use crate::flight_gust::Gust;
+use crate::flight_model::FlyingAircraft;
 use crate::history::FlightHistory;
 use crate::trim::{FlightModel, Trimmed};
 use crate::unsteady::FlightAir;
@@ -22,6 +25,8 @@ pub struct Flown {
     pub doublet: FlightHistory,
     /// Aileron chirp from `trim`.
     pub chirp: FlightHistory,
+    /// The gust of the aircraft's file from `trim`, without linearisation.
+    pub gust: Option<FlightHistory>,
     /// What to be wary of in the dynamic maneuvers.
     pub warnings: Vec<String>,
 }
@@ -66,6 +71,11 @@ pub struct DynamicNumbers {
     pub peak_tip_rate_deg_s: f64,
     /// Change of the deflection there from trimmed flight.
     pub peak_tip_deflection_change_m: f64,
+    /// Largest load factor.
+    pub peak_load_factor: f64,
+    /// At the right wing's root, the trim included.
+    #[serde(rename = "peak_right_root_Mx_Nm")]
+    pub peak_right_root_mx_nm: f64,
 }
 
 /// One model in numbers.
@@ -81,6 +91,8 @@ pub struct ModelNumbers {
     pub chirp: DynamicNumbers,
     /// Aileron doublet.
     pub doublet: DynamicNumbers,
+    /// Gust.
+    pub gust: Option<DynamicNumbers>,
 }
 
 /// Both models in numbers.
@@ -162,10 +174,21 @@ impl FlightModel<'_> {
             warnings: warnings.into_iter().flatten().collect(),
             doublet: doublet.doublet(&file.doublet),
             chirp: chirp.chirp(&file.chirp),
+            gust: self.fly_gust(air, &trim)?,
             pull_up: self.trim("pull_up", &file.pull_up)?,
             push_down: self.trim("push_down", &file.push_down)?,
             trim,
         })
+    }
+}
+
+impl FlightModel<'_> {
+    /// The gust of the aircraft's file, without linearisation.
+    fn fly_gust(&self, air: &FlightAir, trim: &Trimmed) -> Result<Option<FlightHistory>, AircraftError> {
+        let Some(case) = self.aircraft.file.gust else { return Ok(None) };
+        let gust = Gust { velocity_m_s: case.velocity_m_s, length_m: case.length_m, start_s: case.start_s };
+        let flying = FlyingAircraft::new(self, air, trim, Vec::new(), Some(gust))?;
+        flying.fly(&[], case.duration_s, &Integration::default()).map(Some)
     }
 }
 
@@ -194,6 +217,7 @@ impl Flown {
             push_down: self.push_down.numbers(),
             chirp: DynamicNumbers::of(&self.chirp),
             doublet: DynamicNumbers::of(&self.doublet),
+            gust: self.gust.as_ref().map(DynamicNumbers::of),
         }
     }
 }
@@ -221,6 +245,8 @@ impl DynamicNumbers {
             peak_tip_acceleration_m_s2: FlightHistory::peak(&history.tip_acceleration_m_s2),
             peak_tip_rate_deg_s: rates.fold(0.0, f64::max),
             peak_tip_deflection_change_m: FlightHistory::peak(&change),
+            peak_load_factor: history.load_factor.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+            peak_right_root_mx_nm: FlightHistory::peak(&history.root_right[1]),
         }
     }
 }

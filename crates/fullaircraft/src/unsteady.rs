@@ -168,7 +168,7 @@ impl FlightAir {
             boxes: self.modes.boxes.as_ref().subcols(0, first).to_owned(),
         };
         let rational = RationalAir::quasi_steady(pick(self.steady()), rate);
-        Self { modes, columns, incidence, rational, ..self.clone() }
+        Self { modes, columns, rational, incidence, ..self.clone() }
     }
 
     /// Steady pressures per unit of each column, boxes by columns.

@@ -11,12 +11,12 @@ use maneuver::signals::{Constant, Doublet, OneMinusCosine};
 use nalgebra::{Matrix4, Vector3};
 
 fn trimmed() -> Trimmed {
-    whole().uncorrected().trim("trim", &whole().file.trim).unwrap()
+    whole().uncorrected().trim("trim", &whole().file.trim).expect("the shipped aircraft is trimmed")
 }
 
 fn flying(drives: &[&str], gust: Option<Gust>) -> FlyingAircraft {
-    let drives: Vec<Drive> = drives.iter().map(|name| whole().drive(name).unwrap()).collect();
-    FlyingAircraft::new(&whole().uncorrected(), air(), &trimmed(), drives, gust).unwrap()
+    let drives: Vec<Drive> = drives.iter().map(|name| whole().drive(name).expect("a control")).collect();
+    FlyingAircraft::new(&whole().uncorrected(), air(), &trimmed(), drives, gust).expect("it flies")
 }
 
 fn change(values: &[f64]) -> Vec<f64> {
@@ -82,8 +82,7 @@ fn halved_steps_and_tolerances_change_no_peak_by_a_thousandth() {
     };
     let [coarse, fine] = [coarse, fine].map(|settings| flying.fly(&[&doublet], 1.0, &settings).unwrap());
     let linear = FreeFlight::of(flying);
-    let [half, whole] = [0.0005, 0.001].map(|step: f64| {
-        let samples = (1.0 / step).round() as usize + 1;
+    let [half, whole] = [(0.0005, 2001), (0.001, 1001)].map(|(step, samples)| {
         linear.fly_at(step, &[maneuver::signals::sampled(&doublet, step, samples)], samples)
     });
     for (one, two, kind, limit) in [(&coarse, &fine, "nonlinear", 1e-3), (&whole, &half, "linear", 1e-3)] {
