@@ -15,6 +15,9 @@ impl Fault {
     }
 }
 
+/// Shorter gusts than this are not resolved by the stations at which a gust is known.
+const SHORTEST_GUST_M: f64 = 0.5;
+
 impl AircraftFile {
     /// Refuses numbers that make no sense.
     pub(crate) fn check(&self) -> Result<(), InputError> {
@@ -65,6 +68,15 @@ impl AircraftFile {
             ("chirp.duration_s", self.chirp.duration_s),
         ];
         self.refuse(&durations, history, "0 to 600 s")?;
+        if let Some(gust) = &self.gust {
+            let times = [("gust.start_s", gust.start_s), ("gust.duration_s", gust.duration_s)];
+            self.refuse(&times, history, "0 to 600 s")?;
+            let shortest = |value: f64| value.is_finite() && value >= SHORTEST_GUST_M;
+            self.refuse(&[("gust.length_m", gust.length_m)], shortest, "at least 0.5 m")?;
+            let below = |value: f64| value.abs() <= 0.5 * self.trim.v_m_s;
+            let what = "at most half the airspeed of the trim";
+            self.refuse(&[("gust.velocity_m_s", gust.velocity_m_s)], below, what)?;
+        }
         self.fuselage.check().and(self.htp.check("htp")).and(self.vtp.check("vtp")).map_err(|fault| {
             InputError::in_field(&self.path, &fault.field, fault.message)
                 .with_help("data/tuflex/aircraft.ron explains every field")

@@ -43,6 +43,9 @@ pub struct AircraftFile {
     pub doublet: Doublet,
     /// Aileron chirp.
     pub chirp: Chirp,
+    /// A gust from `trim`; none if the file has none.
+    #[serde(default)]
+    pub gust: Option<GustCase>,
     /// Second-order actuators.
     pub actuator: Actuator,
     /// Highest frequency of elastic modes in dynamic maneuvers, Hz.
@@ -213,6 +216,20 @@ pub struct Chirp {
     /// At the end, Hz.
     pub to_hz: f64,
     /// Length, s.
+    pub duration_s: f64,
+}
+
+/// A vertical one-minus-cosine gust.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct GustCase {
+    /// Largest velocity, upwards, m/s.
+    pub velocity_m_s: f64,
+    /// Length of the wave, m: twice the gradient distance.
+    pub length_m: f64,
+    /// When the nose enters, s.
+    pub start_s: f64,
+    /// Length of the time history, s.
     pub duration_s: f64,
 }
 

@@ -8,11 +8,11 @@ use crate::aircraft_file::FlightPoint;
 use crate::cases_file::{Action, CasesFile};
 use crate::error::AircraftError;
 use crate::flight::FreeFlight;
-use crate::free_modes::FreeModes;
 use crate::history::FlightHistory;
 use crate::trim::FlightModel;
 use crate::trim_case::{TrimAt, TrimTools};
 use crate::trim_maneuvers::Steady;
+use crate::unsteady::FlightAir;
 use crate::{LiftLimits, Trimmed};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -83,8 +83,8 @@ pub struct CaseFlight<'a> {
     pub tools: &'a TrimTools<'a>,
     /// Initial and updated model.
     pub models: [&'a FlightModel<'a>; 2],
-    /// Modes, if a case is dynamic.
-    pub modes: Option<&'a FreeModes>,
+    /// Modes and their air, if a case is dynamic.
+    pub air: Option<&'a FlightAir>,
     /// Lift limits of the section, for warnings.
     pub limits: Option<&'a [LiftLimits]>,
 }
@@ -225,13 +225,13 @@ impl CaseFlight<'_> {
             Action::Steady(_) => return Ok(None),
         };
         let own;
-        let modes = if let Some(modes) = self.modes {
-            modes
+        let air = if let Some(air) = self.air {
+            air
         } else {
-            own = FreeModes::new(model.aircraft)?;
+            own = FlightAir::new(model.aircraft)?;
             &own
         };
-        let flight = FreeFlight::new(model, modes, trimmed, control)?;
+        let flight = FreeFlight::new(model, air, trimmed, control)?;
         warnings.extend(flight.warning(&case.maneuver(), duration_s));
         Ok(match &case.action {
             Action::Chirp(chirp) => Some(flight.chirp(chirp)),

@@ -23,6 +23,14 @@ pub enum AircraftError {
     /// The natural modes cannot be computed.
     #[error("{0}")]
     Modes(#[from] ModesError),
+    /// The integrator of nonlinear flight gave up.
+    #[error("the flight cannot be integrated beyond {t_s:.4} s: {why}")]
+    Flight {
+        /// How far it came, s.
+        t_s: f64,
+        /// What the integrator says.
+        why: String,
+    },
     /// No angle of attack and elevator give this flight.
     #[error("{point} at {v_m_s} m/s and load factor {load_factor} cannot be trimmed: {why}")]
     NotTrimmable {

@@ -1,102 +1,117 @@
-//! Dynamic maneuvers: small motions of the free elastic aircraft about trimmed flight.
+//! Dynamic maneuvers: small motions of the free elastic aircraft in unsteady air about trimmed, straight flight.
 //!
-//! ```text
-//! eta'' + 2 zeta omega eta' + omega^2 eta = (G Phi)ᵀ P,   P = q W S Q (theta + (chord/4 theta' - h')/V + aileron)
-//! ```
-//! eta are the free aircraft's natural modes: six rigid motions and the elastic ones. An actuator of second order stands
-//! between command and aileron.
-//!
-//! What is thin here: the air is quasi-steady (it answers at once, no wake, no apparent mass), which overstates
-//! fast loads; rigid motions are linear (no gravity along the tilted axes, constant speed), which is fair for the one or
-//! two seconds of a doublet and not for a long turn.
+//! The equations of `flight_equations.rs` linearised about the trim, `x' = A x + B u`, `y = y_0 + C x + D u`, by central
+//! differences (the equations are linear but for products of rates, angles and airspeed, so the differences are exact to
+//! rounding), and stepped exactly with inputs that are linear between samples. An actuator of second order stands between
+//! command and surface. [`FlyingAircraft::fly`](crate::FlyingAircraft::fly) flies the same aircraft without the linearisation.
 
-use crate::aircraft::{Aircraft, WingPlaces};
 use crate::aircraft_file::{Chirp, Doublet};
 use crate::error::AircraftError;
-use crate::free_modes::FreeModes;
+use crate::flight_equations::Inputs;
+use crate::flight_gust::Gust;
+use crate::flight_model::FlyingAircraft;
+use crate::flight_state::{self, vector};
 use crate::history::FlightHistory;
 use crate::trim::{FlightModel, Trimmed};
-use faer::{Mat, MatRef};
+use crate::unsteady::FlightAir;
+use faer::Mat;
 use maneuver::{ExactStep, Signal, signals};
 use nalgebra::Vector3;
-use std::f64::consts::TAU;
 
-/// Time step of commands and histories, s.
-pub const TIME_STEP_S: f64 = 0.002;
-/// Rows of the outputs: alpha, deflection, acceleration, three rates, three loads a side.
-const OUTPUTS: usize = 12;
+/// Time step of commands and histories, s: a peak at 13 Hz is then seen within 0.1 %.
+pub const TIME_STEP_S: f64 = 0.001;
+/// Steps of the central differences; states and inputs of ordinary flight are of order one.
+const DIFFERENCE: f64 = 1e-4;
 
-/// A trimmed aircraft, ready to answer one pair of ailerons.
+/// A trimmed aircraft, ready for small motions.
 #[derive(Debug)]
-pub struct FreeFlight<'a> {
-    aircraft: &'a Aircraft,
-    trimmed: &'a Trimmed,
+pub struct FreeFlight {
+    flying: FlyingAircraft,
     a: Mat<f64>,
-    b: Vec<f64>,
-    /// Outputs by state, in the order of [`OUTPUTS`].
-    outputs: Mat<f64>,
+    b: Mat<f64>,
+    c: Mat<f64>,
+    d: Mat<f64>,
+    y_0: Vec<f64>,
 }
 
-/// Box loads per unit of the modes, their velocities and the aileron: two rows a box.
-struct BoxLoads {
-    shape: Mat<f64>,
-    rate: Mat<f64>,
-    aileron: Mat<f64>,
-}
-
-/// What the modes make of the outputs: rows by modes.
-struct Sensors {
-    shape: Mat<f64>,
-    velocity: Mat<f64>,
-    acceleration: Mat<f64>,
-}
-
-impl<'a> FreeFlight<'a> {
-    /// Small motions of `model` about `trimmed`, driven by the pair of ailerons called `control`.
+impl FreeFlight {
+    /// Small motions of `model` about `trimmed`, driven by the control called `control`.
     ///
     /// # Errors
-    /// If there is no such pair.
+    /// If there is no such control.
     pub fn new(
-        model: &FlightModel<'a>,
-        modes: &FreeModes,
-        trimmed: &'a Trimmed,
+        model: &FlightModel<'_>,
+        air: &FlightAir,
+        trimmed: &Trimmed,
         control: &str,
     ) -> Result<Self, AircraftError> {
-        let aircraft = model.aircraft;
-        let loads = box_loads(model, modes, trimmed, aircraft.control_pair(control)?);
-        let (m, n) = (modes.len(), 2 * modes.len() + 2);
-        let generalised = |p: &Mat<f64>| modes.boxes.transpose() * p;
-        let (shape, rate) = (generalised(&loads.shape), generalised(&loads.rate));
-        let aileron = generalised(&loads.aileron);
-        let actuator = &aircraft.file.actuator;
-        let (omega_a, zeta_a) = (TAU * actuator.frequency_hz, actuator.damping_ratio);
-        let mut a = Mat::zeros(n, n);
-        for i in 0..m {
-            let omega = modes.omega_rad_s[i];
-            a[(i, m + i)] = 1.0;
-            for j in 0..m {
-                a[(m + i, j)] = shape[(i, j)];
-                a[(m + i, m + j)] = rate[(i, j)];
+        let drive = model.aircraft.drive(control)?;
+        Ok(Self::of(FlyingAircraft::new(model, air, trimmed, vec![drive], None)?))
+    }
+
+    /// Small motions through a gust.
+    ///
+    /// # Errors
+    /// As [`FlyingAircraft::new`].
+    pub fn in_gust(
+        model: &FlightModel<'_>,
+        air: &FlightAir,
+        trimmed: &Trimmed,
+        gust: Gust,
+    ) -> Result<Self, AircraftError> {
+        Ok(Self::of(FlyingAircraft::new(model, air, trimmed, Vec::new(), Some(gust))?))
+    }
+
+    /// Linearises an aircraft's equations about its trim.
+    pub fn of(flying: FlyingAircraft) -> Self {
+        let equations = &flying.equations;
+        let layout = equations.layout;
+        let at_trim = equations.trimmed();
+        let still = equations.no_inputs();
+        let evaluate = |state: &[f64], inputs: &Inputs| {
+            let evaluated = equations.evaluate(state, inputs);
+            let rates = vector(state, 3) - Vector3::new(0.0, equations.reference.pitch_rate_rad_s, 0.0);
+            (flight_state::small_rates(&evaluated.derivative, &rates), flying.read(state, &evaluated))
+        };
+        let (_, y_0) = evaluate(&at_trim, &still);
+        let (n, outputs, inputs) = (layout.small(), y_0.len(), input_count(&still));
+        let (mut a, mut c) = (Mat::zeros(n, n), Mat::zeros(outputs, n));
+        let (mut b, mut d) = (Mat::zeros(n, inputs), Mat::zeros(outputs, inputs));
+        let slope = |from: &mut Mat<f64>, column: usize, up: &[f64], down: &[f64]| {
+            for i in 0..up.len() {
+                from[(i, column)] = (up[i] - down[i]) / (2.0 * DIFFERENCE);
             }
-            a[(m + i, i)] -= omega * omega;
-            a[(m + i, m + i)] -= 2.0 * aircraft.wing.damping_ratio * omega;
-            a[(m + i, 2 * m)] = aileron[(i, 0)];
+        };
+        for state in 0..n {
+            let [up, down] =
+                [DIFFERENCE, -DIFFERENCE].map(|h| evaluate(&flight_state::moved(&at_trim, state, h), &still));
+            slope(&mut a, state, &up.0, &down.0);
+            slope(&mut c, state, &up.1, &down.1);
         }
-        a[(2 * m, 2 * m + 1)] = 1.0;
-        a[(2 * m + 1, 2 * m)] = -omega_a * omega_a;
-        a[(2 * m + 1, 2 * m + 1)] = -2.0 * zeta_a * omega_a;
-        let mut b = vec![0.0; n];
-        b[2 * m + 1] = omega_a * omega_a;
-        let outputs = outputs(aircraft, modes, trimmed, &loads, &a);
-        Ok(Self { aircraft, trimmed, a, b, outputs })
+        for input in 0..inputs {
+            let [up, down] = [DIFFERENCE, -DIFFERENCE].map(|h| evaluate(&at_trim, &moved(&still, input, h)));
+            slope(&mut b, input, &up.0, &down.0);
+            slope(&mut d, input, &up.1, &down.1);
+        }
+        Self { flying, a, b, c, d, y_0 }
     }
 
     /// Growth rate of the fastest growing motion without input, 1/s: the largest real part of the eigenvalues;
-    /// `None` if they do not converge. Rigid motions that neither grow nor decay count as zero, and come out as
+    /// `None` if they do not converge. Motions that neither grow nor decay count as zero, and come out as
     /// a little more than that because their eigenvalue is a multiple one.
     pub fn growth_rate_per_s(&self) -> Option<f64> {
         let values = self.a.eigenvalues().ok()?;
         Some(values.iter().map(|value| value.re).fold(f64::NEG_INFINITY, f64::max))
+    }
+
+    /// Eigenvalues of small motions, 1/s (real and imaginary part); `None` if they do not converge.
+    pub fn eigenvalues(&self) -> Option<Vec<[f64; 2]>> {
+        Some(self.a.eigenvalues().ok()?.iter().map(|value| [value.re, value.im]).collect())
+    }
+
+    /// Number of states.
+    pub fn states(&self) -> usize {
+        self.a.nrows()
     }
 
     /// A sentence if a motion doubles within `duration_s` without any input: rounding errors then grow, too.
@@ -110,173 +125,101 @@ impl<'a> FreeFlight<'a> {
 
     /// The doublet of the aircraft's file.
     pub fn doublet(&self, doublet: &Doublet) -> FlightHistory {
-        let command = signals::Doublet {
-            height: doublet.amplitude_deg.to_radians(),
-            frequency_hz: doublet.frequency_hz,
-            start_s: doublet.start_s,
-        };
-        self.fly(&samples(doublet.duration_s, &command))
+        self.fly(&samples(doublet.duration_s, &doublet.signal()))
     }
 
     /// The chirp of the aircraft's file.
     pub fn chirp(&self, chirp: &Chirp) -> FlightHistory {
-        let command = signals::Chirp {
-            height: chirp.amplitude_deg.to_radians(),
-            from_hz: chirp.from_hz,
-            to_hz: chirp.to_hz,
-            duration_s: chirp.duration_s,
-            start_s: 0.0,
-        };
-        self.fly(&samples(chirp.duration_s, &command))
+        self.fly(&samples(chirp.duration_s, &chirp.signal()))
     }
 
-    /// The answer to commands (rad, right trailing edge down), one every [`TIME_STEP_S`], linear between.
+    /// The answer to commands of the first drive (rad), one every [`TIME_STEP_S`], linear between.
     pub fn fly(&self, command_rad: &[f64]) -> FlightHistory {
-        let b = Mat::from_fn(self.b.len(), 1, |i, _| self.b[i]);
-        let command = Mat::from_fn(1, command_rad.len(), |_, k| command_rad[k]);
-        let at_rest = vec![0.0; self.a.nrows()];
-        let states = ExactStep::new(self.a.as_ref(), b.as_ref(), TIME_STEP_S).run(&at_rest, command.as_ref());
-        let y = &self.outputs * &states;
-        let at = |row: usize, offset: f64| (0..y.ncols()).map(|k| y[(row, k)] + offset).collect::<Vec<f64>>();
-        let degrees = |values: Vec<f64>| values.into_iter().map(f64::to_degrees).collect::<Vec<f64>>();
-        let trimmed = self.trimmed;
-        let sides = trimmed.root_loads.map(coupling::RootLoads::to_array);
-        let loads = |side: usize| std::array::from_fn(|i| at(6 + 3 * side + i, sides[side][i]));
-        let aileron = self.a.nrows() - 2;
-        FlightHistory {
-            t_s: (0..command_rad.len()).map(|k| k as f64 * TIME_STEP_S).collect(),
-            command_deg: degrees(command_rad.to_vec()),
-            aileron_deg: degrees((0..states.ncols()).map(|k| states[(aileron, k)]).collect()),
-            alpha_deg: degrees(at(0, trimmed.alpha_rad)),
-            tip_deflection_m: at(1, self.aircraft.sensor_deflection(trimmed)),
-            tip_acceleration_m_s2: at(2, 0.0),
-            tip_rates_deg_s: std::array::from_fn(|i| degrees(at(3 + i, 0.0))),
-            root_right: loads(0),
-            root_left: loads(1),
+        self.fly_at(TIME_STEP_S, &[command_rad.to_vec()], command_rad.len())
+    }
+
+    /// The answer to commands (rad, a list a drive; missing ones are zero), one every `time_step_s`, linear between.
+    pub fn fly_at(&self, time_step_s: f64, commands_rad: &[Vec<f64>], samples: usize) -> FlightHistory {
+        let flying = &self.flying;
+        let drives = flying.drives.len();
+        let v = flying.equations.reference.v_m_s;
+        let commands: Vec<Vec<f64>> = (0..drives)
+            .map(|drive| {
+                let given = commands_rad.get(drive);
+                (0..samples).map(|k| given.and_then(|list| list.get(k)).copied().unwrap_or(0.0)).collect()
+            })
+            .collect();
+        let t_s: Vec<f64> = (0..samples).map(|k| k as f64 * time_step_s).collect();
+        let mut inputs = Mat::zeros(self.b.ncols(), samples);
+        for (k, t) in t_s.iter().enumerate() {
+            let at = flying.inputs(commands.iter().map(|list| list[k]).collect(), v * t, v);
+            let values = at.command_rad.iter().chain(&at.gust_m_s).chain(&at.gust_rate_m_s2);
+            values.enumerate().for_each(|(row, value)| inputs[(row, k)] = *value);
         }
+        let at_rest = vec![0.0; self.a.nrows()];
+        let mut y = ExactStep::new(self.a.as_ref(), self.b.as_ref(), time_step_s).outputs(
+            &at_rest,
+            inputs.as_ref(),
+            self.c.as_ref(),
+            self.d.as_ref(),
+        );
+        for k in 0..samples {
+            for (row, from) in self.y_0.iter().enumerate() {
+                y[(row, k)] += from;
+            }
+            // the place counts from the trim's, which moves on
+            y[(crate::flight_sensors::FIXED - 3, k)] -= v * t_s[k];
+        }
+        flying.history(t_s, &y, &commands)
     }
 }
 
-impl Aircraft {
-    /// Height of the right tip's accelerometer over the plane of the centre in trimmed flight, m: carried rigidly
-    /// by the tip-side spline node it is tied to.
-    pub fn sensor_deflection(&self, trimmed: &Trimmed) -> f64 {
-        let Some(held) = &self.flow.supported else { return 0.0 };
-        let points = self.free.points();
-        let at = points[self.right.sensor];
-        let used: Vec<usize> = held.s_dofs.iter().filter(|dof| **dof % 6 == 2).map(|dof| dof / 6).collect();
-        let near = used
-            .into_iter()
-            .filter(|node| self.right.nodes.contains(node))
-            .min_by(|a, b| (points[*a] - at).norm().total_cmp(&(points[*b] - at).norm()));
-        let Some(node) = near else { return 0.0 };
-        let part = |component: usize| {
-            held.s_dofs.binary_search(&(6 * node + component)).map_or(0.0, |at| trimmed.displacement[at])
-        };
-        let arm = at - points[node];
-        part(2) + part(3) * arm.y - part(4) * arm.x
+fn input_count(inputs: &Inputs) -> usize {
+    inputs.command_rad.len() + 2 * inputs.gust_m_s.len()
+}
+
+/// Inputs with one of them moved by h.
+fn moved(inputs: &Inputs, at: usize, h: f64) -> Inputs {
+    let mut moved = inputs.clone();
+    let Inputs { command_rad, gust_m_s, gust_rate_m_s2 } = &mut moved;
+    if let Some(value) = command_rad.iter_mut().chain(gust_m_s).chain(gust_rate_m_s2).nth(at) {
+        *value += h;
     }
+    moved
 }
 
 /// Samples of a command.
-fn samples(duration_s: f64, command: &dyn Signal) -> Vec<f64> {
+pub(crate) fn samples(duration_s: f64, command: &dyn Signal) -> Vec<f64> {
+    signals::sampled(command, TIME_STEP_S, count(duration_s))
+}
+
+/// Number of samples of a duration.
+pub(crate) fn count(duration_s: f64) -> usize {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the file allows 0 to 600 s")]
-    let count = (duration_s / TIME_STEP_S).round() as usize + 1;
-    signals::sampled(command, TIME_STEP_S, count)
+    let steps = (duration_s / TIME_STEP_S).round() as usize;
+    steps + 1
 }
 
-fn box_loads(model: &FlightModel<'_>, modes: &FreeModes, trimmed: &Trimmed, pair: [usize; 2]) -> BoxLoads {
-    let flow = model.flow(&trimmed.point);
-    let wing = &model.aircraft.flow;
-    let loads =
-        |cp: MatRef<'_, f64>| wing.k_loads_of_pressures(flow.dynamic_pressure_pa(), cp, &model.corrections);
-    let cp_rate = Mat::from_fn(modes.cp_rate.nrows(), modes.len(), |j, i| modes.cp_rate[(j, i)] / flow.v_m_s);
-    let controls = wing.pressures_by_control();
-    let antisymmetric =
-        Mat::from_fn(wing.lattice.len(), 1, |j, _| controls[(j, pair[0])] - controls[(j, pair[1])]);
-    BoxLoads {
-        shape: loads(modes.cp_shape.as_ref()),
-        rate: loads(cp_rate.as_ref()),
-        aileron: loads(antisymmetric.as_ref()),
-    }
-}
-
-/// Outputs by state: modes, velocities, aileron and its rate; accelerations are those of the state equation.
-fn outputs(
-    aircraft: &Aircraft,
-    modes: &FreeModes,
-    trimmed: &Trimmed,
-    loads: &BoxLoads,
-    a: &Mat<f64>,
-) -> Mat<f64> {
-    let (m, n) = (modes.len(), a.nrows());
-    let sensors = sensors(aircraft, modes, trimmed.point.v_m_s, loads);
-    let mut rows = &sensors.acceleration * a.as_ref().submatrix(m, 0, m, n);
-    for row in 0..OUTPUTS {
-        for i in 0..m {
-            rows[(row, i)] += sensors.shape[(row, i)];
-            rows[(row, m + i)] += sensors.velocity[(row, i)];
+impl Doublet {
+    /// The command, rad.
+    pub fn signal(&self) -> signals::Doublet {
+        signals::Doublet {
+            height: self.amplitude_deg.to_radians(),
+            frequency_hz: self.frequency_hz,
+            start_s: self.start_s,
         }
     }
-    for (side, wing) in [&aircraft.right, &aircraft.left].into_iter().enumerate() {
-        let aileron = aircraft.wing_root_rows(wing) * &loads.aileron;
-        for i in 0..3 {
-            rows[(6 + 3 * side + i, 2 * m)] += aileron[(i, 0)];
-        }
-    }
-    rows
 }
 
-fn sensors(aircraft: &Aircraft, modes: &FreeModes, v_m_s: f64, loads: &BoxLoads) -> Sensors {
-    let m = modes.len();
-    let zeros = || Mat::<f64>::zeros(OUTPUTS, m);
-    let (mut by_mode, mut by_velocity, mut by_acceleration) = (zeros(), zeros(), zeros());
-    let (centre, sensor) = (aircraft.centre, aircraft.right.sensor);
-    let arm = aircraft.free.points()[sensor] - aircraft.free.points()[centre];
-    for i in 0..m {
-        let part =
-            |node: usize, from: usize| Vector3::from_fn(|axis, _| modes.shapes[(6 * node + from + axis, i)]);
-        let (moved, turned) = (part(centre, 0), part(centre, 3));
-        by_mode[(0, i)] = turned.y;
-        by_velocity[(0, i)] = -moved.z / v_m_s;
-        by_mode[(1, i)] = (part(sensor, 0) - moved - turned.cross(&arm)).z;
-        by_acceleration[(2, i)] = part(sensor, 0).z;
-        let rates = part(sensor, 3);
-        for (axis, rate) in [-rates.x, rates.y, -rates.z].into_iter().enumerate() {
-            by_velocity[(3 + axis, i)] = rate;
-        }
-    }
-    let momentum = aircraft.free.inertia_loads(modes.shapes.as_ref());
-    for (side, wing) in [&aircraft.right, &aircraft.left].into_iter().enumerate() {
-        add_root_loads(
-            aircraft,
-            wing,
-            6 + 3 * side,
-            loads,
-            [&mut by_mode, &mut by_velocity, &mut by_acceleration],
-            &momentum,
-        );
-    }
-    Sensors { shape: by_mode, velocity: by_velocity, acceleration: by_acceleration }
-}
-
-/// Root loads of a wing into rows from `first` on: air loads by mode and velocity, minus inertia by acceleration.
-fn add_root_loads(
-    aircraft: &Aircraft,
-    wing: &WingPlaces,
-    first: usize,
-    loads: &BoxLoads,
-    [by_mode, by_velocity, by_acceleration]: [&mut Mat<f64>; 3],
-    momentum: &Mat<f64>,
-) {
-    let rows = aircraft.wing_root_rows(wing);
-    let (shape, rate) = (&rows * &loads.shape, &rows * &loads.rate);
-    let inertia = aircraft.wing_nodal_loads(wing, momentum.as_ref());
-    for row in 0..3 {
-        for i in 0..inertia.ncols() {
-            by_mode[(first + row, i)] = shape[(row, i)];
-            by_velocity[(first + row, i)] = rate[(row, i)];
-            by_acceleration[(first + row, i)] = -inertia[(row, i)];
+impl Chirp {
+    /// The command, rad.
+    pub fn signal(&self) -> signals::Chirp {
+        signals::Chirp {
+            height: self.amplitude_deg.to_radians(),
+            from_hz: self.from_hz,
+            to_hz: self.to_hz,
+            duration_s: self.duration_s,
+            start_s: 0.0,
         }
     }
 }

@@ -1,9 +1,12 @@
-//! The free aircraft in its natural modes: six rigid motions and the elastic ones up to a frequency, with the pressures
-//! each of them causes by its shape and by its velocity.
+//! The free aircraft in its natural modes: six rigid motions and the elastic ones up to a frequency.
+//!
+//! Elastic modes are made orthogonal to the rigid motions of the mass matrix to round-off, beyond what the eigensolver
+//! leaves: the mean axes, in which rigid and elastic motion have no common momentum.
 
 use crate::aircraft::Aircraft;
 use crate::error::AircraftError;
 use faer::Mat;
+use faer::linalg::solvers::Solve;
 use std::f64::consts::TAU;
 use structure::{count_below, normal_modes};
 
@@ -16,36 +19,33 @@ pub struct FreeModes {
     pub shapes: Mat<f64>,
     /// Displacements of the boxes (h and theta, two rows a box).
     pub boxes: Mat<f64>,
-    /// Pressure coefficients per unit of the mode: of the boxes' incidence theta.
-    pub cp_shape: Mat<f64>,
-    /// Pressure coefficients per unit of the mode's velocity, times V: of the incidence `chord/4 theta' - h'`.
-    pub cp_rate: Mat<f64>,
 }
 
 impl FreeModes {
-    /// Computes the modes and their pressures.
+    /// A free structure has six rigid motions: column of the first elastic mode.
+    pub const FIRST_ELASTIC: usize = 6;
+
+    /// Computes the modes.
     ///
     /// # Errors
     /// If the modes do not converge.
     pub fn new(aircraft: &Aircraft) -> Result<Self, AircraftError> {
         let system = &aircraft.free;
-        let count = count_below(system, TAU * aircraft.file.modes_up_to_hz)?.max(RIGID);
+        let count = count_below(system, TAU * aircraft.file.modes_up_to_hz)?.max(Self::FIRST_ELASTIC);
         let modes = normal_modes(system, count)?;
-        let shapes = system.expand(modes.shapes.as_ref());
+        let mut shapes = system.expand(modes.shapes.as_ref());
+        let rigid = system.rigid_body(&aircraft.mass.centre);
+        let momentum = system.inertia_loads(rigid.as_ref());
+        let mass = rigid.transpose() * &momentum;
+        let elastic = shapes.as_ref().subcols(Self::FIRST_ELASTIC, count - Self::FIRST_ELASTIC).to_owned();
+        let share = mass.partial_piv_lu().solve(momentum.transpose() * &elastic);
+        let free_of_momentum = elastic - &rigid * share;
+        shapes
+            .as_mut()
+            .subcols_mut(Self::FIRST_ELASTIC, count - Self::FIRST_ELASTIC)
+            .copy_from(&free_of_momentum);
         let boxes = aircraft.spline.displace(shapes.as_ref());
-        let lattice = &aircraft.flow.lattice;
-        let theta = Mat::from_fn(lattice.len(), count, |j, mode| boxes[(2 * j + 1, mode)]);
-        // The incidence is taken at the three-quarter point, a quarter of the chord behind the midpoint.
-        let rate = Mat::from_fn(lattice.len(), count, |j, mode| {
-            lattice.boxes[j].chord_m() / 4.0 * boxes[(2 * j + 1, mode)] - boxes[(2 * j, mode)]
-        });
-        Ok(Self {
-            omega_rad_s: modes.omega_rad_s,
-            cp_shape: aircraft.flow.pressures(theta.as_ref()),
-            cp_rate: aircraft.flow.pressures(rate.as_ref()),
-            shapes,
-            boxes,
-        })
+        Ok(Self { omega_rad_s: modes.omega_rad_s, shapes, boxes })
     }
 
     /// Natural frequencies, Hz.
@@ -53,16 +53,23 @@ impl FreeModes {
         self.omega_rad_s.iter().map(|omega| omega / TAU).collect()
     }
 
-    /// Number of modes.
-    pub fn len(&self) -> usize {
-        self.omega_rad_s.len()
+    /// Number of elastic modes.
+    pub fn elastic(&self) -> usize {
+        self.omega_rad_s.len() - Self::FIRST_ELASTIC
     }
 
-    /// True if there are none.
-    pub fn is_empty(&self) -> bool {
-        self.omega_rad_s.is_empty()
+    /// Natural frequencies of the elastic modes, rad/s.
+    pub fn elastic_omega_rad_s(&self) -> &[f64] {
+        &self.omega_rad_s[Self::FIRST_ELASTIC..]
+    }
+
+    /// Entry of an elastic mode in the g-set.
+    pub fn elastic_shape(&self, dof: usize, mode: usize) -> f64 {
+        self.shapes[(dof, Self::FIRST_ELASTIC + mode)]
+    }
+
+    /// Shapes of the elastic modes in the g-set.
+    pub fn elastic_shapes(&self) -> Mat<f64> {
+        self.shapes.as_ref().subcols(Self::FIRST_ELASTIC, self.elastic()).to_owned()
     }
 }
-
-/// A free structure has six rigid motions.
-const RIGID: usize = 6;

@@ -4,9 +4,12 @@ use crate::aircraft::Aircraft;
 use crate::derivatives::Derivatives;
 use crate::error::AircraftError;
 use crate::flight::FreeFlight;
-use crate::free_modes::FreeModes;
+use crate::flight_fly::Integration;
+use crate::flight_gust::Gust;
+use crate::flight_model::FlyingAircraft;
 use crate::history::FlightHistory;
 use crate::trim::{FlightModel, Trimmed};
+use crate::unsteady::FlightAir;
 use aero::Corrections;
 use serde::Serialize;
 
@@ -25,6 +28,8 @@ pub struct Flown {
     pub chirp: FlightHistory,
     /// Stability and control derivatives at the airspeed of `trim`.
     pub derivatives: Derivatives,
+    /// The gust of the aircraft's file from `trim`, without linearisation.
+    pub gust: Option<FlightHistory>,
     /// What to be wary of in the dynamic maneuvers.
     pub warnings: Vec<String>,
 }
@@ -69,6 +74,11 @@ pub struct DynamicNumbers {
     pub peak_tip_rate_deg_s: f64,
     /// Change of the deflection there from trimmed flight.
     pub peak_tip_deflection_change_m: f64,
+    /// Largest load factor.
+    pub peak_load_factor: f64,
+    /// At the right wing's root, the trim included.
+    #[serde(rename = "peak_right_root_Mx_Nm")]
+    pub peak_right_root_mx_nm: f64,
 }
 
 /// One model in numbers.
@@ -84,6 +94,8 @@ pub struct ModelNumbers {
     pub chirp: DynamicNumbers,
     /// Aileron doublet.
     pub doublet: DynamicNumbers,
+    /// Gust.
+    pub gust: Option<DynamicNumbers>,
 }
 
 /// Both models in numbers.
@@ -133,9 +145,9 @@ impl Aircraft {
     /// # Errors
     /// If a point cannot be trimmed, a control is not there, or the corrections have the wrong length.
     pub fn compare(&self, wing: &Corrections) -> Result<Comparison, AircraftError> {
-        let modes = FreeModes::new(self)?;
-        let initial = self.uncorrected().fly_all(&modes)?;
-        let updated = self.with_corrections(wing)?.fly_all(&modes)?;
+        let air = FlightAir::new(self)?;
+        let initial = self.uncorrected().fly_all(&air)?;
+        let updated = self.with_corrections(wing)?.fly_all(&air)?;
         let limits = self.file.lift_limits()?;
         let mut warnings = self.warnings();
         for (model, flown) in [("initial", &initial), ("updated", &updated)] {
@@ -146,7 +158,7 @@ impl Aircraft {
             }
             warnings.extend(flown.warnings.iter().map(|warning| format!("{model}, {warning}")));
         }
-        Ok(Comparison { initial, updated, frequencies_hz: modes.frequencies_hz(), warnings })
+        Ok(Comparison { initial, updated, frequencies_hz: air.modes.frequencies_hz(), warnings })
     }
 
     /// Sentences about flight points that contradict themselves.
@@ -162,24 +174,36 @@ impl FlightModel<'_> {
     ///
     /// # Errors
     /// If a point cannot be trimmed or a control is not there.
-    pub fn fly_all(&self, modes: &FreeModes) -> Result<Flown, AircraftError> {
+    pub fn fly_all(&self, air: &FlightAir) -> Result<Flown, AircraftError> {
         let file = &self.aircraft.file;
         let trim = self.trim("trim", &file.trim)?;
-        let doublet = FreeFlight::new(self, modes, &trim, &file.doublet.control)?;
-        let chirp = FreeFlight::new(self, modes, &trim, &file.chirp.control)?;
+        let doublet = FreeFlight::new(self, air, &trim, &file.doublet.control)?;
+        let chirp = FreeFlight::new(self, air, &trim, &file.chirp.control)?;
         let warnings = [
             doublet.warning("doublet", file.doublet.duration_s),
             chirp.warning("chirp", file.chirp.duration_s),
+            air.warning(file.trim.v_m_s),
         ];
         Ok(Flown {
             warnings: warnings.into_iter().flatten().collect(),
             derivatives: self.derivatives(file.trim.v_m_s)?,
             doublet: doublet.doublet(&file.doublet),
             chirp: chirp.chirp(&file.chirp),
+            gust: self.fly_gust(air, &trim)?,
             pull_up: self.trim("pull_up", &file.pull_up)?,
             push_down: self.trim("push_down", &file.push_down)?,
             trim,
         })
+    }
+}
+
+impl FlightModel<'_> {
+    /// The gust of the aircraft's file, without linearisation.
+    fn fly_gust(&self, air: &FlightAir, trim: &Trimmed) -> Result<Option<FlightHistory>, AircraftError> {
+        let Some(case) = self.aircraft.file.gust else { return Ok(None) };
+        let gust = Gust { velocity_m_s: case.velocity_m_s, length_m: case.length_m, start_s: case.start_s };
+        let flying = FlyingAircraft::new(self, air, trim, Vec::new(), Some(gust))?;
+        flying.fly(&[], case.duration_s, &Integration::default()).map(Some)
     }
 }
 
@@ -212,6 +236,7 @@ impl Flown {
             push_down: self.push_down.numbers(),
             chirp: DynamicNumbers::of(&self.chirp),
             doublet: DynamicNumbers::of(&self.doublet),
+            gust: self.gust.as_ref().map(DynamicNumbers::of),
         }
     }
 }
@@ -239,6 +264,8 @@ impl DynamicNumbers {
             peak_tip_acceleration_m_s2: FlightHistory::peak(&history.tip_acceleration_m_s2),
             peak_tip_rate_deg_s: rates.fold(0.0, f64::max),
             peak_tip_deflection_change_m: FlightHistory::peak(&change),
+            peak_load_factor: history.load_factor.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+            peak_right_root_mx_nm: FlightHistory::peak(&history.root_right[1]),
         }
     }
 }

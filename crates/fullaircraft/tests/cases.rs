@@ -14,7 +14,7 @@ fn shipped() -> CasesFile {
 
 fn fly(cases: &[Case], tools: &TrimTools<'_>) -> Vec<CaseResult> {
     let (initial, updated) = (tools.aircraft.uncorrected(), tools.aircraft.uncorrected());
-    let flight = CaseFlight { tools, models: [&initial, &updated], modes: None, limits: None };
+    let flight = CaseFlight { tools, models: [&initial, &updated], air: None, limits: None };
     let mut results = Vec::new();
     for group in groups(cases) {
         let mut keep = |_: &Case, result: CaseResult| {

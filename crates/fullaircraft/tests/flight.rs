@@ -2,15 +2,14 @@
 
 mod common;
 
-use common::{assert_near, whole, wings};
-use fullaircraft::{FlightHistory, FreeFlight, FreeModes};
+use common::{air, assert_near, whole, wings};
+use fullaircraft::{FlightAir, FlightHistory, FreeFlight};
 
 #[test]
 fn without_input_nothing_moves() {
     let (aircraft, model) = (whole(), whole().uncorrected());
     let trimmed = model.trim("trim", &aircraft.file.trim).unwrap();
-    let modes = FreeModes::new(aircraft).unwrap();
-    let history = FreeFlight::new(&model, &modes, &trimmed, "outer").unwrap().fly(&[0.0; 200]);
+    let history = FreeFlight::new(&model, air(), &trimmed, "outer").unwrap().fly(&[0.0; 200]);
     assert!(
         history
             .tip_acceleration_m_s2
@@ -29,8 +28,7 @@ fn without_input_nothing_moves() {
 fn an_antisymmetric_doublet_rolls_the_aircraft_and_leaves_symmetric_motion_alone() {
     let (aircraft, model) = (whole(), whole().uncorrected());
     let trimmed = model.trim("trim", &aircraft.file.trim).unwrap();
-    let modes = FreeModes::new(aircraft).unwrap();
-    let flight = FreeFlight::new(&model, &modes, &trimmed, &aircraft.file.doublet.control).unwrap();
+    let flight = FreeFlight::new(&model, air(), &trimmed, &aircraft.file.doublet.control).unwrap();
     let history = flight.doublet(&aircraft.file.doublet);
     let change = |values: &[f64]| values.iter().map(|v| v - values[0]).collect::<Vec<f64>>();
     assert!(FlightHistory::peak(&change(&history.alpha_deg)) < 1e-6);
@@ -51,14 +49,13 @@ fn a_steady_aileron_gives_the_roll_rate_at_which_roll_damping_balances_it() {
     // with it no inertia in the root loads, while the roll rate stays.
     let (aircraft, model) = (whole(), whole().uncorrected());
     let trimmed = model.trim("trim", &aircraft.file.trim).unwrap();
-    let modes = FreeModes::new(aircraft).unwrap();
-    let flight = FreeFlight::new(&model, &modes, &trimmed, "outer").unwrap();
-    let history = flight.fly(&vec![0.02; 600]);
-    let (k, roll) = (599, &history.tip_rates_deg_s[0]);
+    let flight = FreeFlight::new(&model, air(), &trimmed, "outer").unwrap();
+    let history = flight.fly(&vec![0.02; 1200]);
+    let (k, roll) = (1199, &history.tip_rates_deg_s[0]);
     assert!(roll[k] < 0.0, "right wing up: {}", roll[k]);
-    let per_s = (roll[k] - roll[k - 100]).abs() / roll[k].abs() / 0.2;
+    let per_s = (roll[k] - roll[k - 200]).abs() / roll[k].abs() / 0.2;
     assert!(per_s < 0.2, "the roll rate still changes by {per_s} of itself per second");
-    let twice = flight.fly(&vec![0.04; 600]);
+    let twice = flight.fly(&vec![0.04; 1200]);
     assert_near("linearity", twice.tip_rates_deg_s[0][k], 2.0 * roll[k], 1e-9);
 }
 
@@ -66,8 +63,7 @@ fn a_steady_aileron_gives_the_roll_rate_at_which_roll_damping_balances_it() {
 fn a_control_that_is_not_there_is_named_with_those_that_are() {
     let (aircraft, model) = (whole(), whole().uncorrected());
     let trimmed = model.trim("trim", &aircraft.file.trim).unwrap();
-    let modes = FreeModes::new(aircraft).unwrap();
-    let error = FreeFlight::new(&model, &modes, &trimmed, "outr").unwrap_err().to_string();
+    let error = FreeFlight::new(&model, air(), &trimmed, "outr").unwrap_err().to_string();
     assert!(error.contains("outr") && error.contains("L_outer"), "{error}");
 }
 
@@ -75,17 +71,16 @@ fn a_control_that_is_not_there_is_named_with_those_that_are() {
 fn the_tail_makes_the_aircraft_stable() {
     // The centre of gravity (0.40 m) lies behind the aerodynamic centre of the wings (0.368 m, independent program), so
     // wings alone must diverge in pitch within a second or so; the tail is sized to prevent that.
-    let growth = |aircraft: &fullaircraft::Aircraft| {
+    let growth = |aircraft: &fullaircraft::Aircraft, air: &FlightAir| {
         let model = aircraft.uncorrected();
         let trimmed = model.trim("trim", &aircraft.file.trim).unwrap();
-        let modes = FreeModes::new(aircraft).unwrap();
-        let flight = FreeFlight::new(&model, &modes, &trimmed, "outer").unwrap();
+        let flight = FreeFlight::new(&model, air, &trimmed, "outer").unwrap();
         (flight.growth_rate_per_s().unwrap(), flight.warning("doublet", 2.0))
     };
-    let (alone, warning) = growth(wings());
+    let (alone, warning) = growth(wings(), &FlightAir::new(wings()).unwrap());
     assert!(alone > 1.0, "{alone}");
     assert!(warning.unwrap().contains("unstable"));
-    let (whole, warning) = growth(whole());
+    let (whole, warning) = growth(whole(), air());
     assert!(whole < 0.1 * alone, "{whole}");
     assert_eq!(warning, None);
 }

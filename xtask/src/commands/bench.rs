@@ -8,7 +8,7 @@ use coupling::{ElasticWing, WingFile};
 use serde_json::{Value, json};
 
 use crate::args::{BenchArgs, Common};
-use crate::commands::{bench_chirp, bench_dlm, bench_general, bench_structure, bench_trim};
+use crate::commands::{bench_aircraft, bench_chirp, bench_dlm, bench_general, bench_structure, bench_trim};
 use crate::corrections::{campaign_path, wing_path};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
@@ -23,6 +23,7 @@ const GENERAL: Duration = Duration::from_secs(30);
 pub(crate) fn run(args: &BenchArgs, common: &Common) -> Result<(), Failure> {
     // First, while the process is small and in the order of their size: these rows tell their peak of memory.
     let mut rows = vec![doublets(&bench_dlm::aircraft()?, args)?];
+    rows.extend(bench_aircraft::rows()?);
     rows.extend(bench_structure::rows(&WingFile::read(&wing_path(None))?)?);
     let (file, wing) = ElasticWing::read(&wing_path(None))?;
     let campaign = Campaign::read(&campaign_path(None))?;
@@ -153,5 +154,7 @@ fn summary(rows: &[Value]) -> String {
     } else {
         "PanelAero is not there, so the doublet lattice stands alone; --peer-python names a Python that has it.\n"
     };
-    format!("{table}\n{alone}Median of {REPEATS} runs after one to warm up; meshes and the peer run once.\n")
+    format!(
+        "{table}\n{alone}Median of {REPEATS} runs after one to warm up; meshes, the aircraft and the peer run once.\n"
+    )
 }

@@ -24,7 +24,7 @@ pub(crate) fn rows() -> Result<Vec<Value>, Failure> {
     let seconds = median(|| {
         let tools = TrimTools::new(&aircraft, &stations)?;
         let (initial, updated) = (aircraft.uncorrected(), aircraft.uncorrected());
-        let flight = CaseFlight { tools: &tools, models: [&initial, &updated], modes: None, limits: None };
+        let flight = CaseFlight { tools: &tools, models: [&initial, &updated], air: None, limits: None };
         groups(&cases).par_iter().try_for_each(|group| {
             flight.fly(group, &mut |_: &Case, result: CaseResult| match result.refused {
                 Some(why) => Err(Failure::Computation(why)),

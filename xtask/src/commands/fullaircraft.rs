@@ -38,6 +38,8 @@ pub(crate) struct Prepared {
     /// Where they come from, in words.
     pub(crate) origin: String,
 }
+/// Samples of a history to a row of its file: 500 rows a second.
+const CSV_EVERY: usize = 2;
 
 /// Runs the command.
 pub(crate) fn run(args: &FullaircraftArgs, common: &Common) -> Result<(), Failure> {
@@ -102,8 +104,11 @@ fn write(
 ) -> Result<PathBuf, Failure> {
     let folder = ResultFolder::begin(&common.out("fullaircraft"))?;
     for (model, flown) in [("initial", &comparison.initial), ("updated", &comparison.updated)] {
-        folder.write_text(&format!("doublet_{model}.csv"), &flown.doublet.csv())?;
-        folder.write_text(&format!("chirp_{model}.csv"), &flown.chirp.csv())?;
+        let histories =
+            [("doublet", Some(&flown.doublet)), ("chirp", Some(&flown.chirp)), ("gust", flown.gust.as_ref())];
+        for (name, history) in histories.into_iter().filter_map(|(name, history)| Some((name, history?))) {
+            folder.write_text(&format!("{name}_{model}.csv"), &history.csv_every(CSV_EVERY))?;
+        }
         for (name, trimmed) in
             [("trim", &flown.trim), ("pull_up", &flown.pull_up), ("push_down", &flown.push_down)]
         {
@@ -161,6 +166,18 @@ fn table(summary: &Summary) -> report::Table {
             "    peak tip rate (deg/s)".to_owned(),
             format!("{:.1}", before.peak_tip_rate_deg_s),
             format!("{:.1}", after.peak_tip_rate_deg_s),
+        ]);
+    }
+    if let (Some(before), Some(after)) = (&initial.gust, &updated.gust) {
+        table.row([
+            "gust: largest load factor".to_owned(),
+            format!("{:.2}", before.peak_load_factor),
+            format!("{:.2}", after.peak_load_factor),
+        ]);
+        table.row([
+            "    largest right root Mx (N m)".to_owned(),
+            format!("{:.1}", before.peak_right_root_mx_nm),
+            format!("{:.1}", after.peak_right_root_mx_nm),
         ]);
     }
     table

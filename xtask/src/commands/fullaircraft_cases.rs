@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use fullaircraft::cases::{MODELS, groups};
 use fullaircraft::cases_envelope::{Extreme, LOADS, cases_csv, envelope_csv, load_envelope};
-use fullaircraft::{Case, CaseFlight, CaseResult, CasesFile, FreeModes, TrimTools};
+use fullaircraft::{Case, CaseFlight, CaseResult, CasesFile, FlightAir, TrimTools};
 use nastran::InputError;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -48,7 +48,7 @@ pub(crate) fn run(path: &Path, args: &FullaircraftArgs, common: &Common) -> Resu
     let target = common.out("fullaircraft_cases");
     check_replaceable(&target)?;
     let file = CasesFile::read(path)?;
-    let Prepared { aircraft, corrections, origin } = prepared(args, common)?;
+    let Prepared { aircraft, corrections, origin, .. } = prepared(args, common)?;
     let tools = TrimTools::new(&aircraft, &file.stations).map_err(|error| in_file(error.into(), &file))?;
     let models = [aircraft.uncorrected(), aircraft.with_corrections(&corrections)?];
     let limits = aircraft.file.lift_limits()?;
@@ -62,11 +62,11 @@ pub(crate) fn run(path: &Path, args: &FullaircraftArgs, common: &Common) -> Resu
         .filter(|(_, found)| found.is_none())
         .map(|(case, _)| case.clone())
         .collect();
-    let modes = if missing.iter().any(Case::is_dynamic) { Some(FreeModes::new(&aircraft)?) } else { None };
+    let air = if missing.iter().any(Case::is_dynamic) { Some(FlightAir::new(&aircraft)?) } else { None };
     let flight = CaseFlight {
         tools: &tools,
         models: [&models[0], &models[1]],
-        modes: modes.as_ref(),
+        air: air.as_ref(),
         limits: limits.as_deref(),
     };
     let flown = fly(&flight, &missing, &store, common).map_err(|failure| in_file(failure, &file))?;

@@ -10,13 +10,47 @@ pub(crate) fn all(
     comparison: &Comparison,
 ) -> Result<Vec<(&'static str, String)>, DrawError> {
     let (initial, updated) = (&comparison.initial, &comparison.updated);
-    Ok(vec![
+    let mut all = vec![
         ("pull_up.svg", shapes(aircraft, "Pull-up", &initial.pull_up, &updated.pull_up)?),
         ("push_down.svg", shapes(aircraft, "Push-down", &initial.push_down, &updated.push_down)?),
-        ("doublet.svg", histories("Aileron doublet in free flight", &initial.doublet, &updated.doublet)?),
-        ("chirp.svg", histories("Aileron chirp in free flight", &initial.chirp, &updated.chirp)?),
-    ])
+        (
+            "doublet.svg",
+            histories("Aileron doublet in free flight", &initial.doublet, &updated.doublet, &ROLLING)?,
+        ),
+        ("chirp.svg", histories("Aileron chirp in free flight", &initial.chirp, &updated.chirp, &ROLLING)?),
+    ];
+    if let (Some(before), Some(after)) = (&initial.gust, &updated.gust) {
+        all.push(("gust.svg", histories("Vertical gust in free flight", before, after, &PITCHING)?));
+    }
+    Ok(all)
 }
+
+/// A panel's label and its history.
+type Quantity = (&'static str, fn(&FlightHistory) -> &Vec<f64>);
+
+/// What an antisymmetric maneuver shows.
+const ROLLING: [Quantity; 8] = [
+    ("aileron (deg)", |h| &h.aileron_deg),
+    ("angle of attack (deg)", |h| &h.alpha_deg),
+    ("tip deflection (m)", |h| &h.tip_deflection_m),
+    ("tip acceleration (m/s2)", |h| &h.tip_acceleration_m_s2),
+    ("tip roll rate (deg/s)", |h| &h.tip_rates_deg_s[0]),
+    ("tip pitch rate (deg/s)", |h| &h.tip_rates_deg_s[1]),
+    ("tip yaw rate (deg/s)", |h| &h.tip_rates_deg_s[2]),
+    ("right root Mx (N m)", |h| &h.root_right[1]),
+];
+
+/// What a symmetric one shows.
+const PITCHING: [Quantity; 8] = [
+    ("gust at the centre of gravity (m/s)", |h| &h.gust_m_s),
+    ("angle of attack (deg)", |h| &h.alpha_deg),
+    ("load factor", |h| &h.load_factor),
+    ("tip deflection (m)", |h| &h.tip_deflection_m),
+    ("tip acceleration (m/s2)", |h| &h.tip_acceleration_m_s2),
+    ("pitch rate (deg/s)", |h| &h.rates_deg_s[1]),
+    ("right root Mx (N m)", |h| &h.root_right[1]),
+    ("left root Mx (N m)", |h| &h.root_left[1]),
+];
 
 /// The V-n envelope with the lift at the ends of the section's polars and the two limit points.
 pub(crate) fn envelope(aircraft: &Aircraft, envelope: &Envelope) -> Result<String, DrawError> {
@@ -68,19 +102,13 @@ fn shapes(
     deformed::svg(&title, &[view("initial", initial), view("updated", updated)])
 }
 
-fn histories(title: &str, initial: &FlightHistory, updated: &FlightHistory) -> Result<String, DrawError> {
-    type Pick = fn(&FlightHistory) -> &Vec<f64>;
-    let quantities: [(&str, Pick); 8] = [
-        ("aileron (deg)", |h| &h.aileron_deg),
-        ("angle of attack (deg)", |h| &h.alpha_deg),
-        ("tip deflection (m)", |h| &h.tip_deflection_m),
-        ("tip acceleration (m/s2)", |h| &h.tip_acceleration_m_s2),
-        ("tip roll rate (deg/s)", |h| &h.tip_rates_deg_s[0]),
-        ("tip pitch rate (deg/s)", |h| &h.tip_rates_deg_s[1]),
-        ("tip yaw rate (deg/s)", |h| &h.tip_rates_deg_s[2]),
-        ("right root Mx (N m)", |h| &h.root_right[1]),
-    ];
-    let panel = |(label, pick): (&str, Pick)| Panel {
+fn histories(
+    title: &str,
+    initial: &FlightHistory,
+    updated: &FlightHistory,
+    quantities: &[Quantity],
+) -> Result<String, DrawError> {
+    let panel = |&(label, pick): &Quantity| Panel {
         title: String::new(),
         x_label: "time (s)".into(),
         y_label: label.into(),
@@ -89,5 +117,5 @@ fn histories(title: &str, initial: &FlightHistory, updated: &FlightHistory) -> R
             Series::new("updated", updated.t_s.clone(), pick(updated).clone(), Style::Line),
         ],
     };
-    Figure { title: title.into(), panels: quantities.into_iter().map(panel).collect(), columns: 2 }.svg()
+    Figure { title: title.into(), panels: quantities.iter().map(panel).collect(), columns: 2 }.svg()
 }

@@ -1,6 +1,7 @@
 //! One file per command.
 
 pub(crate) mod bench;
+mod bench_aircraft;
 mod bench_chirp;
 mod bench_dlm;
 mod bench_general;

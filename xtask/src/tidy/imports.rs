@@ -52,6 +52,7 @@ const ONLY_IN: &[(&str, &[&str])] = &[
     ("kuva", &["report"]),
     ("rand_chacha", &["tunnel", "response", "discover", "hidden"]),
     ("rand_distr", &["tunnel", "response", "discover", "hidden"]),
+    ("ode_solvers", &["fullaircraft"]),
     ("clap", &["xtask"]),
     ("codespan-reporting", &["xtask"]),
     ("indicatif", &["xtask"]),

@@ -3,7 +3,7 @@
 #![expect(unreachable_pub, reason = "a module of several test programs")]
 #![allow(dead_code, reason = "each test file uses its own part")]
 
-use fullaircraft::{Aircraft, AircraftFile, Surfaces};
+use fullaircraft::{Aircraft, AircraftFile, FlightAir, Surfaces};
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
@@ -21,6 +21,12 @@ pub fn beam_wing() -> PathBuf {
 pub fn whole() -> &'static Aircraft {
     static WHOLE: OnceLock<Aircraft> = OnceLock::new();
     WHOLE.get_or_init(|| Aircraft::read(&path(), Some(&beam_wing())).expect("shipped files are right"))
+}
+
+/// Unsteady air of [`whole`].
+pub fn air() -> &'static FlightAir {
+    static AIR: OnceLock<FlightAir> = OnceLock::new();
+    AIR.get_or_init(|| FlightAir::new(whole()).expect("the shipped lattice is right"))
 }
 
 /// Wings alone.
