@@ -2,9 +2,10 @@
 
 use crate::bank::Thresholds;
 use crate::data::Dataset;
+use crate::gap::Gap;
 use crate::level::{Level, Setting};
 use crate::noise::{Noise, NoiseUnknown};
-use crate::problem::{Gap, Problem};
+use crate::problem::Problem;
 use crate::search::{Outcome, search};
 use crate::simulator::{Simulator, SimulatorError};
 use calibrate::{Campaign, Schedule, Use};

@@ -2,7 +2,8 @@
 
 use crate::data::Dataset;
 use crate::directions::{DIRECTIONS, Directions};
-use crate::problem::{Problem, Shared, difference};
+use crate::problem::{Problem, difference};
+use crate::shared::Shared;
 use crate::simulator::{Models, Simulator};
 use crate::uncertain::UNCERTAIN;
 use faer::Mat;

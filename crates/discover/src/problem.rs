@@ -8,11 +8,9 @@
 
 use crate::data::Dataset;
 use crate::noise::Noise;
+use crate::tolerance::Tolerance;
 use crate::transform::{HIGHEST_HZ, cosines, count, frequency_hz};
 use calibrate::Use;
-use faer::linalg::matmul::matmul;
-use faer::linalg::solvers::Solve;
-use faer::{Accum, Mat, MatRef, Par, Side};
 use maneuver::effects::Flown;
 
 /// Tolerance of a run: gain of its mean, gain of its motion, time shift in s.
@@ -32,33 +30,25 @@ pub struct Segment {
     pub place: usize,
     /// Its rows.
     pub rows: std::ops::Range<usize>,
-    kind: Kind,
+    pub(crate) kind: Kind,
     /// What is left of it once it is whitened: one a channel.
     tolerance: Vec<Tolerance>,
 }
 
 #[derive(Debug, Clone)]
-enum Kind {
+pub(crate) enum Kind {
     Run { time_step_s: f64, samples: usize, coefficients: usize, sigma: [Vec<f64>; 3] },
     Static { rows: Vec<(usize, usize)>, sigma: [f64; 3] },
-}
-
-/// Orthonormal directions and what of them is left.
-#[derive(Debug, Clone)]
-struct Tolerance {
-    rows: std::ops::Range<usize>,
-    directions: Mat<f64>,
-    taken: Vec<f64>,
 }
 
 /// The whitened measurements of the wanted segments.
 #[derive(Debug)]
 pub struct Problem<'a> {
-    data: &'a Dataset,
+    pub(crate) data: &'a Dataset,
     /// Static groups first, then runs.
     pub segments: Vec<Segment>,
-    measured: Vec<f64>,
-    offset: [f64; 3],
+    pub(crate) measured: Vec<f64>,
+    pub(crate) offset: [f64; 3],
 }
 
 impl<'a> Problem<'a> {
@@ -165,12 +155,7 @@ impl<'a> Problem<'a> {
         for segment in &self.segments {
             let own = &mut values[segment.rows.clone()];
             for tolerance in &segment.tolerance {
-                let part = &mut own[tolerance.rows.clone()];
-                for (j, taken) in tolerance.taken.iter().enumerate() {
-                    let direction = tolerance.directions.col_as_slice(j);
-                    let share: f64 = direction.iter().zip(part.iter()).map(|(d, p)| d * p).sum();
-                    part.iter_mut().zip(direction).for_each(|(p, d)| *p -= taken * share * d);
-                }
+                tolerance.free(own);
             }
         }
     }
@@ -201,7 +186,7 @@ pub fn difference(after: &Flown, before: &Flown) -> Flown {
 }
 
 impl Kind {
-    fn whitened(&self, loads: &[Vec<f64>; 3]) -> Vec<f64> {
+    pub(crate) fn whitened(&self, loads: &[Vec<f64>; 3]) -> Vec<f64> {
         match self {
             Self::Run { time_step_s, sigma, .. } => (0..3)
                 .flat_map(|c| {
@@ -270,143 +255,6 @@ impl Kind {
                     Some(Tolerance::new(from..from + own.len(), &columns))
                 })
                 .collect(),
-        }
-    }
-}
-
-impl Tolerance {
-    /// `(I + L L')^(-1/2) = I - U diag(1 - 1/sqrt(1 + s²)) U'`, L the columns.
-    fn new(rows: std::ops::Range<usize>, columns: &[Vec<f64>]) -> Self {
-        let k = columns.len();
-        let dot = |i: usize, j: usize| columns[i].iter().zip(&columns[j]).map(|(a, b)| a * b).sum::<f64>();
-        let gram = Mat::from_fn(k, k, dot);
-        let mut directions = Vec::new();
-        let mut taken = Vec::new();
-        if let Ok(eigen) = gram.self_adjoint_eigen(Side::Lower) {
-            for j in 0..k {
-                let square = eigen.S()[j];
-                if square > 1e-8 {
-                    let scale = 1.0 / square.sqrt();
-                    let direction: Vec<f64> = (0..rows.len())
-                        .map(|row| scale * (0..k).map(|i| columns[i][row] * eigen.U()[(i, j)]).sum::<f64>())
-                        .collect();
-                    directions.push(direction);
-                    taken.push(1.0 - 1.0 / (1.0 + square).sqrt());
-                }
-            }
-        }
-        let directions = Mat::from_fn(rows.len(), taken.len(), |row, j| directions[j][row]);
-        Self { rows, directions, taken }
-    }
-}
-
-/// What all runs share: columns with unit normal amplitudes, and the inner product that they leave.
-#[derive(Debug, Clone)]
-pub struct Shared {
-    columns: Mat<f64>,
-    inverse: Mat<f64>,
-}
-
-impl Shared {
-    /// From the columns (each as long as the residual).
-    pub fn new(columns: &[Vec<f64>], rows: usize) -> Self {
-        let g = Mat::from_fn(rows, columns.len(), |i, j| columns[j][i]);
-        let mut a = product(g.as_ref(), g.as_ref());
-        for j in 0..a.ncols() {
-            a[(j, j)] += 1.0;
-        }
-        let inverse = match a.llt(Side::Lower) {
-            Ok(factor) => factor.solve(Mat::identity(a.nrows(), a.nrows())),
-            Err(_) => Mat::identity(a.nrows(), a.nrows()),
-        };
-        Self { columns: g, inverse }
-    }
-
-    /// `X' (I + G G')⁻¹ X`.
-    pub fn gram(&self, x: MatRef<'_, f64>) -> Mat<f64> {
-        let plain = product(x, x);
-        let seen = product(self.columns.as_ref(), x);
-        plain - seen.transpose() * (&self.inverse * &seen)
-    }
-
-    /// `(I + G G')⁻¹ x`.
-    pub fn weighted(&self, x: &[f64]) -> Vec<f64> {
-        let column = Mat::from_fn(x.len(), 1, |i, _| x[i]);
-        let seen = product(self.columns.as_ref(), column.as_ref());
-        let amplitude = &self.inverse * &seen;
-        let mut weighted = x.to_vec();
-        for j in 0..self.columns.ncols() {
-            let by = amplitude[(j, 0)];
-            weighted.iter_mut().zip(self.columns.col_as_slice(j)).for_each(|(w, g)| *w -= by * g);
-        }
-        weighted
-    }
-}
-
-/// `A' B`, on one thread, so that the result does not depend on their number.
-fn product(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
-    let mut product = Mat::zeros(a.ncols(), b.ncols());
-    matmul(product.as_mut(), Accum::Replace, a.transpose(), b, 1.0, Par::Seq);
-    product
-}
-
-/// Root mean square of measured minus simulated loads over the noise, by channel and together.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Gap {
-    /// Fz, Mx, My.
-    pub by_channel: [f64; 3],
-    /// Over all channels.
-    pub all: f64,
-    /// Root mean square of the residual over that of the variation of the load, per cent, by channel.
-    pub raw_percent: [f64; 3],
-}
-
-impl Problem<'_> {
-    /// The gap of a simulation (one entry a segment), nothing taken out.
-    pub fn gap(&self, simulated: &[Flown]) -> Gap {
-        let (mut squares, mut counts) = ([0.0; 3], [0_usize; 3]);
-        let (mut raw, mut variation) = ([0.0; 3], [0.0; 3]);
-        for (segment, flown) in self.segments.iter().zip(simulated) {
-            let measured = &self.measured[segment.rows.clone()];
-            let simulated = segment.kind.whitened(&flown.loads);
-            for (i, (m, s)) in measured.iter().zip(&simulated).enumerate() {
-                let (c, sigma, first) = segment.kind.row(i);
-                squares[c] += (m - s).powi(2);
-                counts[c] += 1;
-                raw[c] += (sigma * (m - s)).powi(2);
-                // the mean of a run is no variation
-                variation[c] += if first { 0.0 } else { (sigma * m).powi(2) };
-            }
-        }
-        let root = |sum: f64, count: usize| (sum / count.max(1) as f64).sqrt();
-        Gap {
-            by_channel: std::array::from_fn(|c| root(squares[c], counts[c])),
-            all: root(squares.iter().sum(), counts.iter().sum()),
-            raw_percent: std::array::from_fn(|c| {
-                100.0 * (raw[c] / variation[c].max(f64::MIN_POSITIVE)).sqrt()
-            }),
-        }
-    }
-
-    /// The same problem with loads of a simulation and noise in place of the measurements.
-    pub fn pretending(&self, simulated: &[Flown], mut normal: impl FnMut() -> f64) -> Self {
-        let mut measured = Vec::with_capacity(self.measured.len());
-        for (segment, flown) in self.segments.iter().zip(simulated) {
-            measured.extend(segment.kind.whitened(&flown.loads).into_iter().map(|value| value + normal()));
-        }
-        Self { data: self.data, segments: self.segments.clone(), measured, offset: self.offset }
-    }
-}
-
-impl Kind {
-    /// Channel of a row, its noise, and whether it is the mean of a record.
-    fn row(&self, i: usize) -> (usize, f64, bool) {
-        match self {
-            Self::Run { coefficients, sigma, .. } => {
-                let (c, k) = (i / coefficients, i % coefficients);
-                (c, sigma[c][k], k == 0)
-            }
-            Self::Static { rows, sigma } => (rows[i].0, sigma[rows[i].0], false),
         }
     }
 }

@@ -9,14 +9,13 @@
 //! a steady pull-up has the pitch rate (n - 1) g/V, and [`FlightPoint::warning`] says so if it has not.
 //! Small angles: lift is along z, the weight's component along x is left out, loads act on the undeformed places.
 
-use crate::aircraft::{Aircraft, WingPlaces};
+use crate::aircraft::Aircraft;
 use crate::aircraft_file::{FlightPoint, Surfaces};
 use crate::error::AircraftError;
 use crate::trim_case::{TrimCase, TrimTools};
-use crate::trim_stations::nodal_loads;
 use crate::trim_variables::MOTIONS;
 use aero::{Corrections, Flow};
-use coupling::{Balance, CouplingError, GRAVITY_M_S2, RootLoads, SupportedStructure, root_rows};
+use coupling::{CouplingError, GRAVITY_M_S2, RootLoads, SupportedStructure};
 use faer::{Mat, MatRef};
 use nalgebra::Point3;
 use std::sync::OnceLock;
@@ -111,20 +110,6 @@ impl Aircraft {
     pub fn root_point(&self) -> Point3<f64> {
         let balance = &self.wing.balance;
         Point3::new(balance.x_m, balance.y_m, balance.z_m)
-    }
-
-    /// Root loads of box loads of one wing: 3 rows by two columns a box.
-    pub(crate) fn wing_root_rows(&self, wing: &WingPlaces) -> Mat<f64> {
-        let mut metric = vec![false; self.flow.lattice.len()];
-        for &at in &wing.boxes {
-            metric[at] = true;
-        }
-        root_rows(&self.flow.lattice, &Balance { point: self.root_point(), metric })
-    }
-
-    /// Root loads (3 rows) of nodal loads on one wing, g-set columns.
-    pub(crate) fn wing_nodal_loads(&self, wing: &WingPlaces, f_g: MatRef<'_, f64>) -> Mat<f64> {
-        nodal_loads(self, &wing.nodes, &self.root_point(), f_g)
     }
 }
 

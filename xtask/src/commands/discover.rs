@@ -12,7 +12,7 @@ use maneuver::effects::Flown;
 use nastran::InputError;
 
 use crate::args::{Common, DiscoverArgs};
-use crate::commands::{discover_figures, discover_results};
+use crate::commands::{discover_figures, discover_located, discover_results};
 use crate::corrections::{CorrectedWing, campaign_path, corrected_wing, schedule};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
@@ -83,6 +83,7 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
     write_wing(&found, &results)?;
     results.write_json("result.json", &result)?;
     results.write_text("null_bank.ron", &nastran::ron_file::to_text(&limits)?)?;
+    results.write_text("map.csv", &discover_located::map_csv(&found))?;
     discover_figures::write(&found, &results)?;
     results.commit()?;
     show::summary(common, &discover_results::summary(&found, &out, seconds));

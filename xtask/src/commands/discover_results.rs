@@ -4,12 +4,13 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use coupling::wing_file::{EffectValidity, WingEffect};
+use discover::gap::Gap;
 use discover::gate::Defect;
-use discover::problem::Gap;
 use discover::search::Found;
 use serde_json::{Map, Value, json};
 
 use crate::commands::discover::Discovered;
+use crate::commands::discover_located;
 
 /// Held out, the gap may be so many times its floor.
 const CLOSED: f64 = 2.0;
@@ -46,6 +47,7 @@ pub(crate) fn json(found: &Discovered<'_>, seconds: f64) -> Value {
     json!({
         "command": "discover",
         "verdict": verdict(found),
+        "located": discover_located::json(found),
         "effects": outcome.found.iter().map(effect).collect::<Vec<_>>(),
         "next_experiment": next_experiment(found),
         "gap": { "training": gap(train, found.limits.floor[0]), "holdout": gap(holdout, found.limits.floor[1]) },

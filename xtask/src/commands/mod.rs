@@ -17,6 +17,7 @@ mod deflection_figures;
 mod deflection_results;
 pub(crate) mod discover;
 mod discover_figures;
+mod discover_located;
 mod discover_results;
 pub(crate) mod flutter;
 mod flutter_figures;

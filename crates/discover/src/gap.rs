@@ -1,0 +1,65 @@
+//! The gap between simulation and measurements, and problems with a simulation in place of the measurements.
+
+use crate::problem::{Kind, Problem};
+use maneuver::effects::Flown;
+
+/// Root mean square of measured minus simulated loads over the noise, by channel and together.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Gap {
+    /// Fz, Mx, My.
+    pub by_channel: [f64; 3],
+    /// Over all channels.
+    pub all: f64,
+    /// Root mean square of the residual over that of the variation of the load, per cent, by channel.
+    pub raw_percent: [f64; 3],
+}
+
+impl Problem<'_> {
+    /// The gap of a simulation (one entry a segment), nothing taken out.
+    pub fn gap(&self, simulated: &[Flown]) -> Gap {
+        let (mut squares, mut counts) = ([0.0; 3], [0_usize; 3]);
+        let (mut raw, mut variation) = ([0.0; 3], [0.0; 3]);
+        for (segment, flown) in self.segments.iter().zip(simulated) {
+            let measured = &self.measured[segment.rows.clone()];
+            let simulated = segment.kind.whitened(&flown.loads);
+            for (i, (m, s)) in measured.iter().zip(&simulated).enumerate() {
+                let (c, sigma, first) = segment.kind.row(i);
+                squares[c] += (m - s).powi(2);
+                counts[c] += 1;
+                raw[c] += (sigma * (m - s)).powi(2);
+                // the mean of a run is no variation
+                variation[c] += if first { 0.0 } else { (sigma * m).powi(2) };
+            }
+        }
+        let root = |sum: f64, count: usize| (sum / count.max(1) as f64).sqrt();
+        Gap {
+            by_channel: std::array::from_fn(|c| root(squares[c], counts[c])),
+            all: root(squares.iter().sum(), counts.iter().sum()),
+            raw_percent: std::array::from_fn(|c| {
+                100.0 * (raw[c] / variation[c].max(f64::MIN_POSITIVE)).sqrt()
+            }),
+        }
+    }
+
+    /// The same problem with loads of a simulation and noise in place of the measurements.
+    pub fn pretending(&self, simulated: &[Flown], mut normal: impl FnMut() -> f64) -> Self {
+        let mut measured = Vec::with_capacity(self.measured.len());
+        for (segment, flown) in self.segments.iter().zip(simulated) {
+            measured.extend(segment.kind.whitened(&flown.loads).into_iter().map(|value| value + normal()));
+        }
+        Self { data: self.data, segments: self.segments.clone(), measured, offset: self.offset }
+    }
+}
+
+impl Kind {
+    /// Channel of a row, its noise, and whether it is the mean of a record.
+    fn row(&self, i: usize) -> (usize, f64, bool) {
+        match self {
+            Self::Run { coefficients, sigma, .. } => {
+                let (c, k) = (i / coefficients, i % coefficients);
+                (c, sigma[c][k], k == 0)
+            }
+            Self::Static { rows, sigma } => (rows[i].0, sigma[rows[i].0], false),
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! What all runs share: columns with unit normal amplitudes, and the inner product that they leave.
+
+use faer::linalg::matmul::matmul;
+use faer::linalg::solvers::Solve;
+use faer::{Accum, Mat, MatRef, Par, Side};
+
+/// See the module.
+#[derive(Debug, Clone)]
+pub struct Shared {
+    columns: Mat<f64>,
+    inverse: Mat<f64>,
+}
+
+impl Shared {
+    /// From the columns (each as long as the residual).
+    pub fn new(columns: &[Vec<f64>], rows: usize) -> Self {
+        let g = Mat::from_fn(rows, columns.len(), |i, j| columns[j][i]);
+        let mut a = product(g.as_ref(), g.as_ref());
+        for j in 0..a.ncols() {
+            a[(j, j)] += 1.0;
+        }
+        let inverse = match a.llt(Side::Lower) {
+            Ok(factor) => factor.solve(Mat::identity(a.nrows(), a.nrows())),
+            Err(_) => Mat::identity(a.nrows(), a.nrows()),
+        };
+        Self { columns: g, inverse }
+    }
+
+    /// `X' (I + G G')⁻¹ X`.
+    pub fn gram(&self, x: MatRef<'_, f64>) -> Mat<f64> {
+        let plain = product(x, x);
+        let seen = product(self.columns.as_ref(), x);
+        plain - seen.transpose() * (&self.inverse * &seen)
+    }
+
+    /// `(I + G G')⁻¹ x`.
+    pub fn weighted(&self, x: &[f64]) -> Vec<f64> {
+        let column = Mat::from_fn(x.len(), 1, |i, _| x[i]);
+        let seen = product(self.columns.as_ref(), column.as_ref());
+        let amplitude = &self.inverse * &seen;
+        let mut weighted = x.to_vec();
+        for j in 0..self.columns.ncols() {
+            let by = amplitude[(j, 0)];
+            weighted.iter_mut().zip(self.columns.col_as_slice(j)).for_each(|(w, g)| *w -= by * g);
+        }
+        weighted
+    }
+}
+
+/// `A' B`, on one thread, so that the result does not depend on their number.
+fn product(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
+    let mut product = Mat::zeros(a.ncols(), b.ncols());
+    matmul(product.as_mut(), Accum::Replace, a.transpose(), b, 1.0, Par::Seq);
+    product
+}
