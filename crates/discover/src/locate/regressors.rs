@@ -16,6 +16,8 @@ use response::FTest;
 const SAME: f64 = 0.02;
 /// A family moves in units that hold more than this share of its largest unit's columns.
 const MOVES: f64 = 1e-3;
+/// A residual is beyond noise if its square is so many standard deviations of chi squared above it.
+const VISIBLE: f64 = 5.0;
 /// So many kinds of maneuvers are named.
 const NAMED: usize = 2;
 
@@ -83,7 +85,10 @@ impl<'a> Channel<'a> {
         let everything: Vec<usize> = self.families.iter().flat_map(|(_, own)| own.iter().copied()).collect();
         let full = self.total.fit(&everything);
         let left = self.total.left(&full);
-        let beyond = (self.total.yy - self.rows as f64).max(0.0);
+        // where there is no more than noise, shares are of all of it
+        let noise = self.rows as f64;
+        let beyond = self.total.yy - noise;
+        let beyond = if beyond > VISIBLE * (2.0 * noise).sqrt() { beyond } else { self.total.yy };
         let mut all: Vec<Located> = self
             .families
             .iter()
