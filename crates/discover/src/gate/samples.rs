@@ -114,7 +114,7 @@ struct Spike {
 /// Single samples far off.
 pub(super) fn spikes(records: &[Record]) -> Vec<Defect> {
     let mut found = Vec::new();
-    for c in 0..3 {
+    for (c, channel) in CHANNELS.into_iter().enumerate() {
         let all: Vec<Option<Spike>> = records.iter().map(|record| spike(record, c)).collect();
         let like = |i: usize| {
             (0..records.len()).filter(move |&j| records[j].maneuver.same_kind(&records[i].maneuver))
@@ -142,7 +142,7 @@ pub(super) fn spikes(records: &[Record]) -> Vec<Defect> {
             if like(i).any(|j| j != i && shown(j)) {
                 continue;
             }
-            let (channel, name) = (CHANNELS[c], &record.name);
+            let name = &record.name;
             let sentence = format!(
                 "{channel} of {name} has samples far off at {:.2} s: by {:.0} times the noise",
                 spike.at as f64 * record.time_step_s,
