@@ -123,7 +123,9 @@ fn a_clipped_and_a_stuck_channel_are_named() {
         let values = &mut data.runs[run].measured[0];
         let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let mean = values.iter().sum::<f64>() / values.len() as f64;
-        values.iter_mut().for_each(|value| *value = value.min(mean + 0.6 * (most - mean)));
+        for value in values {
+            *value = value.min(mean + 0.6 * (most - mean));
+        }
     });
     names(&found, DefectKind::Clipped, Some("chirp_inner_5_30"), Some("Fz_N"));
     let run = shipped().run("aoa_0p5hz_30_day_1");

@@ -1,6 +1,7 @@
 //! What a residual goes with: effects put into a campaign of the shipped wing are located, none is where there is none,
 //! and the shipped campaign shows its ailerons' curves and the fast pitch in My.
 
+#[expect(dead_code, reason = "other tests use the rest")]
 mod common;
 
 use calibrate::Use;

@@ -13,7 +13,7 @@ const BEYOND_OTHERS: f64 = 5.0;
 /// See the module; pairs with a run that is `named` already are left out.
 pub(super) fn differ(records: &[Record], named: &[String]) -> Vec<Defect> {
     let mut found = Vec::new();
-    for c in 0..3 {
+    for (c, channel) in CHANNELS.into_iter().enumerate() {
         let pairs: Vec<(usize, usize, f64, f64)> = records
             .iter()
             .enumerate()
@@ -31,7 +31,7 @@ pub(super) fn differ(records: &[Record], named: &[String]) -> Vec<Defect> {
             let others = pairs.iter().filter(|pair| pair.1 != second).map(|pair| pair.2).collect();
             let usual = median(others).unwrap_or(0.0);
             if difference > FAR && difference > SHARE * variation && difference > BEYOND_OTHERS * usual {
-                let (channel, name) = (CHANNELS[c], &records[second].name);
+                let name = &records[second].name;
                 let sentence = format!(
                     "{channel} of {name} differs from {}, which it repeats, by {difference:.0} times the noise",
                     records[first].name

@@ -16,11 +16,13 @@ const MOVES: f64 = 3.0;
 /// A channel that stands still for this share of a run is stuck.
 const STUCK: f64 = 0.2;
 /// Least height of a spike, standard deviations.
-const SPIKE: f64 = 20.0;
+const SPIKE: f64 = 25.0;
 /// And over that of all but three per cent of the samples, and over that of peers.
 const SPIKE_OVER_OTHERS: f64 = 4.0;
-/// What more than this share of the runs of a kind (and more than two) have is no defect but the wing's doing.
-const COMMON: f64 = 0.1;
+/// What another run of the kind shows within this time, by this share, is no defect but the wing's doing.
+const SAME_INSTANT_S: f64 = 0.1;
+/// See above.
+const COMMON: f64 = 0.3;
 /// A spike is over within so many samples.
 const NARROW: usize = 2;
 
@@ -112,7 +114,7 @@ struct Spike {
 /// Single samples far off.
 pub(super) fn spikes(records: &[Record]) -> Vec<Defect> {
     let mut found = Vec::new();
-    for c in 0..3 {
+    for (c, channel) in CHANNELS.into_iter().enumerate() {
         let all: Vec<Option<Spike>> = records.iter().map(|record| spike(record, c)).collect();
         let like = |i: usize| {
             (0..records.len()).filter(move |&j| records[j].maneuver.same_kind(&records[i].maneuver))
@@ -131,11 +133,16 @@ pub(super) fn spikes(records: &[Record]) -> Vec<Defect> {
             })
             .collect();
         for (i, record) in records.iter().enumerate().filter(|(i, _)| far[*i]) {
-            let (same, so) = (like(i).count(), like(i).filter(|&j| far[j]).count());
-            let Some(spike) = all[i].as_ref().filter(|_| so <= 2 || so as f64 <= COMMON * same as f64) else {
-                continue;
+            let Some(spike) = &all[i] else { continue };
+            let again = |other: &Spike, dt: f64| {
+                (other.at as f64 * dt - spike.at as f64 * record.time_step_s).abs() < SAME_INSTANT_S
+                    && other.height > COMMON * spike.height
             };
-            let (channel, name) = (CHANNELS[c], &record.name);
+            let shown = |j: usize| all[j].as_ref().is_some_and(|other| again(other, records[j].time_step_s));
+            if like(i).any(|j| j != i && shown(j)) {
+                continue;
+            }
+            let name = &record.name;
             let sentence = format!(
                 "{channel} of {name} has samples far off at {:.2} s: by {:.0} times the noise",
                 spike.at as f64 * record.time_step_s,

@@ -174,7 +174,15 @@ mod tests {
         };
         assert_eq!(moved(bump(0.5), |_| 0.0), Maneuver::Pitch { wind: true, frequency_hz: 0.5 });
         assert_eq!(moved(bump(4.0), |_| 0.0), Maneuver::Pitch { wind: true, frequency_hz: 4.0 });
-        let step = |t: f64| if t < 1.0 { 0.0 } else { [15.0, -15.0, 0.0][(t - 1.0).min(2.5) as usize] };
+        let step = |t: f64| {
+            if !(1.0..3.0).contains(&t) {
+                0.0
+            } else if t < 2.0 {
+                15.0
+            } else {
+                -15.0
+            }
+        };
         assert_eq!(moved(|_| 1.0, step), Maneuver::Doublet { control: 1, height_deg: 15.0 });
         let chirp = moved(|_| 1.0, |t| 5.0 * (0.5 * t * t).sin());
         assert_eq!(chirp, Maneuver::Chirp { control: 1, height_deg: 5.0 });

@@ -16,6 +16,8 @@ use response::FTest;
 const SAME: f64 = 0.02;
 /// A family moves in units that hold more than this share of its largest unit's columns.
 const MOVES: f64 = 1e-3;
+/// A residual is beyond noise if its square is so many standard deviations of chi squared above it.
+const VISIBLE: f64 = 5.0;
 /// So many kinds of maneuvers are named.
 const NAMED: usize = 2;
 
@@ -42,7 +44,7 @@ pub fn regressors(residuals: &Residuals) -> Vec<Located> {
 }
 
 struct Channel<'a> {
-    channel: usize,
+    which: usize,
     units: Vec<&'a Unit>,
     grams: Vec<Gram>,
     total: Gram,
@@ -64,7 +66,9 @@ impl<'a> Channel<'a> {
         let mut total = Gram::new(&[], &[]);
         if let Some((first, others)) = grams.split_first() {
             total = first.clone();
-            others.iter().for_each(|other| total.add(other));
+            for other in others {
+                total.add(other);
+            }
         }
         let names: Vec<&str> = units
             .first()
@@ -76,14 +80,17 @@ impl<'a> Channel<'a> {
         });
         let families = families.collect();
         let rows = units.iter().map(|unit| unit.rows[channel].len()).sum();
-        Self { channel, rows, families, units, grams, total }
+        Self { which: channel, units, grams, total, rows, families }
     }
 
     fn located(&self, residuals: &Residuals) -> Vec<Located> {
         let everything: Vec<usize> = self.families.iter().flat_map(|(_, own)| own.iter().copied()).collect();
         let full = self.total.fit(&everything);
         let left = self.total.left(&full);
-        let beyond = (self.total.yy - self.rows as f64).max(0.0);
+        // where there is no more than noise, shares are of all of it
+        let noise = self.rows as f64;
+        let beyond = self.total.yy - noise;
+        let beyond = if beyond > VISIBLE * (2.0 * noise).sqrt() { beyond } else { self.total.yy };
         let mut all: Vec<Located> = self
             .families
             .iter()
@@ -94,7 +101,7 @@ impl<'a> Channel<'a> {
                 let gains: Vec<f64> =
                     self.grams.iter().map(|gram| gram.left(&without) - gram.left(&full)).collect();
                 Located {
-                    channel: crate::gate::CHANNELS[self.channel],
+                    channel: crate::gate::CHANNELS[self.which],
                     regressor: family,
                     share_of_residual: cost / beyond.max(cost).max(f64::MIN_POSITIVE),
                     p_value: self.p_value(own, &others, &without),
@@ -151,9 +158,9 @@ impl<'a> Channel<'a> {
                 .iter()
                 .zip(full)
                 .filter(|(_, b)| **b != 0.0)
-                .map(|(column, b)| b * unit.weighted(&column.values, self.channel)[0])
+                .map(|(column, b)| b * unit.weighted(&column.values, self.which)[0])
                 .sum();
-            let left = (unit.rows[self.channel][0] - fitted).powi(2);
+            let left = (unit.rows[self.which][0] - fitted).powi(2);
             squares = (squares.0 + left, squares.1 + 1.0);
             if left > worst.0 {
                 worst = (left, unit.name.clone());
@@ -162,7 +169,7 @@ impl<'a> Channel<'a> {
         let (sum, runs) = squares;
         let below = self.total.left(full) - sum;
         (runs > 1.0 && below > 0.0).then(|| Located {
-            channel: crate::gate::CHANNELS[self.channel],
+            channel: crate::gate::CHANNELS[self.which],
             regressor: "run_id",
             share_of_residual: sum / beyond.max(sum).max(f64::MIN_POSITIVE),
             // as many degrees of freedom below as runs: samples of a run are no independent judges of it

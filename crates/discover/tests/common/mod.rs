@@ -58,8 +58,8 @@ impl Flight {
         }
         for (run, flown) in data.runs.iter_mut().zip(runs) {
             let behind_filter = (run.decimation as f64).sqrt();
-            for c in 0..3 {
-                let noisy = flown.loads[c].iter().map(|value| value + sample[c] / behind_filter * normal());
+            for (c, sample) in sample.into_iter().enumerate() {
+                let noisy = flown.loads[c].iter().map(|value| value + sample / behind_filter * normal());
                 run.measured[c] = noisy.collect();
             }
         }
