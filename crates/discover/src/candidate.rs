@@ -68,7 +68,9 @@ impl Screened {
                 let (with, without) = (trial.change(&both), trial.change(&others));
                 column = with.iter().zip(without).map(|(a, b)| a - b).collect();
             }
-            column.iter_mut().for_each(|value| *value *= sign);
+            for value in &mut column {
+                *value *= sign;
+            }
             column
         };
         let columns: Vec<Vec<f64>> = (0..parameters.len()).map(secant).collect();

@@ -1,5 +1,6 @@
 //! Static points and runs of a campaign as the search wants them: grouped by airspeed, runs at one sample rate.
 
+use calibrate::campaign::ChannelNoise;
 use calibrate::{Campaign, RunEntry, Use};
 use coupling::ElasticWing;
 use maneuver::effects::{Inputs, Stimulus};
@@ -124,7 +125,7 @@ impl Dataset {
             .collect();
         let statics = statics(campaign, &airspeeds_m_s, &blocks, &controls, &runs);
         let stated = campaign.noise.as_ref().and_then(|noise| {
-            let [sample, point] = [noise.sample, noise.static_point].map(|n| n.to_array());
+            let [sample, point] = [noise.sample, noise.static_point].map(ChannelNoise::to_array);
             let three = |n: [f64; 4]| [n[0], n[1], n[2]];
             (sample[..3].iter().all(|s| *s > 0.0)).then(|| (three(sample), three(point)))
         });

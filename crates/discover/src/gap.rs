@@ -42,6 +42,7 @@ impl Problem<'_> {
     }
 
     /// The same problem with loads of a simulation and noise in place of the measurements.
+    #[must_use]
     pub fn pretending(&self, simulated: &[Flown], mut normal: impl FnMut() -> f64) -> Self {
         let mut measured = Vec::with_capacity(self.measured.len());
         for (segment, flown) in self.segments.iter().zip(simulated) {

@@ -118,7 +118,9 @@ fn shared_columns(
         let after = other.fly(&other.models(effects, None), effects, &places);
         let before: Vec<&Flown> = flown.iter().collect();
         let mut column = problem.change(&all, &after, &before);
-        column.iter_mut().for_each(|value| *value *= NUMERICS);
+        for value in &mut column {
+            *value *= NUMERICS;
+        }
         column
     });
     let mut columns: Vec<Vec<f64>> = calibrated.collect();

@@ -17,9 +17,7 @@ const ENOUGH: usize = 12;
 
 /// Why the noise is not known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error(
-    "the noise is not known: no training run repeats another, and campaign.ron states none; add `noise: Some(...)`, or `repeat_of` to runs that were flown twice"
-)]
+#[error("the noise is not known: no training run repeats another, and campaign.ron states none")]
 pub struct NoiseUnknown;
 
 /// See the module. Channels are Fz, Mx, My.
@@ -41,17 +39,7 @@ impl Noise {
     /// # Errors
     /// If there are neither repeats nor stated noise.
     pub fn new(data: &Dataset, simulated: &[Flown]) -> Result<Self, NoiseUnknown> {
-        let pairs: Vec<(usize, usize)> = data
-            .runs
-            .iter()
-            .enumerate()
-            .filter_map(|(i, run)| run.repeat_of.map(|first| (first, i)))
-            .filter(|&(a, b)| {
-                let train = |i: usize| data.runs[i].usage == Use::Train;
-                let (first, second) = (&data.runs[a], &data.runs[b]);
-                train(a) && train(b) && first.measured[0].len() == second.measured[0].len()
-            })
-            .collect();
+        let pairs = pairs(data);
         if pairs.is_empty() && data.stated.is_none() {
             return Err(NoiseUnknown);
         }
@@ -110,6 +98,18 @@ impl Noise {
     }
 }
 
+/// Training runs that repeat another: the first, and the repeat.
+fn pairs(data: &Dataset) -> Vec<(usize, usize)> {
+    let repeats = data.runs.iter().enumerate().filter_map(|(i, run)| run.repeat_of.map(|first| (first, i)));
+    repeats
+        .filter(|&(a, b)| {
+            let (first, second) = (&data.runs[a], &data.runs[b]);
+            [first, second].iter().all(|run| run.usage == Use::Train)
+                && first.measured[0].len() == second.measured[0].len()
+        })
+        .collect()
+}
+
 /// The band of a frequency.
 pub fn band(frequency_hz: f64) -> usize {
     BANDS_HZ.iter().position(|end| frequency_hz < *end).unwrap_or(BANDS_HZ.len() - 1)
@@ -129,7 +129,9 @@ fn static_scatter(data: &Dataset) -> ([f64; 3], [f64; 3]) {
             for i in 0..alphas.len() {
                 let same = |j: &usize| (alphas[*j] - alphas[i]).abs() < 1e-4 && reading(*j).is_some();
                 let twins: Vec<usize> = (i..alphas.len()).filter(same).filter(|j| !done[*j]).collect();
-                twins.iter().for_each(|j| done[*j] = true);
+                for &j in &twins {
+                    done[j] = true;
+                }
                 let mut means = Vec::new();
                 let mut blocks: Vec<Option<usize>> = twins.iter().map(|j| group.blocks[*j]).collect();
                 blocks.dedup();

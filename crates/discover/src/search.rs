@@ -156,8 +156,13 @@ pub fn search(
         let effects: Vec<Active> = found.iter().map(|f| f.active.clone()).collect();
         level = Level::new(setting, problem, &effects, Some(&level.models));
         if found.len() > 1 {
-            level = revise(setting, problem, limits, &mut found, level);
+            level = revise(setting, problem, limits, &mut found, &level);
         }
+    }
+    // what was found beside an effect is no rival of it
+    let names: Vec<&str> = found.iter().map(|f| f.active.effect.spec().name).collect();
+    for effect in &mut found {
+        effect.confused_with.retain(|rival| !names.contains(rival));
     }
     let misfit = [start / rows, level.chi2 / rows];
     let unexplained = misfit[1] > limits.misfit_limit;
@@ -170,7 +175,7 @@ fn revise(
     problem: &mut Problem<'_>,
     limits: &Thresholds,
     found: &mut Vec<Found>,
-    last: Level,
+    last: &Level,
 ) -> Level {
     for index in (0..found.len()).rev().skip(1) {
         let others: Vec<Active> =
@@ -223,7 +228,7 @@ fn distinguish(
     for _ in 0..DRAWS {
         let mut weights = vec![0.0; count];
         for _ in 0..count {
-            weights[(random.next_u64() % count as u64) as usize] += 1.0;
+            weights[random.next_u32() as usize % count] += 1.0;
         }
         let score = |c: usize| {
             let chi2: f64 = shares[c].iter().zip(&weights).map(|(s, w)| s * w).sum();

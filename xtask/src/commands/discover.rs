@@ -22,6 +22,9 @@ impl From<DiscoverError> for Failure {
     fn from(error: DiscoverError) -> Self {
         match error {
             DiscoverError::Input(input) => Self::Input(input),
+            DiscoverError::Noise(unknown) => InputError::general(unknown.to_string())
+                .with_help("state the noise in campaign.ron, or name in `repeat_of` which run a run repeats")
+                .into(),
             other => Self::computation(other),
         }
     }

@@ -40,8 +40,8 @@ fn csv(t_s: &[f64], measured: &[Vec<f64>; 3], before: &Flown, after: &Flown) -> 
     text.push('\n');
     for (i, t) in t_s.iter().enumerate() {
         let _ = write!(text, "{t:.4}");
-        for c in 0..3 {
-            let _ = write!(text, ",{:.4},{:.4},{:.4}", measured[c][i], before.loads[c][i], after.loads[c][i]);
+        for (c, measured) in measured.iter().enumerate() {
+            let _ = write!(text, ",{:.4},{:.4},{:.4}", measured[i], before.loads[c][i], after.loads[c][i]);
         }
         text.push('\n');
     }
