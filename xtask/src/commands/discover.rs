@@ -25,7 +25,7 @@ impl From<DiscoverError> for Failure {
             DiscoverError::Noise(unknown) => InputError::general(unknown.to_string())
                 .with_help("state the noise in campaign.ron, or name in `repeat_of` which run a run repeats")
                 .into(),
-            other => Self::computation(other),
+            DiscoverError::Simulator(other) => Self::computation(other),
         }
     }
 }

@@ -10,11 +10,11 @@ use serde_json::{Value, json};
 use crate::commands::discover::Discovered;
 
 /// So many regressors are listed.
-const LISTED: usize = 8;
+const LISTED: usize = 12;
 /// Less than this of a channel's residual is no finding.
 const LEAST_SHARE: f64 = 0.01;
 /// Nor is what chance does more often.
-const CHANCE: f64 = 1e-3;
+const CHANCE: f64 = 0.05;
 
 /// Residuals of training data, with effects or without.
 fn residuals(found: &Discovered<'_>, effects: &[Active]) -> Residuals {
@@ -29,9 +29,25 @@ fn residuals(found: &Discovered<'_>, effects: &[Active]) -> Residuals {
     Residuals::new(&prepared.data, &flown, &error, &controls, Some(Use::Train))
 }
 
-/// `located` of result.json: what the residual goes with before any effect.
+/// `located` of result.json: what the residual goes with before any effect. Families of deflections are judged on all training
+/// data, the others where the controls rest, if there is such: a large residual of theirs would hide the rest.
 pub(crate) fn json(found: &Discovered<'_>) -> Vec<Value> {
-    let listed = regressors(&residuals(found, &[]));
+    let all = residuals(found, &[]);
+    let mut resting = all.clone();
+    resting.units.retain(|unit| {
+        unit.stimulus
+            .inputs
+            .controls_rad
+            .iter()
+            .all(|control| control.iter().all(|delta| *delta == control[0]))
+    });
+    let of_controls = |l: &Located| l.regressor.contains("delta");
+    let mut listed = regressors(&all);
+    if !resting.units.is_empty() {
+        listed.retain(of_controls);
+        listed.extend(regressors(&resting).into_iter().filter(|l| !of_controls(l)));
+        listed.sort_by(|a, b| b.share_of_residual.total_cmp(&a.share_of_residual));
+    }
     let told = |l: &&Located| l.share_of_residual >= LEAST_SHARE && l.p_value <= CHANCE;
     let entry = |l: &Located| {
         json!({ "channel": l.channel, "regressor": l.regressor, "share_of_residual": l.share_of_residual,

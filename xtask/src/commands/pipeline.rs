@@ -1,12 +1,15 @@
-//! `pipeline`: calibrate the shipped wing, correct its deflections, simulate its runs, fly the mirrored aircraft.
+//! `pipeline`: calibrate the shipped wing, correct its deflections, simulate its runs, find the effects it lacks, fly the
+//! mirrored aircraft with them.
 
 use std::path::Path;
 use std::time::Instant;
 
 use serde_json::{Map, Value, json};
 
-use crate::args::{CalibrateArgs, Common, DeflectionArgs, FullaircraftArgs, PipelineArgs, SimulateArgs};
-use crate::commands::{calibrate, deflection, fullaircraft, pipeline_figures, simulate};
+use crate::args::{
+    CalibrateArgs, Common, DeflectionArgs, DiscoverArgs, FullaircraftArgs, PipelineArgs, SimulateArgs,
+};
+use crate::commands::{calibrate, deflection, discover, fullaircraft, pipeline_figures, simulate};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::{paths, show};
@@ -41,15 +44,16 @@ pub(crate) fn run(_args: &PipelineArgs, common: &Common) -> Result<(), Failure> 
         let (wing, corrections) = (of_deflection("wing.ron"), of_deflection("corrections.ron"));
         simulate::run(&SimulateArgs { wing, corrections, ..Default::default() }, common)
     })?;
+    timed("discover", &|common| discover::run(&DiscoverArgs::default(), common))?;
     timed("fullaircraft", &|common| {
-        fullaircraft::run(
-            &FullaircraftArgs { corrections: corrections.clone(), ..Default::default() },
-            common,
-        )
+        // with the effects that stay with the wing, and the corrections found beside them
+        let of_discover = |name: &str| Some(base.join("discover").join(name));
+        let (wing, corrections) = (of_discover("wing.ron"), of_discover("corrections.ron"));
+        fullaircraft::run(&FullaircraftArgs { corrections, wing, ..Default::default() }, common)
     })?;
     let total = start.elapsed().as_secs_f64();
     let mut result = json!({ "command": "pipeline", "seconds": total, "steps": seconds });
-    for name in ["calibrate", "deflection", "simulate", "fullaircraft"] {
+    for name in ["calibrate", "deflection", "simulate", "discover", "fullaircraft"] {
         result[name] = read_result(&base.join(name))?;
     }
     let folder = ResultFolder::begin(&base.join("pipeline"))?;
