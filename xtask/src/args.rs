@@ -64,6 +64,8 @@ pub enum Command {
     Deflection(DeflectionArgs),
     /// Where simulation and measurements disagree, which effect is missing, the wing with it, the gap before and after
     Discover(DiscoverArgs),
+    /// The blind benchmark of `discover`: effects hidden in campaigns of another program's wing
+    Hidden(HiddenArgs),
     /// Trim, pull-up, push-down, chirp and doublet of the full aircraft, initial beside updated model
     Fullaircraft(FullaircraftArgs),
     /// Calibrate, simulate and fullaircraft, one after the other
@@ -153,6 +155,23 @@ pub struct DeflectionArgs {
     /// Corrections from `calibrate` [default: out/calibrate's if of the same wing, else calibrated first]
     #[arg(long, value_name = "FILE")]
     pub corrections: Option<PathBuf>,
+}
+
+/// Options of `hidden`.
+#[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask hidden --cases 20
+  cargo xtask hidden --cases 600 --seed 2000000
+
+Seeds below 1000000 are for development, below 2000000 for thresholds, from there for tests. Verdicts and sealed answers are
+kept in out/hidden.cases, so that a run that was stopped goes on; remove that folder to begin anew.")]
+pub struct HiddenArgs {
+    /// Number of cases
+    #[arg(long, value_name = "N", default_value_t = 40)]
+    pub cases: usize,
+    /// Calibrate each case on its own static points, as a user does (track B), instead of effect-free ones
+    #[arg(long)]
+    pub own_static_points: bool,
 }
 
 /// Options of `discover`.

@@ -41,6 +41,7 @@ fn run(cli: &Cli) -> Result<(), Failure> {
         | Command::Simulate(_)
         | Command::Deflection(_)
         | Command::Discover(_)
+        | Command::Hidden(_)
         | Command::Fullaircraft(_)
         | Command::Tunnel(_)
         | Command::Modes(_)
@@ -59,6 +60,7 @@ fn run(cli: &Cli) -> Result<(), Failure> {
         Command::Simulate(args) => commands::simulate::run(args, common),
         Command::Deflection(args) => commands::deflection::run(args, common),
         Command::Discover(args) => commands::discover::run(args, common),
+        Command::Hidden(args) => commands::hidden::run(args, common),
         Command::Fullaircraft(args) => commands::fullaircraft::run(args, common),
         Command::Pipeline(args) => commands::pipeline::run(args, common),
         Command::Tunnel(args) => commands::tunnel::run(args, common),

@@ -7,7 +7,7 @@ use crate::level::{Level, Setting};
 use crate::noise::{Noise, NoiseUnknown};
 use crate::problem::Problem;
 use crate::search::{Outcome, search};
-use crate::simulator::{Simulator, SimulatorError};
+use crate::simulator::{Simulator, SimulatorError, SplitRig};
 use calibrate::{Campaign, Schedule, Use};
 use coupling::{ElasticWing, WingFile};
 use maneuver::AirModel;
@@ -29,6 +29,30 @@ pub enum DiscoverError {
     /// Nothing says how large the noise is.
     #[error(transparent)]
     Noise(#[from] NoiseUnknown),
+}
+
+/// A wing's rigs, with the model's numerics and with others: set up once for any number of campaigns.
+#[derive(Debug)]
+pub struct Rigs<'a> {
+    /// As `simulate` has it.
+    pub own: SplitRig<'a>,
+    /// With another rational function of the air.
+    pub other: SplitRig<'a>,
+}
+
+impl<'a> Rigs<'a> {
+    /// Sets both up.
+    ///
+    /// # Errors
+    /// As [`SplitRig::new`].
+    pub fn new(file: &'a WingFile, wing: &'a ElasticWing) -> Result<Self, DiscoverError> {
+        let air = match AirModel::default() {
+            AirModel::Unsteady { doublets, .. } => AirModel::Unsteady { lags: OTHER_LAGS, doublets },
+            AirModel::QuasiSteady => AirModel::QuasiSteady,
+        };
+        let own = SplitRig::new(file, wing, AirModel::default())?;
+        Ok(Self { own, other: SplitRig::new(file, wing, air)? })
+    }
 }
 
 /// A wing and a campaign ready to be searched.
@@ -67,20 +91,15 @@ impl Prepared {
     /// # Errors
     /// Bad data, a wing that diverges, unknown noise.
     pub fn new(
-        file: &WingFile,
-        wing: &ElasticWing,
+        rigs: &Rigs<'_>,
         schedule: &Schedule,
         campaign: &Campaign,
         own_corrections: bool,
     ) -> Result<Self, DiscoverError> {
-        let data = Dataset::read(campaign, wing)?;
-        let simulator = Simulator::new(file, wing, schedule, &data, AirModel::default())?;
-        let air = match AirModel::default() {
-            AirModel::Unsteady { doublets, .. } => AirModel::Unsteady { lags: OTHER_LAGS, doublets },
-            AirModel::QuasiSteady => AirModel::QuasiSteady,
-        };
-        let others = vec![Simulator::new(file, wing, schedule, &data, air)?];
-        let names: Vec<String> = wing.controls.iter().map(|control| control.name.clone()).collect();
+        let data = Dataset::read(campaign, rigs.own.wing())?;
+        let simulator = Simulator::new(&rigs.own, schedule, &data)?;
+        let others = vec![Simulator::new(&rigs.other, schedule, &data)?];
+        let names = rigs.own.controls();
         let places: Vec<usize> = (0..data.runs.len()).map(|i| data.statics.len() + i).collect();
         let flown = simulator.fly(&simulator.models(&[], None), &[], &places);
         let noise = Noise::new(&data, &flown)?;

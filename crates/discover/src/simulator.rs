@@ -42,26 +42,50 @@ pub struct Simulator {
 /// Linear parts at every airspeed.
 pub type Models = Vec<Arc<Model>>;
 
+/// A wing's rig with its stiffness in parts: what does not depend on a campaign.
+#[derive(Debug)]
+pub struct SplitRig<'a> {
+    file: &'a WingFile,
+    wing: &'a ElasticWing,
+    rig: Rig<'a>,
+    parts: Option<StiffnessParts>,
+}
+
+impl<'a> SplitRig<'a> {
+    /// Sets up the rig: modes, and the doublet lattice's table.
+    ///
+    /// # Errors
+    /// If the modes do not converge or the lattice cannot be solved.
+    pub fn new(file: &'a WingFile, wing: &'a ElasticWing, air: AirModel) -> Result<Self, SimulatorError> {
+        let settings =
+            RigSettings { modes: MODES, air, ..RigSettings::new(file.damping_ratio, file.pitch_axis_x()) };
+        let rig = Rig::new(wing, settings)?;
+        let parts = StiffnessParts::new(&rig, &file.bulk(Mount::Tunnel)?)?;
+        Ok(Self { file, wing, rig, parts })
+    }
+
+    /// Names of the wing's controls.
+    pub fn controls(&self) -> Vec<String> {
+        self.wing.controls.iter().map(|control| control.name.clone()).collect()
+    }
+
+    /// The wing.
+    pub fn wing(&self) -> &'a ElasticWing {
+        self.wing
+    }
+}
+
 impl Simulator {
     /// The wing with corrections at the airspeeds of a data set.
     ///
     /// # Errors
     /// If the wing diverges at one of them, or corrections do not reach there.
-    pub fn new(
-        file: &WingFile,
-        wing: &ElasticWing,
-        schedule: &Schedule,
-        data: &Dataset,
-        air: AirModel,
-    ) -> Result<Self, SimulatorError> {
-        let settings =
-            RigSettings { modes: MODES, air, ..RigSettings::new(file.damping_ratio, file.pitch_axis_x()) };
-        let rig = Rig::new(wing, settings)?;
-        let parts = StiffnessParts::new(&rig, &file.bulk(Mount::Tunnel)?)?;
+    pub fn new(rig: &SplitRig<'_>, schedule: &Schedule, data: &Dataset) -> Result<Self, SimulatorError> {
+        let SplitRig { file, wing, rig, parts } = rig;
         let at = |v_m_s: &f64| -> Result<Compact, SimulatorError> {
             let flow = Flow { v_m_s: *v_m_s, rho_kg_m3: data.rho_kg_m3 };
             let corrections = corrections(schedule, *v_m_s, wing)?;
-            Ok(Compact::new(&rig, flow, &corrections, parts.as_ref())?)
+            Ok(Compact::new(rig, flow, &corrections, parts.as_ref())?)
         };
         let rigs = data.airspeeds_m_s.par_iter().map(at).collect::<Result<Vec<_>, _>>()?;
         let names: Vec<String> = wing.controls.iter().map(|control| control.name.clone()).collect();

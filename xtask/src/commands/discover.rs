@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use calibrate::{Campaign, Settings, Use, calibrate};
-use discover::analysis::{DiscoverError, Prepared, Report};
+use discover::analysis::{DiscoverError, Prepared, Report, Rigs};
 use discover::bank::{Thresholds, key};
 use discover::gate::{Defect, defects};
 use maneuver::effects::Flown;
@@ -62,7 +62,8 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
             .into());
     }
     let own = args.corrections.is_none();
-    let prepared = Prepared::new(&corrected.file, &corrected.wing, &corrected.schedule, &campaign, own)?;
+    let rigs = Rigs::new(&corrected.file, &corrected.wing)?;
+    let prepared = Prepared::new(&rigs, &corrected.schedule, &campaign, own)?;
     let out = common.out("discover");
     if let Some(found) = faults(&prepared) {
         return refuse(&found, &out, common, start.elapsed().as_secs_f64());
@@ -81,7 +82,7 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
         data_hash,
     };
     let seconds = start.elapsed().as_secs_f64();
-    let result = discover_results::json(&found, seconds);
+    let result = discover_results::json(&found, &discover_located::json(&found), seconds);
     let results = ResultFolder::begin(&out)?;
     write_wing(&found, &results)?;
     results.write_json("result.json", &result)?;
@@ -94,7 +95,7 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
 }
 
 /// Data defects, judged before anything is searched.
-fn faults(prepared: &Prepared) -> Option<Vec<Defect>> {
+pub(crate) fn faults(prepared: &Prepared) -> Option<Vec<Defect>> {
     let (data, simulator) = (&prepared.data, &prepared.simulator);
     let all: Vec<usize> = (0..data.statics.len() + data.runs.len()).collect();
     let flown: Vec<Flown> = simulator.fly(&simulator.models(&[], None), &[], &all);

@@ -10,7 +10,6 @@ use discover::search::Found;
 use serde_json::{Map, Value, json};
 
 use crate::commands::discover::Discovered;
-use crate::commands::discover_located;
 
 /// Held out, the gap may be so many times its floor.
 const CLOSED: f64 = 2.0;
@@ -29,7 +28,7 @@ pub(crate) fn verdict(found: &Discovered<'_>) -> &'static str {
 }
 
 /// `result.json`.
-pub(crate) fn json(found: &Discovered<'_>, seconds: f64) -> Value {
+pub(crate) fn json(found: &Discovered<'_>, located: &[Value], seconds: f64) -> Value {
     let outcome = &found.report.outcome;
     let parameters = |effect: &Found| {
         let each = effect.active.parameters().into_iter().zip(effect.active.values.iter().zip(&effect.sigma));
@@ -47,7 +46,7 @@ pub(crate) fn json(found: &Discovered<'_>, seconds: f64) -> Value {
     json!({
         "command": "discover",
         "verdict": verdict(found),
-        "located": discover_located::json(found),
+        "located": located,
         "effects": outcome.found.iter().map(effect).collect::<Vec<_>>(),
         "next_experiment": next_experiment(found),
         "gap": { "training": gap(train, found.limits.floor[0]), "holdout": gap(holdout, found.limits.floor[1]) },

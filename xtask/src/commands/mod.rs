@@ -29,6 +29,7 @@ mod fullaircraft_deck;
 mod fullaircraft_derivatives;
 mod fullaircraft_effects;
 mod fullaircraft_figures;
+pub(crate) mod hidden;
 pub(crate) mod modes;
 mod modes_pictures;
 mod modes_update;

@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 use calibrate::{Campaign, CorrectionSet, Schedule, Settings, calibrate};
 use coupling::ElasticWing;
 use discover::data::Dataset;
-use discover::simulator::Simulator;
+use discover::simulator::{Simulator, SplitRig};
 use maneuver::AirModel;
 use maneuver::effects::{Active, Flown};
 
@@ -84,8 +84,10 @@ pub(crate) fn shipped() -> &'static Flight {
             found.airspeeds.iter().map(|a| CorrectionSet::new(a.data.v_m_s, a.corrections.clone())).collect();
         let schedule = Schedule { wing: file.name.clone(), wing_hash: file.hash.clone(), sets };
         let data = Dataset::read(&campaign, &wing).expect("its runs");
-        let simulator =
-            Simulator::new(&file, &wing, &schedule, &data, AirModel::default()).expect("a simulator");
+        let simulator = {
+            let rig = SplitRig::new(&file, &wing, AirModel::default()).expect("a rig");
+            Simulator::new(&rig, &schedule, &data).expect("a simulator")
+        };
         let all: Vec<usize> = (0..data.statics.len() + data.runs.len()).collect();
         let flown = simulator.fly(&simulator.models(&[], None), &[], &all);
         let controls = wing.controls.iter().map(|control| control.name.clone()).collect();

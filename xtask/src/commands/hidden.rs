@@ -1,0 +1,216 @@
+//! `hidden`: the blind benchmark of `discover` on campaigns of another program's wing, in which a known effect is hidden.
+//!
+//! A case is written to a folder, its answer to another one; the search reads the first alone. Cases that are there already
+//! with a verdict are not done again.
+
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use calibrate::{Campaign, Settings, calibrate};
+use coupling::{ElasticWing, WingFile};
+use discover::analysis::{Prepared, Rigs};
+use discover::bank::Thresholds;
+use hidden::score::gates;
+use hidden::{Answer, Bench, CasePlan, Class, Families, Fineness, Metrics, Mix, Verdict, cases, score};
+use rayon::prelude::*;
+use serde_json::{Value, json};
+
+use crate::args::{Common, HiddenArgs};
+use crate::commands::discover::{Discovered, faults};
+use crate::commands::discover_results;
+use crate::corrections::{CorrectedWing, schedule};
+use crate::failure::Failure;
+use crate::output::ResultFolder;
+use crate::{paths, progress, show};
+
+/// First seed of the calibration range: the bank's campaign.
+const BANK_SEED: u64 = 1_000_000;
+/// First seed of the development range.
+const FIRST_SEED: u64 = 1;
+
+impl From<tunnel::TunnelError> for Failure {
+    fn from(error: tunnel::TunnelError) -> Self {
+        Self::computation(error)
+    }
+}
+
+/// What serves all cases.
+struct Judge<'a> {
+    file: &'a WingFile,
+    wing: &'a ElasticWing,
+    rigs: Rigs<'a>,
+    limits: Thresholds,
+    folder: PathBuf,
+    own_static_points: bool,
+}
+
+/// Runs the command.
+pub(crate) fn run(args: &HiddenArgs, common: &Common) -> Result<(), Failure> {
+    let start = Instant::now();
+    let path = paths::in_repository("data/tuflex/wing_beam.ron");
+    let bench = Bench::new(&path, Fineness::BENCHMARK)?;
+    let (file, wing) = ElasticWing::read(&path)?;
+    let out = common.out("hidden");
+    let folder = out.with_extension("cases");
+    let mut judge = Judge {
+        rigs: Rigs::new(&file, &wing)?,
+        file: &file,
+        wing: &wing,
+        limits: Thresholds::default(),
+        folder,
+        own_static_points: args.own_static_points,
+    };
+    judge.limits = judge.bank(&bench)?;
+    let seed = common.seed.unwrap_or(FIRST_SEED);
+    let plans = cases(seed, args.cases, &Mix::default());
+    let bar = progress::bar(common, plans.len(), "cases");
+    let judged = plans
+        .par_iter()
+        .map(|plan| {
+            let one = judge.case(&bench, plan, seed);
+            bar.inc(1);
+            one
+        })
+        .collect::<Result<Vec<(Answer, Verdict)>, Failure>>()?;
+    bar.finish_and_clear();
+    let families = Families::read(&paths::in_repository("data/hidden/families.ron"))?;
+    let metrics = score(&judged, &families);
+    let seconds = start.elapsed().as_secs_f64();
+    let result = json!({
+        "command": "hidden", "cases": metrics.cases, "seed": seed,
+        "track": if args.own_static_points { "B" } else { "A" },
+        "metrics": metrics.metrics, "gates": gates(&metrics), "confusion": metrics.confusion, "seconds": seconds,
+    });
+    let results = ResultFolder::begin(&out)?;
+    results.write_json("result.json", &result)?;
+    results.commit()?;
+    show::summary(common, &summary(&metrics, &out, seconds));
+    show::json(common, &result)
+}
+
+impl Judge<'_> {
+    /// Thresholds from null campaigns of the model in the design of the benchmark, kept for the next run.
+    fn bank(&self, bench: &Bench) -> Result<Thresholds, Failure> {
+        let path = self.folder.join("null_bank.ron");
+        let plan = cases(BANK_SEED, 1, &Mix::only(Class::Null));
+        let prepared = self.prepared(bench, &plan[0], "bank")?.0;
+        let key = discover::bank::key(&self.file.hash, &prepared.data);
+        let kept: Option<Thresholds> = nastran::ron_file::read(&path).ok();
+        if let Some(bank) = kept.filter(|bank| bank.key == key) {
+            return Ok(bank);
+        }
+        let mut bank = prepared.thresholds(BANK_SEED);
+        bank.key = key;
+        write(&path, &nastran::ron_file::to_text(&bank)?)?;
+        Ok(bank)
+    }
+
+    /// Makes a case, or takes one that is there, and lets `discover` judge it.
+    fn case(&self, bench: &Bench, plan: &CasePlan, seed: u64) -> Result<(Answer, Verdict), Failure> {
+        let track = if self.own_static_points { "b" } else { "a" };
+        let name = format!("{seed}_{:05}", plan.index);
+        let (sealed, told) = (
+            self.folder.join(format!("{name}.answer.json")),
+            self.folder.join(format!("{name}.{track}.json")),
+        );
+        let earlier = || {
+            let answer = serde_json::from_str(&std::fs::read_to_string(&sealed).ok()?).ok()?;
+            Some((answer, Verdict::from_json(&std::fs::read_to_string(&told).ok()?, &told).ok()?))
+        };
+        if let Some(earlier) = earlier() {
+            return Ok(earlier);
+        }
+        let start = Instant::now();
+        let (text, answer) = match self.prepared(bench, plan, &name) {
+            Ok((prepared, campaign, schedule, answer)) => {
+                (self.judged((prepared, campaign, schedule), plan, start)?, answer)
+            }
+            // a campaign that cannot be read is refused as a user's would be
+            Err(Failure::Input(refused)) => {
+                let result = json!({ "command": "discover", "verdict": "data_defect", "effects": [],
+                    "refused": refused.message, "seconds": start.elapsed().as_secs_f64() });
+                (result, bench.case(plan).answer)
+            }
+            Err(other) => return Err(other),
+        };
+        write(&sealed, &serde_json::to_string(&answer).map_err(Failure::computation)?)?;
+        write(&told, &text.to_string())?;
+        // measurements are made again from the seed if they are wanted
+        let _ = std::fs::remove_dir_all(self.folder.join(&name));
+        Ok((answer, Verdict::from_json(&text.to_string(), &told)?))
+    }
+
+    fn prepared(
+        &self,
+        bench: &Bench,
+        plan: &CasePlan,
+        name: &str,
+    ) -> Result<(Prepared, Campaign, calibrate::Schedule, Answer), Failure> {
+        let case = bench.case(plan);
+        let folder = self.folder.join(name);
+        case.files.write(&folder).map_err(Failure::computation)?;
+        let campaign = Campaign::read(&folder.join("measured"))?;
+        let statics = if self.own_static_points {
+            campaign.clone()
+        } else {
+            Campaign::read(&folder.join("reference"))?
+        };
+        let calibration = calibrate(self.wing, &statics, &Settings::of_wing(&self.file.correction))?;
+        let schedule = schedule(self.file, &calibration);
+        let mut prepared = Prepared::new(&self.rigs, &schedule, &campaign, self.own_static_points)?;
+        if let Some(left_out) = &plan.leave_out {
+            prepared.library.retain(|effect| effect.spec().name != left_out);
+        }
+        Ok((prepared, campaign, schedule, case.answer))
+    }
+
+    fn judged(
+        &self,
+        (prepared, campaign, schedule): (Prepared, Campaign, calibrate::Schedule),
+        plan: &CasePlan,
+        start: Instant,
+    ) -> Result<Value, Failure> {
+        if let Some(found) = faults(&prepared) {
+            return Ok(discover_results::defects(&found, start.elapsed().as_secs_f64()));
+        }
+        let report = prepared.search(&self.limits, plan.seed);
+        let (file, wing) = ElasticWing::read(&self.file.path)?;
+        let corrected = CorrectedWing { file, wing, schedule, origin: "the case's reference".to_owned() };
+        let found = Discovered {
+            corrected: &corrected,
+            campaign: &campaign,
+            prepared: &prepared,
+            limits: &self.limits,
+            bank: String::new(),
+            report,
+            data_hash: String::new(),
+        };
+        Ok(discover_results::json(&found, &[], start.elapsed().as_secs_f64()))
+    }
+}
+
+fn write(path: &Path, text: &str) -> Result<(), Failure> {
+    if let Some(folder) = path.parent() {
+        std::fs::create_dir_all(folder).map_err(Failure::computation)?;
+    }
+    let partial = path.with_extension("partial");
+    std::fs::write(&partial, text).map_err(Failure::computation)?;
+    std::fs::rename(&partial, path).map_err(Failure::computation)
+}
+
+fn summary(metrics: &Metrics, out: &Path, seconds: f64) -> String {
+    let mut table = report::Table::new(&["gate", "limit", "value", "95 %", "n", "reached"]);
+    for gate in gates(metrics) {
+        let metric = metrics.metrics.get(&gate.metric);
+        let number = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| format!("{value:.3}"));
+        table.row([
+            gate.metric.clone(),
+            format!("{:.2}", gate.limit),
+            number(gate.value),
+            metric.map_or_else(String::new, |m| format!("{} .. {}", number(m.low), number(m.high))),
+            metric.map_or_else(String::new, |m| m.n.to_string()),
+            if gate.reached { "yes" } else { "no" }.to_owned(),
+        ]);
+    }
+    format!("{table}\n{} cases, {seconds:.0} s; results in {}\n", metrics.cases, out.display())
+}
