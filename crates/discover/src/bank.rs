@@ -19,10 +19,12 @@ use std::sync::Arc;
 pub const CAMPAIGNS: u64 = 20;
 /// Standard deviations above the mean of what is found where nothing is missing.
 const SIGMAS: f64 = 3.0;
-/// Nats on top: the bank's campaigns are made with the model's own numerics, or close to it.
-const MARGIN: f64 = 20.0;
+/// Nats on top: the bank's campaigns are made with the model's own numerics, or close to it, and real wings are not.
+const MARGIN: f64 = 40.0;
 /// Threshold of an effect the bank says nothing of.
-const UNKNOWN: f64 = 30.0;
+const UNKNOWN: f64 = 40.0;
+/// Misfit on top, for the same reason.
+const MISFIT_MARGIN: f64 = 0.15;
 
 /// Thresholds of evidence by effect and form, and what the misfit is without effects.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -86,7 +88,7 @@ impl Thresholds {
             key: String::new(),
             evidence: evidence.into_iter().map(|(name, values)| (name, of(values))).collect(),
             misfit,
-            misfit_limit: misfit + SIGMAS * sd,
+            misfit_limit: misfit + SIGMAS * sd + MISFIT_MARGIN,
             floor: [floor(0), floor(1)],
         }
     }
