@@ -16,6 +16,10 @@ pub(super) fn delayed(values: &[f64], time_step_s: f64, delay_s: f64) -> Vec<f64
         .map(|i| {
             let k = i as f64 - whole - 1.0;
             let [a, b, c, d] = [at(k - 1.0), at(k), at(k + 1.0), at(k + 2.0)];
+            if t >= 1.0 {
+                // a whole number of samples: to the last bit
+                return c;
+            }
             let (first, third) = (0.5 * (c - a), a - 2.5 * b + 2.0 * c - 0.5 * d);
             b + t * (first + t * (third + t * (0.5 * (d - a) + 1.5 * (b - c))))
         })
