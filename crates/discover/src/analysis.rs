@@ -17,6 +17,9 @@ use std::sync::Arc;
 /// Lags of the other numerics' rational function.
 const OTHER_LAGS: usize = 4;
 
+/// How open corrections are that were found with other static points: about what a day's readings leave of them.
+const CALIBRATED: f64 = 0.05;
+
 /// Why a campaign cannot be searched.
 #[derive(Debug, thiserror::Error)]
 pub enum DiscoverError {
@@ -103,7 +106,7 @@ impl Prepared {
         let places: Vec<usize> = (0..data.runs.len()).map(|i| data.statics.len() + i).collect();
         let flown = simulator.fly(&simulator.models(&[], None), &[], &places);
         let noise = Noise::new(&data, &flown)?;
-        let open_corrections = if own_corrections { 1.0 } else { 0.05 };
+        let open_corrections = if own_corrections { 1.0 } else { CALIBRATED };
         Ok(Self { data, simulator, others, library: library(&names), noise, open_corrections })
     }
 

@@ -40,7 +40,7 @@ pub struct Refit {
     pub chi2: f64,
     /// `sum (theta/plausible)²`.
     pub prior: f64,
-    /// `ln |J'J|` terms: log of the determinant of `J'J/phi + I/4` for phi = 1 kept as eigenvalues.
+    /// Eigenvalues of `J'J`, J the secants at the solution per plausible size.
     pub eigenvalues: Vec<f64>,
 }
 
@@ -210,8 +210,8 @@ impl Trial<'_> {
 }
 
 impl Refit {
-    /// Logarithm of the Bayes factor against the level without the candidate, chi square divided by `phi`:
-    /// `-(chi²_e - chi²_0)/(2 phi) - prior/2 - ½ ln |J'J/phi + I/4| + k ln 2 ...` (a normal prior of the plausible sizes).
+    /// Logarithm of the Bayes factor against the level without the candidate, chi square divided by `phi`, by Laplace's
+    /// method with a normal prior of the plausible sizes: `(chi²_0 - chi²_e)/(2 phi) - prior/2 - ½ ln |I + J'J/phi|`.
     pub fn evidence(&self, level: &Level, phi: f64) -> f64 {
         let occam: f64 = self.eigenvalues.iter().map(|e| 0.5 * (1.0 + e / phi).ln()).sum();
         0.5 * (level.chi2 - self.chi2) / phi - 0.5 * self.prior - occam

@@ -124,7 +124,11 @@ pub fn search(
     let mut next_best = None;
     let mut first_level = Vec::new();
     let mut first_evidence = None;
-    while found.len() < MOST {
+    // what a step takes back a later one may find again: steps end, whatever they do
+    for _ in 0..2 * MOST {
+        if found.len() == MOST {
+            break;
+        }
         let weighed = weigh(setting, problem, &level, limits);
         if first_evidence.is_none() {
             first_level = weighed
@@ -243,18 +247,13 @@ fn distinguish(
         of_name.map(|(_, wins)| *wins).sum::<usize>() as f64 / DRAWS as f64
     };
     let close = CLOSE.max(CLOSE_SHARE * best.evidence.abs());
-    let mut set: Vec<&'static str> = weighed
-        .iter()
-        .filter(|w| w.name() != best.name())
-        .filter(|w| share(w.name()) >= IN_SET || w.evidence > best.evidence - close)
-        .map(Weighed::name)
-        .collect();
-    set.dedup();
-    let mut unique: Vec<&'static str> = Vec::new();
-    for name in set {
-        if !unique.contains(&name) {
-            unique.push(name);
+    let mut set: Vec<&'static str> = Vec::new();
+    for rival in weighed.iter().filter(|w| w.name() != best.name()) {
+        let close = share(rival.name()) >= IN_SET || rival.evidence > best.evidence - close;
+        // forms of one effect have one name
+        if close && !set.contains(&rival.name()) {
+            set.push(rival.name());
         }
     }
-    (share(best.name()), unique)
+    (share(best.name()), set)
 }

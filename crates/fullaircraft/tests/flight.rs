@@ -19,7 +19,7 @@ fn without_input_nothing_moves() {
     );
     // not a bit of change, and the trim's own numbers up to the last digits of another order of sums
     let still = |values: &[f64], trimmed: f64| {
-        values.iter().all(|value| *value == values[0]) && (values[0] - trimmed).abs() < 1e-9 * trimmed.abs()
+        values.iter().all(|value| *value == values[0]) && (values[0] - trimmed).abs() < 1e-14 * trimmed.abs()
     };
     assert!(still(&history.alpha_deg, trimmed.alpha_rad.to_degrees()));
     assert!(still(&history.root_right[0], trimmed.root_loads[0].fz_n));

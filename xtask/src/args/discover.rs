@@ -10,8 +10,9 @@ use clap::Args;
   cargo xtask hidden --cases 20
   cargo xtask hidden --cases 600 --seed 2000000
 
-Seeds below 1000000 are for development, below 2000000 for thresholds, from there for tests. Verdicts and sealed answers are
-kept in out/hidden.cases, so that a run that was stopped goes on; remove that folder to begin anew.")]
+Seeds below 1000000 are for development, below 2000000 for thresholds, from there for tests. Verdicts are
+kept in out/hidden.cases and answers in out/hidden.sealed, so that a run that was stopped goes on; remove both to begin anew,
+as after a change of `discover`.")]
 pub struct HiddenArgs {
     /// Number of cases
     #[arg(long, value_name = "N", default_value_t = 40)]
@@ -40,6 +41,9 @@ pub struct DiscoverArgs {
     /// Corrections found with other data than this campaign's [default: out/calibrate's if of the same wing, else calibrated first]
     #[arg(long, value_name = "FILE")]
     pub corrections: Option<PathBuf>,
+    /// Whether `corrections` come from this campaign's own static points all the same: the pipeline's do
+    #[arg(skip)]
+    pub own_corrections: bool,
     /// A bank of null campaigns [default: the shipped or last one if of the same wing and campaign, else made first]
     #[arg(long, value_name = "FILE")]
     pub bank: Option<PathBuf>,

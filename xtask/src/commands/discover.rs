@@ -61,7 +61,7 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
             .with_help("take the list of effects out of a copy of the wing's file")
             .into());
     }
-    let own = args.corrections.is_none();
+    let own = args.corrections.is_none() || args.own_corrections;
     let rigs = Rigs::new(&corrected.file, &corrected.wing)?;
     let prepared = Prepared::new(&rigs, &corrected.schedule, &campaign, own)?;
     let out = common.out("discover");

@@ -1,13 +1,13 @@
 //! `hidden`: the blind benchmark of `discover` on campaigns of another program's wing, in which a known effect is hidden.
 //!
-//! A case is written to a folder, its answer to another one; the search reads the first alone. Cases that are there already
-//! with a verdict are not done again.
+//! A case and its verdict go to one folder, its sealed answer to another that only the scoring reads. Cases that have a verdict
+//! are not done again.
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use calibrate::{Campaign, Settings, calibrate};
-use coupling::{ElasticWing, WingFile};
+use calibrate::{Campaign, Schedule, Settings, calibrate};
+use coupling::ElasticWing;
 use discover::analysis::{Prepared, Rigs};
 use discover::bank::Thresholds;
 use hidden::score::gates;
@@ -36,11 +36,11 @@ impl From<tunnel::TunnelError> for Failure {
 
 /// What serves all cases.
 struct Judge<'a> {
-    file: &'a WingFile,
-    wing: &'a ElasticWing,
+    corrected: &'a CorrectedWing,
     rigs: Rigs<'a>,
     limits: Thresholds,
     folder: PathBuf,
+    sealed: PathBuf,
     own_static_points: bool,
 }
 
@@ -50,14 +50,15 @@ pub(crate) fn run(args: &HiddenArgs, common: &Common) -> Result<(), Failure> {
     let path = paths::in_repository("data/tuflex/wing_beam.ron");
     let bench = Bench::new(&path, Fineness::BENCHMARK)?;
     let (file, wing) = ElasticWing::read(&path)?;
+    let schedule = Schedule { wing: file.name.clone(), wing_hash: file.hash.clone(), sets: Vec::new() };
+    let corrected = CorrectedWing { file, wing, schedule, origin: "each case's own".to_owned() };
     let out = common.out("hidden");
-    let folder = out.with_extension("cases");
     let mut judge = Judge {
-        rigs: Rigs::new(&file, &wing)?,
-        file: &file,
-        wing: &wing,
+        rigs: Rigs::new(&corrected.file, &corrected.wing)?,
+        corrected: &corrected,
         limits: Thresholds::default(),
-        folder,
+        folder: out.with_extension("cases"),
+        sealed: out.with_extension("sealed"),
         own_static_points: args.own_static_points,
     };
     judge.limits = judge.bank(&bench)?;
@@ -94,7 +95,7 @@ impl Judge<'_> {
         let path = self.folder.join("null_bank.ron");
         let plan = cases(BANK_SEED, 1, &Mix::only(Class::Null));
         let prepared = self.prepared(bench, &plan[0], "bank")?.0;
-        let key = discover::bank::key(&self.file.hash, &prepared.data);
+        let key = discover::bank::key(&self.corrected.file.hash, &prepared.data);
         let kept: Option<Thresholds> = nastran::ron_file::read(&path).ok();
         if let Some(bank) = kept.filter(|bank| bank.key == key) {
             return Ok(bank);
@@ -109,10 +110,8 @@ impl Judge<'_> {
     fn case(&self, bench: &Bench, plan: &CasePlan, seed: u64) -> Result<(Answer, Verdict), Failure> {
         let track = if self.own_static_points { "b" } else { "a" };
         let name = format!("{seed}_{:05}", plan.index);
-        let (sealed, told) = (
-            self.folder.join(format!("{name}.answer.json")),
-            self.folder.join(format!("{name}.{track}.json")),
-        );
+        let (sealed, told) =
+            (self.sealed.join(format!("{name}.json")), self.folder.join(format!("{name}.{track}.json")));
         let earlier = || {
             let answer = serde_json::from_str(&std::fs::read_to_string(&sealed).ok()?).ok()?;
             Some((answer, Verdict::from_json(&std::fs::read_to_string(&told).ok()?, &told).ok()?))
@@ -122,9 +121,7 @@ impl Judge<'_> {
         }
         let start = Instant::now();
         let (text, answer) = match self.prepared(bench, plan, &name) {
-            Ok((prepared, campaign, schedule, answer)) => {
-                (self.judged((prepared, campaign, schedule), plan, start)?, answer)
-            }
+            Ok((prepared, campaign, answer)) => (self.judged(&prepared, &campaign, plan, start), answer),
             // a campaign that cannot be read is refused as a user's would be
             Err(Failure::Input(refused)) => {
                 let result = json!({ "command": "discover", "verdict": "data_defect", "effects": [],
@@ -145,7 +142,7 @@ impl Judge<'_> {
         bench: &Bench,
         plan: &CasePlan,
         name: &str,
-    ) -> Result<(Prepared, Campaign, calibrate::Schedule, Answer), Failure> {
+    ) -> Result<(Prepared, Campaign, Answer), Failure> {
         let case = bench.case(plan);
         let folder = self.folder.join(name);
         case.files.write(&folder).map_err(Failure::computation)?;
@@ -155,37 +152,31 @@ impl Judge<'_> {
         } else {
             Campaign::read(&folder.join("reference"))?
         };
-        let calibration = calibrate(self.wing, &statics, &Settings::of_wing(&self.file.correction))?;
-        let schedule = schedule(self.file, &calibration);
+        let CorrectedWing { file, wing, .. } = self.corrected;
+        let calibration = calibrate(wing, &statics, &Settings::of_wing(&file.correction))?;
+        let schedule = schedule(file, &calibration);
         let mut prepared = Prepared::new(&self.rigs, &schedule, &campaign, self.own_static_points)?;
         if let Some(left_out) = &plan.leave_out {
             prepared.library.retain(|effect| effect.spec().name != left_out);
         }
-        Ok((prepared, campaign, schedule, case.answer))
+        Ok((prepared, campaign, case.answer))
     }
 
-    fn judged(
-        &self,
-        (prepared, campaign, schedule): (Prepared, Campaign, calibrate::Schedule),
-        plan: &CasePlan,
-        start: Instant,
-    ) -> Result<Value, Failure> {
-        if let Some(found) = faults(&prepared) {
-            return Ok(discover_results::defects(&found, start.elapsed().as_secs_f64()));
+    fn judged(&self, prepared: &Prepared, campaign: &Campaign, plan: &CasePlan, start: Instant) -> Value {
+        if let Some(found) = faults(prepared) {
+            return discover_results::defects(&found, start.elapsed().as_secs_f64());
         }
         let report = prepared.search(&self.limits, plan.seed);
-        let (file, wing) = ElasticWing::read(&self.file.path)?;
-        let corrected = CorrectedWing { file, wing, schedule, origin: "the case's reference".to_owned() };
         let found = Discovered {
-            corrected: &corrected,
-            campaign: &campaign,
-            prepared: &prepared,
+            corrected: self.corrected,
+            campaign,
+            prepared,
             limits: &self.limits,
             bank: String::new(),
             report,
             data_hash: String::new(),
         };
-        Ok(discover_results::json(&found, &[], start.elapsed().as_secs_f64()))
+        discover_results::json(&found, &[], start.elapsed().as_secs_f64())
     }
 }
 

@@ -44,7 +44,10 @@ pub(crate) fn run(_args: &PipelineArgs, common: &Common) -> Result<(), Failure> 
         let (wing, corrections) = (of_deflection("wing.ron"), of_deflection("corrections.ron"));
         simulate::run(&SimulateArgs { wing, corrections, ..Default::default() }, common)
     })?;
-    timed("discover", &|common| discover::run(&DiscoverArgs::default(), common))?;
+    timed("discover", &|common| {
+        let corrections = corrections.clone();
+        discover::run(&DiscoverArgs { corrections, own_corrections: true, ..Default::default() }, common)
+    })?;
     timed("fullaircraft", &|common| {
         // with the effects that stay with the wing, and the corrections found beside them
         let of_discover = |name: &str| Some(base.join("discover").join(name));

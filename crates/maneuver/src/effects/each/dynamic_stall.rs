@@ -37,11 +37,8 @@ impl Effect for DynamicStall {
             if by_angle == 0.0 || p[1] == 0.0 {
                 continue;
             }
-            let lost = |i: usize| {
-                let angle = seen.lift_n[zone][i] / by_angle;
-                (p[1] / (1.0 + p[1])) * (angle.abs() - limit).max(0.0) * angle.signum() * by_angle
-            };
-            let mut late: Vec<f64> = (0..seen.len()).map(lost).collect();
+            let lost = |lift: &f64| stalled(*lift, by_angle, limit, p[1]);
+            let mut late: Vec<f64> = seen.lift_n[zone].iter().map(lost).collect();
             if !place.steady {
                 let lag_s = p[2] * place.zones.chord_m[zone] / place.flow.v_m_s;
                 late = signal::first_order(&late, place.time_step_s, lag_s);

@@ -32,11 +32,8 @@ impl Effect for Stall {
         for zone in 0..forces.lift_n.len() {
             let by_angle = lift_by_angle(place, zone);
             for i in 0..seen.len() {
-                // what the strip would carry without loss
-                let lift = seen.lift_n[zone][i];
-                let angle = if by_angle > 0.0 { lift / by_angle } else { 0.0 };
-                let over = (angle.abs() - limit).max(0.0) * angle.signum();
-                forces.lift_n[zone][i] -= (p[1] / (1.0 + p[1])) * over * by_angle;
+                // of what the strip would carry without loss
+                forces.lift_n[zone][i] -= stalled(seen.lift_n[zone][i], by_angle, limit, p[1]);
             }
         }
     }
