@@ -5,17 +5,16 @@ use crate::data::Dataset;
 use crate::gap::Gap;
 use crate::level::{Level, Setting};
 use crate::noise::{Noise, NoiseUnknown};
+use crate::numerics::{OtherLattice, other_doublets, other_lags};
 use crate::problem::Problem;
 use crate::search::{Outcome, search};
 use crate::simulator::{Simulator, SimulatorError, SplitRig};
+use crate::uncertain::uncertain;
 use calibrate::{Campaign, Schedule, Use};
 use coupling::{ElasticWing, WingFile};
 use maneuver::AirModel;
 use maneuver::effects::{Active, Effect, Flown, library};
 use std::sync::Arc;
-
-/// Lags of the other numerics' rational function.
-const OTHER_LAGS: usize = 4;
 
 /// How open corrections are that were found with other static points: about what a day's readings leave of them.
 const CALIBRATED: f64 = 0.05;
@@ -39,22 +38,27 @@ pub enum DiscoverError {
 pub struct Rigs<'a> {
     /// As `simulate` has it.
     pub own: SplitRig<'a>,
-    /// With another rational function of the air.
-    pub other: SplitRig<'a>,
+    /// With another rational function of the air, other doublets, another lattice.
+    pub others: Vec<SplitRig<'a>>,
 }
 
 impl<'a> Rigs<'a> {
-    /// Sets both up.
+    /// Sets all up; `lattice` is the wing on another one, if it can be put there.
     ///
     /// # Errors
     /// As [`SplitRig::new`].
-    pub fn new(file: &'a WingFile, wing: &'a ElasticWing) -> Result<Self, DiscoverError> {
-        let air = match AirModel::default() {
-            AirModel::Unsteady { doublets, .. } => AirModel::Unsteady { lags: OTHER_LAGS, doublets },
-            AirModel::QuasiSteady => AirModel::QuasiSteady,
-        };
+    pub fn new(
+        file: &'a WingFile,
+        wing: &'a ElasticWing,
+        lattice: Option<&'a OtherLattice>,
+    ) -> Result<Self, DiscoverError> {
         let own = SplitRig::new(file, wing, AirModel::default())?;
-        Ok(Self { own, other: SplitRig::new(file, wing, air)? })
+        let mut others = vec![SplitRig::new(file, wing, other_lags())?];
+        others.push(match lattice {
+            Some(lattice) => SplitRig::other(lattice, other_doublets())?,
+            None => SplitRig::new(file, wing, other_doublets())?,
+        });
+        Ok(Self { own, others })
     }
 }
 
@@ -69,6 +73,8 @@ pub struct Prepared {
     pub others: Vec<Simulator>,
     /// The library.
     pub library: Vec<Arc<dyn Effect>>,
+    /// What calibration knows only so well.
+    pub uncertain: Vec<Active>,
     /// The noise.
     pub noise: Noise,
     /// How open the corrections are (see [`Setting::open_corrections`]).
@@ -101,13 +107,16 @@ impl Prepared {
     ) -> Result<Self, DiscoverError> {
         let data = Dataset::read(campaign, rigs.own.wing())?;
         let simulator = Simulator::new(&rigs.own, schedule, &data)?;
-        let others = vec![Simulator::new(&rigs.other, schedule, &data)?];
+        let other = |rig| Ok(Simulator::new(rig, schedule, &data)?.matching(&simulator));
+        let others = rigs.others.iter().map(other).collect::<Result<_, DiscoverError>>()?;
         let names = rigs.own.controls();
-        let places: Vec<usize> = (0..data.runs.len()).map(|i| data.statics.len() + i).collect();
+        let places: Vec<usize> = (0..data.runs.len()).map(|i| data.place_of_run(i)).collect();
         let flown = simulator.fly(&simulator.models(&[], None), &[], &places);
         let noise = Noise::new(&data, &flown)?;
         let open_corrections = if own_corrections { 1.0 } else { CALIBRATED };
-        Ok(Self { data, simulator, others, library: library(&names), noise, open_corrections })
+        let library = library(&names);
+        let uncertain = uncertain(&library, &names);
+        Ok(Self { data, simulator, others, library, uncertain, noise, open_corrections })
     }
 
     /// What the search is given.
@@ -117,28 +126,32 @@ impl Prepared {
             simulator: &self.simulator,
             others: &self.others,
             library: &self.library,
+            uncertain: &self.uncertain,
             open_corrections: self.open_corrections,
         }
     }
 
-    /// Training and held-out problems.
-    pub fn problems(&self) -> [Problem<'_>; 2] {
-        [Use::Train, Use::Holdout].map(|usage| Problem::new(&self.data, &self.noise, usage))
+    /// What is searched.
+    pub fn training(&self) -> Problem<'_> {
+        Problem::of_conditions(&self.data, &self.noise, Use::Train)
+    }
+
+    /// Of what the gap is told: training and held-out runs.
+    pub fn judged(&self) -> [Problem<'_>; 2] {
+        [Use::Train, Use::Holdout].map(|usage| Problem::of_runs(&self.data, &self.noise, usage))
     }
 
     /// Thresholds from campaigns without effect.
     pub fn thresholds(&self, seed: u64) -> Thresholds {
-        let [train, holdout] = self.problems();
-        Thresholds::from_nulls(&self.setting(), &train, &holdout, seed)
+        Thresholds::from_nulls(&self.setting(), &self.training(), &self.judged(), seed)
     }
 
     /// Searches.
     pub fn search(&self, limits: &Thresholds, seed: u64) -> Report {
         let before = self.simulator.count();
         let setting = self.setting();
-        let [mut train, holdout] = self.problems();
-        let (outcome, level) = search(&setting, &mut train, limits, seed);
-        let gaps = [&train, &holdout].map(|problem| {
+        let (outcome, level) = search(&setting, &mut self.training(), limits, seed);
+        let gaps = self.judged().each_ref().map(|problem| {
             let plain: &[Active] = &[];
             [plain, &level.effects].map(|effects| problem.gap(&self.flown(problem, &level, effects)))
         });

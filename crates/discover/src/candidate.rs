@@ -5,7 +5,7 @@ use crate::problem::Problem;
 use crate::uncertain::{NUDGES, known};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
-use maneuver::effects::{Active, Effect, Flown};
+use maneuver::effects::{Active, Effect, Flown, Parameter};
 use std::sync::Arc;
 
 /// Most steps of a refit.
@@ -24,6 +24,8 @@ pub struct Screened {
     secants: Mat<f64>,
     /// What chi square would fall by.
     pub gain: f64,
+    /// Sizes around which the secants are, and to where they lead.
+    base: Vec<f64>,
     start: Vec<f64>,
 }
 
@@ -54,30 +56,33 @@ impl Screened {
     ) -> Self {
         let parameters = effect.parameters();
         let trial = Trial { setting, problem, level, effect };
-        let secant = |k: usize| {
-            let sign = if parameters[k].upper > 0.0 { 1.0 } else { -1.0 };
-            let mut sizes = vec![0.0; parameters.len()];
-            sizes[k] = sign;
-            // a parameter that does nothing alone (the power of an airspeed, a limit) is tried beside the others
-            let mut column = trial.change(&sizes);
-            if column.iter().all(|value| *value == 0.0) {
-                let others: Vec<f64> =
-                    parameters.iter().map(|p| 0.5 * f64::from(u8::from(p.upper > 0.0))).collect();
-                let mut both = others.clone();
-                both[k] += sign;
-                let (with, without) = (trial.change(&both), trial.change(&others));
-                column = with.iter().zip(without).map(|(a, b)| a - b).collect();
-            }
-            for value in &mut column {
-                *value *= sign;
-            }
-            column
-        };
-        let columns: Vec<Vec<f64>> = (0..parameters.len()).map(secant).collect();
-        let rows = problem.len();
-        let secants = Mat::from_fn(rows, columns.len(), |i, j| columns[j][i]);
-        let (step, gain) = linear_step(level, &secants, &level.residual, &vec![0.0; columns.len()]);
-        Self { effect: Arc::clone(effect), secants, gain, start: step }
+        let started: Option<Point> = effect
+            .starts()
+            .iter()
+            .map(|values| {
+                let sizes: Vec<f64> = values.iter().zip(&parameters).map(|(v, p)| v / p.plausible).collect();
+                trial.point(&sizes)
+            })
+            .min_by(|a, b| a.score.total_cmp(&b.score));
+        let base = started.unwrap_or_else(|| trial.point_at_rest());
+        let at_base = difference(&level.residual, &base.residual);
+        let columns: Vec<Vec<f64>> =
+            (0..parameters.len()).map(|k| trial.secant(&parameters, k, (&base.sizes, &at_base))).collect();
+        let secants = Mat::from_fn(problem.len(), columns.len(), |i, j| columns[j][i]);
+        let (step, gain) = linear_step(level, &secants, &base.residual, &base.sizes);
+        let start = base.sizes.iter().zip(step).map(|(a, b)| a + b).collect();
+        Self {
+            effect: Arc::clone(effect),
+            secants,
+            gain: gain + level.chi2 - base.score,
+            base: base.sizes,
+            start,
+        }
+    }
+
+    /// Sizes to which the secants lead, in units of the plausible.
+    pub fn start(&self) -> &[f64] {
+        &self.start
     }
 
     /// Fits the candidate in the full simulation: Levenberg and Marquardt with Broyden's updates of the secants, from what
@@ -87,6 +92,9 @@ impl Screened {
         let parameters = self.effect.parameters();
         let signs: Vec<f64> = self.start.iter().map(|s| if *s < 0.0 { -1.0 } else { 1.0 }).collect();
         let mut starts = vec![self.start.clone()];
+        if self.base.iter().any(|size| *size != 0.0) {
+            starts.push(self.base.clone());
+        }
         if parameters.len() == 1 {
             starts.extend(STARTS.map(|size| vec![size * signs[0]; 1]));
         }
@@ -145,6 +153,28 @@ impl Trial<'_> {
         let parameters = self.effect.parameters();
         let values: Vec<f64> = sizes.iter().zip(&parameters).map(|(size, p)| size * p.plausible).collect();
         Active::new(Arc::clone(self.effect), &values)
+    }
+
+    /// What one more plausible size of a parameter changes, from sizes whose change is known.
+    fn secant(&self, parameters: &[Parameter], k: usize, (base, at_base): (&[f64], &[f64])) -> Vec<f64> {
+        let sign = if parameters[k].upper > 0.0 { 1.0 } else { -1.0 };
+        let around = |from: &[f64], at: &[f64], step: f64| {
+            let mut sizes = from.to_vec();
+            sizes[k] += step;
+            let mut column = difference(&self.change(&sizes), at);
+            column.iter_mut().for_each(|value| *value /= step);
+            column
+        };
+        if base.iter().any(|size| *size != 0.0) {
+            return around(base, at_base, -0.2 * sign);
+        }
+        let column = around(base, at_base, sign);
+        if column.iter().any(|value| *value != 0.0) {
+            return column;
+        }
+        // a parameter that does nothing alone (the power of an airspeed, a limit) is tried beside the others
+        let others: Vec<f64> = parameters.iter().map(|p| 0.5 * f64::from(u8::from(p.upper > 0.0))).collect();
+        around(&others, &self.change(&others), sign)
     }
 
     fn change(&self, sizes: &[f64]) -> Vec<f64> {
@@ -226,6 +256,10 @@ impl Refit {
             value.abs() > bound
         })
     }
+}
+
+fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a - b).collect()
 }
 
 /// The step that the linear model takes, and what chi square falls by.

@@ -35,6 +35,21 @@ pub struct RunData {
     pub decimation: usize,
 }
 
+/// A run and those that repeat it, as one: what the model misses is the same in all of them, only their noise differs.
+#[derive(Debug, Clone)]
+pub struct Condition {
+    /// Places in [`Dataset::runs`].
+    pub runs: Vec<usize>,
+    /// Training or held out.
+    pub usage: Use,
+    /// Place of the airspeed.
+    pub airspeed: usize,
+    /// Mean of what moved.
+    pub stimulus: Stimulus,
+    /// Mean of the measured Fz, Mx, My.
+    pub measured: [Vec<f64>; 3],
+}
+
 /// The static points of one airspeed (zero: tilt tares).
 #[derive(Debug, Clone)]
 pub struct StaticGroup {
@@ -63,6 +78,8 @@ pub struct Dataset {
     pub blocks: Vec<String>,
     /// Runs in the campaign's order.
     pub runs: Vec<RunData>,
+    /// The runs with their repeats taken together.
+    pub conditions: Vec<Condition>,
     /// Static points.
     pub statics: Vec<StaticGroup>,
     /// Standard deviations as stated: of a sample of a run, of a static point.
@@ -129,7 +146,98 @@ impl Dataset {
             let three = |n: [f64; 4]| [n[0], n[1], n[2]];
             (sample[..3].iter().all(|s| *s > 0.0)).then(|| (three(sample), three(point)))
         });
-        Ok(Self { airspeeds_m_s, rho_kg_m3: campaign.rho_kg_m3, blocks, runs, statics, stated, split })
+        let conditions = conditions(&runs);
+        let rho_kg_m3 = campaign.rho_kg_m3;
+        Ok(Self { airspeeds_m_s, rho_kg_m3, blocks, runs, conditions, statics, stated, split })
+    }
+
+    /// From what there is, blocks and stated noise aside.
+    pub(crate) fn of_parts(
+        rho_kg_m3: f64,
+        airspeeds_m_s: Vec<f64>,
+        runs: Vec<RunData>,
+        statics: Vec<StaticGroup>,
+    ) -> Self {
+        let conditions = conditions(&runs);
+        Self {
+            airspeeds_m_s,
+            rho_kg_m3,
+            blocks: Vec::new(),
+            runs,
+            conditions,
+            statics,
+            stated: None,
+            split: None,
+        }
+    }
+
+    /// Airspeed and stimulus of everything that can be flown: static groups, runs, conditions.
+    pub fn stimuli(&self) -> impl Iterator<Item = (usize, &Stimulus)> {
+        let statics = self.statics.iter().map(|group| (group.airspeed, &group.stimulus));
+        let runs = self.runs.iter().map(|run| (run.airspeed, &run.stimulus));
+        let conditions = self.conditions.iter().map(|one| (one.airspeed, &one.stimulus));
+        statics.chain(runs).chain(conditions)
+    }
+
+    /// Place of a run among them.
+    pub fn place_of_run(&self, run: usize) -> usize {
+        self.statics.len() + run
+    }
+
+    /// Place of a condition among them.
+    pub fn place_of_condition(&self, condition: usize) -> usize {
+        self.statics.len() + self.runs.len() + condition
+    }
+}
+
+/// Runs with the runs that repeat them, where they are of one length and use.
+fn conditions(runs: &[RunData]) -> Vec<Condition> {
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    for (i, run) in runs.iter().enumerate() {
+        let same = |first: usize| {
+            let first = &runs[first];
+            (first.usage, first.airspeed, first.measured[0].len())
+                == (run.usage, run.airspeed, run.measured[0].len())
+        };
+        let of = run.repeat_of.and_then(|of| groups.iter_mut().find(|g| g.contains(&of) && same(g[0])));
+        match of {
+            Some(group) => group.push(i),
+            None => groups.push(vec![i]),
+        }
+    }
+    groups.into_iter().map(|group| condition(runs, group)).collect()
+}
+
+fn condition(runs: &[RunData], group: Vec<usize>) -> Condition {
+    let first = &runs[group[0]];
+    let share = 1.0 / group.len() as f64;
+    let mean = |of: &dyn Fn(&RunData) -> &[f64]| {
+        let mut sum = vec![0.0; of(first).len()];
+        for &i in &group {
+            sum.iter_mut().zip(of(&runs[i])).for_each(|(s, value)| *s += share * value);
+        }
+        sum
+    };
+    let inputs = &first.stimulus.inputs;
+    let controls = 0..inputs.controls_rad.len();
+    Condition {
+        usage: first.usage,
+        airspeed: first.airspeed,
+        stimulus: Stimulus {
+            inputs: Inputs {
+                alpha: Smooth {
+                    value: mean(&|run| &run.stimulus.inputs.alpha.value),
+                    rate: mean(&|run| &run.stimulus.inputs.alpha.rate),
+                    second: mean(&|run| &run.stimulus.inputs.alpha.second),
+                },
+                incidence_rad: inputs.incidence_rad.clone(),
+                controls_rad: controls.map(|k| mean(&|run| &run.stimulus.inputs.controls_rad[k])).collect(),
+            },
+            clock_h: share * group.iter().map(|i| runs[*i].stimulus.clock_h).sum::<f64>(),
+            ..first.stimulus
+        },
+        measured: std::array::from_fn(|c| mean(&|run| &run.measured[c])),
+        runs: group,
     }
 }
 

@@ -5,7 +5,6 @@ use crate::directions::{DIRECTIONS, Directions};
 use crate::problem::{Problem, difference};
 use crate::shared::Shared;
 use crate::simulator::{Models, Simulator};
-use crate::uncertain::UNCERTAIN;
 use faer::Mat;
 use maneuver::effects::{Active, Effect, Flown};
 use rayon::prelude::*;
@@ -22,6 +21,8 @@ pub struct Setting<'a> {
     pub others: &'a [Simulator],
     /// The library.
     pub library: &'a [Arc<dyn Effect>],
+    /// What calibration knows only so well, each at one standard deviation.
+    pub uncertain: &'a [Active],
     /// How uncertain the corrections' directions are, as a share of what they are before any data: one if the campaign's own
     /// static points determine them, less if they were found with others.
     pub open_corrections: f64,
@@ -40,6 +41,8 @@ pub struct Level {
     pub residual: Vec<f64>,
     /// What runs share.
     pub shared: Shared,
+    /// Its columns, not freed from what a run may be off by.
+    columns: Vec<Vec<f64>>,
     /// `r' (I + G G')⁻¹ r`.
     pub chi2: f64,
 }
@@ -55,6 +58,21 @@ impl Level {
         effects: &[Active],
         before: Option<&Models>,
     ) -> Self {
+        Self::with_columns(setting, problem, (effects, before), None)
+    }
+
+    /// The same around a neighbour of this level, whose columns serve: what is uncertain changes little with an effect.
+    #[must_use]
+    pub fn beside(&self, setting: &Setting<'_>, problem: &mut Problem<'_>, effects: &[Active]) -> Self {
+        Self::with_columns(setting, problem, (effects, Some(&self.models)), Some(&self.columns))
+    }
+
+    fn with_columns(
+        setting: &Setting<'_>,
+        problem: &mut Problem<'_>,
+        (effects, before): (&[Active], Option<&Models>),
+        columns: Option<&[Vec<f64>]>,
+    ) -> Self {
         let places = problem.places();
         let simulator = setting.simulator;
         let models = simulator.models(effects, before);
@@ -68,10 +86,12 @@ impl Level {
         let found: Vec<Vec<Flown>> = (0..effects.len()).map(without).collect();
         problem.set_tolerances(&flown, &found);
         let residual = problem.residual(&flown);
-        let columns = shared_columns(setting, problem, effects, &models, &flown);
-        let shared = Shared::new(&columns, problem.len());
+        let columns = columns
+            .map_or_else(|| shared_columns(setting, problem, effects, &models, &flown), <[Vec<f64>]>::to_vec);
+        let freed: Vec<Vec<f64>> = columns.par_iter().map(|column| problem.freed(column.clone())).collect();
+        let shared = Shared::new(&freed, problem.len());
         let chi2 = norm(&shared, &residual);
-        Self { effects: effects.to_vec(), models, flown, residual, shared, chi2 }
+        Self { effects: effects.to_vec(), models, flown, residual, shared, columns, chi2 }
     }
 }
 
@@ -95,14 +115,9 @@ fn shared_columns(
         let places: Vec<usize> = segments.iter().map(|s| problem.segments[*s].place).collect();
         let after = simulator.fly(&simulator.models(&more, Some(models)), &more, &places);
         let before: Vec<&Flown> = segments.iter().map(|s| &flown[*s]).collect();
-        problem.change(segments, &after, &before)
+        problem.raw_change(segments, &after, &before)
     };
-    let calibrated = UNCERTAIN.par_iter().filter_map(|(name, parameter, sigma)| {
-        let effect = setting.library.iter().find(|effect| effect.spec().name == *name)?;
-        let mut values = vec![0.0; effect.parameters().len()];
-        values[*parameter] = *sigma;
-        Some(changed(Active::new(Arc::clone(effect), &values), &all))
-    });
+    let calibrated = setting.uncertain.par_iter().map(|active| changed(active.clone(), &all));
     let windy: Vec<(usize, usize)> = (0..data.airspeeds_m_s.len())
         .filter(|v| data.airspeeds_m_s[*v] > 0.0)
         .flat_map(|v| (0..DIRECTIONS).map(move |k| (v, k)))
@@ -117,7 +132,7 @@ fn shared_columns(
         let places = problem.places();
         let after = other.fly(&other.models(effects, None), effects, &places);
         let before: Vec<&Flown> = flown.iter().collect();
-        let mut column = problem.change(&all, &after, &before);
+        let mut column = problem.raw_change(&all, &after, &before);
         for value in &mut column {
             *value *= NUMERICS;
         }

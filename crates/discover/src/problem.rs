@@ -11,7 +11,7 @@ use crate::noise::Noise;
 use crate::tolerance::Tolerance;
 use crate::transform::{HIGHEST_HZ, cosines, count, frequency_hz};
 use calibrate::Use;
-use maneuver::effects::Flown;
+use maneuver::effects::{Flown, Stimulus};
 
 /// Tolerance of a run: gain of its mean, gain of its motion, time shift in s.
 const RUN: [f64; 3] = [0.01, 0.03, 0.004];
@@ -20,8 +20,8 @@ const RUN: [f64; 3] = [0.01, 0.03, 0.004];
 const LONG_S: f64 = 3.0;
 /// Tolerance of a static group: gain.
 const STATIC_GAIN: f64 = 0.01;
-/// Tolerance of the form of an effect that was found.
-const FORM: f64 = 0.15;
+/// Tolerance of the form of an effect that was found: gain, time shift in s.
+const FORM: [f64; 2] = [0.15, 0.01];
 
 /// One run or static group in the residual.
 #[derive(Debug, Clone)]
@@ -37,12 +37,22 @@ pub struct Segment {
 
 #[derive(Debug, Clone)]
 pub(crate) enum Kind {
-    Run { time_step_s: f64, samples: usize, coefficients: usize, sigma: [Vec<f64>; 3] },
-    Static { rows: Vec<(usize, usize)>, sigma: [f64; 3] },
+    /// `repeats` runs as their mean.
+    Run {
+        time_step_s: f64,
+        samples: usize,
+        coefficients: usize,
+        sigma: [Vec<f64>; 3],
+        repeats: f64,
+    },
+    Static {
+        rows: Vec<(usize, usize)>,
+        sigma: [f64; 3],
+    },
 }
 
 /// The whitened measurements of the wanted segments.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Problem<'a> {
     pub(crate) data: &'a Dataset,
     /// Static groups first, then runs.
@@ -52,8 +62,30 @@ pub struct Problem<'a> {
 }
 
 impl<'a> Problem<'a> {
-    /// The segments of a usage.
-    pub fn new(data: &'a Dataset, noise: &Noise, usage: Use) -> Self {
+    /// Static groups and conditions (repeats taken together) of a usage: for searching.
+    pub fn of_conditions(data: &'a Dataset, noise: &Noise, usage: Use) -> Self {
+        let mut problem = Self::of_statics(data, noise, usage);
+        for (i, one) in data.conditions.iter().enumerate().filter(|(_, one)| one.usage == usage) {
+            let count = one.runs.len() as f64;
+            let kind = Kind::run(&one.stimulus, noise, one.airspeed, count);
+            let values = kind.whitened(&one.measured);
+            problem.push(data.place_of_condition(i), kind, &values);
+        }
+        problem
+    }
+
+    /// Static groups and runs of a usage, every repeat for itself: for the gap.
+    pub fn of_runs(data: &'a Dataset, noise: &Noise, usage: Use) -> Self {
+        let mut problem = Self::of_statics(data, noise, usage);
+        for (i, run) in data.runs.iter().enumerate().filter(|(_, run)| run.usage == usage) {
+            let kind = Kind::run(&run.stimulus, noise, run.airspeed, 1.0);
+            let values = kind.whitened(&run.measured);
+            problem.push(data.place_of_run(i), kind, &values);
+        }
+        problem
+    }
+
+    fn of_statics(data: &'a Dataset, noise: &Noise, usage: Use) -> Self {
         let mut problem = Self { data, segments: Vec::new(), measured: Vec::new(), offset: noise.offset };
         for (place, group) in data.statics.iter().enumerate().filter(|(_, group)| group.usage == usage) {
             let rows: Vec<(usize, usize)> = (0..3)
@@ -63,19 +95,6 @@ impl<'a> Problem<'a> {
             let values: Vec<f64> =
                 rows.iter().map(|&(c, i)| group.measured[i][c].unwrap_or(0.0) / noise.point[c]).collect();
             problem.push(place, Kind::Static { rows, sigma: noise.point }, &values);
-        }
-        let first = data.statics.len();
-        for (i, run) in data.runs.iter().enumerate().filter(|(_, run)| run.usage == usage) {
-            let (samples, dt) = (run.measured[0].len(), run.stimulus.time_step_s);
-            let coefficients = count(samples, dt);
-            let sigma = std::array::from_fn(|c| {
-                (0..coefficients)
-                    .map(|k| noise.sigma(run.airspeed, c, frequency_hz(k, samples, dt)))
-                    .collect()
-            });
-            let kind = Kind::Run { time_step_s: dt, samples, coefficients, sigma };
-            let values = kind.whitened(&run.measured);
-            problem.push(first + i, kind, &values);
         }
         problem
     }
@@ -104,12 +123,8 @@ impl<'a> Problem<'a> {
 
     /// Segments at an airspeed.
     pub fn at_airspeed(&self, airspeed: usize) -> Vec<usize> {
-        let statics = self.data.statics.len();
-        let of = |place: usize| match place.checked_sub(statics) {
-            None => self.data.statics[place].airspeed,
-            Some(run) => self.data.runs[run].airspeed,
-        };
-        (0..self.segments.len()).filter(|s| of(self.segments[*s].place) == airspeed).collect()
+        let of: Vec<usize> = self.data.stimuli().map(|(airspeed, _)| airspeed).collect();
+        (0..self.segments.len()).filter(|s| of[self.segments[*s].place] == airspeed).collect()
     }
 
     /// Sets the tolerances around a simulation (one entry a segment); `found` are the contributions of effects that were
@@ -134,30 +149,34 @@ impl<'a> Problem<'a> {
             let values = segment.kind.whitened(&flown.loads);
             residual[segment.rows.clone()].iter_mut().zip(values).for_each(|(r, s)| *r -= s);
         }
-        self.free(&mut residual);
-        residual
+        self.freed(residual)
     }
 
-    /// Whitened change of the simulated loads of some segments (zero elsewhere).
+    /// Whitened change of the simulated loads of some segments (zero elsewhere), freed from what a run may be off by.
     pub fn change(&self, segments: &[usize], after: &[Flown], before: &[&Flown]) -> Vec<f64> {
+        self.freed(self.raw_change(segments, after, before))
+    }
+
+    /// The same, not freed.
+    pub(crate) fn raw_change(&self, segments: &[usize], after: &[Flown], before: &[&Flown]) -> Vec<f64> {
         let mut change = vec![0.0; self.len()];
         for ((&index, after), before) in segments.iter().zip(after).zip(before) {
             let segment = &self.segments[index];
             let difference = difference(after, before);
             change[segment.rows.clone()].copy_from_slice(&segment.kind.whitened(&difference.loads));
         }
-        self.free(&mut change);
         change
     }
 
     /// Takes out what a run may be off by.
-    fn free(&self, values: &mut [f64]) {
+    pub(crate) fn freed(&self, mut values: Vec<f64>) -> Vec<f64> {
         for segment in &self.segments {
             let own = &mut values[segment.rows.clone()];
             for tolerance in &segment.tolerance {
                 tolerance.free(own);
             }
         }
+        values
     }
 }
 
@@ -186,6 +205,17 @@ pub fn difference(after: &Flown, before: &Flown) -> Flown {
 }
 
 impl Kind {
+    /// A run, or the mean of several.
+    fn run(stimulus: &Stimulus, noise: &Noise, airspeed: usize, repeats: f64) -> Self {
+        let (samples, dt) = (stimulus.inputs.alpha.value.len(), stimulus.time_step_s);
+        let coefficients = count(samples, dt);
+        let sigma = |c: usize| {
+            let of = |k: usize| noise.sigma(airspeed, c, frequency_hz(k, samples, dt)) / repeats.sqrt();
+            (0..coefficients).map(of).collect()
+        };
+        Self::Run { time_step_s: dt, samples, coefficients, sigma: std::array::from_fn(sigma), repeats }
+    }
+
     pub(crate) fn whitened(&self, loads: &[Vec<f64>; 3]) -> Vec<f64> {
         match self {
             Self::Run { time_step_s, sigma, .. } => (0..3)
@@ -208,27 +238,27 @@ impl Kind {
         place: usize,
     ) -> Vec<Tolerance> {
         match self {
-            Self::Run { time_step_s, samples, coefficients, sigma } => (0..3)
+            Self::Run { time_step_s, samples, coefficients, sigma, repeats } => (0..3)
                 .map(|c| {
                     let load = &simulated.loads[c];
                     let mean = load.iter().sum::<f64>() / *samples as f64;
                     let moving: Vec<f64> = load.iter().map(|value| RUN[1] * (value - mean)).collect();
-                    let later: Vec<f64> = (0..*samples)
-                        .map(|i| {
-                            let (a, b) = (load[i.saturating_sub(1)], load[(i + 1).min(samples - 1)]);
-                            RUN[2] * (b - a) / (2.0 * time_step_s)
-                        })
-                        .collect();
+                    let later = |load: &[f64], by_s: f64| -> Vec<f64> {
+                        let slope = |i: usize| load[(i + 1).min(samples - 1)] - load[i.saturating_sub(1)];
+                        (0..*samples).map(|i| by_s * slope(i) / (2.0 * time_step_s)).collect()
+                    };
                     let whitened = |column: &[f64]| -> Vec<f64> {
                         let all = cosines(column, *time_step_s);
                         all.into_iter().zip(&sigma[c]).map(|(value, sigma)| value / sigma).collect()
                     };
-                    let still = whitened(&vec![(RUN[0] * mean).hypot(offset[c]); *samples]);
+                    let still = whitened(&vec![(RUN[0] * mean).hypot(offset[c] / repeats.sqrt()); *samples]);
                     let mut columns = vec![still];
                     let form = |flown: &&Flown| {
-                        flown.loads[c].iter().map(|value| FORM * value).collect::<Vec<f64>>()
+                        let own = &flown.loads[c];
+                        [own.iter().map(|value| FORM[0] * value).collect(), later(own, FORM[1])]
                     };
-                    for column in [moving, later].into_iter().chain(found.iter().map(form)) {
+                    let run = [moving, later(load, RUN[2])];
+                    for column in run.into_iter().chain(found.iter().flat_map(form)) {
                         columns.extend(in_bands(&whitened(&column), *samples as f64 * time_step_s));
                     }
                     Tolerance::new(c * coefficients..(c + 1) * coefficients, &columns)
@@ -249,8 +279,9 @@ impl Kind {
                             columns.push(column.collect());
                         }
                     }
-                    let form =
-                        |flown: &&Flown| own.iter().map(|&i| FORM * flown.loads[c][i] / sigma[c]).collect();
+                    let form = |flown: &&Flown| {
+                        own.iter().map(|&i| FORM[0] * flown.loads[c][i] / sigma[c]).collect()
+                    };
                     columns.extend(found.iter().map(form));
                     Some(Tolerance::new(from..from + own.len(), &columns))
                 })

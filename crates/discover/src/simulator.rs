@@ -1,6 +1,7 @@
 //! The wing flown through all of a campaign's points and runs, with any effects.
 
 use crate::data::Dataset;
+use crate::numerics::{OtherLattice, matched, picked};
 use aero::{Corrections, Flow};
 use calibrate::{Outside, Schedule};
 use coupling::{CouplingError, ElasticWing, Mount, WingFile};
@@ -34,8 +35,10 @@ pub enum SimulatorError {
 pub struct Simulator {
     /// The wing at every airspeed of the data set.
     pub rigs: Vec<Compact>,
-    /// Static groups first, then runs: airspeed and stimulus.
+    /// As [`Dataset::stimuli`] has them: airspeed and stimulus.
     stimuli: Vec<(usize, Stimulus)>,
+    /// Directions of corrections with which a wing of other numerics has the static loads of the own.
+    matched: Vec<Active>,
     runs: AtomicUsize,
 }
 
@@ -49,6 +52,8 @@ pub struct SplitRig<'a> {
     wing: &'a ElasticWing,
     rig: Rig<'a>,
     parts: Option<StiffnessParts>,
+    /// Boxes whose corrections are taken, if they are another wing's.
+    boxes: Option<&'a [usize]>,
 }
 
 impl<'a> SplitRig<'a> {
@@ -61,7 +66,15 @@ impl<'a> SplitRig<'a> {
             RigSettings { modes: MODES, air, ..RigSettings::new(file.damping_ratio, file.pitch_axis_x()) };
         let rig = Rig::new(wing, settings)?;
         let parts = StiffnessParts::new(&rig, &file.bulk(Mount::Tunnel)?)?;
-        Ok(Self { file, wing, rig, parts })
+        Ok(Self { file, wing, rig, parts, boxes: None })
+    }
+
+    /// Sets up the rig of a wing on another lattice.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn other(other: &'a OtherLattice, air: AirModel) -> Result<Self, SimulatorError> {
+        Ok(Self { boxes: Some(&other.boxes), ..Self::new(&other.file, &other.wing, air)? })
     }
 
     /// Names of the wing's controls.
@@ -81,10 +94,14 @@ impl Simulator {
     /// # Errors
     /// If the wing diverges at one of them, or corrections do not reach there.
     pub fn new(rig: &SplitRig<'_>, schedule: &Schedule, data: &Dataset) -> Result<Self, SimulatorError> {
-        let SplitRig { file, wing, rig, parts } = rig;
+        let SplitRig { file, wing, rig, parts, boxes } = rig;
         let at = |v_m_s: &f64| -> Result<Compact, SimulatorError> {
             let flow = Flow { v_m_s: *v_m_s, rho_kg_m3: data.rho_kg_m3 };
-            let corrections = corrections(schedule, *v_m_s, wing)?;
+            let corrections = match boxes {
+                _ if *v_m_s == 0.0 => Corrections::neutral(wing.correctable.len()),
+                None => corrections(schedule, *v_m_s)?,
+                Some(boxes) => picked(&corrections(schedule, *v_m_s)?, boxes),
+            };
             Ok(Compact::new(rig, flow, &corrections, parts.as_ref())?)
         };
         let rigs = data.airspeeds_m_s.par_iter().map(at).collect::<Result<Vec<_>, _>>()?;
@@ -101,14 +118,29 @@ impl Simulator {
             }
             Ok((airspeed, stimulus))
         };
-        let statics = data.statics.iter().map(|group| commanded(group.airspeed, &group.stimulus));
-        let runs = data.runs.iter().map(|run| commanded(run.airspeed, &run.stimulus));
-        let stimuli = statics.chain(runs).collect::<Result<_, _>>()?;
-        Ok(Self { rigs, stimuli, runs: AtomicUsize::new(0) })
+        let stimuli = data
+            .stimuli()
+            .map(|(airspeed, stimulus)| commanded(airspeed, stimulus))
+            .collect::<Result<_, _>>()?;
+        Ok(Self { rigs, stimuli, matched: Vec::new(), runs: AtomicUsize::new(0) })
+    }
+
+    /// The same, with the static loads of another simulator: calibrated as that one is.
+    #[must_use]
+    pub fn matching(self, own: &Self) -> Self {
+        let pairs = self.rigs.iter().zip(&own.rigs).filter(|(rig, _)| rig.flow.v_m_s > 0.0);
+        let matched = pairs.filter_map(|(rig, own)| matched(rig, own)).collect();
+        Self { matched, ..self }
+    }
+
+    /// Effects beside those that make the static loads agree.
+    fn with_matched(&self, effects: &[Active]) -> Vec<Active> {
+        self.matched.iter().chain(effects).cloned().collect()
     }
 
     /// Linear parts for effects, those of `before` where they serve.
     pub fn models(&self, effects: &[Active], before: Option<&Models>) -> Models {
+        let effects = &self.with_matched(effects);
         self.rigs
             .iter()
             .enumerate()
@@ -119,9 +151,10 @@ impl Simulator {
             .collect()
     }
 
-    /// Flies those of the static groups and runs that are wanted (static groups first, then runs).
+    /// Flies what is wanted of [`Dataset::stimuli`].
     pub fn fly(&self, models: &Models, effects: &[Active], wanted: &[usize]) -> Vec<Flown> {
         self.runs.fetch_add(1, Ordering::Relaxed);
+        let effects = &self.with_matched(effects);
         wanted
             .iter()
             .map(|&place| {
@@ -137,10 +170,7 @@ impl Simulator {
     }
 }
 
-/// Corrections at an airspeed: the schedule's, the nearest beyond its range (a tunnel strays), none in still air.
-fn corrections(schedule: &Schedule, v_m_s: f64, wing: &ElasticWing) -> Result<Corrections, InputError> {
-    if v_m_s == 0.0 {
-        return Ok(Corrections::neutral(wing.correctable.len()));
-    }
+/// Corrections at an airspeed: the schedule's, the nearest beyond its range (a tunnel strays).
+fn corrections(schedule: &Schedule, v_m_s: f64) -> Result<Corrections, InputError> {
     schedule.at(v_m_s, Outside::Refuse).or_else(|_| schedule.at(v_m_s, Outside::Nearest))
 }

@@ -9,7 +9,7 @@ use crate::physics::Physics;
 use crate::simulate::TrueWing;
 use crate::strips::Strips;
 use crate::system::Parts;
-use crate::truth_wing::{elements, file, mesh, same_beam, wing};
+use crate::truth_wing::{elements, file, same_beam, wing};
 use coupling::planform::Planform;
 use rayon::prelude::*;
 use std::path::Path;
@@ -53,7 +53,7 @@ impl Bench {
     /// A file that cannot be read, or a wing that is a deck or rigid.
     pub fn new(path: &Path, fineness: Fineness) -> Result<Self, TunnelError> {
         let (file, planform) = file(path)?;
-        let fine = mesh(&planform, (fineness.chordwise, fineness.spanwise));
+        let fine = planform.mesh(fineness.chordwise, fineness.spanwise);
         let truth = wing(path, fine, same_beam(elements(&planform), file.damping_ratio))?;
         let true_planform: Planform = truth.file.planform().cloned().unwrap_or(planform.clone());
         let axis_m = file.pitch_axis_x();

@@ -5,13 +5,13 @@
 //! a few sums of small matrices and no eigenproblem.
 
 use crate::truth_wing::{elements, same_beam, wing};
-use coupling::planform::Planform;
+use coupling::planform::{Mesh, Planform};
 use coupling::{CouplingError, ElasticWing};
 use faer::Mat;
 use nalgebra::Point3;
 use std::path::Path;
 use structure::{System, normal_modes};
-use tunnel::{BeamChange, Mesh, TunnelError};
+use tunnel::{BeamChange, TunnelError};
 
 /// Fields of acceleration: aft, up, nose-up rotation about the pitch axis.
 pub(crate) const FIELDS: usize = 3;
@@ -180,7 +180,7 @@ fn changed_beam(part: Part, end: usize, elements: usize) -> BeamChange {
 
 /// The smallest mesh on which the control surfaces have their place.
 fn coarse(planform: &Planform) -> Mesh {
-    let mut mesh = crate::truth_wing::mesh(planform, (0.1, 0.02));
+    let mut mesh = planform.mesh(0.1, 0.02);
     mesh.fairing_strips = 1;
     mesh
 }

@@ -2,11 +2,11 @@
 //! the same structure slightly changed, from which the matrices' derivatives are taken.
 
 use coupling::WingFile;
-use coupling::planform::{Planform, Structure};
+use coupling::planform::{Mesh, Planform, Structure};
 use nastran::InputError;
 use std::path::Path;
 use tunnel::{
-    BeamChange, Blocks, ChannelNoise, Mesh, Noise, Statics, Truth, TruthSettings, TunnelError, TunnelFile,
+    BeamChange, Blocks, ChannelNoise, Noise, Statics, Truth, TruthSettings, TunnelError, TunnelFile,
 };
 
 /// Elements of the true beam for every element of the modelled one.
@@ -51,27 +51,6 @@ pub(crate) fn file(path: &Path) -> Result<(WingFile, Planform), InputError> {
         .with_help("give a wing file with `source: Parametric((...))` and `structure: Beam((...))`")
     })?;
     Ok((file, planform))
-}
-
-/// A mesh with `share` times the strips and boxes along the chord so that hinges stay on edges.
-pub(crate) fn mesh(planform: &Planform, (chord_share, span_share): (f64, f64)) -> Mesh {
-    let mut marks = vec![0, planform.boxes.spanwise];
-    for control in &planform.controls {
-        marks.extend([control.strips.0 - 1, control.strips.1]);
-    }
-    marks.sort_unstable();
-    marks.dedup();
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small positive numbers")]
-    let times = |count: usize, share: f64| ((count as f64 * share).round() as usize).max(1);
-    let strips = marks.windows(2).map(|ends| times(ends[1] - ends[0], span_share)).collect();
-    let fits = |chordwise: &usize| {
-        let whole = |boxes: usize| (boxes * chordwise).is_multiple_of(planform.boxes.chordwise);
-        planform.controls.iter().all(|control| whole(control.chord_boxes))
-    };
-    let first = times(planform.boxes.chordwise, chord_share);
-    let chordwise = (first..=4 * first).find(fits).unwrap_or(planform.boxes.chordwise);
-    let fairing_strips = planform.fairing.as_ref().map_or(1, |fairing| times(fairing.strips, span_share));
-    Mesh { chordwise, strips, fairing_strips }
 }
 
 /// Lattice, beam and all else of a truth.

@@ -226,6 +226,7 @@ fn an_arc_under_a_load_at_its_end_has_the_moment_of_the_circle() {
         time_step_s: 0.01,
         steady: true,
         clock_h: 0.0,
+        actuator: maneuver::Actuator { frequency_hz: 15.0, damping_ratio: 0.8 },
         gravity_m_s2: 9.81,
         balance_y_m: 0.0,
         outer_shape: 0.0,
@@ -235,7 +236,14 @@ fn an_arc_under_a_load_at_its_end_has_the_moment_of_the_circle() {
     let alpha = Smooth { value: still(), rate: still(), second: still() };
     let inputs = Inputs { alpha, incidence_rad: still(), controls_rad: Vec::new() };
     let balance = [vec![force], vec![force * length], still()];
-    let seen = Seen { inputs: &inputs, loads: &balance, tip_m: &[0.0], lift_n: &lift_n, height_m: &height_m };
+    let seen = Seen {
+        inputs: &inputs,
+        loads: &balance,
+        tip_m: &[0.0],
+        lift_n: &lift_n,
+        height_m: &height_m,
+        twist_rad: &[],
+    };
     let mut loads = Loads { balance: balance.clone(), tip_m: still() };
     let effect =
         maneuver::effects::library(&[]).into_iter().find(|e| e.spec().name == "large_deflection").unwrap();

@@ -1,6 +1,7 @@
 //! The file of the virtual wind tunnel: what it measures, with what noise, and the truth it hides.
 
 use crate::run_file::{Dynamics, RunPlan};
+use coupling::planform::Mesh;
 use coupling::wing_file::DeflectionTable;
 use nastran::{InputError, ron_file};
 use serde::Deserialize;
@@ -53,18 +54,6 @@ pub struct TruthSettings {
     /// Section aerodynamics that thin-airfoil theory does not have.
     #[serde(default)]
     pub sections: Option<Sections>,
-}
-
-/// A lattice on the same planform.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Mesh {
-    /// Boxes along the chord; the hinges must fall on box edges.
-    pub chordwise: usize,
-    /// Strips in each stretch of the span between edges of control surfaces, root to tip.
-    pub strips: Vec<usize>,
-    /// Strips of the fairing.
-    pub fairing_strips: usize,
 }
 
 /// A beam with other numbers: factors at root and tip, linear between.

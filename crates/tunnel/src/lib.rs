@@ -17,8 +17,8 @@ mod truth;
 pub use campaign::{Campaign, campaign};
 pub use comparison::{AirspeedComparison, ChannelComparison, FlightState, HalfWingFlight, compare};
 pub use file::{
-    AirspeedSections, BeamChange, Blocks, ChannelNoise, Corners, Mesh, Noise, Sections, Statics,
-    TruthSettings, TunnelFile,
+    AirspeedSections, BeamChange, Blocks, ChannelNoise, Corners, Noise, Sections, Statics, TruthSettings,
+    TunnelFile,
 };
 pub use readme::{Found, Story, readme};
 pub use run_file::{ActuatorSettings, Dynamics, Joiner, MotionPlan, Purpose, RunPlan};

@@ -1,11 +1,11 @@
 //! The true wing: the wing file's planform with another lattice, another beam and real sections.
 
 use crate::curvature;
-use crate::file::{Mesh, TunnelFile};
+use crate::file::TunnelFile;
 use crate::sections::SectionModel;
 use crate::structure::change_beam;
 use aero::{Corrections, Flow};
-use coupling::planform::{Planform, Structure};
+use coupling::planform::Structure;
 use coupling::wing_file::Source;
 use coupling::{CouplingError, ElasticWing, Mount, RootLoads, SteadyCase, WingFile};
 use nastran::InputError;
@@ -77,7 +77,7 @@ impl Truth {
             .into());
         };
         if let Some(mesh) = &tunnel.truth.mesh {
-            remesh(planform, mesh).map_err(|message| InputError::in_file(&tunnel.path, message))?;
+            planform.remesh(mesh).map_err(|message| InputError::in_file(&tunnel.path, message))?;
         }
         if let (Some(structure), Some(beam)) = (&mut planform.structure, &tunnel.truth.beam) {
             let Structure::Beam(structure) = structure else {
@@ -137,50 +137,4 @@ impl Truth {
         let states = self.wing.at(flow, &corrections)?.solve(&cases);
         Ok(states.iter().map(|state| TrueState { loads: state.root, tip_z_m: state.tip_z_m }).collect())
     }
-}
-
-/// Another lattice on the same planform; control surfaces keep their place.
-fn remesh(planform: &mut Planform, mesh: &Mesh) -> Result<(), String> {
-    let edges_m = planform.strip_edges_m();
-    let of_controls = |first: usize, last: usize| [edges_m[first - 1], edges_m[last]];
-    let mut marks_m = vec![0.0, planform.semispan_m];
-    marks_m
-        .extend(planform.controls.iter().flat_map(|control| of_controls(control.strips.0, control.strips.1)));
-    marks_m.sort_by(f64::total_cmp);
-    marks_m.dedup_by(|a, b| (*a - *b).abs() < 1e-9 * planform.semispan_m);
-    if mesh.strips.len() + 1 != marks_m.len() || mesh.strips.contains(&0) {
-        return Err(format!(
-            "strips has {} numbers, expected {} above zero",
-            mesh.strips.len(),
-            marks_m.len() - 1
-        ));
-    }
-    let mut fractions = vec![0.0];
-    for (ends, &count) in marks_m.windows(2).zip(&mesh.strips) {
-        let at = |i: usize| (ends[0] + (ends[1] - ends[0]) * i as f64 / count as f64) / planform.semispan_m;
-        fractions.extend((1..=count).map(at));
-    }
-    if let Some(last) = fractions.last_mut() {
-        *last = 1.0;
-    }
-    let strip_at = |y_m: f64| fractions.iter().filter(|f| **f * planform.semispan_m < y_m - 1e-9).count();
-    for control in &mut planform.controls {
-        let [from_m, to_m] = of_controls(control.strips.0, control.strips.1);
-        control.strips = (strip_at(from_m) + 1, strip_at(to_m));
-        let boxes = control.chord_boxes * mesh.chordwise;
-        if !boxes.is_multiple_of(planform.boxes.chordwise) {
-            return Err(format!(
-                "with {} boxes along the chord the hinge of {} is on no edge",
-                mesh.chordwise, control.name
-            ));
-        }
-        control.chord_boxes = boxes / planform.boxes.chordwise;
-    }
-    planform.boxes.chordwise = mesh.chordwise;
-    planform.boxes.spanwise = fractions.len() - 1;
-    planform.boxes.strip_edges = Some(fractions);
-    if let Some(fairing) = &mut planform.fairing {
-        fairing.strips = mesh.fairing_strips;
-    }
-    Ok(())
 }

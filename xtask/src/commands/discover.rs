@@ -8,6 +8,7 @@ use calibrate::{Campaign, Settings, Use, calibrate};
 use discover::analysis::{DiscoverError, Prepared, Report, Rigs};
 use discover::bank::{Thresholds, key};
 use discover::gate::{Defect, defects};
+use discover::numerics::OtherLattice;
 use maneuver::effects::Flown;
 use nastran::InputError;
 
@@ -62,7 +63,8 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
             .into());
     }
     let own = args.corrections.is_none() || args.own_corrections;
-    let rigs = Rigs::new(&corrected.file, &corrected.wing)?;
+    let lattice = OtherLattice::of(&corrected.file, &corrected.wing);
+    let rigs = Rigs::new(&corrected.file, &corrected.wing, lattice.as_ref())?;
     let prepared = Prepared::new(&rigs, &corrected.schedule, &campaign, own)?;
     let out = common.out("discover");
     if let Some(found) = faults(&prepared) {

@@ -59,6 +59,7 @@ pub(crate) fn json(found: &Discovered<'_>, located: &[Value], seconds: f64) -> V
         "candidates": outcome.first_level.iter().map(|(name, evidence, threshold)| {
             json!({ "name": name.trim(), "log_bayes_factor": evidence, "threshold": threshold })
         }).collect::<Vec<_>>(),
+        "search": outcome.trace,
         "corrections": found.corrected.origin,
         "null_bank": found.bank,
         "data_hash": found.data_hash,

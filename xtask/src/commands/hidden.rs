@@ -10,6 +10,7 @@ use calibrate::{Campaign, Schedule, Settings, calibrate};
 use coupling::ElasticWing;
 use discover::analysis::{Prepared, Rigs};
 use discover::bank::Thresholds;
+use discover::numerics::OtherLattice;
 use hidden::score::gates;
 use hidden::{Answer, Bench, CasePlan, Class, Families, Fineness, Metrics, Mix, Verdict, cases, score};
 use rayon::prelude::*;
@@ -52,9 +53,10 @@ pub(crate) fn run(args: &HiddenArgs, common: &Common) -> Result<(), Failure> {
     let (file, wing) = ElasticWing::read(&path)?;
     let schedule = Schedule { wing: file.name.clone(), wing_hash: file.hash.clone(), sets: Vec::new() };
     let corrected = CorrectedWing { file, wing, schedule, origin: "each case's own".to_owned() };
+    let lattice = OtherLattice::of(&corrected.file, &corrected.wing);
     let out = common.out("hidden");
     let mut judge = Judge {
-        rigs: Rigs::new(&corrected.file, &corrected.wing)?,
+        rigs: Rigs::new(&corrected.file, &corrected.wing, lattice.as_ref())?,
         corrected: &corrected,
         limits: Thresholds::default(),
         folder: out.with_extension("cases"),

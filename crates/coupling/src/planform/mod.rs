@@ -14,6 +14,7 @@ mod beam;
 pub(crate) mod check;
 mod controls;
 mod distribution;
+mod mesh;
 mod panels;
 mod point_mass;
 mod shell;
@@ -22,6 +23,7 @@ mod warnings;
 
 pub use beam::BeamStructure;
 pub(crate) use check::Fault;
+pub use mesh::Mesh;
 pub use point_mass::PointMass;
 pub use shell::{
     BALANCE_BUSH, BALANCE_GRID, Band, FIRST_MESH_GRID, Foam, LineMass, MeshCounts, MeshSettings, PlyMaterial,

@@ -36,7 +36,10 @@ impl Effect for LargeDeflection {
                 shorter_m += along * (1.0 - level);
                 let lift = zones.lift_n[zone][i];
                 flown.loads[0][i] -= self.scale * lift * (1.0 - level);
-                flown.loads[1][i] -= self.scale * lift * (shorter_m * level + here.0 * (1.0 - level));
+                // the lift leans inward with the wing and pushes at its height
+                let raised = here.1 * slope;
+                flown.loads[1][i] -=
+                    self.scale * lift * (shorter_m * level + here.0 * (1.0 - level) - raised);
                 below = here;
             }
         }

@@ -64,9 +64,14 @@ impl Outputs {
         self.lifts() + self.zones
     }
 
+    /// Twist of the first zone, nose up, rad.
+    pub fn twists(self) -> usize {
+        self.heights() + self.zones
+    }
+
     /// Number of outputs, those of zones included or not.
     pub fn len(self, everything: bool) -> usize {
-        if everything { self.heights() + self.zones } else { BALANCE + 1 }
+        if everything { self.twists() + self.zones } else { BALANCE + 1 }
     }
 
     /// Never true.

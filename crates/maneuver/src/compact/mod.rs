@@ -69,6 +69,8 @@ pub struct Compact {
     pub(crate) modal_fields: Mat<f64>,
     /// Height of each zone's middle by modes.
     pub(crate) heights: Mat<f64>,
+    /// Twist of each zone by modes.
+    pub(crate) twists: Mat<f64>,
     pub(crate) omega_rad_s: Vec<f64>,
     pub(crate) damping_ratio: f64,
     pub(crate) actuator: Actuator,
@@ -124,6 +126,7 @@ impl Compact {
             inertia: inertia(rig, layout).subrows(0, BALANCE).to_owned(),
             modal_fields: o.modal_fields.clone(),
             heights: rows.heights,
+            twists: rows.twists,
             poles_per_m: parts.families.map(|family| family.poles_per_m.clone()),
             omega_rad_s: o.omega_rad_s.clone(),
             damping_ratio: rig.settings.damping_ratio,
@@ -178,6 +181,7 @@ impl Compact {
 struct Rows {
     all: Mat<f64>,
     heights: Mat<f64>,
+    twists: Mat<f64>,
 }
 
 impl Rows {
@@ -191,7 +195,9 @@ impl Rows {
         let all = Mat::from_fn(modes + BALANCE, 2 * boxes, |row, k| {
             if row < modes { motion[(k, row)] } else { o.loads.air[(row - modes, k)] }
         });
-        Self { heights: zones.heights(rig.wing, motion.as_ref()), all }
+        let (heights, twists) =
+            (zones.heights(rig.wing, motion.as_ref()), zones.twists(rig.wing, motion.as_ref()));
+        Self { all, heights, twists }
     }
 
     /// The share of some boxes.

@@ -72,10 +72,12 @@ impl Compact {
             self.tip[(0, one)] + (0..m).map(|k| self.tip[(0, k)] * xi[(k, 0)].re).sum::<f64>();
         if everything {
             let (lifts, heights) = (self.outputs().lifts(), self.outputs().heights());
+            let twists = self.outputs().twists();
             for zone in 0..self.zones.len() {
                 let own = factor * (1.0 + change.zone_force[zone]) * self.lift[(zone, one)];
                 rest[lifts + zone] = own + (0..m).map(|k| (l[(zone, k)] * xi[(k, 0)]).re).sum::<f64>();
                 rest[heights + zone] = (0..m).map(|k| self.heights[(zone, k)] * xi[(k, 0)].re).sum();
+                rest[twists + zone] = (0..m).map(|k| self.twists[(zone, k)] * xi[(k, 0)].re).sum();
             }
         }
         self.turn_at_rest(&mut rest, change, everything);
@@ -151,13 +153,15 @@ impl Compact {
             for zone in 0..if everything { self.zones.len() } else { 0 } {
                 let Some(lift) = lift else { break };
                 let mut sum = self.lift_direct(s, lift, zone, column);
-                let mut height = c64::new(0.0, 0.0);
+                let (mut height, mut twist) = (c64::new(0.0, 0.0), c64::new(0.0, 0.0));
                 for k in 0..m {
                     sum += lift[(zone, k)] * xi[(k, column)];
                     height += xi[(k, column)] * self.heights[(zone, k)];
+                    twist += xi[(k, column)] * self.twists[(zone, k)];
                 }
                 response[(outputs.lifts() + zone, column)] = sum;
                 response[(outputs.heights() + zone, column)] = height;
+                response[(outputs.twists() + zone, column)] = twist;
             }
         }
         feed_back(&mut response, change);

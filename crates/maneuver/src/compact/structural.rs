@@ -45,9 +45,16 @@ impl Structural {
 
     fn add(&mut self, rig: &Compact, point: &PointMass) {
         let zones = &rig.zones;
-        let Some(zone) = zones.nearest(point.y_norm) else { return };
-        let (x, y) = (zones.x_m[zone] + point.aft_over_c * zones.chord_m[zone], zones.y_m[zone]);
-        let shape: Vec<f64> = (0..rig.modes()).map(|mode| rig.heights[(zone, mode)]).collect();
+        if zones.is_empty() {
+            return;
+        }
+        let about = zones.about(point.y_norm);
+        let between =
+            |of: &dyn Fn(usize) -> f64| about.iter().map(|&(zone, share)| share * of(zone)).sum::<f64>();
+        let x = between(&|zone| zones.x_m[zone] + point.aft_over_c * zones.chord_m[zone]);
+        let y = between(&|zone| zones.y_m[zone]);
+        let shape: Vec<f64> =
+            (0..rig.modes()).map(|mode| between(&|zone| rig.heights[(zone, mode)])).collect();
         let field = [0.0, 1.0, -(x - rig.pitch_axis_x_m)];
         let row = [1.0, y - rig.balance_m[1], -(x - rig.balance_m[0])];
         for i in 0..shape.len() {

@@ -76,10 +76,15 @@ impl Zones {
         self.boxes.is_empty()
     }
 
-    /// The zone nearest to a place along the span, 0 at the root to 1.
-    pub(crate) fn nearest(&self, y_norm: f64) -> Option<usize> {
-        let far = |zone: &usize| (self.y_norm[*zone] - y_norm).abs();
-        (0..self.len()).min_by(|a, b| far(a).total_cmp(&far(b)))
+    /// Weights of the two zones about a place along the span, 0 at the root to 1, straight beyond the outermost middles.
+    pub(crate) fn about(&self, y_norm: f64) -> [(usize, f64); 2] {
+        let right = self.y_norm.partition_point(|y| *y < y_norm).clamp(1, self.len().max(2) - 1);
+        let left = right - 1;
+        let Some((a, b)) = self.y_norm.get(left).zip(self.y_norm.get(right)) else {
+            return [(0, 1.0), (0, 0.0)];
+        };
+        let share = (y_norm - a) / (b - a);
+        [(left, 1.0 - share), (right, share)]
     }
 
     pub(crate) fn each(&self, of: impl Fn(&[usize]) -> Mat<f64>) -> Vec<Mat<f64>> {
@@ -112,9 +117,19 @@ impl Zones {
 
     /// Height of each zone by modes: mean of its boxes, weighted with their area.
     pub(crate) fn heights(&self, wing: &ElasticWing, motion: MatRef<'_, f64>) -> Mat<f64> {
+        self.mean(wing, motion, 0)
+    }
+
+    /// Twist of each zone by modes, nose up, rad: mean of its boxes.
+    pub(crate) fn twists(&self, wing: &ElasticWing, motion: MatRef<'_, f64>) -> Mat<f64> {
+        self.mean(wing, motion, 1)
+    }
+
+    /// Mean of one of the two motions of a box.
+    fn mean(&self, wing: &ElasticWing, motion: MatRef<'_, f64>, of: usize) -> Mat<f64> {
         Mat::from_fn(self.len(), motion.ncols(), |zone, mode| {
             let boxes = self.boxes[zone].iter();
-            let sum: f64 = boxes.map(|&j| wing.lattice.boxes[j].area_m2() * motion[(2 * j, mode)]).sum();
+            let sum: f64 = boxes.map(|&j| wing.lattice.boxes[j].area_m2() * motion[(2 * j + of, mode)]).sum();
             sum / self.area_m2[zone]
         })
     }

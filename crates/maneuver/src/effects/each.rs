@@ -81,7 +81,7 @@ pub(super) use lift_slope::LiftSlope;
 pub(super) use q_error::QError;
 pub(super) use re_dependence::ReDependence;
 pub(super) use root_slack::RootSlack;
-pub(super) use stall::Stall;
+pub(super) use stall::{Stall, StallByAngle};
 pub(super) use static_hysteresis::StaticHysteresis;
 pub(super) use tip_loss::TipLoss;
 pub(super) use tip_mass::TipMass;

@@ -77,6 +77,7 @@ fn place(rig: &Compact, time_step_s: f64, steady: bool, clock_h: f64) -> Place<'
         time_step_s,
         steady,
         clock_h,
+        actuator: rig.actuator,
         gravity_m_s2: rig.gravity_m_s2(),
         balance_y_m: rig.balance_y_m(),
         outer_shape: rig.outer_shape(),
@@ -171,6 +172,7 @@ struct Split<'a> {
     tip_m: &'a [f64],
     lift_n: &'a [Vec<f64>],
     height_m: &'a [Vec<f64>],
+    twist_rad: &'a [Vec<f64>],
 }
 
 impl<'a> Split<'a> {
@@ -180,12 +182,20 @@ impl<'a> Split<'a> {
         Self {
             loads: std::array::from_fn(|c| answer[c].clone()),
             tip_m: &answer[Outputs::TIP],
-            lift_n: &answer[answer.len() - 2 * zones..answer.len() - zones],
-            height_m: &answer[answer.len() - zones..],
+            lift_n: &answer[answer.len() - 3 * zones..answer.len() - 2 * zones],
+            height_m: &answer[answer.len() - 2 * zones..answer.len() - zones],
+            twist_rad: &answer[answer.len() - zones..],
         }
     }
 
     fn seen<'b>(&'b self, inputs: &'b Inputs) -> Seen<'b> {
-        Seen { inputs, loads: &self.loads, tip_m: self.tip_m, lift_n: self.lift_n, height_m: self.height_m }
+        Seen {
+            inputs,
+            loads: &self.loads,
+            tip_m: self.tip_m,
+            lift_n: self.lift_n,
+            height_m: self.height_m,
+            twist_rad: self.twist_rad,
+        }
     }
 }

@@ -6,8 +6,8 @@ use super::each::{
     BalanceNonlin, BendStiff, CableStiffness, Camber, Crosstalk, CtlAlphaInteraction, CtlAsym, CtlCompliance,
     CtlSaturation, CtlSaturationTable, CtlScale, CubicStiffness, Damping, DaqFilter, Delay, DeltaOffset,
     Drift, DynamicStall, FlowUpwashGradient, Friction, Gain, InplaneForce, JoinerInertia, LargeDeflection,
-    LiftSlope, QError, ReDependence, RootSlack, Stall, StaticHysteresis, TipLoss, TipMass, TorsStiff,
-    WallCorrection, WingMassError,
+    LiftSlope, QError, ReDependence, RootSlack, Stall, StallByAngle, StaticHysteresis, TipLoss, TipMass,
+    TorsStiff, WallCorrection, WingMassError,
 };
 use std::sync::Arc;
 
@@ -32,7 +32,9 @@ pub fn library(controls: &[String]) -> Vec<Arc<dyn Effect>> {
         Arc::new(AcShift),
         Arc::new(ReDependence),
         Arc::new(Stall),
-        Arc::new(ActLag),
+        Arc::new(StallByAngle),
+        Arc::new(ActLag { second_order: false }),
+        Arc::new(ActLag { second_order: true }),
         Arc::new(ActRate),
         Arc::new(Backlash),
         Arc::new(CtlScale),
@@ -45,7 +47,8 @@ pub fn library(controls: &[String]) -> Vec<Arc<dyn Effect>> {
         Arc::new(AddedMass),
         Arc::new(AeroLag),
         Arc::new(Delay),
-        Arc::new(DaqFilter),
+        Arc::new(DaqFilter { pairs: 1 }),
+        Arc::new(DaqFilter { pairs: 2 }),
         Arc::new(Friction),
         Arc::new(InplaneForce),
         Arc::new(LargeDeflection),

@@ -43,6 +43,12 @@ pub trait Effect: std::fmt::Debug + Send + Sync {
         ""
     }
 
+    /// Values from which a fit may begin, where small ones say nothing (an angle at which something sets in); none: from
+    /// zero.
+    fn starts(&self) -> Vec<Vec<f64>> {
+        Vec::new()
+    }
+
     /// Moves parameters (within their bounds already) to the nearest that physics allows together.
     fn constrain(&self, _p: &mut [f64]) {}
 

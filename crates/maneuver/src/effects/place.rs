@@ -1,6 +1,7 @@
 //! What effects see and change on their way through a simulation.
 
 use crate::compact::Zones;
+use crate::rig::Actuator;
 use crate::smoothing::Smooth;
 use aero::Flow;
 
@@ -22,6 +23,8 @@ pub struct Place<'a> {
     pub steady: bool,
     /// Clock time of the first sample, h.
     pub clock_h: f64,
+    /// The servos.
+    pub actuator: Actuator,
     /// Gravity, m/s².
     pub gravity_m_s2: f64,
     /// y of the balance, m.
@@ -68,6 +71,8 @@ pub struct Seen<'a> {
     pub lift_n: &'a [Vec<f64>],
     /// Height of every zone above its wind-off place at alpha = 0, m; empty unless asked for.
     pub height_m: &'a [Vec<f64>],
+    /// Elastic twist of every zone, nose up, rad; empty unless asked for.
+    pub twist_rad: &'a [Vec<f64>],
 }
 
 impl Seen<'_> {

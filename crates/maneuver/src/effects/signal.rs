@@ -47,12 +47,18 @@ pub(super) fn first_order(values: &[f64], time_step_s: f64, time_constant_s: f64
         .collect()
 }
 
-/// A second order low pass of Butterworth, by the bilinear transform with its corner put in place.
+/// A second order low pass of Butterworth.
 pub(super) fn second_order(values: &[f64], time_step_s: f64, corner_hz: f64) -> Vec<f64> {
-    let w = (std::f64::consts::PI * corner_hz * time_step_s).min(1.5).tan();
-    let scale = 1.0 / (1.0 + std::f64::consts::SQRT_2 * w + w * w);
-    let (b, a1, a2) =
-        (w * w * scale, 2.0 * (w * w - 1.0) * scale, (1.0 - std::f64::consts::SQRT_2 * w + w * w) * scale);
+    damped(values, time_step_s, (corner_hz, std::f64::consts::FRAC_1_SQRT_2))
+}
+
+/// A low pass of second order with a natural frequency in Hz and a damping ratio, by the bilinear transform with the
+/// frequency put in place.
+pub(super) fn damped(values: &[f64], time_step_s: f64, (natural_hz, damping_ratio): (f64, f64)) -> Vec<f64> {
+    let w = (std::f64::consts::PI * natural_hz * time_step_s).min(1.5).tan();
+    let damping = 2.0 * damping_ratio * w;
+    let scale = 1.0 / (1.0 + damping + w * w);
+    let (b, a1, a2) = (w * w * scale, 2.0 * (w * w - 1.0) * scale, (1.0 - damping + w * w) * scale);
     let first = values.first().copied().unwrap_or(0.0);
     let (mut x1, mut x2, mut y1, mut y2) = (first, first, first, first);
     values

@@ -5,6 +5,7 @@
 use super::place::REFERENCE_V_M_S;
 use super::{Active, Inputs, Place};
 use crate::compact::Zones;
+use crate::rig::Actuator;
 use crate::smoothing::Smooth;
 use aero::{Corrections, Flow};
 use coupling::ElasticWing;
@@ -85,6 +86,8 @@ pub fn acting_deflection(
         time_step_s: 1.0,
         steady: true,
         clock_h: 0.0,
+        // at rest no servo acts
+        actuator: Actuator { frequency_hz: 1.0, damping_ratio: 1.0 },
         gravity_m_s2: 0.0,
         balance_y_m: 0.0,
         outer_shape: 0.0,

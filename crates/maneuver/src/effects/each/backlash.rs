@@ -1,4 +1,4 @@
-//! Play in the linkage of the control surfaces.
+//! Play in the linkage of the control surfaces: between the servo, whose overshoot takes some of it up, and the surface.
 
 use super::prelude::*;
 
@@ -23,8 +23,14 @@ impl Effect for Backlash {
 
     fn inputs(&self, p: &[f64], place: &Place<'_>, inputs: &mut Inputs) {
         if !place.steady && p[0] > 0.0 {
+            let servo = (place.actuator.frequency_hz, place.actuator.damping_ratio);
             for control in &mut inputs.controls_rad {
-                *control = signal::play(control, p[0].to_radians());
+                let turned = signal::damped(control, place.time_step_s, servo);
+                let surface = signal::play(&turned, p[0].to_radians());
+                // the command to which a surface without play would answer so, but for the servo's lag of the difference
+                for (command, (after, before)) in control.iter_mut().zip(surface.iter().zip(&turned)) {
+                    *command += after - before;
+                }
             }
         }
     }

@@ -26,6 +26,10 @@ impl Effect for DynamicStall {
         ]
     }
 
+    fn starts(&self) -> Vec<Vec<f64>> {
+        super::stall::STARTS.iter().map(|earlier| vec![*earlier, 0.3, 5.0]).collect()
+    }
+
     fn needs_zones(&self) -> bool {
         true
     }

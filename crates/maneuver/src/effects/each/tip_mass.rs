@@ -1,6 +1,10 @@
-//! A mass on the wing that the model lacks: a pod, a servo, a cable.
+//! A mass on the wing that the model lacks: a pod, a servo, a cable. It stands near the tip, so far inboard and so far aft of the
+//! quarter chord as its other parameters say.
 
 use super::prelude::*;
+
+/// Where the mass is without its second parameter, over the span.
+const OUTERMOST: f64 = 0.97;
 
 /// See the module.
 #[derive(Debug)]
@@ -18,12 +22,21 @@ impl Effect for TipMass {
     }
 
     fn parameters(&self) -> Vec<Parameter> {
-        vec![Parameter::new("m_kg", (0.0, 0.4), 0.05)]
+        vec![
+            Parameter::new("m_kg", (0.0, 0.4), 0.05),
+            Parameter::new("inboard_over_L", (0.0, 0.5), 0.1),
+            Parameter::new("aft_over_c", (-0.5, 0.7), 0.2),
+        ]
+    }
+
+    fn starts(&self) -> Vec<Vec<f64>> {
+        // without mass its place says nothing
+        vec![vec![0.05, 0.05, 0.2], vec![0.05, 0.25, 0.2]]
     }
 
     fn change(&self, p: &[f64], _place: &Place<'_>, change: &mut Change) {
         if p[0] != 0.0 {
-            change.points.push(PointMass { mass_kg: p[0], y_norm: 0.97, aft_over_c: 0.2 });
+            change.points.push(PointMass { mass_kg: p[0], y_norm: OUTERMOST - p[1], aft_over_c: p[2] });
         }
     }
 }

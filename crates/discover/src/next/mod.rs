@@ -1,0 +1,176 @@
+//! The next experiment: which of a menu would separate what the data leave open most, for its cost.
+//!
+//! The wing with the named effect and the wing with its rival, each as fitted to the data there are, are flown through
+//! every experiment. What separates them is the squared distance of their loads beyond noise, run tolerance, what is
+//! uncertain about the model, and what the rival could still give by its parameters' uncertainty: half of it is the
+//! expected logarithm of the Bayes factor (T-optimal design, Atkinson and Fedorov 1975).
+
+mod menu;
+
+pub use menu::{Experiment, menu};
+
+use crate::analysis::{DiscoverError, Prepared, Rigs};
+use crate::candidate::Refit;
+use crate::data::{Dataset, RunData, StaticGroup};
+use crate::level::{Level, Setting};
+use crate::noise::Noise;
+use crate::problem::Problem;
+use crate::search::Found;
+use crate::simulator::Simulator;
+use calibrate::{Schedule, Use};
+use faer::linalg::solvers::Solve;
+use faer::{Mat, Side};
+use maneuver::effects::{Active, Flown};
+use rayon::prelude::*;
+use std::sync::Arc;
+
+/// An experiment and what is expected of it.
+#[derive(Debug, Clone)]
+pub struct Advice {
+    /// What to fly.
+    pub experiment: &'static str,
+    /// Its cost; one is a run with wind.
+    pub cost: f64,
+    /// Expected logarithm of the Bayes factor between the named effect and each of its rivals, nats.
+    pub nats: Vec<(&'static str, f64)>,
+}
+
+impl Advice {
+    /// What the nearest rival is separated by.
+    pub fn least_nats(&self) -> f64 {
+        self.nats.iter().map(|(_, nats)| *nats).fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// All experiments of the menu for one of the effects found, what separates its nearest rival most for its cost first.
+///
+/// # Errors
+/// If the wing cannot be flown through an experiment.
+pub fn advise(
+    rigs: &Rigs<'_>,
+    schedule: &Schedule,
+    prepared: &Prepared,
+    (found, open): (&[Found], usize),
+) -> Result<Vec<Advice>, DiscoverError> {
+    let most_m_s = prepared.data.airspeeds_m_s.last().copied().unwrap_or(0.0);
+    let of = |experiment: &Experiment| -> Result<Advice, DiscoverError> {
+        let planned = planned(prepared, experiment, most_m_s);
+        let simulator = Simulator::new(&rigs.own, schedule, &planned)?;
+        let others = rigs
+            .others
+            .iter()
+            .map(|rig| Ok(Simulator::new(rig, schedule, &planned)?.matching(&simulator)))
+            .collect::<Result<Vec<_>, DiscoverError>>()?;
+        let setting =
+            Setting { data: &planned, simulator: &simulator, others: &others, ..prepared.setting() };
+        let noise = noise_of(prepared, &planned);
+        let problem = Problem::of_conditions(&planned, &noise, Use::Train);
+        let nats = found[open]
+            .rivals
+            .iter()
+            .map(|rival| {
+                (rival.active.effect.spec().name, separation(&setting, problem.clone(), found, open, rival))
+            })
+            .collect();
+        Ok(Advice { experiment: experiment.name, cost: experiment.cost, nats })
+    };
+    let mut all = menu().par_iter().map(of).collect::<Result<Vec<_>, DiscoverError>>()?;
+    let worth = |advice: &Advice| advice.least_nats() / advice.cost;
+    all.sort_by(|a, b| worth(b).total_cmp(&worth(a)));
+    Ok(all)
+}
+
+/// The experiment as a campaign without measurements.
+fn planned(prepared: &Prepared, experiment: &Experiment, most_m_s: f64) -> Dataset {
+    let controls = prepared.simulator.rigs.first().map_or(0, |rig| rig.controls.len());
+    let mut airspeeds_m_s: Vec<f64> = experiment.runs.iter().map(|(share, _)| share * most_m_s).collect();
+    airspeeds_m_s.sort_by(f64::total_cmp);
+    airspeeds_m_s.dedup();
+    let (mut runs, mut statics) = (Vec::new(), Vec::new());
+    for (k, (share, motion)) in experiment.runs.iter().enumerate() {
+        let airspeed = airspeeds_m_s.iter().position(|v| *v == share * most_m_s).unwrap_or(0);
+        let stimulus = motion.stimulus(controls);
+        let samples = stimulus.inputs.alpha.value.len();
+        if motion.is_static() {
+            statics.push(StaticGroup {
+                airspeed,
+                stimulus,
+                measured: vec![[Some(0.0); 3]; samples],
+                points: Vec::new(),
+                blocks: vec![None; samples],
+                usage: Use::Train,
+            });
+        } else {
+            runs.push(RunData {
+                name: format!("planned_{k}"),
+                usage: Use::Train,
+                airspeed,
+                block: None,
+                repeat_of: None,
+                measured: std::array::from_fn(|_| vec![0.0; samples]),
+                stimulus,
+                decimation: 1,
+            });
+        }
+    }
+    Dataset::of_parts(prepared.data.rho_kg_m3, airspeeds_m_s, runs, statics)
+}
+
+/// The campaign's noise at the nearest airspeeds.
+fn noise_of(prepared: &Prepared, planned: &Dataset) -> Noise {
+    let known = &prepared.data.airspeeds_m_s;
+    let nearest = |v: &f64| {
+        let far = |i: &usize| (known[*i] - v).abs();
+        (0..known.len()).min_by(|a, b| far(a).total_cmp(&far(b))).unwrap_or(0)
+    };
+    Noise {
+        run: planned.airspeeds_m_s.iter().map(|v| prepared.noise.run[nearest(v)]).collect(),
+        ..prepared.noise.clone()
+    }
+}
+
+fn separation(
+    setting: &Setting<'_>,
+    mut problem: Problem<'_>,
+    found: &[Found],
+    open: usize,
+    rival: &Refit,
+) -> f64 {
+    let with = |active: &Active| -> Vec<Active> {
+        found
+            .iter()
+            .enumerate()
+            .map(|(i, f)| if i == open { active.clone() } else { f.active.clone() })
+            .collect()
+    };
+    let level = Level::new(setting, &mut problem, &with(&found[open].active), None);
+    let fly = |active: &Active| {
+        let effects = with(active);
+        let models = setting.simulator.models(&effects, Some(&level.models));
+        setting.simulator.fly(&models, &effects, &problem.places())
+    };
+    let all: Vec<usize> = (0..problem.segments.len()).collect();
+    let change =
+        |after: &[Flown], before: &[Flown]| problem.change(&all, after, &before.iter().collect::<Vec<_>>());
+    let other = fly(&rival.active);
+    let apart = change(&other, &level.flown);
+    let moved = |k: usize| {
+        let mut values = rival.active.values.clone();
+        values[k] += rival.sigma[k];
+        change(&fly(&Active::new(Arc::clone(&rival.active.effect), &values)), &other)
+    };
+    let columns: Vec<Vec<f64>> = (0..rival.sigma.len()).map(moved).collect();
+    let k = columns.len();
+    let stacked = Mat::from_fn(apart.len(), k + 1, |i, j| if j < k { columns[j][i] } else { apart[i] });
+    let gram = level.shared.gram(stacked.as_ref());
+    let mut normal = gram.submatrix(0, 0, k, k).to_owned();
+    for j in 0..k {
+        normal[(j, j)] += 1.0;
+    }
+    let right = Mat::from_fn(k, 1, |j, _| gram[(j, k)]);
+    let given = normal.llt(Side::Lower).map_or(0.0, |factor| {
+        let step = factor.solve(&right);
+        (0..k).map(|j| step[(j, 0)] * right[(j, 0)]).sum()
+    });
+    0.5 * (gram[(k, k)] - given).max(0.0)
+}
