@@ -49,6 +49,11 @@ pub(crate) fn run(path: &Path, args: &FullaircraftArgs, common: &Common) -> Resu
     check_replaceable(&target)?;
     let file = CasesFile::read(path)?;
     let Prepared { aircraft, corrections, origin, .. } = prepared(args, common)?;
+    if !aircraft.wing.deflection.is_empty() && !common.quiet {
+        show::note(
+            "cases fly surfaces to where they are commanded: the wing's deflection correction is left out",
+        );
+    }
     let tools = TrimTools::new(&aircraft, &file.stations).map_err(|error| in_file(error.into(), &file))?;
     let models = [aircraft.uncorrected(), aircraft.with_corrections(&corrections)?];
     let limits = aircraft.file.lift_limits()?;
