@@ -105,13 +105,7 @@ impl TrimDeck {
         let (free, held) = (assembled(bulk)?, held(bulk)?);
         let spline = deck_spline::splines(bulk, &lattice, free.node_ids(), free.points())?;
         let frames = Frames::resolve(bulk)?;
-        if (frames.axes_at(aeros.acsid, &aeros.span)? - Matrix3::identity()).amax() > 1e-9 {
-            let message =
-                "the aerodynamic system ACSID is turned against the basic system, which is not supported";
-            return Err(InputError::at(&aeros.span, message)
-                .with_help("write the deck with x aft, y right and z up in the basic system")
-                .into());
-        }
+        refuse_turned(&frames, &aeros)?;
         let axes = frames.axes_at(aeros.rcsid, &aeros.span)?;
         let origin = frames.point(aeros.rcsid, [0.0; 3], &aeros.span)?;
         let (variables, incidence, accelerations) = variables(bulk, &lattice, &aeros, &origin)?;
@@ -278,6 +272,16 @@ impl TrimDeck {
             values: self.variables.iter().cloned().zip(values).collect(),
         })
     }
+}
+
+/// The stream goes along x of the basic system.
+fn refuse_turned(frames: &Frames, aeros: &Aeros) -> Result<(), InputError> {
+    if (frames.axes_at(aeros.acsid, &aeros.span)? - Matrix3::identity()).amax() <= 1e-9 {
+        return Ok(());
+    }
+    let message = "the aerodynamic system ACSID is turned against the basic system, which is not supported";
+    Err(InputError::at(&aeros.span, message)
+        .with_help("write the deck with x aft, y right and z up in the basic system"))
 }
 
 /// One over the positive real eigenvalues of `F H`, ascending.

@@ -20,7 +20,8 @@ fn deck(change: &[(&str, &str)]) -> BulkData {
 
 /// Its second trim, flown elastically at a high dynamic pressure.
 fn trimmed(bulk: &BulkData) -> TrimmedDeck {
-    TrimDeck::new(bulk, 0.9).unwrap().trim_card(&bulk.trims[&2]).unwrap()
+    let deck = TrimDeck::new(bulk, 0.9).expect("a deck that can be trimmed");
+    deck.trim_card(&bulk.trims[&2]).expect("a trim")
 }
 
 fn same(one: &TrimmedDeck, other: &TrimmedDeck, share: f64) {

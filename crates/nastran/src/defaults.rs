@@ -90,7 +90,9 @@ impl Defaults {
             card.fill(1, defaults);
             card.fill(OFFT, defaults);
             if is_plain {
-                ORIENTATION.into_iter().for_each(|field| card.fill(field, defaults));
+                for field in ORIENTATION {
+                    card.fill(field, defaults);
+                }
             }
         }
         waiting

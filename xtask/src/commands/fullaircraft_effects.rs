@@ -32,7 +32,9 @@ pub(crate) fn travelling(
     let carried = carry(&active, &wing.wing, file.correction_airspeed_m_s, corrections);
     // An aircraft flies where it flies: beyond the tunnel's airspeeds the nearest stands, as for the corrections.
     let mut tables = wing.file.deflection.clone();
-    tables.iter_mut().for_each(|table| table.outside = OutsideAirspeeds::Nearest);
+    for table in &mut tables {
+        table.outside = OutsideAirspeeds::Nearest;
+    }
     let is_corrected = !tables.is_empty();
     let deflection = DeflectionCorrection::new(tables).at(file.trim.v_m_s)?;
     Ok(Travelling { active, controls, carried, deflection, is_corrected })
