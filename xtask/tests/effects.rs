@@ -67,6 +67,42 @@ fn effects_fly_and_switched_off_they_leave_no_bit() {
     std::fs::remove_dir_all(&folder).expect("our own folder");
 }
 
+/// Largest deflection of the aileron in a model's doublet, degrees.
+fn largest(folder: &Path, model: &str) -> f64 {
+    let text = std::fs::read_to_string(folder.join(format!("out/doublet_{model}.csv"))).expect("a result");
+    let mut lines = text.lines().filter(|line| !line.starts_with('#'));
+    let columns: Vec<&str> = lines.next().expect("a head").split(',').collect();
+    let column = columns.iter().position(|name| name.starts_with("delta")).expect("the aileron");
+    let values = lines.map(|line| line.split(',').nth(column).expect("a cell").parse::<f64>());
+    values.map(|value| value.expect("a number").abs()).fold(0.0, f64::max)
+}
+
+#[test]
+fn an_aircraft_s_ailerons_reach_as_far_as_the_deflection_correction_says() {
+    let folder = std::env::temp_dir().join(format!("wingroot-deflection-aircraft-{}", std::process::id()));
+    // at the trim's 25.7 m/s and 10 degrees: between two airspeeds, and beyond the last, whose factor stands
+    for (rows, expected) in [
+        (
+            "(V_m_s: 25.0, commanded_deg: [5.0, 15.0], factor: [0.9, 0.7]), (V_m_s: 26.0, commanded_deg: [10.0], factor: [0.9])",
+            0.87,
+        ),
+        (
+            "(V_m_s: 18.0, commanded_deg: [10.0], factor: [0.9]), (V_m_s: 20.0, commanded_deg: [10.0], factor: [0.8])",
+            0.8,
+        ),
+    ] {
+        let with =
+            wing(&folder.join("with"), &format!("deflection: [(control: \"outer\", rows: [{rows}])],"));
+        let output = xtask("fullaircraft", &with, &[], &folder.join("out"));
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.success(), "{said}");
+        assert!(said.contains(&format!("makes {:.2} of the 10 degrees", 10.0 * expected)), "{said}");
+        let share = largest(&folder, "updated") / largest(&folder, "initial");
+        assert!((share - expected).abs() < 1e-3, "{share} {expected}");
+    }
+    std::fs::remove_dir_all(&folder).expect("our own folder");
+}
+
 #[test]
 fn an_aircraft_takes_the_saturation_of_its_ailerons_and_leaves_the_joiner_in_the_tunnel() {
     let folder = std::env::temp_dir().join(format!("wingroot-effects-aircraft-{}", std::process::id()));
@@ -76,18 +112,9 @@ fn an_aircraft_takes_the_saturation_of_its_ailerons_and_leaves_the_joiner_in_the
     assert!(output.status.success(), "{said}");
     assert!(said.contains("ctl_saturation act on the updated aircraft"), "{said}");
     assert!(said.contains("joiner_inertia belong to tunnel"), "{said}");
-    let largest = |model: &str| {
-        let text =
-            std::fs::read_to_string(folder.join(format!("out/doublet_{model}.csv"))).expect("a result");
-        let mut lines = text.lines().filter(|line| !line.starts_with('#'));
-        let columns: Vec<&str> = lines.next().expect("a head").split(',').collect();
-        let column = columns.iter().position(|name| name.starts_with("delta")).expect("the aileron");
-        let values = lines.map(|line| line.split(',').nth(column).expect("a cell").parse::<f64>());
-        values.map(|value| value.expect("a number").abs()).fold(0.0, f64::max)
-    };
     // tanh(3 x 10 deg)/3: the amplitude of the doublet, at the trim's airspeed with no power of it
     let expected = ((3.0 * 10.0_f64.to_radians()).tanh() / 3.0).to_degrees() / 10.0;
-    let share = largest("updated") / largest("initial");
+    let share = largest(&folder, "updated") / largest(&folder, "initial");
     assert!((share - expected).abs() < 1e-3, "{share} {expected}");
     std::fs::remove_dir_all(&folder).expect("our own folder");
 }

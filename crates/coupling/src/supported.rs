@@ -10,6 +10,9 @@ use faer::{Mat, MatRef};
 use nalgebra::Point3;
 use structure::{Flexibility, System};
 
+/// Unit loads whose displacements of the whole structure are in memory at a time.
+const TOGETHER: usize = 64;
+
 /// A clamped structure reduced to the degrees of freedom that carry boxes.
 #[derive(Debug, Clone)]
 pub struct SupportedStructure {
@@ -71,14 +74,15 @@ impl SupportedStructure {
             s_dofs.push(6 * tip + 2);
             s_dofs.sort_unstable();
         }
-        let mut units = Mat::zeros(spline.g_size(), s_dofs.len());
-        for (column, &dof) in s_dofs.iter().enumerate() {
-            units[(dof, column)] = 1.0;
-        }
         let displaced = |f_g: MatRef<'_, f64>| {
             system.expand(flexibility.displacements(system.reduce(f_g).as_ref()).as_ref())
         };
-        let f = restrict(displaced(units.as_ref()).as_ref(), &s_dofs);
+        let mut f = Mat::zeros(s_dofs.len(), s_dofs.len());
+        for (group, dofs) in s_dofs.chunks(TOGETHER).enumerate() {
+            let units = system.reduce_units(dofs);
+            let answer = system.expand_at(flexibility.displacements(units.as_ref()).as_ref(), &s_dofs);
+            f.as_mut().subcols_mut(group * TOGETHER, dofs.len()).copy_from(&answer);
+        }
         let rigid = system.rigid_body(balance);
         let field = system.inertia_loads(rigid.as_ref());
         let sag_g = displaced(field.as_ref());

@@ -14,7 +14,7 @@ use coupling::{
     Balance, ElasticWing, RigidInertia, Spline, SplineKind, SupportedStructure, WingFile, WingParts,
 };
 use nalgebra::Point3;
-use nastran::{BulkData, Frames, InputError, Spc1};
+use nastran::{BulkData, Frames, InputError};
 use std::path::Path;
 use structure::{MassProperties, Model, System};
 
@@ -76,7 +76,7 @@ impl Aircraft {
     /// As [`Aircraft::read`].
     pub fn new(file: AircraftFile, wing: WingFile) -> Result<Self, AircraftError> {
         let mut cards = cards::build(&file, &wing)?;
-        let rest = System::assemble(&Model::from_bulk(&cards.bulk)?)?.mass_properties();
+        let rest = MassProperties::of_model(&Model::from_bulk(&cards.bulk)?);
         let frames = Frames::resolve(&cards.bulk)?;
         let at = frames.grid_point(&cards.bulk.grids[&cards.centre])?;
         let body = closing::mass(&file, &rest, cards.closing, cards.centre, &at)?;
@@ -90,7 +90,8 @@ impl Aircraft {
         let lattice = Lattice::from_bulk(&in_flow)?;
         let spline = spline(&cards, &lattice, &free, wing.spline)?;
         let [right, left] = wings(&cards, &wing, &free)?;
-        let held = held(&cards)?;
+        let centre = node(&free, cards.centre)?;
+        let held = free.clamped_at(centre);
         let mass = free.mass_properties();
         let centre_of_gravity = Point3::new(file.total.x_cg_m, 0.0, 0.0);
         let (supported, inertia) =
@@ -112,7 +113,6 @@ impl Aircraft {
             lattice,
         };
         let flow = ElasticWing::new(parts)?;
-        let centre = node(&free, cards.centre)?;
         Ok(Self { file, wing, bulk: cards.bulk, free, spline, flow, right, left, centre, mass, inertia })
     }
 
@@ -183,19 +183,6 @@ fn spline(
         });
     }
     Ok(Spline::joined(parts, 6 * system.node_count()))
-}
-
-/// The structure held at the centre.
-fn held(cards: &Cards) -> Result<System, AircraftError> {
-    let mut bulk = cards.bulk.clone();
-    let span = bulk.grids[&cards.centre].span.clone();
-    bulk.constraints.push(Spc1 {
-        set: 1,
-        components: vec![1, 2, 3, 4, 5, 6],
-        grids: vec![cards.centre],
-        span,
-    });
-    Ok(System::assemble(&Model::from_bulk(&bulk)?)?)
 }
 
 /// Places of both wings.

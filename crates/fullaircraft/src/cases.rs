@@ -70,7 +70,7 @@ pub struct CaseResult {
     /// Smallest and largest height of the right and the left tip over the plane of the wing's root, m. In motion the
     /// right tip's accelerometer's, for the right only.
     pub tip_deflection_m: Vec<[f64; 2]>,
-    /// Loads of each station; of the roots only in motion.
+    /// Loads of each station; in motion of the roots and the stations of the wing's file.
     pub loads: Vec<StationLoads>,
     /// What to be wary of.
     pub warnings: Vec<String>,
@@ -201,15 +201,31 @@ impl CaseFlight<'_> {
         result.warnings = aircraft.validity(&result.maneuver, &trimmed, self.limits);
         if let Some(history) = self.history(case, model, &trimmed, &mut result.warnings)? {
             result.tip_deflection_m = vec![range(&history.tip_deflection_m)];
-            let sides = [("right root", &history.root_right), ("left root", &history.root_left)];
-            result.loads =
-                sides.map(|(name, loads)| station(name, [0, 1, 2].map(|i| range(&loads[i])))).to_vec();
+            result.loads = self.flown_loads(&history, &at.station_loads(&balanced));
         } else {
             result.tip_deflection_m = trimmed.tip_deflection_m.map(pair).to_vec();
             let stations = self.tools.stations.all.iter().zip(at.station_loads(&balanced));
             result.loads = stations.map(|(place, loads)| station(&place.name, loads.map(pair))).collect();
         }
         Ok(result)
+    }
+
+    /// Loads in flight at the roots and at those stations that the wing's file has: the trim's, and how they change from its
+    /// start on.
+    fn flown_loads(&self, history: &FlightHistory, steady: &[[f64; 3]]) -> Vec<StationLoads> {
+        let roots = [("right root", &history.root_right), ("left root", &history.root_left)];
+        let mut all = roots.map(|(name, loads)| station(name, [0, 1, 2].map(|i| range(&loads[i])))).to_vec();
+        for (place, steady) in self.tools.stations.all.iter().zip(steady) {
+            let Some((side, name)) = place.name.split_once(' ') else { continue };
+            let name = format!("{name}_{side}");
+            let Some(flown) = history.stations.iter().find(|flown| flown.name == name) else { continue };
+            let load = |i: usize| {
+                let start = flown.loads[i].first().copied().unwrap_or(0.0);
+                range(&flown.loads[i]).map(|value| steady[i] + (value - start))
+            };
+            all.push(station(&place.name, [0, 1, 2].map(load)));
+        }
+        all
     }
 
     fn history(
@@ -290,7 +306,7 @@ impl Aircraft {
     /// and the stations.
     pub fn inputs_of_cases(&self, corrections: &aero::Corrections, file: &CasesFile) -> String {
         format!(
-            "1 {} {:?} {} {:?} {:?} {corrections:?}",
+            "2 {} {:?} {} {:?} {:?} {corrections:?}",
             env!("CARGO_PKG_VERSION"),
             AircraftFileText(&self.file),
             self.wing.hash,

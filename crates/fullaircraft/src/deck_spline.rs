@@ -68,7 +68,7 @@ impl Attachment {
     }
 }
 
-/// The splines of a deck: SPLINE2 as described above, SPLINE1 as [`crate::deck_plate`] says; every box must have one.
+/// The splines of a deck: SPLINE2 and SPLINE5 as described above, SPLINE1 and SPLINE4 as [`crate::deck_plate`] says; every box must have one.
 ///
 /// # Errors
 /// If a box has no spline or two, or a spline names a set, grid or system that is not there.
@@ -80,19 +80,10 @@ pub(crate) fn splines(
 ) -> Result<Spline, InputError> {
     let mut rows: Vec<Option<Vec<(usize, f64)>>> = vec![None; 2 * lattice.len()];
     for card in bulk.splines.values() {
-        let (boxes, pairs) = match card.kind {
-            SplineKind::Plate => {
-                let boxes = deck_plate::boxes(card, lattice)?;
-                let pairs = deck_plate::rows(bulk, card, lattice, &boxes, ids, points)?;
-                (boxes, pairs)
-            }
-            SplineKind::Beam { .. } => {
-                let range = card.boxes.0..=card.boxes.1;
-                let boxes: Vec<usize> =
-                    (0..lattice.len()).filter(|&j| range.contains(&lattice.boxes[j].id)).collect();
-                let pairs = beam(bulk, card, lattice, &boxes, ids, points)?;
-                (boxes, pairs)
-            }
+        let boxes = boxes(bulk, card, lattice)?;
+        let pairs = match card.kind {
+            SplineKind::Plate => deck_plate::rows(bulk, card, lattice, &boxes, ids, points)?,
+            SplineKind::Beam { .. } => beam(bulk, card, lattice, &boxes, ids, points)?,
         };
         for (place, pair) in boxes.iter().zip(pairs) {
             for (k, row) in pair.into_iter().enumerate() {
@@ -115,11 +106,30 @@ pub(crate) fn splines(
                 other.join(", ")
             )
         };
-        return Err(
-            InputError::general(message).with_help("name every box in a SPLINE1 or SPLINE2 of the deck")
-        );
+        return Err(InputError::general(message)
+            .with_help("name every box in a SPLINE1, SPLINE2, SPLINE4 or SPLINE5 of the deck"));
     }
     Ok(Spline::from_rows(rows.into_iter().flatten().collect(), 6 * points.len()))
+}
+
+/// Places of a spline's boxes: its list (SPLINE4, SPLINE5), a rectangle (SPLINE1), or a range of numbers (SPLINE2).
+fn boxes(bulk: &BulkData, card: &SplineCard, lattice: &Lattice) -> Result<Vec<usize>, InputError> {
+    let blame = |message: String| InputError::at(&card.span, message);
+    let Some(list) = card.list else {
+        let range = card.boxes.0..=card.boxes.1;
+        return match card.kind {
+            SplineKind::Plate => deck_plate::boxes(card, lattice),
+            SplineKind::Beam { .. } => {
+                Ok((0..lattice.len()).filter(|&j| range.contains(&lattice.boxes[j].id)).collect())
+            }
+        };
+    };
+    let listed = bulk.box_lists.get(&list).ok_or_else(|| blame(format!("AELIST {list} is not there")))?;
+    let place = |id: &u32| {
+        let at = lattice.index_of(*id);
+        at.ok_or_else(|| blame(format!("box {id} of AELIST {list} is not there")))
+    };
+    listed.boxes.iter().map(place).collect()
 }
 
 /// The grids of a spline's set as places of nodes.

@@ -8,7 +8,7 @@ use crate::error::AircraftError;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 use std::f64::consts::TAU;
-use structure::{count_below, normal_modes};
+use structure::normal_modes_below;
 
 /// Modes of the free aircraft; columns are modes.
 #[derive(Debug, Clone)]
@@ -31,8 +31,8 @@ impl FreeModes {
     /// If the modes do not converge.
     pub fn new(aircraft: &Aircraft) -> Result<Self, AircraftError> {
         let system = &aircraft.free;
-        let count = count_below(system, TAU * aircraft.file.modes_up_to_hz)?.max(Self::FIRST_ELASTIC);
-        let modes = normal_modes(system, count)?;
+        let modes = normal_modes_below(system, TAU * aircraft.file.modes_up_to_hz, Self::FIRST_ELASTIC)?;
+        let count = modes.omega_rad_s.len();
         let mut shapes = system.expand(modes.shapes.as_ref());
         let rigid = system.rigid_body(&aircraft.mass.centre);
         let momentum = system.inertia_loads(rigid.as_ref());

@@ -1,6 +1,7 @@
 //! Everything an aircraft flies, with and without corrections, and the numbers that sum it up.
 
 use crate::aircraft::Aircraft;
+use crate::aircraft_file::{Chirp, Doublet};
 use crate::derivatives::Derivatives;
 use crate::error::AircraftError;
 use crate::flight::FreeFlight;
@@ -145,9 +146,23 @@ impl Aircraft {
     /// # Errors
     /// If a point cannot be trimmed, a control is not there, or the corrections have the wrong length.
     pub fn compare(&self, wing: &Corrections) -> Result<Comparison, AircraftError> {
+        self.compare_acting(wing, &self.file.doublet, &self.file.chirp)
+    }
+
+    /// As [`Aircraft::compare`], the updated model with a doublet and a chirp of its own: what its surfaces make of the
+    /// commanded ones.
+    ///
+    /// # Errors
+    /// As [`Aircraft::compare`].
+    pub fn compare_acting(
+        &self,
+        wing: &Corrections,
+        doublet: &Doublet,
+        chirp: &Chirp,
+    ) -> Result<Comparison, AircraftError> {
         let air = FlightAir::new(self)?;
-        let initial = self.uncorrected().fly_all(&air)?;
-        let updated = self.with_corrections(wing)?.fly_all(&air)?;
+        let initial = self.uncorrected().fly_all(&air, &self.file.doublet, &self.file.chirp)?;
+        let updated = self.with_corrections(wing)?.fly_all(&air, doublet, chirp)?;
         let limits = self.file.lift_limits()?;
         let mut warnings = self.warnings();
         for (model, flown) in [("initial", &initial), ("updated", &updated)] {
@@ -170,25 +185,25 @@ impl Aircraft {
 }
 
 impl FlightModel<'_> {
-    /// Flies all maneuvers of the aircraft's file.
+    /// Flies all points and the gust of the aircraft's file, and a doublet and a chirp.
     ///
     /// # Errors
     /// If a point cannot be trimmed or a control is not there.
-    pub fn fly_all(&self, air: &FlightAir) -> Result<Flown, AircraftError> {
+    pub fn fly_all(&self, air: &FlightAir, doublet: &Doublet, chirp: &Chirp) -> Result<Flown, AircraftError> {
         let file = &self.aircraft.file;
         let trim = self.trim("trim", &file.trim)?;
-        let doublet = FreeFlight::new(self, air, &trim, &file.doublet.control)?;
-        let chirp = FreeFlight::new(self, air, &trim, &file.chirp.control)?;
+        let doublet_flight = FreeFlight::new(self, air, &trim, &doublet.control)?;
+        let chirp_flight = FreeFlight::new(self, air, &trim, &chirp.control)?;
         let warnings = [
-            doublet.warning("doublet", file.doublet.duration_s),
-            chirp.warning("chirp", file.chirp.duration_s),
+            doublet_flight.warning("doublet", doublet.duration_s),
+            chirp_flight.warning("chirp", chirp.duration_s),
             air.warning(file.trim.v_m_s),
         ];
         Ok(Flown {
             warnings: warnings.into_iter().flatten().collect(),
             derivatives: self.derivatives(file.trim.v_m_s)?,
-            doublet: doublet.doublet(&file.doublet),
-            chirp: chirp.chirp(&file.chirp),
+            doublet: doublet_flight.doublet(doublet),
+            chirp: chirp_flight.chirp(chirp),
             gust: self.fly_gust(air, &trim)?,
             pull_up: self.trim("pull_up", &file.pull_up)?,
             push_down: self.trim("push_down", &file.push_down)?,

@@ -7,17 +7,19 @@
 //! F is the flexibility held at the SUPORT motions (restrained); with inertia relief in mean axes it is `R F Rᵀ`,
 //! `R = 1 - D (Dᵀ M D)^-1 Dᵀ M` (unrestrained). Trim angles are those of the SUPORT grid. Source: MSC.Nastran Aeroelastic
 //! Analysis User's Guide, chapter 2, quasi-steady static aeroelasticity.
-//! All SPC and SPC1 of the [`BulkData`] apply: see [`select`](crate::trim_deck_cases::select) for what a subcase selects. Corrections (WKK, FA2J) are not applied.
+//! All SPC and SPC1 of the [`BulkData`] apply: see [`select`](crate::trim_deck_cases::select) for what a subcase selects. DMI WKK and FA2J of the deck are applied:
+//! their factors in S, their offsets as loads that are always there, as camber is.
 
 use crate::deck_spline;
 use crate::error::AircraftError;
 use crate::trim_balance::Balance;
+use crate::trim_deck_cases::refuse_unread;
 use crate::trim_deck_monitors::{Monitor, monitors};
 use crate::trim_deck_structure::{
-    Reduced, assembled, coupling_matrices, held, reference_motions, support_motions,
+    Reduced, assembled, corrections, coupling_matrices, held, reference_motions, support_motions,
 };
 use crate::trim_deck_variables::{Links, variables};
-use aero::{Integration, Lattice, MirrorPlane, SteadyAero};
+use aero::{Corrections, Integration, Lattice, MirrorPlane, SteadyAero};
 use coupling::CouplingError;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, c64};
@@ -47,15 +49,18 @@ pub struct TrimDeck {
     origin: Point3<f64>,
     /// Controls in proportion to others.
     links: Links,
-    /// MONPNT1 that are left out because their component is made of grids.
+    /// MONPNT3, and MONPNT1 of a component made of grids, which are left out.
     pub skipped_monitors: Vec<String>,
     monitors: Vec<Monitor>,
     /// Pressures of the undeformed aircraft, boxes by variables.
     cp_variables: Mat<f64>,
     /// Pressures by displacement of the s-set.
     cp_displacement: Mat<f64>,
-    /// Load on the s-set per box cp and unit dynamic pressure.
+    /// Load on the s-set per box cp and unit dynamic pressure, factors in.
     gather: Mat<f64>,
+    /// Load on the s-set of the pressure offsets per unit dynamic pressure, one column.
+    offset: Mat<f64>,
+    corrections: Corrections,
     /// Load on the s-set by its displacement and unit dynamic pressure.
     stiffness: Mat<f64>,
     /// Divergence pressures, ascending.
@@ -78,7 +83,7 @@ pub struct TrimDeck {
 pub struct TrimmedDeck {
     /// Value of each variable.
     pub values: BTreeMap<String, f64>,
-    /// Pressure coefficient of each box.
+    /// Pressure coefficient of each box, before the deck's corrections.
     pub cp: Vec<f64>,
     /// Lift of each box along its normal, the deck's unit of force.
     pub lift: Vec<f64>,
@@ -90,22 +95,17 @@ impl TrimDeck {
     /// Assembles a deck for one Mach number.
     ///
     /// # Errors
-    /// If AEROS is missing or its axes are turned, SUPORT names more than one grid, a variable is unknown, a box has no spline, or the structure is
+    /// If the deck has cards that are not read and would change the trim, AEROS is missing or its axes are turned, SUPORT names more than one grid, a variable is unknown, a box has no spline, or the structure is
     /// loose when held at the SUPORT motions.
     pub fn new(bulk: &BulkData, mach: f64) -> Result<Self, AircraftError> {
         let missing = |card: &str| InputError::general(format!("the deck has no {card}, which trim needs"));
+        refuse_unread(bulk)?;
         let aeros = bulk.aero_reference.clone().ok_or_else(|| missing("AEROS"))?;
         let lattice = Lattice::from_bulk(bulk)?;
         let (free, held) = (assembled(bulk)?, held(bulk)?);
         let spline = deck_spline::splines(bulk, &lattice, free.node_ids(), free.points())?;
         let frames = Frames::resolve(bulk)?;
-        if (frames.axes_at(aeros.acsid, &aeros.span)? - Matrix3::identity()).amax() > 1e-9 {
-            let message =
-                "the aerodynamic system ACSID is turned against the basic system, which is not supported";
-            return Err(InputError::at(&aeros.span, message)
-                .with_help("write the deck with x aft, y right and z up in the basic system")
-                .into());
-        }
+        refuse_turned(&frames, &aeros)?;
         let axes = frames.axes_at(aeros.rcsid, &aeros.span)?;
         let origin = frames.point(aeros.rcsid, [0.0; 3], &aeros.span)?;
         let (variables, incidence, accelerations) = variables(bulk, &lattice, &aeros, &origin)?;
@@ -123,7 +123,8 @@ impl TrimDeck {
             -1 => MirrorPlane::Antisymmetric { y_m: 0.0 },
             _ => MirrorPlane::None,
         };
-        let (theta, gather) = coupling_matrices(&spline, &s_dofs, &integration);
+        let corrections = corrections(bulk, lattice.len())?;
+        let (theta, gather, offset) = coupling_matrices(&spline, &s_dofs, &integration, &corrections);
         // one factorisation of the influence coefficients for all dynamic pressures
         let aero = SteadyAero::new(&lattice, plane, mach)?;
         let (cp_variables, cp_displacement) =
@@ -144,6 +145,8 @@ impl TrimDeck {
             motions: at(&d),
             axes: at(&d6),
             gather,
+            offset,
+            corrections,
             restrained: structure.restrained,
             unrestrained: structure.unrestrained,
             sag: structure.sag,
@@ -161,6 +164,15 @@ impl TrimDeck {
         &self.divergence
     }
 
+    /// Loads on the s-set of the pressures of each variable, offsets with the first (INTERCEPT), per unit dynamic pressure.
+    fn loads(&self, cp: &Mat<f64>) -> Mat<f64> {
+        let mut loads = &self.gather * cp;
+        for i in 0..loads.nrows() {
+            loads[(i, 0)] += self.offset[(i, 0)];
+        }
+        loads
+    }
+
     /// Pressures of each variable (boxes by variables); with `inertia`, accelerations bend the structure.
     fn pressures(&self, q: f64, elastic: Elastic, inertia: bool) -> Mat<f64> {
         let flexibility = match elastic {
@@ -168,7 +180,7 @@ impl TrimDeck {
             Elastic::Restrained => &self.restrained,
             Elastic::Unrestrained => &self.unrestrained,
         };
-        let mut u = flexibility * (&self.gather * &self.cp_variables) * faer::Scale(q);
+        let mut u = flexibility * self.loads(&self.cp_variables) * faer::Scale(q);
         if inertia {
             u -= &self.sag;
         }
@@ -180,7 +192,7 @@ impl TrimDeck {
     /// Force and moment coefficients (`CX`, `CY`, `CZ`, `Cl`, `Cm`, `Cn` in the reference axes, about their origin) per unit of each variable.
     pub fn derivatives(&self, q: f64, elastic: Elastic) -> BTreeMap<String, [f64; 6]> {
         let cp = self.pressures(q, elastic, elastic == Elastic::Restrained);
-        let sums = self.axes.transpose() * (&self.gather * cp);
+        let sums = self.axes.transpose() * self.loads(&cp);
         let (b, c) = (self.aeros.span_length, self.aeros.chord);
         let lengths = [1.0, 1.0, 1.0, b, c, b].map(|length| length * self.aeros.area);
         let of = |j: usize| std::array::from_fn(|i| sums[(i, j)] / lengths[i]);
@@ -231,7 +243,7 @@ impl TrimDeck {
             x[at] = Some(*value);
         }
         let cp = self.pressures(q, Elastic::Restrained, true);
-        let air = (self.motions.transpose() * (&self.gather * &cp)) * faer::Scale(q);
+        let air = (self.motions.transpose() * self.loads(&cp)) * faer::Scale(q);
         let balance = self.links.folded(&(air - &self.inertia), trim, &mut x)?;
         let rows: Vec<usize> = (0..balance.nrows()).collect();
         let row_names = vec!["motions of SUPORT"; rows.len()];
@@ -245,17 +257,31 @@ impl TrimDeck {
         let cp: Vec<f64> = (0..cp.nrows())
             .map(|row| values.iter().enumerate().map(|(j, value)| cp[(row, j)] * value).sum())
             .collect();
+        let Corrections { force, moment, pressure_offset } = &self.corrections;
+        let acting: Vec<[f64; 2]> = (0..cp.len())
+            .map(|j| [force[j], moment[j]].map(|factor| factor * cp[j] + pressure_offset[j]))
+            .collect();
         Ok(TrimmedDeck {
-            lift: cp.iter().zip(&self.area).map(|(cp, area)| q * area * cp).collect(),
+            lift: acting.iter().zip(&self.area).map(|(acting, area)| q * area * acting[0]).collect(),
             monitors: self
                 .monitors
                 .iter()
-                .map(|monitor| (monitor.name.clone(), monitor.loads(q, &cp)))
+                .map(|monitor| (monitor.name.clone(), monitor.loads(q, &acting)))
                 .collect(),
             cp,
             values: self.variables.iter().cloned().zip(values).collect(),
         })
     }
+}
+
+/// The stream goes along x of the basic system.
+fn refuse_turned(frames: &Frames, aeros: &Aeros) -> Result<(), InputError> {
+    if (frames.axes_at(aeros.acsid, &aeros.span)? - Matrix3::identity()).amax() <= 1e-9 {
+        return Ok(());
+    }
+    let message = "the aerodynamic system ACSID is turned against the basic system, which is not supported";
+    Err(InputError::at(&aeros.span, message)
+        .with_help("write the deck with x aft, y right and z up in the basic system"))
 }
 
 /// One over the positive real eigenvalues of `F H`, ascending.

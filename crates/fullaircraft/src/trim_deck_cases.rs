@@ -1,7 +1,7 @@
 //! The trims a deck asks for: its subcases, or every TRIM card if it has none.
 
 use nastran::{BulkData, InputError, Subcase, Trim};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// One trim of a deck.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,21 +37,44 @@ pub fn deck_cases(bulk: &BulkData) -> Result<Vec<DeckCase>, InputError> {
     Ok(cases)
 }
 
-/// The deck as a subcase sees it: its SPC and MPC sets and its symmetry. Without a selection all sets apply.
+/// Cards that are not read and would change a trim.
+const NEEDED: [&str; 16] = [
+    "AEFORCE", "AEPARM", "AEPRESS", "CAERO2", "CAERO3", "CAERO4", "CAERO5", "CSSCHD", "DMIJ", "DMIJI",
+    "DMIK", "SPLINE3", "SPLINE6", "SPLINE7", "SUPORT1", "UXVEC",
+];
+
+/// Refuses a deck with cards that are not read and would change its trims, by their names.
 ///
 /// # Errors
-/// If a selected set is not there, or is an SPCADD or MPCADD, which are not read.
+/// If there is one.
+pub(crate) fn refuse_unread(bulk: &BulkData) -> Result<(), InputError> {
+    let there: Vec<&str> = NEEDED.into_iter().filter(|name| bulk.unknown.contains_key(*name)).collect();
+    if there.is_empty() {
+        return Ok(());
+    }
+    let message =
+        format!("the deck has {}, which would change its trims and which are not read", there.join(", "));
+    Err(InputError::general(message).with_help(
+        "write matrices as DMI (W2GJ, WKK, FA2J), panels as CAERO1, splines as SPLINE1, 2, 4 or 5, and SUPORT for SUPORT1",
+    ))
+}
+
+/// The deck as a subcase sees it: its SPC and MPC sets (SPCADD and MPCADD unite several) and its symmetry. Without a selection
+/// all sets apply.
+///
+/// # Errors
+/// If a selected set is not there, or one that an SPCADD or MPCADD unites.
 pub fn select(bulk: &BulkData, subcase: &Subcase) -> Result<BulkData, InputError> {
     let mut bulk = bulk.clone();
     if let Some(set) = subcase.spc {
-        let sets: BTreeSet<u32> = bulk.constraints.iter().map(|card| card.set).collect();
-        check(&bulk, "SPC", set, &sets)?;
-        bulk.constraints.retain(|card| card.set == set);
+        let sets = bulk.constraints.iter().map(|card| card.set).collect();
+        let kept = selected("SPC", set, &sets, &bulk.constraint_unions)?;
+        bulk.constraints.retain(|card| kept.contains(&card.set));
     }
     if let Some(set) = subcase.mpc {
-        let sets: BTreeSet<u32> = bulk.equations.iter().map(|card| card.set).collect();
-        check(&bulk, "MPC", set, &sets)?;
-        bulk.equations.retain(|card| card.set == set);
+        let sets = bulk.equations.iter().map(|card| card.set).collect();
+        let kept = selected("MPC", set, &sets, &bulk.equation_unions)?;
+        bulk.equations.retain(|card| kept.contains(&card.set));
     }
     if let (Some(symmetry), Some(aeros)) = (subcase.symmetry, &mut bulk.aero_reference) {
         aeros.symmetry = symmetry;
@@ -59,16 +82,28 @@ pub fn select(bulk: &BulkData, subcase: &Subcase) -> Result<BulkData, InputError
     Ok(bulk)
 }
 
-fn check(bulk: &BulkData, kind: &str, set: u32, sets: &BTreeSet<u32>) -> Result<(), InputError> {
-    let added = format!("{kind}ADD");
-    if bulk.unknown.contains_key(&added) {
-        return Err(InputError::general(format!(
-            "{added} is not read, so {kind} = {set} cannot be selected"
-        ))
-        .with_help(format!("give the cards of set {set} that number themselves")));
-    }
+/// The sets that a selection means.
+fn selected(
+    kind: &str,
+    set: u32,
+    sets: &BTreeSet<u32>,
+    unions: &BTreeMap<u32, Vec<u32>>,
+) -> Result<Vec<u32>, InputError> {
+    let Some(united) = unions.get(&set) else {
+        return if sets.contains(&set) {
+            Ok(vec![set])
+        } else {
+            Err(InputError::general(format!("the case control selects {kind} {set}, which is not there")))
+        };
+    };
     if sets.contains(&set) {
-        return Ok(());
+        let message = format!("{kind} {set} is a set of its own and a union by {kind}ADD");
+        return Err(InputError::general(message).with_help("give the union another number"));
     }
-    Err(InputError::general(format!("the case control selects {kind} {set}, which is not there")))
+    match united.iter().find(|one| !sets.contains(one)) {
+        Some(missing) => {
+            Err(InputError::general(format!("{kind}ADD {set} unites set {missing}, which is not there")))
+        }
+        None => Ok(united.clone()),
+    }
 }

@@ -9,22 +9,28 @@ use nastran::{BulkData, ComponentOf, Frames, InputError};
 pub(crate) struct Monitor {
     /// Its name.
     pub(crate) name: String,
-    /// Box, and its force and moment about the point in the station's axes.
-    parts: Vec<(usize, [f64; 6])>,
+    /// Box, and its force and moment about the point in the station's axes: of its lift (per area), and of its moment about
+    /// its own midpoint (per area and arm).
+    parts: Vec<(usize, [[f64; 6]; 2])>,
 }
 
 impl Monitor {
     /// Three forces and three moments.
-    pub(crate) fn loads(&self, q: f64, cp: &[f64]) -> [f64; 6] {
+    ///
+    /// `acting` gives for each box the pressure coefficients that make its lift and its moment.
+    pub(crate) fn loads(&self, q: f64, acting: &[[f64; 2]]) -> [f64; 6] {
         let mut sums = [0.0; 6];
-        for (place, unit) in &self.parts {
-            sums.iter_mut().zip(unit).for_each(|(sum, unit)| *sum += q * cp[*place] * unit);
+        for (place, units) in &self.parts {
+            for (cp, unit) in acting[*place].iter().zip(units) {
+                sums.iter_mut().zip(unit).for_each(|(sum, unit)| *sum += q * cp * unit);
+            }
         }
         sums
     }
 }
 
-/// The MONPNT1 of a deck, and the names of those left out because their component is made of grids.
+/// The MONPNT1 of a deck, and the names of the stations that are left out: MONPNT3, whose loads are the structure's, and MONPNT1
+/// of a component made of grids.
 ///
 /// # Errors
 /// If a component, list, box or system is not there.
@@ -35,16 +41,23 @@ pub(crate) fn monitors(
     integration: &Integration,
 ) -> Result<(Vec<Monitor>, Vec<String>), InputError> {
     let (mut all, mut skipped) = (Vec::new(), Vec::new());
-    for card in bulk.monitors.iter().filter(|card| !card.is_structural) {
+    for card in &bulk.monitors {
+        if card.is_structural {
+            skipped.push(card.name.clone());
+            continue;
+        }
         let axes: Matrix3<f64> = frames.axes_at(card.cd, &card.span)?;
         let point = frames.point(card.cp, card.xyz, &card.span)?;
         let part = |place: usize| {
             let panel = &lattice.boxes[place];
             let force = panel.normal() * integration.area(place);
-            let moment = (panel.mid_point() - point).cross(&force)
-                + panel.pitch_axis() * integration.area(place) * integration.moment_arm(place);
-            let turned: [Vector3<f64>; 2] = [axes.transpose() * force, axes.transpose() * moment];
-            (place, std::array::from_fn(|i| turned[i / 3][i % 3]))
+            let moment = (panel.mid_point() - point).cross(&force);
+            let own = panel.pitch_axis() * integration.area(place) * integration.moment_arm(place);
+            let turned = |force: Vector3<f64>, moment: Vector3<f64>| {
+                let turned = [axes.transpose() * force, axes.transpose() * moment];
+                std::array::from_fn(|i| turned[i / 3][i % 3])
+            };
+            (place, [turned(force, moment), turned(Vector3::zeros(), own)])
         };
         if bulk.aero_components.get(&card.set).is_some_and(|component| component.of == ComponentOf::Grids) {
             skipped.push(card.name.clone());

@@ -1,7 +1,7 @@
 //! The structure of a user's deck as trim needs it: SUPORT motions, flexibility held and in mean axes, inertia loads.
 
 use crate::error::AircraftError;
-use aero::Integration;
+use aero::{Corrections, Integration};
 use coupling::{CouplingError, Spline};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, MatRef};
@@ -55,26 +55,46 @@ pub(crate) fn reference_motions(free: &System, origin: &Point3<f64>, axes: &Matr
     })
 }
 
-/// Incidence by displacement and load by pressure, on the s-set.
+/// Incidence by displacement, load by pressure (its factors in), and load by the pressure offsets, on the s-set.
 pub(crate) fn coupling_matrices(
     spline: &Spline,
     s_dofs: &[usize],
     integration: &Integration,
-) -> (Mat<f64>, Mat<f64>) {
+    corrections: &Corrections,
+) -> (Mat<f64>, Mat<f64>, Mat<f64>) {
     let n = integration.len();
+    let mut offset = Mat::zeros(s_dofs.len(), 1);
     let (mut theta, mut gather) = (Mat::zeros(n, s_dofs.len()), Mat::zeros(s_dofs.len(), n));
     for (row, entries) in spline.rows().iter().enumerate() {
         let j = row / 2;
-        let arm = if row % 2 == 0 { 1.0 } else { integration.moment_arm(j) };
+        let (arm, factor) = if row % 2 == 0 {
+            (1.0, corrections.force[j])
+        } else {
+            (integration.moment_arm(j), corrections.moment[j])
+        };
         for (dof, value) in entries {
             let at = s_dofs.binary_search(dof).expect("the s-set is what the spline uses");
-            gather[(at, j)] += value * arm * integration.area(j);
+            gather[(at, j)] += value * arm * integration.area(j) * factor;
+            offset[(at, 0)] += value * arm * integration.area(j) * corrections.pressure_offset[j];
             if row % 2 == 1 {
                 theta[(j, at)] += value;
             }
         }
     }
-    (theta, gather)
+    (theta, gather, offset)
+}
+
+/// WKK and FA2J of a deck; neutral what it does not have.
+pub(crate) fn corrections(bulk: &BulkData, boxes: usize) -> Result<Corrections, InputError> {
+    let neutral = Corrections::neutral(boxes);
+    let wkk = bulk.matrices.get("WKK").cloned().unwrap_or_else(|| neutral.wkk());
+    let fa2j = bulk.matrices.get("FA2J").cloned().unwrap_or_else(|| neutral.fa2j());
+    let given = Corrections::from_dmi(&wkk, &fa2j)?;
+    if given.len() == boxes {
+        return Ok(given);
+    }
+    let message = format!("DMI WKK or FA2J is for {} boxes, but the deck has {boxes}", given.len());
+    Err(InputError::general(message).with_help("two rows of WKK and one of FA2J for each box"))
 }
 
 /// The structure on the s-set.

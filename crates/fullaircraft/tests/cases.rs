@@ -2,10 +2,10 @@
 
 mod common;
 
-use common::{path, whole};
+use common::{beam_wing, path, whole};
 use fullaircraft::cases::groups;
 use fullaircraft::cases_envelope::load_envelope;
-use fullaircraft::{AircraftError, Case, CaseFlight, CaseResult, CasesFile, TrimTools};
+use fullaircraft::{Aircraft, AircraftError, Case, CaseFlight, CaseResult, CasesFile, TrimTools};
 
 /// The shipped grid without what is flown in time.
 fn shipped() -> CasesFile {
@@ -60,6 +60,30 @@ fn the_envelope_is_what_a_search_through_all_cases_finds() {
             let inside =
                 if extreme.end == "smallest" { range[0] >= extreme.value } else { range[1] <= extreme.value };
             assert!(inside, "{extreme:?} {place:?}");
+        }
+    }
+}
+
+#[test]
+fn a_maneuver_in_time_loads_every_station_around_the_load_of_its_trim() {
+    let file = shipped();
+    let mut aircraft = Aircraft::read(&path(), Some(&beam_wing())).unwrap();
+    aircraft.wing.stations.extend(file.stations.iter().cloned());
+    let tools = TrimTools::new(&aircraft, &[]).unwrap();
+    let cases = file.cases();
+    let level = cases.iter().find(|case| case.maneuver() == "level").expect("level flight is in the grid");
+    let is_flown = |case: &&Case| case.is_dynamic() && (case.model, case.v_m_s) == (level.model, level.v_m_s);
+    let moving = cases.iter().find(is_flown).expect("a maneuver in time is in the grid");
+    let mut results = fly(&[level.clone(), moving.clone()], &tools);
+    let (flown, steady) = (results.pop().unwrap(), results.pop().unwrap());
+    assert_eq!(flown.loads.len(), tools.stations.all.len());
+    for before in &steady.loads {
+        let found = flown.loads.iter().find(|loads| loads.station == before.station).unwrap();
+        let ranges = [found.fz_n, found.mx_nm, found.my_nm];
+        for (range, [steady, _]) in ranges.into_iter().zip([before.fz_n, before.mx_nm, before.my_nm]) {
+            let slack = 1e-6 * steady.abs();
+            assert!(range[0] <= steady + slack && steady <= range[1] + slack, "{range:?} {steady}");
+            assert!(range[1] - range[0] > 0.01 * steady.abs(), "{}: nothing moves", before.station);
         }
     }
 }

@@ -33,6 +33,10 @@ pub struct BulkData {
     pub rigid: BTreeMap<u32, Rbe2>,
     /// SPC1, in file order.
     pub constraints: Vec<Spc1>,
+    /// SPCADD: the sets that a set unites.
+    pub constraint_unions: BTreeMap<u32, Vec<u32>>,
+    /// MPCADD: the sets that a set unites.
+    pub equation_unions: BTreeMap<u32, Vec<u32>>,
     /// CQUAD4, CTRIA3.
     pub shells: BTreeMap<u32, ShellElement>,
     /// PSHELL.
@@ -75,7 +79,7 @@ pub struct BulkData {
     pub ply_materials: BTreeMap<u32, Mat8>,
     /// MAT9.
     pub solid_materials: BTreeMap<u32, Mat9>,
-    /// SPLINE1, SPLINE2.
+    /// SPLINE1, SPLINE2, SPLINE4, SPLINE5.
     pub splines: BTreeMap<u32, SplineCard>,
     /// PARAM with a number, by name in capitals.
     pub parameters: BTreeMap<String, f64>,

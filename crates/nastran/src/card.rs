@@ -55,6 +55,20 @@ impl Card {
         self.fields.iter().rposition(|field| !field.text().is_empty()).map_or(0, |last| last + 1)
     }
 
+    /// Takes a field that is empty from another card.
+    pub(crate) fn fill(&mut self, index: usize, from: &Self) {
+        if !self.text(index).is_empty() || from.text(index).is_empty() {
+            return;
+        }
+        let span = self.span.clone();
+        let blank = || Field { raw: String::new(), span: span.clone() };
+        if self.fields.len() <= index {
+            self.fields.resize_with(index + 1, blank);
+        }
+        self.fields[index] =
+            Field { raw: from.fields[index].raw.clone(), span: from.fields[index].span.clone() };
+    }
+
     /// A field's text without blanks; empty if the field is or does not exist.
     pub(crate) fn text(&self, index: usize) -> &str {
         self.fields.get(index).map_or("", Field::text)

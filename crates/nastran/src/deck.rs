@@ -7,6 +7,7 @@ use crate::card::Card;
 use crate::cards::BulkData;
 use crate::case_control;
 use crate::checks;
+use crate::defaults::Defaults;
 use crate::dispatch;
 use crate::dmi_reader::DmiCards;
 use crate::field::Line;
@@ -61,6 +62,7 @@ fn is_begin_bulk(line: &str) -> bool {
 struct Reader {
     deck: BulkData,
     matrices: DmiCards,
+    defaults: Defaults,
     numbers: Numbers,
     thicknesses: Vec<CornerThickness>,
     card: Option<Card>,
@@ -126,6 +128,13 @@ impl Reader {
             return self.matrices.add(card);
         }
         self.numbers.claim(&card)?;
+        match self.defaults.take(card)? {
+            Some(card) => self.keep(card),
+            None => Ok(()),
+        }
+    }
+
+    fn keep(&mut self, card: Card) -> Result<(), InputError> {
         if !dispatch::card(&mut self.deck, &mut self.thicknesses, &card)? {
             *self.deck.unknown.entry(card.name).or_default() += 1;
         }
@@ -133,6 +142,10 @@ impl Reader {
     }
 
     fn finish(mut self) -> Result<BulkData, InputError> {
+        for card in self.defaults.elements() {
+            self.keep(card)?;
+        }
+        self.defaults.grids(&mut self.deck)?;
         self.deck.matrices = self.matrices.assemble()?;
         crate::geometry::check_grids(&self.deck)?;
         checks::corner_thicknesses(&self.deck, &self.thicknesses)?;

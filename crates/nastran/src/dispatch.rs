@@ -75,6 +75,8 @@ fn structure_card(deck: &mut BulkData, card: &Card) -> Result<bool, InputError> 
             deck.constraints.extend(rigid::spc(card)?);
             Ok(())
         }
+        "SPCADD" => unite(&mut deck.constraint_unions, card),
+        "MPCADD" => unite(&mut deck.equation_unions, card),
         "SET1" => {
             let item = structure::set1(card)?;
             keep(&mut deck.sets, card, item.id, item, |item| &item.span)
@@ -169,6 +171,19 @@ pub(crate) fn keep<T>(
         return Err(twice(card, &format!("{} {id}", card.name), span(first)));
     }
     map.insert(id, item);
+    Ok(())
+}
+
+/// SPCADD, MPCADD: SID S1 S2 ...
+fn unite(unions: &mut BTreeMap<u32, Vec<u32>>, card: &Card) -> Result<(), InputError> {
+    let (id, sets) = (card.id(0, "SID")?, card.id_list(1, "S")?);
+    if sets.contains(&id) {
+        return Err(card.error(0, format!("{} {id} unites itself with others", card.name)));
+    }
+    if unions.insert(id, sets).is_some() {
+        let help = "give every card its own number, and name all sets on one card";
+        return Err(card.error(0, format!("{} {id} is given twice", card.name)).with_help(help));
+    }
     Ok(())
 }
 

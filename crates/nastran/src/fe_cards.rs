@@ -375,15 +375,17 @@ pub enum SplineKind {
     },
 }
 
-/// A spline from a set of grids to a range of boxes (SPLINE1, SPLINE2).
+/// A spline from a set of grids to boxes: a range (SPLINE1, SPLINE2) or a list (SPLINE4, SPLINE5).
 #[derive(Debug, Clone, PartialEq)]
 pub struct SplineCard {
     /// Identification number.
     pub id: u32,
     /// CAERO1 whose boxes follow.
     pub panel: u32,
-    /// First and last box.
+    /// First and last box; twice the panel's number if there is a list.
     pub boxes: (u32, u32),
+    /// AELIST of the boxes.
+    pub list: Option<u32>,
     /// SET1 of the grids.
     pub set: u32,
     /// Plate or beam.

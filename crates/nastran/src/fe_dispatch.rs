@@ -116,7 +116,7 @@ pub(crate) fn property(deck: &mut BulkData, card: &Card) -> Result<bool, InputEr
 pub(crate) fn other(deck: &mut BulkData, card: &Card) -> Result<bool, InputError> {
     match card.name.as_str() {
         "MPC" => deck.equations.push(rigid::mpc(card)?),
-        "SPLINE1" | "SPLINE2" => {
+        "SPLINE1" | "SPLINE2" | "SPLINE4" | "SPLINE5" => {
             let item = spline::spline(card)?;
             keep(&mut deck.splines, card, item.id, item, |item| &item.span)?;
         }

@@ -11,6 +11,7 @@ pub mod case_control;
 mod checks;
 mod counts;
 pub mod deck;
+mod defaults;
 mod dispatch;
 pub mod dmi;
 mod dmi_reader;

@@ -1,39 +1,50 @@
-//! Splines and parameters: SPLINE1, SPLINE2 and PARAM, from fields to the structs of [`crate::fe_cards`].
+//! Splines and parameters: SPLINE1, SPLINE2, SPLINE4, SPLINE5 and PARAM, from fields to the structs of [`crate::fe_cards`].
 
 use crate::card::Card;
 use crate::fe_cards::{SplineCard, SplineKind};
 use crate::real;
 use crate::source::InputError;
 
-/// SPLINE1: EID CAERO BOX1 BOX2 SETG DZ METH USAGE / NELEM MELEM, and
-/// SPLINE2: EID CAERO ID1 ID2 SETG DZ DTOR CID / DTHX DTHY blank USAGE.
+/// SPLINE1: EID CAERO BOX1 BOX2 SETG DZ METH USAGE / NELEM MELEM,
+/// SPLINE2: EID CAERO ID1 ID2 SETG DZ DTOR CID / DTHX DTHY blank USAGE,
+/// SPLINE4: EID CAERO AELIST blank SETG DZ METH USAGE / NELEM MELEM FTYPE RCORE, and
+/// SPLINE5: EID CAERO AELIST blank SETG DZ DTOR CID / DTHX DTHY blank USAGE METH blank FTYPE RCORE.
 ///
 /// The number of elements of a finite plate is skipped; smoothing (DZ) and other
-/// methods than the infinite plate are refused.
+/// methods than the infinite plate and beam are refused.
 pub(crate) fn spline(card: &Card) -> Result<SplineCard, InputError> {
     card.unset(5, "DZ")?;
-    let kind = if card.name == "SPLINE1" {
-        card.ends_after(10)?;
+    let by_list = matches!(card.name.as_str(), "SPLINE4" | "SPLINE5");
+    let kind = if matches!(card.name.as_str(), "SPLINE1" | "SPLINE4") {
+        card.ends_after(if by_list { 12 } else { 10 })?;
         card.word(6, "METH", &["IPS"])?;
         card.word(7, "USAGE", &["BOTH"])?;
         SplineKind::Plate
     } else {
-        card.ends_after(12)?;
+        card.ends_after(if by_list { 16 } else { 12 })?;
         let attachment = [attachment(card, 8, "DTHX")?, attachment(card, 9, "DTHY")?];
         card.word(11, "USAGE", &["BOTH"])?;
+        if by_list {
+            card.word(12, "METH", &["BEAM"])?;
+        }
         let torsional_ratio = match card.optional_real(6, "DTOR")? {
             None => 1.0,
             Some(_) => card.positive(6, "DTOR")?,
         };
         SplineKind::Beam { system: card.count_or(7, "CID", 0)?, torsional_ratio, attachment }
     };
-    let boxes = (card.id(2, "BOX1")?, card.id(3, "BOX2")?);
+    let (id, panel, set) = (card.id(0, "EID")?, card.id(1, "CAERO")?, card.id(4, "SETG")?);
+    let (boxes, list) = if by_list {
+        card.unset(3, "field 5")?;
+        ((panel, panel), Some(card.id(2, "AELIST")?))
+    } else {
+        ((card.id(2, "BOX1")?, card.id(3, "BOX2")?), None)
+    };
     if boxes.1 < boxes.0 {
         let message = format!("box {} of {} comes after box {}", boxes.0, card.name, boxes.1);
         return Err(card.error(3, message).with_help("name the first box, then the last"));
     }
-    let (id, panel, set) = (card.id(0, "EID")?, card.id(1, "CAERO")?, card.id(4, "SETG")?);
-    Ok(SplineCard { id, panel, boxes, set, kind, span: card.span.clone() })
+    Ok(SplineCard { id, panel, boxes, list, set, kind, span: card.span.clone() })
 }
 
 /// Flexibility of a rotation: zero or more, or -1 for none.

@@ -83,7 +83,7 @@ pub(crate) fn beam_element(card: &Card) -> Result<BeamElement, InputError> {
 fn orientation(card: &Card) -> Result<Orientation, InputError> {
     optional_orientation(card)?.ok_or_else(|| {
         card.empty(4, "X1", "an orientation vector or a grid")
-            .with_help("defaults from BAROR or BEAMOR are not read; give the vector on the element")
+            .with_help("give the vector on the element, or a default by BAROR (bars) or BEAMOR (beams)")
     })
 }
 

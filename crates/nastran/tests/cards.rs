@@ -178,11 +178,33 @@ fn monitoring_stations_keep_their_labels() {
 
 #[test]
 fn unknown_cards_are_counted() {
-    let deck = parse("CQUADR,1,2,3,4,5,6\nCQUADR,2,2,3,4,5,6\nGRDSET,,,,,,,345\n");
+    let deck = parse("CQUADR,1,2,3,4,5,6\nCQUADR,2,2,3,4,5,6\nPLOTEL,1,1,2\n");
     assert_eq!(
         deck.unknown.iter().map(|(name, n)| (name.as_str(), *n)).collect::<Vec<_>>(),
-        [("CQUADR", 2), ("GRDSET", 1)]
+        [("CQUADR", 2), ("PLOTEL", 1)]
     );
+}
+
+#[test]
+fn defaults_fill_blanks_wherever_they_stand_and_never_a_zero_that_is_written() {
+    let given = "GRID,1,7,1.,2.,3.,8,345\nGRID,2,0,1.,2.,3.,0,0\nCBAR,1,5,1,2,0.,0.,1.\nCBEAM,2,6,1,2,0.,1.,0.\n\
+                 CBAR,3,9,1,2,1.,0.,0.\n";
+    let systems = "CORD2R,7,,0.,0.,0.,0.,0.,1.,\n,1.,0.,0.\nCORD2R,8,,0.,0.,0.,0.,0.,1.,\n,1.,0.,0.\n";
+    let plain = parse(&(given.to_owned() + systems));
+    let short = "GRID,1,,1.,2.,3.\nGRID,2,0,1.,2.,3.,0,0\nCBAR,1,,1,2\nCBEAM,2,,1,2\nCBAR,3,9,1,2,1.,0.,0.\n\
+                 GRDSET,,7,,,,8,345\nBAROR,,5,,,0.,0.,1.\nBEAMOR,,6,,,0.,1.,0.\n";
+    let filled = parse(&(short.to_owned() + systems));
+    for id in [1, 2] {
+        let (a, b) = (&filled.grids[&id], &plain.grids[&id]);
+        assert_eq!((a.cp, a.cd, &a.ps), (b.cp, b.cd, &b.ps));
+    }
+    for id in [1, 2, 3] {
+        let (a, b) = (&filled.beams[&id], &plain.beams[&id]);
+        assert_eq!((a.property, &a.orientation), (b.property, &b.orientation));
+    }
+    assert_eq!((filled.grids[&1].cp, filled.beams[&1].property), (7, 5));
+    let twice = parse_deck("t", "GRDSET,,,,,,,345\nGRDSET,,,,,,,34\n").unwrap_err();
+    assert!(twice.to_string().contains("GRDSET is given twice"), "{twice}");
 }
 
 #[test]

@@ -250,7 +250,10 @@ fn others(dice: &mut Dice, deck: &mut BulkData) {
     ] {
         let (id, panel, set, first) = (dice.id(), dice.id(), dice.id(), dice.id());
         let boxes = (first, dice.id());
-        deck.splines.insert(id, SplineCard { id, panel, boxes, set, kind, span: span() });
+        let card = SplineCard { id, panel, boxes, list: None, set, kind, span: span() };
+        deck.splines.insert(id, card.clone());
+        let (id, list) = (dice.id(), Some(dice.id()));
+        deck.splines.insert(id, SplineCard { id, boxes: (panel, panel), list, ..card });
     }
     for name in ["WTMASS", "POST", "K6ROT"] {
         deck.parameters.insert(name.into(), dice.positive());

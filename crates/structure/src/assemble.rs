@@ -70,11 +70,14 @@ pub(crate) fn matrices(
     dofs: &[usize],
 ) -> [Option<DMatrix<f64>>; 2] {
     let k = element.stiffness().map(std::borrow::Cow::into_owned);
-    let mut m = element.mass().map(std::borrow::Cow::into_owned);
-    if model.mass_form == MassForm::Lumped && k.is_some() {
-        m = m.map(|m| lumped(&m, dofs));
-    }
-    [k, m.map(|m| m * model.mass_factor)]
+    [k, mass_matrix(model, element, dofs)]
+}
+
+/// Mass of an element in the form and unit the model asks for.
+pub(crate) fn mass_matrix(model: &Model, element: &Arc<dyn Element>, dofs: &[usize]) -> Option<DMatrix<f64>> {
+    let m = element.mass().map(std::borrow::Cow::into_owned)?;
+    let is_lumped = model.mass_form == MassForm::Lumped && element.stiffness().is_some();
+    Some(if is_lumped { lumped(&m, dofs) } else { m } * model.mass_factor)
 }
 
 /// Each displacement keeps the sum of its row over displacements of the same component.

@@ -60,7 +60,17 @@ pub(crate) struct Factor {
 impl Factor {
     /// Of a positive semidefinite matrix; what is loose is held and listed.
     pub(crate) fn held(analysis: &Arc<Analysis>, a: SparseColMatRef<'_, usize, f64>) -> Self {
-        let mut springs = Vec::new();
+        Self::held_expecting(analysis, a, &Mat::zeros(a.ncols(), 0))
+    }
+
+    /// As [`Factor::held`], with motions (columns) that may turn out to be loose: those that are need not be searched for,
+    /// which saves a factorisation.
+    pub(crate) fn held_expecting(
+        analysis: &Arc<Analysis>,
+        a: SparseColMatRef<'_, usize, f64>,
+        expected: &Mat<f64>,
+    ) -> Self {
+        let mut springs = loose_among(a, expected);
         loop {
             let mut factor = Self::with_springs(analysis, a, &springs);
             let found = if factor.loose.is_empty() { factor.loose_motions() } else { factor.loose.clone() };
@@ -267,6 +277,26 @@ pub(crate) fn analysed(pattern: SymbolicSparseColMatRef<'_, usize>) -> SymbolicC
     let by_level = analyse(SymmetricOrdering::Custom(PermRef::new_checked(&order, &inverse, order.len())));
     tracing::debug!(by_degree = by_degree.len_val(), by_level = by_level.len_val(), "entries of the factor");
     if by_level.len_val() < by_degree.len_val() { by_level } else { by_degree }
+}
+
+/// One degree of freedom for each of those motions that cannot be told from a loose one.
+fn loose_among(a: SparseColMatRef<'_, usize, f64>, motions: &Mat<f64>) -> Vec<usize> {
+    let forces = sparse::multiply(a, motions.as_ref());
+    let diagonal = sparse::diagonal(a);
+    let mut loose = Vec::new();
+    for j in 0..motions.ncols() {
+        let x: Vec<f64> = motions.col(j).iter().copied().collect();
+        let energy: f64 = x.iter().zip(forces.col(j).iter()).map(|(x, f)| x * f).sum();
+        let mut size = 0.0;
+        for (column, value) in x.iter().enumerate() {
+            let entries = a.row_idx_of_col(column).zip(a.val_of_col(column));
+            size += value.abs() * entries.map(|(i, a)| x[i].abs() * a.abs()).sum::<f64>();
+        }
+        if size > 0.0 && energy.abs() <= MARGIN * f64::EPSILON * size {
+            loose.push(x.iter().zip(&diagonal).map(|(x, d)| x * d.max(0.0).sqrt()).collect());
+        }
+    }
+    pivots_of(loose)
 }
 
 /// Gram-Schmidt, twice for each column; a column that vanishes stays zero.

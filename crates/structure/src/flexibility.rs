@@ -1,9 +1,12 @@
 //! Displacements under loads: the stiffness factorised once, and what is loose if it cannot be.
 
-use crate::factor::Factor;
+use crate::factor::{Factor, analysed};
+use crate::sparse;
 use crate::system::System;
 use faer::{Mat, MatRef};
+use rayon::prelude::*;
 use std::fmt;
+use std::sync::Arc;
 
 /// The structure can move without any force: which degrees of freedom are loose.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -31,9 +34,17 @@ impl fmt::Display for SingularStructure {
 
 impl std::error::Error for SingularStructure {}
 
-/// The factorised stiffness of a structure.
+/// The factorised stiffness of a structure, each part that hangs together for itself: two wings held at the root know nothing
+/// of each other.
 #[derive(Debug)]
 pub struct Flexibility {
+    parts: Vec<Part>,
+}
+
+/// Free motions that hang together, ascending, and the factor of their stiffness.
+#[derive(Debug)]
+struct Part {
+    dofs: Vec<usize>,
     factor: Factor,
 }
 
@@ -43,11 +54,25 @@ impl Flexibility {
     /// # Errors
     /// If the structure can move without force.
     pub fn new(system: &System) -> Result<Self, SingularStructure> {
-        let factor = Factor::held(system.analysis(), system.stiffness());
-        if factor.loose.is_empty() {
-            return Ok(Self { factor });
+        let k = system.stiffness();
+        let components = sparse::components(k.symbolic());
+        let whole = components.len() == 1;
+        let part = |dofs: Vec<usize>| {
+            let factor = if whole {
+                Factor::held(system.analysis(), k)
+            } else {
+                let block = sparse::block(k, &dofs);
+                Factor::held(&Arc::new(analysed(block.symbolic())), block.as_ref())
+            };
+            Part { dofs, factor }
+        };
+        let parts: Vec<Part> = components.into_par_iter().map(part).collect();
+        let loose: Vec<usize> =
+            parts.iter().flat_map(|part| part.factor.loose.iter().map(|at| part.dofs[*at])).collect();
+        if loose.is_empty() {
+            return Ok(Self { parts });
         }
-        Err(SingularStructure::at(system, &factor.loose))
+        Err(SingularStructure::at(system, &loose))
     }
 
     /// Displacements (f-set; m, rad) under loads (f-set; N, Nm), one load case a column.
@@ -55,7 +80,19 @@ impl Flexibility {
     /// # Panics
     /// If `loads_f` has not one row a free degree of freedom.
     pub fn displacements(&self, loads_f: MatRef<'_, f64>) -> Mat<f64> {
-        self.factor.solve(loads_f)
+        let mut displaced = Mat::zeros(loads_f.nrows(), loads_f.ncols());
+        for Part { dofs, factor } in &self.parts {
+            let is_loaded = |j: &usize| dofs.iter().any(|dof| loads_f[(*dof, *j)] != 0.0);
+            let loaded: Vec<usize> = (0..loads_f.ncols()).filter(is_loaded).collect();
+            let own = Mat::from_fn(dofs.len(), loaded.len(), |i, j| loads_f[(dofs[i], loaded[j])]);
+            let own = factor.solve(own.as_ref());
+            for (j, column) in loaded.iter().enumerate() {
+                for (i, dof) in dofs.iter().enumerate() {
+                    displaced[(*dof, *column)] = own[(i, j)];
+                }
+            }
+        }
+        displaced
     }
 }
 

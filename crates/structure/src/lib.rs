@@ -40,7 +40,7 @@ pub use masses::PointMass;
 pub use matrix_element::MatrixElement;
 pub use mesh::{CellShape, MeshCell};
 pub use model::{Clamp, MassForm, Model, Node};
-pub use modes::{Modes, ModesError, normal_modes};
+pub use modes::{Modes, ModesError, normal_modes, normal_modes_below};
 pub use plane_material::PlaneMaterial;
 pub use shell::{Shell, ShellStrains};
 pub use solid::Solid;

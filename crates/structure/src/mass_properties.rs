@@ -3,8 +3,13 @@
 //! With R the six rigid motions about a point, `R^T M R = [m E, -m [c]; m [c], I]`; the inertia is moved from that
 //! point to the centre by Steiner's theorem.
 
+use crate::assemble::mass_matrix;
+use crate::element::Element;
+use crate::model::Model;
 use crate::system::System;
-use nalgebra::{Matrix3, Point3, Vector3};
+use nalgebra::{DMatrix, Matrix3, Matrix6, Point3, Vector3};
+use rayon::prelude::*;
+use std::sync::Arc;
 
 /// Mass properties of a whole structure, basic axes.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,6 +22,41 @@ pub struct MassProperties {
     pub inertia_kg_m2: Matrix3<f64>,
 }
 
+impl MassProperties {
+    /// Of a model that is not assembled: the sum over its elements.
+    pub fn of_model(model: &Model) -> Self {
+        let points: Vec<Point3<f64>> = model.nodes.iter().map(|node| node.point).collect();
+        let about = points.first().copied().unwrap_or_else(Point3::origin);
+        let one = |element: &Arc<dyn Element>| {
+            let dofs = element.dofs();
+            let mass = mass_matrix(model, element, &dofs)?;
+            let rigid = DMatrix::from_fn(dofs.len(), 6, |i, j| rigid_entry(&points, &about, dofs[i], j));
+            Some(Matrix6::from_fn(|i, j| (rigid.column(i).transpose() * &mass * rigid.column(j))[(0, 0)]))
+        };
+        let each: Vec<Option<Matrix6<f64>>> = model.elements.par_iter().map(one).collect();
+        from_total(&each.into_iter().flatten().sum(), &about)
+    }
+}
+
+/// Displacement of a degree of freedom of the g-set in a rigid motion about a point (x, y, z, then the rotations).
+fn rigid_entry(points: &[Point3<f64>], about: &Point3<f64>, dof: usize, motion: usize) -> f64 {
+    let (component, arm) = (dof % 6, points[dof / 6] - about);
+    if component == motion {
+        return 1.0;
+    }
+    if component > 2 || motion < 3 {
+        return 0.0;
+    }
+    let axis = motion - 3;
+    if component == (axis + 1) % 3 {
+        -arm[(axis + 2) % 3]
+    } else if component == (axis + 2) % 3 {
+        arm[(axis + 1) % 3]
+    } else {
+        0.0
+    }
+}
+
 /// Of the whole g-set, clamped and dependent nodes included.
 pub(crate) fn of(system: &System) -> MassProperties {
     // About a point of the structure itself: far from the origin the centre would lose digits.
@@ -24,6 +64,11 @@ pub(crate) fn of(system: &System) -> MassProperties {
     let rigid = system.rigid_body(&about);
     let momentum = system.inertia_loads(rigid.as_ref());
     let total = rigid.transpose() * &momentum;
+    from_total(&Matrix6::from_fn(|i, j| total[(i, j)]), &about)
+}
+
+/// From `R^T M R` about a point.
+fn from_total(total: &Matrix6<f64>, about: &Point3<f64>) -> MassProperties {
     let mass_kg = (total[(0, 0)] + total[(1, 1)] + total[(2, 2)]) / 3.0;
     let moment = Vector3::new(
         0.5 * (total[(1, 5)] - total[(2, 4)]),

@@ -2,8 +2,9 @@
 //!
 //! Bathe's subspace iteration (*Finite Element Procedures*, ch. 11), each sweep over a short block Krylov space
 //! (`subspace.rs`), with a fixed start block without symmetry. A
-//! structure that can move freely is factorised as K + s M, where s goes down to the first elastic eigenvalue as soon
-//! as that shows. After convergence the number of eigenvalues below a shift just above the last mode
+//! structure that can move freely is held where its rigid motions move, which does nothing to loads without a resultant, and
+//! everything is kept orthogonal to those motions; should that not converge, it is factorised as K + s M, where s goes down to
+//! the first elastic eigenvalue as soon as that shows. After convergence the number of eigenvalues below a shift just above the last mode
 //! ([`crate::sturm`]) must be the number found; if not, the block grows and the iteration goes on. A single-vector
 //! method would miss the copies of repeated frequencies (two equal wings) without noticing.
 //!
@@ -13,9 +14,10 @@ use crate::factor::Factor;
 use crate::flexibility::SingularStructure;
 use crate::sparse;
 use crate::sturm;
-use crate::subspace::{self, Noise, Ritz};
+use crate::subspace::{self, Inverse, Noise, Rigid, Ritz};
 use crate::system::System;
 use faer::{Mat, MatRef};
+use nalgebra::Point3;
 
 /// Residual at which a mode is converged; its eigenvalue's relative error is about the square of it, or round-off.
 const CONVERGED: f64 = 1e-9;
@@ -109,27 +111,66 @@ pub fn normal_modes(system: &System, count: usize) -> Result<Modes, ModesError> 
     if count == 0 {
         return Ok(Modes { omega_rad_s: Vec::new(), shapes: Mat::zeros(n, 0) });
     }
-    let mut search = Search::new(system, count)?;
-    loop {
-        search.converge()?;
-        match search.check()? {
-            None => return Ok(search.modes()),
-            Some(difference) if search.block.ncols() >= n || search.exhausted() => {
-                return Err(difference);
-            }
-            Some(_) => {}
+    found(system, held(system), count, None)
+}
+
+/// The natural modes below a frequency, at least `least` of them: as [`normal_modes`] of as many as
+/// [`crate::count_below`] finds, with one factorisation less.
+///
+/// # Errors
+/// As [`normal_modes`].
+pub fn normal_modes_below(system: &System, omega_rad_s: f64, least: usize) -> Result<Modes, ModesError> {
+    // Before both sides of the join ask for it.
+    system.analysis();
+    let (counted, factor) = rayon::join(|| sturm::count_below(system, omega_rad_s), || held(system));
+    let counted = counted?;
+    if counted < least.max(1) {
+        return normal_modes(system, least);
+    }
+    found(system, factor, counted, Some(Count { square: omega_rad_s * omega_rad_s, below: counted }))
+}
+
+/// How many eigenvalues lie below one, as the pivots say.
+#[derive(Debug, Clone, Copy)]
+struct Count {
+    square: f64,
+    below: usize,
+}
+
+/// The stiffness held against loose motions; the rigid ones of the whole are tried before any are searched for.
+fn held(system: &System) -> Factor {
+    let rigid = system.rigid_body(&system.points().first().copied().unwrap_or_else(Point3::origin));
+    let free = system.free_dofs();
+    let expected = Mat::from_fn(free.len(), 6, |i, j| rigid[(free[i], j)]);
+    Factor::held_expecting(system.analysis(), system.stiffness(), &expected)
+}
+
+/// Modes from the held stiffness; where rounding makes "loose" a matter of degree, from a shifted one.
+fn found(system: &System, factor: Factor, count: usize, known: Option<Count>) -> Result<Modes, ModesError> {
+    let rigid = factor.loose.len();
+    let Some(motions) = Rigid::of(system.mass(), &factor) else {
+        let shift = first_shift(system);
+        return Search::new(system, count, known, rigid, shift, shifted(system, shift)?).run();
+    };
+    match (Search { motions, ..Search::new(system, count, known, rigid, 0.0, factor) }).run() {
+        Err(error) if rigid > 0 => {
+            tracing::debug!(%error, "modes of a loose structure with a shift");
+            let shift = first_shift(system);
+            Search::new(system, count, known, rigid, shift, shifted(system, shift)?).run()
         }
-        let more = (search.block.ncols() / 2).max(4).min(n - search.block.ncols());
-        tracing::debug!(more, "the count of eigenvalues asks for a larger block");
-        search.block = search.noise.extend(search.block.as_ref(), more);
+        done => done,
     }
 }
 
 struct Search<'a> {
     system: &'a System,
     count: usize,
+    /// A count of eigenvalues that is there already.
+    known: Option<Count>,
     /// Number of loose motions of the stiffness alone.
     rigid: usize,
+    /// What they are, if springs hold them and not a shift.
+    motions: Rigid,
     shift: f64,
     factor: Factor,
     noise: Noise,
@@ -138,25 +179,46 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    fn new(system: &'a System, count: usize) -> Result<Self, ModesError> {
+    fn new(
+        system: &'a System,
+        count: usize,
+        known: Option<Count>,
+        rigid: usize,
+        shift: f64,
+        factor: Factor,
+    ) -> Self {
         let n = system.free_count();
-        let mut factor = Factor::held(system.analysis(), system.stiffness());
-        let rigid = factor.loose.len();
-        let mut shift = 0.0;
-        if rigid > 0 {
-            shift = first_shift(system);
-            factor = shifted(system, shift)?;
-        }
         let size = (2 * count.max(rigid)).min(count.max(rigid) + 8).min(n);
         let mut noise = Noise::new();
         let block = noise.extend(Mat::zeros(n, 0).as_ref(), size);
         let ritz = Ritz { values: Vec::new(), vectors: Mat::zeros(n, 0) };
-        Ok(Self { system, count, rigid, shift, factor, noise, block, ritz })
+        Self { system, count, known, rigid, motions: Rigid::none(n), shift, factor, noise, block, ritz }
+    }
+
+    fn run(mut self) -> Result<Modes, ModesError> {
+        let n = self.system.free_count();
+        loop {
+            self.converge()?;
+            match self.check()? {
+                None => return Ok(self.modes()),
+                Some(difference) if self.block.ncols() >= n || self.exhausted() => {
+                    return Err(difference);
+                }
+                Some(_) => {}
+            }
+            let more = (self.block.ncols() / 2).max(4).min(n - self.block.ncols());
+            tracing::debug!(more, "the count of eigenvalues asks for a larger block");
+            self.block = self.noise.extend(self.block.as_ref(), more);
+        }
     }
 
     /// True if the block holds every motion with mass.
     fn exhausted(&self) -> bool {
         self.ritz.values.len() < self.block.ncols()
+    }
+
+    fn inverse(&self) -> Inverse<'_> {
+        Inverse { factor: &self.factor, shift: self.shift, rigid: &self.motions }
     }
 
     fn converge(&mut self) -> Result<(), ModesError> {
@@ -167,7 +229,7 @@ impl<'a> Search<'a> {
         let mut idle = 0;
         let mut x = self.block.clone();
         for _ in 0..SWEEPS {
-            self.ritz = subspace::sweep(k, m, &self.factor, x.as_ref())
+            self.ritz = subspace::sweep(k, m, &self.inverse(), x.as_ref())
                 .ok_or(ModesError::NotConverged { asked: self.count, residual: worst })?;
             let available = self.ritz.values.len();
             if available < self.count {
@@ -178,13 +240,13 @@ impl<'a> Search<'a> {
             if self.lower_shift()? {
                 continue;
             }
-            let residuals = subspace::residuals(m, &self.factor, self.shift, &self.ritz, self.count);
+            let residuals = subspace::residuals(m, &self.inverse(), &self.ritz, self.count);
             worst = residuals.into_iter().fold(0.0, f64::max);
             idle = if worst < 0.5 * best { 0 } else { idle + 1 };
             best = best.min(worst);
             if worst < enough || (worst < STAGNANT && idle > 8) {
                 self.block = self.keep_size(x.as_ref());
-                if let Some(refined) = subspace::refined(m, &self.factor, self.shift, &self.ritz, kept) {
+                if let Some(refined) = subspace::refined(m, &self.inverse(), &self.ritz, kept) {
                     self.ritz = refined;
                 }
                 return Ok(());
@@ -200,7 +262,7 @@ impl<'a> Search<'a> {
 
     /// Brings the shift of a loose structure down to its first elastic eigenvalue.
     fn lower_shift(&mut self) -> Result<bool, ModesError> {
-        let Some(first) = self.ritz.values.get(self.rigid).copied().filter(|_| self.rigid > 0) else {
+        let Some(first) = self.ritz.values.get(self.rigid).copied().filter(|_| self.shift > 0.0) else {
             return Ok(false);
         };
         if first <= 0.0 || first > 0.1 * self.shift {
@@ -211,19 +273,33 @@ impl<'a> Search<'a> {
         Ok(true)
     }
 
-    /// Compares the modes found with the count of eigenvalues just above the last one.
+    /// Compares the modes found with the count of eigenvalues that is known, or else just above the last one.
     fn check(&self) -> Result<Option<ModesError>, ModesError> {
+        let below = |square: f64| self.ritz.values.iter().filter(|value| **value < square).count();
+        if self.known.is_some_and(|known| known.below == self.count && below(known.square) == known.below) {
+            return Ok(None);
+        }
         let last = self.ritz.values[self.count - 1];
+        let rigid_below = match self.shift {
+            0.0 if self.rigid > 0 => RIGID * self.first_elastic(),
+            shift => 1e-3 * shift,
+        };
         // A nearby frequency that belongs to a pair shall be on the same side, the nudged shift included.
-        let above = (last * (1.0 + 1e-5)).max(1e-3 * self.shift);
+        let above = (last * (1.0 + 1e-5)).max(rigid_below);
         let counted = sturm::count_below_square(self.system, above)?;
-        let found = self.ritz.values.iter().filter(|value| **value < above).count();
+        let found = below(above);
         let difference = ModesError::Incomplete { found, counted, omega_rad_s: above.sqrt() };
         Ok((found != counted).then_some(difference))
     }
 
+    /// The first elastic eigenvalue; of a structure without any, something small.
+    fn first_elastic(&self) -> f64 {
+        let found = self.ritz.values.get(self.rigid).copied().filter(|value| *value > 0.0);
+        found.unwrap_or_else(|| first_shift(self.system))
+    }
+
     fn modes(&self) -> Modes {
-        let elastic = self.ritz.values.get(self.rigid).copied().unwrap_or(self.shift);
+        let elastic = self.first_elastic();
         let omega = |at: usize| {
             let value = self.ritz.values[at];
             if at < self.rigid && value < RIGID * elastic { 0.0 } else { value.max(0.0).sqrt() }

@@ -3,7 +3,7 @@
 //! Entries are summed in the order of the elements, whatever the number of threads, and only once for both
 //! triangles: the matrices are the same on every run and exactly symmetric.
 
-use faer::sparse::{SparseColMat, SparseColMatRef, SymbolicSparseColMat};
+use faer::sparse::{SparseColMat, SparseColMatRef, SymbolicSparseColMat, SymbolicSparseColMatRef};
 use faer::{Mat, MatRef};
 use nalgebra::DMatrix;
 use rayon::prelude::*;
@@ -157,6 +157,49 @@ pub(crate) fn combine(
 ) -> Sparse {
     let values = a.val().iter().zip(b.val()).map(|(a, b)| a + factor * b).collect();
     Sparse::new(a.symbolic().to_owned().expect("memory for a copy of the pattern"), values)
+}
+
+/// Rows that hang together through entries: lists of ascending rows, in the order of their first ones.
+pub(crate) fn components(pattern: SymbolicSparseColMatRef<'_, usize>) -> Vec<Vec<usize>> {
+    let n = pattern.ncols();
+    let mut seen = vec![false; n];
+    let mut components = Vec::new();
+    for first in 0..n {
+        if std::mem::replace(&mut seen[first], true) {
+            continue;
+        }
+        let mut component = vec![first];
+        let mut at = 0;
+        while at < component.len() {
+            for row in pattern.row_idx_of_col_raw(component[at]).iter().copied() {
+                if !std::mem::replace(&mut seen[row], true) {
+                    component.push(row);
+                }
+            }
+            at += 1;
+        }
+        component.sort_unstable();
+        components.push(component);
+    }
+    components
+}
+
+/// The rows and columns `kept` (ascending) of a matrix.
+pub(crate) fn block(a: SparseColMatRef<'_, usize, f64>, kept: &[usize]) -> Sparse {
+    let mut place = vec![None; a.nrows()];
+    kept.iter().enumerate().for_each(|(at, row)| place[*row] = Some(at));
+    let (mut columns, mut rows, mut values) = (vec![0], Vec::new(), Vec::new());
+    for column in kept {
+        for (row, value) in a.row_idx_of_col(*column).zip(a.val_of_col(*column)) {
+            if let Some(at) = place[row] {
+                rows.push(at);
+                values.push(*value);
+            }
+        }
+        columns.push(rows.len());
+    }
+    let n = kept.len();
+    Sparse::new(SymbolicSparseColMat::new_checked(n, n, columns, None, rows), values)
 }
 
 /// Columns that are worked on together: the matrix is read once for all of them.

@@ -21,6 +21,58 @@ pub(crate) struct Ritz {
     pub(crate) vectors: Mat<f64>,
 }
 
+/// (K + s M)^-1 on momenta. Without a shift a loose structure is held by springs where its rigid motions move: momenta without
+/// a resultant leave the springs without force, so that the answer is exact up to a rigid motion, which is taken out.
+pub(crate) struct Inverse<'a> {
+    pub(crate) factor: &'a Factor,
+    pub(crate) shift: f64,
+    pub(crate) rigid: &'a Rigid,
+}
+
+/// Rigid motions, M-orthonormal, and their momenta; no columns if the factor holds none or a shift does.
+#[derive(Debug)]
+pub(crate) struct Rigid {
+    pub(crate) motions: Mat<f64>,
+    pub(crate) momenta: Mat<f64>,
+}
+
+impl Rigid {
+    /// No rigid motions.
+    pub(crate) fn none(n: usize) -> Self {
+        Self { motions: Mat::zeros(n, 0), momenta: Mat::zeros(n, 0) }
+    }
+
+    /// The motions that a held factor's springs were put against; `None` if some of them have no mass.
+    pub(crate) fn of(m: SparseRef<'_>, factor: &Factor) -> Option<Self> {
+        let mut forces = Mat::zeros(m.ncols(), factor.loose.len());
+        factor.loose.iter().enumerate().for_each(|(j, dof)| forces[(*dof, j)] = 1.0);
+        let mut space = Space { m, basis: Mat::zeros(m.ncols(), 0), momenta: Mat::zeros(m.ncols(), 0) };
+        let found = space.extend(factor.solve(forces.as_ref()))?;
+        (found.len() == factor.loose.len()).then_some(Self { motions: space.basis, momenta: space.momenta })
+    }
+
+    /// Number of rigid motions.
+    pub(crate) fn count(&self) -> usize {
+        self.motions.ncols()
+    }
+}
+
+impl Inverse<'_> {
+    fn solve(&self, momenta: Mat<f64>) -> Mat<f64> {
+        if self.rigid.count() == 0 {
+            return self.factor.solve(momenta.as_ref());
+        }
+        let Rigid { motions, momenta: of_rigid } = self.rigid;
+        let mut balanced = momenta;
+        let resultant = inner(motions.as_ref(), balanced.as_ref());
+        matmul(balanced.as_mut(), Accum::Add, of_rigid.as_ref(), resultant.as_ref(), -1.0, Par::Seq);
+        let mut x = self.factor.solve(balanced.as_ref());
+        let share = inner(of_rigid.as_ref(), x.as_ref());
+        matmul(x.as_mut(), Accum::Add, motions.as_ref(), share.as_ref(), -1.0, Par::Seq);
+        x
+    }
+}
+
 /// Numbers between -1 and 1 from a fixed seed (Marsaglia's xorshift with a final multiplication): the same start
 /// on every machine, and without any symmetry of the structure.
 #[derive(Debug)]
@@ -69,13 +121,22 @@ fn product(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
 /// block Krylov space, in which the lowest modes converge several times as fast as by applying it once.
 const DEPTH: usize = 2;
 
-/// Rayleigh-Ritz pairs of the space spanned by x, (K + s M)^-1 M x and so on; `None` if the small problem does not converge.
-pub(crate) fn sweep(k: SparseRef<'_>, m: SparseRef<'_>, factor: &Factor, x: MatRef<'_, f64>) -> Option<Ritz> {
-    let mut space = Space { m, basis: Mat::zeros(x.nrows(), 0), momenta: Mat::zeros(x.nrows(), 0) };
+/// Rayleigh-Ritz pairs of the space spanned by the rigid motions, x (its columns after as many as those), (K + s M)^-1 M x and
+/// so on; `None` if the small problem does not converge.
+pub(crate) fn sweep(
+    k: SparseRef<'_>,
+    m: SparseRef<'_>,
+    inverse: &Inverse<'_>,
+    x: MatRef<'_, f64>,
+) -> Option<Ritz> {
+    let Rigid { motions, momenta } = inverse.rigid;
+    let first = motions.ncols();
+    let mut space = Space { m, basis: motions.clone(), momenta: momenta.clone() };
+    let x = x.subcols(first, x.ncols() - first);
     // The start itself may have parts without mass; what the factor makes of it has not.
-    let mut last = space.extend(factor.solve(sparse::multiply(m, x).as_ref()))?;
+    let mut last = space.extend(inverse.solve(sparse::multiply(m, x)))?;
     for _ in 0..DEPTH {
-        last = space.extend(factor.solve(space.momenta.subcols(last.start, last.len())))?;
+        last = space.extend(inverse.solve(space.momenta.subcols(last.start, last.len()).to_owned()))?;
     }
     let basis = space.basis;
     let projected = inner(basis.as_ref(), sparse::multiply(k, basis.as_ref()).as_ref());
@@ -85,18 +146,15 @@ pub(crate) fn sweep(k: SparseRef<'_>, m: SparseRef<'_>, factor: &Factor, x: MatR
 }
 
 /// One more step with a converged block, its values from the projected (K + s M) Y = M X as Bathe takes them: K itself, whose
-/// entries are many orders of magnitude above the lowest modes' energy, does not enter.
-pub(crate) fn refined(
-    m: SparseRef<'_>,
-    factor: &Factor,
-    shift: f64,
-    ritz: &Ritz,
-    count: usize,
-) -> Option<Ritz> {
+/// entries are many orders of magnitude above the lowest modes' energy, does not enter. Rigid motions stay as they are.
+pub(crate) fn refined(m: SparseRef<'_>, inverse: &Inverse<'_>, ritz: &Ritz, count: usize) -> Option<Ritz> {
     let n = ritz.vectors.nrows();
-    let scaled = Mat::from_fn(n, count, |i, j| (ritz.values[j] + shift) * ritz.vectors[(i, j)]);
+    let (first, shift) = (inverse.rigid.count(), inverse.shift);
+    let count = count.checked_sub(first).filter(|count| *count > 0)?;
+    let scaled =
+        Mat::from_fn(n, count, |i, j| (ritz.values[first + j] + shift) * ritz.vectors[(i, first + j)]);
     let momenta = sparse::multiply(m, scaled.as_ref());
-    let y = factor.solve(momenta.as_ref());
+    let y = inverse.solve(momenta.clone());
     let symmetric = |a: Mat<f64>| Mat::from_fn(count, count, |i, j| 0.5 * (a[(i, j)] + a[(j, i)]));
     let stiffness = symmetric(inner(y.as_ref(), momenta.as_ref()));
     let mass = symmetric(inner(y.as_ref(), sparse::multiply(m, y.as_ref()).as_ref()));
@@ -109,8 +167,10 @@ pub(crate) fn refined(
     let w = Mat::from_fn(count, count, |i, j| v[(i, j)] / d[j].sqrt());
     let small = symmetric(w.transpose() * &stiffness * &w);
     let eigen = small.self_adjoint_eigen(Side::Lower).ok()?;
-    let values = eigen.S().column_vector().iter().map(|value| value - shift).collect();
-    Some(Ritz { values, vectors: product(y.as_ref(), product(w.as_ref(), eigen.U()).as_ref()) })
+    let elastic = eigen.S().column_vector().iter().map(|value| value - shift).collect::<Vec<f64>>();
+    let values = [&ritz.values[..first], &elastic].concat();
+    let shapes = product(y.as_ref(), product(w.as_ref(), eigen.U()).as_ref());
+    Some(Ritz { values, vectors: beside(inverse.rigid.motions.as_ref(), shapes.as_ref()) })
 }
 
 /// An M-orthonormal basis with its momenta M x.
@@ -176,19 +236,15 @@ fn beside(x: MatRef<'_, f64>, y: MatRef<'_, f64>) -> Mat<f64> {
     Mat::from_fn(n, first + y.ncols(), |i, j| if j < first { x[(i, j)] } else { y[(i, j - first)] })
 }
 
-/// How far each of the first `count` pairs is from being a mode: the M-norm of (lambda + s) (K + s M)^-1 M x - x.
-/// Unlike K x - lambda M x this is not drowned by the round-off of the stiffest motions.
-pub(crate) fn residuals(
-    m: SparseRef<'_>,
-    factor: &Factor,
-    shift: f64,
-    ritz: &Ritz,
-    count: usize,
-) -> Vec<f64> {
-    let x = ritz.vectors.subcols(0, count);
-    let image = factor.solve(sparse::multiply(m, x).as_ref());
-    let factors = &ritz.values;
-    let error = Mat::from_fn(x.nrows(), count, |i, j| (factors[j] + shift) * image[(i, j)] - x[(i, j)]);
+/// How far each of the first `count` pairs is from being a mode, rigid motions left out: the M-norm of
+/// (lambda + s) (K + s M)^-1 M x - x. Unlike K x - lambda M x this is not drowned by the round-off of the stiffest motions.
+pub(crate) fn residuals(m: SparseRef<'_>, inverse: &Inverse<'_>, ritz: &Ritz, count: usize) -> Vec<f64> {
+    let first = inverse.rigid.count().min(count);
+    let x = ritz.vectors.subcols(first, count - first);
+    let image = inverse.solve(sparse::multiply(m, x));
+    let factors = &ritz.values[first..];
+    let shift = inverse.shift;
+    let error = Mat::from_fn(x.nrows(), x.ncols(), |i, j| (factors[j] + shift) * image[(i, j)] - x[(i, j)]);
     let squares = squares(error.as_ref(), sparse::multiply(m, error.as_ref()).as_ref());
     squares.into_iter().map(|square| square.max(0.0).sqrt()).collect()
 }

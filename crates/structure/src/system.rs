@@ -22,8 +22,8 @@ pub struct System {
     ids: Vec<u32>,
     points: Vec<Point3<f64>>,
     dofs: DofMap,
-    k_gg: Sparse,
-    m_gg: Sparse,
+    k_gg: Arc<Sparse>,
+    m_gg: Arc<Sparse>,
     k_ff: Sparse,
     m_ff: Sparse,
     /// Nodes whose displacements no element touches.
@@ -66,6 +66,7 @@ impl System {
         let Assembled { k_gg, m_gg, k_ff, m_ff } = assemble::assembled(model, &dofs, factors);
         let ids = model.nodes.iter().map(|node| node.id).collect();
         let points = model.nodes.iter().map(|node| node.point).collect();
+        let (k_gg, m_gg) = (Arc::new(k_gg), Arc::new(m_gg));
         let system =
             Self { ids, points, dofs, k_gg, m_gg, k_ff, m_ff, unattached, analysis: OnceLock::new() };
         tracing::debug!(
@@ -116,6 +117,7 @@ impl System {
         };
         let all: Vec<usize> = (0..n).collect();
         let ((k_gg, m_gg), (k_ff, m_ff)) = (sum(&all), sum(&dofs.free));
+        let (k_gg, m_gg) = (Arc::new(k_gg), Arc::new(m_gg));
         let system = Self {
             ids,
             points,
@@ -131,8 +133,40 @@ impl System {
         system
     }
 
+    /// The same structure with all motions of a node that are free clamped, as an SPC1 card for them would.
+    ///
+    /// # Panics
+    /// If there is no such node.
+    #[must_use]
+    pub fn clamped_at(&self, node: usize) -> Self {
+        assert!(node < self.ids.len(), "the structure has the node");
+        let kept: Vec<usize> = (0..self.free_count()).filter(|at| self.dofs.free[*at] / 6 != node).collect();
+        let mut place = vec![None; self.free_count()];
+        kept.iter().enumerate().for_each(|(new, old)| place[*old] = Some(new));
+        let row = |row: &Vec<(usize, f64)>| {
+            row.iter().filter_map(|(at, factor)| place[*at].map(|at| (at, *factor))).collect()
+        };
+        let dofs = DofMap {
+            free: kept.iter().map(|at| self.dofs.free[*at]).collect(),
+            rows: self.dofs.rows.iter().map(row).collect(),
+        };
+        Self {
+            ids: self.ids.clone(),
+            points: self.points.clone(),
+            dofs,
+            k_gg: Arc::clone(&self.k_gg),
+            m_gg: Arc::clone(&self.m_gg),
+            k_ff: sparse::block(self.k_ff.as_ref(), &kept),
+            m_ff: sparse::block(self.m_ff.as_ref(), &kept),
+            unattached: self.unattached.clone(),
+            analysis: OnceLock::new(),
+        }
+    }
+
     fn is_finite(&self) -> bool {
-        [&self.k_gg, &self.m_gg, &self.k_ff, &self.m_ff].iter().all(|a| a.val().iter().all(|v| v.is_finite()))
+        [&*self.k_gg, &*self.m_gg, &self.k_ff, &self.m_ff]
+            .iter()
+            .all(|a| a.val().iter().all(|v| v.is_finite()))
     }
 
     /// Number of nodes.
@@ -182,6 +216,23 @@ impl System {
         Mat::from_fn(self.dofs.rows.len(), u_f.ncols(), row)
     }
 
+    /// The rows `dofs` of [`System::expand`].
+    pub fn expand_at(&self, u_f: MatRef<'_, f64>, dofs: &[usize]) -> Mat<f64> {
+        let row = |i: usize, j: usize| self.dofs.rows[dofs[i]].iter().map(|(at, f)| f * u_f[(*at, j)]).sum();
+        Mat::from_fn(dofs.len(), u_f.ncols(), row)
+    }
+
+    /// Loads of one on single degrees of freedom of the g-set, a column each: `f_f` as of [`System::reduce`].
+    pub fn reduce_units(&self, dofs: &[usize]) -> Mat<f64> {
+        let mut reduced = Mat::zeros(self.free_count(), dofs.len());
+        for (j, dof) in dofs.iter().enumerate() {
+            for (at, factor) in &self.dofs.rows[*dof] {
+                reduced[(*at, j)] += factor;
+            }
+        }
+        reduced
+    }
+
     /// `f_f` = T^T `f_g`, column by column: loads on clamped motions go to the ground.
     pub fn reduce(&self, f_g: MatRef<'_, f64>) -> Mat<f64> {
         let mut reduced = Mat::zeros(self.free_count(), f_g.ncols());
@@ -197,13 +248,13 @@ impl System {
 
     /// `M_gg` a: the forces (N, Nm) that accelerate the masses by `acc_g` (m/s^2, rad/s^2), g-set.
     pub fn inertia_loads(&self, acc_g: MatRef<'_, f64>) -> Mat<f64> {
-        sparse::multiply(self.m_gg.as_ref(), acc_g)
+        sparse::multiply((*self.m_gg).as_ref(), acc_g)
     }
 
     /// `K_gg` u: the forces (N, Nm) that hold the shape `u_g`, g-set; minus the applied loads these are the
     /// reactions at the clamps.
     pub fn elastic_loads(&self, u_g: MatRef<'_, f64>) -> Mat<f64> {
-        sparse::multiply(self.k_gg.as_ref(), u_g)
+        sparse::multiply((*self.k_gg).as_ref(), u_g)
     }
 
     /// Stiffness of the f-set.

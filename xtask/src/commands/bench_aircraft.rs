@@ -5,14 +5,14 @@ use std::time::Instant;
 use fullaircraft::{Aircraft, FlightAir, FlyingAircraft, FreeFlight, Gust, Integration};
 use serde_json::{Value, json};
 
-use super::bench::{median, peak_mb, row};
+use super::bench::{cpu_seconds, median, peak_mb, row};
 use crate::failure::Failure;
 use crate::paths;
 
 /// The shipped aircraft with its shell wings, once; then the chirp (linearisation included) and one second of a gust
 /// without linearisation.
 pub(crate) fn rows() -> Result<Vec<Value>, Failure> {
-    let start = Instant::now();
+    let (start, cpu) = (Instant::now(), cpu_seconds());
     let aircraft = Aircraft::read(&paths::given_or(None, "data/tuflex/aircraft.ron"), None)?;
     let assembled = start.elapsed().as_secs_f64();
     let air = FlightAir::new(&aircraft)?;
@@ -22,6 +22,7 @@ pub(crate) fn rows() -> Result<Vec<Value>, Failure> {
         &format!("aircraft_{boxes}_boxes_{frequencies}_frequencies_modes"),
         start.elapsed().as_secs_f64(),
     );
+    built["cpu_seconds"] = json!(cpu_seconds() - cpu);
     built["assembly_seconds"] = json!(assembled);
     built["peak_MB"] = json!(peak_mb());
     let model = aircraft.uncorrected();

@@ -50,8 +50,11 @@ pub(crate) fn run(args: &FullaircraftArgs, common: &Common) -> Result<(), Failur
         return fullaircraft_deck::run(deck, common);
     }
     let start = Instant::now();
-    let Prepared { mut aircraft, corrections, effects, origin } = prepared(args, common)?;
-    let comparison = effects.compare(&mut aircraft, &corrections)?;
+    let Prepared { aircraft, corrections, effects, origin } = prepared(args, common)?;
+    for remark in effects.remarks(&aircraft.file).iter().filter(|_| !common.quiet) {
+        show::note(remark);
+    }
+    let comparison = effects.compare(&aircraft, &corrections)?;
     let summary = comparison.summary(&aircraft, start.elapsed().as_secs_f64());
     let out = write(common, &aircraft, &comparison, &summary)?;
     for warning in &summary.warnings {
@@ -77,11 +80,6 @@ pub(crate) fn prepared(args: &FullaircraftArgs, common: &Common) -> Result<Prepa
     let file = AircraftFile::read(&paths::given_or(args.aircraft.as_deref(), "data/tuflex/aircraft.ron"))?;
     let wing_path = args.wing.clone().unwrap_or_else(|| file.wing_path());
     let wing = corrected_wing(Some(&wing_path), args.corrections.as_deref(), None, common)?;
-    if !wing.file.deflection.is_empty() && !common.quiet {
-        show::note(
-            "the wing's deflection correction is not applied in flight: surfaces go where they are commanded",
-        );
-    }
     // The nearest set stands for airspeeds between the calibrated ones, as published (40 m/s for 37 and 42 m/s).
     corrections_at(&wing.schedule, file.correction_airspeed_m_s).map_err(|refused| {
         InputError::in_field(&file.path, "correction_airspeed_m_s", refused.message)
@@ -89,9 +87,6 @@ pub(crate) fn prepared(args: &FullaircraftArgs, common: &Common) -> Result<Prepa
     })?;
     let mut corrections = wing.schedule.at(file.correction_airspeed_m_s, Outside::Nearest)?;
     let effects = fullaircraft_effects::travelling(&wing, &file, &mut corrections)?;
-    for remark in effects.remarks().iter().filter(|_| !common.quiet) {
-        show::note(remark);
-    }
     let aircraft = Aircraft::new(file, wing.file)?;
     Ok(Prepared { aircraft, corrections, effects, origin: wing.origin })
 }

@@ -48,8 +48,15 @@ pub(crate) fn run(path: &Path, args: &FullaircraftArgs, common: &Common) -> Resu
     let target = common.out("fullaircraft_cases");
     check_replaceable(&target)?;
     let file = CasesFile::read(path)?;
-    let Prepared { aircraft, corrections, origin, .. } = prepared(args, common)?;
-    let tools = TrimTools::new(&aircraft, &file.stations).map_err(|error| in_file(error.into(), &file))?;
+    let Prepared { mut aircraft, corrections, origin, .. } = prepared(args, common)?;
+    if !aircraft.wing.deflection.is_empty() && !common.quiet {
+        show::note(
+            "cases fly surfaces to where they are commanded: the wing's deflection correction is left out",
+        );
+    }
+    // maneuvers in time know the wing's stations only
+    aircraft.wing.stations.extend(file.stations.iter().cloned());
+    let tools = TrimTools::new(&aircraft, &[]).map_err(|error| in_file(error.into(), &file))?;
     let models = [aircraft.uncorrected(), aircraft.with_corrections(&corrections)?];
     let limits = aircraft.file.lift_limits()?;
     let store = Store::open(&target, &aircraft.inputs_of_cases(&corrections, &file))?;

@@ -94,7 +94,7 @@ pub(crate) fn run(path: &Path, common: &Common) -> Result<(), Failure> {
     let skipped = known.map_or_else(Vec::new, |(_, deck)| deck.skipped_monitors);
     if !skipped.is_empty() && !common.quiet {
         show::note(&format!(
-            "left out, as their components are made of grids: MONPNT1 {}",
+            "stations left out (MONPNT3, and MONPNT1 of components made of grids): {}",
             skipped.join(", ")
         ));
     }

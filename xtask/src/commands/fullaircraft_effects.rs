@@ -1,8 +1,10 @@
-//! The effects of a wing's file in `fullaircraft`: those of the air join the corrections, those of control surfaces change
-//! what ailerons make of commands; the rest is named.
+//! The effects of a wing's file in `fullaircraft`: those of the air join the corrections, those of control surfaces and the
+//! deflection correction change what ailerons make of commands; the rest is named.
 
 use aero::Corrections;
+use coupling::wing_file::OutsideAirspeeds;
 use fullaircraft::{Aircraft, AircraftError, AircraftFile, Comparison};
+use maneuver::deflection::{DeflectionAt, DeflectionCorrection};
 use maneuver::effects::{Active, Carried, acting_deflection, carry, of_wing};
 use nastran::InputError;
 
@@ -13,6 +15,10 @@ pub(crate) struct Travelling {
     active: Vec<Active>,
     controls: Vec<String>,
     carried: Carried,
+    /// The deflection correction at the airspeed of the trim; empty beside effects of control surfaces, which the wing's
+    /// file does not allow together.
+    deflection: DeflectionAt,
+    is_corrected: bool,
 }
 
 /// The effects of a wing's file; those of the air change the corrections, at their airspeed.
@@ -24,12 +30,19 @@ pub(crate) fn travelling(
     let controls: Vec<String> = wing.wing.controls.iter().map(|control| control.name.clone()).collect();
     let active = of_wing(&wing.file, &controls)?;
     let carried = carry(&active, &wing.wing, file.correction_airspeed_m_s, corrections);
-    Ok(Travelling { active, controls, carried })
+    // An aircraft flies where it flies: beyond the tunnel's airspeeds the nearest stands, as for the corrections.
+    let mut tables = wing.file.deflection.clone();
+    for table in &mut tables {
+        table.outside = OutsideAirspeeds::Nearest;
+    }
+    let is_corrected = !tables.is_empty();
+    let deflection = DeflectionCorrection::new(tables).at(file.trim.v_m_s)?;
+    Ok(Travelling { active, controls, carried, deflection, is_corrected })
 }
 
 impl Travelling {
     /// What the user should know.
-    pub(crate) fn remarks(&self) -> Vec<String> {
+    pub(crate) fn remarks(&self, file: &AircraftFile) -> Vec<String> {
         let Carried { carried, tunnel, left } = &self.carried;
         let what = [
             (carried, "act on the updated aircraft"),
@@ -40,33 +53,43 @@ impl Travelling {
             ),
         ];
         let said = what.into_iter().filter(|(names, _)| !names.is_empty());
-        said.map(|(names, what)| format!("effects of the wing: {} {what}", names.join(", "))).collect()
+        let mut remarks: Vec<String> =
+            said.map(|(names, what)| format!("effects of the wing: {} {what}", names.join(", "))).collect();
+        let commands = [("doublet", &file.doublet.control, file.doublet.amplitude_deg)]
+            .into_iter()
+            .chain([("chirp", &file.chirp.control, file.chirp.amplitude_deg)]);
+        for (name, control, commanded_deg) in commands.filter(|_| self.is_corrected) {
+            let acting_deg = self.acting_deg(control, file.trim.v_m_s, commanded_deg);
+            remarks.push(format!(
+                "the wing's deflection correction makes {acting_deg:.2} of the {commanded_deg} degrees of the \
+                 updated aircraft's {name}"
+            ));
+            let commanded = [commanded_deg.to_radians(), -commanded_deg.to_radians()];
+            remarks.extend(self.deflection.beyond(control, &commanded).map(|beyond| beyond.to_string()));
+        }
+        remarks
     }
 
-    /// What the ailerons make of an amplitude, degrees.
+    /// What the ailerons make of an amplitude, degrees: the mean of both signs, as one side goes up when the other goes down.
     fn acting_deg(&self, control: &str, v_m_s: f64, commanded_deg: f64) -> f64 {
+        let radians = commanded_deg.to_radians();
+        let factors = [radians, -radians].map(|delta| self.deflection.factor(control, delta));
+        let commanded_deg = commanded_deg * (0.5 * (factors[0] + factors[1]));
         let radians = commanded_deg.to_radians();
         let acting = acting_deflection(&self.active, &self.controls, control, v_m_s, radians);
         if acting.to_bits() == radians.to_bits() { commanded_deg } else { acting.to_degrees() }
     }
 
-    /// Flies both models; commands of the updated one reach as far as its effects let them: a sine keeps its shape.
+    /// Flies both models; commands of the updated one reach as far as its surfaces let them: a sine keeps its shape.
     pub(crate) fn compare(
         &self,
-        aircraft: &mut Aircraft,
+        aircraft: &Aircraft,
         corrections: &Corrections,
     ) -> Result<Comparison, AircraftError> {
-        let comparison = aircraft.compare(corrections)?;
-        let commanded = aircraft.file.clone();
-        let v_m_s = commanded.trim.v_m_s;
-        let (doublet, chirp) = (&mut aircraft.file.doublet, &mut aircraft.file.chirp);
+        let v_m_s = aircraft.file.trim.v_m_s;
+        let (mut doublet, mut chirp) = (aircraft.file.doublet.clone(), aircraft.file.chirp.clone());
         doublet.amplitude_deg = self.acting_deg(&doublet.control, v_m_s, doublet.amplitude_deg);
         chirp.amplitude_deg = self.acting_deg(&chirp.control, v_m_s, chirp.amplitude_deg);
-        if aircraft.file == commanded {
-            return Ok(comparison);
-        }
-        let acting = aircraft.compare(corrections);
-        aircraft.file = commanded;
-        Ok(Comparison { updated: acting?.updated, ..comparison })
+        aircraft.compare_acting(corrections, &doublet, &chirp)
     }
 }

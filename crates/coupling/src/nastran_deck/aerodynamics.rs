@@ -108,7 +108,10 @@ fn add_splines(
         let count = surface.chordwise * surface.spanwise;
         let boxes = (lattice.boxes[surface.first_box].id, lattice.boxes[surface.first_box + count - 1].id);
         let id = surface.id;
-        bulk.splines.insert(id, SplineCard { id, panel: surface.id, boxes, set, kind, span: span.clone() });
+        bulk.splines.insert(
+            id,
+            SplineCard { id, panel: surface.id, boxes, list: None, set, kind, span: span.clone() },
+        );
     }
     Ok(())
 }

@@ -50,8 +50,17 @@ fn monitor(monitor: &MonitorPoint) -> String {
 }
 
 fn spline(spline: &SplineCard) -> String {
-    let name = if spline.kind == SplineKind::Plate { "SPLINE1" } else { "SPLINE2" };
-    let card = Fields::new(name).ints([spline.id, spline.panel, spline.boxes.0, spline.boxes.1, spline.set]);
+    let name = match (spline.kind == SplineKind::Plate, spline.list.is_some()) {
+        (true, false) => "SPLINE1",
+        (false, false) => "SPLINE2",
+        (true, true) => "SPLINE4",
+        (false, true) => "SPLINE5",
+    };
+    let card = Fields::new(name).ints([spline.id, spline.panel]);
+    let card = match spline.list {
+        Some(list) => card.int(list).push(Value::Blank).int(spline.set),
+        None => card.ints([spline.boxes.0, spline.boxes.1, spline.set]),
+    };
     match spline.kind {
         SplineKind::Plate => card.real(0.0).write(),
         SplineKind::Beam { system, torsional_ratio, attachment } => {
