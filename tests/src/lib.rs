@@ -5,6 +5,7 @@
 
 pub mod cases;
 pub mod fem;
+pub mod fuzzing;
 pub mod half_wing;
 pub mod registry;
 pub mod row;

@@ -1,8 +1,14 @@
 //! The command line: every command with its options and defaults, in one place.
 
 mod discover;
+mod flutter;
+mod new;
+mod response;
 
 pub use discover::{DiscoverArgs, HiddenArgs};
+pub use flutter::FlutterArgs;
+pub use new::NewArgs;
+pub use response::ResponseArgs;
 
 use std::path::PathBuf;
 
@@ -84,6 +90,8 @@ pub enum Command {
     Response(Box<ResponseArgs>),
     /// Flutter and divergence speeds of the wing, initial beside updated, by two methods, with V-g and V-f curves
     Flutter(FlutterArgs),
+    /// A commented folder for a wing of your own, that runs at once
+    New(NewArgs),
     /// Our results beside every published reference
     Validate(ValidateArgs),
     /// Time of the main steps
@@ -92,8 +100,39 @@ pub enum Command {
     Tidy(TidyArgs),
 }
 
+impl Command {
+    /// Its name on the command line.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Calibrate(_) => "calibrate",
+            Self::Simulate(_) => "simulate",
+            Self::Deflection(_) => "deflection",
+            Self::Discover(_) => "discover",
+            Self::Hidden(_) => "hidden",
+            Self::Fullaircraft(_) => "fullaircraft",
+            Self::Pipeline(_) => "pipeline",
+            Self::Tunnel(_) => "tunnel",
+            Self::Modes(_) => "modes",
+            Self::Deck(_) => "deck",
+            Self::Response(_) => "response",
+            Self::Flutter(_) => "flutter",
+            Self::New(_) => "new",
+            Self::Validate(_) => "validate",
+            Self::Bench(_) => "bench",
+            Self::Tidy(_) => "tidy",
+        }
+    }
+}
+
 /// Options of `calibrate`.
 #[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask calibrate
+  cargo xtask calibrate --wing my_wing/wing.ron --campaign my_wing/campaign --out out/my_wing
+  cargo xtask calibrate --wing data/pazy/wing.ron --campaign data/pazy/tip_5deg --out out/pazy
+
+Written: corrections.ron, DMI cards wkk_V.bdf and fa2j_V.bdf for each airspeed, figures, result.json. An airspeed needs
+three angles of attack (docs/guide.md explains the columns and how to read the result).")]
 pub struct CalibrateArgs {
     /// The wing [default: data/tuflex/wing.ron]
     #[arg(long, value_name = "FILE")]
@@ -191,10 +230,18 @@ pub struct FullaircraftArgs {
 
 /// Options of `pipeline`: none of its own.
 #[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask pipeline
+  cargo xtask pipeline --threads 1 --quiet")]
 pub struct PipelineArgs {}
 
 /// Options of `tunnel`.
 #[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask tunnel
+  cargo xtask tunnel --runs data/tuflex/tunnel.ron --seed 2 --out out/another_tunnel
+
+What it writes is generated, and its README.md says so: a campaign to try commands on, no measurement.")]
 pub struct TunnelArgs {
     /// What the tunnel measures and hides [default: data/tuflex/tunnel.ron]
     #[arg(long, value_name = "FILE")]
@@ -203,6 +250,10 @@ pub struct TunnelArgs {
 
 /// Options of `modes`.
 #[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask modes
+  cargo xtask modes --deck my_wing.bdf --count 20
+  cargo xtask modes --wing my_wing/wing.ron --measured my_wing/vibration_test.ron")]
 pub struct ModesArgs {
     /// The wing [default: data/tuflex/wing.ron]
     #[arg(long, value_name = "FILE", conflicts_with = "deck")]
@@ -220,6 +271,14 @@ pub struct ModesArgs {
 
 /// Options of `deck`.
 #[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask deck
+  cargo xtask deck --wing my_wing/wing.ron --corrections out/my_wing/corrections.ron --airspeed 20
+  cargo xtask deck --bars --count 6 --hdf5
+
+With corrections the deck has them as WKK and FA2J, and beside it stand, for programs without these, w2gj.bdf (camber
+plus what acts as the pressure offsets) and qjj.op4 (pressures per incidence with the force factors in them); what
+they leave out is in result.json under `left_out`.")]
 pub struct DeckArgs {
     /// The wing [default: data/tuflex/wing.ron]
     #[arg(long, value_name = "FILE")]
@@ -237,91 +296,16 @@ pub struct DeckArgs {
     /// without CBEAM)
     #[arg(long)]
     pub bars: bool,
-}
-
-/// Options of `response`.
-#[derive(Debug, Clone, Default, Args)]
-pub struct ResponseArgs {
-    /// A CSV file, a RON file that names tables, or a folder with response.ron or CSV files [default: data/mav]
-    #[arg(long, value_name = "PATH")]
-    pub data: Option<PathBuf>,
-    /// Columns of factors, instead of what a RON file says
-    #[arg(long, value_name = "A,B", value_delimiter = ',', requires = "data", requires = "responses")]
-    pub factors: Vec<String>,
-    /// Columns of responses
-    #[arg(long, value_name = "CL,CM", value_delimiter = ',', requires = "factors")]
-    pub responses: Vec<String>,
-    /// Columns of blocks: runs, days, mountings
-    #[arg(long, value_name = "DAY", value_delimiter = ',', requires = "factors")]
-    pub blocks: Vec<String>,
-    /// Candidates: all products of powers of the factors up to this order [default: 2, or the terms only]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=9))]
-    pub order: Option<u32>,
-    /// Candidates by name, such as n^2/q, besides those of --order if that is given
-    #[arg(long, value_name = "TERMS", value_delimiter = ',')]
-    pub terms: Vec<String>,
-    /// What is done with blocks: fixed or random offsets, or not looked at [default: fixed]
-    #[arg(long, value_name = "HOW", value_parser = ["fixed", "random", "ignored"])]
-    pub blocking: Option<String>,
-    /// How sets of terms are looked for [default: best]
-    #[arg(long, value_name = "HOW", value_parser = ["best", "stepwise", "ranked"])]
-    pub search: Option<String>,
-    /// sigma0^2 of the predicted squared error is T^2/2 times the variance of errors: terms stay from |t| = T on
-    /// [default: 3]
-    #[arg(long, value_name = "T", allow_negative_numbers = true)]
-    pub least_t: Option<f64>,
-    /// Level of tests and intervals [default: 0.95]
-    #[arg(long, value_name = "P")]
-    pub level: Option<f64>,
-    /// Columns of two-level factors whose effects are computed [default: all factors, if all have two levels]
-    #[arg(long, value_name = "A,B", value_delimiter = ',', requires = "factors")]
-    pub effects: Vec<String>,
-    /// Columns that are blocks for the effects [default: those of --blocks]
-    #[arg(long, value_name = "DAY", value_delimiter = ',', requires = "effects")]
-    pub effect_blocks: Vec<String>,
-    /// Points (a CSV with the columns of the factors) at which the surfaces are predicted
-    #[arg(long, value_name = "FILE")]
-    pub at: Option<PathBuf>,
-    /// Instead: displacement fields (CSV, `x_mm,y_mm,w_mm`) whose ratio of left to right side is computed
-    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with_all = ["data", "factors", "order", "terms", "at"])]
-    pub displacement: Vec<PathBuf>,
-    /// Fields of a rigid wing in the same set-up [default: the paper's mean ratio, 0.956]
-    #[arg(long, value_name = "FILE", num_args = 1.., requires = "displacement")]
-    pub rigid: Vec<PathBuf>,
-    /// Plane of symmetry of the fields, mm [default: 0]
-    #[arg(long, value_name = "Y", allow_negative_numbers = true, requires = "displacement")]
-    pub centre_y_mm: Option<f64>,
-    /// Standard deviation of the error of a point of the fields, mm [default: 0.05]
-    #[arg(long, value_name = "W", requires = "displacement")]
-    pub sigma_w_mm: Option<f64>,
-}
-
-/// Options of `flutter`.
-#[derive(Debug, Clone, Default, Args)]
-pub struct FlutterArgs {
-    /// The wing [default: data/tuflex/wing.ron]
-    #[arg(long, value_name = "FILE")]
-    pub wing: Option<PathBuf>,
-    /// Corrections from `calibrate` [default: out/calibrate's if of the same wing, else calibrated first]
-    #[arg(long, value_name = "FILE")]
-    pub corrections: Option<PathBuf>,
-    /// The folder of measurements, for its air density [default: data/tuflex/measured]
-    #[arg(long, value_name = "DIR")]
-    pub campaign: Option<PathBuf>,
-    /// Highest airspeed looked at, m/s [default: 100, up to which air is nearly incompressible]
-    #[arg(long, value_name = "V", value_parser = airspeed)]
-    pub to: Option<f64>,
-}
-
-fn airspeed(text: &str) -> Result<f64, String> {
-    match text.parse() {
-        Ok(v_m_s) if v_m_s > 0.0 && v_m_s <= 300.0 => Ok(v_m_s),
-        _ => Err("expected an airspeed above 0 and up to 300 m/s".into()),
-    }
+    /// Write model.h5, too: boxes, pressures, modes, and with corrections these and the linear systems that `simulate` flies
+    #[arg(long)]
+    pub hdf5: bool,
 }
 
 /// Options of `validate`.
 #[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask validate
+  cargo xtask validate --only dlm")]
 pub struct ValidateArgs {
     /// The folder of published cases [default: data/published]
     #[arg(long, value_name = "DIR")]
@@ -333,6 +317,9 @@ pub struct ValidateArgs {
 
 /// Options of `bench`.
 #[derive(Debug, Clone, Args)]
+#[command(after_help = "Examples:
+  cargo xtask bench
+  cargo xtask bench --peer-python venv/bin/python")]
 pub struct BenchArgs {
     /// A Python with PanelAero, timed on the same boxes in the same run [default: python3, if it has it]
     #[arg(long, value_name = "PYTHON", default_value = "python3")]
@@ -341,6 +328,8 @@ pub struct BenchArgs {
 
 /// Options of `tidy`: none of its own.
 #[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask tidy")]
 pub struct TidyArgs {}
 
 #[cfg(test)]
@@ -351,6 +340,30 @@ mod tests {
     #[test]
     fn the_command_line_is_consistent() {
         Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn every_command_has_help_with_examples() {
+        for command in Cli::command().get_subcommands_mut() {
+            let name = command.get_name().to_owned();
+            let help = command.render_long_help().to_string();
+            let (_, examples) =
+                help.split_once("Examples:\n").unwrap_or_else(|| panic!("{name} has no examples"));
+            let first = examples.lines().next().unwrap_or("");
+            assert!(first.starts_with(&format!("  cargo xtask {name}")), "{name}: {first}");
+            assert!(examples.lines().all(|line| line.len() <= 132), "{name}: a line is too long");
+        }
+    }
+
+    #[test]
+    fn every_example_is_understood() {
+        for command in Cli::command().get_subcommands_mut() {
+            let help = command.render_long_help().to_string();
+            for line in help.lines().filter_map(|line| line.strip_prefix("  cargo xtask ")) {
+                let words = std::iter::once("x").chain(line.split_whitespace());
+                assert!(Cli::try_parse_from(words).is_ok(), "{line}");
+            }
+        }
     }
 
     #[test]

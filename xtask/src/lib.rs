@@ -11,6 +11,7 @@ pub mod args;
 mod commands;
 mod corrections;
 pub mod failure;
+pub mod hdf5;
 pub mod output;
 pub mod paths;
 pub mod progress;
@@ -55,6 +56,14 @@ fn run(cli: &Cli) -> Result<(), Failure> {
         // Before the work, not after it.
         output::check_replaceable(out)?;
     }
+    progress::at_work(common, cli.command.name());
+    let ended = dispatch(cli);
+    progress::done();
+    ended
+}
+
+fn dispatch(cli: &Cli) -> Result<(), Failure> {
+    let common = &cli.common;
     match &cli.command {
         Command::Calibrate(args) => commands::calibrate::run(args, common),
         Command::Simulate(args) => commands::simulate::run(args, common),
@@ -69,18 +78,22 @@ fn run(cli: &Cli) -> Result<(), Failure> {
         Command::Response(args) => commands::response::run(args, common),
         Command::Flutter(args) => commands::flutter::run(args, common),
         Command::Validate(args) => commands::validate::run(args, common),
+        Command::New(args) => commands::new::run(args, common),
         Command::Bench(args) => commands::bench::run(args, common),
         Command::Tidy(args) => commands::tidy::run(args, common),
     }
 }
 
-/// One number of threads for our own loops (rayon) and for the matrix library.
+/// Into how many parts the matrix library divides its work, whatever the number of threads: the order of its sums, and so
+/// the last digits of results, depend on it.
+const PARTS_OF_MATRICES: usize = 8;
+
+/// The number of threads of all loops, and the parts of the matrix library's.
 fn set_threads(common: &Common) -> Result<(), Failure> {
+    faer::set_global_parallelism(faer::Par::rayon(PARTS_OF_MATRICES));
     let Some(threads) = common.threads else { return Ok(()) };
     rayon::ThreadPoolBuilder::new()
         .num_threads(threads)
         .build_global()
-        .map_err(|error| Failure::Computation(format!("{threads} threads cannot be started: {error}")))?;
-    faer::set_global_parallelism(if threads == 1 { faer::Par::Seq } else { faer::Par::rayon(threads) });
-    Ok(())
+        .map_err(|error| Failure::Computation(format!("{threads} threads cannot be started: {error}")))
 }

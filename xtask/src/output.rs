@@ -47,13 +47,26 @@ impl ResultFolder {
     /// Writes a text file; `name` may contain folders.
     ///
     /// # Errors
-    /// If the file cannot be written.
+    /// If the file cannot be written, or a file of numbers (CSV, RON, cards, ParaView) has one that is not finite.
     pub fn write_text(&self, name: &str, text: &str) -> Result<(), Failure> {
+        if let Some(word) = not_finite(name, text) {
+            return Err(Failure::Computation(format!(
+                "{name} would hold `{word}`, which is no result: nothing is written"
+            )));
+        }
+        self.write_bytes(name, text.as_bytes())
+    }
+
+    /// Writes a file of any kind; `name` may contain folders.
+    ///
+    /// # Errors
+    /// If the file cannot be written.
+    pub fn write_bytes(&self, name: &str, bytes: &[u8]) -> Result<(), Failure> {
         let path = self.partial.join(name);
         if let Some(folder) = path.parent() {
             std::fs::create_dir_all(folder).map_err(|e| refused(folder, &e))?;
         }
-        std::fs::write(&path, text).map_err(|e| refused(&path, &e))
+        std::fs::write(&path, bytes).map_err(|e| refused(&path, &e))
     }
 
     /// Writes a value as JSON; numbers that are not finite become `null`, as JSON has none.
@@ -96,6 +109,16 @@ impl Drop for ResultFolder {
             let _ = std::fs::remove_dir_all(&self.partial);
         }
     }
+}
+
+/// The first number of a file of numbers that is not finite.
+fn not_finite<'a>(name: &str, text: &'a str) -> Option<&'a str> {
+    let ending = Path::new(name).extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+    if !["csv", "ron", "bdf", "vtu", "op4"].contains(&ending) {
+        return None;
+    }
+    let words = text.split(|c: char| c.is_whitespace() || ",:()[]<>".contains(c));
+    words.into_iter().find(|word| ["NaN", "inf", "-inf"].contains(word))
 }
 
 fn refused(path: &Path, error: &std::io::Error) -> Failure {

@@ -23,12 +23,13 @@ use tracing_subscriber::EnvFilter;
 
 use crate::args::Common;
 use crate::failure::Failure;
+use crate::progress;
 
 /// Sends the crates' events to standard error: warnings, or what `RUST_LOG` asks for.
 pub fn start_logging(common: &Common) {
     let default = if common.quiet { "error" } else { "warn" };
     let filter = EnvFilter::try_from_default_env().unwrap_or_else(|_| EnvFilter::new(default));
-    let subscriber = tracing_subscriber::fmt().with_env_filter(filter).with_writer(std::io::stderr);
+    let subscriber = tracing_subscriber::fmt().with_env_filter(filter).with_writer(progress::Aside::default);
     // A second subscriber (tests) is refused, and the first one stays: nothing to do.
     let _ = subscriber.with_target(false).without_time().with_ansi(colours()).try_init();
 }
@@ -40,13 +41,13 @@ pub fn failure(failure: &Failure) {
         Failure::Computation(message) => format!("error: {message}\n").into_bytes(),
     };
     // If standard error is closed there is nobody left to tell.
-    let _ = std::io::stderr().write_all(&text);
+    let _ = progress::aside(|| std::io::stderr().write_all(&text));
 }
 
 /// Prints a remark to standard error.
 pub fn note(text: &str) {
     // If standard error is closed there is nobody left to tell.
-    let _ = writeln!(std::io::stderr(), "note: {text}");
+    let _ = progress::aside(|| writeln!(std::io::stderr(), "note: {text}"));
 }
 
 /// Prints a summary for people: to standard output, or to standard error if that carries JSON.
@@ -56,11 +57,13 @@ pub fn summary(common: &Common, text: &str) {
     }
     let text = text.trim_end();
     // A reader that closed the pipe (`| head`) has seen enough.
-    let _ = if common.json {
-        writeln!(std::io::stderr(), "{text}")
-    } else {
-        writeln!(std::io::stdout(), "{text}")
-    };
+    let _ = progress::aside(|| {
+        if common.json {
+            writeln!(std::io::stderr(), "{text}")
+        } else {
+            writeln!(std::io::stdout(), "{text}")
+        }
+    });
 }
 
 /// With `--json`: prints the result, and nothing else, to standard output.
@@ -70,7 +73,7 @@ pub fn summary(common: &Common, text: &str) {
 pub fn json<T: Serialize>(common: &Common, value: &T) -> Result<(), Failure> {
     if common.json {
         let text = serde_json::to_string_pretty(value).map_err(Failure::computation)?;
-        let _ = writeln!(std::io::stdout(), "{text}");
+        let _ = progress::aside(|| writeln!(std::io::stdout(), "{text}"));
     }
     Ok(())
 }

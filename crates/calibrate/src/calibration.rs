@@ -11,6 +11,7 @@ use crate::lift_factor::{LiftFactor, lift_factor};
 use crate::objective::{LineFit, line_fit, objective};
 use crate::settings::Settings;
 use crate::statics::{AirspeedData, StaticData};
+use crate::suspicion;
 use crate::tip_zero::TipZero;
 use aero::{Corrections, Flow};
 use coupling::{CouplingError, SteadyCase, SteadyModel};
@@ -71,6 +72,8 @@ pub struct Calibration {
     pub tilt_tare: Option<TiltTare>,
     /// Probability below which a single test for nonlinearity is significant (the setting shared by all tests).
     pub nonlinearity_level: f64,
+    /// Sentences about units that were probably mistaken.
+    pub suspicions: Vec<String>,
 }
 
 /// Finds corrections for every airspeed of a campaign.
@@ -85,6 +88,10 @@ pub fn calibrate<M: SteadyModel>(
     let data = StaticData::from_campaign(campaign)?;
     check_settings(model, settings, &data)?;
     check_divergence(model, campaign.rho_kg_m3, &data)?;
+    let suspicions = suspicion::of_campaign(model, campaign, &data)?;
+    for said in &suspicions {
+        tracing::warn!("{}: {said}", campaign.folder.display());
+    }
     let context = Context::new(model, campaign.rho_kg_m3, &data, settings);
     let (each, common) = match data.sets {
         Sets::EachAirspeed => (&data.airspeeds[..], None),
@@ -99,6 +106,7 @@ pub fn calibrate<M: SteadyModel>(
     let tests = airspeeds.iter().flat_map(|a| a.line.nonlinearity).flatten().count().max(1);
     Ok(Calibration {
         tilt_tare: tilt_tare(model, campaign.rho_kg_m3, &data)?,
+        suspicions,
         nonlinearity_level: settings.significance / tests as f64,
         airspeeds,
         common,
@@ -123,7 +131,7 @@ fn check_divergence<M: SteadyModel>(
                 });
                 let message = format!("the wing diverges at {} m/s{speed}", airspeed.v_m_s);
                 return Err(InputError::at(&airspeed.span, message)
-                    .with_help("take the airspeed out of the static cases, or check the wing's stiffness")
+                    .with_help("take the airspeed out of the static cases, or check the wing's stiffness and that airspeeds are in m/s")
                     .into());
             }
             Err(error) => return Err(error),

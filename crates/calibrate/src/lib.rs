@@ -15,6 +15,7 @@ pub mod objective;
 pub mod schedule;
 pub mod settings;
 pub mod statics;
+pub mod suspicion;
 mod tip_zero;
 
 pub use calibration::{AirspeedCalibration, Calibration, TiltTare, calibrate};

@@ -11,12 +11,15 @@
 use crate::blocks::BlockFit;
 use crate::campaign::{Campaign, Sets, StaticPoint, TIP, TipReading};
 use nastran::{InputError, Span};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Airspeeds closer than this share are one.
 const SAME_AIRSPEED: f64 = 2e-3;
 /// Angles closer than this are one, rad (0.05 degrees).
 pub(crate) const SAME_ANGLE_RAD: f64 = 8.7e-4;
+
+/// The most blocks: each has an offset, and all are found together.
+const MOST_BLOCKS: usize = 200;
 
 /// One angle at one airspeed: the mean of its replicates after block offsets are removed.
 #[derive(Debug, Clone, PartialEq)]
@@ -111,6 +114,7 @@ impl StaticData {
             .collect();
         let tilt_tares: Vec<StaticPoint> =
             campaign.points.iter().filter(|p| p.v_m_s == 0.0).cloned().collect();
+        check_blocks(&fitted)?;
         let cells = cells(&fitted);
         match campaign.sets {
             Sets::EachAirspeed => check_angles(campaign, &cells)?,
@@ -301,6 +305,25 @@ fn check_rows(campaign: &Campaign, rows: usize) -> Result<(), InputError> {
         .with_help("a common set of corrections needs at least three"))
 }
 
+/// Blocks are days and mountings: many of them are a column that means something else, such as a point's number.
+fn check_blocks(rows: &[&StaticPoint]) -> Result<(), InputError> {
+    let mut names = BTreeSet::new();
+    match rows.iter().find(|row| names.insert(block_name(row)) && names.len() > MOST_BLOCKS) {
+        None => Ok(()),
+        Some(row) => {
+            Err(InputError::at(&row.span, format!("the static cases have more than {MOST_BLOCKS} blocks"))
+                .with_help("a block is a day or a mounting, and all its rows have the same name"))
+        }
+    }
+}
+
+/// No angle beyond 0.6 degrees, though they differ: a sweep in radians looks like this.
+fn all_within_a_degree(campaign: &Campaign) -> bool {
+    let angles = || campaign.points.iter().map(|point| point.alpha_rad.to_degrees());
+    angles().all(|angle| angle.abs() < 0.6)
+        && angles().any(|angle| angle != campaign.points[0].alpha_rad.to_degrees())
+}
+
 /// Every airspeed needs three angles: a line through two has no error to compare with.
 fn check_angles(campaign: &Campaign, cells: &[Cell<'_>]) -> Result<(), InputError> {
     let mut counts: BTreeMap<usize, (usize, f64, Span)> = BTreeMap::new();
@@ -330,10 +353,12 @@ fn check_angles(campaign: &Campaign, cells: &[Cell<'_>]) -> Result<(), InputErro
                     "the airspeed {v_m_s} m/s has {angles} different angle(s), at least three are needed"
                 ),
             )
-            .with_help(
+            .with_help(if all_within_a_degree(campaign) {
+                "every alpha_deg is within 0.6: are the angles in radians instead of degrees?"
+            } else {
                 "add angles at this airspeed, take its rows out of the static cases, or ask for one set of \
-                 corrections for all airspeeds (`sets: Common` in campaign.ron)",
-            ));
+                 corrections for all airspeeds (`sets: Common` in campaign.ron)"
+            }));
         }
     }
     Ok(())

@@ -3,18 +3,21 @@
 pub mod case;
 pub mod divergence;
 pub mod error;
+pub mod exchange;
 pub mod nastran_deck;
 pub mod planform;
 pub mod root_loads;
 pub mod spline;
 pub mod steady;
 pub mod supported;
+pub mod suspicion;
 pub mod wing;
 pub mod wing_file;
 mod wing_parts;
 
 pub use case::{CorrectableBoxes, RootSensitivity, SteadyCase, SteadyModel};
 pub use error::CouplingError;
+pub use exchange::Exchange;
 pub use nastran_deck::{DeckOptions, NastranDeck};
 pub use root_loads::{Balance, RootLoads, root_rows};
 pub use spline::Spline;

@@ -5,6 +5,7 @@ use crate::error::CouplingError;
 use crate::root_loads::{Balance, root_rows};
 use crate::spline::Spline;
 use crate::supported::SupportedStructure;
+use crate::suspicion;
 use crate::wing_file::{Mount, WingFile};
 use crate::wing_parts::{correctable_boxes, wing_parts};
 use aero::{AeroError, ControlSurface, Corrections, Integration, Lattice, MirrorPlane, SteadyAero};
@@ -150,6 +151,9 @@ impl ElasticWing {
             tracing::warn!("{}: cards that are not read: {}", file.path.display(), cards.join(", "));
         }
         let wing = Self::from_bulk(&file, &bulk).map_err(|error| blame_root_plane(error, &file))?;
+        for said in suspicion::of_wing(&bulk, &wing.lattice) {
+            tracing::warn!("{}: {said}", file.path.display());
+        }
         Ok((file, wing))
     }
 

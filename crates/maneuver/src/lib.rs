@@ -22,6 +22,7 @@ pub mod simulate;
 pub mod smoothing;
 mod state_space;
 pub mod step;
+pub mod suspicion;
 
 pub use air::AirModel;
 pub use air_fit::AirFit;

@@ -33,7 +33,12 @@ pub fn motion_of(run: &Run, model: &RigModel, file: &Path) -> Result<Motion, Inp
                 &nastran::place_of(&[&format!("delta_{name}_deg")], &text, file),
                 format!("the run moves a control {name}, which the wing does not have"),
             )
-            .with_help(format!("the wing's controls: {known}")));
+            .with_help(
+                match nastran::suggest::nearest(name, model.controls.iter().map(String::as_str)) {
+                    Some(meant) => format!("did you mean `delta_{meant}_deg`? The wing's controls: {known}"),
+                    None => format!("the wing's controls: {known}"),
+                },
+            ));
         };
         controls_rad[place].clone_from(values);
     }

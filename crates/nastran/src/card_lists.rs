@@ -6,6 +6,16 @@ use crate::source::InputError;
 /// The longest list that `THRU` may stand for: a slip in a number must not fill the memory.
 const LONGEST_RANGE: u32 = 1_000_000;
 
+/// How many numbers the `THRU` of a card stand for, whatever its kind; ranges that the card itself refuses do not count.
+pub(crate) fn numbers_in_ranges(card: &Card) -> usize {
+    let number = |index: usize| card.text(index).parse::<u32>().ok();
+    (1..card.len())
+        .filter(|&index| card.text(index).eq_ignore_ascii_case("THRU"))
+        .filter_map(|index| Some(number(index + 1)?.saturating_sub(number(index - 1)?) as usize))
+        .filter(|&count| count <= LONGEST_RANGE as usize)
+        .fold(0, usize::saturating_add)
+}
+
 impl Card {
     /// The numbers from a field to the end of the card, `THRU` expanded; at least one.
     pub(crate) fn id_list(&self, from: usize, what: &str) -> Result<Vec<u32>, InputError> {

@@ -4,6 +4,7 @@
 //! read are counted by name in [`BulkData::unknown`], so that nothing is dropped in silence.
 
 use crate::card::Card;
+use crate::card_lists;
 use crate::cards::BulkData;
 use crate::case_control;
 use crate::checks;
@@ -18,6 +19,9 @@ use crate::source::{InputError, Span, read_text};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+
+/// The most numbers that all `THRU` of a deck may stand for: forty megabytes, and every real deck has less.
+const MOST_IN_RANGES: usize = 10_000_000;
 
 /// Reads a deck with the files it includes.
 ///
@@ -67,6 +71,8 @@ struct Reader {
     thicknesses: Vec<CornerThickness>,
     card: Option<Card>,
     files: BTreeMap<PathBuf, Span>,
+    /// Numbers that `THRU` has stood for so far.
+    ranges: usize,
     has_ended: bool,
 }
 
@@ -126,6 +132,12 @@ impl Reader {
         let Some(card) = self.card.take() else { return Ok(()) };
         if card.name == "DMI" {
             return self.matrices.add(card);
+        }
+        self.ranges = self.ranges.saturating_add(card_lists::numbers_in_ranges(&card));
+        if self.ranges > MOST_IN_RANGES {
+            let message = format!("THRU stands for more than {MOST_IN_RANGES} numbers in this deck");
+            return Err(InputError::at(&card.span, message)
+                .with_help("look for a slip in the last number of a range, or for cards given many times"));
         }
         self.numbers.claim(&card)?;
         match self.defaults.take(card)? {

@@ -6,16 +6,18 @@ use crate::real;
 use crate::source::{InputError, Span};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The largest number of values: a slip in the header must not fill the memory.
+/// The largest number of values of all matrices together: a slip in a header must not fill the memory.
 const MOST_VALUES: usize = 25_000_000;
-/// The largest number of columns, for the same reason.
-const MOST_COLUMNS: usize = 100_000;
+/// What a column takes beside its values, in values.
+const A_COLUMN: usize = 8;
 
 /// The DMI cards of a deck, until all are there.
 #[derive(Debug, Default)]
 pub(crate) struct DmiCards {
     headers: BTreeMap<String, (Dmi, usize, Span)>,
     columns: Vec<(String, usize, Card)>,
+    /// Values of all headers so far.
+    values: usize,
 }
 
 impl DmiCards {
@@ -31,6 +33,17 @@ impl DmiCards {
             return Err(card.error(0, format!("DMI {name} has two headers; the first is {first}")));
         }
         let (matrix, columns) = header(&name, &card)?;
+        self.values =
+            self.values.saturating_add(columns.saturating_mul(matrix.rows.saturating_add(A_COLUMN)));
+        if self.values > MOST_VALUES {
+            return Err(card.error(
+                6,
+                format!(
+                    "DMI {name} has {} x {columns} values; at most {MOST_VALUES} are read, all matrices together",
+                    matrix.rows
+                ),
+            ));
+        }
         self.headers.insert(name, (matrix, columns, card.span));
         Ok(())
     }
@@ -86,10 +99,6 @@ fn header(name: &str, card: &Card) -> Result<(Dmi, usize), InputError> {
     }
     if (form == 1 || form == 6) && columns != rows {
         return Err(card.wrong(7, "N", &format!("{rows}, the number of rows, which form {form} demands")));
-    }
-    if columns > MOST_COLUMNS || rows.saturating_mul(columns) > MOST_VALUES {
-        return Err(card
-            .error(6, format!("DMI {name} has {rows} x {columns} values; at most {MOST_VALUES} are read")));
     }
     Ok((Dmi { name: name.to_owned(), form, tin, tout, rows, columns: Vec::new() }, columns))
 }

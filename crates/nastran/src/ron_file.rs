@@ -40,7 +40,60 @@ pub fn to_text<T: Serialize>(value: &T) -> Result<String, InputError> {
 
 fn parse_at<T: DeserializeOwned>(path: &Path, text: &str) -> Result<T, InputError> {
     let options = ron::Options::default().with_default_extension(Extensions::IMPLICIT_SOME);
-    options.from_str(text).map_err(|error| explain(path, text, &error))
+    let value = options.from_str(text).map_err(|error| explain(path, text, &error))?;
+    refuse_not_finite(path, text)?;
+    Ok(value)
+}
+
+/// Refuses `NaN`, `inf` and numbers too large for a computer (`1e400`), which RON takes for numbers; outside text in
+/// quotes and comments. One place for all files, so that no field can be forgotten.
+fn refuse_not_finite(path: &Path, text: &str) -> Result<(), InputError> {
+    let mut comments = 0;
+    for (index, line) in text.lines().enumerate() {
+        for (column, word) in words(line, &mut comments) {
+            let unsigned = word.trim_start_matches(['-', '+']);
+            let named = ["NaN", "inf"].contains(&unsigned);
+            let overflows = unsigned.starts_with(|c: char| c.is_ascii_digit() || c == '.')
+                && unsigned.replace('_', "").parse::<f64>().is_ok_and(|number| !number.is_finite());
+            if named || overflows {
+                let file = Arc::new(path.to_path_buf());
+                let place = Span::new(&file, index + 1, column, column + word.chars().count());
+                return Err(InputError::at(&place, format!("`{word}` is not a finite number"))
+                    .with_help("write a number such as 1.5 or -2e-3, or leave the field out if it may be"));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The words of a line outside quotes and comments, each with its column; `comments` counts open `/*`.
+///
+/// Text in quotes that goes over several lines is not followed: RON files of ours have none.
+fn words<'a>(line: &'a str, comments: &mut usize) -> Vec<(usize, &'a str)> {
+    let mut found = Vec::new();
+    let (mut quoted, mut escaped) = (false, false);
+    let mut start: Option<(usize, usize)> = None;
+    let mut before = ' ';
+    for (column, (at, character)) in line.char_indices().chain([(line.len(), ' ')]).enumerate() {
+        let pair = (before, character);
+        before = character;
+        let part =
+            !quoted && *comments == 0 && (character.is_ascii_alphanumeric() || "._+-".contains(character));
+        if part && start.is_none() {
+            start = Some((column + 1, at));
+        } else if !part && let Some((column, from)) = start.take() {
+            found.push((column, &line[from..at]));
+        }
+        match (pair, quoted, *comments) {
+            (('/', '/'), false, 0) => break,
+            (('/', '*'), false, _) => *comments += 1,
+            (('*', '/'), false, 1..) => *comments -= 1,
+            ((_, '"'), _, 0) if !escaped => quoted = !quoted,
+            _ => {}
+        }
+        escaped = quoted && character == '\\' && !escaped;
+    }
+    found
 }
 
 fn explain(path: &Path, text: &str, error: &SpannedError) -> InputError {
@@ -71,5 +124,36 @@ fn unknown(span: &Span, kind: &str, found: &str, expected: &[&str]) -> InputErro
     match nearest(found, expected.iter().copied()) {
         Some(name) => error.with_help(format!("did you mean `{name}`?")),
         None => error,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde::Deserialize;
+
+    #[derive(Debug, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    struct Numbers {
+        name: String,
+        values: Vec<f64>,
+    }
+
+    #[test]
+    fn numbers_that_are_not_finite_are_refused_where_they_stand() {
+        for (word, line, column) in [("NaN", 3, 18), ("-inf", 3, 18), ("1e400", 3, 18), ("-1_0e999", 3, 18)] {
+            let text = format!("// NaN\n(name: \"inf, \\\"NaN\", /* NaN\n inf */ values: [{word}, 1.0])");
+            let error = parse::<Numbers>("a.ron", &text).unwrap_err();
+            assert!(error.message.contains(word), "{error}");
+            let span = error.span.unwrap();
+            assert_eq!((span.line, span.column), (line, column), "{word}");
+        }
+    }
+
+    #[test]
+    fn what_only_looks_so_is_taken() {
+        let text = "(name: \"NaN and inf, 1e400 // no comment\", values: [1e300, 0.1, -2]) // inf";
+        let numbers: Numbers = parse("a.ron", text).unwrap();
+        assert!(numbers.name.starts_with("NaN") && numbers.values == [1e300, 0.1, -2.0]);
     }
 }

@@ -6,6 +6,7 @@
 
 use crate::source::{InputError, Span, read_text};
 use crate::suggest::nearest;
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -188,11 +189,12 @@ fn whole_line(cells: &[Cell]) -> Span {
 }
 
 fn check_header(header: &[Cell]) -> Result<(), InputError> {
-    for (index, cell) in header.iter().enumerate() {
+    let mut names = HashSet::new();
+    for cell in header {
         if cell.text.is_empty() {
             return Err(InputError::at(&cell.span, "this column has no name"));
         }
-        if header[..index].iter().any(|earlier| earlier.text == cell.text) {
+        if !names.insert(&cell.text) {
             return Err(InputError::at(&cell.span, format!("the column `{}` occurs twice", cell.text)));
         }
     }

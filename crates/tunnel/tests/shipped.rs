@@ -5,6 +5,8 @@ use std::path::{Path, PathBuf};
 use tunnel::{Truth, TunnelFile, campaign};
 
 const CAMPAIGNS: [(&str, &str); 2] = [("tunnel.ron", "measured"), ("tunnel_curved.ron", "measured_curved")];
+/// The example of `cargo xtask new`.
+const EXAMPLE: (&str, &str) = ("../own_wing/made_with/tunnel.ron", "../own_wing/campaign");
 
 fn data(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/tuflex").join(name)
@@ -21,7 +23,7 @@ fn the_shipped_campaigns_say_that_they_are_no_measurements() {
 
 #[test]
 fn the_shipped_static_cases_are_reproduced_to_their_last_digit() {
-    for (name, folder) in CAMPAIGNS {
+    for (name, folder) in CAMPAIGNS.into_iter().chain([EXAMPLE]) {
         let file = TunnelFile::read(&data(name)).unwrap();
         let file = TunnelFile { runs: Vec::new(), ..file };
         let made = campaign(&file, &Truth::build(&file).unwrap(), file.seed).unwrap();

@@ -123,6 +123,7 @@ fn result(wing: &ElasticWing, campaign: &Campaign, calibration: &Calibration) ->
             (None, None) => "unknown: no replicates and none declared".into(),
         },
         "nonlinearity_level": calibration.nonlinearity_level,
+        "suspicions": calibration.suspicions,
         "rows_with_deflected_controls_left_aside": data.deflected,
         "tilt_tare": calibration.tilt_tare.map(|tare| json!({
             "points": tare.points, "rms": loads(tare.rms), "rms_over_noise": tare.rms_over_noise.map(loads),

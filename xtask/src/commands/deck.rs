@@ -1,29 +1,48 @@
 //! `deck`: the wing as a Nastran deck, with structure, boxes, splines and, if given, corrections.
 
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use coupling::{DeckOptions, NastranDeck};
+use coupling::exchange::LeftOut;
+use coupling::{DeckOptions, ElasticWing, Exchange, NastranDeck};
 use faer::Mat;
 use nastran::InputError;
 use serde_json::{Value, json};
 use structure::{Flexibility, Model, System, normal_modes};
 
+use super::deck_hdf5;
 use super::modes::hertz;
 use crate::args::{Common, DeckArgs};
-use crate::corrections::{corrected_wing, corrections_at, wing_path};
+use crate::corrections::{CorrectedWing, corrected_wing, corrections_at, wing_path};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
 
 /// Load at the tip for the comparison of deflections, N.
 const TIP_LOAD_N: f64 = 10.0;
+/// Density at sea level and an angle, at which what cannot be carried to other programs is shown.
+const RHO_KG_M3: f64 = 1.225;
+const ALPHA_DEG: f64 = 4.0;
+
+/// Corrections at one airspeed, for the deck and for programs without WKK and FA2J.
+struct AtAirspeed {
+    v_m_s: f64,
+    padded: aero::Corrections,
+    /// None if these corrections cannot be carried so.
+    exchange: Option<(Exchange, LeftOut)>,
+    corrected: CorrectedWing,
+    corrections: aero::Corrections,
+    flow: aero::Flow,
+}
 
 /// Runs the command.
 pub(crate) fn run(args: &DeckArgs, common: &Common) -> Result<(), Failure> {
     let start = Instant::now();
     let path = wing_path(args.wing.as_deref());
     let file = coupling::WingFile::read(&path)?;
-    let options = DeckOptions { modes: args.count, bars: args.bars, corrections: corrections(args, common)? };
+    let corrections = corrections(args, common)?;
+    let padded = corrections.as_ref().map(|at| at.padded.clone());
+    let options = DeckOptions { modes: args.count, bars: args.bars, corrections: padded };
     let deck = NastranDeck::of(&file, &options)?;
     if deck.bulk.grids.is_empty() {
         let error = InputError::in_file(&path, "the wing has no structure to write");
@@ -40,18 +59,18 @@ pub(crate) fn run(args: &DeckArgs, common: &Common) -> Result<(), Failure> {
     let modes = normal_modes(&system, args.count).map_err(Failure::computation)?;
     let tip = tip_load(&file, &deck.bulk, &system);
     let boxes = aero::Lattice::from_bulk(&deck.bulk)?.len();
-    let result = json!({
+    let mut result = json!({
         "command": "deck", "wing": file.name, "wing_hash": file.hash, "file": "wing.bdf",
         "mass_kg": system.mass_properties().mass_kg, "grids": system.node_count(),
         "elements": deck.bulk.element_counts(), "frequencies_hz": hertz(&modes),
-        "boxes": boxes, "splines": deck.bulk.splines.len(), "corrections_at_m_s": args.airspeed, "tip_load": tip,
-        "seconds": start.elapsed().as_secs_f64(),
+        "boxes": boxes, "splines": deck.bulk.splines.len(), "tip_load": tip,
     });
-    let folder = ResultFolder::begin(&common.out("deck"))?;
-    folder.write_text("wing.bdf", &deck.text)?;
-    folder.write_json("result.json", &result)?;
-    let out = folder.commit()?;
-    let text = format!(
+    result["corrections_at_m_s"] = json!(corrections.as_ref().map(|at| at.v_m_s));
+    result["left_out"] = json!(corrections.as_ref().and_then(left_out));
+    result["seconds"] = json!(start.elapsed().as_secs_f64());
+    let model = if args.hdf5 { Some(model(&path, args, corrections.as_ref())?) } else { None };
+    let out = write(&common.out("deck"), &deck, corrections.as_ref(), model.as_deref(), &result)?;
+    let mut text = format!(
         "{}: {:.4} kg, {} grids, {boxes} boxes, {} splines; first frequency {:.4} Hz\nwritten to {}",
         file.name,
         system.mass_properties().mass_kg,
@@ -60,8 +79,57 @@ pub(crate) fn run(args: &DeckArgs, common: &Common) -> Result<(), Failure> {
         hertz(&modes).first().copied().unwrap_or(0.0),
         out.join("wing.bdf").display()
     );
+    text.push_str(&corrections.as_ref().map_or_else(String::new, carried));
     show::summary(common, &text);
     show::json(common, &result)
+}
+
+/// The model as HDF5.
+fn model(path: &Path, args: &DeckArgs, corrections: Option<&AtAirspeed>) -> Result<Vec<u8>, Failure> {
+    let (_, wing) = ElasticWing::read(path)?;
+    let corrected = corrections.map(|at| (&at.corrected, &at.corrections, at.flow));
+    deck_hdf5::file(&wing, args.count, corrected)
+}
+
+fn write(
+    out: &Path,
+    deck: &NastranDeck,
+    corrections: Option<&AtAirspeed>,
+    model: Option<&[u8]>,
+    result: &Value,
+) -> Result<PathBuf, Failure> {
+    let folder = ResultFolder::begin(out)?;
+    folder.write_text("wing.bdf", &deck.text)?;
+    if let Some((exchange, _)) = corrections.and_then(|at| at.exchange.as_ref()) {
+        folder.write_text("w2gj.bdf", &exchange.w2gj().write())?;
+        folder.write_text("qjj.op4", &exchange.op4())?;
+    }
+    if let Some(bytes) = model {
+        folder.write_bytes("model.h5", bytes)?;
+    }
+    folder.write_json("result.json", result)?;
+    folder.commit()
+}
+
+/// What is written for programs without WKK and FA2J, in words.
+fn carried(at: &AtAirspeed) -> String {
+    let Some((_, left_out)) = &at.exchange else { return String::new() };
+    format!(
+        "\nfor programs without WKK and FA2J: w2gj.bdf and qjj.op4 carry the lift of every box; moment factors are left out: \
+         My at {} m/s and {ALPHA_DEG} degrees {:.4} instead of {:.4} N m",
+        at.v_m_s, left_out.carried[2], left_out.complete[2]
+    )
+}
+
+/// What w2gj.bdf and qjj.op4 do not carry, in numbers.
+fn left_out(at: &AtAirspeed) -> Option<Value> {
+    let (_, left_out) = at.exchange.as_ref()?;
+    let named = |loads: [f64; 3]| json!({ "Fz_N": loads[0], "Mx_Nm": loads[1], "My_Nm": loads[2] });
+    Some(json!({
+        "what": "the moment factors: a box's moment about its midpoint is that of its corrected lift at the quarter chord",
+        "V_m_s": at.v_m_s, "rho_kg_m3": RHO_KG_M3, "alpha_deg": ALPHA_DEG,
+        "root_loads_complete": named(left_out.complete), "root_loads_carried": named(left_out.carried),
+    }))
 }
 
 /// Deflections under a load at the outermost spline grid, for comparison with other programs; nothing for a structure
@@ -78,11 +146,23 @@ fn tip_load(file: &coupling::WingFile, bulk: &nastran::BulkData, system: &System
     Some(json!({ "grid": system.node_ids()[tip], "fz_N": TIP_LOAD_N, "displacement_m_rad": six }))
 }
 
-/// The corrections of the file that is named, at the airspeed that is, for every box of the lattice.
-fn corrections(args: &DeckArgs, common: &Common) -> Result<Option<aero::Corrections>, Failure> {
+/// The corrections of the file that is named, at the airspeed that is.
+fn corrections(args: &DeckArgs, common: &Common) -> Result<Option<AtAirspeed>, Failure> {
     let Some(path) = args.corrections.as_deref() else { return Ok(None) };
     let corrected = corrected_wing(args.wing.as_deref(), Some(path), None, common)?;
     let v_m_s = args.airspeed.unwrap_or_else(|| corrected.schedule.sets[0].v_m_s);
     let corrections = corrections_at(&corrected.schedule, v_m_s)?;
-    Ok(Some(corrected.wing.padded(&corrections)?))
+    let wing = &corrected.wing;
+    let flow = aero::Flow { v_m_s, rho_kg_m3: RHO_KG_M3 };
+    let exchange = match Exchange::of(wing, &corrections) {
+        Ok(exchange) => {
+            Some((exchange, Exchange::left_out(wing, &corrections, flow, ALPHA_DEG.to_radians())?))
+        }
+        Err(error) => {
+            show::note(&format!("w2gj.bdf and qjj.op4 are not written: {error}"));
+            None
+        }
+    };
+    let padded = wing.padded(&corrections)?;
+    Ok(Some(AtAirspeed { v_m_s, padded, exchange, corrected, corrections, flow }))
 }

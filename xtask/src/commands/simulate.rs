@@ -194,9 +194,10 @@ fn fly(file: &Path, run: Run, models: &[Models], corrected: &CorrectedWing) -> R
     };
     let (_, deflection) = at_airspeed(file, run.v_m_s, corrected)?;
     let beyond = run.controls_rad.iter().filter_map(|(name, commanded)| deflection.beyond(name, commanded));
-    let remarks = beyond.map(|beyond| beyond.to_string()).collect();
+    let mut remarks: Vec<String> = beyond.map(|beyond| beyond.to_string()).collect();
     let none = DeflectionAt::default();
     let initial = simulate_commanded(&run, &model.initial, &none, file)?;
+    remarks.extend(maneuver::suspicion::of_run(&run, &initial));
     let updated = |deflection: &DeflectionAt| -> Result<Simulated, InputError> {
         let plain = simulate_commanded(&run, &model.updated, deflection, file)?;
         let Some(effects) = &model.effects else { return Ok(plain) };

@@ -56,6 +56,7 @@ const ONLY_IN: &[(&str, &[&str])] = &[
     ("ode_solvers", &["fullaircraft"]),
     ("clap", &["xtask"]),
     ("codespan-reporting", &["xtask"]),
+    ("hdf5-pure", &["xtask"]),
     ("indicatif", &["xtask"]),
     ("tracing-subscriber", &["xtask"]),
 ];
