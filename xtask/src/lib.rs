@@ -12,6 +12,7 @@ mod commands;
 mod corrections;
 pub mod failure;
 pub mod output;
+pub mod pages;
 pub mod paths;
 pub mod progress;
 pub mod show;

@@ -186,7 +186,7 @@ fn write_links(page: &mut Markup, links: &[Link]) {
     page.open("ul", &[("class", "links")]);
     for link in links {
         page.open("li", &[]);
-        page.element("a", &[("href", &link.to)], &link.text);
+        page.element("a", &[("href", &address(&link.to))], &link.text);
         page.element("span", &[], &link.note);
         page.close("li");
     }
@@ -217,7 +217,7 @@ fn write_plate(page: &mut Markup, plate: &Plate, limit: usize) -> Result<(), Dra
     page.open("span", &[("class", "files")]);
     for file in &plate.files {
         let ending = file.rsplit('.').next().unwrap_or(file).to_uppercase();
-        page.element("a", &[("href", file), ("title", file)], &ending);
+        page.element("a", &[("href", &address(file)), ("title", file)], &ending);
     }
     page.close("span");
     page.close("figcaption");
@@ -226,6 +226,11 @@ fn write_plate(page: &mut Markup, plate: &Plate, limit: usize) -> Result<(), Dra
         page.close("details");
     }
     Ok(())
+}
+
+/// A relative path as an address: what would begin a query or a place in a page, or a scheme, is written as its code.
+fn address(path: &str) -> String {
+    path.replace('%', "%25").replace('#', "%23").replace('?', "%3F").replace(':', "%3A")
 }
 
 fn write_plot(page: &mut Markup, data: &serde_json::Value) {

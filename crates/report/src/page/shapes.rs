@@ -43,7 +43,7 @@ fn mesh(view: &View, number: usize, group: usize, quads: &[&Quad]) -> Value {
         "x": coordinate(0), "y": coordinate(1), "z": coordinate(2),
         "i": corner([0, 0]), "j": corner([1, 2]), "k": corner([2, 3]),
         "color": palette::shaded(palette::line(number), shade), "flatshading": true,
-        "lighting": { "ambient": 0.55, "diffuse": 0.75, "specular": 0.05 },
+        "lighting": { "ambient": 0.75, "diffuse": 0.55, "specular": 0.0 },
         "lightposition": { "x": -1000, "y": -2000, "z": 4000 },
         "hovertemplate":
             format!("{name}, {part}<br>x %{{x:.3f}} m<br>y %{{y:.3f}} m<br>z %{{z:.3f}} m<extra></extra>"),
