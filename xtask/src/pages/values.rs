@@ -32,10 +32,13 @@ pub(super) fn short_at(value: &Value, path: &str) -> String {
     short(at(value, path))
 }
 
-/// So many significant digits, without an exponent where it is short enough.
+/// So many significant digits, without an exponent where it is short enough; whole numbers as they are.
 pub(super) fn digits(value: f64, count: usize) -> String {
     if value == 0.0 || !value.is_finite() {
         return if value == 0.0 { "0".into() } else { "-".into() };
+    }
+    if value.fract() == 0.0 && value.abs() < 1e7 {
+        return format!("{value:.0}");
     }
     #[expect(clippy::cast_possible_truncation, reason = "an exponent is below 400")]
     let power = value.abs().log10().floor() as i32;
@@ -82,7 +85,7 @@ mod tests {
     #[test]
     fn numbers_have_as_many_digits_as_asked_for() {
         let shown =
-            [0.0, 22.916, -0.017_854, 123_456.0, 4.2e-9, 8.1e12, 9.999, f64::NAN].map(|v| digits(v, 3));
-        assert_eq!(shown, ["0", "22.9", "-0.0179", "123456", "4.20e-9", "8.10e12", "10.00", "-"]);
+            [0.0, 22.916, -0.017_854, 123_456.7, 30.0, 4.2e-9, 8.1e12, 9.999, f64::NAN].map(|v| digits(v, 3));
+        assert_eq!(shown, ["0", "22.9", "-0.0179", "123457", "30", "4.20e-9", "8.10e12", "10.00", "-"]);
     }
 }

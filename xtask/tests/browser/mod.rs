@@ -1,7 +1,7 @@
 //! Pages opened in a real browser: headless Chromium, driven through chromedriver by the WebDriver protocol (W3C), of
 //! which a few requests are enough. Where either program is absent, tests say so and pass.
 
-use std::io::{Read, Write};
+use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
@@ -138,11 +138,24 @@ impl Browser {
             body.len()
         )
         .ok()?;
-        let mut answer = Vec::new();
-        stream.read_to_end(&mut answer).ok()?;
-        let answer = String::from_utf8_lossy(&answer);
-        let json = answer.split_once("\r\n\r\n")?.1;
-        serde_json::from_str::<Value>(json).ok().map(|answer| answer["value"].clone())
+        // the connection stays open whatever is asked for: the length tells the end
+        let mut reader = BufReader::new(stream);
+        let mut length = 0;
+        loop {
+            let mut line = String::new();
+            if reader.read_line(&mut line).ok()? == 0 || line == "\r\n" {
+                break;
+            }
+            match line.split_once(':') {
+                Some((name, value)) if name.eq_ignore_ascii_case("content-length") => {
+                    length = value.trim().parse().ok()?;
+                }
+                _ => {}
+            }
+        }
+        let mut json = vec![0; length];
+        reader.read_exact(&mut json).ok()?;
+        serde_json::from_slice::<Value>(&json).ok().map(|answer| answer["value"].clone())
     }
 }
 

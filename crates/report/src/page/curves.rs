@@ -13,8 +13,10 @@ use crate::thin::{kept_together, rounded};
 
 /// Height of a row of panels, px.
 const ROW: usize = 270;
-/// Room for the legend above and the labels below, px.
-const HEAD: usize = 96;
+/// Room above for the buttons and below for the labels, px.
+const HEAD: usize = 84;
+/// Height of a row of the legend, px.
+const LEGEND: usize = 22;
 /// Room for labels between rows, px.
 const LABELS: f64 = 66.0;
 
@@ -116,9 +118,11 @@ fn axis_name(letter: &str, place: usize) -> String {
 fn layout(figure: &Figure, names: usize) -> Value {
     let columns = figure.columns.clamp(1, figure.panels.len().max(1));
     let rows = figure.panels.len().div_ceil(columns);
-    let height = rows * ROW + HEAD;
+    let legend = LEGEND * legend_rows(&figure.names());
+    let height = rows * ROW + HEAD + legend;
     let mut layout = json!({
         "height": height, "showlegend": names > 1, "annotations": [],
+        "margin": { "l": 62, "r": 14, "t": 34 + legend, "b": 50 },
         "legend": { "orientation": "h", "x": 0, "y": 1.0 + 26.0 / (rows * ROW) as f64, "yanchor": "bottom" },
     });
     let timed = figure.panels.iter().all(|panel| panel.x_label == "time (s)");
@@ -139,12 +143,18 @@ fn layout(figure: &Figure, names: usize) -> Value {
         if !panel.title.is_empty() {
             titles.push(json!({
                 "text": for_plotly(&panel.title), "xref": "paper", "yref": "paper", "showarrow": false,
-                "x": (x[0] + x[1]) / 2.0, "y": y[1], "yanchor": "bottom", "font": { "size": 13 },
+                "x": (x[0] + x[1]) / 2.0, "y": y[1], "yanchor": "bottom", "font": { "size": if columns > 2 { 11 } else { 13 } },
             }));
         }
     }
     layout["annotations"] = json!(titles);
     layout
+}
+
+/// Rows that the names take, about.
+fn legend_rows(names: &[&str]) -> usize {
+    let px: usize = names.iter().map(|name| 50 + 7 * name.chars().count()).sum();
+    if names.len() > 1 { px.div_ceil(950) } else { 0 }
 }
 
 fn axis_key(letter: &str, place: usize) -> String {

@@ -216,8 +216,10 @@ fn write_plate(page: &mut Markup, plate: &Plate, limit: usize) -> Result<(), Dra
     page.text(&plate.caption);
     page.open("span", &[("class", "files")]);
     for file in &plate.files {
-        let ending = file.rsplit('.').next().unwrap_or(file).to_uppercase();
-        page.element("a", &[("href", &address(file)), ("title", file)], &ending);
+        let ending = |file: &str| file.rsplit('.').next().unwrap_or(file).to_uppercase();
+        let alone = plate.files.iter().filter(|other| ending(other) == ending(file)).count() == 1;
+        let shown = if alone { ending(file) } else { file.clone() };
+        page.element("a", &[("href", &address(file)), ("title", file)], &shown);
     }
     page.close("span");
     page.close("figcaption");

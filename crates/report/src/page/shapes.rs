@@ -7,6 +7,9 @@ use crate::deformed::{Quad, View};
 use crate::palette;
 use crate::thin::rounded;
 
+/// The largest extent in units of plotly's window.
+const WIDTH: f64 = 4.0;
+
 /// The views over one another for `page.js`; a view's legend entry hides all its groups.
 pub(super) fn data(views: &[View]) -> Value {
     let mut traces = Vec::new();
@@ -22,7 +25,7 @@ pub(super) fn data(views: &[View]) -> Value {
             }
         }
     }
-    json!({ "traces": traces, "layout": layout() })
+    json!({ "traces": traces, "layout": layout(views) })
 }
 
 fn finite(point: &nalgebra::Point3<f64>) -> bool {
@@ -43,20 +46,35 @@ fn mesh(view: &View, number: usize, group: usize, quads: &[&Quad]) -> Value {
         "x": coordinate(0), "y": coordinate(1), "z": coordinate(2),
         "i": corner([0, 0]), "j": corner([1, 2]), "k": corner([2, 3]),
         "color": palette::shaded(palette::line(number), shade), "flatshading": true,
-        "lighting": { "ambient": 0.75, "diffuse": 0.55, "specular": 0.0 },
+        "lighting": { "ambient": 0.95, "diffuse": 0.25, "specular": 0.0 },
         "lightposition": { "x": -1000, "y": -2000, "z": 4000 },
         "hovertemplate":
             format!("{name}, {part}<br>x %{{x:.3f}} m<br>y %{{y:.3f}} m<br>z %{{z:.3f}} m<extra></extra>"),
     })
 }
 
-fn layout() -> Value {
+/// Extents of all boxes, the largest as large as the window is wide.
+fn aspects(views: &[View]) -> [f64; 3] {
+    let corners =
+        || views.iter().flat_map(|view| &view.quads).flat_map(|quad| &quad.corners).filter(|p| finite(p));
+    let extent = |axis: usize| {
+        let values = || corners().map(|p| p[axis]);
+        values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
+    };
+    let extents = [0, 1, 2].map(extent);
+    let largest = extents.iter().copied().fold(0.0, f64::max);
+    // a plane has an extent of its own too, as an axis needs some
+    extents.map(|e| if largest > 0.0 && e.is_finite() { WIDTH * (e / largest).max(0.02) } else { 1.0 })
+}
+
+fn layout(views: &[View]) -> Value {
+    let [x, y, z] = aspects(views);
     let axis = |label: &str| json!({ "title": { "text": label }, "backgroundcolor": "#ffffff", "gridcolor": "#dddddd" });
     json!({
         "height": 520, "showlegend": true,
         "legend": { "orientation": "h", "x": 0, "y": 1.0, "yanchor": "bottom" },
         "scene": {
-            "aspectmode": "data", "xaxis": axis("x aft (m)"), "yaxis": axis("y right (m)"), "zaxis": axis("z up (m)"),
+            "aspectmode": "manual", "aspectratio": { "x": x, "y": y, "z": z }, "xaxis": axis("x aft (m)"), "yaxis": axis("y right (m)"), "zaxis": axis("z up (m)"),
             // from behind, the right and above, as the still pictures
             "camera": { "eye": { "x": 1.9, "y": 0.6, "z": 0.9 }, "projection": { "type": "orthographic" } },
         },
