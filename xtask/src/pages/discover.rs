@@ -209,7 +209,9 @@ fn ordered(runs: Vec<Plate>) -> Vec<Plate> {
         plate.title = format!("{figure}{}", plate.title);
     }
     let folded = !first.is_empty();
-    rest.iter_mut().for_each(|plate| plate.folded = folded);
+    for plate in &mut rest {
+        plate.folded = folded;
+    }
     first.extend(rest);
     first
 }

@@ -44,7 +44,7 @@ pub(crate) fn page(written: Written) -> Option<Page> {
         _ => return None,
     };
     let mut page = head(&result, &mut plates);
-    page.command = command.to_owned();
+    command.clone_into(&mut page.command);
     if !plates.is_empty() {
         page.sections.push(figures("Figures", plates));
     }

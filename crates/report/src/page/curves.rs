@@ -143,7 +143,7 @@ fn layout(figure: &Figure, names: usize) -> Value {
         if !panel.title.is_empty() {
             titles.push(json!({
                 "text": for_plotly(&panel.title), "xref": "paper", "yref": "paper", "showarrow": false,
-                "x": (x[0] + x[1]) / 2.0, "y": y[1], "yanchor": "bottom", "font": { "size": if columns > 2 { 11 } else { 13 } },
+                "x": f64::midpoint(x[0], x[1]), "y": y[1], "yanchor": "bottom", "font": { "size": if columns > 2 { 11 } else { 13 } },
             }));
         }
     }

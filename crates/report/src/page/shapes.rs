@@ -8,7 +8,7 @@ use crate::palette;
 use crate::thin::rounded;
 
 /// The largest extent in units of plotly's window.
-const WIDTH: f64 = 4.0;
+const WIDTH: f64 = 3.4;
 
 /// The views over one another for `page.js`; a view's legend entry hides all its groups.
 pub(super) fn data(views: &[View]) -> Value {
