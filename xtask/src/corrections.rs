@@ -9,6 +9,7 @@ use nastran::InputError;
 
 use crate::args::Common;
 use crate::failure::Failure;
+use crate::output::ResultFolder;
 use crate::paths;
 
 impl From<CouplingError> for Failure {
@@ -31,6 +32,18 @@ pub(crate) struct CorrectedWing {
     pub(crate) schedule: Schedule,
     /// Where the corrections come from, in words.
     pub(crate) origin: String,
+}
+
+impl CorrectedWing {
+    /// Notes the wing and its corrections as inputs.
+    ///
+    /// # Errors
+    /// If they cannot be read again.
+    pub(crate) fn note_inputs(&self, folder: &ResultFolder) -> Result<(), Failure> {
+        folder.input("wing", &self.file.path)?;
+        let origin = Path::new(&self.origin);
+        if origin.is_file() { folder.input("corrections", origin) } else { Ok(()) }
+    }
 }
 
 /// Reads a wing and takes its corrections from `corrections`, or from out/calibrate if they belong to the same

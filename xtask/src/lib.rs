@@ -13,6 +13,7 @@ mod corrections;
 pub mod failure;
 pub mod hdf5;
 pub mod output;
+pub mod pages;
 pub mod paths;
 pub mod progress;
 pub mod show;

@@ -2,13 +2,23 @@
 //!
 //! A command writes into a hidden folder beside its target; [`ResultFolder::commit`] puts that in the target's
 //! place by renaming. A command that fails or is interrupted leaves the earlier result as it was.
+//!
+//! What is written is remembered: figures become PNG and CSV beside their SVG, and all of it with `result.json` and the
+//! inputs becomes `report.html`, without a command having to know how a page is made.
 
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 use nastran::InputError;
+use rayon::prelude::*;
+use report::deformed::{self, View};
+use report::page::{Content, Input, Plate};
+use report::{Drawing, Figure};
 use serde::Serialize;
+use serde_json::Value;
 
 use crate::failure::Failure;
+use crate::pages;
 
 /// The file by which a folder is known as an earlier result, which may be replaced.
 const MARK: &str = "result.json";
@@ -18,6 +28,19 @@ const MARK: &str = "result.json";
 pub struct ResultFolder {
     target: PathBuf,
     partial: PathBuf,
+    written: Mutex<Written>,
+}
+
+/// What a page is made of.
+#[derive(Debug, Default)]
+pub struct Written {
+    /// What `result.json` holds.
+    pub result: Value,
+    /// Figures in the order of their writing.
+    pub plates: Vec<Plate>,
+    /// What was read.
+    pub inputs: Vec<Input>,
+    drawings: Vec<(String, Drawing)>,
 }
 
 impl ResultFolder {
@@ -36,7 +59,7 @@ impl ResultFolder {
         clear_leftovers(&target);
         let partial = beside(&target, "partial");
         std::fs::create_dir_all(&partial).map_err(|e| refused(&partial, &e))?;
-        Ok(Self { target, partial })
+        Ok(Self { target, partial, written: Mutex::default() })
     }
 
     /// The folder to write into until [`commit`](Self::commit).
@@ -75,14 +98,125 @@ impl ResultFolder {
     /// If the file cannot be written.
     pub fn write_json<T: Serialize>(&self, name: &str, value: &T) -> Result<(), Failure> {
         let text = serde_json::to_string_pretty(value).map_err(Failure::computation)?;
+        if name == MARK {
+            let result = serde_json::to_value(value).map_err(Failure::computation)?;
+            self.remember(|written| written.result = result);
+        }
         self.write_text(name, &(text + "\n"))
     }
 
-    /// Puts the results in the place of an earlier one and returns where they are.
+    /// Writes a figure as `NAME.svg`, `NAME.png` and `NAME_curves.csv`, and shows it in the report.
     ///
     /// # Errors
-    /// If the folders cannot be renamed; the earlier result is then still there.
+    /// If it cannot be drawn or written.
+    pub fn write_figure(&self, name: &str, caption: &str, figure: Figure) -> Result<(), Failure> {
+        let curves = format!("{name}_curves.csv");
+        self.write_text(&curves, &figure.csv())?;
+        self.write_figure_of(name, caption, figure, &curves)
+    }
+
+    /// The same for a figure whose curves are in a file already.
+    ///
+    /// # Errors
+    /// If it cannot be drawn or written.
+    pub fn write_figure_of(
+        &self,
+        name: &str,
+        caption: &str,
+        figure: Figure,
+        curves: &str,
+    ) -> Result<(), Failure> {
+        let drawing = figure.draw().map_err(Failure::computation)?;
+        let title = figure.title.clone();
+        self.write_plate(name, (title, caption), (Content::Curves(figure), drawing), &[curves.to_owned()])
+    }
+
+    /// Writes a picture as `NAME.svg` and `NAME.png`, and shows it in the report.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub fn write_picture(
+        &self,
+        name: &str,
+        (title, caption): (&str, &str),
+        drawing: Drawing,
+    ) -> Result<(), Failure> {
+        self.write_plate(name, (title.into(), caption), (Content::Picture(drawing.clone()), drawing), &[])
+    }
+
+    /// Writes views of shapes in space side by side as a picture, and shows them over one another in the report, where
+    /// they can be turned; `files` are the same shapes for other programs.
+    ///
+    /// # Errors
+    /// If they cannot be drawn or written.
+    pub fn write_shapes(
+        &self,
+        name: &str,
+        (title, caption): (&str, &str),
+        views: Vec<View>,
+        files: &[String],
+    ) -> Result<(), Failure> {
+        let drawing = deformed::draw(title, &views).map_err(Failure::computation)?;
+        self.write_plate(
+            name,
+            (title.into(), caption),
+            (Content::Shapes(views, drawing.clone()), drawing),
+            files,
+        )
+    }
+
+    fn write_plate(
+        &self,
+        name: &str,
+        (title, caption): (String, &str),
+        (content, drawing): (Content, Drawing),
+        more: &[String],
+    ) -> Result<(), Failure> {
+        self.write_text(&format!("{name}.svg"), &drawing.svg())?;
+        let mut files = ["svg", "png"].map(|ending| format!("{name}.{ending}")).to_vec();
+        files.extend_from_slice(more);
+        let (name, caption) = (name.to_owned(), caption.to_owned());
+        self.remember(|written| {
+            written.drawings.push((name.clone(), drawing));
+            written.plates.push(Plate { name, title, caption, content, files, folded: false });
+        });
+        Ok(())
+    }
+
+    /// Notes a file or folder that was read, with its fingerprint.
+    ///
+    /// # Errors
+    /// If it cannot be read again.
+    pub fn input(&self, what: &str, path: &Path) -> Result<(), Failure> {
+        let input = pages::input(what, path)?;
+        self.remember(|written| written.inputs.push(input));
+        Ok(())
+    }
+
+    fn remember(&self, what: impl FnOnce(&mut Written)) {
+        what(&mut self.written.lock().unwrap_or_else(PoisonError::into_inner));
+    }
+
+    /// PNG files of all figures, and the page.
+    fn finish(&self) -> Result<(), Failure> {
+        let written = std::mem::take(&mut *self.written.lock().unwrap_or_else(PoisonError::into_inner));
+        written.drawings.par_iter().try_for_each(|(name, drawing)| {
+            let path = self.partial.join(format!("{name}.png"));
+            let pixels = drawing.png().map_err(Failure::computation)?;
+            std::fs::write(&path, pixels).map_err(|e| refused(&path, &e))
+        })?;
+        match pages::page(written) {
+            Some(page) => self.write_text("report.html", &page.html().map_err(Failure::computation)?),
+            None => Ok(()),
+        }
+    }
+
+    /// Writes the report, puts the results in the place of an earlier one and returns where they are.
+    ///
+    /// # Errors
+    /// If the report cannot be written or the folders cannot be renamed; the earlier result is then still there.
     pub fn commit(self) -> Result<PathBuf, Failure> {
+        self.finish()?;
         let before = beside(&self.target, "before");
         let replaced = self.target.exists();
         if replaced {

@@ -1,7 +1,11 @@
 //! The README's first command, run as a user runs it: what it writes, and that it can be run again.
 
+mod browser;
+
 use std::path::Path;
 use std::process::Command;
+
+use browser::{Browser, use_page};
 
 fn xtask(arguments: &[&str]) -> std::process::Output {
     Command::new(env!("CARGO_BIN_EXE_xtask"))
@@ -9,6 +13,20 @@ fn xtask(arguments: &[&str]) -> std::process::Output {
         .current_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join(".."))
         .output()
         .expect("the command starts")
+}
+
+/// Every step has a page, one page links them all, and all can be used in a browser.
+fn pages(out: &Path) {
+    let steps = ["calibrate", "deflection", "simulate", "discover", "fullaircraft"];
+    let index = std::fs::read_to_string(out.join("pipeline/report.html")).expect("the page of all");
+    for step in steps {
+        assert!(index.contains(&format!("href=\"../{step}/report.html\"")), "{step} is not linked");
+        assert!(out.join(step).join("report.html").is_file(), "{step} has no page");
+    }
+    let Some(browser) = Browser::start() else { return };
+    for step in steps.into_iter().chain(["pipeline"]) {
+        use_page(&browser, &out.join(step).join("report.html"), true);
+    }
 }
 
 #[test]
@@ -51,5 +69,6 @@ fn the_pipeline_writes_what_the_readme_promises() {
     assert_eq!(deck.matrices["WKK"].rows, 1416);
     let deck = nastran::read_deck(&out.join("calibrate/fa2j_40.bdf")).expect("our own card");
     assert_eq!(deck.matrices["FA2J"].rows, 708);
+    pages(&out);
     std::fs::remove_dir_all(&out).expect("our own folder");
 }

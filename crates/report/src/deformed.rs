@@ -5,6 +5,7 @@
 
 use nalgebra::{Point3, Vector3};
 
+use crate::drawing::Drawing;
 use crate::error::DrawError;
 use crate::paint::{Anchor, Canvas};
 use crate::palette;
@@ -55,6 +56,14 @@ fn picture_axes() -> [Vector3<f64>; 3] {
 /// # Errors
 /// If there is no view or no box with finite corners.
 pub fn svg(title: &str, views: &[View]) -> Result<String, DrawError> {
+    Ok(draw(title, views)?.svg())
+}
+
+/// The same as a picture.
+///
+/// # Errors
+/// As [`svg`].
+pub fn draw(title: &str, views: &[View]) -> Result<Drawing, DrawError> {
     let axes = picture_axes();
     let flat = |p: &Point3<f64>| (axes[0].dot(&p.coords), axes[1].dot(&p.coords));
     let mut low = (f64::INFINITY, f64::INFINITY);
@@ -83,7 +92,7 @@ pub fn svg(title: &str, views: &[View]) -> Result<String, DrawError> {
         paint(&mut canvas, view, &axes, to_paper);
         paint_legend(&mut canvas, view, left + MARGIN, TOP + drawn_height + LEGEND);
     }
-    Ok(canvas.finish())
+    Ok(Drawing::of_canvas(canvas))
 }
 
 fn paint(

@@ -16,12 +16,15 @@ pub enum DrawError {
         /// Length of the second list (y, or values).
         second: usize,
     },
+    /// The pixels could not be painted, in the painter's words.
+    Pixels(String),
 }
 
 impl fmt::Display for DrawError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Empty(what) => write!(f, "nothing to draw: {what} has no finite value"),
+            Self::Pixels(why) => write!(f, "the picture cannot be painted: {why}"),
             Self::Lengths { what, first, second } => {
                 write!(f, "'{what}' cannot be drawn: {first} places but {second} values")
             }

@@ -1,12 +1,12 @@
-//! Line charts: a grid of panels with one legend below, drawn by kuva. No other file knows which library draws.
+//! Line charts: a grid of panels with one legend below, drawn by kuva.
 
-use kuva::backend::svg::SvgBackend;
 use kuva::plot::legend::{LegendEntry, LegendShape};
 use kuva::plot::{LinePlot, ScatterPlot};
 use kuva::render::figure::Figure as Grid;
 use kuva::render::layout::Layout;
 use kuva::render::plots::Plot;
 
+use crate::drawing::Drawing;
 use crate::error::DrawError;
 use crate::palette;
 use crate::thin::thinned;
@@ -77,8 +77,16 @@ impl Figure {
     /// The figure as an SVG document.
     ///
     /// # Errors
-    /// If there is no panel, a panel has no finite point, or x and y of a series have different lengths.
+    /// As [`Figure::draw`].
     pub fn svg(&self) -> Result<String, DrawError> {
+        Ok(self.draw()?.svg())
+    }
+
+    /// The figure as a picture.
+    ///
+    /// # Errors
+    /// If there is no panel, a panel has no finite point, or x and y of a series have different lengths.
+    pub fn draw(&self) -> Result<Drawing, DrawError> {
         if self.panels.is_empty() {
             return Err(DrawError::Empty(self.title.clone()));
         }
@@ -103,11 +111,11 @@ impl Figure {
         if names.len() > 1 {
             grid = grid.with_shared_legend_entries(self.legend(&names)).with_shared_legend_bottom();
         }
-        Ok(SvgBackend::new().with_embedded_font(false).render_scene(&grid.render()))
+        Ok(Drawing::of_chart(grid.render()))
     }
 
     /// Names of the series in the order of their first appearance.
-    fn names(&self) -> Vec<&str> {
+    pub(crate) fn names(&self) -> Vec<&str> {
         let mut names: Vec<&str> = Vec::new();
         for series in self.panels.iter().flat_map(|panel| &panel.series) {
             if !names.contains(&series.name.as_str()) {

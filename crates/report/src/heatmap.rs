@@ -9,6 +9,7 @@
 //!        +----+----+----+----+
 //! ```
 
+use crate::drawing::Drawing;
 use crate::error::DrawError;
 use crate::paint::{Anchor, Canvas, tick_labels, ticks};
 use crate::palette;
@@ -44,6 +45,14 @@ const SPAN_AXIS: f64 = 62.0;
 /// # Errors
 /// If there is no view, a view has no box, or corners and values differ in number.
 pub fn svg(title: &str, views: &[PlanformView]) -> Result<String, DrawError> {
+    Ok(draw(title, views)?.svg())
+}
+
+/// The same as a picture.
+///
+/// # Errors
+/// As [`svg`].
+pub fn draw(title: &str, views: &[PlanformView]) -> Result<Drawing, DrawError> {
     if views.is_empty() {
         return Err(DrawError::Empty(title.into()));
     }
@@ -57,7 +66,7 @@ pub fn svg(title: &str, views: &[PlanformView]) -> Result<String, DrawError> {
         paint_view(&mut canvas, view, frame, left + LEFT);
         left += frame.width + LEFT + RIGHT;
     }
-    Ok(canvas.finish())
+    Ok(Drawing::of_canvas(canvas))
 }
 
 /// Where a planform lies in metres and how large it becomes on paper.
@@ -108,10 +117,16 @@ fn paint_view(canvas: &mut Canvas, view: &PlanformView, frame: &Frame, left: f64
             .map(|(x, y)| (left + (y - frame.y_min) * frame.scale, TOP + (x - frame.x_min) * frame.scale));
         // The outline in the fill's colour closes the hairlines that renderers leave between neighbours.
         let fill = palette::diverging(frame.place(*value));
-        canvas.polygon(&points, &fill, &crate::palette::shaded(&fill, -0.12), 0.4);
+        let note = format!("{value:.4}  {} at y {:.3} m", view.label, middle(corners));
+        canvas.noted_polygon(&points, (&fill, &palette::shaded(&fill, -0.12), 0.4), note);
     }
     paint_span_axis(canvas, frame, left);
     paint_bar(canvas, view, frame, left + frame.width + 22.0);
+}
+
+/// Span of a box's middle, m.
+fn middle(corners: &[(f64, f64); 4]) -> f64 {
+    corners.iter().map(|corner| corner.1).sum::<f64>() / 4.0
 }
 
 /// The spanwise coordinate below the planform.

@@ -1,6 +1,4 @@
-//! The few SVG elements that our own pictures (planforms, views in space) are made of.
-
-use std::fmt::Write as _;
+//! The few elements that our own pictures (planforms, views in space) are made of, and how they read as SVG.
 
 /// Fonts every system has something for.
 pub(crate) const FONT: &str = "DejaVu Sans, Arial, Helvetica, sans-serif";
@@ -12,53 +10,57 @@ pub(crate) enum Anchor {
     Middle,
 }
 
-/// An SVG document in the making; coordinates in pixels, y down.
-#[derive(Debug)]
+/// An element of a picture, coordinates in pixels.
+#[derive(Debug, Clone)]
+pub(crate) enum Element {
+    /// A filled polygon with an outline; a pointer that rests on it is told the note.
+    Polygon { points: Vec<(f64, f64)>, fill: String, stroke: String, stroke_width: f64, note: String },
+    /// A filled rectangle: left, top, width, height.
+    Rectangle { at: [f64; 4], fill: String },
+    /// A straight line.
+    Line { from: (f64, f64), to: (f64, f64), stroke: String, width: f64 },
+    /// Text with its baseline at the point, turned clockwise by some degrees.
+    Text { at: (f64, f64), size: f64, anchor: Anchor, turn_deg: f64, text: String },
+}
+
+/// A picture in the making; coordinates in pixels, y down.
+#[derive(Debug, Clone)]
 pub(crate) struct Canvas {
-    width: f64,
-    height: f64,
-    body: String,
+    /// Width, px.
+    pub(crate) width: f64,
+    /// Height, px.
+    pub(crate) height: f64,
+    /// What is on it, later above earlier.
+    pub(crate) elements: Vec<Element>,
 }
 
 impl Canvas {
     pub(crate) fn new(width: f64, height: f64) -> Self {
-        Self { width, height, body: String::new() }
+        Self { width, height, elements: Vec::new() }
     }
 
     /// A filled polygon with an outline of the given colour.
     pub(crate) fn polygon(&mut self, points: &[(f64, f64)], fill: &str, stroke: &str, stroke_width: f64) {
-        let mut list = String::new();
-        for (x, y) in points {
-            push(&mut list, format_args!("{x:.2},{y:.2} "));
-        }
-        let list = list.trim_end();
-        push(
-            &mut self.body,
-            format_args!(
-                "<polygon points=\"{list}\" fill=\"{fill}\" stroke=\"{stroke}\" stroke-width=\"{stroke_width}\" \
-                 stroke-linejoin=\"round\"/>\n"
-            ),
-        );
+        self.noted_polygon(points, (fill, stroke, stroke_width), String::new());
+    }
+
+    /// A polygon (fill, outline and its width) that tells a pointer something.
+    pub(crate) fn noted_polygon(
+        &mut self,
+        points: &[(f64, f64)],
+        (fill, stroke, stroke_width): (&str, &str, f64),
+        note: String,
+    ) {
+        let (fill, stroke) = (fill.to_owned(), stroke.to_owned());
+        self.elements.push(Element::Polygon { points: points.to_vec(), fill, stroke, stroke_width, note });
     }
 
     pub(crate) fn rectangle(&mut self, x: f64, y: f64, width: f64, height: f64, fill: &str) {
-        push(
-            &mut self.body,
-            format_args!(
-                "<rect x=\"{x:.2}\" y=\"{y:.2}\" width=\"{width:.2}\" height=\"{height:.2}\" fill=\"{fill}\"/>\n"
-            ),
-        );
+        self.elements.push(Element::Rectangle { at: [x, y, width, height], fill: fill.to_owned() });
     }
 
     pub(crate) fn line(&mut self, from: (f64, f64), to: (f64, f64), stroke: &str, width: f64) {
-        push(
-            &mut self.body,
-            format_args!(
-                "<line x1=\"{:.2}\" y1=\"{:.2}\" x2=\"{:.2}\" y2=\"{:.2}\" stroke=\"{stroke}\" \
-                 stroke-width=\"{width}\"/>\n",
-                from.0, from.1, to.0, to.1
-            ),
-        );
+        self.elements.push(Element::Line { from, to, stroke: stroke.to_owned(), width });
     }
 
     /// Text in the given size (px) with its baseline at the point.
@@ -75,40 +77,62 @@ impl Canvas {
         turn_deg: f64,
         text: &str,
     ) {
-        let anchor = match anchor {
-            Anchor::Start => "start",
-            Anchor::Middle => "middle",
-        };
-        let turn = if turn_deg == 0.0 {
-            String::new()
-        } else {
-            format!(" transform=\"rotate({turn_deg} {:.2} {:.2})\"", at.0, at.1)
-        };
-        push(
-            &mut self.body,
-            format_args!(
-                "<text x=\"{:.2}\" y=\"{:.2}\" font-size=\"{size}\" text-anchor=\"{anchor}\"{turn}>{}</text>\n",
-                at.0,
-                at.1,
-                escaped(text)
-            ),
-        );
+        self.elements.push(Element::Text { at, size, anchor, turn_deg, text: text.to_owned() });
     }
 
-    /// The whole document.
-    pub(crate) fn finish(self) -> String {
+    /// The whole as an SVG document.
+    pub(crate) fn svg(&self) -> String {
         let (w, h) = (self.width, self.height);
+        let body: String = self.elements.iter().map(Element::svg).collect();
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w:.0}\" height=\"{h:.0}\" viewBox=\"0 0 {w:.0} \
              {h:.0}\" font-family=\"{FONT}\" fill=\"#222222\">\n<rect width=\"100%\" height=\"100%\" \
-             fill=\"#ffffff\"/>\n{}</svg>\n",
-            self.body
+             fill=\"#ffffff\"/>\n{body}</svg>\n"
         )
     }
 }
 
-fn push(text: &mut String, arguments: std::fmt::Arguments<'_>) {
-    text.write_fmt(arguments).expect("writing to a String cannot fail");
+impl Element {
+    fn svg(&self) -> String {
+        match self {
+            Self::Polygon { points, fill, stroke, stroke_width, note } => {
+                let list: Vec<String> = points.iter().map(|(x, y)| format!("{x:.2},{y:.2}")).collect();
+                let list = list.join(" ");
+                let end = if note.is_empty() {
+                    "/>".to_owned()
+                } else {
+                    format!("><title>{}</title></polygon>", escaped(note))
+                };
+                format!(
+                    "<polygon points=\"{list}\" fill=\"{fill}\" stroke=\"{stroke}\" \
+                     stroke-width=\"{stroke_width}\" stroke-linejoin=\"round\"{end}\n"
+                )
+            }
+            Self::Rectangle { at: [x, y, width, height], fill } => format!(
+                "<rect x=\"{x:.2}\" y=\"{y:.2}\" width=\"{width:.2}\" height=\"{height:.2}\" fill=\"{fill}\"/>\n"
+            ),
+            Self::Line { from, to, stroke, width } => format!(
+                "<line x1=\"{:.2}\" y1=\"{:.2}\" x2=\"{:.2}\" y2=\"{:.2}\" stroke=\"{stroke}\" \
+                 stroke-width=\"{width}\"/>\n",
+                from.0, from.1, to.0, to.1
+            ),
+            Self::Text { at: (x, y), size, anchor, turn_deg, text } => {
+                let anchor = match anchor {
+                    Anchor::Start => "start",
+                    Anchor::Middle => "middle",
+                };
+                let turn = if *turn_deg == 0.0 {
+                    String::new()
+                } else {
+                    format!(" transform=\"rotate({turn_deg} {x:.2} {y:.2})\"")
+                };
+                let text = escaped(text);
+                format!(
+                    "<text x=\"{x:.2}\" y=\"{y:.2}\" font-size=\"{size}\" text-anchor=\"{anchor}\"{turn}>{text}</text>\n"
+                )
+            }
+        }
+    }
 }
 
 /// Text without the characters that mean something in XML.

@@ -13,6 +13,35 @@ pub(crate) fn thinned(x: &[f64], y: &[f64], limit: usize) -> Vec<(f64, f64)> {
     points.chunks(run).flat_map(extremes).collect()
 }
 
+/// Places of at most about `limit` of the points of curves that share their abscissae `x`: ends and extremes of all of
+/// them stay, so that the curves keep their abscissae in common.
+pub(crate) fn kept_together(x: &[f64], ys: &[&[f64]], limit: usize) -> Vec<usize> {
+    let finite: Vec<usize> =
+        (0..x.len()).filter(|&i| x[i].is_finite() && ys.iter().any(|y| y[i].is_finite())).collect();
+    if finite.len() <= limit {
+        return finite;
+    }
+    let run = ((2 + 2 * ys.len()) * finite.len()).div_ceil(limit.max(1));
+    let mut kept = Vec::new();
+    for places in finite.chunks(run) {
+        let mut chosen = vec![places[0], places[places.len() - 1]];
+        for y in ys {
+            let of_this = || places.iter().copied().filter(|&i| y[i].is_finite());
+            chosen.extend(of_this().min_by(|&a, &b| y[a].total_cmp(&y[b])));
+            chosen.extend(of_this().max_by(|&a, &b| y[a].total_cmp(&y[b])));
+        }
+        chosen.sort_unstable();
+        chosen.dedup();
+        kept.extend(chosen);
+    }
+    kept
+}
+
+/// Six significant digits: more than a screen shows.
+pub(crate) fn rounded(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(value)
+}
+
 /// First, lowest, highest and last of a run, in the run's order and each once.
 fn extremes(run: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let mut lowest = 0;
@@ -47,6 +76,28 @@ mod tests {
         assert!(points.contains(&(77_777.0, -4.0)));
         assert_eq!(points.first(), Some(&(0.0, 0.0)));
         assert_eq!(points.last(), Some(&(99_999.0, 0.0)));
+    }
+
+    #[test]
+    fn curves_thinned_together_keep_the_extremes_of_each() {
+        let x: Vec<f64> = (0..10_000).map(f64::from).collect();
+        let [mut a, mut b] = [vec![0.0; 10_000], vec![f64::NAN; 10_000]];
+        a[4321] = 1.0;
+        b[1234] = 5.0;
+        b[1235] = -5.0;
+        let kept = kept_together(&x, &[&a, &b], 600);
+        assert!(kept.len() <= 610, "{}", kept.len());
+        assert!([0, 1234, 1235, 4321, 9999].iter().all(|i| kept.contains(i)));
+        assert!(kept.is_sorted());
+        assert_eq!(kept_together(&x[..5], &[&a[..5]], 600), [0, 1, 2, 3, 4]);
+    }
+
+    #[test]
+    fn rounding_keeps_six_digits() {
+        assert_eq!(
+            [rounded(1.234_567_89e-7), rounded(-0.1), rounded(f64::INFINITY)],
+            [1.23457e-7, -0.1, f64::INFINITY]
+        );
     }
 
     #[test]

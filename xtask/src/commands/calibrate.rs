@@ -36,7 +36,8 @@ pub(crate) fn run(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> 
     if let Some(strips) = &strips {
         strips.add_to(&mut result);
     }
-    let out = write(&common.out("calibrate"), (&file, &wing), &calibration, strips.as_ref(), &result)?;
+    let out =
+        write(&common.out("calibrate"), (&file, &wing, &campaign), &calibration, strips.as_ref(), &result)?;
     show::summary(common, &summary(&calibration, &out, seconds));
     show::json(common, &result)?;
     match calibration.failures().as_slice() {
@@ -52,12 +53,14 @@ pub(crate) fn run(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> 
 /// Writes corrections, DMI cards, figures and result.json.
 fn write(
     out: &Path,
-    (file, wing): (&WingFile, &ElasticWing),
+    (file, wing, campaign): (&WingFile, &ElasticWing, &Campaign),
     calibration: &Calibration,
     strips: Option<&Strips>,
     result: &Value,
 ) -> Result<std::path::PathBuf, Failure> {
     let folder = ResultFolder::begin(out)?;
+    folder.input("wing", &file.path)?;
+    folder.input("campaign", &campaign.folder)?;
     folder.write_text("corrections.ron", &schedule(file, calibration).to_ron())?;
     for airspeed in &calibration.airspeeds {
         let name = speed_name(airspeed.data.v_m_s);
@@ -66,15 +69,16 @@ fn write(
     match &calibration.common {
         None => {
             folder.write_text("static_loads.csv", &figures::static_loads_csv(wing, calibration)?)?;
-            folder.write_text("static_loads.svg", &figures::static_loads(wing, calibration)?)?;
+            figures::write(&folder, wing, calibration)?;
         }
         Some(set) => {
             write_set(&folder, wing, ("common", "all airspeeds"), &set.corrections)?;
-            folder.write_text("readings.svg", &common_set::figure(wing, set, calibration)?)?;
+            let caption = "Readings with their zeros taken out, and what both models give.";
+            folder.write_figure("readings", caption, common_set::figure(wing, set, calibration)?)?;
         }
     }
     if let Some(strips) = strips {
-        folder.write_text("strips.svg", &strips.svg()?)?;
+        folder.write_figure("strips", "Measured beside computed; never fitted.", strips.figure())?;
     }
     folder.write_json("result.json", result)?;
     folder.commit()
@@ -91,7 +95,7 @@ fn write_set(
     folder.write_text(&format!("wkk_{name}.bdf"), &padded.wkk().rounded_to_fields().write())?;
     folder.write_text(&format!("fa2j_{name}.bdf"), &padded.fa2j().rounded_to_fields().write())?;
     let map = figures::corrections(wing, corrections, at).map_err(Failure::computation)?;
-    folder.write_text(&format!("corrections_{name}.svg"), &map)
+    folder.write_picture(&format!("corrections_{name}"), (&format!("Corrections at {at}"), ""), map)
 }
 
 /// 18 m/s -> `18`, 22.5 m/s -> `22.5`.

@@ -96,12 +96,12 @@ pub(crate) fn table(common: &CommonCalibration, calibration: &Calibration) -> St
 /// Measured readings, zeros taken out, and the model's over the airspeed, a panel for each channel.
 ///
 /// # Errors
-/// If the wing diverges, or it cannot be drawn.
+/// If the wing diverges.
 pub(crate) fn figure(
     wing: &ElasticWing,
     common: &CommonCalibration,
     calibration: &Calibration,
-) -> Result<String, Failure> {
+) -> Result<Figure, Failure> {
     let rows: Vec<_> = calibration
         .data
         .airspeeds
@@ -144,7 +144,5 @@ pub(crate) fn figure(
         });
     }
     let [slow, fast] = common.v_range_m_s.map(speed_name);
-    Figure { title: format!("One set of corrections, {slow} to {fast} m/s"), panels, columns: 1 }
-        .svg()
-        .map_err(Failure::computation)
+    Ok(Figure { title: format!("One set of corrections, {slow} to {fast} m/s"), panels, columns: 1 })
 }

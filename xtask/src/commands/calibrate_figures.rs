@@ -7,10 +7,14 @@ use calibrate::{AirspeedCalibration, Calibration};
 use coupling::{ElasticWing, SteadyCase, SteadyState};
 use std::fmt::Write as _;
 
-use report::{DrawError, Figure, Panel, PlanformView, Series, Style};
+use report::{DrawError, Drawing, Figure, Panel, PlanformView, Series, Style};
 
 use crate::commands::calibrate::speed_name;
 use crate::failure::Failure;
+use crate::output::ResultFolder;
+
+/// Singular values below this of the largest are rounding errors.
+const LEAST: f64 = 1e-12;
 
 /// The curves of [`static_loads`] as CSV: a row for every airspeed and angle.
 pub(crate) fn static_loads_csv(wing: &ElasticWing, calibration: &Calibration) -> Result<String, Failure> {
@@ -38,8 +42,72 @@ pub(crate) fn static_loads_csv(wing: &ElasticWing, calibration: &Calibration) ->
     Ok(text)
 }
 
+/// Writes root loads, what is left of them, and singular values.
+pub(crate) fn write(
+    folder: &ResultFolder,
+    wing: &ElasticWing,
+    calibration: &Calibration,
+) -> Result<(), Failure> {
+    let loads = static_loads(wing, calibration)?;
+    let caption =
+        "Initial: theory. Updated: with the corrections. Points: means of the replicates at an angle.";
+    let left = residuals(&loads);
+    folder.write_figure_of("static_loads", caption, loads, "static_loads.csv")?;
+    folder.write_figure("residuals", "Model less measurement.", left)?;
+    match singular_values(calibration) {
+        Some(figure) => {
+            let caption = "Of the sensitivities of the measured loads, scaled by their noise and by the spread of the \
+                           corrections before the data: above one (zero on this scale) the data say more than was assumed.";
+            folder.write_figure("singular_values", caption, figure)
+        }
+        None => Ok(()),
+    }
+}
+
+/// What is left of measured loads: each model less the measurement.
+fn residuals(loads: &Figure) -> Figure {
+    let panel = |panel: &Panel| {
+        let measured = panel.series.iter().find(|series| series.name == "measured");
+        let less = |series: &Series| {
+            let y = measured
+                .map(|measured| series.y.iter().zip(&measured.y).map(|(y, m)| y - m).collect())
+                .unwrap_or_default();
+            Series::new(series.name.clone(), series.x.clone(), y, series.style)
+        };
+        let series = panel.series.iter().filter(|series| series.name != "measured").map(less).collect();
+        Panel { series, ..panel.clone() }
+    };
+    let title = "Residuals: initial and updated model less the measurements".into();
+    Figure { title, panels: loads.panels.iter().map(panel).collect(), columns: loads.columns }
+}
+
+/// Logarithms of the singular values by airspeed; none if the data determine nothing.
+fn singular_values(calibration: &Calibration) -> Option<Figure> {
+    let series = |airspeed: &AirspeedCalibration| {
+        let values = &airspeed.identifiability.as_ref()?.singular_values;
+        let (x, y): (Vec<f64>, Vec<f64>) = (1..)
+            .zip(values)
+            .filter(|(_, value)| **value > LEAST * values[0])
+            .map(|(i, value)| (f64::from(i), value.log10()))
+            .unzip();
+        let name = format!("{} m/s", speed_name(airspeed.data.v_m_s));
+        (!x.is_empty()).then(|| Series::new(name, x, y, Style::Points))
+    };
+    let panel = Panel {
+        title: String::new(),
+        x_label: "number of the direction".into(),
+        y_label: "log10 of the singular value".into(),
+        series: calibration.airspeeds.iter().filter_map(series).collect(),
+    };
+    (!panel.series.is_empty()).then(|| Figure {
+        title: "Singular values: what the data determine".into(),
+        panels: vec![panel],
+        columns: 1,
+    })
+}
+
 /// Measured, initial and updated root loads at every airspeed.
-pub(crate) fn static_loads(wing: &ElasticWing, calibration: &Calibration) -> Result<String, Failure> {
+fn static_loads(wing: &ElasticWing, calibration: &Calibration) -> Result<Figure, Failure> {
     let names = [("Fz (N)", 0), ("Mx (N m)", 1), ("My (N m)", 2), ("tip (m)", TIP)];
     let neutral = Corrections::neutral(wing.correctable.len());
     let mut panels = Vec::new();
@@ -64,9 +132,11 @@ pub(crate) fn static_loads(wing: &ElasticWing, calibration: &Calibration) -> Res
         }
     }
     let columns = calibration.data.channels.iter().filter(|&&measured| measured).count();
-    Figure { title: "Root loads: initial and updated model beside the measurements".into(), panels, columns }
-        .svg()
-        .map_err(Failure::computation)
+    Ok(Figure {
+        title: "Root loads: initial and updated model beside the measurements".into(),
+        panels,
+        columns,
+    })
 }
 
 fn simulated(
@@ -86,7 +156,7 @@ fn simulated(
 }
 
 /// Three corrections on the planform; `at` names the airspeed or airspeeds.
-pub(crate) fn corrections(wing: &ElasticWing, c: &Corrections, at: &str) -> Result<String, DrawError> {
+pub(crate) fn corrections(wing: &ElasticWing, c: &Corrections, at: &str) -> Result<Drawing, DrawError> {
     let corners: Vec<[(f64, f64); 4]> = wing
         .correctable
         .places
@@ -108,5 +178,5 @@ pub(crate) fn corrections(wing: &ElasticWing, c: &Corrections, at: &str) -> Resu
         view("moment factor", "W moment (-)", &c.moment, 1.0),
         view("pressure offset", "f_e/q (-)", &c.pressure_offset, 0.0),
     ];
-    report::heatmap::svg(&format!("Corrections at {at}"), &views)
+    report::heatmap::draw(&format!("Corrections at {at}"), &views)
 }

@@ -153,7 +153,7 @@ impl Strips {
     ///
     /// # Errors
     /// If it cannot be drawn.
-    pub(crate) fn svg(&self) -> Result<String, Failure> {
+    pub(crate) fn figure(&self) -> Figure {
         let [places, initial, updated] = &self.curves;
         let series = vec![
             Series::new("initial", places.clone(), initial.clone(), Style::DashedLine),
@@ -168,6 +168,6 @@ impl Strips {
         let panel =
             Panel { title: String::new(), x_label: "2y/b (-)".into(), y_label: "cl/CL (-)".into(), series };
         let title = format!("Spanwise lift at {} m/s, {} degrees", self.v_m_s, self.alpha_deg);
-        Figure { title, panels: vec![panel], columns: 1 }.svg().map_err(Failure::computation)
+        Figure { title, panels: vec![panel], columns: 1 }
     }
 }

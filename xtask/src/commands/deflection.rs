@@ -189,6 +189,10 @@ fn judge(
 
 fn write(out: &Path, found: &Found<'_>, seconds: f64) -> Result<PathBuf, Failure> {
     let folder = ResultFolder::begin(out)?;
+    found.corrected.note_inputs(&folder)?;
+    if let Some(runs) = found.fits.first().and_then(|(measured, _)| measured.file.parent()) {
+        folder.input("campaign", runs)?;
+    }
     let rewritten = found.corrected.file.with_deflection(found.tables.clone())?;
     folder.write_text("wing.ron", &rewritten.text)?;
     for (name, from) in &rewritten.beside {
@@ -200,10 +204,10 @@ fn write(out: &Path, found: &Found<'_>, seconds: f64) -> Result<PathBuf, Failure
     folder.write_text("corrections.ron", &schedule.to_ron())?;
     folder.write_text("deflection.csv", &deflection_results::csv(&found.factors))?;
     for (name, figure) in [
-        ("equivalent.svg", deflection_figures::equivalents(&found.factors)),
-        ("factors.svg", deflection_figures::factors(&found.factors)),
+        ("equivalent", deflection_figures::equivalents(&found.factors)),
+        ("factors", deflection_figures::factors(&found.factors)),
     ] {
-        folder.write_text(name, &figure.svg().map_err(Failure::computation)?)?;
+        folder.write_figure(name, "", figure)?;
     }
     folder.write_json("result.json", &deflection_results::json(found, seconds))?;
     folder.commit()

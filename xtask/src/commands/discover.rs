@@ -86,6 +86,8 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
     let seconds = start.elapsed().as_secs_f64();
     let result = discover_results::json(&found, &discover_located::json(&found), seconds);
     let results = ResultFolder::begin(&out)?;
+    corrected.note_inputs(&results)?;
+    results.input("campaign", &campaign.folder)?;
     write_wing(&found, &results)?;
     results.write_json("result.json", &result)?;
     results.write_text("null_bank.ron", &nastran::ron_file::to_text(&limits)?)?;

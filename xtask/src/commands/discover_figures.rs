@@ -26,8 +26,8 @@ pub(crate) fn write(found: &Discovered<'_>, results: &ResultFolder) -> Result<()
         let t_s: Vec<f64> = (0..run.measured[0].len()).map(|k| k as f64 * dt).collect();
         results.write_text(&format!("runs/{}.csv", run.name), &csv(&t_s, &run.measured, before, after))?;
         let figure = figure(&run.name, &t_s, &run.measured, before, after);
-        results
-            .write_text(&format!("runs/{}.svg", run.name), &figure.svg().map_err(Failure::computation)?)?;
+        let name = format!("runs/{}", run.name);
+        results.write_figure_of(&name, "", figure, &format!("{name}.csv"))?;
     }
     Ok(())
 }

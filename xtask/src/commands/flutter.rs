@@ -91,12 +91,13 @@ pub(crate) fn run(args: &FlutterArgs, common: &Common) -> Result<(), Failure> {
     ];
     let result = task.result(&models, start.elapsed().as_secs_f64());
     let folder = ResultFolder::begin(&common.out("flutter"))?;
+    corrected.note_inputs(&folder)?;
+    folder.input("campaign", &campaign.folder)?;
     for model in &models {
         for (method, curves) in [("state_matrix", &model.state_matrix), ("p_k", &model.p_k)] {
             folder.write_text(&format!("{}_{method}.csv", model.name), &flutter_figures::csv(curves))?;
         }
-        let figure = flutter_figures::figure(model).svg().map_err(Failure::computation)?;
-        folder.write_text(&format!("{}.svg", model.name), &figure)?;
+        folder.write_figure(model.name, "", flutter_figures::figure(model))?;
     }
     folder.write_json("result.json", &result)?;
     let out = folder.commit()?;

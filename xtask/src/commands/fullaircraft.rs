@@ -37,6 +37,8 @@ pub(crate) struct Prepared {
     pub(crate) effects: fullaircraft_effects::Travelling,
     /// Where they come from, in words.
     pub(crate) origin: String,
+    /// What was read, for the report.
+    pub(crate) inputs: Vec<(&'static str, PathBuf)>,
 }
 /// Samples of a history to a row of its file: 500 rows a second.
 const CSV_EVERY: usize = 2;
@@ -50,13 +52,15 @@ pub(crate) fn run(args: &FullaircraftArgs, common: &Common) -> Result<(), Failur
         return fullaircraft_deck::run(deck, common);
     }
     let start = Instant::now();
-    let Prepared { aircraft, corrections, effects, origin } = prepared(args, common)?;
+    let Prepared { aircraft, corrections, effects, origin, inputs } = prepared(args, common)?;
     for remark in effects.remarks(&aircraft.file).iter().filter(|_| !common.quiet) {
         show::note(remark);
     }
     let comparison = effects.compare(&aircraft, &corrections)?;
     let summary = comparison.summary(&aircraft, start.elapsed().as_secs_f64());
-    let out = write(common, &aircraft, &comparison, &summary)?;
+    let folder = ResultFolder::begin(&common.out("fullaircraft"))?;
+    inputs.iter().try_for_each(|(what, path)| folder.input(what, path))?;
+    let out = write(folder, &aircraft, &comparison, &summary)?;
     for warning in &summary.warnings {
         if !common.quiet {
             show::note(warning);
@@ -87,17 +91,18 @@ pub(crate) fn prepared(args: &FullaircraftArgs, common: &Common) -> Result<Prepa
     })?;
     let mut corrections = wing.schedule.at(file.correction_airspeed_m_s, Outside::Nearest)?;
     let effects = fullaircraft_effects::travelling(&wing, &file, &mut corrections)?;
+    let mut inputs = vec![("aircraft", file.path.clone()), ("wing", wing_path)];
+    inputs.extend(Some(("corrections", PathBuf::from(&wing.origin))).filter(|(_, path)| path.is_file()));
     let aircraft = Aircraft::new(file, wing.file)?;
-    Ok(Prepared { aircraft, corrections, effects, origin: wing.origin })
+    Ok(Prepared { aircraft, corrections, effects, origin: wing.origin, inputs })
 }
 
 fn write(
-    common: &Common,
+    folder: ResultFolder,
     aircraft: &Aircraft,
     comparison: &Comparison,
     summary: &Summary,
 ) -> Result<PathBuf, Failure> {
-    let folder = ResultFolder::begin(&common.out("fullaircraft"))?;
     for (model, flown) in [("initial", &comparison.initial), ("updated", &comparison.updated)] {
         let histories =
             [("doublet", Some(&flown.doublet)), ("chirp", Some(&flown.chirp)), ("gust", flown.gust.as_ref())];
@@ -110,14 +115,12 @@ fn write(
             folder.write_text(&format!("{name}_{model}.vtu"), &aircraft.vtu(trimmed))?;
         }
     }
-    for (name, text) in figures::all(aircraft, comparison).map_err(Failure::computation)? {
-        folder.write_text(name, &text)?;
-    }
+    figures::write(&folder, aircraft, comparison)?;
     if let Some(limits) = aircraft.file.lift_limits()? {
         let envelope = aircraft.envelope(&limits);
         folder.write_text("envelope.csv", &envelope.csv())?;
-        let drawn = figures::envelope(aircraft, &envelope).map_err(Failure::computation)?;
-        folder.write_text("envelope.svg", &drawn)?;
+        let drawn = figures::envelope(aircraft, &envelope);
+        folder.write_figure_of("envelope", "", drawn, "envelope.csv")?;
     }
     folder.write_json("result.json", summary)?;
     folder.commit()

@@ -170,9 +170,9 @@ fn write(
     folder.write_text("cases.csv", &cases_csv(results))?;
     folder.write_text("envelope.csv", &envelope_csv(&summary.envelope))?;
     if !summary.envelope.is_empty() {
-        let drawn = figures::envelope(&tools.stations, &summary.envelope).map_err(Failure::computation)?;
-        folder.write_text("envelope.svg", &drawn)?;
-        folder.write_text("cases.svg", &figures::cloud(results).map_err(Failure::computation)?)?;
+        let drawn = figures::envelope(&tools.stations, &summary.envelope);
+        folder.write_figure_of("envelope", "", drawn, "envelope.csv")?;
+        folder.write_figure_of("cases", "", figures::cloud(results), "cases.csv")?;
     }
     folder.write_json("result.json", summary)?;
     folder.commit()

@@ -3,10 +3,10 @@
 use fullaircraft::cases::{CaseResult, MODELS};
 use fullaircraft::cases_envelope::{Extreme, LOADS, ranges};
 use fullaircraft::{Station, Stations};
-use report::{DrawError, Figure, Panel, Series, Style};
+use report::{Figure, Panel, Series, Style};
 
 /// The envelope of the right wing's stations over y, initial dashed beside updated.
-pub(crate) fn envelope(stations: &Stations, envelope: &[Extreme]) -> Result<String, DrawError> {
+pub(crate) fn envelope(stations: &Stations, envelope: &[Extreme]) -> Figure {
     let mut places: Vec<&Station> = stations.all.iter().filter(|s| s.name.starts_with("right")).collect();
     places.sort_by(|a, b| a.point.y.total_cmp(&b.point.y));
     let line = |model: &str, load: &str, end: &str| {
@@ -33,11 +33,11 @@ pub(crate) fn envelope(stations: &Stations, envelope: &[Extreme]) -> Result<Stri
             .collect(),
     };
     let panels = LOADS.into_iter().map(panel).collect();
-    Figure { title: "Load envelope of the right wing".into(), panels, columns: 2 }.svg()
+    Figure { title: "Load envelope of the right wing".into(), panels, columns: 2 }
 }
 
 /// All cases at the right root: bending and torsion over lift; both ends of what moves.
-pub(crate) fn cloud(results: &[CaseResult]) -> Result<String, DrawError> {
+pub(crate) fn cloud(results: &[CaseResult]) -> Figure {
     let points = |model: &str, across: usize, up: usize| {
         let of_model = results.iter().filter(|result| result.model == model);
         let loads = of_model.filter_map(|result| result.loads.iter().find(|s| s.station == "right root"));
@@ -54,5 +54,5 @@ pub(crate) fn cloud(results: &[CaseResult]) -> Result<String, DrawError> {
         series: MODELS.iter().map(|model| points(model, across, up)).collect(),
     };
     let panels = [(0, 1), (1, 2)].into_iter().map(panel).collect();
-    Figure { title: "All cases at the right wing's root".into(), panels, columns: 2 }.svg()
+    Figure { title: "All cases at the right wing's root".into(), panels, columns: 2 }
 }

@@ -1,28 +1,44 @@
 //! The figures of `fullaircraft`: deformed shapes and time histories, initial beside updated model.
 
 use fullaircraft::{Aircraft, Comparison, Envelope, FlightHistory, Trimmed};
-use report::deformed::{self, Quad, View};
-use report::{DrawError, Figure, Panel, Series, Style};
+use report::deformed::{Quad, View};
+use report::{Figure, Panel, Series, Style};
 
-/// File names and SVG texts.
-pub(crate) fn all(
+use crate::failure::Failure;
+use crate::output::ResultFolder;
+
+/// Writes them.
+pub(crate) fn write(
+    folder: &ResultFolder,
     aircraft: &Aircraft,
     comparison: &Comparison,
-) -> Result<Vec<(&'static str, String)>, DrawError> {
+) -> Result<(), Failure> {
     let (initial, updated) = (&comparison.initial, &comparison.updated);
+    for (name, title, before, after) in [
+        ("pull_up", "Pull-up", &initial.pull_up, &updated.pull_up),
+        ("push_down", "Push-down", &initial.push_down, &updated.push_down),
+    ] {
+        let point = before.point;
+        let title = format!("{title}: {} m/s, load factor {}", point.v_m_s, point.load_factor);
+        let views =
+            [("initial", before), ("updated", after)].map(|(name, trimmed)| view(aircraft, name, trimmed));
+        let files = ["initial", "updated"].map(|model| format!("{name}_{model}.vtu"));
+        let caption = "Drag to turn, scroll to come nearer; a click on a name hides a model. The VTU files open in ParaView.";
+        folder.write_shapes(name, (&title, caption), views.into(), &files)?;
+    }
     let mut all = vec![
-        ("pull_up.svg", shapes(aircraft, "Pull-up", &initial.pull_up, &updated.pull_up)?),
-        ("push_down.svg", shapes(aircraft, "Push-down", &initial.push_down, &updated.push_down)?),
-        (
-            "doublet.svg",
-            histories("Aileron doublet in free flight", &initial.doublet, &updated.doublet, &ROLLING)?,
-        ),
-        ("chirp.svg", histories("Aileron chirp in free flight", &initial.chirp, &updated.chirp, &ROLLING)?),
+        ("doublet", "Aileron doublet in free flight", &initial.doublet, &updated.doublet, &ROLLING),
+        ("chirp", "Aileron chirp in free flight", &initial.chirp, &updated.chirp, &ROLLING),
     ];
     if let (Some(before), Some(after)) = (&initial.gust, &updated.gust) {
-        all.push(("gust.svg", histories("Vertical gust in free flight", before, after, &PITCHING)?));
+        all.push(("gust", "Vertical gust in free flight", before, after, &PITCHING));
     }
-    Ok(all)
+    for (name, title, before, after, quantities) in all {
+        let full = ["initial", "updated"].map(|model| format!("{name}_{model}.csv"));
+        let caption = format!("All quantities: {} and {}.", full[0], full[1]);
+        folder.write_figure(name, &caption, histories(title, before, after, quantities))?;
+    }
+    Ok(())
 }
 
 /// A panel's label and its history.
@@ -53,7 +69,7 @@ const PITCHING: [Quantity; 8] = [
 ];
 
 /// The V-n envelope with the lift at the ends of the section's polars and the two limit points.
-pub(crate) fn envelope(aircraft: &Aircraft, envelope: &Envelope) -> Result<String, DrawError> {
+pub(crate) fn envelope(aircraft: &Aircraft, envelope: &Envelope) -> Figure {
     let line = |name: &str, n: &Vec<f64>, style| Series::new(name, envelope.v_m_s.clone(), n.clone(), style);
     let (up, down) = (&aircraft.file.pull_up, &aircraft.file.push_down);
     let points = Series::new(
@@ -77,29 +93,17 @@ pub(crate) fn envelope(aircraft: &Aircraft, envelope: &Envelope) -> Result<Strin
         y_label: "load factor".into(),
         series,
     };
-    Figure { title: "V-n envelope, section's lift limits".into(), panels: vec![panel], columns: 1 }.svg()
+    Figure { title: "V-n envelope, section's lift limits".into(), panels: vec![panel], columns: 1 }
 }
 
-fn shapes(
-    aircraft: &Aircraft,
-    title: &str,
-    initial: &Trimmed,
-    updated: &Trimmed,
-) -> Result<String, DrawError> {
-    let point = initial.point;
+fn view(aircraft: &Aircraft, name: &str, trimmed: &Trimmed) -> View {
     let wings = aircraft.right.boxes.len() + aircraft.left.boxes.len();
-    let view = |name: &str, trimmed: &Trimmed| View {
+    let quad = |(j, corners)| Quad { corners, group: usize::from(j >= wings) };
+    View {
         title: format!("{name}: tip {:.3} m", trimmed.tip_deflection_m[0]),
         groups: vec!["wings".into(), "tail and fuselage".into()],
-        quads: aircraft
-            .deformed(trimmed)
-            .into_iter()
-            .enumerate()
-            .map(|(j, corners)| Quad { corners, group: usize::from(j >= wings) })
-            .collect(),
-    };
-    let title = format!("{title}: {} m/s, load factor {}", point.v_m_s, point.load_factor);
-    deformed::svg(&title, &[view("initial", initial), view("updated", updated)])
+        quads: aircraft.deformed(trimmed).into_iter().enumerate().map(quad).collect(),
+    }
 }
 
 fn histories(
@@ -107,7 +111,7 @@ fn histories(
     initial: &FlightHistory,
     updated: &FlightHistory,
     quantities: &[Quantity],
-) -> Result<String, DrawError> {
+) -> Figure {
     let panel = |&(label, pick): &Quantity| Panel {
         title: String::new(),
         x_label: "time (s)".into(),
@@ -117,5 +121,5 @@ fn histories(
             Series::new("updated", updated.t_s.clone(), pick(updated).clone(), Style::Line),
         ],
     };
-    Figure { title: title.into(), panels: quantities.iter().map(panel).collect(), columns: 2 }.svg()
+    Figure { title: title.into(), panels: quantities.iter().map(panel).collect(), columns: 2 }
 }

@@ -26,13 +26,15 @@ pub(crate) fn run(args: &ModesArgs, common: &Common) -> Result<(), Failure> {
     let structure = Structure::read(args.wing.as_deref(), args.deck.as_deref())?;
     let modes = solve(&structure, args.count)?;
     let folder = ResultFolder::begin(&common.out("modes"))?;
+    folder.input("structure", &structure.path)?;
     let cells = structure::mesh::cells(&structure.bulk, &structure.system);
     for mode in 0..modes.omega_rad_s.len() {
         let text = modes_pictures::vtu(&structure.system, &cells, &modes, mode);
         folder.write_text(&format!("mode_{:02}.vtu", mode + 1), &text)?;
     }
     if let Some(figure) = modes_pictures::figure(&structure, &modes) {
-        folder.write_text("shapes.svg", &figure.svg().map_err(Failure::computation)?)?;
+        let caption = "Displacements of all nodes, scaled to the largest of a mode.";
+        folder.write_figure("shapes", caption, figure)?;
     }
     let result = result(&structure, &modes, start.elapsed().as_secs_f64());
     folder.write_json("result.json", &result)?;

@@ -27,6 +27,8 @@ pub(super) fn run(args: &ModesArgs, measured: &Path, common: &Common) -> Result<
     let parameters = file.parameters(&structure.bulk, &structure.model)?;
     let found = fit(&structure.model, &parameters, &measurements, &Settings::default()).map_err(failure)?;
     let folder = ResultFolder::begin(&common.out("modes"))?;
+    folder.input("structure", &structure.path)?;
+    folder.input("measurements", measured)?;
     folder.write_text("factors.ron", &factors(&structure, &found))?;
     let result = result(&structure, &found, start.elapsed().as_secs_f64());
     folder.write_json("result.json", &result)?;

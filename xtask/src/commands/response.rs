@@ -32,6 +32,7 @@ pub(crate) fn run(args: &ResponseArgs, common: &Common) -> Result<(), Failure> {
         .map(|(study, table)| study.analyse(table).map_err(Failure::from))
         .collect::<Result<_, _>>()?;
     let folder = ResultFolder::begin(&common.out("response"))?;
+    folder.input("data", &crate::paths::given_or(args.data.as_deref(), "data/mav"))?;
     let (mut responses, mut at, mut text) = (Vec::new(), Vec::new(), format!("{}\n", source.name));
     let mut known = BTreeMap::new();
     for ((study, _), analysis) in source.tables.iter().zip(&analyses) {
@@ -98,14 +99,15 @@ fn write(
         folder.write_text(&format!("{name}_curve.csv"), &response_files::curve_csv(of_response))?;
         folder
             .write_text(&format!("{name}_points.csv"), &response_files::points_csv(analysis, of_response))?;
-        folder
-            .write_text(&format!("{name}.svg"), &response_figures::response(study, analysis, of_response)?)?;
+        let figure = response_figures::response(study, analysis, of_response)?;
+        folder.write_figure_of(&name, "", figure, &format!("{name}_points.csv"))?;
         responses.push(response_files::response(study, analysis, of_response));
     }
     if !analysis.effects.is_empty() {
         folder.write_text(&format!("{stem}_effects.csv"), &response_files::effects_csv(analysis))?;
-        if let Some(figure) = response_figures::effects(study, &analysis.effects)? {
-            folder.write_text(&format!("{stem}_effects.svg"), &figure)?;
+        if let Some(figure) = response_figures::effects(study, &analysis.effects) {
+            let name = format!("{stem}_effects");
+            folder.write_figure_of(&name, "", figure, &format!("{name}.csv"))?;
         }
     }
     Ok(responses)
@@ -118,7 +120,7 @@ fn draw_published(folder: &ResultFolder, published: &Path) -> Result<Value, Fail
     for number in figures::FIGURES {
         let figure = figures::figure(&published, number)?;
         notes.push(json!({ "figure": number, "title": figure.title, "notes": figure.notes }));
-        folder.write_text(&format!("fig_{number}.svg"), &response_figures::published(figure)?)?;
+        folder.write_figure(&format!("fig_{number}"), "", response_figures::published(figure))?;
     }
     Ok(Value::Array(notes))
 }

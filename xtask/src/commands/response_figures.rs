@@ -19,14 +19,14 @@ pub(super) fn response(
     study: &TableStudy,
     table: &TableAnalysis,
     analysis: &Analysis,
-) -> Result<String, Failure> {
+) -> Result<Figure, Failure> {
     let fitted = &analysis.choice.fitted;
     let mut panels = vec![choice(analysis), fit(table, analysis), residuals(analysis)];
     for name in table.data.factor_names() {
         panels.push(over(study, table, analysis, name)?);
     }
     let title = format!("{} of {}: {} terms", fitted.response, study.data, fitted.coefficients.len());
-    Figure { title, panels, columns: 3 }.svg().map_err(Failure::computation)
+    Ok(Figure { title, panels, columns: 3 })
 }
 
 fn choice(analysis: &Analysis) -> Panel {
@@ -142,7 +142,7 @@ fn over(
 }
 
 /// Effects of all responses of a table, half-normal beside normal plots, with Lenth's margin.
-pub(super) fn effects(study: &TableStudy, all: &[Effects]) -> Result<Option<String>, Failure> {
+pub(super) fn effects(study: &TableStudy, all: &[Effects]) -> Option<Figure> {
     let mut panels = Vec::new();
     for effects in all.iter().filter(|effects| effects.effects.len() > 1) {
         let values: Vec<f64> = effects.effects.iter().map(|effect| effect.value).collect();
@@ -186,10 +186,10 @@ pub(super) fn effects(study: &TableStudy, all: &[Effects]) -> Result<Option<Stri
         }
     }
     if panels.is_empty() {
-        return Ok(None);
+        return None;
     }
     let title = format!("Effects of {}", study.data);
-    Figure { title, panels, columns: 2 }.svg().map(Some).map_err(Failure::computation)
+    Some(Figure { title, panels, columns: 2 })
 }
 
 /// Lenth's margins if they say something: of few effects most must be noise, and replicates say more.
@@ -198,7 +198,7 @@ pub(super) fn worth_a_look(effects: &Effects) -> Option<Lenth> {
 }
 
 /// A figure of the published models.
-pub(super) fn published(figure: mav::figures::Figure) -> Result<String, Failure> {
+pub(super) fn published(figure: mav::figures::Figure) -> Figure {
     let panels = figure.panels.into_iter().map(|panel| Panel {
         title: String::new(),
         x_label: panel.x_label,
@@ -214,5 +214,5 @@ pub(super) fn published(figure: mav::figures::Figure) -> Result<String, Failure>
     // a single panel is too narrow for more than the beginning; result.json has it all
     let end = if panels.len() > 1 { None } else { figure.title.find([',', '(']) };
     let title = figure.title[..end.unwrap_or(figure.title.len())].trim_end().to_string();
-    Figure { title, panels, columns }.svg().map_err(Failure::computation)
+    Figure { title, panels, columns }
 }

@@ -97,7 +97,7 @@ pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
         "seconds": seconds,
     });
     effects.put_into(&mut result);
-    let out = simulate_files::write(&common.out("simulate"), &flown, &result)?;
+    let out = simulate_files::write(&common.out("simulate"), &flown, &corrected, &result)?;
     show::summary(common, &summary(&flown, &out, seconds));
     show::json(common, &result)
 }

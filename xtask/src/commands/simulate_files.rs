@@ -1,5 +1,6 @@
 //! What `simulate` writes: a run's CSV, the curves of its figure as CSV, and the figure.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use maneuver::{Run, Simulated, TimeHistory};
@@ -7,6 +8,7 @@ use report::{Figure, Panel, Series, Style};
 use serde_json::Value;
 
 use crate::commands::simulate::Flown;
+use crate::corrections::CorrectedWing;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 
@@ -16,8 +18,18 @@ const LOADS: [(&str, &str); 3] = [("Fz_N", "Fz (N)"), ("Mx_Nm", "Mx (N m)"), ("M
 const AS_COMMANDED: &str = "updated, deflections as commanded";
 
 /// Writes everything and puts it in place.
-pub(crate) fn write(out: &Path, flown: &[Flown], result: &Value) -> Result<PathBuf, Failure> {
+pub(crate) fn write(
+    out: &Path,
+    flown: &[Flown],
+    corrected: &CorrectedWing,
+    result: &Value,
+) -> Result<PathBuf, Failure> {
     let folder = ResultFolder::begin(out)?;
+    corrected.note_inputs(&folder)?;
+    let folders: BTreeSet<&Path> = flown.iter().filter_map(|flight| flight.file.parent()).collect();
+    for of_runs in folders {
+        folder.input("runs", of_runs)?;
+    }
     for flight in flown {
         let name = &flight.run.name;
         let (run, stations) = split(&flight.updated.history);
@@ -26,8 +38,7 @@ pub(crate) fn write(out: &Path, flown: &[Flown], result: &Value) -> Result<PathB
             folder.write_text(&format!("{name}_stations.csv"), &stations.to_csv())?;
         }
         folder.write_text(&format!("{name}_models.csv"), &models(flight).to_csv())?;
-        let figure = figure(flight).svg().map_err(Failure::computation)?;
-        folder.write_text(&format!("{name}.svg"), &figure)?;
+        folder.write_figure_of(name, "", figure(flight), &format!("{name}_models.csv"))?;
     }
     folder.write_json("result.json", result)?;
     folder.commit()

@@ -40,6 +40,7 @@ pub(crate) fn run(args: &ValidateArgs, common: &Common) -> Result<(), Failure> {
     let table = table(&outcomes);
     let result = result(&outcomes, start.elapsed().as_secs_f64());
     let folder = ResultFolder::begin(&common.out("validate"))?;
+    folder.input("published cases", &data)?;
     folder.write_text("table.txt", &table)?;
     folder.write_json("result.json", &result)?;
     let out = folder.commit()?;

@@ -51,6 +51,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
 const ONLY_IN: &[(&str, &[&str])] = &[
     ("clarabel", &["calibrate"]),
     ("kuva", &["report"]),
+    ("plotly", &["report"]),
     ("rand_chacha", &["tunnel", "response", "discover", "hidden"]),
     ("rand_distr", &["tunnel", "response", "discover", "hidden"]),
     ("ode_solvers", &["fullaircraft"]),

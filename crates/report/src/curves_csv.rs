@@ -1,0 +1,92 @@
+//! Curves of a figure as CSV: for every panel a column of abscissae and one for each curve; curves that share their
+//! abscissae share the column, and short columns end in empty cells.
+
+use crate::figure::Figure;
+
+/// A column: head and values.
+type Column<'a> = (String, &'a [f64]);
+
+impl Figure {
+    /// All curves in full as CSV. Heads are `PANEL: LABEL` for abscissae (a panel's title only if it has one) and
+    /// `PANEL: NAME LABEL` for curves; what is not finite is empty.
+    pub fn csv(&self) -> String {
+        let columns = self.columns_of_curves();
+        let heads: Vec<String> = columns.iter().map(|column| quoted(&column.0)).collect();
+        let mut text = heads.join(",") + "\n";
+        let rows = columns.iter().map(|column| column.1.len()).max().unwrap_or(0);
+        for row in 0..rows {
+            let cell = |column: &Column<'_>| {
+                column.1.get(row).filter(|v| v.is_finite()).map_or(String::new(), |v| nine_digits(*v))
+            };
+            let cells: Vec<String> = columns.iter().map(cell).collect();
+            text.push_str(&cells.join(","));
+            text.push('\n');
+        }
+        text
+    }
+
+    fn columns_of_curves(&self) -> Vec<Column<'_>> {
+        let mut columns: Vec<Column<'_>> = Vec::new();
+        let mut last: Option<(&[f64], String)> = None;
+        for panel in &self.panels {
+            let of = |text: &str| {
+                if panel.title.is_empty() { text.to_owned() } else { format!("{}: {text}", panel.title) }
+            };
+            for series in &panel.series {
+                let head = of(&panel.x_label);
+                if last.as_ref().is_none_or(|(x, known)| *x != series.x || *known != head) {
+                    columns.push((head.clone(), &series.x));
+                    last = Some((&series.x, head));
+                }
+                columns.push((of(&format!("{} {}", series.name, panel.y_label)), &series.y));
+            }
+        }
+        columns
+    }
+}
+
+/// Nine significant digits, without trailing zeros.
+fn nine_digits(value: f64) -> String {
+    format!("{value:.8e}").parse::<f64>().map_or(String::new(), |value| value.to_string())
+}
+
+fn quoted(text: &str) -> String {
+    if text.contains([',', '"', '\n']) {
+        format!("\"{}\"", text.replace('"', "\"\""))
+    } else {
+        text.to_owned()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::figure::{Figure, Panel, Series, Style};
+
+    #[test]
+    fn curves_share_a_column_of_abscissae_and_short_ones_end_in_empty_cells() {
+        let series =
+            |name: &str, x: &[f64], y: &[f64]| Series::new(name, x.to_vec(), y.to_vec(), Style::Line);
+        let panel = |y_label: &str, series| Panel {
+            title: "30 m/s".into(),
+            x_label: "t (s)".into(),
+            y_label: y_label.into(),
+            series,
+        };
+        let (x, short) = ([0.0, 1.0], [0.5]);
+        let figure = Figure {
+            title: String::new(),
+            columns: 1,
+            panels: vec![
+                panel("Fz (N)", vec![series("a, b", &x, &[1.0, f64::NAN]), series("c", &x, &[2.0, 3.0])]),
+                panel(
+                    "My (N m)",
+                    vec![series("c", &x, &[4.0, 5.123_456_789_1]), series("d", &short, &[6.0])],
+                ),
+            ],
+        };
+        let expected = "30 m/s: t (s),\"30 m/s: a, b Fz (N)\",30 m/s: c Fz (N),30 m/s: c My (N m),30 m/s: t (s),\
+                        30 m/s: d My (N m)\n\
+                        0,1,2,4,0.5,6\n1,,3,5.12345679,,\n";
+        assert_eq!(figure.csv(), expected);
+    }
+}

@@ -1,0 +1,104 @@
+//! Boxes in space as plotly's meshes: one trace a view and group, to turn and to hide.
+
+use serde_json::{Value, json};
+
+use super::markup::for_plotly;
+use crate::deformed::{Quad, View};
+use crate::palette;
+use crate::thin::rounded;
+
+/// The largest extent in units of plotly's window.
+const WIDTH: f64 = 3.4;
+
+/// The views over one another for `page.js`; a view's legend entry hides all its groups.
+pub(super) fn data(views: &[View]) -> Value {
+    let mut traces = Vec::new();
+    for (number, view) in views.iter().enumerate() {
+        for group in 0..view.groups.len().max(1) {
+            let quads: Vec<&Quad> = view
+                .quads
+                .iter()
+                .filter(|quad| quad.group == group && quad.corners.iter().all(finite))
+                .collect();
+            if !quads.is_empty() {
+                traces.push(mesh(view, number, group, &quads));
+            }
+        }
+    }
+    json!({ "traces": traces, "layout": layout(views) })
+}
+
+fn finite(point: &nalgebra::Point3<f64>) -> bool {
+    point.coords.iter().all(|v| v.is_finite())
+}
+
+fn mesh(view: &View, number: usize, group: usize, quads: &[&Quad]) -> Value {
+    let coordinate =
+        |axis: usize| quads.iter().flat_map(|q| q.corners.map(|p| rounded(p[axis]))).collect::<Vec<f64>>();
+    let corner = |offsets: [usize; 2]| {
+        (0..quads.len()).flat_map(|quad| offsets.map(|offset| 4 * quad + offset)).collect::<Vec<usize>>()
+    };
+    let name = for_plotly(&view.title);
+    let part = view.groups.get(group).map(|name| for_plotly(name)).unwrap_or_default();
+    let shade = if group == 0 { 0.0 } else { 0.35 };
+    json!({
+        "type": "mesh3d", "name": name, "legendgroup": number.to_string(), "showlegend": group == 0,
+        "x": coordinate(0), "y": coordinate(1), "z": coordinate(2),
+        "i": corner([0, 0]), "j": corner([1, 2]), "k": corner([2, 3]),
+        "color": palette::shaded(palette::line(number), shade), "flatshading": true,
+        "lighting": { "ambient": 0.95, "diffuse": 0.25, "specular": 0.0 },
+        "lightposition": { "x": -1000, "y": -2000, "z": 4000 },
+        "hovertemplate":
+            format!("{name}, {part}<br>x %{{x:.3f}} m<br>y %{{y:.3f}} m<br>z %{{z:.3f}} m<extra></extra>"),
+    })
+}
+
+/// Extents of all boxes, the largest as large as the window is wide.
+fn aspects(views: &[View]) -> [f64; 3] {
+    let corners =
+        || views.iter().flat_map(|view| &view.quads).flat_map(|quad| &quad.corners).filter(|p| finite(p));
+    let extent = |axis: usize| {
+        let values = || corners().map(|p| p[axis]);
+        values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
+    };
+    let extents = [0, 1, 2].map(extent);
+    let largest = extents.iter().copied().fold(0.0, f64::max);
+    // a plane has an extent of its own too, as an axis needs some
+    extents.map(|e| if largest > 0.0 && e.is_finite() { WIDTH * (e / largest).max(0.02) } else { 1.0 })
+}
+
+fn layout(views: &[View]) -> Value {
+    let [x, y, z] = aspects(views);
+    let axis = |label: &str| json!({ "title": { "text": label }, "backgroundcolor": "#ffffff", "gridcolor": "#dddddd" });
+    json!({
+        "height": 520, "showlegend": true,
+        "legend": { "orientation": "h", "x": 0, "y": 1.0, "yanchor": "bottom" },
+        "scene": {
+            "aspectmode": "manual", "aspectratio": { "x": x, "y": y, "z": z }, "xaxis": axis("x aft (m)"), "yaxis": axis("y right (m)"), "zaxis": axis("z up (m)"),
+            // from behind, the right and above, as the still pictures
+            "camera": { "eye": { "x": 1.9, "y": 0.6, "z": 0.9 }, "projection": { "type": "orthographic" } },
+        },
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Point3;
+
+    #[test]
+    fn a_box_becomes_two_triangles_and_points_that_are_not_finite_are_left_out() {
+        let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 2.0], [0.0, 2.0]].map(|[x, y]| Point3::new(x, y, 0.5));
+        let mut broken = corners;
+        broken[2].z = f64::NAN;
+        let quads = vec![Quad { corners, group: 1 }, Quad { corners: broken, group: 1 }];
+        let view = View { title: "a<b".into(), groups: vec!["wings".into(), "tail".into()], quads };
+        let data = data(&[view]);
+        let traces = data["traces"].as_array().unwrap();
+        assert_eq!(traces.len(), 1);
+        assert_eq!(traces[0]["i"], json!([0, 0]));
+        assert_eq!(traces[0]["k"], json!([2, 3]));
+        assert_eq!(traces[0]["y"], json!([0.0, 0.0, 2.0, 2.0]));
+        assert_eq!(traces[0]["name"], "a&lt;b");
+    }
+}

@@ -1,0 +1,194 @@
+//! The page of `calibrate`.
+
+use report::Page;
+use report::page::{Block, KeyNumber, PageTable, Plate, Section};
+use serde_json::Value;
+
+use super::values::{LOADS, at, counted, digits, from_to, list, short, short_at, text};
+use super::{figures, taken};
+
+pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
+    let airspeeds = list(result, "airspeeds");
+    let mut sections = vec![figures("Root loads", taken(plates, "static_loads"))];
+    sections.push(figures("What is left", taken(plates, "residuals")));
+    sections.push(Section::new("The fit at each airspeed", vec![Block::Table(fits(airspeeds))]));
+    let mut determined = vec![Block::Text(determined_text(airspeeds))];
+    determined.push(Block::Table(determined_table(airspeeds)));
+    determined.extend(figures("", taken(plates, "singular_values")).blocks);
+    sections.push(Section::new("What the data determine", determined));
+    let mut maps = vec![Block::Text(
+        "Seen from above, flight direction up. A factor of one and an offset of zero (white) are theory; what the data do \
+         not determine stays there. Rest the pointer on a box to read its value."
+            .into(),
+    )];
+    maps.extend(taken(plates, "corrections_").into_iter().map(|plate| Block::Plate(Box::new(plate))));
+    if maps.len() > 1 {
+        sections.push(Section::new("Corrections on the planform", maps));
+    }
+    sections.retain(|section| !section.blocks.is_empty());
+    Page {
+        title: format!("Corrections of the panel model: {}", text(result, "campaign")),
+        lead: lead(result, airspeeds),
+        numbers: numbers(result, airspeeds),
+        sections,
+        ..Page::default()
+    }
+}
+
+fn lead(result: &Value, airspeeds: &[Value]) -> Vec<String> {
+    if let Some(common) = result.get("common") {
+        return vec![format!(
+            "One set of corrections for all airspeeds brings the misfit from {} to {}; a free curve through the readings \
+             leaves {}.",
+            short_at(common, "objective_before"),
+            short_at(common, "objective_after"),
+            short_at(common, "curve_floor")
+        )];
+    }
+    let speeds: Vec<f64> = airspeeds.iter().filter_map(|a| at(a, "V_m_s")).collect();
+    let (Some(slow), Some(fast)) = (speeds.first(), speeds.last()) else { return Vec::new() };
+    let reached = airspeeds.iter().filter(|a| text(a, "ending") == "Converged").count();
+    let bent: usize = airspeeds
+        .iter()
+        .flat_map(|a| list(a, "nonlinearity"))
+        .filter(|test| test["significant"] == true)
+        .count();
+    let mut lead = vec![format!(
+        "At {} of {} from {} to {} m/s the corrected model reaches the measured root loads as closely as a straight line over \
+         the angle of attack does; no model that is linear in the angle can come nearer.",
+        reached,
+        counted(speeds.len(), "airspeed", "airspeeds"),
+        digits(*slow, 3),
+        digits(*fast, 3)
+    )];
+    if bent > 0 {
+        lead.push(format!(
+            "{bent} of the measured curves are bent beyond chance: no correction of a linear model follows that."
+        ));
+    }
+    lead
+}
+
+fn numbers(result: &Value, airspeeds: &[Value]) -> Vec<KeyNumber> {
+    let sets: Vec<&Value> = match result.get("common") {
+        Some(common) => vec![common],
+        None => airspeeds.iter().collect(),
+    };
+    let worst = |path: &str| {
+        sets.iter()
+            .filter_map(|set| at(set, path))
+            .fold(None, |most: Option<f64>, v| Some(most.map_or(v, |m| m.max(v))))
+    };
+    let mut numbers = Vec::new();
+    for (key, name, unit) in LOADS.into_iter().chain([("tip_z_m", "tip deflection", "m")]) {
+        let (before, after) = (worst(&format!("rmse_before/{key}")), worst(&format!("rmse_after/{key}")));
+        if let (Some(was), Some(is)) = (before, after) {
+            let note = "rms error, initial to updated; worst airspeed";
+            numbers.push(KeyNumber::new(name, from_to(before, after, unit), note).judged(is < was));
+        }
+    }
+    let (before, after) = (worst("left_out/objective_before"), worst("left_out/objective_after"));
+    if let (Some(was), Some(is)) = (before, after) {
+        let note = "misfit F at the end angles when they were left out of the fit";
+        numbers.push(
+            KeyNumber::new("prediction of unseen angles", from_to(before, after, ""), note).judged(is < was),
+        );
+    }
+    if let Some(determined) = worst("determined_directions") {
+        let note = "combinations of corrections that the data fix; all others stay at theory";
+        numbers.push(KeyNumber::new("directions determined", digits(determined, 3), note));
+    }
+    if let Some(lift) = result.pointer("/common/lift_factor").filter(|lift| !lift.is_null()) {
+        let value = format!("{} \u{b1} {}", short_at(lift, "value"), short_at(lift, "sigma"));
+        numbers.push(KeyNumber::new(
+            "uniform factor on lift",
+            value,
+            "one factor for all boxes, with its standard error",
+        ));
+    }
+    numbers
+}
+
+fn fits(airspeeds: &[Value]) -> PageTable {
+    let caption = "F: root mean square misfit over the measured loads, weighted (N). Line floor: misfit of the best \
+                   straight line over the angle. Noise floor: what noise alone gives.";
+    let head = [
+        "V (m/s)",
+        "F before",
+        "F after",
+        "line floor",
+        "noise floor",
+        "Fz rms (N)",
+        "Mx rms (N m)",
+        "My rms (N m)",
+        "left out: before",
+        "after",
+        "ending",
+    ];
+    let mut table = PageTable::new(caption, &head);
+    for a in airspeeds {
+        let rms = |key: &str| short(at(a, &format!("rmse_after/{key}")));
+        table.row([
+            short_at(a, "V_m_s"),
+            short_at(a, "objective_before"),
+            short_at(a, "objective_after"),
+            short_at(a, "line_floor"),
+            short_at(a, "noise_floor"),
+            rms("Fz_N"),
+            rms("Mx_Nm"),
+            rms("My_Nm"),
+            short_at(a, "left_out/objective_before"),
+            short_at(a, "left_out/objective_after"),
+            text(a, "ending").to_owned(),
+        ]);
+    }
+    table
+}
+
+fn determined_text(airspeeds: &[Value]) -> String {
+    let mut open: Vec<&str> = airspeeds
+        .iter()
+        .flat_map(|a| list(a, "identifiability/undetermined"))
+        .filter_map(Value::as_str)
+        .collect();
+    open.sort_unstable();
+    open.dedup();
+    let families = if open.is_empty() {
+        String::new()
+    } else {
+        format!(
+            " Not determined by these data, and so left at theory: {}.",
+            open.join(", ").replace('_', " ")
+        )
+    };
+    format!(
+        "Root loads over the angle of attack are six straight-line numbers an airspeed, so they fix six combinations of the \
+         corrections at most. The remaining spread is the share of the freedom before the data that is left after them: near \
+         one means the data say nothing.{families}"
+    )
+}
+
+fn determined_table(airspeeds: &[Value]) -> PageTable {
+    let head = [
+        "V (m/s)",
+        "directions",
+        "spread left: force",
+        "moment",
+        "offset",
+        "sigma: force",
+        "moment",
+        "offset",
+        "neighbour bounds active",
+    ];
+    let mut table = PageTable::new("", &head);
+    for a in airspeeds {
+        let of = |what: &str, family: &str| short(at(a, &format!("identifiability/{what}/{family}")));
+        let mut row = vec![short_at(a, "V_m_s"), short_at(a, "determined_directions")];
+        for what in ["remaining_spread", "posterior_sigma"] {
+            row.extend(["force", "moment", "pressure_offset"].map(|family| of(what, family)));
+        }
+        row.push(short_at(a, "neighbour_bound_active"));
+        table.row(row);
+    }
+    table
+}

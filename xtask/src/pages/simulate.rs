@@ -1,0 +1,84 @@
+//! The page of `simulate`.
+
+use report::Page;
+use report::page::{Block, KeyNumber, PageTable, Plate, Section};
+use serde_json::Value;
+
+use super::figures;
+use super::values::{LOADS, at, counted, from_to, list, short, short_at, text};
+
+pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
+    let runs = list(result, "runs");
+    let median = |model: &str, key: &str| {
+        let mut all: Vec<f64> =
+            runs.iter().filter_map(|run| at(run, &format!("raw_percent/{model}/{key}"))).collect();
+        all.sort_by(f64::total_cmp);
+        all.get(all.len() / 2).copied()
+    };
+    let mut numbers = Vec::new();
+    for (key, name, _) in LOADS {
+        let (before, after) = (median("initial", key), median("updated", key));
+        if let (Some(was), Some(is)) = (before, after) {
+            let note = "rms error over the load's rms variation, initial to updated; median of the runs";
+            numbers.push(KeyNumber::new(name, from_to(before, after, "%"), note).judged(is < was));
+        }
+    }
+    numbers.push(KeyNumber::new("runs", runs.len().to_string(), "flown in unsteady air"));
+    let measured = runs.iter().any(|run| run["residual_rms"]["updated"].is_object());
+    let mut sections = vec![figures("Time histories", std::mem::take(plates))];
+    if measured {
+        sections.push(Section::new("All runs", vec![Block::Table(table(runs))]));
+    }
+    let remarks: Vec<Block> = runs
+        .iter()
+        .flat_map(|run| list(run, "remarks").iter().map(move |remark| (run, remark)))
+        .map(|(run, remark)| Block::Text(format!("{}: {}", name(run), remark.as_str().unwrap_or_default())))
+        .collect();
+    if !remarks.is_empty() {
+        sections.push(Section::new("Remarks", remarks));
+    }
+    Page {
+        title: "Wind-tunnel runs flown again".into(),
+        lead: vec![format!(
+            "{} with the initial model (theory) and the updated one (corrections from {}{}){}.",
+            counted(runs.len(), "run", "runs"),
+            text(result, "corrections"),
+            if result["deflection_correction"] == true { ", commanded deflections corrected" } else { "" },
+            if measured { ", beside the measurement" } else { "" }
+        )],
+        numbers,
+        sections,
+        ..Page::default()
+    }
+}
+
+/// The run's file without folders and ending.
+fn name(run: &Value) -> &str {
+    let file = text(run, "file");
+    let file = file.rsplit(['/', '\\']).next().unwrap_or(file);
+    file.rsplit_once('.').map_or(file, |(stem, _)| stem)
+}
+
+fn table(runs: &[Value]) -> PageTable {
+    let head = [
+        "run",
+        "V (m/s)",
+        "Fz initial (N)",
+        "updated",
+        "Mx initial (N m)",
+        "updated",
+        "My initial (N m)",
+        "updated",
+    ];
+    let mut table = PageTable::new("Root mean square of measured less simulated.", &head);
+    for run in runs {
+        let mut row = vec![name(run).to_owned(), short_at(run, "V_m_s")];
+        for (key, ..) in LOADS {
+            row.extend(
+                ["initial", "updated"].map(|model| short(at(run, &format!("residual_rms/{model}/{key}")))),
+            );
+        }
+        table.row(row);
+    }
+    table
+}

@@ -1,0 +1,77 @@
+//! The page of `validate`.
+
+use report::Page;
+use report::page::{Block, KeyNumber, PageTable, Plate, Section};
+use serde_json::Value;
+
+use super::figures;
+use super::values::{at, digits, list, text};
+
+pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
+    let cases = list(result, "cases");
+    let count = |key: &str| at(result, key).unwrap_or_default();
+    let failed = cases.iter().filter(|case| case["good"] != true).count();
+    let numbers = vec![
+        KeyNumber::new("published cases", cases.len().to_string(), ""),
+        KeyNumber::new(
+            "numbers met",
+            count("met").to_string(),
+            "within the tolerance that stands beside them",
+        )
+        .judged(true),
+        KeyNumber::new("not met", count("not_met").to_string(), "").judged(count("not_met") == 0.0),
+        KeyNumber::new(
+            "known deviations",
+            count("known_deviations").to_string(),
+            "bounded, with the reason given",
+        ),
+        KeyNumber::new(
+            "recorded",
+            count("recorded").to_string(),
+            "beside the reference, without a tolerance",
+        ),
+    ];
+    let mut sections = vec![Section::new("Cases", cases.iter().flat_map(case).collect())];
+    if !plates.is_empty() {
+        sections.push(figures("Figures", std::mem::take(plates)));
+    }
+    let left: Vec<Block> = list(result, "not_compared")
+        .iter()
+        .map(|entry| Block::Text(format!("{}: {}", text(entry, "case"), text(entry, "reason"))))
+        .collect();
+    if !left.is_empty() {
+        sections.push(Section::new("Not compared", left));
+    }
+    Page {
+        title: "Our results beside published references".into(),
+        lead: vec![if failed == 0 {
+            "Every published case is met, or deviates as known, for the reason given.".into()
+        } else {
+            format!("{failed} published cases are not met.")
+        }],
+        numbers,
+        sections,
+        ..Page::default()
+    }
+}
+
+fn case(case: &Value) -> Vec<Block> {
+    let caption = format!("{}. {}", text(case, "case"), text(case, "source"));
+    let mut table = PageTable::new(caption, &["quantity", "ours", "reference", "tolerance", "verdict"]);
+    for row in list(case, "rows") {
+        let number = |key: &str| at(row, key).map_or_else(|| "-".into(), |v| digits(v, 5));
+        let verdict = [text(row, "verdict"), text(row, "reason")].join(" ");
+        table.row([
+            text(row, "quantity").to_owned(),
+            number("ours"),
+            number("reference"),
+            text(row, "tolerance").to_owned(),
+            verdict.trim().to_owned(),
+        ]);
+    }
+    let mut blocks = vec![Block::Table(table)];
+    if let Some(error) = case["error"].as_str() {
+        blocks.push(Block::Text(format!("not computed: {error}")));
+    }
+    blocks
+}

@@ -1,0 +1,91 @@
+//! Numbers out of `result.json`, written for people.
+
+use report::Figure;
+use serde_json::Value;
+
+/// Loads at the root: key in results, name and unit.
+pub(super) const LOADS: [(&str, &str, &str); 3] =
+    [("Fz_N", "lift Fz", "N"), ("Mx_Nm", "bending Mx", "N m"), ("My_Nm", "torsion My", "N m")];
+
+/// The number at a path such as `gap/holdout/before`.
+pub(super) fn at(value: &Value, path: &str) -> Option<f64> {
+    value.pointer(&format!("/{path}")).and_then(Value::as_f64)
+}
+
+/// The entries of a list, none if it is no list.
+pub(super) fn list<'a>(value: &'a Value, path: &str) -> &'a [Value] {
+    value.pointer(&format!("/{path}")).and_then(Value::as_array).map_or(&[], Vec::as_slice)
+}
+
+/// The text at a path, or nothing.
+pub(super) fn text<'a>(value: &'a Value, path: &str) -> &'a str {
+    value.pointer(&format!("/{path}")).and_then(Value::as_str).unwrap_or_default()
+}
+
+/// Three significant digits; a dash where there is no number.
+pub(super) fn short(value: Option<f64>) -> String {
+    value.map_or_else(|| "-".into(), |value| digits(value, 3))
+}
+
+/// The number at a path with three significant digits.
+pub(super) fn short_at(value: &Value, path: &str) -> String {
+    short(at(value, path))
+}
+
+/// So many significant digits, without an exponent where it is short enough; whole numbers as they are.
+pub(super) fn digits(value: f64, count: usize) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return if value == 0.0 { "0".into() } else { "-".into() };
+    }
+    if value.fract() == 0.0 && value.abs() < 1e7 {
+        return format!("{value:.0}");
+    }
+    #[expect(clippy::cast_possible_truncation, reason = "an exponent is below 400")]
+    let power = value.abs().log10().floor() as i32;
+    let places = i32::try_from(count).unwrap_or(3) - 1 - power;
+    match usize::try_from(places) {
+        _ if !(-4..7).contains(&power) => format!("{value:.*e}", count - 1),
+        Ok(places) => format!("{value:.places$}"),
+        Err(_) => format!("{value:.0}"),
+    }
+}
+
+/// `a -> b` with a unit.
+pub(super) fn from_to(before: Option<f64>, after: Option<f64>, unit: &str) -> String {
+    format!("{} \u{2192} {} {unit}", short(before), short(after)).trim_end().to_owned()
+}
+
+/// A number of things with the word for it.
+pub(super) fn counted(count: usize, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
+}
+
+/// Root mean square of what a series of each panel differs from `measured`, over points they share; panels without both
+/// are left out.
+pub(super) fn rms_beside_measured(figure: &Figure, name: &str) -> Vec<f64> {
+    let rms = |panel: &report::Panel| {
+        let of = |name: &str| panel.series.iter().find(|series| series.name == name);
+        let (measured, model) = (of("measured")?, of(name)?);
+        let squares: Vec<f64> = measured
+            .y
+            .iter()
+            .zip(&model.y)
+            .map(|(a, b)| (a - b).powi(2))
+            .filter(|square| square.is_finite())
+            .collect();
+        (!squares.is_empty()).then(|| (squares.iter().sum::<f64>() / squares.len() as f64).sqrt())
+    };
+    figure.panels.iter().filter_map(rms).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_as_many_digits_as_asked_for() {
+        let shown =
+            [0.0, 22.916, -0.017_854, 123_456.7, 30.0, 4.2e-9, 8.1e12, 9.999, f64::NAN].map(|v| digits(v, 3));
+        assert_eq!(shown, ["0", "22.9", "-0.0179", "123457", "30", "4.20e-9", "8.10e12", "10.00", "-"]);
+    }
+}
