@@ -16,7 +16,7 @@ const KEPT_SHARE: f64 = 0.35;
 /// Most effects that one campaign may lack.
 const MOST: usize = 4;
 /// An effect that adds less than this of the first one's evidence only repairs the first one's form.
-const REPAIR_SHARE: f64 = 0.02;
+const REPAIR_SHARE: f64 = 0.01;
 /// Nats that a further effect needs beyond its threshold: the form of what was found is never exact.
 const FURTHER: f64 = 40.0;
 /// Where no candidate wins this share of draws, the data do not say which it is, and none is named.

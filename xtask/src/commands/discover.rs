@@ -7,7 +7,9 @@ use std::time::Instant;
 use calibrate::{Campaign, Settings, Use, calibrate};
 use discover::analysis::{DiscoverError, Prepared, Report, Rigs};
 use discover::bank::{Thresholds, key};
+use discover::data::Dataset;
 use discover::gate::{Defect, defects};
+use discover::next::{Advice, advise};
 use discover::numerics::OtherLattice;
 use maneuver::effects::Flown;
 use nastran::InputError;
@@ -45,6 +47,8 @@ pub(crate) struct Discovered<'a> {
     pub(crate) bank: String,
     /// What was found.
     pub(crate) report: Report,
+    /// Experiments that would separate what is left open, the best first.
+    pub(crate) advice: Vec<Advice>,
     /// Fingerprint of the data.
     pub(crate) data_hash: String,
 }
@@ -63,6 +67,7 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
             .into());
     }
     let own = args.corrections.is_none() || args.own_corrections;
+    let corrected = if own { without_held_out(corrected, &campaign)? } else { corrected };
     let lattice = OtherLattice::of(&corrected.file, &corrected.wing);
     let rigs = Rigs::new(&corrected.file, &corrected.wing, lattice.as_ref())?;
     let prepared = Prepared::new(&rigs, &corrected.schedule, &campaign, own)?;
@@ -73,6 +78,11 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
     let seed = common.seed.unwrap_or(1);
     let (limits, bank) = thresholds(args, &corrected, &prepared, common, seed)?;
     let report = prepared.search(&limits, seed);
+    let open = report.outcome.found.iter().position(|found| !found.rivals.is_empty());
+    let advice = match open {
+        Some(open) => advise(&rigs, &corrected.schedule, &prepared, (&report.outcome.found, open))?,
+        None => Vec::new(),
+    };
     let data_hash = data_hash(&campaign)?;
     let found = Discovered {
         corrected: &corrected,
@@ -81,6 +91,7 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
         limits: &limits,
         bank,
         report,
+        advice,
         data_hash,
     };
     let seconds = start.elapsed().as_secs_f64();
@@ -96,6 +107,33 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
     results.commit()?;
     show::summary(common, &discover_results::summary(&found, &out, seconds));
     show::json(common, &result)
+}
+
+/// An airspeed that is held out leaves its static points out of the calibration, too.
+fn without_held_out(corrected: CorrectedWing, campaign: &Campaign) -> Result<CorrectedWing, Failure> {
+    let held_out = held_out_points(&Dataset::read(campaign, &corrected.wing)?);
+    if held_out.is_empty() {
+        return Ok(corrected);
+    }
+    let mut kept = campaign.clone();
+    leave_out(&mut kept, &held_out);
+    let calibration = calibrate(&corrected.wing, &kept, &Settings::of_wing(&corrected.file.correction))?;
+    Ok(CorrectedWing {
+        schedule: schedule(&corrected.file, &calibration),
+        origin: "calibrated without the static points of held-out airspeeds".to_owned(),
+        ..corrected
+    })
+}
+
+/// Places of the static points whose airspeed is held out.
+fn held_out_points(data: &Dataset) -> Vec<usize> {
+    let groups = data.statics.iter().filter(|group| group.usage == Use::Holdout);
+    groups.flat_map(|group| group.points.iter().copied()).collect()
+}
+
+fn leave_out(campaign: &mut Campaign, points: &[usize]) {
+    let mut place = 0..;
+    campaign.points.retain(|_| place.next().is_some_and(|place| !points.contains(&place)));
 }
 
 /// Data defects, judged before anything is searched.
@@ -193,6 +231,7 @@ fn without_effects(found: &Discovered<'_>) -> Campaign {
             }
         }
     }
+    leave_out(&mut campaign, &held_out_points(&prepared.data));
     campaign
 }
 

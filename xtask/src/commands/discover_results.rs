@@ -6,11 +6,14 @@ use std::path::Path;
 use coupling::wing_file::{EffectValidity, WingEffect};
 use discover::gap::Gap;
 use discover::gate::Defect;
+use discover::next::Advice;
 use discover::search::Found;
 use serde_json::{Map, Value, json};
 
 use crate::commands::discover::Discovered;
 
+/// An experiment that separates rivals by fewer nats is no advice.
+const SEPARATED_NATS: f64 = 5.0;
 /// Held out, the gap may be so many times its floor.
 const CLOSED: f64 = 2.0;
 
@@ -49,6 +52,7 @@ pub(crate) fn json(found: &Discovered<'_>, located: &[Value], seconds: f64) -> V
         "located": located,
         "effects": outcome.found.iter().map(effect).collect::<Vec<_>>(),
         "next_experiment": next_experiment(found),
+        "experiments": experiments(found),
         "gap": { "training": gap(train, found.limits.floor[0]), "holdout": gap(holdout, found.limits.floor[1]) },
         "success": success(found),
         "misfit": { "before": outcome.misfit[0], "after": outcome.misfit[1],
@@ -92,10 +96,25 @@ fn success(found: &Discovered<'_>) -> bool {
         && after.all <= CLOSED * found.limits.floor[1]
 }
 
+/// What separates rivals most for its cost, if anything of the menu does; else what the library says.
 fn next_experiment(found: &Discovered<'_>) -> Option<String> {
     let open = |effect: &&Found| !effect.confused_with.is_empty();
-    let outcome = &found.report.outcome;
-    outcome.found.iter().find(open).map(|effect| effect.active.effect.spec().experiment.to_owned())
+    let effect = found.report.outcome.found.iter().find(open)?;
+    let best = found.advice.first().filter(|advice| advice.least_nats() >= SEPARATED_NATS);
+    Some(best.map_or_else(
+        || effect.active.effect.spec().experiment.to_owned(),
+        |advice| format!("{} ({:.0} nats of separation expected)", advice.experiment, advice.least_nats()),
+    ))
+}
+
+/// Experiments as JSON.
+fn experiments(found: &Discovered<'_>) -> Value {
+    let each = |advice: &Advice| {
+        let nats: Map<_, _> =
+            advice.nats.iter().map(|(name, nats)| ((*name).to_owned(), json!(nats))).collect();
+        json!({ "experiment": advice.experiment, "cost": advice.cost, "expected_nats": nats })
+    };
+    found.advice.iter().map(each).collect()
 }
 
 /// Entries of the wing's file.

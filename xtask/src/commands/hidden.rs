@@ -176,6 +176,7 @@ impl Judge<'_> {
             limits: &self.limits,
             bank: String::new(),
             report,
+            advice: Vec::new(),
             data_hash: String::new(),
         };
         discover_results::json(&found, &[], start.elapsed().as_secs_f64())
