@@ -207,22 +207,23 @@ impl Place<'_> {
             threshold: level.threshold,
             confidence: 1.0 / weight,
             share: (level.explained[at] / misfit_sum).min(1.0),
-            parameters: self.parameters(&self.base(picks)?.fitted, &own),
+            parameters: parameters(&self.base(picks)?.fitted, &own),
         })
     }
+}
 
-    fn parameters(&self, fitted: &Regression, own: &Candidate) -> Vec<Parameter> {
-        match own {
-            Candidate::Term(term) => fitted.coefficient(term).map_or_else(Vec::new, |c| {
-                vec![Parameter { name: term.to_string(), value: c.value, sigma: Some(c.standard_error) }]
-            }),
-            Candidate::Blocks(name) => fitted
-                .offsets
-                .iter()
-                .filter(|offset| offset.blocks == *name)
-                .map(|o| Parameter { name: o.label.clone(), value: o.value, sigma: None })
-                .collect(),
-        }
+/// Coefficients of a pick.
+fn parameters(fitted: &Regression, own: &Candidate) -> Vec<Parameter> {
+    match own {
+        Candidate::Term(term) => fitted.coefficient(term).map_or_else(Vec::new, |c| {
+            vec![Parameter { name: term.to_string(), value: c.value, sigma: Some(c.standard_error) }]
+        }),
+        Candidate::Blocks(name) => fitted
+            .offsets
+            .iter()
+            .filter(|offset| offset.blocks == *name)
+            .map(|o| Parameter { name: o.label.clone(), value: o.value, sigma: None })
+            .collect(),
     }
 }
 

@@ -34,7 +34,7 @@ impl Split {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         let mut order: Vec<(u64, usize)> = (0..count).map(|point| (random.next_u64(), point)).collect();
         order.sort_unstable();
-        let held = ((share * count as f64).round() as usize).max(1);
+        let held = (1..=count).take_while(|held| *held as f64 <= share * count as f64 + 0.5).count().max(1);
         let mut out = vec![false; count];
         order[..held].iter().for_each(|(_, point)| out[*point] = true);
         let (held_out, training) = (0..data.points()).partition(|row| out[of_point[*row]]);
