@@ -29,12 +29,21 @@ pub fn candidates(
     order: u32,
     blocking: Blocking,
 ) -> Result<Candidates, Fault> {
+    told_apart(data, &Term::up_to_order(factors, order), blocking)
+}
+
+/// Those of the given terms that these points tell apart, earlier ones first, and from offsets of blocks if those are fitted.
+/// The constant is always among them.
+///
+/// # Errors
+/// If a factor is not in the data, or the points do not carry the offsets of blocks.
+pub fn told_apart(data: &Data, terms: &[Term], blocking: Blocking) -> Result<Candidates, Fault> {
     let blocks = if blocking == Blocking::Fixed { data.blocks() } else { &[] };
     let constant = Columns::of_terms(data, &[Term::constant()])?.with_blocks(blocks);
     let mut kept = Qr::new(&constant.values, &constant.names)?;
     let mut names = constant.names;
-    let (mut terms, mut left_out) = (vec![Term::constant()], Vec::new());
-    for term in Term::up_to_order(factors, order).into_iter().skip(1) {
+    let (mut told, mut left_out) = (vec![Term::constant()], Vec::new());
+    for term in terms.iter().filter(|term| !term.is_constant()).cloned() {
         let column = data.column(&term)?;
         // one point has to be left for the error
         let room = names.len() + 1 < data.points();
@@ -43,12 +52,12 @@ pub fn candidates(
             Ok(()) if room => {
                 kept = with;
                 names.push(term.to_string());
-                terms.push(term);
+                told.push(term);
             }
             Ok(()) => left_out.push((term, "any other: there are no more points".to_string())),
             Err(Fault::Aliased { others, .. }) => left_out.push((term, others)),
             Err(other) => return Err(other),
         }
     }
-    Ok(Candidates { terms, left_out })
+    Ok(Candidates { terms: told, left_out })
 }

@@ -178,6 +178,38 @@ impl Data {
         self.factors.iter().map(|(name, values)| (name.as_str(), values[index])).collect()
     }
 
+    /// Some of the points, in the given order.
+    pub(crate) fn rows(&self, rows: &[usize]) -> Self {
+        let take = |(name, values): &(String, Vec<f64>)| {
+            (name.clone(), rows.iter().map(|row| values[*row]).collect())
+        };
+        let of = |blocks: &Blocks| Blocks {
+            name: blocks.name.clone(),
+            labels: blocks.labels.clone(),
+            of_point: rows.iter().map(|row| blocks.of_point[*row]).collect(),
+        };
+        Self {
+            factors: self.factors.iter().map(take).collect(),
+            responses: self.responses.iter().map(take).collect(),
+            blocks: self.blocks.iter().map(of).collect(),
+            points: rows.len(),
+        }
+    }
+
+    /// The same with these block columns only.
+    pub(crate) fn with_blocks_only(&self, names: &[String]) -> Self {
+        let mut data = self.clone();
+        data.blocks.retain(|blocks| names.contains(&blocks.name));
+        data
+    }
+
+    /// The same with other values of a response.
+    pub(crate) fn answering(&self, response: &str, values: &[f64]) -> Self {
+        let mut data = self.clone();
+        data.responses = vec![(response.to_string(), values.to_vec())];
+        data
+    }
+
     fn check(&self, name: &str, values: &[f64]) -> Result<(), Fault> {
         self.check_name_and_length(name, values.len())?;
         if !is_name(name) {

@@ -13,6 +13,7 @@ mod effects;
 mod fault;
 mod lenth;
 pub mod mav;
+pub mod missing;
 mod predict;
 mod pure_error;
 mod qr;
@@ -23,7 +24,7 @@ mod term;
 mod total_sum;
 
 pub use analysis::{Analysis, analyse};
-pub use candidates::{Candidates, candidates};
+pub use candidates::{Candidates, candidates, told_apart};
 pub use choice::{Choice, Criteria, ErrorRule, Rules, Search, Step, choose};
 pub use cross_validation::cross_validation;
 pub use data::{Blocks, Data};

@@ -2,6 +2,8 @@
 //! Replicates are points with the same factors. With blocks the saturated model is one mean for every distinct point and one
 //! offset for every block, so replicates in different blocks count.
 
+use std::collections::BTreeMap;
+
 use crate::columns::Columns;
 use crate::data::Data;
 use crate::distributions::upper_f;
@@ -69,18 +71,15 @@ impl FTest {
 }
 
 /// For each point the number of its distinct point, and how many of them there are.
-fn distinct(data: &Data) -> (Vec<usize>, usize) {
-    let mut known: Vec<Vec<u64>> = Vec::new();
+pub(crate) fn distinct(data: &Data) -> (Vec<usize>, usize) {
+    let mut known: BTreeMap<Vec<u64>, usize> = BTreeMap::new();
     let of = |i: usize| -> Vec<u64> {
         // + 0.0 makes -0 and 0 the same
         data.point(i).into_iter().map(|(_, value)| (value + 0.0).to_bits()).collect()
     };
     let numbers = (0..data.points()).map(|i| {
-        let key = of(i);
-        known.iter().position(|other| *other == key).unwrap_or_else(|| {
-            known.push(key);
-            known.len() - 1
-        })
+        let next = known.len();
+        *known.entry(of(i)).or_insert(next)
     });
     let numbers: Vec<usize> = numbers.collect();
     let count = known.len();
@@ -97,11 +96,27 @@ fn about_means(column: &[f64], of_point: &[usize], count: usize) -> Vec<f64> {
     column.iter().zip(of_point).map(|(value, point)| value - sums[*point] / sizes[*point]).collect()
 }
 
+/// What replicates leave at each point once means of distinct points (and offsets of blocks) are out.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Scatter {
+    pub(crate) rest: Vec<f64>,
+    pub(crate) freedom: f64,
+}
+
 /// The pure error of a response. With fixed or random blocks the offsets of all block columns are taken out.
 ///
 /// # Errors
 /// If there is no such response, or no degree of freedom is left for the scatter of replicates.
 pub fn pure_error(data: &Data, response: &str, blocking: Blocking) -> Result<PureError, Fault> {
+    let Scatter { rest, freedom } = scatter(data, response, blocking)?;
+    Ok(PureError { sum: dot(&rest, &rest), degrees_of_freedom: freedom })
+}
+
+/// The same point by point.
+///
+/// # Errors
+/// As [`pure_error`].
+pub(crate) fn scatter(data: &Data, response: &str, blocking: Blocking) -> Result<Scatter, Fault> {
     let (of_point, count) = distinct(data);
     let mut rest = about_means(data.response_values(response)?, &of_point, count);
     let mut parameters = count;
@@ -126,7 +141,7 @@ pub fn pure_error(data: &Data, response: &str, blocking: Blocking) -> Result<Pur
         };
         return Err(Fault::NoReplicates { why, factors: list(data.factor_names()) });
     }
-    Ok(PureError { sum: dot(&rest, &rest), degrees_of_freedom: (data.points() - parameters) as f64 })
+    Ok(Scatter { rest, freedom: (data.points() - parameters) as f64 })
 }
 
 /// What blocks explain of the pure error.

@@ -262,6 +262,11 @@ impl Regression {
         Ok(FTest::new(explained, above, self.error_variance * below, below))
     }
 
+    /// What the columns of the model leave of another column.
+    pub(crate) fn remainder(&self, column: &[f64]) -> Vec<f64> {
+        self.qr.remainder(column).0
+    }
+
     fn padded(&self, terms: &[f64]) -> Vec<f64> {
         let mut all = terms.to_vec();
         all.resize(self.parameters(), 0.0);

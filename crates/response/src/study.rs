@@ -200,6 +200,22 @@ impl TableStudy {
         Ok(TableAnalysis { data, candidates, left_out, responses: analyses, effects })
     }
 
+    /// All terms of the order and those named, whether these points tell them apart or not.
+    ///
+    /// # Errors
+    /// If a term cannot be read.
+    pub fn library(&self) -> Result<Vec<Term>, Fault> {
+        let order = self.order.or_else(|| self.terms.is_empty().then_some(ORDER));
+        let mut terms = order.map_or_else(Vec::new, |order| Term::up_to_order(&names(&self.factors), order));
+        for text in &self.terms {
+            let term: Term = text.parse()?;
+            if !terms.contains(&term) {
+                terms.push(term);
+            }
+        }
+        Ok(terms)
+    }
+
     fn candidates(&self, data: &Data) -> Result<Candidates, Fault> {
         let order = self.order.or_else(|| self.terms.is_empty().then_some(ORDER));
         let mut found = match order {

@@ -8,9 +8,18 @@ use clap::Args;
 #[derive(Debug, Clone, Default, Args)]
 #[command(after_help = "Examples:
   cargo xtask response
-  cargo xtask response --data runs.csv --factors alpha,q --responses CL,CM --blocks day
-  cargo xtask response --data runs.csv --factors alpha,q --responses CL --at points.csv
-  cargo xtask response --displacement flexible.csv --rigid rigid.csv")]
+  cargo xtask response --data runs.csv --factors alpha,q --responses CL,CM --blocks day --at points.csv
+  cargo xtask response --displacement flexible.csv --rigid rigid.csv
+  cargo xtask response --missing
+  cargo xtask response --missing --hide q*delta
+  cargo xtask response --missing --hide block
+  cargo xtask response --missing --data runs.csv --factors alpha,q --responses CL --blocks day --model alpha,q,day
+
+--missing fits the model's terms to three quarters of the points, says in which family of regressors the rest sits
+(mean square over pure error), names the candidate that explains it, or all that these points do not tell apart, adds it
+and shows the gap before and after, on those points and on the others. It names nothing that 200 campaigns drawn from the
+model itself would let it name, and says so: none (nothing is missing), unknown (something is that no candidate explains).
+Candidates are all products up to --order, --terms, and offsets of block columns that are not in the model.")]
 pub struct ResponseArgs {
     /// A CSV file, a RON file that names tables, or a folder with response.ron or CSV files [default: data/mav]
     #[arg(long, value_name = "PATH")]
@@ -52,8 +61,21 @@ pub struct ResponseArgs {
     /// Points (a CSV with the columns of the factors) at which the surfaces are predicted
     #[arg(long, value_name = "FILE")]
     pub at: Option<PathBuf>,
+    /// Instead: which term a model lacks
+    #[arg(long, conflicts_with_all = ["at", "effects", "search", "least_t", "blocking"])]
+    pub missing: bool,
+    /// Terms of the model, and block columns whose offsets it has; the constant is always in it [default: the published
+    /// equations, if the data are theirs, with offsets of all block columns]
+    #[arg(long, value_name = "TERMS", value_delimiter = ',', requires = "missing")]
+    pub model: Vec<String>,
+    /// Take a term, or the offsets of a block column, out of the model first
+    #[arg(long, value_name = "TERM", requires = "missing")]
+    pub hide: Option<String>,
+    /// Standard deviation of one reading, where nothing was measured twice [default: from replicates]
+    #[arg(long, value_name = "S", requires = "missing")]
+    pub noise: Option<f64>,
     /// Instead: displacement fields (CSV, `x_mm,y_mm,w_mm`) whose ratio of left to right side is computed
-    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with_all = ["data", "factors", "order", "terms", "at"])]
+    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with_all = ["data", "factors", "order", "terms", "at", "missing"])]
     pub displacement: Vec<PathBuf>,
     /// Fields of a rigid wing in the same set-up [default: the paper's mean ratio, 0.956]
     #[arg(long, value_name = "FILE", num_args = 1.., requires = "displacement")]

@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 
 use super::response_points::Points;
 use super::response_source::Source;
-use super::{response_asymmetry, response_figures, response_files, response_text};
+use super::{response_asymmetry, response_figures, response_files, response_missing, response_text};
 use crate::args::{Common, ResponseArgs};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
@@ -22,6 +22,9 @@ use crate::show;
 pub(crate) fn run(args: &ResponseArgs, common: &Common) -> Result<(), Failure> {
     if !args.displacement.is_empty() {
         return response_asymmetry::run(args, common);
+    }
+    if args.missing {
+        return response_missing::run(args, common);
     }
     let start = Instant::now();
     let source = Source::read(args)?;

@@ -32,7 +32,7 @@ fn share(value: f64) -> String {
 }
 
 /// A probability: small ones by their order.
-fn probability(p: f64) -> String {
+pub(super) fn probability(p: f64) -> String {
     if p < 1e-300 {
         "<1e-300".into()
     } else if p < 1e-4 {

@@ -35,6 +35,17 @@ impl Factor {
         }
     }
 
+    /// Its column in tables of runs: `q_Pa`, `alpha_deg`, `delta_deg`, `E_V`, `n_krpm`.
+    pub fn column(self) -> &'static str {
+        match self {
+            Self::DynamicPressure => "q_Pa",
+            Self::Alpha => "alpha_deg",
+            Self::Elevator => "delta_deg",
+            Self::Voltage => "E_V",
+            Self::PropellerSpeed => "n_krpm",
+        }
+    }
+
     /// The unit of its numbers.
     pub fn unit(self) -> &'static str {
         match self {

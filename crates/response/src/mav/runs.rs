@@ -39,19 +39,13 @@ impl Runs {
 
     /// Factors that vary, with the names of their columns.
     pub fn factors(&self) -> Vec<(Factor, &'static str)> {
-        let columns = [
-            (Factor::DynamicPressure, "q_Pa"),
-            (Factor::Alpha, "alpha_deg"),
-            (Factor::Elevator, "delta_deg"),
-            (Factor::Voltage, "E_V"),
-            (Factor::PropellerSpeed, "n_krpm"),
-        ];
         let varies = |factor: Factor| {
             let mut values = self.rows.iter().map(|row| row.point.condition.get(factor));
             let first = values.next().flatten();
             first.is_some() && values.any(|value| value != first)
         };
-        columns.into_iter().filter(|(factor, _)| varies(*factor)).collect()
+        let varying = Factor::ALL.into_iter().filter(|factor| varies(*factor));
+        varying.map(|factor| (factor, factor.column())).collect()
     }
 
     /// The values of a factor.
