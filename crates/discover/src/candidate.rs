@@ -162,7 +162,9 @@ impl Trial<'_> {
             let mut sizes = from.to_vec();
             sizes[k] += step;
             let mut column = difference(&self.change(&sizes), at);
-            column.iter_mut().for_each(|value| *value /= step);
+            for value in &mut column {
+                *value /= step;
+            }
             column
         };
         if base.iter().any(|size| *size != 0.0) {

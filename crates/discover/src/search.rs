@@ -75,7 +75,7 @@ pub struct Found {
 }
 
 /// What a search ends with.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Outcome {
     /// Effects, the first found first.
     pub found: Vec<Found>,
@@ -133,53 +133,83 @@ pub fn search(
     seed: u64,
 ) -> (Outcome, Level) {
     let rows = problem.len() as f64;
-    let mut level = Level::new(setting, problem, &[], None);
+    let level = Level::new(setting, problem, &[], None);
     let start = level.chi2;
-    let mut found: Vec<Found> = Vec::new();
-    let mut next_best = None;
-    let mut first_level = Vec::new();
-    let mut first_evidence = None;
-    let mut trace = Vec::new();
-    let mut undecided = false;
+    let mut so_far = SoFar { level, outcome: Outcome::default(), first_evidence: None, undecided: false };
     // what a step takes back a later one may find again: steps end, whatever they do
     for _ in 0..2 * MOST {
-        if found.len() == MOST {
+        if so_far.outcome.found.len() == MOST || !so_far.step(setting, problem, limits, seed) {
             break;
         }
-        let weighed = weigh(setting, problem, &level, limits);
-        if first_evidence.is_none() {
-            first_level = weighed
+    }
+    let SoFar { mut level, mut outcome, undecided, .. } = so_far;
+    // what was found beside an effect is no rival of it
+    let names: Vec<&str> = outcome.found.iter().map(name).collect();
+    for effect in &mut outcome.found {
+        effect.confused_with.retain(|rival| !names.contains(rival));
+        effect.rivals.retain(|rival| !names.contains(&rival.active.effect.spec().name));
+    }
+    let explained = (start - level.chi2) / (start - rows * limits.misfit).max(f64::MIN_POSITIVE);
+    if level.chi2 > rows * limits.misfit_limit && explained < EXPLAINED_BY_ALL && !outcome.found.is_empty() {
+        outcome.trace.push(format!("all of it explains {explained:.2} of the misfit: none is named"));
+        outcome.found.clear();
+        level = Level::new(setting, problem, &[], Some(&level.models));
+    }
+    outcome.misfit = [start / rows, level.chi2 / rows];
+    outcome.unexplained = outcome.misfit[1] > limits.misfit_limit || undecided && outcome.found.is_empty();
+    (outcome, level)
+}
+
+/// A search on its way.
+struct SoFar {
+    level: Level,
+    outcome: Outcome,
+    first_evidence: Option<f64>,
+    undecided: bool,
+}
+
+impl SoFar {
+    /// Names one more effect, if there is one to name; whether there may be more.
+    fn step(
+        &mut self,
+        setting: &Setting<'_>,
+        problem: &mut Problem<'_>,
+        limits: &Thresholds,
+        seed: u64,
+    ) -> bool {
+        let weighed = weigh(setting, problem, &self.level, limits);
+        if self.first_evidence.is_none() {
+            self.outcome.first_level = weighed
                 .iter()
                 .map(|w| (format!("{} {}", w.name(), w.refit.active.effect.form()), w.evidence, w.threshold))
                 .collect();
         }
-        let least = REPAIR_SHARE * first_evidence.unwrap_or(0.0);
-        let further = if found.is_empty() { 0.0 } else { FURTHER };
-        let needed = |w: &Weighed| (w.threshold + further).max(least);
-        let passes = |w: &&Weighed| w.evidence > needed(w) && w.refit.is_more_than_a_nudge();
-        let Some(best) = weighed.iter().find(passes) else {
-            next_best = weighed.into_iter().next();
-            break;
+        let (needed, best) = self.best(&weighed);
+        let Some(best) = best else {
+            self.outcome.next_best = weighed.into_iter().next();
+            return false;
         };
-        let explained =
-            (level.chi2 - best.refit.chi2) / (level.chi2 - rows * limits.misfit).max(f64::MIN_POSITIVE);
-        if level.chi2 > rows * limits.misfit_limit && explained < EXPLAINED {
-            next_best = Some(best.clone());
-            break;
-        }
-        let (share, confused_with) = distinguish(problem, &level, &weighed, best, seed);
-        if share < WINS {
-            undecided = true;
-            trace.push(format!(
-                "{} at {:.0} nats wins {share:.2} of the draws: undecided",
+        let (rows, chi2) = (problem.len() as f64, self.level.chi2);
+        let explained = (chi2 - best.refit.chi2) / (chi2 - rows * limits.misfit).max(f64::MIN_POSITIVE);
+        let (share, confused_with) = distinguish(problem, &self.level, &weighed, best, seed);
+        let explains = chi2 <= rows * limits.misfit_limit || explained >= EXPLAINED;
+        if share < WINS || !explains {
+            self.undecided = share < WINS;
+            self.outcome.trace.push(format!(
+                "{} at {:.0} nats wins {share:.2} of the draws and explains {explained:.2} of the misfit: not named",
                 best.name(),
                 best.evidence
             ));
-            next_best = Some(best.clone());
-            break;
+            self.outcome.next_best = Some(best.clone());
+            return false;
         }
-        first_evidence.get_or_insert(best.evidence);
-        found.push(Found {
+        self.first_evidence.get_or_insert(best.evidence);
+        self.outcome.trace.push(format!(
+            "{} named at {:.0} nats, {needed:.0} needed",
+            best.name(),
+            best.evidence
+        ));
+        self.outcome.found.push(Found {
             active: best.refit.active.clone(),
             sigma: best.refit.sigma.clone(),
             evidence: best.evidence,
@@ -187,33 +217,25 @@ pub fn search(
             rivals: confused_with.iter().filter_map(|name| fitted(&weighed, name)).collect(),
             confused_with,
         });
-        trace.push(format!("{} named at {:.0} nats, {:.0} needed", best.name(), best.evidence, needed(best)));
-        let effects: Vec<Active> = found.iter().map(|f| f.active.clone()).collect();
-        level = Level::new(setting, problem, &effects, Some(&level.models));
-        if found.len() > 1 {
-            let more = revise(setting, problem, limits, &mut found, &mut level);
-            let names: Vec<&str> = found.iter().map(name).collect();
-            trace.push(format!("all weighed again: {}", names.join(", ")));
-            if !more {
-                break;
-            }
+        let effects = others(&self.outcome.found, &[]);
+        self.level = Level::new(setting, problem, &effects, Some(&self.level.models));
+        if effects.len() == 1 {
+            return true;
         }
+        let more = revise(setting, problem, limits, &mut self.outcome.found, &mut self.level);
+        let names: Vec<&str> = self.outcome.found.iter().map(name).collect();
+        self.outcome.trace.push(format!("all weighed again: {}", names.join(", ")));
+        more
     }
-    // what was found beside an effect is no rival of it
-    let names: Vec<&str> = found.iter().map(name).collect();
-    for effect in &mut found {
-        effect.confused_with.retain(|rival| !names.contains(rival));
-        effect.rivals.retain(|rival| !names.contains(&rival.active.effect.spec().name));
+
+    /// The best candidate that has the evidence it needs, and how much that is.
+    fn best<'a>(&self, weighed: &'a [Weighed]) -> (f64, Option<&'a Weighed>) {
+        let least = REPAIR_SHARE * self.first_evidence.unwrap_or(0.0);
+        let further = if self.outcome.found.is_empty() { 0.0 } else { FURTHER };
+        let needed = |w: &Weighed| (w.threshold + further).max(least);
+        let best = weighed.iter().find(|w| w.evidence > needed(w) && w.refit.is_more_than_a_nudge());
+        (best.map_or(0.0, needed), best)
     }
-    let explained = (start - level.chi2) / (start - rows * limits.misfit).max(f64::MIN_POSITIVE);
-    if level.chi2 > rows * limits.misfit_limit && explained < EXPLAINED_BY_ALL && !found.is_empty() {
-        trace.push(format!("all of it explains {explained:.2} of the misfit: none is named"));
-        found.clear();
-        level = Level::new(setting, problem, &[], Some(&level.models));
-    }
-    let misfit = [start / rows, level.chi2 / rows];
-    let unexplained = misfit[1] > limits.misfit_limit || undecided && found.is_empty();
-    (Outcome { found, misfit, next_best, unexplained, first_level, trace }, level)
 }
 
 /// Fits every effect again beside the others, takes a better one in its place, and drops what is not needed any more.
