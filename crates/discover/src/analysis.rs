@@ -158,6 +158,15 @@ impl Prepared {
         Report { level, outcome, gaps, model_runs: self.simulator.count() - before }
     }
 
+    /// Gaps of training and held-out runs as another simulator flies them with effects: corrections that were calibrated
+    /// again with the effects in the model.
+    pub fn gaps_of(&self, simulator: &Simulator, effects: &[Active]) -> [Gap; 2] {
+        let models = simulator.models(effects, None);
+        self.judged()
+            .each_ref()
+            .map(|problem| problem.gap(&simulator.fly(&models, effects, &problem.places())))
+    }
+
     fn flown(&self, problem: &Problem<'_>, level: &Level, effects: &[Active]) -> Vec<Flown> {
         let models = self.simulator.models(effects, Some(&level.models));
         self.simulator.fly(&models, effects, &problem.places())

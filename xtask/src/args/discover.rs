@@ -20,6 +20,9 @@ pub struct HiddenArgs {
     /// Calibrate each case on its own static points, as a user does (track B), instead of effect-free ones
     #[arg(long)]
     pub own_static_points: bool,
+    /// Judge no case, score those that were judged before
+    #[arg(long)]
+    pub finished: bool,
 }
 
 /// Options of `discover`.

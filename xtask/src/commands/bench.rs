@@ -8,7 +8,9 @@ use coupling::{ElasticWing, WingFile};
 use serde_json::{Value, json};
 
 use crate::args::{BenchArgs, Common};
-use crate::commands::{bench_aircraft, bench_chirp, bench_dlm, bench_general, bench_structure, bench_trim};
+use crate::commands::{
+    bench_aircraft, bench_chirp, bench_discover, bench_dlm, bench_general, bench_structure, bench_trim,
+};
 use crate::corrections::{campaign_path, wing_path};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
@@ -40,6 +42,7 @@ pub(crate) fn run(args: &BenchArgs, common: &Common) -> Result<(), Failure> {
     ));
     rows.extend(bench_chirp::rows(&file, &wing)?);
     rows.extend(bench_trim::rows()?);
+    rows.extend(bench_discover::rows()?);
     let calibration = calibrate(&wing, &campaign, &settings)?;
     let whole = median(|| {
         let (file, wing) = ElasticWing::read(&wing_path(None))?;

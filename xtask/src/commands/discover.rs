@@ -11,6 +11,7 @@ use discover::data::Dataset;
 use discover::gate::{Defect, defects};
 use discover::next::{Advice, advise};
 use discover::numerics::OtherLattice;
+use discover::simulator::Simulator;
 use maneuver::effects::Flown;
 use nastran::InputError;
 
@@ -84,7 +85,7 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
         None => Vec::new(),
     };
     let data_hash = data_hash(&campaign)?;
-    let found = Discovered {
+    let mut found = Discovered {
         corrected: &corrected,
         campaign: &campaign,
         prepared: &prepared,
@@ -94,6 +95,9 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
         advice,
         data_hash,
     };
+    if own && !found.report.level.effects.is_empty() {
+        calibrated_again(&mut found, &rigs)?;
+    }
     let seconds = start.elapsed().as_secs_f64();
     let result = discover_results::json(&found, &discover_located::json(&found), seconds);
     let results = ResultFolder::begin(&out)?;
@@ -212,6 +216,20 @@ fn write_wing(found: &Discovered<'_>, results: &ResultFolder) -> Result<(), Fail
     let campaign = without_effects(found);
     let calibration = calibrate(&corrected.wing, &campaign, &Settings::of_wing(&corrected.file.correction))?;
     results.write_text("corrections.ron", &schedule(&wing, &calibration).to_ron())
+}
+
+/// The gap after: with corrections calibrated again with the effects in the model, as later steps have them.
+fn calibrated_again(found: &mut Discovered<'_>, rigs: &Rigs<'_>) -> Result<(), Failure> {
+    let corrected = found.corrected;
+    let settings = Settings::of_wing(&corrected.file.correction);
+    let again = calibrate(&corrected.wing, &without_effects(found), &settings)?;
+    let simulator = Simulator::new(&rigs.own, &schedule(&corrected.file, &again), &found.prepared.data)
+        .map_err(DiscoverError::from)?;
+    let after = found.prepared.gaps_of(&simulator, &found.report.level.effects);
+    for (gaps, after) in found.report.gaps.iter_mut().zip(after) {
+        gaps[1] = after;
+    }
+    Ok(())
 }
 
 /// The campaign with what the effects do to the static points taken off: what is left is for the corrections.

@@ -45,6 +45,47 @@ struct Judge<'a> {
     own_static_points: bool,
 }
 
+/// A case with its time and model runs, for `bench`.
+pub(super) struct Timed {
+    /// Reading, calibration and search of one case, s.
+    pub(super) seconds: f64,
+    /// How often the campaign was flown.
+    pub(super) model_runs: usize,
+    /// Effects and forms of the library.
+    pub(super) effects: usize,
+    /// A bank of null campaigns for the case's design, s.
+    pub(super) bank_seconds: f64,
+}
+
+/// The joiner and the ailerons hidden together, judged in a folder that is removed again.
+pub(super) fn timed_case(folder: &Path) -> Result<Timed, Failure> {
+    let path = paths::in_repository("data/tuflex/wing_beam.ron");
+    let bench = Bench::new(&path, Fineness::BENCHMARK)?;
+    let (file, wing) = ElasticWing::read(&path)?;
+    let schedule = Schedule { wing: file.name.clone(), wing_hash: file.hash.clone(), sets: Vec::new() };
+    let corrected = CorrectedWing { file, wing, schedule, origin: "the case's own".to_owned() };
+    let lattice = OtherLattice::of(&corrected.file, &corrected.wing);
+    let mut judge = Judge {
+        rigs: Rigs::new(&corrected.file, &corrected.wing, lattice.as_ref())?,
+        corrected: &corrected,
+        limits: Thresholds::default(),
+        folder: folder.to_path_buf(),
+        sealed: folder.to_path_buf(),
+        own_static_points: false,
+    };
+    let start = Instant::now();
+    judge.limits = judge.bank(&bench)?;
+    let bank_seconds = start.elapsed().as_secs_f64();
+    let plan = cases(FIRST_SEED, 3, &Mix::only(Class::Paper)).remove(2);
+    judge.prepared(&bench, &plan, "case")?;
+    let start = Instant::now();
+    let (prepared, _) = judge.read(&folder.join("case"), &plan)?;
+    let report = prepared.search(&judge.limits, plan.seed);
+    let seconds = start.elapsed().as_secs_f64();
+    std::fs::remove_dir_all(folder).map_err(Failure::computation)?;
+    Ok(Timed { seconds, model_runs: report.model_runs, effects: prepared.library.len(), bank_seconds })
+}
+
 /// Runs the command.
 pub(crate) fn run(args: &HiddenArgs, common: &Common) -> Result<(), Failure> {
     let start = Instant::now();
@@ -65,7 +106,10 @@ pub(crate) fn run(args: &HiddenArgs, common: &Common) -> Result<(), Failure> {
     };
     judge.limits = judge.bank(&bench)?;
     let seed = common.seed.unwrap_or(FIRST_SEED);
-    let plans = cases(seed, args.cases, &Mix::default());
+    let mut plans = cases(seed, args.cases, &Mix::default());
+    if args.finished {
+        plans.retain(|plan| judge.earlier(plan, seed).is_some());
+    }
     let bar = progress::bar(common, plans.len(), "cases");
     let judged = plans
         .par_iter()
@@ -108,19 +152,27 @@ impl Judge<'_> {
         Ok(bank)
     }
 
-    /// Makes a case, or takes one that is there, and lets `discover` judge it.
-    fn case(&self, bench: &Bench, plan: &CasePlan, seed: u64) -> Result<(Answer, Verdict), Failure> {
+    /// Where a case's answer and verdict go.
+    fn files(&self, plan: &CasePlan, seed: u64) -> (PathBuf, PathBuf) {
         let track = if self.own_static_points { "b" } else { "a" };
         let name = format!("{seed}_{:05}", plan.index);
-        let (sealed, told) =
-            (self.sealed.join(format!("{name}.json")), self.folder.join(format!("{name}.{track}.json")));
-        let earlier = || {
-            let answer = serde_json::from_str(&std::fs::read_to_string(&sealed).ok()?).ok()?;
-            Some((answer, Verdict::from_json(&std::fs::read_to_string(&told).ok()?, &told).ok()?))
-        };
-        if let Some(earlier) = earlier() {
+        (self.sealed.join(format!("{name}.json")), self.folder.join(format!("{name}.{track}.json")))
+    }
+
+    /// Answer and verdict of a case that was judged before.
+    fn earlier(&self, plan: &CasePlan, seed: u64) -> Option<(Answer, Verdict)> {
+        let (sealed, told) = self.files(plan, seed);
+        let answer = serde_json::from_str(&std::fs::read_to_string(sealed).ok()?).ok()?;
+        Some((answer, Verdict::from_json(&std::fs::read_to_string(&told).ok()?, &told).ok()?))
+    }
+
+    /// Makes a case, or takes one that is there, and lets `discover` judge it.
+    fn case(&self, bench: &Bench, plan: &CasePlan, seed: u64) -> Result<(Answer, Verdict), Failure> {
+        if let Some(earlier) = self.earlier(plan, seed) {
             return Ok(earlier);
         }
+        let name = format!("{seed}_{:05}", plan.index);
+        let (sealed, told) = self.files(plan, seed);
         let start = Instant::now();
         let (text, answer) = match self.prepared(bench, plan, &name) {
             Ok((prepared, campaign, answer)) => (self.judged(&prepared, &campaign, plan, start), answer),
@@ -148,6 +200,12 @@ impl Judge<'_> {
         let case = bench.case(plan);
         let folder = self.folder.join(name);
         case.files.write(&folder).map_err(Failure::computation)?;
+        let (prepared, campaign) = self.read(&folder, plan)?;
+        Ok((prepared, campaign, case.answer))
+    }
+
+    /// Reads and calibrates a case that was written.
+    fn read(&self, folder: &Path, plan: &CasePlan) -> Result<(Prepared, Campaign), Failure> {
         let campaign = Campaign::read(&folder.join("measured"))?;
         let statics = if self.own_static_points {
             campaign.clone()
@@ -161,7 +219,7 @@ impl Judge<'_> {
         if let Some(left_out) = &plan.leave_out {
             prepared.library.retain(|effect| effect.spec().name != left_out);
         }
-        Ok((prepared, campaign, case.answer))
+        Ok((prepared, campaign))
     }
 
     fn judged(&self, prepared: &Prepared, campaign: &Campaign, plan: &CasePlan, start: Instant) -> Value {

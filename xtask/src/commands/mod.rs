@@ -3,6 +3,7 @@
 pub(crate) mod bench;
 mod bench_aircraft;
 mod bench_chirp;
+mod bench_discover;
 mod bench_dlm;
 mod bench_general;
 mod bench_structure;

@@ -1,0 +1,174 @@
+//! A small fixed set of blind cases, of development seeds: effects hidden by another program in the wing's campaign, and
+//! what `discover` must say of each. Thresholds are those that an effect without a bank has.
+
+use std::path::Path;
+use std::sync::OnceLock;
+
+use calibrate::{Campaign, Schedule, Settings, calibrate};
+use coupling::{ElasticWing, WingFile};
+use discover::analysis::{Prepared, Report, Rigs};
+use discover::bank::Thresholds;
+use discover::gate::{defects, rough_noise};
+use discover::next::advise;
+use discover::numerics::OtherLattice;
+use hidden::plan::Hidden;
+use hidden::{Bench, CasePlan, Class, Fineness, Mix, cases};
+
+const SEED: u64 = 41;
+
+struct Wing {
+    bench: Bench,
+    file: WingFile,
+    wing: ElasticWing,
+    lattice: Option<OtherLattice>,
+}
+
+fn wing() -> &'static Wing {
+    static WING: OnceLock<Wing> = OnceLock::new();
+    WING.get_or_init(|| {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../data/tuflex/wing_beam.ron");
+        let (file, wing) = ElasticWing::read(&path).unwrap();
+        let lattice = OtherLattice::of(&file, &wing);
+        Wing { bench: Bench::new(&path, Fineness::BENCHMARK).unwrap(), file, wing, lattice }
+    })
+}
+
+fn rigs() -> &'static Rigs<'static> {
+    static RIGS: OnceLock<Rigs<'static>> = OnceLock::new();
+    RIGS.get_or_init(|| {
+        let wing = wing();
+        Rigs::new(&wing.file, &wing.wing, wing.lattice.as_ref()).unwrap()
+    })
+}
+
+/// Thresholds without a bank; where nothing is missing, the benchmark's misfit is 0.96 and its floor 2.2 and 2.4.
+fn limits() -> Thresholds {
+    Thresholds { misfit: 0.96, misfit_limit: 1.16, floor: [2.2, 2.4], ..Thresholds::default() }
+}
+
+/// A plan with chosen effects in place of its own.
+fn plan(class: Class, effects: &[(&str, &[f64])]) -> CasePlan {
+    let mut plan = cases(SEED, 1, &Mix::only(class)).remove(0);
+    plan.class = Class::Single;
+    plan.effects = effects
+        .iter()
+        .map(|(name, values)| Hidden { name: (*name).to_owned(), values: values.to_vec() })
+        .collect();
+    plan
+}
+
+fn prepared(plan: &CasePlan, name: &str) -> (Prepared, Schedule) {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("must_have_{name}"));
+    let wing = wing();
+    wing.bench.case(plan).files.write(&folder).unwrap();
+    let reference = Campaign::read(&folder.join("reference")).unwrap();
+    let calibration = calibrate(&wing.wing, &reference, &Settings::of_wing(&wing.file.correction)).unwrap();
+    let sets = calibration
+        .airspeeds
+        .iter()
+        .map(|one| calibrate::CorrectionSet::new(one.data.v_m_s, one.corrections.clone()))
+        .collect();
+    let schedule = Schedule { wing: wing.file.name.clone(), wing_hash: wing.file.hash.clone(), sets };
+    let campaign = Campaign::read(&folder.join("measured")).unwrap();
+    let mut prepared = Prepared::new(rigs(), &schedule, &campaign, false).unwrap();
+    if let Some(left_out) = &plan.leave_out {
+        prepared.library.retain(|effect| effect.spec().name != left_out);
+    }
+    (prepared, schedule)
+}
+
+fn names(report: &Report) -> Vec<&'static str> {
+    report.outcome.found.iter().map(|found| found.active.effect.spec().name).collect()
+}
+
+const JOINER: (&str, &[f64]) = ("joiner_inertia", &[0.15, -0.115, 0.1]);
+
+#[test]
+fn wings_without_any_effect_lack_none() {
+    let count = if std::env::var_os("RUN_SLOW_TESTS").is_some() { 20 } else { 2 };
+    for plan in cases(SEED, count, &Mix::only(Class::Null)) {
+        let (prepared, _) = prepared(&plan, &format!("null_{}", plan.index));
+        let report = prepared.search(&limits(), plan.seed);
+        assert!(names(&report).is_empty(), "case {}: {:?}", plan.index, report.outcome.trace);
+    }
+}
+
+#[test]
+fn the_joiner_is_named_with_its_inertia_and_the_pitching_moment_gap_shrinks() {
+    let plan = plan(Class::Null, &[JOINER]);
+    let (prepared, _) = prepared(&plan, "joiner");
+    let report = prepared.search(&limits(), plan.seed);
+    assert_eq!(names(&report), ["joiner_inertia"], "{:?}", report.outcome.trace);
+    let found = &report.outcome.found[0];
+    assert!((found.active.values[0] / 0.15 - 1.0).abs() < 0.15, "{:?}", found.active.values);
+    let [before, after] = report.gaps[1];
+    assert!(after.by_channel[2] < 0.5 * before.by_channel[2], "{before:?} {after:?}");
+    assert!((0..2).all(|c| after.by_channel[c] < 1.05 * before.by_channel[c]), "{before:?} {after:?}");
+    // another seed of the bootstrap
+    assert_eq!(names(&prepared.search(&limits(), plan.seed + 1)), ["joiner_inertia"]);
+}
+
+#[test]
+fn pitch_without_wind_tells_the_joiner_better_from_its_rivals() {
+    let margin = |wind_off: bool| {
+        let plan = CasePlan { wind_off, ..plan(Class::Null, &[JOINER]) };
+        let (prepared, _) = prepared(&plan, if wind_off { "wind_off" } else { "wind_on" });
+        let report = prepared.search(&limits(), plan.seed);
+        let first = &report.outcome.first_level;
+        assert!(first[0].0.starts_with("joiner_inertia"), "{first:?}");
+        first[0].1 - first[1].1
+    };
+    let (without, with) = (margin(false), margin(true));
+    assert!(with > without, "{without} {with}");
+}
+
+#[test]
+fn ailerons_that_lose_effectiveness_are_named_and_not_slow_ones() {
+    let plan = plan(Class::Null, &[("ctl_saturation", &[2.5])]);
+    let (prepared, _) = prepared(&plan, "saturation");
+    let report = prepared.search(&limits(), plan.seed);
+    assert_eq!(names(&report), ["ctl_saturation"], "{:?}", report.outcome.trace);
+}
+
+#[test]
+fn an_effect_that_the_library_lacks_is_not_given_another_name() {
+    let plan = CasePlan { leave_out: Some("joiner_inertia".into()), ..plan(Class::Null, &[JOINER]) };
+    let (prepared, _) = prepared(&plan, "left_out");
+    let report = prepared.search(&limits(), plan.seed);
+    assert!(names(&report).is_empty() && report.outcome.unexplained, "{:?}", report.outcome.trace);
+}
+
+#[test]
+fn an_offset_of_the_angle_and_camber_stay_together_and_ask_for_an_inverted_run() {
+    let plan = plan(Class::Null, &[("alpha_offset", &[-0.5])]);
+    let (prepared, schedule) = prepared(&plan, "offset");
+    let report = prepared.search(&limits(), plan.seed);
+    let found = &report.outcome.found;
+    assert_eq!(found.len(), 1, "{:?}", report.outcome.trace);
+    let mut set = vec![found[0].active.effect.spec().name];
+    set.extend(&found[0].confused_with);
+    assert!(set.contains(&"alpha_offset") && set.contains(&"camber"), "{set:?}");
+    assert_eq!(found[0].active.effect.spec().experiment.rsplit("; ").next(), Some("an inverted run"));
+    // nothing that is flown upright separates them as an inverted run would
+    let advice = advise(rigs(), &schedule, &prepared, (found, 0)).unwrap();
+    let twin = found[0].rivals.iter().map(|rival| rival.active.effect.spec().name);
+    let twin = twin.into_iter().find(|name| ["alpha_offset", "camber"].contains(name)).unwrap();
+    for entry in &advice {
+        let nats = entry.nats.iter().find(|(name, _)| *name == twin).unwrap().1;
+        assert!(nats < 5.0, "{}: {nats}", entry.experiment);
+    }
+}
+
+#[test]
+fn exchanged_channels_are_a_defect_of_the_data() {
+    let (mut prepared, _) = prepared(&plan(Class::Null, &[]), "exchanged");
+    let gate = |prepared: &Prepared| {
+        let (data, simulator) = (&prepared.data, &prepared.simulator);
+        let all: Vec<usize> = (0..data.statics.len() + data.runs.len()).collect();
+        let flown = simulator.fly(&simulator.models(&[], None), &[], &all);
+        defects(data, &flown, &rough_noise(data))
+    };
+    assert!(gate(&prepared).is_empty());
+    prepared.data.runs.iter_mut().for_each(|run| run.measured.swap(0, 1));
+    assert!(!gate(&prepared).is_empty());
+}
