@@ -148,7 +148,9 @@ fn a_mass_at_the_tip_lowers_the_first_frequency_as_rayleigh_says() {
         omegas[(0..omegas.len()).max_by(|a, b| height(*a).total_cmp(&height(*b))).unwrap()]
     };
     let none = Change::none(compact.zones.len());
-    let point = PointMass { mass_kg: 0.02, y_norm: 0.97, aft_over_c: 0.2 };
+    // where the outermost zone's height is that of the mass
+    let y_norm = compact.zones.y_norm[compact.zones.len() - 1];
+    let point = PointMass { mass_kg: 0.02, y_norm, aft_over_c: 0.2 };
     let before = peak(&none);
     let after = peak(&Change { points: vec![point], ..none.clone() });
     // the mode's height at the outermost zone per unit of modal mass: the compliance of a force there, less all other modes'

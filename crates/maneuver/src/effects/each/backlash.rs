@@ -18,7 +18,7 @@ impl Effect for Backlash {
     }
 
     fn parameters(&self) -> Vec<Parameter> {
-        vec![Parameter::new("gap_deg", (0.0, 4.0), 1.0)]
+        vec![Parameter::new("gap_deg", (0.0, 3.0), 1.0)]
     }
 
     fn inputs(&self, p: &[f64], place: &Place<'_>, inputs: &mut Inputs) {

@@ -27,7 +27,7 @@ impl Effect for Stall {
     }
 
     fn parameters(&self) -> Vec<Parameter> {
-        parameters()
+        parameters(8.0)
     }
 
     fn starts(&self) -> Vec<Vec<f64>> {
@@ -50,8 +50,12 @@ impl Effect for Stall {
     }
 }
 
-fn parameters() -> Vec<Parameter> {
-    vec![Parameter::new("earlier_than_16_deg", (0.0, 14.0), 8.0), Parameter::new("k", (0.0, 3.0), 0.5)]
+/// The angle of the stream is smaller than that of a cambered strip's lift: the form of the angle sets in lower.
+fn parameters(earlier_deg: f64) -> Vec<Parameter> {
+    vec![
+        Parameter::new("earlier_than_16_deg", (0.0, 14.0), earlier_deg),
+        Parameter::new("k", (0.0, 3.0), 0.5),
+    ]
 }
 
 fn starts() -> Vec<Vec<f64>> {
@@ -72,7 +76,7 @@ impl Effect for StallByAngle {
     }
 
     fn parameters(&self) -> Vec<Parameter> {
-        parameters()
+        parameters(12.0)
     }
 
     fn starts(&self) -> Vec<Vec<f64>> {
