@@ -19,7 +19,7 @@ const SEED: u64 = 41;
 struct Wing {
     bench: Bench,
     file: WingFile,
-    wing: ElasticWing,
+    elastic: ElasticWing,
     lattice: Option<OtherLattice>,
 }
 
@@ -27,9 +27,14 @@ fn wing() -> &'static Wing {
     static WING: OnceLock<Wing> = OnceLock::new();
     WING.get_or_init(|| {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../data/tuflex/wing_beam.ron");
-        let (file, wing) = ElasticWing::read(&path).unwrap();
-        let lattice = OtherLattice::of(&file, &wing);
-        Wing { bench: Bench::new(&path, Fineness::BENCHMARK).unwrap(), file, wing, lattice }
+        let (file, elastic) = ElasticWing::read(&path).expect("the shipped wing and a generated case");
+        let lattice = OtherLattice::of(&file, &elastic);
+        Wing {
+            bench: Bench::new(&path, Fineness::BENCHMARK).expect("the shipped wing and a generated case"),
+            file,
+            elastic,
+            lattice,
+        }
     })
 }
 
@@ -37,7 +42,8 @@ fn rigs() -> &'static Rigs<'static> {
     static RIGS: OnceLock<Rigs<'static>> = OnceLock::new();
     RIGS.get_or_init(|| {
         let wing = wing();
-        Rigs::new(&wing.file, &wing.wing, wing.lattice.as_ref()).unwrap()
+        Rigs::new(&wing.file, &wing.elastic, wing.lattice.as_ref())
+            .expect("the shipped wing and a generated case")
     })
 }
 
@@ -60,17 +66,19 @@ fn plan(class: Class, effects: &[(&str, &[f64])]) -> CasePlan {
 fn prepared(plan: &CasePlan, name: &str) -> (Prepared, Schedule) {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("must_have_{name}"));
     let wing = wing();
-    wing.bench.case(plan).files.write(&folder).unwrap();
-    let reference = Campaign::read(&folder.join("reference")).unwrap();
-    let calibration = calibrate(&wing.wing, &reference, &Settings::of_wing(&wing.file.correction)).unwrap();
+    wing.bench.case(plan).files.write(&folder).expect("the shipped wing and a generated case");
+    let reference = Campaign::read(&folder.join("reference")).expect("the shipped wing and a generated case");
+    let calibration = calibrate(&wing.elastic, &reference, &Settings::of_wing(&wing.file.correction))
+        .expect("the shipped wing and a generated case");
     let sets = calibration
         .airspeeds
         .iter()
         .map(|one| calibrate::CorrectionSet::new(one.data.v_m_s, one.corrections.clone()))
         .collect();
     let schedule = Schedule { wing: wing.file.name.clone(), wing_hash: wing.file.hash.clone(), sets };
-    let campaign = Campaign::read(&folder.join("measured")).unwrap();
-    let mut prepared = Prepared::new(rigs(), &schedule, &campaign, false).unwrap();
+    let campaign = Campaign::read(&folder.join("measured")).expect("the shipped wing and a generated case");
+    let mut prepared =
+        Prepared::new(rigs(), &schedule, &campaign, false).expect("the shipped wing and a generated case");
     if let Some(left_out) = &plan.leave_out {
         prepared.library.retain(|effect| effect.spec().name != left_out);
     }

@@ -45,7 +45,7 @@ fn calibrate(folder: &Path, before: &str) -> Output {
 }
 
 /// All files below a folder; of result.json without what the clock says.
-fn contents(folder: &Path) -> BTreeMap<String, String> {
+fn contents(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let mut found = BTreeMap::new();
     for entry in std::fs::read_dir(folder).expect("a folder").flatten() {
         let name = entry.file_name().to_string_lossy().into_owned();
@@ -55,15 +55,15 @@ fn contents(folder: &Path) -> BTreeMap<String, String> {
             );
             continue;
         }
-        let text = std::fs::read_to_string(entry.path()).expect("a text");
-        let text = if name == "result.json" {
-            let mut result: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        let bytes = std::fs::read(entry.path()).expect("a file");
+        let bytes = if name == "result.json" {
+            let mut result: serde_json::Value = serde_json::from_slice(&bytes).expect("JSON");
             result.as_object_mut().expect("an object").remove("seconds");
-            result.to_string()
+            result.to_string().into_bytes()
         } else {
-            text
+            bytes
         };
-        found.insert(name, text);
+        found.insert(name, bytes);
     }
     found
 }
