@@ -17,6 +17,8 @@ const HOW: [&str; 2] = ["--json", "--quiet"];
 /// # Errors
 /// If it cannot be read.
 pub fn input(what: &str, path: &Path) -> Result<Input, InputError> {
+    // the folder of a bare file name
+    let path = if path.as_os_str().is_empty() { Path::new(".") } else { path };
     let refused = |path: &Path, error: &std::io::Error| {
         InputError::in_file(path, format!("cannot be read for its fingerprint: {error}"))
     };
