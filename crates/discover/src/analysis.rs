@@ -9,6 +9,7 @@ use crate::numerics::{OtherLattice, other_doublets, other_lags};
 use crate::problem::Problem;
 use crate::search::{Outcome, search};
 use crate::simulator::{Simulator, SimulatorError, SplitRig};
+use crate::tones::{Tone, sentence, tones};
 use crate::uncertain::uncertain;
 use calibrate::{Campaign, Schedule, Use};
 use coupling::{ElasticWing, WingFile};
@@ -77,6 +78,8 @@ pub struct Prepared {
     pub uncertain: Vec<Active>,
     /// The noise.
     pub noise: Noise,
+    /// Tones that do not repeat.
+    pub tones: Vec<Tone>,
     /// How open the corrections are (see [`Setting::open_corrections`]).
     pub open_corrections: f64,
 }
@@ -113,10 +116,11 @@ impl Prepared {
         let places: Vec<usize> = (0..data.runs.len()).map(|i| data.place_of_run(i)).collect();
         let flown = simulator.fly(&simulator.models(&[], None), &[], &places);
         let noise = Noise::new(&data, &flown)?;
+        let tones = tones(&data, &flown);
         let open_corrections = if own_corrections { 1.0 } else { CALIBRATED };
         let library = library(&names);
         let uncertain = uncertain(&library, &names);
-        Ok(Self { data, simulator, others, library, uncertain, noise, open_corrections })
+        Ok(Self { data, simulator, others, library, uncertain, noise, tones, open_corrections })
     }
 
     /// What the search is given.
@@ -150,7 +154,12 @@ impl Prepared {
     pub fn search(&self, limits: &Thresholds, seed: u64) -> Report {
         let before = self.simulator.count();
         let setting = self.setting();
-        let (outcome, level) = search(&setting, &mut self.training(), limits, seed);
+        let (mut outcome, level) = search(&setting, &mut self.training(), limits, seed);
+        if let Some(sentence) = sentence(&self.tones) {
+            // no effect of the library makes a tone
+            outcome.unexplained = true;
+            outcome.trace.push(sentence);
+        }
         let gaps = self.judged().each_ref().map(|problem| {
             let plain: &[Active] = &[];
             [plain, &level.effects].map(|effects| problem.gap(&self.flown(problem, &level, effects)))

@@ -19,9 +19,9 @@ pub const CAMPAIGNS: u64 = 20;
 /// Standard deviations above the mean of what is found where nothing is missing.
 const SIGMAS: f64 = 3.0;
 /// Nats on top: the bank's campaigns are made with the model's own numerics, or close to it, and real wings are not.
-const MARGIN: f64 = 35.0;
+const MARGIN: f64 = 45.0;
 /// Threshold of an effect the bank says nothing of.
-const UNKNOWN: f64 = 35.0;
+const UNKNOWN: f64 = 45.0;
 /// Misfit on top, for the same reason.
 const MISFIT_MARGIN: f64 = 0.15;
 
@@ -166,7 +166,7 @@ fn mean_and_sd(values: &[f64]) -> (f64, f64) {
 }
 
 /// What a bank was made by: another word where library, tolerances or margins change.
-const RULES: &str = "replicates together, other lattice, margin 35";
+const RULES: &str = "replicates together, other lattice, held angles, margin 45";
 
 /// A fingerprint of what a bank depends on, as FNV-1a of words.
 pub fn key(wing_hash: &str, data: &Dataset) -> String {

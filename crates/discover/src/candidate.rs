@@ -8,12 +8,20 @@ use faer::{Mat, Side};
 use maneuver::effects::{Active, Effect, Flown, Parameter};
 use std::sync::Arc;
 
-/// Most steps of a refit.
+/// Steps of a refit; more while they gain [`WORTH`] of what was gained so far.
 const STEPS: usize = 6;
+/// Most steps of a refit.
+const MOST_STEPS: usize = 14;
+/// See [`STEPS`].
+const WORTH: f64 = 0.02;
 /// A step that gains less than this of chi square is the last.
 const ENOUGH: f64 = 0.5;
-/// Sizes in units of the plausible that starting points have, beside what the secants say.
-const STARTS: [f64; 2] = [0.5, 1.5];
+/// Sizes in units of the plausible at which an effect of one parameter is flown for screening. What a run may be off by
+/// hides the part of an effect that is linear in its size (a time shift's, say): what is left looks alike on both
+/// sides of zero, so each is tried.
+const TRIED: [f64; 4] = [1.0, -1.0, 4.0, -4.0];
+/// Where its fit is started, as shares of the best of these sizes.
+const STARTS: [f64; 3] = [1.0, 0.5, 1.5];
 
 /// A candidate and what screening says of it.
 #[derive(Debug, Clone)]
@@ -24,9 +32,10 @@ pub struct Screened {
     secants: Mat<f64>,
     /// What chi square would fall by.
     pub gain: f64,
-    /// Sizes around which the secants are, and to where they lead.
-    base: Vec<f64>,
+    /// To where the secants lead.
     start: Vec<f64>,
+    /// Where else a fit may begin.
+    starts: Vec<Vec<f64>>,
 }
 
 /// A candidate that was fitted, together with the effects found before it.
@@ -66,17 +75,55 @@ impl Screened {
             .min_by(|a, b| a.score.total_cmp(&b.score));
         let base = started.unwrap_or_else(|| trial.point_at_rest());
         let at_base = difference(&level.residual, &base.residual);
+        if parameters.len() == 1 && base.sizes == [0.0] {
+            return Self::of_one_parameter(&trial, level, &parameters[0]);
+        }
         let columns: Vec<Vec<f64>> =
             (0..parameters.len()).map(|k| trial.secant(&parameters, k, (&base.sizes, &at_base))).collect();
         let secants = Mat::from_fn(problem.len(), columns.len(), |i, j| columns[j][i]);
         let (step, gain) = linear_step(level, &secants, &base.residual, &base.sizes);
-        let start = base.sizes.iter().zip(step).map(|(a, b)| a + b).collect();
+        let start: Vec<f64> = base.sizes.iter().zip(step).map(|(a, b)| a + b).collect();
+        let other = if base.sizes.iter().any(|size| *size != 0.0) {
+            base.sizes.clone()
+        } else {
+            start.iter().map(|size| -size).collect()
+        };
         Self {
             effect: Arc::clone(effect),
             secants,
             gain: gain + level.chi2 - base.score,
-            base: base.sizes,
+            starts: vec![start.clone(), other],
             start,
+        }
+    }
+
+    /// A single parameter: as small, as large, on either side as may be.
+    fn of_one_parameter(trial: &Trial<'_>, level: &Level, parameter: &Parameter) -> Self {
+        let within = |size: &f64| (parameter.lower..=parameter.upper).contains(&(size * parameter.plausible));
+        let tried: Vec<(f64, Point)> =
+            TRIED.into_iter().filter(within).map(|size| (size, trial.point(&[size]))).collect();
+        let secant = |tried: &(f64, Point)| {
+            let of = |i: usize, _: usize| (level.residual[i] - tried.1.residual[i]) / tried.0;
+            Mat::from_fn(level.residual.len(), 1, of)
+        };
+        // a secant says nothing of the other side
+        let led = |tried: &(f64, Point)| {
+            let (step, gain) = linear_step(level, &secant(tried), &level.residual, &[0.0]);
+            (step[0] * tried.0 > 0.0).then_some((step[0], gain))
+        };
+        let best = tried.iter().min_by(|a, b| a.1.score.total_cmp(&b.1.score));
+        let by_secants: Vec<(f64, f64)> = tried.iter().filter_map(led).collect();
+        let largest = by_secants.iter().max_by(|a, b| a.1.total_cmp(&b.1));
+        let gain = best.map_or(0.0, |best| level.chi2 - best.1.score).max(largest.map_or(0.0, |l| l.1));
+        let around = best.map_or(0.0, |best| best.0);
+        let mut starts: Vec<Vec<f64>> = STARTS.iter().map(|share| vec![share * around]).collect();
+        starts.extend(by_secants.iter().map(|(size, _)| vec![*size]));
+        Self {
+            effect: Arc::clone(trial.effect),
+            secants: best.map_or_else(|| Mat::zeros(level.residual.len(), 1), secant),
+            gain,
+            start: vec![largest.map_or(around, |largest| largest.0)],
+            starts,
         }
     }
 
@@ -89,18 +136,9 @@ impl Screened {
     /// the secants say and from plausible sizes.
     pub fn refit(&self, setting: &Setting<'_>, problem: &Problem<'_>, level: &Level) -> Refit {
         let trial = Trial { setting, problem, level, effect: &self.effect };
-        let parameters = self.effect.parameters();
-        let signs: Vec<f64> = self.start.iter().map(|s| if *s < 0.0 { -1.0 } else { 1.0 }).collect();
-        let mut starts = vec![self.start.clone()];
-        if self.base.iter().any(|size| *size != 0.0) {
-            starts.push(self.base.clone());
-        }
-        if parameters.len() == 1 {
-            starts.extend(STARTS.map(|size| vec![size * signs[0]; 1]));
-        }
         let mut best: Option<Point> = None;
-        for start in starts {
-            let point = trial.point(&start);
+        for start in &self.starts {
+            let point = trial.point(start);
             if best.as_ref().is_none_or(|b| point.score < b.score) {
                 best = Some(point);
             }
@@ -108,11 +146,12 @@ impl Screened {
         let mut point = best.unwrap_or_else(|| trial.point(&self.start));
         let mut jacobian = self.secants.clone();
         let origin = trial.point_at_rest();
+        let rest = origin.score;
         if point.score > origin.score {
             point = origin;
         }
         let mut damping = 0.0;
-        for _ in 0..STEPS {
+        for taken in 0..MOST_STEPS {
             let (step, _) = damped_step(level, &jacobian, &point, damping);
             let sizes: Vec<f64> = point.sizes.iter().zip(&step).map(|(a, b)| a + b).collect();
             let next = trial.point(&sizes);
@@ -124,7 +163,8 @@ impl Screened {
             } else {
                 damping = if damping == 0.0 { 1.0 } else { 10.0 * damping };
             }
-            if gained.abs() < ENOUGH || damping > 1e4 {
+            let worth = WORTH * (rest - point.score);
+            if gained.abs() < ENOUGH || damping > 1e4 || taken + 1 >= STEPS && gained < worth {
                 break;
             }
         }

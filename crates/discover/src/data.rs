@@ -11,6 +11,8 @@ use nastran::{InputError, named_file};
 pub const RATE_HZ: f64 = 100.0;
 /// Cutoff of the filter before samples are left out, Hz.
 const ANTI_ALIAS_HZ: f64 = 25.0;
+/// An angle of a smaller standard deviation is held, rad: a fiftieth of a degree.
+const HELD_RAD: f64 = 3.5e-4;
 /// Airspeeds closer than this share are one.
 const SAME_AIRSPEED: f64 = 0.005;
 
@@ -287,10 +289,24 @@ fn decimation(time_step_s: f64) -> usize {
     whole
 }
 
+/// An angle that does not move is held: what its encoder's noise says of rates would be flown as motion otherwise.
+fn hold(alpha: &mut Smooth) {
+    let n = alpha.value.len().max(1) as f64;
+    let mean = alpha.value.iter().sum::<f64>() / n;
+    let square = alpha.value.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / n;
+    if square.sqrt() < HELD_RAD {
+        alpha.value.fill(mean);
+        alpha.rate.fill(0.0);
+        alpha.second.fill(0.0);
+    }
+}
+
 fn stimulus(run: &Run, entry: &RunEntry, controls: &[&str], decimation: usize) -> Stimulus {
     let kept = |values: &[f64]| values.iter().step_by(decimation).copied().collect::<Vec<f64>>();
     let smooth = smooth_from_rest(&run.alpha_rad, run.time_step_s, ANTI_ALIAS_HZ);
-    let alpha = Smooth { value: kept(&smooth.value), rate: kept(&smooth.rate), second: kept(&smooth.second) };
+    let mut alpha =
+        Smooth { value: kept(&smooth.value), rate: kept(&smooth.rate), second: kept(&smooth.second) };
+    hold(&mut alpha);
     let samples = alpha.value.len();
     let commanded = |name: &&str| {
         let own = run.controls_rad.iter().find(|(control, _)| control == name);

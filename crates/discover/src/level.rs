@@ -29,7 +29,7 @@ pub struct Setting<'a> {
 }
 
 /// See the module.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Level {
     /// Effects found.
     pub effects: Vec<Active>,

@@ -3,6 +3,7 @@
 pub mod analysis;
 pub mod bank;
 pub mod candidate;
+pub mod consistency;
 pub mod data;
 pub mod directions;
 pub mod gap;
@@ -17,5 +18,6 @@ pub mod search;
 pub mod shared;
 pub mod simulator;
 mod tolerance;
+pub mod tones;
 pub mod transform;
 pub mod uncertain;

@@ -99,7 +99,7 @@ impl Noise {
 }
 
 /// Training runs that repeat another: the first, and the repeat.
-fn pairs(data: &Dataset) -> Vec<(usize, usize)> {
+pub(crate) fn pairs(data: &Dataset) -> Vec<(usize, usize)> {
     let repeats = data.runs.iter().enumerate().filter_map(|(i, run)| run.repeat_of.map(|first| (first, i)));
     repeats
         .filter(|&(a, b)| {

@@ -21,7 +21,7 @@ const LONG_S: f64 = 3.0;
 /// Tolerance of a static group: gain.
 const STATIC_GAIN: f64 = 0.01;
 /// Tolerance of the form of an effect that was found: gain, time shift in s.
-const FORM: [f64; 2] = [0.15, 0.01];
+const FORM: [f64; 2] = [0.15, 0.005];
 
 /// One run or static group in the residual.
 #[derive(Debug, Clone)]

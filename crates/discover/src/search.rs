@@ -2,7 +2,8 @@
 
 use crate::bank::Thresholds;
 use crate::candidate::{Refit, Screened};
-use crate::level::{Level, Setting};
+use crate::consistency::{Share, scatter, shares};
+use crate::level::{Level, Setting, norm};
 use crate::problem::Problem;
 use maneuver::effects::Active;
 use rand_chacha::ChaCha8Rng;
@@ -16,9 +17,9 @@ const KEPT_SHARE: f64 = 0.35;
 /// Most effects that one campaign may lack.
 const MOST: usize = 4;
 /// An effect that adds less than this of the first one's evidence only repairs the first one's form.
-const REPAIR_SHARE: f64 = 0.01;
+const REPAIR_SHARE: f64 = 0.005;
 /// Nats that a further effect needs beyond its threshold: the form of what was found is never exact.
-const FURTHER: f64 = 40.0;
+const FURTHER: f64 = 10.0;
 /// Where no candidate wins this share of draws, the data do not say which it is, and none is named.
 const WINS: f64 = 0.35;
 /// Share of draws that an effect wins, and how often it was the hidden one then, on development cases of the blind
@@ -28,6 +29,10 @@ const RIGHT: [(f64, f64); 6] = [(0.0, 0.1), (0.3, 0.25), (0.45, 0.6), (0.6, 0.9)
 const EXPLAINED: f64 = 0.1;
 /// Below this share of it explained by all that was found, what was found is not what is missing.
 const EXPLAINED_BY_ALL: f64 = 0.5;
+/// Above this scatter of its size from one part of the data to the other an effect is not what it is called.
+const SCATTER: f64 = 3.0;
+/// How far values are off because no form is exact, as shares of them, on development cases of the blind benchmark.
+const FORM: f64 = 0.1;
 /// Draws of the bootstrap over runs.
 const DRAWS: usize = 400;
 /// Effects that win at least this share of draws belong to the set.
@@ -72,6 +77,8 @@ pub struct Found {
     pub confused_with: Vec<&'static str>,
     /// These as fitted in its place.
     pub rivals: Vec<Refit>,
+    /// The size that each airspeed and kind of maneuver alone would give it, over the one found.
+    pub shares: Vec<Share>,
 }
 
 /// What a search ends with.
@@ -135,10 +142,11 @@ pub fn search(
     let rows = problem.len() as f64;
     let level = Level::new(setting, problem, &[], None);
     let start = level.chi2;
+    let bare = (problem.clone(), level.clone());
     let mut so_far = SoFar { level, outcome: Outcome::default(), first_evidence: None, undecided: false };
     // what a step takes back a later one may find again: steps end, whatever they do
     for _ in 0..2 * MOST {
-        if so_far.outcome.found.len() == MOST || !so_far.step(setting, problem, limits, seed) {
+        if so_far.outcome.found.len() == MOST || !so_far.step(setting, (&mut *problem, &bare), limits, seed) {
             break;
         }
     }
@@ -155,9 +163,35 @@ pub fn search(
         outcome.found.clear();
         level = Level::new(setting, problem, &[], Some(&level.models));
     }
+    let undecided = judge_parts(setting, &bare, &mut outcome) || undecided;
+    if outcome.found.len() != level.effects.len() {
+        level = Level::new(setting, problem, &others(&outcome.found, &[]), Some(&level.models));
+    }
     outcome.misfit = [start / rows, level.chi2 / rows];
     outcome.unexplained = outcome.misfit[1] > limits.misfit_limit || undecided && outcome.found.is_empty();
     (outcome, level)
+}
+
+/// Judges every effect from parts of the data, and drops those whose parts disagree (all, if the first is one: what was
+/// found beside a wrong effect is not to be believed). Whether any was dropped.
+fn judge_parts(setting: &Setting<'_>, bare: &(Problem<'_>, Level), outcome: &mut Outcome) -> bool {
+    let effects = others(&outcome.found, &[]);
+    for (which, found) in outcome.found.iter_mut().enumerate() {
+        found.shares = shares(setting, (&bare.0, &bare.1), &effects, which);
+    }
+    let disagree =
+        |found: &Found| scatter(name(found), &found.shares).is_some_and(|scatter| scatter > SCATTER);
+    for found in outcome.found.iter().filter(|found| disagree(found)) {
+        let each: Vec<String> = found.shares.iter().map(ToString::to_string).collect();
+        let name = name(found);
+        outcome.trace.push(format!("{name} has no size of its own ({}): it only resembles", each.join(", ")));
+    }
+    let before = outcome.found.len();
+    if outcome.found.first().is_some_and(disagree) {
+        outcome.found.clear();
+    }
+    outcome.found.retain(|found| !disagree(found));
+    outcome.found.len() < before
 }
 
 /// A search on its way.
@@ -173,7 +207,7 @@ impl SoFar {
     fn step(
         &mut self,
         setting: &Setting<'_>,
-        problem: &mut Problem<'_>,
+        (problem, bare): (&mut Problem<'_>, &(Problem<'_>, Level)),
         limits: &Thresholds,
         seed: u64,
     ) -> bool {
@@ -211,18 +245,19 @@ impl SoFar {
         ));
         self.outcome.found.push(Found {
             active: best.refit.active.clone(),
-            sigma: best.refit.sigma.clone(),
+            sigma: with_form(&best.refit),
             evidence: best.evidence,
             confidence: right(share),
             rivals: confused_with.iter().filter_map(|name| fitted(&weighed, name)).collect(),
             confused_with,
+            shares: Vec::new(),
         });
         let effects = others(&self.outcome.found, &[]);
         self.level = Level::new(setting, problem, &effects, Some(&self.level.models));
         if effects.len() == 1 {
             return true;
         }
-        let more = revise(setting, problem, limits, &mut self.outcome.found, &mut self.level);
+        let more = revise(setting, (problem, bare), limits, &mut self.outcome.found, &mut self.level);
         let names: Vec<&str> = self.outcome.found.iter().map(name).collect();
         self.outcome.trace.push(format!("all weighed again: {}", names.join(", ")));
         more
@@ -242,7 +277,7 @@ impl SoFar {
 /// False if the last effect turned out to say what an earlier one says better: nothing more will be found then.
 fn revise(
     setting: &Setting<'_>,
-    problem: &mut Problem<'_>,
+    (problem, bare): (&mut Problem<'_>, &(Problem<'_>, Level)),
     limits: &Thresholds,
     found: &mut Vec<Found>,
     level: &mut Level,
@@ -255,14 +290,23 @@ fn revise(
             weighed.iter().find(|w| w.evidence > w.threshold && w.refit.is_more_than_a_nudge())
         {
             let own = weighed.iter().find(|w| w.name() == name(&found[index]));
-            // the earlier name stays unless another is clearly better
-            let chosen = own.filter(|own| own.evidence > best.evidence - CLOSE).unwrap_or(best);
+            // the earlier name stays unless another is clearly better, also where nothing is allowed to the form of the
+            // effects beside it: what that hides decides nothing
+            let beside = |w: &Weighed| {
+                let mut effects = others(found, &[index]);
+                effects.push(w.refit.active.clone());
+                misfit_of(setting, bare, &effects)
+            };
+            let now = misfit_of(setting, bare, &others(found, &[]));
+            let better = best.name() != name(&found[index]) && beside(best) < now;
+            let chosen = own.filter(|own| !better || own.evidence > best.evidence - CLOSE);
+            let Some(chosen) = chosen.or(better.then_some(best)) else { continue };
             if chosen.name() != name(&found[index]) {
                 found[index].confused_with.clear();
                 found[index].rivals.clear();
             }
             found[index].active = chosen.refit.active.clone();
-            found[index].sigma.clone_from(&chosen.refit.sigma);
+            found[index].sigma = with_form(&chosen.refit);
             found[index].evidence = chosen.evidence;
         } else {
             // one of the two is enough: the one that says more without the other
@@ -283,6 +327,18 @@ fn revise(
     let effects: Vec<Active> = found.iter().map(|f| f.active.clone()).collect();
     *level = Level::new(setting, problem, &effects, Some(&level.models));
     more
+}
+
+/// Chi square with effects, by the tolerances of the model without any.
+fn misfit_of(setting: &Setting<'_>, (problem, level): &(Problem<'_>, Level), effects: &[Active]) -> f64 {
+    let models = setting.simulator.models(effects, Some(&level.models));
+    let flown = setting.simulator.fly(&models, effects, &problem.places());
+    norm(&level.shared, &problem.residual(&flown))
+}
+
+/// Standard deviations that the data leave, and the form.
+fn with_form(refit: &Refit) -> Vec<f64> {
+    refit.sigma.iter().zip(&refit.active.values).map(|(sigma, value)| sigma.hypot(FORM * value)).collect()
 }
 
 /// The best fit of a name.

@@ -16,6 +16,15 @@ pub const HIGHEST_HZ: f64 = 12.0;
 
 /// Coefficients up to [`HIGHEST_HZ`].
 pub fn cosines(values: &[f64], time_step_s: f64) -> Vec<f64> {
+    let mut all = every_cosine(values);
+    if !all.is_empty() {
+        all.truncate(count(values.len(), time_step_s));
+    }
+    all
+}
+
+/// All coefficients.
+pub fn every_cosine(values: &[f64]) -> Vec<f64> {
     let n = values.len();
     if n == 0 {
         return Vec::new();
@@ -23,7 +32,6 @@ pub fn cosines(values: &[f64], time_step_s: f64) -> Vec<f64> {
     let mut all = values.to_vec();
     PLANNER.with_borrow_mut(|planner| planner.plan_dct2(n)).process_dct2(&mut all);
     let (first, others) = ((1.0 / n as f64).sqrt(), (2.0 / n as f64).sqrt());
-    all.truncate(count(n, time_step_s));
     all.iter_mut().enumerate().for_each(|(k, value)| *value *= if k == 0 { first } else { others });
     all
 }

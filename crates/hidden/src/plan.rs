@@ -288,7 +288,7 @@ fn draw_value(parameter: &Parameter, class: Class, random: &mut Random) -> f64 {
         return random.below(count) as f64;
     }
     // what is to be recognised outside a library, or as one of two, must be large enough to be seen
-    let clear = matches!(class, Class::OutOfLibrary | Class::LeftOut | Class::LookAlike);
+    let clear = matches!(class, Class::Pair | Class::OutOfLibrary | Class::LeftOut | Class::LookAlike);
     let low = if clear && parameter.role == Role::Size {
         (parameter.low * parameter.high).sqrt()
     } else {

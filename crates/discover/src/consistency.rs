@@ -1,0 +1,156 @@
+//! How large an effect is, judged from parts of the data one by one: an effect that is what it is called has one size at
+//! every airspeed and in every kind of maneuver. What only resembles it grows with another power of the airspeed, or is
+//! right in pitch and wrong with the surfaces.
+//!
+//! The contribution c of the effect is cut into groups of segments, `r = sum_g delta_g c_g + noise`: `delta_g` is by what
+//! share the group wants more of it. Uncertainties are those of the model without any effect, so that the effect's own
+//! tolerance of form does not hide the answer; that tolerance is allowed between groups instead.
+
+use crate::level::{Level, Setting};
+use crate::problem::Problem;
+use faer::linalg::solvers::Solve;
+use faer::{Mat, Side};
+use maneuver::effects::{Active, Flown};
+use std::collections::BTreeMap;
+
+/// What groups may differ by, as the effect's form is never exact.
+const FORM: f64 = 0.15;
+/// The same of flow that separates: where, how suddenly and with what delay it does so no one formula says.
+const FORM_OF_STALL: f64 = 0.4;
+/// A group that knows its share worse than this says nothing.
+const KNOWN: f64 = 0.25;
+/// Angles that move less than this are held, rad.
+const HELD_RAD: f64 = 0.0035;
+
+/// What moved in a group's segments.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Moved {
+    /// Nothing: static points.
+    Nothing,
+    /// The whole wing in pitch.
+    Pitch,
+    /// Control surfaces.
+    Surfaces,
+}
+
+/// One group's judgement.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Share {
+    /// Airspeed, m/s.
+    pub v_m_s: f64,
+    /// What moved.
+    pub moved: Moved,
+    /// The size that this group alone would have over the one that was found.
+    pub share: f64,
+    /// Its standard deviation.
+    pub sigma: f64,
+}
+
+impl std::fmt::Display for Share {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let moved = match self.moved {
+            Moved::Nothing => "static",
+            Moved::Pitch => "pitch",
+            Moved::Surfaces => "surfaces",
+        };
+        write!(f, "{moved} at {:.0} m/s {:.2}", self.v_m_s, self.share)
+    }
+}
+
+/// Shares of an effect (its place among `effects`) by group; those that know it badly are left out. `problem` and `level`
+/// are those without effects.
+pub fn shares(
+    setting: &Setting<'_>,
+    (problem, level): (&Problem<'_>, &Level),
+    effects: &[Active],
+    which: usize,
+) -> Vec<Share> {
+    let simulator = setting.simulator;
+    let places = problem.places();
+    let fly =
+        |effects: &[Active]| simulator.fly(&simulator.models(effects, Some(&level.models)), effects, &places);
+    let rest: Vec<Active> =
+        effects.iter().enumerate().filter(|(i, _)| *i != which).map(|(_, e)| e.clone()).collect();
+    let (with, without) = (fly(effects), fly(&rest));
+    let residual = problem.residual(&with);
+    let all: Vec<usize> = (0..places.len()).collect();
+    let before: Vec<&Flown> = without.iter().collect();
+    let contribution = problem.change(&all, &with, &before);
+    let groups = groups(setting, problem);
+    let cut = |segments: &[usize]| {
+        let mut column = vec![0.0; contribution.len()];
+        for segment in segments {
+            let rows = problem.segments[*segment].rows.clone();
+            column[rows.clone()].copy_from_slice(&contribution[rows]);
+        }
+        column
+    };
+    let columns: Vec<Vec<f64>> = groups.values().map(|segments| cut(segments)).collect();
+    let k = columns.len();
+    let stacked = Mat::from_fn(residual.len(), k + 1, |i, j| if j < k { columns[j][i] } else { residual[i] });
+    let gram = level.shared.gram(stacked.as_ref());
+    // a share of one more or less is as much as may be expected of any group
+    let normal = Mat::from_fn(k, k, |i, j| gram[(i, j)] + f64::from(u8::from(i == j)));
+    let Ok(factor) = normal.llt(Side::Lower) else { return Vec::new() };
+    let inverse = factor.solve(Mat::<f64>::identity(k, k));
+    let phi = (gram[(k, k)] / residual.len() as f64).max(1.0);
+    let of = |(j, (v, moved)): (usize, &(usize, Moved))| Share {
+        v_m_s: setting.data.airspeeds_m_s[*v],
+        moved: *moved,
+        share: 1.0 + (0..k).map(|i| inverse[(j, i)] * gram[(i, k)]).sum::<f64>(),
+        sigma: (phi * inverse[(j, j)]).sqrt(),
+    };
+    groups.keys().enumerate().map(of).filter(|share| share.sigma < KNOWN).collect()
+}
+
+/// How far shares of an effect are from one size: chi square over its degrees of freedom; none with fewer than two shares.
+pub fn scatter(effect: &str, shares: &[Share]) -> Option<f64> {
+    if shares.len() < 2 {
+        return None;
+    }
+    let form = if matches!(effect, "stall" | "dynamic_stall") { FORM_OF_STALL } else { FORM };
+    let weight = |s: &Share| 1.0 / (s.sigma * s.sigma + form * form);
+    let whole: f64 = shares.iter().map(weight).sum();
+    let mean = shares.iter().map(|s| weight(s) * s.share).sum::<f64>() / whole;
+    let square: f64 = shares.iter().map(|s| weight(s) * (s.share - mean).powi(2)).sum();
+    Some(square / (shares.len() - 1) as f64)
+}
+
+/// Segments by airspeed and what moved.
+fn groups(setting: &Setting<'_>, problem: &Problem<'_>) -> BTreeMap<(usize, Moved), Vec<usize>> {
+    let stimuli: Vec<_> = setting.data.stimuli().collect();
+    let mut groups: BTreeMap<(usize, Moved), Vec<usize>> = BTreeMap::new();
+    for (index, segment) in problem.segments.iter().enumerate() {
+        let (airspeed, stimulus) = &stimuli[segment.place];
+        let alpha = &stimulus.inputs.alpha.value;
+        let low = alpha.iter().copied().fold(f64::INFINITY, f64::min);
+        let high = alpha.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let moved = if stimulus.steady {
+            Moved::Nothing
+        } else if high - low > HELD_RAD {
+            Moved::Pitch
+        } else {
+            Moved::Surfaces
+        };
+        groups.entry((*airspeed, moved)).or_default().push(index);
+    }
+    groups
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn share(share: f64, sigma: f64) -> Share {
+        Share { v_m_s: 30.0, moved: Moved::Pitch, share, sigma }
+    }
+
+    #[test]
+    fn equal_shares_do_not_scatter_and_opposite_ones_do() {
+        assert_eq!(scatter("gain", &[share(1.0, 0.1), share(1.0, 0.2)]), Some(0.0));
+        assert_eq!(scatter("gain", &[share(1.0, 0.1)]), None);
+        // (1.5 - 0.5)² / (2 (0.1² + 0.15²)) by hand
+        let apart = scatter("gain", &[share(1.5, 0.1), share(0.5, 0.1)]).expect("two shares");
+        assert!((apart - 1.0 / (2.0 * 0.0325)).abs() < 1e-9, "{apart}");
+    }
+}

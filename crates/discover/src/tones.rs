@@ -1,0 +1,179 @@
+//! Tones that do not repeat: a narrow peak in what runs and their repeats differ by. Vortices that the wing sheds, a
+//! tunnel's fan or the mains have a phase of their own in every record, so that no mean gap shows them and a
+//! noise taken from repeats swallows them.
+//!
+//! Per airspeed and channel, squares of the cosine coefficients of half the differences are pooled in narrow bins; a bin
+//! that stands above the median of its neighbours by more than chance allows is a tone (Fisher 1929 asks the same of one
+//! record).
+
+use crate::data::Dataset;
+use crate::gate::CHANNELS;
+use crate::noise::pairs;
+use crate::transform::{every_cosine, frequency_hz};
+use maneuver::effects::Flown;
+use statrs::distribution::{ChiSquared, ContinuousCDF};
+
+/// Width of a bin, Hz.
+const BIN_HZ: f64 = 0.25;
+/// Neighbours to either side, bins.
+const REACH: usize = 10;
+/// Slower than this is drift, Hz.
+const SLOWEST_HZ: f64 = 1.0;
+/// A share of half the sample rate beyond which filters of the record leave little.
+const FASTEST: f64 = 0.9;
+/// So many times its neighbours a tone must be.
+const TIMES: f64 = 3.0;
+/// Chance of a bin to stand out so far by noise alone.
+const CHANCE: f64 = 1e-9;
+/// Strouhal numbers within this share are one.
+const SAME: f64 = 0.04;
+
+/// See the module.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tone {
+    /// Channel.
+    pub channel: &'static str,
+    /// Airspeed, m/s.
+    pub v_m_s: f64,
+    /// Middle of the bin, Hz.
+    pub frequency_hz: f64,
+    /// Mean square over the median of its neighbours.
+    pub times: f64,
+}
+
+/// Tones of the training runs, the strongest first; `simulated` are all runs as the model flies them.
+pub fn tones(data: &Dataset, simulated: &[Flown]) -> Vec<Tone> {
+    let pairs = pairs(data);
+    let mut found = Vec::new();
+    for (airspeed, v_m_s) in data.airspeeds_m_s.iter().enumerate() {
+        for (c, channel) in CHANNELS.into_iter().enumerate() {
+            let mut bins: Vec<(f64, usize)> = Vec::new();
+            for &(a, b) in pairs.iter().filter(|pair| data.runs[pair.0].airspeed == airspeed) {
+                let residual = |i: usize| {
+                    data.runs[i].measured[c].iter().zip(&simulated[i].loads[c]).map(|(m, s)| m - s)
+                };
+                let half: Vec<f64> = residual(a)
+                    .zip(residual(b))
+                    .map(|(a, b)| (a - b) * std::f64::consts::FRAC_1_SQRT_2)
+                    .collect();
+                pool(&mut bins, &half, data.runs[a].stimulus.time_step_s);
+            }
+            found.extend(peaks(&bins).into_iter().map(|(bin, times)| Tone {
+                channel,
+                v_m_s: *v_m_s,
+                frequency_hz: (bin as f64 + 0.5) * BIN_HZ,
+                times,
+            }));
+        }
+    }
+    found.sort_by(|a, b| b.times.total_cmp(&a.times));
+    found
+}
+
+/// Adds the squares of a record's coefficients to their bins.
+fn pool(bins: &mut Vec<(f64, usize)>, record: &[f64], time_step_s: f64) {
+    for (k, value) in every_cosine(record).into_iter().enumerate() {
+        let f_hz = frequency_hz(k, record.len(), time_step_s);
+        if (SLOWEST_HZ..FASTEST * 0.5 / time_step_s).contains(&f_hz) {
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "not negative")]
+            let bin = (f_hz / BIN_HZ) as usize;
+            if bins.len() <= bin {
+                bins.resize(bin + 1, (0.0, 0));
+            }
+            bins[bin] = (bins[bin].0 + value * value, bins[bin].1 + 1);
+        }
+    }
+}
+
+/// Bins that stand out: the highest of each group of neighbours, with how far.
+fn peaks(bins: &[(f64, usize)]) -> Vec<(usize, f64)> {
+    let mean = |i: usize| (bins[i].1 > 0).then(|| bins[i].0 / bins[i].1 as f64);
+    let stands_out = |i: usize| {
+        let own = mean(i)?;
+        let around = i.saturating_sub(REACH)..(i + REACH + 1).min(bins.len());
+        let mut others: Vec<f64> = around.filter(|j| j.abs_diff(i) > 1).filter_map(mean).collect();
+        if others.len() < REACH {
+            return None;
+        }
+        others.sort_by(f64::total_cmp);
+        let times = own / others[others.len() / 2].max(f64::MIN_POSITIVE);
+        let freedom = bins[i].1 as f64;
+        let chance = ChiSquared::new(freedom).ok()?.sf(times * freedom);
+        (times > TIMES && chance < CHANCE).then_some((i, times))
+    };
+    let mut found: Vec<(usize, f64)> = (0..bins.len()).filter_map(stands_out).collect();
+    let all = found.clone();
+    found.retain(|(i, times)| all.iter().all(|(j, other)| j.abs_diff(*i) > 2 || other <= times));
+    found
+}
+
+/// What tones say together, in one sentence; none without a tone.
+pub fn sentence(tones: &[Tone]) -> Option<String> {
+    let first = tones.first()?;
+    let Tone { channel, v_m_s, frequency_hz, times } = first;
+    let at_others: Vec<&Tone> =
+        tones.iter().filter(|tone| tone.v_m_s != *v_m_s && tone.channel == *channel).collect();
+    let follows =
+        |tone: &&&Tone| (tone.frequency_hz / tone.v_m_s / (frequency_hz / v_m_s) - 1.0).abs() < SAME;
+    let stays = |tone: &&&Tone| (tone.frequency_hz / frequency_hz - 1.0).abs() < SAME;
+    let kind = if at_others.iter().any(|tone| follows(&tone)) {
+        format!(
+            "; its frequency follows the airspeed ({:.2} Hz for each m/s), as vortices do",
+            frequency_hz / v_m_s
+        )
+    } else if at_others.iter().any(|tone| stays(&tone)) {
+        "; it is the same at other airspeeds: a mode that turbulence moves, a fan or the mains".to_owned()
+    } else {
+        String::new()
+    };
+    Some(format!(
+        "{channel} has a tone of {frequency_hz:.1} Hz at {v_m_s:.0} m/s that does not repeat from run to run, \
+         {times:.0} times its neighbourhood{kind}"
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand_chacha::ChaCha8Rng;
+    use rand_chacha::rand_core::SeedableRng;
+    use rand_distr::{Distribution, StandardNormal};
+
+    fn noise_with(tone_hz: Option<f64>, seed: u64) -> Vec<(f64, usize)> {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let mut bins = Vec::new();
+        for record in 0..10 {
+            let values: Vec<f64> = (0..500)
+                .map(|i| {
+                    let noise: f64 = StandardNormal.sample(&mut random);
+                    let turns = tone_hz.unwrap_or(0.0) * f64::from(i) * 0.01 + 0.17 * f64::from(record);
+                    noise
+                        + 0.8 * (std::f64::consts::TAU * turns).sin() * f64::from(u8::from(tone_hz.is_some()))
+                })
+                .collect();
+            pool(&mut bins, &values, 0.01);
+        }
+        bins
+    }
+
+    #[test]
+    fn a_tone_in_noise_is_found_where_it_is_and_noise_alone_has_none() {
+        for seed in 0..40 {
+            assert!(peaks(&noise_with(None, seed)).is_empty(), "{seed}");
+        }
+        let found = peaks(&noise_with(Some(9.6), 1));
+        assert_eq!(found.len(), 1, "{found:?}");
+        assert!(((found[0].0 as f64 + 0.5) * BIN_HZ - 9.6).abs() < BIN_HZ, "{found:?}");
+    }
+
+    #[test]
+    fn the_sentence_says_what_follows_the_airspeed() {
+        let tone =
+            |v_m_s: f64, frequency_hz: f64, times: f64| Tone { channel: "Fz", v_m_s, frequency_hz, times };
+        let follows = sentence(&[tone(30.0, 9.6, 20.0), tone(18.0, 5.8, 9.0)]).expect("two tones");
+        assert!(follows.contains("follows the airspeed (0.32"), "{follows}");
+        let stays = sentence(&[tone(30.0, 12.5, 20.0), tone(18.0, 12.5, 9.0)]).expect("two tones");
+        assert!(stays.contains("the same at other airspeeds"), "{stays}");
+        assert_eq!(sentence(&[]), None);
+    }
+}
