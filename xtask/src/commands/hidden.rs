@@ -234,6 +234,8 @@ impl Judge<'_> {
             limits: &self.limits,
             bank: String::new(),
             report,
+            again: None,
+            own: false,
             advice: Vec::new(),
             data_hash: String::new(),
         };
