@@ -17,6 +17,8 @@ use crate::output::ResultFolder;
 const CHANNELS: [(&str, &str); 3] = [("Fz_N", "Fz (N)"), ("Mx_Nm", "Mx (N m)"), ("My_Nm", "My (N m)")];
 /// Standard deviations that the band is wide to either side.
 const BAND: f64 = 2.0;
+/// Name of its two edges, which have one colour.
+const BAND_NAME: &str = "after, 2 standard deviations to either side";
 /// Where the noise of a sample is taken from, Hz.
 const NOISE_HZ: f64 = 6.0;
 
@@ -130,8 +132,8 @@ fn figure(shown: &Shown<'_>) -> Figure {
                 line("measured", shown.measured[c].clone(), Style::Line),
                 line("before", shown.before.loads[c].clone(), Style::DashedLine),
                 line("after", shown.after.loads[c].clone(), Style::Line),
-                line("after, 2 standard deviations less", edge(-1.0), Style::DashedLine),
-                line("and more", edge(1.0), Style::DashedLine),
+                line(BAND_NAME, edge(-1.0), Style::DashedLine),
+                line(BAND_NAME, edge(1.0), Style::DashedLine),
             ],
         }
     };
