@@ -43,7 +43,7 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
         let told = held_out(&runs);
         let mut shown = figures("Held-out runs", ordered(runs));
         let text = "These runs had no part in the search. Before: the corrected model without the effects; after: with them, and with \
-                    corrections calibrated again beside them. The two thin edges are two standard deviations to either side of \
+                    corrections calibrated again beside them. The dashed edges of one colour are two standard deviations to either side of \
                     the model after: noise of a sample, parameters that calibration knows only so well, other numerics.";
         shown.blocks.insert(0, Block::Text(text.into()));
         shown.blocks.push(Block::Table(told));
@@ -231,7 +231,7 @@ fn ordered(runs: Vec<Plate>) -> Vec<Plate> {
         runs.into_iter().partition(|plate| number(plate).is_some());
     first.sort_by_key(number);
     for plate in &mut first {
-        let figure = number(plate).map_or(String::new(), |figure| format!("Figure {figure}: "));
+        let figure = number(plate).map_or(String::new(), |figure| format!("Figure {figure} of the paper: "));
         plate.title = format!("{figure}{}", plate.title);
     }
     let folded = !first.is_empty();
