@@ -8,6 +8,7 @@ use std::process::ExitCode;
 use clap::Parser;
 
 pub mod args;
+pub mod blind;
 mod commands;
 mod corrections;
 pub mod failure;

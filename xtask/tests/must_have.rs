@@ -4,7 +4,7 @@
 use std::path::Path;
 use std::sync::OnceLock;
 
-use calibrate::{Campaign, Schedule, Settings, calibrate};
+use calibrate::Schedule;
 use coupling::{ElasticWing, WingFile};
 use discover::analysis::{Prepared, Report, Rigs};
 use discover::bank::Thresholds;
@@ -13,6 +13,7 @@ use discover::next::advise;
 use discover::numerics::OtherLattice;
 use hidden::plan::Hidden;
 use hidden::{Bench, CasePlan, Class, Fineness, Mix, cases};
+use xtask::blind::read;
 
 const SEED: u64 = 41;
 
@@ -63,26 +64,22 @@ fn plan(class: Class, effects: &[(&str, &[f64])]) -> CasePlan {
     plan
 }
 
+/// A plan's campaign, with corrections from static points without its effects.
 fn prepared(plan: &CasePlan, name: &str) -> (Prepared, Schedule) {
+    prepared_of(plan, name, |text| text)
+}
+
+/// The same with its `campaign.ron` changed.
+fn prepared_of(plan: &CasePlan, name: &str, change: impl Fn(String) -> String) -> (Prepared, Schedule) {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("must_have_{name}"));
     let wing = wing();
-    wing.bench.case(plan).files.write(&folder).expect("the shipped wing and a generated case");
-    let reference = Campaign::read(&folder.join("reference")).expect("the shipped wing and a generated case");
-    let calibration = calibrate(&wing.elastic, &reference, &Settings::of_wing(&wing.file.correction))
-        .expect("the shipped wing and a generated case");
-    let sets = calibration
-        .airspeeds
-        .iter()
-        .map(|one| calibrate::CorrectionSet::new(one.data.v_m_s, one.corrections.clone()))
-        .collect();
-    let schedule = Schedule { wing: wing.file.name.clone(), wing_hash: wing.file.hash.clone(), sets };
-    let campaign = Campaign::read(&folder.join("measured")).expect("the shipped wing and a generated case");
-    let mut prepared =
-        Prepared::new(rigs(), &schedule, &campaign, false).expect("the shipped wing and a generated case");
-    if let Some(left_out) = &plan.leave_out {
-        prepared.library.retain(|effect| effect.spec().name != left_out);
-    }
-    (prepared, schedule)
+    wing.bench.case(plan).files.write(&folder).expect("a generated case");
+    let listed = folder.join("measured/campaign.ron");
+    std::fs::write(&listed, change(std::fs::read_to_string(&listed).unwrap())).unwrap();
+    let left_out = plan.leave_out.as_deref();
+    let case = read((&wing.file, &wing.elastic), rigs(), &folder, false, left_out)
+        .unwrap_or_else(|failure| panic!("{name}: {failure:?}"));
+    (case.prepared, case.schedule)
 }
 
 fn names(report: &Report) -> Vec<&'static str> {
@@ -189,4 +186,26 @@ fn exchanged_channels_are_a_defect_of_the_data() {
     assert!(gate(&prepared).is_empty());
     prepared.data.runs.iter_mut().for_each(|run| run.measured.swap(0, 1));
     assert!(!gate(&prepared).is_empty());
+}
+
+#[test]
+fn static_points_alone_name_what_they_can_tell_or_a_set_with_it() {
+    // corrections from other static points, so that none of it is calibrated away
+    for (name, values) in [("crosstalk", &[0.05][..]), ("camber", &[1.0, 0.015][..])] {
+        let plan = plan(Class::Null, &[(name, values)]);
+        let (prepared, _) = prepared_of(&plan, &format!("static_{name}"), |text| {
+            let runs = text.find("runs: [").expect("a list of runs");
+            format!("{}runs: [],\n)\n", &text[..runs])
+        });
+        assert!(prepared.data.runs.is_empty() && !prepared.data.has_held_out());
+        let report = prepared.search(&limits(), plan.seed);
+        let found = &report.outcome.found;
+        let set: Vec<&str> = found
+            .iter()
+            .flat_map(|f| f.confused_with.iter().copied().chain([f.active.effect.spec().name]))
+            .collect();
+        assert!(set.contains(&name), "{name}: {set:?} {:?}", report.outcome.trace);
+        let [before, after] = report.gaps[0];
+        assert!(after.all < before.all, "{before:?} {after:?}");
+    }
 }

@@ -175,6 +175,10 @@ pub fn key(wing_hash: &str, data: &Dataset) -> String {
         let commands: f64 = run.stimulus.inputs.controls_rad.iter().flatten().map(|d| d.abs()).sum();
         words.push(format!("{} {:?} {} {commands:.3}", run.airspeed, run.usage, run.measured[0].len()));
     }
+    let (runs, points) = (data.run_loads, data.static_loads());
+    if runs != [true; 3] || points != [true; 3] {
+        words.push(format!("{runs:?} {points:?}"));
+    }
     let mut hash: u64 = 0xcbf2_9ce4_8422_2325;
     for byte in words.join("|").bytes() {
         hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);

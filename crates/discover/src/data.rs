@@ -1,6 +1,6 @@
 //! Static points and runs of a campaign as the search wants them: grouped by airspeed, runs at one sample rate.
 
-use calibrate::campaign::ChannelNoise;
+use crate::channels::{not_used, run_loads, stated};
 use calibrate::{Campaign, RunEntry, Use};
 use coupling::ElasticWing;
 use maneuver::effects::{Inputs, Stimulus};
@@ -31,7 +31,7 @@ pub struct RunData {
     pub repeat_of: Option<usize>,
     /// What moved, at [`RATE_HZ`] or the file's own rate if that is lower.
     pub stimulus: Stimulus,
-    /// Measured Fz, Mx, My at the same samples, N and N m.
+    /// Measured Fz, Mx, My at the same samples, N and N m; zeros for a load that the runs lack ([`Dataset::run_loads`]).
     pub measured: [Vec<f64>; 3],
     /// Samples of the file to one of these.
     pub decimation: usize,
@@ -84,17 +84,22 @@ pub struct Dataset {
     pub conditions: Vec<Condition>,
     /// Static points.
     pub statics: Vec<StaticGroup>,
-    /// Standard deviations as stated: of a sample of a run, of a static point.
+    /// Which of Fz, Mx, My the runs have.
+    pub run_loads: [bool; 3],
+    /// Standard deviations as stated: of a sample of a run, of a static point; zero for a load of which none is stated.
     pub stated: Option<([f64; 3], [f64; 3])>,
     /// How training and held-out runs were divided, if the campaign does not say it.
     pub split: Option<String>,
+    /// What was measured and is not used, in words.
+    pub not_used: Vec<String>,
 }
 
 impl Dataset {
     /// Reads the runs of a campaign for a wing.
     ///
     /// # Errors
-    /// A run that cannot be read or moves a control the wing does not have.
+    /// A run that cannot be read, moves a control the wing does not have or lacks a load that others have; no root load at
+    /// all; noise that is stated of other loads than the runs have.
     pub fn read(campaign: &Campaign, wing: &ElasticWing) -> Result<Self, InputError> {
         let listed_in = campaign.folder.join("campaign.ron");
         let mut read = Vec::with_capacity(campaign.runs.len());
@@ -114,43 +119,66 @@ impl Dataset {
         }
         let airspeeds_m_s = airspeeds(campaign, &read);
         let blocks = blocks(campaign);
+        let run_loads = run_loads(campaign, &read, &listed_in)?;
+        let stated = stated(campaign, run_loads);
+        let not_used = not_used(campaign, &read);
         let (usage, split) = usage(&campaign.runs);
+        // a run without loads has nothing to say; the others keep their order
+        let measured: Vec<usize> =
+            (0..read.len()).filter(|i| (0..3).any(|c| read[*i].load(c).is_some())).collect();
         let controls: Vec<&str> = wing.controls.iter().map(|control| control.name.as_str()).collect();
-        let runs: Vec<RunData> = read
+        let runs: Vec<RunData> = measured
             .iter()
-            .enumerate()
-            .filter_map(|(i, run)| {
-                let entry = &campaign.runs[i];
-                let measured = run.loads.as_ref()?;
-                let repeats = |file: &String| campaign.runs.iter().position(|other| &other.file == file);
+            .map(|&i| {
+                let (run, entry) = (&read[i], &campaign.runs[i]);
+                let repeats = |file: &String| measured.iter().position(|j| &campaign.runs[*j].file == file);
                 let decimation = decimation(run.time_step_s);
                 let kept = |values: &[f64]| values.iter().step_by(decimation).copied().collect::<Vec<f64>>();
-                let filtered = |values: &Vec<f64>| kept(&zero_phase(values, run.time_step_s, ANTI_ALIAS_HZ));
-                Some(RunData {
+                let slow = |values: &[f64]| match decimation {
+                    1 => values.to_vec(),
+                    _ => kept(&zero_phase(values, run.time_step_s, ANTI_ALIAS_HZ)),
+                };
+                RunData {
                     name: run.name.clone(),
                     usage: usage[i],
                     airspeed: nearest(&airspeeds_m_s, run.v_m_s),
                     block: place(&blocks, entry.block.as_deref()),
                     repeat_of: entry.repeat_of.as_ref().and_then(repeats),
                     stimulus: stimulus(run, entry, &controls, decimation),
-                    measured: if decimation > 1 {
-                        measured.each_ref().map(filtered)
-                    } else {
-                        measured.clone()
-                    },
+                    measured: std::array::from_fn(|c| {
+                        run.load(c).map_or_else(|| vec![0.0; run.len().div_ceil(decimation)], slow)
+                    }),
                     decimation,
-                })
+                }
             })
             .collect();
         let statics = statics(campaign, &airspeeds_m_s, &blocks, &controls, &runs);
-        let stated = campaign.noise.as_ref().and_then(|noise| {
-            let [sample, point] = [noise.sample, noise.static_point].map(ChannelNoise::to_array);
-            let three = |n: [f64; 4]| [n[0], n[1], n[2]];
-            (sample[..3].iter().all(|s| *s > 0.0)).then(|| (three(sample), three(point)))
-        });
         let conditions = conditions(&runs);
         let rho_kg_m3 = campaign.rho_kg_m3;
-        Ok(Self { airspeeds_m_s, rho_kg_m3, blocks, runs, conditions, statics, stated, split })
+        Ok(Self {
+            airspeeds_m_s,
+            rho_kg_m3,
+            blocks,
+            runs,
+            conditions,
+            statics,
+            run_loads,
+            stated,
+            split,
+            not_used,
+        })
+    }
+
+    /// Whether anything is held out: without that, nothing judges what is found.
+    pub fn has_held_out(&self) -> bool {
+        let runs = self.runs.iter().map(|run| run.usage);
+        runs.chain(self.statics.iter().map(|group| group.usage)).any(|usage| usage == Use::Holdout)
+    }
+
+    /// Which of Fz, Mx, My some static point has.
+    pub fn static_loads(&self) -> [bool; 3] {
+        let has = |c: usize| self.statics.iter().flat_map(|group| &group.measured).any(|m| m[c].is_some());
+        [has(0), has(1), has(2)]
     }
 
     /// From what there is, blocks and stated noise aside.
@@ -168,8 +196,10 @@ impl Dataset {
             runs,
             conditions,
             statics,
+            run_loads: [true; 3],
             stated: None,
             split: None,
+            not_used: Vec::new(),
         }
     }
 

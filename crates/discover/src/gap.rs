@@ -56,8 +56,8 @@ impl Kind {
     /// Channel of a row, its noise, and whether it is the mean of a record.
     fn row(&self, i: usize) -> (usize, f64, bool) {
         match self {
-            Self::Run { coefficients, sigma, .. } => {
-                let (c, k) = (i / coefficients, i % coefficients);
+            Self::Run { coefficients, channels, sigma, .. } => {
+                let (c, k) = (channels[i / coefficients], i % coefficients);
                 (c, sigma[c][k], k == 0)
             }
             Self::Static { rows, sigma } => (rows[i].0, sigma[rows[i].0], false),

@@ -3,6 +3,7 @@
 pub mod analysis;
 pub mod bank;
 pub mod candidate;
+mod channels;
 pub mod consistency;
 pub mod data;
 pub mod directions;

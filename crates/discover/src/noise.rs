@@ -2,7 +2,8 @@
 //!
 //! Repeats are compared after the simulation is taken off, as their angles are never quite the same. Per channel and band
 //! of frequencies the mean square of half the difference estimates the noise; where the campaign states its noise, the
-//! larger counts. Differences of means estimate the offset of a run.
+//! larger counts. Differences of means estimate the offset of a run. A load that runs lack has noise without end, so that
+//! nothing is made of it.
 
 use crate::data::Dataset;
 use crate::transform::{cosines, frequency_hz};
@@ -17,8 +18,13 @@ const ENOUGH: usize = 12;
 
 /// Why the noise is not known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("the noise is not known: no training run repeats another, and campaign.ron states none")]
-pub struct NoiseUnknown;
+#[error("the noise is not known: {nothing_repeats}, and campaign.ron states none of {load}")]
+pub struct NoiseUnknown {
+    /// What was looked for in vain.
+    nothing_repeats: &'static str,
+    /// The load.
+    load: &'static str,
+}
 
 /// See the module. Channels are Fz, Mx, My.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,9 +46,8 @@ impl Noise {
     /// If there are neither repeats nor stated noise.
     pub fn new(data: &Dataset, simulated: &[Flown]) -> Result<Self, NoiseUnknown> {
         let pairs = pairs(data);
-        if pairs.is_empty() && data.stated.is_none() {
-            return Err(NoiseUnknown);
-        }
+        let scatter = static_scatter(data);
+        check_known(data, pairs.is_empty(), std::array::from_fn(|c| scatter.0[c].max(scatter.1[c])))?;
         let mut sums = vec![[[(0.0, 0_usize); 5]; 3]; data.airspeeds_m_s.len()];
         let mut offsets = [(0.0, 0_usize); 3];
         for &(a, b) in &pairs {
@@ -68,6 +73,12 @@ impl Noise {
                 }
             }
         }
+        let stated_point = |c: usize| data.stated.map(|(_, point)| point[c]).filter(|sigma| *sigma > 0.0);
+        let offset = std::array::from_fn(|c| {
+            let runs = if offsets[c].1 > 0 { (offsets[c].0 / offsets[c].1 as f64).sqrt() } else { 0.0 };
+            runs.max(scatter.1[c]).max(stated_point(c).unwrap_or(1e-3))
+        });
+        let point: [f64; 3] = std::array::from_fn(|c| scatter.0[c].max(stated_point(c).unwrap_or(offset[c])));
         let decimation = data.runs.iter().map(|run| run.decimation).max().unwrap_or(1) as f64;
         let stated = data.stated.map(|(sample, _)| sample.map(|sigma| sigma * sigma / decimation));
         let variance = |v: usize, c: usize, b: usize| {
@@ -76,25 +87,38 @@ impl Noise {
             let estimate = [at, pooled].into_iter().find(|s| s.1 >= ENOUGH).map(|s| s.0 / s.1 as f64);
             let all = sums.iter().flat_map(|s| s[c]).fold((0.0, 0), |a, s| (a.0 + s.0, a.1 + s.1));
             let estimate = estimate.or((all.1 > 0).then(|| all.0 / all.1 as f64));
-            estimate.unwrap_or(0.0).max(stated.map_or(0.0, |s| s[c])).max(f64::MIN_POSITIVE)
+            let variance = estimate.unwrap_or(0.0).max(stated.map_or(0.0, |s| s[c]));
+            // without runs an experiment that is planned has at least a static point's
+            let least = if data.runs.is_empty() { point[c].powi(2) } else { f64::MIN_POSITIVE };
+            let there = if data.runs.is_empty() { data.static_loads()[c] } else { data.run_loads[c] };
+            if there { variance.max(least) } else { f64::INFINITY }
         };
         let run = (0..data.airspeeds_m_s.len())
             .map(|v| std::array::from_fn(|c| std::array::from_fn(|b| variance(v, c, b).sqrt())))
             .collect();
-        let scatter = static_scatter(data);
-        let offset = std::array::from_fn(|c| {
-            let runs = if offsets[c].1 > 0 { (offsets[c].0 / offsets[c].1 as f64).sqrt() } else { 0.0 };
-            runs.max(scatter.1[c]).max(data.stated.map_or(1e-3, |(_, point)| point[c]))
-        });
-        let point = std::array::from_fn(|c| {
-            data.stated.map_or_else(|| scatter.0[c].max(offset[c]), |(_, point)| point[c].max(scatter.0[c]))
-        });
         Ok(Self { run, offset, point, pairs: pairs.len() })
     }
 
     /// Standard deviation of a coefficient.
     pub fn sigma(&self, airspeed: usize, channel: usize, frequency_hz: f64) -> f64 {
         self.run[airspeed][channel][band(frequency_hz)]
+    }
+}
+
+/// Every load of the runs needs a repeated run or stated noise; without runs, every load of the static points repeated
+/// points or stated noise.
+fn check_known(data: &Dataset, no_pairs: bool, scatter: [f64; 3]) -> Result<(), NoiseUnknown> {
+    let stated = |c: usize, of_points: bool| {
+        data.stated.is_some_and(|(sample, point)| if of_points { point[c] } else { sample[c] } > 0.0)
+    };
+    let (there, of_points) =
+        if data.runs.is_empty() { (data.static_loads(), true) } else { (data.run_loads, false) };
+    let repeated = |c: usize| if of_points { scatter[c] > 0.0 } else { !no_pairs };
+    let nothing_repeats =
+        if of_points { "no static point repeats another" } else { "no training run repeats another" };
+    match (0..3).find(|&c| there[c] && !repeated(c) && !stated(c, of_points)) {
+        Some(c) => Err(NoiseUnknown { nothing_repeats, load: crate::gate::CHANNELS[c] }),
+        None => Ok(()),
     }
 }
 

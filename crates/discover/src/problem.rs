@@ -42,6 +42,8 @@ pub(crate) enum Kind {
         time_step_s: f64,
         samples: usize,
         coefficients: usize,
+        /// The loads that runs have.
+        channels: Vec<usize>,
         sigma: [Vec<f64>; 3],
         repeats: f64,
     },
@@ -213,13 +215,16 @@ impl Kind {
             let of = |k: usize| noise.sigma(airspeed, c, frequency_hz(k, samples, dt)) / repeats.sqrt();
             (0..coefficients).map(of).collect()
         };
-        Self::Run { time_step_s: dt, samples, coefficients, sigma: std::array::from_fn(sigma), repeats }
+        let channels = (0..3).filter(|&c| noise.run[airspeed][c][0].is_finite()).collect();
+        let sigma = std::array::from_fn(sigma);
+        Self::Run { time_step_s: dt, samples, coefficients, channels, sigma, repeats }
     }
 
     pub(crate) fn whitened(&self, loads: &[Vec<f64>; 3]) -> Vec<f64> {
         match self {
-            Self::Run { time_step_s, sigma, .. } => (0..3)
-                .flat_map(|c| {
+            Self::Run { time_step_s, channels, sigma, .. } => channels
+                .iter()
+                .flat_map(|&c| {
                     let all = cosines(&loads[c], *time_step_s);
                     all.into_iter().zip(&sigma[c]).map(|(value, sigma)| value / sigma).collect::<Vec<f64>>()
                 })
@@ -238,8 +243,10 @@ impl Kind {
         place: usize,
     ) -> Vec<Tolerance> {
         match self {
-            Self::Run { time_step_s, samples, coefficients, sigma, repeats } => (0..3)
-                .map(|c| {
+            Self::Run { time_step_s, samples, coefficients, channels, sigma, repeats } => channels
+                .iter()
+                .enumerate()
+                .map(|(place, &c)| {
                     let load = &simulated.loads[c];
                     let mean = load.iter().sum::<f64>() / *samples as f64;
                     let moving: Vec<f64> = load.iter().map(|value| RUN[1] * (value - mean)).collect();
@@ -261,7 +268,7 @@ impl Kind {
                     for column in run.into_iter().chain(found.iter().flat_map(form)) {
                         columns.extend(in_bands(&whitened(&column), *samples as f64 * time_step_s));
                     }
-                    Tolerance::new(c * coefficients..(c + 1) * coefficients, &columns)
+                    Tolerance::new(place * coefficients..(place + 1) * coefficients, &columns)
                 })
                 .collect(),
             Self::Static { rows, sigma } => (0..3)

@@ -26,8 +26,10 @@ pub struct Run {
     pub v_m_s: f64,
     /// Measured angle of attack of the balance, rad.
     pub alpha_rad: Vec<f64>,
-    /// Measured Fz, Mx, My (N, N m, N m); none for a file of inputs alone.
+    /// Measured Fz, Mx, My (N, N m, N m); none unless the file has all three.
     pub loads: Option<[Vec<f64>; 3]>,
+    /// Those of Fz, Mx, My that were measured where the file has one or two of them; else none.
+    pub some_loads: [Option<Vec<f64>>; 3],
     /// Commanded deflections by control, rad.
     pub controls_rad: Vec<(String, Vec<f64>)>,
     /// Measured tip deflection, m.
@@ -70,9 +72,6 @@ impl Run {
             .with_help("every row is a sample; lines starting with # are comments"));
         }
         let measured = loads.iter().filter(|column| table.has(column)).count();
-        if measured > 0 {
-            table.require(&loads)?;
-        }
         let t_s = table.numbers("t_s")?;
         let columns =
             |prefix: &str, suffix: &str, angle: bool| -> Result<Vec<(String, Vec<f64>)>, InputError> {
@@ -86,21 +85,29 @@ impl Run {
                     })
                     .collect()
             };
+        let load = |name: &str| (measured < 3 && table.has(name)).then(|| table.numbers(name)).transpose();
         Ok(Self {
             name,
             time_step_s: time_step(&t_s, |row| table.span(row, "t_s"))?,
             v_m_s: airspeed(&table.numbers("V_m_s")?, |row| table.span(row, "V_m_s"))?,
             alpha_rad: angles(table, "alpha_deg")?,
-            loads: if measured == 0 {
-                None
-            } else {
+            loads: if measured == 3 {
                 Some([table.numbers(loads[0])?, table.numbers(loads[1])?, table.numbers(loads[2])?])
+            } else {
+                None
             },
+            some_loads: [load(loads[0])?, load(loads[1])?, load(loads[2])?],
             controls_rad: columns("delta_", "_deg", true)?,
             tip_z_m: table.has("tip_z_m").then(|| table.numbers("tip_z_m")).transpose()?,
             accelerations: columns("az_", "_m_s2", false)?,
             t_s,
         })
+    }
+
+    /// What was measured of Fz, Mx or My (0, 1, 2), N or N m.
+    pub fn load(&self, channel: usize) -> Option<&[f64]> {
+        let all = self.loads.as_ref().map(|loads| loads[channel].as_slice());
+        all.or(self.some_loads[channel].as_deref())
     }
 
     /// Number of samples.

@@ -128,6 +128,7 @@ fn commanded_deflections_are_corrected_before_the_actuator_and_written_as_comman
         v_m_s: 20.0,
         alpha_rad: vec![0.02; samples],
         loads: Some(["Fz_N", "Mx_Nm", "My_Nm"].map(|name| corrected.get(name).unwrap().to_vec())),
+        some_loads: [None, None, None],
         controls_rad: vec![("inner".to_owned(), commanded)],
         tip_z_m: None,
         accelerations: Vec::new(),

@@ -82,6 +82,7 @@ fn measured(
         v_m_s: model.flow.v_m_s,
         alpha_rad: vec![1.3_f64.to_radians(); SAMPLES],
         loads: Some(loads),
+        some_loads: [None, None, None],
         controls_rad: vec![(control.to_owned(), commanded)],
         tip_z_m: None,
         accelerations: Vec::new(),

@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use calibrate::{Campaign, Settings, Use, calibrate};
+use calibrate::{Campaign, Schedule, Settings, Use, calibrate};
 use discover::analysis::{DiscoverError, Prepared, Report, Rigs};
 use discover::bank::{Thresholds, key};
 use discover::data::Dataset;
@@ -12,10 +12,11 @@ use discover::gate::{Defect, defects};
 use discover::next::{Advice, advise};
 use discover::numerics::OtherLattice;
 use discover::simulator::Simulator;
-use maneuver::effects::Flown;
+use maneuver::effects::{Active, Flown};
 use nastran::InputError;
 
 use crate::args::{Common, DiscoverArgs};
+use crate::commands::discover_again::{Again, calibrated};
 use crate::commands::{discover_figures, discover_located, discover_results};
 use crate::corrections::{CorrectedWing, campaign_path, corrected_wing, schedule};
 use crate::failure::Failure;
@@ -46,12 +47,29 @@ pub(crate) struct Discovered<'a> {
     pub(crate) limits: &'a Thresholds,
     /// Where the thresholds come from.
     pub(crate) bank: String,
-    /// What was found.
+    /// What was found; the gaps after are with corrections calibrated again where that was done.
     pub(crate) report: Report,
+    /// Corrections calibrated again beside the effects.
+    pub(crate) again: Option<Again>,
+    /// Whether the corrections are the campaign's own: then what is shown after is with those calibrated again.
+    pub(crate) own: bool,
     /// Experiments that would separate what is left open, the best first.
     pub(crate) advice: Vec<Advice>,
     /// Fingerprint of the data.
     pub(crate) data_hash: String,
+}
+
+impl Discovered<'_> {
+    /// The wing as flown before, without effects.
+    pub(crate) fn before(&self) -> (&Simulator, &[Active]) {
+        (&self.prepared.simulator, &[])
+    }
+
+    /// The wing with the effects as flown after, and the effects.
+    pub(crate) fn after(&self) -> (&Simulator, &[Active]) {
+        let again = self.again.as_ref().filter(|_| self.own).map(|again| &again.simulator);
+        (again.unwrap_or(&self.prepared.simulator), &self.report.level.effects)
+    }
 }
 
 /// Runs the command.
@@ -92,21 +110,25 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
         limits: &limits,
         bank,
         report,
+        again: None,
+        own,
         advice,
         data_hash,
     };
-    if own && !found.report.level.effects.is_empty() {
-        calibrated_again(&mut found, &rigs)?;
+    if !found.report.level.effects.is_empty() {
+        calibrate_again(&mut found, &rigs)?;
     }
     let seconds = start.elapsed().as_secs_f64();
-    let result = discover_results::json(&found, &discover_located::json(&found), seconds);
+    let map = discover_located::maps(&found);
+    let mut result = discover_results::json(&found, &discover_located::json(&found), seconds);
+    result["map"] = discover_located::map_json(&map).into();
     let results = ResultFolder::begin(&out)?;
     corrected.note_inputs(&results)?;
     results.input("campaign", &campaign.folder)?;
     write_wing(&found, &results)?;
     results.write_json("result.json", &result)?;
     results.write_text("null_bank.ron", &nastran::ron_file::to_text(&limits)?)?;
-    results.write_text("map.csv", &discover_located::map_csv(&found))?;
+    results.write_text("map.csv", &discover_located::map_csv(&map))?;
     discover_figures::write(&found, &results)?;
     results.commit()?;
     show::summary(common, &discover_results::summary(&found, &out, seconds));
@@ -130,12 +152,12 @@ fn without_held_out(corrected: CorrectedWing, campaign: &Campaign) -> Result<Cor
 }
 
 /// Places of the static points whose airspeed is held out.
-fn held_out_points(data: &Dataset) -> Vec<usize> {
+pub(crate) fn held_out_points(data: &Dataset) -> Vec<usize> {
     let groups = data.statics.iter().filter(|group| group.usage == Use::Holdout);
     groups.flat_map(|group| group.points.iter().copied()).collect()
 }
 
-fn leave_out(campaign: &mut Campaign, points: &[usize]) {
+pub(crate) fn leave_out(campaign: &mut Campaign, points: &[usize]) {
     let mut place = 0..;
     campaign.points.retain(|_| place.next().is_some_and(|place| !points.contains(&place)));
 }
@@ -204,53 +226,34 @@ fn thresholds(
     Ok((bank, "made now".to_owned()))
 }
 
-/// The wing with the effects, and its corrections calibrated again with them in the model.
+/// Calibrates again beside the effects. Where the corrections are the campaign's own, the gap after is the one with these, as
+/// later steps have it.
+fn calibrate_again(found: &mut Discovered<'_>, rigs: &Rigs<'_>) -> Result<(), Failure> {
+    let effects = &found.report.level.effects;
+    let again = calibrated((found.corrected, rigs), found.campaign, found.prepared, effects)?;
+    if found.own {
+        let after = found.prepared.gaps_of(&again.simulator, effects);
+        for (gaps, after) in found.report.gaps.iter_mut().zip(after) {
+            gaps[1] = after;
+        }
+    }
+    found.again = Some(again);
+    Ok(())
+}
+
+/// The wing with the effects that the data support, and its corrections calibrated again beside them.
 fn write_wing(found: &Discovered<'_>, results: &ResultFolder) -> Result<(), Failure> {
-    let corrected = found.corrected;
-    let rewritten = corrected.file.with_effects(discover_results::effects(found))?;
+    let supported = discover_results::is_supported(found);
+    let effects = if supported { discover_results::effects(found) } else { Vec::new() };
+    let rewritten = found.corrected.file.with_effects(effects)?;
     results.write_text("wing.ron", &rewritten.text)?;
     for (name, from) in &rewritten.beside {
         results.write_text(name, &nastran::read_text(from)?)?;
     }
     let wing = coupling::WingFile::read(&results.path().join("wing.ron"))?;
-    let campaign = without_effects(found);
-    let calibration = calibrate(&corrected.wing, &campaign, &Settings::of_wing(&corrected.file.correction))?;
-    results.write_text("corrections.ron", &schedule(&wing, &calibration).to_ron())
-}
-
-/// The gap after: with corrections calibrated again with the effects in the model, as later steps have them.
-fn calibrated_again(found: &mut Discovered<'_>, rigs: &Rigs<'_>) -> Result<(), Failure> {
-    let corrected = found.corrected;
-    let settings = Settings::of_wing(&corrected.file.correction);
-    let again = calibrate(&corrected.wing, &without_effects(found), &settings)?;
-    let simulator = Simulator::new(&rigs.own, &schedule(&corrected.file, &again), &found.prepared.data)
-        .map_err(DiscoverError::from)?;
-    let after = found.prepared.gaps_of(&simulator, &found.report.level.effects);
-    for (gaps, after) in found.report.gaps.iter_mut().zip(after) {
-        gaps[1] = after;
-    }
-    Ok(())
-}
-
-/// The campaign with what the effects do to the static points taken off: what is left is for the corrections.
-fn without_effects(found: &Discovered<'_>) -> Campaign {
-    let mut campaign = found.campaign.clone();
-    let (prepared, level) = (found.prepared, &found.report.level);
-    let simulator = &prepared.simulator;
-    let groups: Vec<usize> = (0..prepared.data.statics.len()).collect();
-    let with = simulator.fly(&level.models, &level.effects, &groups);
-    let plain = simulator.fly(&simulator.models(&[], None), &[], &groups);
-    for (group, (with, plain)) in prepared.data.statics.iter().zip(with.iter().zip(&plain)) {
-        for (i, &point) in group.points.iter().enumerate() {
-            for (c, load) in campaign.points[point].loads.iter_mut().enumerate() {
-                if let Some(load) = load {
-                    *load -= with.loads[c][i] - plain.loads[c][i];
-                }
-            }
-        }
-    }
-    leave_out(&mut campaign, &held_out_points(&prepared.data));
-    campaign
+    let again = found.again.as_ref().filter(|_| supported).map(|again| &again.schedule);
+    let sets = again.unwrap_or(&found.corrected.schedule).sets.clone();
+    results.write_text("corrections.ron", &Schedule { wing: wing.name, wing_hash: wing.hash, sets }.to_ron())
 }
 
 fn data_hash(campaign: &Campaign) -> Result<String, InputError> {

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use calibrate::Use;
 use discover::locate::{BANDS_HZ, Cell, Located, PureError, Residuals, map, regressors};
+use discover::simulator::Simulator;
 use maneuver::effects::Active;
 use serde_json::{Value, json};
 
@@ -16,12 +17,11 @@ const LEAST_SHARE: f64 = 0.01;
 /// Nor is what chance does more often.
 const CHANCE: f64 = 0.05;
 
-/// Residuals of training data, with effects or without.
-fn residuals(found: &Discovered<'_>, effects: &[Active]) -> Residuals {
+/// Residuals of training data as a simulator flies it with effects.
+fn residuals(found: &Discovered<'_>, (simulator, effects): (&Simulator, &[Active])) -> Residuals {
     let prepared = found.prepared;
     let all: Vec<usize> = (0..prepared.data.statics.len() + prepared.data.runs.len()).collect();
-    let models = prepared.simulator.models(effects, Some(&found.report.level.models));
-    let flown = prepared.simulator.fly(&models, effects, &all);
+    let flown = simulator.fly(&simulator.models(effects, None), effects, &all);
     let coefficient = |airspeed: usize, channel: usize, hz: f64| prepared.noise.sigma(airspeed, channel, hz);
     let error =
         PureError { coefficient: &coefficient, point: prepared.noise.point, degrees_of_freedom: None };
@@ -32,7 +32,7 @@ fn residuals(found: &Discovered<'_>, effects: &[Active]) -> Residuals {
 /// `located` of result.json: what the residual goes with before any effect. Families of deflections are judged on all training
 /// data, the others where the controls rest, if there is such: a large residual of theirs would hide the rest.
 pub(crate) fn json(found: &Discovered<'_>) -> Vec<Value> {
-    let all = residuals(found, &[]);
+    let all = residuals(found, found.before());
     let mut resting = all.clone();
     resting.units.retain(|unit| {
         unit.stimulus
@@ -56,14 +56,35 @@ pub(crate) fn json(found: &Discovered<'_>) -> Vec<Value> {
     listed.iter().filter(told).take(LISTED).map(entry).collect()
 }
 
-/// The map before and after.
-pub(crate) fn map_csv(found: &Discovered<'_>) -> String {
+/// A cell of the map before, and its power after.
+pub(crate) struct BeforeAfter {
+    before: Cell,
+    after: f64,
+}
+
+/// The map before and after, the largest power before first.
+pub(crate) fn maps(found: &Discovered<'_>) -> Vec<BeforeAfter> {
+    let after = map(&residuals(found, found.after()));
+    let of = |cell: &Cell| {
+        let same = |other: &&Cell| {
+            (other.channel, &other.maneuver, other.band) == (cell.channel, &cell.maneuver, cell.band)
+        };
+        after.iter().find(same).map_or(f64::NAN, |other| other.power)
+    };
+    map(&residuals(found, found.before()))
+        .into_iter()
+        .map(|before| BeforeAfter { after: of(&before), before })
+        .collect()
+}
+
+/// The map as CSV.
+pub(crate) fn map_csv(cells: &[BeforeAfter]) -> String {
     let mut text = String::from("model,channel,maneuver,from_hz,to_hz,power,limit,rows,units\n");
-    let none: &[Active] = &[];
-    for (model, effects) in [("before", none), ("after", &found.report.level.effects)] {
-        for cell in map(&residuals(found, effects)) {
-            let Cell { channel, maneuver, band, power, limit, rows, units } = cell;
-            let (from, to) = BANDS_HZ[band];
+    for model in ["before", "after"] {
+        for BeforeAfter { before, after } in cells {
+            let Cell { channel, maneuver, band, power, limit, rows, units } = before;
+            let (from, to) = BANDS_HZ[*band];
+            let power = if model == "before" { power } else { after };
             let _ = writeln!(
                 text,
                 "{model},{channel},\"{maneuver}\",{from},{to},{power:.3},{limit:.3},{rows},{units}"
@@ -71,4 +92,15 @@ pub(crate) fn map_csv(found: &Discovered<'_>) -> String {
         }
     }
     text
+}
+
+/// The map as `result.json` has it.
+pub(crate) fn map_json(cells: &[BeforeAfter]) -> Vec<Value> {
+    let entry = |cell: &BeforeAfter| {
+        let Cell { channel, maneuver, band, power, limit, .. } = &cell.before;
+        let (from, to) = BANDS_HZ[*band];
+        json!({ "channel": channel, "maneuver": maneuver, "from_hz": from, "to_hz": to,
+            "before": power, "after": cell.after, "limit": limit })
+    };
+    cells.iter().map(entry).collect()
 }

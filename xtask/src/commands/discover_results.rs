@@ -11,18 +11,20 @@ use discover::search::Found;
 use serde_json::{Map, Value, json};
 
 use crate::commands::discover::Discovered;
+use crate::commands::discover_sentence;
 
 /// An experiment that separates rivals by fewer nats is no advice.
 const SEPARATED_NATS: f64 = 5.0;
 /// Held out, the gap may be so many times its floor.
-const CLOSED: f64 = 2.0;
+pub(crate) const CLOSED: f64 = 2.0;
 
-/// effects, ambiguous, unknown or none.
+/// effects, ambiguous, unknown or none: a gap well above what is left where nothing is missing is not none, even if no
+/// effect has the evidence that it needs.
 pub(crate) fn verdict(found: &Discovered<'_>) -> &'static str {
     let outcome = &found.report.outcome;
     let ambiguous = |effect: &Found| !effect.confused_with.is_empty();
     if outcome.found.is_empty() {
-        if outcome.unexplained { "unknown" } else { "none" }
+        if outcome.unexplained || is_far_above_floor(found) { "unknown" } else { "none" }
     } else if outcome.found.iter().any(ambiguous) {
         "ambiguous"
     } else {
@@ -49,12 +51,15 @@ pub(crate) fn json(found: &Discovered<'_>, located: &[Value], seconds: f64) -> V
     json!({
         "command": "discover",
         "verdict": verdict(found),
+        "sentence": discover_sentence::sentence(found),
         "located": located,
         "effects": outcome.found.iter().map(effect).collect::<Vec<_>>(),
         "next_experiment": next_experiment(found),
         "experiments": experiments(found),
-        "gap": { "training": gap(train, found.limits.floor[0]), "holdout": gap(holdout, found.limits.floor[1]) },
+        "gap": { "training": gap(found, 0, train), "holdout": gap(found, 1, holdout) },
         "success": success(found),
+        "supported": is_supported(found),
+        "not_used": found.prepared.data.not_used,
         "misfit": { "before": outcome.misfit[0], "after": outcome.misfit[1],
             "nothing_missing": found.limits.misfit, "limit": found.limits.misfit_limit },
         "not_named": outcome.next_best.as_ref().map(|next| {
@@ -81,17 +86,38 @@ pub(crate) fn defects(found: &[Defect], seconds: f64) -> Value {
         "defects": found.iter().map(defect).collect::<Vec<_>>(), "seconds": seconds })
 }
 
-fn gap([before, after]: [Gap; 2], floor: f64) -> Value {
-    let channels = |v: [f64; 3]| json!({ "Fz_N": v[0], "Mx_Nm": v[1], "My_Nm": v[2] });
+/// The gap of training (0) or held-out data (1); without numbers where there are no such data, or not this load.
+fn gap(found: &Discovered<'_>, which: usize, [before, after]: [Gap; 2]) -> Value {
+    let data = &found.prepared.data;
+    if which == 1 && !data.has_held_out() {
+        return json!({ "before": null, "after": null, "floor": null });
+    }
+    let floor = found.limits.floor[which];
+    let (runs, points) = (data.run_loads, data.static_loads());
+    let of = |v: [f64; 3], c: usize| (runs[c] || points[c]).then_some(v[c]);
+    let channels = |v: [f64; 3]| json!({ "Fz_N": of(v, 0), "Mx_Nm": of(v, 1), "My_Nm": of(v, 2) });
     json!({ "before": before.all, "after": after.all, "floor": floor,
         "by_channel": { "before": channels(before.by_channel), "after": channels(after.by_channel) },
         "raw_percent": { "before": channels(before.raw_percent), "after": channels(after.raw_percent) } })
 }
 
+/// The gap of the training data is more than twice what is left where nothing is missing.
+pub(crate) fn is_far_above_floor(found: &Discovered<'_>) -> bool {
+    found.report.gaps[0][1].all > CLOSED * found.limits.floor[0]
+}
+
+/// Whether the training data come nearer with the effects in the model; true without any.
+pub(crate) fn is_supported(found: &Discovered<'_>) -> bool {
+    let [before, after] = found.report.gaps[0];
+    found.report.outcome.found.is_empty() || after.all < before.all
+}
+
 /// The held-out gap shrank, and to at most twice what is left where nothing is missing.
-fn success(found: &Discovered<'_>) -> bool {
+pub(crate) fn success(found: &Discovered<'_>) -> bool {
     let [before, after] = found.report.gaps[1];
     !found.report.outcome.found.is_empty()
+        && is_supported(found)
+        && found.prepared.data.has_held_out()
         && after.all < before.all
         && after.all <= CLOSED * found.limits.floor[1]
 }
@@ -174,34 +200,26 @@ pub(crate) fn summary(found: &Discovered<'_>, out: &Path, seconds: f64) -> Strin
             let _ = writeln!(text, "    not told from: {}", effect.confused_with.join(", "));
         }
     }
-    match verdict(found) {
-        "none" => text.push_str("no effect above the floor\n"),
-        "unknown" => text.push_str("something is missing that no effect of the library explains\n"),
-        _ => {}
-    }
     if let Some(next) = next_experiment(found) {
         let _ = writeln!(text, "next: {next}");
     }
-    let [train, holdout] = found.report.gaps;
-    for (name, [before, after], floor) in
-        [("training", train, found.limits.floor[0]), ("held out", holdout, found.limits.floor[1])]
-    {
+    let data = &found.prepared.data;
+    let shown = if data.has_held_out() { 2 } else { 1 };
+    for (which, name) in ["training", "held out"].into_iter().enumerate().take(shown) {
+        let ([before, after], floor) = (found.report.gaps[which], found.limits.floor[which]);
         let _ = writeln!(
             text,
             "gap, {name:<9} {:>6.1} -> {:>5.1} standard deviations of the noise (nothing missing: {floor:.1})",
             before.all, after.all
         );
     }
-    let shrank = if success(found) {
-        "the held-out gap closed"
-    } else if outcome.found.is_empty() {
-        "nothing was added"
-    } else {
-        "the held-out gap did not close: no success is claimed"
-    };
+    if !data.not_used.is_empty() {
+        let _ = writeln!(text, "not used: {} (residuals are root loads)", data.not_used.join(", "));
+    }
+    let _ = writeln!(text, "{}", discover_sentence::sentence(found));
     let _ = writeln!(
         text,
-        "{shrank}; {seconds:.1} s, {} model runs; results in {}",
+        "{seconds:.1} s, {} model runs; results in {}",
         found.report.model_runs,
         out.display()
     );

@@ -6,7 +6,7 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use calibrate::{Campaign, Schedule, Settings, calibrate};
+use calibrate::{Campaign, Schedule};
 use coupling::ElasticWing;
 use discover::analysis::{Prepared, Rigs};
 use discover::bank::Thresholds;
@@ -19,10 +19,10 @@ use serde_json::{Value, json};
 use crate::args::{Common, HiddenArgs};
 use crate::commands::discover::{Discovered, faults};
 use crate::commands::discover_results;
-use crate::corrections::{CorrectedWing, schedule};
+use crate::corrections::CorrectedWing;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
-use crate::{paths, progress, show};
+use crate::{blind, paths, progress, show};
 
 /// First seed of the calibration range: the bank's campaign.
 const BANK_SEED: u64 = 1_000_000;
@@ -206,20 +206,10 @@ impl Judge<'_> {
 
     /// Reads and calibrates a case that was written.
     fn read(&self, folder: &Path, plan: &CasePlan) -> Result<(Prepared, Campaign), Failure> {
-        let campaign = Campaign::read(&folder.join("measured"))?;
-        let statics = if self.own_static_points {
-            campaign.clone()
-        } else {
-            Campaign::read(&folder.join("reference"))?
-        };
         let CorrectedWing { file, wing, .. } = self.corrected;
-        let calibration = calibrate(wing, &statics, &Settings::of_wing(&file.correction))?;
-        let schedule = schedule(file, &calibration);
-        let mut prepared = Prepared::new(&self.rigs, &schedule, &campaign, self.own_static_points)?;
-        if let Some(left_out) = &plan.leave_out {
-            prepared.library.retain(|effect| effect.spec().name != left_out);
-        }
-        Ok((prepared, campaign))
+        let left_out = plan.leave_out.as_deref();
+        let case = blind::read((file, wing), &self.rigs, folder, self.own_static_points, left_out)?;
+        Ok((case.prepared, case.campaign))
     }
 
     fn judged(&self, prepared: &Prepared, campaign: &Campaign, plan: &CasePlan, start: Instant) -> Value {
@@ -234,6 +224,8 @@ impl Judge<'_> {
             limits: &self.limits,
             bank: String::new(),
             report,
+            again: None,
+            own: false,
             advice: Vec::new(),
             data_hash: String::new(),
         };

@@ -83,6 +83,7 @@ fn fly_one(
         v_m_s: file.v_m_s,
         alpha_rad: motion.alpha.value.clone(),
         loads: None,
+        some_loads: [None, None, None],
         controls_rad: updated.controls.iter().cloned().zip(motion.controls_rad.iter().cloned()).collect(),
         tip_z_m: None,
         accelerations: Vec::new(),

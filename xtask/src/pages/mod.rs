@@ -5,6 +5,7 @@ mod aircraft;
 mod calibrate;
 mod deflection;
 mod discover;
+mod discover_map;
 mod flutter;
 mod modes;
 mod origin;

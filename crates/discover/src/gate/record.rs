@@ -54,7 +54,8 @@ pub(crate) fn records(data: &Dataset, simulated: &[Flown], sigma: &[[f64; 3]]) -
     let runs = data.runs.iter().map(|run| {
         let kept: Vec<usize> = (0..run.measured[0].len()).collect();
         let repeat = run.repeat_of.map(|first| first + data.statics.len());
-        (run.name.clone(), &run.stimulus, data.airspeeds_m_s[run.airspeed], repeat, kept, vec![0, 1, 2])
+        let present = (0..3).filter(|&c| data.run_loads[c]).collect();
+        (run.name.clone(), &run.stimulus, data.airspeeds_m_s[run.airspeed], repeat, kept, present)
     });
     let of = |place: usize, c: usize, i: usize| match place.checked_sub(data.statics.len()) {
         None => data.statics[place].measured[i][c].unwrap_or(f64::NAN),
@@ -160,13 +161,16 @@ pub fn rough_noise(data: &Dataset) -> Vec<[f64; 3]> {
         median(data.runs.iter().filter_map(of).collect()).unwrap_or(0.0)
     };
     let rough: [f64; 3] = std::array::from_fn(|c| match data.stated {
-        Some((sample, _)) => sample[c],
-        None => quiet(c),
+        Some((sample, _)) if sample[c] > 0.0 => sample[c],
+        _ => quiet(c),
     });
     let statics = data.statics.iter().map(|_| data.stated.map_or(rough, |(_, point)| point));
     let runs = data.runs.iter().map(|run| {
-        let behind_filter = if data.stated.is_some() { (run.decimation as f64).sqrt() } else { 1.0 };
-        rough.map(|sigma| (sigma / behind_filter).max(f64::MIN_POSITIVE))
+        std::array::from_fn(|c| {
+            let stated = data.stated.is_some_and(|(sample, _)| sample[c] > 0.0);
+            let behind_filter = if stated { (run.decimation as f64).sqrt() } else { 1.0 };
+            (rough[c] / behind_filter).max(f64::MIN_POSITIVE)
+        })
     });
     statics.chain(runs).collect()
 }

@@ -91,10 +91,13 @@ fn of_run(data: &Dataset, i: usize, simulated: &Flown, error: &PureError<'_>) ->
     let (samples, dt) = (run.measured[0].len(), run.stimulus.time_step_s);
     let v_m_s = data.airspeeds_m_s[run.airspeed];
     let residual: [Vec<f64>; 3] = std::array::from_fn(|c| {
-        run.measured[c].iter().zip(&simulated.loads[c]).map(|(m, s)| m - s).collect()
+        let difference = run.measured[c].iter().zip(&simulated.loads[c]).map(|(m, s)| m - s);
+        if data.run_loads[c] { difference.collect() } else { Vec::new() }
     });
-    let coefficients = residual.each_ref().map(|values| cosines(values, dt));
-    let hz: Vec<f64> = (0..coefficients[0].len()).map(|k| frequency_hz(k, samples, dt)).collect();
+    let coefficients =
+        residual.each_ref().map(|values| if values.is_empty() { Vec::new() } else { cosines(values, dt) });
+    let hz: Vec<f64> =
+        (0..crate::transform::count(samples, dt)).map(|k| frequency_hz(k, samples, dt)).collect();
     let weight: [Vec<f64>; 3] = std::array::from_fn(|c| {
         let of = |(k, hz): (usize, &f64)| {
             let one = (error.coefficient)(run.airspeed, c, *hz).recip();

@@ -87,6 +87,10 @@ fn planned(prepared: &Prepared, experiment: &Experiment, most_m_s: f64) -> Datas
     airspeeds_m_s.sort_by(f64::total_cmp);
     airspeeds_m_s.dedup();
     let (mut runs, mut statics) = (Vec::new(), Vec::new());
+    let loads = match prepared.data.static_loads() {
+        [false, false, false] => prepared.data.run_loads,
+        loads => loads,
+    };
     for (k, (share, motion)) in experiment.runs.iter().enumerate() {
         let airspeed = airspeeds_m_s.iter().position(|v| *v == share * most_m_s).unwrap_or(0);
         let stimulus = motion.stimulus(controls);
@@ -95,7 +99,7 @@ fn planned(prepared: &Prepared, experiment: &Experiment, most_m_s: f64) -> Datas
             statics.push(StaticGroup {
                 airspeed,
                 stimulus,
-                measured: vec![[Some(0.0); 3]; samples],
+                measured: vec![loads.map(|there| there.then_some(0.0)); samples],
                 points: Vec::new(),
                 blocks: vec![None; samples],
                 usage: Use::Train,
