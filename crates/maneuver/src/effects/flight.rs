@@ -1,6 +1,6 @@
 //! Static points and runs of a compact rig with effects.
 
-use super::{Active, Forces, Inputs, Loads, Place, Seen};
+use super::{Active, Forces, Inputs, Loads, Place, Seen, Stage};
 use crate::compact::{Change, Compact, Constants, Drive, Outputs, ResponseTable};
 
 /// How often forces that depend on the state are put back into the wing; what stalls changes its own angle little.
@@ -134,8 +134,10 @@ pub fn fly(rig: &Compact, model: &Model, effects: &[Active], stimulus: &Stimulus
     let split = Split::new(rig, &answer);
     let seen = split.seen(&inputs);
     let mut loads = Loads { balance: split.loads.clone(), tip_m: split.tip_m.to_vec() };
-    for active in effects {
-        active.effect.loads(&active.values, &place, &seen, &mut loads);
+    for stage in Stage::ALL {
+        for active in effects.iter().filter(|active| active.effect.stage() == stage) {
+            active.effect.loads(&active.values, &place, &seen, &mut loads);
+        }
     }
     Flown { loads: loads.balance, tip_m: loads.tip_m }
 }

@@ -25,7 +25,7 @@ pub use flight::{Flown, Model, Stimulus, fly};
 pub use library::library;
 pub use of_wing::{of_wing, without};
 pub use place::{Forces, Inputs, Loads, Place, Seen};
-pub use spec::{Parameter, Side, Spec};
+pub use spec::{Parameter, Side, Spec, Stage};
 pub use travel::{Carried, acting_deflection, carry};
 
 use crate::compact::{Change, Constants};
@@ -71,4 +71,9 @@ pub trait Effect: std::fmt::Debug + Send + Sync {
 
     /// See the module.
     fn loads(&self, _p: &[f64], _place: &Place<'_>, _seen: &Seen<'_>, _loads: &mut Loads) {}
+
+    /// Where on the way from the wing to the record [`Self::loads`] acts.
+    fn stage(&self) -> Stage {
+        Stage::Load
+    }
 }

@@ -44,6 +44,23 @@ impl Side {
     }
 }
 
+/// Where on the way from the wing to the record an effect changes loads: whatever the order in which effects are named, a
+/// filter delays what the joiner adds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Stage {
+    /// It is a load on the balance.
+    Load,
+    /// It is what the balance makes of loads.
+    Reading,
+    /// It is what amplifiers and clocks make of readings.
+    Record,
+}
+
+impl Stage {
+    /// All, from the wing on.
+    pub const ALL: [Self; 3] = [Self::Load, Self::Reading, Self::Record];
+}
+
 /// See the module.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spec {

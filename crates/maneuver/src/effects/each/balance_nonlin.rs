@@ -25,6 +25,10 @@ impl Effect for BalanceNonlin {
         ]
     }
 
+    fn stage(&self) -> Stage {
+        Stage::Reading
+    }
+
     fn loads(&self, p: &[f64], _place: &Place<'_>, _seen: &Seen<'_>, loads: &mut Loads) {
         for (channel, k) in loads.balance.iter_mut().zip(p) {
             for value in channel.iter_mut() {

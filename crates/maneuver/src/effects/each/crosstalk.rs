@@ -29,6 +29,10 @@ impl Effect for Crosstalk {
         ]
     }
 
+    fn stage(&self) -> Stage {
+        Stage::Reading
+    }
+
     fn loads(&self, p: &[f64], _place: &Place<'_>, seen: &Seen<'_>, loads: &mut Loads) {
         for i in 0..seen.len() {
             let [fz, mx, my] = [0, 1, 2].map(|c| loads.balance[c][i]);

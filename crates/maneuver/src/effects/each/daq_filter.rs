@@ -29,6 +29,10 @@ impl Effect for DaqFilter {
         vec![Parameter::new("inverse_corner_s", (0.0, 0.4), 0.05)]
     }
 
+    fn stage(&self) -> Stage {
+        Stage::Record
+    }
+
     fn loads(&self, p: &[f64], place: &Place<'_>, _seen: &Seen<'_>, loads: &mut Loads) {
         if !place.steady && p[0] > 0.0 {
             for channel in &mut loads.balance {

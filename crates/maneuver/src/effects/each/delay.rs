@@ -21,6 +21,10 @@ impl Effect for Delay {
         vec![Parameter::new("tau_s", (-0.06, 0.06), 0.02)]
     }
 
+    fn stage(&self) -> Stage {
+        Stage::Record
+    }
+
     fn loads(&self, p: &[f64], place: &Place<'_>, _seen: &Seen<'_>, loads: &mut Loads) {
         if !place.steady && p[0] != 0.0 {
             for channel in &mut loads.balance {

@@ -25,6 +25,10 @@ impl Effect for Drift {
         ]
     }
 
+    fn stage(&self) -> Stage {
+        Stage::Reading
+    }
+
     fn loads(&self, p: &[f64], place: &Place<'_>, seen: &Seen<'_>, loads: &mut Loads) {
         if place.steady {
             return;
