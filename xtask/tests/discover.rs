@@ -103,7 +103,11 @@ fn the_shipped_bank_belongs_to_the_shipped_wing_and_campaign() {
     let (file, wing) = coupling::ElasticWing::read(&root().join("data/tuflex/wing.ron")).unwrap();
     let campaign = calibrate::Campaign::read(&root().join("data/tuflex/measured")).unwrap();
     let data = discover::data::Dataset::read(&campaign, &wing).unwrap();
-    assert_eq!(bank.key, discover::bank::key(&file.hash, &data), "made for another wing, campaign or library");
+    assert_eq!(
+        bank.key,
+        discover::bank::key(&file.hash, &data),
+        "made for another wing, campaign or library"
+    );
     // every effect and form that a null campaign was searched for, and a floor to judge by
     assert!(bank.evidence.len() > 20 && bank.floor.iter().all(|floor| *floor > 1.0), "{bank:?}");
 }
