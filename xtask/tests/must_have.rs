@@ -75,7 +75,8 @@ fn prepared_of(plan: &CasePlan, name: &str, change: impl Fn(String) -> String) -
     let wing = wing();
     wing.bench.case(plan).files.write(&folder).expect("a generated case");
     let listed = folder.join("measured/campaign.ron");
-    std::fs::write(&listed, change(std::fs::read_to_string(&listed).unwrap())).unwrap();
+    let text = std::fs::read_to_string(&listed).expect("a generated case");
+    std::fs::write(&listed, change(text)).expect("a generated case");
     let left_out = plan.leave_out.as_deref();
     let case = read((&wing.file, &wing.elastic), rigs(), &folder, false, left_out)
         .unwrap_or_else(|failure| panic!("{name}: {failure:?}"));

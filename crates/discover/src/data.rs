@@ -6,6 +6,7 @@ use coupling::ElasticWing;
 use maneuver::effects::{Inputs, Stimulus};
 use maneuver::{Run, Smooth, smooth_from_rest, zero_phase};
 use nastran::{InputError, named_file};
+use std::path::Path;
 
 /// Sample rate that runs are brought to, Hz: five times the highest frequency that is looked at, and more.
 pub const RATE_HZ: f64 = 100.0;
@@ -102,21 +103,7 @@ impl Dataset {
     /// all; noise that is stated of other loads than the runs have.
     pub fn read(campaign: &Campaign, wing: &ElasticWing) -> Result<Self, InputError> {
         let listed_in = campaign.folder.join("campaign.ron");
-        let mut read = Vec::with_capacity(campaign.runs.len());
-        for entry in &campaign.runs {
-            let path = named_file(&listed_in, &entry.file)?;
-            let run = Run::read(&path)?;
-            for (control, _) in &run.controls_rad {
-                if !wing.controls.iter().any(|known| &known.name == control) {
-                    let known: Vec<&str> =
-                        wing.controls.iter().map(|control| control.name.as_str()).collect();
-                    let message = format!("the run moves a control {control}, which the wing does not have");
-                    return Err(InputError::in_file(&path, message)
-                        .with_help(format!("the wing's controls: {}", known.join(", "))));
-                }
-            }
-            read.push(run);
-        }
+        let read = read_runs(campaign, wing, &listed_in)?;
         let airspeeds_m_s = airspeeds(campaign, &read);
         let blocks = blocks(campaign);
         let run_loads = run_loads(campaign, &read, &listed_in)?;
@@ -220,6 +207,25 @@ impl Dataset {
     pub fn place_of_condition(&self, condition: usize) -> usize {
         self.statics.len() + self.runs.len() + condition
     }
+}
+
+/// All runs; a control that the wing does not have is an error.
+fn read_runs(campaign: &Campaign, wing: &ElasticWing, listed_in: &Path) -> Result<Vec<Run>, InputError> {
+    let mut read = Vec::with_capacity(campaign.runs.len());
+    for entry in &campaign.runs {
+        let path = named_file(listed_in, &entry.file)?;
+        let run = Run::read(&path)?;
+        for (control, _) in &run.controls_rad {
+            if !wing.controls.iter().any(|known| &known.name == control) {
+                let known: Vec<&str> = wing.controls.iter().map(|control| control.name.as_str()).collect();
+                let message = format!("the run moves a control {control}, which the wing does not have");
+                return Err(InputError::in_file(&path, message)
+                    .with_help(format!("the wing's controls: {}", known.join(", "))));
+            }
+        }
+        read.push(run);
+    }
+    Ok(read)
 }
 
 /// Runs with the runs that repeat them, where they are of one length and use.

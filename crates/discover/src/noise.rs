@@ -105,23 +105,6 @@ impl Noise {
     }
 }
 
-/// Every load of the runs needs a repeated run or stated noise; without runs, every load of the static points repeated
-/// points or stated noise.
-fn check_known(data: &Dataset, no_pairs: bool, scatter: [f64; 3]) -> Result<(), NoiseUnknown> {
-    let stated = |c: usize, of_points: bool| {
-        data.stated.is_some_and(|(sample, point)| if of_points { point[c] } else { sample[c] } > 0.0)
-    };
-    let (there, of_points) =
-        if data.runs.is_empty() { (data.static_loads(), true) } else { (data.run_loads, false) };
-    let repeated = |c: usize| if of_points { scatter[c] > 0.0 } else { !no_pairs };
-    let nothing_repeats =
-        if of_points { "no static point repeats another" } else { "no training run repeats another" };
-    match (0..3).find(|&c| there[c] && !repeated(c) && !stated(c, of_points)) {
-        Some(c) => Err(NoiseUnknown { nothing_repeats, load: crate::gate::CHANNELS[c] }),
-        None => Ok(()),
-    }
-}
-
 /// Training runs that repeat another: the first, and the repeat.
 pub(crate) fn pairs(data: &Dataset) -> Vec<(usize, usize)> {
     let repeats = data.runs.iter().enumerate().filter_map(|(i, run)| run.repeat_of.map(|first| (first, i)));
@@ -182,4 +165,21 @@ fn static_scatter(data: &Dataset) -> ([f64; 3], [f64; 3]) {
     }
     let root = |(sum, count): (f64, usize)| if count > 0 { (sum / count as f64).sqrt() } else { 0.0 };
     (within.map(root), between.map(root))
+}
+
+/// Every load of the runs needs a repeated run or stated noise; without runs, every load of the static points repeated
+/// points or stated noise.
+fn check_known(data: &Dataset, no_pairs: bool, scatter: [f64; 3]) -> Result<(), NoiseUnknown> {
+    let stated = |c: usize, of_points: bool| {
+        data.stated.is_some_and(|(sample, point)| if of_points { point[c] } else { sample[c] } > 0.0)
+    };
+    let (there, of_points) =
+        if data.runs.is_empty() { (data.static_loads(), true) } else { (data.run_loads, false) };
+    let repeated = |c: usize| if of_points { scatter[c] > 0.0 } else { !no_pairs };
+    let nothing_repeats =
+        if of_points { "no static point repeats another" } else { "no training run repeats another" };
+    match (0..3).find(|&c| there[c] && !repeated(c) && !stated(c, of_points)) {
+        Some(c) => Err(NoiseUnknown { nothing_repeats, load: crate::gate::CHANNELS[c] }),
+        None => Ok(()),
+    }
 }

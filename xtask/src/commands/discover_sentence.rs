@@ -4,6 +4,7 @@ use crate::commands::discover::Discovered;
 use crate::commands::discover_results::{CLOSED, is_far_above_floor, is_supported, success};
 
 /// What the sentence is made of.
+#[expect(clippy::struct_excessive_bools, reason = "four judgements that do not exclude each other")]
 struct Said<'a> {
     names: Vec<&'a str>,
     /// Gap of the training data before and after, and where nothing is missing.

@@ -85,46 +85,67 @@ impl ResponseTable {
         let moving: Vec<&(usize, &[f64])> =
             drives.iter().filter(|(_, values)| values.iter().any(|value| *value != values[0])).collect();
         let spectra: Vec<Vec<c64>> = moving
-            .iter()
-            .map(|(_, values)| {
-                let mut spectrum = continued(values, length, time_step_s);
-                forward.process(&mut spectrum);
-                spectrum
+            .chunks(2)
+            .flat_map(|pair| {
+                let mut both = vec![c64::new(0.0, 0.0); length];
+                for (one, (_, values)) in [ONE, SECOND].into_iter().zip(pair) {
+                    let values = continued(values, length, time_step_s);
+                    both.iter_mut().zip(values).for_each(|(both, value)| *both += one * value);
+                }
+                forward.process(&mut both);
+                parted(&both, pair.len())
             })
             .collect();
-        let bins = length / 2 + 1;
         let columns: Vec<usize> = moving.iter().map(|(column, _)| *column).collect();
-        let mut outputs = vec![vec![c64::new(0.0, 0.0); length]; self.outputs()];
-        for bin in 0..bins {
-            let Some(weights) = self.weights(bin as f64 / (length as f64 * time_step_s)) else { break };
-            for (row, output) in outputs.iter_mut().enumerate() {
-                let mut sum = c64::new(0.0, 0.0);
-                for (column, spectrum) in columns.iter().zip(&spectra) {
-                    let mut h = c64::new(0.0, 0.0);
-                    for (k, weight) in weights {
-                        h += self.responses[k][(row, *column)] * weight;
-                    }
-                    sum += h * spectrum[bin];
-                }
-                output[bin] = sum;
-                if bin > 0 && 2 * bin < length {
-                    output[length - bin] = sum.conj();
-                }
-            }
+        let mut outputs = self.answered(&columns, &spectra, (length, time_step_s));
+        for both in &mut outputs {
+            backward.process(both);
         }
         let scale = 1.0 / length as f64;
         let first = &self.responses[0];
-        outputs
-            .into_iter()
-            .enumerate()
-            .map(|(row, mut output)| {
-                backward.process(&mut output);
+        (0..self.outputs())
+            .map(|row| {
                 let start = self.rest[row]
                     + drives.iter().map(|(column, v)| first[(row, *column)].re * v[0]).sum::<f64>();
+                let (both, second) = (&outputs[row / 2], row % 2 == 1);
+                let of = |value: &c64| start + scale * if second { value.im } else { value.re };
                 // what differs from the first sample, as the record begins at rest
-                (0..samples).map(|i| start + scale * output[i].re).collect()
+                both[..samples].iter().map(of).collect()
             })
             .collect()
+    }
+
+    /// Spectra of the outputs, two real outputs in one: the second is the imaginary part.
+    fn answered(
+        &self,
+        columns: &[usize],
+        spectra: &[Vec<c64>],
+        (length, time_step_s): (usize, f64),
+    ) -> Vec<Vec<c64>> {
+        let zero = c64::new(0.0, 0.0);
+        let mut outputs = vec![vec![zero; length]; self.outputs().div_ceil(2)];
+        let mut sums = vec![zero; self.outputs()];
+        for bin in 0..=length / 2 {
+            let Some(weights) = self.weights(bin as f64 / (length as f64 * time_step_s)) else { break };
+            sums.fill(zero);
+            for (column, spectrum) in columns.iter().zip(spectra) {
+                for (k, weight) in weights {
+                    let drive = spectrum[bin] * weight;
+                    let responses = self.responses[k].col_as_slice(*column);
+                    sums.iter_mut().zip(responses).for_each(|(sum, h)| *sum += h * drive);
+                }
+            }
+            for (pair, both) in sums.chunks(2).zip(&mut outputs) {
+                let (a, b) = (pair[0], pair.get(1).copied().unwrap_or(zero));
+                if bin == 0 || 2 * bin == length {
+                    both[bin] = c64::new(a.re, b.re);
+                } else {
+                    both[bin] = a + SECOND * b;
+                    both[length - bin] = a.conj() + SECOND * b.conj();
+                }
+            }
+        }
+        outputs
     }
 
     /// Places in the table and their weights at a frequency; none above the grid.
@@ -185,20 +206,36 @@ fn fast_length(least: usize) -> usize {
     (least..=2 * least).find(|n| n.is_multiple_of(2) && smooth(*n)).unwrap_or(least)
 }
 
+/// What the first and the second of two real records count in the complex one that holds both.
+const ONE: c64 = c64::new(1.0, 0.0);
+/// See above.
+const SECOND: c64 = c64::new(0.0, 1.0);
+
+/// The spectra of one or two real records from that of both in one, to half its length: that of a real record is its own
+/// mirror image, conjugate.
+fn parted(both: &[c64], count: usize) -> Vec<Vec<c64>> {
+    let length = both.len();
+    let mirrored = |bin: usize| both[(length - bin) % length].conj();
+    let first = |bin: usize| 0.5 * (both[bin] + mirrored(bin));
+    let second = |bin: usize| c64::new(0.0, -0.5) * (both[bin] - mirrored(bin));
+    let bins = 0..=length / 2;
+    match count {
+        1 => vec![both[bins].to_vec()],
+        _ => vec![bins.clone().map(first).collect(), bins.map(second).collect()],
+    }
+}
+
 /// The change from the first sample, brought back to zero after the last.
-fn continued(values: &[f64], length: usize, time_step_s: f64) -> Vec<c64> {
+fn continued(values: &[f64], length: usize, time_step_s: f64) -> Vec<f64> {
     let (first, last) = (values[0], values[values.len() - 1]);
     let back = steps(RETURN_S, time_step_s).max(1);
     (0..length)
-        .map(|i| {
-            let value = match i.checked_sub(values.len()) {
-                None => values[i] - first,
-                Some(beyond) if beyond < back => {
-                    (last - first) * 0.5 * (1.0 + (PI * (beyond + 1) as f64 / back as f64).cos())
-                }
-                Some(_) => 0.0,
-            };
-            c64::new(value, 0.0)
+        .map(|i| match i.checked_sub(values.len()) {
+            None => values[i] - first,
+            Some(beyond) if beyond < back => {
+                (last - first) * 0.5 * (1.0 + (PI * (beyond + 1) as f64 / back as f64).cos())
+            }
+            Some(_) => 0.0,
         })
         .collect()
 }
