@@ -59,7 +59,9 @@ fn look_beside(page: &Path) {
 
 /// Looks at pages, with or without curves, and uses them where a browser is there.
 fn use_all(pages: &[(PathBuf, bool)]) {
-    pages.iter().for_each(|(page, _)| look_beside(page));
+    for (page, _) in pages {
+        look_beside(page);
+    }
     let Some(browser) = Browser::start() else { return };
     for (page, with_curves) in pages {
         use_page(&browser, page, *with_curves);

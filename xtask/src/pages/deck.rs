@@ -83,7 +83,7 @@ fn left_out(left: &Value) -> Vec<Block> {
     );
     let mut table = PageTable::new(caption, &["load", "all corrections", "carried"]);
     for (key, name, unit) in LOADS {
-        let of = |which: &str| short(at(left, &format!("{which}/{key}")));
+        let of = |which: &str| short(at(left, &format!("root_loads_{which}/{key}")));
         table.row([format!("{name} ({unit})"), of("complete"), of("carried")]);
     }
     vec![Block::Table(table)]

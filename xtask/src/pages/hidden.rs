@@ -132,7 +132,7 @@ mod tests {
         let page = page(&result, &mut Vec::new());
         assert!(page.lead[1].starts_with("0 of 1 gates"));
         let Block::Table(gates) = &page.sections[0].blocks[0] else { panic!("a table") };
-        assert_eq!(gates.rows[0].join(";"), "precision;at least 0.92;0.5;0.1;0.9;2;no");
+        assert_eq!(gates.rows[0].join(";"), "precision;at least 0.920;0.500;0.100;0.900;2;no");
         assert_eq!(gates.rows[1][6], "-");
         let Block::Table(confusion) = &page.sections[1].blocks[0] else { panic!("a table") };
         assert_eq!(confusion.rows[1].join(";"), "stall;stall | play;3;75 %");
