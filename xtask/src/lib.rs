@@ -13,6 +13,7 @@ mod commands;
 mod corrections;
 pub mod failure;
 pub mod hdf5;
+pub mod nulls;
 pub mod output;
 pub mod pages;
 pub mod paths;

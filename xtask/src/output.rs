@@ -18,6 +18,7 @@ use serde::Serialize;
 use serde_json::Value;
 
 use crate::failure::Failure;
+use crate::nulls;
 use crate::pages;
 
 /// The file by which a folder is known as an earlier result, which may be replaced.
@@ -92,14 +93,20 @@ impl ResultFolder {
         std::fs::write(&path, bytes).map_err(|e| refused(&path, &e))
     }
 
-    /// Writes a value as JSON; numbers that are not finite become `null`, as JSON has none.
+    /// Writes a value as JSON.
     ///
     /// # Errors
-    /// If the file cannot be written.
+    /// If the file cannot be written, or the value holds a number that is not finite where the format does not say what
+    /// the `null` in its place would mean ([`crate::nulls`]).
     pub fn write_json<T: Serialize>(&self, name: &str, value: &T) -> Result<(), Failure> {
         let text = serde_json::to_string_pretty(value).map_err(Failure::computation)?;
+        let result = serde_json::to_value(value).map_err(Failure::computation)?;
+        if let Some(key) = nulls::missing(&result) {
+            return Err(Failure::Computation(format!(
+                "{name} would hold no finite number at `{key}`, which is no result: nothing is written"
+            )));
+        }
         if name == MARK {
-            let result = serde_json::to_value(value).map_err(Failure::computation)?;
             self.remember(|written| written.result = result);
         }
         self.write_text(name, &(text + "\n"))

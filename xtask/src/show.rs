@@ -19,7 +19,10 @@ use codespan_reporting::term::termcolor::Buffer;
 use codespan_reporting::term::{self, Config};
 use nastran::{InputError, Span};
 use serde::Serialize;
-use tracing_subscriber::EnvFilter;
+use tracing::Level;
+use tracing_subscriber::filter::Targets;
+use tracing_subscriber::layer::SubscriberExt;
+use tracing_subscriber::util::SubscriberInitExt;
 
 use crate::args::Common;
 use crate::failure::Failure;
@@ -27,11 +30,13 @@ use crate::progress;
 
 /// Sends the crates' events to standard error: warnings, or what `RUST_LOG` asks for.
 pub fn start_logging(common: &Common) {
-    let default = if common.quiet { "error" } else { "warn" };
-    let filter = EnvFilter::try_from_default_env().unwrap_or_else(|_| EnvFilter::new(default));
-    let subscriber = tracing_subscriber::fmt().with_env_filter(filter).with_writer(progress::Aside::default);
+    let default = Targets::new().with_default(if common.quiet { Level::ERROR } else { Level::WARN });
+    let asked = std::env::var("RUST_LOG").ok().and_then(|asked| asked.parse().ok());
+    let lines = tracing_subscriber::fmt::layer().with_writer(progress::Aside::default);
+    let lines = lines.with_target(false).without_time().with_ansi(colours());
+    let subscriber = tracing_subscriber::registry().with(asked.unwrap_or(default)).with(lines);
     // A second subscriber (tests) is refused, and the first one stays: nothing to do.
-    let _ = subscriber.with_target(false).without_time().with_ansi(colours()).try_init();
+    let _ = subscriber.try_init();
 }
 
 /// Prints a failure to standard error.

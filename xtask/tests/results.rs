@@ -90,3 +90,21 @@ fn what_a_killed_command_left_is_cleared_and_its_set_aside_result_returns() {
         assert_eq!(command(&target), "first");
     }
 }
+
+#[test]
+fn a_number_that_is_not_finite_is_refused_with_its_key_and_the_earlier_result_stays() {
+    let scratch = Scratch::new("finite");
+    let target = scratch.0.join("calibrate");
+    result(&target, "first").commit().expect("committed");
+    let folder = result(&target, "second");
+    let broken =
+        serde_json::json!({ "command": "second", "airspeeds": [{ "rmse_after": { "Fz_N": f64::NAN } }] });
+    match folder.write_json("result.json", &broken) {
+        Err(Failure::Computation(message)) => {
+            assert!(message.contains("`airspeeds/0/rmse_after/Fz_N`"), "{message}");
+        }
+        other => panic!("{other:?}"),
+    }
+    drop(folder);
+    assert_eq!(command(&target), "first");
+}

@@ -7,6 +7,7 @@ pub mod exchange;
 pub mod nastran_deck;
 pub mod planform;
 pub mod root_loads;
+pub mod shape;
 pub mod spline;
 pub mod steady;
 pub mod supported;

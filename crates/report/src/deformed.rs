@@ -20,7 +20,7 @@ pub struct Quad {
 }
 
 /// One picture of several groups of boxes.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct View {
     /// Title above the picture.
     pub title: String,
@@ -28,6 +28,18 @@ pub struct View {
     pub groups: Vec<String>,
     /// The boxes.
     pub quads: Vec<Quad>,
+    /// Ends of lines: beams and rods, m.
+    pub lines: Vec<[Point3<f64>; 2]>,
+    /// Whether a page shows it only after a click on its name; the picture always shows it.
+    pub waits: bool,
+}
+
+impl View {
+    /// All points that are finite.
+    pub(crate) fn points(&self) -> impl Iterator<Item = &Point3<f64>> {
+        let corners = self.quads.iter().flat_map(|quad| &quad.corners);
+        corners.chain(self.lines.iter().flatten()).filter(|point| finite(point))
+    }
 }
 
 /// Angle by which the aircraft is turned about z before it is looked at, rad.
@@ -40,6 +52,8 @@ const HEIGHT: f64 = 400.0;
 const MARGIN: f64 = 30.0;
 const TOP: f64 = 76.0;
 const LEGEND: f64 = 44.0;
+/// Pictures in a row.
+const ROW: usize = 3;
 
 /// Axes of the picture: to the right, up, and towards the eye.
 fn picture_axes() -> [Vector3<f64>; 3] {
@@ -51,10 +65,10 @@ fn picture_axes() -> [Vector3<f64>; 3] {
     [right, eye.cross(&right), eye]
 }
 
-/// The views side by side in one scale.
+/// The views side by side in one scale, three in a row.
 ///
 /// # Errors
-/// If there is no view or no box with finite corners.
+/// If there is no view or nothing with finite corners.
 pub fn svg(title: &str, views: &[View]) -> Result<String, DrawError> {
     Ok(draw(title, views)?.svg())
 }
@@ -68,7 +82,7 @@ pub fn draw(title: &str, views: &[View]) -> Result<Drawing, DrawError> {
     let flat = |p: &Point3<f64>| (axes[0].dot(&p.coords), axes[1].dot(&p.coords));
     let mut low = (f64::INFINITY, f64::INFINITY);
     let mut high = (f64::NEG_INFINITY, f64::NEG_INFINITY);
-    for corner in views.iter().flat_map(|v| &v.quads).flat_map(|q| &q.corners) {
+    for corner in views.iter().flat_map(View::points) {
         let (u, v) = flat(corner);
         low = (low.0.min(u), low.1.min(v));
         high = (high.0.max(u), high.1.max(v));
@@ -78,19 +92,23 @@ pub fn draw(title: &str, views: &[View]) -> Result<Drawing, DrawError> {
     }
     let scale = ((WIDTH - 2.0 * MARGIN) / (high.0 - low.0)).min(HEIGHT / (high.1 - low.1));
     let drawn_height = (high.1 - low.1) * scale;
-    let width = (WIDTH * views.len() as f64).max(WIDTH);
-    let mut canvas = Canvas::new(width, TOP + drawn_height + LEGEND + MARGIN);
+    let width = WIDTH * views.len().clamp(1, ROW) as f64;
+    let named = views.iter().any(|view| view.groups.len() > 1);
+    let each = drawn_height + MARGIN + if named { LEGEND } else { 0.0 };
+    let mut canvas = Canvas::new(width, TOP + each * views.len().div_ceil(ROW) as f64);
     canvas.text((width / 2.0, 28.0), 18.0, Anchor::Middle, title);
     for (i, view) in views.iter().enumerate() {
-        let left = WIDTH * i as f64;
-        canvas.text((left + WIDTH / 2.0, 54.0), 14.0, Anchor::Middle, &view.title);
+        let (left, top) = (WIDTH * (i % ROW) as f64, TOP + each * (i / ROW) as f64);
+        canvas.text((left + WIDTH / 2.0, top - 22.0), 14.0, Anchor::Middle, &view.title);
         let inset = (WIDTH - (high.0 - low.0) * scale) / 2.0;
         let to_paper = |p: &Point3<f64>| {
             let (u, v) = flat(p);
-            (left + inset + (u - low.0) * scale, TOP + (high.1 - v) * scale)
+            (left + inset + (u - low.0) * scale, top + (high.1 - v) * scale)
         };
         paint(&mut canvas, view, &axes, to_paper);
-        paint_legend(&mut canvas, view, left + MARGIN, TOP + drawn_height + LEGEND);
+        if view.groups.len() > 1 {
+            paint_legend(&mut canvas, view, left + MARGIN, top + drawn_height + LEGEND);
+        }
     }
     Ok(Drawing::of_canvas(canvas))
 }
@@ -112,6 +130,9 @@ fn paint(
         let fill = palette::shaded(palette::line(quad.group), 0.75 * light - 0.15);
         let points = quad.corners.map(|p| to_paper(&p));
         canvas.polygon(&points, &fill, &palette::shaded(palette::line(quad.group), -0.1), 0.25);
+    }
+    for [from, to] in view.lines.iter().filter(|ends| ends.iter().all(finite)) {
+        canvas.line(to_paper(from), to_paper(to), palette::line(0), 1.2);
     }
 }
 

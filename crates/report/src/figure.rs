@@ -135,11 +135,11 @@ impl Figure {
         };
         names
             .iter()
-            .enumerate()
-            .map(|(i, name)| LegendEntry {
+            .zip(palette::of_names(names))
+            .map(|(name, colour)| LegendEntry {
                 // kuva measures text a little too narrow; the blanks keep long names inside the box.
                 label: format!("{}\u{a0}\u{a0}", plain(name)),
-                color: palette::line(i).into(),
+                color: colour.into(),
                 shape: if style(name) == Style::Points { LegendShape::Circle } else { LegendShape::Line },
                 dasharray: (style(name) == Style::DashedLine).then(|| "6 4".into()),
             })
@@ -150,6 +150,7 @@ impl Figure {
 impl Panel {
     fn plots(&self, names: &[&str]) -> Result<Vec<Plot>, DrawError> {
         let mut plots = Vec::new();
+        let colours = palette::of_names(names);
         for series in &self.series {
             if series.x.len() != series.y.len() {
                 let (first, second) = (series.x.len(), series.y.len());
@@ -159,7 +160,7 @@ impl Panel {
             if points.is_empty() {
                 continue;
             }
-            let colour = palette::line(names.iter().position(|n| *n == series.name).unwrap_or(0));
+            let colour = colours[names.iter().position(|n| *n == series.name).unwrap_or(0)];
             plots.push(match series.style {
                 Style::Line => {
                     LinePlot::new().with_data(points).with_color(colour).with_stroke_width(1.8).into()

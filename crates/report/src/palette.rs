@@ -7,6 +7,19 @@
 /// Line colours in order of use: blue, vermilion, green, purple, orange, sky blue, black.
 pub const LINES: [&str; 7] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"];
 
+/// What means the same on every page looks the same on every page: a series or view of such a name has this colour
+/// wherever it is drawn, and no other has it beside it.
+const ROLES: [(&str, &str); 8] = [
+    ("measured", "#000000"),
+    ("initial", "#d55e00"),
+    ("before", "#d55e00"),
+    ("updated", "#0072b2"),
+    ("after", "#0072b2"),
+    ("linear", "#6e7781"),
+    ("equal", "#6e7781"),
+    ("undeformed", "#8c959f"),
+];
+
 const BELOW: [f64; 3] = [0.0, 80.0, 150.0];
 const MIDDLE: [f64; 3] = [247.0, 247.0, 247.0];
 const ABOVE: [f64; 3] = [190.0, 75.0, 0.0];
@@ -14,6 +27,26 @@ const ABOVE: [f64; 3] = [190.0, 75.0, 0.0];
 /// The line colour of the series with this number; the colours repeat after seven.
 pub fn line(index: usize) -> &'static str {
     LINES[index % LINES.len()]
+}
+
+/// The colour of a name that has a role; what stands after a colon is its own affair (`initial: tip 0.60 m`).
+fn role(name: &str) -> Option<&'static str> {
+    let name = name.split(':').next().unwrap_or_default();
+    ROLES.iter().find(|(role, _)| *role == name).map(|(_, colour)| *colour)
+}
+
+/// Line colours of the names of a figure: those of roles (measured, initial, updated) are fixed, and beside one of these
+/// no other name has a colour of theirs; the others take what is left of [`LINES`] in their order.
+pub fn of_names(names: &[&str]) -> Vec<&'static str> {
+    let some = names.iter().filter_map(|name| role(name)).any(|colour| LINES.contains(&colour));
+    let kept = |colour: &&str| some && ROLES.iter().any(|(_, fixed)| fixed == colour);
+    let free: Vec<&'static str> = LINES.into_iter().filter(|colour| !kept(colour)).collect();
+    let mut used = 0;
+    let mut next = || {
+        used += 1;
+        free[(used - 1) % free.len()]
+    };
+    names.iter().map(|name| role(name).unwrap_or_else(&mut next)).collect()
 }
 
 /// Colour `#rrggbb` of a place on the diverging ramp: 0 blue, 0.5 white, 1 orange. Places outside are clamped, and
@@ -55,6 +88,19 @@ mod tests {
         assert_eq!(diverging(1.0), "#be4b00");
         assert_eq!(diverging(7.0), diverging(1.0));
         assert_eq!(diverging(f64::NAN), "#b0b0b0");
+    }
+
+    #[test]
+    fn measured_initial_and_updated_have_their_colours_in_any_order_and_company() {
+        let first = of_names(&["measured", "initial", "updated", "angle of attack"]);
+        assert_eq!(first, ["#000000", "#d55e00", "#0072b2", "#009e73"]);
+        assert_eq!(of_names(&["initial: tip 0.60 m", "updated: tip 0.43 m"]), ["#d55e00", "#0072b2"]);
+        assert_eq!(of_names(&["angle", "updated", "measured"]), ["#009e73", "#0072b2", "#000000"]);
+        let many: Vec<String> = (0..20).map(|i| format!("{i} m/s")).collect();
+        let mut many: Vec<&str> = many.iter().map(String::as_str).collect();
+        assert_eq!(of_names(&many)[7], of_names(&many)[0]);
+        many.insert(0, "linear");
+        assert_eq!(of_names(&many)[1], line(0));
     }
 
     #[test]

@@ -38,6 +38,8 @@ fn views() -> Vec<View> {
         title: title.into(),
         groups: vec![NASTY.into()],
         quads: (0..15).map(|i| quad(i, bend)).collect(),
+        lines: vec![[Point3::new(0.0, 0.0, 0.0), Point3::new(0.0, 1.5, 2.2 * bend)]],
+        ..View::default()
     };
     vec![view("initial", 0.3), view("updated", 0.2)]
 }

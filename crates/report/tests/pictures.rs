@@ -80,7 +80,7 @@ fn aircraft(title: &str, bend: f64) -> View {
     };
     surface(0, 0.0, 1.6, 0.3, bend);
     surface(1, 1.2, 0.4, 0.18, 0.0);
-    View { title: title.into(), groups: vec!["wing".into(), "tail".into()], quads }
+    View { title: title.into(), groups: vec!["wing".into(), "tail".into()], quads, ..View::default() }
 }
 
 #[test]

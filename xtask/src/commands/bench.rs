@@ -54,6 +54,8 @@ pub(crate) fn run(args: &BenchArgs, common: &Common) -> Result<(), Failure> {
     rows.push(general(&wing, &campaign, &settings, &calibration, whole / airspeeds as f64)?);
     let result = json!({ "command": "bench", "rows": rows, "peak_MB": peak_mb() });
     let folder = ResultFolder::begin(&common.out("bench"))?;
+    folder.input("wing", &wing_path(None))?;
+    folder.input("campaign", &campaign_path(None))?;
     folder.write_json("result.json", &result)?;
     folder.commit()?;
     show::summary(common, &summary(&rows));

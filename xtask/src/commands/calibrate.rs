@@ -13,6 +13,7 @@ use serde_json::{Value, json};
 use crate::args::{CalibrateArgs, Common};
 use crate::commands::calibrate_common as common_set;
 use crate::commands::calibrate_figures as figures;
+use crate::commands::calibrate_shapes;
 use crate::commands::calibrate_strips::{self, Strips};
 use crate::corrections::{campaign_path, schedule, wing_path};
 use crate::failure::Failure;
@@ -77,6 +78,7 @@ fn write(
             folder.write_figure("readings", caption, common_set::figure(wing, set, calibration)?)?;
         }
     }
+    calibrate_shapes::write(&folder, wing, calibration)?;
     if let Some(strips) = strips {
         folder.write_figure("strips", "Measured beside computed; never fitted.", strips.figure())?;
     }
@@ -95,7 +97,11 @@ fn write_set(
     folder.write_text(&format!("wkk_{name}.bdf"), &padded.wkk().rounded_to_fields().write())?;
     folder.write_text(&format!("fa2j_{name}.bdf"), &padded.fa2j().rounded_to_fields().write())?;
     let map = figures::corrections(wing, corrections, at).map_err(Failure::computation)?;
-    folder.write_picture(&format!("corrections_{name}"), (&format!("Corrections at {at}"), ""), map)
+    folder.write_picture(
+        &format!("corrections_{name}"),
+        (&format!("Corrections at {at}"), "Figure 7 of the paper."),
+        map,
+    )
 }
 
 /// 18 m/s -> `18`, 22.5 m/s -> `22.5`.

@@ -49,8 +49,8 @@ pub(crate) fn write(
     calibration: &Calibration,
 ) -> Result<(), Failure> {
     let loads = static_loads(wing, calibration)?;
-    let caption =
-        "Initial: theory. Updated: with the corrections. Points: means of the replicates at an angle.";
+    let caption = "Figure 8 of the paper. Initial: theory. Updated: with the corrections. Points: means of the replicates at \
+                   an angle.";
     let left = residuals(&loads);
     folder.write_figure_of("static_loads", caption, loads, "static_loads.csv")?;
     folder.write_figure("residuals", "Model less measurement.", left)?;

@@ -10,8 +10,8 @@ use nastran::InputError;
 use serde_json::{Value, json};
 use structure::{Flexibility, Model, System, normal_modes};
 
-use super::deck_hdf5;
 use super::modes::hertz;
+use super::{deck_hdf5, modes_shapes};
 use crate::args::{Common, DeckArgs};
 use crate::corrections::{CorrectedWing, corrected_wing, corrections_at, wing_path};
 use crate::failure::Failure;
@@ -67,9 +67,14 @@ pub(crate) fn run(args: &DeckArgs, common: &Common) -> Result<(), Failure> {
     });
     result["corrections_at_m_s"] = json!(corrections.as_ref().map(|at| at.v_m_s));
     result["left_out"] = json!(corrections.as_ref().and_then(left_out));
+    result["model"] = json!(args.hdf5.then_some("model.h5"));
     result["seconds"] = json!(start.elapsed().as_secs_f64());
     let model = if args.hdf5 { Some(model(&path, args, corrections.as_ref())?) } else { None };
-    let out = write(&common.out("deck"), &deck, corrections.as_ref(), model.as_deref(), &result)?;
+    let folder = ResultFolder::begin(&common.out("deck"))?;
+    folder.input("wing", &path)?;
+    let cells = structure::mesh::cells(&deck.bulk, &system);
+    modes_shapes::write(&folder, &file.name, &system, (&cells, &modes), &[])?;
+    let out = write(folder, &deck, corrections.as_ref(), model.as_deref(), &result)?;
     let mut text = format!(
         "{}: {:.4} kg, {} grids, {boxes} boxes, {} splines; first frequency {:.4} Hz\nwritten to {}",
         file.name,
@@ -92,13 +97,12 @@ fn model(path: &Path, args: &DeckArgs, corrections: Option<&AtAirspeed>) -> Resu
 }
 
 fn write(
-    out: &Path,
+    folder: ResultFolder,
     deck: &NastranDeck,
     corrections: Option<&AtAirspeed>,
     model: Option<&[u8]>,
     result: &Value,
 ) -> Result<PathBuf, Failure> {
-    let folder = ResultFolder::begin(out)?;
     folder.write_text("wing.bdf", &deck.text)?;
     if let Some((exchange, _)) = corrections.and_then(|at| at.exchange.as_ref()) {
         folder.write_text("w2gj.bdf", &exchange.w2gj().write())?;

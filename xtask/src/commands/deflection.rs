@@ -203,11 +203,11 @@ fn write(out: &Path, found: &Found<'_>, seconds: f64) -> Result<PathBuf, Failure
     let schedule = calibrate::Schedule { wing_hash, ..found.corrected.schedule.clone() };
     folder.write_text("corrections.ron", &schedule.to_ron())?;
     folder.write_text("deflection.csv", &deflection_results::csv(&found.factors))?;
-    for (name, figure) in [
-        ("equivalent", deflection_figures::equivalents(&found.factors)),
-        ("factors", deflection_figures::factors(&found.factors)),
+    for (name, caption, figure) in [
+        ("equivalent", "Figure 15 of the paper.", deflection_figures::equivalents(&found.factors)),
+        ("factors", "Figure 16 of the paper.", deflection_figures::factors(&found.factors)),
     ] {
-        folder.write_figure(name, "", figure)?;
+        folder.write_figure(name, caption, figure)?;
     }
     folder.write_json("result.json", &deflection_results::json(found, seconds))?;
     folder.commit()

@@ -5,6 +5,8 @@
 use maneuver::deflection_fit::FittedFactor;
 use report::{Figure, Panel, Series, Style};
 
+use super::calibrate::speed_name;
+
 /// Equivalent over commanded deflection, with the straight line of a linear model.
 pub(crate) fn equivalents(factors: &[FittedFactor]) -> Figure {
     let mut figure =
@@ -29,20 +31,20 @@ pub(crate) fn factors(factors: &[FittedFactor]) -> Figure {
 }
 
 fn figure(factors: &[FittedFactor], y_label: &str, y: impl Fn(&FittedFactor, f64) -> f64) -> Figure {
+    let speed = |fitted: &FittedFactor| format!("{} m/s", speed_name(fitted.v_m_s));
     let mut controls: Vec<&str> = factors.iter().map(|fitted| fitted.control.as_str()).collect();
     controls.dedup();
     let panel = |control: &str| {
         let of: Vec<&FittedFactor> = factors.iter().filter(|fitted| fitted.control == control).collect();
-        let mut speeds: Vec<String> = of.iter().map(|fitted| format!("{:.1} m/s", fitted.v_m_s)).collect();
+        let mut speeds: Vec<String> = of.iter().map(|fitted| speed(fitted)).collect();
         speeds.dedup();
         let mut series = Vec::new();
-        for speed in speeds {
-            let at: Vec<&&FittedFactor> =
-                of.iter().filter(|fitted| format!("{:.1} m/s", fitted.v_m_s) == speed).collect();
+        for of_speed in speeds {
+            let at: Vec<&&FittedFactor> = of.iter().filter(|fitted| speed(fitted) == of_speed).collect();
             let x: Vec<f64> = at.iter().map(|fitted| fitted.commanded_rad.to_degrees()).collect();
             let values: Vec<f64> = at.iter().map(|fitted| y(fitted, fitted.factor)).collect();
-            series.push(Series::new(speed.clone(), x.clone(), values.clone(), Style::Line));
-            series.push(Series::new(speed, x, values, Style::Points));
+            series.push(Series::new(of_speed.clone(), x.clone(), values.clone(), Style::Line));
+            series.push(Series::new(of_speed, x, values, Style::Points));
         }
         Panel {
             title: format!("{control} aileron"),

@@ -97,7 +97,7 @@ pub(crate) fn run(args: &FlutterArgs, common: &Common) -> Result<(), Failure> {
         for (method, curves) in [("state_matrix", &model.state_matrix), ("p_k", &model.p_k)] {
             folder.write_text(&format!("{}_{method}.csv", model.name), &flutter_figures::csv(curves))?;
         }
-        folder.write_figure(model.name, "", flutter_figures::figure(model))?;
+        folder.write_figure(model.name, flutter_figures::CAPTION, flutter_figures::figure(model))?;
     }
     folder.write_json("result.json", &result)?;
     let out = folder.commit()?;

@@ -12,6 +12,11 @@ const DRAWN: usize = 7;
 /// Damping g below which a mode is drawn at it: it is far from flutter and would squeeze the others.
 const LEAST: f64 = -0.5;
 
+/// What stands below a figure.
+pub(super) const CAPTION: &str = "The first seven modes; flutter is where a damping g goes above zero. A curve of the frequency ends \
+    where its mode no longer oscillates or was not followed further, and dampings below -0.5 are drawn there; the CSV \
+    files of each method have all modes.";
+
 /// Label of an axis, and what of a root is drawn on it.
 type Quantity = (&'static str, fn(&Root) -> f64);
 

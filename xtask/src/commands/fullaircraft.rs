@@ -120,7 +120,7 @@ fn write(
         let envelope = aircraft.envelope(&limits);
         folder.write_text("envelope.csv", &envelope.csv())?;
         let drawn = figures::envelope(aircraft, &envelope);
-        folder.write_figure_of("envelope", "", drawn, "envelope.csv")?;
+        folder.write_figure_of("envelope", "Figure 20 of the paper.", drawn, "envelope.csv")?;
     }
     folder.write_json("result.json", summary)?;
     folder.commit()

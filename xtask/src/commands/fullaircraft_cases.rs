@@ -48,7 +48,8 @@ pub(crate) fn run(path: &Path, args: &FullaircraftArgs, common: &Common) -> Resu
     let target = common.out("fullaircraft_cases");
     check_replaceable(&target)?;
     let file = CasesFile::read(path)?;
-    let Prepared { mut aircraft, corrections, origin, .. } = prepared(args, common)?;
+    let Prepared { mut aircraft, corrections, origin, mut inputs, .. } = prepared(args, common)?;
+    inputs.push(("cases", file.path.clone()));
     if !aircraft.wing.deflection.is_empty() && !common.quiet {
         show::note(
             "cases fly surfaces to where they are commanded: the wing's deflection correction is left out",
@@ -80,7 +81,7 @@ pub(crate) fn run(path: &Path, args: &FullaircraftArgs, common: &Common) -> Resu
     let mut results: Vec<CaseResult> = finished.into_iter().flatten().chain(flown).collect();
     results.sort_by_key(|result| result.number);
     let summary = summary(&file, &results, &tools);
-    let out = write(&target, &summary, &results, &tools)?;
+    let out = write((&target, &inputs), &summary, &results, &tools)?;
     store.close()?;
     remark(common, &summary);
     let text = format!(
@@ -161,18 +162,29 @@ fn summary(file: &CasesFile, results: &[CaseResult], tools: &TrimTools<'_>) -> S
 }
 
 fn write(
-    target: &Path,
+    (target, inputs): (&Path, &[(&'static str, PathBuf)]),
     summary: &Summary,
     results: &[CaseResult],
     tools: &TrimTools<'_>,
 ) -> Result<PathBuf, Failure> {
     let folder = ResultFolder::begin(target)?;
+    inputs.iter().try_for_each(|(what, path)| folder.input(what, path))?;
     folder.write_text("cases.csv", &cases_csv(results))?;
     folder.write_text("envelope.csv", &envelope_csv(&summary.envelope))?;
     if !summary.envelope.is_empty() {
         let drawn = figures::envelope(&tools.stations, &summary.envelope);
-        folder.write_figure_of("envelope", "", drawn, "envelope.csv")?;
-        folder.write_figure_of("cases", "", figures::cloud(results), "cases.csv")?;
+        folder.write_figure_of(
+            "envelope",
+            "The smallest and the largest load of all cases at each station.",
+            drawn,
+            "envelope.csv",
+        )?;
+        folder.write_figure_of(
+            "cases",
+            "Both ends of what each case moves through.",
+            figures::cloud(results),
+            "cases.csv",
+        )?;
     }
     folder.write_json("result.json", summary)?;
     folder.commit()

@@ -21,19 +21,27 @@ pub(crate) fn envelope(stations: &Stations, envelope: &[Extreme]) -> Figure {
                 y.push(extreme.value);
             }
         }
-        Series::new(format!("{model}, {end}"), x, y, style)
+        Series::new(model, x, y, style)
     };
     let panel = |load: &'static str| Panel {
         title: String::new(),
         x_label: "y of the station (m)".into(),
-        y_label: load.replace('_', " "),
+        y_label: labelled(load),
         series: MODELS
             .iter()
             .flat_map(|model| ["smallest", "largest"].map(|end| line(model, load, end)))
             .collect(),
     };
     let panels = LOADS.into_iter().map(panel).collect();
-    Figure { title: "Load envelope of the right wing".into(), panels, columns: 2 }
+    Figure { title: "Load envelope of the right wing".into(), panels, columns: 3 }
+}
+
+/// `Mx_Nm` as `Mx (N m)`.
+pub(crate) fn labelled(load: &str) -> String {
+    match load.split_once('_') {
+        Some((name, unit)) => format!("{name} ({})", unit.replace("Nm", "N m")),
+        None => load.to_owned(),
+    }
 }
 
 /// All cases at the right root: bending and torsion over lift; both ends of what moves.
@@ -49,8 +57,8 @@ pub(crate) fn cloud(results: &[CaseResult]) -> Figure {
     };
     let panel = |(across, up): (usize, usize)| Panel {
         title: String::new(),
-        x_label: LOADS[across].replace('_', " "),
-        y_label: LOADS[up].replace('_', " "),
+        x_label: labelled(LOADS[across]),
+        y_label: labelled(LOADS[up]),
         series: MODELS.iter().map(|model| points(model, across, up)).collect(),
     };
     let panels = [(0, 1), (1, 2)].into_iter().map(panel).collect();

@@ -99,6 +99,7 @@ pub(crate) fn run(path: &Path, common: &Common) -> Result<(), Failure> {
         ));
     }
     summary.seconds = start.elapsed().as_secs_f64();
+    folder.input("deck", path)?;
     folder.write_json("result.json", &summary)?;
     let out = folder.commit()?;
     let text = format!(

@@ -23,7 +23,7 @@ pub(crate) fn write(
         let views =
             [("initial", before), ("updated", after)].map(|(name, trimmed)| view(aircraft, name, trimmed));
         let files = ["initial", "updated"].map(|model| format!("{name}_{model}.vtu"));
-        let caption = "Drag to turn, scroll to come nearer; a click on a name hides a model. The VTU files open in ParaView.";
+        let caption = "Figure 21 of the paper. Drag to turn, scroll to come nearer; a click on a name hides a model. The VTU files open in ParaView.";
         folder.write_shapes(name, (&title, caption), views.into(), &files)?;
     }
     let mut all = vec![
@@ -35,7 +35,8 @@ pub(crate) fn write(
     }
     for (name, title, before, after, quantities) in all {
         let full = ["initial", "updated"].map(|model| format!("{name}_{model}.csv"));
-        let caption = format!("All quantities: {} and {}.", full[0], full[1]);
+        let paper = if name == "gust" { "" } else { "A maneuver of Figures 22 and 23 of the paper. " };
+        let caption = format!("{paper}All quantities: {} and {}.", full[0], full[1]);
         folder.write_figure(name, &caption, histories(title, before, after, quantities))?;
     }
     Ok(())
@@ -103,6 +104,7 @@ fn view(aircraft: &Aircraft, name: &str, trimmed: &Trimmed) -> View {
         title: format!("{name}: tip {:.3} m", trimmed.tip_deflection_m[0]),
         groups: vec!["wings".into(), "tail and fuselage".into()],
         quads: aircraft.deformed(trimmed).into_iter().enumerate().map(quad).collect(),
+        ..View::default()
     }
 }
 

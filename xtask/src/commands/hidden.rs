@@ -129,6 +129,7 @@ pub(crate) fn run(args: &HiddenArgs, common: &Common) -> Result<(), Failure> {
         "metrics": metrics.metrics, "gates": gates(&metrics), "confusion": metrics.confusion, "seconds": seconds,
     });
     let results = ResultFolder::begin(&out)?;
+    results.input("wing", &path)?;
     results.write_json("result.json", &result)?;
     results.commit()?;
     show::summary(common, &summary(&metrics, &out, seconds));

@@ -7,7 +7,7 @@ use report::Table;
 use serde_json::{Value, json};
 use structure::{Modes, ModesError, effective_masses, normal_modes};
 
-use super::{modes_pictures, modes_update};
+use super::{modes_pictures, modes_shapes, modes_update};
 use crate::args::{Common, ModesArgs};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
@@ -28,10 +28,12 @@ pub(crate) fn run(args: &ModesArgs, common: &Common) -> Result<(), Failure> {
     let folder = ResultFolder::begin(&common.out("modes"))?;
     folder.input("structure", &structure.path)?;
     let cells = structure::mesh::cells(&structure.bulk, &structure.system);
-    for mode in 0..modes.omega_rad_s.len() {
-        let text = modes_pictures::vtu(&structure.system, &cells, &modes, mode);
-        folder.write_text(&format!("mode_{:02}.vtu", mode + 1), &text)?;
+    let files: Vec<String> =
+        (1..=modes.omega_rad_s.len()).map(|mode| format!("mode_{mode:02}.vtu")).collect();
+    for (mode, file) in files.iter().enumerate() {
+        folder.write_text(file, &modes_pictures::vtu(&structure.system, &cells, &modes, mode))?;
     }
+    modes_shapes::write(&folder, &structure.name, &structure.system, (&cells, &modes), &files)?;
     if let Some(figure) = modes_pictures::figure(&structure, &modes) {
         let caption = "Displacements of all nodes, scaled to the largest of a mode.";
         folder.write_figure("shapes", caption, figure)?;

@@ -12,7 +12,7 @@ const SHAPES: usize = 6;
 
 /// Displacements and rotations of a mode, six a node, scaled to a largest displacement of one (or rotation, for a
 /// mode that displaces nothing).
-fn scaled(system: &System, modes: &Modes, mode: usize) -> Vec<[f64; 6]> {
+pub(super) fn scaled(system: &System, modes: &Modes, mode: usize) -> Vec<[f64; 6]> {
     let motion = system.expand(modes.shapes.subcols(mode, 1));
     let node = |node: usize| std::array::from_fn(|component| motion[(6 * node + component, 0)]);
     let mut nodes: Vec<[f64; 6]> = (0..system.node_count()).map(node).collect();

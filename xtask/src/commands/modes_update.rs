@@ -4,9 +4,9 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::time::Instant;
 
-use report::Table;
+use report::{Figure, Panel, Series, Style, Table};
 use serde_json::{Value, json};
-use structure::update::{Fit, MeasuredFile, Quantity, Settings, State, UpdateError, fit};
+use structure::update::{Fit, MeasuredFile, Prediction, Quantity, Settings, State, UpdateError, fit};
 
 use crate::args::{Common, ModesArgs};
 use crate::failure::Failure;
@@ -30,6 +30,10 @@ pub(super) fn run(args: &ModesArgs, measured: &Path, common: &Common) -> Result<
     folder.input("structure", &structure.path)?;
     folder.input("measurements", measured)?;
     folder.write_text("factors.ron", &factors(&structure, &found))?;
+    if let Some(figure) = deviations(&found) {
+        let caption = "Model less measurement in standard deviations of it, in the order of the table.";
+        folder.write_figure("deviations", caption, figure)?;
+    }
     let result = result(&structure, &found, start.elapsed().as_secs_f64());
     folder.write_json("result.json", &result)?;
     let out = folder.commit()?;
@@ -81,6 +85,27 @@ fn open_directions(found: &Fit) -> Vec<Vec<(String, f64)>> {
     let name = |p: usize| format!("{} of {}", word(found.factors[p].quantity), found.factors[p].region);
     let directions = found.determination.undetermined_directions();
     directions.into_iter().map(|parts| parts.into_iter().map(|(p, part)| (name(p), part)).collect()).collect()
+}
+
+/// How far both models are off each measurement; none without measurements.
+fn deviations(found: &Fit) -> Option<Figure> {
+    let series = |name: &str, state: &State| {
+        let off = |p: &Prediction| p.model.map_or(f64::NAN, |model| (model - p.measured) / p.sigma);
+        let (x, y) = (1..).map(f64::from).zip(state.predictions.iter().map(off)).unzip();
+        Series::new(name, x, y, Style::Points)
+    };
+    let panel = Panel {
+        title: String::new(),
+        x_label: "number of the measurement".into(),
+        y_label: "model less measurement (sigma)".into(),
+        series: vec![series("initial", &found.before), series("updated", &found.after)],
+    };
+    let any = |state: &State| state.predictions.iter().any(|p| p.model.is_some());
+    (any(&found.before) || any(&found.after)).then(|| Figure {
+        title: "What is left of the measurements".into(),
+        panels: vec![panel],
+        columns: 1,
+    })
 }
 
 fn result(structure: &Structure, found: &Fit, seconds: f64) -> Value {

@@ -31,6 +31,20 @@ const DETAIL: u32 = 18;
 /// That part, s: the chirp passes 4 to 6 Hz.
 const DETAIL_S: (f64, f64) = (12.5, 18.5);
 
+/// A sentence that says which figures of the paper show a run or result of a step; empty if none does.
+pub(crate) fn paper_figures(step: &str, name: &str) -> String {
+    let numbers: Vec<String> = FIGURES
+        .iter()
+        .filter(|(.., curves)| *curves == format!("{step}/{name}_models.csv"))
+        .map(|(number, ..)| number.to_string())
+        .collect();
+    match &numbers[..] {
+        [] => String::new(),
+        [one] => format!("Figure {one} of the paper."),
+        more => format!("Figures {} of the paper.", more.join(" and ")),
+    }
+}
+
 /// Writes pictures and curves as `figure_NN.svg`, `.png` and `.csv`; the list of them.
 pub(crate) fn gather(base: &Path, folder: &ResultFolder) -> Result<Value, Failure> {
     let mut list = Vec::new();
@@ -141,11 +155,18 @@ fn factors(table: &Table, title: &str, column: &str) -> Result<Figure, Failure> 
         .collect::<Result<_, _>>()?;
     let mut panels = Vec::new();
     for (surface, rows) in grouped(table.len(), |row| surfaces[row].clone()) {
-        let series = grouped(rows.len(), |place| v_m_s[rows[place]]).into_iter().map(|(v, places)| {
+        let mut series = Vec::new();
+        for (v, places) in grouped(rows.len(), |place| v_m_s[rows[place]]) {
             let of = |values: &[f64]| places.iter().map(|&place| values[rows[place]]).collect::<Vec<f64>>();
-            Series::new(format!("{v} m/s"), of(&commanded), of(&y), Style::Line)
-        });
-        panels.push(panel(surface, ("commanded deflection (deg)", y_label), series.collect()));
+            for style in [Style::Line, Style::Points] {
+                series.push(Series::new(format!("{v} m/s"), of(&commanded), of(&y), style));
+            }
+        }
+        if column != "factor" {
+            let most = rows.iter().map(|&row| commanded[row]).fold(0.0, f64::max);
+            series.push(Series::new("linear", vec![0.0, most], vec![0.0, most], Style::DashedLine));
+        }
+        panels.push(panel(format!("{surface} aileron"), ("commanded deflection (deg)", y_label), series));
     }
     let columns = panels.len();
     Ok(Figure { title: title.into(), panels, columns })

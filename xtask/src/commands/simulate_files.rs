@@ -7,6 +7,7 @@ use maneuver::{Run, Simulated, TimeHistory};
 use report::{Figure, Panel, Series, Style};
 use serde_json::Value;
 
+use crate::commands::pipeline_figures::paper_figures;
 use crate::commands::simulate::Flown;
 use crate::corrections::CorrectedWing;
 use crate::failure::Failure;
@@ -38,7 +39,12 @@ pub(crate) fn write(
             folder.write_text(&format!("{name}_stations.csv"), &stations.to_csv())?;
         }
         folder.write_text(&format!("{name}_models.csv"), &models(flight).to_csv())?;
-        folder.write_figure_of(name, "", figure(flight), &format!("{name}_models.csv"))?;
+        folder.write_figure_of(
+            name,
+            &paper_figures("simulate", name),
+            figure(flight),
+            &format!("{name}_models.csv"),
+        )?;
     }
     folder.write_json("result.json", result)?;
     folder.commit()

@@ -45,6 +45,7 @@ pub(crate) fn run(args: &TunnelArgs, common: &Common) -> Result<(), Failure> {
     let file_name = shown(&path);
     let story = Story { tunnel: &file, file_name, seed, comparison: &comparison, found: &found, flight };
     folder.write_text("README.md", &tunnel::readme(&story))?;
+    folder.input("what it measures and hides", &path)?;
     let result = result(&story, campaign.rows.len());
     folder.write_json("result.json", &result)?;
     let out = folder.commit()?;

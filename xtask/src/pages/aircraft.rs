@@ -4,8 +4,9 @@ use report::Page;
 use report::page::{Block, KeyNumber, PageTable, Plate, Section};
 use serde_json::Value;
 
-use super::values::{at, counted, from_to, list, short, short_at, text};
+use super::values::{at, counted, from_to, list, rounded, short, short_at, text};
 use super::{figures, taken};
+use crate::commands::labelled;
 
 /// Path below a model, what it is, its unit.
 type Row = (&'static str, &'static str, &'static str);
@@ -129,7 +130,7 @@ fn derivatives(result: &Value) -> PageTable {
         for coefficient in ["CL", "Cm", "Cl", "Cn"] {
             row.extend([initial, updated].map(|model| {
                 at(model, &format!("unrestrained/{coefficient}"))
-                    .map_or_else(|| "-".into(), |v| format!("{v:.4}"))
+                    .map_or_else(|| "-".into(), |v| format!("{:.4}", rounded(v, 4)))
             }));
         }
         table.row(row);
@@ -146,10 +147,10 @@ pub(super) fn cases(result: &Value, plates: &mut Vec<Plate>) -> Page {
     for extreme in envelope.iter().filter(|e| text(e, "station") == "right root") {
         table.row([
             text(extreme, "model").to_owned(),
-            text(extreme, "load").replace('_', " "),
+            labelled(text(extreme, "load")),
             text(extreme, "end").to_owned(),
             short_at(extreme, "value"),
-            text(extreme, "flown").to_owned(),
+            text(extreme, "flown").replace('_', " "),
         ]);
     }
     let most = |model: &str| {

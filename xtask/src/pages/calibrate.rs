@@ -10,6 +10,7 @@ use super::{figures, taken};
 pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
     let airspeeds = list(result, "airspeeds");
     let mut sections = vec![figures("Root loads", taken(plates, "static_loads"))];
+    sections.push(figures("The bent wing", taken(plates, "wing_shapes")));
     sections.push(figures("What is left", taken(plates, "residuals")));
     sections.push(Section::new("The fit at each airspeed", vec![Block::Table(fits(airspeeds))]));
     let mut determined = vec![Block::Text(determined_text(airspeeds))];

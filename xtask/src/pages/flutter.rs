@@ -48,7 +48,7 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
         lead: vec![format!(
             "Airspeeds up to {limit} m/s at {} kg/m\u{b3}, {} modes, two independent methods. Corrections come from {} and were \
              found from {} m/s; outside, those of the nearest end are held.",
-            short_at(result, "air_density_kg_m3"),
+            at(result, "air_density_kg_m3").map_or_else(|| "-".into(), |rho| digits(rho, 4)),
             short_at(result, "modes"),
             text(result, "corrections"),
             held.join(" to ")

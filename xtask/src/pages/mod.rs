@@ -2,16 +2,21 @@
 //! aeroelastician reads, and the figures sorted under headings. [`crate::output::ResultFolder`] gathers the rest.
 
 mod aircraft;
+mod aircraft_deck;
+mod bench;
 mod calibrate;
+mod deck;
 mod deflection;
 mod discover;
 mod discover_map;
 mod flutter;
+mod hidden;
 mod modes;
 mod origin;
 mod pipeline;
 mod response;
 mod simulate;
+mod tunnel;
 mod validate;
 mod values;
 
@@ -37,8 +42,13 @@ pub(crate) fn page(written: Written) -> Option<Page> {
         "discover" => discover::page,
         "fullaircraft" => aircraft::page,
         "fullaircraft --cases" => aircraft::cases,
+        "fullaircraft --deck" => aircraft_deck::page,
         "flutter" => flutter::page,
         "modes" => modes::page,
+        "deck" => deck::page,
+        "tunnel" => tunnel::page,
+        "hidden" => hidden::page,
+        "bench" => bench::page,
         "response" => response::page,
         "validate" => validate::page,
         "pipeline" => pipeline::page,

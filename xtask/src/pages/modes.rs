@@ -5,9 +5,12 @@ use report::page::{Block, KeyNumber, PageTable, Plate, Section};
 use serde_json::Value;
 
 use super::figures;
-use super::values::{at, digits, list, short, short_at, text};
+use super::values::{at, counted, digits, from_to, list, rounded, short, short_at, text};
 
 pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
+    if result.get("measurements").is_some() {
+        return fitted(result, plates);
+    }
     let hertz = list(result, "frequencies_hz");
     let mut numbers: Vec<KeyNumber> = hertz
         .iter()
@@ -17,73 +20,145 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
         .enumerate()
         .map(|(i, hz)| KeyNumber::new(format!("elastic mode {}", i + 1), format!("{} Hz", digits(hz, 4)), ""))
         .collect();
-    if at(result, "mass_kg").is_some() {
-        numbers.push(KeyNumber::new("mass", format!("{} kg", short_at(result, "mass_kg")), ""));
-    }
+    numbers.push(KeyNumber::new("mass", format!("{} kg", short_at(result, "mass_kg")), ""));
     let mut sections = vec![figures("Shapes", std::mem::take(plates))];
-    if !hertz.is_empty() {
-        sections.push(Section::new("Frequencies", vec![Block::Table(table(result))]));
-    }
-    for name in ["measurements", "factors"] {
-        if let Some(table) = of_objects(list(result, name)) {
-            sections.push(Section::new(heading(name), vec![Block::Table(table)]));
-        }
-    }
+    sections.push(Section::new("Frequencies", vec![Block::Table(frequencies(result))]));
     sections.retain(|section| !section.blocks.is_empty());
-    let counted = at(result, "grids").map(|grids| {
-        format!(
-            "{grids} grids, {} free motions, {} rigid modes.",
-            short_free(result),
-            short_at(result, "rigid_modes")
-        )
-    });
+    let whole = |path: &str| at(result, path).map_or_else(|| "-".into(), |count| format!("{count:.0}"));
     Page {
         title: format!("Natural modes of {}", text(result, "structure")),
-        lead: counted.into_iter().collect(),
+        lead: vec![format!(
+            "{} grids, {} free motions, {} rigid modes.",
+            whole("grids"),
+            whole("free_motions"),
+            whole("rigid_modes")
+        )],
         numbers,
         sections,
         ..Page::default()
     }
 }
 
-fn short_free(result: &Value) -> String {
-    at(result, "free_motions").map_or_else(|| "-".into(), |count| format!("{count:.0}"))
-}
-
-fn heading(name: &str) -> &'static str {
-    if name == "factors" { "Fitted factors" } else { "Measurements beside the model" }
-}
-
-fn table(result: &Value) -> PageTable {
+fn frequencies(result: &Value) -> PageTable {
     let mut table = PageTable::new(
         "Effective masses tell how much of the mass a mode moves along an axis.",
         &["mode", "frequency (Hz)", "mass along x (kg)", "along y", "along z"],
     );
     let masses = list(result, "effective_masses");
+    let total = at(result, "mass_kg").unwrap_or_default();
     for (i, hz) in list(result, "frequencies_hz").iter().enumerate() {
-        let mass = |axis: usize| short(masses.get(i).and_then(|mass| mass[axis].as_f64()));
-        let hz = hz.as_f64().map_or_else(|| "-".into(), |hz| digits(hz, 5));
-        table.row([(i + 1).to_string(), hz, mass(0), mass(1), mass(2)]);
+        // what symmetry forbids comes out of the round-off
+        let above = |mass: &f64| *mass > 1e-6 * total;
+        let mass = |axis: usize| {
+            let mass = masses.get(i).and_then(|mass| mass[axis].as_f64());
+            mass.map_or_else(|| "-".into(), |mass| short(Some(mass).filter(above).or(Some(0.0))))
+        };
+        table.row([
+            (i + 1).to_string(),
+            digits(hz.as_f64().unwrap_or(f64::NAN), 5),
+            mass(0),
+            mass(1),
+            mass(2),
+        ]);
     }
     table
 }
 
-/// A list of objects as a table: their names are the columns, and values that are no text or number are left out.
-fn of_objects(list: &[Value]) -> Option<PageTable> {
-    let simple = |value: &Value| match value {
-        Value::String(text) => Some(text.clone()),
-        Value::Number(number) => number.as_f64().map(|v| digits(v, 4)),
-        Value::Bool(yes) => Some(if *yes { "yes" } else { "no" }.into()),
-        Value::Null => Some("-".into()),
-        _ => None,
-    };
-    let first = list.first()?.as_object()?;
-    let names: Vec<&String> =
-        first.iter().filter(|(_, value)| simple(value).is_some()).map(|(name, _)| name).collect();
-    let head: Vec<String> = names.iter().map(|name| name.replace('_', " ")).collect();
-    let mut table = PageTable { head, ..PageTable::default() };
-    for entry in list {
-        table.row(names.iter().map(|name| simple(&entry[name.as_str()]).unwrap_or_default()));
+/// The page of a fit to measurements.
+fn fitted(result: &Value, plates: &mut Vec<Plate>) -> Page {
+    let factors = list(result, "factors");
+    let mut numbers = vec![
+        KeyNumber::new(
+            "sum of squares",
+            from_to(
+                at(result, "before/chi_square"),
+                at(result, "after/chi_square").map(|sum| rounded(sum, 6)),
+                "",
+            ),
+            format!(
+                "in sigma, before and after, {} degrees of freedom",
+                short_at(result, "degrees_of_freedom")
+            ),
+        )
+        .judged(result["converged"] == true),
+    ];
+    for factor in factors {
+        let label = format!("{} of {}", text(factor, "quantity"), text(factor, "region"));
+        let (value, note) = match at(factor, "sigma") {
+            Some(sigma) => (four(at(factor, "value")), format!("\u{b1} {}", digits(sigma, 2))),
+            None => ("not determined".to_owned(), "the measurements do not tell it from others".to_owned()),
+        };
+        numbers.push(KeyNumber::new(label, value, note).judged(factor["determined"] == true));
     }
-    Some(table)
+    let mut sections =
+        vec![Section::new("Measurements beside the model", vec![Block::Table(measured(result))])];
+    sections.push(figures("What is left", std::mem::take(plates)));
+    if !factors.is_empty() {
+        sections.push(Section::new("Fitted factors", vec![Block::Table(factors_table(factors))]));
+    }
+    sections.push(Section::new("Frequencies", vec![Block::Table(before_and_after(result))]));
+    sections.retain(|section| !section.blocks.is_empty());
+    Page {
+        title: format!("{} beside its measurements", text(result, "structure")),
+        lead: vec![format!(
+            "{} of regions' stiffness and mass, fitted to {}; a factor of one is the model as given.",
+            counted(factors.len(), "factor", "factors"),
+            counted(list(result, "measurements").len(), "measurement", "measurements")
+        )],
+        numbers,
+        sections,
+        ..Page::default()
+    }
+}
+
+fn four(value: Option<f64>) -> String {
+    value.map_or_else(|| "-".into(), |value| digits(value, 4))
+}
+
+fn measured(result: &Value) -> PageTable {
+    let head = ["measured", "unit", "value", "sigma", "initial model", "updated", "off (sigma)", "then"];
+    let mut table = PageTable::new("Off: model less measurement in standard deviations of it.", &head);
+    for row in list(result, "measurements") {
+        let off = |model: &str| {
+            let (model, value, sigma) = (at(row, model)?, at(row, "measured")?, at(row, "sigma")?);
+            Some((model - value) / sigma)
+        };
+        let off =
+            |model: &str| off(model).map_or_else(|| "-".into(), |off| format!("{:+.2}", rounded(off, 2)));
+        table.row([
+            text(row, "name").to_owned(),
+            text(row, "unit").to_owned(),
+            four(at(row, "measured")),
+            short(at(row, "sigma")),
+            four(at(row, "before")),
+            four(at(row, "after")),
+            off("before"),
+            off("after"),
+        ]);
+    }
+    table
+}
+
+fn factors_table(factors: &[Value]) -> PageTable {
+    let mut table = PageTable::new("", &["region", "quantity", "factor", "sigma", "determined"]);
+    for factor in factors {
+        table.row([
+            text(factor, "region").to_owned(),
+            text(factor, "quantity").to_owned(),
+            four(at(factor, "value")),
+            short(at(factor, "sigma")),
+            if factor["determined"] == true { "yes" } else { "no" }.to_owned(),
+        ]);
+    }
+    table
+}
+
+fn before_and_after(result: &Value) -> PageTable {
+    let mut table = PageTable::new("", &["mode", "initial (Hz)", "updated (Hz)"]);
+    let (before, after) = (list(result, "before/frequencies_hz"), list(result, "after/frequencies_hz"));
+    for (mode, (before, after)) in before.iter().zip(after).enumerate() {
+        let hertz = |hz: &Value| hz.as_f64().map_or_else(|| "-".into(), |hz| digits(hz, 5));
+        table.row([(mode + 1).to_string(), hertz(before), hertz(after)]);
+    }
+    table
 }

@@ -53,9 +53,33 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
         sections: vec![
             Section::new("The steps", vec![Block::Links(links)]),
             figures("Figures of the paper", std::mem::take(plates)),
+            Section::new("More figures of the paper, on the steps' pages", vec![Block::Links(elsewhere(result))]),
         ],
         ..Page::default()
     }
+}
+
+/// Figures 7 and 20 to 23, which are pictures and shapes of two steps.
+fn elsewhere(result: &Value) -> Vec<Link> {
+    let link =
+        |text: &str, to: &str, note: &str| Link { text: text.into(), to: to.into(), note: note.into() };
+    let speeds = list(result, "calibrate/airspeeds");
+    let mut links = Vec::new();
+    if let Some(v) = speeds.iter().filter_map(|a| at(a, "V_m_s")).next_back() {
+        let to =
+            format!("../calibrate/report.html#corrections_{}", crate::commands::calibrate::speed_name(v));
+        links.push(link("Figure 7", &to, "the corrections on the planform, a picture an airspeed"));
+    }
+    if result.get("fullaircraft").is_some() {
+        for (text, anchor, note) in [
+            ("Figure 20", "envelope", "the envelope with the two limit points"),
+            ("Figure 21", "pull_up", "the aircraft in the pull-up and the push-down, to turn"),
+            ("Figures 22 and 23", "doublet", "aileron doublet and chirp in free flight"),
+        ] {
+            links.push(link(text, &format!("../fullaircraft/report.html#{anchor}"), note));
+        }
+    }
+    links
 }
 
 fn numbers(result: &Value) -> Vec<KeyNumber> {

@@ -25,6 +25,8 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
     }
     numbers.push(KeyNumber::new("runs", runs.len().to_string(), "flown in unsteady air"));
     let measured = runs.iter().any(|run| run["residual_rms"]["updated"].is_object());
+    // runs of the paper's figures stand first, and so are not folded up
+    plates.sort_by_key(|plate| plate.caption.is_empty());
     let mut sections = vec![figures("Time histories", std::mem::take(plates))];
     if measured {
         sections.push(Section::new("All runs", vec![Block::Table(table(runs))]));

@@ -31,7 +31,10 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
             "beside the reference, without a tolerance",
         ),
     ];
-    let mut sections = vec![Section::new("Cases", cases.iter().flat_map(case).collect())];
+    let mut sections = vec![
+        Section::new("All cases", vec![Block::Table(overview(cases))]),
+        Section::new("Numbers of each case", cases.iter().flat_map(case).collect()),
+    ];
     if !plates.is_empty() {
         sections.push(figures("Figures", std::mem::take(plates)));
     }
@@ -55,18 +58,46 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
     }
 }
 
+/// One row a case, those that are not met first.
+fn overview(cases: &[Value]) -> PageTable {
+    let mut table = PageTable::new("", &["case", "met", "not met", "known deviations", "recorded", "source"]);
+    let mut ordered: Vec<&Value> = cases.iter().collect();
+    ordered.sort_by_key(|case| case["good"] == true);
+    for case in ordered {
+        let count = |verdict: &str| {
+            let of = |row: &&Value| text(row, "verdict") == verdict;
+            match (case["error"].is_string(), list(case, "rows").iter().filter(of).count()) {
+                (true, _) => "not computed".to_owned(),
+                (_, count) => count.to_string(),
+            }
+        };
+        table.row([
+            text(case, "case").to_owned(),
+            count("met"),
+            count("not_met"),
+            count("known_deviation"),
+            count("recorded"),
+            text(case, "source").to_owned(),
+        ]);
+    }
+    table
+}
+
 fn case(case: &Value) -> Vec<Block> {
     let caption = format!("{}. {}", text(case, "case"), text(case, "source"));
     let mut table = PageTable::new(caption, &["quantity", "ours", "reference", "tolerance", "verdict"]);
     for row in list(case, "rows") {
         let number = |key: &str| at(row, key).map_or_else(|| "-".into(), |v| digits(v, 5));
-        let verdict = [text(row, "verdict"), text(row, "reason")].join(" ");
+        let verdict = match text(row, "reason") {
+            "" => text(row, "verdict").replace('_', " "),
+            reason => format!("{}: {reason}", text(row, "verdict").replace('_', " ")),
+        };
         table.row([
             text(row, "quantity").to_owned(),
             number("ours"),
             number("reference"),
             text(row, "tolerance").to_owned(),
-            verdict.trim().to_owned(),
+            verdict,
         ]);
     }
     let mut blocks = vec![Block::Table(table)];

@@ -37,7 +37,8 @@ pub(super) fn digits(value: f64, count: usize) -> String {
     if value == 0.0 || !value.is_finite() {
         return if value == 0.0 { "0".into() } else { "-".into() };
     }
-    if value.fract() == 0.0 && value.abs() < 1e7 {
+    // 15 degrees went through radians and came back with the last bit changed
+    if (value - value.round()).abs() < 1e-12 * value.abs() && value.abs() < 1e7 {
         return format!("{value:.0}");
     }
     #[expect(clippy::cast_possible_truncation, reason = "an exponent is below 400")]
@@ -48,6 +49,12 @@ pub(super) fn digits(value: f64, count: usize) -> String {
         Ok(places) => format!("{value:.places$}"),
         Err(_) => format!("{value:.0}"),
     }
+}
+
+/// Rounded to so many places, without a sign of zero: -0.001 is 0.
+pub(super) fn rounded(value: f64, places: i32) -> f64 {
+    let scale = 10.0_f64.powi(places);
+    (value * scale).round() / scale + 0.0
 }
 
 /// `a -> b` with a unit.
@@ -83,9 +90,16 @@ mod tests {
     use super::*;
 
     #[test]
+    fn zero_has_no_sign() {
+        assert_eq!(format!("{:.4}", rounded(-0.000_01, 4)), "0.0000");
+        assert_eq!(format!("{:+.2}", rounded(-1.914, 2)), "-1.91");
+    }
+
+    #[test]
     fn numbers_have_as_many_digits_as_asked_for() {
         let shown =
-            [0.0, 22.916, -0.017_854, 123_456.7, 30.0, 4.2e-9, 8.1e12, 9.999, f64::NAN].map(|v| digits(v, 3));
-        assert_eq!(shown, ["0", "22.9", "-0.0179", "123457", "30", "4.20e-9", "8.10e12", "10.00", "-"]);
+            [0.0, 22.916, -0.017_854, 123_456.7, 15.000_000_000_000_002, 4.2e-9, 8.1e12, 9.999, f64::NAN]
+                .map(|v| digits(v, 3));
+        assert_eq!(shown, ["0", "22.9", "-0.0179", "123457", "15", "4.20e-9", "8.10e12", "10.00", "-"]);
     }
 }

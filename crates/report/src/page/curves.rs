@@ -23,6 +23,7 @@ const LABELS: f64 = 66.0;
 /// The figure for `page.js`: abscissae, traces and layout; at most about `limit` points a curve.
 pub(super) fn data(figure: &Figure, limit: usize) -> Result<Value, DrawError> {
     let names = figure.names();
+    let colours = palette::of_names(&names);
     let mut shared: Vec<Value> = Vec::new();
     let mut traces = Vec::new();
     let mut shown: Vec<&str> = Vec::new();
@@ -36,7 +37,7 @@ pub(super) fn data(figure: &Figure, limit: usize) -> Result<Value, DrawError> {
                 if first {
                     shown.push(&series.name);
                 }
-                let colour = names.iter().position(|name| *name == series.name).unwrap_or(0);
+                let colour = colours[names.iter().position(|name| *name == series.name).unwrap_or(0)];
                 traces.push(trace(series, (place, shared.len()), colour, (first, panel), &pick(&series.y)));
             }
             shared.push(json!(pick(&group[0].x)));
@@ -64,11 +65,10 @@ fn groups(panel: &Panel) -> Result<Vec<Vec<&Series>>, DrawError> {
 fn trace(
     series: &Series,
     (place, x): (usize, usize),
-    colour: usize,
+    colour: &str,
     (first, panel): (bool, &Panel),
     y: &[Value],
 ) -> Value {
-    let colour = palette::line(colour);
     let axis = |letter: &str| axis_name(letter, place);
     let name = for_plotly(&series.name);
     let mut trace = json!({

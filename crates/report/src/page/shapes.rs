@@ -13,7 +13,10 @@ const WIDTH: f64 = 3.4;
 /// The views over one another for `page.js`; a view's legend entry hides all its groups.
 pub(super) fn data(views: &[View]) -> Value {
     let mut traces = Vec::new();
+    let titles: Vec<&str> = views.iter().map(|view| view.title.as_str()).collect();
+    let colours = palette::of_names(&titles);
     for (number, view) in views.iter().enumerate() {
+        let before = traces.len();
         for group in 0..view.groups.len().max(1) {
             let quads: Vec<&Quad> = view
                 .quads
@@ -21,8 +24,12 @@ pub(super) fn data(views: &[View]) -> Value {
                 .filter(|quad| quad.group == group && quad.corners.iter().all(finite))
                 .collect();
             if !quads.is_empty() {
-                traces.push(mesh(view, number, group, &quads));
+                traces.push(mesh(view, (number, colours[number]), group, &quads));
             }
+        }
+        if !view.lines.is_empty() {
+            let alone = traces.len() == before;
+            traces.push(strokes(view, (number, colours[number]), alone));
         }
     }
     json!({ "traces": traces, "layout": layout(views) })
@@ -32,7 +39,7 @@ fn finite(point: &nalgebra::Point3<f64>) -> bool {
     point.coords.iter().all(|v| v.is_finite())
 }
 
-fn mesh(view: &View, number: usize, group: usize, quads: &[&Quad]) -> Value {
+fn mesh(view: &View, (number, colour): (usize, &str), group: usize, quads: &[&Quad]) -> Value {
     let coordinate =
         |axis: usize| quads.iter().flat_map(|q| q.corners.map(|p| rounded(p[axis]))).collect::<Vec<f64>>();
     let corner = |offsets: [usize; 2]| {
@@ -42,10 +49,10 @@ fn mesh(view: &View, number: usize, group: usize, quads: &[&Quad]) -> Value {
     let part = view.groups.get(group).map(|name| for_plotly(name)).unwrap_or_default();
     let shade = if group == 0 { 0.0 } else { 0.35 };
     json!({
-        "type": "mesh3d", "name": name, "legendgroup": number.to_string(), "showlegend": group == 0,
+        "type": "mesh3d", "name": name, "visible": visible(view), "legendgroup": number.to_string(), "showlegend": group == 0,
         "x": coordinate(0), "y": coordinate(1), "z": coordinate(2),
         "i": corner([0, 0]), "j": corner([1, 2]), "k": corner([2, 3]),
-        "color": palette::shaded(palette::line(number), shade), "flatshading": true,
+        "color": palette::shaded(colour, shade), "flatshading": true,
         "lighting": { "ambient": 0.95, "diffuse": 0.25, "specular": 0.0 },
         "lightposition": { "x": -1000, "y": -2000, "z": 4000 },
         "hovertemplate":
@@ -53,12 +60,33 @@ fn mesh(view: &View, number: usize, group: usize, quads: &[&Quad]) -> Value {
     })
 }
 
+/// Lines as one trace, with gaps between them.
+fn strokes(view: &View, (number, colour): (usize, &str), in_legend: bool) -> Value {
+    let kept = || view.lines.iter().filter(|ends| ends.iter().all(finite));
+    let coordinate = |axis: usize| {
+        let of = |[from, to]: &[nalgebra::Point3<f64>; 2]| {
+            [json!(rounded(from[axis])), json!(rounded(to[axis])), Value::Null]
+        };
+        kept().flat_map(of).collect::<Vec<Value>>()
+    };
+    let name = for_plotly(&view.title);
+    json!({
+        "type": "scatter3d", "mode": "lines", "name": name, "legendgroup": number.to_string(), "showlegend": in_legend,
+        "visible": visible(view), "line": { "color": colour, "width": 4 },
+        "x": coordinate(0), "y": coordinate(1), "z": coordinate(2),
+        "hovertemplate": format!("{name}<br>x %{{x:.3f}} m<br>y %{{y:.3f}} m<br>z %{{z:.3f}} m<extra></extra>"),
+    })
+}
+
+/// Plotly's word for a curve that only its name shows until it is clicked.
+fn visible(view: &View) -> Value {
+    if view.waits { json!("legendonly") } else { json!(true) }
+}
+
 /// Extents of all boxes, the largest as large as the window is wide.
 fn aspects(views: &[View]) -> [f64; 3] {
-    let corners =
-        || views.iter().flat_map(|view| &view.quads).flat_map(|quad| &quad.corners).filter(|p| finite(p));
     let extent = |axis: usize| {
-        let values = || corners().map(|p| p[axis]);
+        let values = || views.iter().flat_map(View::points).map(|p| p[axis]);
         values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
     };
     let extents = [0, 1, 2].map(extent);
@@ -92,7 +120,12 @@ mod tests {
         let mut broken = corners;
         broken[2].z = f64::NAN;
         let quads = vec![Quad { corners, group: 1 }, Quad { corners: broken, group: 1 }];
-        let view = View { title: "a<b".into(), groups: vec!["wings".into(), "tail".into()], quads };
+        let view = View {
+            title: "a<b".into(),
+            groups: vec!["wings".into(), "tail".into()],
+            quads,
+            ..View::default()
+        };
         let data = data(&[view]);
         let traces = data["traces"].as_array().unwrap();
         assert_eq!(traces.len(), 1);
@@ -100,5 +133,18 @@ mod tests {
         assert_eq!(traces[0]["k"], json!([2, 3]));
         assert_eq!(traces[0]["y"], json!([0.0, 0.0, 2.0, 2.0]));
         assert_eq!(traces[0]["name"], "a&lt;b");
+    }
+
+    #[test]
+    fn beams_become_lines_with_gaps_and_a_view_can_wait_for_a_click() {
+        let end = |y: f64| Point3::new(0.0, y, 0.1 * y);
+        let lines = vec![[end(0.0), end(1.0)], [end(1.0), end(2.0)]];
+        let view =
+            |title: &str, waits| View { title: title.into(), lines: lines.clone(), waits, ..View::default() };
+        let data = data(&[view("mode 1", false), view("mode 2", true)]);
+        let traces = data["traces"].as_array().unwrap();
+        assert_eq!(traces[0]["y"], json!([0.0, 1.0, null, 1.0, 2.0, null]));
+        assert!(traces.iter().all(|trace| trace["type"] == "scatter3d" && trace["showlegend"] == true));
+        assert_eq!([&traces[0]["visible"], &traces[1]["visible"]], [&json!(true), &json!("legendonly")]);
     }
 }
