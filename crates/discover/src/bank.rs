@@ -166,7 +166,8 @@ fn mean_and_sd(values: &[f64]) -> (f64, f64) {
 }
 
 /// What a bank was made by: another word where library, tolerances or margins change.
-const RULES: &str = "replicates together, other lattice, held angles, margin 45, two lift slopes";
+const RULES: &str =
+    "replicates together, other lattice, held angles, margin 45, two lift slopes, promising ones";
 
 /// A fingerprint of what a bank depends on, as FNV-1a of words.
 pub fn key(wing_hash: &str, data: &Dataset) -> String {

@@ -1,6 +1,7 @@
 //! Static points and runs of a campaign as the search wants them: grouped by airspeed, runs at one sample rate.
 
 use crate::channels::{not_used, run_loads, stated};
+use crate::conditions::conditions;
 use calibrate::{Campaign, RunEntry, Use};
 use coupling::ElasticWing;
 use maneuver::effects::{Inputs, Stimulus};
@@ -228,57 +229,6 @@ fn read_runs(campaign: &Campaign, wing: &ElasticWing, listed_in: &Path) -> Resul
     Ok(read)
 }
 
-/// Runs with the runs that repeat them, where they are of one length and use.
-fn conditions(runs: &[RunData]) -> Vec<Condition> {
-    let mut groups: Vec<Vec<usize>> = Vec::new();
-    for (i, run) in runs.iter().enumerate() {
-        let same = |first: usize| {
-            let first = &runs[first];
-            (first.usage, first.airspeed, first.measured[0].len())
-                == (run.usage, run.airspeed, run.measured[0].len())
-        };
-        let of = run.repeat_of.and_then(|of| groups.iter_mut().find(|g| g.contains(&of) && same(g[0])));
-        match of {
-            Some(group) => group.push(i),
-            None => groups.push(vec![i]),
-        }
-    }
-    groups.into_iter().map(|group| condition(runs, group)).collect()
-}
-
-fn condition(runs: &[RunData], group: Vec<usize>) -> Condition {
-    let first = &runs[group[0]];
-    let share = 1.0 / group.len() as f64;
-    let mean = |of: &dyn Fn(&RunData) -> &[f64]| {
-        let mut sum = vec![0.0; of(first).len()];
-        for &i in &group {
-            sum.iter_mut().zip(of(&runs[i])).for_each(|(s, value)| *s += share * value);
-        }
-        sum
-    };
-    let inputs = &first.stimulus.inputs;
-    let controls = 0..inputs.controls_rad.len();
-    Condition {
-        usage: first.usage,
-        airspeed: first.airspeed,
-        stimulus: Stimulus {
-            inputs: Inputs {
-                alpha: Smooth {
-                    value: mean(&|run| &run.stimulus.inputs.alpha.value),
-                    rate: mean(&|run| &run.stimulus.inputs.alpha.rate),
-                    second: mean(&|run| &run.stimulus.inputs.alpha.second),
-                },
-                incidence_rad: inputs.incidence_rad.clone(),
-                controls_rad: controls.map(|k| mean(&|run| &run.stimulus.inputs.controls_rad[k])).collect(),
-            },
-            clock_h: share * group.iter().map(|i| runs[*i].stimulus.clock_h).sum::<f64>(),
-            ..first.stimulus
-        },
-        measured: std::array::from_fn(|c| mean(&|run| &run.measured[c])),
-        runs: group,
-    }
-}
-
 fn airspeeds(campaign: &Campaign, runs: &[Run]) -> Vec<f64> {
     let mut all: Vec<f64> =
         runs.iter().map(|run| run.v_m_s).chain(campaign.points.iter().map(|point| point.v_m_s)).collect();
@@ -407,4 +357,28 @@ fn statics(
         })
     });
     groups.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_held_angle_has_no_rates_and_a_moving_one_keeps_them() {
+        // the encoder's noise of five thousandths of a degree, and a degree of motion
+        let noisy = |motion_rad: f64| Smooth {
+            value: (0..200)
+                .map(|i| 8.7e-5 * f64::from(i % 3 - 1) + motion_rad * (0.1 * f64::from(i)).sin())
+                .collect(),
+            rate: vec![0.01; 200],
+            second: vec![1.0; 200],
+        };
+        let mut held = noisy(0.0);
+        hold(&mut held);
+        assert!(held.rate.iter().chain(&held.second).all(|value| *value == 0.0));
+        assert!(held.value.iter().all(|value| *value == held.value[0]));
+        let mut moving = noisy(0.0175);
+        hold(&mut moving);
+        assert_eq!(moving, noisy(0.0175));
+    }
 }

@@ -3,25 +3,27 @@
 use crate::bank::Thresholds;
 use crate::candidate::{Refit, Screened};
 use crate::consistency::{Share, scatter, shares};
-use crate::level::{Level, Setting, norm};
+use crate::distinguish::distinguish;
+use crate::level::{Level, Setting};
 use crate::problem::Problem;
+use crate::revise::revise;
 use maneuver::effects::Active;
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{RngCore, SeedableRng};
 use rayon::prelude::*;
 
 /// Candidates that are fitted: so many, and all within a share of the best in screening.
 const KEPT: usize = 8;
 /// See above.
 const KEPT_SHARE: f64 = 0.35;
+/// What screening says chi square would fall by at least, far below any threshold; so many are fitted all the same.
+const LEAST: f64 = 20.0;
+/// See above.
+const SHOWN: usize = 3;
 /// Most effects that one campaign may lack.
 const MOST: usize = 4;
 /// An effect that adds less than this of the first one's evidence only repairs the first one's form.
 const REPAIR_SHARE: f64 = 0.02;
 /// Nats that a further effect needs beyond its threshold: the form of what was found is never exact.
 const FURTHER: f64 = 10.0;
-/// What was named with so many times the evidence of a later one is not replaced because of it.
-const FIRM: f64 = 10.0;
 /// Where no candidate wins this share of draws, the data do not say which it is, and none is named.
 const WINS: f64 = 0.35;
 /// Share of draws that an effect wins, and how often it was the hidden one then, on development cases of the blind
@@ -38,16 +40,6 @@ const EXPLAINED_BY_ALL: f64 = 0.5;
 const SCATTER: f64 = 3.0;
 /// How far values are off because no form is exact, as shares of them, on development cases of the blind benchmark.
 const FORM: f64 = 0.1;
-/// Draws of the bootstrap over runs.
-const DRAWS: usize = 400;
-/// Effects that win at least this share of draws belong to the set.
-const IN_SET: f64 = 0.05;
-/// Evidence within this of the best, or within [`CLOSE_SHARE`] of it, is no distinction.
-const CLOSE: f64 = 5.0;
-/// See above.
-const CLOSE_SHARE: f64 = 0.15;
-/// No rival has less than this share of the best evidence.
-const RIVAL_SHARE: f64 = 0.6;
 
 /// A candidate's weight.
 #[derive(Debug, Clone)]
@@ -121,7 +113,10 @@ pub fn weigh(
         .collect();
     screened.sort_by(|a, b| b.gain.total_cmp(&a.gain));
     let best = screened.first().map_or(0.0, |s| s.gain);
-    let kept = screened.iter().enumerate().filter(|(i, s)| *i < KEPT || s.gain > KEPT_SHARE * best).count();
+    let kept = |(i, s): &(usize, &Screened)| {
+        *i < SHOWN || s.gain > LEAST && (*i < KEPT || s.gain > KEPT_SHARE * best)
+    };
+    let kept = screened.iter().enumerate().filter(kept).count();
     screened.truncate(kept);
     let refits: Vec<Refit> = screened.par_iter().map(|s| s.refit(setting, problem, level)).collect();
     let rows = problem.len() as f64;
@@ -281,73 +276,8 @@ impl SoFar {
     }
 }
 
-/// Fits every effect again beside the others, takes a better one in its place, and drops what is not needed any more.
-/// False if the last effect turned out to say what an earlier one says better: nothing more will be found then.
-fn revise(
-    setting: &Setting<'_>,
-    (problem, bare): (&mut Problem<'_>, &(Problem<'_>, Level)),
-    limits: &Thresholds,
-    found: &mut Vec<Found>,
-    level: &mut Level,
-) -> bool {
-    let mut more = true;
-    for index in (0..found.len()).rev().skip(1) {
-        let without = level.beside(setting, problem, &others(found, &[index]));
-        let weighed = weigh(setting, problem, &without, limits);
-        let last = found.len() - 1;
-        let firm = found[index].named_at > FIRM * found[last].named_at;
-        if let Some(best) =
-            weighed.iter().find(|w| w.evidence > w.threshold && w.refit.is_more_than_a_nudge())
-        {
-            let own = weighed.iter().find(|w| w.name() == name(&found[index]));
-            // the earlier name stays unless another is clearly better, and neither name nor values change unless all fits
-            // better where nothing is allowed to the form of the effects beside it: what that hides decides nothing
-            let beside = |w: &Weighed| {
-                let mut effects = others(found, &[index]);
-                effects.push(w.refit.active.clone());
-                misfit_of(setting, bare, &effects)
-            };
-            let now = misfit_of(setting, bare, &others(found, &[]));
-            let better = !firm && best.name() != name(&found[index]) && beside(best) < now;
-            let chosen = own.filter(|own| !better || own.evidence > best.evidence - CLOSE);
-            let chosen = chosen.or(better.then_some(best)).filter(|chosen| beside(chosen) <= now);
-            let Some(chosen) = chosen else { continue };
-            if chosen.name() != name(&found[index]) {
-                found[index].confused_with.clear();
-                found[index].rivals.clear();
-            }
-            found[index].active = chosen.refit.active.clone();
-            found[index].sigma = with_form(&chosen.refit);
-            found[index].evidence = chosen.evidence;
-        } else {
-            // one of the two is enough: the one that says more without the other
-            let neither = level.beside(setting, problem, &others(found, &[index, last]));
-            let alone = weigh(setting, problem, &neither, limits);
-            let evidence = |of: &Found| {
-                alone.iter().find(|w| w.name() == name(of)).map_or(f64::NEG_INFINITY, |w| w.evidence)
-            };
-            if firm || evidence(&found[index]) >= evidence(&found[last]) {
-                found.remove(last);
-                more = false;
-                break;
-            }
-            found.remove(index);
-        }
-    }
-    let effects: Vec<Active> = found.iter().map(|f| f.active.clone()).collect();
-    *level = Level::new(setting, problem, &effects, Some(&level.models));
-    more
-}
-
-/// Chi square with effects, by the tolerances of the model without any.
-fn misfit_of(setting: &Setting<'_>, (problem, level): &(Problem<'_>, Level), effects: &[Active]) -> f64 {
-    let models = setting.simulator.models(effects, Some(&level.models));
-    let flown = setting.simulator.fly(&models, effects, &problem.places());
-    norm(&level.shared, &problem.residual(&flown))
-}
-
 /// Standard deviations that the data leave, and the form.
-fn with_form(refit: &Refit) -> Vec<f64> {
+pub(crate) fn with_form(refit: &Refit) -> Vec<f64> {
     refit.sigma.iter().zip(&refit.active.values).map(|(sigma, value)| sigma.hypot(FORM * value)).collect()
 }
 
@@ -365,62 +295,11 @@ fn right(share: f64, has_rivals: bool) -> f64 {
 }
 
 /// The effects found but for some.
-fn others(found: &[Found], without: &[usize]) -> Vec<Active> {
+pub(crate) fn others(found: &[Found], without: &[usize]) -> Vec<Active> {
     found.iter().enumerate().filter(|(i, _)| !without.contains(i)).map(|(_, f)| f.active.clone()).collect()
 }
 
-fn name(found: &Found) -> &'static str {
+/// Name of what was found.
+pub(crate) fn name(found: &Found) -> &'static str {
     found.active.effect.spec().name
-}
-
-/// Bootstrap over segments: how often a candidate would have won, and which others would have.
-fn distinguish(
-    problem: &Problem<'_>,
-    level: &Level,
-    weighed: &[Weighed],
-    best: &Weighed,
-    seed: u64,
-) -> (f64, Vec<&'static str>) {
-    let rows = problem.len() as f64;
-    let phi = (best.refit.chi2 / rows).max(1.0);
-    let by_segment = |w: &Weighed| -> Vec<f64> {
-        let weighted = level.shared.weighted(&w.refit.residual);
-        let of = |segment: &crate::problem::Segment| {
-            segment.rows.clone().map(|i| w.refit.residual[i] * weighted[i]).sum::<f64>()
-        };
-        problem.segments.iter().map(of).collect()
-    };
-    let shares: Vec<Vec<f64>> = weighed.iter().map(by_segment).collect();
-    let fixed: Vec<f64> = weighed.iter().map(|w| w.evidence + 0.5 * w.refit.chi2 / phi).collect();
-    let mut random = ChaCha8Rng::seed_from_u64(seed);
-    let count = problem.segments.len();
-    let mut wins = vec![0_usize; weighed.len()];
-    for _ in 0..DRAWS {
-        let mut weights = vec![0.0; count];
-        for _ in 0..count {
-            weights[random.next_u32() as usize % count] += 1.0;
-        }
-        let score = |c: usize| {
-            let chi2: f64 = shares[c].iter().zip(&weights).map(|(s, w)| s * w).sum();
-            fixed[c] - 0.5 * chi2 / phi
-        };
-        if let Some(winner) = (0..weighed.len()).max_by(|a, b| score(*a).total_cmp(&score(*b))) {
-            wins[winner] += 1;
-        }
-    }
-    let share = |name: &str| {
-        let of_name = weighed.iter().zip(&wins).filter(|(w, _)| w.name() == name);
-        of_name.map(|(_, wins)| *wins).sum::<usize>() as f64 / DRAWS as f64
-    };
-    let close = CLOSE.max(CLOSE_SHARE * best.evidence.abs());
-    let mut set: Vec<&'static str> = Vec::new();
-    for rival in weighed.iter().filter(|w| w.name() != best.name()) {
-        let wins = share(rival.name()) >= IN_SET && rival.evidence > RIVAL_SHARE * best.evidence;
-        let close = wins || rival.evidence > best.evidence - close;
-        // forms of one effect have one name
-        if close && !set.contains(&rival.name()) {
-            set.push(rival.name());
-        }
-    }
-    (share(best.name()), set)
 }

@@ -45,6 +45,26 @@ fn an_effect_without_size_changes_no_bit_and_one_of_plausible_size_shows() {
 }
 
 #[test]
+fn a_delay_delays_what_a_joiner_adds_in_whatever_order_they_are_named() {
+    let compact = compact(30.0);
+    let stimulus = run(compact.controls.len());
+    let of = |name: &str, values: &[f64]| {
+        Active::new(library(&compact.controls).into_iter().find(|e| e.spec().name == name).unwrap(), values)
+    };
+    // a whole number of samples: later by nothing but places in the list
+    let delay = of("delay", &[3.0 * stimulus.time_step_s]);
+    let joiner = of("joiner_inertia", &[0.05, 0.1, 0.05, 0.0]);
+    let alone = with(&compact, std::slice::from_ref(&joiner), &stimulus);
+    for both in [[delay.clone(), joiner.clone()], [joiner, delay]] {
+        let late = with(&compact, &both, &stimulus);
+        for (late, alone) in late.loads.iter().zip(&alone.loads) {
+            let apart = late[3..].iter().zip(alone).map(|(late, early)| (late - early).abs());
+            assert!(apart.fold(0.0, f64::max) < 1e-9);
+        }
+    }
+}
+
+#[test]
 fn bounds_hold_zero_is_allowed_and_constraints_move_nothing_twice() {
     let controls = ["inner".to_owned(), "outer".to_owned()];
     let all = library(&controls);

@@ -4,10 +4,12 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use coupling::wing_file::{EffectValidity, WingEffect};
+use discover::consistency::{Moved, Share};
 use discover::gap::Gap;
 use discover::gate::Defect;
 use discover::next::Advice;
 use discover::search::Found;
+use discover::tones::{Tone, sentence};
 use serde_json::{Map, Value, json};
 
 use crate::commands::discover::Discovered;
@@ -45,7 +47,11 @@ pub(crate) fn json(found: &Discovered<'_>, located: &[Value], seconds: f64) -> V
         json!({ "name": spec.name, "form": effect.active.effect.form(), "title": spec.title,
             "confidence": effect.confidence, "confused_with": effect.confused_with,
             "log_bayes_factor": effect.evidence, "stays_with_the_wing": spec.side.travels(),
-            "parameters": parameters(effect) })
+            "parameters": parameters(effect), "parts": effect.shares.iter().map(part).collect::<Vec<_>>() })
+    };
+    let tone = |tone: &Tone| {
+        json!({ "channel": tone.channel, "v_m_s": tone.v_m_s, "frequency_hz": tone.frequency_hz,
+            "times_its_neighbourhood": tone.times })
     };
     let [train, holdout] = found.report.gaps;
     json!({
@@ -69,6 +75,7 @@ pub(crate) fn json(found: &Discovered<'_>, located: &[Value], seconds: f64) -> V
             json!({ "name": name.trim(), "log_bayes_factor": evidence, "threshold": threshold })
         }).collect::<Vec<_>>(),
         "search": outcome.trace,
+        "tones": found.prepared.tones.iter().map(tone).collect::<Vec<_>>(),
         "corrections": found.corrected.origin,
         "null_bank": found.bank,
         "data_hash": found.data_hash,
@@ -77,6 +84,16 @@ pub(crate) fn json(found: &Discovered<'_>, located: &[Value], seconds: f64) -> V
         "model_runs": found.report.model_runs,
         "seconds": seconds,
     })
+}
+
+/// The size that one part of the data would give an effect, over the one that was found.
+fn part(share: &Share) -> Value {
+    let moved = match share.moved {
+        Moved::Nothing => "static",
+        Moved::Pitch => "pitch",
+        Moved::Surfaces => "surfaces",
+    };
+    json!({ "v_m_s": share.v_m_s, "moved": moved, "share": share.share, "sigma": share.sigma })
 }
 
 /// `result.json` where the data are at fault.
@@ -215,6 +232,9 @@ pub(crate) fn summary(found: &Discovered<'_>, out: &Path, seconds: f64) -> Strin
     }
     if !data.not_used.is_empty() {
         let _ = writeln!(text, "not used: {} (residuals are root loads)", data.not_used.join(", "));
+    }
+    if let Some(tone) = sentence(&found.prepared.tones) {
+        let _ = writeln!(text, "{tone}");
     }
     let _ = writeln!(text, "{}", discover_sentence::sentence(found));
     let _ = writeln!(

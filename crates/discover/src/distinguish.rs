@@ -1,0 +1,70 @@
+//! Which candidates the data do not tell apart: a bootstrap over segments.
+
+use crate::level::Level;
+use crate::problem::Problem;
+use crate::search::Weighed;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{RngCore, SeedableRng};
+
+/// Draws of the bootstrap over runs.
+const DRAWS: usize = 400;
+/// Effects that win at least this share of draws belong to the set.
+const IN_SET: f64 = 0.05;
+/// Evidence within this of the best, or within [`CLOSE_SHARE`] of it, is no distinction.
+pub(crate) const CLOSE: f64 = 5.0;
+/// See above.
+const CLOSE_SHARE: f64 = 0.15;
+/// No rival has less than this share of the best evidence.
+const RIVAL_SHARE: f64 = 0.6;
+
+/// Bootstrap over segments: how often a candidate would have won, and which others would have.
+pub(crate) fn distinguish(
+    problem: &Problem<'_>,
+    level: &Level,
+    weighed: &[Weighed],
+    best: &Weighed,
+    seed: u64,
+) -> (f64, Vec<&'static str>) {
+    let rows = problem.len() as f64;
+    let phi = (best.refit.chi2 / rows).max(1.0);
+    let by_segment = |w: &Weighed| -> Vec<f64> {
+        let weighted = level.shared.weighted(&w.refit.residual);
+        let of = |segment: &crate::problem::Segment| {
+            segment.rows.clone().map(|i| w.refit.residual[i] * weighted[i]).sum::<f64>()
+        };
+        problem.segments.iter().map(of).collect()
+    };
+    let shares: Vec<Vec<f64>> = weighed.iter().map(by_segment).collect();
+    let fixed: Vec<f64> = weighed.iter().map(|w| w.evidence + 0.5 * w.refit.chi2 / phi).collect();
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    let count = problem.segments.len();
+    let mut wins = vec![0_usize; weighed.len()];
+    for _ in 0..DRAWS {
+        let mut weights = vec![0.0; count];
+        for _ in 0..count {
+            weights[random.next_u32() as usize % count] += 1.0;
+        }
+        let score = |c: usize| {
+            let chi2: f64 = shares[c].iter().zip(&weights).map(|(s, w)| s * w).sum();
+            fixed[c] - 0.5 * chi2 / phi
+        };
+        if let Some(winner) = (0..weighed.len()).max_by(|a, b| score(*a).total_cmp(&score(*b))) {
+            wins[winner] += 1;
+        }
+    }
+    let share = |name: &str| {
+        let of_name = weighed.iter().zip(&wins).filter(|(w, _)| w.name() == name);
+        of_name.map(|(_, wins)| *wins).sum::<usize>() as f64 / DRAWS as f64
+    };
+    let close = CLOSE.max(CLOSE_SHARE * best.evidence.abs());
+    let mut set: Vec<&'static str> = Vec::new();
+    for rival in weighed.iter().filter(|w| w.name() != best.name()) {
+        let wins = share(rival.name()) >= IN_SET && rival.evidence > RIVAL_SHARE * best.evidence;
+        let close = wins || rival.evidence > best.evidence - close;
+        // forms of one effect have one name
+        if close && !set.contains(&rival.name()) {
+            set.push(rival.name());
+        }
+    }
+    (share(best.name()), set)
+}
