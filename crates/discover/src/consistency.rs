@@ -17,8 +17,11 @@ use std::collections::BTreeMap;
 const FORM: f64 = 0.15;
 /// The same of flow that separates: where, how suddenly and with what delay it does so no one formula says.
 const FORM_OF_STALL: f64 = 0.4;
-/// A group that knows its share worse than this says nothing.
+/// A group that knows its share worse than this is left out.
 const KNOWN: f64 = 0.25;
+/// So is one that knows it so many times worse than the best: it looks at another parameter of the effect (what a joiner
+/// weighs in a tilt, beside its inertia).
+const WORSE: f64 = 10.0;
 /// Angles that move less than this are held, rad.
 const HELD_RAD: f64 = 0.0035;
 
@@ -100,7 +103,9 @@ pub fn shares(
         share: 1.0 + (0..k).map(|i| inverse[(j, i)] * gram[(i, k)]).sum::<f64>(),
         sigma: (phi * inverse[(j, j)]).sqrt(),
     };
-    groups.keys().enumerate().map(of).filter(|share| share.sigma < KNOWN).collect()
+    let all: Vec<Share> = groups.keys().enumerate().map(of).collect();
+    let best = all.iter().map(|share| share.sigma).fold(KNOWN, f64::min);
+    all.into_iter().filter(|share| share.sigma < KNOWN.min(WORSE * best)).collect()
 }
 
 /// How far shares of an effect are from one size: chi square over its degrees of freedom; none with fewer than two shares.

@@ -22,6 +22,8 @@ const SHOWN: usize = 3;
 const MOST: usize = 4;
 /// An effect that adds less than this of the first one's evidence only repairs the first one's form.
 const REPAIR_SHARE: f64 = 0.02;
+/// More nats than this repair no form.
+const NO_REPAIR: f64 = 1000.0;
 /// Nats that a further effect needs beyond its threshold: the form of what was found is never exact.
 const FURTHER: f64 = 10.0;
 /// Where no candidate wins this share of draws, the data do not say which it is, and none is named.
@@ -268,7 +270,7 @@ impl SoFar {
 
     /// The best candidate that has the evidence it needs, and how much that is.
     fn best<'a>(&self, weighed: &'a [Weighed]) -> (f64, Option<&'a Weighed>) {
-        let least = REPAIR_SHARE * self.first_evidence.unwrap_or(0.0);
+        let least = (REPAIR_SHARE * self.first_evidence.unwrap_or(0.0)).min(NO_REPAIR);
         let further = if self.outcome.found.is_empty() { 0.0 } else { FURTHER };
         let needed = |w: &Weighed| (w.threshold + further).max(least);
         let best = weighed.iter().find(|w| w.evidence > needed(w) && w.refit.is_more_than_a_nudge());
