@@ -56,7 +56,10 @@ impl Flight {
                 *loads = std::array::from_fn(|c| Some(flown.loads[c][i] + point[c] * normal()));
             }
         }
-        for (run, flown) in data.runs.iter_mut().zip(runs) {
+        for (i, run) in data.runs.iter_mut().enumerate() {
+            // a repeat moves as the run that it repeats: what the encoder's noise says of its angle moves no wing
+            let first = run.repeat_of.filter(|first| runs[*first].loads[0].len() == run.measured[0].len());
+            let flown = &runs[first.unwrap_or(i)];
             let behind_filter = (run.decimation as f64).sqrt();
             for (c, sample) in sample.into_iter().enumerate() {
                 let noisy = flown.loads[c].iter().map(|value| value + sample / behind_filter * normal());
