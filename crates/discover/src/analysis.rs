@@ -18,7 +18,7 @@ use maneuver::effects::{Active, Effect, Flown, library};
 use std::sync::Arc;
 
 /// How open corrections are that were found with other static points: about what a day's readings leave of them.
-const CALIBRATED: f64 = 0.05;
+const CALIBRATED: f64 = 0.02;
 
 /// Why a campaign cannot be searched.
 #[derive(Debug, thiserror::Error)]

@@ -1,11 +1,12 @@
 //! A candidate effect beside those found: screened by secants, fitted in the full simulation, weighed.
 
-use crate::level::{Level, Setting, norm};
+use crate::level::{Level, Setting};
 use crate::problem::Problem;
+use crate::trial::{Point, Trial, difference};
 use crate::uncertain::{NUDGES, known};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
-use maneuver::effects::{Active, Effect, Flown, Parameter};
+use maneuver::effects::{Active, Effect, Parameter};
 use std::sync::Arc;
 
 /// Steps of a refit; more while they gain [`WORTH`] of what was gained so far.
@@ -20,8 +21,12 @@ const ENOUGH: f64 = 0.5;
 /// hides the part of an effect that is linear in its size (a time shift's, say): what is left looks alike on both
 /// sides of zero, so each is tried.
 const TRIED: [f64; 4] = [1.0, -1.0, 4.0, -4.0];
-/// Where its fit is started, as shares of the best of these sizes.
-const STARTS: [f64; 3] = [1.0, 0.5, 1.5];
+/// The same of what has one side only: limits and gaps act from zero on, and not in proportion.
+const TRIED_ONE_SIDED: [f64; 3] = [0.2, 1.0, 4.0];
+/// Above this many of chi square a row beside what was found already, sizes beyond the plausible are tried.
+const MUCH_MISSING: f64 = 1.5;
+/// Where its fit is started beside the best of these sizes, as shares of it.
+const STARTS: [f64; 2] = [0.5, 1.5];
 
 /// A candidate and what screening says of it.
 #[derive(Debug, Clone)]
@@ -36,6 +41,8 @@ pub struct Screened {
     start: Vec<f64>,
     /// Where else a fit may begin.
     starts: Vec<Vec<f64>>,
+    /// The best that was flown.
+    flown: Option<Point>,
 }
 
 /// A candidate that was fitted, together with the effects found before it.
@@ -64,7 +71,7 @@ impl Screened {
         effect: &Arc<dyn Effect>,
     ) -> Self {
         let parameters = effect.parameters();
-        let trial = Trial { setting, problem, level, effect };
+        let trial = Trial { setting, problem, level, effect, memory: level.memory.as_deref() };
         let started: Option<Point> = effect
             .starts()
             .iter()
@@ -83,25 +90,28 @@ impl Screened {
         let secants = Mat::from_fn(problem.len(), columns.len(), |i, j| columns[j][i]);
         let (step, gain) = linear_step(level, &secants, &base.residual, &base.sizes);
         let start: Vec<f64> = base.sizes.iter().zip(step).map(|(a, b)| a + b).collect();
-        let other = if base.sizes.iter().any(|size| *size != 0.0) {
-            base.sizes.clone()
+        let mut starts = vec![start.clone()];
+        let gain = gain + level.chi2 - base.score;
+        let flown = if base.sizes.iter().any(|size| *size != 0.0) {
+            Some(base)
         } else {
-            start.iter().map(|size| -size).collect()
+            starts.push(start.iter().map(|size| -size).collect());
+            None
         };
-        Self {
-            effect: Arc::clone(effect),
-            secants,
-            gain: gain + level.chi2 - base.score,
-            starts: vec![start.clone(), other],
-            start,
-        }
+        Self { effect: Arc::clone(effect), secants, gain, starts, start, flown }
     }
 
     /// A single parameter: as small, as large, on either side as may be.
     fn of_one_parameter(trial: &Trial<'_>, level: &Level, parameter: &Parameter) -> Self {
         let within = |size: &f64| (parameter.lower..=parameter.upper).contains(&(size * parameter.plausible));
-        let tried: Vec<(f64, Point)> =
-            TRIED.into_iter().filter(within).map(|size| (size, trial.point(&[size]))).collect();
+        let sizes = if within(&-1.0) { &TRIED[..] } else { &TRIED_ONE_SIDED };
+        let little = level.chi2 < MUCH_MISSING * level.residual.len() as f64;
+        let largest = if little && !level.effects.is_empty() { 1.0 } else { f64::INFINITY };
+        let tried: Vec<(f64, Point)> = sizes
+            .iter()
+            .filter(|size| within(size) && size.abs() <= largest)
+            .map(|size| (*size, trial.point(&[*size])))
+            .collect();
         let secant = |tried: &(f64, Point)| {
             let of = |i: usize, _: usize| (level.residual[i] - tried.1.residual[i]) / tried.0;
             Mat::from_fn(level.residual.len(), 1, of)
@@ -124,6 +134,7 @@ impl Screened {
             gain,
             start: vec![largest.map_or(around, |largest| largest.0)],
             starts,
+            flown: best.map(|best| best.1.clone()),
         }
     }
 
@@ -135,8 +146,8 @@ impl Screened {
     /// Fits the candidate in the full simulation: Levenberg and Marquardt with Broyden's updates of the secants, from what
     /// the secants say and from plausible sizes.
     pub fn refit(&self, setting: &Setting<'_>, problem: &Problem<'_>, level: &Level) -> Refit {
-        let trial = Trial { setting, problem, level, effect: &self.effect };
-        let mut best: Option<Point> = None;
+        let trial = Trial { setting, problem, level, effect: &self.effect, memory: None };
+        let mut best = self.flown.clone();
         for start in &self.starts {
             let point = trial.point(start);
             if best.as_ref().is_none_or(|b| point.score < b.score) {
@@ -172,89 +183,7 @@ impl Screened {
     }
 }
 
-/// Something to try around a level.
-struct Trial<'a> {
-    setting: &'a Setting<'a>,
-    problem: &'a Problem<'a>,
-    level: &'a Level,
-    effect: &'a Arc<dyn Effect>,
-}
-
-/// Sizes in units of the plausible, and what they give.
-struct Point {
-    sizes: Vec<f64>,
-    residual: Vec<f64>,
-    chi2: f64,
-    score: f64,
-}
-
 impl Trial<'_> {
-    fn active(&self, sizes: &[f64]) -> Active {
-        let parameters = self.effect.parameters();
-        let values: Vec<f64> = sizes.iter().zip(&parameters).map(|(size, p)| size * p.plausible).collect();
-        Active::new(Arc::clone(self.effect), &values)
-    }
-
-    /// What one more plausible size of a parameter changes, from sizes whose change is known.
-    fn secant(&self, parameters: &[Parameter], k: usize, (base, at_base): (&[f64], &[f64])) -> Vec<f64> {
-        let sign = if parameters[k].upper > 0.0 { 1.0 } else { -1.0 };
-        let around = |from: &[f64], at: &[f64], step: f64| {
-            let mut sizes = from.to_vec();
-            sizes[k] += step;
-            let mut column = difference(&self.change(&sizes), at);
-            for value in &mut column {
-                *value /= step;
-            }
-            column
-        };
-        if base.iter().any(|size| *size != 0.0) {
-            return around(base, at_base, -0.2 * sign);
-        }
-        let column = around(base, at_base, sign);
-        if column.iter().any(|value| *value != 0.0) {
-            return column;
-        }
-        // a parameter that does nothing alone (the power of an airspeed, a limit) is tried beside the others
-        let others: Vec<f64> = parameters.iter().map(|p| 0.5 * f64::from(u8::from(p.upper > 0.0))).collect();
-        around(&others, &self.change(&others), sign)
-    }
-
-    fn change(&self, sizes: &[f64]) -> Vec<f64> {
-        let mut effects = self.level.effects.clone();
-        effects.push(self.active(sizes));
-        let simulator = self.setting.simulator;
-        let flown = simulator.fly(
-            &simulator.models(&effects, Some(&self.level.models)),
-            &effects,
-            &self.problem.places(),
-        );
-        let all: Vec<usize> = (0..self.problem.segments.len()).collect();
-        let before: Vec<&Flown> = self.level.flown.iter().collect();
-        self.problem.change(&all, &flown, &before)
-    }
-
-    fn point(&self, sizes: &[f64]) -> Point {
-        // as the bounds and physics allow
-        let parameters = self.effect.parameters();
-        let allowed = self.active(sizes).values;
-        let sizes: Vec<f64> = allowed.iter().zip(&parameters).map(|(value, p)| value / p.plausible).collect();
-        let change = self.change(&sizes);
-        let residual: Vec<f64> = self.level.residual.iter().zip(change).map(|(r, c)| r - c).collect();
-        let chi2 = norm(&self.level.shared, &residual);
-        let score = chi2 + sizes.iter().map(|s| s * s).sum::<f64>();
-        Point { sizes, residual, chi2, score }
-    }
-
-    fn point_at_rest(&self) -> Point {
-        let none = vec![0.0; self.effect.parameters().len()];
-        Point {
-            sizes: none,
-            residual: self.level.residual.clone(),
-            chi2: self.level.chi2,
-            score: self.level.chi2,
-        }
-    }
-
     fn finish(&self, point: Point, jacobian: &Mat<f64>) -> Refit {
         let parameters = self.effect.parameters();
         let gram = self.level.shared.gram(jacobian.as_ref());
@@ -298,10 +227,6 @@ impl Refit {
             value.abs() > bound
         })
     }
-}
-
-fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
-    a.iter().zip(b).map(|(a, b)| a - b).collect()
 }
 
 /// The step that the linear model takes, and what chi square falls by.

@@ -3,8 +3,8 @@
 //! right in pitch and wrong with the surfaces.
 //!
 //! The contribution c of the effect is cut into groups of segments, `r = sum_g delta_g c_g + noise`: `delta_g` is by what
-//! share the group wants more of it. Uncertainties are those of the model without any effect, so that the effect's own
-//! tolerance of form does not hide the answer; that tolerance is allowed between groups instead.
+//! share the group wants more of it. Nothing is allowed to the effects' form, as that would hide the answer; it is allowed
+//! between groups instead. Uncertainties are those of the model with the effects: a mass moves the resonance at which they act.
 
 use crate::level::{Level, Setting};
 use crate::problem::Problem;
@@ -16,7 +16,11 @@ use std::collections::BTreeMap;
 /// What groups may differ by, as the effect's form is never exact.
 const FORM: f64 = 0.15;
 /// The same of flow that separates: where, how suddenly and with what delay it does so no one formula says.
-const FORM_OF_STALL: f64 = 0.4;
+/// And of a lift slope by Reynolds number, whose groups are the airspeeds.
+const FORM_LOOSE: f64 = 0.4;
+/// The same of a mass on the outer wing, which is not at one point, and what it does near a resonance grows with the airspeed
+/// as damping does.
+const FORM_OF_MASS: f64 = 0.2;
 /// A group that knows its share worse than this is left out.
 const KNOWN: f64 = 0.25;
 /// So is one that knows it so many times worse than the best: it looks at another parameter of the effect (what a joiner
@@ -36,6 +40,17 @@ pub enum Moved {
     Surfaces,
 }
 
+impl Moved {
+    /// As results and sentences say it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Nothing => "static",
+            Self::Pitch => "pitch",
+            Self::Surfaces => "surfaces",
+        }
+    }
+}
+
 /// One group's judgement.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Share {
@@ -51,17 +66,13 @@ pub struct Share {
 
 impl std::fmt::Display for Share {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let moved = match self.moved {
-            Moved::Nothing => "static",
-            Moved::Pitch => "pitch",
-            Moved::Surfaces => "surfaces",
-        };
+        let moved = self.moved.word();
         write!(f, "{moved} at {:.0} m/s {:.2}", self.v_m_s, self.share)
     }
 }
 
 /// Shares of an effect (its place among `effects`) by group; those that know it badly are left out. `problem` and `level`
-/// are those without effects.
+/// are [`Level::strict`].
 pub fn shares(
     setting: &Setting<'_>,
     (problem, level): (&Problem<'_>, &Level),
@@ -110,11 +121,19 @@ pub fn shares(
 
 /// How far shares of an effect are from one size: chi square over its degrees of freedom; none with fewer than two shares.
 pub fn scatter(effect: &str, shares: &[Share]) -> Option<f64> {
+    let separates = matches!(effect, "stall" | "dynamic_stall");
+    // what a deflected flap does to flow about to separate is in no form of it
+    let judges = |share: &&Share| !(separates && share.moved == Moved::Surfaces);
+    let shares: Vec<&Share> = shares.iter().filter(judges).collect();
     if shares.len() < 2 {
         return None;
     }
-    let form = if matches!(effect, "stall" | "dynamic_stall") { FORM_OF_STALL } else { FORM };
-    let weight = |s: &Share| 1.0 / (s.sigma * s.sigma + form * form);
+    let form = match effect {
+        "stall" | "dynamic_stall" | "re_dependence" => FORM_LOOSE,
+        "tip_mass" => FORM_OF_MASS,
+        _ => FORM,
+    };
+    let weight = |s: &&Share| 1.0 / (s.sigma * s.sigma + form * form);
     let whole: f64 = shares.iter().map(weight).sum();
     let mean = shares.iter().map(|s| weight(s) * s.share).sum::<f64>() / whole;
     let square: f64 = shares.iter().map(|s| weight(s) * (s.share - mean).powi(2)).sum();

@@ -2,7 +2,7 @@
 
 use crate::level::Level;
 use crate::problem::Problem;
-use crate::search::Weighed;
+use crate::weigh::Weighed;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{RngCore, SeedableRng};
 
@@ -13,16 +13,17 @@ const IN_SET: f64 = 0.05;
 /// Evidence within this of the best, or within [`CLOSE_SHARE`] of it, is no distinction.
 pub(crate) const CLOSE: f64 = 5.0;
 /// See above.
-const CLOSE_SHARE: f64 = 0.15;
+pub(crate) const CLOSE_SHARE: f64 = 0.15;
 /// No rival has less than this share of the best evidence.
 const RIVAL_SHARE: f64 = 0.6;
 
-/// Bootstrap over segments: how often a candidate would have won, and which others would have.
+/// Bootstrap over segments: how often a candidate would have won, and which others would have. Draws that `instead` wins
+/// count for the best one: that it was preferred to it is not the data's doing.
 pub(crate) fn distinguish(
     problem: &Problem<'_>,
     level: &Level,
     weighed: &[Weighed],
-    best: &Weighed,
+    (best, instead): (&Weighed, Option<&Weighed>),
     seed: u64,
 ) -> (f64, Vec<&'static str>) {
     let rows = problem.len() as f64;
@@ -66,5 +67,6 @@ pub(crate) fn distinguish(
             set.push(rival.name());
         }
     }
-    (share(best.name()), set)
+    let own = share(best.name()) + instead.map_or(0.0, |other| share(other.name()));
+    (own, set)
 }

@@ -5,6 +5,7 @@ use crate::directions::{DIRECTIONS, Directions};
 use crate::problem::{Problem, difference};
 use crate::shared::Shared;
 use crate::simulator::{Models, Simulator};
+use crate::trial::Memory;
 use faer::Mat;
 use maneuver::effects::{Active, Effect, Flown};
 use rayon::prelude::*;
@@ -45,6 +46,8 @@ pub struct Level {
     columns: Vec<Vec<f64>>,
     /// `r' (I + G G')⁻¹ r`.
     pub chi2: f64,
+    /// What candidates change, if other measurements will be searched around the same level.
+    pub(crate) memory: Option<Arc<Memory>>,
 }
 
 /// What other numerics' difference is multiplied by.
@@ -65,6 +68,30 @@ impl Level {
     #[must_use]
     pub fn beside(&self, setting: &Setting<'_>, problem: &mut Problem<'_>, effects: &[Active]) -> Self {
         Self::with_columns(setting, problem, (effects, Some(&self.models)), Some(&self.columns))
+    }
+
+    /// The same effects, where nothing is allowed to their form (sets the problem's tolerances so).
+    #[must_use]
+    pub fn strict(&self, problem: &mut Problem<'_>) -> Self {
+        problem.set_tolerances(&self.flown, &[]);
+        let residual = problem.residual(&self.flown);
+        let shared = shared_of(problem, &self.columns);
+        let chi2 = norm(&shared, &residual);
+        Self { residual, shared, chi2, ..self.clone() }
+    }
+
+    /// The same, keeping what candidates change.
+    #[must_use]
+    pub(crate) fn remembering(self) -> Self {
+        Self { memory: Some(Arc::default()), ..self }
+    }
+
+    /// The same around other measurements; the problem's tolerances are those of this level.
+    #[must_use]
+    pub fn measuring(&self, problem: &Problem<'_>) -> Self {
+        let residual = problem.residual(&self.flown);
+        let chi2 = norm(&self.shared, &residual);
+        Self { residual, chi2, ..self.clone() }
     }
 
     fn with_columns(
@@ -88,11 +115,15 @@ impl Level {
         let residual = problem.residual(&flown);
         let columns = columns
             .map_or_else(|| shared_columns(setting, problem, effects, &models, &flown), <[Vec<f64>]>::to_vec);
-        let freed: Vec<Vec<f64>> = columns.par_iter().map(|column| problem.freed(column.clone())).collect();
-        let shared = Shared::new(&freed, problem.len());
+        let shared = shared_of(problem, &columns);
         let chi2 = norm(&shared, &residual);
-        Self { effects: effects.to_vec(), models, flown, residual, shared, columns, chi2 }
+        Self { effects: effects.to_vec(), models, flown, residual, shared, columns, chi2, memory: None }
     }
+}
+
+fn shared_of(problem: &Problem<'_>, columns: &[Vec<f64>]) -> Shared {
+    let freed: Vec<Vec<f64>> = columns.par_iter().map(|column| problem.freed(column.clone())).collect();
+    Shared::new(&freed, problem.len())
 }
 
 /// `x' (I + G G')⁻¹ x`.

@@ -24,4 +24,6 @@ pub mod simulator;
 mod tolerance;
 pub mod tones;
 pub mod transform;
+mod trial;
 pub mod uncertain;
+pub mod weigh;

@@ -4,7 +4,8 @@ use crate::bank::Thresholds;
 use crate::distinguish::CLOSE;
 use crate::level::{Level, Setting, norm};
 use crate::problem::Problem;
-use crate::search::{Found, Weighed, name, others, weigh, with_form};
+use crate::search::{Found, name, others, with_form};
+use crate::weigh::{Weighed, weigh_some};
 use maneuver::effects::Active;
 
 /// What was named with so many times the evidence of a later one is not replaced because of it.
@@ -22,7 +23,8 @@ pub(crate) fn revise(
     let mut more = true;
     for index in (0..found.len()).rev().skip(1) {
         let without = level.beside(setting, problem, &others(found, &[index]));
-        let weighed = weigh(setting, problem, &without, limits);
+        let names = found[index].considered.clone();
+        let weighed = weigh_some(setting, (problem, &without), limits, &|name| names.contains(&name));
         let last = found.len() - 1;
         let firm = found[index].named_at > FIRM * found[last].named_at;
         if let Some(best) =
@@ -51,7 +53,8 @@ pub(crate) fn revise(
         } else {
             // one of the two is enough: the one that says more without the other
             let neither = level.beside(setting, problem, &others(found, &[index, last]));
-            let alone = weigh(setting, problem, &neither, limits);
+            let names = [name(&found[index]), name(&found[last])];
+            let alone = weigh_some(setting, (problem, &neither), limits, &|name| names.contains(&name));
             let evidence = |of: &Found| {
                 alone.iter().find(|w| w.name() == name(of)).map_or(f64::NEG_INFINITY, |w| w.evidence)
             };

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use coupling::wing_file::{EffectValidity, WingEffect};
-use discover::consistency::{Moved, Share};
+use discover::consistency::Share;
 use discover::gap::Gap;
 use discover::gate::Defect;
 use discover::next::Advice;
@@ -88,12 +88,7 @@ pub(crate) fn json(found: &Discovered<'_>, located: &[Value], seconds: f64) -> V
 
 /// The size that one part of the data would give an effect, over the one that was found.
 fn part(share: &Share) -> Value {
-    let moved = match share.moved {
-        Moved::Nothing => "static",
-        Moved::Pitch => "pitch",
-        Moved::Surfaces => "surfaces",
-    };
-    json!({ "v_m_s": share.v_m_s, "moved": moved, "share": share.share, "sigma": share.sigma })
+    json!({ "v_m_s": share.v_m_s, "moved": share.moved.word(), "share": share.share, "sigma": share.sigma })
 }
 
 /// `result.json` where the data are at fault.

@@ -12,7 +12,7 @@ use discover::analysis::{Prepared, Rigs};
 use discover::bank::Thresholds;
 use discover::numerics::OtherLattice;
 use hidden::score::gates;
-use hidden::{Answer, Bench, CasePlan, Class, Families, Fineness, Metrics, Mix, Verdict, cases, score};
+use hidden::{Answer, Bench, Case, CasePlan, Class, Families, Fineness, Metrics, Mix, Verdict, cases, score};
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
@@ -24,6 +24,8 @@ use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::{blind, paths, progress, show};
 
+/// The wing in whose model effects are missing.
+const WING: &str = "data/tuflex/wing_beam.ron";
 /// First seed of the calibration range: the bank's campaign.
 const BANK_SEED: u64 = 1_000_000;
 /// First seed of the development range.
@@ -43,6 +45,8 @@ struct Judge<'a> {
     folder: PathBuf,
     sealed: PathBuf,
     own_static_points: bool,
+    /// What the bank took, s.
+    bank_seconds: f64,
 }
 
 /// A case with its time and model runs, for `bench`.
@@ -59,67 +63,75 @@ pub(super) struct Timed {
 
 /// The joiner and the ailerons hidden together, judged in a folder that is removed again.
 pub(super) fn timed_case(folder: &Path) -> Result<Timed, Failure> {
-    let path = paths::in_repository("data/tuflex/wing_beam.ron");
+    let timed = with_judge([folder, folder], false, |judge, bench| {
+        let plan = cases(FIRST_SEED, 3, &Mix::only(Class::Paper)).remove(2);
+        judge.written(&bench.case(&plan), "case")?;
+        let start = Instant::now();
+        let (prepared, _) = judge.read(&folder.join("case"), &plan)?;
+        let report = prepared.search(&judge.limits, plan.seed);
+        let seconds = start.elapsed().as_secs_f64();
+        Ok(Timed {
+            seconds,
+            model_runs: report.model_runs,
+            effects: prepared.library.len(),
+            bank_seconds: judge.bank_seconds,
+        })
+    });
+    std::fs::remove_dir_all(folder).map_err(Failure::computation)?;
+    timed
+}
+
+/// Sets up the shipped wing and the benchmark's bank in a folder of cases (the second is for answers), and works with them.
+fn with_judge<T>(
+    [folder, sealed]: [&Path; 2],
+    own_static_points: bool,
+    work: impl FnOnce(&Judge<'_>, &Bench) -> Result<T, Failure>,
+) -> Result<T, Failure> {
+    let path = paths::in_repository(WING);
     let bench = Bench::new(&path, Fineness::BENCHMARK)?;
     let (file, wing) = ElasticWing::read(&path)?;
     let schedule = Schedule { wing: file.name.clone(), wing_hash: file.hash.clone(), sets: Vec::new() };
-    let corrected = CorrectedWing { file, wing, schedule, origin: "the case's own".to_owned() };
+    let corrected = CorrectedWing { file, wing, schedule, origin: "each case's own".to_owned() };
     let lattice = OtherLattice::of(&corrected.file, &corrected.wing);
     let mut judge = Judge {
         rigs: Rigs::new(&corrected.file, &corrected.wing, lattice.as_ref())?,
         corrected: &corrected,
         limits: Thresholds::default(),
         folder: folder.to_path_buf(),
-        sealed: folder.to_path_buf(),
-        own_static_points: false,
+        sealed: sealed.to_path_buf(),
+        own_static_points,
+        bank_seconds: 0.0,
     };
     let start = Instant::now();
     judge.limits = judge.bank(&bench)?;
-    let bank_seconds = start.elapsed().as_secs_f64();
-    let plan = cases(FIRST_SEED, 3, &Mix::only(Class::Paper)).remove(2);
-    judge.prepared(&bench, &plan, "case")?;
-    let start = Instant::now();
-    let (prepared, _) = judge.read(&folder.join("case"), &plan)?;
-    let report = prepared.search(&judge.limits, plan.seed);
-    let seconds = start.elapsed().as_secs_f64();
-    std::fs::remove_dir_all(folder).map_err(Failure::computation)?;
-    Ok(Timed { seconds, model_runs: report.model_runs, effects: prepared.library.len(), bank_seconds })
+    judge.bank_seconds = start.elapsed().as_secs_f64();
+    work(&judge, &bench)
 }
 
 /// Runs the command.
 pub(crate) fn run(args: &HiddenArgs, common: &Common) -> Result<(), Failure> {
     let start = Instant::now();
-    let path = paths::in_repository("data/tuflex/wing_beam.ron");
-    let bench = Bench::new(&path, Fineness::BENCHMARK)?;
-    let (file, wing) = ElasticWing::read(&path)?;
-    let schedule = Schedule { wing: file.name.clone(), wing_hash: file.hash.clone(), sets: Vec::new() };
-    let corrected = CorrectedWing { file, wing, schedule, origin: "each case's own".to_owned() };
-    let lattice = OtherLattice::of(&corrected.file, &corrected.wing);
     let out = common.out("hidden");
-    let mut judge = Judge {
-        rigs: Rigs::new(&corrected.file, &corrected.wing, lattice.as_ref())?,
-        corrected: &corrected,
-        limits: Thresholds::default(),
-        folder: out.with_extension("cases"),
-        sealed: out.with_extension("sealed"),
-        own_static_points: args.own_static_points,
-    };
-    judge.limits = judge.bank(&bench)?;
     let seed = common.seed.unwrap_or(FIRST_SEED);
-    let mut plans = cases(seed, args.cases, &Mix::default());
-    if args.finished {
-        plans.retain(|plan| judge.earlier(plan, seed).is_some());
-    }
-    let bar = progress::bar(common, plans.len(), "cases");
-    let judged = plans
-        .par_iter()
-        .map(|plan| {
-            let one = judge.case(&bench, plan, seed);
-            bar.inc(1);
-            one
-        })
-        .collect::<Result<Vec<(Answer, Verdict)>, Failure>>()?;
-    bar.finish_and_clear();
+    let folders = [out.with_extension("cases"), out.with_extension("sealed")];
+    let folders = [folders[0].as_path(), folders[1].as_path()];
+    let judged = with_judge(folders, args.own_static_points, |judge, bench| {
+        let mut plans = cases(seed, args.cases, &Mix::default());
+        if args.finished {
+            plans.retain(|plan| judge.earlier(plan, seed).is_some());
+        }
+        let bar = progress::bar(common, plans.len(), "cases");
+        let judged = plans
+            .par_iter()
+            .map(|plan| {
+                let one = judge.case(bench, plan, seed);
+                bar.inc(1);
+                one
+            })
+            .collect::<Result<Vec<(Answer, Verdict)>, Failure>>();
+        bar.finish_and_clear();
+        judged
+    })?;
     let families = Families::read(&paths::in_repository("data/hidden/families.ron"))?;
     let metrics = score(&judged, &families);
     let seconds = start.elapsed().as_secs_f64();
@@ -129,7 +141,7 @@ pub(crate) fn run(args: &HiddenArgs, common: &Common) -> Result<(), Failure> {
         "metrics": metrics.metrics, "gates": gates(&metrics), "confusion": metrics.confusion, "seconds": seconds,
     });
     let results = ResultFolder::begin(&out)?;
-    results.input("wing", &path)?;
+    results.input("wing", &paths::in_repository(WING))?;
     results.write_json("result.json", &result)?;
     results.commit()?;
     show::summary(common, &summary(&metrics, &out, seconds));
@@ -141,7 +153,7 @@ impl Judge<'_> {
     fn bank(&self, bench: &Bench) -> Result<Thresholds, Failure> {
         let path = self.folder.join("null_bank.ron");
         let plan = cases(BANK_SEED, 1, &Mix::only(Class::Null));
-        let prepared = self.prepared(bench, &plan[0], "bank")?.0;
+        let prepared = self.read(&self.written(&bench.case(&plan[0]), "bank")?, &plan[0])?.0;
         let key = discover::bank::key(&self.corrected.file.hash, &prepared.data);
         let kept: Option<Thresholds> = nastran::ron_file::read(&path).ok();
         if let Some(bank) = kept.filter(|bank| bank.key == key) {
@@ -174,35 +186,31 @@ impl Judge<'_> {
         }
         let name = format!("{seed}_{:05}", plan.index);
         let (sealed, told) = self.files(plan, seed);
+        let case = bench.case(plan);
+        let folder = self.written(&case, &name)?;
         let start = Instant::now();
-        let (text, answer) = match self.prepared(bench, plan, &name) {
-            Ok((prepared, campaign, answer)) => (self.judged(&prepared, &campaign, plan, start), answer),
+        let text = match self.read(&folder, plan) {
+            Ok((prepared, campaign)) => self.judged(&prepared, &campaign, plan, start),
             // a campaign that cannot be read is refused as a user's would be
             Err(Failure::Input(refused)) => {
-                let result = json!({ "command": "discover", "verdict": "data_defect", "effects": [],
-                    "refused": refused.message, "seconds": start.elapsed().as_secs_f64() });
-                (result, bench.case(plan).answer)
+                json!({ "command": "discover", "verdict": "data_defect", "effects": [],
+                    "refused": refused.message, "seconds": start.elapsed().as_secs_f64() })
             }
             Err(other) => return Err(other),
         };
+        let answer = case.answer;
         write(&sealed, &serde_json::to_string(&answer).map_err(Failure::computation)?)?;
         write(&told, &text.to_string())?;
         // measurements are made again from the seed if they are wanted
-        let _ = std::fs::remove_dir_all(self.folder.join(&name));
+        let _ = std::fs::remove_dir_all(folder);
         Ok((answer, Verdict::from_json(&text.to_string(), &told)?))
     }
 
-    fn prepared(
-        &self,
-        bench: &Bench,
-        plan: &CasePlan,
-        name: &str,
-    ) -> Result<(Prepared, Campaign, Answer), Failure> {
-        let case = bench.case(plan);
+    /// Writes a case's files into a folder of its own.
+    fn written(&self, case: &Case, name: &str) -> Result<PathBuf, Failure> {
         let folder = self.folder.join(name);
         case.files.write(&folder).map_err(Failure::computation)?;
-        let (prepared, campaign) = self.read(&folder, plan)?;
-        Ok((prepared, campaign, case.answer))
+        Ok(folder)
     }
 
     /// Reads and calibrates a case that was written.

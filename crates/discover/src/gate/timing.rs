@@ -35,7 +35,9 @@ pub(super) fn lags(records: &[Record]) -> Vec<Defect> {
         let Some(usual) = median(others.clone()) else { continue };
         let spread = median(others.iter().map(|other| (other - usual).abs()).collect()).unwrap_or(0.0);
         let late = lag - usual;
-        if late.abs() > least_s(record).max(9.0 * spread) {
+        // what every repeat of a maneuver does is the wing's doing (a servo that cannot turn faster), not a record's
+        let repeated = repeats(records, i).any(|j| all[j].is_some_and(|other| (other - lag).abs() < AGREE_S));
+        if !repeated && late.abs() > least_s(record).max(9.0 * spread) {
             let (name, word) = (&record.name, if late > 0.0 { "late" } else { "early" });
             found.push(Defect {
                 kind: DefectKind::Lag,
@@ -46,6 +48,12 @@ pub(super) fn lags(records: &[Record]) -> Vec<Defect> {
         }
     }
     found
+}
+
+/// Other records of the same condition.
+fn repeats(records: &[Record], i: usize) -> impl Iterator<Item = usize> + '_ {
+    let first = |j: usize| records[j].repeat_of.unwrap_or(j);
+    (0..records.len()).filter(move |&j| j != i && first(j) == first(i))
 }
 
 fn least_s(record: &Record) -> f64 {

@@ -1,6 +1,6 @@
 //! One case with its answer and its verdict.
 
-use super::{Families, Verdict, VerdictKind};
+use super::{Families, Named, Verdict, VerdictKind};
 use crate::answer::Answer;
 use crate::effects::kind;
 use crate::plan::Class;
@@ -75,22 +75,20 @@ impl Judged<'_> {
         self.answer.effects.iter().filter_map(|effect| effect.d2).fold(f64::INFINITY, f64::min)
     }
 
-    /// False names; of an ambiguous verdict, whose rivals are one claim, at most one.
+    /// False names; what a name may be confused with is no claim.
     pub(super) fn false_names(&self) -> usize {
-        let names = self.verdict.names();
-        let wrong = names.iter().filter(|name| !self.is_right(name)).count();
-        if self.verdict.kind == VerdictKind::Ambiguous {
-            usize::from(wrong == names.len() && wrong > 0)
-        } else {
-            wrong
-        }
+        self.verdict.names().iter().filter(|name| !self.is_right(name)).count()
     }
 
-    /// Whether exactly what is hidden is named. A verdict that lists rivals names no structure.
+    /// Whether exactly what is hidden is named.
     pub(super) fn is_exact(&self) -> bool {
         let names = self.verdict.names();
-        let all = self.hidden().iter().all(|hidden| names.contains(hidden));
-        self.verdict.kind != VerdictKind::Ambiguous && all && self.false_names() == 0
+        self.hidden().iter().all(|hidden| names.contains(hidden)) && self.false_names() == 0
+    }
+
+    /// The same without rivals that the data cannot tell from it.
+    pub(super) fn is_exact_and_sure(&self) -> bool {
+        self.verdict.kind != VerdictKind::Ambiguous && self.is_exact()
     }
 
     /// What was hidden, for the table of confusions.
@@ -114,10 +112,15 @@ impl Judged<'_> {
             VerdictKind::Unknown => "unknown".to_owned(),
             VerdictKind::DataDefect => "data_defect".to_owned(),
             VerdictKind::Effects | VerdictKind::Ambiguous => {
-                let mut names = self.verdict.names();
+                let among = |effect: &Named| {
+                    let mut rivals: Vec<&str> = effect.confused_with.iter().map(String::as_str).collect();
+                    rivals.push(&effect.name);
+                    rivals.sort_unstable();
+                    rivals.join("|")
+                };
+                let mut names: Vec<String> = self.verdict.effects.iter().map(among).collect();
                 names.sort_unstable();
-                let between = if self.verdict.kind == VerdictKind::Ambiguous { "|" } else { "+" };
-                names.join(between)
+                names.join("+")
             }
         }
     }

@@ -65,6 +65,7 @@ fn singles(cases: &[Judged<'_>], put: &mut impl FnMut(&str, Metric) -> Option<Me
     put("set_size", Metric::mean(&sizes));
     let seen: Vec<&&Judged<'_>> = all.iter().filter(|case| case.d2() >= VISIBLE_D2).collect();
     put("exact_structure", Metric::share_of(&seen, |case| case.is_exact()));
+    put("exact_without_rivals", Metric::share_of(&seen, |case| case.is_exact_and_sure()));
     // a wrong first name is counted elsewhere
     let extra = |case: &&Judged<'_>| {
         case.false_names().saturating_sub(usize::from(case.first().is_some() && !case.first_is_right()))

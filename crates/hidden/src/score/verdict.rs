@@ -16,7 +16,7 @@ fn number<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
 pub enum VerdictKind {
     /// Effects are named.
     Effects,
-    /// Rivals are listed that the data cannot tell apart.
+    /// Effects are named, with rivals that the data cannot tell from them.
     Ambiguous,
     /// The model explains the data.
     None,
@@ -82,7 +82,7 @@ pub struct Verdict {
     /// The kind of answer.
     #[serde(rename = "verdict")]
     pub kind: VerdictKind,
-    /// Named effects, the surest first; of `Ambiguous` the rivals.
+    /// Named effects, the surest first.
     #[serde(default)]
     pub effects: Vec<Named>,
     /// Gaps.
@@ -108,7 +108,7 @@ impl Verdict {
         })
     }
 
-    /// Names that are claimed, the surest first; none unless effects or rivals are.
+    /// Names that are claimed, the surest first.
     pub fn names(&self) -> Vec<&str> {
         match self.kind {
             VerdictKind::Effects | VerdictKind::Ambiguous => {

@@ -1,0 +1,91 @@
+//! All candidates beside the effects of a level: screened, the promising ones fitted, and what speaks for each.
+
+use crate::bank::Thresholds;
+use crate::candidate::{Refit, Screened};
+use crate::level::{Level, Setting};
+use crate::problem::Problem;
+use rayon::prelude::*;
+
+/// Candidates that are fitted: so many, and all within a share of the best in screening.
+const KEPT: usize = 8;
+/// See above.
+const KEPT_SHARE: f64 = 0.35;
+/// What screening says chi square would fall by at least, far below any threshold; so many are fitted all the same.
+const LEAST: f64 = 20.0;
+/// See above.
+const SHOWN: usize = 3;
+
+/// A candidate's weight.
+#[derive(Debug, Clone)]
+pub struct Weighed {
+    /// The fit.
+    pub refit: Refit,
+    /// Logarithm of the Bayes factor against the level without it.
+    pub evidence: f64,
+    /// Threshold it must pass.
+    pub threshold: f64,
+}
+
+impl Weighed {
+    /// Name of the effect.
+    pub fn name(&self) -> &'static str {
+        self.refit.active.effect.spec().name
+    }
+
+    /// Whether all its parameters may have either sign.
+    pub(crate) fn has_two_sides(&self) -> bool {
+        self.refit.active.parameters().iter().all(|one| one.lower < 0.0)
+    }
+
+    /// Whether it has one parameter, of one sign.
+    pub(crate) fn has_one_side(&self) -> bool {
+        matches!(&self.refit.active.parameters()[..], [one] if one.lower >= 0.0)
+    }
+}
+
+/// All candidates beside the effects of a level, by falling evidence.
+pub fn weigh(
+    setting: &Setting<'_>,
+    problem: &Problem<'_>,
+    level: &Level,
+    limits: &Thresholds,
+) -> Vec<Weighed> {
+    weigh_some(setting, (problem, level), limits, &|_| true)
+}
+
+/// The same of some names.
+pub(crate) fn weigh_some(
+    setting: &Setting<'_>,
+    (problem, level): (&Problem<'_>, &Level),
+    limits: &Thresholds,
+    wanted: &(dyn Fn(&str) -> bool + Sync),
+) -> Vec<Weighed> {
+    let taken: Vec<&str> = level.effects.iter().map(|active| active.effect.spec().name).collect();
+    let mut screened: Vec<Screened> = setting
+        .library
+        .par_iter()
+        .filter(|effect| !taken.contains(&effect.spec().name) && wanted(effect.spec().name))
+        .map(|effect| Screened::new(setting, problem, level, effect))
+        .collect();
+    screened.sort_by(|a, b| b.gain.total_cmp(&a.gain));
+    let best = screened.first().map_or(0.0, |s| s.gain);
+    let kept = |(i, s): &(usize, &Screened)| {
+        *i < SHOWN || s.gain > LEAST && (*i < KEPT || s.gain > KEPT_SHARE * best)
+    };
+    let kept = screened.iter().enumerate().filter(kept).count();
+    screened.truncate(kept);
+    let refits: Vec<Refit> = screened.par_iter().map(|s| s.refit(setting, problem, level)).collect();
+    let rows = problem.len() as f64;
+    let least = refits.iter().map(|r| r.chi2).fold(level.chi2, f64::min);
+    let phi = (least / rows).max(1.0);
+    let mut weighed: Vec<Weighed> = refits
+        .into_iter()
+        .map(|refit| {
+            let active = &refit.active;
+            let threshold = limits.of(active.effect.spec().name, active.effect.form());
+            Weighed { evidence: refit.evidence(level, phi), threshold, refit }
+        })
+        .collect();
+    weighed.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
+    weighed
+}
