@@ -78,6 +78,7 @@ pub const MEANT: &[(&str, &str)] = &[
     ("sigma_before_the_data", "the noise of the measurements is not known"),
     ("sigma_if_the_distribution_is_free", "the noise of the measurements is not known"),
     ("significant", "there is no test"),
+    ("smallest_seen/*/value", "no size within the effect's bounds would have been seen"),
     ("split", "the campaign says which runs are held out"),
     ("standard_error", "there is no test"),
     ("t", "there is no test, or the error is zero"),

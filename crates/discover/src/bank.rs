@@ -149,7 +149,7 @@ fn null(
         .each_ref()
         .map(|problem| pretend(problem, &|places| truth.fly(&models, &effects, places), random));
     let level = level.measuring(&train);
-    let weighed = weigh(setting, &train, &level, &Thresholds::default());
+    let weighed = weigh(setting, &train, &level, &Thresholds::default()).candidates;
     let gap = |problem: &Problem<'_>| {
         problem.gap(&setting.simulator.fly(&level.models, &[], &problem.places())).all
     };
@@ -185,7 +185,7 @@ fn mean_and_sd(values: &[f64]) -> (f64, f64) {
 
 /// What a bank was made by: another word where library, tolerances or margins change.
 const RULES: &str =
-    "replicates together, other lattice, held angles, margin 40, mimics, two lift slopes, promising ones";
+    "replicates together, other lattice, held angles, margin 40, mimics, calibrated to 2 %, either side";
 
 /// A fingerprint of what a bank depends on, as FNV-1a of words.
 pub fn key(wing_hash: &str, data: &Dataset) -> String {

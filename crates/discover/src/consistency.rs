@@ -121,9 +121,9 @@ pub fn shares(
 
 /// How far shares of an effect are from one size: chi square over its degrees of freedom; none with fewer than two shares.
 pub fn scatter(effect: &str, shares: &[Share]) -> Option<f64> {
-    let separates = matches!(effect, "stall" | "dynamic_stall");
-    // what a deflected flap does to flow about to separate is in no form of it
-    let judges = |share: &&Share| !(separates && share.moved == Moved::Surfaces);
+    // what motion and deflected flaps do to flow about to separate, or to a wing that is bent far, is in no form of it
+    let at_rest = matches!(effect, "stall" | "dynamic_stall" | "large_deflection");
+    let judges = |share: &&Share| !at_rest || share.moved == Moved::Nothing;
     let shares: Vec<&Share> = shares.iter().filter(judges).collect();
     if shares.len() < 2 {
         return None;

@@ -17,6 +17,17 @@ pub(crate) const CLOSE_SHARE: f64 = 0.15;
 /// No rival has less than this share of the best evidence.
 const RIVAL_SHARE: f64 = 0.6;
 
+/// What the draws say of a candidate.
+#[derive(Debug)]
+pub(crate) struct Draws {
+    /// Share that it wins.
+    pub(crate) own: f64,
+    /// Share that it wins or one of the close ones that the library calls its rivals.
+    pub(crate) with_rivals: f64,
+    /// Other effects that the data do not tell from it.
+    pub(crate) confused_with: Vec<&'static str>,
+}
+
 /// Bootstrap over segments: how often a candidate would have won, and which others would have. Draws that `instead` wins
 /// count for the best one: that it was preferred to it is not the data's doing.
 pub(crate) fn distinguish(
@@ -25,7 +36,7 @@ pub(crate) fn distinguish(
     weighed: &[Weighed],
     (best, instead): (&Weighed, Option<&Weighed>),
     seed: u64,
-) -> (f64, Vec<&'static str>) {
+) -> Draws {
     let rows = problem.len() as f64;
     let phi = (best.refit.chi2 / rows).max(1.0);
     let by_segment = |w: &Weighed| -> Vec<f64> {
@@ -68,5 +79,12 @@ pub(crate) fn distinguish(
         }
     }
     let own = share(best.name()) + instead.map_or(0.0, |other| share(other.name()));
-    (own, set)
+    let counted = |name: &str| name == best.name() || instead.is_some_and(|other| other.name() == name);
+    let spec = best.refit.active.effect.spec();
+    let rival = |name: &&'static str| {
+        let of = weighed.iter().find(|w| w.name() == *name);
+        !counted(name) && of.is_some_and(|w| w.refit.active.effect.spec().is_rival_of(spec))
+    };
+    let rivals: f64 = set.iter().filter(|name| rival(name)).map(|name| share(name)).sum();
+    Draws { own, with_rivals: own + rivals, confused_with: set }
 }

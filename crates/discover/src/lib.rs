@@ -21,6 +21,7 @@ mod revise;
 pub mod search;
 pub mod shared;
 pub mod simulator;
+pub mod smallest;
 mod tolerance;
 pub mod tones;
 pub mod transform;

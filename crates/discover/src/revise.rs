@@ -4,7 +4,7 @@ use crate::bank::Thresholds;
 use crate::distinguish::CLOSE;
 use crate::level::{Level, Setting, norm};
 use crate::problem::Problem;
-use crate::search::{Found, name, others, with_form};
+use crate::search::{Found, name, no_repair, others, with_form};
 use crate::weigh::{Weighed, weigh_some};
 use maneuver::effects::Active;
 
@@ -24,12 +24,13 @@ pub(crate) fn revise(
     for index in (0..found.len()).rev().skip(1) {
         let without = level.beside(setting, problem, &others(found, &[index]));
         let names = found[index].considered.clone();
-        let weighed = weigh_some(setting, (problem, &without), limits, &|name| names.contains(&name));
+        let weighed =
+            weigh_some(setting, (problem, &without), limits, &|name| names.contains(&name)).candidates;
         let last = found.len() - 1;
         let firm = found[index].named_at > FIRM * found[last].named_at;
-        if let Some(best) =
-            weighed.iter().find(|w| w.evidence > w.threshold && w.refit.is_more_than_a_nudge())
-        {
+        let least = if index == 0 { 0.0 } else { no_repair(found[0].named_at) };
+        let counts = |w: &&Weighed| w.evidence > w.threshold.max(least) && w.refit.is_more_than_a_nudge();
+        if let Some(best) = weighed.iter().find(counts) {
             let own = weighed.iter().find(|w| w.name() == name(&found[index]));
             // the earlier name stays unless another is clearly better, and neither name nor values change unless all fits
             // better where nothing is allowed to the form of the effects beside it: what that hides decides nothing
@@ -54,7 +55,8 @@ pub(crate) fn revise(
             // one of the two is enough: the one that says more without the other
             let neither = level.beside(setting, problem, &others(found, &[index, last]));
             let names = [name(&found[index]), name(&found[last])];
-            let alone = weigh_some(setting, (problem, &neither), limits, &|name| names.contains(&name));
+            let alone =
+                weigh_some(setting, (problem, &neither), limits, &|name| names.contains(&name)).candidates;
             let evidence = |of: &Found| {
                 alone.iter().find(|w| w.name() == name(of)).map_or(f64::NEG_INFINITY, |w| w.evidence)
             };

@@ -3,26 +3,30 @@
 use crate::bank::Thresholds;
 use crate::candidate::Refit;
 use crate::consistency::{Share, scatter, shares};
-use crate::distinguish::{CLOSE_SHARE, distinguish};
+use crate::distinguish::{CLOSE, CLOSE_SHARE, Draws, distinguish};
 use crate::level::{Level, Setting};
 use crate::problem::Problem;
 use crate::revise::revise;
-use crate::weigh::{Weighed, weigh};
+use crate::smallest::Smallest;
+use crate::weigh::{Weighed, Weighing, weigh};
 use maneuver::effects::Active;
 
 /// Most effects that one campaign may lack.
 const MOST: usize = 4;
 /// An effect that adds less than this of the first one's evidence only repairs the first one's form.
-const REPAIR_SHARE: f64 = 0.01;
-/// More nats than this repair no form.
-const NO_REPAIR: f64 = 600.0;
+const REPAIR_SHARE: f64 = 0.008;
+/// More nats than this repair no form...
+const NO_REPAIR: f64 = 150.0;
+/// ... but that of a rival, which needs this share of the evidence of the one that it is a rival of.
+const REPAIR_SHARE_OF_RIVAL: f64 = 0.2;
 /// Nats that a further effect needs beyond its threshold: the form of what was found is never exact.
 const FURTHER: f64 = 10.0;
 /// Nats that another program's numerics may add to an effect or take from it (see `bank`).
 const NUMERICS: f64 = 45.0;
 /// Of a lag that is late and may as well be of a kind that is early as often as late.
 const ODDS: f64 = 2.0 / 3.0;
-/// Where no candidate wins this share of draws, the data do not say which it is, and none is named.
+/// Where no candidate wins this share of draws together with what the library calls its rivals, the data do not say which
+/// it is, and none is named.
 const WINS: f64 = 0.35;
 /// Share of draws that an effect wins, and how often it was the hidden one then, on development cases of the blind
 /// benchmark: straight between. First where nothing is close to it, then where rivals are.
@@ -77,6 +81,8 @@ pub struct Outcome {
     pub unexplained: bool,
     /// Candidates of the first level by falling evidence.
     pub first_level: Vec<(String, f64, f64)>,
+    /// What of every effect would have been seen beside none.
+    pub smallest: Vec<Smallest>,
     /// What the search did, step by step.
     pub trace: Vec<String>,
 }
@@ -167,8 +173,9 @@ impl SoFar {
         limits: &Thresholds,
         seed: u64,
     ) -> bool {
-        let weighed = weigh(setting, problem, &self.level, limits);
+        let Weighing { candidates: weighed, smallest } = weigh(setting, problem, &self.level, limits);
         if self.first_evidence.is_none() {
+            self.outcome.smallest = smallest;
             self.outcome.first_level = weighed
                 .iter()
                 .map(|w| (format!("{} {}", w.name(), w.refit.active.effect.form()), w.evidence, w.threshold))
@@ -180,12 +187,13 @@ impl SoFar {
         };
         let (rows, chi2) = (problem.len() as f64, self.level.chi2);
         let explained = (chi2 - best.refit.chi2) / (chi2 - rows * limits.misfit).max(f64::MIN_POSITIVE);
-        let (share, confused_with) = distinguish(problem, &self.level, &weighed, (best, instead), seed);
+        let Draws { own: share, with_rivals, confused_with } =
+            distinguish(problem, &self.level, &weighed, (best, instead), seed);
         let explains = chi2 <= rows * limits.misfit_limit || explained >= EXPLAINED;
-        if share < WINS || !explains {
-            self.undecided = share < WINS;
+        if with_rivals < WINS || !explains {
+            self.undecided = with_rivals < WINS;
             self.outcome.trace.push(format!(
-                "{} at {:.0} nats wins {share:.2} of the draws and explains {explained:.2} of the misfit: not named",
+                "{} at {:.0} nats wins {with_rivals:.2} of the draws and explains {explained:.2} of the misfit: not named",
                 best.name(),
                 best.evidence
             ));
@@ -224,14 +232,23 @@ impl SoFar {
     /// The best candidate that has the evidence it needs, and how much that is; and the one with more evidence that it goes
     /// before by its odds.
     fn best<'a>(&self, weighed: &'a [Weighed]) -> Option<Best<'a>> {
-        let least = (REPAIR_SHARE * self.first_evidence.unwrap_or(0.0)).min(NO_REPAIR);
+        let least = no_repair(self.first_evidence.unwrap_or(0.0));
         let further = if self.outcome.found.is_empty() { 0.0 } else { FURTHER };
-        let needed = |w: &Weighed| (w.threshold + further).max(least);
+        let rivals = |w: &Weighed| {
+            let found = self.outcome.found.iter();
+            let rivals = found.filter(|f| f.active.effect.spec().is_rival_of(w.refit.active.effect.spec()));
+            rivals.map(|rival| REPAIR_SHARE_OF_RIVAL * rival.named_at).fold(0.0, f64::max)
+        };
+        let needed = |w: &Weighed| (w.threshold + further).max(least).max(rivals(w));
         let counts = |w: &&Weighed| w.evidence > needed(w) && w.refit.is_more_than_a_nudge();
         let first = weighed.iter().find(counts)?;
         let close = NUMERICS.min(CLOSE_SHARE * first.evidence);
         let odd = |w: &&Weighed| counts(w) && w.has_one_side() && first.evidence - w.evidence < close;
+        let simpler = |w: &&Weighed| {
+            counts(w) && w.parameters() < first.parameters() && first.evidence - w.evidence < CLOSE
+        };
         let preferred = weighed.iter().find(odd).filter(|_| first.has_two_sides());
+        let preferred = preferred.or_else(|| weighed.iter().find(simpler));
         let best = preferred.unwrap_or(first);
         Some(Best { candidate: best, instead: preferred.map(|_| first), needed: needed(best) })
     }
@@ -244,6 +261,11 @@ struct Best<'a> {
     instead: Option<&'a Weighed>,
     /// Nats that it needed.
     needed: f64,
+}
+
+/// Evidence from which on a further effect is no repair of the first one's form.
+pub(crate) fn no_repair(first: f64) -> f64 {
+    (REPAIR_SHARE * first).min(NO_REPAIR)
 }
 
 /// Standard deviations that the data leave, and the form.

@@ -4,6 +4,7 @@ use crate::bank::Thresholds;
 use crate::candidate::{Refit, Screened};
 use crate::level::{Level, Setting};
 use crate::problem::Problem;
+use crate::smallest::{Flight, Smallest, smallest};
 use rayon::prelude::*;
 
 /// Candidates that are fitted: so many, and all within a share of the best in screening.
@@ -32,6 +33,11 @@ impl Weighed {
         self.refit.active.effect.spec().name
     }
 
+    /// Number of its parameters.
+    pub(crate) fn parameters(&self) -> usize {
+        self.refit.active.values.len()
+    }
+
     /// Whether all its parameters may have either sign.
     pub(crate) fn has_two_sides(&self) -> bool {
         self.refit.active.parameters().iter().all(|one| one.lower < 0.0)
@@ -43,13 +49,17 @@ impl Weighed {
     }
 }
 
-/// All candidates beside the effects of a level, by falling evidence.
-pub fn weigh(
-    setting: &Setting<'_>,
-    problem: &Problem<'_>,
-    level: &Level,
-    limits: &Thresholds,
-) -> Vec<Weighed> {
+/// What is known after all were weighed.
+#[derive(Debug, Clone)]
+pub struct Weighing {
+    /// Candidates by falling evidence.
+    pub candidates: Vec<Weighed>,
+    /// What would have been seen of every effect.
+    pub smallest: Vec<Smallest>,
+}
+
+/// All candidates beside the effects of a level.
+pub fn weigh(setting: &Setting<'_>, problem: &Problem<'_>, level: &Level, limits: &Thresholds) -> Weighing {
     weigh_some(setting, (problem, level), limits, &|_| true)
 }
 
@@ -59,7 +69,7 @@ pub(crate) fn weigh_some(
     (problem, level): (&Problem<'_>, &Level),
     limits: &Thresholds,
     wanted: &(dyn Fn(&str) -> bool + Sync),
-) -> Vec<Weighed> {
+) -> Weighing {
     let taken: Vec<&str> = level.effects.iter().map(|active| active.effect.spec().name).collect();
     let mut screened: Vec<Screened> = setting
         .library
@@ -67,6 +77,7 @@ pub(crate) fn weigh_some(
         .filter(|effect| !taken.contains(&effect.spec().name) && wanted(effect.spec().name))
         .map(|effect| Screened::new(setting, problem, level, effect))
         .collect();
+    let flights: Vec<Flight> = screened.iter().flat_map(|s| s.flights.iter().cloned()).collect();
     screened.sort_by(|a, b| b.gain.total_cmp(&a.gain));
     let best = screened.first().map_or(0.0, |s| s.gain);
     let kept = |(i, s): &(usize, &Screened)| {
@@ -78,7 +89,7 @@ pub(crate) fn weigh_some(
     let rows = problem.len() as f64;
     let least = refits.iter().map(|r| r.chi2).fold(level.chi2, f64::min);
     let phi = (least / rows).max(1.0);
-    let mut weighed: Vec<Weighed> = refits
+    let mut candidates: Vec<Weighed> = refits
         .into_iter()
         .map(|refit| {
             let active = &refit.active;
@@ -86,6 +97,7 @@ pub(crate) fn weigh_some(
             Weighed { evidence: refit.evidence(level, phi), threshold, refit }
         })
         .collect();
-    weighed.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
-    weighed
+    candidates.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
+    let seen = |flight: &Flight| smallest(flight, limits.of(flight.name, flight.form), phi);
+    Weighing { candidates, smallest: flights.iter().map(seen).collect() }
 }

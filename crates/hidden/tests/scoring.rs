@@ -75,6 +75,8 @@ fn a_mixed_list_has_the_metrics_that_are_counted_by_hand() {
     close("top1_clear", 0.5);
     close("top1_family_clear", 1.0);
     close("top1_visible", 1.0);
+    close("family_in_set_clear", 1.0);
+    close("family_in_set_near_floor", 0.0);
     close("silent_near_floor", 1.0);
     // named: a null, four right or twins (one a pair)
     close("precision", 3.0 / 5.0);

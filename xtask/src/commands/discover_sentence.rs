@@ -98,7 +98,7 @@ impl Said<'_> {
         } else {
             format!(
                 "No effect above the floor: the gap on training data is {gap:.1}, where nothing is missing it is about {floor:.1}. \
-                 Nothing was added."
+                 Nothing was added; `smallest_seen` has the sizes that would have been seen."
             )
         }
     }

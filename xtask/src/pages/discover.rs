@@ -52,6 +52,9 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
     if !list(result, "candidates").is_empty() {
         sections.push(Section::new("All candidates", vec![Block::Table(candidates(result))]));
     }
+    if !list(result, "smallest_seen").is_empty() {
+        sections.push(Section::new("What would have been seen", vec![Block::Table(smallest_seen(result))]));
+    }
     Page {
         title: title(result).into(),
         lead: lead(result),
@@ -214,6 +217,18 @@ fn candidates(result: &Value) -> PageTable {
     );
     for c in list(result, "candidates") {
         table.row([text(c, "name").to_owned(), short_at(c, "log_bayes_factor"), short_at(c, "threshold")]);
+    }
+    table
+}
+
+fn smallest_seen(result: &Value) -> PageTable {
+    let mut table = PageTable::new(
+        "The smallest size, either sign, at which these data would have given an effect the evidence that it needs, if its form          were exact; none where it would have to be larger than it can be.",
+        &["effect", "parameter", "smallest size"],
+    );
+    for seen in list(result, "smallest_seen") {
+        let name = format!("{} {}", text(seen, "name"), text(seen, "form"));
+        table.row([name.trim().to_owned(), text(seen, "parameter").to_owned(), short_at(seen, "value")]);
     }
     table
 }

@@ -40,10 +40,12 @@ pub(super) fn page(result: &Value, _: &mut Vec<Plate>) -> Page {
                 text(result, "track"),
                 whole("seed")
             ),
-            format!(
-                "{reached} of {with} gates with cases are reached; the others of {} have no case.",
-                gates.len()
-            ),
+            match gates.len() - with {
+                0 => format!("{reached} of {with} gates are reached."),
+                without => {
+                    format!("{reached} of {with} gates with cases are reached; {without} more have no case.")
+                }
+            },
         ],
         numbers: numbers.collect(),
         sections: vec![

@@ -50,6 +50,9 @@ fn singles(cases: &[Judged<'_>], put: &mut impl FnMut(&str, Metric) -> Option<Me
             Metric::share_of(&bin, |case| case.first().is_some() && !case.first_is_right()),
         );
         put(&format!("silent_{name}"), Metric::share_of(&bin, |case| case.first().is_none()));
+        // what track B counts as right
+        let kin_in_set = |case: &&&Judged<'_>| case.verdict.set().iter().any(|name| case.is_kin(name));
+        put(&format!("family_in_set_{name}"), Metric::share_of(&bin, kin_in_set));
     }
     for (name, from, to) in
         [("10", 0.0, 17.0), ("30", 17.0, 55.0), ("100", 55.0, 173.0), ("300", 173.0, 550.0)]

@@ -75,3 +75,10 @@ pub struct Spec {
     /// Experiments that tell it from them.
     pub experiment: &'static str,
 }
+
+impl Spec {
+    /// Whether either is known to be taken for the other.
+    pub fn is_rival_of(&self, other: &Self) -> bool {
+        self.rivals.contains(&other.name) || other.rivals.contains(&self.name)
+    }
+}

@@ -16,7 +16,7 @@ impl Effect for ActLag {
             name: "act_lag",
             title: "servos lag more than modelled",
             side: Side::Control,
-            rivals: &["delay", "daq_filter", "aero_lag"],
+            rivals: &["delay", "daq_filter", "aero_lag", "ctl_saturation"],
             experiment: "runs of root pitch: a lag of the balance shows there too",
         }
     }

@@ -13,7 +13,7 @@ impl Effect for Crosstalk {
             name: "crosstalk",
             title: "channels of the balance read a share of each other",
             side: Side::Balance,
-            rivals: &["ac_shift", "gain", "joiner_inertia"],
+            rivals: &["ac_shift", "gain", "joiner_inertia", "balance_nonlin"],
             experiment: "dead weights at several stations, wind off",
         }
     }

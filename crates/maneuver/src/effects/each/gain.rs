@@ -12,7 +12,7 @@ impl Effect for Gain {
             name: "gain",
             title: "gain of a balance channel",
             side: Side::Balance,
-            rivals: &["q_error", "crosstalk", "lift_slope"],
+            rivals: &["q_error", "crosstalk", "lift_slope", "balance_nonlin"],
             experiment: "dead weights",
         }
     }
