@@ -8,6 +8,7 @@ use crate::noise::{Noise, NoiseUnknown};
 use crate::numerics::{OtherLattice, other_doublets, other_lags};
 use crate::problem::Problem;
 use crate::search::{Outcome, search};
+use crate::seen::{Seen, smallest_seen};
 use crate::simulator::{Simulator, SimulatorError, SplitRig};
 use crate::tones::{Tone, sentence, tones};
 use crate::uncertain::uncertain;
@@ -165,6 +166,16 @@ impl Prepared {
             [plain, &level.effects].map(|effects| problem.gap(&self.flown(problem, &level, effects)))
         });
         Report { level, outcome, gaps, model_runs: self.simulator.count() - before }
+    }
+
+    /// What of every effect would have been named, where a search found nothing missing; empty otherwise.
+    pub fn smallest_seen(&self, report: &Report, limits: &Thresholds) -> Vec<Seen> {
+        if !report.outcome.found.is_empty() || report.outcome.unexplained {
+            return Vec::new();
+        }
+        let mut problem = self.training();
+        problem.set_tolerances(&report.level.flown, &[]);
+        smallest_seen(&self.setting(), &problem, &report.level, limits)
     }
 
     /// Gaps of training and held-out runs as another simulator flies them with effects: corrections that were calibrated

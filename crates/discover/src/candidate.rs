@@ -2,7 +2,6 @@
 
 use crate::level::{Level, Setting};
 use crate::problem::Problem;
-use crate::smallest::Flight;
 use crate::trial::{Point, Trial, difference};
 use crate::uncertain::{NUDGES, known};
 use faer::linalg::solvers::Solve;
@@ -45,8 +44,6 @@ pub struct Screened {
     starts: Vec<Vec<f64>>,
     /// The best that was flown.
     flown: Option<Point>,
-    /// Sizes that were flown one parameter at a time, the smallest of each.
-    pub(crate) flights: Vec<Flight>,
 }
 
 /// A candidate that was fitted, together with the effects found before it.
@@ -92,15 +89,6 @@ impl Screened {
         let columns: Vec<Vec<f64>> =
             (0..parameters.len()).map(|k| trial.secant(&parameters, k, (&base.sizes, &at_base))).collect();
         let secants = Mat::from_fn(problem.len(), columns.len(), |i, j| columns[j][i]);
-        let flights = if base.sizes.iter().any(|size| *size != 0.0) {
-            vec![trial.flight(0, &base.sizes, &at_base)]
-        } else {
-            columns
-                .iter()
-                .enumerate()
-                .map(|(k, column)| trial.flight(k, &unit(k, columns.len()), column))
-                .collect()
-        };
         let (step, gain) = linear_step(level, &secants, &base.residual, &base.sizes);
         let start: Vec<f64> = base.sizes.iter().zip(step).map(|(a, b)| a + b).collect();
         let mut starts = vec![start.clone()];
@@ -111,7 +99,7 @@ impl Screened {
             starts.push(start.iter().map(|size| -size).collect());
             None
         };
-        Self { effect: Arc::clone(effect), secants, gain, starts, start, flown, flights }
+        Self { effect: Arc::clone(effect), secants, gain, starts, start, flown }
     }
 
     /// A single parameter: as small, as large, on either side as may be.
@@ -134,10 +122,6 @@ impl Screened {
             let (step, gain) = linear_step(level, &secant(tried), &level.residual, &[0.0]);
             (step[0] * tried.0 > 0.0).then_some((step[0], gain))
         };
-        let gentle = tried.iter().min_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
-        let flights = gentle
-            .iter()
-            .map(|(size, point)| trial.flight(0, &[*size], &difference(&level.residual, &point.residual)));
         let best = tried.iter().min_by(|a, b| a.1.score.total_cmp(&b.1.score));
         let by_secants: Vec<(f64, f64)> = tried.iter().filter_map(led).collect();
         let largest = by_secants.iter().max_by(|a, b| a.1.total_cmp(&b.1));
@@ -152,7 +136,6 @@ impl Screened {
             start: vec![largest.map_or(around, |largest| largest.0)],
             starts,
             flown: best.map(|best| best.1.clone()),
-            flights: flights.collect(),
         }
     }
 
@@ -245,11 +228,6 @@ impl Refit {
             value.abs() > bound
         })
     }
-}
-
-/// One plausible size of a parameter.
-fn unit(k: usize, count: usize) -> Vec<f64> {
-    (0..count).map(|i| f64::from(u8::from(i == k))).collect()
 }
 
 /// The step that the linear model takes, and what chi square falls by.

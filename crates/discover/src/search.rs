@@ -7,8 +7,7 @@ use crate::distinguish::{CLOSE, CLOSE_SHARE, Draws, distinguish};
 use crate::level::{Level, Setting};
 use crate::problem::Problem;
 use crate::revise::revise;
-use crate::smallest::Smallest;
-use crate::weigh::{Weighed, Weighing, weigh};
+use crate::weigh::{Weighed, weigh};
 use maneuver::effects::Active;
 
 /// Most effects that one campaign may lack.
@@ -81,8 +80,6 @@ pub struct Outcome {
     pub unexplained: bool,
     /// Candidates of the first level by falling evidence.
     pub first_level: Vec<(String, f64, f64)>,
-    /// What of every effect would have been seen beside none.
-    pub smallest: Vec<Smallest>,
     /// What the search did, step by step.
     pub trace: Vec<String>,
 }
@@ -173,9 +170,8 @@ impl SoFar {
         limits: &Thresholds,
         seed: u64,
     ) -> bool {
-        let Weighing { candidates: weighed, smallest } = weigh(setting, problem, &self.level, limits);
+        let weighed = weigh(setting, problem, &self.level, limits);
         if self.first_evidence.is_none() {
-            self.outcome.smallest = smallest;
             self.outcome.first_level = weighed
                 .iter()
                 .map(|w| (format!("{} {}", w.name(), w.refit.active.effect.form()), w.evidence, w.threshold))

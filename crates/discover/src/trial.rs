@@ -2,7 +2,6 @@
 
 use crate::level::{Level, Setting, norm};
 use crate::problem::Problem;
-use crate::smallest::Flight;
 use maneuver::effects::{Active, Effect, Flown, Parameter};
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -112,20 +111,6 @@ impl Trial<'_> {
         let chi2 = norm(&self.level.shared, &residual);
         let score = chi2 + sizes.iter().map(|s| s * s).sum::<f64>();
         Point { sizes, residual, chi2, score }
-    }
-
-    /// What is seen of a parameter at sizes that change the residual so.
-    pub(crate) fn flight(&self, k: usize, sizes: &[f64], change: &[f64]) -> Flight {
-        let parameter = &self.effect.parameters()[k];
-        Flight {
-            name: self.effect.spec().name,
-            form: self.effect.form(),
-            parameter: parameter.name.clone(),
-            value: sizes[k] * parameter.plausible,
-            largest: parameter.upper.max(-parameter.lower),
-            information: norm(&self.level.shared, change),
-            prior: sizes.iter().map(|size| size * size).sum(),
-        }
     }
 
     pub(crate) fn point_at_rest(&self) -> Point {

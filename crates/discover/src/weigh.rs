@@ -4,7 +4,6 @@ use crate::bank::Thresholds;
 use crate::candidate::{Refit, Screened};
 use crate::level::{Level, Setting};
 use crate::problem::Problem;
-use crate::smallest::{Flight, Smallest, smallest};
 use rayon::prelude::*;
 
 /// Candidates that are fitted: so many, and all within a share of the best in screening.
@@ -49,17 +48,13 @@ impl Weighed {
     }
 }
 
-/// What is known after all were weighed.
-#[derive(Debug, Clone)]
-pub struct Weighing {
-    /// Candidates by falling evidence.
-    pub candidates: Vec<Weighed>,
-    /// What would have been seen of every effect.
-    pub smallest: Vec<Smallest>,
-}
-
-/// All candidates beside the effects of a level.
-pub fn weigh(setting: &Setting<'_>, problem: &Problem<'_>, level: &Level, limits: &Thresholds) -> Weighing {
+/// All candidates beside the effects of a level, by falling evidence.
+pub fn weigh(
+    setting: &Setting<'_>,
+    problem: &Problem<'_>,
+    level: &Level,
+    limits: &Thresholds,
+) -> Vec<Weighed> {
     weigh_some(setting, (problem, level), limits, &|_| true)
 }
 
@@ -69,7 +64,7 @@ pub(crate) fn weigh_some(
     (problem, level): (&Problem<'_>, &Level),
     limits: &Thresholds,
     wanted: &(dyn Fn(&str) -> bool + Sync),
-) -> Weighing {
+) -> Vec<Weighed> {
     let taken: Vec<&str> = level.effects.iter().map(|active| active.effect.spec().name).collect();
     let mut screened: Vec<Screened> = setting
         .library
@@ -77,7 +72,6 @@ pub(crate) fn weigh_some(
         .filter(|effect| !taken.contains(&effect.spec().name) && wanted(effect.spec().name))
         .map(|effect| Screened::new(setting, problem, level, effect))
         .collect();
-    let flights: Vec<Flight> = screened.iter().flat_map(|s| s.flights.iter().cloned()).collect();
     screened.sort_by(|a, b| b.gain.total_cmp(&a.gain));
     let best = screened.first().map_or(0.0, |s| s.gain);
     let kept = |(i, s): &(usize, &Screened)| {
@@ -98,6 +92,5 @@ pub(crate) fn weigh_some(
         })
         .collect();
     candidates.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
-    let seen = |flight: &Flight| smallest(flight, limits.of(flight.name, flight.form), phi);
-    Weighing { candidates, smallest: flights.iter().map(seen).collect() }
+    candidates
 }

@@ -11,6 +11,7 @@ use discover::data::Dataset;
 use discover::gate::{Defect, defects};
 use discover::next::{Advice, advise};
 use discover::numerics::OtherLattice;
+use discover::seen::Seen;
 use discover::simulator::Simulator;
 use maneuver::effects::{Active, Flown};
 use nastran::InputError;
@@ -55,6 +56,8 @@ pub(crate) struct Discovered<'a> {
     pub(crate) own: bool,
     /// Experiments that would separate what is left open, the best first.
     pub(crate) advice: Vec<Advice>,
+    /// What of every effect would have been named, where none is.
+    pub(crate) seen: Vec<Seen>,
     /// Fingerprint of the data.
     pub(crate) data_hash: String,
 }
@@ -102,6 +105,7 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
         Some(open) => advise(&rigs, &corrected.schedule, &prepared, (&report.outcome.found, open))?,
         None => Vec::new(),
     };
+    let seen = prepared.smallest_seen(&report, &limits);
     let data_hash = data_hash(&campaign)?;
     let mut found = Discovered {
         corrected: &corrected,
@@ -113,6 +117,7 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
         again: None,
         own,
         advice,
+        seen,
         data_hash,
     };
     if !found.report.level.effects.is_empty() {

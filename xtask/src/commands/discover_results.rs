@@ -8,8 +8,7 @@ use discover::consistency::Share;
 use discover::gap::Gap;
 use discover::gate::Defect;
 use discover::next::Advice;
-use discover::search::{Found, Outcome};
-use discover::smallest::Smallest;
+use discover::search::Found;
 use discover::tones::{Tone, sentence};
 use serde_json::{Map, Value, json};
 
@@ -75,7 +74,9 @@ pub(crate) fn json(found: &Discovered<'_>, located: &[Value], seconds: f64) -> V
         "candidates": outcome.first_level.iter().map(|(name, evidence, threshold)| {
             json!({ "name": name.trim(), "log_bayes_factor": evidence, "threshold": threshold })
         }).collect::<Vec<_>>(),
-        "smallest_seen": if outcome.found.is_empty() { smallest(outcome) } else { Vec::new() },
+        "smallest_seen": found.seen.iter().map(|seen| {
+            json!({ "name": seen.name, "form": seen.form, "parameter": seen.parameter, "value": seen.value })
+        }).collect::<Vec<_>>(),
         "search": outcome.trace,
         "tones": found.prepared.tones.iter().map(tone).collect::<Vec<_>>(),
         "corrections": found.corrected.origin,
@@ -86,12 +87,6 @@ pub(crate) fn json(found: &Discovered<'_>, located: &[Value], seconds: f64) -> V
         "model_runs": found.report.model_runs,
         "seconds": seconds,
     })
-}
-
-/// What of every effect would have been seen, where none is named.
-fn smallest(outcome: &Outcome) -> Vec<Value> {
-    let of = |seen: &Smallest| json!({ "name": seen.name, "form": seen.form, "parameter": seen.parameter, "value": seen.value });
-    outcome.smallest.iter().map(of).collect()
 }
 
 /// The size that one part of the data would give an effect, over the one that was found.

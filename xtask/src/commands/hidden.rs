@@ -236,6 +236,7 @@ impl Judge<'_> {
             again: None,
             own: false,
             advice: Vec::new(),
+            seen: Vec::new(),
             data_hash: String::new(),
         };
         discover_results::json(&found, &[], start.elapsed().as_secs_f64())

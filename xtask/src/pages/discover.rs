@@ -223,7 +223,8 @@ fn candidates(result: &Value) -> PageTable {
 
 fn smallest_seen(result: &Value) -> PageTable {
     let mut table = PageTable::new(
-        "The smallest size, either sign, at which these data would have given an effect the evidence that it needs, if its form          were exact; none where it would have to be larger than it can be.",
+        "The smallest size, to a factor of 1.4, at which these data would have given an effect the evidence that it needs, if its \
+         form were exact; a dash where it would have to be larger than it can be.",
         &["effect", "parameter", "smallest size"],
     );
     for seen in list(result, "smallest_seen") {

@@ -1,0 +1,139 @@
+//! The smallest size of every effect that a search would have named: what "nothing is missing" is worth.
+//!
+//! An effect that is there changes the whitened loads by c, which its fit takes out: where its form is exact its evidence is
+//! `(c'c)/(2 phi) - prior/2 - ½ ln(1 + c'c/phi)`. Sizes are flown until this is the threshold, as neither limits nor what runs
+//! may be off by let c grow in proportion.
+
+use crate::bank::Thresholds;
+use crate::level::{Level, Setting, norm};
+use crate::problem::Problem;
+use crate::trial::{Trial, difference};
+use maneuver::effects::Effect;
+use rayon::prelude::*;
+use std::sync::Arc;
+
+/// Most times that a size is doubled or halved.
+const DOUBLED: usize = 12;
+
+/// See the module.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Seen {
+    /// Effect.
+    pub name: &'static str,
+    /// Its form.
+    pub form: &'static str,
+    /// Parameter, the others at rest (or where a search begins with them).
+    pub parameter: String,
+    /// Its value, to a factor of 1.4, with the sign that it can have (positive if either); none if it would not have been seen within the effect's bounds.
+    pub value: Option<f64>,
+}
+
+/// Sizes of all effects around a level, every parameter that does something alone.
+pub fn smallest_seen(
+    setting: &Setting<'_>,
+    problem: &Problem<'_>,
+    level: &Level,
+    limits: &Thresholds,
+) -> Vec<Seen> {
+    let of = |effect: &Arc<dyn Effect>| {
+        let search = Search {
+            trial: Trial { setting, problem, level, effect, memory: None },
+            threshold: limits.of(effect.spec().name, effect.form()),
+            phi: (level.chi2 / problem.len() as f64).max(1.0),
+        };
+        search.all()
+    };
+    setting.library.par_iter().flat_map_iter(of).collect()
+}
+
+/// One effect.
+struct Search<'a> {
+    trial: Trial<'a>,
+    threshold: f64,
+    phi: f64,
+}
+
+impl Search<'_> {
+    fn all(&self) -> Vec<Seen> {
+        let effect = self.trial.effect;
+        let parameters = effect.parameters();
+        let start = effect.starts().into_iter().next();
+        let base: Vec<f64> = match start {
+            Some(values) => values.iter().zip(&parameters).map(|(v, p)| v / p.plausible).collect(),
+            None => vec![0.0; parameters.len()],
+        };
+        let mut seen = Vec::new();
+        for (k, parameter) in parameters.iter().enumerate() {
+            let at = |size: f64| {
+                let mut sizes = base.clone();
+                sizes[k] = size;
+                sizes
+            };
+            let sign = if parameter.upper > 0.0 { 1.0 } else { -1.0 };
+            // what acts without this parameter has its size in another, and what does nothing alone has none
+            if self.information(&at(0.0)) > 0.0 || self.information(&at(sign)) == 0.0 {
+                continue;
+            }
+            let largest = if sign > 0.0 { parameter.upper } else { -parameter.lower } / parameter.plausible;
+            let is_seen = |size: f64| self.evidence(&at(sign * size)) >= self.threshold;
+            seen.push(Seen {
+                name: effect.spec().name,
+                form: effect.form(),
+                parameter: parameter.name.clone(),
+                value: smallest(largest, is_seen).map(|size| sign * size * parameter.plausible),
+            });
+        }
+        seen
+    }
+
+    fn information(&self, sizes: &[f64]) -> f64 {
+        let change = difference(&self.trial.level.residual, &self.trial.point(sizes).residual);
+        norm(&self.trial.level.shared, &change)
+    }
+
+    fn evidence(&self, sizes: &[f64]) -> f64 {
+        let information = self.information(sizes) / self.phi;
+        let prior: f64 = sizes.iter().map(|size| size * size).sum();
+        0.5 * (information - prior - information.ln_1p())
+    }
+}
+
+/// The smallest size that is seen, to a factor of the root of two, from one upwards or downwards.
+fn smallest(largest: f64, is_seen: impl Fn(f64) -> bool) -> Option<f64> {
+    let mut size = largest.min(1.0);
+    if is_seen(size) {
+        for _ in 0..DOUBLED {
+            if !is_seen(0.5 * size) {
+                break;
+            }
+            size *= 0.5;
+        }
+    } else {
+        loop {
+            if size >= largest {
+                return None;
+            }
+            size = (2.0 * size).min(largest);
+            if is_seen(size) {
+                break;
+            }
+        }
+    }
+    let between = size / std::f64::consts::SQRT_2;
+    Some(if is_seen(between) { between } else { size })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_smallest_size_is_found_to_a_factor_of_the_root_of_two() {
+        for limit in [0.01, 0.3, 0.99, 1.7, 6.0] {
+            let size = smallest(8.0, |size| size >= limit).expect("within bounds");
+            assert!(size >= limit && size < 1.415 * limit, "{size} for {limit}");
+        }
+        assert_eq!(smallest(8.0, |size| size >= 9.0), None);
+        assert_eq!(smallest(0.5, |size| size >= 0.5), Some(0.5));
+    }
+}
