@@ -105,7 +105,6 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
         Some(open) => advise(&rigs, &corrected.schedule, &prepared, (&report.outcome.found, open))?,
         None => Vec::new(),
     };
-    let seen = prepared.smallest_seen(&report, &limits);
     let data_hash = data_hash(&campaign)?;
     let mut found = Discovered {
         corrected: &corrected,
@@ -113,11 +112,11 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
         prepared: &prepared,
         limits: &limits,
         bank,
+        seen: prepared.smallest_seen(&report, &limits),
         report,
         again: None,
         own,
         advice,
-        seen,
         data_hash,
     };
     if !found.report.level.effects.is_empty() {
