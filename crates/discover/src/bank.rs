@@ -19,7 +19,7 @@ pub const CAMPAIGNS: u64 = 20;
 /// Standard deviations above the mean of what is found where nothing is missing.
 const SIGMAS: f64 = 3.0;
 /// Nats on top: the bank's campaigns are made with the model's own numerics, or close to it, and real wings are not. On campaigns
-/// of another program without any effect nothing but [`MIMICS`] is found with more than 32.
+/// of another program without any effect little but [`MIMICS`] is found with more than this.
 const MARGIN: f64 = 40.0;
 /// What other numerics look like most, and the nats that it needs on top: a small mass on the outer wing, another stream between
 /// walls, another lag of the air; and a wing stiffer in torsion, where corrections come from the campaign's own points.

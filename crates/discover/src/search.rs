@@ -22,7 +22,7 @@ const REPAIR_SHARE_OF_RIVAL: f64 = 0.2;
 const FURTHER: f64 = 10.0;
 /// Nats that another program's numerics may add to an effect or take from it (see `bank`).
 const NUMERICS: f64 = 45.0;
-/// Of a lag that is late and may as well be of a kind that is early as often as late.
+/// Confidence in what goes first by its odds, not by the data: of two lags that are late, one of a kind that is early as often.
 const ODDS: f64 = 2.0 / 3.0;
 /// Where no candidate wins this share of draws together with what the library calls its rivals, the data do not say which
 /// it is, and none is named.

@@ -24,7 +24,8 @@ pub struct Seen {
     pub form: &'static str,
     /// Parameter, the others at rest (or where a search begins with them).
     pub parameter: String,
-    /// Its value, to a factor of 1.4, with the sign that it can have (positive if either); none if it would not have been seen within the effect's bounds.
+    /// Its value, to a factor of 1.4, with the sign that it can have (positive if either); none if it would not have been
+    /// seen within the effect's bounds.
     pub value: Option<f64>,
 }
 
@@ -69,12 +70,13 @@ impl Search<'_> {
                 sizes[k] = size;
                 sizes
             };
-            let sign = if parameter.upper > 0.0 { 1.0 } else { -1.0 };
+            let (sign, bound) =
+                if parameter.upper > 0.0 { (1.0, parameter.upper) } else { (-1.0, -parameter.lower) };
             // what acts without this parameter has its size in another, and what does nothing alone has none
             if self.information(&at(0.0)) > 0.0 || self.information(&at(sign)) == 0.0 {
                 continue;
             }
-            let largest = if sign > 0.0 { parameter.upper } else { -parameter.lower } / parameter.plausible;
+            let largest = bound / parameter.plausible;
             let is_seen = |size: f64| self.evidence(&at(sign * size)) >= self.threshold;
             seen.push(Seen {
                 name: effect.spec().name,
