@@ -219,8 +219,11 @@ impl Refit {
         0.5 * (level.chi2 - self.chi2) / phi - 0.5 * self.prior - occam
     }
 
-    /// Whether some parameter is larger than calibration could have it.
+    /// Whether its values are what its name says, and some is larger than calibration could have it.
     pub fn is_more_than_a_nudge(&self) -> bool {
+        if !self.active.effect.is_itself(&self.active.values) {
+            return false;
+        }
         let parameters = self.active.parameters();
         let name = self.active.effect.spec().name;
         self.active.values.iter().enumerate().any(|(k, value)| {

@@ -3,14 +3,15 @@
 //! right in pitch and wrong with the surfaces.
 //!
 //! The contribution c of the effect is cut into groups of segments, `r = sum_g delta_g c_g + noise`: `delta_g` is by what
-//! share the group wants more of it. Nothing is allowed to the effects' form, as that would hide the answer; it is allowed
-//! between groups instead. Uncertainties are those of the model with the effects: a mass moves the resonance at which they act.
+//! share the group wants more of it. Nothing is allowed to the effect's form, as that would hide the answer; it is allowed
+//! between groups instead, and to the form of the effects beside it. Uncertainties are those of the model with the effects: a mass moves the resonance at which they act.
 
 use crate::level::{Level, Setting};
 use crate::problem::Problem;
+use crate::uncertain::{NUDGES, known};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
-use maneuver::effects::{Active, Flown};
+use maneuver::effects::Active;
 use std::collections::BTreeMap;
 
 /// What groups may differ by, as the effect's form is never exact.
@@ -21,6 +22,14 @@ const FORM_LOOSE: f64 = 0.4;
 /// The same of a mass on the outer wing, which is not at one point, and what it does near a resonance grows with the airspeed
 /// as damping does.
 const FORM_OF_MASS: f64 = 0.2;
+/// The same of a wing that is heavier everywhere alike: that has no other form.
+const FORM_OF_SCALE: f64 = 0.08;
+/// What changes the level of all loads...
+const LEVEL: [&str; 3] = ["lift_slope", "q_error", "gain"];
+/// ... and how much of it other numerics are off by in one kind of maneuver.
+const LEVEL_OFF: f64 = 0.01;
+/// Most that numerics may be off by, as a share of an effect.
+const OFF_MOST: f64 = 0.2;
 /// A group that knows its share worse than this is left out.
 const KNOWN: f64 = 0.25;
 /// So is one that knows it so many times worse than the best: it looks at another parameter of the effect (what a joiner
@@ -71,35 +80,21 @@ impl std::fmt::Display for Share {
     }
 }
 
-/// Shares of an effect (its place among `effects`) by group; those that know it badly are left out. `problem` and `level`
-/// are [`Level::strict`].
-pub fn shares(
-    setting: &Setting<'_>,
-    (problem, level): (&Problem<'_>, &Level),
-    effects: &[Active],
-    which: usize,
-) -> Vec<Share> {
-    let simulator = setting.simulator;
-    let places = problem.places();
-    let fly =
-        |effects: &[Active]| simulator.fly(&simulator.models(effects, Some(&level.models)), effects, &places);
-    let rest: Vec<Active> =
-        effects.iter().enumerate().filter(|(i, _)| *i != which).map(|(_, e)| e.clone()).collect();
-    let (with, without) = (fly(effects), fly(&rest));
-    let residual = problem.residual(&with);
-    let all: Vec<usize> = (0..places.len()).collect();
-    let before: Vec<&Flown> = without.iter().collect();
-    let contribution = problem.change(&all, &with, &before);
+/// Shares of one of the level's effects by group; those that know it badly are left out. `problem` and `level` are
+/// [`Level::strict`] for it.
+pub fn shares(setting: &Setting<'_>, (problem, level): (&Problem<'_>, &Level), which: usize) -> Vec<Share> {
+    let residual = &level.residual;
+    let contribution = level.contribution(problem, which);
     let groups = groups(setting, problem);
-    let cut = |segments: &[usize]| {
-        let mut column = vec![0.0; contribution.len()];
+    let cut = |whole: &[f64], segments: &[usize]| {
+        let mut column = vec![0.0; whole.len()];
         for segment in segments {
             let rows = problem.segments[*segment].rows.clone();
-            column[rows.clone()].copy_from_slice(&contribution[rows]);
+            column[rows.clone()].copy_from_slice(&whole[rows]);
         }
         column
     };
-    let columns: Vec<Vec<f64>> = groups.values().map(|segments| cut(segments)).collect();
+    let columns: Vec<Vec<f64>> = groups.values().map(|segments| cut(&contribution, segments)).collect();
     let k = columns.len();
     let stacked = Mat::from_fn(residual.len(), k + 1, |i, j| if j < k { columns[j][i] } else { residual[i] });
     let gram = level.shared.gram(stacked.as_ref());
@@ -120,19 +115,30 @@ pub fn shares(
 }
 
 /// How far shares of an effect are from one size: chi square over its degrees of freedom; none with fewer than two shares.
-pub fn scatter(effect: &str, shares: &[Share]) -> Option<f64> {
+pub fn scatter(effect: &Active, shares: &[Share]) -> Option<f64> {
+    let name = effect.effect.spec().name;
     // what motion and deflected flaps do to flow about to separate, or to a wing that is bent far, is in no form of it
-    let at_rest = matches!(effect, "stall" | "dynamic_stall" | "large_deflection");
+    let at_rest = matches!(name, "stall" | "dynamic_stall" | "large_deflection");
     let judges = |share: &&Share| !at_rest || share.moved == Moved::Nothing;
     let shares: Vec<&Share> = shares.iter().filter(judges).collect();
+    let form = match name {
+        "stall" | "dynamic_stall" | "re_dependence" => FORM_LOOSE,
+        "tip_mass" => FORM_OF_MASS,
+        "wing_mass_error" => FORM_OF_SCALE,
+        _ => FORM,
+    };
+    // what other numerics are off by in one kind of maneuver is a larger share of a smaller effect
+    let off = known(name, 0).or(LEVEL.contains(&name).then_some(LEVEL_OFF)).filter(|_| form > FORM_OF_SCALE);
+    let largest = effect.values.iter().map(|value| value.abs()).fold(f64::MIN_POSITIVE, f64::max);
+    let off = (NUDGES * off.unwrap_or(0.0) / largest).min(OFF_MOST);
+    spread(&shares, form.hypot(off))
+}
+
+/// Chi square over its degrees of freedom of shares that may differ by `form`.
+fn spread(shares: &[&Share], form: f64) -> Option<f64> {
     if shares.len() < 2 {
         return None;
     }
-    let form = match effect {
-        "stall" | "dynamic_stall" | "re_dependence" => FORM_LOOSE,
-        "tip_mass" => FORM_OF_MASS,
-        _ => FORM,
-    };
     let weight = |s: &&Share| 1.0 / (s.sigma * s.sigma + form * form);
     let whole: f64 = shares.iter().map(weight).sum();
     let mean = shares.iter().map(|s| weight(s) * s.share).sum::<f64>() / whole;
@@ -171,10 +177,10 @@ mod tests {
 
     #[test]
     fn equal_shares_do_not_scatter_and_opposite_ones_do() {
-        assert_eq!(scatter("gain", &[share(1.0, 0.1), share(1.0, 0.2)]), Some(0.0));
-        assert_eq!(scatter("gain", &[share(1.0, 0.1)]), None);
+        assert_eq!(spread(&[&share(1.0, 0.1), &share(1.0, 0.2)], 0.15), Some(0.0));
+        assert_eq!(spread(&[&share(1.0, 0.1)], 0.15), None);
         // (1.5 - 0.5)² / (2 (0.1² + 0.15²)) by hand
-        let apart = scatter("gain", &[share(1.5, 0.1), share(0.5, 0.1)]).expect("two shares");
+        let apart = spread(&[&share(1.5, 0.1), &share(0.5, 0.1)], 0.15).expect("two shares");
         assert!((apart - 1.0 / (2.0 * 0.0325)).abs() < 1e-9, "{apart}");
     }
 }

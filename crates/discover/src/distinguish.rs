@@ -22,7 +22,8 @@ const RIVAL_SHARE: f64 = 0.6;
 pub(crate) struct Draws {
     /// Share that it wins.
     pub(crate) own: f64,
-    /// Share that it wins or one of the close ones that the library calls its rivals.
+    /// Share that it wins or one of the close ones that the library calls its rivals, of the draws that it wins or anything
+    /// that has nearly as much evidence.
     pub(crate) with_rivals: f64,
     /// Other effects that the data do not tell from it.
     pub(crate) confused_with: Vec<&'static str>,
@@ -86,5 +87,10 @@ pub(crate) fn distinguish(
         !counted(name) && of.is_some_and(|w| w.refit.active.effect.spec().is_rival_of(spec))
     };
     let rivals: f64 = set.iter().filter(|name| rival(name)).map(|name| share(name)).sum();
-    Draws { own, with_rivals: own + rivals, confused_with: set }
+    let plausible = |w: &Weighed| counted(w.name()) || w.evidence > RIVAL_SHARE * best.evidence;
+    let plausible =
+        weighed.iter().zip(&wins).filter(|(w, _)| plausible(w)).map(|(_, wins)| *wins).sum::<usize>();
+    let plausible = plausible as f64 / DRAWS as f64;
+    let with_rivals = if plausible > 0.0 { (own + rivals) / plausible } else { 0.0 };
+    Draws { own, with_rivals, confused_with: set }
 }

@@ -38,6 +38,10 @@ pub struct Level {
     pub models: Models,
     /// All segments flown with them.
     pub flown: Vec<Flown>,
+    /// What each of them changes.
+    contributions: Vec<Vec<Flown>>,
+    /// What each of their values changes, in units of how far it may be off beside what is missing still.
+    adjustments: Vec<Vec<Vec<f64>>>,
     /// Residual.
     pub residual: Vec<f64>,
     /// What runs share.
@@ -52,6 +56,12 @@ pub struct Level {
 
 /// What other numerics' difference is multiplied by.
 const NUMERICS: f64 = 1.5;
+/// How far values of effects that were found may be off while something else is missing, as a share of them.
+const OFF: f64 = 0.2;
+/// Step for what they change.
+const STEP: f64 = 0.1;
+/// Most values of an effect that are freed so.
+const FEW: usize = 3;
 
 impl Level {
     /// Sets tolerances of the problem and columns around the model with `effects`.
@@ -70,14 +80,27 @@ impl Level {
         Self::with_columns(setting, problem, (effects, Some(&self.models)), Some(&self.columns))
     }
 
-    /// The same effects, where nothing is allowed to their form (sets the problem's tolerances so).
+    /// The same effects, where one of them is what it is: nothing is allowed to its form and values (sets the problem's
+    /// tolerances so).
     #[must_use]
-    pub fn strict(&self, problem: &mut Problem<'_>) -> Self {
-        problem.set_tolerances(&self.flown, &[]);
+    pub fn strict(&self, problem: &mut Problem<'_>, which: usize) -> Self {
+        let mut contributions = self.contributions.clone();
+        contributions.remove(which);
+        problem.set_tolerances(&self.flown, &contributions);
         let residual = problem.residual(&self.flown);
-        let shared = shared_of(problem, &self.columns);
+        let others = self.adjustments.iter().enumerate().filter(|(effect, _)| *effect != which);
+        let adjusted = others.flat_map(|(_, columns)| columns);
+        let shared = shared_of(problem, self.columns.iter().chain(adjusted));
         let chi2 = norm(&shared, &residual);
         Self { residual, shared, chi2, ..self.clone() }
+    }
+
+    /// What one of the effects changes in the residual.
+    pub fn contribution(&self, problem: &Problem<'_>, which: usize) -> Vec<f64> {
+        let all: Vec<usize> = (0..self.flown.len()).collect();
+        let own = self.contributions[which].iter();
+        let without: Vec<Flown> = self.flown.iter().zip(own).map(|(all, own)| difference(all, own)).collect();
+        problem.change(&all, &self.flown, &without.iter().collect::<Vec<_>>())
     }
 
     /// The same, keeping what candidates change.
@@ -110,25 +133,72 @@ impl Level {
             let plain = simulator.fly(&simulator.models(&rest, Some(&models)), &rest, &places);
             flown.iter().zip(&plain).map(|(with, plain)| difference(with, plain)).collect::<Vec<Flown>>()
         };
-        let found: Vec<Vec<Flown>> = (0..effects.len()).map(without).collect();
-        problem.set_tolerances(&flown, &found);
+        let contributions: Vec<Vec<Flown>> = (0..effects.len()).map(without).collect();
+        problem.set_tolerances(&flown, &contributions);
         let residual = problem.residual(&flown);
         let columns = columns
             .map_or_else(|| shared_columns(setting, problem, effects, &models, &flown), <[Vec<f64>]>::to_vec);
-        let shared = shared_of(problem, &columns);
+        let adjustments = adjustments(setting, problem, effects, &models, &flown);
+        let shared = shared_of(problem, columns.iter().chain(adjustments.iter().flatten()));
         let chi2 = norm(&shared, &residual);
-        Self { effects: effects.to_vec(), models, flown, residual, shared, columns, chi2, memory: None }
+        Self {
+            effects: effects.to_vec(),
+            models,
+            flown,
+            contributions,
+            adjustments,
+            residual,
+            shared,
+            columns,
+            chi2,
+            memory: None,
+        }
     }
 }
 
-fn shared_of(problem: &Problem<'_>, columns: &[Vec<f64>]) -> Shared {
-    let freed: Vec<Vec<f64>> = columns.par_iter().map(|column| problem.freed(column.clone())).collect();
+fn shared_of<'a>(problem: &Problem<'_>, columns: impl Iterator<Item = &'a Vec<f64>>) -> Shared {
+    let columns: Vec<&Vec<f64>> = columns.collect();
+    let freed: Vec<Vec<f64>> = columns.par_iter().map(|column| problem.freed((*column).clone())).collect();
     Shared::new(&freed, problem.len())
 }
 
 /// `x' (I + G G')⁻¹ x`.
 pub fn norm(shared: &Shared, x: &[f64]) -> f64 {
     shared.gram(Mat::from_fn(x.len(), 1, |i, _| x[i]).as_ref())[(0, 0)]
+}
+
+/// What the values of effects change, in units of how far they may be off: those of an effect with more than
+/// [`FEW`] values are its form.
+fn adjustments(
+    setting: &Setting<'_>,
+    problem: &Problem<'_>,
+    effects: &[Active],
+    models: &Models,
+    flown: &[Flown],
+) -> Vec<Vec<Vec<f64>>> {
+    let all: Vec<usize> = (0..problem.segments.len()).collect();
+    let before: Vec<&Flown> = flown.iter().collect();
+    let column = |which: usize, k: usize| {
+        let own = &effects[which];
+        let mut values = own.values.clone();
+        // towards zero, where bounds are not
+        values[k] =
+            if values[k] == 0.0 { STEP * own.parameters()[k].plausible } else { (1.0 - STEP) * values[k] };
+        let mut changed = effects.to_vec();
+        changed[which] = Active::new(Arc::clone(&own.effect), &values);
+        let models = setting.simulator.models(&changed, Some(models));
+        let after = setting.simulator.fly(&models, &changed, &problem.places());
+        let mut column = problem.raw_change(&all, &after, &before);
+        for value in &mut column {
+            *value *= OFF / STEP;
+        }
+        column
+    };
+    let of = |which: usize| {
+        let count = effects[which].values.len();
+        (0..count).filter(|_| count <= FEW).map(|k| column(which, k)).collect()
+    };
+    (0..effects.len()).map(of).collect()
 }
 
 fn shared_columns(

@@ -15,15 +15,15 @@ const MOST: usize = 4;
 /// An effect that adds less than this of the first one's evidence only repairs the first one's form.
 const REPAIR_SHARE: f64 = 0.008;
 /// More nats than this repair no form...
-const NO_REPAIR: f64 = 150.0;
+const NO_REPAIR: f64 = 100.0;
 /// ... but that of a rival, which needs this share of the evidence of the one that it is a rival of.
 const REPAIR_SHARE_OF_RIVAL: f64 = 0.2;
-/// Nats that a further effect needs beyond its threshold: the form of what was found is never exact.
-const FURTHER: f64 = 10.0;
 /// Nats that another program's numerics may add to an effect or take from it (see `bank`).
 const NUMERICS: f64 = 45.0;
 /// Confidence in what goes first by its odds, not by the data: of two lags that are late, one of a kind that is early as often.
 const ODDS: f64 = 2.0 / 3.0;
+/// What had less than this of its evidence is not weighed in its place again when more was found.
+const CONSIDERED: f64 = 0.2;
 /// Where no candidate wins this share of draws together with what the library calls its rivals, the data do not say which
 /// it is, and none is named.
 const WINS: f64 = 0.35;
@@ -61,7 +61,7 @@ pub struct Found {
     pub confused_with: Vec<&'static str>,
     /// These as fitted in its place.
     pub rivals: Vec<Refit>,
-    /// All that was weighed when it was named: what may take its place.
+    /// What was weighed and had some of its evidence when it was named: what may take its place.
     pub considered: Vec<&'static str>,
     /// The size that each airspeed and kind of maneuver alone would give it, over the one found.
     pub shares: Vec<Share>,
@@ -115,10 +115,8 @@ pub fn search(
         outcome.found.clear();
         level = Level::new(setting, problem, &[], Some(&level.models));
     }
-    let mut strict = problem.clone();
-    let around = level.strict(&mut strict);
     let limit = if level.chi2 > rows * limits.misfit_limit { SCATTER_UNEXPLAINED } else { SCATTER };
-    let undecided = judge_parts(setting, &(strict, around), limit, &mut outcome) || undecided;
+    let undecided = judge_parts(setting, (problem, &level), limit, &mut outcome) || undecided;
     if outcome.found.len() != level.effects.len() {
         level = Level::new(setting, problem, &others(&outcome.found, &[]), Some(&level.models));
     }
@@ -131,15 +129,17 @@ pub fn search(
 /// found beside a wrong effect is not to be believed). Whether any was dropped.
 fn judge_parts(
     setting: &Setting<'_>,
-    strict: &(Problem<'_>, Level),
+    (problem, level): (&Problem<'_>, &Level),
     limit: f64,
     outcome: &mut Outcome,
 ) -> bool {
-    let effects = others(&outcome.found, &[]);
     for (which, found) in outcome.found.iter_mut().enumerate() {
-        found.shares = shares(setting, (&strict.0, &strict.1), &effects, which);
+        let mut strict = problem.clone();
+        let around = level.strict(&mut strict, which);
+        found.shares = shares(setting, (&strict, &around), which);
     }
-    let disagree = |found: &Found| scatter(name(found), &found.shares).is_some_and(|scatter| scatter > limit);
+    let disagree =
+        |found: &Found| scatter(&found.active, &found.shares).is_some_and(|scatter| scatter > limit);
     for found in outcome.found.iter().filter(|found| disagree(found)) {
         let each: Vec<String> = found.shares.iter().map(ToString::to_string).collect();
         let name = name(found);
@@ -210,7 +210,11 @@ impl SoFar {
             confidence: if instead.is_some() { ODDS } else { right(share, !confused_with.is_empty()) },
             rivals: confused_with.iter().filter_map(|name| fitted(&weighed, name)).collect(),
             confused_with,
-            considered: weighed.iter().map(Weighed::name).collect(),
+            considered: weighed
+                .iter()
+                .filter(|w| w.evidence > CONSIDERED * best.evidence)
+                .map(Weighed::name)
+                .collect(),
             shares: Vec::new(),
         });
         let effects = others(&self.outcome.found, &[]);
@@ -229,13 +233,12 @@ impl SoFar {
     /// before by its odds.
     fn best<'a>(&self, weighed: &'a [Weighed]) -> Option<Best<'a>> {
         let least = no_repair(self.first_evidence.unwrap_or(0.0));
-        let further = if self.outcome.found.is_empty() { 0.0 } else { FURTHER };
         let rivals = |w: &Weighed| {
             let found = self.outcome.found.iter();
             let rivals = found.filter(|f| f.active.effect.spec().is_rival_of(w.refit.active.effect.spec()));
             rivals.map(|rival| REPAIR_SHARE_OF_RIVAL * rival.named_at).fold(0.0, f64::max)
         };
-        let needed = |w: &Weighed| (w.threshold + further).max(least).max(rivals(w));
+        let needed = |w: &Weighed| w.threshold.max(least).max(rivals(w));
         let counts = |w: &&Weighed| w.evidence > needed(w) && w.refit.is_more_than_a_nudge();
         let first = weighed.iter().find(counts)?;
         let close = NUMERICS.min(CLOSE_SHARE * first.evidence);

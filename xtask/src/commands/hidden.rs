@@ -13,7 +13,6 @@ use discover::bank::Thresholds;
 use discover::numerics::OtherLattice;
 use hidden::score::gates;
 use hidden::{Answer, Bench, Case, CasePlan, Class, Families, Fineness, Metrics, Mix, Verdict, cases, score};
-use rayon::prelude::*;
 use serde_json::{Value, json};
 
 use crate::args::{Common, HiddenArgs};
@@ -121,8 +120,9 @@ pub(crate) fn run(args: &HiddenArgs, common: &Common) -> Result<(), Failure> {
             plans.retain(|plan| judge.earlier(plan, seed).is_some());
         }
         let bar = progress::bar(common, plans.len(), "cases");
+        // one after the other, each with all processors, as a user's campaign has them: its seconds are a user's
         let judged = plans
-            .par_iter()
+            .iter()
             .map(|plan| {
                 let one = judge.case(bench, plan, seed);
                 bar.inc(1);

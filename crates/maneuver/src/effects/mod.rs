@@ -52,6 +52,11 @@ pub trait Effect: std::fmt::Debug + Send + Sync {
     /// Moves parameters (within their bounds already) to the nearest that physics allows together.
     fn constrain(&self, _p: &mut [f64]) {}
 
+    /// Whether values are what the name says: a table may also take those of another effect.
+    fn is_itself(&self, _p: &[f64]) -> bool {
+        true
+    }
+
     /// See the module.
     fn inputs(&self, _p: &[f64], _place: &Place<'_>, _inputs: &mut Inputs) {}
 

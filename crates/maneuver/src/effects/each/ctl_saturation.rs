@@ -17,6 +17,9 @@ const SPEC: Spec = Spec {
 /// Deflections of the table, degrees.
 const NODES_DEG: [f64; 3] = [5.0, 15.0, 25.0];
 
+/// A table that differs by less than this of its largest entry between its ends is a scale at all deflections, no saturation.
+const BENT: f64 = 0.3;
+
 /// The form of tanh.
 #[derive(Debug)]
 pub(crate) struct CtlSaturation {
@@ -88,6 +91,13 @@ impl Effect for CtlSaturationTable {
         "table"
     }
 
+    fn is_itself(&self, p: &[f64]) -> bool {
+        let added = &p[..NODES_DEG.len() * self.controls.len()];
+        let largest = added.iter().map(|dk| dk.abs()).fold(0.0, f64::max);
+        let bends = |dk: &[f64]| (dk[NODES_DEG.len() - 1] - dk[0]).abs() > BENT * largest;
+        added.chunks(NODES_DEG.len()).any(bends)
+    }
+
     fn inputs(&self, p: &[f64], place: &Place<'_>, inputs: &mut Inputs) {
         let faster = faster(p[NODES_DEG.len() * self.controls.len()], place);
         for (control, added) in inputs.controls_rad.iter_mut().zip(p.chunks(NODES_DEG.len())) {
@@ -112,5 +122,18 @@ fn between(added: &[f64], delta_deg: f64) -> f64 {
     } else {
         let t = ((delta_deg - middle) / (high - middle)).min(1.0);
         added[1] + t * (added[2] - added[1])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_table_alike_at_all_deflections_is_no_saturation() {
+        let table = CtlSaturationTable::new(&["inner".to_owned(), "outer".to_owned()]);
+        assert!(!table.is_itself(&[-0.27, -0.25, -0.26, -0.2, -0.2, -0.19, 0.0]));
+        // more effective at small deflections, less at large ones
+        assert!(table.is_itself(&[0.05, 0.1, -0.32, 0.0, 0.0, 0.0, 0.0]));
     }
 }

@@ -30,8 +30,8 @@ impl Effect for TipMass {
     }
 
     fn starts(&self) -> Vec<Vec<f64>> {
-        // without mass its place says nothing
-        vec![vec![0.05, 0.05, 0.2], vec![0.05, 0.25, 0.2]]
+        // without mass its place says nothing, and a small one is not where a large one would be
+        vec![vec![0.05, 0.05, 0.2], vec![0.05, 0.25, 0.2], vec![0.015, 0.05, 0.3]]
     }
 
     fn change(&self, p: &[f64], _place: &Place<'_>, change: &mut Change) {
