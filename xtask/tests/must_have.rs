@@ -154,6 +154,27 @@ fn an_effect_that_the_library_lacks_gets_its_twins_name_or_none() {
     assert!(names(&report).iter().all(|name| *name == "crosstalk"), "{:?}", report.outcome.trace);
 }
 
+/// Values of a development case, of which the rate alone was named while its value was held when the lag was fitted.
+#[test]
+fn a_servos_lag_shows_beside_its_much_larger_rate_limit() {
+    let plan = plan(Class::Null, &[("act_rate", &[0.69]), ("act_lag", &[0.045])]);
+    let (prepared, _) = prepared(&plan, "rate_and_lag");
+    let report = prepared.search(&limits(), plan.seed);
+    assert_eq!(names(&report), ["act_rate", "act_lag"], "{:?}", report.outcome.trace);
+}
+
+/// Of surfaces that are weaker at all deflections, where the library has no scale for them; both may be taken away, as each
+/// is the other's twin.
+#[test]
+fn surfaces_weaker_at_all_deflections_do_not_saturate() {
+    let hidden = ("ctl_scale", &[-0.337][..]);
+    let plan = CasePlan { leave_out: Some("ctl_scale".into()), ..plan(Class::Null, &[hidden]) };
+    let (mut prepared, _) = prepared(&plan, "scale");
+    prepared.library.retain(|effect| effect.spec().name != "ctl_compliance");
+    let report = prepared.search(&limits(), plan.seed);
+    assert!(names(&report).is_empty(), "{:?}", report.outcome.trace);
+}
+
 #[test]
 fn an_offset_of_the_angle_and_camber_stay_together_and_ask_for_an_inverted_run() {
     let plan = plan(Class::Null, &[("alpha_offset", &[-0.5])]);

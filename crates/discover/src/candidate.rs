@@ -139,6 +139,16 @@ impl Screened {
         }
     }
 
+    /// The same with a fit that also begins with values that were found before, and is not passed over.
+    #[must_use]
+    pub(crate) fn also_from(mut self, known: &Active) -> Self {
+        let parameters = known.parameters();
+        self.starts
+            .push(known.values.iter().zip(&parameters).map(|(value, p)| value / p.plausible).collect());
+        self.gain = f64::INFINITY;
+        self
+    }
+
     /// Sizes to which the secants lead, in units of the plausible.
     pub fn start(&self) -> &[f64] {
         &self.start

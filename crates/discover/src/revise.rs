@@ -24,7 +24,13 @@ pub(crate) fn revise(
     for index in (0..found.len()).rev().skip(1) {
         let without = level.beside(setting, problem, &others(found, &[index]));
         let names = found[index].considered.clone();
-        let weighed = weigh_some(setting, (problem, &without), limits, &|name| names.contains(&name));
+        let weighed = weigh_some(
+            setting,
+            (problem, &without),
+            limits,
+            &|name| names.contains(&name),
+            &[&found[index].active],
+        );
         let last = found.len() - 1;
         let firm = found[index].named_at > FIRM * found[last].named_at;
         let least = if index == 0 { 0.0 } else { no_repair(found[0].named_at) };
@@ -54,7 +60,9 @@ pub(crate) fn revise(
             // one of the two is enough: the one that says more without the other
             let neither = level.beside(setting, problem, &others(found, &[index, last]));
             let names = [name(&found[index]), name(&found[last])];
-            let alone = weigh_some(setting, (problem, &neither), limits, &|name| names.contains(&name));
+            let both = [&found[index].active, &found[last].active];
+            let alone =
+                weigh_some(setting, (problem, &neither), limits, &|name| names.contains(&name), &both);
             let evidence = |of: &Found| {
                 alone.iter().find(|w| w.name() == name(of)).map_or(f64::NEG_INFINITY, |w| w.evidence)
             };

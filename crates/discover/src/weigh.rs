@@ -4,6 +4,7 @@ use crate::bank::Thresholds;
 use crate::candidate::{Refit, Screened};
 use crate::level::{Level, Setting};
 use crate::problem::Problem;
+use maneuver::effects::Active;
 use rayon::prelude::*;
 
 /// Candidates that are fitted: so many, and all within a share of the best in screening.
@@ -55,25 +56,35 @@ pub fn weigh(
     level: &Level,
     limits: &Thresholds,
 ) -> Vec<Weighed> {
-    weigh_some(setting, (problem, level), limits, &|_| true)
+    weigh_some(setting, (problem, level), limits, &|_| true, &[])
 }
 
-/// The same of some names.
+/// The same of some names; fits of `known` effects begin with their values, too.
 pub(crate) fn weigh_some(
     setting: &Setting<'_>,
     (problem, level): (&Problem<'_>, &Level),
     limits: &Thresholds,
     wanted: &(dyn Fn(&str) -> bool + Sync),
+    known: &[&Active],
 ) -> Vec<Weighed> {
     let taken: Vec<&str> = level.effects.iter().map(|active| active.effect.spec().name).collect();
     let mut screened: Vec<Screened> = setting
         .library
         .par_iter()
         .filter(|effect| !taken.contains(&effect.spec().name) && wanted(effect.spec().name))
-        .map(|effect| Screened::new(setting, problem, level, effect))
+        .map(|effect| {
+            let screened = Screened::new(setting, problem, level, effect);
+            let same = |known: &&&Active| {
+                known.effect.spec().name == effect.spec().name && known.effect.form() == effect.form()
+            };
+            match known.iter().find(same) {
+                Some(known) => screened.also_from(known),
+                None => screened,
+            }
+        })
         .collect();
     screened.sort_by(|a, b| b.gain.total_cmp(&a.gain));
-    let best = screened.first().map_or(0.0, |s| s.gain);
+    let best = screened.iter().map(|s| s.gain).filter(|gain| gain.is_finite()).fold(0.0, f64::max);
     let kept = |(i, s): &(usize, &Screened)| {
         *i < SHOWN || s.gain > LEAST && (*i < KEPT || s.gain > KEPT_SHARE * best)
     };
