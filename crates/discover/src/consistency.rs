@@ -4,7 +4,8 @@
 //!
 //! The contribution c of the effect is cut into groups of segments, `r = sum_g delta_g c_g + noise`: `delta_g` is by what
 //! share the group wants more of it. Nothing is allowed to the effect's form, as that would hide the answer; it is allowed
-//! between groups instead, and to the form of the effects beside it. Uncertainties are those of the model with the effects: a mass moves the resonance at which they act.
+//! between groups instead, and to the form of the effects beside it. Uncertainties are those of the model with the effects:
+//! a mass moves the resonance at which they act.
 
 use crate::level::{Level, Setting};
 use crate::problem::Problem;
@@ -25,9 +26,9 @@ const FORM_OF_MASS: f64 = 0.2;
 /// The same of a wing that is heavier everywhere alike: that has no other form.
 const FORM_OF_SCALE: f64 = 0.08;
 /// What changes the level of all loads...
-const LEVEL: [&str; 3] = ["lift_slope", "q_error", "gain"];
+const LOAD_LEVEL: [&str; 3] = ["lift_slope", "q_error", "gain"];
 /// ... and how much of it other numerics are off by in one kind of maneuver.
-const LEVEL_OFF: f64 = 0.01;
+const LOAD_LEVEL_OFF: f64 = 0.01;
 /// Most that numerics may be off by, as a share of an effect.
 const OFF_MOST: f64 = 0.2;
 /// A group that knows its share worse than this is left out.
@@ -86,15 +87,15 @@ pub fn shares(setting: &Setting<'_>, (problem, level): (&Problem<'_>, &Level), w
     let residual = &level.residual;
     let contribution = level.contribution(problem, which);
     let groups = groups(setting, problem);
-    let cut = |whole: &[f64], segments: &[usize]| {
-        let mut column = vec![0.0; whole.len()];
+    let cut = |segments: &[usize]| {
+        let mut column = vec![0.0; contribution.len()];
         for segment in segments {
             let rows = problem.segments[*segment].rows.clone();
-            column[rows.clone()].copy_from_slice(&whole[rows]);
+            column[rows.clone()].copy_from_slice(&contribution[rows]);
         }
         column
     };
-    let columns: Vec<Vec<f64>> = groups.values().map(|segments| cut(&contribution, segments)).collect();
+    let columns: Vec<Vec<f64>> = groups.values().map(|segments| cut(segments)).collect();
     let k = columns.len();
     let stacked = Mat::from_fn(residual.len(), k + 1, |i, j| if j < k { columns[j][i] } else { residual[i] });
     let gram = level.shared.gram(stacked.as_ref());
@@ -124,11 +125,11 @@ pub fn scatter(effect: &Active, shares: &[Share]) -> Option<f64> {
     let form = match name {
         "stall" | "dynamic_stall" | "re_dependence" => FORM_LOOSE,
         "tip_mass" => FORM_OF_MASS,
-        "wing_mass_error" => FORM_OF_SCALE,
+        "wing_mass_error" => return spread(&shares, FORM_OF_SCALE),
         _ => FORM,
     };
     // what other numerics are off by in one kind of maneuver is a larger share of a smaller effect
-    let off = known(name, 0).or(LEVEL.contains(&name).then_some(LEVEL_OFF)).filter(|_| form > FORM_OF_SCALE);
+    let off = known(name, 0).or(LOAD_LEVEL.contains(&name).then_some(LOAD_LEVEL_OFF));
     let largest = effect.values.iter().map(|value| value.abs()).fold(f64::MIN_POSITIVE, f64::max);
     let off = (NUDGES * off.unwrap_or(0.0) / largest).min(OFF_MOST);
     spread(&shares, form.hypot(off))
