@@ -98,14 +98,14 @@ fn the_updated_wing_reads_back_with_its_effects_and_new_corrections() {
 
 #[test]
 fn the_shipped_bank_belongs_to_the_shipped_wing_and_campaign() {
-    let bank: discover::bank::Thresholds =
-        nastran::ron_file::read(&root().join("data/tuflex/null_bank.ron")).unwrap();
+    let bank: discover::null_distribution::NullDistribution =
+        nastran::ron_file::read(&root().join("data/tuflex/null_distribution.ron")).unwrap();
     let (file, wing) = coupling::ElasticWing::read(&root().join("data/tuflex/wing.ron")).unwrap();
     let campaign = calibrate::Campaign::read(&root().join("data/tuflex/measured")).unwrap();
     let data = discover::data::Dataset::read(&campaign, &wing).unwrap();
     assert_eq!(
         bank.key,
-        discover::bank::key(&file.hash, &data),
+        discover::null_distribution::key(&file.hash, &data),
         "made for another wing, campaign or library"
     );
     // every effect and form that a null campaign was searched for, and a floor to judge by

@@ -54,7 +54,8 @@ fn a_killed_benchmark_goes_on_and_ends_with_the_same_verdicts() {
     // the bank's minute is not what is tested here
     let store: PathBuf = of(&stopped, "cases");
     std::fs::create_dir_all(&store).expect("a folder of our own");
-    std::fs::copy(of(&whole, "cases").join("null_bank.ron"), store.join("null_bank.ron")).expect("a bank");
+    std::fs::copy(of(&whole, "cases").join("null_distribution.ron"), store.join("null_distribution.ron"))
+        .expect("a bank");
     let mut child =
         command(&stopped).stdout(Stdio::null()).stderr(Stdio::null()).spawn().expect("the command starts");
     let start = Instant::now();

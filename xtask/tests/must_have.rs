@@ -7,10 +7,10 @@ use std::sync::OnceLock;
 use calibrate::Schedule;
 use coupling::{ElasticWing, WingFile};
 use discover::analysis::{Prepared, Report, Rigs};
-use discover::bank::Thresholds;
-use discover::gate::{defects, rough_noise};
+use discover::data_checks::{defects, rough_noise};
+use discover::model_form::LatticeVariant;
 use discover::next::advise;
-use discover::numerics::OtherLattice;
+use discover::null_distribution::NullDistribution;
 use hidden::plan::Hidden;
 use hidden::{Bench, CasePlan, Class, Fineness, Mix, cases};
 use xtask::blind::read;
@@ -21,7 +21,7 @@ struct Wing {
     bench: Bench,
     file: WingFile,
     elastic: ElasticWing,
-    lattice: Option<OtherLattice>,
+    lattice: Option<LatticeVariant>,
 }
 
 fn wing() -> &'static Wing {
@@ -29,7 +29,7 @@ fn wing() -> &'static Wing {
     WING.get_or_init(|| {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../data/tuflex/wing_beam.ron");
         let (file, elastic) = ElasticWing::read(&path).expect("the shipped wing and a generated case");
-        let lattice = OtherLattice::of(&file, &elastic);
+        let lattice = LatticeVariant::of(&file, &elastic);
         Wing {
             bench: Bench::new(&path, Fineness::BENCHMARK).expect("the shipped wing and a generated case"),
             file,
@@ -49,8 +49,8 @@ fn rigs() -> &'static Rigs<'static> {
 }
 
 /// Thresholds without a bank; where nothing is missing, the benchmark's misfit is 0.96 and its floor 2.2 and 2.4.
-fn limits() -> Thresholds {
-    Thresholds { misfit: 0.96, misfit_limit: 1.16, floor: [2.2, 2.4], ..Thresholds::default() }
+fn limits() -> NullDistribution {
+    NullDistribution { misfit: 0.96, misfit_limit: 1.16, floor: [2.2, 2.4], ..NullDistribution::default() }
 }
 
 /// A plan with chosen effects in place of its own.
@@ -129,7 +129,7 @@ fn pitch_without_wind_tells_the_joiner_better_from_its_rivals() {
         let plan = CasePlan { wind_off, ..plan(Class::Null, &[JOINER]) };
         let (prepared, _) = prepared(&plan, if wind_off { "wind_off" } else { "wind_on" });
         let report = prepared.search(&limits(), plan.seed);
-        let first = &report.outcome.first_level;
+        let first = &report.outcome.first_ranking;
         assert!(first[0].0.starts_with("joiner_inertia"), "{first:?}");
         first[0].1 - first[1].1
     };
@@ -191,7 +191,7 @@ fn an_offset_of_the_angle_and_camber_stay_together_and_ask_for_an_inverted_run()
     let twin = found[0].rivals.iter().map(|rival| rival.active.effect.spec().name);
     let twin = twin.into_iter().find(|name| ["alpha_offset", "camber"].contains(name)).unwrap();
     for entry in &advice {
-        let nats = entry.nats.iter().find(|(name, _)| *name == twin).unwrap().1;
+        let nats = entry.log_bayes_factors.iter().find(|(name, _)| *name == twin).unwrap().1;
         assert!(nats < 5.0, "{}: {nats}", entry.experiment);
     }
 }

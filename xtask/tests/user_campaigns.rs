@@ -9,8 +9,8 @@ use std::process::Command;
 
 use calibrate::Campaign;
 use coupling::ElasticWing;
-use discover::bank::{Thresholds, key};
 use discover::data::Dataset;
+use discover::null_distribution::{NullDistribution, key};
 use serde_json::Value;
 
 const WING: &str = "data/tuflex/wing_beam.ron";
@@ -93,14 +93,14 @@ fn campaign(name: &str, change: &Change<'_>) -> PathBuf {
 fn bank(campaign: &Path) -> PathBuf {
     let (file, wing) = ElasticWing::read(&root().join(WING)).unwrap();
     let data = Dataset::read(&Campaign::read(campaign).unwrap(), &wing).unwrap();
-    let limits = Thresholds {
+    let limits = NullDistribution {
         key: key(&file.hash, &data),
         misfit: 1.0,
         misfit_limit: 1.3,
         floor: [7.5, 7.5],
-        ..Thresholds::default()
+        ..NullDistribution::default()
     };
-    let path = campaign.join("null_bank.ron");
+    let path = campaign.join("null_distribution.ron");
     std::fs::write(&path, nastran::ron_file::to_text(&limits).unwrap()).unwrap();
     path
 }
@@ -130,7 +130,14 @@ fn searched(name: &str, change: &Change<'_>) -> (String, Value) {
     let bank = bank(&folder);
     let (status, out, said, result) = discover(
         name,
-        &["--wing", WING, "--campaign", folder.to_str().unwrap(), "--bank", bank.to_str().unwrap()],
+        &[
+            "--wing",
+            WING,
+            "--campaign",
+            folder.to_str().unwrap(),
+            "--null-distribution",
+            bank.to_str().unwrap(),
+        ],
     );
     assert_eq!(status, Some(0), "{said}");
     (out, result)
@@ -250,7 +257,8 @@ fn one_thread_and_two_give_the_same_bytes() {
     let run = |threads: &str| {
         let campaign = folder.to_str().unwrap();
         let bank = bank.to_str().unwrap();
-        let more = ["--wing", WING, "--campaign", campaign, "--bank", bank, "--threads", threads];
+        let more =
+            ["--wing", WING, "--campaign", campaign, "--null-distribution", bank, "--threads", threads];
         let (status, _, said, mut result) = discover(&format!("user-threads-{threads}"), &more);
         assert_eq!(status, Some(0), "{said}");
         assert!(result["seconds"].take().is_number());

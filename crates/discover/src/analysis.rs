@@ -1,16 +1,16 @@
 //! A campaign from beginning to end: noise, search, gap before and after.
 
-use crate::bank::Thresholds;
+use crate::current_model::{CurrentModel, Setting};
 use crate::data::Dataset;
+use crate::detection_limit::{DetectionLimit, detection_limits};
 use crate::gap::Gap;
-use crate::level::{Level, Setting};
+use crate::model_form::{LatticeVariant, kernel_variant, lag_variant};
 use crate::noise::{Noise, NoiseUnknown};
-use crate::numerics::{OtherLattice, other_doublets, other_lags};
+use crate::null_distribution::NullDistribution;
 use crate::problem::Problem;
 use crate::search::{Outcome, search};
-use crate::seen::{Seen, smallest_seen};
 use crate::simulator::{Simulator, SimulatorError, SplitRig};
-use crate::tones::{Tone, sentence, tones};
+use crate::spectral_lines::{SpectralLine, sentence, spectral_lines};
 use crate::uncertain::uncertain;
 use calibrate::{Campaign, Schedule, Use};
 use coupling::{ElasticWing, WingFile};
@@ -35,13 +35,13 @@ pub enum DiscoverError {
     Noise(#[from] NoiseUnknown),
 }
 
-/// A wing's rigs, with the model's numerics and with others: set up once for any number of campaigns.
+/// A wing's rigs, in the model's own form and in variants of it: set up once for any number of campaigns.
 #[derive(Debug)]
 pub struct Rigs<'a> {
     /// As `simulate` has it.
     pub own: SplitRig<'a>,
     /// With another rational function of the air, other doublets, another lattice.
-    pub others: Vec<SplitRig<'a>>,
+    pub variants: Vec<SplitRig<'a>>,
 }
 
 impl<'a> Rigs<'a> {
@@ -52,15 +52,15 @@ impl<'a> Rigs<'a> {
     pub fn new(
         file: &'a WingFile,
         wing: &'a ElasticWing,
-        lattice: Option<&'a OtherLattice>,
+        lattice: Option<&'a LatticeVariant>,
     ) -> Result<Self, DiscoverError> {
         let own = SplitRig::new(file, wing, AirModel::default())?;
-        let mut others = vec![SplitRig::new(file, wing, other_lags())?];
-        others.push(match lattice {
-            Some(lattice) => SplitRig::other(lattice, other_doublets())?,
-            None => SplitRig::new(file, wing, other_doublets())?,
+        let mut variants = vec![SplitRig::new(file, wing, lag_variant())?];
+        variants.push(match lattice {
+            Some(lattice) => SplitRig::on_lattice(lattice, kernel_variant())?,
+            None => SplitRig::new(file, wing, kernel_variant())?,
         });
-        Ok(Self { own, others })
+        Ok(Self { own, variants })
     }
 }
 
@@ -71,8 +71,8 @@ pub struct Prepared {
     pub data: Dataset,
     /// The wing in them.
     pub simulator: Simulator,
-    /// With other numerics.
-    pub others: Vec<Simulator>,
+    /// Model-form variants of it.
+    pub variants: Vec<Simulator>,
     /// The library.
     pub library: Vec<Arc<dyn Effect>>,
     /// What calibration knows only so well.
@@ -80,7 +80,7 @@ pub struct Prepared {
     /// The noise.
     pub noise: Noise,
     /// Tones that do not repeat.
-    pub tones: Vec<Tone>,
+    pub spectral_lines: Vec<SpectralLine>,
     /// How open the corrections are (see [`Setting::open_corrections`]).
     pub open_corrections: f64,
 }
@@ -89,7 +89,7 @@ pub struct Prepared {
 #[derive(Debug)]
 pub struct Report {
     /// The model at the end.
-    pub level: Level,
+    pub current: CurrentModel,
     /// The effects and what else the search says.
     pub outcome: Outcome,
     /// Gaps of training runs before and after, then of held-out runs.
@@ -112,16 +112,16 @@ impl Prepared {
         let data = Dataset::read(campaign, rigs.own.wing())?;
         let simulator = Simulator::new(&rigs.own, schedule, &data)?;
         let other = |rig| Ok(Simulator::new(rig, schedule, &data)?.matching(&simulator));
-        let others = rigs.others.iter().map(other).collect::<Result<_, DiscoverError>>()?;
+        let variants = rigs.variants.iter().map(other).collect::<Result<_, DiscoverError>>()?;
         let names = rigs.own.controls();
         let places: Vec<usize> = (0..data.runs.len()).map(|i| data.place_of_run(i)).collect();
         let flown = simulator.fly(&simulator.models(&[], None), &[], &places);
         let noise = Noise::new(&data, &flown)?;
-        let tones = tones(&data, &flown);
+        let spectral_lines = spectral_lines(&data, &flown);
         let open_corrections = if own_corrections { 1.0 } else { CALIBRATED };
         let library = library(&names);
         let uncertain = uncertain(&library, &names);
-        Ok(Self { data, simulator, others, library, uncertain, noise, tones, open_corrections })
+        Ok(Self { data, simulator, variants, library, uncertain, noise, spectral_lines, open_corrections })
     }
 
     /// What the search is given.
@@ -129,7 +129,7 @@ impl Prepared {
         Setting {
             data: &self.data,
             simulator: &self.simulator,
-            others: &self.others,
+            variants: &self.variants,
             library: &self.library,
             uncertain: &self.uncertain,
             open_corrections: self.open_corrections,
@@ -147,35 +147,35 @@ impl Prepared {
     }
 
     /// Thresholds from campaigns without effect.
-    pub fn thresholds(&self, seed: u64) -> Thresholds {
-        Thresholds::from_nulls(&self.setting(), &self.training(), &self.judged(), seed)
+    pub fn thresholds(&self, seed: u64) -> NullDistribution {
+        NullDistribution::from_null_campaigns(&self.setting(), &self.training(), &self.judged(), seed)
     }
 
     /// Searches.
-    pub fn search(&self, limits: &Thresholds, seed: u64) -> Report {
+    pub fn search(&self, limits: &NullDistribution, seed: u64) -> Report {
         let before = self.simulator.count();
         let setting = self.setting();
-        let (mut outcome, level) = search(&setting, &mut self.training(), limits, seed);
-        if let Some(sentence) = sentence(&self.tones) {
-            // no effect of the library makes a tone
+        let (mut outcome, current) = search(&setting, &mut self.training(), limits, seed);
+        if let Some(sentence) = sentence(&self.spectral_lines) {
+            // no effect of the library makes a spectral line
             outcome.unexplained = true;
             outcome.trace.push(sentence);
         }
         let gaps = self.judged().each_ref().map(|problem| {
             let plain: &[Active] = &[];
-            [plain, &level.effects].map(|effects| problem.gap(&self.flown(problem, &level, effects)))
+            [plain, &current.effects].map(|effects| problem.gap(&self.flown(problem, &current, effects)))
         });
-        Report { level, outcome, gaps, model_runs: self.simulator.count() - before }
+        Report { current, outcome, gaps, model_runs: self.simulator.count() - before }
     }
 
     /// What of every effect would have been named, where a search found nothing missing; empty otherwise.
-    pub fn smallest_seen(&self, report: &Report, limits: &Thresholds) -> Vec<Seen> {
+    pub fn detection_limits(&self, report: &Report, limits: &NullDistribution) -> Vec<DetectionLimit> {
         if !report.outcome.found.is_empty() || report.outcome.unexplained {
             return Vec::new();
         }
         let mut problem = self.training();
-        problem.set_tolerances(&report.level.flown, &[]);
-        smallest_seen(&self.setting(), &problem, &report.level, limits)
+        problem.set_tolerances(&report.current.flown, &[]);
+        detection_limits(&self.setting(), &problem, &report.current, limits)
     }
 
     /// Gaps of training and held-out runs as another simulator flies them with effects: corrections that were calibrated
@@ -187,8 +187,8 @@ impl Prepared {
             .map(|problem| problem.gap(&simulator.fly(&models, effects, &problem.places())))
     }
 
-    fn flown(&self, problem: &Problem<'_>, level: &Level, effects: &[Active]) -> Vec<Flown> {
-        let models = self.simulator.models(effects, Some(&level.models));
+    fn flown(&self, problem: &Problem<'_>, current: &CurrentModel, effects: &[Active]) -> Vec<Flown> {
+        let models = self.simulator.models(effects, Some(&current.models));
         self.simulator.fly(&models, effects, &problem.places())
     }
 }

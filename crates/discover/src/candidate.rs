@@ -1,9 +1,9 @@
-//! A candidate effect beside those found: screened by secants, fitted in the full simulation, weighed.
+//! A candidate effect beside those found: screened by secants, fitted in the full simulation, with its log Bayes factor.
 
-use crate::level::{Level, Setting};
+use crate::current_model::{CurrentModel, Setting};
 use crate::problem::Problem;
 use crate::trial::{Point, Trial, difference};
-use crate::uncertain::{NUDGES, known};
+use crate::uncertain::{PRIOR_WIDTHS, known};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 use maneuver::effects::{Active, Effect, Parameter};
@@ -68,11 +68,11 @@ impl Screened {
     pub fn new(
         setting: &Setting<'_>,
         problem: &Problem<'_>,
-        level: &Level,
+        current: &CurrentModel,
         effect: &Arc<dyn Effect>,
     ) -> Self {
         let parameters = effect.parameters();
-        let trial = Trial { setting, problem, level, effect, memory: level.memory.as_deref() };
+        let trial = Trial { setting, problem, current, effect, memory: current.memory.as_deref() };
         let started: Option<Point> = effect
             .starts()
             .iter()
@@ -82,17 +82,17 @@ impl Screened {
             })
             .min_by(|a, b| a.score.total_cmp(&b.score));
         let base = started.unwrap_or_else(|| trial.point_at_rest());
-        let at_base = difference(&level.residual, &base.residual);
+        let at_base = difference(&current.residual, &base.residual);
         if parameters.len() == 1 && base.sizes == [0.0] {
-            return Self::of_one_parameter(&trial, level, &parameters[0]);
+            return Self::of_one_parameter(&trial, current, &parameters[0]);
         }
         let columns: Vec<Vec<f64>> =
             (0..parameters.len()).map(|k| trial.secant(&parameters, k, (&base.sizes, &at_base))).collect();
         let secants = Mat::from_fn(problem.len(), columns.len(), |i, j| columns[j][i]);
-        let (step, gain) = linear_step(level, &secants, &base.residual, &base.sizes);
+        let (step, gain) = linear_step(current, &secants, &base.residual, &base.sizes);
         let start: Vec<f64> = base.sizes.iter().zip(step).map(|(a, b)| a + b).collect();
         let mut starts = vec![start.clone()];
-        let gain = gain + level.chi2 - base.score;
+        let gain = gain + current.chi2 - base.score;
         let flown = if base.sizes.iter().any(|size| *size != 0.0) {
             Some(base)
         } else {
@@ -103,35 +103,35 @@ impl Screened {
     }
 
     /// A single parameter: as small, as large, on either side as may be.
-    fn of_one_parameter(trial: &Trial<'_>, level: &Level, parameter: &Parameter) -> Self {
+    fn of_one_parameter(trial: &Trial<'_>, current: &CurrentModel, parameter: &Parameter) -> Self {
         let within = |size: &f64| (parameter.lower..=parameter.upper).contains(&(size * parameter.plausible));
         let sizes = if within(&-1.0) { &TRIED[..] } else { &TRIED_ONE_SIDED };
-        let little = level.chi2 < MUCH_MISSING * level.residual.len() as f64;
-        let largest = if little && !level.effects.is_empty() { 1.0 } else { f64::INFINITY };
+        let little = current.chi2 < MUCH_MISSING * current.residual.len() as f64;
+        let largest = if little && !current.effects.is_empty() { 1.0 } else { f64::INFINITY };
         let tried: Vec<(f64, Point)> = sizes
             .iter()
             .filter(|size| within(size) && size.abs() <= largest)
             .map(|size| (*size, trial.point(&[*size])))
             .collect();
         let secant = |tried: &(f64, Point)| {
-            let of = |i: usize, _: usize| (level.residual[i] - tried.1.residual[i]) / tried.0;
-            Mat::from_fn(level.residual.len(), 1, of)
+            let of = |i: usize, _: usize| (current.residual[i] - tried.1.residual[i]) / tried.0;
+            Mat::from_fn(current.residual.len(), 1, of)
         };
         // a secant says nothing of the other side
         let led = |tried: &(f64, Point)| {
-            let (step, gain) = linear_step(level, &secant(tried), &level.residual, &[0.0]);
+            let (step, gain) = linear_step(current, &secant(tried), &current.residual, &[0.0]);
             (step[0] * tried.0 > 0.0).then_some((step[0], gain))
         };
         let best = tried.iter().min_by(|a, b| a.1.score.total_cmp(&b.1.score));
         let by_secants: Vec<(f64, f64)> = tried.iter().filter_map(led).collect();
         let largest = by_secants.iter().max_by(|a, b| a.1.total_cmp(&b.1));
-        let gain = best.map_or(0.0, |best| level.chi2 - best.1.score).max(largest.map_or(0.0, |l| l.1));
+        let gain = best.map_or(0.0, |best| current.chi2 - best.1.score).max(largest.map_or(0.0, |l| l.1));
         let around = best.map_or(0.0, |best| best.0);
         let mut starts: Vec<Vec<f64>> = STARTS.iter().map(|share| vec![share * around]).collect();
         starts.extend(by_secants.iter().map(|(size, _)| vec![*size]));
         Self {
             effect: Arc::clone(trial.effect),
-            secants: best.map_or_else(|| Mat::zeros(level.residual.len(), 1), secant),
+            secants: best.map_or_else(|| Mat::zeros(current.residual.len(), 1), secant),
             gain,
             start: vec![largest.map_or(around, |largest| largest.0)],
             starts,
@@ -156,8 +156,8 @@ impl Screened {
 
     /// Fits the candidate in the full simulation: Levenberg and Marquardt with Broyden's updates of the secants, from what
     /// the secants say and from plausible sizes.
-    pub fn refit(&self, setting: &Setting<'_>, problem: &Problem<'_>, level: &Level) -> Refit {
-        let trial = Trial { setting, problem, level, effect: &self.effect, memory: None };
+    pub fn refit(&self, setting: &Setting<'_>, problem: &Problem<'_>, current: &CurrentModel) -> Refit {
+        let trial = Trial { setting, problem, current, effect: &self.effect, memory: None };
         let mut best = self.flown.clone();
         for start in &self.starts {
             let point = trial.point(start);
@@ -174,7 +174,7 @@ impl Screened {
         }
         let mut damping = 0.0;
         for taken in 0..MOST_STEPS {
-            let (step, _) = damped_step(level, &jacobian, &point, damping);
+            let (step, _) = damped_step(current, &jacobian, &point, damping);
             let sizes: Vec<f64> = point.sizes.iter().zip(&step).map(|(a, b)| a + b).collect();
             let next = trial.point(&sizes);
             broyden(&mut jacobian, &point, &next);
@@ -197,7 +197,7 @@ impl Screened {
 impl Trial<'_> {
     fn finish(&self, point: Point, jacobian: &Mat<f64>) -> Refit {
         let parameters = self.effect.parameters();
-        let gram = self.level.shared.gram(jacobian.as_ref());
+        let gram = self.current.shared.gram(jacobian.as_ref());
         let k = gram.nrows();
         let mut precision = gram.clone();
         for j in 0..k {
@@ -222,33 +222,41 @@ impl Trial<'_> {
 }
 
 impl Refit {
-    /// Logarithm of the Bayes factor against the level without the candidate, chi square divided by `phi`, by Laplace's
+    /// Logarithm of the Bayes factor against the current model, chi square divided by `phi`, by Laplace's
     /// method with a normal prior of the plausible sizes: `(chi²_0 - chi²_e)/(2 phi) - prior/2 - ½ ln |I + J'J/phi|`.
-    pub fn evidence(&self, level: &Level, phi: f64) -> f64 {
+    pub fn evidence(&self, current: &CurrentModel, phi: f64) -> f64 {
         let occam: f64 = self.eigenvalues.iter().map(|e| 0.5 * (1.0 + e / phi).ln()).sum();
-        0.5 * (level.chi2 - self.chi2) / phi - 0.5 * self.prior - occam
+        0.5 * (current.chi2 - self.chi2) / phi - 0.5 * self.prior - occam
     }
 
-    /// Whether its values are what its name says, and some is larger than calibration could have it.
-    pub fn is_more_than_a_nudge(&self) -> bool {
-        if !self.active.effect.is_itself(&self.active.values) {
-            return false;
-        }
+    /// Whether its values are what its name says (see [`Effect::is_itself`]).
+    pub fn is_itself(&self) -> bool {
+        self.active.effect.is_itself(&self.active.values)
+    }
+
+    /// Whether no value is larger than calibration could have left it.
+    pub fn is_within_prior(&self) -> bool {
         let parameters = self.active.parameters();
         let name = self.active.effect.spec().name;
-        self.active.values.iter().enumerate().any(|(k, value)| {
-            let bound = known(name, k).map_or(0.02 * parameters[k].plausible, |sigma| NUDGES * sigma);
+        let is_beyond = |(k, value): (usize, &f64)| {
+            let bound = known(name, k).map_or(0.02 * parameters[k].plausible, |sigma| PRIOR_WIDTHS * sigma);
             value.abs() > bound
-        })
+        };
+        !self.active.values.iter().enumerate().any(is_beyond)
     }
 }
 
 /// The step that the linear model takes, and what chi square falls by.
-fn linear_step(level: &Level, jacobian: &Mat<f64>, residual: &[f64], sizes: &[f64]) -> (Vec<f64>, f64) {
+fn linear_step(
+    current: &CurrentModel,
+    jacobian: &Mat<f64>,
+    residual: &[f64],
+    sizes: &[f64],
+) -> (Vec<f64>, f64) {
     let k = jacobian.ncols();
     let stacked =
         Mat::from_fn(residual.len(), k + 1, |i, j| if j < k { jacobian[(i, j)] } else { residual[i] });
-    let gram = level.shared.gram(stacked.as_ref());
+    let gram = current.shared.gram(stacked.as_ref());
     let mut normal = gram.submatrix(0, 0, k, k).to_owned();
     for j in 0..k {
         normal[(j, j)] += 1.0;
@@ -262,8 +270,8 @@ fn linear_step(level: &Level, jacobian: &Mat<f64>, residual: &[f64], sizes: &[f6
     ((0..k).map(|j| step[(j, 0)]).collect(), gain)
 }
 
-fn damped_step(level: &Level, jacobian: &Mat<f64>, point: &Point, damping: f64) -> (Vec<f64>, f64) {
-    let (step, gain) = linear_step(level, jacobian, &point.residual, &point.sizes);
+fn damped_step(current: &CurrentModel, jacobian: &Mat<f64>, point: &Point, damping: f64) -> (Vec<f64>, f64) {
+    let (step, gain) = linear_step(current, jacobian, &point.residual, &point.sizes);
     (step.iter().map(|s| s / (1.0 + damping)).collect(), gain)
 }
 

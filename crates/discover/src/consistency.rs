@@ -7,9 +7,9 @@
 //! between groups instead, and to the form of the effects beside it. Uncertainties are those of the model with the effects:
 //! a mass moves the resonance at which they act.
 
-use crate::level::{Level, Setting};
+use crate::current_model::{CurrentModel, Setting};
 use crate::problem::Problem;
-use crate::uncertain::{NUDGES, known};
+use crate::uncertain::{PRIOR_WIDTHS, known};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 use maneuver::effects::Active;
@@ -27,9 +27,9 @@ const FORM_OF_MASS: f64 = 0.2;
 const FORM_OF_SCALE: f64 = 0.08;
 /// What changes the level of all loads...
 const LOAD_LEVEL: [&str; 3] = ["lift_slope", "q_error", "gain"];
-/// ... and how much of it other numerics are off by in one kind of maneuver.
+/// ... and how much of it model-form variants are off by in one kind of maneuver.
 const LOAD_LEVEL_OFF: f64 = 0.01;
-/// Most that numerics may be off by, as a share of an effect.
+/// Most that the model's form may be off by, as a share of an effect.
 const OFF_MOST: f64 = 0.2;
 /// A group that knows its share worse than this is left out.
 const KNOWN: f64 = 0.25;
@@ -81,11 +81,15 @@ impl std::fmt::Display for Share {
     }
 }
 
-/// Shares of one of the level's effects by group; those that know it badly are left out. `problem` and `level` are
-/// [`Level::strict`] for it.
-pub fn shares(setting: &Setting<'_>, (problem, level): (&Problem<'_>, &Level), which: usize) -> Vec<Share> {
-    let residual = &level.residual;
-    let contribution = level.contribution(problem, which);
+/// Shares of one of the current model's effects by group; those that know it badly are left out. `problem` and `current` are
+/// [`CurrentModel::strict`] for it.
+pub fn shares(
+    setting: &Setting<'_>,
+    (problem, current): (&Problem<'_>, &CurrentModel),
+    which: usize,
+) -> Vec<Share> {
+    let residual = &current.residual;
+    let contribution = current.contribution(problem, which);
     let groups = groups(setting, problem);
     let cut = |segments: &[usize]| {
         let mut column = vec![0.0; contribution.len()];
@@ -98,7 +102,7 @@ pub fn shares(setting: &Setting<'_>, (problem, level): (&Problem<'_>, &Level), w
     let columns: Vec<Vec<f64>> = groups.values().map(|segments| cut(segments)).collect();
     let k = columns.len();
     let stacked = Mat::from_fn(residual.len(), k + 1, |i, j| if j < k { columns[j][i] } else { residual[i] });
-    let gram = level.shared.gram(stacked.as_ref());
+    let gram = current.shared.gram(stacked.as_ref());
     // a share of one more or less is as much as may be expected of any group
     let normal = Mat::from_fn(k, k, |i, j| gram[(i, j)] + f64::from(u8::from(i == j)));
     let Ok(factor) = normal.llt(Side::Lower) else { return Vec::new() };
@@ -128,10 +132,10 @@ pub fn scatter(effect: &Active, shares: &[Share]) -> Option<f64> {
         "wing_mass_error" => return spread(&shares, FORM_OF_SCALE),
         _ => FORM,
     };
-    // what other numerics are off by in one kind of maneuver is a larger share of a smaller effect
+    // what model-form variants are off by in one kind of maneuver is a larger share of a smaller effect
     let off = known(name, 0).or(LOAD_LEVEL.contains(&name).then_some(LOAD_LEVEL_OFF));
     let largest = effect.values.iter().map(|value| value.abs()).fold(f64::MIN_POSITIVE, f64::max);
-    let off = (NUDGES * off.unwrap_or(0.0) / largest).min(OFF_MOST);
+    let off = (PRIOR_WIDTHS * off.unwrap_or(0.0) / largest).min(OFF_MOST);
     spread(&shares, form.hypot(off))
 }
 

@@ -1,8 +1,8 @@
 //! Which candidates the data do not tell apart: a bootstrap over segments.
 
-use crate::level::Level;
+use crate::current_model::CurrentModel;
 use crate::problem::Problem;
-use crate::weigh::Weighed;
+use crate::rank::Ranked;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{RngCore, SeedableRng};
 
@@ -33,25 +33,25 @@ pub(crate) struct Draws {
 /// count for the best one: that it was preferred to it is not the data's doing.
 pub(crate) fn distinguish(
     problem: &Problem<'_>,
-    level: &Level,
-    weighed: &[Weighed],
-    (best, instead): (&Weighed, Option<&Weighed>),
+    current: &CurrentModel,
+    ranked: &[Ranked],
+    (best, instead): (&Ranked, Option<&Ranked>),
     seed: u64,
 ) -> Draws {
     let rows = problem.len() as f64;
     let phi = (best.refit.chi2 / rows).max(1.0);
-    let by_segment = |w: &Weighed| -> Vec<f64> {
-        let weighted = level.shared.weighted(&w.refit.residual);
+    let by_segment = |w: &Ranked| -> Vec<f64> {
+        let weighted = current.shared.weighted(&w.refit.residual);
         let of = |segment: &crate::problem::Segment| {
             segment.rows.clone().map(|i| w.refit.residual[i] * weighted[i]).sum::<f64>()
         };
         problem.segments.iter().map(of).collect()
     };
-    let shares: Vec<Vec<f64>> = weighed.iter().map(by_segment).collect();
-    let fixed: Vec<f64> = weighed.iter().map(|w| w.evidence + 0.5 * w.refit.chi2 / phi).collect();
+    let shares: Vec<Vec<f64>> = ranked.iter().map(by_segment).collect();
+    let fixed: Vec<f64> = ranked.iter().map(|w| w.evidence + 0.5 * w.refit.chi2 / phi).collect();
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let count = problem.segments.len();
-    let mut wins = vec![0_usize; weighed.len()];
+    let mut wins = vec![0_usize; ranked.len()];
     for _ in 0..DRAWS {
         let mut weights = vec![0.0; count];
         for _ in 0..count {
@@ -61,17 +61,17 @@ pub(crate) fn distinguish(
             let chi2: f64 = shares[c].iter().zip(&weights).map(|(s, w)| s * w).sum();
             fixed[c] - 0.5 * chi2 / phi
         };
-        if let Some(winner) = (0..weighed.len()).max_by(|a, b| score(*a).total_cmp(&score(*b))) {
+        if let Some(winner) = (0..ranked.len()).max_by(|a, b| score(*a).total_cmp(&score(*b))) {
             wins[winner] += 1;
         }
     }
     let share = |name: &str| {
-        let of_name = weighed.iter().zip(&wins).filter(|(w, _)| w.name() == name);
+        let of_name = ranked.iter().zip(&wins).filter(|(w, _)| w.name() == name);
         of_name.map(|(_, wins)| *wins).sum::<usize>() as f64 / DRAWS as f64
     };
     let close = CLOSE.max(CLOSE_SHARE * best.evidence.abs());
     let mut set: Vec<&'static str> = Vec::new();
-    for rival in weighed.iter().filter(|w| w.name() != best.name()) {
+    for rival in ranked.iter().filter(|w| w.name() != best.name()) {
         let wins = share(rival.name()) >= IN_SET && rival.evidence > RIVAL_SHARE * best.evidence;
         let close = wins || rival.evidence > best.evidence - close;
         // forms of one effect have one name
@@ -83,13 +83,13 @@ pub(crate) fn distinguish(
     let counted = |name: &str| name == best.name() || instead.is_some_and(|other| other.name() == name);
     let spec = best.refit.active.effect.spec();
     let rival = |name: &&'static str| {
-        let of = weighed.iter().find(|w| w.name() == *name);
+        let of = ranked.iter().find(|w| w.name() == *name);
         !counted(name) && of.is_some_and(|w| w.refit.active.effect.spec().is_rival_of(spec))
     };
     let rivals: f64 = set.iter().filter(|name| rival(name)).map(|name| share(name)).sum();
-    let plausible = |w: &Weighed| counted(w.name()) || w.evidence > RIVAL_SHARE * best.evidence;
+    let plausible = |w: &Ranked| counted(w.name()) || w.evidence > RIVAL_SHARE * best.evidence;
     let plausible =
-        weighed.iter().zip(&wins).filter(|(w, _)| plausible(w)).map(|(_, wins)| *wins).sum::<usize>();
+        ranked.iter().zip(&wins).filter(|(w, _)| plausible(w)).map(|(_, wins)| *wins).sum::<usize>();
     let plausible = plausible as f64 / DRAWS as f64;
     let with_rivals = if plausible > 0.0 { (own + rivals) / plausible } else { 0.0 };
     Draws { own, with_rivals, confused_with: set }

@@ -1,30 +1,30 @@
 #![doc = include_str!("../README.md")]
 
 pub mod analysis;
-pub mod bank;
+mod backward_step;
 pub mod candidate;
 mod channels;
 mod conditions;
 pub mod consistency;
+pub mod current_model;
 pub mod data;
+pub mod data_checks;
+pub mod detection_limit;
 pub mod directions;
 mod distinguish;
 pub mod gap;
-pub mod gate;
-pub mod level;
 pub mod locate;
+pub mod model_form;
 pub mod next;
 pub mod noise;
-pub mod numerics;
+pub mod null_distribution;
 pub mod problem;
-mod revise;
+pub mod rank;
 pub mod search;
-pub mod seen;
 pub mod shared;
 pub mod simulator;
+pub mod spectral_lines;
 mod tolerance;
-pub mod tones;
 pub mod transform;
 mod trial;
 pub mod uncertain;
-pub mod weigh;

@@ -179,7 +179,7 @@ fn check_known(data: &Dataset, no_pairs: bool, scatter: [f64; 3]) -> Result<(), 
     let nothing_repeats =
         if of_points { "no static point repeats another" } else { "no training run repeats another" };
     match (0..3).find(|&c| there[c] && !repeated(c) && !stated(c, of_points)) {
-        Some(c) => Err(NoiseUnknown { nothing_repeats, load: crate::gate::CHANNELS[c] }),
+        Some(c) => Err(NoiseUnknown { nothing_repeats, load: crate::data_checks::CHANNELS[c] }),
         None => Ok(()),
     }
 }

@@ -3,7 +3,7 @@
 //! `r = N⁻¹ T (y - f)`: cosine coefficients of measured minus simulated loads over their noise, then freed from what a run
 //! may be off by without any effect (T): an offset, a gain of its mean and of its motion, a shift in time, and a share of
 //! every effect found already (its form is never exact). The unit is therefore the run, not the sample. What all runs
-//! share (calibrated parameters, corrections, numerics) are further columns G with unit normal amplitudes:
+//! share (calibrated parameters, corrections, model form) are further columns G with unit normal amplitudes:
 //! `r' (I + G G')⁻¹ r`.
 
 use crate::data::Dataset;

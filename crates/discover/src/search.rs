@@ -1,28 +1,28 @@
-//! Effects one after the other, each weighed against all others, until none is left that the data ask for.
+//! Effects one after the other, each ranked against all others, until none is left that the data ask for.
 
-use crate::bank::Thresholds;
+use crate::backward_step::backward_step;
 use crate::candidate::Refit;
 use crate::consistency::{Share, scatter, shares};
+use crate::current_model::{CurrentModel, Setting};
 use crate::distinguish::{CLOSE, CLOSE_SHARE, Draws, distinguish};
-use crate::level::{Level, Setting};
+use crate::null_distribution::NullDistribution;
 use crate::problem::Problem;
-use crate::revise::revise;
-use crate::weigh::{Weighed, weigh};
+use crate::rank::{Ranked, rank};
 use maneuver::effects::Active;
 
 /// Most effects that one campaign may lack.
 const MOST: usize = 4;
 /// An effect that adds less than this of the first one's evidence only repairs the first one's form.
 const REPAIR_SHARE: f64 = 0.008;
-/// More nats than this repair no form...
+/// A larger log Bayes factor than this repairs no form...
 const NO_REPAIR: f64 = 100.0;
 /// ... but that of a rival, which needs this share of the evidence of the one that it is a rival of.
 const REPAIR_SHARE_OF_RIVAL: f64 = 0.2;
-/// Nats that another program's numerics may add to an effect or take from it (see `bank`).
+/// Log Bayes factor that the form of another program's model may add to an effect or take from it (see `null_distribution`).
 const NUMERICS: f64 = 45.0;
 /// Confidence in what goes first by its odds, not by the data: of two lags that are late, one of a kind that is early as often.
 const ODDS: f64 = 2.0 / 3.0;
-/// What had less than this of its evidence is not weighed in its place again when more was found.
+/// What had less than this of its evidence is not ranked in its place again when more was found.
 const CONSIDERED: f64 = 0.2;
 /// Where no candidate wins this share of draws together with what the library calls its rivals, the data do not say which
 /// it is, and none is named.
@@ -61,7 +61,7 @@ pub struct Found {
     pub confused_with: Vec<&'static str>,
     /// These as fitted in its place.
     pub rivals: Vec<Refit>,
-    /// What was weighed and had some of its evidence when it was named: what may take its place.
+    /// What was ranked and had some of its evidence when it was named: what may take its place.
     pub considered: Vec<&'static str>,
     /// The size that each airspeed and kind of maneuver alone would give it, over the one found.
     pub shares: Vec<Share>,
@@ -75,11 +75,11 @@ pub struct Outcome {
     /// Chi square a row before any effect, and with all found.
     pub misfit: [f64; 2],
     /// The best candidate that was not named.
-    pub next_best: Option<Weighed>,
+    pub next_best: Option<Ranked>,
     /// Whether more is missing than the library explains, or something that it does not tell apart.
     pub unexplained: bool,
-    /// Candidates of the first level by falling evidence.
-    pub first_level: Vec<(String, f64, f64)>,
+    /// Candidates beside the bare model by falling evidence.
+    pub first_ranking: Vec<(String, f64, f64)>,
     /// What the search did, step by step.
     pub trace: Vec<String>,
 }
@@ -88,54 +88,55 @@ pub struct Outcome {
 pub fn search(
     setting: &Setting<'_>,
     problem: &mut Problem<'_>,
-    limits: &Thresholds,
+    limits: &NullDistribution,
     seed: u64,
-) -> (Outcome, Level) {
+) -> (Outcome, CurrentModel) {
     let rows = problem.len() as f64;
-    let level = Level::new(setting, problem, &[], None);
-    let start = level.chi2;
-    let bare = (problem.clone(), level.clone());
-    let mut so_far = SoFar { level, outcome: Outcome::default(), first_evidence: None, undecided: false };
+    let current = CurrentModel::new(setting, problem, &[], None);
+    let start = current.chi2;
+    let bare = (problem.clone(), current.clone());
+    let mut so_far = SoFar { current, outcome: Outcome::default(), first_evidence: None, undecided: false };
     // what a step takes back a later one may find again: steps end, whatever they do
     for _ in 0..2 * MOST {
         if so_far.outcome.found.len() == MOST || !so_far.step(setting, (&mut *problem, &bare), limits, seed) {
             break;
         }
     }
-    let SoFar { mut level, mut outcome, undecided, .. } = so_far;
+    let SoFar { mut current, mut outcome, undecided, .. } = so_far;
     // what was found beside an effect is no rival of it
     let names: Vec<&str> = outcome.found.iter().map(name).collect();
     for effect in &mut outcome.found {
         effect.confused_with.retain(|rival| !names.contains(rival));
         effect.rivals.retain(|rival| !names.contains(&rival.active.effect.spec().name));
     }
-    let explained = (start - level.chi2) / (start - rows * limits.misfit).max(f64::MIN_POSITIVE);
-    if level.chi2 > rows * limits.misfit_limit && explained < EXPLAINED_BY_ALL && !outcome.found.is_empty() {
+    let explained = (start - current.chi2) / (start - rows * limits.misfit).max(f64::MIN_POSITIVE);
+    if current.chi2 > rows * limits.misfit_limit && explained < EXPLAINED_BY_ALL && !outcome.found.is_empty()
+    {
         outcome.trace.push(format!("all of it explains {explained:.2} of the misfit: none is named"));
         outcome.found.clear();
-        level = Level::new(setting, problem, &[], Some(&level.models));
+        current = CurrentModel::new(setting, problem, &[], Some(&current.models));
     }
-    let limit = if level.chi2 > rows * limits.misfit_limit { SCATTER_UNEXPLAINED } else { SCATTER };
-    let undecided = judge_parts(setting, (problem, &level), limit, &mut outcome) || undecided;
-    if outcome.found.len() != level.effects.len() {
-        level = Level::new(setting, problem, &others(&outcome.found, &[]), Some(&level.models));
+    let limit = if current.chi2 > rows * limits.misfit_limit { SCATTER_UNEXPLAINED } else { SCATTER };
+    let undecided = judge_parts(setting, (problem, &current), limit, &mut outcome) || undecided;
+    if outcome.found.len() != current.effects.len() {
+        current = CurrentModel::new(setting, problem, &others(&outcome.found, &[]), Some(&current.models));
     }
-    outcome.misfit = [start / rows, level.chi2 / rows];
+    outcome.misfit = [start / rows, current.chi2 / rows];
     outcome.unexplained = outcome.misfit[1] > limits.misfit_limit || undecided && outcome.found.is_empty();
-    (outcome, level)
+    (outcome, current)
 }
 
 /// Judges every effect from parts of the data, and drops those whose parts disagree (all, if the first is one: what was
 /// found beside a wrong effect is not to be believed). Whether any was dropped.
 fn judge_parts(
     setting: &Setting<'_>,
-    (problem, level): (&Problem<'_>, &Level),
+    (problem, current): (&Problem<'_>, &CurrentModel),
     limit: f64,
     outcome: &mut Outcome,
 ) -> bool {
     for (which, found) in outcome.found.iter_mut().enumerate() {
         let mut strict = problem.clone();
-        let around = level.strict(&mut strict, which);
+        let around = current.strict(&mut strict, which);
         found.shares = shares(setting, (&strict, &around), which);
     }
     let disagree =
@@ -155,7 +156,7 @@ fn judge_parts(
 
 /// A search on its way.
 struct SoFar {
-    level: Level,
+    current: CurrentModel,
     outcome: Outcome,
     first_evidence: Option<f64>,
     undecided: bool,
@@ -166,30 +167,30 @@ impl SoFar {
     fn step(
         &mut self,
         setting: &Setting<'_>,
-        (problem, bare): (&mut Problem<'_>, &(Problem<'_>, Level)),
-        limits: &Thresholds,
+        (problem, bare): (&mut Problem<'_>, &(Problem<'_>, CurrentModel)),
+        limits: &NullDistribution,
         seed: u64,
     ) -> bool {
-        let weighed = weigh(setting, problem, &self.level, limits);
+        let ranked = rank(setting, problem, &self.current, limits);
         if self.first_evidence.is_none() {
-            self.outcome.first_level = weighed
+            self.outcome.first_ranking = ranked
                 .iter()
                 .map(|w| (format!("{} {}", w.name(), w.refit.active.effect.form()), w.evidence, w.threshold))
                 .collect();
         }
-        let Some(Best { candidate: best, instead, needed }) = self.best(&weighed) else {
-            self.outcome.next_best = weighed.into_iter().next();
+        let Some(Best { candidate: best, instead, needed }) = self.best(&ranked) else {
+            self.outcome.next_best = ranked.into_iter().next();
             return false;
         };
-        let (rows, chi2) = (problem.len() as f64, self.level.chi2);
+        let (rows, chi2) = (problem.len() as f64, self.current.chi2);
         let explained = (chi2 - best.refit.chi2) / (chi2 - rows * limits.misfit).max(f64::MIN_POSITIVE);
         let Draws { own: share, with_rivals, confused_with } =
-            distinguish(problem, &self.level, &weighed, (best, instead), seed);
+            distinguish(problem, &self.current, &ranked, (best, instead), seed);
         let explains = chi2 <= rows * limits.misfit_limit || explained >= EXPLAINED;
         if with_rivals < WINS || !explains {
             self.undecided = with_rivals < WINS;
             self.outcome.trace.push(format!(
-                "{} at {:.0} nats wins {with_rivals:.2} of the draws and explains {explained:.2} of the misfit: not named",
+                "{} at a log Bayes factor of {:.0} wins {with_rivals:.2} of the draws and explains {explained:.2} of the misfit: not named",
                 best.name(),
                 best.evidence
             ));
@@ -198,7 +199,7 @@ impl SoFar {
         }
         self.first_evidence.get_or_insert(best.evidence);
         self.outcome.trace.push(format!(
-            "{} named at {:.0} nats, {needed:.0} needed",
+            "{} named at a log Bayes factor of {:.0}, {needed:.0} needed",
             best.name(),
             best.evidence
         ));
@@ -208,46 +209,48 @@ impl SoFar {
             evidence: best.evidence,
             named_at: best.evidence,
             confidence: if instead.is_some() { ODDS } else { right(share, !confused_with.is_empty()) },
-            rivals: confused_with.iter().filter_map(|name| fitted(&weighed, name)).collect(),
+            rivals: confused_with.iter().filter_map(|name| fitted(&ranked, name)).collect(),
             confused_with,
-            considered: weighed
+            considered: ranked
                 .iter()
                 .filter(|w| w.evidence > CONSIDERED * best.evidence)
-                .map(Weighed::name)
+                .map(Ranked::name)
                 .collect(),
             shares: Vec::new(),
         });
         let effects = others(&self.outcome.found, &[]);
         if effects.len() == 1 {
-            self.level = Level::new(setting, problem, &effects, Some(&self.level.models));
+            self.current = CurrentModel::new(setting, problem, &effects, Some(&self.current.models));
             return true;
         }
-        self.level = self.level.beside(setting, problem, &effects);
-        let more = revise(setting, (problem, bare), limits, &mut self.outcome.found, &mut self.level);
+        self.current = self.current.beside(setting, problem, &effects);
+        let more =
+            backward_step(setting, (problem, bare), limits, &mut self.outcome.found, &mut self.current);
         let names: Vec<&str> = self.outcome.found.iter().map(name).collect();
-        self.outcome.trace.push(format!("all weighed again: {}", names.join(", ")));
+        self.outcome.trace.push(format!("all fitted again: {}", names.join(", ")));
         more
     }
 
     /// The best candidate that has the evidence it needs, and how much that is; and the one with more evidence that it goes
     /// before by its odds.
-    fn best<'a>(&self, weighed: &'a [Weighed]) -> Option<Best<'a>> {
+    fn best<'a>(&self, ranked: &'a [Ranked]) -> Option<Best<'a>> {
         let least = no_repair(self.first_evidence.unwrap_or(0.0));
-        let rivals = |w: &Weighed| {
+        let rivals = |w: &Ranked| {
             let found = self.outcome.found.iter();
             let rivals = found.filter(|f| f.active.effect.spec().is_rival_of(w.refit.active.effect.spec()));
             rivals.map(|rival| REPAIR_SHARE_OF_RIVAL * rival.named_at).fold(0.0, f64::max)
         };
-        let needed = |w: &Weighed| w.threshold.max(least).max(rivals(w));
-        let counts = |w: &&Weighed| w.evidence > needed(w) && w.refit.is_more_than_a_nudge();
-        let first = weighed.iter().find(counts)?;
+        let needed = |w: &Ranked| w.threshold.max(least).max(rivals(w));
+        let counts =
+            |w: &&Ranked| w.evidence > needed(w) && w.refit.is_itself() && !w.refit.is_within_prior();
+        let first = ranked.iter().find(counts)?;
         let close = NUMERICS.min(CLOSE_SHARE * first.evidence);
-        let odd = |w: &&Weighed| counts(w) && w.has_one_side() && first.evidence - w.evidence < close;
-        let simpler = |w: &&Weighed| {
+        let odd = |w: &&Ranked| counts(w) && w.has_one_side() && first.evidence - w.evidence < close;
+        let simpler = |w: &&Ranked| {
             counts(w) && w.parameters() < first.parameters() && first.evidence - w.evidence < CLOSE
         };
-        let preferred = weighed.iter().find(odd).filter(|_| first.has_two_sides());
-        let preferred = preferred.or_else(|| weighed.iter().find(simpler));
+        let preferred = ranked.iter().find(odd).filter(|_| first.has_two_sides());
+        let preferred = preferred.or_else(|| ranked.iter().find(simpler));
         let best = preferred.unwrap_or(first);
         Some(Best { candidate: best, instead: preferred.map(|_| first), needed: needed(best) })
     }
@@ -255,9 +258,9 @@ impl SoFar {
 
 /// A candidate that is to be named.
 struct Best<'a> {
-    candidate: &'a Weighed,
-    /// What has more evidence, though less than numerics may make of it, and lesser odds.
-    instead: Option<&'a Weighed>,
+    candidate: &'a Ranked,
+    /// What has more evidence, though less than the model's form may make of it, and lesser odds.
+    instead: Option<&'a Ranked>,
     /// Nats that it needed.
     needed: f64,
 }
@@ -273,8 +276,8 @@ pub(crate) fn with_form(refit: &Refit) -> Vec<f64> {
 }
 
 /// The best fit of a name.
-fn fitted(weighed: &[Weighed], name: &str) -> Option<Refit> {
-    weighed.iter().find(|w| w.name() == name).map(|w| w.refit.clone())
+fn fitted(ranked: &[Ranked], name: &str) -> Option<Refit> {
+    ranked.iter().find(|w| w.name() == name).map(|w| w.refit.clone())
 }
 
 /// How often a name with this share of draws was right.

@@ -1,7 +1,7 @@
 //! The wing flown through all of a campaign's points and runs, with any effects.
 
 use crate::data::Dataset;
-use crate::numerics::{OtherLattice, matched, picked};
+use crate::model_form::{LatticeVariant, matched, picked};
 use aero::{Corrections, Flow};
 use calibrate::{Outside, Schedule};
 use coupling::{CouplingError, ElasticWing, Mount, WingFile};
@@ -37,7 +37,7 @@ pub struct Simulator {
     pub rigs: Vec<Compact>,
     /// As [`Dataset::stimuli`] has them: airspeed and stimulus.
     stimuli: Vec<(usize, Stimulus)>,
-    /// Directions of corrections with which a wing of other numerics has the static loads of the own.
+    /// Directions of corrections with which a model-form variant has the static loads of the own.
     matched: Vec<Active>,
     runs: AtomicUsize,
 }
@@ -73,7 +73,7 @@ impl<'a> SplitRig<'a> {
     ///
     /// # Errors
     /// As [`Self::new`].
-    pub fn other(other: &'a OtherLattice, air: AirModel) -> Result<Self, SimulatorError> {
+    pub fn on_lattice(other: &'a LatticeVariant, air: AirModel) -> Result<Self, SimulatorError> {
         Ok(Self { boxes: Some(&other.boxes), ..Self::new(&other.file, &other.wing, air)? })
     }
 

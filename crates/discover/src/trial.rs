@@ -1,6 +1,6 @@
-//! An effect at some size beside those of a level: what it changes, and what misfit that leaves.
+//! An effect at some size beside those of the current model: what it changes, and what misfit that leaves.
 
-use crate::level::{Level, Setting, norm};
+use crate::current_model::{CurrentModel, Setting, norm};
 use crate::problem::Problem;
 use maneuver::effects::{Active, Effect, Flown, Parameter};
 use std::collections::HashMap;
@@ -9,7 +9,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 /// Effect, form, sizes.
 type Key = (&'static str, &'static str, Vec<u64>);
 
-/// Changes that were flown around one level: they depend on its effects and on what was commanded, not on what was measured.
+/// Changes that were flown around one current model: they depend on its effects and on what was commanded, not on what was measured.
 #[derive(Debug, Default)]
 pub(crate) struct Memory(Mutex<HashMap<Key, Arc<Vec<f64>>>>);
 
@@ -19,11 +19,11 @@ impl Memory {
     }
 }
 
-/// Something to try around a level.
+/// Something to try around the current model.
 pub(crate) struct Trial<'a> {
     pub(crate) setting: &'a Setting<'a>,
     pub(crate) problem: &'a Problem<'a>,
-    pub(crate) level: &'a Level,
+    pub(crate) current: &'a CurrentModel,
     pub(crate) effect: &'a Arc<dyn Effect>,
     /// Where changes are kept that other measurements of the same points and runs will ask for again.
     pub(crate) memory: Option<&'a Memory>,
@@ -88,16 +88,16 @@ impl Trial<'_> {
     }
 
     fn flown_change(&self, sizes: &[f64]) -> Vec<f64> {
-        let mut effects = self.level.effects.clone();
+        let mut effects = self.current.effects.clone();
         effects.push(self.active(sizes));
         let simulator = self.setting.simulator;
         let flown = simulator.fly(
-            &simulator.models(&effects, Some(&self.level.models)),
+            &simulator.models(&effects, Some(&self.current.models)),
             &effects,
             &self.problem.places(),
         );
         let all: Vec<usize> = (0..self.problem.segments.len()).collect();
-        let before: Vec<&Flown> = self.level.flown.iter().collect();
+        let before: Vec<&Flown> = self.current.flown.iter().collect();
         self.problem.change(&all, &flown, &before)
     }
 
@@ -107,8 +107,8 @@ impl Trial<'_> {
         let allowed = self.active(sizes).values;
         let sizes: Vec<f64> = allowed.iter().zip(&parameters).map(|(value, p)| value / p.plausible).collect();
         let change = self.change(&sizes);
-        let residual = difference(&self.level.residual, &change);
-        let chi2 = norm(&self.level.shared, &residual);
+        let residual = difference(&self.current.residual, &change);
+        let chi2 = norm(&self.current.shared, &residual);
         let score = chi2 + sizes.iter().map(|s| s * s).sum::<f64>();
         Point { sizes, residual, chi2, score }
     }
@@ -117,9 +117,9 @@ impl Trial<'_> {
         let none = vec![0.0; self.effect.parameters().len()];
         Point {
             sizes: none,
-            residual: self.level.residual.clone(),
-            chi2: self.level.chi2,
-            score: self.level.chi2,
+            residual: self.current.residual.clone(),
+            chi2: self.current.chi2,
+            score: self.current.chi2,
         }
     }
 }

@@ -23,7 +23,7 @@ const KNOWN: [(&str, usize, f64); 11] = [
 ];
 
 /// How many of these standard deviations an effect must have before it is more than a matter of calibration.
-pub const NUDGES: f64 = 2.5;
+pub const PRIOR_WIDTHS: f64 = 2.5;
 /// Standard deviation of each wave of the lift along the span.
 const WAVE: f64 = 0.015;
 /// Half waves of the first and the last: those that the corrections' directions do not hold.

@@ -33,7 +33,7 @@ pub struct HiddenArgs {
 
 Static points and training runs are searched for effects that the model lacks; held-out runs only judge. Defects of the data
 stop the search (exit status 3). Written: wing.ron (the wing with the effects), corrections.ron (calibrated again with
-them), null_bank.ron (what the search finds where nothing is missing), runs/NAME.csv and .svg of held-out runs, result.json.")]
+them), null_distribution.ron (log Bayes factors where no effect is missing), runs/NAME.csv and .svg of held-out runs, result.json.")]
 pub struct DiscoverArgs {
     /// The wing [default: data/tuflex/wing.ron]
     #[arg(long, value_name = "FILE")]
@@ -47,7 +47,11 @@ pub struct DiscoverArgs {
     /// Whether `corrections` come from this campaign's own static points all the same: the pipeline's do
     #[arg(skip)]
     pub own_corrections: bool,
-    /// A bank of null campaigns [default: the shipped or last one if of the same wing and campaign, else made first]
+    /// A null distribution (null_distribution.ron of an earlier run) [default: the shipped or last one if of the same wing and
+    /// campaign, else made first]
     #[arg(long, value_name = "FILE")]
+    pub null_distribution: Option<PathBuf>,
+    /// What `null_distribution` was called before
+    #[arg(long, value_name = "FILE", hide = true, conflicts_with = "null_distribution")]
     pub bank: Option<PathBuf>,
 }

@@ -6,12 +6,12 @@ use std::time::Instant;
 
 use calibrate::{Campaign, Schedule, Settings, Use, calibrate};
 use discover::analysis::{DiscoverError, Prepared, Report, Rigs};
-use discover::bank::{Thresholds, key};
 use discover::data::Dataset;
-use discover::gate::{Defect, defects};
+use discover::data_checks::{Defect, defects};
+use discover::detection_limit::DetectionLimit;
+use discover::model_form::LatticeVariant;
 use discover::next::{Advice, advise};
-use discover::numerics::OtherLattice;
-use discover::seen::Seen;
+use discover::null_distribution::{NullDistribution, key};
 use discover::simulator::Simulator;
 use maneuver::effects::{Active, Flown};
 use nastran::InputError;
@@ -45,9 +45,9 @@ pub(crate) struct Discovered<'a> {
     /// Data and model.
     pub(crate) prepared: &'a Prepared,
     /// Thresholds.
-    pub(crate) limits: &'a Thresholds,
+    pub(crate) limits: &'a NullDistribution,
     /// Where the thresholds come from.
-    pub(crate) bank: String,
+    pub(crate) nulls_from: String,
     /// What was found; the gaps after are with corrections calibrated again where that was done.
     pub(crate) report: Report,
     /// Corrections calibrated again beside the effects.
@@ -57,7 +57,7 @@ pub(crate) struct Discovered<'a> {
     /// Experiments that would separate what is left open, the best first.
     pub(crate) advice: Vec<Advice>,
     /// What of every effect would have been named, where none is.
-    pub(crate) seen: Vec<Seen>,
+    pub(crate) detection_limits: Vec<DetectionLimit>,
     /// Fingerprint of the data.
     pub(crate) data_hash: String,
 }
@@ -71,7 +71,7 @@ impl Discovered<'_> {
     /// The wing with the effects as flown after, and the effects.
     pub(crate) fn after(&self) -> (&Simulator, &[Active]) {
         let again = self.again.as_ref().filter(|_| self.own).map(|again| &again.simulator);
-        (again.unwrap_or(&self.prepared.simulator), &self.report.level.effects)
+        (again.unwrap_or(&self.prepared.simulator), &self.report.current.effects)
     }
 }
 
@@ -90,7 +90,7 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
     }
     let own = args.corrections.is_none() || args.own_corrections;
     let corrected = if own { without_held_out(corrected, &campaign)? } else { corrected };
-    let lattice = OtherLattice::of(&corrected.file, &corrected.wing);
+    let lattice = LatticeVariant::of(&corrected.file, &corrected.wing);
     let rigs = Rigs::new(&corrected.file, &corrected.wing, lattice.as_ref())?;
     let prepared = Prepared::new(&rigs, &corrected.schedule, &campaign, own)?;
     let out = common.out("discover");
@@ -98,7 +98,7 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
         return refuse(&found, &out, common, start.elapsed().as_secs_f64());
     }
     let seed = common.seed.unwrap_or(1);
-    let (limits, bank) = thresholds(args, &corrected, &prepared, common, seed)?;
+    let (limits, nulls_from) = thresholds(args, &corrected, &prepared, common, seed)?;
     let report = prepared.search(&limits, seed);
     let open = report.outcome.found.iter().position(|found| !found.rivals.is_empty());
     let advice = match open {
@@ -111,15 +111,15 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
         campaign: &campaign,
         prepared: &prepared,
         limits: &limits,
-        bank,
-        seen: prepared.smallest_seen(&report, &limits),
+        nulls_from,
+        detection_limits: prepared.detection_limits(&report, &limits),
         report,
         again: None,
         own,
         advice,
         data_hash,
     };
-    if !found.report.level.effects.is_empty() {
+    if !found.report.current.effects.is_empty() {
         calibrate_again(&mut found, &rigs)?;
     }
     let seconds = start.elapsed().as_secs_f64();
@@ -131,7 +131,7 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
     results.input("campaign", &campaign.folder)?;
     write_wing(&found, &results)?;
     results.write_json("result.json", &result)?;
-    results.write_text("null_bank.ron", &nastran::ron_file::to_text(&limits)?)?;
+    results.write_text("null_distribution.ron", &nastran::ron_file::to_text(&limits)?)?;
     results.write_text("map.csv", &discover_located::map_csv(&map))?;
     discover_figures::write(&found, &results)?;
     results.commit()?;
@@ -194,46 +194,49 @@ fn refuse(found: &[Defect], out: &Path, common: &Common, seconds: f64) -> Result
     Err(Failure::Computation(format!("the data are at fault: {}", sentences.join("; "))))
 }
 
-/// From the given or shipped bank if it belongs to this wing and campaign, else from campaigns without effect, made now.
+/// The given or shipped one if it belongs to this wing and campaign, else from campaigns without effect, made now.
 fn thresholds(
     args: &DiscoverArgs,
     corrected: &CorrectedWing,
     prepared: &Prepared,
     common: &Common,
     seed: u64,
-) -> Result<(Thresholds, String), Failure> {
+) -> Result<(NullDistribution, String), Failure> {
     let wanted = key(&corrected.file.hash, &prepared.data);
-    let given = args.bank.clone();
-    let shipped = paths::in_repository("data/tuflex/null_bank.ron");
-    let last = paths::in_repository("out/discover/null_bank.ron");
-    if let Some(path) = &given {
-        let bank: Thresholds = nastran::ron_file::read(path)?;
-        if bank.key != wanted {
-            let message = "this bank of null campaigns belongs to another wing or campaign";
+    if args.bank.is_some() && !common.quiet {
+        show::note("--bank is called --null-distribution now; the old name is read for one version");
+    }
+    let given = args.null_distribution.as_ref().or(args.bank.as_ref());
+    let shipped = paths::in_repository("data/tuflex/null_distribution.ron");
+    let last = paths::in_repository("out/discover/null_distribution.ron");
+    if let Some(path) = given {
+        let nulls: NullDistribution = nastran::ron_file::read(path)?;
+        if nulls.key != wanted {
+            let message = "this null distribution belongs to another wing or campaign";
             return Err(InputError::in_file(path, message)
-                .with_help("leave --bank out to have it made for this one")
+                .with_help("leave --null-distribution out to have it made for this one")
                 .into());
         }
-        return Ok((bank, path.display().to_string()));
+        return Ok((nulls, path.display().to_string()));
     }
     for path in [shipped, last] {
-        let bank: Option<Thresholds> = nastran::ron_file::read(&path).ok();
-        if let Some(bank) = bank.filter(|bank| bank.key == wanted) {
-            return Ok((bank, path.display().to_string()));
+        let nulls: Option<NullDistribution> = nastran::ron_file::read(&path).ok();
+        if let Some(nulls) = nulls.filter(|nulls| nulls.key == wanted) {
+            return Ok((nulls, path.display().to_string()));
         }
     }
     if !common.quiet {
-        show::note("no bank of null campaigns for this wing and campaign: made now (a minute or so)");
+        show::note("no null distribution for this wing and campaign: made now (a minute or so)");
     }
-    let mut bank = prepared.thresholds(seed);
-    bank.key = wanted;
-    Ok((bank, "made now".to_owned()))
+    let mut nulls = prepared.thresholds(seed);
+    nulls.key = wanted;
+    Ok((nulls, "made now".to_owned()))
 }
 
 /// Calibrates again beside the effects. Where the corrections are the campaign's own, the gap after is the one with these, as
 /// later steps have it.
 fn calibrate_again(found: &mut Discovered<'_>, rigs: &Rigs<'_>) -> Result<(), Failure> {
-    let effects = &found.report.level.effects;
+    let effects = &found.report.current.effects;
     let again = calibrated((found.corrected, rigs), found.campaign, found.prepared, effects)?;
     if found.own {
         let after = found.prepared.gaps_of(&again.simulator, effects);

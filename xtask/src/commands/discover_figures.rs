@@ -1,7 +1,7 @@
 //! Pictures of `discover`: held-out runs before and after, with what is uncertain about the model after.
 //!
 //! The band is two standard deviations of a measured sample about the model after: noise, parameters that calibration
-//! knows only so well (one after the other, one standard deviation each) and other numerics of the same wing. The
+//! knows only so well (one after the other, one standard deviation each) and model-form variants of the same wing. The
 //! corrections' own uncertainty is not in it.
 
 use std::fmt::Write as _;
@@ -84,9 +84,9 @@ fn uncertain_squares(
         let more: Vec<Active> = effects.iter().chain([one]).cloned().collect();
         (simulator.fly(&simulator.models(&more, Some(&models)), &more, places), after)
     });
-    let numerics =
-        prepared.others.par_iter().map(|other| (other.fly(&other.models(&[], None), &[], places), before));
-    let changed: Vec<(Vec<Flown>, &[Flown])> = known.chain(numerics).collect();
+    let variants =
+        prepared.variants.par_iter().map(|other| (other.fly(&other.models(&[], None), &[], places), before));
+    let changed: Vec<(Vec<Flown>, &[Flown])> = known.chain(variants).collect();
     let mut squares: Vec<[Vec<f64>; 3]> =
         after.iter().map(|flown| flown.loads.each_ref().map(|load| vec![0.0; load.len()])).collect();
     for (new, old) in &changed {

@@ -5,18 +5,18 @@ use std::path::Path;
 
 use coupling::wing_file::{EffectValidity, WingEffect};
 use discover::consistency::Share;
+use discover::data_checks::Defect;
 use discover::gap::Gap;
-use discover::gate::Defect;
 use discover::next::Advice;
 use discover::search::Found;
-use discover::tones::{Tone, sentence};
+use discover::spectral_lines::{SpectralLine, sentence};
 use serde_json::{Map, Value, json};
 
 use crate::commands::discover::Discovered;
 use crate::commands::discover_sentence;
 
-/// An experiment that separates rivals by fewer nats is no advice.
-const SEPARATED_NATS: f64 = 5.0;
+/// An experiment that separates rivals by less is no advice.
+const SEPARATED_LOG_BAYES_FACTOR: f64 = 5.0;
 /// Held out, the gap may be so many times its floor.
 pub(crate) const CLOSED: f64 = 2.0;
 
@@ -49,9 +49,9 @@ pub(crate) fn json(found: &Discovered<'_>, located: &[Value], seconds: f64) -> V
             "log_bayes_factor": effect.evidence, "stays_with_the_wing": spec.side.travels(),
             "parameters": parameters(effect), "parts": effect.shares.iter().map(part).collect::<Vec<_>>() })
     };
-    let tone = |tone: &Tone| {
-        json!({ "channel": tone.channel, "v_m_s": tone.v_m_s, "frequency_hz": tone.frequency_hz,
-            "times_its_neighbourhood": tone.times })
+    let line = |line: &SpectralLine| {
+        json!({ "channel": line.channel, "v_m_s": line.v_m_s, "frequency_hz": line.frequency_hz,
+            "times_its_neighbourhood": line.times })
     };
     let [train, holdout] = found.report.gaps;
     json!({
@@ -71,16 +71,16 @@ pub(crate) fn json(found: &Discovered<'_>, located: &[Value], seconds: f64) -> V
         "not_named": outcome.next_best.as_ref().map(|next| {
             json!({ "name": next.name(), "log_bayes_factor": next.evidence, "threshold": next.threshold })
         }),
-        "candidates": outcome.first_level.iter().map(|(name, evidence, threshold)| {
+        "candidates": outcome.first_ranking.iter().map(|(name, evidence, threshold)| {
             json!({ "name": name.trim(), "log_bayes_factor": evidence, "threshold": threshold })
         }).collect::<Vec<_>>(),
-        "smallest_seen": found.seen.iter().map(|seen| {
-            json!({ "name": seen.name, "form": seen.form, "parameter": seen.parameter, "value": seen.value })
+        "detection_limits": found.detection_limits.iter().map(|limit| {
+            json!({ "name": limit.name, "form": limit.form, "parameter": limit.parameter, "value": limit.value })
         }).collect::<Vec<_>>(),
         "search": outcome.trace,
-        "tones": found.prepared.tones.iter().map(tone).collect::<Vec<_>>(),
+        "spectral_lines": found.prepared.spectral_lines.iter().map(line).collect::<Vec<_>>(),
         "corrections": found.corrected.origin,
-        "null_bank": found.bank,
+        "null_distribution": found.nulls_from,
         "data_hash": found.data_hash,
         "split": found.prepared.data.split,
         "repeated_pairs": found.prepared.noise.pairs,
@@ -141,19 +141,29 @@ pub(crate) fn success(found: &Discovered<'_>) -> bool {
 fn next_experiment(found: &Discovered<'_>) -> Option<String> {
     let open = |effect: &&Found| !effect.confused_with.is_empty();
     let effect = found.report.outcome.found.iter().find(open)?;
-    let best = found.advice.first().filter(|advice| advice.least_nats() >= SEPARATED_NATS);
+    let best =
+        found.advice.first().filter(|advice| advice.least_log_bayes_factor() >= SEPARATED_LOG_BAYES_FACTOR);
     Some(best.map_or_else(
         || effect.active.effect.spec().experiment.to_owned(),
-        |advice| format!("{} ({:.0} nats of separation expected)", advice.experiment, advice.least_nats()),
+        |advice| {
+            format!(
+                "{} (expected log Bayes factor {:.0})",
+                advice.experiment,
+                advice.least_log_bayes_factor()
+            )
+        },
     ))
 }
 
 /// Experiments as JSON.
 fn experiments(found: &Discovered<'_>) -> Value {
     let each = |advice: &Advice| {
-        let nats: Map<_, _> =
-            advice.nats.iter().map(|(name, nats)| ((*name).to_owned(), json!(nats))).collect();
-        json!({ "experiment": advice.experiment, "cost": advice.cost, "expected_nats": nats })
+        let factors: Map<_, _> = advice
+            .log_bayes_factors
+            .iter()
+            .map(|(name, factor)| ((*name).to_owned(), json!(factor)))
+            .collect();
+        json!({ "experiment": advice.experiment, "cost": advice.cost, "expected_log_bayes_factor": factors })
     };
     found.advice.iter().map(each).collect()
 }
@@ -231,8 +241,8 @@ pub(crate) fn summary(found: &Discovered<'_>, out: &Path, seconds: f64) -> Strin
     if !data.not_used.is_empty() {
         let _ = writeln!(text, "not used: {} (residuals are root loads)", data.not_used.join(", "));
     }
-    if let Some(tone) = sentence(&found.prepared.tones) {
-        let _ = writeln!(text, "{tone}");
+    if let Some(line) = sentence(&found.prepared.spectral_lines) {
+        let _ = writeln!(text, "{line}");
     }
     let _ = writeln!(text, "{}", discover_sentence::sentence(found));
     let _ = writeln!(

@@ -85,7 +85,9 @@ impl Said<'_> {
         let [gap, _, floor] = self.training;
         let next = self.next.map_or_else(String::new, |(name, evidence, needed)| {
             let why = if evidence > needed { "not told from others" } else { "too little" };
-            format!("; the nearest is {name} with {evidence:.0} nats of evidence, {needed:.0} needed ({why})")
+            format!(
+                "; the nearest is {name} with a log Bayes factor of {evidence:.0}, {needed:.0} needed ({why})"
+            )
         });
         if self.far {
             format!(
@@ -98,7 +100,7 @@ impl Said<'_> {
         } else {
             format!(
                 "No effect above the floor: the gap on training data is {gap:.1}, where nothing is missing it is about {floor:.1}. \
-                 Nothing was added; `smallest_seen` has the sizes that would have been seen."
+                 Nothing was added; `detection_limits` has the sizes that would have been named."
             )
         }
     }

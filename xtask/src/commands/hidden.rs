@@ -9,8 +9,8 @@ use std::time::Instant;
 use calibrate::{Campaign, Schedule};
 use coupling::ElasticWing;
 use discover::analysis::{Prepared, Rigs};
-use discover::bank::Thresholds;
-use discover::numerics::OtherLattice;
+use discover::model_form::LatticeVariant;
+use discover::null_distribution::NullDistribution;
 use hidden::score::gates;
 use hidden::{Answer, Bench, Case, CasePlan, Class, Families, Fineness, Metrics, Mix, Verdict, cases, score};
 use serde_json::{Value, json};
@@ -25,8 +25,8 @@ use crate::{blind, paths, progress, show};
 
 /// The wing in whose model effects are missing.
 const WING: &str = "data/tuflex/wing_beam.ron";
-/// First seed of the calibration range: the bank's campaign.
-const BANK_SEED: u64 = 1_000_000;
+/// First seed of the calibration range: the null distribution's campaign.
+const NULLS_SEED: u64 = 1_000_000;
 /// First seed of the development range.
 const FIRST_SEED: u64 = 1;
 
@@ -40,12 +40,12 @@ impl From<tunnel::TunnelError> for Failure {
 struct Judge<'a> {
     corrected: &'a CorrectedWing,
     rigs: Rigs<'a>,
-    limits: Thresholds,
+    limits: NullDistribution,
     folder: PathBuf,
     sealed: PathBuf,
     own_static_points: bool,
-    /// What the bank took, s.
-    bank_seconds: f64,
+    /// What the null distribution took, s.
+    nulls_seconds: f64,
 }
 
 /// A case with its time and model runs, for `bench`.
@@ -56,8 +56,8 @@ pub(super) struct Timed {
     pub(super) model_runs: usize,
     /// Effects and forms of the library.
     pub(super) effects: usize,
-    /// A bank of null campaigns for the case's design, s.
-    pub(super) bank_seconds: f64,
+    /// The null distribution for the case's design, s.
+    pub(super) nulls_seconds: f64,
 }
 
 /// The joiner and the ailerons hidden together, judged in a folder that is removed again.
@@ -73,14 +73,14 @@ pub(super) fn timed_case(folder: &Path) -> Result<Timed, Failure> {
             seconds,
             model_runs: report.model_runs,
             effects: prepared.library.len(),
-            bank_seconds: judge.bank_seconds,
+            nulls_seconds: judge.nulls_seconds,
         })
     });
     std::fs::remove_dir_all(folder).map_err(Failure::computation)?;
     timed
 }
 
-/// Sets up the shipped wing and the benchmark's bank in a folder of cases (the second is for answers), and works with them.
+/// Sets up the shipped wing and the benchmark's null distribution in a folder of cases (the second is for answers), and works with them.
 fn with_judge<T>(
     [folder, sealed]: [&Path; 2],
     own_static_points: bool,
@@ -91,19 +91,19 @@ fn with_judge<T>(
     let (file, wing) = ElasticWing::read(&path)?;
     let schedule = Schedule { wing: file.name.clone(), wing_hash: file.hash.clone(), sets: Vec::new() };
     let corrected = CorrectedWing { file, wing, schedule, origin: "each case's own".to_owned() };
-    let lattice = OtherLattice::of(&corrected.file, &corrected.wing);
+    let lattice = LatticeVariant::of(&corrected.file, &corrected.wing);
     let mut judge = Judge {
         rigs: Rigs::new(&corrected.file, &corrected.wing, lattice.as_ref())?,
         corrected: &corrected,
-        limits: Thresholds::default(),
+        limits: NullDistribution::default(),
         folder: folder.to_path_buf(),
         sealed: sealed.to_path_buf(),
         own_static_points,
-        bank_seconds: 0.0,
+        nulls_seconds: 0.0,
     };
     let start = Instant::now();
-    judge.limits = judge.bank(&bench)?;
-    judge.bank_seconds = start.elapsed().as_secs_f64();
+    judge.limits = judge.null_distribution(&bench)?;
+    judge.nulls_seconds = start.elapsed().as_secs_f64();
     work(&judge, &bench)
 }
 
@@ -150,19 +150,19 @@ pub(crate) fn run(args: &HiddenArgs, common: &Common) -> Result<(), Failure> {
 
 impl Judge<'_> {
     /// Thresholds from null campaigns of the model in the design of the benchmark, kept for the next run.
-    fn bank(&self, bench: &Bench) -> Result<Thresholds, Failure> {
-        let path = self.folder.join("null_bank.ron");
-        let plan = cases(BANK_SEED, 1, &Mix::only(Class::Null));
+    fn null_distribution(&self, bench: &Bench) -> Result<NullDistribution, Failure> {
+        let path = self.folder.join("null_distribution.ron");
+        let plan = cases(NULLS_SEED, 1, &Mix::only(Class::Null));
         let prepared = self.read(&self.written(&bench.case(&plan[0]), "bank")?, &plan[0])?.0;
-        let key = discover::bank::key(&self.corrected.file.hash, &prepared.data);
-        let kept: Option<Thresholds> = nastran::ron_file::read(&path).ok();
-        if let Some(bank) = kept.filter(|bank| bank.key == key) {
-            return Ok(bank);
+        let key = discover::null_distribution::key(&self.corrected.file.hash, &prepared.data);
+        let kept: Option<NullDistribution> = nastran::ron_file::read(&path).ok();
+        if let Some(nulls) = kept.filter(|kept| kept.key == key) {
+            return Ok(nulls);
         }
-        let mut bank = prepared.thresholds(BANK_SEED);
-        bank.key = key;
-        write(&path, &nastran::ron_file::to_text(&bank)?)?;
-        Ok(bank)
+        let mut nulls = prepared.thresholds(NULLS_SEED);
+        nulls.key = key;
+        write(&path, &nastran::ron_file::to_text(&nulls)?)?;
+        Ok(nulls)
     }
 
     /// Where a case's answer and verdict go.
@@ -231,12 +231,12 @@ impl Judge<'_> {
             campaign,
             prepared,
             limits: &self.limits,
-            bank: String::new(),
+            nulls_from: String::new(),
             report,
             again: None,
             own: false,
             advice: Vec::new(),
-            seen: Vec::new(),
+            detection_limits: Vec::new(),
             data_hash: String::new(),
         };
         discover_results::json(&found, &[], start.elapsed().as_secs_f64())

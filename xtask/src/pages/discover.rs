@@ -44,7 +44,7 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
         let mut shown = figures("Held-out runs", ordered(runs));
         let text = "These runs had no part in the search. Before: the corrected model without the effects; after: with them, and with \
                     corrections calibrated again beside them. The dashed edges of one colour are two standard deviations to either side of \
-                    the model after: noise of a sample, parameters that calibration knows only so well, other numerics.";
+                    the model after: noise of a sample, parameters that calibration knows only so well, model-form variants.";
         shown.blocks.insert(0, Block::Text(text.into()));
         shown.blocks.push(Block::Table(told));
         sections.push(shown);
@@ -52,8 +52,8 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
     if !list(result, "candidates").is_empty() {
         sections.push(Section::new("All candidates", vec![Block::Table(candidates(result))]));
     }
-    if !list(result, "smallest_seen").is_empty() {
-        sections.push(Section::new("What would have been seen", vec![Block::Table(smallest_seen(result))]));
+    if !list(result, "detection_limits").is_empty() {
+        sections.push(Section::new("Detection limits", vec![Block::Table(detection_limits(result))]));
     }
     Page {
         title: title(result).into(),
@@ -199,13 +199,17 @@ fn gap(result: &Value) -> PageTable {
 
 fn experiments(result: &Value) -> PageTable {
     let caption = "What each would separate the named effect from its rivals by, by a forecast with the floor of the new runs; 5 \
-                   nats are a distinction. A run with wind costs 1.";
-    let mut table = PageTable::new(caption, &["experiment", "cost", "expected nats"]);
+                   is a distinction. A run with wind costs 1.";
+    let mut table = PageTable::new(caption, &["experiment", "cost", "expected log Bayes factor"]);
     for experiment in list(result, "experiments") {
-        let nats = experiment["expected_nats"].as_object().into_iter().flatten();
-        let nats: Vec<String> =
-            nats.map(|(rival, nats)| format!("{rival} {}", short(nats.as_f64()))).collect();
-        table.row([text(experiment, "experiment").to_owned(), short_at(experiment, "cost"), nats.join(", ")]);
+        let factors = experiment["expected_log_bayes_factor"].as_object().into_iter().flatten();
+        let factors: Vec<String> =
+            factors.map(|(rival, factor)| format!("{rival} {}", short(factor.as_f64()))).collect();
+        table.row([
+            text(experiment, "experiment").to_owned(),
+            short_at(experiment, "cost"),
+            factors.join(", "),
+        ]);
     }
     table
 }
@@ -221,15 +225,15 @@ fn candidates(result: &Value) -> PageTable {
     table
 }
 
-fn smallest_seen(result: &Value) -> PageTable {
+fn detection_limits(result: &Value) -> PageTable {
     let mut table = PageTable::new(
         "The smallest size, to a factor of 1.4, at which these data would have given an effect the evidence that it needs, if its \
          form were exact; a dash where it would have to be larger than it can be.",
         &["effect", "parameter", "smallest size"],
     );
-    for seen in list(result, "smallest_seen") {
-        let name = format!("{} {}", text(seen, "name"), text(seen, "form"));
-        table.row([name.trim().to_owned(), text(seen, "parameter").to_owned(), short_at(seen, "value")]);
+    for limit in list(result, "detection_limits") {
+        let name = format!("{} {}", text(limit, "name"), text(limit, "form"));
+        table.row([name.trim().to_owned(), text(limit, "parameter").to_owned(), short_at(limit, "value")]);
     }
     table
 }

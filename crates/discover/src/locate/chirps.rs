@@ -51,7 +51,7 @@ pub fn chirps(residuals: &Residuals) -> Vec<ChirpCell> {
         let Maneuver::Chirp { control, .. } = unit.maneuver else { continue };
         let same = |other: &&Unit| unit.repeat_of == Some(other.place) || other.repeat_of == Some(unit.place);
         let repeat = residuals.units.iter().find(same);
-        for (c, channel) in crate::gate::CHANNELS.into_iter().enumerate() {
+        for (c, channel) in crate::data_checks::CHANNELS.into_iter().enumerate() {
             let sums = sums(unit, repeat, control, c);
             for (band, sums) in sums.into_iter().enumerate().filter(|(_, sums)| sums.total > 0.0) {
                 let share = |from: f64, to: f64| ((from - to) / sums.total).max(0.0);
@@ -105,7 +105,7 @@ fn sums(unit: &Unit, repeat: Option<&Unit>, control: usize, c: usize) -> [Sums; 
         (0..3).for_each(|k| sums.left[k] += left[k + 1]);
         if let Some(other) = repeat.and_then(|repeat| repeat.residual[c].get(inside)) {
             let off = |values: &[f64]| {
-                let mean = crate::gate::mean(values);
+                let mean = crate::data_checks::mean(values);
                 values.iter().map(|value| value - mean).collect::<Vec<f64>>()
             };
             let (a, b) = (off(residual), off(other));

@@ -37,7 +37,7 @@ pub fn map(residuals: &Residuals) -> Vec<Cell> {
     let mut cells: Vec<Cell> = Vec::new();
     for unit in &residuals.units {
         let maneuver = unit.maneuver.label(&residuals.controls);
-        for (c, channel) in crate::gate::CHANNELS.into_iter().enumerate() {
+        for (c, channel) in crate::data_checks::CHANNELS.into_iter().enumerate() {
             let mut sums = [(0.0, 0_usize); BANDS_HZ.len()];
             for (k, row) in unit.rows[c].iter().enumerate() {
                 if unit.weight[c][k] > 0.0 && (unit.stimulus.steady || k > 0) {

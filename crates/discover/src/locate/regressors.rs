@@ -101,7 +101,7 @@ impl<'a> Channel<'a> {
                 let gains: Vec<f64> =
                     self.grams.iter().map(|gram| gram.left(&without) - gram.left(&full)).collect();
                 Located {
-                    channel: crate::gate::CHANNELS[self.which],
+                    channel: crate::data_checks::CHANNELS[self.which],
                     regressor: family,
                     share_of_residual: cost / beyond.max(cost).max(f64::MIN_POSITIVE),
                     p_value: self.p_value(own, &others, &without),
@@ -169,7 +169,7 @@ impl<'a> Channel<'a> {
         let (sum, runs) = squares;
         let below = self.total.left(full) - sum;
         (runs > 1.0 && below > 0.0).then(|| Located {
-            channel: crate::gate::CHANNELS[self.which],
+            channel: crate::data_checks::CHANNELS[self.which],
             regressor: "run_id",
             share_of_residual: sum / beyond.max(sum).max(f64::MIN_POSITIVE),
             // as many degrees of freedom below as runs: samples of a run are no independent judges of it

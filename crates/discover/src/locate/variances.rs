@@ -32,7 +32,7 @@ pub struct Variances {
 /// Compares runs with those that they repeat, the simulations taken off.
 pub fn variances(residuals: &Residuals) -> Variances {
     let mut found = Variances { cells: Vec::new(), tests: Vec::new() };
-    for (c, channel) in crate::gate::CHANNELS.into_iter().enumerate() {
+    for (c, channel) in crate::data_checks::CHANNELS.into_iter().enumerate() {
         for b in 0..BANDS_HZ.len() {
             let groups = groups(residuals, c, b);
             for (v_m_s, values) in &groups {
@@ -70,7 +70,7 @@ pub fn levene(groups: &[Vec<f64>]) -> Option<FTest> {
     let distances: Vec<Vec<f64>> = groups
         .iter()
         .filter_map(|values| {
-            let middle = crate::gate::median(values.clone())?;
+            let middle = crate::data_checks::median(values.clone())?;
             Some(values.iter().map(|value| (value - middle).abs()).collect())
         })
         .collect();
@@ -79,7 +79,7 @@ pub fn levene(groups: &[Vec<f64>]) -> Option<FTest> {
         return None;
     }
     let all: Vec<f64> = distances.iter().flatten().copied().collect();
-    let mean = crate::gate::mean;
+    let mean = crate::data_checks::mean;
     let grand = mean(&all);
     let between = distances.iter().map(|d| d.len() as f64 * (mean(d) - grand).powi(2)).sum();
     let within: f64 = distances.iter().flat_map(|d| d.iter().map(|x| (x - mean(d)).powi(2))).sum();

@@ -11,8 +11,8 @@ pub use menu::{Experiment, menu};
 
 use crate::analysis::{DiscoverError, Prepared, Rigs};
 use crate::candidate::Refit;
+use crate::current_model::{CurrentModel, Setting};
 use crate::data::{Dataset, RunData, StaticGroup};
-use crate::level::{Level, Setting};
 use crate::noise::Noise;
 use crate::problem::Problem;
 use crate::search::Found;
@@ -31,14 +31,14 @@ pub struct Advice {
     pub experiment: &'static str,
     /// Its cost; one is a run with wind.
     pub cost: f64,
-    /// Expected logarithm of the Bayes factor between the named effect and each of its rivals, nats.
-    pub nats: Vec<(&'static str, f64)>,
+    /// Expected logarithm of the Bayes factor between the named effect and each of its rivals.
+    pub log_bayes_factors: Vec<(&'static str, f64)>,
 }
 
 impl Advice {
     /// What the nearest rival is separated by.
-    pub fn least_nats(&self) -> f64 {
-        self.nats.iter().map(|(_, nats)| *nats).fold(f64::INFINITY, f64::min)
+    pub fn least_log_bayes_factor(&self) -> f64 {
+        self.log_bayes_factors.iter().map(|(_, factor)| *factor).fold(f64::INFINITY, f64::min)
     }
 }
 
@@ -56,26 +56,26 @@ pub fn advise(
     let of = |experiment: &Experiment| -> Result<Advice, DiscoverError> {
         let planned = planned(prepared, experiment, most_m_s);
         let simulator = Simulator::new(&rigs.own, schedule, &planned)?;
-        let others = rigs
-            .others
+        let variants = rigs
+            .variants
             .iter()
             .map(|rig| Ok(Simulator::new(rig, schedule, &planned)?.matching(&simulator)))
             .collect::<Result<Vec<_>, DiscoverError>>()?;
         let setting =
-            Setting { data: &planned, simulator: &simulator, others: &others, ..prepared.setting() };
+            Setting { data: &planned, simulator: &simulator, variants: &variants, ..prepared.setting() };
         let noise = noise_of(prepared, &planned);
         let problem = Problem::of_conditions(&planned, &noise, Use::Train);
-        let nats = found[open]
+        let log_bayes_factors = found[open]
             .rivals
             .iter()
             .map(|rival| {
                 (rival.active.effect.spec().name, separation(&setting, problem.clone(), found, open, rival))
             })
             .collect();
-        Ok(Advice { experiment: experiment.name, cost: experiment.cost, nats })
+        Ok(Advice { experiment: experiment.name, cost: experiment.cost, log_bayes_factors })
     };
     let mut all = menu().par_iter().map(of).collect::<Result<Vec<_>, DiscoverError>>()?;
-    let worth = |advice: &Advice| advice.least_nats() / advice.cost;
+    let worth = |advice: &Advice| advice.least_log_bayes_factor() / advice.cost;
     all.sort_by(|a, b| worth(b).total_cmp(&worth(a)));
     Ok(all)
 }
@@ -147,17 +147,17 @@ fn separation(
             .map(|(i, f)| if i == open { active.clone() } else { f.active.clone() })
             .collect()
     };
-    let level = Level::new(setting, &mut problem, &with(&found[open].active), None);
+    let current = CurrentModel::new(setting, &mut problem, &with(&found[open].active), None);
     let fly = |active: &Active| {
         let effects = with(active);
-        let models = setting.simulator.models(&effects, Some(&level.models));
+        let models = setting.simulator.models(&effects, Some(&current.models));
         setting.simulator.fly(&models, &effects, &problem.places())
     };
     let all: Vec<usize> = (0..problem.segments.len()).collect();
     let change =
         |after: &[Flown], before: &[Flown]| problem.change(&all, after, &before.iter().collect::<Vec<_>>());
     let other = fly(&rival.active);
-    let apart = change(&other, &level.flown);
+    let apart = change(&other, &current.flown);
     let moved = |k: usize| {
         let mut values = rival.active.values.clone();
         values[k] += rival.sigma[k];
@@ -166,7 +166,7 @@ fn separation(
     let columns: Vec<Vec<f64>> = (0..rival.sigma.len()).map(moved).collect();
     let k = columns.len();
     let stacked = Mat::from_fn(apart.len(), k + 1, |i, j| if j < k { columns[j][i] } else { apart[i] });
-    let gram = level.shared.gram(stacked.as_ref());
+    let gram = current.shared.gram(stacked.as_ref());
     let mut normal = gram.submatrix(0, 0, k, k).to_owned();
     for j in 0..k {
         normal[(j, j)] += 1.0;

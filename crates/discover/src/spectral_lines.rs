@@ -1,13 +1,13 @@
-//! Tones that do not repeat: a narrow peak in what runs and their repeats differ by. Vortices that the wing sheds, a
+//! Spectral lines that do not repeat: a narrow peak in what runs and their repeats differ by. Vortices that the wing sheds, a
 //! tunnel's fan or the mains have a phase of their own in every record, so that no mean gap shows them and a
 //! noise taken from repeats swallows them.
 //!
 //! Per airspeed and channel, squares of the cosine coefficients of half the differences are pooled in narrow bins; a bin
-//! that stands above the median of its neighbours by more than chance allows is a tone (Fisher 1929 asks the same of one
+//! that stands above the median of its neighbours by more than chance allows is a line (Fisher 1929 asks the same of one
 //! record).
 
 use crate::data::Dataset;
-use crate::gate::CHANNELS;
+use crate::data_checks::CHANNELS;
 use crate::noise::pairs;
 use crate::transform::{every_cosine, frequency_hz};
 use maneuver::effects::Flown;
@@ -21,7 +21,7 @@ const REACH: usize = 10;
 const SLOWEST_HZ: f64 = 1.0;
 /// A share of half the sample rate beyond which filters of the record leave little.
 const FASTEST: f64 = 0.9;
-/// So many times its neighbours a tone must be: motions that repeat not quite alike leave broad hills of less.
+/// So many times its neighbours a line must be: motions that repeat not quite alike leave broad hills of less.
 const TIMES: f64 = 6.0;
 /// Chance of a bin to stand out so far by noise alone.
 const CHANCE: f64 = 1e-9;
@@ -30,7 +30,7 @@ const SAME: f64 = 0.04;
 
 /// See the module.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Tone {
+pub struct SpectralLine {
     /// Channel.
     pub channel: &'static str,
     /// Airspeed, m/s.
@@ -41,10 +41,10 @@ pub struct Tone {
     pub times: f64,
 }
 
-/// Tones of the training runs, the strongest first; `simulated` are all runs as the model flies them.
-pub fn tones(data: &Dataset, simulated: &[Flown]) -> Vec<Tone> {
+/// Lines of the training runs, the strongest first; `simulated` are all runs as the model flies them.
+pub fn spectral_lines(data: &Dataset, simulated: &[Flown]) -> Vec<SpectralLine> {
     let pairs = pairs(data);
-    let mut found: Vec<Tone> = Vec::new();
+    let mut found: Vec<SpectralLine> = Vec::new();
     for (airspeed, v_m_s) in data.airspeeds_m_s.iter().enumerate() {
         for (c, channel) in CHANNELS.into_iter().enumerate() {
             let mut bins: Vec<(f64, usize)> = Vec::new();
@@ -58,7 +58,7 @@ pub fn tones(data: &Dataset, simulated: &[Flown]) -> Vec<Tone> {
                     .collect();
                 pool(&mut bins, &half, data.runs[a].stimulus.time_step_s);
             }
-            found.extend(peaks(&bins).into_iter().map(|(bin, times)| Tone {
+            found.extend(peaks(&bins).into_iter().map(|(bin, times)| SpectralLine {
                 channel,
                 v_m_s: *v_m_s,
                 frequency_hz: (bin as f64 + 0.5) * BIN_HZ,
@@ -67,15 +67,15 @@ pub fn tones(data: &Dataset, simulated: &[Flown]) -> Vec<Tone> {
         }
     }
     // a load on the wing is in several channels, a fault of the noise's estimate in one
-    let in_another = |tone: &Tone| {
-        let same = |other: &&Tone| {
-            other.channel != tone.channel
-                && other.v_m_s == tone.v_m_s
-                && (other.frequency_hz - tone.frequency_hz).abs() < 2.0 * BIN_HZ
+    let in_another = |line: &SpectralLine| {
+        let same = |other: &&SpectralLine| {
+            other.channel != line.channel
+                && other.v_m_s == line.v_m_s
+                && (other.frequency_hz - line.frequency_hz).abs() < 2.0 * BIN_HZ
         };
         found.iter().any(|other| same(&other))
     };
-    let mut found: Vec<Tone> = found.iter().filter(|tone| in_another(tone)).cloned().collect();
+    let mut found: Vec<SpectralLine> = found.iter().filter(|line| in_another(line)).cloned().collect();
     found.sort_by(|a, b| b.times.total_cmp(&a.times));
     found
 }
@@ -117,27 +117,27 @@ fn peaks(bins: &[(f64, usize)]) -> Vec<(usize, f64)> {
     found
 }
 
-/// What tones say together, in one sentence; none without a tone.
-pub fn sentence(tones: &[Tone]) -> Option<String> {
-    let first = tones.first()?;
-    let Tone { channel, v_m_s, frequency_hz, times } = first;
-    let at_others: Vec<&Tone> =
-        tones.iter().filter(|tone| tone.v_m_s != *v_m_s && tone.channel == *channel).collect();
+/// What the lines say together, in one sentence; none without a line.
+pub fn sentence(spectral_lines: &[SpectralLine]) -> Option<String> {
+    let first = spectral_lines.first()?;
+    let SpectralLine { channel, v_m_s, frequency_hz, times } = first;
+    let at_others: Vec<&SpectralLine> =
+        spectral_lines.iter().filter(|line| line.v_m_s != *v_m_s && line.channel == *channel).collect();
     let follows =
-        |tone: &&&Tone| (tone.frequency_hz / tone.v_m_s / (frequency_hz / v_m_s) - 1.0).abs() < SAME;
-    let stays = |tone: &&&Tone| (tone.frequency_hz / frequency_hz - 1.0).abs() < SAME;
-    let kind = if at_others.iter().any(|tone| follows(&tone)) {
+        |line: &&&SpectralLine| (line.frequency_hz / line.v_m_s / (frequency_hz / v_m_s) - 1.0).abs() < SAME;
+    let stays = |line: &&&SpectralLine| (line.frequency_hz / frequency_hz - 1.0).abs() < SAME;
+    let kind = if at_others.iter().any(|line| follows(&line)) {
         format!(
             "; its frequency follows the airspeed ({:.2} Hz for each m/s), as vortices do",
             frequency_hz / v_m_s
         )
-    } else if at_others.iter().any(|tone| stays(&tone)) {
+    } else if at_others.iter().any(|line| stays(&line)) {
         "; it is the same at other airspeeds: a mode that turbulence moves, a fan or the mains".to_owned()
     } else {
         String::new()
     };
     Some(format!(
-        "{channel} has a tone of {frequency_hz:.1} Hz at {v_m_s:.0} m/s that does not repeat from run to run, \
+        "{channel} has a line of {frequency_hz:.1} Hz at {v_m_s:.0} m/s that does not repeat from run to run, \
          {times:.0} times its neighbourhood{kind}"
     ))
 }
@@ -178,11 +178,15 @@ mod tests {
 
     #[test]
     fn the_sentence_says_what_follows_the_airspeed() {
-        let tone =
-            |v_m_s: f64, frequency_hz: f64, times: f64| Tone { channel: "Fz", v_m_s, frequency_hz, times };
-        let follows = sentence(&[tone(30.0, 9.6, 20.0), tone(18.0, 5.8, 9.0)]).expect("two tones");
+        let line = |v_m_s: f64, frequency_hz: f64, times: f64| SpectralLine {
+            channel: "Fz",
+            v_m_s,
+            frequency_hz,
+            times,
+        };
+        let follows = sentence(&[line(30.0, 9.6, 20.0), line(18.0, 5.8, 9.0)]).expect("two lines");
         assert!(follows.contains("follows the airspeed (0.32"), "{follows}");
-        let stays = sentence(&[tone(30.0, 12.5, 20.0), tone(18.0, 12.5, 9.0)]).expect("two tones");
+        let stays = sentence(&[line(30.0, 12.5, 20.0), line(18.0, 12.5, 9.0)]).expect("two lines");
         assert!(stays.contains("the same at other airspeeds"), "{stays}");
         assert_eq!(sentence(&[]), None);
     }

@@ -1,8 +1,8 @@
-//! All candidates beside the effects of a level: screened, the promising ones fitted, and what speaks for each.
+//! All candidates beside the effects of the current model: screened, the promising ones fitted, and what speaks for each.
 
-use crate::bank::Thresholds;
 use crate::candidate::{Refit, Screened};
-use crate::level::{Level, Setting};
+use crate::current_model::{CurrentModel, Setting};
+use crate::null_distribution::NullDistribution;
 use crate::problem::Problem;
 use maneuver::effects::Active;
 use rayon::prelude::*;
@@ -18,16 +18,16 @@ const SHOWN: usize = 3;
 
 /// A candidate's weight.
 #[derive(Debug, Clone)]
-pub struct Weighed {
+pub struct Ranked {
     /// The fit.
     pub refit: Refit,
-    /// Logarithm of the Bayes factor against the level without it.
+    /// Logarithm of the Bayes factor against the current model.
     pub evidence: f64,
     /// Threshold it must pass.
     pub threshold: f64,
 }
 
-impl Weighed {
+impl Ranked {
     /// Name of the effect.
     pub fn name(&self) -> &'static str {
         self.refit.active.effect.spec().name
@@ -49,31 +49,31 @@ impl Weighed {
     }
 }
 
-/// All candidates beside the effects of a level, by falling evidence.
-pub fn weigh(
+/// All candidates beside the effects of the current model, by falling evidence.
+pub fn rank(
     setting: &Setting<'_>,
     problem: &Problem<'_>,
-    level: &Level,
-    limits: &Thresholds,
-) -> Vec<Weighed> {
-    weigh_some(setting, (problem, level), limits, &|_| true, &[])
+    current: &CurrentModel,
+    limits: &NullDistribution,
+) -> Vec<Ranked> {
+    rank_some(setting, (problem, current), limits, &|_| true, &[])
 }
 
 /// The same of some names; fits of `known` effects begin with their values, too.
-pub(crate) fn weigh_some(
+pub(crate) fn rank_some(
     setting: &Setting<'_>,
-    (problem, level): (&Problem<'_>, &Level),
-    limits: &Thresholds,
+    (problem, current): (&Problem<'_>, &CurrentModel),
+    limits: &NullDistribution,
     wanted: &(dyn Fn(&str) -> bool + Sync),
     known: &[&Active],
-) -> Vec<Weighed> {
-    let taken: Vec<&str> = level.effects.iter().map(|active| active.effect.spec().name).collect();
+) -> Vec<Ranked> {
+    let taken: Vec<&str> = current.effects.iter().map(|active| active.effect.spec().name).collect();
     let mut screened: Vec<Screened> = setting
         .library
         .par_iter()
         .filter(|effect| !taken.contains(&effect.spec().name) && wanted(effect.spec().name))
         .map(|effect| {
-            let screened = Screened::new(setting, problem, level, effect);
+            let screened = Screened::new(setting, problem, current, effect);
             let same = |known: &&&Active| {
                 known.effect.spec().name == effect.spec().name && known.effect.form() == effect.form()
             };
@@ -90,16 +90,16 @@ pub(crate) fn weigh_some(
     };
     let kept = screened.iter().enumerate().filter(kept).count();
     screened.truncate(kept);
-    let refits: Vec<Refit> = screened.par_iter().map(|s| s.refit(setting, problem, level)).collect();
+    let refits: Vec<Refit> = screened.par_iter().map(|s| s.refit(setting, problem, current)).collect();
     let rows = problem.len() as f64;
-    let least = refits.iter().map(|r| r.chi2).fold(level.chi2, f64::min);
+    let least = refits.iter().map(|r| r.chi2).fold(current.chi2, f64::min);
     let phi = (least / rows).max(1.0);
-    let mut candidates: Vec<Weighed> = refits
+    let mut candidates: Vec<Ranked> = refits
         .into_iter()
         .map(|refit| {
             let active = &refit.active;
-            let threshold = limits.of(active.effect.spec().name, active.effect.form());
-            Weighed { evidence: refit.evidence(level, phi), threshold, refit }
+            let threshold = limits.threshold(active.effect.spec().name, active.effect.form());
+            Ranked { evidence: refit.evidence(current, phi), threshold, refit }
         })
         .collect();
     candidates.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));

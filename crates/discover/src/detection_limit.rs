@@ -4,8 +4,8 @@
 //! `(c'c)/(2 phi) - prior/2 - ½ ln(1 + c'c/phi)`. Sizes are flown until this is the threshold, as neither limits nor what runs
 //! may be off by let c grow in proportion.
 
-use crate::bank::Thresholds;
-use crate::level::{Level, Setting, norm};
+use crate::current_model::{CurrentModel, Setting, norm};
+use crate::null_distribution::NullDistribution;
 use crate::problem::Problem;
 use crate::trial::{Trial, difference};
 use maneuver::effects::Effect;
@@ -17,7 +17,7 @@ const DOUBLED: usize = 12;
 
 /// See the module.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Seen {
+pub struct DetectionLimit {
     /// Effect.
     pub name: &'static str,
     /// Its form.
@@ -25,22 +25,22 @@ pub struct Seen {
     /// Parameter, the others at rest (or where a search begins with them).
     pub parameter: String,
     /// Its value, to a factor of 1.4, with the sign that it can have (positive if either); none if it would not have been
-    /// seen within the effect's bounds.
+    /// detected within the effect's bounds.
     pub value: Option<f64>,
 }
 
-/// Sizes of all effects around a level, every parameter that does something alone.
-pub fn smallest_seen(
+/// Detection limits of all effects beside the current model, every parameter that does something alone.
+pub fn detection_limits(
     setting: &Setting<'_>,
     problem: &Problem<'_>,
-    level: &Level,
-    limits: &Thresholds,
-) -> Vec<Seen> {
+    current: &CurrentModel,
+    limits: &NullDistribution,
+) -> Vec<DetectionLimit> {
     let of = |effect: &Arc<dyn Effect>| {
         let search = Search {
-            trial: Trial { setting, problem, level, effect, memory: None },
-            threshold: limits.of(effect.spec().name, effect.form()),
-            phi: (level.chi2 / problem.len() as f64).max(1.0),
+            trial: Trial { setting, problem, current, effect, memory: None },
+            threshold: limits.threshold(effect.spec().name, effect.form()),
+            phi: (current.chi2 / problem.len() as f64).max(1.0),
         };
         search.all()
     };
@@ -55,7 +55,7 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    fn all(&self) -> Vec<Seen> {
+    fn all(&self) -> Vec<DetectionLimit> {
         let effect = self.trial.effect;
         let parameters = effect.parameters();
         let start = effect.starts().into_iter().next();
@@ -63,7 +63,7 @@ impl Search<'_> {
             Some(values) => values.iter().zip(&parameters).map(|(v, p)| v / p.plausible).collect(),
             None => vec![0.0; parameters.len()],
         };
-        let mut seen = Vec::new();
+        let mut limits = Vec::new();
         for (k, parameter) in parameters.iter().enumerate() {
             let at = |size: f64| {
                 let mut sizes = base.clone();
@@ -77,20 +77,20 @@ impl Search<'_> {
                 continue;
             }
             let largest = bound / parameter.plausible;
-            let is_seen = |size: f64| self.evidence(&at(sign * size)) >= self.threshold;
-            seen.push(Seen {
+            let is_detected = |size: f64| self.evidence(&at(sign * size)) >= self.threshold;
+            limits.push(DetectionLimit {
                 name: effect.spec().name,
                 form: effect.form(),
                 parameter: parameter.name.clone(),
-                value: smallest(largest, is_seen).map(|size| sign * size * parameter.plausible),
+                value: smallest(largest, is_detected).map(|size| sign * size * parameter.plausible),
             });
         }
-        seen
+        limits
     }
 
     fn information(&self, sizes: &[f64]) -> f64 {
-        let change = difference(&self.trial.level.residual, &self.trial.point(sizes).residual);
-        norm(&self.trial.level.shared, &change)
+        let change = difference(&self.trial.current.residual, &self.trial.point(sizes).residual);
+        norm(&self.trial.current.shared, &change)
     }
 
     fn evidence(&self, sizes: &[f64]) -> f64 {
@@ -100,12 +100,12 @@ impl Search<'_> {
     }
 }
 
-/// The smallest size that is seen, to a factor of the root of two, from one upwards or downwards.
-fn smallest(largest: f64, is_seen: impl Fn(f64) -> bool) -> Option<f64> {
+/// The smallest size that is detected, to a factor of the root of two, from one upwards or downwards.
+fn smallest(largest: f64, is_detected: impl Fn(f64) -> bool) -> Option<f64> {
     let mut size = largest.min(1.0);
-    if is_seen(size) {
+    if is_detected(size) {
         for _ in 0..DOUBLED {
-            if !is_seen(0.5 * size) {
+            if !is_detected(0.5 * size) {
                 break;
             }
             size *= 0.5;
@@ -116,13 +116,13 @@ fn smallest(largest: f64, is_seen: impl Fn(f64) -> bool) -> Option<f64> {
                 return None;
             }
             size = (2.0 * size).min(largest);
-            if is_seen(size) {
+            if is_detected(size) {
                 break;
             }
         }
     }
     let between = size / std::f64::consts::SQRT_2;
-    Some(if is_seen(between) { between } else { size })
+    Some(if is_detected(between) { between } else { size })
 }
 
 #[cfg(test)]

@@ -1,11 +1,11 @@
 //! Effects that were found, each judged again beside those found after it.
 
-use crate::bank::Thresholds;
+use crate::current_model::{CurrentModel, Setting, norm};
 use crate::distinguish::CLOSE;
-use crate::level::{Level, Setting, norm};
+use crate::null_distribution::NullDistribution;
 use crate::problem::Problem;
+use crate::rank::{Ranked, rank_some};
 use crate::search::{Found, name, no_repair, others, with_form};
-use crate::weigh::{Weighed, weigh_some};
 use maneuver::effects::Active;
 
 /// What was named with so many times the evidence of a later one is not replaced because of it.
@@ -13,18 +13,18 @@ const FIRM: f64 = 10.0;
 
 /// Fits every effect again beside the others, takes a better one in its place, and drops what is not needed any more.
 /// False if the last effect turned out to say what an earlier one says better: nothing more will be found then.
-pub(crate) fn revise(
+pub(crate) fn backward_step(
     setting: &Setting<'_>,
-    (problem, bare): (&mut Problem<'_>, &(Problem<'_>, Level)),
-    limits: &Thresholds,
+    (problem, bare): (&mut Problem<'_>, &(Problem<'_>, CurrentModel)),
+    limits: &NullDistribution,
     found: &mut Vec<Found>,
-    level: &mut Level,
+    current: &mut CurrentModel,
 ) -> bool {
     let mut more = true;
     for index in (0..found.len()).rev().skip(1) {
-        let without = level.beside(setting, problem, &others(found, &[index]));
+        let without = current.beside(setting, problem, &others(found, &[index]));
         let names = found[index].considered.clone();
-        let weighed = weigh_some(
+        let ranked = rank_some(
             setting,
             (problem, &without),
             limits,
@@ -34,12 +34,14 @@ pub(crate) fn revise(
         let last = found.len() - 1;
         let firm = found[index].named_at > FIRM * found[last].named_at;
         let least = if index == 0 { 0.0 } else { no_repair(found[0].named_at) };
-        let counts = |w: &&Weighed| w.evidence > w.threshold.max(least) && w.refit.is_more_than_a_nudge();
-        if let Some(best) = weighed.iter().find(counts) {
-            let own = weighed.iter().find(|w| w.name() == name(&found[index]));
+        let counts = |w: &&Ranked| {
+            w.evidence > w.threshold.max(least) && w.refit.is_itself() && !w.refit.is_within_prior()
+        };
+        if let Some(best) = ranked.iter().find(counts) {
+            let own = ranked.iter().find(|w| w.name() == name(&found[index]));
             // the earlier name stays unless another is clearly better, and neither name nor values change unless all fits
             // better where nothing is allowed to the form of the effects beside it: what that hides decides nothing
-            let beside = |w: &Weighed| {
+            let beside = |w: &Ranked| {
                 let mut effects = others(found, &[index]);
                 effects.push(w.refit.active.clone());
                 misfit_of(setting, bare, &effects)
@@ -58,11 +60,10 @@ pub(crate) fn revise(
             found[index].evidence = chosen.evidence;
         } else {
             // one of the two is enough: the one that says more without the other
-            let neither = level.beside(setting, problem, &others(found, &[index, last]));
+            let neither = current.beside(setting, problem, &others(found, &[index, last]));
             let names = [name(&found[index]), name(&found[last])];
             let both = [&found[index].active, &found[last].active];
-            let alone =
-                weigh_some(setting, (problem, &neither), limits, &|name| names.contains(&name), &both);
+            let alone = rank_some(setting, (problem, &neither), limits, &|name| names.contains(&name), &both);
             let evidence = |of: &Found| {
                 alone.iter().find(|w| w.name() == name(of)).map_or(f64::NEG_INFINITY, |w| w.evidence)
             };
@@ -75,13 +76,17 @@ pub(crate) fn revise(
         }
     }
     let effects: Vec<Active> = found.iter().map(|f| f.active.clone()).collect();
-    *level = Level::new(setting, problem, &effects, Some(&level.models));
+    *current = CurrentModel::new(setting, problem, &effects, Some(&current.models));
     more
 }
 
 /// Chi square with effects, by the tolerances of the model without any.
-fn misfit_of(setting: &Setting<'_>, (problem, level): &(Problem<'_>, Level), effects: &[Active]) -> f64 {
-    let models = setting.simulator.models(effects, Some(&level.models));
+fn misfit_of(
+    setting: &Setting<'_>,
+    (problem, current): &(Problem<'_>, CurrentModel),
+    effects: &[Active],
+) -> f64 {
+    let models = setting.simulator.models(effects, Some(&current.models));
     let flown = setting.simulator.fly(&models, effects, &problem.places());
-    norm(&level.shared, &problem.residual(&flown))
+    norm(&current.shared, &problem.residual(&flown))
 }

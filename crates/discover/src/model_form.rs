@@ -1,4 +1,4 @@
-//! Other numerics of the same wing: how far apart they are is a measure of how right either can be (verification without
+//! Model-form variants of the same wing: how far apart they are is a measure of how right either can be (verification without
 //! a measurement).
 
 use crate::directions::{DIRECTIONS, Directions};
@@ -14,20 +14,20 @@ use maneuver::{AirModel, Smooth};
 use std::sync::Arc;
 
 /// Lags of another rational function of the air.
-const OTHER_LAGS: usize = 4;
+const VARIANT_LAGS: usize = 4;
 /// Shares of boxes along chord and span that another lattice has.
-const OTHER_LATTICE: (f64, f64) = (0.67, 0.7);
+const LATTICE_SHARES: (f64, f64) = (0.67, 0.7);
 
 /// The air with another rational function.
-pub(crate) fn other_lags() -> AirModel {
+pub(crate) fn lag_variant() -> AirModel {
     match AirModel::default() {
-        AirModel::Unsteady { doublets, .. } => AirModel::Unsteady { lags: OTHER_LAGS, doublets },
+        AirModel::Unsteady { doublets, .. } => AirModel::Unsteady { lags: VARIANT_LAGS, doublets },
         AirModel::QuasiSteady => AirModel::QuasiSteady,
     }
 }
 
 /// The air with doublets integrated otherwise.
-pub(crate) fn other_doublets() -> AirModel {
+pub(crate) fn kernel_variant() -> AirModel {
     match AirModel::default() {
         AirModel::Unsteady { lags, .. } => AirModel::Unsteady {
             lags,
@@ -39,7 +39,7 @@ pub(crate) fn other_doublets() -> AirModel {
 
 /// A wing on another lattice.
 #[derive(Debug)]
-pub struct OtherLattice {
+pub struct LatticeVariant {
     /// The file with the other lattice.
     pub file: WingFile,
     /// The wing.
@@ -48,12 +48,12 @@ pub struct OtherLattice {
     pub(crate) boxes: Vec<usize>,
 }
 
-impl OtherLattice {
+impl LatticeVariant {
     /// A coarser lattice on a parametric wing; none where the lattice is given by a deck, or the planform takes no other.
     pub fn of(file: &WingFile, wing: &ElasticWing) -> Option<Self> {
         let mut file = file.clone();
         let Source::Parametric(planform) = &mut file.source else { return None };
-        let mesh = planform.mesh(OTHER_LATTICE.0, OTHER_LATTICE.1);
+        let mesh = planform.mesh(LATTICE_SHARES.0, LATTICE_SHARES.1);
         planform.remesh(&mesh).ok()?;
         let bulk = file.bulk(coupling::Mount::Tunnel).ok()?;
         let other = ElasticWing::from_bulk(&file, &bulk).ok()?;

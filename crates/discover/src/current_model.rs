@@ -18,8 +18,8 @@ pub struct Setting<'a> {
     pub data: &'a Dataset,
     /// The wing in them.
     pub simulator: &'a Simulator,
-    /// The same wing with other numerics: how far apart they are is a measure of how right either can be.
-    pub others: &'a [Simulator],
+    /// Model-form variants of the same wing: how far apart they are is a measure of how right either can be.
+    pub variants: &'a [Simulator],
     /// The library.
     pub library: &'a [Arc<dyn Effect>],
     /// What calibration knows only so well, each at one standard deviation.
@@ -31,7 +31,7 @@ pub struct Setting<'a> {
 
 /// See the module.
 #[derive(Debug, Clone)]
-pub struct Level {
+pub struct CurrentModel {
     /// Effects found.
     pub effects: Vec<Active>,
     /// Linear parts with them.
@@ -50,11 +50,11 @@ pub struct Level {
     columns: Vec<Vec<f64>>,
     /// `r' (I + G G')⁻¹ r`.
     pub chi2: f64,
-    /// What candidates change, if other measurements will be searched around the same level.
+    /// What candidates change, if other measurements will be searched around the same model.
     pub(crate) memory: Option<Arc<Memory>>,
 }
 
-/// What other numerics' difference is multiplied by.
+/// What the difference of a model-form variant is multiplied by.
 const NUMERICS: f64 = 1.5;
 /// How far values of effects that were found may be off while something else is missing, as a share of them.
 const OFF: f64 = 0.2;
@@ -63,7 +63,7 @@ const STEP: f64 = 0.1;
 /// Most values of an effect that are freed so.
 const FEW: usize = 3;
 
-impl Level {
+impl CurrentModel {
     /// Sets tolerances of the problem and columns around the model with `effects`.
     pub fn new(
         setting: &Setting<'_>,
@@ -74,7 +74,7 @@ impl Level {
         Self::with_columns(setting, problem, (effects, before), None)
     }
 
-    /// The same around a neighbour of this level, whose columns serve: what is uncertain changes little with an effect.
+    /// The same around a neighbour of this model, whose columns serve: what is uncertain changes little with an effect.
     #[must_use]
     pub fn beside(&self, setting: &Setting<'_>, problem: &mut Problem<'_>, effects: &[Active]) -> Self {
         Self::with_columns(setting, problem, (effects, Some(&self.models)), Some(&self.columns))
@@ -109,7 +109,7 @@ impl Level {
         Self { memory: Some(Arc::default()), ..self }
     }
 
-    /// The same around other measurements; the problem's tolerances are those of this level.
+    /// The same around other measurements; the problem's tolerances are those of this model.
     #[must_use]
     pub fn measuring(&self, problem: &Problem<'_>) -> Self {
         let residual = problem.residual(&self.flown);
@@ -229,7 +229,7 @@ fn shared_columns(
         values[k] = effect.parameters()[k].plausible * setting.open_corrections;
         changed(Active::new(effect, &values), &problem.at_airspeed(v))
     });
-    let numerics = setting.others.par_iter().map(|other| {
+    let variants = setting.variants.par_iter().map(|other| {
         let places = problem.places();
         let after = other.fly(&other.models(effects, None), effects, &places);
         let before: Vec<&Flown> = flown.iter().collect();
@@ -241,7 +241,7 @@ fn shared_columns(
     });
     let mut columns: Vec<Vec<f64>> = calibrated.collect();
     columns.extend(directions.collect::<Vec<_>>());
-    columns.extend(numerics.collect::<Vec<_>>());
+    columns.extend(variants.collect::<Vec<_>>());
     columns.retain(|column| column.iter().any(|value| *value != 0.0));
     columns
 }

@@ -1,13 +1,13 @@
-//! The gate names every defect that is put into the shipped campaign, and nothing where only the model is wrong.
+//! The data checks name every defect that is put into the shipped campaign, and nothing where only the model is wrong.
 
 mod common;
 
 use common::{Flight, shipped};
 use discover::data::Dataset;
-use discover::gate::{Defect, DefectKind, defects, rough_noise};
+use discover::data_checks::{Defect, DefectKind, defects, rough_noise};
 use maneuver::effects::{Active, library};
 
-fn gate(flight: &Flight, data: &Dataset) -> Vec<Defect> {
+fn checked(flight: &Flight, data: &Dataset) -> Vec<Defect> {
     defects(data, &flight.flown, &rough_noise(data))
 }
 
@@ -16,7 +16,7 @@ fn only(change: impl Fn(&mut Dataset)) -> Defect {
     let flight = shipped();
     let mut data = flight.data.clone();
     change(&mut data);
-    let mut found = gate(flight, &data);
+    let mut found = checked(flight, &data);
     assert_eq!(found.len(), 1, "{found:#?}");
     found.remove(0)
 }
@@ -30,7 +30,7 @@ fn names(defect: &Defect, kind: DefectKind, run: Option<&str>, channel: Option<&
 #[test]
 fn the_shipped_campaign_passes() {
     let flight = shipped();
-    let found = gate(flight, &flight.data);
+    let found = checked(flight, &flight.data);
     assert!(found.is_empty(), "{found:#?}");
 }
 
@@ -47,7 +47,7 @@ fn every_effect_at_its_bounds_passes() {
                 continue;
             }
             let truth = flight.with(std::slice::from_ref(&active));
-            let found = gate(flight, &flight.pretend(&truth, 7));
+            let found = checked(flight, &flight.pretend(&truth, 7));
             if !found.is_empty() {
                 fired.push(format!(
                     "{} {} {:?}: {} {:?}",
@@ -153,7 +153,7 @@ fn a_late_run_is_named_and_late_runs_all_together_are_not() {
     let mut data = flight.data.clone();
     let records = data.runs.iter_mut().flat_map(|run| &mut run.measured);
     records.for_each(|values| values.rotate_right(6));
-    let found = gate(flight, &data);
+    let found = checked(flight, &data);
     assert!(found.is_empty(), "{found:#?}");
 }
 

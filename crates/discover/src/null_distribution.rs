@@ -1,10 +1,10 @@
-//! What the search would find where nothing is missing: campaigns of the model itself with other numerics, parameters
+//! What the search would find where nothing is missing: campaigns of the model itself with model-form variants, parameters
 //! within their uncertainty and noise. Thresholds and floors come from them.
 
+use crate::current_model::{CurrentModel, Setting};
 use crate::data::Dataset;
-use crate::level::{Level, Setting};
 use crate::problem::Problem;
-use crate::weigh::weigh;
+use crate::rank::rank;
 use maneuver::effects::{Active, Flown};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
@@ -18,14 +18,14 @@ use std::sync::Arc;
 pub const CAMPAIGNS: u64 = 20;
 /// Standard deviations above the mean of what is found where nothing is missing.
 const SIGMAS: f64 = 3.0;
-/// Nats on top: the bank's campaigns are made with the model's own numerics, or close to it, and real wings are not. On 539
-/// campaigns of another program without any effect, of development seeds of the blind benchmark, nothing but [`MIMICS`] was
+/// Log Bayes factor on top: the null campaigns are made with the model's own form, or close to it, and real wings are not. On 539
+/// campaigns of another program without any effect, of development seeds of the blind benchmark, nothing but [`CONFOUNDERS`] was
 /// found with more than 18.
 const MARGIN: f64 = 25.0;
-/// What other numerics look like, and the nats that it needs on top. Most of all a small mass on the outer wing, another stream
+/// What differences in model form look like, and the log Bayes factor that it needs on top. Most of all a small mass on the outer wing, another stream
 /// between walls, another lag of the air; and a wing stiffer in torsion, where corrections come from the campaign's own
 /// points. Less so what is a little of everything: losses at the tip, crosstalk, a shifted center of lift.
-const MIMICS: [(&str, f64); 12] = [
+const CONFOUNDERS: [(&str, f64); 12] = [
     ("tip_mass", 75.0),
     ("wall_correction", 65.0),
     ("aero_lag", 65.0),
@@ -45,7 +45,7 @@ const MISFIT_MARGIN: f64 = 0.15;
 /// Thresholds of evidence by effect and form, and what the misfit is without effects.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Thresholds {
+pub struct NullDistribution {
     /// What it belongs to: see [`key`].
     pub key: String,
     /// By `name form`.
@@ -58,7 +58,7 @@ pub struct Thresholds {
     pub floor: [f64; 2],
 }
 
-impl Default for Thresholds {
+impl Default for NullDistribution {
     fn default() -> Self {
         Self {
             key: String::new(),
@@ -70,14 +70,14 @@ impl Default for Thresholds {
     }
 }
 
-impl Thresholds {
+impl NullDistribution {
     /// Threshold of an effect in a form.
-    pub fn of(&self, name: &str, form: &str) -> f64 {
+    pub fn threshold(&self, name: &str, form: &str) -> f64 {
         self.evidence.get(&format!("{name} {form}")).copied().unwrap_or(margin(name))
     }
 
     /// Makes campaigns without effect and searches them.
-    pub fn from_nulls(
+    pub fn from_null_campaigns(
         setting: &Setting<'_>,
         train: &Problem<'_>,
         judged: &[Problem<'_>; 2],
@@ -85,11 +85,11 @@ impl Thresholds {
     ) -> Self {
         // the same model flies all of them: what it is uncertain of and what effects change in it is found once
         let mut bare = train.clone();
-        let level = Level::new(setting, &mut bare, &[], None).remembering();
+        let current = CurrentModel::new(setting, &mut bare, &[], None).remembering();
         let one = |k: u64| {
             let mut random = ChaCha8Rng::seed_from_u64(seed);
             random.set_stream(k + 1);
-            null(setting, (&bare, &level), judged, &mut random, k)
+            null(setting, (&bare, &current), judged, &mut random, k)
         };
         // the first alone, so that the others need not fly side by side what it will remember
         let mut nulls = vec![one(0)];
@@ -126,9 +126,9 @@ impl Thresholds {
     }
 }
 
-/// Nats on top of what the bank's campaigns show.
+/// Log Bayes factor on top of what the null campaigns show.
 fn margin(name: &str) -> f64 {
-    MIMICS.iter().find(|(mimic, _)| *mimic == name).map_or(MARGIN, |(_, nats)| *nats)
+    CONFOUNDERS.iter().find(|(confounder, _)| *confounder == name).map_or(MARGIN, |(_, margin)| *margin)
 }
 
 struct Null {
@@ -139,15 +139,15 @@ struct Null {
 
 fn null(
     setting: &Setting<'_>,
-    (train, level): (&Problem<'_>, &Level),
+    (train, current): (&Problem<'_>, &CurrentModel),
     judged: &[Problem<'_>; 2],
     random: &mut ChaCha8Rng,
     k: u64,
 ) -> Null {
-    let others = setting.others.len() as u64;
-    let truth = match (k % (others + 1)).checked_sub(1) {
+    let variants = setting.variants.len() as u64;
+    let truth = match (k % (variants + 1)).checked_sub(1) {
         None => setting.simulator,
-        Some(other) => &setting.others[usize::try_from(other).unwrap_or(0)],
+        Some(variant) => &setting.variants[usize::try_from(variant).unwrap_or(0)],
     };
     let effects: Vec<Active> = setting
         .uncertain
@@ -163,17 +163,17 @@ fn null(
     let judged = judged
         .each_ref()
         .map(|problem| pretend(problem, &|places| truth.fly(&models, &effects, places), random));
-    let level = level.measuring(&train);
-    let weighed = weigh(setting, &train, &level, &Thresholds::default());
+    let current = current.measuring(&train);
+    let ranked = rank(setting, &train, &current, &NullDistribution::default());
     let gap = |problem: &Problem<'_>| {
-        problem.gap(&setting.simulator.fly(&level.models, &[], &problem.places())).all
+        problem.gap(&setting.simulator.fly(&current.models, &[], &problem.places())).all
     };
     Null {
-        evidence: weighed
+        evidence: ranked
             .iter()
             .map(|w| (format!("{} {}", w.name(), w.refit.active.effect.form()), w.evidence))
             .collect(),
-        misfit: level.chi2 / train.len() as f64,
+        misfit: current.chi2 / train.len() as f64,
         gap: judged.each_ref().map(gap),
     }
 }
@@ -198,10 +198,10 @@ fn mean_and_sd(values: &[f64]) -> (f64, f64) {
     (mean, square.sqrt())
 }
 
-/// What a bank was made by: another word where library, tolerances or margins change.
+/// What a null distribution was made by: another word where library, tolerances or margins change.
 const RULES: &str = "replicates together, other lattice, held angles, margin 25, twelve mimics, small tip mass, calibrated to 2 %, either side";
 
-/// A fingerprint of what a bank depends on, as FNV-1a of words.
+/// A fingerprint of what a null distribution depends on, as FNV-1a of words.
 pub fn key(wing_hash: &str, data: &Dataset) -> String {
     let mut words = vec![RULES.to_owned(), wing_hash.to_owned(), format!("{:?}", data.airspeeds_m_s)];
     for run in &data.runs {
