@@ -19,6 +19,7 @@ pub mod next;
 pub mod noise;
 pub mod null_distribution;
 pub mod problem;
+pub mod rules;
 pub mod rank;
 pub mod search;
 pub mod shared;

@@ -1,0 +1,178 @@
+//! How candidates are fitted, ranked, named and judged.
+
+use super::Origin::{Formula, Measured, Physical, Unknown};
+use super::rule::rules;
+
+rules! {
+    /// Candidates flown at a few sizes, and the fit of the promising ones.
+    FitRules {
+        /// Sizes, in units of the plausible, at which an effect of one parameter is flown for screening. What a run may be off by hides the part that is linear in its size (a time shift's, say): what is left looks alike on both sides of zero, so each is tried.
+        tried: Vec<f64> = vec![1.0, -1.0, 4.0, -4.0], "plausible sizes", Measured("development cases of the blind benchmark: delays that come early took the name of their twin");
+        /// The same of what has one side only: limits and gaps act from zero on, and not in proportion.
+        tried_one_sided: Vec<f64> = vec![0.2, 1.0, 4.0], "plausible sizes", Measured("development cases of the blind benchmark: small servo rates were flown too large");
+        /// Above this chi square a row beside what was found already, sizes beyond the plausible are tried.
+        much_missing: f64 = 1.5, "", Unknown;
+        /// Where a fit is started beside the best of these sizes, as shares of it: a little on the other side, too, where what is small was flown too large.
+        starts: Vec<f64> = vec![0.5, 1.5, -0.5], "", Unknown;
+        /// Steps of a fit; more while they gain `worth` of what was gained so far.
+        steps: usize = 6, "", Unknown;
+        /// Most steps of a fit.
+        most_steps: usize = 14, "", Unknown;
+        /// See `steps`.
+        worth: f64 = 0.02, "", Unknown;
+        /// A step that gains less of chi square is the last.
+        least_gain: f64 = 0.5, "chi square", Formula("half a log Bayes factor of a quarter: nothing is decided by it");
+        /// Secants of a parameter are taken over this size from a size that is not zero.
+        secant_step: f64 = 0.2, "plausible sizes", Unknown;
+        /// A parameter that does nothing alone is tried beside others of this size.
+        beside_size: f64 = 0.5, "plausible sizes", Unknown;
+    }
+}
+
+rules! {
+    /// Which candidates are fitted after screening.
+    RankRules {
+        /// So many candidates are fitted...
+        fitted: usize = 8, "candidates", Unknown;
+        /// ... and all within this share of the best in screening...
+        fitted_share: f64 = 0.35, "", Unknown;
+        /// ... of those that chi square would fall by at least so much with, far below any threshold...
+        least_gain: f64 = 20.0, "chi square", Formula("a log Bayes factor of ten");
+        /// ... and so many all the same, to be shown.
+        shown: usize = 3, "candidates", Unknown;
+    }
+}
+
+rules! {
+    /// Which candidates the data do not tell apart.
+    RivalRules {
+        /// Draws of the bootstrap over runs.
+        draws: usize = 400, "", Formula("a share of draws has a standard deviation of at most 2.5 %");
+        /// Effects that win at least this share of draws belong to the set.
+        in_set: f64 = 0.05, "", Measured("the method's prototype");
+        /// A log Bayes factor within this of the best is no distinction...
+        close: f64 = 5.0, "log Bayes factor", Formula("odds of 150 to one");
+        /// ... nor one within this share of it.
+        close_share: f64 = 0.15, "", Measured("the method's prototype");
+        /// No rival has less than this share of the best log Bayes factor.
+        rival_share: f64 = 0.6, "", Unknown;
+    }
+}
+
+rules! {
+    /// When an effect is named.
+    NamingRules {
+        /// Most effects that one campaign may lack.
+        most_effects: usize = 4, "effects", Unknown;
+        /// An effect that adds less than this share of the first one's log Bayes factor only repairs the first one's form.
+        repair_share: f64 = 0.008, "", Measured("development cases of the blind benchmark (seeds 2100000 to 2300000)");
+        /// A larger log Bayes factor than this repairs no form...
+        no_repair: f64 = 100.0, "log Bayes factor", Measured("as `repair_share`");
+        /// ... but that of a rival, which needs this share of the log Bayes factor of the one that it is a rival of.
+        repair_share_of_rival: f64 = 0.2, "", Measured("as `repair_share`");
+        /// What differences of model form may add to a log Bayes factor or take from it, where odds decide instead.
+        model_form: f64 = 45.0, "log Bayes factor", Measured("null cases of the blind benchmark (seeds 2100000 and 2200000)");
+        /// Confidence in what goes first by its odds, not by the data.
+        odds: f64 = 2.0 / 3.0, "", Formula("of two lags that are late, one is of a kind that is early as often: odds of two to one");
+        /// What had less than this share of an effect's log Bayes factor is not ranked in its place again when more was found.
+        considered: f64 = 0.2, "", Unknown;
+        /// An effect named with so many times the log Bayes factor of a later one is not replaced because of it.
+        firm: f64 = 10.0, "", Unknown;
+        /// Where no candidate wins this share of draws together with its rivals in the library, none is named.
+        wins: f64 = 0.35, "", Unknown;
+        /// Share of draws that an effect wins, and how often it was the right one: straight between. Where nothing is close to it.
+        right_alone: [(f64, f64); 5] = [(0.0, 0.4), (0.45, 0.85), (0.7, 0.95), (0.9, 0.97), (1.0, 0.985)], "", Measured("development cases of the blind benchmark (seeds 2100000 to 2300000, track A)");
+        /// The same where rivals are close.
+        right_with_rivals: [(f64, f64); 5] = [(0.0, 0.3), (0.5, 0.58), (0.7, 0.6), (0.85, 0.85), (1.0, 0.97)], "", Measured("as `right_alone`");
+        /// The best effect is not named if it explains less than this share of the misfit that is too much.
+        explained: f64 = 0.1, "", Unknown;
+        /// None is named if all that were found explain less than this share of it.
+        explained_by_all: f64 = 0.5, "", Unknown;
+        /// How far values are off because no form is exact, as a share of them.
+        value_form: f64 = 0.1, "", Measured("development cases of the blind benchmark: a nominal 90 % interval holds .80 of the true values with it");
+    }
+}
+
+rules! {
+    /// One size of an effect in all parts of the data.
+    ConsistencyRules {
+        /// Angles that span more than this pitch; others are held.
+        pitching_span_rad: f64 = 0.0035, "rad", Physical("a fifth of a degree, above an encoder's noise and a support's bending");
+        /// A part that knows its size worse than this share is left out.
+        known_share: f64 = 0.25, "", Unknown;
+        /// So is one that knows it so many times worse than the best: it looks at another parameter of the effect.
+        times_worse: f64 = 10.0, "", Measured("development cases of the blind benchmark: what a joiner weighs in a tilt, beside its inertia");
+        /// Above this chi square a degree of freedom of its size from part to part an effect is not what it is called.
+        scatter: f64 = 3.0, "", Measured("development cases of the blind benchmark");
+        /// The same where something is left that nothing explains.
+        scatter_unexplained: f64 = 1.4, "", Measured("development cases of the blind benchmark: an angle's encoder in the place of a joiner");
+        /// Most that the model's form may be off by, as a share of an effect.
+        form_most: f64 = 0.2, "", Unknown;
+    }
+}
+
+rules! {
+    /// What is found where nothing is missing.
+    NullRules {
+        /// Campaigns without effect that are made.
+        campaigns: u64 = 20, "", Unknown;
+        /// So many standard deviations above the mean of what they find lies a threshold, the margin not counted.
+        sigmas: f64 = 3.0, "standard deviations", Formula("one in 700 normal values is larger");
+        /// Chi square a row on top of that of null campaigns before something is called missing.
+        misfit_margin: f64 = 0.15, "", Unknown;
+    }
+}
+
+rules! {
+    /// What is said in the end.
+    VerdictRules {
+        /// A gap is closed that is at most so many times what is left where nothing is missing; the same on training data, above which something is missing.
+        closed: f64 = 2.0, "", Physical("models are never perfect: agreed before the first test");
+        /// An experiment that separates rivals by a smaller expected log Bayes factor is no advice.
+        separated: f64 = 5.0, "log Bayes factor", Formula("odds of 150 to one");
+        /// Most times that a size is doubled or halved in search of a detection limit.
+        doublings: usize = 12, "", Formula("a factor of 4096");
+        /// So many standard deviations wide to either side are the bands about a simulated run.
+        band_sigmas: f64 = 2.0, "standard deviations", Formula("95 of 100 samples");
+        /// Where the noise of a band's sample is taken from.
+        band_noise_hz: f64 = 6.0, "Hz", Formula("half of `highest_hz`");
+        /// Calibrations at most beside the effects.
+        calibrations: usize = 8, "", Unknown;
+        /// The loads of effects stay if they change by less than this share of a static point's noise.
+        calibrated_same: f64 = 0.1, "standard deviations", Formula("a hundredth of the noise's variance");
+    }
+}
+
+rules! {
+    /// Where the residual sits.
+    LocateRules {
+        /// Ends of the map's bands.
+        bands_hz: [(f64, f64); 5] = [(0.0, 1.0), (1.0, 2.0), (2.0, 4.0), (4.0, 8.0), (8.0, 12.0)], "Hz", Formula("octaves up to `highest_hz`");
+        /// A cell of the map without a gap is below its limit with this probability.
+        level: f64 = 0.99, "", Formula("one in a hundred");
+        /// Length of a window of a chirp.
+        window_s: f64 = 2.0, "s", Unknown;
+        /// A window needs so many samples.
+        window_samples: usize = 40, "samples", Unknown;
+        /// Columns of a family of which a smaller share is left without those before are the same for this campaign.
+        same_column: f64 = 0.02, "", Unknown;
+        /// A family moves in units that hold more than this share of its largest unit's columns.
+        moves: f64 = 1e-3, "", Unknown;
+        /// A residual is beyond noise if its square is so many standard deviations of chi squared above it.
+        visible: f64 = 5.0, "standard deviations", Unknown;
+        /// So many kinds of maneuvers are named...
+        named: usize = 2, "", Unknown;
+        /// ... of those with this share of what a family gains.
+        named_share: f64 = 0.1, "", Unknown;
+        /// Airspeed that dynamic pressure and airspeed are referred to.
+        reference_v_m_s: f64 = 30.0, "m/s", Formula("a scale alone");
+        /// Rate above which its sign counts fully: far above the rate of a noisy angle.
+        full_rate_rad_s: f64 = 0.2, "rad/s", Physical("rates of an encoder's noise");
+        /// So many regressors are listed.
+        listed: usize = 12, "", Unknown;
+        /// Less than this share of a channel's residual is not listed...
+        least_share: f64 = 0.01, "", Unknown;
+        /// ... nor is what chance does more often.
+        chance: f64 = 0.05, "", Formula("one in twenty");
+    }
+}
