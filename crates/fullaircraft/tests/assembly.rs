@@ -6,7 +6,7 @@ use aero::{Corrections, Lattice};
 use common::{assert_near, path, whole, wings};
 use coupling::WingFile;
 use coupling::planform::Mount;
-use fullaircraft::mirror::Image;
+use fullaircraft::model::mirror::Image;
 use fullaircraft::{Aircraft, AircraftFile, FreeModes};
 use std::collections::BTreeSet;
 

@@ -3,8 +3,8 @@
 mod common;
 
 use common::{beam_wing, path, whole};
-use fullaircraft::cases::groups;
-use fullaircraft::cases_envelope::load_envelope;
+use fullaircraft::cases::envelope::load_envelope;
+use fullaircraft::cases::grid::groups;
 use fullaircraft::{Aircraft, AircraftError, Case, CaseFlight, CaseResult, CasesFile, TrimTools};
 
 /// The shipped grid without what is flown in time.

@@ -2,7 +2,7 @@
 
 use aero::{Lattice, MirrorPlane, SteadyAero, camber_and_twist};
 use faer::Mat;
-use fullaircraft::trim_deck_cases::select;
+use fullaircraft::deck::cases::select;
 use fullaircraft::{TrimDeck, TrimmedDeck, deck_cases};
 use nastran::{BulkData, Dmi, parse_deck};
 use std::path::Path;

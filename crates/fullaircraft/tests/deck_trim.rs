@@ -1,6 +1,6 @@
 //! Trim of a user's deck beyond its published numbers: links, stations, divergence, plate splines, and refusals.
 
-use fullaircraft::trim_deck_cases::select;
+use fullaircraft::deck::cases::select;
 use fullaircraft::{TrimDeck, deck_cases};
 use nastran::{BulkData, parse_deck};
 use std::path::Path;

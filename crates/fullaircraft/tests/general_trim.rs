@@ -154,7 +154,7 @@ fn a_motion_not_asked_for_comes_out_and_asked_for_gives_the_variable_back() {
 fn thrust_pushes_by_its_weight_s_share_and_pitches_by_its_arm() {
     let mut file = whole().file.clone();
     file.thrust_line =
-        Some(fullaircraft::aircraft_file::ThrustLine { point_m: (0.4, 0.0, -0.1), up_deg: 0.0 });
+        Some(fullaircraft::aircraft::file::ThrustLine { point_m: (0.4, 0.0, -0.1), up_deg: 0.0 });
     let wing = coupling::WingFile::read(&common::beam_wing()).unwrap();
     let aircraft = fullaircraft::Aircraft::new(file, wing).unwrap();
     let tools = TrimTools::new(&aircraft, &[]).unwrap();

@@ -17,7 +17,7 @@ pub(crate) fn rows() -> Result<Vec<Value>, Failure> {
     let assembled = start.elapsed().as_secs_f64();
     let air = FlightAir::new(&aircraft)?;
     let boxes = aircraft.flow.lattice.len();
-    let frequencies = fullaircraft::unsteady::REDUCED_FREQUENCIES.len();
+    let frequencies = fullaircraft::flight::air::REDUCED_FREQUENCIES.len();
     let mut built = row(
         &format!("aircraft_{boxes}_boxes_{frequencies}_frequencies_modes"),
         start.elapsed().as_secs_f64(),

@@ -1,7 +1,7 @@
 //! The time of 1000 trim cases of the shipped aircraft: 50 maneuvers at ten airspeeds with two models, loads at eight stations included.
 
 use coupling::wing_file::StationAt;
-use fullaircraft::cases::{Case, CaseResult, groups};
+use fullaircraft::cases::grid::{Case, CaseResult, groups};
 use fullaircraft::{Aircraft, CaseFlight, CasesFile, TrimTools};
 use rayon::prelude::*;
 use serde_json::{Value, json};
@@ -40,7 +40,7 @@ pub(crate) fn rows() -> Result<Vec<Value>, Failure> {
 }
 
 fn grid(stations: &[StationAt]) -> CasesFile {
-    use fullaircraft::cases_file::Maneuver;
+    use fullaircraft::cases::file::Maneuver;
     let control = || "outer".to_owned();
     // level, 24 pull-ups and 25 rolls: 50 at each airspeed
     let load_factors: Vec<f64> = (0..25).map(|k| 1.0 + 0.125 * f64::from(k)).collect();

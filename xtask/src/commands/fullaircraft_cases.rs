@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::time::Instant;
 
-use fullaircraft::cases::{MODELS, groups};
-use fullaircraft::cases_envelope::{Extreme, LOADS, cases_csv, envelope_csv, load_envelope};
+use fullaircraft::cases::envelope::{Extreme, LOADS, cases_csv, envelope_csv, load_envelope};
+use fullaircraft::cases::grid::{MODELS, groups};
 use fullaircraft::{Case, CaseFlight, CaseResult, CasesFile, FlightAir, TrimTools};
 use nastran::InputError;
 use rayon::prelude::*;

@@ -1,7 +1,7 @@
 //! The figures of `fullaircraft --cases`: the load envelope along the span, and all cases at the right root.
 
-use fullaircraft::cases::{CaseResult, MODELS};
-use fullaircraft::cases_envelope::{Extreme, LOADS, ranges};
+use fullaircraft::cases::envelope::{Extreme, LOADS, ranges};
+use fullaircraft::cases::grid::{CaseResult, MODELS};
 use fullaircraft::{Station, Stations};
 use report::{Figure, Panel, Series, Style};
 

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::time::Instant;
 
-use fullaircraft::trim_deck_cases::select;
+use fullaircraft::deck::cases::select;
 use fullaircraft::{DeckCase, Elastic, TrimDeck, TrimmedDeck, deck_cases};
 use nastran::BulkData;
 use serde::Serialize;

@@ -1,6 +1,6 @@
 //! Stability and control derivatives as a table: rigid, and elastic with the aircraft free, initial beside updated model.
 
-use fullaircraft::results::BothDerivatives;
+use fullaircraft::results::comparison::BothDerivatives;
 use fullaircraft::{Coefficients, Derivatives};
 
 /// Name of a coefficient and where it is.

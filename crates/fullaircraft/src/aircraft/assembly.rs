@@ -1,0 +1,230 @@
+//! The aircraft assembled once: structure free and held, lattice, spline and the pressures of everything that does
+//! not depend on airspeed or corrections.
+//!
+//! Angles and deflections are counted from the fuselage's grid at the wing's root (the centre). For steady
+//! flight the structure is held there: six motions, so statically determinate, and in balanced flight the reaction is
+//! zero. For dynamics it is free.
+
+use crate::aircraft::file::{AircraftFile, Surfaces};
+use crate::error::AircraftError;
+use crate::model::cards::{self, Cards};
+use crate::model::closing;
+use aero::{ControlSurface, Corrections, Lattice, MirrorPlane, camber_and_twist};
+use coupling::{
+    Balance, ElasticWing, RigidInertia, Spline, SplineKind, SupportedStructure, WingFile, WingParts,
+};
+use nalgebra::Point3;
+use nastran::{BulkData, Frames, InputError};
+use std::path::Path;
+use structure::{MassProperties, Model, System};
+
+/// Nodes and boxes of a wing.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct WingPlaces {
+    /// Index of each box in the lattice; of the left wing in the order of the right wing's originals.
+    pub boxes: Vec<usize>,
+    /// Index of each node of the wing, ascending.
+    pub nodes: Vec<usize>,
+    /// The spline node at the tip.
+    pub tip: usize,
+    /// The outermost accelerometer; without one the tip.
+    pub sensor: usize,
+}
+
+/// An aircraft.
+#[derive(Debug)]
+pub struct Aircraft {
+    /// Its file.
+    pub file: AircraftFile,
+    /// Its wing's file.
+    pub wing: WingFile,
+    /// All cards, free in space; with all panels, whatever is in the flow.
+    pub bulk: BulkData,
+    /// The free structure.
+    pub free: System,
+    /// How all boxes in the flow follow the structure.
+    pub spline: Spline,
+    /// Boxes in the flow, controls, unit pressures, and the structure held at the centre. Its "balance" is the
+    /// centre of gravity, and all boxes count; its corrections are those of both wings.
+    pub flow: ElasticWing,
+    /// Right wing.
+    pub right: WingPlaces,
+    /// Left wing.
+    pub left: WingPlaces,
+    /// Node of the reference grid.
+    pub centre: usize,
+    /// Mass properties of the whole.
+    pub mass: MassProperties,
+    /// What rigid accelerations, about the centre of gravity, do to the structure held at the centre.
+    pub inertia: RigidInertia,
+}
+
+impl Aircraft {
+    /// Reads an aircraft's file and everything it names; `wing` takes the place of the wing it names.
+    ///
+    /// # Errors
+    /// Bad input, and a structure that does not hold together.
+    pub fn read(path: &Path, wing: Option<&Path>) -> Result<Self, AircraftError> {
+        let file = AircraftFile::read(path)?;
+        let wing = WingFile::read(wing.unwrap_or(&file.wing_path()))?;
+        Self::new(file, wing)
+    }
+
+    /// Assembles an aircraft.
+    ///
+    /// # Errors
+    /// As [`Aircraft::read`].
+    pub fn new(file: AircraftFile, wing: WingFile) -> Result<Self, AircraftError> {
+        let mut cards = cards::build(&file, &wing)?;
+        let rest = MassProperties::of_model(&Model::from_bulk(&cards.bulk)?);
+        let frames = Frames::resolve(&cards.bulk)?;
+        let at = frames.grid_point(&cards.bulk.grids[&cards.centre])?;
+        let body = closing::mass(&file, &rest, cards.closing, cards.centre, &at)?;
+        cards.bulk.masses.insert(body.id, body);
+        let free = System::assemble(&Model::from_bulk(&cards.bulk)?)?;
+
+        let in_flow = match file.surfaces {
+            Surfaces::All => cards.bulk.clone(),
+            Surfaces::WingsOnly => cards.wings_in_flow(),
+        };
+        let lattice = Lattice::from_bulk(&in_flow)?;
+        let spline = spline(&cards, &lattice, &free, wing.spline)?;
+        let [right, left] = wings(&cards, &wing, &free)?;
+        let centre = node(&free, cards.centre)?;
+        let held = free.clamped_at(centre);
+        let mass = free.mass_properties();
+        let centre_of_gravity = Point3::new(file.total.x_cg_m, 0.0, 0.0);
+        let (supported, inertia) =
+            SupportedStructure::with_inertia(&held, &spline, right.tip, &centre_of_gravity)?;
+        let parts = WingParts {
+            controls: ControlSurface::all_from_bulk(&in_flow, &lattice)?,
+            balance: Balance { point: centre_of_gravity, metric: vec![true; lattice.len()] },
+            plane: MirrorPlane::None,
+            mach: 0.0,
+            fairing_surfaces: lattice
+                .surfaces
+                .iter()
+                .map(|s| s.id)
+                .filter(|id| !cards.is_wing_panel(*id))
+                .collect(),
+            camber: camber_and_twist(&in_flow, &lattice)?,
+            supported: Some(supported),
+            structure: None,
+            lattice,
+        };
+        let flow = ElasticWing::new(parts)?;
+        Ok(Self { file, wing, bulk: cards.bulk, free, spline, flow, right, left, centre, mass, inertia })
+    }
+
+    /// Corrections of one wing's boxes spread over the aircraft: the same on the right wing, mirrored on the left,
+    /// neutral (factors 1, offsets 0) on tail and fuselage.
+    ///
+    /// # Errors
+    /// If there is not one entry for each box of the wing.
+    pub fn corrections(&self, wing: &Corrections) -> Result<Corrections, AircraftError> {
+        let expected = self.right.boxes.len();
+        if wing.len() != expected {
+            let what = "corrections (one for each box of one wing)";
+            return Err(coupling::CouplingError::Size { what, got: wing.len(), expected }.into());
+        }
+        let mut all = wing.padded(self.flow.lattice.len(), &self.right.boxes);
+        let left = wing.padded(self.flow.lattice.len(), &self.left.boxes);
+        for &at in &self.left.boxes {
+            all.force[at] = left.force[at];
+            all.moment[at] = left.moment[at];
+            all.pressure_offset[at] = left.pressure_offset[at];
+        }
+        Ok(all)
+    }
+
+    /// Index of a control surface of the flow.
+    pub fn control(&self, name: &str) -> Option<usize> {
+        self.flow.controls.iter().position(|control| control.name == name)
+    }
+
+    /// A control of the right side and its image on the left.
+    ///
+    /// # Errors
+    /// If there is no such pair; names the ones there are.
+    pub fn control_pair(&self, name: &str) -> Result<[usize; 2], InputError> {
+        self.control(name)
+            .zip(self.control(&format!("L_{name}")))
+            .map(|(right, left)| [right, left])
+            .ok_or_else(|| {
+                let names: Vec<&str> = self.flow.controls.iter().map(|c| c.name.as_str()).collect();
+                let message = format!("there is no pair of control surfaces {name}");
+                let text = nastran::read_text(&self.file.path).unwrap_or_default();
+                let place = nastran::place_of(&["control:", &format!("\"{name}\"")], &text, &self.file.path);
+                InputError::at(&place, message)
+                    .with_help(format!("controls are {} (L_ is the left one)", names.join(", ")))
+            })
+    }
+}
+
+/// Each panel follows the grids of its own part.
+fn spline(
+    cards: &Cards,
+    lattice: &Lattice,
+    system: &System,
+    kind: SplineKind,
+) -> Result<Spline, AircraftError> {
+    let mut parts = Vec::new();
+    for surface in &lattice.surfaces {
+        let end = surface.first_box + surface.chordwise * surface.spanwise;
+        let boxes = lattice.boxes[surface.first_box..end].to_vec();
+        let part = Lattice { boxes, surfaces: Vec::new() };
+        let nodes: Vec<usize> =
+            cards.spline_of_panel(surface.id).iter().map(|id| node(system, *id)).collect::<Result<_, _>>()?;
+        let nearest = kind == SplineKind::NearestNode && cards.is_wing_panel(surface.id);
+        parts.push(if nearest {
+            Spline::nearest_node(&part, system.points(), &nodes)
+        } else {
+            Spline::beam(&part, system.points(), &nodes)
+        });
+    }
+    Ok(Spline::joined(parts, 6 * system.node_count()))
+}
+
+/// Places of both wings.
+fn wings(cards: &Cards, wing: &WingFile, system: &System) -> Result<[WingPlaces; 2], AircraftError> {
+    let originals = Lattice::from_bulk(&cards.right)?;
+    let images = cards.image.check(&originals, &Lattice::from_bulk(&cards.left)?, cards.step.boxes)?;
+    let nodes =
+        |add: u32| cards.right.grids.keys().map(|id| node(system, id + add)).collect::<Result<Vec<_>, _>>();
+    let points = system.points();
+    let mut tip = cards.centre;
+    for id in &cards.wing_spline {
+        if points[node(system, *id)?].y > points[node(system, tip)?].y {
+            tip = *id;
+        }
+    }
+    let sensors = wing.planform().map_or_else(Vec::new, coupling::planform::Planform::sensor_grids);
+    let mut sensor = tip;
+    let mut outermost_m = f64::NEG_INFINITY;
+    for (_, id) in sensors {
+        let y_m = points[node(system, id)?].y;
+        if y_m > outermost_m {
+            (sensor, outermost_m) = (id, y_m);
+        }
+    }
+    let add = cards.step.cards;
+    let count = originals.len();
+    Ok([
+        WingPlaces {
+            boxes: (0..count).collect(),
+            nodes: nodes(0)?,
+            tip: node(system, tip)?,
+            sensor: node(system, sensor)?,
+        },
+        WingPlaces {
+            boxes: images.into_iter().map(|at| count + at).collect(),
+            nodes: nodes(add)?,
+            tip: node(system, tip + add)?,
+            sensor: node(system, sensor + add)?,
+        },
+    ])
+}
+
+fn node(system: &System, id: u32) -> Result<usize, InputError> {
+    system.node_index(id).ok_or_else(|| InputError::general(format!("the aircraft has no grid {id}")))
+}

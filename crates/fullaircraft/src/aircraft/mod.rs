@@ -1,0 +1,5 @@
+//! The aircraft as its file describes it and as it is assembled for computing.
+
+pub mod assembly;
+mod check;
+pub mod file;

@@ -1,0 +1,210 @@
+//! The RON file of a grid of flight cases: airspeeds, load factors, maneuvers and where loads are monitored.
+
+use crate::aircraft::file::{Chirp, Doublet};
+use crate::trim::maneuvers::Steady;
+use coupling::wing_file::StationAt;
+use nastran::{InputError, ron_file};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// A grid of cases as its file describes it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename = "Cases")]
+pub struct CasesFile {
+    /// What reports call it.
+    pub name: String,
+    /// Airspeeds, m/s.
+    #[serde(rename = "airspeeds_V_m_s")]
+    pub airspeeds_v_m_s: Vec<f64>,
+    /// Load factors of `Pull`, `Roll` and `Turn`.
+    pub load_factors: Vec<f64>,
+    /// What is flown at each airspeed.
+    pub maneuvers: Vec<Maneuver>,
+    /// Points of the right wing where loads are monitored, beside the root; the left has their images.
+    #[serde(default)]
+    pub stations: Vec<StationAt>,
+    /// The file as it was named when read.
+    #[serde(skip)]
+    pub path: PathBuf,
+}
+
+/// One kind of maneuver; controls are pairs of the wing's ailerons.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub enum Maneuver {
+    /// Straight and level.
+    Level,
+    /// Pull-up or push-down at each load factor that is not one.
+    Pull,
+    /// Steady roll at each load factor and rate.
+    Roll {
+        /// Pair of ailerons.
+        control: String,
+        /// Right wing down, deg/s.
+        rates_deg_s: Vec<f64>,
+    },
+    /// Level turn to the right and to the left at each load factor above one.
+    Turn {
+        /// Pair of ailerons.
+        control: String,
+    },
+    /// Steady sideslip at load factor one.
+    Sideslip {
+        /// Pair of ailerons.
+        control: String,
+        /// Wind from the right, deg.
+        angles_deg: Vec<f64>,
+    },
+    /// Any trim.
+    Trim {
+        /// What it is called.
+        name: String,
+        /// Variables with values.
+        #[serde(default)]
+        given: BTreeMap<String, f64>,
+        /// Variables to be found, as many as there are targets.
+        free: Vec<String>,
+        /// Motions asked for.
+        targets: BTreeMap<String, f64>,
+    },
+    /// Aileron doublet from level flight.
+    Doublet {
+        /// Pair of ailerons.
+        control: String,
+        /// Deflection, deg.
+        amplitude_deg: f64,
+        /// One over the period, Hz.
+        frequency_hz: f64,
+        /// Length of the time history, s.
+        duration_s: f64,
+    },
+    /// Aileron chirp from level flight.
+    Chirp {
+        /// Pair of ailerons.
+        control: String,
+        /// Deflection, deg.
+        amplitude_deg: f64,
+        /// At the start, Hz.
+        from_hz: f64,
+        /// At the end, Hz.
+        to_hz: f64,
+        /// Length, s.
+        duration_s: f64,
+    },
+}
+
+/// What one case flies.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub enum Action {
+    /// A trim.
+    Steady(Steady),
+    /// A doublet from level flight.
+    Doublet(Doublet),
+    /// A chirp from level flight.
+    Chirp(Chirp),
+}
+
+impl CasesFile {
+    /// Reads and checks a file.
+    ///
+    /// # Errors
+    /// If it cannot be read, a number makes no sense, or it has no case.
+    pub fn read(path: &Path) -> Result<Self, InputError> {
+        let mut file: Self = ron_file::read(path)?;
+        file.path = path.to_path_buf();
+        let positive = |value: &f64| value.is_finite() && *value > 0.0;
+        file.refuse("airspeeds_V_m_s", file.airspeeds_v_m_s.iter().all(positive), "airspeeds above zero")?;
+        file.refuse("load_factors", file.load_factors.iter().all(|n| n.is_finite()), "finite numbers")?;
+        let points = file.stations.iter().flat_map(|at| [Some(at.y_m), at.x_m, at.z_m]).flatten();
+        file.refuse("stations", points.into_iter().all(f64::is_finite), "finite places")?;
+        let right = file.maneuvers.iter().all(Maneuver::is_possible);
+        file.refuse("maneuvers", right, "finite numbers, frequencies and durations above zero")?;
+        let any = !file.airspeeds_v_m_s.is_empty() && !file.actions().is_empty();
+        file.refuse("maneuvers", any, "at least one airspeed and one maneuver (`Pull` needs load factors)")?;
+        Ok(file)
+    }
+
+    fn refuse(&self, field: &str, right: bool, expected: &str) -> Result<(), InputError> {
+        if right {
+            return Ok(());
+        }
+        Err(InputError::in_field(&self.path, field, format!("`{field}` makes no sense here"))
+            .with_help(format!("expected {expected}")))
+    }
+
+    /// What is flown at each airspeed, in the file's order.
+    pub fn actions(&self) -> Vec<Action> {
+        self.maneuvers.iter().flat_map(|maneuver| maneuver.actions(&self.load_factors)).collect()
+    }
+}
+
+impl Maneuver {
+    fn is_possible(&self) -> bool {
+        let finite = |values: &[f64]| values.iter().all(|value| value.is_finite());
+        let above = |values: &[f64]| values.iter().all(|value| value.is_finite() && *value > 0.0);
+        match self {
+            Self::Level | Self::Pull | Self::Turn { .. } => true,
+            Self::Roll { rates_deg_s, .. } => finite(rates_deg_s),
+            Self::Sideslip { angles_deg, .. } => finite(angles_deg),
+            Self::Trim { given, targets, .. } => {
+                given.values().chain(targets.values()).all(|x| x.is_finite())
+            }
+            Self::Doublet { amplitude_deg, frequency_hz, duration_s, .. } => {
+                finite(&[*amplitude_deg]) && above(&[*frequency_hz, *duration_s])
+            }
+            Self::Chirp { amplitude_deg, from_hz, to_hz, duration_s, .. } => {
+                finite(&[*amplitude_deg, *from_hz]) && above(&[*to_hz, *duration_s])
+            }
+        }
+    }
+
+    fn actions(&self, load_factors: &[f64]) -> Vec<Action> {
+        let each = |keep: fn(f64) -> bool| load_factors.iter().copied().filter(move |n| keep(*n));
+        let steady: Vec<Steady> = match self {
+            Self::Level => vec![Steady::Level],
+            Self::Pull => each(|n| n != 1.0).map(|load_factor| Steady::Pull { load_factor }).collect(),
+            Self::Roll { control, rates_deg_s } => each(|_| true)
+                .flat_map(|n| rates_deg_s.iter().map(move |rate| (n, *rate)))
+                .map(|(load_factor, rate_deg_s)| Steady::Roll {
+                    load_factor,
+                    rate_deg_s,
+                    control: control.clone(),
+                })
+                .collect(),
+            Self::Turn { control } => each(|n| n > 1.0)
+                .flat_map(|n| [(n, false), (n, true)])
+                .map(|(load_factor, left)| Steady::Turn { load_factor, left, control: control.clone() })
+                .collect(),
+            Self::Sideslip { control, angles_deg } => angles_deg
+                .iter()
+                .map(|&beta_deg| Steady::Sideslip { load_factor: 1.0, beta_deg, control: control.clone() })
+                .collect(),
+            Self::Trim { name, given, free, targets } => vec![Steady::Trim {
+                name: name.clone(),
+                given: given.clone(),
+                free: free.clone(),
+                targets: targets.clone(),
+            }],
+            Self::Doublet { control, amplitude_deg, frequency_hz, duration_s } => {
+                return vec![Action::Doublet(Doublet {
+                    control: control.clone(),
+                    amplitude_deg: *amplitude_deg,
+                    frequency_hz: *frequency_hz,
+                    start_s: 0.0,
+                    duration_s: *duration_s,
+                })];
+            }
+            Self::Chirp { control, amplitude_deg, from_hz, to_hz, duration_s } => {
+                return vec![Action::Chirp(Chirp {
+                    control: control.clone(),
+                    amplitude_deg: *amplitude_deg,
+                    from_hz: *from_hz,
+                    to_hz: *to_hz,
+                    duration_s: *duration_s,
+                })];
+            }
+        };
+        steady.into_iter().map(Action::Steady).collect()
+    }
+}

@@ -1,0 +1,9 @@
+//! Trim and derivatives of a user's whole-aircraft deck (SOL 144).
+
+pub mod cases;
+mod monitors;
+mod plate;
+mod spline;
+mod structure;
+pub mod trim;
+mod variables;

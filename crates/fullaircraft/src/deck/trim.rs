@@ -1,0 +1,297 @@
+//! Trim and derivatives of a user's deck: a linear problem in any set of variables.
+//!
+//! ```text
+//! w = sum w_x x + Theta u,   f = q Gᵀ S A^-1 w,   u = F (f - M a)       (held at the SUPORT motions)
+//! Dᵀ (f - M a) = 0           one equation for each SUPORT motion D
+//! ```
+//! F is the flexibility held at the SUPORT motions (restrained); with inertia relief in mean axes it is `R F Rᵀ`,
+//! `R = 1 - D (Dᵀ M D)^-1 Dᵀ M` (unrestrained). Trim angles are those of the SUPORT grid. Source: MSC.Nastran Aeroelastic
+//! Analysis User's Guide, chapter 2, quasi-steady static aeroelasticity.
+//! All SPC and SPC1 of the [`BulkData`] apply: see [`select`](crate::deck::cases::select) for what a subcase selects. DMI WKK and FA2J of the deck are applied:
+//! their factors in S, their offsets as loads that are always there, as camber is.
+
+use crate::deck::cases::refuse_unread;
+use crate::deck::monitors::{Monitor, monitors};
+use crate::deck::spline;
+use crate::deck::structure::{
+    Reduced, assembled, corrections, coupling_matrices, held, reference_motions, support_motions,
+};
+use crate::deck::variables::{Links, variables};
+use crate::error::AircraftError;
+use crate::trim::balance::Balance;
+use aero::{Corrections, Integration, Lattice, MirrorPlane, SteadyAero};
+use coupling::CouplingError;
+use faer::linalg::solvers::Solve;
+use faer::{Mat, c64};
+use nalgebra::{Matrix3, Point3};
+use nastran::{Aeros, BulkData, Frames, InputError, Trim};
+use std::collections::BTreeMap;
+
+/// How the elastic aircraft is held when a derivative is taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Elastic {
+    /// Not elastic at all.
+    Rigid,
+    /// Held at the SUPORT motions.
+    Restrained,
+    /// Free, with inertia relief in mean axes.
+    Unrestrained,
+}
+
+/// A deck ready to be trimmed at one Mach number.
+#[derive(Debug)]
+pub struct TrimDeck {
+    /// Boxes.
+    pub lattice: Lattice,
+    /// Variable names: INTERCEPT (camber and twist, always 1), then AESTAT and AESURF in ascending number.
+    pub variables: Vec<String>,
+    aeros: Aeros,
+    origin: Point3<f64>,
+    /// Controls in proportion to others.
+    links: Links,
+    /// MONPNT3, and MONPNT1 of a component made of grids, which are left out.
+    pub skipped_monitors: Vec<String>,
+    monitors: Vec<Monitor>,
+    /// Pressures of the undeformed aircraft, boxes by variables.
+    cp_variables: Mat<f64>,
+    /// Pressures by displacement of the s-set.
+    cp_displacement: Mat<f64>,
+    /// Load on the s-set per box cp and unit dynamic pressure, factors in.
+    gather: Mat<f64>,
+    /// Load on the s-set of the pressure offsets per unit dynamic pressure, one column.
+    offset: Mat<f64>,
+    corrections: Corrections,
+    /// Load on the s-set by its displacement and unit dynamic pressure.
+    stiffness: Mat<f64>,
+    /// Divergence pressures, ascending.
+    divergence: Vec<f64>,
+    restrained: Mat<f64>,
+    unrestrained: Mat<f64>,
+    /// Displacement of the s-set by each variable's inertia loads, held.
+    sag: Mat<f64>,
+    /// SUPORT motions by each variable's inertia, then the reference axes' six: forces to accelerate.
+    inertia: Mat<f64>,
+    /// The s-set part of the SUPORT motions.
+    motions: Mat<f64>,
+    /// The s-set part of the six motions of the reference axes.
+    axes: Mat<f64>,
+    area: Vec<f64>,
+}
+
+/// A trimmed deck.
+#[derive(Debug, Clone)]
+pub struct TrimmedDeck {
+    /// Value of each variable.
+    pub values: BTreeMap<String, f64>,
+    /// Pressure coefficient of each box, before the deck's corrections.
+    pub cp: Vec<f64>,
+    /// Lift of each box along its normal, the deck's unit of force.
+    pub lift: Vec<f64>,
+    /// Air loads of each MONPNT1 along and about its axes: three forces, three moments.
+    pub monitors: BTreeMap<String, [f64; 6]>,
+}
+
+impl TrimDeck {
+    /// Assembles a deck for one Mach number.
+    ///
+    /// # Errors
+    /// If the deck has cards that are not read and would change the trim, AEROS is missing or its axes are turned, SUPORT names more than one grid, a variable is unknown, a box has no spline, or the structure is
+    /// loose when held at the SUPORT motions.
+    pub fn new(bulk: &BulkData, mach: f64) -> Result<Self, AircraftError> {
+        let missing = |card: &str| InputError::general(format!("the deck has no {card}, which trim needs"));
+        refuse_unread(bulk)?;
+        let aeros = bulk.aero_reference.clone().ok_or_else(|| missing("AEROS"))?;
+        let lattice = Lattice::from_bulk(bulk)?;
+        let (free, held) = (assembled(bulk)?, held(bulk)?);
+        let spline = spline::splines(bulk, &lattice, free.node_ids(), free.points())?;
+        let frames = Frames::resolve(bulk)?;
+        refuse_turned(&frames, &aeros)?;
+        let axes = frames.axes_at(aeros.rcsid, &aeros.span)?;
+        let origin = frames.point(aeros.rcsid, [0.0; 3], &aeros.span)?;
+        let (variables, incidence, accelerations) = variables(bulk, &lattice, &aeros, &origin)?;
+        let integration = Integration::new(&lattice);
+        let s_dofs = spline.used_dofs();
+        let d = support_motions(bulk, &free)?;
+        let d6 = reference_motions(&free, &origin, &axes);
+        let units = bulk.parameters.get("AUNITS").copied().unwrap_or(1.0);
+        let a = Mat::from_fn(d6.nrows(), variables.len(), |i, j| {
+            accelerations[j].map_or(0.0, |axis| d6[(i, axis)] / units)
+        });
+        let structure = Reduced::new(&free, &held, &d, &a, &s_dofs)?;
+        let plane = match aeros.symmetry {
+            1 => MirrorPlane::Symmetric { y_m: 0.0 },
+            -1 => MirrorPlane::Antisymmetric { y_m: 0.0 },
+            _ => MirrorPlane::None,
+        };
+        let corrections = corrections(bulk, lattice.len())?;
+        let (theta, gather, offset) = coupling_matrices(&spline, &s_dofs, &integration, &corrections);
+        // one factorisation of the influence coefficients for all dynamic pressures
+        let aero = SteadyAero::new(&lattice, plane, mach)?;
+        let (cp_variables, cp_displacement) =
+            (aero.pressures(incidence.as_ref()), aero.pressures(theta.as_ref()));
+        let stiffness = &gather * &cp_displacement;
+        let divergence = divergence(&structure.restrained, &stiffness)?;
+        let (monitors, skipped_monitors) = monitors(bulk, &lattice, &frames, &integration)?;
+        let at = |m: &Mat<f64>| coupling::supported::restrict(m.as_ref(), &s_dofs);
+        Ok(Self {
+            links: Links::new(bulk, &variables)?,
+            monitors,
+            skipped_monitors,
+            cp_variables,
+            cp_displacement,
+            stiffness,
+            divergence,
+            area: (0..lattice.len()).map(|j| integration.area(j)).collect(),
+            motions: at(&d),
+            axes: at(&d6),
+            gather,
+            offset,
+            corrections,
+            restrained: structure.restrained,
+            unrestrained: structure.unrestrained,
+            sag: structure.sag,
+            inertia: structure.inertia,
+            lattice,
+            variables,
+            aeros,
+            origin,
+        })
+    }
+
+    /// Dynamic pressures at which the aircraft, held at the SUPORT motions, diverges, ascending: one over the positive real
+    /// eigenvalues of the loop of flexibility and air.
+    pub fn divergence_pressures(&self) -> &[f64] {
+        &self.divergence
+    }
+
+    /// Loads on the s-set of the pressures of each variable, offsets with the first (INTERCEPT), per unit dynamic pressure.
+    fn loads(&self, cp: &Mat<f64>) -> Mat<f64> {
+        let mut loads = &self.gather * cp;
+        for i in 0..loads.nrows() {
+            loads[(i, 0)] += self.offset[(i, 0)];
+        }
+        loads
+    }
+
+    /// Pressures of each variable (boxes by variables); with `inertia`, accelerations bend the structure.
+    fn pressures(&self, q: f64, elastic: Elastic, inertia: bool) -> Mat<f64> {
+        let flexibility = match elastic {
+            Elastic::Rigid => return self.cp_variables.clone(),
+            Elastic::Restrained => &self.restrained,
+            Elastic::Unrestrained => &self.unrestrained,
+        };
+        let mut u = flexibility * self.loads(&self.cp_variables) * faer::Scale(q);
+        if inertia {
+            u -= &self.sag;
+        }
+        let s = u.nrows();
+        let system = Mat::<f64>::identity(s, s) - flexibility * &self.stiffness * faer::Scale(q);
+        &self.cp_variables + &self.cp_displacement * system.partial_piv_lu().solve(&u)
+    }
+
+    /// Force and moment coefficients (`CX`, `CY`, `CZ`, `Cl`, `Cm`, `Cn` in the reference axes, about their origin) per unit of each variable.
+    pub fn derivatives(&self, q: f64, elastic: Elastic) -> BTreeMap<String, [f64; 6]> {
+        let cp = self.pressures(q, elastic, elastic == Elastic::Restrained);
+        let sums = self.axes.transpose() * self.loads(&cp);
+        let (b, c) = (self.aeros.span_length, self.aeros.chord);
+        let lengths = [1.0, 1.0, 1.0, b, c, b].map(|length| length * self.aeros.area);
+        let of = |j: usize| std::array::from_fn(|i| sums[(i, j)] / lengths[i]);
+        self.variables.iter().enumerate().map(|(j, name)| (name.clone(), of(j))).collect()
+    }
+
+    /// Neutral point: x in the basic system about which the moment does not follow the angle of attack; nothing without ANGLEA.
+    pub fn neutral_point_x(&self, q: f64, elastic: Elastic) -> Option<f64> {
+        let all = self.derivatives(q, elastic);
+        let alpha = all.get("ANGLEA")?;
+        Some(self.origin.x + self.aeros.chord * alpha[4] / alpha[2])
+    }
+
+    /// The balanced aircraft: `fixed` variables as given, linked ones (AELINK of all trims) in proportion, all others from the
+    /// balance of the SUPORT motions.
+    ///
+    /// # Errors
+    /// At or beyond divergence; if a fixed variable is unknown, there are not as many free variables as SUPORT motions, or free
+    /// variables cannot be determined; they are named.
+    pub fn trim(&self, q: f64, fixed: &[(String, f64)]) -> Result<TrimmedDeck, AircraftError> {
+        self.balanced(q, fixed, None)
+    }
+
+    /// As [`TrimDeck::trim`], for a TRIM card and its AELINK; the deck must have been built with its Mach number.
+    ///
+    /// # Errors
+    /// As [`TrimDeck::trim`].
+    pub fn trim_card(&self, card: &Trim) -> Result<TrimmedDeck, AircraftError> {
+        self.balanced(card.q, &card.fixed, Some(card.id))
+    }
+
+    fn balanced(
+        &self,
+        q: f64,
+        fixed: &[(String, f64)],
+        trim: Option<u32>,
+    ) -> Result<TrimmedDeck, AircraftError> {
+        if let Some(&first) = self.divergence.first().filter(|first| q >= **first) {
+            return Err(CouplingError::Diverged { q_pa: q, divergence_pa: Some(first) }.into());
+        }
+        let mut x: Vec<Option<f64>> = vec![None; self.variables.len()];
+        x[0] = Some(1.0);
+        for (label, value) in fixed {
+            let at = self.variables.iter().position(|name| name == label).ok_or_else(|| {
+                InputError::general(format!("{label} is no variable of the trim"))
+                    .with_help(format!("there are {}", self.variables[1..].join(", ")))
+            })?;
+            x[at] = Some(*value);
+        }
+        let cp = self.pressures(q, Elastic::Restrained, true);
+        let air = (self.motions.transpose() * self.loads(&cp)) * faer::Scale(q);
+        let balance = self.links.folded(&(air - &self.inertia), trim, &mut x)?;
+        let rows: Vec<usize> = (0..balance.nrows()).collect();
+        let row_names = vec!["motions of SUPORT"; rows.len()];
+        let asked = Balance { matrix: &balance, rows: &rows, row_names: &row_names, names: &self.variables };
+        let mut values = asked.solve(&x).map_err(|why| {
+            InputError::general(format!("there is no such trim: {why}")).with_help(
+                "leave as many variables free as motions are supported, each with an effect of its own",
+            )
+        })?;
+        self.links.follow(trim, &mut values);
+        let cp: Vec<f64> = (0..cp.nrows())
+            .map(|row| values.iter().enumerate().map(|(j, value)| cp[(row, j)] * value).sum())
+            .collect();
+        let Corrections { force, moment, pressure_offset } = &self.corrections;
+        let acting: Vec<[f64; 2]> = (0..cp.len())
+            .map(|j| [force[j], moment[j]].map(|factor| factor * cp[j] + pressure_offset[j]))
+            .collect();
+        Ok(TrimmedDeck {
+            lift: acting.iter().zip(&self.area).map(|(acting, area)| q * area * acting[0]).collect(),
+            monitors: self
+                .monitors
+                .iter()
+                .map(|monitor| (monitor.name.clone(), monitor.loads(q, &acting)))
+                .collect(),
+            cp,
+            values: self.variables.iter().cloned().zip(values).collect(),
+        })
+    }
+}
+
+/// The stream goes along x of the basic system.
+fn refuse_turned(frames: &Frames, aeros: &Aeros) -> Result<(), InputError> {
+    if (frames.axes_at(aeros.acsid, &aeros.span)? - Matrix3::identity()).amax() <= 1e-9 {
+        return Ok(());
+    }
+    let message = "the aerodynamic system ACSID is turned against the basic system, which is not supported";
+    Err(InputError::at(&aeros.span, message)
+        .with_help("write the deck with x aft, y right and z up in the basic system"))
+}
+
+/// One over the positive real eigenvalues of `F H`, ascending.
+fn divergence(flexibility: &Mat<f64>, stiffness: &Mat<f64>) -> Result<Vec<f64>, AircraftError> {
+    let gains: Vec<c64> = (flexibility * stiffness)
+        .eigenvalues()
+        .map_err(|_| CouplingError::Diverged { q_pa: 0.0, divergence_pa: None })?;
+    let scale = gains.iter().map(|gain| gain.norm()).fold(0.0, f64::max);
+    let real = |gain: &&c64| gain.im.abs() <= 1e-9 * gain.re.abs() && gain.re > 1e-9 * scale;
+    let mut pressures: Vec<f64> = gains.iter().filter(real).map(|gain| 1.0 / gain.re).collect();
+    pressures.sort_by(f64::total_cmp);
+    Ok(pressures)
+}

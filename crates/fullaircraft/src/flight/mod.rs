@@ -1,0 +1,15 @@
+//! The free, elastic aircraft in unsteady air: its modes, its air as a rational function, and flight in time.
+
+pub mod air;
+mod air_fit;
+pub mod drive;
+mod equations;
+pub mod gust;
+pub mod history;
+pub mod model;
+pub mod modes;
+pub mod nonlinear;
+mod rows;
+mod sensors;
+pub mod small_motions;
+mod state;

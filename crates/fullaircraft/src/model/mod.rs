@@ -1,0 +1,11 @@
+//! The cards of the whole aircraft: right wing, its image, tail, fuselage and the ties between them.
+
+pub(crate) mod beam;
+pub mod cards;
+pub(crate) mod closing;
+pub(crate) mod fuselage;
+pub mod mirror;
+pub(crate) mod mirror_elements;
+pub mod numbers;
+pub(crate) mod numbers_elements;
+pub(crate) mod tail;
