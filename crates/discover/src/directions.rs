@@ -4,8 +4,8 @@
 //! tip and a shift of the aerodynamic centre move the slopes; incidence, its gradient along the span and a zero-lift moment
 //! move the offsets.
 
-use maneuver::compact::{Change, Constants};
 use maneuver::effects::{Effect, Inputs, Parameter, Place, Side, Spec};
+use maneuver::rom::{Change, Constants};
 
 /// Directions of an airspeed.
 pub const DIRECTIONS: usize = 6;

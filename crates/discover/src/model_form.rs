@@ -8,8 +8,8 @@ use coupling::wing_file::Source;
 use coupling::{ElasticWing, WingFile};
 use faer::Mat;
 use faer::linalg::solvers::Solve;
-use maneuver::compact::Compact;
 use maneuver::effects::{Active, Effect, Inputs, Model, Stimulus, fly};
+use maneuver::rom::ReducedOrderModel;
 use maneuver::{AirModel, Smooth};
 use std::sync::Arc;
 
@@ -94,7 +94,7 @@ const STEPS: usize = 3;
 
 /// The six directions of corrections with which a rig has another's static loads: offset and slope of three channels.
 /// None if they are the same, or no such directions are found.
-pub(crate) fn matched(rig: &Compact, own: &Compact) -> Option<Active> {
+pub(crate) fn matched(rig: &ReducedOrderModel, own: &ReducedOrderModel) -> Option<Active> {
     let wanted = static_loads(own, &[]);
     let directions: Arc<dyn Effect> = Arc::new(Directions { v_m_s: rig.flow.v_m_s });
     let with = |values: &[f64]| static_loads(rig, &[Active::new(Arc::clone(&directions), values)]);
@@ -117,7 +117,7 @@ pub(crate) fn matched(rig: &Compact, own: &Compact) -> Option<Active> {
 }
 
 /// Three channels at two angles.
-fn static_loads(rig: &Compact, effects: &[Active]) -> Vec<f64> {
+fn static_loads(rig: &ReducedOrderModel, effects: &[Active]) -> Vec<f64> {
     let still = vec![0.0; ANGLES_RAD.len()];
     let stimulus = Stimulus {
         inputs: Inputs {

@@ -5,8 +5,8 @@ use crate::model_form::{LatticeVariant, matched, picked};
 use aero::{Corrections, Flow};
 use calibrate::{Outside, Schedule};
 use coupling::{CouplingError, ElasticWing, Mount, WingFile};
-use maneuver::compact::{Compact, StiffnessParts};
 use maneuver::effects::{Active, Flown, Model, Stimulus, fly};
+use maneuver::rom::{ReducedOrderModel, StiffnessParts};
 use maneuver::{AirModel, DeflectionCorrection, Rig, RigError, RigSettings};
 use nastran::InputError;
 use rayon::prelude::*;
@@ -34,7 +34,7 @@ pub enum SimulatorError {
 #[derive(Debug)]
 pub struct Simulator {
     /// The wing at every airspeed of the data set.
-    pub rigs: Vec<Compact>,
+    pub rigs: Vec<ReducedOrderModel>,
     /// As [`Dataset::stimuli`] has them: airspeed and stimulus.
     stimuli: Vec<(usize, Stimulus)>,
     /// Directions of corrections with which a model-form variant has the static loads of the own.
@@ -95,14 +95,14 @@ impl Simulator {
     /// If the wing diverges at one of them, or corrections do not reach there.
     pub fn new(rig: &SplitRig<'_>, schedule: &Schedule, data: &Dataset) -> Result<Self, SimulatorError> {
         let SplitRig { file, wing, rig, parts, boxes } = rig;
-        let at = |v_m_s: &f64| -> Result<Compact, SimulatorError> {
+        let at = |v_m_s: &f64| -> Result<ReducedOrderModel, SimulatorError> {
             let flow = Flow { v_m_s: *v_m_s, rho_kg_m3: data.rho_kg_m3 };
             let corrections = match boxes {
                 _ if *v_m_s == 0.0 => Corrections::neutral(wing.correctable.len()),
                 None => corrections(schedule, *v_m_s)?,
                 Some(boxes) => picked(&corrections(schedule, *v_m_s)?, boxes),
             };
-            Ok(Compact::new(rig, flow, &corrections, parts.as_ref())?)
+            Ok(ReducedOrderModel::new(rig, flow, &corrections, parts.as_ref())?)
         };
         let rigs = data.airspeeds_m_s.par_iter().map(at).collect::<Result<Vec<_>, _>>()?;
         let names: Vec<String> = wing.controls.iter().map(|control| control.name.clone()).collect();

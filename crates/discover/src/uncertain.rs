@@ -2,8 +2,8 @@
 //! structure, the air and the servos, how the lift lies along the span (root loads do not see it), and what each control
 //! surface does for itself.
 
-use maneuver::compact::Change;
 use maneuver::effects::{Active, Effect, Inputs, Parameter, Place, Side, Spec};
+use maneuver::rom::Change;
 use std::f64::consts::PI;
 use std::sync::Arc;
 

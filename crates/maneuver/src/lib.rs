@@ -3,7 +3,6 @@
 pub mod air;
 mod air_fit;
 mod assemble;
-pub mod compact;
 pub mod deflection;
 pub mod deflection_fit;
 pub mod effects;
@@ -16,6 +15,7 @@ pub mod maneuver_file;
 mod operators;
 pub mod rig;
 pub mod rig_model;
+pub mod rom;
 pub mod run;
 pub mod signals;
 pub mod simulate;

@@ -4,33 +4,31 @@
 
 mod common;
 
-use common::flown::{compact, effect, points, run, with};
+use common::flown::{effect, points, rom, run, with};
 use common::wing_with;
 use coupling::Mount;
-use maneuver::compact::StiffnessParts;
 use maneuver::effects::{Active, library};
+use maneuver::rom::StiffnessParts;
 use maneuver::{Rig, RigSettings};
 
 #[test]
 fn an_effect_without_size_changes_no_bit_and_one_of_plausible_size_shows() {
-    let compact = compact(34.0);
-    let controls = compact.controls.len();
+    let rom = rom(34.0);
+    let controls = rom.controls.len();
     let stimuli = [run(controls), points(controls)];
-    let clean = stimuli.each_ref().map(|stimulus| with(&compact, &[], stimulus));
-    for effect in library(&compact.controls) {
+    let clean = stimuli.each_ref().map(|stimulus| with(&rom, &[], stimulus));
+    for effect in library(&rom.controls) {
         let (name, parameters) = (effect.spec().name, effect.parameters());
         let none = vec![0.0; parameters.len()];
-        let zero = stimuli
-            .each_ref()
-            .map(|stimulus| with(&compact, &[Active::new(effect.clone(), &none)], stimulus));
+        let zero =
+            stimuli.each_ref().map(|stimulus| with(&rom, &[Active::new(effect.clone(), &none)], stimulus));
         for (zero, clean) in zero.iter().zip(&clean) {
             assert!(zero == clean, "{name} without size changes the loads");
         }
         let sizes: Vec<f64> =
             parameters.iter().map(|p| if p.upper > 0.0 { p.plausible } else { -p.plausible }).collect();
-        let sized = stimuli
-            .each_ref()
-            .map(|stimulus| with(&compact, &[Active::new(effect.clone(), &sizes)], stimulus));
+        let sized =
+            stimuli.each_ref().map(|stimulus| with(&rom, &[Active::new(effect.clone(), &sizes)], stimulus));
         let change = sized.iter().zip(&clean).flat_map(|(a, b)| {
             let pairs = a.loads.iter().flatten().zip(b.loads.iter().flatten());
             pairs.map(|(x, y)| (x - y).abs()).collect::<Vec<f64>>()
@@ -46,17 +44,17 @@ fn an_effect_without_size_changes_no_bit_and_one_of_plausible_size_shows() {
 
 #[test]
 fn a_delay_delays_what_a_joiner_adds_in_whatever_order_they_are_named() {
-    let compact = compact(30.0);
-    let stimulus = run(compact.controls.len());
+    let rom = rom(30.0);
+    let stimulus = run(rom.controls.len());
     let of = |name: &str, values: &[f64]| {
-        Active::new(library(&compact.controls).into_iter().find(|e| e.spec().name == name).unwrap(), values)
+        Active::new(library(&rom.controls).into_iter().find(|e| e.spec().name == name).unwrap(), values)
     };
     // a whole number of samples: later by nothing but places in the list
     let delay = of("delay", &[3.0 * stimulus.time_step_s]);
     let joiner = of("joiner_inertia", &[0.05, 0.1, 0.05, 0.0]);
-    let alone = with(&compact, std::slice::from_ref(&joiner), &stimulus);
+    let alone = with(&rom, std::slice::from_ref(&joiner), &stimulus);
     for both in [[delay.clone(), joiner.clone()], [joiner, delay]] {
-        let late = with(&compact, &both, &stimulus);
+        let late = with(&rom, &both, &stimulus);
         for (late, alone) in late.loads.iter().zip(&alone.loads) {
             let apart = late[3..].iter().zip(alone).map(|(late, early)| (late - early).abs());
             assert!(apart.fold(0.0, f64::max) < 1e-9);
@@ -114,10 +112,10 @@ fn stiffness_splits_into_bending_and_torsion_and_a_stiffer_wing_is_one_with_stif
 
 #[test]
 fn an_error_of_dynamic_pressure_scales_what_the_air_does_and_nothing_else() {
-    let compact = compact(30.0);
-    let stimulus = points(compact.controls.len());
-    let q = with(&compact, &[Active::new(effect(&compact, "q_error"), &[0.05])], &stimulus);
-    let clean = with(&compact, &[], &stimulus);
+    let rom = rom(30.0);
+    let stimulus = points(rom.controls.len());
+    let q = with(&rom, &[Active::new(effect(&rom, "q_error"), &[0.05])], &stimulus);
+    let clean = with(&rom, &[], &stimulus);
     // an elastic wing washes out: less than in proportion
     let ratio = q.loads[0][4] / clean.loads[0][4];
     assert!(ratio > 1.0 && ratio < 1.06, "{ratio}");

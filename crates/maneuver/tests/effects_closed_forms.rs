@@ -5,26 +5,26 @@
 mod common;
 
 use aero::{Corrections, Flow};
-use common::flown::{compact, effect, points, run, swing, with};
+use common::flown::{effect, points, rom, run, swing, with};
 use common::wing_with;
-use maneuver::compact::{Change, Compact, Drive, Outputs, PointMass, Zones};
 use maneuver::effects::{Active, Inputs, Loads, Place, Seen, Stimulus};
+use maneuver::rom::{Change, Drive, Outputs, PointMass, ReducedOrderModel, Zones};
 use maneuver::{Rig, RigSettings, Smooth};
 use std::f64::consts::TAU;
 
 /// Loads with one effect, and without any.
-fn beside(compact: &Compact, name: &str, values: &[f64], stimulus: &Stimulus) -> [[Vec<f64>; 3]; 2] {
-    let active = Active::new(effect(compact, name), values);
-    [with(compact, &[active], stimulus).loads, with(compact, &[], stimulus).loads]
+fn beside(rom: &ReducedOrderModel, name: &str, values: &[f64], stimulus: &Stimulus) -> [[Vec<f64>; 3]; 2] {
+    let active = Active::new(effect(rom, name), values);
+    [with(rom, &[active], stimulus).loads, with(rom, &[], stimulus).loads]
 }
 
 #[test]
 fn a_body_on_the_balance_adds_its_inertia_and_its_weight() {
-    let compact = compact(30.0);
-    let stimulus = run(compact.controls.len());
+    let rom = rom(30.0);
+    let stimulus = run(rom.controls.len());
     let (mx, iyy, mz, my) = (0.04, 0.1, 0.2, -0.3);
-    let [ours, clean] = beside(&compact, "joiner_inertia", &[mx, iyy, mz, my], &stimulus);
-    let (alpha, g) = (&stimulus.inputs.alpha, compact.gravity_m_s2());
+    let [ours, clean] = beside(&rom, "joiner_inertia", &[mx, iyy, mz, my], &stimulus);
+    let (alpha, g) = (&stimulus.inputs.alpha, rom.gravity_m_s2());
     for i in 0..alpha.value.len() {
         let (a, second) = (alpha.value[i], alpha.second[i]);
         // force of inertia and weight of a point at (x, y, z) in axes that turn nose up by a, less the tare
@@ -39,11 +39,11 @@ fn a_body_on_the_balance_adds_its_inertia_and_its_weight() {
 
 #[test]
 fn channels_of_the_balance_do_what_their_formulas_say() {
-    let compact = compact(30.0);
-    for stimulus in [run(compact.controls.len()), points(compact.controls.len())] {
-        let [ours, y] = beside(&compact, "gain", &[0.1, -0.2, 0.05], &stimulus);
-        let [bent, _] = beside(&compact, "balance_nonlin", &[0.001, 0.0, -0.002], &stimulus);
-        let [mixed, _] = beside(&compact, "crosstalk", &[0.0, 0.01, 0.02, 0.0, -0.03, 0.04], &stimulus);
+    let rom = rom(30.0);
+    for stimulus in [run(rom.controls.len()), points(rom.controls.len())] {
+        let [ours, y] = beside(&rom, "gain", &[0.1, -0.2, 0.05], &stimulus);
+        let [bent, _] = beside(&rom, "balance_nonlin", &[0.001, 0.0, -0.002], &stimulus);
+        let [mixed, _] = beside(&rom, "crosstalk", &[0.0, 0.01, 0.02, 0.0, -0.03, 0.04], &stimulus);
         for i in 0..y[0].len() {
             let [fz, mx, my] = [0, 1, 2].map(|c| y[c][i]);
             let pairs = [
@@ -66,11 +66,11 @@ fn channels_of_the_balance_do_what_their_formulas_say() {
 
 #[test]
 fn friction_and_cables_pull_against_the_turning_and_the_angle() {
-    let compact = compact(30.0);
-    let stimulus = run(compact.controls.len());
+    let rom = rom(30.0);
+    let stimulus = run(rom.controls.len());
     let alpha = &stimulus.inputs.alpha;
-    let [rubbed, clean] = beside(&compact, "friction", &[-0.3], &stimulus);
-    let [held, _] = beside(&compact, "cable_stiffness", &[4.0], &stimulus);
+    let [rubbed, clean] = beside(&rom, "friction", &[-0.3], &stimulus);
+    let [held, _] = beside(&rom, "cable_stiffness", &[4.0], &stimulus);
     for (i, my) in clean[2].iter().enumerate() {
         if alpha.rate[i].abs() > 0.1 {
             assert!((rubbed[2][i] - my + 0.3 * alpha.rate[i].signum()).abs() < 1e-12);
@@ -81,9 +81,9 @@ fn friction_and_cables_pull_against_the_turning_and_the_angle() {
 
 #[test]
 fn a_late_balance_shows_the_run_of_a_while_ago() {
-    let compact = compact(30.0);
-    let stimulus = run(compact.controls.len());
-    let [late, clean] = beside(&compact, "delay", &[3.0 * stimulus.time_step_s], &stimulus);
+    let rom = rom(30.0);
+    let stimulus = run(rom.controls.len());
+    let [late, clean] = beside(&rom, "delay", &[3.0 * stimulus.time_step_s], &stimulus);
     for (late, clean) in late.iter().zip(&clean) {
         for (late, clean) in late[3..].iter().zip(clean) {
             assert!((late - clean).abs() < 1e-9);
@@ -100,7 +100,9 @@ fn an_error_of_dynamic_pressure_is_another_density_of_the_air() {
     )
     .unwrap();
     let neutral = Corrections::neutral(wing.correctable.len());
-    let at = |rho_kg_m3: f64| Compact::new(&rig, Flow { v_m_s: 30.0, rho_kg_m3 }, &neutral, None).unwrap();
+    let at = |rho_kg_m3: f64| {
+        ReducedOrderModel::new(&rig, Flow { v_m_s: 30.0, rho_kg_m3 }, &neutral, None).unwrap()
+    };
     let (thin, dense) = (at(1.225), at(1.225 * 1.05));
     let none = Change::none(thin.zones.len());
     let more = Change { pressure: 0.05, ..none.clone() };
@@ -119,16 +121,16 @@ fn an_error_of_dynamic_pressure_is_another_density_of_the_air() {
 
 #[test]
 fn camber_is_an_inclined_stream_and_a_compliant_balance_closes_its_loop() {
-    let compact = compact(30.0);
-    let stimulus = points(compact.controls.len());
-    let [cambered, _] = beside(&compact, "camber", &[0.4, 0.0], &stimulus);
-    let [inclined, clean] = beside(&compact, "alpha_offset", &[0.4], &stimulus);
+    let rom = rom(30.0);
+    let stimulus = points(rom.controls.len());
+    let [cambered, _] = beside(&rom, "camber", &[0.4, 0.0], &stimulus);
+    let [inclined, clean] = beside(&rom, "alpha_offset", &[0.4], &stimulus);
     assert_eq!(cambered, inclined);
     // My = My_0 + My_alpha k My, all of it: what camber and controls do at rest as well
     let by_incidence: [f64; 3] =
         std::array::from_fn(|c| (inclined[c][0] - clean[c][0]) / 0.4_f64.to_radians());
     let k = 5e-4;
-    let [soft, _] = beside(&compact, "balance_compliance", &[k], &stimulus);
+    let [soft, _] = beside(&rom, "balance_compliance", &[k], &stimulus);
     for i in 0..soft[0].len() {
         for c in 0..3 {
             let expected = clean[c][i] + by_incidence[c] * k * soft[2][i];
@@ -140,23 +142,23 @@ fn camber_is_an_inclined_stream_and_a_compliant_balance_closes_its_loop() {
 #[test]
 fn a_mass_at_the_tip_lowers_the_first_frequency_as_rayleigh_says() {
     // without air: the response of the first mode peaks where its stiffness and masses say
-    let compact = compact(0.0);
+    let rom = rom(0.0);
     let peak = |change: &Change| {
         let omegas: Vec<f64> = (0..2000).map(|i| TAU * (2.0 + 0.003 * f64::from(i))).collect();
-        let responses = compact.responses(change, &omegas, false);
+        let responses = rom.responses(change, &omegas, false);
         let height = |k: usize| responses[k][(Outputs::TIP, Drive::G_COS)].norm();
         omegas[(0..omegas.len()).max_by(|a, b| height(*a).total_cmp(&height(*b))).unwrap()]
     };
-    let none = Change::none(compact.zones.len());
+    let none = Change::none(rom.zones.len());
     // where the outermost zone's height is that of the mass
-    let y_norm = compact.zones.y_norm[compact.zones.len() - 1];
+    let y_norm = rom.zones.y_norm[rom.zones.len() - 1];
     let point = PointMass { mass_kg: 0.02, y_norm, aft_over_c: 0.2 };
     let before = peak(&none);
     let after = peak(&Change { points: vec![point], ..none.clone() });
     // the mode's height at the outermost zone per unit of modal mass: the compliance of a force there, less all other modes'
-    let everything = compact.responses(&none, &[0.0], true);
-    let zone = compact.zones.len() - 1;
-    let by_modal = everything[0][(compact.outputs().heights() + zone, compact.drive().modal())].re;
+    let everything = rom.responses(&none, &[0.0], true);
+    let zone = rom.zones.len() - 1;
+    let by_modal = everything[0][(rom.outputs().heights() + zone, rom.drive().modal())].re;
     let shape = by_modal * before * before;
     let rayleigh = before / (1.0 + point.mass_kg * shape * shape).sqrt();
     assert!(
@@ -175,12 +177,12 @@ fn slope_and_loss_towards_the_tip_are_correction_factors_of_the_steady_wing() {
     .unwrap();
     let neutral = Corrections::neutral(wing.correctable.len());
     let flow = Flow { v_m_s: 30.0, rho_kg_m3: 1.225 };
-    let plain = Compact::new(&rig, flow, &neutral, None).unwrap();
+    let plain = ReducedOrderModel::new(&rig, flow, &neutral, None).unwrap();
     let boxes = &wing.correctable;
     let by = |factor: &dyn Fn(f64) -> f64| {
         let factors: Vec<f64> = boxes.y_norm.iter().map(|y| factor(*y)).collect();
         let corrections = Corrections { force: factors.clone(), moment: factors, ..neutral.clone() };
-        Compact::new(&rig, flow, &corrections, None).unwrap()
+        ReducedOrderModel::new(&rig, flow, &corrections, None).unwrap()
     };
     // (effect, value, how far zones are from strips), and the factor along the span
     let cases = [("lift_slope", -0.1, 1e-3), ("tip_loss", 0.3, 6e-3)];
@@ -263,25 +265,23 @@ fn stall_bends_a_rigid_wing_s_lift_to_the_piecewise_line() {
     let rig = Rig::new(&wing, RigSettings::new(file.damping_ratio, file.pitch_axis_x())).unwrap();
     let neutral = Corrections::neutral(wing.correctable.len());
     let flow = Flow { v_m_s: 30.0, rho_kg_m3: 1.225 };
-    let compact = Compact::new(&rig, flow, &neutral, None).unwrap();
-    let stimulus = points(compact.controls.len());
+    let rom = ReducedOrderModel::new(&rig, flow, &neutral, None).unwrap();
+    let stimulus = points(rom.controls.len());
     let (earlier, k) = (13.0, 0.5);
-    let [ours, clean] = beside(&compact, "stall", &[earlier, k], &stimulus);
+    let [ours, clean] = beside(&rom, "stall", &[earlier, k], &stimulus);
     // every zone's own lift from the response, its limit from its area
-    let none = Change::none(compact.zones.len());
-    let response = &compact.responses(&none, &[0.0], true)[0];
-    let rest = compact.at_rest(&none, &maneuver::compact::Constants::default(), true);
+    let none = Change::none(rom.zones.len());
+    let response = &rom.responses(&none, &[0.0], true)[0];
+    let rest = rom.at_rest(&none, &maneuver::rom::Constants::default(), true);
     let mut bends = false;
     for (i, alpha) in stimulus.inputs.alpha.value.iter().enumerate() {
         let mut lost = 0.0;
-        for zone in 0..compact.zones.len() {
-            let row = compact.outputs().lifts() + zone;
-            let controls = (0..compact.controls.len()).map(|c| 0.1 * response[(row, Drive::CONTROLS + c)].re);
+        for zone in 0..rom.zones.len() {
+            let row = rom.outputs().lifts() + zone;
+            let controls = (0..rom.controls.len()).map(|c| 0.1 * response[(row, Drive::CONTROLS + c)].re);
             let lift = rest[row] + response[(row, Drive::PITCH)].re * alpha + controls.sum::<f64>();
-            let limit = (16.0 - earlier).to_radians()
-                * TAU
-                * flow.dynamic_pressure_pa()
-                * compact.zones.area_m2[zone];
+            let limit =
+                (16.0 - earlier).to_radians() * TAU * flow.dynamic_pressure_pa() * rom.zones.area_m2[zone];
             lost += k / (1.0 + k) * (lift.abs() - limit).max(0.0) * lift.signum();
         }
         bends |= lost.abs() > 0.0;

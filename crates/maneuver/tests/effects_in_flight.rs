@@ -8,8 +8,8 @@ mod common;
 use aero::{Corrections, Flow};
 use common::flown::{effect, with};
 use common::{uneven, wing_with};
-use maneuver::compact::Compact;
 use maneuver::effects::{Active, Inputs, Stimulus, acting_deflection, carry, library};
+use maneuver::rom::ReducedOrderModel;
 use maneuver::{Rig, RigSettings, Smooth};
 
 const FLOW: Flow = Flow { v_m_s: 25.0, rho_kg_m3: 1.225 };
@@ -28,9 +28,9 @@ fn effects_of_the_air_act_in_flight_as_they_do_in_the_tunnel() {
     let settings = RigSettings { modes: 40, ..RigSettings::new(file.damping_ratio, file.pitch_axis_x()) };
     let rig = Rig::new(&wing, settings).unwrap();
     let plain_air = Corrections { pressure_offset: vec![0.0; wing.correctable.len()], ..uneven(&wing) };
-    let compact = Compact::new(&rig, FLOW, &plain_air, None).unwrap();
-    let stimulus = angles(compact.controls.len());
-    let clean = with(&compact, &[], &stimulus).loads;
+    let rom = ReducedOrderModel::new(&rig, FLOW, &plain_air, None).unwrap();
+    let stimulus = angles(rom.controls.len());
+    let clean = with(&rom, &[], &stimulus).loads;
     // the last number: eight zones are no strips, and truncated modes keep the air they had
     let cases: [(&str, &[f64], f64); 5] = [
         ("lift_slope", &[-0.1], 0.01),
@@ -40,12 +40,12 @@ fn effects_of_the_air_act_in_flight_as_they_do_in_the_tunnel() {
         ("re_dependence", &[0.2, 1.0], 0.02),
     ];
     for (name, values, tolerance) in cases {
-        let active = [Active::new(effect(&compact, name), values)];
-        let tunnel = with(&compact, &active, &stimulus).loads;
+        let active = [Active::new(effect(&rom, name), values)];
+        let tunnel = with(&rom, &active, &stimulus).loads;
         let mut corrections = plain_air.clone();
         let carried = carry(&active, &wing, FLOW.v_m_s, &mut corrections);
         assert_eq!((carried.carried, carried.tunnel.len() + carried.left.len()), (vec![name], 0));
-        let flying = Compact::new(&rig, FLOW, &corrections, None).unwrap();
+        let flying = ReducedOrderModel::new(&rig, FLOW, &corrections, None).unwrap();
         let flight = with(&flying, &[], &stimulus).loads;
         for c in 0..3 {
             let added = |loads: &[Vec<f64>; 3], i: usize| loads[c][i] - clean[c][i];

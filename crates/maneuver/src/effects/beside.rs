@@ -1,11 +1,11 @@
-//! What effects add to a rig's flight: the compact rig flown with them less the compact rig flown without, put on the
-//! histories of the rig itself. So a wing without effects flies as the rig does, bit for bit.
+//! What effects add to a rig's flight: the reduced-order model flown with them less the same model flown without, put on
+//! the histories of the rig itself. So a wing without effects flies as the rig does, bit for bit.
 
 use super::{Active, Inputs, Model, Stimulus, fly};
-use crate::compact::{Compact, StiffnessParts};
 use crate::history::TimeHistory;
 use crate::rig::{Rig, RigError};
 use crate::rig_model::Motion;
+use crate::rom::{ReducedOrderModel, StiffnessParts};
 use aero::{Corrections, Flow};
 use nastran::BulkData;
 
@@ -17,7 +17,7 @@ const SPLIT: [&str; 2] = ["bend_stiff", "tors_stiff"];
 /// Effects at one flow, ready to fly.
 #[derive(Debug, Clone)]
 pub struct Beside {
-    compact: Compact,
+    rom: ReducedOrderModel,
     with: Model,
     plain: Model,
     effects: Vec<Active>,
@@ -27,7 +27,7 @@ impl Beside {
     /// The effects on a rig whose structure is `bulk`; none if there are no effects.
     ///
     /// # Errors
-    /// As [`Compact::new`] and [`StiffnessParts::new`].
+    /// As [`ReducedOrderModel::new`] and [`StiffnessParts::new`].
     pub fn new(
         rig: &Rig<'_>,
         flow: Flow,
@@ -40,12 +40,12 @@ impl Beside {
         }
         let split = effects.iter().any(|active| SPLIT.contains(&active.effect.spec().name));
         let parts = if split { StiffnessParts::new(rig, bulk)? } else { None };
-        let compact = Compact::new(rig, flow, corrections, parts.as_ref())?;
+        let rom = ReducedOrderModel::new(rig, flow, corrections, parts.as_ref())?;
         Ok(Some(Self {
-            with: Model::new(&compact, effects, None),
-            plain: Model::new(&compact, &[], None),
+            with: Model::new(&rom, effects, None),
+            plain: Model::new(&rom, &[], None),
             effects: effects.to_vec(),
-            compact,
+            rom,
         }))
     }
 
@@ -62,8 +62,8 @@ impl Beside {
             steady: false,
             clock_h: 0.0,
         };
-        let with = fly(&self.compact, &self.with, &self.effects, &stimulus);
-        let plain = fly(&self.compact, &self.plain, &[], &stimulus);
+        let with = fly(&self.rom, &self.with, &self.effects, &stimulus);
+        let plain = fly(&self.rom, &self.plain, &[], &stimulus);
         let changed = with.loads.iter().chain([&with.tip_m]);
         let plain = plain.loads.iter().chain([&plain.tip_m]);
         for (name, (with, plain)) in CHANNELS.iter().zip(changed.zip(plain)) {

@@ -1,7 +1,7 @@
-//! Static points and runs of a compact rig with effects.
+//! Static points and runs of a reduced-order model with effects.
 
 use super::{Active, Forces, Inputs, Loads, Place, Seen, Stage};
-use crate::compact::{Change, Compact, Constants, Drive, Outputs, ResponseTable};
+use crate::rom::{Change, Constants, Drive, Outputs, ReducedOrderModel, ResponseTable};
 
 /// How often forces that depend on the state are put back into the wing; what stalls changes its own angle little.
 const ROUNDS: usize = 4;
@@ -41,7 +41,7 @@ pub struct Model {
 
 impl Model {
     /// Computes responses, or takes those of `before` if the effects change nothing in them.
-    pub fn new(rig: &Compact, effects: &[Active], before: Option<&Self>) -> Self {
+    pub fn new(rig: &ReducedOrderModel, effects: &[Active], before: Option<&Self>) -> Self {
         if let Some(before) = before.filter(|before| before.serves(rig, effects)) {
             return before.clone();
         }
@@ -51,14 +51,14 @@ impl Model {
     }
 
     /// Whether it is the linear part for these effects, too.
-    pub fn serves(&self, rig: &Compact, effects: &[Active]) -> bool {
+    pub fn serves(&self, rig: &ReducedOrderModel, effects: &[Active]) -> bool {
         let (change, constants, everything) = asked(rig, effects);
         self.change == change && self.constants == constants && (self.everything || !everything)
     }
 }
 
 /// What effects ask of the linear wing.
-fn asked(rig: &Compact, effects: &[Active]) -> (Change, Constants, bool) {
+fn asked(rig: &ReducedOrderModel, effects: &[Active]) -> (Change, Constants, bool) {
     let place = place(rig, 0.0, true, 0.0);
     let mut change = Change::none(rig.zones.len());
     let mut constants = Constants::default();
@@ -69,7 +69,7 @@ fn asked(rig: &Compact, effects: &[Active]) -> (Change, Constants, bool) {
     (change, constants, effects.iter().any(|active| active.effect.needs_zones()))
 }
 
-fn place(rig: &Compact, time_step_s: f64, steady: bool, clock_h: f64) -> Place<'_> {
+fn place(rig: &ReducedOrderModel, time_step_s: f64, steady: bool, clock_h: f64) -> Place<'_> {
     Place {
         flow: rig.flow,
         zones: &rig.zones,
@@ -86,7 +86,7 @@ fn place(rig: &Compact, time_step_s: f64, steady: bool, clock_h: f64) -> Place<'
 }
 
 /// Flies a stimulus. `model` is of the same rig and effects.
-pub fn fly(rig: &Compact, model: &Model, effects: &[Active], stimulus: &Stimulus) -> Flown {
+pub fn fly(rig: &ReducedOrderModel, model: &Model, effects: &[Active], stimulus: &Stimulus) -> Flown {
     let place = place(rig, stimulus.time_step_s, stimulus.steady, stimulus.clock_h);
     let mut inputs = stimulus.inputs.clone();
     for active in effects {
@@ -144,7 +144,7 @@ pub fn fly(rig: &Compact, model: &Model, effects: &[Active], stimulus: &Stimulus
 
 /// The forces of a state; effects see the lift without the forces of the round before.
 fn forces_at(
-    rig: &Compact,
+    rig: &ReducedOrderModel,
     place: &Place<'_>,
     effects: &[Active],
     (inputs, answer, before): (&Inputs, &[Vec<f64>], &Forces),
@@ -178,7 +178,7 @@ struct Split<'a> {
 }
 
 impl<'a> Split<'a> {
-    fn new(rig: &Compact, answer: &'a [Vec<f64>]) -> Self {
+    fn new(rig: &ReducedOrderModel, answer: &'a [Vec<f64>]) -> Self {
         let outputs = rig.outputs();
         let zones = if answer.len() > outputs.lifts() { rig.zones.len() } else { 0 };
         Self {

@@ -28,7 +28,7 @@ pub use place::{Forces, Inputs, Loads, Place, Seen};
 pub use spec::{Parameter, Side, Spec, Stage};
 pub use travel::{Carried, acting_deflection, carry};
 
-use crate::compact::{Change, Constants};
+use crate::rom::{Change, Constants};
 
 /// See the module. `p` are values of [`Effect::parameters`], in their order and units.
 pub trait Effect: std::fmt::Debug + Send + Sync {

@@ -1,7 +1,7 @@
 //! What effects see and change on their way through a simulation.
 
-use crate::compact::Zones;
 use crate::rig::Actuator;
+use crate::rom::Zones;
 use crate::smoothing::Smooth;
 use aero::Flow;
 
@@ -101,7 +101,7 @@ impl Forces {
     pub fn none(zones: usize, samples: usize) -> Self {
         Self {
             lift_n: vec![vec![0.0; samples]; zones],
-            modal: vec![vec![0.0; samples]; crate::compact::Drive::DRIVEN_MODES],
+            modal: vec![vec![0.0; samples]; crate::rom::Drive::DRIVEN_MODES],
         }
     }
 }

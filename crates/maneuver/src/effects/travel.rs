@@ -4,8 +4,8 @@
 
 use super::place::REFERENCE_V_M_S;
 use super::{Active, Inputs, Place};
-use crate::compact::Zones;
 use crate::rig::Actuator;
+use crate::rom::Zones;
 use crate::smoothing::Smooth;
 use aero::{Corrections, Flow};
 use coupling::ElasticWing;

@@ -3,8 +3,8 @@
 use super::wing_with;
 use aero::{Corrections, Flow};
 use coupling::Mount;
-use maneuver::compact::{Compact, StiffnessParts};
 use maneuver::effects::{Active, Effect, Flown, Inputs, Model, Stimulus, fly, library};
+use maneuver::rom::{ReducedOrderModel, StiffnessParts};
 use maneuver::{Rig, RigSettings, Smooth};
 use std::sync::Arc;
 
@@ -42,23 +42,23 @@ pub fn points(controls: usize) -> Stimulus {
 }
 
 /// What it shows.
-pub fn with(compact: &Compact, effects: &[Active], stimulus: &Stimulus) -> Flown {
-    fly(compact, &Model::new(compact, effects, None), effects, stimulus)
+pub fn with(rom: &ReducedOrderModel, effects: &[Active], stimulus: &Stimulus) -> Flown {
+    fly(rom, &Model::new(rom, effects, None), effects, stimulus)
 }
 
 /// Eight modes, no corrections.
-pub fn compact(v_m_s: f64) -> Compact {
+pub fn rom(v_m_s: f64) -> ReducedOrderModel {
     let (file, wing) = wing_with(|_| ());
     let settings = RigSettings { modes: 8, ..RigSettings::new(file.damping_ratio, file.pitch_axis_x()) };
     let rig = Rig::new(&wing, settings).unwrap();
     let flow = Flow { v_m_s, rho_kg_m3: 1.225 };
     let parts = StiffnessParts::new(&rig, &file.bulk(Mount::Tunnel).unwrap()).unwrap();
-    Compact::new(&rig, flow, &Corrections::neutral(wing.correctable.len()), parts.as_ref()).unwrap()
+    ReducedOrderModel::new(&rig, flow, &Corrections::neutral(wing.correctable.len()), parts.as_ref()).unwrap()
 }
 
 /// An effect by its name, the first of its forms.
-pub fn effect(compact: &Compact, name: &str) -> Arc<dyn Effect> {
-    library(&compact.controls).into_iter().find(|e| e.spec().name == name).unwrap()
+pub fn effect(rom: &ReducedOrderModel, name: &str) -> Arc<dyn Effect> {
+    library(&rom.controls).into_iter().find(|e| e.spec().name == name).unwrap()
 }
 
 /// From the smallest to the largest.

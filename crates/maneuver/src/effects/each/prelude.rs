@@ -1,10 +1,10 @@
 //! What every effect's file needs.
 
-pub(super) use crate::compact::{Change, Constants, PointMass};
 pub(super) use crate::effects::place::REFERENCE_V_M_S;
 pub(super) use crate::effects::{
     Effect, Forces, Inputs, Loads, Parameter, Place, Seen, Side, Spec, Stage, signal,
 };
+pub(super) use crate::rom::{Change, Constants, PointMass};
 
 /// What a strip loses of its lift, N, beyond a limit of its effective angle: `k/(1 + k)` of what exceeds it.
 pub(super) fn stalled(lift_n: f64, by_angle: f64, limit_rad: f64, k: f64) -> f64 {

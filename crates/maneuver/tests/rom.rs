@@ -1,4 +1,4 @@
-//! The compact rig is the rig: the same responses as its state space, the same steady loads as the steady wing.
+//! The reduced-order model is the rig: the same responses as its state space, the same steady loads as the steady wing.
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
@@ -8,7 +8,7 @@ use aero::{Corrections, Flow};
 use common::{uneven, wing_with};
 use coupling::{ElasticWing, SteadyCase};
 use faer::{Mat, c64};
-use maneuver::compact::{Change, Compact, Constants, Drive, Outputs, ResponseTable};
+use maneuver::rom::{Change, Constants, Drive, Outputs, ReducedOrderModel, ResponseTable};
 use maneuver::{Motion, Rig, RigSettings, Smooth};
 use std::f64::consts::TAU;
 
@@ -17,26 +17,26 @@ fn flow(v_m_s: f64) -> Flow {
 }
 
 /// Root pitch with gravity's share, then the controls: what [`maneuver::RigModel::frequency_response`] gives.
-fn as_the_rig_gives_it(compact: &Compact, response: &Mat<c64>) -> Mat<c64> {
-    Mat::from_fn(4, 1 + compact.controls.len(), |row, motion| match motion {
-        0 => response[(row, Drive::PITCH)] + response[(row, Drive::G_SIN)] * compact.gravity_m_s2(),
+fn as_the_rig_gives_it(rom: &ReducedOrderModel, response: &Mat<c64>) -> Mat<c64> {
+    Mat::from_fn(4, 1 + rom.controls.len(), |row, motion| match motion {
+        0 => response[(row, Drive::PITCH)] + response[(row, Drive::G_SIN)] * rom.gravity_m_s2(),
         control => response[(row, Drive::CONTROLS + control - 1)],
     })
 }
 
 #[test]
-fn the_compact_rig_answers_as_its_state_space_does() {
+fn the_reduced_order_model_answers_as_its_state_space_does() {
     let (file, wing) = wing_with(|_| ());
     let rig = Rig::new(&wing, RigSettings::new(file.damping_ratio, file.pitch_axis_x())).unwrap();
     let corrections = uneven(&wing);
     for v_m_s in [0.0, 18.0, 34.0] {
         let model = rig.at(flow(v_m_s), &corrections).unwrap();
-        let compact = Compact::new(&rig, flow(v_m_s), &corrections, None).unwrap();
+        let rom = ReducedOrderModel::new(&rig, flow(v_m_s), &corrections, None).unwrap();
         let omegas: Vec<f64> = [0.3, 2.0, 4.5, 9.0, 20.0].iter().map(|f| TAU * f).collect();
-        let change = Change::none(compact.zones.len());
-        let responses = compact.responses(&change, &omegas, true);
+        let change = Change::none(rom.zones.len());
+        let responses = rom.responses(&change, &omegas, true);
         for (omega, response) in omegas.iter().zip(&responses) {
-            let (ours, theirs) = (as_the_rig_gives_it(&compact, response), model.frequency_response(*omega));
+            let (ours, theirs) = (as_the_rig_gives_it(&rom, response), model.frequency_response(*omega));
             for row in 0..4 {
                 for column in 0..ours.ncols() {
                     let largest = (0..ours.ncols()).map(|j| theirs[(row, j)].norm()).fold(0.0, f64::max);
@@ -52,11 +52,16 @@ fn the_compact_rig_answers_as_its_state_space_does() {
     }
 }
 
-fn steady_difference(wing: &ElasticWing, compact: &Compact, corrections: &Corrections, v_m_s: f64) -> f64 {
-    let change = Change::none(compact.zones.len());
-    let rest = compact.at_rest(&change, &Constants::default(), false);
-    let response = &compact.responses(&change, &[0.0], false)[0];
-    let (alpha, g) = (0.06_f64, compact.gravity_m_s2());
+fn steady_difference(
+    wing: &ElasticWing,
+    rom: &ReducedOrderModel,
+    corrections: &Corrections,
+    v_m_s: f64,
+) -> f64 {
+    let change = Change::none(rom.zones.len());
+    let rest = rom.at_rest(&change, &Constants::default(), false);
+    let response = &rom.responses(&change, &[0.0], false)[0];
+    let (alpha, g) = (0.06_f64, rom.gravity_m_s2());
     let ours = |row: usize| {
         rest[row]
             + response[(row, Drive::PITCH)].re * alpha
@@ -71,13 +76,13 @@ fn steady_difference(wing: &ElasticWing, compact: &Compact, corrections: &Correc
 }
 
 #[test]
-fn at_rest_the_compact_rig_carries_the_steady_wing_s_loads() {
+fn at_rest_the_reduced_order_model_carries_the_steady_wing_s_loads() {
     let (file, wing) = wing_with(|_| ());
     let rig = Rig::new(&wing, RigSettings::new(file.damping_ratio, file.pitch_axis_x())).unwrap();
     for corrections in [Corrections::neutral(wing.correctable.len()), uneven(&wing)] {
         for v_m_s in [0.0, 22.0, 34.0] {
-            let compact = Compact::new(&rig, flow(v_m_s), &corrections, None).unwrap();
-            let off = steady_difference(&wing, &compact, &corrections, v_m_s);
+            let rom = ReducedOrderModel::new(&rig, flow(v_m_s), &corrections, None).unwrap();
+            let off = steady_difference(&wing, &rom, &corrections, v_m_s);
             assert!(off < 1e-9, "{v_m_s} m/s: {off:e}");
         }
     }
@@ -96,12 +101,12 @@ fn a_factor_on_every_zone_is_that_factor_on_every_box_of_the_wing() {
         moment: vec![1.0 + factor; neutral.len()],
         ..neutral.clone()
     };
-    let compact = Compact::new(&rig, flow(30.0), &neutral, None).unwrap();
-    let direct = Compact::new(&rig, flow(30.0), &changed, None).unwrap();
-    let none = Change::none(compact.zones.len());
-    let change = Change { zone_force: vec![factor; compact.zones.len()], ..none.clone() };
+    let rom = ReducedOrderModel::new(&rig, flow(30.0), &neutral, None).unwrap();
+    let direct = ReducedOrderModel::new(&rig, flow(30.0), &changed, None).unwrap();
+    let none = Change::none(rom.zones.len());
+    let change = Change { zone_force: vec![factor; rom.zones.len()], ..none.clone() };
     let omegas = [0.0, 12.0, 30.0];
-    let (ours, theirs) = (compact.responses(&change, &omegas, true), direct.responses(&none, &omegas, true));
+    let (ours, theirs) = (rom.responses(&change, &omegas, true), direct.responses(&none, &omegas, true));
     for (a, b) in ours.iter().zip(&theirs) {
         for row in 0..3 {
             let largest = (0..2).map(|j| b[(row, j)].norm()).fold(0.0, f64::max);
@@ -141,13 +146,13 @@ fn a_history_by_fourier_transform_is_the_one_stepped_in_time() {
     let corrections = uneven(&wing);
     for (v_m_s, pitch) in [(0.0, true), (22.0, true), (30.0, false)] {
         let model = rig.at(flow(v_m_s), &corrections).unwrap();
-        let compact = Compact::new(&rig, flow(v_m_s), &corrections, None).unwrap();
-        let change = Change::none(compact.zones.len());
-        let table = ResponseTable::new(&compact, &change, &Constants::default(), false);
+        let rom = ReducedOrderModel::new(&rig, flow(v_m_s), &corrections, None).unwrap();
+        let change = Change::none(rom.zones.len());
+        let table = ResponseTable::new(&rom, &change, &Constants::default(), false);
         // the stepped one has drives that are straight between samples: fine steps for it
         let (coarse, fine) =
             (motion(0.01, pitch, model.controls.len()), motion(0.001, pitch, model.controls.len()));
-        let g = compact.gravity_m_s2();
+        let g = rom.gravity_m_s2();
         let sin: Vec<f64> = coarse.alpha.value.iter().map(|a| g * a.sin()).collect();
         let cos: Vec<f64> = coarse.alpha.value.iter().map(|a| g * a.cos()).collect();
         let mut drives: Vec<(usize, &[f64])> =

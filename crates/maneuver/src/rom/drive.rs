@@ -1,6 +1,6 @@
-//! What drives a [`Compact`](super::Compact) rig and what it puts out, as columns and rows of its responses.
+//! Inputs and outputs of a [`ReducedOrderModel`](super::ReducedOrderModel), as columns and rows of its responses.
 
-use super::{BALANCE, Compact};
+use super::{BALANCE, ReducedOrderModel};
 
 /// Where drives stand among the columns of a response.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -89,7 +89,7 @@ pub struct Constants {
     pub upwash_rad_m: f64,
 }
 
-impl Compact {
+impl ReducedOrderModel {
     /// Where drives stand.
     pub fn drive(&self) -> Drive {
         Drive { controls: self.controls.len(), zones: self.zones.len() }

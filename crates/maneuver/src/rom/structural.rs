@@ -1,6 +1,6 @@
-//! Structure and masses of a [`Compact`] rig with changes.
+//! Structure and masses of a [`ReducedOrderModel`] with changes.
 
-use super::{BALANCE, Change, Compact, PointMass};
+use super::{BALANCE, Change, PointMass, ReducedOrderModel};
 use faer::{Mat, c64};
 
 /// Structure and masses with changes.
@@ -16,7 +16,7 @@ pub(super) struct Structural {
 }
 
 impl Structural {
-    pub(super) fn new(rig: &Compact, change: &Change) -> Self {
+    pub(super) fn new(rig: &ReducedOrderModel, change: &Change) -> Self {
         let m = rig.modes();
         let unit = |i: usize, j: usize| f64::from(u8::from(i == j));
         let zeta = rig.damping_ratio * (1.0 + change.damping);
@@ -43,7 +43,7 @@ impl Structural {
         all
     }
 
-    fn add(&mut self, rig: &Compact, point: &PointMass) {
+    fn add(&mut self, rig: &ReducedOrderModel, point: &PointMass) {
         let zones = &rig.zones;
         if zones.is_empty() {
             return;
@@ -83,7 +83,7 @@ impl Structural {
     }
 
     /// Share of a field of acceleration in a row of modes and balance.
-    pub(super) fn field(&self, rig: &Compact, row: usize, field: usize) -> f64 {
+    pub(super) fn field(&self, rig: &ReducedOrderModel, row: usize, field: usize) -> f64 {
         let m = rig.modes();
         // what the truncated modes do under the field, in the air
         let air = rig.air[(row, rig.layout.field(field))];
@@ -96,7 +96,7 @@ impl Structural {
     }
 
     /// Balance by modes: air and momentum.
-    pub(super) fn balance(&self, s: c64, rig: &Compact, z: &Mat<c64>) -> Mat<c64> {
+    pub(super) fn balance(&self, s: c64, rig: &ReducedOrderModel, z: &Mat<c64>) -> Mat<c64> {
         let (m, first) = (rig.modes(), rig.layout.modal_accelerations().start);
         Mat::from_fn(BALANCE, m, |row, mode| {
             let momentum =

@@ -1,6 +1,6 @@
-//! The air's forces of a [`Compact`] rig with changes, sorted by what multiplies functions of s.
+//! The air's forces of a [`ReducedOrderModel`] with changes, sorted by what multiplies functions of s.
 
-use super::{Change, Compact};
+use super::{Change, ReducedOrderModel};
 use faer::{Mat, c64};
 
 /// The air's forces with changes, in blocks that multiply functions of s.
@@ -10,7 +10,7 @@ pub(super) struct Blocks {
     pub(super) rows: usize,
 }
 
-impl Compact {
+impl ReducedOrderModel {
     /// Modes and balance by the layout's columns with the factors of the zones.
     pub(super) fn zone_sum(&self, change: &Change) -> Mat<f64> {
         let mut total = self.air.clone();

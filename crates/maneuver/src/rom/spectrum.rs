@@ -1,11 +1,11 @@
-//! Histories by Fourier transform: the responses of a [`Compact`](super::Compact) rig on a grid of frequencies, between
-//! them by cubic interpolation, times the spectrum of what drives it.
+//! Histories by Fourier transform: the responses of a [`ReducedOrderModel`](super::ReducedOrderModel) on a grid of
+//! frequencies, between them by cubic interpolation, times the spectrum of what drives it.
 //!
 //! A record is continued beyond its end: its drives go back to their first value and wait until the wing is at rest
 //! again. A causal system does not see that before the record ends, so within the record the periodic answer is the
 //! answer from rest. Drives are band limited between samples (their continuation is smooth).
 
-use super::{Compact, Constants};
+use super::{Constants, ReducedOrderModel};
 use faer::{Mat, c64};
 use rustfft::FftPlanner;
 use std::cell::RefCell;
@@ -41,7 +41,7 @@ pub struct ResponseTable {
 
 impl ResponseTable {
     /// Computes the table; `everything` includes lifts and heights of zones.
-    pub fn new(rig: &Compact, change: &Change, constants: &Constants, everything: bool) -> Self {
+    pub fn new(rig: &ReducedOrderModel, change: &Change, constants: &Constants, everything: bool) -> Self {
         let wind = rig.flow.v_m_s > 0.0;
         let frequencies_hz = grid(wind);
         let omegas: Vec<f64> = frequencies_hz.iter().map(|f| TAU * f).collect();

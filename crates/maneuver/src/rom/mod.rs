@@ -1,6 +1,6 @@
-//! A rig at one flow in few numbers: forces of the air on modes and balance by everything that moves, zone by zone along
-//! the span, and what structure and masses add. From it frequency responses follow in microseconds, with changes of the
-//! air, the structure and the masses ([`Change`]) applied exactly, without assembling the wing again.
+//! The reduced-order model of a rig at one flow: forces of the air on modes and balance by everything that moves, zone by
+//! zone along the span, and what structure and masses add. From it frequency responses follow in microseconds, with
+//! changes of the air, the structure and the masses ([`Change`]) applied exactly, without assembling the wing again.
 //!
 //! ```text
 //! (s² M + s C + K - Z_m(s)) xi = Z_u(s) u + F c        c = (g sin a, -g cos a, -a'')
@@ -36,7 +36,7 @@ pub(crate) const BALANCE: usize = 3;
 
 /// See the module.
 #[derive(Debug, Clone)]
-pub struct Compact {
+pub struct ReducedOrderModel {
     /// The flow.
     pub flow: Flow,
     /// Names of the controls.
@@ -81,7 +81,7 @@ pub struct Compact {
     pub(crate) cutoff_hz: f64,
 }
 
-impl Compact {
+impl ReducedOrderModel {
     /// The rig at a flow with corrections (one entry for each correctable box).
     ///
     /// # Errors

@@ -1,13 +1,13 @@
-//! Frequency responses of a [`Compact`] rig with changes, and its steady answer to what is constant.
+//! Frequency responses of a [`ReducedOrderModel`] with changes, and its steady answer to what is constant.
 
 use super::blocks::Blocks;
 use super::drive::{Constants, Drive, Outputs};
 use super::structural::Structural;
-use super::{BALANCE, Change, Compact};
+use super::{BALANCE, Change, ReducedOrderModel};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, c64};
 
-impl Compact {
+impl ReducedOrderModel {
     /// Outputs by drives at several frequencies (rad/s, zero included), one matrix each; `everything` adds lifts and heights
     /// of the zones, and what drives them.
     pub fn responses(&self, change: &Change, omegas_rad_s: &[f64], everything: bool) -> Vec<Mat<c64>> {
