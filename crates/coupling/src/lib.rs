@@ -20,7 +20,7 @@ pub use case::{CorrectableBoxes, RootSensitivity, SteadyCase, SteadyModel};
 pub use error::CouplingError;
 pub use exchange::Exchange;
 pub use nastran_deck::{DeckOptions, NastranDeck};
-pub use root_loads::{Balance, RootLoads, root_rows};
+pub use root_loads::{Balance, ByLoad, Load, RootLoads, root_rows};
 pub use spline::Spline;
 pub use steady::{SteadyOperator, SteadyState};
 pub use supported::{RigidInertia, SupportedStructure};
