@@ -8,7 +8,8 @@
 //! with x = r sin(theta) cos(phi), y = r sin(theta) sin(phi), z = r cos(theta). The axes at a point are those in
 //! which r, theta and z (or phi) grow; on the z axis, where they are not defined, those of theta (or phi) zero.
 
-use crate::cards::{BulkData, Coord, CoordDefinition, CoordKind, Grid};
+use crate::bulk_data::BulkData;
+use crate::cards::{Coord, CoordDefinition, CoordKind, Grid};
 use crate::source::{InputError, Span};
 use nalgebra::{Matrix3, Point3, Vector3};
 use std::collections::{BTreeMap, BTreeSet};

@@ -1,48 +1,139 @@
-//! Numbers that cards of different names must not share.
-//!
-//! Nastran numbers all elements with stiffness together, whatever their kind; so are mass elements, rigid elements,
-//! the properties one element card may refer to, and materials. Masses and rigid elements are counted apart
-//! from the others: decks that give them the numbers of elements are in use, and nothing in them is ambiguous.
+//! Numbers of a deck's cards: the largest, raised ones, distinct ones, and several models in one deck.
 
-use crate::card::Card;
-use crate::source::{InputError, Span};
-use std::collections::BTreeMap;
+use crate::bulk_data::{BulkData, Change, Rest, Visitor};
+use crate::cards::kind::{CardKind, Cards, DeckCard, Family, Step};
+use crate::source::InputError;
+use std::collections::BTreeSet;
 
-/// The kinds of cards that share their numbers.
-const FAMILIES: [(&str, &[&str]); 6] = [
-    (
-        "element",
-        &[
-            "CBAR", "CBEAM", "CQUAD4", "CTRIA3", "CHEXA", "CPENTA", "CTETRA", "CROD", "CBUSH", "CELAS1",
-            "CELAS2", "GENEL",
-        ],
-    ),
-    ("mass element", &["CONM1", "CONM2", "CMASS1", "CMASS2"]),
-    ("rigid element", &["RBE2", "RBE3", "RBAR"]),
-    ("shell property", &["PSHELL", "PCOMP", "PCOMPG"]),
-    ("beam property", &["PBAR", "PBARL", "PBEAM", "PBEAML"]),
-    ("material", &["MAT1", "MAT2", "MAT8", "MAT9"]),
-];
-
-/// The numbers that are taken, by family.
-#[derive(Debug, Default)]
-pub(crate) struct Numbers {
-    taken: BTreeMap<(&'static str, u32), (String, Span)>,
+/// The numbers of the cards of some families.
+struct Numbers<'a> {
+    of: &'a [Family],
+    found: BTreeSet<u32>,
 }
 
-impl Numbers {
-    /// Takes the number of a card; an error if a card of its family has it already.
-    pub(crate) fn claim(&mut self, card: &Card) -> Result<(), InputError> {
-        let family = FAMILIES.iter().find(|(_, names)| names.contains(&card.name.as_str()));
-        let Some((family, _)) = family else { return Ok(()) };
-        let id = card.id(0, "the number")?;
-        let before = self.taken.insert((*family, id), (card.name.clone(), card.span.clone()));
-        let Some((name, span)) = before else { return Ok(()) };
-        let message = if name == card.name {
-            format!("{name} {id} is given twice; the number or name is taken since {span}")
-        } else {
-            format!("{} {id} has the number of another {family}, {name} {id} at {span}", card.name)
+impl Visitor for Numbers<'_> {
+    fn cards(&mut self, kind: &CardKind, cards: &impl Cards) {
+        if self.of.contains(&kind.family) {
+            self.found.extend(cards.each().filter_map(DeckCard::number));
+        }
+    }
+}
+
+/// Raises numbers.
+struct Raise(Step);
+
+impl Change for Raise {
+    fn card<C: DeckCard>(&mut self, _: &CardKind, mut card: C) -> Result<Option<C>, InputError> {
+        card.raise(self.0);
+        Ok(Some(card))
+    }
+}
+
+/// Leaves cards as they are.
+struct Keep;
+
+impl Change for Keep {
+    fn card<C: DeckCard>(&mut self, _: &CardKind, card: C) -> Result<Option<C>, InputError> {
+        Ok(Some(card))
+    }
+}
+
+/// Gives cards of a family numbers that are not taken.
+struct Distinct {
+    family: Family,
+    taken: BTreeSet<u32>,
+    next: u32,
+}
+
+impl Change for Distinct {
+    fn card<C: DeckCard>(&mut self, kind: &CardKind, mut card: C) -> Result<Option<C>, InputError> {
+        let taken = card.number().filter(|id| kind.family == self.family && !self.taken.insert(*id));
+        if taken.is_some() {
+            card.renumber(self.next);
+            self.taken.insert(self.next);
+            self.next += 1;
+        }
+        Ok(Some(card))
+    }
+}
+
+impl Step {
+    /// Powers of ten above every number in a model, at least 10000 for cards and 1000000 for boxes, of which `last_box`
+    /// is the largest number.
+    pub fn above(bulk: &BulkData, last_box: u32) -> Self {
+        let all: Vec<Family> = Family::ALL.into_iter().filter(|family| *family != Family::Panel).collect();
+        let largest = bulk.numbers_of(&all).last().copied().unwrap_or(0);
+        let power = |least: u32, above: u32| {
+            std::iter::successors(Some(least), |power| power.checked_mul(10)).find(|power| *power > above)
         };
-        Err(card.error(0, message).with_help("give every card its own number or name"))
+        // Nastran's numbers have at most 8 digits, so a power is found; if not, joining will name the collision.
+        Self {
+            cards: power(10_000, largest).unwrap_or(10_000),
+            boxes: power(1_000_000, last_box).unwrap_or(1_000_000),
+        }
+    }
+}
+
+impl BulkData {
+    fn numbers_of(&self, families: &[Family]) -> BTreeSet<u32> {
+        let mut numbers = Numbers { of: families, found: BTreeSet::new() };
+        self.visit(&mut numbers);
+        numbers.found
+    }
+
+    /// The model with numbers raised and `prefix` before the labels of its control surfaces.
+    ///
+    /// # Errors
+    /// If numbers reach the end of their range and meet there.
+    pub fn raised(self, by: Step, prefix: &str) -> Result<Self, InputError> {
+        let mut new = Self::default();
+        let rest = self.pour(&mut new, &mut Raise(by))?;
+        rest.put(&mut new);
+        for surface in new.surfaces.values_mut() {
+            surface.label = format!("{prefix}{}", surface.label);
+        }
+        Ok(new)
+    }
+
+    /// Adds the cards of `other`; columns of matrices that both have are put behind each other, so its panels must have
+    /// the higher numbers. Subcases and cards that were not read are not taken over.
+    ///
+    /// # Errors
+    /// If both use a number for the same kind of card, or measure mass in different units (PARAM WTMASS).
+    pub fn join(&mut self, other: Self) -> Result<(), InputError> {
+        let Rest { parameters, matrices, subcases: _, unknown: _ } = other.pour(self, &mut Keep)?;
+        for (name, value) in parameters {
+            let first = self.parameters.entry(name.clone()).or_insert(value);
+            if name == "WTMASS" && *first != value {
+                let message = format!("two models have different PARAM WTMASS, {first} and {value}");
+                return Err(InputError::general(message).with_help("give all of them in one system of units"));
+            }
+        }
+        for (name, matrix) in matrices {
+            match self.matrices.get_mut(&name) {
+                Some(first) => {
+                    first.rows += matrix.rows;
+                    for (column, more) in first.columns.iter_mut().zip(matrix.columns) {
+                        column.extend(more);
+                    }
+                }
+                None => _ = self.matrices.insert(name, matrix),
+            }
+        }
+        Ok(())
+    }
+
+    /// Gives masses and rigid elements numbers that no other element has, where they share one.
+    pub fn with_distinct_elements(mut self) -> Self {
+        let mut taken = self.numbers_of(&[Family::Element]);
+        let ties = [Family::MassElement, Family::RigidElement];
+        let mut next = taken.iter().chain(&self.numbers_of(&ties)).max().map_or(1, |last| last + 1);
+        for family in ties {
+            let (mut new, mut change) = (Self::default(), Distinct { family, taken, next });
+            let rest = self.pour(&mut new, &mut change).expect("numbers that are not taken do not meet");
+            rest.put(&mut new);
+            (self, taken, next) = (new, change.taken, change.next);
+        }
+        self
     }
 }

@@ -7,14 +7,9 @@
 //!
 //! DMI matrices are written by [`Dmi::write`](crate::Dmi::write), in 8-character fields.
 
-mod aerodynamics;
-mod elements;
-mod fields;
-mod properties;
-mod structure;
-
-use crate::cards::BulkData;
-use fields::Fields;
+use crate::bulk_data::{BulkData, Visitor};
+use crate::card::fields::Fields;
+use crate::cards::kind::{CardKind, Cards, DeckCard};
 use std::fmt::Write as _;
 
 /// Parameters whose value is real even if it is a whole number; the type matters to Nastran.
@@ -29,8 +24,8 @@ const REAL_PARAMETERS: [&str; 22] = [
 /// written; a comment says how many there were.
 pub fn write_deck(deck: &BulkData) -> String {
     let mut text = String::new();
-    for (name, count) in &deck.unknown {
-        let _ = writeln!(text, "$ not written because not read: {count} {name}");
+    for (name, unread) in &deck.unknown {
+        let _ = writeln!(text, "$ not written because not read: {} {name}", unread.count);
     }
     let linked = !deck.aero_links.is_empty() || !deck.aero_components.is_empty();
     if linked || deck.aero_reference.is_some() || !deck.trims.is_empty() || !deck.supports.is_empty() {
@@ -38,17 +33,23 @@ pub fn write_deck(deck: &BulkData) -> String {
     }
     text.push_str("BEGIN BULK\n");
     deck.parameters.iter().for_each(|(name, value)| text.push_str(&parameter(name, *value)));
-    structure::structure(deck, &mut text);
-    elements::elements(deck, &mut text);
-    elements::constraints(deck, &mut text);
-    properties::properties(deck, &mut text);
-    properties::materials(deck, &mut text);
-    aerodynamics::aerodynamics(deck, &mut text);
+    deck.visit(&mut Text(&mut text));
     for matrix in deck.matrices.values() {
         text.push_str(&matrix.write());
     }
     text.push_str("ENDDATA\n");
     text
+}
+
+/// The text so far.
+struct Text<'a>(&'a mut String);
+
+impl Visitor for Text<'_> {
+    fn cards(&mut self, kind: &CardKind, cards: &impl Cards) {
+        for card in cards.each() {
+            self.0.push_str(&card.write(Fields::new(kind.name(card))).write());
+        }
+    }
 }
 
 fn parameter(name: &str, value: f64) -> String {

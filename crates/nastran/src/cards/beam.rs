@@ -1,0 +1,132 @@
+//! Bars and beams: CBAR and CBEAM.
+
+use super::kind::{DeckCard, Mirror, Mirrored, Step, flipped, numbered};
+use crate::card::Card;
+use crate::card::fields::Fields;
+use crate::source::{InputError, Span};
+
+/// A bar or beam element (CBAR, CBEAM).
+#[derive(Debug, Clone, PartialEq)]
+pub struct BeamElement {
+    /// Identification number.
+    pub id: u32,
+    /// Property (PBAR or PBEAM).
+    pub property: u32,
+    /// End grids A and B.
+    pub grids: [u32; 2],
+    /// Orientation: a vector in end A's displacement system, or a grid.
+    pub orientation: Orientation,
+    /// Pin flags at ends A and B, digits 1 to 6.
+    pub pins: [Vec<u8>; 2],
+    /// Offset vectors from grid to element end, in the grids' displacement systems.
+    pub offsets: [[f64; 3]; 2],
+    /// True for CBEAM, false for CBAR.
+    pub is_beam: bool,
+    /// Where the card stands.
+    pub span: Span,
+}
+
+/// The vector that, with the element axis, spans plane 1.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Orientation {
+    /// X1, X2, X3.
+    Vector([f64; 3]),
+    /// G0.
+    Grid(u32),
+}
+
+impl Orientation {
+    /// Raises the number of the grid.
+    pub(super) fn raise(&mut self, by: Step) {
+        if let Self::Grid(grid) = self {
+            by.card(grid);
+        }
+    }
+
+    /// Its image about y = 0.
+    pub(super) fn mirrored(self) -> Self {
+        match self {
+            Self::Vector(vector) => Self::Vector(flipped(vector)),
+            grid @ Self::Grid(_) => grid,
+        }
+    }
+
+    /// Its three fields.
+    pub(super) fn write(&self, card: Fields) -> Fields {
+        match self {
+            Self::Vector(vector) => card.reals(vector),
+            Self::Grid(grid) => card.int(*grid).blanks(2),
+        }
+    }
+}
+
+impl DeckCard for BeamElement {
+    numbered!();
+    fn variant(&self) -> usize {
+        usize::from(self.is_beam)
+    }
+
+    /// CBAR, CBEAM: EID PID GA GB X1 X2 X3 OFFT / PA PB W1A W2A W3A W1B W2B W3B (/ SA SB).
+    fn read(card: &Card) -> Result<Vec<Self>, InputError> {
+        let is_beam = card.name == "CBEAM";
+        let id = card.id(0, "EID")?;
+        if !card.text(7).is_empty() && !card.text(7).eq_ignore_ascii_case("GGG") {
+            return Err(card.wrong(7, "OFFT", "GGG, the only kind of offset vectors that is read"));
+        }
+        for (index, name) in [(16, "SA"), (17, "SB")] {
+            if is_beam && card.count_or(index, name, 0)? != 0 {
+                return Err(card.error(index, format!("warping ({name}) of {} is not read", card.name)));
+            }
+        }
+        Ok(vec![BeamElement {
+            id,
+            property: if card.text(1).is_empty() { id } else { card.id(1, "PID")? },
+            grids: [card.id(2, "GA")?, card.id(3, "GB")?],
+            orientation: orientation(card)?,
+            pins: [card.components(8, "PA")?, card.components(9, "PB")?],
+            offsets: [card.vector(10, ["W1A", "W2A", "W3A"])?, card.vector(13, ["W1B", "W2B", "W3B"])?],
+            is_beam,
+            span: card.span.clone(),
+        }])
+    }
+
+    fn write(&self, card: Fields) -> Fields {
+        let card = self.orientation.write(card.ints([self.id, self.property]).ints(self.grids));
+        let card = card.blanks(1).digits(&self.pins[0]).digits(&self.pins[1]);
+        let [a, b] = &self.offsets;
+        if self.offsets == [[0.0; 3]; 2] { card } else { card.reals(a).reals(b) }
+    }
+
+    fn raise(&mut self, by: Step) {
+        by.cards([&mut self.id, &mut self.property].into_iter().chain(&mut self.grids));
+        self.orientation.raise(by);
+    }
+
+    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
+        let orientation = self.orientation.mirrored();
+        Ok(Some(Self { orientation, offsets: self.offsets.map(flipped), ..self }))
+    }
+}
+
+fn orientation(card: &Card) -> Result<Orientation, InputError> {
+    optional_orientation(card)?.ok_or_else(|| {
+        card.empty(4, "X1", "an orientation vector or a grid")
+            .with_help("give the vector on the element, or a default by BAROR (bars) or BEAMOR (beams)")
+    })
+}
+
+/// Fields G0 or X1 X2 X3 of bars, beams and bushes; nothing if all are empty.
+pub(crate) fn optional_orientation(card: &Card) -> Result<Option<Orientation>, InputError> {
+    let text = card.text(4);
+    if text.parse::<i64>().is_ok() && card.text(5).is_empty() && card.text(6).is_empty() {
+        return Ok(Some(Orientation::Grid(card.id(4, "G0")?)));
+    }
+    if text.is_empty() && card.text(5).is_empty() && card.text(6).is_empty() {
+        return Ok(None);
+    }
+    let vector = card.vector(4, ["X1", "X2", "X3"])?;
+    if vector == [0.0; 3] {
+        return Err(card.error(4, format!("the orientation vector of {} is zero", card.name)));
+    }
+    Ok(Some(Orientation::Vector(vector)))
+}

@@ -1,0 +1,160 @@
+//! Generalised springs: CBUSH and PBUSH.
+
+use super::beam::{Orientation, optional_orientation};
+use super::kind::{DeckCard, Mirror, Mirrored, Step, flipped, numbered};
+use crate::card::Card;
+use crate::card::FIELDS_PER_LINE;
+use crate::card::fields::Fields;
+use crate::source::{InputError, Span};
+
+/// The axes of a bush.
+#[derive(Debug, Clone, PartialEq)]
+pub enum BushAxes {
+    /// CID: a coordinate system; 0 is basic.
+    System(u32),
+    /// x from end A to end B, the plane x-y by an orientation vector.
+    Oriented(Orientation),
+    /// Neither is given: x from end A to end B, only K1 and K4 may be there.
+    Line,
+}
+
+/// A generalised spring (CBUSH).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cbush {
+    /// Identification number.
+    pub id: u32,
+    /// PBUSH.
+    pub property: u32,
+    /// End grids; without a second one the bush ends at the ground.
+    pub grids: (u32, Option<u32>),
+    /// Axes of the stiffnesses.
+    pub axes: BushAxes,
+    /// S: place of the spring between A (0) and B (1).
+    pub location: f64,
+    /// OCID and S1 to S3: place of the spring in a coordinate system, instead of S, from end A.
+    pub offset: Option<(u32, [f64; 3])>,
+    /// Where the card stands.
+    pub span: Span,
+}
+
+impl DeckCard for Cbush {
+    numbered!();
+    /// CBUSH: EID PID GA GB GO/X1 X2 X3 CID / S OCID S1 S2 S3.
+    fn read(card: &Card) -> Result<Vec<Self>, InputError> {
+        card.ends_after(13)?;
+        let id = card.id(0, "EID")?;
+        let grids = (card.id(2, "GA")?, card.optional_id(3, "GB")?);
+        if grids.1 == Some(grids.0) {
+            return Err(card.error(3, format!("grid {} stands twice in CBUSH {id}", grids.0)));
+        }
+        let oriented = optional_orientation(card)?;
+        let axes = match oriented {
+            _ if !card.text(7).is_empty() => BushAxes::System(card.count_or(7, "CID", 0)?),
+            Some(orientation) => BushAxes::Oriented(orientation),
+            None => BushAxes::Line,
+        };
+        if grids.1.is_none() && !matches!(axes, BushAxes::System(_)) {
+            let message = format!("CBUSH {id} ends at the ground but names no coordinate system in CID");
+            return Err(card.error(3, message).with_help("give CID, 0 for the basic system"));
+        }
+        let location = card.real_or(8, "S", 0.5)?;
+        if !(0.0..=1.0).contains(&location) {
+            return Err(card.wrong(8, "S", "from 0 to 1"));
+        }
+        let ocid = card.integer_or(9, "OCID", -1)?;
+        let offset = match u32::try_from(ocid) {
+            Ok(system) => Some((system, card.vector(10, ["S1", "S2", "S3"])?)),
+            Err(_) if ocid == -1 => None,
+            Err(_) => return Err(card.wrong(9, "OCID", "-1, 0 or a coordinate system")),
+        };
+        Ok(vec![Cbush {
+            id,
+            property: card.id_or(1, "PID", id)?,
+            grids,
+            axes,
+            location,
+            offset,
+            span: card.span.clone(),
+        }])
+    }
+
+    fn write(&self, card: Fields) -> Fields {
+        let card = card.ints([self.id, self.property, self.grids.0]).optional(self.grids.1);
+        let card = match &self.axes {
+            BushAxes::System(system) => card.blanks(3).int(*system),
+            BushAxes::Oriented(orientation) => orientation.write(card).blanks(1),
+            BushAxes::Line => card.blanks(4),
+        };
+        let card = card.real(self.location);
+        match &self.offset {
+            Some((system, place)) => card.int(*system).reals(place),
+            None => card,
+        }
+    }
+
+    fn raise(&mut self, by: Step) {
+        by.cards([&mut self.id, &mut self.property, &mut self.grids.0].into_iter().chain(&mut self.grids.1));
+        match &mut self.axes {
+            BushAxes::System(system) => by.systems([system]),
+            BushAxes::Oriented(orientation) => orientation.raise(by),
+            BushAxes::Line => {}
+        }
+        by.systems(self.offset.iter_mut().map(|(system, _)| system));
+    }
+
+    /// The place is flipped in a mirrored system, too: its y axis is minus the image of the original's.
+    fn mirrored(mut self, _: &Mirror) -> Mirrored<Self> {
+        if let BushAxes::Oriented(orientation) = self.axes {
+            self.axes = BushAxes::Oriented(orientation.mirrored());
+        }
+        self.offset = self.offset.map(|(system, place)| (system, flipped(place)));
+        Ok(Some(self))
+    }
+}
+
+/// A bush's property (PBUSH): six stiffnesses.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pbush {
+    /// Identification number.
+    pub id: u32,
+    /// K1 to K6.
+    pub stiffness: [f64; 6],
+    /// Where the card stands.
+    pub span: Span,
+}
+
+impl DeckCard for Pbush {
+    numbered!();
+    /// PBUSH: PID, then rows of a word and its values: K K1 ... K6 is read; B, GE and RCV are skipped, M is refused.
+    fn read(card: &Card) -> Result<Vec<Self>, InputError> {
+        let mut stiffness = [0.0; 6];
+        for row in (0..card.len()).step_by(FIELDS_PER_LINE) {
+            match card.text(row + 1).to_uppercase().as_str() {
+                "K" => {
+                    let names = ["K1", "K2", "K3", "K4", "K5", "K6"];
+                    for (index, name) in names.into_iter().enumerate() {
+                        stiffness[index] = card.not_negative(row + 2 + index, name, 0.0)?;
+                    }
+                }
+                "M" => card.unset(row + 2, "M")?,
+                "B" | "GE" | "RCV" | "" => {}
+                _ => {
+                    return Err(card.wrong(row + 1, "FLAG", "K, B, GE or RCV, the only rows that are known"));
+                }
+            }
+        }
+        Ok(vec![Pbush { id: card.id(0, "PID")?, stiffness, span: card.span.clone() }])
+    }
+
+    fn write(&self, card: Fields) -> Fields {
+        card.int(self.id).text("K").reals(&self.stiffness)
+    }
+
+    fn raise(&mut self, by: Step) {
+        by.card(&mut self.id);
+    }
+
+    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
+        Ok(Some(self))
+    }
+}

@@ -1,0 +1,90 @@
+//! Grid points and lists of their numbers: GRID and SET1.
+
+use super::kind::{DeckCard, Mirror, Mirrored, Step, numbered};
+use crate::card::Card;
+use crate::card::fields::Fields;
+use crate::source::{InputError, Span};
+
+/// A grid point (GRID).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Grid {
+    /// Identification number.
+    pub id: u32,
+    /// Coordinate system of `xyz`; 0 is basic.
+    pub cp: u32,
+    /// Coordinates in `cp` (as its [`CoordKind`] says).
+    pub xyz: [f64; 3],
+    /// Displacement coordinate system; 0 is basic.
+    pub cd: u32,
+    /// Permanently fixed components, digits 1 to 6.
+    pub ps: Vec<u8>,
+    /// Where the card stands.
+    pub span: Span,
+}
+
+impl DeckCard for Grid {
+    numbered!();
+    /// GRID: ID CP X1 X2 X3 CD PS.
+    fn read(card: &Card) -> Result<Vec<Self>, InputError> {
+        Ok(vec![Grid {
+            id: card.id(0, "ID")?,
+            cp: card.count_or(1, "CP", 0)?,
+            xyz: card.vector(2, ["X1", "X2", "X3"])?,
+            cd: card.count_or(5, "CD", 0)?,
+            ps: card.components(6, "PS")?,
+            span: card.span.clone(),
+        }])
+    }
+
+    fn write(&self, card: Fields) -> Fields {
+        card.ints([self.id, self.cp]).reals(&self.xyz).int(self.cd).digits(&self.ps)
+    }
+
+    fn raise(&mut self, by: Step) {
+        by.card(&mut self.id);
+        by.systems([&mut self.cp, &mut self.cd]);
+    }
+
+    fn mirrored(self, mirror: &Mirror) -> Mirrored<Self> {
+        if self.cd != 0 {
+            let message =
+                format!("GRID {} has displacement system {}, so it cannot be mirrored", self.id, self.cd);
+            return Err(
+                InputError::at(&self.span, message).with_help("set field CD of the wing's grids to 0")
+            );
+        }
+        let xyz = mirror.place(self.cp, self.xyz, &self.span)?;
+        Ok(Some(Self { cp: 0, xyz, ..self }))
+    }
+}
+
+/// A list of grids (SET1), THRU expanded.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Set1 {
+    /// Identification number.
+    pub id: u32,
+    /// Identification numbers.
+    pub ids: Vec<u32>,
+    /// Where the card stands.
+    pub span: Span,
+}
+
+impl DeckCard for Set1 {
+    numbered!();
+    /// SET1: SID ID1 ID2 ... or ID1 THRU ID2.
+    fn read(card: &Card) -> Result<Vec<Self>, InputError> {
+        Ok(vec![Set1 { id: card.id(0, "SID")?, ids: card.id_list(1, "ID")?, span: card.span.clone() }])
+    }
+
+    fn write(&self, card: Fields) -> Fields {
+        card.int(self.id).ints(self.ids.iter().copied())
+    }
+
+    fn raise(&mut self, by: Step) {
+        by.cards([&mut self.id].into_iter().chain(&mut self.ids));
+    }
+
+    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
+        Ok(Some(self))
+    }
+}

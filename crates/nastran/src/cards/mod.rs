@@ -1,0 +1,52 @@
+//! The cards a deck is made of, as plain data, by family: one struct a card, every number as the deck gives it, and
+//! beside it how it is read, written, numbered and mirrored.
+//!
+//! Numbers are in the deck's own units (SI for wingroot's wings) and, for points, in the coordinate system the
+//! card names; [`crate::geometry`] resolves them to the basic system.
+
+mod beam;
+mod beam_property;
+mod bush;
+mod constraint;
+mod genel;
+mod grid;
+pub(crate) mod kind;
+mod laminate;
+mod mass;
+mod material;
+mod monitor;
+mod named_section;
+mod panel;
+mod rigid;
+mod rod;
+mod scalar;
+mod section_shapes;
+mod shell;
+mod solid;
+mod spline;
+mod surface;
+mod system;
+mod trim;
+
+pub use beam::{BeamElement, Orientation};
+pub use beam_property::{BeamProperty, BeamStation};
+pub use bush::{BushAxes, Cbush, Pbush};
+pub use constraint::{Mpc, SetUnion, Spc1};
+pub use genel::Genel;
+pub use grid::{Grid, Set1};
+pub use kind::{CardKind, Family, Step};
+pub use laminate::{Pcomp, Ply};
+pub use mass::{Conm1, Conm2};
+pub use material::{Mat1, Mat2, Mat8, Mat9};
+pub use monitor::MonitorPoint;
+pub use panel::{Aefact, Caero1, Divisions, Paero1};
+pub use rigid::{Rbar, Rbe2, Rbe3, Rbe3Group};
+pub use rod::{Crod, Prod};
+pub use scalar::{ScalarElement, ScalarProperty, ScalarValue};
+pub(crate) use shell::CornerThickness;
+pub use shell::{MaterialDirection, Pshell, ShellElement};
+pub use solid::{Psolid, SolidElement};
+pub use spline::{SplineCard, SplineKind};
+pub use surface::{Aelist, Aesurf};
+pub use system::{Coord, CoordDefinition, CoordKind};
+pub use trim::{Aecomp, Aelink, Aeros, Aestat, ComponentOf, Suport, Trim};

@@ -1,0 +1,218 @@
+//! Rigid elements and weighted means: RBE2, RBAR and RBE3. Thermal expansion is skipped.
+
+use super::kind::{DeckCard, Mirror, Mirrored, Step, numbered};
+use crate::card::Card;
+use crate::card::fields::Fields;
+use crate::real;
+use crate::source::{InputError, Span};
+
+/// A rigid element (RBE2).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rbe2 {
+    /// Identification number.
+    pub id: u32,
+    /// Independent grid.
+    pub independent: u32,
+    /// Dependent components, digits 1 to 6.
+    pub components: Vec<u8>,
+    /// Dependent grids.
+    pub dependent: Vec<u32>,
+    /// Where the card stands.
+    pub span: Span,
+}
+
+impl DeckCard for Rbe2 {
+    numbered!();
+    /// RBE2: EID GN CM GM1 GM2 ...; a thermal expansion coefficient at the end is skipped.
+    fn read(card: &Card) -> Result<Vec<Self>, InputError> {
+        let components = card.components(2, "CM")?;
+        if components.is_empty() {
+            return Err(card.empty(2, "CM", "the dependent components, such as 123456"));
+        }
+        let has_alpha = card.len() > 4 && real::parse(card.text(card.len() - 1)).is_some();
+        let end = card.len() - usize::from(has_alpha);
+        Ok(vec![Rbe2 {
+            id: card.id(0, "EID")?,
+            independent: card.id(1, "GN")?,
+            components,
+            dependent: card.id_list_until(3, end, "GM")?,
+            span: card.span.clone(),
+        }])
+    }
+
+    fn write(&self, card: Fields) -> Fields {
+        let card = card.ints([self.id, self.independent]).digits(&self.components);
+        card.ints(self.dependent.iter().copied())
+    }
+
+    fn raise(&mut self, by: Step) {
+        by.cards([&mut self.id, &mut self.independent].into_iter().chain(&mut self.dependent));
+    }
+
+    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
+        Ok(Some(self))
+    }
+}
+
+/// A rigid bar (RBAR).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rbar {
+    /// Identification number.
+    pub id: u32,
+    /// End grids.
+    pub grids: [u32; 2],
+    /// CNA, CNB: independent components at the ends, six in all.
+    pub independent: [Vec<u8>; 2],
+    /// CMA, CMB: dependent components at the ends; both empty means all that are not independent.
+    pub dependent: [Vec<u8>; 2],
+    /// Where the card stands.
+    pub span: Span,
+}
+
+impl DeckCard for Rbar {
+    numbered!();
+    /// RBAR: EID GA GB CNA CNB CMA CMB ALPHA; thermal expansion is skipped.
+    fn read(card: &Card) -> Result<Vec<Self>, InputError> {
+        card.ends_after(8)?;
+        let id = card.id(0, "EID")?;
+        let grids = card.corners(1, &["GA", "GB"])?;
+        let independent = [card.components(3, "CNA")?, card.components(4, "CNB")?];
+        let dependent = [card.components(5, "CMA")?, card.components(6, "CMB")?];
+        let count = independent[0].len() + independent[1].len();
+        if count != 6 {
+            let message = format!("RBAR {id} has {count} independent components in CNA and CNB, not six");
+            return Err(card.error(3, message).with_help("for instance CNA 123456 and CNB empty"));
+        }
+        for end in 0..2 {
+            if let Some(digit) = dependent[end].iter().find(|digit| independent[end].contains(digit)) {
+                let message =
+                    format!("component {digit} of RBAR {id} is independent and dependent at one end");
+                return Err(card.error(5 + end, message));
+            }
+        }
+        Ok(vec![Rbar { id, grids: [grids[0], grids[1]], independent, dependent, span: card.span.clone() }])
+    }
+
+    fn write(&self, card: Fields) -> Fields {
+        let card = card.int(self.id).ints(self.grids);
+        self.independent.iter().chain(&self.dependent).fold(card, |card, digits| card.digits(digits))
+    }
+
+    fn raise(&mut self, by: Step) {
+        by.cards([&mut self.id].into_iter().chain(&mut self.grids));
+    }
+
+    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
+        Ok(Some(self))
+    }
+}
+
+/// One group of an RBE3: weight, components, grids.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rbe3Group {
+    /// WT.
+    pub weight: f64,
+    /// C: components, digits 1 to 6.
+    pub components: Vec<u8>,
+    /// G.
+    pub grids: Vec<u32>,
+}
+
+/// A motion that is the weighted mean of others (RBE3).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rbe3 {
+    /// Identification number.
+    pub id: u32,
+    /// REFGRID.
+    pub reference: u32,
+    /// REFC: its components that follow.
+    pub components: Vec<u8>,
+    /// What they follow.
+    pub groups: Vec<Rbe3Group>,
+    /// UM: the motions to be made dependent instead of the reference's, grid and components.
+    pub um: Vec<(u32, Vec<u8>)>,
+    /// Where the card stands.
+    pub span: Span,
+}
+
+impl DeckCard for Rbe3 {
+    numbered!();
+    /// RBE3: EID blank REFGRID REFC WT1 C1 G1,1 G1,2 ... WT2 C2 ... UM GM1 CM1 GM2 CM2 ... ALPHA a.
+    ///
+    /// Groups start with a real number. Thermal expansion is skipped.
+    fn read(card: &Card) -> Result<Vec<Self>, InputError> {
+        let id = card.id(0, "EID")?;
+        let find = |word: &str| (4..card.len()).find(|index| card.text(*index).eq_ignore_ascii_case(word));
+        let end = find("ALPHA").unwrap_or(card.len());
+        let um_at = find("UM").filter(|index| *index < end);
+        let groups = groups(card, 4, um_at.unwrap_or(end))?;
+        if groups.is_empty() {
+            let message = format!("RBE3 {id} has no grids to follow");
+            return Err(card
+                .error(4, message)
+                .with_help("give a weight, components and grids: 1.0, 123, G1, G2"));
+        }
+        let mut um = Vec::new();
+        let mut at = um_at.map_or(end, |index| index + 1);
+        while at < end {
+            if card.text(at).is_empty() {
+                at += 1;
+            } else {
+                um.push((card.id(at, "GM")?, card.some_components(at + 1, "CM")?));
+                at += 2;
+            }
+        }
+        Ok(vec![Rbe3 {
+            id,
+            reference: card.id(2, "REFGRID")?,
+            components: card.some_components(3, "REFC")?,
+            groups,
+            um,
+            span: card.span.clone(),
+        }])
+    }
+
+    fn write(&self, card: Fields) -> Fields {
+        let card = card.int(self.id).blanks(1).int(self.reference).digits(&self.components);
+        let mut card = self.groups.iter().fold(card, |card, group| {
+            card.real(group.weight).digits(&group.components).ints(group.grids.iter().copied())
+        });
+        for (line, motions) in self.um.chunks(3).enumerate() {
+            card = card.next_line();
+            card = if line == 0 { card.text("UM") } else { card.blanks(1) };
+            card = motions.iter().fold(card, |card, (grid, components)| card.int(*grid).digits(components));
+        }
+        card
+    }
+
+    fn raise(&mut self, by: Step) {
+        by.cards([&mut self.id, &mut self.reference]);
+        by.cards(self.groups.iter_mut().flat_map(|group| &mut group.grids));
+        by.cards(self.um.iter_mut().map(|(grid, _)| grid));
+    }
+
+    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
+        Ok(Some(self))
+    }
+}
+
+fn groups(card: &Card, from: usize, end: usize) -> Result<Vec<Rbe3Group>, InputError> {
+    let is_weight = |index: usize| real::parse(card.text(index)).is_some();
+    let mut groups = Vec::new();
+    let mut at = from;
+    while at < end {
+        if card.text(at).is_empty() {
+            at += 1;
+            continue;
+        }
+        let (weight, components) = (card.real(at, "WT")?, card.some_components(at + 1, "C")?);
+        if weight < 0.0 {
+            return Err(card.wrong(at, "WT", "zero or more"));
+        }
+        let next = (at + 2..end).find(|index| is_weight(*index)).unwrap_or(end);
+        let grids = card.id_list_until(at + 2, next, "G")?;
+        groups.push(Rbe3Group { weight, components, grids });
+        at = next;
+    }
+    Ok(groups)
+}

@@ -1,0 +1,143 @@
+//! Springs and masses between single motions: CELAS1, CELAS2, PELAS, CMASS1, CMASS2 and PMASS.
+
+use super::kind::{DeckCard, Mirror, Mirrored, Step, numbered};
+use crate::card::Card;
+use crate::card::FIELDS_PER_LINE;
+use crate::card::fields::Fields;
+use crate::motion::{Motion, keeps_sign};
+use crate::source::{InputError, Span};
+
+/// What a scalar element's number is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ScalarValue {
+    /// Given on the element (CELAS2, CMASS2).
+    Given(f64),
+    /// Given by a property (CELAS1: PELAS, CMASS1: PMASS).
+    Property(u32),
+}
+
+/// A scalar spring (CELAS1, CELAS2) or mass (CMASS1, CMASS2) between two motions, or a motion and the ground.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ScalarElement {
+    /// Identification number.
+    pub id: u32,
+    /// Stiffness or mass.
+    pub value: ScalarValue,
+    /// The motions at both ends; none is the ground.
+    pub ends: [Option<Motion>; 2],
+    /// Where the card stands.
+    pub span: Span,
+}
+
+impl DeckCard for ScalarElement {
+    numbered!();
+    fn variant(&self) -> usize {
+        usize::from(matches!(self.value, ScalarValue::Given(_)))
+    }
+
+    /// CELAS1, CMASS1: EID PID G1 C1 G2 C2; CELAS2: EID K G1 C1 G2 C2 GE S; CMASS2: EID M G1 C1 G2 C2.
+    ///
+    /// Damping and stress coefficients are skipped; scalar points are refused.
+    fn read(card: &Card) -> Result<Vec<Self>, InputError> {
+        card.ends_after(if card.name == "CELAS2" { 8 } else { 6 })?;
+        let id = card.id(0, "EID")?;
+        let value = match card.name.as_str() {
+            "CELAS2" => ScalarValue::Given(card.real(1, "K")?),
+            "CMASS2" => ScalarValue::Given(card.real(1, "M")?),
+            _ => ScalarValue::Property(card.id_or(1, "PID", id)?),
+        };
+        let ends = [end(card, 2, "G1", "C1")?, end(card, 4, "G2", "C2")?];
+        if ends[0] == ends[1] {
+            let message = match ends[0] {
+                None => format!("{} {id} has no grid at either end", card.name),
+                Some((grid, _)) => {
+                    format!("both ends of {} {id} are the same motion of grid {grid}", card.name)
+                }
+            };
+            return Err(card.error(2, message));
+        }
+        Ok(vec![ScalarElement { id, value, ends, span: card.span.clone() }])
+    }
+
+    fn write(&self, card: Fields) -> Fields {
+        let card = card.int(self.id);
+        let card = match self.value {
+            ScalarValue::Property(property) => card.int(property),
+            ScalarValue::Given(value) => card.real(value),
+        };
+        card.motion(self.ends[0]).motion(self.ends[1])
+    }
+
+    fn raise(&mut self, by: Step) {
+        by.card(&mut self.id);
+        if let ScalarValue::Property(property) = &mut self.value {
+            by.card(property);
+        }
+        by.motions(self.ends.iter_mut().flatten());
+    }
+
+    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
+        match self.ends {
+            [Some(a), Some(b)] if keeps_sign(a) != keeps_sign(b) => {
+                let message = format!(
+                    "scalar element {} joins motions of which one changes its sign in the mirror",
+                    self.id
+                );
+                Err(InputError::at(&self.span, message)
+                    .with_help("join motions of the same kind, or use an MPC and a spring to the ground"))
+            }
+            _ => Ok(Some(self)),
+        }
+    }
+}
+
+/// A motion, or the ground where the grid is empty or zero.
+fn end(card: &Card, index: usize, grid: &str, digit: &str) -> Result<Option<Motion>, InputError> {
+    if matches!(card.text(index), "" | "0") {
+        card.unset(index + 1, digit)?;
+        return Ok(None);
+    }
+    card.motion(index, grid, digit).map(Some)
+}
+
+/// The value of a scalar property (PELAS K1, PMASS M1).
+#[derive(Debug, Clone, PartialEq)]
+pub struct ScalarProperty {
+    /// Identification number.
+    pub id: u32,
+    /// Stiffness or mass.
+    pub value: f64,
+    /// Where the card stands.
+    pub span: Span,
+}
+
+impl DeckCard for ScalarProperty {
+    numbered!();
+    /// PELAS: PID K GE S, twice on one card; PMASS: PID M, four times on one card.
+    fn read(card: &Card) -> Result<Vec<Self>, InputError> {
+        let (stride, what) = if card.name == "PELAS" { (4, "K") } else { (2, "M") };
+        card.ends_after(FIELDS_PER_LINE)?;
+        let mut properties = Vec::new();
+        for at in (0..card.len().max(1)).step_by(stride) {
+            let is_empty = (at..at + stride).all(|index| card.text(index).is_empty());
+            if at > 0 && is_empty {
+                continue;
+            }
+            let (id, value) = (card.id(at, "PID")?, card.real(at + 1, what)?);
+            properties.push(ScalarProperty { id, value, span: card.span.clone() });
+        }
+        Ok(properties)
+    }
+
+    fn write(&self, card: Fields) -> Fields {
+        card.int(self.id).real(self.value)
+    }
+
+    fn raise(&mut self, by: Step) {
+        by.card(&mut self.id);
+    }
+
+    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
+        Ok(Some(self))
+    }
+}

@@ -1,0 +1,223 @@
+//! Shells of one thickness: CQUAD4, CTRIA3 and PSHELL.
+
+use super::kind::{DeckCard, Mirror, Mirrored, Step, minus, numbered};
+use crate::card::Card;
+use crate::card::FIELDS_PER_LINE;
+use crate::card::fields::Fields;
+use crate::source::{InputError, Span};
+
+/// Nastran's default of TS/T; the exact 5/6 is not what it computes with.
+const SHEAR_RATIO: f64 = 0.833_333;
+
+/// The direction a shell's material axes are measured from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum MaterialDirection {
+    /// THETA: degrees from the side between the first two grids.
+    AngleDeg(f64),
+    /// MCID: the x axis of this coordinate system, projected onto the element.
+    System(u32),
+}
+
+/// A shell element (CQUAD4 with four grids, CTRIA3 with three).
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShellElement {
+    /// Identification number.
+    pub id: u32,
+    /// Property (PSHELL, PCOMP or PCOMPG).
+    pub property: u32,
+    /// Corner grids in order around the element: three or four.
+    pub grids: Vec<u32>,
+    /// Where the material's axes come from.
+    pub direction: MaterialDirection,
+    /// ZOFFS: distance from the plane of the grids to the reference plane, along the element's normal.
+    pub offset: f64,
+    /// Where the card stands.
+    pub span: Span,
+}
+
+impl DeckCard for ShellElement {
+    numbered!();
+    fn variant(&self) -> usize {
+        usize::from(self.grids.len() == 3)
+    }
+
+    /// CQUAD4: EID PID G1 G2 G3 G4 THETA/MCID ZOFFS / blank TFLAG T1 T2 T3 T4, and
+    /// CTRIA3: EID PID G1 G2 G3 THETA/MCID ZOFFS blank / blank TFLAG T1 T2 T3.
+    fn read(card: &Card) -> Result<Vec<Self>, InputError> {
+        let corners = corners(card);
+        let id = card.id(0, "EID")?;
+        let after = 2 + corners.len();
+        for index in (after + 2)..=FIELDS_PER_LINE {
+            if !card.text(index).is_empty() {
+                let message = format!("a field of {} that is always empty has a value", card.name);
+                return Err(card.error(index, message));
+            }
+        }
+        card.ends_after(FIELDS_PER_LINE + 2 + corners.len())?;
+        let flag = card.count_or(FIELDS_PER_LINE + 1, "TFLAG", 0)?;
+        if flag > 1 {
+            return Err(card.wrong(FIELDS_PER_LINE + 1, "TFLAG", "0 or 1"));
+        }
+        CornerThickness::of(card)?;
+        Ok(vec![Self {
+            id,
+            property: card.id_or(1, "PID", id)?,
+            grids: card.corners(2, corners)?,
+            direction: direction(card, after)?,
+            offset: card.real_or(after + 1, "ZOFFS", 0.0)?,
+            span: card.span.clone(),
+        }])
+    }
+
+    fn write(&self, card: Fields) -> Fields {
+        let card = card.ints([self.id, self.property]).ints(self.grids.iter().copied());
+        let card = match self.direction {
+            MaterialDirection::AngleDeg(angle) => card.real(angle),
+            MaterialDirection::System(system) => card.int(system),
+        };
+        card.real(self.offset)
+    }
+
+    fn raise(&mut self, by: Step) {
+        by.cards([&mut self.id, &mut self.property].into_iter().chain(&mut self.grids));
+        if let MaterialDirection::System(system) = &mut self.direction {
+            by.systems([system]);
+        }
+    }
+
+    /// Corners are listed the other way round, so that the normal is the image of the normal.
+    fn mirrored(mut self, _: &Mirror) -> Mirrored<Self> {
+        self.grids.swap(0, 1);
+        if self.grids.len() == 4 {
+            self.grids.swap(2, 3);
+        }
+        if let MaterialDirection::AngleDeg(angle) = &mut self.direction {
+            *angle = minus(*angle);
+        }
+        Ok(Some(self))
+    }
+}
+
+/// Names of the fields of the corners.
+fn corners(card: &Card) -> &'static [&'static str] {
+    if card.name == "CQUAD4" { &["G1", "G2", "G3", "G4"] } else { &["G1", "G2", "G3"] }
+}
+
+/// A corner thickness, which must be the property's ([`crate::deck`] checks it when all is read).
+#[derive(Debug)]
+pub(crate) struct CornerThickness {
+    /// The shell element.
+    pub(crate) element: u32,
+    /// The thickness, or its ratio to the property's.
+    pub(crate) value: f64,
+    /// TFLAG = 1.
+    pub(crate) is_ratio: bool,
+    /// Where it stands.
+    pub(crate) span: Span,
+}
+
+impl CornerThickness {
+    /// Those of a shell's card; none of other cards.
+    pub(crate) fn of(card: &Card) -> Result<Vec<Self>, InputError> {
+        if !matches!(card.name.as_str(), "CQUAD4" | "CTRIA3") {
+            return Ok(Vec::new());
+        }
+        let is_ratio = card.text(FIELDS_PER_LINE + 1) == "1";
+        let mut all = Vec::new();
+        for (index, name) in (FIELDS_PER_LINE + 2..).zip(["T1", "T2", "T3", "T4"]).take(corners(card).len()) {
+            if let Some(value) = card.optional_real(index, name)? {
+                let (element, span) = (card.id(0, "EID")?, card.span_of(index).clone());
+                all.push(Self { element, value, is_ratio, span });
+            }
+        }
+        Ok(all)
+    }
+}
+
+/// A whole number is a coordinate system, a real an angle.
+fn direction(card: &Card, index: usize) -> Result<MaterialDirection, InputError> {
+    let text = card.text(index);
+    if text.is_empty() {
+        return Ok(MaterialDirection::AngleDeg(0.0));
+    }
+    if text.bytes().all(|byte| byte.is_ascii_digit()) {
+        return Ok(MaterialDirection::System(card.count_or(index, "MCID", 0)?));
+    }
+    card.real(index, "THETA").map(MaterialDirection::AngleDeg).map_err(|_| {
+        card.wrong(index, "THETA", "an angle with a decimal point or the whole number of a coordinate system")
+    })
+}
+
+/// A shell of one thickness (PSHELL).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pshell {
+    /// Identification number.
+    pub id: u32,
+    /// MID1: membrane material; none means no membrane stiffness.
+    pub membrane: Option<u32>,
+    /// T.
+    pub thickness: f64,
+    /// MID2: bending material; none means no bending stiffness.
+    pub bending: Option<u32>,
+    /// 12I/T^3.
+    pub bending_ratio: f64,
+    /// MID3: transverse shear material; none means no shear flexibility.
+    pub shear: Option<u32>,
+    /// TS/T.
+    pub shear_ratio: f64,
+    /// NSM: non-structural mass per area.
+    pub nsm: f64,
+    /// MID4: material that couples membrane and bending.
+    pub coupling: Option<u32>,
+    /// Where the card stands.
+    pub span: Span,
+}
+
+impl DeckCard for Pshell {
+    numbered!();
+    /// PSHELL: PID MID1 T MID2 12I/T^3 MID3 TS/T NSM / Z1 Z2 MID4; stress distances are skipped.
+    fn read(card: &Card) -> Result<Vec<Self>, InputError> {
+        card.ends_after(11)?;
+        if card.text(3) == "-1" {
+            return Err(card.error(3, "plane strain (MID2 = -1) of PSHELL is not read"));
+        }
+        let property = Pshell {
+            id: card.id(0, "PID")?,
+            membrane: card.optional_id(1, "MID1")?,
+            thickness: card.positive(2, "T")?,
+            bending: card.optional_id(3, "MID2")?,
+            bending_ratio: card.not_negative(4, "12I/T**3", 1.0)?,
+            shear: card.optional_id(5, "MID3")?,
+            shear_ratio: card.not_negative(6, "TS/T", SHEAR_RATIO)?,
+            nsm: card.real_or(7, "NSM", 0.0)?,
+            coupling: card.optional_id(10, "MID4")?,
+            span: card.span.clone(),
+        };
+        if property.membrane.is_none() && property.bending.is_none() {
+            return Err(card.empty(1, "MID1", "a material here or in MID2"));
+        }
+        if property.shear.is_some() && property.bending.is_none() {
+            return Err(card.error(5, "PSHELL has a shear material (MID3) but no bending material (MID2)"));
+        }
+        if property.coupling.is_some() && (property.membrane.is_none() || property.bending.is_none()) {
+            return Err(card.error(10, "PSHELL has a coupling material (MID4) without both MID1 and MID2"));
+        }
+        Ok(vec![property])
+    }
+
+    fn write(&self, card: Fields) -> Fields {
+        let card = card.int(self.id).optional(self.membrane).real(self.thickness);
+        let card = card.optional(self.bending).real(self.bending_ratio).optional(self.shear);
+        card.real(self.shear_ratio).real(self.nsm).blanks(2).optional(self.coupling)
+    }
+
+    fn raise(&mut self, by: Step) {
+        by.card(&mut self.id);
+        let materials = [&mut self.membrane, &mut self.bending, &mut self.shear, &mut self.coupling];
+        by.cards(materials.into_iter().flatten());
+    }
+
+    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
+        Ok(Some(self))
+    }
+}

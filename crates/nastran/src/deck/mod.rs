@@ -1,0 +1,186 @@
+//! Decks: files, INCLUDE, executive and case control, and one struct for each card.
+//!
+//! Before a `BEGIN BULK` only selections of subcases are read; `ENDDATA` ends the deck. Cards that are not
+//! read are counted by name in [`BulkData::unknown`], so that nothing is dropped in silence.
+
+pub mod case_control;
+mod checks;
+mod defaults;
+mod dmi_cards;
+mod include;
+mod taken;
+
+use crate::bulk_data::{BulkData, Unread};
+use crate::card::line::Line;
+use crate::card::{Card, lists};
+use crate::cards::CornerThickness;
+use crate::source::{InputError, Span, read_text};
+use defaults::Defaults;
+use dmi_cards::DmiCards;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use taken::Numbers;
+
+/// The most numbers that all `THRU` of a deck may stand for: forty megabytes, and every real deck has less.
+const MOST_IN_RANGES: usize = 10_000_000;
+
+/// Reads a deck with the files it includes.
+///
+/// # Errors
+/// If a file cannot be read or has nothing in it, a field is not what its card demands, an identification number is given twice, or
+/// a grid refers to a coordinate system that is not there.
+pub fn read_deck(path: &Path) -> Result<BulkData, InputError> {
+    let text = read_text(path)?;
+    if text.trim().is_empty() {
+        return Err(InputError::in_file(path, "the deck is empty").with_help("expected bulk data cards"));
+    }
+    parse_at(path, &text)
+}
+
+/// Parses a deck; `name` is its file name in errors and the place included files are relative to.
+///
+/// # Errors
+/// As [`read_deck`]; a text without cards is a deck without cards.
+pub fn parse_deck(name: &str, text: &str) -> Result<BulkData, InputError> {
+    parse_at(Path::new(name), text)
+}
+
+fn parse_at(path: &Path, text: &str) -> Result<BulkData, InputError> {
+    let mut reader = Reader::default();
+    let lines: Vec<&str> = text.lines().collect();
+    let bulk = lines.iter().position(|line| is_begin_bulk(line)).map_or(0, |index| index + 1);
+    if bulk > 0 {
+        reader.deck.subcases = case_control::read(path, &lines[..bulk - 1])?;
+    }
+    reader.files.insert(include::identity(path), Span::whole_file(path));
+    reader.lines(path, &lines, bulk)?;
+    reader.finish()
+}
+
+fn is_begin_bulk(line: &str) -> bool {
+    let mut words = line.split('$').next().unwrap_or("").split_whitespace();
+    words.next().is_some_and(|word| word.eq_ignore_ascii_case("BEGIN"))
+        && words.next().is_some_and(|word| word.eq_ignore_ascii_case("BULK"))
+}
+
+#[derive(Default)]
+struct Reader {
+    deck: BulkData,
+    matrices: DmiCards,
+    defaults: Defaults,
+    numbers: Numbers,
+    thicknesses: Vec<CornerThickness>,
+    card: Option<Card>,
+    files: BTreeMap<PathBuf, Span>,
+    /// Numbers that `THRU` has stood for so far.
+    ranges: usize,
+    has_ended: bool,
+}
+
+impl Reader {
+    /// Reads the lines of a file from index `next` on.
+    fn lines(&mut self, path: &Path, lines: &[&str], mut next: usize) -> Result<(), InputError> {
+        let file = Arc::new(path.to_path_buf());
+        while next < lines.len() && !self.has_ended {
+            let number = next + 1;
+            if include::is_include(lines[next]) {
+                self.flush()?;
+                let found = include::target(&file, lines, next)?;
+                next = found.next_line;
+                self.include(path, &found)?;
+                continue;
+            }
+            next += 1;
+            let Some(line) = Line::cut(&file, number, lines[number - 1])? else { continue };
+            if line.is_continuation() {
+                let Some(card) = &mut self.card else {
+                    let error = InputError::at(&line.head.span, "a continuation without a card before it");
+                    return Err(error.with_help("a card's name starts in the first column"));
+                };
+                card.extend(line)?;
+            } else {
+                self.flush()?;
+                if line.head.text().eq_ignore_ascii_case("ENDDATA") {
+                    self.has_ended = true;
+                } else {
+                    self.card = Some(Card::start(line)?);
+                }
+            }
+        }
+        self.flush()
+    }
+
+    fn include(&mut self, from: &Path, found: &include::Target) -> Result<(), InputError> {
+        let path = from.parent().unwrap_or(Path::new("")).join(&found.path);
+        if !path.is_file() {
+            let message = format!("the included file {} does not exist", path.display());
+            return Err(InputError::at(&found.span, message)
+                .with_help("paths are relative to the file that includes"));
+        }
+        if let Some(first) = self.files.insert(include::identity(&path), found.span.clone()) {
+            let message = format!("{} is read twice; first: {first}", path.display());
+            return Err(InputError::at(&found.span, message)
+                .with_help("include every file once, and not in a circle"));
+        }
+        let text =
+            read_text(&path).map_err(|error| InputError { span: Some(found.span.clone()), ..error })?;
+        let lines: Vec<&str> = text.lines().collect();
+        self.lines(&path, &lines, 0)
+    }
+
+    /// Turns the card that is complete now into its struct.
+    fn flush(&mut self) -> Result<(), InputError> {
+        let Some(card) = self.card.take() else { return Ok(()) };
+        if card.name == "DMI" {
+            return self.matrices.add(card);
+        }
+        self.ranges = self.ranges.saturating_add(lists::numbers_in_ranges(&card));
+        if self.ranges > MOST_IN_RANGES {
+            let message = format!("THRU stands for more than {MOST_IN_RANGES} numbers in this deck");
+            return Err(InputError::at(&card.span, message)
+                .with_help("look for a slip in the last number of a range, or for cards given many times"));
+        }
+        self.numbers.claim(&card)?;
+        match self.defaults.take(card)? {
+            Some(card) => self.keep(card),
+            None => Ok(()),
+        }
+    }
+
+    fn keep(&mut self, card: Card) -> Result<(), InputError> {
+        self.thicknesses.extend(CornerThickness::of(&card)?);
+        if !self.deck.keep(&card)? && !self.parameter(&card)? {
+            let unread = self.deck.unknown.entry(card.name);
+            unread.or_insert(Unread { count: 0, first: card.span }).count += 1;
+        }
+        Ok(())
+    }
+
+    /// Keeps a PARAM with a number.
+    fn parameter(&mut self, card: &Card) -> Result<bool, InputError> {
+        if card.name != "PARAM" {
+            return Ok(false);
+        }
+        let Some((name, value)) = card.parameter()? else { return Ok(false) };
+        let before = self.deck.parameters.insert(name.clone(), value);
+        if let Some(before) = before.filter(|before| *before != value) {
+            let message = format!("parameter {name} is {value} here and {before} before");
+            return Err(card.error(1, message).with_help("give every parameter once"));
+        }
+        Ok(true)
+    }
+
+    fn finish(mut self) -> Result<BulkData, InputError> {
+        for card in self.defaults.elements() {
+            self.keep(card)?;
+        }
+        self.defaults.grids(&mut self.deck)?;
+        self.deck.matrices = self.matrices.assemble()?;
+        crate::geometry::check_grids(&self.deck)?;
+        checks::corner_thicknesses(&self.deck, &self.thicknesses)?;
+        checks::material_axes(&self.deck)?;
+        checks::monitor_names(&self.deck)?;
+        Ok(self.deck)
+    }
+}
