@@ -46,10 +46,8 @@ impl Structure {
             let error = InputError::in_file(&path, "there is no structure: no grid point");
             return Err(error.with_help("a rigid wing has neither modes nor a deck of its structure").into());
         }
-        if !bulk.unknown.is_empty() {
-            let list: Vec<String> =
-                bulk.unknown.iter().map(|(card, count)| format!("{count} {card}")).collect();
-            show::note(&format!("cards that are not read: {}", list.join(", ")));
+        if let Some(cards) = bulk.unread_cards() {
+            show::note(&format!("cards that are not read: {cards}"));
         }
         let model = Model::from_bulk(&bulk)?;
         let system = System::assemble(&model)?;

@@ -145,10 +145,8 @@ impl ElasticWing {
     pub fn read(path: &Path) -> Result<(WingFile, Self), CouplingError> {
         let file = WingFile::read(path)?;
         let bulk = file.bulk(Mount::Tunnel)?;
-        if !bulk.unknown.is_empty() {
-            let cards: Vec<String> =
-                bulk.unknown.iter().map(|(name, count)| format!("{name} ({count})")).collect();
-            tracing::warn!("{}: cards that are not read: {}", file.path.display(), cards.join(", "));
+        if let Some(cards) = bulk.unread_cards() {
+            tracing::warn!("{}: cards that are not read: {cards}", file.path.display());
         }
         let wing = Self::from_bulk(&file, &bulk).map_err(|error| blame_root_plane(error, &file))?;
         for said in suspicion::of_wing(&bulk, &wing.lattice) {

@@ -48,9 +48,8 @@ pub(crate) fn run(args: &DeckArgs, common: &Common) -> Result<(), Failure> {
         let error = InputError::in_file(&path, "the wing has no structure to write");
         return Err(error.with_help("a rigid wing has boxes only; give it a structure or a deck").into());
     }
-    if !deck.bulk.unknown.is_empty() {
-        let list: Vec<String> = deck.bulk.unknown.iter().map(|(card, n)| format!("{n} {card}")).collect();
-        show::note(&format!("not in the deck, as these cards are not read: {}", list.join(", ")));
+    if let Some(cards) = deck.bulk.unread_cards() {
+        show::note(&format!("not in the deck, as these cards are not read: {cards}"));
     }
     if deck.kept_beams > 0 {
         show::note(&format!("{} tapered or offset beams stay CBEAM", deck.kept_beams));

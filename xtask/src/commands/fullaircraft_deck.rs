@@ -61,16 +61,15 @@ pub(crate) fn run(path: &Path, common: &Common) -> Result<(), Failure> {
     let start = Instant::now();
     let bulk = nastran::read_deck(path)?;
     let cases = deck_cases(&bulk)?;
-    if !bulk.unknown.is_empty() && !common.quiet {
-        let list: Vec<String> = bulk.unknown.iter().map(|(card, n)| format!("{n} {card}")).collect();
-        show::note(&format!("these cards are not read: {}", list.join(", ")));
+    if let Some(cards) = bulk.unread_cards().filter(|_| !common.quiet) {
+        show::note(&format!("these cards are not read: {cards}"));
     }
     let folder = ResultFolder::begin(&common.out("fullaircraft_deck"))?;
     let mut summary = Summary {
         command: "fullaircraft --deck",
         deck: path.display().to_string(),
         boxes: 0,
-        cards_not_read: bulk.unknown.clone(),
+        cards_not_read: bulk.unknown.iter().map(|(card, unread)| (card.clone(), unread.count)).collect(),
         subcases: Vec::new(),
         seconds: 0.0,
     };

@@ -48,8 +48,7 @@ impl NastranDeck {
     /// # Errors
     /// If the wing's files cannot be read or its boxes are none.
     pub fn of(file: &WingFile, options: &DeckOptions) -> Result<Self, CouplingError> {
-        let mut bulk = file.bulk(Mount::Tunnel)?;
-        distinct_numbers(&mut bulk);
+        let mut bulk = file.bulk(Mount::Tunnel)?.with_distinct_elements();
         let mut kept_beams = 0;
         if options.bars {
             kept_beams = bars_for_beams(&mut bulk);
@@ -125,39 +124,4 @@ fn unions(bulk: &BulkData) -> String {
         }
     }
     text
-}
-
-/// Rigid elements and masses get numbers that no other element has.
-fn distinct_numbers(bulk: &mut BulkData) {
-    let mut taken: BTreeSet<u32> = BTreeSet::new();
-    taken.extend(bulk.beams.keys().chain(bulk.shells.keys()).chain(bulk.solids.keys()));
-    taken.extend(
-        bulk.rods.keys().chain(bulk.bushes.keys()).chain(bulk.springs.keys()).chain(bulk.general.keys()),
-    );
-    let mut next = taken
-        .iter()
-        .chain(bulk.masses.keys())
-        .chain(bulk.scalar_masses.keys())
-        .chain(bulk.mass_matrices.keys())
-        .chain(bulk.rigid.keys())
-        .chain(bulk.averages.keys())
-        .chain(bulk.rigid_bars.keys())
-        .max()
-        .map_or(1, |last| last + 1);
-    macro_rules! renumber {
-        ($($map:ident),*) => {$(
-            bulk.$map = std::mem::take(&mut bulk.$map)
-                .into_values()
-                .map(|mut item| {
-                    if !taken.insert(item.id) {
-                        item.id = next;
-                        taken.insert(next);
-                        next += 1;
-                    }
-                    (item.id, item)
-                })
-                .collect();
-        )*};
-    }
-    renumber!(masses, scalar_masses, mass_matrices, rigid, averages, rigid_bars);
 }

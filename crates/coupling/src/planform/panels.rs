@@ -6,7 +6,7 @@
 use super::{FAIRING_PANEL, Mount, Planform, WING_PANEL};
 use aero::Airfoil;
 use nalgebra::Point3;
-use nastran::{Aefact, BulkData, Caero1, Divisions, Dmi, InputError, Span};
+use nastran::{Aefact, BulkData, Caero1, Divisions, Dmi, InputError, Paero1, Span};
 use std::path::Path;
 
 /// PAERO1 and AEFACT are numbered by what they serve; there is one of each.
@@ -21,7 +21,7 @@ impl Planform {
         mount: Mount,
         span: &Span,
     ) -> Result<(), InputError> {
-        bulk.panel_properties.insert(PANEL_PROPERTY, span.clone());
+        bulk.panel_properties.insert(PANEL_PROPERTY, Paero1 { id: PANEL_PROPERTY, span: span.clone() });
         let strips = if self.boxes.strip_edges.is_some() {
             let values = self.strip_fractions();
             bulk.factors.insert(STRIP_EDGES, Aefact { id: STRIP_EDGES, values, span: span.clone() });

@@ -1,6 +1,6 @@
 //! The trims a deck asks for: its subcases, or every TRIM card if it has none.
 
-use nastran::{BulkData, InputError, Subcase, Trim};
+use nastran::{BulkData, InputError, SetUnion, Subcase, Trim};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// One trim of a deck.
@@ -87,9 +87,9 @@ fn selected(
     kind: &str,
     set: u32,
     sets: &BTreeSet<u32>,
-    unions: &BTreeMap<u32, Vec<u32>>,
+    unions: &BTreeMap<u32, SetUnion>,
 ) -> Result<Vec<u32>, InputError> {
-    let Some(united) = unions.get(&set) else {
+    let Some(SetUnion { sets: united, .. }) = unions.get(&set) else {
         return if sets.contains(&set) {
             Ok(vec![set])
         } else {

@@ -2,13 +2,12 @@
 
 use crate::aircraft::file::AircraftFile;
 use crate::model::mirror::Image;
-use crate::model::numbers::{Step, join, raised};
 use crate::model::{beam, fuselage, tail};
 use aero::Lattice;
 use coupling::WingFile;
 use coupling::planform::Mount;
 use nalgebra::{Point3, Vector3};
-use nastran::{BulkData, Frames, InputError};
+use nastran::{BulkData, Frames, InputError, Step};
 
 /// Parts in ascending numbers: each has one step of numbers to itself, the right wing keeps its own.
 const LEFT_WING: u32 = 1;
@@ -60,22 +59,22 @@ pub fn build(file: &AircraftFile, wing: &WingFile) -> Result<Cards, InputError> 
             .with_help("add `structure: ShellSolid((...))` or `Beam((...))` to the wing's file")
     })?;
     let image = Image::of(&right)?;
-    let step = Step::above(&right, lattice.boxes.last().map_or(0, |panel| panel.id));
-    let left = raised(&image.bulk, times(step, LEFT_WING), "L_");
+    let step = Step::above(&image.bulk, lattice.boxes.last().map_or(0, |panel| panel.id));
+    let left = image.bulk.clone().raised(times(step, LEFT_WING), "L_")?;
     let mut bulk = right.clone();
-    join(&mut bulk, left.clone())?;
+    bulk.join(left.clone())?;
 
     let htp = tail::cards(&file.htp, &Vector3::y(), first(step, HTP), &span);
-    join(&mut bulk, htp.clone())?;
-    join(&mut bulk, raised(&Image::of(&htp)?.bulk, step, "L_"))?;
+    bulk.join(htp.clone())?;
+    bulk.join(Image::of(&htp)?.bulk.raised(step, "L_")?)?;
     let vtp = tail::cards(&file.vtp, &Vector3::z(), first(step, VTP), &span);
-    join(&mut bulk, vtp.clone())?;
+    bulk.join(vtp.clone())?;
 
     let stations = fuselage::stations(&file.fuselage, root.1.x);
     let half_width_m = strip_edge(&lattice, file)?;
     let body = fuselage::cards(&file.fuselage, &stations, half_width_m, first(step, FUSELAGE), &span);
     let fuselage_spline: Vec<u32> = body.grids.keys().copied().collect();
-    join(&mut bulk, body)?;
+    bulk.join(body)?;
     let nearest = |x_m: f64| {
         let grids = fuselage_spline.iter().zip(&stations);
         grids.min_by(|a, b| (a.1 - x_m).abs().total_cmp(&(b.1 - x_m).abs())).map_or(0, |(id, _)| *id)

@@ -2,9 +2,8 @@
 
 use crate::aircraft::file::Fuselage;
 use crate::model::beam;
-use crate::model::numbers::Step;
 use nalgebra::{Point3, Vector3};
-use nastran::{BulkData, Caero1, Divisions, Dmi, Span};
+use nastran::{BulkData, Caero1, Divisions, Dmi, Paero1, Span, Step};
 
 /// Distance of grids aimed at, m.
 const PITCH_M: f64 = 0.1;
@@ -37,7 +36,7 @@ pub(crate) fn cards(
     let mut bulk = BulkData::default();
     let points: Vec<Point3<f64>> = x_m.iter().map(|x| Point3::new(*x, 0.0, 0.0)).collect();
     beam::add(&mut bulk, first.cards, &points, &fuselage.beam, &Vector3::z(), span);
-    bulk.panel_properties.insert(first.cards, span.clone());
+    bulk.panel_properties.insert(first.cards, Paero1 { id: first.cards, span: span.clone() });
     let ((nose, end), (gap, behind)) = (fuselage.x_m, fuselage.gap_x_m);
     let arms = [[0.0, half_width_m, 0.0], [0.0, 0.0, 0.5 * fuselage.height_m]];
     let parts = [(nose, gap, fuselage.boxes.ahead), (behind, end, fuselage.boxes.behind)];

@@ -5,7 +5,4 @@ pub mod cards;
 pub(crate) mod closing;
 pub(crate) mod fuselage;
 pub mod mirror;
-pub(crate) mod mirror_elements;
-pub mod numbers;
-pub(crate) mod numbers_elements;
 pub(crate) mod tail;

@@ -2,10 +2,10 @@
 
 use crate::aircraft::file::TailSurface;
 use crate::model::beam;
-use crate::model::numbers::Step;
 use nalgebra::{Point3, Vector3};
 use nastran::{
-    Aefact, Aelist, Aesurf, BulkData, Caero1, Coord, CoordDefinition, CoordKind, Divisions, Dmi, Span,
+    Aefact, Aelist, Aesurf, BulkData, Caero1, Coord, CoordDefinition, CoordKind, Divisions, Dmi, Paero1,
+    Span, Step,
 };
 
 /// Beam elements of a tail surface.
@@ -21,7 +21,7 @@ pub(crate) fn cards(tail: &TailSurface, outward: &Vector3<f64>, first: Step, spa
         .collect();
     beam::add(&mut bulk, first.cards, &points, &tail.beam, &normal, span);
     let id = first.cards;
-    bulk.panel_properties.insert(id, span.clone());
+    bulk.panel_properties.insert(id, Paero1 { id, span: span.clone() });
     bulk.factors.insert(id, Aefact { id, values: chord_divisions(tail), span: span.clone() });
     let corner = |eta: f64| point(tail, outward, eta, 0.0).into();
     let panel = Caero1 {
