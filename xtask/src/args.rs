@@ -326,11 +326,16 @@ pub struct BenchArgs {
     pub peer_python: PathBuf,
 }
 
-/// Options of `tidy`: none of its own.
+/// Options of `tidy`.
 #[derive(Debug, Clone, Default, Args)]
 #[command(after_help = "Examples:
-  cargo xtask tidy")]
-pub struct TidyArgs {}
+  cargo xtask tidy
+  cargo xtask tidy --lines")]
+pub struct TidyArgs {
+    /// Count lines of code by crate (no blank lines, no comments) instead
+    #[arg(long)]
+    pub lines: bool,
+}
 
 #[cfg(test)]
 mod tests {

@@ -74,6 +74,11 @@ pub struct Figure {
 }
 
 impl Figure {
+    /// A figure from its parts.
+    pub fn new(title: impl Into<String>, panels: Vec<Panel>, columns: usize) -> Self {
+        Self { title: title.into(), panels, columns }
+    }
+
     /// The figure as an SVG document.
     ///
     /// # Errors
@@ -148,6 +153,16 @@ impl Figure {
 }
 
 impl Panel {
+    /// A panel from its parts.
+    pub fn new(
+        title: impl Into<String>,
+        x_label: impl Into<String>,
+        y_label: impl Into<String>,
+        series: Vec<Series>,
+    ) -> Self {
+        Self { title: title.into(), x_label: x_label.into(), y_label: y_label.into(), series }
+    }
+
     fn plots(&self, names: &[&str]) -> Result<Vec<Plot>, DrawError> {
         let mut plots = Vec::new();
         let colours = palette::of_names(names);

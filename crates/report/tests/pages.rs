@@ -12,17 +12,19 @@ fn figure() -> Figure {
     let wave = |phase: f64| {
         t.iter().map(|t| 12.0 * (3.0 * t + phase).sin() * (-0.1 * t).exp()).collect::<Vec<f64>>()
     };
-    let panel = |label: &str| Panel {
-        title: String::new(),
-        x_label: "time (s)".into(),
-        y_label: label.into(),
-        series: vec![
-            Series::new(NASTY, t.clone(), wave(0.0), Style::Line),
-            Series::new("initial", t.clone(), wave(0.4), Style::DashedLine),
-            Series::new("updated", t.clone(), wave(0.05), Style::Line),
-        ],
+    let panel = |label: &str| {
+        Panel::new(
+            "",
+            "time (s)",
+            label,
+            vec![
+                Series::new(NASTY, t.clone(), wave(0.0), Style::Line),
+                Series::new("initial", t.clone(), wave(0.4), Style::DashedLine),
+                Series::new("updated", t.clone(), wave(0.05), Style::Line),
+            ],
+        )
     };
-    Figure { title: NASTY.into(), panels: ["Fz (N)", "Mx (N m)", "My (N m)"].map(panel).into(), columns: 2 }
+    Figure::new(NASTY, ["Fz (N)", "Mx (N m)", "My (N m)"].map(panel).into(), 2)
 }
 
 fn views() -> Vec<View> {

@@ -29,16 +29,16 @@ fn history(title: &str, y_label: &str, scale: f64) -> Panel {
     };
     let few: Vec<f64> = t.iter().copied().step_by(50).collect();
     let measured = wave(1.1, 0.02).into_iter().step_by(50).collect();
-    Panel {
-        title: title.into(),
-        x_label: "time (s)".into(),
-        y_label: y_label.into(),
-        series: vec![
+    Panel::new(
+        title,
+        "time (s)",
+        y_label,
+        vec![
             Series::new("measured", few, measured, Style::Points),
             Series::new("theory", t.clone(), wave(0.8, 0.0), Style::DashedLine),
             Series::new("corrected & <flown>", t.clone(), wave(1.08, 0.02), Style::Line),
         ],
-    }
+    )
 }
 
 fn planform(title: &str, offset: f64) -> PlanformView {
@@ -87,7 +87,7 @@ fn aircraft(title: &str, bend: f64) -> View {
 fn a_figure_has_its_labels_and_one_legend() {
     let panels =
         vec![history("", "Fz (N)", 20.0), history("", "Mx (N m)", 3.5), history("", "My (N m)", 0.004)];
-    let stacked = Figure { title: "Pitch at 2 Hz, 30 m/s".into(), panels: panels.clone(), columns: 1 };
+    let stacked = Figure::new("Pitch at 2 Hz, 30 m/s", panels.clone(), 1);
     let text = text_of("stacked.svg", &stacked.svg().unwrap());
     for label in ["Fz (N)", "Mx (N m)", "time (s)", "Pitch at 2 Hz, 30 m/s"] {
         assert!(text.contains(label), "{label} in {text}");
@@ -95,20 +95,15 @@ fn a_figure_has_its_labels_and_one_legend() {
     assert_eq!(text.matches("corrected & <flown>").count(), 1);
     let mut five = panels.clone();
     five.extend(panels.into_iter().take(2));
-    let grid = Figure { title: "Five panels in two columns".into(), panels: five, columns: 2 };
+    let grid = Figure::new("Five panels in two columns", five, 2);
     assert_eq!(text_of("grid.svg", &grid.svg().unwrap()).matches("time (s)").count(), 5);
 }
 
 #[test]
 fn a_single_series_and_a_constant_are_drawn() {
     let line = Series::new("only", vec![0.0, 1.0], vec![2.5, 2.5], Style::Line);
-    let panel = Panel {
-        title: "constant".into(),
-        x_label: "x (m)".into(),
-        y_label: "y (m)".into(),
-        series: vec![line],
-    };
-    let figure = Figure { title: "One".into(), panels: vec![panel], columns: 3 };
+    let panel = Panel::new("constant", "x (m)", "y (m)", vec![line]);
+    let figure = Figure::new("One", vec![panel], 3);
     assert!(text_of("single.svg", &figure.svg().unwrap()).contains("constant"));
 }
 
@@ -134,11 +129,11 @@ fn deformed_aircraft_stand_side_by_side() {
 
 #[test]
 fn what_cannot_be_drawn_is_refused_with_its_name() {
-    let empty = Figure { title: "nothing".into(), panels: vec![], columns: 1 };
+    let empty = Figure::new("nothing", vec![], 1);
     assert_eq!(empty.svg(), Err(DrawError::Empty("nothing".into())));
     let mut uneven = history("", "Fz (N)", 1.0);
     uneven.series[1].y.pop();
-    let figure = Figure { title: String::new(), panels: vec![uneven], columns: 1 };
+    let figure = Figure::new("", vec![uneven], 1);
     let expected = DrawError::Lengths { what: "theory".into(), first: 4000, second: 3999 };
     assert_eq!(figure.svg(), Err(expected.clone()));
     assert_eq!(expected.to_string(), "'theory' cannot be drawn: 4000 places but 3999 values");

@@ -132,17 +132,17 @@ pub(crate) fn figure(
         });
         let series =
             |name: &str, values: Vec<f64>| Series::new(name, airspeeds.clone(), values, Style::Points);
-        panels.push(Panel {
-            title: String::new(),
-            x_label: "airspeed (m/s)".into(),
-            y_label: CHANNELS[c].into(),
-            series: vec![
+        panels.push(Panel::new(
+            "",
+            "airspeed (m/s)",
+            CHANNELS[c],
+            vec![
                 series("measured", measured.collect()),
                 series("initial", of(&initial)),
                 series("updated", of(&updated)),
             ],
-        });
+        ));
     }
     let [slow, fast] = common.v_range_m_s.map(speed_name);
-    Ok(Figure { title: format!("One set of corrections, {slow} to {fast} m/s"), panels, columns: 1 })
+    Ok(Figure::new(format!("One set of corrections, {slow} to {fast} m/s"), panels, 1))
 }

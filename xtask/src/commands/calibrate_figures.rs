@@ -77,8 +77,8 @@ fn residuals(loads: &Figure) -> Figure {
         let series = panel.series.iter().filter(|series| series.name != "measured").map(less).collect();
         Panel { series, ..panel.clone() }
     };
-    let title = "Residuals: initial and updated model less the measurements".into();
-    Figure { title, panels: loads.panels.iter().map(panel).collect(), columns: loads.columns }
+    let title = "Residuals: initial and updated model less the measurements";
+    Figure::new(title, loads.panels.iter().map(panel).collect(), loads.columns)
 }
 
 /// Logarithms of the singular values by airspeed; none if the data determine nothing.
@@ -93,17 +93,14 @@ fn singular_values(calibration: &Calibration) -> Option<Figure> {
         let name = format!("{} m/s", speed_name(airspeed.data.v_m_s));
         (!x.is_empty()).then(|| Series::new(name, x, y, Style::Points))
     };
-    let panel = Panel {
-        title: String::new(),
-        x_label: "number of the direction".into(),
-        y_label: "log10 of the singular value".into(),
-        series: calibration.airspeeds.iter().filter_map(series).collect(),
-    };
-    (!panel.series.is_empty()).then(|| Figure {
-        title: "Singular values: what the data determine".into(),
-        panels: vec![panel],
-        columns: 1,
-    })
+    let panel = Panel::new(
+        "",
+        "number of the direction",
+        "log10 of the singular value",
+        calibration.airspeeds.iter().filter_map(series).collect(),
+    );
+    (!panel.series.is_empty())
+        .then(|| Figure::new("Singular values: what the data determine", vec![panel], 1))
 }
 
 /// Measured, initial and updated root loads at every airspeed.
@@ -119,24 +116,20 @@ fn static_loads(wing: &ElasticWing, calibration: &Calibration) -> Result<Figure,
         for (label, c) in names.into_iter().filter(|&(_, c)| calibration.data.channels[c]) {
             let of = |loads: &[[f64; 4]]| loads.iter().map(|load| load[c]).collect::<Vec<f64>>();
             let points = airspeed.data.angles.iter().map(|angle| angle.readings()[c]).collect();
-            panels.push(Panel {
-                title: format!("{} m/s", speed_name(airspeed.data.v_m_s)),
-                x_label: "angle of attack (deg)".into(),
-                y_label: label.into(),
-                series: vec![
+            panels.push(Panel::new(
+                format!("{} m/s", speed_name(airspeed.data.v_m_s)),
+                "angle of attack (deg)",
+                label,
+                vec![
                     Series::new("initial", measured.clone(), of(&initial), Style::DashedLine),
                     Series::new("updated", measured.clone(), of(&updated), Style::Line),
                     Series::new("measured", measured.clone(), points, Style::Points),
                 ],
-            });
+            ));
         }
     }
     let columns = calibration.data.channels.iter().filter(|&&measured| measured).count();
-    Ok(Figure {
-        title: "Root loads: initial and updated model beside the measurements".into(),
-        panels,
-        columns,
-    })
+    Ok(Figure::new("Root loads: initial and updated model beside the measurements", panels, columns))
 }
 
 fn simulated(

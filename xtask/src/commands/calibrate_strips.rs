@@ -165,9 +165,8 @@ impl Strips {
                 Style::Points,
             ),
         ];
-        let panel =
-            Panel { title: String::new(), x_label: "2y/b (-)".into(), y_label: "cl/CL (-)".into(), series };
+        let panel = Panel::new("", "2y/b (-)", "cl/CL (-)", series);
         let title = format!("Spanwise lift at {} m/s, {} degrees", self.v_m_s, self.alpha_deg);
-        Figure { title, panels: vec![panel], columns: 1 }
+        Figure::new(title, vec![panel], 1)
     }
 }

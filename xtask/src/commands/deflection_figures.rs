@@ -46,12 +46,7 @@ fn figure(factors: &[FittedFactor], y_label: &str, y: impl Fn(&FittedFactor, f64
             series.push(Series::new(of_speed.clone(), x.clone(), values.clone(), Style::Line));
             series.push(Series::new(of_speed, x, values, Style::Points));
         }
-        Panel {
-            title: format!("{control} aileron"),
-            x_label: "commanded deflection (deg)".into(),
-            y_label: y_label.into(),
-            series,
-        }
+        Panel::new(format!("{control} aileron"), "commanded deflection (deg)", y_label, series)
     };
     let panels: Vec<Panel> = controls.into_iter().map(panel).collect();
     Figure { title: String::new(), columns: panels.len(), panels }

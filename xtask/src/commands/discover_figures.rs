@@ -124,22 +124,22 @@ fn figure(shown: &Shown<'_>) -> Figure {
         let edge = |sign: f64| {
             shown.after.loads[c].iter().zip(&shown.half[c]).map(|(after, half)| after + sign * half).collect()
         };
-        Panel {
-            title: String::new(),
-            x_label: "time (s)".into(),
-            y_label: CHANNELS[c].1.into(),
-            series: vec![
+        Panel::new(
+            "",
+            "time (s)",
+            CHANNELS[c].1,
+            vec![
                 line("measured", shown.measured[c].clone(), Style::Line),
                 line("before", shown.before.loads[c].clone(), Style::DashedLine),
                 line("after", shown.after.loads[c].clone(), Style::Line),
                 line(BAND_NAME, edge(-1.0), Style::DashedLine),
                 line(BAND_NAME, edge(1.0), Style::DashedLine),
             ],
-        }
+        )
     };
-    Figure {
-        title: format!("{}: held out, before and after", shown.name),
-        columns: 1,
-        panels: shown.channels.iter().map(panel).collect(),
-    }
+    Figure::new(
+        format!("{}: held out, before and after", shown.name),
+        shown.channels.iter().map(panel).collect(),
+        1,
+    )
 }

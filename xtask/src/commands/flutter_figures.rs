@@ -57,13 +57,8 @@ pub(super) fn figure(model: &Stability) -> Figure {
                 let y = branch.iter().map(value).collect();
                 Series::new(format!("mode {}", mode + 1), x, y, Style::Line)
             });
-            panels.push(Panel {
-                title: name.into(),
-                x_label: "airspeed (m/s)".into(),
-                y_label: label.into(),
-                series: series.collect(),
-            });
+            panels.push(Panel::new(name, "airspeed (m/s)", label, series.collect()));
         }
     }
-    Figure { title: format!("Stability of the {} model", model.name), panels, columns: 2 }
+    Figure::new(format!("Stability of the {} model", model.name), panels, 2)
 }

@@ -23,17 +23,19 @@ pub(crate) fn envelope(stations: &Stations, envelope: &[Extreme]) -> Figure {
         }
         Series::new(model, x, y, style)
     };
-    let panel = |load: &'static str| Panel {
-        title: String::new(),
-        x_label: "y of the station (m)".into(),
-        y_label: labelled(load),
-        series: MODELS
-            .iter()
-            .flat_map(|model| ["smallest", "largest"].map(|end| line(model, load, end)))
-            .collect(),
+    let panel = |load: &'static str| {
+        Panel::new(
+            "",
+            "y of the station (m)",
+            labelled(load),
+            MODELS
+                .iter()
+                .flat_map(|model| ["smallest", "largest"].map(|end| line(model, load, end)))
+                .collect(),
+        )
     };
     let panels = LOADS.into_iter().map(panel).collect();
-    Figure { title: "Load envelope of the right wing".into(), panels, columns: 3 }
+    Figure::new("Load envelope of the right wing", panels, 3)
 }
 
 /// `Mx_Nm` as `Mx (N m)`.
@@ -55,12 +57,14 @@ pub(crate) fn cloud(results: &[CaseResult]) -> Figure {
         let (x, y) = pairs.into_iter().unzip();
         Series::new(model, x, y, Style::Points)
     };
-    let panel = |(across, up): (usize, usize)| Panel {
-        title: String::new(),
-        x_label: labelled(LOADS[across]),
-        y_label: labelled(LOADS[up]),
-        series: MODELS.iter().map(|model| points(model, across, up)).collect(),
+    let panel = |(across, up): (usize, usize)| {
+        Panel::new(
+            "",
+            labelled(LOADS[across]),
+            labelled(LOADS[up]),
+            MODELS.iter().map(|model| points(model, across, up)).collect(),
+        )
     };
     let panels = [(0, 1), (1, 2)].into_iter().map(panel).collect();
-    Figure { title: "All cases at the right wing's root".into(), panels, columns: 2 }
+    Figure::new("All cases at the right wing's root", panels, 2)
 }

@@ -88,13 +88,8 @@ pub(crate) fn envelope(aircraft: &Aircraft, envelope: &Envelope) -> Figure {
         line("limit, lower", low, Style::Line),
         points,
     ];
-    let panel = Panel {
-        title: String::new(),
-        x_label: "airspeed (m/s)".into(),
-        y_label: "load factor".into(),
-        series,
-    };
-    Figure { title: "V-n envelope, section's lift limits".into(), panels: vec![panel], columns: 1 }
+    let panel = Panel::new("", "airspeed (m/s)", "load factor", series);
+    Figure::new("V-n envelope, section's lift limits", vec![panel], 1)
 }
 
 fn view(aircraft: &Aircraft, name: &str, trimmed: &Trimmed) -> View {
@@ -114,14 +109,16 @@ fn histories(
     updated: &FlightHistory,
     quantities: &[Quantity],
 ) -> Figure {
-    let panel = |&(label, pick): &Quantity| Panel {
-        title: String::new(),
-        x_label: "time (s)".into(),
-        y_label: label.into(),
-        series: vec![
-            Series::new("initial", initial.t_s.clone(), pick(initial).clone(), Style::DashedLine),
-            Series::new("updated", updated.t_s.clone(), pick(updated).clone(), Style::Line),
-        ],
+    let panel = |&(label, pick): &Quantity| {
+        Panel::new(
+            "",
+            "time (s)",
+            label,
+            vec![
+                Series::new("initial", initial.t_s.clone(), pick(initial).clone(), Style::DashedLine),
+                Series::new("updated", updated.t_s.clone(), pick(updated).clone(), Style::Line),
+            ],
+        )
     };
-    Figure { title: title.into(), panels: quantities.iter().map(panel).collect(), columns: 2 }
+    Figure::new(title, quantities.iter().map(panel).collect(), 2)
 }

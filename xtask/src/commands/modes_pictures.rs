@@ -79,17 +79,13 @@ pub(super) fn figure(structure: &Structure, modes: &Modes) -> Option<Figure> {
             let values = nodes.iter().map(|six| six[component]).collect();
             Series::new(format!("along {}", names[component]), along.clone(), values, Style::Points)
         };
-        Panel {
-            title: format!("{}: {:.2} Hz", mode + 1, hertz[mode]),
-            x_label: format!("{} (m)", names[axis]),
-            y_label: "displacement (of the largest)".into(),
-            series: [2, 0, 1].map(series).into(),
-        }
+        Panel::new(
+            format!("{}: {:.2} Hz", mode + 1, hertz[mode]),
+            format!("{} (m)", names[axis]),
+            "displacement (of the largest)",
+            [2, 0, 1].map(series).into(),
+        )
     };
     let panels: Vec<Panel> = (0..modes.omega_rad_s.len().min(SHAPES)).map(panel).collect();
-    (!panels.is_empty()).then(|| Figure {
-        title: format!("Natural modes of {}", structure.name),
-        panels,
-        columns: 3,
-    })
+    (!panels.is_empty()).then(|| Figure::new(format!("Natural modes of {}", structure.name), panels, 3))
 }

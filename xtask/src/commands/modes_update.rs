@@ -94,18 +94,15 @@ fn deviations(found: &Fit) -> Option<Figure> {
         let (x, y) = (1..).map(f64::from).zip(state.predictions.iter().map(off)).unzip();
         Series::new(name, x, y, Style::Points)
     };
-    let panel = Panel {
-        title: String::new(),
-        x_label: "number of the measurement".into(),
-        y_label: "model less measurement (sigma)".into(),
-        series: vec![series("initial", &found.before), series("updated", &found.after)],
-    };
+    let panel = Panel::new(
+        "",
+        "number of the measurement",
+        "model less measurement (sigma)",
+        vec![series("initial", &found.before), series("updated", &found.after)],
+    );
     let any = |state: &State| state.predictions.iter().any(|p| p.model.is_some());
-    (any(&found.before) || any(&found.after)).then(|| Figure {
-        title: "What is left of the measurements".into(),
-        panels: vec![panel],
-        columns: 1,
-    })
+    (any(&found.before) || any(&found.after))
+        .then(|| Figure::new("What is left of the measurements", vec![panel], 1))
 }
 
 fn result(structure: &Structure, found: &Fit, seconds: f64) -> Value {

@@ -71,7 +71,7 @@ pub(crate) fn gather(base: &Path, folder: &ResultFolder) -> Result<Value, Failur
 const LOADS: [(&str, &str); 3] = [("Fz_N", "Fz (N)"), ("Mx_Nm", "Mx (N m)"), ("My_Nm", "My (N m)")];
 
 fn panel(title: String, (x_label, y_label): (&str, &str), series: Vec<Series>) -> Panel {
-    Panel { title, x_label: x_label.into(), y_label: y_label.into(), series }
+    Panel::new(title, x_label, y_label, series)
 }
 
 /// Loads of a run as measured and by each model, and what moved the wing; all of it or the part between two times.
@@ -108,7 +108,7 @@ fn history(table: &Table, title: &str, part_s: Option<(f64, f64)>) -> Result<Fig
         }
     }
     panels.push(panel(String::new(), ("time (s)", "angle (deg)"), inputs));
-    Ok(Figure { title: title.into(), panels, columns: 2 })
+    Ok(Figure::new(title, panels, 2))
 }
 
 /// Rows in which some columns have the same values, in the order of their first appearance.
@@ -142,7 +142,7 @@ fn loads(table: &Table, title: &str) -> Result<Figure, Failure> {
             panels.push(panel(format!("{v} m/s"), ("angle of attack (deg)", label), curves));
         }
     }
-    Ok(Figure { title: title.into(), panels, columns: 3 })
+    Ok(Figure::new(title, panels, 3))
 }
 
 /// Equivalent deflections or factors over commanded ones, a panel for each surface and a line for each airspeed.
@@ -169,5 +169,5 @@ fn factors(table: &Table, title: &str, column: &str) -> Result<Figure, Failure> 
         panels.push(panel(format!("{surface} aileron"), ("commanded deflection (deg)", y_label), series));
     }
     let columns = panels.len();
-    Ok(Figure { title: title.into(), panels, columns })
+    Ok(Figure::new(title, panels, columns))
 }

@@ -26,7 +26,7 @@ pub(super) fn response(
         panels.push(over(study, table, analysis, name)?);
     }
     let title = format!("{} of {}: {} terms", fitted.response, study.data, fitted.coefficients.len());
-    Ok(Figure { title, panels, columns: 3 })
+    Ok(Figure::new(title, panels, 3))
 }
 
 fn choice(analysis: &Analysis) -> Panel {
@@ -37,17 +37,17 @@ fn choice(analysis: &Analysis) -> Panel {
         Series::new(name, x, (0..curve.len()).map(|k| value(k).log10()).collect(), style)
     };
     let chosen = &curve[analysis.choice.chosen].criteria;
-    Panel {
-        title: "choice of terms".into(),
-        x_label: "number of terms".into(),
-        y_label: "log10 of mean square".into(),
-        series: vec![
+    Panel::new(
+        "choice of terms",
+        "number of terms",
+        "log10 of mean square",
+        vec![
             of("predicted squared error", &|k| curve[k].criteria.pse, Style::Line),
             of("mean squared error", &|k| curve[k].criteria.mse, Style::DashedLine),
             of("leave-one-out", &|k| curve[k].criteria.leave_one_out, Style::DashedLine),
             Series::new("chosen", vec![chosen.terms as f64], vec![chosen.pse.log10()], Style::Points),
         ],
-    }
+    )
 }
 
 fn fit(table: &TableAnalysis, analysis: &Analysis) -> Panel {
@@ -56,15 +56,15 @@ fn fit(table: &TableAnalysis, analysis: &Analysis) -> Panel {
     let values: Vec<f64> = measured.iter().zip(&fitted.residuals).map(|(y, rest)| y - rest).collect();
     let low = values.iter().copied().fold(f64::INFINITY, f64::min);
     let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    Panel {
-        title: "measured over fitted".into(),
-        x_label: format!("{} fitted", fitted.response),
-        y_label: format!("{} measured", fitted.response),
-        series: vec![
+    Panel::new(
+        "measured over fitted",
+        format!("{} fitted", fitted.response),
+        format!("{} measured", fitted.response),
+        vec![
             Series::new("equal", vec![low, high], vec![low, high], Style::Line),
             Series::new("points", values, measured, Style::Points),
         ],
-    }
+    )
 }
 
 fn residuals(analysis: &Analysis) -> Panel {
@@ -72,11 +72,11 @@ fn residuals(analysis: &Analysis) -> Panel {
     let plotted = normal_plot(&fitted.residuals);
     let sigma = fitted.error_variance.sqrt();
     let largest = plotted.last().map_or(1.0, |point| point.quantile);
-    Panel {
-        title: "residuals, normal plot".into(),
-        x_label: "residual".into(),
-        y_label: "normal quantile".into(),
-        series: vec![
+    Panel::new(
+        "residuals, normal plot",
+        "residual",
+        "normal quantile",
+        vec![
             Series::new(
                 "equal",
                 vec![-sigma * largest, sigma * largest],
@@ -85,7 +85,7 @@ fn residuals(analysis: &Analysis) -> Panel {
             ),
             cloud("points", &plotted),
         ],
-    }
+    )
 }
 
 fn cloud(name: &str, points: &[PlotPoint]) -> Series {
@@ -128,17 +128,17 @@ fn over(
     }
     let interval = format!("interval of a reading, {} %", 100.0 * study.level);
     let [least, most] = bounds;
-    Ok(Panel {
-        title: format!("over {factor}, the others in the middle"),
-        x_label: factor.into(),
-        y_label: fitted.response.clone(),
-        series: vec![
+    Ok(Panel::new(
+        format!("over {factor}, the others in the middle"),
+        factor,
+        fitted.response.clone(),
+        vec![
             Series::new(interval.clone(), x.clone(), least, Style::DashedLine),
             Series::new(interval, x.clone(), most, Style::DashedLine),
             Series::new("beyond the data", x.clone(), beyond, Style::Line),
             Series::new("surface", x, known, Style::Line),
         ],
-    })
+    ))
 }
 
 /// Effects of all responses of a table, half-normal beside normal plots, with Lenth's margin.
@@ -177,19 +177,19 @@ pub(super) fn effects(study: &TableStudy, all: &[Effects]) -> Option<Figure> {
                     series.push(at(-lenth.margin));
                 }
             }
-            panels.push(Panel {
-                title: format!("{}, {kind} plot", effects.response),
-                x_label: if kind == "normal" { "effect".into() } else { "size of effect".into() },
-                y_label: "normal quantile".into(),
+            panels.push(Panel::new(
+                format!("{}, {kind} plot", effects.response),
+                if kind == "normal" { "effect" } else { "size of effect" },
+                "normal quantile",
                 series,
-            });
+            ));
         }
     }
     if panels.is_empty() {
         return None;
     }
     let title = format!("Effects of {}", study.data);
-    Some(Figure { title, panels, columns: 2 })
+    Some(Figure::new(title, panels, 2))
 }
 
 /// Lenth's margins if they say something: of few effects most must be noise, and replicates say more.
@@ -199,20 +199,22 @@ pub(super) fn worth_a_look(effects: &Effects) -> Option<Lenth> {
 
 /// A figure of the published models.
 pub(super) fn published(figure: mav::figures::Figure) -> Figure {
-    let panels = figure.panels.into_iter().map(|panel| Panel {
-        title: String::new(),
-        x_label: panel.x_label,
-        y_label: panel.y_label,
-        series: panel
-            .curves
-            .into_iter()
-            .map(|curve| Series::new(curve.name, curve.x, curve.y, Style::Line))
-            .collect(),
+    let panels = figure.panels.into_iter().map(|panel| {
+        Panel::new(
+            "",
+            panel.x_label,
+            panel.y_label,
+            panel
+                .curves
+                .into_iter()
+                .map(|curve| Series::new(curve.name, curve.x, curve.y, Style::Line))
+                .collect(),
+        )
     });
     let panels: Vec<Panel> = panels.collect();
     let columns = if panels.len() == 6 { 2 } else { 3 };
     // a single panel is too narrow for more than the beginning; result.json has it all
     let end = if panels.len() > 1 { None } else { figure.title.find([',', '(']) };
     let title = figure.title[..end.unwrap_or(figure.title.len())].trim_end().to_string();
-    Figure { title, panels, columns }
+    Figure::new(title, panels, columns)
 }

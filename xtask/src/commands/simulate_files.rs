@@ -98,12 +98,7 @@ fn figure(flown: &Flown) -> Figure {
             series.push(Series::new(AS_COMMANDED, t_s.clone(), of(as_commanded), Style::DashedLine));
         }
         series.push(Series::new("updated", t_s.clone(), of(&flown.updated), Style::Line));
-        panels.push(Panel {
-            title: String::new(),
-            x_label: "time (s)".into(),
-            y_label: label.into(),
-            series,
-        });
+        panels.push(Panel::new("", "time (s)", label, series));
     }
     let alpha: Vec<f64> = flown.run.alpha_rad.iter().map(|alpha| alpha.to_degrees()).collect();
     let mut inputs = vec![Series::new("angle of attack", t_s.clone(), alpha, Style::Line)];
@@ -113,11 +108,6 @@ fn figure(flown: &Flown) -> Figure {
             inputs.push(Series::new(format!("{name} aileron, commanded"), t_s.clone(), degrees, Style::Line));
         }
     }
-    panels.push(Panel {
-        title: String::new(),
-        x_label: "time (s)".into(),
-        y_label: "angle (deg)".into(),
-        series: inputs,
-    });
-    Figure { title: format!("{} at {:.1} m/s", flown.run.name, flown.run.v_m_s), panels, columns: 2 }
+    panels.push(Panel::new("", "time (s)", "angle (deg)", inputs));
+    Figure::new(format!("{} at {:.1} m/s", flown.run.name, flown.run.v_m_s), panels, 2)
 }

@@ -7,7 +7,10 @@ use crate::failure::Failure;
 use crate::{paths, show, tidy};
 
 /// Prints every complaint; fails if there is one.
-pub(crate) fn run(_args: &TidyArgs, common: &Common) -> Result<(), Failure> {
+pub(crate) fn run(args: &TidyArgs, common: &Common) -> Result<(), Failure> {
+    if args.lines {
+        return lines(common);
+    }
     let complaints: Vec<String> =
         tidy::check(&paths::repository())?.iter().map(ToString::to_string).collect();
     show::json(common, &json!({ "command": "tidy", "complaints": complaints }))?;
@@ -16,4 +19,17 @@ pub(crate) fn run(_args: &TidyArgs, common: &Common) -> Result<(), Failure> {
         return Ok(());
     }
     Err(Failure::Computation(format!("{} complaints\n{}", complaints.len(), complaints.join("\n"))))
+}
+
+/// Lines of code by crate, and their sum.
+fn lines(common: &Common) -> Result<(), Failure> {
+    let counts = tidy::lines::count(&paths::repository())?;
+    let sum: usize = counts.values().sum();
+    show::json(common, &json!({ "command": "tidy", "lines": counts, "sum": sum }))?;
+    for (package, count) in
+        counts.iter().map(|(package, count)| (package.as_str(), count)).chain([("sum", &sum)])
+    {
+        show::summary(common, &format!("{package:<14}{count:>7}"));
+    }
+    Ok(())
 }

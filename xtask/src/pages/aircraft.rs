@@ -4,7 +4,7 @@ use report::Page;
 use report::page::{Block, KeyNumber, PageTable, Plate, Section};
 use serde_json::Value;
 
-use super::values::{at, counted, from_to, list, rounded, short, short_at, text};
+use super::values::{Column, at, counted, decimals_at, from_to, list, short, short_at, table_of, text, word};
 use super::{figures, taken};
 use crate::commands::labelled;
 
@@ -128,10 +128,8 @@ fn derivatives(result: &Value) -> PageTable {
     for (initial, updated) in of("initial").iter().zip(of("updated")) {
         let mut row = vec![text(initial, "variable").to_owned()];
         for coefficient in ["CL", "Cm", "Cl", "Cn"] {
-            row.extend([initial, updated].map(|model| {
-                at(model, &format!("unrestrained/{coefficient}"))
-                    .map_or_else(|| "-".into(), |v| format!("{:.4}", rounded(v, 4)))
-            }));
+            let path = format!("unrestrained/{coefficient}");
+            row.extend([initial, updated].map(|model| decimals_at(model, &path)));
         }
         table.row(row);
     }
@@ -140,19 +138,15 @@ fn derivatives(result: &Value) -> PageTable {
 
 pub(super) fn cases(result: &Value, plates: &mut Vec<Plate>) -> Page {
     let envelope = list(result, "envelope");
-    let mut table = PageTable::new(
-        "Smallest and largest loads of all cases at the right root.",
-        &["model", "load", "end", "value", "case"],
-    );
-    for extreme in envelope.iter().filter(|e| text(e, "station") == "right root") {
-        table.row([
-            text(extreme, "model").to_owned(),
-            labelled(text(extreme, "load")),
-            text(extreme, "end").to_owned(),
-            short_at(extreme, "value"),
-            text(extreme, "flown").replace('_', " "),
-        ]);
-    }
+    let columns: [Column; 5] = [
+        ("model", "model", word),
+        ("load", "load", |extreme, key| labelled(text(extreme, key))),
+        ("end", "end", word),
+        ("value", "value", short_at),
+        ("case", "flown", |extreme, key| text(extreme, key).replace('_', " ")),
+    ];
+    let at_root = envelope.iter().filter(|extreme| text(extreme, "station") == "right root");
+    let table = table_of("Smallest and largest loads of all cases at the right root.", at_root, &columns);
     let most = |model: &str| {
         let of_model = |e: &&Value| {
             text(e, "model") == model && text(e, "station") == "right root" && text(e, "load") == "Mx_Nm"

@@ -5,7 +5,7 @@ use report::page::{Block, KeyNumber, PageTable, Plate, Section};
 use serde_json::Value;
 
 use super::figures;
-use super::values::{at, counted, digits, list, rounded, short_at, text};
+use super::values::{at, counted, decimals_at, digits, five_at, list, short_at, text};
 
 /// Trimmed variables that stand at the top.
 const FIRST: usize = 4;
@@ -61,7 +61,7 @@ fn subcase(case: &Value) -> Section {
     );
     let mut trimmed = PageTable::new(caption, &["variable", "value"]);
     for (name, value) in case["values"].as_object().into_iter().flatten() {
-        trimmed.row([name.clone(), value.as_f64().map_or_else(|| "-".into(), |value| digits(value, 5))]);
+        trimmed.row([name.clone(), five_at(value, "")]);
     }
     if let Some(lift) = at(case, "lift") {
         trimmed.row(["lift".to_owned(), digits(lift, 5)]);
@@ -86,7 +86,7 @@ fn monitors(case: &Value) -> PageTable {
     let mut table =
         PageTable::new("Loads at the monitor points.", &["station", "Fx", "Fy", "Fz", "Mx", "My", "Mz"]);
     for (name, loads) in case["monitors"].as_object().into_iter().flatten() {
-        let six = (0..6).map(|c| loads[c].as_f64().map_or_else(|| "-".into(), |v| digits(v, 5)));
+        let six = (0..6).map(|c| five_at(&loads[c], ""));
         table.row(std::iter::once(name.clone()).chain(six));
     }
     table
@@ -100,10 +100,7 @@ fn derivatives(case: &Value) -> Option<PageTable> {
     for (name, of) in all {
         for kind in ["rigid", "restrained", "unrestrained"] {
             if of[kind].as_object().is_some_and(|of| !of.is_empty()) {
-                let six = ["CX", "CY", "CZ", "Cl", "Cm", "Cn"].map(|c| {
-                    at(of, &format!("{kind}/{c}"))
-                        .map_or_else(|| "-".into(), |v| format!("{:.4}", rounded(v, 4)))
-                });
+                let six = ["CX", "CY", "CZ", "Cl", "Cm", "Cn"].map(|c| decimals_at(&of[kind], c));
                 table.row([name.clone(), kind.to_owned()].into_iter().chain(six));
             }
         }

@@ -4,7 +4,7 @@ use report::Page;
 use report::page::{Block, KeyNumber, PageTable, Plate, Section};
 use serde_json::Value;
 
-use super::values::{LOADS, at, counted, digits, from_to, list, short, short_at, text};
+use super::values::{Column, LOADS, at, counted, digits, from_to, list, short_at, table_of, text, word};
 use super::{figures, taken};
 
 pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
@@ -113,37 +113,20 @@ fn numbers(result: &Value, airspeeds: &[Value]) -> Vec<KeyNumber> {
 fn fits(airspeeds: &[Value]) -> PageTable {
     let caption = "F: root mean square misfit over the measured loads, weighted (N). Line floor: misfit of the best \
                    straight line over the angle. Noise floor: what noise alone gives.";
-    let head = [
-        "V (m/s)",
-        "F before",
-        "F after",
-        "line floor",
-        "noise floor",
-        "Fz rms (N)",
-        "Mx rms (N m)",
-        "My rms (N m)",
-        "left out: before",
-        "after",
-        "ending",
+    let columns: [Column; 11] = [
+        ("V (m/s)", "V_m_s", short_at),
+        ("F before", "objective_before", short_at),
+        ("F after", "objective_after", short_at),
+        ("line floor", "line_floor", short_at),
+        ("noise floor", "noise_floor", short_at),
+        ("Fz rms (N)", "rmse_after/Fz_N", short_at),
+        ("Mx rms (N m)", "rmse_after/Mx_Nm", short_at),
+        ("My rms (N m)", "rmse_after/My_Nm", short_at),
+        ("left out: before", "left_out/objective_before", short_at),
+        ("after", "left_out/objective_after", short_at),
+        ("ending", "ending", word),
     ];
-    let mut table = PageTable::new(caption, &head);
-    for a in airspeeds {
-        let rms = |key: &str| short(at(a, &format!("rmse_after/{key}")));
-        table.row([
-            short_at(a, "V_m_s"),
-            short_at(a, "objective_before"),
-            short_at(a, "objective_after"),
-            short_at(a, "line_floor"),
-            short_at(a, "noise_floor"),
-            rms("Fz_N"),
-            rms("Mx_Nm"),
-            rms("My_Nm"),
-            short_at(a, "left_out/objective_before"),
-            short_at(a, "left_out/objective_after"),
-            text(a, "ending").to_owned(),
-        ]);
-    }
-    table
+    table_of(caption, airspeeds, &columns)
 }
 
 fn determined_text(airspeeds: &[Value]) -> String {
@@ -170,26 +153,16 @@ fn determined_text(airspeeds: &[Value]) -> String {
 }
 
 fn determined_table(airspeeds: &[Value]) -> PageTable {
-    let head = [
-        "V (m/s)",
-        "directions",
-        "spread left: force",
-        "moment",
-        "offset",
-        "sigma: force",
-        "moment",
-        "offset",
-        "neighbour bounds active",
+    let columns: [Column; 9] = [
+        ("V (m/s)", "V_m_s", short_at),
+        ("directions", "determined_directions", short_at),
+        ("spread left: force", "identifiability/remaining_spread/force", short_at),
+        ("moment", "identifiability/remaining_spread/moment", short_at),
+        ("offset", "identifiability/remaining_spread/pressure_offset", short_at),
+        ("sigma: force", "identifiability/posterior_sigma/force", short_at),
+        ("moment", "identifiability/posterior_sigma/moment", short_at),
+        ("offset", "identifiability/posterior_sigma/pressure_offset", short_at),
+        ("neighbour bounds active", "neighbour_bound_active", short_at),
     ];
-    let mut table = PageTable::new("", &head);
-    for a in airspeeds {
-        let of = |what: &str, family: &str| short(at(a, &format!("identifiability/{what}/{family}")));
-        let mut row = vec![short_at(a, "V_m_s"), short_at(a, "determined_directions")];
-        for what in ["remaining_spread", "posterior_sigma"] {
-            row.extend(["force", "moment", "pressure_offset"].map(|family| of(what, family)));
-        }
-        row.push(short_at(a, "neighbour_bound_active"));
-        table.row(row);
-    }
-    table
+    table_of("", airspeeds, &columns)
 }

@@ -4,13 +4,13 @@ use report::Page;
 use report::page::{Block, KeyNumber, Link, PageTable, Plate, Section};
 use serde_json::Value;
 
-use super::values::{LOADS, at, digits, list, short, short_at, text};
+use super::values::{LOADS, at, digits, list, short, short_at, text, whole_at};
 
 /// Frequencies shown.
 const MODES: usize = 20;
 
 pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
-    let whole = |path: &str| at(result, path).map_or_else(|| "-".into(), |value| format!("{value:.0}"));
+    let whole = |path: &str| whole_at(result, path);
     let first = list(result, "frequencies_hz").iter().find_map(Value::as_f64);
     let mut numbers = vec![
         KeyNumber::new(

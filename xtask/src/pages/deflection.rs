@@ -5,7 +5,7 @@ use report::page::{Block, KeyNumber, PageTable, Plate, Section};
 use serde_json::Value;
 
 use super::figures;
-use super::values::{LOADS, at, counted, digits, from_to, list, short, short_at, text};
+use super::values::{Column, at, counted, decimals_at, digits, from_to, list, short_at, table_of, word};
 
 pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
     let factors = list(result, "factors");
@@ -55,32 +55,27 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
 }
 
 fn factors_table(factors: &[Value]) -> PageTable {
-    let head =
-        ["surface", "V (m/s)", "commanded (deg)", "equivalent (deg)", "K", "standard error", "doublets"];
-    let mut table = PageTable::new("", &head);
-    for f in factors {
-        table.row([
-            text(f, "control").to_owned(),
-            short_at(f, "V_m_s"),
-            short_at(f, "commanded_deg"),
-            short_at(f, "equivalent_deg"),
-            at(f, "factor").map_or_else(|| "-".into(), |k| format!("{k:.4}")),
-            at(f, "standard_error").map_or_else(|| "-".into(), |k| format!("{k:.4}")),
-            short_at(f, "runs"),
-        ]);
-    }
-    table
+    let columns: [Column; 7] = [
+        ("surface", "control", word),
+        ("V (m/s)", "V_m_s", short_at),
+        ("commanded (deg)", "commanded_deg", short_at),
+        ("equivalent (deg)", "equivalent_deg", short_at),
+        ("K", "factor", decimals_at),
+        ("standard error", "standard_error", decimals_at),
+        ("doublets", "runs", short_at),
+    ];
+    table_of("", factors, &columns)
 }
 
 fn held_out(result: &Value) -> PageTable {
-    let head = ["run", "Fz before (N)", "after", "Mx before (N m)", "after", "My before (N m)", "after"];
-    let mut table = PageTable::new("Root mean square of measured less simulated.", &head);
-    for run in list(result, "holdout/runs") {
-        let mut row = vec![text(run, "run").to_owned()];
-        for (key, ..) in LOADS {
-            row.extend(["before", "after"].map(|when| short(at(run, &format!("residual_rms/{when}/{key}")))));
-        }
-        table.row(row);
-    }
-    table
+    let columns: [Column; 7] = [
+        ("run", "run", word),
+        ("Fz before (N)", "residual_rms/before/Fz_N", short_at),
+        ("after", "residual_rms/after/Fz_N", short_at),
+        ("Mx before (N m)", "residual_rms/before/Mx_Nm", short_at),
+        ("after", "residual_rms/after/Mx_Nm", short_at),
+        ("My before (N m)", "residual_rms/before/My_Nm", short_at),
+        ("after", "residual_rms/after/My_Nm", short_at),
+    ];
+    table_of("Root mean square of measured less simulated.", list(result, "holdout/runs"), &columns)
 }

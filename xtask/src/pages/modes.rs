@@ -5,7 +5,10 @@ use report::page::{Block, KeyNumber, PageTable, Plate, Section};
 use serde_json::Value;
 
 use super::figures;
-use super::values::{at, counted, digits, from_to, list, rounded, short, short_at, text};
+use super::values::{
+    Column, at, counted, digits, five_at, four_at, from_to, list, rounded, short, short_at, table_of, text,
+    whole_at, word,
+};
 
 pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
     if result.get("measurements").is_some() {
@@ -24,7 +27,7 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
     let mut sections = vec![figures("Shapes", std::mem::take(plates))];
     sections.push(Section::new("Frequencies", vec![Block::Table(frequencies(result))]));
     sections.retain(|section| !section.blocks.is_empty());
-    let whole = |path: &str| at(result, path).map_or_else(|| "-".into(), |count| format!("{count:.0}"));
+    let whole = |path: &str| whole_at(result, path);
     Page {
         title: format!("Natural modes of {}", text(result, "structure")),
         lead: vec![format!(
@@ -85,7 +88,7 @@ fn fitted(result: &Value, plates: &mut Vec<Plate>) -> Page {
     for factor in factors {
         let label = format!("{} of {}", text(factor, "quantity"), text(factor, "region"));
         let (value, note) = match at(factor, "sigma") {
-            Some(sigma) => (four(at(factor, "value")), format!("\u{b1} {}", digits(sigma, 2))),
+            Some(sigma) => (four_at(factor, "value"), format!("\u{b1} {}", digits(sigma, 2))),
             None => ("not determined".to_owned(), "the measurements do not tell it from others".to_owned()),
         };
         numbers.push(KeyNumber::new(label, value, note).judged(factor["determined"] == true));
@@ -111,54 +114,41 @@ fn fitted(result: &Value, plates: &mut Vec<Plate>) -> Page {
     }
 }
 
-fn four(value: Option<f64>) -> String {
-    value.map_or_else(|| "-".into(), |value| digits(value, 4))
-}
-
 fn measured(result: &Value) -> PageTable {
-    let head = ["measured", "unit", "value", "sigma", "initial model", "updated", "off (sigma)", "then"];
-    let mut table = PageTable::new("Off: model less measurement in standard deviations of it.", &head);
-    for row in list(result, "measurements") {
-        let off = |model: &str| {
-            let (model, value, sigma) = (at(row, model)?, at(row, "measured")?, at(row, "sigma")?);
-            Some((model - value) / sigma)
-        };
-        let off =
-            |model: &str| off(model).map_or_else(|| "-".into(), |off| format!("{:+.2}", rounded(off, 2)));
-        table.row([
-            text(row, "name").to_owned(),
-            text(row, "unit").to_owned(),
-            four(at(row, "measured")),
-            short(at(row, "sigma")),
-            four(at(row, "before")),
-            four(at(row, "after")),
-            off("before"),
-            off("after"),
-        ]);
-    }
-    table
+    let off = |row: &Value, model: &str| {
+        let off = |model: f64| Some((model - at(row, "measured")?) / at(row, "sigma")?);
+        at(row, model).and_then(off).map_or_else(|| "-".into(), |off| format!("{:+.2}", rounded(off, 2)))
+    };
+    let columns: [Column; 8] = [
+        ("measured", "name", word),
+        ("unit", "unit", word),
+        ("value", "measured", four_at),
+        ("sigma", "sigma", short_at),
+        ("initial model", "before", four_at),
+        ("updated", "after", four_at),
+        ("off (sigma)", "before", off),
+        ("then", "after", off),
+    ];
+    let caption = "Off: model less measurement in standard deviations of it.";
+    table_of(caption, list(result, "measurements"), &columns)
 }
 
 fn factors_table(factors: &[Value]) -> PageTable {
-    let mut table = PageTable::new("", &["region", "quantity", "factor", "sigma", "determined"]);
-    for factor in factors {
-        table.row([
-            text(factor, "region").to_owned(),
-            text(factor, "quantity").to_owned(),
-            four(at(factor, "value")),
-            short(at(factor, "sigma")),
-            if factor["determined"] == true { "yes" } else { "no" }.to_owned(),
-        ]);
-    }
-    table
+    let columns: [Column; 5] = [
+        ("region", "region", word),
+        ("quantity", "quantity", word),
+        ("factor", "value", four_at),
+        ("sigma", "sigma", short_at),
+        ("determined", "determined", |factor, key| if factor[key] == true { "yes" } else { "no" }.to_owned()),
+    ];
+    table_of("", factors, &columns)
 }
 
 fn before_and_after(result: &Value) -> PageTable {
     let mut table = PageTable::new("", &["mode", "initial (Hz)", "updated (Hz)"]);
     let (before, after) = (list(result, "before/frequencies_hz"), list(result, "after/frequencies_hz"));
     for (mode, (before, after)) in before.iter().zip(after).enumerate() {
-        let hertz = |hz: &Value| hz.as_f64().map_or_else(|| "-".into(), |hz| digits(hz, 5));
-        table.row([(mode + 1).to_string(), hertz(before), hertz(after)]);
+        table.row([(mode + 1).to_string(), five_at(before, ""), five_at(after, "")]);
     }
     table
 }

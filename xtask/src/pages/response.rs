@@ -5,7 +5,7 @@ use report::page::{Block, KeyNumber, PageTable, Plate, Section};
 use serde_json::Value;
 
 use super::figures;
-use super::values::{at, counted, digits, list, short_at, text};
+use super::values::{Column, at, counted, four_at, list, short_at, table_of, text, whole_at, word};
 
 /// So many responses have a number at the top.
 const TOP: usize = 6;
@@ -18,18 +18,15 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
         let note = format!("R\u{b2}; {}", counted(list(r, "terms").len(), "term", "terms"));
         numbers.push(KeyNumber::new(text(r, "name"), r2, note));
     }
-    let mut table =
-        PageTable::new("", &["data", "response", "points", "terms", "R\u{b2}", "predicted squared error"]);
-    for r in responses {
-        table.row([
-            text(r, "data").to_owned(),
-            text(r, "name").to_owned(),
-            at(r, "points").map_or_else(|| "-".into(), |n| n.to_string()),
-            list(r, "terms").len().to_string(),
-            at(r, "r2").map_or_else(|| "-".into(), |r2| format!("{r2:.5}")),
-            short_at(r, "pse"),
-        ]);
-    }
+    let columns: [Column; 6] = [
+        ("data", "data", word),
+        ("response", "name", word),
+        ("points", "points", whole_at),
+        ("terms", "terms", |r, key| list(r, key).len().to_string()),
+        ("R\u{b2}", "r2", |r, key| at(r, key).map_or_else(|| "-".into(), |r2| format!("{r2:.5}"))),
+        ("predicted squared error", "pse", short_at),
+    ];
+    let table = table_of("", responses, &columns);
     let mut sections = vec![Section::new("Surfaces", vec![Block::Table(table)])];
     let terms: Vec<Block> = responses.iter().map(|r| Block::Table(terms(r))).collect();
     sections.push(figures("Choice of terms, fit and surface", std::mem::take(plates)));
@@ -48,20 +45,12 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
 }
 
 fn terms(r: &Value) -> PageTable {
-    let mut table = PageTable::new(
-        format!("{} ({})", text(r, "name"), text(r, "data")),
-        &["term", "coefficient", "standard error", "t", "p-value"],
-    );
-    for term in list(r, "terms") {
-        let number = |key: &str| at(term, key).map_or_else(|| "-".into(), |v| digits(v, 4));
-        let name = term["term"].as_str().unwrap_or_default();
-        table.row([
-            name.to_owned(),
-            number("coefficient"),
-            number("standard_error"),
-            number("t"),
-            number("p_value"),
-        ]);
-    }
-    table
+    let columns: [Column; 5] = [
+        ("term", "term", word),
+        ("coefficient", "coefficient", four_at),
+        ("standard error", "standard_error", four_at),
+        ("t", "t", four_at),
+        ("p-value", "p_value", four_at),
+    ];
+    table_of(format!("{} ({})", text(r, "name"), text(r, "data")), list(r, "terms"), &columns)
 }

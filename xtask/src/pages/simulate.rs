@@ -5,7 +5,7 @@ use report::page::{Block, KeyNumber, PageTable, Plate, Section};
 use serde_json::Value;
 
 use super::figures;
-use super::values::{LOADS, at, counted, from_to, list, short, short_at, text};
+use super::values::{Column, LOADS, at, counted, from_to, list, short_at, table_of, text};
 
 pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
     let runs = list(result, "runs");
@@ -62,25 +62,15 @@ fn name(run: &Value) -> &str {
 }
 
 fn table(runs: &[Value]) -> PageTable {
-    let head = [
-        "run",
-        "V (m/s)",
-        "Fz initial (N)",
-        "updated",
-        "Mx initial (N m)",
-        "updated",
-        "My initial (N m)",
-        "updated",
+    let columns: [Column; 8] = [
+        ("run", "", |run, _| name(run).to_owned()),
+        ("V (m/s)", "V_m_s", short_at),
+        ("Fz initial (N)", "residual_rms/initial/Fz_N", short_at),
+        ("updated", "residual_rms/updated/Fz_N", short_at),
+        ("Mx initial (N m)", "residual_rms/initial/Mx_Nm", short_at),
+        ("updated", "residual_rms/updated/Mx_Nm", short_at),
+        ("My initial (N m)", "residual_rms/initial/My_Nm", short_at),
+        ("updated", "residual_rms/updated/My_Nm", short_at),
     ];
-    let mut table = PageTable::new("Root mean square of measured less simulated.", &head);
-    for run in runs {
-        let mut row = vec![name(run).to_owned(), short_at(run, "V_m_s")];
-        for (key, ..) in LOADS {
-            row.extend(
-                ["initial", "updated"].map(|model| short(at(run, &format!("residual_rms/{model}/{key}")))),
-            );
-        }
-        table.row(row);
-    }
-    table
+    table_of("Root mean square of measured less simulated.", runs, &columns)
 }

@@ -4,7 +4,7 @@ use report::Page;
 use report::page::{Block, KeyNumber, PageTable, Plate, Section};
 use serde_json::Value;
 
-use super::values::{LOADS, at, from_to, list, short, short_at, text};
+use super::values::{Column, LOADS, at, from_to, list, short, short_at, table_of, text, whole_at, word};
 
 pub(super) fn page(result: &Value, _: &mut Vec<Plate>) -> Page {
     let compared = list(result, "truth_and_model");
@@ -31,7 +31,7 @@ pub(super) fn page(result: &Value, _: &mut Vec<Plate>) -> Page {
             "These are not measurements. A virtual wind tunnel with a model of its own made them; the campaign's README says \
              what it hides."
                 .into(),
-            format!("Drawn with seed {}.", at(result, "seed").map_or_else(|| "-".into(), |seed| format!("{seed:.0}"))),
+            format!("Drawn with seed {}.", whole_at(result, "seed")),
         ],
         numbers,
         sections: vec![
@@ -68,22 +68,17 @@ fn errors(compared: &[Value]) -> PageTable {
 }
 
 fn fits(found: &[Value]) -> PageTable {
-    let mut table = PageTable::new(
-        "The objective is what is left of the loads; a straight line over the angle leaves the last column.",
-        &["V (m/s)", "objective before", "after", "straight line", "cone programs", "ending"],
-    );
-    for row in found {
-        let of = |what: &str| short_at(row, what);
-        table.row([
-            of("V_m_s"),
-            of("objective_before"),
-            of("objective_after"),
-            of("line_floor"),
-            of("iterations"),
-            text(row, "ending").to_owned(),
-        ]);
-    }
-    table
+    let caption =
+        "The objective is what is left of the loads; a straight line over the angle leaves the last column.";
+    let columns: [Column; 6] = [
+        ("V (m/s)", "V_m_s", short_at),
+        ("objective before", "objective_before", short_at),
+        ("after", "objective_after", short_at),
+        ("straight line", "line_floor", short_at),
+        ("cone programs", "iterations", short_at),
+        ("ending", "ending", word),
+    ];
+    table_of(caption, found, &columns)
 }
 
 fn flight(result: &Value) -> PageTable {

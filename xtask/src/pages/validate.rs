@@ -5,7 +5,7 @@ use report::page::{Block, KeyNumber, PageTable, Plate, Section};
 use serde_json::Value;
 
 use super::figures;
-use super::values::{at, digits, list, text};
+use super::values::{Column, at, five_at, list, table_of, text, word};
 
 pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
     let cases = list(result, "cases");
@@ -85,21 +85,17 @@ fn overview(cases: &[Value]) -> PageTable {
 
 fn case(case: &Value) -> Vec<Block> {
     let caption = format!("{}. {}", text(case, "case"), text(case, "source"));
-    let mut table = PageTable::new(caption, &["quantity", "ours", "reference", "tolerance", "verdict"]);
-    for row in list(case, "rows") {
-        let number = |key: &str| at(row, key).map_or_else(|| "-".into(), |v| digits(v, 5));
-        let verdict = match text(row, "reason") {
-            "" => text(row, "verdict").replace('_', " "),
-            reason => format!("{}: {reason}", text(row, "verdict").replace('_', " ")),
-        };
-        table.row([
-            text(row, "quantity").to_owned(),
-            number("ours"),
-            number("reference"),
-            text(row, "tolerance").to_owned(),
-            verdict,
-        ]);
-    }
+    let columns: [Column; 5] = [
+        ("quantity", "quantity", word),
+        ("ours", "ours", five_at),
+        ("reference", "reference", five_at),
+        ("tolerance", "tolerance", word),
+        ("verdict", "verdict", |row, key| match (text(row, key).replace('_', " "), text(row, "reason")) {
+            (verdict, "") => verdict,
+            (verdict, reason) => format!("{verdict}: {reason}"),
+        }),
+    ];
+    let table = table_of(caption, list(case, "rows"), &columns);
     let mut blocks = vec![Block::Table(table)];
     if let Some(error) = case["error"].as_str() {
         blocks.push(Block::Text(format!("not computed: {error}")));

@@ -1,15 +1,16 @@
 //! Numbers out of `result.json`, written for people.
 
 use report::Figure;
+use report::page::PageTable;
 use serde_json::Value;
 
 /// Loads at the root: key in results, name and unit.
 pub(super) const LOADS: [(&str, &str, &str); 3] =
     [("Fz_N", "lift Fz", "N"), ("Mx_Nm", "bending Mx", "N m"), ("My_Nm", "torsion My", "N m")];
 
-/// The number at a path such as `gap/holdout/before`.
+/// The number at a path such as `gap/holdout/before`; at the empty path the value itself.
 pub(super) fn at(value: &Value, path: &str) -> Option<f64> {
-    value.pointer(&format!("/{path}")).and_then(Value::as_f64)
+    if path.is_empty() { value.as_f64() } else { value.pointer(&format!("/{path}")).and_then(Value::as_f64) }
 }
 
 /// The entries of a list, none if it is no list.
@@ -22,6 +23,27 @@ pub(super) fn text<'a>(value: &'a Value, path: &str) -> &'a str {
     value.pointer(&format!("/{path}")).and_then(Value::as_str).unwrap_or_default()
 }
 
+/// The same as a cell of a table.
+pub(super) fn word(value: &Value, path: &str) -> String {
+    text(value, path).to_owned()
+}
+
+/// A column of a table of entries: its head, where its value is in an entry, and how it is written.
+pub(super) type Column = (&'static str, &'static str, fn(&Value, &str) -> String);
+
+/// A table with a row an entry.
+pub(super) fn table_of<'a>(
+    caption: impl Into<String>,
+    entries: impl IntoIterator<Item = &'a Value>,
+    columns: &[Column],
+) -> PageTable {
+    let mut table = PageTable::new(caption, &columns.iter().map(|column| column.0).collect::<Vec<_>>());
+    for entry in entries {
+        table.row(columns.iter().map(|(_, path, written)| written(entry, path)));
+    }
+    table
+}
+
 /// Three significant digits; a dash where there is no number.
 pub(super) fn short(value: Option<f64>) -> String {
     value.map_or_else(|| "-".into(), |value| digits(value, 3))
@@ -30,6 +52,26 @@ pub(super) fn short(value: Option<f64>) -> String {
 /// The number at a path with three significant digits.
 pub(super) fn short_at(value: &Value, path: &str) -> String {
     short(at(value, path))
+}
+
+/// The number at a path with four.
+pub(super) fn four_at(value: &Value, path: &str) -> String {
+    at(value, path).map_or_else(|| "-".into(), |number| digits(number, 4))
+}
+
+/// The number at a path with five.
+pub(super) fn five_at(value: &Value, path: &str) -> String {
+    at(value, path).map_or_else(|| "-".into(), |number| digits(number, 5))
+}
+
+/// The number at a path with four decimals, rounded, without a sign of zero.
+pub(super) fn decimals_at(value: &Value, path: &str) -> String {
+    at(value, path).map_or_else(|| "-".into(), |number| format!("{:.4}", rounded(number, 4)))
+}
+
+/// The whole number at a path.
+pub(super) fn whole_at(value: &Value, path: &str) -> String {
+    at(value, path).map_or_else(|| "-".into(), |number| format!("{number:.0}"))
 }
 
 /// So many significant digits, without an exponent where it is short enough; whole numbers as they are.

@@ -2,14 +2,25 @@
 //!
 //! - [`imports`]: a crate imports only what the table of the architecture allows.
 //! - [`sources`]: every source file says what it is, stays short, prints nothing and skips no test.
+//! - [`parameters`]: no parameter is a tuple of references.
+//! - [`effect_names`]: an effect is asked for by name in its own file only.
+//! - [`decisions`]: what decides in `discover` is in its rules.
+//! - [`circles`]: files of a crate do not take names from each other in circles.
 //! - [`documents`]: ARCHITECTURE.md speaks of what exists; every folder of data says where it comes from.
 
 use std::path::{Path, PathBuf};
 
 use crate::failure::Failure;
 
+pub mod circles;
+pub mod decisions;
 pub mod documents;
+pub mod effect_names;
 pub mod imports;
+pub mod lines;
+pub mod modules;
+pub mod parameters;
+pub mod parsed;
 pub mod sources;
 
 /// A broken rule.
@@ -42,6 +53,11 @@ pub fn check(root: &Path) -> Result<Vec<Complaint>, Failure> {
     let packages = imports::packages(root)?;
     let mut complaints = imports::check(&packages);
     complaints.extend(sources::check(root)?);
+    let sources = parsed::sources(root)?;
+    complaints.extend(parameters::check(&sources));
+    complaints.extend(effect_names::check(&sources, &effect_names::names()));
+    complaints.extend(decisions::check(&sources));
+    complaints.extend(circles::check(&sources));
     complaints.extend(documents::check(root, &packages)?);
     complaints.sort();
     Ok(complaints)

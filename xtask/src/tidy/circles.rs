@@ -1,0 +1,69 @@
+//! Files of a crate that take names from each other in a circle cannot be read one after the other: few may, each for a
+//! reason.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::Complaint;
+use super::modules::Modules;
+use super::parsed::Source;
+
+/// The most circles in the whole workspace.
+const MOST: usize = 10;
+/// Circles that may be, by their files, and why.
+const MAY: &[(&[&str], &str)] = &[];
+/// Circles that are still to be opened, by their first file.
+const STILL: &[&str] = &[];
+
+/// Complaints about circles that have no reason, and about reasons that have no circle.
+pub fn check(sources: &[Source]) -> Vec<Complaint> {
+    let circles = all(sources);
+    let mut complaints = Vec::new();
+    for circle in &circles {
+        let files: Vec<&str> = circle.iter().map(String::as_str).collect();
+        if !MAY.iter().any(|(may, _)| *may == files) && !STILL.contains(&files[0]) {
+            let others = files[1..].join(", ");
+            complaints.push(Complaint::new(files[0], format!("takes names in a circle with {others}")));
+        }
+    }
+    let gone = |files: &[&str]| !circles.iter().any(|circle| circle == files);
+    for (files, _) in MAY.iter().filter(|(files, _)| gone(files)) {
+        complaints.push(Complaint::new(files[0], "has a reason for a circle that is no more"));
+    }
+    if circles.len() > MOST.max(STILL.len() + MAY.len()) {
+        complaints
+            .push(Complaint::new("crates", format!("{} circles of files, at most {MOST}", circles.len())));
+    }
+    complaints
+}
+
+/// The circles of all crates, each with its files sorted.
+pub fn all(sources: &[Source]) -> Vec<Vec<String>> {
+    let folder =
+        |source: &Source| source.name.split_once("/src/").map(|(package, _)| format!("{package}/src/"));
+    let folders: BTreeSet<String> = sources.iter().filter_map(folder).collect();
+    folders.iter().flat_map(|folder| circles(&Modules::of(sources, folder).taken())).collect()
+}
+
+/// Sets of files each of which reaches every other.
+fn circles(taken: &BTreeMap<&str, BTreeSet<&str>>) -> Vec<Vec<String>> {
+    let reached: BTreeMap<&str, BTreeSet<&str>> =
+        taken.keys().map(|file| (*file, reach(taken, file))).collect();
+    let mut circles = BTreeSet::new();
+    for (file, others) in &reached {
+        let circle: Vec<String> =
+            others.iter().filter(|other| reached[*other].contains(file)).map(ToString::to_string).collect();
+        if circle.len() > 1 {
+            circles.insert(circle);
+        }
+    }
+    circles.into_iter().collect()
+}
+
+fn reach<'a>(taken: &BTreeMap<&'a str, BTreeSet<&'a str>>, from: &'a str) -> BTreeSet<&'a str> {
+    let mut reached = BTreeSet::new();
+    let mut open: Vec<&str> = vec![from];
+    while let Some(file) = open.pop() {
+        open.extend(taken[file].iter().copied().filter(|next| reached.insert(*next)));
+    }
+    reached
+}
