@@ -10,8 +10,6 @@ use super::parsed::{Source, about, strings};
 const MAY: [&str; 3] = ["crates/maneuver/src/effects/each/", "crates/hidden/", "crates/discover/src/rules"];
 /// Texts that mean something else than the effect of the same name.
 const OTHER_MEANING: &[(&str, &str, &str)] = &[];
-/// Files that still ask for effects by name.
-const STILL: &[&str] = &[];
 
 /// Names of all effects of the library.
 pub fn names() -> BTreeSet<&'static str> {
@@ -25,7 +23,7 @@ pub fn check(sources: &[Source], names: &BTreeSet<&str>) -> Vec<Complaint> {
     for source in judged.filter(|source| !MAY.iter().any(|place| source.name.starts_with(place))) {
         for (text, line) in strings(source).iter().filter(|(text, _)| names.contains(text.as_str())) {
             let other = OTHER_MEANING.iter().any(|(file, meant, _)| *file == source.name && meant == text);
-            if !other && !STILL.contains(&source.name.as_str()) {
+            if !other {
                 let message = format!(
                     "asks for the effect `{text}` by name: declare what it needs in the effect's file"
                 );

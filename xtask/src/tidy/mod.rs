@@ -54,10 +54,20 @@ pub fn check(root: &Path) -> Result<Vec<Complaint>, Failure> {
     let mut complaints = imports::check(&packages);
     complaints.extend(sources::check(root)?);
     let sources = parsed::sources(root)?;
-    complaints.extend(parameters::check(&sources));
-    complaints.extend(effect_names::check(&sources, &effect_names::names()));
-    complaints.extend(decisions::check(&sources));
-    complaints.extend(circles::check(&sources));
+    let read = [
+        (parameters::check(&sources), ["crates", "xtask", "tests"].as_slice()),
+        (effect_names::check(&sources, &effect_names::names()), &["crates/discover/", "crates/maneuver/"]),
+        (decisions::check(&sources), &["crates/discover/"]),
+        (circles::check(&sources), &["crates", "xtask"]),
+    ];
+    // in these places a rule does not hold yet
+    let holds = |complaint: &Complaint, not_yet: &[&str]| {
+        !not_yet.iter().any(|begin| complaint.place.starts_with(begin))
+    };
+    complaints.extend(
+        read.into_iter()
+            .flat_map(|(found, not_yet)| found.into_iter().filter(move |one| holds(one, not_yet))),
+    );
     complaints.extend(documents::check(root, &packages)?);
     complaints.sort();
     Ok(complaints)
