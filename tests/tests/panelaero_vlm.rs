@@ -38,8 +38,9 @@ fn compare(name: &str, lattice: &Lattice, plane: MirrorPlane, first_row: usize) 
             );
         }
         if plane == MirrorPlane::None {
-            let loads = Integration::new(lattice).box_loads(1.0, &cp, &Corrections::neutral(lattice.len()));
-            let (force, moment) = loads.resultant(lattice, &pitch_axis(name));
+            let loads =
+                Integration::new(lattice).corrected(&Corrections::neutral(lattice.len())).box_loads(1.0, &cp);
+            let (force, moment) = loads.resultant(lattice, 0..lattice.len(), &pitch_axis(name));
             for (got, column) in [(force[2], "Fz"), (moment[0], "Mx"), (moment[1], "My")] {
                 let want = totals.number(case, column).unwrap();
                 // The rolling moment of a symmetric wing is zero but for round-off.

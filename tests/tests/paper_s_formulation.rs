@@ -35,8 +35,8 @@ fn s02_pressures_are_scaled_box_by_box() {
     let cp: Vec<f64> = (0..lattice.len()).map(|j| 1.0 + j as f64).collect();
     let mut corrections = Corrections::neutral(lattice.len());
     corrections.force[7] = 0.6;
-    let theory = integration.box_loads(100.0, &cp, &Corrections::neutral(lattice.len()));
-    let scaled = integration.box_loads(100.0, &cp, &corrections);
+    let theory = integration.corrected(&Corrections::neutral(lattice.len())).box_loads(100.0, &cp);
+    let scaled = integration.corrected(&corrections).box_loads(100.0, &cp);
     for k in 0..2 * lattice.len() {
         let factor = if k == 14 { 0.6 } else { 1.0 };
         assert_eq!(scaled.values[k], factor * theory.values[k]);
@@ -101,7 +101,8 @@ fn s13_loads_are_dynamic_pressure_times_the_inverse_of_the_aic_times_downwash() 
         assert_close("downwash", back[(j, 0)], w[(j, 0)], 1e-12, 1e-15);
     }
     let cp: Vec<f64> = (0..lattice.len()).map(|j| cp[(j, 0)]).collect();
-    let loads = Integration::new(&lattice).box_loads(980.0, &cp, &Corrections::neutral(lattice.len()));
+    let loads =
+        Integration::new(&lattice).corrected(&Corrections::neutral(lattice.len())).box_loads(980.0, &cp);
     for (j, panel) in lattice.boxes.iter().enumerate() {
         assert_close("lift of a box", loads.values[2 * j], 980.0 * panel.area_m2() * cp[j], 1e-12, 0.0);
     }

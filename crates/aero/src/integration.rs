@@ -1,9 +1,8 @@
-//! Pressures to loads: the matrix S of P = q W S Q w + q S `f_e`, box by box.
+//! Pressures to loads: the matrix S (paper 1, Eq. 4), box by box.
 //!
 //! The pressure of a box acts at its quarter point along its normal. In the k-set that is a lift along the normal
 //! at the midpoint and a nose-up moment about it of chord/4 times the lift.
 
-use crate::corrections::Corrections;
 use crate::lattice::Lattice;
 use nalgebra::{Point3, Vector3};
 
@@ -53,25 +52,6 @@ impl Integration {
     pub fn moment_arm(&self, j: usize) -> f64 {
         self.arm_m[j]
     }
-
-    /// Corrected loads at dynamic pressure `q_pa` for theoretical pressure coefficients `cp`:
-    /// lift = q A (`W_force` cp + `f_e`), moment = q A chord/4 (`W_moment` cp + `f_e`).
-    ///
-    /// # Panics
-    /// If `cp` or the corrections are for another number of boxes.
-    pub fn box_loads(&self, q_pa: f64, cp: &[f64], corrections: &Corrections) -> BoxLoads {
-        let n = self.len();
-        assert!(
-            cp.len() == n && corrections.len() == n,
-            "pressures or corrections are for another number of boxes"
-        );
-        let one = |j: usize| {
-            let (area, arm, offset) = (q_pa * self.area_m2[j], self.arm_m[j], corrections.pressure_offset[j]);
-            let lift = area * (corrections.force[j] * cp[j] + offset);
-            [lift, area * (corrections.moment[j] * cp[j] + offset) * arm]
-        };
-        BoxLoads { values: (0..n).flat_map(one).collect() }
-    }
 }
 
 impl BoxLoads {
@@ -94,17 +74,22 @@ impl BoxLoads {
         (panel.normal() * self.values[2 * j], panel.pitch_axis() * self.values[2 * j + 1])
     }
 
-    /// Sum of all boxes: force (N) and moment (N m) about a point, along x aft, y right, z up.
+    /// Sum of some boxes: force (N) and moment (N m) about a point, along x aft, y right, z up.
     ///
     /// # Panics
-    /// If the lattice has fewer boxes.
-    pub fn resultant(&self, lattice: &Lattice, about: &Point3<f64>) -> ([f64; 3], [f64; 3]) {
+    /// If there is no such box.
+    pub fn resultant(
+        &self,
+        lattice: &Lattice,
+        boxes: impl Iterator<Item = usize>,
+        about: &Point3<f64>,
+    ) -> (Vector3<f64>, Vector3<f64>) {
         let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
-        for j in 0..self.len() {
+        for j in boxes {
             let (f, m) = self.vector(lattice, j);
             force += f;
             moment += m + (lattice.boxes[j].mid_point() - about).cross(&f);
         }
-        (force.into(), moment.into())
+        (force, moment)
     }
 }

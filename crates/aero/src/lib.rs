@@ -11,6 +11,7 @@ pub mod horseshoe;
 pub mod incidence;
 pub mod integration;
 pub mod lattice;
+pub mod load_operator;
 pub mod mirror;
 pub mod vlm;
 
@@ -24,5 +25,6 @@ pub use geometry::AeroBox;
 pub use incidence::camber_and_twist;
 pub use integration::{BoxLoads, Integration};
 pub use lattice::{Lattice, Surface};
+pub use load_operator::{LoadDerivatives, LoadOperator};
 pub use mirror::{BoxMap, MirrorPlane};
 pub use vlm::{SteadyAero, influence};

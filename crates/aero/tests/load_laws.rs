@@ -1,8 +1,10 @@
-//! Laws of box loads and corrections: P = q W S Q w + q S f_e, in two and in six components per box.
+//! Laws of box loads and corrections: P = q W S Q w + q S f_e (paper 1, Eq. 7) in every form that flies, and in two and in six
+//! components per box.
 
 #![expect(clippy::unwrap_used, reason = "a helper of tests may fail the test where it stands")]
 
 use aero::{BoxLoads, Corrections, Integration, Lattice};
+use faer::{Mat, c64};
 use nalgebra::{Point3, Vector3};
 use nastran::Dmi;
 
@@ -35,7 +37,7 @@ fn neutral_corrections_leave_loads_as_they_are_to_the_last_bit() {
     let lattice = mixed();
     let s = Integration::new(&lattice);
     let cp = varied(lattice.len(), 0.5, 0.0);
-    let loads = s.box_loads(Q_PA, &cp, &Corrections::neutral(lattice.len()));
+    let loads = s.corrected(&Corrections::neutral(lattice.len())).box_loads(Q_PA, &cp);
     for (j, pair) in loads.values.chunks(2).enumerate() {
         let lift = Q_PA * s.area(j) * cp[j];
         assert_eq!(pair, [lift, lift * s.moment_arm(j)]);
@@ -50,7 +52,7 @@ fn loads_are_affine_in_pressures_factors_and_offsets() {
     let s = Integration::new(&lattice);
     let (cp_a, cp_b, c) = (varied(n, 0.5, 0.0), varied(n, 0.1, 9.0), some(n));
     let middle: Vec<f64> = cp_a.iter().zip(&cp_b).map(|(a, b)| 0.3 * a + 0.7 * b).collect();
-    let of = |cp: &[f64]| s.box_loads(Q_PA, cp, &c).values;
+    let of = |cp: &[f64]| s.corrected(&c).box_loads(Q_PA, cp).values;
     for (got, (a, b)) in of(&middle).iter().zip(of(&cp_a).iter().zip(of(&cp_b))) {
         assert!((got - (0.3 * a + 0.7 * b)).abs() < 1e-11 * (1.0 + a.abs() + b.abs()));
     }
@@ -65,14 +67,109 @@ fn factors_never_multiply_the_offset() {
     let with = |factor: f64, cp: f64| {
         let c =
             Corrections { force: vec![factor; n], moment: vec![factor; n], pressure_offset: offset.clone() };
-        s.box_loads(Q_PA, &vec![cp; n], &c).values
+        s.corrected(&c).box_loads(Q_PA, &vec![cp; n]).values
     };
     // Without pressures the factors have nothing to act on.
     assert_eq!(with(0.5, 0.0), with(1.7, 0.0));
     // Doubling the factors adds the theoretical load once more, and no offset.
-    let neutral = s.box_loads(Q_PA, &vec![0.8; n], &Corrections::neutral(n)).values;
+    let neutral = s.corrected(&Corrections::neutral(n)).box_loads(Q_PA, &vec![0.8; n]).values;
     for ((double, single), theory) in with(2.0, 0.8).iter().zip(with(1.0, 0.8)).zip(neutral) {
         assert!((double - single - theory).abs() < 1e-10 * theory.abs());
+    }
+}
+
+/// Numbers that differ from row to row and column to column.
+fn matrix(rows: usize, columns: usize, seed: f64) -> Mat<f64> {
+    Mat::from_fn(rows, columns, |i, j| (seed + 1.3 * i as f64 + 0.7 * j as f64).sin())
+}
+
+fn assert_close(got: &Mat<f64>, wanted: &Mat<f64>) {
+    assert_eq!((got.nrows(), got.ncols()), (wanted.nrows(), wanted.ncols()));
+    let largest = wanted.norm_max();
+    assert!(largest > 0.0 && (got - wanted).norm_max() < 1e-13 * largest);
+}
+
+/// Box by box as the equation is written, with the areas and chords of the lattice.
+fn by_hand(lattice: &Lattice, c: &Corrections, cp: &[f64], offset: f64) -> Vec<f64> {
+    let one = |(j, panel): (usize, &aero::AeroBox)| {
+        let of = |factor: f64| Q_PA * panel.area_m2() * (factor * cp[j] + offset * c.pressure_offset[j]);
+        [of(c.force[j]), of(c.moment[j]) * panel.chord_m() / 4.0]
+    };
+    lattice.boxes.iter().enumerate().flat_map(one).collect()
+}
+
+#[test]
+fn dense_columns_and_the_offset_are_the_two_parts_of_the_equation() {
+    let lattice = mixed();
+    let (n, s, c) = (lattice.len(), Integration::new(&lattice), some(lattice.len()));
+    let cp = matrix(n, 3, 0.2);
+    let mut loads = s.corrected(&c).of_pressures(Q_PA, cp.as_ref());
+    s.corrected(&c).add_offset(Q_PA, &mut loads, 1);
+    let wanted: [Vec<f64>; 3] = std::array::from_fn(|column| {
+        by_hand(&lattice, &c, cp.col_as_slice(column), f64::from(u8::from(column == 1)))
+    });
+    assert_close(&loads, &Mat::from_fn(2 * n, 3, |k, column| wanted[column][k]));
+    let one_case = s.corrected(&c).box_loads(Q_PA, cp.col_as_slice(1)).values;
+    assert_eq!(loads.col_as_slice(1), one_case);
+}
+
+#[test]
+fn rows_weigh_the_same_loads() {
+    let lattice = mixed();
+    let (n, s, c) = (lattice.len(), Integration::new(&lattice), some(lattice.len()));
+    let (rows, cp) = (matrix(4, 2 * n, 0.6), matrix(n, 3, 0.2));
+    let loads = s.corrected(&c);
+    let dense = &rows * loads.of_pressures(Q_PA, cp.as_ref());
+    assert_close(&(loads.rows_by_pressure(rows.as_ref()) * &cp * faer::Scale(Q_PA)), &dense);
+    assert_close(&(loads.weighed(rows.as_ref(), cp.as_ref()) * faer::Scale(Q_PA)), &dense);
+    let offset = loads.offset_weighed(rows.as_ref());
+    let at_rest = Mat::from_fn(2 * n, 1, |k, _| loads.box_loads(Q_PA, &vec![0.0; n]).values[k]);
+    assert_close(&Mat::from_fn(4, 1, |i, _| Q_PA * offset[i]), &(&rows * at_rest));
+    let neutral = Corrections::neutral(n);
+    assert_eq!(s.rows_by_pressure(rows.as_ref()), s.corrected(&neutral).rows_by_pressure(rows.as_ref()));
+}
+
+#[test]
+fn complex_pressures_load_as_their_real_and_imaginary_parts() {
+    let lattice = mixed();
+    let (n, s, c) = (lattice.len(), Integration::new(&lattice), some(lattice.len()));
+    let (rows, re, im) = (matrix(4, 2 * n, 0.6), matrix(n, 3, 0.2), matrix(n, 3, 1.1));
+    let cp = Mat::from_fn(n, 3, |j, column| c64::new(re[(j, column)], im[(j, column)]));
+    let loads = s.corrected(&c);
+    let joined = |re: Mat<f64>, im: Mat<f64>| {
+        Mat::from_fn(re.nrows(), re.ncols(), |i, j| c64::new(re[(i, j)], im[(i, j)]))
+    };
+    let dense = |cp: &Mat<f64>| loads.of_pressures(Q_PA, cp.as_ref());
+    assert_eq!(loads.of_pressures(Q_PA, cp.as_ref()), joined(dense(&re), dense(&im)));
+    let weighed = |cp: &Mat<f64>| loads.weighed(rows.as_ref(), cp.as_ref());
+    assert_eq!(loads.weighed(rows.as_ref(), cp.as_ref()), joined(weighed(&re), weighed(&im)));
+}
+
+/// Loads are linear in each correction at given pressures: a step of any length gives the derivative.
+#[test]
+fn derivatives_are_differences_of_loads() {
+    let lattice = mixed();
+    let (n, s, c) = (lattice.len(), Integration::new(&lattice), some(lattice.len()));
+    let (rows, cp, boxes) = (matrix(4, 2 * n, 0.6), varied(n, 0.5, 0.0), [0, 5, 13, 20]);
+    let by = s.corrected(&c).derivatives(Q_PA, rows.as_ref(), &cp, &boxes);
+    let loads = |c: &Corrections| {
+        let loads = s.corrected(c).box_loads(Q_PA, &cp).values;
+        &rows * Mat::from_fn(2 * n, 1, |k, _| loads[k])
+    };
+    let families: [(&Mat<f64>, fn(&mut Corrections) -> &mut Vec<f64>); 3] = [
+        (&by.by_force, |c| &mut c.force),
+        (&by.by_moment, |c| &mut c.moment),
+        (&by.by_offset, |c| &mut c.pressure_offset),
+    ];
+    for (got, family) in families {
+        let difference = |b: usize| {
+            let mut moved = c.clone();
+            family(&mut moved)[boxes[b]] += 1.0;
+            loads(&moved) - loads(&c)
+        };
+        let columns: Vec<Mat<f64>> = (0..boxes.len()).map(difference).collect();
+        let wanted = Mat::from_fn(4, boxes.len(), |i, b| columns[b][(i, 0)]);
+        assert!((got - &wanted).norm_max() < 1e-11 * loads(&c).norm_max());
     }
 }
 
@@ -132,7 +229,7 @@ fn six_components_per_box_agree_with_two() {
     let n = lattice.len();
     let (s, c, cp) = (Integration::new(&lattice), some(n), varied(n, 0.5, 0.0));
     let about = Point3::new(0.075, 0.0, 0.0);
-    let (force, moment) = s.box_loads(Q_PA, &cp, &c).resultant(&lattice, &about);
+    let (force, moment) = s.corrected(&c).box_loads(Q_PA, &cp).resultant(&lattice, 0..lattice.len(), &about);
     let factors = c.six_dof(&lattice);
     let (mut sum_f, mut sum_m) = (Vector3::zeros(), Vector3::zeros());
     for (j, panel) in lattice.boxes.iter().enumerate() {
@@ -145,7 +242,6 @@ fn six_components_per_box_agree_with_two() {
         sum_f += f;
         sum_m += m + (panel.mid_point() - about).cross(&f);
     }
-    let (force, moment) = (Vector3::from(force), Vector3::from(moment));
     assert!((sum_f - force).norm() < 1e-12 * force.norm());
     assert!((sum_m - moment).norm() < 1e-12 * moment.norm());
 }
@@ -153,10 +249,10 @@ fn six_components_per_box_agree_with_two() {
 #[test]
 fn lift_ahead_of_the_point_is_a_nose_up_moment() {
     let lattice = Lattice::trapezoid(1, [0.0, 0.0, 0.0], 1.0, [0.0, 1.0, 0.0], 1.0, [1, 1]).unwrap();
-    let loads = Integration::new(&lattice).box_loads(1.0, &[1.0], &Corrections::neutral(1));
+    let loads = Integration::new(&lattice).corrected(&Corrections::neutral(1)).box_loads(1.0, &[1.0]);
     assert_eq!(loads, BoxLoads { values: vec![1.0, 0.25] });
-    let (force, moment) = loads.resultant(&lattice, &Point3::new(1.0, 0.0, 0.0));
-    assert_eq!(force, [0.0, 0.0, 1.0]);
+    let (force, moment) = loads.resultant(&lattice, 0..lattice.len(), &Point3::new(1.0, 0.0, 0.0));
+    assert_eq!(force, Vector3::new(0.0, 0.0, 1.0));
     // 0.75 m ahead of the point and 0.5 m to the right: My = -x Fz, Mx = y Fz
-    assert_eq!(moment, [0.5, 0.75, 0.0]);
+    assert_eq!(moment, Vector3::new(0.5, 0.75, 0.0));
 }

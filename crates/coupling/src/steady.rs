@@ -1,4 +1,4 @@
-//! The steady elastic wing (design equations of ARCHITECTURE.md, Eqs. 4 to 7 of the paper).
+//! The steady elastic wing (design equations of ARCHITECTURE.md; paper 1, Eqs. 4 to 7).
 //!
 //! ```text
 //! u = F Gᵀ P + sag(alpha),   P = q W S (Q D G u + cp_0(alpha)) + q S f_e
@@ -12,7 +12,7 @@ use crate::error::CouplingError;
 use crate::root_loads::RootLoads;
 use crate::supported::SupportedStructure;
 use crate::wing::ElasticWing;
-use aero::{BoxLoads, Corrections, Flow};
+use aero::{BoxLoads, Corrections, Flow, LoadOperator};
 use faer::Mat;
 use faer::linalg::solvers::{PartialPivLu, Solve};
 
@@ -60,16 +60,8 @@ impl ElasticWing {
         structure: &SupportedStructure,
         corrections: &Corrections,
     ) -> Mat<f64> {
-        let loads = self.k_loads_of_pressures(1.0, self.cp_displacement.as_ref(), corrections);
+        let loads = self.integration.corrected(corrections).of_pressures(1.0, self.cp_displacement.as_ref());
         structure.gather(loads.as_ref())
-    }
-
-    /// `q W S cp` for several columns of pressures: 2 rows a box.
-    pub fn k_loads_of_pressures(&self, q_pa: f64, cp: faer::MatRef<'_, f64>, c: &Corrections) -> Mat<f64> {
-        Mat::from_fn(2 * cp.nrows(), cp.ncols(), |row, column| {
-            let (j, lift) = (row / 2, q_pa * self.integration.area(row / 2) * cp[(row / 2, column)]);
-            if row % 2 == 0 { c.force[j] * lift } else { c.moment[j] * lift * self.integration.moment_arm(j) }
-        })
     }
 
     /// `I - q F H` factorised (s by s) for corrections of the whole lattice: what turns the displacement of the
@@ -108,8 +100,8 @@ impl SteadyOperator<'_> {
         let mut cp = self.rigid_pressures(cases);
         let displacement = match (&wing.supported, &self.factor) {
             (Some(structure), Some(factor)) => {
-                let mut loads = wing.k_loads_of_pressures(q_pa, cp.as_ref(), &self.corrections);
-                self.add_offset(&mut loads, q_pa);
+                let mut loads = self.loads().of_pressures(q_pa, cp.as_ref());
+                (0..cases.len()).for_each(|column| self.loads().add_offset(q_pa, &mut loads, column));
                 let mut u = &structure.flexibility * &structure.gather(loads.as_ref());
                 for (column, case) in cases.iter().enumerate() {
                     let field = self.gravity_field(case.alpha_rad);
@@ -124,10 +116,11 @@ impl SteadyOperator<'_> {
             }
             _ => Mat::zeros(0, cases.len()),
         };
-        let mut loads = wing.k_loads_of_pressures(q_pa, cp.as_ref(), &self.corrections);
-        self.add_offset(&mut loads, q_pa);
-        (0..cases.len())
-            .map(|column| self.state(column, &cases[column], &cp, &displacement, &loads))
+        let columns = cases.iter().enumerate();
+        columns
+            .map(|(column, case)| {
+                self.state(case, cp.col_as_slice(column), displacement.col_as_slice(column).to_vec())
+            })
             .collect()
     }
 
@@ -136,24 +129,18 @@ impl SteadyOperator<'_> {
     pub fn sensitivities(&self, cases: &[SteadyCase]) -> Vec<RootSensitivity> {
         let (wing, q_pa) = (self.wing, self.flow.dynamic_pressure_pa());
         let lambda = self.adjoint();
-        let places = &wing.correctable.places;
-        let arm = |p: usize| wing.integration.moment_arm(p);
-        let lift = |p: usize| q_pa * wing.integration.area(p);
         self.solve(cases)
             .into_iter()
-            .map(|state| RootSensitivity {
-                loads: state.root,
-                tip_z_m: state.tip_z_m,
-                by_force: Mat::from_fn(4, places.len(), |i, b| {
-                    lambda[(i, 2 * places[b])] * lift(places[b]) * state.cp[places[b]]
-                }),
-                by_moment: Mat::from_fn(4, places.len(), |i, b| {
-                    lambda[(i, 2 * places[b] + 1)] * lift(places[b]) * arm(places[b]) * state.cp[places[b]]
-                }),
-                by_offset: Mat::from_fn(4, places.len(), |i, b| {
-                    let p = places[b];
-                    lift(p) * (lambda[(i, 2 * p)] + arm(p) * lambda[(i, 2 * p + 1)])
-                }),
+            .map(|state| {
+                let places = &wing.correctable.places;
+                let by = self.loads().derivatives(q_pa, lambda.as_ref(), &state.cp, places);
+                RootSensitivity {
+                    loads: state.root,
+                    tip_z_m: state.tip_z_m,
+                    by_force: by.by_force,
+                    by_moment: by.by_moment,
+                    by_offset: by.by_offset,
+                }
             })
             .collect()
     }
@@ -172,7 +159,7 @@ impl SteadyOperator<'_> {
             return Mat::from_fn(4, wing.root_rows.ncols(), direct);
         };
         let q_pa = self.flow.dynamic_pressure_pa();
-        let loads = wing.k_loads_of_pressures(q_pa, wing.cp_displacement.as_ref(), &self.corrections);
+        let loads = self.loads().of_pressures(q_pa, wing.cp_displacement.as_ref());
         let by_displacement = &wing.root_rows * &loads;
         let root = factor.solve_transpose(by_displacement.transpose().to_owned());
         let root = structure.flexibility.transpose() * &root;
@@ -198,15 +185,9 @@ impl SteadyOperator<'_> {
         })
     }
 
-    fn add_offset(&self, loads: &mut Mat<f64>, q_pa: f64) {
-        let integration = &self.wing.integration;
-        for column in 0..loads.ncols() {
-            for (j, f_e) in self.corrections.pressure_offset.iter().enumerate() {
-                let lift = q_pa * integration.area(j) * f_e;
-                loads[(2 * j, column)] += lift;
-                loads[(2 * j + 1, column)] += lift * integration.moment_arm(j);
-            }
-        }
+    /// Paper 1, Eq. 7, with this operator's corrections.
+    fn loads(&self) -> LoadOperator<'_> {
+        self.wing.integration.corrected(&self.corrections)
     }
 
     /// Gravity in balance axes: g sin(alpha) aft, g cos(alpha) down.
@@ -215,20 +196,12 @@ impl SteadyOperator<'_> {
         [g * alpha_rad.sin(), 0.0, -g * alpha_rad.cos()]
     }
 
-    fn state(
-        &self,
-        column: usize,
-        case: &SteadyCase,
-        cp: &Mat<f64>,
-        displacement: &Mat<f64>,
-        loads: &Mat<f64>,
-    ) -> SteadyState {
+    fn state(&self, case: &SteadyCase, cp: &[f64], displacement: Vec<f64>) -> SteadyState {
         let wing = self.wing;
-        let loads = loads.col_as_slice(column).to_vec();
+        let box_loads = self.loads().box_loads(self.flow.dynamic_pressure_pa(), cp);
         let mut root: [f64; 3] = std::array::from_fn(|row| {
-            loads.iter().enumerate().map(|(k, load)| wing.root_rows[(row, k)] * load).sum()
+            box_loads.values.iter().enumerate().map(|(k, load)| wing.root_rows[(row, k)] * load).sum()
         });
-        let displacement = displacement.col_as_slice(column).to_vec();
         let mut tip_z_m = 0.0;
         if let Some(structure) = &wing.supported {
             let (field, tare) = (self.gravity_field(case.alpha_rad), self.gravity_field(0.0));
@@ -240,13 +213,7 @@ impl SteadyOperator<'_> {
             let wind_off: f64 = (0..3).map(|axis| structure.sag[(structure.tip_z, axis)] * tare[axis]).sum();
             tip_z_m = displacement[structure.tip_z] - wind_off;
         }
-        SteadyState {
-            cp: cp.col_as_slice(column).to_vec(),
-            box_loads: BoxLoads { values: loads },
-            root: RootLoads::from_array(root),
-            displacement,
-            tip_z_m,
-        }
+        SteadyState { cp: cp.to_vec(), box_loads, root: RootLoads::from_array(root), displacement, tip_z_m }
     }
 }
 

@@ -21,8 +21,8 @@ fn rigid_derivatives_are_those_of_a_lattice_solved_directly() {
     let about = Point3::new(0.40, 0.0, 0.0);
     let (integration, neutral) = (Integration::new(lattice), Corrections::neutral(lattice.len()));
     let sums = |w: &[f64]| -> Coefficients {
-        let loads: BoxLoads = integration.box_loads(1.0, &aero.pressures_of(w), &neutral);
-        let (force, moment) = loads.resultant(lattice, &about);
+        let loads: BoxLoads = integration.corrected(&neutral).box_loads(1.0, &aero.pressures_of(w));
+        let (force, moment) = loads.resultant(lattice, 0..lattice.len(), &about);
         let (s, b, c) = (all.area_m2, all.span_m, all.chord_m);
         Coefficients {
             lift: force[2] / s,

@@ -202,7 +202,7 @@ fn a_rigid_aircraft_s_short_period_and_phugoid_are_those_of_the_textbook_s_syste
     let wing = &aircraft.flow;
     let loads = |w: Vec<f64>| -> Mat<f64> {
         let cp = wing.pressures(MatRef::from_column_major_slice(&w, w.len(), 1));
-        &wing.root_rows * wing.k_loads_of_pressures(q_pa, cp.as_ref(), &model.corrections)
+        &wing.root_rows * wing.integration.corrected(&model.corrections).of_pressures(q_pa, cp.as_ref())
     };
     let alpha = loads(incidence::angle_of_attack(&wing.lattice));
     let rate = loads(incidence::rotation_rate(&wing.lattice, &Vector3::y(), &aircraft.mass.centre, v));

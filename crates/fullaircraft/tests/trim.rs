@@ -76,8 +76,8 @@ fn a_rigid_aircraft_is_trimmed_as_two_equations_by_hand_say() {
     let q_pa = 0.5 * 1.225 * point.v_m_s * point.v_m_s;
     let (integration, neutral) = (Integration::new(lattice), Corrections::neutral(lattice.len()));
     let sums = |w: &[f64]| {
-        let loads: BoxLoads = integration.box_loads(q_pa, &aero.pressures_of(w), &neutral);
-        let (force, moment) = loads.resultant(lattice, &centre);
+        let loads: BoxLoads = integration.corrected(&neutral).box_loads(q_pa, &aero.pressures_of(w));
+        let (force, moment) = loads.resultant(lattice, 0..lattice.len(), &centre);
         [force[2], moment[1]]
     };
     let rate = incidence::pitch_rate(lattice, 0.40, point.v_m_s);

@@ -147,12 +147,9 @@ fn box_loads(
     for (j, camber) in wing.pressures_of_camber().iter().enumerate() {
         cp[(j, layout.one())] = q_pa * camber;
     }
-    let mut by = wing.k_loads_of_pressures(1.0, cp.as_ref(), corrections);
-    for (j, f_e) in corrections.pressure_offset.iter().enumerate() {
-        let lift = q_pa * wing.integration.area(j) * f_e;
-        by[(2 * j, layout.one())] += lift;
-        by[(2 * j + 1, layout.one())] += lift * wing.integration.moment_arm(j);
-    }
+    let loads = wing.integration.corrected(corrections);
+    let mut by = loads.of_pressures(1.0, cp.as_ref());
+    loads.add_offset(q_pa, &mut by, layout.one());
     Linear { layout, by }
 }
 
@@ -160,8 +157,8 @@ fn box_loads(
 fn elastic(rig: &Rig<'_>, flow: Flow, corrections: &Corrections, loads: Linear) -> (Linear, Linear) {
     let (wing, o, layout) = (rig.wing, &rig.operators, loads.layout);
     let Some(supported) = &wing.supported else { return (Linear::zeros(0, layout), loads) };
-    let by_displacement =
-        wing.k_loads_of_pressures(flow.dynamic_pressure_pa(), wing.pressures_by_displacement(), corrections);
+    let loads_of = wing.integration.corrected(corrections);
+    let by_displacement = loads_of.of_pressures(flow.dynamic_pressure_pa(), wing.pressures_by_displacement());
     let stiffness = supported.gather(by_displacement.as_ref());
     let size = supported.size();
     let product = &o.residual * &stiffness;

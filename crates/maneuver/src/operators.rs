@@ -120,14 +120,11 @@ fn columns(wing: &ElasticWing, motion: Option<&Mat<f64>>, pitch_axis_x_m: f64) -
 /// what the poles are chosen for, without corrections.
 fn looked_at(wing: &ElasticWing, motion: Option<&Mat<f64>>) -> Mat<f64> {
     let modes = motion.map_or(0, Mat::ncols);
-    Mat::from_fn(modes + 3, wing.lattice.len(), |row, j| {
-        let (area, arm) = (wing.integration.area(j), wing.integration.moment_arm(j));
-        let by = |k: usize| match motion {
-            Some(motion) if row < modes => motion[(k, row)],
-            _ => wing.root_rows[(row - modes, k)],
-        };
-        area * (by(2 * j) + arm * by(2 * j + 1))
-    })
+    let rows = Mat::from_fn(modes + 3, wing.root_rows.ncols(), |row, k| match motion {
+        Some(motion) if row < modes => motion[(k, row)],
+        _ => wing.root_rows[(row - modes, k)],
+    });
+    wing.integration.rows_by_pressure(rows.as_ref())
 }
 
 /// A wing without structure: no modes, no inertia.

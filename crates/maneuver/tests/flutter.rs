@@ -10,7 +10,7 @@ use faer::linalg::solvers::Solve;
 use faer::{Mat, c64};
 use maneuver::flutter::{
     Aeroelastic, FlutterError, FormulaForces, GafTable, GeneralisedForces, ScheduledForces,
-    flutter_of_state_space, generalised_forces, incidence_of_motion,
+    flutter_of_state_space, incidence_of_motion,
 };
 use maneuver::{AirModel, Rig, RigSettings};
 use std::f64::consts::TAU;
@@ -195,7 +195,7 @@ fn the_wing_flutters_alike_by_both_methods() {
         let q = kappa.map(|kappa| {
             let w = incidence_of_motion(&wing.lattice, motion.as_ref(), kappa);
             let cp = still.pressures(w.as_ref());
-            generalised_forces(&wing.integration, motion.as_ref(), cp.as_ref(), Some(&padded))
+            wing.integration.corrected(&padded).weighed(motion.transpose(), cp.as_ref())
         });
         let table = GafTable::new(kappa.to_vec(), q.to_vec()).unwrap();
         let system = Aeroelastic::of_modes(rig.omega_rad_s(), file.damping_ratio, &table).unwrap();

@@ -67,7 +67,7 @@ fn without_modes(
         let down = lever * motion[(2 * j + 1, k)] - motion[(2 * j, k)];
         c64::new(motion[(2 * j + 1, k)], slowness * down)
     });
-    let loads = |cp: &Complex| mapped(cp, |cp| wing.k_loads_of_pressures(q_pa, cp.as_ref(), corrections));
+    let loads = |cp: &Complex| wing.integration.corrected(corrections).of_pressures(q_pa, cp.as_ref());
     let to_free = |p_k: &Complex| mapped(p_k, |p| system.reduce(spline.loads(p.as_ref()).as_ref()));
     let (by_motion, input) = (loads(&air(&incidence)), loads(&air(&forcing.incidence)));
     let balance = wing.balance.point;

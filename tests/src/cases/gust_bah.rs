@@ -10,10 +10,10 @@ use crate::half_wing::{Planform, WALL};
 use crate::registry::Case;
 use crate::row::{Row, worst};
 use crate::{list, number, numbers, published};
-use aero::{DoubletLattice, Flow, Integration, Lattice};
+use aero::{Corrections, DoubletLattice, Flow, Integration, Lattice};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, c64};
-use maneuver::flutter::{Aeroelastic, gaf_table, generalised_forces};
+use maneuver::flutter::{Aeroelastic, gaf_table};
 use maneuver::gust::{FrequencyTable, elastic_response, gust_incidence};
 use serde_json::Value;
 use std::f64::consts::TAU;
@@ -171,13 +171,14 @@ fn answers(structure: &Value) -> Answers {
     let motion = box_motion(&lattice, &t3);
     let kappa: Vec<f64> = K.iter().map(|k| 2.0 * k / CHORD).collect();
     let air = gaf_table(&lattice, &doublets, motion.as_ref(), None, &kappa).expect("rising");
-    let integration = Integration::new(&lattice);
+    let (integration, neutral) = (Integration::new(&lattice), Corrections::neutral(lattice.len()));
+    let loads = integration.corrected(&neutral);
     // the boxes' x is aft of the apex, which is 78.75 in forward of the axis; the phase is smoothest amid the wing
     let middle = 150.0;
     let gust = kappa.iter().map(|&kappa| {
         let w = gust_incidence(&lattice, middle, kappa);
         let cp = doublets.at(kappa).expect("a frequency").pressures(w.as_ref());
-        generalised_forces(&integration, motion.as_ref(), cp.as_ref(), None)
+        loads.weighed(motion.transpose(), cp.as_ref())
     });
     let gust = FrequencyTable::new(kappa.clone(), gust.collect(), middle).expect("rising");
     let diagonal = |value: &dyn Fn(f64) -> f64| {

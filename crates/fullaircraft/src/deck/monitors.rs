@@ -1,31 +1,28 @@
 //! MONPNT1: air loads of a component's boxes, added up about a point.
 
-use aero::{Integration, Lattice};
-use nalgebra::{Matrix3, Vector3};
+use aero::{BoxLoads, Lattice};
+use nalgebra::{Matrix3, Point3};
 use nastran::{BulkData, ComponentOf, Frames, InputError};
 
-/// A monitoring station: loads per pressure coefficient and dynamic pressure.
+/// A monitoring station.
 #[derive(Debug, Clone)]
 pub(crate) struct Monitor {
     /// Its name.
     pub(crate) name: String,
-    /// Box, and its force and moment about the point in the station's axes: of its lift (per area), and of its moment about
-    /// its own midpoint (per area and arm).
-    parts: Vec<(usize, [[f64; 6]; 2])>,
+    /// Boxes whose loads it adds up.
+    boxes: Vec<usize>,
+    /// The point its moments are about.
+    point: Point3<f64>,
+    /// The axes it shows them in, as columns.
+    axes: Matrix3<f64>,
 }
 
 impl Monitor {
     /// Three forces and three moments.
-    ///
-    /// `acting` gives for each box the pressure coefficients that make its lift and its moment.
-    pub(crate) fn loads(&self, q: f64, acting: &[[f64; 2]]) -> [f64; 6] {
-        let mut sums = [0.0; 6];
-        for (place, units) in &self.parts {
-            for (cp, unit) in acting[*place].iter().zip(units) {
-                sums.iter_mut().zip(unit).for_each(|(sum, unit)| *sum += q * cp * unit);
-            }
-        }
-        sums
+    pub(crate) fn loads(&self, lattice: &Lattice, loads: &BoxLoads) -> [f64; 6] {
+        let (force, moment) = loads.resultant(lattice, self.boxes.iter().copied(), &self.point);
+        let turned = [self.axes.transpose() * force, self.axes.transpose() * moment];
+        std::array::from_fn(|i| turned[i / 3][i % 3])
     }
 }
 
@@ -38,7 +35,6 @@ pub(crate) fn monitors(
     bulk: &BulkData,
     lattice: &Lattice,
     frames: &Frames,
-    integration: &Integration,
 ) -> Result<(Vec<Monitor>, Vec<String>), InputError> {
     let (mut all, mut skipped) = (Vec::new(), Vec::new());
     for card in &bulk.monitors {
@@ -46,25 +42,14 @@ pub(crate) fn monitors(
             skipped.push(card.name.clone());
             continue;
         }
-        let axes: Matrix3<f64> = frames.axes_at(card.cd, &card.span)?;
+        let axes = frames.axes_at(card.cd, &card.span)?;
         let point = frames.point(card.cp, card.xyz, &card.span)?;
-        let part = |place: usize| {
-            let panel = &lattice.boxes[place];
-            let force = panel.normal() * integration.area(place);
-            let moment = (panel.mid_point() - point).cross(&force);
-            let own = panel.pitch_axis() * integration.area(place) * integration.moment_arm(place);
-            let turned = |force: Vector3<f64>, moment: Vector3<f64>| {
-                let turned = [axes.transpose() * force, axes.transpose() * moment];
-                std::array::from_fn(|i| turned[i / 3][i % 3])
-            };
-            (place, [turned(force, moment), turned(Vector3::zeros(), own)])
-        };
         if bulk.aero_components.get(&card.set).is_some_and(|component| component.of == ComponentOf::Grids) {
             skipped.push(card.name.clone());
             continue;
         }
         let boxes = boxes(bulk, &card.set, lattice).map_err(|why| InputError::at(&card.span, why))?;
-        all.push(Monitor { name: card.name.clone(), parts: boxes.into_iter().map(part).collect() });
+        all.push(Monitor { name: card.name.clone(), boxes, point, axes });
     }
     Ok((all, skipped))
 }

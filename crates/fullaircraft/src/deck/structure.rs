@@ -1,7 +1,7 @@
 //! The structure of a user's deck as trim needs it: SUPORT motions, flexibility held and in mean axes, inertia loads.
 
 use crate::error::AircraftError;
-use aero::{Corrections, Integration};
+use aero::Corrections;
 use coupling::{CouplingError, Spline};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, MatRef};
@@ -55,33 +55,16 @@ pub(crate) fn reference_motions(free: &System, origin: &Point3<f64>, axes: &Matr
     })
 }
 
-/// Incidence by displacement, load by pressure (its factors in), and load by the pressure offsets, on the s-set.
-pub(crate) fn coupling_matrices(
-    spline: &Spline,
-    s_dofs: &[usize],
-    integration: &Integration,
-    corrections: &Corrections,
-) -> (Mat<f64>, Mat<f64>, Mat<f64>) {
-    let n = integration.len();
-    let mut offset = Mat::zeros(s_dofs.len(), 1);
-    let (mut theta, mut gather) = (Mat::zeros(n, s_dofs.len()), Mat::zeros(s_dofs.len(), n));
+/// Displacements of the boxes (two rows a box) by those of the s-set.
+pub(crate) fn box_displacements(spline: &Spline, s_dofs: &[usize]) -> Mat<f64> {
+    let mut rows = Mat::zeros(spline.rows().len(), s_dofs.len());
     for (row, entries) in spline.rows().iter().enumerate() {
-        let j = row / 2;
-        let (arm, factor) = if row % 2 == 0 {
-            (1.0, corrections.force[j])
-        } else {
-            (integration.moment_arm(j), corrections.moment[j])
-        };
         for (dof, value) in entries {
             let at = s_dofs.binary_search(dof).expect("the s-set is what the spline uses");
-            gather[(at, j)] += value * arm * integration.area(j) * factor;
-            offset[(at, 0)] += value * arm * integration.area(j) * corrections.pressure_offset[j];
-            if row % 2 == 1 {
-                theta[(j, at)] += value;
-            }
+            rows[(row, at)] += value;
         }
     }
-    (theta, gather, offset)
+    rows
 }
 
 /// WKK and FA2J of a deck; neutral what it does not have.

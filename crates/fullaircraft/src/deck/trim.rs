@@ -14,7 +14,7 @@ use crate::deck::cases::refuse_unread;
 use crate::deck::monitors::{Monitor, monitors};
 use crate::deck::spline;
 use crate::deck::structure::{
-    Reduced, assembled, corrections, coupling_matrices, held, reference_motions, support_motions,
+    Reduced, assembled, box_displacements, corrections, held, reference_motions, support_motions,
 };
 use crate::deck::variables::{Links, variables};
 use crate::error::AircraftError;
@@ -59,7 +59,8 @@ pub struct TrimDeck {
     /// Load on the s-set per box cp and unit dynamic pressure, factors in.
     gather: Mat<f64>,
     /// Load on the s-set of the pressure offsets per unit dynamic pressure, one column.
-    offset: Mat<f64>,
+    offset: Vec<f64>,
+    integration: Integration,
     corrections: Corrections,
     /// Load on the s-set by its displacement and unit dynamic pressure.
     stiffness: Mat<f64>,
@@ -75,7 +76,6 @@ pub struct TrimDeck {
     motions: Mat<f64>,
     /// The s-set part of the six motions of the reference axes.
     axes: Mat<f64>,
-    area: Vec<f64>,
 }
 
 /// A trimmed deck.
@@ -124,14 +124,18 @@ impl TrimDeck {
             _ => MirrorPlane::None,
         };
         let corrections = corrections(bulk, lattice.len())?;
-        let (theta, gather, offset) = coupling_matrices(&spline, &s_dofs, &integration, &corrections);
+        let motion = box_displacements(&spline, &s_dofs);
+        let theta = Mat::from_fn(lattice.len(), s_dofs.len(), |j, dof| motion[(2 * j + 1, dof)]);
+        let loads = integration.corrected(&corrections);
+        let (gather, offset) =
+            (loads.rows_by_pressure(motion.transpose()), loads.offset_weighed(motion.transpose()));
         // one factorisation of the influence coefficients for all dynamic pressures
         let aero = SteadyAero::new(&lattice, plane, mach)?;
         let (cp_variables, cp_displacement) =
             (aero.pressures(incidence.as_ref()), aero.pressures(theta.as_ref()));
         let stiffness = &gather * &cp_displacement;
         let divergence = divergence(&structure.restrained, &stiffness)?;
-        let (monitors, skipped_monitors) = monitors(bulk, &lattice, &frames, &integration)?;
+        let (monitors, skipped_monitors) = monitors(bulk, &lattice, &frames)?;
         let at = |m: &Mat<f64>| coupling::supported::restrict(m.as_ref(), &s_dofs);
         Ok(Self {
             links: Links::new(bulk, &variables)?,
@@ -141,7 +145,7 @@ impl TrimDeck {
             cp_displacement,
             stiffness,
             divergence,
-            area: (0..lattice.len()).map(|j| integration.area(j)).collect(),
+            integration,
             motions: at(&d),
             axes: at(&d6),
             gather,
@@ -168,7 +172,7 @@ impl TrimDeck {
     fn loads(&self, cp: &Mat<f64>) -> Mat<f64> {
         let mut loads = &self.gather * cp;
         for i in 0..loads.nrows() {
-            loads[(i, 0)] += self.offset[(i, 0)];
+            loads[(i, 0)] += self.offset[i];
         }
         loads
     }
@@ -257,16 +261,12 @@ impl TrimDeck {
         let cp: Vec<f64> = (0..cp.nrows())
             .map(|row| values.iter().enumerate().map(|(j, value)| cp[(row, j)] * value).sum())
             .collect();
-        let Corrections { force, moment, pressure_offset } = &self.corrections;
-        let acting: Vec<[f64; 2]> = (0..cp.len())
-            .map(|j| [force[j], moment[j]].map(|factor| factor * cp[j] + pressure_offset[j]))
-            .collect();
+        let loads = self.integration.corrected(&self.corrections).box_loads(q, &cp);
+        let monitored = self.monitors.iter();
         Ok(TrimmedDeck {
-            lift: acting.iter().zip(&self.area).map(|(acting, area)| q * area * acting[0]).collect(),
-            monitors: self
-                .monitors
-                .iter()
-                .map(|monitor| (monitor.name.clone(), monitor.loads(q, &acting)))
+            lift: loads.values.iter().copied().step_by(2).collect(),
+            monitors: monitored
+                .map(|monitor| (monitor.name.clone(), monitor.loads(&self.lattice, &loads)))
                 .collect(),
             cp,
             values: self.variables.iter().cloned().zip(values).collect(),

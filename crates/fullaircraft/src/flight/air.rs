@@ -143,7 +143,8 @@ impl FlightAir {
     pub fn error_at(&self, aircraft: &Aircraft, k: f64) -> Result<Mat<f64>, AircraftError> {
         let kappa = 2.0 * k / self.chord_m;
         let exact = self.lattice.at(kappa)?.pressures(self.incidence.incidence(kappa).as_ref());
-        let rows = generalised_rows(aircraft, &self.modes);
+        let rows = self.modes.generalised_rows(aircraft);
+        let rows = aircraft.flow.integration.rows_by_pressure(rows.as_ref());
         let largest = significant(&accuracy::largest(rows.as_ref(), self.table.cp.iter()));
         let sample = [(kappa, exact)];
         Ok(accuracy::Accuracy::at(&self.rational, &sample, rows.as_ref(), largest.as_ref()).error)
@@ -275,18 +276,4 @@ fn motions(aircraft: &Aircraft, modes: &FreeModes, columns: AirColumns, gust_x_m
 fn between(stations: &[f64], x_m: f64) -> (usize, f64) {
     let before = stations.partition_point(|station| *station <= x_m).clamp(1, stations.len() - 1) - 1;
     (before, (x_m - stations[before]) / (stations[before + 1] - stations[before]))
-}
-
-/// Generalised forces of the rigid motions and the elastic modes per unit pressure coefficient and dynamic pressure,
-/// without corrections: rows by boxes.
-fn generalised_rows(aircraft: &Aircraft, modes: &FreeModes) -> Mat<f64> {
-    let integration = &aircraft.flow.integration;
-    let rigid = aircraft.spline.displace(aircraft.free.rigid_body(&aircraft.mass.centre).as_ref());
-    let elastic = modes.elastic();
-    Mat::from_fn(6 + elastic, aircraft.flow.lattice.len(), |row, j| {
-        let by = |k: usize| {
-            if row < 6 { rigid[(k, row)] } else { modes.boxes[(k, FreeModes::FIRST_ELASTIC + row - 6)] }
-        };
-        integration.area(j) * (by(2 * j) + integration.moment_arm(j) * by(2 * j + 1))
-    })
 }

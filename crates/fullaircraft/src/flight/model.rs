@@ -6,7 +6,6 @@ use crate::flight::drive::Drive;
 use crate::flight::equations::{AirRows, Equations, Evaluated, Inputs, Reference};
 use crate::flight::gust::Gust;
 use crate::flight::history::{FlightHistory, StationHistory, SurfaceHistory, UnitHistory};
-use crate::flight::modes::FreeModes;
 use crate::flight::rows::LoadParts;
 use crate::flight::sensors::{FIXED, Sensors, Unit};
 use crate::flight::state::StateLayout;
@@ -45,7 +44,7 @@ impl FlyingAircraft {
         let aircraft = model.aircraft;
         let gusts = if gust.is_some() { air.gust_x_m.len() } else { 0 };
         let rows = Rows { model, trimmed, motions: motions(air, &drives, gusts) };
-        let generalised = rows.of(&generalised_rows(model, &air.modes));
+        let generalised = rows.of(&air.modes.generalised_rows(aircraft));
         let q_pa = model.flow(&trimmed.point).dynamic_pressure_pa();
         let amplitude =
             |(mode, omega): (usize, &f64)| q_pa * generalised.constant[6 + mode] / (omega * omega);
@@ -175,7 +174,8 @@ impl Rows<'_> {
         let loads = self.trimmed.box_loads.iter().enumerate();
         let at_trim = |i: usize| loads.clone().map(|(k, p)| rows[(i, k)] * p).sum::<f64>() / q_pa;
         let constant = (0..rows.nrows()).map(at_trim).collect();
-        AirRows::new(constant, &self.motions.mapped(&by_pressure(self.model, rows)))
+        let loads = self.model.aircraft.flow.integration.corrected(&self.model.corrections);
+        AirRows::new(constant, &self.motions.mapped(&loads.rows_by_pressure(rows.as_ref())))
     }
 }
 
@@ -244,22 +244,4 @@ fn motions(air: &FlightAir, drives: &[Drive], gusts: usize) -> RationalAir {
         second: pick(&air.rational.second),
         lags: air.rational.lags.iter().map(pick).collect(),
     }
-}
-
-/// Forces and moments about the centre of gravity and generalised forces of the modes: rows by two columns a box.
-pub(crate) fn generalised_rows(model: &FlightModel<'_>, modes: &FreeModes) -> Mat<f64> {
-    let aircraft = model.aircraft;
-    let rigid = aircraft.spline.displace(aircraft.free.rigid_body(&aircraft.mass.centre).as_ref());
-    Mat::from_fn(6 + modes.elastic(), rigid.nrows(), |row, k| {
-        if row < 6 { rigid[(k, row)] } else { modes.boxes[(k, FreeModes::FIRST_ELASTIC + row - 6)] }
-    })
-}
-
-/// Rows by box loads made rows by pressures, with the model's corrections, per unit dynamic pressure.
-fn by_pressure(model: &FlightModel<'_>, rows: &Mat<f64>) -> Mat<f64> {
-    let (wing, c) = (&model.aircraft.flow, &model.corrections);
-    Mat::from_fn(rows.nrows(), wing.lattice.len(), |i, j| {
-        let (area, arm) = (wing.integration.area(j), wing.integration.moment_arm(j));
-        area * (c.force[j] * rows[(i, 2 * j)] + c.moment[j] * arm * rows[(i, 2 * j + 1)])
-    })
 }

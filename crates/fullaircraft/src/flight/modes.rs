@@ -72,4 +72,13 @@ impl FreeModes {
     pub fn elastic_shapes(&self) -> Mat<f64> {
         self.shapes.as_ref().subcols(Self::FIRST_ELASTIC, self.elastic()).to_owned()
     }
+
+    /// What weighs box loads (rows by two columns a box): forces and moments about the centre of gravity along and about x,
+    /// y, z, then the generalised forces of the elastic modes.
+    pub fn generalised_rows(&self, aircraft: &Aircraft) -> Mat<f64> {
+        let rigid = aircraft.spline.displace(aircraft.free.rigid_body(&aircraft.mass.centre).as_ref());
+        Mat::from_fn(6 + self.elastic(), rigid.nrows(), |row, k| {
+            if row < 6 { rigid[(k, row)] } else { self.boxes[(k, Self::FIRST_ELASTIC + row - 6)] }
+        })
+    }
 }

@@ -183,13 +183,9 @@ impl FlightModel<'_> {
 
     /// Box loads of pressures, the pressure offset in the first column.
     pub(crate) fn loads(&self, q_pa: f64, cp: MatRef<'_, f64>) -> Mat<f64> {
-        let wing = &self.aircraft.flow;
-        let mut loads = wing.k_loads_of_pressures(q_pa, cp, &self.corrections);
-        for (j, f_e) in self.corrections.pressure_offset.iter().enumerate() {
-            let lift = q_pa * wing.integration.area(j) * f_e;
-            loads[(2 * j, 0)] += lift;
-            loads[(2 * j + 1, 0)] += lift * wing.integration.moment_arm(j);
-        }
+        let operator = self.aircraft.flow.integration.corrected(&self.corrections);
+        let mut loads = operator.of_pressures(q_pa, cp);
+        operator.add_offset(q_pa, &mut loads, 0);
         loads
     }
 }

@@ -17,7 +17,7 @@ pub use curves::{Crossing, FlutterCurves, Root};
 pub use divergence::first_divergence;
 pub use error::FlutterError;
 pub use forces::{FormulaForces, GafTable, GeneralisedForces};
-pub use modal_air::{gaf_table, generalised_forces, incidence_of_motion};
+pub use modal_air::{gaf_table, incidence_of_motion};
 pub use rig_forces::ModePressures;
 pub use scheduled::ScheduledForces;
 pub use spline::MatrixSpline;

@@ -2,8 +2,9 @@
 //!
 //! A motion is two rows a box, as splines give them: h along the normal at the box's midpoint (m) and theta nose up (rad).
 //! ```text
-//! w_j = theta_j + i (omega/V) (theta_j c_j/4 - h_j)      P_k = (W_F S cp, W_M S cp c/4)      Q = motionᵀ P_k
+//! w_j = theta_j + i (omega/V) (theta_j c_j/4 - h_j)      Q = motionᵀ W S cp
 //! ```
+//! Box loads are those of [`aero::load_operator`] (paper 1, Eq. 7).
 
 use super::{FlutterError, GafTable};
 use aero::{Corrections, DoubletLattice, Integration, Lattice};
@@ -14,25 +15,6 @@ pub fn incidence_of_motion(lattice: &Lattice, motion: MatRef<'_, f64>, omega_ove
     Mat::from_fn(lattice.len(), motion.ncols(), |j, mode| {
         let (h, theta) = (motion[(2 * j, mode)], motion[(2 * j + 1, mode)]);
         c64::new(theta, omega_over_v * (0.25 * lattice.boxes[j].chord_m() * theta - h))
-    })
-}
-
-/// Generalised forces per unit dynamic pressure of pressure coefficients, rows by the coordinates of `motion`. The
-/// corrections have an entry for each box of the lattice.
-pub fn generalised_forces(
-    integration: &Integration,
-    motion: MatRef<'_, f64>,
-    cp: MatRef<'_, c64>,
-    corrections: Option<&Corrections>,
-) -> Mat<c64> {
-    Mat::from_fn(motion.ncols(), cp.ncols(), |mode, column| {
-        let each = (0..cp.nrows()).map(|j| {
-            let (force, moment) = corrections.map_or((1.0, 1.0), |c| (c.force[j], c.moment[j]));
-            let work = force * motion[(2 * j, mode)]
-                + moment * integration.moment_arm(j) * motion[(2 * j + 1, mode)];
-            cp[(j, column)] * (integration.area(j) * work)
-        });
-        each.sum()
     })
 }
 
@@ -48,10 +30,12 @@ pub fn gaf_table(
     omega_over_v: &[f64],
 ) -> Result<GafTable, FlutterError> {
     let integration = Integration::new(lattice);
+    let neutral = Corrections::neutral(lattice.len());
+    let loads = integration.corrected(corrections.unwrap_or(&neutral));
     let mut matrices = Vec::with_capacity(omega_over_v.len());
     for &kappa in omega_over_v {
         let cp = doublets.at(kappa)?.pressures(incidence_of_motion(lattice, motion, kappa).as_ref());
-        matrices.push(generalised_forces(&integration, motion, cp.as_ref(), corrections));
+        matrices.push(loads.weighed(motion.transpose(), cp.as_ref()));
     }
     GafTable::new(omega_over_v.to_vec(), matrices)
 }

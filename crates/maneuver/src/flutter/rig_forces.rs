@@ -1,6 +1,6 @@
 //! A rig's modes in the air of the doublet lattice, for p-k.
 
-use super::modal_air::{generalised_forces, incidence_of_motion};
+use super::modal_air::incidence_of_motion;
 use super::{FlutterError, GafTable};
 use crate::rig::Rig;
 use aero::{Corrections, DoubletLattice};
@@ -50,11 +50,8 @@ impl Rig<'_> {
         pressures: &ModePressures,
         corrections: &Corrections,
     ) -> Result<GafTable, FlutterError> {
-        let motion = pressures.motion.as_ref();
-        let q = pressures
-            .cp
-            .iter()
-            .map(|cp| generalised_forces(&self.wing.integration, motion, cp.as_ref(), Some(corrections)));
+        let loads = self.wing.integration.corrected(corrections);
+        let q = pressures.cp.iter().map(|cp| loads.weighed(pressures.motion.transpose(), cp.as_ref()));
         GafTable::new(pressures.omega_over_v.clone(), q.collect())
     }
 }

@@ -226,7 +226,7 @@ impl Rows {
         corrections: &Corrections,
         cp: &Mat<f64>,
     ) -> Mat<f64> {
-        self.all.as_ref() * &wing.k_loads_of_pressures(q_pa, cp.as_ref(), corrections)
+        self.all.as_ref() * &wing.integration.corrected(corrections).of_pressures(q_pa, cp.as_ref())
     }
 }
 
@@ -244,7 +244,8 @@ impl SteadyLoads {
     fn new(wing: &ElasticWing, flow: Flow, corrections: &Corrections, zones: &Zones) -> Self {
         let (boxes, q_pa) = (wing.lattice.len(), flow.dynamic_pressure_pa());
         let alpha = Mat::from_fn(boxes, 1, |j, _| wing.pressures_by_alpha()[j]);
-        let alpha = wing.k_loads_of_pressures(1.0, alpha.as_ref(), corrections);
+        let loads = wing.integration.corrected(corrections);
+        let alpha = loads.of_pressures(1.0, alpha.as_ref());
         let mut unit_lift = Mat::zeros(2 * boxes, zones.len());
         let mut unit_moment = Mat::zeros(2 * boxes, zones.len());
         for (zone, members) in zones.boxes.iter().enumerate() {
@@ -259,7 +260,7 @@ impl SteadyLoads {
             let panel = &wing.lattice.boxes[j];
             (panel.mid_point().y - wing.balance.point.y) * panel.normal().z
         });
-        let upwash = wing.k_loads_of_pressures(q_pa, wing.pressures(slope.as_ref()).as_ref(), corrections);
+        let upwash = loads.of_pressures(q_pa, wing.pressures(slope.as_ref()).as_ref());
         Self { unit_lift, unit_moment, upwash }
     }
 }
