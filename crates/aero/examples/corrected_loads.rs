@@ -25,8 +25,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let q_pa = Flow { v_m_s: 20.0, rho_kg_m3: 1.225 }.dynamic_pressure_pa();
     let integration = Integration::new(&lattice);
     for (name, corrections) in [("theory", &theory), ("corrected", &corrected)] {
-        let loads = integration.box_loads(q_pa, &cp, corrections);
-        let (force, moment) = loads.resultant(&lattice, &Point3::origin());
+        let loads = integration.corrected(corrections).box_loads(q_pa, &cp);
+        let (force, moment) = loads.resultant(&lattice, 0..lattice.len(), &Point3::origin());
         writeln!(out, "{name}: Fz {:.2} N, Mx {:.2} N m, My {:.2} N m", force[2], moment[0], moment[1])?;
     }
     Ok(())
