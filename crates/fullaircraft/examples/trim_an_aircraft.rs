@@ -29,7 +29,9 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn show(name: &str, aircraft: &Aircraft, model: &FlightModel<'_>) -> Result<(), Box<dyn Error>> {
     let mut out = std::io::stdout().lock();
     let file = &aircraft.file;
-    for (maneuver, point) in [("trim", &file.trim), ("pull-up", &file.pull_up), ("push-down", &file.push_down)] {
+    for (maneuver, point) in
+        [("trim", &file.trim), ("pull-up", &file.pull_up), ("push-down", &file.push_down)]
+    {
         let trimmed = model.trim(maneuver, point)?;
         writeln!(
             out,
