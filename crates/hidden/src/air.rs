@@ -7,7 +7,7 @@ use crate::strips::{Strips, ZONES};
 use aero::{AeroError, DlmSettings, DoubletLattice, KernelIntegral, SpanFit};
 use coupling::ElasticWing;
 use faer::{Mat, c64};
-use maneuver::air::{AirTable, MotionColumns, RationalAir};
+use maneuver::air::{AirTable, MotionColumns, RationalAir, Weighting};
 use rayon::prelude::*;
 
 /// Frequencies of the table, omega c/(2 V) with the mean chord.
@@ -66,8 +66,8 @@ impl StripAir {
         });
         let camber = Mat::from_fn(wing.lattice.len(), 1, |j, _| wing.pressures_of_camber()[j]);
         Ok(Self {
-            rational: RationalAir::fit(&table, steady.clone(), &poles),
-            instant: RationalAir::fit(&table, steady, &slow).without_lags(),
+            rational: RationalAir::fit(&table, steady.clone(), &poles, Weighting::RIG, |_| false),
+            instant: RationalAir::fit(&table, steady, &slow, Weighting::RIG, |_| false).without_lags(),
             by_strip: &rows * &wing.pressures(unit.as_ref()),
             camber: (&rows * &camber).col_as_slice(0).to_vec(),
             controls: wing.controls.len(),

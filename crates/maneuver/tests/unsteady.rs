@@ -11,7 +11,9 @@ use coupling::ElasticWing;
 use coupling::planform::Planform;
 use coupling::supported::restrict;
 use faer::{Mat, c64};
-use maneuver::air::{Accuracy, REDUCED_FREQUENCIES, RationalAir, UnsteadyAir, accuracy, worst_by_row};
+use maneuver::air::{
+    Accuracy, REDUCED_FREQUENCIES, RationalAir, UnsteadyAir, Weighting, accuracy, worst_by_row,
+};
 use maneuver::signals::{Constant, OneMinusCosine};
 use maneuver::{Motion, Rig, RigModel, RigSettings, Signal, Smooth};
 use std::f64::consts::TAU;
@@ -90,7 +92,8 @@ fn the_approximation_is_exact_at_rest_and_that_of_a_sum_is_the_sum_of_approximat
         let (re, im) = (part(|z| z.re), part(|z| z.im));
         *cp = Mat::from_fn(1, re.ncols(), |_, j| c64::new(re[(0, j)], im[(0, j)]));
     }
-    let of_sum = RationalAir::fit(&summed, &ones * &air.rational.steady, &air.rational.poles_per_m);
+    let (steady, poles) = (&ones * &air.rational.steady, &air.rational.poles_per_m);
+    let of_sum = RationalAir::fit(&summed, steady, poles, Weighting::RIG, |_| false);
     let sum_of = air.rational.mapped(&ones);
     for kappa in between(air) {
         let p = c64::new(0.0, kappa);

@@ -112,7 +112,7 @@ fn write(
         for (name, trimmed) in
             [("trim", &flown.trim), ("pull_up", &flown.pull_up), ("push_down", &flown.push_down)]
         {
-            folder.write_text(&format!("{name}_{model}.vtu"), &aircraft.vtu(trimmed))?;
+            folder.write_text(&format!("{name}_{model}.vtu"), &figures::vtu(aircraft, trimmed))?;
         }
     }
     figures::write(&folder, aircraft, comparison)?;

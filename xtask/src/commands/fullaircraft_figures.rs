@@ -2,6 +2,7 @@
 
 use fullaircraft::{Aircraft, Comparison, Envelope, FlightHistory, Trimmed};
 use report::deformed::{Quad, View};
+use report::vtu::{CellType, Field, Mesh};
 use report::{Figure, Panel, Series, Style};
 
 use crate::failure::Failure;
@@ -40,6 +41,23 @@ pub(crate) fn write(
         folder.write_figure(name, &caption, histories(title, before, after, quantities))?;
     }
     Ok(())
+}
+
+/// The deformed boxes with their lift per area, and how far each corner moved along the box normal.
+pub(super) fn vtu(aircraft: &Aircraft, trimmed: &Trimmed) -> String {
+    let (quads, boxes) = (aircraft.deformed(trimmed), &aircraft.flow.lattice.boxes);
+    let moved = quads.iter().zip(boxes).flat_map(|(quad, panel)| {
+        quad.iter().zip(&panel.corners).map(|(corner, before)| (corner - before).dot(&panel.normal()))
+    });
+    let lift = boxes.iter().enumerate().map(|(j, panel)| trimmed.box_loads[2 * j] / panel.area_m2());
+    let field = |name: &str, values: Vec<f64>| vec![Field { name: name.into(), components: 1, values }];
+    let mesh = Mesh {
+        points: quads.iter().flatten().map(|corner| [corner.x, corner.y, corner.z]).collect(),
+        cells: (0..quads.len()).map(|j| (CellType::Quadrilateral, (4 * j..4 * j + 4).collect())).collect(),
+        point_fields: field("deflection_m", moved.collect()),
+        cell_fields: field("lift_per_area_Pa", lift.collect()),
+    };
+    mesh.vtu()
 }
 
 /// A panel's label and its history.

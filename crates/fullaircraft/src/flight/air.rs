@@ -19,11 +19,10 @@
 
 use crate::aircraft::assembly::Aircraft;
 use crate::error::AircraftError;
-use crate::flight::air_fit::fit;
 use crate::flight::modes::FreeModes;
 use aero::{DlmSettings, DoubletLattice, incidence};
 use faer::{Mat, MatRef};
-use maneuver::air::{AirTable, MotionColumns, RationalAir, accuracy};
+use maneuver::air::{AirTable, MotionColumns, RationalAir, Weighting, accuracy};
 use nalgebra::{Point3, Vector3};
 
 /// Reduced frequencies k = omega c/(2 V), c the wing's mean chord, at which the doublet lattice is solved.
@@ -113,7 +112,8 @@ impl FlightAir {
         let table = AirTable::new(&lattice, &incidence, &kappa)?;
         let steady = wing.pressures(incidence.still.as_ref());
         let poles = poles_per_m(chord_m);
-        let rational = fit(&table, steady, &poles, |column| columns.is_incidence(column));
+        let is_incidence = |column| columns.is_incidence(column);
+        let rational = RationalAir::fit(&table, steady, &poles, Weighting::FLIGHT, is_incidence);
         Ok(Self { modes, columns, gust_x_m, chord_m, table, rational, incidence, lattice })
     }
 

@@ -1,7 +1,6 @@
 //! The free, elastic aircraft in unsteady air: its modes, its air as a rational function, and flight in time.
 
 pub mod air;
-mod air_fit;
 pub mod drive;
 mod equations;
 pub mod gust;

@@ -2,4 +2,3 @@
 
 pub mod comparison;
 pub mod shape;
-pub mod vtu;

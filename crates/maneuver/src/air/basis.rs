@@ -3,11 +3,7 @@
 use faer::Mat;
 use faer::linalg::solvers::SolveLstsq;
 
-/// Errors count alike far below this share of the table's highest frequency, and the less above it the higher the
-/// frequency.
-const KNEE: f64 = 0.4;
-
-/// Maps data at the table's frequencies to coefficients of `p`, `p²` and `p/(p + pole)`.
+/// Maps data at the table's frequencies to coefficients of `p`, `p²` (unless left out) and `p/(p + pole)`.
 pub(super) struct Basis {
     /// Coefficients by (real parts, imaginary parts).
     pub(super) solver: Mat<f64>,
@@ -16,25 +12,28 @@ pub(super) struct Basis {
 }
 
 impl Basis {
-    /// The fit at given frequencies with given poles, both in 1/m.
-    pub(super) fn new(kappa: &[f64], poles: &[f64]) -> Self {
-        let (n, unknowns) = (kappa.len(), 2 + poles.len());
+    /// The fit at given frequencies with given poles, both in 1/m; `knee` as in [`Weighting`](super::rational::Weighting),
+    /// `second` if there is a term in p².
+    pub(super) fn new(kappa: &[f64], poles: &[f64], knee: f64, second: bool) -> Self {
+        let powers = 1 + usize::from(second);
+        let (n, unknowns) = (kappa.len(), powers + poles.len());
         let highest = kappa.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
         let functions = Mat::from_fn(2 * n, unknowns, |row, function| {
             let k = kappa[row % n];
             let imaginary = row >= n;
             match (function, imaginary) {
-                (0, false) | (1, true) => 0.0,
+                (0, false) => 0.0,
                 (0, true) => k,
-                (1, false) => -k * k,
+                (1, true) if second => 0.0,
+                (1, false) if second => -k * k,
                 // i k / (i k + g) = (k² + i k g) / (k² + g²)
                 (lag, _) => {
-                    let g = poles[lag - 2];
+                    let g = poles[lag - powers];
                     k * if imaginary { g } else { k } / (k * k + g * g)
                 }
             }
         });
-        let weight = |row: usize| 1.0 / (KNEE + kappa[row % n] / highest);
+        let weight = |row: usize| 1.0 / (knee + kappa[row % n] / highest);
         // columns of size one, so that the triangle of the factorisation is well conditioned
         let size: Vec<f64> = (0..unknowns)
             .map(|c| (0..2 * n).map(|r| (weight(r) * functions[(r, c)]).powi(2)).sum::<f64>().sqrt())

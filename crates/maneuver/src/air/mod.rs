@@ -11,7 +11,7 @@ pub mod rational;
 pub mod table;
 
 pub use accuracy::{Accuracy, worst_by_column, worst_by_row};
-pub use rational::RationalAir;
+pub use rational::{RationalAir, Weighting};
 pub use table::{AirTable, MotionColumns};
 
 use aero::{AeroError, DlmSettings, DoubletLattice, Lattice, MirrorPlane};
@@ -116,9 +116,10 @@ impl UnsteadyAir {
         let table = AirTable::new(&solver, &columns, &kappa)?;
         let poles = poles::choose(&table, steady.as_ref(), looked_at.as_ref(), lags);
         let slow_poles: Vec<f64> = SLOW_POLES.iter().map(|k| 2.0 * k / chord_m).collect();
-        let beyond = RationalAir::fit(&table, steady.clone(), &slow_poles);
+        let every_mode = |_| false;
+        let beyond = RationalAir::fit(&table, steady.clone(), &slow_poles, Weighting::RIG, every_mode);
         let instant = beyond.clone().without_lags();
-        let rational = RationalAir::fit(&table, steady, &poles);
+        let rational = RationalAir::fit(&table, steady, &poles, Weighting::RIG, every_mode);
         Ok(Self {
             columns,
             chord_m,

@@ -5,6 +5,7 @@
 //! no derivatives of a maximum).
 
 use super::basis::Basis;
+use super::rational::Weighting;
 use super::table::AirTable;
 use faer::{Mat, MatRef};
 
@@ -52,7 +53,7 @@ impl Entries {
     /// Sum over entries of the largest relative error to a power.
     fn misfit(&self, kappa: &[f64], logarithms: &[f64]) -> f64 {
         let poles: Vec<f64> = logarithms.iter().map(|l| l.exp()).collect();
-        let basis = Basis::new(kappa, &poles);
+        let basis = Basis::new(kappa, &poles, Weighting::RIG.knee, true);
         let fitted = &basis.functions * (&basis.solver * &self.data);
         let n = kappa.len();
         let error = |entry: usize| {
