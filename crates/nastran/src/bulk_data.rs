@@ -13,109 +13,6 @@ use crate::dmi::Dmi;
 use crate::source::{InputError, Span};
 use std::collections::BTreeMap;
 
-/// What a deck says. Maps are in ascending identification numbers, which is Nastran's own order.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct BulkData {
-    /// GRID.
-    pub grids: BTreeMap<u32, Grid>,
-    /// CORD1R, CORD1C, CORD1S, CORD2R, CORD2C, CORD2S.
-    pub coords: BTreeMap<u32, Coord>,
-    /// CBAR, CBEAM.
-    pub beams: BTreeMap<u32, BeamElement>,
-    /// PBAR, PBEAM.
-    pub beam_properties: BTreeMap<u32, BeamProperty>,
-    /// MAT1.
-    pub materials: BTreeMap<u32, Mat1>,
-    /// CONM2.
-    pub masses: BTreeMap<u32, Conm2>,
-    /// RBE2.
-    pub rigid: BTreeMap<u32, Rbe2>,
-    /// SPC1, in file order.
-    pub constraints: Vec<Spc1>,
-    /// SPCADD: the sets that a set unites.
-    pub constraint_unions: BTreeMap<u32, SetUnion>,
-    /// MPCADD: the sets that a set unites.
-    pub equation_unions: BTreeMap<u32, SetUnion>,
-    /// CQUAD4, CTRIA3.
-    pub shells: BTreeMap<u32, ShellElement>,
-    /// PSHELL.
-    pub shell_properties: BTreeMap<u32, Pshell>,
-    /// PCOMP, PCOMPG.
-    pub laminates: BTreeMap<u32, Pcomp>,
-    /// CHEXA, CPENTA, CTETRA.
-    pub solids: BTreeMap<u32, SolidElement>,
-    /// PSOLID.
-    pub solid_properties: BTreeMap<u32, Psolid>,
-    /// CROD.
-    pub rods: BTreeMap<u32, Crod>,
-    /// PROD.
-    pub rod_properties: BTreeMap<u32, Prod>,
-    /// CBUSH.
-    pub bushes: BTreeMap<u32, Cbush>,
-    /// PBUSH.
-    pub bush_properties: BTreeMap<u32, Pbush>,
-    /// CELAS1, CELAS2.
-    pub springs: BTreeMap<u32, ScalarElement>,
-    /// PELAS.
-    pub spring_properties: BTreeMap<u32, ScalarProperty>,
-    /// CMASS1, CMASS2.
-    pub scalar_masses: BTreeMap<u32, ScalarElement>,
-    /// PMASS.
-    pub mass_properties: BTreeMap<u32, ScalarProperty>,
-    /// GENEL.
-    pub general: BTreeMap<u32, Genel>,
-    /// CONM1.
-    pub mass_matrices: BTreeMap<u32, Conm1>,
-    /// RBAR.
-    pub rigid_bars: BTreeMap<u32, Rbar>,
-    /// RBE3.
-    pub averages: BTreeMap<u32, Rbe3>,
-    /// MPC, in file order.
-    pub equations: Vec<Mpc>,
-    /// MAT2.
-    pub plane_materials: BTreeMap<u32, Mat2>,
-    /// MAT8.
-    pub ply_materials: BTreeMap<u32, Mat8>,
-    /// MAT9.
-    pub solid_materials: BTreeMap<u32, Mat9>,
-    /// SPLINE1, SPLINE2, SPLINE4, SPLINE5.
-    pub splines: BTreeMap<u32, SplineCard>,
-    /// PARAM with a number, by name in capitals.
-    pub parameters: BTreeMap<String, f64>,
-    /// CAERO1.
-    pub panels: BTreeMap<u32, Caero1>,
-    /// PAERO1 (bodies are not read).
-    pub panel_properties: BTreeMap<u32, Paero1>,
-    /// AEFACT.
-    pub factors: BTreeMap<u32, Aefact>,
-    /// AESURF.
-    pub surfaces: BTreeMap<u32, Aesurf>,
-    /// AELIST.
-    pub box_lists: BTreeMap<u32, Aelist>,
-    /// SET1.
-    pub sets: BTreeMap<u32, Set1>,
-    /// MONPNT1, MONPNT3, in file order.
-    pub monitors: Vec<MonitorPoint>,
-    /// DMI matrices by name.
-    pub matrices: BTreeMap<String, Dmi>,
-    /// AEROS.
-    pub aero_reference: Option<Aeros>,
-    /// AESTAT.
-    pub trim_variables: BTreeMap<u32, Aestat>,
-    /// TRIM.
-    pub trims: BTreeMap<u32, Trim>,
-    /// AELINK, in file order.
-    pub aero_links: Vec<Aelink>,
-    /// AECOMP by name.
-    pub aero_components: BTreeMap<String, Aecomp>,
-    /// Subcases of the case control.
-    pub subcases: Vec<Subcase>,
-    /// SUPORT, in file order.
-    pub supports: Vec<Suport>,
-    /// Cards that are not read, by name.
-    pub unknown: BTreeMap<String, Unread>,
-}
-
 /// How often a card that is not read occurs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Unread {
@@ -162,13 +59,28 @@ pub(crate) trait Change {
     fn card<C: DeckCard>(&mut self, kind: &CardKind, card: C) -> Result<Option<C>, InputError>;
 }
 
-/// The one list of kinds, in the order in which they are written. Whatever goes over the cards goes over this list: a
-/// field of [`BulkData`] that is not in it does not compile.
+/// The one list of kinds, in the order in which they are written: field, what keeps its cards, whose numbers they must
+/// not share, names. [`BulkData`] is made of it, and whatever goes over the cards goes over it, so none can be forgotten.
 macro_rules! kinds {
-    ($($field:ident: $family:ident $names:expr;)*) => {
+    ($($field:ident: $cards:ty, $family:ident, [$($name:literal),*];)*) => {
+        /// What a deck says. Maps are in ascending identification numbers, which is Nastran's own order.
+        #[derive(Debug, Clone, Default, PartialEq)]
+        pub struct BulkData {
+            $(#[doc = concat!($($name, ", "),*, "in file order or by number or name.")]
+            pub $field: $cards,)*
+            /// PARAM with a number, by name in capitals.
+            pub parameters: BTreeMap<String, f64>,
+            /// DMI matrices by name.
+            pub matrices: BTreeMap<String, Dmi>,
+            /// Subcases of the case control.
+            pub subcases: Vec<Subcase>,
+            /// Cards that are not read, by name.
+            pub unknown: BTreeMap<String, Unread>,
+        }
+
         /// Every kind of cards.
         pub const CARD_KINDS: &[CardKind] =
-            &[$(CardKind { field: stringify!($field), family: Family::$family, names: &$names }),*];
+            &[$(CardKind { field: stringify!($field), family: Family::$family, names: &[$($name),*] }),*];
 
         impl BulkData {
             /// Shows all cards to a visitor.
@@ -192,7 +104,7 @@ macro_rules! kinds {
             /// # Errors
             /// If it is wrong, or its number or name is taken.
             pub(crate) fn keep(&mut self, card: &Card) -> Result<bool, InputError> {
-                $(if $names.contains(&card.name.as_str()) {
+                $(if [$($name),*].contains(&card.name.as_str()) {
                     return keep_in(&mut self.$field, card).map(|()| true);
                 })*
                 Ok(false)
@@ -202,51 +114,51 @@ macro_rules! kinds {
 }
 
 kinds! {
-    coords: Own ["CORD2R", "CORD2C", "CORD2S", "CORD1R", "CORD1C", "CORD1S"];
-    grids: Own ["GRID"];
-    beams: Element ["CBAR", "CBEAM"];
-    beam_properties: BeamProperty ["PBAR", "PBEAM", "PBARL", "PBEAML"];
-    materials: Material ["MAT1"];
-    masses: MassElement ["CONM2"];
-    rigid: RigidElement ["RBE2"];
-    constraints: Own ["SPC1", "SPC"];
-    sets: Own ["SET1"];
-    shells: Element ["CQUAD4", "CTRIA3"];
-    solids: Element ["CHEXA", "CPENTA", "CTETRA"];
-    rods: Element ["CROD"];
-    bushes: Element ["CBUSH"];
-    springs: Element ["CELAS1", "CELAS2"];
-    scalar_masses: MassElement ["CMASS1", "CMASS2"];
-    general: Element ["GENEL"];
-    mass_matrices: MassElement ["CONM1"];
-    rigid_bars: RigidElement ["RBAR"];
-    averages: RigidElement ["RBE3"];
-    equations: Own ["MPC"];
-    shell_properties: ShellProperty ["PSHELL"];
-    laminates: ShellProperty ["PCOMP", "PCOMPG"];
-    solid_properties: Own ["PSOLID"];
-    rod_properties: Own ["PROD"];
-    bush_properties: Own ["PBUSH"];
-    spring_properties: Own ["PELAS"];
-    mass_properties: Own ["PMASS"];
-    plane_materials: Material ["MAT2"];
-    ply_materials: Material ["MAT8"];
-    solid_materials: Material ["MAT9"];
-    panels: Panel ["CAERO1"];
-    panel_properties: Own ["PAERO1"];
-    factors: Own ["AEFACT"];
-    surfaces: Own ["AESURF"];
-    box_lists: Own ["AELIST"];
-    splines: Own ["SPLINE1", "SPLINE2", "SPLINE4", "SPLINE5"];
-    monitors: Own ["MONPNT1", "MONPNT3"];
-    constraint_unions: Own ["SPCADD"];
-    equation_unions: Own ["MPCADD"];
-    aero_reference: Own ["AEROS"];
-    trim_variables: Own ["AESTAT"];
-    trims: Own ["TRIM"];
-    aero_links: Own ["AELINK"];
-    aero_components: Own ["AECOMP"];
-    supports: Own ["SUPORT"];
+    coords: BTreeMap<u32, Coord>, Own, ["CORD2R", "CORD2C", "CORD2S", "CORD1R", "CORD1C", "CORD1S"];
+    grids: BTreeMap<u32, Grid>, Own, ["GRID"];
+    beams: BTreeMap<u32, BeamElement>, Element, ["CBAR", "CBEAM"];
+    beam_properties: BTreeMap<u32, BeamProperty>, BeamProperty, ["PBAR", "PBEAM", "PBARL", "PBEAML"];
+    materials: BTreeMap<u32, Mat1>, Material, ["MAT1"];
+    masses: BTreeMap<u32, Conm2>, MassElement, ["CONM2"];
+    rigid: BTreeMap<u32, Rbe2>, RigidElement, ["RBE2"];
+    constraints: Vec<Spc1>, Own, ["SPC1", "SPC"];
+    sets: BTreeMap<u32, Set1>, Own, ["SET1"];
+    shells: BTreeMap<u32, ShellElement>, Element, ["CQUAD4", "CTRIA3"];
+    solids: BTreeMap<u32, SolidElement>, Element, ["CHEXA", "CPENTA", "CTETRA"];
+    rods: BTreeMap<u32, Crod>, Element, ["CROD"];
+    bushes: BTreeMap<u32, Cbush>, Element, ["CBUSH"];
+    springs: BTreeMap<u32, ScalarElement>, Element, ["CELAS1", "CELAS2"];
+    scalar_masses: BTreeMap<u32, ScalarElement>, MassElement, ["CMASS1", "CMASS2"];
+    general: BTreeMap<u32, Genel>, Element, ["GENEL"];
+    mass_matrices: BTreeMap<u32, Conm1>, MassElement, ["CONM1"];
+    rigid_bars: BTreeMap<u32, Rbar>, RigidElement, ["RBAR"];
+    averages: BTreeMap<u32, Rbe3>, RigidElement, ["RBE3"];
+    equations: Vec<Mpc>, Own, ["MPC"];
+    shell_properties: BTreeMap<u32, Pshell>, ShellProperty, ["PSHELL"];
+    laminates: BTreeMap<u32, Pcomp>, ShellProperty, ["PCOMP", "PCOMPG"];
+    solid_properties: BTreeMap<u32, Psolid>, Own, ["PSOLID"];
+    rod_properties: BTreeMap<u32, Prod>, Own, ["PROD"];
+    bush_properties: BTreeMap<u32, Pbush>, Own, ["PBUSH"];
+    spring_properties: BTreeMap<u32, ScalarProperty>, Own, ["PELAS"];
+    mass_properties: BTreeMap<u32, ScalarProperty>, Own, ["PMASS"];
+    plane_materials: BTreeMap<u32, Mat2>, Material, ["MAT2"];
+    ply_materials: BTreeMap<u32, Mat8>, Material, ["MAT8"];
+    solid_materials: BTreeMap<u32, Mat9>, Material, ["MAT9"];
+    panels: BTreeMap<u32, Caero1>, Panel, ["CAERO1"];
+    panel_properties: BTreeMap<u32, Paero1>, Own, ["PAERO1"];
+    factors: BTreeMap<u32, Aefact>, Own, ["AEFACT"];
+    surfaces: BTreeMap<u32, Aesurf>, Own, ["AESURF"];
+    box_lists: BTreeMap<u32, Aelist>, Own, ["AELIST"];
+    splines: BTreeMap<u32, SplineCard>, Own, ["SPLINE1", "SPLINE2", "SPLINE4", "SPLINE5"];
+    monitors: Vec<MonitorPoint>, Own, ["MONPNT1", "MONPNT3"];
+    constraint_unions: BTreeMap<u32, SetUnion>, Own, ["SPCADD"];
+    equation_unions: BTreeMap<u32, SetUnion>, Own, ["MPCADD"];
+    aero_reference: Option<Aeros>, Own, ["AEROS"];
+    trim_variables: BTreeMap<u32, Aestat>, Own, ["AESTAT"];
+    trims: BTreeMap<u32, Trim>, Own, ["TRIM"];
+    aero_links: Vec<Aelink>, Own, ["AELINK"];
+    aero_components: BTreeMap<String, Aecomp>, Own, ["AECOMP"];
+    supports: Vec<Suport>, Own, ["SUPORT"];
 }
 
 /// The kind that a field holds.

@@ -1,9 +1,6 @@
 //! Bars and beams: CBAR and CBEAM.
 
-use super::kind::{DeckCard, Mirror, Mirrored, Step, flipped, numbered};
-use crate::card::Card;
-use crate::card::fields::Fields;
-use crate::source::{InputError, Span};
+use super::kind::prelude::*;
 
 /// A bar or beam element (CBAR, CBEAM).
 #[derive(Debug, Clone, PartialEq)]
@@ -35,14 +32,15 @@ pub enum Orientation {
     Grid(u32),
 }
 
-impl Orientation {
-    /// Raises the number of the grid.
-    pub(super) fn raise(&mut self, by: Step) {
+impl Ids for Orientation {
+    fn each(&mut self, change: &mut dyn FnMut(&mut u32)) {
         if let Self::Grid(grid) = self {
-            by.card(grid);
+            change(grid);
         }
     }
+}
 
+impl Orientation {
     /// Its image about y = 0.
     pub(super) fn mirrored(self) -> Self {
         match self {
@@ -62,9 +60,7 @@ impl Orientation {
 
 impl DeckCard for BeamElement {
     numbered!();
-    fn variant(&self) -> usize {
-        usize::from(self.is_beam)
-    }
+    variant!(|card| usize::from(card.is_beam));
 
     /// CBAR, CBEAM: EID PID GA GB X1 X2 X3 OFFT / PA PB W1A W2A W3A W1B W2B W3B (/ SA SB).
     fn read(card: &Card) -> Result<Vec<Self>, InputError> {
@@ -97,10 +93,7 @@ impl DeckCard for BeamElement {
         if self.offsets == [[0.0; 3]; 2] { card } else { card.reals(a).reals(b) }
     }
 
-    fn raise(&mut self, by: Step) {
-        by.cards([&mut self.id, &mut self.property].into_iter().chain(&mut self.grids));
-        self.orientation.raise(by);
-    }
+    raises!(cards: id, property, grids, orientation);
 
     fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
         let orientation = self.orientation.mirrored();

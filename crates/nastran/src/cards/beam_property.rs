@@ -1,12 +1,9 @@
 //! Sections of bars and beams along their length: PBAR, PBEAM, and by the name of a section PBARL and PBEAML.
 
-use super::kind::{DeckCard, Mirror, Mirrored, Step, minus, numbered};
+use super::kind::prelude::*;
 use super::named_section::{self, NamedStation};
 use super::section_shapes::Section;
-use crate::card::Card;
 use crate::card::FIELDS_PER_LINE;
-use crate::card::fields::Fields;
-use crate::source::{InputError, Span};
 
 /// One station of a beam section. Plane 1 is spanned by the element axis x and the orientation vector (element y).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -52,9 +49,7 @@ pub struct BeamProperty {
 
 impl DeckCard for BeamProperty {
     numbered!();
-    fn variant(&self) -> usize {
-        usize::from(self.is_beam)
-    }
+    variant!(|card| usize::from(card.is_beam));
 
     fn read(card: &Card) -> Result<Vec<Self>, InputError> {
         let property = match card.name.as_str() {
@@ -85,9 +80,7 @@ impl DeckCard for BeamProperty {
         card.reals(self.nsm_offset.as_flattened()).reals(self.neutral_axis.as_flattened())
     }
 
-    fn raise(&mut self, by: Step) {
-        by.cards([&mut self.id, &mut self.material]);
-    }
+    raises!(cards: id, material);
 
     /// Element z is the cross product of axis and orientation vector: what lies along it changes its sign.
     fn mirrored(mut self, _: &Mirror) -> Mirrored<Self> {

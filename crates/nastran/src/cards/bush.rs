@@ -1,11 +1,8 @@
 //! Generalised springs: CBUSH and PBUSH.
 
 use super::beam::{Orientation, optional_orientation};
-use super::kind::{DeckCard, Mirror, Mirrored, Step, flipped, numbered};
-use crate::card::Card;
+use super::kind::prelude::*;
 use crate::card::FIELDS_PER_LINE;
-use crate::card::fields::Fields;
-use crate::source::{InputError, Span};
 
 /// The axes of a bush.
 #[derive(Debug, Clone, PartialEq)]
@@ -93,13 +90,15 @@ impl DeckCard for Cbush {
     }
 
     fn raise(&mut self, by: Step) {
-        by.cards([&mut self.id, &mut self.property, &mut self.grids.0].into_iter().chain(&mut self.grids.1));
+        by.cards(&mut self.id);
+        by.cards(&mut self.property);
+        by.cards(&mut self.grids);
         match &mut self.axes {
-            BushAxes::System(system) => by.systems([system]),
-            BushAxes::Oriented(orientation) => orientation.raise(by),
+            BushAxes::System(system) => by.systems(system),
+            BushAxes::Oriented(orientation) => by.cards(orientation),
             BushAxes::Line => {}
         }
-        by.systems(self.offset.iter_mut().map(|(system, _)| system));
+        by.systems(&mut self.offset);
     }
 
     /// The place is flipped in a mirrored system, too: its y axis is minus the image of the original's.
@@ -150,11 +149,7 @@ impl DeckCard for Pbush {
         card.int(self.id).text("K").reals(&self.stiffness)
     }
 
-    fn raise(&mut self, by: Step) {
-        by.card(&mut self.id);
-    }
+    raises!(cards: id);
 
-    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
-        Ok(Some(self))
-    }
+    own_image!();
 }

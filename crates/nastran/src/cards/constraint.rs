@@ -1,11 +1,8 @@
 //! Clamps and constraint equations: SPC1, SPC and MPC, and the unions of their sets, SPCADD and MPCADD.
 
-use super::kind::{DeckCard, Mirror, Mirrored, Step, minus};
-use crate::card::Card;
+use super::kind::prelude::*;
 use crate::card::FIELDS_PER_LINE;
-use crate::card::fields::Fields;
 use crate::motion::{Motion, keeps_sign};
-use crate::source::{InputError, Span};
 
 /// Clamped components of grids (SPC1).
 #[derive(Debug, Clone, PartialEq)]
@@ -42,13 +39,7 @@ fn spc(card: &Card) -> Result<Vec<Spc1>, InputError> {
 }
 
 impl DeckCard for Spc1 {
-    type Key = u32;
-    fn key(&self) -> u32 {
-        self.set
-    }
-    fn span(&self) -> &Span {
-        &self.span
-    }
+    keyed!(u32, set);
     /// SPC1: SID C G1 G2 ... or G1 THRU G2.
     fn read(card: &Card) -> Result<Vec<Self>, InputError> {
         if card.name == "SPC" {
@@ -66,14 +57,10 @@ impl DeckCard for Spc1 {
         card.int(self.set).digits(&self.components).ints(self.grids.iter().copied())
     }
 
-    /// Sets keep their numbers.
-    fn raise(&mut self, by: Step) {
-        by.cards(&mut self.grids);
-    }
+    // Sets keep their numbers.
+    raises!(cards: grids);
 
-    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
-        Ok(Some(self))
-    }
+    own_image!();
 }
 
 /// A constraint equation (MPC): the sum of coefficient times motion is zero; the first motion is dependent.
@@ -88,13 +75,7 @@ pub struct Mpc {
 }
 
 impl DeckCard for Mpc {
-    type Key = u32;
-    fn key(&self) -> u32 {
-        self.set
-    }
-    fn span(&self) -> &Span {
-        &self.span
-    }
+    keyed!(u32, set);
     /// MPC: SID G1 C1 A1 G2 C2 A2 blank / blank G3 C3 A3 ...
     fn read(card: &Card) -> Result<Vec<Self>, InputError> {
         let set = card.id(0, "SID")?;
@@ -138,10 +119,8 @@ impl DeckCard for Mpc {
         card
     }
 
-    /// Sets keep their numbers.
-    fn raise(&mut self, by: Step) {
-        by.motions(self.terms.iter_mut().map(|(motion, _)| motion));
-    }
+    // Sets keep their numbers.
+    raises!(cards: terms);
 
     fn mirrored(mut self, _: &Mirror) -> Mirrored<Self> {
         for (motion, factor) in &mut self.terms {
@@ -163,13 +142,7 @@ pub struct SetUnion {
 }
 
 impl DeckCard for SetUnion {
-    type Key = u32;
-    fn key(&self) -> u32 {
-        self.set
-    }
-    fn span(&self) -> &Span {
-        &self.span
-    }
+    keyed!(u32, set);
     /// SID S1 S2 ...
     fn read(card: &Card) -> Result<Vec<Self>, InputError> {
         let (set, sets) = (card.id(0, "SID")?, card.id_list(1, "S")?);
@@ -179,18 +152,12 @@ impl DeckCard for SetUnion {
         Ok(vec![Self { set, sets, span: card.span.clone() }])
     }
 
-    /// A selection of the case control's, which is not written.
-    fn write(&self, card: Fields) -> Fields {
-        card
-    }
+    // A selection of the case control's, which is not written.
+    not_written!();
 
-    /// Sets keep their numbers.
-    fn raise(&mut self, by: Step) {
-        let _ = by;
-    }
+    // Sets keep their numbers.
+    keeps_numbers!();
 
-    /// An image has no case control, so all of its sets apply.
-    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
-        Ok(None)
-    }
+    // An image has no case control, so all of its sets apply.
+    no_image!();
 }

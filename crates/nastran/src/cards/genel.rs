@@ -3,11 +3,8 @@
 //! Its layout is its own: EID blank UI1 CI1 UI2 CI2 UI3 CI3 / UI4 CI4 ... / UD blank UD1 CD1 ... / K or Z and the
 //! lower triangle column by column / S and the rigid motions row by row. Words start new lists wherever they stand.
 
-use super::kind::{DeckCard, Mirror, Mirrored, Step, numbered};
-use crate::card::Card;
-use crate::card::fields::Fields;
+use super::kind::prelude::*;
 use crate::motion::Motion;
-use crate::source::{InputError, Span};
 
 /// A general element (GENEL).
 #[derive(Debug, Clone, PartialEq)]
@@ -103,10 +100,7 @@ impl DeckCard for Genel {
         card
     }
 
-    fn raise(&mut self, by: Step) {
-        by.card(&mut self.id);
-        by.motions(self.ui.iter_mut().chain(&mut self.ud));
-    }
+    raises!(cards: id, ui, ud);
 
     fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
         let message = format!("GENEL {} cannot be mirrored", self.id);

@@ -1,9 +1,6 @@
 //! Grid points and lists of their numbers: GRID and SET1.
 
-use super::kind::{DeckCard, Mirror, Mirrored, Step, numbered};
-use crate::card::Card;
-use crate::card::fields::Fields;
-use crate::source::{InputError, Span};
+use super::kind::prelude::*;
 
 /// A grid point (GRID).
 #[derive(Debug, Clone, PartialEq)]
@@ -40,10 +37,7 @@ impl DeckCard for Grid {
         card.ints([self.id, self.cp]).reals(&self.xyz).int(self.cd).digits(&self.ps)
     }
 
-    fn raise(&mut self, by: Step) {
-        by.card(&mut self.id);
-        by.systems([&mut self.cp, &mut self.cd]);
-    }
+    raises!(cards: id; systems: cp, cd);
 
     fn mirrored(self, mirror: &Mirror) -> Mirrored<Self> {
         if self.cd != 0 {
@@ -80,11 +74,7 @@ impl DeckCard for Set1 {
         card.int(self.id).ints(self.ids.iter().copied())
     }
 
-    fn raise(&mut self, by: Step) {
-        by.cards([&mut self.id].into_iter().chain(&mut self.ids));
-    }
+    raises!(cards: id, ids);
 
-    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
-        Ok(Some(self))
-    }
+    own_image!();
 }

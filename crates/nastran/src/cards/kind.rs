@@ -5,7 +5,6 @@
 
 use crate::card::Card;
 use crate::card::fields::Fields;
-use crate::motion::Motion;
 use crate::source::{InputError, Span};
 use nalgebra::Point3;
 use std::collections::{BTreeMap, BTreeSet};
@@ -42,25 +41,94 @@ pub(crate) trait DeckCard: Sized {
 /// The image of a card, nothing, or why there is none.
 pub(crate) type Mirrored<C> = Result<Option<C>, InputError>;
 
-/// The members of [`DeckCard`] for a card with an `id` and a `span`.
-macro_rules! numbered {
-    () => {
-        type Key = u32;
-        fn key(&self) -> u32 {
-            self.id
-        }
-        fn number(&self) -> Option<u32> {
-            Some(self.id)
-        }
-        fn renumber(&mut self, id: u32) {
-            self.id = id;
+/// Found by a field.
+macro_rules! keyed {
+    ($key:ty, $field:ident) => {
+        type Key = $key;
+        fn key(&self) -> $key {
+            self.$field.clone()
         }
         fn span(&self) -> &Span {
             &self.span
         }
     };
 }
-pub(super) use numbered;
+
+/// Found by its own number, `id`.
+macro_rules! numbered {
+    () => {
+        keyed!(u32, id);
+        fn number(&self) -> Option<u32> {
+            Some(self.id)
+        }
+        fn renumber(&mut self, id: u32) {
+            self.id = id;
+        }
+    };
+}
+
+/// Of variants of a kind this is the one: an expression of the card.
+macro_rules! variant {
+    (|$card:ident| $variant:expr) => {
+        fn variant(&self) -> usize {
+            let $card = self;
+            $variant
+        }
+    };
+}
+
+/// Raises the numbers in fields, by what they are numbers of: `cards`, `systems` or `boxes`.
+macro_rules! raises {
+    ($($what:ident: $($field:ident),*);*) => {
+        fn raise(&mut self, by: Step) {
+            $($(by.$what(&mut self.$field);)*)*
+        }
+    };
+}
+
+/// Sets keep their numbers, and so does what has none.
+macro_rules! keeps_numbers {
+    () => {
+        fn raise(&mut self, _: Step) {}
+    };
+}
+
+/// Nothing on it has a left or right.
+macro_rules! own_image {
+    () => {
+        fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
+            Ok(Some(self))
+        }
+    };
+}
+
+/// An image has no such card.
+macro_rules! no_image {
+    () => {
+        fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
+            Ok(None)
+        }
+    };
+}
+
+/// A card that is read only.
+macro_rules! not_written {
+    () => {
+        fn write(&self, card: Fields) -> Fields {
+            card
+        }
+    };
+}
+
+/// What every file of cards needs.
+pub(super) mod prelude {
+    pub(in super::super) use super::{DeckCard, Ids, Mirror, Mirrored, Step, flipped, minus};
+    pub(in super::super) use crate::card::{Card, fields::Fields};
+    pub(in super::super) use crate::source::{InputError, Span};
+    pub(in super::super) use {
+        keeps_numbers, keyed, no_image, not_written, numbered, own_image, raises, variant,
+    };
+}
 
 /// Which cards must not share a number with each other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -202,33 +270,72 @@ pub struct Step {
 }
 
 impl Step {
-    pub(super) fn card(self, id: &mut u32) {
-        *id = id.saturating_add(self.cards);
-    }
-
-    pub(super) fn cards<'a>(self, ids: impl IntoIterator<Item = &'a mut u32>) {
-        ids.into_iter().for_each(|id| self.card(id));
-    }
-
-    pub(super) fn motions<'a>(self, motions: impl IntoIterator<Item = &'a mut Motion>) {
-        self.cards(motions.into_iter().map(|(grid, _)| grid));
+    pub(super) fn cards(self, ids: &mut impl Ids) {
+        ids.each(&mut |id| *id = id.saturating_add(self.cards));
     }
 
     /// Coordinate system 0 stays the basic one.
-    pub(super) fn systems<'a>(self, ids: impl IntoIterator<Item = &'a mut u32>) {
-        self.cards(ids.into_iter().filter(|id| **id != 0));
+    pub(super) fn systems(self, ids: &mut impl Ids) {
+        ids.each(&mut |id| *id = if *id == 0 { 0 } else { id.saturating_add(self.cards) });
     }
 
-    /// As [`Step::systems`], where -1 has a meaning of its own.
-    pub(super) fn signed_system(self, id: &mut i32) {
-        if let Ok(mut system) = u32::try_from(*id) {
-            self.systems([&mut system]);
-            *id = i32::try_from(system).unwrap_or(*id);
+    pub(super) fn boxes(self, ids: &mut impl Ids) {
+        ids.each(&mut |id| *id = id.saturating_add(self.boxes));
+    }
+}
+
+/// What identification numbers stand in; components (digits) and values have none.
+pub(super) trait Ids {
+    /// Changes all of them.
+    fn each(&mut self, change: &mut dyn FnMut(&mut u32));
+}
+
+impl Ids for u32 {
+    fn each(&mut self, change: &mut dyn FnMut(&mut u32)) {
+        change(self);
+    }
+}
+
+/// A number below zero has a meaning of its own.
+impl Ids for i32 {
+    fn each(&mut self, change: &mut dyn FnMut(&mut u32)) {
+        if let Ok(mut id) = u32::try_from(*self) {
+            change(&mut id);
+            *self = i32::try_from(id).unwrap_or(*self);
         }
     }
+}
 
-    pub(super) fn boxes<'a>(self, ids: impl IntoIterator<Item = &'a mut u32>) {
-        ids.into_iter().for_each(|id| *id = id.saturating_add(self.boxes));
+impl Ids for u8 {
+    fn each(&mut self, _: &mut dyn FnMut(&mut u32)) {}
+}
+
+impl Ids for f64 {
+    fn each(&mut self, _: &mut dyn FnMut(&mut u32)) {}
+}
+
+impl<A: Ids, B: Ids> Ids for (A, B) {
+    fn each(&mut self, change: &mut dyn FnMut(&mut u32)) {
+        self.0.each(change);
+        self.1.each(change);
+    }
+}
+
+impl<T: Ids, const N: usize> Ids for [T; N] {
+    fn each(&mut self, change: &mut dyn FnMut(&mut u32)) {
+        self.iter_mut().for_each(|part| part.each(change));
+    }
+}
+
+impl<T: Ids> Ids for Vec<T> {
+    fn each(&mut self, change: &mut dyn FnMut(&mut u32)) {
+        self.iter_mut().for_each(|part| part.each(change));
+    }
+}
+
+impl<T: Ids> Ids for Option<T> {
+    fn each(&mut self, change: &mut dyn FnMut(&mut u32)) {
+        self.iter_mut().for_each(|part| part.each(change));
     }
 }
 

@@ -1,10 +1,7 @@
 //! Laminates: PCOMP and PCOMPG, with the defaults of Nastran's Quick Reference Guide.
 
-use super::kind::{DeckCard, Mirror, Mirrored, Step, minus, numbered};
-use crate::card::Card;
+use super::kind::prelude::*;
 use crate::card::FIELDS_PER_LINE;
-use crate::card::fields::Fields;
-use crate::source::{InputError, Span};
 
 /// One ply of a laminate.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,6 +14,12 @@ pub struct Ply {
     pub angle_deg: f64,
     /// GPLYID of PCOMPG, kept to be written again.
     pub global_id: Option<u32>,
+}
+
+impl Ids for Ply {
+    fn each(&mut self, change: &mut dyn FnMut(&mut u32)) {
+        self.material.each(change);
+    }
 }
 
 /// A laminate (PCOMP, PCOMPG), plies from bottom to top.
@@ -40,9 +43,7 @@ pub struct Pcomp {
 
 impl DeckCard for Pcomp {
     numbered!();
-    fn variant(&self) -> usize {
-        usize::from(self.is_global)
-    }
+    variant!(|card| usize::from(card.is_global));
 
     /// PCOMP: PID Z0 NSM SB FT TREF GE LAM / MID1 T1 THETA1 SOUT1 MID2 T2 THETA2 SOUT2 / ..., and
     /// PCOMPG: the same first line, then a line GPLYID MID T THETA SOUT for every ply.
@@ -99,9 +100,7 @@ impl DeckCard for Pcomp {
         card
     }
 
-    fn raise(&mut self, by: Step) {
-        by.cards([&mut self.id].into_iter().chain(self.plies.iter_mut().map(|ply| &mut ply.material)));
-    }
+    raises!(cards: id, plies);
 
     fn mirrored(mut self, _: &Mirror) -> Mirrored<Self> {
         self.plies.iter_mut().for_each(|ply| ply.angle_deg = minus(ply.angle_deg));

@@ -1,9 +1,6 @@
 //! Concentrated masses: CONM1 and CONM2.
 
-use super::kind::{DeckCard, Mirror, Mirrored, Step, flipped, minus, numbered};
-use crate::card::Card;
-use crate::card::fields::Fields;
-use crate::source::{InputError, Span};
+use super::kind::prelude::*;
 
 /// A concentrated mass (CONM2).
 #[derive(Debug, Clone, PartialEq)]
@@ -52,10 +49,7 @@ impl DeckCard for Conm2 {
         card.reals(&self.offset).blanks(1).reals(&self.inertia)
     }
 
-    fn raise(&mut self, by: Step) {
-        by.cards([&mut self.id, &mut self.grid]);
-        by.signed_system(&mut self.cid);
-    }
+    raises!(cards: id, grid; systems: cid);
 
     fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
         if self.cid > 0 {
@@ -111,10 +105,7 @@ impl DeckCard for Conm1 {
         self.mass.iter().enumerate().fold(card, |card, (row, values)| card.reals(&values[..=row]))
     }
 
-    fn raise(&mut self, by: Step) {
-        by.cards([&mut self.id, &mut self.grid]);
-        by.systems([&mut self.cid]);
-    }
+    raises!(cards: id, grid; systems: cid);
 
     fn mirrored(mut self, _: &Mirror) -> Mirrored<Self> {
         let sign = |at: usize| if matches!(at, 0 | 2 | 4) { 1.0 } else { -1.0 };

@@ -1,9 +1,6 @@
 //! Materials: MAT1, MAT2, MAT8 and MAT9. Thermal expansion, strengths and damping are skipped.
 
-use super::kind::{DeckCard, Mirror, Mirrored, Step, minus, numbered};
-use crate::card::Card;
-use crate::card::fields::Fields;
-use crate::source::{InputError, Span};
+use super::kind::prelude::*;
 
 /// An isotropic material (MAT1).
 #[derive(Debug, Clone, PartialEq)]
@@ -56,13 +53,9 @@ impl DeckCard for Mat1 {
         card.int(self.id).reals(&[self.e, self.g, self.nu, self.rho])
     }
 
-    fn raise(&mut self, by: Step) {
-        by.card(&mut self.id);
-    }
+    raises!(cards: id);
 
-    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
-        Ok(Some(self))
-    }
+    own_image!();
 }
 
 /// An anisotropic plane material (MAT2).
@@ -94,9 +87,7 @@ impl DeckCard for Mat2 {
         card.int(self.id).reals(&self.g).real(self.rho)
     }
 
-    fn raise(&mut self, by: Step) {
-        by.card(&mut self.id);
-    }
+    raises!(cards: id);
 
     /// G13 and G23 join shear with stretching.
     fn mirrored(mut self, _: &Mirror) -> Mirrored<Self> {
@@ -155,13 +146,9 @@ impl DeckCard for Mat8 {
         card.reals(&[self.g1z, self.g2z, self.rho])
     }
 
-    fn raise(&mut self, by: Step) {
-        by.card(&mut self.id);
-    }
+    raises!(cards: id);
 
-    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
-        Ok(Some(self))
-    }
+    own_image!();
 }
 
 /// An anisotropic solid material (MAT9), stresses x, y, z, xy, yz, zx.
@@ -197,9 +184,7 @@ impl DeckCard for Mat9 {
         card.int(self.id).reals(&self.g).real(self.rho)
     }
 
-    fn raise(&mut self, by: Step) {
-        by.card(&mut self.id);
-    }
+    raises!(cards: id);
 
     /// The upper triangle row by row; xy and yz (3 and 4) change their sign.
     fn mirrored(mut self, _: &Mirror) -> Mirrored<Self> {

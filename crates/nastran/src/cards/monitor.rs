@@ -1,9 +1,6 @@
 //! Monitoring stations: MONPNT1 and MONPNT3.
 
-use super::kind::{DeckCard, Mirror, Mirrored, Step};
-use crate::card::Card;
-use crate::card::fields::Fields;
-use crate::source::{InputError, Span};
+use super::kind::prelude::*;
 
 /// A monitoring station (MONPNT1, MONPNT3).
 #[derive(Debug, Clone, PartialEq)]
@@ -29,16 +26,8 @@ pub struct MonitorPoint {
 }
 
 impl DeckCard for MonitorPoint {
-    type Key = String;
-    fn key(&self) -> String {
-        self.name.clone()
-    }
-    fn span(&self) -> &Span {
-        &self.span
-    }
-    fn variant(&self) -> usize {
-        usize::from(self.is_structural)
-    }
+    keyed!(String, name);
+    variant!(|card| usize::from(card.is_structural));
 
     /// MONPNT1: NAME LABEL / AXES COMP CP X Y Z CD, and
     /// MONPNT3: NAME LABEL / AXES GRIDSET ELEMSET CP X Y Z XFLAG / CD; ELEMSET and XFLAG are skipped.
@@ -72,12 +61,8 @@ impl DeckCard for MonitorPoint {
         card.reals(&self.xyz).blanks(gap).int(self.cd)
     }
 
-    fn raise(&mut self, by: Step) {
-        by.systems([&mut self.cp, &mut self.cd]);
-    }
+    raises!(systems: cp, cd);
 
-    /// Left out: the names of stations are those of the original.
-    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
-        Ok(None)
-    }
+    // Left out: the names of stations are those of the original.
+    no_image!();
 }

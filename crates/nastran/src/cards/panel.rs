@@ -1,9 +1,6 @@
 //! Lifting panels: CAERO1, PAERO1 and the lists of numbers (AEFACT) that divide them.
 
-use super::kind::{DeckCard, Mirror, Mirrored, Step, numbered};
-use crate::card::Card;
-use crate::card::fields::Fields;
-use crate::source::{InputError, Span};
+use super::kind::prelude::*;
 
 /// Divisions of a panel: a number of equal ones, or the boundaries listed on an AEFACT.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -14,18 +11,20 @@ pub enum Divisions {
     Aefact(u32),
 }
 
+impl Ids for Divisions {
+    fn each(&mut self, change: &mut dyn FnMut(&mut u32)) {
+        if let Self::Aefact(id) = self {
+            change(id);
+        }
+    }
+}
+
 impl Divisions {
     /// The AEFACT, if one lists them.
     pub fn list(&self) -> Option<u32> {
         match self {
             Self::Aefact(id) => Some(*id),
             Self::Equal(_) => None,
-        }
-    }
-
-    fn raise(&mut self, by: Step) {
-        if let Self::Aefact(id) = self {
-            by.card(id);
         }
     }
 }
@@ -92,13 +91,7 @@ impl DeckCard for Caero1 {
         card.reals(&self.point_1).real(self.chord_1).reals(&self.point_4).real(self.chord_4)
     }
 
-    fn raise(&mut self, by: Step) {
-        by.boxes([&mut self.id]);
-        by.card(&mut self.property);
-        by.systems([&mut self.cp]);
-        self.span_divisions.raise(by);
-        self.chord_divisions.raise(by);
-    }
+    raises!(boxes: id; cards: property, span_divisions, chord_divisions; systems: cp);
 
     /// Panels still run from left to right, so normals stay up and side 1 is the image of side 4.
     fn mirrored(self, mirror: &Mirror) -> Mirrored<Self> {
@@ -142,13 +135,9 @@ impl DeckCard for Paero1 {
         card.int(self.id)
     }
 
-    fn raise(&mut self, by: Step) {
-        by.card(&mut self.id);
-    }
+    raises!(cards: id);
 
-    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
-        Ok(Some(self))
-    }
+    own_image!();
 }
 
 /// A list of numbers (AEFACT), in the card's order.
@@ -174,9 +163,7 @@ impl DeckCard for Aefact {
         card.int(self.id).reals(&self.values)
     }
 
-    fn raise(&mut self, by: Step) {
-        by.card(&mut self.id);
-    }
+    raises!(cards: id);
 
     /// Those of strips count from the other side.
     fn mirrored(mut self, mirror: &Mirror) -> Mirrored<Self> {

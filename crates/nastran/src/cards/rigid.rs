@@ -1,10 +1,7 @@
 //! Rigid elements and weighted means: RBE2, RBAR and RBE3. Thermal expansion is skipped.
 
-use super::kind::{DeckCard, Mirror, Mirrored, Step, numbered};
-use crate::card::Card;
-use crate::card::fields::Fields;
+use super::kind::prelude::*;
 use crate::real;
-use crate::source::{InputError, Span};
 
 /// A rigid element (RBE2).
 #[derive(Debug, Clone, PartialEq)]
@@ -45,13 +42,9 @@ impl DeckCard for Rbe2 {
         card.ints(self.dependent.iter().copied())
     }
 
-    fn raise(&mut self, by: Step) {
-        by.cards([&mut self.id, &mut self.independent].into_iter().chain(&mut self.dependent));
-    }
+    raises!(cards: id, independent, dependent);
 
-    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
-        Ok(Some(self))
-    }
+    own_image!();
 }
 
 /// A rigid bar (RBAR).
@@ -98,13 +91,9 @@ impl DeckCard for Rbar {
         self.independent.iter().chain(&self.dependent).fold(card, |card, digits| card.digits(digits))
     }
 
-    fn raise(&mut self, by: Step) {
-        by.cards([&mut self.id].into_iter().chain(&mut self.grids));
-    }
+    raises!(cards: id, grids);
 
-    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
-        Ok(Some(self))
-    }
+    own_image!();
 }
 
 /// One group of an RBE3: weight, components, grids.
@@ -116,6 +105,12 @@ pub struct Rbe3Group {
     pub components: Vec<u8>,
     /// G.
     pub grids: Vec<u32>,
+}
+
+impl Ids for Rbe3Group {
+    fn each(&mut self, change: &mut dyn FnMut(&mut u32)) {
+        self.grids.each(change);
+    }
 }
 
 /// A motion that is the weighted mean of others (RBE3).
@@ -185,15 +180,9 @@ impl DeckCard for Rbe3 {
         card
     }
 
-    fn raise(&mut self, by: Step) {
-        by.cards([&mut self.id, &mut self.reference]);
-        by.cards(self.groups.iter_mut().flat_map(|group| &mut group.grids));
-        by.cards(self.um.iter_mut().map(|(grid, _)| grid));
-    }
+    raises!(cards: id, reference, groups, um);
 
-    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
-        Ok(Some(self))
-    }
+    own_image!();
 }
 
 fn groups(card: &Card, from: usize, end: usize) -> Result<Vec<Rbe3Group>, InputError> {

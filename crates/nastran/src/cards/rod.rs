@@ -1,9 +1,6 @@
 //! Rods: CROD and PROD.
 
-use super::kind::{DeckCard, Mirror, Mirrored, Step, numbered};
-use crate::card::Card;
-use crate::card::fields::Fields;
-use crate::source::{InputError, Span};
+use super::kind::prelude::*;
 
 /// A rod with axial and torsional stiffness (CROD).
 #[derive(Debug, Clone, PartialEq)]
@@ -33,13 +30,9 @@ impl DeckCard for Crod {
         card.ints([self.id, self.property]).ints(self.grids)
     }
 
-    fn raise(&mut self, by: Step) {
-        by.cards([&mut self.id, &mut self.property].into_iter().chain(&mut self.grids));
-    }
+    raises!(cards: id, property, grids);
 
-    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
-        Ok(Some(self))
-    }
+    own_image!();
 }
 
 /// A rod's property (PROD).
@@ -78,11 +71,7 @@ impl DeckCard for Prod {
         card.ints([self.id, self.material]).reals(&[self.area, self.j]).blanks(1).real(self.nsm)
     }
 
-    fn raise(&mut self, by: Step) {
-        by.cards([&mut self.id, &mut self.material]);
-    }
+    raises!(cards: id, material);
 
-    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
-        Ok(Some(self))
-    }
+    own_image!();
 }

@@ -1,11 +1,8 @@
 //! Springs and masses between single motions: CELAS1, CELAS2, PELAS, CMASS1, CMASS2 and PMASS.
 
-use super::kind::{DeckCard, Mirror, Mirrored, Step, numbered};
-use crate::card::Card;
+use super::kind::prelude::*;
 use crate::card::FIELDS_PER_LINE;
-use crate::card::fields::Fields;
 use crate::motion::{Motion, keeps_sign};
-use crate::source::{InputError, Span};
 
 /// What a scalar element's number is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,6 +11,14 @@ pub enum ScalarValue {
     Given(f64),
     /// Given by a property (CELAS1: PELAS, CMASS1: PMASS).
     Property(u32),
+}
+
+impl Ids for ScalarValue {
+    fn each(&mut self, change: &mut dyn FnMut(&mut u32)) {
+        if let Self::Property(property) = self {
+            change(property);
+        }
+    }
 }
 
 /// A scalar spring (CELAS1, CELAS2) or mass (CMASS1, CMASS2) between two motions, or a motion and the ground.
@@ -31,9 +36,7 @@ pub struct ScalarElement {
 
 impl DeckCard for ScalarElement {
     numbered!();
-    fn variant(&self) -> usize {
-        usize::from(matches!(self.value, ScalarValue::Given(_)))
-    }
+    variant!(|card| usize::from(matches!(card.value, ScalarValue::Given(_))));
 
     /// CELAS1, CMASS1: EID PID G1 C1 G2 C2; CELAS2: EID K G1 C1 G2 C2 GE S; CMASS2: EID M G1 C1 G2 C2.
     ///
@@ -68,13 +71,7 @@ impl DeckCard for ScalarElement {
         card.motion(self.ends[0]).motion(self.ends[1])
     }
 
-    fn raise(&mut self, by: Step) {
-        by.card(&mut self.id);
-        if let ScalarValue::Property(property) = &mut self.value {
-            by.card(property);
-        }
-        by.motions(self.ends.iter_mut().flatten());
-    }
+    raises!(cards: id, value, ends);
 
     fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
         match self.ends {
@@ -133,11 +130,7 @@ impl DeckCard for ScalarProperty {
         card.int(self.id).real(self.value)
     }
 
-    fn raise(&mut self, by: Step) {
-        by.card(&mut self.id);
-    }
+    raises!(cards: id);
 
-    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
-        Ok(Some(self))
-    }
+    own_image!();
 }

@@ -1,10 +1,7 @@
 //! Shells of one thickness: CQUAD4, CTRIA3 and PSHELL.
 
-use super::kind::{DeckCard, Mirror, Mirrored, Step, minus, numbered};
-use crate::card::Card;
+use super::kind::prelude::*;
 use crate::card::FIELDS_PER_LINE;
-use crate::card::fields::Fields;
-use crate::source::{InputError, Span};
 
 /// Nastran's default of TS/T; the exact 5/6 is not what it computes with.
 const SHEAR_RATIO: f64 = 0.833_333;
@@ -16,6 +13,14 @@ pub enum MaterialDirection {
     AngleDeg(f64),
     /// MCID: the x axis of this coordinate system, projected onto the element.
     System(u32),
+}
+
+impl Ids for MaterialDirection {
+    fn each(&mut self, change: &mut dyn FnMut(&mut u32)) {
+        if let Self::System(system) = self {
+            change(system);
+        }
+    }
 }
 
 /// A shell element (CQUAD4 with four grids, CTRIA3 with three).
@@ -37,9 +42,7 @@ pub struct ShellElement {
 
 impl DeckCard for ShellElement {
     numbered!();
-    fn variant(&self) -> usize {
-        usize::from(self.grids.len() == 3)
-    }
+    variant!(|card| usize::from(card.grids.len() == 3));
 
     /// CQUAD4: EID PID G1 G2 G3 G4 THETA/MCID ZOFFS / blank TFLAG T1 T2 T3 T4, and
     /// CTRIA3: EID PID G1 G2 G3 THETA/MCID ZOFFS blank / blank TFLAG T1 T2 T3.
@@ -78,12 +81,7 @@ impl DeckCard for ShellElement {
         card.real(self.offset)
     }
 
-    fn raise(&mut self, by: Step) {
-        by.cards([&mut self.id, &mut self.property].into_iter().chain(&mut self.grids));
-        if let MaterialDirection::System(system) = &mut self.direction {
-            by.systems([system]);
-        }
-    }
+    raises!(cards: id, property, grids; systems: direction);
 
     /// Corners are listed the other way round, so that the normal is the image of the normal.
     fn mirrored(mut self, _: &Mirror) -> Mirrored<Self> {
@@ -211,13 +209,7 @@ impl DeckCard for Pshell {
         card.real(self.shear_ratio).real(self.nsm).blanks(2).optional(self.coupling)
     }
 
-    fn raise(&mut self, by: Step) {
-        by.card(&mut self.id);
-        let materials = [&mut self.membrane, &mut self.bending, &mut self.shear, &mut self.coupling];
-        by.cards(materials.into_iter().flatten());
-    }
+    raises!(cards: id, membrane, bending, shear, coupling);
 
-    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
-        Ok(Some(self))
-    }
+    own_image!();
 }

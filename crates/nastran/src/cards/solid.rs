@@ -1,9 +1,6 @@
 //! Solids: CHEXA, CPENTA, CTETRA and PSOLID.
 
-use super::kind::{DeckCard, Mirror, Mirrored, Step, numbered};
-use crate::card::Card;
-use crate::card::fields::Fields;
-use crate::source::{InputError, Span};
+use super::kind::prelude::*;
 
 /// A solid element (CHEXA with eight grids, CPENTA with six, CTETRA with four).
 #[derive(Debug, Clone, PartialEq)]
@@ -57,9 +54,7 @@ impl DeckCard for SolidElement {
         card.ints([self.id, self.property]).ints(self.grids.iter().copied())
     }
 
-    fn raise(&mut self, by: Step) {
-        by.cards([&mut self.id, &mut self.property].into_iter().chain(&mut self.grids));
-    }
+    raises!(cards: id, property, grids);
 
     /// Corners are listed the other way round, so that the solid keeps its sense.
     fn mirrored(mut self, _: &Mirror) -> Mirrored<Self> {
@@ -109,12 +104,7 @@ impl DeckCard for Psolid {
         card.ints([self.id, self.material]).text(self.cordm.to_string())
     }
 
-    fn raise(&mut self, by: Step) {
-        by.cards([&mut self.id, &mut self.material]);
-        by.signed_system(&mut self.cordm);
-    }
+    raises!(cards: id, material; systems: cordm);
 
-    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
-        Ok(Some(self))
-    }
+    own_image!();
 }

@@ -1,9 +1,6 @@
 //! Splines: SPLINE1, SPLINE2, SPLINE4 and SPLINE5.
 
-use super::kind::{DeckCard, Mirror, Mirrored, Step, numbered};
-use crate::card::Card;
-use crate::card::fields::Fields;
-use crate::source::{InputError, Span};
+use super::kind::prelude::*;
 
 /// The way a surface spline works.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,6 +17,14 @@ pub enum SplineKind {
         /// -1 not at all.
         attachment: [f64; 2],
     },
+}
+
+impl Ids for SplineKind {
+    fn each(&mut self, change: &mut dyn FnMut(&mut u32)) {
+        if let Self::Beam { system, .. } = self {
+            change(system);
+        }
+    }
 }
 
 /// A spline from a set of grids to boxes: a range (SPLINE1, SPLINE2) or a list (SPLINE4, SPLINE5).
@@ -43,9 +48,7 @@ pub struct SplineCard {
 
 impl DeckCard for SplineCard {
     numbered!();
-    fn variant(&self) -> usize {
-        2 * usize::from(self.list.is_some()) + usize::from(self.kind != SplineKind::Plate)
-    }
+    variant!(|card| 2 * usize::from(card.list.is_some()) + usize::from(card.kind != SplineKind::Plate));
 
     /// SPLINE1: EID CAERO BOX1 BOX2 SETG DZ METH USAGE / NELEM MELEM,
     /// SPLINE2: EID CAERO ID1 ID2 SETG DZ DTOR CID / DTHX DTHY blank USAGE,
@@ -104,18 +107,10 @@ impl DeckCard for SplineCard {
         }
     }
 
-    fn raise(&mut self, by: Step) {
-        by.cards([&mut self.id, &mut self.set].into_iter().chain(&mut self.list));
-        by.boxes([&mut self.panel, &mut self.boxes.0, &mut self.boxes.1]);
-        if let SplineKind::Beam { system, .. } = &mut self.kind {
-            by.systems([system]);
-        }
-    }
+    raises!(cards: id, set, list; boxes: panel, boxes; systems: kind);
 
-    /// Left out: splines are made for the whole aircraft.
-    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
-        Ok(None)
-    }
+    // Left out: splines are made for the whole aircraft.
+    no_image!();
 }
 
 /// Flexibility of a rotation: zero or more, or -1 for none.

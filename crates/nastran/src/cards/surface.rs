@@ -1,9 +1,6 @@
 //! Control surfaces and lists of boxes: AESURF and AELIST.
 
-use super::kind::{DeckCard, Mirror, Mirrored, Step, numbered};
-use crate::card::Card;
-use crate::card::fields::Fields;
-use crate::source::{InputError, Span};
+use super::kind::prelude::*;
 
 /// A control surface (AESURF): one or two hinge systems, each with its box list.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,16 +41,14 @@ impl DeckCard for Aesurf {
     }
 
     fn raise(&mut self, by: Step) {
-        by.card(&mut self.id);
+        by.cards(&mut self.id);
         for (system, list) in &mut self.parts {
-            by.systems([system]);
-            by.card(list);
+            by.systems(system);
+            by.cards(list);
         }
     }
 
-    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
-        Ok(Some(self))
-    }
+    own_image!();
 }
 
 /// A list of boxes (AELIST), THRU expanded.
@@ -78,10 +73,7 @@ impl DeckCard for Aelist {
         card.int(self.id).ints(self.boxes.iter().copied())
     }
 
-    fn raise(&mut self, by: Step) {
-        by.card(&mut self.id);
-        by.boxes(&mut self.boxes);
-    }
+    raises!(cards: id; boxes: boxes);
 
     /// The images of its boxes, in ascending number.
     fn mirrored(mut self, mirror: &Mirror) -> Mirrored<Self> {

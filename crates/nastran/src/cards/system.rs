@@ -1,9 +1,6 @@
 //! Coordinate systems: CORD1R, CORD1C, CORD1S, CORD2R, CORD2C and CORD2S.
 
-use super::kind::{DeckCard, Mirror, Mirrored, Step, numbered};
-use crate::card::Card;
-use crate::card::fields::Fields;
-use crate::source::{InputError, Span};
+use super::kind::prelude::*;
 
 /// What the three coordinates of a system are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -91,9 +88,9 @@ impl DeckCard for Coord {
     }
 
     fn raise(&mut self, by: Step) {
-        by.card(&mut self.id);
+        by.cards(&mut self.id);
         match &mut self.definition {
-            CoordDefinition::Points { rid, .. } => by.systems([rid]),
+            CoordDefinition::Points { rid, .. } => by.systems(rid),
             CoordDefinition::Grids(grids) => by.cards(grids),
         }
     }

@@ -1,10 +1,7 @@
 //! Static aeroelasticity: AEROS, AESTAT, TRIM, SUPORT, AELINK and AECOMP. They are read, not written, and have no mirror
 //! image: they say what is asked of the whole aircraft.
 
-use super::kind::{DeckCard, Mirror, Mirrored, Step, numbered};
-use crate::card::Card;
-use crate::card::fields::Fields;
-use crate::source::{InputError, Span};
+use super::kind::prelude::*;
 
 /// References of the aerodynamics (AEROS).
 #[derive(Debug, Clone, PartialEq)]
@@ -27,7 +24,7 @@ pub struct Aeros {
 
 impl DeckCard for Aeros {
     type Key = &'static str;
-    fn key(&self) -> &'static str {
+    fn key(&self) -> Self::Key {
         ""
     }
     fn span(&self) -> &Span {
@@ -51,18 +48,11 @@ impl DeckCard for Aeros {
         }])
     }
 
-    fn write(&self, card: Fields) -> Fields {
-        card
-    }
+    not_written!();
 
-    fn raise(&mut self, by: Step) {
-        by.systems([&mut self.acsid, &mut self.rcsid]);
-    }
+    raises!(systems: acsid, rcsid);
 
-    /// Asked of the whole aircraft.
-    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
-        Ok(None)
-    }
+    no_image!();
 }
 
 /// A rigid-body trim variable (AESTAT).
@@ -83,18 +73,11 @@ impl DeckCard for Aestat {
         Ok(vec![Aestat { id: card.id(0, "ID")?, label: card.name_at(1, "LABEL")?, span: card.span.clone() }])
     }
 
-    fn write(&self, card: Fields) -> Fields {
-        card
-    }
+    not_written!();
 
-    fn raise(&mut self, by: Step) {
-        by.card(&mut self.id);
-    }
+    raises!(cards: id);
 
-    /// Asked of the whole aircraft.
-    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
-        Ok(None)
-    }
+    no_image!();
 }
 
 /// A trim condition (TRIM).
@@ -135,19 +118,12 @@ impl DeckCard for Trim {
         }])
     }
 
-    fn write(&self, card: Fields) -> Fields {
-        card
-    }
+    not_written!();
 
-    /// A set keeps its number.
-    fn raise(&mut self, by: Step) {
-        let _ = by;
-    }
+    // A set keeps its number.
+    keeps_numbers!();
 
-    /// Asked of the whole aircraft.
-    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
-        Ok(None)
-    }
+    no_image!();
 }
 
 /// Fictitious supports of one grid (SUPORT).
@@ -162,13 +138,7 @@ pub struct Suport {
 }
 
 impl DeckCard for Suport {
-    type Key = u32;
-    fn key(&self) -> u32 {
-        self.grid
-    }
-    fn span(&self) -> &Span {
-        &self.span
-    }
+    keyed!(u32, grid);
     /// SUPORT: ID1 C1 ID2 C2 ...
     fn read(card: &Card) -> Result<Vec<Self>, InputError> {
         let places = (0..card.len().max(1)).step_by(2).filter(|at| *at == 0 || !card.text(*at).is_empty());
@@ -180,18 +150,11 @@ impl DeckCard for Suport {
             .collect()
     }
 
-    fn write(&self, card: Fields) -> Fields {
-        card
-    }
+    not_written!();
 
-    fn raise(&mut self, by: Step) {
-        by.card(&mut self.grid);
-    }
+    raises!(cards: grid);
 
-    /// Asked of the whole aircraft.
-    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
-        Ok(None)
-    }
+    no_image!();
 }
 
 /// One control in proportion to others (AELINK): dependent + sum of coefficient times independent = 0.
@@ -208,13 +171,7 @@ pub struct Aelink {
 }
 
 impl DeckCard for Aelink {
-    type Key = String;
-    fn key(&self) -> String {
-        self.dependent.clone()
-    }
-    fn span(&self) -> &Span {
-        &self.span
-    }
+    keyed!(String, dependent);
     /// AELINK: ID LABLD LABL1 C1 LABL2 C2 LABL3 C3 / LABL4 C4 ...
     fn read(card: &Card) -> Result<Vec<Self>, InputError> {
         let always = card.text(0).eq_ignore_ascii_case("ALWAYS");
@@ -232,19 +189,12 @@ impl DeckCard for Aelink {
         Ok(vec![Aelink { trim: (trim > 0).then_some(trim), dependent, terms, span: card.span.clone() }])
     }
 
-    fn write(&self, card: Fields) -> Fields {
-        card
-    }
+    not_written!();
 
-    /// It has no number of its own, and sets keep theirs.
-    fn raise(&mut self, by: Step) {
-        let _ = by;
-    }
+    // It has no number of its own, and sets keep theirs.
+    keeps_numbers!();
 
-    /// Asked of the whole aircraft.
-    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
-        Ok(None)
-    }
+    no_image!();
 }
 
 /// What lists a component is made of.
@@ -272,13 +222,7 @@ pub struct Aecomp {
 }
 
 impl DeckCard for Aecomp {
-    type Key = String;
-    fn key(&self) -> String {
-        self.name.clone()
-    }
-    fn span(&self) -> &Span {
-        &self.span
-    }
+    keyed!(String, name);
     /// AECOMP: NAME LISTTYPE LISTID1 LISTID2 ...
     fn read(card: &Card) -> Result<Vec<Self>, InputError> {
         let of = match card.name_at(1, "LISTTYPE")?.as_str() {
@@ -291,9 +235,7 @@ impl DeckCard for Aecomp {
         Ok(vec![Aecomp { name: card.name_at(0, "NAME")?, of, lists, span: card.span.clone() }])
     }
 
-    fn write(&self, card: Fields) -> Fields {
-        card
-    }
+    not_written!();
 
     fn raise(&mut self, by: Step) {
         match self.of {
@@ -302,8 +244,5 @@ impl DeckCard for Aecomp {
         }
     }
 
-    /// Asked of the whole aircraft.
-    fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
-        Ok(None)
-    }
+    no_image!();
 }
