@@ -22,15 +22,6 @@ pub struct Unread {
     pub first: Span,
 }
 
-impl BulkData {
-    /// How many cards of which names are not read; nothing if all are.
-    pub fn unread_cards(&self) -> Option<String> {
-        let list: Vec<String> =
-            self.unknown.iter().map(|(card, unread)| format!("{} {card}", unread.count)).collect();
-        (!list.is_empty()).then(|| list.join(", "))
-    }
-}
-
 /// What a deck has beside cards that stand for themselves.
 pub(crate) struct Rest {
     pub(crate) parameters: BTreeMap<String, f64>,

@@ -17,6 +17,7 @@ pub mod ron_file;
 pub mod source;
 pub mod suggest;
 pub mod table;
+mod unread;
 pub mod write;
 
 pub use bulk_data::{BulkData, CARD_KINDS, Unread};

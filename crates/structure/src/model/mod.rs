@@ -70,7 +70,7 @@ impl Model {
     /// Reads a structure from bulk data.
     ///
     /// # Errors
-    /// If a card refers to something that is not there, or describes no possible element; the card is blamed and
+    /// If the deck has elements that are not read, or a card refers to something that is not there, or describes no possible element; the card is blamed and
     /// the hint lists what there is.
     pub fn from_bulk(bulk: &BulkData) -> Result<Self, InputError> {
         Self::from_bulk_with(bulk, ShearModel::Equilibrium)
@@ -81,6 +81,7 @@ impl Model {
     /// # Errors
     /// As [`Model::from_bulk`].
     pub fn from_bulk_with(bulk: &BulkData, shear: ShearModel) -> Result<Self, InputError> {
+        bulk.refuse_unread_elements()?;
         let builder = build::Builder::new(bulk, shear)?;
         let mut elements = builder.beams()?;
         elements.extend(builder.shells()?);

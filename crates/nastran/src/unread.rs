@@ -1,0 +1,123 @@
+//! Cards that are not read: those that a structure cannot be without, and what to say of the others.
+//!
+//! A finite element, a mass or a rigid element that is left out changes stiffness and mass without anyone noticing; so a
+//! structure with one is refused by its name. What plots, selects, optimises or tabulates is listed and left alone, and so
+//! is what counts only if the case control selects it (loads, `NSM`, `DMIG`).
+
+use crate::bulk_data::{BulkData, Unread};
+use crate::source::InputError;
+
+/// Elements, masses and rigid elements of the Quick Reference Guides of MSC, NX and NASTRAN-95 that are not read, and
+/// what is read in their place.
+const ELEMENTS: &[(&[&str], &str)] = &[
+    (
+        &[
+            "CTRIAR", "CTRIA6", "CTRIA1", "CTRIA2", "CTRPLT", "CTRBSC", "CTRMEM", "CTRIM6", "CTRPLT1",
+            "CTRSHL",
+        ],
+        "CTRIA3",
+    ),
+    (&["CQUADR", "CQUAD8", "CQUAD", "CQUAD1", "CQUAD2", "CQDPLT", "CQDMEM", "CQDMEM1", "CQDMEM2"], "CQUAD4"),
+    (&["CSHEAR", "CTWIST"], "CQUAD4 and CROD"),
+    (&["CIHEX1", "CIHEX2", "CIHEX3", "CHEXA1", "CHEXA2", "CHEX8", "CHEX20", "CHEXPR", "CIFHEX"], "CHEXA"),
+    (&["CWEDGE", "CPENPR", "CIFPENT"], "CPENTA"),
+    (&["CTETPR", "CPYRAM", "CPYRA"], "CTETRA and CPENTA"),
+    (&["CONROD", "CTUBE"], "CROD with PROD"),
+    (&["CBEND", "CBEAM3"], "CBEAM"),
+    (&["CELAS3", "CELAS4"], "CELAS1 or CELAS2 between grids"),
+    (&["CMASS3", "CMASS4"], "CMASS1 or CMASS2 at grids"),
+    (&["CBUSH1D", "CBUSH2D", "CGAP", "CBEAR", "CROTORG"], "CBUSH with the stiffness at the working point"),
+    (&["CWELD", "CFAST", "CSEAM"], "CBUSH between RBE3"),
+    (&["CDAMP1", "CDAMP2", "CDAMP3", "CDAMP4", "CDAMP5", "CVISC"], "no damping element"),
+    (
+        &["CTRIAX", "CTRIAX6", "CTRAX3", "CTRAX6", "CQUADX", "CQUADX4", "CQUADX8", "CCONEAX"],
+        "a model in space",
+    ),
+    (&["CTRIARG", "CTRAPRG", "CTRIAAX", "CTRAPAX", "CTORDRG"], "a model in space"),
+    (
+        &["CPLSTN3", "CPLSTN4", "CPLSTN6", "CPLSTN8", "CPLSTS3", "CPLSTS4", "CPLSTS6", "CPLSTS8"],
+        "CTRIA3 or CQUAD4",
+    ),
+    (
+        &[
+            "CDUM1", "CDUM2", "CDUM3", "CDUM4", "CDUM5", "CDUM6", "CDUM7", "CDUM8", "CDUM9", "CRAC2D",
+            "CRAC3D",
+        ],
+        "GENEL",
+    ),
+    (&["RROD", "CRROD", "RJOINT", "CRIGDR"], "RBAR or MPC"),
+    (&["RBAR1", "CRBAR"], "RBAR"),
+    (
+        &["RBE1", "CRBE1", "CRBE2", "CRIGD1", "CRIGD2", "RTRPLT", "RTRPLT1", "CRTRPLT", "RSSCON"],
+        "RBE2 or MPC",
+    ),
+    (&["RSPLINE", "CRSPLINE", "CRBE3", "CRIGD3", "RBE2GS"], "RBE3 or MPC"),
+];
+
+impl BulkData {
+    /// How many cards of which names are not read; nothing if all are.
+    pub fn unread_cards(&self) -> Option<String> {
+        let list: Vec<String> =
+            self.unknown.iter().map(|(card, unread)| format!("{} {card}", unread.count)).collect();
+        (!list.is_empty()).then(|| list.join(", "))
+    }
+
+    /// Refuses a deck with elements, masses or rigid elements that are not read.
+    ///
+    /// # Errors
+    /// If there is one: with the names, how many of each, where the first of each stands, and what to write instead.
+    pub fn refuse_unread_elements(&self) -> Result<(), InputError> {
+        let instead = |name: &str| ELEMENTS.iter().find(|(names, _)| names.contains(&name)).map(|row| row.1);
+        let mut left: Vec<(&String, &Unread, &str)> =
+            self.unknown.iter().filter_map(|(name, unread)| Some((name, unread, instead(name)?))).collect();
+        left.sort_by_key(|(name, unread, _)| (std::cmp::Reverse(unread.count), *name));
+        let Some((_, first, _)) = left.first() else { return Ok(()) };
+        let list: Vec<String> = left
+            .iter()
+            .map(|(name, Unread { count, first }, _)| format!("{count} {name} (from {first} on)"))
+            .collect();
+        let (list, it) = (list.join(", "), if left.len() == 1 { "an element" } else { "elements" });
+        let message = format!(
+            "the deck has {list}: {it} that cannot be read, without which the structure is not itself"
+        );
+        let help: Vec<String> =
+            left.iter().map(|(name, _, instead)| format!("{instead} for {name}")).collect();
+        let help = format!("write {}, or take out what the model shall do without", help.join(", "));
+        Err(InputError::at(&first.first, message).with_help(help))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ELEMENTS;
+    use crate::{CARD_KINDS, parse_deck};
+
+    #[test]
+    fn an_element_that_is_not_read_stops_with_name_number_place_and_way_out() {
+        let deck = "PLOTEL,9,1,2\nGRID,1\nCTRIAR,1,1,1,2,3\nRBE1,7\nCTRIAR,2,1,1,2,4\n";
+        let error =
+            parse_deck("wing.bdf", deck).expect("a deck").refuse_unread_elements().expect_err("CTRIAR");
+        assert_eq!(
+            error.to_string(),
+            "wing.bdf:3:1: the deck has 2 CTRIAR (from wing.bdf:3:1 on), 1 RBE1 (from wing.bdf:4:1 on): elements that \
+             cannot be read, without which the structure is not itself (hint: write CTRIA3 for CTRIAR, RBE2 or MPC for \
+             RBE1, or take out what the model shall do without)"
+        );
+    }
+
+    #[test]
+    fn what_has_no_stiffness_mass_or_load_is_left_alone() {
+        let deck =
+            "PLOTEL,9,1,2\nEIGRL,1,,,5\nASET1,123,1\nDESVAR,1,A,1.\nTABLED1,1\nFORCE,1,1,,1.,1.\nSPOINT,5\n";
+        assert_eq!(parse_deck("wing.bdf", deck).expect("a deck").refuse_unread_elements(), Ok(()));
+    }
+
+    #[test]
+    fn no_name_is_both_read_and_refused_or_twice_in_the_list() {
+        let refused: Vec<&str> = ELEMENTS.iter().flat_map(|(names, _)| *names).copied().collect();
+        for (at, name) in refused.iter().enumerate() {
+            assert!(!refused[..at].contains(name), "{name}");
+            assert!(CARD_KINDS.iter().all(|kind| !kind.names.contains(name)), "{name}");
+        }
+    }
+}
