@@ -1,18 +1,17 @@
 //! A wing calibrated by measured root loads: what the corrections do to the loads, and what the data determine.
 //!
-//! `calibrate_a_wing WING.ron CAMPAIGN_FOLDER [CORRECTIONS.ron]`, say with `data/weber_brebner/wing.ron data/weber_brebner`.
+//! `calibrate_a_wing WING.ron CAMPAIGN_FOLDER`, say with `data/weber_brebner/wing.ron data/weber_brebner`.
 
-use calibrate::{Campaign, Schedule, Settings, calibrate};
+use calibrate::{Campaign, Settings, calibrate};
 use coupling::ElasticWing;
 use std::error::Error;
 use std::io::Write;
-use std::path::Path;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut out = std::io::stdout().lock();
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let [wing, campaign, rest @ ..] = arguments.as_slice() else {
-        return Err("expected WING.ron CAMPAIGN_FOLDER [CORRECTIONS.ron]".into());
+    let [wing, campaign] = arguments.as_slice() else {
+        return Err("expected WING.ron CAMPAIGN_FOLDER".into());
     };
     let (file, wing) = ElasticWing::read(wing.as_ref())?;
     let campaign = Campaign::read(campaign.as_ref())?;
@@ -23,9 +22,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         if let Some(told) = &airspeed.identifiability {
             writeln!(out, "    the data determine {} directions of corrections", told.determined_directions)?;
         }
-    }
-    if let Some(path) = rest.first() {
-        std::fs::write(Path::new(path), schedule.to_ron())?;
     }
     Ok(())
 }

@@ -97,7 +97,7 @@ impl Bench {
     }
 
     /// Noise-free training loads of a jittered wing with effects.
-    pub(crate) fn clean_loads(&self, jitter: &Jitter, effects: &[Box<dyn Effect>]) -> Loads {
+    pub(crate) fn clean_loads(&self, jitter: &Jitter, effects: &[Effect]) -> Loads {
         let physics = |v_m_s: f64| self.jittered(jitter, v_m_s);
         let wing = TrueWing { parts: &self.parts, jittered: &physics, effects, servo: jitter.servo() };
         clean(&wing, &self.controls)

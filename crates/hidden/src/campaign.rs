@@ -143,7 +143,7 @@ pub(crate) fn records(wing: &TrueWing<'_>, plan: &[Planned], speeds: &[&AtSpeed]
             };
             let mut reading: Vec<f64> = commands.alpha[0].iter().map(|angle| angle.to_degrees()).collect();
             for effect in wing.effects {
-                effect.reading(&mut reading);
+                (effect.kind.reading)(&effect.values, &mut reading);
             }
             let degrees =
                 |values: &[f64]| values.iter().map(|value| value.to_degrees()).collect::<Vec<f64>>();
@@ -193,7 +193,7 @@ pub(crate) fn static_points(
             let loads = std::array::from_fn(|c| flown.loads[c][0] + offset[c] + error[c]);
             let tip_z_m = flown.tip_z_m[0] + random.normal(noise::TIP_M);
             let mut reading = [alpha_deg];
-            wing.effects.iter().for_each(|effect| effect.reading(&mut reading));
+            wing.effects.iter().for_each(|effect| (effect.kind.reading)(&effect.values, &mut reading));
             all.push(StaticPoint { v_m_s: at.v_m_s, alpha_deg: reading[0], loads, tip_z_m, block });
         }
     }

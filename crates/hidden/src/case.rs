@@ -33,8 +33,9 @@ const MOST_SCALINGS: usize = 6;
 const SCALED_WITHIN: f64 = 0.15;
 
 /// The effects of a plan.
-pub(crate) fn effects(hidden: &[Hidden]) -> Vec<Box<dyn Effect>> {
-    hidden.iter().filter_map(|hidden| Some((kind(&hidden.name)?.make)(&hidden.values))).collect()
+pub(crate) fn effects(hidden: &[Hidden]) -> Vec<Effect> {
+    let effect = |hidden: &Hidden| Some(Effect { kind: kind(&hidden.name)?, values: hidden.values.clone() });
+    hidden.iter().filter_map(effect).collect()
 }
 
 /// The sizes of effects times a factor.

@@ -21,7 +21,7 @@ pub(crate) struct TrueWing<'a> {
     pub(crate) parts: &'a Parts,
     /// The wing of this case before effects, by airspeed.
     pub(crate) jittered: &'a (dyn Fn(f64) -> Physics + Sync),
-    pub(crate) effects: &'a [Box<dyn Effect>],
+    pub(crate) effects: &'a [Effect],
     pub(crate) servo: Servo,
 }
 
@@ -78,10 +78,10 @@ pub(crate) struct AtSpeed {
 
 impl TrueWing<'_> {
     fn zones(&self) -> ZonesOf {
-        if self.effects.iter().any(|effect| effect.separation().is_some()) {
+        if self.effects.iter().any(|effect| (effect.kind.separation)(&effect.values).is_some()) {
             return ZonesOf::Both;
         }
-        let asked = self.effects.iter().any(|effect| effect.needs_zones());
+        let asked = self.effects.iter().any(|effect| (effect.kind.needs_zones)(&effect.values));
         if asked { ZonesOf::Outputs } else { ZonesOf::Nothing }
     }
 
@@ -91,7 +91,7 @@ impl TrueWing<'_> {
         let wing = WingView { strips: &parts.strips, omega_rad_s: &parts.structure.omega_rad_s };
         let mut physics = (self.jittered)(v_m_s);
         for effect in self.effects {
-            effect.physics(wing, v_m_s, &mut physics);
+            (effect.kind.physics)(&effect.values, wing, v_m_s, &mut physics);
         }
         let linear = parts.at(v_m_s, RHO_KG_M3, &physics, self.zones());
         let step = ExactStep::new(linear.a.as_ref(), linear.b.as_ref(), STEP_S);
@@ -116,7 +116,7 @@ impl TrueWing<'_> {
     pub(crate) fn fly(&self, at: &AtSpeed, commands: &Commands) -> Flown {
         let here = Self::here(at, commands, (0.0, 0));
         let inputs = self.inputs(at.linear.inputs, &here, commands);
-        let separation = self.effects.iter().find_map(|effect| effect.separation());
+        let separation = self.effects.iter().find_map(|effect| (effect.kind.separation)(&effect.values));
         let outputs = match separation {
             Some(separation) => fly_separated(self.parts, at, inputs, &separation),
             None => fly_linear(at, &inputs),
@@ -127,10 +127,10 @@ impl TrueWing<'_> {
     /// What balance and data acquisition make of it in one record.
     pub(crate) fn measure(&self, here: &At<'_>, flown: &mut Flown) {
         for effect in self.effects {
-            effect.balance(here, flown);
+            (effect.kind.balance)(&effect.values, here, flown);
         }
         for effect in self.effects {
-            effect.sensor(here, flown);
+            (effect.kind.sensor)(&effect.values, here, flown);
         }
     }
 
@@ -150,11 +150,11 @@ impl TrueWing<'_> {
         for (control, command) in commands.controls.iter().enumerate() {
             let mut delta = command.clone();
             for effect in self.effects {
-                effect.command(here, control, &mut delta);
+                (effect.kind.command)(&effect.values, here, control, &mut delta);
             }
             let mut delta = self.servo.follow(&delta, STEP_S);
             for effect in self.effects {
-                effect.deflection(here, control, &mut delta);
+                (effect.kind.deflection)(&effect.values, here, control, &mut delta);
             }
             let rate = slopes(&delta);
             let second = slopes(&rate);

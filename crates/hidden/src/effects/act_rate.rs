@@ -1,28 +1,16 @@
 //! A servo that cannot move faster than a rate, with a soft knee (the obvious form: a sharp limit).
 
-use super::{Effect, Kind, Parameter, Sign};
-use crate::flown::At;
+use super::{Kind, Parameter, Sign};
 
 pub(super) const KIND: Kind = Kind {
     name: "act_rate",
-    in_library: true,
-    compared: None,
     parameters: &[Parameter::size("inverse_rate_s_per_rad", 0.05, 1.0, Sign::Plus)],
-    make: |values| Box::new(ActRate { inverse: values[0] }),
-};
-
-#[derive(Debug)]
-struct ActRate {
-    inverse: f64,
-}
-
-impl Effect for ActRate {
-    fn command(&self, at: &At<'_>, _control: usize, delta: &mut [f64]) {
+    command: |p, at, _, delta| {
         let Some(&first) = delta.first() else { return };
-        if self.inverse <= 0.0 {
+        if p[0] <= 0.0 {
             return;
         }
-        let most = at.time_step_s / self.inverse;
+        let most = at.time_step_s / p[0];
         let mut place = first;
         for value in delta {
             let wanted = (*value - place) / most;
@@ -30,5 +18,6 @@ impl Effect for ActRate {
             place += most * wanted / (1.0 + wanted.powi(6)).powf(1.0 / 6.0);
             *value = place;
         }
-    }
-}
+    },
+    ..Kind::NONE
+};

@@ -1,25 +1,14 @@
 //! Another apparent mass, more so inboard (the obvious form: one factor).
 
-use super::{Effect, Kind, Parameter, Sign, WingView};
-use crate::physics::Physics;
+use super::{Kind, Parameter, Sign};
 
 pub(super) const KIND: Kind = Kind {
     name: "added_mass",
-    in_library: true,
-    compared: None,
     parameters: &[Parameter::size("dam", 0.06, 0.9, Sign::Either)],
-    make: |values| Box::new(AddedMass { change: values[0] }),
-};
-
-#[derive(Debug)]
-struct AddedMass {
-    change: f64,
-}
-
-impl Effect for AddedMass {
-    fn physics(&self, wing: WingView<'_>, _v_m_s: f64, physics: &mut Physics) {
+    physics: |p, wing, _, physics| {
         for (factor, eta) in physics.apparent_mass.iter_mut().zip(&wing.strips.eta) {
-            *factor *= 1.0 + self.change * (1.06 - 0.12 * eta);
+            *factor *= 1.0 + p[0] * (1.06 - 0.12 * eta);
         }
-    }
-}
+    },
+    ..Kind::NONE
+};

@@ -1,23 +1,13 @@
 //! Another bending stiffness, more so outboard (the obvious form: one factor).
 
-use super::{Effect, Kind, Parameter, Sign, WingView};
-use crate::physics::{Ends, Physics};
+use super::{Kind, Parameter, Sign};
+use crate::physics::Ends;
 
 pub(super) const KIND: Kind = Kind {
     name: "bend_stiff",
-    in_library: true,
-    compared: None,
     parameters: &[Parameter::size("dEI", 0.02, 0.45, Sign::Either)],
-    make: |values| Box::new(BendStiff { change: values[0] }),
+    physics: |p, _, _, physics| {
+        physics.bending.add(Ends { root: 0.92 * p[0], tip: 1.16 * p[0] });
+    },
+    ..Kind::NONE
 };
-
-#[derive(Debug)]
-struct BendStiff {
-    change: f64,
-}
-
-impl Effect for BendStiff {
-    fn physics(&self, _wing: WingView<'_>, _v_m_s: f64, physics: &mut Physics) {
-        physics.bending.add(Ends { root: 0.92 * self.change, tip: 1.16 * self.change });
-    }
-}

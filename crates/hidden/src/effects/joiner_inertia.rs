@@ -1,13 +1,11 @@
 //! A rigid body between balance and wing: inertia in pitch acceleration, and its weight in the tilting axes with sine and
 //! cosine (the obvious form: linear in the angle).
 
-use super::{Effect, Kind, Parameter, Sign};
-use crate::flown::{At, Flown};
+use super::{Kind, Parameter, Sign};
 use coupling::GRAVITY_M_S2;
 
 pub(super) const KIND: Kind = Kind {
     name: "joiner_inertia",
-    in_library: true,
     compared: Some(|values| {
         let joiner = Joiner::new(values[0], values[1], values[2]);
         let (mx, mz) = (joiner.aft_kg_m, joiner.up_kg_m);
@@ -19,7 +17,17 @@ pub(super) const KIND: Kind = Kind {
         Parameter::shape("lever_share", 0.05, 0.7, Sign::Either),
         Parameter::shape("height_share", 0.05, 0.5, Sign::Either),
     ],
-    make: |values| Box::new(Joiner::new(values[0], values[1], values[2])),
+    balance: |p, at, flown| {
+        let joiner = Joiner::new(p[0], p[1], p[2]);
+        for (i, alpha) in at.alpha_rad.iter().enumerate() {
+            let second = at.alpha_second[i];
+            flown.loads[0][i] += joiner.aft_kg_m * second;
+            // what is aft weighs nose up, less so as it tilts; what is above pulls aft as the nose rises
+            let weight = joiner.aft_kg_m * (alpha.cos() - 1.0) + joiner.up_kg_m * alpha.sin();
+            flown.loads[2][i] += -joiner.inertia_kg_m2 * second + GRAVITY_M_S2 * weight;
+        }
+    },
+    ..Kind::NONE
 };
 
 /// Mass of the body, kg.
@@ -39,18 +47,6 @@ impl Joiner {
             inertia_kg_m2,
             aft_kg_m: MASS_KG * radius_m * lever_share,
             up_kg_m: MASS_KG * radius_m * height_share,
-        }
-    }
-}
-
-impl Effect for Joiner {
-    fn balance(&self, at: &At<'_>, flown: &mut Flown) {
-        for (i, alpha) in at.alpha_rad.iter().enumerate() {
-            let second = at.alpha_second[i];
-            flown.loads[0][i] += self.aft_kg_m * second;
-            // what is aft weighs nose up, less so as it tilts; what is above pulls aft as the nose rises
-            let weight = self.aft_kg_m * (alpha.cos() - 1.0) + self.up_kg_m * alpha.sin();
-            flown.loads[2][i] += -self.inertia_kg_m2 * second + GRAVITY_M_S2 * weight;
         }
     }
 }

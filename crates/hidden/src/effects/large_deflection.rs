@@ -1,30 +1,15 @@
 //! A bent wing's shorter arm and tilted lift, with the arc's own length (the obvious form: half the square of the
 //! slope).
 
-use super::{Effect, Kind, Parameter, Sign};
-use crate::flown::{At, Flown};
+use super::{Kind, Parameter, Sign};
 use crate::strips::ZONES;
 
 pub(super) const KIND: Kind = Kind {
     name: "large_deflection",
-    in_library: true,
-    compared: None,
     parameters: &[Parameter::size("scale", 0.3, 2.0, Sign::Plus)],
-    make: |values| Box::new(LargeDeflection { scale: values[0] }),
-};
-
-#[derive(Debug)]
-struct LargeDeflection {
-    scale: f64,
-}
-
-impl Effect for LargeDeflection {
-    fn needs_zones(&self) -> bool {
-        self.scale != 0.0
-    }
-
-    fn balance(&self, _at: &At<'_>, flown: &mut Flown) {
-        let (Some(zones), true) = (&flown.zones, self.scale != 0.0) else { return };
+    needs_zones: |p| p[0] != 0.0,
+    balance: |p, _, flown| {
+        let (Some(zones), true) = (&flown.zones, p[0] != 0.0) else { return };
         for i in 0..flown.tip_z_m.len() {
             let (mut shorter_m, mut below) = (0.0, (0.0, 0.0));
             for zone in 0..ZONES {
@@ -35,13 +20,13 @@ impl Effect for LargeDeflection {
                 let level = (1.0 - slope * slope).sqrt();
                 shorter_m += along * (1.0 - level);
                 let lift = zones.lift_n[zone][i];
-                flown.loads[0][i] -= self.scale * lift * (1.0 - level);
+                flown.loads[0][i] -= p[0] * lift * (1.0 - level);
                 // the lift leans inward with the wing and pushes at its height
                 let raised = here.1 * slope;
-                flown.loads[1][i] -=
-                    self.scale * lift * (shorter_m * level + here.0 * (1.0 - level) - raised);
+                flown.loads[1][i] -= p[0] * lift * (shorter_m * level + here.0 * (1.0 - level) - raised);
                 below = here;
             }
         }
-    }
-}
+    },
+    ..Kind::NONE
+};

@@ -1,55 +1,14 @@
 //! The effects that are hidden, one a file, each in another form than the obvious one.
 //!
-//! An [`Effect`] acts where it acts in the tunnel: on the structure and the air of an airspeed ([`Effect::physics`]), between
+//! An effect acts where it acts in the tunnel: on the structure and the air of an airspeed ([`Kind::physics`]), between
 //! command and servo, between servo and air, on separated flow, on the balance, in the data acquisition. Sizes of zero change nothing.
 
 use crate::flown::{At, Flown};
 use crate::physics::Physics;
 use crate::separation::Separation;
 use crate::strips::Strips;
-use std::fmt::Debug;
 
-mod ac_shift;
-mod act_lag;
-mod act_rate;
-mod added_mass;
-mod aero_lag;
-mod alpha_encoder;
-mod alpha_offset;
-mod backlash;
-mod balance_creep;
-mod balance_nonlin;
-mod bend_stiff;
-mod cable_stiffness;
-mod camber;
-mod crosstalk;
-mod ctl_alpha_interaction;
-mod ctl_asym;
-mod ctl_compliance;
-mod ctl_saturation;
-mod ctl_scale;
-mod damping;
-mod daq_filter;
-mod delay;
-mod delta_offset;
-mod drift;
 mod filters;
-mod flow_upwash_gradient;
-mod friction;
-mod gain;
-mod inplane_force;
-mod joiner_inertia;
-mod large_deflection;
-mod lift_slope;
-mod mx_alpha_squared;
-mod q_error;
-mod re_dependence;
-mod shedding_tone;
-mod stall;
-mod tip_loss;
-mod tip_mass;
-mod tors_stiff;
-mod wing_mass_error;
 
 /// What a wing is to an effect.
 #[derive(Debug, Clone, Copy)]
@@ -58,49 +17,6 @@ pub struct WingView<'a> {
     pub strips: &'a Strips,
     /// Natural frequencies of the unchanged structure, rad/s.
     pub omega_rad_s: &'a [f64],
-}
-
-/// An effect with its parameters.
-pub trait Effect: Debug + Send + Sync {
-    /// Changes the wing at an airspeed (as the campaign says it), m/s.
-    fn physics(&self, wing: WingView<'_>, v_m_s: f64, physics: &mut Physics) {
-        let _ = (wing, v_m_s, physics);
-    }
-
-    /// Changes the commanded deflection of a control on its way to the servo, rad.
-    fn command(&self, at: &At<'_>, control: usize, delta: &mut [f64]) {
-        let _ = (at, control, delta);
-    }
-
-    /// Changes the deflection that the servo gives, rad.
-    fn deflection(&self, at: &At<'_>, control: usize, delta: &mut [f64]) {
-        let _ = (at, control, delta);
-    }
-
-    /// The flow that separates, if this effect is one.
-    fn separation(&self) -> Option<Separation> {
-        None
-    }
-
-    /// Whether loads and displacements of the zones are needed.
-    fn needs_zones(&self) -> bool {
-        false
-    }
-
-    /// Changes what reaches the balance.
-    fn balance(&self, at: &At<'_>, flown: &mut Flown) {
-        let _ = (at, flown);
-    }
-
-    /// Changes what the angle sensor says, degrees.
-    fn reading(&self, alpha_deg: &mut [f64]) {
-        let _ = alpha_deg;
-    }
-
-    /// Changes what the balance and the data acquisition make of it.
-    fn sensor(&self, at: &At<'_>, flown: &mut Flown) {
-        let _ = (at, flown);
-    }
 }
 
 /// Signs that a parameter may have.
@@ -160,7 +76,8 @@ impl Parameter {
 /// Names with unit and values that an estimate may be compared with, from the values of the parameters.
 pub type Compared = fn(&[f64]) -> Vec<(&'static str, f64)>;
 
-/// A kind of effect.
+/// A kind of effect: how it is drawn, and what it changes on the way from the wing to the record. Functions get the values of
+/// the parameters, in their order; values of zero change nothing.
 #[derive(Debug, Clone, Copy)]
 pub struct Kind {
     /// Name, as in the list of effects.
@@ -171,52 +88,102 @@ pub struct Kind {
     pub compared: Option<Compared>,
     /// How its parameters are drawn.
     pub parameters: &'static [Parameter],
-    /// Builds it from its parameters, in their order.
-    pub make: fn(&[f64]) -> Box<dyn Effect>,
+    /// Changes the wing at an airspeed (as the campaign says it), m/s.
+    pub physics: fn(&[f64], WingView<'_>, f64, &mut Physics),
+    /// Changes the commanded deflection of a control (by its index) on its way to the servo, rad.
+    pub command: fn(&[f64], &At<'_>, usize, &mut [f64]),
+    /// Changes the deflection that the servo gives, rad.
+    pub deflection: fn(&[f64], &At<'_>, usize, &mut [f64]),
+    /// The flow that separates, if this effect is one.
+    pub separation: fn(&[f64]) -> Option<Separation>,
+    /// Whether loads and displacements of the zones are needed.
+    pub needs_zones: fn(&[f64]) -> bool,
+    /// Changes what reaches the balance.
+    pub balance: fn(&[f64], &At<'_>, &mut Flown),
+    /// Changes what the angle sensor says, degrees.
+    pub reading: fn(&[f64], &mut [f64]),
+    /// Changes what the balance and the data acquisition make of it.
+    pub sensor: fn(&[f64], &At<'_>, &mut Flown),
 }
 
-/// All kinds.
-pub const KINDS: &[Kind] = &[
-    ac_shift::KIND,
-    act_lag::KIND,
-    act_rate::KIND,
-    added_mass::KIND,
-    aero_lag::KIND,
-    alpha_encoder::KIND,
-    alpha_offset::KIND,
-    backlash::KIND,
-    balance_creep::KIND,
-    balance_nonlin::KIND,
-    bend_stiff::KIND,
-    cable_stiffness::KIND,
-    camber::KIND,
-    crosstalk::KIND,
-    ctl_alpha_interaction::KIND,
-    ctl_asym::KIND,
-    ctl_compliance::KIND,
-    ctl_saturation::KIND,
-    ctl_scale::KIND,
-    damping::KIND,
-    daq_filter::KIND,
-    delay::KIND,
-    delta_offset::KIND,
-    drift::KIND,
-    flow_upwash_gradient::KIND,
-    friction::KIND,
-    gain::KIND,
-    inplane_force::KIND,
-    joiner_inertia::KIND,
-    large_deflection::KIND,
-    lift_slope::KIND,
-    mx_alpha_squared::KIND,
-    q_error::KIND,
-    re_dependence::KIND,
-    shedding_tone::KIND,
-    stall::KIND,
-    tip_loss::KIND,
-    tip_mass::KIND,
-    tors_stiff::KIND,
-    wing_mass_error::KIND,
+impl Kind {
+    /// Changes nothing; of a kind that a library knows.
+    const NONE: Self = Self {
+        name: "",
+        in_library: true,
+        compared: None,
+        parameters: &[],
+        physics: |_, _, _, _| (),
+        command: |_, _, _, _| (),
+        deflection: |_, _, _, _| (),
+        separation: |_| None,
+        needs_zones: |_| false,
+        balance: |_, _, _| (),
+        reading: |_, _| (),
+        sensor: |_, _, _| (),
+    };
+}
+
+/// An effect with the values of its parameters.
+#[derive(Debug, Clone)]
+pub struct Effect {
+    /// What it is.
+    pub kind: &'static Kind,
+    /// Values of its parameters, in their order.
+    pub values: Vec<f64>,
+}
+
+/// Names the files of the kinds, once.
+macro_rules! kinds {
+    ($($file:ident),* $(,)?) => {
+        $(mod $file;)*
+
+        /// All kinds.
+        pub const KINDS: &[Kind] = &[$($file::KIND),*];
+    };
+}
+
+kinds![
+    ac_shift,
+    act_lag,
+    act_rate,
+    added_mass,
+    aero_lag,
+    alpha_encoder,
+    alpha_offset,
+    backlash,
+    balance_creep,
+    balance_nonlin,
+    bend_stiff,
+    cable_stiffness,
+    camber,
+    crosstalk,
+    ctl_alpha_interaction,
+    ctl_asym,
+    ctl_compliance,
+    ctl_saturation,
+    ctl_scale,
+    damping,
+    daq_filter,
+    delay,
+    delta_offset,
+    drift,
+    flow_upwash_gradient,
+    friction,
+    gain,
+    inplane_force,
+    joiner_inertia,
+    large_deflection,
+    lift_slope,
+    mx_alpha_squared,
+    q_error,
+    re_dependence,
+    shedding_tone,
+    stall,
+    tip_loss,
+    tip_mass,
+    tors_stiff,
+    wing_mass_error,
 ];
 
 /// The kind with a name.

@@ -1,24 +1,13 @@
 //! A dynamic pressure that is wrong because the airspeed is, so that lags are too (the obvious form: a factor of
 //! the loads).
 
-use super::{Effect, Kind, Parameter, Sign, WingView};
-use crate::physics::Physics;
+use super::{Kind, Parameter, Sign};
 
 pub(super) const KIND: Kind = Kind {
     name: "q_error",
-    in_library: true,
-    compared: None,
     parameters: &[Parameter::size("eps", 0.004, 0.2, Sign::Either)],
-    make: |values| Box::new(QError { share: values[0] }),
+    physics: |p, _, _, physics| {
+        physics.airspeed *= (1.0 + p[0]).max(0.01).sqrt();
+    },
+    ..Kind::NONE
 };
-
-#[derive(Debug)]
-struct QError {
-    share: f64,
-}
-
-impl Effect for QError {
-    fn physics(&self, _wing: WingView<'_>, _v_m_s: f64, physics: &mut Physics) {
-        physics.airspeed *= (1.0 + self.share).max(0.01).sqrt();
-    }
-}

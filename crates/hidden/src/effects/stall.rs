@@ -1,18 +1,29 @@
 //! Flow that separates, Kirchhoff's way and zone by zone (the obvious form: piecewise linear in the angle).
 
-use super::{Effect, Kind, Parameter, Sign};
+use super::{Kind, Parameter, Sign};
 use crate::separation::Separation;
 use crate::strips::ZONES;
 
 pub(super) const KIND: Kind = Kind {
     name: "stall",
-    in_library: true,
-    compared: None,
     parameters: &[
         Parameter::size("k", 0.08, 1.1, Sign::Plus),
         Parameter::shape("alpha_s_deg", 2.5, 7.0, Sign::Plus),
     ],
-    make: |values| Box::new(Stall { strength: values[0], angle_deg: values[1] }),
+    separation: |p| {
+        let (strength, angle_deg) = (p[0], p[1]);
+        let begins = angle_deg.to_radians();
+        // the angle at which .157 of it are lost is where a line of slope LOSS from the beginning has lost as much
+        let middle = begins / (1.0 - 0.157 / LOSS);
+        let by_zone = |zone: usize| middle * (0.95 + 0.1 * zone as f64 / (ZONES - 1) as f64);
+        (strength != 0.0).then(|| Separation {
+            angle_rad: (0..ZONES).map(by_zone).collect(),
+            width_rad: (BEFORE * middle, BEYOND * middle),
+            chords: 3.0,
+            strength: strength / LOSS,
+        })
+    },
+    ..Kind::NONE
 };
 
 /// Lift slope that is lost beyond the beginning, at full strength.
@@ -21,24 +32,3 @@ const LOSS: f64 = 0.8;
 /// the lift rises on everywhere.
 const BEFORE: f64 = 0.2;
 const BEYOND: f64 = 0.55;
-
-#[derive(Debug)]
-struct Stall {
-    strength: f64,
-    angle_deg: f64,
-}
-
-impl Effect for Stall {
-    fn separation(&self) -> Option<Separation> {
-        let begins = self.angle_deg.to_radians();
-        // the angle at which .157 of it are lost is where a line of slope LOSS from the beginning has lost as much
-        let middle = begins / (1.0 - 0.157 / LOSS);
-        let by_zone = |zone: usize| middle * (0.95 + 0.1 * zone as f64 / (ZONES - 1) as f64);
-        (self.strength != 0.0).then(|| Separation {
-            angle_rad: (0..ZONES).map(by_zone).collect(),
-            width_rad: (BEFORE * middle, BEYOND * middle),
-            chords: 3.0,
-            strength: self.strength / LOSS,
-        })
-    }
-}
