@@ -1,25 +1,27 @@
 //! A campaign from beginning to end: noise, search, gap before and after.
 
-use crate::current_model::{CurrentModel, Setting};
-use crate::data::Dataset;
+use crate::current_model::CurrentModel;
+use crate::data::{Dataset, RunData};
+use crate::data_checks::{Defect, defects};
 use crate::detection_limit::{DetectionLimit, detection_limits};
+use crate::found::Outcome;
 use crate::gap::Gap;
+use crate::load_model::LoadModel;
 use crate::model_form::{LatticeVariant, kernel_variant, lag_variant};
 use crate::noise::{Noise, NoiseUnknown};
 use crate::null_distribution::NullDistribution;
 use crate::problem::Problem;
-use crate::search::{Outcome, search};
+use crate::rules::Rules;
+use crate::search::search;
+use crate::setting::Setting;
 use crate::simulator::{Simulator, SimulatorError, SplitRig};
 use crate::spectral_lines::{SpectralLine, sentence, spectral_lines};
 use crate::uncertain::uncertain;
 use calibrate::{Campaign, Schedule, Use};
 use coupling::{ElasticWing, WingFile};
 use maneuver::AirModel;
-use maneuver::effects::{Active, Effect, Flown, library};
+use maneuver::effects::{Active, Effect, library};
 use std::sync::Arc;
-
-/// How open corrections are that were found with other static points: about what a day's readings leave of them.
-const CALIBRATED: f64 = 0.02;
 
 /// Why a campaign cannot be searched.
 #[derive(Debug, thiserror::Error)]
@@ -38,6 +40,8 @@ pub enum DiscoverError {
 /// A wing's rigs, in the model's own form and in variants of it: set up once for any number of campaigns.
 #[derive(Debug)]
 pub struct Rigs<'a> {
+    /// What decides.
+    pub rules: Arc<Rules>,
     /// As `simulate` has it.
     pub own: SplitRig<'a>,
     /// With another rational function of the air, other doublets, another lattice.
@@ -45,7 +49,7 @@ pub struct Rigs<'a> {
 }
 
 impl<'a> Rigs<'a> {
-    /// Sets all up; `lattice` is the wing on another one, if it can be put there.
+    /// Sets all up for the rules that campaigns are decided by; `lattice` is the wing on another one, if it can be put there.
     ///
     /// # Errors
     /// As [`SplitRig::new`].
@@ -53,14 +57,33 @@ impl<'a> Rigs<'a> {
         file: &'a WingFile,
         wing: &'a ElasticWing,
         lattice: Option<&'a LatticeVariant>,
+        rules: Rules,
     ) -> Result<Self, DiscoverError> {
-        let own = SplitRig::new(file, wing, AirModel::default())?;
-        let mut variants = vec![SplitRig::new(file, wing, lag_variant())?];
+        let how = &rules.variants;
+        let own = SplitRig::new(file, wing, AirModel::default(), how)?;
+        let mut variants = vec![SplitRig::new(file, wing, lag_variant(how), how)?];
         variants.push(match lattice {
-            Some(lattice) => SplitRig::on_lattice(lattice, kernel_variant())?,
-            None => SplitRig::new(file, wing, kernel_variant())?,
+            Some(lattice) => SplitRig::on_lattice(lattice, kernel_variant(), how)?,
+            None => SplitRig::new(file, wing, kernel_variant(), how)?,
         });
-        Ok(Self { own, variants })
+        Ok(Self { rules: Arc::new(rules), own, variants })
+    }
+}
+
+impl Rigs<'_> {
+    /// The wing and its model-form variants, brought to its static loads, in a data set.
+    ///
+    /// # Errors
+    /// If the wing diverges at an airspeed, or corrections do not reach there.
+    pub fn simulators(
+        &self,
+        schedule: &Schedule,
+        data: &Dataset,
+    ) -> Result<(Simulator, Vec<Simulator>), DiscoverError> {
+        let own = Simulator::new(&self.own, schedule, data)?;
+        let variant = |rig| Ok(Simulator::new(rig, schedule, data)?.matching(&own, &self.rules));
+        let variants = self.variants.iter().map(variant).collect::<Result<_, DiscoverError>>()?;
+        Ok((own, variants))
     }
 }
 
@@ -79,7 +102,7 @@ pub struct Prepared {
     pub uncertain: Vec<Active>,
     /// The noise.
     pub noise: Noise,
-    /// Tones that do not repeat.
+    /// Spectral lines that do not repeat.
     pub spectral_lines: Vec<SpectralLine>,
     /// How open the corrections are (see [`Setting::open_corrections`]).
     pub open_corrections: f64,
@@ -87,9 +110,9 @@ pub struct Prepared {
 
 /// What a search found and how far the gap closed.
 #[derive(Debug)]
-pub struct Report {
+pub struct Report<'a> {
     /// The model at the end.
-    pub current: CurrentModel,
+    pub current: CurrentModel<'a>,
     /// The effects and what else the search says.
     pub outcome: Outcome,
     /// Gaps of training runs before and after, then of held-out runs.
@@ -109,18 +132,16 @@ impl Prepared {
         campaign: &Campaign,
         own_corrections: bool,
     ) -> Result<Self, DiscoverError> {
-        let data = Dataset::read(campaign, rigs.own.wing())?;
-        let simulator = Simulator::new(&rigs.own, schedule, &data)?;
-        let other = |rig| Ok(Simulator::new(rig, schedule, &data)?.matching(&simulator));
-        let variants = rigs.variants.iter().map(other).collect::<Result<_, DiscoverError>>()?;
+        let data = Dataset::read(campaign, rigs.own.wing(), &rigs.rules)?;
+        let (simulator, variants) = rigs.simulators(schedule, &data)?;
         let names = rigs.own.controls();
         let places: Vec<usize> = (0..data.runs.len()).map(|i| data.place_of_run(i)).collect();
-        let flown = simulator.fly(&simulator.models(&[], None), &[], &places);
+        let flown = simulator.flown(&[], None, &places);
         let noise = Noise::new(&data, &flown)?;
         let spectral_lines = spectral_lines(&data, &flown);
-        let open_corrections = if own_corrections { 1.0 } else { CALIBRATED };
+        let open_corrections = if own_corrections { 1.0 } else { rigs.rules.shared.calibrated };
         let library = library(&names);
-        let uncertain = uncertain(&library, &names);
+        let uncertain = uncertain(&library, &names, &rigs.rules.shared);
         Ok(Self { data, simulator, variants, library, uncertain, noise, spectral_lines, open_corrections })
     }
 
@@ -128,8 +149,8 @@ impl Prepared {
     pub fn setting(&self) -> Setting<'_> {
         Setting {
             data: &self.data,
-            simulator: &self.simulator,
-            variants: &self.variants,
+            model: &self.simulator,
+            variants: self.variants.iter().map(|variant| variant as &dyn LoadModel).collect(),
             library: &self.library,
             uncertain: &self.uncertain,
             open_corrections: self.open_corrections,
@@ -141,41 +162,40 @@ impl Prepared {
         Problem::of_conditions(&self.data, &self.noise, Use::Train)
     }
 
-    /// Of what the gap is told: training and held-out runs.
+    /// The training and the held-out data whose gaps are stated, every run for itself.
     pub fn judged(&self) -> [Problem<'_>; 2] {
         [Use::Train, Use::Holdout].map(|usage| Problem::of_runs(&self.data, &self.noise, usage))
     }
 
     /// Thresholds from campaigns without effect.
     pub fn thresholds(&self, seed: u64) -> NullDistribution {
-        NullDistribution::from_null_campaigns(&self.setting(), &self.training(), &self.judged(), seed)
+        NullDistribution::from_null_campaigns(&self.setting(), self.training(), &self.judged(), seed)
     }
 
     /// Searches.
-    pub fn search(&self, limits: &NullDistribution, seed: u64) -> Report {
+    pub fn search(&self, nulls: &NullDistribution, seed: u64) -> Report<'_> {
         let before = self.simulator.count();
         let setting = self.setting();
-        let (mut outcome, current) = search(&setting, &mut self.training(), limits, seed);
-        if let Some(sentence) = sentence(&self.spectral_lines) {
+        let (mut outcome, current) = search(&setting, self.training(), nulls, seed);
+        if let Some(sentence) = sentence(&self.data.rules.spectral_lines, &self.spectral_lines) {
             // no effect of the library makes a spectral line
             outcome.unexplained = true;
             outcome.trace.push(sentence);
         }
         let gaps = self.judged().each_ref().map(|problem| {
-            let plain: &[Active] = &[];
-            [plain, &current.effects].map(|effects| problem.gap(&self.flown(problem, &current, effects)))
+            let places = problem.places();
+            let of = |effects| problem.gap(&self.simulator.flown(effects, Some(&current.models), &places));
+            [of(&[]), of(&current.effects)]
         });
         Report { current, outcome, gaps, model_runs: self.simulator.count() - before }
     }
 
     /// What of every effect would have been named, where a search found nothing missing; empty otherwise.
-    pub fn detection_limits(&self, report: &Report, limits: &NullDistribution) -> Vec<DetectionLimit> {
+    pub fn detection_limits(&self, report: &Report<'_>, nulls: &NullDistribution) -> Vec<DetectionLimit> {
         if !report.outcome.found.is_empty() || report.outcome.unexplained {
             return Vec::new();
         }
-        let mut problem = self.training();
-        problem.set_tolerances(&report.current.flown, &[]);
-        detection_limits(&self.setting(), &problem, &report.current, limits)
+        detection_limits(&self.setting(), &report.current, nulls)
     }
 
     /// Gaps of training and held-out runs as another simulator flies them with effects: corrections that were calibrated
@@ -187,8 +207,17 @@ impl Prepared {
             .map(|problem| problem.gap(&simulator.fly(&models, effects, &problem.places())))
     }
 
-    fn flown(&self, problem: &Problem<'_>, current: &CurrentModel, effects: &[Active]) -> Vec<Flown> {
-        let models = self.simulator.models(effects, Some(&current.models));
-        self.simulator.fly(&models, effects, &problem.places())
+    /// Places of all static groups and runs among the stimuli, every run for itself.
+    pub fn records(&self) -> Vec<usize> {
+        (0..self.data.statics.len() + self.data.runs.len()).collect()
+    }
+
+    /// Defects of the data, judged before anything is searched; none is what one hopes for.
+    pub fn defects(&self) -> Vec<Defect> {
+        let flown = self.simulator.flown(&[], None, &self.records());
+        let of_run = |run: &RunData| std::array::from_fn(|c| self.noise.sigma(run.airspeed, c, 1.0));
+        let statics = self.data.statics.iter().map(|_| self.noise.point);
+        let sigma: Vec<[f64; 3]> = statics.chain(self.data.runs.iter().map(of_run)).collect();
+        defects(&self.data, &flown, &sigma)
     }
 }

@@ -1,33 +1,14 @@
 //! A candidate effect beside those found: screened by secants, fitted in the full simulation, with its log Bayes factor.
 
-use crate::current_model::{CurrentModel, Setting};
-use crate::problem::Problem;
-use crate::trial::{Point, Trial, difference};
-use crate::uncertain::{PRIOR_WIDTHS, known};
+use crate::current_model::CurrentModel;
+use crate::rules::{NamingRules, SharedRules};
+use crate::setting::Setting;
+use crate::trial::{Base, Point, Trial, difference};
+use crate::uncertain::known;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 use maneuver::effects::{Active, Effect, Parameter};
 use std::sync::Arc;
-
-/// Steps of a refit; more while they gain [`WORTH`] of what was gained so far.
-const STEPS: usize = 6;
-/// Most steps of a refit.
-const MOST_STEPS: usize = 14;
-/// See [`STEPS`].
-const WORTH: f64 = 0.02;
-/// A step that gains less than this of chi square is the last.
-const ENOUGH: f64 = 0.5;
-/// Sizes in units of the plausible at which an effect of one parameter is flown for screening. What a run may be off by
-/// hides the part of an effect that is linear in its size (a time shift's, say): what is left looks alike on both
-/// sides of zero, so each is tried.
-const TRIED: [f64; 4] = [1.0, -1.0, 4.0, -4.0];
-/// The same of what has one side only: limits and gaps act from zero on, and not in proportion.
-const TRIED_ONE_SIDED: [f64; 3] = [0.2, 1.0, 4.0];
-/// Above this many of chi square a row beside what was found already, sizes beyond the plausible are tried.
-const MUCH_MISSING: f64 = 1.5;
-/// Where its fit is started beside the best of these sizes, as shares of it: a little on the other side, too, where what is small
-/// was flown too large.
-const STARTS: [f64; 3] = [0.5, 1.5, -0.5];
 
 /// A candidate and what screening says of it.
 #[derive(Debug, Clone)]
@@ -65,14 +46,9 @@ pub struct Refit {
 
 impl Screened {
     /// Flies the candidate at its plausible size, parameter by parameter.
-    pub fn new(
-        setting: &Setting<'_>,
-        problem: &Problem<'_>,
-        current: &CurrentModel,
-        effect: &Arc<dyn Effect>,
-    ) -> Self {
+    pub fn new(setting: &Setting<'_>, current: &CurrentModel<'_>, effect: &Arc<dyn Effect>) -> Self {
         let parameters = effect.parameters();
-        let trial = Trial { setting, problem, current, effect, memory: current.memory.as_deref() };
+        let trial = Trial { setting, current, effect, memory: current.memory.as_deref() };
         let started: Option<Point> = effect
             .starts()
             .iter()
@@ -82,13 +58,14 @@ impl Screened {
             })
             .min_by(|a, b| a.score.total_cmp(&b.score));
         let base = started.unwrap_or_else(|| trial.point_at_rest());
-        let at_base = difference(&current.residual, &base.residual);
         if parameters.len() == 1 && base.sizes == [0.0] {
-            return Self::of_one_parameter(&trial, current, &parameters[0]);
+            return Self::of_one_parameter(&trial, &parameters[0]);
         }
+        let at_base =
+            Base { sizes: base.sizes.clone(), change: difference(&current.residual, &base.residual) };
         let columns: Vec<Vec<f64>> =
-            (0..parameters.len()).map(|k| trial.secant(&parameters, k, (&base.sizes, &at_base))).collect();
-        let secants = Mat::from_fn(problem.len(), columns.len(), |i, j| columns[j][i]);
+            (0..parameters.len()).map(|k| trial.secant(&parameters, k, &at_base)).collect();
+        let secants = Mat::from_fn(current.problem.len(), columns.len(), |i, j| columns[j][i]);
         let (step, gain) = linear_step(current, &secants, &base.residual, &base.sizes);
         let start: Vec<f64> = base.sizes.iter().zip(step).map(|(a, b)| a + b).collect();
         let mut starts = vec![start.clone()];
@@ -103,10 +80,11 @@ impl Screened {
     }
 
     /// A single parameter: as small, as large, on either side as may be.
-    fn of_one_parameter(trial: &Trial<'_>, current: &CurrentModel, parameter: &Parameter) -> Self {
+    fn of_one_parameter(trial: &Trial<'_>, parameter: &Parameter) -> Self {
+        let (current, rules) = (trial.current, &trial.setting.rules().fit);
         let within = |size: &f64| (parameter.lower..=parameter.upper).contains(&(size * parameter.plausible));
-        let sizes = if within(&-1.0) { &TRIED[..] } else { &TRIED_ONE_SIDED };
-        let little = current.chi2 < MUCH_MISSING * current.residual.len() as f64;
+        let sizes = if within(&-1.0) { &rules.tried } else { &rules.tried_one_sided };
+        let little = current.chi2 < rules.much_missing * current.residual.len() as f64;
         let largest = if little && !current.effects.is_empty() { 1.0 } else { f64::INFINITY };
         let tried: Vec<(f64, Point)> = sizes
             .iter()
@@ -127,7 +105,7 @@ impl Screened {
         let largest = by_secants.iter().max_by(|a, b| a.1.total_cmp(&b.1));
         let gain = best.map_or(0.0, |best| current.chi2 - best.1.score).max(largest.map_or(0.0, |l| l.1));
         let around = best.map_or(0.0, |best| best.0);
-        let mut starts: Vec<Vec<f64>> = STARTS.iter().map(|share| vec![share * around]).collect();
+        let mut starts: Vec<Vec<f64>> = rules.starts.iter().map(|share| vec![share * around]).collect();
         starts.extend(by_secants.iter().map(|(size, _)| vec![*size]));
         Self {
             effect: Arc::clone(trial.effect),
@@ -156,8 +134,9 @@ impl Screened {
 
     /// Fits the candidate in the full simulation: Levenberg and Marquardt with Broyden's updates of the secants, from what
     /// the secants say and from plausible sizes.
-    pub fn refit(&self, setting: &Setting<'_>, problem: &Problem<'_>, current: &CurrentModel) -> Refit {
-        let trial = Trial { setting, problem, current, effect: &self.effect, memory: None };
+    pub fn refit(&self, setting: &Setting<'_>, current: &CurrentModel<'_>) -> Refit {
+        let trial = Trial { setting, current, effect: &self.effect, memory: None };
+        let rules = &setting.rules().fit;
         let mut best = self.flown.clone();
         for start in &self.starts {
             let point = trial.point(start);
@@ -173,7 +152,7 @@ impl Screened {
             point = origin;
         }
         let mut damping = 0.0;
-        for taken in 0..MOST_STEPS {
+        for taken in 0..rules.most_steps {
             let (step, _) = damped_step(current, &jacobian, &point, damping);
             let sizes: Vec<f64> = point.sizes.iter().zip(&step).map(|(a, b)| a + b).collect();
             let next = trial.point(&sizes);
@@ -185,8 +164,9 @@ impl Screened {
             } else {
                 damping = if damping == 0.0 { 1.0 } else { 10.0 * damping };
             }
-            let worth = WORTH * (rest - point.score);
-            if gained.abs() < ENOUGH || damping > 1e4 || taken + 1 >= STEPS && gained < worth {
+            let worth = rules.worth * (rest - point.score);
+            if gained.abs() < rules.least_gain || damping > 1e4 || taken + 1 >= rules.steps && gained < worth
+            {
                 break;
             }
         }
@@ -224,9 +204,15 @@ impl Trial<'_> {
 impl Refit {
     /// Logarithm of the Bayes factor against the current model, chi square divided by `phi`, by Laplace's
     /// method with a normal prior of the plausible sizes: `(chi²_0 - chi²_e)/(2 phi) - prior/2 - ½ ln |I + J'J/phi|`.
-    pub fn evidence(&self, current: &CurrentModel, phi: f64) -> f64 {
+    pub fn evidence(&self, current: &CurrentModel<'_>, phi: f64) -> f64 {
         let occam: f64 = self.eigenvalues.iter().map(|e| 0.5 * (1.0 + e / phi).ln()).sum();
         0.5 * (current.chi2 - self.chi2) / phi - 0.5 * self.prior - occam
+    }
+
+    /// Standard deviations that the data leave, and the form.
+    pub(crate) fn sigma_with_form(&self, rules: &NamingRules) -> Vec<f64> {
+        let values = self.sigma.iter().zip(&self.active.values);
+        values.map(|(sigma, value)| sigma.hypot(rules.value_form * value)).collect()
     }
 
     /// Whether its values are what its name says (see [`Effect::is_itself`]).
@@ -235,11 +221,12 @@ impl Refit {
     }
 
     /// Whether no value is larger than calibration could have left it.
-    pub fn is_within_prior(&self) -> bool {
+    pub fn is_within_prior(&self, rules: &SharedRules) -> bool {
         let parameters = self.active.parameters();
         let name = self.active.effect.spec().name;
         let is_beyond = |(k, value): (usize, &f64)| {
-            let bound = known(name, k).map_or(0.02 * parameters[k].plausible, |sigma| PRIOR_WIDTHS * sigma);
+            let bound = known(name, k)
+                .map_or(rules.negligible * parameters[k].plausible, |sigma| rules.prior_widths * sigma);
             value.abs() > bound
         };
         !self.active.values.iter().enumerate().any(is_beyond)
@@ -248,7 +235,7 @@ impl Refit {
 
 /// The step that the linear model takes, and what chi square falls by.
 fn linear_step(
-    current: &CurrentModel,
+    current: &CurrentModel<'_>,
     jacobian: &Mat<f64>,
     residual: &[f64],
     sizes: &[f64],
@@ -270,7 +257,12 @@ fn linear_step(
     ((0..k).map(|j| step[(j, 0)]).collect(), gain)
 }
 
-fn damped_step(current: &CurrentModel, jacobian: &Mat<f64>, point: &Point, damping: f64) -> (Vec<f64>, f64) {
+fn damped_step(
+    current: &CurrentModel<'_>,
+    jacobian: &Mat<f64>,
+    point: &Point,
+    damping: f64,
+) -> (Vec<f64>, f64) {
     let (step, gain) = linear_step(current, jacobian, &point.residual, &point.sizes);
     (step.iter().map(|s| s / (1.0 + damping)).collect(), gain)
 }

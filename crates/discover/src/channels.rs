@@ -7,6 +7,9 @@ use maneuver::Run;
 use nastran::InputError;
 use std::path::Path;
 
+/// Names of the root loads that residuals are made of.
+pub(crate) const LOADS: [&str; 3] = ["Fz_N", "Mx_Nm", "My_Nm"];
+
 /// Which loads the runs have: the same in all that have any.
 pub(crate) fn run_loads(
     campaign: &Campaign,

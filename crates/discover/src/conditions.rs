@@ -1,8 +1,24 @@
 //! Repeated runs taken together.
 
-use crate::data::{Condition, RunData};
+use crate::run_data::RunData;
+use calibrate::Use;
 use maneuver::Smooth;
 use maneuver::effects::{Inputs, Stimulus};
+
+/// A run and those that repeat it, as one: what the model misses is the same in all of them, only their noise differs.
+#[derive(Debug, Clone)]
+pub struct Condition {
+    /// Places in [`crate::data::Dataset::runs`].
+    pub runs: Vec<usize>,
+    /// Training or held out.
+    pub usage: Use,
+    /// Place of the airspeed.
+    pub airspeed: usize,
+    /// Mean of what moved.
+    pub stimulus: Stimulus,
+    /// Mean of the measured Fz, Mx, My.
+    pub measured: [Vec<f64>; 3],
+}
 
 /// Runs with the runs that repeat them, where they are of one length and use.
 pub(crate) fn conditions(runs: &[RunData]) -> Vec<Condition> {

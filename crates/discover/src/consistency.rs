@@ -7,9 +7,11 @@
 //! between groups instead, and to the form of the effects beside it. Uncertainties are those of the model with the effects:
 //! a mass moves the resonance at which they act.
 
-use crate::current_model::{CurrentModel, Setting};
+use crate::current_model::CurrentModel;
 use crate::problem::Problem;
-use crate::uncertain::{PRIOR_WIDTHS, known};
+use crate::rules::Rules;
+use crate::setting::Setting;
+use crate::uncertain::known;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 use maneuver::effects::Active;
@@ -29,16 +31,6 @@ const FORM_OF_SCALE: f64 = 0.08;
 const LOAD_LEVEL: [&str; 3] = ["lift_slope", "q_error", "gain"];
 /// ... and how much of it model-form variants are off by in one kind of maneuver.
 const LOAD_LEVEL_OFF: f64 = 0.01;
-/// Most that the model's form may be off by, as a share of an effect.
-const OFF_MOST: f64 = 0.2;
-/// A group that knows its share worse than this is left out.
-const KNOWN: f64 = 0.25;
-/// So is one that knows it so many times worse than the best: it looks at another parameter of the effect (what a joiner
-/// weighs in a tilt, beside its inertia).
-const WORSE: f64 = 10.0;
-/// Angles that move less than this are held, rad.
-const HELD_RAD: f64 = 0.0035;
-
 /// What moved in a group's segments.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Moved {
@@ -81,15 +73,11 @@ impl std::fmt::Display for Share {
     }
 }
 
-/// Shares of one of the current model's effects by group; those that know it badly are left out. `problem` and `current` are
+/// Shares of one of the current model's effects by group; those that know it badly are left out. `current` is
 /// [`CurrentModel::strict`] for it.
-pub fn shares(
-    setting: &Setting<'_>,
-    (problem, current): (&Problem<'_>, &CurrentModel),
-    which: usize,
-) -> Vec<Share> {
-    let residual = &current.residual;
-    let contribution = current.contribution(problem, which);
+pub fn shares(setting: &Setting<'_>, current: &CurrentModel<'_>, which: usize) -> Vec<Share> {
+    let CurrentModel { problem, residual, .. } = current;
+    let contribution = current.contribution(which);
     let groups = groups(setting, problem);
     let cut = |segments: &[usize]| {
         let mut column = vec![0.0; contribution.len()];
@@ -115,12 +103,13 @@ pub fn shares(
         sigma: (phi * inverse[(j, j)]).sqrt(),
     };
     let all: Vec<Share> = groups.keys().enumerate().map(of).collect();
-    let best = all.iter().map(|share| share.sigma).fold(KNOWN, f64::min);
-    all.into_iter().filter(|share| share.sigma < KNOWN.min(WORSE * best)).collect()
+    let rules = &setting.rules().consistency;
+    let best = all.iter().map(|share| share.sigma).fold(rules.known_share, f64::min);
+    all.into_iter().filter(|share| share.sigma < rules.known_share.min(rules.times_worse * best)).collect()
 }
 
 /// How far shares of an effect are from one size: chi square over its degrees of freedom; none with fewer than two shares.
-pub fn scatter(effect: &Active, shares: &[Share]) -> Option<f64> {
+pub fn scatter(rules: &Rules, effect: &Active, shares: &[Share]) -> Option<f64> {
     let name = effect.effect.spec().name;
     // what motion and deflected flaps do to flow about to separate, or to a wing that is bent far, is in no form of it
     let at_rest = matches!(name, "stall" | "dynamic_stall" | "large_deflection");
@@ -135,7 +124,7 @@ pub fn scatter(effect: &Active, shares: &[Share]) -> Option<f64> {
     // what model-form variants are off by in one kind of maneuver is a larger share of a smaller effect
     let off = known(name, 0).or(LOAD_LEVEL.contains(&name).then_some(LOAD_LEVEL_OFF));
     let largest = effect.values.iter().map(|value| value.abs()).fold(f64::MIN_POSITIVE, f64::max);
-    let off = (PRIOR_WIDTHS * off.unwrap_or(0.0) / largest).min(OFF_MOST);
+    let off = (rules.shared.prior_widths * off.unwrap_or(0.0) / largest).min(rules.consistency.form_most);
     spread(&shares, form.hypot(off))
 }
 
@@ -162,7 +151,7 @@ fn groups(setting: &Setting<'_>, problem: &Problem<'_>) -> BTreeMap<(usize, Move
         let high = alpha.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let moved = if stimulus.steady {
             Moved::Nothing
-        } else if high - low > HELD_RAD {
+        } else if high - low > setting.rules().consistency.pitching_span_rad {
             Moved::Pitch
         } else {
             Moved::Surfaces

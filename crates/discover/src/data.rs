@@ -1,79 +1,26 @@
 //! Static points and runs of a campaign as the search wants them: grouped by airspeed, runs at one sample rate.
 
 use crate::channels::{not_used, run_loads, stated};
+pub use crate::conditions::Condition;
 use crate::conditions::conditions;
+use crate::rules::{DataRules, Rules};
+pub use crate::run_data::{RunData, StaticGroup};
 use calibrate::{Campaign, RunEntry, Use};
 use coupling::ElasticWing;
 use maneuver::effects::{Inputs, Stimulus};
 use maneuver::{Run, Smooth, smooth_from_rest, zero_phase};
 use nastran::{InputError, named_file};
 use std::path::Path;
+use std::sync::Arc;
 
-/// Sample rate that runs are brought to, Hz: five times the highest frequency that is looked at, and more.
-pub const RATE_HZ: f64 = 100.0;
-/// Cutoff of the filter before samples are left out, Hz.
-const ANTI_ALIAS_HZ: f64 = 25.0;
-/// An angle of a smaller standard deviation is held, rad: a fiftieth of a degree.
-const HELD_RAD: f64 = 3.5e-4;
-/// Airspeeds closer than this share are one.
-const SAME_AIRSPEED: f64 = 0.005;
-
-/// A run.
-#[derive(Debug, Clone)]
-pub struct RunData {
-    /// Name of its file without ending.
-    pub name: String,
-    /// Training or held out.
-    pub usage: Use,
-    /// Place of its airspeed in [`Dataset::airspeeds_m_s`].
-    pub airspeed: usize,
-    /// Place of its block in [`Dataset::blocks`].
-    pub block: Option<usize>,
-    /// Place in [`Dataset::runs`] of the run it repeats.
-    pub repeat_of: Option<usize>,
-    /// What moved, at [`RATE_HZ`] or the file's own rate if that is lower.
-    pub stimulus: Stimulus,
-    /// Measured Fz, Mx, My at the same samples, N and N m; zeros for a load that the runs lack ([`Dataset::run_loads`]).
-    pub measured: [Vec<f64>; 3],
-    /// Samples of the file to one of these.
-    pub decimation: usize,
-}
-
-/// A run and those that repeat it, as one: what the model misses is the same in all of them, only their noise differs.
-#[derive(Debug, Clone)]
-pub struct Condition {
-    /// Places in [`Dataset::runs`].
-    pub runs: Vec<usize>,
-    /// Training or held out.
-    pub usage: Use,
-    /// Place of the airspeed.
-    pub airspeed: usize,
-    /// Mean of what moved.
-    pub stimulus: Stimulus,
-    /// Mean of the measured Fz, Mx, My.
-    pub measured: [Vec<f64>; 3],
-}
-
-/// The static points of one airspeed (zero: tilt tares).
-#[derive(Debug, Clone)]
-pub struct StaticGroup {
-    /// Place of its airspeed.
-    pub airspeed: usize,
-    /// Angles and deflections, one sample a point.
-    pub stimulus: Stimulus,
-    /// Measured Fz, Mx, My by point; none for a channel that the campaign lacks.
-    pub measured: Vec<[Option<f64>; 3]>,
-    /// Place of each point in the campaign's list.
-    pub points: Vec<usize>,
-    /// Place of each point's block.
-    pub blocks: Vec<Option<usize>>,
-    /// Whether no run or every run of this airspeed is held out: held-out airspeeds give nothing away.
-    pub usage: Use,
-}
+/// Sample rate that runs are brought to, Hz.
+pub(crate) const RATE_HZ: f64 = 100.0;
 
 /// See the module.
 #[derive(Debug, Clone)]
 pub struct Dataset {
+    /// By what they were read, and are decided on.
+    pub rules: Arc<Rules>,
     /// Airspeeds, m/s, ascending; zero is still air.
     pub airspeeds_m_s: Vec<f64>,
     /// Air density, kg/m³.
@@ -102,15 +49,16 @@ impl Dataset {
     /// # Errors
     /// A run that cannot be read, moves a control the wing does not have or lacks a load that others have; no root load at
     /// all; noise that is stated of other loads than the runs have.
-    pub fn read(campaign: &Campaign, wing: &ElasticWing) -> Result<Self, InputError> {
+    pub fn read(campaign: &Campaign, wing: &ElasticWing, rules: &Arc<Rules>) -> Result<Self, InputError> {
+        let how = &rules.data;
         let listed_in = campaign.folder.join("campaign.ron");
         let read = read_runs(campaign, wing, &listed_in)?;
-        let airspeeds_m_s = airspeeds(campaign, &read);
+        let airspeeds_m_s = airspeeds(how, campaign, &read);
         let blocks = blocks(campaign);
         let run_loads = run_loads(campaign, &read, &listed_in)?;
         let stated = stated(campaign, run_loads);
         let not_used = not_used(campaign, &read);
-        let (usage, split) = usage(&campaign.runs);
+        let (usage, split) = usage(how, &campaign.runs);
         // a run without loads has nothing to say; the others keep their order
         let measured: Vec<usize> =
             (0..read.len()).filter(|i| (0..3).any(|c| read[*i].load(c).is_some())).collect();
@@ -120,11 +68,11 @@ impl Dataset {
             .map(|&i| {
                 let (run, entry) = (&read[i], &campaign.runs[i]);
                 let repeats = |file: &String| measured.iter().position(|j| &campaign.runs[*j].file == file);
-                let decimation = decimation(run.time_step_s);
+                let decimation = decimation(how, run.time_step_s);
                 let kept = |values: &[f64]| values.iter().step_by(decimation).copied().collect::<Vec<f64>>();
                 let slow = |values: &[f64]| match decimation {
                     1 => values.to_vec(),
-                    _ => kept(&zero_phase(values, run.time_step_s, ANTI_ALIAS_HZ)),
+                    _ => kept(&zero_phase(values, run.time_step_s, how.anti_alias_hz)),
                 };
                 RunData {
                     name: run.name.clone(),
@@ -132,7 +80,7 @@ impl Dataset {
                     airspeed: nearest(&airspeeds_m_s, run.v_m_s),
                     block: place(&blocks, entry.block.as_deref()),
                     repeat_of: entry.repeat_of.as_ref().and_then(repeats),
-                    stimulus: stimulus(run, entry, &controls, decimation),
+                    stimulus: stimulus(how, run, entry, &controls),
                     measured: std::array::from_fn(|c| {
                         run.load(c).map_or_else(|| vec![0.0; run.len().div_ceil(decimation)], slow)
                     }),
@@ -140,10 +88,11 @@ impl Dataset {
                 }
             })
             .collect();
-        let statics = statics(campaign, &airspeeds_m_s, &blocks, &controls, &runs);
+        let statics = statics(how, campaign, &airspeeds_m_s, &blocks, &controls, &runs);
         let conditions = conditions(&runs);
         let rho_kg_m3 = campaign.rho_kg_m3;
         Ok(Self {
+            rules: Arc::clone(rules),
             airspeeds_m_s,
             rho_kg_m3,
             blocks,
@@ -171,6 +120,7 @@ impl Dataset {
 
     /// From what there is, blocks and stated noise aside.
     pub(crate) fn of_parts(
+        rules: &Arc<Rules>,
         rho_kg_m3: f64,
         airspeeds_m_s: Vec<f64>,
         runs: Vec<RunData>,
@@ -178,6 +128,7 @@ impl Dataset {
     ) -> Self {
         let conditions = conditions(&runs);
         Self {
+            rules: Arc::clone(rules),
             airspeeds_m_s,
             rho_kg_m3,
             blocks: Vec::new(),
@@ -229,11 +180,11 @@ fn read_runs(campaign: &Campaign, wing: &ElasticWing, listed_in: &Path) -> Resul
     Ok(read)
 }
 
-fn airspeeds(campaign: &Campaign, runs: &[Run]) -> Vec<f64> {
+fn airspeeds(how: &DataRules, campaign: &Campaign, runs: &[Run]) -> Vec<f64> {
     let mut all: Vec<f64> =
         runs.iter().map(|run| run.v_m_s).chain(campaign.points.iter().map(|point| point.v_m_s)).collect();
     all.sort_by(f64::total_cmp);
-    all.dedup_by(|b, a| (*b - *a).abs() <= SAME_AIRSPEED * *a);
+    all.dedup_by(|b, a| (*b - *a).abs() <= how.same_airspeed * *a);
     all
 }
 
@@ -256,11 +207,17 @@ fn place(blocks: &[String], name: Option<&str>) -> Option<usize> {
 }
 
 /// Every third run is held out where the campaign says nothing.
-fn usage(runs: &[RunEntry]) -> (Vec<Use>, Option<String>) {
+fn usage(how: &DataRules, runs: &[RunEntry]) -> (Vec<Use>, Option<String>) {
     let all: Vec<Use> = runs
         .iter()
         .enumerate()
-        .map(|(i, run)| run.usage.unwrap_or(if i % 3 == 2 { Use::Holdout } else { Use::Train }))
+        .map(|(i, run)| {
+            run.usage.unwrap_or(if (i + 1).is_multiple_of(how.held_out_every) {
+                Use::Holdout
+            } else {
+                Use::Train
+            })
+        })
         .collect();
     let open = runs.iter().filter(|run| run.usage.is_none()).count();
     let split =
@@ -268,31 +225,32 @@ fn usage(runs: &[RunEntry]) -> (Vec<Use>, Option<String>) {
     (all, split)
 }
 
-fn decimation(time_step_s: f64) -> usize {
-    let ratio = 1.0 / (time_step_s * RATE_HZ);
+fn decimation(how: &DataRules, time_step_s: f64) -> usize {
+    let ratio = 1.0 / (time_step_s * how.rate_hz);
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small positive number")]
     let whole = (ratio + 1e-6).floor().max(1.0) as usize;
     whole
 }
 
 /// An angle that does not move is held: what its encoder's noise says of rates would be flown as motion otherwise.
-fn hold(alpha: &mut Smooth) {
+fn hold(how: &DataRules, alpha: &mut Smooth) {
     let n = alpha.value.len().max(1) as f64;
     let mean = alpha.value.iter().sum::<f64>() / n;
     let square = alpha.value.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / n;
-    if square.sqrt() < HELD_RAD {
+    if square.sqrt() < how.held_angle_sd_rad {
         alpha.value.fill(mean);
         alpha.rate.fill(0.0);
         alpha.second.fill(0.0);
     }
 }
 
-fn stimulus(run: &Run, entry: &RunEntry, controls: &[&str], decimation: usize) -> Stimulus {
+fn stimulus(how: &DataRules, run: &Run, entry: &RunEntry, controls: &[&str]) -> Stimulus {
+    let decimation = decimation(how, run.time_step_s);
     let kept = |values: &[f64]| values.iter().step_by(decimation).copied().collect::<Vec<f64>>();
-    let smooth = smooth_from_rest(&run.alpha_rad, run.time_step_s, ANTI_ALIAS_HZ);
+    let smooth = smooth_from_rest(&run.alpha_rad, run.time_step_s, how.anti_alias_hz);
     let mut alpha =
         Smooth { value: kept(&smooth.value), rate: kept(&smooth.rate), second: kept(&smooth.second) };
-    hold(&mut alpha);
+    hold(how, &mut alpha);
     let samples = alpha.value.len();
     let commanded = |name: &&str| {
         let own = run.controls_rad.iter().find(|(control, _)| control == name);
@@ -311,6 +269,7 @@ fn stimulus(run: &Run, entry: &RunEntry, controls: &[&str], decimation: usize) -
 }
 
 fn statics(
+    how: &DataRules,
     campaign: &Campaign,
     airspeeds_m_s: &[f64],
     blocks: &[String],
@@ -346,7 +305,7 @@ fn statics(
                     incidence_rad: still,
                     controls_rad: controls.iter().map(deflection).collect(),
                 },
-                time_step_s: 1.0 / RATE_HZ,
+                time_step_s: 1.0 / how.rate_hz,
                 steady: true,
                 clock_h: 0.0,
             },
@@ -374,11 +333,11 @@ mod tests {
             second: vec![1.0; 200],
         };
         let mut held = noisy(0.0);
-        hold(&mut held);
+        hold(&DataRules::default(), &mut held);
         assert!(held.rate.iter().chain(&held.second).all(|value| *value == 0.0));
         assert!(held.value.iter().all(|value| *value == held.value[0]));
         let mut moving = noisy(0.0175);
-        hold(&mut moving);
+        hold(&DataRules::default(), &mut moving);
         assert_eq!(moving, noisy(0.0175));
     }
 }

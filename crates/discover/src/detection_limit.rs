@@ -4,16 +4,13 @@
 //! `(c'c)/(2 phi) - prior/2 - ½ ln(1 + c'c/phi)`. Sizes are flown until this is the threshold, as neither limits nor what runs
 //! may be off by let c grow in proportion.
 
-use crate::current_model::{CurrentModel, Setting, norm};
+use crate::current_model::CurrentModel;
 use crate::null_distribution::NullDistribution;
-use crate::problem::Problem;
+use crate::setting::Setting;
 use crate::trial::{Trial, difference};
 use maneuver::effects::Effect;
 use rayon::prelude::*;
 use std::sync::Arc;
-
-/// Most times that a size is doubled or halved.
-const DOUBLED: usize = 12;
 
 /// See the module.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,15 +29,14 @@ pub struct DetectionLimit {
 /// Detection limits of all effects beside the current model, every parameter that does something alone.
 pub fn detection_limits(
     setting: &Setting<'_>,
-    problem: &Problem<'_>,
-    current: &CurrentModel,
-    limits: &NullDistribution,
+    current: &CurrentModel<'_>,
+    nulls: &NullDistribution,
 ) -> Vec<DetectionLimit> {
     let of = |effect: &Arc<dyn Effect>| {
         let search = Search {
-            trial: Trial { setting, problem, current, effect, memory: None },
-            threshold: limits.threshold(effect.spec().name, effect.form()),
-            phi: (current.chi2 / problem.len() as f64).max(1.0),
+            trial: Trial { setting, current, effect, memory: None },
+            threshold: nulls.threshold(effect.spec().name, effect.form()),
+            phi: (current.chi2 / current.problem.len() as f64).max(1.0),
         };
         search.all()
     };
@@ -82,7 +78,8 @@ impl Search<'_> {
                 name: effect.spec().name,
                 form: effect.form(),
                 parameter: parameter.name.clone(),
-                value: smallest(largest, is_detected).map(|size| sign * size * parameter.plausible),
+                value: smallest(largest, self.trial.setting.rules().verdict.doublings, is_detected)
+                    .map(|size| sign * size * parameter.plausible),
             });
         }
         limits
@@ -90,7 +87,7 @@ impl Search<'_> {
 
     fn information(&self, sizes: &[f64]) -> f64 {
         let change = difference(&self.trial.current.residual, &self.trial.point(sizes).residual);
-        norm(&self.trial.current.shared, &change)
+        self.trial.current.shared.norm(&change)
     }
 
     fn evidence(&self, sizes: &[f64]) -> f64 {
@@ -101,10 +98,10 @@ impl Search<'_> {
 }
 
 /// The smallest size that is detected, to a factor of the root of two, from one upwards or downwards.
-fn smallest(largest: f64, is_detected: impl Fn(f64) -> bool) -> Option<f64> {
+fn smallest(largest: f64, doublings: usize, is_detected: impl Fn(f64) -> bool) -> Option<f64> {
     let mut size = largest.min(1.0);
     if is_detected(size) {
-        for _ in 0..DOUBLED {
+        for _ in 0..doublings {
             if !is_detected(0.5 * size) {
                 break;
             }
@@ -132,10 +129,10 @@ mod tests {
     #[test]
     fn the_smallest_size_is_found_to_a_factor_of_the_root_of_two() {
         for limit in [0.01, 0.3, 0.99, 1.7, 6.0] {
-            let size = smallest(8.0, |size| size >= limit).expect("within bounds");
+            let size = smallest(8.0, 12, |size| size >= limit).expect("within bounds");
             assert!(size >= limit && size < 1.415 * limit, "{size} for {limit}");
         }
-        assert_eq!(smallest(8.0, |size| size >= 9.0), None);
-        assert_eq!(smallest(0.5, |size| size >= 0.5), Some(0.5));
+        assert_eq!(smallest(8.0, 12, |size| size >= 9.0), None);
+        assert_eq!(smallest(0.5, 12, |size| size >= 0.5), Some(0.5));
     }
 }

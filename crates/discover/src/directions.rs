@@ -4,20 +4,31 @@
 //! tip and a shift of the aerodynamic centre move the slopes; incidence, its gradient along the span and a zero-lift moment
 //! move the offsets.
 
+use crate::rules::SharedRules;
 use maneuver::effects::{Effect, Inputs, Parameter, Place, Side, Spec};
 use maneuver::rom::{Change, Constants};
 
 /// Directions of an airspeed.
 pub const DIRECTIONS: usize = 6;
 
-/// Standard deviations before any data: what a panel model may be off by.
-const WIDE: [f64; DIRECTIONS] = [0.1, 0.2, 0.02, 0.01, 0.01, 0.01];
-
 /// All six directions at one airspeed.
 #[derive(Debug)]
 pub struct Directions {
     /// The airspeed, m/s.
-    pub v_m_s: f64,
+    v_m_s: f64,
+    /// Standard deviations before any data.
+    wide: [f64; DIRECTIONS],
+}
+
+impl Directions {
+    /// Of an airspeed, m/s; zero: still air, where they do nothing.
+    pub fn new(v_m_s: f64, rules: &SharedRules) -> Self {
+        Self { v_m_s, wide: rules.directions }
+    }
+
+    fn here(&self, place: &Place<'_>) -> bool {
+        self.v_m_s > 0.0 && place.flow.v_m_s == self.v_m_s
+    }
 }
 
 impl Effect for Directions {
@@ -33,7 +44,7 @@ impl Effect for Directions {
 
     fn parameters(&self) -> Vec<Parameter> {
         let names = ["force", "force_tip", "aft_over_c", "incidence_rad", "gradient_rad_m", "cm0"];
-        (0..DIRECTIONS).map(|k| Parameter::new(names[k], (-10.0, 10.0), WIDE[k])).collect()
+        (0..DIRECTIONS).map(|k| Parameter::new(names[k], (-10.0, 10.0), self.wide[k])).collect()
     }
 
     fn inputs(&self, p: &[f64], place: &Place<'_>, inputs: &mut Inputs) {
@@ -56,11 +67,5 @@ impl Effect for Directions {
             constants.upwash_rad_m += p[4];
             constants.moment_coefficient += p[5];
         }
-    }
-}
-
-impl Directions {
-    fn here(&self, place: &Place<'_>) -> bool {
-        self.v_m_s > 0.0 && place.flow.v_m_s == self.v_m_s
     }
 }

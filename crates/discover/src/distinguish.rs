@@ -1,21 +1,20 @@
 //! Which candidates the data do not tell apart: a bootstrap over segments.
 
 use crate::current_model::CurrentModel;
-use crate::problem::Problem;
 use crate::rank::Ranked;
+use crate::rules::RivalRules;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{RngCore, SeedableRng};
 
-/// Draws of the bootstrap over runs.
-const DRAWS: usize = 400;
-/// Effects that win at least this share of draws belong to the set.
-const IN_SET: f64 = 0.05;
-/// Evidence within this of the best, or within [`CLOSE_SHARE`] of it, is no distinction.
-pub(crate) const CLOSE: f64 = 5.0;
-/// See above.
-pub(crate) const CLOSE_SHARE: f64 = 0.15;
-/// No rival has less than this share of the best evidence.
-const RIVAL_SHARE: f64 = 0.6;
+/// A candidate that is to be named.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Best<'a> {
+    pub(crate) candidate: &'a Ranked,
+    /// What has more evidence, though less than the model's form may make of it, and lesser odds.
+    pub(crate) instead: Option<&'a Ranked>,
+    /// Log Bayes factor that it needed.
+    pub(crate) needed: f64,
+}
 
 /// What the draws say of a candidate.
 #[derive(Debug)]
@@ -32,12 +31,14 @@ pub(crate) struct Draws {
 /// Bootstrap over segments: how often a candidate would have won, and which others would have. Draws that `instead` wins
 /// count for the best one: that it was preferred to it is not the data's doing.
 pub(crate) fn distinguish(
-    problem: &Problem<'_>,
-    current: &CurrentModel,
+    rules: &RivalRules,
+    current: &CurrentModel<'_>,
     ranked: &[Ranked],
-    (best, instead): (&Ranked, Option<&Ranked>),
+    best: Best<'_>,
     seed: u64,
 ) -> Draws {
+    let Best { candidate: best, instead, .. } = best;
+    let problem = &current.problem;
     let rows = problem.len() as f64;
     let phi = (best.refit.chi2 / rows).max(1.0);
     let by_segment = |w: &Ranked| -> Vec<f64> {
@@ -52,7 +53,7 @@ pub(crate) fn distinguish(
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let count = problem.segments.len();
     let mut wins = vec![0_usize; ranked.len()];
-    for _ in 0..DRAWS {
+    for _ in 0..rules.draws {
         let mut weights = vec![0.0; count];
         for _ in 0..count {
             weights[random.next_u32() as usize % count] += 1.0;
@@ -67,12 +68,12 @@ pub(crate) fn distinguish(
     }
     let share = |name: &str| {
         let of_name = ranked.iter().zip(&wins).filter(|(w, _)| w.name() == name);
-        of_name.map(|(_, wins)| *wins).sum::<usize>() as f64 / DRAWS as f64
+        of_name.map(|(_, wins)| *wins).sum::<usize>() as f64 / rules.draws as f64
     };
-    let close = CLOSE.max(CLOSE_SHARE * best.evidence.abs());
+    let close = rules.close.max(rules.close_share * best.evidence.abs());
     let mut set: Vec<&'static str> = Vec::new();
     for rival in ranked.iter().filter(|w| w.name() != best.name()) {
-        let wins = share(rival.name()) >= IN_SET && rival.evidence > RIVAL_SHARE * best.evidence;
+        let wins = share(rival.name()) >= rules.in_set && rival.evidence > rules.rival_share * best.evidence;
         let close = wins || rival.evidence > best.evidence - close;
         // forms of one effect have one name
         if close && !set.contains(&rival.name()) {
@@ -87,10 +88,10 @@ pub(crate) fn distinguish(
         !counted(name) && of.is_some_and(|w| w.refit.active.effect.spec().is_rival_of(spec))
     };
     let rivals: f64 = set.iter().filter(|name| rival(name)).map(|name| share(name)).sum();
-    let plausible = |w: &Ranked| counted(w.name()) || w.evidence > RIVAL_SHARE * best.evidence;
+    let plausible = |w: &Ranked| counted(w.name()) || w.evidence > rules.rival_share * best.evidence;
     let plausible =
         ranked.iter().zip(&wins).filter(|(w, _)| plausible(w)).map(|(_, wins)| *wins).sum::<usize>();
-    let plausible = plausible as f64 / DRAWS as f64;
+    let plausible = plausible as f64 / rules.draws as f64;
     let with_rivals = if plausible > 0.0 { (own + rivals) / plausible } else { 0.0 };
     Draws { own, with_rivals, confused_with: set }
 }

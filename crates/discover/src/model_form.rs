@@ -2,6 +2,7 @@
 //! a measurement).
 
 use crate::directions::{DIRECTIONS, Directions};
+use crate::rules::{Rules, VariantRules};
 use aero::Corrections;
 use aero::dlm::{DlmSettings, KernelIntegral, SpanFit};
 use coupling::wing_file::Source;
@@ -13,15 +14,10 @@ use maneuver::rom::ReducedOrderModel;
 use maneuver::{AirModel, Smooth};
 use std::sync::Arc;
 
-/// Lags of another rational function of the air.
-const VARIANT_LAGS: usize = 4;
-/// Shares of boxes along chord and span that another lattice has.
-const LATTICE_SHARES: (f64, f64) = (0.67, 0.7);
-
 /// The air with another rational function.
-pub(crate) fn lag_variant() -> AirModel {
+pub(crate) fn lag_variant(rules: &VariantRules) -> AirModel {
     match AirModel::default() {
-        AirModel::Unsteady { doublets, .. } => AirModel::Unsteady { lags: VARIANT_LAGS, doublets },
+        AirModel::Unsteady { doublets, .. } => AirModel::Unsteady { lags: rules.lags, doublets },
         AirModel::QuasiSteady => AirModel::QuasiSteady,
     }
 }
@@ -50,10 +46,10 @@ pub struct LatticeVariant {
 
 impl LatticeVariant {
     /// A coarser lattice on a parametric wing; none where the lattice is given by a deck, or the planform takes no other.
-    pub fn of(file: &WingFile, wing: &ElasticWing) -> Option<Self> {
+    pub fn of(file: &WingFile, wing: &ElasticWing, rules: &VariantRules) -> Option<Self> {
         let mut file = file.clone();
         let Source::Parametric(planform) = &mut file.source else { return None };
-        let mesh = planform.mesh(LATTICE_SHARES.0, LATTICE_SHARES.1);
+        let mesh = planform.mesh(rules.chord_boxes, rules.span_boxes);
         planform.remesh(&mesh).ok()?;
         let bulk = file.bulk(coupling::Mount::Tunnel).ok()?;
         let other = ElasticWing::from_bulk(&file, &bulk).ok()?;
@@ -87,19 +83,16 @@ pub(crate) fn picked(corrections: &Corrections, boxes: &[usize]) -> Corrections 
     }
 }
 
-/// Angles at which static loads are compared, rad.
-const ANGLES_RAD: [f64; 2] = [-0.035, 0.105];
-/// Newton's steps.
-const STEPS: usize = 3;
-
 /// The six directions of corrections with which a rig has another's static loads: offset and slope of three channels.
 /// None if they are the same, or no such directions are found.
-pub(crate) fn matched(rig: &ReducedOrderModel, own: &ReducedOrderModel) -> Option<Active> {
-    let wanted = static_loads(own, &[]);
-    let directions: Arc<dyn Effect> = Arc::new(Directions { v_m_s: rig.flow.v_m_s });
-    let with = |values: &[f64]| static_loads(rig, &[Active::new(Arc::clone(&directions), values)]);
+pub(crate) fn matched(rules: &Rules, rig: &ReducedOrderModel, own: &ReducedOrderModel) -> Option<Active> {
+    let angles_rad = rules.variants.angles_rad;
+    let wanted = static_loads(own, &angles_rad, &[]);
+    let directions: Arc<dyn Effect> = Arc::new(Directions::new(rig.flow.v_m_s, &rules.shared));
+    let with =
+        |values: &[f64]| static_loads(rig, &angles_rad, &[Active::new(Arc::clone(&directions), values)]);
     let mut values = vec![0.0; DIRECTIONS];
-    for _ in 0..STEPS {
+    for _ in 0..rules.variants.steps {
         let at = with(&values);
         let column = |k: usize| {
             let mut more = values.clone();
@@ -116,12 +109,12 @@ pub(crate) fn matched(rig: &ReducedOrderModel, own: &ReducedOrderModel) -> Optio
     found.then(|| Active::new(directions, &values))
 }
 
-/// Three channels at two angles.
-fn static_loads(rig: &ReducedOrderModel, effects: &[Active]) -> Vec<f64> {
-    let still = vec![0.0; ANGLES_RAD.len()];
+/// Three channels at some angles.
+fn static_loads(rig: &ReducedOrderModel, angles_rad: &[f64], effects: &[Active]) -> Vec<f64> {
+    let still = vec![0.0; angles_rad.len()];
     let stimulus = Stimulus {
         inputs: Inputs {
-            alpha: Smooth { value: ANGLES_RAD.to_vec(), rate: still.clone(), second: still.clone() },
+            alpha: Smooth { value: angles_rad.to_vec(), rate: still.clone(), second: still.clone() },
             controls_rad: vec![still.clone(); rig.controls.len()],
             incidence_rad: still,
         },

@@ -10,12 +10,6 @@ use crate::transform::{cosines, frequency_hz};
 use calibrate::Use;
 use maneuver::effects::Flown;
 
-/// Upper ends of the bands, Hz.
-pub const BANDS_HZ: [f64; 5] = [1.0, 2.0, 4.0, 8.0, 12.0];
-
-/// So many coefficients are needed for an estimate that may stand alone.
-const ENOUGH: usize = 12;
-
 /// Why the noise is not known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error("the noise is not known: {nothing_repeats}, and campaign.ron states none of {load}")]
@@ -29,6 +23,8 @@ pub struct NoiseUnknown {
 /// See the module. Channels are Fz, Mx, My.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Noise {
+    /// Upper ends of the bands, Hz.
+    pub bands_hz: [f64; 5],
     /// Standard deviation of a cosine coefficient by airspeed, channel and band.
     pub run: Vec<[[f64; 5]; 3]>,
     /// Of the offset of a run, and of a block of static points.
@@ -45,6 +41,8 @@ impl Noise {
     /// # Errors
     /// If there are neither repeats nor stated noise.
     pub fn new(data: &Dataset, simulated: &[Flown]) -> Result<Self, NoiseUnknown> {
+        let (rules, highest_hz) = (&data.rules.noise, data.rules.data.highest_hz);
+        let band = |frequency_hz: f64| band(&rules.bands_hz, frequency_hz);
         let pairs = pairs(data);
         let scatter = static_scatter(data);
         check_known(data, pairs.is_empty(), std::array::from_fn(|c| scatter.0[c].max(scatter.1[c])))?;
@@ -62,7 +60,7 @@ impl Noise {
                     .map(|(a, b)| (a - b) / std::f64::consts::SQRT_2)
                     .collect();
                 let (samples, dt) = (difference.len(), run.stimulus.time_step_s);
-                for (k, value) in cosines(&difference, dt).iter().enumerate() {
+                for (k, value) in cosines(&difference, dt, highest_hz).iter().enumerate() {
                     if k == 0 {
                         offsets[c].0 += value * value / samples as f64;
                         offsets[c].1 += 1;
@@ -76,7 +74,7 @@ impl Noise {
         let stated_point = |c: usize| data.stated.map(|(_, point)| point[c]).filter(|sigma| *sigma > 0.0);
         let offset = std::array::from_fn(|c| {
             let runs = if offsets[c].1 > 0 { (offsets[c].0 / offsets[c].1 as f64).sqrt() } else { 0.0 };
-            runs.max(scatter.1[c]).max(stated_point(c).unwrap_or(1e-3))
+            runs.max(scatter.1[c]).max(stated_point(c).unwrap_or(rules.least_offset))
         });
         let point: [f64; 3] = std::array::from_fn(|c| scatter.0[c].max(stated_point(c).unwrap_or(offset[c])));
         let decimation = data.runs.iter().map(|run| run.decimation).max().unwrap_or(1) as f64;
@@ -84,7 +82,8 @@ impl Noise {
         let variance = |v: usize, c: usize, b: usize| {
             let at = sums[v][c][b];
             let pooled = sums.iter().map(|s| s[c][b]).fold((0.0, 0), |a, s| (a.0 + s.0, a.1 + s.1));
-            let estimate = [at, pooled].into_iter().find(|s| s.1 >= ENOUGH).map(|s| s.0 / s.1 as f64);
+            let estimate =
+                [at, pooled].into_iter().find(|s| s.1 >= rules.enough_coefficients).map(|s| s.0 / s.1 as f64);
             let all = sums.iter().flat_map(|s| s[c]).fold((0.0, 0), |a, s| (a.0 + s.0, a.1 + s.1));
             let estimate = estimate.or((all.1 > 0).then(|| all.0 / all.1 as f64));
             let variance = estimate.unwrap_or(0.0).max(stated.map_or(0.0, |s| s[c]));
@@ -96,12 +95,12 @@ impl Noise {
         let run = (0..data.airspeeds_m_s.len())
             .map(|v| std::array::from_fn(|c| std::array::from_fn(|b| variance(v, c, b).sqrt())))
             .collect();
-        Ok(Self { run, offset, point, pairs: pairs.len() })
+        Ok(Self { bands_hz: rules.bands_hz, run, offset, point, pairs: pairs.len() })
     }
 
     /// Standard deviation of a coefficient.
     pub fn sigma(&self, airspeed: usize, channel: usize, frequency_hz: f64) -> f64 {
-        self.run[airspeed][channel][band(frequency_hz)]
+        self.run[airspeed][channel][band(&self.bands_hz, frequency_hz)]
     }
 }
 
@@ -118,12 +117,13 @@ pub(crate) fn pairs(data: &Dataset) -> Vec<(usize, usize)> {
 }
 
 /// The band of a frequency.
-pub fn band(frequency_hz: f64) -> usize {
-    BANDS_HZ.iter().position(|end| frequency_hz < *end).unwrap_or(BANDS_HZ.len() - 1)
+fn band(bands_hz: &[f64], frequency_hz: f64) -> usize {
+    bands_hz.iter().position(|end| frequency_hz < *end).unwrap_or(bands_hz.len() - 1)
 }
 
 /// Scatter of repeated static points within blocks, and of blocks.
 fn static_scatter(data: &Dataset) -> ([f64; 3], [f64; 3]) {
+    let same_angle_rad = data.rules.noise.same_angle_rad;
     let (mut within, mut between) = ([(0.0, 0_usize); 3], [(0.0, 0_usize); 3]);
     for group in data.statics.iter().filter(|group| group.usage == Use::Train) {
         if data.airspeeds_m_s[group.airspeed] == 0.0 {
@@ -134,7 +134,8 @@ fn static_scatter(data: &Dataset) -> ([f64; 3], [f64; 3]) {
             let reading = |i: usize| group.measured[i][c];
             let mut done = vec![false; alphas.len()];
             for i in 0..alphas.len() {
-                let same = |j: &usize| (alphas[*j] - alphas[i]).abs() < 1e-4 && reading(*j).is_some();
+                let same =
+                    |j: &usize| (alphas[*j] - alphas[i]).abs() < same_angle_rad && reading(*j).is_some();
                 let twins: Vec<usize> = (i..alphas.len()).filter(same).filter(|j| !done[*j]).collect();
                 for &j in &twins {
                     done[j] = true;
@@ -179,7 +180,7 @@ fn check_known(data: &Dataset, no_pairs: bool, scatter: [f64; 3]) -> Result<(), 
     let nothing_repeats =
         if of_points { "no static point repeats another" } else { "no training run repeats another" };
     match (0..3).find(|&c| there[c] && !repeated(c) && !stated(c, of_points)) {
-        Some(c) => Err(NoiseUnknown { nothing_repeats, load: crate::data_checks::CHANNELS[c] }),
+        Some(c) => Err(NoiseUnknown { nothing_repeats, load: crate::channels::LOADS[c] }),
         None => Ok(()),
     }
 }

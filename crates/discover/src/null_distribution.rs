@@ -1,10 +1,11 @@
 //! What the search would find where nothing is missing: campaigns of the model itself with model-form variants, parameters
 //! within their uncertainty and noise. Thresholds and floors come from them.
 
-use crate::current_model::{CurrentModel, Setting};
+use crate::current_model::CurrentModel;
 use crate::data::Dataset;
 use crate::problem::Problem;
 use crate::rank::rank;
+use crate::setting::Setting;
 use maneuver::effects::{Active, Flown};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
@@ -14,10 +15,6 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// Campaigns without effect.
-pub const CAMPAIGNS: u64 = 20;
-/// Standard deviations above the mean of what is found where nothing is missing.
-const SIGMAS: f64 = 3.0;
 /// Log Bayes factor on top: the null campaigns are made with the model's own form, or close to it, and real wings are not. On 539
 /// campaigns of another program without any effect, of development seeds of the blind benchmark, nothing but [`CONFOUNDERS`] was
 /// found with more than 18.
@@ -39,9 +36,6 @@ const CONFOUNDERS: [(&str, f64); 12] = [
     ("added_mass", 40.0),
     ("ctl_alpha_interaction", 40.0),
 ];
-/// Misfit on top, for the same reason.
-const MISFIT_MARGIN: f64 = 0.15;
-
 /// Thresholds of evidence by effect and form, and what the misfit is without effects.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -76,24 +70,24 @@ impl NullDistribution {
         self.evidence.get(&format!("{name} {form}")).copied().unwrap_or(margin(name))
     }
 
-    /// Makes campaigns without effect and searches them.
+    /// Makes campaigns without effect and searches them; `judged` are training and held-out data, each run for itself.
     pub fn from_null_campaigns(
         setting: &Setting<'_>,
-        train: &Problem<'_>,
+        train: Problem<'_>,
         judged: &[Problem<'_>; 2],
         seed: u64,
     ) -> Self {
+        let rules = &setting.rules().nulls;
         // the same model flies all of them: what it is uncertain of and what effects change in it is found once
-        let mut bare = train.clone();
-        let current = CurrentModel::new(setting, &mut bare, &[], None).remembering();
+        let current = CurrentModel::bare(setting, train).remembering();
         let one = |k: u64| {
             let mut random = ChaCha8Rng::seed_from_u64(seed);
             random.set_stream(k + 1);
-            null(setting, (&bare, &current), judged, &mut random, k)
+            null(setting, &current, judged, &mut random, k)
         };
         // the first alone, so that the others need not fly side by side what it will remember
         let mut nulls = vec![one(0)];
-        nulls.par_extend((1..CAMPAIGNS).into_par_iter().map(one));
+        nulls.par_extend((1..rules.campaigns).into_par_iter().map(one));
         let mut evidence: BTreeMap<String, Vec<f64>> = BTreeMap::new();
         for null in &nulls {
             for (name, value) in &null.evidence {
@@ -105,7 +99,7 @@ impl NullDistribution {
             let mut all = values;
             all.resize(nulls.len(), 0.0);
             let (mean, sd) = mean_and_sd(&all);
-            mean + SIGMAS * sd + margin(name)
+            mean + rules.sigmas * sd + margin(name)
         };
         let misfits: Vec<f64> = nulls.iter().map(|null| null.misfit).collect();
         let (misfit, sd) = mean_and_sd(&misfits);
@@ -120,7 +114,7 @@ impl NullDistribution {
                 })
                 .collect(),
             misfit,
-            misfit_limit: misfit + SIGMAS * sd + MISFIT_MARGIN,
+            misfit_limit: misfit + rules.sigmas * sd + rules.misfit_margin,
             floor: [floor(0), floor(1)],
         }
     }
@@ -139,15 +133,15 @@ struct Null {
 
 fn null(
     setting: &Setting<'_>,
-    (train, current): (&Problem<'_>, &CurrentModel),
+    current: &CurrentModel<'_>,
     judged: &[Problem<'_>; 2],
     random: &mut ChaCha8Rng,
     k: u64,
 ) -> Null {
     let variants = setting.variants.len() as u64;
     let truth = match (k % (variants + 1)).checked_sub(1) {
-        None => setting.simulator,
-        Some(variant) => &setting.variants[usize::try_from(variant).unwrap_or(0)],
+        None => setting.model,
+        Some(variant) => setting.variants[usize::try_from(variant).unwrap_or(0)],
     };
     let effects: Vec<Active> = setting
         .uncertain
@@ -159,21 +153,17 @@ fn null(
         })
         .collect();
     let models = truth.models(&effects, None);
-    let train = pretend(train, &|places| truth.fly(&models, &effects, places), random);
+    let train = pretend(&current.problem, &|places| truth.fly(&models, &effects, places), random);
     let judged = judged
         .each_ref()
         .map(|problem| pretend(problem, &|places| truth.fly(&models, &effects, places), random));
-    let current = current.measuring(&train);
-    let ranked = rank(setting, &train, &current, &NullDistribution::default());
-    let gap = |problem: &Problem<'_>| {
-        problem.gap(&setting.simulator.fly(&current.models, &[], &problem.places())).all
-    };
+    let current = current.measuring(train);
+    let ranked = rank(setting, &current, &NullDistribution::default());
+    let gap =
+        |problem: &Problem<'_>| problem.gap(&setting.model.fly(&current.models, &[], &problem.places())).all;
     Null {
-        evidence: ranked
-            .iter()
-            .map(|w| (format!("{} {}", w.name(), w.refit.active.effect.form()), w.evidence))
-            .collect(),
-        misfit: current.chi2 / train.len() as f64,
+        evidence: ranked.iter().map(|w| (w.label(), w.evidence)).collect(),
+        misfit: current.chi2 / current.problem.len() as f64,
         gap: judged.each_ref().map(gap),
     }
 }

@@ -8,20 +8,11 @@
 
 use crate::data::Dataset;
 use crate::noise::Noise;
+use crate::rules::Rules;
 use crate::tolerance::Tolerance;
-use crate::transform::{HIGHEST_HZ, cosines, count, frequency_hz};
+use crate::transform::{count, every_cosine, frequency_hz};
 use calibrate::Use;
 use maneuver::effects::{Flown, Stimulus};
-
-/// Tolerance of a run: gain of its mean, gain of its motion, time shift in s.
-const RUN: [f64; 3] = [0.01, 0.03, 0.004];
-/// A record's energy within a band counts as one run if it lasts so long, s: a chirp of 30 s is a dozen runs, one after
-/// the other through the frequencies.
-const LONG_S: f64 = 3.0;
-/// Tolerance of a static group: gain.
-const STATIC_GAIN: f64 = 0.01;
-/// Tolerance of the form of an effect that was found: gain, time shift in s.
-const FORM: [f64; 2] = [0.15, 0.005];
 
 /// One run or static group in the residual.
 #[derive(Debug, Clone)]
@@ -69,7 +60,7 @@ impl<'a> Problem<'a> {
         let mut problem = Self::of_statics(data, noise, usage);
         for (i, one) in data.conditions.iter().enumerate().filter(|(_, one)| one.usage == usage) {
             let count = one.runs.len() as f64;
-            let kind = Kind::run(&one.stimulus, noise, one.airspeed, count);
+            let kind = Kind::run(data, &one.stimulus, noise, one.airspeed, count);
             let values = kind.whitened(&one.measured);
             problem.push(data.place_of_condition(i), kind, &values);
         }
@@ -80,7 +71,7 @@ impl<'a> Problem<'a> {
     pub fn of_runs(data: &'a Dataset, noise: &Noise, usage: Use) -> Self {
         let mut problem = Self::of_statics(data, noise, usage);
         for (i, run) in data.runs.iter().enumerate().filter(|(_, run)| run.usage == usage) {
-            let kind = Kind::run(&run.stimulus, noise, run.airspeed, 1.0);
+            let kind = Kind::run(data, &run.stimulus, noise, run.airspeed, 1.0);
             let values = kind.whitened(&run.measured);
             problem.push(data.place_of_run(i), kind, &values);
         }
@@ -123,6 +114,11 @@ impl<'a> Problem<'a> {
         self.segments.iter().map(|segment| segment.place).collect()
     }
 
+    /// Places of all segments in the problem.
+    pub fn all(&self) -> Vec<usize> {
+        (0..self.segments.len()).collect()
+    }
+
     /// Segments at an airspeed.
     pub fn at_airspeed(&self, airspeed: usize) -> Vec<usize> {
         let of: Vec<usize> = self.data.stimuli().map(|(airspeed, _)| airspeed).collect();
@@ -137,9 +133,7 @@ impl<'a> Problem<'a> {
             segment.tolerance = segment.kind.tolerances(
                 &simulated[index],
                 &contributions,
-                self.offset,
-                self.data,
-                segment.place,
+                &Bounds { offset: self.offset, data: self.data, place: segment.place },
             );
         }
     }
@@ -182,9 +176,10 @@ impl<'a> Problem<'a> {
     }
 }
 
-/// A column cut into bands of so many Hz, where the record is long enough that a band is a run of its own.
-fn in_bands(column: &[f64], length_s: f64) -> Vec<Vec<f64>> {
-    let width_hz = (LONG_S / length_s).max(1.0 / HIGHEST_HZ) * HIGHEST_HZ;
+/// A column cut into bands of frequency, where the record is long enough that a band is a run of its own.
+fn in_bands(rules: &Rules, column: &[f64], length_s: f64) -> Vec<Vec<f64>> {
+    let highest_hz = rules.data.highest_hz;
+    let width_hz = (rules.tolerance.one_run_s / length_s).max(1.0 / highest_hz) * highest_hz;
     let band = |k: usize| (k as f64 / (2.0 * length_s) / width_hz).floor();
     let last = band(column.len().saturating_sub(1));
     let mut bands = Vec::new();
@@ -206,11 +201,18 @@ pub fn difference(after: &Flown, before: &Flown) -> Flown {
     }
 }
 
+/// What bounds the tolerances of a segment.
+struct Bounds<'a> {
+    offset: [f64; 3],
+    data: &'a Dataset,
+    place: usize,
+}
+
 impl Kind {
     /// A run, or the mean of several.
-    fn run(stimulus: &Stimulus, noise: &Noise, airspeed: usize, repeats: f64) -> Self {
+    fn run(data: &Dataset, stimulus: &Stimulus, noise: &Noise, airspeed: usize, repeats: f64) -> Self {
         let (samples, dt) = (stimulus.inputs.alpha.value.len(), stimulus.time_step_s);
-        let coefficients = count(samples, dt);
+        let coefficients = count(samples, dt, data.rules.data.highest_hz);
         let sigma = |c: usize| {
             let of = |k: usize| noise.sigma(airspeed, c, frequency_hz(k, samples, dt)) / repeats.sqrt();
             (0..coefficients).map(of).collect()
@@ -222,10 +224,10 @@ impl Kind {
 
     pub(crate) fn whitened(&self, loads: &[Vec<f64>; 3]) -> Vec<f64> {
         match self {
-            Self::Run { time_step_s, channels, sigma, .. } => channels
+            Self::Run { channels, sigma, .. } => channels
                 .iter()
                 .flat_map(|&c| {
-                    let all = cosines(&loads[c], *time_step_s);
+                    let all = every_cosine(&loads[c]);
                     all.into_iter().zip(&sigma[c]).map(|(value, sigma)| value / sigma).collect::<Vec<f64>>()
                 })
                 .collect(),
@@ -234,14 +236,9 @@ impl Kind {
     }
 
     /// Directions by channel.
-    fn tolerances(
-        &self,
-        simulated: &Flown,
-        found: &[&Flown],
-        offset: [f64; 3],
-        data: &Dataset,
-        place: usize,
-    ) -> Vec<Tolerance> {
+    fn tolerances(&self, simulated: &Flown, found: &[&Flown], bounds: &Bounds<'_>) -> Vec<Tolerance> {
+        let Bounds { offset, data, place } = *bounds;
+        let rules = &data.rules.tolerance;
         match self {
             Self::Run { time_step_s, samples, coefficients, channels, sigma, repeats } => channels
                 .iter()
@@ -249,24 +246,35 @@ impl Kind {
                 .map(|(place, &c)| {
                     let load = &simulated.loads[c];
                     let mean = load.iter().sum::<f64>() / *samples as f64;
-                    let moving: Vec<f64> = load.iter().map(|value| RUN[1] * (value - mean)).collect();
+                    let moving: Vec<f64> =
+                        load.iter().map(|value| rules.run_motion_gain * (value - mean)).collect();
                     let later = |load: &[f64], by_s: f64| -> Vec<f64> {
                         let slope = |i: usize| load[(i + 1).min(samples - 1)] - load[i.saturating_sub(1)];
                         (0..*samples).map(|i| by_s * slope(i) / (2.0 * time_step_s)).collect()
                     };
                     let whitened = |column: &[f64]| -> Vec<f64> {
-                        let all = cosines(column, *time_step_s);
+                        let all = every_cosine(column);
                         all.into_iter().zip(&sigma[c]).map(|(value, sigma)| value / sigma).collect()
                     };
-                    let still = whitened(&vec![(RUN[0] * mean).hypot(offset[c] / repeats.sqrt()); *samples]);
+                    let still = whitened(&vec![
+                        (rules.run_mean_gain * mean).hypot(offset[c] / repeats.sqrt());
+                        *samples
+                    ]);
                     let mut columns = vec![still];
                     let form = |flown: &&Flown| {
                         let own = &flown.loads[c];
-                        [own.iter().map(|value| FORM[0] * value).collect(), later(own, FORM[1])]
+                        [
+                            own.iter().map(|value| rules.found_gain * value).collect(),
+                            later(own, rules.found_shift_s),
+                        ]
                     };
-                    let run = [moving, later(load, RUN[2])];
+                    let run = [moving, later(load, rules.run_shift_s)];
                     for column in run.into_iter().chain(found.iter().flat_map(form)) {
-                        columns.extend(in_bands(&whitened(&column), *samples as f64 * time_step_s));
+                        columns.extend(in_bands(
+                            &data.rules,
+                            &whitened(&column),
+                            *samples as f64 * time_step_s,
+                        ));
                     }
                     Tolerance::new(place * coefficients..(place + 1) * coefficients, &columns)
                 })
@@ -277,7 +285,7 @@ impl Kind {
                     let own: Vec<usize> = rows.iter().filter(|row| row.0 == c).map(|row| row.1).collect();
                     let load = |i: usize| simulated.loads[c][i] / sigma[c];
                     let mut columns: Vec<Vec<f64>> =
-                        vec![own.iter().map(|&i| STATIC_GAIN * load(i)).collect()];
+                        vec![own.iter().map(|&i| rules.static_gain * load(i)).collect()];
                     let group = &data.statics[place];
                     for block in 0..=data.blocks.len() {
                         let of = |i: usize| group.blocks[i].unwrap_or(data.blocks.len()) == block;
@@ -287,7 +295,7 @@ impl Kind {
                         }
                     }
                     let form = |flown: &&Flown| {
-                        own.iter().map(|&i| FORM[0] * flown.loads[c][i] / sigma[c]).collect()
+                        own.iter().map(|&i| rules.found_gain * flown.loads[c][i] / sigma[c]).collect()
                     };
                     columns.extend(found.iter().map(form));
                     Some(Tolerance::new(from..from + own.len(), &columns))

@@ -33,6 +33,11 @@ impl Shared {
         plain - seen.transpose() * (&self.inverse * &seen)
     }
 
+    /// `x' (I + G G')⁻¹ x`.
+    pub fn norm(&self, x: &[f64]) -> f64 {
+        self.gram(Mat::from_fn(x.len(), 1, |i, _| x[i]).as_ref())[(0, 0)]
+    }
+
     /// `(I + G G')⁻¹ x`.
     pub fn weighted(&self, x: &[f64]) -> Vec<f64> {
         let column = Mat::from_fn(x.len(), 1, |i, _| x[i]);

@@ -1,7 +1,9 @@
 //! The wing flown through all of a campaign's points and runs, with any effects.
 
 use crate::data::Dataset;
+use crate::load_model::{LoadModel, Models};
 use crate::model_form::{LatticeVariant, matched, picked};
+use crate::rules::{Rules, VariantRules};
 use aero::{Corrections, Flow};
 use calibrate::{Outside, Schedule};
 use coupling::{CouplingError, ElasticWing, Mount, WingFile};
@@ -12,9 +14,6 @@ use nastran::InputError;
 use rayon::prelude::*;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
-
-/// Modes of the search's model: those below 100 Hz or so; the others answer statically.
-const MODES: usize = 10;
 
 /// Why a wing cannot be flown through a campaign.
 #[derive(Debug, thiserror::Error)]
@@ -42,9 +41,6 @@ pub struct Simulator {
     runs: AtomicUsize,
 }
 
-/// Linear parts at every airspeed.
-pub type Models = Vec<Arc<Model>>;
-
 /// A wing's rig with its stiffness in parts: what does not depend on a campaign.
 #[derive(Debug)]
 pub struct SplitRig<'a> {
@@ -61,9 +57,17 @@ impl<'a> SplitRig<'a> {
     ///
     /// # Errors
     /// If the modes do not converge or the lattice cannot be solved.
-    pub fn new(file: &'a WingFile, wing: &'a ElasticWing, air: AirModel) -> Result<Self, SimulatorError> {
-        let settings =
-            RigSettings { modes: MODES, air, ..RigSettings::new(file.damping_ratio, file.pitch_axis_x()) };
+    pub fn new(
+        file: &'a WingFile,
+        wing: &'a ElasticWing,
+        air: AirModel,
+        rules: &VariantRules,
+    ) -> Result<Self, SimulatorError> {
+        let settings = RigSettings {
+            modes: rules.modes,
+            air,
+            ..RigSettings::new(file.damping_ratio, file.pitch_axis_x())
+        };
         let rig = Rig::new(wing, settings)?;
         let parts = StiffnessParts::new(&rig, &file.bulk(Mount::Tunnel)?)?;
         Ok(Self { file, wing, rig, parts, boxes: None })
@@ -73,8 +77,12 @@ impl<'a> SplitRig<'a> {
     ///
     /// # Errors
     /// As [`Self::new`].
-    pub fn on_lattice(other: &'a LatticeVariant, air: AirModel) -> Result<Self, SimulatorError> {
-        Ok(Self { boxes: Some(&other.boxes), ..Self::new(&other.file, &other.wing, air)? })
+    pub fn on_lattice(
+        other: &'a LatticeVariant,
+        air: AirModel,
+        rules: &VariantRules,
+    ) -> Result<Self, SimulatorError> {
+        Ok(Self { boxes: Some(&other.boxes), ..Self::new(&other.file, &other.wing, air, rules)? })
     }
 
     /// Names of the wing's controls.
@@ -127,9 +135,9 @@ impl Simulator {
 
     /// The same, with the static loads of another simulator: calibrated as that one is.
     #[must_use]
-    pub fn matching(self, own: &Self) -> Self {
+    pub fn matching(self, own: &Self, rules: &Rules) -> Self {
         let pairs = self.rigs.iter().zip(&own.rigs).filter(|(rig, _)| rig.flow.v_m_s > 0.0);
-        let matched = pairs.filter_map(|(rig, own)| matched(rig, own)).collect();
+        let matched = pairs.filter_map(|(rig, own)| matched(rules, rig, own)).collect();
         Self { matched, ..self }
     }
 
@@ -138,8 +146,14 @@ impl Simulator {
         self.matched.iter().chain(effects).cloned().collect()
     }
 
-    /// Linear parts for effects, those of `before` where they serve.
-    pub fn models(&self, effects: &[Active], before: Option<&Models>) -> Models {
+    /// How often all was flown so far.
+    pub fn count(&self) -> usize {
+        self.runs.load(Ordering::Relaxed)
+    }
+}
+
+impl LoadModel for Simulator {
+    fn models(&self, effects: &[Active], before: Option<&Models>) -> Models {
         let effects = &self.with_matched(effects);
         self.rigs
             .iter()
@@ -151,8 +165,7 @@ impl Simulator {
             .collect()
     }
 
-    /// Flies what is wanted of [`Dataset::stimuli`].
-    pub fn fly(&self, models: &Models, effects: &[Active], wanted: &[usize]) -> Vec<Flown> {
+    fn fly(&self, models: &Models, effects: &[Active], wanted: &[usize]) -> Vec<Flown> {
         self.runs.fetch_add(1, Ordering::Relaxed);
         let effects = &self.with_matched(effects);
         wanted
@@ -162,11 +175,6 @@ impl Simulator {
                 fly(&self.rigs[*airspeed], &models[*airspeed], effects, stimulus)
             })
             .collect()
-    }
-
-    /// How often all was flown so far.
-    pub fn count(&self) -> usize {
-        self.runs.load(Ordering::Relaxed)
     }
 }
 

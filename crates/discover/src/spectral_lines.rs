@@ -6,27 +6,13 @@
 //! that stands above the median of its neighbours by more than chance allows is a line (Fisher 1929 asks the same of one
 //! record).
 
+use crate::channels::LOADS;
 use crate::data::Dataset;
-use crate::data_checks::CHANNELS;
 use crate::noise::pairs;
+use crate::rules::SpectralLineRules;
 use crate::transform::{every_cosine, frequency_hz};
 use maneuver::effects::Flown;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
-
-/// Width of a bin, Hz.
-const BIN_HZ: f64 = 0.25;
-/// Neighbours to either side, bins.
-const REACH: usize = 10;
-/// Slower than this is drift, Hz.
-const SLOWEST_HZ: f64 = 1.0;
-/// A share of half the sample rate beyond which filters of the record leave little.
-const FASTEST: f64 = 0.9;
-/// So many times its neighbours a line must be: motions that repeat not quite alike leave broad hills of less.
-const TIMES: f64 = 6.0;
-/// Chance of a bin to stand out so far by noise alone.
-const CHANCE: f64 = 1e-9;
-/// Strouhal numbers within this share are one.
-const SAME: f64 = 0.04;
 
 /// See the module.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,10 +29,11 @@ pub struct SpectralLine {
 
 /// Lines of the training runs, the strongest first; `simulated` are all runs as the model flies them.
 pub fn spectral_lines(data: &Dataset, simulated: &[Flown]) -> Vec<SpectralLine> {
+    let rules = &data.rules.spectral_lines;
     let pairs = pairs(data);
     let mut found: Vec<SpectralLine> = Vec::new();
     for (airspeed, v_m_s) in data.airspeeds_m_s.iter().enumerate() {
-        for (c, channel) in CHANNELS.into_iter().enumerate() {
+        for (c, channel) in LOADS.into_iter().enumerate() {
             let mut bins: Vec<(f64, usize)> = Vec::new();
             for &(a, b) in pairs.iter().filter(|pair| data.runs[pair.0].airspeed == airspeed) {
                 let residual = |i: usize| {
@@ -56,12 +43,12 @@ pub fn spectral_lines(data: &Dataset, simulated: &[Flown]) -> Vec<SpectralLine> 
                     .zip(residual(b))
                     .map(|(a, b)| (a - b) * std::f64::consts::FRAC_1_SQRT_2)
                     .collect();
-                pool(&mut bins, &half, data.runs[a].stimulus.time_step_s);
+                pool(rules, &mut bins, &half, data.runs[a].stimulus.time_step_s);
             }
-            found.extend(peaks(&bins).into_iter().map(|(bin, times)| SpectralLine {
+            found.extend(peaks(rules, &bins).into_iter().map(|(bin, times)| SpectralLine {
                 channel,
                 v_m_s: *v_m_s,
-                frequency_hz: (bin as f64 + 0.5) * BIN_HZ,
+                frequency_hz: (bin as f64 + 0.5) * rules.bin_hz,
                 times,
             }));
         }
@@ -71,7 +58,7 @@ pub fn spectral_lines(data: &Dataset, simulated: &[Flown]) -> Vec<SpectralLine> 
         let same = |other: &&SpectralLine| {
             other.channel != line.channel
                 && other.v_m_s == line.v_m_s
-                && (other.frequency_hz - line.frequency_hz).abs() < 2.0 * BIN_HZ
+                && (other.frequency_hz - line.frequency_hz).abs() < 2.0 * rules.bin_hz
         };
         found.iter().any(|other| same(&other))
     };
@@ -81,12 +68,12 @@ pub fn spectral_lines(data: &Dataset, simulated: &[Flown]) -> Vec<SpectralLine> 
 }
 
 /// Adds the squares of a record's coefficients to their bins.
-fn pool(bins: &mut Vec<(f64, usize)>, record: &[f64], time_step_s: f64) {
+fn pool(rules: &SpectralLineRules, bins: &mut Vec<(f64, usize)>, record: &[f64], time_step_s: f64) {
     for (k, value) in every_cosine(record).into_iter().enumerate() {
         let f_hz = frequency_hz(k, record.len(), time_step_s);
-        if (SLOWEST_HZ..FASTEST * 0.5 / time_step_s).contains(&f_hz) {
+        if (rules.slowest_hz..rules.fastest * 0.5 / time_step_s).contains(&f_hz) {
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "not negative")]
-            let bin = (f_hz / BIN_HZ) as usize;
+            let bin = (f_hz / rules.bin_hz) as usize;
             if bins.len() <= bin {
                 bins.resize(bin + 1, (0.0, 0));
             }
@@ -96,20 +83,20 @@ fn pool(bins: &mut Vec<(f64, usize)>, record: &[f64], time_step_s: f64) {
 }
 
 /// Bins that stand out: the highest of each group of neighbours, with how far.
-fn peaks(bins: &[(f64, usize)]) -> Vec<(usize, f64)> {
+fn peaks(rules: &SpectralLineRules, bins: &[(f64, usize)]) -> Vec<(usize, f64)> {
     let mean = |i: usize| (bins[i].1 > 0).then(|| bins[i].0 / bins[i].1 as f64);
     let stands_out = |i: usize| {
         let own = mean(i)?;
-        let around = i.saturating_sub(REACH)..(i + REACH + 1).min(bins.len());
+        let around = i.saturating_sub(rules.neighbours)..(i + rules.neighbours + 1).min(bins.len());
         let mut others: Vec<f64> = around.filter(|j| j.abs_diff(i) > 1).filter_map(mean).collect();
-        if others.len() < REACH {
+        if others.len() < rules.neighbours {
             return None;
         }
         others.sort_by(f64::total_cmp);
         let times = own / others[others.len() / 2].max(f64::MIN_POSITIVE);
         let freedom = bins[i].1 as f64;
         let chance = ChiSquared::new(freedom).ok()?.sf(times * freedom);
-        (times > TIMES && chance < CHANCE).then_some((i, times))
+        (times > rules.times_neighbours && chance < rules.chance).then_some((i, times))
     };
     let mut found: Vec<(usize, f64)> = (0..bins.len()).filter_map(stands_out).collect();
     let all = found.clone();
@@ -118,14 +105,15 @@ fn peaks(bins: &[(f64, usize)]) -> Vec<(usize, f64)> {
 }
 
 /// What the lines say together, in one sentence; none without a line.
-pub fn sentence(spectral_lines: &[SpectralLine]) -> Option<String> {
+pub fn sentence(rules: &SpectralLineRules, spectral_lines: &[SpectralLine]) -> Option<String> {
     let first = spectral_lines.first()?;
     let SpectralLine { channel, v_m_s, frequency_hz, times } = first;
     let at_others: Vec<&SpectralLine> =
         spectral_lines.iter().filter(|line| line.v_m_s != *v_m_s && line.channel == *channel).collect();
-    let follows =
-        |line: &&&SpectralLine| (line.frequency_hz / line.v_m_s / (frequency_hz / v_m_s) - 1.0).abs() < SAME;
-    let stays = |line: &&&SpectralLine| (line.frequency_hz / frequency_hz - 1.0).abs() < SAME;
+    let follows = |line: &&&SpectralLine| {
+        (line.frequency_hz / line.v_m_s / (frequency_hz / v_m_s) - 1.0).abs() < rules.same_frequency
+    };
+    let stays = |line: &&&SpectralLine| (line.frequency_hz / frequency_hz - 1.0).abs() < rules.same_frequency;
     let kind = if at_others.iter().any(|line| follows(&line)) {
         format!(
             "; its frequency follows the airspeed ({:.2} Hz for each m/s), as vortices do",
@@ -161,7 +149,7 @@ mod tests {
                         + 0.8 * (std::f64::consts::TAU * turns).sin() * f64::from(u8::from(tone_hz.is_some()))
                 })
                 .collect();
-            pool(&mut bins, &values, 0.01);
+            pool(&SpectralLineRules::default(), &mut bins, &values, 0.01);
         }
         bins
     }
@@ -169,11 +157,11 @@ mod tests {
     #[test]
     fn a_tone_in_noise_is_found_where_it_is_and_noise_alone_has_none() {
         for seed in 0..40 {
-            assert!(peaks(&noise_with(None, seed)).is_empty(), "{seed}");
+            assert!(peaks(&SpectralLineRules::default(), &noise_with(None, seed)).is_empty(), "{seed}");
         }
-        let found = peaks(&noise_with(Some(9.6), 1));
+        let found = peaks(&SpectralLineRules::default(), &noise_with(Some(9.6), 1));
         assert_eq!(found.len(), 1, "{found:?}");
-        assert!(((found[0].0 as f64 + 0.5) * BIN_HZ - 9.6).abs() < BIN_HZ, "{found:?}");
+        assert!(((found[0].0 as f64 + 0.5) * 0.25 - 9.6).abs() < 0.25, "{found:?}");
     }
 
     #[test]
@@ -184,10 +172,12 @@ mod tests {
             frequency_hz,
             times,
         };
-        let follows = sentence(&[line(30.0, 9.6, 20.0), line(18.0, 5.8, 9.0)]).expect("two lines");
+        let follows = sentence(&SpectralLineRules::default(), &[line(30.0, 9.6, 20.0), line(18.0, 5.8, 9.0)])
+            .expect("two lines");
         assert!(follows.contains("follows the airspeed (0.32"), "{follows}");
-        let stays = sentence(&[line(30.0, 12.5, 20.0), line(18.0, 12.5, 9.0)]).expect("two lines");
+        let stays = sentence(&SpectralLineRules::default(), &[line(30.0, 12.5, 20.0), line(18.0, 12.5, 9.0)])
+            .expect("two lines");
         assert!(stays.contains("the same at other airspeeds"), "{stays}");
-        assert_eq!(sentence(&[]), None);
+        assert_eq!(sentence(&SpectralLineRules::default(), &[]), None);
     }
 }

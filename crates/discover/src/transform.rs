@@ -11,14 +11,11 @@ thread_local! {
     static PLANNER: RefCell<DctPlanner<f64>> = RefCell::new(DctPlanner::new());
 }
 
-/// Highest frequency that is looked at, Hz.
-pub const HIGHEST_HZ: f64 = 12.0;
-
-/// Coefficients up to [`HIGHEST_HZ`].
-pub fn cosines(values: &[f64], time_step_s: f64) -> Vec<f64> {
+/// Coefficients up to a frequency, Hz.
+pub fn cosines(values: &[f64], time_step_s: f64, highest_hz: f64) -> Vec<f64> {
     let mut all = every_cosine(values);
     if !all.is_empty() {
-        all.truncate(count(values.len(), time_step_s));
+        all.truncate(count(values.len(), time_step_s, highest_hz));
     }
     all
 }
@@ -36,9 +33,9 @@ pub fn every_cosine(values: &[f64]) -> Vec<f64> {
     all
 }
 
-/// Number of coefficients of a record.
-pub fn count(samples: usize, time_step_s: f64) -> usize {
-    let last = 2.0 * samples as f64 * time_step_s * HIGHEST_HZ;
+/// Number of coefficients of a record up to a frequency, Hz.
+pub fn count(samples: usize, time_step_s: f64, highest_hz: f64) -> usize {
+    let last = 2.0 * samples as f64 * time_step_s * highest_hz;
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a number of samples")]
     let last = last.floor() as usize;
     (last + 1).min(samples)
@@ -58,9 +55,9 @@ mod tests {
         let values: Vec<f64> =
             (0..300).map(|i| (std::f64::consts::TAU * 3.0 * f64::from(i) * 0.01).sin() + 0.5).collect();
         let energy: f64 = values.iter().map(|v| v * v).sum();
-        let kept: f64 = cosines(&values, 0.01).iter().map(|c| c * c).sum();
+        let kept: f64 = cosines(&values, 0.01, 12.0).iter().map(|c| c * c).sum();
         assert!((kept / energy - 1.0).abs() < 2e-3, "{}", kept / energy);
-        assert_eq!(cosines(&values, 0.01).len(), 73);
+        assert_eq!(cosines(&values, 0.01, 12.0).len(), 73);
     }
 
     #[test]
@@ -69,7 +66,7 @@ mod tests {
         let values: Vec<f64> = (0..n)
             .map(|i| (std::f64::consts::PI * 7.0 * (f64::from(i) + 0.5) / f64::from(n)).cos())
             .collect();
-        let all = cosines(&values, 0.01);
+        let all = cosines(&values, 0.01, 12.0);
         assert!((all[7] - 10.0).abs() < 1e-10, "sqrt(N/2): {}", all[7]);
         assert!(all.iter().enumerate().all(|(k, c)| k == 7 || c.abs() < 1e-10));
     }

@@ -2,6 +2,7 @@
 //! structure, the air and the servos, how the lift lies along the span (root loads do not see it), and what each control
 //! surface does for itself.
 
+use crate::rules::SharedRules;
 use maneuver::effects::{Active, Effect, Inputs, Parameter, Place, Side, Spec};
 use maneuver::rom::Change;
 use std::f64::consts::PI;
@@ -22,30 +23,25 @@ const KNOWN: [(&str, usize, f64); 11] = [
     ("delay", 0, 0.001),
 ];
 
-/// How many of these standard deviations an effect must have before it is more than a matter of calibration.
-pub const PRIOR_WIDTHS: f64 = 2.5;
-/// Standard deviation of each wave of the lift along the span.
-const WAVE: f64 = 0.015;
-/// Half waves of the first and the last: those that the corrections' directions do not hold.
-const HALF_WAVES: [u8; 3] = [2, 3, 4];
-/// Standard deviation of a single control surface's effectiveness.
-const SURFACE: f64 = 0.015;
-
 /// Standard deviation of a parameter that calibration knows.
 pub fn known(effect: &str, parameter: usize) -> Option<f64> {
     KNOWN.iter().find(|(name, which, _)| *name == effect && *which == parameter).map(|u| u.2)
 }
 
 /// Everything that is uncertain, each at one standard deviation.
-pub fn uncertain(library: &[Arc<dyn Effect>], controls: &[String]) -> Vec<Active> {
+pub fn uncertain(library: &[Arc<dyn Effect>], controls: &[String], rules: &SharedRules) -> Vec<Active> {
     let known = KNOWN.iter().filter_map(|(name, parameter, sigma)| {
         let effect = library.iter().find(|effect| effect.spec().name == *name)?;
         let mut values = vec![0.0; effect.parameters().len()];
         values[*parameter] = *sigma;
         Some(Active::new(Arc::clone(effect), &values))
     });
-    let waves = HALF_WAVES.map(|half_waves| Active::new(Arc::new(Wave { half_waves }), &[WAVE]));
-    let surface = |control| Active::new(Arc::new(Surface { control }), &[SURFACE]);
+    let waves = rules.half_waves.map(|half_waves| {
+        let sigma = rules.lift_wave;
+        Active::new(Arc::new(Wave { half_waves, sigma }), &[sigma])
+    });
+    let sigma = rules.surface;
+    let surface = |control| Active::new(Arc::new(Surface { control, sigma }), &[sigma]);
     known.chain(waves).chain((0..controls.len()).map(surface)).collect()
 }
 
@@ -53,6 +49,7 @@ pub fn uncertain(library: &[Arc<dyn Effect>], controls: &[String]) -> Vec<Active
 #[derive(Debug)]
 struct Wave {
     half_waves: u8,
+    sigma: f64,
 }
 
 impl Effect for Wave {
@@ -67,7 +64,7 @@ impl Effect for Wave {
     }
 
     fn parameters(&self) -> Vec<Parameter> {
-        vec![Parameter::new("share", (-1.0, 1.0), WAVE)]
+        vec![Parameter::new("share", (-1.0, 1.0), self.sigma)]
     }
 
     fn change(&self, p: &[f64], place: &Place<'_>, change: &mut Change) {
@@ -81,6 +78,7 @@ impl Effect for Wave {
 #[derive(Debug)]
 struct Surface {
     control: usize,
+    sigma: f64,
 }
 
 impl Effect for Surface {
@@ -95,7 +93,7 @@ impl Effect for Surface {
     }
 
     fn parameters(&self) -> Vec<Parameter> {
-        vec![Parameter::new("share", (-1.0, 1.0), SURFACE)]
+        vec![Parameter::new("share", (-1.0, 1.0), self.sigma)]
     }
 
     fn inputs(&self, p: &[f64], _place: &Place<'_>, inputs: &mut Inputs) {

@@ -1,64 +1,57 @@
 //! Runs whose airspeed is not what their label says: all loads, at rest and in motion, as at another dynamic pressure.
 
-use super::record::{Record, mean, median};
-use super::{Defect, DefectKind};
-
-/// All channels must change alike, within this share.
-const ALIKE: f64 = 0.15;
-/// Least change of the loads against runs of the same label.
-const LEAST_RATIO: f64 = 1.12;
-/// Least change of the loads against all runs, where the label has too few: slopes differ with the airspeed.
-const LEAST_RATIO_OF_ALL: f64 = 1.35;
-/// Least change of the airspeed.
-const LEAST_AIRSPEED: f64 = 0.07;
-/// So many other runs make a comparison.
-const ENOUGH: usize = 3;
-/// A mean load counts if it is so many standard deviations of a sample.
-const VISIBLE: f64 = 10.0;
+use super::defect::{Defect, DefectKind};
+use super::record::Record;
+use crate::rules::AirspeedRules;
+use crate::statistics::{mean, median};
 
 /// See the module.
-pub(super) fn wrong(records: &[Record]) -> Vec<Defect> {
-    records.iter().filter(|record| !record.steady).filter_map(|record| wrong_in(records, record)).collect()
+pub(super) fn wrong(rules: &AirspeedRules, records: &[Record]) -> Vec<Defect> {
+    records
+        .iter()
+        .filter(|record| !record.steady)
+        .filter_map(|record| wrong_in(rules, records, record))
+        .collect()
 }
 
 /// Mean load over that of the simulation.
-fn mean_ratio(record: &Record, c: usize) -> Option<f64> {
+fn mean_ratio(rules: &AirspeedRules, record: &Record, c: usize) -> Option<f64> {
     let pair = record.channels[c].as_ref()?;
     let simulated = mean(&pair.simulated);
-    (simulated.abs() > VISIBLE * record.sigma[c]).then(|| mean(&pair.measured) / simulated)
+    (simulated.abs() > rules.visible_mean * record.sigma[c]).then(|| mean(&pair.measured) / simulated)
 }
 
-fn wrong_in(records: &[Record], record: &Record) -> Option<Defect> {
+fn wrong_in(rules: &AirspeedRules, records: &[Record], record: &Record) -> Option<Defect> {
     if record.v_m_s == 0.0 {
-        return blown(records, record);
+        return blown(rules, records, record);
     }
     let like = |other: &&Record| {
         other.name != record.name && other.v_m_s > 0.0 && record.maneuver.same_kind(&other.maneuver)
     };
     let labelled: Vec<&Record> =
         records.iter().filter(like).filter(|other| other.v_m_s == record.v_m_s).collect();
-    let (peers, least) = if labelled.len() >= ENOUGH {
-        (labelled, LEAST_RATIO)
+    let (peers, least) = if labelled.len() >= rules.peers {
+        (labelled, rules.least_ratio)
     } else {
-        (records.iter().filter(like).collect(), LEAST_RATIO_OF_ALL)
+        (records.iter().filter(like).collect(), rules.least_ratio_of_all)
     };
-    if peers.len() < ENOUGH {
+    if peers.len() < rules.peers {
         return None;
     }
     let ratios: Vec<f64> = (0..3)
         .filter_map(|c| {
-            let usual = median(peers.iter().filter_map(|peer| mean_ratio(peer, c)).collect())?;
-            Some(mean_ratio(record, c)? / usual)
+            let usual = median(peers.iter().filter_map(|peer| mean_ratio(rules, peer, c)).collect())?;
+            Some(mean_ratio(rules, record, c)? / usual)
         })
         .collect();
     if ratios.len() < 2 || ratios.iter().any(|ratio| *ratio <= 0.0) {
         return None;
     }
     let change = mean(&ratios.iter().map(|ratio| ratio.ln()).collect::<Vec<f64>>());
-    let alike = ratios.iter().all(|ratio| (ratio.ln() - change).abs() < ALIKE);
-    let exponent = exponent(records, record);
+    let alike = ratios.iter().all(|ratio| (ratio.ln() - change).abs() < rules.alike);
+    let exponent = exponent(rules, records, record);
     let v_m_s = record.v_m_s * (change / exponent).exp();
-    let far = change.abs() > least.ln() && (v_m_s / record.v_m_s - 1.0).abs() > LEAST_AIRSPEED;
+    let far = change.abs() > least.ln() && (v_m_s / record.v_m_s - 1.0).abs() > rules.least_airspeed;
     (alike && far && moves_too(records, record, change)).then(|| Defect {
         kind: DefectKind::WrongAirspeed,
         run: Some(record.name.clone()),
@@ -71,9 +64,11 @@ fn wrong_in(records: &[Record], record: &Record) -> Option<Defect> {
 }
 
 /// Power of the airspeed with which the simulated mean loads grow: less than two where zero lift moves with it.
-fn exponent(records: &[Record], record: &Record) -> f64 {
+fn exponent(rules: &AirspeedRules, records: &[Record], record: &Record) -> f64 {
     let near = |other: &&Record| {
-        !other.steady && other.v_m_s > 0.0 && (other.alpha_rad - record.alpha_rad).abs() < 0.01
+        !other.steady
+            && other.v_m_s > 0.0
+            && (other.alpha_rad - record.alpha_rad).abs() < rules.near_angle_rad
     };
     let mut slopes = Vec::new();
     for c in 0..3 {
@@ -82,7 +77,7 @@ fn exponent(records: &[Record], record: &Record) -> f64 {
             .filter(near)
             .filter_map(|other| {
                 let load = mean(&other.channels[c].as_ref()?.simulated).abs();
-                (load > VISIBLE * other.sigma[c]).then(|| (other.v_m_s.ln(), load.ln()))
+                (load > rules.visible_mean * other.sigma[c]).then(|| (other.v_m_s.ln(), load.ln()))
             })
             .collect();
         let [x, y] = [0, 1].map(|k| mean(&points.iter().map(|p| [p.0, p.1][k]).collect::<Vec<f64>>()));
@@ -110,17 +105,17 @@ fn moves_too(records: &[Record], record: &Record, change: f64) -> bool {
 }
 
 /// A run without wind that carries a mean load like those with wind.
-fn blown(records: &[Record], record: &Record) -> Option<Defect> {
+fn blown(rules: &AirspeedRules, records: &[Record], record: &Record) -> Option<Defect> {
     let shares: Vec<f64> = (0..3)
         .filter_map(|c| {
             let with = records.iter().filter(|other| !other.steady && other.v_m_s > 0.0);
             let loads = with.filter_map(|other| Some(mean(&other.channels[c].as_ref()?.measured).abs()));
             let pair = record.channels[c].as_ref()?;
             let own = (mean(&pair.measured) - mean(&pair.simulated)).abs();
-            Some(own / median(loads.collect())?.max(VISIBLE * record.sigma[c]))
+            Some(own / median(loads.collect())?.max(rules.visible_mean * record.sigma[c]))
         })
         .collect();
-    (shares.len() > 1 && shares.iter().all(|share| *share > 0.2)).then(|| Defect {
+    (shares.len() > 1 && shares.iter().all(|share| *share > rules.blown)).then(|| Defect {
         kind: DefectKind::WrongAirspeed,
         run: Some(record.name.clone()),
         channel: None,

@@ -4,38 +4,39 @@
 //! dynamic pressure that is wrong in all runs looks like an exchange. In one run: against the simulation times the gain
 //! that the other runs have.
 
-use super::record::{Pair, Record, dot, median};
-use super::{CHANNELS, Defect, DefectKind};
+use super::defect::{Defect, DefectKind};
+use super::record::{Pair, Record};
+use crate::channels::LOADS;
+use crate::rules::LabelRules;
+use crate::statistics::{dot, median};
 
 /// Which channel's measurement stands in the place of Fz, Mx, My.
 const ORDERS: [[usize; 3]; 5] = [[1, 0, 2], [2, 1, 0], [0, 2, 1], [1, 2, 0], [2, 0, 1]];
-/// An exchange explains the data if what it leaves is less than this share of what the labels leave.
-const EXPLAINS: f64 = 0.1;
-/// The same for all data at once, where only shapes are compared.
-const EXPLAINS_ALL: f64 = 0.3;
-/// What the labels leave must be more than this share of the load, or nothing is wrong.
-const WRONG: f64 = 0.1;
 
 /// Exchanged or flipped in all data.
-pub(super) fn everywhere(records: &[Record]) -> Vec<Defect> {
+pub(super) fn everywhere(rules: &LabelRules, records: &[Record]) -> Vec<Defect> {
     let flipped: Vec<Defect> =
-        (0..3).filter(|&c| flipped_everywhere(records, c)).map(sign_everywhere).collect();
-    if !flipped.is_empty() && !exchange_explains(records) {
+        (0..3).filter(|&c| flipped_everywhere(rules, records, c)).map(sign_everywhere).collect();
+    if !flipped.is_empty() && !exchange_explains(rules, records) {
         return flipped;
     }
     let own = shapes_left(records, [0, 1, 2]);
     let best = ORDERS.map(|order| (shapes_left(records, order), order));
     let best = best.iter().min_by(|a, b| a.0.total_cmp(&b.0)).copied().unwrap_or((own, [0, 1, 2]));
-    if best.0 < EXPLAINS_ALL * own && own > WRONG { vec![exchanged(None, best.1)] } else { Vec::new() }
+    if best.0 < rules.explains_all * own && own > rules.wrong {
+        vec![exchanged(None, best.1)]
+    } else {
+        Vec::new()
+    }
 }
 
-fn exchange_explains(records: &[Record]) -> bool {
+fn exchange_explains(rules: &LabelRules, records: &[Record]) -> bool {
     let own = shapes_left(records, [0, 1, 2]);
-    ORDERS.iter().any(|order| shapes_left(records, *order) < EXPLAINS_ALL * own)
+    ORDERS.iter().any(|order| shapes_left(records, *order) < rules.explains_all * own)
 }
 
 fn sign_everywhere(c: usize) -> Defect {
-    let channel = CHANNELS[c];
+    let channel = LOADS[c];
     Defect {
         kind: DefectKind::SignFlipped,
         run: None,
@@ -45,13 +46,13 @@ fn sign_everywhere(c: usize) -> Defect {
 }
 
 /// Whether the loads go against the simulation in three quarters of all records, at rest and in motion.
-fn flipped_everywhere(records: &[Record], c: usize) -> bool {
+fn flipped_everywhere(rules: &LabelRules, records: &[Record], c: usize) -> bool {
     let windy = || records.iter().filter(|record| record.v_m_s > 0.0);
     let of = |pair: Option<Pair>, record: &Record| pair.and_then(|pair| correlation(&pair, record.sigma[c]));
     let whole: Vec<f64> = windy().filter_map(|r| of(r.channels[c].clone(), r)).collect();
     let moving: Vec<f64> = windy().filter_map(|r| of(r.about_mean(c), r)).collect();
     let against = |values: &[f64]| {
-        let count = values.iter().filter(|value| **value < -0.7).count();
+        let count = values.iter().filter(|value| **value < -rules.against).count();
         !values.is_empty() && 4 * count >= 3 * values.len()
     };
     against(&whole) && (moving.is_empty() || against(&moving))
@@ -86,19 +87,19 @@ fn shapes_left(records: &[Record], order: [usize; 3]) -> f64 {
 }
 
 /// Exchanged or flipped in single runs or static groups.
-pub(super) fn by_run(records: &[Record]) -> Vec<Defect> {
+pub(super) fn by_run(rules: &LabelRules, records: &[Record]) -> Vec<Defect> {
     let mut all = Vec::new();
     for record in records {
         let gains: [Option<f64>; 3] = std::array::from_fn(|c| peers_gain(records, record, c));
-        if let Some(order) = exchanged_in(record, gains) {
+        if let Some(order) = exchanged_in(rules, record, gains) {
             all.push(exchanged(Some(&record.name), order));
             continue;
         }
         for (c, gain) in gains.into_iter().enumerate() {
             let (Some(pair), Some(gain)) = (record.signal(c), gain) else { continue };
             let left = |sign: f64| misfit(&pair.measured, &pair.simulated, sign * gain);
-            if pair.gain(record.sigma[c]).is_some() && left(-1.0) < EXPLAINS * left(1.0) {
-                let (channel, name) = (CHANNELS[c], &record.name);
+            if pair.gain(record.sigma[c]).is_some() && left(-1.0) < rules.explains * left(1.0) {
+                let (channel, name) = (LOADS[c], &record.name);
                 let sentence =
                     format!("{channel} of {name} has the opposite sign of {channel} in runs like it");
                 let run = Some(name.clone());
@@ -126,7 +127,7 @@ fn misfit(measured: &[f64], simulated: &[f64], gain: f64) -> f64 {
     measured.iter().zip(simulated).map(|(m, s)| (m - gain * s).powi(2)).sum()
 }
 
-fn exchanged_in(record: &Record, gains: [Option<f64>; 3]) -> Option<[usize; 3]> {
+fn exchanged_in(rules: &LabelRules, record: &Record, gains: [Option<f64>; 3]) -> Option<[usize; 3]> {
     let signals: [Option<Pair>; 3] = std::array::from_fn(|c| record.signal(c));
     let left = |order: [usize; 3]| -> Option<f64> {
         let mut sum = 0.0;
@@ -145,19 +146,19 @@ fn exchanged_in(record: &Record, gains: [Option<f64>; 3]) -> Option<[usize; 3]> 
     let own = left([0, 1, 2])?;
     let each = ORDERS.iter().filter_map(|order| left(*order).map(|left| (left, *order)));
     let (least, order) = each.min_by(|a, b| a.0.total_cmp(&b.0))?;
-    (least < EXPLAINS * own && own > WRONG).then_some(order)
+    (least < rules.explains * own && own > rules.wrong).then_some(order)
 }
 
 fn exchanged(run: Option<&str>, order: [usize; 3]) -> Defect {
     let moved: Vec<String> = (0..3)
         .filter(|&c| order[c] != c)
-        .map(|c| format!("what is called {} is {}", CHANNELS[order[c]], CHANNELS[c]))
+        .map(|c| format!("what is called {} is {}", LOADS[order[c]], LOADS[c]))
         .collect();
     let place = run.map_or_else(|| "all data".to_owned(), str::to_owned);
     Defect {
         kind: DefectKind::SwappedChannels,
         run: run.map(str::to_owned),
-        channel: (0..3).find(|&c| order[c] != c).map(|c| CHANNELS[c]),
+        channel: (0..3).find(|&c| order[c] != c).map(|c| LOADS[c]),
         sentence: format!("labels of channels are exchanged in {place}: {}", moved.join(", ")),
     }
 }

@@ -4,6 +4,7 @@
 //! what concerns all runs (a channel's sign, exchanged labels) must be something that no effect can do.
 
 mod airspeed;
+mod defect;
 mod labels;
 mod record;
 mod repeats;
@@ -11,49 +12,16 @@ mod samples;
 mod timing;
 
 use crate::data::Dataset;
+pub use defect::{Defect, DefectKind};
 use maneuver::effects::Flown;
 pub use record::rough_noise;
-pub(crate) use record::{CHANNELS, mean, median};
-
-/// What is wrong.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum DefectKind {
-    /// Labels of channels exchanged.
-    SwappedChannels,
-    /// A channel's sign.
-    SignFlipped,
-    /// The airspeed is not what the label says.
-    WrongAirspeed,
-    /// The channel ends at a value beyond which the load went.
-    Clipped,
-    /// The channel stands still while the load moves.
-    Stuck,
-    /// The run is late or early.
-    Lag,
-    /// Single samples far off.
-    Spikes,
-    /// A repeat that does not repeat.
-    Repeat,
-}
-
-/// A defect.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Defect {
-    /// What is wrong.
-    pub kind: DefectKind,
-    /// Name of the run or of the static points; none if it is so everywhere.
-    pub run: Option<String>,
-    /// The channel; none if it concerns all of them or several.
-    pub channel: Option<&'static str>,
-    /// One plain sentence.
-    pub sentence: String,
-}
 
 /// Defects of a data set, worst kind first; none is what one hopes for. `simulated`: static groups, then runs, as
 /// measured; `sigma`: one standard deviation of a sample of Fz, Mx, My in the same order.
 pub fn defects(data: &Dataset, simulated: &[Flown], sigma: &[[f64; 3]]) -> Vec<Defect> {
+    let rules = &data.rules;
     let records = record::records(data, simulated, sigma);
-    let mut all = labels::everywhere(&records);
+    let mut all = labels::everywhere(&rules.labels, &records);
     let everywhere = !all.is_empty();
     // each kind is looked for in what the kinds before have left: a mislabelled run is not late, too
     let mut add = |found: Vec<Defect>| {
@@ -61,15 +29,15 @@ pub fn defects(data: &Dataset, simulated: &[Flown], sigma: &[[f64; 3]]) -> Vec<D
             found.into_iter().filter(|defect| all.iter().all(|other| other.run != defect.run)).collect();
         all.extend(new);
     };
-    add(samples::flat(&records));
+    add(samples::flat(&rules.samples, &records));
     if !everywhere {
-        add(labels::by_run(&records));
+        add(labels::by_run(&rules.labels, &records));
     }
-    add(airspeed::wrong(&records));
-    add(samples::spikes(&records));
-    add(timing::lags(&records));
+    add(airspeed::wrong(&rules.airspeed, &records));
+    add(samples::spikes(&rules.samples, &records));
+    add(timing::lags(&rules.timing, &records));
     // a run that is named already differs from its repeat of course
     let named: Vec<String> = all.iter().filter_map(|defect| defect.run.clone()).collect();
-    all.extend(repeats::differ(&records, &named));
+    all.extend(repeats::differ(&rules.repeats, &records, &named));
     all
 }

@@ -1,22 +1,18 @@
 //! A run or a static group beside its simulation, and the few numbers by which it is compared with its peers.
 
 use crate::data::Dataset;
-use crate::locate::Maneuver;
+use crate::locate::maneuver::Maneuver;
+use crate::rules::RecordRules;
+use crate::statistics::{dot, mean, median};
 use maneuver::effects::{Flown, Stimulus};
-
-/// Names of the channels.
-pub(crate) const CHANNELS: [&str; 3] = ["Fz_N", "Mx_Nm", "My_Nm"];
-
-/// A control jumps if it moves by this share of its height within two samples.
-const JUMP: f64 = 0.2;
-/// Loads and models of them are rough for so many samples around.
-const AROUND: usize = 15;
 
 /// One channel.
 #[derive(Debug, Clone)]
 pub(crate) struct Pair {
     pub(crate) measured: Vec<f64>,
     pub(crate) simulated: Vec<f64>,
+    /// Its mean square must be so many times the noise's before it has a gain.
+    visible: f64,
 }
 
 /// See the module.
@@ -37,6 +33,7 @@ pub(crate) struct Record {
 
 /// Records in the order static groups, runs.
 pub(crate) fn records(data: &Dataset, simulated: &[Flown], sigma: &[[f64; 3]]) -> Vec<Record> {
+    let rules = &data.rules.record;
     let statics = data.statics.iter().map(|group| {
         let v_m_s = data.airspeeds_m_s[group.airspeed];
         let present: Vec<usize> =
@@ -73,11 +70,12 @@ pub(crate) fn records(data: &Dataset, simulated: &[Flown], sigma: &[[f64; 3]]) -
             repeat_of,
             time_step_s: stimulus.time_step_s,
             sigma: sigma[place],
-            edges: edges(stimulus, v_m_s),
+            edges: edges(rules, stimulus, v_m_s),
             channels: std::array::from_fn(|c| {
                 present.contains(&c).then(|| Pair {
                     measured: kept.iter().map(|&i| of(place, c, i)).collect(),
                     simulated: kept.iter().map(|&i| simulated[place].loads[c][i]).collect(),
+                    visible: rules.visible_rms * rules.visible_rms,
                 })
             }),
         })
@@ -85,7 +83,7 @@ pub(crate) fn records(data: &Dataset, simulated: &[Flown], sigma: &[[f64; 3]]) -
 }
 
 /// Samples around jumps of a control.
-fn edges(stimulus: &Stimulus, v_m_s: f64) -> Vec<bool> {
+fn edges(rules: &RecordRules, stimulus: &Stimulus, v_m_s: f64) -> Vec<bool> {
     let samples = stimulus.inputs.alpha.value.len();
     let mut edges = vec![false; samples];
     if stimulus.steady || matches!(Maneuver::of(stimulus, v_m_s), Maneuver::Chirp { .. }) {
@@ -94,8 +92,8 @@ fn edges(stimulus: &Stimulus, v_m_s: f64) -> Vec<bool> {
     for delta in &stimulus.inputs.controls_rad {
         let height = delta.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
         for i in 2..samples {
-            if height > 0.0 && (delta[i] - delta[i - 2]).abs() > JUMP * height {
-                edges[i.saturating_sub(AROUND)..(i + AROUND).min(samples)].fill(true);
+            if height > 0.0 && (delta[i] - delta[i - 2]).abs() > rules.jump * height {
+                edges[i.saturating_sub(rules.rough_around)..(i + rules.rough_around).min(samples)].fill(true);
             }
         }
     }
@@ -109,9 +107,11 @@ impl Record {
             let mean = mean(values);
             values.iter().map(|value| value - mean).collect()
         };
-        self.channels[c]
-            .as_ref()
-            .map(|pair| Pair { measured: off(&pair.measured), simulated: off(&pair.simulated) })
+        self.channels[c].as_ref().map(|pair| Pair {
+            measured: off(&pair.measured),
+            simulated: off(&pair.simulated),
+            ..*pair
+        })
     }
 
     /// What tells most of its sign and size: all of it with wind, what moves without.
@@ -124,37 +124,23 @@ impl Pair {
     /// Factor on the simulation that brings it nearest to the measurement; none if the simulation hardly moves.
     pub(crate) fn gain(&self, sigma: f64) -> Option<f64> {
         let power = dot(&self.simulated, &self.simulated);
-        (power > 25.0 * sigma * sigma * self.simulated.len() as f64)
+        (power > self.visible * sigma * sigma * self.simulated.len() as f64)
             .then(|| dot(&self.measured, &self.simulated) / power)
     }
-}
-
-pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-pub(crate) fn mean(values: &[f64]) -> f64 {
-    if values.is_empty() { 0.0 } else { values.iter().sum::<f64>() / values.len() as f64 }
-}
-
-/// The middle value; none of none.
-pub(crate) fn median(mut values: Vec<f64>) -> Option<f64> {
-    values.retain(|value| value.is_finite());
-    values.sort_by(f64::total_cmp);
-    let n = values.len();
-    (n > 0).then(|| 0.5 * (values[(n - 1) / 2] + values[n / 2]))
 }
 
 /// One standard deviation of a sample of Fz, Mx, My for [`super::defects`], static groups first, then runs: as stated, or
 /// from what runs hold above 10 Hz, where little else is.
 pub fn rough_noise(data: &Dataset) -> Vec<[f64; 3]> {
+    let highest_hz = data.rules.data.highest_hz;
     let quiet = |c: usize| {
         let of = |run: &crate::data::RunData| {
             let (values, dt) = (&run.measured[c], run.stimulus.time_step_s);
-            let all = crate::transform::cosines(values, dt);
-            let high = all.iter().enumerate().filter(|(k, _)| {
-                crate::transform::frequency_hz(*k, values.len(), dt) > 0.85 * crate::transform::HIGHEST_HZ
-            });
+            let all = crate::transform::cosines(values, dt, highest_hz);
+            let high = all
+                .iter()
+                .enumerate()
+                .filter(|(k, _)| crate::transform::frequency_hz(*k, values.len(), dt) > 0.85 * highest_hz);
             // the middle of |x| of normal numbers
             median(high.map(|(_, value)| value.abs()).collect()).map(|middle| middle / 0.6745)
         };

@@ -1,19 +1,15 @@
 //! Repeats that differ by far more than noise and offset of a day.
 
-use super::record::{Record, dot, mean, median};
-use super::{CHANNELS, Defect, DefectKind};
-
-/// The difference counts if it is so many standard deviations of a sample.
-const FAR: f64 = 8.0;
-/// And this share of the load's variation.
-const SHARE: f64 = 0.1;
-/// And so many times the other pairs' difference.
-const BEYOND_OTHERS: f64 = 5.0;
+use super::defect::{Defect, DefectKind};
+use super::record::Record;
+use crate::channels::LOADS;
+use crate::rules::RepeatRules;
+use crate::statistics::{dot, mean, median};
 
 /// See the module; pairs with a run that is `named` already are left out.
-pub(super) fn differ(records: &[Record], named: &[String]) -> Vec<Defect> {
+pub(super) fn differ(rules: &RepeatRules, records: &[Record], named: &[String]) -> Vec<Defect> {
     let mut found = Vec::new();
-    for (c, channel) in CHANNELS.into_iter().enumerate() {
+    for (c, channel) in LOADS.into_iter().enumerate() {
         let pairs: Vec<(usize, usize, f64, f64)> = records
             .iter()
             .enumerate()
@@ -30,7 +26,10 @@ pub(super) fn differ(records: &[Record], named: &[String]) -> Vec<Defect> {
         for &(first, second, difference, variation) in &pairs {
             let others = pairs.iter().filter(|pair| pair.1 != second).map(|pair| pair.2).collect();
             let usual = median(others).unwrap_or(0.0);
-            if difference > FAR && difference > SHARE * variation && difference > BEYOND_OTHERS * usual {
+            if difference > rules.far
+                && difference > rules.share * variation
+                && difference > rules.beyond_others * usual
+            {
                 let name = &records[second].name;
                 let sentence = format!(
                     "{channel} of {name} differs from {}, which it repeats, by {difference:.0} times the noise",

@@ -2,38 +2,20 @@
 //!
 //! Samples that are equal to a small part of the noise show that the channel did not measure: noise never rests.
 
-use super::record::{Pair, Record, median};
-use super::{CHANNELS, Defect, DefectKind};
-
-/// A stretch is flat if it spans less than this share of the noise.
-const FLAT: f64 = 0.1;
-/// Shortest flat stretch, samples: neighbours are alike behind a filter.
-const SHORTEST: usize = 6;
-/// So many samples in flat stretches at an end of the range make a clipped channel.
-const CLIPPED: usize = 10;
-/// The simulation must move by so many standard deviations meanwhile.
-const MOVES: f64 = 3.0;
-/// A channel that stands still for this share of a run is stuck.
-const STUCK: f64 = 0.2;
-/// Least height of a spike, standard deviations.
-const SPIKE: f64 = 25.0;
-/// And over that of all but three per cent of the samples, and over that of peers.
-const SPIKE_OVER_OTHERS: f64 = 4.0;
-/// What another run of the kind shows within this time, by this share, is no defect but the wing's doing.
-const SAME_INSTANT_S: f64 = 0.1;
-/// See above.
-const COMMON: f64 = 0.3;
-/// A spike is over within so many samples.
-const NARROW: usize = 2;
+use super::defect::{Defect, DefectKind};
+use super::record::{Pair, Record};
+use crate::channels::LOADS;
+use crate::rules::SampleRules;
+use crate::statistics::median;
 
 /// Stuck and clipped channels.
-pub(super) fn flat(records: &[Record]) -> Vec<Defect> {
+pub(super) fn flat(rules: &SampleRules, records: &[Record]) -> Vec<Defect> {
     let mut found = Vec::new();
     for record in records.iter().filter(|record| !record.steady) {
         for (c, pair) in record.channels.iter().enumerate() {
             let Some(pair) = pair else { continue };
-            if let Some((kind, what)) = flat_in(pair, record.sigma[c]) {
-                let (channel, name) = (CHANNELS[c], &record.name);
+            if let Some((kind, what)) = flat_in(rules, pair, record.sigma[c]) {
+                let (channel, name) = (LOADS[c], &record.name);
                 let sentence = format!("{channel} of {name} {what}");
                 found.push(Defect { kind, run: Some(name.clone()), channel: Some(channel), sentence });
             }
@@ -48,21 +30,21 @@ fn range(values: &[f64]) -> (f64, f64) {
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(*value), high.max(*value)))
 }
 
-fn flat_in(pair: &Pair, sigma: f64) -> Option<(DefectKind, String)> {
+fn flat_in(rules: &SampleRules, pair: &Pair, sigma: f64) -> Option<(DefectKind, String)> {
     let (low, high) = range(&pair.measured);
-    let stretches: Vec<(usize, usize)> = stretches(&pair.measured, FLAT * sigma)
+    let stretches: Vec<(usize, usize)> = stretches(&pair.measured, rules.flat * sigma)
         .into_iter()
-        .filter(|(from, to)| to - from >= SHORTEST)
+        .filter(|(from, to)| to - from >= rules.shortest_flat)
         .collect();
     let moves = |inside: &[&(usize, usize)]| {
         let all: Vec<f64> =
             inside.iter().flat_map(|(from, to)| pair.simulated[*from..*to].iter().copied()).collect();
         let (least, most) = range(&all);
-        most - least > MOVES * sigma
+        most - least > rules.moves * sigma
     };
     let longest = stretches.iter().filter(|stretch| moves(&[stretch])).max_by_key(|(from, to)| to - from);
     if let Some((from, to)) = longest
-        && (to - from) as f64 > STUCK * pair.measured.len() as f64
+        && (to - from) as f64 > rules.stuck * pair.measured.len() as f64
     {
         return Some((
             DefectKind::Stuck,
@@ -73,11 +55,11 @@ fn flat_in(pair: &Pair, sigma: f64) -> Option<(DefectKind, String)> {
         // a filter after clipping swings past the end by a little
         let near = |&&(from, to): &&(usize, usize)| {
             (pair.measured[from..to].iter().sum::<f64>() / (to - from) as f64 - value).abs()
-                < 0.02 * (high - low)
+                < rules.near_end * (high - low)
         };
         let there: Vec<&(usize, usize)> = stretches.iter().filter(near).collect();
         let samples: usize = there.iter().map(|(from, to)| to - from).sum();
-        if samples >= CLIPPED && moves(&there) {
+        if samples >= rules.clipped && moves(&there) {
             let what = format!("is clipped: {samples} samples stand at its {word} value {value:.3}");
             return Some((DefectKind::Clipped, what));
         }
@@ -112,10 +94,10 @@ struct Spike {
 }
 
 /// Single samples far off.
-pub(super) fn spikes(records: &[Record]) -> Vec<Defect> {
+pub(super) fn spikes(rules: &SampleRules, records: &[Record]) -> Vec<Defect> {
     let mut found = Vec::new();
-    for (c, channel) in CHANNELS.into_iter().enumerate() {
-        let all: Vec<Option<Spike>> = records.iter().map(|record| spike(record, c)).collect();
+    for (c, channel) in LOADS.into_iter().enumerate() {
+        let all: Vec<Option<Spike>> = records.iter().map(|record| spike(rules, record, c)).collect();
         let like = |i: usize| {
             (0..records.len()).filter(move |&j| records[j].maneuver.same_kind(&records[i].maneuver))
         };
@@ -127,16 +109,16 @@ pub(super) fn spikes(records: &[Record]) -> Vec<Defect> {
                 all[i].as_ref().is_some_and(|spike| {
                     let usual = usual.max(spike.usual);
                     spike.narrow
-                        && spike.height > SPIKE * records[i].sigma[c]
-                        && spike.height > SPIKE_OVER_OTHERS * usual
+                        && spike.height > rules.spike * records[i].sigma[c]
+                        && spike.height > rules.spike_over_others * usual
                 })
             })
             .collect();
         for (i, record) in records.iter().enumerate().filter(|(i, _)| far[*i]) {
             let Some(spike) = &all[i] else { continue };
             let again = |other: &Spike, dt: f64| {
-                (other.at as f64 * dt - spike.at as f64 * record.time_step_s).abs() < SAME_INSTANT_S
-                    && other.height > COMMON * spike.height
+                (other.at as f64 * dt - spike.at as f64 * record.time_step_s).abs() < rules.same_instant_s
+                    && other.height > rules.common * spike.height
             };
             let shown = |j: usize| all[j].as_ref().is_some_and(|other| again(other, records[j].time_step_s));
             if like(i).any(|j| j != i && shown(j)) {
@@ -155,25 +137,26 @@ pub(super) fn spikes(records: &[Record]) -> Vec<Defect> {
     found
 }
 
-fn spike(record: &Record, c: usize) -> Option<Spike> {
-    let pair =
-        record.channels[c].as_ref().filter(|pair| !record.steady && pair.measured.len() > 30 * NARROW)?;
+fn spike(rules: &SampleRules, record: &Record, c: usize) -> Option<Spike> {
+    let pair = record.channels[c]
+        .as_ref()
+        .filter(|pair| !record.steady && pair.measured.len() > 30 * rules.narrow)?;
     // a control that does half of what the model thinks leaves edges; the run's own gain takes them off
     let gain = record.about_mean(c)?.gain(record.sigma[c]).unwrap_or(1.0);
     let residual: Vec<f64> = pair.measured.iter().zip(&pair.simulated).map(|(m, s)| m - gain * s).collect();
     let n = residual.len();
     // where a control jumps, models and loads are rough
     let out = |i: usize| {
-        let out = (residual[i] - 0.5 * (residual[i - NARROW] + residual[i + NARROW])).abs();
+        let out = (residual[i] - 0.5 * (residual[i - rules.narrow] + residual[i + rules.narrow])).abs();
         if record.edges[i] { 0.0 } else { out }
     };
-    let outs: Vec<f64> = (NARROW..n - NARROW).map(out).collect();
+    let outs: Vec<f64> = (rules.narrow..n - rules.narrow).map(out).collect();
     let k = (0..outs.len()).max_by(|&a, &b| outs[a].total_cmp(&outs[b]))?;
     let mut sorted = outs.clone();
     sorted.sort_by(f64::total_cmp);
     let narrow = (0..outs.len())
-        .filter(|&j| (2 * NARROW..=4 * NARROW).contains(&j.abs_diff(k)))
+        .filter(|&j| (2 * rules.narrow..=4 * rules.narrow).contains(&j.abs_diff(k)))
         .all(|j| outs[j] < 0.35 * outs[k]);
     let usual = sorted[sorted.len() * 97 / 100];
-    Some(Spike { height: outs[k], usual, at: k + NARROW, narrow })
+    Some(Spike { height: outs[k], usual, at: k + rules.narrow, narrow })
 }

@@ -1,24 +1,13 @@
 //! Runs that are late or early against runs like them, by cross-correlation with the simulation.
 
-use super::record::{Record, dot, median};
-use super::{Defect, DefectKind};
-
-/// Longest lag that is looked for, s.
-const LONGEST_S: f64 = 0.3;
-/// Least lag against the peers, s.
-const LEAST_S: f64 = 0.03;
-/// Least phase against the peers at a pitching frequency, turns: missing dynamics may do half of it.
-const LEAST_TURNS: f64 = 30.0 / 360.0;
-/// A channel counts if it looks like the simulation so much, shifted.
-const LIKE: f64 = 0.8;
-/// Channels must agree within this, s.
-const AGREE_S: f64 = 0.02;
-/// So many peers make a comparison.
-const ENOUGH: usize = 3;
+use super::defect::{Defect, DefectKind};
+use super::record::Record;
+use crate::rules::TimingRules;
+use crate::statistics::{dot, median};
 
 /// See the module.
-pub(super) fn lags(records: &[Record]) -> Vec<Defect> {
-    let all: Vec<Option<f64>> = records.iter().map(lag_s).collect();
+pub(super) fn lags(rules: &TimingRules, records: &[Record]) -> Vec<Defect> {
+    let all: Vec<Option<f64>> = records.iter().map(|record| lag_s(rules, record)).collect();
     let peers = |i: usize, like: &dyn Fn(&Record) -> bool| -> Vec<f64> {
         (0..records.len()).filter(|&j| j != i && like(&records[j])).filter_map(|j| all[j]).collect()
     };
@@ -26,18 +15,19 @@ pub(super) fn lags(records: &[Record]) -> Vec<Defect> {
     for (i, record) in records.iter().enumerate() {
         let Some(lag) = all[i] else { continue };
         let mut others = peers(i, &|other| other.maneuver == record.maneuver);
-        if others.len() < ENOUGH {
+        if others.len() < rules.peers {
             others = peers(i, &|other| other.maneuver.same_kind(&record.maneuver));
         }
-        if others.len() < ENOUGH {
+        if others.len() < rules.peers {
             continue;
         }
         let Some(usual) = median(others.clone()) else { continue };
         let spread = median(others.iter().map(|other| (other - usual).abs()).collect()).unwrap_or(0.0);
         let late = lag - usual;
         // what every repeat of a maneuver does is the wing's doing (a servo that cannot turn faster), not a record's
-        let repeated = repeats(records, i).any(|j| all[j].is_some_and(|other| (other - lag).abs() < AGREE_S));
-        if !repeated && late.abs() > least_s(record).max(9.0 * spread) {
+        let repeated =
+            repeats(records, i).any(|j| all[j].is_some_and(|other| (other - lag).abs() < rules.agree_s));
+        if !repeated && late.abs() > least_s(rules, record).max(rules.spreads * spread) {
             let (name, word) = (&record.name, if late > 0.0 { "late" } else { "early" });
             found.push(Defect {
                 kind: DefectKind::Lag,
@@ -56,15 +46,17 @@ fn repeats(records: &[Record], i: usize) -> impl Iterator<Item = usize> + '_ {
     (0..records.len()).filter(move |&j| j != i && first(j) == first(i))
 }
 
-fn least_s(record: &Record) -> f64 {
+fn least_s(rules: &TimingRules, record: &Record) -> f64 {
     match record.maneuver {
-        crate::locate::Maneuver::Pitch { frequency_hz, .. } => LEAST_S.max(LEAST_TURNS / frequency_hz),
-        _ => LEAST_S,
+        crate::locate::maneuver::Maneuver::Pitch { frequency_hz, .. } => {
+            rules.least_s.max(rules.least_turns / frequency_hz)
+        }
+        _ => rules.least_s,
     }
 }
 
 /// Lag of the measurement on which the channels agree, s.
-fn lag_s(record: &Record) -> Option<f64> {
+fn lag_s(rules: &TimingRules, record: &Record) -> Option<f64> {
     if record.steady {
         return None;
     }
@@ -72,17 +64,17 @@ fn lag_s(record: &Record) -> Option<f64> {
         .filter_map(|c| {
             let pair = record.about_mean(c)?;
             pair.gain(record.sigma[c])?;
-            best_lag_s(&pair.measured, &pair.simulated, record.time_step_s)
+            best_lag_s(rules, &pair.measured, &pair.simulated, record.time_step_s)
         })
         .collect();
     let usual = median(lags.clone())?;
-    (lags.len() > 1 && lags.iter().all(|lag| (lag - usual).abs() < AGREE_S)).then_some(usual)
+    (lags.len() > 1 && lags.iter().all(|lag| (lag - usual).abs() < rules.agree_s)).then_some(usual)
 }
 
 /// The shift at which two records look most alike, between samples by a parabola.
-pub(super) fn best_lag_s(late: &[f64], early: &[f64], time_step_s: f64) -> Option<f64> {
+pub(super) fn best_lag_s(rules: &TimingRules, late: &[f64], early: &[f64], time_step_s: f64) -> Option<f64> {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small positive number")]
-    let longest = (LONGEST_S / time_step_s).round() as usize;
+    let longest = (rules.longest_s / time_step_s).round() as usize;
     let n = late.len().min(early.len());
     if n < 4 * longest {
         return None;
@@ -97,7 +89,7 @@ pub(super) fn best_lag_s(late: &[f64], early: &[f64], time_step_s: f64) -> Optio
     let best = (1..2 * longest).max_by(|&a, &b| values[a].total_cmp(&values[b]))?;
     let [before, here, after] = [values[best - 1], values[best], values[best + 1]];
     let bend = before - 2.0 * here + after;
-    if here < LIKE || bend >= 0.0 {
+    if here < rules.alike || bend >= 0.0 {
         return None;
     }
     let between = 0.5 * (before - after) / bend;

@@ -4,15 +4,11 @@
 //! its rate (linear: a transfer function that is wrong), with their products of second and third order (harmonics), and
 //! the rest. What two repeats leave in common is no noise.
 
-use super::Maneuver;
-use super::map::{BANDS_HZ, band};
+use super::maneuver::Maneuver;
+use super::map::{BANDS, band};
 use super::regressors::squares_left;
 use super::residuals::{Residuals, Unit};
-
-/// Length of a window, s.
-const WINDOW_S: f64 = 2.0;
-/// A window needs so many samples.
-const ENOUGH: usize = 40;
+use crate::rules::LocateRules;
 
 /// One chirp and channel in a band.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,7 +17,7 @@ pub struct ChirpCell {
     pub run: String,
     /// Channel.
     pub channel: &'static str,
-    /// Place in [`BANDS_HZ`] of the input's frequency.
+    /// Place in [`crate::rules::LocateRules`] of the input's frequency.
     pub band: usize,
     /// Share of the residual's power that is linear in the input: its coherence.
     pub linear: f64,
@@ -51,8 +47,8 @@ pub fn chirps(residuals: &Residuals) -> Vec<ChirpCell> {
         let Maneuver::Chirp { control, .. } = unit.maneuver else { continue };
         let same = |other: &&Unit| unit.repeat_of == Some(other.place) || other.repeat_of == Some(unit.place);
         let repeat = residuals.units.iter().find(same);
-        for (c, channel) in crate::data_checks::CHANNELS.into_iter().enumerate() {
-            let sums = sums(unit, repeat, control, c);
+        for (c, channel) in crate::channels::LOADS.into_iter().enumerate() {
+            let sums = sums(&residuals.rules.locate, unit, repeat, control, c);
             for (band, sums) in sums.into_iter().enumerate().filter(|(_, sums)| sums.total > 0.0) {
                 let share = |from: f64, to: f64| ((from - to) / sums.total).max(0.0);
                 let [ab, aa, bb] = sums.products;
@@ -72,12 +68,12 @@ pub fn chirps(residuals: &Residuals) -> Vec<ChirpCell> {
     cells
 }
 
-fn sums(unit: &Unit, repeat: Option<&Unit>, control: usize, c: usize) -> [Sums; BANDS_HZ.len()] {
+fn sums(rules: &LocateRules, unit: &Unit, repeat: Option<&Unit>, control: usize, c: usize) -> [Sums; BANDS] {
     let dt = unit.stimulus.time_step_s;
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a number of samples")]
-    let length = ((WINDOW_S / dt).round() as usize).max(ENOUGH);
+    let length = ((rules.window_s / dt).round() as usize).max(rules.window_samples);
     let delta = &unit.stimulus.inputs.controls_rad[control];
-    let mut all = [Sums::default(); BANDS_HZ.len()];
+    let mut all = [Sums::default(); BANDS];
     let mut from = 0;
     while from + length <= delta.len() {
         let inside = from..from + length;
@@ -99,13 +95,13 @@ fn sums(unit: &Unit, repeat: Option<&Unit>, control: usize, c: usize) -> [Sums; 
         let columns = [&[vec![1.0; length], d.to_vec(), rate][..], &squares, &cubes].concat();
         let residual = &unit.residual[c][inside.clone()];
         let left = squares_left(&columns, residual, [1, 3, 5, 7]);
-        let sums = &mut all[band(turns / (length as f64 * dt))];
+        let sums = &mut all[band(&rules.bands_hz, turns / (length as f64 * dt))];
         sums.total += left[0];
         sums.chance += 2.0 / (length - 1) as f64 * left[0];
         (0..3).for_each(|k| sums.left[k] += left[k + 1]);
         if let Some(other) = repeat.and_then(|repeat| repeat.residual[c].get(inside)) {
             let off = |values: &[f64]| {
-                let mean = crate::data_checks::mean(values);
+                let mean = crate::statistics::mean(values);
                 values.iter().map(|value| value - mean).collect::<Vec<f64>>()
             };
             let (a, b) = (off(residual), off(other));

@@ -3,11 +3,7 @@
 //! Each also times dynamic pressure and airspeed, unless the campaign's airspeeds do not tell them apart.
 
 use super::residuals::Unit;
-
-/// Airspeed that dynamic pressure and airspeed are referred to, m/s.
-const REFERENCE_V_M_S: f64 = 30.0;
-/// Rate above which its sign counts fully, rad/s: far above the rate of a noisy angle.
-const FULL_RATE_RAD_S: f64 = 0.2;
+use crate::rules::LocateRules;
 
 /// A column of a unit, by name of its family.
 pub struct Column {
@@ -32,7 +28,7 @@ pub const FAMILIES: [&str; 10] = [
 ];
 
 /// All columns of a unit, the same order for all units of a campaign.
-pub fn columns(unit: &Unit) -> Vec<Column> {
+pub fn columns(rules: &LocateRules, unit: &Unit) -> Vec<Column> {
     let inputs = &unit.stimulus.inputs;
     let alpha = &inputs.alpha;
     let of =
@@ -45,7 +41,7 @@ pub fn columns(unit: &Unit) -> Vec<Column> {
         ("alpha^2, alpha^3", of(&alpha.value, &|a| a * a * a)),
         ("alpha_dot", alpha.rate.clone()),
         ("alpha_ddot", alpha.second.clone()),
-        ("sign(alpha_dot)", of(&alpha.rate, &|rate| rate / rate.hypot(FULL_RATE_RAD_S))),
+        ("sign(alpha_dot)", of(&alpha.rate, &|rate| rate / rate.hypot(rules.full_rate_rad_s))),
     ];
     for delta in &inputs.controls_rad {
         base.push(("delta", delta.clone()));
@@ -53,7 +49,7 @@ pub fn columns(unit: &Unit) -> Vec<Column> {
         base.push(("delta|delta|, delta^3", of(delta, &|d| d * d * d)));
         base.push(("delta_dot", rate(delta, unit)));
     }
-    let v = unit.v_m_s / REFERENCE_V_M_S;
+    let v = unit.v_m_s / rules.reference_v_m_s;
     let mut all: Vec<Column> = base
         .into_iter()
         .flat_map(|(family, values)| {

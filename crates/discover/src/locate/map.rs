@@ -3,10 +3,8 @@
 use super::residuals::Residuals;
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
-/// Ends of the bands, Hz.
-pub const BANDS_HZ: [(f64, f64); 5] = [(0.0, 1.0), (1.0, 2.0), (2.0, 4.0), (4.0, 8.0), (8.0, 12.0)];
-/// A cell without a gap is above its limit once in a hundred.
-const LEVEL: f64 = 0.99;
+/// How many bands there are (see [`crate::rules::LocateRules`]).
+pub const BANDS: usize = 5;
 
 /// A cell of the map.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,7 +13,7 @@ pub struct Cell {
     pub channel: &'static str,
     /// Kind of maneuver, in words.
     pub maneuver: String,
-    /// Place in [`BANDS_HZ`]; static points are in the first.
+    /// Place in [`crate::rules::LocateRules`]; static points are in the first.
     pub band: usize,
     /// Mean square of the residual over that of pure error; means of runs are left out.
     pub power: f64,
@@ -28,20 +26,21 @@ pub struct Cell {
 }
 
 /// The band of a frequency.
-pub fn band(frequency_hz: f64) -> usize {
-    BANDS_HZ.iter().position(|(_, end)| frequency_hz < *end).unwrap_or(BANDS_HZ.len() - 1)
+pub fn band(bands_hz: &[(f64, f64)], frequency_hz: f64) -> usize {
+    bands_hz.iter().position(|(_, end)| frequency_hz < *end).unwrap_or(bands_hz.len() - 1)
 }
 
 /// The map, the largest power first.
 pub fn map(residuals: &Residuals) -> Vec<Cell> {
+    let rules = &residuals.rules.locate;
     let mut cells: Vec<Cell> = Vec::new();
     for unit in &residuals.units {
         let maneuver = unit.maneuver.label(&residuals.controls);
-        for (c, channel) in crate::data_checks::CHANNELS.into_iter().enumerate() {
-            let mut sums = [(0.0, 0_usize); BANDS_HZ.len()];
+        for (c, channel) in crate::channels::LOADS.into_iter().enumerate() {
+            let mut sums = [(0.0, 0_usize); BANDS];
             for (k, row) in unit.rows[c].iter().enumerate() {
                 if unit.weight[c][k] > 0.0 && (unit.stimulus.steady || k > 0) {
-                    let sum = &mut sums[band(unit.frequency_hz[k])];
+                    let sum = &mut sums[band(&rules.bands_hz, unit.frequency_hz[k])];
                     *sum = (sum.0 + row * row, sum.1 + 1);
                 }
             }
@@ -62,17 +61,17 @@ pub fn map(residuals: &Residuals) -> Vec<Cell> {
     }
     for cell in &mut cells {
         cell.power /= cell.rows as f64;
-        cell.limit = limit(cell.rows as f64, residuals.degrees_of_freedom);
+        cell.limit = limit(rules.level, cell.rows as f64, residuals.degrees_of_freedom);
     }
     cells.sort_by(|a, b| b.power.total_cmp(&a.power));
     cells
 }
 
 /// The quantile of a ratio of mean squares.
-pub(super) fn limit(above: f64, below: Option<f64>) -> f64 {
+pub(super) fn limit(level: f64, above: f64, below: Option<f64>) -> f64 {
     let quantile = match below {
-        Some(below) => FisherSnedecor::new(above, below).map(|f| f.inverse_cdf(LEVEL)),
-        None => ChiSquared::new(above).map_or(Ok(f64::NAN), |chi2| Ok(chi2.inverse_cdf(LEVEL) / above)),
+        Some(below) => FisherSnedecor::new(above, below).map(|f| f.inverse_cdf(level)),
+        None => ChiSquared::new(above).map_or(Ok(f64::NAN), |chi2| Ok(chi2.inverse_cdf(level) / above)),
     };
     quantile.unwrap_or(f64::NAN)
 }

@@ -11,7 +11,7 @@ pub mod variances;
 
 pub use chirps::{ChirpCell, chirps};
 pub use maneuver::Maneuver;
-pub use map::{BANDS_HZ, Cell, map};
+pub use map::{Cell, map};
 pub use regressors::{Located, regressors};
 pub use residuals::{PureError, Residuals, Unit};
 pub use variances::{VarianceCell, Variances, variances};

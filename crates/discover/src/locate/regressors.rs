@@ -9,17 +9,9 @@
 use super::families::{FAMILIES, columns};
 use super::gram::Gram;
 use super::residuals::{Residuals, Unit};
+use crate::rules::LocateRules;
 use rayon::prelude::*;
 use response::FTest;
-
-/// Columns of a family of which less is left without those before are the same for this campaign.
-const SAME: f64 = 0.02;
-/// A family moves in units that hold more than this share of its largest unit's columns.
-const MOVES: f64 = 1e-3;
-/// A residual is beyond noise if its square is so many standard deviations of chi squared above it.
-const VISIBLE: f64 = 5.0;
-/// So many kinds of maneuvers are named.
-const NAMED: usize = 2;
 
 /// What a part of a residual goes with.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,6 +36,7 @@ pub fn regressors(residuals: &Residuals) -> Vec<Located> {
 }
 
 struct Channel<'a> {
+    rules: &'a LocateRules,
     which: usize,
     units: Vec<&'a Unit>,
     grams: Vec<Gram>,
@@ -55,11 +48,12 @@ struct Channel<'a> {
 
 impl<'a> Channel<'a> {
     fn new(residuals: &'a Residuals, channel: usize) -> Self {
+        let rules = &residuals.rules.locate;
         let units: Vec<&Unit> =
             residuals.units.iter().filter(|unit| !unit.rows[channel].is_empty()).collect();
         let gram = |unit: &&Unit| {
             let all: Vec<Vec<f64>> =
-                columns(unit).iter().map(|column| unit.weighted(&column.values, channel)).collect();
+                columns(rules, unit).iter().map(|column| unit.weighted(&column.values, channel)).collect();
             Gram::new(&all, &unit.rows[channel])
         };
         let grams: Vec<Gram> = units.par_iter().map(gram).collect();
@@ -72,25 +66,26 @@ impl<'a> Channel<'a> {
         }
         let names: Vec<&str> = units
             .first()
-            .map_or_else(Vec::new, |unit| columns(unit).iter().map(|column| column.family).collect());
+            .map_or_else(Vec::new, |unit| columns(rules, unit).iter().map(|column| column.family).collect());
         let families = FAMILIES.into_iter().filter_map(|family| {
             let own: Vec<usize> = (0..names.len()).filter(|&i| names[i] == family).collect();
-            let own = total.independent(&own, SAME);
+            let own = total.independent(&own, rules.same_column);
             (!own.is_empty()).then_some((family, own))
         });
         let families = families.collect();
         let rows = units.iter().map(|unit| unit.rows[channel].len()).sum();
-        Self { which: channel, units, grams, total, rows, families }
+        Self { rules, which: channel, units, grams, total, rows, families }
     }
 
     fn located(&self, residuals: &Residuals) -> Vec<Located> {
+        let rules = self.rules;
         let everything: Vec<usize> = self.families.iter().flat_map(|(_, own)| own.iter().copied()).collect();
         let full = self.total.fit(&everything);
         let left = self.total.left(&full);
         // where there is no more than noise, shares are of all of it
         let noise = self.rows as f64;
         let beyond = self.total.yy - noise;
-        let beyond = if beyond > VISIBLE * (2.0 * noise).sqrt() { beyond } else { self.total.yy };
+        let beyond = if beyond > rules.visible * (2.0 * noise).sqrt() { beyond } else { self.total.yy };
         let mut all: Vec<Located> = self
             .families
             .iter()
@@ -101,7 +96,7 @@ impl<'a> Channel<'a> {
                 let gains: Vec<f64> =
                     self.grams.iter().map(|gram| gram.left(&without) - gram.left(&full)).collect();
                 Located {
-                    channel: crate::data_checks::CHANNELS[self.which],
+                    channel: crate::channels::LOADS[self.which],
                     regressor: family,
                     share_of_residual: cost / beyond.max(cost).max(f64::MIN_POSITIVE),
                     p_value: self.p_value(own, &others, &without),
@@ -127,7 +122,7 @@ impl<'a> Channel<'a> {
                 let score = with[i] - others.iter().map(|&j| c[j] * with[j]).sum::<f64>();
                 let power = gram.column_left(i, c) * residual;
                 // a column that does not move here
-                let moves = gram.xx[i][i] > MOVES * MOVES * self.total.xx[i][i];
+                let moves = gram.xx[i][i] > self.rules.moves * self.rules.moves * self.total.xx[i][i];
                 if moves && power > 0.0 { score / power.sqrt() } else { 0.0 }
             };
             let size = own.iter().map(|&i| gram.xx[i][i] / self.total.xx[i][i]).sum();
@@ -135,12 +130,15 @@ impl<'a> Channel<'a> {
         };
         let all: Vec<(Vec<f64>, f64)> = self.grams.iter().map(scores).collect();
         let largest = all.iter().fold(0.0, |largest: f64, (_, size)| largest.max(*size));
-        let moved: Vec<Vec<f64>> =
-            all.into_iter().filter(|(_, size)| *size > MOVES * largest).map(|(scores, _)| scores).collect();
+        let moved: Vec<Vec<f64>> = all
+            .into_iter()
+            .filter(|(_, size)| *size > self.rules.moves * largest)
+            .map(|(scores, _)| scores)
+            .collect();
         // ones regressed on scores: what is explained is T²/(T² + units - 1)
         let turned: Vec<Vec<f64>> = (0..own.len()).map(|k| moved.iter().map(|s| s[k]).collect()).collect();
         let ones = Gram::new(&turned, &vec![1.0; moved.len()]);
-        let used = ones.independent(&(0..own.len()).collect::<Vec<_>>(), SAME);
+        let used = ones.independent(&(0..own.len()).collect::<Vec<_>>(), self.rules.same_column);
         let (units, above) = (moved.len() as f64, used.len() as f64);
         if units - above < 1.0 || used.is_empty() {
             return 1.0;
@@ -154,7 +152,7 @@ impl<'a> Channel<'a> {
         let mut squares = (0.0, 0.0);
         let mut worst = (0.0, String::new());
         for unit in self.units.iter().filter(|unit| !unit.stimulus.steady) {
-            let fitted: f64 = columns(unit)
+            let fitted: f64 = columns(self.rules, unit)
                 .iter()
                 .zip(full)
                 .filter(|(_, b)| **b != 0.0)
@@ -169,7 +167,7 @@ impl<'a> Channel<'a> {
         let (sum, runs) = squares;
         let below = self.total.left(full) - sum;
         (runs > 1.0 && below > 0.0).then(|| Located {
-            channel: crate::data_checks::CHANNELS[self.which],
+            channel: crate::channels::LOADS[self.which],
             regressor: "run_id",
             share_of_residual: sum / beyond.max(sum).max(f64::MIN_POSITIVE),
             // as many degrees of freedom below as runs: samples of a run are no independent judges of it
@@ -190,7 +188,8 @@ impl<'a> Channel<'a> {
         }
         kinds.sort_by(|a, b| b.1.total_cmp(&a.1));
         let total: f64 = gains.iter().filter(|gain| **gain > 0.0).sum();
-        let named = kinds.iter().take(NAMED).filter(|(_, gain)| *gain > 0.1 * total);
+        let rules = self.rules;
+        let named = kinds.iter().take(rules.named).filter(|(_, gain)| *gain > rules.named_share * total);
         let named: Vec<&str> = named.map(|(label, _)| label.as_str()).collect();
         if named.is_empty() {
             "in all runs alike".to_owned()

@@ -1,11 +1,13 @@
 //! Measured minus simulated in units of pure error: cosine coefficients of runs, points of static groups.
 
-use super::Maneuver;
+use super::maneuver::Maneuver;
 use crate::data::Dataset;
-use crate::transform::{cosines, frequency_hz};
+use crate::rules::Rules;
+use crate::transform::{every_cosine, frequency_hz};
 use calibrate::Use;
 use maneuver::effects::{Flown, Stimulus};
 use rayon::prelude::*;
+use std::sync::Arc;
 
 /// Pure error.
 pub struct PureError<'a> {
@@ -46,8 +48,7 @@ pub struct Unit {
 impl Unit {
     /// A series of the unit as weighted rows of a channel.
     pub fn weighted(&self, values: &[f64], channel: usize) -> Vec<f64> {
-        let rows =
-            if self.stimulus.steady { values.to_vec() } else { cosines(values, self.stimulus.time_step_s) };
+        let rows = if self.stimulus.steady { values.to_vec() } else { every_cosine(values) };
         rows.iter().zip(&self.weight[channel]).map(|(row, weight)| row * weight).collect()
     }
 }
@@ -55,6 +56,8 @@ impl Unit {
 /// See the module.
 #[derive(Debug, Clone)]
 pub struct Residuals {
+    /// What decides.
+    pub rules: Arc<Rules>,
     /// Static groups, then runs; those wanted.
     pub units: Vec<Unit>,
     /// Names of the controls.
@@ -82,7 +85,12 @@ impl Residuals {
             Some(run) => of_run(data, run, &simulated[place], error),
         };
         let units = places.par_iter().map(unit).collect();
-        Self { units, controls: controls.to_vec(), degrees_of_freedom: error.degrees_of_freedom }
+        Self {
+            rules: Arc::clone(&data.rules),
+            units,
+            controls: controls.to_vec(),
+            degrees_of_freedom: error.degrees_of_freedom,
+        }
     }
 }
 
@@ -95,9 +103,10 @@ fn of_run(data: &Dataset, i: usize, simulated: &Flown, error: &PureError<'_>) ->
         if data.run_loads[c] { difference.collect() } else { Vec::new() }
     });
     let coefficients =
-        residual.each_ref().map(|values| if values.is_empty() { Vec::new() } else { cosines(values, dt) });
-    let hz: Vec<f64> =
-        (0..crate::transform::count(samples, dt)).map(|k| frequency_hz(k, samples, dt)).collect();
+        residual.each_ref().map(|values| if values.is_empty() { Vec::new() } else { every_cosine(values) });
+    let hz: Vec<f64> = (0..crate::transform::count(samples, dt, data.rules.data.highest_hz))
+        .map(|k| frequency_hz(k, samples, dt))
+        .collect();
     let weight: [Vec<f64>; 3] = std::array::from_fn(|c| {
         let of = |(k, hz): (usize, &f64)| {
             let one = (error.coefficient)(run.airspeed, c, *hz).recip();

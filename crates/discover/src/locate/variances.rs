@@ -1,6 +1,6 @@
 //! Pure error by airspeed and band of frequencies: gusts, buffet and noise that have no mean gap.
 
-use super::map::{BANDS_HZ, band};
+use super::map::{BANDS, band};
 use super::residuals::Residuals;
 use response::FTest;
 
@@ -11,7 +11,7 @@ pub struct VarianceCell {
     pub channel: &'static str,
     /// Airspeed, m/s.
     pub v_m_s: f64,
-    /// Place in [`BANDS_HZ`].
+    /// Place in [`crate::rules::LocateRules`].
     pub band: usize,
     /// Variance of a coefficient over that of the pure error that was assumed.
     pub ratio: f64,
@@ -32,8 +32,8 @@ pub struct Variances {
 /// Compares runs with those that they repeat, the simulations taken off.
 pub fn variances(residuals: &Residuals) -> Variances {
     let mut found = Variances { cells: Vec::new(), tests: Vec::new() };
-    for (c, channel) in crate::data_checks::CHANNELS.into_iter().enumerate() {
-        for b in 0..BANDS_HZ.len() {
+    for (c, channel) in crate::channels::LOADS.into_iter().enumerate() {
+        for b in 0..BANDS {
             let groups = groups(residuals, c, b);
             for (v_m_s, values) in &groups {
                 let ratio = values.iter().map(|value| value * value).sum::<f64>() / values.len() as f64;
@@ -53,7 +53,7 @@ fn groups(residuals: &Residuals, c: usize, b: usize) -> Vec<(f64, Vec<f64>)> {
         let first = residuals.units.iter().find(|unit| second.repeat_of == Some(unit.place));
         let Some(first) = first.filter(|first| first.rows[c].len() == second.rows[c].len()) else { continue };
         let values = (1..second.rows[c].len())
-            .filter(|&k| band(second.frequency_hz[k]) == b)
+            .filter(|&k| band(&residuals.rules.locate.bands_hz, second.frequency_hz[k]) == b)
             .map(|k| (second.rows[c][k] - first.rows[c][k]) * std::f64::consts::FRAC_1_SQRT_2);
         let at = groups.iter().position(|(v_m_s, _)| *v_m_s == second.v_m_s).unwrap_or_else(|| {
             groups.push((second.v_m_s, Vec::new()));
@@ -70,7 +70,7 @@ pub fn levene(groups: &[Vec<f64>]) -> Option<FTest> {
     let distances: Vec<Vec<f64>> = groups
         .iter()
         .filter_map(|values| {
-            let middle = crate::data_checks::median(values.clone())?;
+            let middle = crate::statistics::median(values.clone())?;
             Some(values.iter().map(|value| (value - middle).abs()).collect())
         })
         .collect();
@@ -79,7 +79,7 @@ pub fn levene(groups: &[Vec<f64>]) -> Option<FTest> {
         return None;
     }
     let all: Vec<f64> = distances.iter().flatten().copied().collect();
-    let mean = crate::data_checks::mean;
+    let mean = crate::statistics::mean;
     let grand = mean(&all);
     let between = distances.iter().map(|d| d.len() as f64 * (mean(d) - grand).powi(2)).sum();
     let within: f64 = distances.iter().flat_map(|d| d.iter().map(|x| (x - mean(d)).powi(2))).sum();

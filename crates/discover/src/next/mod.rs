@@ -11,12 +11,13 @@ pub use menu::{Experiment, menu};
 
 use crate::analysis::{DiscoverError, Prepared, Rigs};
 use crate::candidate::Refit;
-use crate::current_model::{CurrentModel, Setting};
+use crate::current_model::CurrentModel;
 use crate::data::{Dataset, RunData, StaticGroup};
+use crate::found::Found;
+use crate::load_model::LoadModel;
 use crate::noise::Noise;
 use crate::problem::Problem;
-use crate::search::Found;
-use crate::simulator::Simulator;
+use crate::setting::Setting;
 use calibrate::{Schedule, Use};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
@@ -50,19 +51,15 @@ pub fn advise(
     rigs: &Rigs<'_>,
     schedule: &Schedule,
     prepared: &Prepared,
-    (found, open): (&[Found], usize),
+    found: &[Found],
+    open: usize,
 ) -> Result<Vec<Advice>, DiscoverError> {
     let most_m_s = prepared.data.airspeeds_m_s.last().copied().unwrap_or(0.0);
     let of = |experiment: &Experiment| -> Result<Advice, DiscoverError> {
         let planned = planned(prepared, experiment, most_m_s);
-        let simulator = Simulator::new(&rigs.own, schedule, &planned)?;
-        let variants = rigs
-            .variants
-            .iter()
-            .map(|rig| Ok(Simulator::new(rig, schedule, &planned)?.matching(&simulator)))
-            .collect::<Result<Vec<_>, DiscoverError>>()?;
-        let setting =
-            Setting { data: &planned, simulator: &simulator, variants: &variants, ..prepared.setting() };
+        let (simulator, variants) = rigs.simulators(schedule, &planned)?;
+        let variants = variants.iter().map(|variant| variant as &dyn LoadModel).collect();
+        let setting = Setting { data: &planned, model: &simulator, variants, ..prepared.setting() };
         let noise = noise_of(prepared, &planned);
         let problem = Problem::of_conditions(&planned, &noise, Use::Train);
         let log_bayes_factors = found[open]
@@ -117,7 +114,7 @@ fn planned(prepared: &Prepared, experiment: &Experiment, most_m_s: f64) -> Datas
             });
         }
     }
-    Dataset::of_parts(prepared.data.rho_kg_m3, airspeeds_m_s, runs, statics)
+    Dataset::of_parts(&prepared.data.rules, prepared.data.rho_kg_m3, airspeeds_m_s, runs, statics)
 }
 
 /// The campaign's noise at the nearest airspeeds.
@@ -135,7 +132,7 @@ fn noise_of(prepared: &Prepared, planned: &Dataset) -> Noise {
 
 fn separation(
     setting: &Setting<'_>,
-    mut problem: Problem<'_>,
+    problem: Problem<'_>,
     found: &[Found],
     open: usize,
     rival: &Refit,
@@ -147,13 +144,10 @@ fn separation(
             .map(|(i, f)| if i == open { active.clone() } else { f.active.clone() })
             .collect()
     };
-    let current = CurrentModel::new(setting, &mut problem, &with(&found[open].active), None);
-    let fly = |active: &Active| {
-        let effects = with(active);
-        let models = setting.simulator.models(&effects, Some(&current.models));
-        setting.simulator.fly(&models, &effects, &problem.places())
-    };
-    let all: Vec<usize> = (0..problem.segments.len()).collect();
+    let current = CurrentModel::new(setting, problem, &with(&found[open].active));
+    let problem = &current.problem;
+    let fly = |active: &Active| setting.model.flown(&with(active), Some(&current.models), &problem.places());
+    let all = problem.all();
     let change =
         |after: &[Flown], before: &[Flown]| problem.change(&all, after, &before.iter().collect::<Vec<_>>());
     let other = fly(&rival.active);

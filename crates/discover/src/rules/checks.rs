@@ -1,6 +1,6 @@
 //! When data are at fault.
 
-use super::Origin::{Formula, Unknown};
+use super::rule::Origin::{Formula, Unknown};
 use super::rule::rules;
 
 rules! {

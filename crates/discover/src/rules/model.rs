@@ -1,6 +1,6 @@
 //! What a model may be off by without any effect missing.
 
-use super::Origin::{Formula, Measured, Physical, Unknown};
+use super::rule::Origin::{Formula, Measured, Physical, Unknown};
 use super::rule::rules;
 
 rules! {

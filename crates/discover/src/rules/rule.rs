@@ -59,8 +59,8 @@ macro_rules! rules {
 
         impl $name {
             /// All rules of the theme.
-            pub fn list(&self) -> Vec<$crate::rules::Rule> {
-                vec![$($crate::rules::Rule {
+            pub fn list(&self) -> Vec<$crate::rules::rule::Rule> {
+                vec![$($crate::rules::rule::Rule {
                     name: stringify!($rule),
                     value: format!("{:?}", self.$rule),
                     unit: $unit,

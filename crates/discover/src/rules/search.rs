@@ -1,6 +1,6 @@
 //! How candidates are fitted, ranked, named and judged.
 
-use super::Origin::{Formula, Measured, Physical, Unknown};
+use super::rule::Origin::{Formula, Measured, Physical, Unknown};
 use super::rule::rules;
 
 rules! {
@@ -90,6 +90,21 @@ rules! {
         explained_by_all: f64 = 0.5, "", Unknown;
         /// How far values are off because no form is exact, as a share of them.
         value_form: f64 = 0.1, "", Measured("development cases of the blind benchmark: a nominal 90 % interval holds .80 of the true values with it");
+    }
+}
+
+impl NamingRules {
+    /// Log Bayes factor from which on a further effect is no repair of the form of the first one, which has `first`.
+    pub fn no_repair_of(&self, first: f64) -> f64 {
+        (self.repair_share * first).min(self.no_repair)
+    }
+
+    /// How often a name with this share of draws was right.
+    pub fn confidence(&self, share: f64, has_rivals: bool) -> f64 {
+        let table = if has_rivals { &self.right_with_rivals } else { &self.right_alone };
+        let above = table.partition_point(|(x, _)| *x < share).clamp(1, table.len() - 1);
+        let ((x0, y0), (x1, y1)) = (table[above - 1], table[above]);
+        y0 + (y1 - y0) * (share - x0) / (x1 - x0)
     }
 }
 

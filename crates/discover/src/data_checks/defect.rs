@@ -1,0 +1,37 @@
+//! A fault of the data.
+
+use serde::Serialize;
+
+/// What is wrong.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub enum DefectKind {
+    /// Labels of channels exchanged.
+    SwappedChannels,
+    /// A channel's sign.
+    SignFlipped,
+    /// The airspeed is not what the label says.
+    WrongAirspeed,
+    /// The channel ends at a value beyond which the load went.
+    Clipped,
+    /// The channel stands still while the load moves.
+    Stuck,
+    /// The run is late or early.
+    Lag,
+    /// Single samples far off.
+    Spikes,
+    /// A repeat that does not repeat.
+    Repeat,
+}
+
+/// A defect.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Defect {
+    /// What is wrong.
+    pub kind: DefectKind,
+    /// Name of the run or of the static points; none if it is so everywhere.
+    pub run: Option<String>,
+    /// The channel; none if it concerns all of them or several.
+    pub channel: Option<&'static str>,
+    /// One plain sentence.
+    pub sentence: String,
+}
