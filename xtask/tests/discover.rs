@@ -102,7 +102,7 @@ fn the_shipped_bank_belongs_to_the_shipped_wing_and_campaign() {
         nastran::ron_file::read(&root().join("data/tuflex/null_distribution.ron")).unwrap();
     let (file, wing) = coupling::ElasticWing::read(&root().join("data/tuflex/wing.ron")).unwrap();
     let campaign = calibrate::Campaign::read(&root().join("data/tuflex/measured")).unwrap();
-    let data = discover::data::Dataset::read(&campaign, &wing).unwrap();
+    let data = discover::data::Dataset::read(&campaign, &wing, &std::sync::Arc::default()).unwrap();
     assert_eq!(
         bank.key,
         discover::null_distribution::key(&file.hash, &data),

@@ -8,9 +8,11 @@ use calibrate::Schedule;
 use coupling::{ElasticWing, WingFile};
 use discover::analysis::{Prepared, Report, Rigs};
 use discover::data_checks::{defects, rough_noise};
+use discover::load_model::LoadModel;
 use discover::model_form::LatticeVariant;
 use discover::next::advise;
 use discover::null_distribution::NullDistribution;
+use discover::rules::Rules;
 use hidden::plan::Hidden;
 use hidden::{Bench, CasePlan, Class, Fineness, Mix, cases};
 use xtask::blind::read;
@@ -29,7 +31,7 @@ fn wing() -> &'static Wing {
     WING.get_or_init(|| {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../data/tuflex/wing_beam.ron");
         let (file, elastic) = ElasticWing::read(&path).expect("the shipped wing and a generated case");
-        let lattice = LatticeVariant::of(&file, &elastic);
+        let lattice = LatticeVariant::of(&file, &elastic, &Rules::default().variants);
         Wing {
             bench: Bench::new(&path, Fineness::BENCHMARK).expect("the shipped wing and a generated case"),
             file,
@@ -43,7 +45,7 @@ fn rigs() -> &'static Rigs<'static> {
     static RIGS: OnceLock<Rigs<'static>> = OnceLock::new();
     RIGS.get_or_init(|| {
         let wing = wing();
-        Rigs::new(&wing.file, &wing.elastic, wing.lattice.as_ref())
+        Rigs::new(&wing.file, &wing.elastic, wing.lattice.as_ref(), Rules::default())
             .expect("the shipped wing and a generated case")
     })
 }
@@ -83,7 +85,7 @@ fn prepared_of(plan: &CasePlan, name: &str, change: impl Fn(String) -> String) -
     (case.prepared, case.schedule)
 }
 
-fn names(report: &Report) -> Vec<&'static str> {
+fn names(report: &Report<'_>) -> Vec<&'static str> {
     report.outcome.found.iter().map(|found| found.active.effect.spec().name).collect()
 }
 
@@ -130,8 +132,8 @@ fn pitch_without_wind_tells_the_joiner_better_from_its_rivals() {
         let (prepared, _) = prepared(&plan, if wind_off { "wind_off" } else { "wind_on" });
         let report = prepared.search(&limits(), plan.seed);
         let first = &report.outcome.first_ranking;
-        assert!(first[0].0.starts_with("joiner_inertia"), "{first:?}");
-        first[0].1 - first[1].1
+        assert!(first[0].name() == "joiner_inertia", "{}", first[0].label());
+        first[0].evidence - first[1].evidence
     };
     let (without, with) = (margin(false), margin(true));
     assert!(with > without, "{without} {with}");
@@ -187,7 +189,7 @@ fn an_offset_of_the_angle_and_camber_stay_together_and_ask_for_an_inverted_run()
     assert!(set.contains(&"alpha_offset") && set.contains(&"camber"), "{set:?}");
     assert_eq!(found[0].active.effect.spec().experiment.rsplit("; ").next(), Some("an inverted run"));
     // nothing that is flown upright separates them as an inverted run would
-    let advice = advise(rigs(), &schedule, &prepared, (found, 0)).unwrap();
+    let advice = advise(rigs(), &schedule, &prepared, found, 0).unwrap();
     let twin = found[0].rivals.iter().map(|rival| rival.active.effect.spec().name);
     let twin = twin.into_iter().find(|name| ["alpha_offset", "camber"].contains(name)).unwrap();
     for entry in &advice {

@@ -92,7 +92,7 @@ fn campaign(name: &str, change: &Change<'_>) -> PathBuf {
 /// give for the rest.
 fn bank(campaign: &Path) -> PathBuf {
     let (file, wing) = ElasticWing::read(&root().join(WING)).unwrap();
-    let data = Dataset::read(&Campaign::read(campaign).unwrap(), &wing).unwrap();
+    let data = Dataset::read(&Campaign::read(campaign).unwrap(), &wing, &std::sync::Arc::default()).unwrap();
     let limits = NullDistribution {
         key: key(&file.hash, &data),
         misfit: 1.0,

@@ -7,9 +7,8 @@ mod common;
 use calibrate::Use;
 use common::{Flight, shipped};
 use discover::data::Dataset;
-use discover::locate::{
-    BANDS_HZ, Cell, Located, Maneuver, PureError, Residuals, chirps, map, regressors, variances,
-};
+use discover::locate::{Cell, Located, Maneuver, PureError, Residuals, chirps, map, regressors, variances};
+use discover::rules::LocateRules;
 use maneuver::effects::{Active, Flown, library};
 
 /// Residuals in units of the stated noise.
@@ -40,7 +39,7 @@ fn first<'a>(located: &'a [Located], channel: &str) -> &'a Located {
 fn fast_pitch(cell: &Cell) -> bool {
     // 4 and 6 Hz, with or without wind
     let frequency: f64 = cell.maneuver.split(' ').rev().nth(1).and_then(|hz| hz.parse().ok()).unwrap_or(0.0);
-    cell.maneuver.contains("pitch") && frequency > 3.5 && BANDS_HZ[cell.band].1 > 3.5
+    cell.maneuver.contains("pitch") && frequency > 3.5 && LocateRules::default().bands_hz[cell.band].1 > 3.5
 }
 
 #[test]

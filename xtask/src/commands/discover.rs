@@ -2,18 +2,20 @@
 //! before and after.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Instant;
 
 use calibrate::{Campaign, Schedule, Settings, Use, calibrate};
 use discover::analysis::{DiscoverError, Prepared, Report, Rigs};
 use discover::data::Dataset;
-use discover::data_checks::{Defect, defects};
+use discover::data_checks::Defect;
 use discover::detection_limit::DetectionLimit;
 use discover::model_form::LatticeVariant;
 use discover::next::{Advice, advise};
 use discover::null_distribution::{NullDistribution, key};
+use discover::rules::Rules;
 use discover::simulator::Simulator;
-use maneuver::effects::{Active, Flown};
+use maneuver::effects::Active;
 use nastran::InputError;
 
 use crate::args::{Common, DiscoverArgs};
@@ -49,7 +51,7 @@ pub(crate) struct Discovered<'a> {
     /// Where the thresholds come from.
     pub(crate) nulls_from: String,
     /// What was found; the gaps after are with corrections calibrated again where that was done.
-    pub(crate) report: Report,
+    pub(crate) report: Report<'a>,
     /// Corrections calibrated again beside the effects.
     pub(crate) again: Option<Again>,
     /// Whether the corrections are the campaign's own: then what is shown after is with those calibrated again.
@@ -89,20 +91,22 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
             .into());
     }
     let own = args.corrections.is_none() || args.own_corrections;
-    let corrected = if own { without_held_out(corrected, &campaign)? } else { corrected };
-    let lattice = LatticeVariant::of(&corrected.file, &corrected.wing);
-    let rigs = Rigs::new(&corrected.file, &corrected.wing, lattice.as_ref())?;
+    let rules = Rules::default();
+    let corrected = if own { without_held_out(corrected, &campaign, &rules)? } else { corrected };
+    let lattice = LatticeVariant::of(&corrected.file, &corrected.wing, &rules.variants);
+    let rigs = Rigs::new(&corrected.file, &corrected.wing, lattice.as_ref(), rules)?;
     let prepared = Prepared::new(&rigs, &corrected.schedule, &campaign, own)?;
     let out = common.out("discover");
-    if let Some(found) = faults(&prepared) {
-        return refuse(&found, &out, common, start.elapsed().as_secs_f64());
+    let faults = prepared.defects();
+    if !faults.is_empty() {
+        return refuse(&faults, &out, common, start.elapsed().as_secs_f64());
     }
     let seed = common.seed.unwrap_or(1);
     let (limits, nulls_from) = thresholds(args, &corrected, &prepared, common, seed)?;
     let report = prepared.search(&limits, seed);
     let open = report.outcome.found.iter().position(|found| !found.rivals.is_empty());
     let advice = match open {
-        Some(open) => advise(&rigs, &corrected.schedule, &prepared, (&report.outcome.found, open))?,
+        Some(open) => advise(&rigs, &corrected.schedule, &prepared, &report.outcome.found, open)?,
         None => Vec::new(),
     };
     let data_hash = data_hash(&campaign)?;
@@ -124,15 +128,16 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
     }
     let seconds = start.elapsed().as_secs_f64();
     let map = discover_located::maps(&found);
+    let bands_hz = &prepared.data.rules.locate.bands_hz;
     let mut result = discover_results::json(&found, &discover_located::json(&found), seconds);
-    result["map"] = discover_located::map_json(&map).into();
+    result["map"] = discover_located::map_json(bands_hz, &map).into();
     let results = ResultFolder::begin(&out)?;
     corrected.note_inputs(&results)?;
     results.input("campaign", &campaign.folder)?;
     write_wing(&found, &results)?;
     results.write_json("result.json", &result)?;
     results.write_text("null_distribution.ron", &nastran::ron_file::to_text(&limits)?)?;
-    results.write_text("map.csv", &discover_located::map_csv(&map))?;
+    results.write_text("map.csv", &discover_located::map_csv(bands_hz, &map))?;
     discover_figures::write(&found, &results)?;
     results.commit()?;
     show::summary(common, &discover_results::summary(&found, &out, seconds));
@@ -140,8 +145,12 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
 }
 
 /// An airspeed that is held out leaves its static points out of the calibration, too.
-fn without_held_out(corrected: CorrectedWing, campaign: &Campaign) -> Result<CorrectedWing, Failure> {
-    let held_out = held_out_points(&Dataset::read(campaign, &corrected.wing)?);
+fn without_held_out(
+    corrected: CorrectedWing,
+    campaign: &Campaign,
+    rules: &Rules,
+) -> Result<CorrectedWing, Failure> {
+    let held_out = held_out_points(&Dataset::read(campaign, &corrected.wing, &Arc::new(rules.clone()))?);
     if held_out.is_empty() {
         return Ok(corrected);
     }
@@ -164,23 +173,6 @@ pub(crate) fn held_out_points(data: &Dataset) -> Vec<usize> {
 pub(crate) fn leave_out(campaign: &mut Campaign, points: &[usize]) {
     let mut place = 0..;
     campaign.points.retain(|_| place.next().is_some_and(|place| !points.contains(&place)));
-}
-
-/// Data defects, judged before anything is searched.
-pub(crate) fn faults(prepared: &Prepared) -> Option<Vec<Defect>> {
-    let (data, simulator) = (&prepared.data, &prepared.simulator);
-    let all: Vec<usize> = (0..data.statics.len() + data.runs.len()).collect();
-    let flown: Vec<Flown> = simulator.fly(&simulator.models(&[], None), &[], &all);
-    let sigma: Vec<[f64; 3]> = data
-        .statics
-        .iter()
-        .map(|_| prepared.noise.point)
-        .chain(
-            data.runs.iter().map(|run| std::array::from_fn(|c| prepared.noise.sigma(run.airspeed, c, 1.0))),
-        )
-        .collect();
-    let found = defects(data, &flown, &sigma);
-    (!found.is_empty()).then_some(found)
 }
 
 /// Data at fault end the command with status 3; what was found is written all the same.

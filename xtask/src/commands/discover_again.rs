@@ -6,6 +6,7 @@
 
 use calibrate::{Campaign, Schedule, Settings, calibrate};
 use discover::analysis::{DiscoverError, Prepared, Rigs};
+use discover::load_model::LoadModel;
 use discover::simulator::Simulator;
 use maneuver::effects::Active;
 

@@ -6,6 +6,7 @@
 
 use std::fmt::Write as _;
 
+use discover::load_model::LoadModel;
 use maneuver::effects::{Active, Flown};
 use rayon::prelude::*;
 use report::{Figure, Panel, Series, Style};

@@ -3,7 +3,8 @@
 use std::fmt::Write as _;
 
 use calibrate::Use;
-use discover::locate::{BANDS_HZ, Cell, Located, PureError, Residuals, map, regressors};
+use discover::load_model::LoadModel;
+use discover::locate::{Cell, Located, PureError, Residuals, map, regressors};
 use discover::simulator::Simulator;
 use maneuver::effects::Active;
 use serde_json::{Value, json};
@@ -78,12 +79,12 @@ pub(crate) fn maps(found: &Discovered<'_>) -> Vec<BeforeAfter> {
 }
 
 /// The map as CSV.
-pub(crate) fn map_csv(cells: &[BeforeAfter]) -> String {
+pub(crate) fn map_csv(bands_hz: &[(f64, f64)], cells: &[BeforeAfter]) -> String {
     let mut text = String::from("model,channel,maneuver,from_hz,to_hz,power,limit,rows,units\n");
     for model in ["before", "after"] {
         for BeforeAfter { before, after } in cells {
             let Cell { channel, maneuver, band, power, limit, rows, units } = before;
-            let (from, to) = BANDS_HZ[*band];
+            let (from, to) = bands_hz[*band];
             let power = if model == "before" { power } else { after };
             let _ = writeln!(
                 text,
@@ -95,10 +96,10 @@ pub(crate) fn map_csv(cells: &[BeforeAfter]) -> String {
 }
 
 /// The map as `result.json` has it.
-pub(crate) fn map_json(cells: &[BeforeAfter]) -> Vec<Value> {
+pub(crate) fn map_json(bands_hz: &[(f64, f64)], cells: &[BeforeAfter]) -> Vec<Value> {
     let entry = |cell: &BeforeAfter| {
         let Cell { channel, maneuver, band, power, limit, .. } = &cell.before;
-        let (from, to) = BANDS_HZ[*band];
+        let (from, to) = bands_hz[*band];
         json!({ "channel": channel, "maneuver": maneuver, "from_hz": from, "to_hz": to,
             "before": power, "after": cell.after, "limit": limit })
     };

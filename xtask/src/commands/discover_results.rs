@@ -6,9 +6,9 @@ use std::path::Path;
 use coupling::wing_file::{EffectValidity, WingEffect};
 use discover::consistency::Share;
 use discover::data_checks::Defect;
+use discover::found::Found;
 use discover::gap::Gap;
 use discover::next::Advice;
-use discover::search::Found;
 use discover::spectral_lines::{SpectralLine, sentence};
 use serde_json::{Map, Value, json};
 
@@ -71,8 +71,8 @@ pub(crate) fn json(found: &Discovered<'_>, located: &[Value], seconds: f64) -> V
         "not_named": outcome.next_best.as_ref().map(|next| {
             json!({ "name": next.name(), "log_bayes_factor": next.evidence, "threshold": next.threshold })
         }),
-        "candidates": outcome.first_ranking.iter().map(|(name, evidence, threshold)| {
-            json!({ "name": name.trim(), "log_bayes_factor": evidence, "threshold": threshold })
+        "candidates": outcome.first_ranking.iter().map(|one| {
+            json!({ "name": one.label().trim(), "log_bayes_factor": one.evidence, "threshold": one.threshold })
         }).collect::<Vec<_>>(),
         "detection_limits": found.detection_limits.iter().map(|limit| {
             json!({ "name": limit.name, "form": limit.form, "parameter": limit.parameter, "value": limit.value })
@@ -181,7 +181,7 @@ pub(crate) fn effects(found: &Discovered<'_>) -> Vec<WingEffect> {
             &mut train().flat_map(|run| &run.stimulus.inputs.alpha.value).map(|a| a.to_degrees()),
         ),
         v_m_s: range(&mut train().map(|run| data.airspeeds_m_s[run.airspeed])),
-        frequency_hz: Some((0.0, discover::transform::HIGHEST_HZ)),
+        frequency_hz: Some((0.0, data.rules.data.highest_hz)),
         delta_deg: range(
             &mut train()
                 .flat_map(|run| run.stimulus.inputs.controls_rad.iter().flatten())
@@ -241,7 +241,7 @@ pub(crate) fn summary(found: &Discovered<'_>, out: &Path, seconds: f64) -> Strin
     if !data.not_used.is_empty() {
         let _ = writeln!(text, "not used: {} (residuals are root loads)", data.not_used.join(", "));
     }
-    if let Some(line) = sentence(&found.prepared.spectral_lines) {
+    if let Some(line) = sentence(&found.prepared.data.rules.spectral_lines, &found.prepared.spectral_lines) {
         let _ = writeln!(text, "{line}");
     }
     let _ = writeln!(text, "{}", discover_sentence::sentence(found));

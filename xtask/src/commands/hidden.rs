@@ -11,12 +11,13 @@ use coupling::ElasticWing;
 use discover::analysis::{Prepared, Rigs};
 use discover::model_form::LatticeVariant;
 use discover::null_distribution::NullDistribution;
+use discover::rules::Rules;
 use hidden::score::gates;
 use hidden::{Answer, Bench, Case, CasePlan, Class, Families, Fineness, Metrics, Mix, Verdict, cases, score};
 use serde_json::{Value, json};
 
 use crate::args::{Common, HiddenArgs};
-use crate::commands::discover::{Discovered, faults};
+use crate::commands::discover::Discovered;
 use crate::commands::discover_results;
 use crate::corrections::CorrectedWing;
 use crate::failure::Failure;
@@ -91,9 +92,10 @@ fn with_judge<T>(
     let (file, wing) = ElasticWing::read(&path)?;
     let schedule = Schedule { wing: file.name.clone(), wing_hash: file.hash.clone(), sets: Vec::new() };
     let corrected = CorrectedWing { file, wing, schedule, origin: "each case's own".to_owned() };
-    let lattice = LatticeVariant::of(&corrected.file, &corrected.wing);
+    let rules = Rules::default();
+    let lattice = LatticeVariant::of(&corrected.file, &corrected.wing, &rules.variants);
     let mut judge = Judge {
-        rigs: Rigs::new(&corrected.file, &corrected.wing, lattice.as_ref())?,
+        rigs: Rigs::new(&corrected.file, &corrected.wing, lattice.as_ref(), rules)?,
         corrected: &corrected,
         limits: NullDistribution::default(),
         folder: folder.to_path_buf(),
@@ -222,7 +224,8 @@ impl Judge<'_> {
     }
 
     fn judged(&self, prepared: &Prepared, campaign: &Campaign, plan: &CasePlan, start: Instant) -> Value {
-        if let Some(found) = faults(prepared) {
+        let found = prepared.defects();
+        if !found.is_empty() {
             return discover_results::defects(&found, start.elapsed().as_secs_f64());
         }
         let report = prepared.search(&self.limits, plan.seed);

@@ -1,11 +1,12 @@
 //! The shipped campaign beside the shipped wing, calibrated on it.
 
 use std::path::{Path, PathBuf};
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use calibrate::{Campaign, CorrectionSet, Schedule, Settings, calibrate};
 use coupling::ElasticWing;
 use discover::data::Dataset;
+use discover::load_model::LoadModel;
 use discover::simulator::{Simulator, SplitRig};
 use maneuver::AirModel;
 use maneuver::effects::{Active, Flown};
@@ -31,7 +32,7 @@ impl Flight {
     /// Everything flown with effects.
     pub(crate) fn with(&self, effects: &[Active]) -> Vec<Flown> {
         let all: Vec<usize> = (0..self.data.statics.len() + self.data.runs.len()).collect();
-        self.simulator.fly(&self.simulator.models(effects, None), effects, &all)
+        self.simulator.flown(effects, None, &all)
     }
 
     /// Measurements replaced by what was flown, with noise of the stated size from a simple generator.
@@ -86,13 +87,13 @@ pub(crate) fn shipped() -> &'static Flight {
         let sets =
             found.airspeeds.iter().map(|a| CorrectionSet::new(a.data.v_m_s, a.corrections.clone())).collect();
         let schedule = Schedule { wing: file.name.clone(), wing_hash: file.hash.clone(), sets };
-        let data = Dataset::read(&campaign, &wing).expect("its runs");
+        let data = Dataset::read(&campaign, &wing, &Arc::default()).expect("its runs");
         let simulator = {
-            let rig = SplitRig::new(&file, &wing, AirModel::default()).expect("a rig");
+            let rig = SplitRig::new(&file, &wing, AirModel::default(), &data.rules.variants).expect("a rig");
             Simulator::new(&rig, &schedule, &data).expect("a simulator")
         };
         let all: Vec<usize> = (0..data.statics.len() + data.runs.len()).collect();
-        let flown = simulator.fly(&simulator.models(&[], None), &[], &all);
+        let flown = simulator.flown(&[], None, &all);
         let controls = wing.controls.iter().map(|control| control.name.clone()).collect();
         Flight { data, simulator, flown, controls }
     })
