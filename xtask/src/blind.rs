@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use calibrate::{Campaign, Schedule, Settings, calibrate};
-use coupling::{ElasticWing, WingFile};
 use discover::analysis::{Prepared, Rigs};
 
 use crate::corrections::schedule;
@@ -26,7 +25,6 @@ pub struct BlindCase {
 /// # Errors
 /// Bad data, or a wing that cannot be flown.
 pub fn read(
-    (file, wing): (&WingFile, &ElasticWing),
     rigs: &Rigs<'_>,
     folder: &Path,
     own_static_points: bool,
@@ -35,6 +33,7 @@ pub fn read(
     let campaign = Campaign::read(&folder.join("measured"))?;
     let statics =
         if own_static_points { campaign.clone() } else { Campaign::read(&folder.join("reference"))? };
+    let (file, wing) = (rigs.own.file(), rigs.own.wing());
     let schedule = schedule(file, &calibrate(wing, &statics, &Settings::of_wing(&file.correction))?);
     let mut prepared = Prepared::new(rigs, &schedule, &campaign, own_static_points)?;
     prepared.library.retain(|effect| Some(effect.spec().name) != left_out);

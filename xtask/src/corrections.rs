@@ -35,6 +35,15 @@ pub(crate) struct CorrectedWing {
 }
 
 impl CorrectedWing {
+    /// Corrections from a campaign's static points, as the wing's file asks for them.
+    ///
+    /// # Errors
+    /// If the calibration cannot be done.
+    pub(crate) fn calibrated(&self, campaign: &Campaign) -> Result<Schedule, Failure> {
+        let settings = Settings::of_wing(&self.file.correction);
+        Ok(schedule(&self.file, &calibrate(&self.wing, campaign, &settings)?))
+    }
+
     /// Notes the wing and its corrections as inputs.
     ///
     /// # Errors

@@ -32,13 +32,13 @@ impl Load {
 #[serde(deny_unknown_fields)]
 pub struct ByLoad<T> {
     /// Of the force Fz.
-    #[serde(rename(serialize = "Fz_N", deserialize = "fz_N"))]
+    #[serde(rename(serialize = "Fz_N", deserialize = "fz_N"), alias = "Fz_N")]
     pub fz: T,
     /// Of the bending moment Mx.
-    #[serde(rename(serialize = "Mx_Nm", deserialize = "mx_Nm"))]
+    #[serde(rename(serialize = "Mx_Nm", deserialize = "mx_Nm"), alias = "Mx_Nm")]
     pub mx: T,
     /// Of the torsion moment My.
-    #[serde(rename(serialize = "My_Nm", deserialize = "my_Nm"))]
+    #[serde(rename(serialize = "My_Nm", deserialize = "my_Nm"), alias = "My_Nm")]
     pub my: T,
 }
 

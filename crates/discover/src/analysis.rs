@@ -98,6 +98,8 @@ pub struct Prepared {
     pub variants: Vec<Simulator>,
     /// The library.
     pub library: Vec<Arc<dyn Effect>>,
+    /// Names of the wing's controls.
+    pub controls: Vec<String>,
     /// What calibration knows only so well.
     pub uncertain: Vec<Active>,
     /// The noise.
@@ -134,15 +136,25 @@ impl Prepared {
     ) -> Result<Self, DiscoverError> {
         let data = Dataset::read(campaign, rigs.own.wing(), &rigs.rules)?;
         let (simulator, variants) = rigs.simulators(schedule, &data)?;
-        let names = rigs.own.controls();
+        let controls = rigs.own.controls();
         let places: Vec<usize> = (0..data.runs.len()).map(|i| data.place_of_run(i)).collect();
         let flown = simulator.flown(&[], None, &places);
         let noise = Noise::new(&data, &flown)?;
         let spectral_lines = spectral_lines(&data, &flown);
         let open_corrections = if own_corrections { 1.0 } else { rigs.rules.shared.calibrated };
-        let library = library(&names);
-        let uncertain = uncertain(&library, &names, &rigs.rules.shared);
-        Ok(Self { data, simulator, variants, library, uncertain, noise, spectral_lines, open_corrections })
+        let library = library(&controls);
+        let uncertain = uncertain(&library, &controls, &rigs.rules.shared);
+        Ok(Self {
+            data,
+            simulator,
+            variants,
+            library,
+            controls,
+            uncertain,
+            noise,
+            spectral_lines,
+            open_corrections,
+        })
     }
 
     /// What the search is given.
@@ -167,8 +179,8 @@ impl Prepared {
         [Use::Train, Use::Holdout].map(|usage| Problem::of_runs(&self.data, &self.noise, usage))
     }
 
-    /// Thresholds from campaigns without effect.
-    pub fn thresholds(&self, seed: u64) -> NullDistribution {
+    /// What is found in campaigns without effect.
+    pub fn null_distribution(&self, seed: u64) -> NullDistribution {
         NullDistribution::from_null_campaigns(&self.setting(), self.training(), &self.judged(), seed)
     }
 

@@ -15,6 +15,7 @@ use crate::uncertain::known;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 use maneuver::effects::Active;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// What groups may differ by, as the effect's form is never exact.
@@ -32,9 +33,11 @@ const LOAD_LEVEL: [&str; 3] = ["lift_slope", "q_error", "gain"];
 /// ... and how much of it model-form variants are off by in one kind of maneuver.
 const LOAD_LEVEL_OFF: f64 = 0.01;
 /// What moved in a group's segments.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Moved {
     /// Nothing: static points.
+    #[serde(rename = "static")]
     Nothing,
     /// The whole wing in pitch.
     Pitch,
@@ -54,7 +57,7 @@ impl Moved {
 }
 
 /// One group's judgement.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Share {
     /// Airspeed, m/s.
     pub v_m_s: f64,

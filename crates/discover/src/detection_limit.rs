@@ -10,15 +10,17 @@ use crate::setting::Setting;
 use crate::trial::{Trial, difference};
 use maneuver::effects::Effect;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// See the module.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DetectionLimit {
     /// Effect.
-    pub name: &'static str,
+    pub name: Cow<'static, str>,
     /// Its form.
-    pub form: &'static str,
+    pub form: Cow<'static, str>,
     /// Parameter, the others at rest (or where a search begins with them).
     pub parameter: String,
     /// Its value, to a factor of 1.4, with the sign that it can have (positive if either); none if it would not have been
@@ -75,8 +77,8 @@ impl Search<'_> {
             let largest = bound / parameter.plausible;
             let is_detected = |size: f64| self.evidence(&at(sign * size)) >= self.threshold;
             limits.push(DetectionLimit {
-                name: effect.spec().name,
-                form: effect.form(),
+                name: effect.spec().name.into(),
+                form: effect.form().into(),
                 parameter: parameter.name.clone(),
                 value: smallest(largest, self.trial.setting.rules().verdict.doublings, is_detected)
                     .map(|size| sign * size * parameter.plausible),

@@ -90,6 +90,11 @@ impl<'a> SplitRig<'a> {
         self.wing.controls.iter().map(|control| control.name.clone()).collect()
     }
 
+    /// The wing's file.
+    pub fn file(&self) -> &'a WingFile {
+        self.file
+    }
+
     /// The wing.
     pub fn wing(&self) -> &'a ElasticWing {
         self.wing

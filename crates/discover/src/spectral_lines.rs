@@ -12,18 +12,21 @@ use crate::noise::pairs;
 use crate::rules::SpectralLineRules;
 use crate::transform::{every_cosine, frequency_hz};
 use maneuver::effects::Flown;
+use serde::{Deserialize, Serialize};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
+use std::borrow::Cow;
 
 /// See the module.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SpectralLine {
     /// Channel.
-    pub channel: &'static str,
+    pub channel: Cow<'static, str>,
     /// Airspeed, m/s.
     pub v_m_s: f64,
     /// Middle of the bin, Hz.
     pub frequency_hz: f64,
     /// Mean square over the median of its neighbours.
+    #[serde(rename = "times_its_neighbourhood")]
     pub times: f64,
 }
 
@@ -46,7 +49,7 @@ pub fn spectral_lines(data: &Dataset, simulated: &[Flown]) -> Vec<SpectralLine> 
                 pool(rules, &mut bins, &half, data.runs[a].stimulus.time_step_s);
             }
             found.extend(peaks(rules, &bins).into_iter().map(|(bin, times)| SpectralLine {
-                channel,
+                channel: channel.into(),
                 v_m_s: *v_m_s,
                 frequency_hz: (bin as f64 + 0.5) * rules.bin_hz,
                 times,
@@ -167,7 +170,7 @@ mod tests {
     #[test]
     fn the_sentence_says_what_follows_the_airspeed() {
         let line = |v_m_s: f64, frequency_hz: f64, times: f64| SpectralLine {
-            channel: "Fz",
+            channel: "Fz".into(),
             v_m_s,
             frequency_hz,
             times,

@@ -22,7 +22,11 @@ fn only(change: impl Fn(&mut Dataset)) -> Defect {
 }
 
 fn names(defect: &Defect, kind: DefectKind, run: Option<&str>, channel: Option<&str>) {
-    assert_eq!((defect.kind, defect.run.as_deref(), defect.channel), (kind, run, channel), "{defect:?}");
+    assert_eq!(
+        (defect.kind, defect.run.as_deref(), defect.channel.as_deref()),
+        (kind, run, channel),
+        "{defect:?}"
+    );
     assert!(defect.sentence.contains(run.unwrap_or("all data")), "{}", defect.sentence);
     assert!(defect.sentence.contains(channel.unwrap_or("")), "{}", defect.sentence);
 }

@@ -36,4 +36,4 @@ pub use campaign::CampaignFiles;
 pub use case::Case;
 pub use jitter::Jitter;
 pub use plan::{CasePlan, Class, Defect, Mix, SeedRange, cases};
-pub use score::{Families, Metrics, Verdict, VerdictKind, score};
+pub use score::{Families, Metrics, score};

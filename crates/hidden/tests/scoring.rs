@@ -1,8 +1,10 @@
 //! The scorer on verdicts whose metrics are known beforehand.
 
+use discover::result::{DiscoverResult, Estimate, NamedEffect, SearchResult, StatedGap, StatedGaps};
+use discover::verdict::VerdictKind;
 use hidden::answer::{TrueEffect, TrueParameter};
-use hidden::score::{Estimate, Gap, Gaps, Named, gates};
-use hidden::{Answer, Class, Families, Verdict, VerdictKind, score};
+use hidden::score::gates;
+use hidden::{Answer, Class, Families, score};
 use std::path::Path;
 
 fn answer(class: Class, effects: &[(&str, f64)]) -> Answer {
@@ -22,20 +24,24 @@ fn answer(class: Class, effects: &[(&str, f64)]) -> Answer {
     }
 }
 
-fn verdict(kind: VerdictKind, names: &[(&str, f64)]) -> Verdict {
-    let named = |(name, confidence): &(&str, f64)| Named {
+fn verdict(kind: VerdictKind, names: &[(&str, f64)]) -> DiscoverResult {
+    let named = |(name, confidence): &(&str, f64)| NamedEffect {
         name: (*name).to_owned(),
         confidence: Some(*confidence),
-        confused_with: Vec::new(),
         parameters: [("size".to_owned(), Estimate { value: 2.2, sigma: Some(0.2) })].into(),
+        ..NamedEffect::default()
     };
-    let gap = Gap { before: 10.0, after: 3.0, floor: 2.0 };
-    Verdict {
-        kind,
+    let gap = StatedGap { before: 10.0, after: 3.0, floor: 2.0, ..StatedGap::default() };
+    let search = SearchResult {
+        gap: Some(StatedGaps { training: gap, holdout: gap }),
+        model_runs: Some(400),
+        ..SearchResult::default()
+    };
+    DiscoverResult {
+        verdict: kind,
         effects: names.iter().map(named).collect(),
-        gap: Some(Gaps { training: gap, holdout: gap }),
-        seconds: Some(2.0),
-        model_runs: Some(400.0),
+        search: Some(search),
+        ..DiscoverResult::at_fault(Vec::new(), None, 2.0)
     }
 }
 

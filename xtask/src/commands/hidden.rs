@@ -6,20 +6,17 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use calibrate::{Campaign, Schedule};
 use coupling::ElasticWing;
 use discover::analysis::{Prepared, Rigs};
+use discover::finding::{Finding, Sources};
 use discover::model_form::LatticeVariant;
 use discover::null_distribution::NullDistribution;
+use discover::result::DiscoverResult;
 use discover::rules::Rules;
-use hidden::score::gates;
-use hidden::{Answer, Bench, Case, CasePlan, Class, Families, Fineness, Metrics, Mix, Verdict, cases, score};
-use serde_json::{Value, json};
+use hidden::score::{BenchmarkResult, gates};
+use hidden::{Answer, Bench, Case, CasePlan, Class, Families, Fineness, Mix, cases, score};
 
 use crate::args::{Common, HiddenArgs};
-use crate::commands::discover::Discovered;
-use crate::commands::discover_results;
-use crate::corrections::CorrectedWing;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::{blind, paths, progress, show};
@@ -39,9 +36,8 @@ impl From<tunnel::TunnelError> for Failure {
 
 /// What serves all cases.
 struct Judge<'a> {
-    corrected: &'a CorrectedWing,
     rigs: Rigs<'a>,
-    limits: NullDistribution,
+    nulls: NullDistribution,
     folder: PathBuf,
     sealed: PathBuf,
     own_static_points: bool,
@@ -67,8 +63,8 @@ pub(super) fn timed_case(folder: &Path) -> Result<Timed, Failure> {
         let plan = cases(FIRST_SEED, 3, &Mix::only(Class::Paper)).remove(2);
         judge.written(&bench.case(&plan), "case")?;
         let start = Instant::now();
-        let (prepared, _) = judge.read(&folder.join("case"), &plan)?;
-        let report = prepared.search(&judge.limits, plan.seed);
+        let prepared = judge.read(&folder.join("case"), &plan)?;
+        let report = prepared.search(&judge.nulls, plan.seed);
         let seconds = start.elapsed().as_secs_f64();
         Ok(Timed {
             seconds,
@@ -81,7 +77,8 @@ pub(super) fn timed_case(folder: &Path) -> Result<Timed, Failure> {
     timed
 }
 
-/// Sets up the shipped wing and the benchmark's null distribution in a folder of cases (the second is for answers), and works with them.
+/// Sets up the shipped wing and the benchmark's null distribution in a folder of cases (the second is for answers), and works
+/// with them.
 fn with_judge<T>(
     [folder, sealed]: [&Path; 2],
     own_static_points: bool,
@@ -90,21 +87,18 @@ fn with_judge<T>(
     let path = paths::in_repository(WING);
     let bench = Bench::new(&path, Fineness::BENCHMARK)?;
     let (file, wing) = ElasticWing::read(&path)?;
-    let schedule = Schedule { wing: file.name.clone(), wing_hash: file.hash.clone(), sets: Vec::new() };
-    let corrected = CorrectedWing { file, wing, schedule, origin: "each case's own".to_owned() };
     let rules = Rules::default();
-    let lattice = LatticeVariant::of(&corrected.file, &corrected.wing, &rules.variants);
+    let lattice = LatticeVariant::of(&file, &wing, &rules.variants);
     let mut judge = Judge {
-        rigs: Rigs::new(&corrected.file, &corrected.wing, lattice.as_ref(), rules)?,
-        corrected: &corrected,
-        limits: NullDistribution::default(),
+        rigs: Rigs::new(&file, &wing, lattice.as_ref(), rules)?,
+        nulls: NullDistribution::default(),
         folder: folder.to_path_buf(),
         sealed: sealed.to_path_buf(),
         own_static_points,
         nulls_seconds: 0.0,
     };
     let start = Instant::now();
-    judge.limits = judge.null_distribution(&bench)?;
+    judge.nulls = judge.null_distribution(&bench)?;
     judge.nulls_seconds = start.elapsed().as_secs_f64();
     work(&judge, &bench)
 }
@@ -130,23 +124,26 @@ pub(crate) fn run(args: &HiddenArgs, common: &Common) -> Result<(), Failure> {
                 bar.inc(1);
                 one
             })
-            .collect::<Result<Vec<(Answer, Verdict)>, Failure>>();
+            .collect::<Result<Vec<(Answer, DiscoverResult)>, Failure>>();
         bar.finish_and_clear();
         judged
     })?;
     let families = Families::read(&paths::in_repository("data/hidden/families.ron"))?;
     let metrics = score(&judged, &families);
     let seconds = start.elapsed().as_secs_f64();
-    let result = json!({
-        "command": "hidden", "cases": metrics.cases, "seed": seed,
-        "track": if args.own_static_points { "B" } else { "A" },
-        "metrics": metrics.metrics, "gates": gates(&metrics), "confusion": metrics.confusion, "seconds": seconds,
-    });
+    let result = BenchmarkResult {
+        command: "hidden".to_owned(),
+        seed,
+        track: if args.own_static_points { "B" } else { "A" }.to_owned(),
+        gates: gates(&metrics),
+        scored: metrics,
+        seconds,
+    };
     let results = ResultFolder::begin(&out)?;
     results.input("wing", &paths::in_repository(WING))?;
     results.write_json("result.json", &result)?;
     results.commit()?;
-    show::summary(common, &summary(&metrics, &out, seconds));
+    show::summary(common, &summary(&result, &out));
     show::json(common, &result)
 }
 
@@ -155,13 +152,13 @@ impl Judge<'_> {
     fn null_distribution(&self, bench: &Bench) -> Result<NullDistribution, Failure> {
         let path = self.folder.join("null_distribution.ron");
         let plan = cases(NULLS_SEED, 1, &Mix::only(Class::Null));
-        let prepared = self.read(&self.written(&bench.case(&plan[0]), "bank")?, &plan[0])?.0;
-        let key = discover::null_distribution::key(&self.corrected.file.hash, &prepared.data);
+        let prepared = self.read(&self.written(&bench.case(&plan[0]), "bank")?, &plan[0])?;
+        let key = discover::null_distribution::key(&self.rigs.own.file().hash, &prepared.data);
         let kept: Option<NullDistribution> = nastran::ron_file::read(&path).ok();
         if let Some(nulls) = kept.filter(|kept| kept.key == key) {
             return Ok(nulls);
         }
-        let mut nulls = prepared.thresholds(NULLS_SEED);
+        let mut nulls = prepared.null_distribution(NULLS_SEED);
         nulls.key = key;
         write(&path, &nastran::ron_file::to_text(&nulls)?)?;
         Ok(nulls)
@@ -175,14 +172,14 @@ impl Judge<'_> {
     }
 
     /// Answer and verdict of a case that was judged before.
-    fn earlier(&self, plan: &CasePlan, seed: u64) -> Option<(Answer, Verdict)> {
+    fn earlier(&self, plan: &CasePlan, seed: u64) -> Option<(Answer, DiscoverResult)> {
         let (sealed, told) = self.files(plan, seed);
         let answer = serde_json::from_str(&std::fs::read_to_string(sealed).ok()?).ok()?;
-        Some((answer, Verdict::from_json(&std::fs::read_to_string(&told).ok()?, &told).ok()?))
+        Some((answer, DiscoverResult::from_json(&std::fs::read_to_string(&told).ok()?, &told).ok()?))
     }
 
     /// Makes a case, or takes one that is there, and lets `discover` judge it.
-    fn case(&self, bench: &Bench, plan: &CasePlan, seed: u64) -> Result<(Answer, Verdict), Failure> {
+    fn case(&self, bench: &Bench, plan: &CasePlan, seed: u64) -> Result<(Answer, DiscoverResult), Failure> {
         if let Some(earlier) = self.earlier(plan, seed) {
             return Ok(earlier);
         }
@@ -191,21 +188,21 @@ impl Judge<'_> {
         let case = bench.case(plan);
         let folder = self.written(&case, &name)?;
         let start = Instant::now();
-        let text = match self.read(&folder, plan) {
-            Ok((prepared, campaign)) => self.judged(&prepared, &campaign, plan, start),
+        let verdict = match self.read(&folder, plan) {
+            Ok(prepared) => self.judged(&prepared, plan, start),
             // a campaign that cannot be read is refused as a user's would be
             Err(Failure::Input(refused)) => {
-                json!({ "command": "discover", "verdict": "data_defect", "effects": [],
-                    "refused": refused.message, "seconds": start.elapsed().as_secs_f64() })
+                let seconds = start.elapsed().as_secs_f64();
+                DiscoverResult::at_fault(Vec::new(), Some(refused.message), seconds)
             }
             Err(other) => return Err(other),
         };
         let answer = case.answer;
         write(&sealed, &serde_json::to_string(&answer).map_err(Failure::computation)?)?;
-        write(&told, &text.to_string())?;
+        write(&told, &serde_json::to_string(&verdict).map_err(Failure::computation)?)?;
         // measurements are made again from the seed if they are wanted
         let _ = std::fs::remove_dir_all(folder);
-        Ok((answer, Verdict::from_json(&text.to_string(), &told)?))
+        Ok((answer, verdict))
     }
 
     /// Writes a case's files into a folder of its own.
@@ -216,33 +213,20 @@ impl Judge<'_> {
     }
 
     /// Reads and calibrates a case that was written.
-    fn read(&self, folder: &Path, plan: &CasePlan) -> Result<(Prepared, Campaign), Failure> {
-        let CorrectedWing { file, wing, .. } = self.corrected;
+    fn read(&self, folder: &Path, plan: &CasePlan) -> Result<Prepared, Failure> {
         let left_out = plan.leave_out.as_deref();
-        let case = blind::read((file, wing), &self.rigs, folder, self.own_static_points, left_out)?;
-        Ok((case.prepared, case.campaign))
+        Ok(blind::read(&self.rigs, folder, self.own_static_points, left_out)?.prepared)
     }
 
-    fn judged(&self, prepared: &Prepared, campaign: &Campaign, plan: &CasePlan, start: Instant) -> Value {
-        let found = prepared.defects();
-        if !found.is_empty() {
-            return discover_results::defects(&found, start.elapsed().as_secs_f64());
+    fn judged(&self, prepared: &Prepared, plan: &CasePlan, start: Instant) -> DiscoverResult {
+        let seconds = || start.elapsed().as_secs_f64();
+        let faults = prepared.defects();
+        if !faults.is_empty() {
+            return DiscoverResult::at_fault(faults, None, seconds());
         }
-        let report = prepared.search(&self.limits, plan.seed);
-        let found = Discovered {
-            corrected: self.corrected,
-            campaign,
-            prepared,
-            limits: &self.limits,
-            nulls_from: String::new(),
-            report,
-            again: None,
-            own: false,
-            advice: Vec::new(),
-            detection_limits: Vec::new(),
-            data_hash: String::new(),
-        };
-        discover_results::json(&found, &[], start.elapsed().as_secs_f64())
+        let finding = Finding::search(prepared, &self.nulls, plan.seed);
+        let result = finding.result(&Sources::default(), false, 0.0);
+        DiscoverResult { seconds: Some(seconds()), ..result }
     }
 }
 
@@ -255,10 +239,11 @@ fn write(path: &Path, text: &str) -> Result<(), Failure> {
     std::fs::rename(&partial, path).map_err(Failure::computation)
 }
 
-fn summary(metrics: &Metrics, out: &Path, seconds: f64) -> String {
+fn summary(result: &BenchmarkResult, out: &Path) -> String {
+    let BenchmarkResult { scored, seconds, .. } = result;
     let mut table = report::Table::new(&["gate", "limit", "value", "95 %", "n", "reached"]);
-    for gate in gates(metrics) {
-        let metric = metrics.metrics.get(&gate.metric);
+    for gate in &result.gates {
+        let metric = scored.metrics.get(&gate.metric);
         let number = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| format!("{value:.3}"));
         table.row([
             gate.metric.clone(),
@@ -269,5 +254,5 @@ fn summary(metrics: &Metrics, out: &Path, seconds: f64) -> String {
             if gate.reached { "yes" } else { "no" }.to_owned(),
         ]);
     }
-    format!("{table}\n{} cases, {seconds:.0} s; results in {}\n", metrics.cases, out.display())
+    format!("{table}\n{} cases, {seconds:.0} s; results in {}\n", scored.cases, out.display())
 }

@@ -1,11 +1,15 @@
 //! The page of `discover`.
 
+use coupling::Load;
+use discover::result::{DiscoverResult, SearchResult, StatedGap};
+use discover::verdict::VerdictKind;
 use report::Page;
 use report::page::{Block, Content, KeyNumber, PageTable, Plate, Section};
+use serde::Deserialize;
 use serde_json::Value;
 
 use super::figures;
-use super::values::{at, from_to, list, rms_beside_measured, short, short_at, text};
+use super::values::{from_to, rms_beside_measured, short};
 
 /// Runs of the paper's Figures 11 to 14, which stand first where a campaign has them.
 const FIGURES: [(u32, &str); 4] = [
@@ -15,225 +19,195 @@ const FIGURES: [(u32, &str); 4] = [
     (14, "doublet_inner_25_30"),
 ];
 
+/// The page of a result; an empty one if it is none of `discover`.
 pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
-    let mut sections = Vec::new();
-    let defects: Vec<Block> =
-        list(result, "defects").iter().map(|d| Block::Text(text(d, "sentence").to_owned())).collect();
-    if !defects.is_empty() {
-        sections.push(Section::new("Faults of the data", defects));
-    }
-    if !list(result, "effects").is_empty() {
-        sections.push(Section::new("What was missing", effects(result)));
-    }
-    if !list(result, "located").is_empty() {
-        sections.push(Section::new("Where the simulation disagreed", vec![Block::Table(located(result))]));
-    }
-    if result.get("gap").is_some() {
-        sections.push(Section::new("The gap before and after", vec![Block::Table(gap(result))]));
-    }
-    if !list(result, "map").is_empty() {
-        let table = Block::Table(super::discover_map::table(result));
-        sections.push(Section::new("The map before and after", vec![table]));
-    }
-    if !list(result, "experiments").is_empty() {
-        sections.push(Section::new("The next experiment", vec![Block::Table(experiments(result))]));
-    }
+    DiscoverResult::deserialize(result).map_or_else(|_| Page::default(), |result| page_of(&result, plates))
+}
+
+fn page_of(result: &DiscoverResult, plates: &mut Vec<Plate>) -> Page {
+    let nothing = SearchResult::default();
+    let search = result.search.as_ref().unwrap_or(&nothing);
     let runs = std::mem::take(plates);
-    if !runs.is_empty() {
-        let told = held_out(&runs);
-        let mut shown = figures("Held-out runs", ordered(runs));
-        let text = "These runs had no part in the search. Before: the corrected model without the effects; after: with them, and with \
-                    corrections calibrated again beside them. The dashed edges of one colour are two standard deviations to either side of \
-                    the model after: noise of a sample, parameters that calibration knows only so well, model-form variants.";
-        shown.blocks.insert(0, Block::Text(text.into()));
-        shown.blocks.push(Block::Table(told));
-        sections.push(shown);
-    }
-    if !list(result, "candidates").is_empty() {
-        sections.push(Section::new("All candidates", vec![Block::Table(candidates(result))]));
-    }
-    if !list(result, "detection_limits").is_empty() {
-        sections.push(Section::new("Detection limits", vec![Block::Table(detection_limits(result))]));
-    }
+    let defects = result.defects.iter().map(|defect| Block::Text(defect.sentence.clone())).collect();
+    let table = |title: &str, is_there: bool, table: &dyn Fn() -> PageTable| {
+        is_there.then(|| Section::new(title, vec![Block::Table(table())]))
+    };
+    let map = search.map.as_deref().unwrap_or_default();
+    let sections = [
+        (!result.defects.is_empty()).then(|| Section::new("Faults of the data", defects)),
+        (!result.effects.is_empty()).then(|| Section::new("What was missing", effects(result))),
+        table("Where the simulation disagreed", !search.located.is_empty(), &|| located(search)),
+        table("The gap before and after", search.gap.is_some(), &|| gap(search)),
+        table("The map before and after", !map.is_empty(), &|| super::discover_map::table(map)),
+        table("The next experiment", !search.experiments.is_empty(), &|| experiments(search)),
+        (!runs.is_empty()).then(|| held_out_section(runs)),
+        table("All candidates", !search.candidates.is_empty(), &|| candidates(search)),
+        table("Detection limits", !search.detection_limits.is_empty(), &|| detection_limits(search)),
+    ];
     Page {
         title: title(result).into(),
-        lead: lead(result),
-        numbers: numbers(result),
-        sections,
+        lead: lead(result, search),
+        numbers: numbers(result, search),
+        sections: sections.into_iter().flatten().collect(),
         ..Page::default()
     }
 }
 
-fn title(result: &Value) -> &'static str {
-    match text(result, "verdict") {
-        _ if result["supported"] == false => "An effect was named that the data do not support",
-        "effects" => "An effect was missing from the model, and is found",
-        "ambiguous" => "An effect is missing; these data do not tell which of several",
-        "unknown" => "Something is missing; these data do not say which effect",
-        "data_defect" => "The data are at fault: nothing was searched",
-        _ => "No effect is missing above the floor",
+fn held_out_section(runs: Vec<Plate>) -> Section {
+    let told = held_out(&runs);
+    let mut shown = figures("Held-out runs", ordered(runs));
+    let text = "These runs had no part in the search. Before: the corrected model without the effects; after: with them, and with \
+                corrections calibrated again beside them. The dashed edges of one colour are two standard deviations to either side of \
+                the model after: noise of a sample, parameters that calibration knows only so well, model-form variants.";
+    shown.blocks.insert(0, Block::Text(text.into()));
+    shown.blocks.push(Block::Table(told));
+    shown
+}
+
+fn title(result: &DiscoverResult) -> &'static str {
+    match result.verdict {
+        _ if result.search.as_ref().is_some_and(|search| !search.supported) => {
+            "An effect was named that the data do not support"
+        }
+        VerdictKind::Effects => "An effect was missing from the model, and is found",
+        VerdictKind::Ambiguous => "An effect is missing; these data do not tell which of several",
+        VerdictKind::Unknown => "Something is missing; these data do not say which effect",
+        VerdictKind::DataDefect => "The data are at fault: nothing was searched",
+        VerdictKind::None => "No effect is missing beyond the detection limits",
     }
 }
 
-fn lead(result: &Value) -> Vec<String> {
-    let mut lead: Vec<String> = list(result, "effects")
-        .iter()
-        .map(|effect| format!("{}: {}.", text(effect, "name"), text(effect, "title")))
-        .collect();
-    let said = text(result, "sentence");
-    if !said.is_empty() {
-        lead.push(said.into());
-    }
-    let next = text(result, "next_experiment");
-    if !next.is_empty() {
-        lead.push(format!("The measurement that would tell more: {next}."));
-    }
-    let not_used: Vec<&str> = list(result, "not_used").iter().filter_map(Value::as_str).collect();
-    if !not_used.is_empty() {
-        lead.push(format!("Not used, as residuals are root loads: {}.", not_used.join(", ")));
+fn lead(result: &DiscoverResult, search: &SearchResult) -> Vec<String> {
+    let mut lead: Vec<String> =
+        result.effects.iter().map(|effect| format!("{}: {}.", effect.name, effect.title)).collect();
+    lead.extend((!search.sentence.is_empty()).then(|| search.sentence.clone()));
+    let next = search.next_experiment.as_ref();
+    lead.extend(next.map(|next| format!("The measurement that would tell more: {next}.")));
+    if !search.not_used.is_empty() {
+        lead.push(format!("Not used, as residuals are root loads: {}.", search.not_used.join(", ")));
     }
     lead
 }
 
-fn numbers(result: &Value) -> Vec<KeyNumber> {
+/// Training and held-out gaps.
+fn gaps(search: &SearchResult) -> Vec<(&'static str, StatedGap)> {
+    let both = search.gap.map(|gap| [("training data", gap.training), ("held-out runs", gap.holdout)]);
+    both.into_iter().flatten().collect()
+}
+
+fn numbers(result: &DiscoverResult, search: &SearchResult) -> Vec<KeyNumber> {
     let mut numbers = Vec::new();
-    for (key, name) in [("holdout", "gap on held-out runs"), ("training", "gap on training data")] {
-        let (before, after) =
-            (at(result, &format!("gap/{key}/before")), at(result, &format!("gap/{key}/after")));
-        let floor = at(result, &format!("gap/{key}/floor"));
-        if before.is_some() {
-            let note = format!(
-                "rms residual in standard deviations of the noise; nothing missing: {}",
-                short(floor)
-            );
-            let number = KeyNumber::new(name, from_to(before, after, ""), note);
-            numbers.push(match (after, floor) {
-                (Some(after), Some(floor)) if !list(result, "effects").is_empty() => {
-                    number.judged(after <= 2.0 * floor)
-                }
-                _ => number,
-            });
-        }
+    for (name, gap) in gaps(search).into_iter().rev().filter(|(_, gap)| gap.before.is_finite()) {
+        let floor = short(Some(gap.floor));
+        let note = format!("rms residual in standard deviations of the noise; nothing missing: {floor}");
+        let gaps = from_to(Some(gap.before), Some(gap.after), "");
+        let number = KeyNumber::new(format!("gap on {name}"), gaps, note);
+        let judged = !result.effects.is_empty() && gap.floor.is_finite();
+        numbers.push(if judged { number.judged(gap.after <= 2.0 * gap.floor) } else { number });
     }
-    for effect in list(result, "effects") {
-        let note = format!("confidence; log Bayes factor {}", short_at(effect, "log_bayes_factor"));
-        let rivals = list(effect, "confused_with").len();
-        numbers.push(
-            KeyNumber::new(text(effect, "name"), short_at(effect, "confidence"), note).judged(rivals == 0),
-        );
+    for effect in &result.effects {
+        let note = format!("confidence; log Bayes factor {}", short(effect.log_bayes_factor));
+        let number = KeyNumber::new(effect.name.as_str(), short(effect.confidence), note);
+        numbers.push(number.judged(effect.confused_with.is_empty()));
     }
     numbers
 }
 
-fn effects(result: &Value) -> Vec<Block> {
+fn effects(result: &DiscoverResult) -> Vec<Block> {
     let mut table = PageTable::new(
         "Fitted to training data; one standard deviation.",
         &["effect", "parameter", "value", "standard deviation"],
     );
     let mut said = Vec::new();
-    for effect in list(result, "effects") {
-        for (name, fitted) in effect["parameters"].as_object().into_iter().flatten() {
-            table.row([
-                text(effect, "name").to_owned(),
-                name.clone(),
-                short_at(fitted, "value"),
-                short_at(fitted, "sigma"),
-            ]);
+    for effect in &result.effects {
+        for (name, fitted) in &effect.parameters {
+            let [value, sigma] = [Some(fitted.value), fitted.sigma].map(short);
+            table.row([effect.name.clone(), name.clone(), value, sigma]);
         }
-        let rivals: Vec<&str> = list(effect, "confused_with").iter().filter_map(Value::as_str).collect();
-        let stays = if effect["stays_with_the_wing"] == true {
+        let stays = if effect.stays_with_the_wing {
             "it belongs to the wing and flies with it"
         } else {
             "it belongs to tunnel, balance or sensors and stays there"
         };
-        let told =
-            if rivals.is_empty() { String::new() } else { format!("; not told from {}", rivals.join(", ")) };
-        said.push(Block::Text(format!("{}: {stays}{told}.", text(effect, "name"))));
+        let told = if effect.confused_with.is_empty() {
+            String::new()
+        } else {
+            format!("; not told from {}", effect.confused_with.join(", "))
+        };
+        said.push(Block::Text(format!("{}: {stays}{told}.", effect.name)));
     }
     said.insert(0, Block::Table(table));
     said
 }
 
-fn located(result: &Value) -> PageTable {
-    let caption = "What the residual of the model without the effects goes with, on training data.";
-    let head = ["load", "goes with", "share of the residual", "p-value", "where"];
+fn located(search: &SearchResult) -> PageTable {
+    let caption =
+        "Motions that the residual of the model without the effects is proportional to, on training data.";
+    let head = ["load", "proportional to", "share of the residual", "p-value", "where"];
     let mut table = PageTable::new(caption, &head);
-    for l in list(result, "located") {
-        let share =
-            at(l, "share_of_residual").map_or_else(|| "-".into(), |share| format!("{:.0} %", 100.0 * share));
-        table.row([
-            text(l, "channel").to_owned(),
-            text(l, "regressor").to_owned(),
-            share,
-            short_at(l, "p_value"),
-            text(l, "where").to_owned(),
-        ]);
+    for l in &search.located {
+        let share = format!("{:.0} %", 100.0 * l.share_of_residual);
+        let p_value = short(Some(l.p_value));
+        table.row([l.channel.to_string(), l.regressor.to_string(), share, p_value, l.place.clone()]);
     }
     table
 }
 
-fn gap(result: &Value) -> PageTable {
+fn gap(search: &SearchResult) -> PageTable {
     let caption = "In standard deviations of the noise; in brackets in percent of the load's variation.";
     let mut table = PageTable::new(caption, &["data", "load", "before", "after", "nothing missing"]);
-    for (key, name) in [("training", "training"), ("holdout", "held out")] {
-        let of = |path: &str| short(at(result, &format!("gap/{key}/{path}")));
-        if at(result, &format!("gap/{key}/before")).is_none() {
+    for (name, gap) in gaps(search) {
+        if !gap.before.is_finite() {
             table.row([name.to_owned(), "no data".into(), String::new(), String::new(), String::new()]);
             continue;
         }
-        table.row([name.to_owned(), "all".into(), of("before"), of("after"), of("floor")]);
-        let there = |load: &&str| at(result, &format!("gap/{key}/by_channel/before/{load}")).is_some();
-        for load in ["Fz_N", "Mx_Nm", "My_Nm"].into_iter().filter(there) {
-            let both = |when: &str| {
-                format!(
-                    "{} ({} %)",
-                    of(&format!("by_channel/{when}/{load}")),
-                    of(&format!("raw_percent/{when}/{load}"))
-                )
-            };
-            table.row([name.to_owned(), load.into(), both("before"), both("after"), String::new()]);
+        let [before, after, floor] = [gap.before, gap.after, gap.floor].map(|gap| short(Some(gap)));
+        table.row([name.to_owned(), "all".into(), before, after, floor]);
+        let (Some(gaps), Some(percent)) = (gap.by_channel, gap.raw_percent) else { continue };
+        for load in Load::ALL.into_iter().filter(|load| gaps.before[*load].is_some()) {
+            let both =
+                |gap: Option<f64>, percent: Option<f64>| format!("{} ({} %)", short(gap), short(percent));
+            let [before, after] =
+                [both(gaps.before[load], percent.before[load]), both(gaps.after[load], percent.after[load])];
+            table.row([name.to_owned(), load.column().into(), before, after, String::new()]);
         }
     }
     table
 }
 
-fn experiments(result: &Value) -> PageTable {
-    let caption = "What each would separate the named effect from its rivals by, by a forecast with the floor of the new runs; 5 \
-                   is a distinction. A run with wind costs 1.";
+fn experiments(search: &SearchResult) -> PageTable {
+    let caption = "Log Bayes factor between the named effect and each rival that an experiment is expected to give, by a forecast \
+                   with the floor of the new runs; from 5 on they are told apart. A run with wind costs 1.";
     let mut table = PageTable::new(caption, &["experiment", "cost", "expected log Bayes factor"]);
-    for experiment in list(result, "experiments") {
-        let factors = experiment["expected_log_bayes_factor"].as_object().into_iter().flatten();
+    for advice in &search.experiments {
+        let factors = advice.log_bayes_factors.iter();
         let factors: Vec<String> =
-            factors.map(|(rival, factor)| format!("{rival} {}", short(factor.as_f64()))).collect();
-        table.row([
-            text(experiment, "experiment").to_owned(),
-            short_at(experiment, "cost"),
-            factors.join(", "),
-        ]);
+            factors.map(|(rival, factor)| format!("{rival} {}", short(Some(*factor)))).collect();
+        table.row([advice.experiment.to_string(), short(Some(advice.cost)), factors.join(", ")]);
     }
     table
 }
 
-fn candidates(result: &Value) -> PageTable {
+fn candidates(search: &SearchResult) -> PageTable {
     let mut table = PageTable::new(
-        "Evidence of each effect alone, before any is in the model.",
+        "Each effect alone, before any is in the model.",
         &["effect", "log Bayes factor", "needed"],
     );
-    for c in list(result, "candidates") {
-        table.row([text(c, "name").to_owned(), short_at(c, "log_bayes_factor"), short_at(c, "threshold")]);
+    for c in &search.candidates {
+        table.row([c.name.clone(), short(Some(c.log_bayes_factor)), short(Some(c.threshold))]);
     }
     table
 }
 
-fn detection_limits(result: &Value) -> PageTable {
+fn detection_limits(search: &SearchResult) -> PageTable {
     let mut table = PageTable::new(
-        "The smallest size, to a factor of 1.4, at which these data would have given an effect the evidence that it needs, if its \
-         form were exact; a dash where it would have to be larger than it can be.",
+        "The smallest size, to a factor of 1.4, at which these data would have given an effect the log Bayes factor that it needs, \
+         if its form were exact; a dash where it would have to be larger than it can be.",
         &["effect", "parameter", "smallest size"],
     );
-    for limit in list(result, "detection_limits") {
-        let name = format!("{} {}", text(limit, "name"), text(limit, "form"));
-        table.row([name.trim().to_owned(), text(limit, "parameter").to_owned(), short_at(limit, "value")]);
+    for limit in &search.detection_limits {
+        let name = format!("{} {}", limit.name, limit.form);
+        table.row([name.trim().to_owned(), limit.parameter.clone(), short(limit.value)]);
     }
     table
 }

@@ -1,9 +1,9 @@
 //! The map of `discover`: where in channel, maneuver and frequency the residual is, before and after.
 
+use discover::result::MapCell;
 use report::page::PageTable;
-use serde_json::Value;
 
-use super::values::{at, list, short, text};
+use super::values::short;
 
 /// So many rows are shown.
 const SHOWN: usize = 15;
@@ -17,23 +17,21 @@ struct Row {
 }
 
 /// Root mean square of the residual over that of pure error, the largest rows first.
-pub(super) fn table(result: &Value) -> PageTable {
-    let map = list(result, "map");
-    let mut bands: Vec<(f64, f64)> =
-        map.iter().filter_map(|cell| Some((at(cell, "from_hz")?, at(cell, "to_hz")?))).collect();
+pub(super) fn table(map: &[MapCell]) -> PageTable {
+    let mut bands: Vec<(f64, f64)> = map.iter().map(|cell| (cell.from_hz, cell.to_hz)).collect();
     bands.sort_by(|a, b| a.0.total_cmp(&b.0));
     bands.dedup();
     let mut rows: Vec<Row> = Vec::new();
     for cell in map {
-        let head = ["channel", "maneuver"].map(|key| text(cell, key).to_owned());
+        let head = [cell.channel.clone(), cell.maneuver.clone()];
         let place = rows.iter().position(|row| row.head == head).unwrap_or_else(|| {
             rows.push(Row { head, largest: 0.0, cells: vec![String::new(); bands.len()] });
             rows.len() - 1
         });
-        let band = bands.iter().position(|(from, _)| Some(*from) == at(cell, "from_hz")).unwrap_or(0);
-        let root = |key: &str| at(cell, key).map(f64::sqrt);
-        rows[place].cells[band] = format!("{} \u{2192} {}", short(root("before")), short(root("after")));
-        rows[place].largest = rows[place].largest.max(root("before").unwrap_or(0.0));
+        let band = bands.iter().position(|(from, _)| *from == cell.from_hz).unwrap_or(0);
+        let [before, after] = [cell.before, cell.after].map(f64::sqrt);
+        rows[place].cells[band] = format!("{} \u{2192} {}", short(Some(before)), short(Some(after)));
+        rows[place].largest = rows[place].largest.max(before);
     }
     rows.sort_by(|a, b| b.largest.total_cmp(&a.largest));
     let all = rows.len();

@@ -1,9 +1,10 @@
 //! A fault of the data.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 
 /// What is wrong.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum DefectKind {
     /// Labels of channels exchanged.
     SwappedChannels,
@@ -24,14 +25,14 @@ pub enum DefectKind {
 }
 
 /// A defect.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Defect {
     /// What is wrong.
     pub kind: DefectKind,
     /// Name of the run or of the static points; none if it is so everywhere.
     pub run: Option<String>,
     /// The channel; none if it concerns all of them or several.
-    pub channel: Option<&'static str>,
+    pub channel: Option<Cow<'static, str>>,
     /// One plain sentence.
     pub sentence: String,
 }

@@ -40,7 +40,7 @@ fn sign_everywhere(c: usize) -> Defect {
     Defect {
         kind: DefectKind::SignFlipped,
         run: None,
-        channel: Some(channel),
+        channel: Some(channel.into()),
         sentence: format!("{channel} has the opposite sign in all data: it is minus what the wing does"),
     }
 }
@@ -103,7 +103,12 @@ pub(super) fn by_run(rules: &LabelRules, records: &[Record]) -> Vec<Defect> {
                 let sentence =
                     format!("{channel} of {name} has the opposite sign of {channel} in runs like it");
                 let run = Some(name.clone());
-                all.push(Defect { kind: DefectKind::SignFlipped, run, channel: Some(channel), sentence });
+                all.push(Defect {
+                    kind: DefectKind::SignFlipped,
+                    run,
+                    channel: Some(channel.into()),
+                    sentence,
+                });
             }
         }
     }
@@ -158,7 +163,7 @@ fn exchanged(run: Option<&str>, order: [usize; 3]) -> Defect {
     Defect {
         kind: DefectKind::SwappedChannels,
         run: run.map(str::to_owned),
-        channel: (0..3).find(|&c| order[c] != c).map(|c| LOADS[c]),
+        channel: (0..3).find(|&c| order[c] != c).map(|c| LOADS[c].into()),
         sentence: format!("labels of channels are exchanged in {place}: {}", moved.join(", ")),
     }
 }

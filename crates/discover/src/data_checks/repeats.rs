@@ -36,7 +36,7 @@ pub(super) fn differ(rules: &RepeatRules, records: &[Record], named: &[String]) 
                     records[first].name
                 );
                 let run = Some(name.clone());
-                found.push(Defect { kind: DefectKind::Repeat, run, channel: Some(channel), sentence });
+                found.push(Defect { kind: DefectKind::Repeat, run, channel: Some(channel.into()), sentence });
             }
         }
     }

@@ -17,7 +17,7 @@ pub(super) fn flat(rules: &SampleRules, records: &[Record]) -> Vec<Defect> {
             if let Some((kind, what)) = flat_in(rules, pair, record.sigma[c]) {
                 let (channel, name) = (LOADS[c], &record.name);
                 let sentence = format!("{channel} of {name} {what}");
-                found.push(Defect { kind, run: Some(name.clone()), channel: Some(channel), sentence });
+                found.push(Defect { kind, run: Some(name.clone()), channel: Some(channel.into()), sentence });
             }
         }
     }
@@ -131,7 +131,7 @@ pub(super) fn spikes(rules: &SampleRules, records: &[Record]) -> Vec<Defect> {
                 spike.height / record.sigma[c]
             );
             let run = Some(name.clone());
-            found.push(Defect { kind: DefectKind::Spikes, run, channel: Some(channel), sentence });
+            found.push(Defect { kind: DefectKind::Spikes, run, channel: Some(channel.into()), sentence });
         }
     }
     found

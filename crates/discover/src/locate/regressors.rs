@@ -12,19 +12,22 @@ use super::residuals::{Residuals, Unit};
 use crate::rules::LocateRules;
 use rayon::prelude::*;
 use response::FTest;
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 
 /// What a part of a residual goes with.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Located {
     /// Channel.
-    pub channel: &'static str,
+    pub channel: Cow<'static, str>,
     /// Family of regressors.
-    pub regressor: &'static str,
+    pub regressor: Cow<'static, str>,
     /// Share of the channel's residual beyond pure error that only this family explains.
     pub share_of_residual: f64,
     /// Probability of scores as consistent by chance.
     pub p_value: f64,
     /// Where, in words.
+    #[serde(rename = "where")]
     pub place: String,
 }
 
@@ -96,8 +99,8 @@ impl<'a> Channel<'a> {
                 let gains: Vec<f64> =
                     self.grams.iter().map(|gram| gram.left(&without) - gram.left(&full)).collect();
                 Located {
-                    channel: crate::channels::LOADS[self.which],
-                    regressor: family,
+                    channel: crate::channels::LOADS[self.which].into(),
+                    regressor: (*family).into(),
                     share_of_residual: cost / beyond.max(cost).max(f64::MIN_POSITIVE),
                     p_value: self.p_value(own, &others, &without),
                     place: self.place(&gains, residuals),
@@ -167,8 +170,8 @@ impl<'a> Channel<'a> {
         let (sum, runs) = squares;
         let below = self.total.left(full) - sum;
         (runs > 1.0 && below > 0.0).then(|| Located {
-            channel: crate::channels::LOADS[self.which],
-            regressor: "run_id",
+            channel: crate::channels::LOADS[self.which].into(),
+            regressor: "run_id".into(),
             share_of_residual: sum / beyond.max(sum).max(f64::MIN_POSITIVE),
             // as many degrees of freedom below as runs: samples of a run are no independent judges of it
             p_value: FTest::new(sum, runs, below * runs / (self.rows as f64 - runs).max(1.0), runs).p_value,

@@ -23,23 +23,27 @@ use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 use maneuver::effects::{Active, Flown};
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// An experiment and what is expected of it.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Advice {
     /// What to fly.
-    pub experiment: &'static str,
+    pub experiment: Cow<'static, str>,
     /// Its cost; one is a run with wind.
     pub cost: f64,
     /// Expected logarithm of the Bayes factor between the named effect and each of its rivals.
-    pub log_bayes_factors: Vec<(&'static str, f64)>,
+    #[serde(rename = "expected_log_bayes_factor")]
+    pub log_bayes_factors: BTreeMap<String, f64>,
 }
 
 impl Advice {
     /// What the nearest rival is separated by.
     pub fn least_log_bayes_factor(&self) -> f64 {
-        self.log_bayes_factors.iter().map(|(_, factor)| *factor).fold(f64::INFINITY, f64::min)
+        self.log_bayes_factors.values().copied().fold(f64::INFINITY, f64::min)
     }
 }
 
@@ -66,10 +70,13 @@ pub fn advise(
             .rivals
             .iter()
             .map(|rival| {
-                (rival.active.effect.spec().name, separation(&setting, problem.clone(), found, open, rival))
+                (
+                    rival.active.effect.spec().name.to_owned(),
+                    separation(&setting, problem.clone(), found, open, rival),
+                )
             })
             .collect();
-        Ok(Advice { experiment: experiment.name, cost: experiment.cost, log_bayes_factors })
+        Ok(Advice { experiment: experiment.name.into(), cost: experiment.cost, log_bayes_factors })
     };
     let mut all = menu().par_iter().map(of).collect::<Result<Vec<_>, DiscoverError>>()?;
     let worth = |advice: &Advice| advice.least_log_bayes_factor() / advice.cost;

@@ -1,7 +1,8 @@
 //! Metrics of the gap before and after, and of what an answer costs.
 
+use super::Metric;
 use super::judged::Judged;
-use super::{Gap, Metric};
+use discover::result::StatedGap;
 use std::collections::BTreeMap;
 
 /// A gap this much above its floor is visible.
@@ -9,11 +10,11 @@ const VISIBLE: f64 = 1.2;
 
 /// Adds the metrics.
 pub(super) fn add(cases: &[Judged<'_>], metrics: &mut BTreeMap<String, Metric>) {
-    let held_out = |case: &Judged<'_>| -> Option<Gap> {
-        let gap = case.verdict.gap?.holdout;
+    let held_out = |case: &Judged<'_>| -> Option<StatedGap> {
+        let gap = case.verdict.gap()?.holdout;
         (case.first_is_right() && gap.before > VISIBLE * gap.floor).then_some(gap)
     };
-    let gaps: Vec<Gap> = cases.iter().filter_map(held_out).collect();
+    let gaps: Vec<StatedGap> = cases.iter().filter_map(held_out).collect();
     let removed =
         gaps.iter().map(|gap| (gap.before - gap.after) / (gap.before - gap.floor).max(f64::MIN_POSITIVE));
     metrics.insert("gap_share_removed_median".to_owned(), Metric::median(removed.collect()));
@@ -29,7 +30,7 @@ pub(super) fn add(cases: &[Judged<'_>], metrics: &mut BTreeMap<String, Metric>) 
             cases
                 .iter()
                 .filter(|case| case.is_null())
-                .filter_map(|case| case.verdict.gap.map(|gap| gap.holdout.before / gap.holdout.floor))
+                .filter_map(|case| case.verdict.gap().map(|gap| gap.holdout.before / gap.holdout.floor))
                 .filter(|ratio| ratio.is_finite())
                 .collect(),
         ),
@@ -40,6 +41,7 @@ pub(super) fn add(cases: &[Judged<'_>], metrics: &mut BTreeMap<String, Metric>) 
         "seconds_most".to_owned(),
         Metric::number(seconds.iter().copied().reduce(f64::max), seconds.len()),
     );
-    let runs: Vec<f64> = cases.iter().filter_map(|case| case.verdict.model_runs).collect();
+    let runs: Vec<f64> =
+        cases.iter().filter_map(|case| Some(case.verdict.search.as_ref()?.model_runs? as f64)).collect();
     metrics.insert("model_runs_mean".to_owned(), Metric::mean(&runs));
 }

@@ -1,15 +1,17 @@
 //! One case with its answer and its verdict.
 
-use super::{Families, Named, Verdict, VerdictKind};
+use super::Families;
 use crate::answer::Answer;
 use crate::effects::kind;
 use crate::plan::Class;
+use discover::result::{DiscoverResult, NamedEffect};
+use discover::verdict::VerdictKind;
 
 /// See the module.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Judged<'a> {
     pub(super) answer: &'a Answer,
-    pub(super) verdict: &'a Verdict,
+    pub(super) verdict: &'a DiscoverResult,
     pub(super) families: &'a Families,
 }
 
@@ -88,7 +90,7 @@ impl Judged<'_> {
 
     /// The same without rivals that the data cannot tell from it.
     pub(super) fn is_exact_and_sure(&self) -> bool {
-        self.verdict.kind != VerdictKind::Ambiguous && self.is_exact()
+        self.verdict.verdict != VerdictKind::Ambiguous && self.is_exact()
     }
 
     /// What was hidden, for the table of confusions.
@@ -107,12 +109,12 @@ impl Judged<'_> {
 
     /// What was answered, for the same table.
     pub(super) fn answered_as(&self) -> String {
-        match self.verdict.kind {
+        match self.verdict.verdict {
             VerdictKind::None => "none".to_owned(),
             VerdictKind::Unknown => "unknown".to_owned(),
             VerdictKind::DataDefect => "data_defect".to_owned(),
             VerdictKind::Effects | VerdictKind::Ambiguous => {
-                let among = |effect: &Named| {
+                let among = |effect: &NamedEffect| {
                     let mut rivals: Vec<&str> = effect.confused_with.iter().map(String::as_str).collect();
                     rivals.push(&effect.name);
                     rivals.sort_unstable();

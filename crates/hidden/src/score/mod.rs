@@ -6,15 +6,14 @@ mod gates;
 mod judged;
 mod naming;
 mod parameters;
-mod verdict;
 mod wilson;
 
 pub use families::Families;
 pub use gates::{Bound, Gate, gates};
-pub use verdict::{Estimate, Gap, Gaps, Named, Verdict, VerdictKind};
 pub use wilson::wilson;
 
 use crate::answer::Answer;
+use discover::result::DiscoverResult;
 use judged::Judged;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -74,12 +73,31 @@ pub struct Metrics {
     pub cases: usize,
     /// Metrics by name; README.md of the crate says what each is.
     pub metrics: BTreeMap<String, Metric>,
-    /// How often what was hidden was named what; `none`, `unknown` and `data_defect` beside effects' names, pairs with a `+`.
+    /// Number of cases by what was hidden, then by what was named (a confusion matrix); `none`, `unknown` and `data_defect` beside
+    /// effects' names, pairs with a `+`.
     pub confusion: BTreeMap<String, BTreeMap<String, usize>>,
 }
 
+/// `result.json` of the benchmark.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct BenchmarkResult {
+    /// Name of the command.
+    pub command: String,
+    /// Seed of the list of cases.
+    pub seed: u64,
+    /// A: corrections from static points without the effects; B: from each case's own.
+    pub track: String,
+    /// What is measured.
+    #[serde(flatten)]
+    pub scored: Metrics,
+    /// The acceptance criteria beside it.
+    pub gates: Vec<Gate>,
+    /// Time it took, s.
+    pub seconds: f64,
+}
+
 /// Scores verdicts against answers, one a case.
-pub fn score(cases: &[(Answer, Verdict)], families: &Families) -> Metrics {
+pub fn score(cases: &[(Answer, DiscoverResult)], families: &Families) -> Metrics {
     let judged: Vec<Judged<'_>> =
         cases.iter().map(|(answer, verdict)| Judged { answer, verdict, families }).collect();
     let mut metrics = BTreeMap::new();

@@ -1,8 +1,9 @@
 //! Metrics of naming: what is named on nulls, what comes first, sets, pairs, what no library has, defects.
 
+use super::Metric;
 use super::judged::Judged;
-use super::{Metric, VerdictKind};
 use crate::plan::Class;
+use discover::verdict::VerdictKind;
 use std::collections::BTreeMap;
 
 /// Detectabilities between near the floor, visible and clear.
@@ -18,8 +19,8 @@ pub(super) fn add(cases: &[Judged<'_>], metrics: &mut BTreeMap<String, Metric>) 
     let nulls = chosen(cases, Judged::is_null);
     let mut put = |name: &str, metric: Metric| metrics.insert(name.to_owned(), metric);
     put("null_false_naming", Metric::share_of(&nulls, |case| case.first().is_some()));
-    put("null_unknown", Metric::share_of(&nulls, |case| case.verdict.kind == VerdictKind::Unknown));
-    put("null_data_defect", Metric::share_of(&nulls, |case| case.verdict.kind == VerdictKind::DataDefect));
+    put("null_unknown", Metric::share_of(&nulls, |case| case.verdict.verdict == VerdictKind::Unknown));
+    put("null_data_defect", Metric::share_of(&nulls, |case| case.verdict.verdict == VerdictKind::DataDefect));
     let claimed =
         chosen(cases, |case| case.answer.defect.is_none() && is_in_mix(case) && case.first().is_some());
     put("precision", Metric::share_of(&claimed, |case| case.first_is_right()));
@@ -97,7 +98,7 @@ fn outside(cases: &[Judged<'_>], put: &mut impl FnMut(&str, Metric) -> Option<Me
     let outside = chosen(cases, Judged::is_outside);
     // a library that has the effect after all may name it
     let flagged = |case: &&Judged<'_>| {
-        case.verdict.kind == VerdictKind::Unknown || (case.first_is_right() && case.is_exact())
+        case.verdict.verdict == VerdictKind::Unknown || (case.first_is_right() && case.is_exact())
     };
     put("out_of_library_flagged", Metric::share_of(&outside, flagged));
     let misnamed = |case: &&Judged<'_>| case.verdict.names().iter().any(|name| !case.is_right(name));
@@ -107,8 +108,8 @@ fn outside(cases: &[Judged<'_>], put: &mut impl FnMut(&str, Metric) -> Option<Me
     put("left_out_misnamed", Metric::share_of(&left, first_strange));
     let any_strange = |case: &&Judged<'_>| case.verdict.names().iter().any(|name| !case.is_kin(name));
     put("left_out_any_misnamed", Metric::share_of(&left, any_strange));
-    put("left_out_unknown", Metric::share_of(&left, |case| case.verdict.kind == VerdictKind::Unknown));
+    put("left_out_unknown", Metric::share_of(&left, |case| case.verdict.verdict == VerdictKind::Unknown));
     let faulty = chosen(cases, |case| case.answer.defect.is_some());
-    put("defect_refused", Metric::share_of(&faulty, |case| case.verdict.kind == VerdictKind::DataDefect));
+    put("defect_refused", Metric::share_of(&faulty, |case| case.verdict.verdict == VerdictKind::DataDefect));
     put("defect_named_effect", Metric::share_of(&faulty, |case| case.first().is_some()));
 }

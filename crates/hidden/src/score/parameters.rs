@@ -1,8 +1,9 @@
 //! Metrics of stated numbers: confidences and parameters.
 
+use super::Metric;
 use super::judged::Judged;
-use super::{Estimate, Metric, Named};
 use crate::answer::{TrueEffect, TrueParameter};
+use discover::result::{Estimate, NamedEffect};
 use std::collections::BTreeMap;
 
 /// Bins of the confidence.
@@ -79,7 +80,7 @@ fn estimates<'c>(case: &Judged<'c>) -> Vec<(&'c str, &'c TrueParameter, Estimate
 }
 
 /// Sizes with the same name, or the only ones of both.
-fn of_effect<'c>(effect: &'c TrueEffect, named: &Named) -> Vec<(&'c str, &'c TrueParameter, Estimate)> {
+fn of_effect<'c>(effect: &'c TrueEffect, named: &NamedEffect) -> Vec<(&'c str, &'c TrueParameter, Estimate)> {
     let sizes: Vec<&TrueParameter> =
         effect.parameters.iter().filter(|parameter| parameter.size && parameter.value != 0.0).collect();
     if let ([only], 1) = (sizes.as_slice(), named.parameters.len()) {

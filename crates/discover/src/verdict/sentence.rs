@@ -1,0 +1,79 @@
+//! The verdict in one sentence.
+
+use super::{GapChange, Judgement};
+
+impl Judgement<'_> {
+    /// The verdict in a sentence or two.
+    pub fn sentence(&self) -> String {
+        if self.names.is_empty() { self.nothing_named() } else { self.named() }
+    }
+
+    fn named(&self) -> String {
+        let names = self.names.join(" and ");
+        let GapChange { before, after, floor } = self.training;
+        if !self.is_supported() {
+            return format!(
+                "With {names} in the model the gap on training data does not shrink ({before:.1} -> {after:.1}): these data do \
+                 not support it, and wing.ron is as given."
+            );
+        }
+        let judged = match self.held_out {
+            None => format!(
+                "With {names} the gap on training data goes from {before:.1} to {after:.1}; no data are held out to judge it by, \
+                 so no success is claimed"
+            ),
+            Some(GapChange { before, after, floor }) => {
+                let times = self.closed;
+                let end = if self.is_success() {
+                    format!(
+                        "closed: at most {times:.0} times the gap of a campaign in which nothing is missing ({floor:.1})"
+                    )
+                } else if after < before {
+                    format!(
+                        "did not close to {times:.0} times the gap of a campaign in which nothing is missing ({floor:.1}): no \
+                         success is claimed"
+                    )
+                } else {
+                    "did not shrink: no success is claimed".to_owned()
+                };
+                format!("With {names} the held-out gap goes from {before:.1} to {after:.1}; it {end}")
+            }
+        };
+        let more = if self.is_far_above_floor() {
+            format!(
+                ". More is missing: the gap on training data stays {:.1} times that of a campaign in which nothing is missing",
+                after / floor
+            )
+        } else {
+            String::new()
+        };
+        format!("{judged}{more}.")
+    }
+
+    fn nothing_named(&self) -> String {
+        let GapChange { before: gap, floor, .. } = self.training;
+        let nearest = self.nearest.map_or_else(String::new, |nearest| {
+            let (evidence, needed) = (nearest.evidence, nearest.threshold);
+            let why = if evidence > needed { "the data do not tell it from others" } else { "too little" };
+            format!(
+                "; the nearest is {} with a log Bayes factor of {evidence:.0}, {needed:.0} needed ({why})",
+                nearest.name
+            )
+        });
+        if self.is_far_above_floor() {
+            format!(
+                "Something is missing: the gap on training data ({gap:.1}) is {:.1} times that of a campaign in which nothing is \
+                 missing ({floor:.1}), but these data do not say which effect it is{nearest}.",
+                gap / floor
+            )
+        } else if self.unexplained {
+            format!("Something is missing that no effect of the library explains{nearest}.")
+        } else {
+            format!(
+                "No effect is missing beyond the detection limits: the gap on training data is {gap:.1}, that of a campaign in which \
+                 nothing is missing about {floor:.1}. Nothing was added; `detection_limits` has the smallest sizes that would have \
+                 been named."
+            )
+        }
+    }
+}
