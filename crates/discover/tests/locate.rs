@@ -73,7 +73,7 @@ fn a_joiner_is_located_in_the_fast_pitch_of_my() {
     let cells = map(&residuals);
     assert!(cells[0].channel == "My_Nm" && fast_pitch(&cells[0]), "{:?}", cells[0]);
     let located = regressors(&residuals);
-    assert_eq!((located[0].channel, located[0].regressor), ("My_Nm", "alpha_ddot"), "{located:#?}");
+    assert_eq!((&*located[0].channel, &*located[0].regressor), ("My_Nm", "alpha_ddot"), "{located:#?}");
     assert!(located[0].share_of_residual > 0.5 && located[0].p_value < 0.01, "{:?}", located[0]);
     assert!(located[0].place.contains("pitch"), "{:?}", located[0]);
 }
