@@ -12,14 +12,13 @@ use std::sync::{Mutex, PoisonError};
 use nastran::InputError;
 use rayon::prelude::*;
 use report::deformed::{self, View};
-use report::page::{Content, Input, Plate};
+use report::page::{Content, Plate};
 use report::{Drawing, Figure};
 use serde::Serialize;
-use serde_json::Value;
 
 use crate::failure::Failure;
 use crate::nulls;
-use crate::pages;
+use crate::pages::{self, Written};
 
 /// The file by which a folder is known as an earlier result, which may be replaced.
 const MARK: &str = "result.json";
@@ -30,18 +29,6 @@ pub struct ResultFolder {
     target: PathBuf,
     partial: PathBuf,
     written: Mutex<Written>,
-}
-
-/// What a page is made of.
-#[derive(Debug, Default)]
-pub struct Written {
-    /// What `result.json` holds.
-    pub result: Value,
-    /// Figures in the order of their writing.
-    pub plates: Vec<Plate>,
-    /// What was read.
-    pub inputs: Vec<Input>,
-    drawings: Vec<(String, Drawing)>,
 }
 
 impl ResultFolder {

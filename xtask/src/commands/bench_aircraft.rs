@@ -5,7 +5,7 @@ use std::time::Instant;
 use fullaircraft::{Aircraft, FlightAir, FlyingAircraft, FreeFlight, Gust, Integration};
 use serde_json::{Value, json};
 
-use super::bench::{cpu_seconds, median, peak_mb, row};
+use super::bench_clock::{cpu_seconds, median, peak_mb, row};
 use crate::failure::Failure;
 use crate::paths;
 

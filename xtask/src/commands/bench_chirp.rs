@@ -6,7 +6,7 @@ use maneuver::signals::{Chirp, sampled};
 use maneuver::{Motion, Rig, RigSettings, Smooth};
 use serde_json::Value;
 
-use super::bench::{median, row};
+use super::bench_clock::{median, row};
 use crate::failure::Failure;
 
 /// Samples per second and length of the chirp, its airspeed and its amplitude.

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::bench::row;
+use super::bench_clock::row;
 use super::hidden::timed_case;
 use crate::failure::Failure;
 

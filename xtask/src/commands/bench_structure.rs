@@ -8,7 +8,7 @@ use coupling::wing_file::WingFile;
 use serde_json::{Value, json};
 use structure::{Model, System, normal_modes};
 
-use super::bench::peak_mb;
+use super::bench_clock::peak_mb;
 use crate::failure::Failure;
 
 /// Elements along the span in each strip, times those of the file: grids from 3000 to 48000.

@@ -6,7 +6,7 @@ use fullaircraft::{Aircraft, CaseFlight, CasesFile, TrimTools};
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
-use super::bench::{median, row};
+use super::bench_clock::{median, row};
 use crate::failure::Failure;
 use crate::paths;
 

@@ -5,7 +5,6 @@ use std::path::Path;
 use std::time::Instant;
 
 use aero::{Corrections, MirrorPlane};
-use calibrate::campaign::TIP;
 use calibrate::{AirspeedCalibration, Calibration, Campaign, Settings};
 use coupling::{ElasticWing, SteadyCase, WingFile};
 use serde_json::{Value, json};
@@ -13,6 +12,7 @@ use serde_json::{Value, json};
 use crate::args::{CalibrateArgs, Common};
 use crate::commands::calibrate_common as common_set;
 use crate::commands::calibrate_figures as figures;
+use crate::commands::calibrate_numbers::{channels, identifiability, measured_channels, speed_name};
 use crate::commands::calibrate_shapes;
 use crate::commands::calibrate_strips::{self, Strips};
 use crate::corrections::{campaign_path, schedule, wing_path};
@@ -104,12 +104,6 @@ fn write_set(
     )
 }
 
-/// 18 m/s -> `18`, 22.5 m/s -> `22.5`.
-pub(crate) fn speed_name(v_m_s: f64) -> String {
-    let text = format!("{v_m_s:.3}");
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
-}
-
 fn result(wing: &ElasticWing, campaign: &Campaign, calibration: &Calibration) -> Result<Value, Failure> {
     let data = &calibration.data;
     let airspeeds: Vec<Value> =
@@ -186,21 +180,6 @@ fn airspeed_result(airspeed: &AirspeedCalibration, calibration: &Calibration) ->
         result["weights"] = measured_channels(airspeed.weights, measured);
     }
     result
-}
-
-pub(crate) fn identifiability(told: &calibrate::Identifiability, measured: [bool; 4]) -> Value {
-    let channels = |values: [f64; 4]| channels(values, measured);
-    let by_family =
-        |values: [f64; 3]| json!({ "force": values[0], "moment": values[1], "pressure_offset": values[2] });
-    json!({
-        "singular_values": told.singular_values,
-        "leverage": { "force": channels(told.leverage[0]), "moment": channels(told.leverage[1]),
-                      "pressure_offset": channels(told.leverage[2]) },
-        "remaining_spread": by_family(told.remaining_spread),
-        "posterior_sigma": by_family(told.posterior_sigma),
-        "predicted_sigma": channels(told.predicted_sigma),
-        "undetermined": told.undetermined(),
-    })
 }
 
 /// What the choice of the plane at the root does to the rigid lift slope.
@@ -291,16 +270,4 @@ fn summary(calibration: &Calibration, out: &Path, seconds: f64) -> String {
 
 fn loads([fz, mx, my]: [f64; 3]) -> Value {
     channels([fz, mx, my, 0.0], [false; 4])
-}
-
-/// All root loads, and the tip's height if it is fitted.
-fn channels(values: [f64; 4], measured: [bool; 4]) -> Value {
-    measured_channels(values, [true, true, true, measured[TIP]])
-}
-
-pub(crate) fn measured_channels(values: [f64; 4], measured: [bool; 4]) -> Value {
-    let named = (0..4)
-        .filter(|&c| measured[c])
-        .map(|c| (calibrate::campaign::CHANNELS[c].to_owned(), json!(values[c])));
-    Value::Object(named.collect())
 }

@@ -7,7 +7,7 @@ use coupling::{ElasticWing, SteadyCase};
 use report::{Figure, Panel, Series, Style};
 use serde_json::{Value, json};
 
-use crate::commands::calibrate::{identifiability, measured_channels, speed_name};
+use crate::commands::calibrate_numbers::{identifiability, measured_channels, speed_name};
 use crate::failure::Failure;
 
 /// The set in `result.json`.

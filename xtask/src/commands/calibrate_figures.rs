@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 
 use report::{DrawError, Drawing, Figure, Panel, PlanformView, Series, Style};
 
-use crate::commands::calibrate::speed_name;
+use crate::commands::calibrate_numbers::speed_name;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 

@@ -5,7 +5,7 @@ use calibrate::Calibration;
 use coupling::{ElasticWing, SteadyCase, shape::deformed_boxes};
 use report::deformed::{Quad, View};
 
-use super::calibrate::speed_name;
+use super::calibrate_numbers::speed_name;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 

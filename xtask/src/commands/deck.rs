@@ -10,7 +10,7 @@ use nastran::InputError;
 use serde_json::{Value, json};
 use structure::{Flexibility, Model, System, normal_modes};
 
-use super::modes::hertz;
+use super::modes_pictures::hertz;
 use super::{deck_hdf5, modes_shapes};
 use crate::args::{Common, DeckArgs};
 use crate::corrections::{CorrectedWing, corrected_wing, corrections_at, wing_path};

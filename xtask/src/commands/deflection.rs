@@ -8,75 +8,20 @@ use aero::Flow;
 use calibrate::Campaign;
 use calibrate::campaign::Use;
 use coupling::wing_file::DeflectionTable;
-use maneuver::deflection_fit::{
-    DoubletFit, FittedFactor, change_rms, doublet_of, fit_doublet, gap, noise_gap, pooled, tables,
-};
+use maneuver::deflection_fit::{change_rms, doublet_of, fit_doublet, noise_gap, pooled, tables};
 use maneuver::{
     DeflectionAt, DeflectionCorrection, Rig, RigModel, RigSettings, Run, Simulated, simulate_commanded,
 };
 use nastran::InputError;
 
 use crate::args::{Common, DeflectionArgs};
+use crate::commands::deflection_results::{Found, Judged, Measured};
 use crate::commands::simulate::settings;
 use crate::commands::{deflection_figures, deflection_results};
 use crate::corrections::{CorrectedWing, campaign_path, corrected_wing, corrections_at};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
-
-/// A doublet of the campaign.
-pub(crate) struct Measured {
-    /// Its file.
-    pub(crate) file: PathBuf,
-    /// What was measured.
-    pub(crate) run: Run,
-    usage: Use,
-    /// Which of the models flies it.
-    model: usize,
-}
-
-/// A held-out doublet: root mean square residuals of Fz, Mx, My with deflections as commanded, and corrected.
-pub(crate) struct Judged {
-    /// Name of the run.
-    pub(crate) name: String,
-    samples: usize,
-    /// Of the loads.
-    pub(crate) loads: [[f64; 3]; 2],
-    /// Of their changes, without the mean: no part of the trim.
-    pub(crate) changes: [[f64; 3]; 2],
-}
-
-/// What was found.
-pub(crate) struct Found<'a> {
-    /// The wing and its corrections.
-    pub(crate) corrected: &'a CorrectedWing,
-    /// Training doublets with their fits.
-    pub(crate) fits: Vec<(&'a Measured, DoubletFit)>,
-    /// Repeats pooled.
-    pub(crate) factors: Vec<FittedFactor>,
-    /// Tables for the wing's file.
-    pub(crate) tables: Vec<DeflectionTable>,
-    /// Held-out doublets.
-    pub(crate) judged: Vec<Judged>,
-    /// Declared noise of a sample.
-    pub(crate) sigma: Option<[f64; 3]>,
-    /// Gap that the noise alone leaves.
-    pub(crate) noise_gap: f64,
-    /// What the user should know.
-    pub(crate) remarks: Vec<String>,
-}
-
-impl Found<'_> {
-    /// Gaps of the held-out doublets before and after, of the loads or of their changes; none without declared noise
-    /// or held-out runs.
-    pub(crate) fn gaps(&self, of: impl Fn(&Judged) -> [[f64; 3]; 2]) -> Option<[f64; 2]> {
-        let sigma = self.sigma.filter(|_| !self.judged.is_empty())?;
-        let at = |state: usize| {
-            gap(&self.judged.iter().map(|run| (run.samples, of(run)[state])).collect::<Vec<_>>(), sigma)
-        };
-        Some([at(0), at(1)])
-    }
-}
 
 /// Runs the command.
 pub(crate) fn run(args: &DeflectionArgs, common: &Common) -> Result<(), Failure> {

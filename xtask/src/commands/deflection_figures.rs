@@ -5,7 +5,7 @@
 use maneuver::deflection_fit::FittedFactor;
 use report::{Figure, Panel, Series, Style};
 
-use super::calibrate::speed_name;
+use super::calibrate_numbers::speed_name;
 
 /// Equivalent over commanded deflection, with the straight line of a linear model.
 pub(crate) fn equivalents(factors: &[FittedFactor]) -> Figure {

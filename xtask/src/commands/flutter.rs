@@ -15,7 +15,7 @@ use nastran::InputError;
 use report::Table;
 use serde_json::{Value, json};
 
-use super::flutter_figures;
+use super::flutter_figures::{self, Stability};
 use crate::args::{Common, FlutterArgs};
 use crate::corrections::{CorrectedWing, campaign_path, corrected_wing};
 use crate::failure::Failure;
@@ -34,18 +34,6 @@ impl From<FlutterError> for Failure {
     fn from(error: FlutterError) -> Self {
         Self::computation(error)
     }
-}
-
-/// A model's stability by both methods.
-pub(super) struct Stability {
-    /// Name of the model: `initial` or `updated`.
-    pub(super) name: &'static str,
-    /// Eigenvalues of the state matrix.
-    pub(super) state_matrix: FlutterCurves,
-    /// p-k on the doublet lattice.
-    pub(super) p_k: FlutterCurves,
-    /// Divergence speed of the flexible wing, and of its kept modes, m/s.
-    divergence: [Option<f64>; 2],
 }
 
 /// Everything both models share.

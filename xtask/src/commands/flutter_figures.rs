@@ -5,8 +5,6 @@ use std::fmt::Write as _;
 use maneuver::flutter::{FlutterCurves, Root};
 use report::{Figure, Panel, Series, Style};
 
-use super::flutter::Stability;
-
 /// Modes drawn; the table has all.
 const DRAWN: usize = 7;
 /// Damping g below which a mode is drawn at it: it is far from flutter and would squeeze the others.
@@ -19,6 +17,18 @@ pub(super) const CAPTION: &str = "The first seven modes; flutter is where a damp
 
 /// Label of an axis, and what of a root is drawn on it.
 type Quantity = (&'static str, fn(&Root) -> f64);
+
+/// A model's stability by both methods.
+pub(super) struct Stability {
+    /// Name of the model: `initial` or `updated`.
+    pub(super) name: &'static str,
+    /// Eigenvalues of the state matrix.
+    pub(super) state_matrix: FlutterCurves,
+    /// p-k on the doublet lattice.
+    pub(super) p_k: FlutterCurves,
+    /// Divergence speed of the flexible wing, and of its kept modes, m/s.
+    pub(super) divergence: [Option<f64>; 2],
+}
 
 /// Airspeed, then frequency (Hz) and damping g of every mode; empty where a mode does not oscillate or was not followed.
 pub(super) fn csv(curves: &FlutterCurves) -> String {

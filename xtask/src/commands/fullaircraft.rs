@@ -3,19 +3,16 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use aero::Corrections;
-use calibrate::Outside;
-use fullaircraft::{Aircraft, AircraftError, AircraftFile, Comparison, Summary};
-use nastran::InputError;
+use fullaircraft::{Aircraft, AircraftError, Comparison, Summary};
 
 use crate::args::{Common, FullaircraftArgs};
 use crate::commands::fullaircraft_derivatives as derivatives;
 use crate::commands::fullaircraft_figures as figures;
-use crate::commands::{fullaircraft_cases, fullaircraft_deck, fullaircraft_effects};
-use crate::corrections::{corrected_wing, corrections_at};
+use crate::commands::fullaircraft_prepared::{Prepared, prepared};
+use crate::commands::{fullaircraft_cases, fullaircraft_deck};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
-use crate::{paths, show};
+use crate::show;
 
 impl From<AircraftError> for Failure {
     fn from(error: AircraftError) -> Self {
@@ -27,19 +24,6 @@ impl From<AircraftError> for Failure {
     }
 }
 
-/// An aircraft and the corrections it flies with.
-pub(crate) struct Prepared {
-    /// The aircraft.
-    pub(crate) aircraft: Aircraft,
-    /// Corrections of one wing's boxes.
-    pub(crate) corrections: Corrections,
-    /// Effects of the wing that fly with it.
-    pub(crate) effects: fullaircraft_effects::Travelling,
-    /// Where they come from, in words.
-    pub(crate) origin: String,
-    /// What was read, for the report.
-    pub(crate) inputs: Vec<(&'static str, PathBuf)>,
-}
 /// Samples of a history to a row of its file: 500 rows a second.
 const CSV_EVERY: usize = 2;
 
@@ -77,24 +61,6 @@ pub(crate) fn run(args: &FullaircraftArgs, common: &Common) -> Result<(), Failur
     );
     show::summary(common, &text);
     show::json(common, &summary)
-}
-
-/// Reads and assembles the aircraft with the corrections of its wing.
-pub(crate) fn prepared(args: &FullaircraftArgs, common: &Common) -> Result<Prepared, Failure> {
-    let file = AircraftFile::read(&paths::given_or(args.aircraft.as_deref(), "data/tuflex/aircraft.ron"))?;
-    let wing_path = args.wing.clone().unwrap_or_else(|| file.wing_path());
-    let wing = corrected_wing(Some(&wing_path), args.corrections.as_deref(), None, common)?;
-    // The nearest set stands for airspeeds between the calibrated ones, as published (40 m/s for 37 and 42 m/s).
-    corrections_at(&wing.schedule, file.correction_airspeed_m_s).map_err(|refused| {
-        InputError::in_field(&file.path, "correction_airspeed_m_s", refused.message)
-            .with_help("choose an airspeed within those of the calibration")
-    })?;
-    let mut corrections = wing.schedule.at(file.correction_airspeed_m_s, Outside::Nearest)?;
-    let effects = fullaircraft_effects::travelling(&wing, &file, &mut corrections)?;
-    let mut inputs = vec![("aircraft", file.path.clone()), ("wing", wing_path)];
-    inputs.extend(Some(("corrections", PathBuf::from(&wing.origin))).filter(|(_, path)| path.is_file()));
-    let aircraft = Aircraft::new(file, wing.file)?;
-    Ok(Prepared { aircraft, corrections, effects, origin: wing.origin, inputs })
 }
 
 fn write(

@@ -7,6 +7,7 @@ use report::Table;
 use serde_json::{Value, json};
 use structure::{Modes, ModesError, effective_masses, normal_modes};
 
+use super::modes_pictures::hertz;
 use super::{modes_pictures, modes_shapes, modes_update};
 use crate::args::{Common, ModesArgs};
 use crate::failure::Failure;
@@ -56,11 +57,6 @@ pub(crate) fn solve(structure: &Structure, count: Option<usize>) -> Result<Modes
         }
         (modes, _) => modes.map_err(Failure::computation),
     }
-}
-
-/// Frequencies in Hz.
-pub(crate) fn hertz(modes: &Modes) -> Vec<f64> {
-    modes.omega_rad_s.iter().map(|omega| omega / std::f64::consts::TAU).collect()
 }
 
 fn result(structure: &Structure, modes: &Modes, seconds: f64) -> Value {

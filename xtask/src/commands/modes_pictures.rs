@@ -4,11 +4,15 @@ use report::vtu::{CellType, Field, Mesh};
 use report::{Figure, Panel, Series, Style};
 use structure::{CellShape, MeshCell, Modes, System};
 
-use super::modes::hertz;
 use crate::structures::Structure;
 
 /// Shapes in the figure.
 const SHAPES: usize = 6;
+
+/// Frequencies in Hz.
+pub(crate) fn hertz(modes: &Modes) -> Vec<f64> {
+    modes.omega_rad_s.iter().map(|omega| omega / std::f64::consts::TAU).collect()
+}
 
 /// Displacements and rotations of a mode, six a node, scaled to a largest displacement of one (or rotation, for a
 /// mode that displaces nothing).

@@ -5,8 +5,7 @@ use std::collections::BTreeMap;
 use report::deformed::{Quad, View};
 use structure::{CellShape, MeshCell, Modes, System};
 
-use super::modes::hertz;
-use super::modes_pictures::scaled;
+use super::modes_pictures::{hertz, scaled};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 

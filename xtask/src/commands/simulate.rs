@@ -17,8 +17,9 @@ use serde_json::{Map, Value, json};
 
 use crate::args::{Common, SimulateArgs};
 use crate::commands::simulate_effects::{self, WingEffects};
+use crate::commands::simulate_flown::{Flown, at_airspeed};
 use crate::commands::{simulate_files, simulate_maneuvers};
-use crate::corrections::{CorrectedWing, campaign_path, corrected_wing, corrections_at};
+use crate::corrections::{CorrectedWing, campaign_path, corrected_wing};
 use crate::failure::Failure;
 use crate::{progress, show};
 
@@ -29,22 +30,6 @@ impl From<RigError> for Failure {
             RigError::Modes(modes) => Self::computation(modes),
         }
     }
-}
-
-/// A run or a maneuver flown with both models.
-pub(crate) struct Flown {
-    /// Its file.
-    pub(crate) file: PathBuf,
-    /// What moved, and what was measured.
-    pub(crate) run: Run,
-    /// Theory.
-    pub(crate) initial: Simulated,
-    /// With corrections of loads and deflections.
-    pub(crate) updated: Simulated,
-    /// With corrections of loads alone, if deflections are corrected.
-    pub(crate) as_commanded: Option<Simulated>,
-    /// What the user should know.
-    pub(crate) remarks: Vec<String>,
 }
 
 /// Runs the command.
@@ -207,22 +192,6 @@ fn fly(file: &Path, run: Run, models: &[Models], corrected: &CorrectedWing) -> R
     let as_commanded = (moves && deflection != none).then(|| updated(&none)).transpose()?;
     let updated = updated(&deflection)?;
     Ok(Flown { file: file.to_path_buf(), initial, updated, as_commanded, run, remarks })
-}
-
-/// The corrections of loads and of deflections at the airspeed of a file; none without wind.
-pub(crate) fn at_airspeed(
-    file: &Path,
-    v_m_s: f64,
-    corrected: &CorrectedWing,
-) -> Result<(Corrections, DeflectionAt), InputError> {
-    if v_m_s == 0.0 {
-        return Ok((Corrections::neutral(corrected.wing.correctable.len()), DeflectionAt::default()));
-    }
-    let corrections = corrections_at(&corrected.schedule, v_m_s).map_err(|refused| {
-        InputError::in_file(file, refused.message)
-            .with_help("calibrate at this airspeed, or leave this file out")
-    })?;
-    Ok((corrections, simulate_maneuvers::deflection_at(file, v_m_s, corrected)?))
 }
 
 fn run_result(flown: &Flown) -> Value {

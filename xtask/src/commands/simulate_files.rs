@@ -8,7 +8,7 @@ use report::{Figure, Panel, Series, Style};
 use serde_json::Value;
 
 use crate::commands::pipeline_figures::paper_figures;
-use crate::commands::simulate::Flown;
+use crate::commands::simulate_flown::Flown;
 use crate::corrections::CorrectedWing;
 use crate::failure::Failure;
 use crate::output::ResultFolder;

@@ -1,17 +1,15 @@
 //! Declared maneuvers flown with the initial and the updated model; part of `simulate`.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use aero::{Corrections, Flow};
 use maneuver::maneuver_file::growing;
-use maneuver::{
-    DeflectionAt, DeflectionCorrection, ManeuverFile, Motion, Rig, RigSettings, Run, Simulated, fly_commanded,
-};
+use maneuver::{DeflectionAt, ManeuverFile, Motion, Rig, RigSettings, Run, Simulated, fly_commanded};
 use nastran::InputError;
 use rayon::prelude::*;
 
-use crate::commands::simulate::{Flown, at_airspeed};
 use crate::commands::simulate_effects::WingEffects;
+use crate::commands::simulate_flown::{Flown, at_airspeed};
 use crate::corrections::CorrectedWing;
 use crate::failure::Failure;
 
@@ -96,15 +94,4 @@ fn fly_one(
         run,
         remarks,
     })
-}
-
-/// The corrections of deflections at an airspeed; an error names the file that flies there.
-pub(crate) fn deflection_at(
-    path: &Path,
-    v_m_s: f64,
-    corrected: &CorrectedWing,
-) -> Result<DeflectionAt, InputError> {
-    DeflectionCorrection::of_wing(&corrected.file)
-        .at(v_m_s)
-        .map_err(|refused| InputError { span: InputError::in_file(path, "").span, ..refused })
 }

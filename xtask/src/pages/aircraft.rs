@@ -4,8 +4,8 @@ use report::Page;
 use report::page::{Block, KeyNumber, PageTable, Plate, Section};
 use serde_json::Value;
 
+use super::plates::{figures, taken};
 use super::values::{Column, at, counted, decimals_at, from_to, list, short, short_at, table_of, text, word};
-use super::{figures, taken};
 use crate::commands::labelled;
 
 /// Path below a model, what it is, its unit.

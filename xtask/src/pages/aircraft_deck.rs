@@ -4,7 +4,7 @@ use report::Page;
 use report::page::{Block, KeyNumber, PageTable, Plate, Section};
 use serde_json::Value;
 
-use super::figures;
+use super::plates::figures;
 use super::values::{at, counted, decimals_at, digits, five_at, list, short_at, text};
 
 /// Trimmed variables that stand at the top.

@@ -4,8 +4,8 @@ use report::Page;
 use report::page::{Block, KeyNumber, PageTable, Plate, Section};
 use serde_json::Value;
 
+use super::plates::{figures, taken};
 use super::values::{Column, LOADS, at, counted, digits, from_to, list, short_at, table_of, text, word};
-use super::{figures, taken};
 
 pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
     let airspeeds = list(result, "airspeeds");

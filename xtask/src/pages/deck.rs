@@ -25,7 +25,7 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
         numbers.push(KeyNumber::new("first frequency", format!("{} Hz", digits(hz, 4)), ""));
     }
     let mut sections = vec![Section::new("Files", vec![Block::Links(files(result))])];
-    let shapes = super::figures("", std::mem::take(plates)).blocks;
+    let shapes = super::plates::figures("", std::mem::take(plates)).blocks;
     if !shapes.is_empty() {
         sections.push(Section::new("The structure", shapes));
     }

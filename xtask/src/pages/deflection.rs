@@ -4,7 +4,7 @@ use report::Page;
 use report::page::{Block, KeyNumber, PageTable, Plate, Section};
 use serde_json::Value;
 
-use super::figures;
+use super::plates::figures;
 use super::values::{Column, at, counted, decimals_at, digits, from_to, list, short_at, table_of, word};
 
 pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {

@@ -8,7 +8,7 @@ use report::page::{Block, Content, KeyNumber, PageTable, Plate, Section};
 use serde::Deserialize;
 use serde_json::Value;
 
-use super::figures;
+use super::plates::figures;
 use super::values::{from_to, rms_beside_measured, short};
 
 /// Runs of the paper's Figures 11 to 14, which stand first where a campaign has them.

@@ -4,7 +4,7 @@ use report::Page;
 use report::page::{Block, KeyNumber, PageTable, Plate, Section};
 use serde_json::Value;
 
-use super::figures;
+use super::plates::figures;
 use super::values::{at, digits, list, short_at, text};
 
 const METHODS: [(&str, &str); 2] = [("state_matrix", "state matrix"), ("p_k", "p-k, doublet lattice")];

@@ -14,6 +14,7 @@ mod hidden;
 mod modes;
 mod origin;
 mod pipeline;
+mod plates;
 mod response;
 mod simulate;
 mod tunnel;
@@ -21,15 +22,13 @@ mod validate;
 mod values;
 
 pub use origin::input;
+pub use plates::Written;
 
 use report::Page;
-use report::page::{Block, Content, Plate, Section};
+use report::page::Plate;
 use serde_json::Value;
 
-use crate::output::Written;
-
-/// So many figures with curves stand open on a page; more are folded up.
-const OPEN: usize = 6;
+use plates::figures;
 
 /// The page of a command's results; none for commands without one.
 pub(crate) fn page(written: Written) -> Option<Page> {
@@ -62,24 +61,4 @@ pub(crate) fn page(written: Written) -> Option<Page> {
     page.inputs = inputs;
     page.run = origin::lines();
     Some(page)
-}
-
-/// A section of figures; curves beyond the first few are folded up.
-fn figures(title: &str, plates: Vec<Plate>) -> Section {
-    let mut open = 0;
-    let block = |mut plate: Plate| {
-        if matches!(plate.content, Content::Curves(_)) {
-            open += 1;
-            plate.folded |= open > OPEN;
-        }
-        Block::Plate(Box::new(plate))
-    };
-    Section::new(title, plates.into_iter().map(block).collect())
-}
-
-/// Takes the figures whose names begin with something out of the list.
-fn taken(plates: &mut Vec<Plate>, prefix: &str) -> Vec<Plate> {
-    let (chosen, rest) = plates.drain(..).partition(|plate: &Plate| plate.name.starts_with(prefix));
-    *plates = rest;
-    chosen
 }

@@ -4,7 +4,7 @@ use report::Page;
 use report::page::{Block, KeyNumber, PageTable, Plate, Section};
 use serde_json::Value;
 
-use super::figures;
+use super::plates::figures;
 use super::values::{
     Column, at, counted, digits, five_at, four_at, from_to, list, rounded, short, short_at, table_of, text,
     whole_at, word,

@@ -4,7 +4,7 @@ use report::Page;
 use report::page::{Block, KeyNumber, Link, Plate, Section};
 use serde_json::Value;
 
-use super::figures;
+use super::plates::figures;
 use super::values::{at, from_to, list, short, short_at, text};
 
 /// Steps with what their pages show.
@@ -66,8 +66,7 @@ fn elsewhere(result: &Value) -> Vec<Link> {
     let speeds = list(result, "calibrate/airspeeds");
     let mut links = Vec::new();
     if let Some(v) = speeds.iter().filter_map(|a| at(a, "V_m_s")).next_back() {
-        let to =
-            format!("../calibrate/report.html#corrections_{}", crate::commands::calibrate::speed_name(v));
+        let to = format!("../calibrate/report.html#corrections_{}", crate::commands::speed_name(v));
         links.push(link("Figure 7", &to, "the corrections on the planform, a picture an airspeed"));
     }
     if result.get("fullaircraft").is_some() {

@@ -4,7 +4,7 @@ use report::Page;
 use report::page::{Block, KeyNumber, PageTable, Plate, Section};
 use serde_json::Value;
 
-use super::figures;
+use super::plates::figures;
 use super::values::{Column, at, counted, four_at, list, short_at, table_of, text, whole_at, word};
 
 /// So many responses have a number at the top.

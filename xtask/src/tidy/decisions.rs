@@ -2,7 +2,7 @@
 
 use syn::visit::Visit;
 
-use super::Complaint;
+use super::complaint::Complaint;
 use super::parsed::{Source, about};
 
 /// Where they stand.

@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
+use super::complaint::{Complaint, files_below, named};
 use super::imports::Package;
-use super::{Complaint, files_below, named};
 use crate::failure::Failure;
 
 const ARCHITECTURE: &str = "ARCHITECTURE.md";

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use super::Complaint;
+use super::complaint::Complaint;
 use super::parsed::{Source, about, strings};
 
 /// Where names may stand: each effect's file, the benchmark's own effects, and the table of discover's rules.

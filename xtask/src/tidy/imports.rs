@@ -6,7 +6,7 @@ use std::process::Command;
 
 use serde_json::Value;
 
-use super::Complaint;
+use super::complaint::Complaint;
 use crate::failure::Failure;
 
 /// Every package of ours and the packages of ours it may depend on, in code and tests.

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::{files_below, named};
+use super::complaint::{files_below, named};
 use crate::failure::Failure;
 
 /// Lines of code by crate.

@@ -2,7 +2,7 @@
 
 use syn::visit::{self, Visit};
 
-use super::Complaint;
+use super::complaint::Complaint;
 use super::parsed::{Source, about};
 
 /// Complaints about functions (closures are not judged: their parameters are those of what calls them).

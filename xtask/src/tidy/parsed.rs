@@ -4,7 +4,7 @@ use std::path::Path;
 
 use syn::visit::Visit;
 
-use super::{Complaint, files_below, named};
+use super::complaint::{Complaint, files_below, named};
 use crate::failure::Failure;
 
 /// A source file without its `#[cfg(test)]` items.

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::{Complaint, files_below, named};
+use super::complaint::{Complaint, files_below, named};
 use crate::failure::Failure;
 
 /// The most lines a source file may have.
