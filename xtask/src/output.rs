@@ -122,7 +122,7 @@ impl ResultFolder {
     ) -> Result<(), Failure> {
         let drawing = figure.draw().map_err(Failure::computation)?;
         let title = figure.title.clone();
-        self.write_plate(name, (title, caption), (Content::Curves(figure), drawing), &[curves.to_owned()])
+        self.write_plate(name, &title, caption, Content::Curves(figure), drawing, &[curves.to_owned()])
     }
 
     /// Writes a picture as `NAME.svg` and `NAME.png`, and shows it in the report.
@@ -132,10 +132,11 @@ impl ResultFolder {
     pub fn write_picture(
         &self,
         name: &str,
-        (title, caption): (&str, &str),
+        title: &str,
+        caption: &str,
         drawing: Drawing,
     ) -> Result<(), Failure> {
-        self.write_plate(name, (title.into(), caption), (Content::Picture(drawing.clone()), drawing), &[])
+        self.write_plate(name, title, caption, Content::Picture(drawing.clone()), drawing, &[])
     }
 
     /// Writes views of shapes in space side by side as a picture, and shows them over one another in the report, where
@@ -146,30 +147,28 @@ impl ResultFolder {
     pub fn write_shapes(
         &self,
         name: &str,
-        (title, caption): (&str, &str),
+        title: &str,
+        caption: &str,
         views: Vec<View>,
         files: &[String],
     ) -> Result<(), Failure> {
         let drawing = deformed::draw(title, &views).map_err(Failure::computation)?;
-        self.write_plate(
-            name,
-            (title.into(), caption),
-            (Content::Shapes(views, drawing.clone()), drawing),
-            files,
-        )
+        self.write_plate(name, title, caption, Content::Shapes(views, drawing.clone()), drawing, files)
     }
 
     fn write_plate(
         &self,
         name: &str,
-        (title, caption): (String, &str),
-        (content, drawing): (Content, Drawing),
+        title: &str,
+        caption: &str,
+        content: Content,
+        drawing: Drawing,
         more: &[String],
     ) -> Result<(), Failure> {
         self.write_text(&format!("{name}.svg"), &drawing.svg())?;
         let mut files = ["svg", "png"].map(|ending| format!("{name}.{ending}")).to_vec();
         files.extend_from_slice(more);
-        let (name, caption) = (name.to_owned(), caption.to_owned());
+        let [name, title, caption] = [name, title, caption].map(str::to_owned);
         self.remember(|written| {
             written.drawings.push((name.clone(), drawing));
             written.plates.push(Plate { name, title, caption, content, files, folded: false });

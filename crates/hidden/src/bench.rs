@@ -57,7 +57,7 @@ impl Bench {
         let truth = wing(path, fine, same_beam(elements(&planform), file.damping_ratio))?;
         let true_planform: Planform = truth.file.planform().cloned().unwrap_or(planform.clone());
         let axis_m = file.pitch_axis_x();
-        let structure = ModalStructure::new(path, &planform, (&truth.wing, axis_m), fineness.modes)?;
+        let structure = ModalStructure::new(path, &planform, &truth.wing, axis_m, fineness.modes)?;
         let strips = Strips::new(&truth.wing, &true_planform, &structure)?;
         let air = StripAir::new(&truth.wing, &strips, axis_m, planform.mean_chord_m())
             .map_err(coupling::CouplingError::from)?;

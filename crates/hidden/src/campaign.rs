@@ -1,6 +1,7 @@
 //! A campaign folder of a case, in memory: the records of all runs, static points, and the reference campaign without
 //! effects that a calibration may use.
 
+use crate::at_speed::AtSpeed;
 use crate::decimate::decimated;
 use crate::design::{
     CYCLE_S, HELD_OUT_AIRSPEEDS_M_S, Planned, RHO_KG_M3, SAMPLE_RATE_HZ, STATIC_AIRSPEEDS_M_S,
@@ -8,7 +9,7 @@ use crate::design::{
 };
 use crate::noise;
 use crate::random::{Random, Stream};
-use crate::simulate::{AtSpeed, Commands, TrueWing};
+use crate::simulate::{Commands, TrueWing};
 use std::fmt::Write as _;
 use std::io;
 use std::path::Path;

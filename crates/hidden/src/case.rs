@@ -1,6 +1,7 @@
 //! From a plan to a campaign: the true wing of the case is assembled, flown, measured, and spoilt if the plan says so.
 
 use crate::answer::Answer;
+use crate::at_speed::AtSpeed;
 use crate::bench::Bench;
 use crate::campaign::{CampaignFiles, Measured, airspeeds_m_s, records, static_points, texts};
 use crate::design::{runs, wind_off_runs};
@@ -10,7 +11,7 @@ use crate::jitter::Jitter;
 use crate::physics::Physics;
 use crate::plan::{CasePlan, Hidden};
 use crate::random::Stream;
-use crate::simulate::{AtSpeed, TrueWing};
+use crate::simulate::TrueWing;
 
 /// A case as it is handed out.
 #[derive(Debug, Clone)]

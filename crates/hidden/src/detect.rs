@@ -4,11 +4,12 @@
 //! the mean of all replicates, T the run tolerance (1 % of the mean, 3 % of what varies, 4 ms, an offset) and J what each jittered
 //! parameter changes by one standard deviation. So a difference that the tolerances or the jitter explain does not count.
 
+use crate::at_speed::AtSpeed;
 use crate::campaign::BLOCKS;
 use crate::decimate::decimated;
 use crate::design::{RHO_KG_M3, SAMPLE_RATE_HZ, STATIC_ANGLES_DEG, runs};
 use crate::noise;
-use crate::simulate::{AtSpeed, Commands, TrueWing};
+use crate::simulate::{Commands, TrueWing};
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 

@@ -2,6 +2,7 @@
 
 pub mod air;
 pub mod answer;
+mod at_speed;
 mod bench;
 pub mod campaign;
 mod case;

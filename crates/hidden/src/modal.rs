@@ -122,7 +122,8 @@ impl ModalStructure {
     pub(crate) fn new(
         path: &Path,
         planform: &Planform,
-        (wing_of_truth, pitch_axis_x_m): (&ElasticWing, f64),
+        wing_of_truth: &ElasticWing,
+        pitch_axis_x_m: f64,
         count: usize,
     ) -> Result<Self, TunnelError> {
         let base = system(wing_of_truth)?;

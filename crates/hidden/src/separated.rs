@@ -1,7 +1,7 @@
 //! A run in which the flow separates: the linear system stepped sample by sample, with the zones' lost incidence as input.
 
+use crate::at_speed::{AtSpeed, STEP_S};
 use crate::separation::Separation;
-use crate::simulate::{AtSpeed, STEP_S};
 use crate::strips::ZONES;
 use crate::system::{Inputs, Parts};
 use faer::Mat;

@@ -1,20 +1,18 @@
 //! The true wing with its effects, flown at 400 Hz.
 
+use crate::at_speed::{AtSpeed, STEP_S};
 use crate::design::{CHIRP_S, CHIRP_TO_HZ, DOUBLET_HZ};
-use crate::design::{Move, Planned, RHO_KG_M3, SAMPLE_RATE_HZ, START_S, STEPS_PER_SAMPLE};
+use crate::design::{Move, Planned, RHO_KG_M3, START_S, STEPS_PER_SAMPLE};
 use crate::effects::{Effect, WingView};
 use crate::flown::{At, Flown, Zones};
 use crate::physics::Physics;
 use crate::separated::fly_separated;
 use crate::servo::Servo;
 use crate::strips::ZONES;
-use crate::system::{Inputs, LinearWing, Parts, ZonesOf};
+use crate::system::{Inputs, Parts, ZonesOf};
 use faer::Mat;
 use maneuver::ExactStep;
 use maneuver::signals::{Chirp, Doublet, OneMinusCosine, Signal};
-
-/// Time step of the simulation, s.
-pub(crate) const STEP_S: f64 = 1.0 / (SAMPLE_RATE_HZ * STEPS_PER_SAMPLE) as f64;
 
 /// The wing of a case: all it needs but the airspeed.
 pub(crate) struct TrueWing<'a> {
@@ -66,14 +64,6 @@ impl Commands {
     pub(crate) fn steady(alpha_rad: f64, controls: usize) -> Self {
         Self { alpha: [vec![alpha_rad], vec![0.0], vec![0.0]], controls: vec![vec![0.0]; controls] }
     }
-}
-
-/// The wing at an airspeed, ready to fly.
-#[derive(Debug)]
-pub(crate) struct AtSpeed {
-    pub(crate) v_m_s: f64,
-    pub(crate) linear: LinearWing,
-    pub(crate) step: ExactStep,
 }
 
 impl TrueWing<'_> {

@@ -118,7 +118,7 @@ fn paint_view(canvas: &mut Canvas, view: &PlanformView, frame: &Frame, left: f64
         // The outline in the fill's colour closes the hairlines that renderers leave between neighbours.
         let fill = palette::diverging(frame.place(*value));
         let note = format!("{value:.4}  {} at y {:.3} m", view.label, middle(corners));
-        canvas.noted_polygon(&points, (&fill, &palette::shaded(&fill, -0.12), 0.4), note);
+        canvas.noted_polygon(&points, &fill, &palette::shaded(&fill, -0.12), 0.4, note);
     }
     paint_span_axis(canvas, frame, left);
     paint_bar(canvas, view, frame, left + frame.width + 22.0);

@@ -41,14 +41,16 @@ impl Canvas {
 
     /// A filled polygon with an outline of the given colour.
     pub(crate) fn polygon(&mut self, points: &[(f64, f64)], fill: &str, stroke: &str, stroke_width: f64) {
-        self.noted_polygon(points, (fill, stroke, stroke_width), String::new());
+        self.noted_polygon(points, fill, stroke, stroke_width, String::new());
     }
 
     /// A polygon (fill, outline and its width) that tells a pointer something.
     pub(crate) fn noted_polygon(
         &mut self,
         points: &[(f64, f64)],
-        (fill, stroke, stroke_width): (&str, &str, f64),
+        fill: &str,
+        stroke: &str,
+        stroke_width: f64,
         note: String,
     ) {
         let (fill, stroke) = (fill.to_owned(), stroke.to_owned());

@@ -3,10 +3,11 @@
 
 use crate::choice::{Choice, Rules, choose};
 use crate::cross_validation::cross_validation;
-use crate::data::Data;
+use crate::data::{Blocking, Data};
+use crate::f_test::FTest;
 use crate::fault::Fault;
-use crate::pure_error::{BlockShare, FTest, PureError, block_share, lack_of_fit, pure_error};
-use crate::regression::{Blocking, Regression};
+use crate::pure_error::{BlockShare, PureError, block_share, lack_of_fit, pure_error};
+use crate::regression::Regression;
 use crate::term::Term;
 
 /// A response analysed.
@@ -56,7 +57,7 @@ pub fn analyse(
         block_share: first.map(|_| block_share(data, response)),
         random_blocks: one.then(|| Regression::fit(data, response, &terms, Blocking::Random)),
         left_out_blocks: first
-            .map(|blocks| cross_validation(data, response, &terms, (blocking, &blocks.of_point))),
+            .map(|blocks| cross_validation(data, response, &terms, blocking, &blocks.of_point)),
         least_significant_difference: choice.fitted.mean_least_significant_difference(level)?,
         choice,
     })

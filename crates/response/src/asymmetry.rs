@@ -12,22 +12,13 @@ use statrs::distribution::{ContinuousCDF, Normal};
 
 use grid::Grid;
 
+pub use grid::Displacement;
+
 /// The mean ratio of the paper's rigid wing.
 pub const PUBLISHED_RIGID_RATIO: f64 = 0.956;
 
 /// Resolution of the paper's image correlation, mm: its estimate of one point's error.
 pub const PUBLISHED_RESOLUTION_MM: f64 = 0.05;
-
-/// Out-of-plane displacement at a point of the wing.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Displacement {
-    /// Aft, mm.
-    pub x_mm: f64,
-    /// To the right, mm.
-    pub y_mm: f64,
-    /// Out of plane, mm.
-    pub w_mm: f64,
-}
 
 /// What the ratio is to be computed with.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,10 +3,9 @@
 //! out: a fit refuses them.
 
 use crate::columns::Columns;
-use crate::data::Data;
+use crate::data::{Blocking, Data};
 use crate::fault::Fault;
 use crate::qr::Qr;
-use crate::regression::Blocking;
 use crate::term::Term;
 
 /// Candidate terms.

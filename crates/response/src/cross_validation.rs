@@ -2,10 +2,9 @@
 //! block: its offset is then unknown, and its points are predicted at the mean of the other blocks.
 
 use crate::columns::Columns;
-use crate::data::{Blocks, Data};
+use crate::data::{Blocking, Blocks, Data};
 use crate::fault::Fault;
 use crate::qr::{Qr, residuals};
-use crate::regression::Blocking;
 use crate::term::Term;
 
 /// Mean square of what the fits to the other folds leave at the points of each, unit of the response squared. `fold` has a
@@ -18,7 +17,8 @@ pub fn cross_validation(
     data: &Data,
     response: &str,
     terms: &[Term],
-    (blocking, fold): (Blocking, &[usize]),
+    blocking: Blocking,
+    fold: &[usize],
 ) -> Result<f64, Fault> {
     if fold.len() != data.points() {
         let (name, found) = ("the list of folds".to_string(), fold.len());

@@ -2,8 +2,22 @@
 
 use nastran::{InputError, Table};
 
+use serde::Deserialize;
+
 use crate::fault::{Fault, list};
 use crate::term::{Term, is_name};
+
+/// What is done with the blocks of the data.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+pub enum Blocking {
+    /// They are not looked at.
+    Ignored,
+    /// An offset for every block of every block column; the offsets of a column sum to zero.
+    #[default]
+    Fixed,
+    /// Offsets drawn with a variance of their own, found by restricted maximum likelihood; one block column only.
+    Random,
+}
 
 /// Points with their factors, responses and blocks. All columns are equally long and finite, names are unique.
 #[derive(Debug, Clone, PartialEq, Default)]

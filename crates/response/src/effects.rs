@@ -2,14 +2,13 @@
 //! other factors. In coded units (-1, +1) that is twice the coefficient. Replicates give t tests; blocks are taken out.
 
 use crate::columns::Columns;
-use crate::data::Data;
+use crate::data::{Blocking, Data};
 use crate::design::detectable_noncentrality;
 use crate::distributions::{probability, two_sided_t};
+use crate::f_test::FTest;
 use crate::fault::Fault;
 use crate::lenth::Lenth;
-use crate::pure_error::FTest;
 use crate::qr::{Qr, dot, residuals};
-use crate::regression::Blocking;
 use crate::term::Term;
 
 /// The t test of an effect.

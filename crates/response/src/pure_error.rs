@@ -5,11 +5,11 @@
 use std::collections::BTreeMap;
 
 use crate::columns::Columns;
-use crate::data::Data;
-use crate::distributions::upper_f;
+use crate::data::{Blocking, Data};
+use crate::f_test::FTest;
 use crate::fault::{Fault, list};
 use crate::qr::{Qr, dot};
-use crate::regression::{Blocking, Regression};
+use crate::regression::Regression;
 
 /// Scatter of replicates.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,27 +46,6 @@ impl BlockShare {
     pub fn test(&self) -> FTest {
         let above = self.without.degrees_of_freedom - self.with.degrees_of_freedom;
         FTest::new(self.without.sum - self.with.sum, above, self.with.sum, self.with.degrees_of_freedom)
-    }
-}
-
-/// An F test.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FTest {
-    /// Ratio of the mean squares.
-    pub f: f64,
-    /// Degrees of freedom of the upper one.
-    pub above: f64,
-    /// Degrees of freedom of the lower one.
-    pub below: f64,
-    /// Probability of an F as large by chance.
-    pub p_value: f64,
-}
-
-impl FTest {
-    /// From sums of squares and their degrees of freedom.
-    pub fn new(sum_above: f64, above: f64, sum_below: f64, below: f64) -> Self {
-        let f = (sum_above.max(0.0) / above) / (sum_below / below);
-        Self { f, above, below, p_value: upper_f(f, above, below) }
     }
 }
 

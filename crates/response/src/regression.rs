@@ -1,29 +1,15 @@
 //! A response surface fitted to data: given terms by least squares, with fixed or random block offsets, and what the fit
 //! says of itself. Coefficients are in the unit of the response over that of the term.
 
-use serde::Deserialize;
-
 use crate::columns::Columns;
-use crate::data::{Blocks, Data};
+use crate::data::{Blocking, Blocks, Data};
 use crate::distributions::{t_quantile, two_sided_t};
+use crate::f_test::FTest;
 use crate::fault::{Fault, list};
-use crate::pure_error::FTest;
 use crate::qr::{Qr, dot, residuals, subtract};
 use crate::reml::{transformed, variance_ratio};
 use crate::term::Term;
 use crate::total_sum::total_sum;
-
-/// What is done with the blocks of the data.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
-pub enum Blocking {
-    /// They are not looked at.
-    Ignored,
-    /// An offset for every block of every block column; the offsets of a column sum to zero.
-    #[default]
-    Fixed,
-    /// Offsets drawn with a variance of their own, found by restricted maximum likelihood; one block column only.
-    Random,
-}
 
 /// A coefficient with its t test against zero.
 #[derive(Debug, Clone, PartialEq)]

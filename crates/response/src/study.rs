@@ -9,10 +9,9 @@ use serde::Deserialize;
 use crate::analysis::{Analysis, analyse};
 use crate::candidates::{Candidates, candidates};
 use crate::choice::{ErrorRule, Rules, Search};
-use crate::data::Data;
+use crate::data::{Blocking, Data};
 use crate::effects::{Effects, effects};
 use crate::fault::Fault;
-use crate::regression::Blocking;
 use crate::term::Term;
 
 /// Order of the candidate terms if nothing is said.

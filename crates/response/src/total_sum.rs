@@ -1,10 +1,9 @@
 //! What there is to explain: the sum of squares of a response about its mean, offsets of fixed blocks taken out.
 
 use crate::columns::Columns;
-use crate::data::Data;
+use crate::data::{Blocking, Data};
 use crate::fault::Fault;
 use crate::qr::{Qr, dot};
-use crate::regression::Blocking;
 use crate::term::Term;
 
 /// Sum of squares that the terms have to explain; about zero if the constant is not among them.

@@ -170,7 +170,7 @@ fn leaving_one_point_out_is_what_its_leverage_says() {
     close(choice.curve[choice.chosen].criteria.leave_one_out, sum / 40.0, 1e-9, "leave-one-out");
     // and so do folds of one point
     let each: Vec<usize> = (0..40).collect();
-    let folds = cross_validation(&data, "y", &choice.fitted.terms(), (Blocking::Ignored, &each)).unwrap();
+    let folds = cross_validation(&data, "y", &choice.fitted.terms(), Blocking::Ignored, &each).unwrap();
     close(folds, sum / 40.0, 1e-9, "folds of one point");
 }
 
@@ -181,7 +181,7 @@ fn a_block_that_is_left_out_is_predicted_at_the_mean_of_the_others() {
     let drawn = drawn(2);
     let data = drawn.with(|x| x, |i, _| 1.0 + 2.0 * drawn.x[i] + offsets[i % 4]);
     let fold: Vec<usize> = (0..40).map(|i| i % 4).collect();
-    let got = cross_validation(&data, "y", &terms(&["1", "x"]), (Blocking::Fixed, &fold)).unwrap();
+    let got = cross_validation(&data, "y", &terms(&["1", "x"]), Blocking::Fixed, &fold).unwrap();
     let sum: f64 = offsets.iter().sum();
     let want = offsets.iter().map(|o| (o - (sum - o) / 3.0).powi(2)).sum::<f64>() / 4.0;
     close(got, want, 1e-9, "cross-validation by blocks");

@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use aero::{Corrections, MirrorPlane};
 use calibrate::{AirspeedCalibration, Calibration, Campaign, Settings};
-use coupling::{ElasticWing, SteadyCase, WingFile};
+use coupling::{ElasticWing, SteadyCase};
 use serde_json::{Value, json};
 
 use crate::args::{CalibrateArgs, Common};
@@ -37,8 +37,13 @@ pub(crate) fn run(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> 
     if let Some(strips) = &strips {
         strips.add_to(&mut result);
     }
-    let out =
-        write(&common.out("calibrate"), (&file, &wing, &campaign), &calibration, strips.as_ref(), &result)?;
+    let folder = ResultFolder::begin(&common.out("calibrate"))?;
+    folder.input("wing", &file.path)?;
+    folder.input("campaign", &campaign.folder)?;
+    folder.write_text("corrections.ron", &schedule(&file, &calibration).to_ron())?;
+    write(&folder, &wing, &calibration, strips.as_ref())?;
+    folder.write_json("result.json", &result)?;
+    let out = folder.commit()?;
     show::summary(common, &summary(&calibration, &out, seconds));
     show::json(common, &result)?;
     match calibration.failures().as_slice() {
@@ -51,46 +56,41 @@ pub(crate) fn run(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> 
     }
 }
 
-/// Writes corrections, DMI cards, figures and result.json.
+/// Writes DMI cards and figures.
 fn write(
-    out: &Path,
-    (file, wing, campaign): (&WingFile, &ElasticWing, &Campaign),
+    folder: &ResultFolder,
+    wing: &ElasticWing,
     calibration: &Calibration,
     strips: Option<&Strips>,
-    result: &Value,
-) -> Result<std::path::PathBuf, Failure> {
-    let folder = ResultFolder::begin(out)?;
-    folder.input("wing", &file.path)?;
-    folder.input("campaign", &campaign.folder)?;
-    folder.write_text("corrections.ron", &schedule(file, calibration).to_ron())?;
+) -> Result<(), Failure> {
     for airspeed in &calibration.airspeeds {
         let name = speed_name(airspeed.data.v_m_s);
-        write_set(&folder, wing, (&name, &format!("{name} m/s")), &airspeed.corrections)?;
+        write_set(folder, wing, &name, &format!("{name} m/s"), &airspeed.corrections)?;
     }
     match &calibration.common {
         None => {
             folder.write_text("static_loads.csv", &figures::static_loads_csv(wing, calibration)?)?;
-            figures::write(&folder, wing, calibration)?;
+            figures::write(folder, wing, calibration)?;
         }
         Some(set) => {
-            write_set(&folder, wing, ("common", "all airspeeds"), &set.corrections)?;
+            write_set(folder, wing, "common", "all airspeeds", &set.corrections)?;
             let caption = "Readings with their zeros taken out, and what both models give.";
             folder.write_figure("readings", caption, common_set::figure(wing, set, calibration)?)?;
         }
     }
-    calibrate_shapes::write(&folder, wing, calibration)?;
+    calibrate_shapes::write(folder, wing, calibration)?;
     if let Some(strips) = strips {
         folder.write_figure("strips", "Measured beside computed; never fitted.", strips.figure())?;
     }
-    folder.write_json("result.json", result)?;
-    folder.commit()
+    Ok(())
 }
 
 /// One set of corrections as DMI cards and as a picture.
 fn write_set(
     folder: &ResultFolder,
     wing: &ElasticWing,
-    (name, at): (&str, &str),
+    name: &str,
+    at: &str,
     corrections: &Corrections,
 ) -> Result<(), Failure> {
     let padded = wing.padded(corrections)?;
@@ -99,7 +99,8 @@ fn write_set(
     let map = figures::corrections(wing, corrections, at).map_err(Failure::computation)?;
     folder.write_picture(
         &format!("corrections_{name}"),
-        (&format!("Corrections at {at}"), "Figure 7 of the paper."),
+        &format!("Corrections at {at}"),
+        "Figure 7 of the paper.",
         map,
     )
 }

@@ -39,5 +39,5 @@ pub(super) fn write(
     let title = format!("The wing at {} m/s, {:.1} degrees", speed_name(flow.v_m_s), alpha_rad.to_degrees());
     let caption = "Bent by air and weight, drawn without the angle of attack; the tip's height is measured from where it is at \
                    zero degrees without wind. Drag to turn, scroll to come nearer; a click on a name hides a shape.";
-    folder.write_shapes("wing_shapes", (&title, caption), views, &[])
+    folder.write_shapes("wing_shapes", &title, caption, views, &[])
 }

@@ -72,7 +72,7 @@ pub(crate) fn run(args: &DeckArgs, common: &Common) -> Result<(), Failure> {
     let folder = ResultFolder::begin(&common.out("deck"))?;
     folder.input("wing", &path)?;
     let cells = structure::mesh::cells(&deck.bulk, &system);
-    modes_shapes::write(&folder, &file.name, &system, (&cells, &modes), &[])?;
+    modes_shapes::write(&folder, &file.name, &system, &cells, &modes, &[])?;
     let out = write(folder, &deck, corrections.as_ref(), model.as_deref(), &result)?;
     let mut text = format!(
         "{}: {:.4} kg, {} grids, {boxes} boxes, {} splines; first frequency {:.4} Hz\nwritten to {}",

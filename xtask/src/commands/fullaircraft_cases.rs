@@ -81,7 +81,7 @@ pub(crate) fn run(path: &Path, args: &FullaircraftArgs, common: &Common) -> Resu
     let mut results: Vec<CaseResult> = finished.into_iter().flatten().chain(flown).collect();
     results.sort_by_key(|result| result.number);
     let summary = summary(&file, &results, &tools);
-    let out = write((&target, &inputs), &summary, &results, &tools)?;
+    let out = write(&target, &inputs, &summary, &results, &tools)?;
     store.close()?;
     remark(common, &summary);
     let text = format!(
@@ -162,7 +162,8 @@ fn summary(file: &CasesFile, results: &[CaseResult], tools: &TrimTools<'_>) -> S
 }
 
 fn write(
-    (target, inputs): (&Path, &[(&'static str, PathBuf)]),
+    target: &Path,
+    inputs: &[(&'static str, PathBuf)],
     summary: &Summary,
     results: &[CaseResult],
     tools: &TrimTools<'_>,

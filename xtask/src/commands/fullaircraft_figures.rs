@@ -25,7 +25,7 @@ pub(crate) fn write(
             [("initial", before), ("updated", after)].map(|(name, trimmed)| view(aircraft, name, trimmed));
         let files = ["initial", "updated"].map(|model| format!("{name}_{model}.vtu"));
         let caption = "Figure 21 of the paper. Drag to turn, scroll to come nearer; a click on a name hides a model. The VTU files open in ParaView.";
-        folder.write_shapes(name, (&title, caption), views.into(), &files)?;
+        folder.write_shapes(name, &title, caption, views.into(), &files)?;
     }
     let mut all = vec![
         ("doublet", "Aileron doublet in free flight", &initial.doublet, &updated.doublet, &ROLLING),

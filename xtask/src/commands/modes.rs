@@ -34,7 +34,7 @@ pub(crate) fn run(args: &ModesArgs, common: &Common) -> Result<(), Failure> {
     for (mode, file) in files.iter().enumerate() {
         folder.write_text(file, &modes_pictures::vtu(&structure.system, &cells, &modes, mode))?;
     }
-    modes_shapes::write(&folder, &structure.name, &structure.system, (&cells, &modes), &files)?;
+    modes_shapes::write(&folder, &structure.name, &structure.system, &cells, &modes, &files)?;
     if let Some(figure) = modes_pictures::figure(&structure, &modes) {
         let caption = "Displacements of all nodes, scaled to the largest of a mode.";
         folder.write_figure("shapes", caption, figure)?;

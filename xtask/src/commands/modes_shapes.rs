@@ -29,7 +29,8 @@ pub(super) fn write(
     folder: &ResultFolder,
     name: &str,
     system: &System,
-    (cells, modes): (&[MeshCell], &Modes),
+    cells: &[MeshCell],
+    modes: &Modes,
     files: &[String],
 ) -> Result<(), Failure> {
     let views = views(system, cells, modes);
@@ -37,7 +38,7 @@ pub(super) fn write(
         return Ok(());
     }
     let files = &files[..files.len().min(views.len() - 1)];
-    folder.write_shapes("shapes_in_space", (&format!("Shapes of {name}"), CAPTION), views, files)
+    folder.write_shapes("shapes_in_space", &format!("Shapes of {name}"), CAPTION, views, files)
 }
 
 /// The structure undeformed and in its first modes, these to be asked for one by one but the first; none for a structure

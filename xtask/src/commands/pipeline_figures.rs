@@ -70,10 +70,6 @@ pub(crate) fn gather(base: &Path, folder: &ResultFolder) -> Result<Value, Failur
 /// Channels with their labels.
 const LOADS: [(&str, &str); 3] = [("Fz_N", "Fz (N)"), ("Mx_Nm", "Mx (N m)"), ("My_Nm", "My (N m)")];
 
-fn panel(title: String, (x_label, y_label): (&str, &str), series: Vec<Series>) -> Panel {
-    Panel::new(title, x_label, y_label, series)
-}
-
 /// Loads of a run as measured and by each model, and what moved the wing; all of it or the part between two times.
 fn history(table: &Table, title: &str, part_s: Option<(f64, f64)>) -> Result<Figure, Failure> {
     let t_s = table.numbers("t_s")?;
@@ -97,7 +93,7 @@ fn history(table: &Table, title: &str, part_s: Option<(f64, f64)>) -> Result<Fig
         let curves = curves
             .map(|(name, model, style)| series(name, &format!("{model}_{channel}"), style))
             .collect::<Result<_, _>>()?;
-        panels.push(panel(String::new(), ("time (s)", label), curves));
+        panels.push(Panel::new("", "time (s)", label, curves));
     }
     let mut inputs = vec![series("angle of attack", "alpha_deg", Style::Line)?];
     for surface in ["inner", "middle", "outer"] {
@@ -107,7 +103,7 @@ fn history(table: &Table, title: &str, part_s: Option<(f64, f64)>) -> Result<Fig
             inputs.extend(Some(commanded).filter(|series| series.y.iter().any(|delta| *delta != 0.0)));
         }
     }
-    panels.push(panel(String::new(), ("time (s)", "angle (deg)"), inputs));
+    panels.push(Panel::new("", "time (s)", "angle (deg)", inputs));
     Ok(Figure::new(title, panels, 2))
 }
 
@@ -139,7 +135,7 @@ fn loads(table: &Table, title: &str) -> Result<Figure, Failure> {
                 series("updated", Style::Line)?,
                 series("measured", Style::Points)?,
             ];
-            panels.push(panel(format!("{v} m/s"), ("angle of attack (deg)", label), curves));
+            panels.push(Panel::new(format!("{v} m/s"), "angle of attack (deg)", label, curves));
         }
     }
     Ok(Figure::new(title, panels, 3))
@@ -166,7 +162,7 @@ fn factors(table: &Table, title: &str, column: &str) -> Result<Figure, Failure> 
             let most = rows.iter().map(|&row| commanded[row]).fold(0.0, f64::max);
             series.push(Series::new("linear", vec![0.0, most], vec![0.0, most], Style::DashedLine));
         }
-        panels.push(panel(format!("{surface} aileron"), ("commanded deflection (deg)", y_label), series));
+        panels.push(Panel::new(format!("{surface} aileron"), "commanded deflection (deg)", y_label, series));
     }
     let columns = panels.len();
     Ok(Figure::new(title, panels, columns))

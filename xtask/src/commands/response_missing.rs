@@ -18,8 +18,6 @@ use crate::show;
 
 /// Seed if none is given.
 const SEED: u64 = 1;
-/// A family is located if its p value is below this over the number of families.
-const LOCATED: f64 = 0.001;
 
 /// Runs the command.
 pub(super) fn run(args: &ResponseArgs, common: &Common) -> Result<(), Failure> {
@@ -86,13 +84,8 @@ fn overall(pairs: &[(&Asked, &Missing)]) -> Verdict {
     order.into_iter().find(any).unwrap_or(Verdict::None)
 }
 
-/// Families that are beyond chance in the residual.
-pub(super) fn is_located(family: &Family, found: &Missing) -> bool {
-    family.alone.p_value < LOCATED / found.families.len() as f64
-}
-
 fn located(asked: &Asked, found: &Missing) -> Vec<Value> {
-    let families = found.families.iter().filter(|family| is_located(family, found));
+    let families = found.families.iter().filter(|family| found.is_located(family));
     let one = |family: &Family| {
         json!({
             "channel": asked.response, "data": asked.file, "regressor": family.name, "terms": family.members,

@@ -5,7 +5,6 @@ use std::fmt::Write as _;
 use report::Table;
 use response::missing::{Missing, Named, Verdict};
 
-use super::response_missing::is_located;
 use super::response_models::Asked;
 use super::response_text::{number, probability};
 
@@ -27,7 +26,7 @@ pub(super) fn response(asked: &Asked, found: &Missing) -> String {
         let _ = write!(text, "; not told from these at these points: {}", asked.left_out.join(", "));
     }
     text.push('\n');
-    if found.families.iter().any(|family| is_located(family, found)) {
+    if found.families.iter().any(|family| found.is_located(family)) {
         let _ = writeln!(text, "  what it leaves, by family of regressors, in units of pure error:");
         let _ = writeln!(text, "{}", indented(&families(found)));
     }

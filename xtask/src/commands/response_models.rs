@@ -53,7 +53,7 @@ pub(super) fn asked(args: &ResponseArgs, source: &Source, seed: u64) -> Result<V
         let data = Data::from_table(table, &refs(&factors), &refs(&responses), &refs(&blocks))?;
         for response in &study.responses {
             let model = model(args, study, response, published.as_ref())?;
-            if let Some(one) = one(args, (study, table), (&data, response), model, seed)? {
+            if let Some(one) = one(args, study, table, &data, response, model, seed)? {
                 all.push(one);
             }
         }
@@ -135,8 +135,10 @@ fn term(text: &str, study: &TableStudy) -> Result<Term, Failure> {
 /// One response; none if its model does not have what is to be hidden.
 fn one(
     args: &ResponseArgs,
-    (study, table): (&TableStudy, &Table),
-    (data, response): (&Data, &str),
+    study: &TableStudy,
+    table: &Table,
+    data: &Data,
+    response: &str,
     mut model: Model,
     seed: u64,
 ) -> Result<Option<Asked>, Failure> {

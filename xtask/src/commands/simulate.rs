@@ -62,7 +62,7 @@ pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
         })
         .collect::<Result<Vec<_>, Failure>>()?;
     bar.finish_and_clear();
-    flown.extend(simulate_maneuvers::fly(maneuvers, &rig, &settings, (&corrected, &effects))?);
+    flown.extend(simulate_maneuvers::fly(maneuvers, &rig, &settings, &corrected, &effects)?);
     for remark in effects.remarks() {
         show::note(&remark);
     }

@@ -32,7 +32,8 @@ pub(crate) fn fly(
     maneuvers: Vec<(ManeuverFile, Vec<String>)>,
     base: &Rig<'_>,
     settings: &RigSettings,
-    (corrected, effects): (&CorrectedWing, &WingEffects),
+    corrected: &CorrectedWing,
+    effects: &WingEffects,
 ) -> Result<Vec<Flown>, Failure> {
     let mut rigs: Vec<(RigSettings, Rig<'_>)> = Vec::new();
     for (file, _) in &maneuvers {
@@ -44,7 +45,7 @@ pub(crate) fn fly(
     let flown = |(file, remarks): (ManeuverFile, Vec<String>)| {
         let own = file.settings(settings);
         let rig = rigs.iter().find(|(known, _)| *known == own).map_or(base, |(_, rig)| rig);
-        fly_one(&file, remarks, rig, (corrected, effects))
+        fly_one(&file, remarks, rig, corrected, effects)
     };
     maneuvers.into_par_iter().map(flown).collect()
 }
@@ -53,7 +54,8 @@ fn fly_one(
     file: &ManeuverFile,
     mut remarks: Vec<String>,
     rig: &Rig<'_>,
-    (corrected, effects): (&CorrectedWing, &WingEffects),
+    corrected: &CorrectedWing,
+    effects: &WingEffects,
 ) -> Result<Flown, Failure> {
     let flow = Flow { v_m_s: file.v_m_s, rho_kg_m3: file.rho_kg_m3 };
     let (corrections, deflection) = at_airspeed(&file.path, file.v_m_s, corrected)?;

@@ -38,7 +38,7 @@ pub(super) fn data(figure: &Figure, limit: usize) -> Result<Value, DrawError> {
                     shown.push(&series.name);
                 }
                 let colour = colours[names.iter().position(|name| *name == series.name).unwrap_or(0)];
-                traces.push(trace(series, (place, shared.len()), colour, (first, panel), &pick(&series.y)));
+                traces.push(trace(series, (place, shared.len()), colour, panel, first, &pick(&series.y)));
             }
             shared.push(json!(pick(&group[0].x)));
         }
@@ -66,7 +66,8 @@ fn trace(
     series: &Series,
     (place, x): (usize, usize),
     colour: &str,
-    (first, panel): (bool, &Panel),
+    panel: &Panel,
+    first: bool,
     y: &[Value],
 ) -> Value {
     let axis = |letter: &str| axis_name(letter, place);

@@ -24,12 +24,12 @@ pub(super) fn data(views: &[View]) -> Value {
                 .filter(|quad| quad.group == group && quad.corners.iter().all(finite))
                 .collect();
             if !quads.is_empty() {
-                traces.push(mesh(view, (number, colours[number]), group, &quads));
+                traces.push(mesh(view, number, colours[number], group, &quads));
             }
         }
         if !view.lines.is_empty() {
             let alone = traces.len() == before;
-            traces.push(strokes(view, (number, colours[number]), alone));
+            traces.push(strokes(view, number, colours[number], alone));
         }
     }
     json!({ "traces": traces, "layout": layout(views) })
@@ -39,7 +39,7 @@ fn finite(point: &nalgebra::Point3<f64>) -> bool {
     point.coords.iter().all(|v| v.is_finite())
 }
 
-fn mesh(view: &View, (number, colour): (usize, &str), group: usize, quads: &[&Quad]) -> Value {
+fn mesh(view: &View, number: usize, colour: &str, group: usize, quads: &[&Quad]) -> Value {
     let coordinate =
         |axis: usize| quads.iter().flat_map(|q| q.corners.map(|p| rounded(p[axis]))).collect::<Vec<f64>>();
     let corner = |offsets: [usize; 2]| {
@@ -61,7 +61,7 @@ fn mesh(view: &View, (number, colour): (usize, &str), group: usize, quads: &[&Qu
 }
 
 /// Lines as one trace, with gaps between them.
-fn strokes(view: &View, (number, colour): (usize, &str), in_legend: bool) -> Value {
+fn strokes(view: &View, number: usize, colour: &str, in_legend: bool) -> Value {
     let kept = || view.lines.iter().filter(|ends| ends.iter().all(finite));
     let coordinate = |axis: usize| {
         let of = |[from, to]: &[nalgebra::Point3<f64>; 2]| {

@@ -5,10 +5,19 @@ use std::collections::BTreeMap;
 
 use nastran::InputError;
 
-use super::Displacement;
-
 /// Coordinates nearer than this share of the extent are the same grid line.
 const SAME: f64 = 1e-6;
+
+/// Out-of-plane displacement at a point of the wing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Displacement {
+    /// Aft, mm.
+    pub x_mm: f64,
+    /// To the right, mm.
+    pub y_mm: f64,
+    /// Out of plane, mm.
+    pub w_mm: f64,
+}
 
 /// Points by their lines (chordwise, spanwise).
 pub(super) struct Grid {

@@ -15,10 +15,10 @@ mod search;
 use serde::Deserialize;
 
 use crate::columns::Columns;
-use crate::data::Data;
+use crate::data::{Blocking, Data};
 use crate::fault::Fault;
 use crate::pure_error::pure_error;
-use crate::regression::{Blocking, Regression};
+use crate::regression::Regression;
 use crate::reml::{transformed, variance_ratio};
 use crate::term::Term;
 use crate::total_sum::total_sum;

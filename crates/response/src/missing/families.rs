@@ -2,10 +2,10 @@
 //! families (a family that others explain as well has a small second F).
 
 use super::evidence::{Beyond, Candidate};
-use super::search::Base;
+use super::noise::Base;
 use crate::data::Data;
+use crate::f_test::FTest;
 use crate::fault::Fault;
-use crate::pure_error::FTest;
 use crate::qr::dot;
 
 /// A family of regressors on what the model leaves.

@@ -3,135 +3,25 @@
 //! is added and judged on points that were held out. Nothing is named that pseudo-campaigns drawn from the model itself,
 //! with the scatter of its replicates, would let one name as well.
 
+mod answer;
 mod evidence;
 mod families;
 mod named;
 mod noise;
+mod question;
 mod search;
 mod split;
 
 use crate::data::Data;
 use crate::fault::Fault;
-use crate::term::Term;
 
+pub use answer::{Gap, Missing, Verdict, Visible};
 pub use families::Family;
 pub use named::{Named, Parameter};
+pub use question::Question;
 pub use split::Split;
 
 use search::{Level, search};
-
-/// What is asked.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Question {
-    /// The model's terms, the constant too if it has one.
-    pub model: Vec<Term>,
-    /// Block columns of the data whose offsets are in the model; offsets of the others are candidates.
-    pub blocks: Vec<String>,
-    /// Terms that may be missing; those of the model are passed over.
-    pub candidates: Vec<Term>,
-    /// Standard deviation of one reading, unit of the response; from replicates if not given.
-    pub noise: Option<f64>,
-    /// Share of the distinct points that are held out, with all their replicates.
-    pub held_out: f64,
-    /// Pseudo-campaigns without a missing term that the threshold comes from.
-    pub draws: u32,
-    /// Of the split and the draws.
-    pub seed: u64,
-}
-
-impl Question {
-    /// With a quarter of the points held out, 200 pseudo-campaigns and pure error from replicates.
-    pub fn new(model: Vec<Term>, blocks: Vec<String>, candidates: Vec<Term>) -> Self {
-        Self { model, blocks, candidates, noise: None, held_out: 0.25, draws: 200, seed: 1 }
-    }
-}
-
-/// The answer in one word.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Verdict {
-    /// Something is missing and has a name.
-    Effects,
-    /// Something is missing, and these points do not tell two or more candidates apart.
-    Ambiguous,
-    /// The model explains the data to the pure error.
-    None,
-    /// Something is missing that no candidate explains.
-    Unknown,
-}
-
-impl Verdict {
-    /// As in result.json: `effects`, `ambiguous`, `none`, `unknown`.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Effects => "effects",
-            Self::Ambiguous => "ambiguous",
-            Self::None => "none",
-            Self::Unknown => "unknown",
-        }
-    }
-}
-
-/// Root mean square of what the surface leaves, over the standard deviation of pure error.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Gap {
-    /// With the model as given.
-    pub before: f64,
-    /// With what was named.
-    pub after: f64,
-    /// Where nothing is missing: the mean of pseudo-campaigns.
-    pub floor: f64,
-}
-
-/// What the smallest missing term is that would have been named.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Visible {
-    /// The candidate.
-    pub term: Term,
-    /// Its coefficient, unit of the response over that of the term.
-    pub coefficient: f64,
-}
-
-/// The answer.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Missing {
-    /// Name of the response.
-    pub response: String,
-    /// In one word.
-    pub verdict: Verdict,
-    /// Families of regressors, the one with most of the residual first.
-    pub families: Vec<Family>,
-    /// What is missing; of an unknown, what comes closest.
-    pub named: Vec<Named>,
-    /// Candidates with their evidence in nats before anything was added, best first.
-    pub candidates: Vec<(String, f64)>,
-    /// Evidence that a candidate needed at first, nats.
-    pub threshold: f64,
-    /// Lack of fit over pure error, before and after.
-    pub misfit: [f64; 2],
-    /// The misfit above which something is missing, with what was named in the model.
-    pub misfit_limit: f64,
-    /// On the training points.
-    pub training: Gap,
-    /// On the points held out.
-    pub held_out: Gap,
-    /// Which points are which.
-    pub split: Split,
-    /// Standard deviation of pure error, unit of the response, offsets of all blocks taken out.
-    pub noise: f64,
-    /// The smallest coefficients that would have been named, if nothing was.
-    pub visible: Vec<Visible>,
-    /// Candidates that these points do not tell from the model's own terms: nothing can be said of them.
-    pub untold: Vec<String>,
-}
-
-impl Missing {
-    /// The held-out gap shrank, and to at most twice what is left where nothing is missing.
-    pub fn closed(&self) -> bool {
-        matches!(self.verdict, Verdict::Effects | Verdict::Ambiguous)
-            && self.held_out.after < self.held_out.before
-            && self.held_out.after <= 2.0 * self.held_out.floor
-    }
-}
 
 /// Looks for what the model of a response lacks.
 ///

@@ -4,11 +4,11 @@
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-use crate::data::Data;
+use crate::data::{Blocking, Data};
 use crate::fault::Fault;
 use crate::pure_error::{Scatter, scatter};
 use crate::qr::dot;
-use crate::regression::Blocking;
+use crate::regression::Regression;
 
 /// Scatter of one reading.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,6 +20,13 @@ pub(super) struct Noise {
     pure: (f64, f64),
     /// Standard deviation at each point as its own replicates show it, right on average.
     of_point: Vec<f64>,
+}
+
+/// A model fitted to the training points, and their noise.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Base {
+    pub(super) fitted: Regression,
+    pub(super) noise: Noise,
 }
 
 impl Noise {

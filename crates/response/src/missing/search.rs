@@ -7,12 +7,12 @@ use rand_chacha::rand_core::SeedableRng;
 use super::evidence::{Beyond, Candidate};
 use super::families::{Family, families};
 use super::named::{Named, Parameter};
-use super::noise::Noise;
+use super::noise::{Base, Noise};
 use super::{Gap, Question, Split, Visible};
-use crate::data::Data;
+use crate::data::{Blocking, Data};
 use crate::fault::Fault;
 use crate::qr::dot;
-use crate::regression::{Blocking, Regression};
+use crate::regression::Regression;
 use crate::term::Term;
 
 /// Nats within which candidates are not told apart, and the least evidence for a name.
@@ -23,13 +23,6 @@ const DEVIATIONS: f64 = 4.0;
 const MOST_NAMES: usize = 4;
 /// Pseudo-campaigns for the floor of the gap.
 const FLOOR_DRAWS: u32 = 20;
-
-/// A model fitted to the training points, and their noise.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Base {
-    pub(super) fitted: Regression,
-    pub(super) noise: Noise,
-}
 
 /// A candidate weighed against the model.
 #[derive(Debug, Clone, PartialEq)]
@@ -286,15 +279,15 @@ impl Found {
         split: &Split,
     ) -> Result<[Gap; 2], Fault> {
         let noise = Noise::of(data, response, question.noise)?;
-        let before = gap(data, response, (question, &[]), split, noise.variance)?;
-        let after = gap(data, response, (question, &self.picks), split, noise.variance)?;
+        let before = gap(data, response, question, &[], split, noise.variance)?;
+        let after = gap(data, response, question, &self.picks, split, noise.variance)?;
         let mut random = ChaCha8Rng::seed_from_u64(question.seed);
         random.set_stream(2);
         let mut floor = [0.0; 2];
         for _ in 0..FLOOR_DRAWS {
             let drawn = data.answering(response, &noise.draw(&mut random));
             let own = Noise::of(&drawn, response, question.noise)?;
-            let gaps = gap(&drawn, response, (question, &self.picks), split, own.variance)?;
+            let gaps = gap(&drawn, response, question, &self.picks, split, own.variance)?;
             floor.iter_mut().zip(gaps).for_each(|(sum, gap)| *sum += gap / f64::from(FLOOR_DRAWS));
         }
         let of = |k: usize| Gap { before: before[k], after: after[k], floor: floor[k] };
@@ -306,7 +299,8 @@ impl Found {
 fn gap(
     data: &Data,
     response: &str,
-    (question, picks): (&Question, &[Candidate]),
+    question: &Question,
+    picks: &[Candidate],
     split: &Split,
     variance: f64,
 ) -> Result<[f64; 2], Fault> {
