@@ -35,15 +35,39 @@ pub fn check(root: &Path) -> Result<Vec<Complaint>, Failure> {
     let mut complaints = imports::check(&packages);
     complaints.extend(sources::check(root)?);
     let sources = parsed::sources(root)?;
+    let circles_not_yet = [
+        "crates/calibrate",
+        "crates/coupling",
+        "crates/discover",
+        "crates/fullaircraft",
+        "crates/hidden/src/score",
+        "crates/maneuver",
+        "crates/structure",
+        "crates/tunnel",
+        "xtask/src/commands/discover",
+        "crates: ",
+    ];
+    let parameters_not_yet = [
+        "crates/calibrate",
+        "crates/discover",
+        "crates/fullaircraft",
+        "crates/maneuver",
+        "crates/nastran",
+        "crates/structure",
+        "tests",
+        "xtask/src/blind.rs",
+        "xtask/src/commands/discover",
+        "xtask/src/commands/simulate_effects.rs",
+    ];
     let read = [
-        (parameters::check(&sources), ["crates", "xtask", "tests"].as_slice()),
+        (parameters::check(&sources), parameters_not_yet.as_slice()),
         (effect_names::check(&sources, &effect_names::names()), &["crates/discover/", "crates/maneuver/"]),
         (decisions::check(&sources), &["crates/discover/"]),
-        (circles::check(&sources), &["crates", "xtask"]),
+        (circles::check(&sources), &circles_not_yet),
     ];
     // in these places a rule does not hold yet
     let holds = |complaint: &Complaint, not_yet: &[&str]| {
-        !not_yet.iter().any(|begin| complaint.place.starts_with(begin))
+        !not_yet.iter().any(|begin| complaint.to_string().starts_with(begin))
     };
     complaints.extend(
         read.into_iter()
