@@ -2,8 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use aero::Corrections;
-use calibrate::{Calibration, Campaign, CorrectionSet, Outside, Schedule, Settings, calibrate};
+use calibrate::{Calibration, Campaign, CorrectionSet, Schedule, Settings, calibrate};
 use coupling::{CouplingError, ElasticWing, WingFile};
 use nastran::InputError;
 
@@ -94,25 +93,18 @@ pub(crate) fn corrected_wing(
 
 /// The corrections of a calibration as a schedule; one set for all airspeeds stands at both ends of their range.
 pub(crate) fn schedule(file: &WingFile, calibration: &Calibration) -> Schedule {
-    let set = |a: &calibrate::AirspeedCalibration| CorrectionSet::new(a.data.v_m_s, a.corrections.clone());
+    let set = |a: &calibrate::AirspeedCalibration| CorrectionSet {
+        v_m_s: a.data.v_m_s,
+        corrections: a.corrections.clone(),
+    };
     let mut sets: Vec<CorrectionSet> = calibration.airspeeds.iter().map(set).collect();
     if let Some(common) = &calibration.common {
         let [slow, fast] = common.v_range_m_s;
         let ends = if slow < fast { vec![slow, fast] } else { vec![fast] };
-        sets.extend(ends.into_iter().map(|v_m_s| CorrectionSet::new(v_m_s, common.corrections.clone())));
+        let at = |v_m_s| CorrectionSet { v_m_s, corrections: common.corrections.clone() };
+        sets.extend(ends.into_iter().map(at));
     }
     Schedule { wing: file.name.clone(), wing_hash: file.hash.clone(), sets }
-}
-
-/// Corrections at an airspeed, which may stray a little from the calibrated range, as tunnels do.
-///
-/// # Errors
-/// If it is more than 2 % outside.
-pub(crate) fn corrections_at(schedule: &Schedule, v_m_s: f64) -> Result<Corrections, InputError> {
-    schedule.at(v_m_s, Outside::Refuse).or_else(|refused| {
-        let near = schedule.sets.iter().any(|set| (set.v_m_s - v_m_s).abs() <= 0.02 * set.v_m_s);
-        if near { schedule.at(v_m_s, Outside::Nearest) } else { Err(refused) }
-    })
 }
 
 /// The wing's file: given, or the shipped one.
@@ -126,7 +118,7 @@ pub(crate) fn campaign_path(given: Option<&Path>) -> PathBuf {
 }
 
 fn check_boxes(schedule: &Schedule, wing: &ElasticWing, path: &Path) -> Result<(), Failure> {
-    let (got, expected) = (schedule.sets[0].force.len(), wing.correctable.len());
+    let (got, expected) = (schedule.sets[0].corrections.len(), wing.correctable.len());
     if got == expected {
         return Ok(());
     }

@@ -4,7 +4,7 @@ use crate::calibration::AirspeedCalibration;
 use crate::campaign::{TIP, TipReading};
 use crate::fit::{FlowGroup, Problem};
 use crate::objective::{LineFit, objective, rmse};
-use crate::schedule::{CorrectionSet, Outside, Schedule};
+use crate::schedule::{CorrectionSet, Schedule};
 use crate::statics::{Angle, StaticData};
 use crate::tip_zero::TipZero;
 use aero::{Corrections, Flow};
@@ -89,7 +89,10 @@ pub(crate) fn left_out_airspeed<M: SteadyModel>(
             .iter()
             .enumerate()
             .filter(|(other, _)| *other != index)
-            .map(|(_, other)| CorrectionSet::new(other.data.v_m_s, other.corrections.clone()))
+            .map(|(_, other)| CorrectionSet {
+                v_m_s: other.data.v_m_s,
+                corrections: other.corrections.clone(),
+            })
             .collect();
         if others.is_empty() {
             results.push(None);
@@ -97,8 +100,8 @@ pub(crate) fn left_out_airspeed<M: SteadyModel>(
         }
         let schedule = Schedule { wing: String::new(), wing_hash: String::new(), sets: others };
         let v_m_s = airspeed.data.v_m_s;
-        let corrections =
-            schedule.at(v_m_s, Outside::Refuse).or_else(|_| schedule.at(v_m_s, Outside::Nearest))?;
+        // the slowest and the fastest airspeed lie outside of the others: the nearest set is what a user would take
+        let (corrections, _) = schedule.at_or_nearest(v_m_s);
         let flow = Flow { v_m_s, rho_kg_m3 };
         let mut residuals =
             predicted((model, data.channels[TIP]), flow, &airspeed.data.angles, &corrections)?;

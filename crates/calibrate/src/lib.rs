@@ -25,6 +25,6 @@ pub use fit::{Ending, Fit};
 pub use identifiability::Identifiability;
 pub use lift_factor::LiftFactor;
 pub use objective::{LineFit, Nonlinearity};
-pub use schedule::{CorrectionSet, Outside, Schedule};
+pub use schedule::{CorrectionSet, Schedule};
 pub use settings::Settings;
 pub use statics::{AirspeedData, StaticData};

@@ -2,36 +2,42 @@
 
 use aero::Corrections;
 use nastran::{InputError, ron_file};
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 use std::fmt::Write as _;
 use std::path::Path;
 
-/// What to do outside the calibrated airspeeds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Outside {
-    /// Interpolate in dynamic pressure between sets; refuse an airspeed outside.
-    Refuse,
-    /// Take the set of the nearest airspeed, inside and outside (the paper takes 40 m/s for 37 and 42 m/s).
-    Nearest,
-}
+/// An airspeed this share beyond the calibrated range takes the nearest set, as tunnels stray; beyond it none is taken.
+pub const STRAY: f64 = 0.02;
 
-/// An airspeed at which corrections were found.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+/// An airspeed and the corrections found there.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(from = "SetInFile")]
 pub struct CorrectionSet {
     /// Airspeed, m/s.
-    #[serde(rename = "V_m_s")]
     pub v_m_s: f64,
-    /// Force factors, one a box of the wing, chordwise first.
-    pub force: Vec<f64>,
-    /// Moment factors.
-    pub moment: Vec<f64>,
-    /// Pressure offsets f_e/q.
-    pub pressure_offset: Vec<f64>,
+    /// One entry a box of the wing, chordwise first.
+    pub corrections: Corrections,
+}
+
+/// A set as `corrections.ron` writes it.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SetInFile {
+    #[serde(rename = "V_m_s")]
+    v_m_s: f64,
+    force: Vec<f64>,
+    moment: Vec<f64>,
+    pressure_offset: Vec<f64>,
+}
+
+impl From<SetInFile> for CorrectionSet {
+    fn from(SetInFile { v_m_s, force, moment, pressure_offset }: SetInFile) -> Self {
+        Self { v_m_s, corrections: Corrections { force, moment, pressure_offset } }
+    }
 }
 
 /// Corrections by airspeed, as in `corrections.ron`.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, rename = "Corrections")]
 pub struct Schedule {
     /// Name of the wing.
@@ -53,20 +59,17 @@ impl Schedule {
             return Err(InputError::in_file(path, "there is no set of corrections")
                 .with_help("run `cargo xtask calibrate`, which writes corrections.ron"));
         }
-        for set in &schedule.sets {
-            let lengths = [set.moment.len(), set.pressure_offset.len()];
-            if lengths.iter().any(|&length| length != set.force.len()) {
+        for CorrectionSet { v_m_s, corrections } in &schedule.sets {
+            let Corrections { force, moment, pressure_offset } = corrections;
+            if [moment.len(), pressure_offset.len()].iter().any(|&length| length != force.len()) {
                 return Err(InputError::in_file(
                     path,
-                    format!("force, moment and pressure_offset at {} m/s differ in length", set.v_m_s),
+                    format!("force, moment and pressure_offset at {v_m_s} m/s differ in length"),
                 ));
             }
-            let mut values = set.force.iter().chain(&set.moment).chain(&set.pressure_offset);
+            let mut values = force.iter().chain(moment).chain(pressure_offset);
             if values.any(|value| !value.is_finite()) {
-                return Err(InputError::in_file(
-                    path,
-                    format!("a correction at {} m/s is not finite", set.v_m_s),
-                ));
+                return Err(InputError::in_file(path, format!("a correction at {v_m_s} m/s is not finite")));
             }
         }
         if schedule.sets.windows(2).any(|pair| pair[0].v_m_s >= pair[1].v_m_s) {
@@ -75,21 +78,21 @@ impl Schedule {
         Ok(schedule)
     }
 
-    /// The corrections at an airspeed (same air density as the campaign's).
+    /// The corrections at an airspeed (same air density as the campaign's): interpolated in dynamic pressure inside of the
+    /// calibrated range, the nearest set up to [`STRAY`] beyond it.
     ///
     /// # Errors
-    /// If the airspeed is outside and `outside` says to refuse.
-    pub fn at(&self, v_m_s: f64, outside: Outside) -> Result<Corrections, InputError> {
+    /// If the airspeed is farther outside.
+    pub fn at(&self, v_m_s: f64) -> Result<Corrections, InputError> {
         let q = |set: &CorrectionSet| set.v_m_s * set.v_m_s;
         let wanted = v_m_s * v_m_s;
         let (first, last) = (&self.sets[0], &self.sets[self.sets.len() - 1]);
-        if outside == Outside::Nearest {
-            let distance = |set: &&CorrectionSet| (set.v_m_s - v_m_s).abs();
-            let nearest = self.sets.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
-            return Ok(nearest.unwrap_or(first).corrections());
-        }
         let slack = 1e-9 * wanted;
         if wanted < q(first) - slack || wanted > q(last) + slack {
+            let nearest = self.nearest(v_m_s);
+            if (nearest.v_m_s - v_m_s).abs() <= STRAY * nearest.v_m_s {
+                return Ok(nearest.corrections.clone());
+            }
             return Err(InputError::general(format!(
                 "no corrections at {v_m_s} m/s: they were found from {} to {} m/s",
                 first.v_m_s, last.v_m_s
@@ -97,17 +100,37 @@ impl Schedule {
             .with_help("choose an airspeed inside, or calibrate at this one"));
         }
         if self.sets.len() == 1 {
-            return Ok(first.corrections());
+            return Ok(first.corrections.clone());
         }
         let above = self.sets.partition_point(|set| q(set) <= wanted).clamp(1, self.sets.len().max(2) - 1);
         let (low, high) = (&self.sets[above - 1], &self.sets[above]);
         let share = ((wanted - q(low)) / (q(high) - q(low))).clamp(0.0, 1.0);
         let mix = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a + share * (b - a)).collect();
+        let (a, b) = (&low.corrections, &high.corrections);
         Ok(Corrections {
-            force: mix(&low.force, &high.force),
-            moment: mix(&low.moment, &high.moment),
-            pressure_offset: mix(&low.pressure_offset, &high.pressure_offset),
+            force: mix(&a.force, &b.force),
+            moment: mix(&a.moment, &b.moment),
+            pressure_offset: mix(&a.pressure_offset, &b.pressure_offset),
         })
+    }
+
+    /// The set of the nearest airspeed, at any distance: for who must go on outside of the calibrated range and says so.
+    pub fn nearest(&self, v_m_s: f64) -> &CorrectionSet {
+        let distance = |set: &&CorrectionSet| (set.v_m_s - v_m_s).abs();
+        let nearest = self.sets.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        nearest.unwrap_or(&self.sets[0])
+    }
+
+    /// As [`Schedule::at`]; where that refuses, the nearest set and a sentence that says so, for the caller to show.
+    pub fn at_or_nearest(&self, v_m_s: f64) -> (Corrections, Option<String>) {
+        match self.at(v_m_s) {
+            Ok(corrections) => (corrections, None),
+            Err(refused) => {
+                let nearest = self.nearest(v_m_s);
+                let taken = format!("{}; those of {} m/s are taken", refused.message, nearest.v_m_s);
+                (nearest.corrections.clone(), Some(taken))
+            }
+        }
     }
 
     /// The file's text: one airspeed a block, one strip a line is left to the reader's editor.
@@ -131,33 +154,12 @@ impl Schedule {
                 "        (\n            V_m_s: {:?},\n            force: [{}],\n            moment: [{}],\n            \
                  pressure_offset: [{}],\n        ),",
                 set.v_m_s,
-                list(&set.force),
-                list(&set.moment),
-                list(&set.pressure_offset)
+                list(&set.corrections.force),
+                list(&set.corrections.moment),
+                list(&set.corrections.pressure_offset)
             );
         }
         text.push_str("    ],\n)\n");
         text
-    }
-}
-
-impl CorrectionSet {
-    /// The set of one airspeed.
-    pub fn new(v_m_s: f64, corrections: Corrections) -> Self {
-        Self {
-            v_m_s,
-            force: corrections.force,
-            moment: corrections.moment,
-            pressure_offset: corrections.pressure_offset,
-        }
-    }
-
-    /// Its corrections.
-    pub fn corrections(&self) -> Corrections {
-        Corrections {
-            force: self.force.clone(),
-            moment: self.moment.clone(),
-            pressure_offset: self.pressure_offset.clone(),
-        }
     }
 }

@@ -5,7 +5,7 @@ use crate::load_model::{LoadModel, Models};
 use crate::model_form::{LatticeVariant, matched, picked};
 use crate::rules::{Rules, VariantRules};
 use aero::{Corrections, Flow};
-use calibrate::{Outside, Schedule};
+use calibrate::Schedule;
 use coupling::{CouplingError, ElasticWing, Mount, WingFile};
 use maneuver::effects::{Active, Flown, Model, Stimulus, fly};
 use maneuver::rom::{ReducedOrderModel, StiffnessParts};
@@ -105,15 +105,15 @@ impl Simulator {
     /// The wing with corrections at the airspeeds of a data set.
     ///
     /// # Errors
-    /// If the wing diverges at one of them, or corrections do not reach there.
+    /// If the wing diverges at one of them.
     pub fn new(rig: &SplitRig<'_>, schedule: &Schedule, data: &Dataset) -> Result<Self, SimulatorError> {
         let SplitRig { file, wing, rig, parts, boxes } = rig;
         let at = |v_m_s: &f64| -> Result<ReducedOrderModel, SimulatorError> {
             let flow = Flow { v_m_s: *v_m_s, rho_kg_m3: data.rho_kg_m3 };
             let corrections = match boxes {
                 _ if *v_m_s == 0.0 => Corrections::neutral(wing.correctable.len()),
-                None => corrections(schedule, *v_m_s)?,
-                Some(boxes) => picked(&corrections(schedule, *v_m_s)?, boxes),
+                None => corrections(schedule, *v_m_s),
+                Some(boxes) => picked(&corrections(schedule, *v_m_s), boxes),
             };
             Ok(ReducedOrderModel::new(rig, flow, &corrections, parts.as_ref())?)
         };
@@ -183,7 +183,12 @@ impl LoadModel for Simulator {
     }
 }
 
-/// Corrections at an airspeed: the schedule's, the nearest beyond its range (a tunnel strays).
-fn corrections(schedule: &Schedule, v_m_s: f64) -> Result<Corrections, InputError> {
-    schedule.at(v_m_s, Outside::Refuse).or_else(|_| schedule.at(v_m_s, Outside::Nearest))
+/// Corrections at an airspeed. A run outside of the calibrated airspeeds still tells of effects: the nearest set is taken,
+/// and said.
+fn corrections(schedule: &Schedule, v_m_s: f64) -> Corrections {
+    let (corrections, said) = schedule.at_or_nearest(v_m_s);
+    if let Some(said) = said {
+        tracing::warn!("{said}");
+    }
+    corrections
 }

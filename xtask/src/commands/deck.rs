@@ -13,7 +13,7 @@ use structure::{Flexibility, Model, System, normal_modes};
 use super::modes_pictures::hertz;
 use super::{deck_hdf5, modes_shapes};
 use crate::args::{Common, DeckArgs};
-use crate::corrections::{CorrectedWing, corrected_wing, corrections_at, wing_path};
+use crate::corrections::{CorrectedWing, corrected_wing, wing_path};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
@@ -154,7 +154,7 @@ fn corrections(args: &DeckArgs, common: &Common) -> Result<Option<AtAirspeed>, F
     let Some(path) = args.corrections.as_deref() else { return Ok(None) };
     let corrected = corrected_wing(args.wing.as_deref(), Some(path), None, common)?;
     let v_m_s = args.airspeed.unwrap_or_else(|| corrected.schedule.sets[0].v_m_s);
-    let corrections = corrections_at(&corrected.schedule, v_m_s)?;
+    let corrections = corrected.schedule.at(v_m_s)?;
     let wing = &corrected.wing;
     let flow = aero::Flow { v_m_s, rho_kg_m3: RHO_KG_M3 };
     let exchange = match Exchange::of(wing, &corrections) {

@@ -18,7 +18,7 @@ use crate::args::{Common, DeflectionArgs};
 use crate::commands::deflection_results::{Found, Judged, Measured};
 use crate::commands::simulate::settings;
 use crate::commands::{deflection_figures, deflection_results};
-use crate::corrections::{CorrectedWing, campaign_path, corrected_wing, corrections_at};
+use crate::corrections::{CorrectedWing, campaign_path, corrected_wing};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
@@ -87,7 +87,7 @@ fn doublets(
     }
     let rig = Rig::new(&corrected.wing, settings.clone())?;
     let model = |(number, v_m_s): (usize, &f64)| -> Result<RigModel, Failure> {
-        let corrections = corrections_at(&corrected.schedule, *v_m_s).map_err(|refused| {
+        let corrections = corrected.schedule.at(*v_m_s).map_err(|refused| {
             let file = doublets.iter().find(|doublet| doublet.model == number).map(|doublet| &doublet.file);
             InputError::in_file(file.unwrap_or(&listed_in), refused.message)
                 .with_help("calibrate at this airspeed, or take the run out of the campaign")

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use std::time::Instant;
 
 use aero::{Corrections, DlmSettings, DoubletLattice, Flow};
-use calibrate::{Campaign, Outside, Schedule};
+use calibrate::{Campaign, Schedule};
 use maneuver::flutter::{
     Aeroelastic, Crossing, FlutterCurves, FlutterError, ModePressures, ScheduledForces, first_divergence,
     flutter_of_state_space,
@@ -75,7 +75,7 @@ pub(crate) fn run(args: &FlutterArgs, common: &Common) -> Result<(), Failure> {
     let neutral = Corrections::neutral(corrected.wing.correctable.len());
     let models = [
         task.stability("initial", &|_| neutral.clone(), &[(0.0, neutral.clone())])?,
-        task.stability("updated", &|v| held(&corrected.schedule, v), &sets(&corrected.schedule))?,
+        task.stability("updated", &|v| corrected.schedule.at_or_nearest(v).0, &sets(&corrected.schedule))?,
     ];
     let result = task.result(&models, start.elapsed().as_secs_f64());
     let folder = ResultFolder::begin(&common.out("flutter"))?;
@@ -103,16 +103,8 @@ fn mean_chord_m(corrected: &CorrectedWing) -> f64 {
     area / (ys().fold(f64::NEG_INFINITY, f64::max) - ys().fold(f64::INFINITY, f64::min))
 }
 
-/// Corrections at an airspeed: mixed inside of the calibrated range, those of the nearest end outside.
-fn held(schedule: &Schedule, v_m_s: f64) -> Corrections {
-    schedule
-        .at(v_m_s, Outside::Refuse)
-        .or_else(|_| schedule.at(v_m_s, Outside::Nearest))
-        .unwrap_or_else(|_| schedule.sets[0].corrections())
-}
-
 fn sets(schedule: &Schedule) -> Vec<(f64, Corrections)> {
-    schedule.sets.iter().map(|set| (set.v_m_s, set.corrections())).collect()
+    schedule.sets.iter().map(|set| (set.v_m_s, set.corrections.clone())).collect()
 }
 
 impl Task<'_> {

@@ -3,13 +3,12 @@
 use std::path::PathBuf;
 
 use aero::Corrections;
-use calibrate::Outside;
 use fullaircraft::{Aircraft, AircraftFile};
 use nastran::InputError;
 
 use crate::args::{Common, FullaircraftArgs};
 use crate::commands::fullaircraft_effects;
-use crate::corrections::{corrected_wing, corrections_at};
+use crate::corrections::corrected_wing;
 use crate::failure::Failure;
 use crate::paths;
 
@@ -33,11 +32,16 @@ pub(crate) fn prepared(args: &FullaircraftArgs, common: &Common) -> Result<Prepa
     let wing_path = args.wing.clone().unwrap_or_else(|| file.wing_path());
     let wing = corrected_wing(Some(&wing_path), args.corrections.as_deref(), None, common)?;
     // The nearest set stands for airspeeds between the calibrated ones, as published (40 m/s for 37 and 42 m/s).
-    corrections_at(&wing.schedule, file.correction_airspeed_m_s).map_err(|refused| {
+    wing.schedule.at(file.correction_airspeed_m_s).map_err(|refused| {
         InputError::in_field(&file.path, "correction_airspeed_m_s", refused.message)
             .with_help("choose an airspeed within those of the calibration")
     })?;
-    let mut corrections = wing.schedule.at(file.correction_airspeed_m_s, Outside::Nearest)?;
+    let nearest = wing.schedule.nearest(file.correction_airspeed_m_s);
+    if nearest.v_m_s != file.correction_airspeed_m_s && !common.quiet {
+        let asked = file.correction_airspeed_m_s;
+        crate::show::note(&format!("corrections of {} m/s, the nearest to {asked} m/s", nearest.v_m_s));
+    }
+    let mut corrections = nearest.corrections.clone();
     let effects = fullaircraft_effects::travelling(&wing, &file, &mut corrections)?;
     let mut inputs = vec![("aircraft", file.path.clone()), ("wing", wing_path)];
     inputs.extend(Some(("corrections", PathBuf::from(&wing.origin))).filter(|(_, path)| path.is_file()));

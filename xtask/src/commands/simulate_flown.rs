@@ -6,7 +6,7 @@ use aero::Corrections;
 use maneuver::{DeflectionAt, DeflectionCorrection, Run, Simulated};
 use nastran::InputError;
 
-use crate::corrections::{CorrectedWing, corrections_at};
+use crate::corrections::CorrectedWing;
 
 /// A run or a maneuver flown with both models.
 pub(crate) struct Flown {
@@ -33,7 +33,7 @@ pub(crate) fn at_airspeed(
     if v_m_s == 0.0 {
         return Ok((Corrections::neutral(corrected.wing.correctable.len()), DeflectionAt::default()));
     }
-    let corrections = corrections_at(&corrected.schedule, v_m_s).map_err(|refused| {
+    let corrections = corrected.schedule.at(v_m_s).map_err(|refused| {
         InputError::in_file(file, refused.message)
             .with_help("calibrate at this airspeed, or leave this file out")
     })?;

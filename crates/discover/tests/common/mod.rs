@@ -84,8 +84,11 @@ pub(crate) fn shipped() -> &'static Flight {
         let campaign = Campaign::read(&folder("tuflex/measured")).expect("the shipped campaign");
         let found =
             calibrate(&wing, &campaign, &Settings::of_wing(&file.correction)).expect("it can be calibrated");
-        let sets =
-            found.airspeeds.iter().map(|a| CorrectionSet::new(a.data.v_m_s, a.corrections.clone())).collect();
+        let sets = found
+            .airspeeds
+            .iter()
+            .map(|a| CorrectionSet { v_m_s: a.data.v_m_s, corrections: a.corrections.clone() })
+            .collect();
         let schedule = Schedule { wing: file.name.clone(), wing_hash: file.hash.clone(), sets };
         let data = Dataset::read(&campaign, &wing, &Arc::default()).expect("its runs");
         let simulator = {
