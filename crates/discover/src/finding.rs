@@ -12,7 +12,7 @@ use crate::result::{
     Candidate, DiscoverResult, Estimate, MapCell, Misfit, NamedEffect, SearchResult, StatedGap, StatedGaps,
 };
 use crate::simulator::Simulator;
-use crate::verdict::{GapChange, Judgement};
+use crate::verdict::{Gap, Judgement};
 use calibrate::{Schedule, Use};
 use coupling::wing_file::{EffectValidity, WingEffect};
 use maneuver::effects::Active;
@@ -91,7 +91,7 @@ impl<'a> Finding<'a> {
     pub fn judgement(&self) -> Judgement<'_> {
         let of = |which: usize| {
             let [before, after] = self.report.gaps[which].map(|gap| gap.all);
-            GapChange { before, after, floor: self.nulls.floor[which] }
+            Gap { before, after, floor: self.nulls.floor[which] }
         };
         let held_out = self.prepared.data.has_held_out().then(|| of(1));
         Judgement::new(&self.prepared.data.rules.verdict, &self.report.outcome, of(0), held_out)

@@ -11,6 +11,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 use rayon::prelude::*;
+use response::verdict::mean_and_deviation;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -98,12 +99,13 @@ impl NullDistribution {
         let of = |name: &str, values: Vec<f64>| {
             let mut all = values;
             all.resize(nulls.len(), 0.0);
-            let (mean, sd) = mean_and_sd(&all);
+            let (mean, sd) = mean_and_deviation(&all);
             mean + rules.sigmas * sd + margin(name)
         };
         let misfits: Vec<f64> = nulls.iter().map(|null| null.misfit).collect();
-        let (misfit, sd) = mean_and_sd(&misfits);
-        let floor = |k: usize| mean_and_sd(&nulls.iter().map(|null| null.gap[k]).collect::<Vec<f64>>()).0;
+        let (misfit, sd) = mean_and_deviation(&misfits);
+        let floor =
+            |k: usize| mean_and_deviation(&nulls.iter().map(|null| null.gap[k]).collect::<Vec<f64>>()).0;
         Self {
             key: String::new(),
             evidence: evidence
@@ -179,13 +181,6 @@ fn pretend<'a>(
 
 fn normal(random: &mut ChaCha8Rng) -> f64 {
     StandardNormal.sample(random)
-}
-
-fn mean_and_sd(values: &[f64]) -> (f64, f64) {
-    let n = values.len().max(1) as f64;
-    let mean = values.iter().sum::<f64>() / n;
-    let square = values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / (n - 1.0).max(1.0);
-    (mean, square.sqrt())
 }
 
 /// What a null distribution was made by: another word where library, tolerances or margins change.

@@ -5,35 +5,7 @@ mod sentence;
 
 use crate::found::Outcome;
 use crate::rules::VerdictRules;
-use serde::{Deserialize, Serialize};
-
-/// The kind of answer.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum VerdictKind {
-    /// Effects are named.
-    Effects,
-    /// Effects are named, with rivals that the data cannot tell from them.
-    Ambiguous,
-    /// The model explains the data.
-    #[default]
-    None,
-    /// Something is missing that no effect explains.
-    Unknown,
-    /// The data are at fault.
-    DataDefect,
-}
-
-/// A gap before and after the effects, and where nothing is missing; in standard deviations of the noise.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct GapChange {
-    /// Without the effects.
-    pub before: f64,
-    /// With them.
-    pub after: f64,
-    /// What is left where nothing is missing.
-    pub floor: f64,
-}
+pub use response::verdict::{Gap, VerdictKind};
 
 /// The best effect that was not named.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -60,19 +32,14 @@ pub struct Judgement<'a> {
     /// The best effect that was not named.
     pub nearest: Option<Nearest<'a>>,
     /// Gap of the training data.
-    pub training: GapChange,
+    pub training: Gap,
     /// Gap of the held-out data; none without any.
-    pub held_out: Option<GapChange>,
+    pub held_out: Option<Gap>,
 }
 
 impl<'a> Judgement<'a> {
     /// Of what a search ended with.
-    pub fn new(
-        rules: &VerdictRules,
-        outcome: &'a Outcome,
-        training: GapChange,
-        held_out: Option<GapChange>,
-    ) -> Self {
+    pub fn new(rules: &VerdictRules, outcome: &'a Outcome, training: Gap, held_out: Option<Gap>) -> Self {
         Self {
             closed: rules.closed,
             names: outcome.names(),
@@ -111,7 +78,8 @@ impl<'a> Judgement<'a> {
 
     /// Whether the held-out gap shrank, and to at most so many times what is left where nothing is missing.
     pub fn is_success(&self) -> bool {
-        let closes = |gap: GapChange| gap.after < gap.before && gap.after <= self.closed * gap.floor;
-        !self.names.is_empty() && self.is_supported() && self.held_out.is_some_and(closes)
+        !self.names.is_empty()
+            && self.is_supported()
+            && self.held_out.is_some_and(|gap| gap.is_closed(self.closed))
     }
 }

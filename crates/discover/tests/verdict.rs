@@ -1,11 +1,11 @@
 //! The verdict says no more than the gaps show; a result is read with keys that are not known.
 
 use discover::result::DiscoverResult;
-use discover::verdict::{GapChange, Judgement, VerdictKind};
+use discover::verdict::{Gap, Judgement, VerdictKind};
 use std::path::Path;
 
-fn gap(before: f64, after: f64, floor: f64) -> GapChange {
-    GapChange { before, after, floor }
+fn gap(before: f64, after: f64, floor: f64) -> Gap {
+    Gap { before, after, floor }
 }
 
 /// Stall named, gaps closed.

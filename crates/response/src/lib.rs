@@ -23,6 +23,7 @@ mod reml;
 mod study;
 mod term;
 mod total_sum;
+pub mod verdict;
 
 pub use analysis::{Analysis, analyse};
 pub use candidates::{Candidates, candidates, told_apart};

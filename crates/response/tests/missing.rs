@@ -5,7 +5,8 @@
 use std::path::Path;
 
 use response::mav::{Errors, Published, Series, draw};
-use response::missing::{Missing, Question, Verdict, find_missing};
+use response::missing::{Missing, Question, find_missing};
+use response::verdict::VerdictKind;
 use response::{Blocking, Blocks, Data, Term, told_apart};
 
 fn published() -> Published {
@@ -92,7 +93,7 @@ impl Case<'_> {
                 self.response,
                 self.hidden
             );
-            assert_eq!(found.verdict, Verdict::Effects, "{label}");
+            assert_eq!(found.verdict, VerdictKind::Effects, "{label}");
             assert_eq!(found.named.len(), 1, "{label}");
             let named = &found.named[0];
             assert_eq!(term(&named.name), term(self.hidden), "{label}");
@@ -133,7 +134,7 @@ fn hidden_offsets_of_runs_are_named_as_blocks_with_their_size() {
         let case = Case { series: Series::PropellerOff, response, hidden: "run", factors: &OFF, order: 3 };
         for seed in 1..=5 {
             let found = case.answer(&published, seed);
-            assert_eq!(found.verdict, Verdict::Effects, "{response} {seed}: {found:?}");
+            assert_eq!(found.verdict, VerdictKind::Effects, "{response} {seed}: {found:?}");
             let [named] = found.named.as_slice() else { panic!("{response} {seed}: {found:?}") };
             assert!(named.is_block && named.name == "run", "{found:?}");
             assert!(found.closed(), "{found:?}");
@@ -166,8 +167,13 @@ fn nothing_is_named_where_nothing_is_missing() {
             for response in responses {
                 let case = Case { series, response, hidden: "", factors, order };
                 let found = case.answer(&published, seed);
-                assert_eq!(found.verdict, Verdict::None, "{} {response} {seed}: {found:?}", series.name());
-                assert!(found.named.is_empty() && !found.visible.is_empty());
+                assert_eq!(
+                    found.verdict,
+                    VerdictKind::None,
+                    "{} {response} {seed}: {found:?}",
+                    series.name()
+                );
+                assert!(found.named.is_empty() && !found.detection_limits.is_empty());
                 campaigns += 1;
             }
         }
@@ -183,7 +189,7 @@ fn terms_that_the_design_does_not_tell_apart_are_all_given() {
     let case =
         Case { series: Series::NegativeElevator, response: "Cm", hidden: "q*delta", factors: &OFF, order: 3 };
     let found = case.answer(&published, 1);
-    assert_eq!(found.verdict, Verdict::Ambiguous, "{found:?}");
+    assert_eq!(found.verdict, VerdictKind::Ambiguous, "{found:?}");
     let [named] = found.named.as_slice() else { panic!("{found:?}") };
     let mut names: Vec<Term> = named.confused_with.iter().map(|name| term(name)).collect();
     names.push(term(&named.name));
@@ -211,7 +217,7 @@ fn what_no_candidate_explains_is_unknown() {
     }
     let rough = rough.response("CL", y).expect("values").block(data.blocks()[0].clone()).expect("blocks");
     let found = find_missing(&rough, "CL", &case.question(&published, &rough)).expect("an answer");
-    assert_eq!(found.verdict, Verdict::Unknown, "{found:?}");
+    assert_eq!(found.verdict, VerdictKind::Unknown, "{found:?}");
     assert!(!found.closed());
 }
 

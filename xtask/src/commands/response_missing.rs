@@ -5,7 +5,8 @@ use std::time::Instant;
 
 use nastran::InputError;
 use rayon::prelude::*;
-use response::missing::{Family, Gap, Missing, Named, Verdict, find_missing};
+use response::missing::{Family, Missing, Named, find_missing};
+use response::verdict::{Gap, VerdictKind};
 use serde_json::{Map, Value, json};
 
 use super::response_missing_text as text;
@@ -64,11 +65,11 @@ fn json(name: &str, pairs: &[(&Asked, &Missing)], seed: u64, seconds: f64) -> Va
             let squares: f64 = pairs.iter().map(|(_, found)| part(of(found)).powi(2)).sum();
             (squares / pairs.len().max(1) as f64).sqrt()
         };
-        json!({ "before": rms(&|g| g.before), "after": rms(&|g| g.after), "floor": rms(&|g| g.floor) })
+        Gap { before: rms(&|g| g.before), after: rms(&|g| g.after), floor: rms(&|g| g.floor) }
     };
     json!({
         "command": "response", "name": name, "looked_for": "missing terms",
-        "verdict": overall(pairs).word(),
+        "verdict": overall(pairs),
         "located": merged(&located),
         "effects": merged(&|asked, found| effects(asked, found)),
         "gap": { "training": gap(&|found| found.training), "holdout": gap(&|found| found.held_out) },
@@ -78,10 +79,10 @@ fn json(name: &str, pairs: &[(&Asked, &Missing)], seed: u64, seconds: f64) -> Va
 }
 
 /// The answer for all responses together: what is least settled.
-fn overall(pairs: &[(&Asked, &Missing)]) -> Verdict {
-    let order = [Verdict::Unknown, Verdict::Ambiguous, Verdict::Effects];
-    let any = |verdict: &Verdict| pairs.iter().any(|(_, found)| found.verdict == *verdict);
-    order.into_iter().find(any).unwrap_or(Verdict::None)
+fn overall(pairs: &[(&Asked, &Missing)]) -> VerdictKind {
+    let order = [VerdictKind::Unknown, VerdictKind::Ambiguous, VerdictKind::Effects];
+    let any = |verdict: &VerdictKind| pairs.iter().any(|(_, found)| found.verdict == *verdict);
+    order.into_iter().find(any).unwrap_or(VerdictKind::None)
 }
 
 fn located(asked: &Asked, found: &Missing) -> Vec<Value> {
@@ -104,38 +105,37 @@ fn effect(asked: &Asked, named: &Named) -> Value {
         "name": named.name, "channel": asked.response, "data": asked.file,
         "kind": if named.is_block { "block" } else { "term" },
         "confidence": named.confidence, "confused_with": named.confused_with,
-        "correlation": named.correlation, "log_bayes_factor": named.evidence, "threshold": named.threshold,
+        "correlation": named.correlation, "log_bayes_factor": named.log_bayes_factor, "threshold": named.threshold,
         "share_of_misfit": named.share, "parameters": parameters.collect::<Map<_, _>>(),
     })
 }
 
 /// What was named; of an unknown nothing.
 fn effects(asked: &Asked, found: &Missing) -> Vec<Value> {
-    if found.verdict == Verdict::Unknown {
+    if found.verdict == VerdictKind::Unknown {
         return Vec::new();
     }
     found.named.iter().map(|named| effect(asked, named)).collect()
 }
 
 fn response(asked: &Asked, found: &Missing) -> Value {
-    let gap = |g: Gap| json!({ "before": g.before, "after": g.after, "floor": g.floor });
-    let unknown = found.verdict == Verdict::Unknown;
+    let unknown = found.verdict == VerdictKind::Unknown;
     let closest: Vec<Value> =
         found.named.iter().filter(|_| unknown).map(|named| effect(asked, named)).collect();
-    let candidate = |(name, evidence): &(String, f64)| json!({ "name": name, "log_bayes_factor": evidence, "threshold": found.threshold });
-    let visible = found.visible.iter().map(|one| (one.term.to_string(), json!(one.coefficient)));
+    let candidate = |(name, factor): &(String, f64)| json!({ "name": name, "log_bayes_factor": factor, "threshold": found.threshold });
+    let limits = found.detection_limits.iter().map(|one| (one.term.to_string(), json!(one.coefficient)));
     json!({
-        "name": found.response, "data": asked.file, "verdict": found.verdict.word(),
+        "name": found.response, "data": asked.file, "verdict": found.verdict,
         "model": asked.question.model.iter().map(ToString::to_string).collect::<Vec<_>>(),
         "model_blocks": asked.question.blocks, "model_from": asked.origin, "hidden": asked.hidden,
         "published_coefficient": asked.published, "model_terms_not_told_apart": asked.left_out,
         "located": located(asked, found), "effects": effects(asked, found), "closest": closest,
-        "gap": { "training": gap(found.training), "holdout": gap(found.held_out) },
+        "gap": { "training": found.training, "holdout": found.held_out },
         "success": found.closed(),
         "misfit": { "before": found.misfit[0], "after": found.misfit[1], "limit": found.misfit_limit },
         "candidates": found.candidates.iter().map(candidate).collect::<Vec<_>>(),
         "not_told_from_the_model": found.untold,
-        "would_have_been_named_from": visible.collect::<Map<_, _>>(),
+        "detection_limits": limits.collect::<Map<_, _>>(),
         "pure_error_standard_deviation": found.noise,
         "split": { "training_points": found.split.training.len(), "held_out_points": found.split.held_out.len(),
             "held_out_rows": found.split.held_out.iter().map(|row| row + 1).collect::<Vec<_>>(),

@@ -3,7 +3,8 @@
 use std::fmt::Write as _;
 
 use report::Table;
-use response::missing::{Missing, Named, Verdict};
+use response::missing::{Missing, Named};
+use response::verdict::{Gap, VerdictKind};
 
 use super::response_models::Asked;
 use super::response_text::{number, probability};
@@ -31,7 +32,7 @@ pub(super) fn response(asked: &Asked, found: &Missing) -> String {
         let _ = writeln!(text, "{}", indented(&families(found)));
     }
     text.push_str(&answer(asked, found));
-    let gap = |name: &str, gap: response::missing::Gap| {
+    let gap = |name: &str, gap: Gap| {
         let (before, after, floor) = (gap.before, gap.after, gap.floor);
         format!("  gap, {name:<9} {before:>7.3} -> {after:>6.3} (nothing missing: {floor:.3})\n")
     };
@@ -82,10 +83,10 @@ fn families(found: &Missing) -> String {
 fn answer(asked: &Asked, found: &Missing) -> String {
     let mut text = String::new();
     match found.verdict {
-        Verdict::None => {
-            let best = found.candidates.first().map_or(String::new(), |(name, evidence)| {
+        VerdictKind::None => {
+            let best = found.candidates.first().map_or(String::new(), |(name, factor)| {
                 format!(
-                    " (best of {}: {name} with {evidence:.1} nats, {:.1} needed)",
+                    " (best of {}: {name} with a log Bayes factor of {factor:.1}, {:.1} needed)",
                     found.candidates.len(),
                     found.threshold
                 )
@@ -93,18 +94,18 @@ fn answer(asked: &Asked, found: &Missing) -> String {
             let _ = writeln!(text, "  none: the model explains the points to their pure error{best}");
             let hidden = asked.hidden.as_deref();
             if let Some(unseen) =
-                found.visible.iter().find(|one| Some(one.term.to_string().as_str()) == hidden)
+                found.detection_limits.iter().find(|one| Some(one.term.to_string().as_str()) == hidden)
             {
                 let _ = writeln!(
                     text,
-                    "  {} would have been named from a coefficient of {} on; published is {}",
+                    "  detection limit of {}: a coefficient of {}; published is {}",
                     unseen.term,
                     number(unseen.coefficient),
                     asked.published.map_or("nothing".into(), number)
                 );
             }
         }
-        Verdict::Unknown => {
+        VerdictKind::Unknown => {
             let [before, after] = found.misfit;
             let _ = writeln!(
                 text,
@@ -112,9 +113,9 @@ fn answer(asked: &Asked, found: &Missing) -> String {
                 found.misfit_limit
             );
         }
-        Verdict::Effects | Verdict::Ambiguous => {}
+        VerdictKind::Effects | VerdictKind::Ambiguous | VerdictKind::DataDefect => {}
     }
-    let word = if found.verdict == Verdict::Unknown { "closest" } else { "missing" };
+    let word = if found.verdict == VerdictKind::Unknown { "closest" } else { "missing" };
     for named in &found.named {
         text.push_str(&name(asked, named, word));
     }
@@ -136,8 +137,8 @@ fn name(asked: &Asked, named: &Named, word: &str) -> String {
     }
     let _ = writeln!(
         text,
-        "\n    {:.1} nats against the model without it ({:.1} needed), {:.1} % of the lack of fit, confidence {:.2}",
-        named.evidence,
+        "\n    log Bayes factor {:.1} against the model without it ({:.1} needed), {:.1} % of the lack of fit, confidence {:.2}",
+        named.log_bayes_factor,
         named.threshold,
         100.0 * named.share,
         named.confidence
@@ -150,13 +151,13 @@ fn name(asked: &Asked, named: &Named, word: &str) -> String {
     text
 }
 
-/// Evidence of every candidate.
+/// Log Bayes factor of every candidate.
 pub(super) fn candidates_csv(pairs: &[(&Asked, &Missing)]) -> String {
-    let mut text = String::from("data,response,candidate,evidence_nats,threshold_nats\n");
+    let mut text = String::from("data,response,candidate,log_bayes_factor,threshold\n");
     for (asked, found) in pairs {
-        for (name, evidence) in &found.candidates {
+        for (name, factor) in &found.candidates {
             let _ =
-                writeln!(text, "{},{},{name},{evidence:e},{:e}", asked.file, asked.response, found.threshold);
+                writeln!(text, "{},{},{name},{factor:e},{:e}", asked.file, asked.response, found.threshold);
         }
     }
     text

@@ -1,6 +1,6 @@
 //! The verdict in one sentence.
 
-use super::{GapChange, Judgement};
+use super::{Gap, Judgement};
 
 impl Judgement<'_> {
     /// The verdict in a sentence or two.
@@ -10,7 +10,7 @@ impl Judgement<'_> {
 
     fn named(&self) -> String {
         let names = self.names.join(" and ");
-        let GapChange { before, after, floor } = self.training;
+        let Gap { before, after, floor } = self.training;
         if !self.is_supported() {
             return format!(
                 "With {names} in the model the gap on training data does not shrink ({before:.1} -> {after:.1}): these data do \
@@ -22,7 +22,7 @@ impl Judgement<'_> {
                 "With {names} the gap on training data goes from {before:.1} to {after:.1}; no data are held out to judge it by, \
                  so no success is claimed"
             ),
-            Some(GapChange { before, after, floor }) => {
+            Some(Gap { before, after, floor }) => {
                 let times = self.closed;
                 let end = if self.is_success() {
                     format!(
@@ -51,7 +51,7 @@ impl Judgement<'_> {
     }
 
     fn nothing_named(&self) -> String {
-        let GapChange { before: gap, floor, .. } = self.training;
+        let Gap { before: gap, floor, .. } = self.training;
         let nearest = self.nearest.map_or_else(String::new, |nearest| {
             let (evidence, needed) = (nearest.evidence, nearest.threshold);
             let why = if evidence > needed { "the data do not tell it from others" } else { "too little" };

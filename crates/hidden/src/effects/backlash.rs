@@ -1,4 +1,4 @@
-//! Play between servo and surface: the mean of two widths (the obvious form: one).
+//! Freeplay between servo and surface: the mean of two widths (the obvious form: one).
 
 use super::{Kind, Parameter, Sign};
 

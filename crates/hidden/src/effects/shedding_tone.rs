@@ -1,4 +1,4 @@
-//! A tone of vortices with a frequency that follows the airspeed and a phase of its own in every record.
+//! Vortex shedding: a spectral line with a frequency that follows the airspeed and a phase of its own in every record.
 
 use super::{Kind, Parameter, Sign};
 use crate::random::{Random, Stream};

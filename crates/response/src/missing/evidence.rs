@@ -1,6 +1,6 @@
-//! Evidence for a candidate: what it takes off the residual sum of the model, S, in nats against the model without it,
+//! Evidence for a candidate: what it takes off the residual sum of the model, S, as the log Bayes factor against the model without it,
 //! S / 2 s^2 - d/2 ln N, with s^2 the pure error, d the candidate's degrees of freedom and N the points (Schwarz, Annals of
-//! Statistics 6 (1978), with a known error). Candidates are compared by differences of it: 5 nats are odds of 150 to 1.
+//! Statistics 6 (1978), with a known error). Candidates are compared by differences of it: 5 are odds of 150 to 1.
 
 use crate::columns::Columns;
 use crate::data::Data;
@@ -77,8 +77,8 @@ impl Beyond {
         self.basis.iter().map(|q| dot(q, rest).powi(2)).sum()
     }
 
-    /// Nats against the model without them.
-    pub(super) fn evidence(&self, rest: &[f64], variance: f64) -> f64 {
+    /// Log Bayes factor against the model without them.
+    pub(super) fn log_bayes_factor(&self, rest: &[f64], variance: f64) -> f64 {
         let freedom = self.basis.len() as f64;
         0.5 * self.explained(rest) / variance - 0.5 * freedom * (rest.len() as f64).ln()
     }

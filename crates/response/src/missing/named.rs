@@ -18,12 +18,12 @@ pub struct Named {
     pub name: String,
     /// True for offsets of blocks.
     pub is_block: bool,
-    /// Candidates that explain the data about as well (within 5 nats), best first.
+    /// Candidates that explain the data about as well (a log Bayes factor within 5 of its own), best first.
     pub confused_with: Vec<String>,
     /// Their correlation with it once the model's terms are out; 1 if the points cannot tell them apart at all.
     pub correlation: Vec<f64>,
-    /// Nats against the model without it, all else that was named in it.
-    pub evidence: f64,
+    /// Log Bayes factor against the model without it, all else that was named in it.
+    pub log_bayes_factor: f64,
     /// What it needed.
     pub threshold: f64,
     /// Its weight among all candidates: 1 if no other explains the data, 1/2 if one does as well.

@@ -1,4 +1,4 @@
-//! The search: the best candidate is added if it passes the threshold, then earlier picks are weighed again (a first pick can
+//! The search: the best candidate is added if it passes the threshold, then earlier picks are judged again (a first pick can
 //! be a compromise of two terms, which a swap repairs; one that later picks make needless is dropped).
 
 use rand_chacha::ChaCha8Rng;
@@ -8,15 +8,16 @@ use super::evidence::{Beyond, Candidate};
 use super::families::{Family, families};
 use super::named::{Named, Parameter};
 use super::noise::{Base, Noise};
-use super::{Gap, Question, Split, Visible};
+use super::{DetectionLimit, Question, Split};
 use crate::data::{Blocking, Data};
 use crate::fault::Fault;
 use crate::qr::dot;
 use crate::regression::Regression;
 use crate::term::Term;
+use crate::verdict::{Gap, mean_and_deviation};
 
-/// Nats within which candidates are not told apart, and the least evidence for a name.
-const NATS: f64 = 5.0;
+/// Log Bayes factor within which candidates are not told apart, and the least that a name needs.
+const CLOSE: f64 = 5.0;
 /// Thresholds are so many standard deviations above the mean of pseudo-campaigns.
 const DEVIATIONS: f64 = 4.0;
 /// Names of one response.
@@ -24,39 +25,39 @@ const MOST_NAMES: usize = 4;
 /// Pseudo-campaigns for the floor of the gap.
 const FLOOR_DRAWS: u32 = 20;
 
-/// A candidate weighed against the model.
+/// A candidate ranked against the model.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Weighed {
+pub(super) struct Ranked {
     index: usize,
     pub(super) name: String,
-    pub(super) evidence: f64,
+    pub(super) log_bayes_factor: f64,
     beyond: Beyond,
 }
 
 /// A model, and all candidates beside it.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Level {
-    pub(super) weighed: Vec<Weighed>,
+pub(super) struct CurrentModel {
+    pub(super) ranked: Vec<Ranked>,
     pub(super) untold: Vec<String>,
     pub(super) threshold: f64,
     pub(super) misfit: f64,
     pub(super) misfit_limit: f64,
     pub(super) noise: f64,
     pub(super) families: Vec<Family>,
-    pub(super) visible: Vec<Visible>,
+    pub(super) detection_limits: Vec<DetectionLimit>,
     explained: Vec<f64>,
 }
 
-impl Level {
-    fn best(&self) -> Option<&Weighed> {
-        self.weighed.iter().reduce(|a, b| if b.evidence > a.evidence { b } else { a })
+impl CurrentModel {
+    fn best(&self) -> Option<&Ranked> {
+        self.ranked.iter().reduce(|a, b| if b.log_bayes_factor > a.log_bayes_factor { b } else { a })
     }
 }
 
 /// What the search came to.
 pub(super) struct Found {
     /// The model as given, then with what was named.
-    pub(super) levels: Vec<Level>,
+    pub(super) models: Vec<CurrentModel>,
     pub(super) named: Vec<Named>,
     picks: Vec<Candidate>,
 }
@@ -91,10 +92,10 @@ impl Place<'_> {
     }
 
     /// All candidates against the model with the picks; their threshold if `full`.
-    fn level(&self, picks: &[Candidate]) -> Result<Level, Fault> {
+    fn current_model(&self, picks: &[Candidate]) -> Result<CurrentModel, Fault> {
         let base = self.base(picks)?;
         let (rest, variance) = (&base.fitted.residuals, self.noise.variance);
-        let (mut weighed, mut untold, mut explained) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut ranked, mut untold, mut explained) = (Vec::new(), Vec::new(), Vec::new());
         for (index, candidate) in self.candidates.iter().enumerate() {
             if picks.contains(candidate) {
                 continue;
@@ -105,32 +106,32 @@ impl Place<'_> {
                 continue;
             }
             explained.push(beyond.explained(rest));
-            let evidence = beyond.evidence(rest, variance);
-            weighed.push(Weighed { index, name: candidate.name(), evidence, beyond });
+            let log_bayes_factor = beyond.log_bayes_factor(rest, variance);
+            ranked.push(Ranked { index, name: candidate.name(), log_bayes_factor, beyond });
         }
-        let (threshold, misfit_limit) = self.limits(&base, &weighed)?;
-        Ok(Level {
+        let (threshold, misfit_limit) = self.limits(&base, &ranked)?;
+        Ok(CurrentModel {
             threshold,
             misfit: self.noise.misfit(rest, base.fitted.degrees_of_freedom),
             misfit_limit,
             noise: variance.sqrt(),
             families: families(&base, &self.training, &self.candidates)?,
-            visible: self.visible(&weighed, threshold),
-            weighed,
+            detection_limits: self.detection_limits(&ranked, threshold),
+            ranked,
             untold,
             explained,
         })
     }
 
     /// Evidence and misfit above which pseudo-campaigns of this very model do not come.
-    fn limits(&self, base: &Base, weighed: &[Weighed]) -> Result<(f64, f64), Fault> {
+    fn limits(&self, base: &Base, ranked: &[Ranked]) -> Result<(f64, f64), Fault> {
         let mut random = ChaCha8Rng::seed_from_u64(self.question.seed);
         random.set_stream(1);
         let best = |errors: &[f64]| -> Result<(f64, f64), Fault> {
             let data = self.training.answering(self.response, errors);
             let noise = Noise::of(&data, self.response, self.question.noise)?;
             let rest = base.fitted.remainder(errors);
-            let evidence = weighed.iter().map(|one| one.beyond.evidence(&rest, noise.variance));
+            let evidence = ranked.iter().map(|one| one.beyond.log_bayes_factor(&rest, noise.variance));
             let misfit = noise.misfit(&rest, base.fitted.degrees_of_freedom);
             Ok((evidence.fold(0.0, f64::max), misfit))
         };
@@ -141,31 +142,31 @@ impl Place<'_> {
             misfit.push(left);
             own.push(best(&self.noise.draw_own(&mut random))?.0);
         }
-        Ok((above(&alike).max(above(&own)).max(NATS), above(&misfit)))
+        Ok((above(&alike).max(above(&own)).max(CLOSE), above(&misfit)))
     }
 
-    fn visible(&self, weighed: &[Weighed], threshold: f64) -> Vec<Visible> {
+    fn detection_limits(&self, ranked: &[Ranked], threshold: f64) -> Vec<DetectionLimit> {
         let points = self.training.points() as f64;
         let needed = (self.noise.variance * 2.0 * (threshold + 0.5 * points.ln())).sqrt();
-        let of = |one: &Weighed| match &self.candidates[one.index] {
+        let of = |one: &Ranked| match &self.candidates[one.index] {
             Candidate::Term(term) => {
-                Some(Visible { term: term.clone(), coefficient: needed / one.beyond.length })
+                Some(DetectionLimit { term: term.clone(), coefficient: needed / one.beyond.length })
             }
             Candidate::Blocks(_) => None,
         };
-        weighed.iter().filter_map(of).collect()
+        ranked.iter().filter_map(of).collect()
     }
 
     /// A pick that another candidate beats, or that is needless, given the other picks.
-    fn settle(&self, picks: &mut Vec<Candidate>) -> Result<(), Fault> {
+    fn backward_step(&self, picks: &mut Vec<Candidate>) -> Result<(), Fault> {
         for _ in 0..MOST_NAMES {
             let before = picks.clone();
             for index in (0..picks.len()).rev() {
                 let mut others = picks.clone();
                 let own = others.remove(index);
-                let level = self.level(&others)?;
-                let Some(best) = level.best() else { continue };
-                if best.evidence <= level.threshold {
+                let current = self.current_model(&others)?;
+                let Some(best) = current.best() else { continue };
+                if best.log_bayes_factor <= current.threshold {
                     *picks = others;
                 } else if self.candidates[best.index] != own {
                     picks[index] = self.candidates[best.index].clone();
@@ -182,24 +183,25 @@ impl Place<'_> {
     fn name(&self, picks: &[Candidate], index: usize, misfit_sum: f64) -> Result<Named, Fault> {
         let mut others = picks.to_vec();
         let own = others.remove(index);
-        let level = self.level(&others)?;
-        let at = level.weighed.iter().position(|one| self.candidates[one.index] == own);
+        let current = self.current_model(&others)?;
+        let at = current.ranked.iter().position(|one| self.candidates[one.index] == own);
         let at = at.ok_or_else(|| Fault::Design { why: format!("`{}` is not to be told", own.name()) })?;
-        let one = &level.weighed[at];
-        let mut rivals: Vec<&Weighed> =
-            level.weighed.iter().filter(|other| other.index != one.index).collect();
-        rivals.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
-        let weight: f64 = level.weighed.iter().map(|other| (other.evidence - one.evidence).exp()).sum();
-        rivals.retain(|rival| rival.evidence >= one.evidence - NATS);
+        let one = &current.ranked[at];
+        let mut rivals: Vec<&Ranked> =
+            current.ranked.iter().filter(|other| other.index != one.index).collect();
+        rivals.sort_by(|a, b| b.log_bayes_factor.total_cmp(&a.log_bayes_factor));
+        let weight: f64 =
+            current.ranked.iter().map(|other| (other.log_bayes_factor - one.log_bayes_factor).exp()).sum();
+        rivals.retain(|rival| rival.log_bayes_factor >= one.log_bayes_factor - CLOSE);
         Ok(Named {
             name: own.name(),
             is_block: matches!(own, Candidate::Blocks(_)),
             confused_with: rivals.iter().map(|rival| rival.name.clone()).collect(),
             correlation: rivals.iter().map(|rival| one.beyond.correlation(&rival.beyond)).collect(),
-            evidence: one.evidence,
-            threshold: level.threshold,
+            log_bayes_factor: one.log_bayes_factor,
+            threshold: current.threshold,
             confidence: 1.0 / weight,
-            share: (level.explained[at] / misfit_sum).min(1.0),
+            share: (current.explained[at] / misfit_sum).min(1.0),
             parameters: parameters(&self.base(picks)?.fitted, &own),
         })
     }
@@ -222,10 +224,8 @@ fn parameters(fitted: &Regression, own: &Candidate) -> Vec<Parameter> {
 
 /// Mean and so many standard deviations of draws.
 fn above(values: &[f64]) -> f64 {
-    let count = values.len() as f64;
-    let mean = values.iter().sum::<f64>() / count;
-    let square = values.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / (count - 1.0);
-    mean + DEVIATIONS * square.sqrt()
+    let (mean, deviation) = mean_and_deviation(values);
+    mean + DEVIATIONS * deviation
 }
 
 /// Adds what passes, best first.
@@ -251,22 +251,24 @@ pub(super) fn search(
     let noise = Noise::of(&training, response, question.noise)?;
     let place = Place { question, training, response, candidates, noise };
     let mut picks: Vec<Candidate> = Vec::new();
-    let mut levels = vec![place.level(&picks)?];
+    let mut models = vec![place.current_model(&picks)?];
     while picks.len() < MOST_NAMES {
-        let level = &levels[levels.len() - 1];
-        let Some(best) = level.best().filter(|best| best.evidence > level.threshold) else { break };
+        let current = &models[models.len() - 1];
+        let Some(best) = current.best().filter(|best| best.log_bayes_factor > current.threshold) else {
+            break;
+        };
         picks.push(place.candidates[best.index].clone());
         if picks.len() > 1 {
-            place.settle(&mut picks)?;
+            place.backward_step(&mut picks)?;
         }
-        levels.push(place.level(&picks)?);
+        models.push(place.current_model(&picks)?);
     }
     let base = place.base(&[])?;
     let beyond =
         (dot(&base.fitted.residuals, &base.fitted.residuals) - place.noise.pure_sum()).max(f64::MIN_POSITIVE);
     let named = (0..picks.len()).map(|index| place.name(&picks, index, beyond));
     let named = named.collect::<Result<_, _>>()?;
-    Ok(Found { levels, named, picks })
+    Ok(Found { models, named, picks })
 }
 
 impl Found {
