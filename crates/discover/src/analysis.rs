@@ -18,7 +18,7 @@ use crate::simulator::{Simulator, SimulatorError, SplitRig};
 use crate::spectral_lines::{SpectralLine, sentence, spectral_lines};
 use crate::uncertain::uncertain;
 use calibrate::{Campaign, Schedule, Use};
-use coupling::{ElasticWing, WingFile};
+use coupling::{ByLoad, ElasticWing, WingFile};
 use maneuver::AirModel;
 use maneuver::effects::{Active, Effect, library};
 use std::sync::Arc;
@@ -227,9 +227,10 @@ impl Prepared {
     /// Defects of the data, judged before anything is searched; none is what one hopes for.
     pub fn defects(&self) -> Vec<Defect> {
         let flown = self.simulator.flown(&[], None, &self.records());
-        let of_run = |run: &RunData| std::array::from_fn(|c| self.noise.sigma(run.airspeed, c, 1.0));
+        let of_run =
+            |run: &RunData| ByLoad::from_fn(|load| self.noise.sigma(run.airspeed, load as usize, 1.0));
         let statics = self.data.statics.iter().map(|_| self.noise.point);
-        let sigma: Vec<[f64; 3]> = statics.chain(self.data.runs.iter().map(of_run)).collect();
+        let sigma: Vec<ByLoad<f64>> = statics.chain(self.data.runs.iter().map(of_run)).collect();
         defects(&self.data, &flown, &sigma)
     }
 }

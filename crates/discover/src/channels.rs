@@ -3,6 +3,7 @@
 
 use calibrate::Campaign;
 use calibrate::campaign::{CHANNELS, ChannelNoise};
+use coupling::ByLoad;
 use maneuver::Run;
 use nastran::InputError;
 use std::path::Path;
@@ -41,13 +42,23 @@ pub(crate) fn run_loads(
     Ok(all)
 }
 
+/// Standard deviations as a campaign states them; zero for a load of which none is stated.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StatedNoise {
+    /// Of a sample of a run, N and N m.
+    pub sample: ByLoad<f64>,
+    /// Of a static point.
+    pub point: ByLoad<f64>,
+}
+
 /// Stated noise, if there is any of a channel that is there.
-pub(crate) fn stated(campaign: &Campaign, run_loads: [bool; 3]) -> Option<([f64; 3], [f64; 3])> {
+pub(crate) fn stated(campaign: &Campaign, run_loads: [bool; 3]) -> Option<StatedNoise> {
     let noise = campaign.noise.as_ref()?;
     let [sample, point] = [noise.sample, noise.static_point].map(ChannelNoise::to_array);
-    let of =
-        |sigma: [f64; 4], there: [bool; 3]| std::array::from_fn(|c| if there[c] { sigma[c] } else { 0.0 });
-    Some((of(sample, run_loads), of(point, campaign.channels)))
+    let of = |sigma: [f64; 4], there: &[bool]| {
+        ByLoad::from_fn(|load| if there[load as usize] { sigma[load as usize] } else { 0.0 })
+    };
+    Some(StatedNoise { sample: of(sample, &run_loads), point: of(point, &campaign.channels) })
 }
 
 /// Columns and runs that nothing is made of.

@@ -1,5 +1,6 @@
 //! Static points and runs of a campaign as the search wants them: grouped by airspeed, runs at one sample rate.
 
+pub use crate::channels::StatedNoise;
 use crate::channels::{not_used, run_loads, stated};
 pub use crate::conditions::Condition;
 use crate::conditions::conditions;
@@ -35,8 +36,8 @@ pub struct Dataset {
     pub statics: Vec<StaticGroup>,
     /// Which of Fz, Mx, My the runs have.
     pub run_loads: [bool; 3],
-    /// Standard deviations as stated: of a sample of a run, of a static point; zero for a load of which none is stated.
-    pub stated: Option<([f64; 3], [f64; 3])>,
+    /// Standard deviations as stated.
+    pub stated: Option<StatedNoise>,
     /// How training and held-out runs were divided, if the campaign does not say it.
     pub split: Option<String>,
     /// What was measured and is not used, in words.

@@ -8,8 +8,10 @@ use crate::rules::SharedRules;
 use maneuver::effects::{Effect, Inputs, Parameter, Place, Side, Spec};
 use maneuver::rom::{Change, Constants};
 
+/// Their names, with units.
+const NAMES: &[&str] = &["force", "force_tip", "aft_over_c", "incidence_rad", "gradient_rad_m", "cm0"];
 /// Directions of an airspeed.
-pub const DIRECTIONS: usize = 6;
+pub const DIRECTIONS: usize = NAMES.len();
 
 /// All six directions at one airspeed.
 #[derive(Debug)]
@@ -43,8 +45,7 @@ impl Effect for Directions {
     }
 
     fn parameters(&self) -> Vec<Parameter> {
-        let names = ["force", "force_tip", "aft_over_c", "incidence_rad", "gradient_rad_m", "cm0"];
-        (0..DIRECTIONS).map(|k| Parameter::new(names[k], (-10.0, 10.0), self.wide[k])).collect()
+        (0..DIRECTIONS).map(|k| Parameter::new(NAMES[k], (-10.0, 10.0), self.wide[k])).collect()
     }
 
     fn inputs(&self, p: &[f64], place: &Place<'_>, inputs: &mut Inputs) {

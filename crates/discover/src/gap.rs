@@ -1,17 +1,18 @@
 //! The gap between simulation and measurements, and problems with a simulation in place of the measurements.
 
 use crate::problem::{Kind, Problem};
+use coupling::{ByLoad, Load};
 use maneuver::effects::Flown;
 
 /// Root mean square of measured minus simulated loads over the noise, by channel and together.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gap {
     /// Fz, Mx, My.
-    pub by_channel: [f64; 3],
+    pub by_channel: ByLoad<f64>,
     /// Over all channels.
     pub all: f64,
     /// Root mean square of the residual over that of the variation of the load, per cent, by channel.
-    pub raw_percent: [f64; 3],
+    pub raw_percent: ByLoad<f64>,
 }
 
 impl Problem<'_> {
@@ -33,10 +34,11 @@ impl Problem<'_> {
         }
         let root = |sum: f64, count: usize| (sum / count.max(1) as f64).sqrt();
         Gap {
-            by_channel: std::array::from_fn(|c| root(squares[c], counts[c])),
+            by_channel: ByLoad::from_fn(|load| root(squares[load as usize], counts[load as usize])),
             all: root(squares.iter().sum(), counts.iter().sum()),
-            raw_percent: std::array::from_fn(|c| {
-                100.0 * (raw[c] / variation[c].max(f64::MIN_POSITIVE)).sqrt()
+            raw_percent: ByLoad::from_fn(|load| {
+                let variation = variation[load as usize].max(f64::MIN_POSITIVE);
+                100.0 * (raw[load as usize] / variation).sqrt()
             }),
         }
     }
@@ -60,7 +62,7 @@ impl Kind {
                 let (c, k) = (channels[i / coefficients], i % coefficients);
                 (c, sigma[c][k], k == 0)
             }
-            Self::Static { rows, sigma } => (rows[i].0, sigma[rows[i].0], false),
+            Self::Static { rows, sigma } => (rows[i].0, sigma[Load::ALL[rows[i].0]], false),
         }
     }
 }

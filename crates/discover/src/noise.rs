@@ -8,6 +8,7 @@
 use crate::data::Dataset;
 use crate::transform::{cosines, frequency_hz};
 use calibrate::Use;
+use coupling::{ByLoad, Load};
 use maneuver::effects::Flown;
 
 /// Why the noise is not known.
@@ -28,9 +29,9 @@ pub struct Noise {
     /// Standard deviation of a cosine coefficient by airspeed, channel and band.
     pub run: Vec<[[f64; 5]; 3]>,
     /// Of the offset of a run, and of a block of static points.
-    pub offset: [f64; 3],
+    pub offset: ByLoad<f64>,
     /// Of a static point.
-    pub point: [f64; 3],
+    pub point: ByLoad<f64>,
     /// How many pairs of runs were compared.
     pub pairs: usize,
 }
@@ -45,7 +46,11 @@ impl Noise {
         let band = |frequency_hz: f64| band(&rules.bands_hz, frequency_hz);
         let pairs = pairs(data);
         let scatter = static_scatter(data);
-        check_known(data, pairs.is_empty(), std::array::from_fn(|c| scatter.0[c].max(scatter.1[c])))?;
+        check_known(
+            data,
+            pairs.is_empty(),
+            ByLoad::from_fn(|load| scatter.within[load].max(scatter.between[load])),
+        )?;
         let mut sums = vec![[[(0.0, 0_usize); 5]; 3]; data.airspeeds_m_s.len()];
         let mut offsets = [(0.0, 0_usize); 3];
         for &(a, b) in &pairs {
@@ -71,14 +76,18 @@ impl Noise {
                 }
             }
         }
-        let stated_point = |c: usize| data.stated.map(|(_, point)| point[c]).filter(|sigma| *sigma > 0.0);
-        let offset = std::array::from_fn(|c| {
+        let stated_point =
+            |load: Load| data.stated.map(|stated| stated.point[load]).filter(|sigma| *sigma > 0.0);
+        let offset = ByLoad::from_fn(|load| {
+            let c = load as usize;
             let runs = if offsets[c].1 > 0 { (offsets[c].0 / offsets[c].1 as f64).sqrt() } else { 0.0 };
-            runs.max(scatter.1[c]).max(stated_point(c).unwrap_or(rules.least_offset))
+            runs.max(scatter.between[load]).max(stated_point(load).unwrap_or(rules.least_offset))
         });
-        let point: [f64; 3] = std::array::from_fn(|c| scatter.0[c].max(stated_point(c).unwrap_or(offset[c])));
+        let point =
+            ByLoad::from_fn(|load| scatter.within[load].max(stated_point(load).unwrap_or(offset[load])));
         let decimation = data.runs.iter().map(|run| run.decimation).max().unwrap_or(1) as f64;
-        let stated = data.stated.map(|(sample, _)| sample.map(|sigma| sigma * sigma / decimation));
+        let stated =
+            data.stated.map(|stated| stated.sample.map(|sigma| sigma * sigma / decimation).to_array());
         let variance = |v: usize, c: usize, b: usize| {
             let at = sums[v][c][b];
             let pooled = sums.iter().map(|s| s[c][b]).fold((0.0, 0), |a, s| (a.0 + s.0, a.1 + s.1));
@@ -88,7 +97,7 @@ impl Noise {
             let estimate = estimate.or((all.1 > 0).then(|| all.0 / all.1 as f64));
             let variance = estimate.unwrap_or(0.0).max(stated.map_or(0.0, |s| s[c]));
             // without runs an experiment that is planned has at least a static point's
-            let least = if data.runs.is_empty() { point[c].powi(2) } else { f64::MIN_POSITIVE };
+            let least = if data.runs.is_empty() { point[Load::ALL[c]].powi(2) } else { f64::MIN_POSITIVE };
             let there = if data.runs.is_empty() { data.static_loads()[c] } else { data.run_loads[c] };
             if there { variance.max(least) } else { f64::INFINITY }
         };
@@ -121,8 +130,16 @@ fn band(bands_hz: &[f64], frequency_hz: f64) -> usize {
     bands_hz.iter().position(|end| frequency_hz < *end).unwrap_or(bands_hz.len() - 1)
 }
 
-/// Scatter of repeated static points within blocks, and of blocks.
-fn static_scatter(data: &Dataset) -> ([f64; 3], [f64; 3]) {
+/// Standard deviations of repeated static points.
+struct Scatter {
+    /// Within blocks.
+    within: ByLoad<f64>,
+    /// Between blocks.
+    between: ByLoad<f64>,
+}
+
+/// Scatter of repeated static points.
+fn static_scatter(data: &Dataset) -> Scatter {
     let same_angle_rad = data.rules.noise.same_angle_rad;
     let (mut within, mut between) = ([(0.0, 0_usize); 3], [(0.0, 0_usize); 3]);
     for group in data.statics.iter().filter(|group| group.usage == Use::Train) {
@@ -165,18 +182,22 @@ fn static_scatter(data: &Dataset) -> ([f64; 3], [f64; 3]) {
         }
     }
     let root = |(sum, count): (f64, usize)| if count > 0 { (sum / count as f64).sqrt() } else { 0.0 };
-    (within.map(root), between.map(root))
+    let of = |sums: [(f64, usize); 3]| ByLoad::from_array(sums.map(root));
+    Scatter { within: of(within), between: of(between) }
 }
 
 /// Every load of the runs needs a repeated run or stated noise; without runs, every load of the static points repeated
 /// points or stated noise.
-fn check_known(data: &Dataset, no_pairs: bool, scatter: [f64; 3]) -> Result<(), NoiseUnknown> {
+fn check_known(data: &Dataset, no_pairs: bool, scatter: ByLoad<f64>) -> Result<(), NoiseUnknown> {
     let stated = |c: usize, of_points: bool| {
-        data.stated.is_some_and(|(sample, point)| if of_points { point[c] } else { sample[c] } > 0.0)
+        data.stated.is_some_and(|stated| {
+            let sigma = if of_points { stated.point } else { stated.sample };
+            sigma[Load::ALL[c]] > 0.0
+        })
     };
     let (there, of_points) =
         if data.runs.is_empty() { (data.static_loads(), true) } else { (data.run_loads, false) };
-    let repeated = |c: usize| if of_points { scatter[c] > 0.0 } else { !no_pairs };
+    let repeated = |c: usize| if of_points { scatter[Load::ALL[c]] > 0.0 } else { !no_pairs };
     let nothing_repeats =
         if of_points { "no static point repeats another" } else { "no training run repeats another" };
     match (0..3).find(|&c| there[c] && !repeated(c) && !stated(c, of_points)) {

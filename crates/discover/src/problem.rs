@@ -12,6 +12,7 @@ use crate::rules::Rules;
 use crate::tolerance::Tolerance;
 use crate::transform::{count, every_cosine, frequency_hz};
 use calibrate::Use;
+use coupling::{ByLoad, Load};
 use maneuver::effects::{Flown, Stimulus};
 
 /// One run or static group in the residual.
@@ -40,7 +41,7 @@ pub(crate) enum Kind {
     },
     Static {
         rows: Vec<(usize, usize)>,
-        sigma: [f64; 3],
+        sigma: ByLoad<f64>,
     },
 }
 
@@ -51,7 +52,7 @@ pub struct Problem<'a> {
     /// Static groups first, then runs.
     pub segments: Vec<Segment>,
     pub(crate) measured: Vec<f64>,
-    pub(crate) offset: [f64; 3],
+    pub(crate) offset: ByLoad<f64>,
 }
 
 impl<'a> Problem<'a> {
@@ -85,8 +86,10 @@ impl<'a> Problem<'a> {
                 .flat_map(|c| (0..group.measured.len()).map(move |i| (c, i)))
                 .filter(|&(c, i)| group.measured[i][c].is_some())
                 .collect();
-            let values: Vec<f64> =
-                rows.iter().map(|&(c, i)| group.measured[i][c].unwrap_or(0.0) / noise.point[c]).collect();
+            let values: Vec<f64> = rows
+                .iter()
+                .map(|&(c, i)| group.measured[i][c].unwrap_or(0.0) / noise.point[Load::ALL[c]])
+                .collect();
             problem.push(place, Kind::Static { rows, sigma: noise.point }, &values);
         }
         problem
@@ -203,7 +206,7 @@ pub fn difference(after: &Flown, before: &Flown) -> Flown {
 
 /// What bounds the tolerances of a segment.
 struct Bounds<'a> {
-    offset: [f64; 3],
+    offset: ByLoad<f64>,
     data: &'a Dataset,
     place: usize,
 }
@@ -231,7 +234,9 @@ impl Kind {
                     all.into_iter().zip(&sigma[c]).map(|(value, sigma)| value / sigma).collect::<Vec<f64>>()
                 })
                 .collect(),
-            Self::Static { rows, sigma } => rows.iter().map(|&(c, i)| loads[c][i] / sigma[c]).collect(),
+            Self::Static { rows, sigma } => {
+                rows.iter().map(|&(c, i)| loads[c][i] / sigma[Load::ALL[c]]).collect()
+            }
         }
     }
 
@@ -257,7 +262,8 @@ impl Kind {
                         all.into_iter().zip(&sigma[c]).map(|(value, sigma)| value / sigma).collect()
                     };
                     let still = whitened(&vec![
-                        (rules.run_mean_gain * mean).hypot(offset[c] / repeats.sqrt());
+                        (rules.run_mean_gain * mean)
+                            .hypot(offset[Load::ALL[c]] / repeats.sqrt());
                         *samples
                     ]);
                     let mut columns = vec![still];
@@ -283,19 +289,20 @@ impl Kind {
                 .filter_map(|c| {
                     let from = rows.iter().position(|row| row.0 == c)?;
                     let own: Vec<usize> = rows.iter().filter(|row| row.0 == c).map(|row| row.1).collect();
-                    let load = |i: usize| simulated.loads[c][i] / sigma[c];
+                    let (offset, sigma) = (offset[Load::ALL[c]], sigma[Load::ALL[c]]);
+                    let load = |i: usize| simulated.loads[c][i] / sigma;
                     let mut columns: Vec<Vec<f64>> =
                         vec![own.iter().map(|&i| rules.static_gain * load(i)).collect()];
                     let group = &data.statics[place];
                     for block in 0..=data.blocks.len() {
                         let of = |i: usize| group.blocks[i].unwrap_or(data.blocks.len()) == block;
                         if own.iter().any(|&i| of(i)) {
-                            let column = own.iter().map(|&i| if of(i) { offset[c] / sigma[c] } else { 0.0 });
+                            let column = own.iter().map(|&i| if of(i) { offset / sigma } else { 0.0 });
                             columns.push(column.collect());
                         }
                     }
                     let form = |flown: &&Flown| {
-                        own.iter().map(|&i| rules.found_gain * flown.loads[c][i] / sigma[c]).collect()
+                        own.iter().map(|&i| rules.found_gain * flown.loads[c][i] / sigma).collect()
                     };
                     columns.extend(found.iter().map(form));
                     Some(Tolerance::new(from..from + own.len(), &columns))

@@ -9,6 +9,7 @@ use crate::data::Dataset;
 use crate::load_model::LoadModel;
 use crate::simulator::Simulator;
 use calibrate::{Campaign, Schedule, Use};
+use coupling::{ByLoad, Load};
 use maneuver::effects::Active;
 
 /// See the module.
@@ -40,7 +41,9 @@ pub fn recalibrated<E: From<DiscoverError>>(
         let simulator = Simulator::new(&rigs.own, &schedule, &prepared.data).map_err(DiscoverError::from)?;
         let new = of_effects(&simulator, prepared, effects);
         let moved = loads.iter().flatten().zip(new.iter().flatten()).any(|(old, new)| {
-            (0..3).any(|c| (new[c] - old[c]).abs() > rules.calibrated_same * prepared.noise.point[c])
+            let is_moved =
+                |load| (new[load] - old[load]).abs() > rules.calibrated_same * prepared.noise.point[load];
+            Load::ALL.into_iter().any(is_moved)
         });
         if !moved || calibrations >= rules.calibrations {
             return Ok(Recalibrated { schedule, simulator });
@@ -50,12 +53,13 @@ pub fn recalibrated<E: From<DiscoverError>>(
 }
 
 /// What effects add to Fz, Mx, My of every point of every static group.
-fn of_effects(simulator: &Simulator, prepared: &Prepared, effects: &[Active]) -> Vec<Vec<[f64; 3]>> {
+fn of_effects(simulator: &Simulator, prepared: &Prepared, effects: &[Active]) -> Vec<Vec<ByLoad<f64>>> {
     let groups: Vec<usize> = (0..prepared.data.statics.len()).collect();
     let with = simulator.flown(effects, None, &groups);
     let plain = simulator.flown(&[], None, &groups);
-    let point =
-        |with: &[Vec<f64>; 3], plain: &[Vec<f64>; 3], i: usize| [0, 1, 2].map(|c| with[c][i] - plain[c][i]);
+    let point = |with: &[Vec<f64>; 3], plain: &[Vec<f64>; 3], i: usize| {
+        ByLoad::from_fn(|load| with[load as usize][i] - plain[load as usize][i])
+    };
     with.iter()
         .zip(&plain)
         .map(|(with, plain)| (0..with.loads[0].len()).map(|i| point(&with.loads, &plain.loads, i)).collect())
@@ -63,11 +67,11 @@ fn of_effects(simulator: &Simulator, prepared: &Prepared, effects: &[Active]) ->
 }
 
 /// The campaign with these loads taken off, and without the points of held-out airspeeds.
-fn without(campaign: &Campaign, data: &Dataset, loads: &[Vec<[f64; 3]>]) -> Campaign {
+fn without(campaign: &Campaign, data: &Dataset, loads: &[Vec<ByLoad<f64>>]) -> Campaign {
     let mut campaign = campaign.clone();
     for (group, loads) in data.statics.iter().zip(loads) {
         for (&point, loads) in group.points.iter().zip(loads) {
-            for (load, effect) in campaign.points[point].loads.iter_mut().zip(loads) {
+            for (load, effect) in campaign.points[point].loads.iter_mut().zip(loads.iter()) {
                 if let Some(load) = load {
                     *load -= effect;
                 }

@@ -93,9 +93,8 @@ impl Default for StatedGap {
 impl StatedGap {
     /// Of gaps before and after, of a campaign that has some of the loads.
     pub fn new([before, after]: [Gap; 2], floor: f64, has: [bool; 3]) -> Self {
-        let there =
-            |values: [f64; 3]| ByLoad::from_array(std::array::from_fn(|c| has[c].then_some(values[c])));
-        let of = |values: fn(&Gap) -> [f64; 3]| {
+        let there = |values: ByLoad<f64>| ByLoad::from_fn(|load| has[load as usize].then_some(values[load]));
+        let of = |values: fn(&Gap) -> ByLoad<f64>| {
             Some(BeforeAfter { before: there(values(&before)), after: there(values(&after)) })
         };
         Self {

@@ -8,7 +8,8 @@ use super::parsed::{Source, about};
 /// Where they stand.
 const RULES: &str = "crates/discover/src/rules";
 /// Numbers that decide nothing: a mathematical constant or a matter of format.
-const NO_DECISION: &[(&str, &str, &str)] = &[];
+const NO_DECISION: &[(&str, &str, &str)] =
+    &[("crates/discover/src/locate/gram.rs", "NEW", "below it elimination divides by rounding errors")];
 
 /// Complaints about constants with numbers in `crates/discover/src` outside its rules.
 pub fn check(sources: &[Source]) -> Vec<Complaint> {

@@ -4,6 +4,7 @@ use super::defect::{Defect, DefectKind};
 use super::record::Record;
 use crate::rules::AirspeedRules;
 use crate::statistics::{mean, median};
+use coupling::Load;
 
 /// See the module.
 pub(super) fn wrong(rules: &AirspeedRules, records: &[Record]) -> Vec<Defect> {
@@ -15,7 +16,7 @@ pub(super) fn wrong(rules: &AirspeedRules, records: &[Record]) -> Vec<Defect> {
 }
 
 /// Mean load over that of the simulation.
-fn mean_ratio(rules: &AirspeedRules, record: &Record, c: usize) -> Option<f64> {
+fn mean_ratio(rules: &AirspeedRules, record: &Record, c: Load) -> Option<f64> {
     let pair = record.channels[c].as_ref()?;
     let simulated = mean(&pair.simulated);
     (simulated.abs() > rules.visible_mean * record.sigma[c]).then(|| mean(&pair.measured) / simulated)
@@ -38,7 +39,8 @@ fn wrong_in(rules: &AirspeedRules, records: &[Record], record: &Record) -> Optio
     if peers.len() < rules.peers {
         return None;
     }
-    let ratios: Vec<f64> = (0..3)
+    let ratios: Vec<f64> = Load::ALL
+        .into_iter()
         .filter_map(|c| {
             let usual = median(peers.iter().filter_map(|peer| mean_ratio(rules, peer, c)).collect())?;
             Some(mean_ratio(rules, record, c)? / usual)
@@ -71,7 +73,7 @@ fn exponent(rules: &AirspeedRules, records: &[Record], record: &Record) -> f64 {
             && (other.alpha_rad - record.alpha_rad).abs() < rules.near_angle_rad
     };
     let mut slopes = Vec::new();
-    for c in 0..3 {
+    for c in Load::ALL {
         let points: Vec<(f64, f64)> = records
             .iter()
             .filter(near)
@@ -91,8 +93,9 @@ fn exponent(rules: &AirspeedRules, records: &[Record], record: &Record) -> f64 {
 
 /// Whether the motion's loads changed in the same sense as the means: at least by a third of it.
 fn moves_too(records: &[Record], record: &Record, change: f64) -> bool {
-    let gain = |r: &Record, c: usize| r.about_mean(c)?.gain(r.sigma[c]).filter(|gain| *gain > 0.0);
-    let changes: Vec<f64> = (0..3)
+    let gain = |r: &Record, c: Load| r.about_mean(c)?.gain(r.sigma[c]).filter(|gain| *gain > 0.0);
+    let changes: Vec<f64> = Load::ALL
+        .into_iter()
         .filter_map(|c| {
             let own = gain(record, c)?;
             let peers = records
@@ -106,7 +109,8 @@ fn moves_too(records: &[Record], record: &Record, change: f64) -> bool {
 
 /// A run without wind that carries a mean load like those with wind.
 fn blown(rules: &AirspeedRules, records: &[Record], record: &Record) -> Option<Defect> {
-    let shares: Vec<f64> = (0..3)
+    let shares: Vec<f64> = Load::ALL
+        .into_iter()
         .filter_map(|c| {
             let with = records.iter().filter(|other| !other.steady && other.v_m_s > 0.0);
             let loads = with.filter_map(|other| Some(mean(&other.channels[c].as_ref()?.measured).abs()));

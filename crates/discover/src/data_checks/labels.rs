@@ -6,23 +6,34 @@
 
 use super::defect::{Defect, DefectKind};
 use super::record::{Pair, Record};
-use crate::channels::LOADS;
 use crate::rules::LabelRules;
 use crate::statistics::{dot, median};
+use coupling::Load::{Fz, Mx, My};
+use coupling::{ByLoad, Load};
 
 /// Which channel's measurement stands in the place of Fz, Mx, My.
-const ORDERS: [[usize; 3]; 5] = [[1, 0, 2], [2, 1, 0], [0, 2, 1], [1, 2, 0], [2, 0, 1]];
+const ORDERS: [ByLoad<Load>; 5] = {
+    const fn order(fz: Load, mx: Load, my: Load) -> ByLoad<Load> {
+        ByLoad { fz, mx, my }
+    }
+    [order(Mx, Fz, My), order(My, Mx, Fz), order(Fz, My, Mx), order(Mx, My, Fz), order(My, Fz, Mx)]
+};
+/// As the labels say.
+const AS_LABELLED: ByLoad<Load> = ByLoad { fz: Fz, mx: Mx, my: My };
 
 /// Exchanged or flipped in all data.
 pub(super) fn everywhere(rules: &LabelRules, records: &[Record]) -> Vec<Defect> {
-    let flipped: Vec<Defect> =
-        (0..3).filter(|&c| flipped_everywhere(rules, records, c)).map(sign_everywhere).collect();
+    let flipped: Vec<Defect> = Load::ALL
+        .into_iter()
+        .filter(|&c| flipped_everywhere(rules, records, c))
+        .map(sign_everywhere)
+        .collect();
     if !flipped.is_empty() && !exchange_explains(rules, records) {
         return flipped;
     }
-    let own = shapes_left(records, [0, 1, 2]);
+    let own = shapes_left(records, AS_LABELLED);
     let best = ORDERS.map(|order| (shapes_left(records, order), order));
-    let best = best.iter().min_by(|a, b| a.0.total_cmp(&b.0)).copied().unwrap_or((own, [0, 1, 2]));
+    let best = best.iter().min_by(|a, b| a.0.total_cmp(&b.0)).copied().unwrap_or((own, AS_LABELLED));
     if best.0 < rules.explains_all * own && own > rules.wrong {
         vec![exchanged(None, best.1)]
     } else {
@@ -31,12 +42,12 @@ pub(super) fn everywhere(rules: &LabelRules, records: &[Record]) -> Vec<Defect> 
 }
 
 fn exchange_explains(rules: &LabelRules, records: &[Record]) -> bool {
-    let own = shapes_left(records, [0, 1, 2]);
+    let own = shapes_left(records, AS_LABELLED);
     ORDERS.iter().any(|order| shapes_left(records, *order) < rules.explains_all * own)
 }
 
-fn sign_everywhere(c: usize) -> Defect {
-    let channel = LOADS[c];
+fn sign_everywhere(c: Load) -> Defect {
+    let channel = c.column();
     Defect {
         kind: DefectKind::SignFlipped,
         run: None,
@@ -46,7 +57,7 @@ fn sign_everywhere(c: usize) -> Defect {
 }
 
 /// Whether the loads go against the simulation in three quarters of all records, at rest and in motion.
-fn flipped_everywhere(rules: &LabelRules, records: &[Record], c: usize) -> bool {
+fn flipped_everywhere(rules: &LabelRules, records: &[Record], c: Load) -> bool {
     let windy = || records.iter().filter(|record| record.v_m_s > 0.0);
     let of = |pair: Option<Pair>, record: &Record| pair.and_then(|pair| correlation(&pair, record.sigma[c]));
     let whole: Vec<f64> = windy().filter_map(|r| of(r.channels[c].clone(), r)).collect();
@@ -65,12 +76,14 @@ fn correlation(pair: &Pair, sigma: f64) -> Option<f64> {
 }
 
 /// Share of the motion's loads that channels in an order leave, each with one positive gain for all records.
-fn shapes_left(records: &[Record], order: [usize; 3]) -> f64 {
+fn shapes_left(records: &[Record], order: ByLoad<Load>) -> f64 {
     let mut left = 0.0;
-    for (c, from) in order.into_iter().enumerate() {
+    for c in Load::ALL {
         let (mut mm, mut ms, mut ss) = (0.0, 0.0, 0.0);
         for record in records.iter().filter(|record| record.v_m_s > 0.0) {
-            let (Some(own), Some(other)) = (record.about_mean(c), record.about_mean(from)) else { continue };
+            let (Some(own), Some(other)) = (record.about_mean(c), record.about_mean(order[c])) else {
+                continue;
+            };
             let power = dot(&own.simulated, &own.simulated);
             if own.gain(record.sigma[c]).is_none() {
                 continue;
@@ -90,16 +103,16 @@ fn shapes_left(records: &[Record], order: [usize; 3]) -> f64 {
 pub(super) fn by_run(rules: &LabelRules, records: &[Record]) -> Vec<Defect> {
     let mut all = Vec::new();
     for record in records {
-        let gains: [Option<f64>; 3] = std::array::from_fn(|c| peers_gain(records, record, c));
+        let gains: ByLoad<Option<f64>> = ByLoad::from_fn(|c| peers_gain(records, record, c));
         if let Some(order) = exchanged_in(rules, record, gains) {
             all.push(exchanged(Some(&record.name), order));
             continue;
         }
-        for (c, gain) in gains.into_iter().enumerate() {
-            let (Some(pair), Some(gain)) = (record.signal(c), gain) else { continue };
+        for c in Load::ALL {
+            let (Some(pair), Some(gain)) = (record.signal(c), gains[c]) else { continue };
             let left = |sign: f64| misfit(&pair.measured, &pair.simulated, sign * gain);
             if pair.gain(record.sigma[c]).is_some() && left(-1.0) < rules.explains * left(1.0) {
-                let (channel, name) = (LOADS[c], &record.name);
+                let (channel, name) = (c.column(), &record.name);
                 let sentence =
                     format!("{channel} of {name} has the opposite sign of {channel} in runs like it");
                 let run = Some(name.clone());
@@ -116,7 +129,7 @@ pub(super) fn by_run(rules: &LabelRules, records: &[Record]) -> Vec<Defect> {
 }
 
 /// The middle gain of other records of this kind, or of all with wind; none unless it is positive.
-fn peers_gain(records: &[Record], record: &Record, c: usize) -> Option<f64> {
+fn peers_gain(records: &[Record], record: &Record, c: Load) -> Option<f64> {
     let gains = |like: &dyn Fn(&Record) -> bool| -> Vec<f64> {
         let others = records.iter().filter(|other| other.name != record.name && like(other));
         others.filter_map(|other| other.signal(c)?.gain(other.sigma[c])).collect()
@@ -132,11 +145,11 @@ fn misfit(measured: &[f64], simulated: &[f64], gain: f64) -> f64 {
     measured.iter().zip(simulated).map(|(m, s)| (m - gain * s).powi(2)).sum()
 }
 
-fn exchanged_in(rules: &LabelRules, record: &Record, gains: [Option<f64>; 3]) -> Option<[usize; 3]> {
-    let signals: [Option<Pair>; 3] = std::array::from_fn(|c| record.signal(c));
-    let left = |order: [usize; 3]| -> Option<f64> {
+fn exchanged_in(rules: &LabelRules, record: &Record, gains: ByLoad<Option<f64>>) -> Option<ByLoad<Load>> {
+    let signals: ByLoad<Option<Pair>> = ByLoad::from_fn(|c| record.signal(c));
+    let left = |order: ByLoad<Load>| -> Option<f64> {
         let mut sum = 0.0;
-        for c in 0..3 {
+        for c in Load::ALL {
             let own = signals[c].as_ref();
             if own.is_none() && order[c] == c {
                 continue;
@@ -148,22 +161,23 @@ fn exchanged_in(rules: &LabelRules, record: &Record, gains: [Option<f64>; 3]) ->
         }
         Some(sum)
     };
-    let own = left([0, 1, 2])?;
+    let own = left(AS_LABELLED)?;
     let each = ORDERS.iter().filter_map(|order| left(*order).map(|left| (left, *order)));
     let (least, order) = each.min_by(|a, b| a.0.total_cmp(&b.0))?;
     (least < rules.explains * own && own > rules.wrong).then_some(order)
 }
 
-fn exchanged(run: Option<&str>, order: [usize; 3]) -> Defect {
-    let moved: Vec<String> = (0..3)
+fn exchanged(run: Option<&str>, order: ByLoad<Load>) -> Defect {
+    let moved: Vec<String> = Load::ALL
+        .into_iter()
         .filter(|&c| order[c] != c)
-        .map(|c| format!("what is called {} is {}", LOADS[order[c]], LOADS[c]))
+        .map(|c| format!("what is called {} is {}", order[c].column(), c.column()))
         .collect();
     let place = run.map_or_else(|| "all data".to_owned(), str::to_owned);
     Defect {
         kind: DefectKind::SwappedChannels,
         run: run.map(str::to_owned),
-        channel: (0..3).find(|&c| order[c] != c).map(|c| LOADS[c].into()),
+        channel: Load::ALL.into_iter().find(|&c| order[c] != c).map(|c| c.column().into()),
         sentence: format!("labels of channels are exchanged in {place}: {}", moved.join(", ")),
     }
 }

@@ -12,13 +12,14 @@ mod samples;
 mod timing;
 
 use crate::data::Dataset;
+use coupling::ByLoad;
 pub use defect::{Defect, DefectKind};
 use maneuver::effects::Flown;
 pub use record::rough_noise;
 
 /// Defects of a data set, worst kind first; none is what one hopes for. `simulated`: static groups, then runs, as
 /// measured; `sigma`: one standard deviation of a sample of Fz, Mx, My in the same order.
-pub fn defects(data: &Dataset, simulated: &[Flown], sigma: &[[f64; 3]]) -> Vec<Defect> {
+pub fn defects(data: &Dataset, simulated: &[Flown], sigma: &[ByLoad<f64>]) -> Vec<Defect> {
     let rules = &data.rules;
     let records = record::records(data, simulated, sigma);
     let mut all = labels::everywhere(&rules.labels, &records);

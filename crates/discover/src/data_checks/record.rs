@@ -4,6 +4,7 @@ use crate::data::Dataset;
 use crate::locate::maneuver::Maneuver;
 use crate::rules::RecordRules;
 use crate::statistics::{dot, mean, median};
+use coupling::{ByLoad, Load};
 use maneuver::effects::{Flown, Stimulus};
 
 /// One channel.
@@ -25,21 +26,23 @@ pub(crate) struct Record {
     pub(crate) alpha_rad: f64,
     pub(crate) repeat_of: Option<usize>,
     pub(crate) time_step_s: f64,
-    pub(crate) sigma: [f64; 3],
+    pub(crate) sigma: ByLoad<f64>,
     /// Samples at a jump of a control; of a chirp none.
     pub(crate) edges: Vec<bool>,
-    pub(crate) channels: [Option<Pair>; 3],
+    pub(crate) channels: ByLoad<Option<Pair>>,
 }
 
 /// Records in the order static groups, runs.
-pub(crate) fn records(data: &Dataset, simulated: &[Flown], sigma: &[[f64; 3]]) -> Vec<Record> {
+pub(crate) fn records(data: &Dataset, simulated: &[Flown], sigma: &[ByLoad<f64>]) -> Vec<Record> {
     let rules = &data.rules.record;
     let statics = data.statics.iter().map(|group| {
         let v_m_s = data.airspeeds_m_s[group.airspeed];
-        let present: Vec<usize> =
-            (0..3).filter(|&c| group.measured.iter().any(|loads| loads[c].is_some())).collect();
+        let present: Vec<Load> = Load::ALL
+            .into_iter()
+            .filter(|&c| group.measured.iter().any(|loads| loads[c as usize].is_some()))
+            .collect();
         let kept: Vec<usize> = (0..group.measured.len())
-            .filter(|&i| present.iter().all(|&c| group.measured[i][c].is_some()))
+            .filter(|&i| present.iter().all(|&c| group.measured[i][c as usize].is_some()))
             .collect();
         let name = if v_m_s > 0.0 {
             format!("static points at {v_m_s} m/s")
@@ -51,12 +54,12 @@ pub(crate) fn records(data: &Dataset, simulated: &[Flown], sigma: &[[f64; 3]]) -
     let runs = data.runs.iter().map(|run| {
         let kept: Vec<usize> = (0..run.measured[0].len()).collect();
         let repeat = run.repeat_of.map(|first| first + data.statics.len());
-        let present = (0..3).filter(|&c| data.run_loads[c]).collect();
+        let present: Vec<Load> = Load::ALL.into_iter().filter(|&c| data.run_loads[c as usize]).collect();
         (run.name.clone(), &run.stimulus, data.airspeeds_m_s[run.airspeed], repeat, kept, present)
     });
-    let of = |place: usize, c: usize, i: usize| match place.checked_sub(data.statics.len()) {
-        None => data.statics[place].measured[i][c].unwrap_or(f64::NAN),
-        Some(run) => data.runs[run].measured[c][i],
+    let of = |place: usize, c: Load, i: usize| match place.checked_sub(data.statics.len()) {
+        None => data.statics[place].measured[i][c as usize].unwrap_or(f64::NAN),
+        Some(run) => data.runs[run].measured[c as usize][i],
     };
     statics
         .chain(runs)
@@ -71,10 +74,10 @@ pub(crate) fn records(data: &Dataset, simulated: &[Flown], sigma: &[[f64; 3]]) -
             time_step_s: stimulus.time_step_s,
             sigma: sigma[place],
             edges: edges(rules, stimulus, v_m_s),
-            channels: std::array::from_fn(|c| {
+            channels: ByLoad::from_fn(|c| {
                 present.contains(&c).then(|| Pair {
                     measured: kept.iter().map(|&i| of(place, c, i)).collect(),
-                    simulated: kept.iter().map(|&i| simulated[place].loads[c][i]).collect(),
+                    simulated: kept.iter().map(|&i| simulated[place].loads[c as usize][i]).collect(),
                     visible: rules.visible_rms * rules.visible_rms,
                 })
             }),
@@ -102,7 +105,7 @@ fn edges(rules: &RecordRules, stimulus: &Stimulus, v_m_s: f64) -> Vec<bool> {
 
 impl Record {
     /// A channel with the mean taken off.
-    pub(crate) fn about_mean(&self, c: usize) -> Option<Pair> {
+    pub(crate) fn about_mean(&self, c: Load) -> Option<Pair> {
         let off = |values: &[f64]| {
             let mean = mean(values);
             values.iter().map(|value| value - mean).collect()
@@ -115,7 +118,7 @@ impl Record {
     }
 
     /// What tells most of its sign and size: all of it with wind, what moves without.
-    pub(crate) fn signal(&self, c: usize) -> Option<Pair> {
+    pub(crate) fn signal(&self, c: Load) -> Option<Pair> {
         if self.v_m_s > 0.0 { self.channels[c].clone() } else { self.about_mean(c) }
     }
 }
@@ -131,11 +134,11 @@ impl Pair {
 
 /// One standard deviation of a sample of Fz, Mx, My for [`super::defects`], static groups first, then runs: as stated, or
 /// from what runs hold above 10 Hz, where little else is.
-pub fn rough_noise(data: &Dataset) -> Vec<[f64; 3]> {
+pub fn rough_noise(data: &Dataset) -> Vec<ByLoad<f64>> {
     let highest_hz = data.rules.data.highest_hz;
-    let quiet = |c: usize| {
+    let quiet = |c: Load| {
         let of = |run: &crate::data::RunData| {
-            let (values, dt) = (&run.measured[c], run.stimulus.time_step_s);
+            let (values, dt) = (&run.measured[c as usize], run.stimulus.time_step_s);
             let all = crate::transform::cosines(values, dt, highest_hz);
             let high = all
                 .iter()
@@ -146,14 +149,14 @@ pub fn rough_noise(data: &Dataset) -> Vec<[f64; 3]> {
         };
         median(data.runs.iter().filter_map(of).collect()).unwrap_or(0.0)
     };
-    let rough: [f64; 3] = std::array::from_fn(|c| match data.stated {
-        Some((sample, _)) if sample[c] > 0.0 => sample[c],
+    let rough: ByLoad<f64> = ByLoad::from_fn(|c| match data.stated {
+        Some(stated) if stated.sample[c] > 0.0 => stated.sample[c],
         _ => quiet(c),
     });
-    let statics = data.statics.iter().map(|_| data.stated.map_or(rough, |(_, point)| point));
+    let statics = data.statics.iter().map(|_| data.stated.map_or(rough, |stated| stated.point));
     let runs = data.runs.iter().map(|run| {
-        std::array::from_fn(|c| {
-            let stated = data.stated.is_some_and(|(sample, _)| sample[c] > 0.0);
+        ByLoad::from_fn(|c| {
+            let stated = data.stated.is_some_and(|stated| stated.sample[c] > 0.0);
             let behind_filter = if stated { (run.decimation as f64).sqrt() } else { 1.0 };
             (rough[c] / behind_filter).max(f64::MIN_POSITIVE)
         })

@@ -2,14 +2,15 @@
 
 use super::defect::{Defect, DefectKind};
 use super::record::Record;
-use crate::channels::LOADS;
 use crate::rules::RepeatRules;
 use crate::statistics::{dot, mean, median};
+use coupling::Load;
 
 /// See the module; pairs with a run that is `named` already are left out.
 pub(super) fn differ(rules: &RepeatRules, records: &[Record], named: &[String]) -> Vec<Defect> {
     let mut found = Vec::new();
-    for (c, channel) in LOADS.into_iter().enumerate() {
+    for c in Load::ALL {
+        let channel = c.column();
         let pairs: Vec<(usize, usize, f64, f64)> = records
             .iter()
             .enumerate()
@@ -44,7 +45,7 @@ pub(super) fn differ(rules: &RepeatRules, records: &[Record], named: &[String]) 
 }
 
 /// Root mean squares in standard deviations of a sample: of the residuals' difference without its mean, of the load.
-fn difference(first: &Record, second: &Record, c: usize) -> Option<(f64, f64)> {
+fn difference(first: &Record, second: &Record, c: Load) -> Option<(f64, f64)> {
     let (a, b) = (first.channels[c].as_ref()?, second.channels[c].as_ref()?);
     if a.measured.len() != b.measured.len() {
         return None;

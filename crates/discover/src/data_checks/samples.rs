@@ -4,18 +4,18 @@
 
 use super::defect::{Defect, DefectKind};
 use super::record::{Pair, Record};
-use crate::channels::LOADS;
 use crate::rules::SampleRules;
 use crate::statistics::median;
+use coupling::Load;
 
 /// Stuck and clipped channels.
 pub(super) fn flat(rules: &SampleRules, records: &[Record]) -> Vec<Defect> {
     let mut found = Vec::new();
     for record in records.iter().filter(|record| !record.steady) {
-        for (c, pair) in record.channels.iter().enumerate() {
-            let Some(pair) = pair else { continue };
+        for c in Load::ALL {
+            let Some(pair) = &record.channels[c] else { continue };
             if let Some((kind, what)) = flat_in(rules, pair, record.sigma[c]) {
-                let (channel, name) = (LOADS[c], &record.name);
+                let (channel, name) = (c.column(), &record.name);
                 let sentence = format!("{channel} of {name} {what}");
                 found.push(Defect { kind, run: Some(name.clone()), channel: Some(channel.into()), sentence });
             }
@@ -96,7 +96,8 @@ struct Spike {
 /// Single samples far off.
 pub(super) fn spikes(rules: &SampleRules, records: &[Record]) -> Vec<Defect> {
     let mut found = Vec::new();
-    for (c, channel) in LOADS.into_iter().enumerate() {
+    for c in Load::ALL {
+        let channel = c.column();
         let all: Vec<Option<Spike>> = records.iter().map(|record| spike(rules, record, c)).collect();
         let like = |i: usize| {
             (0..records.len()).filter(move |&j| records[j].maneuver.same_kind(&records[i].maneuver))
@@ -137,7 +138,7 @@ pub(super) fn spikes(rules: &SampleRules, records: &[Record]) -> Vec<Defect> {
     found
 }
 
-fn spike(rules: &SampleRules, record: &Record, c: usize) -> Option<Spike> {
+fn spike(rules: &SampleRules, record: &Record, c: Load) -> Option<Spike> {
     let pair = record.channels[c]
         .as_ref()
         .filter(|pair| !record.steady && pair.measured.len() > 30 * rules.narrow)?;

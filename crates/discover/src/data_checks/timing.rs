@@ -4,6 +4,7 @@ use super::defect::{Defect, DefectKind};
 use super::record::Record;
 use crate::rules::TimingRules;
 use crate::statistics::{dot, median};
+use coupling::Load;
 
 /// See the module.
 pub(super) fn lags(rules: &TimingRules, records: &[Record]) -> Vec<Defect> {
@@ -60,7 +61,8 @@ fn lag_s(rules: &TimingRules, record: &Record) -> Option<f64> {
     if record.steady {
         return None;
     }
-    let lags: Vec<f64> = (0..3)
+    let lags: Vec<f64> = Load::ALL
+        .into_iter()
         .filter_map(|c| {
             let pair = record.about_mean(c)?;
             pair.gain(record.sigma[c])?;

@@ -5,7 +5,7 @@
 //! the rest. What two repeats leave in common is no noise.
 
 use super::maneuver::Maneuver;
-use super::map::{BANDS, band};
+use super::map::band;
 use super::regressors::squares_left;
 use super::residuals::{Residuals, Unit};
 use crate::rules::LocateRules;
@@ -68,12 +68,12 @@ pub fn chirps(residuals: &Residuals) -> Vec<ChirpCell> {
     cells
 }
 
-fn sums(rules: &LocateRules, unit: &Unit, repeat: Option<&Unit>, control: usize, c: usize) -> [Sums; BANDS] {
+fn sums(rules: &LocateRules, unit: &Unit, repeat: Option<&Unit>, control: usize, c: usize) -> Vec<Sums> {
     let dt = unit.stimulus.time_step_s;
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a number of samples")]
     let length = ((rules.window_s / dt).round() as usize).max(rules.window_samples);
     let delta = &unit.stimulus.inputs.controls_rad[control];
-    let mut all = [Sums::default(); BANDS];
+    let mut all = vec![Sums::default(); rules.bands_hz.len()];
     let mut from = 0;
     while from + length <= delta.len() {
         let inside = from..from + length;

@@ -3,9 +3,6 @@
 use super::residuals::Residuals;
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
-/// How many bands there are (see [`crate::rules::LocateRules`]).
-pub const BANDS: usize = 5;
-
 /// A cell of the map.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cell {
@@ -37,7 +34,7 @@ pub fn map(residuals: &Residuals) -> Vec<Cell> {
     for unit in &residuals.units {
         let maneuver = unit.maneuver.label(&residuals.controls);
         for (c, channel) in crate::channels::LOADS.into_iter().enumerate() {
-            let mut sums = [(0.0, 0_usize); BANDS];
+            let mut sums = vec![(0.0, 0_usize); rules.bands_hz.len()];
             for (k, row) in unit.rows[c].iter().enumerate() {
                 if unit.weight[c][k] > 0.0 && (unit.stimulus.steady || k > 0) {
                     let sum = &mut sums[band(&rules.bands_hz, unit.frequency_hz[k])];

@@ -5,6 +5,7 @@ use crate::data::Dataset;
 use crate::rules::Rules;
 use crate::transform::{every_cosine, frequency_hz};
 use calibrate::Use;
+use coupling::{ByLoad, Load};
 use maneuver::effects::{Flown, Stimulus};
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -14,7 +15,7 @@ pub struct PureError<'a> {
     /// Standard deviation of a cosine coefficient by airspeed's place, channel and frequency in Hz.
     pub coefficient: &'a (dyn Fn(usize, usize, f64) -> f64 + Sync),
     /// Of a static point.
-    pub point: [f64; 3],
+    pub point: ByLoad<f64>,
     /// Degrees of freedom of these estimates, where they are estimates.
     pub degrees_of_freedom: Option<f64>,
 }
@@ -139,7 +140,8 @@ fn group(data: &Dataset, i: usize, simulated: &Flown, error: &PureError<'_>) -> 
         std::array::from_fn(|c| if has(c) { (0..points).map(|p| at(c, p)).collect() } else { Vec::new() });
     // a point that lacks the channel has no weight
     let weight: [Vec<f64>; 3] = std::array::from_fn(|c| {
-        let one = |p: usize| if group.measured[p][c].is_some() { error.point[c].recip() } else { 0.0 };
+        let one =
+            |p: usize| if group.measured[p][c].is_some() { error.point[Load::ALL[c]].recip() } else { 0.0 };
         (0..points).map(one).collect()
     });
     Unit {

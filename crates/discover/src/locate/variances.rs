@@ -1,6 +1,6 @@
 //! Pure error by airspeed and band of frequencies: gusts, buffet and noise that have no mean gap.
 
-use super::map::{BANDS, band};
+use super::map::band;
 use super::residuals::Residuals;
 use response::FTest;
 
@@ -33,7 +33,7 @@ pub struct Variances {
 pub fn variances(residuals: &Residuals) -> Variances {
     let mut found = Variances { cells: Vec::new(), tests: Vec::new() };
     for (c, channel) in crate::channels::LOADS.into_iter().enumerate() {
-        for b in 0..BANDS {
+        for b in 0..residuals.rules.locate.bands_hz.len() {
             let groups = groups(residuals, c, b);
             for (v_m_s, values) in &groups {
                 let ratio = values.iter().map(|value| value * value).sum::<f64>() / values.len() as f64;

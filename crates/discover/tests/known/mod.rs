@@ -1,6 +1,7 @@
 //! Problems whose answers are known: loads are sums of columns that effects multiply, measured with a noise of one.
 
 use calibrate::Use;
+use coupling::ByLoad;
 use discover::current_model::CurrentModel;
 use discover::data::{Dataset, StaticGroup};
 use discover::load_model::{LoadModel, Models};
@@ -128,8 +129,13 @@ impl Known {
             not_used: Vec::new(),
         };
         let bands_hz = data.rules.noise.bands_hz;
-        let noise =
-            Noise { bands_hz, run: vec![[[1.0; 5]; 3]; 2], offset: [0.0; 3], point: [1.0; 3], pairs: 0 };
+        let noise = Noise {
+            bands_hz,
+            run: vec![[[1.0; 5]; 3]; 2],
+            offset: ByLoad::default(),
+            point: ByLoad::from_fn(|_| 1.0),
+            pairs: 0,
+        };
         let library = library.iter().map(|name| effect(name, 1.0).effect).collect();
         Self { data, noise, library, uncertain: Vec::new() }
     }
