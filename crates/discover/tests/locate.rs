@@ -13,7 +13,8 @@ use maneuver::effects::{Active, Flown, library};
 
 /// Residuals in units of the stated noise.
 fn residuals(flight: &Flight, data: &Dataset, flown: &[Flown], only: Option<Use>) -> Residuals {
-    let (sample, point) = data.stated.expect("the shipped campaign states its noise");
+    let stated = data.stated.expect("the shipped campaign states its noise");
+    let (sample, point) = (stated.sample.to_array(), stated.point);
     let coefficient = |_: usize, c: usize, _: f64| sample[c] / std::f64::consts::SQRT_2;
     let error = PureError { coefficient: &coefficient, point, degrees_of_freedom: None };
     Residuals::new(data, flown, &error, &flight.controls, only)

@@ -38,7 +38,8 @@ impl Flight {
     /// Measurements replaced by what was flown, with noise of the stated size from a simple generator.
     pub(crate) fn pretend(&self, flown: &[Flown], seed: u64) -> Dataset {
         let mut data = self.data.clone();
-        let (sample, point) = data.stated.expect("the shipped campaign states its noise");
+        let stated = data.stated.expect("the shipped campaign states its noise");
+        let [sample, point] = [stated.sample, stated.point].map(coupling::ByLoad::to_array);
         let mut state = seed;
         // sum of twelve uniform numbers (Knuth's generator), variance one
         let mut normal = || -> f64 {

@@ -15,7 +15,7 @@ use maneuver::effects::{Active, Effect, Flown, Inputs, Parameter, Side, Spec, St
 use std::sync::Arc;
 
 /// Points of each airspeed.
-pub const POINTS: usize = 200;
+pub(crate) const POINTS: usize = 200;
 /// Airspeeds, m/s.
 const AIRSPEEDS_M_S: [f64; 2] = [20.0, 30.0];
 
@@ -41,13 +41,13 @@ impl Effect for Column {
 }
 
 /// The effect of a name, at a size.
-pub fn effect(name: &str, size: f64) -> Active {
+pub(crate) fn effect(name: &str, size: f64) -> Active {
     let spec = SPECS.iter().find(|spec| spec.name == name).expect("a known column");
     Active::new(Arc::new(Column(spec)), &[size])
 }
 
 /// The value of a column at a point of an airspeed, in units of the noise.
-pub fn column(name: &str, airspeed: usize, point: usize) -> f64 {
+pub(crate) fn column(name: &str, airspeed: usize, point: usize) -> f64 {
     let turns = (point as f64 + 0.5) / POINTS as f64;
     let wave = |k: f64| (std::f64::consts::TAU * k * turns).sin();
     let grows = (AIRSPEEDS_M_S[airspeed] / 30.0).powi(2);
@@ -88,7 +88,7 @@ impl LoadModel for Sum {
 }
 
 /// Static points in which columns were planted: size by airspeed.
-pub struct Known {
+pub(crate) struct Known {
     data: Dataset,
     noise: Noise,
     library: Vec<Arc<dyn Effect>>,
@@ -97,7 +97,7 @@ pub struct Known {
 
 impl Known {
     /// A library of some names, `planted` columns, nothing uncertain and nothing that a run may be off by unless `rules` say so.
-    pub fn new(rules: Rules, library: &[&str], planted: &[(&str, [f64; 2])]) -> Self {
+    pub(crate) fn new(rules: Rules, library: &[&str], planted: &[(&str, [f64; 2])]) -> Self {
         let group = |airspeed: usize| {
             let load = |point: usize| {
                 let of = |(name, sizes): &(&str, [f64; 2])| sizes[airspeed] * column(name, airspeed, point);
@@ -141,12 +141,12 @@ impl Known {
     }
 
     /// The same where a column is known to a standard deviation only.
-    pub fn uncertain_of(mut self, name: &str, sigma: f64) -> Self {
+    pub(crate) fn uncertain_of(mut self, name: &str, sigma: f64) -> Self {
         self.uncertain.push(effect(name, sigma));
         self
     }
 
-    pub fn setting(&self) -> Setting<'_> {
+    pub(crate) fn setting(&self) -> Setting<'_> {
         Setting {
             data: &self.data,
             model: &Sum,
@@ -157,16 +157,16 @@ impl Known {
         }
     }
 
-    pub fn problem(&self) -> Problem<'_> {
+    pub(crate) fn problem(&self) -> Problem<'_> {
         Problem::of_conditions(&self.data, &self.noise, Use::Train)
     }
 
-    pub fn bare(&self) -> CurrentModel<'_> {
+    pub(crate) fn bare(&self) -> CurrentModel<'_> {
         CurrentModel::bare(&self.setting(), self.problem())
     }
 
     /// Sum over all points of the product of two columns; `measured` is what was measured.
-    pub fn product(&self, a: &str, b: &str) -> f64 {
+    pub(crate) fn product(&self, a: &str, b: &str) -> f64 {
         let value = |name: &str, airspeed: usize, i: usize| match name {
             "measured" => self.data.statics[airspeed].measured[i][0].unwrap_or(0.0),
             name => column(name, airspeed, i),
@@ -179,7 +179,7 @@ impl Known {
 }
 
 /// Rules by which nothing is allowed to a run, and values are what the data leave.
-pub fn exact() -> Rules {
+pub(crate) fn exact() -> Rules {
     let mut rules = Rules::default();
     let tolerance = &mut rules.tolerance;
     tolerance.static_gain = 0.0;
@@ -190,7 +190,7 @@ pub fn exact() -> Rules {
 }
 
 /// What null campaigns would say: every effect needs the same.
-pub fn nulls(threshold: f64) -> NullDistribution {
+pub(crate) fn nulls(threshold: f64) -> NullDistribution {
     NullDistribution {
         evidence: SPECS.iter().map(|spec| (format!("{} ", spec.name), threshold)).collect(),
         misfit: 0.81,
