@@ -9,7 +9,7 @@ use discover::found::Outcome;
 use discover::null_distribution::NullDistribution;
 use discover::rank::rank;
 use discover::search::search;
-use discover::verdict::{GapChange, Judgement, VerdictKind};
+use discover::verdict::{Gap, Judgement, VerdictKind};
 use known::{Known, effect, exact, nulls};
 
 fn searched(known: &Known) -> Outcome {
@@ -19,7 +19,7 @@ fn searched(known: &Known) -> Outcome {
 fn kind(known: &Known, outcome: &Outcome) -> VerdictKind {
     // gaps as the chi square a row has them; the floor is the noise
     let [before, after] = outcome.misfit.map(f64::sqrt);
-    let training = GapChange { before, after, floor: 0.9 };
+    let training = Gap { before, after, floor: 0.9 };
     Judgement::new(&known.setting().rules().verdict, outcome, training, None).kind()
 }
 
