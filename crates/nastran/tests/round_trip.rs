@@ -131,7 +131,7 @@ fn springs_and_masses(dice: &mut Dice, deck: &mut BulkData) {
         let (property, location, offset) = (dice.id(), [0.0, 0.25, 1.0][dice.up_to(3)], dice.optional(place));
         deck.bushes.insert(id, Cbush { id, property, grids, axes, location, offset, span: span() });
     }
-    for map in [&mut deck.springs, &mut deck.scalar_masses] {
+    for (map, is_mass) in [(&mut deck.springs, false), (&mut deck.scalar_masses, true)] {
         for grounded in [None, Some(0), Some(1)] {
             let (id, motions) = (dice.id(), dice.motions(2));
             let mut ends = [Some(motions[0]), Some(motions[1])];
@@ -140,7 +140,7 @@ fn springs_and_masses(dice: &mut Dice, deck: &mut BulkData) {
             }
             let property = ScalarValue::Property(dice.id());
             let value = if dice.yes() { property } else { ScalarValue::Given(dice.real()) };
-            map.insert(id, ScalarElement { id, value, ends, span: span() });
+            map.insert(id, ScalarElement { id, value, ends, is_mass, span: span() });
         }
     }
     let (id, grid, cid) = (dice.id(), dice.id(), dice.id());

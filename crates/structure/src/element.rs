@@ -1,7 +1,7 @@
 //! What every finite element is to the rest of the crate: motions it joins, a stiffness and a mass.
 //!
 //! Assembly, flexibility and modes know only this; a new kind of element is a new file that implements it and
-//! one line in [`crate::Model`]. Matrices may be computed when they are asked for (a solid's would fill the memory
+//! one line in `model/registry.rs` (the crate's README shows how). Matrices may be computed when they are asked for (a solid's would fill the memory
 //! of a large model) or kept.
 
 use nalgebra::DMatrix;

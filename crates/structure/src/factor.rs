@@ -8,9 +8,9 @@
 //!
 //! This file is the seam to faer's sparse factorisation.
 
+use crate::blocks::{Noise, inner};
 use crate::ordering::reverse_cuthill_mckee;
 use crate::sparse::{self, Sparse};
-use crate::subspace::{Noise, inner};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::ldlt::factor::LdltRegularization;
 use faer::perm::PermRef;

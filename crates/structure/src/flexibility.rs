@@ -1,4 +1,4 @@
-//! Displacements under loads: the stiffness factorised once, and what is loose if it cannot be.
+//! Displacements under loads: the stiffness factorised once, and which motions have no stiffness if it cannot be.
 
 use crate::factor::{Factor, analysed};
 use crate::sparse;
@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use std::fmt;
 use std::sync::Arc;
 
-/// The structure can move without any force: which degrees of freedom are loose.
+/// The structure can move without any force (free-free, or a mechanism): which degrees of freedom have no stiffness.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SingularStructure {
     /// Grid and component (1 to 6) at which each loose motion was found; holding all of them makes the structure
@@ -19,7 +19,7 @@ pub struct SingularStructure {
 impl fmt::Display for SingularStructure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         const SHOWN: usize = 12;
-        write!(f, "the structure is loose, {} motion(s) meet no stiffness: ", self.loose.len())?;
+        write!(f, "the structure is free to move, {} motion(s) meet no stiffness: ", self.loose.len())?;
         for (at, (grid, component)) in self.loose.iter().take(SHOWN).enumerate() {
             let comma = if at == 0 { "" } else { ", " };
             write!(f, "{comma}GRID {grid} component {component}")?;

@@ -3,6 +3,8 @@
 mod assemble;
 pub mod beam;
 mod beam_mass;
+mod blocks;
+mod cell_shape;
 mod constraints;
 mod dofs;
 pub mod effective_mass;

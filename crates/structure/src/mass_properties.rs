@@ -57,14 +57,16 @@ fn rigid_entry(points: &[Point3<f64>], about: &Point3<f64>, dof: usize, motion: 
     }
 }
 
-/// Of the whole g-set, clamped and dependent nodes included.
-pub(crate) fn of(system: &System) -> MassProperties {
-    // About a point of the structure itself: far from the origin the centre would lose digits.
-    let about = system.points().first().copied().unwrap_or_else(Point3::origin);
-    let rigid = system.rigid_body(&about);
-    let momentum = system.inertia_loads(rigid.as_ref());
-    let total = rigid.transpose() * &momentum;
-    from_total(&Matrix6::from_fn(|i, j| total[(i, j)]), &about)
+impl System {
+    /// Mass, centre of gravity and inertia of the whole structure, clamped nodes included.
+    pub fn mass_properties(&self) -> MassProperties {
+        // About a point of the structure itself: far from the origin the centre would lose digits.
+        let about = self.points().first().copied().unwrap_or_else(Point3::origin);
+        let rigid = self.rigid_body(&about);
+        let momentum = self.inertia_loads(rigid.as_ref());
+        let total = rigid.transpose() * &momentum;
+        from_total(&Matrix6::from_fn(|i, j| total[(i, j)]), &about)
+    }
 }
 
 /// From `R^T M R` about a point.

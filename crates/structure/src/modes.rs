@@ -10,11 +10,12 @@
 //!
 //! Motions without mass have no frequency and are not counted among the modes.
 
+use crate::blocks::Noise;
 use crate::factor::Factor;
 use crate::flexibility::SingularStructure;
 use crate::sparse;
 use crate::sturm;
-use crate::subspace::{self, Inverse, Noise, Rigid, Ritz};
+use crate::subspace::{self, Inverse, Rigid, Ritz};
 use crate::system::System;
 use faer::{Mat, MatRef};
 use nalgebra::Point3;
@@ -35,15 +36,15 @@ const STAGNANT: f64 = 1e-3;
 /// Sweeps with one block size.
 const SWEEPS: usize = 200;
 
-/// A mode of a loose structure is rigid if its eigenvalue is below this share of the first elastic one. Generous,
-/// since the number of loose motions is known from the pivots: with many elements the round-off of the
+/// A mode of a free-free structure is rigid if its eigenvalue is below this share of the first elastic one. Generous,
+/// since the number of rigid motions is known from the pivots: with many elements the round-off of the
 /// stiffest motions is all that is left of a rigid one's stiffness.
 const RIGID: f64 = 1e-3;
 
 /// Natural modes in ascending frequency.
 #[derive(Debug, Clone)]
 pub struct Modes {
-    /// Natural frequencies, rad/s. Exactly zero for a rigid motion: at most as many as the stiffness has loose
+    /// Natural frequencies, rad/s. Exactly zero for a rigid motion: at most as many as the stiffness has zero
     /// pivots, if the computed eigenvalue is less than a thousandth of the first elastic one.
     pub omega_rad_s: Vec<f64>,
     /// Shapes, f-set x modes: X^T M X = E. The largest displacement along z is positive; of a mode that hardly
@@ -137,7 +138,7 @@ struct Count {
     below: usize,
 }
 
-/// The stiffness held against loose motions; the rigid ones of the whole are tried before any are searched for.
+/// The stiffness, held by springs at motions that have none; the rigid motions of the whole are tried before others are searched for.
 fn held(system: &System) -> Factor {
     let rigid = system.rigid_body(&system.points().first().copied().unwrap_or_else(Point3::origin));
     let free = system.free_dofs();
@@ -145,7 +146,7 @@ fn held(system: &System) -> Factor {
     Factor::held_expecting(system.analysis(), system.stiffness(), &expected)
 }
 
-/// Modes from the held stiffness; where rounding makes "loose" a matter of degree, from a shifted one.
+/// Modes from the held stiffness; where rounding leaves open which motions have no stiffness, from a shifted one.
 fn found(system: &System, factor: Factor, count: usize, known: Option<Count>) -> Result<Modes, ModesError> {
     let rigid = factor.loose.len();
     let Some(motions) = Rigid::of(system.mass(), &factor) else {
@@ -154,7 +155,7 @@ fn found(system: &System, factor: Factor, count: usize, known: Option<Count>) ->
     };
     match (Search { motions, ..Search::new(system, count, known, rigid, 0.0, factor) }).run() {
         Err(error) if rigid > 0 => {
-            tracing::debug!(%error, "modes of a loose structure with a shift");
+            tracing::debug!(%error, "modes of a free-free structure with a shift");
             let shift = first_shift(system);
             Search::new(system, count, known, rigid, shift, shifted(system, shift)?).run()
         }
@@ -167,7 +168,7 @@ struct Search<'a> {
     count: usize,
     /// A count of eigenvalues that is there already.
     known: Option<Count>,
-    /// Number of loose motions of the stiffness alone.
+    /// Number of motions without stiffness.
     rigid: usize,
     /// What they are, if springs hold them and not a shift.
     motions: Rigid,
@@ -260,7 +261,7 @@ impl<'a> Search<'a> {
         Mat::from_fn(x.nrows(), self.block.ncols(), |i, j| if j < x.ncols() { x[(i, j)] } else { 0.0 })
     }
 
-    /// Brings the shift of a loose structure down to its first elastic eigenvalue.
+    /// Brings the shift of a free-free structure down to its first elastic eigenvalue.
     fn lower_shift(&mut self) -> Result<bool, ModesError> {
         let Some(first) = self.ritz.values.get(self.rigid).copied().filter(|_| self.shift > 0.0) else {
             return Ok(false);
@@ -317,7 +318,7 @@ impl<'a> Search<'a> {
     }
 }
 
-/// A start for the shift of a loose structure: a millionth of the smallest ratio of stiffness to mass.
+/// A start for the shift of a free-free structure: a millionth of the smallest ratio of stiffness to mass.
 fn first_shift(system: &System) -> f64 {
     let (k, m) = (sparse::diagonal(system.stiffness()), sparse::diagonal(system.mass()));
     let ratios = k.iter().zip(&m).filter(|(k, m)| **k > 0.0 && **m > 0.0).map(|(k, m)| k / m);

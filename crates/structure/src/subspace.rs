@@ -1,5 +1,6 @@
 //! A block Krylov space, M-orthonormal, and its Rayleigh-Ritz values: one sweep of subspace iteration.
 
+use crate::blocks::{inner, product};
 use crate::factor::Factor;
 use crate::sparse;
 use faer::linalg::matmul::matmul;
@@ -21,7 +22,7 @@ pub(crate) struct Ritz {
     pub(crate) vectors: Mat<f64>,
 }
 
-/// (K + s M)^-1 on momenta. Without a shift a loose structure is held by springs where its rigid motions move: momenta without
+/// (K + s M)^-1 on momenta. Without a shift a free-free structure is held by springs where its rigid motions move: momenta without
 /// a resultant leave the springs without force, so that the answer is exact up to a rigid motion, which is taken out.
 pub(crate) struct Inverse<'a> {
     pub(crate) factor: &'a Factor,
@@ -71,50 +72,6 @@ impl Inverse<'_> {
         matmul(x.as_mut(), Accum::Add, motions.as_ref(), share.as_ref(), -1.0, Par::Seq);
         x
     }
-}
-
-/// Numbers between -1 and 1 from a fixed seed (Marsaglia's xorshift with a final multiplication): the same start
-/// on every machine, and without any symmetry of the structure.
-#[derive(Debug)]
-pub(crate) struct Noise(u64);
-
-impl Noise {
-    pub(crate) fn new() -> Self {
-        Self(0x9E37_79B9_7F4A_7C15)
-    }
-
-    fn next(&mut self) -> f64 {
-        self.0 ^= self.0 >> 12;
-        self.0 ^= self.0 << 25;
-        self.0 ^= self.0 >> 27;
-        let bits = self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 32;
-        2.0 * (bits as f64) / f64::from(u32::MAX) - 1.0
-    }
-
-    /// `kept` and `more` further columns of noise.
-    pub(crate) fn extend(&mut self, kept: MatRef<'_, f64>, more: usize) -> Mat<f64> {
-        let mut block = Mat::zeros(kept.nrows(), kept.ncols() + more);
-        for j in 0..block.ncols() {
-            for i in 0..block.nrows() {
-                block[(i, j)] = if j < kept.ncols() { kept[(i, j)] } else { self.next() };
-            }
-        }
-        block
-    }
-}
-
-/// A^T B on one thread: the sum must not depend on the number of cores.
-pub(crate) fn inner(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
-    let mut product = Mat::zeros(a.ncols(), b.ncols());
-    matmul(product.as_mut(), Accum::Replace, a.transpose(), b, 1.0, Par::Seq);
-    product
-}
-
-/// A B on one thread.
-fn product(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
-    let mut product = Mat::zeros(a.nrows(), b.ncols());
-    matmul(product.as_mut(), Accum::Replace, a, b, 1.0, Par::Seq);
-    product
 }
 
 /// How often (K + s M)^-1 M is applied to a block before the Rayleigh-Ritz values are taken: the space is then a

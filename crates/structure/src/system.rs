@@ -3,7 +3,6 @@
 use crate::assemble::{self, Assembled};
 use crate::dofs::{DofMap, Sets};
 use crate::factor::{self, Analysis};
-use crate::mass_properties::{self, MassProperties};
 use crate::model::Model;
 use crate::sparse::{self, Pattern, Sparse};
 use faer::sparse::SparseColMatRef;
@@ -286,10 +285,5 @@ impl System {
             }
         }
         rigid
-    }
-
-    /// Mass, centre of gravity and inertia of the whole structure, clamped nodes included.
-    pub fn mass_properties(&self) -> MassProperties {
-        mass_properties::of(self)
     }
 }

@@ -1,6 +1,6 @@
 //! Bars and beams: CBAR and CBEAM.
 
-use super::kind::prelude::*;
+use super::prelude::*;
 
 /// A bar or beam element (CBAR, CBEAM).
 #[derive(Debug, Clone, PartialEq)]

@@ -1,7 +1,7 @@
 //! Sections of bars and beams along their length: PBAR, PBEAM, and by the name of a section PBARL and PBEAML.
 
-use super::kind::prelude::*;
 use super::named_section::{self, NamedStation};
+use super::prelude::*;
 use super::section_shapes::Section;
 use crate::card::FIELDS_PER_LINE;
 

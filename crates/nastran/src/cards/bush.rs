@@ -1,7 +1,7 @@
 //! Generalised springs: CBUSH and PBUSH.
 
 use super::beam::{Orientation, optional_orientation};
-use super::kind::prelude::*;
+use super::prelude::*;
 use crate::card::FIELDS_PER_LINE;
 
 /// The axes of a bush.

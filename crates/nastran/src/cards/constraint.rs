@@ -1,6 +1,6 @@
 //! Clamps and constraint equations: SPC1, SPC and MPC, and the unions of their sets, SPCADD and MPCADD.
 
-use super::kind::prelude::*;
+use super::prelude::*;
 use crate::card::FIELDS_PER_LINE;
 use crate::motion::{Motion, keeps_sign};
 

@@ -3,7 +3,7 @@
 //! Its layout is its own: EID blank UI1 CI1 UI2 CI2 UI3 CI3 / UI4 CI4 ... / UD blank UD1 CD1 ... / K or Z and the
 //! lower triangle column by column / S and the rigid motions row by row. Words start new lists wherever they stand.
 
-use super::kind::prelude::*;
+use super::prelude::*;
 use crate::motion::Motion;
 
 /// A general element (GENEL).

@@ -1,6 +1,6 @@
 //! Grid points and lists of their numbers: GRID and SET1.
 
-use super::kind::prelude::*;
+use super::prelude::*;
 
 /// A grid point (GRID).
 #[derive(Debug, Clone, PartialEq)]

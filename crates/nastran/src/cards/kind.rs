@@ -120,15 +120,7 @@ macro_rules! not_written {
     };
 }
 
-/// What every file of cards needs.
-pub(super) mod prelude {
-    pub(in super::super) use super::{DeckCard, Ids, Mirror, Mirrored, Step, flipped, minus};
-    pub(in super::super) use crate::card::{Card, fields::Fields};
-    pub(in super::super) use crate::source::{InputError, Span};
-    pub(in super::super) use {
-        keeps_numbers, keyed, no_image, not_written, numbered, own_image, raises, variant,
-    };
-}
+pub(super) use {keeps_numbers, keyed, no_image, not_written, numbered, own_image, raises, variant};
 
 /// Which cards must not share a number with each other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

@@ -1,6 +1,6 @@
 //! Laminates: PCOMP and PCOMPG, with the defaults of Nastran's Quick Reference Guide.
 
-use super::kind::prelude::*;
+use super::prelude::*;
 use crate::card::FIELDS_PER_LINE;
 
 /// One ply of a laminate.

@@ -1,6 +1,6 @@
 //! Concentrated masses: CONM1 and CONM2.
 
-use super::kind::prelude::*;
+use super::prelude::*;
 
 /// A concentrated mass (CONM2).
 #[derive(Debug, Clone, PartialEq)]

@@ -1,6 +1,6 @@
 //! Materials: MAT1, MAT2, MAT8 and MAT9. Thermal expansion, strengths and damping are skipped.
 
-use super::kind::prelude::*;
+use super::prelude::*;
 
 /// An isotropic material (MAT1).
 #[derive(Debug, Clone, PartialEq)]

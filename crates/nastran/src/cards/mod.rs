@@ -17,6 +17,7 @@ mod material;
 mod monitor;
 mod named_section;
 mod panel;
+mod prelude;
 mod rigid;
 mod rod;
 mod scalar;

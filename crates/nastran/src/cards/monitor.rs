@@ -1,6 +1,6 @@
 //! Monitoring stations: MONPNT1 and MONPNT3.
 
-use super::kind::prelude::*;
+use super::prelude::*;
 
 /// A monitoring station (MONPNT1, MONPNT3).
 #[derive(Debug, Clone, PartialEq)]

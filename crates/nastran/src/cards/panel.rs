@@ -1,6 +1,6 @@
 //! Lifting panels: CAERO1, PAERO1 and the lists of numbers (AEFACT) that divide them.
 
-use super::kind::prelude::*;
+use super::prelude::*;
 
 /// Divisions of a panel: a number of equal ones, or the boundaries listed on an AEFACT.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,6 +1,6 @@
 //! Rigid elements and weighted means: RBE2, RBAR and RBE3. Thermal expansion is skipped.
 
-use super::kind::prelude::*;
+use super::prelude::*;
 use crate::real;
 
 /// A rigid element (RBE2).

@@ -1,6 +1,6 @@
 //! Rods: CROD and PROD.
 
-use super::kind::prelude::*;
+use super::prelude::*;
 
 /// A rod with axial and torsional stiffness (CROD).
 #[derive(Debug, Clone, PartialEq)]

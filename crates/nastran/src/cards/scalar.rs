@@ -1,6 +1,6 @@
 //! Springs and masses between single motions: CELAS1, CELAS2, PELAS, CMASS1, CMASS2 and PMASS.
 
-use super::kind::prelude::*;
+use super::prelude::*;
 use crate::card::FIELDS_PER_LINE;
 use crate::motion::{Motion, keeps_sign};
 
@@ -30,6 +30,8 @@ pub struct ScalarElement {
     pub value: ScalarValue,
     /// The motions at both ends; none is the ground.
     pub ends: [Option<Motion>; 2],
+    /// True for CMASS1 and CMASS2, false for CELAS1 and CELAS2.
+    pub is_mass: bool,
     /// Where the card stands.
     pub span: Span,
 }
@@ -59,7 +61,13 @@ impl DeckCard for ScalarElement {
             };
             return Err(card.error(2, message));
         }
-        Ok(vec![ScalarElement { id, value, ends, span: card.span.clone() }])
+        Ok(vec![ScalarElement {
+            id,
+            value,
+            ends,
+            is_mass: card.name.starts_with("CMASS"),
+            span: card.span.clone(),
+        }])
     }
 
     fn write(&self, card: Fields) -> Fields {

@@ -1,6 +1,6 @@
 //! Shells of one thickness: CQUAD4, CTRIA3 and PSHELL.
 
-use super::kind::prelude::*;
+use super::prelude::*;
 use crate::card::FIELDS_PER_LINE;
 
 /// Nastran's default of TS/T; the exact 5/6 is not what it computes with.

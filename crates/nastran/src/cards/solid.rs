@@ -1,6 +1,6 @@
 //! Solids: CHEXA, CPENTA, CTETRA and PSOLID.
 
-use super::kind::prelude::*;
+use super::prelude::*;
 
 /// A solid element (CHEXA with eight grids, CPENTA with six, CTETRA with four).
 #[derive(Debug, Clone, PartialEq)]

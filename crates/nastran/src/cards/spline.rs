@@ -1,6 +1,6 @@
 //! Splines: SPLINE1, SPLINE2, SPLINE4 and SPLINE5.
 
-use super::kind::prelude::*;
+use super::prelude::*;
 
 /// The way a surface spline works.
 #[derive(Debug, Clone, Copy, PartialEq)]

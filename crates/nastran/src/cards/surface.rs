@@ -1,6 +1,6 @@
 //! Control surfaces and lists of boxes: AESURF and AELIST.
 
-use super::kind::prelude::*;
+use super::prelude::*;
 
 /// A control surface (AESURF): one or two hinge systems, each with its box list.
 #[derive(Debug, Clone, PartialEq)]

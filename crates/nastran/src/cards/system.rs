@@ -1,6 +1,6 @@
 //! Coordinate systems: CORD1R, CORD1C, CORD1S, CORD2R, CORD2C and CORD2S.
 
-use super::kind::prelude::*;
+use super::prelude::*;
 
 /// What the three coordinates of a system are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

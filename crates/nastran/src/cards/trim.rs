@@ -1,7 +1,7 @@
 //! Static aeroelasticity: AEROS, AESTAT, TRIM, SUPORT, AELINK and AECOMP. They are read, not written, and have no mirror
 //! image: they say what is asked of the whole aircraft.
 
-use super::kind::prelude::*;
+use super::prelude::*;
 
 /// References of the aerodynamics (AEROS).
 #[derive(Debug, Clone, PartialEq)]

@@ -3,16 +3,11 @@
 use super::{Dependent, rigid_row};
 use crate::model::Node;
 use nalgebra::Matrix6;
-use nastran::{InputError, Rbar, Span};
+use nastran::{InputError, Rbar, Rbe2};
 
-/// RBE2: `components` (digits 1 to 6) of the nodes at positions `dependent` follow the node at `independent`.
-pub(crate) fn link(
-    nodes: &[Node],
-    (owner, span): (&str, &Span),
-    independent: usize,
-    components: &[u8],
-    dependent: &[usize],
-) -> Vec<Dependent> {
+/// RBE2: the card's components of the nodes at positions `dependent` follow the node at `independent`.
+pub(crate) fn link(nodes: &[Node], card: &Rbe2, independent: usize, dependent: &[usize]) -> Vec<Dependent> {
+    let (owner, components) = (format!("RBE2 {}", card.id), &card.components);
     let about = nodes[independent].point;
     let mut rows = Vec::with_capacity(components.len() * dependent.len());
     for node in dependent {
@@ -26,7 +21,7 @@ pub(crate) fn link(
             };
             let row = (0..6).map(|k| (6 * independent + k, factor(k))).filter(|(_, f)| *f != 0.0).collect();
             let dof = 6 * node + component;
-            rows.push(Dependent { dof, row, owner: owner.to_owned(), span: span.clone() });
+            rows.push(Dependent { dof, row, owner: owner.clone(), span: card.span.clone() });
         }
     }
     rows

@@ -1,19 +1,25 @@
 //! What the readers of all kinds of cards share: the deck, its frames, and where each grid stands.
 
-use super::{Clamp, Node};
-use crate::laminate::ShearModel;
+use super::node::{Clamp, Node};
+use crate::laminate::{ShearModel, ShellSection};
+use crate::solid_material::SolidMaterial;
 use nalgebra::Matrix3;
 use nastran::{BulkData, Frames, InputError, Span};
 use std::collections::BTreeMap;
 use std::fmt::Display;
+use std::sync::Arc;
 
 /// A model while it is read.
-pub(super) struct Builder<'a> {
+pub(crate) struct Builder<'a> {
     pub(super) bulk: &'a BulkData,
     pub(super) frames: Frames,
     pub(super) nodes: Vec<Node>,
     /// How laminates get their transverse shear stiffness.
     pub(super) shear: ShearModel,
+    /// Sections of shells by their property, as many elements share one.
+    pub(super) sections: BTreeMap<u32, Arc<ShellSection>>,
+    /// Materials of solids by their property, unless its axes turn with the place.
+    pub(super) solid_materials: BTreeMap<u32, Arc<SolidMaterial>>,
     places: BTreeMap<u32, usize>,
 }
 
@@ -28,7 +34,8 @@ impl<'a> Builder<'a> {
                 if grid.cd == 0 { Matrix3::identity() } else { frames.axes_at(grid.cd, &grid.span)? };
             nodes.push(Node { id: grid.id, point, axes });
         }
-        Ok(Self { bulk, frames, nodes, shear, places })
+        let (sections, solid_materials) = (BTreeMap::new(), BTreeMap::new());
+        Ok(Self { bulk, frames, nodes, shear, sections, solid_materials, places })
     }
 
     /// Position of a grid that `user` names.
@@ -57,6 +64,17 @@ impl<'a> Builder<'a> {
         }
         Ok(clamps)
     }
+}
+
+/// The card of a kind that `user` refers to.
+pub(super) fn found<'a, T>(
+    cards: &'a BTreeMap<u32, T>,
+    id: u32,
+    user: &str,
+    kind: &str,
+    span: &Span,
+) -> Result<&'a T, InputError> {
+    cards.get(&id).ok_or_else(|| undefined(user, kind, id, cards.keys(), span))
 }
 
 /// The error for a reference to something that is not there, with what there is.

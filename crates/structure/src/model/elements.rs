@@ -1,70 +1,172 @@
-//! Beams, springs and masses: cards to elements.
+//! Beams, rods, springs and masses: cards to elements.
 
-use super::build::{Builder, undefined};
+use super::build::{Builder, found};
+use super::registry::ElementCard;
 use crate::beam::{Beam, BeamPlacement};
+use crate::cell_shape::CellShape;
 use crate::element::Element;
 use crate::masses::PointMass;
 use crate::matrix_element::MatrixElement;
 use crate::springs;
-use nalgebra::{Matrix3, Point3, Vector3};
+use nalgebra::Vector3;
 use nastran::{
-    BeamElement, BushAxes, Cbush, InputError, Motion, Orientation, ScalarElement, ScalarProperty,
+    BeamElement, BushAxes, Cbush, Conm1, Conm2, Crod, Genel, InputError, Motion, Orientation, ScalarElement,
     ScalarValue, Span,
 };
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
-type Elements = Result<Vec<Arc<dyn Element>>, InputError>;
+impl ElementCard for BeamElement {
+    fn element(&self, builder: &mut Builder) -> Result<Arc<dyn Element>, InputError> {
+        let bulk = builder.bulk;
+        let user = format!("{} {}", if self.is_beam { "CBEAM" } else { "CBAR" }, self.id);
+        let nodes = builder.ends(self.grids, &user, &self.span)?;
+        let kind = if self.is_beam { "PBEAM" } else { "PBAR" };
+        let property = found(&bulk.beam_properties, self.property, &user, kind, &self.span)?;
+        let owner = format!("{} {}", if property.is_beam { "PBEAM" } else { "PBAR" }, property.id);
+        let material = found(&bulk.materials, property.material, &owner, "MAT1", &property.span)?;
+        let grids = nodes.map(|node| builder.nodes[node].point);
+        let orientation = builder.orientation(&self.orientation, nodes[0], &user, &self.span)?;
+        let mut offsets = [Vector3::zeros(); 2];
+        for (end, offset) in offsets.iter_mut().enumerate() {
+            *offset = builder.nodes[nodes[end]].axes * Vector3::from(self.offsets[end]);
+        }
+        let placement = BeamPlacement { grids, offsets, orientation, pins: self.pins.clone() };
+        Ok(Arc::new(Beam::new(self.id, nodes, &placement, property, material, &self.span)?))
+    }
 
-fn shared(element: impl Element + 'static) -> Arc<dyn Element> {
-    Arc::new(element)
+    fn property(&self) -> Option<u32> {
+        Some(self.property)
+    }
+
+    fn cell(&self) -> Option<(CellShape, Vec<u32>)> {
+        Some((CellShape::Line, self.grids.to_vec()))
+    }
+}
+
+impl ElementCard for Crod {
+    fn element(&self, builder: &mut Builder) -> Result<Arc<dyn Element>, InputError> {
+        let bulk = builder.bulk;
+        let user = format!("CROD {}", self.id);
+        let ends = builder.ends(self.grids, &user, &self.span)?;
+        let property = found(&bulk.rod_properties, self.property, &user, "PROD", &self.span)?;
+        let owner = format!("PROD {}", property.id);
+        let material = found(&bulk.materials, property.material, &owner, "MAT1", &property.span)?;
+        Ok(Arc::new(springs::rod(self, &builder.nodes, ends, property, material)?))
+    }
+
+    fn property(&self) -> Option<u32> {
+        Some(self.property)
+    }
+
+    fn cell(&self) -> Option<(CellShape, Vec<u32>)> {
+        Some((CellShape::Line, self.grids.to_vec()))
+    }
+}
+
+impl ElementCard for Cbush {
+    fn element(&self, builder: &mut Builder) -> Result<Arc<dyn Element>, InputError> {
+        let user = format!("CBUSH {}", self.id);
+        let end_a = builder.node(self.grids.0, &user, &self.span)?;
+        let end_b = self.grids.1.map(|grid| builder.node(grid, &user, &self.span)).transpose()?;
+        let property = found(&builder.bulk.bush_properties, self.property, &user, "PBUSH", &self.span)?;
+        let a = builder.nodes[end_a].point;
+        let along = end_b.map_or_else(Vector3::zeros, |b| builder.nodes[b].point - a);
+        let place = match self.offset {
+            Some((system, xyz)) => builder.frames.point(system, xyz, &self.span)?,
+            None => a + along * self.location,
+        };
+        let axes = match &self.axes {
+            BushAxes::System(system) => Some(builder.frames.axes_at_point(*system, &place, &self.span)?),
+            BushAxes::Oriented(orientation) => {
+                let vector = builder.orientation(orientation, end_a, &user, &self.span)?;
+                springs::line_axes(&along, Some(&vector))
+            }
+            BushAxes::Line => springs::line_axes(&along, None),
+        };
+        let crosswise = [1, 2, 4, 5].iter().any(|at| property.stiffness[*at] != 0.0);
+        let needs_more = self.axes == BushAxes::Line && crosswise;
+        let Some(axes) = axes.filter(|_| !needs_more) else {
+            let message = format!("{user}: the axes of its stiffnesses are not determined");
+            let help = "give a coordinate system in field CID (0 is the basic one), or an orientation vector";
+            return Err(InputError::at(&self.span, message).with_help(help));
+        };
+        if let Some(value) = property.stiffness.iter().find(|value| !(**value >= 0.0 && value.is_finite())) {
+            let message = format!("PBUSH {} has the stiffness {value}", property.id);
+            return Err(InputError::at(&property.span, message).with_help("a stiffness is zero or positive"));
+        }
+        Ok(Arc::new(springs::bush(self.id, &builder.nodes, (end_a, end_b), &place, &axes, property)))
+    }
+
+    fn property(&self) -> Option<u32> {
+        Some(self.property)
+    }
+
+    fn cell(&self) -> Option<(CellShape, Vec<u32>)> {
+        self.grids.1.map(|end| (CellShape::Line, vec![self.grids.0, end]))
+    }
+}
+
+impl ElementCard for ScalarElement {
+    fn element(&self, builder: &mut Builder) -> Result<Arc<dyn Element>, InputError> {
+        let bulk = builder.bulk;
+        let (name, kind, properties) = if self.is_mass {
+            ("CMASS", "PMASS", &bulk.mass_properties)
+        } else {
+            ("CELAS", "PELAS", &bulk.spring_properties)
+        };
+        let user = format!("{name} {}", self.id);
+        let value = match self.value {
+            ScalarValue::Given(value) => value,
+            ScalarValue::Property(id) => found(properties, id, &user, kind, &self.span)?.value,
+        };
+        let mut ends = [None; 2];
+        for (end, given) in ends.iter_mut().zip(self.ends) {
+            if let Some(motion) = given {
+                *end = builder.motions(&[motion], &user, &self.span)?.first().copied();
+            }
+        }
+        let (dofs, matrix) = springs::scalar(&builder.nodes, ends, value);
+        let make = if self.is_mass { MatrixElement::mass } else { MatrixElement::spring };
+        Ok(Arc::new(make(self.id, &dofs, &matrix)))
+    }
+
+    /// Only springs are drawn.
+    fn cell(&self) -> Option<(CellShape, Vec<u32>)> {
+        match self.ends {
+            [Some(a), Some(b)] if !self.is_mass => Some((CellShape::Line, vec![a.0, b.0])),
+            _ => None,
+        }
+    }
+}
+
+impl ElementCard for Genel {
+    fn element(&self, builder: &mut Builder) -> Result<Arc<dyn Element>, InputError> {
+        let user = format!("GENEL {}", self.id);
+        let ui = builder.motions(&self.ui, &user, &self.span)?;
+        let ud = builder.motions(&self.ud, &user, &self.span)?;
+        Ok(Arc::new(springs::general(self, &builder.nodes, &ui, &ud)?))
+    }
+}
+
+impl ElementCard for Conm2 {
+    fn element(&self, builder: &mut Builder) -> Result<Arc<dyn Element>, InputError> {
+        let node = builder.node(self.grid, &format!("CONM2 {}", self.id), &self.span)?;
+        Ok(Arc::new(PointMass::from_card(self, node, &builder.nodes[node].point, &builder.frames)?))
+    }
+}
+
+impl ElementCard for Conm1 {
+    fn element(&self, builder: &mut Builder) -> Result<Arc<dyn Element>, InputError> {
+        let node = builder.node(self.grid, &format!("CONM1 {}", self.id), &self.span)?;
+        let axes = builder.frames.axes_at_point(self.cid, &builder.nodes[node].point, &self.span)?;
+        Ok(Arc::new(springs::mass_matrix(self, node, &axes)))
+    }
 }
 
 impl Builder<'_> {
-    pub(super) fn beams(&self) -> Elements {
-        let mut elements: Vec<Arc<dyn Element>> = Vec::new();
-        for card in self.bulk.beams.values() {
-            elements.push(shared(self.beam(card)?));
-        }
-        for card in self.bulk.rods.values() {
-            let user = format!("CROD {}", card.id);
-            let ends =
-                [self.node(card.grids[0], &user, &card.span)?, self.node(card.grids[1], &user, &card.span)?];
-            let rods = &self.bulk.rod_properties;
-            let property = rods
-                .get(&card.property)
-                .ok_or_else(|| undefined(&user, "PROD", card.property, rods.keys(), &card.span))?;
-            let materials = &self.bulk.materials;
-            let material = materials.get(&property.material).ok_or_else(|| {
-                let user = format!("PROD {}", property.id);
-                undefined(&user, "MAT1", property.material, materials.keys(), &property.span)
-            })?;
-            elements.push(shared(springs::rod(card, &self.nodes, ends, property, material)?));
-        }
-        Ok(elements)
-    }
-
-    fn beam(&self, card: &BeamElement) -> Result<Beam, InputError> {
-        let bulk = self.bulk;
-        let user = format!("{} {}", if card.is_beam { "CBEAM" } else { "CBAR" }, card.id);
-        let nodes =
-            [self.node(card.grids[0], &user, &card.span)?, self.node(card.grids[1], &user, &card.span)?];
-        let property = bulk.beam_properties.get(&card.property).ok_or_else(|| {
-            let kind = if card.is_beam { "PBEAM" } else { "PBAR" };
-            undefined(&user, kind, card.property, bulk.beam_properties.keys(), &card.span)
-        })?;
-        let material = bulk.materials.get(&property.material).ok_or_else(|| {
-            let user = format!("{} {}", if property.is_beam { "PBEAM" } else { "PBAR" }, property.id);
-            undefined(&user, "MAT1", property.material, bulk.materials.keys(), &property.span)
-        })?;
-        let grids = nodes.map(|node| self.nodes[node].point);
-        let orientation = self.orientation(&card.orientation, nodes[0], &user, &card.span)?;
-        let mut offsets = [Vector3::zeros(); 2];
-        for (end, offset) in offsets.iter_mut().enumerate() {
-            *offset = self.nodes[nodes[end]].axes * Vector3::from(card.offsets[end]);
-        }
-        let placement = BeamPlacement { grids, offsets, orientation, pins: card.pins.clone() };
-        Beam::new(card.id, nodes, &placement, property, material, &card.span)
+    /// Positions of the two grids of a line.
+    fn ends(&self, [a, b]: [u32; 2], user: &str, span: &Span) -> Result<[usize; 2], InputError> {
+        Ok([self.node(a, user, span)?, self.node(b, user, span)?])
     }
 
     fn orientation(
@@ -83,69 +185,6 @@ impl Builder<'_> {
         }
     }
 
-    pub(super) fn springs(&self) -> Elements {
-        let mut elements = Vec::new();
-        for card in self.bulk.bushes.values() {
-            elements.push(shared(self.bush(card)?));
-        }
-        for card in self.bulk.springs.values() {
-            let (dofs, k) = self.scalar(card, ["CELAS", "PELAS"], &self.bulk.spring_properties)?;
-            elements.push(shared(MatrixElement::spring(card.id, &dofs, &k)));
-        }
-        for card in self.bulk.general.values() {
-            let user = format!("GENEL {}", card.id);
-            let ui = self.motions(&card.ui, &user, &card.span)?;
-            let ud = self.motions(&card.ud, &user, &card.span)?;
-            elements.push(shared(springs::general(card, &self.nodes, &ui, &ud)?));
-        }
-        Ok(elements)
-    }
-
-    fn bush(&self, card: &Cbush) -> Result<MatrixElement, InputError> {
-        let user = format!("CBUSH {}", card.id);
-        let end_a = self.node(card.grids.0, &user, &card.span)?;
-        let end_b = card.grids.1.map(|grid| self.node(grid, &user, &card.span)).transpose()?;
-        let bushes = &self.bulk.bush_properties;
-        let property = bushes
-            .get(&card.property)
-            .ok_or_else(|| undefined(&user, "PBUSH", card.property, bushes.keys(), &card.span))?;
-        let a = self.nodes[end_a].point;
-        let along = end_b.map_or_else(Vector3::zeros, |b| self.nodes[b].point - a);
-        let place = match card.offset {
-            Some((system, xyz)) => self.frames.point(system, xyz, &card.span)?,
-            None => a + along * card.location,
-        };
-        let axes = match &card.axes {
-            BushAxes::System(system) => Some(self.axes_at(*system, &place, &card.span)?),
-            BushAxes::Oriented(orientation) => {
-                let vector = self.orientation(orientation, end_a, &user, &card.span)?;
-                springs::line_axes(&along, Some(&vector))
-            }
-            BushAxes::Line => springs::line_axes(&along, None),
-        };
-        let crosswise = [1, 2, 4, 5].iter().any(|at| property.stiffness[*at] != 0.0);
-        let needs_more = card.axes == BushAxes::Line && crosswise;
-        let Some(axes) = axes.filter(|_| !needs_more) else {
-            let message = format!("{user}: the axes of its stiffnesses are not determined");
-            let help = "give a coordinate system in field CID (0 is the basic one), or an orientation vector";
-            return Err(InputError::at(&card.span, message).with_help(help));
-        };
-        if let Some(value) = property.stiffness.iter().find(|value| !(**value >= 0.0 && value.is_finite())) {
-            let message = format!("PBUSH {} has the stiffness {value}", property.id);
-            return Err(InputError::at(&property.span, message).with_help("a stiffness is zero or positive"));
-        }
-        Ok(springs::bush(card.id, &self.nodes, (end_a, end_b), &place, &axes, property))
-    }
-
-    pub(super) fn axes_at(
-        &self,
-        system: u32,
-        place: &Point3<f64>,
-        span: &Span,
-    ) -> Result<Matrix3<f64>, InputError> {
-        self.frames.axes_at_point(system, place, span)
-    }
-
     fn motions(
         &self,
         motions: &[Motion],
@@ -158,49 +197,5 @@ impl Builder<'_> {
                 Ok((self.node(*grid, user, span)?, usize::from(*component).saturating_sub(1)))
             })
             .collect()
-    }
-
-    fn scalar(
-        &self,
-        card: &ScalarElement,
-        [element, kind]: [&str; 2],
-        properties: &BTreeMap<u32, ScalarProperty>,
-    ) -> Result<(Vec<usize>, nalgebra::DMatrix<f64>), InputError> {
-        let user = format!("{element} {}", card.id);
-        let value = match card.value {
-            ScalarValue::Given(value) => value,
-            ScalarValue::Property(id) => {
-                properties
-                    .get(&id)
-                    .ok_or_else(|| undefined(&user, kind, id, properties.keys(), &card.span))?
-                    .value
-            }
-        };
-        let mut ends = [None; 2];
-        for (end, given) in ends.iter_mut().zip(card.ends) {
-            if let Some(motion) = given {
-                *end = self.motions(&[motion], &user, &card.span)?.first().copied();
-            }
-        }
-        Ok(springs::scalar(&self.nodes, ends, value))
-    }
-
-    pub(super) fn masses(&self) -> Elements {
-        let mut elements = Vec::new();
-        for card in self.bulk.masses.values() {
-            let node = self.node(card.grid, &format!("CONM2 {}", card.id), &card.span)?;
-            let point = &self.nodes[node].point;
-            elements.push(shared(PointMass::from_card(card, node, point, &self.frames)?));
-        }
-        for card in self.bulk.mass_matrices.values() {
-            let node = self.node(card.grid, &format!("CONM1 {}", card.id), &card.span)?;
-            let axes = self.axes_at(card.cid, &self.nodes[node].point, &card.span)?;
-            elements.push(shared(springs::mass_matrix(card, node, &axes)));
-        }
-        for card in self.bulk.scalar_masses.values() {
-            let (dofs, m) = self.scalar(card, ["CMASS", "PMASS"], &self.bulk.mass_properties)?;
-            elements.push(shared(MatrixElement::mass(card.id, &dofs, &m)));
-        }
-        Ok(elements)
     }
 }

@@ -6,37 +6,20 @@
 mod build;
 mod elements;
 mod links;
+mod node;
+pub(crate) mod registry;
 mod shells;
 mod solids;
+
+pub use node::{Clamp, Node};
 
 use crate::constraints::Dependent;
 use crate::element::Element;
 use crate::laminate::ShearModel;
-use nalgebra::{Matrix3, Point3};
-use nastran::{BulkData, InputError, Span};
+use nastran::{BulkData, InputError};
+use registry::{ElementCard, TieCard};
+use std::collections::BTreeMap;
 use std::sync::Arc;
-
-/// A grid point.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Node {
-    /// The grid's identification number.
-    pub id: u32,
-    /// Its place in the basic system, m.
-    pub point: Point3<f64>,
-    /// Axes of its displacement system, as columns in the basic system.
-    pub axes: Matrix3<f64>,
-}
-
-/// Components of one node that are held fixed.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Clamp {
-    /// Position of the node in [`Model::nodes`].
-    pub node: usize,
-    /// Components, digits 1 to 6, in the axes of the grid's displacement system.
-    pub components: Vec<u8>,
-    /// The card that says so.
-    pub span: Span,
-}
 
 /// How the mass of elements is spread over their nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -82,13 +65,10 @@ impl Model {
     /// As [`Model::from_bulk`].
     pub fn from_bulk_with(bulk: &BulkData, shear: ShearModel) -> Result<Self, InputError> {
         bulk.refuse_unread_elements()?;
-        let builder = build::Builder::new(bulk, shear)?;
-        let mut elements = builder.beams()?;
-        elements.extend(builder.shells()?);
-        elements.extend(builder.solids()?);
-        elements.extend(builder.springs()?);
-        elements.extend(builder.masses()?);
-        let dependents = builder.dependents()?;
+        let (elements, dependents) = (Vec::new(), Vec::new());
+        let mut read = Reading { builder: build::Builder::new(bulk, shear)?, elements, dependents };
+        registry::visit(bulk, &mut read)?;
+        let Reading { builder, elements, dependents } = read;
         let clamps = builder.clamps()?;
         let parameter = |name: &str| bulk.parameters.get(name).copied();
         let mass_form = if parameter("COUPMASS").is_some_and(|v| v < 0.0) {
@@ -107,5 +87,31 @@ impl Model {
     /// Every element, in the order in which they are summed.
     pub fn elements(&self) -> impl Iterator<Item = &dyn Element> {
         self.elements.iter().map(AsRef::as_ref)
+    }
+}
+
+/// A model's elements and ties while they are read.
+struct Reading<'a> {
+    builder: build::Builder<'a>,
+    elements: Vec<Arc<dyn Element>>,
+    dependents: Vec<Dependent>,
+}
+
+impl registry::Visitor for Reading<'_> {
+    fn elements<C: ElementCard>(&mut self, cards: &BTreeMap<u32, C>) -> Result<(), InputError> {
+        for card in cards.values() {
+            self.elements.push(card.element(&mut self.builder)?);
+        }
+        Ok(())
+    }
+
+    fn ties<'a, C: TieCard + 'a>(
+        &mut self,
+        cards: impl IntoIterator<Item = &'a C>,
+    ) -> Result<(), InputError> {
+        for card in cards {
+            self.dependents.extend(card.dependents(&self.builder)?);
+        }
+        Ok(())
     }
 }

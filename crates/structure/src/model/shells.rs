@@ -1,35 +1,44 @@
 //! Shells and their sections: CQUAD4 and CTRIA3 with PSHELL, PCOMP and PCOMPG.
 
 use super::build::{Builder, undefined};
+use super::registry::ElementCard;
+use crate::cell_shape::CellShape;
 use crate::element::Element;
 use crate::laminate::{PlacedPly, ShellSection};
 use crate::plane_material::PlaneMaterial;
 use crate::shell::Shell;
 use nalgebra::{Matrix2, Matrix3, Point3, Vector3};
 use nastran::{InputError, MaterialDirection, Pcomp, Ply, Pshell, ShellElement, Span};
-use std::collections::BTreeMap;
-use std::collections::btree_map::Entry;
 use std::sync::Arc;
 
-impl Builder<'_> {
-    pub(super) fn shells(&self) -> Result<Vec<Arc<dyn Element>>, InputError> {
-        let mut sections: BTreeMap<u32, Arc<ShellSection>> = BTreeMap::new();
-        let mut elements: Vec<Arc<dyn Element>> = Vec::with_capacity(self.bulk.shells.len());
-        for card in self.bulk.shells.values() {
-            let user = format!("{} {}", if card.grids.len() == 4 { "CQUAD4" } else { "CTRIA3" }, card.id);
-            let section = match sections.entry(card.property) {
-                Entry::Occupied(known) => Arc::clone(known.get()),
-                Entry::Vacant(place) => Arc::clone(place.insert(Arc::new(self.section(card, &user)?))),
-            };
-            let nodes = self.nodes_of(&card.grids, &user, &card.span)?;
-            let points: Vec<Point3<f64>> = nodes.iter().map(|node| self.nodes[*node].point).collect();
-            let angle = self.angle(card, &points, &user)?;
-            let shell = Shell::new(card.id, nodes, &points, card.offset, section, angle, &card.span)?;
-            elements.push(Arc::new(shell));
-        }
-        Ok(elements)
+impl ElementCard for ShellElement {
+    fn element(&self, builder: &mut Builder) -> Result<Arc<dyn Element>, InputError> {
+        let user = format!("{} {}", if self.grids.len() == 4 { "CQUAD4" } else { "CTRIA3" }, self.id);
+        let section = match builder.sections.get(&self.property) {
+            Some(known) => Arc::clone(known),
+            None => {
+                let made = Arc::new(builder.section(self, &user)?);
+                builder.sections.insert(self.property, Arc::clone(&made));
+                made
+            }
+        };
+        let nodes = builder.nodes_of(&self.grids, &user, &self.span)?;
+        let points: Vec<Point3<f64>> = nodes.iter().map(|node| builder.nodes[*node].point).collect();
+        let angle = builder.angle(self, &points, &user)?;
+        Ok(Arc::new(Shell::new(self.id, nodes, &points, self.offset, section, angle, &self.span)?))
     }
 
+    fn property(&self) -> Option<u32> {
+        Some(self.property)
+    }
+
+    fn cell(&self) -> Option<(CellShape, Vec<u32>)> {
+        let shape = if self.grids.len() == 3 { CellShape::Triangle } else { CellShape::Quadrilateral };
+        Some((shape, self.grids.clone()))
+    }
+}
+
+impl Builder<'_> {
     /// From the element's x axis to the material's, rad.
     fn angle(&self, card: &ShellElement, points: &[Point3<f64>], user: &str) -> Result<f64, InputError> {
         let system = match card.direction {
@@ -39,7 +48,7 @@ impl Builder<'_> {
         // A degenerate element is refused with its own message where it is made.
         let Some(axes) = Shell::axes_of(points) else { return Ok(0.0) };
         let middle = points.iter().map(|point| point.coords).sum::<Vector3<f64>>() / (points.len() as f64);
-        let x = axes * self.axes_at(system, &Point3::from(middle), &card.span)?.column(0);
+        let x = axes * self.frames.axes_at_point(system, &Point3::from(middle), &card.span)?.column(0);
         if x.x.hypot(x.y) < 1e-6 {
             let message = format!("{user}: the x axis of system {system} (MCID) is normal to the element");
             let help = "its projection is the material's direction; choose another system, or an angle";

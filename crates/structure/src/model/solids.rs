@@ -1,46 +1,54 @@
 //! Solids: CHEXA, CPENTA and CTETRA with PSOLID and MAT1 or MAT9.
 
-use super::build::{Builder, undefined};
+use super::build::{Builder, found, undefined};
+use super::registry::ElementCard;
+use crate::cell_shape::CellShape;
 use crate::element::Element;
 use crate::solid::Solid;
 use crate::solid_material::SolidMaterial;
 use nalgebra::{Matrix3, Point3, Vector3};
-use nastran::{InputError, Psolid};
-use std::collections::BTreeMap;
+use nastran::{InputError, Psolid, SolidElement};
 use std::sync::Arc;
 
-impl Builder<'_> {
-    pub(super) fn solids(&self) -> Result<Vec<Arc<dyn Element>>, InputError> {
-        let properties = &self.bulk.solid_properties;
-        // One material for all elements of a property, unless its axes turn with the place.
-        let mut materials: BTreeMap<u32, Arc<SolidMaterial>> = BTreeMap::new();
-        let mut elements: Vec<Arc<dyn Element>> = Vec::with_capacity(self.bulk.solids.len());
-        for card in self.bulk.solids.values() {
-            let kind = match card.grids.len() {
-                8 => "CHEXA",
-                6 => "CPENTA",
-                _ => "CTETRA",
-            };
-            let user = format!("{kind} {}", card.id);
-            let property = properties
-                .get(&card.property)
-                .ok_or_else(|| undefined(&user, "PSOLID", card.property, properties.keys(), &card.span))?;
-            let nodes = self.nodes_of(&card.grids, &user, &card.span)?;
-            let points: Vec<Point3<f64>> = nodes.iter().map(|node| self.nodes[*node].point).collect();
-            let material = if let (0, Some(known)) = (property.cordm, materials.get(&property.id)) {
-                Arc::clone(known)
-            } else {
-                let middle =
-                    points.iter().map(|point| point.coords).sum::<Vector3<f64>>() / (points.len() as f64);
-                let made = Arc::new(self.solid_material(property, &Point3::from(middle))?);
-                materials.insert(property.id, Arc::clone(&made));
-                made
-            };
-            elements.push(Arc::new(Solid::new(card.id, nodes, &points, &material, &card.span)?));
-        }
-        Ok(elements)
+impl ElementCard for SolidElement {
+    fn element(&self, builder: &mut Builder) -> Result<Arc<dyn Element>, InputError> {
+        let kind = match self.grids.len() {
+            8 => "CHEXA",
+            6 => "CPENTA",
+            _ => "CTETRA",
+        };
+        let user = format!("{kind} {}", self.id);
+        let property = found(&builder.bulk.solid_properties, self.property, &user, "PSOLID", &self.span)?;
+        let nodes = builder.nodes_of(&self.grids, &user, &self.span)?;
+        let points: Vec<Point3<f64>> = nodes.iter().map(|node| builder.nodes[*node].point).collect();
+        let known = builder.solid_materials.get(&property.id).filter(|_| property.cordm == 0);
+        let material = if let Some(known) = known {
+            Arc::clone(known)
+        } else {
+            let middle =
+                points.iter().map(|point| point.coords).sum::<Vector3<f64>>() / (points.len() as f64);
+            let made = Arc::new(builder.solid_material(property, &Point3::from(middle))?);
+            builder.solid_materials.insert(property.id, Arc::clone(&made));
+            made
+        };
+        Ok(Arc::new(Solid::new(self.id, nodes, &points, &material, &self.span)?))
     }
 
+    fn property(&self) -> Option<u32> {
+        Some(self.property)
+    }
+
+    fn cell(&self) -> Option<(CellShape, Vec<u32>)> {
+        let shape = match self.grids.len() {
+            4 => CellShape::Tetrahedron,
+            6 => CellShape::Wedge,
+            _ => CellShape::Hexahedron,
+        };
+        Some((shape, self.grids.clone()))
+    }
+}
+
+impl Builder<'_> {
     fn solid_material(&self, card: &Psolid, place: &Point3<f64>) -> Result<SolidMaterial, InputError> {
         let bulk = self.bulk;
         if let Some(material) = bulk.materials.get(&card.material) {
@@ -53,7 +61,7 @@ impl Builder<'_> {
         };
         let axes = match u32::try_from(card.cordm) {
             Ok(0) => Matrix3::identity(),
-            Ok(system) => self.axes_at(system, place, &card.span)?,
+            Ok(system) => self.frames.axes_at_point(system, place, &card.span)?,
             Err(_) => {
                 let message = format!(
                     "{user}: element axes (CORDM {}) for an anisotropic material are not read",

@@ -16,7 +16,10 @@
 
 mod point;
 mod quad;
+mod strains;
 mod triangle;
+
+pub use strains::ShellStrains;
 
 use crate::element::Element;
 use crate::laminate::ShellSection;
@@ -34,17 +37,6 @@ const DRILLING: f64 = 0.1;
 
 /// Of three or four corners, an element's sine of the smallest angle below which it is degenerate.
 const DEGENERATE: f64 = 1e-4;
-
-/// Strains of a shell at a point, in the element's axes ([`Shell::axes`]).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ShellStrains {
-    /// Membrane strains at the reference surface (x, y, xy).
-    pub membrane: [f64; 3],
-    /// Curvatures (x, y, xy), 1/m: strains at height z are membrane + z curvature.
-    pub curvature: [f64; 3],
-    /// Transverse shears (xz, yz).
-    pub shear: [f64; 2],
-}
 
 /// A shell element.
 #[derive(Debug, Clone)]

@@ -1,6 +1,6 @@
 //! What quadrilateral and triangle have in common: sums over integration points, the condensed incompatible modes.
 
-use super::ShellStrains;
+use super::strains::ShellStrains;
 use crate::laminate::ShellSection;
 use nalgebra::{Matrix4, RowSVector, SMatrix, SVector};
 

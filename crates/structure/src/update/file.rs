@@ -4,8 +4,9 @@
 //! condition it gives; places are the means of an element's nodes, from the first number (included) to the second
 //! (not).
 
-use super::{MeasuredDeflection, MeasuredMode, Measurements, Parameter, Quantity};
+use super::measurements::{MeasuredDeflection, MeasuredMode, Measurements, Parameter, Quantity};
 use crate::model::Model;
+use crate::model::registry::{self, ElementCard, TieCard, Visitor};
 use crate::system::System;
 use nalgebra::Point3;
 use nastran::{BulkData, InputError, Table, ron_file};
@@ -209,7 +210,8 @@ impl MeasuredFile {
     /// # Errors
     /// If a region has no element, or two regions share one for the same quantity.
     pub fn parameters(&self, bulk: &BulkData, model: &Model) -> Result<Vec<Parameter>, InputError> {
-        let properties = property_numbers(bulk);
+        let mut properties = Properties::default();
+        registry::visit(bulk, &mut properties)?;
         let mut parameters = Vec::new();
         let mut taken: BTreeMap<(Quantity, usize), &str> = BTreeMap::new();
         for region in &self.regions {
@@ -223,7 +225,7 @@ impl MeasuredFile {
                 let inside =
                     |range: Option<(f64, f64)>, at: f64| range.is_none_or(|(a, b)| a <= at && at < b);
                 passes(&region.elements, Some(element.id()))
-                    && passes(&region.properties, properties.get(&element.id()).copied())
+                    && passes(&region.properties, properties.0.get(&element.id()).copied())
                     && [region.x_m, region.y_m, region.z_m]
                         .iter()
                         .zip(centre.iter())
@@ -258,12 +260,16 @@ fn centre(model: &Model, nodes: &[usize]) -> Point3<f64> {
 }
 
 /// The property of each element that has one.
-fn property_numbers(bulk: &BulkData) -> BTreeMap<u32, u32> {
-    let mut properties = BTreeMap::new();
-    properties.extend(bulk.beams.values().map(|element| (element.id, element.property)));
-    properties.extend(bulk.rods.values().map(|element| (element.id, element.property)));
-    properties.extend(bulk.bushes.values().map(|element| (element.id, element.property)));
-    properties.extend(bulk.shells.values().map(|element| (element.id, element.property)));
-    properties.extend(bulk.solids.values().map(|element| (element.id, element.property)));
-    properties
+#[derive(Default)]
+struct Properties(BTreeMap<u32, u32>);
+
+impl Visitor for Properties {
+    fn elements<C: ElementCard>(&mut self, cards: &BTreeMap<u32, C>) -> Result<(), InputError> {
+        self.0.extend(cards.iter().filter_map(|(id, card)| Some((*id, card.property()?))));
+        Ok(())
+    }
+
+    fn ties<'a, C: TieCard + 'a>(&mut self, _: impl IntoIterator<Item = &'a C>) -> Result<(), InputError> {
+        Ok(())
+    }
 }

@@ -1,8 +1,8 @@
 //! The fit: Gauss-Newton steps within the determined directions, halved until they help.
 
 use super::determination::Determination;
+use super::measurements::{Measurements, Parameter, Quantity, Settings, UpdateError};
 use super::state::{State, evaluate};
-use super::{Measurements, Parameter, Quantity, Settings, UpdateError};
 use crate::model::Model;
 
 /// No factor goes below.

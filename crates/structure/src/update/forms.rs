@@ -1,6 +1,6 @@
 //! Quadratic forms of a region's elements: x^T `A_p` y, element by element, without assembling `A_p`.
 
-use super::{Parameter, Quantity};
+use super::measurements::{Parameter, Quantity};
 use crate::assemble;
 use crate::model::Model;
 use faer::MatRef;

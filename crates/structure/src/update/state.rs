@@ -2,7 +2,7 @@
 
 use super::forms::forms;
 use super::mac::{modal_assurance, pair};
-use super::{AtMotion, Measurements, Parameter, Quantity, Settings, UpdateError};
+use super::measurements::{AtMotion, Measurements, Parameter, Quantity, Settings, UpdateError};
 use crate::flexibility::Flexibility;
 use crate::model::Model;
 use crate::modes::{Modes, ModesError, normal_modes};

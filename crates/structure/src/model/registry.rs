@@ -1,0 +1,77 @@
+//! Which cards of a deck become elements, and which tie motions together: the one place where a kind is entered.
+//!
+//! A new element is a file of its own with [`ElementCard`] for its card (and, if [`crate::MatrixElement`] does not do,
+//! [`Element`]), and one line in [`visit`]; then it is assembled, has mass, is drawn and can be fitted.
+
+use super::build::Builder;
+use crate::cell_shape::CellShape;
+use crate::constraints::Dependent;
+use crate::element::Element;
+use nastran::{BulkData, InputError};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// A card that becomes an element.
+pub(crate) trait ElementCard {
+    /// The element, every reference checked.
+    fn element(&self, builder: &mut Builder) -> Result<Arc<dyn Element>, InputError>;
+    /// Its property, if it has one, by which regions name it.
+    fn property(&self) -> Option<u32> {
+        None
+    }
+    /// Shape and grids of the cell that it is drawn as; nothing if it has no extent.
+    fn cell(&self) -> Option<(CellShape, Vec<u32>)> {
+        None
+    }
+}
+
+/// A card that makes motions follow others.
+pub(crate) trait TieCard {
+    /// The motions that follow.
+    fn dependents(&self, builder: &Builder) -> Result<Vec<Dependent>, InputError>;
+    /// Its number, and the two ends of each arm that it is drawn as.
+    fn arms(&self) -> (u32, Vec<[u32; 2]>);
+}
+
+/// What goes over all of these cards.
+pub(crate) trait Visitor {
+    /// The elements of one kind, in ascending number.
+    fn elements<C: ElementCard>(&mut self, cards: &BTreeMap<u32, C>) -> Result<(), InputError>;
+    /// The ties of one kind.
+    fn ties<'a, C: TieCard + 'a>(&mut self, cards: impl IntoIterator<Item = &'a C>)
+    -> Result<(), InputError>;
+}
+
+/// Shows all elements, in the order in which they are summed, then all ties. Kinds of cards that are neither are named
+/// as well: one that is new to the deck does not compile until it stands here.
+#[rustfmt::skip]
+pub(crate) fn visit(bulk: &BulkData, visitor: &mut impl Visitor) -> Result<(), InputError> {
+    let BulkData {
+        beams, rods, shells, solids, bushes, springs, general, masses, mass_matrices, scalar_masses,
+        rigid, rigid_bars, averages, equations,
+        // Read by the elements and ties that refer to them, and by the clamps.
+        coords: _, grids: _, beam_properties: _, rod_properties: _, shell_properties: _, laminates: _,
+        solid_properties: _, bush_properties: _, spring_properties: _, mass_properties: _, materials: _,
+        plane_materials: _, ply_materials: _, solid_materials: _, constraints: _, parameters: _,
+        // Of the air and of the case control.
+        sets: _, panels: _, panel_properties: _, factors: _, surfaces: _, box_lists: _, splines: _, monitors: _,
+        matrices: _, aero_reference: _, trim_variables: _, trims: _, aero_links: _, aero_components: _, supports: _,
+        constraint_unions: _, equation_unions: _, subcases: _,
+        // Refused where a structure cannot be without them.
+        unknown: _,
+    } = bulk;
+    visitor.elements(beams)?;
+    visitor.elements(rods)?;
+    visitor.elements(shells)?;
+    visitor.elements(solids)?;
+    visitor.elements(bushes)?;
+    visitor.elements(springs)?;
+    visitor.elements(general)?;
+    visitor.elements(masses)?;
+    visitor.elements(mass_matrices)?;
+    visitor.elements(scalar_masses)?;
+    visitor.ties(rigid.values())?;
+    visitor.ties(rigid_bars.values())?;
+    visitor.ties(averages.values())?;
+    visitor.ties(equations)
+}
