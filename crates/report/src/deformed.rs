@@ -9,6 +9,7 @@ use crate::drawing::Drawing;
 use crate::error::DrawError;
 use crate::paint::{Anchor, Canvas};
 use crate::palette;
+use crate::ticks::extent;
 
 /// A box and the group it belongs to.
 #[derive(Debug, Clone, PartialEq)]
@@ -69,29 +70,17 @@ fn picture_axes() -> [Vector3<f64>; 3] {
 ///
 /// # Errors
 /// If there is no view or nothing with finite corners.
-pub fn svg(title: &str, views: &[View]) -> Result<String, DrawError> {
-    Ok(draw(title, views)?.svg())
-}
-
-/// The same as a picture.
-///
-/// # Errors
-/// As [`svg`].
 pub fn draw(title: &str, views: &[View]) -> Result<Drawing, DrawError> {
     let axes = picture_axes();
     let flat = |p: &Point3<f64>| (axes[0].dot(&p.coords), axes[1].dot(&p.coords));
-    let mut low = (f64::INFINITY, f64::INFINITY);
-    let mut high = (f64::NEG_INFINITY, f64::NEG_INFINITY);
-    for corner in views.iter().flat_map(View::points) {
-        let (u, v) = flat(corner);
-        low = (low.0.min(u), low.1.min(v));
-        high = (high.0.max(u), high.1.max(v));
-    }
-    if !(high.0 > low.0 && high.1 > low.1) {
+    let points = || views.iter().flat_map(View::points).map(flat);
+    let (low, right) = extent(points().map(|(u, _)| u));
+    let (bottom, high) = extent(points().map(|(_, v)| v));
+    if !(right > low && high > bottom) {
         return Err(DrawError::Empty(title.into()));
     }
-    let scale = ((WIDTH - 2.0 * MARGIN) / (high.0 - low.0)).min(HEIGHT / (high.1 - low.1));
-    let drawn_height = (high.1 - low.1) * scale;
+    let scale = ((WIDTH - 2.0 * MARGIN) / (right - low)).min(HEIGHT / (high - bottom));
+    let drawn_height = (high - bottom) * scale;
     let width = WIDTH * views.len().clamp(1, ROW) as f64;
     let named = views.iter().any(|view| view.groups.len() > 1);
     let each = drawn_height + MARGIN + if named { LEGEND } else { 0.0 };
@@ -100,17 +89,17 @@ pub fn draw(title: &str, views: &[View]) -> Result<Drawing, DrawError> {
     for (i, view) in views.iter().enumerate() {
         let (left, top) = (WIDTH * (i % ROW) as f64, TOP + each * (i / ROW) as f64);
         canvas.text((left + WIDTH / 2.0, top - 22.0), 14.0, Anchor::Middle, &view.title);
-        let inset = (WIDTH - (high.0 - low.0) * scale) / 2.0;
+        let inset = (WIDTH - (right - low) * scale) / 2.0;
         let to_paper = |p: &Point3<f64>| {
             let (u, v) = flat(p);
-            (left + inset + (u - low.0) * scale, top + (high.1 - v) * scale)
+            (left + inset + (u - low) * scale, top + (high - v) * scale)
         };
         paint(&mut canvas, view, &axes, to_paper);
         if view.groups.len() > 1 {
             paint_legend(&mut canvas, view, left + MARGIN, top + drawn_height + LEGEND);
         }
     }
-    Ok(Drawing::of_canvas(canvas))
+    Ok(canvas.finish())
 }
 
 fn paint(
@@ -136,7 +125,7 @@ fn paint(
     }
 }
 
-fn finite(point: &Point3<f64>) -> bool {
+pub(crate) fn finite(point: &Point3<f64>) -> bool {
     point.coords.iter().all(|v| v.is_finite())
 }
 

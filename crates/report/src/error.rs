@@ -20,6 +20,13 @@ pub enum DrawError {
     Pixels(String),
 }
 
+impl DrawError {
+    /// Demands that two lists of the named thing are equally long.
+    pub(crate) fn check_lengths(what: &str, first: usize, second: usize) -> Result<(), Self> {
+        if first == second { Ok(()) } else { Err(Self::Lengths { what: what.to_owned(), first, second }) }
+    }
+}
+
 impl fmt::Display for DrawError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -167,10 +167,7 @@ impl Panel {
         let mut plots = Vec::new();
         let colours = palette::of_names(names);
         for series in &self.series {
-            if series.x.len() != series.y.len() {
-                let (first, second) = (series.x.len(), series.y.len());
-                return Err(DrawError::Lengths { what: series.name.clone(), first, second });
-            }
+            DrawError::check_lengths(&series.name, series.x.len(), series.y.len())?;
             let points = thinned(&series.x, &series.y, POINTS);
             if points.is_empty() {
                 continue;

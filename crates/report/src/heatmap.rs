@@ -11,8 +11,9 @@
 
 use crate::drawing::Drawing;
 use crate::error::DrawError;
-use crate::paint::{Anchor, Canvas, tick_labels, ticks};
+use crate::paint::{Anchor, Canvas};
 use crate::palette;
+use crate::ticks::{extent, tick_labels, ticks};
 
 /// One planform with a value per box.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,14 +45,6 @@ const SPAN_AXIS: f64 = 62.0;
 ///
 /// # Errors
 /// If there is no view, a view has no box, or corners and values differ in number.
-pub fn svg(title: &str, views: &[PlanformView]) -> Result<String, DrawError> {
-    Ok(draw(title, views)?.svg())
-}
-
-/// The same as a picture.
-///
-/// # Errors
-/// As [`svg`].
 pub fn draw(title: &str, views: &[PlanformView]) -> Result<Drawing, DrawError> {
     if views.is_empty() {
         return Err(DrawError::Empty(title.into()));
@@ -66,7 +59,7 @@ pub fn draw(title: &str, views: &[PlanformView]) -> Result<Drawing, DrawError> {
         paint_view(&mut canvas, view, frame, left + LEFT);
         left += frame.width + LEFT + RIGHT;
     }
-    Ok(Drawing::of_canvas(canvas))
+    Ok(canvas.finish())
 }
 
 /// Where a planform lies in metres and how large it becomes on paper.
@@ -82,10 +75,7 @@ struct Frame {
 
 impl Frame {
     fn new(view: &PlanformView) -> Result<Self, DrawError> {
-        if view.corners.len() != view.values.len() {
-            let (first, second) = (view.corners.len(), view.values.len());
-            return Err(DrawError::Lengths { what: view.title.clone(), first, second });
-        }
+        DrawError::check_lengths(&view.title, view.corners.len(), view.values.len())?;
         let finite: Vec<f64> = view.values.iter().copied().filter(|v| v.is_finite()).collect();
         let points = || view.corners.iter().flatten().filter(|(x, y)| x.is_finite() && y.is_finite());
         let (x_min, x_max) = extent(points().map(|p| p.0));
@@ -106,10 +96,6 @@ impl Frame {
     }
 }
 
-fn extent(values: impl Iterator<Item = f64>) -> (f64, f64) {
-    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
-}
-
 fn paint_view(canvas: &mut Canvas, view: &PlanformView, frame: &Frame, left: f64) {
     canvas.text((left, TOP - 22.0), 14.0, Anchor::Start, &view.title);
     for (corners, value) in view.corners.iter().zip(&view.values) {
@@ -118,7 +104,7 @@ fn paint_view(canvas: &mut Canvas, view: &PlanformView, frame: &Frame, left: f64
         // The outline in the fill's colour closes the hairlines that renderers leave between neighbours.
         let fill = palette::diverging(frame.place(*value));
         let note = format!("{value:.4}  {} at y {:.3} m", view.label, middle(corners));
-        canvas.noted_polygon(&points, &fill, &palette::shaded(&fill, -0.12), 0.4, note);
+        canvas.noted_polygon(&points, &fill, &palette::shaded(&fill, -0.12), 0.4, &note);
     }
     paint_span_axis(canvas, frame, left);
     paint_bar(canvas, view, frame, left + frame.width + 22.0);
@@ -132,11 +118,11 @@ fn middle(corners: &[(f64, f64); 4]) -> f64 {
 /// The spanwise coordinate below the planform.
 fn paint_span_axis(canvas: &mut Canvas, frame: &Frame, left: f64) {
     let y = TOP + frame.height + 12.0;
-    canvas.line((left, y), (left + frame.span_m * frame.scale, y), "#222222", 1.0);
+    canvas.axis((left, y), (left + frame.span_m * frame.scale, y));
     let values = ticks(frame.y_min, frame.y_min + frame.span_m, 5);
     for (value, label) in values.iter().zip(tick_labels(&values)) {
         let x = left + (value - frame.y_min) * frame.scale;
-        canvas.line((x, y), (x, y + 5.0), "#222222", 1.0);
+        canvas.axis((x, y), (x, y + 5.0));
         canvas.text((x, y + 19.0), 12.0, Anchor::Middle, &label);
     }
     canvas.text((left + frame.span_m * frame.scale / 2.0, y + 38.0), 13.0, Anchor::Middle, "y (m)");
@@ -154,7 +140,7 @@ fn paint_bar(canvas: &mut Canvas, view: &PlanformView, frame: &Frame, left: f64)
     let values = ticks(frame.range.0, frame.range.1, 5);
     for (value, label) in values.iter().zip(tick_labels(&values)) {
         let y = TOP + height * (1.0 - frame.place(*value));
-        canvas.line((left + width, y), (left + width + 5.0, y), "#222222", 1.0);
+        canvas.axis((left + width, y), (left + width + 5.0, y));
         canvas.text((left + width + 9.0, y + 4.0), 12.0, Anchor::Start, &label);
     }
     canvas.turned_text((left + width + 68.0, TOP + height / 2.0), 13.0, Anchor::Middle, -90.0, &view.label);

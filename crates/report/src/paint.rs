@@ -1,68 +1,97 @@
-//! The few elements that our own pictures (planforms, views in space) are made of, and how they read as SVG.
+//! The canvas of our own pictures (planforms, views in space): each element is written as SVG, and kept for kuva to paint
+//! the pixels of.
+
+use kuva::render::render::{PathData, Primitive, Scene};
+
+use crate::drawing::Drawing;
+use crate::escape::for_xml;
+
+/// How text sits on its point.
+pub(crate) use kuva::render::render::TextAnchor as Anchor;
 
 /// Fonts every system has something for.
 pub(crate) const FONT: &str = "DejaVu Sans, Arial, Helvetica, sans-serif";
+/// Colour of letters and axes.
+const INK: &str = "#222222";
 
-/// How text sits on its point.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum Anchor {
-    Start,
-    Middle,
-}
-
-/// An element of a picture, coordinates in pixels.
-#[derive(Debug, Clone)]
-pub(crate) enum Element {
-    /// A filled polygon with an outline; a pointer that rests on it is told the note.
-    Polygon { points: Vec<(f64, f64)>, fill: String, stroke: String, stroke_width: f64, note: String },
-    /// A filled rectangle: left, top, width, height.
-    Rectangle { at: [f64; 4], fill: String },
-    /// A straight line.
-    Line { from: (f64, f64), to: (f64, f64), stroke: String, width: f64 },
-    /// Text with its baseline at the point, turned clockwise by some degrees.
-    Text { at: (f64, f64), size: f64, anchor: Anchor, turn_deg: f64, text: String },
-}
-
-/// A picture in the making; coordinates in pixels, y down.
-#[derive(Debug, Clone)]
+/// A picture in the making; coordinates in pixels, y down. What comes later is above what came earlier.
+#[derive(Debug)]
 pub(crate) struct Canvas {
-    /// Width, px.
-    pub(crate) width: f64,
-    /// Height, px.
-    pub(crate) height: f64,
-    /// What is on it, later above earlier.
-    pub(crate) elements: Vec<Element>,
+    body: String,
+    scene: Scene,
 }
 
 impl Canvas {
     pub(crate) fn new(width: f64, height: f64) -> Self {
-        Self { width, height, elements: Vec::new() }
+        let mut scene = Scene::new(width, height);
+        scene.background_color = Some("#ffffff".into());
+        scene.text_color = Some(INK.into());
+        Self { body: String::new(), scene }
+    }
+
+    fn push(&mut self, svg: &str, primitive: Primitive) {
+        self.body.push_str(svg);
+        self.scene.elements.push(primitive);
     }
 
     /// A filled polygon with an outline of the given colour.
     pub(crate) fn polygon(&mut self, points: &[(f64, f64)], fill: &str, stroke: &str, stroke_width: f64) {
-        self.noted_polygon(points, fill, stroke, stroke_width, String::new());
+        self.noted_polygon(points, fill, stroke, stroke_width, "");
     }
 
-    /// A polygon (fill, outline and its width) that tells a pointer something.
+    /// A polygon that tells a pointer which rests on it something.
     pub(crate) fn noted_polygon(
         &mut self,
         points: &[(f64, f64)],
         fill: &str,
         stroke: &str,
         stroke_width: f64,
-        note: String,
+        note: &str,
     ) {
-        let (fill, stroke) = (fill.to_owned(), stroke.to_owned());
-        self.elements.push(Element::Polygon { points: points.to_vec(), fill, stroke, stroke_width, note });
+        let corners: Vec<String> = points.iter().map(|(x, y)| format!("{x:.2},{y:.2}")).collect();
+        let end = match note {
+            "" => "/>".to_owned(),
+            note => format!("><title>{}</title></polygon>", for_xml(note)),
+        };
+        let svg = format!(
+            "<polygon points=\"{}\" fill=\"{fill}\" stroke=\"{stroke}\" stroke-width=\"{stroke_width}\" \
+             stroke-linejoin=\"round\"{end}\n",
+            corners.join(" ")
+        );
+        let path = PathData {
+            d: format!("M{} Z", corners.join(" L")),
+            fill: Some(fill.into()),
+            stroke: stroke.into(),
+            stroke_width,
+            opacity: None,
+            stroke_dasharray: None,
+        };
+        self.push(&svg, Primitive::Path(Box::new(path)));
     }
 
+    /// A filled rectangle from its left top corner.
     pub(crate) fn rectangle(&mut self, x: f64, y: f64, width: f64, height: f64, fill: &str) {
-        self.elements.push(Element::Rectangle { at: [x, y, width, height], fill: fill.to_owned() });
+        let svg = format!(
+            "<rect x=\"{x:.2}\" y=\"{y:.2}\" width=\"{width:.2}\" height=\"{height:.2}\" fill=\"{fill}\"/>\n"
+        );
+        let (stroke, stroke_width, opacity) = (None, None, None);
+        let fill = fill.into();
+        self.push(&svg, Primitive::Rect { x, y, width, height, fill, stroke, stroke_width, opacity });
     }
 
-    pub(crate) fn line(&mut self, from: (f64, f64), to: (f64, f64), stroke: &str, width: f64) {
-        self.elements.push(Element::Line { from, to, stroke: stroke.to_owned(), width });
+    /// A straight line.
+    pub(crate) fn line(&mut self, (x1, y1): (f64, f64), (x2, y2): (f64, f64), colour: &str, width: f64) {
+        let svg = format!(
+            "<line x1=\"{x1:.2}\" y1=\"{y1:.2}\" x2=\"{x2:.2}\" y2=\"{y2:.2}\" stroke=\"{colour}\" \
+             stroke-width=\"{width}\"/>\n"
+        );
+        let (stroke, stroke_width, stroke_dasharray) = (colour.into(), width, None);
+        self.push(&svg, Primitive::Line { x1, y1, x2, y2, stroke, stroke_width, stroke_dasharray });
+    }
+
+    /// A line of an axis.
+    pub(crate) fn axis(&mut self, from: (f64, f64), to: (f64, f64)) {
+        self.line(from, to, INK, 1.0);
     }
 
     /// Text in the given size (px) with its baseline at the point.
@@ -73,121 +102,39 @@ impl Canvas {
     /// Text turned by some degrees (clockwise) about its point.
     pub(crate) fn turned_text(
         &mut self,
-        at: (f64, f64),
+        (x, y): (f64, f64),
         size: f64,
         anchor: Anchor,
         turn_deg: f64,
         text: &str,
     ) {
-        self.elements.push(Element::Text { at, size, anchor, turn_deg, text: text.to_owned() });
+        let rotate = (turn_deg != 0.0).then_some(turn_deg);
+        let turn = rotate
+            .map_or_else(String::new, |turn_deg| format!(" transform=\"rotate({turn_deg} {x:.2} {y:.2})\""));
+        let place = match anchor {
+            Anchor::Start => "start",
+            Anchor::Middle => "middle",
+            Anchor::End => "end",
+        };
+        let svg = format!(
+            "<text x=\"{x:.2}\" y=\"{y:.2}\" font-size=\"{size}\" text-anchor=\"{place}\"{turn}>{}</text>\n",
+            for_xml(text)
+        );
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "sizes of letters")]
+        let size = size.round() as u32;
+        let (content, bold, color) = (text.to_owned(), false, None);
+        self.push(&svg, Primitive::Text { x, y, content, size, anchor, rotate, bold, color });
     }
 
-    /// The whole as an SVG document.
-    pub(crate) fn svg(&self) -> String {
-        let (w, h) = (self.width, self.height);
-        let body: String = self.elements.iter().map(Element::svg).collect();
-        format!(
+    /// The whole.
+    pub(crate) fn finish(self) -> Drawing {
+        let (w, h) = (self.scene.width, self.scene.height);
+        let svg = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w:.0}\" height=\"{h:.0}\" viewBox=\"0 0 {w:.0} \
-             {h:.0}\" font-family=\"{FONT}\" fill=\"#222222\">\n<rect width=\"100%\" height=\"100%\" \
-             fill=\"#ffffff\"/>\n{body}</svg>\n"
-        )
-    }
-}
-
-impl Element {
-    fn svg(&self) -> String {
-        match self {
-            Self::Polygon { points, fill, stroke, stroke_width, note } => {
-                let list: Vec<String> = points.iter().map(|(x, y)| format!("{x:.2},{y:.2}")).collect();
-                let list = list.join(" ");
-                let end = if note.is_empty() {
-                    "/>".to_owned()
-                } else {
-                    format!("><title>{}</title></polygon>", escaped(note))
-                };
-                format!(
-                    "<polygon points=\"{list}\" fill=\"{fill}\" stroke=\"{stroke}\" \
-                     stroke-width=\"{stroke_width}\" stroke-linejoin=\"round\"{end}\n"
-                )
-            }
-            Self::Rectangle { at: [x, y, width, height], fill } => format!(
-                "<rect x=\"{x:.2}\" y=\"{y:.2}\" width=\"{width:.2}\" height=\"{height:.2}\" fill=\"{fill}\"/>\n"
-            ),
-            Self::Line { from, to, stroke, width } => format!(
-                "<line x1=\"{:.2}\" y1=\"{:.2}\" x2=\"{:.2}\" y2=\"{:.2}\" stroke=\"{stroke}\" \
-                 stroke-width=\"{width}\"/>\n",
-                from.0, from.1, to.0, to.1
-            ),
-            Self::Text { at: (x, y), size, anchor, turn_deg, text } => {
-                let anchor = match anchor {
-                    Anchor::Start => "start",
-                    Anchor::Middle => "middle",
-                };
-                let turn = if *turn_deg == 0.0 {
-                    String::new()
-                } else {
-                    format!(" transform=\"rotate({turn_deg} {x:.2} {y:.2})\"")
-                };
-                let text = escaped(text);
-                format!(
-                    "<text x=\"{x:.2}\" y=\"{y:.2}\" font-size=\"{size}\" text-anchor=\"{anchor}\"{turn}>{text}</text>\n"
-                )
-            }
-        }
-    }
-}
-
-/// Text without the characters that mean something in XML.
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
-}
-
-/// Round numbers that cover a range: about `count` ticks at steps of 1, 2 or 5 times a power of ten, inside it.
-pub(crate) fn ticks(low: f64, high: f64, count: usize) -> Vec<f64> {
-    let span = high - low;
-    if !(span > 0.0 && span.is_finite()) {
-        return vec![low];
-    }
-    let rough = span / count.max(1) as f64;
-    let power = 10.0_f64.powf(rough.log10().floor());
-    let step = [1.0, 2.0, 5.0, 10.0].into_iter().map(|m| m * power).find(|s| *s >= rough).unwrap_or(rough);
-    let first = (low / step - 1e-9).ceil();
-    let mut values = Vec::new();
-    let mut i = first;
-    while i * step <= high + 1e-9 * span {
-        values.push(i * step);
-        i += 1.0;
-    }
-    values
-}
-
-/// Tick labels with just the decimals their step needs.
-pub(crate) fn tick_labels(values: &[f64]) -> Vec<String> {
-    let step = values.windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min);
-    let largest = values.iter().fold(0.0_f64, |a, v| a.max(v.abs()));
-    if largest >= 1e5 || (largest > 0.0 && largest < 1e-3) {
-        return values.iter().map(|v| format!("{v:.1e}")).collect();
-    }
-    let step = if step.is_finite() { step } else { largest.max(1.0) / 100.0 };
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 0..9")]
-    let decimals = (-(step * 1.0001).log10().floor()).clamp(0.0, 9.0) as usize;
-    values.iter().map(|v| format!("{:.decimals$}", if *v == 0.0 { 0.0 } else { *v })).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn ticks_are_round_and_inside() {
-        assert_eq!(tick_labels(&ticks(0.83, 1.21, 4)), ["0.9", "1.0", "1.1", "1.2"]);
-        assert_eq!(tick_labels(&ticks(-3.0, 3.0, 3)), ["-2", "0", "2"]);
-        assert_eq!(tick_labels(&ticks(0.0, 0.004, 4)), ["0.000", "0.001", "0.002", "0.003", "0.004"]);
-        assert_eq!(ticks(2.0, 2.0, 4), [2.0]);
-    }
-
-    #[test]
-    fn text_cannot_break_the_document() {
-        assert_eq!(escaped("a<b & \"c\""), "a&lt;b &amp; &quot;c&quot;");
+             {h:.0}\" font-family=\"{FONT}\" fill=\"{INK}\">\n<rect width=\"100%\" height=\"100%\" \
+             fill=\"#ffffff\"/>\n{}</svg>\n",
+            self.body
+        );
+        Drawing::new(svg, self.scene)
     }
 }

@@ -111,18 +111,19 @@ fn a_single_series_and_a_constant_are_drawn() {
 fn planforms_stand_side_by_side_with_a_polygon_per_box() {
     let mut views = vec![planform("22 m/s", 0.9), planform("30 m/s", 1.05)];
     views[1].values[7] = f64::NAN;
-    let svg = report::heatmap::svg("Force factors", &views).unwrap();
+    let svg = report::heatmap::draw("Force factors", &views).unwrap().svg();
     assert_eq!(svg.matches("<polygon").count(), 2 * 480);
     assert!(text_of("heatmap.svg", &svg).contains("force factor (-)"));
     let mut constant = planform("neutral", 1.0);
     constant.values.fill(1.0);
-    text_of("heatmap_constant.svg", &report::heatmap::svg("Neutral", &[constant]).unwrap());
+    text_of("heatmap_constant.svg", &report::heatmap::draw("Neutral", &[constant]).unwrap().svg());
 }
 
 #[test]
 fn deformed_aircraft_stand_side_by_side() {
-    let svg =
-        report::deformed::svg("Pull-up", &[aircraft("initial", 0.3), aircraft("updated", 0.45)]).unwrap();
+    let svg = report::deformed::draw("Pull-up", &[aircraft("initial", 0.3), aircraft("updated", 0.45)])
+        .unwrap()
+        .svg();
     assert_eq!(svg.matches("<polygon").count(), 2 * 2 * 240);
     assert!(text_of("deformed.svg", &svg).contains("updated"));
 }
@@ -139,6 +140,6 @@ fn what_cannot_be_drawn_is_refused_with_its_name() {
     assert_eq!(expected.to_string(), "'theory' cannot be drawn: 4000 places but 3999 values");
     let mut view = planform("short", 1.0);
     view.values.pop();
-    assert!(matches!(report::heatmap::svg("", &[view]), Err(DrawError::Lengths { .. })));
-    assert!(report::deformed::svg("", &[]).is_err());
+    assert!(matches!(report::heatmap::draw("", &[view]), Err(DrawError::Lengths { .. })));
+    assert!(report::deformed::draw("", &[]).is_err());
 }

@@ -5,8 +5,8 @@
 
 use serde_json::{Value, json};
 
-use super::markup::for_plotly;
 use crate::error::DrawError;
+use crate::escape::for_plotly;
 use crate::figure::{Figure, Panel, Series, Style};
 use crate::palette;
 use crate::thin::{kept_together, rounded};
@@ -50,10 +50,7 @@ pub(super) fn data(figure: &Figure, limit: usize) -> Result<Value, DrawError> {
 fn groups(panel: &Panel) -> Result<Vec<Vec<&Series>>, DrawError> {
     let mut groups: Vec<Vec<&Series>> = Vec::new();
     for series in &panel.series {
-        if series.x.len() != series.y.len() {
-            let (first, second) = (series.x.len(), series.y.len());
-            return Err(DrawError::Lengths { what: series.name.clone(), first, second });
-        }
+        DrawError::check_lengths(&series.name, series.x.len(), series.y.len())?;
         match groups.last_mut() {
             Some(group) if group[0].x == series.x => group.push(series),
             _ => groups.push(vec![series]),

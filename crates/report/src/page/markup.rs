@@ -1,6 +1,8 @@
 //! HTML in the making. Text and attributes are escaped here and nowhere else: what a caller hands over as text comes out
 //! as text, whatever it contains.
 
+use crate::escape::for_html;
+
 /// An HTML document or a part of one.
 #[derive(Debug, Default)]
 pub(super) struct Markup {
@@ -10,28 +12,21 @@ pub(super) struct Markup {
 impl Markup {
     /// `<tag attributes>`.
     pub(super) fn open(&mut self, tag: &'static str, attributes: &[(&'static str, &str)]) {
-        self.body.push('<');
-        self.body.push_str(tag);
+        self.raw(&format!("<{tag}"));
         for (name, value) in attributes {
-            self.body.push(' ');
-            self.body.push_str(name);
-            self.body.push_str("=\"");
-            self.body.push_str(&escaped(value));
-            self.body.push('"');
+            self.raw(&format!(" {name}=\"{}\"", for_html(value)));
         }
-        self.body.push('>');
+        self.raw(">");
     }
 
     /// `</tag>`.
     pub(super) fn close(&mut self, tag: &'static str) {
-        self.body.push_str("</");
-        self.body.push_str(tag);
-        self.body.push_str(">\n");
+        self.raw(&format!("</{tag}>\n"));
     }
 
     /// Text.
     pub(super) fn text(&mut self, text: &str) {
-        self.body.push_str(&escaped(text));
+        self.raw(&for_html(text));
     }
 
     /// `<tag attributes>text</tag>`.
@@ -58,27 +53,6 @@ impl Markup {
     pub(super) fn finish(self) -> String {
         self.body
     }
-}
-
-/// Text without the characters that mean something in HTML.
-fn escaped(text: &str) -> String {
-    let mut safe = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => safe.push_str("&amp;"),
-            '<' => safe.push_str("&lt;"),
-            '>' => safe.push_str("&gt;"),
-            '"' => safe.push_str("&quot;"),
-            '\'' => safe.push_str("&#39;"),
-            other => safe.push(other),
-        }
-    }
-    safe
-}
-
-/// Text in which plotly finds no HTML; unlike a browser it leaves quotes as they are written.
-pub(super) fn for_plotly(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
 #[cfg(test)]

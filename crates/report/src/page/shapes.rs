@@ -2,10 +2,11 @@
 
 use serde_json::{Value, json};
 
-use super::markup::for_plotly;
-use crate::deformed::{Quad, View};
+use crate::deformed::{Quad, View, finite};
+use crate::escape::for_plotly;
 use crate::palette;
 use crate::thin::rounded;
+use crate::ticks::extent;
 
 /// The largest extent in units of plotly's window.
 const WIDTH: f64 = 3.4;
@@ -33,10 +34,6 @@ pub(super) fn data(views: &[View]) -> Value {
         }
     }
     json!({ "traces": traces, "layout": layout(views) })
-}
-
-fn finite(point: &nalgebra::Point3<f64>) -> bool {
-    point.coords.iter().all(|v| v.is_finite())
 }
 
 fn mesh(view: &View, number: usize, colour: &str, group: usize, quads: &[&Quad]) -> Value {
@@ -86,8 +83,8 @@ fn visible(view: &View) -> Value {
 /// Extents of all boxes, the largest as large as the window is wide.
 fn aspects(views: &[View]) -> [f64; 3] {
     let extent = |axis: usize| {
-        let values = || views.iter().flat_map(View::points).map(|p| p[axis]);
-        values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
+        let (low, high) = extent(views.iter().flat_map(View::points).map(|p| p[axis]));
+        high - low
     };
     let extents = [0, 1, 2].map(extent);
     let largest = extents.iter().copied().fold(0.0, f64::max);
