@@ -5,7 +5,6 @@
 use crate::columns::Columns;
 use crate::data::{Blocking, Data};
 use crate::fault::Fault;
-use crate::qr::Qr;
 use crate::term::Term;
 
 /// Candidate terms.
@@ -37,9 +36,8 @@ pub fn candidates(
 /// # Errors
 /// If a factor is not in the data, or the points do not carry the offsets of blocks.
 pub fn told_apart(data: &Data, terms: &[Term], blocking: Blocking) -> Result<Candidates, Fault> {
-    let blocks = if blocking == Blocking::Fixed { data.blocks() } else { &[] };
-    let constant = Columns::of_terms(data, &[Term::constant()])?.with_blocks(blocks);
-    let mut kept = Qr::new(&constant.values, &constant.names)?;
+    let constant = Columns::of_model(data, &[Term::constant()], blocking)?;
+    let mut kept = constant.orthogonalised()?;
     let mut names = constant.names;
     let (mut told, mut left_out) = (vec![Term::constant()], Vec::new());
     for term in terms.iter().filter(|term| !term.is_constant()).cloned() {

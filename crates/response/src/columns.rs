@@ -1,8 +1,9 @@
 //! The columns of a model: one for each term, and for each block column its offsets, which sum to zero over its blocks, so
 //! that the coefficients of the terms are those of the mean block.
 
-use crate::data::{Blocks, Data};
+use crate::data::{Blocking, Blocks, Data};
 use crate::fault::Fault;
+use crate::qr::Qr;
 use crate::term::Term;
 
 /// Columns with their names.
@@ -24,6 +25,24 @@ impl Columns {
             columns.push(term.to_string(), data.column(term)?);
         }
         Ok(columns)
+    }
+
+    /// Columns of a model: its terms, and the offsets of fixed blocks.
+    pub(crate) fn of_model(data: &Data, terms: &[Term], blocking: Blocking) -> Result<Self, Fault> {
+        let columns = Self::of_terms(data, terms)?;
+        Ok(if blocking == Blocking::Fixed { columns.with_blocks(data.blocks()) } else { columns })
+    }
+
+    /// These columns before others.
+    pub(crate) fn before(mut self, others: &Self) -> Self {
+        self.names.extend_from_slice(&others.names);
+        self.values.extend_from_slice(&others.values);
+        self
+    }
+
+    /// Orthogonalised in their order.
+    pub(crate) fn orthogonalised(&self) -> Result<Qr, Fault> {
+        Qr::new(&self.values, &self.names)
     }
 
     /// The same and the offsets of blocks: for each but the last, 1 in it and -1 in the last.

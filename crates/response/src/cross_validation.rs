@@ -27,10 +27,7 @@ pub fn cross_validation(
     let mut folds = fold.to_vec();
     folds.sort_unstable();
     folds.dedup();
-    if folds.len() < 2 {
-        let expected = "2 or more";
-        return Err(Fault::Number { what: "the number of folds", value: folds.len() as f64, expected });
-    }
+    Fault::unless(folds.len() >= 2, "the number of folds", folds.len() as f64, "2 or more")?;
     let y = data.response_values(response)?;
     let of_terms = Columns::of_terms(data, terms)?;
     let mut sum = 0.0;

@@ -5,11 +5,8 @@ use statrs::distribution::{ContinuousCDF, FisherSnedecor, Normal, StudentsT};
 use crate::fault::Fault;
 
 /// Demands a probability strictly between 0 and 1.
-pub(crate) fn probability(what: &'static str, value: f64) -> Result<f64, Fault> {
-    if value > 0.0 && value < 1.0 {
-        return Ok(value);
-    }
-    Err(Fault::Number { what, value, expected: "a probability between 0 and 1" })
+pub(crate) fn probability(what: &'static str, value: f64) -> Result<(), Fault> {
+    Fault::unless(value > 0.0 && value < 1.0, what, value, "a probability between 0 and 1")
 }
 
 /// The number that |t| stays below with a probability of `level`.

@@ -8,7 +8,7 @@ use crate::distributions::{probability, two_sided_t};
 use crate::f_test::FTest;
 use crate::fault::Fault;
 use crate::lenth::Lenth;
-use crate::qr::{Qr, dot, residuals};
+use crate::qr::{dot, residuals};
 use crate::term::Term;
 
 /// The t test of an effect.
@@ -97,22 +97,18 @@ pub fn effects(
     }
     let y = data.response_values(response)?;
     let (plain, terms) = coded(data, factors, order)?;
-    let mut columns = plain.clone();
-    if blocking == Blocking::Fixed {
-        columns = columns.with_blocks(data.blocks());
-    }
+    let blocks = if blocking == Blocking::Fixed { data.blocks() } else { &[] };
+    let columns = plain.clone().with_blocks(blocks);
     let block_degrees_of_freedom = (columns.len() - plain.len()) as f64;
-    let qr = Qr::new(&columns.values, &columns.names)?;
+    let qr = columns.orthogonalised()?;
     let solution = qr.solve(&columns.values, y);
     let rest = residuals(&columns.values, &solution, y);
     let degrees_of_freedom = (y.len() - columns.len()) as f64;
     let residual_sum = dot(&rest, &rest);
-    let without = Qr::new(&plain.values, &plain.names)?.remainder(y).0;
+    let without = plain.orthogonalised()?.remainder(y).0;
     let block_sum = if block_degrees_of_freedom > 0.0 { dot(&without, &without) - residual_sum } else { 0.0 };
     let effect = |(k, (term, aliases)): (usize, (Term, Vec<(Term, bool)>))| {
-        let mut unit = vec![0.0; columns.len()];
-        unit[k + 1] = 1.0;
-        let (coefficient, share) = (solution[k + 1], qr.leverage(&unit));
+        let (coefficient, share) = (solution[k + 1], qr.leverage_of(k + 1));
         let standard_error = 2.0 * (residual_sum / degrees_of_freedom * share).sqrt();
         let t = 2.0 * coefficient / standard_error;
         let p_value = two_sided_t(t, degrees_of_freedom);
@@ -127,17 +123,15 @@ pub fn effects(
     };
     let effects: Vec<Effect> = terms.into_iter().enumerate().map(effect).collect();
     let values: Vec<f64> = effects.iter().map(|effect| effect.value).collect();
-    let lenth = Lenth::of(&values, level).ok();
-    let response = response.to_string();
     Ok(Effects {
-        response,
+        response: response.to_string(),
         mean: solution[0],
         effects,
         degrees_of_freedom,
         residual_sum,
         block_degrees_of_freedom,
         block_sum,
-        lenth,
+        lenth: Lenth::of(&values, level).ok(),
     })
 }
 

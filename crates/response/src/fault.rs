@@ -123,6 +123,16 @@ pub enum Fault {
 }
 
 impl Fault {
+    /// Demands of a number that it is in its range: the fault names what it is, its value and what is expected.
+    pub(crate) fn unless(
+        is_good: bool,
+        what: &'static str,
+        value: f64,
+        expected: &'static str,
+    ) -> Result<(), Self> {
+        if is_good { Ok(()) } else { Err(Self::Number { what, value, expected }) }
+    }
+
     /// The fault at its cell or column of the table that the data come from, or at the table as a whole.
     pub fn in_table(&self, table: &Table) -> InputError {
         let (row, column) = match self {

@@ -23,10 +23,7 @@ impl Lenth {
     pub fn of(effects: &[f64], level: f64) -> Result<Self, Fault> {
         probability("the level", level)?;
         let count = effects.len() as f64;
-        if effects.len() < 3 {
-            let expected = "3 or more for Lenth's margins";
-            return Err(Fault::Number { what: "the number of effects", value: count, expected });
-        }
+        Fault::unless(count >= 3.0, "the number of effects", count, "3 or more for Lenth's margins")?;
         let sizes: Vec<f64> = effects.iter().map(|effect| effect.abs()).collect();
         let first = 1.5 * median(&sizes);
         let small: Vec<f64> = sizes.iter().copied().filter(|size| *size < 2.5 * first).collect();

@@ -101,8 +101,8 @@ impl Qr {
         x
     }
 
-    /// R' x = b.
-    fn forward_substitute(&self, b: &[f64]) -> Vec<f64> {
+    /// R^-T b, of which the square is b' (X'X)^-1 b.
+    fn whiten(&self, b: &[f64]) -> Vec<f64> {
         let mut x: Vec<f64> = Vec::with_capacity(b.len());
         for (r, b) in self.r.iter().zip(b) {
             let known = dot(&r[..x.len()], &x);
@@ -121,9 +121,15 @@ impl Qr {
         x
     }
 
-    /// R^-T x: its square is x' (X'X)^-1 x, and its products with others are covariances over the variance of errors.
-    pub(crate) fn whiten(&self, x: &[f64]) -> Vec<f64> {
-        self.forward_substitute(x)
+    /// R^-T e of the unit vector e of a column: products of two of them are covariances over the variance of errors.
+    pub(crate) fn whitened_unit(&self, column: usize) -> Vec<f64> {
+        self.whiten(&(0..self.q.len()).map(|j| f64::from(u8::from(j == column))).collect::<Vec<_>>())
+    }
+
+    /// The diagonal of (X'X)^-1 at a column: the variance of its coefficient over that of errors.
+    pub(crate) fn leverage_of(&self, column: usize) -> f64 {
+        let white = self.whitened_unit(column);
+        dot(&white, &white)
     }
 
     /// x' (X'X)^-1 x.

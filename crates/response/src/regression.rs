@@ -7,7 +7,7 @@ use crate::distributions::{t_quantile, two_sided_t};
 use crate::f_test::FTest;
 use crate::fault::{Fault, list};
 use crate::qr::{Qr, dot, residuals, subtract};
-use crate::reml::{transformed, variance_ratio};
+use crate::reml::{decorrelated, transformed, variance_ratio};
 use crate::term::Term;
 use crate::total_sum::total_sum;
 
@@ -88,10 +88,7 @@ impl Regression {
         {
             return Err(Fault::ConstantResponse { name: response.to_string(), value });
         }
-        let mut columns = Columns::of_terms(data, terms)?;
-        if blocking == Blocking::Fixed {
-            columns = columns.with_blocks(data.blocks());
-        }
+        let columns = Columns::of_model(data, terms, blocking)?;
         if y.len() <= columns.len() {
             let needs = " and an estimate of the error";
             return Err(Fault::TooFewPoints { points: y.len(), terms: columns.len(), needs });
@@ -121,9 +118,7 @@ impl Regression {
         };
         let y = data.response_values(response)?;
         let ratio = variance_ratio(columns, y, blocks)?;
-        let of = |column: &Vec<f64>| transformed(column, blocks, ratio);
-        let changed =
-            Columns { names: columns.names.clone(), values: columns.values.iter().map(of).collect() };
+        let changed = decorrelated(columns, blocks, ratio);
         let mut fitted = Self::of_columns(terms, &changed, &transformed(y, blocks, ratio))?;
         fitted.block_variance = ratio * fitted.error_variance;
         let values: Vec<f64> = fitted.coefficients.iter().map(|c| c.value).collect();
@@ -151,16 +146,14 @@ impl Regression {
     }
 
     fn of_columns(terms: &[Term], columns: &Columns, y: &[f64]) -> Result<Self, Fault> {
-        let qr = Qr::new(&columns.values, &columns.names)?;
+        let qr = columns.orthogonalised()?;
         let solution = qr.solve(&columns.values, y);
         let residuals = residuals(&columns.values, &solution, y);
         let residual_sum = dot(&residuals, &residuals);
         let degrees_of_freedom = (y.len() - columns.len()) as f64;
         let error_variance = residual_sum / degrees_of_freedom;
         let coefficient = |(j, term): (usize, &Term)| {
-            let mut unit = vec![0.0; columns.len()];
-            unit[j] = 1.0;
-            let standard_error = (error_variance * qr.leverage(&unit)).sqrt();
+            let standard_error = (error_variance * qr.leverage_of(j)).sqrt();
             let t = solution[j] / standard_error;
             let p_value = two_sided_t(t, degrees_of_freedom);
             Coefficient { term: term.clone(), value: solution[j], standard_error, t, p_value }
@@ -229,19 +222,11 @@ impl Regression {
                 let known = list(known.iter().map(String::as_str));
                 Fault::Unknown { what: "term in the surface", name: term.to_string(), known }
             })?;
-            let mut unit = vec![0.0; self.parameters()];
-            unit[found] = 1.0;
-            white.push(self.qr.whiten(&unit));
+            white.push(self.qr.whitened_unit(found));
             values.push(self.coefficients[found].value);
             names.push(term.to_string());
         }
-        if family.is_empty() {
-            return Err(Fault::Number {
-                what: "the number of terms to test",
-                value: 0.0,
-                expected: "at least 1",
-            });
-        }
+        Fault::unless(!family.is_empty(), "the number of terms to test", 0.0, "at least 1")?;
         // b' C^-1 b with C = W' W, the family's part of (X'X)^-1
         let explained = Qr::new(&white, &names)?.leverage(&values);
         let (above, below) = (family.len() as f64, self.degrees_of_freedom);

@@ -6,7 +6,7 @@
 use crate::columns::Columns;
 use crate::data::Blocks;
 use crate::fault::Fault;
-use crate::qr::{Qr, dot};
+use crate::qr::dot;
 
 /// Largest ratio of the variances that is looked for.
 const LARGEST_RATIO: f64 = 1e6;
@@ -23,10 +23,15 @@ pub(crate) fn transformed(column: &[f64], blocks: &Blocks, ratio: f64) -> Vec<f6
     column.iter().zip(&blocks.of_point).map(|(value, block)| value - means[*block]).collect()
 }
 
+/// All columns of a model so.
+pub(crate) fn decorrelated(columns: &Columns, blocks: &Blocks, ratio: f64) -> Columns {
+    let of = |column: &Vec<f64>| transformed(column, blocks, ratio);
+    Columns { names: columns.names.clone(), values: columns.values.iter().map(of).collect() }
+}
+
 /// Minus twice the restricted log likelihood, but for a constant.
 fn deviance(columns: &Columns, y: &[f64], blocks: &Blocks, ratio: f64) -> Result<f64, Fault> {
-    let changed: Vec<Vec<f64>> = columns.values.iter().map(|c| transformed(c, blocks, ratio)).collect();
-    let qr = Qr::new(&changed, &columns.names)?;
+    let qr = decorrelated(columns, blocks, ratio).orthogonalised()?;
     let (rest, _) = qr.remainder(&transformed(y, blocks, ratio));
     let freedom = (y.len() - columns.len()) as f64;
     let of_v: f64 = blocks.sizes().iter().map(|size| (*size as f64 * ratio).ln_1p()).sum();

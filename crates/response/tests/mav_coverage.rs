@@ -20,7 +20,7 @@ fn columns(model: &Model, runs: &Runs) -> Vec<Vec<f64>> {
         let term = &model.coefficients[k].term;
         runs.rows
             .iter()
-            .map(|row| term.value(&row.point.condition).expect("a factor of the series"))
+            .map(|row| row.point.condition.value(term).expect("a factor of the series"))
             .collect()
     };
     let last = runs.series.blocks() - 1;

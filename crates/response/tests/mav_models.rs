@@ -119,7 +119,7 @@ fn values_are_missing_exactly_where_the_status_says_so_and_doubts_have_a_reason(
 fn every_factor_of_an_equation_has_a_range() {
     for model in published().models() {
         for coefficient in &model.coefficients {
-            for factor in coefficient.term.factors() {
+            for factor in Factor::of_term(&coefficient.term) {
                 assert!(model.range(factor).is_some(), "Eq. {} {}", model.equation, factor.symbol());
             }
         }

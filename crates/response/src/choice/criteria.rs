@@ -1,8 +1,6 @@
 //! Numbers by which models of different size are compared.
 
-use crate::columns::Columns;
-use crate::fault::Fault;
-use crate::qr::{Qr, dot, subtract};
+use crate::qr::{dot, subtract};
 
 use super::reduced::Reduced;
 use super::search::Found;
@@ -29,35 +27,22 @@ pub struct Criteria {
 }
 
 /// What the criteria of all models of a choice share.
-pub(super) struct Basis {
-    /// Orthonormal columns of what always stays, then of the candidates.
-    qr: Qr,
-    always: usize,
-    constant: usize,
-    total_sum: f64,
-    sigma0_squared: f64,
+pub(super) struct Shared {
+    /// Terms that always stay: the constant, or none.
+    pub(super) constant: usize,
+    /// Sum of squares that the terms have to explain, unit of the response squared.
+    pub(super) total_sum: f64,
+    /// Of the predicted squared error, the same unit.
+    pub(super) sigma0_squared: f64,
 }
 
-impl Basis {
-    pub(super) fn new(
-        always: &Columns,
-        candidates: &Columns,
-        constant: usize,
-        total_sum: f64,
-        sigma0_squared: f64,
-    ) -> Result<Self, Fault> {
-        let names: Vec<String> = always.names.iter().chain(&candidates.names).cloned().collect();
-        let values: Vec<Vec<f64>> = always.values.iter().chain(&candidates.values).cloned().collect();
-        let qr = Qr::new(&values, &names)?;
-        Ok(Self { qr, always: always.len(), constant, total_sum, sigma0_squared })
-    }
-
+impl Shared {
     pub(super) fn criteria(&self, problem: &Reduced, found: Found, y: &[f64]) -> Criteria {
         let members = found.set.count_ones() as usize;
-        let (n, terms, parameters) = (y.len() as f64, members + self.constant, members + self.always);
+        let (n, terms, parameters) = (y.len() as f64, members + self.constant, members + problem.always);
         let mse = found.sum / n;
         let left = n - parameters as f64;
-        let free = n - self.always as f64;
+        let free = n - problem.always as f64;
         Criteria {
             terms,
             residual_sum: found.sum,
@@ -66,30 +51,30 @@ impl Basis {
             r_squared: 1.0 - found.sum / self.total_sum,
             adjusted_r_squared: 1.0 - (found.sum / left) / (self.total_sum / free),
             bic: n * mse.ln() + parameters as f64 * n.ln(),
-            leave_one_out: self.leave_one_out(problem, found, y) / n,
+            leave_one_out: leave_one_out(problem, found, y) / n,
         }
     }
+}
 
-    /// Sum of squares of the residuals, each over one minus its leverage.
-    fn leave_one_out(&self, problem: &Reduced, found: Found, y: &[f64]) -> f64 {
-        let (fixed, free) = self.qr.q.split_at(self.always);
-        let mut columns = fixed.to_vec();
-        for coordinates in problem.orthogonalised(found.set).0 {
-            let mut column = vec![0.0; y.len()];
-            for (share, q) in coordinates.iter().zip(free) {
-                subtract(&mut column, -share, q);
-            }
-            columns.push(column);
+/// Sum of squares of the residuals, each over one minus its leverage.
+fn leave_one_out(problem: &Reduced, found: Found, y: &[f64]) -> f64 {
+    let (fixed, free) = problem.qr.q.split_at(problem.always);
+    let mut columns = fixed.to_vec();
+    for coordinates in problem.orthogonalised(found.set).0 {
+        let mut column = vec![0.0; y.len()];
+        for (share, q) in coordinates.iter().zip(free) {
+            subtract(&mut column, -share, q);
         }
-        let mut rest = y.to_vec();
-        for column in &columns {
-            let share = dot(column, &rest);
-            subtract(&mut rest, share, column);
-        }
-        let of_point = |(i, rest): (usize, &f64)| {
-            let leverage: f64 = columns.iter().map(|column| column[i] * column[i]).sum();
-            (rest / (1.0 - leverage)).powi(2)
-        };
-        rest.iter().enumerate().map(of_point).sum()
+        columns.push(column);
     }
+    let mut rest = y.to_vec();
+    for column in &columns {
+        let share = dot(column, &rest);
+        subtract(&mut rest, share, column);
+    }
+    let of_point = |(i, rest): (usize, &f64)| {
+        let leverage: f64 = columns.iter().map(|column| column[i] * column[i]).sum();
+        (rest / (1.0 - leverage)).powi(2)
+    };
+    rest.iter().enumerate().map(of_point).sum()
 }

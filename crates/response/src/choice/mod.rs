@@ -19,12 +19,12 @@ use crate::data::{Blocking, Data};
 use crate::fault::Fault;
 use crate::pure_error::pure_error;
 use crate::regression::Regression;
-use crate::reml::{transformed, variance_ratio};
+use crate::reml::{decorrelated, transformed, variance_ratio};
 use crate::term::Term;
 use crate::total_sum::total_sum;
 
-use criteria::Basis;
 pub use criteria::Criteria;
+use criteria::Shared;
 use reduced::Reduced;
 use search::{best_subsets, ranked, stepwise};
 
@@ -122,29 +122,19 @@ pub fn choose(data: &Data, response: &str, candidates: &[Term], rules: Rules) ->
     // the model with everything first: its faults are those of the data
     let full = Regression::fit(data, response, candidates, rules.blocking)?;
     let (constant, free): (Vec<Term>, Vec<Term>) = candidates.iter().cloned().partition(Term::is_constant);
-    if free.len() > MOST_CANDIDATES {
-        return Err(Fault::Number {
-            what: "the number of candidate terms",
-            value: free.len() as f64,
-            expected: "at most 60",
-        });
-    }
+    let few = free.len() <= MOST_CANDIDATES;
+    Fault::unless(few, "the number of candidate terms", free.len() as f64, "at most 60")?;
     let sigma0_squared = sigma0_squared(data, response, &full, rules)?;
     let mut y = data.response_values(response)?.to_vec();
-    let (mut always, mut columns) = (Columns::of_terms(data, &constant)?, Columns::of_terms(data, &free)?);
-    match rules.blocking {
-        Blocking::Fixed => always = always.with_blocks(data.blocks()),
-        Blocking::Random => {
-            // the ratio of the variances is that with all candidates
-            let blocks = &data.blocks()[0];
-            let all = Columns::of_terms(data, candidates)?;
-            let ratio = variance_ratio(&all, &y, blocks)?;
-            y = transformed(&y, blocks, ratio);
-            for column in always.values.iter_mut().chain(&mut columns.values) {
-                *column = transformed(column, blocks, ratio);
-            }
-        }
-        Blocking::Ignored => {}
+    let mut always = Columns::of_model(data, &constant, rules.blocking)?;
+    let mut columns = Columns::of_terms(data, &free)?;
+    if rules.blocking == Blocking::Random {
+        // the ratio of the variances is that with all candidates
+        let blocks = &data.blocks()[0];
+        let ratio = variance_ratio(&Columns::of_terms(data, candidates)?, &y, blocks)?;
+        y = transformed(&y, blocks, ratio);
+        always = decorrelated(&always, blocks, ratio);
+        columns = decorrelated(&columns, blocks, ratio);
     }
     let problem = Reduced::new(&always, &columns, &free, &y, rules.hierarchical)?;
     let (found, complete, curve_complete) = match rules.search {
@@ -155,11 +145,11 @@ pub fn choose(data: &Data, response: &str, candidates: &[Term], rules: Rules) ->
             (subsets.found, subsets.lowest_is_certain, subsets.all_are_certain)
         }
     };
-    let basis = Basis::new(&always, &columns, constant.len(), full.total_sum, sigma0_squared)?;
+    let share = Shared { constant: constant.len(), total_sum: full.total_sum, sigma0_squared };
     let curve = found.into_iter().flatten().map(|found| {
         let members = reduced::members(found.set);
         let terms = constant.iter().cloned().chain(members.map(|k| free[k].clone())).collect();
-        Step { terms, criteria: basis.criteria(&problem, found, &y) }
+        Step { terms, criteria: share.criteria(&problem, found, &y) }
     });
     let curve: Vec<Step> = curve.collect();
     let lower = |best: usize, next: usize| {
@@ -172,17 +162,16 @@ pub fn choose(data: &Data, response: &str, candidates: &[Term], rules: Rules) ->
 
 fn sigma0_squared(data: &Data, response: &str, full: &Regression, rules: Rules) -> Result<f64, Fault> {
     let positive = |what: &'static str, value: f64| {
-        let wrong = Fault::Number { what, value, expected: "a number above 0" };
-        if value > 0.0 && value.is_finite() { Ok(value) } else { Err(wrong) }
+        Fault::unless(value > 0.0 && value.is_finite(), what, value, "a number above 0")
     };
     match rules.error {
-        ErrorRule::Given(value) => positive("sigma0^2", value),
+        ErrorRule::Given(value) => positive("sigma0^2", value).map(|()| value),
         ErrorRule::AboutMean => {
             let y = data.response_values(response)?;
             Ok(total_sum(data, y, &[Term::constant()], rules.blocking)? / y.len() as f64)
         }
         ErrorRule::LeastT(t) => {
-            let t = positive("the least |t| of a term", t)?;
+            positive("the least |t| of a term", t)?;
             let pure = pure_error(data, response, rules.blocking).map_or(0.0, |pure| pure.variance());
             Ok(0.5 * t * t * pure.max(full.error_variance))
         }

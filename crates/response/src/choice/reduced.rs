@@ -22,6 +22,10 @@ pub(crate) struct Reduced {
     below: Vec<Set>,
     /// Of each candidate, those that need it.
     above: Vec<Set>,
+    /// Orthonormal columns of what always stays, then of the candidates.
+    pub(super) qr: Qr,
+    /// Columns that always stay.
+    pub(super) always: usize,
 }
 
 /// A subset fitted: its residual sum, and what it would grow by without each of its members.
@@ -41,16 +45,12 @@ impl Reduced {
         y: &[f64],
         hierarchical: bool,
     ) -> Result<Self, Fault> {
-        let names: Vec<String> = always.names.iter().chain(&candidates.names).cloned().collect();
-        let values: Vec<Vec<f64>> = always.values.iter().chain(&candidates.values).cloned().collect();
-        let qr = Qr::new(&values, &names)?;
+        let qr = always.clone().before(candidates).orthogonalised()?;
         let (rest, shares) = qr.remainder(y);
         let coordinates = |column: &Vec<f64>| {
             let mut own = qr.remainder(column).1.split_off(always.len());
             let norm = dot(&own, &own).sqrt();
-            for value in &mut own {
-                *value /= norm;
-            }
+            own.iter_mut().for_each(|value| *value /= norm);
             own
         };
         let set = |of: &dyn Fn(&Term) -> bool| -> Set {
@@ -62,6 +62,8 @@ impl Reduced {
             rest: dot(&rest, &rest),
             below: terms.iter().map(|term| set(&|other| term.is_above(other))).collect(),
             above: terms.iter().map(|term| set(&|other| other.is_above(term))).collect(),
+            always: always.len(),
+            qr,
         })
     }
 
@@ -90,23 +92,26 @@ impl Reduced {
         set >> candidate & 1 == 1 && self.above[candidate] & set == 0
     }
 
+    /// What orthonormal vectors leave of a candidate, and their shares in it.
+    fn beyond(&self, candidate: usize, q: &[Vec<f64>]) -> (Vec<f64>, Vec<f64>) {
+        let (mut rest, mut shares) = (self.candidates[candidate].clone(), vec![0.0; q.len()]);
+        for _ in 0..2 {
+            for (q, share) in q.iter().zip(&mut shares) {
+                let part = plain_dot(q, &rest);
+                *share += part;
+                subtract(&mut rest, part, q);
+            }
+        }
+        (rest, shares)
+    }
+
     /// Orthonormal vectors of the members of a set, and R by columns.
     pub(crate) fn orthogonalised(&self, set: Set) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
         let (mut q, mut r): (Vec<Vec<f64>>, Vec<Vec<f64>>) = (Vec::new(), Vec::new());
         for member in members(set) {
-            let mut rest = self.candidates[member].clone();
-            let mut shares = vec![0.0; q.len()];
-            for _ in 0..2 {
-                for (q, share) in q.iter().zip(&mut shares) {
-                    let part = plain_dot(q, &rest);
-                    *share += part;
-                    subtract(&mut rest, part, q);
-                }
-            }
+            let (mut rest, mut shares) = self.beyond(member, &q);
             let norm = plain_dot(&rest, &rest).sqrt();
-            for value in &mut rest {
-                *value /= norm;
-            }
+            rest.iter_mut().for_each(|value| *value /= norm);
             shares.push(norm);
             q.push(rest);
             r.push(shares);
@@ -142,13 +147,7 @@ impl Reduced {
         let (q, _) = self.orthogonalised(set);
         let mut gains = Vec::new();
         for candidate in (0..self.count()).filter(|k| self.may_join(*k, set)) {
-            let mut part = self.candidates[candidate].clone();
-            for _ in 0..2 {
-                for q in &q {
-                    let share = plain_dot(q, &part);
-                    subtract(&mut part, share, q);
-                }
-            }
+            let (part, _) = self.beyond(candidate, &q);
             let share = plain_dot(&part, &self.target);
             gains.push((candidate, share * share / plain_dot(&part, &part)));
         }

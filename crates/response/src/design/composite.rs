@@ -26,10 +26,8 @@ pub fn central_composite(factors: &[&str], axial: Axial, centre_points: usize) -
         Axial::Rotatable => (factors.len() as f64 / 4.0).exp2(),
         Axial::At(distance) => distance,
     };
-    if !(distance > 0.0 && distance.is_finite()) {
-        let expected = "a number above 0";
-        return Err(Fault::Number { what: "the distance of axial points", value: distance, expected });
-    }
+    let is_good = distance > 0.0 && distance.is_finite();
+    Fault::unless(is_good, "the distance of axial points", distance, "a number above 0")?;
     let mut points = factorial.points().to_vec();
     for factor in 0..factors.len() {
         for value in [-distance, distance] {

@@ -8,7 +8,6 @@ use crate::columns::Columns;
 use crate::data::Blocks;
 use crate::distributions::{normal_below, probability, t_quantile};
 use crate::fault::Fault;
-use crate::qr::Qr;
 use crate::term::Term;
 
 /// Intervals of the integral.
@@ -40,10 +39,8 @@ fn noncentral_t_below(t: f64, freedom: f64, delta: f64) -> f64 {
 /// # Errors
 /// If the level is not between 0 and 1 or the degrees of freedom are below 1.
 pub fn power(noncentrality: f64, degrees_of_freedom: f64, level: f64) -> Result<f64, Fault> {
-    if degrees_of_freedom < 1.0 || degrees_of_freedom.is_nan() {
-        let expected = "1 or more: replicates, or fewer terms";
-        return Err(Fault::Number { what: "degrees of freedom", value: degrees_of_freedom, expected });
-    }
+    let expected = "1 or more: replicates, or fewer terms";
+    Fault::unless(degrees_of_freedom >= 1.0, "degrees of freedom", degrees_of_freedom, expected)?;
     let limit = t_quantile(level, degrees_of_freedom)?;
     let below = |t| noncentral_t_below(t, degrees_of_freedom, noncentrality.abs());
     Ok((1.0 - below(limit) + below(-limit)).clamp(0.0, 1.0))
@@ -56,19 +53,12 @@ pub fn power(noncentrality: f64, degrees_of_freedom: f64, level: f64) -> Result<
 pub fn detectable_noncentrality(degrees_of_freedom: f64, level: f64, wanted: f64) -> Result<f64, Fault> {
     probability("the power", wanted)?;
     let (mut low, mut high) = (0.0, 1.0);
-    if power(low, degrees_of_freedom, level)? > wanted {
-        let expected = "more than what the test finds by false alarm";
-        return Err(Fault::Number { what: "the power", value: wanted, expected });
-    }
+    let by_false_alarm = power(low, degrees_of_freedom, level)?;
+    let expected = "more than what the test finds by false alarm";
+    Fault::unless(by_false_alarm <= wanted, "the power", wanted, expected)?;
     while power(high, degrees_of_freedom, level)? < wanted {
         high *= 2.0;
-        if high > 1e6 {
-            return Err(Fault::Number {
-                what: "the power",
-                value: wanted,
-                expected: "one that can be reached",
-            });
-        }
+        Fault::unless(high <= 1e6, "the power", wanted, "one that can be reached")?;
     }
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
@@ -91,19 +81,15 @@ pub fn smallest_effects(
     (level, wanted): (f64, f64),
 ) -> Result<Vec<(Term, f64)>, Fault> {
     let values = terms.iter().map(|term| design.column(term)).collect::<Result<Vec<_>, _>>()?;
-    let columns =
-        Columns { names: terms.iter().map(ToString::to_string).collect(), values }.with_blocks(blocks);
+    let names = terms.iter().map(ToString::to_string).collect();
+    let columns = Columns { names, values }.with_blocks(blocks);
     let points = design.points().len();
     if points <= columns.len() {
         let needs = " and an estimate of the error";
         return Err(Fault::TooFewPoints { points, terms: columns.len(), needs });
     }
-    let qr = Qr::new(&columns.values, &columns.names)?;
+    let qr = columns.orthogonalised()?;
     let delta = detectable_noncentrality((points - columns.len()) as f64, level, wanted)?;
-    let smallest = |(k, term): (usize, &Term)| {
-        let mut unit = vec![0.0; columns.len()];
-        unit[k] = 1.0;
-        (term.clone(), delta * sigma * qr.leverage(&unit).sqrt())
-    };
+    let smallest = |(k, term): (usize, &Term)| (term.clone(), delta * sigma * qr.leverage_of(k).sqrt());
     Ok(terms.iter().enumerate().map(smallest).collect())
 }

@@ -98,13 +98,8 @@ impl Errors {
 /// If the series' equations are not all there, or do not hold at its points.
 pub fn draw(published: &Published, series: Series, errors: &Errors, seed: u64) -> Result<Runs, NoValue> {
     let (equations, wing) = series.equations();
-    let models: Vec<&Model> = equations
-        .iter()
-        .map(|&equation| {
-            let names = vec!["all its coefficients".to_string()];
-            published.equation(equation, wing).map_err(|_| NoValue::Missing { equation, names })
-        })
-        .collect::<Result<_, _>>()?;
+    let models: Vec<&Model> =
+        equations.iter().map(|&equation| published.given(equation, wing)).collect::<Result<_, _>>()?;
     let points = with_speed(published, series, &models)?;
     let mut random = Source::new(seed, series);
     let offsets: Vec<Vec<f64>> = models

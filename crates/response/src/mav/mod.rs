@@ -10,7 +10,7 @@ mod published;
 mod runs;
 
 pub use draw::{Balance, Errors, SHIPPED_SEED, Spread, draw, shipped_files, truth};
-pub use factor::{Condition, Factor, Monomial};
+pub use factor::{Condition, Factor};
 pub use model::{Coefficient, Confidence, Model, NoValue, Range, Rules, Status};
 pub use points::{
     AIRSPEEDS_M_S, BALANCE_RESOLUTION_N, FULL_NEGATIVE_DEG, NEGATIVE_ELEVATOR_AIRSPEEDS_M_S, RHO_KG_M3,

@@ -3,7 +3,8 @@
 
 use thiserror::Error;
 
-use super::factor::{Condition, Factor, Monomial};
+use super::factor::{Condition, Factor};
+use crate::term::Term;
 
 /// How sure it is that a number belongs to its term.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -38,8 +39,8 @@ pub enum Status {
 pub struct Coefficient {
     /// Its name in the tables: `a0`, `a1`, ...
     pub name: String,
-    /// What it multiplies.
-    pub term: Monomial,
+    /// What it multiplies, in the paper's letters.
+    pub term: Term,
     /// Its value, in the unit of the response over that of the term; `None` if the paper has none.
     pub value: Option<f64>,
     /// How sure the value is.
@@ -156,8 +157,8 @@ impl Model {
             self.within_range(condition)?;
         }
         self.coefficients.iter().try_fold(0.0, |sum, coefficient| {
-            let term =
-                coefficient.term.value(condition).map_err(|factor| NoValue::Lacking { equation, factor })?;
+            let term = condition.value(&coefficient.term);
+            let term = term.map_err(|factor| NoValue::Lacking { equation, factor })?;
             Ok(sum + coefficient.value.unwrap_or(0.0) * term)
         })
     }
@@ -186,7 +187,7 @@ impl Model {
 
     /// True if a term has the propeller speed in it.
     pub fn needs_propeller_speed(&self) -> bool {
-        let mut factors = self.coefficients.iter().flat_map(|coefficient| coefficient.term.factors());
+        let mut factors = self.coefficients.iter().flat_map(|coefficient| Factor::of_term(&coefficient.term));
         factors.any(|factor| factor == Factor::PropellerSpeed)
     }
 

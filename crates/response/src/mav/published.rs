@@ -5,20 +5,23 @@ use std::path::Path;
 
 use nastran::{InputError, Table};
 
-use super::factor::{Condition, Factor, Monomial};
+use super::factor::{Condition, Factor};
 use super::model::{Coefficient, Confidence, Model, NoValue, Range, Rules, Status};
+use crate::fault::Fault;
+use crate::term::Term;
 
-const COLUMNS: [&str; 10] = [
-    "equation",
-    "wing",
-    "response",
-    "coefficient",
-    "term",
-    "value",
-    "confidence",
-    "status",
-    "unit",
-    "printed_term",
+/// Columns of `coefficients.csv`.
+const COLUMNS: &str =
+    "equation wing response coefficient term value confidence status unit printed_term note";
+
+/// The words of the column `status`.
+const STATUSES: [(&str, Status); 6] = [
+    ("printed", Status::Printed),
+    ("order_resolved", Status::OrderResolved),
+    ("term_resolved", Status::TermResolved),
+    ("exponent_assumed", Status::ExponentAssumed),
+    ("suspected_copy", Status::SuspectedCopy),
+    ("missing", Status::Missing),
 ];
 
 /// All published equations.
@@ -43,8 +46,7 @@ impl Published {
     /// # Errors
     /// As [`Published::read`].
     pub fn from_tables(coefficients: &Table, ranges: &Table) -> Result<Self, InputError> {
-        coefficients.require(&COLUMNS)?;
-        coefficients.require(&["note"])?;
+        coefficients.require(&COLUMNS.split(' ').collect::<Vec<_>>())?;
         let ranges = read_ranges(ranges)?;
         let mut models: Vec<Model> = Vec::new();
         for row in 0..coefficients.len() {
@@ -102,15 +104,18 @@ impl Published {
         })
     }
 
+    /// An equation of which all coefficients are lacking if there is none.
+    pub(super) fn given(&self, equation: u8, wing: &str) -> Result<&Model, NoValue> {
+        let names = || vec!["all its coefficients".to_string()];
+        self.equation(equation, wing).map_err(|_| NoValue::Missing { equation, names: names() })
+    }
+
     /// Propeller speed in krpm by Eq. 4.
     ///
     /// # Errors
     /// As [`Model::value`].
     pub fn propeller_speed_krpm(&self, condition: &Condition, rules: Rules) -> Result<f64, NoValue> {
-        let Some(model) = self.models.iter().find(|model| model.equation == 4) else {
-            return Err(NoValue::Missing { equation: 4, names: vec!["all its coefficients".to_string()] });
-        };
-        model.value(condition, rules)
+        self.given(4, "")?.value(condition, rules)
     }
 
     /// The value of `model`, with the propeller speed of Eq. 4 where it needs one and the state has only a voltage.
@@ -138,14 +143,10 @@ fn read_ranges(table: &Table) -> Result<Vec<(u8, Range)>, InputError> {
     table.require(&["equation", "factor", "low", "high"])?;
     (0..table.len())
         .map(|row| {
-            let symbol = table.text(row, "factor")?;
-            let factor = Factor::from_symbol(symbol).ok_or_else(|| {
-                let message = format!("`{symbol}` is no factor; expected q, alpha, delta, E or n");
-                InputError::at(&table.span(row, "factor"), message)
-            })?;
+            let factor = one_of(table, row, "factor", &Factor::ALL.map(|factor| (factor.symbol(), factor)))?;
             let (low, high) = (table.number(row, "low")?, table.number(row, "high")?);
             if low >= high {
-                let message = format!("the range of {symbol} goes from {low} to {high}");
+                let message = format!("the range of {} goes from {low} to {high}", factor.symbol());
                 return Err(InputError::at(&table.span(row, "low"), message)
                     .with_help("write the smaller end into `low`"));
             }
@@ -156,31 +157,10 @@ fn read_ranges(table: &Table) -> Result<Vec<(u8, Range)>, InputError> {
 
 fn read_coefficient(table: &Table, row: usize) -> Result<Coefficient, InputError> {
     let complain = |column: &str, message: String| InputError::at(&table.span(row, column), message);
-    let term = Monomial::parse(table.text(row, "term")?).map_err(|message| complain("term", message))?;
-    let confidence = match table.text(row, "confidence")? {
-        "high" => Confidence::High,
-        "medium" => Confidence::Medium,
-        "low" => Confidence::Low,
-        other => {
-            let message = format!("`{other}` is no confidence; expected high, medium or low");
-            return Err(complain("confidence", message));
-        }
-    };
-    let status = match table.text(row, "status")? {
-        "printed" => Status::Printed,
-        "order_resolved" => Status::OrderResolved,
-        "term_resolved" => Status::TermResolved,
-        "exponent_assumed" => Status::ExponentAssumed,
-        "suspected_copy" => Status::SuspectedCopy,
-        "missing" => Status::Missing,
-        other => {
-            let message = format!(
-                "`{other}` is no status; expected printed, order_resolved, term_resolved, \
-                 exponent_assumed, suspected_copy or missing"
-            );
-            return Err(complain("status", message));
-        }
-    };
+    let term = read_term(table.text(row, "term")?).map_err(|message| complain("term", message))?;
+    let confidence = [("high", Confidence::High), ("medium", Confidence::Medium), ("low", Confidence::Low)];
+    let confidence = one_of(table, row, "confidence", &confidence)?;
+    let status = one_of(table, row, "status", &STATUSES)?;
     let value = match (table.text(row, "value")?.is_empty(), status) {
         (true, Status::Missing) => None,
         (false, Status::Missing) => {
@@ -190,4 +170,24 @@ fn read_coefficient(table: &Table, row: usize) -> Result<Coefficient, InputError
     };
     let (name, note) = (table.text(row, "coefficient")?.into(), table.text(row, "note")?.into());
     Ok(Coefficient { name, term, value, confidence, status, note })
+}
+
+/// What a word of a column means.
+fn one_of<T: Copy>(table: &Table, row: usize, column: &str, known: &[(&str, T)]) -> Result<T, InputError> {
+    let text = table.text(row, column)?;
+    known.iter().find(|(word, _)| *word == text).map(|(_, meaning)| *meaning).ok_or_else(|| {
+        let words: Vec<&str> = known.iter().map(|(word, _)| *word).collect();
+        let (last, others) = words.split_last().unwrap_or((&"nothing", &[]));
+        let message = format!("`{text}` is no {column}; expected {} or {last}", others.join(", "));
+        InputError::at(&table.span(row, column), message)
+    })
+}
+
+/// A term of which every factor is one of the paper's.
+fn read_term(text: &str) -> Result<Term, String> {
+    let term: Term = text.parse().map_err(|fault: Fault| fault.to_string())?;
+    if let Some((symbol, _)) = term.powers().find(|(symbol, _)| Factor::from_symbol(symbol).is_none()) {
+        return Err(format!("`{symbol}` in the term `{text}` is none of q, alpha, delta, E, n"));
+    }
+    Ok(term)
 }

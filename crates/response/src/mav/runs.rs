@@ -1,7 +1,5 @@
 //! Runs as a table: block, airspeed, factors and responses, in the units of the paper, and its CSV text.
 
-use std::fmt::Write;
-
 use super::factor::Factor;
 use super::points::{Series, TestPoint};
 
@@ -67,27 +65,15 @@ impl Runs {
     /// As a CSV file: `block,V_m_s`, the factors that vary, the responses with five decimals.
     pub fn csv(&self) -> String {
         let factors = self.factors();
-        let mut text = String::from("block,V_m_s");
-        for (_, column) in &factors {
-            text.push(',');
-            text.push_str(column);
-        }
-        for response in &self.responses {
-            text.push(',');
-            text.push_str(response);
-        }
-        text.push('\n');
+        let columns = factors.iter().map(|(_, column)| *column);
+        let head: Vec<&str> = columns.chain(self.responses.iter().map(String::as_str)).collect();
+        let mut text = format!("block,V_m_s,{}\n", head.join(","));
         for (row, block) in self.rows.iter().zip(self.blocks()) {
-            text.push_str(&block);
-            // writing to a string cannot fail
-            let _ = write!(text, ",{}", row.point.v_m_s);
-            for (factor, _) in &factors {
-                let _ = write!(text, ",{}", row.point.condition.get(*factor).unwrap_or(f64::NAN));
-            }
-            for value in &row.values {
-                let _ = write!(text, ",{value:.5}");
-            }
-            text.push('\n');
+            let of = |factor| row.point.condition.get(factor).unwrap_or(f64::NAN).to_string();
+            let cells = factors.iter().map(|(factor, _)| of(*factor));
+            let cells = cells.chain(row.values.iter().map(|value| format!("{value:.5}")));
+            let cells: Vec<String> = [block, row.point.v_m_s.to_string()].into_iter().chain(cells).collect();
+            text += &(cells.join(",") + "\n");
         }
         text
     }
