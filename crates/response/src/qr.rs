@@ -35,6 +35,13 @@ pub(crate) fn subtract(y: &mut [f64], factor: f64, x: &[f64]) {
     y.iter_mut().zip(x).for_each(|(y, x)| *y = factor.mul_add(-x, *y));
 }
 
+/// `x /= by`.
+pub(crate) fn divide(x: &mut [f64], by: f64) {
+    for value in x {
+        *value /= by;
+    }
+}
+
 impl Qr {
     /// Orthogonalises columns, each against those before it; `names` are for the faults.
     pub(crate) fn new(columns: &[Vec<f64>], names: &[String]) -> Result<Self, Fault> {
@@ -51,12 +58,15 @@ impl Qr {
 
     /// Orthogonalises one column more; `names` are those of the columns before it (or more), for the fault.
     pub(crate) fn add(&mut self, column: &[f64], name: &str, names: &[String]) -> Result<(), Fault> {
-        let (rest, shares) = self.remainder(column);
+        let (mut rest, mut shares) = self.remainder(column);
         let (before, after) = (dot(column, column).sqrt(), dot(&rest, &rest).sqrt());
         if after <= LEAST_REMAINDER * before {
             return Err(self.aliased(name, names, &shares, before));
         }
-        self.push(rest, shares, after);
+        divide(&mut rest, after);
+        shares.push(after);
+        self.q.push(rest);
+        self.r.push(shares);
         Ok(())
     }
 
@@ -72,15 +82,6 @@ impl Qr {
             }
         }
         (rest, shares)
-    }
-
-    fn push(&mut self, mut rest: Vec<f64>, mut shares: Vec<f64>, norm: f64) {
-        for value in &mut rest {
-            *value /= norm;
-        }
-        shares.push(norm);
-        self.q.push(rest);
-        self.r.push(shares);
     }
 
     fn aliased(&self, name: &str, names: &[String], shares: &[f64], norm: f64) -> Fault {

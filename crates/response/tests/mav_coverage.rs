@@ -18,10 +18,7 @@ fn published() -> Published {
 fn columns(model: &Model, runs: &Runs) -> Vec<Vec<f64>> {
     let of_term = |k: usize| -> Vec<f64> {
         let term = &model.coefficients[k].term;
-        runs.rows
-            .iter()
-            .map(|row| row.point.condition.value(term).expect("a factor of the series"))
-            .collect()
+        runs.rows.iter().map(|row| row.point.condition.value(term).expect("a factor of the series")).collect()
     };
     let last = runs.series.blocks() - 1;
     let of_block = |block: usize| -> Vec<f64> {

@@ -4,7 +4,7 @@
 
 use crate::columns::Columns;
 use crate::fault::Fault;
-use crate::qr::{Qr, dot, subtract};
+use crate::qr::{Qr, divide, dot, subtract};
 use crate::term::Term;
 
 /// Sets of candidates are bits of a number.
@@ -50,7 +50,7 @@ impl Reduced {
         let coordinates = |column: &Vec<f64>| {
             let mut own = qr.remainder(column).1.split_off(always.len());
             let norm = dot(&own, &own).sqrt();
-            own.iter_mut().for_each(|value| *value /= norm);
+            divide(&mut own, norm);
             own
         };
         let set = |of: &dyn Fn(&Term) -> bool| -> Set {
@@ -111,7 +111,7 @@ impl Reduced {
         for member in members(set) {
             let (mut rest, mut shares) = self.beyond(member, &q);
             let norm = plain_dot(&rest, &rest).sqrt();
-            rest.iter_mut().for_each(|value| *value /= norm);
+            divide(&mut rest, norm);
             shares.push(norm);
             q.push(rest);
             r.push(shares);
