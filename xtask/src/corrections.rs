@@ -6,7 +6,7 @@ use calibrate::{Calibration, Campaign, CorrectionSet, Schedule, Settings, calibr
 use coupling::{CouplingError, ElasticWing, WingFile};
 use nastran::InputError;
 
-use crate::args::Common;
+use crate::args::{Common, Given};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::paths;
@@ -59,14 +59,9 @@ impl CorrectedWing {
 ///
 /// # Errors
 /// Bad input, corrections of another wing, or a calibration that cannot be done.
-pub(crate) fn corrected_wing(
-    wing: Option<&Path>,
-    corrections: Option<&Path>,
-    campaign: Option<&Path>,
-    common: &Common,
-) -> Result<CorrectedWing, Failure> {
-    let (file, wing) = ElasticWing::read(&wing_path(wing))?;
-    if let Some(path) = corrections {
+pub(crate) fn corrected_wing(given: &Given, common: &Common) -> Result<CorrectedWing, Failure> {
+    let (file, wing) = ElasticWing::read(&wing_path(given.wing.as_deref()))?;
+    if let Some(path) = given.corrections.as_deref() {
         let schedule = Schedule::read(path)?;
         if schedule.wing_hash != file.hash {
             let message = format!("these corrections belong to another wing than {}", file.path.display());
@@ -81,7 +76,7 @@ pub(crate) fn corrected_wing(
         check_boxes(&schedule, &wing, &last)?;
         return Ok(CorrectedWing { file, wing, schedule, origin: last.display().to_string() });
     }
-    let campaign = Campaign::read(&campaign_path(campaign))?;
+    let campaign = Campaign::read(&campaign_path(given.campaign.as_deref()))?;
     let origin = format!("calibrated now from {}", campaign.folder.display());
     if !common.quiet {
         crate::show::note(&format!("no corrections of this wing in {}: {origin}", last.display()));

@@ -1,6 +1,6 @@
 //! The commands of wingroot, `cargo xtask NAME`: read arguments, call the crates, write and print results.
 //!
-//! A command is one file in `commands/` with a `run` function and its options in [`args`]; nothing is computed here.
+//! A command is one file in `commands/` with its options and a `run` function, and a line of the list in `commands/mod.rs`; nothing is computed here.
 //! Exit status: 0 done, 2 wrong usage or bad input, 3 the computation could not be completed.
 
 use std::process::ExitCode;
@@ -9,6 +9,7 @@ use clap::Parser;
 
 pub mod args;
 pub mod blind;
+mod cli;
 mod commands;
 mod corrections;
 pub mod failure;
@@ -22,7 +23,8 @@ pub mod show;
 pub mod structures;
 pub mod tidy;
 
-use args::{Cli, Command, Common};
+use args::Common;
+use cli::Cli;
 use failure::Failure;
 
 /// Reads the command line, runs the command and turns its end into the exit status.
@@ -40,51 +42,14 @@ pub fn main() -> ExitCode {
 
 fn run(cli: &Cli) -> Result<(), Failure> {
     let common = &cli.common;
-    if let (
-        Command::Calibrate(_)
-        | Command::Simulate(_)
-        | Command::Deflection(_)
-        | Command::Discover(_)
-        | Command::Hidden(_)
-        | Command::Fullaircraft(_)
-        | Command::Tunnel(_)
-        | Command::Modes(_)
-        | Command::Deck(_)
-        | Command::Response(_)
-        | Command::Flutter(_)
-        | Command::Validate(_),
-        Some(out),
-    ) = (&cli.command, &common.out)
-    {
+    if let Some(out) = common.out.as_deref().filter(|_| cli.command.replaces_results()) {
         // Before the work, not after it.
         output::check_replaceable(out)?;
     }
     progress::at_work(common, cli.command.name());
-    let ended = dispatch(cli);
+    let ended = cli.command.run(common);
     progress::done();
     ended
-}
-
-fn dispatch(cli: &Cli) -> Result<(), Failure> {
-    let common = &cli.common;
-    match &cli.command {
-        Command::Calibrate(args) => commands::calibrate::run(args, common),
-        Command::Simulate(args) => commands::simulate::run(args, common),
-        Command::Deflection(args) => commands::deflection::run(args, common),
-        Command::Discover(args) => commands::discover::run(args, common),
-        Command::Hidden(args) => commands::hidden::run(args, common),
-        Command::Fullaircraft(args) => commands::fullaircraft::run(args, common),
-        Command::Pipeline(args) => commands::pipeline::run(args, common),
-        Command::Tunnel(args) => commands::tunnel::run(args, common),
-        Command::Modes(args) => commands::modes::run(args, common),
-        Command::Deck(args) => commands::deck::run(args, common),
-        Command::Response(args) => commands::response::run(args, common),
-        Command::Flutter(args) => commands::flutter::run(args, common),
-        Command::Validate(args) => commands::validate::run(args, common),
-        Command::New(args) => commands::new::run(args, common),
-        Command::Bench(args) => commands::bench::run(args, common),
-        Command::Tidy(args) => commands::tidy::run(args, common),
-    }
 }
 
 /// Into how many parts the matrix library divides its work, whatever the number of threads: the order of its sums, and so

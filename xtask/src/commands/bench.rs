@@ -1,5 +1,7 @@
 //! `bench`: time of the main steps, beside the paper's way of doing the same in the same run.
 
+use clap::Args;
+use std::path::PathBuf;
 use std::time::Duration;
 
 use aero::{Lattice, MirrorPlane, SteadyAero};
@@ -8,7 +10,7 @@ use coupling::{ElasticWing, WingFile};
 use serde_json::{Value, json};
 
 use super::bench_clock::{REPEATS, median, peak_mb, row};
-use crate::args::{BenchArgs, Common};
+use crate::args::Common;
 use crate::commands::{
     bench_aircraft, bench_chirp, bench_discover, bench_dlm, bench_general, bench_structure, bench_trim,
 };
@@ -16,6 +18,17 @@ use crate::corrections::{campaign_path, wing_path};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
+
+/// Options of `bench`.
+#[derive(Debug, Clone, Args)]
+#[command(after_help = "Examples:
+  cargo xtask bench
+  cargo xtask bench --peer-python venv/bin/python")]
+pub(crate) struct BenchArgs {
+    /// A Python with PanelAero, timed on the same boxes in the same run [default: python3, if it has it]
+    #[arg(long, value_name = "PYTHON", default_value = "python3")]
+    pub(crate) peer_python: PathBuf,
+}
 
 /// The general optimiser gets this long for one airspeed.
 const GENERAL: Duration = Duration::from_secs(30);

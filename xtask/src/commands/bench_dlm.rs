@@ -3,7 +3,7 @@
 use aero::{DlmSettings, DoubletLattice, Lattice, MirrorPlane};
 use faer::{Mat, c64};
 
-use crate::args::BenchArgs;
+use crate::commands::bench::BenchArgs;
 use crate::failure::Failure;
 use crate::paths;
 use serde_json::Value;

@@ -1,7 +1,8 @@
 //! `calibrate`: measured root loads in, corrections of the panel model by airspeed out.
 
+use clap::Args;
 use std::fmt::Write as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use aero::{Corrections, MirrorPlane};
@@ -9,7 +10,7 @@ use calibrate::{AirspeedCalibration, Calibration, Campaign, Settings};
 use coupling::{ElasticWing, SteadyCase};
 use serde_json::{Value, json};
 
-use crate::args::{CalibrateArgs, Common};
+use crate::args::Common;
 use crate::commands::calibrate_common as common_set;
 use crate::commands::calibrate_figures as figures;
 use crate::commands::calibrate_numbers::{channels, identifiability, measured_channels, speed_name};
@@ -19,6 +20,24 @@ use crate::corrections::{campaign_path, schedule, wing_path};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
+
+/// Options of `calibrate`.
+#[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask calibrate
+  cargo xtask calibrate --wing my_wing/wing.ron --campaign my_wing/campaign --out out/my_wing
+  cargo xtask calibrate --wing data/pazy/wing.ron --campaign data/pazy/tip_5deg --out out/pazy
+
+Written: corrections.ron, DMI cards wkk_V.bdf and fa2j_V.bdf for each airspeed, figures, result.json. An airspeed needs
+three angles of attack (docs/guide.md explains the columns and how to read the result).")]
+pub(crate) struct CalibrateArgs {
+    /// The wing [default: data/tuflex/wing.ron]
+    #[arg(long, value_name = "FILE")]
+    pub(crate) wing: Option<PathBuf>,
+    /// The folder of measurements [default: data/tuflex/measured]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) campaign: Option<PathBuf>,
+}
 
 /// Runs the command.
 pub(crate) fn run(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {

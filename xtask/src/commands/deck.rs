@@ -1,5 +1,6 @@
 //! `deck`: the wing as a Nastran deck, with structure, boxes, splines and, if given, corrections.
 
+use clap::Args;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -12,11 +13,43 @@ use structure::{Flexibility, Model, System, normal_modes};
 
 use super::modes_pictures::hertz;
 use super::{deck_hdf5, modes_shapes};
-use crate::args::{Common, DeckArgs};
+use crate::args::{Common, Given};
 use crate::corrections::{CorrectedWing, corrected_wing, wing_path};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
+
+/// Options of `deck`.
+#[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask deck
+  cargo xtask deck --wing my_wing/wing.ron --corrections out/my_wing/corrections.ron --airspeed 20
+  cargo xtask deck --bars --count 6 --hdf5
+
+With corrections the deck has them as WKK and FA2J, and beside it stand, for programs without these, w2gj.bdf (camber
+plus what acts as the pressure offsets) and qjj.op4 (pressures per incidence with the force factors in them); what
+they leave out is in result.json under `left_out`.")]
+pub(crate) struct DeckArgs {
+    /// The wing [default: data/tuflex/wing.ron]
+    #[arg(long, value_name = "FILE")]
+    pub(crate) wing: Option<PathBuf>,
+    /// Corrections from `calibrate` to write as WKK and FA2J
+    #[arg(long, value_name = "FILE")]
+    pub(crate) corrections: Option<PathBuf>,
+    /// Airspeed of the corrections, m/s [default: the first of the file]
+    #[arg(long, value_name = "V", requires = "corrections")]
+    pub(crate) airspeed: Option<f64>,
+    /// Number of modes asked for in the case control
+    #[arg(long, value_name = "N", default_value_t = 10)]
+    pub(crate) count: usize,
+    /// Write CBAR and PBAR instead of CBEAM and PBEAM where the section is uniform and has no offsets (for programs
+    /// without CBEAM)
+    #[arg(long)]
+    pub(crate) bars: bool,
+    /// Write model.h5, too: boxes, pressures, modes, and with corrections these and the linear systems that `simulate` flies
+    #[arg(long)]
+    pub(crate) hdf5: bool,
+}
 
 /// Load at the tip for the comparison of deflections, N.
 const TIP_LOAD_N: f64 = 10.0;
@@ -151,8 +184,10 @@ fn tip_load(file: &coupling::WingFile, bulk: &nastran::BulkData, system: &System
 
 /// The corrections of the file that is named, at the airspeed that is.
 fn corrections(args: &DeckArgs, common: &Common) -> Result<Option<AtAirspeed>, Failure> {
-    let Some(path) = args.corrections.as_deref() else { return Ok(None) };
-    let corrected = corrected_wing(args.wing.as_deref(), Some(path), None, common)?;
+    let Some(path) = &args.corrections else { return Ok(None) };
+    let given =
+        Given { wing: args.wing.clone(), corrections: Some(path.clone()), ..Given::default() };
+    let corrected = corrected_wing(&given, common)?;
     let v_m_s = args.airspeed.unwrap_or_else(|| corrected.schedule.sets[0].v_m_s);
     let corrections = corrected.schedule.at(v_m_s)?;
     let wing = &corrected.wing;

@@ -1,6 +1,7 @@
 //! `deflection`: the deflection correction of Eq. 10 from measured doublets, a wing with it, and what it is worth on
 //! doublets that were held out.
 
+use clap::Args;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -14,7 +15,7 @@ use maneuver::{
 };
 use nastran::InputError;
 
-use crate::args::{Common, DeflectionArgs};
+use crate::args::{Common, Given};
 use crate::commands::deflection_results::{Found, Judged, Measured};
 use crate::commands::simulate::settings;
 use crate::commands::{deflection_figures, deflection_results};
@@ -23,13 +24,31 @@ use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
 
+/// Options of `deflection`.
+#[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask deflection
+  cargo xtask deflection --campaign my_campaign --wing my_wing.ron --out out/my_deflection
+  cargo xtask simulate --wing out/deflection/wing.ron --corrections out/deflection/corrections.ron
+
+Runs that are doublets of one control surface are fitted if they are marked `use: Train` or not marked at all; those
+marked Holdout only judge.
+Writes wing.ron (the given wing with the correction), corrections.ron (the given ones, for that wing), deflection.csv,
+equivalent.svg, factors.svg and result.json. The factor is linear between measured deflections and airspeeds, kept
+below the smallest and above the largest deflection, and refused beyond the measured airspeeds.")]
+pub(crate) struct DeflectionArgs {
+    /// Wing, measurements, corrections.
+    #[command(flatten)]
+    pub(crate) given: Given,
+}
+
 /// Runs the command.
 pub(crate) fn run(args: &DeflectionArgs, common: &Common) -> Result<(), Failure> {
     let start = Instant::now();
-    let folder = campaign_path(args.campaign.as_deref());
+    let folder = campaign_path(args.given.campaign.as_deref());
     let campaign = Campaign::read(&folder)?;
     let corrected =
-        corrected_wing(args.wing.as_deref(), args.corrections.as_deref(), args.campaign.as_deref(), common)?;
+        corrected_wing(&args.given, common)?;
     let settings = settings(&corrected);
     let (doublets, models) = doublets(&campaign, &settings, &corrected)?;
     let sigma = campaign.noise.and_then(|noise| {

@@ -1,6 +1,7 @@
 //! `discover`: where simulation and measurements disagree, which effect the model lacks, the wing with it, and the gap
 //! before and after.
 
+use clap::Args;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
@@ -17,12 +18,37 @@ use discover::result::DiscoverResult;
 use discover::rules::Rules;
 use nastran::InputError;
 
-use crate::args::{Common, DiscoverArgs};
+use crate::args::{Common, Given};
 use crate::commands::{discover_figures, discover_results};
 use crate::corrections::{CorrectedWing, campaign_path, corrected_wing};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::{paths, show};
+
+/// Options of `discover`.
+#[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask discover
+  cargo xtask discover --wing my/wing.ron --campaign my/measured
+
+Static points and training runs are searched for effects that the model lacks; held-out runs only judge. Defects of the data
+stop the search (exit status 3). Written: wing.ron (the wing with the effects), corrections.ron (calibrated again with
+them), null_distribution.ron (log Bayes factors where no effect is missing), runs/NAME.csv and .svg of held-out runs, result.json.")]
+pub(crate) struct DiscoverArgs {
+    /// Wing, measurements, corrections.
+    #[command(flatten)]
+    pub(crate) given: Given,
+    /// Whether `corrections` come from this campaign's own static points all the same: the pipeline's do
+    #[arg(skip)]
+    pub(crate) own_corrections: bool,
+    /// A null distribution (null_distribution.ron of an earlier run) [default: the shipped or last one if of the same wing and
+    /// campaign, else made first]
+    #[arg(long, value_name = "FILE")]
+    pub(crate) null_distribution: Option<PathBuf>,
+    /// What `null_distribution` was called before
+    #[arg(long, value_name = "FILE", hide = true, conflicts_with = "null_distribution")]
+    pub(crate) bank: Option<PathBuf>,
+}
 
 impl From<DiscoverError> for Failure {
     fn from(error: DiscoverError) -> Self {
@@ -39,17 +65,17 @@ impl From<DiscoverError> for Failure {
 /// Runs the command.
 pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
     let start = Instant::now();
-    let folder = campaign_path(args.campaign.as_deref());
+    let folder = campaign_path(args.given.campaign.as_deref());
     let campaign = Campaign::read(&folder)?;
     let corrected =
-        corrected_wing(args.wing.as_deref(), args.corrections.as_deref(), args.campaign.as_deref(), common)?;
+        corrected_wing(&args.given, common)?;
     if !corrected.file.effects.is_empty() {
         let message = "the wing has effects already; the search starts from a wing without them";
         return Err(InputError::in_field(&corrected.file.path, "effects", message)
             .with_help("take the list of effects out of a copy of the wing's file")
             .into());
     }
-    let own = args.corrections.is_none() || args.own_corrections;
+    let own = args.given.corrections.is_none() || args.own_corrections;
     let rules = Rules::default();
     let corrected = if own { without_held_out_points(corrected, &campaign, &rules)? } else { corrected };
     let lattice = LatticeVariant::of(&corrected.file, &corrected.wing, &rules.variants);

@@ -1,6 +1,7 @@
 //! `flutter`: flutter and divergence speeds of the wing, initial beside updated: eigenvalues of the simulations' state matrix
 //! over airspeed, and p-k roots on the doublet lattice.
 
+use clap::Args;
 use std::fmt::Write as _;
 use std::time::Instant;
 
@@ -16,11 +17,32 @@ use report::Table;
 use serde_json::{Value, json};
 
 use super::flutter_figures::{self, Stability};
-use crate::args::{Common, FlutterArgs};
+use crate::args::{Common, Given};
 use crate::corrections::{CorrectedWing, campaign_path, corrected_wing};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
+
+/// Options of `flutter`.
+#[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask flutter
+  cargo xtask flutter --wing my_wing/wing.ron --campaign my_wing/campaign --to 60")]
+pub(crate) struct FlutterArgs {
+    /// Wing, measurements, corrections.
+    #[command(flatten)]
+    pub(crate) given: Given,
+    /// Highest airspeed looked at, m/s [default: 100, up to which air is nearly incompressible]
+    #[arg(long, value_name = "V", value_parser = airspeed)]
+    pub(crate) to: Option<f64>,
+}
+
+fn airspeed(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(v_m_s) if v_m_s > 0.0 && v_m_s <= 300.0 => Ok(v_m_s),
+        _ => Err("expected an airspeed above 0 and up to 300 m/s".into()),
+    }
+}
 
 /// Highest airspeed if nothing is said, m/s.
 const HIGHEST: f64 = 100.0;
@@ -48,9 +70,9 @@ struct Task<'a> {
 /// Runs the command.
 pub(crate) fn run(args: &FlutterArgs, common: &Common) -> Result<(), Failure> {
     let start = Instant::now();
-    let campaign = Campaign::read(&campaign_path(args.campaign.as_deref()))?;
+    let campaign = Campaign::read(&campaign_path(args.given.campaign.as_deref()))?;
     let corrected =
-        corrected_wing(args.wing.as_deref(), args.corrections.as_deref(), args.campaign.as_deref(), common)?;
+        corrected_wing(&args.given, common)?;
     if corrected.wing.structure.is_none() {
         return Err(InputError::in_file(&corrected.file.path, "a rigid wing neither flutters nor diverges")
             .with_help("give the wing a structure")

@@ -12,7 +12,8 @@ use nastran::InputError;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::args::{Common, FullaircraftArgs};
+use crate::args::Common;
+use crate::commands::fullaircraft::FullaircraftArgs;
 use crate::commands::fullaircraft_cases_figures as figures;
 use crate::commands::fullaircraft_cases_store::Store;
 use crate::commands::fullaircraft_prepared::{Prepared, prepared};

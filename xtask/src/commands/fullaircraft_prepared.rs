@@ -6,7 +6,8 @@ use aero::Corrections;
 use fullaircraft::{Aircraft, AircraftFile};
 use nastran::InputError;
 
-use crate::args::{Common, FullaircraftArgs};
+use crate::args::{Common, Given};
+use crate::commands::fullaircraft::FullaircraftArgs;
 use crate::commands::fullaircraft_effects;
 use crate::corrections::corrected_wing;
 use crate::failure::Failure;
@@ -30,7 +31,9 @@ pub(crate) struct Prepared {
 pub(crate) fn prepared(args: &FullaircraftArgs, common: &Common) -> Result<Prepared, Failure> {
     let file = AircraftFile::read(&paths::given_or(args.aircraft.as_deref(), "data/tuflex/aircraft.ron"))?;
     let wing_path = args.wing.clone().unwrap_or_else(|| file.wing_path());
-    let wing = corrected_wing(Some(&wing_path), args.corrections.as_deref(), None, common)?;
+    let given =
+        Given { wing: Some(wing_path.clone()), corrections: args.corrections.clone(), ..Given::default() };
+    let wing = corrected_wing(&given, common)?;
     // The nearest set stands for airspeeds between the calibrated ones, as published (40 m/s for 37 and 42 m/s).
     wing.schedule.at(file.correction_airspeed_m_s).map_err(|refused| {
         InputError::in_field(&file.path, "correction_airspeed_m_s", refused.message)

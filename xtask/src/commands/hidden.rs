@@ -3,6 +3,7 @@
 //! A case and its verdict go to one folder, its sealed answer to another that only the scoring reads. Cases that have a verdict
 //! are not done again.
 
+use clap::Args;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -16,10 +17,31 @@ use discover::rules::Rules;
 use hidden::score::{BenchmarkResult, gates};
 use hidden::{Answer, Bench, Case, CasePlan, Class, Families, Fineness, Mix, cases, score};
 
-use crate::args::{Common, HiddenArgs};
+use crate::args::Common;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::{blind, paths, progress, show};
+
+/// Options of `hidden`.
+#[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask hidden --cases 20
+  cargo xtask hidden --cases 600 --seed 2000000
+
+Seeds below 1000000 are for development, below 2000000 for thresholds, from there for tests. Verdicts are
+kept in out/hidden.cases and answers in out/hidden.sealed, so that a run that was stopped goes on; remove both to begin anew,
+as after a change of `discover`.")]
+pub(crate) struct HiddenArgs {
+    /// Number of cases
+    #[arg(long, value_name = "N", default_value_t = 40)]
+    pub(crate) cases: usize,
+    /// Calibrate each case on its own static points, as a user does (track B), instead of effect-free ones
+    #[arg(long)]
+    pub(crate) own_static_points: bool,
+    /// Judge no case, score those that were judged before
+    #[arg(long)]
+    pub(crate) finished: bool,
+}
 
 /// The wing in whose model effects are missing.
 const WING: &str = "data/tuflex/wing_beam.ron";

@@ -1,5 +1,7 @@
 //! `modes`: natural frequencies and shapes of a wing's or a deck's structure; with measurements, their fit.
 
+use clap::Args;
+use std::path::PathBuf;
 use std::fmt::Write as _;
 use std::time::Instant;
 
@@ -9,11 +11,32 @@ use structure::{Modes, ModesError, effective_masses, normal_modes};
 
 use super::modes_pictures::hertz;
 use super::{modes_pictures, modes_shapes, modes_update};
-use crate::args::{Common, ModesArgs};
+use crate::args::Common;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
 use crate::structures::Structure;
+
+/// Options of `modes`.
+#[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask modes
+  cargo xtask modes --deck my_wing.bdf --count 20
+  cargo xtask modes --wing my_wing/wing.ron --measured my_wing/vibration_test.ron")]
+pub(crate) struct ModesArgs {
+    /// The wing [default: data/tuflex/wing.ron]
+    #[arg(long, value_name = "FILE", conflicts_with = "deck")]
+    pub(crate) wing: Option<PathBuf>,
+    /// A Nastran deck instead of a wing
+    #[arg(long, value_name = "FILE")]
+    pub(crate) deck: Option<PathBuf>,
+    /// Number of modes [default: 10, or as many as there are]
+    #[arg(long, value_name = "N")]
+    pub(crate) count: Option<usize>,
+    /// Measured frequencies, shapes and deflections, and the regions whose stiffness and mass are fitted to them
+    #[arg(long, value_name = "FILE")]
+    pub(crate) measured: Option<PathBuf>,
+}
 
 /// Modes if nothing is said, or as many as there are.
 const COUNT: usize = 10;

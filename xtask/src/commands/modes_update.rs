@@ -8,7 +8,8 @@ use report::{Figure, Panel, Series, Style, Table};
 use serde_json::{Value, json};
 use structure::update::{Fit, MeasuredFile, Prediction, Quantity, Settings, State, UpdateError, fit};
 
-use crate::args::{Common, ModesArgs};
+use crate::args::Common;
+use crate::commands::modes::ModesArgs;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;

@@ -1,13 +1,29 @@
 //! `new`: a commented folder for an own wing, with generated measurements, that runs at once.
 
+use clap::Args;
 use std::path::{Path, PathBuf};
 
 use nastran::InputError;
 use serde_json::json;
 
-use crate::args::{Common, NewArgs};
+use crate::args::Common;
 use crate::failure::Failure;
 use crate::show;
+
+/// Options of `new`.
+#[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask new my_wing
+  cargo xtask calibrate --wing my_wing/wing.ron --campaign my_wing/campaign --out out/my_wing
+
+The folder holds wing.ron with every field explained, its section and beam, a campaign of static points and runs, and a
+README.md. The example measurements are generated, so that everything runs before yours are in place; docs/guide.md goes on
+from there.")]
+pub(crate) struct NewArgs {
+    /// The folder to make; it must not exist, or be empty
+    #[arg(value_name = "DIR")]
+    pub(crate) folder: PathBuf,
+}
 
 /// Where the example stands in the repository, as its README names it.
 const SHIPPED: &str = "data/own_wing";

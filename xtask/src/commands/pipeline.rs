@@ -1,18 +1,29 @@
 //! `pipeline`: calibrate the shipped wing, correct its deflections, simulate its runs, find the effects it lacks, fly the
 //! mirrored aircraft with them.
 
+use clap::Args;
 use std::path::Path;
 use std::time::Instant;
 
 use serde_json::{Map, Value, json};
 
-use crate::args::{
-    CalibrateArgs, Common, DeflectionArgs, DiscoverArgs, FullaircraftArgs, PipelineArgs, SimulateArgs,
-};
+use crate::args::{Common, Given};
+use crate::commands::fullaircraft::FullaircraftArgs;
+use crate::commands::discover::DiscoverArgs;
+use crate::commands::deflection::DeflectionArgs;
+use crate::commands::simulate::SimulateArgs;
+use crate::commands::calibrate::CalibrateArgs;
 use crate::commands::{calibrate, deflection, discover, fullaircraft, pipeline_figures, simulate};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::{paths, show};
+
+/// Options of `pipeline`: none of its own.
+#[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask pipeline
+  cargo xtask pipeline --threads 1 --quiet")]
+pub(crate) struct PipelineArgs {}
 
 /// Runs the command: every step writes its own folder below `out` (or below `--out DIR`).
 pub(crate) fn run(_args: &PipelineArgs, common: &Common) -> Result<(), Failure> {
@@ -37,16 +48,16 @@ pub(crate) fn run(_args: &PipelineArgs, common: &Common) -> Result<(), Failure> 
     timed("calibrate", &|common| calibrate::run(&CalibrateArgs::default(), common))?;
     let corrections = Some(base.join("calibrate/corrections.ron"));
     timed("deflection", &|common| {
-        deflection::run(&DeflectionArgs { corrections: corrections.clone(), ..Default::default() }, common)
+        deflection::run(&DeflectionArgs { given: Given { corrections: corrections.clone(), ..Given::default() } }, common)
     })?;
     timed("simulate", &|common| {
         let of_deflection = |name: &str| Some(base.join("deflection").join(name));
         let (wing, corrections) = (of_deflection("wing.ron"), of_deflection("corrections.ron"));
-        simulate::run(&SimulateArgs { wing, corrections, ..Default::default() }, common)
+        simulate::run(&SimulateArgs { given: Given { wing, corrections, ..Given::default() }, ..Default::default() }, common)
     })?;
     timed("discover", &|common| {
         let corrections = corrections.clone();
-        discover::run(&DiscoverArgs { corrections, own_corrections: true, ..Default::default() }, common)
+        discover::run(&DiscoverArgs { given: Given { corrections, ..Given::default() }, own_corrections: true, ..Default::default() }, common)
     })?;
     timed("fullaircraft", &|common| {
         // with the effects that stay with the wing, and the corrections found beside them

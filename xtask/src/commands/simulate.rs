@@ -1,6 +1,7 @@
 //! `simulate`: measured runs flown again, with and without corrections, beside what was measured; and declared
 //! maneuvers.
 
+use clap::Args;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -15,13 +16,41 @@ use nastran::InputError;
 use rayon::prelude::*;
 use serde_json::{Map, Value, json};
 
-use crate::args::{Common, SimulateArgs};
+use crate::args::{Common, Given};
 use crate::commands::simulate_effects::{self, WingEffects};
 use crate::commands::simulate_flown::{Flown, at_airspeed};
 use crate::commands::{simulate_files, simulate_maneuvers};
 use crate::corrections::{CorrectedWing, campaign_path, corrected_wing};
 use crate::failure::Failure;
 use crate::{progress, show};
+
+/// Options of `simulate`.
+#[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask simulate
+  cargo xtask simulate --run data/tuflex/measured/aoa_2hz_30.csv
+  cargo xtask simulate --maneuver data/tuflex/maneuvers/doublet.ron data/tuflex/maneuvers/chirp.ron
+  cargo xtask simulate --wing out/deflection/wing.ron --corrections out/deflection/corrections.ron
+
+The initial model is theory; the updated one has the corrections, and the wing's deflection correction if its file
+has one (commanded deflection, times K(deflection, V), actuator, surface). Deflections in results are commands.")]
+pub(crate) struct SimulateArgs {
+    /// Wing, measurements, corrections.
+    #[command(flatten)]
+    pub(crate) given: Given,
+    /// Runs to simulate [default: all runs of the campaign, unless maneuvers are named]
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    pub(crate) run: Vec<PathBuf>,
+    /// Maneuvers declared in RON to fly (data/tuflex/maneuvers/doublet.ron explains every field)
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    pub(crate) maneuver: Vec<PathBuf>,
+    /// Give the lift of every strip, too: NAME_stations.csv
+    #[arg(long)]
+    pub(crate) strips: bool,
+    /// Switch off an effect of the wing's file (may be repeated)
+    #[arg(long, value_name = "EFFECT")]
+    pub(crate) without: Vec<String>,
+}
 
 impl From<RigError> for Failure {
     fn from(error: RigError) -> Self {
@@ -35,7 +64,7 @@ impl From<RigError> for Failure {
 /// Runs the command.
 pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
     let start = Instant::now();
-    let folder = campaign_path(args.campaign.as_deref());
+    let folder = campaign_path(args.given.campaign.as_deref());
     let files = if args.run.is_empty() && args.maneuver.is_empty() {
         listed_runs(&folder)?
     } else {
@@ -46,7 +75,7 @@ pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
         files.iter().map(|file| Ok((file, Run::read(file)?))).collect::<Result<Vec<_>, InputError>>()?;
     let rho_kg_m3 = if runs.is_empty() { 0.0 } else { Campaign::read(&folder)?.rho_kg_m3 };
     let corrected =
-        corrected_wing(args.wing.as_deref(), args.corrections.as_deref(), args.campaign.as_deref(), common)?;
+        corrected_wing(&args.given, common)?;
     let effects = simulate_effects::of(&corrected, &args.without)?;
     let maneuvers = simulate_maneuvers::read(&args.maneuver, &corrected)?;
     let settings = RigSettings { strip_loads: args.strips, ..settings(&corrected) };

@@ -1,10 +1,22 @@
 //! `tidy`: checks the house rules of the repository (see [`crate::tidy`]).
 
+use clap::Args;
 use serde_json::json;
 
-use crate::args::{Common, TidyArgs};
+use crate::args::Common;
 use crate::failure::Failure;
 use crate::{paths, show, tidy};
+
+/// Options of `tidy`.
+#[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask tidy
+  cargo xtask tidy --lines")]
+pub(crate) struct TidyArgs {
+    /// Count lines of code by crate (no blank lines, no comments) instead
+    #[arg(long)]
+    pub(crate) lines: bool,
+}
 
 /// Prints every complaint; fails if there is one.
 pub(crate) fn run(args: &TidyArgs, common: &Common) -> Result<(), Failure> {

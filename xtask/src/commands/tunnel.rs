@@ -1,7 +1,8 @@
 //! `tunnel`: the virtual wind tunnel writes a campaign folder, and its README says what is in it.
 
+use clap::Args;
 use std::fmt::Write as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use calibrate::{AirspeedCalibration, Calibration, Settings};
@@ -9,10 +10,23 @@ use coupling::{ElasticWing, Mount};
 use serde_json::{Value, json};
 use tunnel::{AirspeedComparison, FlightState, Found, HalfWingFlight, Story, Truth, TunnelError, TunnelFile};
 
-use crate::args::{Common, TunnelArgs};
+use crate::args::Common;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::{paths, show};
+
+/// Options of `tunnel`.
+#[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask tunnel
+  cargo xtask tunnel --runs data/tuflex/tunnel.ron --seed 2 --out out/another_tunnel
+
+What it writes is generated, and its README.md says so: a campaign to try commands on, no measurement.")]
+pub(crate) struct TunnelArgs {
+    /// What the tunnel measures and hides [default: data/tuflex/tunnel.ron]
+    #[arg(long, value_name = "FILE")]
+    pub(crate) runs: Option<PathBuf>,
+}
 
 /// What the virtual wind tunnel measures and hides; no other command may read it.
 const RUNS: &str = "data/tuflex/tunnel.ron";

@@ -1,5 +1,7 @@
 //! `validate`: our result beside the reference for every published case.
 
+use clap::Args;
+use std::path::PathBuf;
 use std::fmt::Write as _;
 use std::time::Instant;
 
@@ -9,10 +11,24 @@ use serde_json::{Value, json};
 use validation::registry::{LISTED, Outcome, cases, compute};
 use validation::{Row, Tolerance, Verdict};
 
-use crate::args::{Common, ValidateArgs};
+use crate::args::Common;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::{paths, progress, show};
+
+/// Options of `validate`.
+#[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask validate
+  cargo xtask validate --only dlm")]
+pub(crate) struct ValidateArgs {
+    /// The folder of published cases [default: data/published]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) data: Option<PathBuf>,
+    /// Only cases whose name begins with this
+    #[arg(long, value_name = "NAME")]
+    pub(crate) only: Option<String>,
+}
 
 /// The published cases.
 const DATA: &str = "data/published";

@@ -104,7 +104,7 @@ fn confusion(result: &BenchmarkResult) -> PageTable {
     let words = |name: &str| name.replace('_', " ").replace('|', " | ");
     for (hidden, named) in &result.scored.confusion {
         let mut pairs: Vec<(&String, usize)> = named.iter().map(|(name, n)| (name, *n)).collect();
-        pairs.sort_by(|a, b| b.1.cmp(&a.1));
+        pairs.sort_by_key(|pair| std::cmp::Reverse(pair.1));
         let all: usize = pairs.iter().map(|(_, n)| n).sum();
         for (place, (name, n)) in pairs.into_iter().enumerate() {
             let first = if place == 0 { words(hidden) } else { String::new() };
