@@ -1,6 +1,6 @@
 //! VTK unstructured grids (`.vtu`, XML, ASCII) for ParaView, from plain numbers.
 
-use std::fmt::Write as _;
+use crate::escape::for_xml;
 
 /// The shape of a cell, with VTK's number for it; nodes in VTK's order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -46,19 +46,13 @@ pub struct Mesh {
 impl Mesh {
     /// The mesh as a file's text.
     pub fn vtu(&self) -> String {
-        let mut points = String::new();
-        for [x, y, z] in &self.points {
-            // Writing to a String cannot fail.
-            let _ = writeln!(points, "{x:.9e} {y:.9e} {z:.9e}");
-        }
-        let (mut nodes, mut ends, mut types, mut end) = (String::new(), String::new(), String::new(), 0);
-        for (kind, cell) in &self.cells {
-            let line: Vec<String> = cell.iter().map(usize::to_string).collect();
-            let _ = writeln!(nodes, "{}", line.join(" "));
-            end += cell.len();
-            let _ = writeln!(ends, "{end}");
-            let _ = writeln!(types, "{}", *kind as u8);
-        }
+        let points = lines(self.points.iter().map(|[x, y, z]| format!("{x:.9e} {y:.9e} {z:.9e}")));
+        let nodes = lines(self.cells.iter().map(|(_, cell)| joined(cell.iter().map(usize::to_string))));
+        let ends = lines(self.cells.iter().scan(0, |end, (_, cell)| {
+            *end += cell.len();
+            Some(end.to_string())
+        }));
+        let types = lines(self.cells.iter().map(|(kind, _)| (*kind as u8).to_string()));
         let fields = |fields: &[Field]| fields.iter().map(field).collect::<String>();
         format!(
             "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n\
@@ -78,13 +72,17 @@ impl Mesh {
 }
 
 fn field(field: &Field) -> String {
-    let mut text = String::new();
-    for item in field.values.chunks(field.components.max(1)) {
-        let line: Vec<String> = item.iter().map(|value| format!("{value:.6e}")).collect();
-        let _ = writeln!(text, "{}", line.join(" "));
-    }
-    let name = field.name.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
-    array("Float64", &name, field.components, &text)
+    let items = field.values.chunks(field.components.max(1));
+    let text = lines(items.map(|item| joined(item.iter().map(|value| format!("{value:.6e}")))));
+    array("Float64", &for_xml(&field.name), field.components, &text)
+}
+
+fn lines(lines: impl Iterator<Item = String>) -> String {
+    lines.map(|line| line + "\n").collect()
+}
+
+fn joined(words: impl Iterator<Item = String>) -> String {
+    words.collect::<Vec<_>>().join(" ")
 }
 
 fn array(kind: &str, name: &str, components: usize, text: &str) -> String {

@@ -8,6 +8,7 @@ mod grid;
 use std::path::Path;
 
 use nastran::{InputError, Table};
+use serde::Serialize;
 use statrs::distribution::{ContinuousCDF, Normal};
 
 use grid::Grid;
@@ -38,7 +39,7 @@ impl Default for Settings {
 }
 
 /// The ratio of a displacement field.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Asymmetry {
     /// R, left over right.
     pub ratio: f64,

@@ -4,7 +4,7 @@ use nastran::{InputError, Table};
 
 use serde::Deserialize;
 
-use crate::fault::{Fault, list};
+use crate::fault::Fault;
 use crate::term::{Term, is_name};
 
 /// What is done with the blocks of the data.
@@ -251,9 +251,6 @@ impl Data {
 
 fn find<'a>(columns: &'a [(String, Vec<f64>)], what: &'static str, name: &str) -> Result<&'a [f64], Fault> {
     let found = columns.iter().find(|(known, _)| known == name);
-    found.map(|(_, values)| values.as_slice()).ok_or_else(|| Fault::Unknown {
-        what,
-        name: name.to_string(),
-        known: list(columns.iter().map(|(name, _)| name.as_str())),
-    })
+    let known = columns.iter().map(|(name, _)| name.as_str());
+    found.map(|(_, values)| values.as_slice()).ok_or_else(|| Fault::unknown(what, name, known))
 }

@@ -1,9 +1,11 @@
 //! The F test: a mean square over another that it should be like.
 
+use serde::Serialize;
+
 use crate::distributions::upper_f;
 
 /// An F test.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct FTest {
     /// Ratio of the mean squares.
     pub f: f64,

@@ -123,6 +123,15 @@ pub enum Fault {
 }
 
 impl Fault {
+    /// Nothing of this name: the fault lists the names there are.
+    pub(crate) fn unknown<'a>(
+        what: &'static str,
+        name: &str,
+        known: impl IntoIterator<Item = &'a str>,
+    ) -> Self {
+        Self::Unknown { what, name: name.to_string(), known: list(known) }
+    }
+
     /// Demands of a number that it is in its range: the fault names what it is, its value and what is expected.
     pub(crate) fn unless(
         is_good: bool,

@@ -2,12 +2,14 @@
 //! leverage x' (X'X)^-1 x, the point's distance from the middle of the data ("site selection"). All values are those of the
 //! mean block.
 
+use serde::Serialize;
+
 use crate::distributions::t_quantile;
-use crate::fault::{Fault, list};
+use crate::fault::Fault;
 use crate::regression::Regression;
 
 /// A prediction at a point.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Prediction {
     /// Value, unit of the response.
     pub value: f64,
@@ -16,10 +18,13 @@ pub struct Prediction {
     /// x' (X'X)^-1 x; the mean over the points of the data is parameters over points.
     pub leverage: f64,
     /// True if the leverage is above that of every point of the data: the point is outside of them.
+    #[serde(rename = "beyond_data")]
     pub extrapolated: bool,
     /// Variance of one reading in the mean block.
+    #[serde(skip)]
     pub error_variance: f64,
     /// Of the variance.
+    #[serde(skip)]
     pub degrees_of_freedom: f64,
 }
 
@@ -156,8 +161,7 @@ impl Regression {
     }
 
     fn unknown(&self, factor: &str) -> Fault {
-        let known = list(self.factors().iter().map(String::as_str));
-        Fault::Unknown { what: "value for the factor", name: factor.to_string(), known }
+        Fault::unknown("value for the factor", factor, self.factors().iter().map(String::as_str))
     }
 }
 

@@ -1,11 +1,13 @@
 //! A response surface fitted to data: given terms by least squares, with fixed or random block offsets, and what the fit
 //! says of itself. Coefficients are in the unit of the response over that of the term.
 
+use serde::Serialize;
+
 use crate::columns::Columns;
 use crate::data::{Blocking, Blocks, Data};
 use crate::distributions::{t_quantile, two_sided_t};
 use crate::f_test::FTest;
-use crate::fault::{Fault, list};
+use crate::fault::Fault;
 use crate::qr::{Qr, dot, residuals, subtract};
 use crate::reml::{decorrelated, transformed, variance_ratio};
 use crate::term::Term;
@@ -38,13 +40,15 @@ impl Coefficient {
 }
 
 /// The offset of a block from the mean block.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct BlockOffset {
     /// The block column.
     pub blocks: String,
     /// The block.
+    #[serde(rename = "block")]
     pub label: String,
     /// Its offset, unit of the response; of random blocks the best linear unbiased prediction.
+    #[serde(rename = "offset")]
     pub value: f64,
 }
 
@@ -219,8 +223,7 @@ impl Regression {
         for term in family {
             let found = self.coefficients.iter().position(|c| c.term == *term).ok_or_else(|| {
                 let known: Vec<String> = self.terms().iter().map(ToString::to_string).collect();
-                let known = list(known.iter().map(String::as_str));
-                Fault::Unknown { what: "term in the surface", name: term.to_string(), known }
+                Fault::unknown("term in the surface", &term.to_string(), known.iter().map(String::as_str))
             })?;
             white.push(self.qr.whitened_unit(found));
             values.push(self.coefficients[found].value);

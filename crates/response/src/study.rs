@@ -27,7 +27,6 @@ pub struct Study {
     /// The tables.
     pub tables: Vec<TableStudy>,
     /// Folder with published models (`coefficients.csv`, `ranges.csv`) whose curves are drawn too.
-    #[serde(default)]
     pub published: Option<String>,
 }
 
@@ -45,7 +44,6 @@ pub struct TableStudy {
     #[serde(default)]
     pub blocks: Vec<String>,
     /// All products of powers of the factors up to this order are candidates; 2 if neither this nor terms are given.
-    #[serde(default)]
     pub order: Option<u32>,
     /// Candidates by name, such as `n^2/q`, besides those of the order if one is given.
     #[serde(default)]
@@ -66,7 +64,6 @@ pub struct TableStudy {
     #[serde(default = "level")]
     pub level: f64,
     /// Two-level effects; those of all factors if they are all at two levels and nothing is said.
-    #[serde(default)]
     pub effects: Option<EffectsStudy>,
 }
 
@@ -80,7 +77,6 @@ pub struct EffectsStudy {
     #[serde(default)]
     pub blocks: Vec<String>,
     /// Interactions of up to so many factors; of all if nothing is said.
-    #[serde(default)]
     pub order: Option<u32>,
 }
 
@@ -187,7 +183,7 @@ impl TableStudy {
             let error = InputError::general(format!("no {what} is named for {}", self.data));
             return Err(error.with_help(format!("name columns of the table as its {what}s")));
         }
-        let data = Data::from_table(table, &factors, &responses, &names(&self.blocks))?;
+        let data = self.data_of(table)?;
         let here = |fault: Fault| fault.in_table(table);
         let Candidates { terms: candidates, left_out } = self.candidates(&data).map_err(here)?;
         let one = |name: &&str| analyse(&data, name, &candidates, self.rules(), self.level);
@@ -197,6 +193,14 @@ impl TableStudy {
             None => Vec::new(),
         };
         Ok(TableAnalysis { data, candidates, left_out, responses: analyses, effects })
+    }
+
+    /// The columns of the table.
+    ///
+    /// # Errors
+    /// As [`Data::from_table`].
+    pub fn data_of(&self, table: &Table) -> Result<Data, InputError> {
+        Data::from_table(table, &names(&self.factors), &names(&self.responses), &names(&self.blocks))
     }
 
     /// All terms of the order and those named, whether these points tell them apart or not.

@@ -4,6 +4,8 @@
 use std::fmt;
 use std::str::FromStr;
 
+use serde::{Serialize, Serializer};
+
 use crate::fault::Fault;
 
 /// A product of integer powers of factors, possibly negative; no factor twice, no power of zero. Two terms are equal if
@@ -115,6 +117,12 @@ impl PartialEq for Term {
 }
 
 impl Eq for Term {}
+
+impl Serialize for Term {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
 
 impl FromStr for Term {
     type Err = Fault;

@@ -44,7 +44,7 @@ pub(crate) fn run(args: &ResponseArgs, common: &Common) -> Result<(), Failure> {
         let _ = write!(text, "\n{}", response_text::table(study, analysis));
         let Some(points) = points.as_ref().filter(|points| points.require(study).is_ok()) else { continue };
         for predictions in points.predictions(study, analysis)? {
-            folder.write_text(&format!("{stem}_{}_at.csv", predictions.response()), &predictions.csv())?;
+            folder.write_text(&format!("{stem}_{}_at.csv", predictions.name), &predictions.csv())?;
             let _ = write!(text, "\n{}", predictions.text());
             at.push(predictions.json(&study.data));
         }

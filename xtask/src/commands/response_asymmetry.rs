@@ -8,7 +8,7 @@ use report::Table;
 use response::asymmetry::{Asymmetry, RigidWing, Settings, asymmetry, read_displacements};
 use serde_json::{Value, json};
 
-use super::response_text::number;
+use super::response_text::{interval, number};
 use crate::args::{Common, ResponseArgs};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
@@ -54,11 +54,10 @@ fn ratios(paths: &[PathBuf], settings: &Settings) -> Result<Vec<Asymmetry>, Fail
 }
 
 fn of_field(path: &std::path::Path, field: &Asymmetry, rigid: &RigidWing) -> Value {
-    json!({
-        "file": path.display().to_string(), "ratio": field.ratio, "sigma": field.sigma, "interval": field.interval,
-        "left_mm3": field.left_mm3, "right_mm3": field.right_mm3, "pairs": field.pairs, "unpaired": field.unpaired,
-        "equally_spaced": field.equally_spaced, "beyond_the_rigid_wing": rigid.is_exceeded_by(field),
-    })
+    let mut value = json!(field);
+    value["file"] = json!(path.display().to_string());
+    value["beyond_the_rigid_wing"] = json!(rigid.is_exceeded_by(field));
+    value
 }
 
 fn summary(args: &ResponseArgs, fields: &[Asymmetry], rigid: &RigidWing) -> String {
@@ -69,17 +68,10 @@ fn summary(args: &ResponseArgs, fields: &[Asymmetry], rigid: &RigidWing) -> Stri
             path.display().to_string(),
             number(field.ratio),
             number(field.sigma),
-            field.interval.map_or_else(
-                || "open".to_string(),
-                |(low, high)| format!("{} to {}", number(low), number(high)),
-            ),
+            field.interval.map_or_else(|| "open".to_string(), interval),
             field.pairs.to_string(),
             field.unpaired.to_string(),
-            if rigid.is_exceeded_by(field) {
-                "yes".into()
-            } else {
-                "not told from the rigid wing".to_string()
-            },
+            if rigid.is_exceeded_by(field) { "yes" } else { "not told from the rigid wing" }.to_string(),
         ]);
     }
     let mut text = table.to_string();

@@ -1,7 +1,7 @@
 //! Figures of `response`: the choice, the fit, the surface with what is known of it within and beyond the data; effects on
 //! normal and half-normal plots; curves of published models.
 
-use report::{Figure, Panel, Series, Style};
+use report::{Figure, Panel, Series, Style, extent};
 use response::{
     Analysis, Effects, Lenth, PlotPoint, TableAnalysis, TableStudy, half_normal_plot, mav, normal_plot,
 };
@@ -54,8 +54,7 @@ fn fit(table: &TableAnalysis, analysis: &Analysis) -> Panel {
     let fitted = &analysis.choice.fitted;
     let measured = table.data.response_values(&fitted.response).unwrap_or_default().to_vec();
     let values: Vec<f64> = measured.iter().zip(&fitted.residuals).map(|(y, rest)| y - rest).collect();
-    let low = values.iter().copied().fold(f64::INFINITY, f64::min);
-    let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let (low, high) = extent(values.iter().copied());
     Panel::new(
         "measured over fitted",
         format!("{} fitted", fitted.response),
@@ -101,11 +100,7 @@ fn over(
     factor: &str,
 ) -> Result<Panel, Failure> {
     let (data, fitted) = (&table.data, &analysis.choice.fitted);
-    let range = |name: &str| {
-        let values = data.factor_values(name).unwrap_or_default();
-        let low = values.iter().copied().fold(f64::INFINITY, f64::min);
-        (low, values.iter().copied().fold(f64::NEG_INFINITY, f64::max))
-    };
+    let range = |name: &str| extent(data.factor_values(name).unwrap_or_default().iter().copied());
     let names = data.factor_names();
     let mut point: Vec<(&str, f64)> =
         names.iter().map(|name| (*name, 0.5 * (range(name).0 + range(name).1))).collect();
@@ -147,9 +142,7 @@ pub(super) fn effects(study: &TableStudy, all: &[Effects]) -> Option<Figure> {
     for effects in all.iter().filter(|effects| effects.effects.len() > 1) {
         let values: Vec<f64> = effects.effects.iter().map(|effect| effect.value).collect();
         for (kind, points) in [("half-normal", half_normal_plot(&values)), ("normal", normal_plot(&values))] {
-            let (bottom, top) = points.iter().fold((0.0_f64, 0.1_f64), |(low, high), point| {
-                (low.min(point.quantile), high.max(point.quantile))
-            });
+            let (bottom, top) = extent(points.iter().map(|point| point.quantile).chain([0.0, 0.1]));
             let mut series: Vec<Series> = points
                 .iter()
                 .map(|point| {

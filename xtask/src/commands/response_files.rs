@@ -1,9 +1,12 @@
 //! What `response` writes: result.json and the tables of terms, curves, points and effects as CSV.
 
-use std::fmt::Write as _;
-
-use response::{Analysis, Effects, FTest, Fault, PureError, Step, TableAnalysis, TableStudy, Term};
+use response::{Analysis, Effects, Fault, PureError, TableAnalysis, TableStudy, Term};
 use serde_json::{Value, json};
+
+/// A table of its head and its rows.
+pub(super) fn csv(head: &str, rows: impl IntoIterator<Item = String>) -> String {
+    std::iter::once(head.to_owned()).chain(rows).map(|line| line + "\n").collect()
+}
 
 /// What was added to and taken out of terms.
 pub(super) fn change(before: &[Term], after: &[Term]) -> String {
@@ -19,15 +22,11 @@ pub(super) fn response(study: &TableStudy, table: &TableAnalysis, analysis: &Ana
     let terms = fitted.coefficients.iter().map(|c| {
         let interval = c.interval(study.level, fitted.degrees_of_freedom).ok();
         json!({
-            "term": c.term.to_string(), "coefficient": c.value, "standard_error": c.standard_error, "t": c.t,
+            "term": c.term, "coefficient": c.value, "standard_error": c.standard_error, "t": c.t,
             "p_value": c.p_value, "interval": interval,
         })
     });
-    let left_out: Vec<Value> = table
-        .left_out
-        .iter()
-        .map(|(term, others)| json!({ "term": term.to_string(), "not_told_from": others }))
-        .collect();
+    let left_out = |(term, others): &(Term, String)| json!({ "term": term, "not_told_from": others });
     json!({
         "name": fitted.response, "data": study.data, "points": table.data.points(),
         "terms": terms.collect::<Vec<Value>>(),
@@ -35,34 +34,17 @@ pub(super) fn response(study: &TableStudy, table: &TableAnalysis, analysis: &Ana
         "bic": chosen.bic, "leave_one_out": chosen.leave_one_out, "sigma0_squared": choice.sigma0_squared,
         "level": study.level, "degrees_of_freedom": fitted.degrees_of_freedom,
         "error_standard_deviation": fitted.error_variance.sqrt(), "search_complete": choice.complete, "curve_complete": choice.curve_complete,
-        "candidates": table.candidates.iter().map(ToString::to_string).collect::<Vec<_>>(),
-        "candidates_left_out": left_out,
-        "curve": curve(&choice.curve),
+        "candidates": table.candidates,
+        "candidates_left_out": table.left_out.iter().map(left_out).collect::<Vec<_>>(),
+        "curve": choice.curve,
         "tests": tests(analysis),
-        "block_offsets": fitted.offsets.iter()
-            .map(|o| json!({ "blocks": o.blocks, "block": o.label, "offset": o.value })).collect::<Vec<_>>(),
+        "block_offsets": fitted.offsets,
         "effects": table.effects.iter().find(|e| e.response == fitted.response).map(|e| effects(study, e)),
     })
 }
 
-fn curve(steps: &[Step]) -> Vec<Value> {
-    let of_step = |step: &Step| {
-        let c = &step.criteria;
-        json!({
-            "terms": c.terms, "pse": c.pse, "mse": c.mse, "r2": c.r_squared, "adjusted_r2": c.adjusted_r_squared,
-            "leave_one_out": c.leave_one_out, "bic": c.bic,
-            "chosen_terms": step.terms.iter().map(ToString::to_string).collect::<Vec<_>>(),
-        })
-    };
-    steps.iter().map(of_step).collect()
-}
-
 fn or_reason<T>(result: &Result<T, Fault>, value: impl Fn(&T) -> Value) -> Value {
     result.as_ref().map_or_else(|fault| json!({ "not_known": fault.to_string() }), value)
-}
-
-fn f_test(test: &FTest) -> Value {
-    json!({ "f": test.f, "above": test.above, "below": test.below, "p_value": test.p_value })
 }
 
 fn pure(error: &PureError) -> Value {
@@ -74,11 +56,11 @@ fn pure(error: &PureError) -> Value {
 
 fn tests(analysis: &Analysis) -> Value {
     json!({
-        "all_terms": or_reason(&analysis.all_terms, f_test),
+        "all_terms": or_reason(&analysis.all_terms, |test| json!(test)),
         "pure_error": or_reason(&analysis.pure_error, pure),
-        "lack_of_fit": or_reason(&analysis.lack_of_fit, f_test),
+        "lack_of_fit": or_reason(&analysis.lack_of_fit, |test| json!(test)),
         "blocks": analysis.block_share.as_ref().map(|share| or_reason(share, |share| json!({
-            "share_of_pure_error": share.removed(), "test": f_test(&share.test()),
+            "share_of_pure_error": share.removed(), "test": share.test(),
             "without": pure(&share.without), "with": pure(&share.with),
         }))),
         "random_blocks": analysis.random_blocks.as_ref().map(|random| or_reason(random, |fitted| json!({
@@ -91,23 +73,19 @@ fn tests(analysis: &Analysis) -> Value {
 
 fn effects(study: &TableStudy, effects: &Effects) -> Value {
     let of_effect = |effect: &response::Effect| {
-        let aliases: Vec<String> = aliases(effect);
         json!({
-            "term": effect.term.to_string(), "value": effect.value, "sum_of_squares": effect.sum_of_squares,
+            "term": effect.term, "value": effect.value, "sum_of_squares": effect.sum_of_squares,
             "standard_error": effect.test.map(|t| t.standard_error), "t": effect.test.map(|t| t.t),
             "p_value": effect.test.map(|t| t.p_value), "significant": effect.test.map(|t| t.significant),
             "found_with_90_percent_from": effect.test.and_then(|t| effects.detectable(&t, study.level, 0.9).ok()),
-            "not_told_from": aliases,
+            "not_told_from": aliases(effect),
         })
     };
     json!({
         "mean": effects.mean, "degrees_of_freedom": effects.degrees_of_freedom, "residual_sum": effects.residual_sum,
         "block_degrees_of_freedom": effects.block_degrees_of_freedom, "block_sum": effects.block_sum,
         "effects": effects.effects.iter().map(of_effect).collect::<Vec<_>>(),
-        "lenth": effects.lenth.map(|lenth| json!({
-            "pseudo_standard_error": lenth.pseudo_standard_error, "margin": lenth.margin,
-            "simultaneous_margin": lenth.simultaneous_margin,
-        })),
+        "lenth": effects.lenth,
     })
 }
 
@@ -120,68 +98,57 @@ pub(super) fn aliases(effect: &response::Effect) -> Vec<String> {
 /// Terms and coefficients.
 pub(super) fn terms_csv(study: &TableStudy, analysis: &Analysis) -> String {
     let fitted = &analysis.choice.fitted;
-    let mut text = String::from("term,coefficient,standard_error,t,p_value,low,high\n");
-    for c in &fitted.coefficients {
+    let rows = fitted.coefficients.iter().map(|c| {
         let (low, high) = c.interval(study.level, fitted.degrees_of_freedom).unwrap_or((f64::NAN, f64::NAN));
         let (value, error, t, p) = (c.value, c.standard_error, c.t, c.p_value);
-        let _ = writeln!(text, "{},{value:e},{error:e},{t:e},{p:e},{low:e},{high:e}", c.term);
-    }
-    text
+        format!("{},{value:e},{error:e},{t:e},{p:e},{low:e},{high:e}", c.term)
+    });
+    csv("term,coefficient,standard_error,t,p_value,low,high", rows)
 }
 
 /// The curve over the number of terms.
 pub(super) fn curve_csv(analysis: &Analysis) -> String {
-    let mut text =
-        String::from("terms,chosen,pse,mse,r2,adjusted_r2,leave_one_out,bic,from_the_size_before\n");
     let steps = &analysis.choice.curve;
-    for (index, step) in steps.iter().enumerate() {
+    let rows = steps.iter().enumerate().map(|(index, step)| {
         let c = &step.criteria;
         let before = index.checked_sub(1).map_or(&[][..], |before| &steps[before].terms);
         let (chosen, changed) = (u8::from(index == analysis.choice.chosen), change(before, &step.terms));
-        let _ = writeln!(
-            text,
+        format!(
             "{},{chosen},{:e},{:e},{:.8},{:.8},{:e},{:.6},{changed}",
             c.terms, c.pse, c.mse, c.r_squared, c.adjusted_r_squared, c.leave_one_out, c.bic
-        );
-    }
-    text
+        )
+    });
+    csv("terms,chosen,pse,mse,r2,adjusted_r2,leave_one_out,bic,from_the_size_before", rows)
 }
 
 /// Measured and fitted values of all points; offsets of blocks are in the fitted ones.
 pub(super) fn points_csv(table: &TableAnalysis, analysis: &Analysis) -> String {
     let (data, fitted) = (&table.data, &analysis.choice.fitted);
-    let blocks: Vec<&str> = data.blocks().iter().map(|blocks| blocks.name.as_str()).collect();
-    let head: Vec<&str> = blocks.iter().copied().chain(data.factor_names()).collect();
-    let mut text = format!("{},{},fitted,residual,leverage\n", head.join(","), fitted.response);
+    let blocks = data.blocks().iter().map(|blocks| blocks.name.as_str());
+    let head: Vec<&str> = blocks.chain(data.factor_names()).collect();
     let measured = data.response_values(&fitted.response).unwrap_or_default();
-    for (point, measured) in measured.iter().enumerate() {
-        for blocks in data.blocks() {
-            let _ = write!(text, "{},", blocks.labels[blocks.of_point[point]]);
-        }
-        for (_, value) in data.point(point) {
-            let _ = write!(text, "{value},");
-        }
+    let rows = measured.iter().enumerate().map(|(point, measured)| {
+        let labels = data.blocks().iter().map(|blocks| blocks.labels[blocks.of_point[point]].clone());
+        let values = data.point(point).into_iter().map(|(_, value)| value.to_string());
+        let place: Vec<String> = labels.chain(values).collect();
         let (residual, leverage) = (fitted.residuals[point], fitted.leverages[point]);
-        let _ = writeln!(text, "{measured},{},{residual:e},{leverage:.6}", measured - residual);
-    }
-    text
+        format!("{},{measured},{},{residual:e},{leverage:.6}", place.join(","), measured - residual)
+    });
+    csv(&format!("{},{},fitted,residual,leverage", head.join(","), fitted.response), rows)
 }
 
 /// Effects of all responses of a table.
 pub(super) fn effects_csv(table: &TableAnalysis) -> String {
-    let mut text =
-        String::from("response,effect,value,sum_of_squares,standard_error,t,p_value,not_told_from\n");
-    for effects in &table.effects {
-        for effect in &effects.effects {
-            let test = effect.test.as_ref();
-            let shown = test.map_or_else(
-                || ",,".to_string(),
-                |test| format!("{:e},{:e},{:e}", test.standard_error, test.t, test.p_value),
-            );
-            let (value, sum, aliases) = (effect.value, effect.sum_of_squares, aliases(effect).join(" "));
-            let _ =
-                writeln!(text, "{},{},{value:e},{sum:e},{shown},{aliases}", effects.response, effect.term);
-        }
-    }
-    text
+    let all = table.effects.iter().flat_map(|of_response| {
+        of_response.effects.iter().map(move |effect| (of_response.response.as_str(), effect))
+    });
+    let rows = all.map(|(response, effect)| {
+        let tested = effect.test.as_ref().map_or_else(
+            || ",,".to_string(),
+            |test| format!("{:e},{:e},{:e}", test.standard_error, test.t, test.p_value),
+        );
+        let (value, sum, aliases) = (effect.value, effect.sum_of_squares, aliases(effect).join(" "));
+        format!("{response},{},{value:e},{sum:e},{tested},{aliases}", effect.term)
+    });
+    csv("response,effect,value,sum_of_squares,standard_error,t,p_value,not_told_from", rows)
 }

@@ -126,7 +126,7 @@ fn response(asked: &Asked, found: &Missing) -> Value {
     let limits = found.detection_limits.iter().map(|one| (one.term.to_string(), json!(one.coefficient)));
     json!({
         "name": found.response, "data": asked.file, "verdict": found.verdict,
-        "model": asked.question.model.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        "model": asked.question.model,
         "model_blocks": asked.question.blocks, "model_from": asked.origin, "hidden": asked.hidden,
         "published_coefficient": asked.published, "model_terms_not_told_apart": asked.left_out,
         "located": located(asked, found), "effects": effects(asked, found), "closest": closest,

@@ -3,9 +3,10 @@
 use std::fmt::Write as _;
 
 use report::Table;
-use response::missing::{Missing, Named};
+use response::missing::{Family, Missing, Named};
 use response::verdict::{Gap, VerdictKind};
 
+use super::response_files::csv;
 use super::response_models::Asked;
 use super::response_text::{number, probability};
 
@@ -153,37 +154,27 @@ fn name(asked: &Asked, named: &Named, word: &str) -> String {
 
 /// Log Bayes factor of every candidate.
 pub(super) fn candidates_csv(pairs: &[(&Asked, &Missing)]) -> String {
-    let mut text = String::from("data,response,candidate,log_bayes_factor,threshold\n");
-    for (asked, found) in pairs {
-        for (name, factor) in &found.candidates {
-            let _ =
-                writeln!(text, "{},{},{name},{factor:e},{:e}", asked.file, asked.response, found.threshold);
-        }
-    }
-    text
+    let rows = pairs.iter().flat_map(|(asked, found)| {
+        let (file, response, threshold) = (&asked.file, &asked.response, found.threshold);
+        let row = move |(name, factor): &(String, f64)| {
+            format!("{file},{response},{name},{factor:e},{threshold:e}")
+        };
+        found.candidates.iter().map(row)
+    });
+    csv("data,response,candidate,log_bayes_factor,threshold", rows)
 }
 
 /// F tests of every family.
 pub(super) fn families_csv(pairs: &[(&Asked, &Missing)]) -> String {
-    let mut text = String::from(
-        "data,response,family,share_of_residual,f,p_value,f_beside_others,p_value_beside_others\n",
-    );
-    for (asked, found) in pairs {
-        for family in &found.families {
-            let beside = family.beside_others;
-            let _ = writeln!(
-                text,
-                "{},{},{},{:e},{:e},{:e},{},{}",
-                asked.file,
-                asked.response,
-                family.name,
-                family.share,
-                family.alone.f,
-                family.alone.p_value,
-                beside.map_or(String::new(), |test| format!("{:e}", test.f)),
-                beside.map_or(String::new(), |test| format!("{:e}", test.p_value)),
-            );
-        }
-    }
-    text
+    let rows = pairs.iter().flat_map(|(asked, found)| {
+        let row = move |family: &Family| {
+            let (file, response, name) = (&asked.file, &asked.response, &family.name);
+            let (share, alone) = (family.share, family.alone);
+            let beside = family.beside_others.map(|test| format!("{:e},{:e}", test.f, test.p_value));
+            let beside = beside.unwrap_or_else(|| ",".into());
+            format!("{file},{response},{name},{share:e},{:e},{:e},{beside}", alone.f, alone.p_value)
+        };
+        found.families.iter().map(row)
+    });
+    csv("data,response,family,share_of_residual,f,p_value,f_beside_others,p_value_beside_others", rows)
 }

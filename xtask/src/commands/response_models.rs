@@ -47,10 +47,7 @@ pub(super) fn asked(args: &ResponseArgs, source: &Source, seed: u64) -> Result<V
     let published = source.published.as_deref().map(Published::read).transpose()?;
     let mut all = Vec::new();
     for (study, table) in &source.tables {
-        let names = |names: &'_ [String]| names.to_vec();
-        let (factors, responses, blocks) =
-            (names(&study.factors), names(&study.responses), names(&study.blocks));
-        let data = Data::from_table(table, &refs(&factors), &refs(&responses), &refs(&blocks))?;
+        let data = study.data_of(table)?;
         for response in &study.responses {
             let model = model(args, study, response, published.as_ref())?;
             if let Some(one) = one(args, study, table, &data, response, model, seed)? {
@@ -67,10 +64,6 @@ pub(super) fn asked(args: &ResponseArgs, source: &Source, seed: u64) -> Result<V
         }
         _ => Ok(all),
     }
-}
-
-fn refs(names: &[String]) -> Vec<&str> {
-    names.iter().map(String::as_str).collect()
 }
 
 fn model(
@@ -143,9 +136,8 @@ fn one(
     seed: u64,
 ) -> Result<Option<Asked>, Failure> {
     let here = |fault: response::Fault| Failure::from(fault.in_table(table));
-    let with_blocks = !model.blocks.is_empty();
     let names: Vec<Term> = model.terms.iter().map(|(term, _)| term.clone()).collect();
-    let blocking = if with_blocks { Blocking::Fixed } else { Blocking::Ignored };
+    let blocking = if model.blocks.is_empty() { Blocking::Ignored } else { Blocking::Fixed };
     let told = told_apart(data, &names, blocking).map_err(here)?;
     let (mut terms, mut hidden, mut published) = (told.terms, None, None);
     if let Some(text) = &args.hide {
@@ -164,9 +156,7 @@ fn one(
         }
     }
     let library = study.library().map_err(here)?;
-    let mut question = Question::new(terms, model.blocks, library);
-    question.noise = args.noise;
-    question.seed = seed;
+    let question = Question { noise: args.noise, seed, ..Question::new(terms, model.blocks, library) };
     Ok(Some(Asked {
         file: study.data.clone(),
         data: data.clone(),

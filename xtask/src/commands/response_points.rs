@@ -1,21 +1,24 @@
 //! `response --at POINTS.csv`: the surfaces at points of the user's, with intervals that know how far these are from the
 //! data.
 
-use std::fmt::Write as _;
 use std::path::Path;
 
 use nastran::{InputError, Table};
 use response::{Fault, Prediction, TableAnalysis, TableStudy};
+use serde::Serialize;
 use serde_json::{Value, json};
 
-use super::response_text::number;
+use super::response_files::csv;
+use super::response_text::{interval, number};
 
 /// A point with what a surface says of it.
+#[derive(Serialize)]
 struct At {
     factors: Vec<f64>,
+    #[serde(flatten)]
     prediction: Prediction,
-    mean: (f64, f64),
-    reading: (f64, f64),
+    mean_interval: (f64, f64),
+    reading_interval: (f64, f64),
 }
 
 /// The points of a file.
@@ -25,7 +28,8 @@ pub(super) struct Points {
 
 /// What is said of all points by the surface of one response.
 pub(super) struct Predictions {
-    response: String,
+    /// Name of the response.
+    pub(super) name: String,
     factors: Vec<String>,
     level: f64,
     points: Vec<At>,
@@ -77,80 +81,56 @@ impl Points {
                     }
                     other => other.in_table(&self.table),
                 })?;
-                let mean = prediction.mean_interval(study.level)?;
-                let reading = prediction.reading_interval(study.level)?;
-                points.push(At { factors, prediction, mean, reading });
+                let mean_interval = prediction.mean_interval(study.level)?;
+                let reading_interval = prediction.reading_interval(study.level)?;
+                points.push(At { factors, prediction, mean_interval, reading_interval });
             }
-            let (response, factors) = (fitted.response.clone(), study.factors.clone());
-            all.push(Predictions { response, factors, level: study.level, points });
+            let (name, factors) = (fitted.response.clone(), study.factors.clone());
+            all.push(Predictions { name, factors, level: study.level, points });
         }
         Ok(all)
     }
 }
 
 impl Predictions {
-    /// Name of the response.
-    pub(super) fn response(&self) -> &str {
-        &self.response
-    }
-
     /// For the terminal.
     pub(super) fn text(&self) -> String {
         let percent = 100.0 * self.level;
         let mean = format!("surface, {percent} %");
         let reading = format!("next reading, {percent} %");
         let mut head: Vec<&str> = self.factors.iter().map(String::as_str).collect();
-        head.extend([self.response.as_str(), mean.as_str(), reading.as_str(), "leverage", "place"]);
+        head.extend([self.name.as_str(), mean.as_str(), reading.as_str(), "leverage", "place"]);
         let mut table = report::Table::new(&head);
         for at in &self.points {
-            let mut row: Vec<String> = at.factors.iter().map(ToString::to_string).collect();
-            row.push(number(at.prediction.value));
-            row.push(format!("{} to {}", number(at.mean.0), number(at.mean.1)));
-            row.push(format!("{} to {}", number(at.reading.0), number(at.reading.1)));
-            row.push(number(at.prediction.leverage));
-            row.push(if at.prediction.extrapolated {
-                "beyond the data".into()
-            } else {
-                "within".to_string()
-            });
-            table.row(row);
+            let p = &at.prediction;
+            let place = if p.extrapolated { "beyond the data" } else { "within" };
+            let of_surface = [number(p.value), interval(at.mean_interval), interval(at.reading_interval)];
+            let factors = at.factors.iter().map(ToString::to_string);
+            table.row(factors.chain(of_surface).chain([number(p.leverage), place.into()]));
         }
         table.to_string()
     }
 
     /// As CSV.
     pub(super) fn csv(&self) -> String {
-        let mut text = format!(
-            "{},{},standard_error,mean_low,mean_high,reading_low,reading_high,leverage,beyond_data\n",
-            self.factors.join(","),
-            self.response
-        );
-        for at in &self.points {
-            at.factors.iter().for_each(|factor| {
-                let _ = write!(text, "{factor},");
-            });
-            let p = &at.prediction;
-            let (mean, reading, beyond) = (at.mean, at.reading, u8::from(p.extrapolated));
-            let _ = writeln!(
-                text,
-                "{:e},{:e},{:e},{:e},{:e},{:e},{:e},{beyond}",
-                p.value, p.standard_error, mean.0, mean.1, reading.0, reading.1, p.leverage
-            );
-        }
-        text
+        let rows = self.points.iter().map(|at| {
+            let factors: Vec<String> = at.factors.iter().map(ToString::to_string).collect();
+            let (p, (low, high)) = (&at.prediction, at.mean_interval);
+            let ((least, most), beyond) = (at.reading_interval, u8::from(p.extrapolated));
+            format!(
+                "{},{:e},{:e},{low:e},{high:e},{least:e},{most:e},{:e},{beyond}",
+                factors.join(","),
+                p.value,
+                p.standard_error,
+                p.leverage
+            )
+        });
+        let head = "standard_error,mean_low,mean_high,reading_low,reading_high,leverage,beyond_data";
+        csv(&format!("{},{},{head}", self.factors.join(","), self.name), rows)
     }
 
     /// In result.json.
     pub(super) fn json(&self, data: &str) -> Value {
-        let of_point = |at: &At| {
-            let p = &at.prediction;
-            json!({
-                "factors": at.factors, "value": p.value, "standard_error": p.standard_error,
-                "mean_interval": at.mean, "reading_interval": at.reading, "leverage": p.leverage,
-                "beyond_data": p.extrapolated,
-            })
-        };
-        let points: Vec<Value> = self.points.iter().map(of_point).collect();
-        json!({ "name": self.response, "data": data, "factors": self.factors, "points": points })
+        json!({ "name": self.name, "data": data, "factors": self.factors, "points": self.points })
     }
 }

@@ -111,24 +111,18 @@ fn overrule(study: &mut TableStudy, args: &ResponseArgs) {
     if args.order.is_some() || !args.terms.is_empty() {
         (study.order, study.terms) = (args.order, args.terms.clone());
     }
-    match args.blocking.as_deref() {
-        Some("random") => study.blocking = Blocking::Random,
-        Some("ignored") => study.blocking = Blocking::Ignored,
-        Some(_) => study.blocking = Blocking::Fixed,
-        None => {}
-    }
-    match args.search.as_deref() {
-        Some("stepwise") => study.search = Search::Stepwise,
-        Some("ranked") => study.search = Search::Ranked,
-        Some(_) => study.search = Search::BestSubset,
-        None => {}
-    }
-    if let Some(t) = args.least_t {
-        study.sigma0_squared = ErrorRule::LeastT(t);
-    }
-    if let Some(level) = args.level {
-        study.level = level;
-    }
+    study.blocking = args.blocking.as_deref().map_or(study.blocking, |how| match how {
+        "random" => Blocking::Random,
+        "ignored" => Blocking::Ignored,
+        _ => Blocking::Fixed,
+    });
+    study.search = args.search.as_deref().map_or(study.search, |how| match how {
+        "stepwise" => Search::Stepwise,
+        "ranked" => Search::Ranked,
+        _ => Search::BestSubset,
+    });
+    study.sigma0_squared = args.least_t.map_or(study.sigma0_squared, ErrorRule::LeastT);
+    study.level = args.level.unwrap_or(study.level);
     if !args.effects.is_empty() {
         let blocks = if args.effect_blocks.is_empty() { &args.blocks } else { &args.effect_blocks };
         let (factors, blocks) = (args.effects.clone(), blocks.clone());

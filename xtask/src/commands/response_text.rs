@@ -26,6 +26,11 @@ pub(super) fn number(value: f64) -> String {
     format!("{value:.decimals$}")
 }
 
+/// An interval.
+pub(super) fn interval((low, high): (f64, f64)) -> String {
+    format!("{} to {}", number(low), number(high))
+}
+
 /// A share of the variance; rounding below zero is none.
 fn share(value: f64) -> String {
     format!("{:.5}", if value.abs() < 5e-6 { 0.0 } else { value })
@@ -93,11 +98,10 @@ fn response(text: &mut String, study: &TableStudy, table: &TableAnalysis, analys
             "; the search of all subsets was ended early, another may have a lower PSE"
         }
     );
-    let interval = format!("{} % interval", 100.0 * study.level);
-    let mut terms = Table::new(&["term", "coefficient", "standard error", "t", "p", &interval]);
+    let head = format!("{} % interval", 100.0 * study.level);
+    let mut terms = Table::new(&["term", "coefficient", "standard error", "t", "p", &head]);
     for coefficient in &fitted.coefficients {
-        let (low, high) =
-            coefficient.interval(study.level, fitted.degrees_of_freedom).unwrap_or((f64::NAN, f64::NAN));
+        let of_value = coefficient.interval(study.level, fitted.degrees_of_freedom);
         terms.row([
             coefficient.term.to_string(),
             number(coefficient.value),
@@ -108,7 +112,7 @@ fn response(text: &mut String, study: &TableStudy, table: &TableAnalysis, analys
                 format!("{:.1e}", coefficient.t)
             },
             probability(coefficient.p_value),
-            format!("{} to {}", number(low), number(high)),
+            interval(of_value.unwrap_or((f64::NAN, f64::NAN))),
         ]);
     }
     let _ = write!(text, "{terms}");

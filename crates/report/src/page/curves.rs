@@ -108,7 +108,7 @@ fn split_unit(label: &str) -> (&str, &str) {
         .map_or((label, ""), |(quantity, unit)| (quantity, if unit == "-" { "" } else { unit }))
 }
 
-/// `x`, `x2`, `x3`: plotly's names.
+/// `x`, `x2`, `x3` and `xaxis`, `xaxis2`: plotly's names.
 fn axis_name(letter: &str, place: usize) -> String {
     if place == 0 { letter.to_owned() } else { format!("{letter}{}", place + 1) }
 }
@@ -135,8 +135,8 @@ fn layout(figure: &Figure, names: usize) -> Value {
             // zooming into the time of one panel zooms all
             across["matches"] = json!("x");
         }
-        layout[axis_key("x", place)] = across;
-        layout[axis_key("y", place)] =
+        layout[axis_name("xaxis", place)] = across;
+        layout[axis_name("yaxis", place)] =
             json!({ "domain": y, "anchor": axis_name("x", place), "title": title(&panel.y_label) });
         if !panel.title.is_empty() {
             titles.push(json!({
@@ -153,10 +153,6 @@ fn layout(figure: &Figure, names: usize) -> Value {
 fn legend_rows(names: &[&str]) -> usize {
     let px: usize = names.iter().map(|name| 50 + 7 * name.chars().count()).sum();
     if names.len() > 1 { px.div_ceil(950) } else { 0 }
-}
-
-fn axis_key(letter: &str, place: usize) -> String {
-    if place == 0 { format!("{letter}axis") } else { format!("{letter}axis{}", place + 1) }
 }
 
 /// Parts of the width and height that a panel takes; rows are counted from above.

@@ -1,24 +1,29 @@
 //! Numbers by which models of different size are compared.
 
+use serde::Serialize;
+
 use crate::qr::{dot, subtract};
 
 use super::reduced::Reduced;
 use super::search::Found;
 
 /// The criteria of one model. N points, m terms, p parameters (terms and offsets of blocks), RSS the residual sum.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Criteria {
     /// Terms, the constant included.
     pub terms: usize,
     /// RSS.
+    #[serde(skip)]
     pub residual_sum: f64,
     /// RSS / N, unit of the response squared.
     pub mse: f64,
     /// MSE + 2 sigma0^2 m / N, the same unit.
     pub pse: f64,
     /// 1 - RSS / TSS, with TSS about the mean of each fixed block.
+    #[serde(rename = "r2")]
     pub r_squared: f64,
     /// The same with both sums over their degrees of freedom.
+    #[serde(rename = "adjusted_r2")]
     pub adjusted_r_squared: f64,
     /// N ln(RSS / N) + p ln N (Schwarz), errors taken as normal.
     pub bic: f64,

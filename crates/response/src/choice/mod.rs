@@ -12,7 +12,7 @@ mod criteria;
 mod reduced;
 mod search;
 
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 use crate::columns::Columns;
 use crate::data::{Blocking, Data};
@@ -86,11 +86,13 @@ impl Default for Rules {
 }
 
 /// One size on the curve.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Step {
     /// The best terms of this size that were found, in the order of the candidates.
+    #[serde(rename = "chosen_terms")]
     pub terms: Vec<Term>,
     /// Their criteria.
+    #[serde(flatten)]
     pub criteria: Criteria,
 }
 

@@ -37,18 +37,17 @@ pub fn d_optimal(candidates: &Design, terms: &[Term], points: usize) -> Result<D
     if points < terms.len() {
         return Err(Fault::TooFewPoints { points, terms: terms.len(), needs: "" });
     }
-    let columns = terms.iter().map(|term| candidates.column(term)).collect::<Result<Vec<_>, _>>()?;
-    let names: Vec<String> = terms.iter().map(ToString::to_string).collect();
+    let columns = candidates.columns(terms)?;
     // orthonormal over the candidates: no term is large only because of its unit
-    let basis = Qr::new(&columns, &names)?.q;
+    let basis = columns.orthogonalised()?.q;
     let rows: Vec<Vec<f64>> =
         (0..candidates.points.len()).map(|i| basis.iter().map(|q| q[i]).collect()).collect();
     let mut best: Option<(Vec<usize>, f64)> = None;
     for start in 0..STARTS.min(rows.len()) {
         let chosen = exchanged(&rows, grown(&rows, start * rows.len() / STARTS.min(rows.len()), points));
         let subset: Vec<Vec<f64>> =
-            columns.iter().map(|column| chosen.iter().map(|i| column[*i]).collect()).collect();
-        let Ok(qr) = Qr::new(&subset, &names) else { continue };
+            columns.values.iter().map(|column| chosen.iter().map(|i| column[*i]).collect()).collect();
+        let Ok(qr) = Qr::new(&subset, &columns.names) else { continue };
         let value = qr.log_determinant();
         if best.as_ref().is_none_or(|(_, known)| value > known + 1e-9) {
             best = Some((chosen, value));

@@ -6,8 +6,9 @@ mod d_optimal;
 mod factorial;
 mod power;
 
+use crate::columns::Columns;
 use crate::data::Data;
-use crate::fault::{Fault, list};
+use crate::fault::Fault;
 use crate::term::{Term, is_name};
 
 pub use composite::{Axial, central_composite};
@@ -70,12 +71,17 @@ impl Design {
     pub fn column(&self, term: &Term) -> Result<Vec<f64>, Fault> {
         for (factor, _) in term.powers() {
             if !self.factors.iter().any(|known| known == factor) {
-                let known = list(self.factors.iter().map(String::as_str));
-                return Err(Fault::Unknown { what: "factor", name: factor.to_string(), known });
+                return Err(Fault::unknown("factor", factor, self.factors()));
             }
         }
         let place = |name: &str| self.factors.iter().position(|known| known == name).unwrap_or(0);
         Ok(self.points.iter().map(|point| term.value(|name| point[place(name)])).collect())
+    }
+
+    /// The columns of terms.
+    fn columns(&self, terms: &[Term]) -> Result<Columns, Fault> {
+        let values = terms.iter().map(|term| self.column(term)).collect::<Result<_, _>>()?;
+        Ok(Columns { names: terms.iter().map(ToString::to_string).collect(), values })
     }
 
     /// In the units of the factors, from the low and high value of each in their order.

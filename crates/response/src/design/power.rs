@@ -4,7 +4,6 @@
 use statrs::function::gamma::ln_gamma;
 
 use super::Design;
-use crate::columns::Columns;
 use crate::data::Blocks;
 use crate::distributions::{normal_below, probability, t_quantile};
 use crate::fault::Fault;
@@ -80,9 +79,7 @@ pub fn smallest_effects(
     sigma: f64,
     (level, wanted): (f64, f64),
 ) -> Result<Vec<(Term, f64)>, Fault> {
-    let values = terms.iter().map(|term| design.column(term)).collect::<Result<Vec<_>, _>>()?;
-    let names = terms.iter().map(ToString::to_string).collect();
-    let columns = Columns { names, values }.with_blocks(blocks);
+    let columns = design.columns(terms)?.with_blocks(blocks);
     let points = design.points().len();
     if points <= columns.len() {
         let needs = " and an estimate of the error";

@@ -72,10 +72,8 @@ fn elevator_and_pressure(published: &Published) -> Result<Figure, InputError> {
         let model = published.equation(equation, "BR")?;
         let rules = note_missing(model, &mut notes);
         let of = |v_m_s: f64| {
-            let states = deltas
-                .iter()
-                .map(|&delta| (delta, Condition::unpowered(dynamic_pressure_pa(v_m_s), ALPHA_DEG, delta)));
-            curve(published, model, format!("{v_m_s} m/s"), states, rules)
+            let state = |delta| Condition::unpowered(dynamic_pressure_pa(v_m_s), ALPHA_DEG, delta);
+            curve(published, model, rules, format!("{v_m_s} m/s"), &deltas, state)
         };
         let curves = NEGATIVE_ELEVATOR_AIRSPEEDS_M_S.into_iter().map(of).collect::<Result<_, _>>()?;
         panels.push(panel("delta [deg]", model, curves));
@@ -92,13 +90,13 @@ fn powered_lift(published: &Published) -> Result<Figure, InputError> {
     let at = |v_m_s: f64, alpha: f64| Condition::unpowered(dynamic_pressure_pa(v_m_s), alpha, 0.0);
     let mut curves = Vec::new();
     for v_m_s in AIRSPEEDS_M_S {
-        let states = alphas.iter().map(|&alpha| (alpha, at(v_m_s, alpha).at_voltage(7.4)));
-        curves.push(curve(published, powered, format!("{v_m_s} m/s, 7.4 V"), states, rules)?);
+        let state = |alpha| at(v_m_s, alpha).at_voltage(7.4);
+        curves.push(curve(published, powered, rules, format!("{v_m_s} m/s, 7.4 V"), &alphas, state)?);
     }
     let unpowered = published.equation(5, "PR")?;
     let rules = note_missing(unpowered, &mut notes);
-    let states = alphas.iter().map(|&alpha| (alpha, at(13.0, alpha)));
-    curves.push(curve(published, unpowered, "13 m/s, no propeller".to_string(), states, rules)?);
+    let name = "13 m/s, no propeller".to_string();
+    curves.push(curve(published, unpowered, rules, name, &alphas, |alpha| at(13.0, alpha))?);
     let title = "Fig. 10: lift at four airspeeds, PR wing, 7.4 V (Eq. 12; without propeller Eq. 5)".into();
     Ok(Figure { title, panels: vec![panel("alpha [deg]", powered, curves)], notes })
 }
@@ -109,10 +107,8 @@ fn elevator_and_voltage(published: &Published) -> Result<Figure, InputError> {
     let model = published.equation(11, "")?;
     let rules = note_missing(model, &mut notes);
     let of = |voltage: f64| {
-        let states = steps(0.0, 30.0)
-            .into_iter()
-            .map(move |delta| (delta, Condition::unpowered(Q_PA, ALPHA_DEG, delta).at_voltage(voltage)));
-        curve(published, model, format!("{voltage} V"), states, rules)
+        let state = |delta| Condition::unpowered(Q_PA, ALPHA_DEG, delta).at_voltage(voltage);
+        curve(published, model, rules, format!("{voltage} V"), &steps(0.0, 30.0), state)
     };
     let curves = [6.6, 7.4].into_iter().map(of).collect::<Result<_, _>>()?;
     let title = "Fig. 11: elevator and motor voltage (Eq. 11)".into();
@@ -128,24 +124,18 @@ fn three_voltages(published: &Published) -> Result<Figure, InputError> {
     for equation in [12, 13, 14] {
         let model = published.equation(equation, "")?;
         let rules = note_missing(model, &mut notes).extrapolating();
-        let over = |x_label: &str, states: &[(f64, Condition)]| {
+        let over = |x_label: &str, values: &[f64], state: fn(f64) -> Condition| {
             let of = |voltage: f64| {
-                let states = states.iter().map(|(x, state)| (*x, state.at_voltage(voltage)));
-                curve(published, model, format!("{voltage} V"), states, rules)
+                let state = |x| state(x).at_voltage(voltage);
+                curve(published, model, rules, format!("{voltage} V"), values, state)
             };
             let curves = [6.0, 7.0, 8.0].into_iter().map(of).collect::<Result<_, NoValue>>()?;
             Ok::<Panel, NoValue>(panel(x_label, model, curves))
         };
-        let alphas: Vec<_> = steps(4.0, 18.0)
-            .into_iter()
-            .map(|alpha| (alpha, Condition::unpowered(Q_PA, alpha, 0.0)))
-            .collect();
-        let deltas: Vec<_> = steps(-30.0, 30.0)
-            .into_iter()
-            .map(|delta| (delta, Condition::unpowered(Q_PA, ALPHA_DEG, delta)))
-            .collect();
-        panels.push(over("alpha [deg]", &alphas)?);
-        panels.push(over("delta [deg]", &deltas)?);
+        let of_alpha = |alpha| Condition::unpowered(Q_PA, alpha, 0.0);
+        panels.push(over("alpha [deg]", &steps(4.0, 18.0), of_alpha)?);
+        let of_delta = |delta| Condition::unpowered(Q_PA, ALPHA_DEG, delta);
+        panels.push(over("delta [deg]", &steps(-30.0, 30.0), of_delta)?);
     }
     let title = "Fig. 12: with propeller at 6, 7 and 8 V (Eqs. 12 to 14 with Eq. 4)".into();
     Ok(Figure { title, panels, notes })
@@ -169,19 +159,17 @@ fn note_missing(model: &Model, notes: &mut Vec<String>) -> Rules {
     Rules::STRICT.leaving_out_missing()
 }
 
+/// An equation at the states that belong to some abscissae.
 fn curve(
     published: &Published,
     model: &Model,
-    name: String,
-    states: impl Iterator<Item = (f64, Condition)>,
     rules: Rules,
+    name: String,
+    over: &[f64],
+    state: impl Fn(f64) -> Condition,
 ) -> Result<Curve, NoValue> {
-    let (mut x, mut y) = (Vec::new(), Vec::new());
-    for (abscissa, state) in states {
-        x.push(abscissa);
-        y.push(published.value(model, &state, rules)?);
-    }
-    Ok(Curve { name, x, y })
+    let values = over.iter().map(|x| published.value(model, &state(*x), rules));
+    Ok(Curve { name, x: over.to_vec(), y: values.collect::<Result<_, _>>()? })
 }
 
 fn panel(x_label: &str, model: &Model, curves: Vec<Curve>) -> Panel {
