@@ -66,13 +66,13 @@ fn held_out_section(runs: Vec<Plate>) -> Section {
 
 fn title(result: &DiscoverResult) -> &'static str {
     match result.verdict {
+        VerdictKind::DataDefect => "The data are at fault: nothing was searched",
         _ if result.search.as_ref().is_some_and(|search| !search.supported) => {
             "An effect was named that the data do not support"
         }
         VerdictKind::Effects => "An effect was missing from the model, and is found",
         VerdictKind::Ambiguous => "An effect is missing; these data do not tell which of several",
         VerdictKind::Unknown => "Something is missing; these data do not say which effect",
-        VerdictKind::DataDefect => "The data are at fault: nothing was searched",
         VerdictKind::None => "No effect is missing beyond the detection limits",
     }
 }

@@ -7,7 +7,7 @@ rules! {
     /// Runs and static points as the search wants them.
     DataRules {
         /// Sample rate that runs are brought to.
-        rate_hz: f64 = crate::data::RATE_HZ, "Hz", Formula("more than eight times `highest_hz`");
+        rate_hz: f64 = 100.0, "Hz", Formula("more than eight times `highest_hz`");
         /// Cutoff of the filter before samples are left out.
         anti_alias_hz: f64 = 25.0, "Hz", Formula("half the Nyquist frequency of `rate_hz`");
         /// Highest frequency whose cosine coefficients are looked at.

@@ -1,7 +1,7 @@
 //! Metrics of the gap before and after, and of what an answer costs.
 
-use super::Metric;
 use super::judged::Judged;
+use super::metric::Metric;
 use discover::result::StatedGap;
 use std::collections::BTreeMap;
 

@@ -1,6 +1,6 @@
 //! What a release must reach: bounds of the metrics, decided before any case of the test seeds was judged.
 
-use super::Metrics;
+use super::metric::Metrics;
 use serde::{Deserialize, Serialize};
 
 /// On which side of its bound a metric must lie.

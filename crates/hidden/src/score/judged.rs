@@ -1,6 +1,6 @@
 //! One case with its answer and its verdict.
 
-use super::Families;
+use super::families::Families;
 use crate::answer::Answer;
 use crate::effects::kind;
 use crate::plan::Class;

@@ -1,7 +1,7 @@
 //! Metrics of naming: what is named on nulls, what comes first, sets, pairs, what no library has, defects.
 
-use super::Metric;
 use super::judged::Judged;
+use super::metric::Metric;
 use crate::plan::Class;
 use discover::verdict::VerdictKind;
 use std::collections::BTreeMap;

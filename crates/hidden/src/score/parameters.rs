@@ -1,7 +1,7 @@
 //! Metrics of stated numbers: confidences and parameters.
 
-use super::Metric;
 use super::judged::Judged;
+use super::metric::Metric;
 use crate::answer::{TrueEffect, TrueParameter};
 use discover::result::{Estimate, NamedEffect};
 use std::collections::BTreeMap;
