@@ -69,7 +69,7 @@ impl LoadOperator<'_> {
         }
     }
 
-    /// All of Eq. 7 for one case.
+    /// All of paper 1, Eq. 7 for one case.
     ///
     /// # Panics
     /// If there is not one pressure coefficient a box.

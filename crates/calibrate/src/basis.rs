@@ -1,4 +1,4 @@
-//! The unknowns: a polynomial in span for each chordwise strip and each kind of correction (Eq. 9).
+//! The unknowns: a polynomial in span for each chordwise strip and each kind of correction (paper 1, Eq. 9).
 //!
 //! The paper writes monomials of `y_norm`; the same polynomials are kept here in Legendre form on 0..1, whose
 //! coefficients are of like size, which the cone solver needs.

@@ -30,11 +30,11 @@ pub struct AirspeedCalibration {
     pub fit: Fit,
     /// Straight lines through the data, their error, tests for nonlinearity.
     pub line: LineFit,
-    /// Weights of Eq. 8: the settings', and the tip's in N m/m (zero if it is not fitted).
+    /// Weights of paper 1, Eq. 8: the settings', and the tip's in N m/m (zero if it is not fitted).
     pub weights: [f64; 4],
-    /// Eq. 8 of the straight lines.
+    /// Paper 1, Eq. 8 of the straight lines.
     pub line_floor: f64,
-    /// Eq. 8 that noise alone gives; none if noise is not known.
+    /// Paper 1, Eq. 8 that noise alone gives; none if noise is not known.
     pub noise_floor: Option<f64>,
     /// What the data can tell.
     pub identifiability: Option<Identifiability>,
@@ -239,7 +239,7 @@ impl<'a, M: SteadyModel> Context<'a, M> {
         self.data.block_sigma.map(|sigma| sigma / blocks.sqrt())
     }
 
-    /// Weights of Eq. 8, the tip's in N m/m: see `Settings::tip_weight`.
+    /// Weights of paper 1, Eq. 8, the tip's in N m/m: see `Settings::tip_weight`.
     pub(crate) fn weights(&self, flows: &[Flow]) -> Result<[f64; 4], CouplingError> {
         let [fz, mx, my] = self.settings.weights;
         if !self.data.channels[TIP] {

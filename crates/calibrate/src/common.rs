@@ -32,11 +32,11 @@ pub struct CommonCalibration {
     pub corrections: Corrections,
     /// The sequence of cone programs.
     pub fit: Fit,
-    /// Weights of Eq. 8, the tip's in N m/m (zero if it is not fitted).
+    /// Weights of paper 1, Eq. 8, the tip's in N m/m (zero if it is not fitted).
     pub weights: [f64; 4],
     /// RMSE of parabolas in dynamic pressure, one for each block and angle, by channel.
     pub curve_rmse: [f64; 4],
-    /// Eq. 8 of these parabolas.
+    /// Paper 1, Eq. 8 of these parabolas.
     pub curve_floor: f64,
     /// Standard deviation of a row: declared, from replicates, or of the rows about the parabolas.
     pub point_sigma: [f64; 4],

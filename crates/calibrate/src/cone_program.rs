@@ -20,7 +20,7 @@ pub(crate) struct ConeProgram<'a> {
     pub(crate) residuals: &'a [Vec<f64>],
     /// Jacobians, angles by unknowns, one a channel.
     pub(crate) jacobians: &'a [Mat<f64>],
-    /// Weight of each channel in Eq. 8.
+    /// Weight of each channel in paper 1, Eq. 8.
     pub(crate) weights: &'a [f64],
     /// Where it was linearised.
     pub(crate) from: &'a [f64],

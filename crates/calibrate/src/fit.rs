@@ -44,7 +44,7 @@ pub(crate) struct Problem<'a, M: SteadyModel> {
     pub(crate) model: &'a M,
     pub(crate) groups: Vec<FlowGroup<'a>>,
     pub(crate) channels: [bool; 4],
-    /// Weights of Eq. 8, the tip's in N m/m.
+    /// Weights of paper 1, Eq. 8, the tip's in N m/m.
     pub(crate) weights: [f64; 4],
     /// The zero of the tip reading.
     pub(crate) zero: TipZero,
@@ -52,9 +52,9 @@ pub(crate) struct Problem<'a, M: SteadyModel> {
     pub(crate) bounds: &'a Bounds,
     pub(crate) metric: &'a Mat<f64>,
     pub(crate) settings: &'a Settings,
-    /// The straight-line floor of Eq. 8.
+    /// The straight-line floor of paper 1, Eq. 8.
     pub(crate) line_floor: f64,
-    /// The noise floor of Eq. 8; zero if noise is unknown.
+    /// The noise floor of paper 1, Eq. 8; zero if noise is unknown.
     pub(crate) noise_floor: f64,
     /// Force and moment factor of every box that the sequence starts from and change is measured from: one is theory.
     pub(crate) start: f64,
@@ -69,9 +69,9 @@ pub struct Fit {
     pub x: Vec<f64>,
     /// RMSE by channel before and after.
     pub rmse: [[f64; 4]; 2],
-    /// Eq. 8 before and after.
+    /// Paper 1, Eq. 8 before and after.
     pub objective: [f64; 2],
-    /// Eq. 8 after each accepted step.
+    /// Paper 1, Eq. 8 after each accepted step.
     pub history: Vec<f64>,
     /// Cone programs solved.
     pub cone_programs: usize,
@@ -143,7 +143,7 @@ impl<M: SteadyModel> Problem<'_, M> {
         })
     }
 
-    /// Eq. 8 of channel errors.
+    /// Paper 1, Eq. 8 of channel errors.
     fn objective(&self, rmse: [f64; 4]) -> f64 {
         objective(rmse, self.weights)
     }

@@ -15,20 +15,20 @@ use coupling::{CouplingError, SteadyCase, SteadyModel};
 pub struct LeftOut {
     /// The angles left out, rad.
     pub alphas_rad: Vec<f64>,
-    /// Eq. 8 of the uncorrected model at these angles.
+    /// Paper 1, Eq. 8 of the uncorrected model at these angles.
     pub objective_before: f64,
-    /// Eq. 8 of the model corrected by the other angles.
+    /// Paper 1, Eq. 8 of the model corrected by the other angles.
     pub objective_after: f64,
-    /// Eq. 8 of these angles about the straight lines through the angles that were fitted.
+    /// Paper 1, Eq. 8 of these angles about the straight lines through the angles that were fitted.
     pub line_error: f64,
 }
 
 /// An airspeed predicted from its neighbours' corrections.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LeftOutAirspeed {
-    /// Eq. 8 of the uncorrected model.
+    /// Paper 1, Eq. 8 of the uncorrected model.
     pub objective_before: f64,
-    /// Eq. 8 with the corrections that the schedule of the other airspeeds gives here.
+    /// Paper 1, Eq. 8 with the corrections that the schedule of the other airspeeds gives here.
     pub objective_after: f64,
 }
 

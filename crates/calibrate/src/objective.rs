@@ -1,4 +1,4 @@
-//! The objective of Eq. 8, the straight-line floor under it, and the test for what no line can follow.
+//! The objective of paper 1, Eq. 8, the straight-line floor under it, and the test for what no line can follow.
 
 use crate::statics::{AirspeedData, StaticData};
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
@@ -13,7 +13,7 @@ pub fn rmse<const N: usize>(residuals: &[[f64; N]], channels: [bool; N]) -> [f64
     })
 }
 
-/// Eq. 8: `F = w_Fz RMSE(Fz) + w_Mx RMSE(Mx) + w_My RMSE(My)`, N and N m added as the paper does; with a fourth
+/// Paper 1, Eq. 8: `F = w_Fz RMSE(Fz) + w_Mx RMSE(Mx) + w_My RMSE(My)`, N and N m added as the paper does; with a fourth
 /// channel `+ w_tip RMSE(tip)`, whose weight in N m/m makes it commensurable (see [`Settings::tip_weight`]).
 ///
 /// [`Settings::tip_weight`]: crate::Settings::tip_weight

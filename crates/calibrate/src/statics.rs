@@ -142,7 +142,7 @@ impl StaticData {
         self.point_sigma.map(|sigma| sigma.map(|s| s / (angle.replicates as f64).sqrt()))
     }
 
-    /// The noise floor of Eq. 8 at an airspeed: the sum over channels of the standard deviation of a row over the
+    /// The noise floor of paper 1, Eq. 8 at an airspeed: the sum over channels of the standard deviation of a row over the
     /// root of the rows an angle, times the channel's weight.
     pub fn noise_floor(&self, airspeed: &AirspeedData, weights: [f64; 4]) -> Option<f64> {
         let sigma = self.point_sigma?;

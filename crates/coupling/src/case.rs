@@ -57,7 +57,7 @@ pub struct CorrectableBoxes {
     pub chord_rows: Vec<usize>,
     /// Strip of the box counted over all panels, from the first.
     pub strip: Vec<usize>,
-    /// y_norm of Eq. 9: distance from the root over the span, of the box midpoint, from 0 to 1.
+    /// y_norm of paper 1, Eq. 9: distance from the root over the span, of the box midpoint, from 0 to 1.
     pub y_norm: Vec<f64>,
     /// Area of the box over the area of all correctable boxes.
     pub area_share: Vec<f64>,

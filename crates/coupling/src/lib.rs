@@ -24,6 +24,6 @@ pub use root_loads::{Balance, ByLoad, Load, RootLoads, root_rows};
 pub use spline::Spline;
 pub use steady::{SteadyOperator, SteadyState};
 pub use supported::{RigidInertia, SupportedStructure};
-pub use wing::{ElasticWing, GRAVITY_M_S2, WingParts};
+pub use wing::{ElasticWing, GRAVITY_M_S2};
 pub use wing_file::{Mount, RootPlane, SplineKind, WingFile};
-pub use wing_parts::spline_nodes;
+pub use wing_parts::{WingParts, spline_nodes};

@@ -7,7 +7,7 @@ use crate::spline::Spline;
 use crate::supported::SupportedStructure;
 use crate::suspicion;
 use crate::wing_file::{Mount, WingFile};
-use crate::wing_parts::{correctable_boxes, wing_parts};
+use crate::wing_parts::{WingParts, correctable_boxes, wing_parts};
 use aero::{AeroError, ControlSurface, Corrections, Integration, Lattice, MirrorPlane, SteadyAero};
 use faer::{Mat, MatRef};
 use nastran::{BulkData, InputError};
@@ -35,7 +35,7 @@ pub struct ElasticWing {
     pub mach: f64,
     /// Boxes that corrections are found for.
     pub correctable: CorrectableBoxes,
-    /// Box areas and arms (Eq. 4).
+    /// Box areas and arms (paper 1, Eq. 4).
     pub integration: Integration,
     /// R, 3 by 2 a box: root loads of box loads.
     pub root_rows: Mat<f64>,
@@ -56,29 +56,6 @@ pub struct ElasticWing {
     pub(crate) cp_controls: Mat<f64>,
     /// Q D G: Cp per unit displacement of the s-set, n by s.
     pub(crate) cp_displacement: Mat<f64>,
-}
-
-/// What an [`ElasticWing`] is made of.
-#[derive(Debug)]
-pub struct WingParts {
-    /// All boxes.
-    pub lattice: Lattice,
-    /// Control surfaces.
-    pub controls: Vec<ControlSurface>,
-    /// Balance point and metric boxes.
-    pub balance: Balance,
-    /// Plane at the root.
-    pub plane: MirrorPlane,
-    /// Mach number of the air.
-    pub mach: f64,
-    /// Which surfaces of the lattice are fairings: in the flow, never corrected.
-    pub fairing_surfaces: Vec<u32>,
-    /// Camber and twist incidence, one a box, rad.
-    pub camber: Vec<f64>,
-    /// The reduced structure.
-    pub supported: Option<SupportedStructure>,
-    /// The assembled structure and its spline.
-    pub structure: Option<(System, Spline)>,
 }
 
 impl ElasticWing {

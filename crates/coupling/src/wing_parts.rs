@@ -5,12 +5,34 @@ use crate::error::CouplingError;
 use crate::root_loads::Balance;
 use crate::spline::Spline;
 use crate::supported::SupportedStructure;
-use crate::wing::WingParts;
 use crate::wing_file::{RootPlane, SplineKind, WingFile};
 use aero::{ControlSurface, Lattice, MirrorPlane};
 use nalgebra::Point3;
 use nastran::{BulkData, InputError};
 use structure::{Model, System};
+
+/// What an [`ElasticWing`](crate::ElasticWing) is made of.
+#[derive(Debug)]
+pub struct WingParts {
+    /// All boxes.
+    pub lattice: Lattice,
+    /// Control surfaces.
+    pub controls: Vec<ControlSurface>,
+    /// Balance point and metric boxes.
+    pub balance: Balance,
+    /// Plane at the root.
+    pub plane: MirrorPlane,
+    /// Mach number of the air.
+    pub mach: f64,
+    /// Which surfaces of the lattice are fairings: in the flow, never corrected.
+    pub fairing_surfaces: Vec<u32>,
+    /// Camber and twist incidence, one a box, rad.
+    pub camber: Vec<f64>,
+    /// The reduced structure.
+    pub supported: Option<SupportedStructure>,
+    /// The assembled structure and its spline.
+    pub structure: Option<(System, Spline)>,
+}
 
 /// Turns a deck into the parts of a wing.
 pub(crate) fn wing_parts(file: &WingFile, bulk: &BulkData) -> Result<WingParts, CouplingError> {

@@ -11,6 +11,7 @@ pub mod trim;
 
 pub use aircraft::assembly::{Aircraft, WingPlaces};
 pub use aircraft::file::{AircraftFile, FlightPoint, Surfaces};
+pub use aircraft::lift_limits::LiftLimits;
 pub use cases::file::CasesFile;
 pub use cases::grid::{Case, CaseFlight, CaseResult};
 pub use deck::cases::{DeckCase, deck_cases};
@@ -27,7 +28,7 @@ pub use flight::small_motions::FreeFlight;
 pub use results::comparison::{Comparison, Summary};
 pub use trim::case::{Balanced, TrimAt, TrimCase, TrimTools};
 pub use trim::derivatives::{Coefficients, Derivatives};
-pub use trim::envelope::{Envelope, LiftLimits};
+pub use trim::envelope::Envelope;
 pub use trim::maneuvers::Steady;
+pub use trim::model::{FlightModel, Trimmed};
 pub use trim::stations::{Station, Stations};
-pub use trim::trimmed::{FlightModel, Trimmed};

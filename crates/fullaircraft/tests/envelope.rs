@@ -5,7 +5,7 @@ mod common;
 use common::{assert_near, whole};
 use coupling::GRAVITY_M_S2;
 use fullaircraft::LiftLimits;
-use fullaircraft::trim::envelope::{lift_limits, limits_at};
+use fullaircraft::aircraft::lift_limits::{lift_limits, limits_at};
 
 #[test]
 fn limits_are_linear_between_polars_and_constant_beyond() {

@@ -30,7 +30,7 @@ pub(crate) fn open_loop(
         poles: air.families.map(|family| family.lags.len()),
         fields: Rig::fields(),
     };
-    let loads = box_loads(rig, flow, corrections, (layout, air));
+    let loads = box_loads(rig, flow, corrections, layout, air);
     let (displacement, box_loads) = elastic(rig, flow, corrections, loads);
     OpenLoop { displacement, box_loads }
 }
@@ -53,7 +53,7 @@ pub(crate) fn assemble(rig: &Rig<'_>, flow: Flow, corrections: &Corrections, air
         sensors.by[(s, layout.field(2))] = *arm_m;
     }
     let outputs = [loads, tip, sensors].map(|part| part.with_modal(&modal));
-    state_space(rig, flow, &modal, (&outputs, air.families.map(|family| family.poles_per_m.as_slice())))
+    state_space(rig, flow, &modal, &outputs, air.families.map(|family| family.poles_per_m.as_slice()))
 }
 
 /// The share of gravity and of accelerated masses in the loads that are looked at: rows by the layout's columns.
@@ -118,7 +118,8 @@ fn box_loads(
     rig: &Rig<'_>,
     flow: Flow,
     corrections: &Corrections,
-    (layout, air): (Layout, &AirParts<'_>),
+    layout: Layout,
+    air: &AirParts<'_>,
 ) -> Linear {
     let wing = rig.wing;
     let at_rest = &rig.operators.air.rational.steady;

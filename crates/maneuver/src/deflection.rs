@@ -1,4 +1,4 @@
-//! The deflection correction of Eq. 10, `delta = K(delta_inp, V) delta_inp`: what of a commanded deflection acts, from
+//! The deflection correction of paper 1, Eq. 10, `delta = K(delta_inp, V) delta_inp`: what of a commanded deflection acts, from
 //! the tables of a wing's file. It stands before the actuator.
 //!
 //! K is linear between listed deflections, then linear between listed airspeeds. Below the smallest listed deflection

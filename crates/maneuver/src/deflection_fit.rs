@@ -1,4 +1,4 @@
-//! The deflection correction identified from measured doublets (Eq. 10): the scale K of a commanded doublet that makes
+//! The deflection correction identified from measured doublets (paper 1, Eq. 10): the scale K of a commanded doublet that makes
 //! the linear simulation follow the measured loads best, over the whole doublet and all three loads at once.
 //!
 //! The simulation is linear in the deflection, so one flight with the commanded doublet (K = 1) and one without give the

@@ -70,8 +70,7 @@ impl RigOperators {
             AirModel::Unsteady { .. } => Mat::zeros(0, 0),
         };
         let rows = looked_at(wing, motion.as_ref());
-        let place = (&wing.lattice, wing.plane, wing.mach);
-        let air = UnsteadyAir::new(settings.air, place, columns, steady, rate, rows)
+        let air = UnsteadyAir::new(settings.air, wing, columns, steady, rate, rows)
             .map_err(coupling::CouplingError::from)?;
         Ok(Self {
             omega_rad_s: parts.omega_rad_s,

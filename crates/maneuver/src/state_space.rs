@@ -69,7 +69,8 @@ pub(crate) fn state_space(
     rig: &Rig<'_>,
     flow: Flow,
     modal: &Linear,
-    (outputs, poles): (&[Linear], [&[f64]; 2]),
+    outputs: &[Linear],
+    poles: [&[f64]; 2],
 ) -> RigModel {
     let layout = modal.layout;
     let states = States { layout };

@@ -11,15 +11,15 @@ use std::fmt::Write as _;
 pub struct Found {
     /// Airspeed, m/s.
     pub v_m_s: f64,
-    /// Eq. 8 before and after.
+    /// Paper 1, Eq. 8 before and after.
     pub objective: [f64; 2],
-    /// Eq. 8 of straight lines.
+    /// Paper 1, Eq. 8 of straight lines.
     pub line_floor: f64,
     /// Cone programs.
     pub cone_programs: usize,
     /// How it ended.
     pub ending: String,
-    /// Eq. 8 at angles left out: before, after, and about their own line.
+    /// Paper 1, Eq. 8 at angles left out: before, after, and about their own line.
     pub left_out: Option<[f64; 3]>,
     /// Smallest probability of the three tests for nonlinearity.
     pub least_p: f64,

@@ -1,4 +1,4 @@
-//! `deflection`: the deflection correction of Eq. 10 from measured doublets, a wing with it, and what it is worth on
+//! `deflection`: the deflection correction of paper 1, Eq. 10 from measured doublets, a wing with it, and what it is worth on
 //! doublets that were held out.
 
 use clap::Args;

@@ -1,4 +1,4 @@
-//! The measured deflection correction of a control surface (Eq. 10 of the paper): how much of a commanded deflection
+//! The measured deflection correction of a control surface (paper 1, Eq. 10): how much of a commanded deflection
 //! acts, `delta = K(delta_inp, V) delta_inp`, as a table in the wing's file. `maneuver::deflection` interpolates it.
 
 use nastran::suggest::nearest;

@@ -1,6 +1,6 @@
 //! The RON file that describes an aircraft: which wing, what stands around it, what it weighs and what it flies.
 
-use crate::trim::envelope::{LiftLimits, lift_limits};
+use crate::aircraft::lift_limits::{LiftLimits, lift_limits};
 use nastran::{InputError, Span, ron_file};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};

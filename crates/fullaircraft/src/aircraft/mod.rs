@@ -3,3 +3,4 @@
 pub mod assembly;
 mod check;
 pub mod file;
+pub mod lift_limits;

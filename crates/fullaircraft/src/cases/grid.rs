@@ -12,7 +12,7 @@ use crate::flight::history::FlightHistory;
 use crate::flight::small_motions::FreeFlight;
 use crate::trim::case::{TrimAt, TrimTools};
 use crate::trim::maneuvers::Steady;
-use crate::trim::trimmed::FlightModel;
+use crate::trim::model::FlightModel;
 use crate::{LiftLimits, Trimmed};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;

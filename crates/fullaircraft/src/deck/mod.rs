@@ -1,5 +1,6 @@
 //! Trim and derivatives of a user's whole-aircraft deck (SOL 144).
 
+mod box_rows;
 pub mod cases;
 mod monitors;
 mod plate;

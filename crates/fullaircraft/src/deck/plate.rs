@@ -7,7 +7,7 @@
 //! pitches by the slope along the stream there. Boxes of a SPLINE1 are the rectangle of its panel with BOX1 and BOX2 at its
 //! corners.
 
-use crate::deck::spline::{BoxRows, nodes};
+use crate::deck::box_rows::{BoxRows, nodes};
 use aero::Lattice;
 use faer::Mat;
 use faer::linalg::solvers::Solve;

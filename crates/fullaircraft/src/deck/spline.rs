@@ -8,6 +8,7 @@
 //! beam spline does not give to six digits.
 //! A box's incidence is built from w' and phi as a rotation; the term x phi' of the surface's gradient is left out, as there.
 
+use crate::deck::box_rows::{BoxRows, nodes};
 use crate::deck::plate;
 use aero::{AeroBox, Lattice};
 use coupling::Spline;
@@ -131,19 +132,6 @@ fn boxes(bulk: &BulkData, card: &SplineCard, lattice: &Lattice) -> Result<Vec<us
     };
     listed.boxes.iter().map(place).collect()
 }
-
-/// The grids of a spline's set as places of nodes.
-pub(crate) fn nodes(bulk: &BulkData, card: &SplineCard, ids: &[u32]) -> Result<Vec<usize>, InputError> {
-    let blame = |message: String| InputError::at(&card.span, message);
-    let set = bulk.sets.get(&card.set).ok_or_else(|| blame(format!("SET1 {} is not there", card.set)))?;
-    let node = |id: &u32| {
-        ids.binary_search(id).map_err(|_| blame(format!("GRID {id} of SET1 {} is not there", set.id)))
-    };
-    set.ids.iter().map(node).collect()
-}
-
-/// Heave and pitch of a box by degrees of freedom of the g-set.
-pub(crate) type BoxRows = [Vec<(usize, f64)>; 2];
 
 fn beam(
     bulk: &BulkData,

@@ -175,7 +175,7 @@ impl Equations {
         let turn = attitude(state);
         let gravity = turn.inverse() * Vector3::new(0.0, 0.0, -self.gravity_m_s2);
         let mut air = self.known_air(state, inputs, &stream, &omega);
-        let accelerations = self.accelerations(state, &stream, (q_pa, &air), &gravity);
+        let accelerations = self.accelerations(state, &stream, q_pa, &air, &gravity);
         let motions = layout.motions;
         let rigid_rates = stream.jacobian * accelerations.fixed_rows::<6>(0);
         for motion in 0..RIGID {
@@ -246,7 +246,8 @@ impl Equations {
         &self,
         state: &[f64],
         stream: &Stream,
-        (q_pa, air): (f64, &[f64]),
+        q_pa: f64,
+        air: &[f64],
         gravity: &Vector3<f64>,
     ) -> DVector<f64> {
         let layout = self.layout;

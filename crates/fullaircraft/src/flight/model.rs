@@ -9,7 +9,7 @@ use crate::flight::history::{FlightHistory, StationHistory, SurfaceHistory, Unit
 use crate::flight::rows::LoadParts;
 use crate::flight::sensors::{FIXED, Sensors, Unit};
 use crate::flight::state::StateLayout;
-use crate::trim::trimmed::{FlightModel, Trimmed};
+use crate::trim::model::{FlightModel, Trimmed};
 use coupling::GRAVITY_M_S2;
 use faer::Mat;
 use maneuver::air::RationalAir;
@@ -52,7 +52,7 @@ impl FlyingAircraft {
         let equations = equations(&rows, air, &eta, generalised, drives.len());
         let parts = LoadParts::new(aircraft, &air.modes);
         let loads = rows.of(&parts.air);
-        let sensors = Sensors::new((aircraft, &air.modes), (trimmed, &eta), (parts, loads), &equations);
+        let sensors = Sensors::new(aircraft, &air.modes, trimmed, &eta, parts, loads, &equations);
         let first = air.gust_x_m.first().copied().unwrap_or(0.0);
         Ok(Self {
             equations,

@@ -10,7 +10,7 @@ use crate::flight::equations::{AirRows, Equations, Evaluated};
 use crate::flight::modes::FreeModes;
 use crate::flight::rows::{LoadParts, PRODUCTS};
 use crate::flight::state::{PLACE, attitude, euler_angles, mode_state, vector};
-use crate::trim::trimmed::Trimmed;
+use crate::trim::model::Trimmed;
 use faer::Mat;
 use nalgebra::Vector3;
 
@@ -56,9 +56,12 @@ pub(crate) struct Sensors {
 impl Sensors {
     /// Instruments of a trimmed aircraft; `eta` are the modes' amplitudes in the trim.
     pub(crate) fn new(
-        (aircraft, modes): (&Aircraft, &FreeModes),
-        (trimmed, eta): (&Trimmed, &[f64]),
-        (parts, loads): (LoadParts, AirRows),
+        aircraft: &Aircraft,
+        modes: &FreeModes,
+        trimmed: &Trimmed,
+        eta: &[f64],
+        parts: LoadParts,
+        loads: AirRows,
         equations: &Equations,
     ) -> Self {
         let (units, outermost) = units(aircraft, modes, trimmed, eta);
@@ -193,16 +196,16 @@ fn units(aircraft: &Aircraft, modes: &FreeModes, trimmed: &Trimmed, eta: &[f64])
     let mut units = Vec::new();
     for (name, node) in &nodes {
         let height = aircraft.static_height(trimmed, right, *node);
-        units.push(unit(aircraft, modes, eta, (format!("{name}_right"), *node, height)));
+        units.push(unit(aircraft, modes, eta, format!("{name}_right"), *node, height));
     }
     // nodes of both wings stand in the same order
     for (name, node) in &nodes {
         let Ok(at) = right.nodes.binary_search(node) else { continue };
         let node = left.nodes[at];
         let height = aircraft.static_height(trimmed, left, node);
-        units.push(unit(aircraft, modes, eta, (format!("{name}_left"), node, height)));
+        units.push(unit(aircraft, modes, eta, format!("{name}_left"), node, height));
     }
-    units.push(unit(aircraft, modes, eta, ("centre".to_owned(), aircraft.centre, 0.0)));
+    units.push(unit(aircraft, modes, eta, "centre".to_owned(), aircraft.centre, 0.0));
     (units, outermost)
 }
 
@@ -210,7 +213,9 @@ fn unit(
     aircraft: &Aircraft,
     modes: &FreeModes,
     eta: &[f64],
-    (name, node, height_at_trim_m): (String, usize, f64),
+    name: String,
+    node: usize,
+    height_at_trim_m: f64,
 ) -> Unit {
     let points = aircraft.free.points();
     let part = |node: usize, from: usize, mode: usize| {

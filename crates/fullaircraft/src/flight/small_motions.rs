@@ -13,7 +13,7 @@ use crate::flight::gust::Gust;
 use crate::flight::history::FlightHistory;
 use crate::flight::model::FlyingAircraft;
 use crate::flight::state::{self, vector};
-use crate::trim::trimmed::{FlightModel, Trimmed};
+use crate::trim::model::{FlightModel, Trimmed};
 use faer::Mat;
 use maneuver::{ExactStep, Signal, signals};
 use nalgebra::Vector3;

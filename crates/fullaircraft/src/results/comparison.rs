@@ -10,7 +10,7 @@ use crate::flight::model::FlyingAircraft;
 use crate::flight::nonlinear::Integration;
 use crate::flight::small_motions::FreeFlight;
 use crate::trim::derivatives::Derivatives;
-use crate::trim::trimmed::{FlightModel, Trimmed};
+use crate::trim::model::{FlightModel, Trimmed};
 use aero::Corrections;
 use serde::Serialize;
 

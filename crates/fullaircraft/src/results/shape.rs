@@ -1,7 +1,7 @@
 //! The deformed shape of the boxes, for pictures.
 
 use crate::aircraft::assembly::Aircraft;
-use crate::trim::trimmed::Trimmed;
+use crate::trim::model::Trimmed;
 use nalgebra::Point3;
 
 impl Aircraft {

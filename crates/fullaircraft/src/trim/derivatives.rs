@@ -17,7 +17,7 @@ use crate::aircraft::assembly::Aircraft;
 use crate::deck::trim::Elastic;
 use crate::error::AircraftError;
 use crate::trim::case::TrimTools;
-use crate::trim::trimmed::FlightModel;
+use crate::trim::model::FlightModel;
 use crate::trim::variables::{Acts, MOTIONS};
 use coupling::SupportedStructure;
 use faer::Mat;

@@ -5,6 +5,7 @@ pub mod case;
 pub mod derivatives;
 pub mod envelope;
 pub mod maneuvers;
+pub mod model;
 pub mod stations;
 pub mod trimmed;
 pub mod variables;

@@ -14,7 +14,8 @@ pub use accuracy::{Accuracy, worst_by_column, worst_by_row};
 pub use rational::{RationalAir, Weighting};
 pub use table::{AirTable, MotionColumns};
 
-use aero::{AeroError, DlmSettings, DoubletLattice, Lattice, MirrorPlane};
+use aero::{AeroError, DlmSettings, DoubletLattice, Lattice};
+use coupling::ElasticWing;
 use faer::{Mat, c64};
 
 /// Reduced frequencies k = omega `c`/(2V), c the mean chord, at which the doublet lattice is solved. They reach 2, some 50
@@ -90,13 +91,13 @@ impl UnsteadyAir {
     /// As [`DoubletLattice::new`] and [`DoubletLattice::at`].
     pub fn new(
         model: AirModel,
-        (lattice, plane, mach): (&Lattice, MirrorPlane, f64),
+        wing: &ElasticWing,
         columns: MotionColumns,
         steady: Mat<f64>,
         rate: Mat<f64>,
         looked_at: Mat<f64>,
     ) -> Result<Self, AeroError> {
-        let chord_m = mean_chord_m(lattice);
+        let chord_m = mean_chord_m(&wing.lattice);
         let AirModel::Unsteady { lags, doublets } = model else {
             let rational = RationalAir::quasi_steady(steady, rate);
             let [beyond, instant] = [rational.clone(), rational.clone()];
@@ -111,7 +112,7 @@ impl UnsteadyAir {
                 lattice: None,
             });
         };
-        let solver = DoubletLattice::new(lattice, plane, mach, &doublets)?;
+        let solver = DoubletLattice::new(&wing.lattice, wing.plane, wing.mach, &doublets)?;
         let kappa: Vec<f64> = REDUCED_FREQUENCIES.iter().map(|k| 2.0 * k / chord_m).collect();
         let table = AirTable::new(&solver, &columns, &kappa)?;
         let poles = poles::choose(&table, steady.as_ref(), looked_at.as_ref(), lags);
