@@ -41,7 +41,7 @@ impl ControlSurface {
             let mut parts: BTreeMap<usize, [f64; 2]> = BTreeMap::new();
             for (cid, list) in &card.parts {
                 let hinge = frames.axes_at(*cid, &card.span)?.column(1).into_owned();
-                let origin = frames.point(*cid, [0.0; 3], &card.span)?;
+                let origin = frames.origin(*cid, &card.span)?;
                 for place in places(box_list(bulk, card, *list)?, &index)? {
                     let panel = &lattice.boxes[place];
                     let arm = panel.three_quarter_point() - origin;

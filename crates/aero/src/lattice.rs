@@ -121,9 +121,9 @@ impl Lattice {
             span_divisions: Divisions::Equal(divisions[1]),
             chord_divisions: Divisions::Equal(divisions[0]),
             group: 1,
-            point_1: side_1,
+            point_1: side_1.into(),
             chord_1: chord_1_m,
-            point_4: side_2,
+            point_4: side_2.into(),
             chord_4: chord_2_m,
             span: nastran::Span::generated("trapezoid"),
         };

@@ -241,7 +241,7 @@ impl WingFile {
             axes: vec![1, 2, 3, 4, 5, 6],
             set: ROOT_SET.to_string(),
             cp: 0,
-            xyz: [self.balance.x_m, self.balance.y_m, self.balance.z_m],
+            xyz: nalgebra::Point3::new(self.balance.x_m, self.balance.y_m, self.balance.z_m),
             cd: 0,
             is_structural: true,
             span: Span::whole_file(&self.path),

@@ -214,7 +214,10 @@ fn only_the_tunnel_holds_the_wing_and_monitors_its_root() -> Outcome {
     let wing = tuflex()?;
     let (tunnel, aircraft) = (wing.bulk(Mount::Tunnel)?, wing.bulk(Mount::Aircraft)?);
     assert_eq!(tunnel.constraints.len(), 1);
-    assert_eq!((tunnel.monitors[0].name.as_str(), tunnel.monitors[0].xyz), ("ROOT", [0.075, 0.0, 0.0]));
+    assert_eq!(
+        (tunnel.monitors[0].name.as_str(), tunnel.monitors[0].xyz),
+        ("ROOT", [0.075, 0.0, 0.0].into())
+    );
     assert!(aircraft.constraints.is_empty() && aircraft.monitors.is_empty());
     assert_eq!(tunnel.grids, aircraft.grids);
     assert_eq!(wing.spline_grid_ids(&tunnel), (1001..=1037).collect::<Vec<_>>());

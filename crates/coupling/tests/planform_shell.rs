@@ -249,7 +249,7 @@ fn the_balance_holds_the_root_rib_in_the_tunnel_and_nothing_does_in_flight() -> 
     assert_eq!((root.independent, root.dependent.len()), (ROOT_GRID, rib + 1));
     assert!(root.dependent.contains(&FIRST_AXIS_GRID));
     for grid in [ROOT_GRID, BALANCE_GRID] {
-        assert_eq!(tunnel.grids[&grid].xyz, [0.075, 0.0, 0.0]);
+        assert_eq!(tunnel.grids[&grid].xyz, [0.075, 0.0, 0.0].into());
     }
     assert_eq!(tunnel.constraints.len(), 1);
     assert_eq!(tunnel.constraints[0].grids, [BALANCE_GRID]);

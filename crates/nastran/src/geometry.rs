@@ -30,7 +30,7 @@ struct Frame {
 
 impl Frame {
     /// The place of three coordinates, in the basic system.
-    fn place(&self, coordinates: [f64; 3]) -> Point3<f64> {
+    fn place(&self, coordinates: Point3<f64>) -> Point3<f64> {
         self.origin + self.axes * cartesian(self.kind, coordinates)
     }
 
@@ -61,7 +61,8 @@ impl Frame {
     }
 }
 
-fn cartesian(kind: CoordKind, [first, second, third]: [f64; 3]) -> Vector3<f64> {
+fn cartesian(kind: CoordKind, coordinates: Point3<f64>) -> Vector3<f64> {
+    let [first, second, third] = coordinates.into();
     let (sin, cos) = second.to_radians().sin_cos();
     match kind {
         CoordKind::Rectangular => Vector3::new(first, second, third),
@@ -94,9 +95,17 @@ impl Frames {
     ///
     /// # Errors
     /// If there is no such system.
-    pub fn point(&self, cid: u32, xyz: [f64; 3], span: &Span) -> Result<Point3<f64>, InputError> {
+    pub fn point(&self, cid: u32, xyz: Point3<f64>, span: &Span) -> Result<Point3<f64>, InputError> {
         let frame = self.frames.get(&cid).ok_or_else(|| self.missing(cid, Some(span)))?;
         Ok(frame.place(xyz))
+    }
+
+    /// The origin of system `cid`, in the basic system; `span` is the card that refers to it.
+    ///
+    /// # Errors
+    /// If there is no such system.
+    pub fn origin(&self, cid: u32, span: &Span) -> Result<Point3<f64>, InputError> {
+        self.point(cid, Point3::origin(), span)
     }
 
     /// The axes of rectangular system `cid` as columns (x, y, z) in the basic system.

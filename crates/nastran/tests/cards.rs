@@ -14,8 +14,12 @@ fn error(text: &str) -> String {
 #[test]
 fn coordinate_systems() {
     let deck = parse("CORD2R,5,,1.,2.,3.,1.,2.,4.\n,2.,2.,3.\nCORD1R,6,1,2,3,7,4,5,6\n");
-    let expected =
-        CoordDefinition::Points { rid: 0, a: [1.0, 2.0, 3.0], b: [1.0, 2.0, 4.0], c: [2.0, 2.0, 3.0] };
+    let expected = CoordDefinition::Points {
+        rid: 0,
+        a: [1.0, 2.0, 3.0].into(),
+        b: [1.0, 2.0, 4.0].into(),
+        c: [2.0, 2.0, 3.0].into(),
+    };
     assert_eq!(deck.coords[&5].definition, expected);
     assert_eq!(deck.coords[&6].definition, CoordDefinition::Grids([1, 2, 3]));
     assert_eq!(deck.coords[&7].definition, CoordDefinition::Grids([4, 5, 6]));
@@ -30,12 +34,12 @@ fn bars_and_beams() {
         (10, [1, 2], false),
         "the property is by default the element's number"
     );
-    assert_eq!(bar.orientation, Orientation::Vector([0.0, 0.0, 1.0]));
+    assert_eq!(bar.orientation, Orientation::Vector([0.0, 0.0, 1.0].into()));
     let beam = &deck.beams[&11];
     assert_eq!((beam.property, beam.is_beam), (4, true));
     assert_eq!(beam.orientation, Orientation::Grid(3));
     assert_eq!(beam.pins, [vec![4, 5], vec![]]);
-    assert_eq!(beam.offsets, [[0.0, 0.1, 0.0], [0.2, 0.0, 0.0]]);
+    assert_eq!(beam.offsets, [[0.0, 0.1, 0.0].into(), [0.2, 0.0, 0.0].into()]);
     assert_eq!(
         error("CBAR,10,1,1,2,0.,0.,1.,BGG\n"),
         "t.bdf:1:24: `BGG` in field OFFT of CBAR is not GGG, the only kind of offset vectors that is read"
@@ -117,7 +121,7 @@ fn masses_rigid_elements_and_constraints() {
     let deck =
         parse("CONM2,1,2,-1,3.,.1,.2,.3\n,1.,2.,3.,4.,5.,6.\nRBE2,5,1,123,2,3,1.-5\nSPC1,1,246,4,THRU,7\n");
     let mass = &deck.masses[&1];
-    assert_eq!((mass.grid, mass.cid, mass.mass, mass.offset), (2, -1, 3.0, [0.1, 0.2, 0.3]));
+    assert_eq!((mass.grid, mass.cid, mass.mass, mass.offset), (2, -1, 3.0, [0.1, 0.2, 0.3].into()));
     assert_eq!(mass.inertia, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
     assert_eq!(deck.rigid[&5].dependent, [2, 3], "a thermal expansion coefficient is no grid");
     assert_eq!((&deck.rigid[&5].components, deck.rigid[&5].independent), (&vec![1, 2, 3], 1));
@@ -142,7 +146,7 @@ fn panels_and_control_surfaces() {
     ));
     let panel = &deck.panels[&1001];
     assert_eq!((panel.span_divisions, panel.chord_divisions), (Divisions::Equal(8), Divisions::Aefact(3)));
-    assert_eq!((panel.chord_1, panel.chord_4, panel.point_4), (0.3, 0.15, [0.1, 1.8, 0.0]));
+    assert_eq!((panel.chord_1, panel.chord_4, panel.point_4), (0.3, 0.15, [0.1, 1.8, 0.0].into()));
     assert!(deck.panel_properties.contains_key(&1));
     assert_eq!(deck.factors[&3].values, [0.0, 0.5, 1.0]);
     assert_eq!((&*deck.surfaces[&9].label, &deck.surfaces[&9].parts), ("AILERON", &vec![(7, 8)]));
@@ -170,10 +174,10 @@ fn monitoring_stations_keep_their_labels() {
     assert_eq!(aero.label, "Right wing, root: bending and torsion");
     assert_eq!(
         (&*aero.set, aero.xyz, aero.cd, aero.is_structural),
-        ("WINGCOMP", [0.075, 0.1, 0.0], 0, false)
+        ("WINGCOMP", [0.075, 0.1, 0.0].into(), 0, false)
     );
     assert_eq!((&*structure.name, &*structure.set, structure.cp, structure.cd), ("ROOT", "6", 5, 2));
-    assert_eq!((structure.xyz, structure.is_structural), ([0.5, 0.0, 0.0], true));
+    assert_eq!((structure.xyz, structure.is_structural), ([0.5, 0.0, 0.0].into(), true));
 }
 
 #[test]

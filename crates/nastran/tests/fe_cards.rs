@@ -82,7 +82,7 @@ fn bushes() {
     assert_eq!((&deck.bushes[&3].axes, deck.bushes[&3].location), (&BushAxes::Line, 0.5));
     assert_eq!(deck.bushes[&4].axes, BushAxes::Oriented(Orientation::Grid(9)));
     assert_eq!((deck.bushes[&4].location, deck.bushes[&4].offset), (0.25, None));
-    assert_eq!(deck.bushes[&5].offset, Some((7, [0.1, 0.2, 0.3])));
+    assert_eq!(deck.bushes[&5].offset, Some((7, [0.1, 0.2, 0.3].into())));
     assert_eq!(deck.bush_properties[&2].stiffness, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
 }
 

@@ -21,7 +21,7 @@ fn small_large_and_free_fields_say_the_same() {
     for text in [small, large, free, tabs, free_large] {
         let deck = parse(text);
         let grid = &deck.grids[&7];
-        assert_eq!((grid.cp, grid.xyz, grid.cd), (0, [1.5, -2.0, 0.25], 0), "{text}");
+        assert_eq!((grid.cp, grid.xyz, grid.cd), (0, [1.5, -2.0, 0.25].into(), 0), "{text}");
         assert_eq!(grid.ps, [1, 2, 3], "{text}");
     }
 }

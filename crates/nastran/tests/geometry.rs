@@ -67,7 +67,7 @@ fn systems_that_cannot_be_resolved_are_refused() {
     }
     let deck = parse_deck("t.bdf", "").expect("an empty deck is a deck");
     let frames = Frames::resolve(&deck).expect("no systems");
-    let missing = frames.point(4, [0.0; 3], &Span::generated("here")).unwrap_err();
+    let missing = frames.origin(4, &Span::generated("here")).unwrap_err();
     assert_eq!(
         missing.to_string(),
         "here: coordinate system 4 is not defined (hint: add a CORD2R 4 or correct the number)"
@@ -84,7 +84,7 @@ fn a_long_chain_of_systems_is_resolved() {
         writeln!(text, "CORD2R,{id},{reference},0.,0.,1.,0.,0.,2.\n,1.,0.,1.").expect("text grows");
     }
     let frames = Frames::resolve(&parse_deck("t.bdf", &text).expect("a good deck")).expect("good systems");
-    let origin = frames.point(1, [0.0; 3], &Span::generated("here")).expect("system 1 exists");
+    let origin = frames.origin(1, &Span::generated("here")).expect("system 1 exists");
     assert_eq!(origin, Point3::new(0.0, 0.0, f64::from(count)));
 }
 
@@ -127,7 +127,7 @@ proptest! {
         let text = format!("CORD2{letter},1,,{x},{y},{z},3.,3.,1.\n,-2.,2.,5.\n");
         let frames = Frames::resolve(&parse_deck("t.bdf", &text).expect("a good deck")).expect("a good system");
         let span = Span::generated("test");
-        let at = |q: [f64; 3]| frames.point(1, q, &span).expect("a system");
+        let at = |q: [f64; 3]| frames.point(1, q.into(), &span).expect("a system");
         let here = [first, second, third];
         let axes = frames.axes_at_point(1, &at(here), &span).expect("a system");
         for i in 0..3 {

@@ -46,6 +46,10 @@ impl Dice {
         real::parse(&real::format(signed, 16)).expect("a number")
     }
 
+    fn point(&mut self) -> nalgebra::Point3<f64> {
+        self.reals::<3>().into()
+    }
+
     fn reals<const N: usize>(&mut self) -> [f64; N] {
         std::array::from_fn(|_| self.real())
     }
@@ -90,7 +94,7 @@ fn span() -> Span {
 fn coordinates(dice: &mut Dice, deck: &mut BulkData) {
     for kind in [CoordKind::Rectangular, CoordKind::Cylindrical, CoordKind::Spherical] {
         let (id, other) = (dice.id(), dice.id());
-        let points = CoordDefinition::Points { rid: 7, a: dice.reals(), b: dice.reals(), c: dice.reals() };
+        let points = CoordDefinition::Points { rid: 7, a: dice.point(), b: dice.point(), c: dice.point() };
         let grids = dice.grids(3).try_into().expect("three");
         deck.coords.insert(id, Coord { id, kind, definition: points, span: span() });
         let definition = CoordDefinition::Grids(grids);
@@ -120,14 +124,14 @@ fn shells_and_solids(dice: &mut Dice, deck: &mut BulkData) {
 fn springs_and_masses(dice: &mut Dice, deck: &mut BulkData) {
     for axes in [
         BushAxes::System(dice.id()),
-        BushAxes::Oriented(Orientation::Vector([dice.real(), dice.positive(), dice.real()])),
+        BushAxes::Oriented(Orientation::Vector([dice.real(), dice.positive(), dice.real()].into())),
         BushAxes::Oriented(Orientation::Grid(dice.id())),
         BushAxes::Line,
     ] {
         let (id, a, b) = (dice.id(), dice.id(), dice.id());
         let may_be_grounded = matches!(axes, BushAxes::System(_));
         let grids = (a, if may_be_grounded { dice.optional(b) } else { Some(b) });
-        let place = (dice.id(), dice.reals());
+        let place = (dice.id(), dice.point());
         let (property, location, offset) = (dice.id(), [0.0, 0.25, 1.0][dice.up_to(3)], dice.optional(place));
         deck.bushes.insert(id, Cbush { id, property, grids, axes, location, offset, span: span() });
     }

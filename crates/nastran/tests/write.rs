@@ -76,7 +76,7 @@ proptest! {
         let mut deck = nastran::BulkData::default();
         for (id, xyz) in (1..).zip(&points) {
             let span = nastran::Span::generated("test");
-            deck.grids.insert(id, nastran::Grid { id, cp: 0, xyz: *xyz, cd: 0, ps: vec![], span });
+            deck.grids.insert(id, nastran::Grid { id, cp: 0, xyz: (*xyz).into(), cd: 0, ps: vec![], span });
         }
         let once = parse_deck("t.bdf", &write_deck(&deck)).expect("our own deck");
         let twice = parse_deck("t.bdf", &write_deck(&once)).expect("our own deck");

@@ -58,7 +58,7 @@ impl PointMass {
         let [i11, i21, i22, i31, i32, i33] = card.inertia;
         let own = Matrix3::new(i11, -i21, -i31, -i21, i22, -i32, -i31, -i32, i33);
         check_inertia(card, &own)?;
-        let offset = Vector3::from(card.offset);
+        let offset = card.offset;
         let Ok(cid) = u32::try_from(card.cid) else {
             // -1: the offset is the centre itself, in the basic system.
             return Ok(Self::new(card.id, node, card.mass, &(offset - point.coords), &own));

@@ -73,7 +73,7 @@ fn rows(case: &Value) -> Vec<Row> {
 fn bah_deck(inputs: &Value) -> BulkData {
     let mut bulk = super::vibrations::bah_structure(inputs);
     for grid in bulk.grids.values_mut() {
-        grid.xyz = [-grid.xyz[0], grid.xyz[1], -grid.xyz[2]];
+        grid.xyz = [-grid.xyz[0], grid.xyz[1], -grid.xyz[2]].into();
     }
     // u3(12) = 1.5 u3(8) - 0.5 u3(7) - 33.25 R2(12) with z up
     bulk.equations[0].terms[3].1 = 33.25;

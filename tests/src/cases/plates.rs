@@ -84,7 +84,7 @@ fn patch_membrane(case: &Value) -> Vec<Row> {
     let mesh = mesh.clamped(&[1, 2], |_, j| j < 4).clamped(&[3, 4, 5], |_, _| true);
     let motions: Vec<(u32, usize, f64)> = (1..=4)
         .flat_map(|grid| {
-            let [x, y, _] = mesh.bulk.grids[&grid].xyz;
+            let [x, y, _]: [f64; 3] = mesh.bulk.grids[&grid].xyz.into();
             [(grid, 1, 1e-3 * (x + 0.5 * y)), (grid, 2, 1e-3 * (y + 0.5 * x))]
         })
         .collect();
@@ -110,7 +110,7 @@ fn patch_bending(case: &Value) -> Vec<Row> {
     let mesh = mesh.clamped(&[3, 4, 5], |_, j| j < 4).clamped(&[1, 2, 6], |_, _| true);
     let motions: Vec<(u32, usize, f64)> = (1..=4)
         .flat_map(|grid| {
-            let [x, y, _] = mesh.bulk.grids[&grid].xyz;
+            let [x, y, _]: [f64; 3] = mesh.bulk.grids[&grid].xyz.into();
             let w = 0.5e-3 * (x * x + x * y + y * y);
             [(grid, 3, w), (grid, 4, 1e-3 * (y + 0.5 * x)), (grid, 5, -1e-3 * (x + 0.5 * y))]
         })

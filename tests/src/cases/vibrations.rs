@@ -77,11 +77,13 @@ fn bending_beam(elements: u32, clamped: bool) -> BulkData {
     let all = (1..=elements + 1).collect::<Vec<u32>>();
     for id in &all {
         let x = f64::from(id - 1) / f64::from(elements);
-        bulk.grids
-            .insert(*id, Grid { id: *id, cp: 0, xyz: [x, 0.0, 0.0], cd: 0, ps: Vec::new(), span: span() });
+        bulk.grids.insert(
+            *id,
+            Grid { id: *id, cp: 0, xyz: [x, 0.0, 0.0].into(), cd: 0, ps: Vec::new(), span: span() },
+        );
     }
     for id in 1..=elements {
-        let orientation = Orientation::Vector([0.0, 0.0, 1.0]);
+        let orientation = Orientation::Vector([0.0, 0.0, 1.0].into());
         let (pins, offsets) = ([Vec::new(), Vec::new()], [[0.0; 3]; 2]);
         let grids = [id, id + 1];
         let beam =
@@ -162,7 +164,7 @@ pub(super) fn bah_structure(inputs: &Value) -> BulkData {
         let (id, xyz) = (name.parse().expect("a grid's number"), numbers(xyz));
         bulk.grids.insert(
             id,
-            Grid { id, cp: 0, xyz: [xyz[0], xyz[1], xyz[2]], cd: 0, ps: Vec::new(), span: span() },
+            Grid { id, cp: 0, xyz: [xyz[0], xyz[1], xyz[2]].into(), cd: 0, ps: Vec::new(), span: span() },
         );
     }
     let matrix = |value: &Value| list(value).iter().map(numbers).collect();

@@ -69,7 +69,7 @@ impl Mesh {
 
     /// Adds a grid.
     pub fn add_grid(&mut self, id: u32, xyz: [f64; 3]) {
-        self.bulk.grids.insert(id, Grid { id, cp: 0, xyz, cd: 0, ps: Vec::new(), span: span() });
+        self.bulk.grids.insert(id, Grid { id, cp: 0, xyz: xyz.into(), cd: 0, ps: Vec::new(), span: span() });
     }
 
     /// Adds a quadrilateral (or triangle) of property 1.
@@ -123,8 +123,7 @@ impl Mesh {
     pub fn pressure(&self, component: usize, load: impl Fn(Point3<f64>) -> f64) -> Vec<(u32, usize, f64)> {
         let mut loads = Vec::new();
         for shell in self.bulk.shells.values() {
-            let corners: Vec<Point3<f64>> =
-                shell.grids.iter().map(|id| Point3::from(self.bulk.grids[id].xyz)).collect();
+            let corners: Vec<Point3<f64>> = shell.grids.iter().map(|id| self.bulk.grids[id].xyz).collect();
             let (one, other) = (corners[2] - corners[0], corners[3] - corners[1]);
             let area = 0.5 * one.cross(&other).norm();
             let shares = shell.grids.iter().zip(&corners);
@@ -210,8 +209,7 @@ impl Solved {
         at: [f64; 2],
     ) -> (structure::ShellStrains, Shell) {
         let card = &mesh.bulk.shells[&element];
-        let points: Vec<Point3<f64>> =
-            card.grids.iter().map(|id| Point3::from(mesh.bulk.grids[id].xyz)).collect();
+        let points: Vec<Point3<f64>> = card.grids.iter().map(|id| mesh.bulk.grids[id].xyz).collect();
         let nodes = (0..points.len()).collect();
         let section = std::sync::Arc::new(*section);
         let shell = Shell::new(element, nodes, &points, card.offset, section, 0.0, &span());

@@ -127,12 +127,7 @@ fn add_system(
     let z = near_x.cross(y).try_normalize(1e-9).unwrap_or_else(Vector3::z);
     let x = y.cross(&z);
     let id = bulk.coords.keys().next_back().map_or(1, |id| id + 1);
-    let definition = CoordDefinition::Points {
-        rid: 0,
-        a: (*origin).into(),
-        b: (origin + z).into(),
-        c: (origin + x).into(),
-    };
+    let definition = CoordDefinition::Points { rid: 0, a: *origin, b: origin + z, c: origin + x };
     let kind = nastran::CoordKind::Rectangular;
     bulk.coords.insert(id, Coord { id, kind, definition, span: span.clone() });
     id

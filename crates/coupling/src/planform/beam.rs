@@ -10,7 +10,7 @@ use super::panels::card_number;
 use super::{
     AXIS_SET, FIRST_AXIS_GRID, FIRST_MASS_GRID, FIRST_SENSOR_GRID, Mount, Planform, PointMass, ROOT_SET,
 };
-use nalgebra::Point3;
+use nalgebra::{Point3, Vector3};
 use nastran::{
     BeamElement, BeamProperty, BeamStation, BulkData, Conm2, Grid, InputError, Mat1, Orientation, Rbe2, Set1,
     Span, Spc1,
@@ -87,8 +87,8 @@ impl Axis<'_> {
     }
 
     fn add_grid(&self, bulk: &mut BulkData, id: u32, point: &Point3<f64>) {
-        let xyz = [point.x, point.y, point.z];
-        bulk.grids.insert(id, Grid { id, cp: 0, xyz, cd: 0, ps: Vec::new(), span: self.span.clone() });
+        bulk.grids
+            .insert(id, Grid { id, cp: 0, xyz: *point, cd: 0, ps: Vec::new(), span: self.span.clone() });
     }
 
     /// Grids, CBEAM, PBEAM and MAT1. The orientation vector is z, so plane 1 is vertical and I1 bends in flap.
@@ -105,9 +105,9 @@ impl Axis<'_> {
                 id,
                 property: id,
                 grids: [Self::grid_id(element), Self::grid_id(element + 1)],
-                orientation: Orientation::Vector([0.0, 0.0, 1.0]),
+                orientation: Orientation::Vector(Vector3::z()),
                 pins: [Vec::new(), Vec::new()],
-                offsets: [[0.0; 3]; 2],
+                offsets: [Vector3::zeros(); 2],
                 is_beam: true,
                 span: span.clone(),
             };
@@ -139,7 +139,7 @@ impl Axis<'_> {
                 grid: id,
                 cid: 0,
                 mass: mass_kg,
-                offset: [offset.x, offset.y, offset.z],
+                offset,
                 inertia: [slab, 0.0, pitch, 0.0, 0.0, pitch + slab],
                 span: self.span.clone(),
             };
@@ -162,7 +162,7 @@ impl Axis<'_> {
         let independent = Self::grid_id(nearest);
         let components = vec![1, 2, 3, 4, 5, 6];
         bulk.rigid.insert(id, Rbe2 { id, independent, components, dependent: vec![id], span: span.clone() });
-        let (offset, inertia) = ([0.0; 3], [0.0; 6]);
+        let (offset, inertia) = (Vector3::zeros(), [0.0; 6]);
         let mass = Conm2 { id, grid: id, cid: 0, mass: item.mass_kg, offset, inertia, span: span.clone() };
         bulk.masses.insert(id, mass);
     }

@@ -1,6 +1,6 @@
 //! Control surfaces: AESURF with its AELIST of boxes and the CORD2R whose y axis is the hinge.
 
-use super::panels::{card_number, coordinates};
+use super::panels::card_number;
 use super::{Control, Planform, WING_PANEL};
 use nalgebra::Vector3;
 use nastran::{Aelist, Aesurf, BulkData, Coord, CoordDefinition, CoordKind, Span};
@@ -37,12 +37,7 @@ impl Planform {
         let y_axis = (outboard - inboard).normalize();
         let z_axis = (Vector3::z() - y_axis * y_axis.z).normalize();
         let x_axis = y_axis.cross(&z_axis);
-        CoordDefinition::Points {
-            rid: 0,
-            a: coordinates(&inboard),
-            b: coordinates(&(inboard + z_axis)),
-            c: coordinates(&(inboard + x_axis)),
-        }
+        CoordDefinition::Points { rid: 0, a: inboard, b: inboard + z_axis, c: inboard + x_axis }
     }
 
     fn control_boxes(&self, control: &Control) -> Vec<u32> {

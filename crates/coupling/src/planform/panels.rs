@@ -63,9 +63,9 @@ impl Planform {
             span_divisions,
             chord_divisions: Divisions::Equal(card_number(self.boxes.chordwise)),
             group: 1,
-            point_1: coordinates(&self.point(y_m[0], 0.0)),
+            point_1: self.point(y_m[0], 0.0),
             chord_1: self.chord_m(y_m[0]),
-            point_4: coordinates(&self.point(y_m[1], 0.0)),
+            point_4: self.point(y_m[1], 0.0),
             chord_4: self.chord_m(y_m[1]),
             span: span.clone(),
         }
@@ -78,11 +78,6 @@ impl Planform {
         let airfoil = Airfoil::read(&folder.join(file))?;
         Ok((0..count).map(|row| -airfoil.camber_slope((row as f64 + 0.75) / count as f64)).collect())
     }
-}
-
-/// A point as a card holds it.
-pub(super) fn coordinates(point: &Point3<f64>) -> [f64; 3] {
-    [point.x, point.y, point.z]
 }
 
 /// A count as a card holds it; counts are bounded by [`Planform::check`] long before this could saturate.

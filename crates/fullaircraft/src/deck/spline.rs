@@ -148,7 +148,7 @@ fn beam(
     };
     let frames = Frames::resolve(bulk)?;
     let axes = axes(&lattice.boxes[*first], &frames.axes_at(system, &card.span)?.column(1).into_owned());
-    let origin = frames.point(system, [0.0; 3], &card.span)?;
+    let origin = frames.origin(system, &card.span)?;
     let mut attached = Vec::new();
     for node in nodes(bulk, card, ids)? {
         let at = axes.transpose() * (points[node] - origin);

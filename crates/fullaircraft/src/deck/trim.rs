@@ -107,7 +107,7 @@ impl TrimDeck {
         let frames = Frames::resolve(bulk)?;
         refuse_turned(&frames, &aeros)?;
         let axes = frames.axes_at(aeros.rcsid, &aeros.span)?;
-        let origin = frames.point(aeros.rcsid, [0.0; 3], &aeros.span)?;
+        let origin = frames.origin(aeros.rcsid, &aeros.span)?;
         let (variables, incidence, accelerations) = variables(bulk, &lattice, &aeros, &origin)?;
         let integration = Integration::new(&lattice);
         let s_dofs = spline.used_dofs();

@@ -30,7 +30,7 @@ pub(crate) fn add(
             |a: usize, b: usize| points.get(a).zip(points.get(b)).map_or(0.0, |(a, b)| (b - a).norm());
         let before = if at == 0 { 0.0 } else { length(at - 1, at) };
         let mass = beam.mass_kg_m * 0.5 * (before + length(at, at + 1));
-        let (offset, inertia) = ([0.0; 3], [0.0; 6]);
+        let (offset, inertia) = (Vector3::zeros(), [0.0; 6]);
         bulk.masses.insert(id, Conm2 { id, grid: id, cid: 0, mass, offset, inertia, span: span.clone() });
     }
     for pair in ids.windows(2) {
@@ -38,9 +38,9 @@ pub(crate) fn add(
             id: pair[0],
             property: first,
             grids: [pair[0], pair[1]],
-            orientation: Orientation::Vector([across.x, across.y, across.z]),
+            orientation: Orientation::Vector(*across),
             pins: [Vec::new(), Vec::new()],
-            offsets: [[0.0; 3]; 2],
+            offsets: [Vector3::zeros(); 2],
             is_beam: true,
             span: span.clone(),
         };
@@ -51,8 +51,7 @@ pub(crate) fn add(
 
 /// Adds a grid in basic axes.
 pub(crate) fn add_grid(bulk: &mut BulkData, id: u32, point: &Point3<f64>, span: &Span) {
-    let xyz = [point.x, point.y, point.z];
-    bulk.grids.insert(id, Grid { id, cp: 0, xyz, cd: 0, ps: Vec::new(), span: span.clone() });
+    bulk.grids.insert(id, Grid { id, cp: 0, xyz: *point, cd: 0, ps: Vec::new(), span: span.clone() });
 }
 
 /// Ties grids rigidly to another.

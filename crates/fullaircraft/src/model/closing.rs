@@ -48,7 +48,7 @@ pub(crate) fn mass(
         let help = "each must be above zero and less than the sum of the other two";
         return Err(InputError::in_field(&file.path, "total.ixx_kg_m2", message).with_help(help));
     }
-    let offset = (place - at).into();
+    let offset = place - at;
     Ok(Conm2 { id, grid, cid: 0, mass, offset, inertia: [x, 0.0, y, 0.0, 0.0, z], span: file.span() })
 }
 

@@ -50,9 +50,9 @@ pub(crate) fn cards(
                 span_divisions: Divisions::Equal(STRIPS),
                 chord_divisions: Divisions::Equal(boxes),
                 group: 1,
-                point_1: [from, 0.0 - y, 0.0 - z],
+                point_1: Point3::new(from, 0.0 - y, 0.0 - z),
                 chord_1: to - from,
-                point_4: [from, y, z],
+                point_4: Point3::new(from, y, z),
                 chord_4: to - from,
                 span: span.clone(),
             };

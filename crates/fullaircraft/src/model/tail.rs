@@ -23,7 +23,7 @@ pub(crate) fn cards(tail: &TailSurface, outward: &Vector3<f64>, first: Step, spa
     let id = first.cards;
     bulk.panel_properties.insert(id, Paero1 { id, span: span.clone() });
     bulk.factors.insert(id, Aefact { id, values: chord_divisions(tail), span: span.clone() });
-    let corner = |eta: f64| point(tail, outward, eta, 0.0).into();
+    let corner = |eta: f64| point(tail, outward, eta, 0.0);
     let panel = Caero1 {
         id: first.boxes,
         property: id,
@@ -44,12 +44,8 @@ pub(crate) fn cards(tail: &TailSurface, outward: &Vector3<f64>, first: Step, spa
     let hinge = 1.0 - tail.control.chord_share;
     let (root, tip) = (point(tail, outward, 0.0, hinge), point(tail, outward, 1.0, hinge));
     let along = (tip - root).normalize();
-    let definition = CoordDefinition::Points {
-        rid: 0,
-        a: root.into(),
-        b: (root + normal).into(),
-        c: (root + along.cross(&normal)).into(),
-    };
+    let definition =
+        CoordDefinition::Points { rid: 0, a: root, b: root + normal, c: root + along.cross(&normal) };
     bulk.coords.insert(id, Coord { id, kind: CoordKind::Rectangular, definition, span: span.clone() });
     let moving = rows - tail.control.chord_boxes..rows;
     let boxes = (0..strips).flat_map(|strip| moving.clone().map(move |row| first.boxes + strip * rows + row));

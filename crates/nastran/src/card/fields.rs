@@ -59,8 +59,8 @@ impl Fields {
         self.push(Value::Real(number))
     }
 
-    pub(crate) fn reals(self, numbers: &[f64]) -> Self {
-        numbers.iter().fold(self, |card, number| card.real(*number))
+    pub(crate) fn reals<'a>(self, numbers: impl IntoIterator<Item = &'a f64>) -> Self {
+        numbers.into_iter().fold(self, |card, number| card.real(*number))
     }
 
     pub(crate) fn text(self, text: impl Into<String>) -> Self {

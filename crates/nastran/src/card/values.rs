@@ -72,13 +72,13 @@ impl Card {
         })
     }
 
-    /// Three reals in a row; empty ones are zero.
-    pub(crate) fn vector(&self, index: usize, what: [&str; 3]) -> Result<[f64; 3], InputError> {
-        Ok([
+    /// A point or vector of three reals in a row; empty ones are zero.
+    pub(crate) fn vector<V: From<[f64; 3]>>(&self, index: usize, what: [&str; 3]) -> Result<V, InputError> {
+        Ok(V::from([
             self.real_or(index, what[0], 0.0)?,
             self.real_or(index + 1, what[1], 0.0)?,
             self.real_or(index + 2, what[2], 0.0)?,
-        ])
+        ]))
     }
 
     /// Component digits 1 to 6 in ascending order, each once; empty or `0` gives none.

@@ -1,6 +1,7 @@
 //! Bars and beams: CBAR and CBEAM.
 
 use super::prelude::*;
+use nalgebra::Vector3;
 
 /// A bar or beam element (CBAR, CBEAM).
 #[derive(Debug, Clone, PartialEq)]
@@ -16,7 +17,7 @@ pub struct BeamElement {
     /// Pin flags at ends A and B, digits 1 to 6.
     pub pins: [Vec<u8>; 2],
     /// Offset vectors from grid to element end, in the grids' displacement systems.
-    pub offsets: [[f64; 3]; 2],
+    pub offsets: [Vector3<f64>; 2],
     /// True for CBEAM, false for CBAR.
     pub is_beam: bool,
     /// Where the card stands.
@@ -27,7 +28,7 @@ pub struct BeamElement {
 #[derive(Debug, Clone, PartialEq)]
 pub enum Orientation {
     /// X1, X2, X3.
-    Vector([f64; 3]),
+    Vector(Vector3<f64>),
     /// G0.
     Grid(u32),
 }
@@ -90,7 +91,7 @@ impl DeckCard for BeamElement {
         let card = self.orientation.write(card.ints([self.id, self.property]).ints(self.grids));
         let card = card.blanks(1).digits(&self.pins[0]).digits(&self.pins[1]);
         let [a, b] = &self.offsets;
-        if self.offsets == [[0.0; 3]; 2] { card } else { card.reals(a).reals(b) }
+        if self.offsets == [Vector3::zeros(); 2] { card } else { card.reals(a).reals(b) }
     }
 
     raises!(cards: id, property, grids, orientation);
@@ -117,8 +118,8 @@ pub(crate) fn optional_orientation(card: &Card) -> Result<Option<Orientation>, I
     if text.is_empty() && card.text(5).is_empty() && card.text(6).is_empty() {
         return Ok(None);
     }
-    let vector = card.vector(4, ["X1", "X2", "X3"])?;
-    if vector == [0.0; 3] {
+    let vector: Vector3<f64> = card.vector(4, ["X1", "X2", "X3"])?;
+    if vector == Vector3::zeros() {
         return Err(card.error(4, format!("the orientation vector of {} is zero", card.name)));
     }
     Ok(Some(Orientation::Vector(vector)))

@@ -3,6 +3,7 @@
 use super::beam::{Orientation, optional_orientation};
 use super::prelude::*;
 use crate::card::FIELDS_PER_LINE;
+use nalgebra::Point3;
 
 /// The axes of a bush.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,7 +30,7 @@ pub struct Cbush {
     /// S: place of the spring between A (0) and B (1).
     pub location: f64,
     /// OCID and S1 to S3: place of the spring in a coordinate system, instead of S, from end A.
-    pub offset: Option<(u32, [f64; 3])>,
+    pub offset: Option<(u32, Point3<f64>)>,
     /// Where the card stands.
     pub span: Span,
 }
@@ -84,7 +85,7 @@ impl DeckCard for Cbush {
         };
         let card = card.real(self.location);
         match &self.offset {
-            Some((system, place)) => card.int(*system).reals(place),
+            Some((system, place)) => card.int(*system).reals(&place.coords),
             None => card,
         }
     }
@@ -98,7 +99,9 @@ impl DeckCard for Cbush {
             BushAxes::Oriented(orientation) => by.cards(orientation),
             BushAxes::Line => {}
         }
-        by.systems(&mut self.offset);
+        if let Some((system, _)) = &mut self.offset {
+            by.systems(system);
+        }
     }
 
     /// The place is flipped in a mirrored system, too: its y axis is minus the image of the original's.
@@ -106,7 +109,7 @@ impl DeckCard for Cbush {
         if let BushAxes::Oriented(orientation) = self.axes {
             self.axes = BushAxes::Oriented(orientation.mirrored());
         }
-        self.offset = self.offset.map(|(system, place)| (system, flipped(place)));
+        self.offset = self.offset.map(|(system, place)| (system, flipped(place.coords).into()));
         Ok(Some(self))
     }
 }

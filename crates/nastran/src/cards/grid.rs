@@ -1,6 +1,7 @@
 //! Grid points and lists of their numbers: GRID and SET1.
 
 use super::prelude::*;
+use nalgebra::Point3;
 
 /// A grid point (GRID).
 #[derive(Debug, Clone, PartialEq)]
@@ -10,7 +11,7 @@ pub struct Grid {
     /// Coordinate system of `xyz`; 0 is basic.
     pub cp: u32,
     /// Coordinates in `cp` (as its [`CoordKind`] says).
-    pub xyz: [f64; 3],
+    pub xyz: Point3<f64>,
     /// Displacement coordinate system; 0 is basic.
     pub cd: u32,
     /// Permanently fixed components, digits 1 to 6.
@@ -34,7 +35,7 @@ impl DeckCard for Grid {
     }
 
     fn write(&self, card: Fields) -> Fields {
-        card.ints([self.id, self.cp]).reals(&self.xyz).int(self.cd).digits(&self.ps)
+        card.ints([self.id, self.cp]).reals(&self.xyz.coords).int(self.cd).digits(&self.ps)
     }
 
     raises!(cards: id; systems: cp, cd);

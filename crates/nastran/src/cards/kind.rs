@@ -6,7 +6,7 @@
 use crate::card::Card;
 use crate::card::fields::Fields;
 use crate::source::{InputError, Span};
-use nalgebra::Point3;
+use nalgebra::{Point3, Vector3};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Display;
 
@@ -332,7 +332,7 @@ impl<T: Ids> Ids for Option<T> {
 }
 
 /// Turns coordinates of a system into the place in the basic one; the place blames the card if there is no system.
-type Place<'a> = &'a dyn Fn(u32, [f64; 3], &Span) -> Result<Point3<f64>, InputError>;
+type Place<'a> = &'a dyn Fn(u32, Point3<f64>, &Span) -> Result<Point3<f64>, InputError>;
 
 /// What a card needs to know of the deck that is mirrored about y = 0.
 pub(crate) struct Mirror<'a> {
@@ -346,14 +346,19 @@ pub(crate) struct Mirror<'a> {
 
 impl Mirror<'_> {
     /// The image of a place given in a system, in the basic system.
-    pub(super) fn place(&self, system: u32, xyz: [f64; 3], span: &Span) -> Result<[f64; 3], InputError> {
-        (self.to_basic)(system, xyz, span).map(|point| flipped(point.into()))
+    pub(super) fn place(
+        &self,
+        system: u32,
+        xyz: Point3<f64>,
+        span: &Span,
+    ) -> Result<Point3<f64>, InputError> {
+        (self.to_basic)(system, xyz, span).map(|point| flipped(point.coords).into())
     }
 }
 
-/// The image of a point or vector in basic axes.
-pub(super) fn flipped([x, y, z]: [f64; 3]) -> [f64; 3] {
-    [x, minus(y), z]
+/// The image of a vector, or of a place from the origin, in basic axes.
+pub(super) fn flipped(vector: Vector3<f64>) -> Vector3<f64> {
+    Vector3::new(vector.x, minus(vector.y), vector.z)
 }
 
 /// Minus, without a negative zero.

@@ -1,6 +1,7 @@
 //! Concentrated masses: CONM1 and CONM2.
 
 use super::prelude::*;
+use nalgebra::Vector3;
 
 /// A concentrated mass (CONM2).
 #[derive(Debug, Clone, PartialEq)]
@@ -14,7 +15,7 @@ pub struct Conm2 {
     /// Mass.
     pub mass: f64,
     /// Offset from the grid to the centre of gravity.
-    pub offset: [f64; 3],
+    pub offset: Vector3<f64>,
     /// I11, I21, I22, I31, I32, I33 about the centre of gravity.
     pub inertia: [f64; 6],
     /// Where the card stands.

@@ -1,6 +1,7 @@
 //! Monitoring stations: MONPNT1 and MONPNT3.
 
 use super::prelude::*;
+use nalgebra::Point3;
 
 /// A monitoring station (MONPNT1, MONPNT3).
 #[derive(Debug, Clone, PartialEq)]
@@ -16,7 +17,7 @@ pub struct MonitorPoint {
     /// Coordinate system of the point.
     pub cp: u32,
     /// The point.
-    pub xyz: [f64; 3],
+    pub xyz: Point3<f64>,
     /// Output coordinate system.
     pub cd: u32,
     /// True for MONPNT3 (structural grid point forces), false for MONPNT1.
@@ -58,7 +59,7 @@ impl DeckCard for MonitorPoint {
         let gap = usize::from(self.is_structural);
         let card = card.first_line(format!("{:<8}{}", self.name, self.label));
         let card = card.digits(&self.axes).text(self.set.clone()).blanks(gap).int(self.cp);
-        card.reals(&self.xyz).blanks(gap).int(self.cd)
+        card.reals(&self.xyz.coords).blanks(gap).int(self.cd)
     }
 
     raises!(systems: cp, cd);

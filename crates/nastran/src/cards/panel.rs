@@ -1,6 +1,7 @@
 //! Lifting panels: CAERO1, PAERO1 and the lists of numbers (AEFACT) that divide them.
 
 use super::prelude::*;
+use nalgebra::Point3;
 
 /// Divisions of a panel: a number of equal ones, or the boundaries listed on an AEFACT.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,11 +46,11 @@ pub struct Caero1 {
     /// Interference group.
     pub group: u32,
     /// Leading edge at side 1.
-    pub point_1: [f64; 3],
+    pub point_1: Point3<f64>,
     /// Chord at side 1, along x of the aerodynamic system.
     pub chord_1: f64,
     /// Leading edge at side 4.
-    pub point_4: [f64; 3],
+    pub point_4: Point3<f64>,
     /// Chord at side 4.
     pub chord_4: f64,
     /// Where the card stands.
@@ -88,7 +89,7 @@ impl DeckCard for Caero1 {
         let card =
             card.ints([self.id, self.property, self.cp]).optional(number(span)).optional(number(chord));
         let card = card.optional(span.list()).optional(chord.list()).int(self.group);
-        card.reals(&self.point_1).real(self.chord_1).reals(&self.point_4).real(self.chord_4)
+        card.reals(&self.point_1.coords).real(self.chord_1).reals(&self.point_4.coords).real(self.chord_4)
     }
 
     raises!(boxes: id; cards: property, span_divisions, chord_divisions; systems: cp);

@@ -1,6 +1,7 @@
 //! Coordinate systems: CORD1R, CORD1C, CORD1S, CORD2R, CORD2C and CORD2S.
 
 use super::prelude::*;
+use nalgebra::Point3;
 
 /// What the three coordinates of a system are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -22,11 +23,11 @@ pub enum CoordDefinition {
         /// Reference system.
         rid: u32,
         /// Origin.
-        a: [f64; 3],
+        a: Point3<f64>,
         /// On the z axis.
-        b: [f64; 3],
+        b: Point3<f64>,
         /// In the xz plane.
-        c: [f64; 3],
+        c: Point3<f64>,
     },
     /// CORD1R, CORD1C, CORD1S: the same three points given by grids.
     Grids([u32; 3]),
@@ -82,7 +83,9 @@ impl DeckCard for Coord {
 
     fn write(&self, card: Fields) -> Fields {
         match &self.definition {
-            CoordDefinition::Points { rid, a, b, c } => card.ints([self.id, *rid]).reals(a).reals(b).reals(c),
+            CoordDefinition::Points { rid, a, b, c } => {
+                card.ints([self.id, *rid]).reals(&a.coords).reals(&b.coords).reals(&c.coords)
+            }
             CoordDefinition::Grids(grids) => card.int(self.id).ints(*grids),
         }
     }

@@ -28,7 +28,7 @@ impl ElementCard for BeamElement {
         let orientation = builder.orientation(&self.orientation, nodes[0], &user, &self.span)?;
         let mut offsets = [Vector3::zeros(); 2];
         for (end, offset) in offsets.iter_mut().enumerate() {
-            *offset = builder.nodes[nodes[end]].axes * Vector3::from(self.offsets[end]);
+            *offset = builder.nodes[nodes[end]].axes * self.offsets[end];
         }
         let placement = BeamPlacement { grids, offsets, orientation, pins: self.pins.clone() };
         Ok(Arc::new(Beam::new(self.id, nodes, &placement, property, material, &self.span)?))
@@ -177,7 +177,7 @@ impl Builder<'_> {
         span: &Span,
     ) -> Result<Vector3<f64>, InputError> {
         match orientation {
-            Orientation::Vector(v) => Ok(self.nodes[end_a].axes * Vector3::from(*v)),
+            Orientation::Vector(v) => Ok(self.nodes[end_a].axes * v),
             Orientation::Grid(id) => {
                 let node = self.node(*id, &format!("{user} (orientation)"), span)?;
                 Ok(self.nodes[node].point - self.nodes[end_a].point)

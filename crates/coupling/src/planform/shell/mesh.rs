@@ -4,7 +4,7 @@ use super::contour::{Contour, Side};
 use super::settings::ShellSolid;
 use super::{FIRST_MESH_GRID, Surface};
 use crate::planform::Planform;
-use crate::planform::panels::{card_number, coordinates};
+use crate::planform::panels::card_number;
 use nalgebra::{Point3, Unit, Vector3};
 use nastran::{BulkData, Coord, CoordDefinition, Grid, InputError, Mat1, Psolid, SolidElement, Span};
 
@@ -94,12 +94,8 @@ impl<'wing> Mesh<'wing> {
         let root = self.axis_point(0.0);
         let along = Unit::new_normalize(self.axis_point(self.planform.semispan_m) - root);
         let up = (Vector3::z() - along.into_inner() * along.z).normalize();
-        let definition = CoordDefinition::Points {
-            rid: 0,
-            a: coordinates(&root),
-            b: coordinates(&(root + up)),
-            c: coordinates(&(root + along.into_inner())),
-        };
+        let definition =
+            CoordDefinition::Points { rid: 0, a: root, b: root + up, c: root + along.into_inner() };
         Coord { id: AXIS_SYSTEM, kind: nastran::CoordKind::Rectangular, definition, span: span.clone() }
     }
 
@@ -155,8 +151,7 @@ impl ShellSolid {
 }
 
 pub(super) fn add_grid(bulk: &mut BulkData, id: u32, point: &Point3<f64>, span: &Span) {
-    let xyz = coordinates(point);
-    bulk.grids.insert(id, Grid { id, cp: 0, xyz, cd: 0, ps: Vec::new(), span: span.clone() });
+    bulk.grids.insert(id, Grid { id, cp: 0, xyz: *point, cd: 0, ps: Vec::new(), span: span.clone() });
 }
 
 fn subdivided(edges: &[f64], parts: usize) -> Vec<f64> {

@@ -11,7 +11,7 @@ use crate::planform::panels::card_number;
 use crate::planform::{
     AXIS_SET, FIRST_AXIS_GRID, FIRST_MASS_GRID, FIRST_SENSOR_GRID, Mount, PointMass, ROOT_SET,
 };
-use nalgebra::Point3;
+use nalgebra::{Point3, Vector3};
 use nastran::{BulkData, BushAxes, Cbush, Conm2, Pbush, Rbe2, Rbe3, Rbe3Group, Set1, Span, Spc1};
 
 /// Ties are numbered by the grid they hold.
@@ -119,7 +119,7 @@ impl Mesh<'_> {
                 grid,
                 cid: 0,
                 mass: item.mass_kg_m * (high_m - low_m),
-                offset: [offset.x, offset.y, offset.z],
+                offset,
                 inertia: [0.0; 6],
                 span: span.clone(),
             };
@@ -136,7 +136,7 @@ impl Mesh<'_> {
     fn add_point_mass(&self, bulk: &mut BulkData, id: u32, item: &PointMass, span: &Span) {
         add_grid(bulk, id, &self.inner_point(item.y_m, item.x_over_c), span);
         add_mean(bulk, id, self.around(item), span);
-        let (mass, offset, inertia) = (item.mass_kg, [0.0; 3], [0.0; 6]);
+        let (mass, offset, inertia) = (item.mass_kg, Vector3::zeros(), [0.0; 6]);
         let card = Conm2 { id: MASSES + id, grid: id, cid: 0, mass, offset, inertia, span: span.clone() };
         bulk.masses.insert(MASSES + id, card);
     }
