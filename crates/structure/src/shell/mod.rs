@@ -46,7 +46,7 @@ pub struct Shell {
     /// Rows are the element's x, y and normal in basic axes.
     axes: Matrix3<f64>,
     /// Corners: x, y and height above the element's plane.
-    corners: Vec<[f64; 3]>,
+    corners: Vec<Point3<f64>>,
     /// From each grid along the normal to the reference surface.
     offset_m: f64,
     section: Arc<ShellSection>,
@@ -173,7 +173,7 @@ impl Element for Shell {
 struct Frame {
     axes: Matrix3<f64>,
     /// x, y and height above the plane.
-    corners: Vec<[f64; 3]>,
+    corners: Vec<Point3<f64>>,
 }
 
 impl Frame {

@@ -4,13 +4,13 @@
 //! the deflection (Marguerre's shallow shell): e_x = u,x + z,x w,x and so on, which leaves rigid motions free of strain.
 
 use super::point::Point;
-use nalgebra::{Matrix2, RowSVector, SMatrix, Vector2};
+use nalgebra::{Matrix2, Point3, RowSVector, SMatrix, Vector2};
 
 /// Natural coordinates of the corners.
 const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
 
 /// The 2 x 2 Gauss points.
-pub(super) fn points(corners: &[[f64; 3]]) -> Vec<Point<24>> {
+pub(super) fn points(corners: &[Point3<f64>]) -> Vec<Point<24>> {
     let g = 1.0 / 3.0_f64.sqrt();
     CORNERS.iter().map(|corner| point(corners, [g * corner[0], g * corner[1]], 1.0)).collect()
 }
@@ -25,7 +25,7 @@ fn natural(at: [f64; 2]) -> [[f64; 2]; 4] {
 }
 
 /// J: rows (x, y) by xi and by eta.
-fn jacobian(corners: &[[f64; 3]], at: [f64; 2]) -> Matrix2<f64> {
+fn jacobian(corners: &[Point3<f64>], at: [f64; 2]) -> Matrix2<f64> {
     let mut j = Matrix2::zeros();
     for (slope, corner) in natural(at).iter().zip(corners) {
         for row in 0..2 {
@@ -38,7 +38,7 @@ fn jacobian(corners: &[[f64; 3]], at: [f64; 2]) -> Matrix2<f64> {
 }
 
 /// The operators at natural coordinates `at` with integration weight `weight`.
-pub(super) fn point(corners: &[[f64; 3]], at: [f64; 2], weight: f64) -> Point<24> {
+pub(super) fn point(corners: &[Point3<f64>], at: [f64; 2], weight: f64) -> Point<24> {
     let j = jacobian(corners, at);
     let determinant = j.determinant();
     let inverse = j.try_inverse().unwrap_or_else(Matrix2::zeros);
@@ -78,7 +78,7 @@ pub(super) fn point(corners: &[[f64; 3]], at: [f64; 2], weight: f64) -> Point<24
 /// Strains of the modes 1 - xi^2 and 1 - eta^2 of u and of v. With the Jacobian of the middle, scaled, they do no
 /// work on constant stresses: the patch test.
 fn incompatible(
-    corners: &[[f64; 3]],
+    corners: &[Point3<f64>],
     at: [f64; 2],
     determinant: f64,
 ) -> (SMatrix<f64, 3, 4>, RowSVector<f64, 4>) {
@@ -102,7 +102,7 @@ fn incompatible(
 
 /// Covariant transverse shears, tied at the middles of the sides: along xi linear in eta between the sides
 /// eta = -1 and 1, along eta linear in xi.
-fn covariant_shear(corners: &[[f64; 3]], at: [f64; 2]) -> SMatrix<f64, 2, 24> {
+fn covariant_shear(corners: &[Point3<f64>], at: [f64; 2]) -> SMatrix<f64, 2, 24> {
     let mut rows = SMatrix::<f64, 2, 24>::zeros();
     for (direction, ties) in [[[0.0, -1.0], [0.0, 1.0]], [[-1.0, 0.0], [1.0, 0.0]]].iter().enumerate() {
         let across = 1 - direction;

@@ -1,19 +1,19 @@
 //! The triangle's strain operators: linear, MITC3 shear.
 
 use super::point::Point;
-use nalgebra::{Matrix2, RowSVector, SMatrix, Vector2};
+use nalgebra::{Matrix2, Point3, RowSVector, SMatrix, Vector2};
 
 /// Derivatives of the shape functions 1 - r - s, r, s by r and s.
 const NATURAL: [[f64; 2]; 3] = [[-1.0, -1.0], [1.0, 0.0], [0.0, 1.0]];
 
 /// Three points inside, exact to second degree.
-pub(super) fn points(corners: &[[f64; 3]]) -> Vec<Point<18>> {
+pub(super) fn points(corners: &[Point3<f64>]) -> Vec<Point<18>> {
     let (low, high) = (1.0 / 6.0, 2.0 / 3.0);
     [[low, low], [high, low], [low, high]].map(|at| point(corners, at, 1.0 / 6.0)).into()
 }
 
 /// The operators at r, s with integration weight `weight`.
-pub(super) fn point(corners: &[[f64; 3]], at: [f64; 2], weight: f64) -> Point<18> {
+pub(super) fn point(corners: &[Point3<f64>], at: [f64; 2], weight: f64) -> Point<18> {
     // Rows (x, y) by r and by s.
     let j = Matrix2::new(
         corners[1][0] - corners[0][0],
