@@ -39,7 +39,7 @@ fn bars_and_beams() {
     assert_eq!((beam.property, beam.is_beam), (4, true));
     assert_eq!(beam.orientation, Orientation::Grid(3));
     assert_eq!(beam.pins, [vec![4, 5], vec![]]);
-    assert_eq!(beam.offsets, [[0.0, 0.1, 0.0].into(), [0.2, 0.0, 0.0].into()]);
+    assert_eq!(beam.offsets.map(<[f64; 3]>::from), [[0.0, 0.1, 0.0], [0.2, 0.0, 0.0]]);
     assert_eq!(
         error("CBAR,10,1,1,2,0.,0.,1.,BGG\n"),
         "t.bdf:1:24: `BGG` in field OFFT of CBAR is not GGG, the only kind of offset vectors that is read"

@@ -84,7 +84,7 @@ fn bending_beam(elements: u32, clamped: bool) -> BulkData {
     }
     for id in 1..=elements {
         let orientation = Orientation::Vector([0.0, 0.0, 1.0].into());
-        let (pins, offsets) = ([Vec::new(), Vec::new()], [[0.0; 3]; 2]);
+        let (pins, offsets) = ([Vec::new(), Vec::new()], [[0.0; 3].into(); 2]);
         let grids = [id, id + 1];
         let beam =
             BeamElement { id, property: 1, grids, orientation, pins, offsets, is_beam: false, span: span() };

@@ -5,7 +5,6 @@
 
 use super::{FAIRING_PANEL, Mount, Planform, WING_PANEL};
 use aero::Airfoil;
-use nalgebra::Point3;
 use nastran::{Aefact, BulkData, Caero1, Divisions, Dmi, InputError, Paero1, Span};
 use std::path::Path;
 
