@@ -100,7 +100,7 @@ pub struct Prepared {
     pub library: Vec<Arc<dyn Effect>>,
     /// Names of the wing's controls.
     pub controls: Vec<String>,
-    /// What calibration knows only so well.
+    /// Calibrated parameters that stay uncertain, each at one standard deviation.
     pub uncertain: Vec<Active>,
     /// The noise.
     pub noise: Noise,

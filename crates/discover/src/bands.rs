@@ -1,4 +1,4 @@
-//! Bands about simulated runs: noise, parameters that calibration knows only so well (one after the other, one standard
+//! Bands about simulated runs: noise, calibrated parameters that stay uncertain (one after the other, one standard
 //! deviation each) and model-form variants of the same wing. The corrections' own uncertainty is not in them.
 
 use crate::analysis::Prepared;

@@ -1,4 +1,4 @@
-//! How large an effect is, judged from parts of the data one by one: an effect that is what it is called has one size at
+//! How large an effect is, judged from parts of the data one by one: an effect that is the one named has one size at
 //! every airspeed and in every kind of maneuver. What only resembles it grows with another power of the airspeed, or is
 //! right in pitch and wrong with the surfaces.
 //!

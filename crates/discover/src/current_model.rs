@@ -27,7 +27,7 @@ pub struct CurrentModel<'a> {
     adjustments: Vec<Vec<Vec<f64>>>,
     /// Residual.
     pub residual: Vec<f64>,
-    /// What runs share.
+    /// What all runs share: uncertain parameters, corrections, model form.
     pub shared: Shared,
     /// Its columns, not freed from what a run may be off by.
     columns: Arc<Vec<Vec<f64>>>,

@@ -2,8 +2,8 @@
 //!
 //! Repeats are compared after the simulation is taken off, as their angles are never quite the same. Per channel and band
 //! of frequencies the mean square of half the difference estimates the noise; where the campaign states its noise, the
-//! larger counts. Differences of means estimate the offset of a run. A load that runs lack has noise without end, so that
-//! nothing is made of it.
+//! larger counts. Differences of means estimate the offset of a run. A load that runs lack has infinite noise: it
+//! has no weight.
 
 use crate::data::Dataset;
 use crate::transform::{cosines, frequency_hz};

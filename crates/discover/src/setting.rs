@@ -17,7 +17,7 @@ pub struct Setting<'a> {
     pub variants: Vec<&'a dyn LoadModel>,
     /// The library.
     pub library: &'a [Arc<dyn Effect>],
-    /// What calibration knows only so well, each at one standard deviation.
+    /// Calibrated parameters that stay uncertain, each at one standard deviation.
     pub uncertain: &'a [Active],
     /// How uncertain the corrections' directions are, as a share of what they are before any data: one if the campaign's own
     /// static points determine them, less if they were found with others.

@@ -11,7 +11,7 @@ rules! {
         /// Cutoff of the filter before samples are left out.
         anti_alias_hz: f64 = 25.0, "Hz", Formula("half the Nyquist frequency of `rate_hz`");
         /// Highest frequency whose cosine coefficients are looked at.
-        highest_hz: f64 = 12.0, "Hz", Physical("highest frequency of the declared maneuvers (chirps to 10 Hz)");
+        highest_hz: f64 = 12.0, "Hz", Unknown;
         /// An angle of a smaller standard deviation is held: its encoder's noise would be flown as motion otherwise.
         held_angle_sd_rad: f64 = 3.5e-4, "rad", Physical("a fiftieth of a degree, four times an encoder's noise");
         /// Airspeeds closer than this share of each other are one.

@@ -65,13 +65,13 @@ rules! {
         /// Most effects that one campaign may lack.
         most_effects: usize = 4, "effects", Unknown;
         /// An effect that adds less than this share of the first one's log Bayes factor only repairs the first one's form.
-        repair_share: f64 = 0.008, "", Measured("development cases of the blind benchmark (seeds 2100000 to 2300000)");
+        repair_share: f64 = 0.008, "", Measured("development cases of the blind benchmark");
         /// A larger log Bayes factor than this repairs no form...
         no_repair: f64 = 100.0, "log Bayes factor", Measured("as `repair_share`");
         /// ... but that of a rival, which needs this share of the log Bayes factor of the one that it is a rival of.
         repair_share_of_rival: f64 = 0.2, "", Measured("as `repair_share`");
         /// What differences of model form may add to a log Bayes factor or take from it, where odds decide instead.
-        model_form: f64 = 45.0, "log Bayes factor", Measured("null cases of the blind benchmark (seeds 2100000 and 2200000)");
+        model_form: f64 = 45.0, "log Bayes factor", Measured("null campaigns of the blind benchmark: the margin of thresholds of an earlier version");
         /// Confidence in what goes first by its odds, not by the data.
         odds: f64 = 2.0 / 3.0, "", Formula("of two lags that are late, one is of a kind that is early as often: odds of two to one");
         /// What had less than this share of an effect's log Bayes factor is not ranked in its place again when more was found.
@@ -81,7 +81,7 @@ rules! {
         /// Where no candidate wins this share of draws together with its rivals in the library, none is named.
         wins: f64 = 0.35, "", Unknown;
         /// Share of draws that an effect wins, and how often it was the right one: straight between. Where nothing is close to it.
-        right_alone: [(f64, f64); 5] = [(0.0, 0.4), (0.45, 0.85), (0.7, 0.95), (0.9, 0.97), (1.0, 0.985)], "", Measured("development cases of the blind benchmark (seeds 2100000 to 2300000, track A)");
+        right_alone: [(f64, f64); 5] = [(0.0, 0.4), (0.45, 0.85), (0.7, 0.95), (0.9, 0.97), (1.0, 0.985)], "", Measured("development cases of the blind benchmark, corrections from other static points");
         /// The same where rivals are close.
         right_with_rivals: [(f64, f64); 5] = [(0.0, 0.3), (0.5, 0.58), (0.7, 0.6), (0.85, 0.85), (1.0, 0.97)], "", Measured("as `right_alone`");
         /// The best effect is not named if it explains less than this share of the misfit that is too much.
@@ -112,12 +112,12 @@ rules! {
     /// One size of an effect in all parts of the data.
     ConsistencyRules {
         /// Angles that span more than this pitch; others are held.
-        pitching_span_rad: f64 = 0.0035, "rad", Physical("a fifth of a degree, above an encoder's noise and a support's bending");
+        pitching_span_rad: f64 = 0.0035, "rad", Physical("a fifth of a degree, above an encoder's noise");
         /// A part that knows its size worse than this share is left out.
         known_share: f64 = 0.25, "", Unknown;
         /// So is one that knows it so many times worse than the best: it looks at another parameter of the effect.
         times_worse: f64 = 10.0, "", Measured("development cases of the blind benchmark: what a joiner weighs in a tilt, beside its inertia");
-        /// Above this chi square a degree of freedom of its size from part to part an effect is not what it is called.
+        /// Above this chi square a degree of freedom of its size from part to part an effect is not the one named.
         scatter: f64 = 3.0, "", Measured("development cases of the blind benchmark");
         /// The same where something is left that nothing explains.
         scatter_unexplained: f64 = 1.4, "", Measured("development cases of the blind benchmark: an angle's encoder in the place of a joiner");
@@ -142,7 +142,7 @@ rules! {
     /// What is said in the end.
     VerdictRules {
         /// A gap is closed that is at most so many times what is left where nothing is missing; the same on training data, above which something is missing.
-        closed: f64 = 2.0, "", Physical("models are never perfect: agreed before the first test");
+        closed: f64 = 2.0, "", Physical("models are never perfect: the definition of success");
         /// An experiment that separates rivals by a smaller expected log Bayes factor is no advice.
         separated: f64 = 5.0, "log Bayes factor", Formula("odds of 150 to one");
         /// Most times that a size is doubled or halved in search of a detection limit.
