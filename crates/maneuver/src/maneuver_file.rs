@@ -2,14 +2,13 @@
 //! by line and column; [`ManeuverFile::checked`] refuses what the wing cannot do.
 
 mod check;
-mod motion;
-mod own_signal;
+mod sampled;
 
-pub use check::{DEFAULT_LIMIT_DEG, Growing, growing};
+pub use check::DEFAULT_LIMIT_DEG;
 
+use crate::motion::MotionSpec;
 use crate::rig::{Actuator, RigSettings};
 use nastran::{InputError, ron_file};
-use own_signal::OwnSignal;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 
@@ -38,9 +37,6 @@ pub struct ManeuverFile {
     /// The file as it was named when read.
     #[serde(skip)]
     pub path: PathBuf,
-    /// Signals of [`MotionSpec::FromFile`], in their order.
-    #[serde(skip)]
-    own: Vec<OwnSignal>,
 }
 
 /// What stands between a commanded deflection and the control surface.
@@ -62,128 +58,8 @@ pub enum ActuatorChoice {
     },
 }
 
-/// What moves: `of` is `"alpha"` or the name of a control surface; everything is zero outside the motion.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub enum MotionSpec {
-    /// `height/2 (1 - cos(2 pi f t))` for one period.
-    OneMinusCosine {
-        /// What moves.
-        of: String,
-        /// Largest departure.
-        height_deg: f64,
-        /// One over the duration.
-        frequency_hz: f64,
-        /// Beginning.
-        #[serde(default)]
-        start_s: f64,
-    },
-    /// `+height` for half a period, `-height` for the other.
-    Doublet {
-        /// What moves.
-        of: String,
-        /// Height of each half.
-        height_deg: f64,
-        /// One over the length of both halves.
-        frequency_hz: f64,
-        /// Beginning.
-        #[serde(default)]
-        start_s: f64,
-    },
-    /// A sine whose frequency runs linearly.
-    Chirp {
-        /// What moves.
-        of: String,
-        /// Amplitude.
-        height_deg: f64,
-        /// Frequency at the beginning.
-        from_hz: f64,
-        /// Frequency at the end.
-        to_hz: f64,
-        /// Duration.
-        duration_s: f64,
-        /// Beginning.
-        #[serde(default)]
-        start_s: f64,
-    },
-    /// A step that stays.
-    Step {
-        /// What moves.
-        of: String,
-        /// Height.
-        height_deg: f64,
-        /// Beginning.
-        #[serde(default)]
-        start_s: f64,
-    },
-    /// Three units up, two down, one up, one down.
-    ThreeTwoOneOne {
-        /// What moves.
-        of: String,
-        /// Height.
-        height_deg: f64,
-        /// Length of one unit.
-        unit_s: f64,
-        /// Beginning.
-        #[serde(default)]
-        start_s: f64,
-    },
-    /// A signal of one's own: a CSV file with `t_s` and `alpha_deg` (the angle itself) or `delta_NAME_deg` columns,
-    /// linear between its samples and constant before and behind them.
-    FromFile {
-        /// The file, relative to the maneuver's.
-        file: String,
-        /// Where its t_s = 0 is.
-        #[serde(default)]
-        start_s: f64,
-    },
-}
-
 fn sea_level() -> f64 {
     1.225
-}
-
-impl MotionSpec {
-    /// Its name in a file.
-    pub fn kind(&self) -> &'static str {
-        match self {
-            Self::OneMinusCosine { .. } => "OneMinusCosine",
-            Self::Doublet { .. } => "Doublet",
-            Self::Chirp { .. } => "Chirp",
-            Self::Step { .. } => "Step",
-            Self::ThreeTwoOneOne { .. } => "ThreeTwoOneOne",
-            Self::FromFile { .. } => "FromFile",
-        }
-    }
-
-    /// What moves; none for a file, whose columns say it.
-    pub fn of(&self) -> Option<&str> {
-        match self {
-            Self::OneMinusCosine { of, .. }
-            | Self::Doublet { of, .. }
-            | Self::Chirp { of, .. }
-            | Self::Step { of, .. }
-            | Self::ThreeTwoOneOne { of, .. } => Some(of),
-            Self::FromFile { .. } => None,
-        }
-    }
-
-    /// Beginning, s.
-    pub fn start_s(&self) -> f64 {
-        match self {
-            Self::OneMinusCosine { start_s, .. }
-            | Self::Doublet { start_s, .. }
-            | Self::Chirp { start_s, .. }
-            | Self::Step { start_s, .. }
-            | Self::ThreeTwoOneOne { start_s, .. }
-            | Self::FromFile { start_s, .. } => *start_s,
-        }
-    }
-
-    /// Whether it jumps.
-    pub(crate) fn jumps(&self) -> bool {
-        matches!(self, Self::Doublet { .. } | Self::Step { .. } | Self::ThreeTwoOneOne { .. })
-    }
 }
 
 impl ManeuverFile {
@@ -196,10 +72,9 @@ impl ManeuverFile {
         let mut file: Self = ron_file::read(path)?;
         file.path = path.to_path_buf();
         check::numbers(&file)?;
-        for spec in &file.motions {
-            if let MotionSpec::FromFile { file: name, .. } = spec {
-                file.own.push(OwnSignal::read(&nastran::named_file(path, name)?)?);
-            }
+        let base = file.alpha_deg.unwrap_or(0.0).to_radians();
+        for spec in &mut file.motions {
+            spec.complete(base, path)?;
         }
         check::angle_is_given_once(&file)?;
         Ok(file)

@@ -18,10 +18,12 @@ use crate::operators::{FIELDS, RigOperators};
 use crate::rig_model::RigModel;
 use aero::{Corrections, Flow};
 use coupling::{CouplingError, ElasticWing};
+use serde::Deserialize;
 use structure::ModesError;
 
 /// A second-order actuator between commanded and actual deflection.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Actuator {
     /// Natural frequency, Hz.
     pub frequency_hz: f64,

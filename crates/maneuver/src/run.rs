@@ -8,8 +8,8 @@ use std::path::Path;
 const SAME_STEP: f64 = 0.05;
 /// No sample may be further than this share of a step from where a uniform step puts it.
 const DRIFT: f64 = 0.1;
-/// Largest airspeed, m/s: the air is taken as incompressible.
-const FASTEST_M_S: f64 = 340.0;
+/// Airspeeds of runs, m/s, zero without wind: the air is taken as incompressible.
+pub const AIRSPEEDS_M_S: std::ops::RangeInclusive<f64> = 0.0..=340.0;
 /// An airspeed may vary by this share of its mean within a run.
 const SAME_AIRSPEED: f64 = 0.02;
 
@@ -171,8 +171,9 @@ fn time_step(t_s: &[f64], span: impl Fn(usize) -> Span) -> Result<f64, InputErro
 
 /// The mean airspeed, or the line that is too far from it.
 fn airspeed(v_m_s: &[f64], span: impl Fn(usize) -> Span) -> Result<f64, InputError> {
-    if let Some(row) = v_m_s.iter().position(|v| !(0.0..=FASTEST_M_S).contains(v)) {
-        let message = format!("the airspeed {:?} m/s is not within 0 to {FASTEST_M_S} m/s", v_m_s[row]);
+    if let Some(row) = v_m_s.iter().position(|v| !AIRSPEEDS_M_S.contains(v)) {
+        let message =
+            format!("the airspeed {:?} m/s is not within 0 to {} m/s", v_m_s[row], AIRSPEEDS_M_S.end());
         return Err(InputError::at(&span(row), message).with_help("zero marks a wind-off run"));
     }
     let mean = v_m_s.iter().sum::<f64>() / v_m_s.len() as f64;
