@@ -64,14 +64,14 @@ pub enum Sets {
     Common,
 }
 
-/// Declared noise of a campaign.
+/// Declared noise of a campaign, one standard deviation a channel.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Noise {
+pub struct Noise<C = ChannelNoise> {
     /// Of one sample of a run.
-    pub sample: ChannelNoise,
+    pub sample: C,
     /// Of one row of the static cases, which is an average already.
-    pub static_point: ChannelNoise,
+    pub static_point: C,
 }
 
 /// What a run may be used for.

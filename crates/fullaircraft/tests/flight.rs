@@ -32,8 +32,8 @@ fn without_input_nothing_moves() {
 fn an_antisymmetric_doublet_rolls_the_aircraft_and_leaves_symmetric_motion_alone() {
     let (aircraft, model) = (whole(), whole().uncorrected());
     let trimmed = model.trim("trim", &aircraft.file.trim).unwrap();
-    let flight = FreeFlight::new(&model, air(), &trimmed, &aircraft.file.doublet.control).unwrap();
-    let history = flight.doublet(&aircraft.file.doublet);
+    let flight = FreeFlight::new(&model, air(), &trimmed, aircraft.file.doublet.control().unwrap()).unwrap();
+    let history = flight.fly_motion(&aircraft.file.doublet);
     let change = |values: &[f64]| values.iter().map(|v| v - values[0]).collect::<Vec<f64>>();
     assert!(FlightHistory::peak(&change(&history.alpha_deg)) < 1e-6);
     let (right, left) = (change(&history.root_right[0]), change(&history.root_left[0]));

@@ -7,7 +7,7 @@ use common::{air, assert_near, whole};
 use faer::{Mat, MatRef};
 use fullaircraft::{Drive, FlightHistory, FlyingAircraft, FreeFlight, Gust, Integration, Trimmed};
 use maneuver::Signal;
-use maneuver::signals::{Constant, Doublet, OneMinusCosine};
+use maneuver::motion::{Doublet, OneMinusCosine, Step};
 use nalgebra::{Matrix4, Vector3};
 
 fn trimmed() -> Trimmed {
@@ -43,12 +43,12 @@ fn looked_at(history: &FlightHistory) -> [(&'static str, &[f64]); 7] {
 
 #[test]
 fn small_inputs_give_what_the_linearised_equations_give() {
-    let wave = OneMinusCosine { base: 0.0, height: 2e-3, frequency_hz: 3.0, start_s: 0.1 };
+    let wave = OneMinusCosine::new(2e-3, 3.0, 0.1);
     let gust = Gust { velocity_m_s: 0.05, length_m: 6.0, start_s: 0.3 };
     let flying = flying(&["outer", "elevator", "rudder"], Some(gust));
     let commands: [&dyn Signal; 3] = [&wave, &wave, &wave];
     let whole = flying.fly(&commands, 2.0, &Integration::default()).unwrap();
-    let sampled = vec![maneuver::signals::sampled(&wave, 0.001, 2001); 3];
+    let sampled = vec![maneuver::motion::sampled(&wave, 0.001, 2001); 3];
     let small = FreeFlight::of(flying).fly_at(0.001, &sampled, 2001);
     for ((name, full), (_, linear)) in looked_at(&whole).into_iter().zip(looked_at(&small)) {
         let off = apart(full, linear);
@@ -71,7 +71,7 @@ fn small_inputs_give_what_the_linearised_equations_give() {
 #[test]
 fn halved_steps_and_tolerances_change_no_peak_by_a_thousandth() {
     let file = &whole().file;
-    let doublet = file.doublet.signal();
+    let doublet: &dyn Signal = file.doublet.kind();
     let flying = flying(&["outer"], None);
     let coarse = Integration::default();
     let fine = Integration {
@@ -80,10 +80,10 @@ fn halved_steps_and_tolerances_change_no_peak_by_a_thousandth() {
         absolute: 0.5 * coarse.absolute,
         longest_step_s: 0.5 * coarse.longest_step_s,
     };
-    let [coarse, fine] = [coarse, fine].map(|settings| flying.fly(&[&doublet], 1.0, &settings).unwrap());
+    let [coarse, fine] = [coarse, fine].map(|settings| flying.fly(&[doublet], 1.0, &settings).unwrap());
     let linear = FreeFlight::of(flying);
     let [half, whole] = [(0.0005, 2001), (0.001, 1001)].map(|(step, samples)| {
-        linear.fly_at(step, &[maneuver::signals::sampled(&doublet, step, samples)], samples)
+        linear.fly_at(step, &[maneuver::motion::sampled(doublet, step, samples)], samples)
     });
     for (one, two, kind, limit) in [(&coarse, &fine, "nonlinear", 1e-3), (&whole, &half, "linear", 1e-3)] {
         for ((name, a), (_, b)) in looked_at(one).into_iter().zip(looked_at(two)) {
@@ -132,7 +132,7 @@ fn an_upward_gust_bends_both_wings_up_and_an_aileron_one_up_and_one_down() {
     let met = history.gust_m_s.iter().position(|w| *w > 0.0).unwrap();
     assert_near("when the centre meets it", history.t_s[met], 0.1 + 1.09 / 25.7, 0.03);
 
-    let step = OneMinusCosine { base: 0.0, height: 0.1, frequency_hz: 4.0, start_s: 0.0 };
+    let step = OneMinusCosine::new(0.1, 4.0, 0.0);
     let history = flying(&["outer"], None).fly(&[&step], 0.12, &Integration::default()).unwrap();
     let last = history.t_s.len() - 1;
     let of = |side: &[Vec<f64>; 3], row: usize| side[row][last] - side[row][0];
@@ -173,7 +173,7 @@ fn a_symmetric_input_has_no_antisymmetric_answer() {
 #[test]
 fn the_air_does_no_work_on_the_flight_path_and_nothing_moves_without_input() {
     // no drag and no thrust: v²/2 + g z stays
-    let wave = OneMinusCosine { base: 0.0, height: -0.08, frequency_hz: 0.5, start_s: 0.0 };
+    let wave = OneMinusCosine::new(-0.08, 0.5, 0.0);
     let flying = flying(&["elevator"], None);
     let history = flying.fly(&[&wave], 3.0, &Integration::default()).unwrap();
     let energy = |k: usize| 0.5 * history.v_m_s[k].powi(2) + 9.806_65 * history.place_m[2][k];
@@ -182,7 +182,7 @@ fn the_air_does_no_work_on_the_flight_path_and_nothing_moves_without_input() {
     for k in 0..history.t_s.len() {
         assert!((energy(k) - energy(0)).abs() < 1e-6 * energy(0), "{}", history.t_s[k]);
     }
-    let still = flying.fly(&[&Constant(0.0)], 2.0, &Integration::default()).unwrap();
+    let still = flying.fly(&[&Step { height: 0.0, start_s: 0.0 }], 2.0, &Integration::default()).unwrap();
     for (name, values) in looked_at(&still) {
         let most = FlightHistory::peak(&change(values));
         println!("still {name} {most:e}");

@@ -12,7 +12,7 @@ use crate::strips::ZONES;
 use crate::system::{Inputs, Parts, ZonesOf};
 use faer::Mat;
 use maneuver::ExactStep;
-use maneuver::signals::{Chirp, Doublet, OneMinusCosine, Signal};
+use maneuver::motion::{About, Chirp, Doublet, OneMinusCosine, Signal};
 
 /// The wing of a case: all it needs but the airspeed.
 pub(crate) struct TrueWing<'a> {
@@ -41,7 +41,7 @@ impl Commands {
         match planned.motion {
             Move::Pitch { height_deg, frequency_hz } => {
                 let height = height_deg.to_radians();
-                let pitch = OneMinusCosine { base, height, frequency_hz, start_s: START_S };
+                let pitch = About(base, OneMinusCosine::new(height, frequency_hz, START_S));
                 alpha =
                     [sampled(&|t| pitch.at(t)), sampled(&|t| pitch.rate(t)), sampled(&|t| pitch.second(t))];
             }

@@ -7,7 +7,7 @@ mod common;
 use aero::{Corrections, Flow};
 use common::wing_with;
 use coupling::ElasticWing;
-use maneuver::signals::{OneMinusCosine, Signal};
+use maneuver::motion::{About, OneMinusCosine, Signal};
 use maneuver::{AirModel, Motion, Rig, RigSettings, Smooth};
 use std::f64::consts::PI;
 
@@ -15,7 +15,7 @@ const STEP_S: f64 = 0.001;
 
 /// Root bending after a 4 Hz pitch pulse that ends at 0.25 s, counted from where it started and returns to.
 fn ringing(rig: &Rig<'_>, wing: &ElasticWing, v_m_s: f64, samples: usize) -> Vec<f64> {
-    let pulse = OneMinusCosine { base: 0.02, height: 0.03, frequency_hz: 4.0, start_s: 0.0 };
+    let pulse = About(0.02, OneMinusCosine::new(0.03, 4.0, 0.0));
     let of = |f: &dyn Fn(f64) -> f64| (0..samples).map(|i| f(i as f64 * STEP_S)).collect::<Vec<f64>>();
     let motion = Motion {
         time_step_s: STEP_S,

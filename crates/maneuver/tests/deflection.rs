@@ -6,7 +6,7 @@ mod common;
 
 use aero::{Corrections, Flow};
 use coupling::wing_file::{DeflectionRow, DeflectionTable, OutsideAirspeeds};
-use maneuver::signals::{Doublet, sampled};
+use maneuver::motion::{Doublet, sampled};
 use maneuver::{
     DeflectionCorrection, Motion, Rig, RigSettings, Run, Smooth, fly_commanded, simulate_commanded,
 };

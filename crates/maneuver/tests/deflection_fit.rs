@@ -7,7 +7,7 @@ mod common;
 use aero::{Corrections, Flow};
 use coupling::wing_file::{DeflectionRow, DeflectionTable, OutsideAirspeeds};
 use maneuver::deflection_fit::{DoubletFit, doublet_of, fit_doublet, noise_gap, pooled, tables};
-use maneuver::signals::{Chirp, Doublet, Signal, sampled};
+use maneuver::motion::{Chirp, Doublet, Signal, sampled};
 use maneuver::{
     DeflectionAt, DeflectionCorrection, Motion, Rig, RigModel, RigSettings, Run, Smooth, fly_commanded,
 };

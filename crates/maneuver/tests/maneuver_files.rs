@@ -6,8 +6,8 @@ mod common;
 
 use aero::{Corrections, Flow};
 use coupling::{ElasticWing, WingFile};
-use maneuver::maneuver_file::growing;
-use maneuver::signals::{Chirp, OneMinusCosine, Signal};
+use maneuver::growth::growing;
+use maneuver::motion::{About, Chirp, OneMinusCosine, Signal};
 use maneuver::{DeflectionAt, ManeuverFile, Rig, RigModel, RigSettings, fly_commanded};
 use nastran::InputError;
 use std::path::PathBuf;
@@ -225,12 +225,7 @@ fn declared_motions_are_the_signals_they_name() {
     let declared = Declared::new("signals", &text).read().unwrap();
     let motion = declared.motion(&model);
     assert_eq!((motion.time_step_s, motion.alpha.value.len()), (0.005, 401));
-    let angle = OneMinusCosine {
-        base: 1.3_f64.to_radians(),
-        height: 3.7_f64.to_radians(),
-        frequency_hz: 2.0,
-        start_s: 0.5,
-    };
+    let angle = About(1.3_f64.to_radians(), OneMinusCosine::new(3.7_f64.to_radians(), 2.0, 0.5));
     let chirp =
         Chirp { height: 5.0_f64.to_radians(), from_hz: 0.0, to_hz: 10.0, duration_s: 1.0, start_s: 0.5 };
     for (i, t_s) in declared.times().into_iter().enumerate() {

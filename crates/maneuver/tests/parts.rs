@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
 use faer::Mat;
-use maneuver::signals::{Chirp, Doublet, OneMinusCosine, Signal, Step, ThreeTwoOneOne, sampled};
+use maneuver::motion::{About, Chirp, Doublet, OneMinusCosine, Signal, Step, ThreeTwoOneOne, sampled};
 use maneuver::step::{ExactStep, exponential};
 use maneuver::{Run, smooth_from_rest, zero_phase};
 use std::cmp::Ordering;
@@ -67,7 +67,7 @@ fn outputs_block_by_block_are_those_of_all_states_step_by_step() {
 
 #[test]
 fn signals_are_what_their_formulas_say() {
-    let bump = OneMinusCosine { base: 1.3, height: 3.7, frequency_hz: 2.0, start_s: 0.5 };
+    let bump = About(1.3, OneMinusCosine::new(3.7, 2.0, 0.5));
     assert_eq!(bump.at(0.0), 1.3);
     assert!((bump.at(0.75) - 5.0).abs() < 1e-12);
     let doublet = Doublet { height: 2.0, frequency_hz: 5.0, start_s: 1.0 };
@@ -126,7 +126,7 @@ fn smoothing_a_noisy_angle_leaves_what_its_filter_lets_through() {
     // 2 Hz one-minus-cosine with 0.01 degrees of noise at 200 Hz. The noise left on the second derivative is
     // s/h² sqrt(1/pi integral of w⁴ H(w)²), H of the module: differencing the raw signal would leave s/h² sqrt(6).
     let (h, count, sigma) = (0.005, 400, 0.01);
-    let signal = OneMinusCosine { base: 1.3, height: 3.7, frequency_hz: 2.0, start_s: 0.5 };
+    let signal = About(1.3, OneMinusCosine::new(3.7, 2.0, 0.5));
     let draw = |k: usize| {
         let x = (k as f64 * 12.9898).sin() * 43_758.545_3;
         (x - x.floor() - 0.5) * 12.0_f64.sqrt()
@@ -159,7 +159,7 @@ fn below_thirteen_hertz_the_second_derivative_of_a_noisy_angle_is_good_to_five_p
     // (a quarter of the peak) it is what the filter must let through. The corners, where the second derivative
     // jumps, belong to no smooth curve.
     let (h, count, sigma) = (0.005, 400, 0.01);
-    let signal = OneMinusCosine { base: 1.3, height: 3.7, frequency_hz: 2.0, start_s: 0.5 };
+    let signal = About(1.3, OneMinusCosine::new(3.7, 2.0, 0.5));
     let draw = |k: usize| {
         let x = (k as f64 * 12.9898).sin() * 43_758.545_3;
         (x - x.floor() - 0.5) * 12.0_f64.sqrt()

@@ -7,7 +7,7 @@ mod common;
 use aero::{Corrections, Flow};
 use common::{uneven, wing_with};
 use coupling::{ElasticWing, Mount, SteadyCase, WingFile};
-use maneuver::signals::{Doublet, OneMinusCosine, Signal, sampled};
+use maneuver::motion::{About, Doublet, OneMinusCosine, Signal, Step, sampled};
 use maneuver::{AirModel, Motion, Rig, RigSettings, Smooth};
 
 const RHO: f64 = 1.225;
@@ -51,7 +51,7 @@ fn the_first_sample_of_any_run_equals_the_static_loads() {
     let (file, wing) = wing_with(|_| ());
     let corrections = uneven(&wing);
     let rig = Rig::new(&wing, settings(&file)).unwrap();
-    let alpha = OneMinusCosine { base: 0.0227, height: 0.065, frequency_hz: 2.0, start_s: -0.1 };
+    let alpha = About(0.0227, OneMinusCosine::new(0.065, 2.0, -0.1));
     for v_m_s in [18.0, 40.0] {
         let controls = vec![vec![0.05; 10], vec![-0.02; 10], vec![0.03; 10]];
         let history = rig.at(flow(v_m_s), &corrections).unwrap().fly(&motion(&alpha, 10, controls));
@@ -70,7 +70,7 @@ fn the_first_sample_of_any_run_equals_the_static_loads() {
 fn steady_results_do_not_depend_on_the_number_of_modes() {
     let (file, wing) = wing_with(|_| ());
     let corrections = uneven(&wing);
-    let still = motion(&maneuver::signals::Constant(0.05), 3, Vec::new());
+    let still = motion(&Step { height: 0.05, start_s: 0.0 }, 3, Vec::new());
     let loads = |modes: usize| {
         let rig = Rig::new(&wing, RigSettings { modes, ..settings(&file) }).unwrap();
         let history = rig.at(flow(40.0), &corrections).unwrap().fly(&still);
@@ -89,7 +89,7 @@ fn a_very_slow_pitch_run_equals_the_static_loads_within_half_a_per_cent() {
     let (file, wing) = wing_with(|_| ());
     let neutral = Corrections::neutral(wing.correctable.len());
     let rig = Rig::new(&wing, settings(&file)).unwrap();
-    let alpha = OneMinusCosine { base: 0.02, height: 0.06, frequency_hz: 0.02, start_s: 0.0 };
+    let alpha = About(0.02, OneMinusCosine::new(0.06, 0.02, 0.0));
     let history = rig.at(flow(30.0), &neutral).unwrap().fly(&motion(&alpha, 10_000, Vec::new()));
     let operator = wing.at(flow(30.0), &neutral).unwrap();
     let channels = ["Fz_N", "Mx_Nm", "My_Nm"];
@@ -113,7 +113,7 @@ fn wind_off_pitch_of_a_stiffened_wing_gives_rigid_body_inertia() {
     let (file, wing) = stiffened(1e10);
     let rig = Rig::new(&wing, RigSettings { air: AirModel::QuasiSteady, ..settings(&file) }).unwrap();
     let neutral = Corrections::neutral(wing.correctable.len());
-    let alpha = OneMinusCosine { base: 0.02, height: 0.06, frequency_hz: 2.0, start_s: 0.0 };
+    let alpha = About(0.02, OneMinusCosine::new(0.06, 2.0, 0.0));
     let history = rig.at(flow(0.0), &neutral).unwrap().fly(&motion(&alpha, 100, Vec::new()));
     // closed form: every mass m at (x, y) moves z = -(x - x_p) alpha, so F = -m z'' = m (x - x_p) alpha''
     let (system, _) = wing.structure.as_ref().unwrap();
@@ -146,7 +146,7 @@ fn a_doublet_rings_in_the_first_mode_and_wind_damps_it() {
     let neutral = Corrections::neutral(wing.correctable.len());
     let doublet = sampled(&Doublet { height: 0.09, frequency_hz: 4.0, start_s: 0.1 }, 0.005, 600);
     let moved = |delta: Vec<f64>| {
-        let still = motion(&maneuver::signals::Constant(0.02), 600, vec![vec![0.0; 600], delta]);
+        let still = motion(&Step { height: 0.02, start_s: 0.0 }, 600, vec![vec![0.0; 600], delta]);
         let history = rig.at(flow(30.0), &neutral).unwrap().fly(&still);
         let mx = history.get("Mx_Nm").unwrap().to_vec();
         mx.iter().map(|value| value - mx[0]).collect::<Vec<f64>>()

@@ -4,7 +4,7 @@
 
 use aero::{Corrections, Flow};
 use coupling::ElasticWing;
-use maneuver::signals::{Doublet, Step, ThreeTwoOneOne, sampled};
+use maneuver::motion::{Doublet, Step, ThreeTwoOneOne, sampled};
 use maneuver::{Motion, Rig, RigSettings, Run, Smooth, simulate};
 use std::path::{Path, PathBuf};
 

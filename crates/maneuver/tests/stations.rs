@@ -6,7 +6,7 @@ mod common;
 
 use aero::Flow;
 use common::{uneven, wing_with};
-use maneuver::signals::OneMinusCosine;
+use maneuver::motion::{About, OneMinusCosine};
 use maneuver::{Motion, Rig, RigSettings, Signal, Smooth, Station, TimeHistory};
 use nalgebra::Point3;
 
@@ -20,7 +20,7 @@ fn flown(stations: Vec<Station>) -> TimeHistory {
     };
     let rig = Rig::new(&wing, settings).unwrap();
     let model = rig.at(Flow { v_m_s: 30.0, rho_kg_m3: 1.225 }, &uneven(&wing)).unwrap();
-    let signal = OneMinusCosine { base: 0.02, height: 0.06, frequency_hz: 4.0, start_s: 0.1 };
+    let signal = About(0.02, OneMinusCosine::new(0.06, 4.0, 0.1));
     let of = |value: &dyn Fn(f64) -> f64| (0..120).map(|i| value(f64::from(i) * 0.005)).collect();
     let alpha = Smooth {
         value: of(&|t| signal.at(t)),

@@ -14,7 +14,7 @@ use faer::{Mat, c64};
 use maneuver::air::{
     Accuracy, REDUCED_FREQUENCIES, RationalAir, UnsteadyAir, Weighting, accuracy, worst_by_row,
 };
-use maneuver::signals::{Constant, OneMinusCosine};
+use maneuver::motion::{About, OneMinusCosine, Step};
 use maneuver::{Motion, Rig, RigModel, RigSettings, Signal, Smooth};
 use std::f64::consts::TAU;
 use structure::normal_modes;
@@ -220,7 +220,7 @@ fn flown_at_a_frequency_the_loads_swing_as_the_systems_own_transfer_function_say
 #[test]
 fn twice_the_modes_change_no_root_load_by_a_hundredth() {
     let (file, wing) = wing_with(|_| ());
-    let signal = OneMinusCosine { base: 0.02, height: 0.06, frequency_hz: 4.0, start_s: 0.2 };
+    let signal = About(0.02, OneMinusCosine::new(0.06, 4.0, 0.2));
     let fly = |modes: usize| {
         let settings = RigSettings { modes, ..RigSettings::new(file.damping_ratio, file.pitch_axis_x()) };
         let rig = Rig::new(&wing, settings).unwrap();
@@ -242,7 +242,11 @@ fn a_run_begins_with_the_static_loads() {
     let (file, wing) = wing_with(|_| ());
     let corrections = uneven(&wing);
     let rig = Rig::new(&wing, RigSettings::new(file.damping_ratio, file.pitch_axis_x())).unwrap();
-    let history = rig.at(flow(22.0), &corrections).unwrap().fly(&pitch(&Constant(0.03), 0.005, 40));
+    let history = rig.at(flow(22.0), &corrections).unwrap().fly(&pitch(
+        &Step { height: 0.03, start_s: 0.0 },
+        0.005,
+        40,
+    ));
     let case = coupling::SteadyCase::new(flow(22.0), 0.03);
     let steady = wing.at(flow(22.0), &corrections).unwrap().solve(&[case])[0].root.to_array();
     for (name, steady) in ["Fz_N", "Mx_Nm", "My_Nm"].into_iter().zip(steady) {

@@ -1,10 +1,10 @@
 //! A campaign folder as texts: `campaign.ron`, `static.csv` and the runs.
 
 use crate::file::TunnelFile;
-use crate::run_file::Purpose;
 use crate::runs;
 use crate::statics::{self, StaticRow};
 use crate::truth::{Truth, TunnelError};
+use coupling::ByLoad;
 use std::fmt::Write as _;
 
 /// What a campaign folder holds, before it is written.
@@ -32,9 +32,7 @@ pub fn campaign(tunnel: &TunnelFile, truth: &Truth, seed: u64) -> Result<Campaig
 
 /// `campaign.ron`.
 fn entry(tunnel: &TunnelFile) -> String {
-    let noise = |noise: crate::ChannelNoise| {
-        format!("(fz_N: {:?}, mx_Nm: {:?}, my_Nm: {:?})", noise.fz_n, noise.mx_nm, noise.my_nm)
-    };
+    let noise = |ByLoad { fz, mx, my }: ByLoad<f64>| format!("(fz_N: {fz:?}, mx_Nm: {mx:?}, my_Nm: {my:?})");
     let mut text = String::from("// Virtual measurements: README.md beside this file says whose.\n");
     let _ = write!(
         text,
@@ -46,11 +44,7 @@ fn entry(tunnel: &TunnelFile) -> String {
         noise(tunnel.noise.static_point),
     );
     for run in &tunnel.runs {
-        let usage = match run.purpose {
-            Purpose::Train => "Train",
-            Purpose::Holdout => "Holdout",
-        };
-        let _ = write!(text, "        (file: {:?}, use: {usage}", run.file);
+        let _ = write!(text, "        (file: {:?}, use: {:?}", run.file, run.purpose);
         for (field, value) in [("block", &run.block), ("repeat_of", &run.repeat_of)] {
             if let Some(value) = value {
                 let _ = write!(text, ", {field}: {value:?}");

@@ -1,8 +1,11 @@
 //! The file of the virtual wind tunnel: what it measures, with what noise, and the truth it hides.
 
 use crate::run_file::{Dynamics, RunPlan};
+use calibrate::Noise;
+use coupling::ByLoad;
 use coupling::planform::Mesh;
 use coupling::wing_file::DeflectionTable;
+use maneuver::motion::ANGLE;
 use nastran::{InputError, ron_file};
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
@@ -26,7 +29,7 @@ pub struct TunnelFile {
     /// Static cases.
     pub statics: Statics,
     /// Declared (and true) noise.
-    pub noise: Noise,
+    pub noise: Noise<ByLoad<f64>>,
     /// How runs are measured; needed only for runs.
     #[serde(default)]
     pub dynamics: Option<Dynamics>,
@@ -138,7 +141,7 @@ pub struct Statics {
     pub angles_deg: Vec<f64>,
     /// Days with their number of replicates of every point.
     pub blocks: Blocks,
-    /// Angles of the wind-off tilt tares, measured once a block.
+    /// Angles of the wind-off weight tares, measured once a block.
     pub tilt_deg: Vec<f64>,
     /// One standard deviation of the tip's height, m.
     pub tip_z_sigma_m: f64,
@@ -151,39 +154,7 @@ pub struct Blocks {
     /// Name and number of replicates of each.
     pub replicates: Vec<(String, usize)>,
     /// One standard deviation of a block's offset, common to all its wind-on points.
-    pub offset_sigma: ChannelNoise,
-}
-
-/// One standard deviation of each channel.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct ChannelNoise {
-    /// Fz, N.
-    #[serde(rename = "fz_N")]
-    pub fz_n: f64,
-    /// Mx, N m.
-    #[serde(rename = "mx_Nm")]
-    pub mx_nm: f64,
-    /// My, N m.
-    #[serde(rename = "my_Nm")]
-    pub my_nm: f64,
-}
-
-impl ChannelNoise {
-    /// In the order Fz, Mx, My.
-    pub fn to_array(self) -> [f64; 3] {
-        [self.fz_n, self.mx_nm, self.my_nm]
-    }
-}
-
-/// Noise of the balance.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Noise {
-    /// Of one sample of a run.
-    pub sample: ChannelNoise,
-    /// Of one row of the static cases.
-    pub static_point: ChannelNoise,
+    pub offset_sigma: ByLoad<f64>,
 }
 
 impl TunnelFile {
@@ -194,6 +165,9 @@ impl TunnelFile {
     pub fn read(path: &Path) -> Result<Self, InputError> {
         let mut file: Self = ron_file::read(path)?;
         file.path = path.to_path_buf();
+        for run in &mut file.runs {
+            run.motion.complete(run.alpha_deg.to_radians(), path)?;
+        }
         match file.fault() {
             None => Ok(file),
             Some((what, help)) => Err(InputError::in_file(path, what).with_help(help)),
@@ -208,30 +182,39 @@ impl TunnelFile {
     /// The first number that cannot be, with what to do about it.
     fn fault(&self) -> Option<(String, &'static str)> {
         let statics = &self.statics;
-        let sigmas = [self.noise.sample, self.noise.static_point].map(ChannelNoise::to_array);
-        let offsets = statics.blocks.offset_sigma.to_array();
-        if !(self.rho_kg_m3.is_finite() && self.rho_kg_m3 > 0.0) {
-            return Some(("rho_kg_m3 must be a positive number".into(), "air at sea level has 1.225 kg/m3"));
-        }
-        if statics.airspeeds_m_s.iter().any(|v| !(v.is_finite() && *v > 0.0)) {
-            return Some(("airspeeds_m_s must be positive".into(), "V = 0 rows come from tilt_deg"));
-        }
-        if statics.angles_deg.iter().chain(&statics.tilt_deg).any(|a| a.is_nan() || a.abs() > 30.0) {
-            return Some((
-                "an angle is beyond 30 degrees".into(),
+        let positive = |value: &f64| value.is_finite() && *value > 0.0;
+        let Noise { sample, static_point } = self.noise;
+        let offsets = statics.blocks.offset_sigma;
+        let rules = [
+            (
+                positive(&self.rho_kg_m3),
+                "rho_kg_m3 must be a positive number",
+                "air at sea level has 1.225 kg/m3",
+            ),
+            (
+                statics.airspeeds_m_s.iter().all(positive),
+                "airspeeds_m_s must be positive",
+                "V = 0 rows come from tilt_deg",
+            ),
+            (
+                statics.angles_deg.iter().chain(&statics.tilt_deg).all(|angle| angle.abs() <= 30.0),
+                "an angle is beyond 30 degrees",
                 "the model is linear in the angle of attack",
-            ));
-        }
-        if sigmas.iter().flatten().any(|s| !(s.is_finite() && *s > 0.0)) {
-            return Some((
-                "noise must be positive standard deviations".into(),
+            ),
+            (
+                sample.iter().chain(static_point.iter()).all(positive),
+                "noise must be positive standard deviations",
                 "write small numbers for a quiet balance",
-            ));
-        }
-        if offsets.iter().chain([&statics.tip_z_sigma_m]).any(|s| !(s.is_finite() && *s >= 0.0)) {
-            return Some(("a standard deviation is negative or not a number".into(), "zero is allowed here"));
-        }
-        self.run_fault().or_else(|| self.section_fault())
+            ),
+            (
+                offsets.iter().chain([&statics.tip_z_sigma_m]).all(|s| s.is_finite() && *s >= 0.0),
+                "a standard deviation is negative or not a number",
+                "zero is allowed here",
+            ),
+        ];
+        let broken = rules.into_iter().find(|(holds, ..)| !holds);
+        let fault = broken.map(|(_, what, help)| (what.to_owned(), help));
+        fault.or_else(|| self.run_fault()).or_else(|| self.section_fault())
     }
 
     /// The first thing about runs that cannot be.
@@ -245,6 +228,16 @@ impl TunnelFile {
         };
         if let Some(complaint) = dynamics.deflection.iter().find_map(DeflectionTable::complaint) {
             return Some((complaint, "a table is that of a wing's file"));
+        }
+        for run in &self.runs {
+            let motion = &run.motion;
+            let flies = motion.of.is_some() && (!motion.moves(ANGLE) || motion.kind().has_derivatives());
+            if let Some(fault) = motion.fault(dynamics.sample_rate_hz) {
+                return Some((format!("{}: {}", run.file, fault.message), fault.help));
+            } else if !flies {
+                let what = format!("{}: {} of the angle has no smooth acceleration", run.file, motion.shape.name());
+                return Some((what, "move a control surface so, or let the angle move smoothly"));
+            }
         }
         let days = &self.statics.blocks.replicates;
         let unknown = |block: &String| !days.iter().any(|(day, _)| day == block);

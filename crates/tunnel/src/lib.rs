@@ -17,10 +17,9 @@ mod truth;
 pub use campaign::{Campaign, campaign};
 pub use comparison::{AirspeedComparison, ChannelComparison, FlightState, HalfWingFlight, compare};
 pub use file::{
-    AirspeedSections, BeamChange, Blocks, ChannelNoise, Corners, Noise, Sections, Statics, TruthSettings,
-    TunnelFile,
+    AirspeedSections, BeamChange, Blocks, Corners, Sections, Statics, TruthSettings, TunnelFile,
 };
 pub use readme::{Found, Story, readme};
-pub use run_file::{ActuatorSettings, Dynamics, Joiner, MotionPlan, Purpose, RunPlan};
+pub use run_file::{Dynamics, Joiner, RunPlan};
 pub use statics::StaticRow;
 pub use truth::{TrueState, Truth, TunnelError};

@@ -1,7 +1,7 @@
 //! Random numbers that are the same on every platform: ChaCha8 with one stream for each purpose, so that what is
 //! added to a campaign leaves the rest of it as it was.
 
-use crate::file::ChannelNoise;
+use coupling::{ByLoad, RootLoads};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
@@ -13,8 +13,8 @@ pub(crate) enum Stream {
     StaticRows,
     /// Offsets of blocks.
     BlockOffsets,
-    /// Tilt tares.
-    TiltTares,
+    /// Weight tares.
+    WeightTares,
     /// The run with this number.
     Run(u32),
 }
@@ -29,7 +29,7 @@ impl NoiseSource {
         generator.set_stream(match stream {
             Stream::StaticRows => 1,
             Stream::BlockOffsets => 2,
-            Stream::TiltTares => 3,
+            Stream::WeightTares => 3,
             Stream::Run(number) => 1000 + u64::from(number),
         });
         Self(generator)
@@ -41,8 +41,9 @@ impl NoiseSource {
         sigma * unit
     }
 
-    /// One normal number a channel.
-    pub(crate) fn channels(&mut self, sigma: ChannelNoise) -> [f64; 3] {
-        sigma.to_array().map(|sigma| self.normal(sigma))
+    /// A normal number for each load.
+    pub(crate) fn loads(&mut self, sigma: ByLoad<f64>) -> RootLoads {
+        let ByLoad { fz, mx, my } = sigma.map(|sigma| self.normal(sigma));
+        RootLoads { fz_n: fz, mx_nm: mx, my_nm: my }
     }
 }

@@ -3,7 +3,8 @@
 
 use crate::comparison::{AirspeedComparison, FlightState};
 use crate::file::TunnelFile;
-use crate::run_file::{MotionPlan, Purpose, RunPlan};
+use crate::run_file::RunPlan;
+use calibrate::Use;
 use std::fmt::Write as _;
 
 /// What calibration found at one airspeed. Corners are root leading, root trailing, tip leading, tip trailing.
@@ -54,7 +55,7 @@ pub fn readme(story: &Story<'_>) -> String {
         "# {}\n\n## Source\n\nTHESE ARE NOT MEASUREMENTS. The measurements of the wing in the paper are not public. What is here was\n\
          computed by the virtual wind tunnel of this repository (`cargo xtask tunnel --runs {}`, seed {}): a model that\n\
          differs from the one being calibrated in its lattice, its structure and its section aerodynamics, with noise,\n\
-         block offsets and, at V = 0, tilt tares. Nothing that analyses these data may read that file.\n\n",
+         block offsets and, at V = 0, weight tares. Nothing that analyses these data may read that file.\n\n",
         story.tunnel.name, story.file_name, story.seed
     );
     text.push_str(if story.tunnel.curvature {
@@ -88,16 +89,18 @@ fn runs(text: &mut String, tunnel: &TunnelFile) {
          here has, as\nthe one in the paper's tunnel had. The measured angle has noise, deflections are as commanded, and \
          runs in the wind have\nthe offset of their day (`block`).\n\n| | train | held out |\n|---|---|---|\n",
     );
-    let kind = |run: &RunPlan| match run.motion {
-        MotionPlan::OneMinusCosine { .. } if run.v_m_s > 0.0 => "pitch",
-        MotionPlan::OneMinusCosine { .. } => "pitch without wind",
-        MotionPlan::Doublet { .. } => "doublets",
-        MotionPlan::Chirp { .. } => "chirps",
+    let kind = |run: &RunPlan| match run.motion.kind().words() {
+        words if run.motion.control().is_some() => format!("{words}s"),
+        words if run.v_m_s > 0.0 => words.to_owned(),
+        words => format!("{words} without wind"),
     };
-    for name in ["pitch", "pitch without wind", "doublets", "chirps"] {
-        let count =
-            |purpose| tunnel.runs.iter().filter(|run| kind(run) == name && run.purpose == purpose).count();
-        let _ = writeln!(text, "| {name} | {} | {} |", count(Purpose::Train), count(Purpose::Holdout));
+    let mut kinds: Vec<String> = Vec::new();
+    kinds.extend(tunnel.runs.iter().map(kind));
+    let mut seen = std::collections::BTreeSet::new();
+    kinds.retain(|name| seen.insert(name.clone()));
+    for name in kinds {
+        let count = |usage| tunnel.runs.iter().filter(|run| kind(run) == name && run.purpose == usage).count();
+        let _ = writeln!(text, "| {name} | {} | {} |", count(Use::Train), count(Use::Holdout));
     }
     text.push('\n');
     if let Some(split) = &tunnel.split {

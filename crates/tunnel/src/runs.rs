@@ -3,14 +3,13 @@
 
 use crate::file::TunnelFile;
 use crate::noise::{NoiseSource, Stream};
-use crate::run_file::{Dynamics, MotionPlan, RunPlan};
+use crate::run_file::{Dynamics, RunPlan};
 use crate::statics::{block_offsets, tidy_zero};
 use crate::truth::{Truth, TunnelError};
 use aero::Flow;
-use maneuver::signals::{Chirp, Constant, Doublet, OneMinusCosine};
-use maneuver::{
-    Actuator, DeflectionCorrection, Motion, Rig, RigSettings, Signal, Smooth, TimeHistory, fly_commanded,
-};
+use coupling::{Load, RootLoads};
+use maneuver::motion::ANGLE;
+use maneuver::{DeflectionCorrection, Motion, Rig, RigSettings, Smooth, TimeHistory, fly_commanded};
 use nastran::InputError;
 use std::fmt::Write as _;
 
@@ -27,10 +26,7 @@ pub(crate) fn measure(
         return Ok(Vec::new());
     };
     let settings = RigSettings {
-        actuator: Actuator {
-            frequency_hz: dynamics.actuator.frequency_hz,
-            damping_ratio: dynamics.actuator.damping_ratio,
-        },
+        actuator: dynamics.actuator,
         ..RigSettings::new(truth.file.damping_ratio, truth.file.pitch_axis_x())
     };
     let rig = Rig::new(&truth.wing, settings)?;
@@ -45,7 +41,7 @@ pub(crate) fn measure(
         let history = fly_commanded(&model, &motion, &deflection.at(plan.v_m_s)?);
         let day = offsets.iter().find(|(block, _)| Some(*block) == plan.block.as_deref() && plan.v_m_s > 0.0);
         let balance = Balance {
-            offset: day.map_or([0.0; 3], |(_, offset)| *offset),
+            offset: day.map_or(RootLoads::default(), |(_, offset)| *offset),
             noise: NoiseSource::new(seed, Stream::Run(number)),
         };
         files.push((plan.file.clone(), csv(tunnel, dynamics, plan, &history, &motion, &commanded, balance)));
@@ -55,7 +51,7 @@ pub(crate) fn measure(
 
 /// What the balance adds to the loads.
 struct Balance {
-    offset: [f64; 3],
+    offset: RootLoads,
     noise: NoiseSource,
 }
 
@@ -64,28 +60,12 @@ fn motion(plan: &RunPlan, dynamics: &Dynamics, controls: &[String]) -> Result<(M
     let time_step_s = 1.0 / dynamics.sample_rate_hz;
     let samples = 1..=steps(plan.length_s * dynamics.sample_rate_hz)?;
     let times: Vec<f64> = std::iter::once(0.0).chain(samples.map(|i| f64::from(i) * time_step_s)).collect();
-    let base = plan.alpha_deg.to_radians();
-    let still: Box<dyn Signal> = Box::new(Constant(0.0));
-    let (alpha, command): (Box<dyn Signal>, Box<dyn Signal>) = match &plan.motion {
-        MotionPlan::OneMinusCosine { to_deg, frequency_hz } => {
-            let height = to_deg.to_radians() - base;
-            (Box::new(OneMinusCosine { base, height, frequency_hz: *frequency_hz, start_s: START_S }), still)
-        }
-        MotionPlan::Doublet { deflection_deg, frequency_hz, .. } => {
-            let height = deflection_deg.to_radians();
-            (
-                Box::new(Constant(base)),
-                Box::new(Doublet { height, frequency_hz: *frequency_hz, start_s: START_S }),
-            )
-        }
-        MotionPlan::Chirp { deflection_deg, from_hz, to_hz, duration_s, .. } => {
-            let (height, duration_s) = (deflection_deg.to_radians(), *duration_s);
-            let chirp = Chirp { height, from_hz: *from_hz, to_hz: *to_hz, duration_s, start_s: START_S };
-            (Box::new(Constant(base)), Box::new(chirp))
-        }
+    let kind = plan.motion.kind();
+    let pitches = plan.motion.moves(ANGLE);
+    let of = |moves: bool, value: &dyn Fn(f64) -> f64| -> Vec<f64> {
+        times.iter().map(|&t_s| if moves { value(t_s - START_S) } else { 0.0 }).collect()
     };
-    let of = |value: &dyn Fn(f64) -> f64| times.iter().map(|&t_s| value(t_s)).collect::<Vec<f64>>();
-    let commanded = of(&|t_s| command.at(t_s));
+    let commanded = of(!pitches, &|t| kind.at(t));
     let mut controls_rad = vec![vec![0.0; times.len()]; controls.len()];
     if let Some(name) = plan.motion.control() {
         let place = controls.iter().position(|control| control == name);
@@ -93,10 +73,11 @@ fn motion(plan: &RunPlan, dynamics: &Dynamics, controls: &[String]) -> Result<(M
             place.ok_or_else(|| format!("the wing has no control {name}; it has {}", controls.join(", ")))?;
         controls_rad[place].clone_from(&commanded);
     }
+    let base = plan.alpha_deg.to_radians();
     let alpha = Smooth {
-        value: of(&|t_s| alpha.at(t_s)),
-        rate: of(&|t_s| alpha.rate(t_s)),
-        second: of(&|t_s| alpha.second(t_s)),
+        value: of(pitches, &|t| kind.at(t)).into_iter().map(|change| base + change).collect(),
+        rate: of(pitches, &|t| kind.rate(t)),
+        second: of(pitches, &|t| kind.second(t)),
     };
     Ok((Motion { time_step_s, alpha, controls_rad }, commanded))
 }
@@ -127,12 +108,12 @@ fn csv(
     }
     text.push('\n');
     let channel = |name: &str, i: usize| history.get(name).map_or(0.0, |values| values[i]);
+    let clean = |load: Load, i: usize| channel(load.column(), i);
     for (i, command) in commanded.iter().enumerate() {
-        let error = noise.channels(tunnel.noise.sample);
+        let error = noise.loads(tunnel.noise.sample);
         let joiner = dynamics.joiner.loads(motion.alpha.second[i]);
-        let clean = ["Fz_N", "Mx_Nm", "My_Nm"].map(|name| channel(name, i));
-        let [fz, mx, my]: [f64; 3] =
-            std::array::from_fn(|c| tidy_zero(clean[c] + joiner[c] + offset[c] + error[c]));
+        let shown = RootLoads::from_array(Load::ALL.map(|load| clean(load, i))) + joiner + offset + error;
+        let [fz, mx, my] = shown.to_array().map(tidy_zero);
         let alpha = motion.alpha.value[i].to_degrees() + noise.normal(dynamics.alpha_sigma_deg);
         let tip = tidy_zero(channel("tip_z_m", i) + noise.normal(tunnel.statics.tip_z_sigma_m));
         let t_s = i as f64 * motion.time_step_s;

@@ -29,7 +29,7 @@ pub(crate) fn rows() -> Result<Vec<Value>, Failure> {
     let trim = model.trim("trim", &aircraft.file.trim)?;
     let chirp = &aircraft.file.chirp;
     let flown = median(|| {
-        std::hint::black_box(FreeFlight::new(&model, &air, &trim, &chirp.control)?.chirp(chirp));
+        std::hint::black_box(FreeFlight::new(&model, &air, &trim, chirp.control().unwrap_or_default())?.fly_motion(chirp));
         Ok(())
     })?;
     let gust = Gust { velocity_m_s: 3.0, length_m: 5.6, start_s: 0.2 };
@@ -40,7 +40,7 @@ pub(crate) fn rows() -> Result<Vec<Value>, Failure> {
     })?;
     Ok(vec![
         built,
-        row(&format!("aircraft_chirp_{}_s_linear", chirp.duration_s), flown),
+        row(&format!("aircraft_chirp_{}_s_linear", chirp.record_s()), flown),
         row("aircraft_gust_1_s_nonlinear", nonlinear),
     ])
 }

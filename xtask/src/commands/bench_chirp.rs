@@ -2,7 +2,7 @@
 
 use aero::{Corrections, Flow};
 use coupling::{ElasticWing, WingFile};
-use maneuver::signals::{Chirp, sampled};
+use maneuver::motion::{Chirp, sampled};
 use maneuver::{Motion, Rig, RigSettings, Smooth};
 use serde_json::Value;
 

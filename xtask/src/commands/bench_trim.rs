@@ -40,7 +40,7 @@ pub(crate) fn rows() -> Result<Vec<Value>, Failure> {
 }
 
 fn grid(stations: &[StationAt]) -> CasesFile {
-    use fullaircraft::cases::file::Maneuver;
+    use fullaircraft::cases::file::{Maneuver, Trims};
     let control = || "outer".to_owned();
     // level, 24 pull-ups and 25 rolls: 50 at each airspeed
     let load_factors: Vec<f64> = (0..25).map(|k| 1.0 + 0.125 * f64::from(k)).collect();
@@ -49,9 +49,9 @@ fn grid(stations: &[StationAt]) -> CasesFile {
         airspeeds_v_m_s: (0..AIRSPEEDS).map(|k| 22.0 + 2.0 * k as f64).collect(),
         load_factors,
         maneuvers: vec![
-            Maneuver::Level,
-            Maneuver::Pull,
-            Maneuver::Roll { control: control(), rates_deg_s: vec![30.0] },
+            Maneuver::Other(Trims::Level),
+            Maneuver::Other(Trims::Pull),
+            Maneuver::Other(Trims::Roll { control: control(), rates_deg_s: vec![30.0] }),
         ],
         stations: stations.to_vec(),
         path: std::path::PathBuf::new(),

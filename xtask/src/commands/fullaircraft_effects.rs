@@ -6,6 +6,7 @@ use coupling::wing_file::OutsideAirspeeds;
 use fullaircraft::{Aircraft, AircraftError, AircraftFile, Comparison};
 use maneuver::deflection::{DeflectionAt, DeflectionCorrection};
 use maneuver::effects::{Active, Carried, acting_deflection, carry, of_wing};
+use maneuver::motion::{MotionSpec, tidy_degrees};
 use nastran::InputError;
 
 use crate::corrections::CorrectedWing;
@@ -55,10 +56,9 @@ impl Travelling {
         let said = what.into_iter().filter(|(names, _)| !names.is_empty());
         let mut remarks: Vec<String> =
             said.map(|(names, what)| format!("effects of the wing: {} {what}", names.join(", "))).collect();
-        let commands = [("doublet", &file.doublet.control, file.doublet.amplitude_deg)]
-            .into_iter()
-            .chain([("chirp", &file.chirp.control, file.chirp.amplitude_deg)]);
-        for (name, control, commanded_deg) in commands.filter(|_| self.is_corrected) {
+        for (name, motion) in [("doublet", &file.doublet), ("chirp", &file.chirp)] {
+            let Some(control) = motion.control().filter(|_| self.is_corrected) else { continue };
+            let commanded_deg = tidy_degrees(motion.kind().height());
             let acting_deg = self.acting_deg(control, file.trim.v_m_s, commanded_deg);
             remarks.push(format!(
                 "the wing's deflection correction makes {acting_deg:.2} of the {commanded_deg} degrees of the \
@@ -87,9 +87,11 @@ impl Travelling {
         corrections: &Corrections,
     ) -> Result<Comparison, AircraftError> {
         let v_m_s = aircraft.file.trim.v_m_s;
-        let (mut doublet, mut chirp) = (aircraft.file.doublet.clone(), aircraft.file.chirp.clone());
-        doublet.amplitude_deg = self.acting_deg(&doublet.control, v_m_s, doublet.amplitude_deg);
-        chirp.amplitude_deg = self.acting_deg(&chirp.control, v_m_s, chirp.amplitude_deg);
-        aircraft.compare_acting(corrections, &doublet, &chirp)
+        let acting = |motion: &MotionSpec| {
+            let commanded_deg = tidy_degrees(motion.kind().height());
+            let acting_deg = self.acting_deg(motion.control().unwrap_or_default(), v_m_s, commanded_deg);
+            motion.clone().with_height(acting_deg.to_radians())
+        };
+        aircraft.compare_acting(corrections, &acting(&aircraft.file.doublet), &acting(&aircraft.file.chirp))
     }
 }

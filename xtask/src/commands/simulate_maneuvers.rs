@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use aero::{Corrections, Flow};
-use maneuver::maneuver_file::growing;
+use maneuver::growth::growing;
 use maneuver::{DeflectionAt, ManeuverFile, Motion, Rig, RigSettings, Run, Simulated, fly_commanded};
 use nastran::InputError;
 use rayon::prelude::*;

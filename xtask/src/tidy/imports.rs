@@ -21,7 +21,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("maneuver", &["nastran", "structure", "aero", "coupling"]),
     ("fullaircraft", &["nastran", "structure", "aero", "coupling", "maneuver"]),
     ("discover", &["nastran", "aero", "coupling", "calibrate", "maneuver", "response"]),
-    ("tunnel", &["nastran", "structure", "aero", "coupling", "maneuver"]),
+    ("tunnel", &["nastran", "structure", "aero", "coupling", "calibrate", "maneuver"]),
     ("hidden", &["nastran", "structure", "aero", "coupling", "maneuver", "tunnel"]),
     (
         "validation",

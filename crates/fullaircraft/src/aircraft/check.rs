@@ -1,15 +1,17 @@
 //! What the numbers of an aircraft's file must satisfy before cards are made of them.
 
 use crate::aircraft::file::{AircraftFile, Fuselage, RoundBeam, TailSurface};
+use crate::flight::small_motions::TIME_STEP_S;
+use maneuver::motion::Fault;
 use nastran::InputError;
 
 /// What is wrong with a part of the aircraft, and the field whose place in the file is shown.
-struct Fault {
+struct PartFault {
     field: String,
     message: String,
 }
 
-impl Fault {
+impl PartFault {
     fn new(part: &str, message: &str) -> Self {
         Self { field: part.to_owned(), message: format!("{part}: {message}") }
     }
@@ -29,7 +31,6 @@ impl AircraftFile {
             ("total.iyy_kg_m2", self.total.iyy_kg_m2),
             ("total.izz_kg_m2", self.total.izz_kg_m2),
             ("fuselage.height_m", self.fuselage.height_m),
-            ("doublet.frequency_hz", self.doublet.frequency_hz),
             ("actuator.frequency_hz", self.actuator.frequency_hz),
             ("actuator.damping_ratio", self.actuator.damping_ratio),
             ("modes_up_to_hz", self.modes_up_to_hz),
@@ -42,10 +43,6 @@ impl AircraftFile {
             ("pull_up.pitch_rate_deg_s", self.pull_up.pitch_rate_deg_s),
             ("push_down.load_factor", self.push_down.load_factor),
             ("push_down.pitch_rate_deg_s", self.push_down.pitch_rate_deg_s),
-            ("doublet.amplitude_deg", self.doublet.amplitude_deg),
-            ("chirp.amplitude_deg", self.chirp.amplitude_deg),
-            ("chirp.from_hz", self.chirp.from_hz),
-            ("chirp.to_hz", self.chirp.to_hz),
         ];
         self.refuse(&positive, |value| value.is_finite() && value > 0.0, "a number above zero")?;
         self.refuse(&finite, f64::is_finite, "a finite number")?;
@@ -62,12 +59,16 @@ impl AircraftFile {
         let incompressible = |value: f64| (0.1..=340.0).contains(&value);
         self.refuse(&airspeeds, incompressible, "0.1 to 340 m/s: the air is taken as incompressible")?;
         let history = |value: f64| (0.0..=600.0).contains(&value);
-        let durations = [
-            ("doublet.start_s", self.doublet.start_s),
-            ("doublet.duration_s", self.doublet.duration_s),
-            ("chirp.duration_s", self.chirp.duration_s),
-        ];
-        self.refuse(&durations, history, "0 to 600 s")?;
+        let motions = [("doublet", &self.doublet), ("chirp", &self.chirp)];
+        for (part, motion) in motions {
+            if let Some(Fault { field, message, help }) = motion.fault(1.0 / TIME_STEP_S) {
+                let place = if field == "height_deg" { part.to_owned() } else { format!("{part}.{field}") };
+                return Err(InputError::in_field(&self.path, &place, format!("{part}: {message}"))
+                    .with_help(help));
+            }
+        }
+        let times = motions.map(|(part, motion)| (part, motion.kind().start_s().max(motion.record_s())));
+        self.refuse(&times, history, "0 to 600 s")?;
         if let Some(gust) = &self.gust {
             let times = [("gust.start_s", gust.start_s), ("gust.duration_s", gust.duration_s)];
             self.refuse(&times, history, "0 to 600 s")?;
@@ -100,46 +101,46 @@ impl AircraftFile {
 }
 
 impl RoundBeam {
-    fn check(&self, part: &str) -> Result<(), Fault> {
+    fn check(&self, part: &str) -> Result<(), PartFault> {
         let fits = |value: f64| value.is_finite() && value > 0.0;
         if fits(self.ei_nm2) && fits(self.gj_nm2) && fits(self.mass_kg_m) {
             return Ok(());
         }
         let message = format!("{part}.beam needs stiffnesses and a mass above zero");
-        Err(Fault { field: format!("{part}.beam"), message })
+        Err(PartFault { field: format!("{part}.beam"), message })
     }
 }
 
 impl Fuselage {
-    fn check(&self) -> Result<(), Fault> {
+    fn check(&self) -> Result<(), PartFault> {
         let places = [self.x_m.0, self.gap_x_m.0, self.gap_x_m.1, self.x_m.1];
         if !places.windows(2).all(|pair| pair[0] < pair[1]) || !places.iter().all(|x| x.is_finite()) {
-            return Err(Fault::new(
+            return Err(PartFault::new(
                 "fuselage",
                 "x_m and gap_x_m must follow each other as nose, gap, tail end",
             ));
         }
         if self.half_width_wing_strips == 0 || self.boxes.ahead == 0 || self.boxes.behind == 0 {
-            return Err(Fault::new("fuselage", "strips and boxes must be at least one"));
+            return Err(PartFault::new("fuselage", "strips and boxes must be at least one"));
         }
         self.beam.check("fuselage")
     }
 }
 
 impl TailSurface {
-    fn check(&self, part: &str) -> Result<(), Fault> {
+    fn check(&self, part: &str) -> Result<(), PartFault> {
         let fits = |value: f64| value.is_finite() && value > 0.0;
         let (x, y, z) = self.root_leading_edge_m;
         if !(fits(self.span_m) && fits(self.root_chord_m) && fits(self.tip_chord_m)) {
-            return Err(Fault::new(part, "span and chords must be above zero"));
+            return Err(PartFault::new(part, "span and chords must be above zero"));
         }
         if ![x, y, z].iter().all(|value| value.is_finite()) || self.leading_edge_sweep_deg.abs() > 75.0 {
-            return Err(Fault::new(part, "the root must have a place, and the sweep be within 75 deg"));
+            return Err(PartFault::new(part, "the root must have a place, and the sweep be within 75 deg"));
         }
         let (boxes, control) = (&self.boxes, &self.control);
         let most = 1..=200;
         if !most.contains(&boxes.chordwise) || !most.contains(&boxes.spanwise) {
-            return Err(Fault {
+            return Err(PartFault {
                 field: format!("{part}.boxes"),
                 message: format!("{part}: boxes must be 1 to 200 each way"),
             });
@@ -147,7 +148,7 @@ impl TailSurface {
         let inside = (0.0..1.0).contains(&control.chord_share) && control.chord_share > 0.0;
         if control.chord_boxes == 0 || control.chord_boxes >= boxes.chordwise || !inside {
             let message = format!("{part}: the control needs some, but not all, of the chord and its boxes");
-            return Err(Fault { field: format!("{part}.control"), message });
+            return Err(PartFault { field: format!("{part}.control"), message });
         }
         self.beam.check(part)
     }

@@ -1,12 +1,13 @@
 //! The RON file that describes an aircraft: which wing, what stands around it, what it weighs and what it flies.
 
 use crate::aircraft::lift_limits::{LiftLimits, lift_limits};
+use maneuver::motion::{Chirp, Doublet, MotionSpec, of_kind};
 use nastran::{InputError, Span, ron_file};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
 /// An aircraft as its file describes it; angles in degrees as in the file.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, rename = "Aircraft")]
 pub struct AircraftFile {
     /// What reports call it.
@@ -40,9 +41,11 @@ pub struct AircraftFile {
     /// Steady push-down.
     pub push_down: FlightPoint,
     /// Aileron doublet.
-    pub doublet: Doublet,
+    #[serde(deserialize_with = "of_kind::<Doublet, _>")]
+    pub doublet: MotionSpec,
     /// Aileron chirp.
-    pub chirp: Chirp,
+    #[serde(deserialize_with = "of_kind::<Chirp, _>")]
+    pub chirp: MotionSpec,
     /// A gust from `trim`; none if the file has none.
     #[serde(default)]
     pub gust: Option<GustCase>,
@@ -185,38 +188,6 @@ pub struct FlightPoint {
     pub load_factor: f64,
     /// Nose up, deg/s.
     pub pitch_rate_deg_s: f64,
-}
-
-/// One period of a square wave: first up, then down.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Doublet {
-    /// Name of the wing's control surface.
-    pub control: String,
-    /// Deflection, deg.
-    pub amplitude_deg: f64,
-    /// One over the period, Hz.
-    pub frequency_hz: f64,
-    /// When it starts, s.
-    pub start_s: f64,
-    /// Length of the time history, s.
-    pub duration_s: f64,
-}
-
-/// A sine whose frequency rises linearly.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Chirp {
-    /// Name of the wing's control surface.
-    pub control: String,
-    /// Deflection, deg.
-    pub amplitude_deg: f64,
-    /// At the start, Hz.
-    pub from_hz: f64,
-    /// At the end, Hz.
-    pub to_hz: f64,
-    /// Length, s.
-    pub duration_s: f64,
 }
 
 /// A vertical one-minus-cosine gust.

@@ -1,15 +1,16 @@
 //! The RON file of a grid of flight cases: airspeeds, load factors, maneuvers and where loads are monitored.
 
-use crate::aircraft::file::{Chirp, Doublet};
+use crate::flight::small_motions::TIME_STEP_S;
 use crate::trim::maneuvers::Steady;
 use coupling::wing_file::StationAt;
+use maneuver::motion::{MotionOr, MotionSpec, Others};
 use nastran::{InputError, ron_file};
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// A grid of cases as its file describes it.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, rename = "Cases")]
 pub struct CasesFile {
     /// What reports call it.
@@ -29,10 +30,13 @@ pub struct CasesFile {
     pub path: PathBuf,
 }
 
-/// One kind of maneuver; controls are pairs of the wing's ailerons.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+/// What is flown: trims, or from level flight a motion of a pair of ailerons (a record without `duration_s` ends with it).
+pub type Maneuver = MotionOr<Trims>;
+
+/// One kind of trims; controls are pairs of the wing's ailerons.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub enum Maneuver {
+pub enum Trims {
     /// Straight and level.
     Level,
     /// Pull-up or push-down at each load factor that is not one.
@@ -68,41 +72,19 @@ pub enum Maneuver {
         /// Motions asked for.
         targets: BTreeMap<String, f64>,
     },
-    /// Aileron doublet from level flight.
-    Doublet {
-        /// Pair of ailerons.
-        control: String,
-        /// Deflection, deg.
-        amplitude_deg: f64,
-        /// One over the period, Hz.
-        frequency_hz: f64,
-        /// Length of the time history, s.
-        duration_s: f64,
-    },
-    /// Aileron chirp from level flight.
-    Chirp {
-        /// Pair of ailerons.
-        control: String,
-        /// Deflection, deg.
-        amplitude_deg: f64,
-        /// At the start, Hz.
-        from_hz: f64,
-        /// At the end, Hz.
-        to_hz: f64,
-        /// Length, s.
-        duration_s: f64,
-    },
+}
+
+impl Others for Trims {
+    const NAMES: &'static [&'static str] = &["Level", "Pull", "Roll", "Turn", "Sideslip", "Trim"];
 }
 
 /// What one case flies.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Action {
     /// A trim.
     Steady(Steady),
-    /// A doublet from level flight.
-    Doublet(Doublet),
-    /// A chirp from level flight.
-    Chirp(Chirp),
+    /// A motion from level flight.
+    Motion(MotionSpec),
 }
 
 impl CasesFile {
@@ -135,33 +117,38 @@ impl CasesFile {
 
     /// What is flown at each airspeed, in the file's order.
     pub fn actions(&self) -> Vec<Action> {
-        self.maneuvers.iter().flat_map(|maneuver| maneuver.actions(&self.load_factors)).collect()
+        let of = |maneuver: &Maneuver| match maneuver {
+            Maneuver::Motion(motion) => vec![Action::Motion(motion.clone())],
+            Maneuver::Other(trims) => {
+                trims.all(&self.load_factors).into_iter().map(Action::Steady).collect()
+            }
+        };
+        self.maneuvers.iter().flat_map(of).collect()
     }
 }
 
-impl Maneuver {
-    fn is_possible(&self) -> bool {
-        let finite = |values: &[f64]| values.iter().all(|value| value.is_finite());
-        let above = |values: &[f64]| values.iter().all(|value| value.is_finite() && *value > 0.0);
-        match self {
-            Self::Level | Self::Pull | Self::Turn { .. } => true,
-            Self::Roll { rates_deg_s, .. } => finite(rates_deg_s),
-            Self::Sideslip { angles_deg, .. } => finite(angles_deg),
-            Self::Trim { given, targets, .. } => {
-                given.values().chain(targets.values()).all(|x| x.is_finite())
-            }
-            Self::Doublet { amplitude_deg, frequency_hz, duration_s, .. } => {
-                finite(&[*amplitude_deg]) && above(&[*frequency_hz, *duration_s])
-            }
-            Self::Chirp { amplitude_deg, from_hz, to_hz, duration_s, .. } => {
-                finite(&[*amplitude_deg, *from_hz]) && above(&[*to_hz, *duration_s])
-            }
+fn is_possible(maneuver: &Maneuver) -> bool {
+    let finite = |values: &[f64]| values.iter().all(|value| value.is_finite());
+    match maneuver {
+        Maneuver::Motion(motion) => {
+            motion.control().is_some()
+                && motion.fault(1.0 / TIME_STEP_S).is_none()
+                && motion.record_s() > 0.0
+                && motion.record_s() <= 600.0
+        }
+        Maneuver::Other(Trims::Level | Trims::Pull | Trims::Turn { .. }) => true,
+        Maneuver::Other(Trims::Roll { rates_deg_s, .. }) => finite(rates_deg_s),
+        Maneuver::Other(Trims::Sideslip { angles_deg, .. }) => finite(angles_deg),
+        Maneuver::Other(Trims::Trim { given, targets, .. }) => {
+            given.values().chain(targets.values()).all(|x| x.is_finite())
         }
     }
+}
 
-    fn actions(&self, load_factors: &[f64]) -> Vec<Action> {
+impl Trims {
+    fn all(&self, load_factors: &[f64]) -> Vec<Steady> {
         let each = |keep: fn(f64) -> bool| load_factors.iter().copied().filter(move |n| keep(*n));
-        let steady: Vec<Steady> = match self {
+        match self {
             Self::Level => vec![Steady::Level],
             Self::Pull => each(|n| n != 1.0).map(|load_factor| Steady::Pull { load_factor }).collect(),
             Self::Roll { control, rates_deg_s } => each(|_| true)
@@ -186,25 +173,6 @@ impl Maneuver {
                 free: free.clone(),
                 targets: targets.clone(),
             }],
-            Self::Doublet { control, amplitude_deg, frequency_hz, duration_s } => {
-                return vec![Action::Doublet(Doublet {
-                    control: control.clone(),
-                    amplitude_deg: *amplitude_deg,
-                    frequency_hz: *frequency_hz,
-                    start_s: 0.0,
-                    duration_s: *duration_s,
-                })];
-            }
-            Self::Chirp { control, amplitude_deg, from_hz, to_hz, duration_s } => {
-                return vec![Action::Chirp(Chirp {
-                    control: control.clone(),
-                    amplitude_deg: *amplitude_deg,
-                    from_hz: *from_hz,
-                    to_hz: *to_hz,
-                    duration_s: *duration_s,
-                })];
-            }
-        };
-        steady.into_iter().map(Action::Steady).collect()
+        }
     }
 }

@@ -14,6 +14,7 @@ use crate::trim::case::{TrimAt, TrimTools};
 use crate::trim::maneuvers::Steady;
 use crate::trim::model::FlightModel;
 use crate::{LiftLimits, Trimmed};
+use maneuver::motion::tidy_degrees;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -21,7 +22,7 @@ use std::collections::BTreeMap;
 pub const MODELS: [&str; 2] = ["initial", "updated"];
 
 /// One case.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Case {
     /// Its place in the grid.
     pub number: usize,
@@ -119,8 +120,10 @@ impl Case {
             }
             Action::Steady(Steady::Sideslip { beta_deg, .. }) => format!("sideslip {beta_deg} deg"),
             Action::Steady(steady) => steady.kind().to_owned(),
-            Action::Doublet(doublet) => format!("doublet {} deg, {}", doublet.amplitude_deg, doublet.control),
-            Action::Chirp(chirp) => format!("chirp {} deg, {}", chirp.amplitude_deg, chirp.control),
+            Action::Motion(motion) => {
+                let (kind, control) = (motion.kind(), motion.control().unwrap_or_default());
+                format!("{} {} deg, {control}", kind.words(), tidy_degrees(kind.height()))
+            }
         }
     }
 
@@ -235,11 +238,7 @@ impl CaseFlight<'_> {
         trimmed: &Trimmed,
         warnings: &mut Vec<String>,
     ) -> Result<Option<FlightHistory>, AircraftError> {
-        let (control, duration_s) = match &case.action {
-            Action::Chirp(chirp) => (&chirp.control, chirp.duration_s),
-            Action::Doublet(doublet) => (&doublet.control, doublet.duration_s),
-            Action::Steady(_) => return Ok(None),
-        };
+        let Action::Motion(motion) = &case.action else { return Ok(None) };
         let own;
         let air = if let Some(air) = self.air {
             air
@@ -247,13 +246,9 @@ impl CaseFlight<'_> {
             own = FlightAir::new(model.aircraft)?;
             &own
         };
-        let flight = FreeFlight::new(model, air, trimmed, control)?;
-        warnings.extend(flight.warning(&case.maneuver(), duration_s));
-        Ok(match &case.action {
-            Action::Chirp(chirp) => Some(flight.chirp(chirp)),
-            Action::Doublet(doublet) => Some(flight.doublet(doublet)),
-            Action::Steady(_) => None,
-        })
+        let flight = FreeFlight::new(model, air, trimmed, motion.control().unwrap_or_default())?;
+        warnings.extend(flight.warning(&case.maneuver(), motion.record_s()));
+        Ok(Some(flight.fly_motion(motion)))
     }
 }
 

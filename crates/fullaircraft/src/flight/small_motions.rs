@@ -5,7 +5,6 @@
 //! rounding), and stepped exactly with inputs that are linear between samples. An actuator of second order stands between
 //! command and surface. [`FlyingAircraft::fly`](crate::FlyingAircraft::fly) flies the same aircraft without the linearisation.
 
-use crate::aircraft::file::{Chirp, Doublet};
 use crate::error::AircraftError;
 use crate::flight::air::FlightAir;
 use crate::flight::equations::Inputs;
@@ -15,7 +14,8 @@ use crate::flight::model::FlyingAircraft;
 use crate::flight::state::{self, vector};
 use crate::trim::model::{FlightModel, Trimmed};
 use faer::Mat;
-use maneuver::{ExactStep, Signal, signals};
+use maneuver::motion::{MotionSpec, sampled};
+use maneuver::{ExactStep, Signal};
 use nalgebra::Vector3;
 
 /// Time step of commands and histories, s: a peak at 13 Hz is then seen within 0.1 %.
@@ -123,14 +123,9 @@ impl FreeFlight {
         })
     }
 
-    /// The doublet of the aircraft's file.
-    pub fn doublet(&self, doublet: &Doublet) -> FlightHistory {
-        self.fly(&samples(doublet.duration_s, &doublet.signal()))
-    }
-
-    /// The chirp of the aircraft's file.
-    pub fn chirp(&self, chirp: &Chirp) -> FlightHistory {
-        self.fly(&samples(chirp.duration_s, &chirp.signal()))
+    /// The answer to a motion of what moves the aircraft.
+    pub fn fly_motion(&self, motion: &MotionSpec) -> FlightHistory {
+        self.fly(&samples(motion.record_s(), motion.kind()))
     }
 
     /// The answer to commands of the first drive (rad), one every [`TIME_STEP_S`], linear between.
@@ -189,8 +184,8 @@ fn moved(inputs: &Inputs, at: usize, h: f64) -> Inputs {
 }
 
 /// Samples of a command.
-pub(crate) fn samples(duration_s: f64, command: &dyn Signal) -> Vec<f64> {
-    signals::sampled(command, TIME_STEP_S, count(duration_s))
+pub(crate) fn samples<S: Signal + ?Sized>(duration_s: f64, command: &S) -> Vec<f64> {
+    sampled(command, TIME_STEP_S, count(duration_s))
 }
 
 /// Number of samples of a duration.
@@ -198,28 +193,4 @@ pub(crate) fn count(duration_s: f64) -> usize {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the file allows 0 to 600 s")]
     let steps = (duration_s / TIME_STEP_S).round() as usize;
     steps + 1
-}
-
-impl Doublet {
-    /// The command, rad.
-    pub fn signal(&self) -> signals::Doublet {
-        signals::Doublet {
-            height: self.amplitude_deg.to_radians(),
-            frequency_hz: self.frequency_hz,
-            start_s: self.start_s,
-        }
-    }
-}
-
-impl Chirp {
-    /// The command, rad.
-    pub fn signal(&self) -> signals::Chirp {
-        signals::Chirp {
-            height: self.amplitude_deg.to_radians(),
-            from_hz: self.from_hz,
-            to_hz: self.to_hz,
-            duration_s: self.duration_s,
-            start_s: 0.0,
-        }
-    }
 }

@@ -1,7 +1,6 @@
 //! Everything an aircraft flies, with and without corrections, and the numbers that sum it up.
 
 use crate::aircraft::assembly::Aircraft;
-use crate::aircraft::file::{Chirp, Doublet};
 use crate::error::AircraftError;
 use crate::flight::air::FlightAir;
 use crate::flight::gust::Gust;
@@ -12,6 +11,7 @@ use crate::flight::small_motions::FreeFlight;
 use crate::trim::derivatives::Derivatives;
 use crate::trim::model::{FlightModel, Trimmed};
 use aero::Corrections;
+use maneuver::motion::MotionSpec;
 use serde::Serialize;
 
 /// All maneuvers of one model.
@@ -157,8 +157,8 @@ impl Aircraft {
     pub fn compare_acting(
         &self,
         wing: &Corrections,
-        doublet: &Doublet,
-        chirp: &Chirp,
+        doublet: &MotionSpec,
+        chirp: &MotionSpec,
     ) -> Result<Comparison, AircraftError> {
         let air = FlightAir::new(self)?;
         let initial = self.uncorrected().fly_all(&air, &self.file.doublet, &self.file.chirp)?;
@@ -189,21 +189,25 @@ impl FlightModel<'_> {
     ///
     /// # Errors
     /// If a point cannot be trimmed or a control is not there.
-    pub fn fly_all(&self, air: &FlightAir, doublet: &Doublet, chirp: &Chirp) -> Result<Flown, AircraftError> {
+    pub fn fly_all(
+        &self,
+        air: &FlightAir,
+        doublet: &MotionSpec,
+        chirp: &MotionSpec,
+    ) -> Result<Flown, AircraftError> {
         let file = &self.aircraft.file;
         let trim = self.trim("trim", &file.trim)?;
-        let doublet_flight = FreeFlight::new(self, air, &trim, &doublet.control)?;
-        let chirp_flight = FreeFlight::new(self, air, &trim, &chirp.control)?;
-        let warnings = [
-            doublet_flight.warning("doublet", doublet.duration_s),
-            chirp_flight.warning("chirp", chirp.duration_s),
-            air.warning(file.trim.v_m_s),
-        ];
+        let fly = |name: &str, motion: &MotionSpec| -> Result<_, AircraftError> {
+            let flight = FreeFlight::new(self, air, &trim, motion.control().unwrap_or_default())?;
+            Ok((flight.warning(name, motion.record_s()), flight.fly_motion(motion)))
+        };
+        let (doublet, chirp) = (fly("doublet", doublet)?, fly("chirp", chirp)?);
+        let warnings = [doublet.0, chirp.0, air.warning(file.trim.v_m_s)];
         Ok(Flown {
             warnings: warnings.into_iter().flatten().collect(),
             derivatives: self.derivatives(file.trim.v_m_s)?,
-            doublet: doublet_flight.doublet(doublet),
-            chirp: chirp_flight.chirp(chirp),
+            doublet: doublet.1,
+            chirp: chirp.1,
             gust: self.fly_gust(air, &trim)?,
             pull_up: self.trim("pull_up", &file.pull_up)?,
             push_down: self.trim("push_down", &file.push_down)?,

@@ -66,7 +66,9 @@ pub(super) fn numbers(file: &ManeuverFile) -> Result<(), InputError> {
         (
             "length_s",
             (2.0..=MOST_SAMPLES).contains(&samples),
-            format!("{length_s:?} s at {sample_rate_hz:?} Hz are {samples:.0} samples, expected 3 to a million"),
+            format!(
+                "{length_s:?} s at {sample_rate_hz:?} Hz are {samples:.0} samples, expected 3 to a million"
+            ),
             "change length_s or sample_rate_hz",
         ),
     ];
@@ -81,9 +83,8 @@ pub(super) fn numbers(file: &ManeuverFile) -> Result<(), InputError> {
     if let Some((field, _, message, help)) = rules.iter().find(|(_, holds, ..)| !holds) {
         return Err(refuse(file, None, field, message, help));
     }
-    let fault = |(number, spec): (usize, &MotionSpec)| {
-        spec.fault(sample_rate_hz).map(|fault| (Some(number), fault))
-    };
+    let fault =
+        |(number, spec): (usize, &MotionSpec)| spec.fault(sample_rate_hz).map(|fault| (Some(number), fault));
     match file.motions.iter().enumerate().find_map(fault) {
         Some((number, Fault { field, message, help })) => Err(refuse(file, number, field, &message, help)),
         None => Ok(()),

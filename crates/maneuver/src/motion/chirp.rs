@@ -1,27 +1,17 @@
 //! Linear chirp: a sine whose frequency runs linearly (S45: 0 to 10 Hz in 30 s is f = t/3 Hz).
 
-use super::kind::{Kind, Record, Recognised};
+use super::kind::{Kind, Recognised, Record, named};
 use super::read::degrees;
 use super::signal::Signal;
 use serde::Deserialize;
 use std::f64::consts::{PI, TAU};
-
-/// Deflections below this share of the height have no sign.
-const NEAR_ZERO: f64 = 0.05;
-/// So many changes of sign make a chirp.
-const CROSSINGS: usize = 8;
 
 /// `height sin(2 pi (f0 t + (f1 - f0) t²/(2 T)))` for T, zero elsewhere.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Chirp {
     /// Amplitude, rad.
-    #[serde(
-        rename = "height_deg",
-        alias = "deflection_deg",
-        alias = "amplitude_deg",
-        deserialize_with = "degrees"
-    )]
+    #[serde(rename = "height_deg", deserialize_with = "degrees")]
     pub height: f64,
     /// Frequency at the beginning, Hz.
     pub from_hz: f64,
@@ -67,17 +57,7 @@ impl Signal for Chirp {
 }
 
 impl Kind for Chirp {
-    fn words(&self) -> &'static str {
-        WORDS
-    }
-
-    fn height(&self) -> f64 {
-        self.height
-    }
-
-    fn start_s(&self) -> f64 {
-        self.start_s
-    }
+    named!(WORDS);
 
     fn length_s(&self) -> f64 {
         self.duration_s
@@ -96,18 +76,10 @@ impl Kind for Chirp {
     }
 
     fn recognised(record: &Record<'_>) -> Option<Recognised> {
-        let height = record.height();
-        let signs: Vec<bool> = record
-            .values
-            .iter()
-            .filter(|delta| delta.abs() > NEAR_ZERO * height)
-            .map(|delta| *delta > 0.0)
-            .collect();
-        let crossings = signs.windows(2).filter(|pair| pair[0] != pair[1]).count();
-        (!record.is_angle && crossings >= CROSSINGS).then(|| Recognised {
+        (!record.is_angle && record.oscillates()).then(|| Recognised {
             words: WORDS,
             frequency_hz: None,
-            height_deg: Some(height.to_degrees().round()),
+            height_deg: Some(record.height().to_degrees().round()),
             sweeps: true,
         })
     }

@@ -1,6 +1,6 @@
 //! Doublet: to one side for half a period, to the other for the other half.
 
-use super::kind::{Kind, Record, Recognised};
+use super::kind::{Kind, Recognised, Record, named};
 use super::read::degrees;
 use super::signal::{EDGE, Signal};
 use serde::Deserialize;
@@ -15,12 +15,7 @@ const MOSTLY: f64 = 0.8;
 #[serde(deny_unknown_fields)]
 pub struct Doublet {
     /// Height of each half, rad.
-    #[serde(
-        rename = "height_deg",
-        alias = "deflection_deg",
-        alias = "amplitude_deg",
-        deserialize_with = "degrees"
-    )]
+    #[serde(rename = "height_deg", deserialize_with = "degrees")]
     pub height: f64,
     /// One over the length of both halves, Hz.
     pub frequency_hz: f64,
@@ -53,17 +48,7 @@ impl Signal for Doublet {
 }
 
 impl Kind for Doublet {
-    fn words(&self) -> &'static str {
-        WORDS
-    }
-
-    fn height(&self) -> f64 {
-        self.height
-    }
-
-    fn start_s(&self) -> f64 {
-        self.start_s
-    }
+    named!(WORDS);
 
     fn length_s(&self) -> f64 {
         1.0 / self.frequency_hz
@@ -78,7 +63,7 @@ impl Kind for Doublet {
     }
 
     fn recognised(record: &Record<'_>) -> Option<Recognised> {
-        (!record.is_angle && Self::fits(record)).then(|| Recognised {
+        (!record.is_angle && !record.oscillates() && Self::fits(record)).then(|| Recognised {
             words: WORDS,
             frequency_hz: None,
             height_deg: Some(record.height().to_degrees().round()),

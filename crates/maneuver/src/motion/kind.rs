@@ -23,6 +23,9 @@ pub trait Kind: Signal + std::fmt::Debug {
     /// Largest departure, rad.
     fn height(&self) -> f64;
 
+    /// Another height, rad, where there is one.
+    fn set_height(&mut self, _height: f64) {}
+
     /// Beginning, s.
     fn start_s(&self) -> f64;
 
@@ -79,6 +82,28 @@ pub trait Kind: Signal + std::fmt::Debug {
     }
 }
 
+/// What all kinds with `height` and `start_s` say alike, and their words.
+macro_rules! named {
+    ($words:expr) => {
+        fn words(&self) -> &'static str {
+            $words
+        }
+
+        fn height(&self) -> f64 {
+            self.height
+        }
+
+        fn set_height(&mut self, height: f64) {
+            self.height = height;
+        }
+
+        fn start_s(&self) -> f64 {
+            self.start_s
+        }
+    };
+}
+pub(super) use named;
+
 /// A column of a table over time, linear between its samples, kept before and behind them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Column {
@@ -102,8 +127,7 @@ impl Signal for Column {
             return self.values[self.values.len() - 1];
         }
         let (t0, t1) = (self.t_s[above - 1], self.t_s[above]);
-        self.values[above - 1]
-            + (t_s - t0) / (t1 - t0) * (self.values[above] - self.values[above - 1])
+        self.values[above - 1] + (t_s - t0) / (t1 - t0) * (self.values[above] - self.values[above - 1])
     }
 }
 
@@ -131,9 +155,26 @@ pub struct Recognised {
     pub sweeps: bool,
 }
 
+/// Values below this share of the height have no sign.
+const NEAR_ZERO: f64 = 0.05;
+/// So many changes of sign are an oscillation.
+const OSCILLATES: usize = 8;
+
 impl Record<'_> {
     /// Largest value without its sign, rad.
     pub fn height(&self) -> f64 {
         self.values.iter().fold(0.0, |most: f64, value| most.max(value.abs()))
+    }
+
+    /// Whether it changes its sign again and again.
+    pub fn oscillates(&self) -> bool {
+        let height = self.height();
+        let signs: Vec<bool> = self
+            .values
+            .iter()
+            .filter(|value| value.abs() > NEAR_ZERO * height)
+            .map(|value| *value > 0.0)
+            .collect();
+        signs.windows(2).filter(|pair| pair[0] != pair[1]).count() >= OSCILLATES
     }
 }

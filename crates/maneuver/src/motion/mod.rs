@@ -6,13 +6,16 @@ mod read;
 mod signal;
 
 pub use kind::{Column, Kind, Mover, Recognised, Record};
-pub use signal::{Signal, sampled};
+pub use signal::{About, Signal, sampled};
 
-use read::{Beside, Name};
-use serde::de::{Deserialize, Deserializer, EnumAccess, Error, VariantAccess, Visitor};
+use read::{Beside, Name, Named};
+use serde::de::value::EnumAccessDeserializer;
+use serde::de::{Deserializer, EnumAccess, Error, VariantAccess, Visitor};
+use serde::Deserialize;
 use std::fmt;
+use std::marker::PhantomData;
 
-/// Declares the kinds; in records, those further up are recognised first.
+/// Declares the kinds.
 macro_rules! kinds {
     ($($module:ident :: $kind:ident),* $(,)?) => {
         $(mod $module; pub use $module::$kind;)*
@@ -45,12 +48,12 @@ macro_rules! kinds {
                 name: &str,
                 variant: A,
                 timed: bool,
-            ) -> Option<Result<(Self, Beside), A::Error>> {
+            ) -> Result<(Self, Beside), A::Error> {
                 match name {
-                    $(stringify!($kind) => Some(
+                    $(stringify!($kind) => {
                         read::fields(variant, timed).map(|(kind, beside)| (Self::$kind(kind), beside))
-                    ),)*
-                    _ => None,
+                    })*
+                    _ => Err(A::Error::unknown_variant(name, KINDS)),
                 }
             }
         }
@@ -70,8 +73,8 @@ macro_rules! kinds {
 
 kinds! {
     one_minus_cosine::OneMinusCosine,
-    chirp::Chirp,
     doublet::Doublet,
+    chirp::Chirp,
     step::Step,
     three_two_one_one::ThreeTwoOneOne,
     triangle::Triangle,
@@ -111,26 +114,40 @@ impl MotionSpec {
         Self { of: Some(of.to_owned()), shape: shape.into(), duration_s: None }
     }
 
-    /// What the kind called `name` reads from a file; none if there is no such kind. `timed`: whether the file gives
-    /// the length of the record here.
-    pub fn read<'de, A: VariantAccess<'de>>(
-        name: &str,
-        variant: A,
-        timed: bool,
-    ) -> Option<Result<Self, A::Error>> {
-        Shape::read(name, variant, timed).map(|read| {
-            let (shape, Beside { of, duration_s }) = read?;
-            if shape.kind().mover() == Mover::Named && shape.kind().height().is_nan() {
-                return Err(A::Error::missing_field("height_deg"));
-            }
-            let of = match (shape.kind().mover(), of) {
-                (Mover::Columns, Some(_)) => return Err(A::Error::unknown_field("of", &["file", "start_s"])),
-                (Mover::Named, None) => return Err(A::Error::missing_field("of")),
-                (Mover::Angle, None) => Some(ANGLE.to_owned()),
-                (_, of) => of,
-            };
-            Ok(Self { of, shape, duration_s })
-        })
+    /// What the kind called `name` reads from a file; `timed`: whether the file gives the length of the record here.
+    fn read<'de, A: VariantAccess<'de>>(name: &str, variant: A, timed: bool) -> Result<Self, A::Error> {
+        Shape::read(name, variant, timed).and_then(|(shape, beside)| Self::of_parts(shape, beside))
+    }
+
+    fn of_parts<E: Error>(shape: Shape, beside: Beside) -> Result<Self, E> {
+        let Beside { of, duration_s } = beside;
+        let kind = shape.kind();
+        if kind.mover() == Mover::Named && kind.height().is_nan() {
+            return Err(E::missing_field("height_deg"));
+        }
+        let of = match (kind.mover(), of) {
+            (Mover::Columns, Some(_)) => return Err(E::unknown_field("of", &["file", "start_s"])),
+            (Mover::Named, None) => return Err(E::missing_field("of")),
+            (Mover::Angle, None) => Some(ANGLE.to_owned()),
+            (_, of) => of,
+        };
+        Ok(Self { of, shape, duration_s })
+    }
+
+    /// The same motion with another height, rad.
+    pub fn with_height(mut self, height: f64) -> Self {
+        self.shape.kind_mut().set_height(height);
+        self
+    }
+
+    /// Length of the record: what the file says, or to the motion's end, s.
+    pub fn record_s(&self) -> f64 {
+        self.duration_s.unwrap_or_else(|| self.end_s())
+    }
+
+    /// The control surface it moves; none for the angle of attack and for columns.
+    pub fn control(&self) -> Option<&str> {
+        self.of.as_deref().filter(|of| *of != ANGLE)
     }
 
     /// Its kind.
@@ -199,24 +216,77 @@ pub fn tidy_degrees(rad: f64) -> f64 {
     (rad.to_degrees() * 1e9).round() / 1e9
 }
 
-impl<'de> Deserialize<'de> for MotionSpec {
+/// A motion whose kind the place in a file says: its fields alone, with the length of the record.
+///
+/// # Errors
+/// If the fields are not those of the kind.
+pub fn of_kind<'de, K: Into<Shape> + Deserialize<'de>, D: Deserializer<'de>>(
+    from: D,
+) -> Result<MotionSpec, D::Error> {
+    let (kind, beside) = read::struct_fields::<K, D>(from)?;
+    MotionSpec::of_parts(kind.into(), beside)
+}
+
+/// A motion, or something else that a file may name in its place.
+#[derive(Debug, Clone, PartialEq)]
+pub enum MotionOr<T> {
+    /// A motion with the length of its record.
+    Motion(MotionSpec),
+    /// Something else.
+    Other(T),
+}
+
+/// An enumeration that shares a place in a file with the kinds of motion.
+pub trait Others {
+    /// Its names there.
+    const NAMES: &'static [&'static str];
+}
+
+impl<'de, T: Others + Deserialize<'de>> Deserialize<'de> for MotionOr<T> {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        from.deserialize_enum("Motion", KINDS, SpecVisitor)
+        from.deserialize_enum("Maneuver", T::NAMES, MotionVisitor { timed: true, other: PhantomData })
     }
 }
 
-struct SpecVisitor;
+/// Nothing else.
+#[derive(Deserialize)]
+enum Nothing {}
 
-impl<'de> Visitor<'de> for SpecVisitor {
-    type Value = MotionSpec;
+impl Others for Nothing {
+    const NAMES: &'static [&'static str] = &[];
+}
+
+impl<'de> Deserialize<'de> for MotionSpec {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        let visitor = MotionVisitor::<Nothing> { timed: false, other: PhantomData };
+        match from.deserialize_enum("Motion", KINDS, visitor)? {
+            MotionOr::Motion(motion) => Ok(motion),
+            MotionOr::Other(never) => match never {},
+        }
+    }
+}
+
+struct MotionVisitor<T> {
+    timed: bool,
+    other: PhantomData<T>,
+}
+
+impl<'de, T: Others + Deserialize<'de>> Visitor<'de> for MotionVisitor<T> {
+    type Value = MotionOr<T>;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("a motion")
     }
 
-    fn visit_enum<A: EnumAccess<'de>>(self, data: A) -> Result<MotionSpec, A::Error> {
+    fn visit_enum<A: EnumAccess<'de>>(self, data: A) -> Result<MotionOr<T>, A::Error> {
         let (Name(name), variant) = data.variant()?;
-        MotionSpec::read(&name, variant, false)
-            .unwrap_or_else(|| Err(A::Error::unknown_variant(&name, KINDS)))
+        if KINDS.contains(&name.as_str()) {
+            return MotionSpec::read(&name, variant, self.timed).map(MotionOr::Motion);
+        }
+        if T::NAMES.contains(&name.as_str()) {
+            return T::deserialize(EnumAccessDeserializer::new(Named { name, variant })).map(MotionOr::Other);
+        }
+        // an error may only hold names that last; this is once for a file that is refused
+        Err(A::Error::unknown_variant(&name, [T::NAMES, KINDS].concat().leak()))
     }
 }

@@ -1,6 +1,6 @@
 //! One-minus-cosine: up and back once, without a jump of value or rate (S35).
 
-use super::kind::{Kind, Mover, Record, Recognised};
+use super::kind::{Kind, Mover, Recognised, Record, named};
 use super::read::{degrees, some_degrees};
 use super::signal::Signal;
 use serde::Deserialize;
@@ -14,13 +14,7 @@ const STILL_RAD: f64 = 2e-3;
 #[serde(deny_unknown_fields)]
 pub struct OneMinusCosine {
     /// Largest departure, rad.
-    #[serde(
-        rename = "height_deg",
-        alias = "deflection_deg",
-        alias = "amplitude_deg",
-        deserialize_with = "degrees",
-        default = "not_given"
-    )]
+    #[serde(rename = "height_deg", deserialize_with = "degrees", default = "not_given")]
     pub height: f64,
     /// In place of the height, the angle of attack it goes to, rad.
     #[serde(rename = "to_deg", deserialize_with = "some_degrees", default)]
@@ -62,17 +56,7 @@ impl Signal for OneMinusCosine {
 }
 
 impl Kind for OneMinusCosine {
-    fn words(&self) -> &'static str {
-        WORDS
-    }
-
-    fn height(&self) -> f64 {
-        self.height
-    }
-
-    fn start_s(&self) -> f64 {
-        self.start_s
-    }
+    named!(WORDS);
 
     fn length_s(&self) -> f64 {
         1.0 / self.frequency_hz

@@ -2,7 +2,7 @@
 //! them (`of`, and `duration_s` where the file does not give the length of the record) is taken out on the way.
 
 use serde::de::{
-    Deserialize, DeserializeSeed, Deserializer, Error, IntoDeserializer, MapAccess, VariantAccess, Visitor,
+    Deserialize, DeserializeSeed, Deserializer, EnumAccess, Error, IntoDeserializer, MapAccess, VariantAccess, Visitor,
 };
 use serde::forward_to_deserialize_any;
 use std::fmt;
@@ -34,6 +34,14 @@ pub(super) fn fields<'de, T: Deserialize<'de>, A: VariantAccess<'de>>(
     timed: bool,
 ) -> Result<(T, Beside), A::Error> {
     variant.struct_variant(&[], FieldsVisitor { timed, kind: PhantomData })
+}
+
+/// The same of a struct, which may name its kind; the length of the record is among the fields.
+pub(super) fn struct_fields<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
+    from: D,
+) -> Result<(T, Beside), D::Error> {
+    let name = std::any::type_name::<T>().rsplit("::").next().unwrap_or_default();
+    from.deserialize_struct(name, &[], FieldsVisitor { timed: true, kind: PhantomData })
 }
 
 struct FieldsVisitor<T> {
@@ -91,7 +99,12 @@ impl<'de, M: MapAccess<'de>> MapAccess<'de> for Fields<'_, M> {
 
     fn next_key_seed<K: DeserializeSeed<'de>>(&mut self, seed: K) -> Result<Option<K::Value>, M::Error> {
         while let Some(Name(key)) = self.map.next_key()? {
-            match key.as_str() {
+            // runs and cases of aircraft call the height after what moves
+            let key = match key.as_str() {
+                "deflection_deg" | "amplitude_deg" if self.known.contains(&"height_deg") => "height_deg",
+                key => key,
+            };
+            match key {
                 known if self.known.contains(&known) => {
                     return seed.deserialize(key.into_deserializer()).map(Some);
                 }
@@ -110,6 +123,21 @@ impl<'de, M: MapAccess<'de>> MapAccess<'de> for Fields<'_, M> {
 
     fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, M::Error> {
         self.map.next_value_seed(seed)
+    }
+}
+
+/// A variant whose name was read already.
+pub(super) struct Named<A> {
+    pub(super) name: String,
+    pub(super) variant: A,
+}
+
+impl<'de, A: VariantAccess<'de>> EnumAccess<'de> for Named<A> {
+    type Error = A::Error;
+    type Variant = A;
+
+    fn variant_seed<V: DeserializeSeed<'de>>(self, seed: V) -> Result<(V::Value, A), A::Error> {
+        Ok((seed.deserialize(self.name.into_deserializer())?, self.variant))
     }
 }
 

@@ -1,6 +1,6 @@
 //! A step that stays.
 
-use super::kind::Kind;
+use super::kind::{Kind, named};
 use super::read::degrees;
 use super::signal::{EDGE, Signal};
 use serde::Deserialize;
@@ -10,12 +10,7 @@ use serde::Deserialize;
 #[serde(deny_unknown_fields)]
 pub struct Step {
     /// Height, rad.
-    #[serde(
-        rename = "height_deg",
-        alias = "deflection_deg",
-        alias = "amplitude_deg",
-        deserialize_with = "degrees"
-    )]
+    #[serde(rename = "height_deg", deserialize_with = "degrees")]
     pub height: f64,
     /// Beginning, s.
     #[serde(default)]
@@ -29,17 +24,7 @@ impl Signal for Step {
 }
 
 impl Kind for Step {
-    fn words(&self) -> &'static str {
-        "step"
-    }
-
-    fn height(&self) -> f64 {
-        self.height
-    }
-
-    fn start_s(&self) -> f64 {
-        self.start_s
-    }
+    named!("step");
 
     fn length_s(&self) -> f64 {
         0.0

@@ -1,6 +1,6 @@
 //! 3-2-1-1: three units up, two down, one up, one down.
 
-use super::kind::Kind;
+use super::kind::{Kind, named};
 use super::read::degrees;
 use super::signal::{EDGE, Signal};
 use serde::Deserialize;
@@ -10,12 +10,7 @@ use serde::Deserialize;
 #[serde(deny_unknown_fields)]
 pub struct ThreeTwoOneOne {
     /// Height, rad.
-    #[serde(
-        rename = "height_deg",
-        alias = "deflection_deg",
-        alias = "amplitude_deg",
-        deserialize_with = "degrees"
-    )]
+    #[serde(rename = "height_deg", deserialize_with = "degrees")]
     pub height: f64,
     /// Length of one unit, s.
     pub unit_s: f64,
@@ -35,17 +30,7 @@ impl Signal for ThreeTwoOneOne {
 }
 
 impl Kind for ThreeTwoOneOne {
-    fn words(&self) -> &'static str {
-        "3-2-1-1"
-    }
-
-    fn height(&self) -> f64 {
-        self.height
-    }
-
-    fn start_s(&self) -> f64 {
-        self.start_s
-    }
+    named!("3-2-1-1");
 
     fn length_s(&self) -> f64 {
         7.0 * self.unit_s

@@ -1,6 +1,6 @@
 //! Triangle: straight up and straight down once, to one side or to both: slow enough, it shows hysteresis.
 
-use super::kind::Kind;
+use super::kind::{Kind, named};
 use super::read::degrees;
 use super::signal::Signal;
 use serde::Deserialize;
@@ -10,12 +10,7 @@ use serde::Deserialize;
 #[serde(deny_unknown_fields)]
 pub struct Triangle {
     /// Height, rad.
-    #[serde(
-        rename = "height_deg",
-        alias = "deflection_deg",
-        alias = "amplitude_deg",
-        deserialize_with = "degrees"
-    )]
+    #[serde(rename = "height_deg", deserialize_with = "degrees")]
     pub height: f64,
     /// From beginning to end.
     pub duration_s: f64,
@@ -60,17 +55,7 @@ impl Signal for Triangle {
 }
 
 impl Kind for Triangle {
-    fn words(&self) -> &'static str {
-        "triangle"
-    }
-
-    fn height(&self) -> f64 {
-        self.height
-    }
-
-    fn start_s(&self) -> f64 {
-        self.start_s
-    }
+    named!("triangle");
 
     fn length_s(&self) -> f64 {
         self.duration_s
