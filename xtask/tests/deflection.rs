@@ -10,7 +10,8 @@ use std::sync::OnceLock;
 use calibrate::Schedule;
 use coupling::WingFile;
 use serde_json::Value;
-use tunnel::{MotionPlan, Truth, TunnelFile, campaign};
+use maneuver::motion::Shape;
+use tunnel::{Truth, TunnelFile, campaign};
 
 fn data(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../data/tuflex").join(name)
@@ -18,7 +19,7 @@ fn data(name: &str) -> PathBuf {
 
 fn tunnel_file() -> TunnelFile {
     let mut file = TunnelFile::read(&data("tunnel.ron")).expect("the shipped file");
-    file.runs.retain(|run| matches!(run.motion, MotionPlan::Doublet { .. }));
+    file.runs.retain(|run| matches!(run.motion.shape, Shape::Doublet(_)));
     file
 }
 

@@ -8,7 +8,8 @@ use std::sync::OnceLock;
 
 use maneuver::Run;
 use serde_json::Value;
-use tunnel::{MotionPlan, Truth, TunnelFile, campaign};
+use maneuver::motion::Shape;
+use tunnel::{Truth, TunnelFile, campaign};
 
 const START_S: f64 = 0.5;
 const LOADS: [&str; 3] = ["Fz_N", "Mx_Nm", "My_Nm"];
@@ -106,7 +107,8 @@ fn s35_pitch_from_1_3_to_5_degrees_at_the_published_reduced_frequencies() {
     let chord_m = wing.planform().expect("parametric").mean_chord_m();
     for ((name, frequency_hz), published) in PITCH.into_iter().zip([0.0118, 0.0471, 0.0943]) {
         let plan = file.runs.iter().find(|run| run.file == format!("{name}.csv")).expect("it is flown");
-        assert_eq!(plan.motion, MotionPlan::OneMinusCosine { to_deg: 5.0, frequency_hz });
+        let Shape::OneMinusCosine(pitch) = &plan.motion.shape else { panic!("a pitch") };
+        assert_eq!((pitch.to, pitch.frequency_hz), (Some(5.0_f64.to_radians()), frequency_hz));
         let k = std::f64::consts::PI * frequency_hz * chord_m / plan.v_m_s;
         // printed with four decimals
         assert!((k - published).abs() < 6e-5, "{name}: {k}");

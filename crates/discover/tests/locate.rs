@@ -105,7 +105,7 @@ fn the_shipped_campaign_shows_its_ailerons_curves() {
 fn the_shipped_campaigns_my_goes_with_the_second_derivative_of_the_angle() {
     let flight = shipped();
     let mut residuals = residuals(flight, &flight.data, &flight.flown, None);
-    residuals.units.retain(|unit| matches!(unit.maneuver, Maneuver::Pitch { .. } | Maneuver::Static { .. }));
+    residuals.units.retain(|unit| matches!(unit.maneuver, Maneuver::Angle { .. } | Maneuver::Static { .. }));
     let cells = map(&residuals);
     let top = cells.iter().find(|cell| cell.channel == "My_Nm").expect("My");
     assert!(fast_pitch(top) && top.power > 100.0 * top.limit, "{top:?}");

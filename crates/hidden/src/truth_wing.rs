@@ -1,13 +1,11 @@
 //! The wing of the truth: the model's planform with about twice as many boxes, its structure with more elements, and
 //! the same structure slightly changed, from which the matrices' derivatives are taken.
 
-use coupling::WingFile;
 use coupling::planform::{Mesh, Planform, Structure};
+use coupling::{ByLoad, WingFile};
 use nastran::InputError;
 use std::path::Path;
-use tunnel::{
-    BeamChange, Blocks, ChannelNoise, Noise, Statics, Truth, TruthSettings, TunnelError, TunnelFile,
-};
+use tunnel::{BeamChange, Blocks, Noise, Statics, Truth, TruthSettings, TunnelError, TunnelFile};
 
 /// Elements of the true beam for every element of the modelled one.
 const ELEMENTS: f64 = 1.5;
@@ -58,7 +56,7 @@ pub(crate) fn file(path: &Path) -> Result<(WingFile, Planform), InputError> {
 /// # Errors
 /// As [`Truth::build`].
 pub(crate) fn wing(path: &Path, mesh: Mesh, beam: BeamChange) -> Result<Truth, TunnelError> {
-    let none = ChannelNoise { fz_n: 0.0, mx_nm: 0.0, my_nm: 0.0 };
+    let none = ByLoad::default();
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     Truth::build(&TunnelFile {
         name: String::new(),

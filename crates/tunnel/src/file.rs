@@ -235,7 +235,8 @@ impl TunnelFile {
             if let Some(fault) = motion.fault(dynamics.sample_rate_hz) {
                 return Some((format!("{}: {}", run.file, fault.message), fault.help));
             } else if !flies {
-                let what = format!("{}: {} of the angle has no smooth acceleration", run.file, motion.shape.name());
+                let what =
+                    format!("{}: {} of the angle has no smooth acceleration", run.file, motion.shape.name());
                 return Some((what, "move a control surface so, or let the angle move smoothly"));
             }
         }

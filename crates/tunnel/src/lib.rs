@@ -14,11 +14,10 @@ mod statics;
 mod structure;
 mod truth;
 
+pub use calibrate::{Noise, Use};
 pub use campaign::{Campaign, campaign};
 pub use comparison::{AirspeedComparison, ChannelComparison, FlightState, HalfWingFlight, compare};
-pub use file::{
-    AirspeedSections, BeamChange, Blocks, Corners, Sections, Statics, TruthSettings, TunnelFile,
-};
+pub use file::{AirspeedSections, BeamChange, Blocks, Corners, Sections, Statics, TruthSettings, TunnelFile};
 pub use readme::{Found, Story, readme};
 pub use run_file::{Dynamics, Joiner, RunPlan};
 pub use statics::StaticRow;

@@ -99,7 +99,8 @@ fn runs(text: &mut String, tunnel: &TunnelFile) {
     let mut seen = std::collections::BTreeSet::new();
     kinds.retain(|name| seen.insert(name.clone()));
     for name in kinds {
-        let count = |usage| tunnel.runs.iter().filter(|run| kind(run) == name && run.purpose == usage).count();
+        let count =
+            |usage| tunnel.runs.iter().filter(|run| kind(run) == name && run.purpose == usage).count();
         let _ = writeln!(text, "| {name} | {} | {} |", count(Use::Train), count(Use::Holdout));
     }
     text.push('\n');

@@ -63,11 +63,7 @@ pub(crate) fn measure(tunnel: &TunnelFile, truth: &Truth, seed: u64) -> Result<V
 pub(crate) fn block_offsets(tunnel: &TunnelFile, seed: u64) -> Vec<(&str, RootLoads)> {
     let mut source = NoiseSource::new(seed, Stream::BlockOffsets);
     let blocks = &tunnel.statics.blocks;
-    blocks
-        .replicates
-        .iter()
-        .map(|(block, _)| (block.as_str(), source.loads(blocks.offset_sigma)))
-        .collect()
+    blocks.replicates.iter().map(|(block, _)| (block.as_str(), source.loads(blocks.offset_sigma))).collect()
 }
 
 /// The rows as `static.csv`.

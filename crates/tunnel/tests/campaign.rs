@@ -2,9 +2,10 @@
 #![expect(clippy::unwrap_used, reason = "a helper of tests may fail the test where it stands")]
 
 use aero::{Corrections, Flow};
+use coupling::ByLoad;
 use coupling::{ElasticWing, SteadyCase};
 use std::path::{Path, PathBuf};
-use tunnel::{Campaign, ChannelNoise, StaticRow, Truth, TruthSettings, TunnelFile, campaign};
+use tunnel::{Campaign, StaticRow, Truth, TruthSettings, TunnelFile, campaign};
 
 fn data(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/tuflex").join(name)
@@ -115,7 +116,7 @@ fn a_block_adds_one_offset_of_the_declared_size_to_all_its_airspeeds() {
     file.statics.airspeeds_m_s = vec![18.0, 40.0];
     file.statics.angles_deg = vec![0.0];
     file.statics.blocks.replicates = (0..BLOCKS).map(|i| (format!("b{i}"), 1)).collect();
-    file.noise.static_point = ChannelNoise { fz_n: 1e-9, mx_nm: 1e-9, my_nm: 1e-9 };
+    file.noise.static_point = ByLoad::from_array([1e-9; 3]);
     let campaign = measured(&file, 5);
     let truth = Truth::build(&file).unwrap();
     let clean = [18.0, 40.0].map(|v| truth.states(v, &[0.0]).unwrap()[0].loads.to_array());
@@ -133,7 +134,7 @@ fn a_block_adds_one_offset_of_the_declared_size_to_all_its_airspeeds() {
 }
 
 #[test]
-fn tilt_tares_hold_weight_alone() {
+fn weight_tares_hold_weight_alone() {
     let file = shipped();
     let campaign = measured(&file, 1);
     let sigma = file.noise.static_point.to_array();

@@ -2,19 +2,21 @@
 
 #![expect(clippy::unwrap_used, reason = "a helper of tests may fail the test where it stands")]
 
+use coupling::ByLoad;
 use maneuver::Run;
+use maneuver::motion::{MotionSpec, Shape, tidy_degrees};
 use nastran::Table;
 use std::path::{Path, PathBuf};
-use tunnel::{ChannelNoise, Joiner, MotionPlan, Purpose, Truth, TunnelFile, campaign};
+use tunnel::{Joiner, Truth, TunnelFile, Use, campaign};
 
 fn data(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/tuflex").join(name)
 }
 
 /// The shipped file with hardly any noise and the runs that `keep` chooses.
-fn quiet(keep: impl Fn(&MotionPlan) -> bool) -> TunnelFile {
+fn quiet(keep: impl Fn(&MotionSpec) -> bool) -> TunnelFile {
     let mut file = TunnelFile::read(&data("tunnel.ron")).unwrap();
-    file.noise.sample = ChannelNoise { fz_n: 1e-9, mx_nm: 1e-9, my_nm: 1e-9 };
+    file.noise.sample = ByLoad::from_array([1e-9; 3]);
     file.runs.retain(|run| keep(&run.motion));
     file
 }
@@ -27,7 +29,7 @@ fn tables(file: &TunnelFile) -> Vec<Table> {
 
 #[test]
 fn a_run_begins_with_the_static_loads() {
-    let mut file = quiet(|motion| matches!(motion, MotionPlan::OneMinusCosine { frequency_hz: 4.0, .. }));
+    let mut file = quiet(|motion| matches!(&motion.shape, Shape::OneMinusCosine(m) if m.frequency_hz == 4.0));
     // without the day's offset
     file.runs[0].block = None;
     let truth = Truth::build(&file).unwrap();
@@ -49,7 +51,7 @@ fn each_aileron_loses_what_its_table_says() {
         let row = rows.iter().find(|row| row.v_m_s == 30.0).unwrap();
         row.factors()[row.commanded_deg.iter().position(|d| *d == degrees).unwrap()]
     };
-    let mut file = quiet(|motion| matches!(motion, MotionPlan::Doublet { .. }));
+    let mut file = quiet(|motion| matches!(motion.shape, Shape::Doublet(_)));
     file.runs.retain(|run| run.v_m_s == 30.0 && run.repeat_of.is_none());
     let found: Vec<(String, f64, f64)> = file
         .runs
@@ -57,11 +59,9 @@ fn each_aileron_loses_what_its_table_says() {
         .zip(tables(&file))
         .map(|(plan, run)| {
             let fz = run.numbers("Fz_N").unwrap();
-            let MotionPlan::Doublet { control, deflection_deg, .. } = &plan.motion else {
-                panic!("a doublet")
-            };
+            let degrees = tidy_degrees(plan.motion.kind().height());
             let peak = fz.iter().map(|f| f - fz[0]).fold(0.0, f64::max);
-            (control.clone(), *deflection_deg, peak / deflection_deg)
+            (plan.motion.control().unwrap().to_owned(), degrees, peak / degrees)
         })
         .collect();
     assert_eq!(found.len(), 12);
@@ -85,7 +85,7 @@ fn each_aileron_loses_what_its_table_says() {
 
 #[test]
 fn runs_of_a_day_share_its_offset_and_those_without_wind_have_none() {
-    let mut file = quiet(|motion| matches!(motion, MotionPlan::OneMinusCosine { frequency_hz: 4.0, .. }));
+    let mut file = quiet(|motion| matches!(&motion.shape, Shape::OneMinusCosine(m) if m.frequency_hz == 4.0));
     assert_eq!(file.runs.iter().map(|run| run.v_m_s).collect::<Vec<_>>(), [30.0, 30.0, 0.0]);
     file.runs[2].motion = file.runs[0].motion.clone();
     let first = |tables: &[Table], run: usize| {
@@ -116,7 +116,7 @@ fn runs_of_a_day_share_its_offset_and_those_without_wind_have_none() {
 
 #[test]
 fn without_wind_a_run_is_weight_and_inertia() {
-    let file = quiet(|motion| matches!(motion, MotionPlan::OneMinusCosine { .. }));
+    let file = quiet(|motion| matches!(motion.shape, Shape::OneMinusCosine(_)));
     let wind_off: Vec<_> = file.runs.iter().filter(|run| run.v_m_s == 0.0).collect();
     assert_eq!(wind_off.len(), 3);
     let truth = Truth::build(&file).unwrap();
@@ -138,29 +138,35 @@ fn without_wind_a_run_is_weight_and_inertia() {
 #[test]
 fn every_run_of_the_paper_is_flown() {
     let file = TunnelFile::read(&data("tunnel.ron")).unwrap();
-    let flown = |wanted: &dyn Fn(&MotionPlan) -> bool, v_m_s: f64, purpose: Purpose| {
+    let flown = |wanted: &dyn Fn(&MotionSpec) -> bool, v_m_s: f64, purpose: Use| {
         file.runs.iter().any(|run| run.v_m_s == v_m_s && run.purpose == purpose && wanted(&run.motion))
     };
+    let of = |m: &MotionSpec, name: &str, degrees: f64| {
+        m.control() == Some(name) && tidy_degrees(m.kind().height()) == degrees
+    };
     for hz in [0.5, 2.0, 4.0] {
-        let pitch = |m: &MotionPlan| matches!(m, MotionPlan::OneMinusCosine { to_deg: 5.0, frequency_hz } if *frequency_hz == hz);
-        assert!(flown(&pitch, 30.0, Purpose::Train) && flown(&pitch, 30.0, Purpose::Holdout), "{hz} Hz");
+        let pitch = |m: &MotionSpec| matches!(&m.shape, Shape::OneMinusCosine(m) if m.frequency_hz == hz && m.to == Some(5.0_f64.to_radians()));
+        assert!(flown(&pitch, 30.0, Use::Train) && flown(&pitch, 30.0, Use::Holdout), "{hz} Hz");
     }
     for name in ["inner", "middle", "outer"] {
         for v_m_s in [18.0, 22.0, 30.0, 34.0] {
             for degrees in [5.0, 15.0, 25.0] {
-                let doublet = |m: &MotionPlan| matches!(m, MotionPlan::Doublet { control, deflection_deg, .. } if control == name && *deflection_deg == degrees);
-                assert!(flown(&doublet, v_m_s, Purpose::Train), "{name} {degrees} {v_m_s}");
+                let doublet = |m: &MotionSpec| matches!(m.shape, Shape::Doublet(_)) && of(m, name, degrees);
+                assert!(flown(&doublet, v_m_s, Use::Train), "{name} {degrees} {v_m_s}");
             }
             for degrees in [2.0, 5.0] {
-                let chirp = |m: &MotionPlan| matches!(m, MotionPlan::Chirp { control, deflection_deg, from_hz: 0.0, to_hz: 10.0, duration_s: 30.0 } if control == name && *deflection_deg == degrees);
-                let either = flown(&chirp, v_m_s, Purpose::Train) || flown(&chirp, v_m_s, Purpose::Holdout);
+                let chirp = |m: &MotionSpec| {
+                    matches!(&m.shape, Shape::Chirp(c) if [c.from_hz, c.to_hz, c.duration_s] == [0.0, 10.0, 30.0])
+                        && of(m, name, degrees)
+                };
+                let either = flown(&chirp, v_m_s, Use::Train) || flown(&chirp, v_m_s, Use::Holdout);
                 assert!(either, "{name} {degrees} {v_m_s}");
             }
         }
     }
     for degrees in [5.0, 15.0, 25.0] {
-        let shown = |m: &MotionPlan| matches!(m, MotionPlan::Doublet { control, deflection_deg, .. } if control == "inner" && *deflection_deg == degrees);
-        assert!(flown(&shown, 30.0, Purpose::Holdout), "Figs. 12 to 14: {degrees}");
+        let shown = |m: &MotionSpec| matches!(m.shape, Shape::Doublet(_)) && of(m, "inner", degrees);
+        assert!(flown(&shown, 30.0, Use::Holdout), "Figs. 12 to 14: {degrees}");
     }
 }
 

@@ -89,7 +89,7 @@ pub(crate) fn records(data: &Dataset, simulated: &[Flown], sigma: &[ByLoad<f64>]
 fn edges(rules: &RecordRules, stimulus: &Stimulus, v_m_s: f64) -> Vec<bool> {
     let samples = stimulus.inputs.alpha.value.len();
     let mut edges = vec![false; samples];
-    if stimulus.steady || matches!(Maneuver::of(stimulus, v_m_s), Maneuver::Chirp { .. }) {
+    if stimulus.steady || Maneuver::of(stimulus, v_m_s).swept_control().is_some() {
         return edges;
     }
     for delta in &stimulus.inputs.controls_rad {

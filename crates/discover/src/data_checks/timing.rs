@@ -48,12 +48,8 @@ fn repeats(records: &[Record], i: usize) -> impl Iterator<Item = usize> + '_ {
 }
 
 fn least_s(rules: &TimingRules, record: &Record) -> f64 {
-    match record.maneuver {
-        crate::locate::maneuver::Maneuver::Pitch { frequency_hz, .. } => {
-            rules.least_s.max(rules.least_turns / frequency_hz)
-        }
-        _ => rules.least_s,
-    }
+    let frequency_hz = record.maneuver.kind().and_then(|kind| kind.frequency_hz);
+    frequency_hz.map_or(rules.least_s, |hz| rules.least_s.max(rules.least_turns / hz))
 }
 
 /// Lag of the measurement on which the channels agree, s.

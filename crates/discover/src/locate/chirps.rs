@@ -4,7 +4,6 @@
 //! its rate (linear: a transfer function that is wrong), with their products of second and third order (harmonics), and
 //! the rest. What two repeats leave in common is no noise.
 
-use super::maneuver::Maneuver;
 use super::map::band;
 use super::regressors::squares_left;
 use super::residuals::{Residuals, Unit};
@@ -44,7 +43,7 @@ struct Sums {
 pub fn chirps(residuals: &Residuals) -> Vec<ChirpCell> {
     let mut cells = Vec::new();
     for unit in &residuals.units {
-        let Maneuver::Chirp { control, .. } = unit.maneuver else { continue };
+        let Some(control) = unit.maneuver.swept_control() else { continue };
         let same = |other: &&Unit| unit.repeat_of == Some(other.place) || other.repeat_of == Some(unit.place);
         let repeat = residuals.units.iter().find(same);
         for (c, channel) in crate::channels::LOADS.into_iter().enumerate() {

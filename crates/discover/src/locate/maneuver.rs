@@ -1,16 +1,11 @@
 //! What kind of maneuver a stimulus is, read from the motion itself: names of files say nothing for certain.
 
 use maneuver::effects::Stimulus;
+use maneuver::motion::{Recognised, Record, recognised};
 use std::fmt;
 
 /// A motion smaller than this is none, rad.
 const STILL_RAD: f64 = 2e-3;
-/// Deflections count as those of a doublet if they are within this share of its height.
-const FLAT: f64 = 0.05;
-/// Share of the moved samples that must be flat in a doublet: the rest is the way between.
-const MOSTLY: f64 = 0.8;
-/// So many crossings of zero make a chirp.
-const CHIRP_CROSSINGS: usize = 8;
 
 /// See the module.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,25 +16,18 @@ pub enum Maneuver {
         wind: bool,
     },
     /// The balance pitches.
-    Pitch {
+    Angle {
         /// Whether there is wind.
         wind: bool,
-        /// Frequency of the motion, Hz, two digits.
-        frequency_hz: f64,
+        /// The kind of motion.
+        kind: Recognised,
     },
-    /// A control goes up and down once.
-    Doublet {
+    /// One control moves.
+    Control {
         /// Place of the control.
         control: usize,
-        /// Its height, whole degrees.
-        height_deg: f64,
-    },
-    /// A control sweeps through frequencies.
-    Chirp {
-        /// Place of the control.
-        control: usize,
-        /// Its height, whole degrees.
-        height_deg: f64,
+        /// The kind of motion.
+        kind: Recognised,
     },
     /// Anything else.
     Other,
@@ -52,37 +40,66 @@ impl Maneuver {
         if stimulus.steady {
             return Self::Static { wind };
         }
-        let moving: Vec<usize> = (0..stimulus.inputs.controls_rad.len())
-            .filter(|&c| largest(&stimulus.inputs.controls_rad[c]) > STILL_RAD)
-            .collect();
-        match moving[..] {
-            [] => pitch_hz(&stimulus.inputs.alpha.value, stimulus.time_step_s)
-                .map_or(Self::Other, |frequency_hz| Self::Pitch { wind, frequency_hz }),
-            [control] => of_control(control, &stimulus.inputs.controls_rad[control]),
-            _ => Self::Other,
+        let record = |values, is_angle| Record { values, time_step_s: stimulus.time_step_s, is_angle };
+        let controls = &stimulus.inputs.controls_rad;
+        let moving: Vec<usize> =
+            (0..controls.len()).filter(|&c| record(&controls[c], false).height() > STILL_RAD).collect();
+        let found = match moving[..] {
+            [] => {
+                recognised(&record(&stimulus.inputs.alpha.value, true)).map(|kind| Self::Angle { wind, kind })
+            }
+            [control] => {
+                recognised(&record(&controls[control], false)).map(|kind| Self::Control { control, kind })
+            }
+            _ => None,
+        };
+        found.unwrap_or(Self::Other)
+    }
+
+    /// The kind of motion; none for static points and what is not recognised.
+    pub fn kind(&self) -> Option<Recognised> {
+        match self {
+            Self::Angle { kind, .. } | Self::Control { kind, .. } => Some(*kind),
+            Self::Static { .. } | Self::Other => None,
+        }
+    }
+
+    /// The control that moves with a frequency that runs.
+    pub fn swept_control(&self) -> Option<usize> {
+        match self {
+            Self::Control { control, kind } if kind.sweeps => Some(*control),
+            _ => None,
         }
     }
 
     /// Whether two are of a kind, whatever their size and frequency.
     pub fn same_kind(&self, other: &Self) -> bool {
+        let words = |maneuver: &Self| maneuver.kind().map(|kind| kind.words);
         match (self, other) {
             (Self::Static { wind: a }, Self::Static { wind: b })
-            | (Self::Pitch { wind: a, .. }, Self::Pitch { wind: b, .. }) => a == b,
-            _ => std::mem::discriminant(self) == std::mem::discriminant(other),
+            | (Self::Angle { wind: a, .. }, Self::Angle { wind: b, .. })
+                if a != b =>
+            {
+                false
+            }
+            _ => std::mem::discriminant(self) == std::mem::discriminant(other) && words(self) == words(other),
         }
     }
 
     /// In words, with the names of the controls.
     pub fn label(&self, controls: &[String]) -> String {
-        let name = |c: &usize| controls.get(*c).map_or("control", String::as_str);
+        let number = |value: Option<f64>, unit: &str| value.map_or(String::new(), |v| format!(" {v} {unit}"));
+        let size = |kind: &Recognised| number(kind.frequency_hz, "Hz") + &number(kind.height_deg, "deg");
         match self {
             Self::Static { wind: true } => "static points".to_owned(),
             Self::Static { wind: false } => "wind-off tilt".to_owned(),
-            Self::Pitch { wind, frequency_hz } => {
-                format!("{}pitch {frequency_hz} Hz", if *wind { "" } else { "wind-off " })
+            Self::Angle { wind, kind } => {
+                format!("{}{}{}", if *wind { "" } else { "wind-off " }, kind.words, size(kind))
             }
-            Self::Doublet { control, height_deg } => format!("doublet {} {height_deg} deg", name(control)),
-            Self::Chirp { control, height_deg } => format!("chirp {} {height_deg} deg", name(control)),
+            Self::Control { control, kind } => {
+                let name = controls.get(*control).map_or("control", String::as_str);
+                format!("{} {name}{}", kind.words, size(kind))
+            }
             Self::Other => "other".to_owned(),
         }
     }
@@ -92,63 +109,6 @@ impl fmt::Display for Maneuver {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.label(&[]))
     }
-}
-
-fn largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |most: f64, value| most.max(value.abs()))
-}
-
-fn of_control(control: usize, values: &[f64]) -> Maneuver {
-    let height = largest(values);
-    let height_deg = height.to_degrees().round();
-    let near =
-        |sign: f64| values.iter().filter(|delta| (**delta - sign * height).abs() <= FLAT * height).count();
-    let away = values.iter().filter(|delta| delta.abs() > FLAT * height).count();
-    let (up, down) = (near(1.0), near(-1.0));
-    let signs: Vec<bool> =
-        values.iter().filter(|delta| delta.abs() > FLAT * height).map(|delta| *delta > 0.0).collect();
-    let crossings = signs.windows(2).filter(|pair| pair[0] != pair[1]).count();
-    if crossings >= CHIRP_CROSSINGS {
-        Maneuver::Chirp { control, height_deg }
-    } else if up > 0 && down > 0 && (up + down) as f64 >= MOSTLY * away as f64 {
-        Maneuver::Doublet { control, height_deg }
-    } else {
-        Maneuver::Other
-    }
-}
-
-/// Frequency of one or several full waves between two angles: above the middle for half the time.
-fn pitch_hz(alpha_rad: &[f64], time_step_s: f64) -> Option<f64> {
-    let low = alpha_rad.iter().copied().fold(f64::INFINITY, f64::min);
-    let high = alpha_rad.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    if high.is_nan() || high - low < STILL_RAD {
-        return None;
-    }
-    // part of the step between two samples that is above the middle, straight lines between
-    let middle = 0.5 * (low + high);
-    let above = |pair: &[f64]| {
-        let (least, most) = (pair[0].min(pair[1]), pair[0].max(pair[1]));
-        if most > least {
-            ((most - middle) / (most - least)).clamp(0.0, 1.0)
-        } else {
-            f64::from(least > middle)
-        }
-    };
-    let time_s = alpha_rad.windows(2).map(above).sum::<f64>() * time_step_s;
-    // noise crosses the middle to and fro: once above, the angle must come down by a quarter before it counts again
-    let (mut waves, mut up) = (0.0, false);
-    for value in alpha_rad {
-        let share = (value - low) / (high - low);
-        if !up && share > 0.5 {
-            up = true;
-            waves += 1.0;
-        } else if share < 0.25 {
-            up = false;
-        }
-    }
-    let raw: f64 = 0.5 * waves / time_s;
-    let digit = 10_f64.powf(raw.log10().floor() - 1.0);
-    Some((raw / digit).round() * digit).map(|hz| (hz * 1e4).round() / 1e4)
 }
 
 #[cfg(test)]
@@ -172,8 +132,8 @@ mod tests {
         let bump = |hz: f64| {
             move |t: f64| if t < 1.0 / hz { 2.0 - 2.0 * (std::f64::consts::TAU * hz * t).cos() } else { 0.0 }
         };
-        assert_eq!(moved(bump(0.5), |_| 0.0), Maneuver::Pitch { wind: true, frequency_hz: 0.5 });
-        assert_eq!(moved(bump(4.0), |_| 0.0), Maneuver::Pitch { wind: true, frequency_hz: 4.0 });
+        assert_eq!(moved(bump(0.5), |_| 0.0).to_string(), "pitch 0.5 Hz");
+        assert_eq!(moved(bump(4.0), |_| 0.0).to_string(), "pitch 4 Hz");
         let step = |t: f64| {
             if !(1.0..3.0).contains(&t) {
                 0.0
@@ -183,9 +143,10 @@ mod tests {
                 -15.0
             }
         };
-        assert_eq!(moved(|_| 1.0, step), Maneuver::Doublet { control: 1, height_deg: 15.0 });
+        let names = ["inner", "outer"].map(str::to_owned);
+        assert_eq!(moved(|_| 1.0, step).label(&names), "doublet outer 15 deg");
         let chirp = moved(|_| 1.0, |t| 5.0 * (0.5 * t * t).sin());
-        assert_eq!(chirp, Maneuver::Chirp { control: 1, height_deg: 5.0 });
+        assert_eq!((chirp.label(&names).as_str(), chirp.swept_control()), ("chirp outer 5 deg", Some(1)));
         assert_eq!(moved(|_| 1.0, |_| 0.0), Maneuver::Other);
     }
 }

@@ -3,12 +3,17 @@
 use crate::data::RATE_HZ;
 use maneuver::Smooth;
 use maneuver::effects::{Inputs, Stimulus};
-use std::f64::consts::TAU;
+use maneuver::motion::{Chirp, OneMinusCosine, Shape, Triangle};
 
 /// Angle at which runs begin, rad.
 const BASE_RAD: f64 = 0.02;
 /// Rest before a motion, s.
 const REST_S: f64 = 0.5;
+
+/// Static points of a sweep.
+const POINTS: u32 = 9;
+/// Rest after a motion, s.
+const AFTER_S: f64 = 1.0;
 
 /// One entry.
 #[derive(Debug, Clone)]
@@ -18,22 +23,43 @@ pub struct Experiment {
     /// Effort: one is a run with wind.
     pub cost: f64,
     /// Airspeed and motion of every run; airspeeds as shares of the campaign's largest.
-    pub(crate) runs: Vec<(f64, Move)>,
+    pub(crate) runs: Vec<(f64, Planned)>,
 }
 
-/// What moves in a run.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum Move {
-    /// One minus cosine of the angle: height in rad, Hz.
-    Pitch(f64, f64),
-    /// Up and down slowly between two angles, rad.
-    Triangle(f64, f64),
-    /// A surface up and down slowly to both sides, rad.
-    SurfaceTriangle(f64),
-    /// A surface swings with a rising frequency: amplitude in rad, to Hz.
-    Chirp(f64, f64),
-    /// Static points between two angles, rad.
-    Sweep(f64, f64),
+/// What is flown in a run; angles in rad.
+#[derive(Debug, Clone)]
+pub(crate) enum Planned {
+    /// A motion of the angle of attack, or of the outermost surface, if there is one.
+    Motion {
+        /// Angle of attack at the beginning.
+        angle: f64,
+        /// Whether the surface moves, not the angle.
+        of_surface: bool,
+        /// How it moves.
+        shape: Shape,
+        /// Rest after it, s.
+        after_s: f64,
+    },
+    /// Static points between two angles.
+    Points(f64, f64),
+}
+
+/// One-minus-cosine of the angle.
+fn pitch(height: f64, frequency_hz: f64) -> Planned {
+    let shape = OneMinusCosine::new(height, frequency_hz, 0.0).into();
+    Planned::Motion { angle: BASE_RAD, of_surface: false, shape, after_s: AFTER_S }
+}
+
+/// A surface swings with a rising frequency.
+fn chirp(height: f64, to_hz: f64) -> Planned {
+    let shape = Chirp { height, from_hz: 0.0, to_hz, duration_s: 15.0, start_s: 0.0 }.into();
+    Planned::Motion { angle: BASE_RAD, of_surface: true, shape, after_s: AFTER_S }
+}
+
+/// The angle, or a surface to both sides, up and down so slowly that nothing rings on.
+fn triangle(angle: f64, height: f64, of_surface: bool) -> Planned {
+    let shape = Triangle { height, duration_s: 12.0, both_sides: of_surface, start_s: 0.0 }.into();
+    Planned::Motion { angle, of_surface, shape, after_s: 0.0 }
 }
 
 /// All entries.
@@ -43,54 +69,54 @@ pub fn menu() -> Vec<Experiment> {
         Experiment {
             name: "wind-off pitch at 2, 4 and 6 Hz",
             cost: 1.5,
-            runs: [2.0, 4.0, 6.0].map(|hz| (wind_off, Move::Pitch(0.09, hz))).to_vec(),
+            runs: [2.0, 4.0, 6.0].map(|hz| (wind_off, pitch(0.09, hz))).to_vec(),
         },
         Experiment {
             name: "a wind-off tilt from -6 to 12 degrees",
             cost: 0.5,
-            runs: vec![(0.0, Move::Sweep(-0.1, 0.21))],
+            runs: vec![(0.0, Planned::Points(-0.1, 0.21))],
         },
-        Experiment { name: "pitch at 8 Hz", cost: 1.0, runs: vec![(0.75, Move::Pitch(0.07, 8.0))] },
+        Experiment { name: "pitch at 8 Hz", cost: 1.0, runs: vec![(0.75, pitch(0.07, 8.0))] },
         Experiment {
             name: "a slow triangle of pitch, up and down",
             cost: 1.0,
-            runs: vec![(0.75, Move::Triangle(-0.07, 0.14))],
+            runs: vec![(0.75, triangle(-0.07, 0.14 - -0.07, false))],
         },
         Experiment {
             name: "a slow triangle of a control surface",
             cost: 1.0,
-            runs: vec![(0.75, Move::SurfaceTriangle(0.44))],
+            runs: vec![(0.75, triangle(BASE_RAD, 0.44, true))],
         },
         Experiment {
             name: "a chirp of a control surface to 12 Hz at small amplitude",
             cost: 1.5,
-            runs: vec![(1.0, Move::Chirp(0.035, 12.0))],
+            runs: vec![(1.0, chirp(0.035, 12.0))],
         },
         Experiment {
             name: "a wide sweep of angles, -8 to 14 degrees",
             cost: 2.0,
-            runs: vec![(0.6, Move::Sweep(-0.14, 0.24)), (1.0, Move::Sweep(-0.14, 0.24))],
+            runs: vec![(0.6, Planned::Points(-0.14, 0.24)), (1.0, Planned::Points(-0.14, 0.24))],
         },
         Experiment {
             name: "another airspeed, a fifth faster: a sweep, pitch at 2 Hz and a chirp",
             cost: 3.0,
             runs: vec![
-                (1.2, Move::Sweep(-0.07, 0.14)),
-                (1.2, Move::Pitch(0.09, 2.0)),
-                (1.2, Move::Chirp(0.07, 10.0)),
+                (1.2, Planned::Points(-0.07, 0.14)),
+                (1.2, pitch(0.09, 2.0)),
+                (1.2, chirp(0.07, 10.0)),
             ],
         },
     ]
 }
 
-impl Move {
+impl Planned {
     /// Whether its samples are static points.
-    pub(crate) fn is_static(self) -> bool {
-        matches!(self, Self::Sweep(..))
+    pub(crate) fn is_static(&self) -> bool {
+        matches!(self, Self::Points(..))
     }
 
     /// As something that drives a wing; surfaces move where there are any.
-    pub(crate) fn stimulus(self, controls: usize) -> Stimulus {
+    pub(crate) fn stimulus(&self, controls: usize) -> Stimulus {
         let (alpha, surface) = self.signals();
         let samples = alpha.value.len();
         let still = vec![0.0; samples];
@@ -107,64 +133,33 @@ impl Move {
         }
     }
 
-    fn signals(self) -> (Smooth, Vec<f64>) {
-        let dt = 1.0 / RATE_HZ;
+    fn signals(&self) -> (Smooth, Vec<f64>) {
+        let (angle, of_surface, shape, after_s) = match self {
+            Self::Motion { angle, of_surface, shape, after_s } => {
+                (*angle, *of_surface, shape.kind(), *after_s)
+            }
+            Self::Points(from, to) => {
+                let share = |i: u32| f64::from(i) / f64::from(POINTS - 1);
+                let value: Vec<f64> = (0..POINTS).map(|i| from + (to - from) * share(i)).collect();
+                let still = vec![0.0; value.len()];
+                return (Smooth { value, rate: still.clone(), second: still.clone() }, still);
+            }
+        };
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             reason = "some seconds of samples"
         )]
-        let times = |length_s: f64| {
-            (0..(length_s * RATE_HZ) as usize).map(|i| i as f64 * dt - REST_S).collect::<Vec<f64>>()
+        let samples = ((REST_S + shape.length_s() + after_s) * RATE_HZ) as usize;
+        let of = |moves: bool, value: &dyn Fn(f64) -> f64| -> Vec<f64> {
+            let at = |i: usize| value(i as f64 / RATE_HZ - REST_S);
+            (0..samples).map(|i| if moves { at(i) } else { 0.0 }).collect()
         };
-        let held = |n: usize| Smooth { value: vec![BASE_RAD; n], rate: vec![0.0; n], second: vec![0.0; n] };
-        match self {
-            Self::Pitch(height, hz) => {
-                let w = TAU * hz;
-                let t = times(REST_S + 1.0 / hz + 1.0);
-                let inside = |t: f64| f64::from(u8::from(t > 0.0 && t < 1.0 / hz));
-                let of = |f: &dyn Fn(f64) -> f64| t.iter().map(|t| inside(*t) * f(*t)).collect::<Vec<f64>>();
-                let value =
-                    of(&|t| 0.5 * height * (1.0 - (w * t).cos())).iter().map(|v| BASE_RAD + v).collect();
-                let rate = of(&|t| 0.5 * height * w * (w * t).sin());
-                let second = of(&|t| 0.5 * height * w * w * (w * t).cos());
-                (Smooth { value, rate, second }, vec![0.0; t.len()])
-            }
-            Self::Triangle(low, high) => {
-                let t = times(REST_S + 12.0);
-                let value: Vec<f64> = t.iter().map(|t| low + (high - low) * triangle(t / 12.0)).collect();
-                let slope = |t: &f64| 2.0 * (high - low) / 12.0 * if *t < 6.0 { 1.0 } else { -1.0 };
-                let rate = t.iter().map(|t| if *t > 0.0 { slope(t) } else { 0.0 }).collect();
-                let n = t.len();
-                (Smooth { value, rate, second: vec![0.0; n] }, vec![0.0; n])
-            }
-            Self::SurfaceTriangle(most) => {
-                let t = times(REST_S + 12.0);
-                let surface =
-                    t.iter().map(|t| most * (triangle(t / 6.0) - triangle(t / 6.0 - 1.0))).collect();
-                (held(t.len()), surface)
-            }
-            Self::Chirp(most, to_hz) => {
-                let length_s = 15.0;
-                let t = times(REST_S + length_s + 1.0);
-                let phase = |t: f64| 0.5 * TAU * to_hz * t * t / length_s;
-                let inside = |t: f64| t > 0.0 && t < length_s;
-                let surface =
-                    t.iter().map(|t| if inside(*t) { most * phase(*t).sin() } else { 0.0 }).collect();
-                (held(t.len()), surface)
-            }
-            Self::Sweep(from, to) => {
-                let count = 9;
-                let value =
-                    (0..count).map(|i| from + (to - from) * f64::from(i) / f64::from(count - 1)).collect();
-                let still = vec![0.0; 9];
-                (Smooth { value, rate: still.clone(), second: still.clone() }, still)
-            }
-        }
+        let alpha = Smooth {
+            value: of(!of_surface, &|t| shape.at(t)).into_iter().map(|change| angle + change).collect(),
+            rate: of(!of_surface, &|t| shape.rate(t)),
+            second: of(!of_surface, &|t| shape.second(t)),
+        };
+        (alpha, of(of_surface, &|t| shape.at(t)))
     }
-}
-
-/// From zero to one and back over one unit, zero outside.
-fn triangle(x: f64) -> f64 {
-    if (0.0..1.0).contains(&x) { 1.0 - (2.0 * x - 1.0).abs() } else { 0.0 }
 }

@@ -63,8 +63,9 @@ impl AircraftFile {
         for (part, motion) in motions {
             if let Some(Fault { field, message, help }) = motion.fault(1.0 / TIME_STEP_S) {
                 let place = if field == "height_deg" { part.to_owned() } else { format!("{part}.{field}") };
-                return Err(InputError::in_field(&self.path, &place, format!("{part}: {message}"))
-                    .with_help(help));
+                return Err(
+                    InputError::in_field(&self.path, &place, format!("{part}: {message}")).with_help(help)
+                );
             }
         }
         let times = motions.map(|(part, motion)| (part, motion.kind().start_s().max(motion.record_s())));

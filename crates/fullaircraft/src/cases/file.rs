@@ -100,7 +100,7 @@ impl CasesFile {
         file.refuse("load_factors", file.load_factors.iter().all(|n| n.is_finite()), "finite numbers")?;
         let points = file.stations.iter().flat_map(|at| [Some(at.y_m), at.x_m, at.z_m]).flatten();
         file.refuse("stations", points.into_iter().all(f64::is_finite), "finite places")?;
-        let right = file.maneuvers.iter().all(Maneuver::is_possible);
+        let right = file.maneuvers.iter().all(is_possible);
         file.refuse("maneuvers", right, "finite numbers, frequencies and durations above zero")?;
         let any = !file.airspeeds_v_m_s.is_empty() && !file.actions().is_empty();
         file.refuse("maneuvers", any, "at least one airspeed and one maneuver (`Pull` needs load factors)")?;
@@ -119,9 +119,7 @@ impl CasesFile {
     pub fn actions(&self) -> Vec<Action> {
         let of = |maneuver: &Maneuver| match maneuver {
             Maneuver::Motion(motion) => vec![Action::Motion(motion.clone())],
-            Maneuver::Other(trims) => {
-                trims.all(&self.load_factors).into_iter().map(Action::Steady).collect()
-            }
+            Maneuver::Other(trims) => trims.all(&self.load_factors).into_iter().map(Action::Steady).collect(),
         };
         self.maneuvers.iter().flat_map(of).collect()
     }
