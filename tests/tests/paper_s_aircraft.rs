@@ -139,7 +139,7 @@ fn s53_tips_come_down_as_published_in_pull_up_and_push_down() {
 fn s54_the_outer_ailerons_fly_the_chirp_and_the_doublet_antisymmetrically() {
     let Case { aircraft, flown, .. } = case();
     let (chirp, doublet) = (&aircraft.file.chirp, &aircraft.file.doublet);
-    assert_eq!((chirp.control.as_str(), doublet.control.as_str()), ("outer", "outer"));
+    assert_eq!((chirp.control(), doublet.control()), (Some("outer"), Some("outer")));
     let history = &flown.updated.chirp;
     let crossings = history.command_deg.windows(2).filter(|w| w[0] * w[1] < 0.0).count();
     // (2 + 13)/2 Hz over 8 s: sixty periods.
