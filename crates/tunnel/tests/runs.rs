@@ -107,7 +107,7 @@ fn runs_of_a_day_share_its_offset_and_those_without_wind_have_none() {
         let row = made.rows.iter().find(|row| row.v_m_s == 30.0 && row.block == day).unwrap();
         let clean = truth.states(30.0, &[row.alpha_deg.to_radians()]).unwrap()[0].loads.to_array();
         for c in 0..3 {
-            let noise = row.loads[c] - clean[c] - offsets[run][c];
+            let noise = row.loads.to_array()[c] - clean[c] - offsets[run][c];
             // five standard deviations of a static point
             assert!(noise.abs() < 5.0 * file.noise.static_point.to_array()[c], "{day} channel {c}: {noise}");
         }
@@ -175,7 +175,7 @@ fn a_joiner_resists_pitch_acceleration() {
     let joiner = Joiner { mass_kg: 2.0, aft_m: 0.1, inertia_kg_m2: 0.05 };
     // A point mass aft of the axis accelerates down: it pulls the balance up, which is nose down.
     let loads = joiner.loads(10.0);
-    assert!((loads[0] - 2.0).abs() < 1e-15 && loads[1] == 0.0 && (loads[2] + 0.5).abs() < 1e-15);
+    assert!((loads.fz_n - 2.0).abs() < 1e-15 && loads.mx_nm == 0.0 && (loads.my_nm + 0.5).abs() < 1e-15);
 }
 
 #[test]
