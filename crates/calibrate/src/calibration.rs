@@ -48,7 +48,7 @@ pub struct AirspeedCalibration {
 
 /// What tilting the wing with wind off says about its weight and arm.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TiltTare {
+pub struct WeightTare {
     /// Rows.
     pub points: usize,
     /// Root mean square of measured minus modelled weight, by channel (N, N m, N m).
@@ -68,8 +68,8 @@ pub struct Calibration {
     pub rho_kg_m3: f64,
     /// The data behind them: blocks, noise, what was left aside.
     pub data: StaticData,
-    /// Tilt tares, if the campaign has any.
-    pub tilt_tare: Option<TiltTare>,
+    /// Weight tares, if the campaign has any.
+    pub weight_tare: Option<WeightTare>,
     /// Probability below which a single test for nonlinearity is significant (the setting shared by all tests).
     pub nonlinearity_level: f64,
     /// Sentences about units that were probably mistaken.
@@ -105,7 +105,7 @@ pub fn calibrate<M: SteadyModel>(
     }
     let tests = airspeeds.iter().flat_map(|a| a.line.nonlinearity).flatten().count().max(1);
     Ok(Calibration {
-        tilt_tare: tilt_tare(model, campaign.rho_kg_m3, &data)?,
+        weight_tare: weight_tare(model, campaign.rho_kg_m3, &data)?,
         suspicions,
         nonlinearity_level: settings.significance / tests as f64,
         airspeeds,
@@ -274,30 +274,30 @@ impl<'a, M: SteadyModel> Context<'a, M> {
     }
 }
 
-/// Compares tilt tares with the modelled weight.
-fn tilt_tare<M: SteadyModel>(
+/// Compares weight tares with the modelled weight.
+fn weight_tare<M: SteadyModel>(
     model: &M,
     rho_kg_m3: f64,
     data: &StaticData,
-) -> Result<Option<TiltTare>, CouplingError> {
-    if data.tilt_tares.is_empty() {
+) -> Result<Option<WeightTare>, CouplingError> {
+    if data.weight_tares.is_empty() {
         return Ok(None);
     }
     let neutral = Corrections::neutral(model.correctable().len());
     let cases: Vec<SteadyCase> = data
-        .tilt_tares
+        .weight_tares
         .iter()
         .map(|point| SteadyCase::new(Flow { v_m_s: 0.0, rho_kg_m3 }, point.alpha_rad))
         .collect();
     let loads = model.root_loads(&cases, &neutral)?;
     let rms = std::array::from_fn(|c| {
-        let squares = data.tilt_tares.iter().zip(&loads).filter_map(|(point, load)| {
+        let squares = data.weight_tares.iter().zip(&loads).filter_map(|(point, load)| {
             point.loads[c].map(|measured| (measured - load.to_array()[c]).powi(2))
         });
-        (squares.sum::<f64>() / data.tilt_tares.len() as f64).sqrt()
+        (squares.sum::<f64>() / data.weight_tares.len() as f64).sqrt()
     });
     let over = |sigma: [f64; 4]| std::array::from_fn(|c| rms[c] / sigma[c].max(f64::MIN_POSITIVE));
-    Ok(Some(TiltTare { points: data.tilt_tares.len(), rms, rms_over_noise: data.point_sigma.map(over) }))
+    Ok(Some(WeightTare { points: data.weight_tares.len(), rms, rms_over_noise: data.point_sigma.map(over) }))
 }
 
 impl Calibration {

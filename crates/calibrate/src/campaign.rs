@@ -126,7 +126,7 @@ struct CampaignFile {
 /// One row of the static cases.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StaticPoint {
-    /// Airspeed, m/s; zero for a tilt tare.
+    /// Airspeed, m/s; zero for a weight tare.
     pub v_m_s: f64,
     /// Angle of attack of the balance, rad.
     pub alpha_rad: f64,
@@ -166,7 +166,7 @@ pub struct Campaign {
     pub tip: TipReading,
     /// Corrections by airspeed, or one set for all.
     pub sets: Sets,
-    /// All rows of the static cases, tilt tares included.
+    /// All rows of the static cases, weight tares included.
     pub points: Vec<StaticPoint>,
     /// Runs.
     pub runs: Vec<RunEntry>,
@@ -268,7 +268,7 @@ fn static_points(table: &Table, path: &Path) -> Result<([bool; 3], Vec<StaticPoi
         if v_m_s != 0.0 && !AIRSPEEDS_M_S.contains(&v_m_s) {
             let message = format!("the airspeed {v_m_s:?} m/s is neither zero nor within 0.1 to 340 m/s");
             return Err(InputError::at(&table.span(row, "V_m_s"), message)
-                .with_help("zero marks a tilt tare; the air is taken as incompressible"));
+                .with_help("zero marks a weight tare; the air is taken as incompressible"));
         }
         let alpha_deg = table.number(row, "alpha_deg")?;
         if alpha_deg.abs() > 90.0 {

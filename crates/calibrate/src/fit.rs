@@ -90,8 +90,7 @@ impl FlowGroup<'_> {
 impl<M: SteadyModel> Problem<'_, M> {
     /// Runs the sequence from the start.
     pub(crate) fn fit(&self) -> Result<Fit, CouplingError> {
-        let neutral: Vec<f64> = self.basis.neutral().iter().map(|one| self.start * one).collect();
-        let mut x = neutral.clone();
+        let mut x = self.start();
         let mut at = self.linearise(&x)?;
         let before =
             if x == self.basis.neutral() { at.rmse } else { self.linearise(&self.basis.neutral())?.rmse };
@@ -110,10 +109,10 @@ impl<M: SteadyModel> Problem<'_, M> {
             }
             cone_programs += 1;
             let weight = self.change_weight(&at, before);
-            match self.program(&at, (&x, &neutral), weight, &working) {
+            match self.program(&at, &x, weight, &working) {
                 Ok(goal) => {
                     let goal = self.within_bounds(&x, goal, &mut working);
-                    match self.step((&x, &neutral), &goal, weight, &at)? {
+                    match self.step(&x, &goal, weight, &at)? {
                         Step::Taken(next, linearised) => (x, at) = (next, linearised),
                         Step::Refused(why) => {
                             ending = why;
@@ -223,7 +222,7 @@ impl<M: SteadyModel> Problem<'_, M> {
     fn program(
         &self,
         at: &Linearised,
-        (x, neutral): (&[f64], &[f64]),
+        x: &[f64],
         weight: f64,
         working: &[usize],
     ) -> Result<Vec<f64>, NoSolution> {
@@ -242,7 +241,7 @@ impl<M: SteadyModel> Problem<'_, M> {
             jacobians: &jacobians,
             weights: &weights,
             from: x,
-            neutral,
+            neutral: &self.start(),
             metric: self.metric,
             change_weight: weight,
             bounds: &bounds,
@@ -253,12 +252,12 @@ impl<M: SteadyModel> Problem<'_, M> {
     /// The longest of the steps 1, 1/2, 1/4 ... towards the goal that lowers the true objective.
     fn step(
         &self,
-        (x, neutral): (&[f64], &[f64]),
+        x: &[f64],
         goal: &[f64],
         weight: f64,
         at: &Linearised,
     ) -> Result<Step, CouplingError> {
-        let merit = |x: &[f64], rmse: [f64; 4]| self.objective(rmse) + weight * self.change(x, neutral);
+        let merit = |x: &[f64], rmse: [f64; 4]| self.objective(rmse) + weight * self.change(x);
         let now = merit(x, at.rmse);
         let mut share = 1.0;
         let mut why = Ending::Diverged;
@@ -277,9 +276,14 @@ impl<M: SteadyModel> Problem<'_, M> {
         Ok(Step::Refused(why))
     }
 
+    /// x0: theory's corrections, their factors times the one the fit starts from.
+    fn start(&self) -> Vec<f64> {
+        self.basis.neutral().iter().map(|one| self.start * one).collect()
+    }
+
     /// (x - x0)' M (x - x0): mean square change of pressure.
-    fn change(&self, x: &[f64], neutral: &[f64]) -> f64 {
-        let d: Vec<f64> = x.iter().zip(neutral).map(|(a, b)| a - b).collect();
+    fn change(&self, x: &[f64]) -> f64 {
+        let d: Vec<f64> = x.iter().zip(&self.start()).map(|(a, b)| a - b).collect();
         (0..d.len()).map(|j| (0..d.len()).map(|i| d[i] * self.metric[(i, j)]).sum::<f64>() * d[j]).sum()
     }
 }

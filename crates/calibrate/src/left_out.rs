@@ -55,7 +55,7 @@ pub(crate) fn left_out_angles<M: SteadyModel>(
     .fit()?;
     let error = |corrections: &Corrections| {
         let residuals =
-            |angles: &[Angle]| predicted((problem.model, problem.channels[TIP]), flow, angles, corrections);
+            |angles: &[Angle]| predicted(problem.model, problem.channels[TIP], flow, angles, corrections);
         let mut missed = residuals(&unseen)?;
         if free_zero {
             // the zero is that of the angles that were fitted
@@ -104,7 +104,7 @@ pub(crate) fn left_out_airspeed<M: SteadyModel>(
         let (corrections, _) = schedule.at_or_nearest(v_m_s);
         let flow = Flow { v_m_s, rho_kg_m3 };
         let mut residuals =
-            predicted((model, data.channels[TIP]), flow, &airspeed.data.angles, &corrections)?;
+            predicted(model, data.channels[TIP], flow, &airspeed.data.angles, &corrections)?;
         if data.tip == TipReading::FreeZero {
             let mean = mean_tip(&residuals);
             take_out(&mut residuals, mean);
@@ -119,7 +119,8 @@ pub(crate) fn left_out_airspeed<M: SteadyModel>(
 
 /// Simulated minus measured, the tip's if asked for.
 fn predicted<M: SteadyModel>(
-    (model, with_tip): (&M, bool),
+    model: &M,
+    with_tip: bool,
     flow: Flow,
     angles: &[Angle],
     corrections: &Corrections,

@@ -18,7 +18,7 @@ pub mod statics;
 pub mod suspicion;
 mod tip_zero;
 
-pub use calibration::{AirspeedCalibration, Calibration, TiltTare, calibrate};
+pub use calibration::{AirspeedCalibration, Calibration, WeightTare, calibrate};
 pub use campaign::{Campaign, Noise, RunEntry, Sets, StaticPoint, TipReading, Use};
 pub use common::CommonCalibration;
 pub use fit::{Ending, Fit};

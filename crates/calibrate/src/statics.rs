@@ -89,7 +89,7 @@ pub struct StaticData {
     /// Degrees of freedom behind `point_sigma`; none if it was declared.
     pub noise_dof: Option<usize>,
     /// Rows at V = 0.
-    pub tilt_tares: Vec<StaticPoint>,
+    pub weight_tares: Vec<StaticPoint>,
     /// Rows with a control deflected, which take no part in the fit.
     pub deflected: usize,
 }
@@ -112,7 +112,7 @@ impl StaticData {
             .iter()
             .filter(|point| point.v_m_s > 0.0 && point.controls_rad.is_empty())
             .collect();
-        let tilt_tares: Vec<StaticPoint> =
+        let weight_tares: Vec<StaticPoint> =
             campaign.points.iter().filter(|p| p.v_m_s == 0.0).cloned().collect();
         check_blocks(&fitted)?;
         let cells = cells(&fitted);
@@ -130,8 +130,8 @@ impl StaticData {
             block_sigma: [0.0; 4],
             point_sigma: campaign.noise.map(|noise| noise.static_point.to_array()),
             noise_dof: None,
-            deflected: campaign.points.len() - fitted.len() - tilt_tares.len(),
-            tilt_tares,
+            deflected: campaign.points.len() - fitted.len() - weight_tares.len(),
+            weight_tares,
         };
         data.remove_blocks(&cells);
         Ok(data)

@@ -137,13 +137,13 @@ fn a_planted_weight_does_not_go_into_the_corrections() {
     data.points.push(row(0.0, 20.0_f64.to_radians(), off[1], None));
     let unknown = calibrate(&light, &data, &small_settings()).unwrap();
     assert!(unknown.airspeeds[0].fit.objective[0] > 1.0);
-    // ... and the tilt tares say that the weight is wrong.
-    let tare = unknown.tilt_tare.unwrap();
+    // ... and the weight tares say that the weight is wrong.
+    let tare = unknown.weight_tare.unwrap();
     assert_eq!(tare.points, 2);
     assert!(tare.rms_over_noise.unwrap()[0] > 5.0, "{tare:?}");
     let mut checked = exact(&heavy, 40.0, &neutral);
     checked.points.extend_from_slice(&data.points[5..]);
-    let right = calibrate(&heavy, &checked, &small_settings()).unwrap().tilt_tare.unwrap();
+    let right = calibrate(&heavy, &checked, &small_settings()).unwrap().weight_tare.unwrap();
     assert!(right.rms_over_noise.unwrap()[0] < 1e-6);
 }
 

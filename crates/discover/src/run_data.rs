@@ -24,7 +24,7 @@ pub struct RunData {
     pub decimation: usize,
 }
 
-/// The static points of one airspeed (zero: tilt tares).
+/// The static points of one airspeed (zero: weight tares).
 #[derive(Debug, Clone)]
 pub struct StaticGroup {
     /// Place of its airspeed.

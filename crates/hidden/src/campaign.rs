@@ -45,7 +45,7 @@ pub struct Record {
 /// One static point as it is written.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StaticPoint {
-    /// Airspeed, m/s; zero is a tilt tare.
+    /// Airspeed, m/s; zero is a weight tare.
     pub v_m_s: f64,
     /// Angle of attack, degrees.
     pub alpha_deg: f64,

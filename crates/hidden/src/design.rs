@@ -16,7 +16,7 @@ pub const STATIC_AIRSPEEDS_M_S: [f64; 5] = [18.0, 22.0, 30.0, 34.0, 40.0];
 pub const HELD_OUT_AIRSPEEDS_M_S: [f64; 2] = [22.0, 40.0];
 /// Angles of the static points, degrees.
 pub const STATIC_ANGLES_DEG: [f64; 7] = [-4.0, -2.0, 0.0, 2.0, 4.0, 6.0, 8.0];
-/// Wind-off tilt tares, degrees.
+/// Wind-off weight tares, degrees.
 pub const TILT_DEG: [f64; 4] = [-4.0, 0.0, 4.0, 8.0];
 /// Angle at which ailerons move and pitch begins, degrees.
 const BASE_DEG: f64 = 1.3;

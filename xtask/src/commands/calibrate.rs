@@ -149,7 +149,7 @@ fn result(wing: &ElasticWing, campaign: &Campaign, calibration: &Calibration) ->
         "nonlinearity_level": calibration.nonlinearity_level,
         "suspicions": calibration.suspicions,
         "rows_with_deflected_controls_left_aside": data.deflected,
-        "tilt_tare": calibration.tilt_tare.map(|tare| json!({
+        "weight_tare": calibration.weight_tare.map(|tare| json!({
             "points": tare.points, "rms": loads(tare.rms), "rms_over_noise": tare.rms_over_noise.map(loads),
         })),
         "root_plane": root_plane(wing, campaign, calibration)?,
