@@ -59,6 +59,11 @@ pub struct ElasticWing {
 }
 
 impl ElasticWing {
+    /// Names of the control surfaces, in their order.
+    pub fn control_names(&self) -> Vec<String> {
+        self.controls.iter().map(|control| control.name.clone()).collect()
+    }
+
     /// Assembles a wing from its parts; solves for the unit pressures (one factorisation of the AIC).
     ///
     /// # Errors

@@ -166,7 +166,7 @@ impl WingFile {
         let bulk = wing.bulk(Mount::Tunnel)?;
         wing.check_chord_strips(&bulk).map_err(|fault| fault.at(&place_of(&[&fault.anchor], &text, path)))?;
         deflection::check(&wing.deflection, &bulk, &text, path)?;
-        effects::check(&wing.effects, !wing.deflection.is_empty(), &text, path)?;
+        effects::check(&wing.effects, &text, path)?;
         if let Source::Deck(deck) = &wing.source {
             deck.check(&bulk).map_err(|fault| fault.at(&place_of(&[&fault.anchor], &text, path)))?;
         }

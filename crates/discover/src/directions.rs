@@ -45,7 +45,7 @@ impl Effect for Directions {
     }
 
     fn parameters(&self) -> Vec<Parameter> {
-        (0..DIRECTIONS).map(|k| Parameter::new(NAMES[k], (-10.0, 10.0), self.wide[k])).collect()
+        (0..DIRECTIONS).map(|k| Parameter::new(NAMES[k], -10.0..=10.0, self.wide[k])).collect()
     }
 
     fn inputs(&self, p: &[f64], place: &Place<'_>, inputs: &mut Inputs) {

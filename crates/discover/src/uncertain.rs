@@ -64,7 +64,7 @@ impl Effect for Wave {
     }
 
     fn parameters(&self) -> Vec<Parameter> {
-        vec![Parameter::new("share", (-1.0, 1.0), self.sigma)]
+        vec![Parameter::new("share", -1.0..=1.0, self.sigma)]
     }
 
     fn change(&self, p: &[f64], place: &Place<'_>, change: &mut Change) {
@@ -93,7 +93,7 @@ impl Effect for Surface {
     }
 
     fn parameters(&self) -> Vec<Parameter> {
-        vec![Parameter::new("share", (-1.0, 1.0), self.sigma)]
+        vec![Parameter::new("share", -1.0..=1.0, self.sigma)]
     }
 
     fn inputs(&self, p: &[f64], _place: &Place<'_>, inputs: &mut Inputs) {

@@ -16,7 +16,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let (file, wing) = ElasticWing::read(wing.as_ref())?;
     let maneuver = ManeuverFile::read(maneuver.as_ref())?;
-    let controls: Vec<String> = wing.controls.iter().map(|control| control.name.clone()).collect();
+    let controls = wing.control_names();
     for remark in maneuver.checked(&file, &controls)? {
         writeln!(std::io::stderr(), "{remark}")?;
     }

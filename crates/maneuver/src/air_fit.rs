@@ -25,7 +25,7 @@ impl Rig<'_> {
         let reduced = |values: &[f64]| values.iter().map(|value| value * half_chord_m).collect();
         let modes = || (1..=self.omega_rad_s().len()).map(|mode| format!("mode {mode}"));
         let loads = ["Fz", "Mx", "My"].map(String::from);
-        let controls = self.wing.controls.iter().map(|control| control.name.clone());
+        let controls = self.wing.control_names();
         let motions = modes().chain(std::iter::once("root pitch".to_owned())).chain(controls);
         Some(AirFit {
             reduced_frequencies: reduced(&air.table.as_ref()?.omega_over_v_per_m),

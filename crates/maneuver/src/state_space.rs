@@ -103,7 +103,7 @@ pub(crate) fn state_space(
         c: output.by_state,
         d: output.by_input,
         inputs,
-        controls: rig.wing.controls.iter().map(|control| control.name.clone()).collect(),
+        controls: rig.wing.control_names(),
         sensors: rig.settings.sensors.iter().map(|(name, _)| name.clone()).collect(),
         loads: rig.operators.loads.names.clone(),
         flow,

@@ -80,7 +80,7 @@ fn effects_written_into_a_wing_s_file_read_back_and_fly_the_same_bits() {
     let copy = Copy::new("round", &text());
     let file = copy.read().unwrap();
     let wing = ElasticWing::from_bulk(&file, &file.bulk(Mount::Tunnel).unwrap()).unwrap();
-    let controls: Vec<String> = wing.controls.iter().map(|control| control.name.clone()).collect();
+    let controls = wing.control_names();
     let effects = some(&controls);
     let mut listed: Vec<WingEffect> = effects.iter().map(Active::to_wing).collect();
     listed[0].sigma = vec![("Iyy_kg_m2".into(), 0.01)];

@@ -61,7 +61,7 @@ fn effects_of_the_air_act_in_flight_as_they_do_in_the_tunnel() {
 #[test]
 fn what_belongs_to_tunnel_balance_and_sensors_stays_behind() {
     let (_, wing) = wing_with(|_| ());
-    let controls: Vec<String> = wing.controls.iter().map(|control| control.name.clone()).collect();
+    let controls = wing.control_names();
     for effect in library(&controls) {
         let sizes: Vec<f64> = effect.parameters().iter().map(|p| p.plausible.min(p.upper)).collect();
         let (name, travels) = (effect.spec().name, effect.spec().side.travels());

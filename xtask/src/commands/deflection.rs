@@ -163,7 +163,10 @@ fn write(out: &Path, found: &Found<'_>, seconds: f64) -> Result<PathBuf, Failure
         folder.write_text(name, &nastran::read_text(from)?)?;
     }
     // The corrections of the loads are the same; they carry the new file's hash, so that commands take both together.
-    let wing_hash = coupling::WingFile::read(&folder.path().join("wing.ron"))?.hash;
+    let rewritten = coupling::WingFile::read(&folder.path().join("wing.ron"))?;
+    // effects that are the same physics may not stand beside the correction
+    maneuver::effects::of_wing(&rewritten, &found.corrected.wing.control_names())?;
+    let wing_hash = rewritten.hash;
     let schedule = calibrate::Schedule { wing_hash, ..found.corrected.schedule.clone() };
     folder.write_text("corrections.ron", &schedule.to_ron())?;
     folder.write_text("deflection.csv", &deflection_results::csv(&found.factors))?;

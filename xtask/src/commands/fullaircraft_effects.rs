@@ -28,7 +28,7 @@ pub(crate) fn travelling(
     file: &AircraftFile,
     corrections: &mut Corrections,
 ) -> Result<Travelling, InputError> {
-    let controls: Vec<String> = wing.wing.controls.iter().map(|control| control.name.clone()).collect();
+    let controls = wing.wing.control_names();
     let active = of_wing(&wing.file, &controls)?;
     let carried = carry(&active, &wing.wing, file.correction_airspeed_m_s, corrections);
     // An aircraft flies where it flies: beyond the tunnel's airspeeds the nearest stands, as for the corrections.

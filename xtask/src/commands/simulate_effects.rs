@@ -20,7 +20,7 @@ pub(crate) struct WingEffects {
 
 /// Those of a wing's file without the ones switched off.
 pub(crate) fn of(corrected: &CorrectedWing, off: &[String]) -> Result<WingEffects, InputError> {
-    let controls: Vec<String> = corrected.wing.controls.iter().map(|control| control.name.clone()).collect();
+    let controls = corrected.wing.control_names();
     let active = without(&of_wing(&corrected.file, &controls)?, off)?;
     Ok(WingEffects { active, off: off.to_vec(), bulk: corrected.file.bulk(Mount::Tunnel)? })
 }

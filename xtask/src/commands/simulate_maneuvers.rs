@@ -18,7 +18,7 @@ pub(crate) fn read(
     files: &[PathBuf],
     corrected: &CorrectedWing,
 ) -> Result<Vec<(ManeuverFile, Vec<String>)>, Failure> {
-    let controls: Vec<String> = corrected.wing.controls.iter().map(|control| control.name.clone()).collect();
+    let controls = corrected.wing.control_names();
     let checked = |path: &PathBuf| {
         let file = ManeuverFile::read(path)?;
         let remarks = file.checked(&corrected.file, &controls)?;

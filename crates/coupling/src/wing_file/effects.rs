@@ -149,12 +149,7 @@ impl WingEffect {
 }
 
 /// Checks what can be checked without knowing the effects.
-pub(super) fn check(
-    effects: &[WingEffect],
-    corrected: bool,
-    text: &str,
-    path: &Path,
-) -> Result<(), InputError> {
+pub(super) fn check(effects: &[WingEffect], text: &str, path: &Path) -> Result<(), InputError> {
     for (index, effect) in effects.iter().enumerate() {
         let refuse = |anchors: &[&str], message: String, help: &str| {
             Err(effect.refused_in(text, path, anchors, message, help))
@@ -163,11 +158,6 @@ pub(super) fn check(
             // the second of them stands behind the first
             let again = format!("\"{}\"", effect.name);
             return refuse(&[&again], format!("{} is listed twice", effect.name), "list each effect once");
-        }
-        if corrected && effect.name.starts_with("ctl_") {
-            let message =
-                format!("the wing has both a deflection correction and {}: the same physics", effect.name);
-            return refuse(&[], message, "leave `deflection` or the effect out");
         }
         if let Some((anchors, message, help)) = effect.fault() {
             let anchors: Vec<&str> = anchors.iter().map(String::as_str).collect();

@@ -1,6 +1,7 @@
 //! An effect with values.
 
-use super::{Effect, Parameter};
+use super::effect::Effect;
+use super::spec::Parameter;
 use std::sync::Arc;
 
 /// See the module.

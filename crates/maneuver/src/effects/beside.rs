@@ -1,7 +1,9 @@
 //! What effects add to a rig's flight: the reduced-order model flown with them less the same model flown without, put on
 //! the histories of the rig itself. So a wing without effects flies as the rig does, bit for bit.
 
-use super::{Active, Inputs, Model, Stimulus, fly};
+use super::active::Active;
+use super::flight::{Model, Stimulus, fly};
+use super::place::Inputs;
 use crate::history::TimeHistory;
 use crate::rig::{Rig, RigError};
 use crate::rig_model::Motion;
@@ -11,8 +13,6 @@ use nastran::BulkData;
 
 /// Channels that effects change, in the order of [`super::Flown`].
 const CHANNELS: [&str; 4] = ["Fz_N", "Mx_Nm", "My_Nm", "tip_z_m"];
-/// Effects that need bending and torsion told apart.
-const SPLIT: [&str; 2] = ["bend_stiff", "tors_stiff"];
 
 /// Effects at one flow, ready to fly.
 #[derive(Debug, Clone)]
@@ -38,7 +38,7 @@ impl Beside {
         if effects.is_empty() {
             return Ok(None);
         }
-        let split = effects.iter().any(|active| SPLIT.contains(&active.effect.spec().name));
+        let split = effects.iter().any(|active| active.effect.splits_stiffness());
         let parts = if split { StiffnessParts::new(rig, bulk)? } else { None };
         let rom = ReducedOrderModel::new(rig, flow, corrections, parts.as_ref())?;
         Ok(Some(Self {

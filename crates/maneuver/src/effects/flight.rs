@@ -1,6 +1,8 @@
 //! Static points and runs of a reduced-order model with effects.
 
-use super::{Active, Forces, Inputs, Loads, Place, Seen, Stage};
+use super::active::Active;
+use super::place::{Forces, Inputs, Loads, Place, WingState};
+use super::spec::Stage;
 use crate::rom::{Change, Constants, Drive, Outputs, ReducedOrderModel, ResponseTable};
 
 /// How often forces that depend on the state are put back into the wing; what stalls changes its own angle little.
@@ -117,7 +119,8 @@ pub fn fly(rig: &ReducedOrderModel, model: &Model, effects: &[Active], stimulus:
     if model.everything {
         let mut forces = Forces::none(rig.zones.len(), samples);
         for _ in 0..ROUNDS {
-            let wanted = forces_at(rig, &place, effects, (&inputs, &answer, &forces));
+            let split = Split::new(rig, &answer);
+            let wanted = forces_at(&place, effects, split.state(&inputs), &forces);
             let settled = settled(&forces, &wanted);
             forces = wanted;
             if settled {
@@ -132,31 +135,25 @@ pub fn fly(rig: &ReducedOrderModel, model: &Model, effects: &[Active], stimulus:
         }
     }
     let split = Split::new(rig, &answer);
-    let seen = split.seen(&inputs);
+    let state = split.state(&inputs);
     let mut loads = Loads { balance: split.loads.clone(), tip_m: split.tip_m.to_vec() };
     for stage in Stage::ALL {
         for active in effects.iter().filter(|active| active.effect.stage() == stage) {
-            active.effect.loads(&active.values, &place, &seen, &mut loads);
+            active.effect.loads(&active.values, &place, &state, &mut loads);
         }
     }
     Flown { loads: loads.balance, tip_m: loads.tip_m }
 }
 
 /// The forces of a state; effects see the lift without the forces of the round before.
-fn forces_at(
-    rig: &ReducedOrderModel,
-    place: &Place<'_>,
-    effects: &[Active],
-    (inputs, answer, before): (&Inputs, &[Vec<f64>], &Forces),
-) -> Forces {
-    let split = Split::new(rig, answer);
+fn forces_at(place: &Place<'_>, effects: &[Active], state: WingState<'_>, before: &Forces) -> Forces {
     let without =
         |(lift, added): (&Vec<f64>, &Vec<f64>)| lift.iter().zip(added).map(|(l, a)| l - a).collect();
-    let lift_n: Vec<Vec<f64>> = split.lift_n.iter().zip(&before.lift_n).map(without).collect();
-    let seen = Seen { lift_n: &lift_n, ..split.seen(inputs) };
-    let mut forces = Forces::none(rig.zones.len(), seen.len());
+    let lift_n: Vec<Vec<f64>> = state.lift_n.iter().zip(&before.lift_n).map(without).collect();
+    let state = WingState { lift_n: &lift_n, ..state };
+    let mut forces = Forces::none(place.zones.len(), state.len());
     for active in effects {
-        active.effect.forces(&active.values, place, &seen, &mut forces);
+        active.effect.forces(&active.values, place, &state, &mut forces);
     }
     forces
 }
@@ -190,8 +187,8 @@ impl<'a> Split<'a> {
         }
     }
 
-    fn seen<'b>(&'b self, inputs: &'b Inputs) -> Seen<'b> {
-        Seen {
+    fn state<'b>(&'b self, inputs: &'b Inputs) -> WingState<'b> {
+        WingState {
             inputs,
             loads: &self.loads,
             tip_m: self.tip_m,

@@ -1,6 +1,8 @@
 //! The effects that a wing's file lists, checked against those there are.
 
-use super::{Active, Effect, library};
+use super::active::Active;
+use super::effect::Effect;
+use super::library::library;
 use coupling::WingFile;
 use coupling::wing_file::WingEffect;
 use nastran::InputError;
@@ -14,8 +16,8 @@ const ROUNDING: f64 = 1e-9;
 /// parameters left out are zero.
 ///
 /// # Errors
-/// An effect, form or parameter that there is not, a value outside its bounds or one that physics does not allow with
-/// the others: at its place in the wing's file.
+/// An effect, form or parameter that there is not, an effect that is the physics of the wing's deflection correction, a value
+/// outside its bounds or one that physics does not allow with the others: at its place in the wing's file.
 pub fn of_wing(file: &WingFile, controls: &[String]) -> Result<Vec<Active>, InputError> {
     let known = library(controls);
     file.effects.iter().map(|listed| one(file, listed, &known)).collect()
@@ -37,6 +39,10 @@ fn one(file: &WingFile, listed: &WingEffect, known: &[Arc<dyn Effect>]) -> Resul
             meant(&listed.form, forms.iter().map(|effect| effect.form()).filter(|form| !form.is_empty()));
         return refuse(&["form:"], format!("{name} has no form \"{}\"", listed.form), &help);
     };
+    if !file.deflection.is_empty() && effect.excludes_deflection_correction() {
+        let message = format!("the wing has both a deflection correction and {name}: the same physics");
+        return refuse(&[], message, "leave `deflection` or the effect out");
+    }
     let parameters = effect.parameters();
     let mut values = vec![0.0; parameters.len()];
     for (parameter, value) in &listed.parameters {

@@ -58,9 +58,23 @@ pub struct Inputs {
     pub controls_rad: Vec<Vec<f64>>,
 }
 
+impl Inputs {
+    /// Turns the stream by an angle (rad), where there is one.
+    pub(super) fn incline(&mut self, place: &Place<'_>, angle_rad: f64) {
+        if place.flow.v_m_s > 0.0 {
+            self.incidence_rad.iter_mut().for_each(|value| *value += angle_rad);
+        }
+    }
+
+    /// Every deflection of every control surface, rad.
+    pub(super) fn deflections(&mut self) -> impl Iterator<Item = &mut f64> {
+        self.controls_rad.iter_mut().flatten()
+    }
+}
+
 /// What the wing did.
 #[derive(Debug, Clone, Copy)]
-pub struct Seen<'a> {
+pub struct WingState<'a> {
     /// What drove it.
     pub inputs: &'a Inputs,
     /// Fz, Mx, My, N and N m, before any effect on the balance.
@@ -75,7 +89,7 @@ pub struct Seen<'a> {
     pub twist_rad: &'a [Vec<f64>],
 }
 
-impl Seen<'_> {
+impl WingState<'_> {
     /// Number of samples.
     pub fn len(&self) -> usize {
         self.inputs.alpha.value.len()
@@ -104,6 +118,20 @@ impl Forces {
             modal: vec![vec![0.0; samples]; crate::rom::Drive::DRIVEN_MODES],
         }
     }
+
+    /// Adds to the force on the first mode by the height of the outermost zone (m), which stands for the tip: `force` gives
+    /// from it a height (m) times the mode's stiffness. Nothing for a rigid wing.
+    pub(super) fn push_first_mode(
+        &mut self,
+        place: &Place<'_>,
+        state: &WingState<'_>,
+        force: impl Fn(f64) -> f64,
+    ) {
+        let Some(outer) = state.height_m.last().filter(|_| place.outer_shape != 0.0) else { return };
+        for (modal, z) in self.modal[0].iter_mut().zip(outer) {
+            *modal += force(*z) / place.outer_shape;
+        }
+    }
 }
 
 /// What the balance shows.
@@ -113,4 +141,15 @@ pub struct Loads {
     pub balance: [Vec<f64>; 3],
     /// Height of the tip, m.
     pub tip_m: Vec<f64>,
+}
+
+impl Loads {
+    /// Adds to each channel's readings what `added` makes of the channel's parameter, the sample's number and the reading.
+    pub(super) fn add_to_readings(&mut self, p: &[f64], added: impl Fn(f64, usize, f64) -> f64) {
+        for (channel, p) in self.balance.iter_mut().zip(p) {
+            for (i, value) in channel.iter_mut().enumerate() {
+                *value += added(*p, i, *value);
+            }
+        }
+    }
 }

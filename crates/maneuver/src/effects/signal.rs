@@ -1,5 +1,7 @@
 //! What amplifiers, servos and mechanisms do to sampled signals.
 
+use crate::rig::Actuator;
+
 /// The signal a time later (negative: earlier), by cubic interpolation; before its first sample it rests there.
 pub(super) fn delayed(values: &[f64], time_step_s: f64, delay_s: f64) -> Vec<f64> {
     let shift = delay_s / time_step_s;
@@ -49,14 +51,14 @@ pub(super) fn first_order(values: &[f64], time_step_s: f64, time_constant_s: f64
 
 /// A second order low pass of Butterworth.
 pub(super) fn second_order(values: &[f64], time_step_s: f64, corner_hz: f64) -> Vec<f64> {
-    damped(values, time_step_s, (corner_hz, std::f64::consts::FRAC_1_SQRT_2))
+    let butterworth = Actuator { frequency_hz: corner_hz, damping_ratio: std::f64::consts::FRAC_1_SQRT_2 };
+    damped(values, time_step_s, butterworth)
 }
 
-/// A low pass of second order with a natural frequency in Hz and a damping ratio, by the bilinear transform with the
-/// frequency put in place.
-pub(super) fn damped(values: &[f64], time_step_s: f64, (natural_hz, damping_ratio): (f64, f64)) -> Vec<f64> {
-    let w = (std::f64::consts::PI * natural_hz * time_step_s).min(1.5).tan();
-    let damping = 2.0 * damping_ratio * w;
+/// The low pass of second order that a servo is, by the bilinear transform with the natural frequency put in place.
+pub(super) fn damped(values: &[f64], time_step_s: f64, servo: Actuator) -> Vec<f64> {
+    let w = (std::f64::consts::PI * servo.frequency_hz * time_step_s).min(1.5).tan();
+    let damping = 2.0 * servo.damping_ratio * w;
     let scale = 1.0 / (1.0 + damping + w * w);
     let (b, a1, a2) = (w * w * scale, 2.0 * (w * w - 1.0) * scale, (1.0 - damping + w * w) * scale);
     let first = values.first().copied().unwrap_or(0.0);
@@ -84,8 +86,8 @@ pub(super) fn rate_limited(values: &[f64], time_step_s: f64, largest_rate: f64) 
         .collect()
 }
 
-/// Play: the output follows once half the gap is used up.
-pub(super) fn play(values: &[f64], gap: f64) -> Vec<f64> {
+/// Freeplay: the output follows once half the gap is used up.
+pub(super) fn freeplay(values: &[f64], gap: f64) -> Vec<f64> {
     let mut state = values.first().copied().unwrap_or(0.0);
     values
         .iter()
@@ -134,10 +136,10 @@ mod tests {
     }
 
     #[test]
-    fn play_and_a_rate_limit_follow_a_triangle_as_drawn() {
-        assert_eq!(play(&[0.0, 1.0, 2.0, 1.0, 0.0], 1.0), [0.0, 0.5, 1.5, 1.5, 0.5]);
+    fn freeplay_and_a_rate_limit_follow_a_triangle_as_drawn() {
+        assert_eq!(freeplay(&[0.0, 1.0, 2.0, 1.0, 0.0], 1.0), [0.0, 0.5, 1.5, 1.5, 0.5]);
         assert_eq!(rate_limited(&[0.0, 1.0, 1.0, 1.0], 0.5, 1.0), [0.0, 0.5, 1.0, 1.0]);
         let sine = sine(2.0, 0.01);
-        assert_eq!(play(&sine, 0.0), sine);
+        assert_eq!(freeplay(&sine, 0.0), sine);
     }
 }

@@ -1,5 +1,7 @@
 //! What is known of an effect before any data: its parameters, where it sits, what it looks like.
 
+use std::ops::RangeInclusive;
+
 /// A parameter of an effect.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Parameter {
@@ -11,13 +13,52 @@ pub struct Parameter {
     pub upper: f64,
     /// Plausible size: standard deviation of the prior.
     pub plausible: f64,
+    /// What calibration leaves of it, if one determines it before any run is looked at.
+    pub calibrated: Option<Calibrated>,
 }
 
 impl Parameter {
-    /// From its parts.
-    pub fn new(name: impl Into<String>, (lower, upper): (f64, f64), plausible: f64) -> Self {
-        Self { name: name.into(), lower, upper, plausible }
+    /// From its parts; no calibration determines it.
+    pub fn new(name: impl Into<String>, bounds: RangeInclusive<f64>, plausible: f64) -> Self {
+        let (lower, upper) = bounds.into_inner();
+        Self { name: name.into(), lower, upper, plausible, calibrated: None }
     }
+
+    /// The same, determined by a test to a standard deviation in its own unit.
+    #[must_use]
+    pub fn calibrated(self, by: Calibration, sigma: f64) -> Self {
+        Self { calibrated: Some(Calibrated { by, sigma }), ..self }
+    }
+}
+
+/// How well a calibrated model knows a parameter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Calibrated {
+    /// By which test.
+    pub by: Calibration,
+    /// Standard deviation, in the parameter's unit.
+    pub sigma: f64,
+}
+
+/// Tests that a wing goes through before it is flown, in their order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Calibration {
+    /// Static loads and natural modes.
+    Stiffness,
+    /// Weighing.
+    Mass,
+    /// Free decay.
+    Damping,
+    /// Unsteady air beside a second method.
+    Air,
+    /// Deflected control surfaces.
+    Surfaces,
+    /// The servos' frequency response.
+    Servos,
+    /// Zero of the angle of attack.
+    Angle,
+    /// A pulse common to all channels.
+    Clock,
 }
 
 /// Where an effect sits.
@@ -77,6 +118,10 @@ pub struct Spec {
 }
 
 impl Spec {
+    /// Of an effect that is not declared.
+    pub(super) const NONE: Self =
+        Self { name: "", title: "", side: Side::Aerodynamics, rivals: &[], experiment: "" };
+
     /// Whether either is known to be taken for the other.
     pub fn is_rival_of(&self, other: &Self) -> bool {
         self.rivals.contains(&other.name) || other.rivals.contains(&self.name)

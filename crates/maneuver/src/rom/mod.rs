@@ -107,7 +107,7 @@ impl ReducedOrderModel {
             zones.each_with_chord(wing, |boxes, chord_m| rows.as_moment(box_loads, boxes, chord_m));
         Ok(Self {
             flow,
-            controls: wing.controls.iter().map(|control| control.name.clone()).collect(),
+            controls: wing.control_names(),
             air: rows.all.as_ref() * box_loads,
             apparent: rows.of_pressures(wing, 0.5 * flow.rho_kg_m3, &corrections, &o.air.instant.second),
             wake: o

@@ -7,7 +7,7 @@ use faer::{Mat, MatRef};
 const ZONES: usize = 8;
 
 /// See the module. One entry a zone, from the root outwards.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Zones {
     /// Boxes of the lattice.
     pub boxes: Vec<Vec<usize>>,

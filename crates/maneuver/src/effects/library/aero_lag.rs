@@ -1,0 +1,17 @@
+//! The wake remembers longer or shorter than the doublet lattice says.
+
+use crate::effects::prelude::*;
+
+/// See the module.
+pub(super) const FORMS: &[Declaration] = &[Declaration {
+    spec: Spec {
+        name: "aero_lag",
+        title: "lag of the wake",
+        side: Side::Aerodynamics,
+        rivals: &["delay", "act_lag", "added_mass"],
+        experiment: "a frequency sweep at two airspeeds: it collapses on reduced frequency",
+    },
+    parameters: |_| vec![Parameter::new("dlag", -0.8..=5.0, 0.5).calibrated(Calibration::Air, 0.07)],
+    change: |p, _, change| change.lag += p[0],
+    ..Declaration::NONE
+}];
