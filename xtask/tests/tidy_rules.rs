@@ -30,7 +30,7 @@ fn an_effect_named_outside_its_file_is_found_in_code_and_in_macros() {
     let check = |file: &str| effect_names::check(&[source(file, text)], &["gain", "drift"].into());
     assert_eq!(places(&check("crates/discover/src/travel.rs")).len(), 2);
     for allowed in [
-        "crates/maneuver/src/effects/each/gain.rs",
+        "crates/maneuver/src/effects/library/gain.rs",
         "crates/discover/src/rules/effects.rs",
         "crates/hidden/src/plan.rs",
         "crates/discover/tests/rivals.rs",

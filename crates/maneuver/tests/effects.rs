@@ -1,4 +1,4 @@
-//! What every effect keeps: without size it changes no bit, with a plausible size it shows, its bounds and constraints hold.
+//! Bounds and constraints of effects, and the order in which they act.
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
@@ -10,37 +10,6 @@ use coupling::Mount;
 use maneuver::effects::{Active, library};
 use maneuver::rom::StiffnessParts;
 use maneuver::{Rig, RigSettings};
-
-#[test]
-fn an_effect_without_size_changes_no_bit_and_one_of_plausible_size_shows() {
-    let rom = rom(34.0);
-    let controls = rom.controls.len();
-    let stimuli = [run(controls), points(controls)];
-    let clean = stimuli.each_ref().map(|stimulus| with(&rom, &[], stimulus));
-    for effect in library(&rom.controls) {
-        let (name, parameters) = (effect.spec().name, effect.parameters());
-        let none = vec![0.0; parameters.len()];
-        let zero =
-            stimuli.each_ref().map(|stimulus| with(&rom, &[Active::new(effect.clone(), &none)], stimulus));
-        for (zero, clean) in zero.iter().zip(&clean) {
-            assert!(zero == clean, "{name} without size changes the loads");
-        }
-        let sizes: Vec<f64> =
-            parameters.iter().map(|p| if p.upper > 0.0 { p.plausible } else { -p.plausible }).collect();
-        let sized =
-            stimuli.each_ref().map(|stimulus| with(&rom, &[Active::new(effect.clone(), &sizes)], stimulus));
-        let change = sized.iter().zip(&clean).flat_map(|(a, b)| {
-            let pairs = a.loads.iter().flatten().zip(b.loads.iter().flatten());
-            pairs.map(|(x, y)| (x - y).abs()).collect::<Vec<f64>>()
-        });
-        let largest = change.fold(0.0, f64::max);
-        println!("{name} {}: {largest:.3}", effect.form());
-        assert!(
-            largest.is_finite() && largest > 0.01,
-            "{name} of plausible size changes loads by {largest} only"
-        );
-    }
-}
 
 #[test]
 fn a_delay_delays_what_a_joiner_adds_in_whatever_order_they_are_named() {

@@ -7,7 +7,7 @@ mod common;
 use aero::{Corrections, Flow};
 use common::flown::{effect, points, rom, run, swing, with};
 use common::wing_with;
-use maneuver::effects::{Active, Inputs, Loads, Place, Seen, Stimulus};
+use maneuver::effects::{Active, Inputs, Loads, Place, Stimulus, WingState};
 use maneuver::rom::{Change, Drive, Outputs, PointMass, ReducedOrderModel, Zones};
 use maneuver::{Rig, RigSettings, Smooth};
 use std::f64::consts::TAU;
@@ -240,7 +240,7 @@ fn an_arc_under_a_load_at_its_end_has_the_moment_of_the_circle() {
     let alpha = Smooth { value: still(), rate: still(), second: still() };
     let inputs = Inputs { alpha, incidence_rad: still(), controls_rad: Vec::new() };
     let balance = [vec![force], vec![force * length], still()];
-    let seen = Seen {
+    let seen = WingState {
         inputs: &inputs,
         loads: &balance,
         tip_m: &[0.0],

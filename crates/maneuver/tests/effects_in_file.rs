@@ -5,43 +5,14 @@
 mod common;
 
 use aero::{Corrections, Flow};
+use common::copy::{Copy, data};
 use common::flown::run;
 use coupling::wing_file::{EffectValidity, WingEffect};
 use coupling::{ElasticWing, Mount, WingFile};
 use maneuver::effects::{Active, Beside, library, of_wing, without};
 use maneuver::{Motion, Rig, RigSettings, TimeHistory};
-use std::path::{Path, PathBuf};
 
 const EMPTY: &str = "effects: [],";
-
-fn data(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/tuflex").join(name)
-}
-
-/// A wing's file in a folder of its own.
-struct Copy(PathBuf);
-
-impl Copy {
-    fn new(test: &str, text: &str) -> Self {
-        let folder = std::env::temp_dir().join(format!("wingroot-effects-{}-{test}", std::process::id()));
-        std::fs::create_dir_all(&folder).unwrap();
-        for file in ["e214.dat", "beam_distribution.csv"] {
-            std::fs::copy(data(file), folder.join(file)).unwrap();
-        }
-        std::fs::write(folder.join("wing.ron"), text).unwrap();
-        Self(folder)
-    }
-
-    fn read(&self) -> Result<WingFile, nastran::InputError> {
-        WingFile::read(&self.0.join("wing.ron"))
-    }
-}
-
-impl Drop for Copy {
-    fn drop(&mut self) {
-        let _ = std::fs::remove_dir_all(&self.0);
-    }
-}
 
 /// The shipped beam wing.
 fn text() -> String {

@@ -3,6 +3,7 @@
 #![expect(clippy::unwrap_used, unreachable_pub, reason = "helpers of the tests in this folder")]
 #![allow(dead_code, reason = "not every test file uses every helper")]
 
+pub mod copy;
 pub mod flown;
 
 use aero::Corrections;
