@@ -97,19 +97,17 @@ fn the_updated_wing_reads_back_with_its_effects_and_new_corrections() {
 }
 
 #[test]
-fn the_shipped_bank_belongs_to_the_shipped_wing_and_campaign() {
-    let bank: discover::null_distribution::NullDistribution =
-        nastran::ron_file::read(&root().join("data/tuflex/null_distribution.ron")).unwrap();
-    let (file, wing) = coupling::ElasticWing::read(&root().join("data/tuflex/wing.ron")).unwrap();
-    let campaign = calibrate::Campaign::read(&root().join("data/tuflex/measured")).unwrap();
-    let data = discover::data::Dataset::read(&campaign, &wing, &std::sync::Arc::default()).unwrap();
-    assert_eq!(
-        bank.key,
-        discover::null_distribution::key(&file.hash, &data),
-        "made for another wing, campaign or library"
-    );
-    // every effect and form that a null campaign was searched for, and a floor to judge by
-    assert!(bank.evidence.len() > 20 && bank.floor.iter().all(|floor| *floor > 1.0), "{bank:?}");
+fn the_shipped_null_distribution_belongs_to_the_shipped_wing_and_campaign_and_has_every_effect() {
+    let path = root().join("data/tuflex/null_distribution.ron");
+    let nulls: discover::null_distribution::NullDistribution = nastran::ron_file::read(&path).unwrap();
+    // what the command was run with, and writes again
+    let (out, _) = shipped();
+    let used = nastran::ron_file::read(&out.join("null_distribution.ron")).unwrap();
+    assert_eq!(nulls, used, "made for {:?}", nulls.key.differs_in(&used.key));
+    let result = std::fs::read_to_string(out.join("result.json")).unwrap();
+    assert!(result.contains("data/tuflex/null_distribution.ron"), "made anew");
+    assert!(nulls.serves(&nulls.key, &maneuver::effects::library(&["any".to_owned()])));
+    assert!(nulls.floor.iter().all(|floor| *floor > 1.0), "{nulls:?}");
 }
 
 #[test]

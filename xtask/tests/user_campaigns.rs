@@ -1,5 +1,5 @@
 //! `discover` on campaigns as a user may have them: without a load, without held-out runs, static points alone, sensors it
-//! does not use, one airspeed, no statement of the noise. Thresholds are given, not made: what a bank would say is tested
+//! does not use, one airspeed, no statement of the noise. Thresholds are given, not made: what null campaigns would say is tested
 //! elsewhere.
 
 #![expect(clippy::unwrap_used, reason = "a helper of tests may fail the test where it stands")]
@@ -7,10 +7,11 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use calibrate::Campaign;
+use calibrate::{Campaign, CorrectionSet, Schedule, Settings, calibrate};
 use coupling::ElasticWing;
 use discover::data::Dataset;
-use discover::null_distribution::{NullDistribution, key};
+use discover::null_distribution::NullDistribution;
+use discover::null_key::NullKey;
 use serde_json::Value;
 
 const WING: &str = "data/tuflex/wing_beam.ron";
@@ -88,17 +89,22 @@ fn campaign(name: &str, change: &Change<'_>) -> PathBuf {
     to
 }
 
-/// Thresholds that fit a campaign of the beam wing: those of effects without a bank, and what null campaigns of these runs
-/// give for the rest.
-fn bank(campaign: &Path) -> PathBuf {
+/// A null distribution that fits a campaign of the beam wing: bare margins, and what null campaigns of these runs give for the
+/// rest.
+fn null_distribution(campaign: &Path) -> PathBuf {
     let (file, wing) = ElasticWing::read(&root().join(WING)).unwrap();
-    let data = Dataset::read(&Campaign::read(campaign).unwrap(), &wing, &std::sync::Arc::default()).unwrap();
+    let measured = Campaign::read(campaign).unwrap();
+    let data = Dataset::read(&measured, &wing, &std::sync::Arc::default()).unwrap();
+    let calibration = calibrate(&wing, &measured, &Settings::of_wing(&file.correction)).unwrap();
+    let sets = calibration.airspeeds.iter().map(|a| CorrectionSet::new(a.data.v_m_s, a.corrections.clone()));
+    let schedule = Schedule { wing: String::new(), wing_hash: String::new(), sets: sets.collect() };
+    let library = maneuver::effects::library(&wing.control_names());
     let limits = NullDistribution {
-        key: key(&file.hash, &data),
+        key: NullKey::new(&file.hash, &schedule, 1.0, &library, &data),
         misfit: 1.0,
         misfit_limit: 1.3,
         floor: [7.5, 7.5],
-        ..NullDistribution::default()
+        ..NullDistribution::of_margins(&library, &data.rules.effects)
     };
     let path = campaign.join("null_distribution.ron");
     std::fs::write(&path, nastran::ron_file::to_text(&limits).unwrap()).unwrap();
@@ -127,7 +133,7 @@ fn discover(name: &str, arguments: &[&str]) -> (Option<i32>, String, String, Val
 /// The same with the beam wing on a campaign, thresholds given.
 fn searched(name: &str, change: &Change<'_>) -> (String, Value) {
     let folder = campaign(name, change);
-    let bank = bank(&folder);
+    let bank = null_distribution(&folder);
     let (status, out, said, result) = discover(
         name,
         &[
@@ -253,7 +259,7 @@ fn one_thread_and_two_give_the_same_bytes() {
         return;
     }
     let folder = campaign("user-threads", &AS_IT_IS);
-    let bank = bank(&folder);
+    let bank = null_distribution(&folder);
     let run = |threads: &str| {
         let campaign = folder.to_str().unwrap();
         let bank = bank.to_str().unwrap();

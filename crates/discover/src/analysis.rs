@@ -10,6 +10,7 @@ use crate::load_model::LoadModel;
 use crate::model_form::{LatticeVariant, kernel_variant, lag_variant};
 use crate::noise::{Noise, NoiseUnknown};
 use crate::null_distribution::NullDistribution;
+use crate::null_key::NullKey;
 use crate::problem::Problem;
 use crate::rules::Rules;
 use crate::search::search;
@@ -182,6 +183,11 @@ impl Prepared {
     /// What is found in campaigns without effect.
     pub fn null_distribution(&self, seed: u64) -> NullDistribution {
         NullDistribution::from_null_campaigns(&self.setting(), self.training(), &self.judged(), seed)
+    }
+
+    /// What a null distribution of this campaign depends on, for the wing of a file (its hash) with these corrections.
+    pub fn null_key(&self, wing_hash: &str, schedule: &Schedule) -> NullKey {
+        NullKey::new(wing_hash, schedule, self.open_corrections, &self.library, &self.data)
     }
 
     /// Searches.

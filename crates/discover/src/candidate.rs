@@ -4,7 +4,6 @@ use crate::current_model::CurrentModel;
 use crate::rules::{NamingRules, SharedRules};
 use crate::setting::Setting;
 use crate::trial::{Base, Point, Trial, difference};
-use crate::uncertain::known;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 use maneuver::effects::{Active, Effect, Parameter};
@@ -223,13 +222,11 @@ impl Refit {
     /// Whether no value is larger than calibration could have left it.
     pub fn is_within_prior(&self, rules: &SharedRules) -> bool {
         let parameters = self.active.parameters();
-        let name = self.active.effect.spec().name;
-        let is_beyond = |(k, value): (usize, &f64)| {
-            let bound = known(name, k)
-                .map_or(rules.negligible * parameters[k].plausible, |sigma| rules.prior_widths * sigma);
-            value.abs() > bound
+        let is_within = |(value, p): (&f64, &Parameter)| {
+            let known = p.calibrated.map(|known| rules.prior_widths * known.sigma);
+            value.abs() <= known.unwrap_or(rules.negligible * p.plausible)
         };
-        !self.active.values.iter().enumerate().any(is_beyond)
+        self.active.values.iter().zip(&parameters).all(is_within)
     }
 }
 

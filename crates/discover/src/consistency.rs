@@ -9,29 +9,14 @@
 
 use crate::current_model::CurrentModel;
 use crate::problem::Problem;
-use crate::rules::Rules;
+use crate::rules::{OffByVariants, Rules};
 use crate::setting::Setting;
-use crate::uncertain::known;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 use maneuver::effects::Active;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// What groups may differ by, as the effect's form is never exact.
-const FORM: f64 = 0.15;
-/// The same of flow that separates: where, how suddenly and with what delay it does so no one formula says.
-/// And of a lift slope by Reynolds number, whose groups are the airspeeds.
-const FORM_LOOSE: f64 = 0.4;
-/// The same of a mass on the outer wing, which is not at one point, and what it does near a resonance grows with the airspeed
-/// as damping does.
-const FORM_OF_MASS: f64 = 0.2;
-/// The same of a wing that is heavier everywhere alike: that has no other form.
-const FORM_OF_SCALE: f64 = 0.08;
-/// What changes the level of all loads...
-const LOAD_LEVEL: [&str; 3] = ["lift_slope", "q_error", "gain"];
-/// ... and how much of it model-form variants are off by in one kind of maneuver.
-const LOAD_LEVEL_OFF: f64 = 0.01;
 /// What moved in a group's segments.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -113,22 +98,18 @@ pub fn shares(setting: &Setting<'_>, current: &CurrentModel<'_>, which: usize) -
 
 /// How far shares of an effect are from one size: chi square over its degrees of freedom; none with fewer than two shares.
 pub fn scatter(rules: &Rules, effect: &Active, shares: &[Share]) -> Option<f64> {
-    let name = effect.effect.spec().name;
-    // what motion and deflected flaps do to flow about to separate, or to a wing that is bent far, is in no form of it
-    let at_rest = matches!(name, "stall" | "dynamic_stall" | "large_deflection");
-    let judges = |share: &&Share| !at_rest || share.moved == Moved::Nothing;
+    let judges = |share: &&Share| !effect.effect.holds_at_rest_only() || share.moved == Moved::Nothing;
     let shares: Vec<&Share> = shares.iter().filter(judges).collect();
-    let form = match name {
-        "stall" | "dynamic_stall" | "re_dependence" => FORM_LOOSE,
-        "tip_mass" => FORM_OF_MASS,
-        "wing_mass_error" => return spread(&shares, FORM_OF_SCALE),
-        _ => FORM,
+    let rule = rules.effects.of(effect.effect.spec().name);
+    let off = match rule.off_by_variants {
+        OffByVariants::AsCalibrated => effect.parameters()[0].calibrated.map_or(0.0, |known| known.sigma),
+        OffByVariants::Size(size) => size,
+        OffByVariants::Nothing => 0.0,
     };
     // what model-form variants are off by in one kind of maneuver is a larger share of a smaller effect
-    let off = known(name, 0).or(LOAD_LEVEL.contains(&name).then_some(LOAD_LEVEL_OFF));
     let largest = effect.values.iter().map(|value| value.abs()).fold(f64::MIN_POSITIVE, f64::max);
-    let off = (rules.shared.prior_widths * off.unwrap_or(0.0) / largest).min(rules.consistency.form_most);
-    spread(&shares, form.hypot(off))
+    let off = (rules.shared.prior_widths * off / largest).min(rules.consistency.form_most);
+    spread(&shares, rule.form.hypot(off))
 }
 
 /// Chi square over its degrees of freedom of shares that may differ by `form`.

@@ -37,7 +37,7 @@ pub fn detection_limits(
     let of = |effect: &Arc<dyn Effect>| {
         let search = Search {
             trial: Trial { setting, current, effect, memory: None },
-            threshold: nulls.threshold(effect.spec().name, effect.form()),
+            threshold: nulls.threshold(effect),
             phi: (current.chi2 / current.problem.len() as f64).max(1.0),
         };
         search.all()

@@ -23,6 +23,7 @@ pub mod model_form;
 pub mod next;
 pub mod noise;
 pub mod null_distribution;
+pub mod null_key;
 pub mod problem;
 pub mod rank;
 pub mod recalibration;

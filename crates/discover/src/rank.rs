@@ -98,7 +98,7 @@ pub(crate) fn rank_some(
         .into_iter()
         .map(|refit| {
             let active = &refit.active;
-            let threshold = nulls.threshold(active.effect.spec().name, active.effect.form());
+            let threshold = nulls.threshold(&active.effect);
             Ranked { evidence: refit.evidence(current, phi), threshold, refit }
         })
         .collect();

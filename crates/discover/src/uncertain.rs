@@ -8,41 +8,30 @@ use maneuver::rom::Change;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-/// Effect of the library, which of its parameters, standard deviation. The first of an effect's forms counts.
-const KNOWN: [(&str, usize, f64); 11] = [
-    ("bend_stiff", 0, 0.01),
-    ("tors_stiff", 0, 0.02),
-    ("wing_mass_error", 0, 0.007),
-    ("damping", 0, 0.1),
-    ("added_mass", 0, 0.04),
-    ("aero_lag", 0, 0.07),
-    ("ctl_scale", 0, 0.01),
-    ("ctl_compliance", 0, 0.01),
-    ("act_lag", 0, 0.001),
-    ("alpha_offset", 0, 0.01),
-    ("delay", 0, 0.001),
-];
-
-/// Standard deviation of a parameter that calibration knows.
-pub fn known(effect: &str, parameter: usize) -> Option<f64> {
-    KNOWN.iter().find(|(name, which, _)| *name == effect && *which == parameter).map(|u| u.2)
-}
-
-/// Everything that is uncertain, each at one standard deviation.
+/// Everything that is uncertain, each at one standard deviation: what a calibration leaves of the library's effects, in the
+/// order of its tests; waves of the lift; control surfaces. The first of an effect's forms counts.
 pub fn uncertain(library: &[Arc<dyn Effect>], controls: &[String], rules: &SharedRules) -> Vec<Active> {
-    let known = KNOWN.iter().filter_map(|(name, parameter, sigma)| {
-        let effect = library.iter().find(|effect| effect.spec().name == *name)?;
-        let mut values = vec![0.0; effect.parameters().len()];
-        values[*parameter] = *sigma;
-        Some(Active::new(Arc::clone(effect), &values))
-    });
+    let mut calibrated = Vec::new();
+    for (i, effect) in library.iter().enumerate() {
+        if i > 0 && library[i - 1].spec().name == effect.spec().name {
+            continue;
+        }
+        let parameters = effect.parameters();
+        for (k, known) in parameters.iter().enumerate().filter_map(|(k, p)| Some((k, p.calibrated?))) {
+            let mut values = vec![0.0; parameters.len()];
+            values[k] = known.sigma;
+            calibrated.push((known.by, Active::new(Arc::clone(effect), &values)));
+        }
+    }
+    calibrated.sort_by_key(|(by, _)| *by);
+    let calibrated = calibrated.into_iter().map(|(_, active)| active);
     let waves = rules.half_waves.map(|half_waves| {
         let sigma = rules.lift_wave;
         Active::new(Arc::new(Wave { half_waves, sigma }), &[sigma])
     });
     let sigma = rules.surface;
     let surface = |control| Active::new(Arc::new(Surface { control, sigma }), &[sigma]);
-    known.chain(waves).chain((0..controls.len()).map(surface)).collect()
+    calibrated.chain(waves).chain((0..controls.len()).map(surface)).collect()
 }
 
 /// A wave of the lift along the span.

@@ -12,7 +12,7 @@ use discover::data::Dataset;
 use discover::data_checks::Defect;
 use discover::finding::{Finding, Sources};
 use discover::model_form::LatticeVariant;
-use discover::null_distribution::{NullDistribution, key};
+use discover::null_distribution::NullDistribution;
 use discover::recalibration::{recalibrated, without_held_out};
 use discover::result::DiscoverResult;
 use discover::rules::Rules;
@@ -150,7 +150,8 @@ fn null_distribution(
     common: &Common,
     seed: u64,
 ) -> Result<(NullDistribution, String), Failure> {
-    let wanted = key(&corrected.file.hash, &prepared.data);
+    let wanted = prepared.null_key(&corrected.file.hash, &corrected.schedule);
+    let serves = |nulls: &NullDistribution| nulls.serves(&wanted, &prepared.library);
     if args.bank.is_some() && !common.quiet {
         show::note("--bank is called --null-distribution now; the old name is read for one version");
     }
@@ -159,8 +160,14 @@ fn null_distribution(
     let last = paths::in_repository("out/discover/null_distribution.ron");
     if let Some(path) = given {
         let nulls: NullDistribution = nastran::ron_file::read(path)?;
-        if nulls.key != wanted {
-            let message = "this null distribution belongs to another wing or campaign";
+        if !serves(&nulls) {
+            let differs = nulls.key.differs_in(&wanted);
+            let of = if differs.is_empty() {
+                "lacks effects of the library".to_owned()
+            } else {
+                format!("was made for another {}", differs.join(", another "))
+            };
+            let message = format!("this null distribution {of}");
             return Err(InputError::in_file(path, message)
                 .with_help("leave --null-distribution out to have it made for this one")
                 .into());
@@ -169,12 +176,14 @@ fn null_distribution(
     }
     for path in [shipped, last] {
         let nulls: Option<NullDistribution> = nastran::ron_file::read(&path).ok();
-        if let Some(nulls) = nulls.filter(|nulls| nulls.key == wanted) {
+        if let Some(nulls) = nulls.filter(serves) {
             return Ok((nulls, path.display().to_string()));
         }
     }
     if !common.quiet {
-        show::note("no null distribution for this wing and campaign: made now (a minute or so)");
+        show::note(
+            "no null distribution for this wing, campaign and library of effects: made now (a minute or so)",
+        );
     }
     let mut nulls = prepared.null_distribution(seed);
     nulls.key = wanted;

@@ -174,13 +174,15 @@ impl Judge<'_> {
     fn null_distribution(&self, bench: &Bench) -> Result<NullDistribution, Failure> {
         let path = self.folder.join("null_distribution.ron");
         let plan = cases(NULLS_SEED, 1, &Mix::only(Class::Null));
-        let prepared = self.read(&self.written(&bench.case(&plan[0]), "bank")?, &plan[0])?;
-        let key = discover::null_distribution::key(&self.rigs.own.file().hash, &prepared.data);
+        let folder = self.written(&bench.case(&plan[0]), "bank")?;
+        let left_out = plan[0].leave_out.as_deref();
+        let case = blind::read(&self.rigs, &folder, self.own_static_points, left_out)?;
+        let key = case.prepared.null_key(&self.rigs.own.file().hash, &case.schedule);
         let kept: Option<NullDistribution> = nastran::ron_file::read(&path).ok();
-        if let Some(nulls) = kept.filter(|kept| kept.key == key) {
+        if let Some(nulls) = kept.filter(|kept| kept.serves(&key, &case.prepared.library)) {
             return Ok(nulls);
         }
-        let mut nulls = prepared.null_distribution(NULLS_SEED);
+        let mut nulls = case.prepared.null_distribution(NULLS_SEED);
         nulls.key = key;
         write(&path, &nastran::ron_file::to_text(&nulls)?)?;
         Ok(nulls)

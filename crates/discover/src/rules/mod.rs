@@ -12,7 +12,7 @@ mod search;
 
 pub use checks::{AirspeedRules, LabelRules, RecordRules, RepeatRules, SampleRules, TimingRules};
 pub use data::{DataRules, NoiseRules, SpectralLineRules};
-pub use effects::{EffectRule, EffectRules};
+pub use effects::{EffectRule, EffectRules, OffByVariants};
 pub use model::{SharedRules, ToleranceRules, VariantRules};
 pub use rule::{Origin, Rule};
 pub use search::{
@@ -99,10 +99,6 @@ impl Rules {
                 text += &format!("| `{name}` | {value} | {unit} | {meaning} | {origin} |\n");
             }
         }
-        text += "\n## By an effect's name (`effects`)\n\n| effect | log Bayes factor on top of what null campaigns show |\n| --- | --- |\n";
-        for rule in &self.effects.own {
-            text += &format!("| `{}` | {} |\n", rule.name, rule.margin);
-        }
-        text + &format!("| all others | {} |\n", self.effects.margin)
+        text + "\n## By an effect's name (`effects`)\n\n" + &self.effects.table()
     }
 }
