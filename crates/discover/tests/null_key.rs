@@ -2,8 +2,6 @@
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
-mod common;
-
 use calibrate::{Campaign, CorrectionSet, Schedule};
 use coupling::ElasticWing;
 use discover::data::Dataset;
@@ -11,7 +9,13 @@ use discover::null_distribution::NullDistribution;
 use discover::null_key::NullKey;
 use discover::rules::Rules;
 use maneuver::effects::{Effect, Flight, Parameter, Spec, library};
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
+
+/// A folder in `data/`.
+fn folder(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data").join(name)
+}
 
 /// An effect with other bounds.
 #[derive(Debug)]
@@ -38,8 +42,8 @@ impl Effect for Wider {
 
 #[test]
 fn a_null_distribution_is_another_s_where_anything_but_a_measured_load_differs() {
-    let (file, wing) = ElasticWing::read(&common::folder("tuflex").join("wing_beam.ron")).unwrap();
-    let campaign = Campaign::read(&common::folder("tuflex/measured")).unwrap();
+    let (file, wing) = ElasticWing::read(&folder("tuflex").join("wing_beam.ron")).unwrap();
+    let campaign = Campaign::read(&folder("tuflex/measured")).unwrap();
     let data = Dataset::read(&campaign, &wing, &Arc::default()).unwrap();
     let effects = library(&wing.control_names());
     let boxes = wing.correctable.len();
