@@ -7,7 +7,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use calibrate::{Campaign, CorrectionSet, Schedule, Settings, calibrate};
+use calibrate::{AirspeedCalibration, Campaign, CorrectionSet, Schedule, Settings, calibrate};
 use coupling::ElasticWing;
 use discover::data::Dataset;
 use discover::null_distribution::NullDistribution;
@@ -96,7 +96,9 @@ fn null_distribution(campaign: &Path) -> PathBuf {
     let measured = Campaign::read(campaign).unwrap();
     let data = Dataset::read(&measured, &wing, &std::sync::Arc::default()).unwrap();
     let calibration = calibrate(&wing, &measured, &Settings::of_wing(&file.correction)).unwrap();
-    let sets = calibration.airspeeds.iter().map(|a| CorrectionSet::new(a.data.v_m_s, a.corrections.clone()));
+    let set =
+        |a: &AirspeedCalibration| CorrectionSet { v_m_s: a.data.v_m_s, corrections: a.corrections.clone() };
+    let sets = calibration.airspeeds.iter().map(set);
     let schedule = Schedule { wing: String::new(), wing_hash: String::new(), sets: sets.collect() };
     let library = maneuver::effects::library(&wing.control_names());
     let limits = NullDistribution {

@@ -4,7 +4,8 @@
 //! distribution.
 
 use crate::data::Dataset;
-use calibrate::Schedule;
+use aero::Corrections;
+use calibrate::{CorrectionSet, Schedule};
 use coupling::wing_file::fingerprint;
 use maneuver::effects::{Effect, Stimulus};
 use serde::{Deserialize, Serialize};
@@ -67,9 +68,10 @@ impl NullKey {
 
 fn corrections(schedule: &Schedule, open_corrections: f64) -> String {
     let mut text = format!("{open_corrections:?}");
-    for set in &schedule.sets {
-        let _ = write!(text, "|{:.3e}", set.v_m_s);
-        for value in set.force.iter().chain(&set.moment).chain(&set.pressure_offset) {
+    for CorrectionSet { v_m_s, corrections } in &schedule.sets {
+        let _ = write!(text, "|{v_m_s:.3e}");
+        let Corrections { force, moment, pressure_offset } = corrections;
+        for value in force.iter().chain(moment).chain(pressure_offset) {
             // the sign of what rounds to nothing is no difference
             let _ = write!(text, " {:.3e}", if value.abs() < FINE { 0.0 } else { *value });
         }

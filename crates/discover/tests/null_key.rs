@@ -50,7 +50,7 @@ fn a_null_distribution_is_another_s_where_anything_but_a_measured_load_differs()
     let schedule = |force: f64| {
         let corrections =
             aero::Corrections { force: vec![force; boxes], ..aero::Corrections::neutral(boxes) };
-        let sets = vec![CorrectionSet::new(30.0, corrections)];
+        let sets = vec![CorrectionSet { v_m_s: 30.0, corrections }];
         Schedule { wing: file.name.clone(), wing_hash: file.hash.clone(), sets }
     };
     let key = |data: &Dataset| NullKey::new(&file.hash, &schedule(1.0), 1.0, &effects, data);
@@ -73,7 +73,7 @@ fn a_null_distribution_is_another_s_where_anything_but_a_measured_load_differs()
     assert_eq!(differs(&|data| data.airspeeds_m_s[1] += 0.1), ["campaign's design"]);
     assert_eq!(differs(&|data| data.runs[3].usage = other_use(data.runs[3].usage)), ["campaign's design"]);
     assert_eq!(differs(&|data| data.statics[1].measured[0][2] = None), ["campaign's design"]);
-    assert_eq!(differs(&|data| data.stated.as_mut().unwrap().0[2] *= 1.5), ["stated noise"]);
+    assert_eq!(differs(&|data| data.stated.as_mut().unwrap().point.my *= 1.5), ["stated noise"]);
     let rules = |changed: &dyn Fn(&mut Rules)| {
         let mut rules = Rules::default();
         changed(&mut rules);

@@ -189,7 +189,7 @@ fn null_campaigns_have_a_misfit_of_one_and_thresholds_above_the_margin() {
     // 20 campaigns of 400 rows of unit noise, whatever was measured
     assert!((nulls.misfit - 1.0).abs() < 0.05 && nulls.misfit_limit > nulls.misfit + 0.15, "{nulls:?}");
     assert!(nulls.floor.iter().all(|floor| (floor - 1.0).abs() < 0.03), "{:?}", nulls.floor);
-    let margin = known.setting().rules().effects.margin;
+    let margin = known.setting().rules().effects.usual.margin;
     assert!(nulls.evidence.values().all(|needed| (margin..margin + 5.0).contains(needed)), "{nulls:?}");
     assert!(made(1) == nulls && made(2) != nulls);
 }

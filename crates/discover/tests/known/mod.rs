@@ -36,7 +36,7 @@ impl Effect for Column {
     }
 
     fn parameters(&self) -> Vec<Parameter> {
-        vec![Parameter::new("size", (-10.0, 10.0), 1.0)]
+        vec![Parameter::new("size", -10.0..=10.0, 1.0)]
     }
 }
 
