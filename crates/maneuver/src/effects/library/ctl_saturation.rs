@@ -1,4 +1,4 @@
-//! Control surfaces lose effectiveness at large deflections: K_delta(delta, V) of the first paper's Eq. 10.
+//! Control surfaces lose effectiveness at large deflections: K_delta(delta, V) of paper 1, Eq. 10.
 //!
 //! Two forms. `tanh`: `delta_eff = s tanh(delta/s)`, by 1/s for each surface, so that zero is no loss.
 //! `table`: for each surface what is added to K at 5, 15 and 25 degrees, straight between, constant outside, where tanh
