@@ -105,11 +105,11 @@ fn m14_term_counts_and_values_at_10_degrees_and_60_pa() {
 
 #[test]
 fn m17_m18_pressure_elevator_and_both_by_equations_8_and_10() {
-    // Table 3 has all three effects for the moment, as Eq. 10 does
+    // Table 3 has all three effects for the moment, as Eq. 10 of paper 1 does
     for wing in ["BR", "PR"] {
         assert!(effects(equation(10, wing), [-30.0, 0.0]).iter().all(|effect| effect.abs() > 0.05), "{wing}");
     }
-    // and for lift the elevator and both but not the pressure alone: by Eq. 8 that is the larger of the two, so no
+    // and for lift the elevator and both but not the pressure alone: by Eq. 8 of paper 1 that is the larger of the two, so no
     // test can find the one and not the other in runs that follow it
     let [pressure, elevator, both] = effects(equation(8, "BR"), [-30.0, 0.0]);
     assert!(elevator.abs() > 5.0 * both.abs());
@@ -152,7 +152,7 @@ fn m21_term_counts_of_the_models_over_all_elevator_angles() {
         for (number, terms) in [(8, 11), (9, 11), (10, 9)] {
             assert_eq!(equation(number, wing).coefficients.len(), terms, "Eq. {number} {wing}");
         }
-        // printed twice with delta; the table's a2 is that of alpha in Eq. 13 within 1 %
+        // printed twice with delta; the table's a2 is that of alpha in Eq. 13 of paper 1 within 1 %
         let a2 = &equation(9, wing).coefficients[2];
         assert_eq!((a2.term.to_string(), a2.status == Status::Printed), ("alpha".to_string(), false));
         let of_13 = equation(13, "").coefficient("alpha").and_then(|c| c.value).expect("a value");
@@ -216,7 +216,7 @@ fn m27_coefficients_with_a_value_in_equations_12_to_14() {
 
 #[test]
 fn m28_voltage_hardly_moves_lift_but_drag_and_moment() {
-    // 6, 7 and 8 V as drawn, though Eq. 4 was fitted between 6.6 and 7.4
+    // 6, 7 and 8 V as drawn, though Eq. 4 of paper 1 was fitted between 6.6 and 7.4
     let rules = Rules::STRICT.extrapolating().leaving_out_missing();
     let spread = |number: u8| {
         let of = |voltage: f64| {
@@ -277,7 +277,7 @@ fn m33_every_constant_of_the_tables_is_there_with_its_confidence() {
         let all = published().models().iter().flat_map(|model| &model.coefficients);
         all.filter(|coefficient| keep(coefficient.confidence, coefficient.status)).count()
     };
-    // two blanks of Eq. 8, twelve of Eq. 9, two of Eq. 14
+    // two blanks of Eq. 8 of paper 1, twelve of Eq. 9, two of Eq. 14
     assert_eq!(count(&|_, status| status == Status::Missing), 16);
     assert_eq!(count(&|_, status| status == Status::ExponentAssumed), 2);
     assert_eq!(count(&|_, status| status == Status::SuspectedCopy), 15);

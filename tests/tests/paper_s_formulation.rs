@@ -29,7 +29,7 @@ fn small_lattice() -> Lattice {
 
 #[test]
 fn s02_pressures_are_scaled_box_by_box() {
-    // Eq. 1: dCp_exp = W dCp_theo with W diagonal
+    // Eq. 1 of paper 1: dCp_exp = W dCp_theo with W diagonal
     let lattice = small_lattice();
     let integration = Integration::new(&lattice);
     let cp: Vec<f64> = (0..lattice.len()).map(|j| 1.0 + j as f64).collect();
@@ -45,7 +45,7 @@ fn s02_pressures_are_scaled_box_by_box() {
 
 #[test]
 fn s03_downwash_corrections_are_added() {
-    // Eq. 2: w_exp = w_theo + dw; pressures of the sum are the sum of pressures
+    // Eq. 2 of paper 1: w_exp = w_theo + dw; pressures of the sum are the sum of pressures
     let lattice = small_lattice();
     let aero = SteadyAero::new(&lattice, MirrorPlane::Symmetric { y_m: 0.0 }, 0.0).expect("a lattice");
     let w = Mat::from_fn(lattice.len(), 3, |j, c| {
@@ -89,7 +89,7 @@ fn s05_the_tip_bends_ten_per_cent_of_the_half_span_in_the_tunnel() {
 
 #[test]
 fn s13_loads_are_dynamic_pressure_times_the_inverse_of_the_aic_times_downwash() {
-    // Eq. 5: f = q A^-1 w, checked by putting the pressures back, A cp = w, and by a box's lift, q S cp, at a q that
+    // Eq. 5 of paper 1: f = q A^-1 w, checked by putting the pressures back, A cp = w, and by a box's lift, q S cp, at a q that
     // is not 1
     let lattice = small_lattice();
     let plane = MirrorPlane::Symmetric { y_m: 0.0 };
@@ -110,7 +110,7 @@ fn s13_loads_are_dynamic_pressure_times_the_inverse_of_the_aic_times_downwash() 
 
 #[test]
 fn s14_pitch_gives_incidence_and_heave_rate_gives_minus_its_share_of_the_airspeed() {
-    // Eq. 6 at small k: a wing that heaves at h' carries what it carries at the angle -h'/V. The first bending is
+    // Eq. 6 of paper 1 at small k: a wing that heaves at h' carries what it carries at the angle -h'/V. The first bending is
     // moved by hand: cp of modal velocity against cp of the incidence it means at the 3/4 points.
     let file = file_with(|planform| {
         planform.boxes.chordwise = 4;
@@ -168,7 +168,7 @@ fn s18_corrections_and_downwash_are_dmi_matrices_by_nastrans_names() {
 
 #[test]
 fn s20_the_objective_is_the_sum_of_three_root_mean_square_errors() {
-    // Eq. 8 by hand: residuals 3, 4, 0, 0, 0 in Fz give sqrt(25/5); a constant 2 gives 2; 1, -1, 1, -1, 0 give sqrt(4/5)
+    // Eq. 8 of paper 1 by hand: residuals 3, 4, 0, 0, 0 in Fz give sqrt(25/5); a constant 2 gives 2; 1, -1, 1, -1, 0 give sqrt(4/5)
     let residuals = [[3.0, 2.0, 1.0], [4.0, 2.0, -1.0], [0.0, 2.0, 1.0], [0.0, 2.0, -1.0], [0.0, 2.0, 0.0]];
     let errors = rmse(&residuals, [true; 3]);
     assert_close("F", objective(errors, [1.0; 3]), 5.0_f64.sqrt() + 2.0 + 0.8_f64.sqrt(), 1e-14, 0.0);

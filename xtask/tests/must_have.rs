@@ -1,4 +1,4 @@
-//! A small fixed set of blind cases, of development seeds: effects hidden by another program in the wing's campaign, and
+//! A small fixed set of blind cases, of development seeds: effects hidden by another discretisation in the wing's campaign, and
 //! what `discover` must say of each. Thresholds are bare margins, as if null campaigns had found nothing.
 
 use std::path::Path;

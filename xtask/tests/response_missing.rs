@@ -48,7 +48,7 @@ fn on_the_shipped_runs_the_hidden_propeller_term_is_named_and_the_gap_closes() {
     assert_eq!(effects[0]["channel"], "CD");
     let parameter = &effects[0]["parameters"]["n_krpm^2/q_Pa"];
     let (value, sigma) = (parameter["value"].as_f64(), parameter["sigma"].as_f64());
-    // Eq. 13
+    // Eq. 13 of paper 2
     assert!((value.expect("a number") + 0.042_488).abs() < 4.0 * sigma.expect("a number"));
     let gap = &result["gap"]["holdout"];
     let number = |name: &str| gap[name].as_f64().expect("a number");

@@ -1,4 +1,4 @@
-//! Loads of a rigid wing in theory and with corrections: lattice, pressures, box loads (Eq. 7), sums about the root.
+//! Loads of a rigid wing in theory and with corrections: lattice, pressures, box loads (Eq. 7 of paper 1), sums about the root.
 //!
 //! `corrected_loads` takes no argument: a half wing of aspect ratio 8 beside a wall, at 3 degrees and 20 m/s.
 

@@ -34,7 +34,7 @@ pub struct AirspeedCalibration {
     pub weights: [f64; 4],
     /// Paper 1, Eq. 8 of the straight lines.
     pub line_floor: f64,
-    /// Paper 1, Eq. 8 that noise alone gives; none if noise is not known.
+    /// Eq. 8 of paper 1 that noise alone gives; none if noise is not known.
     pub noise_floor: Option<f64>,
     /// What the data can tell.
     pub identifiability: Option<Identifiability>,

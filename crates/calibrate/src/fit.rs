@@ -69,9 +69,9 @@ pub struct Fit {
     pub x: Vec<f64>,
     /// RMSE by channel before and after.
     pub rmse: [[f64; 4]; 2],
-    /// Paper 1, Eq. 8 before and after.
+    /// Eq. 8 of paper 1 before and after.
     pub objective: [f64; 2],
-    /// Paper 1, Eq. 8 after each accepted step.
+    /// Eq. 8 of paper 1 after each accepted step.
     pub history: Vec<f64>,
     /// Cone programs solved.
     pub cone_programs: usize,

@@ -28,7 +28,7 @@ pub struct LeftOut {
 pub struct LeftOutAirspeed {
     /// Paper 1, Eq. 8 of the uncorrected model.
     pub objective_before: f64,
-    /// Paper 1, Eq. 8 with the corrections that the schedule of the other airspeeds gives here.
+    /// Eq. 8 of paper 1 with the corrections that the schedule of the other airspeeds gives here.
     pub objective_after: f64,
 }
 

@@ -185,7 +185,7 @@ impl SteadyOperator<'_> {
         })
     }
 
-    /// Paper 1, Eq. 7, with this operator's corrections.
+    /// Eq. 7 of paper 1, with this operator's corrections.
     fn loads(&self) -> LoadOperator<'_> {
         self.wing.integration.corrected(&self.corrections)
     }

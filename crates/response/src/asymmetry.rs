@@ -1,6 +1,6 @@
-//! Asymmetry of a wing's displacement field: R = integral of w over the left half / integral over the right half, Eq. 2
+//! Asymmetry of a wing's displacement field: R = integral of w over the left half / integral over the right half, Eq. 2 of paper 2
 //! of "Wind-Tunnel Testing and Modeling of a Micro Air Vehicle with Flexible Wings", which on an equally spaced grid is
-//! the ratio of the two sums (Eq. 3). Left is y < 0. A rigid wing should give 1; by how much it does not is the bias of
+//! the ratio of the two sums (Eq. 3 of paper 2). Left is y < 0. A rigid wing should give 1; by how much it does not is the bias of
 //! the instrument, which no noise of single points explains, so it is reported beside the noise and not removed.
 
 mod grid;
@@ -56,7 +56,7 @@ pub struct Asymmetry {
     pub pairs: usize,
     /// Points left out because their mirror image is not in the data.
     pub unpaired: usize,
-    /// True if the grid is equally spaced, where Eq. 3 is Eq. 2.
+    /// True if the grid is equally spaced, where Eq. 3 of paper 2 is Eq. 2.
     pub equally_spaced: bool,
 }
 

@@ -30,7 +30,7 @@ fn a_field_that_is_the_same_on_both_sides_has_the_ratio_one() {
 
 #[test]
 fn on_an_equally_spaced_grid_the_ratio_is_that_of_the_sums() {
-    // Eq. 3, no point on the plane of symmetry
+    // Eq. 3 of paper 2, no point on the plane of symmetry
     let points = field(&steps(0.0, 130.0, 14), &steps(-75.0, 75.0, 30), |x, y| {
         (1.0 + (0.1 * x).sin()) * if y < 0.0 { 0.6 } else { 1.0 }
     });

@@ -39,7 +39,7 @@ fn m06_the_choice_is_the_global_minimum_of_mse_plus_twice_sigma0_squared_m_over_
                 let choice = choose(&data, response, &candidates, rules).expect("a choice");
                 let pse = |k: usize| choice.curve[k].criteria.pse;
                 for (k, step) in choice.curve.iter().enumerate() {
-                    // Eq. 1 with the residual of a fit made anew
+                    // Eq. 1 of paper 2 with the residual of a fit made anew
                     let fitted =
                         Regression::fit(&data, response, &step.terms, Blocking::Fixed).expect("a fit");
                     let (m, n) = (step.terms.len() as f64, data.points() as f64);
@@ -301,7 +301,7 @@ fn m18_seven_of_the_nine_verdicts_of_table_3_come_out_of_the_runs() {
     {
         assert!(real(response, term), "{response} {term}");
     }
-    // the other two are not in the equations that the runs are drawn from: Eq. 8 has a pressure effect on lift, twice the
-    // interaction, where the table has none; Eq. 9 has no value for the interaction in drag, where the table has one
+    // the other two are not in the equations that the runs are drawn from: Eq. 8 of paper 2 has a pressure effect on lift, twice the
+    // interaction, where the table has none; Eq. 9 of paper 2 has no value for the interaction in drag, where the table has one
     assert!(real("CL", "A") && !real("CD", "A*B"));
 }

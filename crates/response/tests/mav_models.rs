@@ -34,7 +34,7 @@ fn every_equation_is_there_and_no_other() {
 
 #[test]
 fn an_equation_is_the_sum_of_its_terms() {
-    // Eq. 13 by hand at q 50 Pa, alpha 8 deg, delta -10 deg, n 18 krpm, with the table's coefficients
+    // Eq. 13 of paper 2 by hand at q 50 Pa, alpha 8 deg, delta -10 deg, n 18 krpm, with the table's coefficients
     let by_hand = 0.88137 + 2.0199e-4 * 50.0 - 5.5996e-3 * 8.0 + 8.1962e-4 * 64.0
         - 0.088_852 * 18.0
         - 4.6516e-5 * 400.0

@@ -184,7 +184,7 @@ fn nothing_is_named_where_nothing_is_missing() {
 #[test]
 fn terms_that_the_design_does_not_tell_apart_are_all_given() {
     // two pressures and two elevator angles, one of them 0: q delta, q^2 delta and q delta^2 are the same but for terms of the
-    // model, so Eq. 10 without q delta lacks any of them
+    // model, so Eq. 10 of paper 2 without q delta lacks any of them
     let published = published();
     let case =
         Case { series: Series::NegativeElevator, response: "Cm", hidden: "q*delta", factors: &OFF, order: 3 };

@@ -1,4 +1,4 @@
-//! From generated runs the published structure is found again: 100 draws of the runs behind Eqs. 4 to 7, candidates up to the
+//! From generated runs the published structure is found again: 100 draws of the runs behind Eqs. 4 to 7 of paper 2, candidates up to the
 //! order of the equation, all subsets, the default rule for sigma0^2. With the structure given, the published coefficients
 //! are in their 95 % intervals as often as they should.
 
@@ -73,7 +73,7 @@ fn recovery(published: &Published, series: Series, response: usize, order: u32, 
 #[test]
 fn the_published_structure_is_found_again_in_generated_runs() {
     let published = published();
-    // Morelli's ranking is not among them: without steps back it keeps 2 terms too many in Eq. 7
+    // Morelli's ranking is not among them: without steps back it keeps 2 terms too many in Eq. 7 of paper 2
     for search in [Search::BestSubset, Search::Stepwise] {
         assert!(recovery(&published, Series::PropellerSpeed, 0, 2, search) <= 1.0);
         for response in 0..3 {

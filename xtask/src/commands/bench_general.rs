@@ -44,7 +44,7 @@ struct PapersProblem<'a> {
 }
 
 impl PapersProblem<'_> {
-    /// Paper 1, Eq. 8 alone.
+    /// Eq. 8 of paper 1, alone.
     fn objective(&self, x: &[f64]) -> Result<f64, Error> {
         self.simulations.set(self.simulations.get() + 1);
         let loads = self.wing.root_loads(&self.cases, &self.basis.corrections(x))?;

@@ -1,4 +1,4 @@
-//! `hidden`: the blind benchmark of `discover` on campaigns of another program's wing, in which a known effect is hidden.
+//! `hidden`: the blind benchmark of `discover` on campaigns of a wing with another discretisation, in which a known effect is hidden.
 //!
 //! A case and its verdict go to one folder, its sealed answer to another that only the scoring reads. Cases that have a verdict
 //! are not done again.

@@ -39,7 +39,7 @@ commands! {
     deflection: Deflection(deflection::DeflectionArgs),
     /// Where simulation and measurements disagree, which effect is missing, the wing with it, the gap before and after
     discover: Discover(discover::DiscoverArgs),
-    /// The blind benchmark of `discover`: effects hidden in campaigns of another program's wing
+    /// The blind benchmark of `discover`: effects hidden in campaigns of a wing with another discretisation
     hidden: Hidden(hidden::HiddenArgs),
     /// Trim, pull-up, push-down, chirp and doublet of the full aircraft, initial beside updated model
     fullaircraft: Fullaircraft(fullaircraft::FullaircraftArgs),

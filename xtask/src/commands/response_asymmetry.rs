@@ -1,4 +1,4 @@
-//! `response --displacement FIELD.csv`: the asymmetry ratio of displacement fields (Eqs. 2 and 3), with its uncertainty from
+//! `response --displacement FIELD.csv`: the asymmetry ratio of displacement fields (Eqs. 2 and 3 of paper 2), with its uncertainty from
 //! the noise of the points and from a rigid wing.
 
 use std::fmt::Write as _;

@@ -36,7 +36,7 @@ fn page_of(result: &BenchmarkResult) -> Page {
         title: "The blind benchmark of discover".into(),
         lead: vec![
             format!(
-                "{} campaigns of another program's wing, each with a known effect hidden or none, track {}, seed {}.",
+                "{} campaigns of a wing with another discretisation and other forms of every effect, each with a known effect hidden or none, track {}, seed {}.",
                 scored.cases, result.track, result.seed
             ),
             match gates.len() - with.len() {

@@ -1,4 +1,4 @@
-//! Choice of terms by the predicted squared error, PSE = MSE + 2 sigma0^2 m / N (Eq. 1): mean squared error of the fit, and
+//! Choice of terms by the predicted squared error, PSE = MSE + 2 sigma0^2 m / N (Eq. 1 of paper 2): mean squared error of the fit, and
 //! a penalty for every one of its m terms. Of each size the best set is looked for; the curve over the sizes is kept, and
 //! its lowest point is chosen.
 //!

@@ -149,7 +149,7 @@ fn rules() -> Rules {
     Rules::STRICT.leaving_out_missing()
 }
 
-/// The points, with the propeller speed of Eq. 4 to the revolution where the models need it.
+/// The points, with the propeller speed of Eq. 4 of paper 2 to the revolution where the models need it.
 fn with_speed(published: &Published, series: Series, models: &[&Model]) -> Result<Vec<TestPoint>, NoValue> {
     let needed = models.iter().any(|model| model.needs_propeller_speed());
     let mut points = series.points();

@@ -1,5 +1,5 @@
 //! The micro air vehicle of "Wind-Tunnel Testing and Modeling of a Micro Air Vehicle with Flexible Wings": its published
-//! models (Eqs. 4 to 16) and what is drawn from them.
+//! models (Eqs. 4 to 16 of paper 2) and what is drawn from them.
 
 mod draw;
 mod factor;

@@ -31,17 +31,17 @@ pub fn dynamic_pressure_pa(v_m_s: f64) -> f64 {
 /// A series of runs that the paper describes, with the equations fitted to it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Series {
-    /// Propeller speed of the rigid wing with the motor on: Eq. 4.
+    /// Propeller speed of the rigid wing with the motor on: Eq. 4 of paper 2.
     PropellerSpeed,
-    /// PR wing without propeller, elevator zero and positive: Eqs. 5 to 7.
+    /// PR wing without propeller, elevator zero and positive: Eqs. 5 to 7 of paper 2.
     PropellerOff,
-    /// BR wing without propeller, two airspeeds, elevator zero and fully negative: Eqs. 8 to 10.
+    /// BR wing without propeller, two airspeeds, elevator zero and fully negative: Eqs. 8 to 10 of paper 2.
     NegativeElevator,
-    /// With propeller, elevator zero and positive, voltage as a factor: Eq. 11.
+    /// With propeller, elevator zero and positive, voltage as a factor: Eq. 11 of paper 2.
     VoltageInput,
-    /// With propeller, all elevator angles, propeller speed as a factor: Eqs. 12 to 14.
+    /// With propeller, all elevator angles, propeller speed as a factor: Eqs. 12 to 14 of paper 2.
     PropellerOn,
-    /// The same at high angles of attack: Eqs. 15 and 16. From 22 degrees, as the published cubics give nonsense below.
+    /// The same at high angles of attack: Eqs. 15 and 16 of paper 2. From 22 degrees, as the published cubics give nonsense below.
     HighAlpha,
 }
 

@@ -1,4 +1,4 @@
-//! The published equations from their files, and the propeller speed put into those that need it (Eq. 4 into Eqs. 12 to
+//! The published equations from their files, and the propeller speed put into those that need it (Eq. 4 of paper 2 into Eqs. 12 to
 //! 16). The files are described in data/mav/published/README.md.
 
 use std::path::Path;
@@ -110,7 +110,7 @@ impl Published {
         self.equation(equation, wing).map_err(|_| NoValue::Missing { equation, names: names() })
     }
 
-    /// Propeller speed in krpm by Eq. 4.
+    /// Propeller speed in krpm by Eq. 4 of paper 2.
     ///
     /// # Errors
     /// As [`Model::value`].
@@ -118,7 +118,7 @@ impl Published {
         self.given(4, "")?.value(condition, rules)
     }
 
-    /// The value of `model`, with the propeller speed of Eq. 4 where it needs one and the state has only a voltage.
+    /// The value of `model`, with the propeller speed of Eq. 4 of paper 2 where it needs one and the state has only a voltage.
     ///
     /// # Errors
     /// As [`Model::value`]; the ranges of both equations count.
