@@ -18,3 +18,18 @@ impl Flow {
         0.5 * self.rho_kg_m3 * self.v_m_s * self.v_m_s
     }
 }
+
+/// Airspeeds closer than this share are one: a tunnel holds its airspeed no better, and a load changes by 1 %.
+pub const SAME_AIRSPEED: f64 = 0.005;
+/// Angles of attack closer than this are one, rad (0.05 degrees): a turntable is set no better.
+pub const SAME_ANGLE_RAD: f64 = 8.7e-4;
+
+/// Whether two airspeeds (m/s) are one condition.
+pub fn same_airspeed(a: f64, b: f64) -> bool {
+    (a - b).abs() <= SAME_AIRSPEED * a.max(b)
+}
+
+/// Whether two angles of attack (rad) are one condition.
+pub fn same_angle(a: f64, b: f64) -> bool {
+    (a - b).abs() <= SAME_ANGLE_RAD
+}

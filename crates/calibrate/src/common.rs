@@ -16,8 +16,9 @@ use crate::fit::{Fit, FlowGroup, Problem};
 use crate::identifiability::{Identifiability, Inputs, identifiability};
 use crate::lift_factor::{LiftFactor, lift_factor};
 use crate::objective::{objective, polynomial_residuals, rmse};
-use crate::statics::{Angle, SAME_ANGLE_RAD, StaticData};
+use crate::statics::{Angle, StaticData};
 use crate::tip_zero::TipZero;
+use aero::flow::same_angle;
 use aero::{Corrections, Flow};
 use coupling::{CouplingError, SteadyModel};
 
@@ -160,7 +161,7 @@ impl Curves {
         while let Some(&first) = left.first() {
             let belongs = |row: &usize| {
                 angles[*row].block == angles[first].block
-                    && (angles[*row].alpha_rad - angles[first].alpha_rad).abs() < SAME_ANGLE_RAD
+                    && same_angle(angles[*row].alpha_rad, angles[first].alpha_rad)
             };
             let (group, rest): (Vec<usize>, Vec<usize>) = left.iter().partition(|row| belongs(row));
             left = rest;

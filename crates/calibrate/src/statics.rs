@@ -10,13 +10,9 @@
 
 use crate::blocks::BlockFit;
 use crate::campaign::{Campaign, Sets, StaticPoint, TIP, TipReading};
+use aero::flow::{same_airspeed, same_angle};
 use nastran::{InputError, Span};
 use std::collections::{BTreeMap, BTreeSet};
-
-/// Airspeeds closer than this share are one.
-const SAME_AIRSPEED: f64 = 2e-3;
-/// Angles closer than this are one, rad (0.05 degrees).
-pub(crate) const SAME_ANGLE_RAD: f64 = 8.7e-4;
 
 /// The most blocks: each has an offset, and all are found together.
 const MOST_BLOCKS: usize = 200;
@@ -258,10 +254,6 @@ pub(crate) fn block_name(row: &StaticPoint) -> &str {
     row.block.as_deref().unwrap_or("")
 }
 
-fn same_airspeed(a: f64, b: f64) -> bool {
-    (a - b).abs() <= SAME_AIRSPEED * a.max(b)
-}
-
 /// Groups rows by airspeed, then angle, both ascending.
 fn cells<'a>(rows: &[&'a StaticPoint]) -> Vec<Cell<'a>> {
     let mut sorted = rows.to_vec();
@@ -279,7 +271,7 @@ fn cells<'a>(rows: &[&'a StaticPoint]) -> Vec<Cell<'a>> {
         let first = cells.len();
         for row in group {
             match cells[first..].last_mut() {
-                Some(cell) if (cell.rows[0].alpha_rad - row.alpha_rad).abs() <= SAME_ANGLE_RAD => {
+                Some(cell) if same_angle(cell.rows[0].alpha_rad, row.alpha_rad) => {
                     cell.rows.push(row);
                 }
                 _ => cells.push(Cell { v_m_s: 0.0, alpha_rad: 0.0, rows: vec![row] }),

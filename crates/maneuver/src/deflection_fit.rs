@@ -13,22 +13,20 @@
 //! what the model cannot follow and the noise of the measured angle. The larger of the two is taken.
 
 use crate::history::TimeHistory;
+use crate::motion::{Doublet, Record};
 use crate::rig_model::{Motion, RigModel};
 use crate::run::Run;
 use crate::simulate::motion_of;
 use crate::smoothing::zero_phase;
+use aero::flow::same_airspeed;
 use coupling::wing_file::{DeflectionRow, DeflectionTable, OutsideAirspeeds};
 use nastran::InputError;
 use std::path::Path;
 
-/// Deflections count as those of a doublet if they are within this share of its height.
-const FLAT: f64 = 0.05;
-/// Share of the moved samples that must be flat: the rest is the way between.
-const MOSTLY: f64 = 0.8;
 /// Longest lag of correlated residuals, s.
 const LAG_S: f64 = 0.2;
-/// Airspeeds and deflections that differ by less than this share are one.
-const SAME: f64 = 0.02;
+/// Deflections that differ by less than this share are one.
+const SAME_DEFLECTION: f64 = 0.02;
 /// Channels of a run.
 const LOADS: [&str; 3] = ["Fz_N", "Mx_Nm", "My_Nm"];
 
@@ -86,13 +84,9 @@ pub fn doublet_of(run: &Run) -> Option<MeasuredDoublet> {
     if moving.next().is_some() {
         return None;
     }
-    let height = values.iter().fold(0.0, |most: f64, delta| most.max(delta.abs()));
-    let near =
-        |sign: f64| values.iter().filter(|delta| (**delta - sign * height).abs() <= FLAT * height).count();
-    let away = values.iter().filter(|delta| delta.abs() > FLAT * height).count();
-    let (up, down) = (near(1.0), near(-1.0));
-    let flat = (up + down) as f64 >= MOSTLY * away as f64;
-    (flat && up > 0 && down > 0).then(|| MeasuredDoublet { control: control.clone(), commanded_rad: height })
+    let record = Record { values, time_step_s: run.time_step_s, is_angle: false };
+    Doublet::fits(&record)
+        .then(|| MeasuredDoublet { control: control.clone(), commanded_rad: record.height() })
 }
 
 /// Fits K to a run that is a doublet. `sigma`: one standard deviation of a sample of Fz, Mx, My as declared; without it
@@ -213,13 +207,13 @@ fn bartlett(channels: &[Channel; 3], weights: [f64; 3], factor: f64, lag: f64) -
 
 /// Repeats pooled by their information, ordered by control surface (as they first come), airspeed and deflection.
 pub fn pooled(fits: &[DoubletFit]) -> Vec<FittedFactor> {
-    let same = |a: f64, b: f64| (a - b).abs() <= SAME * a.abs().max(b.abs());
+    let same = |a: f64, b: f64| (a - b).abs() <= SAME_DEFLECTION * a.abs().max(b.abs());
     let mut groups: Vec<Vec<&DoubletFit>> = Vec::new();
     for fit in fits {
         let belongs = |group: &&mut Vec<&DoubletFit>| {
             let first = group[0];
             first.doublet.control == fit.doublet.control
-                && same(first.v_m_s, fit.v_m_s)
+                && same_airspeed(first.v_m_s, fit.v_m_s)
                 && same(first.doublet.commanded_rad, fit.doublet.commanded_rad)
         };
         match groups.iter_mut().find(belongs) {
@@ -289,7 +283,7 @@ pub fn tables(factors: &[FittedFactor]) -> Result<Vec<DeflectionTable>, InputErr
             });
         }
         let Some(table) = all.last_mut() else { continue };
-        if table.rows.last().is_none_or(|row| (row.v_m_s - v_m_s).abs() > SAME * v_m_s) {
+        if table.rows.last().is_none_or(|row| !same_airspeed(row.v_m_s, v_m_s)) {
             let row = DeflectionRow {
                 v_m_s,
                 commanded_deg: Vec::new(),

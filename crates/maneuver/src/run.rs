@@ -10,8 +10,8 @@ const SAME_STEP: f64 = 0.05;
 const DRIFT: f64 = 0.1;
 /// Airspeeds of runs, m/s, zero without wind: the air is taken as incompressible.
 pub const AIRSPEEDS_M_S: std::ops::RangeInclusive<f64> = 0.0..=340.0;
-/// An airspeed may vary by this share of its mean within a run.
-const SAME_AIRSPEED: f64 = 0.02;
+/// The airspeed may stray by this share of its mean within a run (not whether two airspeeds are one: `aero::flow`).
+const STRAYS: f64 = 0.02;
 
 /// A run as measured.
 #[derive(Debug, Clone, PartialEq)]
@@ -177,7 +177,7 @@ fn airspeed(v_m_s: &[f64], span: impl Fn(usize) -> Span) -> Result<f64, InputErr
         return Err(InputError::at(&span(row), message).with_help("zero marks a wind-off run"));
     }
     let mean = v_m_s.iter().sum::<f64>() / v_m_s.len() as f64;
-    let far = |v: &f64| (v - mean).abs() > SAME_AIRSPEED * mean.max(1e-3);
+    let far = |v: &f64| (v - mean).abs() > STRAYS * mean.max(1e-3);
     match v_m_s.iter().position(far) {
         None => Ok(mean),
         Some(row) => {

@@ -15,7 +15,7 @@ rules! {
         /// An angle of a smaller standard deviation is held: its encoder's noise would be flown as motion otherwise.
         held_angle_sd_rad: f64 = 3.5e-4, "rad", Physical("a fiftieth of a degree, four times an encoder's noise");
         /// Airspeeds closer than this share of each other are one.
-        same_airspeed: f64 = 0.005, "", Physical("how well a tunnel holds its airspeed");
+        same_airspeed: f64 = aero::flow::SAME_AIRSPEED, "", Physical("how well a tunnel holds its airspeed");
         /// Where a campaign does not say which runs are held out, the last of every so many is.
         held_out_every: usize = 3, "runs", Unknown;
     }
