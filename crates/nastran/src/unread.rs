@@ -9,49 +9,30 @@ use crate::source::InputError;
 
 /// Elements, masses and rigid elements of the Quick Reference Guides of MSC, NX and NASTRAN-95 that are not read, and
 /// what is read in their place.
-const ELEMENTS: &[(&[&str], &str)] = &[
+const ELEMENTS: &[(&str, &str)] = &[
+    ("CTRIAR CTRIA6 CTRIA1 CTRIA2 CTRPLT CTRBSC CTRMEM CTRIM6 CTRPLT1 CTRSHL", "CTRIA3"),
+    ("CQUADR CQUAD8 CQUAD CQUAD1 CQUAD2 CQDPLT CQDMEM CQDMEM1 CQDMEM2", "CQUAD4"),
+    ("CSHEAR CTWIST", "CQUAD4 and CROD"),
+    ("CIHEX1 CIHEX2 CIHEX3 CHEXA1 CHEXA2 CHEX8 CHEX20 CHEXPR CIFHEX", "CHEXA"),
+    ("CWEDGE CPENPR CIFPENT", "CPENTA"),
+    ("CTETPR CPYRAM CPYRA", "CTETRA and CPENTA"),
+    ("CONROD CTUBE", "CROD with PROD"),
+    ("CBEND CBEAM3", "CBEAM"),
+    ("CELAS3 CELAS4", "CELAS1 or CELAS2 between grids"),
+    ("CMASS3 CMASS4", "CMASS1 or CMASS2 at grids"),
+    ("CBUSH1D CBUSH2D CGAP CBEAR CROTORG", "CBUSH with the stiffness at the working point"),
+    ("CWELD CFAST CSEAM", "CBUSH between RBE3"),
+    ("CDAMP1 CDAMP2 CDAMP3 CDAMP4 CDAMP5 CVISC", "a damping ratio of the modes"),
     (
-        &[
-            "CTRIAR", "CTRIA6", "CTRIA1", "CTRIA2", "CTRPLT", "CTRBSC", "CTRMEM", "CTRIM6", "CTRPLT1",
-            "CTRSHL",
-        ],
-        "CTRIA3",
-    ),
-    (&["CQUADR", "CQUAD8", "CQUAD", "CQUAD1", "CQUAD2", "CQDPLT", "CQDMEM", "CQDMEM1", "CQDMEM2"], "CQUAD4"),
-    (&["CSHEAR", "CTWIST"], "CQUAD4 and CROD"),
-    (&["CIHEX1", "CIHEX2", "CIHEX3", "CHEXA1", "CHEXA2", "CHEX8", "CHEX20", "CHEXPR", "CIFHEX"], "CHEXA"),
-    (&["CWEDGE", "CPENPR", "CIFPENT"], "CPENTA"),
-    (&["CTETPR", "CPYRAM", "CPYRA"], "CTETRA and CPENTA"),
-    (&["CONROD", "CTUBE"], "CROD with PROD"),
-    (&["CBEND", "CBEAM3"], "CBEAM"),
-    (&["CELAS3", "CELAS4"], "CELAS1 or CELAS2 between grids"),
-    (&["CMASS3", "CMASS4"], "CMASS1 or CMASS2 at grids"),
-    (&["CBUSH1D", "CBUSH2D", "CGAP", "CBEAR", "CROTORG"], "CBUSH with the stiffness at the working point"),
-    (&["CWELD", "CFAST", "CSEAM"], "CBUSH between RBE3"),
-    (&["CDAMP1", "CDAMP2", "CDAMP3", "CDAMP4", "CDAMP5", "CVISC"], "no damping element"),
-    (
-        &["CTRIAX", "CTRIAX6", "CTRAX3", "CTRAX6", "CQUADX", "CQUADX4", "CQUADX8", "CCONEAX"],
+        "CTRIAX CTRIAX6 CTRAX3 CTRAX6 CQUADX CQUADX4 CQUADX8 CCONEAX CTRIARG CTRAPRG CTRIAAX CTRAPAX CTORDRG",
         "a model in space",
     ),
-    (&["CTRIARG", "CTRAPRG", "CTRIAAX", "CTRAPAX", "CTORDRG"], "a model in space"),
-    (
-        &["CPLSTN3", "CPLSTN4", "CPLSTN6", "CPLSTN8", "CPLSTS3", "CPLSTS4", "CPLSTS6", "CPLSTS8"],
-        "CTRIA3 or CQUAD4",
-    ),
-    (
-        &[
-            "CDUM1", "CDUM2", "CDUM3", "CDUM4", "CDUM5", "CDUM6", "CDUM7", "CDUM8", "CDUM9", "CRAC2D",
-            "CRAC3D",
-        ],
-        "GENEL",
-    ),
-    (&["RROD", "CRROD", "RJOINT", "CRIGDR"], "RBAR or MPC"),
-    (&["RBAR1", "CRBAR"], "RBAR"),
-    (
-        &["RBE1", "CRBE1", "CRBE2", "CRIGD1", "CRIGD2", "RTRPLT", "RTRPLT1", "CRTRPLT", "RSSCON"],
-        "RBE2 or MPC",
-    ),
-    (&["RSPLINE", "CRSPLINE", "CRBE3", "CRIGD3", "RBE2GS"], "RBE3 or MPC"),
+    ("CPLSTN3 CPLSTN4 CPLSTN6 CPLSTN8 CPLSTS3 CPLSTS4 CPLSTS6 CPLSTS8", "CTRIA3 or CQUAD4"),
+    ("CDUM1 CDUM2 CDUM3 CDUM4 CDUM5 CDUM6 CDUM7 CDUM8 CDUM9 CRAC2D CRAC3D", "GENEL"),
+    ("RROD CRROD RJOINT CRIGDR", "RBAR or MPC"),
+    ("RBAR1 CRBAR", "RBAR"),
+    ("RBE1 CRBE1 CRBE2 CRIGD1 CRIGD2 RTRPLT RTRPLT1 CRTRPLT RSSCON", "RBE2 or MPC"),
+    ("RSPLINE CRSPLINE CRBE3 CRIGD3 RBE2GS", "RBE3 or MPC"),
 ];
 
 impl BulkData {
@@ -67,7 +48,9 @@ impl BulkData {
     /// # Errors
     /// If there is one: with the names, how many of each, where the first of each stands, and what to write instead.
     pub fn refuse_unread_elements(&self) -> Result<(), InputError> {
-        let instead = |name: &str| ELEMENTS.iter().find(|(names, _)| names.contains(&name)).map(|row| row.1);
+        let instead = |name: &str| {
+            ELEMENTS.iter().find(|(names, _)| names.split(' ').any(|one| one == name)).map(|row| row.1)
+        };
         let mut left: Vec<(&String, &Unread, &str)> =
             self.unknown.iter().filter_map(|(name, unread)| Some((name, unread, instead(name)?))).collect();
         left.sort_by_key(|(name, unread, _)| (std::cmp::Reverse(unread.count), *name));
@@ -76,9 +59,9 @@ impl BulkData {
             .iter()
             .map(|(name, Unread { count, first }, _)| format!("{count} {name} (from {first} on)"))
             .collect();
-        let (list, it) = (list.join(", "), if left.len() == 1 { "an element" } else { "elements" });
         let message = format!(
-            "the deck has {list}: {it} that cannot be read, without which the structure is not itself"
+            "the deck has {}: elements that are not read, and leaving them out would change stiffness, damping, mass or constraints",
+            list.join(", ")
         );
         let help: Vec<String> =
             left.iter().map(|(name, _, instead)| format!("{instead} for {name}")).collect();
@@ -100,8 +83,8 @@ mod tests {
         assert_eq!(
             error.to_string(),
             "wing.bdf:3:1: the deck has 2 CTRIAR (from wing.bdf:3:1 on), 1 RBE1 (from wing.bdf:4:1 on): elements that \
-             cannot be read, without which the structure is not itself (hint: write CTRIA3 for CTRIAR, RBE2 or MPC for \
-             RBE1, or take out what the model shall do without)"
+             are not read, and leaving them out would change stiffness, damping, mass or constraints (hint: write CTRIA3 for \
+             CTRIAR, RBE2 or MPC for RBE1, or take out what the model shall do without)"
         );
     }
 
@@ -114,7 +97,7 @@ mod tests {
 
     #[test]
     fn no_name_is_both_read_and_refused_or_twice_in_the_list() {
-        let refused: Vec<&str> = ELEMENTS.iter().flat_map(|(names, _)| *names).copied().collect();
+        let refused: Vec<&str> = ELEMENTS.iter().flat_map(|(names, _)| names.split(' ')).collect();
         for (at, name) in refused.iter().enumerate() {
             assert!(!refused[..at].contains(name), "{name}");
             assert!(CARD_KINDS.iter().all(|kind| !kind.names.contains(name)), "{name}");
