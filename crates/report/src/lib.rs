@@ -20,5 +20,5 @@ pub use error::DrawError;
 pub use figure::{Figure, Panel, Series, Style};
 pub use heatmap::PlanformView;
 pub use page::Page;
-pub use table::Table;
+pub use table::{Column, Table};
 pub use ticks::extent;

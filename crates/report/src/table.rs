@@ -1,5 +1,8 @@
 //! Aligned plain-text tables for a terminal: words to the left, numbers to the right, two blanks between columns.
 
+/// A column of a table of things: its head, and what it says of a thing.
+pub type Column<'a, T> = (&'a str, &'a dyn Fn(&T) -> String);
+
 /// A table; fill it row by row and print it with its `Display`.
 ///
 /// ```
@@ -17,6 +20,15 @@ impl Table {
     /// An empty table with these column heads.
     pub fn new(head: &[&str]) -> Self {
         Self { head: head.iter().map(ToString::to_string).collect(), rows: Vec::new() }
+    }
+
+    /// A table with a row for each thing.
+    pub fn of<T>(things: impl IntoIterator<Item = T>, columns: &[Column<'_, T>]) -> Self {
+        let mut table = Self::new(&columns.iter().map(|(head, _)| *head).collect::<Vec<_>>());
+        for thing in things {
+            table.row(columns.iter().map(|(_, cell)| cell(&thing)));
+        }
+        table
     }
 
     /// Adds a row. Missing cells stay empty; cells beyond the head get columns of their own.

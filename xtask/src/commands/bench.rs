@@ -117,31 +117,20 @@ fn general(
 }
 
 fn summary(rows: &[Value]) -> String {
-    let mut table = report::Table::new(&[
-        "step",
-        "seconds",
-        "peak MB",
-        "peer's seconds",
-        "peer's MB",
-        "ratio",
-        "F",
-        "peer's F",
-    ]);
-    for row in rows {
-        let number = |key: &str| row[key].as_f64().map_or_else(|| "-".into(), |value| format!("{value:.4}"));
-        let whole = |key: &str| row[key].as_f64().map_or_else(|| "-".into(), |value| format!("{value:.0}"));
-        let name = row["name"].as_str().unwrap_or_default().to_owned();
-        table.row([
-            name,
-            number("seconds"),
-            whole("peak_MB"),
-            number("peer_seconds"),
-            whole("peer_peak_MB"),
-            number("ratio"),
-            number("objective"),
-            number("peer_objective"),
-        ]);
-    }
+    let with = |row: &Value, key: &str, places: usize| {
+        row[key].as_f64().map_or_else(|| "-".into(), |value| format!("{value:.places$}"))
+    };
+    let columns: [report::Column<'_, &Value>; 8] = [
+        ("step", &|row| row["name"].as_str().unwrap_or_default().to_owned()),
+        ("seconds", &|row| with(row, "seconds", 4)),
+        ("peak MB", &|row| with(row, "peak_MB", 0)),
+        ("peer's seconds", &|row| with(row, "peer_seconds", 4)),
+        ("peer's MB", &|row| with(row, "peer_peak_MB", 0)),
+        ("ratio", &|row| with(row, "ratio", 4)),
+        ("F", &|row| with(row, "objective", 4)),
+        ("peer's F", &|row| with(row, "peer_objective", 4)),
+    ];
+    let table = report::Table::of(rows, &columns);
     let alone = if rows.iter().any(|row| row["peer"] == "PanelAero") {
         ""
     } else {

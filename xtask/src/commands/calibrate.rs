@@ -238,33 +238,20 @@ fn root_plane(wing: &ElasticWing, campaign: &Campaign, calibration: &Calibration
 }
 
 fn summary(calibration: &Calibration, out: &Path, seconds: f64) -> String {
-    let head = [
-        "V (m/s)",
-        "F before",
-        "F after",
-        "line floor",
-        "noise floor",
-        "programs",
-        "left out: before",
-        "after",
-        "ending",
+    let number = |value: f64| format!("{value:.4}");
+    let optional = |value: Option<f64>| value.map_or_else(|| "-".into(), number);
+    let columns: [report::Column<'_, &AirspeedCalibration>; 9] = [
+        ("V (m/s)", &|a| speed_name(a.data.v_m_s)),
+        ("F before", &|a| number(a.fit.objective[0])),
+        ("F after", &|a| number(a.fit.objective[1])),
+        ("line floor", &|a| number(a.line_floor)),
+        ("noise floor", &|a| optional(a.noise_floor)),
+        ("programs", &|a| a.fit.cone_programs.to_string()),
+        ("left out: before", &|a| optional(a.left_out.as_ref().map(|l| l.objective_before))),
+        ("after", &|a| optional(a.left_out.as_ref().map(|l| l.objective_after))),
+        ("ending", &|a| format!("{:?}", a.fit.ending)),
     ];
-    let mut table = report::Table::new(&head);
-    for a in &calibration.airspeeds {
-        let number = |value: f64| format!("{value:.4}");
-        let optional = |value: Option<f64>| value.map_or_else(|| "-".into(), number);
-        table.row([
-            speed_name(a.data.v_m_s),
-            number(a.fit.objective[0]),
-            number(a.fit.objective[1]),
-            number(a.line_floor),
-            optional(a.noise_floor),
-            a.fit.cone_programs.to_string(),
-            optional(a.left_out.as_ref().map(|l| l.objective_before)),
-            optional(a.left_out.as_ref().map(|l| l.objective_after)),
-            format!("{:?}", a.fit.ending),
-        ]);
-    }
+    let table = report::Table::of(&calibration.airspeeds, &columns);
     let mut text = match &calibration.common {
         None => format!("{table}\n"),
         Some(set) => common_set::table(set, calibration),

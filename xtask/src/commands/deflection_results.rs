@@ -129,27 +129,17 @@ pub(crate) fn csv(factors: &[FittedFactor]) -> String {
 
 /// The table for people.
 pub(crate) fn summary(found: &Found<'_>, out: &Path, seconds: f64) -> String {
-    let mut table = report::Table::new(&[
-        "surface",
-        "V (m/s)",
-        "commanded (deg)",
-        "equivalent (deg)",
-        "K",
-        "standard error",
-        "runs",
-    ]);
-    for fitted in &found.factors {
-        let commanded = fitted.commanded_rad.to_degrees();
-        table.row([
-            fitted.control.clone(),
-            format!("{:.1}", fitted.v_m_s),
-            format!("{commanded:.1}"),
-            format!("{:.2}", fitted.factor * commanded),
-            format!("{:.3}", fitted.factor),
-            format!("{:.3}", fitted.standard_error),
-            fitted.runs.to_string(),
-        ]);
-    }
+    let degrees = |fitted: &FittedFactor| fitted.commanded_rad.to_degrees();
+    let columns: [report::Column<'_, &FittedFactor>; 7] = [
+        ("surface", &|fitted| fitted.control.clone()),
+        ("V (m/s)", &|fitted| format!("{:.1}", fitted.v_m_s)),
+        ("commanded (deg)", &|fitted| format!("{:.1}", degrees(fitted))),
+        ("equivalent (deg)", &|fitted| format!("{:.2}", fitted.factor * degrees(fitted))),
+        ("K", &|fitted| format!("{:.3}", fitted.factor)),
+        ("standard error", &|fitted| format!("{:.3}", fitted.standard_error)),
+        ("runs", &|fitted| fitted.runs.to_string()),
+    ];
+    let table = report::Table::of(&found.factors, &columns);
     let held = match found.gaps(|run| run.changes).zip(found.gaps(|run| run.loads)) {
         Some(([before, after], [whole_before, whole_after])) => format!(
             "{} held-out doublets, residual over noise ({:.2} is noise alone): {before:.2} with deflections as commanded, \

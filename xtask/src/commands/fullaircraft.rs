@@ -123,55 +123,31 @@ fn write(
 
 fn table(summary: &Summary) -> report::Table {
     let mut table = report::Table::new(&["", "initial", "updated"]);
+    let mut row = |what: String, before: f64, after: f64, places: usize| {
+        table.row([what, format!("{before:.places$}"), format!("{after:.places$}")]);
+    };
     let (initial, updated) = (&summary.models.initial, &summary.models.updated);
-    let steady = [
+    for (name, before, after) in [
         ("trim", &initial.trim, &updated.trim),
         ("pull-up", &initial.pull_up, &updated.pull_up),
         ("push-down", &initial.push_down, &updated.push_down),
-    ];
-    for (name, before, after) in steady {
-        let what = format!("{name}, {} m/s, n = {}", before.v_m_s, before.load_factor);
-        table.row([
-            format!("{what}: alpha (deg)"),
-            format!("{:.2}", before.alpha_deg),
-            format!("{:.2}", after.alpha_deg),
-        ]);
-        table.row([
-            "    elevator (deg)".to_owned(),
-            format!("{:.2}", before.elevator_deg),
-            format!("{:.2}", after.elevator_deg),
-        ]);
-        table.row([
-            "    tip deflection (m)".to_owned(),
-            format!("{:.3}", before.tip_deflection_m),
-            format!("{:.3}", after.tip_deflection_m),
-        ]);
+    ] {
+        let what = format!("{name}, {} m/s, n = {}: alpha (deg)", before.v_m_s, before.load_factor);
+        row(what, before.alpha_deg, after.alpha_deg, 2);
+        row("    elevator (deg)".into(), before.elevator_deg, after.elevator_deg, 2);
+        row("    tip deflection (m)".into(), before.tip_deflection_m, after.tip_deflection_m, 3);
     }
     for (name, before, after) in
         [("doublet", &initial.doublet, &updated.doublet), ("chirp", &initial.chirp, &updated.chirp)]
     {
-        table.row([
-            format!("{name}: peak tip acceleration (m/s2)"),
-            format!("{:.1}", before.peak_tip_acceleration_m_s2),
-            format!("{:.1}", after.peak_tip_acceleration_m_s2),
-        ]);
-        table.row([
-            "    peak tip rate (deg/s)".to_owned(),
-            format!("{:.1}", before.peak_tip_rate_deg_s),
-            format!("{:.1}", after.peak_tip_rate_deg_s),
-        ]);
+        let accelerations = [before, after].map(|flown| flown.peak_tip_acceleration_m_s2);
+        row(format!("{name}: peak tip acceleration (m/s2)"), accelerations[0], accelerations[1], 1);
+        row("    peak tip rate (deg/s)".into(), before.peak_tip_rate_deg_s, after.peak_tip_rate_deg_s, 1);
     }
     if let (Some(before), Some(after)) = (&initial.gust, &updated.gust) {
-        table.row([
-            "gust: largest load factor".to_owned(),
-            format!("{:.2}", before.peak_load_factor),
-            format!("{:.2}", after.peak_load_factor),
-        ]);
-        table.row([
-            "    largest right root Mx (N m)".to_owned(),
-            format!("{:.1}", before.peak_right_root_mx_nm),
-            format!("{:.1}", after.peak_right_root_mx_nm),
-        ]);
+        row("gust: largest load factor".into(), before.peak_load_factor, after.peak_load_factor, 2);
+        let moments = [before, after].map(|flown| flown.peak_right_root_mx_nm);
+        row("    largest right root Mx (N m)".into(), moments[0], moments[1], 1);
     }
     table
 }

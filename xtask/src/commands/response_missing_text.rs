@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use report::Table;
+use report::{Column, Table};
 use response::missing::{Family, Missing, Named};
 use response::verdict::{Gap, VerdictKind};
 
@@ -64,21 +64,18 @@ fn indented(table: &str) -> String {
 }
 
 fn families(found: &Missing) -> String {
-    let head = ["family", "terms", "of the residual", "F", "p", "F beside others", "p"];
-    let mut table = Table::new(&head);
-    for family in found.families.iter().take(FAMILIES) {
-        let beside = family.beside_others;
-        table.row([
-            family.name.clone(),
-            family.members.len().to_string(),
-            format!("{:.1} %", 100.0 * family.share),
-            format!("{:.2}", family.alone.f),
-            probability(family.alone.p_value),
-            beside.map_or("-".into(), |test| format!("{:.2}", test.f)),
-            beside.map_or("-".into(), |test| probability(test.p_value)),
-        ]);
-    }
-    table.to_string()
+    let columns: [Column<'_, &Family>; 7] = [
+        ("family", &|family| family.name.clone()),
+        ("terms", &|family| family.members.len().to_string()),
+        ("of the residual", &|family| format!("{:.1} %", 100.0 * family.share)),
+        ("F", &|family| format!("{:.2}", family.alone.f)),
+        ("p", &|family| probability(family.alone.p_value)),
+        ("F beside others", &|family| {
+            family.beside_others.map_or("-".into(), |test| format!("{:.2}", test.f))
+        }),
+        ("p", &|family| family.beside_others.map_or("-".into(), |test| probability(test.p_value))),
+    ];
+    Table::of(found.families.iter().take(FAMILIES), &columns).to_string()
 }
 
 fn answer(asked: &Asked, found: &Missing) -> String {

@@ -3,8 +3,10 @@
 
 use std::fmt::Write as _;
 
-use report::Table;
-use response::{Analysis, Effects, FTest, Fault, Step, TableAnalysis, TableStudy};
+use report::{Column, Table};
+use response::{
+    Analysis, Coefficient, Effect, EffectTest, Effects, FTest, Fault, Step, TableAnalysis, TableStudy,
+};
 
 use super::response_figures::worth_a_look;
 use super::response_files::{aliases, change};
@@ -99,22 +101,18 @@ fn response(text: &mut String, study: &TableStudy, table: &TableAnalysis, analys
         }
     );
     let head = format!("{} % interval", 100.0 * study.level);
-    let mut terms = Table::new(&["term", "coefficient", "standard error", "t", "p", &head]);
-    for coefficient in &fitted.coefficients {
-        let of_value = coefficient.interval(study.level, fitted.degrees_of_freedom);
-        terms.row([
-            coefficient.term.to_string(),
-            number(coefficient.value),
-            number(coefficient.standard_error),
-            if coefficient.t.abs() < 1e6 {
-                format!("{:.2}", coefficient.t)
-            } else {
-                format!("{:.1e}", coefficient.t)
-            },
-            probability(coefficient.p_value),
-            interval(of_value.unwrap_or((f64::NAN, f64::NAN))),
-        ]);
-    }
+    let bounds =
+        |c: &Coefficient| c.interval(study.level, fitted.degrees_of_freedom).unwrap_or((f64::NAN, f64::NAN));
+    let t = |t: f64| if t.abs() < 1e6 { format!("{t:.2}") } else { format!("{t:.1e}") };
+    let columns: [Column<'_, &Coefficient>; 6] = [
+        ("term", &|c| c.term.to_string()),
+        ("coefficient", &|c| number(c.value)),
+        ("standard error", &|c| number(c.standard_error)),
+        ("t", &|c| t(c.t)),
+        ("p", &|c| probability(c.p_value)),
+        (&head, &|c| interval(bounds(c))),
+    ];
+    let terms = Table::of(&fitted.coefficients, &columns);
     let _ = write!(text, "{terms}");
     let shown = (choice.chosen + 1 + SIZES_BEYOND).min(choice.curve.len());
     let _ = write!(text, "{}", curve(&choice.curve[..shown], choice.chosen));
@@ -203,26 +201,22 @@ fn effect_table(text: &mut String, study: &TableStudy, effects: &Effects) {
         effects.block_degrees_of_freedom,
         f_or_none(effects)
     );
-    let found = "90 % found from";
-    let mut table =
-        Table::new(&["effect", "value", "standard error", "t", "p", "real", found, "not told from"]);
-    for effect in &effects.effects {
-        let test = effect.test.as_ref();
-        let of_test = |say: &dyn Fn(&response::EffectTest) -> String| test.map_or_else(|| "-".into(), say);
-        table.row([
-            effect.term.to_string(),
-            number(effect.value),
-            of_test(&|test| number(test.standard_error)),
-            of_test(&|test| format!("{:.2}", test.t)),
-            of_test(&|test| probability(test.p_value)),
-            of_test(&|test| if test.significant { "yes".into() } else { "no".into() }),
-            of_test(&|test| {
-                let smallest = effects.detectable(test, study.level, 0.9);
-                smallest.map_or_else(|_| "-".into(), number)
-            }),
-            aliases(effect).join(", "),
-        ]);
-    }
+    let of = |effect: &Effect, say: &dyn Fn(&EffectTest) -> String| {
+        effect.test.as_ref().map_or_else(|| "-".into(), say)
+    };
+    let detectable =
+        |test: &EffectTest| effects.detectable(test, study.level, 0.9).map_or_else(|_| "-".into(), number);
+    let columns: [Column<'_, &Effect>; 8] = [
+        ("effect", &|effect| effect.term.to_string()),
+        ("value", &|effect| number(effect.value)),
+        ("standard error", &|effect| of(effect, &|test| number(test.standard_error))),
+        ("t", &|effect| of(effect, &|test| format!("{:.2}", test.t))),
+        ("p", &|effect| of(effect, &|test| probability(test.p_value))),
+        ("real", &|effect| of(effect, &|test| if test.significant { "yes".into() } else { "no".into() })),
+        ("90 % found from", &|effect| of(effect, &detectable)),
+        ("not told from", &|effect| aliases(effect).join(", ")),
+    ];
+    let table = Table::of(&effects.effects, &columns);
     let _ = write!(text, "{table}");
     if let Some(lenth) = worth_a_look(effects) {
         let _ = writeln!(
