@@ -9,8 +9,8 @@ use std::sync::OnceLock;
 
 use calibrate::Schedule;
 use coupling::WingFile;
-use serde_json::Value;
 use maneuver::motion::Shape;
+use serde_json::Value;
 use tunnel::{Truth, TunnelFile, campaign};
 
 fn data(name: &str) -> PathBuf {

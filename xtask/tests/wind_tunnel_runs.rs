@@ -7,8 +7,8 @@ use std::process::Command;
 use std::sync::OnceLock;
 
 use maneuver::Run;
-use serde_json::Value;
 use maneuver::motion::Shape;
+use serde_json::Value;
 use tunnel::{Truth, TunnelFile, campaign};
 
 const START_S: f64 = 0.5;

@@ -79,7 +79,7 @@ fn doublets(aircraft: &Lattice, args: &BenchArgs) -> Result<Value, Failure> {
     let ours = median(|| bench_dlm::eight_frequencies(aircraft))?;
     let mut row = row(&format!("dlm_{}_boxes_8_frequencies", aircraft.len()), ours);
     row["peak_MB"] = json!(peak_mb());
-    if let Some(peer) = bench_dlm::panelaero(aircraft, args)? {
+    if let Some(peer) = bench_dlm::panelaero(aircraft, &args.peer_python)? {
         let seconds = peer["seconds"].as_f64().unwrap_or_default();
         row["peer"] = json!("PanelAero");
         row["peer_seconds"] = json!(seconds);

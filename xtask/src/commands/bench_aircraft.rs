@@ -29,7 +29,9 @@ pub(crate) fn rows() -> Result<Vec<Value>, Failure> {
     let trim = model.trim("trim", &aircraft.file.trim)?;
     let chirp = &aircraft.file.chirp;
     let flown = median(|| {
-        std::hint::black_box(FreeFlight::new(&model, &air, &trim, chirp.control().unwrap_or_default())?.fly_motion(chirp));
+        std::hint::black_box(
+            FreeFlight::new(&model, &air, &trim, chirp.control().unwrap_or_default())?.fly_motion(chirp),
+        );
         Ok(())
     })?;
     let gust = Gust { velocity_m_s: 3.0, length_m: 5.6, start_s: 0.2 };

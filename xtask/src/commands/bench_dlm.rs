@@ -3,11 +3,11 @@
 use aero::{DlmSettings, DoubletLattice, Lattice, MirrorPlane};
 use faer::{Mat, c64};
 
-use crate::commands::bench::BenchArgs;
 use crate::failure::Failure;
 use crate::paths;
 use serde_json::Value;
 use std::fmt::Write as _;
+use std::path::Path;
 use std::process::Command;
 
 /// omega `c_ref`/(2 V), with `c_ref` = 0.225 m.
@@ -48,7 +48,7 @@ pub(crate) fn eight_frequencies(lattice: &Lattice) -> Result<(), Failure> {
 }
 
 /// PanelAero's time and memory on the same boxes and frequencies, as its script prints them; none where it is absent.
-pub(crate) fn panelaero(lattice: &Lattice, args: &BenchArgs) -> Result<Option<Value>, Failure> {
+pub(crate) fn panelaero(lattice: &Lattice, python: &Path) -> Result<Option<Value>, Failure> {
     let mut corners = String::new();
     for panel in &lattice.boxes {
         let numbers: Vec<String> =
@@ -57,7 +57,7 @@ pub(crate) fn panelaero(lattice: &Lattice, args: &BenchArgs) -> Result<Option<Va
     }
     let file = std::env::temp_dir().join(format!("wingroot_boxes_{}.csv", std::process::id()));
     std::fs::write(&file, corners).map_err(Failure::computation)?;
-    let mut command = Command::new(&args.peer_python);
+    let mut command = Command::new(python);
     command.arg(paths::in_repository("tests/peers/time_panelaero.py")).arg(&file).arg(MACH.to_string());
     command.args(REDUCED_FREQUENCIES.map(|k| (k / HALF_CHORD_M).to_string()));
     let output = command.output();

@@ -1,6 +1,5 @@
 //! `fullaircraft`: trim, pull-up, push-down, chirp and doublet of the full aircraft, initial beside updated model.
 
-use clap::Args;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -9,39 +8,11 @@ use fullaircraft::{Aircraft, AircraftError, Comparison, Summary};
 use crate::args::Common;
 use crate::commands::fullaircraft_derivatives as derivatives;
 use crate::commands::fullaircraft_figures as figures;
-use crate::commands::fullaircraft_prepared::{Prepared, prepared};
+use crate::commands::fullaircraft_prepared::{FullaircraftArgs, Prepared, prepared};
 use crate::commands::{fullaircraft_cases, fullaircraft_deck};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
-
-/// Options of `fullaircraft`.
-#[derive(Debug, Clone, Default, Args)]
-#[command(after_help = "Examples:
-  cargo xtask fullaircraft
-  cargo xtask fullaircraft --cases data/tuflex/cases.ron
-  cargo xtask fullaircraft --deck data/published/decks/ha144a_fsw.bdf
-
-With --cases: every maneuver of the file at every airspeed, with both models, and the load envelope (cases.csv,
-envelope.csv, envelope.svg, result.json in out/fullaircraft_cases). Finished cases are kept beside that folder until all are
-done: a run that was stopped goes on where it was when it is started again with the same inputs.")]
-pub(crate) struct FullaircraftArgs {
-    /// The aircraft [default: data/tuflex/aircraft.ron]
-    #[arg(long, value_name = "FILE")]
-    pub(crate) aircraft: Option<PathBuf>,
-    /// Corrections from `calibrate` [default: out/calibrate's if of the same wing, else calibrated first]
-    #[arg(long, value_name = "FILE")]
-    pub(crate) corrections: Option<PathBuf>,
-    /// The wing [default: data/tuflex/wing.ron]
-    #[arg(long, value_name = "FILE")]
-    pub(crate) wing: Option<PathBuf>,
-    /// A grid of airspeeds, load factors and maneuvers (data/tuflex/cases.ron explains every field)
-    #[arg(long, value_name = "FILE.ron")]
-    pub(crate) cases: Option<PathBuf>,
-    /// The trims of a whole-aircraft Nastran deck (SOL 144) instead of the aircraft
-    #[arg(long, value_name = "FILE.bdf", conflicts_with_all = ["cases", "aircraft", "wing", "corrections"])]
-    pub(crate) deck: Option<PathBuf>,
-}
 
 impl From<AircraftError> for Failure {
     fn from(error: AircraftError) -> Self {

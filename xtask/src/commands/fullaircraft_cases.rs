@@ -13,10 +13,9 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::args::Common;
-use crate::commands::fullaircraft::FullaircraftArgs;
 use crate::commands::fullaircraft_cases_figures as figures;
 use crate::commands::fullaircraft_cases_store::Store;
-use crate::commands::fullaircraft_prepared::{Prepared, prepared};
+use crate::commands::fullaircraft_prepared::{FullaircraftArgs, Prepared, prepared};
 use crate::failure::Failure;
 use crate::output::{ResultFolder, check_replaceable};
 use crate::{progress, show};

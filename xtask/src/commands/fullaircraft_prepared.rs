@@ -1,17 +1,45 @@
-//! The aircraft of `fullaircraft` with the corrections and effects of its wing.
+//! The options of `fullaircraft`, and its aircraft with the corrections and effects of its wing.
 
 use std::path::PathBuf;
 
 use aero::Corrections;
+use clap::Args;
 use fullaircraft::{Aircraft, AircraftFile};
 use nastran::InputError;
 
 use crate::args::{Common, Given};
-use crate::commands::fullaircraft::FullaircraftArgs;
 use crate::commands::fullaircraft_effects;
 use crate::corrections::corrected_wing;
 use crate::failure::Failure;
 use crate::paths;
+
+/// Options of `fullaircraft`.
+#[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  cargo xtask fullaircraft
+  cargo xtask fullaircraft --cases data/tuflex/cases.ron
+  cargo xtask fullaircraft --deck data/published/decks/ha144a_fsw.bdf
+
+With --cases: every maneuver of the file at every airspeed, with both models, and the load envelope (cases.csv,
+envelope.csv, envelope.svg, result.json in out/fullaircraft_cases). Finished cases are kept beside that folder until all are
+done: a run that was stopped goes on where it was when it is started again with the same inputs.")]
+pub(crate) struct FullaircraftArgs {
+    /// The aircraft [default: data/tuflex/aircraft.ron]
+    #[arg(long, value_name = "FILE")]
+    pub(crate) aircraft: Option<PathBuf>,
+    /// Corrections from `calibrate` [default: out/calibrate's if of the same wing, else calibrated first]
+    #[arg(long, value_name = "FILE")]
+    pub(crate) corrections: Option<PathBuf>,
+    /// The wing [default: data/tuflex/wing.ron]
+    #[arg(long, value_name = "FILE")]
+    pub(crate) wing: Option<PathBuf>,
+    /// A grid of airspeeds, load factors and maneuvers (data/tuflex/cases.ron explains every field)
+    #[arg(long, value_name = "FILE.ron")]
+    pub(crate) cases: Option<PathBuf>,
+    /// The trims of a whole-aircraft Nastran deck (SOL 144) instead of the aircraft
+    #[arg(long, value_name = "FILE.bdf", conflicts_with_all = ["cases", "aircraft", "wing", "corrections"])]
+    pub(crate) deck: Option<PathBuf>,
+}
 
 /// An aircraft and the corrections it flies with.
 pub(crate) struct Prepared {

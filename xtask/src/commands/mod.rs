@@ -42,7 +42,7 @@ commands! {
     /// The blind benchmark of `discover`: effects hidden in campaigns of a wing with another discretisation
     hidden: Hidden(hidden::HiddenArgs),
     /// Trim, pull-up, push-down, chirp and doublet of the full aircraft, initial beside updated model
-    fullaircraft: Fullaircraft(fullaircraft::FullaircraftArgs),
+    fullaircraft: Fullaircraft(fullaircraft_prepared::FullaircraftArgs),
     /// Calibrate, simulate and fullaircraft, one after the other
     pipeline: Pipeline(pipeline::PipelineArgs),
     /// The virtual wind tunnel: writes a campaign folder

@@ -44,7 +44,7 @@ const COUNT: usize = 10;
 /// Runs the command.
 pub(crate) fn run(args: &ModesArgs, common: &Common) -> Result<(), Failure> {
     if let Some(measured) = &args.measured {
-        return modes_update::run(args, measured, common);
+        return modes_update::run(args.wing.as_deref(), args.deck.as_deref(), measured, common);
     }
     let start = Instant::now();
     let structure = Structure::read(args.wing.as_deref(), args.deck.as_deref())?;

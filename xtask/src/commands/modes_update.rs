@@ -9,7 +9,6 @@ use serde_json::{Value, json};
 use structure::update::{Fit, MeasuredFile, Prediction, Quantity, Settings, State, UpdateError, fit};
 
 use crate::args::Common;
-use crate::commands::modes::ModesArgs;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
@@ -20,9 +19,14 @@ use crate::structures::Structure;
 const MISFIT: f64 = 3.0;
 
 /// Runs the comparison and the fit.
-pub(super) fn run(args: &ModesArgs, measured: &Path, common: &Common) -> Result<(), Failure> {
+pub(super) fn run(
+    wing: Option<&Path>,
+    deck: Option<&Path>,
+    measured: &Path,
+    common: &Common,
+) -> Result<(), Failure> {
     let start = Instant::now();
-    let structure = Structure::read(args.wing.as_deref(), args.deck.as_deref())?;
+    let structure = Structure::read(wing, deck)?;
     let file = MeasuredFile::read(measured)?;
     let measurements = file.measurements(&structure.system)?;
     let parameters = file.parameters(&structure.bulk, &structure.model)?;

@@ -8,7 +8,7 @@ use std::time::Instant;
 use serde_json::{Map, Value, json};
 
 use crate::args::{Common, Given};
-use crate::commands::fullaircraft::FullaircraftArgs;
+use crate::commands::fullaircraft_prepared::FullaircraftArgs;
 use crate::commands::discover::DiscoverArgs;
 use crate::commands::deflection::DeflectionArgs;
 use crate::commands::simulate::SimulateArgs;

@@ -22,7 +22,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("fullaircraft", &["nastran", "structure", "aero", "coupling", "maneuver"]),
     ("discover", &["nastran", "aero", "coupling", "calibrate", "maneuver", "response"]),
     ("tunnel", &["nastran", "structure", "aero", "coupling", "calibrate", "maneuver"]),
-    ("hidden", &["nastran", "structure", "aero", "coupling", "maneuver", "tunnel"]),
+    ("hidden", &["nastran", "structure", "aero", "coupling", "maneuver", "tunnel", "discover"]),
     (
         "validation",
         &["nastran", "structure", "aero", "coupling", "calibrate", "maneuver", "fullaircraft", "response"],
