@@ -215,7 +215,7 @@ fn fly(file: &Path, run: Run, models: &[Models], corrected: &CorrectedWing) -> R
     let updated = |deflection: &DeflectionAt| -> Result<Simulated, InputError> {
         let plain = simulate_commanded(&run, &model.updated, deflection, file)?;
         let Some(effects) = &model.effects else { return Ok(plain) };
-        simulate_effects::added(effects, plain, (&run, file), &model.updated, deflection)
+        simulate_effects::added(effects, plain, &run, file, &model.updated, deflection)
     };
     let moves = run.controls_rad.iter().any(|(_, values)| values.iter().any(|delta| *delta != 0.0));
     let as_commanded = (moves && deflection != none).then(|| updated(&none)).transpose()?;

@@ -74,7 +74,8 @@ impl WingEffects {
 pub(crate) fn added(
     effects: &Beside,
     plain: Simulated,
-    (run, file): (&Run, &Path),
+    run: &Run,
+    file: &Path,
     model: &RigModel,
     deflection: &DeflectionAt,
 ) -> Result<Simulated, InputError> {

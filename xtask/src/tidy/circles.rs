@@ -10,7 +10,69 @@ use super::parsed::Source;
 /// The most circles in the whole workspace.
 const MOST: usize = 10;
 /// Circles that may be, by their files, and why.
-const MAY: &[(&[&str], &str)] = &[];
+const MAY: &[(&[&str], &str)] = &[
+    (
+        &["crates/calibrate/src/blocks.rs", "crates/calibrate/src/statics.rs"],
+        "static data are means without the offsets of blocks, which are estimated from the same cells",
+    ),
+    (
+        &[
+            "crates/calibrate/src/calibration.rs",
+            "crates/calibrate/src/common.rs",
+            "crates/calibrate/src/left_out.rs",
+        ],
+        "a calibration holds one set for all airspeeds and what was left out, and both calibrate again",
+    ),
+    (
+        &[
+            "crates/coupling/src/planform/beam.rs",
+            "crates/coupling/src/planform/check.rs",
+            "crates/coupling/src/planform/mod.rs",
+            "crates/coupling/src/planform/panels.rs",
+            "crates/coupling/src/planform/point_mass.rs",
+            "crates/coupling/src/planform/shell/settings.rs",
+            "crates/coupling/src/planform/structure.rs",
+        ],
+        "the planform of a wing's file, whose parts are placed on it and checked against it",
+    ),
+    (
+        &[
+            "crates/coupling/src/planform/shell/laminates.rs",
+            "crates/coupling/src/planform/shell/mesh.rs",
+            "crates/coupling/src/planform/shell/mod.rs",
+        ],
+        "laminates are given by zones of the mesh, and the mesh is divided where laminates change",
+    ),
+    (
+        &["crates/discover/src/null_distribution.rs", "crates/discover/src/rank.rs"],
+        "candidates are ranked beside thresholds, and thresholds come from ranking candidates of null campaigns",
+    ),
+    (
+        &[
+            "crates/maneuver/src/assemble.rs",
+            "crates/maneuver/src/operators.rs",
+            "crates/maneuver/src/rig.rs",
+            "crates/maneuver/src/state_space.rs",
+        ],
+        "a rig is assembled from operators in the order of its own rows",
+    ),
+    (
+        &["crates/maneuver/src/maneuver_file.rs", "crates/maneuver/src/maneuver_file/check.rs"],
+        "a file and what is wrong with it",
+    ),
+    (
+        &["crates/structure/src/beam.rs", "crates/structure/src/beam_mass.rs"],
+        "stiffness and mass of one element",
+    ),
+    (
+        &["crates/structure/src/modes.rs", "crates/structure/src/sturm.rs"],
+        "the count of eigenvalues proves that no mode is missing, with the errors of modes",
+    ),
+    (
+        &["crates/tunnel/src/curvature.rs", "crates/tunnel/src/truth.rs"],
+        "the truth is curved, and the curvature is found with the truth without it",
+    ),
+];
 
 /// Complaints about circles that have no reason, and about reasons that have no circle.
 pub fn check(sources: &[Source]) -> Vec<Complaint> {

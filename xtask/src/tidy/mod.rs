@@ -35,29 +35,12 @@ pub fn check(root: &Path) -> Result<Vec<Complaint>, Failure> {
     let mut complaints = imports::check(&packages);
     complaints.extend(sources::check(root)?);
     let sources = parsed::sources(root)?;
-    let circles_not_yet = [
-        "crates/calibrate",
-        "crates/coupling",
-        "crates/fullaircraft",
-        "crates/maneuver",
-        "crates/structure",
-        "crates/tunnel",
-        "crates: ",
-    ];
-    let parameters_not_yet = [
-        "crates/calibrate",
-        "crates/fullaircraft",
-        "crates/maneuver",
-        "crates/nastran",
-        "crates/structure",
-        "tests",
-        "xtask/src/commands/simulate_effects.rs",
-    ];
+    let parameters_not_yet = ["crates/maneuver/", "crates/nastran/src/cards/panel.rs", "tests/"];
     let read = [
         (parameters::check(&sources), parameters_not_yet.as_slice()),
-        (effect_names::check(&sources, &effect_names::names()), &["crates/discover/", "crates/maneuver/"]),
+        (effect_names::check(&sources, &effect_names::names()), &[]),
         (decisions::check(&sources), &["crates/discover/"]),
-        (circles::check(&sources), &circles_not_yet),
+        (circles::check(&sources), &[]),
     ];
     // in these places a rule does not hold yet
     let holds = |complaint: &Complaint, not_yet: &[&str]| {
