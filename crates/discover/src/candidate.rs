@@ -3,6 +3,7 @@
 use crate::current_model::CurrentModel;
 use crate::rules::{NamingRules, SharedRules};
 use crate::setting::Setting;
+use crate::shared::LinearStep;
 use crate::trial::{Base, Point, Trial, difference};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
@@ -65,7 +66,7 @@ impl Screened {
         let columns: Vec<Vec<f64>> =
             (0..parameters.len()).map(|k| trial.secant(&parameters, k, &at_base)).collect();
         let secants = Mat::from_fn(current.problem.len(), columns.len(), |i, j| columns[j][i]);
-        let (step, gain) = linear_step(current, &secants, &base.residual, &base.sizes);
+        let LinearStep { step, gain, .. } = current.shared.step(&secants, &base.residual, &base.sizes);
         let start: Vec<f64> = base.sizes.iter().zip(step).map(|(a, b)| a + b).collect();
         let mut starts = vec![start.clone()];
         let gain = gain + current.chi2 - base.score;
@@ -96,7 +97,8 @@ impl Screened {
         };
         // a secant says nothing of the other side
         let led = |tried: &(f64, Point)| {
-            let (step, gain) = linear_step(current, &secant(tried), &current.residual, &[0.0]);
+            let LinearStep { step, gain, .. } =
+                current.shared.step(&secant(tried), &current.residual, &[0.0]);
             (step[0] * tried.0 > 0.0).then_some((step[0], gain))
         };
         let best = tried.iter().min_by(|a, b| a.1.score.total_cmp(&b.1.score));
@@ -152,8 +154,9 @@ impl Screened {
         }
         let mut damping = 0.0;
         for taken in 0..rules.most_steps {
-            let (step, _) = damped_step(current, &jacobian, &point, damping);
-            let sizes: Vec<f64> = point.sizes.iter().zip(&step).map(|(a, b)| a + b).collect();
+            let step = current.shared.step(&jacobian, &point.residual, &point.sizes).step;
+            let damped = step.iter().map(|s| s / (1.0 + damping));
+            let sizes: Vec<f64> = point.sizes.iter().zip(damped).map(|(a, b)| a + b).collect();
             let next = trial.point(&sizes);
             broyden(&mut jacobian, &point, &next);
             let gained = point.score - next.score;
@@ -228,40 +231,6 @@ impl Refit {
         };
         self.active.values.iter().zip(&parameters).all(is_within)
     }
-}
-
-/// The step that the linear model takes, and what chi square falls by.
-fn linear_step(
-    current: &CurrentModel<'_>,
-    jacobian: &Mat<f64>,
-    residual: &[f64],
-    sizes: &[f64],
-) -> (Vec<f64>, f64) {
-    let k = jacobian.ncols();
-    let stacked =
-        Mat::from_fn(residual.len(), k + 1, |i, j| if j < k { jacobian[(i, j)] } else { residual[i] });
-    let gram = current.shared.gram(stacked.as_ref());
-    let mut normal = gram.submatrix(0, 0, k, k).to_owned();
-    for j in 0..k {
-        normal[(j, j)] += 1.0;
-    }
-    let right = Mat::from_fn(k, 1, |j, _| gram[(j, k)] - sizes[j]);
-    let step = match normal.llt(Side::Lower) {
-        Ok(factor) => factor.solve(&right),
-        Err(_) => Mat::zeros(k, 1),
-    };
-    let gain = (0..k).map(|j| step[(j, 0)] * right[(j, 0)]).sum();
-    ((0..k).map(|j| step[(j, 0)]).collect(), gain)
-}
-
-fn damped_step(
-    current: &CurrentModel<'_>,
-    jacobian: &Mat<f64>,
-    point: &Point,
-    damping: f64,
-) -> (Vec<f64>, f64) {
-    let (step, gain) = linear_step(current, jacobian, &point.residual, &point.sizes);
-    (step.iter().map(|s| s / (1.0 + damping)).collect(), gain)
 }
 
 /// Makes the secants agree with a step that was flown.

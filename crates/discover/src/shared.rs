@@ -38,6 +38,26 @@ impl Shared {
         self.gram(Mat::from_fn(x.len(), 1, |i, _| x[i]).as_ref())[(0, 0)]
     }
 
+    /// The step that a linear model with unit normal amplitudes takes: `(I + J'J)⁻¹ (J'r - sizes)` in this inner product, from
+    /// sizes in units of the plausible.
+    pub fn step(&self, jacobian: &Mat<f64>, residual: &[f64], sizes: &[f64]) -> LinearStep {
+        let k = jacobian.ncols();
+        let stacked =
+            Mat::from_fn(residual.len(), k + 1, |i, j| if j < k { jacobian[(i, j)] } else { residual[i] });
+        let gram = self.gram(stacked.as_ref());
+        let mut normal = gram.submatrix(0, 0, k, k).to_owned();
+        for j in 0..k {
+            normal[(j, j)] += 1.0;
+        }
+        let right = Mat::from_fn(k, 1, |j, _| gram[(j, k)] - sizes[j]);
+        let step = match normal.llt(Side::Lower) {
+            Ok(factor) => factor.solve(&right),
+            Err(_) => Mat::zeros(k, 1),
+        };
+        let gain = (0..k).map(|j| step[(j, 0)] * right[(j, 0)]).sum();
+        LinearStep { step: (0..k).map(|j| step[(j, 0)]).collect(), gain, square: gram[(k, k)] }
+    }
+
     /// `(I + G G')⁻¹ x`.
     pub fn weighted(&self, x: &[f64]) -> Vec<f64> {
         let column = Mat::from_fn(x.len(), 1, |i, _| x[i]);
@@ -50,6 +70,17 @@ impl Shared {
         }
         weighted
     }
+}
+
+/// A step of the linear model.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LinearStep {
+    /// Change of the sizes.
+    pub step: Vec<f64>,
+    /// What chi square and prior fall by.
+    pub gain: f64,
+    /// `r' (I + G G')⁻¹ r` of the residual.
+    pub square: f64,
 }
 
 /// `A' B`, on one thread, so that the result does not depend on their number.

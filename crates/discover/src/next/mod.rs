@@ -18,9 +18,9 @@ use crate::load_model::LoadModel;
 use crate::noise::Noise;
 use crate::problem::Problem;
 use crate::setting::Setting;
+use crate::shared::LinearStep;
 use calibrate::{Schedule, Use};
-use faer::linalg::solvers::Solve;
-use faer::{Mat, Side};
+use faer::Mat;
 use maneuver::effects::{Active, Flown};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -165,17 +165,7 @@ fn separation(
         change(&fly(&Active::new(Arc::clone(&rival.active.effect), &values)), &other)
     };
     let columns: Vec<Vec<f64>> = (0..rival.sigma.len()).map(moved).collect();
-    let k = columns.len();
-    let stacked = Mat::from_fn(apart.len(), k + 1, |i, j| if j < k { columns[j][i] } else { apart[i] });
-    let gram = current.shared.gram(stacked.as_ref());
-    let mut normal = gram.submatrix(0, 0, k, k).to_owned();
-    for j in 0..k {
-        normal[(j, j)] += 1.0;
-    }
-    let right = Mat::from_fn(k, 1, |j, _| gram[(j, k)]);
-    let given = normal.llt(Side::Lower).map_or(0.0, |factor| {
-        let step = factor.solve(&right);
-        (0..k).map(|j| step[(j, 0)] * right[(j, 0)]).sum()
-    });
-    0.5 * (gram[(k, k)] - given).max(0.0)
+    let jacobian = Mat::from_fn(apart.len(), columns.len(), |i, j| columns[j][i]);
+    let LinearStep { gain, square, .. } = current.shared.step(&jacobian, &apart, &vec![0.0; columns.len()]);
+    0.5 * (square - gain).max(0.0)
 }
