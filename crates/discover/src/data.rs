@@ -14,9 +14,6 @@ use nastran::{InputError, named_file};
 use std::path::Path;
 use std::sync::Arc;
 
-/// Sample rate that runs are brought to, Hz.
-pub(crate) const RATE_HZ: f64 = 100.0;
-
 /// See the module.
 #[derive(Debug, Clone)]
 pub struct Dataset {

@@ -64,32 +64,35 @@ pub(crate) fn records(data: &Dataset, simulated: &[Flown], sigma: &[ByLoad<f64>]
     statics
         .chain(runs)
         .enumerate()
-        .map(|(place, (name, stimulus, v_m_s, repeat_of, kept, present))| Record {
-            name,
-            steady: stimulus.steady,
-            v_m_s,
-            maneuver: Maneuver::of(stimulus, v_m_s),
-            alpha_rad: mean(&stimulus.inputs.alpha.value),
-            repeat_of,
-            time_step_s: stimulus.time_step_s,
-            sigma: sigma[place],
-            edges: edges(rules, stimulus, v_m_s),
-            channels: ByLoad::from_fn(|c| {
-                present.contains(&c).then(|| Pair {
-                    measured: kept.iter().map(|&i| of(place, c, i)).collect(),
-                    simulated: kept.iter().map(|&i| simulated[place].loads[c as usize][i]).collect(),
-                    visible: rules.visible_rms * rules.visible_rms,
-                })
-            }),
+        .map(|(place, (name, stimulus, v_m_s, repeat_of, kept, present))| {
+            let maneuver = Maneuver::of(&data.rules.locate, stimulus, v_m_s);
+            Record {
+                name,
+                steady: stimulus.steady,
+                v_m_s,
+                alpha_rad: mean(&stimulus.inputs.alpha.value),
+                repeat_of,
+                time_step_s: stimulus.time_step_s,
+                sigma: sigma[place],
+                edges: edges(rules, stimulus, &maneuver),
+                maneuver,
+                channels: ByLoad::from_fn(|c| {
+                    present.contains(&c).then(|| Pair {
+                        measured: kept.iter().map(|&i| of(place, c, i)).collect(),
+                        simulated: kept.iter().map(|&i| simulated[place].loads[c as usize][i]).collect(),
+                        visible: rules.visible_rms * rules.visible_rms,
+                    })
+                }),
+            }
         })
         .collect()
 }
 
 /// Samples around jumps of a control.
-fn edges(rules: &RecordRules, stimulus: &Stimulus, v_m_s: f64) -> Vec<bool> {
+fn edges(rules: &RecordRules, stimulus: &Stimulus, maneuver: &Maneuver) -> Vec<bool> {
     let samples = stimulus.inputs.alpha.value.len();
     let mut edges = vec![false; samples];
-    if stimulus.steady || Maneuver::of(stimulus, v_m_s).swept_control().is_some() {
+    if stimulus.steady || maneuver.swept_control().is_some() {
         return edges;
     }
     for delta in &stimulus.inputs.controls_rad {

@@ -1,11 +1,9 @@
 //! What kind of maneuver a stimulus is, read from the motion itself: names of files say nothing for certain.
 
+use crate::rules::LocateRules;
 use maneuver::effects::Stimulus;
 use maneuver::motion::{Recognised, Record, recognised};
 use std::fmt;
-
-/// A motion smaller than this is none, rad.
-const STILL_RAD: f64 = 2e-3;
 
 /// See the module.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,7 +33,7 @@ pub enum Maneuver {
 
 impl Maneuver {
     /// Of a stimulus at an airspeed (zero: still air).
-    pub fn of(stimulus: &Stimulus, v_m_s: f64) -> Self {
+    pub fn of(rules: &LocateRules, stimulus: &Stimulus, v_m_s: f64) -> Self {
         let wind = v_m_s > 0.0;
         if stimulus.steady {
             return Self::Static { wind };
@@ -43,7 +41,7 @@ impl Maneuver {
         let record = |values, is_angle| Record { values, time_step_s: stimulus.time_step_s, is_angle };
         let controls = &stimulus.inputs.controls_rad;
         let moving: Vec<usize> =
-            (0..controls.len()).filter(|&c| record(&controls[c], false).height() > STILL_RAD).collect();
+            (0..controls.len()).filter(|&c| record(&controls[c], false).height() > rules.still_rad).collect();
         let found = match moving[..] {
             [] => {
                 recognised(&record(&stimulus.inputs.alpha.value, true)).map(|kind| Self::Angle { wind, kind })
@@ -124,7 +122,8 @@ mod tests {
         let alpha = Smooth { value, rate: zero.clone(), second: zero.clone() };
         let controls_rad = vec![zero.clone(), t.iter().map(|t| delta(*t).to_radians()).collect()];
         let inputs = Inputs { alpha, incidence_rad: zero, controls_rad };
-        Maneuver::of(&Stimulus { inputs, time_step_s: 0.01, steady: false, clock_h: 0.0 }, 30.0)
+        let stimulus = Stimulus { inputs, time_step_s: 0.01, steady: false, clock_h: 0.0 };
+        Maneuver::of(&LocateRules::default(), &stimulus, 30.0)
     }
 
     #[test]

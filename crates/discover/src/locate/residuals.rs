@@ -118,7 +118,7 @@ fn of_run(data: &Dataset, i: usize, simulated: &Flown, error: &PureError<'_>) ->
     let rows = std::array::from_fn(|c| coefficients[c].iter().zip(&weight[c]).map(|(r, w)| r * w).collect());
     Unit {
         name: run.name.clone(),
-        maneuver: Maneuver::of(&run.stimulus, v_m_s),
+        maneuver: Maneuver::of(&data.rules.locate, &run.stimulus, v_m_s),
         v_m_s,
         place: i + data.statics.len(),
         repeat_of: run.repeat_of.map(|first| first + data.statics.len()),
@@ -146,7 +146,7 @@ fn group(data: &Dataset, i: usize, simulated: &Flown, error: &PureError<'_>) -> 
     });
     Unit {
         name: format!("static points at {v_m_s} m/s"),
-        maneuver: Maneuver::of(&group.stimulus, v_m_s),
+        maneuver: Maneuver::of(&data.rules.locate, &group.stimulus, v_m_s),
         v_m_s,
         place: i,
         repeat_of: None,

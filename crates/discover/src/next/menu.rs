@@ -1,19 +1,9 @@
 //! Experiments that may be asked for: what moves, and what they cost beside each other.
 
-use crate::data::RATE_HZ;
+use crate::rules::{ExperimentRules, Rules};
 use maneuver::Smooth;
 use maneuver::effects::{Inputs, Stimulus};
 use maneuver::motion::{Chirp, OneMinusCosine, Shape, Triangle};
-
-/// Angle at which runs begin, rad.
-const BASE_RAD: f64 = 0.02;
-/// Rest before a motion, s.
-const REST_S: f64 = 0.5;
-
-/// Static points of a sweep.
-const POINTS: u32 = 9;
-/// Rest after a motion, s.
-const AFTER_S: f64 = 1.0;
 
 /// One entry.
 #[derive(Debug, Clone)]
@@ -45,15 +35,15 @@ pub(crate) enum Planned {
 }
 
 /// One-minus-cosine of the angle.
-fn pitch(height: f64, frequency_hz: f64) -> Planned {
+fn pitch(rules: &ExperimentRules, height: f64, frequency_hz: f64) -> Planned {
     let shape = OneMinusCosine::new(height, frequency_hz, 0.0).into();
-    Planned::Motion { angle: BASE_RAD, of_surface: false, shape, after_s: AFTER_S }
+    Planned::Motion { angle: rules.base_rad, of_surface: false, shape, after_s: rules.after_s }
 }
 
 /// A surface swings with a rising frequency.
-fn chirp(height: f64, to_hz: f64) -> Planned {
+fn chirp(rules: &ExperimentRules, height: f64, to_hz: f64) -> Planned {
     let shape = Chirp { height, from_hz: 0.0, to_hz, duration_s: 15.0, start_s: 0.0 }.into();
-    Planned::Motion { angle: BASE_RAD, of_surface: true, shape, after_s: AFTER_S }
+    Planned::Motion { angle: rules.base_rad, of_surface: true, shape, after_s: rules.after_s }
 }
 
 /// The angle, or a surface to both sides, up and down so slowly that nothing rings on.
@@ -63,7 +53,9 @@ fn triangle(angle: f64, height: f64, of_surface: bool) -> Planned {
 }
 
 /// All entries.
-pub fn menu() -> Vec<Experiment> {
+pub fn menu(rules: &ExperimentRules) -> Vec<Experiment> {
+    let pitch = |height: f64, hz: f64| pitch(rules, height, hz);
+    let chirp = |height: f64, to_hz: f64| chirp(rules, height, to_hz);
     let wind_off = 0.0;
     vec![
         Experiment {
@@ -85,7 +77,7 @@ pub fn menu() -> Vec<Experiment> {
         Experiment {
             name: "a slow triangle of a control surface",
             cost: 1.0,
-            runs: vec![(0.75, triangle(BASE_RAD, 0.44, true))],
+            runs: vec![(0.75, triangle(rules.base_rad, 0.44, true))],
         },
         Experiment {
             name: "a chirp of a control surface to 12 Hz at small amplitude",
@@ -116,8 +108,8 @@ impl Planned {
     }
 
     /// As something that drives a wing; surfaces move where there are any.
-    pub(crate) fn stimulus(&self, controls: usize) -> Stimulus {
-        let (alpha, surface) = self.signals();
+    pub(crate) fn stimulus(&self, controls: usize, rules: &Rules) -> Stimulus {
+        let (alpha, surface) = self.signals(rules);
         let samples = alpha.value.len();
         let still = vec![0.0; samples];
         let moved = |k: usize| if k + 1 == controls { surface.clone() } else { still.clone() };
@@ -127,20 +119,21 @@ impl Planned {
                 controls_rad: (0..controls).map(moved).collect(),
                 alpha,
             },
-            time_step_s: 1.0 / RATE_HZ,
+            time_step_s: 1.0 / rules.data.rate_hz,
             steady: self.is_static(),
             clock_h: 0.0,
         }
     }
 
-    fn signals(&self) -> (Smooth, Vec<f64>) {
+    fn signals(&self, rules: &Rules) -> (Smooth, Vec<f64>) {
+        let (rate_hz, ExperimentRules { rest_s, points, .. }) = (rules.data.rate_hz, &rules.experiments);
         let (angle, of_surface, shape, after_s) = match self {
             Self::Motion { angle, of_surface, shape, after_s } => {
                 (*angle, *of_surface, shape.kind(), *after_s)
             }
             Self::Points(from, to) => {
-                let share = |i: u32| f64::from(i) / f64::from(POINTS - 1);
-                let value: Vec<f64> = (0..POINTS).map(|i| from + (to - from) * share(i)).collect();
+                let share = |i: u32| f64::from(i) / f64::from(points - 1);
+                let value: Vec<f64> = (0..*points).map(|i| from + (to - from) * share(i)).collect();
                 let still = vec![0.0; value.len()];
                 return (Smooth { value, rate: still.clone(), second: still.clone() }, still);
             }
@@ -150,9 +143,9 @@ impl Planned {
             clippy::cast_sign_loss,
             reason = "some seconds of samples"
         )]
-        let samples = ((REST_S + shape.length_s() + after_s) * RATE_HZ) as usize;
+        let samples = ((rest_s + shape.length_s() + after_s) * rate_hz) as usize;
         let of = |moves: bool, value: &dyn Fn(f64) -> f64| -> Vec<f64> {
-            let at = |i: usize| value(i as f64 / RATE_HZ - REST_S);
+            let at = |i: usize| value(i as f64 / rate_hz - rest_s);
             (0..samples).map(|i| if moves { at(i) } else { 0.0 }).collect()
         };
         let alpha = Smooth {

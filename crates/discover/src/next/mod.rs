@@ -78,7 +78,10 @@ pub fn advise(
             .collect();
         Ok(Advice { experiment: experiment.name.into(), cost: experiment.cost, log_bayes_factors })
     };
-    let mut all = menu().par_iter().map(of).collect::<Result<Vec<_>, DiscoverError>>()?;
+    let mut all = menu(&prepared.data.rules.experiments)
+        .par_iter()
+        .map(of)
+        .collect::<Result<Vec<_>, DiscoverError>>()?;
     let worth = |advice: &Advice| advice.least_log_bayes_factor() / advice.cost;
     all.sort_by(|a, b| worth(b).total_cmp(&worth(a)));
     Ok(all)
@@ -97,7 +100,7 @@ fn planned(prepared: &Prepared, experiment: &Experiment, most_m_s: f64) -> Datas
     };
     for (k, (share, motion)) in experiment.runs.iter().enumerate() {
         let airspeed = airspeeds_m_s.iter().position(|v| *v == share * most_m_s).unwrap_or(0);
-        let stimulus = motion.stimulus(controls);
+        let stimulus = motion.stimulus(controls, &prepared.data.rules);
         let samples = stimulus.inputs.alpha.value.len();
         if motion.is_static() {
             statics.push(StaticGroup {

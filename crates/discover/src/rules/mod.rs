@@ -16,7 +16,8 @@ pub use effects::{EffectRule, EffectRules, OffByVariants};
 pub use model::{SharedRules, ToleranceRules, VariantRules};
 pub use rule::{Origin, Rule};
 pub use search::{
-    ConsistencyRules, FitRules, LocateRules, NamingRules, NullRules, RankRules, RivalRules, VerdictRules,
+    ConsistencyRules, ExperimentRules, FitRules, LocateRules, NamingRules, NullRules, RankRules, RivalRules,
+    VerdictRules,
 };
 
 use serde::{Deserialize, Serialize};
@@ -80,6 +81,8 @@ themes! {
     nulls: NullRules, "What is found where nothing is missing";
     /// What is said in the end.
     verdict: VerdictRules, "What is said in the end";
+    /// Experiments of the menu.
+    experiments: ExperimentRules, "Experiments of the menu";
     /// Where the residual sits.
     locate: LocateRules, "Where the residual sits";
 }

@@ -159,8 +159,24 @@ rules! {
 }
 
 rules! {
+    /// Experiments of the menu.
+    ExperimentRules {
+        /// Angle of attack at which runs begin.
+        base_rad: f64 = 0.02, "rad", Unknown;
+        /// Rest before a motion.
+        rest_s: f64 = 0.5, "s", Unknown;
+        /// Rest after a motion.
+        after_s: f64 = 1.0, "s", Unknown;
+        /// Static points of a sweep.
+        points: u32 = 9, "points", Unknown;
+    }
+}
+
+rules! {
     /// Where the residual sits.
     LocateRules {
+        /// A surface that moves less than this rests.
+        still_rad: f64 = 2e-3, "rad", Physical("an encoder's noise, many times");
         /// Ends of the map's bands.
         bands_hz: [(f64, f64); 5] = [(0.0, 1.0), (1.0, 2.0), (2.0, 4.0), (4.0, 8.0), (8.0, 12.0)], "Hz", Formula("octaves up to `highest_hz`");
         /// A cell of the map without a gap is below its limit with this probability.
