@@ -5,16 +5,14 @@
 //! gravity and the y axis), and where elastic axis and centre of gravity lie on the chord. Elements have the
 //! stiffness of their middle; a grid carries the mass of the span half way to its neighbours.
 
+use super::cards::{self, SlenderSection};
 use super::distribution::{Distribution, Section};
 use super::panels::card_number;
 use super::{
     AXIS_SET, FIRST_AXIS_GRID, FIRST_MASS_GRID, FIRST_SENSOR_GRID, Mount, Planform, PointMass, ROOT_SET,
 };
 use nalgebra::{Point3, Vector3};
-use nastran::{
-    BeamElement, BeamProperty, BeamStation, BulkData, Conm2, Grid, InputError, Mat1, Orientation, Rbe2, Set1,
-    Span, Spc1,
-};
+use nastran::{BulkData, Conm2, InputError, Set1, Span, Spc1};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -86,37 +84,21 @@ impl Axis<'_> {
         self.planform.point(y_m, self.distribution.at(y_m).elastic_axis)
     }
 
-    fn add_grid(&self, bulk: &mut BulkData, id: u32, point: &Point3<f64>) {
-        bulk.grids
-            .insert(id, Grid { id, cp: 0, xyz: *point, cd: 0, ps: Vec::new(), span: self.span.clone() });
-    }
-
     /// Grids, CBEAM, PBEAM and MAT1. The orientation vector is z, so plane 1 is vertical and I1 bends in flap.
     fn add_beams(&self, bulk: &mut BulkData) {
         let span = &self.span;
         for (node, &y_m) in self.y_m.iter().enumerate() {
-            self.add_grid(bulk, Self::grid_id(node), &self.point(y_m));
+            cards::add_grid(bulk, Self::grid_id(node), &self.point(y_m), span);
         }
         for (element, ends) in self.y_m.windows(2).enumerate() {
             let id = FIRST_BEAM + card_number(element);
             let middle_m = 0.5 * (ends[0] + ends[1]);
-            let section = self.distribution.at(middle_m);
-            let beam = BeamElement {
-                id,
-                property: id,
-                grids: [Self::grid_id(element), Self::grid_id(element + 1)],
-                orientation: Orientation::Vector(Vector3::z()),
-                pins: [Vec::new(), Vec::new()],
-                offsets: [Vector3::zeros(); 2],
-                is_beam: true,
-                span: span.clone(),
-            };
-            bulk.beams.insert(id, beam);
-            bulk.beam_properties.insert(id, section.property(id, self.planform.chord_m(middle_m), span));
+            let section = self.distribution.at(middle_m).slender(self.planform.chord_m(middle_m));
+            let grids = [Self::grid_id(element), Self::grid_id(element + 1)];
+            cards::add_beam(bulk, id, id, grids, Vector3::z(), span);
+            cards::add_section(bulk, id, MATERIAL, section, span);
         }
-        let nu = E_PA / (2.0 * G_PA) - 1.0;
-        bulk.materials
-            .insert(MATERIAL, Mat1 { id: MATERIAL, e: E_PA, g: G_PA, nu, rho: 0.0, span: span.clone() });
+        cards::add_material(bulk, MATERIAL, E_PA, G_PA, span);
     }
 
     fn add_distributed_masses(&self, bulk: &mut BulkData, width_m: f64) {
@@ -158,13 +140,9 @@ impl Axis<'_> {
         let distance = |node: &usize| (self.y_m[*node] - item.y_m).abs();
         let nearest = (0..self.y_m.len()).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0);
         let span = &self.span;
-        self.add_grid(bulk, id, &self.planform.point(item.y_m, item.x_over_c));
-        let independent = Self::grid_id(nearest);
-        let components = vec![1, 2, 3, 4, 5, 6];
-        bulk.rigid.insert(id, Rbe2 { id, independent, components, dependent: vec![id], span: span.clone() });
-        let (offset, inertia) = (Vector3::zeros(), [0.0; 6]);
-        let mass = Conm2 { id, grid: id, cid: 0, mass: item.mass_kg, offset, inertia, span: span.clone() };
-        bulk.masses.insert(id, mass);
+        cards::add_grid(bulk, id, &self.planform.point(item.y_m, item.x_over_c), span);
+        cards::add_tie(bulk, id, Self::grid_id(nearest), vec![id], span);
+        cards::add_mass(bulk, id, id, item.mass_kg, span);
     }
 
     fn add_sets(&self, bulk: &mut BulkData, mount: Mount) {
@@ -182,27 +160,12 @@ impl Axis<'_> {
 impl Section {
     /// The axial stiffness is not in the table: taken as if the lag stiffness were spread evenly over the chord,
     /// EA = 12 EI/c^2 with the lag stiffness EI. It puts axial modes far above all others.
-    fn property(&self, id: u32, chord_m: f64, span: &Span) -> BeamProperty {
-        let station = |x_over_l: f64| BeamStation {
-            x_over_l,
+    fn slender(&self, chord_m: f64) -> SlenderSection {
+        SlenderSection {
             area: 12.0 * self.ei_lag_nm2 / chord_m.powi(2) / E_PA,
             i1: self.ei_flap_nm2 / E_PA,
             i2: self.ei_lag_nm2 / E_PA,
-            i12: 0.0,
             j: self.gj_nm2 / G_PA,
-            nsm: 0.0,
-        };
-        BeamProperty {
-            id,
-            material: MATERIAL,
-            stations: vec![station(0.0), station(1.0)],
-            // No shear flexibility: the distribution is that of a slender beam.
-            shear_factors: [0.0; 2],
-            nsi: [0.0; 2],
-            nsm_offset: [[0.0; 2]; 2],
-            neutral_axis: [[0.0; 2]; 2],
-            is_beam: true,
-            span: span.clone(),
         }
     }
 }

@@ -11,6 +11,7 @@
 //! `shell`.
 
 mod beam;
+pub mod cards;
 pub(crate) mod check;
 mod controls;
 mod distribution;

@@ -30,13 +30,4 @@ impl Aircraft {
         };
         Ok(Drive { name: name.to_owned(), parts })
     }
-
-    /// The drive of a pair that moves alike on both sides, trailing edges down positive: ailerons as flaps.
-    ///
-    /// # Errors
-    /// As [`Aircraft::control_pair`].
-    pub fn drive_alike(&self, name: &str) -> Result<Drive, InputError> {
-        let [right, left] = self.control_pair(name)?;
-        Ok(Drive { name: name.to_owned(), parts: vec![(right, 1.0), (left, 1.0)] })
-    }
 }

@@ -68,11 +68,6 @@ impl FreeModes {
         self.shapes[(dof, Self::FIRST_ELASTIC + mode)]
     }
 
-    /// Shapes of the elastic modes in the g-set.
-    pub fn elastic_shapes(&self) -> Mat<f64> {
-        self.shapes.as_ref().subcols(Self::FIRST_ELASTIC, self.elastic()).to_owned()
-    }
-
     /// What weighs box loads (rows by two columns a box): forces and moments about the centre of gravity along and about x,
     /// y, z, then the generalised forces of the elastic modes.
     pub fn generalised_rows(&self, aircraft: &Aircraft) -> Mat<f64> {

@@ -237,11 +237,6 @@ fn unit(
 }
 
 impl Aircraft {
-    /// Height of the right tip's accelerometer over the plane of the centre in trimmed flight, m.
-    pub fn sensor_deflection(&self, trimmed: &Trimmed) -> f64 {
-        self.static_height(trimmed, &self.right, self.right.sensor)
-    }
-
     /// Height of a node of a wing over the plane of the centre in trimmed flight, m: carried rigidly by the nearest
     /// node that boxes follow.
     fn static_height(&self, trimmed: &Trimmed, wing: &WingPlaces, node: usize) -> f64 {

@@ -8,7 +8,6 @@
 use crate::error::AircraftError;
 use crate::flight::air::FlightAir;
 use crate::flight::equations::Inputs;
-use crate::flight::gust::Gust;
 use crate::flight::history::FlightHistory;
 use crate::flight::model::FlyingAircraft;
 use crate::flight::state::{self, vector};
@@ -47,19 +46,6 @@ impl FreeFlight {
     ) -> Result<Self, AircraftError> {
         let drive = model.aircraft.drive(control)?;
         Ok(Self::of(FlyingAircraft::new(model, air, trimmed, vec![drive], None)?))
-    }
-
-    /// Small motions through a gust.
-    ///
-    /// # Errors
-    /// As [`FlyingAircraft::new`].
-    pub fn in_gust(
-        model: &FlightModel<'_>,
-        air: &FlightAir,
-        trimmed: &Trimmed,
-        gust: Gust,
-    ) -> Result<Self, AircraftError> {
-        Ok(Self::of(FlyingAircraft::new(model, air, trimmed, Vec::new(), Some(gust))?))
     }
 
     /// Linearises an aircraft's equations about its trim.

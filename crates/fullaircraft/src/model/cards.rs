@@ -2,10 +2,11 @@
 
 use crate::aircraft::file::AircraftFile;
 use crate::model::mirror::Image;
-use crate::model::{beam, fuselage, tail};
+use crate::model::{fuselage, tail};
 use aero::Lattice;
 use coupling::WingFile;
 use coupling::planform::Mount;
+use coupling::planform::cards::add_tie;
 use nalgebra::{Point3, Vector3};
 use nastran::{BulkData, Frames, InputError, Step};
 
@@ -82,12 +83,12 @@ pub fn build(file: &AircraftFile, wing: &WingFile) -> Result<Cards, InputError> 
     let centre = nearest(root.1.x);
     let tail_splines = [grid_ids(&htp, 0), grid_ids(&htp, step.cards), grid_ids(&vtp, 0)];
     let number = step.cards * TIES;
-    beam::tie(&mut bulk, number + 1, centre, vec![root.0, root.0 + step.cards], &span);
+    add_tie(&mut bulk, number + 1, centre, vec![root.0, root.0 + step.cards], &span);
     for (at, (part, dependent)) in (number + 2..)
         .zip([(&htp, vec![tail_splines[0][0], tail_splines[1][0]]), (&vtp, vec![tail_splines[2][0]])])
     {
         let x_m = part.grids.values().next().map_or(0.0, |grid| grid.xyz[0]);
-        beam::tie(&mut bulk, at, nearest(x_m), dependent, &span);
+        add_tie(&mut bulk, at, nearest(x_m), dependent, &span);
     }
     let closing = number + 9;
     Ok(Cards { bulk, right, left, image, step, centre, wing_spline, fuselage_spline, tail_splines, closing })

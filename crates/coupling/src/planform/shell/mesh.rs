@@ -4,9 +4,10 @@ use super::contour::{Contour, Side};
 use super::settings::ShellSolid;
 use super::{FIRST_MESH_GRID, Surface};
 use crate::planform::Planform;
+use crate::planform::cards::add_grid;
 use crate::planform::panels::card_number;
 use nalgebra::{Point3, Unit, Vector3};
-use nastran::{BulkData, Coord, CoordDefinition, Grid, InputError, Mat1, Psolid, SolidElement, Span};
+use nastran::{BulkData, Coord, CoordDefinition, InputError, Mat1, Psolid, SolidElement, Span};
 
 const FIRST_SOLID: u32 = 1_000_001;
 /// PSOLID and MAT1 of the core.
@@ -148,10 +149,6 @@ impl ShellSolid {
     pub(super) fn lies_on(&self, surface: Surface) -> bool {
         self.plies.iter().any(|ply| ply.on.contains(&surface))
     }
-}
-
-pub(super) fn add_grid(bulk: &mut BulkData, id: u32, point: &Point3<f64>, span: &Span) {
-    bulk.grids.insert(id, Grid { id, cp: 0, xyz: *point, cd: 0, ps: Vec::new(), span: span.clone() });
 }
 
 fn subdivided(edges: &[f64], parts: usize) -> Vec<f64> {

@@ -5,14 +5,15 @@
 //! axis' own grid, for the fuselage to hold. Every other grid of the elastic axis moves as the mean of its station's
 //! skin (RBE3), and so takes the boxes' loads to the skin.
 
-use super::mesh::{Mesh, add_grid};
+use super::mesh::Mesh;
 use super::{BALANCE_BUSH, BALANCE_GRID, ROOT_GRID};
+use crate::planform::cards::{add_grid, add_mass, add_tie};
 use crate::planform::panels::card_number;
 use crate::planform::{
     AXIS_SET, FIRST_AXIS_GRID, FIRST_MASS_GRID, FIRST_SENSOR_GRID, Mount, PointMass, ROOT_SET,
 };
 use nalgebra::{Point3, Vector3};
-use nastran::{BulkData, BushAxes, Cbush, Conm2, Pbush, Rbe2, Rbe3, Rbe3Group, Set1, Span, Spc1};
+use nastran::{BulkData, BushAxes, Cbush, Conm2, Pbush, Rbe3, Rbe3Group, Set1, Span, Spc1};
 
 /// Ties are numbered by the grid they hold.
 const TIES: u32 = 3_000_000;
@@ -71,9 +72,7 @@ impl Mesh<'_> {
                 (ROOT_GRID, BALANCE_GRID)
             }
         };
-        let id = TIES + independent;
-        let components = ALL.to_vec();
-        bulk.rigid.insert(id, Rbe2 { id, independent, components, dependent, span: span.clone() });
+        add_tie(bulk, TIES + independent, independent, dependent, span);
         bulk.sets.insert(ROOT_SET, Set1 { id: ROOT_SET, ids: vec![held], span: span.clone() });
     }
 
@@ -136,9 +135,7 @@ impl Mesh<'_> {
     fn add_point_mass(&self, bulk: &mut BulkData, id: u32, item: &PointMass, span: &Span) {
         add_grid(bulk, id, &self.inner_point(item.y_m, item.x_over_c), span);
         add_mean(bulk, id, self.around(item), span);
-        let (mass, offset, inertia) = (item.mass_kg, Vector3::zeros(), [0.0; 6]);
-        let card = Conm2 { id: MASSES + id, grid: id, cid: 0, mass, offset, inertia, span: span.clone() };
-        bulk.masses.insert(MASSES + id, card);
+        add_mass(bulk, MASSES + id, id, item.mass_kg, span);
     }
 
     /// Corners on both surfaces of the cell around a mass. The root rib's are left out: they follow the root.
