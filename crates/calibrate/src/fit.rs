@@ -250,13 +250,7 @@ impl<M: SteadyModel> Problem<'_, M> {
     }
 
     /// The longest of the steps 1, 1/2, 1/4 ... towards the goal that lowers the true objective.
-    fn step(
-        &self,
-        x: &[f64],
-        goal: &[f64],
-        weight: f64,
-        at: &Linearised,
-    ) -> Result<Step, CouplingError> {
+    fn step(&self, x: &[f64], goal: &[f64], weight: f64, at: &Linearised) -> Result<Step, CouplingError> {
         let merit = |x: &[f64], rmse: [f64; 4]| self.objective(rmse) + weight * self.change(x);
         let now = merit(x, at.rmse);
         let mut share = 1.0;

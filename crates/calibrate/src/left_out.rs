@@ -103,8 +103,7 @@ pub(crate) fn left_out_airspeed<M: SteadyModel>(
         // the slowest and the fastest airspeed lie outside of the others: the nearest set is what a user would take
         let (corrections, _) = schedule.at_or_nearest(v_m_s);
         let flow = Flow { v_m_s, rho_kg_m3 };
-        let mut residuals =
-            predicted(model, data.channels[TIP], flow, &airspeed.data.angles, &corrections)?;
+        let mut residuals = predicted(model, data.channels[TIP], flow, &airspeed.data.angles, &corrections)?;
         if data.tip == TipReading::FreeZero {
             let mean = mean_tip(&residuals);
             take_out(&mut residuals, mean);

@@ -61,7 +61,8 @@ fn model(wing: &coupling::ElasticWing, file: &coupling::WingFile, v_m_s: f64) ->
 fn measured(
     model: &RigModel,
     correction: &DeflectionAt,
-    (control, signal): (&str, &dyn Signal),
+    control: &str,
+    signal: &dyn Signal,
     noise: &mut Normal,
 ) -> Run {
     let commanded = sampled(signal, TIME_STEP_S, SAMPLES);
@@ -104,12 +105,8 @@ fn planted_corrections_come_back_within_three_standard_errors_and_two_percent() 
         let model = model(&wing, &file, v_m_s);
         for control in ["inner", "middle", "outer"] {
             for degrees in [5.0, 15.0, 25.0] {
-                let run = measured(
-                    &model,
-                    &correction.at(v_m_s).unwrap(),
-                    (control, &doublet(degrees)),
-                    &mut noise,
-                );
+                let run =
+                    measured(&model, &correction.at(v_m_s).unwrap(), control, &doublet(degrees), &mut noise);
                 fits.push(fit_doublet(&run, &model, Some(SIGMA), Path::new("run.csv")).unwrap());
             }
         }
@@ -145,7 +142,7 @@ fn standard_errors_are_as_large_as_the_scatter() {
     let (mut pulls, mut noise_pulls, mut blind_pulls) = (0.0, 0.0, 0.0);
     let runs = 60;
     for _ in 0..runs {
-        let run = measured(&model, &correction, ("inner", &doublet(5.0)), &mut noise);
+        let run = measured(&model, &correction, "inner", &doublet(5.0), &mut noise);
         let fit = fit_doublet(&run, &model, Some(SIGMA), Path::new("run.csv")).unwrap();
         let off = fit.factor - 0.99;
         pulls += (off / fit.standard_error).powi(2) / f64::from(runs);
@@ -174,7 +171,7 @@ fn repeats_are_pooled_and_their_error_shrinks() {
     let mut noise = Normal(3);
     let fits: Vec<DoubletFit> = (0..16)
         .map(|_| {
-            let run = measured(&model, &correction, ("outer", &doublet(15.0)), &mut noise);
+            let run = measured(&model, &correction, "outer", &doublet(15.0), &mut noise);
             fit_doublet(&run, &model, Some(SIGMA), Path::new("run.csv")).unwrap()
         })
         .collect();
@@ -192,17 +189,17 @@ fn only_doublets_of_one_surface_in_the_wind_are_taken() {
     let mut noise = Normal(1);
     let chirp = Chirp { height: 0.1, from_hz: 0.0, to_hz: 10.0, duration_s: 2.0, start_s: 0.5 };
     let none = DeflectionAt::default();
-    let swept = measured(&model, &none, ("inner", &chirp), &mut noise);
+    let swept = measured(&model, &none, "inner", &chirp, &mut noise);
     assert_eq!(doublet_of(&swept), None);
     assert!(
         fit_doublet(&swept, &model, None, Path::new("run.csv")).unwrap_err().message.contains("no doublet")
     );
-    let good = measured(&model, &none, ("middle", &doublet(15.0)), &mut noise);
+    let good = measured(&model, &none, "middle", &doublet(15.0), &mut noise);
     let found = doublet_of(&good).unwrap();
     assert_eq!(found.control, "middle");
     assert!((found.commanded_rad.to_degrees() - 15.0).abs() < 1e-12);
     // doublets that begin with the trailing edge up are doublets, too
-    assert!(doublet_of(&measured(&model, &none, ("middle", &doublet(-15.0)), &mut noise)).is_some());
+    assert!(doublet_of(&measured(&model, &none, "middle", &doublet(-15.0), &mut noise)).is_some());
     let mut two = good.clone();
     two.controls_rad.push(("outer".to_owned(), good.controls_rad[0].1.clone()));
     assert_eq!(doublet_of(&two), None);
@@ -220,7 +217,7 @@ fn only_doublets_of_one_surface_in_the_wind_are_taken() {
 fn a_factor_that_cannot_be_is_refused() {
     let (file, wing) = common::wing_with(|_| ());
     let model = model(&wing, &file, 30.0);
-    let mut run = measured(&model, &DeflectionAt::default(), ("inner", &doublet(15.0)), &mut Normal(1));
+    let mut run = measured(&model, &DeflectionAt::default(), "inner", &doublet(15.0), &mut Normal(1));
     // the column's sign is wrong
     run.controls_rad[0].1.iter_mut().for_each(|delta| *delta = -*delta);
     let fit = fit_doublet(&run, &model, Some(SIGMA), Path::new("run.csv")).unwrap();
@@ -234,7 +231,7 @@ fn neutral_corrections_of_loads_and_deflections_give_a_factor_of_one() {
     let rig = Rig::new(&wing, RigSettings::new(file.damping_ratio, file.pitch_axis_x())).unwrap();
     let neutral = Corrections::neutral(wing.correctable.len());
     let model = rig.at(Flow { v_m_s: 22.0, rho_kg_m3: 1.225 }, &neutral).unwrap();
-    let mut run = measured(&model, &DeflectionAt::default(), ("inner", &doublet(15.0)), &mut Normal(1));
+    let mut run = measured(&model, &DeflectionAt::default(), "inner", &doublet(15.0), &mut Normal(1));
     let clean = model.fly(&maneuver::motion_of(&run, &model, Path::new("run.csv")).unwrap());
     run.loads = Some(["Fz_N", "Mx_Nm", "My_Nm"].map(|name| clean.get(name).unwrap().to_vec()));
     let fit = fit_doublet(&run, &model, Some(SIGMA), Path::new("run.csv")).unwrap();

@@ -49,7 +49,8 @@ struct Forcing {
 fn without_modes(
     file: &WingFile,
     wing: &ElasticWing,
-    (flow, corrections): (Flow, &Corrections),
+    flow: Flow,
+    corrections: &Corrections,
     omega: f64,
     air: Air<'_>,
     forcing: &Forcing,
@@ -156,7 +157,7 @@ fn pitching_at_a_frequency_loads_the_root_as_the_whole_structure_without_modes_d
         for f_hz in [0.5, 2.0, 4.0, 9.0] {
             let omega = TAU * f_hz;
             let forcing = pitching(&file, &wing, flow, omega);
-            let exact = without_modes(&file, &wing, (flow, &padded), omega, &|w| at_once(&wing, w), &forcing);
+            let exact = without_modes(&file, &wing, flow, &padded, omega, &|w| at_once(&wing, w), &forcing);
             let by_all = apart(&all.frequency_response(omega), 0, &exact);
             assert!(by_all < 1e-6, "{v_m_s} m/s, {f_hz} Hz, all modes: {by_all:e}");
             let by_kept = apart(&kept.frequency_response(omega), 0, &exact);
@@ -187,7 +188,7 @@ fn with_the_doublet_lattice_as_its_air_the_rig_at_a_frequency_is_the_whole_struc
                 forcing = deflecting(&wing, flow, omega, motion - 1);
                 share = actuator(omega);
             }
-            let exact = without_modes(&file, &wing, (flow, &padded), omega, &air, &forcing);
+            let exact = without_modes(&file, &wing, flow, &padded, omega, &air, &forcing);
             let exact = Mat::from_fn(3, 1, |c, _| share * exact[(c, 0)]);
             let (by_all, by_kept) = (apart(&all, motion, &exact), apart(&kept, motion, &exact));
             assert!(by_all < 1e-6, "{v_m_s} m/s, {f_hz} Hz, motion {motion}, all modes: {by_all:e}");
@@ -209,7 +210,7 @@ fn a_swinging_aileron_loads_the_root_behind_its_actuator_as_the_structure_withou
         let omega = TAU * f_hz;
         for control in 0..wing.controls.len() {
             let forcing = deflecting(&wing, flow, omega, control);
-            let exact = without_modes(&file, &wing, (flow, &padded), omega, &|w| at_once(&wing, w), &forcing);
+            let exact = without_modes(&file, &wing, flow, &padded, omega, &|w| at_once(&wing, w), &forcing);
             let exact = Mat::from_fn(3, 1, |c, _| actuator(omega) * exact[(c, 0)]);
             let difference = apart(&model.frequency_response(omega), 1 + control, &exact);
             assert!(difference < 1e-6, "control {control} at {f_hz} Hz: {difference:e}");

@@ -9,9 +9,9 @@ pub use kind::{Column, Kind, Mover, Recognised, Record};
 pub use signal::{About, Signal, sampled};
 
 use read::{Beside, Name, Named};
+use serde::Deserialize;
 use serde::de::value::EnumAccessDeserializer;
 use serde::de::{Deserializer, EnumAccess, Error, VariantAccess, Visitor};
-use serde::Deserialize;
 use std::fmt;
 use std::marker::PhantomData;
 

@@ -7,6 +7,16 @@ use super::{BALANCE, Change, ReducedOrderModel};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, c64};
 
+/// What motions do at one frequency, column by column.
+struct ByMotion {
+    /// Forces of the air on modes and balance.
+    forces: Mat<c64>,
+    /// Height of the tip.
+    tip: Mat<c64>,
+    /// Lift of the zones, if it is asked for.
+    lift: Option<Mat<c64>>,
+}
+
 impl ReducedOrderModel {
     /// Outputs by drives at several frequencies (rad/s, zero included), one matrix each; `everything` adds lifts and heights
     /// of the zones, and what drives them.
@@ -22,11 +32,11 @@ impl ReducedOrderModel {
         let structure = Structural::new(self, change);
         let at = |(k, omega): (usize, &f64)| {
             let s = c64::new(0.0, *omega);
-            let mut z = self.at(&air, &air_values, k);
-            self.add_memory(&mut z, change, *omega);
+            let mut forces = self.at(&air, &air_values, k);
+            self.add_memory(&mut forces, change, *omega);
             let lift = lift.as_ref().zip(lift_values.as_ref()).map(|(l, values)| self.at(l, values, k));
-            let tip = self.at(&tip, &tip_values, k);
-            self.solve(s, &z, (&tip, lift.as_ref()), &structure, change)
+            let motion = ByMotion { forces, tip: self.at(&tip, &tip_values, k), lift };
+            self.solve(s, &motion, &structure, change)
         };
         omegas_rad_s.iter().enumerate().map(at).collect()
     }
@@ -124,8 +134,7 @@ impl ReducedOrderModel {
     fn solve(
         &self,
         s: c64,
-        z: &Mat<c64>,
-        (tip, lift): (&Mat<c64>, Option<&Mat<c64>>),
+        ByMotion { forces: z, tip, lift }: &ByMotion,
         structure: &Structural,
         change: &Change,
     ) -> Mat<c64> {

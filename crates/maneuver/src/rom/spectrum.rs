@@ -97,7 +97,7 @@ impl ResponseTable {
             })
             .collect();
         let columns: Vec<usize> = moving.iter().map(|(column, _)| *column).collect();
-        let mut outputs = self.answered(&columns, &spectra, (length, time_step_s));
+        let mut outputs = self.answered(&columns, &spectra, length, time_step_s);
         for both in &mut outputs {
             backward.process(both);
         }
@@ -120,7 +120,8 @@ impl ResponseTable {
         &self,
         columns: &[usize],
         spectra: &[Vec<c64>],
-        (length, time_step_s): (usize, f64),
+        length: usize,
+        time_step_s: f64,
     ) -> Vec<Vec<c64>> {
         let zero = c64::new(0.0, 0.0);
         let mut outputs = vec![vec![zero; length]; self.outputs().div_ceil(2)];
