@@ -119,36 +119,31 @@ impl Figure {
         Ok(Drawing::of_chart(grid.render()))
     }
 
-    /// Names of the series in the order of their first appearance.
-    pub(crate) fn names(&self) -> Vec<&str> {
-        let mut names: Vec<&str> = Vec::new();
+    /// The first series of each name.
+    fn named(&self) -> Vec<&Series> {
+        let mut first: Vec<&Series> = Vec::new();
         for series in self.panels.iter().flat_map(|panel| &panel.series) {
-            if !names.contains(&series.name.as_str()) {
-                names.push(&series.name);
+            if first.iter().all(|known| known.name != series.name) {
+                first.push(series);
             }
         }
-        names
+        first
+    }
+
+    /// Names of the series in the order of their first appearance.
+    pub(crate) fn names(&self) -> Vec<&str> {
+        self.named().into_iter().map(|series| series.name.as_str()).collect()
     }
 
     fn legend(&self, names: &[&str]) -> Vec<LegendEntry> {
-        let style = |name: &str| {
-            self.panels
-                .iter()
-                .flat_map(|p| &p.series)
-                .find(|s| s.name == name)
-                .map_or(Style::Line, |s| s.style)
+        let entry = |(series, colour): (&Series, &str)| LegendEntry {
+            // kuva measures text a little too narrow; the blanks keep long names inside the box.
+            label: format!("{}\u{a0}\u{a0}", plain(&series.name)),
+            color: colour.into(),
+            shape: if series.style == Style::Points { LegendShape::Circle } else { LegendShape::Line },
+            dasharray: (series.style == Style::DashedLine).then(|| "6 4".into()),
         };
-        names
-            .iter()
-            .zip(palette::of_names(names))
-            .map(|(name, colour)| LegendEntry {
-                // kuva measures text a little too narrow; the blanks keep long names inside the box.
-                label: format!("{}\u{a0}\u{a0}", plain(name)),
-                color: colour.into(),
-                shape: if style(name) == Style::Points { LegendShape::Circle } else { LegendShape::Line },
-                dasharray: (style(name) == Style::DashedLine).then(|| "6 4".into()),
-            })
-            .collect()
+        self.named().into_iter().zip(palette::of_names(names)).map(entry).collect()
     }
 }
 
@@ -174,15 +169,8 @@ impl Panel {
             }
             let colour = colours[names.iter().position(|n| *n == series.name).unwrap_or(0)];
             plots.push(match series.style {
-                Style::Line => {
-                    LinePlot::new().with_data(points).with_color(colour).with_stroke_width(1.8).into()
-                }
-                Style::DashedLine => LinePlot::new()
-                    .with_data(points)
-                    .with_color(colour)
-                    .with_stroke_width(1.6)
-                    .with_dashed()
-                    .into(),
+                Style::Line => line(points, colour, 1.8).into(),
+                Style::DashedLine => line(points, colour, 1.6).with_dashed().into(),
                 Style::Points => {
                     ScatterPlot::new().with_data(points).with_color(colour).with_size(3.5).into()
                 }
@@ -206,6 +194,10 @@ impl Panel {
             .with_body_size(12);
         if self.title.is_empty() { layout } else { layout.with_title(plain(&self.title)) }
     }
+}
+
+fn line(points: Vec<(f64, f64)>, colour: &str, width: f64) -> LinePlot {
+    LinePlot::new().with_data(points).with_color(colour).with_stroke_width(width)
 }
 
 /// Text in which kuva finds no mathematics to typeset.

@@ -58,23 +58,23 @@ pub fn diverging(place: f64) -> String {
     let signed = (place.clamp(0.0, 1.0) - 0.5) * 2.0;
     let end = if signed < 0.0 { BELOW } else { ABOVE };
     let weight = signed.abs();
-    let channel = |i: usize| (MIDDLE[i] + weight * (end[i] - MIDDLE[i])).round();
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 255")]
-    let byte = |i: usize| channel(i) as u8;
-    format!("#{:02x}{:02x}{:02x}", byte(0), byte(1), byte(2))
+    hex([0, 1, 2].map(|i| MIDDLE[i] + weight * (end[i] - MIDDLE[i])))
 }
 
 /// The colour `#rrggbb` mixed with white (`factor` > 0) or black (`factor` < 0); 0 changes nothing, 1 is white.
 pub(crate) fn shaded(colour: &str, factor: f64) -> String {
-    let channel = |at: usize| {
+    let towards = if factor > 0.0 { 255.0 } else { 0.0 };
+    hex([1, 3, 5].map(|at| {
         let byte = colour.get(at..at + 2).and_then(|hex| u8::from_str_radix(hex, 16).ok()).unwrap_or(128);
-        let towards = if factor > 0.0 { 255.0 } else { 0.0 };
-        let mixed = f64::from(byte) + factor.abs().min(1.0) * (towards - f64::from(byte));
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 255")]
-        let mixed = mixed.round() as u8;
-        mixed
-    };
-    format!("#{:02x}{:02x}{:02x}", channel(1), channel(3), channel(5))
+        f64::from(byte) + factor.abs().min(1.0) * (towards - f64::from(byte))
+    }))
+}
+
+/// `#rrggbb` of channels from 0 to 255.
+fn hex(channels: [f64; 3]) -> String {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 255")]
+    let [red, green, blue] = channels.map(|channel| channel.round() as u8);
+    format!("#{red:02x}{green:02x}{blue:02x}")
 }
 
 #[cfg(test)]

@@ -27,15 +27,16 @@ pub fn candidates(
     order: u32,
     blocking: Blocking,
 ) -> Result<Candidates, Fault> {
-    told_apart(data, &Term::up_to_order(factors, order), blocking)
+    estimable(data, &Term::up_to_order(factors, order), blocking)
 }
 
-/// Those of the given terms that these points tell apart, earlier ones first, and from offsets of blocks if those are fitted.
+/// Those of the given terms whose coefficients these points can estimate: each is told from the earlier ones, and from offsets
+/// of blocks if those are fitted.
 /// The constant is always among them.
 ///
 /// # Errors
 /// If a factor is not in the data, or the points do not carry the offsets of blocks.
-pub fn told_apart(data: &Data, terms: &[Term], blocking: Blocking) -> Result<Candidates, Fault> {
+pub fn estimable(data: &Data, terms: &[Term], blocking: Blocking) -> Result<Candidates, Fault> {
     let constant = Columns::of_model(data, &[Term::constant()], blocking)?;
     let mut kept = constant.orthogonalised()?;
     let mut names = constant.names;

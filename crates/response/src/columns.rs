@@ -45,16 +45,22 @@ impl Columns {
         Qr::new(&self.values, &self.names)
     }
 
-    /// The same and the offsets of blocks: for each but the last, 1 in it and -1 in the last.
-    pub(crate) fn with_blocks(mut self, blocks: &[Blocks]) -> Self {
-        for blocks in blocks {
-            let last = blocks.labels.len() - 1;
-            for (index, label) in blocks.labels[..last].iter().enumerate() {
-                let code = |of: &usize| f64::from(i8::from(*of == index) - i8::from(*of == last));
-                self.push(format!("{} {label}", blocks.name), blocks.of_point.iter().map(code).collect());
-            }
+    /// The same and the offsets of all blocks of block columns.
+    pub(crate) fn with_blocks(mut self, columns: &[Blocks]) -> Self {
+        for blocks in columns {
+            self.add_offsets(blocks, &(0..blocks.labels.len()).collect::<Vec<_>>());
         }
         self
+    }
+
+    /// Offsets of some blocks of a column, by numbers of their labels: for each but the last, 1 in it and -1 in the last.
+    pub(crate) fn add_offsets(&mut self, blocks: &Blocks, labels: &[usize]) {
+        let Some((last, others)) = labels.split_last() else { return };
+        for label in others {
+            let code = |of: &usize| f64::from(i8::from(of == label) - i8::from(of == last));
+            let values = blocks.of_point.iter().map(code).collect();
+            self.push(format!("{} {}", blocks.name, blocks.labels[*label]), values);
+        }
     }
 
     /// How many.

@@ -2,7 +2,7 @@
 //! block: its offset is then unknown, and its points are predicted at the mean of the other blocks.
 
 use crate::columns::Columns;
-use crate::data::{Blocking, Blocks, Data};
+use crate::data::{Blocking, Data};
 use crate::fault::Fault;
 use crate::qr::{Qr, residuals};
 use crate::term::Term;
@@ -38,7 +38,12 @@ pub fn cross_validation(
         let mut columns = of_terms.clone();
         if blocking != Blocking::Ignored {
             for blocks in data.blocks() {
-                add_offsets(&mut columns, blocks, |point| fold[point] != out);
+                // of the blocks with points that are fitted; others are at the mean of these
+                let has_points = |label: &usize| {
+                    blocks.of_point.iter().zip(fold).any(|(of, fold)| of == label && *fold != out)
+                };
+                let known: Vec<usize> = (0..blocks.labels.len()).filter(has_points).collect();
+                columns.add_offsets(blocks, &known);
             }
         }
         let left: Vec<Vec<f64>> = columns.values.iter().map(|column| pick(column, false)).collect();
@@ -47,17 +52,4 @@ pub fn cross_validation(
         sum += residuals(&held, &solution, &pick(y, true)).iter().map(|rest| rest * rest).sum::<f64>();
     }
     Ok(sum / y.len() as f64)
-}
-
-/// Offsets of the blocks with points that are used, summing to zero over these; other blocks are at the mean.
-fn add_offsets(columns: &mut Columns, blocks: &Blocks, used: impl Fn(usize) -> bool) {
-    let has_points =
-        |label: &usize| (0..blocks.of_point.len()).any(|i| blocks.of_point[i] == *label && used(i));
-    let known: Vec<usize> = (0..blocks.labels.len()).filter(has_points).collect();
-    let Some((last, others)) = known.split_last() else { return };
-    for label in others {
-        let code = |of: &usize| f64::from(i8::from(of == label) - i8::from(of == last));
-        columns.names.push(format!("{} {}", blocks.name, blocks.labels[*label]));
-        columns.values.push(blocks.of_point.iter().map(code).collect());
-    }
 }

@@ -181,10 +181,8 @@ impl Data {
             let of_factor = self.factor_values(factor)?;
             values.iter_mut().zip(of_factor).for_each(|(value, factor)| *value *= factor.powi(power));
         }
-        match values.iter().position(|value| !value.is_finite()) {
-            Some(at) => Err(Fault::NotFinite { name: term.to_string(), point: at + 1, value: values[at] }),
-            None => Ok(values),
-        }
+        check_finite(&term.to_string(), &values)?;
+        Ok(values)
     }
 
     /// The factors of one point, by name.
@@ -230,10 +228,7 @@ impl Data {
             let why = "letters, digits, `_` and `.` only, and a letter first";
             return Err(Fault::Name { name: name.to_string(), why });
         }
-        match values.iter().position(|value| !value.is_finite()) {
-            Some(at) => Err(Fault::NotFinite { name: name.to_string(), point: at + 1, value: values[at] }),
-            None => Ok(()),
-        }
+        check_finite(name, values)
     }
 
     fn check_name_and_length(&self, name: &str, found: usize) -> Result<(), Fault> {
@@ -246,6 +241,13 @@ impl Data {
             return Err(Fault::Length { name: name.to_string(), found, expected: self.points });
         }
         Ok(())
+    }
+}
+
+fn check_finite(name: &str, values: &[f64]) -> Result<(), Fault> {
+    match values.iter().position(|value| !value.is_finite()) {
+        Some(at) => Err(Fault::NotFinite { name: name.to_string(), point: at + 1, value: values[at] }),
+        None => Ok(()),
     }
 }
 

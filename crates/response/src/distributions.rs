@@ -17,6 +17,12 @@ pub(crate) fn t_quantile(level: f64, freedom: f64) -> Result<f64, Fault> {
     Ok(distribution.inverse_cdf(0.5 + 0.5 * level))
 }
 
+/// The interval about a value that holds the true one with a probability of `level`.
+pub(crate) fn t_interval(value: f64, sigma: f64, level: f64, freedom: f64) -> Result<(f64, f64), Fault> {
+    let half = t_quantile(level, freedom)? * sigma;
+    Ok((value - half, value + half))
+}
+
 /// Probability of a |t| this large or larger; 0 for an infinite one, 1 for 0/0.
 pub(crate) fn two_sided_t(t: f64, freedom: f64) -> f64 {
     if t.is_nan() {

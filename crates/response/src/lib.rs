@@ -26,7 +26,7 @@ mod total_sum;
 pub mod verdict;
 
 pub use analysis::{Analysis, analyse};
-pub use candidates::{Candidates, candidates, told_apart};
+pub use candidates::{Candidates, candidates, estimable};
 pub use choice::{Choice, Criteria, ErrorRule, Rules, Search, Step, choose};
 pub use cross_validation::cross_validation;
 pub use data::{Blocking, Blocks, Data};

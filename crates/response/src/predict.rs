@@ -4,7 +4,7 @@
 
 use serde::Serialize;
 
-use crate::distributions::t_quantile;
+use crate::distributions::{t_interval, t_quantile};
 use crate::fault::Fault;
 use crate::regression::Regression;
 
@@ -34,7 +34,7 @@ impl Prediction {
     /// # Errors
     /// If the level is not between 0 and 1.
     pub fn mean_interval(&self, level: f64) -> Result<(f64, f64), Fault> {
-        self.interval(level, self.standard_error)
+        t_interval(self.value, self.standard_error, level, self.degrees_of_freedom)
     }
 
     /// The interval that holds the next reading there with the given probability.
@@ -42,12 +42,8 @@ impl Prediction {
     /// # Errors
     /// If the level is not between 0 and 1.
     pub fn reading_interval(&self, level: f64) -> Result<(f64, f64), Fault> {
-        self.interval(level, self.standard_error.hypot(self.error_variance.sqrt()))
-    }
-
-    fn interval(&self, level: f64, sigma: f64) -> Result<(f64, f64), Fault> {
-        let half = t_quantile(level, self.degrees_of_freedom)? * sigma;
-        Ok((self.value - half, self.value + half))
+        let sigma = self.standard_error.hypot(self.error_variance.sqrt());
+        t_interval(self.value, sigma, level, self.degrees_of_freedom)
     }
 }
 

@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use crate::columns::Columns;
 use crate::data::{Blocking, Blocks, Data};
-use crate::distributions::{t_quantile, two_sided_t};
+use crate::distributions::{t_interval, two_sided_t};
 use crate::f_test::FTest;
 use crate::fault::Fault;
 use crate::qr::{Qr, dot, residuals, subtract};
@@ -34,8 +34,7 @@ impl Coefficient {
     /// # Errors
     /// If the level is not between 0 and 1.
     pub fn interval(&self, level: f64, degrees_of_freedom: f64) -> Result<(f64, f64), Fault> {
-        let half = t_quantile(level, degrees_of_freedom)? * self.standard_error;
-        Ok((self.value - half, self.value + half))
+        t_interval(self.value, self.standard_error, level, degrees_of_freedom)
     }
 }
 

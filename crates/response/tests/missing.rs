@@ -7,7 +7,7 @@ use std::path::Path;
 use response::mav::{Errors, Published, Series, draw};
 use response::missing::{Missing, Question, find_missing};
 use response::verdict::VerdictKind;
-use response::{Blocking, Blocks, Data, Term, told_apart};
+use response::{Blocking, Blocks, Data, Term, estimable};
 
 fn published() -> Published {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/mav/published");
@@ -64,7 +64,7 @@ impl Case<'_> {
     fn question(&self, published: &Published, data: &Data) -> Question {
         let given = equation(published, self.series, self.response);
         let names: Vec<Term> = given.into_iter().map(|(term, _)| term).collect();
-        let told = told_apart(data, &names, Blocking::Fixed).expect("terms").terms;
+        let told = estimable(data, &names, Blocking::Fixed).expect("terms").terms;
         let hidden = (!self.hidden.is_empty()).then(|| term(self.hidden));
         let model = told.into_iter().filter(|one| Some(one) != hidden.as_ref()).collect();
         let mut candidates = Term::up_to_order(self.factors, self.order);

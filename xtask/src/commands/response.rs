@@ -69,14 +69,8 @@ pub(crate) fn run(args: &ResponseArgs, common: &Common) -> Result<(), Failure> {
 fn wanted_points(args: &ResponseArgs, source: &Source) -> Result<Option<Points>, Failure> {
     let Some(path) = &args.at else { return Ok(None) };
     let points = Points::read(path)?;
-    let mut complaint = None;
-    for (study, _) in &source.tables {
-        match points.require(study) {
-            Ok(()) => return Ok(Some(points)),
-            Err(error) => complaint = Some(error),
-        }
-    }
-    complaint.map_or(Ok(None), |error| Err(error.into()))
+    let found = source.tables.iter().map(|(study, _)| points.require(study)).reduce(Result::or);
+    Ok(found.transpose()?.map(|()| points))
 }
 
 /// Name for the files of a table: that of its file, numbered if a file is analysed twice.

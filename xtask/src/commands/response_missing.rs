@@ -71,7 +71,7 @@ fn json(name: &str, pairs: &[(&Asked, &Missing)], seed: u64, seconds: f64) -> Va
         "command": "response", "name": name, "looked_for": "missing terms",
         "verdict": overall(pairs),
         "located": merged(&located),
-        "effects": merged(&|asked, found| effects(asked, found)),
+        "effects": merged(&|asked, found| named_and_closest(asked, found).0),
         "gap": { "training": gap(&|found| found.training), "holdout": gap(&|found| found.held_out) },
         "responses": pairs.iter().map(|(asked, found)| response(asked, found)).collect::<Vec<_>>(),
         "seed": seed, "seconds": seconds,
@@ -110,18 +110,14 @@ fn effect(asked: &Asked, named: &Named) -> Value {
     })
 }
 
-/// What was named; of an unknown nothing.
-fn effects(asked: &Asked, found: &Missing) -> Vec<Value> {
-    if found.verdict == VerdictKind::Unknown {
-        return Vec::new();
-    }
-    found.named.iter().map(|named| effect(asked, named)).collect()
+/// What was named, and of an unknown what only comes closest.
+fn named_and_closest(asked: &Asked, found: &Missing) -> (Vec<Value>, Vec<Value>) {
+    let all = found.named.iter().map(|named| effect(asked, named)).collect();
+    if found.verdict == VerdictKind::Unknown { (Vec::new(), all) } else { (all, Vec::new()) }
 }
 
 fn response(asked: &Asked, found: &Missing) -> Value {
-    let unknown = found.verdict == VerdictKind::Unknown;
-    let closest: Vec<Value> =
-        found.named.iter().filter(|_| unknown).map(|named| effect(asked, named)).collect();
+    let (effects, closest) = named_and_closest(asked, found);
     let candidate = |(name, factor): &(String, f64)| json!({ "name": name, "log_bayes_factor": factor, "threshold": found.threshold });
     let limits = found.detection_limits.iter().map(|one| (one.term.to_string(), json!(one.coefficient)));
     json!({
@@ -129,7 +125,7 @@ fn response(asked: &Asked, found: &Missing) -> Value {
         "model": asked.question.model,
         "model_blocks": asked.question.blocks, "model_from": asked.origin, "hidden": asked.hidden,
         "published_coefficient": asked.published, "model_terms_not_told_apart": asked.left_out,
-        "located": located(asked, found), "effects": effects(asked, found), "closest": closest,
+        "located": located(asked, found), "effects": effects, "closest": closest,
         "gap": { "training": found.training, "holdout": found.held_out },
         "success": found.closed(),
         "misfit": { "before": found.misfit[0], "after": found.misfit[1], "limit": found.misfit_limit },

@@ -6,7 +6,7 @@ use std::path::Path;
 use nastran::{InputError, Table};
 use response::mav::{Factor, Published, Series};
 use response::missing::Question;
-use response::{Blocking, Data, TableStudy, Term, told_apart};
+use response::{Blocking, Data, TableStudy, Term, estimable};
 
 use super::response_source::Source;
 use crate::args::ResponseArgs;
@@ -138,7 +138,7 @@ fn one(
     let here = |fault: response::Fault| Failure::from(fault.in_table(table));
     let names: Vec<Term> = model.terms.iter().map(|(term, _)| term.clone()).collect();
     let blocking = if model.blocks.is_empty() { Blocking::Ignored } else { Blocking::Fixed };
-    let told = told_apart(data, &names, blocking).map_err(here)?;
+    let told = estimable(data, &names, blocking).map_err(here)?;
     let (mut terms, mut hidden, mut published) = (told.terms, None, None);
     if let Some(text) = &args.hide {
         if model.blocks.contains(text) {

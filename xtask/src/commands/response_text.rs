@@ -5,7 +5,8 @@ use std::fmt::Write as _;
 
 use report::{Column, Table};
 use response::{
-    Analysis, Coefficient, Effect, EffectTest, Effects, FTest, Fault, Step, TableAnalysis, TableStudy,
+    Analysis, BlockShare, Coefficient, Effect, EffectTest, Effects, FTest, Fault, PureError, Regression,
+    Step, TableAnalysis, TableStudy,
 };
 
 use super::response_figures::worth_a_look;
@@ -151,44 +152,39 @@ fn or_reason<T>(result: &Result<T, Fault>, say: impl Fn(&T) -> String) -> String
 
 fn tests(study: &TableStudy, analysis: &Analysis) -> Vec<String> {
     let fitted = &analysis.choice.fitted;
-    let mut lines = Vec::new();
-    if fitted.residual_sum <= 1e-24 * fitted.total_sum {
-        lines.push(
-            "the surface goes through all points: errors and tests below are rounding only".to_string(),
-        );
-    }
-    lines.extend([
-        format!("all terms: {}", or_reason(&analysis.all_terms, f_test)),
-        format!(
-            "pure error of a reading: {}",
-            or_reason(&analysis.pure_error, |pure| format!(
-                "{} with {} degrees of freedom",
-                number(pure.variance().sqrt()),
-                pure.degrees_of_freedom
-            ))
+    let pure = |pure: &PureError| {
+        let sigma = number(pure.variance().sqrt());
+        format!("{sigma} with {} degrees of freedom", pure.degrees_of_freedom)
+    };
+    let share = |share: &BlockShare| {
+        format!("{:.0} % of the variance; {}", 100.0 * share.removed(), f_test(&share.test()))
+    };
+    let random = |fitted: &Regression| {
+        let (between, within) = (fitted.block_variance.sqrt(), fitted.error_variance.sqrt());
+        format!("{} between, {} within", number(between), number(within))
+    };
+    let rms = |mean_square: &f64| number(mean_square.sqrt());
+    let (share_of, random_blocks) = (&analysis.block_share, &analysis.random_blocks);
+    let lines = [
+        ("all terms", Some(or_reason(&analysis.all_terms, f_test))),
+        ("pure error of a reading", Some(or_reason(&analysis.pure_error, pure))),
+        ("lack of fit", Some(or_reason(&analysis.lack_of_fit, f_test))),
+        ("of the pure error blocks explain", share_of.as_ref().map(|known| or_reason(known, share))),
+        (
+            "standard deviations of random blocks",
+            random_blocks.as_ref().map(|known| or_reason(known, random)),
         ),
-        format!("lack of fit: {}", or_reason(&analysis.lack_of_fit, f_test)),
-    ]);
-    if let Some(share) = &analysis.block_share {
-        let say = |share: &response::BlockShare| {
-            format!("{:.0} % of the variance; {}", 100.0 * share.removed(), f_test(&share.test()))
-        };
-        lines.push(format!("of the pure error blocks explain: {}", or_reason(share, say)));
-    }
-    if let Some(random) = &analysis.random_blocks {
-        let say = |fitted: &response::Regression| {
-            let (between, within) = (fitted.block_variance.sqrt(), fitted.error_variance.sqrt());
-            format!("{} between, {} within", number(between), number(within))
-        };
-        lines.push(format!("standard deviations of random blocks: {}", or_reason(random, say)));
-    }
-    if let Some(left_out) = &analysis.left_out_blocks {
-        let say = |mean_square: &f64| number(mean_square.sqrt());
-        lines.push(format!("each block predicted from the others, rms: {}", or_reason(left_out, say)));
-    }
+        (
+            "each block predicted from the others, rms",
+            analysis.left_out_blocks.as_ref().map(|known| or_reason(known, rms)),
+        ),
+    ];
+    let through_all = fitted.residual_sum <= 1e-24 * fitted.total_sum;
+    let warning = "the surface goes through all points: errors and tests below are rounding only";
     let lsd = number(analysis.least_significant_difference);
-    lines.push(format!("least significant difference at {} %: {lsd}", 100.0 * study.level));
-    lines
+    let last = format!("least significant difference at {} %: {lsd}", 100.0 * study.level);
+    let said = lines.into_iter().filter_map(|(label, said)| Some(format!("{label}: {}", said?)));
+    through_all.then(|| warning.to_string()).into_iter().chain(said).chain([last]).collect()
 }
 
 fn effect_table(text: &mut String, study: &TableStudy, effects: &Effects) {
