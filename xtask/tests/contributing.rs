@@ -1,6 +1,7 @@
 //! The worked examples of CONTRIBUTING.md fit the sources: every list line finds its place, and with `RUN_SLOW_TESTS` a copy of the
 //! sources with all of them compiles and keeps the house rules.
 
+use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -41,10 +42,10 @@ fn with_line(text: &str, path: &str, anchor: &str, instead: bool, added: &str) -
     let mut out = String::new();
     for line in text.lines() {
         if line != anchor || !instead {
-            out += &format!("{line}\n");
+            let _ = writeln!(out, "{line}");
         }
         if line == anchor {
-            out += &format!("{added}\n");
+            let _ = writeln!(out, "{added}");
         }
     }
     out
@@ -99,7 +100,7 @@ fn every_worked_example_finds_its_place() {
     for step in &steps {
         match step {
             Step::NewFile { path, .. } => {
-                assert!(!repository().join(path).exists(), "{path} is there already")
+                assert!(!repository().join(path).exists(), "{path} is there already");
             }
             Step::Line { path, anchor, instead, text } => {
                 let before =

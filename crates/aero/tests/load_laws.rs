@@ -148,6 +148,7 @@ fn complex_pressures_load_as_their_real_and_imaginary_parts() {
 /// Loads are linear in each correction at given pressures: a step of any length gives the derivative.
 #[test]
 fn derivatives_are_differences_of_loads() {
+    type Family = fn(&mut Corrections) -> &mut Vec<f64>;
     let lattice = mixed();
     let (n, s, c) = (lattice.len(), Integration::new(&lattice), some(lattice.len()));
     let (rows, cp, boxes) = (matrix(4, 2 * n, 0.6), varied(n, 0.5, 0.0), [0, 5, 13, 20]);
@@ -156,7 +157,7 @@ fn derivatives_are_differences_of_loads() {
         let loads = s.corrected(c).box_loads(Q_PA, &cp).values;
         &rows * Mat::from_fn(2 * n, 1, |k, _| loads[k])
     };
-    let families: [(&Mat<f64>, fn(&mut Corrections) -> &mut Vec<f64>); 3] = [
+    let families: [(&Mat<f64>, Family); 3] = [
         (&by.by_force, |c| &mut c.force),
         (&by.by_moment, |c| &mut c.moment),
         (&by.by_offset, |c| &mut c.pressure_offset),

@@ -46,11 +46,8 @@ impl Noise {
         let band = |frequency_hz: f64| band(&rules.bands_hz, frequency_hz);
         let pairs = pairs(data);
         let scatter = static_scatter(data);
-        check_known(
-            data,
-            pairs.is_empty(),
-            ByLoad::from_fn(|load| scatter.within[load].max(scatter.between[load])),
-        )?;
+        let largest = ByLoad::from_fn(|load| scatter.within[load].max(scatter.between[load]));
+        check_known(data, pairs.is_empty(), largest)?;
         let mut sums = vec![[[(0.0, 0_usize); 5]; 3]; data.airspeeds_m_s.len()];
         let mut offsets = [(0.0, 0_usize); 3];
         for &(a, b) in &pairs {

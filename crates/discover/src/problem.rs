@@ -242,7 +242,7 @@ impl Kind {
 
     /// Directions by channel.
     fn tolerances(&self, simulated: &Flown, found: &[&Flown], bounds: &Bounds<'_>) -> Vec<Tolerance> {
-        let Bounds { offset, data, place } = *bounds;
+        let Bounds { offset, data, .. } = *bounds;
         let rules = &data.rules.tolerance;
         match self {
             Self::Run { time_step_s, samples, coefficients, channels, sigma, repeats } => channels
@@ -285,29 +285,38 @@ impl Kind {
                     Tolerance::new(place * coefficients..(place + 1) * coefficients, &columns)
                 })
                 .collect(),
-            Self::Static { rows, sigma } => (0..3)
-                .filter_map(|c| {
-                    let from = rows.iter().position(|row| row.0 == c)?;
-                    let own: Vec<usize> = rows.iter().filter(|row| row.0 == c).map(|row| row.1).collect();
-                    let (offset, sigma) = (offset[Load::ALL[c]], sigma[Load::ALL[c]]);
-                    let load = |i: usize| simulated.loads[c][i] / sigma;
-                    let mut columns: Vec<Vec<f64>> =
-                        vec![own.iter().map(|&i| rules.static_gain * load(i)).collect()];
-                    let group = &data.statics[place];
-                    for block in 0..=data.blocks.len() {
-                        let of = |i: usize| group.blocks[i].unwrap_or(data.blocks.len()) == block;
-                        if own.iter().any(|&i| of(i)) {
-                            let column = own.iter().map(|&i| if of(i) { offset / sigma } else { 0.0 });
-                            columns.push(column.collect());
-                        }
-                    }
-                    let form = |flown: &&Flown| {
-                        own.iter().map(|&i| rules.found_gain * flown.loads[c][i] / sigma).collect()
-                    };
-                    columns.extend(found.iter().map(form));
-                    Some(Tolerance::new(from..from + own.len(), &columns))
-                })
-                .collect(),
+            Self::Static { rows, sigma } => {
+                (0..3).filter_map(|c| static_tolerance(c, rows, sigma, simulated, found, bounds)).collect()
+            }
         }
     }
+}
+
+/// Directions of a channel of static points.
+fn static_tolerance(
+    c: usize,
+    rows: &[(usize, usize)],
+    sigma: &ByLoad<f64>,
+    simulated: &Flown,
+    found: &[&Flown],
+    bounds: &Bounds<'_>,
+) -> Option<Tolerance> {
+    let Bounds { offset, data, place } = *bounds;
+    let rules = &data.rules.tolerance;
+    let from = rows.iter().position(|row| row.0 == c)?;
+    let own: Vec<usize> = rows.iter().filter(|row| row.0 == c).map(|row| row.1).collect();
+    let (offset, sigma) = (offset[Load::ALL[c]], sigma[Load::ALL[c]]);
+    let load = |i: usize| simulated.loads[c][i] / sigma;
+    let mut columns: Vec<Vec<f64>> = vec![own.iter().map(|&i| rules.static_gain * load(i)).collect()];
+    let group = &data.statics[place];
+    for block in 0..=data.blocks.len() {
+        let of = |i: usize| group.blocks[i].unwrap_or(data.blocks.len()) == block;
+        if own.iter().any(|&i| of(i)) {
+            let column = own.iter().map(|&i| if of(i) { offset / sigma } else { 0.0 });
+            columns.push(column.collect());
+        }
+    }
+    let form = |flown: &&Flown| own.iter().map(|&i| rules.found_gain * flown.loads[c][i] / sigma).collect();
+    columns.extend(found.iter().map(form));
+    Some(Tolerance::new(from..from + own.len(), &columns))
 }

@@ -123,6 +123,7 @@ impl SoFar<'_, '_> {
             return false;
         }
         self.first_evidence.get_or_insert(best.evidence);
+        let considered = |w: &&Ranked| w.evidence > naming.considered * best.evidence;
         self.outcome.trace.push(format!(
             "{} named at a log Bayes factor of {:.0}, {needed:.0} needed",
             best.name(),
@@ -140,11 +141,7 @@ impl SoFar<'_, '_> {
             },
             rivals: confused_with.iter().filter_map(|name| fitted(&ranked, name)).collect(),
             confused_with,
-            considered: ranked
-                .iter()
-                .filter(|w| w.evidence > naming.considered * best.evidence)
-                .map(Ranked::name)
-                .collect(),
+            considered: ranked.iter().filter(considered).map(Ranked::name).collect(),
             shares: Vec::new(),
         });
         let effects = others(&self.outcome.found, &[]);

@@ -124,6 +124,10 @@ impl BulkData {
     }
 
     /// Gives masses and rigid elements numbers that no other element has, where they share one.
+    ///
+    /// # Panics
+    /// Never: the new numbers are those that no card has.
+    #[must_use]
     pub fn with_distinct_elements(mut self) -> Self {
         let mut taken = self.numbers_of(&[Family::Element]);
         let ties = [Family::MassElement, Family::RigidElement];

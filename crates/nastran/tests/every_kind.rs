@@ -149,7 +149,7 @@ fn fields(deck: &BulkData) -> BTreeMap<String, String> {
     for line in content(deck).lines() {
         let head = line.strip_prefix("    ").filter(|rest| !rest.starts_with([' ', '}', ']', ')']));
         if let Some((field, _)) = head.and_then(|rest| rest.split_once(':')) {
-            name = field.to_owned();
+            field.clone_into(&mut name);
         }
         fields.entry(name.clone()).or_default().push_str(line);
     }

@@ -58,6 +58,9 @@ impl Visitor for Cells<'_> {
 
 /// All elements with an extent: lines (beams, rods, bushes, springs), shells, solids, then the arms of rigid elements;
 /// each kind in ascending number. Nodes that the structure does not have are skipped with their cell.
+///
+/// # Panics
+/// Never: gathering cells does not fail.
 pub fn cells(bulk: &BulkData, system: &System) -> Vec<MeshCell> {
     let mut cells = Cells { system, elements: Vec::new(), arms: Vec::new() };
     registry::visit(bulk, &mut cells).expect("gathering cells does not fail");

@@ -14,7 +14,11 @@ pub fn count(root: &Path) -> Result<BTreeMap<String, usize>, Failure> {
     let mut counts = BTreeMap::new();
     for path in ["crates", "xtask"].iter().flat_map(|folder| files_below(&root.join(folder))) {
         let name = named(root, &path);
-        let Some((package, _)) = name.split_once("/src/").filter(|_| name.ends_with(".rs")) else { continue };
+        let Some((package, _)) =
+            name.split_once("/src/").filter(|_| path.extension().is_some_and(|e| e == "rs"))
+        else {
+            continue;
+        };
         let package = package.trim_start_matches("crates/").to_owned();
         *counts.entry(package).or_default() += lines_of_code(&nastran::read_text(&path)?);
     }

@@ -124,7 +124,7 @@ impl Module {
         match tree {
             syn::UseTree::Path(path) => self.import(&path.tree, &with(&path.ident), public),
             syn::UseTree::Group(group) => {
-                group.items.iter().for_each(|tree| self.import(tree, before, public))
+                group.items.iter().for_each(|tree| self.import(tree, before, public));
             }
             syn::UseTree::Name(name) if name.ident == "self" => {
                 self.imports.push(Import { path: before.to_vec(), name: before.last().cloned(), public });

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::fmt::Write as _;
 
 /// How far model-form variants are off in one kind of maneuver, in the unit of an effect's first parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -59,7 +60,8 @@ impl EffectRules {
         );
         let own = self.own.iter().map(|(name, rule)| (format!("`{name}`"), rule));
         for (name, rule) in own.chain([("all others".to_owned(), &self.usual)]) {
-            text += &format!("| {name} | {} | {} | {:?} |\n", rule.margin, rule.form, rule.off_by_variants);
+            let _ =
+                writeln!(text, "| {name} | {} | {} | {:?} |", rule.margin, rule.form, rule.off_by_variants);
         }
         text
     }

@@ -21,6 +21,7 @@ pub use search::{
 };
 
 use serde::{Deserialize, Serialize};
+use std::fmt::Write as _;
 
 macro_rules! themes {
     ($($(#[doc = $meaning:literal])+ $theme:ident: $type:ty, $title:literal;)+) => {
@@ -95,11 +96,10 @@ impl Rules {
              with its default, unit, meaning and origin.\n",
         );
         for (theme, title, rules) in self.themes() {
-            text += &format!(
-                "\n## {title} (`{theme}`)\n\n| rule | default | unit | meaning | origin |\n| --- | --- | --- | --- | --- |\n"
-            );
+            let head = "| rule | default | unit | meaning | origin |\n| --- | --- | --- | --- | --- |";
+            let _ = writeln!(text, "\n## {title} (`{theme}`)\n\n{head}");
             for Rule { name, value, unit, meaning, origin } in rules {
-                text += &format!("| `{name}` | {value} | {unit} | {meaning} | {origin} |\n");
+                let _ = writeln!(text, "| `{name}` | {value} | {unit} | {meaning} | {origin} |");
             }
         }
         text + "\n## By an effect's name (`effects`)\n\n" + &self.effects.table()

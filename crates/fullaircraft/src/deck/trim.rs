@@ -118,11 +118,6 @@ impl TrimDeck {
             accelerations[j].map_or(0.0, |axis| d6[(i, axis)] / units)
         });
         let structure = Reduced::new(&free, &held, &d, &a, &s_dofs)?;
-        let plane = match aeros.symmetry {
-            1 => MirrorPlane::Symmetric { y_m: 0.0 },
-            -1 => MirrorPlane::Antisymmetric { y_m: 0.0 },
-            _ => MirrorPlane::None,
-        };
         let corrections = corrections(bulk, lattice.len())?;
         let motion = box_displacements(&spline, &s_dofs);
         let theta = Mat::from_fn(lattice.len(), s_dofs.len(), |j, dof| motion[(2 * j + 1, dof)]);
@@ -130,7 +125,7 @@ impl TrimDeck {
         let (gather, offset) =
             (loads.rows_by_pressure(motion.transpose()), loads.offset_weighed(motion.transpose()));
         // one factorisation of the influence coefficients for all dynamic pressures
-        let aero = SteadyAero::new(&lattice, plane, mach)?;
+        let aero = SteadyAero::new(&lattice, mirror_plane(&aeros), mach)?;
         let (cp_variables, cp_displacement) =
             (aero.pressures(incidence.as_ref()), aero.pressures(theta.as_ref()));
         let stiffness = &gather * &cp_displacement;
@@ -294,4 +289,13 @@ fn divergence(flexibility: &Mat<f64>, stiffness: &Mat<f64>) -> Result<Vec<f64>, 
     let mut pressures: Vec<f64> = gains.iter().filter(real).map(|gain| 1.0 / gain.re).collect();
     pressures.sort_by(f64::total_cmp);
     Ok(pressures)
+}
+
+/// The plane of symmetry that AEROS asks for.
+fn mirror_plane(aeros: &Aeros) -> MirrorPlane {
+    match aeros.symmetry {
+        1 => MirrorPlane::Symmetric { y_m: 0.0 },
+        -1 => MirrorPlane::Antisymmetric { y_m: 0.0 },
+        _ => MirrorPlane::None,
+    }
 }

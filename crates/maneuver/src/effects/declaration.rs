@@ -9,6 +9,7 @@ use crate::rom::{Change, Constants};
 /// One form of an effect. Its fields are the methods of [`Effect`]; those that [`Declaration::NONE`] is left to fill in do
 /// nothing.
 #[derive(Debug, Clone, Copy)]
+#[expect(clippy::struct_excessive_bools, reason = "each says yes or no to a question of its own")]
 pub(super) struct Declaration {
     pub(super) spec: Spec,
     pub(super) form: &'static str,

@@ -135,6 +135,7 @@ impl MotionSpec {
     }
 
     /// The same motion with another height, rad.
+    #[must_use]
     pub fn with_height(mut self, height: f64) -> Self {
         self.shape.kind_mut().set_height(height);
         self

@@ -117,6 +117,7 @@ impl Recording {
     }
 
     /// The same with noise that is nearly normal: sums of twelve uniform numbers (Numerical Recipes' generator).
+    #[expect(clippy::unused_self, reason = "the noise is that of every case")]
     pub fn with_noise(&self, loads: &[f64]) -> Vec<f64> {
         let mut state = 1_u64;
         let mut uniform = || {
@@ -127,6 +128,7 @@ impl Recording {
     }
 
     /// A sum of squares over the noise's variance.
+    #[expect(clippy::unused_self, reason = "the noise is that of every case")]
     pub fn in_noise(&self, square: f64) -> f64 {
         square / (NOISE * NOISE)
     }

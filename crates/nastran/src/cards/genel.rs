@@ -95,7 +95,7 @@ impl DeckCard for Genel {
             card = card.reals(values.get(column..).unwrap_or(&[]));
         }
         if !self.s.is_empty() {
-            card = self.s.iter().fold(card.next_line().text("S"), |card, row| card.reals(row));
+            card = self.s.iter().fold(card.next_line().text("S"), super::super::card::fields::Fields::reals);
         }
         card
     }

@@ -315,19 +315,25 @@ impl<A: Ids, B: Ids> Ids for (A, B) {
 
 impl<T: Ids, const N: usize> Ids for [T; N] {
     fn each(&mut self, change: &mut dyn FnMut(&mut u32)) {
-        self.iter_mut().for_each(|part| part.each(change));
+        for part in self {
+            part.each(change);
+        }
     }
 }
 
 impl<T: Ids> Ids for Vec<T> {
     fn each(&mut self, change: &mut dyn FnMut(&mut u32)) {
-        self.iter_mut().for_each(|part| part.each(change));
+        for part in self {
+            part.each(change);
+        }
     }
 }
 
 impl<T: Ids> Ids for Option<T> {
     fn each(&mut self, change: &mut dyn FnMut(&mut u32)) {
-        self.iter_mut().for_each(|part| part.each(change));
+        if let Some(part) = self {
+            part.each(change);
+        }
     }
 }
 

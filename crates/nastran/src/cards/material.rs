@@ -91,7 +91,9 @@ impl DeckCard for Mat2 {
 
     /// G13 and G23 join shear with stretching.
     fn mirrored(mut self, _: &Mirror) -> Mirrored<Self> {
-        [2, 4].into_iter().for_each(|at| self.g[at] = minus(self.g[at]));
+        for at in [2, 4] {
+            self.g[at] = minus(self.g[at]);
+        }
         Ok(Some(self))
     }
 }

@@ -14,13 +14,12 @@ use std::sync::Arc;
 impl ElementCard for ShellElement {
     fn element(&self, builder: &mut Builder) -> Result<Arc<dyn Element>, InputError> {
         let user = format!("{} {}", if self.grids.len() == 4 { "CQUAD4" } else { "CTRIA3" }, self.id);
-        let section = match builder.sections.get(&self.property) {
-            Some(known) => Arc::clone(known),
-            None => {
-                let made = Arc::new(builder.section(self, &user)?);
-                builder.sections.insert(self.property, Arc::clone(&made));
-                made
-            }
+        let section = if let Some(known) = builder.sections.get(&self.property) {
+            Arc::clone(known)
+        } else {
+            let made = Arc::new(builder.section(self, &user)?);
+            builder.sections.insert(self.property, Arc::clone(&made));
+            made
         };
         let nodes = builder.nodes_of(&self.grids, &user, &self.span)?;
         let points: Vec<Point3<f64>> = nodes.iter().map(|node| builder.nodes[*node].point).collect();

@@ -12,7 +12,7 @@ use crate::planform::panels::card_number;
 use crate::planform::{
     AXIS_SET, FIRST_AXIS_GRID, FIRST_MASS_GRID, FIRST_SENSOR_GRID, Mount, PointMass, ROOT_SET,
 };
-use nalgebra::{Point3, Vector3};
+use nalgebra::Point3;
 use nastran::{BulkData, BushAxes, Cbush, Conm2, Pbush, Rbe3, Rbe3Group, Set1, Span, Spc1};
 
 /// Ties are numbered by the grid they hold.
