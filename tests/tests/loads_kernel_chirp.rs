@@ -42,7 +42,7 @@ fn wing(hinge_rate: bool, softer: f64) -> ElasticWing {
     if !hinge_rate {
         controls[0].lever_m.fill(0.0);
     }
-    LoadsKernelWing::read().at((&lattice, 0.088), controls, alpha_rad(), softer)
+    LoadsKernelWing::read().at(&lattice, 0.088, controls, alpha_rad(), softer)
 }
 
 fn rig(wing: &ElasticWing, air: AirModel) -> Rig<'_> {

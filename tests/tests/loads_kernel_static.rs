@@ -21,7 +21,7 @@ fn check(reference: &str, corrections: &Corrections) {
     assert_eq!(table.len(), 25);
     for alpha_deg in [-4.0, -2.0, 0.0, 2.0, 4.0_f64] {
         let alpha_rad = alpha_deg.to_radians();
-        let wing = model.at((&lattice, 0.0), Vec::new(), alpha_rad, alpha_rad.cos());
+        let wing = model.at(&lattice, 0.0, Vec::new(), alpha_rad, alpha_rad.cos());
         let weight = &wing.supported.as_ref().unwrap().weight;
         for row in (0..25).filter(|&row| table.number(row, "alpha_deg").unwrap() == alpha_deg) {
             let flow = Flow { v_m_s: table.number(row, "V_m_s").unwrap(), rho_kg_m3: RHO_KG_M3 };

@@ -29,7 +29,8 @@ pub fn table(
     mach: f64,
     modes: usize,
     motion: impl Fn(usize, f64, f64) -> (f64, f64),
-    (chord, k): (f64, &[f64]),
+    chord: f64,
+    k: &[f64],
 ) -> GafTable {
     let rows = Mat::from_fn(2 * lattice.len(), modes, |row, mode| {
         let mid = lattice.boxes[row / 2].mid_point();
@@ -58,7 +59,7 @@ fn goland(case: &Value) -> Vec<Row> {
                 let value = wing.function(mode, y);
                 if mode < wing.count { (-value, 0.0) } else { (-value * (x - wing.axis * c), value) }
             };
-            let forces = table(&lattice, 0.0, 8, motion, (c, &UP_TO_ONE));
+            let forces = table(&lattice, 0.0, 8, motion, c, &UP_TO_ONE);
             let convention = if about_cg { "I about CG" } else { "I about EA" };
             let same = |entry: &&Value| {
                 crate::numbers(&entry["mesh"]) == mesh.map(f64::from) && entry["I"] == convention
@@ -107,7 +108,7 @@ fn papa(case: &Value) -> Vec<Row> {
     let mut rows = Vec::new();
     for entry in list(&case["expected"]) {
         let (mach, v) = (number(&entry["M"]), number(&entry["V_ft_s"]));
-        let forces = table(&lattice, mach, 2, motion, (chord, &UP_TO_ONE[..9]));
+        let forces = table(&lattice, mach, 2, motion, chord, &UP_TO_ONE[..9]);
         let system = Aeroelastic::new(
             diagonal(input("m_slug"), input("I_slug_ft2")),
             Mat::zeros(2, 2),

@@ -106,7 +106,8 @@ impl LoadsKernelWing {
     /// The wing at one angle of attack: its ten modes softer by `softer`, incidence sin(alpha) and sin(camber).
     pub(crate) fn at(
         &self,
-        (lattice, mach): (&Lattice, f64),
+        lattice: &Lattice,
+        mach: f64,
         controls: Vec<ControlSurface>,
         alpha_rad: f64,
         softer: f64,

@@ -13,5 +13,5 @@ pub(crate) fn rows() -> Result<Vec<Value>, Failure> {
     let mut case = row("discover_case_of_37_runs_twice", timed.seconds);
     case["model_runs"] = json!(timed.model_runs);
     case["model_runs_an_effect"] = json!(timed.model_runs as f64 / timed.effects as f64);
-    Ok(vec![case, row("discover_bank_of_20_null_campaigns", timed.nulls_seconds)])
+    Ok(vec![case, row("discover_null_distribution_of_20_campaigns", timed.nulls_seconds)])
 }

@@ -69,8 +69,8 @@ impl DeckCard for Caero1 {
             id: card.id(0, "EID")?,
             property: card.id(1, "PID")?,
             cp: card.count_or(2, "CP", 0)?,
-            span_divisions: divisions(card, (3, "NSPAN"), (5, "LSPAN"))?,
-            chord_divisions: divisions(card, (4, "NCHORD"), (6, "LCHORD"))?,
+            span_divisions: divisions(card, 3, ["NSPAN", "LSPAN"])?,
+            chord_divisions: divisions(card, 4, ["NCHORD", "LCHORD"])?,
             group: card.count_or(7, "IGID", 1)?,
             point_1: card.vector(8, ["X1", "Y1", "Z1"])?,
             chord_1: chord(11, "X12")?,
@@ -107,12 +107,13 @@ impl DeckCard for Caero1 {
     }
 }
 
-fn divisions(card: &Card, count: (usize, &str), list: (usize, &str)) -> Result<Divisions, InputError> {
-    match (card.count_or(count.0, count.1, 0)?, card.count_or(list.0, list.1, 0)?) {
-        (0, 0) => Err(card.empty(count.0, count.1, &format!("a number, here or an AEFACT in {}", list.1))),
+/// A count in field `at`, or the list two fields behind it.
+fn divisions(card: &Card, at: usize, [count, list]: [&str; 2]) -> Result<Divisions, InputError> {
+    match (card.count_or(at, count, 0)?, card.count_or(at + 2, list, 0)?) {
+        (0, 0) => Err(card.empty(at, count, &format!("a number, here or an AEFACT in {list}"))),
         (0, aefact) => Ok(Divisions::Aefact(aefact)),
         (number, 0) => Ok(Divisions::Equal(number)),
-        _ => Err(card.error(list.0, format!("CAERO1 has both {} and {}; give one of them", count.1, list.1))),
+        _ => Err(card.error(at + 2, format!("CAERO1 has both {count} and {list}; give one of them"))),
     }
 }
 
