@@ -185,8 +185,7 @@ fn tip_load(file: &coupling::WingFile, bulk: &nastran::BulkData, system: &System
 /// The corrections of the file that is named, at the airspeed that is.
 fn corrections(args: &DeckArgs, common: &Common) -> Result<Option<AtAirspeed>, Failure> {
     let Some(path) = &args.corrections else { return Ok(None) };
-    let given =
-        Given { wing: args.wing.clone(), corrections: Some(path.clone()), ..Given::default() };
+    let given = Given { wing: args.wing.clone(), corrections: Some(path.clone()), ..Given::default() };
     let corrected = corrected_wing(&given, common)?;
     let v_m_s = args.airspeed.unwrap_or_else(|| corrected.schedule.sets[0].v_m_s);
     let corrections = corrected.schedule.at(v_m_s)?;

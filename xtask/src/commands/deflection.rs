@@ -47,8 +47,7 @@ pub(crate) fn run(args: &DeflectionArgs, common: &Common) -> Result<(), Failure>
     let start = Instant::now();
     let folder = campaign_path(args.given.campaign.as_deref());
     let campaign = Campaign::read(&folder)?;
-    let corrected =
-        corrected_wing(&args.given, common)?;
+    let corrected = corrected_wing(&args.given, common)?;
     let settings = settings(&corrected);
     let (doublets, models) = doublets(&campaign, &settings, &corrected)?;
     let sigma = campaign.noise.and_then(|noise| {

@@ -67,8 +67,7 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
     let start = Instant::now();
     let folder = campaign_path(args.given.campaign.as_deref());
     let campaign = Campaign::read(&folder)?;
-    let corrected =
-        corrected_wing(&args.given, common)?;
+    let corrected = corrected_wing(&args.given, common)?;
     if !corrected.file.effects.is_empty() {
         let message = "the wing has effects already; the search starts from a wing without them";
         return Err(InputError::in_field(&corrected.file.path, "effects", message)

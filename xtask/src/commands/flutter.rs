@@ -71,8 +71,7 @@ struct Task<'a> {
 pub(crate) fn run(args: &FlutterArgs, common: &Common) -> Result<(), Failure> {
     let start = Instant::now();
     let campaign = Campaign::read(&campaign_path(args.given.campaign.as_deref()))?;
-    let corrected =
-        corrected_wing(&args.given, common)?;
+    let corrected = corrected_wing(&args.given, common)?;
     if corrected.wing.structure.is_none() {
         return Err(InputError::in_file(&corrected.file.path, "a rigid wing neither flutters nor diverges")
             .with_help("give the wing a structure")

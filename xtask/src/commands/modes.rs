@@ -1,8 +1,8 @@
 //! `modes`: natural frequencies and shapes of a wing's or a deck's structure; with measurements, their fit.
 
 use clap::Args;
-use std::path::PathBuf;
 use std::fmt::Write as _;
+use std::path::PathBuf;
 use std::time::Instant;
 
 use report::Table;

@@ -8,11 +8,11 @@ use std::time::Instant;
 use serde_json::{Map, Value, json};
 
 use crate::args::{Common, Given};
-use crate::commands::fullaircraft_prepared::FullaircraftArgs;
-use crate::commands::discover::DiscoverArgs;
-use crate::commands::deflection::DeflectionArgs;
-use crate::commands::simulate::SimulateArgs;
 use crate::commands::calibrate::CalibrateArgs;
+use crate::commands::deflection::DeflectionArgs;
+use crate::commands::discover::DiscoverArgs;
+use crate::commands::fullaircraft_prepared::FullaircraftArgs;
+use crate::commands::simulate::SimulateArgs;
 use crate::commands::{calibrate, deflection, discover, fullaircraft, pipeline_figures, simulate};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
@@ -48,16 +48,29 @@ pub(crate) fn run(_args: &PipelineArgs, common: &Common) -> Result<(), Failure> 
     timed("calibrate", &|common| calibrate::run(&CalibrateArgs::default(), common))?;
     let corrections = Some(base.join("calibrate/corrections.ron"));
     timed("deflection", &|common| {
-        deflection::run(&DeflectionArgs { given: Given { corrections: corrections.clone(), ..Given::default() } }, common)
+        deflection::run(
+            &DeflectionArgs { given: Given { corrections: corrections.clone(), ..Given::default() } },
+            common,
+        )
     })?;
     timed("simulate", &|common| {
         let of_deflection = |name: &str| Some(base.join("deflection").join(name));
         let (wing, corrections) = (of_deflection("wing.ron"), of_deflection("corrections.ron"));
-        simulate::run(&SimulateArgs { given: Given { wing, corrections, ..Given::default() }, ..Default::default() }, common)
+        simulate::run(
+            &SimulateArgs { given: Given { wing, corrections, ..Given::default() }, ..Default::default() },
+            common,
+        )
     })?;
     timed("discover", &|common| {
         let corrections = corrections.clone();
-        discover::run(&DiscoverArgs { given: Given { corrections, ..Given::default() }, own_corrections: true, ..Default::default() }, common)
+        discover::run(
+            &DiscoverArgs {
+                given: Given { corrections, ..Given::default() },
+                own_corrections: true,
+                ..Default::default()
+            },
+            common,
+        )
     })?;
     timed("fullaircraft", &|common| {
         // with the effects that stay with the wing, and the corrections found beside them

@@ -74,8 +74,7 @@ pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
     let runs =
         files.iter().map(|file| Ok((file, Run::read(file)?))).collect::<Result<Vec<_>, InputError>>()?;
     let rho_kg_m3 = if runs.is_empty() { 0.0 } else { Campaign::read(&folder)?.rho_kg_m3 };
-    let corrected =
-        corrected_wing(&args.given, common)?;
+    let corrected = corrected_wing(&args.given, common)?;
     let effects = simulate_effects::of(&corrected, &args.without)?;
     let maneuvers = simulate_maneuvers::read(&args.maneuver, &corrected)?;
     let settings = RigSettings { strip_loads: args.strips, ..settings(&corrected) };

@@ -1,8 +1,8 @@
 //! `validate`: our result beside the reference for every published case.
 
 use clap::Args;
-use std::path::PathBuf;
 use std::fmt::Write as _;
+use std::path::PathBuf;
 use std::time::Instant;
 
 use nastran::InputError;
