@@ -9,6 +9,7 @@ use crate::gap::Gap;
 use crate::load_model::LoadModel;
 use crate::model_form::{LatticeVariant, kernel_variant, lag_variant};
 use crate::noise::{Noise, NoiseUnknown};
+use crate::null_campaigns::from_null_campaigns;
 use crate::null_distribution::NullDistribution;
 use crate::null_key::NullKey;
 use crate::problem::Problem;
@@ -182,7 +183,7 @@ impl Prepared {
 
     /// What is found in campaigns without effect.
     pub fn null_distribution(&self, seed: u64) -> NullDistribution {
-        NullDistribution::from_null_campaigns(&self.setting(), self.training(), &self.judged(), seed)
+        from_null_campaigns(&self.setting(), self.training(), &self.judged(), seed)
     }
 
     /// What a null distribution of this campaign depends on, for the wing of a file (its hash) with these corrections.

@@ -22,6 +22,7 @@ mod memory;
 pub mod model_form;
 pub mod next;
 pub mod noise;
+pub mod null_campaigns;
 pub mod null_distribution;
 pub mod null_key;
 pub mod problem;

@@ -1,18 +1,8 @@
-//! What the search would find where nothing is missing: campaigns of the model itself with model-form variants, parameters
-//! within their uncertainty and noise. Thresholds and floors come from them.
+//! What the search finds where nothing is missing, on campaigns without effect ([`crate::null_campaigns`]): thresholds and floors.
 
-use crate::current_model::CurrentModel;
 use crate::null_key::NullKey;
-use crate::problem::Problem;
-use crate::rank::rank;
 use crate::rules::EffectRules;
-use crate::setting::Setting;
-use maneuver::effects::{Active, Effect, Flown};
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::SeedableRng;
-use rand_distr::{Distribution, StandardNormal};
-use rayon::prelude::*;
-use response::verdict::mean_and_deviation;
+use maneuver::effects::Effect;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -46,7 +36,7 @@ impl Default for NullDistribution {
 }
 
 /// As thresholds are listed: name and form.
-fn label(effect: &Arc<dyn Effect>) -> String {
+pub(crate) fn label(effect: &Arc<dyn Effect>) -> String {
     format!("{} {}", effect.spec().name, effect.form())
 }
 
@@ -66,101 +56,4 @@ impl NullDistribution {
     pub fn serves(&self, key: &NullKey, library: &[Arc<dyn Effect>]) -> bool {
         self.key == *key && library.iter().all(|effect| self.evidence.contains_key(&label(effect)))
     }
-
-    /// Makes campaigns without effect and searches them; `judged` are training and held-out data, each run for itself.
-    pub fn from_null_campaigns(
-        setting: &Setting<'_>,
-        train: Problem<'_>,
-        judged: &[Problem<'_>; 2],
-        seed: u64,
-    ) -> Self {
-        let rules = &setting.rules().nulls;
-        // the same model flies all of them: what it is uncertain of and what effects change in it is found once
-        let current = CurrentModel::bare(setting, train).remembering();
-        let one = |k: u64| {
-            let mut random = ChaCha8Rng::seed_from_u64(seed);
-            random.set_stream(k + 1);
-            null(setting, &current, judged, &mut random, k)
-        };
-        // the first alone, so that the others need not fly side by side what it will remember
-        let mut nulls = vec![one(0)];
-        nulls.par_extend((1..rules.campaigns).into_par_iter().map(one));
-        let threshold = |effect: &Arc<dyn Effect>| {
-            let label = label(effect);
-            let found = |null: &Null| null.evidence.iter().find(|(of, _)| *of == label).map(|found| found.1);
-            // an effect that screening passed over found nothing there
-            let mut values: Vec<f64> = nulls.iter().filter_map(found).map(|value| value.max(0.0)).collect();
-            values.resize(nulls.len(), 0.0);
-            let (mean, sd) = mean_and_deviation(&values);
-            let margin = setting.rules().effects.of(effect.spec().name).margin;
-            (label, mean + rules.sigmas * sd + margin)
-        };
-        let misfits: Vec<f64> = nulls.iter().map(|null| null.misfit).collect();
-        let (misfit, sd) = mean_and_deviation(&misfits);
-        let floor =
-            |k: usize| mean_and_deviation(&nulls.iter().map(|null| null.gap[k]).collect::<Vec<f64>>()).0;
-        Self {
-            key: NullKey::default(),
-            evidence: setting.library.iter().map(threshold).collect(),
-            misfit,
-            misfit_limit: misfit + rules.sigmas * sd + rules.misfit_margin,
-            floor: [floor(0), floor(1)],
-        }
-    }
-}
-
-struct Null {
-    evidence: Vec<(String, f64)>,
-    misfit: f64,
-    gap: [f64; 2],
-}
-
-fn null(
-    setting: &Setting<'_>,
-    current: &CurrentModel<'_>,
-    judged: &[Problem<'_>; 2],
-    random: &mut ChaCha8Rng,
-    k: u64,
-) -> Null {
-    let variants = setting.variants.len() as u64;
-    let truth = match (k % (variants + 1)).checked_sub(1) {
-        None => setting.model,
-        Some(variant) => setting.variants[usize::try_from(variant).unwrap_or(0)],
-    };
-    let effects: Vec<Active> = setting
-        .uncertain
-        .iter()
-        .map(|one| {
-            let size = normal(random);
-            let values: Vec<f64> = one.values.iter().map(|value| size * value).collect();
-            Active::new(Arc::clone(&one.effect), &values)
-        })
-        .collect();
-    let models = truth.models(&effects, None);
-    let train = pretend(&current.problem, &|places| truth.fly(&models, &effects, places), random);
-    let judged = judged
-        .each_ref()
-        .map(|problem| pretend(problem, &|places| truth.fly(&models, &effects, places), random));
-    let current = current.measuring(train);
-    let ranked = rank(setting, &current, &NullDistribution::default());
-    let gap =
-        |problem: &Problem<'_>| problem.gap(&setting.model.fly(&current.models, &[], &problem.places())).all;
-    Null {
-        evidence: ranked.iter().map(|w| (w.label(), w.evidence)).collect(),
-        misfit: current.chi2 / current.problem.len() as f64,
-        gap: judged.each_ref().map(gap),
-    }
-}
-
-/// The problem with loads of a simulation and noise.
-fn pretend<'a>(
-    problem: &Problem<'a>,
-    fly: &dyn Fn(&[usize]) -> Vec<Flown>,
-    random: &mut ChaCha8Rng,
-) -> Problem<'a> {
-    problem.pretending(&fly(&problem.places()), || normal(random))
-}
-
-fn normal(random: &mut ChaCha8Rng) -> f64 {
-    StandardNormal.sample(random)
 }

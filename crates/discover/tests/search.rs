@@ -6,7 +6,7 @@ use discover::consistency::{scatter, shares};
 use discover::current_model::CurrentModel;
 use discover::detection_limit::detection_limits;
 use discover::found::Outcome;
-use discover::null_distribution::NullDistribution;
+use discover::null_campaigns::from_null_campaigns;
 use discover::rank::rank;
 use discover::search::search;
 use discover::verdict::{Gap, Judgement, VerdictKind};
@@ -183,8 +183,7 @@ fn the_detection_limit_is_where_the_evidence_is_the_threshold() {
 fn null_campaigns_have_a_misfit_of_one_and_thresholds_above_the_margin() {
     let known = Known::new(exact(), &["pitch", "slope"], &[("pitch", [5.0, 5.0])]);
     let judged = [known.problem(), known.problem()];
-    let made =
-        |seed: u64| NullDistribution::from_null_campaigns(&known.setting(), known.problem(), &judged, seed);
+    let made = |seed: u64| from_null_campaigns(&known.setting(), known.problem(), &judged, seed);
     let nulls = made(1);
     // 20 campaigns of 400 rows of unit noise, whatever was measured
     assert!((nulls.misfit - 1.0).abs() < 0.05 && nulls.misfit_limit > nulls.misfit + 0.15, "{nulls:?}");

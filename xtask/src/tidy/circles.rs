@@ -44,10 +44,6 @@ const MAY: &[(&[&str], &str)] = &[
         "laminates are given by zones of the mesh, and the mesh is divided where laminates change",
     ),
     (
-        &["crates/discover/src/null_distribution.rs", "crates/discover/src/rank.rs"],
-        "candidates are ranked beside thresholds, and thresholds come from ranking candidates of null campaigns",
-    ),
-    (
         &[
             "crates/maneuver/src/assemble.rs",
             "crates/maneuver/src/operators.rs",
