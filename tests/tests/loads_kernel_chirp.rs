@@ -184,7 +184,7 @@ fn response(model: &RigModel, omega_rad_s: f64) -> [c64; 4] {
 fn apart_from_panelaero(hinge_rate: bool) -> (f64, f64) {
     let doublets = DlmSettings { integral: KernelIntegral::Laschka, fit: SpanFit::Parabolic };
     let wing = wing(hinge_rate, 1.0);
-    let rig = rig(&wing, AirModel::Unsteady { lags: 7, doublets });
+    let rig = rig(&wing, AirModel::Unsteady { lags: 7, dlm: doublets });
     let neutral = Corrections::neutral(672);
     let model = rig.at(FLOW, &neutral).unwrap();
     let (mut exact, mut rational): (f64, f64) = (0.0, 0.0);

@@ -48,7 +48,7 @@ impl SupportedStructure {
     /// Reduces a clamped system. `tip` is the index of the node whose height is reported.
     ///
     /// # Errors
-    /// If the structure is not held (its loose grids are named).
+    /// If the structure is not held (the grids that are free to move are named).
     pub fn new(
         system: &System,
         spline: &Spline,
@@ -61,7 +61,7 @@ impl SupportedStructure {
     /// As [`SupportedStructure::new`], and what all six rigid accelerations do to it.
     ///
     /// # Errors
-    /// If the structure is not held (its loose grids are named).
+    /// If the structure is not held (the grids that are free to move are named).
     pub fn with_inertia(
         system: &System,
         spline: &Spline,

@@ -17,7 +17,7 @@ use std::sync::Arc;
 /// The air with another rational function.
 pub(crate) fn lag_variant(rules: &VariantRules) -> AirModel {
     match AirModel::default() {
-        AirModel::Unsteady { doublets, .. } => AirModel::Unsteady { lags: rules.lags, doublets },
+        AirModel::Unsteady { dlm, .. } => AirModel::Unsteady { lags: rules.lags, dlm },
         AirModel::QuasiSteady => AirModel::QuasiSteady,
     }
 }
@@ -27,7 +27,7 @@ pub(crate) fn kernel_variant() -> AirModel {
     match AirModel::default() {
         AirModel::Unsteady { lags, .. } => AirModel::Unsteady {
             lags,
-            doublets: DlmSettings { integral: KernelIntegral::Fine, fit: SpanFit::Parabolic },
+            dlm: DlmSettings { integral: KernelIntegral::Fine, fit: SpanFit::Parabolic },
         },
         AirModel::QuasiSteady => AirModel::QuasiSteady,
     }

@@ -73,7 +73,7 @@ impl Default for EffectRules {
         let margin = |margin| EffectRule { margin, ..usual() };
         // flow that separates: where, how suddenly and with what delay it does so no one formula says; and the slope by Reynolds
         // number, whose parts of the data are the airspeeds
-        let loose = || EffectRule { form: 0.4, ..usual() };
+        let rough = || EffectRule { form: 0.4, ..usual() };
         // what scales all loads
         let level = || EffectRule { off_by_variants: OffByVariants::Size(0.01), ..usual() };
         let own = [
@@ -97,9 +97,9 @@ impl Default for EffectRules {
                 "wing_mass_error",
                 EffectRule { form: 0.08, off_by_variants: OffByVariants::Nothing, ..margin(40.0) },
             ),
-            ("stall", loose()),
-            ("dynamic_stall", loose()),
-            ("re_dependence", loose()),
+            ("stall", rough()),
+            ("dynamic_stall", rough()),
+            ("re_dependence", rough()),
             ("lift_slope", level()),
             ("q_error", level()),
             ("gain", level()),

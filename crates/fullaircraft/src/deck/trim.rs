@@ -96,7 +96,7 @@ impl TrimDeck {
     ///
     /// # Errors
     /// If the deck has cards that are not read and would change the trim, AEROS is missing or its axes are turned, SUPORT names more than one grid, a variable is unknown, a box has no spline, or the structure is
-    /// loose when held at the SUPORT motions.
+    /// free to move when held at the SUPORT motions.
     pub fn new(bulk: &BulkData, mach: f64) -> Result<Self, AircraftError> {
         let missing = |card: &str| InputError::general(format!("the deck has no {card}, which trim needs"));
         refuse_unread(bulk)?;

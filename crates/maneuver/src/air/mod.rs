@@ -41,13 +41,13 @@ pub enum AirModel {
         /// Number of lags of the rational approximation.
         lags: usize,
         /// How doublets are integrated.
-        doublets: DlmSettings,
+        dlm: DlmSettings,
     },
 }
 
 impl Default for AirModel {
     fn default() -> Self {
-        Self::Unsteady { lags: 7, doublets: DlmSettings::default() }
+        Self::Unsteady { lags: 7, dlm: DlmSettings::default() }
     }
 }
 
@@ -98,7 +98,7 @@ impl UnsteadyAir {
         looked_at: Mat<f64>,
     ) -> Result<Self, AeroError> {
         let chord_m = mean_chord_m(&wing.lattice);
-        let AirModel::Unsteady { lags, doublets } = model else {
+        let AirModel::Unsteady { lags, dlm } = model else {
             let rational = RationalAir::quasi_steady(steady, rate);
             let [beyond, instant] = [rational.clone(), rational.clone()];
             return Ok(Self {
@@ -112,7 +112,7 @@ impl UnsteadyAir {
                 lattice: None,
             });
         };
-        let solver = DoubletLattice::new(&wing.lattice, wing.plane, wing.mach, &doublets)?;
+        let solver = DoubletLattice::new(&wing.lattice, wing.plane, wing.mach, &dlm)?;
         let kappa: Vec<f64> = REDUCED_FREQUENCIES.iter().map(|k| 2.0 * k / chord_m).collect();
         let table = AirTable::new(&solver, &columns, &kappa)?;
         let poles = poles::choose(&table, steady.as_ref(), looked_at.as_ref(), lags);

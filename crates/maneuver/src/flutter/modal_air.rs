@@ -24,7 +24,7 @@ pub fn incidence_of_motion(lattice: &Lattice, motion: MatRef<'_, f64>, omega_ove
 /// If the lattice cannot be solved at a frequency, or the frequencies do not rise.
 pub fn gaf_table(
     lattice: &Lattice,
-    doublets: &DoubletLattice,
+    dlm: &DoubletLattice,
     motion: MatRef<'_, f64>,
     corrections: Option<&Corrections>,
     omega_over_v: &[f64],
@@ -34,7 +34,7 @@ pub fn gaf_table(
     let loads = integration.corrected(corrections.unwrap_or(&neutral));
     let mut matrices = Vec::with_capacity(omega_over_v.len());
     for &kappa in omega_over_v {
-        let cp = doublets.at(kappa)?.pressures(incidence_of_motion(lattice, motion, kappa).as_ref());
+        let cp = dlm.at(kappa)?.pressures(incidence_of_motion(lattice, motion, kappa).as_ref());
         matrices.push(loads.weighed(motion.transpose(), cp.as_ref()));
     }
     GafTable::new(omega_over_v.to_vec(), matrices)

@@ -29,14 +29,14 @@ impl Rig<'_> {
     /// As [`DoubletLattice::at`].
     pub fn mode_pressures(
         &self,
-        doublets: &DoubletLattice,
+        dlm: &DoubletLattice,
         omega_over_v: &[f64],
     ) -> Result<ModePressures, FlutterError> {
         let motion = self.box_motion();
         let mut cp = Vec::with_capacity(omega_over_v.len());
         for &kappa in omega_over_v {
             let w = incidence_of_motion(&self.wing.lattice, motion.as_ref(), kappa);
-            cp.push(doublets.at(kappa)?.pressures(w.as_ref()));
+            cp.push(dlm.at(kappa)?.pressures(w.as_ref()));
         }
         Ok(ModePressures { omega_over_v: omega_over_v.to_vec(), motion, cp })
     }
