@@ -19,8 +19,8 @@ impl Flow {
     }
 }
 
-/// Airspeeds closer than this share are one: a tunnel holds its airspeed no better, and a load changes by 1 %.
-pub const SAME_AIRSPEED: f64 = 0.005;
+/// Airspeeds closer than this share are one: loads at them differ by 0.4 % at most, which is less than a balance's repeatability.
+pub const SAME_AIRSPEED: f64 = 0.002;
 /// Angles of attack closer than this are one, rad (0.05 degrees): a turntable is set no better.
 pub const SAME_ANGLE_RAD: f64 = 8.7e-4;
 

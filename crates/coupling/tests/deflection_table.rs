@@ -104,17 +104,6 @@ fn a_misspelt_control_is_suggested_and_a_second_table_of_one_refused() {
 }
 
 #[test]
-fn a_wing_with_both_a_deflection_correction_and_an_effect_of_its_controls_is_refused() {
-    let field =
-        "deflection: [(control: \"inner\", rows: [(V_m_s: 18.0, commanded_deg: [5.0], factor: [1.0])])],";
-    let copy = Copy::new("both", |text| {
-        let text = text.replace("effects: []", "effects: [(name: \"ctl_saturation\", parameters: {})]");
-        format!("{}{field}\n)\n", &text[..text.rfind(')').unwrap()])
-    });
-    assert!(copy.read().unwrap_err().message.contains("both a deflection correction and ctl_saturation"));
-}
-
-#[test]
 fn a_limit_that_cannot_be_is_refused_and_a_good_one_is_known() {
     let with = |limit: &str| {
         Copy::new(&format!("limit{limit}"), |text| {

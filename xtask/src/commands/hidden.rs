@@ -249,7 +249,13 @@ impl Judge<'_> {
             return DiscoverResult::at_fault(faults, None, seconds());
         }
         let finding = Finding::search(prepared, &self.nulls, plan.seed);
-        let result = finding.result(&Sources::default(), false, 0.0);
+        let corrections = if self.own_static_points {
+            "the case's own static points"
+        } else {
+            "static points without the effect"
+        };
+        let sources = Sources { corrections: corrections.to_owned(), ..Sources::default() };
+        let result = finding.result(&sources, false, 0.0);
         DiscoverResult { seconds: Some(seconds()), ..result }
     }
 }
