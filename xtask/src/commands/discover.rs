@@ -164,7 +164,7 @@ fn null_distribution(
             let of = if differs.is_empty() {
                 "lacks effects of the library".to_owned()
             } else {
-                format!("was made for another {}", differs.join(", another "))
+                format!("does not fit; what differs: {}", differs.join(", "))
             };
             let message = format!("this null distribution {of}");
             return Err(InputError::in_file(path, message)

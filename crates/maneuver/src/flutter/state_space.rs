@@ -86,12 +86,13 @@ pub fn flutter_of_state_space<E: From<FlutterError>>(
     let mut alive: Vec<Option<usize>> = places.into_iter().map(Some).collect();
     for pair in flows.windows(2) {
         let there = at(pair[1])?;
-        alive = follow((pair[0], &here), (pair[1], &there), alive, HALVINGS, &mut at)?;
+        let ends = [SpectrumAt { flow: pair[0], is: &here }, SpectrumAt { flow: pair[1], is: &there }];
+        alive = follow(ends[0], ends[1], alive, HALVINGS, &mut at)?;
         for (branch, place) in curves.branches.iter_mut().zip(&alive) {
             branch.extend(place.map(|i| root(there.values[i])));
         }
         for kind in 0..2 {
-            changes((pair[0], &here), (pair[1], &there), kind, &mut at, &mut curves)?;
+            changes(ends[0], ends[1], kind, &mut at, &mut curves)?;
         }
         here = there;
     }
@@ -107,22 +108,30 @@ fn middle(a: Flow, b: Flow) -> Flow {
     Flow { v_m_s: f64::midpoint(a.v_m_s, b.v_m_s), rho_kg_m3: f64::midpoint(a.rho_kg_m3, b.rho_kg_m3) }
 }
 
+/// The eigenvalues at a flow.
+#[derive(Clone, Copy)]
+struct SpectrumAt<'a> {
+    flow: Flow,
+    is: &'a Spectrum,
+}
+
 /// Which eigenvalue of the second spectrum each living branch of the first becomes.
 fn follow<E: From<FlutterError>>(
-    from: (Flow, &Spectrum),
-    to: (Flow, &Spectrum),
+    from: SpectrumAt<'_>,
+    to: SpectrumAt<'_>,
     alive: Vec<Option<usize>>,
     halvings: u32,
     at: &mut impl FnMut(Flow) -> Result<Spectrum, E>,
 ) -> Result<Vec<Option<usize>>, E> {
-    let (matched, plain) = matched(from.1, to.1, &alive);
+    let (matched, plain) = matched(from.is, to.is, &alive);
     if plain || halvings == 0 {
         return Ok(matched);
     }
-    let between = middle(from.0, to.0);
-    let spectrum = at(between)?;
-    let alive = follow(from, (between, &spectrum), alive, halvings - 1, at)?;
-    follow((between, &spectrum), to, alive, halvings - 1, at)
+    let flow = middle(from.flow, to.flow);
+    let spectrum = at(flow)?;
+    let between = SpectrumAt { flow, is: &spectrum };
+    let alive = follow(from, between, alive, halvings - 1, at)?;
+    follow(between, to, alive, halvings - 1, at)
 }
 
 /// The best pairs first; whether all are plain.
@@ -153,18 +162,18 @@ fn matched(from: &Spectrum, to: &Spectrum, alive: &[Option<usize>]) -> (Vec<Opti
 
 /// Changes of the number of unstable eigenvalues that oscillate (`kind` 0) or do not (1) between two flows: one that is net.
 fn changes<E: From<FlutterError>>(
-    from: (Flow, &Spectrum),
-    to: (Flow, &Spectrum),
+    from: SpectrumAt<'_>,
+    to: SpectrumAt<'_>,
     kind: usize,
     at: &mut impl FnMut(Flow) -> Result<Spectrum, E>,
     curves: &mut FlutterCurves,
 ) -> Result<(), E> {
-    let before = from.1.unstable()[kind];
-    if before == to.1.unstable()[kind] {
+    let before = from.is.unstable()[kind];
+    if before == to.is.unstable()[kind] {
         return Ok(());
     }
-    let unstable = to.1.unstable()[kind] > before;
-    let (mut low, mut high) = (from.0, to.0);
+    let unstable = to.is.unstable()[kind] > before;
+    let (mut low, mut high) = (from.flow, to.flow);
     let mut last = None;
     while (high.v_m_s - low.v_m_s).abs() > ACCURACY * high.v_m_s
         || (high.rho_kg_m3 - low.rho_kg_m3).abs() > ACCURACY * high.rho_kg_m3
@@ -178,11 +187,11 @@ fn changes<E: From<FlutterError>>(
         }
         last = Some(spectrum);
     }
-    let spectrum = last.as_ref().unwrap_or(to.1);
+    let spectrum = last.as_ref().unwrap_or(to.is);
     let wanted = |value: &&c64| if kind == 0 { Spectrum::oscillates(**value) } else { value.im == 0.0 };
     let nearest = spectrum.values.iter().filter(wanted).min_by(|a, b| a.re.abs().total_cmp(&b.re.abs()));
     let omega_rad_s = nearest.map_or(0.0, |value| value.im);
-    let place = curves.flows.iter().position(|flow| *flow == to.0).unwrap_or(0);
+    let place = curves.flows.iter().position(|flow| *flow == to.flow).unwrap_or(0);
     let distance =
         |branch: &[Root]| branch.get(place).map_or(f64::INFINITY, |r| (r.p.im - omega_rad_s).abs());
     let branch = (0..curves.branches.len())
