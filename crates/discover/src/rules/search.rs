@@ -18,7 +18,7 @@ rules! {
         steps: usize = 6, "", Unknown;
         /// Most steps of a fit.
         most_steps: usize = 14, "", Unknown;
-        /// See `steps`.
+        /// More than `steps` are taken while they gain this share of what was gained so far.
         worth: f64 = 0.02, "", Unknown;
         /// A step that gains less of chi square is the last.
         least_gain: f64 = 0.5, "chi square", Formula("half a log Bayes factor of a quarter: nothing is decided by it");
