@@ -10,7 +10,7 @@ pub struct Grid {
     pub id: u32,
     /// Coordinate system of `xyz`; 0 is basic.
     pub cp: u32,
-    /// Coordinates in `cp` (as its [`CoordKind`] says).
+    /// Coordinates in `cp` (as its [`crate::CoordKind`] says).
     pub xyz: Point3<f64>,
     /// Displacement coordinate system; 0 is basic.
     pub cd: u32,

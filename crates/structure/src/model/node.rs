@@ -17,7 +17,7 @@ pub struct Node {
 /// Components of one node that are held fixed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Clamp {
-    /// Position of the node in [`Model::nodes`].
+    /// Position of the node in [`crate::Model::nodes`].
     pub node: usize,
     /// Components, digits 1 to 6, in the axes of the grid's displacement system.
     pub components: Vec<u8>,
