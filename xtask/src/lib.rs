@@ -1,67 +1,83 @@
-//! The commands of wingroot, `cargo xtask NAME`: read arguments, call the crates, write and print results.
-//!
-//! A command is one file in `commands/` with its options and a `run` function, and a line of the list in `commands/mod.rs`; nothing is computed here.
-//! Exit status: 0 done, 2 wrong usage or bad input, 3 the computation could not be completed.
+//! `cargo xtask NAME`: the commands of `wingroot`, handed over to its library, and what only developers need: the house rules,
+//! the benchmarks, the published cases.
 
 use std::process::ExitCode;
 
-use clap::Parser;
+use clap::{Parser, Subcommand};
+use wingroot::args::Common;
+use wingroot::failure::Failure;
 
-pub mod args;
-pub mod blind;
-mod cli;
 mod commands;
-mod corrections;
-pub mod failure;
-pub mod hdf5;
-pub mod nulls;
-pub mod output;
-pub mod pages;
-pub mod paths;
-pub mod progress;
-pub mod show;
-pub mod structures;
+mod pages;
+pub mod repository;
 pub mod tidy;
 
-use args::Common;
-use cli::Cli;
-use failure::Failure;
+/// The command line.
+#[derive(Debug, Parser)]
+#[command(name = "xtask", bin_name = "cargo xtask", version = wingroot::VERSION, disable_help_subcommand = true)]
+#[command(about = "The commands of wingroot on the repository's example, and those of its developers")]
+struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    command: Task,
+    /// Options of every command.
+    #[command(flatten)]
+    common: Common,
+}
 
-/// Reads the command line, runs the command and turns its end into the exit status.
-pub fn main() -> ExitCode {
-    let cli = Cli::parse();
-    show::start_logging(&cli.common);
-    match set_threads(&cli.common).and_then(|()| run(&cli)) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => {
-            show::failure(&failure);
-            ExitCode::from(failure.exit_status())
+/// What can be asked for.
+#[derive(Debug, Subcommand)]
+enum Task {
+    /// A command of the program.
+    #[command(flatten)]
+    Program(wingroot::commands::Command),
+    /// Our results beside every published reference
+    Validate(commands::validate::ValidateArgs),
+    /// Time of the main steps
+    Bench(commands::bench::BenchArgs),
+    /// Check the house rules of the repository
+    Tidy(commands::tidy::TidyArgs),
+}
+
+impl Task {
+    /// Its name, and whether it writes one folder of results.
+    fn described(&self) -> (&'static str, bool) {
+        match self {
+            Self::Program(command) => (command.name(), command.replaces_results()),
+            Self::Validate(_) => ("validate", true),
+            Self::Bench(_) => ("bench", true),
+            Self::Tidy(_) => ("tidy", false),
+        }
+    }
+
+    fn run(&self, common: &Common) -> Result<(), Failure> {
+        match self {
+            Self::Program(command) => command.run(common),
+            Self::Validate(options) => commands::validate::run(options, common),
+            Self::Bench(options) => commands::bench::run(options, common),
+            Self::Tidy(options) => commands::tidy::run(options, common),
         }
     }
 }
 
-fn run(cli: &Cli) -> Result<(), Failure> {
-    let common = &cli.common;
-    if let Some(out) = common.out.as_deref().filter(|_| cli.command.replaces_results()) {
-        // Before the work, not after it.
-        output::check_replaceable(out)?;
-    }
-    progress::at_work(common, cli.command.name());
-    let ended = cli.command.run(common);
-    progress::done();
-    ended
+/// Reads the command line, runs the command and turns its end into the exit status.
+pub fn main() -> ExitCode {
+    let cli = Cli::parse();
+    wingroot::paths::start_from(repository::path("data"));
+    let (name, writes_results) = cli.command.described();
+    wingroot::ended(&cli.common, name, writes_results, || cli.command.run(&cli.common))
 }
 
-/// Into how many parts the matrix library divides its work, whatever the number of threads: the order of its sums, and so
-/// the last digits of results, depend on it.
-const PARTS_OF_MATRICES: usize = 8;
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
 
-/// The number of threads of all loops, and the parts of the matrix library's.
-fn set_threads(common: &Common) -> Result<(), Failure> {
-    faer::set_global_parallelism(faer::Par::rayon(PARTS_OF_MATRICES));
-    let Some(threads) = common.threads else { return Ok(()) };
-    rayon::ThreadPoolBuilder::new()
-        .num_threads(threads)
-        .build_global()
-        .map_err(|error| Failure::Computation(format!("{threads} threads cannot be started: {error}")))
+    #[test]
+    fn the_command_line_is_consistent_and_has_every_command_of_the_program() {
+        Cli::command().debug_assert();
+        for name in ["pipeline", "calibrate", "new", "tidy", "bench", "validate"] {
+            assert!(Cli::command().find_subcommand(name).is_some(), "{name}");
+        }
+    }
 }

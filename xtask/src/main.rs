@@ -1,4 +1,5 @@
-//! `cargo xtask NAME`: the commands of wingroot. `cargo xtask --help` lists them.
+//! `cargo xtask NAME`: every command of `wingroot`, on the repository's example where nothing is named, and those that only
+//! developers need.
 
 use std::process::ExitCode;
 

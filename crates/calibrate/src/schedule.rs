@@ -57,7 +57,7 @@ impl Schedule {
         let schedule: Self = ron_file::read(path)?;
         if schedule.sets.is_empty() {
             return Err(InputError::in_file(path, "there is no set of corrections")
-                .with_help("run `cargo xtask calibrate`, which writes corrections.ron"));
+                .with_help("run `wingroot calibrate`, which writes corrections.ron"));
         }
         for CorrectionSet { v_m_s, corrections } in &schedule.sets {
             let Corrections { force, moment, pressure_offset } = corrections;

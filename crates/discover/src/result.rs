@@ -262,7 +262,7 @@ impl DiscoverResult {
     pub fn from_json(text: &str, path: &std::path::Path) -> Result<Self, nastran::InputError> {
         serde_json::from_str(text).map_err(|error| {
             nastran::InputError::in_file(path, format!("this is no result of `discover`: {error}"))
-                .with_help("give the result.json that `cargo xtask discover` wrote")
+                .with_help("give the result.json that `wingroot discover` wrote")
         })
     }
 

@@ -46,8 +46,7 @@ fn verdict(kind: VerdictKind, names: &[(&str, f64)]) -> DiscoverResult {
 }
 
 fn families() -> Families {
-    Families::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/hidden/families.ron"))
-        .expect("the shipped families")
+    Families::frozen().expect("the shipped families")
 }
 
 #[test]

@@ -53,7 +53,7 @@ pub struct Story<'a> {
 pub fn readme(story: &Story<'_>) -> String {
     let mut text = format!(
         "# {}\n\n## Source\n\nTHESE ARE NOT MEASUREMENTS. The measurements of the wing in the paper are not public. What is here was\n\
-         computed by the virtual wind tunnel of this repository (`cargo xtask tunnel --runs {}`, seed {}): a model that\n\
+         computed by the virtual wind tunnel of this repository (`wingroot tunnel --runs {}`, seed {}): a model that\n\
          differs from the one being calibrated in its lattice, its structure and its section aerodynamics, with noise,\n\
          block offsets and, at V = 0, weight tares. Nothing that analyses these data may read that file.\n\n",
         story.tunnel.name, story.file_name, story.seed
@@ -192,7 +192,7 @@ fn calibration_tables(text: &mut String, story: &Story<'_>) {
 fn flight_table(text: &mut String, story: &Story<'_>) {
     text.push_str(
         "## The corrections of 40 m/s in flight\n\nThe half wing alone carries 10 kg (no tail, no fuselage, no \
-         rotation); `cargo xtask fullaircraft` flies the whole aircraft.\n\n| | uncorrected | corrected | ratio or change | paper |\n|---|---|---|---|---|\n",
+         rotation); `wingroot fullaircraft` flies the whole aircraft.\n\n| | uncorrected | corrected | ratio or change | paper |\n|---|---|---|---|---|\n",
     );
     let [trim, up, down] = story.flight;
     let _ = writeln!(

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use tunnel::{Truth, TunnelFile, campaign};
 
 const CAMPAIGNS: [(&str, &str); 2] = [("tunnel.ron", "measured"), ("tunnel_curved.ron", "measured_curved")];
-/// The example of `cargo xtask new`.
+/// The example of `wingroot new`.
 const EXAMPLE: (&str, &str) = ("../own_wing/made_with/tunnel.ron", "../own_wing/campaign");
 
 fn data(name: &str) -> PathBuf {

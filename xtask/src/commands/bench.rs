@@ -10,14 +10,14 @@ use coupling::{ElasticWing, WingFile};
 use serde_json::{Value, json};
 
 use super::bench_clock::{REPEATS, median, peak_mb, row};
-use crate::args::Common;
 use crate::commands::{
     bench_aircraft, bench_chirp, bench_discover, bench_dlm, bench_general, bench_structure, bench_trim,
 };
-use crate::corrections::{campaign_path, wing_path};
-use crate::failure::Failure;
-use crate::output::ResultFolder;
-use crate::show;
+use crate::repository;
+use wingroot::args::Common;
+use wingroot::failure::Failure;
+use wingroot::output::ResultFolder;
+use wingroot::show;
 
 /// Options of `bench`.
 #[derive(Debug, Clone, Args)]
@@ -38,9 +38,9 @@ pub(crate) fn run(args: &BenchArgs, common: &Common) -> Result<(), Failure> {
     // First, while the process is small and in the order of their size: these rows tell their peak of memory.
     let mut rows = vec![doublets(&bench_dlm::aircraft()?, args)?];
     rows.extend(bench_aircraft::rows()?);
-    rows.extend(bench_structure::rows(&WingFile::read(&wing_path(None))?)?);
-    let (file, wing) = ElasticWing::read(&wing_path(None))?;
-    let campaign = Campaign::read(&campaign_path(None))?;
+    rows.extend(bench_structure::rows(&WingFile::read(&repository::path("data/tuflex/wing.ron"))?)?);
+    let (file, wing) = ElasticWing::read(&repository::path("data/tuflex/wing.ron"))?;
+    let campaign = Campaign::read(&repository::path("data/tuflex/measured"))?;
     let settings = Settings::of_wing(&file.correction);
     rows.push(row(
         &format!("vlm_{}_boxes_with_image", wing.lattice.len()),
@@ -57,7 +57,7 @@ pub(crate) fn run(args: &BenchArgs, common: &Common) -> Result<(), Failure> {
     rows.extend(bench_discover::rows()?);
     let calibration = calibrate(&wing, &campaign, &settings)?;
     let whole = median(|| {
-        let (file, wing) = ElasticWing::read(&wing_path(None))?;
+        let (file, wing) = ElasticWing::read(&repository::path("data/tuflex/wing.ron"))?;
         calibrate(&wing, &campaign, &Settings::of_wing(&file.correction))?;
         Ok(())
     })?;
@@ -65,9 +65,9 @@ pub(crate) fn run(args: &BenchArgs, common: &Common) -> Result<(), Failure> {
     rows.push(row(&format!("calibrate_{airspeeds}_airspeeds_with_wing_and_aic"), whole));
     rows.push(general(&wing, &campaign, &settings, &calibration, whole / airspeeds as f64)?);
     let result = json!({ "command": "bench", "rows": rows, "peak_MB": peak_mb() });
-    let folder = ResultFolder::begin(&common.out("bench"))?;
-    folder.input("wing", &wing_path(None))?;
-    folder.input("campaign", &campaign_path(None))?;
+    let folder = ResultFolder::begin(&common.out("bench"))?.with_head(crate::pages::bench::page);
+    folder.input("wing", &repository::path("data/tuflex/wing.ron"))?;
+    folder.input("campaign", &repository::path("data/tuflex/measured"))?;
     folder.write_json("result.json", &result)?;
     folder.commit()?;
     show::summary(common, &summary(&rows));

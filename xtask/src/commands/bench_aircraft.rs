@@ -6,14 +6,14 @@ use fullaircraft::{Aircraft, FlightAir, FlyingAircraft, FreeFlight, Gust, Integr
 use serde_json::{Value, json};
 
 use super::bench_clock::{cpu_seconds, median, peak_mb, row};
-use crate::failure::Failure;
-use crate::paths;
+use crate::repository;
+use wingroot::failure::Failure;
 
 /// The shipped aircraft with its shell wings, once; then the chirp (linearisation included) and one second of a gust
 /// without linearisation.
 pub(crate) fn rows() -> Result<Vec<Value>, Failure> {
     let (start, cpu) = (Instant::now(), cpu_seconds());
-    let aircraft = Aircraft::read(&paths::given_or(None, "data/tuflex/aircraft.ron"), None)?;
+    let aircraft = Aircraft::read(&repository::path("data/tuflex/aircraft.ron"), None)?;
     let assembled = start.elapsed().as_secs_f64();
     let air = FlightAir::new(&aircraft)?;
     let boxes = aircraft.flow.lattice.len();

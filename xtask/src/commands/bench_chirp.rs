@@ -7,7 +7,7 @@ use maneuver::{Motion, Rig, RigSettings, Smooth};
 use serde_json::Value;
 
 use super::bench_clock::{median, row};
-use crate::failure::Failure;
+use wingroot::failure::Failure;
 
 /// Samples per second and length of the chirp, its airspeed and its amplitude.
 const RATE_HZ: f64 = 1000.0;

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use serde_json::{Value, json};
 
-use crate::failure::Failure;
+use wingroot::failure::Failure;
 
 /// Each step is run once to warm up and then this often; the median counts.
 pub(super) const REPEATS: usize = 7;

@@ -3,8 +3,8 @@
 use serde_json::{Value, json};
 
 use super::bench_clock::row;
-use super::hidden::timed_case;
-use crate::failure::Failure;
+use wingroot::commands::hidden::timed_case;
+use wingroot::failure::Failure;
 
 /// One case, once: its searches differ, their medians would not say more.
 pub(crate) fn rows() -> Result<Vec<Value>, Failure> {

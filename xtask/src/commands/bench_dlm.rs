@@ -3,12 +3,12 @@
 use aero::{DlmSettings, DoubletLattice, Lattice, MirrorPlane};
 use faer::{Mat, c64};
 
-use crate::failure::Failure;
-use crate::paths;
+use crate::repository;
 use serde_json::Value;
 use std::fmt::Write as _;
 use std::path::Path;
 use std::process::Command;
+use wingroot::failure::Failure;
 
 /// omega `c_ref`/(2 V), with `c_ref` = 0.225 m.
 const REDUCED_FREQUENCIES: [f64; 8] = [0.001, 0.01, 0.03, 0.1, 0.3, 0.6, 1.0, 1.5];
@@ -58,7 +58,7 @@ pub(crate) fn panelaero(lattice: &Lattice, python: &Path) -> Result<Option<Value
     let file = std::env::temp_dir().join(format!("wingroot_boxes_{}.csv", std::process::id()));
     std::fs::write(&file, corners).map_err(Failure::computation)?;
     let mut command = Command::new(python);
-    command.arg(paths::in_repository("tests/peers/time_panelaero.py")).arg(&file).arg(MACH.to_string());
+    command.arg(repository::path("tests/peers/time_panelaero.py")).arg(&file).arg(MACH.to_string());
     command.args(REDUCED_FREQUENCIES.map(|k| (k / HALF_CHORD_M).to_string()));
     let output = command.output();
     // A file in the folder for temporary files harms nobody if it stays.

@@ -125,7 +125,7 @@ pub(crate) fn fit(
         let mut end = match run {
             Ok(end) => end,
             Err(e) => {
-                tracing::warn!("general optimiser: {e}");
+                wingroot::show::note(&format!("general optimiser: {e}"));
                 break;
             }
         };

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use structure::{Model, System, normal_modes};
 
 use super::bench_clock::peak_mb;
-use crate::failure::Failure;
+use wingroot::failure::Failure;
 
 /// Elements along the span in each strip, times those of the file: grids from 3000 to 48000.
 const LENGTHS: [usize; 5] = [1, 2, 4, 8, 16];

@@ -7,15 +7,15 @@ use rayon::prelude::*;
 use serde_json::{Value, json};
 
 use super::bench_clock::{median, row};
-use crate::failure::Failure;
-use crate::paths;
+use crate::repository;
+use wingroot::failure::Failure;
 
 /// Airspeeds; 50 cases at each of them, with each model.
 const AIRSPEEDS: usize = 10;
 
 /// One row: from the assembled aircraft to the loads of all cases.
 pub(crate) fn rows() -> Result<Vec<Value>, Failure> {
-    let aircraft = Aircraft::read(&paths::in_repository("data/tuflex/aircraft.ron"), None)?;
+    let aircraft = Aircraft::read(&repository::path("data/tuflex/aircraft.ron"), None)?;
     let stations =
         [0.45, 0.9, 1.35].map(|y_m| StationAt { name: format!("y{y_m}"), y_m, x_m: None, z_m: None });
     let file = grid(&stations);

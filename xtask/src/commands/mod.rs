@@ -1,77 +1,6 @@
-//! One file per command: its options, and `run`. The list below is all that the rest of the program knows of them.
+//! Commands of developers: one file each, with its options and `run`.
 
-use clap::Subcommand;
-
-use crate::args::Common;
-use crate::failure::Failure;
-
-/// Declares the commands.
-macro_rules! commands {
-    ($($(#[$doc:meta])* $file:ident: $name:ident($options:ty)),* $(,)?) => {
-        $(pub(crate) mod $file;)*
-
-        /// The commands.
-        #[derive(Debug, Subcommand)]
-        pub(crate) enum Command {
-            $($(#[$doc])* $name($options)),*
-        }
-
-        impl Command {
-            /// Its name on the command line.
-            pub(crate) fn name(&self) -> &'static str {
-                match self { $(Self::$name(_) => stringify!($file)),* }
-            }
-
-            /// Runs it.
-            pub(crate) fn run(&self, common: &Common) -> Result<(), Failure> {
-                match self { $(Self::$name(options) => $file::run(options, common)),* }
-            }
-        }
-    };
-}
-
-commands! {
-    /// Corrections per airspeed from static loads measured at the wing root
-    calibrate: Calibrate(calibrate::CalibrateArgs),
-    /// Time histories of wind-tunnel runs, simulated from their inputs and set beside what was measured
-    simulate: Simulate(simulate::SimulateArgs),
-    /// How much of a commanded deflection acts, by surface, airspeed and deflection, from measured doublets
-    deflection: Deflection(deflection::DeflectionArgs),
-    /// Where simulation and measurements disagree, which effect is missing, the wing with it, the gap before and after
-    discover: Discover(discover::DiscoverArgs),
-    /// The blind benchmark of `discover`: effects hidden in campaigns of a wing with another discretisation
-    hidden: Hidden(hidden::HiddenArgs),
-    /// Trim, pull-up, push-down, chirp and doublet of the full aircraft, initial beside updated model
-    fullaircraft: Fullaircraft(fullaircraft_prepared::FullaircraftArgs),
-    /// Calibrate, simulate and fullaircraft, one after the other
-    pipeline: Pipeline(pipeline::PipelineArgs),
-    /// The virtual wind tunnel: writes a campaign folder
-    tunnel: Tunnel(tunnel::TunnelArgs),
-    /// Natural frequencies and shapes of a structure; with measurements, their fit by factors of regions
-    modes: Modes(modes::ModesArgs),
-    /// The wing as a Nastran deck: structure, boxes and splines
-    deck: Deck(deck::DeckArgs),
-    /// Response surfaces of measured coefficients: terms chosen by the predicted squared error, and their tests
-    response: Response(Box<crate::args::ResponseArgs>),
-    /// Flutter and divergence speeds of the wing, initial beside updated, by two methods, with V-g and V-f curves
-    flutter: Flutter(flutter::FlutterArgs),
-    /// A commented folder for a wing of your own, that runs at once
-    new: New(new::NewArgs),
-    /// Our results beside every published reference
-    validate: Validate(validate::ValidateArgs),
-    /// Time of the main steps
-    bench: Bench(bench::BenchArgs),
-    /// Check the house rules of the repository
-    tidy: Tidy(tidy::TidyArgs),
-}
-
-impl Command {
-    /// Whether it writes one folder of results, which takes the place of an earlier one.
-    pub(crate) fn replaces_results(&self) -> bool {
-        !matches!(self, Self::Pipeline(_) | Self::New(_) | Self::Tidy(_))
-    }
-}
-
+pub(crate) mod bench;
 mod bench_aircraft;
 mod bench_chirp;
 mod bench_clock;
@@ -80,42 +9,5 @@ mod bench_dlm;
 mod bench_general;
 mod bench_structure;
 mod bench_trim;
-mod calibrate_common;
-mod calibrate_figures;
-mod calibrate_numbers;
-mod calibrate_shapes;
-mod calibrate_strips;
-mod deck_hdf5;
-mod deflection_figures;
-mod deflection_results;
-mod discover_figures;
-mod discover_results;
-mod flutter_figures;
-mod fullaircraft_cases;
-mod fullaircraft_cases_figures;
-mod fullaircraft_cases_store;
-mod fullaircraft_deck;
-mod fullaircraft_derivatives;
-mod fullaircraft_effects;
-mod fullaircraft_figures;
-mod fullaircraft_prepared;
-mod modes_pictures;
-mod modes_shapes;
-mod modes_update;
-mod pipeline_figures;
-mod response_asymmetry;
-mod response_figures;
-mod response_files;
-mod response_missing;
-mod response_missing_text;
-mod response_models;
-mod response_points;
-mod response_source;
-mod response_text;
-mod simulate_effects;
-mod simulate_files;
-mod simulate_flown;
-mod simulate_maneuvers;
-
-pub(crate) use calibrate_numbers::speed_name;
-pub(crate) use fullaircraft_cases_figures::labelled;
+pub(crate) mod tidy;
+pub(crate) mod validate;

@@ -3,9 +3,10 @@
 use clap::Args;
 use serde_json::json;
 
-use crate::args::Common;
-use crate::failure::Failure;
-use crate::{paths, show, tidy};
+use crate::{repository, tidy};
+use wingroot::args::Common;
+use wingroot::failure::Failure;
+use wingroot::show;
 
 /// Options of `tidy`.
 #[derive(Debug, Clone, Default, Args)]
@@ -23,8 +24,7 @@ pub(crate) fn run(args: &TidyArgs, common: &Common) -> Result<(), Failure> {
     if args.lines {
         return lines(common);
     }
-    let complaints: Vec<String> =
-        tidy::check(&paths::repository())?.iter().map(ToString::to_string).collect();
+    let complaints: Vec<String> = tidy::check(&repository::root())?.iter().map(ToString::to_string).collect();
     show::json(common, &json!({ "command": "tidy", "complaints": complaints }))?;
     if complaints.is_empty() {
         show::summary(common, "tidy: nothing to complain about");
@@ -35,7 +35,7 @@ pub(crate) fn run(args: &TidyArgs, common: &Common) -> Result<(), Failure> {
 
 /// Lines of code by crate, and their sum.
 fn lines(common: &Common) -> Result<(), Failure> {
-    let counts = tidy::lines::count(&paths::repository())?;
+    let counts = tidy::lines::count(&repository::root())?;
     let sum: usize = counts.values().sum();
     show::json(common, &json!({ "command": "tidy", "lines": counts, "sum": sum }))?;
     for (package, count) in

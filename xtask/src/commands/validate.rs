@@ -11,10 +11,12 @@ use serde_json::{Value, json};
 use validation::registry::{LISTED, Outcome, cases, compute};
 use validation::{Row, Tolerance, Verdict};
 
-use crate::args::Common;
-use crate::failure::Failure;
-use crate::output::ResultFolder;
-use crate::{paths, progress, show};
+use crate::pages::validate::page;
+use crate::repository;
+use wingroot::args::Common;
+use wingroot::failure::Failure;
+use wingroot::output::ResultFolder;
+use wingroot::{progress, show};
 
 /// Options of `validate`.
 #[derive(Debug, Clone, Default, Args)]
@@ -36,7 +38,7 @@ const DATA: &str = "data/published";
 /// Runs the command; fails if a case is not met or cannot be computed, after writing all the same.
 pub(crate) fn run(args: &ValidateArgs, common: &Common) -> Result<(), Failure> {
     let start = Instant::now();
-    let data = paths::given_or(args.data.as_deref(), DATA);
+    let data = args.data.clone().unwrap_or_else(|| repository::path(DATA));
     let prefix = args.only.as_deref().unwrap_or_default();
     let chosen: Vec<_> = cases().filter(|case| case.file.starts_with(prefix)).collect();
     if chosen.is_empty() {
@@ -55,7 +57,7 @@ pub(crate) fn run(args: &ValidateArgs, common: &Common) -> Result<(), Failure> {
     bar.finish_and_clear();
     let table = table(&outcomes);
     let result = result(&outcomes, start.elapsed().as_secs_f64());
-    let folder = ResultFolder::begin(&common.out("validate"))?;
+    let folder = ResultFolder::begin(&common.out("validate"))?.with_head(page);
     folder.input("published cases", &data)?;
     folder.write_text("table.txt", &table)?;
     folder.write_json("result.json", &result)?;

@@ -4,12 +4,12 @@ use report::Page;
 use report::page::{Block, KeyNumber, PageTable, Plate, Section};
 use serde_json::Value;
 
-use super::values::{at, digits, list, short_at, text};
+use wingroot::pages::values::{at, digits, list, short_at, text};
 
 /// Keys of a row that have columns of their own.
 const OWN: [&str; 7] = ["name", "seconds", "peak_MB", "peer", "peer_seconds", "ratio", "peer_peak_MB"];
 
-pub(super) fn page(result: &Value, _: &mut Vec<Plate>) -> Page {
+pub(crate) fn page(result: &Value, _: &mut Vec<Plate>) -> Page {
     let rows = list(result, "rows");
     let mut numbers: Vec<KeyNumber> = rows
         .iter()

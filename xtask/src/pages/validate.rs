@@ -4,10 +4,10 @@ use report::Page;
 use report::page::{Block, KeyNumber, PageTable, Plate, Section};
 use serde_json::Value;
 
-use super::plates::figures;
-use super::values::{Column, at, five_at, list, table_of, text, word};
+use wingroot::pages::plates::figures;
+use wingroot::pages::values::{Column, at, five_at, list, table_of, text, word};
 
-pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
+pub(crate) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
     let cases = list(result, "cases");
     let count = |key: &str| at(result, key).unwrap_or_default();
     let failed = cases.iter().filter(|case| case["good"] != true).count();

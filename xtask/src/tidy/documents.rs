@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::complaint::{Complaint, files_below, named};
 use super::imports::Package;
-use crate::failure::Failure;
+use wingroot::failure::Failure;
 
 const ARCHITECTURE: &str = "ARCHITECTURE.md";
 
@@ -85,7 +85,7 @@ mod tests {
 
     #[test]
     fn a_path_that_is_gone_is_found_with_its_line() {
-        let root = crate::paths::repository();
+        let root = crate::repository::root();
         let complaints = missing_paths(&root, "See `Cargo.toml`.\nAnd `crates/gone/lib.rs`, not `gone()`.\n");
         assert_eq!(complaints, [Complaint::new("ARCHITECTURE.md:2", "`crates/gone/lib.rs` does not exist")]);
     }

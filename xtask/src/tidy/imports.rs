@@ -7,12 +7,13 @@ use std::process::Command;
 use serde_json::Value;
 
 use super::complaint::Complaint;
-use crate::failure::Failure;
+use wingroot::failure::Failure;
 
 /// Every package of ours and the packages of ours it may depend on, in code and tests.
 const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("nastran", &[]),
     ("report", &[]),
+    ("shipped", &[]),
     ("response", &["nastran"]),
     ("structure", &["nastran"]),
     ("aero", &["nastran"]),
@@ -28,7 +29,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
         &["nastran", "structure", "aero", "coupling", "calibrate", "maneuver", "fullaircraft", "response"],
     ),
     (
-        "xtask",
+        "wingroot",
         &[
             "nastran",
             "structure",
@@ -39,10 +40,29 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
             "fullaircraft",
             "tunnel",
             "report",
-            "validation",
             "response",
             "discover",
             "hidden",
+            "shipped",
+        ],
+    ),
+    (
+        "xtask",
+        &[
+            "nastran",
+            "structure",
+            "aero",
+            "coupling",
+            "calibrate",
+            "maneuver",
+            "fullaircraft",
+            "report",
+            "validation",
+            "discover",
+            "hidden",
+            "response",
+            "tunnel",
+            "wingroot",
         ],
     ),
 ];
@@ -54,12 +74,14 @@ const ONLY_IN: &[(&str, &[&str])] = &[
     ("plotly", &["report"]),
     ("rand_chacha", &["tunnel", "response", "discover", "hidden"]),
     ("rand_distr", &["tunnel", "response", "discover", "hidden"]),
+    ("flate2", &["shipped"]),
+    ("tar", &["shipped"]),
     ("ode_solvers", &["fullaircraft"]),
-    ("clap", &["xtask"]),
-    ("codespan-reporting", &["xtask"]),
-    ("hdf5-pure", &["xtask"]),
-    ("indicatif", &["xtask"]),
-    ("tracing-subscriber", &["xtask"]),
+    ("clap", &["wingroot", "xtask"]),
+    ("codespan-reporting", &["wingroot"]),
+    ("hdf5-pure", &["wingroot"]),
+    ("indicatif", &["wingroot"]),
+    ("tracing-subscriber", &["wingroot"]),
 ];
 
 /// A package of the workspace and what it depends on directly.
@@ -95,15 +117,20 @@ pub fn packages(root: &Path) -> Result<Vec<Package>, Failure> {
     Ok(list.iter().map(package).collect())
 }
 
+/// The name by which our code imports a package: published names have a prefix that library names do not have.
+fn library(package: &str) -> String {
+    package.strip_prefix("wingroot-").unwrap_or(package).to_owned()
+}
+
 fn package(value: &Value) -> Package {
     let dependencies = value["dependencies"].as_array().map_or(&[][..], Vec::as_slice);
     // A dependency of ours has a path, one of others a registry.
     let names = |ours: bool| {
         let chosen = dependencies.iter().filter(|d| d["path"].is_string() == ours);
-        chosen.filter_map(|d| d["name"].as_str().map(str::to_string)).collect()
+        chosen.filter_map(|d| d["name"].as_str().map(library)).collect()
     };
     Package {
-        name: value["name"].as_str().unwrap_or_default().to_string(),
+        name: library(value["name"].as_str().unwrap_or_default()),
         ours: names(true),
         theirs: names(false),
     }

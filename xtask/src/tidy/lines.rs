@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use super::complaint::{files_below, named};
-use crate::failure::Failure;
+use wingroot::failure::Failure;
 
 /// Lines of code by crate.
 ///

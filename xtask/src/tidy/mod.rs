@@ -10,7 +10,7 @@
 
 use std::path::Path;
 
-use crate::failure::Failure;
+use wingroot::failure::Failure;
 
 pub mod circles;
 mod complaint;

@@ -5,7 +5,7 @@ use std::path::Path;
 use syn::visit::Visit;
 
 use super::complaint::{Complaint, files_below, named};
-use crate::failure::Failure;
+use wingroot::failure::Failure;
 
 /// A source file without its `#[cfg(test)]` items.
 pub struct Source {

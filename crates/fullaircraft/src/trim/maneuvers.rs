@@ -54,7 +54,7 @@ pub enum Steady {
         /// The pair of ailerons that holds the bank.
         control: String,
     },
-    /// Any trim: names and units as `cargo xtask fullaircraft` lists them.
+    /// Any trim: names and units as `wingroot fullaircraft` lists them.
     Trim {
         /// What it is called.
         name: String,

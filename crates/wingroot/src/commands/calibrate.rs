@@ -1,0 +1,277 @@
+//! `calibrate`: measured root loads in, corrections of the panel model by airspeed out.
+
+use clap::Args;
+use std::fmt::Write as _;
+use std::path::Path;
+use std::time::Instant;
+
+use aero::{Corrections, MirrorPlane};
+use calibrate::{AirspeedCalibration, Calibration, Campaign, Settings};
+use coupling::{ElasticWing, SteadyCase};
+use serde_json::{Value, json};
+
+use crate::args::{Common, Measured};
+use crate::commands::calibrate_common as common_set;
+use crate::commands::calibrate_figures as figures;
+use crate::commands::calibrate_numbers::{channels, identifiability, measured_channels, speed_name};
+use crate::commands::calibrate_shapes;
+use crate::commands::calibrate_strips::{self, Strips};
+use crate::corrections::schedule;
+use crate::failure::Failure;
+use crate::output::ResultFolder;
+use crate::show;
+
+/// Options of `calibrate`.
+#[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  wingroot calibrate
+  wingroot calibrate --wing my_wing/wing.ron --campaign my_wing/campaign --out out/my_wing
+  wingroot calibrate --wing data/pazy/wing.ron --campaign data/pazy/tip_5deg --out out/pazy
+
+Written: corrections.ron, DMI cards wkk_V.bdf and fa2j_V.bdf for each airspeed, figures, result.json. An airspeed needs
+three angles of attack (docs/guide.md explains the columns and how to read the result).")]
+pub struct CalibrateArgs {
+    /// Wing and measurements.
+    #[command(flatten)]
+    pub(crate) measured: Measured,
+}
+
+/// Runs the command.
+pub(crate) fn run(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
+    let start = Instant::now();
+    let (file, wing) = ElasticWing::read(&args.measured.wing_path()?)?;
+    let campaign = Campaign::read(&args.measured.campaign_path()?)?;
+    let settings = Settings::of_wing(&file.correction);
+    let calibration = calibrate::calibrate(&wing, &campaign, &settings)?;
+    let seconds = start.elapsed().as_secs_f64();
+    let mut result = result(&wing, &campaign, &calibration)?;
+    result["seconds"] = json!(seconds);
+    if let Some(set) = &calibration.common {
+        result["common"] = common_set::result(set, &calibration);
+    }
+    let strips = calibrate_strips::compare(&campaign.folder, &wing, &calibration)?;
+    if let Some(strips) = &strips {
+        strips.add_to(&mut result);
+    }
+    let folder = ResultFolder::begin(&common.out("calibrate"))?;
+    folder.input("wing", &file.path)?;
+    folder.input("campaign", &campaign.folder)?;
+    folder.write_text("corrections.ron", &schedule(&file, &calibration).to_ron())?;
+    write(&folder, &wing, &calibration, strips.as_ref())?;
+    folder.write_json("result.json", &result)?;
+    let out = folder.commit()?;
+    show::summary(common, &summary(&calibration, &out, seconds));
+    show::json(common, &result)?;
+    match calibration.failures().as_slice() {
+        [] => Ok(()),
+        failures => {
+            let list: Vec<String> =
+                failures.iter().map(|(v, ending)| format!("{v} m/s: {ending:?}")).collect();
+            Err(Failure::Computation(format!("the fit did not reach its floor at {}", list.join(", "))))
+        }
+    }
+}
+
+/// Writes DMI cards and figures.
+fn write(
+    folder: &ResultFolder,
+    wing: &ElasticWing,
+    calibration: &Calibration,
+    strips: Option<&Strips>,
+) -> Result<(), Failure> {
+    for airspeed in &calibration.airspeeds {
+        let name = speed_name(airspeed.data.v_m_s);
+        write_set(folder, wing, &name, &format!("{name} m/s"), &airspeed.corrections)?;
+    }
+    match &calibration.common {
+        None => {
+            folder.write_text("static_loads.csv", &figures::static_loads_csv(wing, calibration)?)?;
+            figures::write(folder, wing, calibration)?;
+        }
+        Some(set) => {
+            write_set(folder, wing, "common", "all airspeeds", &set.corrections)?;
+            let caption = "Readings with their zeros taken out, and what both models give.";
+            folder.write_figure("readings", caption, common_set::figure(wing, set, calibration)?)?;
+        }
+    }
+    calibrate_shapes::write(folder, wing, calibration)?;
+    if let Some(strips) = strips {
+        folder.write_figure("strips", "Measured beside computed; never fitted.", strips.figure())?;
+    }
+    Ok(())
+}
+
+/// One set of corrections as DMI cards and as a picture.
+fn write_set(
+    folder: &ResultFolder,
+    wing: &ElasticWing,
+    name: &str,
+    at: &str,
+    corrections: &Corrections,
+) -> Result<(), Failure> {
+    let padded = wing.padded(corrections)?;
+    folder.write_text(&format!("wkk_{name}.bdf"), &padded.wkk().rounded_to_fields().write())?;
+    folder.write_text(&format!("fa2j_{name}.bdf"), &padded.fa2j().rounded_to_fields().write())?;
+    let map = figures::corrections(wing, corrections, at).map_err(Failure::computation)?;
+    folder.write_picture(
+        &format!("corrections_{name}"),
+        &format!("Corrections at {at}"),
+        "Figure 7 of the paper.",
+        map,
+    )
+}
+
+fn result(wing: &ElasticWing, campaign: &Campaign, calibration: &Calibration) -> Result<Value, Failure> {
+    let data = &calibration.data;
+    let airspeeds: Vec<Value> =
+        calibration.airspeeds.iter().map(|airspeed| airspeed_result(airspeed, calibration)).collect();
+    let blocks: Vec<Value> = data
+        .blocks
+        .iter()
+        .map(|b| json!({ "block": b.block, "offset": channels(b.offset, data.channels) }))
+        .collect();
+    Ok(json!({
+        "command": "calibrate",
+        "campaign": campaign.name,
+        "airspeeds": airspeeds,
+        "cone_programs": calibration.cone_programs(),
+        "blocks": blocks,
+        "block_sigma": channels(data.block_sigma, data.channels),
+        "point_sigma": data.point_sigma.map(|sigma| channels(sigma, data.channels)),
+        "noise_from": match (data.noise_dof, data.point_sigma) {
+            (Some(dof), _) => format!("replicates, {dof} degrees of freedom"),
+            (None, Some(_)) => "the campaign's declaration".into(),
+            (None, None) => "unknown: no replicates and none declared".into(),
+        },
+        "nonlinearity_level": calibration.nonlinearity_level,
+        "suspicions": calibration.suspicions,
+        "rows_with_deflected_controls_left_aside": data.deflected,
+        "weight_tare": calibration.weight_tare.map(|tare| json!({
+            "points": tare.points, "rms": loads(tare.rms), "rms_over_noise": tare.rms_over_noise.map(loads),
+        })),
+        "root_plane": root_plane(wing, campaign, calibration)?,
+    }))
+}
+
+fn airspeed_result(airspeed: &AirspeedCalibration, calibration: &Calibration) -> Value {
+    let fit = &airspeed.fit;
+    let measured = calibration.data.channels;
+    let nonlinearity: Vec<Value> = (0..4)
+        .filter_map(|c| airspeed.line.nonlinearity[c].map(|test| (c, test)))
+        .map(|(c, test)| {
+            json!({
+                "channel": calibrate::campaign::CHANNELS[c],
+                "curvature_per_deg2": test.curvature_per_rad2 * 1.0_f64.to_radians().powi(2),
+                "f": test.f, "p_value": test.p_value,
+                "significant": test.p_value < calibration.nonlinearity_level,
+            })
+        })
+        .collect();
+    let mut result = json!({
+        "V_m_s": airspeed.data.v_m_s,
+        "objective_before": fit.objective[0],
+        "objective_after": fit.objective[1],
+        "line_floor": airspeed.line_floor,
+        "noise_floor": airspeed.noise_floor,
+        "iterations": fit.cone_programs,
+        "ending": format!("{:?}", fit.ending),
+        "rmse_before": measured_channels(fit.rmse[0], measured),
+        "rmse_after": measured_channels(fit.rmse[1], measured),
+        "line_rmse": measured_channels(airspeed.line.rmse, measured),
+        "determined_directions": airspeed.identifiability.as_ref().map(|told| told.determined_directions),
+        "neighbour_bound_active": fit.neighbour_bound_active,
+        "nonlinearity": nonlinearity,
+        "identifiability": airspeed.identifiability.as_ref().map(|told| identifiability(told, measured)),
+        "left_out": airspeed.left_out.as_ref().map(|left_out| json!({
+            "alpha_deg": left_out.alphas_rad.iter().map(|a| a.to_degrees()).collect::<Vec<_>>(),
+            "objective_before": left_out.objective_before,
+            "objective_after": left_out.objective_after,
+            "line_error": left_out.line_error,
+        })),
+        "left_out_airspeed": airspeed.left_out_airspeed.as_ref().map(|left_out| json!({
+            "objective_before": left_out.objective_before, "objective_after": left_out.objective_after,
+        })),
+    });
+    if let Some(lift) = &airspeed.lift {
+        result["lift_factor"] = common_set::lift_factor(lift, calibration);
+        result["weights"] = measured_channels(airspeed.weights, measured);
+    }
+    result
+}
+
+/// What the choice of the plane at the root does to the rigid lift slope.
+fn root_plane(wing: &ElasticWing, campaign: &Campaign, calibration: &Calibration) -> Result<Value, Failure> {
+    let area_m2: f64 = wing.correctable.places.iter().map(|&place| wing.lattice.boxes[place].area_m2()).sum();
+    let slope = |cp: &dyn Fn(usize) -> f64| {
+        let lift = |&place: &usize| {
+            cp(place) * wing.lattice.boxes[place].area_m2() * wing.lattice.boxes[place].normal().z
+        };
+        wing.correctable.places.iter().map(lift).sum::<f64>() / area_m2
+    };
+    let chosen = slope(&|place| wing.pressures_by_alpha()[place]);
+    let name = match wing.plane {
+        MirrorPlane::None => "None".to_owned(),
+        MirrorPlane::Symmetric { y_m } => format!("Symmetric({y_m})"),
+        MirrorPlane::Antisymmetric { y_m } => format!("Antisymmetric({y_m})"),
+    };
+    let free = if wing.plane == MirrorPlane::None {
+        chosen
+    } else {
+        let alone =
+            aero::SteadyAero::new(&wing.lattice, MirrorPlane::None, 0.0).map_err(Failure::computation)?;
+        let upward = faer::Mat::from_fn(wing.lattice.len(), 1, |j, _| wing.lattice.boxes[j].normal().z);
+        let cp = alone.pressures(upward.as_ref());
+        slope(&|place| cp[(place, 0)])
+    };
+    let fastest = calibration.data.airspeeds.last().map_or(0.0, |a| a.v_m_s);
+    let flow = aero::Flow { v_m_s: fastest, rho_kg_m3: campaign.rho_kg_m3 };
+    let neutral = aero::Corrections::neutral(wing.correctable.len());
+    let states = wing.at(flow, &neutral)?.solve(&[SteadyCase::new(flow, 0.0), SteadyCase::new(flow, 0.01)]);
+    let elastic = (states[1].root.fz_n - states[0].root.fz_n) / 0.01 / (flow.dynamic_pressure_pa() * area_m2);
+    Ok(json!({
+        "choice": name, "lift_slope_per_rad": chosen, "lift_slope_per_rad_without_plane": free,
+        "elastic_lift_slope_per_rad_at_highest_airspeed": elastic,
+    }))
+}
+
+fn summary(calibration: &Calibration, out: &Path, seconds: f64) -> String {
+    let number = |value: f64| format!("{value:.4}");
+    let optional = |value: Option<f64>| value.map_or_else(|| "-".into(), number);
+    let columns: [report::Column<'_, &AirspeedCalibration>; 9] = [
+        ("V (m/s)", &|a| speed_name(a.data.v_m_s)),
+        ("F before", &|a| number(a.fit.objective[0])),
+        ("F after", &|a| number(a.fit.objective[1])),
+        ("line floor", &|a| number(a.line_floor)),
+        ("noise floor", &|a| optional(a.noise_floor)),
+        ("programs", &|a| a.fit.cone_programs.to_string()),
+        ("left out: before", &|a| optional(a.left_out.as_ref().map(|l| l.objective_before))),
+        ("after", &|a| optional(a.left_out.as_ref().map(|l| l.objective_after))),
+        ("ending", &|a| format!("{:?}", a.fit.ending)),
+    ];
+    let table = report::Table::of(&calibration.airspeeds, &columns);
+    let mut text = match &calibration.common {
+        None => format!("{table}\n"),
+        Some(set) => common_set::table(set, calibration),
+    };
+    for a in &calibration.airspeeds {
+        let bent: Vec<&str> = (0..4)
+            .filter(|&c| {
+                a.line.nonlinearity[c].is_some_and(|test| test.p_value < calibration.nonlinearity_level)
+            })
+            .map(|c| calibrate::campaign::CHANNELS[c])
+            .collect();
+        if !bent.is_empty() {
+            let v = speed_name(a.data.v_m_s);
+            let _ = writeln!(
+                text,
+                "{v} m/s: {} cannot be followed by a straight line; reported, not fitted",
+                bent.join(", ")
+            );
+        }
+    }
+    text + &format!("{seconds:.2} s; results in {}\n", out.display())
+}
+
+fn loads([fz, mx, my]: [f64; 3]) -> Value {
+    channels([fz, mx, my, 0.0], [false; 4])
+}

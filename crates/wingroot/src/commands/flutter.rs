@@ -1,0 +1,270 @@
+//! `flutter`: flutter and divergence speeds of the wing, initial beside updated: eigenvalues of the simulations' state matrix
+//! over airspeed, and p-k roots on the doublet lattice.
+
+use clap::Args;
+use std::fmt::Write as _;
+use std::time::Instant;
+
+use aero::{Corrections, DlmSettings, DoubletLattice, Flow};
+use calibrate::{Campaign, Schedule};
+use maneuver::flutter::{
+    Aeroelastic, Crossing, FlutterCurves, FlutterError, ModePressures, ScheduledForces, first_divergence,
+    flutter_of_state_space,
+};
+use maneuver::{Rig, RigSettings};
+use nastran::InputError;
+use report::Table;
+use serde_json::{Value, json};
+
+use super::flutter_figures::{self, Stability};
+use crate::args::{Common, Given};
+use crate::corrections::{CorrectedWing, corrected_wing};
+use crate::failure::Failure;
+use crate::output::ResultFolder;
+use crate::show;
+
+/// Options of `flutter`.
+#[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  wingroot flutter
+  wingroot flutter --wing my_wing/wing.ron --campaign my_wing/campaign --to 60")]
+pub struct FlutterArgs {
+    /// Wing, measurements, corrections.
+    #[command(flatten)]
+    pub(crate) given: Given,
+    /// Highest airspeed looked at, m/s [default: 100, up to which air is nearly incompressible]
+    #[arg(long, value_name = "V", value_parser = airspeed)]
+    pub(crate) to: Option<f64>,
+}
+
+fn airspeed(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(v_m_s) if v_m_s > 0.0 && v_m_s <= 300.0 => Ok(v_m_s),
+        _ => Err("expected an airspeed above 0 and up to 300 m/s".into()),
+    }
+}
+
+/// Highest airspeed if nothing is said, m/s.
+const HIGHEST: f64 = 100.0;
+/// Airspeeds looked at.
+const SPEEDS: u32 = 100;
+/// Reduced frequencies of the doublet lattice, omega c/(2V) with the mean chord.
+const REDUCED: [f64; 18] =
+    [0.0, 0.005, 0.01, 0.02, 0.04, 0.06, 0.09, 0.13, 0.18, 0.24, 0.32, 0.42, 0.55, 0.7, 0.9, 1.15, 1.5, 2.0];
+
+impl From<FlutterError> for Failure {
+    fn from(error: FlutterError) -> Self {
+        Self::computation(error)
+    }
+}
+
+/// Everything both models share.
+struct Task<'a> {
+    corrected: &'a CorrectedWing,
+    rig: Rig<'a>,
+    pressures: ModePressures,
+    rho_kg_m3: f64,
+    speeds: Vec<f64>,
+}
+
+/// Runs the command.
+pub(crate) fn run(args: &FlutterArgs, common: &Common) -> Result<(), Failure> {
+    let start = Instant::now();
+    let campaign = Campaign::read(&args.given.measured.campaign_path()?)?;
+    let corrected = corrected_wing(&args.given)?;
+    if corrected.wing.structure.is_none() {
+        return Err(InputError::in_file(&corrected.file.path, "a rigid wing neither flutters nor diverges")
+            .with_help("give the wing a structure")
+            .into());
+    }
+    let highest = args.to.unwrap_or(HIGHEST);
+    let rig = Rig::new(
+        &corrected.wing,
+        RigSettings::new(corrected.file.damping_ratio, corrected.file.pitch_axis_x()),
+    )?;
+    let doublets =
+        DoubletLattice::new(&corrected.wing.lattice, corrected.wing.plane, 0.0, &DlmSettings::default())
+            .map_err(Failure::computation)?;
+    let kappa = REDUCED.map(|k| 2.0 * k / mean_chord_m(&corrected));
+    let task = Task {
+        pressures: rig.mode_pressures(&doublets, &kappa)?,
+        corrected: &corrected,
+        rig,
+        rho_kg_m3: campaign.rho_kg_m3,
+        speeds: (1..=SPEEDS).map(|i| highest * f64::from(i) / f64::from(SPEEDS)).collect(),
+    };
+    let neutral = Corrections::neutral(corrected.wing.correctable.len());
+    let models = [
+        task.stability("initial", &|_| neutral.clone(), &[(0.0, neutral.clone())])?,
+        task.stability("updated", &|v| corrected.schedule.at_or_nearest(v).0, &sets(&corrected.schedule))?,
+    ];
+    let result = task.result(&models, start.elapsed().as_secs_f64());
+    let folder = ResultFolder::begin(&common.out("flutter"))?;
+    corrected.note_inputs(&folder)?;
+    folder.input("campaign", &campaign.folder)?;
+    for model in &models {
+        for (method, curves) in [("state_matrix", &model.state_matrix), ("p_k", &model.p_k)] {
+            folder.write_text(&format!("{}_{method}.csv", model.name), &flutter_figures::csv(curves))?;
+        }
+        folder.write_figure(model.name, flutter_figures::CAPTION, flutter_figures::figure(model))?;
+    }
+    folder.write_json("result.json", &result)?;
+    let out = folder.commit()?;
+    let mut text = task.summary(&models);
+    let _ = write!(text, "{:.1} s; results in {}", start.elapsed().as_secs_f64(), out.display());
+    show::summary(common, &text);
+    show::json(common, &result)
+}
+
+/// Area over span.
+fn mean_chord_m(corrected: &CorrectedWing) -> f64 {
+    let boxes = &corrected.wing.lattice.boxes;
+    let area: f64 = boxes.iter().map(aero::AeroBox::area_m2).sum();
+    let ys = || boxes.iter().flat_map(|panel| panel.corners.iter().map(|corner| corner.y));
+    area / (ys().fold(f64::NEG_INFINITY, f64::max) - ys().fold(f64::INFINITY, f64::min))
+}
+
+fn sets(schedule: &Schedule) -> Vec<(f64, Corrections)> {
+    schedule.sets.iter().map(|set| (set.v_m_s, set.corrections.clone())).collect()
+}
+
+impl Task<'_> {
+    fn flow(&self, v_m_s: f64) -> Flow {
+        Flow { v_m_s, rho_kg_m3: self.rho_kg_m3 }
+    }
+
+    /// Both methods with corrections by airspeed, which the p-k solution mixes between `sets` as `at` does.
+    fn stability(
+        &self,
+        name: &'static str,
+        at: &dyn Fn(f64) -> Corrections,
+        sets: &[(f64, Corrections)],
+    ) -> Result<Stability, Failure> {
+        let wing = &self.corrected.wing;
+        let elastic = first_divergence(&self.speeds, |v| wing.divergence_speed(self.rho_kg_m3, &at(v)))?;
+        // the rig refuses airspeeds beyond divergence
+        let below = |v: &&f64| elastic.is_none_or(|limit| **v < limit);
+        let flows: Vec<Flow> = self.speeds.iter().filter(below).map(|v| self.flow(*v)).collect();
+        let state_matrix =
+            flutter_of_state_space::<Failure>(&flows, |flow| Ok(self.rig.at(flow, &at(flow.v_m_s))?.a))?;
+        let table = |(v_m_s, corrections): &(f64, Corrections)| -> Result<_, Failure> {
+            Ok((*v_m_s, self.rig.gaf_table(&self.pressures, &wing.padded(corrections)?)?))
+        };
+        let forces = ScheduledForces::new(sets.iter().map(table).collect::<Result<_, _>>()?)?;
+        let damping = self.corrected.file.damping_ratio;
+        let system = Aeroelastic::of_modes(self.rig.omega_rad_s(), damping, &forces)?;
+        let all: Vec<Flow> = self.speeds.iter().map(|v| self.flow(*v)).collect();
+        let modal = system.divergence_speed(self.rho_kg_m3, &self.speeds)?;
+        Ok(Stability { name, state_matrix, p_k: system.pk(&all)?, divergence: [elastic, modal] })
+    }
+
+    fn highest(&self) -> f64 {
+        self.speeds[self.speeds.len() - 1]
+    }
+
+    fn result(&self, models: &[Stability], seconds: f64) -> Value {
+        let mut result = json!({
+            "command": "flutter",
+            "corrections": self.corrected.origin,
+            "corrections_held_outside_m_s": self.calibrated(),
+            "highest_airspeed_m_s": self.highest(),
+            "air_density_kg_m3": self.rho_kg_m3,
+            "modes": self.rig.omega_rad_s().len(),
+            "seconds": seconds,
+        });
+        for model in models {
+            result[model.name] = json!({
+                "state_matrix": self.method(&model.state_matrix, model.divergence[0]),
+                "p_k": self.method(&model.p_k, model.divergence[1]),
+                "p_k_over_state_matrix": model.ratio(),
+            });
+        }
+        result
+    }
+
+    /// Numbers of one method; a sentence where there is none.
+    fn method(&self, curves: &FlutterCurves, divergence: Option<f64>) -> Value {
+        let flutter = curves.flutter();
+        let none = |what: &str| format!("no {what} below {} m/s", self.highest());
+        let mut remarks: Vec<String> = curves.lost.iter().map(ToString::to_string).collect();
+        if flutter.is_none() {
+            remarks.push(none("flutter"));
+        }
+        if divergence.is_none() {
+            remarks.push(none("divergence"));
+        }
+        if flutter.is_some_and(|crossing| crossing.beyond_table) {
+            remarks.push(
+                "the flutter frequency is beyond the doublet lattice's table (k = 2): a hint only".into(),
+            );
+        }
+        json!({
+            "flutter_speed_m_s": flutter.map(|crossing| crossing.flow.v_m_s),
+            "flutter_frequency_hz": flutter.map(hertz),
+            "divergence_speed_m_s": divergence,
+            "changes_of_stability": curves.crossings.iter().map(|crossing| json!({
+                "V_m_s": crossing.flow.v_m_s, "frequency_hz": hertz(crossing), "mode": crossing.branch + 1,
+                "becomes": if crossing.unstable { "unstable" } else { "stable" },
+            })).collect::<Vec<_>>(),
+            "remarks": remarks,
+        })
+    }
+
+    /// First and last airspeed of the corrections.
+    fn calibrated(&self) -> [f64; 2] {
+        let sets = &self.corrected.schedule.sets;
+        [sets[0].v_m_s, sets[sets.len() - 1].v_m_s]
+    }
+
+    fn summary(&self, models: &[Stability]) -> String {
+        let mut table =
+            Table::new(&["model", "method", "flutter (m/s)", "frequency (Hz)", "divergence (m/s)"]);
+        let number = |value: Option<f64>| value.map_or_else(|| "none".into(), |value| format!("{value:.3}"));
+        for model in models {
+            let methods = [("state matrix", &model.state_matrix), ("p-k, doublet lattice", &model.p_k)];
+            for ((method, curves), divergence) in methods.into_iter().zip(model.divergence) {
+                let flutter = curves.flutter();
+                table.row(vec![
+                    model.name.to_string(),
+                    method.to_string(),
+                    number(flutter.map(|crossing| crossing.flow.v_m_s)),
+                    number(flutter.map(hertz)),
+                    number(divergence),
+                ]);
+            }
+        }
+        let mut text = format!("{table}up to {} m/s at {} kg/m3\n", self.highest(), self.rho_kg_m3);
+        for model in models {
+            if let Some(ratio) = model.ratio() {
+                let _ = writeln!(
+                    text,
+                    "{}: p-k flutters {:+.2} % from the state matrix",
+                    model.name,
+                    100.0 * (ratio - 1.0)
+                );
+            }
+            for lost in model.p_k.lost.iter().chain(&model.state_matrix.lost) {
+                let _ = writeln!(text, "{}: {lost}", model.name);
+            }
+        }
+        let [slow, fast] = self.calibrated();
+        if self.highest() > fast {
+            let _ = writeln!(
+                text,
+                "corrections were found from {slow} to {fast} m/s; outside, those of the nearest end are held"
+            );
+        }
+        text
+    }
+}
+
+impl Stability {
+    /// Flutter speed of p-k over that of the state matrix.
+    fn ratio(&self) -> Option<f64> {
+        Some(self.p_k.flutter()?.flow.v_m_s / self.state_matrix.flutter()?.flow.v_m_s)
+    }
+}
+
+fn hertz(crossing: &Crossing) -> f64 {
+    crossing.omega_rad_s / std::f64::consts::TAU
+}

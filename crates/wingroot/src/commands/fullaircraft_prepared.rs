@@ -1,0 +1,79 @@
+//! The options of `fullaircraft`, and its aircraft with the corrections and effects of its wing.
+
+use std::path::PathBuf;
+
+use aero::Corrections;
+use clap::Args;
+use fullaircraft::{Aircraft, AircraftFile};
+use nastran::InputError;
+
+use crate::args::{Common, Given, Measured};
+use crate::commands::fullaircraft_effects;
+use crate::corrections::corrected_wing;
+use crate::failure::Failure;
+use crate::paths;
+
+/// Options of `fullaircraft`.
+#[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  wingroot fullaircraft
+  wingroot fullaircraft --cases data/tuflex/cases.ron
+  wingroot fullaircraft --deck data/published/decks/ha144a_fsw.bdf
+
+With --cases: every maneuver of the file at every airspeed, with both models, and the load envelope (cases.csv,
+envelope.csv, envelope.svg, result.json in out/fullaircraft_cases). Finished cases are kept beside that folder until all are
+done: a run that was stopped goes on where it was when it is started again with the same inputs.")]
+pub struct FullaircraftArgs {
+    /// The aircraft [default: aircraft.ron beside the wing, or of the current folder]
+    #[arg(long, value_name = "FILE")]
+    pub(crate) aircraft: Option<PathBuf>,
+    /// Wing [default: the one that the aircraft names], measurements, corrections.
+    #[command(flatten)]
+    pub(crate) given: Given,
+    /// A grid of airspeeds, load factors and maneuvers (data/tuflex/cases.ron explains every field)
+    #[arg(long, value_name = "FILE.ron")]
+    pub(crate) cases: Option<PathBuf>,
+    /// The trims of a whole-aircraft Nastran deck (SOL 144) instead of the aircraft
+    #[arg(long, value_name = "FILE.bdf", conflicts_with_all = ["cases", "aircraft", "wing", "campaign", "corrections"])]
+    pub(crate) deck: Option<PathBuf>,
+}
+
+/// An aircraft and the corrections it flies with.
+pub(crate) struct Prepared {
+    /// The aircraft.
+    pub(crate) aircraft: Aircraft,
+    /// Corrections of one wing's boxes.
+    pub(crate) corrections: Corrections,
+    /// Effects of the wing that fly with it.
+    pub(crate) effects: fullaircraft_effects::Travelling,
+    /// Where they come from, in words.
+    pub(crate) origin: String,
+    /// What was read, for the report.
+    pub(crate) inputs: Vec<(&'static str, PathBuf)>,
+}
+
+/// Reads and assembles the aircraft with the corrections of its wing.
+pub(crate) fn prepared(args: &FullaircraftArgs, common: &Common) -> Result<Prepared, Failure> {
+    let named = &args.given.measured;
+    let file = AircraftFile::read(&paths::aircraft(args.aircraft.as_deref(), named.wing.as_deref())?)?;
+    let wing_path = named.wing.clone().unwrap_or_else(|| file.wing_path());
+    let measured = Measured { wing: Some(wing_path.clone()), campaign: named.campaign.clone() };
+    let given = Given { measured, corrections: args.given.corrections.clone() };
+    let wing = corrected_wing(&given)?;
+    // The nearest set stands for airspeeds between the calibrated ones, as published (40 m/s for 37 and 42 m/s).
+    wing.schedule.at(file.correction_airspeed_m_s).map_err(|refused| {
+        InputError::in_field(&file.path, "correction_airspeed_m_s", refused.message)
+            .with_help("choose an airspeed within those of the calibration")
+    })?;
+    let nearest = wing.schedule.nearest(file.correction_airspeed_m_s);
+    if nearest.v_m_s != file.correction_airspeed_m_s && !common.quiet {
+        let asked = file.correction_airspeed_m_s;
+        crate::show::note(&format!("corrections of {} m/s, the nearest to {asked} m/s", nearest.v_m_s));
+    }
+    let mut corrections = nearest.corrections.clone();
+    let effects = fullaircraft_effects::travelling(&wing, &file, &mut corrections)?;
+    let mut inputs = vec![("aircraft", file.path.clone()), ("wing", wing_path)];
+    inputs.extend(Some(("corrections", PathBuf::from(&wing.origin))).filter(|(_, path)| path.is_file()));
+    let aircraft = Aircraft::new(file, wing.file)?;
+    Ok(Prepared { aircraft, corrections, effects, origin: wing.origin, inputs })
+}

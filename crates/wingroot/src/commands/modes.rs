@@ -1,0 +1,132 @@
+//! `modes`: natural frequencies and shapes of a wing's or a deck's structure; with measurements, their fit.
+
+use clap::Args;
+use std::fmt::Write as _;
+use std::path::PathBuf;
+use std::time::Instant;
+
+use report::Table;
+use serde_json::{Value, json};
+use structure::{Modes, ModesError, effective_masses, normal_modes};
+
+use super::modes_pictures::hertz;
+use super::{modes_pictures, modes_shapes, modes_update};
+use crate::args::Common;
+use crate::failure::Failure;
+use crate::output::ResultFolder;
+use crate::show;
+use crate::structures::Structure;
+
+/// Options of `modes`.
+#[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  wingroot modes
+  wingroot modes --deck my_wing.bdf --count 20
+  wingroot modes --wing my_wing/wing.ron --measured my_wing/vibration_test.ron")]
+pub struct ModesArgs {
+    /// The wing [default: wing.ron of the current folder]
+    #[arg(long, value_name = "FILE", conflicts_with = "deck")]
+    pub(crate) wing: Option<PathBuf>,
+    /// A Nastran deck instead of a wing
+    #[arg(long, value_name = "FILE")]
+    pub(crate) deck: Option<PathBuf>,
+    /// Number of modes [default: 10, or as many as there are]
+    #[arg(long, value_name = "N")]
+    pub(crate) count: Option<usize>,
+    /// Measured frequencies, shapes and deflections, and the regions whose stiffness and mass are fitted to them
+    #[arg(long, value_name = "FILE")]
+    pub(crate) measured: Option<PathBuf>,
+}
+
+/// Modes if nothing is said, or as many as there are.
+const COUNT: usize = 10;
+
+/// Runs the command.
+pub(crate) fn run(args: &ModesArgs, common: &Common) -> Result<(), Failure> {
+    if let Some(measured) = &args.measured {
+        return modes_update::run(args.wing.as_deref(), args.deck.as_deref(), measured, common);
+    }
+    let start = Instant::now();
+    let structure = Structure::read(args.wing.as_deref(), args.deck.as_deref())?;
+    let modes = solve(&structure, args.count)?;
+    let folder = ResultFolder::begin(&common.out("modes"))?;
+    folder.input("structure", &structure.path)?;
+    let cells = structure::mesh::cells(&structure.bulk, &structure.system);
+    let files: Vec<String> =
+        (1..=modes.omega_rad_s.len()).map(|mode| format!("mode_{mode:02}.vtu")).collect();
+    for (mode, file) in files.iter().enumerate() {
+        folder.write_text(file, &modes_pictures::vtu(&structure.system, &cells, &modes, mode))?;
+    }
+    modes_shapes::write(&folder, &structure.name, &structure.system, &cells, &modes, &files)?;
+    if let Some(figure) = modes_pictures::figure(&structure, &modes) {
+        let caption = "Displacements of all nodes, scaled to the largest of a mode.";
+        folder.write_figure("shapes", caption, figure)?;
+    }
+    let result = result(&structure, &modes, start.elapsed().as_secs_f64());
+    folder.write_json("result.json", &result)?;
+    let out = folder.commit()?;
+    let mut text = summary(&structure, &modes);
+    let _ = write!(text, "written to {} in {:.1} s", out.display(), start.elapsed().as_secs_f64());
+    show::summary(common, &text);
+    show::json(common, &result)
+}
+
+/// As many modes as asked for; without a wish [`COUNT`] or what there is.
+pub(crate) fn solve(structure: &Structure, count: Option<usize>) -> Result<Modes, Failure> {
+    let wanted = count.unwrap_or_else(|| COUNT.min(structure.system.free_count()));
+    match (normal_modes(&structure.system, wanted), count) {
+        (Err(ModesError::TooMany { available, .. }), None) => {
+            normal_modes(&structure.system, available).map_err(Failure::computation)
+        }
+        (modes, _) => modes.map_err(Failure::computation),
+    }
+}
+
+fn result(structure: &Structure, modes: &Modes, seconds: f64) -> Value {
+    let mass = structure.system.mass_properties();
+    let effective = effective_masses(&structure.system, modes, &mass.centre);
+    json!({
+        "command": "modes", "structure": structure.name, "mass_kg": mass.mass_kg,
+        "centre_of_gravity_m": mass.centre.coords.as_slice(),
+        "inertia_about_centre_kg_m2": (0..3).map(|i| mass.inertia_kg_m2.row(i).iter().copied().collect::<Vec<_>>()).collect::<Vec<_>>(),
+        "grids": structure.system.node_count(), "free_motions": structure.system.free_count(),
+        "elements": structure.bulk.element_counts(),
+        "frequencies_hz": hertz(modes),
+        "rigid_modes": modes.omega_rad_s.iter().filter(|omega| **omega == 0.0).count(),
+        "effective_masses": effective, "seconds": seconds,
+    })
+}
+
+fn summary(structure: &Structure, modes: &Modes) -> String {
+    let system = &structure.system;
+    let mass = system.mass_properties();
+    let elements: Vec<String> =
+        structure.bulk.element_counts().iter().map(|(card, count)| format!("{count} {card}")).collect();
+    let mut text = format!(
+        "{}: {:.4} kg, centre of gravity {:.4}, {:.4}, {:.4} m; {} grids, {} free motions; {}\n",
+        structure.name,
+        mass.mass_kg,
+        mass.centre.x,
+        mass.centre.y,
+        mass.centre.z,
+        system.node_count(),
+        system.free_count(),
+        elements.join(", ")
+    );
+    let mut table = Table::new(&["mode", "Hz", "rad/s", "mass x (%)", "y (%)", "z (%)"]);
+    let effective = effective_masses(system, modes, &mass.centre);
+    for (mode, (hz, share)) in hertz(modes).iter().zip(&effective).enumerate() {
+        let mut row =
+            vec![(mode + 1).to_string(), format!("{hz:.4}"), format!("{:.3}", modes.omega_rad_s[mode])];
+        row.extend(
+            share[..3].iter().map(|kg| format!("{:.1}", 100.0 * kg / mass.mass_kg.max(f64::MIN_POSITIVE))),
+        );
+        table.row(row);
+    }
+    let _ = writeln!(text, "{table}");
+    let rigid = modes.omega_rad_s.iter().filter(|omega| **omega == 0.0).count();
+    if rigid > 0 {
+        let _ = writeln!(text, "{rigid} of them are rigid motions: the structure is not held against them");
+    }
+    text
+}

@@ -1,0 +1,114 @@
+//! A wing with its corrections: from a file, from the last `calibrate` if it was of this wing, or found now.
+
+use std::path::Path;
+
+use calibrate::{Calibration, Campaign, CorrectionSet, Schedule, Settings, calibrate};
+use coupling::{CouplingError, ElasticWing, WingFile};
+use nastran::InputError;
+
+use crate::args::{Given, Measured};
+use crate::failure::Failure;
+use crate::output::ResultFolder;
+use crate::paths;
+
+impl From<CouplingError> for Failure {
+    fn from(error: CouplingError) -> Self {
+        match error {
+            CouplingError::Input(input) => Self::Input(input),
+            other => Self::computation(other),
+        }
+    }
+}
+
+/// A wing, where it was read from, and its corrections by airspeed.
+#[derive(Debug)]
+pub(crate) struct CorrectedWing {
+    /// The wing's file.
+    pub(crate) file: WingFile,
+    /// The wing as it stands in the tunnel.
+    pub(crate) wing: ElasticWing,
+    /// Its corrections.
+    pub(crate) schedule: Schedule,
+    /// Where the corrections come from, in words.
+    pub(crate) origin: String,
+}
+
+impl CorrectedWing {
+    /// Corrections from a campaign's static points, as the wing's file asks for them.
+    ///
+    /// # Errors
+    /// If the calibration cannot be done.
+    pub(crate) fn calibrated(&self, campaign: &Campaign) -> Result<Schedule, Failure> {
+        let settings = Settings::of_wing(&self.file.correction);
+        Ok(schedule(&self.file, &calibrate(&self.wing, campaign, &settings)?))
+    }
+
+    /// Notes the wing and its corrections as inputs.
+    ///
+    /// # Errors
+    /// If they cannot be read again.
+    pub(crate) fn note_inputs(&self, folder: &ResultFolder) -> Result<(), Failure> {
+        folder.input("wing", &self.file.path)?;
+        let origin = Path::new(&self.origin);
+        if origin.is_file() { folder.input("corrections", origin) } else { Ok(()) }
+    }
+}
+
+/// Reads a wing and takes its corrections from `corrections`, or from out/calibrate if they belong to the same
+/// wing (hash), or calibrates it now and says so.
+///
+/// # Errors
+/// Bad input, corrections of another wing, or a calibration that cannot be done.
+pub(crate) fn corrected_wing(given: &Given) -> Result<CorrectedWing, Failure> {
+    let (file, wing) = ElasticWing::read(&given.measured.wing_path()?)?;
+    if let Some(path) = given.corrections.as_deref() {
+        let schedule = Schedule::read(path)?;
+        if schedule.wing_hash != file.hash {
+            let message = format!("these corrections belong to another wing than {}", file.path.display());
+            let help = "corrections hold for the wing they were found with: calibrate this one, or name the other with --wing";
+            return Err(InputError::in_file(path, message).with_help(help).into());
+        }
+        check_boxes(&schedule, &wing, path)?;
+        return Ok(CorrectedWing { file, wing, schedule, origin: path.display().to_string() });
+    }
+    let last = paths::results("calibrate").join("corrections.ron");
+    if let Some(schedule) = Schedule::read(&last).ok().filter(|schedule| schedule.wing_hash == file.hash) {
+        check_boxes(&schedule, &wing, &last)?;
+        return Ok(CorrectedWing { file, wing, schedule, origin: last.display().to_string() });
+    }
+    let measured = Measured { wing: Some(file.path.clone()), ..given.measured.clone() };
+    let campaign = Campaign::read(&measured.campaign_path()?)?;
+    let origin = format!("calibrated now from {}", campaign.folder.display());
+    crate::show::note(&format!("no corrections of this wing in {}: {origin}", last.display()));
+    let calibration = calibrate(&wing, &campaign, &Settings::of_wing(&file.correction))?;
+    let schedule = schedule(&file, &calibration);
+    Ok(CorrectedWing { file, wing, schedule, origin })
+}
+
+/// The corrections of a calibration as a schedule; one set for all airspeeds stands at both ends of their range.
+pub(crate) fn schedule(file: &WingFile, calibration: &Calibration) -> Schedule {
+    let set = |a: &calibrate::AirspeedCalibration| CorrectionSet {
+        v_m_s: a.data.v_m_s,
+        corrections: a.corrections.clone(),
+    };
+    let mut sets: Vec<CorrectionSet> = calibration.airspeeds.iter().map(set).collect();
+    if let Some(common) = &calibration.common {
+        let [slow, fast] = common.v_range_m_s;
+        let ends = if slow < fast { vec![slow, fast] } else { vec![fast] };
+        let at = |v_m_s| CorrectionSet { v_m_s, corrections: common.corrections.clone() };
+        sets.extend(ends.into_iter().map(at));
+    }
+    Schedule { wing: file.name.clone(), wing_hash: file.hash.clone(), sets }
+}
+
+fn check_boxes(schedule: &Schedule, wing: &ElasticWing, path: &Path) -> Result<(), Failure> {
+    let (got, expected) = (schedule.sets[0].corrections.len(), wing.correctable.len());
+    if got == expected {
+        return Ok(());
+    }
+    let message =
+        format!("{got} corrections an airspeed, but the wing has {expected} boxes (fairing excluded)");
+    Err(InputError::in_file(path, message)
+        .with_help("calibrate again: the wing's lattice has changed")
+        .into())
+}

@@ -1,0 +1,86 @@
+#![doc = include_str!("../README.md")]
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+pub use {
+    aero, calibrate, coupling, discover, fullaircraft, hidden, maneuver, nastran, report, response, shipped,
+    structure, tunnel,
+};
+
+pub mod args;
+pub mod blind;
+mod cli;
+pub mod commands;
+pub mod corrections;
+pub mod failure;
+pub mod hdf5;
+pub mod nulls;
+pub mod output;
+pub mod pages;
+pub mod paths;
+pub mod progress;
+pub mod show;
+pub mod structures;
+
+use args::Common;
+use failure::Failure;
+
+/// The version, and the commit it was built from.
+pub const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), " (", env!("WINGROOT_COMMIT"), ")");
+
+/// Reads the command line, runs the command and turns its end into the exit status: 0 done, 2 wrong usage or bad input, 3
+/// the computation could not be completed.
+pub fn main() -> ExitCode {
+    let cli = cli::Cli::parse();
+    let command = cli.command.name();
+    let writes_results = cli.command.replaces_results();
+    ended(&cli.common, command, writes_results, || cli.command.run(&cli.common))
+}
+
+/// Runs a command with its logging, threads and progress, prints how it failed if it did, and gives the exit status.
+pub fn ended(
+    common: &Common,
+    command: &str,
+    writes_results: bool,
+    run: impl FnOnce() -> Result<(), Failure>,
+) -> ExitCode {
+    show::start(common);
+    let result = set_threads(common).and_then(|()| {
+        if let Some(out) = common.out.as_deref().filter(|_| writes_results) {
+            // Before the work, not after it.
+            output::check_replaceable(out)?;
+        }
+        progress::at_work(common, command);
+        let result = run();
+        progress::done();
+        result
+    });
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            show::failure(&failure);
+            ExitCode::from(failure.exit_status())
+        }
+    }
+}
+
+/// Into how many parts the matrix library divides its work, whatever the number of threads: the order of its sums, and so
+/// the last digits of results, depend on it.
+const PARTS_OF_MATRICES: usize = 8;
+
+/// The number of threads of all loops, and the parts of the matrix library's.
+fn set_threads(common: &Common) -> Result<(), Failure> {
+    divide_matrices();
+    let Some(threads) = common.threads else { return Ok(()) };
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build_global()
+        .map_err(|error| Failure::Computation(format!("{threads} threads cannot be started: {error}")))
+}
+
+/// Makes results independent of the number of processors; to be called once before any computation.
+pub fn divide_matrices() {
+    faer::set_global_parallelism(faer::Par::rayon(PARTS_OF_MATRICES));
+}

@@ -1,0 +1,63 @@
+//! The head of every command's `report.html`: from `result.json`'s numbers to sentences, key numbers and tables that an
+//! aeroelastician reads, and the figures sorted under headings. [`crate::output::ResultFolder`] gathers the rest.
+
+mod aircraft;
+mod aircraft_deck;
+mod calibrate;
+mod deck;
+mod deflection;
+mod discover;
+mod discover_map;
+mod flutter;
+mod hidden;
+mod modes;
+mod origin;
+mod pipeline;
+pub mod plates;
+mod response;
+mod simulate;
+mod tunnel;
+pub mod values;
+
+pub use origin::input;
+pub use plates::Written;
+
+use report::Page;
+use report::page::Plate;
+use serde_json::Value;
+
+use plates::figures;
+
+/// Makes the head of a page from `result.json` and takes the figures that stand in it.
+pub type Head = fn(&Value, &mut Vec<Plate>) -> Page;
+
+/// The page of a command's results; none for commands without one.
+pub(crate) fn page(written: Written) -> Option<Page> {
+    let Written { result, mut plates, inputs, head, .. } = written;
+    let command = result["command"].as_str().unwrap_or_default();
+    let known: Head = match command {
+        "calibrate" => calibrate::page,
+        "deflection" => deflection::page,
+        "simulate" => simulate::page,
+        "discover" => discover::page,
+        "fullaircraft" => aircraft::page,
+        "fullaircraft --cases" => aircraft::cases,
+        "fullaircraft --deck" => aircraft_deck::page,
+        "flutter" => flutter::page,
+        "modes" => modes::page,
+        "deck" => deck::page,
+        "tunnel" => tunnel::page,
+        "hidden" => hidden::page,
+        "response" => response::page,
+        "pipeline" => pipeline::page,
+        _ => head?,
+    };
+    let mut page = known(&result, &mut plates);
+    command.clone_into(&mut page.command);
+    if !plates.is_empty() {
+        page.sections.push(figures("Figures", plates));
+    }
+    page.inputs = inputs;
+    page.run = origin::lines();
+    Some(page)
+}

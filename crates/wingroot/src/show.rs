@@ -1,0 +1,178 @@
+//! What the user sees: errors with their source line on standard error, summaries on standard output.
+//!
+//! ```text
+//! error: wing.ron:3:5: expected a number, found "five"
+//!   ┌─ wing.ron:3:5
+//!   │
+//! 3 │     chord_m: "five",
+//!   │              ^^^^^^ expected a number, found "five"
+//!   │
+//! hint: write 0.5
+//! ```
+
+use std::io::{IsTerminal, Write};
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use codespan_reporting::diagnostic::{Diagnostic, Label};
+use codespan_reporting::files::SimpleFile;
+use codespan_reporting::term::termcolor::Buffer;
+use codespan_reporting::term::{self, Config};
+use nastran::{InputError, Span};
+use serde::Serialize;
+use tracing::Level;
+use tracing_subscriber::filter::Targets;
+use tracing_subscriber::layer::SubscriberExt;
+use tracing_subscriber::util::SubscriberInitExt;
+
+use crate::args::Common;
+use crate::failure::Failure;
+use crate::progress;
+
+/// Whether remarks are left out.
+static QUIET: AtomicBool = AtomicBool::new(false);
+
+/// Sends the crates' events to standard error (warnings, or what `RUST_LOG` asks for), and remarks unless `--quiet`.
+pub fn start(common: &Common) {
+    QUIET.store(common.quiet, Ordering::Relaxed);
+    let default = Targets::new().with_default(if common.quiet { Level::ERROR } else { Level::WARN });
+    let asked = std::env::var("RUST_LOG").ok().and_then(|asked| asked.parse().ok());
+    let lines = tracing_subscriber::fmt::layer().with_writer(progress::Aside::default);
+    let lines = lines.with_target(false).without_time().with_ansi(colours());
+    let subscriber = tracing_subscriber::registry().with(asked.unwrap_or(default)).with(lines);
+    // A second subscriber (tests) is refused, and the first one stays: nothing to do.
+    let _ = subscriber.try_init();
+}
+
+/// Prints a failure to standard error.
+pub fn failure(failure: &Failure) {
+    let text = match failure {
+        Failure::Input(error) => explained(error, colours()),
+        Failure::Computation(message) => format!("error: {message}\n").into_bytes(),
+    };
+    // If standard error is closed there is nobody left to tell.
+    let _ = progress::aside(|| std::io::stderr().write_all(&text));
+}
+
+/// Prints a remark to standard error, unless `--quiet`.
+pub fn note(text: &str) {
+    if QUIET.load(Ordering::Relaxed) {
+        return;
+    }
+    // If standard error is closed there is nobody left to tell.
+    let _ = progress::aside(|| writeln!(std::io::stderr(), "note: {text}"));
+}
+
+/// Prints a summary for people: to standard output, or to standard error if that carries JSON.
+pub fn summary(common: &Common, text: &str) {
+    if common.quiet {
+        return;
+    }
+    let text = text.trim_end();
+    // A reader that closed the pipe (`| head`) has seen enough.
+    let _ = progress::aside(|| {
+        if common.json {
+            writeln!(std::io::stderr(), "{text}")
+        } else {
+            writeln!(std::io::stdout(), "{text}")
+        }
+    });
+}
+
+/// With `--json`: prints the result, and nothing else, to standard output.
+///
+/// # Errors
+/// If the value cannot be written as JSON.
+pub fn json<T: Serialize>(common: &Common, value: &T) -> Result<(), Failure> {
+    if common.json {
+        let text = serde_json::to_string_pretty(value).map_err(Failure::computation)?;
+        let _ = progress::aside(|| writeln!(std::io::stdout(), "{text}"));
+    }
+    Ok(())
+}
+
+fn colours() -> bool {
+    std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none()
+}
+
+/// The error as text: `file:line:column: message`, the source line with a caret, the hint.
+fn explained(error: &InputError, colours: bool) -> Vec<u8> {
+    let place = error.span.as_ref().map(|span| format!("{span}: ")).unwrap_or_default();
+    let mut text = format!("error: {place}{}\n", error.message).into_bytes();
+    if let Some(snippet) = error.span.as_ref().and_then(|span| snippet(span, colours)) {
+        text.extend(snippet);
+    }
+    if let Some(help) = &error.help {
+        text.extend(format!("hint: {help}\n").into_bytes());
+    }
+    text
+}
+
+/// The source line with the place underlined; none if the place is no line of a readable file.
+fn snippet(span: &Span, colours: bool) -> Option<Vec<u8>> {
+    let source = std::fs::read_to_string(span.file.as_path()).ok()?;
+    let range = byte_range(&source, span)?;
+    let file = SimpleFile::new(span.file.display().to_string(), source);
+    let diagnostic: Diagnostic<()> = Diagnostic::error().with_labels(vec![Label::primary((), range)]);
+    let mut buffer = if colours { Buffer::ansi() } else { Buffer::no_color() };
+    term::emit_to_write_style(&mut buffer, &Config::default(), &file, &diagnostic).ok()?;
+    // The first line only says "error", which stands above already.
+    let bytes = buffer.into_inner();
+    let head = bytes.iter().position(|b| *b == b'\n')? + 1;
+    let end = bytes.iter().rposition(|b| !b.is_ascii_whitespace())? + 1;
+    let mut kept = bytes.get(head..end)?.to_vec();
+    kept.push(b'\n');
+    Some(kept)
+}
+
+/// Bytes of the place in the source; columns count characters from one, and a column of zero is the whole line.
+fn byte_range(source: &str, span: &Span) -> Option<Range<usize>> {
+    let line = source.split_inclusive('\n').nth(span.line.checked_sub(1)?)?;
+    let start: usize = source.split_inclusive('\n').take(span.line - 1).map(str::len).sum();
+    let content = line.trim_end_matches(['\n', '\r']);
+    let at = |column: usize| {
+        content.char_indices().nth(column.saturating_sub(1)).map_or(content.len(), |(offset, _)| offset)
+    };
+    let (from, to) =
+        if span.column == 0 { (0, content.len()) } else { (at(span.column), at(span.end_column)) };
+    Some(start + from..start + to.max(from))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::Arc;
+
+    #[test]
+    fn the_place_is_shown_with_its_line_a_caret_and_the_hint() {
+        let folder = std::env::temp_dir().join(format!("wingroot-show-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        let path = folder.join("wing.ron");
+        std::fs::write(&path, "Wing(\n    naïve: 1, chord_m: \"five\",\n)\n").unwrap();
+        let file = Arc::new(path.clone());
+        let error = InputError::at(&Span::new(&file, 2, 24, 30), "expected a number, found \"five\"");
+        let text = String::from_utf8(explained(&error.with_help("write 0.5"), false)).unwrap();
+        std::fs::remove_dir_all(&folder).unwrap();
+        let lines: Vec<&str> = text.lines().collect();
+        assert_eq!(lines[0], format!("error: {}:2:24: expected a number, found \"five\"", path.display()));
+        let source = lines.iter().position(|l| l.contains("naïve")).unwrap();
+        assert_eq!(
+            lines[source].find('"').map(|_| column(lines[source], '"')),
+            Some(column(lines[source + 1], '^'))
+        );
+        assert!(lines[source + 1].ends_with("^^^^^^"), "{text}");
+        assert_eq!(lines.last(), Some(&"hint: write 0.5"));
+    }
+
+    fn column(line: &str, wanted: char) -> usize {
+        line.chars().position(|c| c == wanted).unwrap()
+    }
+
+    #[test]
+    fn a_place_that_is_no_line_of_a_file_still_gives_the_message() {
+        let error = InputError::in_file(std::path::Path::new("no/such.ron"), "the file does not exist");
+        assert_eq!(explained(&error, false), b"error: no/such.ron: the file does not exist\n");
+        let span = Span { line: 99, ..Span::generated("x") };
+        assert_eq!(byte_range("one line", &span), None);
+    }
+}

@@ -1,0 +1,121 @@
+//! `modes`, `modes --measured`, `deck` and `validate` as a user runs them.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+fn folder(name: &str) -> PathBuf {
+    let folder = std::env::temp_dir().join(format!("wingroot-structure-{}-{name}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a temporary folder");
+    folder
+}
+
+fn run(folder: &Path, arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_wingroot"));
+    command.args(arguments).args(["--quiet", "--out"]).arg(folder.join("out"));
+    command.current_dir(folder).output().expect("the command starts")
+}
+
+fn result(folder: &Path, arguments: &[&str]) -> Value {
+    let output = run(folder, arguments);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let text = std::fs::read_to_string(folder.join("out/result.json")).expect("a result");
+    serde_json::from_str(&text).expect("JSON")
+}
+
+/// The beam wing.
+fn wing(folder: &Path) -> PathBuf {
+    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/tuflex");
+    for file in ["e214.dat", "beam_distribution.csv"] {
+        std::fs::copy(data.join(file), folder.join(file)).expect("a shipped file");
+    }
+    std::fs::copy(data.join("wing_beam.ron"), folder.join("wing.ron")).expect("a shipped file");
+    folder.join("wing.ron")
+}
+
+#[test]
+fn modes_writes_frequencies_and_a_picture_of_each_shape() {
+    let folder = folder("modes");
+    wing(&folder);
+    let result = result(&folder, &["modes", "--wing", "wing.ron", "--count", "4"]);
+    let hertz: Vec<f64> =
+        result["frequencies_hz"].as_array().expect("a list").iter().filter_map(Value::as_f64).collect();
+    // The documented frequencies of the stand-in: 4.56, 20.4, 30.3, 51.4 Hz, to the 3 % of that comparison.
+    for (got, want) in hertz.iter().zip([4.56, 20.4, 30.3, 51.4]) {
+        assert!((got / want - 1.0).abs() < 0.03, "{got} Hz instead of {want}");
+    }
+    assert_eq!(hertz.len(), 4);
+    assert!((result["mass_kg"].as_f64().expect("a number") - 2.2).abs() < 0.01);
+    assert_eq!(result["elements"]["CBEAM"], 36);
+    for mode in 1..=4 {
+        let text = std::fs::read_to_string(folder.join(format!("out/mode_{mode:02}.vtu"))).expect("a shape");
+        assert!(text.contains(&format!("NumberOfPoints=\"{}\"", result["grids"])));
+    }
+    std::fs::remove_dir_all(folder).expect("it was made above");
+}
+
+#[test]
+fn measured_frequencies_make_the_wing_softer_and_say_what_stays_open() {
+    let folder = folder("measured");
+    wing(&folder);
+    // All frequencies 5 % below the model's: the ratio of stiffness to mass is 0.9025, and nothing tells the two apart.
+    let model = result(&folder, &["modes", "--wing", "wing.ron", "--count", "3"]);
+    let modes: Vec<String> = (0..3)
+        .map(|mode| {
+            let hertz = 0.95 * model["frequencies_hz"][mode].as_f64().expect("a number");
+            format!("(frequency_hz: {hertz:?}, sigma_hz: 0.01)")
+        })
+        .collect();
+    let file = |fit: &str| {
+        format!(
+            "Measured(modes: [{}], regions: [(name: \"all\", y_m: (-1.0, 2.0), fit: [{fit}])])",
+            modes.join(", ")
+        )
+    };
+    let arguments = ["modes", "--wing", "wing.ron", "--measured", "measured.ron"];
+    std::fs::write(folder.join("measured.ron"), file("Stiffness")).expect("a temporary file");
+    let fitted = result(&folder, &arguments);
+    let factor = fitted["factors"][0]["value"].as_f64().expect("a number");
+    assert!((factor - 0.9025).abs() < 1e-6, "{factor}");
+    assert_eq!(fitted["factors"][0]["determined"], true);
+    std::fs::write(folder.join("measured.ron"), file("Stiffness, Mass")).expect("a temporary file");
+    let fitted = result(&folder, &arguments);
+    assert!(fitted["factors"].as_array().expect("a list").iter().all(|factor| factor["determined"] == false));
+    assert_eq!(fitted["undetermined"].as_array().expect("a list").len(), 1);
+    // A grid that is not there: status 2, the earlier result stays.
+    let bad =
+        "Measured(modes: [(frequency_hz: 4.0, sigma_hz: 0.1, shape: [(grid: 9, component: 3, value: 1.0)])])";
+    std::fs::write(folder.join("measured.ron"), bad).expect("a temporary file");
+    let output = run(&folder, &arguments);
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(said.contains("GRID 9 is not in the model") && said.contains("measured.ron:1:"), "{said}");
+    assert!(folder.join("out/factors.ron").is_file());
+    std::fs::remove_dir_all(folder).expect("it was made above");
+}
+
+#[test]
+fn the_deck_has_the_modes_of_the_wing() {
+    let folder = folder("deck");
+    wing(&folder);
+    let deck = result(&folder, &["deck", "--wing", "wing.ron", "--count", "5"]);
+    std::fs::copy(folder.join("out/wing.bdf"), folder.join("wing.bdf")).expect("a temporary file");
+    let modes = result(&folder, &["modes", "--deck", "wing.bdf", "--count", "5"]);
+    assert_eq!(deck["boxes"], 708);
+    for mode in 0..5 {
+        let of = |result: &Value| result["frequencies_hz"][mode].as_f64().expect("a number");
+        assert!((of(&deck) / of(&modes) - 1.0).abs() < 1e-8);
+    }
+    std::fs::remove_dir_all(folder).expect("it was made above");
+}
+
+#[test]
+fn validate_shows_a_case_and_refuses_a_name_that_is_none() {
+    let folder = folder("validate");
+    let result = result(&folder, &["validate", "--only", "vlm__warren12"]);
+    assert_eq!((&result["met"], &result["not_met"]), (&Value::from(4), &Value::from(0)));
+    assert!(folder.join("out/table.txt").is_file());
+    assert_eq!(run(&folder, &["validate", "--only", "nonsense"]).status.code(), Some(2));
+    std::fs::remove_dir_all(folder).expect("it was made above");
+}
