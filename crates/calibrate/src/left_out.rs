@@ -98,7 +98,8 @@ pub(crate) fn left_out_airspeed<M: SteadyModel>(
             results.push(None);
             continue;
         }
-        let schedule = Schedule { wing: String::new(), wing_hash: String::new(), sets: others };
+        let schedule =
+            Schedule { wing: String::new(), wing_hash: String::new(), sets: others, unconverged: Vec::new() };
         let v_m_s = airspeed.data.v_m_s;
         // the slowest and the fastest airspeed lie outside of the others: the nearest set is what a user would take
         let (corrections, _) = schedule.at_or_nearest(v_m_s);

@@ -46,14 +46,35 @@ pub struct Schedule {
     pub wing_hash: String,
     /// Sets in ascending airspeed.
     pub sets: Vec<CorrectionSet>,
+    /// Fits that did not reach their floor ("30 m/s: Stalled"): loads with these corrections are wrong by an unknown amount.
+    #[serde(default)]
+    pub unconverged: Vec<String>,
 }
 
 impl Schedule {
     /// Reads `corrections.ron` and checks it.
     ///
     /// # Errors
-    /// A missing or misspelt field, arrays of different lengths, airspeeds that do not ascend.
+    /// A missing or misspelt field, arrays of different lengths, airspeeds that do not ascend, fits that did not converge.
     pub fn read(path: &Path) -> Result<Self, InputError> {
+        let schedule = Self::read_unconverged(path)?;
+        if schedule.unconverged.is_empty() {
+            return Ok(schedule);
+        }
+        let message = format!(
+            "these corrections are of fits that did not converge: {}",
+            schedule.unconverged.join(", ")
+        );
+        Err(InputError::in_field(path, "unconverged", message).with_help(
+            "calibrate again with better data, or take them all the same with --accept-unconverged",
+        ))
+    }
+
+    /// The same, of fits that did not converge, too.
+    ///
+    /// # Errors
+    /// As [`Schedule::read`], but for that.
+    pub fn read_unconverged(path: &Path) -> Result<Self, InputError> {
         let schedule: Self = ron_file::read(path)?;
         if schedule.sets.is_empty() {
             return Err(InputError::in_file(path, "there is no set of corrections")
@@ -159,7 +180,11 @@ impl Schedule {
                 list(&set.corrections.pressure_offset)
             );
         }
-        text.push_str("    ],\n)\n");
+        text.push_str("    ],\n");
+        if !self.unconverged.is_empty() {
+            let _ = writeln!(text, "    unconverged: {:?},", self.unconverged);
+        }
+        text.push_str(")\n");
         text
     }
 }

@@ -10,7 +10,8 @@ fn set(v_m_s: f64, force: f64) -> CorrectionSet {
 }
 
 fn schedule() -> Schedule {
-    Schedule { wing: "a wing".into(), wing_hash: "0123".into(), sets: vec![set(20.0, 1.4), set(40.0, 1.0)] }
+    let sets = vec![set(20.0, 1.4), set(40.0, 1.0)];
+    Schedule { wing: "a wing".into(), wing_hash: "0123".into(), sets, unconverged: Vec::new() }
 }
 
 #[test]
@@ -61,4 +62,17 @@ fn a_schedule_is_written_and_read_without_loss() {
     std::fs::remove_dir_all(&folder).expect("a temporary folder");
     assert_eq!(read.expect("as written"), original);
     assert!(refused.contains("differ in length"), "{refused}");
+}
+
+#[test]
+fn corrections_of_a_fit_that_stalled_are_refused_unless_told() {
+    let folder = std::env::temp_dir().join(format!("wingroot-unconverged-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder of our own");
+    let path = folder.join("corrections.ron");
+    let stalled = Schedule { unconverged: vec!["40 m/s: Stalled".to_owned()], ..schedule() };
+    std::fs::write(&path, stalled.to_ron()).expect("a file");
+    let refused = Schedule::read(&path).expect_err("they are marked").to_string();
+    assert!(refused.contains("did not converge: 40 m/s: Stalled"), "{refused}");
+    assert_eq!(Schedule::read_unconverged(&path), Ok(stalled));
+    std::fs::remove_dir_all(&folder).expect("a folder of our own");
 }

@@ -9,7 +9,7 @@ use crate::gap::Gap;
 use crate::load_model::LoadModel;
 use crate::model_form::{LatticeVariant, kernel_variant, lag_variant};
 use crate::noise::{Noise, NoiseUnknown};
-use crate::null_campaigns::from_null_campaigns;
+use crate::null_campaigns::{NullStore, from_null_campaigns};
 use crate::null_distribution::NullDistribution;
 use crate::null_key::NullKey;
 use crate::problem::Problem;
@@ -183,7 +183,12 @@ impl Prepared {
 
     /// What is found in campaigns without effect.
     pub fn null_distribution(&self, seed: u64) -> NullDistribution {
-        from_null_campaigns(&self.setting(), self.training(), &self.judged(), seed)
+        self.null_distribution_kept(seed, &())
+    }
+
+    /// The same, with campaigns that a stopped run has finished, and each kept when it is.
+    pub fn null_distribution_kept(&self, seed: u64, kept: &dyn NullStore) -> NullDistribution {
+        from_null_campaigns(&self.setting(), self.training(), &self.judged(), seed, kept)
     }
 
     /// What a null distribution of this campaign depends on, for the wing of a file (its hash) with these corrections.

@@ -12,7 +12,36 @@ use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 use rayon::prelude::*;
 use response::verdict::mean_and_deviation;
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
+
+/// What the search finds in one campaign without effect.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct NullCampaign {
+    /// Log Bayes factor of every effect that screening let through, by label.
+    evidence: Vec<(String, f64)>,
+    /// Mean square of what is left over the noise.
+    misfit: f64,
+    /// Gaps of training and held-out runs.
+    gap: [f64; 2],
+}
+
+/// Keeps campaigns when they are finished, and may have some from a run that was stopped.
+pub trait NullStore: Sync {
+    /// A campaign that was finished before.
+    fn get(&self, k: u64) -> Option<NullCampaign>;
+    /// Keeps a campaign.
+    fn put(&self, k: u64, campaign: &NullCampaign);
+}
+
+/// Keeps nothing.
+impl NullStore for () {
+    fn get(&self, _: u64) -> Option<NullCampaign> {
+        None
+    }
+
+    fn put(&self, _: u64, _: &NullCampaign) {}
+}
 
 /// Makes campaigns without effect and searches them; `judged` are training and held-out data, each run for itself.
 pub fn from_null_campaigns(
@@ -20,6 +49,7 @@ pub fn from_null_campaigns(
     train: Problem<'_>,
     judged: &[Problem<'_>; 2],
     seed: u64,
+    kept: &dyn NullStore,
 ) -> NullDistribution {
     let rules = &setting.rules().nulls;
     // the same model flies all of them: what it is uncertain of and what effects change in it is found once
@@ -27,14 +57,25 @@ pub fn from_null_campaigns(
     let one = |k: u64| {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         random.set_stream(k + 1);
-        null(setting, &current, judged, &mut random, k)
+        let campaign = null(setting, &current, judged, &mut random, k);
+        kept.put(k, &campaign);
+        campaign
     };
+    let mut nulls: Vec<Option<NullCampaign>> = (0..rules.campaigns).map(|k| kept.get(k)).collect();
     // the first alone, so that the others need not fly side by side what it will remember
-    let mut nulls = vec![one(0)];
-    nulls.par_extend((1..rules.campaigns).into_par_iter().map(one));
+    if let Some((k, first)) = (0..).zip(&mut nulls).find(|(_, null)| null.is_none()) {
+        *first = Some(one(k));
+    }
+    let nulls: Vec<NullCampaign> = (0..rules.campaigns)
+        .zip(nulls)
+        .collect::<Vec<_>>()
+        .into_par_iter()
+        .map(|(k, null)| null.unwrap_or_else(|| one(k)))
+        .collect();
     let threshold = |effect: &Arc<dyn Effect>| {
         let label = label(effect);
-        let found = |null: &Null| null.evidence.iter().find(|(of, _)| *of == label).map(|found| found.1);
+        let found =
+            |null: &NullCampaign| null.evidence.iter().find(|(of, _)| *of == label).map(|found| found.1);
         // an effect that screening passed over found nothing there
         let mut values: Vec<f64> = nulls.iter().filter_map(found).map(|value| value.max(0.0)).collect();
         values.resize(nulls.len(), 0.0);
@@ -54,19 +95,13 @@ pub fn from_null_campaigns(
     }
 }
 
-struct Null {
-    evidence: Vec<(String, f64)>,
-    misfit: f64,
-    gap: [f64; 2],
-}
-
 fn null(
     setting: &Setting<'_>,
     current: &CurrentModel<'_>,
     judged: &[Problem<'_>; 2],
     random: &mut ChaCha8Rng,
     k: u64,
-) -> Null {
+) -> NullCampaign {
     let variants = setting.variants.len() as u64;
     let truth = match (k % (variants + 1)).checked_sub(1) {
         None => setting.model,
@@ -90,7 +125,7 @@ fn null(
     let ranked = rank(setting, &current, &NullDistribution::default());
     let gap =
         |problem: &Problem<'_>| problem.gap(&setting.model.fly(&current.models, &[], &problem.places())).all;
-    Null {
+    NullCampaign {
         evidence: ranked.iter().map(|w| (w.label(), w.evidence)).collect(),
         misfit: current.chi2 / current.problem.len() as f64,
         gap: judged.each_ref().map(gap),

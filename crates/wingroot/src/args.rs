@@ -87,4 +87,7 @@ pub struct Given {
     /// Corrections from `calibrate` [default: out/calibrate's if of the same wing, else calibrated first]
     #[arg(long, value_name = "FILE")]
     pub corrections: Option<PathBuf>,
+    /// Take corrections of a fit that stalled or diverged all the same
+    #[arg(long)]
+    pub accept_unconverged: bool,
 }

@@ -62,7 +62,7 @@ impl CorrectedWing {
 pub(crate) fn corrected_wing(given: &Given) -> Result<CorrectedWing, Failure> {
     let (file, wing) = ElasticWing::read(&given.measured.wing_path()?)?;
     if let Some(path) = given.corrections.as_deref() {
-        let schedule = Schedule::read(path)?;
+        let schedule = given.schedule(path)?;
         if schedule.wing_hash != file.hash {
             let message = format!("these corrections belong to another wing than {}", file.path.display());
             let help = "corrections hold for the wing they were found with: calibrate this one, or name the other with --wing";
@@ -72,7 +72,7 @@ pub(crate) fn corrected_wing(given: &Given) -> Result<CorrectedWing, Failure> {
         return Ok(CorrectedWing { file, wing, schedule, origin: path.display().to_string() });
     }
     let last = paths::results("calibrate").join("corrections.ron");
-    if let Some(schedule) = Schedule::read(&last).ok().filter(|schedule| schedule.wing_hash == file.hash) {
+    if let Some(schedule) = given.schedule(&last).ok().filter(|schedule| schedule.wing_hash == file.hash) {
         check_boxes(&schedule, &wing, &last)?;
         return Ok(CorrectedWing { file, wing, schedule, origin: last.display().to_string() });
     }
@@ -82,7 +82,18 @@ pub(crate) fn corrected_wing(given: &Given) -> Result<CorrectedWing, Failure> {
     crate::show::note(&format!("no corrections of this wing in {}: {origin}", last.display()));
     let calibration = calibrate(&wing, &campaign, &Settings::of_wing(&file.correction))?;
     let schedule = schedule(&file, &calibration);
+    if !schedule.unconverged.is_empty() && !given.accept_unconverged {
+        let message = format!("the fit did not converge: {}", schedule.unconverged.join(", "));
+        return Err(Failure::Computation(message + "; --accept-unconverged goes on with it"));
+    }
     Ok(CorrectedWing { file, wing, schedule, origin })
+}
+
+impl Given {
+    /// Reads corrections; those of a fit that did not converge only if that was asked for.
+    fn schedule(&self, path: &Path) -> Result<Schedule, InputError> {
+        if self.accept_unconverged { Schedule::read_unconverged(path) } else { Schedule::read(path) }
+    }
 }
 
 /// The corrections of a calibration as a schedule; one set for all airspeeds stands at both ends of their range.
@@ -98,7 +109,9 @@ pub(crate) fn schedule(file: &WingFile, calibration: &Calibration) -> Schedule {
         let at = |v_m_s| CorrectionSet { v_m_s, corrections: common.corrections.clone() };
         sets.extend(ends.into_iter().map(at));
     }
-    Schedule { wing: file.name.clone(), wing_hash: file.hash.clone(), sets }
+    let unconverged =
+        calibration.failures().iter().map(|(v, ending)| format!("{v} m/s: {ending:?}")).collect();
+    Schedule { wing: file.name.clone(), wing_hash: file.hash.clone(), sets, unconverged }
 }
 
 fn check_boxes(schedule: &Schedule, wing: &ElasticWing, path: &Path) -> Result<(), Failure> {

@@ -15,13 +15,16 @@ mod cli;
 pub mod commands;
 pub mod corrections;
 pub mod failure;
+pub mod fingerprint;
 pub mod hdf5;
+mod kept_nulls;
 pub mod nulls;
 pub mod output;
 pub mod pages;
 pub mod paths;
 pub mod progress;
 pub mod show;
+pub mod store;
 pub mod structures;
 
 use args::Common;

@@ -1,7 +1,8 @@
 //! Results are written whole or not at all.
 //!
 //! A command writes into a hidden folder beside its target; [`ResultFolder::commit`] puts that in the target's
-//! place by renaming. A command that fails or is interrupted leaves the earlier result as it was.
+//! place by renaming. A command that fails or is interrupted leaves the earlier result as it was. Only what wingroot wrote is
+//! replaced ([`MARKER`]): a folder with any other file in it stops the command.
 //!
 //! What is written is remembered: figures become PNG and CSV beside their SVG, and all of it with `result.json` and the
 //! inputs becomes `report.html`, without a command having to know how a page is made.
@@ -16,12 +17,16 @@ use report::page::{Content, Plate};
 use report::{Drawing, Figure};
 use serde::Serialize;
 
+mod marker;
+
+pub use marker::{MARKER, check_replaceable};
+
 use crate::failure::Failure;
 use crate::nulls;
 use crate::pages::{self, Written};
 
-/// The file by which a folder is known as an earlier result, which may be replaced.
-const MARK: &str = "result.json";
+/// The file with a command's numbers.
+const RESULT: &str = "result.json";
 
 /// Results in the making. Dropped without [`commit`](Self::commit) it leaves nothing behind.
 #[derive(Debug)]
@@ -35,8 +40,8 @@ impl ResultFolder {
     /// Starts the results that will stand at `target`.
     ///
     /// # Errors
-    /// If `target` is something else than an earlier result (a folder with `result.json`) or an empty folder,
-    /// which nothing here may delete; or if no folder can be made beside it.
+    /// If `target` is something else than an earlier result or an empty folder, which nothing here may delete; or if no folder
+    /// can be made beside it.
     pub fn begin(target: &Path) -> Result<Self, Failure> {
         let target = std::path::absolute(target).map_err(|e| refused(target, &e))?;
         check_replaceable(&target)?;
@@ -100,7 +105,7 @@ impl ResultFolder {
                 "{name} would hold no finite number at `{key}`, which is no result: nothing is written"
             )));
         }
-        if name == MARK {
+        if name == RESULT {
             self.remember(|written| written.result = result);
         }
         self.write_text(name, &(text + "\n"))
@@ -211,29 +216,67 @@ impl ResultFolder {
         }
     }
 
-    /// Writes the report, puts the results in the place of an earlier one and returns where they are.
+    /// Writes the report, puts the results in the place of an earlier one and returns where they are. What a failed run left
+    /// beside them goes.
     ///
     /// # Errors
     /// If the report cannot be written or the folders cannot be renamed; the earlier result is then still there.
     pub fn commit(self) -> Result<PathBuf, Failure> {
-        self.finish()?;
-        let before = beside(&self.target, "before");
-        let replaced = self.target.exists();
-        if replaced {
-            check_replaceable(&self.target)?;
-            std::fs::rename(&self.target, &before).map_err(|e| refused(&self.target, &e))?;
-        }
-        if let Err(error) = std::fs::rename(&self.partial, &self.target) {
-            if replaced {
-                std::fs::rename(&before, &self.target).map_err(|e| refused(&before, &e))?;
-            }
-            return Err(refused(&self.target, &error));
-        }
-        if replaced {
-            std::fs::remove_dir_all(&before).map_err(|e| refused(&before, &e))?;
+        let incomplete = incomplete(&self.target);
+        self.put_at(&self.target)?;
+        if check_replaceable(&incomplete).is_ok() && incomplete.exists() {
+            // It is old now; if it resists, it is still named for what it is.
+            let _ = marker::remove(&incomplete);
         }
         Ok(self.target.clone())
     }
+
+    /// The same for results of a computation that could not be completed: they stand beside the place of good ones, as
+    /// `NAME.incomplete`, and an earlier good result stays.
+    ///
+    /// # Errors
+    /// If the report cannot be written or the folders cannot be renamed.
+    pub fn commit_incomplete(self) -> Result<PathBuf, Failure> {
+        let beside = incomplete(&self.target);
+        check_replaceable(&beside)?;
+        self.put_at(&beside)?;
+        Ok(beside)
+    }
+
+    /// [`commit`](Self::commit), or [`commit_incomplete`](Self::commit_incomplete).
+    ///
+    /// # Errors
+    /// As theirs.
+    pub fn commit_if(self, is_complete: bool) -> Result<PathBuf, Failure> {
+        if is_complete { self.commit() } else { self.commit_incomplete() }
+    }
+
+    fn put_at(&self, target: &Path) -> Result<(), Failure> {
+        self.finish()?;
+        marker::write(&self.partial)?;
+        let before = beside(target, "before");
+        let replaced = target.exists();
+        if replaced {
+            check_replaceable(target)?;
+            std::fs::rename(target, &before).map_err(|e| refused(target, &e))?;
+        }
+        if let Err(error) = std::fs::rename(&self.partial, target) {
+            if replaced {
+                std::fs::rename(&before, target).map_err(|e| refused(&before, &e))?;
+            }
+            return Err(refused(target, &error));
+        }
+        if replaced {
+            marker::remove(&before).map_err(|e| refused(&before, &e))?;
+        }
+        Ok(())
+    }
+}
+
+/// Where results go that are not complete.
+fn incomplete(target: &Path) -> PathBuf {
+    let name = target.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    target.with_file_name(format!("{name}.incomplete"))
 }
 
 impl Drop for ResultFolder {
@@ -260,27 +303,6 @@ fn refused(path: &Path, error: &std::io::Error) -> Failure {
     error.with_help("choose another folder with --out DIR").into()
 }
 
-/// Refuses a target that is something else than an earlier result or an empty folder.
-///
-/// # Errors
-/// If nothing here may delete it.
-pub fn check_replaceable(target: &Path) -> Result<(), Failure> {
-    let Ok(mut entries) = std::fs::read_dir(target) else {
-        return if target.exists() {
-            let error = InputError::in_file(target, "a file stands where the result folder should be");
-            Err(error.with_help("choose a new or empty folder with --out DIR").into())
-        } else {
-            Ok(())
-        };
-    };
-    if entries.next().is_none() || target.join(MARK).is_file() {
-        return Ok(());
-    }
-    let message =
-        format!("the folder holds files but no {MARK}, so it is no earlier result and is not replaced");
-    Err(InputError::in_file(target, message).with_help("choose a new or empty folder with --out DIR").into())
-}
-
 /// `.NAME.KIND-PROCESS` beside the target.
 fn beside(target: &Path, kind: &str) -> PathBuf {
     target.with_file_name(format!("{}{}", prefix(target, kind), std::process::id()))
@@ -300,7 +322,9 @@ fn clear_leftovers(target: &Path) {
             |kind| name.strip_prefix(&prefix(target, kind)).is_some_and(|process| !is_running(process));
         let _ = if dead("before") && !target.exists() {
             std::fs::rename(&path, target)
-        } else if dead("before") || dead("partial") {
+        } else if dead("before") {
+            marker::remove(&path)
+        } else if dead("partial") {
             std::fs::remove_dir_all(&path)
         } else {
             Ok(())

@@ -118,10 +118,11 @@ fn results_are_the_same_to_the_byte_on_one_and_two_threads() {
     let (wing, campaign) = (data("own_wing/wing.ron"), data("own_wing/campaign"));
     let corrections = scratch.0.join("corrections.ron").display().to_string();
     let of_wing = ["--wing", &wing, "--campaign", &campaign];
+    let mav = data("mav");
     let commands: [(&str, Vec<&str>); 3] = [
         ("calibrate", of_wing.to_vec()),
         ("simulate", [&of_wing[..], &["--corrections", &corrections]].concat()),
-        ("response", vec![]),
+        ("response", vec!["--data", &mav]),
     ];
     for (command, arguments) in commands {
         let results = ["1", "2"].map(|threads| {

@@ -35,7 +35,7 @@ fn the_pipeline_writes_what_the_readme_promises() {
     let folder = out.to_string_lossy().into_owned();
     // twice: an earlier result is replaced
     for _ in 0..2 {
-        let output = wingroot(&["pipeline", "--out", &folder, "--json"]);
+        let output = wingroot(&["pipeline", "--wing", "data/tuflex/wing.ron", "--out", &folder, "--json"]);
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
         let printed: serde_json::Value = serde_json::from_slice(&output.stdout).expect("nothing but JSON");
         assert_eq!(printed["command"], "pipeline");

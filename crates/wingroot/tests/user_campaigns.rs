@@ -99,7 +99,12 @@ fn null_distribution(campaign: &Path) -> PathBuf {
     let set =
         |a: &AirspeedCalibration| CorrectionSet { v_m_s: a.data.v_m_s, corrections: a.corrections.clone() };
     let sets = calibration.airspeeds.iter().map(set);
-    let schedule = Schedule { wing: String::new(), wing_hash: String::new(), sets: sets.collect() };
+    let schedule = Schedule {
+        wing: String::new(),
+        wing_hash: String::new(),
+        sets: sets.collect(),
+        unconverged: Vec::new(),
+    };
     let library = maneuver::effects::library(&wing.control_names());
     let limits = NullDistribution {
         key: NullKey::new(&file.hash, &schedule, 1.0, &library, &data),

@@ -61,10 +61,10 @@ pub(crate) fn run(args: &ValidateArgs, common: &Common) -> Result<(), Failure> {
     folder.input("published cases", &data)?;
     folder.write_text("table.txt", &table)?;
     folder.write_json("result.json", &result)?;
-    let out = folder.commit()?;
+    let bad: Vec<&str> = outcomes.iter().filter(|case| !case.is_good()).map(|case| &*case.file).collect();
+    let out = folder.commit_if(bad.is_empty())?;
     show::summary(common, &format!("{table}{}written to {}", counted(&outcomes), out.display()));
     show::json(common, &result)?;
-    let bad: Vec<&str> = outcomes.iter().filter(|case| !case.is_good()).map(|case| &*case.file).collect();
     if bad.is_empty() {
         return Ok(());
     }

@@ -59,7 +59,7 @@ pub(crate) fn run(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> 
     folder.write_text("corrections.ron", &schedule(&file, &calibration).to_ron())?;
     write(&folder, &wing, &calibration, strips.as_ref())?;
     folder.write_json("result.json", &result)?;
-    let out = folder.commit()?;
+    let out = folder.commit_if(calibration.failures().is_empty())?;
     show::summary(common, &summary(&calibration, &out, seconds));
     show::json(common, &result)?;
     match calibration.failures().as_slice() {

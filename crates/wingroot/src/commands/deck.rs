@@ -36,6 +36,9 @@ pub struct DeckArgs {
     /// Corrections from `calibrate` to write as WKK and FA2J
     #[arg(long, value_name = "FILE")]
     pub(crate) corrections: Option<PathBuf>,
+    /// Take corrections of a fit that stalled or diverged all the same
+    #[arg(long, requires = "corrections")]
+    pub(crate) accept_unconverged: bool,
     /// Airspeed of the corrections, m/s [default: the first of the file]
     #[arg(long, value_name = "V", requires = "corrections")]
     pub(crate) airspeed: Option<f64>,
@@ -188,6 +191,7 @@ fn corrections(args: &DeckArgs) -> Result<Option<AtAirspeed>, Failure> {
     let given = Given {
         measured: Measured { wing: args.wing.clone(), campaign: None },
         corrections: Some(path.clone()),
+        accept_unconverged: args.accept_unconverged,
     };
     let corrected = corrected_wing(&given)?;
     let v_m_s = args.airspeed.unwrap_or_else(|| corrected.schedule.sets[0].v_m_s);

@@ -23,7 +23,8 @@ use crate::commands::{discover_figures, discover_results};
 use crate::corrections::{CorrectedWing, corrected_wing};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
-use crate::{paths, show};
+use crate::store::Store;
+use crate::{kept_nulls, paths, show};
 
 /// Options of `discover`.
 #[derive(Debug, Clone, Default, Args)]
@@ -136,7 +137,7 @@ fn refuse(faults: Vec<Defect>, out: &Path, common: &Common, seconds: f64) -> Res
     let result = DiscoverResult::at_fault(faults, None, seconds);
     let results = ResultFolder::begin(out)?;
     results.write_json("result.json", &result)?;
-    results.commit()?;
+    results.commit_incomplete()?;
     show::json(common, &result)?;
     Err(Failure::Computation(format!("the data are at fault: {}", sentences.join("; "))))
 }
@@ -184,7 +185,8 @@ fn null_distribution(
             "no null distribution for this wing, campaign and library of effects: made now (a minute or so)",
         );
     }
-    let mut nulls = prepared.null_distribution(seed);
+    let store = Store::beside(&common.out("discover"), &format!("null campaigns {seed} {wanted:?}"))?;
+    let mut nulls = kept_nulls::null_distribution(prepared, seed, store, common);
     nulls.key = wanted;
     Ok((nulls, "made now".to_owned()))
 }
@@ -205,8 +207,8 @@ fn write_wing(
     }
     let wing = coupling::WingFile::read(&results.path().join("wing.ron"))?;
     let again = finding.recalibrated.as_ref().filter(|_| supported).map(|again| &again.schedule);
-    let sets = again.unwrap_or(&corrected.schedule).sets.clone();
-    results.write_text("corrections.ron", &Schedule { wing: wing.name, wing_hash: wing.hash, sets }.to_ron())
+    let Schedule { sets, unconverged, .. } = again.unwrap_or(&corrected.schedule).clone();
+    results.write_text("corrections.ron", &Schedule { wing: wing.name, wing_hash: wing.hash, sets, unconverged }.to_ron())
 }
 
 fn data_hash(campaign: &Campaign) -> Result<String, InputError> {

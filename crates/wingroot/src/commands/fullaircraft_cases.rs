@@ -8,16 +8,17 @@ use std::time::Instant;
 use fullaircraft::cases::envelope::{Extreme, LOADS, cases_csv, envelope_csv, load_envelope};
 use fullaircraft::cases::grid::{MODELS, groups};
 use fullaircraft::{Case, CaseFlight, CaseResult, CasesFile, FlightAir, TrimTools};
+use indicatif::ProgressBar;
 use nastran::InputError;
 use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::args::Common;
 use crate::commands::fullaircraft_cases_figures as figures;
-use crate::commands::fullaircraft_cases_store::Store;
 use crate::commands::fullaircraft_prepared::{FullaircraftArgs, Prepared, prepared};
 use crate::failure::Failure;
 use crate::output::{ResultFolder, check_replaceable};
+use crate::store::Store;
 use crate::{progress, show};
 
 /// What `result.json` holds: nothing that depends on how often the run was stopped.
@@ -60,9 +61,9 @@ pub(crate) fn run(path: &Path, args: &FullaircraftArgs, common: &Common) -> Resu
     let tools = TrimTools::new(&aircraft, &[]).map_err(|error| in_file(error.into(), &file))?;
     let models = [aircraft.uncorrected(), aircraft.with_corrections(&corrections)?];
     let limits = aircraft.file.lift_limits()?;
-    let store = Store::open(&target, &aircraft.inputs_of_cases(&corrections, &file))?;
+    let store = Store::beside(&target, &aircraft.inputs_of_cases(&corrections, &file))?;
     let cases = file.cases();
-    let finished: Vec<Option<CaseResult>> = cases.iter().map(|case| store.get(case)).collect();
+    let finished: Vec<Option<CaseResult>> = cases.iter().map(|case| kept(&store, case)).collect();
     let before = finished.iter().flatten().count();
     let missing: Vec<Case> = cases
         .iter()
@@ -70,15 +71,21 @@ pub(crate) fn run(path: &Path, args: &FullaircraftArgs, common: &Common) -> Resu
         .filter(|(_, found)| found.is_none())
         .map(|(case, _)| case.clone())
         .collect();
-    let air = if missing.iter().any(Case::is_dynamic) { Some(FlightAir::new(&aircraft)?) } else { None };
-    let flight = CaseFlight {
-        tools: &tools,
-        models: [&models[0], &models[1]],
-        air: air.as_ref(),
-        limits: limits.as_deref(),
-    };
-    let flown = fly(&flight, &missing, &store, common).map_err(|failure| in_file(failure, &file))?;
-    let mut results: Vec<CaseResult> = finished.into_iter().flatten().chain(flown).collect();
+    // What needs no unsteady air is flown and kept before that is prepared, which takes longest.
+    let (dynamic, steady): (Vec<Case>, Vec<Case>) = missing.into_iter().partition(Case::is_dynamic);
+    let bar = progress::bar(common, dynamic.len() + steady.len(), "cases");
+    let mut results: Vec<CaseResult> = finished.into_iter().flatten().collect();
+    for cases in [steady, dynamic] {
+        let air = if cases.iter().any(Case::is_dynamic) { Some(FlightAir::new(&aircraft)?) } else { None };
+        let flight = CaseFlight {
+            tools: &tools,
+            models: [&models[0], &models[1]],
+            air: air.as_ref(),
+            limits: limits.as_deref(),
+        };
+        results.extend(fly(&flight, &cases, &store, &bar).map_err(|failure| in_file(failure, &file))?);
+    }
+    bar.finish_and_clear();
     results.sort_by_key(|result| result.number);
     let summary = summary(&file, &results, &tools);
     let out = write(&target, &inputs, &summary, &results, &tools)?;
@@ -103,24 +110,32 @@ pub(crate) fn run(path: &Path, args: &FullaircraftArgs, common: &Common) -> Resu
     Ok(())
 }
 
+/// What a case is called in the store: its number is its place in a list, which may be another next time.
+fn part(case: &Case) -> String {
+    format!("{} {:?} {:?}", case.model, case.v_m_s, case.action)
+}
+
+fn kept(store: &Store, case: &Case) -> Option<CaseResult> {
+    let result = store.get(&part(case))?;
+    Some(CaseResult { number: case.number, ..result })
+}
+
 /// Flies what is missing on all threads; each result is kept as soon as it is there.
 fn fly(
     flight: &CaseFlight<'_>,
     missing: &[Case],
     store: &Store,
-    common: &Common,
+    bar: &ProgressBar,
 ) -> Result<Vec<CaseResult>, Failure> {
-    let bar = progress::bar(common, missing.len(), "cases");
     let results = Mutex::new(Vec::new());
     let flown = groups(missing).par_iter().try_for_each(|group| {
         flight.fly(group, &mut |case: &Case, result: CaseResult| {
-            let kept = store.put(case, &result)?;
+            let kept = store.put(&part(case), &result)?;
             results.lock().map_err(Failure::computation)?.push(kept);
             bar.inc(1);
             Ok::<(), Failure>(())
         })
     });
-    bar.finish_and_clear();
     flown?;
     results.into_inner().map_err(Failure::computation)
 }
@@ -188,7 +203,7 @@ fn write(
         )?;
     }
     folder.write_json("result.json", summary)?;
-    folder.commit()
+    folder.commit_if(summary.refused.len() < summary.cases)
 }
 
 /// How many cases were refused or warned about; the whole list is in the results.

@@ -100,7 +100,9 @@ pub(crate) fn run(path: &Path, common: &Common) -> Result<(), Failure> {
     summary.seconds = start.elapsed().as_secs_f64();
     folder.input("deck", path)?;
     folder.write_json("result.json", &summary)?;
-    let out = folder.commit()?;
+    let refused = summary.subcases.iter().find_map(|case| case.refused.clone());
+    let refused = refused.filter(|_| summary.subcases.iter().all(|case| case.refused.is_some()));
+    let out = folder.commit_if(refused.is_none())?;
     let text = format!(
         "{}\n{} boxes, {:.2} s; results in {}",
         text(&summary),
@@ -110,12 +112,7 @@ pub(crate) fn run(path: &Path, common: &Common) -> Result<(), Failure> {
     );
     show::summary(common, &text);
     show::json(common, &summary)?;
-    match summary.subcases.iter().find_map(|case| case.refused.clone()) {
-        Some(why) if summary.subcases.iter().all(|case| case.refused.is_some()) => {
-            Err(Failure::Computation(why))
-        }
-        _ => Ok(()),
-    }
+    refused.map_or(Ok(()), |why| Err(Failure::Computation(why)))
 }
 
 /// Whether two subcases have the same boundary conditions and air.

@@ -58,7 +58,7 @@ pub(crate) fn prepared(args: &FullaircraftArgs, common: &Common) -> Result<Prepa
     let file = AircraftFile::read(&paths::aircraft(args.aircraft.as_deref(), named.wing.as_deref())?)?;
     let wing_path = named.wing.clone().unwrap_or_else(|| file.wing_path());
     let measured = Measured { wing: Some(wing_path.clone()), campaign: named.campaign.clone() };
-    let given = Given { measured, corrections: args.given.corrections.clone() };
+    let given = Given { measured, ..args.given.clone() };
     let wing = corrected_wing(&given)?;
     // The nearest set stands for airspeeds between the calibrated ones, as published (40 m/s for 37 and 42 m/s).
     wing.schedule.at(file.correction_airspeed_m_s).map_err(|refused| {

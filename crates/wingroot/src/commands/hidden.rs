@@ -21,7 +21,8 @@ use hidden::{Answer, Bench, Case, CasePlan, Class, Families, Fineness, Mix, case
 use crate::args::Common;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
-use crate::{blind, progress, show};
+use crate::store::Store;
+use crate::{blind, kept_nulls, progress, show};
 
 /// Options of `hidden`.
 #[derive(Debug, Clone, Default, Args)]
@@ -64,6 +65,7 @@ struct Judge<'a> {
     folder: PathBuf,
     sealed: PathBuf,
     own_static_points: bool,
+    common: Common,
     /// What the null distribution took, s.
     nulls_seconds: f64,
 }
@@ -85,7 +87,7 @@ pub struct Timed {
 /// # Errors
 /// If the folder cannot be written, or the case cannot be judged.
 pub fn timed_case(folder: &Path) -> Result<Timed, Failure> {
-    let timed = with_judge([folder, folder], false, |judge, bench| {
+    let timed = with_judge([folder, folder], false, &Common { quiet: true, ..Common::default() }, |judge, bench| {
         let plan = cases(FIRST_SEED, 3, &Mix::only(Class::Paper)).remove(2);
         judge.written(&bench.case(&plan), "case")?;
         let start = Instant::now();
@@ -120,6 +122,7 @@ fn wing(folder: &Path) -> Result<PathBuf, Failure> {
 fn with_judge<T>(
     [folder, sealed]: [&Path; 2],
     own_static_points: bool,
+    common: &Common,
     work: impl FnOnce(&Judge<'_>, &Bench) -> Result<T, Failure>,
 ) -> Result<T, Failure> {
     let path = wing(folder)?;
@@ -133,6 +136,7 @@ fn with_judge<T>(
         folder: folder.to_path_buf(),
         sealed: sealed.to_path_buf(),
         own_static_points,
+        common: common.clone(),
         nulls_seconds: 0.0,
     };
     let start = Instant::now();
@@ -148,10 +152,10 @@ pub(crate) fn run(args: &HiddenArgs, common: &Common) -> Result<(), Failure> {
     let seed = common.seed.unwrap_or(FIRST_SEED);
     let folders = [out.with_extension("cases"), out.with_extension("sealed")];
     let folders = [folders[0].as_path(), folders[1].as_path()];
-    let judged = with_judge(folders, args.own_static_points, |judge, bench| {
+    let judged = with_judge(folders, args.own_static_points, common, |judge, bench| {
         let mut plans = cases(seed, args.cases, &Mix::default());
         if args.finished {
-            plans.retain(|plan| judge.earlier(plan, seed).is_some());
+            plans.retain(|plan| judge.earlier(&name(plan, seed)).is_some());
         }
         let bar = progress::bar(common, plans.len(), "cases");
         // one after the other, each with all processors, as a user's campaign has them: its seconds are a user's
@@ -198,33 +202,32 @@ impl Judge<'_> {
         if let Some(nulls) = kept.filter(|kept| kept.serves(&key, &case.prepared.library)) {
             return Ok(nulls);
         }
-        let mut nulls = case.prepared.null_distribution(NULLS_SEED);
+        let store = Store::new(self.folder.join("null_campaigns"), &format!("{key:?}"));
+        let mut nulls = kept_nulls::null_distribution(&case.prepared, NULLS_SEED, store, &self.common);
         nulls.key = key;
         write(&path, &nastran::ron_file::to_text(&nulls)?)?;
         Ok(nulls)
     }
 
-    /// Where a case's answer and verdict go.
-    fn files(&self, plan: &CasePlan, seed: u64) -> (PathBuf, PathBuf) {
-        let track = if self.own_static_points { "b" } else { "a" };
-        let name = format!("{seed}_{:05}", plan.index);
-        (self.sealed.join(format!("{name}.json")), self.folder.join(format!("{name}.{track}.json")))
+    /// Where answers and verdicts are kept; those of other rules, another library or another program are not found there.
+    fn stores(&self) -> [Store; 2] {
+        let track = if self.own_static_points { "B" } else { "A" };
+        let inputs = format!("{track} {:?}", self.nulls.key);
+        [&self.sealed, &self.folder.join("verdicts")].map(|folder| Store::new(folder.clone(), &inputs))
     }
 
     /// Answer and verdict of a case that was judged before.
-    fn earlier(&self, plan: &CasePlan, seed: u64) -> Option<(Answer, DiscoverResult)> {
-        let (sealed, told) = self.files(plan, seed);
-        let answer = serde_json::from_str(&std::fs::read_to_string(sealed).ok()?).ok()?;
-        Some((answer, DiscoverResult::from_json(&std::fs::read_to_string(&told).ok()?, &told).ok()?))
+    fn earlier(&self, name: &str) -> Option<(Answer, DiscoverResult)> {
+        let [sealed, verdicts] = self.stores();
+        Some((sealed.get(name)?, verdicts.get(name)?))
     }
 
     /// Makes a case, or takes one that is there, and lets `discover` judge it.
     fn case(&self, bench: &Bench, plan: &CasePlan, seed: u64) -> Result<(Answer, DiscoverResult), Failure> {
-        if let Some(earlier) = self.earlier(plan, seed) {
+        let name = name(plan, seed);
+        if let Some(earlier) = self.earlier(&name) {
             return Ok(earlier);
         }
-        let name = format!("{seed}_{:05}", plan.index);
-        let (sealed, told) = self.files(plan, seed);
         let case = bench.case(plan);
         let folder = self.written(&case, &name)?;
         let start = Instant::now();
@@ -237,9 +240,9 @@ impl Judge<'_> {
             }
             Err(other) => return Err(other),
         };
-        let answer = case.answer;
-        write(&sealed, &serde_json::to_string(&answer).map_err(Failure::computation)?)?;
-        write(&told, &serde_json::to_string(&verdict).map_err(Failure::computation)?)?;
+        let [sealed, verdicts] = self.stores();
+        let answer = sealed.put(&name, &case.answer)?;
+        let verdict = verdicts.put(&name, &verdict)?;
         // measurements are made again from the seed if they are wanted
         let _ = std::fs::remove_dir_all(folder);
         Ok((answer, verdict))
@@ -274,6 +277,11 @@ impl Judge<'_> {
         let result = finding.result(&sources, false, 0.0);
         DiscoverResult { seconds: Some(seconds()), ..result }
     }
+}
+
+/// What a case is called in the stores.
+fn name(plan: &CasePlan, seed: u64) -> String {
+    format!("{seed}_{:05}", plan.index)
 }
 
 fn write(path: &Path, text: &str) -> Result<(), Failure> {

@@ -82,7 +82,6 @@ mod discover_results;
 mod flutter_figures;
 mod fullaircraft_cases;
 mod fullaircraft_cases_figures;
-mod fullaircraft_cases_store;
 mod fullaircraft_deck;
 mod fullaircraft_derivatives;
 mod fullaircraft_effects;

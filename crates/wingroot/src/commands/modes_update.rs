@@ -41,7 +41,7 @@ pub(super) fn run(
     }
     let result = result(&structure, &found, start.elapsed().as_secs_f64());
     folder.write_json("result.json", &result)?;
-    let out = folder.commit()?;
+    let out = folder.commit_if(found.is_converged)?;
     let text = format!("{}written to {}", summary(&structure, &found), out.display());
     show::summary(common, &text);
     show::json(common, &result)?;

@@ -65,7 +65,7 @@ pub(crate) fn run(args: &PipelineArgs, common: &Common) -> Result<(), Failure> {
     timed("deflection", &|common| {
         deflection::run(
             &DeflectionArgs {
-                given: Given { measured: measured.clone(), corrections: corrections.clone() },
+                given: Given { measured: measured.clone(), corrections: corrections.clone(), ..Given::default() },
             },
             common,
         )
@@ -75,7 +75,7 @@ pub(crate) fn run(args: &PipelineArgs, common: &Common) -> Result<(), Failure> {
         let measured = with_wing(of_deflection("wing.ron"));
         let corrections = Some(of_deflection("corrections.ron"));
         simulate::run(
-            &SimulateArgs { given: Given { measured, corrections }, ..Default::default() },
+            &SimulateArgs { given: Given { measured, corrections, ..Given::default() }, ..Default::default() },
             common,
         )
     })?;
@@ -83,7 +83,7 @@ pub(crate) fn run(args: &PipelineArgs, common: &Common) -> Result<(), Failure> {
         let corrections = corrections.clone();
         discover::run(
             &DiscoverArgs {
-                given: Given { measured: measured.clone(), corrections },
+                given: Given { measured: measured.clone(), corrections, ..Given::default() },
                 own_corrections: true,
                 ..Default::default()
             },
@@ -96,6 +96,7 @@ pub(crate) fn run(args: &PipelineArgs, common: &Common) -> Result<(), Failure> {
         let given = Given {
             measured: with_wing(of_discover("wing.ron")),
             corrections: Some(of_discover("corrections.ron")),
+            ..Given::default()
         };
         fullaircraft::run(&FullaircraftArgs { given, aircraft: aircraft.clone(), ..Default::default() }, common)
     })?;

@@ -5,11 +5,9 @@ use std::path::{Path, PathBuf};
 use nastran::InputError;
 use report::page::Input;
 
+use crate::fingerprint::Fingerprint;
 use crate::paths;
 
-/// FNV-1a with 64 bits, as for wings.
-const OFFSET_BASIS: u64 = 0xcbf2_9ce4_8422_2325;
-const PRIME: u64 = 0x0000_0100_0000_01b3;
 /// Options that say where results go and how, not what they are.
 const WHERE: [&str; 2] = ["--out", "--threads"];
 const HOW: [&str; 2] = ["--json", "--quiet"];
@@ -24,7 +22,7 @@ pub fn input(what: &str, path: &Path) -> Result<Input, InputError> {
     let refused = |path: &Path, error: &std::io::Error| {
         InputError::in_file(path, format!("cannot be read for its fingerprint: {error}"))
     };
-    let mut hash = OFFSET_BASIS;
+    let mut print = Fingerprint::default();
     if path.is_dir() {
         let entries = std::fs::read_dir(path).map_err(|e| refused(path, &e))?;
         let mut files: Vec<PathBuf> =
@@ -32,20 +30,12 @@ pub fn input(what: &str, path: &Path) -> Result<Input, InputError> {
         files.sort();
         for file in files {
             let name = file.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-            hash = extended(hash, name.as_bytes());
-            hash = extended(hash, &std::fs::read(&file).map_err(|e| refused(&file, &e))?);
+            print = print.with(name.as_bytes()).with(&std::fs::read(&file).map_err(|e| refused(&file, &e))?);
         }
     } else {
-        hash = extended(hash, &std::fs::read(path).map_err(|e| refused(path, &e))?);
+        print = print.with(&std::fs::read(path).map_err(|e| refused(path, &e))?);
     }
-    Ok(Input { what: what.into(), path: shown(path), fingerprint: format!("{hash:016x}") })
-}
-
-fn extended(hash: u64, bytes: &[u8]) -> u64 {
-    let step = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(PRIME);
-    // a length keeps the border between two files
-    let hash = bytes.iter().copied().fold(hash, step);
-    bytes.len().to_le_bytes().into_iter().fold(hash, step)
+    Ok(Input { what: what.into(), path: shown(path), fingerprint: print.to_string() })
 }
 
 /// The path from the folder where one works, if it is below it.
