@@ -18,6 +18,7 @@ use coupling::{CouplingError, SteadyCase, SteadyModel};
 use faer::Mat;
 use nastran::InputError;
 use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Corrections of one airspeed and how good they are.
 #[derive(Debug, Clone)]
@@ -97,8 +98,14 @@ pub fn calibrate<M: SteadyModel>(
         Sets::EachAirspeed => (&data.airspeeds[..], None),
         Sets::Common => (&[][..], Some(context.common()?)),
     };
-    let mut airspeeds =
-        each.par_iter().map(|airspeed| context.airspeed(airspeed)).collect::<Result<Vec<_>, _>>()?;
+    let done = AtomicUsize::new(0);
+    let fitted = |airspeed: &AirspeedData| {
+        let fitted = context.airspeed(airspeed);
+        let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+        tracing::trace!(target: "progress", what = "airspeeds", done, total = each.len());
+        fitted
+    };
+    let mut airspeeds = each.par_iter().map(fitted).collect::<Result<Vec<_>, _>>()?;
     let across = left_out_airspeed(model, campaign.rho_kg_m3, &airspeeds, &data)?;
     for (airspeed, left_out) in airspeeds.iter_mut().zip(across) {
         airspeed.left_out_airspeed = left_out;

@@ -7,6 +7,7 @@ use crate::rules::SharedRules;
 use crate::setting::Setting;
 use maneuver::effects::Active;
 use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A candidate's fit and what speaks for it.
 #[derive(Debug, Clone)]
@@ -90,7 +91,14 @@ pub(crate) fn rank_some(
     };
     let kept = screened.iter().enumerate().filter(kept).count();
     screened.truncate(kept);
-    let refits: Vec<Refit> = screened.par_iter().map(|s| s.refit(setting, current)).collect();
+    let done = AtomicUsize::new(0);
+    let refit = |candidate: &Screened| {
+        let refit = candidate.refit(setting, current);
+        let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+        tracing::trace!(target: "progress", what = "candidates", done, total = screened.len());
+        refit
+    };
+    let refits: Vec<Refit> = screened.par_iter().map(refit).collect();
     let rows = current.problem.len() as f64;
     let least = refits.iter().map(|r| r.chi2).fold(current.chi2, f64::min);
     let phi = (least / rows).max(1.0);

@@ -10,10 +10,11 @@
 //! hint: write 0.5
 //! ```
 
-use std::io::{IsTerminal, Write};
+use std::io::Write;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use anstyle::{AnsiColor, Effects, Style};
 use codespan_reporting::diagnostic::{Diagnostic, Label};
 use codespan_reporting::files::SimpleFile;
 use codespan_reporting::term::termcolor::Buffer;
@@ -21,13 +22,17 @@ use codespan_reporting::term::{self, Config};
 use nastran::{InputError, Span};
 use serde::Serialize;
 use tracing::Level;
-use tracing_subscriber::filter::Targets;
+use tracing_subscriber::Layer as _;
+use tracing_subscriber::filter::{LevelFilter, Targets};
 use tracing_subscriber::layer::SubscriberExt;
 use tracing_subscriber::util::SubscriberInitExt;
 
 use crate::args::Common;
 use crate::failure::Failure;
 use crate::progress;
+
+const RED: Style = AnsiColor::Red.on_default().effects(Effects::BOLD);
+const BOLD: Style = Style::new().bold();
 
 /// Whether remarks are left out.
 static QUIET: AtomicBool = AtomicBool::new(false);
@@ -36,10 +41,12 @@ static QUIET: AtomicBool = AtomicBool::new(false);
 pub fn start(common: &Common) {
     QUIET.store(common.quiet, Ordering::Relaxed);
     let default = Targets::new().with_default(if common.quiet { Level::ERROR } else { Level::WARN });
-    let asked = std::env::var("RUST_LOG").ok().and_then(|asked| asked.parse().ok());
+    let asked: Option<Targets> = std::env::var("RUST_LOG").ok().and_then(|asked| asked.parse().ok());
+    let asked = asked.unwrap_or(default).with_target(progress::TARGET, LevelFilter::OFF);
     let lines = tracing_subscriber::fmt::layer().with_writer(progress::Aside::default);
-    let lines = lines.with_target(false).without_time().with_ansi(colours());
-    let subscriber = tracing_subscriber::registry().with(asked.unwrap_or(default)).with(lines);
+    let lines = lines.with_target(false).without_time().with_ansi(true).with_filter(asked);
+    let bars = progress::Bars.with_filter(Targets::new().with_target(progress::TARGET, Level::TRACE));
+    let subscriber = tracing_subscriber::registry().with(lines).with(bars);
     // A second subscriber (tests) is refused, and the first one stays: nothing to do.
     let _ = subscriber.try_init();
 }
@@ -47,11 +54,11 @@ pub fn start(common: &Common) {
 /// Prints a failure to standard error.
 pub fn failure(failure: &Failure) {
     let text = match failure {
-        Failure::Input(error) => explained(error, colours()),
-        Failure::Computation(message) => format!("error: {message}\n").into_bytes(),
+        Failure::Input(error) => explained(error),
+        Failure::Computation(message) => format!("{RED}error{RED:#}: {message}\n").into_bytes(),
     };
     // If standard error is closed there is nobody left to tell.
-    let _ = progress::aside(|| std::io::stderr().write_all(&text));
+    let _ = progress::aside(|| anstream::stderr().write_all(&text));
 }
 
 /// Prints a remark to standard error, unless `--quiet`.
@@ -60,7 +67,7 @@ pub fn note(text: &str) {
         return;
     }
     // If standard error is closed there is nobody left to tell.
-    let _ = progress::aside(|| writeln!(std::io::stderr(), "note: {text}"));
+    let _ = progress::aside(|| writeln!(anstream::stderr(), "{BOLD}note{BOLD:#}: {text}"));
 }
 
 /// Prints a summary for people: to standard output, or to standard error if that carries JSON.
@@ -82,39 +89,44 @@ pub fn summary(common: &Common, text: &str) {
 /// With `--json`: prints the result, and nothing else, to standard output.
 ///
 /// # Errors
-/// If the value cannot be written as JSON.
+/// If the value cannot be written as JSON, or not to standard output.
 pub fn json<T: Serialize>(common: &Common, value: &T) -> Result<(), Failure> {
     if common.json {
         let text = serde_json::to_string_pretty(value).map_err(Failure::computation)?;
-        let _ = progress::aside(|| writeln!(std::io::stdout(), "{text}"));
+        if let Err(error) = progress::aside(|| writeln!(std::io::stdout(), "{text}")) {
+            // A reader that closed the pipe (`| head`) has seen enough; a full disk has not.
+            if error.kind() != std::io::ErrorKind::BrokenPipe {
+                let message = format!("the result cannot be written to standard output: {error}");
+                return Err(InputError::general(message)
+                    .with_help("make room where it goes; the folder of results is complete")
+                    .into());
+            }
+        }
     }
     Ok(())
 }
 
-fn colours() -> bool {
-    std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none()
-}
-
-/// The error as text: `file:line:column: message`, the source line with a caret, the hint.
-fn explained(error: &InputError, colours: bool) -> Vec<u8> {
+/// The error as text: `file:line:column: message`, the source line with a caret, the hint; in colours, which the stream takes
+/// out where nobody sees them.
+fn explained(error: &InputError) -> Vec<u8> {
     let place = error.span.as_ref().map(|span| format!("{span}: ")).unwrap_or_default();
-    let mut text = format!("error: {place}{}\n", error.message).into_bytes();
-    if let Some(snippet) = error.span.as_ref().and_then(|span| snippet(span, colours)) {
+    let mut text = format!("{RED}error{RED:#}: {place}{}\n", error.message).into_bytes();
+    if let Some(snippet) = error.span.as_ref().and_then(snippet) {
         text.extend(snippet);
     }
     if let Some(help) = &error.help {
-        text.extend(format!("hint: {help}\n").into_bytes());
+        text.extend(format!("{BOLD}hint{BOLD:#}: {help}\n").into_bytes());
     }
     text
 }
 
 /// The source line with the place underlined; none if the place is no line of a readable file.
-fn snippet(span: &Span, colours: bool) -> Option<Vec<u8>> {
+fn snippet(span: &Span) -> Option<Vec<u8>> {
     let source = std::fs::read_to_string(span.file.as_path()).ok()?;
     let range = byte_range(&source, span)?;
     let file = SimpleFile::new(span.file.display().to_string(), source);
     let diagnostic: Diagnostic<()> = Diagnostic::error().with_labels(vec![Label::primary((), range)]);
-    let mut buffer = if colours { Buffer::ansi() } else { Buffer::no_color() };
+    let mut buffer = Buffer::ansi();
     term::emit_to_write_style(&mut buffer, &Config::default(), &file, &diagnostic).ok()?;
     // The first line only says "error", which stands above already.
     let bytes = buffer.into_inner();
@@ -143,6 +155,11 @@ mod tests {
     use super::*;
     use std::sync::Arc;
 
+    /// The text as it stands in a file.
+    fn plain(error: &InputError) -> Vec<u8> {
+        anstream::adapter::strip_bytes(&explained(error)).into_vec()
+    }
+
     #[test]
     fn the_place_is_shown_with_its_line_a_caret_and_the_hint() {
         let folder = std::env::temp_dir().join(format!("wingroot-show-{}", std::process::id()));
@@ -151,7 +168,7 @@ mod tests {
         std::fs::write(&path, "Wing(\n    naïve: 1, chord_m: \"five\",\n)\n").unwrap();
         let file = Arc::new(path.clone());
         let error = InputError::at(&Span::new(&file, 2, 24, 30), "expected a number, found \"five\"");
-        let text = String::from_utf8(explained(&error.with_help("write 0.5"), false)).unwrap();
+        let text = String::from_utf8(plain(&error.with_help("write 0.5"))).unwrap();
         std::fs::remove_dir_all(&folder).unwrap();
         let lines: Vec<&str> = text.lines().collect();
         assert_eq!(lines[0], format!("error: {}:2:24: expected a number, found \"five\"", path.display()));
@@ -171,7 +188,7 @@ mod tests {
     #[test]
     fn a_place_that_is_no_line_of_a_file_still_gives_the_message() {
         let error = InputError::in_file(std::path::Path::new("no/such.ron"), "the file does not exist");
-        assert_eq!(explained(&error, false), b"error: no/such.ron: the file does not exist\n");
+        assert_eq!(plain(&error), b"error: no/such.ron: the file does not exist\n");
         let span = Span { line: 99, ..Span::generated("x") };
         assert_eq!(byte_range("one line", &span), None);
     }

@@ -48,7 +48,7 @@ fn a_killed_benchmark_goes_on_and_ends_with_the_same_verdicts() {
 
     let output = command(&whole).output().expect("the command starts");
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let expected = verdicts(&of(&whole, "cases"));
+    let expected = verdicts(&of(&whole, "cases").join("verdicts"));
     assert_eq!(expected.len(), CASES);
 
     // the bank's minute is not what is tested here
@@ -56,16 +56,17 @@ fn a_killed_benchmark_goes_on_and_ends_with_the_same_verdicts() {
     std::fs::create_dir_all(&store).expect("a folder of our own");
     std::fs::copy(of(&whole, "cases").join("null_distribution.ron"), store.join("null_distribution.ron"))
         .expect("a bank");
+    let kept = store.join("verdicts");
     let mut child =
         command(&stopped).stdout(Stdio::null()).stderr(Stdio::null()).spawn().expect("the command starts");
     let start = Instant::now();
-    while verdicts(&store).is_empty() && start.elapsed() < Duration::from_secs(600) {
+    while verdicts(&kept).is_empty() && start.elapsed() < Duration::from_secs(600) {
         assert!(child.try_wait().expect("a child").is_none(), "it ended before its first verdict");
         std::thread::sleep(Duration::from_millis(50));
     }
     child.kill().expect("it can be killed");
     child.wait().expect("it is gone");
-    let before = verdicts(&store);
+    let before = verdicts(&kept);
     assert!(!before.is_empty() && before.len() < CASES, "killed with {} verdicts", before.len());
     assert!(!stopped.exists(), "no results before the end");
     // what is there is whole, and as in the run left alone
@@ -73,10 +74,10 @@ fn a_killed_benchmark_goes_on_and_ends_with_the_same_verdicts() {
 
     let output = command(&stopped).output().expect("the command starts");
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    assert_eq!(verdicts(&store), expected);
+    assert_eq!(verdicts(&kept), expected);
     assert_eq!(verdicts(&of(&stopped, "sealed")), verdicts(&of(&whole, "sealed")));
     let metrics = |out: &Path| verdicts(out)["result.json"]["confusion"].clone();
     assert_eq!(metrics(&stopped), metrics(&whole));
-    let partial = std::fs::read_dir(&store).expect("a folder").flatten();
+    let partial = std::fs::read_dir(&kept).expect("a folder").flatten();
     assert!(partial.into_iter().all(|e| e.path().extension().is_none_or(|ending| ending != "partial")));
 }

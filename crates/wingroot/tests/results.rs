@@ -108,3 +108,65 @@ fn a_number_that_is_not_finite_is_refused_with_its_key_and_the_earlier_result_st
     drop(folder);
     assert_eq!(command(&target), "first");
 }
+
+/// What is said of a folder that is not replaced.
+fn refusal(target: &Path) -> String {
+    match ResultFolder::begin(target) {
+        Err(Failure::Input(error)) => error.message,
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn a_file_of_the_users_in_an_earlier_result_stops_the_command_before_it_begins() {
+    let scratch = Scratch::new("thesis");
+    let target = scratch.0.join("calibrate");
+    result(&target, "first").commit().expect("committed");
+    std::fs::create_dir(target.join("notes")).expect("a folder");
+    assert!(refusal(&target).starts_with("notes in the result folder is not what wingroot wrote"));
+    std::fs::write(target.join("notes/thesis.txt"), "years of work").expect("written");
+    std::fs::write(target.join("plot.py"), "print()").expect("written");
+    assert!(refusal(&target).starts_with("notes/thesis.txt and 1 more in the result folder"));
+    assert_eq!(command(&target), "first");
+    std::fs::remove_dir_all(target.join("notes")).expect("removed");
+    std::fs::remove_file(target.join("plot.py")).expect("removed");
+    // and so does a change of what wingroot wrote
+    std::fs::write(target.join("result.json"), "{}").expect("written");
+    assert!(refusal(&target).starts_with("result.json in the result folder is not what wingroot wrote"));
+}
+
+#[test]
+fn a_folder_with_any_result_json_is_no_result_of_ours() {
+    let scratch = Scratch::new("unmarked");
+    std::fs::write(scratch.0.join("result.json"), "{}").expect("written");
+    std::fs::write(scratch.0.join("thesis.txt"), "years of work").expect("written");
+    assert!(refusal(&scratch.0).contains("no list of a result"));
+    assert_eq!(scratch.entries(), ["result.json", "thesis.txt"]);
+}
+
+#[test]
+fn a_file_that_appears_while_the_command_works_survives_it() {
+    let scratch = Scratch::new("meanwhile");
+    let target = scratch.0.join("calibrate");
+    result(&target, "first").commit().expect("committed");
+    let second = result(&target, "second");
+    std::fs::write(target.join("thesis.txt"), "years of work").expect("written");
+    assert!(matches!(second.commit(), Err(Failure::Input(_))));
+    assert_eq!(command(&target), "first");
+    assert_eq!(std::fs::read_to_string(target.join("thesis.txt")).expect("it is there"), "years of work");
+}
+
+#[test]
+fn incomplete_results_stand_beside_good_ones_until_the_next_good_ones() {
+    let scratch = Scratch::new("incomplete");
+    let target = scratch.0.join("calibrate");
+    result(&target, "good").commit().expect("committed");
+    let beside = result(&target, "stalled").commit_incomplete().expect("committed");
+    assert_eq!(beside, scratch.0.join("calibrate.incomplete"));
+    assert_eq!((command(&target), command(&beside)), ("good".into(), "stalled".into()));
+    result(&target, "stalled again").commit_incomplete().expect("committed");
+    assert_eq!((command(&target), command(&beside)), ("good".into(), "stalled again".into()));
+    result(&target, "better").commit().expect("committed");
+    assert_eq!(command(&target), "better");
+    assert_eq!(scratch.entries(), ["calibrate"]);
+}

@@ -58,14 +58,18 @@ commands! {
     response: Response(Box<crate::args::ResponseArgs>),
     /// Flutter and divergence speeds of the wing, initial beside updated, by two methods, with V-g and V-f curves
     flutter: Flutter(flutter::FlutterArgs),
-    /// A commented folder for a wing of your own, that runs at once
+    /// What a shell needs to complete commands and options
+    completions: Completions(completions::CompletionsArgs),
+    /// Manual pages of the program and of each command
+    man: Man(man::ManArgs),
+    /// A folder to start from: a commented wing of your own that runs at once, or a shipped example
     new: New(new::NewArgs),
 }
 
 impl Command {
     /// Whether it writes one folder of results, which takes the place of an earlier one.
     pub fn replaces_results(&self) -> bool {
-        !matches!(self, Self::Pipeline(_) | Self::New(_))
+        !matches!(self, Self::Pipeline(_) | Self::New(_) | Self::Completions(_) | Self::Man(_))
     }
 }
 
