@@ -40,13 +40,13 @@ enum Task {
 }
 
 impl Task {
-    /// Its name, and whether it writes one folder of results.
-    fn described(&self) -> (&'static str, bool) {
+    /// Its name, and the folder of results that it writes.
+    fn described(&self) -> (&'static str, Option<&'static str>) {
         match self {
-            Self::Program(command) => (command.name(), command.replaces_results()),
-            Self::Validate(_) => ("validate", true),
-            Self::Bench(_) => ("bench", true),
-            Self::Tidy(_) => ("tidy", false),
+            Self::Program(command) => (command.name(), command.results()),
+            Self::Validate(_) => ("validate", Some("validate")),
+            Self::Bench(_) => ("bench", Some("bench")),
+            Self::Tidy(_) => ("tidy", None),
         }
     }
 
@@ -64,8 +64,8 @@ impl Task {
 pub fn main() -> ExitCode {
     let cli = Cli::parse();
     wingroot::paths::start_from(repository::path("data"));
-    let (name, writes_results) = cli.command.described();
-    wingroot::ended(&cli.common, name, writes_results, || cli.command.run(&cli.common))
+    let (name, results) = cli.command.described();
+    wingroot::ended(&cli.common, name, results, || cli.command.run(&cli.common))
 }
 
 #[cfg(test)]

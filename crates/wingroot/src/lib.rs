@@ -38,22 +38,23 @@ pub const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), " (", env!("WINGROO
 pub fn main() -> ExitCode {
     let cli = cli::Cli::parse();
     let command = cli.command.name();
-    let writes_results = cli.command.replaces_results();
-    ended(&cli.common, command, writes_results, || cli.command.run(&cli.common))
+    let results = cli.command.results();
+    ended(&cli.common, command, results, || cli.command.run(&cli.common))
 }
 
-/// Runs a command with its logging, threads and progress, prints how it failed if it did, and gives the exit status.
+/// Runs a command with its logging, threads and progress, prints how it failed if it did, and gives the exit status; `results` is
+/// the name of the folder that it will write.
 pub fn ended(
     common: &Common,
     command: &str,
-    writes_results: bool,
+    results: Option<&str>,
     run: impl FnOnce() -> Result<(), Failure>,
 ) -> ExitCode {
     show::start(common);
     let result = set_threads(common).and_then(|()| {
-        if let Some(out) = common.out.as_deref().filter(|_| writes_results) {
+        if let Some(results) = results {
             // Before the work, not after it.
-            output::check_replaceable(out)?;
+            output::check_replaceable(&common.out(results))?;
         }
         progress::at_work(common, command);
         let result = run();

@@ -42,7 +42,7 @@ pub(crate) fn run(args: &FullaircraftArgs, common: &Common) -> Result<(), Failur
     }
     let comparison = effects.compare(&aircraft, &corrections)?;
     let summary = comparison.summary(&aircraft, start.elapsed().as_secs_f64());
-    let folder = ResultFolder::begin(&common.out("fullaircraft"))?;
+    let folder = ResultFolder::begin(&common.out(args.results()))?;
     inputs.iter().try_for_each(|(what, path)| folder.input(what, path))?;
     let out = write(folder, &aircraft, &comparison, &summary)?;
     for warning in &summary.warnings {

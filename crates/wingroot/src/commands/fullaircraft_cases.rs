@@ -17,7 +17,7 @@ use crate::args::Common;
 use crate::commands::fullaircraft_cases_figures as figures;
 use crate::commands::fullaircraft_prepared::{FullaircraftArgs, Prepared, prepared};
 use crate::failure::Failure;
-use crate::output::{ResultFolder, check_replaceable};
+use crate::output::ResultFolder;
 use crate::store::Store;
 use crate::{progress, show};
 
@@ -46,8 +46,7 @@ struct Refused {
 /// Runs the command.
 pub(crate) fn run(path: &Path, args: &FullaircraftArgs, common: &Common) -> Result<(), Failure> {
     let start = Instant::now();
-    let target = common.out("fullaircraft_cases");
-    check_replaceable(&target)?;
+    let target = common.out(args.results());
     let file = CasesFile::read(path)?;
     let Prepared { mut aircraft, corrections, origin, mut inputs, .. } = prepared(args, common)?;
     inputs.push(("cases", file.path.clone()));

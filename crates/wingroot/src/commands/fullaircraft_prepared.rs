@@ -38,6 +38,17 @@ pub struct FullaircraftArgs {
     pub(crate) deck: Option<PathBuf>,
 }
 
+impl FullaircraftArgs {
+    /// The folder of results, which differs with what is asked for.
+    pub(super) fn results(&self) -> &'static str {
+        match (&self.cases, &self.deck) {
+            (Some(_), _) => "fullaircraft_cases",
+            (None, Some(_)) => "fullaircraft_deck",
+            (None, None) => "fullaircraft",
+        }
+    }
+}
+
 /// An aircraft and the corrections it flies with.
 pub(crate) struct Prepared {
     /// The aircraft.

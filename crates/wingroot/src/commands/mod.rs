@@ -67,9 +67,13 @@ commands! {
 }
 
 impl Command {
-    /// Whether it writes one folder of results, which takes the place of an earlier one.
-    pub fn replaces_results(&self) -> bool {
-        !matches!(self, Self::Pipeline(_) | Self::New(_) | Self::Completions(_) | Self::Man(_))
+    /// The folder of results that it writes, which takes the place of an earlier one.
+    pub fn results(&self) -> Option<&'static str> {
+        match self {
+            Self::Pipeline(_) | Self::New(_) | Self::Completions(_) | Self::Man(_) => None,
+            Self::Fullaircraft(options) => Some(options.results()),
+            _ => Some(self.name()),
+        }
     }
 }
 

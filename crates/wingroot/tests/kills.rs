@@ -1,0 +1,181 @@
+//! Commands killed at random moments and started again: nothing that was finished is lost, nothing of the user's is touched, and
+//! the end is that of a run left alone. A hundred kills with RUN_SLOW_TESTS=1, a few of the quick commands otherwise.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::Duration;
+
+const THESIS: &str = "years of work";
+const CASES: &str = r#"Cases(
+    name: "a small grid",
+    airspeeds_V_m_s: [16.0, 18.0, 20.0, 22.0, 24.0],
+    load_factors: [-1.0, 1.5, 2.5],
+    maneuvers: [Level, Pull, Roll(control: "aileron", rates_deg_s: [30.0]), Turn(control: "aileron")],
+)
+"#;
+
+/// A command under test.
+struct Victim {
+    /// Its line.
+    arguments: &'static [&'static str],
+    /// The folder below which finished parts are kept, if it keeps any.
+    store: Option<&'static str>,
+    /// It is killed within this time.
+    within_s: f64,
+    /// So many kills, and so many of a quick test.
+    kills: [usize; 2],
+    /// The folder of its results.
+    out: &'static str,
+}
+
+const VICTIMS: [Victim; 4] = [
+    Victim { arguments: &["calibrate"], store: None, within_s: 0.8, kills: [35, 8], out: "out/calibrate" },
+    Victim {
+        arguments: &["fullaircraft", "--cases", "cases.ron", "--threads", "1"],
+        store: Some("out/.fullaircraft_cases.finished"),
+        within_s: 1.5,
+        kills: [30, 8],
+        out: "out/fullaircraft_cases",
+    },
+    Victim {
+        arguments: &["discover"],
+        store: Some("out/.discover.finished"),
+        within_s: 4.0,
+        kills: [20, 0],
+        out: "out/discover",
+    },
+    Victim {
+        arguments: &["hidden", "--cases", "2", "--seed", "77"],
+        store: Some("out/hidden.cases"),
+        within_s: 12.0,
+        kills: [15, 0],
+        out: "out/hidden",
+    },
+];
+
+/// A generator of moments; which they are does not matter.
+struct Moments(u64);
+
+impl Moments {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) as f64 / f64::from(1_u32 << 31)
+    }
+}
+
+fn wingroot(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_wingroot"));
+    command.args(arguments).arg("--quiet").current_dir(folder).stdout(Stdio::null()).stderr(Stdio::piped());
+    command
+}
+
+fn finishes(folder: &Path, arguments: &[&str]) {
+    let output = wingroot(folder, arguments).output().expect("the command starts");
+    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+}
+
+/// Finished parts, each whole: their texts by name.
+fn parts(folder: &Path) -> BTreeMap<PathBuf, String> {
+    let mut found = BTreeMap::new();
+    for path in std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path()) {
+        if path.is_dir() {
+            found.extend(parts(&path));
+        } else if path.extension().is_some_and(|ending| ending == "json") {
+            let text = std::fs::read_to_string(&path).expect("a file");
+            let whole: Result<serde_json::Value, _> = serde_json::from_str(&text);
+            assert!(whole.is_ok(), "{} is half-written", path.display());
+            found.insert(path, text);
+        }
+    }
+    found
+}
+
+/// What a result says, but for what the clock says.
+fn result(out: &Path) -> serde_json::Value {
+    let text = std::fs::read_to_string(out.join("result.json")).expect("a result");
+    let mut value: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    let object = value.as_object_mut().expect("an object");
+    for of_the_clock in ["seconds", "metrics", "gates"] {
+        object.remove(of_the_clock);
+    }
+    value
+}
+
+#[test]
+fn nothing_is_lost_at_any_moment() {
+    let slow = std::env::var_os("RUN_SLOW_TESTS").is_some();
+    if !slow {
+        eprintln!("discover and hidden are skipped: RUN_SLOW_TESTS=1 kills a hundred commands");
+    }
+    let base = std::env::temp_dir().join(format!("wingroot-kills-{}", std::process::id()));
+    std::fs::create_dir_all(&base).expect("a temporary folder");
+    finishes(&base, &["new", "alone"]);
+    finishes(&base, &["new", "killed"]);
+    let (alone, killed) = (base.join("alone"), base.join("killed"));
+    for folder in [&alone, &killed] {
+        std::fs::write(folder.join("cases.ron"), CASES).expect("a file");
+        std::fs::create_dir(folder.join("out")).expect("a folder");
+        std::fs::write(folder.join("out/thesis.txt"), THESIS).expect("a file");
+    }
+    let mut moments = Moments(20_261_122);
+    for victim in &VICTIMS {
+        let kills = victim.kills[usize::from(!slow)];
+        if kills == 0 {
+            continue;
+        }
+        finishes(&alone, victim.arguments);
+        let store = victim.store.map(|store| killed.join(store));
+        let mut kept = BTreeMap::new();
+        let mut went_on = 0;
+        for _ in 0..kills {
+            let mut child = wingroot(&killed, victim.arguments).spawn().expect("the command starts");
+            std::thread::sleep(Duration::from_secs_f64(victim.within_s * moments.next()));
+            let ended = child.try_wait().expect("a child").is_some();
+            child.kill().expect("it can be killed");
+            child.wait().expect("it is gone");
+            let now = store.as_deref().map(parts).unwrap_or_default();
+            // A store is emptied when its parts are in the results, or in the null distribution that they were for.
+            if !ended && !now.is_empty() {
+                let lost = kept.iter().find(|&(path, text)| now.get(path) != Some(text));
+                let emptied = kept.keys().all(|path| !now.contains_key(path));
+                assert!(lost.is_none() || emptied, "{:?}: {lost:?} is lost", victim.arguments);
+                went_on += usize::from(now.len() > kept.len() && !kept.is_empty());
+            }
+            kept = now;
+            let thesis = std::fs::read_to_string(killed.join("out/thesis.txt")).expect("it is there");
+            assert_eq!(thesis, THESIS);
+        }
+        eprintln!("{:?}: {kills} kills, {went_on} times more was kept than before", victim.arguments);
+        finishes(&killed, victim.arguments);
+        assert_eq!(
+            result(&killed.join(victim.out)),
+            result(&alone.join(victim.out)),
+            "{:?}",
+            victim.arguments
+        );
+    }
+    std::fs::remove_dir_all(&base).expect("a temporary folder");
+}
+
+#[test]
+fn a_file_in_the_result_folder_stops_every_command_and_stays() {
+    let base = std::env::temp_dir().join(format!("wingroot-thesis-{}", std::process::id()));
+    std::fs::create_dir_all(&base).expect("a temporary folder");
+    finishes(&base, &["new", "w"]);
+    let folder = base.join("w");
+    std::fs::write(folder.join("cases.ron"), CASES).expect("a file");
+    for victim in &VICTIMS {
+        let out = folder.join(victim.out);
+        std::fs::create_dir_all(&out).expect("a folder");
+        for (name, text) in [("result.json", "{}"), ("thesis.txt", THESIS)] {
+            std::fs::write(out.join(name), text).expect("a file");
+        }
+        let output = wingroot(&folder, victim.arguments).output().expect("the command starts");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{:?}: {said}", victim.arguments);
+        assert!(said.contains("nothing in it is replaced") && said.contains("hint: "), "{said}");
+        assert_eq!(std::fs::read_to_string(out.join("thesis.txt")).expect("it is there"), THESIS);
+    }
+    std::fs::remove_dir_all(&base).expect("a temporary folder");
+}
