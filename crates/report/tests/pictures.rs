@@ -1,6 +1,6 @@
 //! Every picture is a well-formed SVG document with what was put in, and what cannot be drawn is refused.
 //!
-//! `REPORT_PICTURES=DIR cargo test -p report` writes the pictures for a look at them.
+//! `REPORT_PICTURES=DIR cargo test -p wingroot-report` writes the pictures for a look at them.
 
 use nalgebra::Point3;
 use report::deformed::{Quad, View};

@@ -1,4 +1,4 @@
-//! Writes the runs of the micro air vehicle that ship in data/mav again: `cargo run -p response --example draw_mav_runs`,
+//! Writes the runs of the micro air vehicle that ship in data/mav again: `cargo run -p wingroot-response --example draw_mav_runs`,
 //! from the root of the repository. Another folder may be named.
 
 use std::error::Error;

@@ -23,7 +23,10 @@ fn drawn(series: Series, errors: &Errors, seed: u64) -> Runs {
 fn the_shipped_runs_are_what_the_generator_gives() {
     for (name, text) in shipped_files(&published()).expect("the series' equations") {
         let shipped = std::fs::read_to_string(data().join(&name)).expect("the file ships");
-        assert!(shipped == text, "{name} is not what `cargo run -p response --example draw_mav_runs` gives");
+        assert!(
+            shipped == text,
+            "{name} is not what `cargo run -p wingroot-response --example draw_mav_runs` gives"
+        );
     }
 }
 

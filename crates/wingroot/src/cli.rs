@@ -2,9 +2,9 @@
 
 use clap::Parser;
 
-use crate::VERSION;
 use crate::args::Common;
 use crate::commands::Command;
+use crate::version::VERSION;
 
 /// The command line.
 #[derive(Debug, Parser)]

@@ -9,7 +9,6 @@ use nastran::InputError;
 use crate::args::{Given, Measured};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
-use crate::paths;
 
 impl From<CouplingError> for Failure {
     fn from(error: CouplingError) -> Self {
@@ -71,7 +70,7 @@ pub(crate) fn corrected_wing(given: &Given) -> Result<CorrectedWing, Failure> {
         check_boxes(&schedule, &wing, path)?;
         return Ok(CorrectedWing { file, wing, schedule, origin: path.display().to_string() });
     }
-    let last = paths::results("calibrate").join("corrections.ron");
+    let last = crate::common::results("calibrate").join("corrections.ron");
     if let Some(schedule) = given.schedule(&last).ok().filter(|schedule| schedule.wing_hash == file.hash) {
         check_boxes(&schedule, &wing, &last)?;
         return Ok(CorrectedWing { file, wing, schedule, origin: last.display().to_string() });

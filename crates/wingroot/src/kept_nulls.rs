@@ -5,7 +5,7 @@ use discover::null_campaigns::{NullCampaign, NullStore};
 use discover::null_distribution::NullDistribution;
 use indicatif::ProgressBar;
 
-use crate::args::Common;
+use crate::common::Common;
 use crate::progress;
 use crate::store::Store;
 

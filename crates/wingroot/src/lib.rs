@@ -13,6 +13,7 @@ pub mod args;
 pub mod blind;
 mod cli;
 pub mod commands;
+pub mod common;
 pub mod corrections;
 pub mod failure;
 pub mod fingerprint;
@@ -26,12 +27,11 @@ pub mod progress;
 pub mod show;
 pub mod store;
 pub mod structures;
+pub mod version;
 
-use args::Common;
+use common::Common;
 use failure::Failure;
-
-/// The version, and the commit it was built from.
-pub const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), " (", env!("WINGROOT_COMMIT"), ")");
+pub use version::VERSION;
 
 /// Reads the command line, runs the command and turns its end into the exit status: 0 done, 2 wrong usage or bad input, 3
 /// the computation could not be completed.

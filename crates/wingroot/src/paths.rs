@@ -160,8 +160,3 @@ pub fn campaign(given: Option<&Path>, wing: &Path) -> Result<PathBuf, InputError
 pub fn folder_of(file: &Path) -> &Path {
     file.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."))
 }
-
-/// A path below the folder of results of the current folder.
-pub fn results(name: &str) -> PathBuf {
-    Path::new("out").join(name)
-}

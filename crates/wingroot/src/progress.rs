@@ -14,7 +14,7 @@ use tracing::field::{Field, Visit};
 use tracing_subscriber::Layer;
 use tracing_subscriber::layer::Context;
 
-use crate::args::Common;
+use crate::common::Common;
 
 /// The events by which crates say how far they are.
 pub const TARGET: &str = "progress";

@@ -22,7 +22,7 @@ pub struct Store {
 impl Store {
     /// The store in a folder, which is made with the first part. `inputs` is all that results depend on beside the part.
     pub fn new(folder: PathBuf, inputs: &str) -> Self {
-        let inputs = Fingerprint::default().with(crate::VERSION.as_bytes()).with(inputs.as_bytes());
+        let inputs = Fingerprint::default().with(crate::version::VERSION.as_bytes()).with(inputs.as_bytes());
         Self { folder, inputs }
     }
 

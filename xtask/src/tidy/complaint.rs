@@ -30,7 +30,8 @@ pub(crate) fn files_below(folder: &Path) -> Vec<PathBuf> {
     let Ok(entries) = std::fs::read_dir(folder) else { return found };
     for path in entries.flatten().map(|entry| entry.path()) {
         let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-        if name.starts_with('.') || name == "target" {
+        // links lead to files that have a place of their own
+        if name.starts_with('.') || name == "target" || path.is_symlink() {
             continue;
         }
         if path.is_dir() {

@@ -24,7 +24,7 @@ use crate::corrections::{CorrectedWing, corrected_wing};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::store::Store;
-use crate::{kept_nulls, paths, show};
+use crate::{kept_nulls, show};
 
 /// Options of `discover`.
 #[derive(Debug, Clone, Default, Args)]
@@ -157,7 +157,7 @@ fn null_distribution(
     }
     let given = args.null_distribution.as_ref().or(args.bank.as_ref());
     let beside = corrected.file.path.with_file_name("null_distribution.ron");
-    let last = paths::results("discover").join("null_distribution.ron");
+    let last = crate::common::results("discover").join("null_distribution.ron");
     if let Some(path) = given {
         let nulls: NullDistribution = nastran::ron_file::read(path)?;
         if !serves(&nulls) {

@@ -37,7 +37,7 @@ pub struct PipelineArgs {
 
 /// Runs the command: every step writes its own folder below `out` (or below `--out DIR`).
 pub(crate) fn run(args: &PipelineArgs, common: &Common) -> Result<(), Failure> {
-    let base = common.out.clone().unwrap_or_else(|| paths::results(""));
+    let base = common.out.clone().unwrap_or_else(|| crate::common::results(""));
     let wing = args.measured.wing_path()?;
     let measured = Measured { campaign: Some(args.measured.campaign_path()?), wing: Some(wing.clone()) };
     let aircraft = Some(paths::aircraft(args.aircraft.as_deref(), Some(&wing))?);

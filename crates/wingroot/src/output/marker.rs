@@ -24,7 +24,7 @@ type Files = BTreeMap<String, String>;
 /// # Errors
 /// If the folder cannot be read or written.
 pub(super) fn write(folder: &Path) -> Result<(), Failure> {
-    let mut text = format!("{HEADING} {}\n", crate::VERSION);
+    let mut text = format!("{HEADING} {}\n", crate::version::VERSION);
     for (name, path) in files_below(folder).map_err(|error| refused(folder, &error))? {
         let fingerprint = Fingerprint::of_file(&path).map_err(|error| refused(&path, &error))?;
         let _ = writeln!(text, "{fingerprint} {name}");

@@ -58,8 +58,10 @@ pub(super) fn lines() -> Vec<(String, String)> {
             words.push(if word.contains(' ') { format!("'{word}'") } else { word });
         }
     }
-    let mut lines =
-        vec![("Command".into(), words.join(" ")), ("Version".into(), format!("wingroot {}", crate::VERSION))];
+    let mut lines = vec![
+        ("Command".into(), words.join(" ")),
+        ("Version".into(), format!("wingroot {}", crate::version::VERSION)),
+    ];
     lines.extend(paths::taken().into_iter().map(|taken| ("Taken without being named".into(), taken)));
     lines
 }
