@@ -19,6 +19,7 @@ use serde::Serialize;
 
 mod marker;
 
+use marker::refused;
 pub use marker::{MARKER, check_replaceable};
 
 use crate::failure::Failure;
@@ -296,11 +297,6 @@ fn not_finite<'a>(name: &str, text: &'a str) -> Option<&'a str> {
     }
     let words = text.split(|c: char| c.is_whitespace() || ",:()[]<>".contains(c));
     words.into_iter().find(|word| ["NaN", "inf", "-inf"].contains(word))
-}
-
-fn refused(path: &Path, error: &std::io::Error) -> Failure {
-    let error = InputError::in_file(path, format!("the result cannot be written: {error}"));
-    error.with_help("choose another folder with --out DIR").into()
 }
 
 /// `.NAME.KIND-PROCESS` beside the target.

@@ -7,7 +7,6 @@ use std::path::{Path, PathBuf};
 
 use nastran::InputError;
 
-use super::refused;
 use crate::failure::Failure;
 use crate::fingerprint::Fingerprint;
 
@@ -140,4 +139,10 @@ fn files_below(folder: &Path) -> std::io::Result<Vec<(String, PathBuf)>> {
         (name, path)
     };
     Ok(found.into_iter().map(inside).collect())
+}
+
+/// A folder or file of results that cannot be written.
+pub(super) fn refused(path: &Path, error: &std::io::Error) -> Failure {
+    let error = InputError::in_file(path, format!("the result cannot be written: {error}"));
+    error.with_help("choose another folder with --out DIR").into()
 }

@@ -20,16 +20,13 @@ mod tunnel;
 pub mod values;
 
 pub use origin::input;
-pub use plates::Written;
+pub use plates::{Head, Written};
 
 use report::Page;
 use report::page::Plate;
 use serde_json::Value;
 
 use plates::figures;
-
-/// Makes the head of a page from `result.json` and takes the figures that stand in it.
-pub type Head = fn(&Value, &mut Vec<Plate>) -> Page;
 
 /// The page of a command's results; none for commands without one.
 pub(crate) fn page(written: Written) -> Option<Page> {

@@ -1,8 +1,11 @@
 //! What a page is made of, and its figures sorted under headings.
 
-use report::Drawing;
 use report::page::{Block, Content, Input, Plate, Section};
+use report::{Drawing, Page};
 use serde_json::Value;
+
+/// Makes the head of a page from `result.json` and takes the figures that stand in it.
+pub type Head = fn(&Value, &mut Vec<Plate>) -> Page;
 
 /// What a page is made of.
 #[derive(Debug, Default)]
@@ -14,7 +17,7 @@ pub struct Written {
     /// What was read.
     pub inputs: Vec<Input>,
     /// Who makes the page's head, for commands that are not in the list of pages.
-    pub head: Option<super::Head>,
+    pub head: Option<Head>,
     /// The same as pictures, by name.
     pub drawings: Vec<(String, Drawing)>,
 }
