@@ -91,19 +91,31 @@ pub fn summary(common: &Common, text: &str) {
 /// # Errors
 /// If the value cannot be written as JSON, or not to standard output.
 pub fn json<T: Serialize>(common: &Common, value: &T) -> Result<(), Failure> {
-    if common.json {
-        let text = serde_json::to_string_pretty(value).map_err(Failure::computation)?;
-        if let Err(error) = progress::aside(|| writeln!(std::io::stdout(), "{text}")) {
-            // A reader that closed the pipe (`| head`) has seen enough; a full disk has not.
-            if error.kind() != std::io::ErrorKind::BrokenPipe {
-                let message = format!("the result cannot be written to standard output: {error}");
-                return Err(InputError::general(message)
-                    .with_help("make room where it goes; the folder of results is complete")
-                    .into());
-            }
-        }
+    if !common.json {
+        return Ok(());
     }
-    Ok(())
+    text(&(serde_json::to_string_pretty(value).map_err(Failure::computation)? + "\n"))
+}
+
+/// Prints what was asked for to standard output.
+///
+/// # Errors
+/// If it cannot be written there.
+pub fn text(text: &str) -> Result<(), Failure> {
+    let written = progress::aside(|| {
+        let mut out = std::io::stdout();
+        out.write_all(text.as_bytes()).and_then(|()| out.flush())
+    });
+    match written {
+        // A reader that closed the pipe (`| head`) has seen enough; a full disk has not.
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+            let message = format!("standard output cannot be written: {error}");
+            Err(InputError::general(message)
+                .with_help("make room where it goes, or send it elsewhere")
+                .into())
+        }
+        _ => Ok(()),
+    }
 }
 
 /// The error as text: `file:line:column: message`, the source line with a caret, the hint; in colours, which the stream takes

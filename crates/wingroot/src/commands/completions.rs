@@ -6,6 +6,7 @@ use clap_complete::Shell;
 use crate::args::Common;
 use crate::cli::Cli;
 use crate::failure::Failure;
+use crate::show;
 
 /// Options of `completions`.
 #[derive(Debug, Clone, Args)]
@@ -21,6 +22,7 @@ pub struct CompletionsArgs {
 
 /// Prints the script.
 pub(crate) fn run(args: &CompletionsArgs, _: &Common) -> Result<(), Failure> {
-    clap_complete::generate(args.shell, &mut Cli::command(), "wingroot", &mut std::io::stdout());
-    Ok(())
+    let mut script = Vec::new();
+    clap_complete::generate(args.shell, &mut Cli::command(), "wingroot", &mut script);
+    show::text(&String::from_utf8_lossy(&script))
 }

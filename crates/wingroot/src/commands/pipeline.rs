@@ -15,7 +15,7 @@ use crate::commands::fullaircraft_prepared::FullaircraftArgs;
 use crate::commands::simulate::SimulateArgs;
 use crate::commands::{calibrate, deflection, discover, fullaircraft, pipeline_figures, simulate};
 use crate::failure::Failure;
-use crate::output::ResultFolder;
+use crate::output::{ResultFolder, check_replaceable};
 use crate::{paths, show};
 
 /// Options of `pipeline`.
@@ -35,74 +35,19 @@ pub struct PipelineArgs {
     aircraft: Option<PathBuf>,
 }
 
+/// The steps, and the folders that they write.
+const STEPS: [&str; 5] = ["calibrate", "deflection", "simulate", "discover", "fullaircraft"];
+
 /// Runs the command: every step writes its own folder below `out` (or below `--out DIR`).
 pub(crate) fn run(args: &PipelineArgs, common: &Common) -> Result<(), Failure> {
-    let base = common.out.clone().unwrap_or_else(|| crate::common::results(""));
-    let wing = args.measured.wing_path()?;
-    let measured = Measured { campaign: Some(args.measured.campaign_path()?), wing: Some(wing.clone()) };
-    let aircraft = Some(paths::aircraft(args.aircraft.as_deref(), Some(&wing))?);
-    // With a wing that an earlier step wrote.
-    let with_wing = |wing: PathBuf| Measured { wing: Some(wing), ..measured.clone() };
     let start = Instant::now();
-    // With --json the steps say nothing on standard output: their results are gathered at the end.
-    let quiet = common.quiet || common.json;
-    let step = |name: &str| Common { out: Some(base.join(name)), json: false, quiet, ..common.clone() };
-    let heading = |name: &str| {
-        if !quiet {
-            show::summary(common, &format!("== {name}\n"));
-        }
-    };
-    let mut seconds = Map::new();
-    let mut timed = |name: &str, run: &dyn Fn(&Common) -> Result<(), Failure>| -> Result<(), Failure> {
-        heading(name);
-        let from = Instant::now();
-        run(&step(name))?;
-        seconds.insert(name.to_owned(), json!(from.elapsed().as_secs_f64()));
-        Ok(())
-    };
-    timed("calibrate", &|common| calibrate::run(&CalibrateArgs { measured: measured.clone() }, common))?;
-    let corrections = Some(base.join("calibrate/corrections.ron"));
-    timed("deflection", &|common| {
-        deflection::run(
-            &DeflectionArgs {
-                given: Given { measured: measured.clone(), corrections: corrections.clone(), ..Given::default() },
-            },
-            common,
-        )
-    })?;
-    timed("simulate", &|common| {
-        let of_deflection = |name: &str| base.join("deflection").join(name);
-        let measured = with_wing(of_deflection("wing.ron"));
-        let corrections = Some(of_deflection("corrections.ron"));
-        simulate::run(
-            &SimulateArgs { given: Given { measured, corrections, ..Given::default() }, ..Default::default() },
-            common,
-        )
-    })?;
-    timed("discover", &|common| {
-        let corrections = corrections.clone();
-        discover::run(
-            &DiscoverArgs {
-                given: Given { measured: measured.clone(), corrections, ..Given::default() },
-                own_corrections: true,
-                ..Default::default()
-            },
-            common,
-        )
-    })?;
-    timed("fullaircraft", &|common| {
-        // with the effects that stay with the wing, and the corrections found beside them
-        let of_discover = |name: &str| base.join("discover").join(name);
-        let given = Given {
-            measured: with_wing(of_discover("wing.ron")),
-            corrections: Some(of_discover("corrections.ron")),
-            ..Given::default()
-        };
-        fullaircraft::run(&FullaircraftArgs { given, aircraft: aircraft.clone(), ..Default::default() }, common)
-    })?;
+    let base = common.out.clone().unwrap_or_else(|| crate::common::results(""));
+    // Before the work, not after it.
+    STEPS.iter().chain(&["pipeline"]).try_for_each(|step| check_replaceable(&base.join(step)))?;
+    let seconds = steps(args, common, &base)?;
     let total = start.elapsed().as_secs_f64();
     let mut result = json!({ "command": "pipeline", "seconds": total, "steps": seconds });
-    for name in ["calibrate", "deflection", "simulate", "discover", "fullaircraft"] {
+    for name in STEPS {
         result[name] = read_result(&base.join(name))?;
     }
     let folder = ResultFolder::begin(&base.join("pipeline"))?;
@@ -111,6 +56,51 @@ pub(crate) fn run(args: &PipelineArgs, common: &Common) -> Result<(), Failure> {
     folder.commit()?;
     show::summary(common, &format!("pipeline done in {total:.1} s; results in {}\n", base.display()));
     show::json(common, &result)
+}
+
+/// Runs the steps, each with what the earlier ones wrote; the seconds of each.
+fn steps(args: &PipelineArgs, common: &Common, base: &Path) -> Result<Map<String, Value>, Failure> {
+    let wing = args.measured.wing_path()?;
+    let measured = Measured { campaign: Some(args.measured.campaign_path()?), wing: Some(wing.clone()) };
+    let aircraft = Some(paths::aircraft(args.aircraft.as_deref(), Some(&wing))?);
+    // The wing with its corrections, and those that a step wrote.
+    let with = |measured: Measured, step: &str| {
+        let corrections = Some(base.join(step).join("corrections.ron"));
+        Given { measured, corrections, ..Given::default() }
+    };
+    let written_by = |step: &str| {
+        with(Measured { wing: Some(base.join(step).join("wing.ron")), ..measured.clone() }, step)
+    };
+    let calibrated = with(measured.clone(), "calibrate");
+    // With --json the steps say nothing on standard output: their results are gathered at the end.
+    let quiet = common.quiet || common.json;
+    let mut seconds = Map::new();
+    for name in STEPS {
+        if !quiet {
+            show::summary(common, &format!("== {name}\n"));
+        }
+        let from = Instant::now();
+        let common = &Common { out: Some(base.join(name)), json: false, quiet, ..common.clone() };
+        match name {
+            "calibrate" => calibrate::run(&CalibrateArgs { measured: measured.clone() }, common),
+            "deflection" => deflection::run(&DeflectionArgs { given: calibrated.clone() }, common),
+            "simulate" => {
+                let given = written_by("deflection");
+                simulate::run(&SimulateArgs { given, ..Default::default() }, common)
+            }
+            "discover" => {
+                let given = calibrated.clone();
+                discover::run(&DiscoverArgs { given, own_corrections: true, ..Default::default() }, common)
+            }
+            // with the effects that stay with the wing, and the corrections found beside them
+            _ => {
+                let (given, aircraft) = (written_by("discover"), aircraft.clone());
+                fullaircraft::run(&FullaircraftArgs { aircraft, given, ..Default::default() }, common)
+            }
+        }?;
+        seconds.insert(name.to_owned(), json!(from.elapsed().as_secs_f64()));
+    }
+    Ok(seconds)
 }
 
 fn read_result(folder: &Path) -> Result<Value, Failure> {

@@ -22,11 +22,8 @@ pub mod values;
 pub use origin::input;
 pub use plates::{Head, Written};
 
-use report::Page;
-use report::page::Plate;
-use serde_json::Value;
-
 use plates::figures;
+use report::Page;
 
 /// The page of a command's results; none for commands without one.
 pub(crate) fn page(written: Written) -> Option<Page> {
