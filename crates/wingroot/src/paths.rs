@@ -110,7 +110,7 @@ fn found(
         take(what, &shipped, "the shipped example");
         return Ok(shipped);
     }
-    Err(InputError::general(format!("no {what} is named, and this folder has no {name}")).with_help(format!(
+    Err(InputError::general(format!("no {what} given, and this folder has no {name}")).with_help(format!(
         "name one with {option}, or start in a folder that has one (`wingroot new DIR --example {example}` makes such a folder)"
     )))
 }
