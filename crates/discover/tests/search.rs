@@ -6,11 +6,14 @@ use discover::consistency::{scatter, shares};
 use discover::current_model::CurrentModel;
 use discover::detection_limit::detection_limits;
 use discover::found::Outcome;
-use discover::null_campaigns::from_null_campaigns;
+use discover::null_campaigns::{NullCampaign, NullStore, from_null_campaigns};
 use discover::rank::rank;
 use discover::search::search;
 use discover::verdict::{Gap, Judgement, VerdictKind};
 use known::{Known, effect, exact, nulls};
+use std::collections::BTreeMap;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 fn searched(known: &Known) -> Outcome {
     search(&known.setting(), known.problem(), &nulls(25.0), 1).0
@@ -193,7 +196,7 @@ fn the_detection_limit_is_where_the_evidence_is_the_threshold() {
 fn null_campaigns_have_a_misfit_of_one_and_thresholds_above_the_margin() {
     let known = Known::new(exact(), &["pitch", "slope"], &[("pitch", [5.0, 5.0])]);
     let judged = [known.problem(), known.problem()];
-    let made = |seed: u64| from_null_campaigns(&known.setting(), known.problem(), &judged, seed);
+    let made = |seed: u64| from_null_campaigns(&known.setting(), known.problem(), &judged, seed, &());
     let nulls = made(1);
     // 20 campaigns of 400 rows of unit noise, whatever was measured
     assert!((nulls.misfit - 1.0).abs() < 0.05 && nulls.misfit_limit > nulls.misfit + 0.15, "{nulls:?}");
@@ -201,4 +204,37 @@ fn null_campaigns_have_a_misfit_of_one_and_thresholds_above_the_margin() {
     let margin = known.setting().rules().effects.usual.margin;
     assert!(nulls.evidence.values().all(|needed| (margin..margin + 5.0).contains(needed)), "{nulls:?}");
     assert!(made(1) == nulls && made(2) != nulls);
+}
+
+/// Campaigns of a run that was stopped.
+#[derive(Default)]
+struct Stopped {
+    kept: Mutex<BTreeMap<u64, NullCampaign>>,
+    flown: AtomicUsize,
+}
+
+impl NullStore for Stopped {
+    fn get(&self, k: u64) -> Option<NullCampaign> {
+        self.kept.lock().expect("no other panicked").get(&k).cloned()
+    }
+
+    fn put(&self, k: u64, campaign: &NullCampaign) {
+        self.flown.fetch_add(1, Ordering::Relaxed);
+        self.kept.lock().expect("no other panicked").insert(k, campaign.clone());
+    }
+}
+
+#[test]
+fn null_campaigns_that_a_stopped_run_kept_are_not_flown_again_and_change_nothing() {
+    let known = Known::new(exact(), &["pitch", "slope"], &[("pitch", [5.0, 5.0])]);
+    let judged = [known.problem(), known.problem()];
+    let made =
+        |store: &dyn NullStore| from_null_campaigns(&known.setting(), known.problem(), &judged, 1, store);
+    let store = Stopped::default();
+    let whole = made(&store);
+    let campaigns = store.flown.swap(0, Ordering::Relaxed);
+    store.kept.lock().expect("no other panicked").retain(|k, _| k % 3 == 1);
+    let left = store.kept.lock().expect("no other panicked").len();
+    assert_eq!(made(&store), whole);
+    assert_eq!(store.flown.load(Ordering::Relaxed), campaigns - left);
 }

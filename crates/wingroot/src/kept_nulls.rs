@@ -40,7 +40,7 @@ pub(crate) fn null_distribution(
     let campaigns = usize::try_from(prepared.data.rules.nulls.campaigns).unwrap_or(0);
     let kept = Kept { store, bar: progress::bar(common, campaigns, "null campaigns") };
     let nulls = prepared.null_distribution_kept(seed, &kept);
-    kept.bar.finish_and_clear();
+    progress::end(&kept.bar);
     // A store that resists is found again, or is of other inputs and ignored.
     let _ = kept.store.close();
     nulls

@@ -25,6 +25,8 @@ const SHARE: &str = "{msg:>24} [{bar:32}] {percent:>3} %  {pos}/{len}  {elapsed}
 
 /// The line that says that a command is at work.
 static AT_WORK: Mutex<Option<ProgressBar>> = Mutex::new(None);
+/// What a command is called while a bar of its own stands in the place of that line.
+static COMMAND: Mutex<Option<String>> = Mutex::new(None);
 
 fn at_work_line() -> MutexGuard<'static, Option<ProgressBar>> {
     AT_WORK.lock().unwrap_or_else(PoisonError::into_inner)
@@ -35,6 +37,11 @@ pub fn at_work(common: &Common, command: &str) {
     if common.quiet || !std::io::stderr().is_terminal() {
         return;
     }
+    *COMMAND.lock().unwrap_or_else(PoisonError::into_inner) = Some(command.to_owned());
+    show_at_work(command);
+}
+
+fn show_at_work(command: &str) {
     let line = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr()).with_style(style(WORKING));
     line.set_message(command.to_owned());
     line.enable_steady_tick(Duration::from_millis(200));
@@ -70,7 +77,15 @@ impl Write for Aside {
     }
 }
 
-/// A bar of so many steps with a word on what is done; `inc(1)` per step, `finish_and_clear()` at the end.
+/// Takes a bar away; the command is at work as before.
+pub fn end(bar: &ProgressBar) {
+    bar.finish_and_clear();
+    if let Some(command) = &*COMMAND.lock().unwrap_or_else(PoisonError::into_inner) {
+        show_at_work(command);
+    }
+}
+
+/// A bar of so many steps with a word on what is done; `inc(1)` per step, [`end`] at the end.
 pub fn bar(common: &Common, steps: usize, doing: &str) -> ProgressBar {
     done();
     let target = if common.quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };

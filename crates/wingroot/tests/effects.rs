@@ -13,9 +13,16 @@ fn data() -> PathBuf {
 }
 
 fn wingroot(command: &str, wing: &Path, more: &[&str], out: &Path) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_wingroot"))
-        .args([command, "--json", "--wing"])
+    let mut line = Command::new(env!("CARGO_BIN_EXE_wingroot"));
+    if command == "fullaircraft" {
+        line.arg(command).arg("--aircraft").arg(data().join("aircraft.ron"));
+    } else {
+        line.arg(command);
+    }
+    line.args(["--json", "--wing"])
         .arg(wing)
+        .arg("--campaign")
+        .arg(data().join("measured"))
         .args(more)
         .arg("--out")
         .arg(out)

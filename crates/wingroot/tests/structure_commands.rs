@@ -109,13 +109,3 @@ fn the_deck_has_the_modes_of_the_wing() {
     }
     std::fs::remove_dir_all(folder).expect("it was made above");
 }
-
-#[test]
-fn validate_shows_a_case_and_refuses_a_name_that_is_none() {
-    let folder = folder("validate");
-    let result = result(&folder, &["validate", "--only", "vlm__warren12"]);
-    assert_eq!((&result["met"], &result["not_met"]), (&Value::from(4), &Value::from(0)));
-    assert!(folder.join("out/table.txt").is_file());
-    assert_eq!(run(&folder, &["validate", "--only", "nonsense"]).status.code(), Some(2));
-    std::fs::remove_dir_all(folder).expect("it was made above");
-}

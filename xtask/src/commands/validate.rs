@@ -54,7 +54,7 @@ pub(crate) fn run(args: &ValidateArgs, common: &Common) -> Result<(), Failure> {
             outcome
         })
         .collect();
-    bar.finish_and_clear();
+    progress::end(&bar);
     let table = table(&outcomes);
     let result = result(&outcomes, start.elapsed().as_secs_f64());
     let folder = ResultFolder::begin(&common.out("validate"))?.with_head(page);

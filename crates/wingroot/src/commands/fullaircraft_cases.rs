@@ -84,7 +84,7 @@ pub(crate) fn run(path: &Path, args: &FullaircraftArgs, common: &Common) -> Resu
         };
         results.extend(fly(&flight, &cases, &store, &bar).map_err(|failure| in_file(failure, &file))?);
     }
-    bar.finish_and_clear();
+    progress::end(&bar);
     results.sort_by_key(|result| result.number);
     let summary = summary(&file, &results, &tools);
     let out = write(&target, &inputs, &summary, &results, &tools)?;

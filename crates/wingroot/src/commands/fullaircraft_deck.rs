@@ -89,7 +89,7 @@ pub(crate) fn run(path: &Path, common: &Common) -> Result<(), Failure> {
         known = Some((case.clone(), deck));
         bar.inc(1);
     }
-    bar.finish_and_clear();
+    progress::end(&bar);
     let skipped = known.map_or_else(Vec::new, |(_, deck)| deck.skipped_monitors);
     if !skipped.is_empty() && !common.quiet {
         show::note(&format!(

@@ -167,7 +167,7 @@ pub(crate) fn run(args: &HiddenArgs, common: &Common) -> Result<(), Failure> {
                 one
             })
             .collect::<Result<Vec<(Answer, DiscoverResult)>, Failure>>();
-        bar.finish_and_clear();
+        progress::end(&bar);
         judged
     })?;
     let families = Families::frozen()?;

@@ -92,7 +92,7 @@ pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
             flown
         })
         .collect::<Result<Vec<_>, Failure>>()?;
-    bar.finish_and_clear();
+    progress::end(&bar);
     flown.extend(simulate_maneuvers::fly(maneuvers, &rig, &settings, &corrected, &effects)?);
     for remark in effects.remarks() {
         show::note(&remark);
