@@ -54,7 +54,7 @@ const MARGIN: f64 = 30.0;
 const TOP: f64 = 76.0;
 const LEGEND: f64 = 44.0;
 /// Pictures in a row.
-const ROW: usize = 3;
+const ROW: usize = 2;
 
 /// Axes of the picture: to the right, up, and towards the eye.
 fn picture_axes() -> [Vector3<f64>; 3] {
@@ -66,7 +66,7 @@ fn picture_axes() -> [Vector3<f64>; 3] {
     [right, eye.cross(&right), eye]
 }
 
-/// The views side by side in one scale, three in a row.
+/// The views side by side in one scale, two in a row.
 ///
 /// # Errors
 /// If there is no view or nothing with finite corners.

@@ -1,7 +1,7 @@
 //! Line charts: a grid of panels with one legend below, drawn by kuva.
 
 use kuva::plot::legend::{LegendEntry, LegendShape};
-use kuva::plot::{LinePlot, ScatterPlot};
+use kuva::plot::{BandPlot, LinePlot, MarkerShape, ScatterPlot};
 use kuva::render::figure::Figure as Grid;
 use kuva::render::layout::Layout;
 use kuva::render::plots::Plot;
@@ -9,7 +9,7 @@ use kuva::render::plots::Plot;
 use crate::drawing::Drawing;
 use crate::error::DrawError;
 use crate::palette;
-use crate::thin::thinned;
+use crate::thin::{kept_together, thinned};
 
 /// Width of a panel, px.
 const PANEL_WIDTH: f64 = 480.0;
@@ -27,7 +27,22 @@ pub enum Style {
     Points,
     /// Points joined by a dashed line: the state before, a reference, a bound.
     DashedLine,
+    /// Points joined by a line, with a marker on each: few points, of which each counts. The markers of two names differ.
+    Marked,
+    /// An edge of a shaded band: two in a row of one name and the same abscissae, the lower first.
+    Edge,
 }
+
+/// The markers of [`Style::Marked`] in the order of names, for kuva and for plotly.
+pub(crate) const MARKERS: [(MarkerShape, &str); 5] = [
+    (MarkerShape::Circle, "circle"),
+    (MarkerShape::Square, "square"),
+    (MarkerShape::Triangle, "triangle-up"),
+    (MarkerShape::Diamond, "diamond"),
+    (MarkerShape::Cross, "x"),
+];
+/// How much a band covers, of 255.
+pub(crate) const BAND: u8 = 56;
 
 /// One curve or cloud. Series of the same name have the same colour in every panel and one entry in the legend.
 #[derive(Debug, Clone, PartialEq)]
@@ -136,14 +151,19 @@ impl Figure {
     }
 
     fn legend(&self, names: &[&str]) -> Vec<LegendEntry> {
-        let entry = |(series, colour): (&Series, &str)| LegendEntry {
+        let entry = |(place, (series, colour)): (usize, (&Series, &str))| LegendEntry {
             // kuva measures text a little too narrow; the blanks keep long names inside the box.
             label: format!("{}\u{a0}\u{a0}", plain(&series.name)),
-            color: colour.into(),
-            shape: if series.style == Style::Points { LegendShape::Circle } else { LegendShape::Line },
+            color: if series.style == Style::Edge { palette::shaded(colour, 1.0 - f64::from(BAND) / 255.0) } else { colour.into() },
+            shape: match series.style {
+                Style::Points => LegendShape::Circle,
+                Style::Marked => LegendShape::Marker(MARKERS[place % MARKERS.len()].0),
+                Style::Edge => LegendShape::Rect,
+                Style::Line | Style::DashedLine => LegendShape::Line,
+            },
             dasharray: (series.style == Style::DashedLine).then(|| "6 4".into()),
         };
-        self.named().into_iter().zip(palette::of_names(names)).map(entry).collect()
+        self.named().into_iter().zip(palette::of_names(names)).enumerate().map(entry).collect()
     }
 }
 
@@ -161,20 +181,32 @@ impl Panel {
     fn plots(&self, names: &[&str]) -> Result<Vec<Plot>, DrawError> {
         let mut plots = Vec::new();
         let colours = palette::of_names(names);
+        let mut lower: Option<&Series> = None;
         for series in &self.series {
             DrawError::check_lengths(&series.name, series.x.len(), series.y.len())?;
+            let place = names.iter().position(|n| *n == series.name).unwrap_or(0);
+            let colour = colours[place];
+            if series.style == Style::Edge {
+                match lower.take() {
+                    Some(below) => plots.extend(band(below, series, colour)),
+                    None => lower = Some(series),
+                }
+                continue;
+            }
             let points = thinned(&series.x, &series.y, POINTS);
             if points.is_empty() {
                 continue;
             }
-            let colour = colours[names.iter().position(|n| *n == series.name).unwrap_or(0)];
-            plots.push(match series.style {
-                Style::Line => line(points, colour, 1.8).into(),
-                Style::DashedLine => line(points, colour, 1.6).with_dashed().into(),
-                Style::Points => {
-                    ScatterPlot::new().with_data(points).with_color(colour).with_size(3.5).into()
+            let dots = |points, size| ScatterPlot::new().with_data(points).with_color(colour).with_size(size);
+            match series.style {
+                Style::Line => plots.push(line(points, colour, 1.8).into()),
+                Style::DashedLine => plots.push(line(points, colour, 1.6).with_dashed().into()),
+                Style::Marked => {
+                    plots.push(line(points.clone(), colour, 1.4).into());
+                    plots.push(dots(points, 4.0).with_marker(MARKERS[place % MARKERS.len()].0).into());
                 }
-            });
+                Style::Points | Style::Edge => plots.push(dots(points, 3.5).into()),
+            }
         }
         if plots.is_empty() {
             return Err(DrawError::Empty(format!("panel '{} {}'", self.title, self.y_label)));
@@ -198,6 +230,16 @@ impl Panel {
 
 fn line(points: Vec<(f64, f64)>, colour: &str, width: f64) -> LinePlot {
     LinePlot::new().with_data(points).with_color(colour).with_stroke_width(width)
+}
+
+/// What lies between two edges, where both are finite.
+fn band(below: &Series, above: &Series, colour: &str) -> Option<Plot> {
+    let kept = kept_together(&below.x, &[&below.y, &above.y], POINTS);
+    let kept: Vec<usize> =
+        kept.into_iter().filter(|&i| below.y[i].is_finite() && above.y.get(i).is_some_and(|y| y.is_finite())).collect();
+    let of = |values: &[f64]| kept.iter().map(|&i| values[i]).collect::<Vec<f64>>();
+    let drawn = || BandPlot::new(of(&below.x), of(&below.y), of(&above.y)).with_color(colour).with_opacity(f64::from(BAND) / 255.0);
+    (!kept.is_empty()).then(|| drawn().into())
 }
 
 /// Text in which kuva finds no mathematics to typeset.

@@ -31,17 +31,19 @@ pub struct PlanformView {
     pub range: Option<(f64, f64)>,
 }
 
-/// Largest extent of a planform, px.
-const WIDTH: f64 = 520.0;
-const HEIGHT: f64 = 420.0;
+/// Largest extent of a planform, px: three with their bars stand side by side on a page, one is as wide as a phone.
+const WIDTH: f64 = 218.0;
+const HEIGHT: f64 = 300.0;
 /// Room around a planform for title and colour bar, px.
-const LEFT: f64 = 30.0;
-const RIGHT: f64 = 120.0;
-const TOP: f64 = 80.0;
+const LEFT: f64 = 14.0;
+const RIGHT: f64 = 108.0;
+/// Room above it, and above its title for the title of all, px.
+const TOP: f64 = 30.0;
+const TITLE: f64 = 46.0;
 /// Room for the spanwise axis below a planform, px.
 const SPAN_AXIS: f64 = 62.0;
 
-/// The planforms side by side, each with its own colour bar.
+/// The planforms side by side, each with its own colour bar, below a title unless that is empty.
 ///
 /// # Errors
 /// If there is no view, a view has no box, or corners and values differ in number.
@@ -49,11 +51,14 @@ pub fn draw(title: &str, views: &[PlanformView]) -> Result<Drawing, DrawError> {
     if views.is_empty() {
         return Err(DrawError::Empty(title.into()));
     }
-    let frames = views.iter().map(Frame::new).collect::<Result<Vec<_>, _>>()?;
-    let height = frames.iter().map(|f| f.height + SPAN_AXIS).fold(170.0, f64::max) + TOP;
+    let top = if title.is_empty() { TOP } else { TITLE + TOP };
+    let frames = views.iter().map(|view| Frame::new(view, top)).collect::<Result<Vec<_>, _>>()?;
+    let height = frames.iter().map(|f| f.height + SPAN_AXIS).fold(170.0, f64::max) + top;
     let width: f64 = frames.iter().map(|f| f.width + LEFT + RIGHT).sum();
     let mut canvas = Canvas::new(width, height);
-    canvas.text((width / 2.0, 28.0), 18.0, Anchor::Middle, title);
+    if !title.is_empty() {
+        canvas.text((width / 2.0, 28.0), 18.0, Anchor::Middle, title);
+    }
     let mut left = 0.0;
     for (view, frame) in views.iter().zip(&frames) {
         paint_view(&mut canvas, view, frame, left + LEFT);
@@ -64,6 +69,7 @@ pub fn draw(title: &str, views: &[PlanformView]) -> Result<Drawing, DrawError> {
 
 /// Where a planform lies in metres and how large it becomes on paper.
 struct Frame {
+    top: f64,
     x_min: f64,
     y_min: f64,
     scale: f64,
@@ -74,7 +80,7 @@ struct Frame {
 }
 
 impl Frame {
-    fn new(view: &PlanformView) -> Result<Self, DrawError> {
+    fn new(view: &PlanformView, top: f64) -> Result<Self, DrawError> {
         DrawError::check_lengths(&view.title, view.corners.len(), view.values.len())?;
         let finite: Vec<f64> = view.values.iter().copied().filter(|v| v.is_finite()).collect();
         let points = || view.corners.iter().flatten().filter(|(x, y)| x.is_finite() && y.is_finite());
@@ -88,7 +94,7 @@ impl Frame {
         let margin = if high > low { 0.0 } else { 0.01 * low.abs().max(1.0) };
         let range = (low - margin, high + margin);
         let (width, height) = ((y_max - y_min) * scale, (x_max - x_min) * scale);
-        Ok(Self { x_min, y_min, scale, span_m: y_max - y_min, width: width.max(180.0), height, range })
+        Ok(Self { top, x_min, y_min, scale, span_m: y_max - y_min, width: width.max(180.0), height, range })
     }
 
     fn place(&self, value: f64) -> f64 {
@@ -97,10 +103,10 @@ impl Frame {
 }
 
 fn paint_view(canvas: &mut Canvas, view: &PlanformView, frame: &Frame, left: f64) {
-    canvas.text((left, TOP - 22.0), 14.0, Anchor::Start, &view.title);
+    canvas.text((left, frame.top - 14.0), 14.0, Anchor::Start, &view.title);
     for (corners, value) in view.corners.iter().zip(&view.values) {
         let points = corners
-            .map(|(x, y)| (left + (y - frame.y_min) * frame.scale, TOP + (x - frame.x_min) * frame.scale));
+            .map(|(x, y)| (left + (y - frame.y_min) * frame.scale, frame.top + (x - frame.x_min) * frame.scale));
         // The outline in the fill's colour closes the hairlines that renderers leave between neighbours.
         let fill = palette::diverging(frame.place(*value));
         let note = format!("{value:.4}  {} at y {:.3} m", view.label, middle(corners));
@@ -117,7 +123,7 @@ fn middle(corners: &[(f64, f64); 4]) -> f64 {
 
 /// The spanwise coordinate below the planform.
 fn paint_span_axis(canvas: &mut Canvas, frame: &Frame, left: f64) {
-    let y = TOP + frame.height + 12.0;
+    let y = frame.top + frame.height + 12.0;
     canvas.axis((left, y), (left + frame.span_m * frame.scale, y));
     let values = ticks(frame.y_min, frame.y_min + frame.span_m, 5);
     for (value, label) in values.iter().zip(tick_labels(&values)) {
@@ -134,14 +140,14 @@ fn paint_bar(canvas: &mut Canvas, view: &PlanformView, frame: &Frame, left: f64)
     for i in 0..STEPS {
         let place = (f64::from(i) + 0.5) / f64::from(STEPS);
         let step = height / f64::from(STEPS);
-        let top = TOP + height - f64::from(i + 1) * step;
+        let top = frame.top + height - f64::from(i + 1) * step;
         canvas.rectangle(left, top, width, step + 0.5, &palette::diverging(place));
     }
     let values = ticks(frame.range.0, frame.range.1, 5);
     for (value, label) in values.iter().zip(tick_labels(&values)) {
-        let y = TOP + height * (1.0 - frame.place(*value));
+        let y = frame.top + height * (1.0 - frame.place(*value));
         canvas.axis((left + width, y), (left + width + 5.0, y));
         canvas.text((left + width + 9.0, y + 4.0), 12.0, Anchor::Start, &label);
     }
-    canvas.turned_text((left + width + 68.0, TOP + height / 2.0), 13.0, Anchor::Middle, -90.0, &view.label);
+    canvas.turned_text((left + width + 62.0, frame.top + height / 2.0), 13.0, Anchor::Middle, -90.0, &view.label);
 }

@@ -9,7 +9,7 @@ pub const LINES: [&str; 7] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f
 
 /// What means the same on every page looks the same on every page: a series or view of such a name has this colour
 /// wherever it is drawn, and no other has it beside it.
-const ROLES: [(&str, &str); 8] = [
+const ROLES: [(&str, &str); 9] = [
     ("measured", "#000000"),
     ("initial", "#d55e00"),
     ("before", "#d55e00"),
@@ -17,6 +17,7 @@ const ROLES: [(&str, &str); 8] = [
     ("after", "#0072b2"),
     ("linear", "#6e7781"),
     ("equal", "#6e7781"),
+    ("noise", "#6e7781"),
     ("undeformed", "#8c959f"),
 ];
 

@@ -14,7 +14,7 @@ use nastran::InputError;
 use rayon::prelude::*;
 use report::deformed::{self, View};
 use report::page::{Content, Plate};
-use report::{Drawing, Figure};
+use report::{Drawing, Figure, PlanformView, heatmap};
 use serde::Serialize;
 
 mod marker;
@@ -138,18 +138,22 @@ impl ResultFolder {
         self.write_plate(name, &title, caption, Content::Curves(figure), drawing, &[curves.to_owned()])
     }
 
-    /// Writes a picture as `NAME.svg` and `NAME.png`, and shows it in the report.
+    /// Writes planforms side by side as `NAME.svg` and `NAME.png`, and shows each for itself in the report, which puts them
+    /// below one another where there is no room.
     ///
     /// # Errors
-    /// If it cannot be written.
-    pub fn write_picture(
+    /// If they cannot be drawn or written.
+    pub fn write_planforms(
         &self,
         name: &str,
         title: &str,
         caption: &str,
-        drawing: Drawing,
+        views: &[PlanformView],
     ) -> Result<(), Failure> {
-        self.write_plate(name, title, caption, Content::Picture(drawing.clone()), drawing, &[])
+        let drawing = heatmap::draw(title, views).map_err(Failure::computation)?;
+        let alone = |view| heatmap::draw("", std::slice::from_ref(view));
+        let each = views.iter().map(alone).collect::<Result<_, _>>().map_err(Failure::computation)?;
+        self.write_plate(name, title, caption, Content::Pictures(each), drawing, &[])
     }
 
     /// Writes views of shapes in space side by side as a picture, and shows them over one another in the report, where

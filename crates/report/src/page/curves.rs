@@ -7,20 +7,12 @@ use serde_json::{Value, json};
 
 use crate::error::DrawError;
 use crate::escape::for_plotly;
-use crate::figure::{Figure, Panel, Series, Style};
+use crate::figure::{BAND, Figure, MARKERS, Panel, Series, Style};
 use crate::palette;
 use crate::thin::{kept_together, rounded};
 
-/// Height of a row of panels, px.
-const ROW: usize = 270;
-/// Room above for the buttons and below for the labels, px.
-const HEAD: usize = 84;
-/// Height of a row of the legend, px.
-const LEGEND: usize = 22;
-/// Room for labels between rows, px.
-const LABELS: f64 = 66.0;
-
-/// The figure for `page.js`: abscissae, traces and layout; at most about `limit` points a curve.
+/// The figure for `page.js`, which knows how wide the window is and so lays the panels out: abscissae, traces, labels; at
+/// most about `limit` points a curve.
 pub(super) fn data(figure: &Figure, limit: usize) -> Result<Value, DrawError> {
     let names = figure.names();
     let colours = palette::of_names(&names);
@@ -28,22 +20,33 @@ pub(super) fn data(figure: &Figure, limit: usize) -> Result<Value, DrawError> {
     let mut traces = Vec::new();
     let mut shown: Vec<&str> = Vec::new();
     for (place, panel) in figure.panels.iter().enumerate() {
+        let mut lower = false;
         for group in groups(panel)? {
             let ys: Vec<&[f64]> = group.iter().map(|series| series.y.as_slice()).collect();
             let kept = kept_together(&group[0].x, &ys, limit);
             let pick = |values: &[f64]| kept.iter().map(|&i| number(values[i])).collect::<Vec<Value>>();
             for series in &group {
-                let first = !shown.contains(&series.name.as_str());
+                lower = series.style == Style::Edge && !lower;
+                let first = !lower && !shown.contains(&series.name.as_str());
                 if first {
                     shown.push(&series.name);
                 }
-                let colour = colours[names.iter().position(|name| *name == series.name).unwrap_or(0)];
-                traces.push(trace(series, (place, shared.len()), colour, panel, first, &pick(&series.y)));
+                let number = names.iter().position(|name| *name == series.name).unwrap_or(0);
+                let mut trace = look(series.style, colours[number], number);
+                if lower {
+                    trace["fill"] = json!("none");
+                }
+                trace["showlegend"] = json!(first);
+                trace["x"] = json!(shared.len());
+                trace["y"] = json!(pick(&series.y));
+                describe(&mut trace, series, panel, place);
+                traces.push(trace);
             }
             shared.push(json!(pick(&group[0].x)));
         }
     }
-    Ok(json!({ "x": shared, "traces": traces, "layout": layout(figure, names.len()) }))
+    let panels: Vec<Value> = figure.panels.iter().map(labels).collect();
+    Ok(json!({ "x": shared, "traces": traces, "panels": panels, "columns": columns(figure) }))
 }
 
 /// Series of a panel that share their abscissae, in order.
@@ -59,33 +62,35 @@ fn groups(panel: &Panel) -> Result<Vec<Vec<&Series>>, DrawError> {
     Ok(groups)
 }
 
-fn trace(
-    series: &Series,
-    (place, x): (usize, usize),
-    colour: &str,
-    panel: &Panel,
-    first: bool,
-    y: &[Value],
-) -> Value {
-    let axis = |letter: &str| axis_name(letter, place);
+/// Name, axes and what the pointer reads.
+fn describe(trace: &mut Value, series: &Series, panel: &Panel, place: usize) {
     let name = for_plotly(&series.name);
-    let mut trace = json!({
-        "type": "scatter", "name": name, "legendgroup": name, "showlegend": first,
-        "x": x, "y": y, "xaxis": axis("x"), "yaxis": axis("y"),
-        "hovertemplate": hover(panel),
-    });
-    match series.style {
-        Style::Points => {
-            trace["mode"] = json!("markers");
-            trace["marker"] = json!({ "color": colour, "size": 6 });
-        }
-        Style::Line | Style::DashedLine => {
-            let dash = if series.style == Style::Line { "solid" } else { "6px,4px" };
-            trace["mode"] = json!("lines");
-            trace["line"] = json!({ "color": colour, "width": 1.7, "dash": dash });
-        }
-    }
-    trace
+    trace["legendgroup"] = json!(name);
+    trace["name"] = json!(name);
+    trace["xaxis"] = json!(axis_name("x", place));
+    trace["yaxis"] = json!(axis_name("y", place));
+    trace["hovertemplate"] = json!(hover(panel));
+}
+
+/// Line, markers and fill of a curve.
+fn look(style: Style, colour: &str, number: usize) -> Value {
+    let line = |dash: &str, width: f64| json!({ "color": colour, "width": width, "dash": dash });
+    let mut look = match style {
+        Style::Line => json!({ "mode": "lines", "line": line("solid", 1.7) }),
+        Style::DashedLine => json!({ "mode": "lines", "line": line("6px,4px", 1.7) }),
+        Style::Points => json!({ "mode": "markers", "marker": { "color": colour, "size": 6 } }),
+        Style::Marked => json!({
+            "mode": "lines+markers", "line": line("solid", 1.4),
+            "marker": { "color": colour, "size": 8, "symbol": MARKERS[number % MARKERS.len()].1 },
+        }),
+        // down to the edge below it
+        Style::Edge => json!({
+            "mode": "lines", "line": line("solid", 0.0), "fill": "tonexty",
+            "fillcolor": format!("{colour}{BAND:02x}"),
+        }),
+    };
+    look["type"] = json!("scatter");
+    look
 }
 
 /// `12.3 N` beside the curve's name, and the abscissa with its unit.
@@ -113,59 +118,14 @@ fn axis_name(letter: &str, place: usize) -> String {
     if place == 0 { letter.to_owned() } else { format!("{letter}{}", place + 1) }
 }
 
-fn layout(figure: &Figure, names: usize) -> Value {
-    let columns = figure.columns.clamp(1, figure.panels.len().max(1));
-    let rows = figure.panels.len().div_ceil(columns);
-    let legend = LEGEND * legend_rows(&figure.names());
-    let height = rows * ROW + HEAD + legend;
-    let mut layout = json!({
-        "height": height, "showlegend": names > 1, "annotations": [],
-        "margin": { "l": 62, "r": 14, "t": 34 + legend, "b": 50 },
-        "legend": { "orientation": "h", "x": 0, "y": 1.0 + 26.0 / (rows * ROW) as f64, "yanchor": "bottom" },
-    });
-    let timed = figure.panels.iter().all(|panel| panel.x_label == "time (s)");
-    let mut titles = Vec::new();
-    for (place, panel) in figure.panels.iter().enumerate() {
-        let (row, column) = (place / columns, place % columns);
-        let (x, y) = domains((row, rows), (column, columns));
-        let title = |label: &str| json!({ "text": for_plotly(label), "standoff": 6 });
-        let mut across =
-            json!({ "domain": x, "anchor": axis_name("y", place), "title": title(&panel.x_label) });
-        if timed && place > 0 {
-            // zooming into the time of one panel zooms all
-            across["matches"] = json!("x");
-        }
-        layout[axis_name("xaxis", place)] = across;
-        layout[axis_name("yaxis", place)] =
-            json!({ "domain": y, "anchor": axis_name("x", place), "title": title(&panel.y_label) });
-        if !panel.title.is_empty() {
-            titles.push(json!({
-                "text": for_plotly(&panel.title), "xref": "paper", "yref": "paper", "showarrow": false,
-                "x": f64::midpoint(x[0], x[1]), "y": y[1], "yanchor": "bottom", "font": { "size": if columns > 2 { 11 } else { 13 } },
-            }));
-        }
-    }
-    layout["annotations"] = json!(titles);
-    layout
+/// Title and labels of a panel.
+fn labels(panel: &Panel) -> Value {
+    json!({ "title": for_plotly(&panel.title), "x": for_plotly(&panel.x_label), "y": for_plotly(&panel.y_label) })
 }
 
-/// Rows that the names take, about.
-fn legend_rows(names: &[&str]) -> usize {
-    let px: usize = names.iter().map(|name| 50 + 7 * name.chars().count()).sum();
-    if names.len() > 1 { px.div_ceil(950) } else { 0 }
-}
-
-/// Parts of the width and height that a panel takes; rows are counted from above.
-fn domains((row, rows): (usize, usize), (column, columns): (usize, usize)) -> ([f64; 2], [f64; 2]) {
-    let part = |place: usize, count: usize, gap: f64| {
-        let size = (1.0 - gap * (count - 1) as f64) / count as f64;
-        let low = place as f64 * (size + gap);
-        [low, (low + size).min(1.0)]
-    };
-    // room for the labels between panels
-    let x = part(column, columns, 0.18 / columns as f64);
-    let y = part(rows - 1 - row, rows, LABELS / (rows * ROW) as f64);
-    (x, y)
+/// Panels in a row where there is room for them.
+pub(super) fn columns(figure: &Figure) -> usize {
+    figure.columns.clamp(1, figure.panels.len().max(1))
 }
 
 /// Six digits are more than a screen shows; what is not finite breaks the curve.
@@ -198,7 +158,7 @@ mod tests {
         assert_eq!(traces.len(), 22);
         assert_eq!(traces.iter().filter(|trace| trace["showlegend"] == true).count(), 2);
         assert_eq!(traces[21]["xaxis"], "x11");
-        assert!(data["layout"]["xaxis11"]["matches"] == "x" && data["layout"]["xaxis"]["matches"].is_null());
+        assert_eq!(data["columns"], 2);
         let points = data["x"][0].as_array().unwrap().len();
         assert!((150..=420).contains(&points), "{points}");
         assert!(traces.iter().all(|trace| trace["y"].as_array().unwrap().len() == points));
@@ -208,25 +168,20 @@ mod tests {
     fn names_come_out_as_text_and_values_carry_units() {
         let data = data(&figure(), 400).unwrap();
         assert_eq!(data["traces"][0]["name"], "&lt;b&gt;measured&lt;/b&gt;");
-        assert_eq!(data["layout"]["annotations"][0]["text"], "a &amp; b");
+        assert_eq!(data["panels"][0]["title"], "a &amp; b");
         assert_eq!(data["traces"][0]["hovertemplate"], "Fz = %{y:.5~g} N<br>time = %{x:.5~g} s");
     }
 
     #[test]
-    fn panels_do_not_overlap() {
-        for columns in 1..4_usize {
-            for rows in 1..6_usize {
-                let of = |row, column| domains((row, rows), (column, columns));
-                for row in 0..rows {
-                    for column in 0..columns {
-                        let (x, y) = of(row, column);
-                        assert!(0.0 <= x[0] && x[0] < x[1] && x[1] <= 1.0 + 1e-12, "{x:?}");
-                        assert!(0.0 <= y[0] && y[0] < y[1] && y[1] <= 1.0, "{y:?}");
-                        assert!(column == 0 || of(row, column - 1).0[1] < x[0]);
-                        assert!(row == 0 || of(row - 1, column).1[0] > y[1]);
-                    }
-                }
-            }
-        }
+    fn a_band_is_filled_between_its_edges_and_named_once() {
+        let edge = |y: f64| Series::new("noise", vec![0.0, 1.0], vec![y; 2], Style::Edge);
+        let panel = |name: &str| Panel::new(name, "x", "y", vec![edge(-1.0), edge(1.0)]);
+        let figure = Figure::new("", vec![panel("a"), panel("b")], 2);
+        let data = data(&figure, 400).unwrap();
+        let of = |key: &str| data["traces"].as_array().unwrap().iter().map(|t| t[key].clone()).collect::<Vec<_>>();
+        assert_eq!(of("fill"), ["none", "tonexty", "none", "tonexty"]);
+        assert_eq!(of("showlegend"), [false, true, false, false]);
+        let svg = figure.svg().unwrap();
+        assert!(svg.contains("noise"), "the band is named");
     }
 }

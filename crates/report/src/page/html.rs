@@ -4,6 +4,7 @@ use super::markup::Markup;
 use super::{
     Block, Content, Input, Judgement, KeyNumber, Link, Page, PageTable, Plate, curves, script, shapes,
 };
+use crate::drawing::Drawing;
 use crate::error::DrawError;
 
 const STYLE: &str = include_str!("style.css");
@@ -43,7 +44,7 @@ impl Page {
         }
         self.origin(&mut page);
         page.raw("</main>\n");
-        if self.plates().any(|plate| !matches!(plate.content, Content::Picture(_))) {
+        if self.plates().any(|plate| !matches!(plate.content, Content::Pictures(_))) {
             page.raw(&script::plotly());
             page.raw("\n<script>\n");
             page.raw(SCRIPT);
@@ -198,18 +199,19 @@ fn write_plate(page: &mut Markup, plate: &Plate, limit: usize) -> Result<(), Dra
         page.open("details", &[("id", &plate.name)]);
         page.element("summary", &[], &plate.title);
     } else {
-        // a picture has its title in it
-        let title = if matches!(plate.content, Content::Picture(_)) { "" } else { &plate.title };
-        page.element("h3", &[("id", &plate.name)], title);
+        page.element("h3", &[("id", &plate.name)], &plate.title);
     }
     let class = if matches!(plate.content, Content::Shapes(..)) { "shapes" } else { "" };
     page.open("figure", &[("class", class)]);
     match &plate.content {
-        Content::Curves(figure) => write_plot(page, &curves::data(figure, limit)?),
-        Content::Picture(drawing) => write_picture(page, "picture", &drawing.svg()),
+        Content::Curves(figure) => {
+            let size = [figure.panels.len(), curves::columns(figure)].map(|count| count.to_string());
+            write_plot(page, &[("data-panels", &size[0]), ("data-columns", &size[1])], &curves::data(figure, limit)?);
+        }
+        Content::Pictures(drawings) => write_pictures(page, "picture", drawings),
         Content::Shapes(views, drawing) => {
-            write_plot(page, &shapes::data(views));
-            write_picture(page, "picture on-paper", &drawing.svg());
+            write_plot(page, &[], &shapes::data(views));
+            write_pictures(page, "picture on-paper", std::slice::from_ref(drawing));
         }
     }
     page.open("figcaption", &[]);
@@ -235,14 +237,14 @@ fn address(path: &str) -> String {
     path.replace('%', "%25").replace('#', "%23").replace('?', "%3F").replace(':', "%3A")
 }
 
-fn write_plot(page: &mut Markup, data: &serde_json::Value) {
-    let height = data["layout"]["height"].as_u64().unwrap_or(400);
-    page.element("div", &[("class", "plot"), ("style", &format!("min-height: {height}px"))], "");
+/// Where `page.js` draws, and what.
+fn write_plot(page: &mut Markup, size: &[(&'static str, &str)], data: &serde_json::Value) {
+    page.element("div", &[&[("class", "plot")], size].concat(), "");
     page.data(data);
 }
 
-fn write_picture(page: &mut Markup, class: &str, svg: &str) {
+fn write_pictures(page: &mut Markup, class: &str, drawings: &[Drawing]) {
     page.open("div", &[("class", class)]);
-    page.raw(svg);
+    drawings.iter().for_each(|drawing| page.raw(&drawing.svg()));
     page.close("div");
 }

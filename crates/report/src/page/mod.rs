@@ -92,8 +92,8 @@ pub struct Link {
 pub enum Content {
     /// Curves that can be zoomed and hidden.
     Curves(Figure),
-    /// A still picture.
-    Picture(Drawing),
+    /// Still pictures side by side, below one another where the window is narrow; without titles of their own.
+    Pictures(Vec<Drawing>),
     /// Shapes in space that can be turned, one view over the other; the picture is printed in their place.
     Shapes(Vec<View>, Drawing),
 }

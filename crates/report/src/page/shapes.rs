@@ -11,6 +11,10 @@ use crate::ticks::extent;
 /// The largest extent in units of plotly's window.
 const WIDTH: f64 = 3.4;
 
+/// How far each view lies above the one before it, as a share of the largest extent: surfaces that coincide would
+/// otherwise be drawn in patches of one and the other. `page.js` lifts them, and reads out the places as they are.
+const LIFT: f64 = 0.0015;
+
 /// The views over one another for `page.js`; a view's legend entry hides all its groups.
 pub(super) fn data(views: &[View]) -> Value {
     let mut traces = Vec::new();
@@ -33,7 +37,8 @@ pub(super) fn data(views: &[View]) -> Value {
             traces.push(strokes(view, number, colours[number], alone));
         }
     }
-    json!({ "traces": traces, "layout": layout(views) })
+    let largest = extents(views).into_iter().fold(0.0, f64::max);
+    json!({ "traces": traces, "layout": layout(views), "lift_m": rounded(LIFT * largest) })
 }
 
 fn mesh(view: &View, number: usize, colour: &str, group: usize, quads: &[&Quad]) -> Value {
@@ -51,9 +56,9 @@ fn mesh(view: &View, number: usize, colour: &str, group: usize, quads: &[&Quad])
         "i": corner([0, 0]), "j": corner([1, 2]), "k": corner([2, 3]),
         "color": palette::shaded(colour, shade), "flatshading": true,
         "lighting": { "ambient": 0.95, "diffuse": 0.25, "specular": 0.0 },
-        "lightposition": { "x": -1000, "y": -2000, "z": 4000 },
+        "lightposition": { "x": -1000, "y": -2000, "z": 4000 }, "meta": number,
         "hovertemplate":
-            format!("{name}, {part}<br>x %{{x:.3f}} m<br>y %{{y:.3f}} m<br>z %{{z:.3f}} m<extra></extra>"),
+            format!("{name}, {part}<br>x %{{x:.3f}} m<br>y %{{y:.3f}} m<br>z %{{customdata:.3f}} m<extra></extra>"),
     })
 }
 
@@ -69,9 +74,9 @@ fn strokes(view: &View, number: usize, colour: &str, in_legend: bool) -> Value {
     let name = for_plotly(&view.title);
     json!({
         "type": "scatter3d", "mode": "lines", "name": name, "legendgroup": number.to_string(), "showlegend": in_legend,
-        "visible": visible(view), "line": { "color": colour, "width": 4 },
+        "visible": visible(view), "line": { "color": colour, "width": 4 }, "meta": number,
         "x": coordinate(0), "y": coordinate(1), "z": coordinate(2),
-        "hovertemplate": format!("{name}<br>x %{{x:.3f}} m<br>y %{{y:.3f}} m<br>z %{{z:.3f}} m<extra></extra>"),
+        "hovertemplate": format!("{name}<br>x %{{x:.3f}} m<br>y %{{y:.3f}} m<br>z %{{customdata:.3f}} m<extra></extra>"),
     })
 }
 
@@ -80,13 +85,17 @@ fn visible(view: &View) -> Value {
     if view.waits { json!("legendonly") } else { json!(true) }
 }
 
-/// Extents of all boxes, the largest as large as the window is wide.
-fn aspects(views: &[View]) -> [f64; 3] {
-    let extent = |axis: usize| {
+/// Extents of all boxes, m.
+fn extents(views: &[View]) -> [f64; 3] {
+    [0, 1, 2].map(|axis| {
         let (low, high) = extent(views.iter().flat_map(View::points).map(|p| p[axis]));
         high - low
-    };
-    let extents = [0, 1, 2].map(extent);
+    })
+}
+
+/// The same, the largest as large as the window is wide.
+fn aspects(views: &[View]) -> [f64; 3] {
+    let extents = extents(views);
     let largest = extents.iter().copied().fold(0.0, f64::max);
     // a plane has an extent of its own too, as an axis needs some
     extents.map(|e| if largest > 0.0 && e.is_finite() { WIDTH * (e / largest).max(0.02) } else { 1.0 })
@@ -94,12 +103,17 @@ fn aspects(views: &[View]) -> [f64; 3] {
 
 fn layout(views: &[View]) -> Value {
     let [x, y, z] = aspects(views);
-    let axis = |label: &str| json!({ "title": { "text": label }, "backgroundcolor": "#ffffff", "gridcolor": "#dddddd" });
+    // plotly turns titles of axes with the axes, the upright one's over its ticks: the last tick says what it is
+    let axis = |label: &str| {
+        json!({
+            "title": { "text": "" }, "tickangle": 0, "nticks": 6, "showbackground": false, "gridcolor": "#dddddd",
+            "tickprefix": format!("{label} "), "showtickprefix": "last", "ticksuffix": " m", "showticksuffix": "last",
+        })
+    };
     json!({
-        "height": 520, "showlegend": true,
-        "legend": { "orientation": "h", "x": 0, "y": 1.0, "yanchor": "bottom" },
         "scene": {
-            "aspectmode": "manual", "aspectratio": { "x": x, "y": y, "z": z }, "xaxis": axis("x aft (m)"), "yaxis": axis("y right (m)"), "zaxis": axis("z up (m)"),
+            "aspectmode": "manual", "aspectratio": { "x": x, "y": y, "z": z }, "xaxis": axis("x aft"),
+            "yaxis": axis("y right"), "zaxis": axis("z up"),
             // from behind, the right and above, as the still pictures
             "camera": { "eye": { "x": 1.9, "y": 0.6, "z": 0.9 }, "projection": { "type": "orthographic" } },
         },

@@ -79,9 +79,12 @@ fn write(
     calibration: &Calibration,
     strips: Option<&Strips>,
 ) -> Result<(), Failure> {
+    let common = calibration.common.iter().map(|set| &set.corrections);
+    let reaches =
+        figures::reaches(calibration.airspeeds.iter().map(|airspeed| &airspeed.corrections).chain(common));
     for airspeed in &calibration.airspeeds {
         let name = speed_name(airspeed.data.v_m_s);
-        write_set(folder, wing, &name, &format!("{name} m/s"), &airspeed.corrections)?;
+        write_set(folder, wing, &name, &format!("{name} m/s"), &airspeed.corrections, reaches)?;
     }
     match &calibration.common {
         None => {
@@ -89,7 +92,7 @@ fn write(
             figures::write(folder, wing, calibration)?;
         }
         Some(set) => {
-            write_set(folder, wing, "common", "all airspeeds", &set.corrections)?;
+            write_set(folder, wing, "common", "all airspeeds", &set.corrections, reaches)?;
             let caption = "Readings with their zeros taken out, and what both models give.";
             folder.write_figure("readings", caption, common_set::figure(wing, set, calibration)?)?;
         }
@@ -108,16 +111,16 @@ fn write_set(
     name: &str,
     at: &str,
     corrections: &Corrections,
+    reaches: [f64; 3],
 ) -> Result<(), Failure> {
     let padded = wing.padded(corrections)?;
     folder.write_text(&format!("wkk_{name}.bdf"), &padded.wkk().rounded_to_fields().write())?;
     folder.write_text(&format!("fa2j_{name}.bdf"), &padded.fa2j().rounded_to_fields().write())?;
-    let map = figures::corrections(wing, corrections, at).map_err(Failure::computation)?;
-    folder.write_picture(
+    folder.write_planforms(
         &format!("corrections_{name}"),
         &format!("Corrections at {at}"),
         "Figure 7 of the paper.",
-        map,
+        &figures::planforms(wing, corrections, reaches),
     )
 }
 

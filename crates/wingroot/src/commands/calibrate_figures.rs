@@ -7,12 +7,14 @@ use calibrate::{AirspeedCalibration, Calibration};
 use coupling::{ElasticWing, SteadyCase, SteadyState};
 use std::fmt::Write as _;
 
-use report::{DrawError, Drawing, Figure, Panel, PlanformView, Series, Style};
+use report::{Figure, Panel, PlanformView, Series, Style};
 
 use crate::commands::calibrate_numbers::speed_name;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 
+/// What noise may leave.
+const NOISE: &str = "noise: 2 standard deviations of a mean to either side";
 /// Singular values below this of the largest are rounding errors.
 const LEAST: f64 = 1e-12;
 
@@ -51,9 +53,16 @@ pub(crate) fn write(
     let loads = static_loads(wing, calibration)?;
     let caption = "Figure 8 of the paper. Initial: theory. Updated: with the corrections. Points: means of the replicates at \
                    an angle.";
-    let left = residuals(&loads);
+    let left = residuals(&loads, calibration);
     folder.write_figure_of("static_loads", caption, loads, "static_loads.csv")?;
-    folder.write_figure("residuals", "Model less measurement.", left)?;
+    let caption = "Model less measurement.";
+    folder.write_figure("residuals", caption, left.clone())?;
+    let noise = if calibration.data.point_sigma.is_some() {
+        " The band is what noise does to the mean of an angle's replicates: two standard deviations to either side."
+    } else {
+        ""
+    };
+    folder.write_figure("residuals_updated", &format!("{caption}{noise}"), of_updated(left))?;
     match singular_values(calibration) {
         Some(figure) => {
             let caption = "Of the sensitivities of the measured loads, scaled by their noise and by the spread of the \
@@ -64,43 +73,63 @@ pub(crate) fn write(
     }
 }
 
-/// What is left of measured loads: each model less the measurement.
-fn residuals(loads: &Figure) -> Figure {
-    let panel = |panel: &Panel| {
+/// What is left of measured loads: each model less the measurement, and what noise may leave.
+fn residuals(loads: &Figure, calibration: &Calibration) -> Figure {
+    let data = &calibration.data;
+    let channels: Vec<usize> = (0..4).filter(|&c| data.channels[c]).collect();
+    let panel = |(place, panel): (usize, &Panel)| {
         let measured = panel.series.iter().find(|series| series.name == "measured");
         let less = |series: &Series| {
             let y = measured
                 .map(|measured| series.y.iter().zip(&measured.y).map(|(y, m)| y - m).collect())
                 .unwrap_or_default();
-            Series::new(series.name.clone(), series.x.clone(), y, series.style)
+            Series::new(series.name.clone(), series.x.clone(), y, Style::Marked)
         };
-        let series = panel.series.iter().filter(|series| series.name != "measured").map(less).collect();
-        Panel { series, ..panel.clone() }
+        // panels are filled row by row: an airspeed a row, a channel a column
+        let (airspeed, c) = (&calibration.airspeeds[place / channels.len()], channels[place % channels.len()]);
+        let sigmas: Option<Vec<f64>> =
+            airspeed.data.angles.iter().map(|angle| data.mean_sigma(angle).map(|sigma| sigma[c])).collect();
+        let edge = |sigmas: &[f64], side: f64| {
+            let x = airspeed.data.angles.iter().map(|angle| angle.alpha_rad.to_degrees()).collect();
+            Series::new(NOISE, x, sigmas.iter().map(|sigma| side * sigma).collect(), Style::Edge)
+        };
+        let band = sigmas.iter().flat_map(|sigmas| [-2.0, 2.0].map(|side| edge(sigmas, side)));
+        let left = panel.series.iter().filter(|series| series.name != "measured").map(less);
+        Panel { series: band.chain(left).collect(), ..panel.clone() }
     };
     let title = "Residuals: initial and updated model less the measurements";
-    Figure::new(title, loads.panels.iter().map(panel).collect(), loads.columns)
+    Figure::new(title, loads.panels.iter().enumerate().map(panel).collect(), loads.columns)
 }
 
-/// Logarithms of the singular values by airspeed; none if the data determine nothing.
+/// The same without the initial model, in whose scale the noise would not be seen.
+fn of_updated(mut residuals: Figure) -> Figure {
+    residuals.title = "Residuals of the updated model beside the noise".into();
+    for panel in &mut residuals.panels {
+        panel.series.retain(|series| series.name != "initial");
+    }
+    residuals
+}
+
+/// Logarithms of the singular values by airspeed: first those of which the data say enough to be seen apart, then all; none
+/// if the data determine nothing.
 fn singular_values(calibration: &Calibration) -> Option<Figure> {
-    let series = |airspeed: &AirspeedCalibration| {
-        let values = &airspeed.identifiability.as_ref()?.singular_values;
-        let (x, y): (Vec<f64>, Vec<f64>) = (1..)
-            .zip(values)
-            .filter(|(_, value)| **value > LEAST * values[0])
-            .map(|(i, value)| (f64::from(i), value.log10()))
-            .unzip();
-        let name = format!("{} m/s", speed_name(airspeed.data.v_m_s));
-        (!x.is_empty()).then(|| Series::new(name, x, y, Style::Points))
+    let panel = |title: &str, least: f64| {
+        let series = |airspeed: &AirspeedCalibration| {
+            let values = &airspeed.identifiability.as_ref()?.singular_values;
+            let (x, y): (Vec<f64>, Vec<f64>) = (1..)
+                .zip(values)
+                .filter(|(_, value)| **value > least.max(LEAST * values[0]))
+                .map(|(i, value)| (f64::from(i), value.log10()))
+                .unzip();
+            let name = format!("{} m/s", speed_name(airspeed.data.v_m_s));
+            (!x.is_empty()).then(|| Series::new(name, x, y, Style::Marked))
+        };
+        let series: Vec<Series> = calibration.airspeeds.iter().filter_map(series).collect();
+        let panel = Panel::new(title, "number of the direction", "log10 of the singular value", series);
+        (!panel.series.is_empty()).then_some(panel)
     };
-    let panel = Panel::new(
-        "",
-        "number of the direction",
-        "log10 of the singular value",
-        calibration.airspeeds.iter().filter_map(series).collect(),
-    );
-    (!panel.series.is_empty())
-        .then(|| Figure::new("Singular values: what the data determine", vec![panel], 1))
+    let panels: Vec<Panel> = [panel("above one", 1.0), panel("all", 0.0)].into_iter().flatten().collect();
+    (!panels.is_empty()).then(|| Figure::new("Singular values: what the data determine", panels, 2))
 }
 
 /// Measured, initial and updated root loads at every airspeed.
@@ -148,28 +177,42 @@ fn simulated(
     Ok(wing.at(flow, corrections)?.solve(&cases).iter().map(reading).collect())
 }
 
-/// Three corrections on the planform; `at` names the airspeed or airspeeds.
-pub(crate) fn corrections(wing: &ElasticWing, c: &Corrections, at: &str) -> Result<Drawing, DrawError> {
+/// Farthest that force factors, moment factors and offsets of any set are from theory: the reach of their colours, which
+/// mean the same on every map.
+pub(crate) fn reaches<'a>(sets: impl Iterator<Item = &'a Corrections>) -> [f64; 3] {
+    let mut reaches = [0.05; 3];
+    for set in sets {
+        for (reach, (values, neutral)) in reaches.iter_mut().zip(families(set)) {
+            *reach = values.iter().map(|value| (value - neutral).abs()).fold(*reach, f64::max);
+        }
+    }
+    reaches
+}
+
+/// Three corrections on the planform.
+pub(crate) fn planforms(wing: &ElasticWing, set: &Corrections, reaches: [f64; 3]) -> Vec<PlanformView> {
     let corners: Vec<[(f64, f64); 4]> = wing
         .correctable
         .places
         .iter()
         .map(|&place| wing.lattice.boxes[place].corners.map(|corner| (corner.x, corner.y)))
         .collect();
-    let view = |title: &str, label: &str, values: &[f64], neutral: f64| {
-        let reach = values.iter().map(|value| (value - neutral).abs()).fold(0.05, f64::max);
-        PlanformView {
-            corners: corners.clone(),
-            values: values.to_vec(),
-            label: label.into(),
-            title: title.into(),
-            range: Some((neutral - reach, neutral + reach)),
-        }
-    };
-    let views = [
-        view("force factor", "W force (-)", &c.force, 1.0),
-        view("moment factor", "W moment (-)", &c.moment, 1.0),
-        view("pressure offset", "f_e/q (-)", &c.pressure_offset, 0.0),
+    let names = [
+        ("force factor", "W force (-)"),
+        ("moment factor", "W moment (-)"),
+        ("pressure offset", "f_e/q (-)"),
     ];
-    report::heatmap::draw(&format!("Corrections at {at}"), &views)
+    let view = |(((values, neutral), reach), (title, label)): (((&[f64], f64), f64), (&str, &str))| PlanformView {
+        corners: corners.clone(),
+        values: values.to_vec(),
+        label: label.into(),
+        title: title.into(),
+        range: Some((neutral - reach, neutral + reach)),
+    };
+    families(set).into_iter().zip(reaches).zip(names).map(view).collect()
+}
+
+/// Corrections with what leaves theory as it is.
+fn families(set: &Corrections) -> [(&[f64], f64); 3] {
+    [(&set.force, 1.0), (&set.moment, 1.0), (&set.pressure_offset, 0.0)]
 }

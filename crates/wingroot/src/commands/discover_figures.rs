@@ -11,8 +11,8 @@ use crate::failure::Failure;
 use crate::output::ResultFolder;
 
 const CHANNELS: [(&str, &str); 3] = [("Fz_N", "Fz (N)"), ("Mx_Nm", "Mx (N m)"), ("My_Nm", "My (N m)")];
-/// Name of its two edges, which have one colour.
-const BAND_NAME: &str = "after, 2 standard deviations to either side";
+/// Name of the band.
+const BAND_NAME: &str = "after: 2 standard deviations to either side";
 /// A held-out run.
 struct Shown<'a> {
     name: &'a str,
@@ -80,11 +80,11 @@ fn figure(shown: &Shown<'_>) -> Figure {
             "time (s)",
             CHANNELS[c].1,
             vec![
+                line(BAND_NAME, edge(-1.0), Style::Edge),
+                line(BAND_NAME, edge(1.0), Style::Edge),
                 line("measured", shown.measured[c].clone(), Style::Line),
                 line("before", flown.before.loads[c].clone(), Style::DashedLine),
                 line("after", flown.after.loads[c].clone(), Style::Line),
-                line(BAND_NAME, edge(-1.0), Style::DashedLine),
-                line(BAND_NAME, edge(1.0), Style::DashedLine),
             ],
         )
     };

@@ -128,8 +128,8 @@ fn over(
         factor,
         fitted.response.clone(),
         vec![
-            Series::new(interval.clone(), x.clone(), least, Style::DashedLine),
-            Series::new(interval, x.clone(), most, Style::DashedLine),
+            Series::new(interval.clone(), x.clone(), least, Style::Edge),
+            Series::new(interval, x.clone(), most, Style::Edge),
             Series::new("beyond the data", x.clone(), beyond, Style::Line),
             Series::new("surface", x, known, Style::Line),
         ],

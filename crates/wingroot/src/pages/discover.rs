@@ -57,7 +57,7 @@ fn held_out_section(runs: Vec<Plate>) -> Section {
     let told = held_out(&runs);
     let mut shown = figures("Held-out runs", ordered(runs));
     let text = "These runs had no part in the search. Before: the corrected model without the effects; after: with them, and with \
-                corrections calibrated again beside them. The dashed edges of one colour are two standard deviations to either side of \
+                corrections calibrated again beside them. The band is two standard deviations to either side of \
                 the model after: noise of a sample, uncertainty of calibrated parameters, model-form variants.";
     shown.blocks.insert(0, Block::Text(text.into()));
     shown.blocks.push(Block::Table(told));
