@@ -78,6 +78,7 @@ fn page() -> Page {
     Page {
         command: "calibrate".into(),
         title: NASTY.into(),
+        around: vec![Link { text: NASTY.into(), to: "a\"b".into(), note: String::new() }],
         lead: vec![NASTY.into()],
         numbers: vec![KeyNumber::new(NASTY, "1.5 N", NASTY), KeyNumber::new("a", "b", "").judged(true)],
         sections: vec![
@@ -86,7 +87,7 @@ fn page() -> Page {
                 "Figures",
                 vec![
                     plate("curves", Content::Curves(figure()), false),
-                    plate("map", Content::Picture(map), false),
+                    plate("map", Content::Pictures(vec![map]), false),
                     plate("shapes", Content::Shapes(views(), drawing), false),
                     plate("folded", Content::Curves(figure()), true),
                     Block::Links(vec![Link {

@@ -9,9 +9,9 @@ use crate::error::DrawError;
 
 const STYLE: &str = include_str!("style.css");
 const SCRIPT: &str = include_str!("page.js");
-/// The page loads nothing from anywhere: browsers are told to refuse it.
+/// The page loads nothing from anywhere but pictures beside it: browsers are told to refuse it.
 const POLICY: &str =
-    "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data: blob:";
+    "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src 'self' file: data: blob:";
 /// Points of all curves of a page together, about: some 8 MB.
 const POINTS: usize = 600_000;
 /// Points of one curve at most, and at least.
@@ -36,13 +36,17 @@ impl Page {
         let limit = self.points_a_curve();
         for (number, section) in self.sections.iter().enumerate() {
             page.open("section", &[("id", &format!("part-{number}"))]);
-            page.element("h2", &[], &section.title);
+            if !section.title.is_empty() {
+                page.element("h2", &[], &section.title);
+            }
             for block in &section.blocks {
                 write_block(&mut page, block, limit)?;
             }
             page.close("section");
         }
-        self.origin(&mut page);
+        if !self.is_document() {
+            self.origin(&mut page);
+        }
         page.raw("</main>\n");
         if self.plates().any(|plate| !matches!(plate.content, Content::Pictures(_))) {
             page.raw(&script::plotly());
@@ -83,12 +87,22 @@ impl Page {
             page.close("dl");
         }
         page.open("nav", &[]);
-        for (number, section) in self.sections.iter().enumerate() {
+        for link in &self.around {
+            page.element("a", &[("href", &address(&link.to))], &link.text);
+        }
+        for (number, section) in self.sections.iter().enumerate().filter(|(_, section)| !section.title.is_empty()) {
             page.element("a", &[("href", &format!("#part-{number}"))], &section.title);
         }
-        page.element("a", &[("href", "#origin")], "Inputs");
+        if !self.is_document() {
+            page.element("a", &[("href", "#origin")], "Inputs");
+        }
         page.close("nav");
         page.close("header");
+    }
+
+    /// Whether nothing was run for it.
+    fn is_document(&self) -> bool {
+        self.run.is_empty() && self.inputs.is_empty()
     }
 
     /// What was run, and on what.
@@ -144,6 +158,7 @@ fn write_inputs(page: &mut Markup, inputs: &[Input]) {
 fn write_block(page: &mut Markup, block: &Block, limit: usize) -> Result<(), DrawError> {
     match block {
         Block::Text(text) => page.element("p", &[], text),
+        Block::Prose(prose) => page.raw(prose.html()),
         Block::Table(table) => write_table(page, table),
         Block::Links(links) => write_links(page, links),
         Block::Plate(plate) => write_plate(page, plate, limit)?,

@@ -7,8 +7,11 @@
 mod curves;
 mod html;
 mod markup;
+mod prose;
 mod script;
 mod shapes;
+
+pub use prose::Prose;
 
 use crate::deformed::View;
 use crate::drawing::Drawing;
@@ -120,6 +123,8 @@ pub struct Plate {
 pub enum Block {
     /// A paragraph.
     Text(String),
+    /// A document or a part of one.
+    Prose(Prose),
     /// A table.
     Table(PageTable),
     /// A figure.
@@ -162,6 +167,8 @@ pub struct Page {
     pub command: String,
     /// The title.
     pub title: String,
+    /// Pages that belong to it, before its own sections.
+    pub around: Vec<Link>,
     /// What came out, in a sentence or a few.
     pub lead: Vec<String>,
     /// Numbers that matter.

@@ -5,6 +5,8 @@ use fullaircraft::cases::grid::{CaseResult, MODELS};
 use fullaircraft::{Station, Stations};
 use report::{Figure, Panel, Series, Style};
 
+use crate::pages::values::with_unit;
+
 /// The envelope of the right wing's stations over y, initial dashed beside updated.
 pub(crate) fn envelope(stations: &Stations, envelope: &[Extreme]) -> Figure {
     let mut places: Vec<&Station> = stations.all.iter().filter(|s| s.name.starts_with("right")).collect();
@@ -27,7 +29,7 @@ pub(crate) fn envelope(stations: &Stations, envelope: &[Extreme]) -> Figure {
         Panel::new(
             "",
             "y of the station (m)",
-            labelled(load),
+            with_unit(load),
             MODELS
                 .iter()
                 .flat_map(|model| ["smallest", "largest"].map(|end| line(model, load, end)))
@@ -36,14 +38,6 @@ pub(crate) fn envelope(stations: &Stations, envelope: &[Extreme]) -> Figure {
     };
     let panels = LOADS.into_iter().map(panel).collect();
     Figure::new("Load envelope of the right wing", panels, 3)
-}
-
-/// `Mx_Nm` as `Mx (N m)`.
-pub(crate) fn labelled(load: &str) -> String {
-    match load.split_once('_') {
-        Some((name, unit)) => format!("{name} ({})", unit.replace("Nm", "N m")),
-        None => load.to_owned(),
-    }
 }
 
 /// All cases at the right root: bending and torsion over lift; both ends of what moves.
@@ -60,8 +54,8 @@ pub(crate) fn cloud(results: &[CaseResult]) -> Figure {
     let panel = |(across, up): (usize, usize)| {
         Panel::new(
             "",
-            labelled(LOADS[across]),
-            labelled(LOADS[up]),
+            with_unit(LOADS[across]),
+            with_unit(LOADS[up]),
             MODELS.iter().map(|model| points(model, across, up)).collect(),
         )
     };

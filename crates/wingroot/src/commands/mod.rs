@@ -58,6 +58,8 @@ commands! {
     response: Response(Box<crate::args::ResponseArgs>),
     /// Flutter and divergence speeds of the wing, initial beside updated, by two methods, with V-g and V-f curves
     flutter: Flutter(flutter::FlutterArgs),
+    /// The documents that came with the program, as pages to read without a network
+    docs: Docs(docs::DocsArgs),
     /// What a shell needs to complete commands and options
     completions: Completions(completions::CompletionsArgs),
     /// Manual pages of the program and of each command
@@ -114,4 +116,3 @@ mod simulate_flown;
 mod simulate_maneuvers;
 
 pub(crate) use calibrate_numbers::speed_name;
-pub(crate) use fullaircraft_cases_figures::labelled;

@@ -52,6 +52,7 @@ pub(crate) fn run(args: &PipelineArgs, common: &Common) -> Result<(), Failure> {
     }
     let folder = ResultFolder::begin(&base.join("pipeline"))?;
     result["figures"] = pipeline_figures::gather(&base, &folder)?;
+    result["held_out_runs"] = pipeline_figures::held_out(&base)?;
     folder.write_json("result.json", &result)?;
     folder.commit()?;
     show::summary(common, &format!("pipeline done in {total:.1} s; results in {}\n", base.display()));

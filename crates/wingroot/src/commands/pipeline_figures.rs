@@ -1,11 +1,11 @@
 //! Figures 8 to 18 of the paper on flexible wings, gathered from the steps of the pipeline under their numbers: pictures drawn
 //! from the steps' curves, and these as CSV.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use nastran::table::Table;
 use report::{Figure, Panel, Series, Style};
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 use crate::failure::Failure;
 use crate::output::ResultFolder;
@@ -65,6 +65,30 @@ pub(crate) fn gather(base: &Path, folder: &ResultFolder) -> Result<Value, Failur
         list.push(json!({ "figure": number, "shows": shows, "picture": svg, "curves": csv }));
     }
     Ok(Value::Array(list))
+}
+
+/// What is left of each run that `discover` held out, before and after: root mean squares by load.
+pub(crate) fn held_out(base: &Path) -> Result<Value, Failure> {
+    let folder = base.join("discover/runs");
+    let mut files: Vec<PathBuf> =
+        std::fs::read_dir(&folder).into_iter().flatten().flatten().map(|entry| entry.path()).collect();
+    files.retain(|file| file.extension().is_some_and(|ending| ending == "csv"));
+    files.sort();
+    let left = |table: &Table, state: &str| -> Result<Value, Failure> {
+        let mut rms = Map::new();
+        for (load, _) in LOADS.into_iter().filter(|(load, _)| table.has(&format!("{load}_measured"))) {
+            let of = |what: &str| table.numbers(&format!("{load}_{what}"));
+            let squares = of("measured")?.iter().zip(of(state)?).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
+            rms.insert(load.into(), json!((squares / table.len().max(1) as f64).sqrt()));
+        }
+        Ok(Value::Object(rms))
+    };
+    let run = |file: PathBuf| -> Result<Value, Failure> {
+        let table = Table::read(&file)?;
+        let name = file.file_stem().map(|name| name.to_string_lossy().into_owned());
+        Ok(json!({ "run": name, "before": left(&table, "before")?, "after": left(&table, "after")? }))
+    };
+    files.into_iter().map(run).collect()
 }
 
 /// Channels with their labels.

@@ -5,8 +5,7 @@ use report::page::{Block, KeyNumber, PageTable, Plate, Section};
 use serde_json::Value;
 
 use super::plates::{figures, taken};
-use super::values::{Column, at, counted, decimals_at, from_to, list, short, short_at, table_of, text, word};
-use crate::commands::labelled;
+use super::values::{Column, at, counted, decimals_at, from_to, list, short, short_at, table_of, text, with_unit, word};
 
 /// Path below a model, what it is, its unit.
 type Row = (&'static str, &'static str, &'static str);
@@ -16,7 +15,7 @@ const KEYS: [Row; 6] = [
     ("push_down/tip_deflection_m", "tip in the push-down", "m"),
     ("trim/alpha_deg", "angle of attack in trim", "deg"),
     ("trim/elevator_deg", "elevator in trim", "deg"),
-    ("doublet/peak_tip_acceleration_m_s2", "tip acceleration, doublet", "m/s\u{b2}"),
+    ("doublet/peak_tip_acceleration_m_s2", "tip acceleration, doublet", "m/s2"),
     ("gust/peak_load_factor", "load factor, gust", "g"),
 ];
 
@@ -98,7 +97,7 @@ fn peaks(result: &Value) -> PageTable {
     for maneuver in ["doublet", "chirp", "gust"] {
         let of = |model: &str| &result["models"][model][maneuver];
         for (name, value) in of("initial").as_object().into_iter().flatten() {
-            let quantity = name.trim_start_matches("peak_").replace('_', " ");
+            let quantity = with_unit(name.trim_start_matches("peak_"));
             table.row([
                 maneuver.to_owned(),
                 quantity,
@@ -140,7 +139,7 @@ pub(super) fn cases(result: &Value, plates: &mut Vec<Plate>) -> Page {
     let envelope = list(result, "envelope");
     let columns: [Column; 5] = [
         ("model", "model", word),
-        ("load", "load", |extreme, key| labelled(text(extreme, key))),
+        ("load", "load", |extreme, key| with_unit(text(extreme, key))),
         ("end", "end", word),
         ("value", "value", short_at),
         ("case", "flown", |extreme, key| text(extreme, key).replace('_', " ")),

@@ -18,8 +18,9 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
     determined.extend(figures("", taken(plates, "singular_values")).blocks);
     sections.push(Section::new("What the data determine", determined));
     let mut maps = vec![Block::Text(
-        "Seen from above, flight direction up. A factor of one and an offset of zero (white) are theory; what the data do \
-         not determine stays there. Rest the pointer on a box to read its value."
+        "Seen from above, flight direction up. A factor of one and an offset of zero, the middle of the colours, are theory; a \
+         colour means the same at all airspeeds. Of all corrections that meet the data these change the pressures least, so what \
+         the data do not determine is the program's choice. Rest the pointer on a box to read its value."
             .into(),
     )];
     maps.extend(taken(plates, "corrections_").into_iter().map(|plate| Block::Plate(Box::new(plate))));
@@ -96,7 +97,7 @@ fn numbers(result: &Value, airspeeds: &[Value]) -> Vec<KeyNumber> {
         );
     }
     if let Some(determined) = worst("determined_directions") {
-        let note = "combinations of corrections that the data fix; all others stay at theory";
+        let note = "combinations of corrections that the data fix; the rest is the least change of pressure that goes with them";
         numbers.push(KeyNumber::new("directions determined", digits(determined, 3), note));
     }
     if let Some(lift) = result.pointer("/common/lift_factor").filter(|lift| !lift.is_null()) {
@@ -141,7 +142,8 @@ fn determined_text(airspeeds: &[Value]) -> String {
         String::new()
     } else {
         format!(
-            " Not determined by these data, and so left at theory: {}.",
+            " Root loads hardly hang on these: {}. They are not determined, and what their maps show is the least change of \
+             pressure that goes with the others.",
             open.join(", ").replace('_', " ")
         )
     };

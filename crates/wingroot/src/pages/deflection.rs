@@ -4,8 +4,9 @@ use report::Page;
 use report::page::{Block, KeyNumber, PageTable, Plate, Section};
 use serde_json::Value;
 
+use super::changes::{self, RunChange};
 use super::plates::figures;
-use super::values::{Column, at, counted, decimals_at, digits, from_to, list, short_at, table_of, word};
+use super::values::{Column, at, counted, decimals_at, digits, from_to, list, short_at, table_of, text, word};
 
 pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
     let factors = list(result, "factors");
@@ -39,7 +40,12 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
     }
     let mut sections = vec![figures("Deflections that act", std::mem::take(plates))];
     sections.push(Section::new("Factors", vec![Block::Table(factors_table(factors))]));
-    sections.push(Section::new("Held-out doublets", vec![Block::Table(held_out(result))]));
+    let runs = held_out(result);
+    numbers.extend(changes::number(&runs));
+    let caption = "Root mean square of measured less simulated.";
+    let table = changes::table(caption, &["run"], ["before", "after"], &runs);
+    let held_out = vec![Block::Text(changes::sentence(&runs)), Block::Table(table)];
+    sections.push(Section::new("Held-out doublets", held_out));
     Page {
         title: "How much of a commanded deflection acts".into(),
         lead: vec![format!(
@@ -67,15 +73,10 @@ fn factors_table(factors: &[Value]) -> PageTable {
     table_of("", factors, &columns)
 }
 
-fn held_out(result: &Value) -> PageTable {
-    let columns: [Column; 7] = [
-        ("run", "run", word),
-        ("Fz before (N)", "residual_rms/before/Fz_N", short_at),
-        ("after", "residual_rms/after/Fz_N", short_at),
-        ("Mx before (N m)", "residual_rms/before/Mx_Nm", short_at),
-        ("after", "residual_rms/after/Mx_Nm", short_at),
-        ("My before (N m)", "residual_rms/before/My_Nm", short_at),
-        ("after", "residual_rms/after/My_Nm", short_at),
-    ];
-    table_of("Root mean square of measured less simulated.", list(result, "holdout/runs"), &columns)
+fn held_out(result: &Value) -> Vec<RunChange> {
+    let change = |run: &Value| {
+        let left = &run["residual_rms"];
+        RunChange::of(vec![text(run, "run").to_owned()], &left["before"], &left["after"])
+    };
+    list(result, "holdout/runs").iter().map(change).collect()
 }

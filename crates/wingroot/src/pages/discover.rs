@@ -9,7 +9,8 @@ use serde::Deserialize;
 use serde_json::Value;
 
 use super::plates::figures;
-use super::values::{from_to, rms_beside_measured, short};
+use super::changes::{self, RunChange};
+use super::values::{from_to, short, with_unit};
 
 /// Runs of the paper's Figures 11 to 14, which stand first where a campaign has them.
 const FIGURES: [(u32, &str); 4] = [
@@ -33,6 +34,8 @@ fn page_of(result: &DiscoverResult, plates: &mut Vec<Plate>) -> Page {
         is_there.then(|| Section::new(title, vec![Block::Table(table())]))
     };
     let map = search.map.as_deref().unwrap_or_default();
+    let mut numbers = numbers(result, search);
+    numbers.extend(changes::number(&held_out(&runs)));
     let sections = [
         (!result.defects.is_empty()).then(|| Section::new("Faults of the data", defects)),
         (!result.effects.is_empty()).then(|| Section::new("What was missing", effects(result))),
@@ -47,20 +50,21 @@ fn page_of(result: &DiscoverResult, plates: &mut Vec<Plate>) -> Page {
     Page {
         title: title(result).into(),
         lead: lead(result, search),
-        numbers: numbers(result, search),
+        numbers,
         sections: sections.into_iter().flatten().collect(),
         ..Page::default()
     }
 }
 
 fn held_out_section(runs: Vec<Plate>) -> Section {
-    let told = held_out(&runs);
+    let changes = held_out(&runs);
     let mut shown = figures("Held-out runs", ordered(runs));
     let text = "These runs had no part in the search. Before: the corrected model without the effects; after: with them, and with \
                 corrections calibrated again beside them. The band is two standard deviations to either side of \
                 the model after: noise of a sample, uncertainty of calibrated parameters, model-form variants.";
-    shown.blocks.insert(0, Block::Text(text.into()));
-    shown.blocks.push(Block::Table(told));
+    let caption = "Held-out runs: root mean square of measured less simulated.";
+    let told = changes::table(caption, &["run"], ["before", "after"], &changes);
+    shown.blocks.splice(0..0, [Block::Text(text.into()), Block::Text(changes::sentence(&changes)), Block::Table(told)]);
     shown
 }
 
@@ -122,7 +126,7 @@ fn effects(result: &DiscoverResult) -> Vec<Block> {
     for effect in &result.effects {
         for (name, fitted) in &effect.parameters {
             let [value, sigma] = [Some(fitted.value), fitted.sigma].map(short);
-            table.row([effect.name.clone(), name.clone(), value, sigma]);
+            table.row([effect.name.clone(), with_unit(name), value, sigma]);
         }
         let stays = if effect.stays_with_the_wing {
             "it belongs to the wing and flies with it"
@@ -148,7 +152,7 @@ fn located(search: &SearchResult) -> PageTable {
     for l in &search.located {
         let share = format!("{:.0} %", 100.0 * l.share_of_residual);
         let p_value = short(Some(l.p_value));
-        table.row([l.channel.to_string(), l.regressor.to_string(), share, p_value, l.place.clone()]);
+        table.row([with_unit(&l.channel.to_string()), l.regressor.to_string(), share, p_value, l.place.clone()]);
     }
     table
 }
@@ -169,7 +173,7 @@ fn gap(search: &SearchResult) -> PageTable {
                 |gap: Option<f64>, percent: Option<f64>| format!("{} ({} %)", short(gap), short(percent));
             let [before, after] =
                 [both(gaps.before[load], percent.before[load]), both(gaps.after[load], percent.after[load])];
-            table.row([name.to_owned(), load.column().into(), before, after, String::new()]);
+            table.row([name.to_owned(), with_unit(load.column()), before, after, String::new()]);
         }
     }
     table
@@ -207,7 +211,7 @@ fn detection_limits(search: &SearchResult) -> PageTable {
     );
     for limit in &search.detection_limits {
         let name = format!("{} {}", limit.name, limit.form);
-        table.row([name.trim().to_owned(), limit.parameter.clone(), short(limit.value)]);
+        table.row([name.trim().to_owned(), with_unit(&limit.parameter), short(limit.value)]);
     }
     table
 }
@@ -236,17 +240,10 @@ fn ordered(runs: Vec<Plate>) -> Vec<Plate> {
     first
 }
 
-fn held_out(runs: &[Plate]) -> PageTable {
-    let head = ["run", "Fz before (N)", "after", "Mx before (N m)", "after", "My before (N m)", "after"];
-    let mut table = PageTable::new("Held-out runs: root mean square of measured less simulated.", &head);
-    for plate in runs {
-        let Content::Curves(figure) = &plate.content else { continue };
-        let (before, after) = (rms_beside_measured(figure, "before"), rms_beside_measured(figure, "after"));
-        let pairs =
-            before.iter().zip(&after).flat_map(|(before, after)| [short(Some(*before)), short(Some(*after))]);
-        let mut row = vec![run_name(plate).to_owned()];
-        row.extend(pairs);
-        table.row(row);
-    }
-    table
+fn held_out(runs: &[Plate]) -> Vec<RunChange> {
+    let change = |plate: &Plate| match &plate.content {
+        Content::Curves(figure) => Some(RunChange::of_figure(run_name(plate), figure)),
+        _ => None,
+    };
+    runs.iter().filter_map(change).collect()
 }

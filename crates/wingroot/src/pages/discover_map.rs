@@ -3,7 +3,7 @@
 use discover::result::MapCell;
 use report::page::PageTable;
 
-use super::values::short;
+use super::values::{short, with_unit};
 
 /// So many rows are shown.
 const SHOWN: usize = 15;
@@ -23,7 +23,7 @@ pub(super) fn table(map: &[MapCell]) -> PageTable {
     bands.dedup();
     let mut rows: Vec<Row> = Vec::new();
     for cell in map {
-        let head = [cell.channel.clone(), cell.maneuver.clone()];
+        let head = [with_unit(&cell.channel), cell.maneuver.clone()];
         let place = rows.iter().position(|row| row.head == head).unwrap_or_else(|| {
             rows.push(Row { head, largest: 0.0, cells: vec![String::new(); bands.len()] });
             rows.len() - 1

@@ -4,10 +4,12 @@
 mod aircraft;
 mod aircraft_deck;
 mod calibrate;
+mod changes;
 mod deck;
 mod deflection;
 mod discover;
 mod discover_map;
+mod docs;
 mod flutter;
 mod hidden;
 mod modes;
@@ -40,6 +42,7 @@ pub(crate) fn page(written: Written) -> Option<Page> {
         "flutter" => flutter::page,
         "modes" => modes::page,
         "deck" => deck::page,
+        "docs" => docs::page,
         "tunnel" => tunnel::page,
         "hidden" => hidden::page,
         "response" => response::page,

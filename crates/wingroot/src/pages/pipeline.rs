@@ -4,6 +4,7 @@ use report::Page;
 use report::page::{Block, KeyNumber, Link, Plate, Section};
 use serde_json::Value;
 
+use super::changes::{self, RunChange};
 use super::plates::figures;
 use super::values::{at, from_to, list, short, short_at, text};
 
@@ -41,6 +42,18 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
     } else {
         format!("The search found what the model lacked: {}.", effects.join(", ").replace('_', " "))
     };
+    let runs: Vec<RunChange> = list(result, "held_out_runs").iter().map(RunChange::of_entry).collect();
+    let mut numbers = numbers(result);
+    numbers.extend(changes::number(&runs));
+    let mut sections = vec![Section::new("The steps", vec![Block::Links(links)])];
+    if !runs.is_empty() {
+        let caption = "Root mean square of measured less simulated, before and after what `discover` found.";
+        let table = changes::table(caption, &["run"], ["before", "after"], &runs);
+        let blocks = vec![Block::Text(changes::sentence(&runs)), Block::Table(table)];
+        sections.push(Section::new("Held-out runs, better and worse", blocks));
+    }
+    sections.push(figures("Figures of the paper", std::mem::take(plates)));
+    sections.push(Section::new("More figures of the paper, on the steps' pages", vec![Block::Links(elsewhere(result))]));
     Page {
         title: "From root loads to a flying aircraft".into(),
         lead: vec![
@@ -49,12 +62,8 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
                 .into(),
             found,
         ],
-        numbers: numbers(result),
-        sections: vec![
-            Section::new("The steps", vec![Block::Links(links)]),
-            figures("Figures of the paper", std::mem::take(plates)),
-            Section::new("More figures of the paper, on the steps' pages", vec![Block::Links(elsewhere(result))]),
-        ],
+        numbers,
+        sections,
         ..Page::default()
     }
 }

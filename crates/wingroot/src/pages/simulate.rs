@@ -1,11 +1,12 @@
 //! The page of `simulate`.
 
 use report::Page;
-use report::page::{Block, KeyNumber, PageTable, Plate, Section};
+use report::page::{Block, KeyNumber, Plate, Section};
 use serde_json::Value;
 
+use super::changes::{self, RunChange};
 use super::plates::figures;
-use super::values::{Column, LOADS, at, counted, from_to, list, short_at, table_of, text};
+use super::values::{LOADS, at, counted, from_to, list, short_at, text};
 
 pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
     let runs = list(result, "runs");
@@ -24,12 +25,17 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
         }
     }
     numbers.push(KeyNumber::new("runs", runs.len().to_string(), "flown in unsteady air"));
+    let changes = changes(runs);
+    numbers.extend(changes::number(&changes));
     let measured = runs.iter().any(|run| run["residual_rms"]["updated"].is_object());
     // runs of the paper's figures stand first, and so are not folded up
     plates.sort_by_key(|plate| plate.caption.is_empty());
     let mut sections = vec![figures("Time histories", std::mem::take(plates))];
     if measured {
-        sections.push(Section::new("All runs", vec![Block::Table(table(runs))]));
+        let caption = "Root mean square of measured less simulated; initial is theory, updated has the corrections.";
+        let table = changes::table(caption, &["run", "V (m/s)"], ["initial", "updated"], &changes);
+        let blocks = vec![Block::Text(changes::sentence(&changes)), Block::Table(table)];
+        sections.insert(0, Section::new("All runs", blocks));
     }
     let remarks: Vec<Block> = runs
         .iter()
@@ -61,16 +67,12 @@ fn name(run: &Value) -> &str {
     file.rsplit_once('.').map_or(file, |(stem, _)| stem)
 }
 
-fn table(runs: &[Value]) -> PageTable {
-    let columns: [Column; 8] = [
-        ("run", "", |run, _| name(run).to_owned()),
-        ("V (m/s)", "V_m_s", short_at),
-        ("Fz initial (N)", "residual_rms/initial/Fz_N", short_at),
-        ("updated", "residual_rms/updated/Fz_N", short_at),
-        ("Mx initial (N m)", "residual_rms/initial/Mx_Nm", short_at),
-        ("updated", "residual_rms/updated/Mx_Nm", short_at),
-        ("My initial (N m)", "residual_rms/initial/My_Nm", short_at),
-        ("updated", "residual_rms/updated/My_Nm", short_at),
-    ];
-    table_of("Root mean square of measured less simulated.", runs, &columns)
+/// What corrections do to each measured run.
+fn changes(runs: &[Value]) -> Vec<RunChange> {
+    let measured = runs.iter().filter(|run| run["residual_rms"]["updated"].is_object());
+    let change = |run: &Value| {
+        let left = &run["residual_rms"];
+        RunChange::of(vec![name(run).to_owned(), short_at(run, "V_m_s")], &left["initial"], &left["updated"])
+    };
+    measured.map(change).collect()
 }

@@ -8,6 +8,32 @@ use serde_json::Value;
 pub const LOADS: [(&str, &str, &str); 3] =
     [("Fz_N", "lift Fz", "N"), ("Mx_Nm", "bending Mx", "N m"), ("My_Nm", "torsion My", "N m")];
 
+/// Endings of keys, and the units they say.
+const UNITS: [(&str, &str); 13] = [
+    ("_m_s2", "m/s2"),
+    ("_m_s", "m/s"),
+    ("_rad_s", "rad/s"),
+    ("_deg_s", "deg/s"),
+    ("_Nm", "N m"),
+    ("_kg_m2", "kg m2"),
+    ("_kg", "kg"),
+    ("_N", "N"),
+    ("_deg", "deg"),
+    ("_rad", "rad"),
+    ("_Hz", "Hz"),
+    ("_Pa", "Pa"),
+    ("_m", "m"),
+];
+
+/// A key as it is read: `tip_acceleration_m_s2` is `tip acceleration (m/s2)`.
+pub fn with_unit(key: &str) -> String {
+    let known = UNITS.iter().find_map(|(ending, unit)| Some((key.strip_suffix(ending)?, unit)));
+    match known.filter(|(name, _)| !name.is_empty()) {
+        Some((name, unit)) => format!("{} ({unit})", name.replace('_', " ")),
+        None => key.replace('_', " "),
+    }
+}
+
 /// The number at a path such as `gap/holdout/before`; at the empty path the value itself.
 pub fn at(value: &Value, path: &str) -> Option<f64> {
     if path.is_empty() { value.as_f64() } else { value.pointer(&format!("/{path}")).and_then(Value::as_f64) }
@@ -130,6 +156,13 @@ pub fn rms_beside_measured(figure: &Figure, name: &str) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn keys_are_read_with_their_units() {
+        let read = ["tip_acceleration_m_s2", "Mx_Nm", "Fz_N", "mass_kg", "load_factor", "tip_deflection_m"].map(with_unit);
+        let words = ["tip acceleration (m/s2)", "Mx (N m)", "Fz (N)", "mass (kg)", "load factor", "tip deflection (m)"];
+        assert_eq!(read, words);
+    }
 
     #[test]
     fn zero_has_no_sign() {
