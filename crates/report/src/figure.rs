@@ -154,7 +154,11 @@ impl Figure {
         let entry = |(place, (series, colour)): (usize, (&Series, &str))| LegendEntry {
             // kuva measures text a little too narrow; the blanks keep long names inside the box.
             label: format!("{}\u{a0}\u{a0}", plain(&series.name)),
-            color: if series.style == Style::Edge { palette::shaded(colour, 1.0 - f64::from(BAND) / 255.0) } else { colour.into() },
+            color: if series.style == Style::Edge {
+                palette::shaded(colour, 1.0 - f64::from(BAND) / 255.0)
+            } else {
+                colour.into()
+            },
             shape: match series.style {
                 Style::Points => LegendShape::Circle,
                 Style::Marked => LegendShape::Marker(MARKERS[place % MARKERS.len()].0),
@@ -235,10 +239,16 @@ fn line(points: Vec<(f64, f64)>, colour: &str, width: f64) -> LinePlot {
 /// What lies between two edges, where both are finite.
 fn band(below: &Series, above: &Series, colour: &str) -> Option<Plot> {
     let kept = kept_together(&below.x, &[&below.y, &above.y], POINTS);
-    let kept: Vec<usize> =
-        kept.into_iter().filter(|&i| below.y[i].is_finite() && above.y.get(i).is_some_and(|y| y.is_finite())).collect();
+    let kept: Vec<usize> = kept
+        .into_iter()
+        .filter(|&i| below.y[i].is_finite() && above.y.get(i).is_some_and(|y| y.is_finite()))
+        .collect();
     let of = |values: &[f64]| kept.iter().map(|&i| values[i]).collect::<Vec<f64>>();
-    let drawn = || BandPlot::new(of(&below.x), of(&below.y), of(&above.y)).with_color(colour).with_opacity(f64::from(BAND) / 255.0);
+    let drawn = || {
+        BandPlot::new(of(&below.x), of(&below.y), of(&above.y))
+            .with_color(colour)
+            .with_opacity(f64::from(BAND) / 255.0)
+    };
     (!kept.is_empty()).then(|| drawn().into())
 }
 

@@ -105,8 +105,9 @@ impl Frame {
 fn paint_view(canvas: &mut Canvas, view: &PlanformView, frame: &Frame, left: f64) {
     canvas.text((left, frame.top - 14.0), 14.0, Anchor::Start, &view.title);
     for (corners, value) in view.corners.iter().zip(&view.values) {
-        let points = corners
-            .map(|(x, y)| (left + (y - frame.y_min) * frame.scale, frame.top + (x - frame.x_min) * frame.scale));
+        let points = corners.map(|(x, y)| {
+            (left + (y - frame.y_min) * frame.scale, frame.top + (x - frame.x_min) * frame.scale)
+        });
         // The outline in the fill's colour closes the hairlines that renderers leave between neighbours.
         let fill = palette::diverging(frame.place(*value));
         let note = format!("{value:.4}  {} at y {:.3} m", view.label, middle(corners));
@@ -149,5 +150,11 @@ fn paint_bar(canvas: &mut Canvas, view: &PlanformView, frame: &Frame, left: f64)
         canvas.axis((left + width, y), (left + width + 5.0, y));
         canvas.text((left + width + 9.0, y + 4.0), 12.0, Anchor::Start, &label);
     }
-    canvas.turned_text((left + width + 62.0, frame.top + height / 2.0), 13.0, Anchor::Middle, -90.0, &view.label);
+    canvas.turned_text(
+        (left + width + 62.0, frame.top + height / 2.0),
+        13.0,
+        Anchor::Middle,
+        -90.0,
+        &view.label,
+    );
 }

@@ -5,7 +5,9 @@ mod browser;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use browser::{Browser, use_page};
+use browser::{Browser, looks, use_page};
+use wingroot::report::page::{Block, Content, KeyNumber, Plate, Section};
+use wingroot::report::{Figure, Page, Panel, Series, Style};
 
 /// A new folder for the test, removed at its end.
 struct Scratch(PathBuf);
@@ -65,6 +67,9 @@ fn use_all(pages: &[(PathBuf, bool)]) {
     let Some(browser) = Browser::start() else { return };
     for (page, with_curves) in pages {
         use_page(&browser, page, *with_curves);
+        looks::fits_every_width(&browser, page);
+        looks::is_readable_in_the_dark(&browser, page);
+        looks::prints_whole(&browser, page);
     }
 }
 
@@ -96,6 +101,42 @@ fn pages_of_a_beam_wing_open_without_errors_and_curves_can_be_hidden_and_read() 
 }
 
 #[test]
+fn figures_that_are_folded_up_are_printed_and_every_style_is_seen_in_the_dark() {
+    let scratch = scratch("folded");
+    let x: Vec<f64> = (0..50).map(f64::from).collect();
+    let curve = |name: &str, shift: f64, style| {
+        Series::new(name, x.clone(), x.iter().map(|x| (0.2 * x).sin() + shift).collect(), style)
+    };
+    let panel = |title: &str| {
+        let series = vec![
+            curve("noise", -0.5, Style::Edge),
+            curve("noise", 0.5, Style::Edge),
+            curve("measured", 0.0, Style::Line),
+            curve("initial, with a name so long that it takes a row of the legend", 0.2, Style::DashedLine),
+            curve("updated", 0.1, Style::Marked),
+            curve("others", 0.3, Style::Points),
+        ];
+        Panel::new(title, "time (s)", "Fz (N)", series)
+    };
+    let plate = |name: &str, columns: usize, folded: bool| {
+        let figure = Figure::new(name, (0..2 * columns).map(|i| panel(&format!("{i}"))).collect(), columns);
+        let [name, title, caption] = [name; 3].map(str::to_owned);
+        let content = Content::Curves(figure);
+        Block::Plate(Box::new(Plate { name, title, caption, content, files: Vec::new(), folded }))
+    };
+    let blocks = vec![plate("open", 3, false), plate("folded", 2, true), plate("four", 4, true)];
+    let page = Page {
+        title: "Figures".into(),
+        numbers: vec![KeyNumber::new("figures", "3", "")],
+        sections: vec![Section::new("Figures", blocks)],
+        ..Page::default()
+    };
+    let path = scratch.0.join("report.html");
+    std::fs::write(&path, page.html().expect("a page")).expect("the temporary folder is writable");
+    use_all(&[(path, true)]);
+}
+
+#[test]
 fn pages_of_every_other_command_do_so_too() {
     if std::env::var_os("RUN_SLOW_TESTS").is_none() {
         eprintln!("skipped: RUN_SLOW_TESTS=1 makes and opens the pages of every command");
@@ -121,4 +162,52 @@ fn pages_of_every_other_command_do_so_too() {
         pages.push((page_of(&scratch, name, &[name, "--corrections", corrections]), true));
     }
     use_all(&pages);
+}
+
+#[test]
+fn documents_link_to_each_other_and_show_their_pictures() {
+    let scratch = scratch("docs");
+    let list = page_of(&scratch, "docs", &["docs"]);
+    let folder = list.parent().expect("a folder");
+    let written = std::fs::read_dir(folder).expect("a folder").flatten().map(|entry| entry.path());
+    let pages: Vec<PathBuf> = written.filter(|path| path.extension().is_some_and(|e| e == "html")).collect();
+    assert!(pages.len() > 5 && pages.contains(&folder.join("guide.html")), "{pages:?}");
+    for page in &pages {
+        let html = std::fs::read_to_string(page).expect("a page");
+        let ends = |attribute: &str| {
+            let starts: Vec<String> = html.split(attribute).skip(1).map(str::to_owned).collect();
+            starts
+                .into_iter()
+                .map(|rest| rest.split('"').next().unwrap_or_default().to_owned())
+                .collect::<Vec<_>>()
+        };
+        for to in ends(" href=\"").into_iter().chain(ends(" src=\"")) {
+            let file = to.split('#').next().unwrap_or_default();
+            let elsewhere = file.is_empty() || file.starts_with("https:") || file.starts_with("data:");
+            assert!(elsewhere || folder.join(file).is_file(), "{}: {to} is not there", page.display());
+        }
+    }
+    let Some(browser) = Browser::start() else { return };
+    for page in &pages {
+        looks::fits_every_width(&browser, page);
+        looks::is_readable_in_the_dark(&browser, page);
+        let seen = "return Array.from(document.images).every(picture => picture.complete && picture.naturalWidth > 0)";
+        assert_eq!(browser.script(seen), true, "{}: a picture is not shown", page.display());
+        assert_eq!(browser.console_errors(), Vec::<String>::new(), "{}", page.display());
+    }
+}
+
+#[test]
+fn a_document_that_is_not_there_is_answered_with_the_list() {
+    let run = |name: &str, out: &Path| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_wingroot"));
+        command.args(["docs", name, "--out"]).arg(out).output().expect("the command starts")
+    };
+    let scratch = scratch("no-such-document");
+    let refused = run("guidance", &scratch.0.join("docs"));
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("guide"), "the list of documents");
+    assert!(!scratch.0.join("docs").exists(), "nothing is written");
+    let found = run("guide", &scratch.0.join("docs"));
+    assert!(String::from_utf8_lossy(&found.stdout).trim_end().ends_with("guide.html"));
 }

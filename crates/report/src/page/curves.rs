@@ -178,7 +178,8 @@ mod tests {
         let panel = |name: &str| Panel::new(name, "x", "y", vec![edge(-1.0), edge(1.0)]);
         let figure = Figure::new("", vec![panel("a"), panel("b")], 2);
         let data = data(&figure, 400).unwrap();
-        let of = |key: &str| data["traces"].as_array().unwrap().iter().map(|t| t[key].clone()).collect::<Vec<_>>();
+        let of =
+            |key: &str| data["traces"].as_array().unwrap().iter().map(|t| t[key].clone()).collect::<Vec<_>>();
         assert_eq!(of("fill"), ["none", "tonexty", "none", "tonexty"]);
         assert_eq!(of("showlegend"), [false, true, false, false]);
         let svg = figure.svg().unwrap();

@@ -10,8 +10,7 @@ use crate::error::DrawError;
 const STYLE: &str = include_str!("style.css");
 const SCRIPT: &str = include_str!("page.js");
 /// The page loads nothing from anywhere but pictures beside it: browsers are told to refuse it.
-const POLICY: &str =
-    "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src 'self' file: data: blob:";
+const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src 'self' file: data: blob:";
 /// Points of all curves of a page together, about: some 8 MB.
 const POINTS: usize = 600_000;
 /// Points of one curve at most, and at least.
@@ -90,7 +89,9 @@ impl Page {
         for link in &self.around {
             page.element("a", &[("href", &address(&link.to))], &link.text);
         }
-        for (number, section) in self.sections.iter().enumerate().filter(|(_, section)| !section.title.is_empty()) {
+        for (number, section) in
+            self.sections.iter().enumerate().filter(|(_, section)| !section.title.is_empty())
+        {
             page.element("a", &[("href", &format!("#part-{number}"))], &section.title);
         }
         if !self.is_document() {
@@ -138,13 +139,12 @@ fn write_number(page: &mut Markup, number: &KeyNumber) {
 }
 
 fn write_inputs(page: &mut Markup, inputs: &[Input]) {
-    page.raw("<div class=\"scroll\"><table>\n");
     page.element(
-        "caption",
-        &[],
+        "p",
+        &[("class", "caption")],
         "The fingerprint (FNV-1a, 64 bits) changes with the content of a file, or of any file of a folder.",
     );
-    page.raw("<thead><tr><th>input</th><th>file or folder</th><th>fingerprint</th></tr></thead>\n<tbody>\n");
+    page.raw("<div class=\"scroll\"><table>\n<thead><tr><th>input</th><th>file or folder</th><th>fingerprint</th></tr></thead>\n<tbody>\n");
     for input in inputs {
         page.open("tr", &[]);
         page.element("td", &[], &input.what);
@@ -172,10 +172,11 @@ fn write_table(page: &mut Markup, table: &PageTable) {
         cells().next().is_some() && cells().all(|cell| looks_like_a_number(cell))
     };
     let classes: Vec<&str> = (0..table.head.len()).map(|c| if numeric(c) { "n" } else { "t" }).collect();
-    page.raw("<div class=\"scroll\"><table>\n");
+    // beside the box that scrolls, so that it is read whole on a narrow window
     if !table.caption.is_empty() {
-        page.element("caption", &[], &table.caption);
+        page.element("p", &[("class", "caption")], &table.caption);
     }
+    page.raw("<div class=\"scroll\"><table>\n");
     let row = |page: &mut Markup, tag: &'static str, cells: &[String]| {
         page.raw("<tr>");
         for (column, cell) in cells.iter().enumerate() {
@@ -221,7 +222,11 @@ fn write_plate(page: &mut Markup, plate: &Plate, limit: usize) -> Result<(), Dra
     match &plate.content {
         Content::Curves(figure) => {
             let size = [figure.panels.len(), curves::columns(figure)].map(|count| count.to_string());
-            write_plot(page, &[("data-panels", &size[0]), ("data-columns", &size[1])], &curves::data(figure, limit)?);
+            write_plot(
+                page,
+                &[("data-panels", &size[0]), ("data-columns", &size[1])],
+                &curves::data(figure, limit)?,
+            );
         }
         Content::Pictures(drawings) => write_pictures(page, "picture", drawings),
         Content::Shapes(views, drawing) => {

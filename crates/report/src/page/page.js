@@ -5,9 +5,9 @@
   var config = { displaylogo: false, modeBarButtonsToRemove: ["select2d", "lasso2d", "sendDataToCloud"] };
   var clear = "rgba(0,0,0,0)";
   // px: a panel, the least width of one with its labels, labels between panels, a panel's title, the row of buttons
-  var PANEL = 204, LEAST = 220, GAP = { x: 70, y: 62 }, TITLE = 20, BUTTONS = 34, LEFT = 62, RIGHT = 14, BOTTOM = 50;
+  var PANEL = 204, LEAST = 220, GAP = 62, ACROSS = 70, TITLE = 20, BUTTONS = 34, LEFT = 62, RIGHT = 14, BOTTOM = 50;
   // a sheet between its margins, with room for a caption, and the least panel to bring a figure onto one
-  var SHEET = { width: 680, height: 880 }, SMALL = 96;
+  var SHEET = { width: 680, height: 780, gap: 50 }, SMALL = 72;
   var printing = false;
 
   function widthOf(place) { return printing ? SHEET.width : place.clientWidth; }
@@ -19,13 +19,20 @@
     return columns;
   }
 
+  function gapOf(titled) { return (printing ? SHEET.gap : GAP) + titled; }
+
   function panelOf(rows, titled, legend) {
-    var others = BUTTONS + legend + titled + (rows - 1) * (GAP.y + titled) + BOTTOM;
+    var others = BUTTONS + legend + titled + (rows - 1) * gapOf(titled) + BOTTOM;
     return printing ? Math.min(PANEL, Math.max(SMALL, (SHEET.height - others) / rows)) : PANEL;
   }
 
   function heightOf(rows, titled, legend) {
-    return BUTTONS + legend + titled + rows * panelOf(rows, titled, legend) + (rows - 1) * (GAP.y + titled) + BOTTOM;
+    return BUTTONS + legend + titled + rows * panelOf(rows, titled, legend) + (rows - 1) * gapOf(titled) + BOTTOM;
+  }
+
+  function wrapped(text, width) {
+    var cut = text.length * 6 > width ? text.lastIndexOf(" ", width / 6) : -1;
+    return cut < 1 ? text : text.slice(0, cut) + "<br>" + wrapped(text.slice(cut + 1), width);
   }
 
   function layoutOf(data, width, legend) {
@@ -33,15 +40,15 @@
     var titled = panels.some(function (panel) { return panel.title; }) ? TITLE : 6;
     var timed = panels.every(function (panel) { return panel.x === "time (s)"; });
     var height = heightOf(rows, titled, legend);
-    var across = width - LEFT - RIGHT, high = panelOf(rows, titled, legend), down = rows * high + (rows - 1) * (GAP.y + titled);
-    var part = (across - (columns - 1) * GAP.x) / columns;
+    var across = width - LEFT - RIGHT, high = panelOf(rows, titled, legend), down = rows * high + (rows - 1) * gapOf(titled);
+    var part = (across - (columns - 1) * ACROSS) / columns;
     var layout = {
       height: height, width: width, annotations: [],
       margin: { l: LEFT, r: RIGHT, t: BUTTONS + legend + titled, b: BOTTOM },
     };
     panels.forEach(function (panel, place) {
       var number = place ? place + 1 : "", row = Math.floor(place / columns), column = place % columns;
-      var left = column * (part + GAP.x), top = row * (high + GAP.y + titled);
+      var left = column * (part + ACROSS), top = row * (high + gapOf(titled));
       var axis = function (text, anchor, from, to) {
         return {
           domain: [Math.max(from, 0), Math.min(to, 1)], anchor: anchor + number, title: { text: text, standoff: 6, font: { size: 12 } },
@@ -53,18 +60,22 @@
       // zooming into the time of one panel zooms all
       if (timed && place) { layout["xaxis" + number].matches = "x"; }
       if (panel.title) {
-        layout.annotations.push({ text: panel.title, xref: "paper", yref: "paper", showarrow: false, x: (left + part / 2) / across, y: 1 - top / down, yanchor: "bottom", font: { size: part < 260 ? 11 : 13 } });
+        layout.annotations.push({ text: wrapped(panel.title, part + ACROSS / 2), xref: "paper", yref: "paper", showarrow: false, x: (left + part / 2) / across, y: 1 - top / down, yanchor: "bottom", font: { size: part < 260 ? 11 : 13 } });
       }
     });
     return layout;
   }
 
   function spaceOf(data, width) {
-    var height = width < 600 ? 330 : 520, aspect = data.layout.scene.aspectratio;
-    // what fills a window of 1072 by 520 px is as wide as any
-    var share = Math.min(1, (width / (height - BUTTONS)) / (1072 / (520 - BUTTONS)));
-    var fitted = { x: aspect.x * share, y: aspect.y * share, z: aspect.z * share };
-    return { height: height, width: width, margin: { l: 0, r: 0, t: BUTTONS, b: 0 }, scene: Object.assign({}, data.layout.scene, { aspectratio: fitted }) };
+    var narrow = width < 600, scene = JSON.parse(JSON.stringify(data.layout.scene));
+    ["x", "y", "z"].forEach(function (axis) {
+      // of a narrow window the scene fills more, and there is room for fewer numbers
+      if (narrow) {
+        scene.aspectratio[axis] *= 0.72;
+        scene[axis + "axis"].nticks = 3;
+      }
+    });
+    return { height: narrow ? 330 : 520, width: width, margin: { l: 0, r: 0, t: BUTTONS, b: 0 }, scene: scene };
   }
 
   // Plotly is told anew what is drawn: zoom, hidden curves and the camera stay while `uirevision` does.
@@ -99,8 +110,11 @@
     data.traces.forEach(function (trace) {
       if (data.x) { trace.x = data.x[trace.x]; }
       if (data.lift_m !== undefined) {
-        trace.customdata = trace.z;
-        trace.z = trace.z.map(function (z) { return z === null ? null : z + trace.meta * data.lift_m; });
+        // upwards, and sideways for what stands upright
+        trace.customdata = trace.z.map(function (z, i) { return [trace.y[i], z]; });
+        ["y", "z"].forEach(function (axis) {
+          trace[axis] = trace[axis].map(function (place) { return place === null ? null : place + trace.meta * data.lift_m; });
+        });
       }
     });
     place.dataset.drawn = "yes";

@@ -27,7 +27,9 @@ impl Page {
         let mut linked = Vec::new();
         while let Some(event) = events.next() {
             match event {
-                Event::Start(Tag::Heading { level: HeadingLevel::H1, .. }) => page.title = text_of(&mut events),
+                Event::Start(Tag::Heading { level: HeadingLevel::H1, .. }) => {
+                    page.title = text_of(&mut events)
+                }
                 Event::Start(Tag::Heading { level: HeadingLevel::H2, .. }) => {
                     end_section(&mut page, &mut written);
                     let title = text_of(&mut events);
@@ -46,11 +48,15 @@ impl Page {
                 Event::Start(Tag::Link { link_type, dest_url, title, id }) => {
                     let address = address(&dest_url, beside);
                     linked.push(address.is_some());
-                    written.extend(address.map(|dest_url| Event::Start(Tag::Link { link_type, dest_url, title, id })));
+                    written.extend(
+                        address.map(|dest_url| Event::Start(Tag::Link { link_type, dest_url, title, id })),
+                    );
                 }
                 Event::End(TagEnd::Link) => written.extend(linked.pop().filter(|is| *is).map(|_| event)),
                 Event::Start(Tag::Image { link_type, dest_url, title, id }) => match beside(&dest_url) {
-                    Some(to) => written.push(Event::Start(Tag::Image { link_type, dest_url: to.into(), title, id })),
+                    Some(to) => {
+                        written.push(Event::Start(Tag::Image { link_type, dest_url: to.into(), title, id }))
+                    }
                     None => written.push(Event::Text(text_of(&mut events).into())),
                 },
                 other => written.push(other),
@@ -94,7 +100,8 @@ fn address<'a>(to: &CowStr<'a>, beside: &dyn Fn(&str) -> Option<String>) -> Opti
     if to.starts_with("https://") || to.starts_with('#') {
         return Some(to.clone());
     }
-    let (file, place) = to.split_once('#').map_or((&**to, String::new()), |(file, place)| (file, format!("#{place}")));
+    let (file, place) =
+        to.split_once('#').map_or((&**to, String::new()), |(file, place)| (file, format!("#{place}")));
     beside(file).map(|file| (file + &place).into())
 }
 

@@ -11,8 +11,8 @@ use crate::ticks::extent;
 /// The largest extent in units of plotly's window.
 const WIDTH: f64 = 3.4;
 
-/// How far each view lies above the one before it, as a share of the largest extent: surfaces that coincide would
-/// otherwise be drawn in patches of one and the other. `page.js` lifts them, and reads out the places as they are.
+/// How far each view lies above and beside the one before it, as a share of the largest extent: surfaces that coincide would
+/// otherwise be drawn in patches of one and the other. `page.js` moves them, and reads out the places as they are.
 const LIFT: f64 = 0.0015;
 
 /// The views over one another for `page.js`; a view's legend entry hides all its groups.
@@ -58,7 +58,7 @@ fn mesh(view: &View, number: usize, colour: &str, group: usize, quads: &[&Quad])
         "lighting": { "ambient": 0.95, "diffuse": 0.25, "specular": 0.0 },
         "lightposition": { "x": -1000, "y": -2000, "z": 4000 }, "meta": number,
         "hovertemplate":
-            format!("{name}, {part}<br>x %{{x:.3f}} m<br>y %{{y:.3f}} m<br>z %{{customdata:.3f}} m<extra></extra>"),
+            format!("{name}, {part}<br>x %{{x:.3f}} m<br>y %{{customdata[0]:.3f}} m<br>z %{{customdata[1]:.3f}} m<extra></extra>"),
     })
 }
 
@@ -76,7 +76,7 @@ fn strokes(view: &View, number: usize, colour: &str, in_legend: bool) -> Value {
         "type": "scatter3d", "mode": "lines", "name": name, "legendgroup": number.to_string(), "showlegend": in_legend,
         "visible": visible(view), "line": { "color": colour, "width": 4 }, "meta": number,
         "x": coordinate(0), "y": coordinate(1), "z": coordinate(2),
-        "hovertemplate": format!("{name}<br>x %{{x:.3f}} m<br>y %{{y:.3f}} m<br>z %{{customdata:.3f}} m<extra></extra>"),
+        "hovertemplate": format!("{name}<br>x %{{x:.3f}} m<br>y %{{customdata[0]:.3f}} m<br>z %{{customdata[1]:.3f}} m<extra></extra>"),
     })
 }
 

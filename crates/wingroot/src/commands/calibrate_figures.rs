@@ -86,7 +86,8 @@ fn residuals(loads: &Figure, calibration: &Calibration) -> Figure {
             Series::new(series.name.clone(), series.x.clone(), y, Style::Marked)
         };
         // panels are filled row by row: an airspeed a row, a channel a column
-        let (airspeed, c) = (&calibration.airspeeds[place / channels.len()], channels[place % channels.len()]);
+        let (airspeed, c) =
+            (&calibration.airspeeds[place / channels.len()], channels[place % channels.len()]);
         let sigmas: Option<Vec<f64>> =
             airspeed.data.angles.iter().map(|angle| data.mean_sigma(angle).map(|sigma| sigma[c])).collect();
         let edge = |sigmas: &[f64], side: f64| {
@@ -202,13 +203,14 @@ pub(crate) fn planforms(wing: &ElasticWing, set: &Corrections, reaches: [f64; 3]
         ("moment factor", "W moment (-)"),
         ("pressure offset", "f_e/q (-)"),
     ];
-    let view = |(((values, neutral), reach), (title, label)): (((&[f64], f64), f64), (&str, &str))| PlanformView {
-        corners: corners.clone(),
-        values: values.to_vec(),
-        label: label.into(),
-        title: title.into(),
-        range: Some((neutral - reach, neutral + reach)),
-    };
+    let view =
+        |(((values, neutral), reach), (title, label)): (((&[f64], f64), f64), (&str, &str))| PlanformView {
+            corners: corners.clone(),
+            values: values.to_vec(),
+            label: label.into(),
+            title: title.into(),
+            range: Some((neutral - reach, neutral + reach)),
+        };
     families(set).into_iter().zip(reaches).zip(names).map(view).collect()
 }
 

@@ -49,7 +49,9 @@ pub(crate) fn run(args: &DocsArgs, common: &Common) -> Result<(), Failure> {
         let up = "../".repeat(path.components().count() - 1);
         page.around = vec![Link { text: "All documents".into(), to: up + LIST, note: String::new() }];
         folder.write_text(&address(&to), &page.html().map_err(Failure::computation)?)?;
-        documents.push(json!({ "name": address(&path.with_extension("")), "title": page.title, "page": address(&to) }));
+        documents.push(
+            json!({ "name": address(&path.with_extension("")), "title": page.title, "page": address(&to) }),
+        );
     }
     let result = json!({ "command": "docs", "documents": documents });
     folder.write_json("result.json", &result)?;
@@ -74,7 +76,8 @@ fn page_named(name: &str, files: &BTreeMap<PathBuf, Vec<u8>>) -> Result<PathBuf,
     if files.contains_key(&path) {
         return Ok(path.with_extension("html"));
     }
-    let names: Vec<String> = files.keys().filter(|path| page_of(path).is_some()).map(|p| address(&p.with_extension(""))).collect();
+    let names: Vec<String> =
+        files.keys().filter(|path| page_of(path).is_some()).map(|p| address(&p.with_extension(""))).collect();
     Err(InputError::general(format!("there is no document {name}"))
         .with_help(format!("the documents are {}", names.join(", "))))
 }

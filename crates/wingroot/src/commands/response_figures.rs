@@ -7,6 +7,7 @@ use response::{
 };
 
 use crate::failure::Failure;
+use crate::pages::values::with_unit;
 
 /// Points of a curve over a factor.
 const POINTS: usize = 61;
@@ -125,8 +126,8 @@ fn over(
     let [least, most] = bounds;
     Ok(Panel::new(
         format!("over {factor}, the others in the middle"),
-        factor,
-        fitted.response.clone(),
+        with_unit(factor),
+        with_unit(&fitted.response),
         vec![
             Series::new(interval.clone(), x.clone(), least, Style::Edge),
             Series::new(interval, x.clone(), most, Style::Edge),

@@ -5,7 +5,9 @@ use report::page::{Block, KeyNumber, PageTable, Plate, Section};
 use serde_json::Value;
 
 use super::plates::{figures, taken};
-use super::values::{Column, at, counted, decimals_at, from_to, list, short, short_at, table_of, text, with_unit, word};
+use super::values::{
+    Column, at, counted, decimals_at, from_to, list, short, short_at, table_of, text, with_unit, word,
+};
 
 /// Path below a model, what it is, its unit.
 type Row = (&'static str, &'static str, &'static str);

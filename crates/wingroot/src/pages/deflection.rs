@@ -6,7 +6,9 @@ use serde_json::Value;
 
 use super::changes::{self, RunChange};
 use super::plates::figures;
-use super::values::{Column, at, counted, decimals_at, digits, from_to, list, short_at, table_of, text, word};
+use super::values::{
+    Column, at, counted, decimals_at, digits, from_to, list, short_at, table_of, text, word,
+};
 
 pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
     let factors = list(result, "factors");

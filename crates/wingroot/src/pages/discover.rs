@@ -8,8 +8,8 @@ use report::page::{Block, Content, KeyNumber, PageTable, Plate, Section};
 use serde::Deserialize;
 use serde_json::Value;
 
-use super::plates::figures;
 use super::changes::{self, RunChange};
+use super::plates::figures;
 use super::values::{from_to, short, with_unit};
 
 /// Runs of the paper's Figures 11 to 14, which stand first where a campaign has them.
@@ -64,7 +64,10 @@ fn held_out_section(runs: Vec<Plate>) -> Section {
                 the model after: noise of a sample, uncertainty of calibrated parameters, model-form variants.";
     let caption = "Held-out runs: root mean square of measured less simulated.";
     let told = changes::table(caption, &["run"], ["before", "after"], &changes);
-    shown.blocks.splice(0..0, [Block::Text(text.into()), Block::Text(changes::sentence(&changes)), Block::Table(told)]);
+    shown.blocks.splice(
+        0..0,
+        [Block::Text(text.into()), Block::Text(changes::sentence(&changes)), Block::Table(told)],
+    );
     shown
 }
 
@@ -126,7 +129,7 @@ fn effects(result: &DiscoverResult) -> Vec<Block> {
     for effect in &result.effects {
         for (name, fitted) in &effect.parameters {
             let [value, sigma] = [Some(fitted.value), fitted.sigma].map(short);
-            table.row([effect.name.clone(), with_unit(name), value, sigma]);
+            table.row([effect.name.clone(), name.clone(), value, sigma]);
         }
         let stays = if effect.stays_with_the_wing {
             "it belongs to the wing and flies with it"
@@ -152,7 +155,13 @@ fn located(search: &SearchResult) -> PageTable {
     for l in &search.located {
         let share = format!("{:.0} %", 100.0 * l.share_of_residual);
         let p_value = short(Some(l.p_value));
-        table.row([with_unit(&l.channel.to_string()), l.regressor.to_string(), share, p_value, l.place.clone()]);
+        table.row([
+            with_unit(&l.channel.to_string()),
+            l.regressor.to_string(),
+            share,
+            p_value,
+            l.place.clone(),
+        ]);
     }
     table
 }
@@ -211,7 +220,7 @@ fn detection_limits(search: &SearchResult) -> PageTable {
     );
     for limit in &search.detection_limits {
         let name = format!("{} {}", limit.name, limit.form);
-        table.row([name.trim().to_owned(), with_unit(&limit.parameter), short(limit.value)]);
+        table.row([name.trim().to_owned(), limit.parameter.clone(), short(limit.value)]);
     }
     table
 }

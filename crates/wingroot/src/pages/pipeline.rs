@@ -47,13 +47,16 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
     numbers.extend(changes::number(&runs));
     let mut sections = vec![Section::new("The steps", vec![Block::Links(links)])];
     if !runs.is_empty() {
-        let caption = "Root mean square of measured less simulated, before and after what `discover` found.";
+        let caption = "Root mean square of measured less simulated, before and after what the search found.";
         let table = changes::table(caption, &["run"], ["before", "after"], &runs);
         let blocks = vec![Block::Text(changes::sentence(&runs)), Block::Table(table)];
         sections.push(Section::new("Held-out runs, better and worse", blocks));
     }
     sections.push(figures("Figures of the paper", std::mem::take(plates)));
-    sections.push(Section::new("More figures of the paper, on the steps' pages", vec![Block::Links(elsewhere(result))]));
+    sections.push(Section::new(
+        "More figures of the paper, on the steps' pages",
+        vec![Block::Links(elsewhere(result))],
+    ));
     Page {
         title: "From root loads to a flying aircraft".into(),
         lead: vec![

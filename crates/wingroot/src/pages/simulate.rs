@@ -32,10 +32,10 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
     plates.sort_by_key(|plate| plate.caption.is_empty());
     let mut sections = vec![figures("Time histories", std::mem::take(plates))];
     if measured {
-        let caption = "Root mean square of measured less simulated; initial is theory, updated has the corrections.";
+        let caption =
+            "Root mean square of measured less simulated; initial is theory, updated has the corrections.";
         let table = changes::table(caption, &["run", "V (m/s)"], ["initial", "updated"], &changes);
-        let blocks = vec![Block::Text(changes::sentence(&changes)), Block::Table(table)];
-        sections.insert(0, Section::new("All runs", blocks));
+        sections.push(Section::new("All runs", vec![Block::Table(table)]));
     }
     let remarks: Vec<Block> = runs
         .iter()
@@ -47,13 +47,16 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
     }
     Page {
         title: "Wind-tunnel runs flown again".into(),
-        lead: vec![format!(
+        lead: [format!(
             "{} with the initial model (theory) and the updated one (corrections from {}{}){}.",
             counted(runs.len(), "run", "runs"),
             text(result, "corrections"),
             if result["deflection_correction"] == true { ", commanded deflections corrected" } else { "" },
             if measured { ", beside the measurement" } else { "" }
-        )],
+        )]
+        .into_iter()
+        .chain(measured.then(|| changes::sentence(&changes)))
+        .collect(),
         numbers,
         sections,
         ..Page::default()

@@ -9,7 +9,7 @@ pub const LOADS: [(&str, &str, &str); 3] =
     [("Fz_N", "lift Fz", "N"), ("Mx_Nm", "bending Mx", "N m"), ("My_Nm", "torsion My", "N m")];
 
 /// Endings of keys, and the units they say.
-const UNITS: [(&str, &str); 13] = [
+const UNITS: [(&str, &str); 15] = [
     ("_m_s2", "m/s2"),
     ("_m_s", "m/s"),
     ("_rad_s", "rad/s"),
@@ -22,6 +22,8 @@ const UNITS: [(&str, &str); 13] = [
     ("_rad", "rad"),
     ("_Hz", "Hz"),
     ("_Pa", "Pa"),
+    ("_V", "V"),
+    ("_krpm", "krpm"),
     ("_m", "m"),
 ];
 
@@ -159,8 +161,16 @@ mod tests {
 
     #[test]
     fn keys_are_read_with_their_units() {
-        let read = ["tip_acceleration_m_s2", "Mx_Nm", "Fz_N", "mass_kg", "load_factor", "tip_deflection_m"].map(with_unit);
-        let words = ["tip acceleration (m/s2)", "Mx (N m)", "Fz (N)", "mass (kg)", "load factor", "tip deflection (m)"];
+        let read = ["tip_acceleration_m_s2", "Mx_Nm", "Fz_N", "mass_kg", "load_factor", "tip_deflection_m"]
+            .map(with_unit);
+        let words = [
+            "tip acceleration (m/s2)",
+            "Mx (N m)",
+            "Fz (N)",
+            "mass (kg)",
+            "load factor",
+            "tip deflection (m)",
+        ];
         assert_eq!(read, words);
     }
 

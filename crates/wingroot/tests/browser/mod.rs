@@ -9,6 +9,8 @@ use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 
+pub(crate) mod looks;
+
 /// What is waited for at most: machines that test are busy.
 const PATIENCE: Duration = Duration::from_secs(60);
 
@@ -74,6 +76,35 @@ impl Browser {
         let errors =
             log.as_array().map_or(&[][..], Vec::as_slice).iter().filter(|entry| entry["level"] == "SEVERE");
         errors.map(|entry| entry["message"].to_string()).collect()
+    }
+
+    /// Makes the window as wide as this, px, without a frame.
+    pub(crate) fn resize(&self, width: u64) {
+        let size = json!({ "width": width, "height": 1400, "deviceScaleFactor": 1, "mobile": false });
+        self.emulate("setDeviceMetricsOverride", &size);
+    }
+
+    /// Lets the user prefer a scheme of colours: `light` or `dark`.
+    pub(crate) fn prefer(&self, scheme: &str) {
+        let feature = json!({ "name": "prefers-color-scheme", "value": scheme });
+        self.emulate("setEmulatedMedia", &json!({ "features": [feature] }));
+    }
+
+    /// Shows the page as it is laid out on paper, or on the screen again.
+    pub(crate) fn emulate_paper(&self, paper: bool) {
+        self.emulate("setEmulatedMedia", &json!({ "media": if paper { "print" } else { "" } }));
+    }
+
+    fn emulate(&self, what: &str, parameters: &Value) {
+        self.command(
+            "goog/cdp/execute",
+            &json!({ "cmd": format!("Emulation.{what}"), "params": parameters }),
+        );
+    }
+
+    /// Prints the page; the length of what a printer would get.
+    pub(crate) fn print(&self) -> usize {
+        self.command("print", &json!({})).as_str().map_or(0, str::len)
     }
 
     /// Clicks what a selector finds first, as a user does.
