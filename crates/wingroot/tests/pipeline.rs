@@ -5,7 +5,7 @@ mod browser;
 use std::path::Path;
 use std::process::Command;
 
-use browser::{Browser, use_page};
+use browser::{Browser, looks, use_page};
 
 fn wingroot(arguments: &[&str]) -> std::process::Output {
     Command::new(env!("CARGO_BIN_EXE_wingroot"))
@@ -25,7 +25,11 @@ fn pages(out: &Path) {
     }
     let Some(browser) = Browser::start() else { return };
     for step in steps.into_iter().chain(["pipeline"]) {
-        use_page(&browser, &out.join(step).join("report.html"), true);
+        let page = out.join(step).join("report.html");
+        use_page(&browser, &page, true);
+        looks::fits_every_width(&browser, &page);
+        looks::is_readable_in_the_dark(&browser, &page);
+        looks::prints_whole(&browser, &page);
     }
 }
 

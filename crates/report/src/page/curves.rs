@@ -183,6 +183,6 @@ mod tests {
         assert_eq!(of("fill"), ["none", "tonexty", "none", "tonexty"]);
         assert_eq!(of("showlegend"), [false, true, false, false]);
         let svg = figure.svg().unwrap();
-        assert!(svg.contains("noise"), "the band is named");
+        assert!(svg.contains("#6e7781"), "the picture has the band, too");
     }
 }

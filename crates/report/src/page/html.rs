@@ -265,6 +265,8 @@ fn write_plot(page: &mut Markup, size: &[(&'static str, &str)], data: &serde_jso
 
 fn write_pictures(page: &mut Markup, class: &str, drawings: &[Drawing]) {
     page.open("div", &[("class", class)]);
-    drawings.iter().for_each(|drawing| page.raw(&drawing.svg()));
+    for drawing in drawings {
+        page.raw(&drawing.svg());
+    }
     page.close("div");
 }

@@ -28,7 +28,7 @@ impl Page {
         while let Some(event) = events.next() {
             match event {
                 Event::Start(Tag::Heading { level: HeadingLevel::H1, .. }) => {
-                    page.title = text_of(&mut events)
+                    page.title = text_of(&mut events);
                 }
                 Event::Start(Tag::Heading { level: HeadingLevel::H2, .. }) => {
                     end_section(&mut page, &mut written);
@@ -55,7 +55,7 @@ impl Page {
                 Event::End(TagEnd::Link) => written.extend(linked.pop().filter(|is| *is).map(|_| event)),
                 Event::Start(Tag::Image { link_type, dest_url, title, id }) => match beside(&dest_url) {
                     Some(to) => {
-                        written.push(Event::Start(Tag::Image { link_type, dest_url: to.into(), title, id }))
+                        written.push(Event::Start(Tag::Image { link_type, dest_url: to.into(), title, id }));
                     }
                     None => written.push(Event::Text(text_of(&mut events).into())),
                 },

@@ -203,15 +203,17 @@ pub(crate) fn planforms(wing: &ElasticWing, set: &Corrections, reaches: [f64; 3]
         ("moment factor", "W moment (-)"),
         ("pressure offset", "f_e/q (-)"),
     ];
-    let view =
-        |(((values, neutral), reach), (title, label)): (((&[f64], f64), f64), (&str, &str))| PlanformView {
+    let mut views = Vec::new();
+    for (((values, neutral), reach), (title, label)) in families(set).into_iter().zip(reaches).zip(names) {
+        views.push(PlanformView {
             corners: corners.clone(),
             values: values.to_vec(),
             label: label.into(),
             title: title.into(),
             range: Some((neutral - reach, neutral + reach)),
-        };
-    families(set).into_iter().zip(reaches).zip(names).map(view).collect()
+        });
+    }
+    views
 }
 
 /// Corrections with what leaves theory as it is.

@@ -155,13 +155,7 @@ fn located(search: &SearchResult) -> PageTable {
     for l in &search.located {
         let share = format!("{:.0} %", 100.0 * l.share_of_residual);
         let p_value = short(Some(l.p_value));
-        table.row([
-            with_unit(&l.channel.to_string()),
-            l.regressor.to_string(),
-            share,
-            p_value,
-            l.place.clone(),
-        ]);
+        table.row([with_unit(l.channel.as_ref()), l.regressor.to_string(), share, p_value, l.place.clone()]);
     }
     table
 }
