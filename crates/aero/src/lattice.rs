@@ -8,8 +8,11 @@ use nalgebra::{Point3, Vector3};
 use nastran::{Aefact, BulkData, Caero1, Divisions, Frames, InputError};
 use std::collections::HashSet;
 
-/// More boxes than this are refused: the influence matrix alone would take 3 GB.
-const MOST_BOXES: usize = 20_000;
+/// More boxes than this are refused: the influence matrix alone would take 20 GB, its factorisation an hour.
+const MOST_BOXES: usize = 50_000;
+/// What the matrices of a lattice take in memory, bytes a pair of boxes: 42 were measured for a calibration (five real
+/// matrices), and 84 in unsteady air.
+const MEMORY_A_PAIR: f64 = 100.0;
 
 /// One panel of a lattice.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -40,7 +43,8 @@ impl Lattice {
     ///
     /// # Errors
     /// If a panel refers to an AEFACT or a coordinate system that is not there, divisions do not rise from 0 to 1,
-    /// a panel has no area, box numbers collide, or there are more than 20000 boxes; the card is blamed.
+    /// a panel has no area, box numbers collide, or there are more than 50000 boxes or than fit into memory; the card
+    /// is blamed.
     pub fn from_bulk(bulk: &BulkData) -> Result<Self, InputError> {
         let frames = Frames::resolve(bulk)?;
         let mut lattice = Self::default();
@@ -49,13 +53,7 @@ impl Lattice {
             let span = fractions(bulk, panel, panel.span_divisions, "spanwise")?;
             let chord = fractions(bulk, panel, panel.chord_divisions, "chordwise")?;
             let count = (span.len() - 1).saturating_mul(chord.len() - 1);
-            if lattice.len().saturating_add(count) > MOST_BOXES {
-                return Err(InputError::at(
-                    &panel.span,
-                    format!("the panels have more than {MOST_BOXES} boxes"),
-                )
-                .with_help("use fewer spanwise or chordwise divisions"));
-            }
+            refuse_too_many(lattice.len().saturating_add(count), panel)?;
             let boxes = divide(panel.id, &corners, &span, &chord).ok_or_else(|| {
                 InputError::at(&panel.span, format!("boxes of CAERO1 {} exceed the largest number", panel.id))
             })?;
@@ -181,6 +179,19 @@ impl Lattice {
             None => Ok(self),
         }
     }
+}
+
+/// Refuses more boxes than can be computed with, before any is made.
+fn refuse_too_many(boxes: usize, panel: &Caero1) -> Result<(), InputError> {
+    let at = |message: String| {
+        InputError::at(&panel.span, message).with_help("use fewer boxes, along the chord or the span")
+    };
+    if boxes > MOST_BOXES {
+        return Err(at(format!("the panels have {boxes} boxes, and {MOST_BOXES} are the most")));
+    }
+    let n = boxes as f64;
+    nastran::memory::demand(&format!("the matrices of {boxes} boxes"), MEMORY_A_PAIR * n * n)
+        .map_err(|error| at(error.message))
 }
 
 /// Corners 1 to 4 of a panel in basic axes; its chords lie along basic x.

@@ -1,6 +1,6 @@
 //! A campaign: a folder of measurements (`campaign.ron`, `static.csv`, runs), read and checked.
 
-use nastran::table::Table;
+use nastran::table::{ColumnNames, Table};
 use nastran::{InputError, Span, named_file, ron_file};
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
@@ -120,6 +120,8 @@ struct CampaignFile {
     sets: Sets,
     static_cases: String,
     #[serde(default)]
+    columns: ColumnNames,
+    #[serde(default)]
     runs: Vec<RunEntry>,
 }
 
@@ -168,6 +170,8 @@ pub struct Campaign {
     pub sets: Sets,
     /// All rows of the static cases, weight tares included.
     pub points: Vec<StaticPoint>,
+    /// What its files call columns that have another name here: our name to theirs.
+    pub columns: ColumnNames,
     /// Runs.
     pub runs: Vec<RunEntry>,
 }
@@ -184,8 +188,9 @@ impl Campaign {
             return Err(InputError::in_field(&path, "rho_kg_m3", "rho_kg_m3 must be a positive number")
                 .with_help("air at sea level has 1.225 kg/m3"));
         }
+        check_columns(&file.columns, &path)?;
         let statics = named_file(&path, &file.static_cases)?;
-        let table = Table::read(&statics)?;
+        let table = Table::read_named(&statics, &file.columns)?;
         let (channels, points) = static_points(&table, &statics)?;
         let tip = file.tip.unwrap_or(if channels.contains(&true) {
             TipReading::Unused
@@ -209,6 +214,7 @@ impl Campaign {
             tip,
             sets: file.sets,
             points,
+            columns: file.columns,
             runs: file.runs,
         })
     }
@@ -236,15 +242,47 @@ fn check_noise(noise: &Noise, fitted: [bool; 4], path: &Path) -> Result<(), Inpu
     }
 }
 
+/// Other names belong to columns that there are, and no two to one.
+fn check_columns(columns: &ColumnNames, path: &Path) -> Result<(), InputError> {
+    let fault = |name: &str, message: String, help: &str| {
+        let text = nastran::read_text(path).unwrap_or_default();
+        let place = nastran::place_of(&["columns:", &format!("\"{name}\"")], &text, path);
+        Err(InputError::at(&place, message).with_help(help))
+    };
+    for (ours, theirs) in columns {
+        if !is_static_column(ours) && ours != "t_s" && !(ours.starts_with("az_") && ours.ends_with("_m_s2")) {
+            let message = format!("`{ours}` is no column of static cases or runs");
+            return fault(
+                ours,
+                message,
+                "columns: {\"V_m_s\": \"speed\"} says that files have `speed` for `V_m_s`",
+            );
+        }
+        if theirs.trim() != theirs || theirs.is_empty() {
+            return fault(
+                ours,
+                format!("\"{theirs}\" is no name of a column"),
+                "write it as the file's header does",
+            );
+        }
+        if columns.iter().any(|(other, name)| other != ours && name == theirs) {
+            return fault(ours, format!("`{theirs}` stands for two columns"), "each column has one meaning");
+        }
+    }
+    Ok(())
+}
+
+fn is_static_column(name: &str) -> bool {
+    ["V_m_s", "alpha_deg", "block"].contains(&name)
+        || CHANNELS.contains(&name)
+        || (name.starts_with("delta_") && name.ends_with("_deg"))
+}
+
 /// Reads the rows of `static.csv`.
 fn static_points(table: &Table, path: &Path) -> Result<([bool; 3], Vec<StaticPoint>), InputError> {
     table.require(&["V_m_s", "alpha_deg"])?;
     table.allow_only(
-        |name| {
-            ["V_m_s", "alpha_deg", "block"].contains(&name)
-                || CHANNELS.contains(&name)
-                || (name.starts_with("delta_") && name.ends_with("_deg"))
-        },
+        is_static_column,
         "V_m_s, alpha_deg, Fz_N, Mx_Nm, My_Nm, block, tip_z_m or delta_NAME_deg",
     )?;
     if table.is_empty() {

@@ -1,5 +1,6 @@
 //! One set of corrections per airspeed, the rule between them, and the file they are kept in.
 
+use crate::campaign::AIRSPEEDS_M_S;
 use aero::Corrections;
 use nastran::{InputError, ron_file};
 use serde::Deserialize;
@@ -8,6 +9,9 @@ use std::path::Path;
 
 /// An airspeed this share beyond the calibrated range takes the nearest set, as tunnels stray; beyond it none is taken.
 pub const STRAY: f64 = 0.02;
+
+/// No factor or pressure offset of a wing is larger: theory would say nothing of it.
+const LARGEST: f64 = 1000.0;
 
 /// An airspeed and the corrections found there.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -88,9 +92,15 @@ impl Schedule {
                     format!("force, moment and pressure_offset at {v_m_s} m/s differ in length"),
                 ));
             }
+            if !AIRSPEEDS_M_S.contains(v_m_s) {
+                let message = format!("corrections at {v_m_s:?} m/s: no wing is calibrated there");
+                return Err(InputError::in_field(path, "V_m_s", message).with_help("expected 0.1 to 340 m/s"));
+            }
             let mut values = force.iter().chain(moment).chain(pressure_offset);
-            if values.any(|value| !value.is_finite()) {
-                return Err(InputError::in_file(path, format!("a correction at {v_m_s} m/s is not finite")));
+            if let Some(value) = values.find(|value| !(-LARGEST..=LARGEST).contains(*value)) {
+                let message = format!("a correction at {v_m_s} m/s is {value:?}, beyond {LARGEST}");
+                return Err(InputError::in_file(path, message)
+                    .with_help("factors are near one and offsets near zero: calibrate again"));
             }
         }
         if schedule.sets.windows(2).any(|pair| pair[0].v_m_s >= pair[1].v_m_s) {

@@ -164,7 +164,7 @@ fn read_runs(campaign: &Campaign, wing: &ElasticWing, listed_in: &Path) -> Resul
     let mut read = Vec::with_capacity(campaign.runs.len());
     for entry in &campaign.runs {
         let path = named_file(listed_in, &entry.file)?;
-        let run = Run::read(&path)?;
+        let run = Run::read_named(&path, &campaign.columns)?;
         for (control, _) in &run.controls_rad {
             if !wing.controls.iter().any(|known| &known.name == control) {
                 let known: Vec<&str> = wing.controls.iter().map(|control| control.name.as_str()).collect();

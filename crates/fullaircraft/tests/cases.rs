@@ -99,6 +99,17 @@ fn a_grid_that_makes_no_sense_is_refused_by_its_place() {
         CasesFile::read(&file).unwrap_err().to_string()
     };
     assert!(refused("[22.0,", "[-22.0,").contains("airspeeds_V_m_s"));
+    for (from, to, said) in [
+        ("[22.0,", "[25.7,", "25.7 stands twice in `airspeeds_V_m_s`"),
+        ("[-2.0, -1.0", "[-1e9, -1.0", "-1000000000.0 in `load_factors`"),
+        ("[22.0, 25.7, 30.0, 34.0, 37.0, 40.0]", "[]", "there is no airspeed"),
+        ("angles_deg: [5.0]", "angles_deg: [500.0]", "angles up to 90 degrees"),
+    ] {
+        assert!(refused(from, to).contains(said), "{}", refused(from, to));
+    }
+    let many: Vec<String> = (0..60_000).map(|i| format!("{}", f64::from(i) / 1000.0)).collect();
+    let said = refused("[30.0, 60.0]", &format!("[{}]", many.join(", ")));
+    assert!(said.contains("cases, and 200000 are the most of a file"), "{said}");
     assert!(refused("frequency_hz: 5.0", "frequency_hz: 0.0").contains("maneuvers"));
     assert!(refused("Level,", "Levle,").contains("Levle"));
     assert!(refused("y_m: 0.45", "y_m: inf").contains("inf"));

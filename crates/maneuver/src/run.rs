@@ -1,13 +1,11 @@
 //! A measured run: inputs and loads over a uniform time, read from CSV and checked.
 
-use nastran::table::Table;
+use nastran::table::{ColumnNames, Table};
 use nastran::{InputError, Span};
 use std::path::Path;
 
-/// Single time steps may differ by this share: files print few digits (300 Hz with four decimals is 3 % off).
-const SAME_STEP: f64 = 0.05;
-/// No sample may be further than this share of a step from where a uniform step puts it.
-const DRIFT: f64 = 0.1;
+mod sampling;
+
 /// Airspeeds of runs, m/s, zero without wind: the air is taken as incompressible.
 pub const AIRSPEEDS_M_S: std::ops::RangeInclusive<f64> = 0.0..=340.0;
 /// The airspeed may stray by this share of its mean within a run (not whether two airspeeds are one: `aero::flow`).
@@ -42,10 +40,18 @@ impl Run {
     /// Reads a run.
     ///
     /// # Errors
-    /// A missing or misspelt column, a cell that is not a number, a time step that changes, an airspeed that is
-    /// not constant within 2 %, fewer than three samples.
+    /// A missing or misspelt column, a cell that is not a number, times that are no uniform sampling, an airspeed that
+    /// is not constant within 2 %, fewer than three samples.
     pub fn read(path: &Path) -> Result<Self, InputError> {
-        let table = Table::read(path)?;
+        Self::read_named(path, &ColumnNames::new())
+    }
+
+    /// Reads a run in which some columns have other names, as its campaign says.
+    ///
+    /// # Errors
+    /// As [`Run::read`].
+    pub fn read_named(path: &Path, theirs: &ColumnNames) -> Result<Self, InputError> {
+        let table = Table::read_named(path, theirs)?;
         let name = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
         Self::from_table(name, &table, path)
     }
@@ -88,7 +94,7 @@ impl Run {
         let load = |name: &str| (measured < 3 && table.has(name)).then(|| table.numbers(name)).transpose();
         Ok(Self {
             name,
-            time_step_s: time_step(&t_s, |row| table.span(row, "t_s"))?,
+            time_step_s: sampling::time_step(&t_s, |row| table.span(row, "t_s"))?,
             v_m_s: airspeed(&table.numbers("V_m_s")?, |row| table.span(row, "V_m_s"))?,
             alpha_rad: angles(table, "alpha_deg")?,
             loads: if measured == 3 {
@@ -134,39 +140,6 @@ fn angles(table: &Table, column: &str) -> Result<Vec<f64>, InputError> {
 /// NAME of `prefixNAMEsuffix`.
 fn inner<'a>(column: &'a str, prefix: &str, suffix: &str) -> Option<&'a str> {
     column.strip_prefix(prefix)?.strip_suffix(suffix).filter(|name| !name.is_empty())
-}
-
-/// The uniform time step, or the line where it changes.
-fn time_step(t_s: &[f64], span: impl Fn(usize) -> Span) -> Result<f64, InputError> {
-    let first = t_s[1] - t_s[0];
-    if first <= 0.0 {
-        return Err(InputError::at(
-            &span(1),
-            format!("time must ascend, here it goes from {} to {} s", t_s[0], t_s[1]),
-        )
-        .with_help("sort the rows by t_s"));
-    }
-    for (row, pair) in t_s.windows(2).enumerate() {
-        let step = pair[1] - pair[0];
-        if (step - first).abs() > SAME_STEP * first {
-            let message = format!("the time step changes from {first:.6} s to {step:.6} s");
-            return Err(InputError::at(&span(row + 1), message)
-                .with_help("a run has one time step throughout: resample it, or split it where it changes"));
-        }
-    }
-    let step = (t_s[t_s.len() - 1] - t_s[0]) / (t_s.len() - 1) as f64;
-    let off = |row: usize| (t_s[row] - t_s[0] - row as f64 * step).abs();
-    match (0..t_s.len()).max_by(|&a, &b| off(a).total_cmp(&off(b))) {
-        Some(row) if off(row) > DRIFT * step => {
-            let message = format!(
-                "the time step changes: this sample is {:.1} steps off a uniform one",
-                off(row) / step
-            );
-            Err(InputError::at(&span(row), message)
-                .with_help("a run has one time step throughout: resample it, or split it where it changes"))
-        }
-        _ => Ok(step),
-    }
 }
 
 /// The mean airspeed, or the line that is too far from it.

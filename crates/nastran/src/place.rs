@@ -1,6 +1,7 @@
 //! Finds where a field or a name stands in a text file, for complaints that come after parsing.
 
-use crate::source::{InputError, Span, read_text};
+use crate::source::{InputError, Span};
+use crate::text_file::{no_file, read_text};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -51,14 +52,17 @@ impl InputError {
 /// If it is not there: at the line that names it.
 pub fn named_file(named_in: &Path, name: &str) -> Result<PathBuf, InputError> {
     let path = named_in.parent().unwrap_or_else(|| Path::new("")).join(name);
-    if path.is_file() {
-        return Ok(path);
-    }
+    let (fault, help) = match std::fs::metadata(&path).map(|about| no_file(&about)) {
+        Ok(None) => return Ok(path),
+        Ok(Some((what, help))) => (format!("{} is {what}; expected a file", path.display()), help),
+        Err(_) => {
+            let fault = format!("the file {} does not exist", path.display());
+            (fault, "names of files are relative to the file they stand in")
+        }
+    };
     let text = read_text(named_in).unwrap_or_default();
     let quoted = format!("\"{name}\"");
-    let message = format!("the file {} does not exist", path.display());
-    Err(InputError::at(&place_of(&[&quoted], &text, named_in), message)
-        .with_help("names of files are relative to the file they stand in"))
+    Err(InputError::at(&place_of(&[&quoted], &text, named_in), fault).with_help(help))
 }
 
 #[cfg(test)]

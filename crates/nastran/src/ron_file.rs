@@ -1,7 +1,8 @@
 //! Reading RON files with errors that name the line, the column and the field that was probably meant.
 
-use crate::source::{InputError, Span, read_text};
+use crate::source::{InputError, Span};
 use crate::suggest::nearest;
+use crate::text_file::read_text;
 use ron::error::SpannedError;
 use ron::extensions::Extensions;
 use ron::ser::PrettyConfig;
@@ -113,8 +114,18 @@ fn explain(path: &Path, text: &str, error: &SpannedError) -> InputError {
             InputError::at(&span, format!("the field `{field}`{place} is missing"))
                 .with_help(format!("add `{field}: ...` inside the parentheses that end here"))
         }
-        code => InputError::at(&span, format!("not understood as RON: {code}"))
-            .with_help("compare with a shipped file of the same kind, such as data/tuflex/wing.ron"),
+        code => InputError::at(&span, format!("not understood as RON: {code}")).with_help(kind_of_file(code)),
+    }
+}
+
+/// What to do about a text that is no RON of this kind.
+fn kind_of_file(code: &ron::Error) -> &'static str {
+    match code {
+        ron::Error::ExpectedDifferentStructName { .. } | ron::Error::ExpectedNamedStructLike(_) => {
+            "this is a file of another kind: is it the one that was meant?"
+        }
+        ron::Error::ExceededRecursionLimit => "parentheses are nested too deep here: look for one too many",
+        _ => "look for a comma, a quote or a parenthesis too many or missing, here or just before",
     }
 }
 

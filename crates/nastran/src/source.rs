@@ -66,7 +66,7 @@ pub struct InputError {
 impl InputError {
     /// An error at a known place.
     pub fn at(span: &Span, message: impl Into<String>) -> Self {
-        Self { message: message.into(), span: Some(span.clone()), help: None }
+        Self { message: short(message.into()), span: Some(span.clone()), help: None }
     }
 
     /// An error about a file as a whole.
@@ -76,13 +76,20 @@ impl InputError {
 
     /// An error without a place (a wrong combination of options, for instance).
     pub fn general(message: impl Into<String>) -> Self {
-        Self { message: message.into(), span: None, help: None }
+        Self { message: short(message.into()), span: None, help: None }
+    }
+
+    /// The same error, about a file if it has no place yet.
+    #[must_use]
+    pub fn or_in(self, file: &Path) -> Self {
+        let span = self.span.or_else(|| Some(Span::whole_file(file)));
+        Self { span, ..self }
     }
 
     /// The same error with a hint what to do.
     #[must_use]
     pub fn with_help(mut self, help: impl Into<String>) -> Self {
-        self.help = Some(help.into());
+        self.help = Some(short(help.into()));
         self
     }
 }
@@ -102,46 +109,39 @@ impl fmt::Display for InputError {
 
 impl std::error::Error for InputError {}
 
-/// Reads a text file, or says which file could not be read and why.
-///
-/// A byte order mark at the start is dropped.
-///
-/// # Errors
-/// If the file is missing, unreadable or not UTF-8; the latter with the line.
-pub fn read_text(path: &Path) -> Result<String, InputError> {
-    let bytes = std::fs::read(path).map_err(|error| match error.kind() {
-        std::io::ErrorKind::NotFound => InputError::in_file(path, "the file does not exist")
-            .with_help("check the path; relative paths start from the folder the command runs in"),
-        _ if path.is_dir() => InputError::in_file(path, "this is a folder; expected a text file")
-            .with_help("name the file in it"),
-        _ => InputError::in_file(path, format!("the file cannot be read: {error}"))
-            .with_help("it must be a text file (UTF-8) that you may read"),
-    })?;
-    decode(path, bytes)
+/// Longest word and longest sentence of a message, in characters: what is quoted from a file may be of any length.
+const LONGEST: (usize, usize) = (120, 700);
+
+/// A message with quotations that are too long cut in their middle.
+fn short(message: String) -> String {
+    let (word, sentence) = LONGEST;
+    if message.len() <= word {
+        return message;
+    }
+    let words: Vec<String> = message.split(' ').map(|text| cut(text, word)).collect();
+    cut(&words.join(" "), sentence)
 }
 
-/// The text of a file's bytes.
-fn decode(path: &Path, bytes: Vec<u8>) -> Result<String, InputError> {
-    if bytes.starts_with(&[0xFF, 0xFE]) || bytes.starts_with(&[0xFE, 0xFF]) {
-        return Err(InputError::in_file(path, "the file is in UTF-16; expected UTF-8 or plain ASCII")
-            .with_help("save it again as UTF-8"));
+/// A text of at most so many characters (and three dots), its middle left out.
+fn cut(text: &str, most: usize) -> String {
+    let count = text.chars().count();
+    if count <= most {
+        return text.to_owned();
     }
-    let text = String::from_utf8(bytes).map_err(|error| {
-        let good = error.utf8_error().valid_up_to();
-        let before = String::from_utf8_lossy(&error.as_bytes()[..good]).into_owned();
-        let line = before.matches('\n').count() + 1;
-        let column = before.rsplit('\n').next().unwrap_or("").chars().count() + 1;
-        let place = Span::new(&Arc::new(path.to_path_buf()), line, column, column + 1);
-        let message = format!("byte {:#04X} is not UTF-8", error.as_bytes()[good]);
-        InputError::at(&place, message).with_help(
-            "save the file as UTF-8; letters such as umlauts in an older encoding are the usual cause",
-        )
-    })?;
-    if let Some(at) = text.find('\0') {
-        let line = text[..at].matches('\n').count() + 1;
-        let place = Span::new(&Arc::new(path.to_path_buf()), line, 0, 0);
-        return Err(InputError::at(&place, "the file has zero bytes, so it is no text file in UTF-8")
-            .with_help("UTF-16 without a mark at its start is a usual cause; save it again as UTF-8"));
+    let (start, end) = (text.chars().take(most / 2), text.chars().skip(count - most / 2));
+    start.chain("...".chars()).chain(end).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_long_quotation_is_cut_in_its_middle() {
+        let error = InputError::general(format!("`{}` is no number", "9".repeat(200_000)));
+        assert!(error.message.len() < 150 && error.message.contains("99...99"), "{error}");
+        assert!(error.message.ends_with("` is no number"), "{error}");
+        let error = error.with_help("ä ".repeat(100_000));
+        assert!(error.help.is_some_and(|help| help.chars().count() <= 703));
     }
-    Ok(text.strip_prefix('\u{FEFF}').map(str::to_owned).unwrap_or(text))
 }

@@ -1,14 +1,24 @@
 //! CSV tables with a header line: cells by column name, and errors that name the cell.
 //!
-//! Cells are separated by commas and may be quoted (`"a, b"`, `""` for a quote inside); a cell stays on its
-//! line. Blank lines and lines starting with `#` are skipped. The lines are cut here and not by the `csv`
-//! crate because every cell must know its columns.
+//! Cells are separated by commas, or, if the header has them, by tabs or semicolons; then numbers may have decimal
+//! commas. Cells may be quoted (`"a, b"`, `""` for a quote inside) and stay on their line. Blank lines, lines starting
+//! with `#`, and a first line such as `sep=;` are skipped. The lines are cut here and not by the `csv` crate because every
+//! cell must know its columns. Encodings are `text_file`'s business.
 
-use crate::source::{InputError, Span, read_text};
-use crate::suggest::nearest;
-use std::collections::HashSet;
+mod cells;
+mod headers;
+
+use crate::memory;
+use crate::source::{InputError, Span};
+use crate::text_file::read_text;
+use cells::{Cell, decimal, is_decimal_comma, is_separator_line, separator, split};
+use headers::meant;
+use std::collections::{BTreeMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+
+/// What a cell takes in memory, bytes: its text and its place.
+const MEMORY_A_CELL: f64 = 100.0;
 
 /// A table in memory. Rows are counted from zero, without header and comments.
 #[derive(Debug, Clone)]
@@ -16,13 +26,14 @@ pub struct Table {
     file: Arc<PathBuf>,
     header: Vec<Cell>,
     rows: Vec<Vec<Cell>>,
+    /// What the file calls columns, by the name they have here.
+    theirs: ColumnNames,
+    /// The first number with a decimal comma: then a point could only part thousands.
+    comma: Option<Span>,
 }
 
-#[derive(Debug, Clone)]
-struct Cell {
-    text: String,
-    span: Span,
-}
+/// What a file calls columns that have another name here: our name to theirs.
+pub type ColumnNames = BTreeMap<String, String>;
 
 impl Table {
     /// Reads a CSV file.
@@ -30,7 +41,15 @@ impl Table {
     /// # Errors
     /// If the file cannot be read, has no header, or a row's cells do not match the header's.
     pub fn read(path: &Path) -> Result<Self, InputError> {
-        Self::parse_at(path, &read_text(path)?)
+        Self::read_named(path, &ColumnNames::new())
+    }
+
+    /// Reads a CSV file in which some columns have other names.
+    ///
+    /// # Errors
+    /// As [`Table::read`].
+    pub fn read_named(path: &Path, theirs: &ColumnNames) -> Result<Self, InputError> {
+        Self::parse_at(path, &read_text(path)?, theirs)
     }
 
     /// Parses CSV text; `name` is the file name that errors give.
@@ -38,29 +57,47 @@ impl Table {
     /// # Errors
     /// If there is no header, a column name is empty or occurs twice, or a row's cells do not match the header's.
     pub fn parse(name: &str, text: &str) -> Result<Self, InputError> {
-        Self::parse_at(Path::new(name), text)
+        Self::parse_at(Path::new(name), text, &ColumnNames::new())
     }
 
-    fn parse_at(path: &Path, text: &str) -> Result<Self, InputError> {
+    fn parse_at(path: &Path, text: &str, theirs: &ColumnNames) -> Result<Self, InputError> {
         let file = Arc::new(path.to_path_buf());
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let mut lines = Vec::new();
-        for (index, line) in text.lines().enumerate() {
+        let lines = text.lines().enumerate().filter(|(index, line)| {
             let start = line.trim_start();
-            if !start.is_empty() && !start.starts_with('#') {
-                lines.push(split(&file, index + 1, line)?);
-            }
-        }
-        let mut lines = lines.into_iter();
-        let header = lines.next().ok_or_else(|| {
+            !(start.is_empty() || start.starts_with('#') || *index == 0 && is_separator_line(line))
+        });
+        let mut lines = lines.map(|(index, line)| (index + 1, line));
+        let (number, first) = lines.next().ok_or_else(|| {
             InputError::in_file(path, "the table is empty").with_help("the first line must name the columns")
         })?;
-        check_header(&header)?;
-        let rows: Vec<Vec<Cell>> = lines.collect();
-        for row in &rows {
-            check_row(row, &header)?;
+        let between = separator(first);
+        let cells = text.chars().filter(|&c| c == between || c == '\n').count();
+        memory::demand(&format!("the {cells} cells of this table"), MEMORY_A_CELL * cells as f64).map_err(
+            |error| {
+                InputError::in_file(path, error.message).with_help("split it, or keep what is needed of it")
+            },
+        )?;
+        let mut header = split(&file, number, first, between)?;
+        for (ours, name) in theirs {
+            for cell in header.iter_mut().filter(|cell| cell.text == *name) {
+                cell.text.clone_from(ours);
+            }
         }
-        Ok(Self { file, header, rows })
+        check_header(&header)?;
+        let mut rows = Vec::new();
+        for (number, line) in lines {
+            let row = split(&file, number, line, between)?;
+            check_row(&row, &header)?;
+            rows.push(row);
+        }
+        let comma = if between == ',' {
+            None
+        } else {
+            rows.iter().flatten().find(|cell| is_decimal_comma(&cell.text))
+        };
+        let comma = comma.map(|cell| cell.span.clone());
+        Ok(Self { file, header, rows, theirs: theirs.clone(), comma })
     }
 
     /// The column names, in the file's order.
@@ -104,9 +141,10 @@ impl Table {
                     format!("unknown column `{}`; expected {expected}", cell.text),
                 );
                 let words = expected.split([',', ' ']).map(|word| word.trim_matches('`'));
-                return Err(match nearest(&cell.text, words.filter(|word| !word.is_empty())) {
-                    Some(name) => error.with_help(format!("did you mean `{name}`?")),
-                    None => error,
+                let words = words.filter(|word| !word.is_empty() && *word != "or");
+                return Err(match meant(&cell.text, words) {
+                    Some((name, unit)) => error.with_help(format!("did you mean `{name}`?{unit}")),
+                    None => error.with_help("take the column out, or give it the name of what it holds"),
                 });
             }
         }
@@ -119,18 +157,27 @@ impl Table {
     /// If the row or column does not exist, or the cell is empty, not a number or not finite.
     pub fn number(&self, row: usize, column: &str) -> Result<f64, InputError> {
         let cell = self.cell(row, column)?;
+        let named = self.named(column);
         if cell.text.is_empty() {
             return Err(InputError::at(
                 &cell.span,
-                format!("column `{column}` is empty here; expected a number"),
+                format!("column {named} is empty here; expected a number"),
             )
             .with_help("fill the cell, or take the row out"));
         }
-        match cell.text.parse::<f64>() {
-            Ok(value) if value.is_finite() => Ok(value),
-            _ => Err(InputError::at(
+        if let Some(comma) = self.comma.as_ref().filter(|_| cell.text.contains('.')) {
+            let message = format!(
+                "`{}` in column {named} has a point, and line {} a decimal comma",
+                cell.text, comma.line
+            );
+            return Err(InputError::at(&cell.span, message)
+                .with_help("a file has decimal points or decimal commas, and nothing between thousands"));
+        }
+        match decimal(&cell.text, self.comma.is_some()).filter(|value| value.is_finite()) {
+            Some(value) => Ok(value),
+            None => Err(InputError::at(
                 &cell.span,
-                format!("`{}` in column `{column}` is not a finite number", cell.text),
+                format!("`{}` in column {named} is not a finite number", cell.text),
             )
             .with_help("write a number such as 1.5 or -2e-3, or take the row out")),
         }
@@ -169,16 +216,24 @@ impl Table {
 
     fn index(&self, column: &str) -> Result<usize, InputError> {
         self.header.iter().position(|cell| cell.text == column).ok_or_else(|| {
-            let error =
-                InputError::at(&whole_line(&self.header), format!("the column `{column}` is missing"));
-            match nearest(column, self.columns()) {
-                Some(name) => error.with_help(format!("is `{name}` meant to be `{column}`?")),
-                None => error.with_help(format!(
-                    "the columns here are {}",
-                    self.columns().collect::<Vec<_>>().join(", ")
-                )),
-            }
+            let error = InputError::at(
+                &whole_line(&self.header),
+                format!("the column {} is missing", self.named(column)),
+            );
+            let unknown = self.columns().filter(|name| !self.theirs.contains_key(*name));
+            error.with_help(match meant(column, unknown) {
+                Some((name, unit)) => format!("is `{name}` meant to be `{column}`?{unit}"),
+                None => format!("the columns here are {}", self.columns().collect::<Vec<_>>().join(", ")),
+            })
         })
+    }
+
+    /// A column's name in quotes, with the file's own if that is another.
+    fn named(&self, column: &str) -> String {
+        match self.theirs.get(column) {
+            Some(theirs) => format!("`{column}` (here `{theirs}`)"),
+            None => format!("`{column}`"),
+        }
     }
 }
 
@@ -192,10 +247,12 @@ fn check_header(header: &[Cell]) -> Result<(), InputError> {
     let mut names = HashSet::new();
     for cell in header {
         if cell.text.is_empty() {
-            return Err(InputError::at(&cell.span, "this column has no name"));
+            return Err(InputError::at(&cell.span, "this column has no name")
+                .with_help("name it, or take it out (a separator at the end of a line begins a column)"));
         }
         if !names.insert(&cell.text) {
-            return Err(InputError::at(&cell.span, format!("the column `{}` occurs twice", cell.text)));
+            return Err(InputError::at(&cell.span, format!("the column `{}` occurs twice", cell.text))
+                .with_help("take one of them out"));
         }
     }
     Ok(())
@@ -206,43 +263,9 @@ fn check_row(row: &[Cell], header: &[Cell]) -> Result<(), InputError> {
         return Ok(());
     }
     let message = format!("this row has {} cells, the header has {}", row.len(), header.len());
-    Err(InputError::at(&whole_line(row), message).with_help("empty cells still need their commas"))
-}
-
-/// Cuts a line into cells; at least one.
-fn split(file: &Arc<PathBuf>, line: usize, text: &str) -> Result<Vec<Cell>, InputError> {
-    let characters: Vec<char> = text.chars().collect();
-    let mut cells = Vec::new();
-    let mut start = 0;
-    let mut quoted = false;
-    for position in 0..=characters.len() {
-        let at_end = position == characters.len();
-        if !at_end && characters[position] == '"' {
-            quoted = !quoted;
-        }
-        if at_end || (characters[position] == ',' && !quoted) {
-            cells.push(cell(file, line, &characters, start..position));
-            start = position + 1;
-        }
-    }
-    if quoted {
-        let last = &cells[cells.len() - 1].span;
-        return Err(
-            InputError::at(last, "a quoted cell does not end on its line").with_help("add the closing \"")
-        );
-    }
-    Ok(cells)
-}
-
-fn cell(file: &Arc<PathBuf>, line: usize, characters: &[char], range: std::ops::Range<usize>) -> Cell {
-    let raw = &characters[range.clone()];
-    let blanks = raw.iter().take_while(|c| c.is_whitespace()).count();
-    let trimmed: String = raw.iter().collect::<String>().trim().to_owned();
-    let column = if trimmed.is_empty() { range.start } else { range.start + blanks } + 1;
-    let width = trimmed.chars().count().max(1);
-    let text = match trimmed.strip_prefix('"').and_then(|rest| rest.strip_suffix('"')) {
-        Some(inner) => inner.replace("\"\"", "\""),
-        None => trimmed,
-    };
-    Cell { text, span: Span::new(file, line, column, column + width) }
+    Err(InputError::at(&whole_line(row), message).with_help(if row.len() > header.len() {
+        "numbers with decimal commas need semicolons or tabs between the cells, in the header, too"
+    } else {
+        "empty cells still need their commas"
+    }))
 }

@@ -72,12 +72,55 @@ fn tables_of_the_wrong_shape_are_refused() {
         error("a,b\n1\n"),
         "t.csv:2: this row has 1 cells, the header has 2 (hint: empty cells still need their commas)"
     );
-    assert_eq!(error("a,b,a\n"), "t.csv:1:5: the column `a` occurs twice");
-    assert_eq!(error("a,,b\n"), "t.csv:1:3: this column has no name");
+    assert_eq!(error("a,b,a\n"), "t.csv:1:5: the column `a` occurs twice (hint: take one of them out)");
+    assert!(error("a,,b\n").starts_with("t.csv:1:3: this column has no name"));
+    assert!(error("a,b\n1,5,2,5\n").contains("decimal commas need semicolons or tabs"));
     assert_eq!(
         error("a,b\n1,\"2\n"),
         "t.csv:2:3: a quoted cell does not end on its line (hint: add the closing \")"
     );
+}
+
+#[test]
+fn semicolons_and_tabs_part_cells_and_then_commas_are_decimal() {
+    for text in [
+        "\u{feff}V_m_s;alpha_deg;block\r\n# ;\r\n18,5;-1;a,b\r\n20;2e-1;\r\n",
+        "sep=;\r\nV_m_s;alpha_deg;block\r\n\r\n18,5;-1;\"a,b\"\r\n20;0,2;\r\n",
+        "V_m_s\talpha_deg\tblock\n\n18,5\t-1\ta,b\n20\t0,2\t\n",
+    ] {
+        let table = Table::parse("t.csv", text).expect("a good table");
+        assert_eq!(table.numbers("V_m_s"), Ok(vec![18.5, 20.0]), "{text}");
+        assert_eq!(table.numbers("alpha_deg"), Ok(vec![-1.0, 0.2]), "{text}");
+        assert_eq!(table.text(0, "block"), Ok("a,b"));
+        assert_eq!(table.span(0, "alpha_deg").to_string().rsplit(':').next(), Some("6"), "{text}");
+    }
+    let points = Table::parse("t.csv", "a;b\n1.5;2.5\n").expect("a good table");
+    assert_eq!(points.numbers("b"), Ok(vec![2.5]));
+    let mixed = Table::parse("t.csv", "a;b\n1,5;2\n1.234;2\n").expect("a good table");
+    assert_eq!(
+        message(&mixed.numbers("a").unwrap_err()),
+        "t.csv:3:1: `1.234` in column `a` has a point, and line 2 a decimal comma (hint: a file has decimal points or \
+         decimal commas, and nothing between thousands)"
+    );
+    let quoted = Table::parse("t.csv", "a,b\n\"1,234\",2\n").expect("a good table");
+    assert!(quoted.number(0, "a").is_err(), "a comma between commas may part thousands");
+}
+
+#[test]
+fn columns_of_other_names_are_taken_and_named_both_ways() {
+    let folder = std::env::temp_dir().join(format!("wingroot-columns-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a temporary folder");
+    let path = folder.join("t.csv");
+    std::fs::write(&path, "speed [m/s],alpha_deg\n1,2\nx,3\n").expect("a temporary file");
+    let theirs = |name: &str| std::iter::once(("V_m_s".to_owned(), name.to_owned())).collect();
+    let table = Table::read_named(&path, &theirs("speed [m/s]")).expect("a good table");
+    assert_eq!(table.number(0, "V_m_s"), Ok(1.0));
+    let said = message(&table.numbers("V_m_s").unwrap_err());
+    assert!(said.contains("t.csv:3:1: `x` in column `V_m_s` (here `speed [m/s]`)"), "{said}");
+    let table = Table::read_named(&path, &theirs("speed")).expect("a table");
+    let said = message(&table.require(&["V_m_s"]).unwrap_err());
+    assert!(said.contains("the column `V_m_s` (here `speed`) is missing"), "{said}");
+    std::fs::remove_dir_all(&folder).expect("the temporary folder");
 }
 
 #[derive(Debug, Deserialize)]

@@ -1,14 +1,16 @@
 //! Curves of a figure as CSV: for every panel a column of abscissae and one for each curve; curves that share their
-//! abscissae share the column, and short columns end in empty cells.
+//! abscissae share the column, and short columns end in empty cells. No two columns have the same head.
 
 use crate::figure::Figure;
+use std::collections::BTreeMap;
 
 /// A column: head and values.
 type Column<'a> = (String, &'a [f64]);
 
 impl Figure {
-    /// All curves in full as CSV. Heads are `PANEL: LABEL` for abscissae (a panel's title only if it has one) and
-    /// `PANEL: NAME LABEL` for curves; what is not finite is empty.
+    /// All curves in full as CSV. Heads are `PANEL: LABEL` for abscissae (a panel's title only if it has one), `PANEL: LABEL
+    /// of NAME` with the first curve over them where there are several of a label, and `PANEL: NAME LABEL` for curves;
+    /// what would still be the same is numbered, `... (2)`. What is not finite is empty.
     pub fn csv(&self) -> String {
         let columns = self.columns_of_curves();
         let heads: Vec<String> = columns.iter().map(|column| quoted(&column.0)).collect();
@@ -26,7 +28,7 @@ impl Figure {
     }
 
     fn columns_of_curves(&self) -> Vec<Column<'_>> {
-        let mut columns: Vec<Column<'_>> = Vec::new();
+        let mut columns: Vec<(Column<'_>, Option<&str>)> = Vec::new();
         let mut last: Option<(&[f64], String)> = None;
         for panel in &self.panels {
             let of = |text: &str| {
@@ -35,14 +37,34 @@ impl Figure {
             for series in &panel.series {
                 let head = of(&panel.x_label);
                 if last.as_ref().is_none_or(|(x, known)| *x != series.x || *known != head) {
-                    columns.push((head.clone(), &series.x));
+                    columns.push(((head.clone(), &series.x), Some(&series.name)));
                     last = Some((&series.x, head));
                 }
-                columns.push((of(&format!("{} {}", series.name, panel.y_label)), &series.y));
+                columns.push(((of(&format!("{} {}", series.name, panel.y_label)), &series.y), None));
             }
         }
-        columns
+        told_apart(columns)
     }
+}
+
+/// The columns with heads that occur once each; abscissae come with the name of the first curve over them.
+fn told_apart<'a>(columns: Vec<(Column<'a>, Option<&str>)>) -> Vec<Column<'a>> {
+    let mut uses = BTreeMap::new();
+    for ((head, _), _) in &columns {
+        *uses.entry(head.clone()).or_insert(0) += 1;
+    }
+    let mut written: BTreeMap<String, usize> = BTreeMap::new();
+    let named = columns.into_iter().map(|((head, values), over)| match over {
+        Some(name) if uses[&head] > 1 && !name.is_empty() => (format!("{head} of {name}"), values),
+        _ => (head, values),
+    });
+    named
+        .map(|(head, values)| {
+            let count = written.entry(head.clone()).or_insert(0);
+            *count += 1;
+            if *count == 1 { (head, values) } else { (format!("{head} ({count})"), values) }
+        })
+        .collect()
 }
 
 /// Nine significant digits, without trailing zeros.
@@ -84,9 +106,25 @@ mod tests {
                 ),
             ],
         };
-        let expected = "30 m/s: t (s),\"30 m/s: a, b Fz (N)\",30 m/s: c Fz (N),30 m/s: c My (N m),30 m/s: t (s),\
-                        30 m/s: d My (N m)\n\
+        let expected = "\"30 m/s: t (s) of a, b\",\"30 m/s: a, b Fz (N)\",30 m/s: c Fz (N),30 m/s: c My (N m),\
+                        30 m/s: t (s) of d,30 m/s: d My (N m)\n\
                         0,1,2,4,0.5,6\n1,,3,5.12345679,,\n";
         assert_eq!(figure.csv(), expected);
+    }
+
+    #[test]
+    fn no_two_columns_have_the_same_head() {
+        let of = |name: &str, x: f64| Series::new(name, vec![x], vec![x], Style::Line);
+        let panel = || Panel {
+            title: String::new(),
+            x_label: "t (s)".into(),
+            y_label: "y".into(),
+            series: vec![of("a", 0.0), of("a", 1.0), of("", 2.0), of("", 3.0)],
+        };
+        let text = Figure { title: String::new(), columns: 1, panels: vec![panel(), panel()] }.csv();
+        let heads: Vec<&str> = text.lines().next().unwrap_or_default().split(',').collect();
+        let all: std::collections::BTreeSet<&str> = heads.iter().copied().collect();
+        assert_eq!((heads.len(), all.len()), (16, 16), "{heads:?}");
+        assert_eq!(heads[..4], ["t (s) of a", "a y", "t (s) of a (2)", "a y (2)"]);
     }
 }

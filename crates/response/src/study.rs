@@ -67,6 +67,9 @@ pub struct TableStudy {
     pub effects: Option<EffectsStudy>,
 }
 
+/// Highest order of all products; there are too many of the next.
+const HIGHEST_ORDER: u32 = 9;
+
 /// Two-level effects of a table.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -150,6 +153,11 @@ impl TableStudy {
             if names.is_empty() {
                 return Err(InputError::at(&place(field)?, "no column is named here"));
             }
+        }
+        if let Some(order) = self.order.filter(|order| *order > HIGHEST_ORDER) {
+            let message = format!("order is {order}, expected 0 to {HIGHEST_ORDER}");
+            return Err(InputError::at(&place("order:")?, message)
+                .with_help("name single terms of higher order in `terms`"));
         }
         for text in &self.terms {
             let quoted = format!("\"{text}\"");

@@ -207,6 +207,11 @@ impl TunnelFile {
                 "write small numbers for a quiet balance",
             ),
             (
+                sample.iter().chain(static_point.iter()).chain(offsets.iter()).all(|s| *s <= 1e6),
+                "a standard deviation is beyond a million",
+                "loads are in N and N m",
+            ),
+            (
                 offsets.iter().chain([&statics.tip_z_sigma_m]).all(|s| s.is_finite() && *s >= 0.0),
                 "a standard deviation is negative or not a number",
                 "zero is allowed here",
@@ -214,7 +219,7 @@ impl TunnelFile {
         ];
         let broken = rules.into_iter().find(|(holds, ..)| !holds);
         let fault = broken.map(|(_, what, help)| (what.to_owned(), help));
-        fault.or_else(|| self.run_fault()).or_else(|| self.section_fault())
+        fault.or_else(|| self.size_fault()).or_else(|| self.run_fault()).or_else(|| self.section_fault())
     }
 
     /// The first thing about runs that cannot be.

@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod campaign;
+mod check;
 mod comparison;
 mod curvature;
 mod file;

@@ -89,6 +89,7 @@ impl Truth {
             structure.elements = beam.elements;
             file.damping_ratio = beam.damping_ratio;
         }
+        planform.checked(&tunnel.path)?;
         let mut bulk = file.bulk(Mount::Tunnel)?;
         if let (Some(planform), Some(beam)) = (file.planform(), &tunnel.truth.beam) {
             change_beam(&mut bulk, planform, beam);

@@ -12,6 +12,22 @@ use nastran::InputError;
 
 use crate::paths;
 
+/// A whole number above zero, `MOST` at most.
+pub(crate) fn whole<const MOST: usize>(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(number) if (1..=MOST).contains(&number) => Ok(number),
+        _ => Err(format!("expected a whole number from 1 to {MOST}")),
+    }
+}
+
+/// An airspeed, m/s.
+pub(crate) fn airspeed(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(v_m_s) if calibrate::campaign::AIRSPEEDS_M_S.contains(&v_m_s) => Ok(v_m_s),
+        _ => Err("expected an airspeed from 0.1 to 340 m/s".into()),
+    }
+}
+
 /// A wing and measurements of it.
 #[derive(Debug, Clone, Default, Args)]
 pub struct Measured {

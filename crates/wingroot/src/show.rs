@@ -132,10 +132,12 @@ fn explained(error: &InputError) -> Vec<u8> {
     text
 }
 
+/// The most characters of a source line that are shown.
+const WIDEST: usize = 160;
+
 /// The source line with the place underlined; none if the place is no line of a readable file.
 fn snippet(span: &Span) -> Option<Vec<u8>> {
-    let source = std::fs::read_to_string(span.file.as_path()).ok()?;
-    let range = byte_range(&source, span)?;
+    let (source, range) = excerpt(&nastran::read_text(span.file.as_path()).ok()?, span)?;
     let file = SimpleFile::new(span.file.display().to_string(), source);
     let diagnostic: Diagnostic<()> = Diagnostic::error().with_labels(vec![Label::primary((), range)]);
     let mut buffer = Buffer::ansi();
@@ -149,17 +151,23 @@ fn snippet(span: &Span) -> Option<Vec<u8>> {
     Some(kept)
 }
 
-/// Bytes of the place in the source; columns count characters from one, and a column of zero is the whole line.
-fn byte_range(source: &str, span: &Span) -> Option<Range<usize>> {
-    let line = source.split_inclusive('\n').nth(span.line.checked_sub(1)?)?;
-    let start: usize = source.split_inclusive('\n').take(span.line - 1).map(str::len).sum();
-    let content = line.trim_end_matches(['\n', '\r']);
-    let at = |column: usize| {
-        content.char_indices().nth(column.saturating_sub(1)).map_or(content.len(), |(offset, _)| offset)
-    };
-    let (from, to) =
-        if span.column == 0 { (0, content.len()) } else { (at(span.column), at(span.end_column)) };
-    Some(start + from..start + to.max(from))
+/// The line of the place under its number, cut to [`WIDEST`] characters about the place, and the bytes of the place in it;
+/// columns count characters from one, and a column of zero is the whole line.
+fn excerpt(source: &str, span: &Span) -> Option<(String, Range<usize>)> {
+    let before = span.line.checked_sub(1)?;
+    let line: Vec<char> = source.lines().nth(before)?.chars().collect();
+    let whole = span.column == 0;
+    let from = if whole { 0 } else { (span.column - 1).min(line.len()) };
+    let to = if whole { line.len() } else { (span.end_column - 1).clamp(from, line.len()) };
+    let first = if line.len() <= WIDEST { 0 } else { from.saturating_sub(WIDEST / 4) };
+    let last = line.len().min(first + WIDEST);
+    let part = |range: Range<usize>| line[range].iter().collect::<String>();
+    let mut text = "\n".repeat(before) + if first > 0 { "..." } else { "" };
+    let start = text.len() + part(first..from).len();
+    let end = start + part(from..to.min(last)).len();
+    text += &part(first..last);
+    text += if last < line.len() { "...\n" } else { "\n" };
+    Some((text, start..end))
 }
 
 #[cfg(test)]
@@ -202,6 +210,18 @@ mod tests {
         let error = InputError::in_file(std::path::Path::new("no/such.ron"), "the file does not exist");
         assert_eq!(plain(&error), b"error: no/such.ron: the file does not exist\n");
         let span = Span { line: 99, ..Span::generated("x") };
-        assert_eq!(byte_range("one line", &span), None);
+        assert_eq!(excerpt("one line", &span), None);
+    }
+
+    #[test]
+    fn of_a_long_line_the_place_is_shown() {
+        let line = format!("{}ä!ö{}", "é".repeat(1000), "x".repeat(200_000));
+        let span = Span { line: 2, column: 1002, end_column: 1003, ..Span::generated("a.csv") };
+        let (text, range) = excerpt(&format!("\r\n{line}\r\n"), &span).unwrap();
+        assert_eq!((&text[range], text.chars().count()), ("!", 1 + 3 + WIDEST + 3 + 1));
+        assert!(text.starts_with("\n...é") && text.ends_with("xx...\n"), "{text}");
+        let whole = Span { column: 0, end_column: 0, ..span };
+        let (text, range) = excerpt(&format!("\r\n{line}"), &whole).unwrap();
+        assert_eq!(text[range].chars().count(), WIDEST);
     }
 }

@@ -46,8 +46,12 @@ impl Structure {
         if let Some(cards) = bulk.unread_cards() {
             show::note(&format!("cards that are not read: {cards}"));
         }
-        let model = Model::from_bulk(&bulk)?;
-        let system = System::assemble(&model)?;
+        let model = Model::from_bulk(&bulk).map_err(|error| error.or_in(&path))?;
+        if model.elements().next().is_none() {
+            let error = InputError::in_file(&path, "there is no structure: no element");
+            return Err(error.with_help("a structure has beams, shells, springs or masses").into());
+        }
+        let system = System::assemble(&model).map_err(|error| error.or_in(&path))?;
         Ok(Self { name, path, bulk, model, system })
     }
 }

@@ -99,6 +99,7 @@ pub(crate) fn campaign(points: Vec<StaticPoint>, noise: Option<Noise>) -> Campai
         tip: TipReading::Unused,
         sets: Sets::EachAirspeed,
         points,
+        columns: nastran::table::ColumnNames::new(),
         runs: Vec::new(),
     }
 }

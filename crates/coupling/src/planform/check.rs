@@ -3,6 +3,7 @@
 use super::point_mass::check_masses;
 use super::{BeamStructure, Control, Fairing, Planform};
 use nastran::{InputError, Span};
+use std::path::Path;
 
 /// Something wrong in a wing file, with the text that leads to its place there.
 #[derive(Debug)]
@@ -58,6 +59,15 @@ pub(crate) fn count(field: &str, value: usize, low: usize, high: usize) -> Resul
 }
 
 impl Planform {
+    /// Checks every number and name of a planform that was changed by a file.
+    ///
+    /// # Errors
+    /// At the field's place in that file, or about the file.
+    pub fn checked(&self, path: &Path) -> Result<(), InputError> {
+        let text = nastran::read_text(path).unwrap_or_default();
+        self.check().map_err(|fault| fault.at(&nastran::place_of(&[&fault.anchor], &text, path)))
+    }
+
     /// Checks every number and name; files are checked when they are read.
     pub(crate) fn check(&self) -> Result<(), Fault> {
         positive("semispan_m", self.semispan_m)?;

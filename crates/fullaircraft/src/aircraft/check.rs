@@ -20,9 +20,12 @@ impl PartFault {
 /// Shorter gusts than this are not resolved by the stations at which a gust is known.
 const SHORTEST_GUST_M: f64 = 0.5;
 
+/// Masses, densities and frequencies of aircraft are below.
+const LARGEST: f64 = 1e6;
+
 impl AircraftFile {
-    /// Refuses numbers that make no sense.
-    pub(crate) fn check(&self) -> Result<(), InputError> {
+    /// Numbers that stand alone.
+    fn check_numbers(&self) -> Result<(), InputError> {
         let positive = [
             ("correction_airspeed_m_s", self.correction_airspeed_m_s),
             ("rho_kg_m3", self.rho_kg_m3),
@@ -45,7 +48,21 @@ impl AircraftFile {
             ("push_down.pitch_rate_deg_s", self.push_down.pitch_rate_deg_s),
         ];
         self.refuse(&positive, |value| value.is_finite() && value > 0.0, "a number above zero")?;
-        self.refuse(&finite, f64::is_finite, "a finite number")?;
+        let bounded = [
+            ("rho_kg_m3", self.rho_kg_m3),
+            ("total.mass_kg", self.total.mass_kg),
+            ("actuator.frequency_hz", self.actuator.frequency_hz),
+            ("modes_up_to_hz", self.modes_up_to_hz),
+        ];
+        self.refuse(&bounded, |value| value <= LARGEST, "a number below a million")?;
+        let ratio = [("actuator.damping_ratio", self.actuator.damping_ratio)];
+        self.refuse(&ratio, |value| value <= 10.0, "a share of critical damping, 10 at most")?;
+        self.refuse(&finite, f64::is_finite, "a finite number")
+    }
+
+    /// Refuses numbers that make no sense.
+    pub(crate) fn check(&self) -> Result<(), InputError> {
+        self.check_numbers()?;
         if let Some(line) = self.thrust_line {
             let (x, y, z) = line.point_m;
             let numbers = [x, y, z, line.up_deg].map(|value| ("thrust_line", value));

@@ -1,6 +1,5 @@
 //! The RON file of a grid of flight cases: airspeeds, load factors, maneuvers and where loads are monitored.
 
-use crate::flight::small_motions::TIME_STEP_S;
 use crate::trim::maneuvers::Steady;
 use coupling::wing_file::StationAt;
 use maneuver::motion::{MotionOr, MotionSpec, Others};
@@ -95,24 +94,13 @@ impl CasesFile {
     pub fn read(path: &Path) -> Result<Self, InputError> {
         let mut file: Self = ron_file::read(path)?;
         file.path = path.to_path_buf();
-        let positive = |value: &f64| value.is_finite() && *value > 0.0;
-        file.refuse("airspeeds_V_m_s", file.airspeeds_v_m_s.iter().all(positive), "airspeeds above zero")?;
-        file.refuse("load_factors", file.load_factors.iter().all(|n| n.is_finite()), "finite numbers")?;
         let points = file.stations.iter().flat_map(|at| [Some(at.y_m), at.x_m, at.z_m]).flatten();
-        file.refuse("stations", points.into_iter().all(f64::is_finite), "finite places")?;
-        let right = file.maneuvers.iter().all(is_possible);
-        file.refuse("maneuvers", right, "finite numbers, frequencies and durations above zero")?;
-        let any = !file.airspeeds_v_m_s.is_empty() && !file.actions().is_empty();
-        file.refuse("maneuvers", any, "at least one airspeed and one maneuver (`Pull` needs load factors)")?;
-        Ok(file)
-    }
-
-    fn refuse(&self, field: &str, right: bool, expected: &str) -> Result<(), InputError> {
-        if right {
-            return Ok(());
+        if !points.into_iter().all(f64::is_finite) {
+            return Err(InputError::in_field(path, "stations", "a place of `stations` is not finite")
+                .with_help("expected metres"));
         }
-        Err(InputError::in_field(&self.path, field, format!("`{field}` makes no sense here"))
-            .with_help(format!("expected {expected}")))
+        file.check()?;
+        Ok(file)
     }
 
     /// What is flown at each airspeed, in the file's order.
@@ -122,24 +110,6 @@ impl CasesFile {
             Maneuver::Other(trims) => trims.all(&self.load_factors).into_iter().map(Action::Steady).collect(),
         };
         self.maneuvers.iter().flat_map(of).collect()
-    }
-}
-
-fn is_possible(maneuver: &Maneuver) -> bool {
-    let finite = |values: &[f64]| values.iter().all(|value| value.is_finite());
-    match maneuver {
-        Maneuver::Motion(motion) => {
-            motion.control().is_some()
-                && motion.fault(1.0 / TIME_STEP_S).is_none()
-                && motion.record_s() > 0.0
-                && motion.record_s() <= 600.0
-        }
-        Maneuver::Other(Trims::Level | Trims::Pull | Trims::Turn { .. }) => true,
-        Maneuver::Other(Trims::Roll { rates_deg_s, .. }) => finite(rates_deg_s),
-        Maneuver::Other(Trims::Sideslip { angles_deg, .. }) => finite(angles_deg),
-        Maneuver::Other(Trims::Trim { given, targets, .. }) => {
-            given.values().chain(targets.values()).all(|x| x.is_finite())
-        }
     }
 }
 

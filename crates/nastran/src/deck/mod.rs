@@ -14,7 +14,8 @@ use crate::bulk_data::{BulkData, Unread};
 use crate::card::line::Line;
 use crate::card::{Card, lists};
 use crate::cards::CornerThickness;
-use crate::source::{InputError, Span, read_text};
+use crate::source::{InputError, Span};
+use crate::text_file::{no_file, read_text};
 use defaults::Defaults;
 use dmi_cards::DmiCards;
 use std::collections::BTreeMap;
@@ -113,8 +114,13 @@ impl Reader {
 
     fn include(&mut self, from: &Path, found: &include::Target) -> Result<(), InputError> {
         let path = from.parent().unwrap_or(Path::new("")).join(&found.path);
-        if !path.is_file() {
-            let message = format!("the included file {} does not exist", path.display());
+        let about = std::fs::metadata(&path).map(|about| no_file(&about));
+        if !matches!(about, Ok(None)) {
+            let is = about
+                .ok()
+                .flatten()
+                .map_or_else(|| "does not exist".to_owned(), |what| format!("is {}", what.0));
+            let message = format!("the included file {} {is}", path.display());
             return Err(InputError::at(&found.span, message)
                 .with_help("paths are relative to the file that includes"));
         }

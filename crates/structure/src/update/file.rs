@@ -14,6 +14,9 @@ use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
+/// Highest mode of a model that a measured one may be: as many are computed.
+const MOST_MODES: usize = 200;
+
 /// A file of measurements as it stands.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, rename = "Measured")]
@@ -128,6 +131,10 @@ impl MeasuredFile {
         let is_csv = path.extension().is_some_and(|kind| kind.eq_ignore_ascii_case("csv"));
         let mut file = if is_csv { Self::of_table(path)? } else { ron_file::read::<Self>(path)? };
         file.path = path.to_path_buf();
+        if file.modes.is_empty() && file.deflections.is_empty() && file.mass.is_none() {
+            return Err(InputError::in_file(path, "nothing is measured here")
+                .with_help("give modes, deflections or the mass"));
+        }
         Ok(file)
     }
 
@@ -142,6 +149,35 @@ impl MeasuredFile {
             mode: None,
         };
         Ok(Self { modes: columns[0].iter().zip(&columns[1]).map(mode).collect(), ..Self::default() })
+    }
+
+    /// Two measurements of one name could not be told apart in results.
+    fn refuse_twins(&self) -> Result<(), InputError> {
+        let mut names = BTreeSet::new();
+        let modes = self.modes.iter().filter_map(|mode| mode.name.as_deref()).map(|name| ("modes", name));
+        let deflections = self.deflections.iter().map(|entry| ("deflections", entry.name.as_str()));
+        let regions = self.regions.iter().map(|region| ("regions", region.name.as_str()));
+        for (kind, name) in modes.chain(deflections).chain(regions) {
+            if !names.insert((kind, name)) {
+                let message = format!("two of the {kind} are called \"{name}\"");
+                return Err(InputError::in_field(&self.path, kind, message)
+                    .with_help("give each a name of its own: results are told apart by it"));
+            }
+        }
+        Ok(())
+    }
+
+    /// The number of a mode is one that the model may have.
+    fn check_mode(&self, name: &str, mode: Option<usize>, free: usize) -> Result<(), InputError> {
+        let most = free.min(MOST_MODES);
+        let message = match mode {
+            Some(0) => format!("{name}: modes are numbered from 1"),
+            Some(mode) if mode > most => {
+                format!("{name} is the model's mode {mode}, and the model has {free} free motions")
+            }
+            _ => return Ok(()),
+        };
+        Err(InputError::in_field(&self.path, "mode", message).with_help(format!("expected 1 to {most}")))
     }
 
     /// The measurements, with grids and components as degrees of freedom of a system.
@@ -169,12 +205,12 @@ impl MeasuredFile {
         let motions = |what: &str, list: &[MotionEntry]| -> Result<Vec<(usize, f64)>, InputError> {
             list.iter().map(|at| Ok((motion(what, at.grid, at.component)?, at.value))).collect()
         };
+        self.refuse_twins()?;
+        let free = system.free_count();
         let mut modes = Vec::new();
         for (at, entry) in self.modes.iter().enumerate() {
             let name = entry.name.clone().unwrap_or_else(|| format!("mode {}", at + 1));
-            if entry.mode == Some(0) {
-                return Err(wrong("mode", format!("{name}: modes are numbered from 1")));
-            }
+            self.check_mode(&name, entry.mode, free)?;
             modes.push(MeasuredMode {
                 frequency_hz: positive(
                     "frequency_hz",
@@ -199,6 +235,7 @@ impl MeasuredFile {
         }
         let mut mass_kg = None;
         if let Some(mass) = self.mass {
+            positive("kg", "the mass", mass.kg)?;
             mass_kg =
                 Some((mass.kg, positive("sigma_kg", "the standard deviation of the mass", mass.sigma_kg)?));
         }
@@ -238,6 +275,10 @@ impl MeasuredFile {
                 return Err(error.with_help(
                     "a region is what passes all of its conditions: elements, properties, x_m, y_m, z_m",
                 ));
+            }
+            if region.fit.is_empty() {
+                return Err(wrong(format!("nothing of the region {name} is fitted"))
+                    .with_help("`fit: [Stiffness]`, `[Mass]` or both; or take the region out"));
             }
             for quantity in &region.fit {
                 for place in &elements {

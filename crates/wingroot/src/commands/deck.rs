@@ -13,7 +13,7 @@ use structure::{Flexibility, Model, System, normal_modes};
 
 use super::modes_pictures::hertz;
 use super::{deck_hdf5, modes_shapes};
-use crate::args::{Common, Given, Measured};
+use crate::args::{Common, Given, Measured, airspeed, whole};
 use crate::corrections::{CorrectedWing, corrected_wing};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
@@ -40,10 +40,10 @@ pub struct DeckArgs {
     #[arg(long, requires = "corrections")]
     pub(crate) accept_unconverged: bool,
     /// Airspeed of the corrections, m/s [default: the first of the file]
-    #[arg(long, value_name = "V", requires = "corrections")]
+    #[arg(long, value_name = "V", requires = "corrections", value_parser = airspeed)]
     pub(crate) airspeed: Option<f64>,
     /// Number of modes asked for in the case control
-    #[arg(long, value_name = "N", default_value_t = 10)]
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = whole::<10_000>)]
     pub(crate) count: usize,
     /// Write CBAR and PBAR instead of CBEAM and PBEAM where the section is uniform and has no offsets (for programs
     /// without CBEAM)

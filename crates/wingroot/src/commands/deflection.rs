@@ -91,7 +91,7 @@ fn doublets(
     let mut speeds: Vec<f64> = Vec::new();
     for entry in campaign.runs.iter().filter(|entry| !entry.wind_off) {
         let file = nastran::named_file(&listed_in, &entry.file)?;
-        let run = Run::read(&file)?;
+        let run = Run::read_named(&file, &campaign.columns)?;
         if run.loads.is_none() || doublet_of(&run).is_none() {
             continue;
         }

@@ -17,7 +17,7 @@ use report::Table;
 use serde_json::{Value, json};
 
 use super::flutter_figures::{self, Stability};
-use crate::args::{Common, Given};
+use crate::args::{Common, Given, airspeed};
 use crate::corrections::{CorrectedWing, corrected_wing};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
@@ -35,13 +35,6 @@ pub struct FlutterArgs {
     /// Highest airspeed looked at, m/s [default: 100, up to which air is nearly incompressible]
     #[arg(long, value_name = "V", value_parser = airspeed)]
     pub(crate) to: Option<f64>,
-}
-
-fn airspeed(text: &str) -> Result<f64, String> {
-    match text.parse() {
-        Ok(v_m_s) if v_m_s > 0.0 && v_m_s <= 300.0 => Ok(v_m_s),
-        _ => Err("expected an airspeed above 0 and up to 300 m/s".into()),
-    }
 }
 
 /// Highest airspeed if nothing is said, m/s.

@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use fullaircraft::cases::envelope::{Extreme, LOADS, cases_csv, envelope_csv, load_envelope};
 use fullaircraft::cases::grid::{MODELS, groups};
-use fullaircraft::{Case, CaseFlight, CaseResult, CasesFile, FlightAir, TrimTools};
+use fullaircraft::{Aircraft, Case, CaseFlight, CaseResult, CasesFile, FlightAir, TrimTools};
 use indicatif::ProgressBar;
 use nastran::InputError;
 use rayon::prelude::*;
@@ -57,7 +57,7 @@ pub(crate) fn run(path: &Path, args: &FullaircraftArgs, common: &Common) -> Resu
     }
     // maneuvers in time know the wing's stations only
     aircraft.wing.stations.extend(file.stations.iter().cloned());
-    let tools = TrimTools::new(&aircraft, &[]).map_err(|error| in_file(error.into(), &file))?;
+    let tools = tools(&aircraft, &file)?;
     let models = [aircraft.uncorrected(), aircraft.with_corrections(&corrections)?];
     let limits = aircraft.file.lift_limits()?;
     let store = Store::beside(&target, &aircraft.inputs_of_cases(&corrections, &file))?;
@@ -117,6 +117,13 @@ fn part(case: &Case) -> String {
 fn kept(store: &Store, case: &Case) -> Option<CaseResult> {
     let result = store.get(&part(case))?;
     Some(CaseResult { number: case.number, ..result })
+}
+
+/// What trims are made with, once the aircraft knows every name in the file.
+fn tools<'a>(aircraft: &'a Aircraft, file: &CasesFile) -> Result<TrimTools<'a>, Failure> {
+    let tools = TrimTools::new(aircraft, &[]).map_err(|error| in_file(error.into(), file))?;
+    file.check_names(&tools)?;
+    Ok(tools)
 }
 
 /// Flies what is missing on all threads; each result is kept as soon as it is there.

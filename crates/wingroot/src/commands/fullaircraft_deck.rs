@@ -60,7 +60,7 @@ struct Derivative {
 pub(crate) fn run(path: &Path, common: &Common) -> Result<(), Failure> {
     let start = Instant::now();
     let bulk = nastran::read_deck(path)?;
-    let cases = deck_cases(&bulk)?;
+    let cases = deck_cases(&bulk).map_err(|error| error.or_in(path))?;
     if let Some(cards) = bulk.unread_cards().filter(|_| !common.quiet) {
         show::note(&format!("these cards are not read: {cards}"));
     }

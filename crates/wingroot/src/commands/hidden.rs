@@ -18,7 +18,7 @@ use discover::rules::Rules;
 use hidden::score::{BenchmarkResult, gates};
 use hidden::{Answer, Bench, Case, CasePlan, Class, Families, Fineness, Mix, cases, score};
 
-use crate::args::Common;
+use crate::args::{Common, whole};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::store::Store;
@@ -35,7 +35,7 @@ kept in out/hidden.cases and answers in out/hidden.sealed, so that a run that wa
 as after a change of `discover`.")]
 pub struct HiddenArgs {
     /// Number of cases
-    #[arg(long, value_name = "N", default_value_t = 40)]
+    #[arg(long, value_name = "N", default_value_t = 40, value_parser = whole::<100_000>)]
     pub(crate) cases: usize,
     /// Calibrate each case on its own static points, as a user does (track B), instead of effect-free ones
     #[arg(long)]

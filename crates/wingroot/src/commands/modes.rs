@@ -11,7 +11,7 @@ use structure::{Modes, ModesError, effective_masses, normal_modes};
 
 use super::modes_pictures::hertz;
 use super::{modes_pictures, modes_shapes, modes_update};
-use crate::args::Common;
+use crate::args::{Common, whole};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
@@ -31,7 +31,7 @@ pub struct ModesArgs {
     #[arg(long, value_name = "FILE")]
     pub(crate) deck: Option<PathBuf>,
     /// Number of modes [default: 10, or as many as there are]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = whole::<10_000>)]
     pub(crate) count: Option<usize>,
     /// Measured frequencies, shapes and deflections, and the regions whose stiffness and mass are fitted to them
     #[arg(long, value_name = "FILE")]

@@ -70,13 +70,15 @@ pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
         args.run.clone()
     };
     refuse_twins(&files.iter().chain(&args.maneuver).cloned().collect::<Vec<_>>())?;
-    let runs =
-        files.iter().map(|file| Ok((file, Run::read(file)?))).collect::<Result<Vec<_>, InputError>>()?;
-    let rho_kg_m3 = if let Some(file) = files.first() {
-        Campaign::read(&campaign_of(args, file)?)?.rho_kg_m3
-    } else {
-        0.0
+    let campaign = match files.first() {
+        Some(file) => Some(Campaign::read(&campaign_of(args, file)?)?),
+        None => None,
     };
+    let (rho_kg_m3, columns) = campaign.map_or_else(Default::default, |read| (read.rho_kg_m3, read.columns));
+    let runs = files
+        .iter()
+        .map(|file| Ok((file, Run::read_named(file, &columns)?)))
+        .collect::<Result<Vec<_>, InputError>>()?;
     let corrected = corrected_wing(&args.given)?;
     let effects = simulate_effects::of(&corrected, &args.without)?;
     let maneuvers = simulate_maneuvers::read(&args.maneuver, &corrected)?;
