@@ -2,7 +2,7 @@
 
 use nastran::table::{ColumnNames, Table};
 use nastran::{InputError, Span, named_file, ron_file};
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
 /// The columns that can be fitted, in the order of every array of four: three of the balance, and the tip's height.
@@ -15,7 +15,7 @@ pub const TIP: usize = 3;
 pub const AIRSPEEDS_M_S: std::ops::RangeInclusive<f64> = 0.1..=340.0;
 
 /// One standard deviation of each channel; left out where the campaign does not have the channel.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct ChannelNoise {
     /// Fz, N.
@@ -43,7 +43,7 @@ impl ChannelNoise {
 }
 
 /// What the tip's height in `static.csv` is used for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum TipReading {
     /// Nothing (the default of a campaign with root loads).
     Unused,
@@ -54,7 +54,7 @@ pub enum TipReading {
 }
 
 /// How many sets of corrections a campaign asks for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum Sets {
     /// One for each airspeed, from its angles, as in the paper.
     #[default]
@@ -65,7 +65,7 @@ pub enum Sets {
 }
 
 /// Declared noise of a campaign, one standard deviation a channel.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Noise<C = ChannelNoise> {
     /// Of one sample of a run.
@@ -75,7 +75,7 @@ pub struct Noise<C = ChannelNoise> {
 }
 
 /// What a run may be used for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Use {
     /// To find and fit.
     Train,
@@ -84,7 +84,7 @@ pub enum Use {
 }
 
 /// A run's entry in `campaign.ron`.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RunEntry {
     /// CSV file in the campaign's folder.
@@ -106,23 +106,31 @@ pub struct RunEntry {
     pub wind_off: bool,
 }
 
-/// `campaign.ron` as written.
-#[derive(Debug, Clone, Deserialize)]
+/// `campaign.ron` as written; [`Campaign::read`] checks it.
+#[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename = "Campaign")]
-struct CampaignFile {
-    name: String,
-    rho_kg_m3: f64,
+pub struct CampaignFile {
+    /// Its name.
+    pub name: String,
+    /// Air density, kg/m³.
+    pub rho_kg_m3: f64,
+    /// Declared noise.
     #[serde(default)]
-    noise: Option<Noise>,
+    pub noise: Option<Noise>,
+    /// What tip readings are used for.
     #[serde(default)]
-    tip: Option<TipReading>,
+    pub tip: Option<TipReading>,
+    /// Corrections by airspeed, or one set for all.
     #[serde(default)]
-    sets: Sets,
-    static_cases: String,
+    pub sets: Sets,
+    /// CSV file of static points in the folder.
+    pub static_cases: String,
+    /// What the CSV files call our columns.
     #[serde(default)]
-    columns: ColumnNames,
+    pub columns: ColumnNames,
+    /// Runs.
     #[serde(default)]
-    runs: Vec<RunEntry>,
+    pub runs: Vec<RunEntry>,
 }
 
 /// One row of the static cases.

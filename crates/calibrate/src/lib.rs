@@ -19,7 +19,7 @@ pub mod suspicion;
 mod tip_zero;
 
 pub use calibration::{AirspeedCalibration, Calibration, WeightTare, calibrate};
-pub use campaign::{Campaign, Noise, RunEntry, Sets, StaticPoint, TipReading, Use};
+pub use campaign::{Campaign, CampaignFile, Noise, RunEntry, Sets, StaticPoint, TipReading, Use};
 pub use common::CommonCalibration;
 pub use fit::{Ending, Fit};
 pub use identifiability::Identifiability;

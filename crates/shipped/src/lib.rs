@@ -20,7 +20,7 @@ pub struct Example {
 macro_rules! examples {
     ($($name:ident: $about:literal),* $(,)?) => {
         /// All of them.
-        pub const EXAMPLES: &[Example] = &[$(Example {
+        pub static EXAMPLES: &[Example] = &[$(Example {
             name: stringify!($name),
             about: $about,
             archive: include_bytes!(concat!(env!("OUT_DIR"), "/", stringify!($name), ".tar.gz")),

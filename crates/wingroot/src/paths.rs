@@ -35,6 +35,11 @@ pub fn taken() -> Vec<String> {
     TAKEN.lock().unwrap_or_else(PoisonError::into_inner).clone()
 }
 
+/// Starts anew, for the next command of one process.
+pub(crate) fn forget() {
+    TAKEN.lock().unwrap_or_else(PoisonError::into_inner).clear();
+}
+
 /// Says that something was taken that nobody named.
 pub fn take(what: &str, path: &Path, why: &str) {
     let sentence = format!("{what}: {} ({why})", path.display());

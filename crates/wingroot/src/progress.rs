@@ -15,6 +15,7 @@ use tracing_subscriber::Layer;
 use tracing_subscriber::layer::Context;
 
 use crate::common::Common;
+use crate::said;
 
 /// The events by which crates say how far they are.
 pub const TARGET: &str = "progress";
@@ -32,6 +33,13 @@ fn at_work_line() -> MutexGuard<'static, Option<ProgressBar>> {
     AT_WORK.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
+/// The bar of a command that is watched by [`now`].
+static WATCHED: Mutex<Option<ProgressBar>> = Mutex::new(None);
+
+fn watched_line() -> MutexGuard<'static, Option<ProgressBar>> {
+    WATCHED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
 /// Shows that a command is at work, until [`done`] or a [`bar`].
 pub fn at_work(common: &Common, command: &str) {
     if common.quiet || !std::io::stderr().is_terminal() {
@@ -46,6 +54,21 @@ fn show_at_work(command: &str) {
     line.set_message(command.to_owned());
     line.enable_steady_tick(Duration::from_millis(200));
     *at_work_line() = Some(line);
+}
+
+/// As [`at_work`] where nothing is drawn: [`now`] says how far the command is.
+pub(crate) fn watched(command: &str) {
+    let line = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
+    line.set_message(command.to_owned());
+    *watched_line() = Some(line.clone());
+    *at_work_line() = Some(line);
+}
+
+/// How far a command run by [`crate::embedded`] is: what it does, steps done and all steps, if they are known.
+pub fn now() -> Option<(String, u64, u64)> {
+    let line = watched_line();
+    let line = line.as_ref().filter(|line| !line.is_finished())?;
+    Some((line.message(), line.position(), line.length()?))
 }
 
 /// Takes away what [`at_work`] shows.
@@ -69,6 +92,11 @@ pub struct Aside;
 
 impl Write for Aside {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        let text = String::from_utf8_lossy(bytes);
+        let text = anstream::adapter::strip_str(text.trim_end()).to_string();
+        if said::kept(|said| said.notes.push(text)) {
+            return Ok(bytes.len());
+        }
         aside(|| anstream::stderr().write(bytes))
     }
 
@@ -88,9 +116,14 @@ pub fn end(bar: &ProgressBar) {
 /// A bar of so many steps with a word on what is done; `inc(1)` per step, [`end`] at the end.
 pub fn bar(common: &Common, steps: usize, doing: &str) -> ProgressBar {
     done();
-    let target = if common.quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
+    let mut watched = watched_line();
+    let is_hidden = common.quiet || watched.is_some();
+    let target = if is_hidden { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
     let bar = ProgressBar::with_draw_target(Some(steps as u64), target).with_style(style(SHARE));
     bar.set_message(doing.to_string());
+    if let Some(watched) = &mut *watched {
+        *watched = bar.clone();
+    }
     bar
 }
 

@@ -29,7 +29,7 @@ use tracing_subscriber::util::SubscriberInitExt;
 
 use crate::common::Common;
 use crate::failure::Failure;
-use crate::progress;
+use crate::{progress, said};
 
 const RED: Style = AnsiColor::Red.on_default().effects(Effects::BOLD);
 const BOLD: Style = Style::new().bold();
@@ -63,7 +63,7 @@ pub fn failure(failure: &Failure) {
 
 /// Prints a remark to standard error, unless `--quiet`.
 pub fn note(text: &str) {
-    if QUIET.load(Ordering::Relaxed) {
+    if QUIET.load(Ordering::Relaxed) || said::kept(|said| said.notes.push(text.to_owned())) {
         return;
     }
     // If standard error is closed there is nobody left to tell.
@@ -72,10 +72,10 @@ pub fn note(text: &str) {
 
 /// Prints a summary for people: to standard output, or to standard error if that carries JSON.
 pub fn summary(common: &Common, text: &str) {
-    if common.quiet {
+    let text = text.trim_end();
+    if common.quiet || said::kept(|said| text.clone_into(&mut said.summary)) {
         return;
     }
-    let text = text.trim_end();
     // A reader that closed the pipe (`| head`) has seen enough.
     let _ = progress::aside(|| {
         if common.json {

@@ -46,6 +46,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
             "shipped",
         ],
     ),
+    ("python", &["wingroot"]),
     (
         "xtask",
         &[
@@ -82,6 +83,9 @@ const ONLY_IN: &[(&str, &[&str])] = &[
     ("hdf5-pure", &["wingroot"]),
     ("indicatif", &["wingroot"]),
     ("tracing-subscriber", &["wingroot"]),
+    ("numpy", &["python"]),
+    ("pyo3", &["python"]),
+    ("pythonize", &["python"]),
 ];
 
 /// A package of the workspace and what it depends on directly.

@@ -48,14 +48,20 @@ impl WingFile {
         self.rewritten(wanted, add)
     }
 
-    fn rewritten(
-        &self,
-        mut wanted: Self,
-        add: impl Fn(&str) -> Option<String>,
-    ) -> Result<Rewritten, InputError> {
+    /// The file of a wing that was made in memory; what it names is looked for from the folder of its `path`.
+    ///
+    /// # Errors
+    /// If a named file is missing, or the wing cannot be written as RON.
+    pub fn written(mut self) -> Result<Rewritten, InputError> {
+        let beside = self.put_beside()?;
+        Ok(Rewritten { text: format!("Wing{}\n", ron_file::to_text(&self)?), beside })
+    }
+
+    /// Names files as they stand beside a new file, a deck by its absolute path; returns which are to be copied.
+    fn put_beside(&mut self) -> Result<Vec<(String, PathBuf)>, InputError> {
         let mut beside = Vec::new();
         let files = self.named_files()?;
-        match &mut wanted.source {
+        match &mut self.source {
             Source::Deck(deck) => {
                 let path = std::path::absolute(&files[0]).unwrap_or_else(|_| files[0].clone());
                 deck.file = path.to_string_lossy().into_owned();
@@ -71,6 +77,15 @@ impl WingFile {
                 }
             }
         }
+        Ok(beside)
+    }
+
+    fn rewritten(
+        &self,
+        mut wanted: Self,
+        add: impl Fn(&str) -> Option<String>,
+    ) -> Result<Rewritten, InputError> {
+        let beside = wanted.put_beside()?;
         let original = nastran::read_text(&self.path)?;
         let same = |text: &str| {
             let read: Option<Self> = ron_file::parse("wing.ron", text).ok();

@@ -2,14 +2,13 @@
 //! linear system that `simulate` flies.
 
 use aero::{Corrections, Flow};
-use coupling::{ElasticWing, Exchange};
-use maneuver::{Rig, RigModel};
-use structure::{ModesError, normal_modes};
+use coupling::ElasticWing;
+use maneuver::Rig;
 
-use super::simulate;
 use crate::corrections::CorrectedWing;
 use crate::failure::Failure;
 use crate::hdf5::{self, Group, Values};
+use crate::matrices::{self, rig_settings};
 
 /// Axes, order and units, once for the whole file.
 const ABOUT: &str = "wingroot: SI units, radians; x aft, y to the right tip, z up; boxes chordwise first, then spanwise; \
@@ -21,8 +20,8 @@ pub(super) fn file(
     modes: usize,
     corrected: Option<(&CorrectedWing, &Corrections, Flow)>,
 ) -> Result<Vec<u8>, Failure> {
-    let mut groups = vec![boxes(wing)?];
-    groups.extend(structure(wing, modes)?);
+    let mut groups = vec![matrices::boxes(wing)?];
+    groups.extend(matrices::structure(wing, modes)?);
     if let Some((corrected, corrections, flow)) = corrected {
         groups.push(
             Group::new("corrections", "of the boxes listed in boxes/correctable: factors, and an offset of the pressure coefficient")
@@ -31,77 +30,10 @@ pub(super) fn file(
                 .with("moment", Values::list(&corrections.moment))
                 .with("pressure_offset", Values::list(&corrections.pressure_offset)),
         );
-        let rig = Rig::new(wing, simulate::settings(corrected))?;
+        let rig = Rig::new(wing, rig_settings(&corrected.file, &corrected.wing))?;
         let neutral = Corrections::neutral(corrections.len());
-        groups.push(system("initial", &rig.at(flow, &neutral)?));
-        groups.push(system("updated", &rig.at(flow, corrections)?));
+        groups.push(matrices::linear_system("initial", &rig.at(flow, &neutral)?));
+        groups.push(matrices::linear_system("updated", &rig.at(flow, corrections)?));
     }
     hdf5::bytes(ABOUT, &groups)
-}
-
-fn boxes(wing: &ElasticWing) -> Result<Group, Failure> {
-    let all = &wing.lattice.boxes;
-    let corners = all.iter().flat_map(|panel| panel.corners).flat_map(|c| [c.x, c.y, c.z]).collect();
-    let normals = all.iter().map(aero::AeroBox::normal).flat_map(|n| [n.x, n.y, n.z]).collect();
-    let areas: Vec<f64> = all.iter().map(aero::AeroBox::area_m2).collect();
-    let places = wing.correctable.places.iter().filter_map(|&place| u32::try_from(place).ok()).collect();
-    let neutral = Exchange::of(wing, &Corrections::neutral(wing.correctable.len()))?;
-    Ok(Group::new(
-        "boxes",
-        "aerodynamic boxes; qjj: pressure coefficients per incidence, w2gj_rad: camber and twist",
-    )
-    .with("id", Values::Whole(all.iter().map(|panel| panel.id).collect()))
-    .with("corners_m", Values::Real(corners, vec![all.len(), 4, 3]))
-    .with("normal", Values::Real(normals, vec![all.len(), 3]))
-    .with("area_m2", Values::list(&areas))
-    .with("correctable", Values::Whole(places))
-    .with("qjj", Values::matrix(neutral.qjj.as_ref()))
-    .with("w2gj_rad", Values::list(&neutral.camber_rad)))
-}
-
-/// Grids and modes, and how boxes move in each mode; nothing for a rigid wing.
-fn structure(wing: &ElasticWing, modes: usize) -> Result<Option<Group>, Failure> {
-    let Some((system, spline)) = &wing.structure else { return Ok(None) };
-    let modes = match normal_modes(system, modes.min(system.free_count())) {
-        Err(ModesError::TooMany { available, .. }) => normal_modes(system, available),
-        modes => modes,
-    }
-    .map_err(Failure::computation)?;
-    let shapes = system.expand(modes.shapes.as_ref());
-    let points = system.points().iter().flat_map(|p| [p.x, p.y, p.z]).collect();
-    let on_boxes = spline.displace(shapes.as_ref());
-    Ok(Some(
-        Group::new(
-            "structure",
-            "grids and modes of unit generalised mass; box_modes: displacement along the normal and nose-up rotation of every \
-             box, alternating, by mode",
-        )
-        .with("grid_id", Values::Whole(system.node_ids().to_vec()))
-        .with("grid_m", Values::Real(points, vec![system.node_count(), 3]))
-        .with("omega_rad_s", Values::list(&modes.omega_rad_s))
-        .with("modes", Values::matrix(shapes.as_ref()))
-        .with("box_modes", Values::matrix(on_boxes.as_ref())),
-    ))
-}
-
-fn system(name: &str, model: &RigModel) -> Group {
-    let inputs = [
-        "one",
-        "alpha_rad",
-        "alpha_rate_rad_s",
-        "alpha_second_rad_s2",
-        "g_sin_alpha_m_s2",
-        "g_cos_alpha_m_s2",
-    ];
-    let inputs =
-        inputs.into_iter().map(str::to_owned).chain(model.controls.iter().map(|c| format!("delta_{c}_rad")));
-    let outputs = model.loads.iter().cloned().chain(["tip_z_m".to_owned()]);
-    let outputs = outputs.chain(model.sensors.iter().map(|sensor| format!("az_{sensor}_m_s2")));
-    Group::new(name, "x' = A x + B u, y = C x + D u: the wing on its balance at corrections/V_m_s")
-        .with("A", Values::matrix(model.a.as_ref()))
-        .with("B", Values::matrix(model.b.as_ref()))
-        .with("C", Values::matrix(model.c.as_ref()))
-        .with("D", Values::matrix(model.d.as_ref()))
-        .with("inputs", Values::words(inputs))
-        .with("outputs", Values::words(outputs))
 }

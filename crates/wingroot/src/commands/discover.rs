@@ -39,8 +39,8 @@ pub struct DiscoverArgs {
     /// Wing, measurements, corrections.
     #[command(flatten)]
     pub(crate) given: Given,
-    /// Whether `corrections` come from this campaign's own static points all the same: the pipeline's do
-    #[arg(skip)]
+    /// Whether `corrections` come from this campaign's own static points all the same: the pipeline's and Python's do
+    #[arg(long, hide = true, requires = "corrections")]
     pub(crate) own_corrections: bool,
     /// A null distribution (null_distribution.ron of an earlier run) [default: the one beside the wing or the last one if of the same wing and
     /// campaign, else made first]

@@ -10,7 +10,7 @@ use aero::{Corrections, Flow};
 use calibrate::Campaign;
 use maneuver::effects::Beside;
 use maneuver::{
-    DeflectionAt, Rig, RigError, RigModel, RigSettings, Run, Simulated, Station, simulate_commanded,
+    DeflectionAt, Rig, RigError, RigModel, RigSettings, Run, Simulated, simulate_commanded,
 };
 use nastran::InputError;
 use rayon::prelude::*;
@@ -22,6 +22,7 @@ use crate::commands::simulate_flown::{Flown, at_airspeed};
 use crate::commands::{simulate_files, simulate_maneuvers};
 use crate::corrections::{CorrectedWing, corrected_wing};
 use crate::failure::Failure;
+use crate::matrices::rig_settings;
 use crate::{paths, progress, show};
 
 /// Options of `simulate`.
@@ -154,14 +155,7 @@ fn refuse_twins(files: &[PathBuf]) -> Result<(), InputError> {
 
 /// How the rig of a wing is modelled.
 pub(crate) fn settings(corrected: &CorrectedWing) -> RigSettings {
-    let file = &corrected.file;
-    let mut settings = RigSettings::new(file.damping_ratio, file.pitch_axis_x());
-    if let (Some(planform), Some((system, _))) = (file.planform(), &corrected.wing.structure) {
-        let node = |(name, grid): (String, u32)| system.node_index(grid).map(|node| (name, node));
-        settings.sensors = planform.sensor_grids().into_iter().filter_map(node).collect();
-    }
-    settings.stations = Station::of_wing(file);
-    settings
+    rig_settings(&corrected.file, &corrected.wing)
 }
 
 /// What flies at one airspeed.
