@@ -158,7 +158,7 @@ fn write_inputs(page: &mut Markup, inputs: &[Input]) {
 fn write_block(page: &mut Markup, block: &Block, limit: usize) -> Result<(), DrawError> {
     match block {
         Block::Text(text) => page.element("p", &[], text),
-        Block::Prose(prose) => page.raw(prose.html()),
+        Block::Prose(prose) => page.raw(&prose.0),
         Block::Table(table) => write_table(page, table),
         Block::Links(links) => write_links(page, links),
         Block::Plate(plate) => write_plate(page, plate, limit)?,

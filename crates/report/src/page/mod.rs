@@ -11,8 +11,6 @@ mod prose;
 mod script;
 mod shapes;
 
-pub use prose::Prose;
-
 use crate::deformed::View;
 use crate::drawing::Drawing;
 use crate::figure::Figure;
@@ -117,6 +115,10 @@ pub struct Plate {
     /// Whether it is folded up until it is asked for.
     pub folded: bool,
 }
+
+/// Text that was written in Markdown, as HTML; only `prose.rs` makes one, so that no markup of a user's gets into a page.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Prose(String);
 
 /// A part of a page.
 #[derive(Debug, Clone)]

@@ -3,18 +3,7 @@
 
 use pulldown_cmark::{CowStr, Event, HeadingLevel, Options, Parser, Tag, TagEnd, html};
 
-use super::{Block, Page, Section};
-
-/// Text that was written in Markdown; nothing else makes one, so that no markup of a user's gets into a page.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Prose(String);
-
-impl Prose {
-    /// As HTML.
-    pub(super) fn html(&self) -> &str {
-        &self.0
-    }
-}
+use super::{Block, Page, Prose, Section};
 
 impl Page {
     /// The page of a document; `beside` gives the address of what a link or picture names, and none for what is not there:

@@ -159,7 +159,7 @@ impl Browser {
     /// One request of the protocol: HTTP with JSON, a connection each.
     fn try_request(&self, method: &str, path: &str, body: &Value) -> Option<Value> {
         let mut stream = TcpStream::connect(("127.0.0.1", self.port)).ok()?;
-        stream.set_read_timeout(Some(2 * PATIENCE)).ok()?;
+        stream.set_read_timeout(Some(10 * PATIENCE)).ok()?;
         let body = if body.is_null() { String::new() } else { body.to_string() };
         write!(
             stream,
