@@ -14,6 +14,9 @@ pub const TIP: usize = 3;
 /// Airspeeds of measurements, m/s: below, dynamic pressure means nothing; above, incompressible flow.
 pub const AIRSPEEDS_M_S: std::ops::RangeInclusive<f64> = 0.1..=340.0;
 
+/// No gas of a wind tunnel is as dense, kg/m³.
+const DENSEST_KG_M3: f64 = 100.0;
+
 /// One standard deviation of each channel; left out where the campaign does not have the channel.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
@@ -192,9 +195,13 @@ impl Campaign {
     pub fn read(folder: &Path) -> Result<Self, InputError> {
         let path = folder.join("campaign.ron");
         let file: CampaignFile = ron_file::read(&path)?;
-        if !(file.rho_kg_m3.is_finite() && file.rho_kg_m3 > 0.0) {
-            return Err(InputError::in_field(&path, "rho_kg_m3", "rho_kg_m3 must be a positive number")
-                .with_help("air at sea level has 1.225 kg/m3"));
+        if !(file.rho_kg_m3 > 0.0 && file.rho_kg_m3 < DENSEST_KG_M3) {
+            return Err(InputError::in_field(
+                &path,
+                "rho_kg_m3",
+                "rho_kg_m3 must be a positive number below 100",
+            )
+            .with_help("air at sea level has 1.225 kg/m3"));
         }
         check_columns(&file.columns, &path)?;
         let statics = named_file(&path, &file.static_cases)?;
