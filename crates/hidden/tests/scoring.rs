@@ -5,7 +5,6 @@ use discover::verdict::VerdictKind;
 use hidden::answer::{TrueEffect, TrueParameter};
 use hidden::score::gates;
 use hidden::{Answer, Class, Families, score};
-use std::path::Path;
 
 fn answer(class: Class, effects: &[(&str, f64)]) -> Answer {
     let effect = |(name, d2): &(&str, f64)| TrueEffect {

@@ -21,13 +21,11 @@ fn drawn(folder: &Path, arguments: &str, no_color: bool) -> Option<String> {
     if no_color {
         command.env("NO_COLOR", "1");
     }
-    match command.output() {
-        Ok(output) => Some(String::from_utf8_lossy(&output.stdout).into_owned()),
-        Err(_) => {
-            eprintln!("skipped: there is no `script` (util-linux) here to make a terminal");
-            None
-        }
+    let output = command.output().ok();
+    if output.is_none() {
+        println!("skipped: there is no `script` (util-linux) here to make a terminal");
     }
+    output.map(|output| String::from_utf8_lossy(&output.stdout).into_owned())
 }
 
 #[test]
