@@ -1,7 +1,8 @@
-//! A campaign: a folder of measurements (`campaign.ron`, `static.csv`, runs), read and checked.
+//! A campaign: a folder of measurements (`campaign.ron` or `campaign.json`, `static.csv`, runs), read and checked.
 
 use nastran::table::Table;
 use nastran::{InputError, Span, named_file, ron_file};
+use schemars::JsonSchema;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 
@@ -15,7 +16,7 @@ pub const TIP: usize = 3;
 pub const AIRSPEEDS_M_S: std::ops::RangeInclusive<f64> = 0.1..=340.0;
 
 /// One standard deviation of each channel; left out where the campaign does not have the channel.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct ChannelNoise {
     /// Fz, N.
@@ -43,7 +44,7 @@ impl ChannelNoise {
 }
 
 /// What the tip's height in `static.csv` is used for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
 pub enum TipReading {
     /// Nothing (the default of a campaign with root loads).
     Unused,
@@ -54,7 +55,7 @@ pub enum TipReading {
 }
 
 /// How many sets of corrections a campaign asks for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 pub enum Sets {
     /// One for each airspeed, from its angles, as in the paper.
     #[default]
@@ -65,7 +66,7 @@ pub enum Sets {
 }
 
 /// Declared noise of a campaign, one standard deviation a channel.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Noise<C = ChannelNoise> {
     /// Of one sample of a run.
@@ -75,7 +76,7 @@ pub struct Noise<C = ChannelNoise> {
 }
 
 /// What a run may be used for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
 pub enum Use {
     /// To find and fit.
     Train,
@@ -84,7 +85,7 @@ pub enum Use {
 }
 
 /// A run's entry in `campaign.ron`.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RunEntry {
     /// CSV file in the campaign's folder.
@@ -106,19 +107,26 @@ pub struct RunEntry {
     pub wind_off: bool,
 }
 
-/// `campaign.ron` as written.
-#[derive(Debug, Clone, Deserialize)]
+/// A campaign's file, `campaign.ron`, as written.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename = "Campaign")]
-struct CampaignFile {
+pub struct CampaignFile {
+    /// What reports call it.
     name: String,
+    /// Air density, kg/m³.
     rho_kg_m3: f64,
+    /// Declared noise; left out: it is estimated from replicates.
     #[serde(default)]
     noise: Option<Noise>,
+    /// What the tip's height is used for; left out: nothing, or with a free zero where there are no root loads.
     #[serde(default)]
     tip: Option<TipReading>,
+    /// Corrections by airspeed, or one set for all.
     #[serde(default)]
     sets: Sets,
+    /// CSV file of the static cases in the campaign's folder.
     static_cases: String,
+    /// Runs in time.
     #[serde(default)]
     runs: Vec<RunEntry>,
 }
@@ -156,6 +164,8 @@ pub struct Campaign {
     pub name: String,
     /// Its folder.
     pub folder: PathBuf,
+    /// The file that lists it, `campaign.ron` or `campaign.json`.
+    pub path: PathBuf,
     /// Air density, kg/m³.
     pub rho_kg_m3: f64,
     /// Declared noise.
@@ -178,7 +188,7 @@ impl Campaign {
     /// # Errors
     /// A missing file, a misspelt field or column, a cell that is empty or not a number, nothing to fit.
     pub fn read(folder: &Path) -> Result<Self, InputError> {
-        let path = folder.join("campaign.ron");
+        let path = nastran::ron_or_json::expected_in(folder, "campaign")?;
         let file: CampaignFile = ron_file::read(&path)?;
         if !(file.rho_kg_m3.is_finite() && file.rho_kg_m3 > 0.0) {
             return Err(InputError::in_field(&path, "rho_kg_m3", "rho_kg_m3 must be a positive number")
@@ -203,6 +213,7 @@ impl Campaign {
         Ok(Self {
             name: file.name,
             folder: folder.to_path_buf(),
+            path,
             rho_kg_m3: file.rho_kg_m3,
             noise: file.noise,
             channels,

@@ -24,6 +24,7 @@ pub mod output;
 pub mod pages;
 pub mod paths;
 pub mod progress;
+pub mod schemas;
 pub mod show;
 pub mod store;
 pub mod structures;

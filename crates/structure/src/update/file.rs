@@ -10,12 +10,13 @@ use crate::model::registry::{self, ElementCard, TieCard, Visitor};
 use crate::system::System;
 use nalgebra::Point3;
 use nastran::{BulkData, InputError, Table, ron_file};
+use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// A file of measurements as it stands.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename = "Measured")]
 pub struct MeasuredFile {
     /// Natural modes.
@@ -36,7 +37,7 @@ pub struct MeasuredFile {
 }
 
 /// A measured mode.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ModeEntry {
     /// Name; left out: its number in the list.
@@ -55,7 +56,7 @@ pub struct ModeEntry {
 }
 
 /// A value at one component of a grid.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MotionEntry {
     /// Grid.
@@ -67,7 +68,7 @@ pub struct MotionEntry {
 }
 
 /// A measured deflection.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DeflectionEntry {
     /// Its name.
@@ -85,7 +86,7 @@ pub struct DeflectionEntry {
 }
 
 /// A measured mass.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MassEntry {
     /// The mass.
@@ -95,7 +96,7 @@ pub struct MassEntry {
 }
 
 /// A region and what is fitted of it.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RegionEntry {
     /// Its name.

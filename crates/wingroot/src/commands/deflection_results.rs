@@ -152,7 +152,7 @@ pub(crate) fn summary(found: &Found<'_>, out: &Path, seconds: f64) -> String {
     };
     format!(
         "{table}\n{held}\nThe wing with this correction is {}\n{seconds:.2} s; results in {}\n",
-        out.join("wing.ron").display(),
+        out.join(found.corrected.file.written_name()).display(),
         out.display()
     )
 }

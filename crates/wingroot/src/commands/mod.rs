@@ -62,6 +62,8 @@ commands! {
     completions: Completions(completions::CompletionsArgs),
     /// Manual pages of the program and of each command
     man: Man(man::ManArgs),
+    /// The JSON schema of a file that is read, or of a command's result.json
+    schema: Schema(schema::SchemaArgs),
     /// A folder to start from: a commented wing of your own that runs at once, or a shipped example
     new: New(new::NewArgs),
 }
@@ -70,7 +72,7 @@ impl Command {
     /// The folder of results that it writes, which takes the place of an earlier one.
     pub fn results(&self) -> Option<&'static str> {
         match self {
-            Self::Pipeline(_) | Self::New(_) | Self::Completions(_) | Self::Man(_) => None,
+            Self::Pipeline(_) | Self::New(_) | Self::Completions(_) | Self::Man(_) | Self::Schema(_) => None,
             Self::Fullaircraft(options) => Some(options.results()),
             _ => Some(self.name()),
         }

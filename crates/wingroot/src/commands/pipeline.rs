@@ -5,6 +5,7 @@ use clap::Args;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use nastran::ron_or_json::expected_in;
 use serde_json::{Map, Value, json};
 
 use crate::args::{Common, Given, Measured};
@@ -69,7 +70,8 @@ fn steps(args: &PipelineArgs, common: &Common, base: &Path) -> Result<Map<String
         Given { measured, corrections, ..Given::default() }
     };
     let written_by = |step: &str| {
-        with(Measured { wing: Some(base.join(step).join("wing.ron")), ..measured.clone() }, step)
+        let wing = Some(expected_in(&base.join(step), "wing")?);
+        Ok::<_, Failure>(with(Measured { wing, ..measured.clone() }, step))
     };
     let calibrated = with(measured.clone(), "calibrate");
     // With --json the steps say nothing on standard output: their results are gathered at the end.
@@ -85,7 +87,7 @@ fn steps(args: &PipelineArgs, common: &Common, base: &Path) -> Result<Map<String
             "calibrate" => calibrate::run(&CalibrateArgs { measured: measured.clone() }, common),
             "deflection" => deflection::run(&DeflectionArgs { given: calibrated.clone() }, common),
             "simulate" => {
-                let given = written_by("deflection");
+                let given = written_by("deflection")?;
                 simulate::run(&SimulateArgs { given, ..Default::default() }, common)
             }
             "discover" => {
@@ -94,7 +96,7 @@ fn steps(args: &PipelineArgs, common: &Common, base: &Path) -> Result<Map<String
             }
             // with the effects that stay with the wing, and the corrections found beside them
             _ => {
-                let (given, aircraft) = (written_by("discover"), aircraft.clone());
+                let (given, aircraft) = (written_by("discover")?, aircraft.clone());
                 fullaircraft::run(&FullaircraftArgs { aircraft, given, ..Default::default() }, common)
             }
         }?;

@@ -121,7 +121,7 @@ pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
 /// The campaign that says in which air a run was flown: the one named, else the run's own folder, else the wing's.
 fn campaign_of(args: &SimulateArgs, run: &Path) -> Result<PathBuf, InputError> {
     let own = paths::folder_of(run);
-    if args.given.measured.campaign.is_none() && own.join("campaign.ron").is_file() {
+    if args.given.measured.campaign.is_none() && paths::is_campaign(own) {
         return Ok(own.to_path_buf());
     }
     args.given.measured.campaign_path()
@@ -129,8 +129,7 @@ fn campaign_of(args: &SimulateArgs, run: &Path) -> Result<PathBuf, InputError> {
 
 /// The runs of a campaign.
 fn listed_runs(folder: &Path) -> Result<Vec<PathBuf>, InputError> {
-    let listed_in = folder.join("campaign.ron");
-    let runs = Campaign::read(folder)?.runs;
+    let Campaign { runs, path: listed_in, .. } = Campaign::read(folder)?;
     if runs.is_empty() {
         return Err(InputError::in_file(folder, "the campaign has no runs")
             .with_help("list them under `runs` in campaign.ron, or name files with --run or --maneuver"));
