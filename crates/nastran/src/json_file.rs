@@ -99,7 +99,7 @@ mod tests {
             ("{\n  \"ü\": 1}", (2, 3, 6), "no field \"ü\"", ""),
             ("{\n  \"sapn_m\": 1}", (2, 3, 11), "no field \"sapn_m\"", "\"span_m\"?"),
             ("{\"kind\": \"Rigit\"}", (1, 10, 17), "no choice \"Rigit\"", "\"Rigid\"?"),
-            ("{\"kind\": {\"Baem\": 1}}", (1, 11, 17), "no choice \"Baem\"", "\"Beam\"?"),
+            ("{\"kind\": {\"Beem\": 1}}", (1, 11, 17), "no choice \"Beem\"", "\"Beam\"?"),
             ("{\"span_m\": 1\n}", (2, 1, 2), "field \"taper\" is missing", "\"taper\": ..."),
             ("{\"span_m\": \"five\"}", (1, 12, 18), "invalid type", "schema"),
             ("{\"span_m\": 1e400}", (1, 12, 17), "out of range", "JSON"),

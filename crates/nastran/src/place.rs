@@ -99,7 +99,7 @@ mod tests {
             let span = place_of(anchors, text, Path::new("a.json"));
             (span.line, span.column, span.end_column)
         };
-        assert_eq!(place(&["total:"]), (1, 34, 39));
+        assert_eq!(place(&["total:"]), (1, 35, 40));
         assert_eq!(place(&["total:", "mass_kg:"]), (2, 3, 10));
     }
 

@@ -2,10 +2,22 @@
 //!
 //! Meaning is what the types' documentation says; a unit that only a field's name says is put behind it.
 
+use discover::result::DiscoverResult;
+use fullaircraft::Summary;
+use hidden::score::BenchmarkResult;
 use schemars::generate::SchemaSettings;
 use schemars::transform::RecursiveTransform;
 use schemars::{JsonSchema, Schema};
 use serde_json::Value;
+
+use crate::commands::calibrate_result::CalibrateResult;
+use crate::commands::deck_result::DeckResult;
+use crate::commands::deflection_result::DeflectionResult;
+use crate::commands::flutter_result::FlutterResult;
+use crate::commands::modes_result::{ModesMeasuredResult, ModesResult};
+use crate::commands::pipeline_result::PipelineResult;
+use crate::commands::simulate_result::SimulateResult;
+use crate::commands::tunnel_result::TunnelResult;
 
 /// A schema with its name.
 #[derive(Debug)]
@@ -53,8 +65,18 @@ pub fn all() -> Vec<Named> {
             "null_distribution",
             "null_distribution.ron, written by discover",
         ),
-        result::<discover::result::DiscoverResult>("discover_result", "result.json of discover"),
-        result::<hidden::score::BenchmarkResult>("hidden_result", "result.json of hidden"),
+        result::<CalibrateResult>("calibrate_result", "result.json of calibrate"),
+        result::<SimulateResult>("simulate_result", "result.json of simulate"),
+        result::<DeflectionResult>("deflection_result", "result.json of deflection"),
+        result::<DiscoverResult>("discover_result", "result.json of discover"),
+        result::<BenchmarkResult>("hidden_result", "result.json of hidden"),
+        result::<Summary>("fullaircraft_result", "result.json of fullaircraft"),
+        result::<PipelineResult>("pipeline_result", "result.json of pipeline"),
+        result::<TunnelResult>("tunnel_result", "result.json of tunnel"),
+        result::<ModesResult>("modes_result", "result.json of modes"),
+        result::<ModesMeasuredResult>("modes_measured_result", "result.json of modes --measured"),
+        result::<DeckResult>("deck_result", "result.json of deck"),
+        result::<FlutterResult>("flutter_result", "result.json of flutter"),
     ]
 }
 

@@ -17,6 +17,7 @@ use nastran::InputError;
 
 use crate::args::{Common, Given};
 use crate::commands::deflection_results::{Found, Judged, Measured};
+use crate::commands::result_parts::as_json;
 use crate::commands::simulate::settings;
 use crate::commands::{deflection_figures, deflection_results};
 use crate::corrections::{CorrectedWing, corrected_wing};
@@ -77,7 +78,7 @@ pub(crate) fn run(args: &DeflectionArgs, common: &Common) -> Result<(), Failure>
     let seconds = start.elapsed().as_secs_f64();
     let out = write(&common.out("deflection"), &found, seconds)?;
     show::summary(common, &deflection_results::summary(&found, &out, seconds));
-    show::json(common, &deflection_results::json(&found, seconds))
+    show::json(common, &as_json(&deflection_results::result(&found, seconds))?)
 }
 
 /// The campaign's doublets, and one model for each airspeed among them.
@@ -175,6 +176,6 @@ fn write(out: &Path, found: &Found<'_>, seconds: f64) -> Result<PathBuf, Failure
     ] {
         folder.write_figure(name, caption, figure)?;
     }
-    folder.write_json("result.json", &deflection_results::json(found, seconds))?;
+    folder.write_json("result.json", &as_json(&deflection_results::result(found, seconds))?)?;
     folder.commit()
 }

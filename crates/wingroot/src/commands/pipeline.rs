@@ -2,17 +2,20 @@
 //! mirrored aircraft with them.
 
 use clap::Args;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use nastran::ron_or_json::expected_in;
-use serde_json::{Map, Value, json};
+use serde_json::Value;
 
 use crate::args::{Common, Given, Measured};
 use crate::commands::calibrate::CalibrateArgs;
 use crate::commands::deflection::DeflectionArgs;
 use crate::commands::discover::DiscoverArgs;
 use crate::commands::fullaircraft_prepared::FullaircraftArgs;
+use crate::commands::pipeline_result::PipelineResult;
+use crate::commands::result_parts::as_json;
 use crate::commands::simulate::SimulateArgs;
 use crate::commands::{calibrate, deflection, discover, fullaircraft, pipeline_figures, simulate};
 use crate::failure::Failure;
@@ -47,12 +50,19 @@ pub(crate) fn run(args: &PipelineArgs, common: &Common) -> Result<(), Failure> {
     STEPS.iter().chain(&["pipeline"]).try_for_each(|step| check_replaceable(&base.join(step)))?;
     let seconds = steps(args, common, &base)?;
     let total = start.elapsed().as_secs_f64();
-    let mut result = json!({ "command": "pipeline", "seconds": total, "steps": seconds });
-    for name in STEPS {
-        result[name] = read_result(&base.join(name))?;
-    }
     let folder = ResultFolder::begin(&base.join("pipeline"))?;
-    result["figures"] = pipeline_figures::gather(&base, &folder)?;
+    let of = |step: &str| read_result(&base.join(step));
+    let result = as_json(&PipelineResult {
+        command: "pipeline",
+        seconds: total,
+        steps: seconds,
+        figures: pipeline_figures::gather(&base, &folder)?,
+        calibrate: of("calibrate")?,
+        deflection: of("deflection")?,
+        simulate: of("simulate")?,
+        discover: of("discover")?,
+        fullaircraft: of("fullaircraft")?,
+    })?;
     folder.write_json("result.json", &result)?;
     folder.commit()?;
     show::summary(common, &format!("pipeline done in {total:.1} s; results in {}\n", base.display()));
@@ -60,7 +70,7 @@ pub(crate) fn run(args: &PipelineArgs, common: &Common) -> Result<(), Failure> {
 }
 
 /// Runs the steps, each with what the earlier ones wrote; the seconds of each.
-fn steps(args: &PipelineArgs, common: &Common, base: &Path) -> Result<Map<String, Value>, Failure> {
+fn steps(args: &PipelineArgs, common: &Common, base: &Path) -> Result<BTreeMap<String, f64>, Failure> {
     let wing = args.measured.wing_path()?;
     let measured = Measured { campaign: Some(args.measured.campaign_path()?), wing: Some(wing.clone()) };
     let aircraft = Some(paths::aircraft(args.aircraft.as_deref(), Some(&wing))?);
@@ -76,7 +86,7 @@ fn steps(args: &PipelineArgs, common: &Common, base: &Path) -> Result<Map<String
     let calibrated = with(measured.clone(), "calibrate");
     // With --json the steps say nothing on standard output: their results are gathered at the end.
     let quiet = common.quiet || common.json;
-    let mut seconds = Map::new();
+    let mut seconds = BTreeMap::new();
     for name in STEPS {
         if !quiet {
             show::summary(common, &format!("== {name}\n"));
@@ -100,7 +110,7 @@ fn steps(args: &PipelineArgs, common: &Common, base: &Path) -> Result<Map<String
                 fullaircraft::run(&FullaircraftArgs { aircraft, given, ..Default::default() }, common)
             }
         }?;
-        seconds.insert(name.to_owned(), json!(from.elapsed().as_secs_f64()));
+        seconds.insert(name.to_owned(), from.elapsed().as_secs_f64());
     }
     Ok(seconds)
 }

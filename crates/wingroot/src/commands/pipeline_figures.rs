@@ -5,8 +5,8 @@ use std::path::Path;
 
 use nastran::table::Table;
 use report::{Figure, Panel, Series, Style};
-use serde_json::{Value, json};
 
+use crate::commands::pipeline_result::PaperFigure;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 
@@ -46,7 +46,7 @@ pub(crate) fn paper_figures(step: &str, name: &str) -> String {
 }
 
 /// Writes pictures and curves as `figure_NN.svg`, `.png` and `.csv`; the list of them.
-pub(crate) fn gather(base: &Path, folder: &ResultFolder) -> Result<Value, Failure> {
+pub(crate) fn gather(base: &Path, folder: &ResultFolder) -> Result<Vec<PaperFigure>, Failure> {
     let mut list = Vec::new();
     for (number, shows, curves) in FIGURES {
         let name = format!("figure_{number:02}");
@@ -62,9 +62,9 @@ pub(crate) fn gather(base: &Path, folder: &ResultFolder) -> Result<Value, Failur
             factors(&table, &title, if number == EQUIVALENT { "equivalent_deg" } else { "factor" })?
         };
         folder.write_figure_of(&name, "", figure, &csv)?;
-        list.push(json!({ "figure": number, "shows": shows, "picture": svg, "curves": csv }));
+        list.push(PaperFigure { figure: number, shows: shows.to_owned(), picture: svg, curves: csv });
     }
-    Ok(Value::Array(list))
+    Ok(list)
 }
 
 /// Channels with their labels.
