@@ -22,13 +22,16 @@ pub enum VerdictKind {
 }
 
 /// Root mean square of what a model leaves, in standard deviations of the noise.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct Gap {
     /// With the model as given.
+    #[schemars(with = "Option<f64>")]
     pub before: f64,
     /// With what was named.
+    #[schemars(with = "Option<f64>")]
     pub after: f64,
     /// Where nothing is missing.
+    #[schemars(with = "Option<f64>")]
     pub floor: f64,
 }
 

@@ -16,6 +16,7 @@ use crate::commands::deflection_result::DeflectionResult;
 use crate::commands::flutter_result::FlutterResult;
 use crate::commands::modes_result::{ModesMeasuredResult, ModesResult};
 use crate::commands::pipeline_result::PipelineResult;
+use crate::commands::response_result::{DisplacementResult, ResponseResult};
 use crate::commands::simulate_result::SimulateResult;
 use crate::commands::tunnel_result::TunnelResult;
 
@@ -76,6 +77,8 @@ pub fn all() -> Vec<Named> {
         result::<ModesResult>("modes_result", "result.json of modes"),
         result::<ModesMeasuredResult>("modes_measured_result", "result.json of modes --measured"),
         result::<DeckResult>("deck_result", "result.json of deck"),
+        result::<ResponseResult>("response_result", "result.json of response"),
+        result::<DisplacementResult>("response_displacement_result", "result.json of response --displacement"),
         result::<FlutterResult>("flutter_result", "result.json of flutter"),
     ]
 }

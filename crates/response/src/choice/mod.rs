@@ -87,7 +87,7 @@ impl Default for Rules {
 }
 
 /// One size on the curve.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Step {
     /// The best terms of this size that were found, in the order of the candidates.
     #[serde(rename = "chosen_terms")]

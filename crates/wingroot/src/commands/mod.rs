@@ -114,6 +114,7 @@ mod response_missing;
 mod response_missing_text;
 mod response_models;
 mod response_points;
+pub(crate) mod response_result;
 mod response_source;
 mod response_text;
 mod result_parts;
