@@ -1,7 +1,8 @@
-//! A campaign: a folder of measurements (`campaign.ron`, `static.csv`, runs), read and checked.
+//! A campaign: a folder of measurements (`campaign.ron` or `campaign.json`, `static.csv`, runs), read and checked.
 
 use nastran::table::{ColumnNames, Table};
 use nastran::{InputError, Span, named_file, ron_file};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
@@ -18,7 +19,7 @@ pub const AIRSPEEDS_M_S: std::ops::RangeInclusive<f64> = 0.1..=340.0;
 const DENSEST_KG_M3: f64 = 100.0;
 
 /// One standard deviation of each channel; left out where the campaign does not have the channel.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct ChannelNoise {
     /// Fz, N.
@@ -46,7 +47,7 @@ impl ChannelNoise {
 }
 
 /// What the tip's height in `static.csv` is used for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub enum TipReading {
     /// Nothing (the default of a campaign with root loads).
     Unused,
@@ -57,7 +58,7 @@ pub enum TipReading {
 }
 
 /// How many sets of corrections a campaign asks for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 pub enum Sets {
     /// One for each airspeed, from its angles, as in the paper.
     #[default]
@@ -68,7 +69,7 @@ pub enum Sets {
 }
 
 /// Declared noise of a campaign, one standard deviation a channel.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Noise<C = ChannelNoise> {
     /// Of one sample of a run.
@@ -78,7 +79,7 @@ pub struct Noise<C = ChannelNoise> {
 }
 
 /// What a run may be used for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub enum Use {
     /// To find and fit.
     Train,
@@ -87,7 +88,7 @@ pub enum Use {
 }
 
 /// A run's entry in `campaign.ron`.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RunEntry {
     /// CSV file in the campaign's folder.
@@ -109,18 +110,18 @@ pub struct RunEntry {
     pub wind_off: bool,
 }
 
-/// `campaign.ron` as written; [`Campaign::read`] checks it.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+/// A campaign's file, `campaign.ron`, as written; [`Campaign::read`] checks it.
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename = "Campaign")]
 pub struct CampaignFile {
-    /// Its name.
+    /// What reports call it.
     pub name: String,
     /// Air density, kg/m³.
     pub rho_kg_m3: f64,
-    /// Declared noise.
+    /// Declared noise; left out: it is estimated from replicates.
     #[serde(default)]
     pub noise: Option<Noise>,
-    /// What tip readings are used for.
+    /// What the tip's height is used for; left out: nothing, or with a free zero where there are no root loads.
     #[serde(default)]
     pub tip: Option<TipReading>,
     /// Corrections by airspeed, or one set for all.
@@ -169,6 +170,8 @@ pub struct Campaign {
     pub name: String,
     /// Its folder.
     pub folder: PathBuf,
+    /// The file that lists it, `campaign.ron` or `campaign.json`.
+    pub path: PathBuf,
     /// Air density, kg/m³.
     pub rho_kg_m3: f64,
     /// Declared noise.
@@ -193,7 +196,7 @@ impl Campaign {
     /// # Errors
     /// A missing file, a misspelt field or column, a cell that is empty or not a number, nothing to fit.
     pub fn read(folder: &Path) -> Result<Self, InputError> {
-        let path = folder.join("campaign.ron");
+        let path = nastran::ron_or_json::expected_in(folder, "campaign")?;
         let file: CampaignFile = ron_file::read(&path)?;
         if !(file.rho_kg_m3 > 0.0 && file.rho_kg_m3 < DENSEST_KG_M3) {
             return Err(InputError::in_field(
@@ -223,6 +226,7 @@ impl Campaign {
         Ok(Self {
             name: file.name,
             folder: folder.to_path_buf(),
+            path,
             rho_kg_m3: file.rho_kg_m3,
             noise: file.noise,
             channels,

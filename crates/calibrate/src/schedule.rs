@@ -3,6 +3,7 @@
 use crate::campaign::AIRSPEEDS_M_S;
 use aero::Corrections;
 use nastran::{InputError, ron_file};
+use schemars::JsonSchema;
 use serde::Deserialize;
 use std::fmt::Write as _;
 use std::path::Path;
@@ -14,8 +15,9 @@ pub const STRAY: f64 = 0.02;
 const LARGEST: f64 = 1000.0;
 
 /// An airspeed and the corrections found there.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(from = "SetInFile")]
+#[schemars(into = "SetInFile")]
 pub struct CorrectionSet {
     /// Airspeed, m/s.
     pub v_m_s: f64,
@@ -24,13 +26,17 @@ pub struct CorrectionSet {
 }
 
 /// A set as `corrections.ron` writes it.
-#[derive(Deserialize)]
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct SetInFile {
+    /// Airspeed, m/s.
     #[serde(rename = "V_m_s")]
     v_m_s: f64,
+    /// Factors of the boxes' forces (1 is theory), one a box of the wing without its fairing, chordwise first.
     force: Vec<f64>,
+    /// Factors of the boxes' own moments (1 is theory).
     moment: Vec<f64>,
+    /// Pressures added at every angle, over dynamic pressure.
     pressure_offset: Vec<f64>,
 }
 
@@ -41,7 +47,7 @@ impl From<SetInFile> for CorrectionSet {
 }
 
 /// Corrections by airspeed, as in `corrections.ron`.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename = "Corrections")]
 pub struct Schedule {
     /// Name of the wing.

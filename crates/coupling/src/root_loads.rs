@@ -3,6 +3,7 @@
 use aero::Lattice;
 use faer::Mat;
 use nalgebra::{Point3, Vector3};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A load that the balance measures.
@@ -28,7 +29,7 @@ impl Load {
 
 /// One value for each load of the balance: a standard deviation, a gap, whether it was measured. In results the values are
 /// named as the columns of a run are; inputs (noise) are written `fz_N`, `mx_Nm`, `my_Nm`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ByLoad<T> {
     /// Of the force Fz.

@@ -20,11 +20,12 @@ pub use write::Rewritten;
 
 use crate::planform::{AXIS_SET, FAIRING_PANEL, Fault, Planform, ROOT_SET};
 use nastran::{BulkData, Divisions, InputError, MonitorPoint, Span, named_file, place_of, ron_file};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
 /// A wing as its file describes it.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename = "Wing")]
 pub struct WingFile {
     /// What reports call it.
@@ -34,6 +35,7 @@ pub struct WingFile {
     /// The plane of symmetry at the root; left out: [`RootPlane::Symmetric`] at the inner edge of the innermost
     /// box.
     #[serde(default, skip_serializing_if = "Option::is_none", with = "root_plane_field")]
+    #[schemars(with = "RootPlane")]
     pub root_plane: Option<RootPlane>,
     /// Where root loads are measured; axes pitch with the wing.
     pub balance: BalancePoint,
@@ -74,7 +76,7 @@ pub struct WingFile {
 }
 
 /// Where geometry, structure and boxes come from.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub enum Source {
     /// A trapezoidal wing given by its dimensions.
     Parametric(Planform),
@@ -83,7 +85,7 @@ pub enum Source {
 }
 
 /// What the flow meets at the root.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub enum RootPlane {
     /// Nothing: the root is a free edge.
     None,
@@ -92,7 +94,7 @@ pub enum RootPlane {
 }
 
 /// A point in the wing's axes.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BalancePoint {
     /// Aft.
@@ -104,7 +106,7 @@ pub struct BalancePoint {
 }
 
 /// How box displacements follow grid displacements.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 pub enum SplineKind {
     /// A beam spline along the spline grids, for wings with an elastic axis.
     #[default]
@@ -114,7 +116,7 @@ pub enum SplineKind {
 }
 
 /// The shape of the corrections: polynomials in span, one for each chord strip.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CorrectionSettings {
     /// Strips along the chord; each is one or several rows of boxes, so it divides the number of rows.

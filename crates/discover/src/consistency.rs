@@ -14,11 +14,12 @@ use crate::setting::Setting;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 use maneuver::effects::Active;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// What moved in a group's segments.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Moved {
     /// Nothing: static points.
@@ -42,7 +43,7 @@ impl Moved {
 }
 
 /// One group's judgement.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Share {
     /// Airspeed, m/s.
     pub v_m_s: f64,

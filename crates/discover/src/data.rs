@@ -49,11 +49,11 @@ impl Dataset {
     /// all; noise that is stated of other loads than the runs have.
     pub fn read(campaign: &Campaign, wing: &ElasticWing, rules: &Arc<Rules>) -> Result<Self, InputError> {
         let how = &rules.data;
-        let listed_in = campaign.folder.join("campaign.ron");
-        let read = read_runs(campaign, wing, &listed_in)?;
+        let listed_in = &campaign.path;
+        let read = read_runs(campaign, wing, listed_in)?;
         let airspeeds_m_s = airspeeds(how, campaign, &read);
         let blocks = blocks(campaign);
-        let run_loads = run_loads(campaign, &read, &listed_in)?;
+        let run_loads = run_loads(campaign, &read, listed_in)?;
         let stated = stated(campaign, run_loads);
         let not_used = not_used(campaign, &read);
         let (usage, split) = usage(how, &campaign.runs);

@@ -10,12 +10,13 @@ use crate::setting::Setting;
 use crate::trial::{Trial, difference};
 use maneuver::effects::Effect;
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::sync::Arc;
 
 /// See the module.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct DetectionLimit {
     /// Effect.
     pub name: Cow<'static, str>,

@@ -3,12 +3,13 @@
 use crate::null_key::NullKey;
 use crate::rules::EffectRules;
 use maneuver::effects::Effect;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// Thresholds of evidence by effect and form, and what the misfit is without effects.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct NullDistribution {
     /// What it belongs to.

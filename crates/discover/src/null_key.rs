@@ -8,6 +8,7 @@ use aero::Corrections;
 use calibrate::{CorrectionSet, Schedule};
 use coupling::wing_file::fingerprint;
 use maneuver::effects::{Effect, Stimulus};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::fmt::Write as _;
 use std::sync::Arc;
@@ -16,7 +17,7 @@ use std::sync::Arc;
 const FINE: f64 = 1e-6;
 
 /// See the module; each part is a fingerprint.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct NullKey {
     /// The wing's file and what it names.

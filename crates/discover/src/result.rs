@@ -11,6 +11,7 @@ use crate::next::Advice;
 use crate::spectral_lines::SpectralLine;
 use crate::verdict::VerdictKind;
 use coupling::ByLoad;
+use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize};
 use std::collections::BTreeMap;
 
@@ -20,10 +21,11 @@ fn number<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
 }
 
 /// A fitted value.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Estimate {
     /// Value.
     #[serde(deserialize_with = "number")]
+    #[schemars(with = "Option<f64>")]
     pub value: f64,
     /// One standard deviation.
     #[serde(default)]
@@ -31,7 +33,7 @@ pub struct Estimate {
 }
 
 /// A named effect.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct NamedEffect {
     /// Name.
@@ -55,7 +57,7 @@ pub struct NamedEffect {
 }
 
 /// Before and after the effects.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct BeforeAfter<T> {
     /// Without them.
     pub before: T,
@@ -64,16 +66,19 @@ pub struct BeforeAfter<T> {
 }
 
 /// The gap of training or held-out data; without numbers where there are no such data.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct StatedGap {
     /// Without the effects.
     #[serde(deserialize_with = "number")]
+    #[schemars(with = "Option<f64>")]
     pub before: f64,
     /// With them.
     #[serde(deserialize_with = "number")]
+    #[schemars(with = "Option<f64>")]
     pub after: f64,
     /// Where nothing is missing.
     #[serde(deserialize_with = "number")]
+    #[schemars(with = "Option<f64>")]
     pub floor: f64,
     /// By load; null for a load that the campaign lacks.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -108,7 +113,7 @@ impl StatedGap {
 }
 
 /// Gaps of the training and of the held-out data.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 pub struct StatedGaps {
     /// Training data.
     pub training: StatedGap,
@@ -117,7 +122,7 @@ pub struct StatedGaps {
 }
 
 /// Chi square a row of the training data.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 pub struct Misfit {
     /// Without effects.
     pub before: f64,
@@ -130,7 +135,7 @@ pub struct Misfit {
 }
 
 /// An effect that was weighed, and what it needs.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 pub struct Candidate {
     /// Name, and form if it has several.
     pub name: String,
@@ -141,7 +146,7 @@ pub struct Candidate {
 }
 
 /// A cell of the residual's map.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct MapCell {
     /// Channel.
     pub channel: String,
@@ -155,6 +160,7 @@ pub struct MapCell {
     pub before: f64,
     /// With them.
     #[serde(deserialize_with = "number")]
+    #[schemars(with = "Option<f64>")]
     pub after: f64,
     /// What it stays below 99 times in a hundred where there is nothing but pure error.
     pub limit: f64,
@@ -167,7 +173,7 @@ pub struct MapCell {
 }
 
 /// See the module.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct DiscoverResult {
     /// Name of the command.
     #[serde(default)]
@@ -192,7 +198,7 @@ pub struct DiscoverResult {
 }
 
 /// What a search says.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct SearchResult {
     /// The verdict in words.

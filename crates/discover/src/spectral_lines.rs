@@ -12,12 +12,13 @@ use crate::noise::pairs;
 use crate::rules::SpectralLineRules;
 use crate::transform::{every_cosine, frequency_hz};
 use maneuver::effects::Flown;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 use std::borrow::Cow;
 
 /// See the module.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SpectralLine {
     /// Channel.
     pub channel: Cow<'static, str>,

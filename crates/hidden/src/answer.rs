@@ -2,10 +2,11 @@
 
 use crate::effects::{Role, kind};
 use crate::plan::{CasePlan, Class, Defect};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A hidden effect.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct TrueEffect {
     /// Name.
     pub name: String,
@@ -16,7 +17,7 @@ pub struct TrueEffect {
 }
 
 /// A parameter as hidden.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct TrueParameter {
     /// Name with unit.
     pub name: String,
@@ -27,7 +28,7 @@ pub struct TrueParameter {
 }
 
 /// See the module.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Answer {
     /// Seed of the list.
     pub list_seed: u64,

@@ -2,10 +2,11 @@
 
 use crate::effects::{KINDS, Kind, Parameter, Role, Sign, kind};
 use crate::random::{Random, Stream};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// What kind of case.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Class {
     /// Nothing hidden.
@@ -29,7 +30,7 @@ pub enum Class {
 }
 
 /// Shares of the classes.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Mix(pub Vec<(Class, f64)>);
 
 impl Default for Mix {
@@ -72,7 +73,7 @@ impl Mix {
 }
 
 /// A fault of the data.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Defect {
     /// A channel (0 Fz, 1 Mx, 2 My) with the wrong sign in all runs.
@@ -106,7 +107,7 @@ pub enum Defect {
 }
 
 /// An effect with the values of its parameters, in the order of its kind.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Hidden {
     /// Name.
     pub name: String,
@@ -115,7 +116,7 @@ pub struct Hidden {
 }
 
 /// One case before it is simulated.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct CasePlan {
     /// Seed of the list.
     pub list_seed: u64,

@@ -9,11 +9,12 @@ pub use check::DEFAULT_LIMIT_DEG;
 use crate::motion::MotionSpec;
 use crate::rig::{Actuator, RigSettings};
 use nastran::{InputError, ron_file};
+use schemars::JsonSchema;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 
 /// A maneuver as its file declares it; angles in degrees.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename = "Maneuver")]
 pub struct ManeuverFile {
     /// Airspeed; zero is wind-off.
@@ -40,7 +41,7 @@ pub struct ManeuverFile {
 }
 
 /// What stands between a commanded deflection and the control surface.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub enum ActuatorChoice {
     /// The assumed actuator of [`RigSettings::new`].

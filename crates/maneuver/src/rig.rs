@@ -18,11 +18,12 @@ use crate::operators::{FIELDS, RigOperators};
 use crate::rig_model::RigModel;
 use aero::{Corrections, Flow};
 use coupling::{CouplingError, ElasticWing};
+use schemars::JsonSchema;
 use serde::Deserialize;
 use structure::ModesError;
 
 /// A second-order actuator between commanded and actual deflection.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Actuator {
     /// Natural frequency, Hz.

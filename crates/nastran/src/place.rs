@@ -1,5 +1,6 @@
 //! Finds where a field or a name stands in a text file, for complaints that come after parsing.
 
+use crate::ron_or_json::is_json;
 use crate::source::{InputError, Span};
 use crate::text_file::{no_file, read_text};
 use std::path::{Path, PathBuf};
@@ -7,16 +8,18 @@ use std::sync::Arc;
 
 /// Where the last of `anchors` stands, each searched for behind the one before, outside comments (`//`) and not
 /// inside a longer word: `["total:", "mass_kg:"]` is the first `mass_kg` behind `total`. As far as they are
-/// found; the whole file if not even the first is.
+/// found; the whole file if not even the first is. In JSON, which has no comments, a field's name stands in quotes.
 pub fn place_of(anchors: &[&str], text: &str, path: &Path) -> Span {
     let file = Arc::new(path.to_path_buf());
     let mut found = Span::whole_file(path);
+    let json = is_json(path);
     let (mut anchors, mut wanted) = (anchors.iter(), None);
     for (index, line) in text.lines().enumerate() {
-        let code = line.split("//").next().unwrap_or(line);
+        let code = if json { line } else { line.split("//").next().unwrap_or(line) };
         let mut from = 0;
         while let Some(anchor) = wanted.or_else(|| anchors.next()) {
-            let Some(start) = word(code, anchor, from) else {
+            let at = if json { json_word(code, anchor, from) } else { word(code, anchor, from) };
+            let Some(start) = at else {
                 wanted = Some(anchor);
                 break;
             };
@@ -35,8 +38,17 @@ fn word(code: &str, anchor: &str, from: usize) -> Option<usize> {
     code.get(from..)?.match_indices(anchor).map(|(start, _)| from + start).find(|start| !in_word(*start))
 }
 
+/// As [`word`]: `name:` is the field `"name"` with its colon.
+fn json_word(code: &str, anchor: &str, from: usize) -> Option<usize> {
+    let Some(name) = anchor.strip_suffix(':') else { return word(code, anchor, from) };
+    let quoted = format!("\"{name}\"");
+    let is_field = |at: &usize| code[at + quoted.len()..].trim_start().starts_with(':');
+    let found = code.get(from..)?.match_indices(&quoted).map(|(at, _)| from + at).find(is_field)?;
+    Some(found + 1)
+}
+
 impl InputError {
-    /// An error about a field of a RON file, given as `outer.inner`: at its line, which is looked up in the file.
+    /// An error about a field of a RON or JSON file, given as `outer.inner`: at its line, which is looked up in the file.
     pub fn in_field(path: &Path, field: &str, message: impl Into<String>) -> Self {
         let anchors: Vec<String> = field.split('.').map(|name| format!("{name}:")).collect();
         let anchors: Vec<&str> = anchors.iter().map(String::as_str).collect();
@@ -82,6 +94,17 @@ mod tests {
         assert_eq!(line_and_column(&["mass_kg:"]), (2, 13));
         assert_eq!(line_and_column(&["tail:", "mass_kg:"]), (4, 3));
         assert_eq!(line_and_column(&["tail:"]), (3, 16));
+    }
+
+    #[test]
+    fn a_field_of_json_is_found_in_its_quotes() {
+        let text = "{\"name\": \"total\", \"url\": \"a//b\", \"total\" : {\n \"mass_kg\": 1}}";
+        let place = |anchors: &[&str]| {
+            let span = place_of(anchors, text, Path::new("a.json"));
+            (span.line, span.column, span.end_column)
+        };
+        assert_eq!(place(&["total:"]), (1, 35, 40));
+        assert_eq!(place(&["total:", "mass_kg:"]), (2, 3, 10));
     }
 
     #[test]

@@ -1,5 +1,8 @@
-//! Reading RON files with errors that name the line, the column and the field that was probably meant.
+//! The one reader of RON files, and of JSON in their place where a name ends in `.json`; errors name the line, the column
+//! and the field that was probably meant.
 
+use crate::json_file;
+use crate::ron_or_json::is_json;
 use crate::source::{InputError, Span};
 use crate::suggest::nearest;
 use crate::text_file::read_text;
@@ -11,7 +14,7 @@ use serde::de::DeserializeOwned;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Reads and parses a RON file; `Option` fields may be written without `Some`.
+/// Reads and parses a RON file, or JSON by its ending; `Option` fields may be written without `Some`.
 ///
 /// # Errors
 /// If the file cannot be read or does not say what `T` expects.
@@ -19,12 +22,24 @@ pub fn read<T: DeserializeOwned>(path: &Path) -> Result<T, InputError> {
     parse_at(path, &read_text(path)?)
 }
 
-/// Parses RON text; `name` is the file name that errors give.
+/// Parses RON text; `name` is the file name that errors give, and `.json` at its end says that the text is JSON.
 ///
 /// # Errors
 /// If the text does not say what `T` expects.
 pub fn parse<T: DeserializeOwned>(name: &str, text: &str) -> Result<T, InputError> {
     parse_at(Path::new(name), text)
+}
+
+/// A value as the text of a file of this name that [`read`] understands: JSON if its ending says so, else as [`to_text`].
+///
+/// # Errors
+/// If the value cannot be written in that form.
+pub fn to_text_of<T: Serialize>(name: &str, value: &T) -> Result<String, InputError> {
+    if !is_json(Path::new(name)) {
+        return to_text(value);
+    }
+    serde_json::to_string_pretty(value)
+        .map_err(|error| InputError::general(format!("this cannot be written as JSON: {error}")))
 }
 
 /// A value as RON text that [`read`] understands, four spaces a level, with the name of its type in front.
@@ -40,6 +55,9 @@ pub fn to_text<T: Serialize>(value: &T) -> Result<String, InputError> {
 }
 
 fn parse_at<T: DeserializeOwned>(path: &Path, text: &str) -> Result<T, InputError> {
+    if is_json(path) {
+        return json_file::parse_at(path, text);
+    }
     let options = ron::Options::default().with_default_extension(Extensions::IMPLICIT_SOME);
     let value = options.from_str(text).map_err(|error| explain(path, text, &error))?;
     refuse_not_finite(path, text)?;

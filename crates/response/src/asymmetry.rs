@@ -8,6 +8,7 @@ mod grid;
 use std::path::Path;
 
 use nastran::{InputError, Table};
+use schemars::JsonSchema;
 use serde::Serialize;
 use statrs::distribution::{ContinuousCDF, Normal};
 
@@ -39,7 +40,7 @@ impl Default for Settings {
 }
 
 /// The ratio of a displacement field.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct Asymmetry {
     /// R, left over right.
     pub ratio: f64,

@@ -2,13 +2,14 @@
 
 use nastran::{InputError, Table};
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::fault::Fault;
 use crate::term::{Term, is_name};
 
 /// What is done with the blocks of the data.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 pub enum Blocking {
     /// They are not looked at.
     Ignored,

@@ -1,13 +1,14 @@
 //! Which of many effects are real when nothing was repeated: normal and half-normal plots (Daniel, Technometrics 1 (1959)),
 //! on which noise lies on a line through zero, and Lenth's pseudo standard error with its margins (Technometrics 31 (1989)).
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::distributions::{normal_quantile, probability, t_quantile};
 use crate::fault::Fault;
 
 /// Lenth's pseudo standard error and margins of effects, in the unit of the effects.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct Lenth {
     /// 1.5 times the median size of those effects that are below 2.5 times 1.5 times the median size of all.
     pub pseudo_standard_error: f64,

@@ -2,6 +2,7 @@
 //! leverage x' (X'X)^-1 x, the point's distance from the middle of the data ("site selection"). All values are those of the
 //! mean block.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::distributions::{t_interval, t_quantile};
@@ -9,11 +10,12 @@ use crate::fault::Fault;
 use crate::regression::Regression;
 
 /// A prediction at a point.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct Prediction {
     /// Value, unit of the response.
     pub value: f64,
     /// Standard error of the surface there, same unit.
+    #[schemars(with = "Option<f64>")]
     pub standard_error: f64,
     /// x' (X'X)^-1 x; the mean over the points of the data is parameters over points.
     pub leverage: f64,

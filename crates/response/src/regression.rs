@@ -1,6 +1,7 @@
 //! A response surface fitted to data: given terms by least squares, with fixed or random block offsets, and what the fit
 //! says of itself. Coefficients are in the unit of the response over that of the term.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::columns::Columns;
@@ -39,7 +40,7 @@ impl Coefficient {
 }
 
 /// The offset of a block from the mean block.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct BlockOffset {
     /// The block column.
     pub blocks: String,

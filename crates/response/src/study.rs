@@ -4,6 +4,7 @@
 use std::path::Path;
 
 use nastran::{InputError, Table, place_of, read_text, ron_file};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::analysis::{Analysis, analyse};
@@ -18,7 +19,7 @@ use crate::term::Term;
 const ORDER: u32 = 2;
 
 /// Tables to analyse.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename = "Response")]
 pub struct Study {
     /// For headings.
@@ -31,7 +32,7 @@ pub struct Study {
 }
 
 /// One table and what to make of it.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TableStudy {
     /// The CSV file, beside the file that names it.
@@ -71,7 +72,7 @@ pub struct TableStudy {
 const HIGHEST_ORDER: u32 = 9;
 
 /// Two-level effects of a table.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct EffectsStudy {
     /// Columns at two levels.

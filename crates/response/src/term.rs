@@ -1,9 +1,11 @@
 //! Terms of a response surface: products of powers of named factors, such as `alpha^2*q` or `n^2/q`, read and written
 //! in that form. The constant is `1`.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Serialize, Serializer};
 
 use crate::fault::Fault;
@@ -117,6 +119,16 @@ impl PartialEq for Term {
 }
 
 impl Eq for Term {}
+
+impl JsonSchema for Term {
+    fn schema_name() -> Cow<'static, str> {
+        "Term".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "type": "string", "description": "A product of powers of factors, such as n^2/q; 1 is the constant." })
+    }
+}
 
 impl Serialize for Term {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

@@ -1,10 +1,11 @@
 //! What a search for something missing answers, of terms of a response surface here and of effects of a wing in `discover`:
 //! the kind of answer, the gap before and after, and the limit that campaigns with nothing missing set.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The kind of answer.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum VerdictKind {
     /// What is missing is named.
@@ -21,13 +22,16 @@ pub enum VerdictKind {
 }
 
 /// Root mean square of what a model leaves, in standard deviations of the noise.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct Gap {
     /// With the model as given.
+    #[schemars(with = "Option<f64>")]
     pub before: f64,
     /// With what was named.
+    #[schemars(with = "Option<f64>")]
     pub after: f64,
     /// Where nothing is missing.
+    #[schemars(with = "Option<f64>")]
     pub floor: f64,
 }
 

@@ -7,11 +7,12 @@ use coupling::planform::Mesh;
 use coupling::wing_file::DeflectionTable;
 use maneuver::motion::ANGLE;
 use nastran::{InputError, ron_file};
+use schemars::JsonSchema;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 
 /// What the tunnel measures and hides.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename = "Tunnel")]
 pub struct TunnelFile {
     /// Name of the campaign.
@@ -45,7 +46,7 @@ pub struct TunnelFile {
 }
 
 /// How the truth differs from the wing file; everything left out is as in the wing file.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TruthSettings {
     /// Another lattice.
@@ -60,7 +61,7 @@ pub struct TruthSettings {
 }
 
 /// A beam with other numbers: factors at root and tip, linear between.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BeamChange {
     /// Number of elements.
@@ -80,7 +81,7 @@ pub struct BeamChange {
 }
 
 /// Values at leading and trailing edge, at root and tip.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Corners {
     /// Root, leading and trailing edge.
@@ -99,7 +100,7 @@ impl Corners {
 }
 
 /// What real sections do.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Sections {
     /// Viscous polars of the section: `V_mps,Re,alpha_deg,cl,cd,cm_c4`.
@@ -119,7 +120,7 @@ pub struct Sections {
 }
 
 /// The part of the sections' behaviour that is given airspeed by airspeed.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct AirspeedSections {
     /// Airspeed.
@@ -132,7 +133,7 @@ pub struct AirspeedSections {
 }
 
 /// Static cases to measure.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Statics {
     /// Airspeeds.
@@ -148,7 +149,7 @@ pub struct Statics {
 }
 
 /// Blocks of measurements.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Blocks {
     /// Name and number of replicates of each.

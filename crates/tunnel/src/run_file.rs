@@ -5,10 +5,11 @@ use coupling::RootLoads;
 use coupling::wing_file::DeflectionTable;
 use maneuver::Actuator;
 use maneuver::motion::MotionSpec;
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// How runs are measured, and what moves in them that the model does not have.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Dynamics {
     /// Samples per second.
@@ -25,7 +26,7 @@ pub struct Dynamics {
 }
 
 /// A rigid body that pitches with the wing on the balance's metric side.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Joiner {
     /// Mass.
@@ -49,7 +50,7 @@ impl Joiner {
 }
 
 /// One run.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RunPlan {
     /// CSV file to write.

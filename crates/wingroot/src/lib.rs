@@ -27,6 +27,7 @@ pub mod pages;
 pub mod paths;
 pub mod progress;
 pub mod said;
+pub mod schemas;
 pub mod show;
 pub mod store;
 pub mod structures;

@@ -7,15 +7,17 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
 use nastran::InputError;
+use nastran::ron_or_json::in_folder;
 
 use crate::show;
 
-/// The files by which a folder is known.
-const WING: &str = "wing.ron";
-const AIRCRAFT: &str = "aircraft.ron";
-const CAMPAIGN: &str = "campaign.ron";
-const TUNNEL: &str = "tunnel.ron";
-const STUDY: &str = "response.ron";
+/// The files by which a folder is known, `NAME.ron` or `NAME.json`.
+const WING: &str = "wing";
+const AIRCRAFT: &str = "aircraft";
+const CAMPAIGN: &str = "campaign";
+const TUNNEL: &str = "tunnel";
+/// The study of a folder of response surfaces.
+pub(crate) const STUDY: &str = "response";
 /// Folders of measurements that are looked for beside a wing.
 const CAMPAIGNS: [&str; 2] = ["campaign", "measured"];
 
@@ -66,10 +68,10 @@ pub fn aircraft(given: Option<&Path>, wing: Option<&Path>) -> Result<PathBuf, In
     let Some(wing) = wing.filter(|_| given.is_none()) else {
         return found("aircraft", given, AIRCRAFT, "tuflex", "--aircraft FILE");
     };
-    let places =
-        [(wing.with_file_name(AIRCRAFT), "beside the wing"), (PathBuf::from(AIRCRAFT), "of this folder")];
-    let Some((path, why)) = places.into_iter().find(|(path, _)| path.is_file()) else {
-        let message = format!("no aircraft is named, and there is no {AIRCRAFT} beside this wing");
+    let (beside, here) = (in_folder(folder_of(wing), AIRCRAFT)?, in_folder(Path::new(""), AIRCRAFT)?);
+    let places = [beside.map(|path| (path, "beside the wing")), here.map(|path| (path, "of this folder"))];
+    let Some((path, why)) = places.into_iter().flatten().next() else {
+        let message = format!("no aircraft is named, and there is no {AIRCRAFT}.ron beside this wing");
         return Err(
             InputError::in_file(wing, message).with_help("name the aircraft around it with --aircraft FILE")
         );
@@ -105,17 +107,17 @@ fn found(
     if let Some(given) = given {
         return Ok(given.to_path_buf());
     }
-    let here = PathBuf::from(name);
-    if here.is_file() {
+    if let Some(here) = in_folder(Path::new(""), name)? {
         take(what, &here, "of this folder");
         return Ok(here);
     }
-    if let Some(shipped) = SHIPPED.get().map(|folder| folder.join(example).join(name)).filter(|p| p.is_file())
+    if let Some(shipped) =
+        SHIPPED.get().map(|folder| folder.join(example).join(format!("{name}.ron"))).filter(|p| p.is_file())
     {
         take(what, &shipped, "the shipped example");
         return Ok(shipped);
     }
-    Err(InputError::general(format!("no {what} given, and this folder has no {name}")).with_help(format!(
+    Err(InputError::general(format!("no {what} given, and this folder has no {name}.ron")).with_help(format!(
         "name one with {option}, or start in a folder that has one (`wingroot new DIR --example {example}` makes such a folder)"
     )))
 }
@@ -129,7 +131,6 @@ pub fn campaign(given: Option<&Path>, wing: &Path) -> Result<PathBuf, InputError
         return Ok(given.to_path_buf());
     }
     let folder = folder_of(wing);
-    let is_campaign = |folder: &Path| folder.join(CAMPAIGN).is_file();
     let named: Vec<PathBuf> =
         CAMPAIGNS.iter().map(|name| folder.join(name)).filter(|path| is_campaign(path)).collect();
     let own = is_campaign(folder).then(|| folder.to_path_buf());
@@ -159,6 +160,11 @@ pub fn campaign(given: Option<&Path>, wing: &Path) -> Result<PathBuf, InputError
         format!("name one with --campaign DIR; there is {}", names.join(", "))
     };
     Err(InputError::in_file(wing, message).with_help(help))
+}
+
+/// Whether a folder is a campaign's. One with both files is, too: who reads it says what is wrong.
+pub(crate) fn is_campaign(folder: &Path) -> bool {
+    !matches!(in_folder(folder, CAMPAIGN), Ok(None))
 }
 
 /// The folder of a file, as one types it.

@@ -91,6 +91,7 @@ pub(crate) fn loads(
 /// A campaign of rows.
 pub(crate) fn campaign(points: Vec<StaticPoint>, noise: Option<Noise>) -> Campaign {
     Campaign {
+        path: std::path::PathBuf::new(),
         name: "made by the model itself".into(),
         folder: PathBuf::from("test"),
         rho_kg_m3: RHO,

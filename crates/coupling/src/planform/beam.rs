@@ -13,6 +13,7 @@ use super::{
 };
 use nalgebra::{Point3, Vector3};
 use nastran::{BulkData, Conm2, InputError, Set1, Span, Spc1};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -25,7 +26,7 @@ const E_PA: f64 = 17e9;
 const G_PA: f64 = 6e9;
 
 /// A beam along the elastic axis.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BeamStructure {
     /// Elements from root to tip, equally wide in y.

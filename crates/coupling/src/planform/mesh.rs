@@ -1,10 +1,11 @@
 //! Other lattices on the same planform.
 
 use super::Planform;
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// A lattice on a planform.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Mesh {
     /// Boxes along the chord; the hinges must fall on box edges.

@@ -34,6 +34,7 @@ pub use structure::Structure;
 
 use nalgebra::Point3;
 use nastran::{BulkData, InputError, Span};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -62,7 +63,7 @@ pub enum Mount {
 }
 
 /// A trapezoidal half wing. Angles in degrees as in the file; lengths in metres.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Planform {
     /// From root to tip along y.
@@ -100,7 +101,7 @@ pub struct Planform {
 }
 
 /// Numbers of boxes.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Boxes {
     /// Boxes along the chord, equally long.
@@ -113,7 +114,7 @@ pub struct Boxes {
 }
 
 /// The fairing between wing root and tunnel wall: a rectangle with the root chord, from y = -width to 0.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Fairing {
     /// Strips along y.
@@ -126,7 +127,7 @@ pub struct Fairing {
 }
 
 /// A trailing edge flap over whole strips and whole boxes.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Control {
     /// At most eight letters and digits, as an AESURF label.

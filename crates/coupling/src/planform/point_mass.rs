@@ -1,10 +1,11 @@
 //! Masses at places of the wing: servos, accelerometers, the root section.
 
 use super::Fault;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A mass without inertia of its own, in the plane of the wing.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PointMass {
     /// Its name, unique in the wing.

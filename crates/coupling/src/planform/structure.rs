@@ -3,11 +3,12 @@
 use super::{BeamStructure, FIRST_SENSOR_GRID, Fault, Mount, Planform, PointMass, ShellSolid};
 use nalgebra::Point3;
 use nastran::{BulkData, InputError};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
 /// What the wing is made of.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub enum Structure {
     /// A beam along the elastic axis.
     Beam(BeamStructure),

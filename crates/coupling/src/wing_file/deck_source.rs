@@ -2,11 +2,12 @@
 
 use crate::planform::{Fault, Mount};
 use nastran::{BulkData, Caero1, Divisions, InputError, read_deck};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
 /// A deck with structure and panels, and what the deck cannot say by itself.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DeckSource {
     /// The deck, relative to the wing file; it may include others.

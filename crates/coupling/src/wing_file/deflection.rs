@@ -3,6 +3,7 @@
 
 use nastran::suggest::nearest;
 use nastran::{BulkData, InputError, place_of};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -14,7 +15,7 @@ const LARGEST_FACTOR: f64 = 5.0;
 const AIRSPEEDS_M_S: std::ops::RangeInclusive<f64> = 0.1..=340.0;
 
 /// What one control surface does with a commanded deflection.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DeflectionTable {
     /// Name of the control surface.
@@ -31,7 +32,7 @@ pub struct DeflectionTable {
 }
 
 /// What to do at an airspeed beyond those of a table.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 pub enum OutsideAirspeeds {
     /// Refuse (an airspeed within 2 % of the first or last one takes that one's).
     #[default]
@@ -41,7 +42,7 @@ pub enum OutsideAirspeeds {
 }
 
 /// One airspeed of a [`DeflectionTable`]; either `equivalent_deg` or `factor` is given.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DeflectionRow {
     /// Airspeed.

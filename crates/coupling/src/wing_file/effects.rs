@@ -3,14 +3,16 @@
 
 use nastran::suggest::nearest;
 use nastran::{InputError, place_of};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// A covariance is symmetric to this share of its diagonal.
 const SYMMETRIC: f64 = 1e-9;
 
 /// An effect with the values of its parameters, and what is known of them.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename = "Effect")]
 pub struct WingEffect {
     /// Its name, as in `maneuver::effects`.
@@ -20,9 +22,11 @@ pub struct WingEffect {
     pub form: String,
     /// Values by parameter, in the units of their names; those left out are zero.
     #[serde(with = "in_order")]
+    #[schemars(with = "BTreeMap<String, f64>")]
     pub parameters: Vec<(String, f64)>,
     /// Standard deviations of some or all parameters.
     #[serde(default, skip_serializing_if = "Vec::is_empty", with = "in_order")]
+    #[schemars(with = "BTreeMap<String, f64>")]
     pub sigma: Vec<(String, f64)>,
     /// Covariance of the parameters, in the order they are listed.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -42,7 +46,7 @@ pub struct WingEffect {
 }
 
 /// Smallest and largest value of what the data covered.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct EffectValidity {
     /// Angle of attack, degrees.

@@ -2,10 +2,11 @@
 
 use crate::planform::Fault;
 use crate::planform::check::within;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A monitoring station as a wing's file describes it.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StationAt {
     /// Name, part of the channels' names: `Fz_NAME_N`.

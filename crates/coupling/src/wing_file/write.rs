@@ -1,7 +1,8 @@
 //! A wing's file with another deflection correction or other effects: the given text with them added at its end, comments
-//! kept, or all of it written anew where the text already has some or names files in other folders.
+//! kept, or (and always in JSON) all of it written anew where the text already has some or names files in other folders.
 
 use super::{DeflectionTable, Source, WingEffect, WingFile};
+use nastran::ron_or_json::is_json;
 use nastran::{InputError, ron_file};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -19,6 +20,11 @@ pub struct Rewritten {
 const EMPTY_EFFECTS: [&str; 2] = ["    effects: [],\n", "    effects: [],\r\n"];
 
 impl WingFile {
+    /// What the file of this wing is called where it is written anew: JSON if it was read from JSON.
+    pub fn written_name(&self) -> &'static str {
+        if is_json(&self.path) { "wing.json" } else { "wing.ron" }
+    }
+
     /// The file of the same wing with these deflection corrections instead of its own. Files it names are to be
     /// copied beside it; a deck, which may include others, is named by its absolute path instead.
     ///
@@ -87,16 +93,20 @@ impl WingFile {
     ) -> Result<Rewritten, InputError> {
         let beside = wanted.put_beside()?;
         let original = nastran::read_text(&self.path)?;
+        let name = self.written_name();
         let same = |text: &str| {
-            let read: Option<Self> = ron_file::parse("wing.ron", text).ok();
+            let read: Option<Self> = ron_file::parse(name, text).ok();
             read.is_some_and(|read| {
                 Self { path: self.path.clone(), hash: self.hash.clone(), ..read } == wanted
             })
         };
-        if let Some(text) = add(&original).filter(|text| same(text)) {
+        // What is added to RON keeps comments; JSON has none.
+        let added = if is_json(&self.path) { None } else { add(&original) };
+        if let Some(text) = added.filter(|text| same(text)) {
             return Ok(Rewritten { text, beside });
         }
-        let text = format!("Wing{}\n", ron_file::to_text(&wanted)?);
+        let head = if is_json(&self.path) { "" } else { "Wing" };
+        let text = format!("{head}{}\n", ron_file::to_text_of(name, &wanted)?);
         if same(&text) {
             return Ok(Rewritten { text, beside });
         }

@@ -1,10 +1,11 @@
 //! A fault of the data.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 
 /// What is wrong.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub enum DefectKind {
     /// Labels of channels exchanged.
     SwappedChannels,
@@ -25,7 +26,7 @@ pub enum DefectKind {
 }
 
 /// A defect.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Defect {
     /// What is wrong.
     pub kind: DefectKind,

@@ -12,11 +12,12 @@ use super::residuals::{Residuals, Unit};
 use crate::rules::LocateRules;
 use rayon::prelude::*;
 use response::FTest;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 
 /// What a part of a residual goes with.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Located {
     /// Channel.
     pub channel: Cow<'static, str>,

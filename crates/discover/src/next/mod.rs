@@ -23,13 +23,14 @@ use calibrate::{Schedule, Use};
 use faer::Mat;
 use maneuver::effects::{Active, Flown};
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// An experiment and what is expected of it.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Advice {
     /// What to fly.
     pub experiment: Cow<'static, str>,

@@ -1,13 +1,14 @@
 //! The RON file that describes an aircraft: which wing, what stands around it, what it weighs and what it flies.
 
 use crate::aircraft::lift_limits::{LiftLimits, lift_limits};
-use maneuver::motion::{Chirp, Doublet, MotionSpec, of_kind};
+use maneuver::motion::{Chirp, Doublet, MotionSpec, OfKind, of_kind};
 use nastran::{InputError, Span, ron_file};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
 /// An aircraft as its file describes it; angles in degrees as in the file.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename = "Aircraft")]
 pub struct AircraftFile {
     /// What reports call it.
@@ -42,9 +43,11 @@ pub struct AircraftFile {
     pub push_down: FlightPoint,
     /// Aileron doublet.
     #[serde(deserialize_with = "of_kind::<Doublet, _>")]
+    #[schemars(with = "OfKind<Doublet>")]
     pub doublet: MotionSpec,
     /// Aileron chirp.
     #[serde(deserialize_with = "of_kind::<Chirp, _>")]
+    #[schemars(with = "OfKind<Chirp>")]
     pub chirp: MotionSpec,
     /// A gust from `trim`; none if the file has none.
     #[serde(default)]
@@ -59,7 +62,7 @@ pub struct AircraftFile {
 }
 
 /// What is in the flow; the structure is the same in both cases.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub enum Surfaces {
     /// Wings, tail and fuselage: alpha and elevator balance lift and pitching moment.
     All,
@@ -68,7 +71,7 @@ pub enum Surfaces {
 }
 
 /// Mass properties of the whole aircraft.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Total {
     /// Mass, kg.
@@ -84,7 +87,7 @@ pub struct Total {
 }
 
 /// A beam of round section: equally stiff both ways.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RoundBeam {
     /// Bending stiffness, N m2.
@@ -96,7 +99,7 @@ pub struct RoundBeam {
 }
 
 /// A tube along x at y = z = 0, a cruciform of boxes in the flow.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Fuselage {
     /// Nose and tail end, m.
@@ -114,7 +117,7 @@ pub struct Fuselage {
 }
 
 /// Boxes along x in each of the two strips of an arm.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FuselageBoxes {
     /// From the nose to the gap.
@@ -124,7 +127,7 @@ pub struct FuselageBoxes {
 }
 
 /// A trapezoidal surface: half a horizontal tail (along +y) or a vertical tail (along +z).
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TailSurface {
     /// Leading edge of the root, m.
@@ -146,7 +149,7 @@ pub struct TailSurface {
 }
 
 /// Boxes of a tail surface.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TailBoxes {
     /// Along the chord.
@@ -156,7 +159,7 @@ pub struct TailBoxes {
 }
 
 /// Elevator or rudder.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TailControl {
     /// Its name.
@@ -168,7 +171,7 @@ pub struct TailControl {
 }
 
 /// The line thrust acts along. Its force reaches the structure at the wing's root.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ThrustLine {
     /// A point of it, m.
@@ -178,7 +181,7 @@ pub struct ThrustLine {
 }
 
 /// A steady point of flight.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FlightPoint {
     /// Airspeed, m/s.
@@ -191,7 +194,7 @@ pub struct FlightPoint {
 }
 
 /// A vertical one-minus-cosine gust.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GustCase {
     /// Largest velocity, upwards, m/s.
@@ -205,7 +208,7 @@ pub struct GustCase {
 }
 
 /// An actuator of second order.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Actuator {
     /// Natural frequency, Hz.

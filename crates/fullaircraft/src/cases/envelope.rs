@@ -1,6 +1,7 @@
 //! The load envelope of many cases: smallest and largest Fz, Mx and My at each station, with the case that gave each.
 
 use crate::cases::grid::{CaseResult, StationLoads};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt::Write as _;
 
@@ -8,7 +9,7 @@ use std::fmt::Write as _;
 pub const LOADS: [&str; 3] = ["Fz_N", "Mx_Nm", "My_Nm"];
 
 /// One end of a load's range.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Extreme {
     /// `initial` or `updated`.
     pub model: String,

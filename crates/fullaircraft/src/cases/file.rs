@@ -4,12 +4,13 @@ use crate::trim::maneuvers::Steady;
 use coupling::wing_file::StationAt;
 use maneuver::motion::{MotionOr, MotionSpec, Others};
 use nastran::{InputError, ron_file};
+use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// A grid of cases as its file describes it.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename = "Cases")]
 pub struct CasesFile {
     /// What reports call it.
@@ -33,7 +34,7 @@ pub struct CasesFile {
 pub type Maneuver = MotionOr<Trims>;
 
 /// One kind of trims; controls are pairs of the wing's ailerons.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub enum Trims {
     /// Straight and level.

@@ -15,6 +15,7 @@ use crate::trim::maneuvers::Steady;
 use crate::trim::model::FlightModel;
 use crate::{LiftLimits, Trimmed};
 use maneuver::motion::tidy_degrees;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -35,7 +36,7 @@ pub struct Case {
 }
 
 /// Smallest and largest loads at a station; the same twice in steady flight.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct StationLoads {
     /// The station.
     pub station: String,
@@ -51,7 +52,7 @@ pub struct StationLoads {
 }
 
 /// What came of a case.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct CaseResult {
     /// Its place in the grid.
     pub number: usize,

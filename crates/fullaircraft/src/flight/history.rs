@@ -1,5 +1,6 @@
 //! Time histories of a dynamic maneuver: what sensors on board would show.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::fmt::Write as _;
 
@@ -7,7 +8,7 @@ use std::fmt::Write as _;
 ///
 /// Rates and angles have the signs of flight mechanics: roll positive with the right wing down, pitch nose up, yaw nose
 /// right. That is the opposite of rotations about x (aft) and z (up) of the model's axes.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct FlightHistory {
     /// Time, s.
     pub t_s: Vec<f64>,
@@ -53,7 +54,7 @@ pub struct FlightHistory {
 }
 
 /// A surface, deg.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SurfaceHistory {
     /// Name of its drive.
     pub name: String,
@@ -64,7 +65,7 @@ pub struct SurfaceHistory {
 }
 
 /// An inertial unit.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct UnitHistory {
     /// Name.
     pub name: String,
@@ -77,7 +78,7 @@ pub struct UnitHistory {
 }
 
 /// A monitoring station.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct StationHistory {
     /// Name and side.
     pub name: String,

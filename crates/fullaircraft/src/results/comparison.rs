@@ -12,6 +12,7 @@ use crate::trim::derivatives::Derivatives;
 use crate::trim::model::{FlightModel, Trimmed};
 use aero::Corrections;
 use maneuver::motion::MotionSpec;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// All maneuvers of one model.
@@ -49,7 +50,7 @@ pub struct Comparison {
 }
 
 /// A steady point in numbers.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct SteadyNumbers {
     /// Airspeed.
     #[serde(rename = "V_m_s")]
@@ -67,7 +68,7 @@ pub struct SteadyNumbers {
 }
 
 /// A dynamic maneuver in numbers: largest absolute values.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct DynamicNumbers {
     /// Upwards, at the right tip's accelerometer.
     pub peak_tip_acceleration_m_s2: f64,
@@ -83,7 +84,7 @@ pub struct DynamicNumbers {
 }
 
 /// One model in numbers.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct ModelNumbers {
     /// Steady flight.
     pub trim: SteadyNumbers,
@@ -100,7 +101,7 @@ pub struct ModelNumbers {
 }
 
 /// Both models in numbers.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct BothModels {
     /// Without corrections.
     pub initial: ModelNumbers,
@@ -109,7 +110,7 @@ pub struct BothModels {
 }
 
 /// Derivatives of both models.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct BothDerivatives {
     /// Without corrections.
     pub initial: Derivatives,
@@ -118,7 +119,7 @@ pub struct BothDerivatives {
 }
 
 /// What `result.json` holds.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Summary {
     /// `fullaircraft`.
     pub command: &'static str,

@@ -22,10 +22,11 @@ use crate::trim::variables::{Acts, MOTIONS};
 use coupling::SupportedStructure;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Force and moment coefficients per unit of something.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct Coefficients {
     /// Lift (up).
     #[serde(rename = "CL")]
@@ -45,7 +46,7 @@ pub struct Coefficients {
 }
 
 /// What one variable does.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Derivative {
     /// `zero` (all variables zero: camber, twist, pressure offsets), `alpha`, `beta`, `roll_rate`, ..., `elevator`, ...
     pub variable: String,
@@ -58,7 +59,7 @@ pub struct Derivative {
 }
 
 /// All derivatives of a model at an airspeed.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Derivatives {
     /// Airspeed.
     #[serde(rename = "V_m_s")]

@@ -13,11 +13,12 @@ use crate::aircraft::file::{AircraftFile, Surfaces};
 use crate::trim::case::TrimCase;
 use crate::trim::variables::MOTIONS;
 use coupling::GRAVITY_M_S2;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// A steady maneuver at an airspeed.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub enum Steady {
     /// Straight and level.

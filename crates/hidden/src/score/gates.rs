@@ -1,10 +1,11 @@
 //! What a release must reach: bounds of the metrics, decided before any case of the test seeds was judged.
 
 use super::metric::Metrics;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// On which side of its bound a metric must lie.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Bound {
     /// Not below.
@@ -14,7 +15,7 @@ pub enum Bound {
 }
 
 /// A bound of a metric beside its value.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Gate {
     /// Name of the metric.
     pub metric: String,

@@ -1,11 +1,12 @@
 //! Metrics with their intervals.
 
 use super::wilson::wilson;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// One metric.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Metric {
     /// Value; not a number without any case.
     pub value: Option<f64>,
@@ -53,7 +54,7 @@ impl Metric {
 }
 
 /// All metrics of a benchmark.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Metrics {
     /// Number of cases.
     pub cases: usize,

@@ -17,11 +17,12 @@ pub use wilson::wilson;
 use crate::answer::Answer;
 use discover::result::DiscoverResult;
 use judged::Judged;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// `result.json` of the benchmark.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct BenchmarkResult {
     /// Name of the command.
     pub command: String,

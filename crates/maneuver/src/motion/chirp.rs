@@ -3,14 +3,16 @@
 use super::kind::{Kind, Recognised, Record, named};
 use super::read::degrees;
 use super::signal::Signal;
+use schemars::JsonSchema;
 use serde::Deserialize;
 use std::f64::consts::{PI, TAU};
 
 /// `height sin(2 pi (f0 t + (f1 - f0) t²/(2 T)))` for T, zero elsewhere.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Chirp {
     /// Amplitude, rad.
+    #[schemars(description = "Amplitude, deg.")]
     #[serde(rename = "height_deg", deserialize_with = "degrees")]
     pub height: f64,
     /// Frequency at the beginning, Hz.

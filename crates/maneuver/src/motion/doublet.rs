@@ -3,6 +3,7 @@
 use super::kind::{Kind, Recognised, Record, named};
 use super::read::degrees;
 use super::signal::{EDGE, Signal};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// Deflections count as those of a doublet if they are within this share of its height.
@@ -11,10 +12,11 @@ const FLAT: f64 = 0.05;
 const MOSTLY: f64 = 0.8;
 
 /// `+height` for half a period, `-height` for the other half.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Doublet {
     /// Height of each half, rad.
+    #[schemars(description = "Height of each half, deg.")]
     #[serde(rename = "height_deg", deserialize_with = "degrees")]
     pub height: f64,
     /// One over the length of both halves, Hz.

@@ -4,6 +4,7 @@ use super::kind::{Column, Kind, Mover};
 use super::signal::Signal;
 use nastran::table::Table;
 use nastran::{InputError, named_file};
+use schemars::JsonSchema;
 use serde::Deserialize;
 use std::path::Path;
 
@@ -11,7 +12,7 @@ use std::path::Path;
 const LARGEST_DEG: f64 = 90.0;
 
 /// Columns over time, linear between samples and constant before and behind them.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FromFile {
     /// The file, relative to the maneuver's.

@@ -3,12 +3,15 @@
 
 mod kind;
 mod read;
+mod schema;
 mod signal;
 
 pub use kind::{Column, Kind, Mover, Recognised, Record};
+pub use schema::OfKind;
 pub use signal::{About, Signal, sampled};
 
 use read::{Beside, Name, Named};
+use schemars::{Schema, SchemaGenerator};
 use serde::Deserialize;
 use serde::de::value::EnumAccessDeserializer;
 use serde::de::{Deserializer, EnumAccess, Error, VariantAccess, Visitor};
@@ -38,6 +41,11 @@ macro_rules! kinds {
             /// What its kind says of it.
             pub fn kind(&self) -> &dyn Kind {
                 match self { $(Self::$kind(kind) => kind),* }
+            }
+
+            /// Schemas of its kinds as files have them, each with its name.
+            fn schemas(generator: &mut SchemaGenerator, timed: bool) -> Vec<(&'static str, Schema)> {
+                vec![$((stringify!($kind), schema::of_kind::<$kind>(generator, timed))),*]
             }
 
             fn kind_mut(&mut self) -> &mut dyn Kind {

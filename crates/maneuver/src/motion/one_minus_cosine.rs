@@ -3,6 +3,7 @@
 use super::kind::{Kind, Mover, Recognised, Record, named};
 use super::read::{degrees, some_degrees};
 use super::signal::Signal;
+use schemars::JsonSchema;
 use serde::Deserialize;
 use std::f64::consts::TAU;
 
@@ -10,13 +11,15 @@ use std::f64::consts::TAU;
 const STILL_RAD: f64 = 2e-3;
 
 /// `height/2 (1 - cos(2 pi f (t - start)))` for one period, zero elsewhere.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct OneMinusCosine {
     /// Largest departure, rad.
+    #[schemars(description = "Largest departure, deg.")]
     #[serde(rename = "height_deg", deserialize_with = "degrees", default = "not_given")]
     pub height: f64,
     /// In place of the height, the angle of attack it goes to, rad.
+    #[schemars(description = "In place of the height, the angle of attack it goes to, deg.")]
     #[serde(rename = "to_deg", deserialize_with = "some_degrees", default)]
     pub to: Option<f64>,
     /// One over the duration, Hz.

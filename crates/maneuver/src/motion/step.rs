@@ -3,13 +3,15 @@
 use super::kind::{Kind, named};
 use super::read::degrees;
 use super::signal::{EDGE, Signal};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// Zero before, `height` from `start_s` on.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Step {
     /// Height, rad.
+    #[schemars(description = "Height, deg.")]
     #[serde(rename = "height_deg", deserialize_with = "degrees")]
     pub height: f64,
     /// Beginning, s.

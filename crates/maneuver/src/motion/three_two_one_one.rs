@@ -3,13 +3,15 @@
 use super::kind::{Kind, named};
 use super::read::degrees;
 use super::signal::{EDGE, Signal};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// Four blocks of alternating sign, of three, two, one and one units.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ThreeTwoOneOne {
     /// Height, rad.
+    #[schemars(description = "Height, deg.")]
     #[serde(rename = "height_deg", deserialize_with = "degrees")]
     pub height: f64,
     /// Length of one unit, s.

@@ -3,13 +3,15 @@
 use super::kind::{Kind, named};
 use super::read::degrees;
 use super::signal::Signal;
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// Straight lines through 0, `height`, 0, and, to both sides, `-height`, 0.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Triangle {
     /// Height, rad.
+    #[schemars(description = "Height, deg.")]
     #[serde(rename = "height_deg", deserialize_with = "degrees")]
     pub height: f64,
     /// From beginning to end.

@@ -1,5 +1,6 @@
 //! Numbers by which models of different size are compared.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::qr::{dot, subtract};
@@ -8,7 +9,7 @@ use super::reduced::Reduced;
 use super::search::Found;
 
 /// The criteria of one model. N points, m terms, p parameters (terms and offsets of blocks), RSS the residual sum.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct Criteria {
     /// Terms, the constant included.
     pub terms: usize,
@@ -24,10 +25,12 @@ pub struct Criteria {
     pub r_squared: f64,
     /// The same with both sums over their degrees of freedom.
     #[serde(rename = "adjusted_r2")]
+    #[schemars(with = "Option<f64>")]
     pub adjusted_r_squared: f64,
     /// N ln(RSS / N) + p ln N (Schwarz), errors taken as normal.
     pub bic: f64,
     /// Mean square of the residuals of leave-one-out cross-validation (PRESS over N), from the leverages h: r / (1 - h).
+    #[schemars(with = "Option<f64>")]
     pub leave_one_out: f64,
 }
 

@@ -12,6 +12,7 @@ mod criteria;
 mod reduced;
 mod search;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::columns::Columns;
@@ -29,7 +30,7 @@ use reduced::Reduced;
 use search::{best_subsets, ranked, stepwise};
 
 /// How sets are looked for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 pub enum Search {
     /// Morelli's ranking: candidates orthogonalised one after the other, always the one that takes most off the residual.
     Ranked,
@@ -42,7 +43,7 @@ pub enum Search {
 }
 
 /// The rule for sigma0^2.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 pub enum ErrorRule {
     /// t0^2 s^2 / 2: a term stays from |t| = t0 on. s^2 is the larger of the pure error of replicates (offsets of blocks
     /// taken out; if there are any) and the residual variance with all candidates, so that neither replicates that are
@@ -86,7 +87,7 @@ impl Default for Rules {
 }
 
 /// One size on the curve.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Step {
     /// The best terms of this size that were found, in the order of the candidates.
     #[serde(rename = "chosen_terms")]

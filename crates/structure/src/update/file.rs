@@ -10,6 +10,7 @@ use crate::model::registry::{self, ElementCard, TieCard, Visitor};
 use crate::system::System;
 use nalgebra::Point3;
 use nastran::{BulkData, InputError, Table, ron_file};
+use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -18,7 +19,7 @@ use std::path::{Path, PathBuf};
 const MOST_MODES: usize = 200;
 
 /// A file of measurements as it stands.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename = "Measured")]
 pub struct MeasuredFile {
     /// Natural modes.
@@ -39,7 +40,7 @@ pub struct MeasuredFile {
 }
 
 /// A measured mode.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ModeEntry {
     /// Name; left out: its number in the list.
@@ -58,7 +59,7 @@ pub struct ModeEntry {
 }
 
 /// A value at one component of a grid.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MotionEntry {
     /// Grid.
@@ -70,7 +71,7 @@ pub struct MotionEntry {
 }
 
 /// A measured deflection.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DeflectionEntry {
     /// Its name.
@@ -88,7 +89,7 @@ pub struct DeflectionEntry {
 }
 
 /// A measured mass.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MassEntry {
     /// The mass.
@@ -98,7 +99,7 @@ pub struct MassEntry {
 }
 
 /// A region and what is fitted of it.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RegionEntry {
     /// Its name.

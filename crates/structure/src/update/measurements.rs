@@ -5,7 +5,18 @@ use crate::modes::ModesError;
 use nastran::InputError;
 
 /// What a factor multiplies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, serde::Serialize, serde::Deserialize)]
+#[derive(
+    Debug,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    serde::Serialize,
+    serde::Deserialize,
+    schemars::JsonSchema,
+)]
 pub enum Quantity {
     /// The stiffness of the region's elements.
     Stiffness,

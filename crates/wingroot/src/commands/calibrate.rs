@@ -7,15 +7,19 @@ use std::time::Instant;
 
 use aero::{Corrections, MirrorPlane};
 use calibrate::{AirspeedCalibration, Calibration, Campaign, Settings};
-use coupling::{ElasticWing, SteadyCase};
-use serde_json::{Value, json};
+use coupling::{ByLoad, ElasticWing, SteadyCase};
 
 use crate::args::{Common, Measured};
 use crate::commands::calibrate_common as common_set;
 use crate::commands::calibrate_figures as figures;
-use crate::commands::calibrate_numbers::{channels, identifiability, measured_channels, speed_name};
+use crate::commands::calibrate_numbers::{channels, identifiability, speed_name};
+use crate::commands::calibrate_result::{
+    AirspeedResult, BlockResult, CalibrateResult, LeftOutAirspeedResult, LeftOutResult, NonlinearityResult,
+    RootPlaneResult, TareResult,
+};
 use crate::commands::calibrate_shapes;
 use crate::commands::calibrate_strips::{self, Strips};
+use crate::commands::result_parts::{Channels, as_json};
 use crate::corrections::schedule;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
@@ -44,15 +48,8 @@ pub(crate) fn run(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> 
     let settings = Settings::of_wing(&file.correction);
     let calibration = calibrate::calibrate(&wing, &campaign, &settings)?;
     let seconds = start.elapsed().as_secs_f64();
-    let mut result = result(&wing, &campaign, &calibration)?;
-    result["seconds"] = json!(seconds);
-    if let Some(set) = &calibration.common {
-        result["common"] = common_set::result(set, &calibration);
-    }
     let strips = calibrate_strips::compare(&campaign.folder, &wing, &calibration)?;
-    if let Some(strips) = &strips {
-        strips.add_to(&mut result);
-    }
+    let result = as_json(&result(&wing, &campaign, &calibration, strips.as_ref(), seconds)?)?;
     let folder = ResultFolder::begin(&common.out("calibrate"))?;
     folder.input("wing", &file.path)?;
     folder.input("campaign", &campaign.folder)?;
@@ -124,86 +121,99 @@ fn write_set(
     )
 }
 
-fn result(wing: &ElasticWing, campaign: &Campaign, calibration: &Calibration) -> Result<Value, Failure> {
+fn result(
+    wing: &ElasticWing,
+    campaign: &Campaign,
+    calibration: &Calibration,
+    strips: Option<&Strips>,
+    seconds: f64,
+) -> Result<CalibrateResult, Failure> {
     let data = &calibration.data;
-    let airspeeds: Vec<Value> =
-        calibration.airspeeds.iter().map(|airspeed| airspeed_result(airspeed, calibration)).collect();
-    let blocks: Vec<Value> = data
-        .blocks
-        .iter()
-        .map(|b| json!({ "block": b.block, "offset": channels(b.offset, data.channels) }))
-        .collect();
-    Ok(json!({
-        "command": "calibrate",
-        "campaign": campaign.name,
-        "airspeeds": airspeeds,
-        "cone_programs": calibration.cone_programs(),
-        "blocks": blocks,
-        "block_sigma": channels(data.block_sigma, data.channels),
-        "point_sigma": data.point_sigma.map(|sigma| channels(sigma, data.channels)),
-        "noise_from": match (data.noise_dof, data.point_sigma) {
+    let of = |values: [f64; 4]| channels(values, data.channels);
+    Ok(CalibrateResult {
+        command: "calibrate",
+        campaign: campaign.name.clone(),
+        airspeeds: calibration.airspeeds.iter().map(|at| airspeed_result(at, calibration)).collect(),
+        common: calibration.common.as_ref().map(|set| common_set::result(set, calibration)),
+        cone_programs: calibration.cone_programs(),
+        blocks: data
+            .blocks
+            .iter()
+            .map(|b| BlockResult { block: b.block.clone(), offset: of(b.offset) })
+            .collect(),
+        block_sigma: of(data.block_sigma),
+        point_sigma: data.point_sigma.map(of),
+        noise_from: match (data.noise_dof, data.point_sigma) {
             (Some(dof), _) => format!("replicates, {dof} degrees of freedom"),
             (None, Some(_)) => "the campaign's declaration".into(),
             (None, None) => "unknown: no replicates and none declared".into(),
         },
-        "nonlinearity_level": calibration.nonlinearity_level,
-        "suspicions": calibration.suspicions,
-        "rows_with_deflected_controls_left_aside": data.deflected,
-        "weight_tare": calibration.weight_tare.map(|tare| json!({
-            "points": tare.points, "rms": loads(tare.rms), "rms_over_noise": tare.rms_over_noise.map(loads),
-        })),
-        "root_plane": root_plane(wing, campaign, calibration)?,
-    }))
+        nonlinearity_level: calibration.nonlinearity_level,
+        suspicions: calibration.suspicions.clone(),
+        rows_with_deflected_controls_left_aside: data.deflected,
+        weight_tare: calibration.weight_tare.map(|tare| TareResult {
+            points: tare.points,
+            rms: ByLoad::from_array(tare.rms),
+            rms_over_noise: tare.rms_over_noise.map(ByLoad::from_array),
+        }),
+        root_plane: root_plane(wing, campaign, calibration)?,
+        strips: strips.map(Strips::rows),
+        strips_rms: strips.map(Strips::rms),
+        seconds,
+    })
 }
 
-fn airspeed_result(airspeed: &AirspeedCalibration, calibration: &Calibration) -> Value {
+fn airspeed_result(airspeed: &AirspeedCalibration, calibration: &Calibration) -> AirspeedResult {
     let fit = &airspeed.fit;
     let measured = calibration.data.channels;
-    let nonlinearity: Vec<Value> = (0..4)
+    let of = |values: [f64; 4]| Channels::of(values, measured);
+    let told = airspeed.identifiability.as_ref();
+    let nonlinearity = (0..4)
         .filter_map(|c| airspeed.line.nonlinearity[c].map(|test| (c, test)))
-        .map(|(c, test)| {
-            json!({
-                "channel": calibrate::campaign::CHANNELS[c],
-                "curvature_per_deg2": test.curvature_per_rad2 * 1.0_f64.to_radians().powi(2),
-                "f": test.f, "p_value": test.p_value,
-                "significant": test.p_value < calibration.nonlinearity_level,
-            })
+        .map(|(c, test)| NonlinearityResult {
+            channel: calibrate::campaign::CHANNELS[c],
+            curvature_per_deg2: test.curvature_per_rad2 * 1.0_f64.to_radians().powi(2),
+            f: test.f,
+            p_value: test.p_value,
+            significant: test.p_value < calibration.nonlinearity_level,
         })
         .collect();
-    let mut result = json!({
-        "V_m_s": airspeed.data.v_m_s,
-        "objective_before": fit.objective[0],
-        "objective_after": fit.objective[1],
-        "line_floor": airspeed.line_floor,
-        "noise_floor": airspeed.noise_floor,
-        "iterations": fit.cone_programs,
-        "ending": format!("{:?}", fit.ending),
-        "rmse_before": measured_channels(fit.rmse[0], measured),
-        "rmse_after": measured_channels(fit.rmse[1], measured),
-        "line_rmse": measured_channels(airspeed.line.rmse, measured),
-        "determined_directions": airspeed.identifiability.as_ref().map(|told| told.determined_directions),
-        "neighbour_bound_active": fit.neighbour_bound_active,
-        "nonlinearity": nonlinearity,
-        "identifiability": airspeed.identifiability.as_ref().map(|told| identifiability(told, measured)),
-        "left_out": airspeed.left_out.as_ref().map(|left_out| json!({
-            "alpha_deg": left_out.alphas_rad.iter().map(|a| a.to_degrees()).collect::<Vec<_>>(),
-            "objective_before": left_out.objective_before,
-            "objective_after": left_out.objective_after,
-            "line_error": left_out.line_error,
-        })),
-        "left_out_airspeed": airspeed.left_out_airspeed.as_ref().map(|left_out| json!({
-            "objective_before": left_out.objective_before, "objective_after": left_out.objective_after,
-        })),
-    });
-    if let Some(lift) = &airspeed.lift {
-        result["lift_factor"] = common_set::lift_factor(lift, calibration);
-        result["weights"] = measured_channels(airspeed.weights, measured);
+    AirspeedResult {
+        v_m_s: airspeed.data.v_m_s,
+        objective_before: fit.objective[0],
+        objective_after: fit.objective[1],
+        line_floor: airspeed.line_floor,
+        noise_floor: airspeed.noise_floor,
+        iterations: fit.cone_programs,
+        ending: format!("{:?}", fit.ending),
+        rmse_before: of(fit.rmse[0]),
+        rmse_after: of(fit.rmse[1]),
+        line_rmse: of(airspeed.line.rmse),
+        determined_directions: told.map(|told| told.determined_directions),
+        neighbour_bound_active: fit.neighbour_bound_active,
+        nonlinearity,
+        identifiability: told.map(|told| identifiability(told, measured)),
+        left_out: airspeed.left_out.as_ref().map(|left_out| LeftOutResult {
+            alpha_deg: left_out.alphas_rad.iter().map(|a| a.to_degrees()).collect(),
+            objective_before: left_out.objective_before,
+            objective_after: left_out.objective_after,
+            line_error: left_out.line_error,
+        }),
+        left_out_airspeed: airspeed.left_out_airspeed.as_ref().map(|left_out| LeftOutAirspeedResult {
+            objective_before: left_out.objective_before,
+            objective_after: left_out.objective_after,
+        }),
+        lift_factor: airspeed.lift.as_ref().map(|lift| common_set::lift_factor(lift, calibration)),
+        weights: airspeed.lift.as_ref().map(|_| of(airspeed.weights)),
     }
-    result
 }
 
 /// What the choice of the plane at the root does to the rigid lift slope.
-fn root_plane(wing: &ElasticWing, campaign: &Campaign, calibration: &Calibration) -> Result<Value, Failure> {
+fn root_plane(
+    wing: &ElasticWing,
+    campaign: &Campaign,
+    calibration: &Calibration,
+) -> Result<RootPlaneResult, Failure> {
     let area_m2: f64 = wing.correctable.places.iter().map(|&place| wing.lattice.boxes[place].area_m2()).sum();
     let slope = |cp: &dyn Fn(usize) -> f64| {
         let lift = |&place: &usize| {
@@ -231,10 +241,12 @@ fn root_plane(wing: &ElasticWing, campaign: &Campaign, calibration: &Calibration
     let neutral = aero::Corrections::neutral(wing.correctable.len());
     let states = wing.at(flow, &neutral)?.solve(&[SteadyCase::new(flow, 0.0), SteadyCase::new(flow, 0.01)]);
     let elastic = (states[1].root.fz_n - states[0].root.fz_n) / 0.01 / (flow.dynamic_pressure_pa() * area_m2);
-    Ok(json!({
-        "choice": name, "lift_slope_per_rad": chosen, "lift_slope_per_rad_without_plane": free,
-        "elastic_lift_slope_per_rad_at_highest_airspeed": elastic,
-    }))
+    Ok(RootPlaneResult {
+        choice: name,
+        lift_slope_per_rad: chosen,
+        lift_slope_per_rad_without_plane: free,
+        elastic_lift_slope_per_rad_at_highest_airspeed: elastic,
+    })
 }
 
 fn summary(calibration: &Calibration, out: &Path, seconds: f64) -> String {
@@ -273,8 +285,4 @@ fn summary(calibration: &Calibration, out: &Path, seconds: f64) -> String {
         }
     }
     text + &format!("{seconds:.2} s; results in {}\n", out.display())
-}
-
-fn loads([fz, mx, my]: [f64; 3]) -> Value {
-    channels([fz, mx, my, 0.0], [false; 4])
 }

@@ -5,54 +5,60 @@ use calibrate::campaign::{CHANNELS, TIP};
 use calibrate::{Calibration, CommonCalibration, LiftFactor};
 use coupling::{ElasticWing, SteadyCase};
 use report::{Figure, Panel, Series, Style};
-use serde_json::{Value, json};
 
-use crate::commands::calibrate_numbers::{identifiability, measured_channels, speed_name};
+use crate::commands::calibrate_numbers::{identifiability, speed_name};
+use crate::commands::calibrate_result::{CommonResult, LiftFactorResult, MeanForceFactor, TipZeroResult};
+use crate::commands::result_parts::Channels;
 use crate::failure::Failure;
 
 /// The set in `result.json`.
-pub(crate) fn result(common: &CommonCalibration, calibration: &Calibration) -> Value {
+pub(crate) fn result(common: &CommonCalibration, calibration: &Calibration) -> CommonResult {
     let (fit, measured) = (&common.fit, calibration.data.channels);
     let told = common.identifiability.as_ref();
-    json!({
-        "V_m_s": common.v_range_m_s,
-        "rows": common.rows,
-        "objective_before": fit.objective[0],
-        "objective_after": fit.objective[1],
-        "curve_floor": common.curve_floor,
-        "weights": measured_channels(common.weights, measured),
-        "iterations": fit.cone_programs,
-        "ending": format!("{:?}", fit.ending),
-        "rmse_before": measured_channels(fit.rmse[0], measured),
-        "rmse_after": measured_channels(fit.rmse[1], measured),
-        "curve_rmse": measured_channels(common.curve_rmse, measured),
-        "point_sigma": measured_channels(common.point_sigma, measured),
-        "lift_factor": common.lift.as_ref().map(|found| lift_factor(found, calibration)),
-        "mean_force_factor": {
-            "value": common.mean_force_factor,
-            "sigma_if_the_distribution_is_free": told.map(|told| told.mean_force_sigma[1]),
-            "sigma_before_the_data": told.map(|told| told.mean_force_sigma[0]),
+    CommonResult {
+        v_m_s: common.v_range_m_s,
+        rows: common.rows,
+        objective_before: fit.objective[0],
+        objective_after: fit.objective[1],
+        curve_floor: common.curve_floor,
+        weights: Channels::of(common.weights, measured),
+        iterations: fit.cone_programs,
+        ending: format!("{:?}", fit.ending),
+        rmse_before: Channels::of(fit.rmse[0], measured),
+        rmse_after: Channels::of(fit.rmse[1], measured),
+        curve_rmse: Channels::of(common.curve_rmse, measured),
+        point_sigma: Channels::of(common.point_sigma, measured),
+        lift_factor: common.lift.as_ref().map(|found| lift_factor(found, calibration)),
+        mean_force_factor: MeanForceFactor {
+            value: common.mean_force_factor,
+            sigma_if_the_distribution_is_free: told.map(|told| told.mean_force_sigma[1]),
+            sigma_before_the_data: told.map(|told| told.mean_force_sigma[0]),
         },
-        "determined_directions": told.map(|told| told.determined_directions),
-        "neighbour_bound_active": fit.neighbour_bound_active,
-        "identifiability": told.map(|told| identifiability(told, measured)),
-    })
+        determined_directions: told.map(|told| told.determined_directions),
+        neighbour_bound_active: fit.neighbour_bound_active,
+        identifiability: told.map(|told| identifiability(told, measured)),
+    }
 }
 
 /// The uniform factor on lift in `result.json`.
-pub(crate) fn lift_factor(found: &LiftFactor, calibration: &Calibration) -> Value {
-    let zeros: Vec<Value> = found
+pub(crate) fn lift_factor(found: &LiftFactor, calibration: &Calibration) -> LiftFactorResult {
+    let tip_zeros = found
         .tip_zeros
         .iter()
         .enumerate()
-        .map(|(block, (zero_m, sigma_m))| {
-            json!({ "block": calibration.data.block_names.get(block), "tip_zero_m": zero_m, "sigma_m": sigma_m })
+        .map(|(block, &(tip_zero_m, sigma_m))| TipZeroResult {
+            block: calibration.data.block_names.get(block).cloned(),
+            tip_zero_m,
+            sigma_m,
         })
         .collect();
-    json!({
-        "value": found.factor, "sigma": found.sigma, "correlation_of_rows": found.correlation,
-        "rmse": measured_channels(found.rmse, calibration.data.channels), "tip_zeros": zeros,
-    })
+    LiftFactorResult {
+        value: found.factor,
+        sigma: found.sigma,
+        correlation_of_rows: found.correlation,
+        rmse: Channels::of(found.rmse, calibration.data.channels),
+        tip_zeros,
+    }
 }
 
 /// The table for the terminal.

@@ -1,7 +1,9 @@
 //! Numbers of `calibrate` as `result.json` has them.
 
 use calibrate::campaign::TIP;
-use serde_json::{Value, json};
+
+use crate::commands::calibrate_result::{ByFamily, IdentifiabilityResult};
+use crate::commands::result_parts::Channels;
 
 /// 18 m/s -> `18`, 22.5 m/s -> `22.5`.
 pub(crate) fn speed_name(v_m_s: f64) -> String {
@@ -10,30 +12,21 @@ pub(crate) fn speed_name(v_m_s: f64) -> String {
 }
 
 /// What the data determine.
-pub(crate) fn identifiability(told: &calibrate::Identifiability, measured: [bool; 4]) -> Value {
-    let channels = |values: [f64; 4]| channels(values, measured);
-    let by_family =
-        |values: [f64; 3]| json!({ "force": values[0], "moment": values[1], "pressure_offset": values[2] });
-    json!({
-        "singular_values": told.singular_values,
-        "leverage": { "force": channels(told.leverage[0]), "moment": channels(told.leverage[1]),
-                      "pressure_offset": channels(told.leverage[2]) },
-        "remaining_spread": by_family(told.remaining_spread),
-        "posterior_sigma": by_family(told.posterior_sigma),
-        "predicted_sigma": channels(told.predicted_sigma),
-        "undetermined": told.undetermined(),
-    })
+pub(crate) fn identifiability(
+    told: &calibrate::Identifiability,
+    measured: [bool; 4],
+) -> IdentifiabilityResult {
+    IdentifiabilityResult {
+        singular_values: told.singular_values.clone(),
+        leverage: ByFamily::of(told.leverage.map(|values| channels(values, measured))),
+        remaining_spread: ByFamily::of(told.remaining_spread),
+        posterior_sigma: ByFamily::of(told.posterior_sigma),
+        predicted_sigma: channels(told.predicted_sigma, measured),
+        undetermined: told.undetermined(),
+    }
 }
 
 /// All root loads, and the tip's height if it is fitted.
-pub(crate) fn channels(values: [f64; 4], measured: [bool; 4]) -> Value {
-    measured_channels(values, [true, true, true, measured[TIP]])
-}
-
-/// Those that are fitted.
-pub(crate) fn measured_channels(values: [f64; 4], measured: [bool; 4]) -> Value {
-    let named = (0..4)
-        .filter(|&c| measured[c])
-        .map(|c| (calibrate::campaign::CHANNELS[c].to_owned(), json!(values[c])));
-    Value::Object(named.collect())
+pub(crate) fn channels(values: [f64; 4], measured: [bool; 4]) -> Channels {
+    Channels::of(values, [true, true, true, measured[TIP]])
 }

@@ -8,8 +8,8 @@ use coupling::{ElasticWing, SteadyCase};
 use nastran::table::Table;
 use nastran::{InputError, Span};
 use report::{Figure, Panel, Series, Style};
-use serde_json::{Value, json};
 
+use crate::commands::calibrate_result::{StripResult, StripsRms};
 use crate::failure::Failure;
 
 /// Measured strips of one angle at one airspeed, and the models' at the same places; all as cl/CL.
@@ -127,26 +127,30 @@ fn interpolated(places: &[f64], values: &[f64], at: f64) -> f64 {
 }
 
 impl Strips {
-    /// Puts `strips` (a row a station) and `strips_rms` into the result.
-    pub(crate) fn add_to(&self, result: &mut Value) {
+    /// Measured beside computed.
+    pub(crate) fn rows(&self) -> Vec<StripResult> {
+        let row = |i: usize| StripResult {
+            two_y_over_b: self.two_y_over_b[i],
+            measured: self.measured[i],
+            initial: self.initial[i],
+            updated: self.updated[i],
+        };
+        (0..self.measured.len()).map(row).collect()
+    }
+
+    /// How far they are apart.
+    pub(crate) fn rms(&self) -> StripsRms {
         let rms = |model: &[f64]| {
             let squares = model.iter().zip(&self.measured).map(|(m, x)| (m - x).powi(2)).sum::<f64>();
             (squares / model.len() as f64).sqrt()
         };
-        let row = |i: usize| {
-            json!({
-                "two_y_over_b": self.two_y_over_b[i], "measured_cl_over_CL": self.measured[i],
-                "initial": self.initial[i], "updated": self.updated[i],
-            })
-        };
-        result["strips"] = (0..self.measured.len()).map(row).collect();
-        result["strips_rms"] = json!({
-            "note": "cl/CL; not used in the fit",
-            "V_m_s": self.v_m_s,
-            "alpha_deg": self.alpha_deg,
-            "initial": rms(&self.initial),
-            "updated": rms(&self.updated),
-        });
+        StripsRms {
+            note: "cl/CL; not used in the fit",
+            v_m_s: self.v_m_s,
+            alpha_deg: self.alpha_deg,
+            initial: rms(&self.initial),
+            updated: rms(&self.updated),
+        }
     }
 
     /// cl/CL over the span.

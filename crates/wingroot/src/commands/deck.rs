@@ -5,16 +5,18 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use coupling::exchange::LeftOut;
-use coupling::{DeckOptions, ElasticWing, Exchange, NastranDeck};
+use coupling::{ByLoad, DeckOptions, ElasticWing, Exchange, NastranDeck};
 use faer::Mat;
 use nastran::InputError;
-use serde_json::{Value, json};
+use serde_json::Value;
 use structure::{Flexibility, Model, System, normal_modes};
 
 use super::modes_pictures::hertz;
 use super::{deck_hdf5, modes_shapes};
 use crate::args::{Common, Given, Measured, airspeed, whole};
 use crate::corrections::{CorrectedWing, corrected_wing};
+use crate::commands::deck_result::{DeckResult, LeftOutOfDeck, TipLoad};
+use crate::commands::result_parts::as_json;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::{paths, show};
@@ -92,18 +94,24 @@ pub(crate) fn run(args: &DeckArgs, common: &Common) -> Result<(), Failure> {
     }
     let system = System::assemble(&Model::from_bulk(&deck.bulk)?)?;
     let modes = normal_modes(&system, args.count).map_err(Failure::computation)?;
-    let tip = tip_load(&file, &deck.bulk, &system);
     let boxes = aero::Lattice::from_bulk(&deck.bulk)?.len();
-    let mut result = json!({
-        "command": "deck", "wing": file.name, "wing_hash": file.hash, "file": "wing.bdf",
-        "mass_kg": system.mass_properties().mass_kg, "grids": system.node_count(),
-        "elements": deck.bulk.element_counts(), "frequencies_hz": hertz(&modes),
-        "boxes": boxes, "splines": deck.bulk.splines.len(), "tip_load": tip,
-    });
-    result["corrections_at_m_s"] = json!(corrections.as_ref().map(|at| at.v_m_s));
-    result["left_out"] = json!(corrections.as_ref().and_then(left_out));
-    result["model"] = json!(args.hdf5.then_some("model.h5"));
-    result["seconds"] = json!(start.elapsed().as_secs_f64());
+    let result = as_json(&DeckResult {
+        command: "deck",
+        wing: file.name.clone(),
+        wing_hash: file.hash.clone(),
+        file: "wing.bdf",
+        mass_kg: system.mass_properties().mass_kg,
+        grids: system.node_count(),
+        elements: deck.bulk.element_counts(),
+        frequencies_hz: hertz(&modes),
+        boxes,
+        splines: deck.bulk.splines.len(),
+        tip_load: tip_load(&file, &deck.bulk, &system),
+        corrections_at_m_s: corrections.as_ref().map(|at| at.v_m_s),
+        left_out: corrections.as_ref().and_then(left_out),
+        model: args.hdf5.then_some("model.h5"),
+        seconds: start.elapsed().as_secs_f64(),
+    })?;
     let model = if args.hdf5 { Some(model(&path, args, corrections.as_ref())?) } else { None };
     let folder = ResultFolder::begin(&common.out("deck"))?;
     folder.input("wing", &path)?;
@@ -161,19 +169,21 @@ fn carried(at: &AtAirspeed) -> String {
 }
 
 /// What w2gj.bdf and qjj.op4 do not carry, in numbers.
-fn left_out(at: &AtAirspeed) -> Option<Value> {
+fn left_out(at: &AtAirspeed) -> Option<LeftOutOfDeck> {
     let (_, left_out) = at.exchange.as_ref()?;
-    let named = |loads: [f64; 3]| json!({ "Fz_N": loads[0], "Mx_Nm": loads[1], "My_Nm": loads[2] });
-    Some(json!({
-        "what": "the moment factors: a box's moment about its midpoint is that of its corrected lift at the quarter chord",
-        "V_m_s": at.v_m_s, "rho_kg_m3": RHO_KG_M3, "alpha_deg": ALPHA_DEG,
-        "root_loads_complete": named(left_out.complete), "root_loads_carried": named(left_out.carried),
-    }))
+    Some(LeftOutOfDeck {
+        what: "the moment factors: a box's moment about its midpoint is that of its corrected lift at the quarter chord",
+        v_m_s: at.v_m_s,
+        rho_kg_m3: RHO_KG_M3,
+        alpha_deg: ALPHA_DEG,
+        root_loads_complete: ByLoad::from_array(left_out.complete),
+        root_loads_carried: ByLoad::from_array(left_out.carried),
+    })
 }
 
 /// Deflections under a load at the outermost spline grid, for comparison with other programs; nothing for a structure
 /// that is not held.
-fn tip_load(file: &coupling::WingFile, bulk: &nastran::BulkData, system: &System) -> Option<Value> {
+fn tip_load(file: &coupling::WingFile, bulk: &nastran::BulkData, system: &System) -> Option<TipLoad> {
     let nodes = coupling::spline_nodes(file, bulk, system).ok()?;
     let y = |node: usize| system.points()[node].y;
     let tip = nodes.into_iter().max_by(|a, b| y(*a).total_cmp(&y(*b)))?;
@@ -181,8 +191,8 @@ fn tip_load(file: &coupling::WingFile, bulk: &nastran::BulkData, system: &System
     load[(6 * tip + 2, 0)] = TIP_LOAD_N;
     let free = Flexibility::new(system).ok()?.displacements(system.reduce(load.as_ref()).as_ref());
     let motion = system.expand(free.as_ref());
-    let six: Vec<f64> = (0..6).map(|component| motion[(6 * tip + component, 0)]).collect();
-    Some(json!({ "grid": system.node_ids()[tip], "fz_N": TIP_LOAD_N, "displacement_m_rad": six }))
+    let displacement_m_rad = (0..6).map(|component| motion[(6 * tip + component, 0)]).collect();
+    Some(TipLoad { grid: system.node_ids()[tip], fz_n: TIP_LOAD_N, displacement_m_rad })
 }
 
 /// The corrections of the file that is named, at the airspeed that is.

@@ -17,6 +17,7 @@ use nastran::InputError;
 
 use crate::args::{Common, Given};
 use crate::commands::deflection_results::{Found, Judged, Measured};
+use crate::commands::result_parts::as_json;
 use crate::commands::simulate::settings;
 use crate::commands::{deflection_figures, deflection_results};
 use crate::corrections::{CorrectedWing, corrected_wing};
@@ -77,7 +78,7 @@ pub(crate) fn run(args: &DeflectionArgs, common: &Common) -> Result<(), Failure>
     let seconds = start.elapsed().as_secs_f64();
     let out = write(&common.out("deflection"), &found, seconds)?;
     show::summary(common, &deflection_results::summary(&found, &out, seconds));
-    show::json(common, &deflection_results::json(&found, seconds))
+    show::json(common, &as_json(&deflection_results::result(&found, seconds))?)
 }
 
 /// The campaign's doublets, and one model for each airspeed among them.
@@ -86,11 +87,10 @@ fn doublets(
     settings: &RigSettings,
     corrected: &CorrectedWing,
 ) -> Result<(Vec<Measured>, Vec<RigModel>), Failure> {
-    let listed_in = campaign.folder.join("campaign.ron");
     let mut doublets = Vec::new();
     let mut speeds: Vec<f64> = Vec::new();
     for entry in campaign.runs.iter().filter(|entry| !entry.wind_off) {
-        let file = nastran::named_file(&listed_in, &entry.file)?;
+        let file = nastran::named_file(&campaign.path, &entry.file)?;
         let run = Run::read_named(&file, &campaign.columns)?;
         if run.loads.is_none() || doublet_of(&run).is_none() {
             continue;
@@ -107,7 +107,7 @@ fn doublets(
     let model = |(number, v_m_s): (usize, &f64)| -> Result<RigModel, Failure> {
         let corrections = corrected.schedule.at(*v_m_s).map_err(|refused| {
             let file = doublets.iter().find(|doublet| doublet.model == number).map(|doublet| &doublet.file);
-            InputError::in_file(file.unwrap_or(&listed_in), refused.message)
+            InputError::in_file(file.unwrap_or(&campaign.path), refused.message)
                 .with_help("calibrate at this airspeed, or take the run out of the campaign")
         })?;
         Ok(rig.at(Flow { v_m_s: *v_m_s, rho_kg_m3: campaign.rho_kg_m3 }, &corrections)?)
@@ -157,12 +157,13 @@ fn write(out: &Path, found: &Found<'_>, seconds: f64) -> Result<PathBuf, Failure
         folder.input("campaign", runs)?;
     }
     let rewritten = found.corrected.file.with_deflection(found.tables.clone())?;
-    folder.write_text("wing.ron", &rewritten.text)?;
+    let name = found.corrected.file.written_name();
+    folder.write_text(name, &rewritten.text)?;
     for (name, from) in &rewritten.beside {
         folder.write_text(name, &nastran::read_text(from)?)?;
     }
     // The corrections of the loads are the same; they carry the new file's hash, so that commands take both together.
-    let rewritten = coupling::WingFile::read(&folder.path().join("wing.ron"))?;
+    let rewritten = coupling::WingFile::read(&folder.path().join(name))?;
     // effects that are the same physics may not stand beside the correction
     maneuver::effects::of_wing(&rewritten, &found.corrected.wing.control_names())?;
     let wing_hash = rewritten.hash;
@@ -175,6 +176,6 @@ fn write(out: &Path, found: &Found<'_>, seconds: f64) -> Result<PathBuf, Failure
     ] {
         folder.write_figure(name, caption, figure)?;
     }
-    folder.write_json("result.json", &deflection_results::json(found, seconds))?;
+    folder.write_json("result.json", &as_json(&deflection_results::result(found, seconds))?)?;
     folder.commit()
 }

@@ -4,11 +4,15 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use calibrate::campaign::Use;
+use coupling::ByLoad;
 use coupling::wing_file::DeflectionTable;
+use discover::result::BeforeAfter;
 use maneuver::Run;
 use maneuver::deflection_fit::{DoubletFit, FittedFactor, gap};
-use serde_json::{Value, json};
 
+use crate::commands::deflection_result::{
+    DeflectionResult, FactorResult, FittedDoublet, HeldOut, HeldOutGap, JudgedResult,
+};
 use crate::corrections::CorrectedWing;
 
 /// A doublet of the campaign.
@@ -68,44 +72,49 @@ impl Found<'_> {
 }
 
 /// `result.json`.
-pub(crate) fn json(found: &Found<'_>, seconds: f64) -> Value {
-    let factor = |fitted: &FittedFactor| {
-        json!({ "control": fitted.control, "V_m_s": fitted.v_m_s, "commanded_deg": fitted.commanded_rad.to_degrees(),
-            "equivalent_deg": fitted.factor * fitted.commanded_rad.to_degrees(), "factor": fitted.factor,
-            "standard_error": fitted.standard_error, "runs": fitted.runs })
+pub(crate) fn result(found: &Found<'_>, seconds: f64) -> DeflectionResult {
+    let factor = |fitted: &FittedFactor| FactorResult {
+        control: fitted.control.clone(),
+        v_m_s: fitted.v_m_s,
+        commanded_deg: fitted.commanded_rad.to_degrees(),
+        equivalent_deg: fitted.factor * fitted.commanded_rad.to_degrees(),
+        factor: fitted.factor,
+        standard_error: fitted.standard_error,
+        runs: fitted.runs,
     };
-    let channels = |v: [f64; 3]| json!({ "Fz_N": v[0], "Mx_Nm": v[1], "My_Nm": v[2] });
-    let both = |v: [[f64; 3]; 2]| json!({ "before": channels(v[0]), "after": channels(v[1]) });
-    let run = |run: &Judged| json!({ "run": run.name, "residual_rms": both(run.loads), "residual_rms_of_changes": both(run.changes) });
-    let gap = |gaps: Option<[f64; 2]>| {
-        gaps.map(
-            |[before, after]| json!({ "before": before, "after": after, "noise_alone": found.noise_gap }),
-        )
+    let both = |[before, after]: [[f64; 3]; 2]| BeforeAfter {
+        before: ByLoad::from_array(before),
+        after: ByLoad::from_array(after),
     };
-    let fits: Vec<Value> = found
-        .fits
-        .iter()
-        .map(|(measured, fit)| {
-            json!({ "file": measured.file.display().to_string(), "factor": fit.factor,
-                "standard_error": fit.standard_error, "noise_error": fit.noise_error,
-                "gap": fit.gap.map(|[before, after]| json!({ "before": before, "after": after })) })
-        })
-        .collect();
-    json!({
-        "command": "deflection",
-        "corrections": found.corrected.origin,
-        "standard_errors": "the larger of: declared white noise through the zero-phase filter (exact); Bartlett's sum of \
-                            the correlated residuals over 0.2 s",
-        "factors": found.factors.iter().map(factor).collect::<Vec<_>>(),
-        "training": fits,
-        "holdout": {
-            "gap": gap(found.gaps(|run| run.loads)),
-            "gap_of_changes": gap(found.gaps(|run| run.changes)),
-            "runs": found.judged.iter().map(run).collect::<Vec<_>>(),
+    let run = |run: &Judged| JudgedResult {
+        run: run.name.clone(),
+        residual_rms: both(run.loads),
+        residual_rms_of_changes: both(run.changes),
+    };
+    let noise_alone = found.noise_gap;
+    let gap = |gaps: Option<[f64; 2]>| gaps.map(|[before, after]| HeldOutGap { before, after, noise_alone });
+    let fitted = |(measured, fit): &(&Measured, DoubletFit)| FittedDoublet {
+        file: measured.file.display().to_string(),
+        factor: fit.factor,
+        standard_error: fit.standard_error,
+        noise_error: fit.noise_error,
+        gap: fit.gap.map(|[before, after]| BeforeAfter { before, after }),
+    };
+    DeflectionResult {
+        command: "deflection",
+        corrections: found.corrected.origin.clone(),
+        standard_errors: "the larger of: declared white noise through the zero-phase filter (exact); Bartlett's sum of the correlated \
+                          residuals over 0.2 s",
+        factors: found.factors.iter().map(factor).collect(),
+        training: found.fits.iter().map(fitted).collect(),
+        holdout: HeldOut {
+            gap: gap(found.gaps(|run| run.loads)),
+            gap_of_changes: gap(found.gaps(|run| run.changes)),
+            runs: found.judged.iter().map(run).collect(),
         },
-        "remarks": found.remarks,
-        "seconds": seconds,
-    })
+        remarks: found.remarks.clone(),
+        seconds,
+    }
 }
 
 /// `deflection.csv`.
@@ -152,7 +161,7 @@ pub(crate) fn summary(found: &Found<'_>, out: &Path, seconds: f64) -> String {
     };
     format!(
         "{table}\n{held}\nThe wing with this correction is {}\n{seconds:.2} s; results in {}\n",
-        out.join("wing.ron").display(),
+        out.join(found.corrected.file.written_name()).display(),
         out.display()
     )
 }

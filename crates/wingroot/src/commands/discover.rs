@@ -17,12 +17,14 @@ use discover::recalibration::{recalibrated, without_held_out};
 use discover::result::DiscoverResult;
 use discover::rules::Rules;
 use nastran::InputError;
+use nastran::ron_or_json::expected_in;
 
 use crate::args::{Common, Given};
 use crate::commands::{discover_figures, discover_results};
 use crate::corrections::{CorrectedWing, corrected_wing};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
+use crate::paths::folder_of;
 use crate::store::Store;
 use crate::{kept_nulls, show};
 
@@ -156,7 +158,7 @@ fn null_distribution(
         show::note("--bank is called --null-distribution now; the old name is read for one version");
     }
     let given = args.null_distribution.as_ref().or(args.bank.as_ref());
-    let beside = corrected.file.path.with_file_name("null_distribution.ron");
+    let beside = expected_in(folder_of(&corrected.file.path), "null_distribution")?;
     let last = crate::common::results("discover").join("null_distribution.ron");
     if let Some(path) = given {
         let nulls: NullDistribution = nastran::ron_file::read(path)?;
@@ -201,18 +203,19 @@ fn write_wing(
     let supported = finding.judgement().is_supported();
     let effects = if supported { finding.wing_effects(data_hash) } else { Vec::new() };
     let rewritten = corrected.file.with_effects(effects)?;
-    results.write_text("wing.ron", &rewritten.text)?;
+    let name = corrected.file.written_name();
+    results.write_text(name, &rewritten.text)?;
     for (name, from) in &rewritten.beside {
         results.write_text(name, &nastran::read_text(from)?)?;
     }
-    let wing = coupling::WingFile::read(&results.path().join("wing.ron"))?;
+    let wing = coupling::WingFile::read(&results.path().join(name))?;
     let again = finding.recalibrated.as_ref().filter(|_| supported).map(|again| &again.schedule);
     let Schedule { sets, unconverged, .. } = again.unwrap_or(&corrected.schedule).clone();
     results.write_text("corrections.ron", &Schedule { wing: wing.name, wing_hash: wing.hash, sets, unconverged }.to_ron())
 }
 
 fn data_hash(campaign: &Campaign) -> Result<String, InputError> {
-    let mut files = vec![campaign.folder.join("campaign.ron"), campaign.folder.join("static.csv")];
+    let mut files = vec![campaign.path.clone(), campaign.folder.join("static.csv")];
     files.extend(campaign.runs.iter().map(|run| campaign.folder.join(&run.file)));
     let texts = files.iter().filter(|file| file.is_file()).map(|file: &PathBuf| nastran::read_text(file));
     Ok(coupling::wing_file::fingerprint(&texts.collect::<Result<Vec<_>, _>>()?.concat()))

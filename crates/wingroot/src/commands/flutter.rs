@@ -14,10 +14,11 @@ use maneuver::flutter::{
 use maneuver::{Rig, RigSettings};
 use nastran::InputError;
 use report::Table;
-use serde_json::{Value, json};
 
 use super::flutter_figures::{self, Stability};
 use crate::args::{Common, Given, airspeed};
+use crate::commands::flutter_result::{FlutterResult, MethodResult, StabilityChange, StabilityResult};
+use crate::commands::result_parts::as_json;
 use crate::corrections::{CorrectedWing, corrected_wing};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
@@ -91,7 +92,7 @@ pub(crate) fn run(args: &FlutterArgs, common: &Common) -> Result<(), Failure> {
         task.stability("initial", &|_| neutral.clone(), &[(0.0, neutral.clone())])?,
         task.stability("updated", &|v| corrected.schedule.at_or_nearest(v).0, &sets(&corrected.schedule))?,
     ];
-    let result = task.result(&models, start.elapsed().as_secs_f64());
+    let result = as_json(&task.result(&models, start.elapsed().as_secs_f64()))?;
     let folder = ResultFolder::begin(&common.out("flutter"))?;
     corrected.note_inputs(&folder)?;
     folder.input("campaign", &campaign.folder)?;
@@ -155,28 +156,27 @@ impl Task<'_> {
         self.speeds[self.speeds.len() - 1]
     }
 
-    fn result(&self, models: &[Stability], seconds: f64) -> Value {
-        let mut result = json!({
-            "command": "flutter",
-            "corrections": self.corrected.origin,
-            "corrections_held_outside_m_s": self.calibrated(),
-            "highest_airspeed_m_s": self.highest(),
-            "air_density_kg_m3": self.rho_kg_m3,
-            "modes": self.rig.omega_rad_s().len(),
-            "seconds": seconds,
+    fn result(&self, models: &[Stability; 2], seconds: f64) -> FlutterResult {
+        let [initial, updated] = models.each_ref().map(|model| StabilityResult {
+            state_matrix: self.method(&model.state_matrix, model.divergence[0]),
+            p_k: self.method(&model.p_k, model.divergence[1]),
+            p_k_over_state_matrix: model.ratio(),
         });
-        for model in models {
-            result[model.name] = json!({
-                "state_matrix": self.method(&model.state_matrix, model.divergence[0]),
-                "p_k": self.method(&model.p_k, model.divergence[1]),
-                "p_k_over_state_matrix": model.ratio(),
-            });
+        FlutterResult {
+            command: "flutter",
+            corrections: self.corrected.origin.clone(),
+            corrections_held_outside_m_s: self.calibrated(),
+            highest_airspeed_m_s: self.highest(),
+            air_density_kg_m3: self.rho_kg_m3,
+            modes: self.rig.omega_rad_s().len(),
+            initial,
+            updated,
+            seconds,
         }
-        result
     }
 
     /// Numbers of one method; a sentence where there is none.
-    fn method(&self, curves: &FlutterCurves, divergence: Option<f64>) -> Value {
+    fn method(&self, curves: &FlutterCurves, divergence: Option<f64>) -> MethodResult {
         let flutter = curves.flutter();
         let none = |what: &str| format!("no {what} below {} m/s", self.highest());
         let mut remarks: Vec<String> = curves.lost.iter().map(ToString::to_string).collect();
@@ -191,16 +191,19 @@ impl Task<'_> {
                 "the flutter frequency is beyond the doublet lattice's table (k = 2): a hint only".into(),
             );
         }
-        json!({
-            "flutter_speed_m_s": flutter.map(|crossing| crossing.flow.v_m_s),
-            "flutter_frequency_hz": flutter.map(hertz),
-            "divergence_speed_m_s": divergence,
-            "changes_of_stability": curves.crossings.iter().map(|crossing| json!({
-                "V_m_s": crossing.flow.v_m_s, "frequency_hz": hertz(crossing), "mode": crossing.branch + 1,
-                "becomes": if crossing.unstable { "unstable" } else { "stable" },
-            })).collect::<Vec<_>>(),
-            "remarks": remarks,
-        })
+        let change = |crossing: &Crossing| StabilityChange {
+            v_m_s: crossing.flow.v_m_s,
+            frequency_hz: hertz(crossing),
+            mode: crossing.branch + 1,
+            becomes: if crossing.unstable { "unstable" } else { "stable" },
+        };
+        MethodResult {
+            flutter_speed_m_s: flutter.map(|crossing| crossing.flow.v_m_s),
+            flutter_frequency_hz: flutter.map(hertz),
+            divergence_speed_m_s: divergence,
+            changes_of_stability: curves.crossings.iter().map(change).collect(),
+            remarks,
+        }
     }
 
     /// First and last airspeed of the corrections.

@@ -64,6 +64,8 @@ commands! {
     completions: Completions(completions::CompletionsArgs),
     /// Manual pages of the program and of each command
     man: Man(man::ManArgs),
+    /// The JSON schema of a file that is read, or of a command's result.json
+    schema: Schema(schema::SchemaArgs),
     /// A folder to start from: a commented wing of your own that runs at once, or a shipped example
     new: New(new::NewArgs),
 }
@@ -72,7 +74,7 @@ impl Command {
     /// The folder of results that it writes, which takes the place of an earlier one.
     pub fn results(&self) -> Option<&'static str> {
         match self {
-            Self::Pipeline(_) | Self::New(_) | Self::Completions(_) | Self::Man(_) => None,
+            Self::Pipeline(_) | Self::New(_) | Self::Completions(_) | Self::Man(_) | Self::Schema(_) => None,
             Self::Fullaircraft(options) => Some(options.results()),
             _ => Some(self.name()),
         }
@@ -82,14 +84,18 @@ impl Command {
 mod calibrate_common;
 mod calibrate_figures;
 mod calibrate_numbers;
+pub(crate) mod calibrate_result;
 mod calibrate_shapes;
 mod calibrate_strips;
 mod deck_hdf5;
+pub(crate) mod deck_result;
 mod deflection_figures;
+pub(crate) mod deflection_result;
 mod deflection_results;
 mod discover_figures;
 mod discover_results;
 mod flutter_figures;
+pub(crate) mod flutter_result;
 mod fullaircraft_cases;
 mod fullaircraft_cases_figures;
 mod fullaircraft_deck;
@@ -98,9 +104,11 @@ mod fullaircraft_effects;
 mod fullaircraft_figures;
 mod fullaircraft_prepared;
 mod modes_pictures;
+pub(crate) mod modes_result;
 mod modes_shapes;
 mod modes_update;
 mod pipeline_figures;
+pub(crate) mod pipeline_result;
 mod response_asymmetry;
 mod response_figures;
 mod response_files;
@@ -108,11 +116,15 @@ mod response_missing;
 mod response_missing_text;
 mod response_models;
 mod response_points;
+pub(crate) mod response_result;
 mod response_source;
 mod response_text;
+mod result_parts;
 mod simulate_effects;
 mod simulate_files;
 mod simulate_flown;
 mod simulate_maneuvers;
+pub(crate) mod simulate_result;
+pub(crate) mod tunnel_result;
 
 pub(crate) use calibrate_numbers::speed_name;

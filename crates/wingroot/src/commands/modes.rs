@@ -6,12 +6,13 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use report::Table;
-use serde_json::{Value, json};
 use structure::{Modes, ModesError, effective_masses, normal_modes};
 
 use super::modes_pictures::hertz;
 use super::{modes_pictures, modes_shapes, modes_update};
 use crate::args::{Common, whole};
+use crate::commands::modes_result::ModesResult;
+use crate::commands::result_parts::as_json;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
@@ -62,7 +63,7 @@ pub(crate) fn run(args: &ModesArgs, common: &Common) -> Result<(), Failure> {
         let caption = "Displacements of all nodes, scaled to the largest of a mode.";
         folder.write_figure("shapes", caption, figure)?;
     }
-    let result = result(&structure, &modes, start.elapsed().as_secs_f64());
+    let result = as_json(&result(&structure, &modes, start.elapsed().as_secs_f64()))?;
     folder.write_json("result.json", &result)?;
     let out = folder.commit()?;
     let mut text = summary(&structure, &modes);
@@ -82,19 +83,23 @@ pub(crate) fn solve(structure: &Structure, count: Option<usize>) -> Result<Modes
     }
 }
 
-fn result(structure: &Structure, modes: &Modes, seconds: f64) -> Value {
+fn result(structure: &Structure, modes: &Modes, seconds: f64) -> ModesResult {
     let mass = structure.system.mass_properties();
-    let effective = effective_masses(&structure.system, modes, &mass.centre);
-    json!({
-        "command": "modes", "structure": structure.name, "mass_kg": mass.mass_kg,
-        "centre_of_gravity_m": mass.centre.coords.as_slice(),
-        "inertia_about_centre_kg_m2": (0..3).map(|i| mass.inertia_kg_m2.row(i).iter().copied().collect::<Vec<_>>()).collect::<Vec<_>>(),
-        "grids": structure.system.node_count(), "free_motions": structure.system.free_count(),
-        "elements": structure.bulk.element_counts(),
-        "frequencies_hz": hertz(modes),
-        "rigid_modes": modes.omega_rad_s.iter().filter(|omega| **omega == 0.0).count(),
-        "effective_masses": effective, "seconds": seconds,
-    })
+    ModesResult {
+        command: "modes",
+        structure: structure.name.clone(),
+        mass_kg: mass.mass_kg,
+        centre_of_gravity_m: mass.centre.coords.into(),
+        // Stored by columns.
+        inertia_about_centre_kg_m2: mass.inertia_kg_m2.transpose().into(),
+        grids: structure.system.node_count(),
+        free_motions: structure.system.free_count(),
+        elements: structure.bulk.element_counts(),
+        frequencies_hz: hertz(modes),
+        rigid_modes: modes.omega_rad_s.iter().filter(|omega| **omega == 0.0).count(),
+        effective_masses: effective_masses(&structure.system, modes, &mass.centre),
+        seconds,
+    }
 }
 
 fn summary(structure: &Structure, modes: &Modes) -> String {

@@ -5,10 +5,11 @@ use std::path::Path;
 use std::time::Instant;
 
 use report::{Figure, Panel, Series, Style, Table};
-use serde_json::{Value, json};
 use structure::update::{Fit, MeasuredFile, Prediction, Quantity, Settings, State, UpdateError, fit};
 
 use crate::args::Common;
+use crate::commands::modes_result::{MeasurementResult, ModesMeasuredResult, RegionFactor, StateResult};
+use crate::commands::result_parts::as_json;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
@@ -39,7 +40,7 @@ pub(super) fn run(
         let caption = "Model less measurement in standard deviations of it, in the order of the table.";
         folder.write_figure("deviations", caption, figure)?;
     }
-    let result = result(&structure, &found, start.elapsed().as_secs_f64());
+    let result = as_json(&result(&structure, &found, start.elapsed().as_secs_f64()))?;
     folder.write_json("result.json", &result)?;
     let out = folder.commit_if(found.is_converged)?;
     let text = format!("{}written to {}", summary(&structure, &found), out.display());
@@ -80,10 +81,14 @@ fn factors(structure: &Structure, found: &Fit) -> String {
     text
 }
 
-fn state(state: &State) -> Value {
-    let pairs: Vec<Option<usize>> = state.pairs.iter().map(|pair| pair.map(|mode| mode + 1)).collect();
-    json!({ "frequencies_hz": state.frequencies_hz, "modal_assurance": state.assurance, "pairs": pairs,
-        "chi_square": state.chi_square(), "compared": state.compared() })
+fn state(state: &State) -> StateResult {
+    StateResult {
+        frequencies_hz: state.frequencies_hz.clone(),
+        modal_assurance: state.assurance.clone(),
+        pairs: state.pairs.iter().map(|pair| pair.map(|mode| mode + 1)).collect(),
+        chi_square: state.chi_square(),
+        compared: state.compared(),
+    }
 }
 
 fn open_directions(found: &Fit) -> Vec<Vec<(String, f64)>> {
@@ -110,32 +115,47 @@ fn deviations(found: &Fit) -> Option<Figure> {
         .then(|| Figure::new("What is left of the measurements", vec![panel], 1))
 }
 
-fn result(structure: &Structure, found: &Fit, seconds: f64) -> Value {
-    let factor = |factor: &structure::update::Factor| {
-        json!({ "region": factor.region, "quantity": word(factor.quantity), "value": factor.value,
-            "sigma": factor.is_determined.then_some(factor.sigma), "determined": factor.is_determined })
+fn result(structure: &Structure, found: &Fit, seconds: f64) -> ModesMeasuredResult {
+    let factor = |factor: &structure::update::Factor| RegionFactor {
+        region: factor.region.clone(),
+        quantity: word(factor.quantity),
+        value: factor.value,
+        sigma: factor.is_determined.then_some(factor.sigma),
+        determined: factor.is_determined,
     };
-    let compared: Vec<Value> = found
+    let measurements = found
         .before
         .predictions
         .iter()
         .zip(&found.after.predictions)
-        .map(|(before, after)| {
-            json!({ "name": before.name, "unit": before.unit, "measured": before.measured, "sigma": before.sigma,
-                "before": before.model, "after": after.model })
+        .map(|(before, after)| MeasurementResult {
+            name: before.name.clone(),
+            unit: before.unit.into(),
+            measured: before.measured,
+            sigma: before.sigma,
+            before: before.model,
+            after: after.model,
         })
         .collect();
-    json!({
-        "command": "modes", "structure": structure.name, "mass_kg": structure.system.mass_properties().mass_kg,
-        "grids": structure.system.node_count(), "elements": structure.bulk.element_counts(),
-        "frequencies_hz": found.before.frequencies_hz,
-        "measurements": compared, "factors": found.factors.iter().map(factor).collect::<Vec<_>>(),
-        "covariance": found.determination.covariance(),
-        "undetermined": open_directions(found), "determined_directions": found.determination.determined,
-        "before": state(&found.before), "after": state(&found.after),
-        "degrees_of_freedom": found.degrees_of_freedom(), "steps": found.steps, "converged": found.is_converged,
-        "seconds": seconds,
-    })
+    ModesMeasuredResult {
+        command: "modes",
+        structure: structure.name.clone(),
+        mass_kg: structure.system.mass_properties().mass_kg,
+        grids: structure.system.node_count(),
+        elements: structure.bulk.element_counts(),
+        frequencies_hz: found.before.frequencies_hz.clone(),
+        measurements,
+        factors: found.factors.iter().map(factor).collect(),
+        covariance: found.determination.covariance(),
+        undetermined: open_directions(found),
+        determined_directions: found.determination.determined,
+        before: state(&found.before),
+        after: state(&found.after),
+        degrees_of_freedom: found.degrees_of_freedom(),
+        steps: found.steps,
+        converged: found.is_converged,
+        seconds,
+    }
 }
 
 fn summary(structure: &Structure, found: &Fit) -> String {

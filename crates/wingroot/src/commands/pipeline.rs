@@ -2,16 +2,20 @@
 //! mirrored aircraft with them.
 
 use clap::Args;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use serde_json::{Map, Value, json};
+use nastran::ron_or_json::expected_in;
+use serde_json::Value;
 
 use crate::args::{Common, Given, Measured};
 use crate::commands::calibrate::CalibrateArgs;
 use crate::commands::deflection::DeflectionArgs;
 use crate::commands::discover::DiscoverArgs;
 use crate::commands::fullaircraft_prepared::FullaircraftArgs;
+use crate::commands::pipeline_result::PipelineResult;
+use crate::commands::result_parts::as_json;
 use crate::commands::simulate::SimulateArgs;
 use crate::commands::{calibrate, deflection, discover, fullaircraft, pipeline_figures, simulate};
 use crate::failure::Failure;
@@ -46,13 +50,20 @@ pub(crate) fn run(args: &PipelineArgs, common: &Common) -> Result<(), Failure> {
     STEPS.iter().chain(&["pipeline"]).try_for_each(|step| check_replaceable(&base.join(step)))?;
     let seconds = steps(args, common, &base)?;
     let total = start.elapsed().as_secs_f64();
-    let mut result = json!({ "command": "pipeline", "seconds": total, "steps": seconds });
-    for name in STEPS {
-        result[name] = read_result(&base.join(name))?;
-    }
     let folder = ResultFolder::begin(&base.join("pipeline"))?;
-    result["figures"] = pipeline_figures::gather(&base, &folder)?;
-    result["held_out_runs"] = pipeline_figures::held_out(&base)?;
+    let of = |step: &str| read_result(&base.join(step));
+    let result = as_json(&PipelineResult {
+        command: "pipeline",
+        seconds: total,
+        steps: seconds,
+        figures: pipeline_figures::gather(&base, &folder)?,
+        held_out_runs: pipeline_figures::held_out(&base)?,
+        calibrate: of("calibrate")?,
+        deflection: of("deflection")?,
+        simulate: of("simulate")?,
+        discover: of("discover")?,
+        fullaircraft: of("fullaircraft")?,
+    })?;
     folder.write_json("result.json", &result)?;
     folder.commit()?;
     show::summary(common, &format!("pipeline done in {total:.1} s; results in {}\n", base.display()));
@@ -60,7 +71,7 @@ pub(crate) fn run(args: &PipelineArgs, common: &Common) -> Result<(), Failure> {
 }
 
 /// Runs the steps, each with what the earlier ones wrote; the seconds of each.
-fn steps(args: &PipelineArgs, common: &Common, base: &Path) -> Result<Map<String, Value>, Failure> {
+fn steps(args: &PipelineArgs, common: &Common, base: &Path) -> Result<BTreeMap<String, f64>, Failure> {
     let wing = args.measured.wing_path()?;
     let measured = Measured { campaign: Some(args.measured.campaign_path()?), wing: Some(wing.clone()) };
     let aircraft = Some(paths::aircraft(args.aircraft.as_deref(), Some(&wing))?);
@@ -70,12 +81,13 @@ fn steps(args: &PipelineArgs, common: &Common, base: &Path) -> Result<Map<String
         Given { measured, corrections, ..Given::default() }
     };
     let written_by = |step: &str| {
-        with(Measured { wing: Some(base.join(step).join("wing.ron")), ..measured.clone() }, step)
+        let wing = Some(expected_in(&base.join(step), "wing")?);
+        Ok::<_, Failure>(with(Measured { wing, ..measured.clone() }, step))
     };
     let calibrated = with(measured.clone(), "calibrate");
     // With --json the steps say nothing on standard output: their results are gathered at the end.
     let quiet = common.quiet || common.json;
-    let mut seconds = Map::new();
+    let mut seconds = BTreeMap::new();
     for name in STEPS {
         if !quiet {
             show::summary(common, &format!("== {name}\n"));
@@ -86,7 +98,7 @@ fn steps(args: &PipelineArgs, common: &Common, base: &Path) -> Result<Map<String
             "calibrate" => calibrate::run(&CalibrateArgs { measured: measured.clone() }, common),
             "deflection" => deflection::run(&DeflectionArgs { given: calibrated.clone() }, common),
             "simulate" => {
-                let given = written_by("deflection");
+                let given = written_by("deflection")?;
                 simulate::run(&SimulateArgs { given, ..Default::default() }, common)
             }
             "discover" => {
@@ -95,11 +107,11 @@ fn steps(args: &PipelineArgs, common: &Common, base: &Path) -> Result<Map<String
             }
             // with the effects that stay with the wing, and the corrections found beside them
             _ => {
-                let (given, aircraft) = (written_by("discover"), aircraft.clone());
+                let (given, aircraft) = (written_by("discover")?, aircraft.clone());
                 fullaircraft::run(&FullaircraftArgs { aircraft, given, ..Default::default() }, common)
             }
         }?;
-        seconds.insert(name.to_owned(), json!(from.elapsed().as_secs_f64()));
+        seconds.insert(name.to_owned(), from.elapsed().as_secs_f64());
     }
     Ok(seconds)
 }

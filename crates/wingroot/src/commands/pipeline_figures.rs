@@ -1,12 +1,13 @@
 //! Figures 8 to 18 of the paper on flexible wings, gathered from the steps of the pipeline under their numbers: pictures drawn
 //! from the steps' curves, and these as CSV.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use nastran::table::Table;
 use report::{Figure, Panel, Series, Style};
-use serde_json::{Map, Value, json};
 
+use crate::commands::pipeline_result::{HeldOutRun, PaperFigure};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 
@@ -46,7 +47,7 @@ pub(crate) fn paper_figures(step: &str, name: &str) -> String {
 }
 
 /// Writes pictures and curves as `figure_NN.svg`, `.png` and `.csv`; the list of them.
-pub(crate) fn gather(base: &Path, folder: &ResultFolder) -> Result<Value, Failure> {
+pub(crate) fn gather(base: &Path, folder: &ResultFolder) -> Result<Vec<PaperFigure>, Failure> {
     let mut list = Vec::new();
     for (number, shows, curves) in FIGURES {
         let name = format!("figure_{number:02}");
@@ -62,31 +63,31 @@ pub(crate) fn gather(base: &Path, folder: &ResultFolder) -> Result<Value, Failur
             factors(&table, &title, if number == EQUIVALENT { "equivalent_deg" } else { "factor" })?
         };
         folder.write_figure_of(&name, "", figure, &csv)?;
-        list.push(json!({ "figure": number, "shows": shows, "picture": svg, "curves": csv }));
+        list.push(PaperFigure { figure: number, shows: shows.to_owned(), picture: svg, curves: csv });
     }
-    Ok(Value::Array(list))
+    Ok(list)
 }
 
 /// What is left of each run that `discover` held out, before and after: root mean squares by load.
-pub(crate) fn held_out(base: &Path) -> Result<Value, Failure> {
+pub(crate) fn held_out(base: &Path) -> Result<Vec<HeldOutRun>, Failure> {
     let folder = base.join("discover/runs");
     let mut files: Vec<PathBuf> =
         std::fs::read_dir(&folder).into_iter().flatten().flatten().map(|entry| entry.path()).collect();
     files.retain(|file| file.extension().is_some_and(|ending| ending == "csv"));
     files.sort();
-    let left = |table: &Table, state: &str| -> Result<Value, Failure> {
-        let mut rms = Map::new();
+    let left = |table: &Table, state: &str| -> Result<BTreeMap<String, f64>, Failure> {
+        let mut rms = BTreeMap::new();
         for (load, _) in LOADS.into_iter().filter(|(load, _)| table.has(&format!("{load}_measured"))) {
             let of = |what: &str| table.numbers(&format!("{load}_{what}"));
             let squares = of("measured")?.iter().zip(of(state)?).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
-            rms.insert(load.into(), json!((squares / table.len().max(1) as f64).sqrt()));
+            rms.insert(load.to_owned(), (squares / table.len().max(1) as f64).sqrt());
         }
-        Ok(Value::Object(rms))
+        Ok(rms)
     };
-    let run = |file: PathBuf| -> Result<Value, Failure> {
+    let run = |file: PathBuf| -> Result<HeldOutRun, Failure> {
         let table = Table::read(&file)?;
-        let name = file.file_stem().map(|name| name.to_string_lossy().into_owned());
-        Ok(json!({ "run": name, "before": left(&table, "before")?, "after": left(&table, "after")? }))
+        let run = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        Ok(HeldOutRun { run, before: left(&table, "before")?, after: left(&table, "after")? })
     };
     files.into_iter().map(run).collect()
 }

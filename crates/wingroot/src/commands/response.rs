@@ -8,12 +8,13 @@ use std::time::Instant;
 use rayon::prelude::*;
 use response::mav::{Published, figures};
 use response::{TableAnalysis, TableStudy};
-use serde_json::{Value, json};
 
 use super::response_points::Points;
 use super::response_source::Source;
 use super::{response_asymmetry, response_figures, response_files, response_missing, response_text};
 use crate::args::{Common, ResponseArgs};
+use crate::commands::response_result::{FigureNotes, ResponseResult, SurfaceResult};
+use crate::commands::result_parts::as_json;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
@@ -46,18 +47,22 @@ pub(crate) fn run(args: &ResponseArgs, common: &Common) -> Result<(), Failure> {
         for predictions in points.predictions(study, analysis)? {
             folder.write_text(&format!("{stem}_{}_at.csv", predictions.name), &predictions.csv())?;
             let _ = write!(text, "\n{}", predictions.text());
-            at.push(predictions.json(&study.data));
+            at.push(predictions.result(&study.data));
         }
     }
     let notes = match &source.published {
-        Some(published) => draw_published(&folder, published)?,
-        None => Value::Null,
+        Some(published) => Some(draw_published(&folder, published)?),
+        None => None,
     };
     let seconds = start.elapsed().as_secs_f64();
-    let result = json!({
-        "command": "response", "name": source.name, "responses": responses, "at": at,
-        "published_figures": notes, "seconds": seconds,
-    });
+    let result = as_json(&ResponseResult {
+        command: "response",
+        name: source.name,
+        responses,
+        at,
+        published_figures: notes,
+        seconds,
+    })?;
     folder.write_json("result.json", &result)?;
     let out = folder.commit()?;
     let _ = write!(text, "\nwritten to {} in {seconds:.1} s", out.display());
@@ -88,7 +93,7 @@ fn write(
     stem: &str,
     study: &TableStudy,
     analysis: &TableAnalysis,
-) -> Result<Vec<Value>, Failure> {
+) -> Result<Vec<SurfaceResult>, Failure> {
     let mut responses = Vec::new();
     for of_response in &analysis.responses {
         let name = format!("{stem}_{}", of_response.choice.fitted.response);
@@ -111,13 +116,14 @@ fn write(
 }
 
 /// Figures of the published models; their notes.
-fn draw_published(folder: &ResultFolder, published: &Path) -> Result<Value, Failure> {
+fn draw_published(folder: &ResultFolder, published: &Path) -> Result<Vec<FigureNotes>, Failure> {
     let published = Published::read(published)?;
     let mut notes = Vec::new();
     for number in figures::FIGURES {
         let figure = figures::figure(&published, number)?;
-        notes.push(json!({ "figure": number, "title": figure.title, "notes": figure.notes }));
+        let (title, said) = (figure.title.clone(), figure.notes.clone());
+        notes.push(FigureNotes { figure: number, title, notes: said });
         folder.write_figure(&format!("fig_{number}"), "", response_figures::published(figure))?;
     }
-    Ok(Value::Array(notes))
+    Ok(notes)
 }

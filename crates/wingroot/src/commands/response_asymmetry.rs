@@ -6,10 +6,11 @@ use std::path::PathBuf;
 
 use report::Table;
 use response::asymmetry::{Asymmetry, RigidWing, Settings, asymmetry, read_displacements};
-use serde_json::{Value, json};
 
+use super::response_result::{DisplacementResult, FieldResult, RigidResult};
 use super::response_text::{interval, number};
 use crate::args::{Common, ResponseArgs};
+use crate::commands::result_parts::as_json;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
@@ -28,11 +29,21 @@ pub(super) fn run(args: &ResponseArgs, common: &Common) -> Result<(), Failure> {
     };
     let fields = ratios(&args.displacement, &settings)?;
     let folder = ResultFolder::begin(&common.out("response"))?;
-    let result = json!({
-        "command": "response",
-        "rigid": { "mean": rigid.mean, "bias": rigid.bias(), "scatter": rigid.scatter, "fields": rigid_fields.len() },
-        "fields": args.displacement.iter().zip(&fields).map(|(path, field)| of_field(path, field, &rigid)).collect::<Vec<_>>(),
-    });
+    let of_field = |(path, asymmetry): (&PathBuf, &Asymmetry)| FieldResult {
+        file: path.display().to_string(),
+        asymmetry: *asymmetry,
+        beyond_the_rigid_wing: rigid.is_exceeded_by(asymmetry),
+    };
+    let result = as_json(&DisplacementResult {
+        command: "response",
+        rigid: RigidResult {
+            mean: rigid.mean,
+            bias: rigid.bias(),
+            scatter: rigid.scatter,
+            fields: rigid_fields.len(),
+        },
+        fields: args.displacement.iter().zip(&fields).map(of_field).collect(),
+    })?;
     folder.write_json("result.json", &result)?;
     let out = folder.commit()?;
     let text = summary(args, &fields, &rigid);
@@ -51,13 +62,6 @@ fn ratios(paths: &[PathBuf], settings: &Settings) -> Result<Vec<Asymmetry>, Fail
         })
     };
     paths.iter().map(one).collect()
-}
-
-fn of_field(path: &std::path::Path, field: &Asymmetry, rigid: &RigidWing) -> Value {
-    let mut value = json!(field);
-    value["file"] = json!(path.display().to_string());
-    value["beyond_the_rigid_wing"] = json!(rigid.is_exceeded_by(field));
-    value
 }
 
 fn summary(args: &ResponseArgs, fields: &[Asymmetry], rigid: &RigidWing) -> String {

@@ -1,7 +1,11 @@
 //! What `response` writes: result.json and the tables of terms, curves, points and effects as CSV.
 
-use response::{Analysis, Effects, Fault, PureError, TableAnalysis, TableStudy, Term};
-use serde_json::{Value, json};
+use response::{Analysis, Coefficient, Effects, PureError, TableAnalysis, TableStudy, Term};
+
+use super::response_result::{
+    BlocksResult, CandidateLeftOut, EffectsResult, OrReason, PureErrorResult, RandomBlocks, SurfaceResult,
+    TermResult, Tests, TwoLevelEffect,
+};
 
 /// A table of its head and its rows.
 pub(super) fn csv(head: &str, rows: impl IntoIterator<Item = String>) -> String {
@@ -16,77 +20,104 @@ pub(super) fn change(before: &[Term], after: &[Term]) -> String {
 }
 
 /// One response in result.json.
-pub(super) fn response(study: &TableStudy, table: &TableAnalysis, analysis: &Analysis) -> Value {
+pub(super) fn response(study: &TableStudy, table: &TableAnalysis, analysis: &Analysis) -> SurfaceResult {
     let choice = &analysis.choice;
     let (fitted, chosen) = (&choice.fitted, &choice.curve[choice.chosen].criteria);
-    let terms = fitted.coefficients.iter().map(|c| {
-        let interval = c.interval(study.level, fitted.degrees_of_freedom).ok();
-        json!({
-            "term": c.term, "coefficient": c.value, "standard_error": c.standard_error, "t": c.t,
-            "p_value": c.p_value, "interval": interval,
-        })
-    });
-    let left_out = |(term, others): &(Term, String)| json!({ "term": term, "not_told_from": others });
-    json!({
-        "name": fitted.response, "data": study.data, "points": table.data.points(),
-        "terms": terms.collect::<Vec<Value>>(),
-        "r2": chosen.r_squared, "adjusted_r2": chosen.adjusted_r_squared, "pse": chosen.pse, "mse": chosen.mse,
-        "bic": chosen.bic, "leave_one_out": chosen.leave_one_out, "sigma0_squared": choice.sigma0_squared,
-        "level": study.level, "degrees_of_freedom": fitted.degrees_of_freedom,
-        "error_standard_deviation": fitted.error_variance.sqrt(), "search_complete": choice.complete, "curve_complete": choice.curve_complete,
-        "candidates": table.candidates,
-        "candidates_left_out": table.left_out.iter().map(left_out).collect::<Vec<_>>(),
-        "curve": choice.curve,
-        "tests": tests(analysis),
-        "block_offsets": fitted.offsets,
-        "effects": table.effects.iter().find(|e| e.response == fitted.response).map(|e| effects(study, e)),
-    })
-}
-
-fn or_reason<T>(result: &Result<T, Fault>, value: impl Fn(&T) -> Value) -> Value {
-    result.as_ref().map_or_else(|fault| json!({ "not_known": fault.to_string() }), value)
-}
-
-fn pure(error: &PureError) -> Value {
-    json!({
-        "standard_deviation": error.variance().sqrt(), "sum": error.sum,
-        "degrees_of_freedom": error.degrees_of_freedom,
-    })
-}
-
-fn tests(analysis: &Analysis) -> Value {
-    json!({
-        "all_terms": or_reason(&analysis.all_terms, |test| json!(test)),
-        "pure_error": or_reason(&analysis.pure_error, pure),
-        "lack_of_fit": or_reason(&analysis.lack_of_fit, |test| json!(test)),
-        "blocks": analysis.block_share.as_ref().map(|share| or_reason(share, |share| json!({
-            "share_of_pure_error": share.removed(), "test": share.test(),
-            "without": pure(&share.without), "with": pure(&share.with),
-        }))),
-        "random_blocks": analysis.random_blocks.as_ref().map(|random| or_reason(random, |fitted| json!({
-            "between": fitted.block_variance.sqrt(), "within": fitted.error_variance.sqrt(),
-        }))),
-        "left_out_blocks_rms": analysis.left_out_blocks.as_ref().map(|left| or_reason(left, |square| json!(square.sqrt()))),
-        "least_significant_difference": analysis.least_significant_difference,
-    })
-}
-
-fn effects(study: &TableStudy, effects: &Effects) -> Value {
-    let of_effect = |effect: &response::Effect| {
-        json!({
-            "term": effect.term, "value": effect.value, "sum_of_squares": effect.sum_of_squares,
-            "standard_error": effect.test.map(|t| t.standard_error), "t": effect.test.map(|t| t.t),
-            "p_value": effect.test.map(|t| t.p_value), "significant": effect.test.map(|t| t.significant),
-            "found_with_90_percent_from": effect.test.and_then(|t| effects.detectable(&t, study.level, 0.9).ok()),
-            "not_told_from": aliases(effect),
-        })
+    let term = |c: &Coefficient| TermResult {
+        term: c.term.clone(),
+        coefficient: c.value,
+        standard_error: c.standard_error,
+        t: c.t,
+        p_value: c.p_value,
+        interval: c.interval(study.level, fitted.degrees_of_freedom).ok(),
     };
-    json!({
-        "mean": effects.mean, "degrees_of_freedom": effects.degrees_of_freedom, "residual_sum": effects.residual_sum,
-        "block_degrees_of_freedom": effects.block_degrees_of_freedom, "block_sum": effects.block_sum,
-        "effects": effects.effects.iter().map(of_effect).collect::<Vec<_>>(),
-        "lenth": effects.lenth,
-    })
+    let left_out = |(term, others): &(Term, String)| CandidateLeftOut {
+        term: term.clone(),
+        not_told_from: others.clone(),
+    };
+    let two_level = table.effects.iter().find(|e| e.response == fitted.response);
+    SurfaceResult {
+        name: fitted.response.clone(),
+        data: study.data.clone(),
+        points: table.data.points(),
+        terms: fitted.coefficients.iter().map(term).collect(),
+        r2: chosen.r_squared,
+        adjusted_r2: chosen.adjusted_r_squared,
+        pse: chosen.pse,
+        mse: chosen.mse,
+        bic: chosen.bic,
+        leave_one_out: chosen.leave_one_out,
+        sigma0_squared: choice.sigma0_squared,
+        level: study.level,
+        degrees_of_freedom: fitted.degrees_of_freedom,
+        error_standard_deviation: fitted.error_variance.sqrt(),
+        search_complete: choice.complete,
+        curve_complete: choice.curve_complete,
+        candidates: table.candidates.clone(),
+        candidates_left_out: table.left_out.iter().map(left_out).collect(),
+        curve: choice.curve.clone(),
+        tests: tests(analysis),
+        block_offsets: fitted.offsets.clone(),
+        effects: two_level.map(|found| effects(study, found)),
+    }
+}
+
+fn pure(error: &PureError) -> PureErrorResult {
+    PureErrorResult {
+        standard_deviation: error.variance().sqrt(),
+        sum: error.sum,
+        degrees_of_freedom: error.degrees_of_freedom,
+    }
+}
+
+fn tests(analysis: &Analysis) -> Tests {
+    Tests {
+        all_terms: OrReason::of(&analysis.all_terms, |test| *test),
+        pure_error: OrReason::of(&analysis.pure_error, pure),
+        lack_of_fit: OrReason::of(&analysis.lack_of_fit, |test| *test),
+        blocks: analysis.block_share.as_ref().map(|share| {
+            OrReason::of(share, |share| BlocksResult {
+                share_of_pure_error: share.removed(),
+                test: share.test(),
+                without: pure(&share.without),
+                with: pure(&share.with),
+            })
+        }),
+        random_blocks: analysis.random_blocks.as_ref().map(|random| {
+            OrReason::of(random, |fitted| RandomBlocks {
+                between: fitted.block_variance.sqrt(),
+                within: fitted.error_variance.sqrt(),
+            })
+        }),
+        left_out_blocks_rms: analysis
+            .left_out_blocks
+            .as_ref()
+            .map(|left| OrReason::of(left, |square| square.sqrt())),
+        least_significant_difference: analysis.least_significant_difference,
+    }
+}
+
+fn effects(study: &TableStudy, effects: &Effects) -> EffectsResult {
+    let of_effect = |effect: &response::Effect| TwoLevelEffect {
+        term: effect.term.clone(),
+        value: effect.value,
+        sum_of_squares: effect.sum_of_squares,
+        standard_error: effect.test.map(|t| t.standard_error),
+        t: effect.test.map(|t| t.t),
+        p_value: effect.test.map(|t| t.p_value),
+        significant: effect.test.map(|t| t.significant),
+        found_with_90_percent_from: effect.test.and_then(|t| effects.detectable(&t, study.level, 0.9).ok()),
+        not_told_from: aliases(effect),
+    };
+    EffectsResult {
+        mean: effects.mean,
+        degrees_of_freedom: effects.degrees_of_freedom,
+        residual_sum: effects.residual_sum,
+        block_degrees_of_freedom: effects.block_degrees_of_freedom,
+        block_sum: effects.block_sum,
+        effects: effects.effects.iter().map(of_effect).collect(),
+        lenth: effects.lenth,
+    }
 }
 
 /// What an effect is not told from, with its sign.

@@ -4,22 +4,11 @@
 use std::path::Path;
 
 use nastran::{InputError, Table};
-use response::{Fault, Prediction, TableAnalysis, TableStudy};
-use serde::Serialize;
-use serde_json::{Value, json};
+use response::{Fault, TableAnalysis, TableStudy};
 
 use super::response_files::csv;
+use super::response_result::{At, PredictionsResult};
 use super::response_text::{interval, number};
-
-/// A point with what a surface says of it.
-#[derive(Serialize)]
-struct At {
-    factors: Vec<f64>,
-    #[serde(flatten)]
-    prediction: Prediction,
-    mean_interval: (f64, f64),
-    reading_interval: (f64, f64),
-}
 
 /// The points of a file.
 pub(super) struct Points {
@@ -130,7 +119,8 @@ impl Predictions {
     }
 
     /// In result.json.
-    pub(super) fn json(&self, data: &str) -> Value {
-        json!({ "name": self.name, "data": data, "factors": self.factors, "points": self.points })
+    pub(super) fn result(&self, data: &str) -> PredictionsResult {
+        let (name, factors) = (self.name.clone(), self.factors.clone());
+        PredictionsResult { name, data: data.to_owned(), factors, points: self.points.clone() }
     }
 }

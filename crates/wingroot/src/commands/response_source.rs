@@ -2,15 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
+use nastran::ron_or_json::expected_in;
 use nastran::{InputError, Table, named_file};
 use response::{Blocking, EffectsStudy, ErrorRule, Search, Study, TableStudy};
 
 use crate::args::ResponseArgs;
 use crate::failure::Failure;
+use crate::paths::STUDY;
 use crate::{paths, show};
-
-/// The study of a folder.
-const STUDY: &str = "response.ron";
 
 /// Tables to analyse.
 pub(super) struct Source {
@@ -38,14 +37,14 @@ impl Source {
     }
 
     fn of_study(data: &Path) -> Result<Self, Failure> {
-        let file = if data.is_dir() { data.join(STUDY) } else { data.to_path_buf() };
+        let file = if data.is_dir() { expected_in(data, STUDY)? } else { data.to_path_buf() };
         if file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"))
             || data.is_dir() && !file.is_file()
         {
             let message = "which columns are factors and responses is not said";
             return Err(InputError::in_file(data, message)
                 .with_help(format!(
-                    "add --factors A,B --responses C, or write them into {STUDY} in the folder"
+                    "add --factors A,B --responses C, or write them into {STUDY}.ron in the folder"
                 ))
                 .into());
         }

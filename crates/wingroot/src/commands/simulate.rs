@@ -2,23 +2,26 @@
 //! maneuvers.
 
 use clap::Args;
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use aero::{Corrections, Flow};
 use calibrate::Campaign;
+use coupling::ByLoad;
 use maneuver::effects::Beside;
 use maneuver::{
     DeflectionAt, Rig, RigError, RigModel, RigSettings, Run, Simulated, simulate_commanded,
 };
 use nastran::InputError;
 use rayon::prelude::*;
-use serde_json::{Map, Value, json};
 
 use crate::args::{Common, Given};
+use crate::commands::result_parts::{Models as OfModels, as_json, loads};
 use crate::commands::simulate_effects::{self, WingEffects};
 use crate::commands::simulate_flown::{Flown, at_airspeed};
+use crate::commands::simulate_result::{AirResult, RunResult, SimulateResult};
 use crate::commands::{simulate_files, simulate_maneuvers};
 use crate::corrections::{CorrectedWing, corrected_wing};
 use crate::failure::Failure;
@@ -106,16 +109,18 @@ pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
         show::note(&remark);
     }
     let seconds = start.elapsed().as_secs_f64();
-    let mut result = json!({
-        "command": "simulate",
-        "corrections": corrected.origin,
-        "deflection_correction": !corrected.file.deflection.is_empty(),
-        "modes": rig.omega_rad_s().len(),
-        "air": air_result(&rig),
-        "runs": flown.iter().map(run_result).collect::<Vec<_>>(),
-        "seconds": seconds,
-    });
-    effects.put_into(&mut result);
+    let (effects, without) = effects.result().unzip();
+    let result = as_json(&SimulateResult {
+        command: "simulate",
+        corrections: corrected.origin.clone(),
+        deflection_correction: !corrected.file.deflection.is_empty(),
+        modes: rig.omega_rad_s().len(),
+        air: air_result(&rig),
+        runs: flown.iter().map(run_result).collect(),
+        effects,
+        without,
+        seconds,
+    })?;
     let out = simulate_files::write(&common.out("simulate"), &flown, &corrected, &result)?;
     show::summary(common, &summary(&flown, &out, seconds));
     show::json(common, &result)
@@ -124,7 +129,7 @@ pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
 /// The campaign that says in which air a run was flown: the one named, else the run's own folder, else the wing's.
 fn campaign_of(args: &SimulateArgs, run: &Path) -> Result<PathBuf, InputError> {
     let own = paths::folder_of(run);
-    if args.given.measured.campaign.is_none() && own.join("campaign.ron").is_file() {
+    if args.given.measured.campaign.is_none() && paths::is_campaign(own) {
         return Ok(own.to_path_buf());
     }
     args.given.measured.campaign_path()
@@ -132,8 +137,7 @@ fn campaign_of(args: &SimulateArgs, run: &Path) -> Result<PathBuf, InputError> {
 
 /// The runs of a campaign.
 fn listed_runs(folder: &Path) -> Result<Vec<PathBuf>, InputError> {
-    let listed_in = folder.join("campaign.ron");
-    let runs = Campaign::read(folder)?.runs;
+    let Campaign { runs, path: listed_in, .. } = Campaign::read(folder)?;
     if runs.is_empty() {
         return Err(InputError::in_file(folder, "the campaign has no runs")
             .with_help("list them under `runs` in campaign.ron, or name files with --run or --maneuver"));
@@ -195,16 +199,16 @@ fn models(
 }
 
 /// The rational approximation: its poles and how far it is from the doublet lattice at the lattice's own frequencies.
-fn air_result(rig: &Rig<'_>) -> Value {
-    let Some(fit) = rig.air_fit() else { return Value::Null };
+fn air_result(rig: &Rig<'_>) -> Option<AirResult> {
+    let fit = rig.air_fit()?;
     let percent = |errors: Vec<(String, f64)>| {
-        errors.into_iter().map(|(name, error)| (name, json!(100.0 * error))).collect::<Map<_, _>>()
+        errors.into_iter().map(|(name, error)| (name, 100.0 * error)).collect::<BTreeMap<_, _>>()
     };
-    json!({
-        "reduced_frequencies": fit.reduced_frequencies,
-        "poles": fit.poles,
-        "largest_error_percent_by_load": percent(fit.by_row),
-        "largest_error_percent_by_motion": percent(fit.by_motion),
+    Some(AirResult {
+        reduced_frequencies: fit.reduced_frequencies,
+        poles: fit.poles,
+        largest_error_percent_by_load: percent(fit.by_row),
+        largest_error_percent_by_motion: percent(fit.by_motion),
     })
 }
 
@@ -230,17 +234,23 @@ fn fly(file: &Path, run: Run, models: &[Models], corrected: &CorrectedWing) -> R
     Ok(Flown { file: file.to_path_buf(), initial, updated, as_commanded, run, remarks })
 }
 
-fn run_result(flown: &Flown) -> Value {
-    let channels =
-        |values: Option<[f64; 3]>| values.map(|v| json!({ "Fz_N": v[0], "Mx_Nm": v[1], "My_Nm": v[2] }));
-    json!({
-        "file": flown.file.display().to_string(),
-        "V_m_s": flown.run.v_m_s,
-        "samples": flown.run.len(),
-        "residual_rms": { "initial": channels(flown.initial.residual_rms), "updated": channels(flown.updated.residual_rms) },
-        "remarks": flown.remarks,
-        "raw_percent": { "initial": channels(flown.initial.residual_percent), "updated": channels(flown.updated.residual_percent) },
-    })
+fn run_result(flown: &Flown) -> RunResult {
+    let (initial, updated) = (&flown.initial, &flown.updated);
+    // Of a load that never moves there is no part.
+    let percent = |values: Option<[f64; 3]>| {
+        values.map(|values| ByLoad::from_array(values.map(|value| value.is_finite().then_some(value))))
+    };
+    RunResult {
+        file: flown.file.display().to_string(),
+        v_m_s: flown.run.v_m_s,
+        samples: flown.run.len(),
+        residual_rms: OfModels { initial: loads(initial.residual_rms), updated: loads(updated.residual_rms) },
+        remarks: flown.remarks.clone(),
+        raw_percent: OfModels {
+            initial: percent(initial.residual_percent),
+            updated: percent(updated.residual_percent),
+        },
+    }
 }
 
 fn summary(flown: &[Flown], out: &Path, seconds: f64) -> String {

@@ -7,8 +7,8 @@ use coupling::Mount;
 use maneuver::effects::{Active, Beside, of_wing, without};
 use maneuver::{DeflectionAt, Motion, Rig, RigError, RigModel, Run, Simulated, motion_of};
 use nastran::{BulkData, InputError};
-use serde_json::{Value, json};
 
+use crate::commands::simulate_result::EffectResult;
 use crate::corrections::CorrectedWing;
 
 /// The effects of a wing that fly.
@@ -54,19 +54,15 @@ impl WingEffects {
         remarks
     }
 
-    /// Puts them into a result, if the wing has any.
-    pub(crate) fn put_into(&self, result: &mut Value) {
-        if self.active.is_empty() && self.off.is_empty() {
-            return;
-        }
+    /// Those that fly and those switched off, as a result has them; none if the wing has none.
+    pub(crate) fn result(&self) -> Option<(Vec<EffectResult>, Vec<String>)> {
         let each = |active: &Active| {
             let listed = active.to_wing();
-            let parameters: serde_json::Map<String, Value> =
-                listed.parameters.into_iter().map(|(name, value)| (name, json!(value))).collect();
-            json!({ "name": listed.name, "form": listed.form, "parameters": parameters })
+            let parameters = listed.parameters.into_iter().collect();
+            EffectResult { name: listed.name, form: listed.form, parameters }
         };
-        result["effects"] = self.active.iter().map(each).collect();
-        result["without"] = json!(self.off);
+        let any = !self.active.is_empty() || !self.off.is_empty();
+        any.then(|| (self.active.iter().map(each).collect(), self.off.clone()))
     }
 }
 

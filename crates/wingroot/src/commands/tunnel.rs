@@ -7,10 +7,13 @@ use std::time::Instant;
 
 use calibrate::{AirspeedCalibration, Calibration, Settings};
 use coupling::{ElasticWing, Mount};
-use serde_json::{Value, json};
 use tunnel::{AirspeedComparison, FlightState, Found, HalfWingFlight, Story, Truth, TunnelError, TunnelFile};
 
 use crate::args::Common;
+use crate::commands::result_parts::as_json;
+use crate::commands::tunnel_result::{
+    CalibrationResult, ChannelLines, FlightResult, HalfWing, TruthAndModel, TunnelResult,
+};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::{paths, show};
@@ -58,7 +61,7 @@ pub(crate) fn run(args: &TunnelArgs, common: &Common) -> Result<(), Failure> {
     let story = Story { tunnel: &file, file_name, seed, comparison: &comparison, found: &found, flight };
     folder.write_text("README.md", &tunnel::readme(&story))?;
     folder.input("what it measures and hides", &path)?;
-    let result = result(&story, campaign.rows.len());
+    let result = as_json(&result(&story, campaign.rows.len()))?;
     folder.write_json("result.json", &result)?;
     let out = folder.commit()?;
     show::summary(common, &summary(&story, &out, start.elapsed().as_secs_f64()));
@@ -117,30 +120,38 @@ fn flight(truth: &Truth, calibration: &Calibration) -> Result<[[FlightState; 2];
     Ok([fly(FLIGHT[0])?, fly(FLIGHT[1])?, fly(FLIGHT[2])?])
 }
 
-fn result(story: &Story<'_>, rows: usize) -> Value {
+fn result(story: &Story<'_>, rows: usize) -> TunnelResult {
+    let lines = |channel: &tunnel::ChannelComparison| ChannelLines {
+        offset: channel.offset,
+        slope_per_deg: channel.slope_per_deg,
+        relative_error: channel.relative_error,
+    };
     let compared = |row: &AirspeedComparison| {
-        let channel = |c: usize| {
-            let c = row.channels[c];
-            json!({ "offset": c.offset, "slope_per_deg": c.slope_per_deg, "relative_error": c.relative_error })
-        };
-        json!({ "V_m_s": row.v_m_s, "Fz_N": channel(0), "Mx_Nm": channel(1), "My_Nm": channel(2) })
+        let [fz, mx, my] = row.channels.each_ref().map(lines);
+        TruthAndModel { v_m_s: row.v_m_s, fz, mx, my }
     };
-    let calibrated = |f: &Found| {
-        json!({ "V_m_s": f.v_m_s, "objective_before": f.objective[0], "objective_after": f.objective[1],
-            "line_floor": f.line_floor, "iterations": f.cone_programs, "ending": f.ending })
+    let calibrated = |f: &Found| CalibrationResult {
+        v_m_s: f.v_m_s,
+        objective_before: f.objective[0],
+        objective_after: f.objective[1],
+        line_floor: f.line_floor,
+        iterations: f.cone_programs,
+        ending: f.ending.clone(),
     };
-    let state = |states: [FlightState; 2]| {
-        states.map(|state| json!({ "alpha_deg": state.alpha_deg, "tip_deflection_m": state.tip_z_m }))
-    };
-    json!({
-        "command": "tunnel", "measurements": false, "campaign": story.tunnel.name, "seed": story.seed,
-        "static_rows": rows,
-        "truth_and_model": story.comparison.iter().map(compared).collect::<Vec<_>>(),
-        "calibration": story.found.iter().map(calibrated).collect::<Vec<_>>(),
-        "half_wing_uncorrected_and_corrected": {
-            "trim": state(story.flight[0]), "pull_up": state(story.flight[1]), "push_down": state(story.flight[2]),
-        },
-    })
+    let [trim, pull_up, push_down] = story.flight.map(|states| {
+        states
+            .map(|state| FlightResult { alpha_deg: state.alpha_deg, tip_deflection_m: state.tip_z_m })
+    });
+    TunnelResult {
+        command: "tunnel",
+        measurements: false,
+        campaign: story.tunnel.name.clone(),
+        seed: story.seed,
+        static_rows: rows,
+        truth_and_model: story.comparison.iter().map(compared).collect(),
+        calibration: story.found.iter().map(calibrated).collect(),
+        half_wing_uncorrected_and_corrected: HalfWing { trim, pull_up, push_down },
+    }
 }
 
 fn summary(story: &Story<'_>, out: &Path, seconds: f64) -> String {

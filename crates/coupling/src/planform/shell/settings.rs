@@ -1,10 +1,11 @@
 //! The shell-and-solid wing as its file describes it.
 
 use crate::planform::PointMass;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Laminates on the contour, foam inside, masses, and how it is held.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ShellSolid {
     /// How fine the mesh is.
@@ -39,7 +40,7 @@ pub struct ShellSolid {
 }
 
 /// How fine the mesh is.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct MeshSettings {
     /// Elements along the span in each strip of boxes.
@@ -60,7 +61,7 @@ impl Default for MeshSettings {
 }
 
 /// A ply's material, orthotropic in its plane (MAT8).
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PlyMaterial {
     /// Its name, unique in the wing.
@@ -78,7 +79,7 @@ pub struct PlyMaterial {
 }
 
 /// The core's material, isotropic (MAT1).
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Foam {
     /// Young's modulus.
@@ -90,7 +91,7 @@ pub struct Foam {
 }
 
 /// One ply on one or several surfaces.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PlySettings {
     /// Name of its material.
@@ -108,7 +109,7 @@ pub struct PlySettings {
 }
 
 /// A strip along the span, such as a spar cap.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Band {
     /// Its middle on the chord.
@@ -118,7 +119,7 @@ pub struct Band {
 }
 
 /// A surface made of shells.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub enum Surface {
     /// Upper skin.
     Upper,
@@ -137,7 +138,7 @@ pub enum Surface {
 }
 
 /// A mass spread evenly over the span.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LineMass {
     /// Its name.
@@ -149,7 +150,7 @@ pub struct LineMass {
 }
 
 /// Values over the span station: (`y_m`, value) pairs in ascending y, straight lines between, constant beyond.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(transparent)]
 pub struct Profile(pub Vec<(f64, f64)>);
 

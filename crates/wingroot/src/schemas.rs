@@ -1,0 +1,142 @@
+//! JSON schemas of all files that are read and of every `result.json`, made from the types that read and write them.
+//!
+//! Meaning is what the types' documentation says; a unit that only a field's name says is put behind it.
+
+use discover::result::DiscoverResult;
+use fullaircraft::Summary;
+use hidden::score::BenchmarkResult;
+use schemars::generate::SchemaSettings;
+use schemars::transform::RecursiveTransform;
+use schemars::{JsonSchema, Schema};
+use serde_json::Value;
+
+use crate::commands::calibrate_result::CalibrateResult;
+use crate::commands::deck_result::DeckResult;
+use crate::commands::deflection_result::DeflectionResult;
+use crate::commands::flutter_result::FlutterResult;
+use crate::commands::modes_result::{ModesMeasuredResult, ModesResult};
+use crate::commands::pipeline_result::PipelineResult;
+use crate::commands::response_result::{DisplacementResult, ResponseResult};
+use crate::commands::simulate_result::SimulateResult;
+use crate::commands::tunnel_result::TunnelResult;
+
+/// A schema with its name.
+#[derive(Debug)]
+pub struct Named {
+    /// What `wingroot schema` calls it.
+    pub name: &'static str,
+    /// Which file it is of.
+    pub of: &'static str,
+    make: fn() -> Schema,
+}
+
+impl Named {
+    /// The schema (draft 2020-12).
+    pub fn schema(&self) -> Schema {
+        (self.make)()
+    }
+}
+
+fn input<T: JsonSchema>(name: &'static str, of: &'static str) -> Named {
+    Named { name, of, make: || made::<T>(SchemaSettings::draft2020_12()) }
+}
+
+fn result<T: JsonSchema>(name: &'static str, of: &'static str) -> Named {
+    Named { name, of, make: || made::<T>(SchemaSettings::draft2020_12().for_serialize()) }
+}
+
+fn made<T: JsonSchema>(settings: SchemaSettings) -> Schema {
+    let settings = settings.with_transform(RecursiveTransform(with_units));
+    settings.into_generator().into_root_schema_for::<T>()
+}
+
+/// All of them.
+pub fn all() -> Vec<Named> {
+    vec![
+        input::<coupling::WingFile>(
+            "wing",
+            "wing.ron: geometry, structure, balance, unknowns of the calibration",
+        ),
+        input::<calibrate::campaign::CampaignFile>("campaign", "campaign.ron: a folder of measurements"),
+        input::<calibrate::Schedule>("corrections", "corrections.ron, written by calibrate"),
+        input::<maneuver::ManeuverFile>("maneuver", "simulate --maneuver"),
+        input::<structure::update::MeasuredFile>("measured", "modes --measured"),
+        input::<fullaircraft::AircraftFile>("aircraft", "aircraft.ron"),
+        input::<fullaircraft::CasesFile>("cases", "fullaircraft --cases"),
+        input::<tunnel::TunnelFile>("tunnel", "tunnel.ron: what the virtual wind tunnel measures"),
+        input::<response::Study>("response", "response.ron: tables to analyse"),
+        input::<discover::null_distribution::NullDistribution>(
+            "null_distribution",
+            "null_distribution.ron, written by discover",
+        ),
+        result::<CalibrateResult>("calibrate_result", "result.json of calibrate"),
+        result::<SimulateResult>("simulate_result", "result.json of simulate"),
+        result::<DeflectionResult>("deflection_result", "result.json of deflection"),
+        result::<DiscoverResult>("discover_result", "result.json of discover"),
+        result::<BenchmarkResult>("hidden_result", "result.json of hidden"),
+        result::<Summary>("fullaircraft_result", "result.json of fullaircraft"),
+        result::<PipelineResult>("pipeline_result", "result.json of pipeline"),
+        result::<TunnelResult>("tunnel_result", "result.json of tunnel"),
+        result::<ModesResult>("modes_result", "result.json of modes"),
+        result::<ModesMeasuredResult>("modes_measured_result", "result.json of modes --measured"),
+        result::<DeckResult>("deck_result", "result.json of deck"),
+        result::<ResponseResult>("response_result", "result.json of response"),
+        result::<DisplacementResult>(
+            "response_displacement_result",
+            "result.json of response --displacement",
+        ),
+        result::<FlutterResult>("flutter_result", "result.json of flutter"),
+    ]
+}
+
+/// Units by the end of a field's name, longer ends first.
+const UNITS: &[(&str, &str)] = &[
+    ("_deg_s2", "deg/s2"),
+    ("_per_deg2", "1/deg2"),
+    ("_rad_s2", "rad/s2"),
+    ("_m_s2", "m/s2"),
+    ("_kg_m3", "kg/m3"),
+    ("_deg_s", "deg/s"),
+    ("_rad_s", "rad/s"),
+    ("_m_s", "m/s"),
+    ("_kg_m", "kg/m"),
+    ("_per_rad", "1/rad"),
+    ("_per_deg", "1/deg"),
+    ("_percent", "%"),
+    ("_over_c", "share of the chord"),
+    ("_nm2", "N m2"),
+    ("_nm", "N m"),
+    ("_n", "N"),
+    ("_deg", "deg"),
+    ("_rad", "rad"),
+    ("_hz", "Hz"),
+    ("_pa", "Pa"),
+    ("_kg", "kg"),
+    ("_mm", "mm"),
+    ("_mb", "MB"),
+    ("_m", "m"),
+    ("_s", "s"),
+    ("_seconds", "s"),
+];
+
+/// The unit that a field's name says.
+fn unit(name: &str) -> Option<&'static str> {
+    let name = format!("_{}", name.to_lowercase());
+    UNITS.iter().find(|(end, _)| name.ends_with(end)).map(|(_, unit)| *unit)
+}
+
+/// Puts units behind the descriptions of fields that do not say them.
+fn with_units(schema: &mut Schema) {
+    let Some(Value::Object(fields)) = schema.get_mut("properties") else { return };
+    for (name, field) in fields {
+        let (Some(unit), Some(Value::String(text))) = (unit(name), field.get_mut("description")) else {
+            continue;
+        };
+        let said = text.replace('²', "2").replace('³', "3");
+        if !format!("{said} ").contains(&format!(", {unit}")) {
+            text.push_str(" Unit: ");
+            text.push_str(unit);
+            text.push('.');
+        }
+    }
+}

@@ -1,0 +1,238 @@
+//! Schemas and files: what is shipped and what commands write fits the schema of its kind, what is wrong does not; and a wing in
+//! JSON is the wing in RON.
+
+mod ron_to_json;
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use jsonschema::Validator;
+use ron_to_json::converted;
+use serde_json::{Value, json};
+
+fn data(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data").join(name)
+}
+
+fn folder(name: &str) -> PathBuf {
+    let folder = std::env::temp_dir().join(format!("wingroot-schemas-{}-{name}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a temporary folder");
+    folder
+}
+
+/// Runs a command that must end well; its standard output.
+fn run(arguments: &[&str]) -> String {
+    let output = Command::new(env!("CARGO_BIN_EXE_wingroot")).args(arguments).output().expect("it starts");
+    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("text")
+}
+
+fn schema(name: &str) -> Value {
+    serde_json::from_str(&run(&["schema", name])).expect("JSON")
+}
+
+fn validator(name: &str) -> Validator {
+    jsonschema::draft202012::new(&schema(name)).expect("a schema")
+}
+
+fn faults(validator: &Validator, value: &Value) -> Vec<String> {
+    validator.iter_errors(value).map(|error| format!("{}: {error}", error.instance_path())).collect()
+}
+
+/// All files of a folder and below.
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).expect("a folder").flatten().map(|entry| entry.path());
+    entries.flat_map(|path| if path.is_dir() { files(&path) } else { vec![path] }).collect()
+}
+
+/// Every shipped input with the name of its schema and its JSON form.
+fn shipped() -> Vec<(PathBuf, &'static str, Value)> {
+    let is_ron = |path: &PathBuf| path.extension().is_some_and(|ending| ending == "ron");
+    let read = |path: PathBuf| {
+        let text = std::fs::read_to_string(&path).expect("a shipped file");
+        let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
+        let kinds = ["wing", "campaign", "aircraft", "cases", "tunnel", "response", "null_distribution"];
+        let kind = kinds.into_iter().find(|kind| name.starts_with(kind)).unwrap_or("maneuver");
+        (path, kind, converted(&text))
+    };
+    files(&data("")).into_iter().filter(is_ron).map(read).collect()
+}
+
+/// What does not depend on the clock and on where files are.
+fn lasting(mut result: Value) -> Value {
+    if let Value::Object(entries) = &mut result {
+        entries.remove("seconds");
+    }
+    result
+}
+
+#[test]
+fn every_shipped_input_fits_its_schema_and_a_wrong_key_does_not() {
+    let all = shipped();
+    assert!(all.len() > 20, "{} files", all.len());
+    for (path, kind, value) in all {
+        let schema = validator(kind);
+        assert_eq!(faults(&schema, &value), Vec::<String>::new(), "{}", path.display());
+        let mut wrong = value.clone();
+        wrong["nmae"] = json!("x");
+        assert!(!schema.is_valid(&wrong), "{}: a key too many", path.display());
+        for key in value.as_object().expect("fields").keys() {
+            let mut wrong = value.clone();
+            wrong[key] = json!({ "of": "another kind" });
+            assert!(!schema.is_valid(&wrong), "{}: {key} of another type", path.display());
+        }
+    }
+}
+
+/// Fields without description, of a schema and all in it.
+fn undescribed(value: &Value, path: &str, found: &mut Vec<String>) {
+    let Value::Object(entries) = value else {
+        if let Value::Array(all) = value {
+            all.iter().for_each(|value| undescribed(value, path, found));
+        }
+        return;
+    };
+    for (name, field) in entries.get("properties").and_then(Value::as_object).into_iter().flatten() {
+        // The name of a choice is described where its fields are.
+        let choice = name.starts_with(char::is_uppercase)
+            && entries.get("additionalProperties") == Some(&json!(false));
+        if field.is_object() && field.get("description").is_none() && !choice {
+            found.push(format!("{path}.{name}"));
+        }
+    }
+    for (name, value) in entries {
+        let path = format!("{path}.{name}");
+        match value {
+            // Here the keys are names of fields and types.
+            Value::Object(named) if name == "properties" || name == "$defs" => {
+                named.iter().for_each(|(name, value)| undescribed(value, &format!("{path}.{name}"), found));
+            }
+            _ => undescribed(value, &path, found),
+        }
+    }
+}
+
+#[test]
+fn every_field_of_every_schema_is_described() {
+    let mut found = Vec::new();
+    for line in run(&["schema"]).lines() {
+        let name = line.split_whitespace().next().expect("a name");
+        undescribed(&schema(name), name, &mut found);
+    }
+    assert!(found.is_empty(), "{found:#?}");
+}
+
+#[test]
+fn the_schema_of_a_motion_is_what_is_read() {
+    let schema = validator("maneuver");
+    let with = |motion: Value| json!({ "V_m_s": 30.0, "sample_rate_hz": 100.0, "length_s": 1.0, "motions": [motion] });
+    for right in [
+        json!({ "Doublet": { "of": "inner", "height_deg": 1, "frequency_hz": 2 } }),
+        json!({ "Doublet": { "control": "inner", "deflection_deg": 1, "frequency_hz": 2 } }),
+        json!({ "OneMinusCosine": { "to_deg": 1, "frequency_hz": 2 } }),
+        json!({ "FromFile": { "file": "own.csv" } }),
+    ] {
+        assert_eq!(faults(&schema, &with(right)), Vec::<String>::new());
+    }
+    for wrong in [
+        json!({ "Doublet": { "height_deg": 1, "frequency_hz": 2 } }),
+        json!({ "Doublet": { "of": "inner", "frequency_hz": 2 } }),
+        json!({ "Doublet": { "of": "inner", "height_deg": 1, "frequency_hz": 2, "duration_s": 1 } }),
+        json!({ "FromFile": { "file": "own.csv", "of": "inner" } }),
+        json!({ "Dublet": { "of": "inner", "height_deg": 1, "frequency_hz": 2 } }),
+    ] {
+        assert!(!schema.is_valid(&with(wrong.clone())), "{wrong}");
+    }
+}
+
+/// The shipped wing of one's own with all its RON files as JSON.
+fn own_wing_in_json(folder: &Path) {
+    let from = data("own_wing");
+    for path in files(&from) {
+        let to = folder.join(path.strip_prefix(&from).expect("below"));
+        std::fs::create_dir_all(to.parent().expect("a folder")).expect("a temporary folder");
+        if path.extension().is_some_and(|ending| ending == "ron") {
+            let text = converted(&std::fs::read_to_string(&path).expect("text")).to_string();
+            std::fs::write(to.with_extension("json"), text.replace(".ron\"", ".json\""))
+                .expect("a temporary file");
+        } else {
+            std::fs::copy(&path, &to).expect("a temporary file");
+        }
+    }
+}
+
+#[test]
+fn a_wing_in_json_gives_the_bits_of_the_same_in_ron() {
+    let folder = folder("bits");
+    own_wing_in_json(&folder);
+    let at = |name: &str| folder.join(name).to_string_lossy().into_owned();
+    let ron = data("own_wing/wing.ron").to_string_lossy().into_owned();
+    let calibrate = |wing: &str, out: &str| {
+        let result = run(&["calibrate", "--wing", wing, "--json", "--quiet", "--out", out]);
+        lasting(serde_json::from_str(&result).expect("JSON"))
+    };
+    let result = calibrate(&at("wing.json"), &at("out_json"));
+    assert_eq!(result, calibrate(&ron, &at("out_ron")));
+    // The wing that `deflection` writes is JSON, too, and is read again.
+    let corrections = at("out_json/corrections.ron");
+    run(&[
+        "deflection",
+        "--wing",
+        &at("wing.json"),
+        "--corrections",
+        &corrections,
+        "--quiet",
+        "--out",
+        &at("deflection"),
+    ]);
+    let written = std::fs::read_to_string(at("deflection/wing.json")).expect("a wing in JSON");
+    let written: Value = serde_json::from_str(&written).expect("JSON");
+    assert_eq!(faults(&validator("wing"), &written), Vec::<String>::new());
+    assert!(!written["deflection"].as_array().expect("tables").is_empty());
+    run(&["modes", "--wing", &at("deflection/wing.json"), "--count", "2", "--quiet", "--out", &at("modes")]);
+    std::fs::remove_dir_all(folder).expect("it was made above");
+}
+
+#[test]
+fn a_folder_with_both_forms_of_a_file_is_refused_and_a_fault_in_json_is_shown_at_its_place() {
+    let folder = folder("both");
+    let refused = |arguments: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_wingroot"));
+        let output = command.args(arguments).current_dir(&folder).output().expect("it starts");
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        String::from_utf8_lossy(&output.stderr).into_owned()
+    };
+    let wing = std::fs::read_to_string(data("own_wing/wing.ron")).expect("a wing");
+    let json = serde_json::to_string_pretty(&converted(&wing)).expect("JSON");
+    for file in ["section.dat", "beam.csv"] {
+        std::fs::copy(data("own_wing").join(file), folder.join(file)).expect("a temporary file");
+    }
+    let write = |name: &str, text: &str| std::fs::write(folder.join(name), text).expect("a temporary file");
+    write("wing.ron", &wing);
+    write("wing.json", &json);
+    let said = refused(&["modes"]);
+    assert!(said.contains("wing.ron: there is wing.json beside it"), "{said}");
+    std::fs::remove_file(folder.join("wing.ron")).expect("it was made above");
+    let line_of =
+        |text: &str, what: &str| 1 + text.lines().position(|line| line.contains(what)).expect("a line");
+    // Met while parsing, and by a check behind it.
+    for (right, wrong, hint) in [
+        ("\"semispan_m\":", "\"semispan\":", "did you mean \"semispan_m\"?"),
+        ("\"chord_strips\": ", "\"chord_strips\": 7", "a chord strip is one or several rows"),
+    ] {
+        let text = json.replace(right, wrong);
+        write("wing.json", &text);
+        let said = refused(&["modes"]);
+        let place = format!("wing.json:{}:", line_of(&text, wrong));
+        assert!(said.contains(&place) && said.contains(hint), "{place} {said}");
+    }
+    std::fs::remove_dir_all(folder).expect("it was made above");
+}
+
+#[test]
+fn a_schema_that_is_not_there_is_refused_with_the_one_that_was_meant() {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_wingroot"));
+    let output = command.args(["schema", "wig"]).output().expect("it starts");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("did you mean wing?"));
+}
