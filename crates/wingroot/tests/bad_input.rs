@@ -7,9 +7,8 @@ use std::process::Command;
 /// Broken copies of the shipped wing and campaign, and an earlier result.
 struct Case {
     folder: PathBuf,
+    earlier: String,
 }
-
-const EARLIER: &str = "{ \"command\": \"an earlier result\" }";
 
 impl Case {
     fn new(name: &str) -> Self {
@@ -29,9 +28,13 @@ impl Case {
             std::fs::copy(data.join("measured").join(file), folder.join("campaign").join(file))
                 .expect("a shipped file");
         }
-        std::fs::create_dir_all(folder.join("results/out")).expect("a temporary folder");
-        std::fs::write(folder.join("results/out/result.json"), EARLIER).expect("a temporary file");
-        Self { folder }
+        let modes = Command::new(env!("CARGO_BIN_EXE_wingroot"))
+            .args(["modes", "--out", "results/out", "--quiet"])
+            .current_dir(&folder)
+            .status();
+        assert!(modes.expect("the command starts").success());
+        let earlier = std::fs::read_to_string(folder.join("results/out/result.json")).expect("a result");
+        Self { folder, earlier }
     }
 
     /// Rewrites a file of the case.
@@ -63,7 +66,7 @@ impl Case {
         assert_eq!(left.len(), 1, "something half-written: {left:?}");
         let earlier =
             std::fs::read_to_string(self.folder.join("results/out/result.json")).expect("still there");
-        assert_eq!(earlier, EARLIER);
+        assert_eq!(earlier, self.earlier);
     }
 
     fn calibrate_fails(&self, expected: &[&str]) {
