@@ -199,10 +199,10 @@ fn a_run_with_a_changing_time_step_is_refused_at_its_line() {
 
 #[test]
 fn a_misspelt_column_and_a_changing_airspeed_are_refused() {
-    let misspelt =
-        run("column", "t_s,V_m_s,alpha_deg,dleta_inner_deg\n0,30,1,0\n1,30,1,0\n2,30,1,0\n").unwrap_err();
+    let misspelt = run("column", "t_s,V_m_s,alpha_deg,dleta_inner_deg\n0,30,1,0\n0.01,30,1,0\n0.02,30,1,0\n")
+        .unwrap_err();
     assert!(misspelt.to_string().contains("run.csv:1:21"), "{misspelt}");
-    let windy = run("wind", "t_s,V_m_s,alpha_deg\n0,30,1\n1,30,1\n2,33,1\n").unwrap_err();
+    let windy = run("wind", "t_s,V_m_s,alpha_deg\n0,30,1\n0.01,30,1\n0.02,33,1\n").unwrap_err();
     assert!(windy.to_string().contains("2 %"), "{windy}");
 }
 

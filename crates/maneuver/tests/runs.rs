@@ -25,7 +25,8 @@ fn read(name: &str, text: &str) -> Result<Run, nastran::InputError> {
 
 #[test]
 fn a_cell_that_is_not_a_number_is_refused_at_its_line_and_column() {
-    let message = read("cell", "t_s,V_m_s,alpha_deg\n0,30,1\n1,30,one\n2,30,1\n").unwrap_err().to_string();
+    let message =
+        read("cell", "t_s,V_m_s,alpha_deg\n0,30,1\n0.01,30,one\n0.02,30,1\n").unwrap_err().to_string();
     assert!(message.contains("run.csv:3:6"), "{message}");
 }
 
@@ -37,10 +38,10 @@ fn a_missing_column_is_named() {
 
 #[test]
 fn one_load_without_the_others_is_kept_by_itself_and_none_is_an_input_to_fly() {
-    let run = read("partial", "t_s,V_m_s,alpha_deg,Fz_N\n0,30,1,5\n1,30,1,6\n2,30,1,5\n").unwrap();
+    let run = read("partial", "t_s,V_m_s,alpha_deg,Fz_N\n0,30,1,5\n0.01,30,1,6\n0.02,30,1,5\n").unwrap();
     assert!(run.loads.is_none(), "not all three");
     assert_eq!([0, 1, 2].map(|c| run.load(c)), [Some(&[5.0, 6.0, 5.0][..]), None, None]);
-    let run = read("inputs", "t_s,V_m_s,alpha_deg\n0,30,1\n1,30,1\n2,30,1\n").unwrap();
+    let run = read("inputs", "t_s,V_m_s,alpha_deg\n0,30,1\n0.01,30,1\n0.02,30,1\n").unwrap();
     assert!(run.loads.is_none());
 }
 
