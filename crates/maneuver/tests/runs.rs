@@ -27,7 +27,7 @@ fn read(name: &str, text: &str) -> Result<Run, nastran::InputError> {
 fn a_cell_that_is_not_a_number_is_refused_at_its_line_and_column() {
     let message =
         read("cell", "t_s,V_m_s,alpha_deg\n0,30,1\n0.01,30,one\n0.02,30,1\n").unwrap_err().to_string();
-    assert!(message.contains("run.csv:3:6"), "{message}");
+    assert!(message.contains("run.csv:3:9"), "{message}");
 }
 
 #[test]
