@@ -12,6 +12,9 @@ use crate::raised::checked;
 /// How often Python is asked for signals and told of progress.
 const EVERY: Duration = Duration::from_millis(100);
 
+/// As much as the command line has on its first thread.
+const STACK: usize = 8 << 20;
+
 /// Runs a command given by its words; `tick(what, done, total)` is told how far it is. Returns its summary and remarks.
 ///
 /// Ctrl-C raises KeyboardInterrupt at once; what the command was doing goes on to its end without anyone waiting for it.
@@ -23,10 +26,11 @@ pub(crate) fn run(
     tick: Option<Bound<'_, PyAny>>,
 ) -> PyResult<(String, Vec<String>)> {
     let (send, mut receive) = mpsc::channel();
-    std::thread::spawn(move || {
+    let work = move || {
         // Who was interrupted does not listen any more.
         let _ = send.send(embedded::run(&words));
-    });
+    };
+    std::thread::Builder::new().stack_size(STACK).spawn(work)?;
     loop {
         let ended;
         (ended, receive) = py.detach(move || (receive.recv_timeout(EVERY), receive));
