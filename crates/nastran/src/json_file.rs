@@ -56,14 +56,12 @@ fn explain(path: &Path, text: &str, error: &serde_json::Error) -> InputError {
 
 /// Where the last word, number or text of what was read begins.
 fn token_start(read: &str) -> usize {
-    match read.strip_suffix('"') {
-        Some(before) => before.rfind('"').unwrap_or(before.len()),
-        None => {
-            let in_word = |c: char| c.is_alphanumeric() || "._+-".contains(c);
-            let word = read.trim_end_matches(in_word).len();
-            if word < read.len() { word } else { read.char_indices().next_back().map_or(0, |(at, _)| at) }
-        }
+    if let Some(before) = read.strip_suffix('"') {
+        return before.rfind('"').unwrap_or(before.len());
     }
+    let in_word = |c: char| c.is_alphanumeric() || "._+-".contains(c);
+    let word = read.trim_end_matches(in_word).len();
+    if word < read.len() { word } else { read.char_indices().next_back().map_or(0, |(at, _)| at) }
 }
 
 #[cfg(test)]

@@ -21,18 +21,17 @@ fn drawn(folder: &Path, arguments: &str, no_color: bool) -> Option<String> {
     if no_color {
         command.env("NO_COLOR", "1");
     }
-    let output = command.output().ok();
-    if output.is_none() {
-        println!("skipped: there is no `script` (util-linux) here to make a terminal");
-    }
-    output.map(|output| String::from_utf8_lossy(&output.stdout).into_owned())
+    Some(String::from_utf8_lossy(&command.output().ok()?.stdout).into_owned())
 }
 
 #[test]
 fn a_bad_input_is_red_in_a_terminal_and_plain_where_no_color_asks_for_it() {
     let folder = folder("bad");
     std::fs::write(folder.join("wing.ron"), "Wing(\n    name: 5,\n)\n").expect("a file");
-    let Some(text) = drawn(&folder, "calibrate", false) else { return };
+    let Some(text) = drawn(&folder, "calibrate", false) else {
+        println!("skipped: there is no `script` (util-linux) here to make a terminal");
+        return;
+    };
     // the first line is the program's own, not a complaint of its libraries
     assert!(text.lines().next().is_some_and(|line| line.contains("wing.ron (of this folder)")), "{text}");
     assert!(text.contains("\u{1b}[1m\u{1b}[31merror\u{1b}[0m: wing.ron:2:11"), "{text:?}");
@@ -44,7 +43,10 @@ fn a_bad_input_is_red_in_a_terminal_and_plain_where_no_color_asks_for_it() {
 #[test]
 fn a_long_computation_shows_the_share_done_and_the_time_left() {
     let folder = folder("bars");
-    let Some(text) = drawn(&folder, "discover", false) else { return };
+    let Some(text) = drawn(&folder, "discover", false) else {
+        println!("skipped: there is no `script` (util-linux) here to make a terminal");
+        return;
+    };
     for what in ["null campaigns", "candidates"] {
         assert!(text.contains(what), "{what}: {text:?}");
     }
