@@ -26,7 +26,7 @@ struct LoadChange {
 impl LoadChange {
     /// Whether it grows by as much as three digits show.
     fn is_worse(&self) -> bool {
-        self.after > self.before && short(Some(self.after)) != short(Some(self.before))
+        self.after > 1.005 * self.before
     }
 
     /// `Fz 0.154 → 0.594 N`.
