@@ -24,7 +24,16 @@ fn wing_with(stations: &str, folder: &Path) -> PathBuf {
 fn simulate(wing: &Path, out: &Path) -> Output {
     let run = "data/tuflex/measured/aoa_2hz_30.csv";
     Command::new(env!("CARGO_BIN_EXE_wingroot"))
-        .args(["simulate", "--quiet", "--strips", "--run", run, "--wing"])
+        .args([
+            "simulate",
+            "--quiet",
+            "--strips",
+            "--campaign",
+            "data/tuflex/measured",
+            "--run",
+            run,
+            "--wing",
+        ])
         .arg(wing)
         .arg("--out")
         .arg(out)

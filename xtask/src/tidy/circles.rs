@@ -57,6 +57,10 @@ const MAY: &[(&[&str], &str)] = &[
         "a file and what is wrong with it",
     ),
     (
+        &["crates/maneuver/src/motion/mod.rs", "crates/maneuver/src/motion/schema.rs"],
+        "the list of kinds gives the schema of each, with what every kind has beside its own fields",
+    ),
+    (
         &["crates/structure/src/beam.rs", "crates/structure/src/beam_mass.rs"],
         "stiffness and mass of one element",
     ),
