@@ -88,7 +88,9 @@ fn every_shipped_input_fits_its_schema_and_a_wrong_key_does_not() {
 fn undescribed(value: &Value, path: &str, found: &mut Vec<String>) {
     let Value::Object(entries) = value else {
         if let Value::Array(all) = value {
-            all.iter().for_each(|value| undescribed(value, path, found));
+            for value in all {
+                undescribed(value, path, found);
+            }
         }
         return;
     };

@@ -211,7 +211,10 @@ fn write_wing(
     let wing = coupling::WingFile::read(&results.path().join(name))?;
     let again = finding.recalibrated.as_ref().filter(|_| supported).map(|again| &again.schedule);
     let Schedule { sets, unconverged, .. } = again.unwrap_or(&corrected.schedule).clone();
-    results.write_text("corrections.ron", &Schedule { wing: wing.name, wing_hash: wing.hash, sets, unconverged }.to_ron())
+    results.write_text(
+        "corrections.ron",
+        &Schedule { wing: wing.name, wing_hash: wing.hash, sets, unconverged }.to_ron(),
+    )
 }
 
 fn data_hash(campaign: &Campaign) -> Result<String, InputError> {

@@ -4,8 +4,8 @@
 //! are not done again.
 
 use clap::Args;
-use std::path::{Path, PathBuf};
 use nastran::InputError;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use coupling::ElasticWing;
@@ -87,20 +87,21 @@ pub struct Timed {
 /// # Errors
 /// If the folder cannot be written, or the case cannot be judged.
 pub fn timed_case(folder: &Path) -> Result<Timed, Failure> {
-    let timed = with_judge([folder, folder], false, &Common { quiet: true, ..Common::default() }, |judge, bench| {
-        let plan = cases(FIRST_SEED, 3, &Mix::only(Class::Paper)).remove(2);
-        judge.written(&bench.case(&plan), "case")?;
-        let start = Instant::now();
-        let prepared = judge.read(&folder.join("case"), &plan)?;
-        let report = prepared.search(&judge.nulls, plan.seed);
-        let seconds = start.elapsed().as_secs_f64();
-        Ok(Timed {
-            seconds,
-            model_runs: report.model_runs,
-            effects: prepared.library.len(),
-            nulls_seconds: judge.nulls_seconds,
-        })
-    });
+    let timed =
+        with_judge([folder, folder], false, &Common { quiet: true, ..Common::default() }, |judge, bench| {
+            let plan = cases(FIRST_SEED, 3, &Mix::only(Class::Paper)).remove(2);
+            judge.written(&bench.case(&plan), "case")?;
+            let start = Instant::now();
+            let prepared = judge.read(&folder.join("case"), &plan)?;
+            let report = prepared.search(&judge.nulls, plan.seed);
+            let seconds = start.elapsed().as_secs_f64();
+            Ok(Timed {
+                seconds,
+                model_runs: report.model_runs,
+                effects: prepared.library.len(),
+                nulls_seconds: judge.nulls_seconds,
+            })
+        });
     std::fs::remove_dir_all(folder).map_err(Failure::computation)?;
     timed
 }
@@ -109,7 +110,8 @@ pub fn timed_case(folder: &Path) -> Result<Timed, Failure> {
 fn wing(folder: &Path) -> Result<PathBuf, Failure> {
     let (example, file) = WING;
     let unpacked = folder.join(example);
-    let example = shipped::example(example).ok_or_else(|| Failure::computation("the program lacks its example"))?;
+    let example =
+        shipped::example(example).ok_or_else(|| Failure::computation("the program lacks its example"))?;
     example.write(&unpacked).map_err(|error| {
         InputError::in_file(&unpacked, format!("the wing cannot be unpacked here: {error}"))
             .with_help("choose another folder with --out DIR")

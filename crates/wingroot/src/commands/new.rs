@@ -31,9 +31,9 @@ pub struct NewArgs {
 }
 
 fn names() -> PossibleValuesParser {
-    PossibleValuesParser::new(EXAMPLES.iter().map(|example| {
-        clap::builder::PossibleValue::new(example.name).help(example.about)
-    }))
+    PossibleValuesParser::new(
+        EXAMPLES.iter().map(|example| clap::builder::PossibleValue::new(example.name).help(example.about)),
+    )
 }
 
 /// Runs the command.
@@ -53,7 +53,10 @@ pub(crate) fn run(args: &NewArgs, common: &Common) -> Result<(), Failure> {
     let first = if example.name == "mav" { "response" } else { "calibrate" };
     show::summary(
         common,
-        &format!("In {shown}: {}. README.md there says more. Now:\n  cd {shown} && wingroot {first}", example.about),
+        &format!(
+            "In {shown}: {}. README.md there says more. Now:\n  cd {shown} && wingroot {first}",
+            example.about
+        ),
     );
     let files = example.files().map_err(Failure::computation)?;
     let names: Vec<String> = files.keys().map(|name| name.display().to_string()).collect();

@@ -11,9 +11,7 @@ use aero::{Corrections, Flow};
 use calibrate::Campaign;
 use coupling::ByLoad;
 use maneuver::effects::Beside;
-use maneuver::{
-    DeflectionAt, Rig, RigError, RigModel, RigSettings, Run, Simulated, simulate_commanded,
-};
+use maneuver::{DeflectionAt, Rig, RigError, RigModel, RigSettings, Run, Simulated, simulate_commanded};
 use nastran::InputError;
 use rayon::prelude::*;
 

@@ -139,8 +139,7 @@ fn result(story: &Story<'_>, rows: usize) -> TunnelResult {
         ending: f.ending.clone(),
     };
     let [trim, pull_up, push_down] = story.flight.map(|states| {
-        states
-            .map(|state| FlightResult { alpha_deg: state.alpha_deg, tip_deflection_m: state.tip_z_m })
+        states.map(|state| FlightResult { alpha_deg: state.alpha_deg, tip_deflection_m: state.tip_z_m })
     });
     TunnelResult {
         command: "tunnel",
