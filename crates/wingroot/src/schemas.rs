@@ -14,8 +14,11 @@ use crate::commands::calibrate_result::CalibrateResult;
 use crate::commands::deck_result::DeckResult;
 use crate::commands::deflection_result::DeflectionResult;
 use crate::commands::flutter_result::FlutterResult;
+use crate::commands::fullaircraft_cases::Summary as CasesSummary;
+use crate::commands::fullaircraft_deck::Summary as DeckSummary;
 use crate::commands::modes_result::{ModesMeasuredResult, ModesResult};
 use crate::commands::pipeline_result::PipelineResult;
+use crate::commands::response_missing_result::MissingResult;
 use crate::commands::response_result::{DisplacementResult, ResponseResult};
 use crate::commands::simulate_result::SimulateResult;
 use crate::commands::tunnel_result::TunnelResult;
@@ -75,12 +78,15 @@ pub fn all() -> Vec<Named> {
         result::<DiscoverResult>("discover_result", "result.json of discover"),
         result::<BenchmarkResult>("hidden_result", "result.json of hidden"),
         result::<Summary>("fullaircraft_result", "result.json of fullaircraft"),
+        result::<CasesSummary>("fullaircraft_cases_result", "result.json of fullaircraft --cases"),
+        result::<DeckSummary>("fullaircraft_deck_result", "result.json of fullaircraft --deck"),
         result::<PipelineResult>("pipeline_result", "result.json of pipeline"),
         result::<TunnelResult>("tunnel_result", "result.json of tunnel"),
         result::<ModesResult>("modes_result", "result.json of modes"),
         result::<ModesMeasuredResult>("modes_measured_result", "result.json of modes --measured"),
         result::<DeckResult>("deck_result", "result.json of deck"),
         result::<ResponseResult>("response_result", "result.json of response"),
+        result::<MissingResult>("response_missing_result", "result.json of response --missing"),
         result::<DisplacementResult>(
             "response_displacement_result",
             "result.json of response --displacement",

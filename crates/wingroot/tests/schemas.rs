@@ -195,6 +195,96 @@ fn a_wing_in_json_gives_the_bits_of_the_same_in_ron() {
     std::fs::remove_dir_all(folder).expect("it was made above");
 }
 
+/// Runs a command into a folder below `folder`; what is wrong with its result.
+fn faults_of_result(folder: &Path, schema: &str, arguments: &[&str]) -> Vec<String> {
+    let out = folder.join(schema);
+    run(&[arguments, &["--quiet", "--out", &out.to_string_lossy()]].concat());
+    faults_in(&out, schema)
+}
+
+/// What is wrong with the result of a folder; one with a key too many must be refused.
+fn faults_in(out: &Path, schema: &str) -> Vec<String> {
+    let text = std::fs::read_to_string(out.join("result.json")).expect("a result");
+    let result: Value = serde_json::from_str(&text).expect("JSON");
+    let schema = validator(schema);
+    let mut wrong = result.clone();
+    wrong["command"] = json!(1);
+    assert!(!schema.is_valid(&wrong), "{}", out.display());
+    faults(&schema, &result)
+}
+
+#[test]
+fn every_result_fits_its_schema() {
+    let folder = folder("results");
+    let path = |file: &Path| file.to_string_lossy().into_owned();
+    let own = |file: &str| path(&data("own_wing").join(file));
+    let made = |file: &str| path(&folder.join(file));
+    let (wing, corrections) = (own("wing.ron"), made("calibrate_result/corrections.ron"));
+    let (aircraft, tunnel, mav) = (own("aircraft.ron"), own("made_with/tunnel.ron"), path(&data("mav")));
+    let measured = "Measured(modes: [(frequency_hz: 9.0, sigma_hz: 0.1)], regions: [(name: \"all\", y_m: (0.0, 9.0), fit: [Stiffness])])";
+    std::fs::write(made("measured.ron"), measured).expect("a temporary file");
+    let cases =
+        "Cases(name: \"few\", airspeeds_V_m_s: [20.0], load_factors: [2.0], maneuvers: [Level, Pull])";
+    std::fs::write(made("cases.ron"), cases).expect("a temporary file");
+    let field = (-3..=3)
+        .flat_map(|y: i32| (0..3).map(move |x| format!("{x},{y},{}\n", 0.1 * f64::from(y.abs() * (x + 1)))));
+    std::fs::write(made("field.csv"), format!("x_mm,y_mm,w_mm\n{}", field.collect::<String>()))
+        .expect("a file");
+    let with = ["--wing", &wing, "--corrections", &corrections];
+    let deck = path(&data("published/decks/ha144a_fsw.bdf"));
+    let commands: [(&str, Vec<&str>); 14] = [
+        ("calibrate_result", vec!["calibrate", "--wing", &wing]),
+        ("simulate_result", [&["simulate"], &with[..]].concat()),
+        ("deflection_result", [&["deflection"], &with[..]].concat()),
+        ("flutter_result", [&["flutter"], &with[..]].concat()),
+        ("modes_result", vec!["modes", "--wing", &wing]),
+        ("modes_measured_result", vec!["modes", "--wing", &wing, "--measured", "measured.ron"]),
+        ("deck_result", [&["deck"], &with[..]].concat()),
+        ("tunnel_result", vec!["tunnel", "--runs", &tunnel]),
+        ("fullaircraft_result", [&["fullaircraft", "--aircraft", &aircraft], &with[..]].concat()),
+        (
+            "fullaircraft_cases_result",
+            [&["fullaircraft", "--cases", "cases.ron", "--aircraft", &aircraft], &with[..]].concat(),
+        ),
+        ("fullaircraft_deck_result", vec!["fullaircraft", "--deck", &deck]),
+        ("response_result", vec!["response", "--data", &mav]),
+        ("response_missing_result", vec!["response", "--missing", "--hide", "q*delta", "--data", &mav]),
+        ("response_displacement_result", vec!["response", "--displacement", "field.csv"]),
+    ];
+    for (schema, arguments) in commands {
+        let named = |argument: &&str| {
+            if ["measured.ron", "cases.ron", "field.csv"].contains(argument) {
+                made(argument)
+            } else {
+                (*argument).to_owned()
+            }
+        };
+        let arguments: Vec<String> = arguments.iter().map(named).collect();
+        let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+        assert_eq!(faults_of_result(&folder, schema, &arguments), Vec::<String>::new(), "{schema}");
+    }
+    std::fs::remove_dir_all(folder).expect("it was made above");
+}
+
+/// `hidden` and `pipeline`, with `discover` in it: minutes.
+#[test]
+fn results_that_take_minutes_fit_their_schemas() {
+    if std::env::var_os("RUN_SLOW_TESTS").is_none() {
+        return;
+    }
+    let folder = folder("slow");
+    let path = |file: &str| data("tuflex").join(file).to_string_lossy().into_owned();
+    let pipeline = ["pipeline", "--wing", &path("wing.ron"), "--aircraft", &path("aircraft.ron")];
+    let out = folder.join("steps");
+    run(&[&pipeline[..], &["--quiet", "--out", &out.to_string_lossy()]].concat());
+    for step in ["pipeline", "discover"] {
+        assert_eq!(faults_in(&out.join(step), &format!("{step}_result")), Vec::<String>::new(), "{step}");
+    }
+    let hidden = ["hidden", "--cases", "2"];
+    assert_eq!(faults_of_result(&folder, "hidden_result", &hidden), Vec::<String>::new());
+    std::fs::remove_dir_all(folder).expect("it was made above");
+}
+
 #[test]
 fn a_folder_with_both_forms_of_a_file_is_refused_and_a_fault_in_json_is_shown_at_its_place() {
     let folder = folder("both");

@@ -11,6 +11,7 @@ use fullaircraft::{Aircraft, Case, CaseFlight, CaseResult, CasesFile, FlightAir,
 use indicatif::ProgressBar;
 use nastran::InputError;
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::args::Common;
@@ -22,24 +23,36 @@ use crate::store::Store;
 use crate::{progress, show};
 
 /// What `result.json` holds: nothing that depends on how often the run was stopped.
-#[derive(Debug, Serialize)]
-struct Summary {
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct Summary {
+    /// Name of the command.
     command: &'static str,
+    /// Name of the grid of cases.
     name: String,
+    /// How many cases were flown.
     cases: usize,
+    /// Cases that could not be flown.
     refused: Vec<Refused>,
+    /// Number of aerodynamic boxes.
     boxes: usize,
+    /// Airspeed of the corrections.
     correction_airspeed_m_s: f64,
+    /// Smallest and largest loads.
     envelope: Vec<Extreme>,
+    /// What the user should know.
     warnings: Vec<String>,
 }
 
 /// A case that could not be flown.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct Refused {
+    /// Its number.
     case: usize,
+    /// Which model.
     model: String,
+    /// What was to be flown.
     flown: String,
+    /// Why it was not.
     why: String,
 }
 

@@ -8,6 +8,7 @@ use std::time::Instant;
 use fullaircraft::deck::cases::select;
 use fullaircraft::{DeckCase, Elastic, TrimDeck, TrimmedDeck, deck_cases};
 use nastran::BulkData;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::args::Common;
@@ -21,38 +22,59 @@ const COEFFICIENTS: [&str; 6] = ["CX", "CY", "CZ", "Cl", "Cm", "Cn"];
 const DIVERGENCES: usize = 5;
 
 /// What `result.json` holds; forces, lengths and pressures in the deck's units.
-#[derive(Debug, Serialize)]
-struct Summary {
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct Summary {
+    /// Name of the command.
     command: &'static str,
+    /// The deck.
     deck: String,
+    /// Number of aerodynamic boxes.
     boxes: usize,
+    /// Cards that are not read, by name.
     cards_not_read: BTreeMap<String, usize>,
+    /// Subcases in the deck's order.
     subcases: Vec<Trimmed>,
+    /// Wall clock.
     seconds: f64,
 }
 
 /// One subcase.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct Trimmed {
+    /// Its number.
     subcase: u32,
+    /// Its label.
     label: String,
+    /// Its TRIM card.
     trim: u32,
+    /// Mach number.
     mach: f64,
+    /// Dynamic pressure.
     q: f64,
+    /// Why it was not trimmed; null if it was.
     refused: Option<String>,
+    /// Trim variables.
     values: BTreeMap<String, f64>,
+    /// Lift; null if the subcase was refused.
     lift: Option<f64>,
+    /// Loads at monitor points: three forces, three moments.
     monitors: BTreeMap<String, [f64; 6]>,
+    /// Dynamic pressures of divergence.
     divergence_q: Vec<f64>,
+    /// Neutral point: rigid, restrained, unrestrained; null where pitching changes no lift.
     neutral_point_x: [Option<f64>; 3],
+    /// Coefficients by trim variable.
     derivatives: BTreeMap<String, Derivative>,
 }
 
 /// Coefficients per unit of a variable, about the reference axes.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct Derivative {
+    /// Of the rigid aircraft.
     rigid: BTreeMap<&'static str, f64>,
+    /// Of the elastic aircraft, held.
     restrained: BTreeMap<&'static str, f64>,
+    /// Of the elastic aircraft, free.
     unrestrained: BTreeMap<&'static str, f64>,
 }
 

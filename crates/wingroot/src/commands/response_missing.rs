@@ -3,16 +3,21 @@
 
 use std::time::Instant;
 
+use discover::result::BeforeAfter;
 use nastran::InputError;
 use rayon::prelude::*;
 use response::missing::{Family, Missing, Named, find_missing};
 use response::verdict::{Gap, VerdictKind};
-use serde_json::{Map, Value, json};
 
+use super::response_missing_result::{
+    BesideOthers, CandidateTerm, CoefficientEstimate, Gaps, LocatedFamily, MisfitResult, MissingOfResponse,
+    MissingResult, NamedTerm, SplitResult,
+};
 use super::response_missing_text as text;
 use super::response_models::{Asked, asked};
 use super::response_source::Source;
 use crate::args::{Common, ResponseArgs};
+use crate::commands::result_parts::as_json;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
@@ -45,7 +50,7 @@ pub(super) fn run(args: &ResponseArgs, common: &Common) -> Result<(), Failure> {
     folder.write_text("candidates.csv", &text::candidates_csv(&pairs))?;
     folder.write_text("families.csv", &text::families_csv(&pairs))?;
     let seconds = start.elapsed().as_secs_f64();
-    let result = json(&source.name, &pairs, seed, seconds);
+    let result = as_json(&result(&source.name, &pairs, seed, seconds))?;
     folder.write_json("result.json", &result)?;
     let out = folder.commit()?;
     let head = format!("{}: what the models lack\n", source.name);
@@ -56,10 +61,7 @@ pub(super) fn run(args: &ResponseArgs, common: &Common) -> Result<(), Failure> {
 }
 
 /// `result.json`, with the keys of discover's.
-fn json(name: &str, pairs: &[(&Asked, &Missing)], seed: u64, seconds: f64) -> Value {
-    let merged = |of: &dyn Fn(&Asked, &Missing) -> Vec<Value>| -> Vec<Value> {
-        pairs.iter().flat_map(|(asked, found)| of(asked, found)).collect()
-    };
+fn result(name: &str, pairs: &[(&Asked, &Missing)], seed: u64, seconds: f64) -> MissingResult {
     let gap = |of: &dyn Fn(&Missing) -> Gap| {
         let rms = |part: &dyn Fn(Gap) -> f64| {
             let squares: f64 = pairs.iter().map(|(_, found)| part(of(found)).powi(2)).sum();
@@ -67,15 +69,18 @@ fn json(name: &str, pairs: &[(&Asked, &Missing)], seed: u64, seconds: f64) -> Va
         };
         Gap { before: rms(&|g| g.before), after: rms(&|g| g.after), floor: rms(&|g| g.floor) }
     };
-    json!({
-        "command": "response", "name": name, "looked_for": "missing terms",
-        "verdict": overall(pairs),
-        "located": merged(&located),
-        "effects": merged(&|asked, found| named_and_closest(asked, found).0),
-        "gap": { "training": gap(&|found| found.training), "holdout": gap(&|found| found.held_out) },
-        "responses": pairs.iter().map(|(asked, found)| response(asked, found)).collect::<Vec<_>>(),
-        "seed": seed, "seconds": seconds,
-    })
+    MissingResult {
+        command: "response",
+        name: name.to_owned(),
+        looked_for: "missing terms",
+        verdict: overall(pairs),
+        located: pairs.iter().flat_map(|(asked, found)| located(asked, found)).collect(),
+        effects: pairs.iter().flat_map(|(asked, found)| named_and_closest(asked, found).0).collect(),
+        gap: Gaps { training: gap(&|found| found.training), holdout: gap(&|found| found.held_out) },
+        responses: pairs.iter().map(|(asked, found)| response(asked, found)).collect(),
+        seed,
+        seconds,
+    }
 }
 
 /// The answer for all responses together: what is least settled.
@@ -85,56 +90,84 @@ fn overall(pairs: &[(&Asked, &Missing)]) -> VerdictKind {
     order.into_iter().find(any).unwrap_or(VerdictKind::None)
 }
 
-fn located(asked: &Asked, found: &Missing) -> Vec<Value> {
+fn located(asked: &Asked, found: &Missing) -> Vec<LocatedFamily> {
     let families = found.families.iter().filter(|family| found.is_located(family));
-    let one = |family: &Family| {
-        json!({
-            "channel": asked.response, "data": asked.file, "regressor": family.name, "terms": family.members,
-            "share_of_residual": family.share, "f": family.alone.f, "p_value": family.alone.p_value,
-            "beside_others": family.beside_others.map(|test| json!({ "f": test.f, "p_value": test.p_value })),
-        })
+    let one = |family: &Family| LocatedFamily {
+        channel: asked.response.clone(),
+        data: asked.file.clone(),
+        regressor: family.name.clone(),
+        terms: family.members.clone(),
+        share_of_residual: family.share,
+        f: family.alone.f,
+        p_value: family.alone.p_value,
+        beside_others: family.beside_others.map(|test| BesideOthers { f: test.f, p_value: test.p_value }),
     };
     families.map(one).collect()
 }
 
-fn effect(asked: &Asked, named: &Named) -> Value {
+fn effect(asked: &Asked, named: &Named) -> NamedTerm {
     let parameters = named.parameters.iter().map(|parameter| {
-        (parameter.name.clone(), json!({ "value": parameter.value, "sigma": parameter.sigma }))
+        let (value, sigma) = (parameter.value, parameter.sigma);
+        (parameter.name.clone(), CoefficientEstimate { value, sigma })
     });
-    json!({
-        "name": named.name, "channel": asked.response, "data": asked.file,
-        "kind": if named.is_block { "block" } else { "term" },
-        "confidence": named.confidence, "confused_with": named.confused_with,
-        "correlation": named.correlation, "log_bayes_factor": named.log_bayes_factor, "threshold": named.threshold,
-        "share_of_misfit": named.share, "parameters": parameters.collect::<Map<_, _>>(),
-    })
+    NamedTerm {
+        name: named.name.clone(),
+        channel: asked.response.clone(),
+        data: asked.file.clone(),
+        kind: if named.is_block { "block" } else { "term" },
+        confidence: named.confidence,
+        confused_with: named.confused_with.clone(),
+        correlation: named.correlation.clone(),
+        log_bayes_factor: named.log_bayes_factor,
+        threshold: named.threshold,
+        share_of_misfit: named.share,
+        parameters: parameters.collect(),
+    }
 }
 
 /// What was named, and of an unknown what only comes closest.
-fn named_and_closest(asked: &Asked, found: &Missing) -> (Vec<Value>, Vec<Value>) {
+fn named_and_closest(asked: &Asked, found: &Missing) -> (Vec<NamedTerm>, Vec<NamedTerm>) {
     let all = found.named.iter().map(|named| effect(asked, named)).collect();
     if found.verdict == VerdictKind::Unknown { (Vec::new(), all) } else { (all, Vec::new()) }
 }
 
-fn response(asked: &Asked, found: &Missing) -> Value {
+fn response(asked: &Asked, found: &Missing) -> MissingOfResponse {
     let (effects, closest) = named_and_closest(asked, found);
-    let candidate = |(name, factor): &(String, f64)| json!({ "name": name, "log_bayes_factor": factor, "threshold": found.threshold });
-    let limits = found.detection_limits.iter().map(|one| (one.term.to_string(), json!(one.coefficient)));
-    json!({
-        "name": found.response, "data": asked.file, "verdict": found.verdict,
-        "model": asked.question.model,
-        "model_blocks": asked.question.blocks, "model_from": asked.origin, "hidden": asked.hidden,
-        "published_coefficient": asked.published, "model_terms_not_told_apart": asked.left_out,
-        "located": located(asked, found), "effects": effects, "closest": closest,
-        "gap": { "training": found.training, "holdout": found.held_out },
-        "success": found.closed(),
-        "misfit": { "before": found.misfit[0], "after": found.misfit[1], "limit": found.misfit_limit },
-        "candidates": found.candidates.iter().map(candidate).collect::<Vec<_>>(),
-        "not_told_from_the_model": found.untold,
-        "detection_limits": limits.collect::<Map<_, _>>(),
-        "pure_error_standard_deviation": found.noise,
-        "split": { "training_points": found.split.training.len(), "held_out_points": found.split.held_out.len(),
-            "held_out_rows": found.split.held_out.iter().map(|row| row + 1).collect::<Vec<_>>(),
-            "how": "distinct points drawn at random, each with all its replicates" },
-    })
+    let candidate = |(name, factor): &(String, f64)| CandidateTerm {
+        name: name.clone(),
+        log_bayes_factor: *factor,
+        threshold: found.threshold,
+    };
+    let [before, after] = found.misfit;
+    MissingOfResponse {
+        name: found.response.clone(),
+        data: asked.file.clone(),
+        verdict: found.verdict,
+        model: asked.question.model.clone(),
+        model_blocks: asked.question.blocks.clone(),
+        model_from: asked.origin.clone(),
+        hidden: asked.hidden.clone(),
+        published_coefficient: asked.published,
+        model_terms_not_told_apart: asked.left_out.clone(),
+        located: located(asked, found),
+        effects,
+        closest,
+        gap: Gaps { training: found.training, holdout: found.held_out },
+        success: found.closed(),
+        misfit: MisfitResult { of: BeforeAfter { before, after }, limit: found.misfit_limit },
+        candidates: found.candidates.iter().map(candidate).collect(),
+        not_told_from_the_model: found.untold.clone(),
+        detection_limits: found
+            .detection_limits
+            .iter()
+            .map(|one| (one.term.to_string(), one.coefficient))
+            .collect(),
+        pure_error_standard_deviation: found.noise,
+        split: SplitResult {
+            training_points: found.split.training.len(),
+            held_out_points: found.split.held_out.len(),
+            held_out_rows: found.split.held_out.iter().map(|row| row + 1).collect(),
+            how: "distinct points drawn at random, each with all its replicates",
+        },
+    }
 }
