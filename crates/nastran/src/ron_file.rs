@@ -30,16 +30,17 @@ pub fn parse<T: DeserializeOwned>(name: &str, text: &str) -> Result<T, InputErro
     parse_at(Path::new(name), text)
 }
 
-/// A value as the text of a file of this name that [`read`] understands: JSON if its ending says so, else as [`to_text`].
+/// A value as the text of a file that [`read`] understands: JSON if its path ends so, else RON with the name of its kind in front.
 ///
 /// # Errors
 /// If the value cannot be written in that form.
-pub fn to_text_of<T: Serialize>(name: &str, value: &T) -> Result<String, InputError> {
-    if !is_json(Path::new(name)) {
-        return to_text(value);
+pub fn file_text<T: Serialize>(path: &Path, kind: &str, value: &T) -> Result<String, InputError> {
+    if !is_json(path) {
+        return Ok(format!("{kind}{}\n", to_text(value)?));
     }
-    serde_json::to_string_pretty(value)
-        .map_err(|error| InputError::general(format!("this cannot be written as JSON: {error}")))
+    let text = serde_json::to_string_pretty(value)
+        .map_err(|error| InputError::general(format!("this cannot be written as JSON: {error}")))?;
+    Ok(text + "\n")
 }
 
 /// A value as RON text that [`read`] understands, four spaces a level, with the name of its type in front.

@@ -33,7 +33,7 @@ pub(crate) fn write_wing(
 ) -> PyResult<()> {
     let wing: WingFile = understood(py, wing, "wing")?;
     let written = || {
-        let written = WingFile { path: base.join("wing.ron"), ..wing }.written()?;
+        let written = WingFile { path: base.join(path.file_name().unwrap_or_default()), ..wing }.written()?;
         for (name, from) in &written.beside {
             write(&path.with_file_name(name), &wingroot::nastran::read_text(from)?)?;
         }
@@ -45,8 +45,8 @@ pub(crate) fn write_wing(
 /// The content of a campaign's file; the campaign is checked.
 #[pyfunction]
 pub(crate) fn read_campaign(py: Python<'_>, folder: PathBuf) -> PyResult<Bound<'_, PyAny>> {
-    checked(py, py.detach(|| Campaign::read(&folder)))?;
-    let file: CampaignFile = checked(py, ron_file::read(&folder.join("campaign.ron")))?;
+    let campaign = checked(py, py.detach(|| Campaign::read(&folder)))?;
+    let file: CampaignFile = checked(py, ron_file::read(&campaign.path))?;
     Ok(pythonize(py, &file)?)
 }
 
@@ -54,8 +54,8 @@ pub(crate) fn read_campaign(py: Python<'_>, folder: PathBuf) -> PyResult<Bound<'
 #[pyfunction]
 pub(crate) fn write_campaign(py: Python<'_>, campaign: &Bound<'_, PyAny>, path: PathBuf) -> PyResult<()> {
     let campaign: CampaignFile = understood(py, campaign, "campaign")?;
-    let text = checked(py, ron_file::to_text(&campaign))?;
-    checked(py, write(&path, &format!("Campaign{text}\n")))
+    let text = checked(py, ron_file::file_text(&path, "Campaign", &campaign))?;
+    checked(py, write(&path, &text))
 }
 
 /// A dictionary of Python as the content of a file.

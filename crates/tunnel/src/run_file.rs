@@ -33,7 +33,7 @@ pub struct Joiner {
     pub mass_kg: f64,
     /// Centre of gravity aft of the pitch axis.
     pub aft_m: f64,
-    /// Pitch inertia about the pitch axis.
+    /// Pitch inertia about the pitch axis, kg m².
     pub inertia_kg_m2: f64,
 }
 

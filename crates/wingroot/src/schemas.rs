@@ -146,3 +146,33 @@ fn with_units(schema: &mut Schema) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cli::Cli;
+    use clap::CommandFactory;
+
+    #[test]
+    fn every_command_with_a_result_has_its_schema() {
+        let without = ["new", "docs", "completions", "man", "schema"];
+        let names: Vec<&str> = all().iter().map(|schema| schema.name).collect();
+        for command in Cli::command().get_subcommands().filter(|c| !without.contains(&c.get_name())) {
+            let name = format!("{}_result", command.get_name());
+            assert!(names.contains(&name.as_str()), "{name} is not in the list");
+        }
+    }
+
+    #[test]
+    fn a_unit_is_put_behind_a_description_that_does_not_say_it() {
+        let mut schema = schemars::json_schema!({ "properties": {
+            "span_m": { "description": "From root to tip." }, "rho_kg_m3": { "description": "Density, kg/m³." },
+            "name": { "description": "Its name." },
+        } });
+        with_units(&mut schema);
+        let said = |name: &str| schema.as_value()["properties"][name]["description"].clone();
+        assert_eq!(said("span_m"), "From root to tip. Unit: m.");
+        assert_eq!(said("rho_kg_m3"), "Density, kg/m³.");
+        assert_eq!(said("name"), "Its name.");
+    }
+}

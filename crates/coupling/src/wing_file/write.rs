@@ -54,13 +54,14 @@ impl WingFile {
         self.rewritten(wanted, add)
     }
 
-    /// The file of a wing that was made in memory; what it names is looked for from the folder of its `path`.
+    /// The file of a wing that was made in memory; what it names is looked for from the folder of its `path`, whose ending says
+    /// whether it is JSON.
     ///
     /// # Errors
-    /// If a named file is missing, or the wing cannot be written as RON.
+    /// If a named file is missing, or the wing cannot be written in that form.
     pub fn written(mut self) -> Result<Rewritten, InputError> {
         let beside = self.put_beside()?;
-        Ok(Rewritten { text: format!("Wing{}\n", ron_file::to_text(&self)?), beside })
+        Ok(Rewritten { text: ron_file::file_text(&self.path, "Wing", &self)?, beside })
     }
 
     /// Names files as they stand beside a new file, a deck by its absolute path; returns which are to be copied.
@@ -105,8 +106,7 @@ impl WingFile {
         if let Some(text) = added.filter(|text| same(text)) {
             return Ok(Rewritten { text, beside });
         }
-        let head = if is_json(&self.path) { "" } else { "Wing" };
-        let text = format!("{head}{}\n", ron_file::to_text_of(name, &wanted)?);
+        let text = ron_file::file_text(&self.path, "Wing", &wanted)?;
         if same(&text) {
             return Ok(Rewritten { text, beside });
         }

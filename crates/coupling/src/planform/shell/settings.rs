@@ -22,7 +22,7 @@ pub struct ShellSolid {
     /// Shear webs from root to tip, each at the chord line next to this place on the chord.
     #[serde(default)]
     pub webs_over_c: Vec<f64>,
-    /// Paint and filler on the outer surface, no stiffness.
+    /// Paint and filler on the outer surface, kg/m², no stiffness.
     #[serde(default)]
     pub finish_kg_m2: f64,
     /// Masses along the whole span, such as cables.
