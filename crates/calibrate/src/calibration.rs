@@ -3,6 +3,7 @@
 use crate::basis::Basis;
 use crate::bounds::{Bounds, bounds};
 use crate::campaign::{Campaign, Sets, TIP, TipReading};
+use crate::checks::{self, Checked, Finding, Weight};
 use crate::common::CommonCalibration;
 use crate::fit::{Ending, Fit, FlowGroup, Problem};
 use crate::identifiability::{Identifiability, Inputs, identifiability};
@@ -11,7 +12,6 @@ use crate::lift_factor::{LiftFactor, lift_factor};
 use crate::objective::{LineFit, line_fit, objective};
 use crate::settings::Settings;
 use crate::statics::{AirspeedData, StaticData};
-use crate::suspicion;
 use crate::tip_zero::TipZero;
 use aero::{Corrections, Flow};
 use coupling::{CouplingError, SteadyCase, SteadyModel};
@@ -73,8 +73,10 @@ pub struct Calibration {
     pub weight_tare: Option<WeightTare>,
     /// Probability below which a single test for nonlinearity is significant (the setting shared by all tests).
     pub nonlinearity_level: f64,
-    /// Sentences about units that were probably mistaken.
-    pub suspicions: Vec<String>,
+    /// What the checks of the data found.
+    pub findings: Vec<Finding>,
+    /// Lines of rows that no others bear out, which were not fitted.
+    pub set_aside: Vec<usize>,
 }
 
 /// Finds corrections for every airspeed of a campaign.
@@ -89,9 +91,13 @@ pub fn calibrate<M: SteadyModel>(
     let data = StaticData::from_campaign(campaign)?;
     check_settings(model, settings, &data)?;
     check_divergence(model, campaign.rho_kg_m3, &data)?;
-    let suspicions = suspicion::of_campaign(model, campaign, &data)?;
-    for said in &suspicions {
-        tracing::warn!("{}: {said}", campaign.folder.display());
+    let Checked { data, findings, set_aside } = checks::check(model, campaign, data)?;
+    for Finding { sentence, weight } in &findings {
+        let from = campaign.folder.display();
+        match weight {
+            Weight::Open => tracing::info!("{from}: {sentence}"),
+            Weight::Suspicion | Weight::Defect => tracing::warn!("{from}: {sentence}"),
+        }
     }
     let context = Context::new(model, campaign.rho_kg_m3, &data, settings);
     let (each, common) = match data.sets {
@@ -113,7 +119,8 @@ pub fn calibrate<M: SteadyModel>(
     let tests = airspeeds.iter().flat_map(|a| a.line.nonlinearity).flatten().count().max(1);
     Ok(Calibration {
         weight_tare: weight_tare(model, campaign.rho_kg_m3, &data)?,
-        suspicions,
+        findings,
+        set_aside,
         nonlinearity_level: settings.significance / tests as f64,
         airspeeds,
         common,
@@ -314,6 +321,19 @@ impl Calibration {
         let common = self.common.iter().map(|common| (common.v_range_m_s[1], common.fit.ending));
         let each = self.airspeeds.iter().map(|a| (a.data.v_m_s, a.fit.ending));
         each.chain(common).filter(|(_, ending)| bad(ending)).collect()
+    }
+
+    /// Why the corrections are not to be trusted, a sentence each: fits that did not reach their floor, defects of the data.
+    pub fn faults(&self) -> Vec<String> {
+        let list: Vec<String> = self.failures().iter().map(|(v, ending)| format!("{v} m/s: {ending:?}")).collect();
+        let fits = (!list.is_empty()).then(|| format!("the fit did not reach its floor at {}", list.join(", ")));
+        self.said(&[Weight::Defect]).into_iter().chain(fits).collect()
+    }
+
+    /// What the checks of the data say with these weights.
+    pub fn said(&self, weights: &[Weight]) -> Vec<String> {
+        let of = self.findings.iter().filter(|finding| weights.contains(&finding.weight));
+        of.map(|finding| finding.sentence.clone()).collect()
     }
 
     /// Cone programs of the main fits.

@@ -103,6 +103,9 @@ pub trait SteadyModel: Sync {
         Ok(self.sensitivities(cases, corrections)?.iter().map(|case| case.tip_z_m).collect())
     }
 
+    /// Mean chord of the correctable boxes, m.
+    fn mean_chord_m(&self) -> f64;
+
     /// Whether the model has a tip that can deflect: a rigid wing has none.
     fn has_tip(&self) -> bool {
         true

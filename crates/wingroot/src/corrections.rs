@@ -108,8 +108,7 @@ pub(crate) fn schedule(file: &WingFile, calibration: &Calibration) -> Schedule {
         let at = |v_m_s| CorrectionSet { v_m_s, corrections: common.corrections.clone() };
         sets.extend(ends.into_iter().map(at));
     }
-    let unconverged =
-        calibration.failures().iter().map(|(v, ending)| format!("{v} m/s: {ending:?}")).collect();
+    let unconverged = calibration.faults();
     Schedule { wing: file.name.clone(), wing_hash: file.hash.clone(), sets, unconverged }
 }
 

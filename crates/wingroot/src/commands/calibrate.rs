@@ -6,7 +6,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use aero::{Corrections, MirrorPlane};
-use calibrate::{AirspeedCalibration, Calibration, Campaign, Settings};
+use calibrate::{AirspeedCalibration, Calibration, Campaign, Settings, Weight};
 use coupling::{ByLoad, ElasticWing, SteadyCase};
 
 use crate::args::{Common, Measured};
@@ -56,17 +56,11 @@ pub(crate) fn run(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> 
     folder.write_text("corrections.ron", &schedule(&file, &calibration).to_ron())?;
     write(&folder, &wing, &calibration, strips.as_ref())?;
     folder.write_json("result.json", &result)?;
-    let out = folder.commit_if(calibration.failures().is_empty())?;
+    let faults = calibration.faults();
+    let out = folder.commit_if(faults.is_empty())?;
     show::summary(common, &summary(&calibration, &out, seconds));
     show::json(common, &result)?;
-    match calibration.failures().as_slice() {
-        [] => Ok(()),
-        failures => {
-            let list: Vec<String> =
-                failures.iter().map(|(v, ending)| format!("{v} m/s: {ending:?}")).collect();
-            Err(Failure::Computation(format!("the fit did not reach its floor at {}", list.join(", "))))
-        }
-    }
+    if faults.is_empty() { Ok(()) } else { Err(Failure::Computation(faults.join("; "))) }
 }
 
 /// Writes DMI cards and figures.
@@ -149,7 +143,10 @@ fn result(
             (None, None) => "unknown: no replicates and none declared".into(),
         },
         nonlinearity_level: calibration.nonlinearity_level,
-        suspicions: calibration.suspicions.clone(),
+        suspicions: calibration.said(&[Weight::Suspicion, Weight::Defect]),
+        defects: calibration.said(&[Weight::Defect]),
+        left_open: calibration.said(&[Weight::Open]),
+        lines_set_aside: calibration.set_aside.clone(),
         rows_with_deflected_controls_left_aside: data.deflected,
         weight_tare: calibration.weight_tare.map(|tare| TareResult {
             points: tare.points,

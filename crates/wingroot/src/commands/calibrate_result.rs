@@ -30,8 +30,14 @@ pub(crate) struct CalibrateResult {
     pub(crate) noise_from: String,
     /// Probability below which a test for nonlinearity is significant.
     pub(crate) nonlinearity_level: f64,
-    /// Sentences about units that were probably mistaken.
+    /// What is probably wrong with the data: units, signs, channels, rows, tares, and what is far from theory.
     pub(crate) suspicions: Vec<String>,
+    /// Those of the above with which corrections are not to be trusted.
+    pub(crate) defects: Vec<String>,
+    /// What the campaign does not measure, and what stays at theory for it.
+    pub(crate) left_open: Vec<String>,
+    /// Lines of static rows that no others bear out; they were not fitted.
+    pub(crate) lines_set_aside: Vec<usize>,
     /// Rows with a control deflected, which take no part.
     pub(crate) rows_with_deflected_controls_left_aside: usize,
     /// What the points without wind say about the wing's weight; null if there are none.

@@ -40,7 +40,7 @@ const TIP_ALONE: [(f64, &str); 2] = [
 ///
 /// # Errors
 /// If the wing cannot be solved.
-pub fn of_campaign<M: SteadyModel>(
+pub(super) fn of_campaign<M: SteadyModel>(
     model: &M,
     campaign: &Campaign,
     data: &StaticData,
@@ -73,7 +73,8 @@ pub fn of_campaign<M: SteadyModel>(
         if let Some(ratio) = fz {
             say("Fz_N changes", ratio, &LOADS);
         }
-        if let Some(ratio) = mx {
+        // a sign of its own is judged with the other channels: see `causes`
+        if let Some(ratio) = mx.filter(|ratio| *ratio > 0.0) {
             say("Mx_Nm changes", ratio, &MOMENT_ALONE);
         }
     }

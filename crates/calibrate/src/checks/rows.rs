@@ -1,0 +1,265 @@
+//! Single rows of static cases: one that no others bear out, scatter beyond what is declared, rows of other airspeeds.
+
+use super::Finding;
+use crate::campaign::{CHANNELS, Campaign, Sets, StaticPoint};
+use crate::objective::polynomial_residuals;
+use crate::statics::{StaticData, block_name};
+use aero::flow::{same_airspeed, same_angle};
+use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
+
+/// Probability that rows without a fault are called one, in a whole campaign.
+const LEVEL: f64 = 1e-4;
+/// Most rows that are set aside, as a share of all: beyond, it is not single rows that are wrong.
+const MOST_SET_ASIDE: f64 = 0.1;
+/// Scatter over what is declared that needs no remark.
+const SCATTER: f64 = 2.0;
+/// Rows of one airspeed differ by their loads' common factor alone if it explains this share of their scatter ...
+const COMMON_FACTOR: f64 = 0.8;
+/// ... and its root mean square is more than this.
+const LEAST_FACTOR: f64 = 0.03;
+
+/// The rows of one airspeed that are fitted, block offsets taken out.
+struct Group {
+    v_m_s: f64,
+    /// Places among the campaign's points.
+    rows: Vec<usize>,
+    /// By row.
+    alphas_rad: Vec<f64>,
+    /// By channel and row.
+    loads: [Vec<f64>; 4],
+    /// Number of different angles.
+    angles: usize,
+}
+
+/// Groups the rows, sets aside those that no others bear out, and compares their scatter with what is declared.
+pub(super) fn check(campaign: &Campaign, mut data: StaticData) -> (StaticData, Vec<Finding>, Vec<usize>) {
+    let (mut findings, mut set_aside) = (Vec::new(), Vec::new());
+    if campaign.sets == Sets::Common {
+        return (data, findings, set_aside);
+    }
+    let mut campaign = campaign.clone();
+    let most = (MOST_SET_ASIDE * campaign.points.len() as f64).ceil() as usize;
+    loop {
+        let groups = groups(&campaign, &data);
+        if let Some(found) = other_airspeeds(&groups, &data) {
+            findings.push(found);
+            return (data, findings, set_aside);
+        }
+        let Some((place, sentence)) = worst_row(&groups, &campaign, &data) else { break };
+        let mut without = campaign.clone();
+        let line = without.points.remove(place).span.line;
+        match StaticData::from_campaign(&without) {
+            Ok(better) if set_aside.len() < most => {
+                findings.push(Finding::suspicion(format!("{sentence}; it is set aside")));
+                set_aside.push(line);
+                (campaign, data) = (without, better);
+            }
+            _ => {
+                findings.push(Finding::defect(sentence));
+                break;
+            }
+        }
+    }
+    findings.extend(more_scatter(&groups(&campaign, &data), &mut data));
+    (data, findings, set_aside)
+}
+
+fn groups(campaign: &Campaign, data: &StaticData) -> Vec<Group> {
+    let offset = |row: &StaticPoint, channel: usize| {
+        let block = data.blocks.iter().find(|block| block.block == block_name(row));
+        block.map_or(0.0, |block| block.offset[channel])
+    };
+    let of = |airspeed: &crate::statics::AirspeedData| {
+        let here = |point: &StaticPoint| {
+            point.v_m_s > 0.0 && point.controls_rad.is_empty() && same_airspeed(point.v_m_s, airspeed.v_m_s)
+        };
+        let (places, rows): (Vec<usize>, Vec<&StaticPoint>) =
+            campaign.points.iter().enumerate().filter(|(_, point)| here(point)).unzip();
+        Group {
+            v_m_s: airspeed.v_m_s,
+            alphas_rad: rows.iter().map(|row| row.alpha_rad).collect(),
+            loads: std::array::from_fn(|c| rows.iter().map(|row| row.reading(c) - offset(row, c)).collect()),
+            angles: airspeed.angles.len(),
+            rows: places,
+        }
+    };
+    data.airspeeds.iter().map(of).collect()
+}
+
+/// The row furthest from what the others say, if chance does not explain it: its place and a sentence.
+fn worst_row(groups: &[Group], campaign: &Campaign, data: &StaticData) -> Option<(usize, String)> {
+    let tests: usize = groups.iter().map(|group| group.rows.len()).sum::<usize>() * 3;
+    let mut worst: Option<(f64, usize, String)> = None;
+    for group in groups {
+        for channel in (0..4).filter(|&c| data.channels[c]) {
+            let declared = data.noise_dof.is_none().then_some(data.point_sigma).flatten();
+            let Some(found) = deleted(group, channel, declared.map(|sigma| sigma[channel])) else { continue };
+            if found.p_value * (tests as f64) < LEVEL && worst.as_ref().is_none_or(|w| found.clear > w.0) {
+                let place = group.rows[found.row];
+                let unit = ["N", "N m", "N m", "m"][channel];
+                let sentence = format!(
+                    "line {} of the static cases: {} is {:.4} {unit} {} what the other rows at {} m/s say, whose scatter is {:.2} {unit}",
+                    campaign.points[place].span.line, CHANNELS[channel], found.jump.abs(),
+                    if found.jump > 0.0 { "above" } else { "below" }, group.v_m_s, found.scatter,
+                );
+                worst = Some((found.clear, place, sentence));
+            }
+        }
+    }
+    worst.map(|(_, place, sentence)| (place, sentence))
+}
+
+/// The row of a channel without which a smooth curve fits best.
+struct Deleted {
+    row: usize,
+    jump: f64,
+    scatter: f64,
+    p_value: f64,
+    /// The jump in scatters.
+    clear: f64,
+}
+
+/// Leaves every row out of a line and of a parabola in turn (externally studentised residuals: Cook and Weisberg, Residuals
+/// and Influence in Regression, 1982, Section 2.2).
+fn deleted(group: &Group, channel: usize, declared: Option<f64>) -> Option<Deleted> {
+    let n = group.rows.len();
+    let mut best: Option<Deleted> = None;
+    for order in 1..=2 {
+        if group.angles < order + 3 {
+            continue;
+        }
+        let dof = (n - 1 - (order + 1)) as f64;
+        let mut rest = Vec::with_capacity(n);
+        for left_out in 0..n {
+            let others = |values: &[f64]| -> Vec<f64> {
+                values.iter().enumerate().filter(|(i, _)| *i != left_out).map(|(_, value)| *value).collect()
+            };
+            let (alphas, loads) = (others(&group.alphas_rad), others(&group.loads[channel]));
+            let (residuals, coefficients) = polynomial_residuals(&alphas, &loads, order);
+            let at = coefficients.iter().rev().fold(0.0, |sum, c| sum * group.alphas_rad[left_out] + c);
+            let squares = residuals.iter().map(|r| r * r).sum::<f64>();
+            rest.push((squares, group.loads[channel][left_out] - at));
+        }
+        let all = polynomial_residuals(&group.alphas_rad, &group.loads[channel], order).0;
+        let all = all.iter().map(|r| r * r).sum::<f64>();
+        let row = (0..n).min_by(|&a, &b| rest[a].0.total_cmp(&rest[b].0))?;
+        let second = (0..n).filter(|&i| i != row).map(|i| rest[i].0).fold(f64::INFINITY, f64::min);
+        let (squares, jump) = rest[row];
+        let shown = squares / dof;
+        // where what is left is what is declared, the declaration's certainty counts
+        let (variance, is_known) = match declared {
+            Some(sigma) if shown <= 4.0 * sigma * sigma => (shown.max(sigma * sigma), true),
+            _ => (shown, false),
+        };
+        let f = (all - squares) / variance.max(f64::MIN_POSITIVE);
+        let p_value = if is_known { ChiSquared::new(1.0).ok()?.sf(f) } else { FisherSnedecor::new(1.0, dof).ok()?.sf(f) };
+        // another row could be the one as well
+        let is_alone = second > all - 0.8 * (all - squares);
+        let found = Deleted { row, jump, scatter: variance.sqrt(), p_value, clear: jump.abs() / variance.sqrt() };
+        if is_alone && best.as_ref().is_none_or(|b| found.p_value < b.p_value) {
+            best = Some(found);
+        }
+    }
+    best
+}
+
+/// Rows of one airspeed whose loads are all too large or all too small together.
+fn other_airspeeds(groups: &[Group], data: &StaticData) -> Option<Finding> {
+    let channels: Vec<usize> = (0..3).filter(|&c| data.channels[c]).collect();
+    if channels.len() < 2 {
+        return None;
+    }
+    let of = |group: &Group| {
+        let order = if group.angles >= 4 { 2 } else { 1 };
+        if group.rows.len() < order + 4 {
+            return None;
+        }
+        let fits: Vec<(Vec<f64>, Vec<f64>, f64)> = channels
+            .iter()
+            .map(|&c| {
+                let (residuals, _) = polynomial_residuals(&group.alphas_rad, &group.loads[c], order);
+                let fitted: Vec<f64> = group.loads[c].iter().zip(&residuals).map(|(load, r)| load - r).collect();
+                let size = fitted.iter().map(|f| f * f).sum::<f64>() / fitted.len() as f64;
+                (residuals, fitted, 1.0 / size.max(f64::MIN_POSITIVE))
+            })
+            .collect();
+        let sum = |of: &dyn Fn(f64, f64) -> f64, i: usize| -> f64 {
+            fits.iter().map(|(residuals, fitted, weight)| weight * of(residuals[i], fitted[i])).sum()
+        };
+        let rows = group.rows.len();
+        let factor: Vec<f64> = (0..rows).map(|i| sum(&|r, f| r * f, i) / sum(&|_, f| f * f, i).max(f64::MIN_POSITIVE)).collect();
+        let all: f64 = (0..rows).map(|i| sum(&|r, _| r * r, i)).sum();
+        let left: f64 = (0..rows).map(|i| sum(&|r, f| (r - factor[i] * f).powi(2), i)).sum();
+        let rms = (factor.iter().map(|k| k * k).sum::<f64>() / rows as f64).sqrt();
+        // one row alone is a wrong row, not a wrong label of many
+        let many = factor.iter().filter(|k| k.abs() > 0.5 * rms).count() * 3 > rows;
+        (left < (1.0 - COMMON_FACTOR) * all && rms > LEAST_FACTOR && many).then(|| {
+            let ends = factor.iter().fold([0.0_f64, 0.0], |[a, b], k| [a.min(*k), b.max(*k)]);
+            let [slow, fast] = ends.map(|k| group.v_m_s * (1.0 + k).max(0.0).sqrt());
+            Finding::defect(format!(
+                "rows with V_m_s = {}: the loads of a row are all too large or all too small together, by {:.0} to {:+.0} %, as if \
+                 they had been measured between about {slow:.0} and {fast:.0} m/s: is V_m_s the airspeed of each row?",
+                group.v_m_s, 100.0 * ends[0], 100.0 * ends[1],
+            ))
+        })
+    };
+    groups.iter().find_map(of)
+}
+
+/// Scatter of replicates, or about smooth curves where there are none, against what is declared; what is seen counts from here
+/// on.
+fn more_scatter(groups: &[Group], data: &mut StaticData) -> Vec<Finding> {
+    let Some(declared) = data.point_sigma.filter(|_| data.noise_dof.is_none()) else { return Vec::new() };
+    let (mut seen, mut found, mut least_dof) = (declared, Vec::new(), usize::MAX);
+    for channel in (0..4).filter(|&c| data.channels[c]) {
+        let replicated: Vec<(f64, usize)> = groups.iter().map(|group| of_replicates(group, channel)).collect();
+        let freedom = |all: &[(f64, usize)]| all.iter().map(|one| one.1).sum::<usize>().saturating_sub(data.blocks.len().saturating_sub(1));
+        let (scatter, about) = if freedom(&replicated) >= 3 {
+            (replicated, "repeated rows")
+        } else {
+            (groups.iter().map(|group| about_a_curve(group, channel)).collect(), "rows about smooth curves")
+        };
+        let dof = freedom(&scatter);
+        let squares: f64 = scatter.iter().map(|one| one.0).sum();
+        let Ok(law) = ChiSquared::new(dof.max(1) as f64) else { continue };
+        let ratio = (squares / dof.max(1) as f64).sqrt() / declared[channel];
+        if dof >= 3 && ratio > SCATTER && law.sf(squares / declared[channel].powi(2)) < LEVEL {
+            seen[channel] = ratio * declared[channel];
+            least_dof = least_dof.min(dof);
+            found.push(Finding::suspicion(format!(
+                "{}: {about} scatter by {:.2}, {ratio:.1} times the {} that campaign.ron declares; what they show is taken",
+                CHANNELS[channel], seen[channel], declared[channel],
+            )));
+        }
+    }
+    if !found.is_empty() {
+        data.point_sigma = Some(seen);
+    }
+    found
+}
+
+/// Squares about the means of rows at one angle, and their degrees of freedom.
+fn of_replicates(group: &Group, channel: usize) -> (f64, usize) {
+    let mut cells: Vec<(f64, Vec<f64>)> = Vec::new();
+    for (alpha, load) in group.alphas_rad.iter().zip(&group.loads[channel]) {
+        match cells.iter_mut().find(|(angle, _)| same_angle(*angle, *alpha)) {
+            Some((_, loads)) => loads.push(*load),
+            None => cells.push((*alpha, vec![*load])),
+        }
+    }
+    let squares = |loads: &Vec<f64>| {
+        let mean = loads.iter().sum::<f64>() / loads.len() as f64;
+        loads.iter().map(|load| (load - mean).powi(2)).sum::<f64>()
+    };
+    (cells.iter().map(|(_, loads)| squares(loads)).sum(), cells.iter().map(|(_, loads)| loads.len() - 1).sum())
+}
+
+/// Squares about the stiffest polynomial that leaves one degree of freedom, of third order at most.
+fn about_a_curve(group: &Group, channel: usize) -> (f64, usize) {
+    let order = group.angles.saturating_sub(2).min(3);
+    if order == 0 || group.rows.len() < order + 2 {
+        return (0.0, 0);
+    }
+    let (residuals, _) = polynomial_residuals(&group.alphas_rad, &group.loads[channel], order);
+    (residuals.iter().map(|r| r * r).sum(), group.rows.len() - order - 1)
+}
