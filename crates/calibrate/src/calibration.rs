@@ -3,7 +3,7 @@
 use crate::basis::Basis;
 use crate::bounds::{Bounds, bounds};
 use crate::campaign::{Campaign, Sets, TIP, TipReading};
-use crate::checks::{self, Checked, Finding, Weight};
+use crate::checks::{self, Checked, Finding, Weight, trust};
 use crate::common::CommonCalibration;
 use crate::fit::{Ending, Fit, FlowGroup, Problem};
 use crate::identifiability::{Identifiability, Inputs, identifiability};
@@ -91,14 +91,7 @@ pub fn calibrate<M: SteadyModel>(
     let data = StaticData::from_campaign(campaign)?;
     check_settings(model, settings, &data)?;
     check_divergence(model, campaign.rho_kg_m3, &data)?;
-    let Checked { data, findings, set_aside } = checks::check(model, campaign, data)?;
-    for Finding { sentence, weight } in &findings {
-        let from = campaign.folder.display();
-        match weight {
-            Weight::Open => tracing::info!("{from}: {sentence}"),
-            Weight::Suspicion | Weight::Defect => tracing::warn!("{from}: {sentence}"),
-        }
-    }
+    let Checked { data, mut findings, set_aside } = checks::check(model, campaign, data)?;
     let context = Context::new(model, campaign.rho_kg_m3, &data, settings);
     let (each, common) = match data.sets {
         Sets::EachAirspeed => (&data.airspeeds[..], None),
@@ -115,6 +108,23 @@ pub fn calibrate<M: SteadyModel>(
     let across = left_out_airspeed(model, campaign.rho_kg_m3, &airspeeds, &data)?;
     for (airspeed, left_out) in airspeeds.iter_mut().zip(across) {
         airspeed.left_out_airspeed = left_out;
+    }
+    let least = settings.least_factor;
+    findings.extend(
+        airspeeds
+            .iter()
+            .filter_map(|at| trust::factors(&at.corrections, &format!("at {} m/s", at.data.v_m_s), least)),
+    );
+    if let Some(set) = &common {
+        findings.extend(trust::factors(&set.corrections, "at all airspeeds", least));
+        findings.extend(trust::deflections(&context, set)?);
+    }
+    for Finding { sentence, weight } in &findings {
+        let from = campaign.folder.display();
+        match weight {
+            Weight::Open => tracing::info!("{from}: {sentence}"),
+            Weight::Suspicion | Weight::Defect => tracing::warn!("{from}: {sentence}"),
+        }
     }
     let tests = airspeeds.iter().flat_map(|a| a.line.nonlinearity).flatten().count().max(1);
     Ok(Calibration {
@@ -187,7 +197,7 @@ pub(crate) struct Context<'a, M: SteadyModel> {
 }
 
 impl<'a, M: SteadyModel> Context<'a, M> {
-    fn new(model: &'a M, rho_kg_m3: f64, data: &'a StaticData, settings: &'a Settings) -> Self {
+    pub(crate) fn new(model: &'a M, rho_kg_m3: f64, data: &'a StaticData, settings: &'a Settings) -> Self {
         let boxes = model.correctable();
         let basis = Basis::new(boxes, settings.chord_strips, settings.span_order);
         let bounds = bounds(&basis, boxes, settings.neighbour_bound, settings.least_factor);
@@ -325,8 +335,10 @@ impl Calibration {
 
     /// Why the corrections are not to be trusted, a sentence each: fits that did not reach their floor, defects of the data.
     pub fn faults(&self) -> Vec<String> {
-        let list: Vec<String> = self.failures().iter().map(|(v, ending)| format!("{v} m/s: {ending:?}")).collect();
-        let fits = (!list.is_empty()).then(|| format!("the fit did not reach its floor at {}", list.join(", ")));
+        let list: Vec<String> =
+            self.failures().iter().map(|(v, ending)| format!("{v} m/s: {ending:?}")).collect();
+        let fits =
+            (!list.is_empty()).then(|| format!("the fit did not reach its floor at {}", list.join(", ")));
         self.said(&[Weight::Defect]).into_iter().chain(fits).collect()
     }
 

@@ -21,6 +21,7 @@ use crate::tip_zero::TipZero;
 use aero::flow::same_angle;
 use aero::{Corrections, Flow};
 use coupling::{CouplingError, SteadyModel};
+use faer::Mat;
 
 /// Corrections that serve all airspeeds, and how good they are.
 #[derive(Debug, Clone)]
@@ -52,6 +53,26 @@ pub struct CommonCalibration {
 impl<M: SteadyModel> Context<'_, M> {
     /// Fits one set to all rows.
     pub(crate) fn common(&self) -> Result<CommonCalibration, CouplingError> {
+        let metric = self.metric(&self.data.airspeeds)?;
+        let (mut problem, curves, point_sigma) = self.common_problem(&metric)?;
+        let lift = lift_factor(&problem, point_sigma)?;
+        problem.slack = curves.slack(lift.as_ref().map_or(1.0, LiftFactor::widening));
+        problem.start = lift.as_ref().map_or(1.0, |lift| lift.factor.max(self.settings.least_factor));
+        self.fitted(&problem, rmse(&curves.residuals, self.data.channels), point_sigma, lift)
+    }
+
+    /// The one factor on the lift of all rows.
+    pub(crate) fn common_lift(&self) -> Result<Option<LiftFactor>, CouplingError> {
+        let metric = self.metric(&self.data.airspeeds)?;
+        let (problem, _, point_sigma) = self.common_problem(&metric)?;
+        lift_factor(&problem, point_sigma)
+    }
+
+    /// The problem of all rows from theory, parabolas through them, and the standard deviation of a row.
+    fn common_problem<'b>(
+        &'b self,
+        metric: &'b Mat<f64>,
+    ) -> Result<(Problem<'b, M>, Curves, [f64; 4]), CouplingError> {
         let data = self.data;
         let groups: Vec<FlowGroup<'_>> = data
             .airspeeds
@@ -69,13 +90,11 @@ impl<M: SteadyModel> Context<'_, M> {
             .collect();
         let weights = self.weights(&flows)?;
         let curves = Curves::new(data, &angles, &q_pa);
-        let curve_rmse = rmse(&curves.residuals, data.channels);
-        let curve_floor = objective(curve_rmse, weights);
+        let curve_floor = objective(rmse(&curves.residuals, data.channels), weights);
         let point_sigma = std::array::from_fn(|c| {
             data.point_sigma.map(|sigma| sigma[c]).filter(|&sigma| sigma > 0.0).unwrap_or(curves.sigma[c])
         });
-        let metric = self.metric(&data.airspeeds)?;
-        let mut problem = Problem {
+        let problem = Problem {
             model: self.model,
             channels: data.channels,
             weights,
@@ -85,7 +104,7 @@ impl<M: SteadyModel> Context<'_, M> {
             ),
             basis: &self.basis,
             bounds: &self.bounds,
-            metric: &metric,
+            metric,
             settings: self.settings,
             line_floor: curve_floor,
             // what scatters about the parabolas is the noise, unless it is known
@@ -94,10 +113,7 @@ impl<M: SteadyModel> Context<'_, M> {
             slack: 1.0,
             groups,
         };
-        let lift = lift_factor(&problem, point_sigma)?;
-        problem.slack = curves.slack(lift.as_ref().map_or(1.0, LiftFactor::widening));
-        problem.start = lift.as_ref().map_or(1.0, |lift| lift.factor.max(self.settings.least_factor));
-        self.fitted(&problem, curve_rmse, point_sigma, lift)
+        Ok((problem, curves, point_sigma))
     }
 
     /// Runs the fit and says what came of it.

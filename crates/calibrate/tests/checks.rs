@@ -109,8 +109,28 @@ fn one_row_that_is_30_n_off_is_named_and_set_aside() {
     assert_eq!(wrong.set_aside, [30]);
     assert!(wrong.faults().is_empty(), "{:?}", wrong.faults());
     for (a, b) in right.airspeeds.iter().zip(&wrong.airspeeds) {
-        assert!((a.fit.objective[1] - b.fit.objective[1]).abs() < 0.05, "{:?} {:?}", a.fit.objective, b.fit.objective);
+        assert!(
+            (a.fit.objective[1] - b.fit.objective[1]).abs() < 0.05,
+            "{:?} {:?}",
+            a.fit.objective,
+            b.fit.objective
+        );
     }
+}
+
+#[test]
+fn an_angle_whose_rows_agree_and_are_all_wrong_is_no_calibration() {
+    let result = result(&measured(&mild(), |point| {
+        if point.v_m_s > 30.0 && point.alpha_rad.abs() < 0.01 {
+            point.loads[0] = point.loads[0].map(|fz_n| fz_n + 5.0);
+        }
+    }));
+    says(&result, Weight::Defect, &["V_m_s = 34", "Fz_N", "smooth curve"]);
+    assert!(
+        result.faults().iter().any(|fault| fault.contains("contradict each other")),
+        "{:?}",
+        result.faults()
+    );
 }
 
 #[test]
@@ -120,7 +140,8 @@ fn noise_five_times_what_is_declared_is_said_and_counts() {
         let mut campaign = measured(&mild(), |_| {});
         for point in &mut campaign.points {
             k += 3;
-            point.loads = std::array::from_fn(|c| point.loads[c].map(|load| load + 5.0 * SIGMA[c] * normal(k + c)));
+            point.loads =
+                std::array::from_fn(|c| point.loads[c].map(|load| load + 5.0 * SIGMA[c] * normal(k + c)));
         }
         campaign
     };

@@ -7,7 +7,7 @@ mod common;
 
 use aero::{Corrections, Flow};
 use calibrate::campaign::{ChannelNoise, TIP};
-use calibrate::{Campaign, Ending, Noise, Sets, StaticPoint, TipReading, calibrate};
+use calibrate::{Campaign, Ending, Noise, Sets, StaticPoint, TipReading, Weight, calibrate};
 use common::{RHO, campaign, draw, loads, papers_kind, row, small_settings, small_wing, wing_with};
 use coupling::{ElasticWing, SteadyCase, SteadyModel};
 
@@ -202,4 +202,32 @@ fn columns_of_loads_are_optional_but_one_channel_must_be_there() {
         };
         assert!(error.contains(message), "{name}: {error}");
     }
+}
+
+/// A sweep whose tip deflects less than in proportion, as a wing that bends far does: by `share` at the largest deflection.
+fn bent_far(wing: &ElasticWing, share: f64) -> Campaign {
+    let mut campaign = sweep(wing, 1.2, [0.0; 2], |k| 1e-4 * draw(k));
+    let heights = campaign.points.iter().filter_map(|point| point.tip_z_m);
+    let most_m = heights.fold(0.0_f64, |most, z| most.max(z.abs()));
+    assert!(most_m > 0.2 * wing.span_m(), "{most_m}");
+    for point in &mut campaign.points {
+        point.tip_z_m = point.tip_z_m.map(|z| z * (1.0 - share * (z / most_m).powi(2)));
+    }
+    campaign
+}
+
+#[test]
+fn a_lift_that_falls_with_the_deflection_is_said_to_be_the_deflections() {
+    let wing = small_wing();
+    for share in [0.1, 0.2, 0.4] {
+        let result = calibrate(&wing, &bent_far(&wing, share), &small_settings()).unwrap();
+        let said = result.said(&[Weight::Suspicion, Weight::Defect]).join("; ");
+        let lift = result.common.as_ref().unwrap().lift.as_ref();
+        assert!(said.contains("it is the deflection and not the lift"), "{share}: {said} {lift:?}");
+        let factors = result.common.unwrap().corrections.force;
+        let least = factors.iter().copied().fold(f64::INFINITY, f64::min);
+        assert!(least > 0.1 || said.contains("the least that is allowed"), "{share}: {least}: {said}");
+    }
+    let straight = calibrate(&wing, &bent_far(&wing, 0.0), &small_settings()).unwrap();
+    assert!(straight.said(&[Weight::Suspicion, Weight::Defect]).is_empty(), "{:?}", straight.findings);
 }

@@ -103,7 +103,10 @@ pub trait SteadyModel: Sync {
         Ok(self.sensitivities(cases, corrections)?.iter().map(|case| case.tip_z_m).collect())
     }
 
-    /// Mean chord of the correctable boxes, m.
+    /// Extent of the correctable boxes along y, m.
+    fn span_m(&self) -> f64;
+
+    /// Area of the correctable boxes over their span, m.
     fn mean_chord_m(&self) -> f64;
 
     /// Whether the model has a tip that can deflect: a rigid wing has none.

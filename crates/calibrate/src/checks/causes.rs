@@ -48,7 +48,8 @@ const NAMED: f64 = 7.6;
 /// A cause within this of the best is named beside it.
 const BESIDE: f64 = 3.0;
 /// Other places of the balance's axes, in arms of the lift, and other spans, as a share.
-const SHIFTS: [f64; 14] = [-1.0, -0.7, -0.5, -0.35, -0.25, -0.17, -0.12, 0.12, 0.17, 0.25, 0.35, 0.5, 0.7, 1.0];
+const SHIFTS: [f64; 14] =
+    [-1.0, -0.7, -0.5, -0.35, -0.25, -0.17, -0.12, 0.12, 0.17, 0.25, 0.35, 0.5, 0.7, 1.0];
 const SPANS: [f64; 10] = [0.35, 0.45, 0.55, 0.65, 0.75, 1.3, 1.5, 1.8, 2.2, 2.8];
 
 /// A cause at one value of its parameter.
@@ -82,7 +83,8 @@ pub(super) fn find<M: SteadyModel>(
     }
     judged.sort_by(|a, b| b.0.total_cmp(&a.0));
     let Some(best) = judged.first().filter(|best| best.0 > NAMED) else { return Ok(Vec::new()) };
-    let rivals: Vec<&str> = judged.iter().filter(|one| one.0 > best.0 - BESIDE).map(|one| one.1.as_str()).collect();
+    let rivals: Vec<&str> =
+        judged.iter().filter(|one| one.0 > best.0 - BESIDE).map(|one| one.1.as_str()).collect();
     Ok(vec![Finding::defect(format!(
         "the root loads of the static cases do not fit this wing as they are: {} (log Bayes factor {:.0})",
         rivals.join(", or "),
@@ -106,7 +108,11 @@ impl Undone {
     }
 }
 
-fn causes<M: SteadyModel>(model: &M, campaign: &Campaign, lines: &[Lines]) -> Result<Vec<Cause>, CouplingError> {
+fn causes<M: SteadyModel>(
+    model: &M,
+    campaign: &Campaign,
+    lines: &[Lines],
+) -> Result<Vec<Cause>, CouplingError> {
     let arm_m = arm_m(&lines[lines.len() - 1]);
     let [fz, mx, my] = lines[0].channels;
     let mut all: Vec<Cause> = Vec::new();
@@ -121,8 +127,20 @@ fn causes<M: SteadyModel>(model: &M, campaign: &Campaign, lines: &[Lines]) -> Re
     one(mx && my, Undone::linear("Mx_Nm and My_Nm are swapped", swapped(1.0)));
     one(mx && my, Undone::linear("Mx_Nm and My_Nm are swapped and My_Nm has the other sign", swapped(-1.0)));
     let (lbf_n, ft_m, in_m, kgf_n) = (4.448_221_615, 0.3048, 0.0254, 9.806_65);
-    one(true, Undone::scales("loads are in lbf and lbf ft instead of N and N m", [lbf_n, lbf_n * ft_m, lbf_n * ft_m]));
-    one(true, Undone::scales("loads are in lbf and lbf in instead of N and N m", [lbf_n, lbf_n * in_m, lbf_n * in_m]));
+    one(
+        true,
+        Undone::scales(
+            "loads are in lbf and lbf ft instead of N and N m",
+            [lbf_n, lbf_n * ft_m, lbf_n * ft_m],
+        ),
+    );
+    one(
+        true,
+        Undone::scales(
+            "loads are in lbf and lbf in instead of N and N m",
+            [lbf_n, lbf_n * in_m, lbf_n * in_m],
+        ),
+    );
     one(true, Undone::scales("loads are in kgf and kgf m instead of N and N m", [kgf_n; 3]));
     one(true, Undone::scales("V_m_s is in knots", [0.514_444_f64.powi(-2); 3]));
     one(true, Undone::scales("V_m_s is in ft/s", [0.3048_f64.powi(-2); 3]));
@@ -130,7 +148,11 @@ fn causes<M: SteadyModel>(model: &M, campaign: &Campaign, lines: &[Lines]) -> Re
     if fz && my {
         let moved = |share: &f64| {
             let dx_m = share * arm_m;
-            let words = format!("My_Nm is about a point {:.2} m {} the wing file's balance", dx_m.abs(), if dx_m > 0.0 { "aft of" } else { "ahead of" });
+            let words = format!(
+                "My_Nm is about a point {:.2} m {} the wing file's balance",
+                dx_m.abs(),
+                if dx_m > 0.0 { "aft of" } else { "ahead of" }
+            );
             // My = -(x - dx) Fz
             Undone::linear(&words, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-dx_m, 0.0, 1.0]])
         };
@@ -139,7 +161,11 @@ fn causes<M: SteadyModel>(model: &M, campaign: &Campaign, lines: &[Lines]) -> Re
     if fz && mx {
         let moved = |share: &f64| {
             let dy_m = share * arm_m;
-            let words = format!("Mx_Nm is about a point {:.2} m {} of the wing file's balance", dy_m.abs(), if dy_m > 0.0 { "outboard" } else { "inboard" });
+            let words = format!(
+                "Mx_Nm is about a point {:.2} m {} of the wing file's balance",
+                dy_m.abs(),
+                if dy_m > 0.0 { "outboard" } else { "inboard" }
+            );
             Undone::linear(&words, [[1.0, 0.0, 0.0], [dy_m, 1.0, 0.0], [0.0, 0.0, 1.0]])
         };
         all.push(SHIFTS.iter().map(moved).collect());
@@ -175,10 +201,8 @@ fn arm_m(lines: &Lines) -> f64 {
 
 /// Logarithm of the mean density over a cause's values and over scales of what theory is off by, and the likeliest value.
 fn log_evidence(lines: &[Lines], cause: &[Undone]) -> (f64, usize) {
-    let by_value: Vec<f64> = cause
-        .iter()
-        .map(|undone| log_mean(&SCALES.map(|scale| log_density(lines, undone, scale))))
-        .collect();
+    let by_value: Vec<f64> =
+        cause.iter().map(|undone| log_mean(&SCALES.map(|scale| log_density(lines, undone, scale)))).collect();
     let best = (0..by_value.len()).max_by(|&a, &b| by_value[a].total_cmp(&by_value[b])).unwrap_or(0);
     (log_mean(&by_value), best)
 }
@@ -216,13 +240,19 @@ fn log_density(lines: &[Lines], undone: &Undone, scale: f64) -> f64 {
         common + noise(a, b)
     });
     let Ok(factor) = covariance.llt(Side::Lower) else { return f64::NEG_INFINITY };
-    let mut off = Mat::from_fn(n, 1, |i, _| measured(entries[i]) - lines[entries[i].0].theory[entries[i].1][entries[i].2]);
+    let mut off = Mat::from_fn(n, 1, |i, _| {
+        measured(entries[i]) - lines[entries[i].0].theory[entries[i].1][entries[i].2]
+    });
     factor.L().solve_lower_triangular_in_place(off.as_mut());
     let squares: f64 = (0..n).map(|i| off[(i, 0)].powi(2)).sum();
     let log_det: f64 = (0..n).map(|i| factor.L()[(i, i)].ln()).sum();
     let all_measured = channels.len() == 3;
     // of channels that are not measured the determinant is one: only scales act on them
-    let determinant = if all_measured { undone.determinant() } else { channels.iter().map(|&c| matrix[c][c].abs()).product() };
+    let determinant = if all_measured {
+        undone.determinant()
+    } else {
+        channels.iter().map(|&c| matrix[c][c].abs()).product()
+    };
     -0.5 * squares - log_det + 2.0 * lines.len() as f64 * f64::ln(determinant)
 }
 
@@ -235,14 +265,23 @@ fn columns(lines: &[Lines], scale: f64) -> Vec<Vec<[[f64; 2]; 3]>> {
         (&|l: &Lines| [[0.0; 2], [0.0; 2], l.theory[0].map(|load| load * l.chord_m)], USUAL.centre_x),
         (&|l: &Lines| l.theory.map(|line| [0.0, line[0]]), USUAL.zero_lift_rad),
         (&|l: &Lines| [[0.0; 2], [0.0, OFFSET_CENTRE[0] * l.theory[1][0]], [0.0; 2]], USUAL.zero_lift_rad),
-        (&|l: &Lines| [[0.0; 2], [0.0; 2], [0.0, OFFSET_CENTRE[1] * l.theory[0][0] * l.chord_m]], USUAL.zero_lift_rad),
+        (
+            &|l: &Lines| [[0.0; 2], [0.0; 2], [0.0, OFFSET_CENTRE[1] * l.theory[0][0] * l.chord_m]],
+            USUAL.zero_lift_rad,
+        ),
         (&|l: &Lines| [[0.0; 2], [0.0; 2], [0.0, l.theory[0][0] / LIFT_SLOPE * l.chord_m]], USUAL.moment),
     ];
     for (shape, [common, own]) in shapes {
         let sized = |lines: &Lines, size: f64| shape(lines).map(|line| line.map(|load| scale * size * load));
         all.push(lines.iter().map(|line| sized(line, common)).collect());
         for k in 0..lines.len() {
-            all.push(lines.iter().enumerate().map(|(j, line)| sized(line, if j == k { own } else { 0.0 })).collect());
+            all.push(
+                lines
+                    .iter()
+                    .enumerate()
+                    .map(|(j, line)| sized(line, if j == k { own } else { 0.0 }))
+                    .collect(),
+            );
         }
     }
     all

@@ -3,7 +3,7 @@
 use super::Finding;
 use crate::campaign::{CHANNELS, Campaign, Sets, StaticPoint};
 use crate::objective::polynomial_residuals;
-use crate::statics::{StaticData, block_name};
+use crate::statics::{AirspeedData, StaticData, block_name};
 use aero::flow::{same_airspeed, same_angle};
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
@@ -13,6 +13,8 @@ const LEVEL: f64 = 1e-4;
 const MOST_SET_ASIDE: f64 = 0.1;
 /// Scatter over what is declared that needs no remark.
 const SCATTER: f64 = 2.0;
+/// Means are off a smooth curve by so many times their standard deviation: more than noise and a little curvature give.
+const ROUGH: f64 = 8.0;
 /// Rows of one airspeed differ by their loads' common factor alone if it explains this share of their scatter ...
 const COMMON_FACTOR: f64 = 0.8;
 /// ... and its root mean square is more than this.
@@ -61,6 +63,7 @@ pub(super) fn check(campaign: &Campaign, mut data: StaticData) -> (StaticData, V
         }
     }
     findings.extend(more_scatter(&groups(&campaign, &data), &mut data));
+    findings.extend(data.airspeeds.iter().flat_map(|airspeed| rough(airspeed, &data)));
     (data, findings, set_aside)
 }
 
@@ -69,7 +72,7 @@ fn groups(campaign: &Campaign, data: &StaticData) -> Vec<Group> {
         let block = data.blocks.iter().find(|block| block.block == block_name(row));
         block.map_or(0.0, |block| block.offset[channel])
     };
-    let of = |airspeed: &crate::statics::AirspeedData| {
+    let of = |airspeed: &AirspeedData| {
         let here = |point: &StaticPoint| {
             point.v_m_s > 0.0 && point.controls_rad.is_empty() && same_airspeed(point.v_m_s, airspeed.v_m_s)
         };
@@ -99,8 +102,12 @@ fn worst_row(groups: &[Group], campaign: &Campaign, data: &StaticData) -> Option
                 let unit = ["N", "N m", "N m", "m"][channel];
                 let sentence = format!(
                     "line {} of the static cases: {} is {:.4} {unit} {} what the other rows at {} m/s say, whose scatter is {:.2} {unit}",
-                    campaign.points[place].span.line, CHANNELS[channel], found.jump.abs(),
-                    if found.jump > 0.0 { "above" } else { "below" }, group.v_m_s, found.scatter,
+                    campaign.points[place].span.line,
+                    CHANNELS[channel],
+                    found.jump.abs(),
+                    if found.jump > 0.0 { "above" } else { "below" },
+                    group.v_m_s,
+                    found.scatter,
                 );
                 worst = Some((found.clear, place, sentence));
             }
@@ -152,10 +159,15 @@ fn deleted(group: &Group, channel: usize, declared: Option<f64>) -> Option<Delet
             _ => (shown, false),
         };
         let f = (all - squares) / variance.max(f64::MIN_POSITIVE);
-        let p_value = if is_known { ChiSquared::new(1.0).ok()?.sf(f) } else { FisherSnedecor::new(1.0, dof).ok()?.sf(f) };
+        let p_value = if is_known {
+            ChiSquared::new(1.0).ok()?.sf(f)
+        } else {
+            FisherSnedecor::new(1.0, dof).ok()?.sf(f)
+        };
         // another row could be the one as well
         let is_alone = second > all - 0.8 * (all - squares);
-        let found = Deleted { row, jump, scatter: variance.sqrt(), p_value, clear: jump.abs() / variance.sqrt() };
+        let found =
+            Deleted { row, jump, scatter: variance.sqrt(), p_value, clear: jump.abs() / variance.sqrt() };
         if is_alone && best.as_ref().is_none_or(|b| found.p_value < b.p_value) {
             best = Some(found);
         }
@@ -178,7 +190,8 @@ fn other_airspeeds(groups: &[Group], data: &StaticData) -> Option<Finding> {
             .iter()
             .map(|&c| {
                 let (residuals, _) = polynomial_residuals(&group.alphas_rad, &group.loads[c], order);
-                let fitted: Vec<f64> = group.loads[c].iter().zip(&residuals).map(|(load, r)| load - r).collect();
+                let fitted: Vec<f64> =
+                    group.loads[c].iter().zip(&residuals).map(|(load, r)| load - r).collect();
                 let size = fitted.iter().map(|f| f * f).sum::<f64>() / fitted.len() as f64;
                 (residuals, fitted, 1.0 / size.max(f64::MIN_POSITIVE))
             })
@@ -187,7 +200,8 @@ fn other_airspeeds(groups: &[Group], data: &StaticData) -> Option<Finding> {
             fits.iter().map(|(residuals, fitted, weight)| weight * of(residuals[i], fitted[i])).sum()
         };
         let rows = group.rows.len();
-        let factor: Vec<f64> = (0..rows).map(|i| sum(&|r, f| r * f, i) / sum(&|_, f| f * f, i).max(f64::MIN_POSITIVE)).collect();
+        let factor: Vec<f64> =
+            (0..rows).map(|i| sum(&|r, f| r * f, i) / sum(&|_, f| f * f, i).max(f64::MIN_POSITIVE)).collect();
         let all: f64 = (0..rows).map(|i| sum(&|r, _| r * r, i)).sum();
         let left: f64 = (0..rows).map(|i| sum(&|r, f| (r - factor[i] * f).powi(2), i)).sum();
         let rms = (factor.iter().map(|k| k * k).sum::<f64>() / rows as f64).sqrt();
@@ -212,8 +226,11 @@ fn more_scatter(groups: &[Group], data: &mut StaticData) -> Vec<Finding> {
     let Some(declared) = data.point_sigma.filter(|_| data.noise_dof.is_none()) else { return Vec::new() };
     let (mut seen, mut found, mut least_dof) = (declared, Vec::new(), usize::MAX);
     for channel in (0..4).filter(|&c| data.channels[c]) {
-        let replicated: Vec<(f64, usize)> = groups.iter().map(|group| of_replicates(group, channel)).collect();
-        let freedom = |all: &[(f64, usize)]| all.iter().map(|one| one.1).sum::<usize>().saturating_sub(data.blocks.len().saturating_sub(1));
+        let replicated: Vec<(f64, usize)> =
+            groups.iter().map(|group| of_replicates(group, channel)).collect();
+        let freedom = |all: &[(f64, usize)]| {
+            all.iter().map(|one| one.1).sum::<usize>().saturating_sub(data.blocks.len().saturating_sub(1))
+        };
         let (scatter, about) = if freedom(&replicated) >= 3 {
             (replicated, "repeated rows")
         } else {
@@ -238,6 +255,30 @@ fn more_scatter(groups: &[Group], data: &mut StaticData) -> Vec<Finding> {
     found
 }
 
+/// Means of angles between the ends that no smooth curve follows, though their rows agree: the ends may stall.
+fn rough(airspeed: &AirspeedData, data: &StaticData) -> Option<Finding> {
+    let inner =
+        airspeed.angles.get(1..airspeed.angles.len().saturating_sub(1)).filter(|inner| inner.len() >= 3)?;
+    let order = (inner.len() - 2).min(3);
+    let dof = (inner.len() - order - 1) as f64;
+    let alphas: Vec<f64> = inner.iter().map(|angle| angle.alpha_rad).collect();
+    (0..3).filter(|&c| data.channels[c]).find_map(|channel| {
+        let loads: Vec<f64> = inner.iter().map(|angle| angle.readings()[channel]).collect();
+        let (residuals, _) = polynomial_residuals(&alphas, &loads, order);
+        let sigma = |angle| Some(data.mean_sigma(angle)?[channel].hypot(data.block_sigma[channel]));
+        let over = residuals.iter().zip(inner).map(|(r, angle)| Some((r / sigma(angle)?).powi(2)));
+        let ratio = (over.sum::<Option<f64>>()? / dof).sqrt();
+        let size = residuals.iter().map(|r| r * r).sum::<f64>().sqrt();
+        (ratio > ROUGH).then(|| {
+            Finding::defect(format!(
+                "rows with V_m_s = {}: {} is up to {size:.3} off a smooth curve in the angle, {ratio:.0} times what the rows' scatter \
+                 explains: rows of different angles contradict each other",
+                airspeed.v_m_s, CHANNELS[channel],
+            ))
+        })
+    })
+}
+
 /// Squares about the means of rows at one angle, and their degrees of freedom.
 fn of_replicates(group: &Group, channel: usize) -> (f64, usize) {
     let mut cells: Vec<(f64, Vec<f64>)> = Vec::new();
@@ -251,7 +292,10 @@ fn of_replicates(group: &Group, channel: usize) -> (f64, usize) {
         let mean = loads.iter().sum::<f64>() / loads.len() as f64;
         loads.iter().map(|load| (load - mean).powi(2)).sum::<f64>()
     };
-    (cells.iter().map(|(_, loads)| squares(loads)).sum(), cells.iter().map(|(_, loads)| loads.len() - 1).sum())
+    (
+        cells.iter().map(|(_, loads)| squares(loads)).sum(),
+        cells.iter().map(|(_, loads)| loads.len() - 1).sum(),
+    )
 }
 
 /// Squares about the stiffest polynomial that leaves one degree of freedom, of third order at most.

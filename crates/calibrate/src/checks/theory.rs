@@ -22,7 +22,9 @@ pub(super) fn far_from_theory(lines: &[Lines]) -> Vec<Finding> {
     if !fz && !mx {
         return found;
     }
-    if let Some(lift) = median(&|l| l.measured[channel][0] / l.theory[channel][0]).filter(|lift| !LIFT.contains(lift)) {
+    if let Some(lift) =
+        median(&|l| l.measured[channel][0] / l.theory[channel][0]).filter(|lift| !LIFT.contains(lift))
+    {
         found.push(Finding::suspicion(format!(
             "loads grow with the angle {lift:.2} times as much as theory says: the lift slope, or a dynamic pressure {:+.0} % off \
              (airspeed {:+.0} %); static cases do not tell them apart",
@@ -32,7 +34,9 @@ pub(super) fn far_from_theory(lines: &[Lines]) -> Vec<Finding> {
     }
     let arm = |line: &[[f64; 2]; 3]| line[1][0] / line[0][0];
     if fz && mx {
-        if let Some(ratio) = median(&|l| arm(&l.measured) / arm(&l.theory)).filter(|ratio| !ARM.contains(ratio)) {
+        if let Some(ratio) =
+            median(&|l| arm(&l.measured) / arm(&l.theory)).filter(|ratio| !ARM.contains(ratio))
+        {
             let theory_m = median(&|l| arm(&l.theory)).unwrap_or_default();
             found.push(Finding::suspicion(format!(
                 "lift by the angle acts {:.3} m from the balance's axis, {:.3} m by theory: the spanwise lift, the place of the \
