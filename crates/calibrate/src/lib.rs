@@ -13,6 +13,7 @@ pub mod identifiability;
 pub mod left_out;
 pub mod lift_factor;
 pub mod objective;
+pub mod posterior;
 pub mod schedule;
 pub mod settings;
 pub mod statics;

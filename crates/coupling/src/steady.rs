@@ -13,8 +13,8 @@ use crate::root_loads::RootLoads;
 use crate::supported::SupportedStructure;
 use crate::wing::ElasticWing;
 use aero::{BoxLoads, Corrections, Flow, LoadOperator};
-use faer::Mat;
 use faer::linalg::solvers::{PartialPivLu, Solve};
+use faer::{Mat, MatRef};
 
 /// A wing in one steady case.
 #[derive(Debug, Clone)]
@@ -34,10 +34,10 @@ pub struct SteadyState {
 /// A wing with corrections at one flow: factorised once, solved for many cases.
 #[derive(Debug)]
 pub struct SteadyOperator<'a> {
-    wing: &'a ElasticWing,
-    flow: Flow,
+    pub(crate) wing: &'a ElasticWing,
+    pub(crate) flow: Flow,
     corrections: Corrections,
-    factor: Option<PartialPivLu<f64>>,
+    pub(crate) factor: Option<PartialPivLu<f64>>,
 }
 
 impl ElasticWing {
@@ -153,20 +153,25 @@ impl SteadyOperator<'_> {
     /// ```
     /// A rigid wing's tip has a row of zeros.
     pub fn adjoint(&self) -> Mat<f64> {
-        let wing = self.wing;
-        let direct = |row: usize, column: usize| if row < 3 { wing.root_rows[(row, column)] } else { 0.0 };
+        self.adjoint_of(self.wing.root_rows.as_ref())
+    }
+
+    /// The same for any rows on the box loads in the place of R; the tip's row is the last.
+    pub(crate) fn adjoint_of(&self, rows: MatRef<'_, f64>) -> Mat<f64> {
+        let (wing, count) = (self.wing, rows.nrows());
+        let direct = |row: usize, column: usize| if row < count { rows[(row, column)] } else { 0.0 };
         let (Some(structure), Some(factor)) = (&wing.supported, &self.factor) else {
-            return Mat::from_fn(4, wing.root_rows.ncols(), direct);
+            return Mat::from_fn(count + 1, rows.ncols(), direct);
         };
         let q_pa = self.flow.dynamic_pressure_pa();
         let loads = self.loads().of_pressures(q_pa, wing.cp_displacement.as_ref());
-        let by_displacement = &wing.root_rows * &loads;
+        let by_displacement = rows * &loads;
         let root = factor.solve_transpose(by_displacement.transpose().to_owned());
         let root = structure.flexibility.transpose() * &root;
         let unit = Mat::from_fn(structure.size(), 1, |i, _| f64::from(u8::from(i == structure.tip_z)));
         let tip = structure.flexibility.transpose() * &factor.solve_transpose(unit);
-        Mat::from_fn(4, wing.root_rows.ncols(), |row, column| {
-            let by_load = |dof: usize| if row < 3 { root[(dof, row)] } else { tip[(dof, 0)] };
+        Mat::from_fn(count + 1, rows.ncols(), |row, column| {
+            let by_load = |dof: usize| if row < count { root[(dof, row)] } else { tip[(dof, 0)] };
             let elastic: f64 =
                 structure.spline_rows[column].iter().map(|&(dof, value)| value * by_load(dof)).sum();
             direct(row, column) + elastic
@@ -186,7 +191,7 @@ impl SteadyOperator<'_> {
     }
 
     /// Eq. 7 of paper 1, with this operator's corrections.
-    fn loads(&self) -> LoadOperator<'_> {
+    pub(crate) fn loads(&self) -> LoadOperator<'_> {
         self.wing.integration.corrected(&self.corrections)
     }
 

@@ -258,7 +258,7 @@ fn more_scatter(groups: &[Group], data: &mut StaticData) -> Vec<Finding> {
 /// Means of angles between the ends that no smooth curve follows, though their rows agree: the ends may stall.
 fn rough(airspeed: &AirspeedData, data: &StaticData) -> Option<Finding> {
     let inner =
-        airspeed.angles.get(1..airspeed.angles.len().saturating_sub(1)).filter(|inner| inner.len() >= 3)?;
+        airspeed.angles.get(1..airspeed.angles.len().saturating_sub(1)).filter(|inner| inner.len() >= 4)?;
     let order = (inner.len() - 2).min(3);
     let dof = (inner.len() - order - 1) as f64;
     let alphas: Vec<f64> = inner.iter().map(|angle| angle.alpha_rad).collect();

@@ -281,5 +281,8 @@ fn summary(calibration: &Calibration, out: &Path, seconds: f64) -> String {
             );
         }
     }
+    for said in calibration.said(&[Weight::Open]) {
+        let _ = writeln!(text, "note: {said}");
+    }
     text + &format!("{seconds:.2} s; results in {}\n", out.display())
 }

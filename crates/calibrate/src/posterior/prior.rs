@@ -1,0 +1,118 @@
+//! What corrections are before any data: smooth along the span over so many chords, about theory.
+
+use coupling::{ElasticWing, Readings};
+use faer::{Mat, Side};
+
+/// One standard deviation of what panel models with sections of their own are off by; smooth and local parts along the span.
+///
+/// Defaults: force factors after the lift slopes of section polars (0.85 to 1.1 of theory's) and the measured spanwise lift of
+/// the shipped swept wing (within 5 %, 15 % at the tip); the centre of lift within 0.05 chords; zero-lift angles within a degree
+/// or two; stiffness as a bending test leaves it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Prior {
+    /// Of the force factor: common to the whole span, smooth, local.
+    pub force: [f64; 3],
+    /// Of the force factor's slope along the chord, from leading to trailing edge, smooth along the span.
+    pub force_along_chord: f64,
+    /// Of the zero-lift angle, as an offset of the pressures of so much angle of attack, deg: common, smooth, local.
+    pub zero_lift_deg: [f64; 3],
+    /// Of a pressure offset that gives a moment and no lift, as Cp at the leading edge, smooth along the span.
+    pub moment_offset_cp: f64,
+    /// Of the moment factor of the boxes, smooth along the span.
+    pub moment: f64,
+    /// Of the logarithm of the flexibility.
+    pub flexibility: f64,
+    /// Length over which smooth parts are alike, as a share of the span.
+    pub smooth_over_span: f64,
+    /// The same of local parts, in mean chords.
+    pub local_over_chord: f64,
+}
+
+impl Default for Prior {
+    fn default() -> Self {
+        Self {
+            force: [0.1, 0.12, 0.06],
+            force_along_chord: 0.2,
+            zero_lift_deg: [1.0, 1.0, 0.5],
+            moment_offset_cp: 0.05,
+            moment: 0.2,
+            flexibility: 0.03,
+            smooth_over_span: 0.3,
+            local_over_chord: 1.0,
+        }
+    }
+}
+
+/// Corrections per unit of independent standard Gaussians.
+pub(super) struct Modes {
+    /// Boxes by unknowns, by family: force, moment, pressure offset.
+    families: [Mat<f64>; 3],
+    size: usize,
+}
+
+impl Modes {
+    pub(super) fn new(wing: &ElasticWing, prior: &Prior) -> Self {
+        use coupling::SteadyModel;
+        let boxes = &wing.correctable;
+        let strips = boxes.strip.iter().copied().max().map_or(0, |last| last + 1);
+        let mut y_norm = vec![0.0; strips];
+        boxes.strip.iter().zip(&boxes.y_norm).for_each(|(&strip, &y)| y_norm[strip] = y);
+        let local = prior.local_over_chord * wing.mean_chord_m() / wing.span_m();
+        let field = |parts: [f64; 3]| root_of(&y_norm, parts, [prior.smooth_over_span, local]);
+        let along = |b: usize| (boxes.chord_row[b] as f64 + 0.5) / boxes.chord_rows[b] as f64 - 0.5;
+        let by_alpha = wing.pressures_by_alpha();
+        let shapes: [(usize, Mat<f64>, Vec<f64>); 5] = [
+            (0, field(prior.force), vec![1.0; boxes.len()]),
+            (0, field([0.0, prior.force_along_chord, 0.0]), (0..boxes.len()).map(along).collect()),
+            (1, field([0.0, prior.moment, 0.0]), vec![1.0; boxes.len()]),
+            (
+                2,
+                field(prior.zero_lift_deg.map(f64::to_radians)),
+                boxes.places.iter().map(|&place| by_alpha[place]).collect(),
+            ),
+            (
+                2,
+                field([0.0, prior.moment_offset_cp, 0.0]),
+                (0..boxes.len()).map(|b| -2.0 * along(b)).collect(),
+            ),
+        ];
+        // the last unknown is the flexibility, which is no correction
+        let size = shapes.len() * strips + 1;
+        let mut families = [0; 3].map(|_| Mat::zeros(boxes.len(), size));
+        for (i, (family, root, shape)) in shapes.iter().enumerate() {
+            for (b, &strip) in boxes.strip.iter().enumerate() {
+                for k in 0..strips {
+                    families[*family][(b, i * strips + k)] = shape[b] * root[(strip, k)];
+                }
+            }
+        }
+        Self { families, size }
+    }
+
+    pub(super) fn size(&self) -> usize {
+        self.size
+    }
+
+    /// Derivatives of a reading by the unknowns.
+    pub(super) fn gradient(&self, read: &Readings, row: usize, prior: &Prior) -> Vec<f64> {
+        let mut gradient = vec![0.0; self.size];
+        for (modes, by) in self.families.iter().zip([&read.by_force, &read.by_moment, &read.by_offset]) {
+            for (k, value) in gradient.iter_mut().enumerate() {
+                *value += (0..modes.nrows()).map(|b| by[(row, b)] * modes[(b, k)]).sum::<f64>();
+            }
+        }
+        gradient[self.size - 1] = read.by_flexibility.get(row).copied().unwrap_or(0.0) * prior.flexibility;
+        gradient
+    }
+}
+
+/// A root of the covariance along the span: common part, and Gaussian correlations over two lengths.
+fn root_of(y_norm: &[f64], [common, smooth, local]: [f64; 3], lengths: [f64; 2]) -> Mat<f64> {
+    let n = y_norm.len();
+    let covariance = Mat::from_fn(n, n, |i, j| {
+        let alike = |length: f64| (-0.5 * ((y_norm[i] - y_norm[j]) / length).powi(2)).exp();
+        common * common + smooth * smooth * alike(lengths[0]) + local * local * alike(lengths[1])
+    });
+    let Ok(eigen) = covariance.self_adjoint_eigen(Side::Lower) else { return Mat::zeros(n, n) };
+    Mat::from_fn(n, n, |i, k| eigen.U()[(i, k)] * eigen.S()[k].max(0.0).sqrt())
+}
