@@ -9,10 +9,10 @@ mod common;
 use aero::{Corrections, Flow};
 use calibrate::campaign::ChannelNoise;
 use calibrate::posterior::predictions::Quantity;
-use calibrate::posterior::prior::Prior;
 use calibrate::posterior::{AirspeedPredictions, intervals};
 use calibrate::{Campaign, Noise, TipReading, calibrate};
 use common::{RHO, campaign, draw, loads, row, small_settings, wing_with};
+use coupling::wing_file::CorrectionPrior;
 use coupling::{ElasticWing, SteadyCase, SteadyModel};
 use std::sync::LazyLock;
 
@@ -82,14 +82,14 @@ fn measured(truth: &Corrections, seed: usize, tip: TipReading) -> Campaign {
 
 fn predicted(campaign: &Campaign) -> AirspeedPredictions {
     let calibration = calibrate(&*WING, campaign, &small_settings()).unwrap();
-    intervals(&WING, &calibration, &Prior::default()).unwrap().swap_remove(0)
+    intervals(&WING, &calibration, &CorrectionPrior::default()).unwrap().swap_remove(0)
 }
 
 /// The same quantities of the truth itself: predictions of a wing that has its corrections.
 fn of_truth(truth: &Corrections, campaign: &Campaign) -> Vec<f64> {
     let mut calibration = calibrate(&*WING, campaign, &small_settings()).unwrap();
     calibration.airspeeds[0].corrections = truth.clone();
-    let at = intervals(&WING, &calibration, &Prior::default()).unwrap();
+    let at = intervals(&WING, &calibration, &CorrectionPrior::default()).unwrap();
     at[0].predictions.iter().map(|prediction| prediction.value).collect()
 }
 
@@ -169,4 +169,27 @@ fn the_derivative_by_flexibility_is_that_of_a_softer_wing() {
             read.by_flexibility[r]
         );
     }
+}
+
+#[test]
+fn what_to_measure_next_is_what_narrows_the_interval_when_it_is_measured() {
+    let truth = truth(2);
+    let campaign = measured(&truth, 2, TipReading::Unused);
+    let calibration = calibrate(&*WING, &campaign, &small_settings()).unwrap();
+    let rank = |wanted: &Quantity| {
+        calibrate::posterior::next::rank(&WING, &calibration, &CorrectionPrior::default(), wanted).unwrap()
+    };
+    let bending = rank(&Quantity::Bending { y_norm: 0.5 });
+    let first = &bending[0].measure;
+    assert!(first.contains("tip") || first.contains("strain"), "{bending:?}");
+    let control = WING.control_names().pop().unwrap();
+    let power = rank(&Quantity::ControlMx { control: control.clone() });
+    assert!(power[0].measure.contains(&format!("with {control} at")), "{power:?}");
+    // the tip measured indeed: what was promised is what comes
+    let promised = bending.iter().find(|one| one.measure.contains("tip")).unwrap();
+    let with = predicted(&measured(&truth, 2, TipReading::Zeroed));
+    let mid_span =
+        with.predictions.iter().find(|one| one.quantity == (Quantity::Bending { y_norm: 0.5 })).unwrap();
+    let [gain, came] = [promised.sigma_then, mid_span.sigma].map(|sigma| promised.sigma - sigma);
+    assert!((gain / came - 1.0).abs() < 0.3, "{promised:?} {mid_span:?}");
 }

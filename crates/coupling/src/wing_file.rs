@@ -7,6 +7,7 @@ mod deck_source;
 mod deflection;
 mod effects;
 mod hash;
+mod prior;
 mod stations;
 mod write;
 
@@ -15,6 +16,7 @@ pub use deck_source::DeckSource;
 pub use deflection::{DeflectionRow, DeflectionTable, OutsideAirspeeds};
 pub use effects::{EffectValidity, WingEffect};
 pub use hash::of_text as fingerprint;
+pub use prior::CorrectionPrior;
 pub use stations::StationAt;
 pub use write::Rewritten;
 
@@ -126,6 +128,9 @@ pub struct CorrectionSettings {
     /// Largest difference between chordwise neighbours.
     #[serde(default = "default_neighbour_bound")]
     pub neighbour_bound: f64,
+    /// What corrections are expected to be before any data: intervals of predictions rest on it.
+    #[serde(default, skip_serializing_if = "CorrectionPrior::is_default")]
+    pub prior: CorrectionPrior,
 }
 
 /// `root_plane: None` in the file is a choice ([`RootPlane::None`]), not an absent field.
@@ -277,6 +282,9 @@ impl WingFile {
         count("chord_strips", self.correction.chord_strips, 1, 100)?;
         count("span_order", self.correction.span_order, 0, 8)?;
         positive("neighbour_bound", self.correction.neighbour_bound)?;
+        for (field, value, least) in self.correction.prior.values() {
+            within(field, value, least, 10.0)?;
+        }
         self.planform().map_or(Ok(()), Planform::check)
     }
 

@@ -1,20 +1,22 @@
 //! How far to trust what the corrected wing predicts: the distribution of corrections that the data leave, and the interval of
 //! every prediction.
 //!
-//! Corrections about theory are Gaussian before the data ([`prior`]). Linearised at the calibrated corrections, data
+//! Corrections about theory are Gaussian before the data ([`CorrectionPrior`]). Linearised at the calibrated corrections, data
 //! `d = J z + noise` leave `z` with the covariance `(I + J' N⁻¹ J)⁻¹` in units of the prior (Tarantola, Inverse Problem Theory,
 //! 2005, Section 3.2), and a prediction with gradient `g` has the variance `g' C g`. Its centre is the calibrated wing.
 
+pub mod next;
 pub mod predictions;
-pub mod prior;
+mod prior;
 
 use crate::calibration::{AirspeedCalibration, Calibration};
 use aero::{Corrections, Flow};
-use coupling::{CouplingError, ElasticWing, Readings, SteadyCase};
+use coupling::wing_file::CorrectionPrior;
+use coupling::{CouplingError, ElasticWing, Readings, SteadyCase, SteadyOperator};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
-use predictions::{Quantity, quantities};
-use prior::{Modes, Prior};
+use predictions::{Quantity, quantities, section_rows};
+use prior::Modes;
 
 /// Half of a 90 % interval of a Gaussian in standard deviations.
 const HALF_90: f64 = 1.644_853_627;
@@ -64,7 +66,7 @@ pub struct AirspeedPredictions {
 pub fn intervals(
     wing: &ElasticWing,
     calibration: &Calibration,
-    prior: &Prior,
+    prior: &CorrectionPrior,
 ) -> Result<Vec<AirspeedPredictions>, CouplingError> {
     let modes = Modes::new(wing, prior);
     calibration.airspeeds.iter().map(|at| at_airspeed(wing, calibration, at, prior, &modes)).collect()
@@ -74,7 +76,7 @@ fn at_airspeed(
     wing: &ElasticWing,
     calibration: &Calibration,
     at: &AirspeedCalibration,
-    prior: &Prior,
+    prior: &CorrectionPrior,
     modes: &Modes,
 ) -> Result<AirspeedPredictions, CouplingError> {
     let flow = Flow { v_m_s: at.data.v_m_s, rho_kg_m3: calibration.rho_kg_m3 };
@@ -94,34 +96,82 @@ fn at_airspeed(
             posterior.prediction(quantity, [by_theory[r], read.values[r]], &modes.gradient(&read, r, prior))
         })
         .collect();
-    for (c, control) in wing.control_names().into_iter().enumerate() {
-        let mut deflected = case.clone();
-        deflected.controls_rad = vec![0.0; wing.controls.len()];
-        deflected.controls_rad[c] = 1.0_f64.to_radians();
-        let moment = Mat::from_fn(1, wing.root_rows.ncols(), |_, k| wing.root_rows[(1, k)]);
-        let of = |operator: &coupling::SteadyOperator<'_>| {
-            [&case, &deflected].map(|case| operator.readings(case, &moment))
-        };
-        let [from, to] = of(&corrected);
-        let [from_theory, to_theory] = of(&theory);
-        let gradient: Vec<f64> = modes
-            .gradient(&to, 0, prior)
-            .iter()
-            .zip(modes.gradient(&from, 0, prior))
-            .map(|(to, from)| to - from)
-            .collect();
-        let values = [to_theory.values[0] - from_theory.values[0], to.values[0] - from.values[0]];
-        predictions.push(posterior.prediction(Quantity::ControlMx { control }, values, &gradient));
+    for control in wing.control_names() {
+        let quantity = Quantity::ControlMx { control };
+        let [of_theory, value] =
+            [&theory, &corrected].map(|operator| value_of(wing, operator, &case, &quantity));
+        let gradient = gradient_of(wing, &corrected, &case, &quantity, modes, prior);
+        predictions.push(posterior.prediction(quantity, [of_theory, value], &gradient));
     }
     Ok(AirspeedPredictions { v_m_s: flow.v_m_s, alpha_rad, predictions })
+}
+
+/// What is read in a case for a quantity: rows on the box loads, and whether the case with the control by a degree less the case
+/// without it is meant. The tip's height has no row.
+fn read_of(wing: &ElasticWing, quantity: &Quantity) -> (Mat<f64>, Option<usize>) {
+    let root = |row: usize| Mat::from_fn(1, wing.root_rows.ncols(), |_, k| wing.root_rows[(row, k)]);
+    match quantity {
+        Quantity::Shear { y_norm } => (section_rows(wing, *y_norm)[0].clone(), None),
+        Quantity::Bending { y_norm } => (section_rows(wing, *y_norm)[1].clone(), None),
+        Quantity::TipHeight => (Mat::zeros(0, wing.root_rows.ncols()), None),
+        Quantity::ControlMx { control } => {
+            (root(1), wing.control_names().iter().position(|name| name == control))
+        }
+        Quantity::StripLift { y_norm } => {
+            let (listed, rows) = quantities(wing);
+            let of =
+                listed.iter().position(|one| matches!(one, Quantity::StripLift { y_norm: y } if y == y_norm));
+            (Mat::from_fn(1, rows.ncols(), |_, k| of.map_or(0.0, |r| rows[(r, k)])), None)
+        }
+    }
+}
+
+/// Readings of a quantity in a case, and in the case that is taken from it.
+fn readings_of(
+    wing: &ElasticWing,
+    operator: &SteadyOperator<'_>,
+    case: &SteadyCase,
+    quantity: &Quantity,
+) -> (Readings, Option<Readings>) {
+    let (rows, control) = read_of(wing, quantity);
+    let read = operator.readings(case, &rows);
+    let Some(control) = control else { return (read, None) };
+    let mut deflected = case.clone();
+    deflected.controls_rad = vec![0.0; wing.controls.len()];
+    deflected.controls_rad[control] = 1.0_f64.to_radians();
+    (operator.readings(&deflected, &rows), Some(read))
+}
+
+fn value_of(
+    wing: &ElasticWing,
+    operator: &SteadyOperator<'_>,
+    case: &SteadyCase,
+    quantity: &Quantity,
+) -> f64 {
+    let (read, less) = readings_of(wing, operator, case, quantity);
+    read.values[0] - less.map_or(0.0, |less| less.values[0])
+}
+
+fn gradient_of(
+    wing: &ElasticWing,
+    operator: &SteadyOperator<'_>,
+    case: &SteadyCase,
+    quantity: &Quantity,
+    modes: &Modes,
+    prior: &CorrectionPrior,
+) -> Vec<f64> {
+    let (read, less) = readings_of(wing, operator, case, quantity);
+    let mut gradient = modes.gradient(&read, 0, prior);
+    if let Some(less) = less {
+        gradient.iter_mut().zip(modes.gradient(&less, 0, prior)).for_each(|(a, b)| *a -= b);
+    }
+    gradient
 }
 
 /// What the data of one airspeed leave of the prior.
 struct Posterior {
     /// Rows by unknowns, over the standard deviation of a row.
-    whitened: Mat<f64>,
-    /// `J J' + I`, factorised.
-    factor: faer::linalg::solvers::Llt<f64>,
+    rows: Vec<Vec<f64>>,
 }
 
 impl Posterior {
@@ -129,7 +179,7 @@ impl Posterior {
         wing: &ElasticWing,
         calibration: &Calibration,
         at: &AirspeedCalibration,
-        prior: &Prior,
+        prior: &CorrectionPrior,
         modes: &Modes,
     ) -> Result<Self, CouplingError> {
         let flow = Flow { v_m_s: at.data.v_m_s, rho_kg_m3: calibration.rho_kg_m3 };
@@ -153,29 +203,29 @@ impl Posterior {
         if data.tip == crate::campaign::TipReading::FreeZero {
             centre(&mut rows, &tip_rows);
         }
-        let whitened = Mat::from_fn(rows.len(), modes.size(), |r, k| rows[r][k]);
-        let square = &whitened * whitened.transpose();
-        let covariance =
-            Mat::from_fn(rows.len(), rows.len(), |i, j| square[(i, j)] + f64::from(u8::from(i == j)));
-        let factor = covariance
-            .llt(Side::Lower)
-            .map_err(|_| nastran::InputError::general("the covariance of the data is not positive"))?;
-        Ok(Self { whitened, factor })
+        Ok(Self { rows })
     }
 
     fn prediction(&self, quantity: Quantity, [theory, value]: [f64; 2], gradient: &[f64]) -> Prediction {
-        let g = Mat::from_fn(gradient.len(), 1, |k, _| gradient[k]);
-        let before: f64 = gradient.iter().map(|x| x * x).sum();
-        let seen = &self.whitened * &g;
-        let solved = self.factor.solve(&seen);
+        let prior_sigma = gradient.iter().map(|x| x * x).sum::<f64>().sqrt();
+        Prediction { quantity, theory, value, prior_sigma, sigma: self.sigma_with(&[], gradient) }
+    }
+
+    /// Standard deviation of what has this gradient, with further rows beside the data:
+    /// `g' g - (J g)' (J J' + I)⁻¹ (J g)`.
+    fn sigma_with(&self, further: &[Vec<f64>], gradient: &[f64]) -> f64 {
+        let rows: Vec<&Vec<f64>> = self.rows.iter().chain(further).collect();
+        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let covariance = Mat::from_fn(rows.len(), rows.len(), |i, j| {
+            product(rows[i], rows[j]) + f64::from(u8::from(i == j))
+        });
+        let seen = Mat::from_fn(rows.len(), 1, |i, _| product(rows[i], gradient));
+        let before = product(gradient, gradient);
+        // a unit matrix and a square: always positive
+        let Ok(factor) = covariance.llt(Side::Lower) else { return before.sqrt() };
+        let solved = factor.solve(&seen);
         let told: f64 = (0..seen.nrows()).map(|r| seen[(r, 0)] * solved[(r, 0)]).sum();
-        Prediction {
-            quantity,
-            theory,
-            value,
-            prior_sigma: before.sqrt(),
-            sigma: (before - told).max(0.0).sqrt(),
-        }
+        (before - told).max(0.0).sqrt()
     }
 }
 

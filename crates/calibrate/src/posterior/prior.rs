@@ -1,47 +1,8 @@
-//! What corrections are before any data: smooth along the span over so many chords, about theory.
+//! What corrections are before any data, by the wing's file: smooth and local parts along the span, about theory.
 
+use coupling::wing_file::CorrectionPrior;
 use coupling::{ElasticWing, Readings};
 use faer::{Mat, Side};
-
-/// One standard deviation of what panel models with sections of their own are off by; smooth and local parts along the span.
-///
-/// Defaults: force factors after the lift slopes of section polars (0.85 to 1.1 of theory's) and the measured spanwise lift of
-/// the shipped swept wing (within 5 %, 15 % at the tip); the centre of lift within 0.05 chords; zero-lift angles within a degree
-/// or two; stiffness as a bending test leaves it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Prior {
-    /// Of the force factor: common to the whole span, smooth, local.
-    pub force: [f64; 3],
-    /// Of the force factor's slope along the chord, from leading to trailing edge, smooth along the span.
-    pub force_along_chord: f64,
-    /// Of the zero-lift angle, as an offset of the pressures of so much angle of attack, deg: common, smooth, local.
-    pub zero_lift_deg: [f64; 3],
-    /// Of a pressure offset that gives a moment and no lift, as Cp at the leading edge, smooth along the span.
-    pub moment_offset_cp: f64,
-    /// Of the moment factor of the boxes, smooth along the span.
-    pub moment: f64,
-    /// Of the logarithm of the flexibility.
-    pub flexibility: f64,
-    /// Length over which smooth parts are alike, as a share of the span.
-    pub smooth_over_span: f64,
-    /// The same of local parts, in mean chords.
-    pub local_over_chord: f64,
-}
-
-impl Default for Prior {
-    fn default() -> Self {
-        Self {
-            force: [0.1, 0.12, 0.06],
-            force_along_chord: 0.2,
-            zero_lift_deg: [1.0, 1.0, 0.5],
-            moment_offset_cp: 0.05,
-            moment: 0.2,
-            flexibility: 0.03,
-            smooth_over_span: 0.3,
-            local_over_chord: 1.0,
-        }
-    }
-}
 
 /// Corrections per unit of independent standard Gaussians.
 pub(super) struct Modes {
@@ -51,7 +12,7 @@ pub(super) struct Modes {
 }
 
 impl Modes {
-    pub(super) fn new(wing: &ElasticWing, prior: &Prior) -> Self {
+    pub(super) fn new(wing: &ElasticWing, prior: &CorrectionPrior) -> Self {
         use coupling::SteadyModel;
         let boxes = &wing.correctable;
         let strips = boxes.strip.iter().copied().max().map_or(0, |last| last + 1);
@@ -89,12 +50,8 @@ impl Modes {
         Self { families, size }
     }
 
-    pub(super) fn size(&self) -> usize {
-        self.size
-    }
-
     /// Derivatives of a reading by the unknowns.
-    pub(super) fn gradient(&self, read: &Readings, row: usize, prior: &Prior) -> Vec<f64> {
+    pub(super) fn gradient(&self, read: &Readings, row: usize, prior: &CorrectionPrior) -> Vec<f64> {
         let mut gradient = vec![0.0; self.size];
         for (modes, by) in self.families.iter().zip([&read.by_force, &read.by_moment, &read.by_offset]) {
             for (k, value) in gradient.iter_mut().enumerate() {

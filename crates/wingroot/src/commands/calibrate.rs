@@ -17,6 +17,7 @@ use crate::commands::calibrate_result::{
     AirspeedResult, BlockResult, CalibrateResult, LeftOutAirspeedResult, LeftOutResult, NonlinearityResult,
     RootPlaneResult, TareResult,
 };
+use crate::commands::calibrate_predictions;
 use crate::commands::calibrate_shapes;
 use crate::commands::calibrate_strips::{self, Strips};
 use crate::commands::result_parts::{Channels, as_json};
@@ -38,6 +39,10 @@ pub struct CalibrateArgs {
     /// Wing and measurements.
     #[command(flatten)]
     pub(crate) measured: Measured,
+    /// Rank what to measure next by how much it narrows this prediction: `tip`, `bending:0.5` (place along the span) or
+    /// `control:NAME`.
+    #[arg(long, value_name = "WHAT")]
+    pub(crate) next: Option<String>,
 }
 
 /// Runs the command.
@@ -48,17 +53,32 @@ pub(crate) fn run(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> 
     let settings = Settings::of_wing(&file.correction);
     let calibration = calibrate::calibrate(&wing, &campaign, &settings)?;
     let seconds = start.elapsed().as_secs_f64();
+    let predictions = calibrate::posterior::intervals(&wing, &calibration, &file.correction.prior)?;
+    let next = match &args.next {
+        None => Vec::new(),
+        Some(words) => {
+            let wanted = calibrate_predictions::wanted(words, &wing)?;
+            calibrate::posterior::next::rank(&wing, &calibration, &file.correction.prior, &wanted)?
+        }
+    };
     let strips = calibrate_strips::compare(&campaign.folder, &wing, &calibration)?;
-    let result = as_json(&result(&wing, &campaign, &calibration, strips.as_ref(), seconds)?)?;
+    let result = CalibrateResult {
+        predictions: calibrate_predictions::result(&predictions),
+        next: calibrate_predictions::suggestions(&next),
+        ..result(&wing, &campaign, &calibration, strips.as_ref(), seconds)?
+    };
+    let result = as_json(&result)?;
     let folder = ResultFolder::begin(&common.out("calibrate"))?;
     folder.input("wing", &file.path)?;
     folder.input("campaign", &campaign.folder)?;
     folder.write_text("corrections.ron", &schedule(&file, &calibration).to_ron())?;
     write(&folder, &wing, &calibration, strips.as_ref())?;
+    calibrate_predictions::write(&folder, &predictions)?;
     folder.write_json("result.json", &result)?;
     let faults = calibration.faults();
     let out = folder.commit_if(faults.is_empty())?;
-    show::summary(common, &summary(&calibration, &out, seconds));
+    let told = calibrate_predictions::summary(&predictions) + &calibrate_predictions::next_table(&next);
+    show::summary(common, &summary(&calibration, &told, &out, seconds));
     show::json(common, &result)?;
     if faults.is_empty() { Ok(()) } else { Err(Failure::Computation(faults.join("; "))) }
 }
@@ -154,6 +174,8 @@ fn result(
             rms_over_noise: tare.rms_over_noise.map(ByLoad::from_array),
         }),
         root_plane: root_plane(wing, campaign, calibration)?,
+        predictions: Vec::new(),
+        next: Vec::new(),
         strips: strips.map(Strips::rows),
         strips_rms: strips.map(Strips::rms),
         seconds,
@@ -246,7 +268,7 @@ fn root_plane(
     })
 }
 
-fn summary(calibration: &Calibration, out: &Path, seconds: f64) -> String {
+fn summary(calibration: &Calibration, predictions: &str, out: &Path, seconds: f64) -> String {
     let number = |value: f64| format!("{value:.4}");
     let optional = |value: Option<f64>| value.map_or_else(|| "-".into(), number);
     let columns: [report::Column<'_, &AirspeedCalibration>; 9] = [
@@ -281,6 +303,7 @@ fn summary(calibration: &Calibration, out: &Path, seconds: f64) -> String {
             );
         }
     }
+    text.push_str(predictions);
     for said in calibration.said(&[Weight::Open]) {
         let _ = writeln!(text, "note: {said}");
     }

@@ -4,6 +4,7 @@ use coupling::ByLoad;
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use crate::commands::calibrate_predictions::{AirspeedPredictionsResult, SuggestionResult};
 use crate::commands::result_parts::Channels;
 
 /// What `calibrate` found. The objective is that of paper 1, Eq. 8: a weighted sum of the root mean square errors of the channels.
@@ -44,6 +45,10 @@ pub(crate) struct CalibrateResult {
     pub(crate) weight_tare: Option<TareResult>,
     /// What the choice of the plane at the root does.
     pub(crate) root_plane: RootPlaneResult,
+    /// What the calibrated wing predicts, with intervals; empty if one set serves all airspeeds.
+    pub(crate) predictions: Vec<AirspeedPredictionsResult>,
+    /// What to measure next, the best first; empty if it was not asked for.
+    pub(crate) next: Vec<SuggestionResult>,
     /// Measured strips beside computed ones, if the campaign has `strips.csv`; never fitted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) strips: Option<Vec<StripResult>>,

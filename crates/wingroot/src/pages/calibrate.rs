@@ -17,6 +17,13 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
     determined.push(Block::Table(determined_table(airspeeds)));
     determined.extend(figures("", taken(plates, "singular_values")).blocks);
     sections.push(Section::new("What the data determine", determined));
+    let mut predicted = figures("", taken(plates, "predicted_lift")).blocks;
+    if let Some(at) = list(result, "predictions").last() {
+        predicted.push(Block::Table(predictions(at)));
+    }
+    if !predicted.is_empty() {
+        sections.push(Section::new("What the corrected wing predicts, and how well it is known", predicted));
+    }
     let mut maps = vec![Block::Text(
         "Seen from above, flight direction up. A factor of one and an offset of zero, the middle of the colours, are theory; a \
          colour means the same at all airspeeds. Of all corrections that meet the data these change the pressures least, so what \
@@ -128,6 +135,33 @@ fn fits(airspeeds: &[Value]) -> PageTable {
         ("ending", "ending", word),
     ];
     table_of(caption, airspeeds, &columns)
+}
+
+/// Sections, tip and controls at the highest airspeed.
+fn predictions(airspeed: &Value) -> PageTable {
+    let caption = format!(
+        "At {} m/s and {} degrees, the highest airspeed and angle that were measured: 90 % intervals. Decided by data: the share of \
+         what was uncertain before the data that they took away; near zero, the interval is what panel models are usually off by.",
+        short_at(airspeed, "V_m_s"),
+        short_at(airspeed, "alpha_deg")
+    );
+    let shown: Vec<Value> = list(airspeed, "predictions")
+        .iter()
+        .filter(|p| text(p, "quantity") != "strip_lift")
+        .cloned()
+        .collect();
+    let columns: [Column; 9] = [
+        ("quantity", "quantity", |value, key| word(value, key).replace('_', " ")),
+        ("control", "control", word),
+        ("y over span", "y_over_span", short_at),
+        ("theory", "theory", short_at),
+        ("updated", "value", short_at),
+        ("from", "low", short_at),
+        ("to", "high", short_at),
+        ("unit", "unit", word),
+        ("decided by data", "decided_by_data", short_at),
+    ];
+    table_of(&caption, &shown, &columns)
 }
 
 fn determined_text(airspeeds: &[Value]) -> String {

@@ -1,0 +1,67 @@
+//! What corrections are expected to be before any data.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// One standard deviation of what the panel model is off by before any data: what intervals of predictions rest on.
+///
+/// Defaults: force factors after the lift slopes of section polars (0.85 to 1.1 of theory's) and the measured spanwise lift of
+/// the shipped swept wing (within 5 %, 15 % at the tip); the centre of lift within 0.05 chords; zero-lift angles within a degree
+/// or two; stiffness as a bending test leaves it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct CorrectionPrior {
+    /// Of the force factor: common to the whole span, smooth along it, local.
+    pub force: [f64; 3],
+    /// Of the force factor's growth from leading to trailing edge, smooth along the span.
+    pub force_along_chord: f64,
+    /// Of the zero-lift angle, as pressures of so much angle of attack: common, smooth, local.
+    pub zero_lift_deg: [f64; 3],
+    /// Of a pressure offset with a moment and no lift, as Cp at the leading edge, smooth along the span.
+    pub moment_offset_cp: f64,
+    /// Of the moment factor of the boxes, smooth along the span.
+    pub moment: f64,
+    /// Of the logarithm of the structure's flexibility.
+    pub flexibility: f64,
+    /// Length over which smooth parts are alike, as a share of the span.
+    pub smooth_over_span: f64,
+    /// The same of local parts, in mean chords.
+    pub local_over_chord: f64,
+}
+
+impl Default for CorrectionPrior {
+    fn default() -> Self {
+        Self {
+            force: [0.1, 0.12, 0.06],
+            force_along_chord: 0.2,
+            zero_lift_deg: [1.0, 1.0, 0.5],
+            moment_offset_cp: 0.05,
+            moment: 0.2,
+            flexibility: 0.03,
+            smooth_over_span: 0.3,
+            local_over_chord: 1.0,
+        }
+    }
+}
+
+impl CorrectionPrior {
+    /// Names, values, and the least they may be.
+    pub(super) fn values(&self) -> Vec<(&'static str, f64, f64)> {
+        let three = |name, values: [f64; 3]| values.map(|value| (name, value, 0.0));
+        let single = [
+            ("force_along_chord", self.force_along_chord, 0.0),
+            ("moment_offset_cp", self.moment_offset_cp, 0.0),
+            ("moment", self.moment, 0.0),
+            ("flexibility", self.flexibility, 0.0),
+            ("smooth_over_span", self.smooth_over_span, 0.01),
+            ("local_over_chord", self.local_over_chord, 0.01),
+        ];
+        let fields = [three("force", self.force), three("zero_lift_deg", self.zero_lift_deg)];
+        fields.into_iter().flatten().chain(single).collect()
+    }
+
+    /// Whether a file need not say it.
+    pub(super) fn is_default(&self) -> bool {
+        *self == Self::default()
+    }
+}

@@ -1,0 +1,254 @@
+//! What the calibrated wing predicts with how much certainty: `predictions.csv`, figures, and what stands in `result.json`.
+
+use std::fmt::Write as _;
+
+use calibrate::posterior::next::Suggestion;
+use calibrate::posterior::predictions::Quantity;
+use calibrate::posterior::{AirspeedPredictions, Prediction};
+use coupling::ElasticWing;
+use nastran::InputError;
+use report::{Figure, Panel, Series, Style};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use crate::commands::calibrate_numbers::speed_name;
+use crate::failure::Failure;
+use crate::output::ResultFolder;
+
+/// Band of a quantity with the data, and without them.
+const BANDS: [&str; 2] = ["90 % interval with the data", "90 % interval before the data"];
+
+/// Predictions of one airspeed, at the largest angle of attack that was measured.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct AirspeedPredictionsResult {
+    /// Airspeed.
+    #[serde(rename = "V_m_s")]
+    v_m_s: f64,
+    /// Angle of attack.
+    alpha_deg: f64,
+    /// By quantity.
+    predictions: Vec<PredictionResult>,
+}
+
+/// A prediction with its 90 % interval.
+#[derive(Debug, Serialize, JsonSchema)]
+struct PredictionResult {
+    /// `strip_lift`, `shear`, `bending` (air loads outboard of a section), `tip_height`, `control_mx` (root bending by a degree).
+    quantity: &'static str,
+    /// Unit of the numbers.
+    unit: &'static str,
+    /// Place along the span, from root to tip; only of loads along it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    y_over_span: Option<f64>,
+    /// Name of the control; only of what a control does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    control: Option<String>,
+    /// By theory.
+    theory: f64,
+    /// By the calibrated wing.
+    value: f64,
+    /// Lower end of the 90 % interval.
+    low: f64,
+    /// Upper end.
+    high: f64,
+    /// One standard deviation.
+    sigma: f64,
+    /// One standard deviation before the data, by the prior of the wing's file.
+    prior_sigma: f64,
+    /// Share of the prior's variance that the data take away: near zero, the interval is the prior's.
+    decided_by_data: f64,
+}
+
+/// A measurement that was not made.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct SuggestionResult {
+    /// What to measure.
+    measure: String,
+    /// Standard deviation of the prediction with the data there are, in its unit.
+    sigma: f64,
+    /// The same with this measurement beside them.
+    sigma_then: f64,
+}
+
+/// What stands in `result.json`.
+pub(crate) fn suggestions(all: &[Suggestion]) -> Vec<SuggestionResult> {
+    let one = |s: &Suggestion| SuggestionResult {
+        measure: s.measure.clone(),
+        sigma: s.sigma,
+        sigma_then: s.sigma_then,
+    };
+    all.iter().map(one).collect()
+}
+
+/// What to measure next, for the console.
+pub(crate) fn next_table(all: &[Suggestion]) -> String {
+    if all.is_empty() {
+        return String::new();
+    }
+    let columns: [report::Column<'_, &Suggestion>; 2] = [
+        ("measure next", &|s| s.measure.clone()),
+        ("interval narrows to (%)", &|s| {
+            format!("{:.0}", 100.0 * s.sigma_then / s.sigma.max(f64::MIN_POSITIVE))
+        }),
+    ];
+    format!("{}\n", report::Table::of(all, &columns))
+}
+
+/// What `--next` names.
+pub(crate) fn wanted(words: &str, wing: &ElasticWing) -> Result<Quantity, Failure> {
+    let controls = wing.control_names();
+    let of = |(what, which): (&str, &str)| match what {
+        "bending" => {
+            which.parse().ok().filter(|y| (0.0..1.0).contains(y)).map(|y_norm| Quantity::Bending { y_norm })
+        }
+        "control" => {
+            controls.contains(&which.to_owned()).then(|| Quantity::ControlMx { control: which.to_owned() })
+        }
+        _ => None,
+    };
+    if words == "tip" {
+        return Ok(Quantity::TipHeight);
+    }
+    words.split_once(':').and_then(of).ok_or_else(|| {
+        let named = if controls.is_empty() { "none".to_owned() } else { controls.join(", ") };
+        InputError::general(format!("--next {words} is no prediction"))
+            .with_help(format!(
+                "write tip, bending:0.5 (a place from 0 at the root to 1 at the tip) or control:NAME (controls of this wing: {named})"
+            ))
+            .into()
+    })
+}
+
+/// Name, unit, place and control.
+fn named(quantity: &Quantity) -> (&'static str, &'static str, Option<f64>, Option<String>) {
+    match quantity {
+        Quantity::StripLift { y_norm } => ("strip_lift", "N/m", Some(*y_norm), None),
+        Quantity::Shear { y_norm } => ("shear", "N", Some(*y_norm), None),
+        Quantity::Bending { y_norm } => ("bending", "N m", Some(*y_norm), None),
+        Quantity::TipHeight => ("tip_height", "m", None, None),
+        Quantity::ControlMx { control } => ("control_mx", "N m/deg", None, Some(control.clone())),
+    }
+}
+
+/// What stands in `result.json`.
+pub(crate) fn result(all: &[AirspeedPredictions]) -> Vec<AirspeedPredictionsResult> {
+    let one = |prediction: &Prediction| {
+        let (quantity, unit, y_over_span, control) = named(&prediction.quantity);
+        let [low, high] = prediction.interval();
+        PredictionResult {
+            quantity,
+            unit,
+            y_over_span,
+            control,
+            theory: prediction.theory,
+            value: prediction.value,
+            low,
+            high,
+            sigma: prediction.sigma,
+            prior_sigma: prediction.prior_sigma,
+            decided_by_data: prediction.decided(),
+        }
+    };
+    let of = |at: &AirspeedPredictions| AirspeedPredictionsResult {
+        v_m_s: at.v_m_s,
+        alpha_deg: at.alpha_rad.to_degrees(),
+        predictions: at.predictions.iter().map(one).collect(),
+    };
+    all.iter().map(of).collect()
+}
+
+/// Writes `predictions.csv` and the spanwise lift with its bands.
+pub(crate) fn write(folder: &ResultFolder, all: &[AirspeedPredictions]) -> Result<(), Failure> {
+    if all.is_empty() {
+        return Ok(());
+    }
+    let mut text = String::from(
+        "V_m_s,alpha_deg,quantity,unit,y_over_span,control,theory,value,low,high,sigma,prior_sigma,decided_by_data\n",
+    );
+    for at in result(all) {
+        for p in &at.predictions {
+            let place = p.y_over_span.map_or_else(String::new, |y| format!("{y:.4}"));
+            let control = p.control.as_deref().unwrap_or("");
+            let _ = writeln!(
+                text,
+                "{},{:.4},{},{},{place},{control},{:.6},{:.6},{:.6},{:.6},{:.6},{:.6},{:.4}",
+                at.v_m_s,
+                at.alpha_deg,
+                p.quantity,
+                p.unit,
+                p.theory,
+                p.value,
+                p.low,
+                p.high,
+                p.sigma,
+                p.prior_sigma,
+                p.decided_by_data,
+            );
+        }
+    }
+    folder.write_text("predictions.csv", &text)?;
+    let caption = "At the largest angle that was measured. Before the data the prior of the wing's file says what panel models are \
+                   off by; root loads decide the sum of the lift and where it acts, not how it is spread.";
+    folder.write_figure("predicted_lift", caption, lift(all))
+}
+
+fn lift(all: &[AirspeedPredictions]) -> Figure {
+    let panel = |at: &AirspeedPredictions| {
+        let strips: Vec<(f64, &Prediction)> = at
+            .predictions
+            .iter()
+            .filter_map(|p| match p.quantity {
+                Quantity::StripLift { y_norm } => Some((y_norm, p)),
+                _ => None,
+            })
+            .collect();
+        let curve = |name: &str, style: Style, of: &dyn Fn(&Prediction) -> f64| {
+            let (x, y) = strips.iter().map(|(y_norm, p)| (*y_norm, of(p))).unzip();
+            Series::new(name, x, y, style)
+        };
+        let half = |p: &Prediction| p.interval()[1] - p.value;
+        let before = |p: &Prediction| half(p) * p.prior_sigma / p.sigma.max(f64::MIN_POSITIVE);
+        let series = vec![
+            curve(BANDS[1], Style::Points, &|p| p.value - before(p)),
+            curve(BANDS[1], Style::Points, &|p| p.value + before(p)),
+            curve(BANDS[0], Style::Edge, &|p| p.value - half(p)),
+            curve(BANDS[0], Style::Edge, &|p| p.value + half(p)),
+            curve("initial", Style::DashedLine, &|p| p.theory),
+            curve("updated", Style::Line, &|p| p.value),
+        ];
+        let title = format!("{} m/s, {:.1} deg", speed_name(at.v_m_s), at.alpha_rad.to_degrees());
+        Panel::new(title, "y over span", "lift (N/m)", series)
+    };
+    let columns = all.len().min(3);
+    Figure::new("Spanwise lift: what the data decide", all.iter().map(panel).collect(), columns)
+}
+
+/// Lines for the console: what root loads leave open, at the highest airspeed.
+pub(crate) fn summary(all: &[AirspeedPredictions]) -> String {
+    let Some(at) = all.last() else { return String::new() };
+    let line = |p: &Prediction| {
+        let (_, unit, y_norm, control) = named(&p.quantity);
+        let name = match (&p.quantity, y_norm, control) {
+            (Quantity::Bending { .. }, Some(y), _) if y == 0.5 => "bending at mid-span".to_owned(),
+            (Quantity::TipHeight, ..) => "tip".to_owned(),
+            (_, _, Some(control)) => format!("root bending by {control}"),
+            _ => return None,
+        };
+        let [low, high] = p.interval();
+        let [value, low, high] = [p.value, low, high].map(|x| format!("{:.*}", places(p.sigma), x));
+        Some(format!("{name} {value} ({low} to {high}) {unit}"))
+    };
+    let lines: Vec<String> = at.predictions.iter().filter_map(line).collect();
+    format!(
+        "with 90 % intervals, at {} m/s and {:.1} degrees: {}\n",
+        speed_name(at.v_m_s),
+        at.alpha_rad.to_degrees(),
+        lines.join("; ")
+    )
+}
+
+/// Decimal places that show a standard deviation's second digit.
+fn places(sigma: f64) -> usize {
+    let decades = (1.0 - sigma.max(1e-9).log10().floor()).clamp(0.0, 6.0);
+    (0..=6_u8).find(|&places| f64::from(places) >= decades).map_or(6, usize::from)
+}
