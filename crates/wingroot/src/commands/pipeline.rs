@@ -95,7 +95,7 @@ fn steps(args: &PipelineArgs, common: &Common, base: &Path) -> Result<BTreeMap<S
         let from = Instant::now();
         let common = &Common { out: Some(base.join(name)), json: false, quiet, ..common.clone() };
         match name {
-            "calibrate" => calibrate::run(&CalibrateArgs { measured: measured.clone() }, common),
+            "calibrate" => calibrate::run(&CalibrateArgs { measured: measured.clone(), next: None }, common),
             "deflection" => deflection::run(&DeflectionArgs { given: calibrated.clone() }, common),
             "simulate" => {
                 let given = written_by("deflection")?;
