@@ -209,8 +209,8 @@ fn lift(all: &[AirspeedPredictions]) -> Figure {
         let half = |p: &Prediction| p.interval()[1] - p.value;
         let before = |p: &Prediction| half(p) * p.prior_sigma / p.sigma.max(f64::MIN_POSITIVE);
         let series = vec![
-            curve(BANDS[1], Style::Points, &|p| p.value - before(p)),
-            curve(BANDS[1], Style::Points, &|p| p.value + before(p)),
+            curve(BANDS[1], Style::Line, &|p| p.value - before(p)),
+            curve(BANDS[1], Style::Line, &|p| p.value + before(p)),
             curve(BANDS[0], Style::Edge, &|p| p.value - half(p)),
             curve(BANDS[0], Style::Edge, &|p| p.value + half(p)),
             curve("initial", Style::DashedLine, &|p| p.theory),
