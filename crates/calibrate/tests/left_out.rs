@@ -12,13 +12,17 @@ use coupling::ElasticWing;
 const ALPHAS_DEG: [f64; 5] = [-4.0, -2.0, 0.0, 2.0, 4.0];
 const AIRSPEEDS_M_S: [f64; 3] = [22.0, 30.0, 40.0];
 
-/// Readings of two days, noise not declared and the zero of the tip free: offsets, scatter and zero are all estimated.
+/// Readings of two days, some on the first alone, noise not declared and the zero of the tip free: offsets, scatter and
+/// zero are all estimated, and all have a part in the means.
 fn measured(wing: &ElasticWing) -> Campaign {
     let mut points: Vec<StaticPoint> = Vec::new();
     for v_m_s in AIRSPEEDS_M_S {
         let truth = papers_kind(wing, 0.02 * v_m_s);
         for block in ["day_1", "day_2"] {
             for (alpha, load) in ALPHAS_DEG.iter().zip(loads(wing, v_m_s, &ALPHAS_DEG, &truth)) {
+                if block == "day_2" && *alpha == 4.0 {
+                    continue;
+                }
                 let error = |c: usize| 0.05 * draw(10 * points.len() + c) + 0.3 * f64::from(block == "day_2");
                 let mut point =
                     row(v_m_s, alpha.to_radians(), std::array::from_fn(|c| load[c] + error(c)), Some(block));

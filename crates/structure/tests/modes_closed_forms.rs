@@ -164,3 +164,16 @@ fn a_structure_given_by_matrices_has_the_same_modes() {
         close(*same, *own, 1e-11, "frequency");
     }
 }
+
+#[test]
+fn a_body_in_a_system_of_its_own_has_arm_and_inertia_along_that_systems_axes() {
+    // System 7: its x along basic y, its y along basic z, its z along basic x. The other way round is another system.
+    let deck = "CORD2R,7,,0.,0.,0.,1.,0.,0.\n,0.,1.,0.\nGRID,1,,2.,3.,4.\n\
+                CONM2,1,1,7,2.0,0.1,0.2,0.3\n,0.5,0.01,0.6,0.02,0.03,0.7\n";
+    let properties = system(deck).mass_properties();
+    let expected = Point3::new(2.3, 3.1, 4.2);
+    assert!((properties.centre - expected).norm() < 1e-13, "{}", properties.centre);
+    // about basic x that of local z, about y of x, about z of y; products are positive integrals on the card
+    let inertia = nalgebra::Matrix3::new(0.7, -0.02, -0.03, -0.02, 0.5, -0.01, -0.03, -0.01, 0.6);
+    assert!((properties.inertia_kg_m2 - inertia).norm() < 1e-12, "{}", properties.inertia_kg_m2);
+}
