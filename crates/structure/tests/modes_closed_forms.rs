@@ -177,3 +177,25 @@ fn a_body_in_a_system_of_its_own_has_arm_and_inertia_along_that_systems_axes() {
     let inertia = nalgebra::Matrix3::new(0.7, -0.02, -0.03, -0.02, 0.5, -0.01, -0.03, -0.01, 0.6);
     assert!((properties.inertia_kg_m2 - inertia).norm() < 1e-12, "{}", properties.inertia_kg_m2);
 }
+
+#[test]
+fn a_beam_carries_its_non_structural_mass_beside_its_axis_and_its_non_structural_inertia_about_it() {
+    // along x: mass per length 3 to 1 kg/m at (y, z) from (0.1, -0.2) to (0.3, 0.2), NSI from 0.04 to 0.01 kg m
+    let property = "PBEAM,1,1,1.-4,4.-9,1.-9,,2.-9,3.\n,,,,,,,,\n,YES,1.,1.-4,4.-9,1.-9,,2.-9,1.\n,,,,,,,,\n\
+                    ,0.,0.,,,.04,.01\n,.1,-.2,.3,.2\nMAT1,1,7.+10,2.7+10,,0.\n";
+    let deck = "GRID,1,,0.,0.,0.\nGRID,2,,2.,0.,0.\nCBEAM,1,1,1,2,0.,1.,0.\n";
+    let properties = system(&(deck.to_owned() + property)).mass_properties();
+    let l = 2.0;
+    // integrals over t = x/L of m, m y, m z, m (y² + z²) with m = 3 - 2t, y = 0.1 + 0.2t, z = -0.2 + 0.4t
+    let mass = l * 2.0;
+    let first = [l * (0.3 + 0.4 / 2.0 - 0.4 / 3.0), l * (-0.6 + 1.6 / 2.0 - 0.8 / 3.0)];
+    // y² + z² = 0.05 - 0.12t + 0.2t²; times m: 0.15 - 0.46t + 0.84t² - 0.4t³
+    let second = l * (0.15 - 0.46 / 2.0 + 0.84 / 3.0 - 0.4 / 4.0);
+    close(properties.mass_kg, mass, 1e-12, "mass");
+    close(properties.centre.x, l * (3.0 / 2.0 - 2.0 / 3.0) / 2.0, 1e-12, "centre along the beam");
+    close(properties.centre.y, first[0] / mass, 1e-12, "centre along y");
+    close(properties.centre.z, first[1] / mass, 1e-12, "centre along z");
+    let about_centre = second - (first[0] * first[0] + first[1] * first[1]) / mass;
+    let expected = about_centre + l * 0.5 * (0.04 + 0.01);
+    close(properties.inertia_kg_m2[(0, 0)], expected, 1e-12, "inertia about the beam");
+}
