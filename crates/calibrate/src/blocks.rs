@@ -74,7 +74,7 @@ impl BlockFit {
         let spread = (total - expected).max(0.0);
         // Offsets that sum to zero scatter less about their mean than about the mean of all days there could be: this
         // share of the spread, as the noise of theirs is already smaller.
-        let own = spread;
+        let own = spread * (1.0 - 1.0 / self.offsets.len() as f64);
         let shrink = |(b, n): (&f64, &f64)| if spread > 0.0 { b * own / (own + n) } else { 0.0 };
         let mut shrunk: Vec<f64> = self.offsets.iter().zip(&noise).map(shrink).collect();
         let mean = shrunk.iter().sum::<f64>() / shrunk.len() as f64;

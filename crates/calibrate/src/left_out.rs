@@ -48,7 +48,8 @@ pub(crate) fn left_out_angles<M: SteadyModel>(
     if context.data.airspeeds[index].angles.len() < 5 {
         return Ok(None);
     }
-    let (data, unseen) = context.data.without(campaign, |airspeed, angle| airspeed == index && angle % 2 == 1);
+    let (data, unseen) =
+        context.data.without(campaign, |airspeed, angle| airspeed == index && angle % 2 == 1);
     let seen = Context::new(context.model, context.rho_kg_m3, &data, context.settings);
     let (kept, unseen) = (&data.airspeeds[index], &unseen[0]);
     let channels = data.channels;
