@@ -80,3 +80,17 @@ fn a_group_in_one_line_has_no_mean_rotation_about_it() {
     let deck = "GRID,1,,0.,0.,0.\nGRID,2,,2.,1.,0.\nGRID,9,,1.,1.,1.\nRBE3,5,,9,123456,1.,123456,1,2\n";
     assert!(Model::from_bulk(&parse_deck("test.bdf", deck).unwrap()).is_ok());
 }
+
+/// Of grids at +a and -a along x that give displacements and rotations alike, the least squares of the misses, rotations times
+/// the radius a, are at rotation (v1 - v2)/(4a) + (t1 + t2)/4 about z.
+#[test]
+fn rotations_of_a_group_weigh_with_the_square_of_its_radius() {
+    let deck = "GRID,1,,.25,0.,0.\nGRID,2,,-.25,0.,0.\nGRID,9,,0.,0.,0.\nRBE3,5,,9,123456,2.,123456,1,2\n";
+    let model = Model::from_bulk(&parse_deck("test.bdf", deck).unwrap()).unwrap();
+    // grids 1, 2, 9: six motions each
+    let rotation = model.dependents.iter().find(|dependent| dependent.dof == 17).unwrap();
+    let share = |dof: usize| rotation.row.iter().find(|(other, _)| *other == dof).map_or(0.0, |(_, f)| *f);
+    for (dof, expected) in [(1, 1.0), (7, -1.0), (5, 0.25), (11, 0.25)] {
+        assert!((share(dof) - expected).abs() < 1e-12, "motion {dof}: {} beside {expected}", share(dof));
+    }
+}

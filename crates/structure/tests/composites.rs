@@ -137,10 +137,9 @@ fn a_sandwich_of_unlike_faces_has_the_shear_stiffness_of_its_core() {
     }
 }
 
-/// Jourawski: tau(z) = (1/R) int E (z - z_n) dz from the lowest face, 1/S = int tau²/G dz, here by a fine sum.
-#[test]
-fn unlike_plies_shear_as_the_balance_of_their_bending_stresses_asks() {
-    let layers = [(138e9, 5e9, 0.001), (9e9, 3e9, 0.003), (40e9, 4e9, 0.002)];
+/// Jourawski: tau(z) = (1/R) int E (z - z_n) dz from the lowest face, 1/S = int tau²/G dz, here by a fine sum over layers
+/// (E, G, thickness).
+fn by_a_fine_sum(layers: &[(f64, f64, f64)]) -> f64 {
     let count = 60_000;
     let total: f64 = layers.iter().map(|layer| layer.2).sum();
     let dz = total / f64::from(count);
@@ -163,8 +162,47 @@ fn unlike_plies_shear_as_the_balance_of_their_bending_stresses_asks() {
         flexibility += ((flow + half) / rigidity).powi(2) / g * dz;
         flow += 2.0 * half;
     }
+    1.0 / flexibility
+}
+
+#[test]
+fn unlike_plies_shear_as_the_balance_of_their_bending_stresses_asks() {
+    let layers = [(138e9, 5e9, 0.001), (9e9, 3e9, 0.003), (40e9, 4e9, 0.002)];
     for stiffness in shear(&layers, -0.004) {
-        close(stiffness, 1.0 / flexibility, 1e-6, "three unlike plies");
+        close(stiffness, by_a_fine_sum(&layers), 1e-6, "three unlike plies");
+    }
+}
+
+/// In plane xz a ply turned by an angle has the modulus Q11 c⁴ + 2 (Q12 + 2 Q66) s² c² + Q22 s⁴ (Jones, eq. 2.85) and the shear
+/// modulus G1z c² + G2z s²; in plane yz those at 90 degrees less.
+#[test]
+fn turned_plies_shear_in_each_plane_by_their_own_moduli() {
+    let span = Span::generated("test");
+    let (e1, e2, nu12, g12, g1z, g2z) = (138e9, 9e9, 0.3, 5e9, 5e9, 3e9);
+    let card = Mat8 { id: 1, e1, e2, nu12, g12, g1z, g2z, rho: 1600.0, span };
+    let material = PlaneMaterial::ply(&card).expect("a sound material");
+    let (angles_deg, edges) = ([0.0, 90.0, 30.0], [-0.002, -0.001, 0.001, 0.004]);
+    let plies: Vec<PlacedPly> = (0..3)
+        .map(|k| PlacedPly {
+            material,
+            angle_rad: f64::to_radians(angles_deg[k]),
+            z_low_m: edges[k],
+            z_high_m: edges[k + 1],
+        })
+        .collect();
+    let section = ShellSection::laminate(&plies, 0.0, ShearModel::Equilibrium);
+    let share = 1.0 - nu12 * nu12 * e2 / e1;
+    let (q11, q22) = (e1 / share, e2 / share);
+    for (plane, turn_deg) in [(0, 0.0), (1, 90.0)] {
+        let layers: Vec<(f64, f64, f64)> = (0..3)
+            .map(|k| {
+                let (s, c) = f64::to_radians(angles_deg[k] - turn_deg).sin_cos();
+                let (s2, c2) = (s * s, c * c);
+                let e = q11 * c2 * c2 + 2.0 * (nu12 * q22 + 2.0 * g12) * s2 * c2 + q22 * s2 * s2;
+                (e, g1z * c2 + g2z * s2, edges[k + 1] - edges[k])
+            })
+            .collect();
+        close(section.shear[(plane, plane)], by_a_fine_sum(&layers), 1e-6, "plane");
     }
 }
 
