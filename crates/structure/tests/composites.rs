@@ -236,3 +236,31 @@ fn with_a_factor_plies_shear_side_by_side_each_in_its_own_direction() {
     );
     close(section.shear[(0, 1)], k * 2e9 * s * c * 3e-3, 1e-9, "xz with yz");
 }
+
+/// A strip that has MID2 alone bends without shear: P L³/(3 E I), thick or thin, whatever the unit of length.
+#[test]
+fn a_plate_that_only_bends_is_rigid_in_shear() {
+    for (length, t) in [(1.0, 0.05), (1.0, 0.0005), (1000.0, 50.0), (0.01, 0.0005)] {
+        let (count, width, e, p) = (20_u32, 0.1 * length, 210e9, 3.0);
+        let mut deck = format!("MAT1,1,{e:?},,0.,7800.\nPSHELL,1,,{t:?},1\nSPC1,1,12345,1,101\n");
+        for k in 0..=count {
+            let x = length * f64::from(k) / f64::from(count);
+            let (a, b) = (k + 1, k + 101);
+            deck = format!("{deck}GRID,{a},,{x:?},0.,0.\nGRID,{b},,{x:?},{width:?},0.\nSPC1,1,126,{a},{b}\n");
+        }
+        for k in 1..=count {
+            deck = format!("{deck}CQUAD4,{k},1,{k},{},{},{}\n", k + 1, k + 101, k + 100);
+        }
+        let system = system(&deck);
+        let u = displaced(&system, &[(count + 1, 3, 0.5 * p), (count + 101, 3, 0.5 * p)]);
+        let inertia = width * t * t * t / 12.0;
+        // linear rotations over n elements: 1 - 1/(4 n²) of the beam
+        let expected = p * length.powi(3) / (3.0 * e * inertia) * (1.0 - 0.25 / f64::from(count * count));
+        close(
+            common::at(&system, &u, count + 1, 3),
+            expected,
+            1e-4,
+            &format!("{length} m long, {t} m thick"),
+        );
+    }
+}

@@ -199,3 +199,25 @@ fn a_beam_carries_its_non_structural_mass_beside_its_axis_and_its_non_structural
     let expected = about_centre + l * 0.5 * (0.04 + 0.01);
     close(properties.inertia_kg_m2[(0, 0)], expected, 1e-12, "inertia about the beam");
 }
+
+#[test]
+fn a_motion_with_neither_stiffness_nor_mass_is_refused_and_not_counted_by_chance() {
+    // Oblique, so that rounding leaves something of every stiffness; beyond the hinge there is no mass.
+    let mut deck = section().replace(&format!(",{RHO:?}"), ",0.") + "SPC1,1,123456,1\nCONM2,1,2,,3.0\n";
+    for node in 0..5 {
+        let t = 0.37 * f64::from(node);
+        deck = format!("{deck}GRID,{},,{:.9},{:.9},{:.9}\n", node + 1, t, 0.7 * t, 0.31 * t);
+    }
+    for grid in 1..5 {
+        let pins = if grid == 3 { ",,456\n" } else { "" };
+        deck = format!("{deck}CBAR,{grid},1,{grid},{},0.,0.1,1.\n{pins}", grid + 1);
+    }
+    let held = system(&deck.replace(",,456\n", ""));
+    assert_eq!(count_below(&held, 1e9).unwrap(), 3);
+    let swinging = system(&deck);
+    for omega_rad_s in [10.0, 1e3, 1e5] {
+        let refused = count_below(&swinging, omega_rad_s);
+        assert!(matches!(refused, Err(ModesError::Uncountable { .. })), "{omega_rad_s}: {refused:?}");
+    }
+    assert!(matches!(normal_modes(&swinging, 2), Err(ModesError::Massless(_))));
+}
