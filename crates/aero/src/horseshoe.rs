@@ -130,3 +130,79 @@ fn leg(x: f64, rho_2: f64, r: f64, core_2: f64) -> f64 {
     let (top, bottom) = if x > 0.0 { (r + x, rho_2.max(core_2)) } else { (1.0, r - x) };
     top / (bottom * r)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn vortex(from: [f64; 3], to: [f64; 3]) -> Horseshoe {
+        let (from, to) = (Vector3::from(from), Vector3::from(to));
+        Horseshoe { from, to, length_2: (to - from).norm_squared(), core: 1.0, circulation: 1.0 }
+    }
+
+    /// Far downstream a leg is a straight vortex: 4 pi v = 2/rho outside of the core, and 2 rho/core² in it (Rankine).
+    #[test]
+    fn a_leg_is_a_vortex_with_a_core_that_turns_as_a_solid_body() {
+        // the other leg is so far away that it adds nothing
+        let far = vortex([0.0, 0.0, 0.0], [0.0, 1e12, 0.0]);
+        let core = 0.01;
+        for rho in [1e-4, 0.002, 0.005, 0.0099, 0.0101, 0.02, 1.0] {
+            let expected = if rho < core { 2.0 * rho / (core * core) } else { 2.0 / rho };
+            let near = |got: f64, want: f64| {
+                assert!((got - want).abs() < 1e-5 * expected, "{rho}: {got}, not {want}")
+            };
+            let [_, v, w] = velocity(&far, [1e7, rho, 0.0], core);
+            near(w, -expected);
+            near(v, 0.0);
+            let [_, v, w] = velocity(&far, [1e7, 0.0, rho], core);
+            near(v, expected);
+            near(w, 0.0);
+        }
+    }
+
+    /// In the middle of a long bound segment 4 pi v = 2/rho outside of the core, and linear to zero on the line.
+    #[test]
+    fn a_bound_segment_has_the_same_core() {
+        let long = vortex([0.0, -1e4, 0.0], [0.0, 1e4, 0.0]);
+        let core = 0.01;
+        for rho in [1e-4, 0.002, 0.005, 0.0099, 0.0101, 0.02, 1.0] {
+            let expected = if rho < core { 2.0 * rho / (core * core) } else { 2.0 / rho };
+            let [u, ..] = velocity(&long, [0.0, 0.0, rho], core);
+            assert!((u - expected).abs() < 1e-5 * expected, "{rho}: {u}, not {expected}");
+        }
+        // on the line itself: nothing from the segment, all of both legs, each a half vortex at its distance
+        let [u, v, w] = velocity(&vortex([0.0, -2.0, 0.0], [0.0, 1.0, 0.0]), [0.0, 0.0, 0.0], core);
+        assert_eq!((u, v), (0.0, 0.0));
+        assert!((w + (1.0 / 2.0 + 1.0 / 1.0)).abs() < 1e-12, "{w}");
+    }
+
+    /// The core is a hundredth of the least of both boxes' chords and widths.
+    #[test]
+    fn the_core_is_that_of_the_smaller_box() {
+        let trapezoid = |id: u32, x: f64, y: f64, chord: f64, width: f64| {
+            crate::Lattice::trapezoid(id, [x, y, 0.0], chord, [x, y + width, 0.0], chord, [1, 1])
+                .expect("a box")
+        };
+        // the receiver's three-quarter point is 0.001 m beside the right leg of the sender, far downstream of it
+        for (chord, width) in [(2.0, 0.5), (0.4, 2.0), (0.05, 3.0), (3.0, 0.05)] {
+            let sender = trapezoid(1, 0.0, 0.0, 2.0, 1.0);
+            let receiver = trapezoid(2, 1e4, 1.001 - 0.5 * width, chord, width);
+            let mut incidence = [0.0];
+            Receivers::new(&receiver, 1.0, None).add_incidence(
+                &horseshoes(&sender, 1.0)[0],
+                1.0,
+                &mut incidence,
+            );
+            let core = 0.01 * f64::min(1.0, f64::min(chord, width));
+            let rho = 0.001;
+            let right = if rho < core { 2.0 * rho / (core * core) } else { 2.0 / rho };
+            // outside of both legs: the right one blows up, the left one down; circulation V chord/2
+            let expected = -(right - 2.0 / 1.001) * 1.0 / (4.0 * PI);
+            assert!(
+                (incidence[0] / expected - 1.0).abs() < 1e-4,
+                "{chord} {width}: {} {expected}",
+                incidence[0]
+            );
+        }
+    }
+}

@@ -38,6 +38,12 @@ fn bad_panels_are_refused_at_their_card() {
     assert!(missing.contains("AEFACT 99"), "{missing}");
     let falling = refusal("CAERO1,1,1,0,,3,21,,1\n,0.,0.,0.,1.,0.,1.,0.,1.\nAEFACT,21,0.,.7,.5,1.\n");
     assert!(falling.contains("wing.bdf:4") && falling.contains("rise from 0.0 to 1.0"), "{falling}");
+    for ends in [".1,.5,1.", "0.,.5,.9", "0.,.5,1.1", "-.1,.5,1.", "0.,1.,1.", "1."] {
+        for panel in ["CAERO1,1,1,0,,3,21,,1", "CAERO1,1,1,0,3,,,21,1"] {
+            let open = refusal(&format!("{panel}\n,0.,0.,0.,1.,0.,1.,0.,1.\nAEFACT,21,{ends}\n"));
+            assert!(open.contains("AEFACT 21 do not rise from 0.0 to 1.0"), "{ends}: {open}");
+        }
+    }
     let flat = refusal("CAERO1,1,1,0,2,3,,,1\n,0.,0.,0.,1.,1.,0.,0.,1.\n");
     assert!(flat.contains("no area"), "{flat}");
     let huge = refusal("CAERO1,1,1,0,5000,5000,,,1\n,0.,0.,0.,1.,0.,1.,0.,1.\n");
@@ -60,6 +66,29 @@ fn a_swept_hinge_turns_boxes_by_the_cosine_of_its_sweep() {
     assert_eq!(controls[1].slope, [1.0; 4]);
     let column = controls[1].column(lattice.len());
     assert_eq!(column, [0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+}
+
+/// Turned at 1 rad/s about its hinge, a three-quarter point at x aft of it moves down by x (cos of the sweep, for x across the
+/// hinge); EFF is what share of a deflection the flow sees (Nastran's quick reference guide, AESURF).
+#[test]
+fn effectiveness_takes_its_share_of_incidence_and_of_the_speed_of_deflection() {
+    let surfaces = |eff: &str| {
+        let cards = format!(
+            "{WING}AESURF,6,ELEV,52,62,,,{eff}\nAELIST,62,3,THRU,6\nCORD2R,52,0,2.5,0.,0.,2.5,0.,1.\n,3.5,0.,0.\n"
+        );
+        let bulk = deck(&cards);
+        let lattice = Lattice::from_bulk(&bulk).unwrap();
+        let control = ControlSurface::all_from_bulk(&bulk, &lattice).unwrap().remove(0);
+        (control, lattice)
+    };
+    for (eff, share) in [("", 1.0), (".6", 0.6), ("-.25", -0.25)] {
+        let (control, lattice) = surfaces(eff);
+        assert_eq!(control.slope, [share; 4], "EFF {eff}");
+        for (lever_m, place) in control.lever_m.iter().zip(&control.boxes) {
+            let aft_m = lattice.boxes[*place].three_quarter_point().x - 2.5;
+            assert!((lever_m - share * aft_m).abs() < 1e-12, "EFF {eff}: {lever_m} at {aft_m} m");
+        }
+    }
 }
 
 #[test]

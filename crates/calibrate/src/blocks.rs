@@ -72,7 +72,10 @@ impl BlockFit {
         let total = self.offsets.iter().map(|b| b * b).sum::<f64>() / (self.offsets.len() - 1) as f64;
         let expected = noise.iter().sum::<f64>() / (self.offsets.len() - 1) as f64;
         let spread = (total - expected).max(0.0);
-        let shrink = |(b, n): (&f64, &f64)| if spread > 0.0 { b * spread / (spread + n) } else { 0.0 };
+        // Offsets that sum to zero scatter less about their mean than about the mean of all days there could be: this
+        // share of the spread, as the noise of theirs is already smaller.
+        let own = spread * (1.0 - 1.0 / self.offsets.len() as f64);
+        let shrink = |(b, n): (&f64, &f64)| if spread > 0.0 { b * own / (own + n) } else { 0.0 };
         let mut shrunk: Vec<f64> = self.offsets.iter().zip(&noise).map(shrink).collect();
         let mean = shrunk.iter().sum::<f64>() / shrunk.len() as f64;
         for offset in &mut shrunk {

@@ -7,7 +7,7 @@ use crate::checks::{self, Checked, Finding, Weight, trust};
 use crate::common::CommonCalibration;
 use crate::fit::{Ending, Fit, FlowGroup, Problem};
 use crate::identifiability::{Identifiability, Inputs, identifiability};
-use crate::left_out::{LeftOut, LeftOutAirspeed, left_out_airspeed, left_out_angles};
+use crate::left_out::{LeftOut, LeftOutAirspeed, left_out_airspeeds, left_out_angles};
 use crate::lift_factor::{LiftFactor, lift_factor};
 use crate::objective::{LineFit, line_fit, objective};
 use crate::settings::Settings;
@@ -98,14 +98,17 @@ pub fn calibrate<M: SteadyModel>(
         Sets::Common => (&[][..], Some(context.common()?)),
     };
     let done = AtomicUsize::new(0);
-    let fitted = |airspeed: &AirspeedData| {
-        let fitted = context.airspeed(airspeed);
+    let fitted = |(index, airspeed): (usize, &AirspeedData)| {
+        let fitted = context.airspeed(airspeed).and_then(|fitted| {
+            let left_out = left_out_angles(&context, campaign, index, &fitted.line)?;
+            Ok(AirspeedCalibration { left_out, ..fitted })
+        });
         let done = done.fetch_add(1, Ordering::Relaxed) + 1;
         tracing::trace!(target: "progress", what = "airspeeds", done, total = each.len());
         fitted
     };
-    let mut airspeeds = each.par_iter().map(fitted).collect::<Result<Vec<_>, _>>()?;
-    let across = left_out_airspeed(model, campaign.rho_kg_m3, &airspeeds, &data)?;
+    let mut airspeeds = each.par_iter().enumerate().map(fitted).collect::<Result<Vec<_>, _>>()?;
+    let across = left_out_airspeeds(&context, campaign, &airspeeds)?;
     for (airspeed, left_out) in airspeeds.iter_mut().zip(across) {
         airspeed.left_out_airspeed = left_out;
     }
@@ -204,14 +207,16 @@ impl<'a, M: SteadyModel> Context<'a, M> {
         Self { model, rho_kg_m3, data, settings, basis, bounds }
     }
 
-    fn airspeed(&self, airspeed: &AirspeedData) -> Result<AirspeedCalibration, CouplingError> {
+    /// The fit of one airspeed.
+    pub(crate) fn problem<'b>(
+        &'b self,
+        airspeed: &'b AirspeedData,
+        line: &LineFit,
+        metric: &'b Mat<f64>,
+    ) -> Result<Problem<'b, M>, CouplingError> {
         let flow = Flow { v_m_s: airspeed.v_m_s, rho_kg_m3: self.rho_kg_m3 };
-        let line = line_fit(self.data, airspeed);
         let weights = self.weights(&[flow])?;
-        let line_floor = objective(line.rmse, weights);
-        let noise_floor = self.data.noise_floor(airspeed, weights);
-        let metric = self.metric(std::slice::from_ref(airspeed))?;
-        let problem = Problem {
+        Ok(Problem {
             model: self.model,
             groups: vec![FlowGroup { flow, angles: &airspeed.angles }],
             channels: self.data.channels,
@@ -219,13 +224,26 @@ impl<'a, M: SteadyModel> Context<'a, M> {
             zero: TipZero::new(vec![0; airspeed.angles.len()], self.data.tip == TipReading::FreeZero),
             basis: &self.basis,
             bounds: &self.bounds,
-            metric: &metric,
+            metric,
             settings: self.settings,
-            line_floor,
-            noise_floor: noise_floor.unwrap_or(0.0),
+            line_floor: objective(line.rmse, weights),
+            noise_floor: self.data.noise_floor(airspeed, weights).unwrap_or(0.0),
             start: 1.0,
             slack: 1.0,
-        };
+        })
+    }
+
+    /// Corrections of one airspeed.
+    pub(crate) fn corrections(&self, airspeed: &AirspeedData) -> Result<Corrections, CouplingError> {
+        let metric = self.metric(std::slice::from_ref(airspeed))?;
+        let fit = self.problem(airspeed, &line_fit(self.data, airspeed), &metric)?.fit()?;
+        Ok(self.basis.corrections(&fit.x))
+    }
+
+    fn airspeed(&self, airspeed: &AirspeedData) -> Result<AirspeedCalibration, CouplingError> {
+        let line = line_fit(self.data, airspeed);
+        let metric = self.metric(std::slice::from_ref(airspeed))?;
+        let problem = self.problem(airspeed, &line, &metric)?;
         let fit = problem.fit()?;
         let solution = problem.linearise(&fit.x)?;
         let point_sigma = self.data.point_sigma.unwrap_or(line.rmse);
@@ -246,14 +264,14 @@ impl<'a, M: SteadyModel> Context<'a, M> {
                 },
             ),
             lift: if self.data.channels[TIP] { lift_factor(&problem, point_sigma)? } else { None },
-            left_out: left_out_angles(&problem, &line)?,
+            left_out: None,
             left_out_airspeed: None,
             data: airspeed.clone(),
             fit,
+            weights: problem.weights,
+            line_floor: problem.line_floor,
+            noise_floor: self.data.noise_floor(airspeed, problem.weights),
             line,
-            weights,
-            line_floor,
-            noise_floor,
         })
     }
 

@@ -1,20 +1,24 @@
 //! Judged on what the fit has not seen: every other angle, and every airspeed in turn.
+//!
+//! What is left out is left out from the rows on: offsets of blocks, noise and the metric of change are found again from the
+//! rest, so that no number that was read at it has a part in what predicts it.
 
-use crate::calibration::AirspeedCalibration;
-use crate::campaign::{TIP, TipReading};
-use crate::fit::{FlowGroup, Problem};
+use crate::calibration::{AirspeedCalibration, Context};
+use crate::campaign::{Campaign, TIP, TipReading};
 use crate::objective::{LineFit, objective, rmse};
 use crate::schedule::{CorrectionSet, Schedule};
-use crate::statics::{Angle, StaticData};
-use crate::tip_zero::TipZero;
+use crate::statics::Angle;
 use aero::{Corrections, Flow};
 use coupling::{CouplingError, SteadyCase, SteadyModel};
+use rayon::prelude::*;
 
 /// Angles predicted by a fit to the others.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LeftOut {
     /// The angles left out, rad.
     pub alphas_rad: Vec<f64>,
+    /// The corrections that the other angles give.
+    pub corrections: Corrections,
     /// Paper 1, Eq. 8 of the uncorrected model at these angles.
     pub objective_before: f64,
     /// Paper 1, Eq. 8 of the model corrected by the other angles.
@@ -26,95 +30,101 @@ pub struct LeftOut {
 /// An airspeed predicted from its neighbours' corrections.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LeftOutAirspeed {
+    /// The corrections that the schedule of the other airspeeds gives here.
+    pub corrections: Corrections,
     /// Paper 1, Eq. 8 of the uncorrected model.
     pub objective_before: f64,
-    /// Eq. 8 of paper 1 with the corrections that the schedule of the other airspeeds gives here.
+    /// Eq. 8 of paper 1 with these corrections.
     pub objective_after: f64,
 }
 
 /// Fits every other angle (both ends included) and predicts the rest; none with fewer than five angles.
 pub(crate) fn left_out_angles<M: SteadyModel>(
-    problem: &Problem<'_, M>,
+    context: &Context<'_, M>,
+    campaign: &Campaign,
+    index: usize,
     line: &LineFit,
 ) -> Result<Option<LeftOut>, CouplingError> {
-    let [FlowGroup { flow, angles }] = problem.groups[..] else { return Ok(None) };
-    if angles.len() < 5 {
+    if context.data.airspeeds[index].angles.len() < 5 {
         return Ok(None);
     }
-    let kept: Vec<Angle> = angles.iter().step_by(2).cloned().collect();
-    let unseen: Vec<Angle> = angles.iter().skip(1).step_by(2).cloned().collect();
-    let weights = problem.weights;
-    let free_zero = problem.zero.count() > 0;
-    let about = |angles: &[Angle]| line_through(&kept, angles, problem.channels);
-    let fit = Problem {
-        groups: vec![FlowGroup { flow, angles: &kept }],
-        zero: TipZero::new(vec![0; kept.len()], free_zero),
-        line_floor: objective(rmse(&about(&kept), problem.channels), weights),
-        ..*problem
-    }
-    .fit()?;
+    let (data, unseen) =
+        context.data.without(campaign, |airspeed, angle| airspeed == index && angle % 2 == 1);
+    let seen = Context::new(context.model, context.rho_kg_m3, &data, context.settings);
+    let (kept, unseen) = (&data.airspeeds[index], &unseen[0]);
+    let channels = data.channels;
+    let corrections = seen.corrections(kept)?;
+    let flow = |v_m_s: f64| Flow { v_m_s, rho_kg_m3: context.rho_kg_m3 };
+    let weights = context.weights(&[flow(unseen.v_m_s)])?;
     let error = |corrections: &Corrections| {
         let residuals =
-            |angles: &[Angle]| predicted(problem.model, problem.channels[TIP], flow, angles, corrections);
-        let mut missed = residuals(&unseen)?;
-        if free_zero {
+            |v_m_s, angles| predicted(context.model, channels[TIP], flow(v_m_s), angles, corrections);
+        let mut missed = residuals(unseen.v_m_s, &unseen.angles)?;
+        if data.tip == TipReading::FreeZero {
             // the zero is that of the angles that were fitted
-            take_out(&mut missed, mean_tip(&residuals(&kept)?));
+            take_out(&mut missed, mean_tip(&residuals(kept.v_m_s, &kept.angles)?));
         }
-        Ok::<f64, CouplingError>(objective(rmse(&missed, problem.channels), weights))
+        Ok::<f64, CouplingError>(objective(rmse(&missed, channels), weights))
     };
     // Their own scatter about a line: about the line of all angles where that is larger, because a line
     // through few angles may hit the unseen ones by chance.
     let own: Vec<[f64; 4]> = line.residuals.iter().skip(1).step_by(2).copied().collect();
-    let line_error = objective(rmse(&about(&unseen), problem.channels), weights)
-        .max(objective(rmse(&own, problem.channels), weights));
+    let about = line_through(&kept.angles, &unseen.angles, channels);
+    let line_error = objective(rmse(&about, channels), weights).max(objective(rmse(&own, channels), weights));
     Ok(Some(LeftOut {
-        alphas_rad: unseen.iter().map(|angle| angle.alpha_rad).collect(),
-        objective_before: error(&Corrections::neutral(problem.model.correctable().len()))?,
-        objective_after: error(&problem.basis.corrections(&fit.x))?,
+        alphas_rad: unseen.angles.iter().map(|angle| angle.alpha_rad).collect(),
+        objective_before: error(&Corrections::neutral(corrections.len()))?,
+        objective_after: error(&corrections)?,
         line_error,
+        corrections,
     }))
 }
 
 /// Each airspeed with the corrections interpolated from the others (the nearest at the ends).
-pub(crate) fn left_out_airspeed<M: SteadyModel>(
-    model: &M,
-    rho_kg_m3: f64,
+pub(crate) fn left_out_airspeeds<M: SteadyModel>(
+    context: &Context<'_, M>,
+    campaign: &Campaign,
     airspeeds: &[AirspeedCalibration],
-    data: &StaticData,
 ) -> Result<Vec<Option<LeftOutAirspeed>>, CouplingError> {
-    let mut results = Vec::with_capacity(airspeeds.len());
-    for (index, airspeed) in airspeeds.iter().enumerate() {
-        let others: Vec<CorrectionSet> = airspeeds
-            .iter()
-            .enumerate()
-            .filter(|(other, _)| *other != index)
-            .map(|(_, other)| CorrectionSet {
-                v_m_s: other.data.v_m_s,
-                corrections: other.corrections.clone(),
-            })
-            .collect();
-        if others.is_empty() {
-            results.push(None);
-            continue;
-        }
-        let schedule =
-            Schedule { wing: String::new(), wing_hash: String::new(), sets: others, unconverged: Vec::new() };
-        let v_m_s = airspeed.data.v_m_s;
-        // the slowest and the fastest airspeed lie outside of the others: the nearest set is what a user would take
-        let (corrections, _) = schedule.at_or_nearest(v_m_s);
-        let flow = Flow { v_m_s, rho_kg_m3 };
-        let mut residuals = predicted(model, data.channels[TIP], flow, &airspeed.data.angles, &corrections)?;
-        if data.tip == TipReading::FreeZero {
-            let mean = mean_tip(&residuals);
-            take_out(&mut residuals, mean);
-        }
-        results.push(Some(LeftOutAirspeed {
-            objective_before: airspeed.fit.objective[0],
-            objective_after: objective(rmse(&residuals, data.channels), airspeed.weights),
-        }));
+    if airspeeds.len() < 2 {
+        return Ok(vec![None; airspeeds.len()]);
     }
-    Ok(results)
+    let one = |index: usize| {
+        let (data, unseen) = context.data.without(campaign, |airspeed, _| airspeed == index);
+        let seen = Context::new(context.model, context.rho_kg_m3, &data, context.settings);
+        let unseen = &unseen[0];
+        // only its neighbours have a part in it: with it, they have indices one higher
+        let neighbours = [index.checked_sub(1), Some(index)].into_iter().flatten();
+        let set = |neighbour: usize| {
+            let kept = data.airspeeds.get(neighbour)?;
+            let known = &airspeeds[neighbour + usize::from(neighbour >= index)];
+            // what it gave to neither noise nor offsets was fitted without it already
+            let unchanged = known.data == *kept && context.data.point_sigma == data.point_sigma;
+            let corrections = if unchanged { Ok(known.corrections.clone()) } else { seen.corrections(kept) };
+            Some(corrections.map(|corrections| CorrectionSet { v_m_s: kept.v_m_s, corrections }))
+        };
+        let sets = neighbours.filter_map(set).collect::<Result<Vec<_>, CouplingError>>()?;
+        let schedule =
+            Schedule { wing: String::new(), wing_hash: String::new(), sets, unconverged: Vec::new() };
+        // the slowest and the fastest airspeed lie outside of the others: the nearest set is what a user would take
+        let (corrections, _) = schedule.at_or_nearest(unseen.v_m_s);
+        let flow = Flow { v_m_s: unseen.v_m_s, rho_kg_m3: context.rho_kg_m3 };
+        let error = |corrections: &Corrections| {
+            let mut residuals =
+                predicted(context.model, data.channels[TIP], flow, &unseen.angles, corrections)?;
+            if data.tip == TipReading::FreeZero {
+                let mean = mean_tip(&residuals);
+                take_out(&mut residuals, mean);
+            }
+            Ok::<f64, CouplingError>(objective(rmse(&residuals, data.channels), airspeeds[index].weights))
+        };
+        Ok(Some(LeftOutAirspeed {
+            objective_before: error(&Corrections::neutral(corrections.len()))?,
+            objective_after: error(&corrections)?,
+            corrections,
+        }))
+    };
+    (0..airspeeds.len()).into_par_iter().map(one).collect()
 }
 
 /// Simulated minus measured, the tip's if asked for.

@@ -103,11 +103,7 @@ impl StaticData {
     /// # Errors
     /// If there is no airspeed, or an airspeed has fewer than three different angles.
     pub fn from_campaign(campaign: &Campaign) -> Result<Self, InputError> {
-        let fitted: Vec<&StaticPoint> = campaign
-            .points
-            .iter()
-            .filter(|point| point.v_m_s > 0.0 && point.controls_rad.is_empty())
-            .collect();
+        let fitted = rows(campaign);
         let weight_tares: Vec<StaticPoint> =
             campaign.points.iter().filter(|p| p.v_m_s == 0.0).cloned().collect();
         check_blocks(&fitted)?;
@@ -116,7 +112,7 @@ impl StaticData {
             Sets::EachAirspeed => check_angles(campaign, &cells)?,
             Sets::Common => check_rows(campaign, fitted.len())?,
         }
-        let mut data = Self {
+        let data = Self {
             channels: campaign.fitted(),
             tip: campaign.tip,
             sets: campaign.sets,
@@ -129,8 +125,27 @@ impl StaticData {
             deflected: campaign.points.len() - fitted.len() - weight_tares.len(),
             weight_tares,
         };
-        data.remove_blocks(&cells);
-        Ok(data)
+        Ok(data.of_cells(&cells, &[]).0)
+    }
+
+    /// What is known without some angles (`unseen` is told the indices of airspeed and angle), and these angles, by
+    /// airspeed. Nothing that was read at them enters the first: no mean, no offset of a block, no noise. They lose the
+    /// offsets that the others give.
+    pub(crate) fn without(
+        &self,
+        campaign: &Campaign,
+        unseen: impl Fn(usize, usize) -> bool,
+    ) -> (Self, Vec<AirspeedData>) {
+        let rows = rows(campaign);
+        let places =
+            self.airspeeds.iter().enumerate().flat_map(|(i, a)| (0..a.angles.len()).map(move |k| (i, k)));
+        let (mut seen, mut left_out) = (Vec::new(), Vec::new());
+        for (cell, (airspeed, angle)) in cells(&rows).into_iter().zip(places) {
+            if unseen(airspeed, angle) { left_out.push(cell) } else { seen.push(cell) }
+        }
+        let declared = campaign.noise.map(|noise| noise.static_point.to_array());
+        let empty = Self { point_sigma: declared, noise_dof: None, blocks: Vec::new(), ..self.clone() };
+        empty.of_cells(&seen, &left_out)
     }
 
     /// Standard deviation of the mean of an angle's replicates, by channel.
@@ -149,7 +164,8 @@ impl StaticData {
         )
     }
 
-    fn remove_blocks(&mut self, cells: &[Cell<'_>]) {
+    /// Offsets of blocks and noise from `cells`, and the means of these and of others with those offsets taken out.
+    fn of_cells(mut self, cells: &[Cell<'_>], others: &[Cell<'_>]) -> (Self, Vec<AirspeedData>) {
         let mut names: Vec<&str> = Vec::new();
         for row in cells.iter().flat_map(|cell| &cell.rows) {
             let name = block_name(row);
@@ -178,11 +194,12 @@ impl StaticData {
             self.noise_dof = Some(dof);
         }
         self.block_names = names.iter().map(|&name| name.to_owned()).collect();
-        if common {
-            self.average(&split_by_block(cells, &names), &names, &offsets);
+        self.airspeeds = if common {
+            self.average(&split_by_block(cells, &names), &names, &offsets)
         } else {
-            self.average(cells, &names, &offsets);
-        }
+            self.average(cells, &names, &offsets)
+        };
+        let others = self.average(others, &names, &offsets);
         if names.len() > 1 {
             self.blocks = names
                 .iter()
@@ -190,10 +207,11 @@ impl StaticData {
                 .map(|(name, offset)| BlockOffset { block: (*name).to_owned(), offset })
                 .collect();
         }
+        (self, others)
     }
 
     /// Means of the cells, block offsets taken out, by airspeed.
-    fn average(&mut self, cells: &[Cell<'_>], names: &[&str], offsets: &[[f64; 4]]) {
+    fn average(&self, cells: &[Cell<'_>], names: &[&str], offsets: &[[f64; 4]]) -> Vec<AirspeedData> {
         let block_of = |row: &StaticPoint| names.iter().position(|name| *name == block_name(row));
         let offset_of =
             |row: &StaticPoint, channel: usize| block_of(row).map_or(0.0, |i| offsets[i][channel]);
@@ -225,8 +243,14 @@ impl StaticData {
                 )),
             }
         }
-        self.airspeeds = airspeeds.into_iter().map(|(airspeed, _)| airspeed).collect();
+        airspeeds.into_iter().map(|(airspeed, _)| airspeed).collect()
     }
+}
+
+/// Rows that are fitted: wind on, controls neutral.
+fn rows(campaign: &Campaign) -> Vec<&StaticPoint> {
+    let fitted = |point: &&StaticPoint| point.v_m_s > 0.0 && point.controls_rad.is_empty();
+    campaign.points.iter().filter(fitted).collect()
 }
 
 /// Cells of one block each, in the order of the cells, then of the blocks.

@@ -153,7 +153,8 @@ pub struct Balance {
 }
 
 /// R: 3 rows (Fz, Mx, My) by two columns a box. A load along the box normal at the midpoint and a moment about
-/// the box pitch axis, taken to the balance point; zero columns for boxes that are not metric.
+/// the box pitch axis (which has no part along x, so none of it is Mx), taken to the balance point; zero columns for
+/// boxes that are not metric.
 pub fn root_rows(lattice: &Lattice, balance: &Balance) -> Mat<f64> {
     let mut rows = Mat::zeros(3, 2 * lattice.len());
     for (j, panel) in lattice.boxes.iter().enumerate().filter(|(j, _)| balance.metric[*j]) {
@@ -162,7 +163,6 @@ pub fn root_rows(lattice: &Lattice, balance: &Balance) -> Mat<f64> {
         rows[(0, 2 * j)] = n.z;
         rows[(1, 2 * j)] = moment.x;
         rows[(2, 2 * j)] = moment.y;
-        rows[(1, 2 * j + 1)] = e.x;
         rows[(2, 2 * j + 1)] = e.y;
     }
     rows

@@ -210,6 +210,58 @@ fn tilted_wind_off_the_balance_feels_the_weight_and_its_arm() {
     assert!((loads.my_nm - (-arm.x * relieved + arm.z * mass.mass_kg * g * alpha.sin())).abs() < 1e-10);
 }
 
+/// The tip is counted from the shape with wind off at zero angle. Tilted, gravity along z is g cos(alpha), and along x
+/// g sin(alpha); what these bend is computed here from the structure alone.
+#[test]
+fn with_wind_off_the_tip_rises_by_the_weight_that_the_tilt_takes_off() {
+    let (_, wing) = wing(|_| ());
+    let neutral = Corrections::neutral(wing.correctable.len());
+    let (system, _) = wing.structure.as_ref().unwrap();
+    let rigid = system.rigid_body(&Point3::origin());
+    let field = system.inertia_loads(rigid.as_ref());
+    let flexibility = structure::Flexibility::new(system).unwrap();
+    let bent = system.expand(flexibility.displacements(system.reduce(field.as_ref()).as_ref()).as_ref());
+    // the grid farthest along the span that the wing's tip reading may be of
+    let tip = wing.supported.as_ref().unwrap();
+    let tip = tip.s_dofs[tip.tip_z];
+    let g = coupling::GRAVITY_M_S2;
+    for alpha in [0.0, 0.3, -0.5, std::f64::consts::FRAC_PI_2] {
+        let case = [SteadyCase::new(flow(0.0), alpha)];
+        let found = wing.tip_deflections(&case, &neutral).unwrap()[0];
+        let expected = g * (bent[(tip, 2)] * (1.0 - alpha.cos()) + bent[(tip, 0)] * alpha.sin());
+        assert!((found - expected).abs() < 1e-9, "{alpha}: {found} beside {expected}");
+    }
+    assert!(g * bent[(tip, 2)] > 1e-3, "the wing sags by {} m", g * bent[(tip, 2)]);
+}
+
+/// Pressures are forces cp q A along the normals at quarter points: their sum and moments, without any row of R.
+#[test]
+fn root_loads_are_those_of_the_pressures_at_the_quarter_points() {
+    let (file, mut wing) = wing(|planform| {
+        planform.dihedral_deg = 20.0;
+        planform.fairing = None;
+    });
+    wing.gravity_m_s2 = 0.0;
+    let balance = Point3::new(file.balance.x_m, file.balance.y_m, file.balance.z_m);
+    let boxes = wing.lattice.len();
+    let pressures: Vec<f64> = (0..boxes).map(|j| (0.7 * j as f64).sin()).collect();
+    let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
+    for (panel, cp) in wing.lattice.boxes.iter().zip(&pressures) {
+        let own = panel.normal() * (cp * panel.area_m2());
+        force += own;
+        moment += (panel.quarter_point() - balance).cross(&own);
+    }
+    let loads = wing.integration.corrected(&Corrections::neutral(boxes)).box_loads(1.0, &pressures);
+    let found: [f64; 3] = std::array::from_fn(|row| {
+        loads.values.iter().enumerate().map(|(k, load)| wing.root_rows[(row, k)] * load).sum()
+    });
+    for (name, found, expected) in
+        [("Fz", found[0], force.z), ("Mx", found[1], moment.x), ("My", found[2], moment.y)]
+    {
+        assert!((found - expected).abs() < 1e-10 * moment.norm(), "{name}: {found} beside {expected}");
+    }
+}
+
 #[test]
 fn a_fairing_disturbs_the_flow_but_not_the_balance() {
     let (_, with) = wing(|_| ());

@@ -111,3 +111,42 @@ fn corrections_are_written_for_every_box_and_come_back() {
     let read = parse_deck("wing.bdf", &NastranDeck::of(&file, &options).unwrap().text).unwrap();
     assert_eq!(Corrections::from_dmi(&read.matrices["WKK"], &read.matrices["FA2J"]).unwrap(), corrections);
 }
+
+/// A bar's card has no taper, no rotary inertia and no offsets of mass or neutral axis: with any of these a beam stays one,
+/// and what is written and read again has the same mass, inertia and frequencies.
+#[test]
+fn only_beams_that_say_no_more_than_a_bar_are_written_as_bars() {
+    let section = "1.-4,4.-9,1.-9,1.-10,2.-9,.2";
+    let end = |fields: &str| format!("PBEAM,1,1,{section}\n,,,,,,,,\n{fields}\n");
+    let taper =
+        format!("PBEAM,1,1,{section}\n,,,,,,,,\n,YES,1.,.5-4,3.-9,1.-9,1.-10,2.-9,.1\n,,,,,,,,\n,.8,.7\n");
+    let cases = [
+        ("plain", end(",.8,.7"), 0),
+        ("rotary inertia", end(",.8,.7,,,.03,.03"), 1),
+        ("rotary inertia of end B", end(",.8,.7,,,0.,.03"), 1),
+        ("mass beside the axis", end(",.8,.7\n,.1,0.,.1,0."), 1),
+        ("neutral axis beside the axis", end(",.8,.7\n,,,,,0.,.01,0.,.01"), 1),
+        ("taper", taper, 1),
+    ];
+    for (what, property, kept) in cases {
+        let deck = format!(
+            "GRID,1,,0.,0.,0.\nGRID,2,,2.,0.,0.\nSPC1,1,123456,1\nCBEAM,1,1,1,2,0.,1.,0.\nMAT1,1,7.+10,2.7+10,,2700.\n{property}"
+        );
+        let original = parse_deck("beam.bdf", &deck).unwrap();
+        let mut bars = original.clone();
+        assert_eq!(coupling::nastran_deck::bars_for_beams(&mut bars), kept, "{what}");
+        let read = parse_deck("bars.bdf", &nastran::write_deck(&bars)).unwrap();
+        assert_eq!(read.beams[&1].is_beam, kept == 1, "{what}");
+        let of = |bulk: &BulkData| {
+            let system = System::assemble(&Model::from_bulk(bulk).unwrap()).unwrap();
+            (system.mass_properties(), normal_modes(&system, 5).unwrap().omega_rad_s)
+        };
+        let ((a, omega_a), (b, omega_b)) = (of(&original), of(&read));
+        same(a.mass_kg, b.mass_kg, 1e-9, what);
+        assert!((a.centre - b.centre).norm() < 1e-9, "{what}");
+        assert!((a.inertia_kg_m2 - b.inertia_kg_m2).norm() < 1e-9 * b.inertia_kg_m2.norm(), "{what}");
+        for (a, b) in omega_a.iter().zip(&omega_b) {
+            same(*a, *b, 1e-8, what);
+        }
+    }
+}

@@ -159,6 +159,34 @@ fn camber_and_twist_enter_as_nose_up_incidence() -> Outcome {
     Ok(())
 }
 
+/// The camber line z = 4 m x (1 - x) has the slope 4 m (1 - 2x); incidences are taken at 3/4 of every box.
+#[test]
+fn a_parabolic_camber_line_turns_every_box_by_its_slope_at_three_quarters() -> Outcome {
+    let m = 0.02;
+    let folder = std::env::temp_dir().join(format!("wingroot_parabola_{}", std::process::id()));
+    std::fs::create_dir_all(&folder)?;
+    let point = |x: f64, side: f64| {
+        format!("{x:.9} {:.9}\n", 4.0 * m * x * (1.0 - x) + side * 0.05 * x.sqrt() * (1.0 - x))
+    };
+    let places: Vec<f64> = (0..=80).map(|k| (f64::from(k) / 80.0).powi(2)).collect();
+    let upper: String = places.iter().rev().map(|x| point(*x, 1.0)).collect();
+    let lower: String = places.iter().skip(1).map(|x| point(*x, -1.0)).collect();
+    std::fs::copy(data("tuflex/beam_distribution.csv"), folder.join("beam_distribution.csv"))?;
+    std::fs::write(folder.join("parabola.dat"), format!("parabola\n{upper}{lower}"))?;
+    let mut wing = planform(&tuflex()?).clone();
+    wing.airfoil = Some("parabola.dat".into());
+    wing.twist_deg = (0.0, 0.0);
+    let made = wing.bulk(&folder, Mount::Tunnel);
+    std::fs::remove_dir_all(&folder)?;
+    let incidence = &made?.matrices["W2GJ"].columns[0];
+    for row in 0..12 {
+        let x = (row as f64 + 0.75) / 12.0;
+        let expected = -4.0 * m * (1.0 - 2.0 * x);
+        assert!((incidence[row] - expected).abs() < 1e-4, "box {row}: {} beside {expected}", incidence[row]);
+    }
+    Ok(())
+}
+
 #[test]
 fn strips_may_be_as_unequal_as_the_control_surfaces_need() -> Outcome {
     let mut wing = planform(&tuflex()?).clone();

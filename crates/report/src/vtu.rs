@@ -111,4 +111,20 @@ mod tests {
         assert!(text.contains("\n3\n9\n12\n</DataArray>"), "types");
         assert!(text.contains("Name=\"a &lt; b\" NumberOfComponents=\"3\""));
     }
+
+    #[test]
+    fn names_of_fields_survive_an_xml_parser() {
+        let name = "lift & moment of \"a\" < b > 'c'";
+        let field = |components| Field { name: name.into(), components, values: vec![0.0; components] };
+        let mesh = Mesh {
+            points: vec![[0.0; 3]],
+            cells: vec![(CellType::Line, vec![0, 0])],
+            point_fields: vec![field(1)],
+            cell_fields: vec![field(3)],
+        };
+        let text = mesh.vtu();
+        let document = roxmltree::Document::parse(&text).expect("well-formed XML");
+        let named = document.descendants().filter(|node| node.attribute("Name") == Some(name)).count();
+        assert_eq!(named, 2, "{text}");
+    }
 }

@@ -85,14 +85,16 @@ impl ShellSection {
                 Matrix2::new(by_equilibrium(plies, 0), 0.0, 0.0, by_equilibrium(plies, 1))
             }
         };
-        section.with_finite_shear()
+        section.with_finite_shear(plies.iter().map(|ply| ply.z_high_m - ply.z_low_m).sum())
     }
 
-    /// The same section with a rigid shear stiffness in the place of an infinite one.
+    /// The same section, `thickness_m` thick, with a rigid shear stiffness in the place of an infinite one. What only bends
+    /// has no membrane stiffness to measure it by: G t is then that of the bending stiffness, 12/t² G t³/12.
     #[must_use]
-    pub fn with_finite_shear(mut self) -> Self {
+    pub fn with_finite_shear(mut self, thickness_m: f64) -> Self {
         if !self.shear.iter().all(|value| value.is_finite()) || self.shear.determinant() <= 0.0 {
-            let stiff = self.membrane[(2, 2)].max(self.bending[(2, 2)].max(0.0).sqrt());
+            let of_bending = 12.0 * self.bending[(2, 2)] / thickness_m.powi(2);
+            let stiff = if self.membrane[(2, 2)] > 0.0 { self.membrane[(2, 2)] } else { of_bending };
             self.shear = Matrix2::identity() * (RIGID * stiff);
         }
         self

@@ -164,3 +164,60 @@ fn a_structure_given_by_matrices_has_the_same_modes() {
         close(*same, *own, 1e-11, "frequency");
     }
 }
+
+#[test]
+fn a_body_in_a_system_of_its_own_has_arm_and_inertia_along_that_systems_axes() {
+    // System 7: its x along basic y, its y along basic z, its z along basic x. The other way round is another system.
+    let deck = "CORD2R,7,,0.,0.,0.,1.,0.,0.\n,0.,1.,0.\nGRID,1,,2.,3.,4.\n\
+                CONM2,1,1,7,2.0,0.1,0.2,0.3\n,0.5,0.01,0.6,0.02,0.03,0.7\n";
+    let properties = system(deck).mass_properties();
+    let expected = Point3::new(2.3, 3.1, 4.2);
+    assert!((properties.centre - expected).norm() < 1e-13, "{}", properties.centre);
+    // about basic x that of local z, about y of x, about z of y; products are positive integrals on the card
+    let inertia = nalgebra::Matrix3::new(0.7, -0.02, -0.03, -0.02, 0.5, -0.01, -0.03, -0.01, 0.6);
+    assert!((properties.inertia_kg_m2 - inertia).norm() < 1e-12, "{}", properties.inertia_kg_m2);
+}
+
+#[test]
+fn a_beam_carries_its_non_structural_mass_beside_its_axis_and_its_non_structural_inertia_about_it() {
+    // along x: mass per length 3 to 1 kg/m at (y, z) from (0.1, -0.2) to (0.3, 0.2), NSI from 0.04 to 0.01 kg m
+    let property = "PBEAM,1,1,1.-4,4.-9,1.-9,,2.-9,3.\n,,,,,,,,\n,YES,1.,1.-4,4.-9,1.-9,,2.-9,1.\n,,,,,,,,\n\
+                    ,0.,0.,,,.04,.01\n,.1,-.2,.3,.2\nMAT1,1,7.+10,2.7+10,,0.\n";
+    let deck = "GRID,1,,0.,0.,0.\nGRID,2,,2.,0.,0.\nCBEAM,1,1,1,2,0.,1.,0.\n";
+    let properties = system(&(deck.to_owned() + property)).mass_properties();
+    let l = 2.0;
+    // integrals over t = x/L of m, m y, m z, m (y² + z²) with m = 3 - 2t, y = 0.1 + 0.2t, z = -0.2 + 0.4t
+    let mass = l * 2.0;
+    let first = [l * (0.3 + 0.4 / 2.0 - 0.4 / 3.0), l * (-0.6 + 1.6 / 2.0 - 0.8 / 3.0)];
+    // y² + z² = 0.05 - 0.12t + 0.2t²; times m: 0.15 - 0.46t + 0.84t² - 0.4t³
+    let second = l * (0.15 - 0.46 / 2.0 + 0.84 / 3.0 - 0.4 / 4.0);
+    close(properties.mass_kg, mass, 1e-12, "mass");
+    close(properties.centre.x, l * (3.0 / 2.0 - 2.0 / 3.0) / 2.0, 1e-12, "centre along the beam");
+    close(properties.centre.y, first[0] / mass, 1e-12, "centre along y");
+    close(properties.centre.z, first[1] / mass, 1e-12, "centre along z");
+    let about_centre = second - (first[0] * first[0] + first[1] * first[1]) / mass;
+    let expected = about_centre + l * 0.5 * (0.04 + 0.01);
+    close(properties.inertia_kg_m2[(0, 0)], expected, 1e-12, "inertia about the beam");
+}
+
+#[test]
+fn a_motion_with_neither_stiffness_nor_mass_is_refused_and_not_counted_by_chance() {
+    // Oblique, so that rounding leaves something of every stiffness; beyond the hinge there is no mass.
+    let mut deck = section().replace(&format!(",{RHO:?}"), ",0.") + "SPC1,1,123456,1\nCONM2,1,2,,3.0\n";
+    for node in 0..5 {
+        let t = 0.37 * f64::from(node);
+        deck = format!("{deck}GRID,{},,{:.9},{:.9},{:.9}\n", node + 1, t, 0.7 * t, 0.31 * t);
+    }
+    for grid in 1..5 {
+        let pins = if grid == 3 { ",,456\n" } else { "" };
+        deck = format!("{deck}CBAR,{grid},1,{grid},{},0.,0.1,1.\n{pins}", grid + 1);
+    }
+    let held = system(&deck.replace(",,456\n", ""));
+    assert_eq!(count_below(&held, 1e9).unwrap(), 3);
+    let swinging = system(&deck);
+    for omega_rad_s in [10.0, 1e3, 1e5] {
+        let refused = count_below(&swinging, omega_rad_s);
+        assert!(matches!(refused, Err(ModesError::Uncountable { .. })), "{omega_rad_s}: {refused:?}");
+    }
+    assert!(matches!(normal_modes(&swinging, 2), Err(ModesError::Massless(_))));
+}

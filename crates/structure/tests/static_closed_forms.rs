@@ -128,3 +128,33 @@ fn one_tapered_element_has_the_deflection_of_the_integral() {
     let errors = [1, 2, 4].map(error);
     assert!(errors[0] < 2e-6 && errors[1] < errors[0] / 20.0 && errors[2] < 1e-9, "{errors:?}");
 }
+
+/// Force P along x through the shear centre, neutral axis at (y, z) from it: the moments P y and P z bend the beam towards
+/// the neutral axis, v = P y L²/(2 E I1), w = P z L²/(2 E I2), and the force moves along by P L (1/EA + y²/EI1 + z²/EI2).
+/// Where the ends' offsets differ, the mean of both acts (the approximation that is documented).
+#[test]
+fn a_force_beside_the_neutral_axis_bends_the_beam_towards_it() {
+    let (l, p) = (2.0, 100.0);
+    for ends in [[0.02, -0.01, 0.02, -0.01], [0.05, 0.03, -0.01, -0.01]] {
+        let [ya, za, yb, zb] = ends;
+        let property = format!(
+            "PBEAM,1,1,1.-4,4.-9,1.-9,,2.-9\n,,,,,,,,\n,0.,0.\n,,,,,{ya:?},{za:?},{yb:?},{zb:?}\n\
+             MAT1,1,7.+10,2.7+10,,2700.\n"
+        );
+        // along x, plane 1 is x-y
+        let deck = "GRID,1,,0.,0.,0.\nGRID,2,,2.,0.,0.\nCBEAM,1,1,1,2,0.,1.,0.\nSPC1,1,123456,1\n";
+        let system = system(&(deck.to_owned() + &property));
+        let (y, z) = (0.5 * (ya + yb), 0.5 * (za + zb));
+        let u = displaced(&system, &[(2, 1, p)]);
+        close(at(&system, &u, 2, 2), p * y * l * l / (2.0 * E * I[0]), 1e-10, "along y");
+        close(at(&system, &u, 2, 3), p * z * l * l / (2.0 * E * I[1]), 1e-10, "along z");
+        close(at(&system, &u, 2, 6), p * y * l / (E * I[0]), 1e-10, "slope about z");
+        close(at(&system, &u, 2, 5), -p * z * l / (E * I[1]), 1e-10, "slope about y");
+        let along = p * l * (1.0 / (E * AREA) + y * y / (E * I[0]) + z * z / (E * I[1]));
+        close(at(&system, &u, 2, 1), along, 1e-10, "along the beam");
+        // the material stands on the neutral axis, linear from end to end
+        let mass = system.mass_properties();
+        close(mass.centre.y, y, 1e-12, "centre along y");
+        close(mass.centre.z, z, 1e-12, "centre along z");
+    }
+}

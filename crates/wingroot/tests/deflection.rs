@@ -40,16 +40,21 @@ fn outcome() -> &'static Outcome {
         for (name, text) in &made.files {
             std::fs::write(folder.join("campaign").join(name), text).expect("a temporary file");
         }
-        let output = Command::new(env!("CARGO_BIN_EXE_wingroot"))
-            .args(["deflection", "--json", "--quiet", "--campaign", "campaign", "--out", "deflection"])
-            .args(["--wing".as_ref(), data("wing_beam.ron").as_os_str()])
-            .current_dir(&folder)
-            .output()
-            .expect("the command starts");
-        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-        let result = serde_json::from_slice(&output.stdout).expect("JSON");
+        let result = deflection(&folder, "campaign", "deflection");
         Outcome { folder, result }
     })
+}
+
+/// Runs the command in a folder and reads its result.
+fn deflection(folder: &Path, campaign: &str, out: &str) -> Value {
+    let output = Command::new(env!("CARGO_BIN_EXE_wingroot"))
+        .args(["deflection", "--json", "--quiet", "--campaign", campaign, "--out", out])
+        .args(["--wing".as_ref(), data("wing_beam.ron").as_os_str()])
+        .current_dir(folder)
+        .output()
+        .expect("the command starts");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    serde_json::from_slice(&output.stdout).expect("JSON")
 }
 
 fn number(value: &Value) -> f64 {
@@ -151,6 +156,61 @@ fn s44_with_the_correction_held_out_doublets_match() {
             assert!(share < bound, "{control} {run}: {share}");
         }
     }
+}
+
+/// A table in which every measured load is another number.
+fn with_other_loads(text: &str) -> String {
+    let lines: Vec<&str> = text.lines().collect();
+    let head = lines.iter().position(|line| line.starts_with("t_s")).expect("a head");
+    let loads: Vec<usize> = (lines[head].split(',').enumerate())
+        .filter(|(_, name)| ["Fz_N", "Mx_Nm", "My_Nm"].contains(name))
+        .map(|(column, _)| column)
+        .collect();
+    assert_eq!(loads.len(), 3);
+    let row = |(number, line): (usize, &&str)| {
+        let cells = line.split(',').enumerate().map(|(column, cell)| {
+            let changed = number > head && loads.contains(&column);
+            let value = |cell: &str| cell.parse::<f64>().expect("a number");
+            if changed { format!("{:.4}", 7.0 - 2.0 * value(cell)) } else { cell.to_owned() }
+        });
+        cells.collect::<Vec<_>>().join(",") + "\n"
+    };
+    lines.iter().enumerate().map(row).collect()
+}
+
+#[test]
+fn loads_of_held_out_doublets_move_nothing_but_the_judgement() {
+    let outcome = outcome();
+    let given = calibrate::Campaign::read(&outcome.folder.join("campaign")).expect("the campaign");
+    let unseen: Vec<&str> = (given.runs.iter())
+        .filter(|run| run.usage == Some(calibrate::Use::Holdout))
+        .map(|run| run.file.as_str())
+        .collect();
+    assert!(unseen.len() > 5, "{unseen:?}");
+    let changed = outcome.folder.join("changed");
+    std::fs::create_dir_all(&changed).expect("a temporary folder");
+    for entry in std::fs::read_dir(outcome.folder.join("campaign")).expect("the campaign") {
+        let (from, name) = entry.map(|entry| (entry.path(), entry.file_name())).expect("a file");
+        let text = std::fs::read_to_string(&from).expect("a text");
+        let unseen = unseen.iter().any(|file| *file == name);
+        std::fs::write(changed.join(name), if unseen { with_other_loads(&text) } else { text })
+            .expect("a temporary file");
+    }
+    let result = deflection(&outcome.folder, "changed", "deflection_changed");
+    assert_eq!(result["factors"], outcome.result["factors"]);
+    for (a, b) in (result["training"].as_array().into_iter().flatten())
+        .zip(outcome.result["training"].as_array().into_iter().flatten())
+    {
+        for key in ["factor", "standard_error", "noise_error", "gap"] {
+            assert_eq!(a[key], b[key], "{key} of {}", a["file"]);
+        }
+    }
+    for file in ["wing.ron", "corrections.ron", "deflection.csv"] {
+        let of =
+            |folder: &str| std::fs::read_to_string(outcome.folder.join(folder).join(file)).expect("written");
+        assert_eq!(of("deflection_changed"), of("deflection"), "{file}");
+    }
+    assert_ne!(result["holdout"], outcome.result["holdout"]);
 }
 
 #[test]

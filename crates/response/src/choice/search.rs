@@ -217,4 +217,42 @@ mod tests {
             assert!((got - want).abs() < 1e-9 * want, "{case}: {got} instead of {want}");
         }
     }
+
+    #[test]
+    fn the_best_set_of_every_size_is_found_as_by_trying_all_and_most_are_never_looked_at() {
+        let (mut looked_at, mut tried) = (0.0, 0.0);
+        for case in 0..40 {
+            let problem = problem(f64::from(case), case % 2 == 0);
+            let allowed = |set: &Set| members(*set).all(|k| problem.needs(k) & !set == 0);
+            let mut want = vec![f64::INFINITY; problem.count() + 1];
+            for set in (0..=problem.all()).filter(allowed) {
+                let best = &mut want[set.count_ones() as usize];
+                *best = best.min(problem.drops(set).sum);
+                tried += 1.0;
+            }
+            let full = problem.all();
+            let mut found: BySize = vec![None; problem.count() + 1];
+            record(&mut found, Found { set: full, sum: problem.drops(full).sum });
+            let order = order(&problem);
+            let mut search = Search { problem: &problem, order: &order, found, penalty: None, left: 1e9 };
+            search.below(full, 0);
+            for (size, (got, want)) in search.found.iter().zip(&want).enumerate() {
+                let got = got.expect("every size is possible").sum;
+                assert!((got - want).abs() < 1e-9 * want, "{case}, {size} terms: {got} instead of {want}");
+            }
+            looked_at += 1e9 - search.left;
+            // and with what stepwise finds to begin with, which is what a choice does
+            let all = best_subsets(&problem, 0.5);
+            assert!(all.lowest_is_certain && all.all_are_certain);
+            for (size, (got, want)) in all.found.iter().zip(&want).enumerate() {
+                let got = got.expect("every size is possible").sum;
+                assert!(
+                    (got - want).abs() < 1e-9 * want,
+                    "{case}, {size} terms of all: {got} instead of {want}"
+                );
+            }
+        }
+        println!("{looked_at} of {tried} sets were looked at");
+        assert!(looked_at < 0.5 * tried, "the bound leaves {looked_at} of {tried} sets");
+    }
 }

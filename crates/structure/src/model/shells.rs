@@ -105,7 +105,7 @@ impl Builder<'_> {
             mass_moment_kg_m: 0.0,
             mass_inertia_kg: density * t.powi(3) / 12.0,
         };
-        Ok(if bends { section.with_finite_shear() } else { section })
+        Ok(if bends { section.with_finite_shear(t) } else { section })
     }
 
     fn laminate(&self, card: &Pcomp) -> Result<ShellSection, InputError> {
