@@ -189,4 +189,34 @@ mod tests {
         }
         assert!(furthest > 1.0, "it did not tumble: {furthest}");
     }
+
+    #[test]
+    fn the_lag_of_a_gust_that_rises_steadily_is_that_of_first_order() {
+        // z' = x' - g V z with x' = w'/V from rest: z = w'/(g V²) (1 - exp(-g V t))
+        let (rise_m_s2, pole_per_m) = (5.0, 0.4);
+        let layout = StateLayout { modes: 0, drives: 0, motions: 6, poles: 1 };
+        let equations = Equations {
+            layout,
+            gravity_m_s2: 0.0,
+            reference: Reference { pitch_rate_rad_s: 0.0, ..body().reference },
+            poles_per_m: vec![pole_per_m],
+            generalised: AirRows { constant: vec![0.0; 6], by: Mat::zeros(6, 24) },
+            ..body()
+        };
+        let gust = |t_s: f64, _: &[f64]| Inputs {
+            gust_m_s: vec![rise_m_s2 * t_s],
+            gust_rate_m_s2: vec![rise_m_s2],
+            ..Inputs::default()
+        };
+        let states = integrate(&equations, &equations.trimmed(), gust, 501, &Integration::default()).unwrap();
+        let v = equations.reference.v_m_s;
+        for k in [10, 100, 500] {
+            let t_s = TIME_STEP_S * f64::from(k);
+            let expected = rise_m_s2 / (pole_per_m * v * v) * (1.0 - (-pole_per_m * v * t_s).exp());
+            let lag = states[k as usize][layout.lag(0, 5)];
+            assert!((lag - expected).abs() < 1e-7 * expected, "{t_s} s: {lag} {expected}");
+            let air = equations.evaluate(states[k as usize].as_slice(), &gust(t_s, &[])).air;
+            assert!((air[5] - rise_m_s2 * t_s / v).abs() < 1e-12, "its incidence is w/V");
+        }
+    }
 }
