@@ -91,7 +91,7 @@ pub fn calibrate<M: SteadyModel>(
     let data = StaticData::from_campaign(campaign)?;
     check_settings(model, settings, &data)?;
     check_divergence(model, campaign.rho_kg_m3, &data)?;
-    let Checked { data, mut findings, set_aside } = checks::check(model, campaign, data)?;
+    let Checked { campaign, data, mut findings, set_aside } = checks::check(model, campaign, data)?;
     let context = Context::new(model, campaign.rho_kg_m3, &data, settings);
     let (each, common) = match data.sets {
         Sets::EachAirspeed => (&data.airspeeds[..], None),
@@ -100,7 +100,7 @@ pub fn calibrate<M: SteadyModel>(
     let done = AtomicUsize::new(0);
     let fitted = |(index, airspeed): (usize, &AirspeedData)| {
         let fitted = context.airspeed(airspeed).and_then(|fitted| {
-            let left_out = left_out_angles(&context, campaign, index, &fitted.line)?;
+            let left_out = left_out_angles(&context, &campaign, index, &fitted.line)?;
             Ok(AirspeedCalibration { left_out, ..fitted })
         });
         let done = done.fetch_add(1, Ordering::Relaxed) + 1;
@@ -108,7 +108,7 @@ pub fn calibrate<M: SteadyModel>(
         fitted
     };
     let mut airspeeds = each.par_iter().enumerate().map(fitted).collect::<Result<Vec<_>, _>>()?;
-    let across = left_out_airspeeds(&context, campaign, &airspeeds)?;
+    let across = left_out_airspeeds(&context, &campaign, &airspeeds)?;
     for (airspeed, left_out) in airspeeds.iter_mut().zip(across) {
         airspeed.left_out_airspeed = left_out;
     }

@@ -41,6 +41,12 @@ impl ChannelNoise {
         self.given().map(|sigma| sigma.unwrap_or(0.0))
     }
 
+    /// From the order of [`CHANNELS`].
+    pub(crate) fn from_array(sigma: [f64; 4]) -> Self {
+        let [fz_n, mx_nm, my_nm, tip_z_m] = sigma.map(|sigma| (sigma > 0.0).then_some(sigma));
+        Self { fz_n, mx_nm, my_nm, tip_z_m }
+    }
+
     fn given(self) -> [Option<f64>; 4] {
         [self.fz_n, self.mx_nm, self.my_nm, self.tip_z_m]
     }

@@ -3,7 +3,9 @@
 mod common;
 
 use common::{air, assert_near, whole, wings};
-use fullaircraft::{FlightAir, FlightHistory, FreeFlight};
+use fullaircraft::{FlightAir, FlightHistory, FlyingAircraft, FreeFlight, Integration};
+use maneuver::motion::Doublet;
+use nalgebra::Vector3;
 
 #[test]
 fn without_input_nothing_moves() {
@@ -87,4 +89,52 @@ fn the_tail_makes_the_aircraft_stable() {
     let (whole, warning) = growth(whole(), air());
     assert!(whole < 0.1 * alone, "{whole}");
     assert_eq!(warning, None);
+}
+
+#[test]
+fn angles_follow_the_rates_and_the_path_follows_the_angles() {
+    let (aircraft, model) = (whole(), whole().uncorrected());
+    let trimmed = model.trim("trim", &aircraft.file.trim).unwrap();
+    let drives = ["rudder", "outer", "elevator"].map(|name| aircraft.drive(name).unwrap()).to_vec();
+    let flying = FlyingAircraft::new(&model, air(), &trimmed, drives, None).unwrap();
+    let [rudder, outer, elevator] = [(0.2, 0.5), (-0.1, 0.7), (-0.05, 1.0)]
+        .map(|(height, frequency_hz)| Doublet { height, frequency_hz, start_s: 0.0 });
+    let history = flying.fly(&[&rudder, &outer, &elevator], 2.0, &Integration::default()).unwrap();
+    // the rudder's trailing edge to the right turns the nose right
+    let early = history.t_s.iter().position(|t| *t > 0.4).unwrap();
+    assert!(history.rates_deg_s[2][early] > 1.0 && history.angles_deg[2][early] > 0.1);
+    let rad = |values: &[Vec<f64>; 3], k: usize| [0, 1, 2].map(|axis| values[axis][k].to_radians());
+    let change = |values: &[f64], k: usize| {
+        (values[k + 1] - values[k - 1]) / (history.t_s[k + 1] - history.t_s[k - 1])
+    };
+    let mut largest = [0.0_f64; 3];
+    for k in (50..1950).step_by(50) {
+        let ([p, q, r], [roll, pitch, yaw]) = (rad(&history.rates_deg_s, k), rad(&history.angles_deg, k));
+        let ((s, c), (s_p, c_p), (s_y, c_y)) = (roll.sin_cos(), pitch.sin_cos(), yaw.sin_cos());
+        // Etkin, Dynamics of Atmospheric Flight (1972), eq. 4.5,4
+        let about_the_vertical = (q * s + r * c) / c_p;
+        let law = [p + about_the_vertical * s_p, q * c - r * s, about_the_vertical];
+        for (axis, law) in law.into_iter().enumerate() {
+            let found = change(&history.angles_deg[axis], k).to_radians();
+            assert!((found - law).abs() < 2e-4, "angle {axis} at {k} ms: {found} rad/s for {law}");
+            largest[axis] = largest[axis].max(law.abs());
+        }
+        // the right wing as the earth sees it (back, right, up), and the wind on it
+        let wing = Vector3::new(-(s * s_p * c_y - c * s_y), s * s_p * s_y + c * c_y, -s * c_p);
+        let velocity = Vector3::from_fn(|axis, _| change(&history.place_m[axis], k));
+        assert_near("airspeed", velocity.norm(), history.v_m_s[k], 1e-5);
+        let wind = history.v_m_s[k] * history.beta_deg[k].to_radians().sin();
+        assert!((velocity.dot(&wing) - wind).abs() < 1e-3, "{k} ms: {} m/s for {wind}", velocity.dot(&wing));
+    }
+    assert!(largest.iter().all(|rate| *rate > 0.05), "all three angles changed: {largest:?} rad/s");
+    assert!(FlightHistory::peak(&history.beta_deg) > 0.5, "and the wind came from the side");
+}
+
+#[test]
+fn the_same_gust_everywhere_is_an_angle_of_attack() {
+    let (air, still) = (air(), &air().incidence.still);
+    for j in 0..still.nrows() {
+        let gusts: f64 = (0..air.columns.gusts).map(|station| still[(j, air.columns.gust(station))]).sum();
+        assert!((gusts - still[(j, 0)]).abs() < 1e-14, "box {j}: {gusts} for {}", still[(j, 0)]);
+    }
 }

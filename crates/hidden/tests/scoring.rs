@@ -3,8 +3,8 @@
 use discover::result::{DiscoverResult, Estimate, NamedEffect, SearchResult, StatedGap, StatedGaps};
 use discover::verdict::VerdictKind;
 use hidden::answer::{TrueEffect, TrueParameter};
-use hidden::score::gates;
-use hidden::{Answer, Class, Families, score};
+use hidden::score::{Bound, Metric, gates};
+use hidden::{Answer, Class, Families, Metrics, score};
 
 fn answer(class: Class, effects: &[(&str, f64)]) -> Answer {
     let effect = |(name, d2): &(&str, f64)| TrueEffect {
@@ -124,6 +124,68 @@ fn silence_is_no_false_name_and_no_hit() {
     assert!(gates.iter().all(|gate| scored.metrics.contains_key(&gate.metric)));
     let reached = |name: &str| gates.iter().any(|gate| gate.metric == name && gate.reached);
     assert!(reached("null_false_naming") && !reached("top1_clear") && !reached("precision"));
+}
+
+#[test]
+fn a_false_name_beside_what_is_hidden_is_not_exact() {
+    use Class::{Pair, Paper, Single};
+    let of = |class: Class, hidden: &[(&str, f64)], names: &[(&str, f64)]| {
+        let scored = score(&[(answer(class, hidden), verdict(VerdictKind::Effects, names))], &families());
+        move |metric: &str| scored.metrics[metric].value.expect("a case")
+    };
+    let stall = ("stall", 5000.0);
+    let right = of(Single, &[stall], &[("stall", 0.9)]);
+    let one_more = of(Single, &[stall], &[("stall", 0.9), ("friction", 0.6)]);
+    assert_eq!((right("exact_structure"), one_more("exact_structure")), (1.0, 0.0));
+    assert_eq!((right("exact_without_rivals"), one_more("exact_without_rivals")), (1.0, 0.0));
+    assert_eq!((right("extra_names"), one_more("extra_names")), (0.0, 1.0), "and it is counted");
+    let pair = [stall, ("gain", 800.0)];
+    let right = of(Pair, &pair, &[("gain", 0.9), ("stall", 0.8)]);
+    let one_more = of(Pair, &pair, &[("gain", 0.9), ("stall", 0.8), ("friction", 0.6)]);
+    assert_eq!((right("pair_exact_visible"), one_more("pair_exact_visible")), (1.0, 0.0));
+    assert_eq!((one_more("pair_both"), one_more("pair_extra_names")), (1.0, 1.0));
+    let half = of(Pair, &pair, &[("gain", 0.9)]);
+    assert_eq!((half("pair_exact_visible"), half("pair_one")), (0.0, 1.0), "one of two is not exact either");
+    let paper = of(Paper, &[("joiner_inertia", 9e4)], &[("joiner_inertia", 0.9), ("gain", 0.6)]);
+    assert_eq!(paper("paper_exact"), 0.0);
+}
+
+#[test]
+fn a_gate_is_reached_up_to_its_bound_and_not_beyond() {
+    let none = Metrics { cases: 1, metrics: [].into(), confusion: [].into() };
+    let all = gates(&none);
+    assert!(all.iter().any(|gate| gate.bound == Bound::AtMost));
+    assert!(all.iter().any(|gate| gate.bound == Bound::AtLeast));
+    for gate in all {
+        let reached = |value: f64| {
+            let metric = Metric { value: Some(value), low: None, high: None, n: 1 };
+            let metrics = Metrics { metrics: [(gate.metric.clone(), metric)].into(), ..none.clone() };
+            let of_metric = gates(&metrics).into_iter().find(|other| other.metric == gate.metric);
+            of_metric.is_some_and(|gate| gate.reached)
+        };
+        let (low, high) = (reached(gate.limit - 1e-9), reached(gate.limit + 1e-9));
+        assert!(reached(gate.limit), "{} at its bound", gate.metric);
+        assert_eq!(
+            (low, high),
+            (gate.bound == Bound::AtMost, gate.bound == Bound::AtLeast),
+            "{}",
+            gate.metric
+        );
+    }
+}
+
+#[test]
+fn the_ninety_per_cent_interval_is_1_645_standard_deviations_wide_to_either_side() {
+    // The normal's 95 % point, 1.644854: Abramowitz and Stegun, Handbook of Mathematical Functions, Table 26.5 (Q = .05).
+    let inside = |sigmas: f64| {
+        let mut said = verdict(VerdictKind::Effects, &[("stall", 0.9)]);
+        let estimate = Estimate { value: 2.0 + 0.1 * sigmas, sigma: Some(0.1) };
+        said.effects[0].parameters = [("size".to_owned(), estimate)].into();
+        let scored = score(&[(answer(Class::Single, &[("stall", 5000.0)]), said)], &families());
+        scored.metrics["parameter_90_coverage"].value.expect("a case")
+    };
+    assert_eq!([inside(1.64), inside(-1.64)], [1.0; 2]);
+    assert_eq!([inside(1.65), inside(-1.65)], [0.0; 2]);
 }
 
 #[test]

@@ -183,6 +183,52 @@ fn repeats_are_pooled_and_their_error_shrinks() {
 }
 
 #[test]
+fn repeats_that_scatter_more_than_their_errors_say_have_the_standard_error_of_a_mean() {
+    let (file, wing) = common::wing_with(|_| ());
+    let model = model(&wing, &file, 30.0);
+    let factors = [0.80, 0.85, 1.00, 0.95];
+    let fits: Vec<DoubletFit> = factors
+        .map(|factor| {
+            let row = DeflectionRow {
+                v_m_s: 30.0,
+                commanded_deg: vec![15.0],
+                equivalent_deg: None,
+                factor: Some(vec![factor]),
+            };
+            let table = DeflectionTable {
+                control: "outer".to_owned(),
+                odd: true,
+                outside: OutsideAirspeeds::Refuse,
+                rows: vec![row],
+            };
+            let correction = DeflectionCorrection::new(vec![table]).at(30.0).unwrap();
+            // hardly any noise: what differs between the runs is the deflection itself
+            let noise = &mut Normal(5);
+            let mut run = measured(&model, &correction, "outer", &doublet(15.0), noise);
+            let clean = fly_commanded(
+                &model,
+                &maneuver::motion_of(&run, &model, Path::new("run.csv")).unwrap(),
+                &correction,
+            );
+            run.loads = Some(["Fz_N", "Mx_Nm", "My_Nm"].map(|name| clean.get(name).unwrap().to_vec()));
+            fit_doublet(&run, &model, Some(SIGMA), Path::new("run.csv")).unwrap()
+        })
+        .to_vec();
+    for (fit, factor) in fits.iter().zip(factors) {
+        assert!((fit.factor - factor).abs() < 1e-9 && fit.standard_error < 0.01, "{fit:?}");
+    }
+    // deviations -.1, -.05, .1, .05 from .9: s² = .025/3, and the mean's standard error is s/sqrt(4)
+    let all = pooled(&fits);
+    assert!((all[0].factor - 0.9).abs() < 1e-9, "{}", all[0].factor);
+    let expected = (0.025_f64 / 3.0 / 4.0).sqrt();
+    assert!(
+        (all[0].standard_error / expected - 1.0).abs() < 1e-6,
+        "{} for {expected}",
+        all[0].standard_error
+    );
+}
+
+#[test]
 fn only_doublets_of_one_surface_in_the_wind_are_taken() {
     let (file, wing) = common::wing_with(|_| ());
     let model = model(&wing, &file, 30.0);

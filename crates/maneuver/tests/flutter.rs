@@ -237,3 +237,55 @@ fn in_unsteady_air_the_state_matrix_flutters_as_p_k_on_the_doublet_lattice_does(
     let [v, f] = [pk.flow.v_m_s / eigen.flow.v_m_s - 1.0, pk.omega_rad_s / eigen.omega_rad_s - 1.0];
     assert!(v.abs() < 0.01 && f.abs() < 0.01, "{v:e} {f:e} at {} m/s", pk.flow.v_m_s);
 }
+
+/// Numbers between -1 and 1 from a seed (Knuth's MMIX).
+fn numbers(seed: u64) -> impl FnMut() -> f64 {
+    let mut state = seed;
+    move || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as f64 / f64::from(1_u32 << 30) - 1.0
+    }
+}
+
+/// Closely spaced modes that air without memory couples strongly, followed in two long legs: a step that lands on the next mode's root
+/// would leave two branches on one.
+#[test]
+fn branches_followed_in_long_legs_stay_on_roots_of_their_own() {
+    let omega = [10.0, 11.0, 12.5, 14.0];
+    let n = omega.len();
+    for seed in 0..40 {
+        let mut next = numbers(seed);
+        let coupling: Vec<[f64; 2]> = (0..n * n).map(|_| [0.6 * next(), 0.5 * next()]).collect();
+        let entry = |i: usize, j: usize| {
+            let [real, rate] = coupling[n * i + j];
+            if i == j { [real, -1.5 + rate] } else { [real, rate] }
+        };
+        let forces = FormulaForces {
+            size: n,
+            range: (0.0, 1e4),
+            formula: |kappa: f64| Mat::from_fn(n, n, |i, j| c64::new(entry(i, j)[0], kappa * entry(i, j)[1])),
+        };
+        let system = Aeroelastic::of_modes(&omega, 0.01, &forces).unwrap();
+        let flows = speeds(1.0, 9.0, 3);
+        let curves = system.pk(&flows).unwrap();
+        assert!(curves.lost.is_empty(), "seed {seed}: {:?}", curves.lost);
+        for (place, flow) in flows.iter().enumerate() {
+            let (q, v) = (flow.dynamic_pressure_pa(), flow.v_m_s);
+            let a = Mat::from_fn(2 * n, 2 * n, |i, j| match (i < n, j < n) {
+                (true, _) => f64::from(u8::from(j == i + n)),
+                (false, true) => q * entry(i - n, j)[0] - if i - n == j { omega[j].powi(2) } else { 0.0 },
+                (false, false) => {
+                    q / v * entry(i - n, j - n)[1] - if i == j { 0.02 * omega[j - n] } else { 0.0 }
+                }
+            });
+            let eigenvalues = a.eigenvalues().unwrap();
+            let roots: Vec<c64> = curves.branches.iter().map(|branch| branch[place].p).collect();
+            for (i, p) in roots.iter().enumerate() {
+                let off = eigenvalues.iter().map(|value| (value - p).norm()).fold(f64::INFINITY, f64::min);
+                assert!(off < 1e-9, "seed {seed}, {v} m/s: {p} is {off:e} from an eigenvalue");
+                let shared = roots[..i].iter().any(|other| (*other - p).norm() < 1e-6);
+                assert!(!shared, "seed {seed}, {v} m/s: two branches on {p}");
+            }
+        }
+    }
+}

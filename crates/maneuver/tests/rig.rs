@@ -137,6 +137,31 @@ fn wind_off_pitch_of_a_stiffened_wing_gives_rigid_body_inertia() {
 }
 
 #[test]
+fn accelerometers_of_a_stiffened_wing_go_down_by_their_arm_aft_of_the_pitch_axis() {
+    let (file, wing) = stiffened(1e10);
+    let (system, _) = wing.structure.as_ref().unwrap();
+    let grids = file.planform().unwrap().sensor_grids();
+    let sensors = grids.into_iter().map(|(name, id)| (name, system.node_index(id).unwrap())).collect();
+    let settings = RigSettings { air: AirModel::QuasiSteady, sensors, ..settings(&file) };
+    let rig = Rig::new(&wing, settings).unwrap();
+    let neutral = Corrections::neutral(wing.correctable.len());
+    let alpha = About(0.02, OneMinusCosine::new(0.06, 2.0, 0.0));
+    let history = rig.at(flow(0.0), &neutral).unwrap().fly(&motion(&alpha, 100, Vec::new()));
+    // 40 % of the chord behind the leading edge, at the spans of wing_beam.ron
+    for (name, y_m) in [("imu_1", 0.45), ("imu_2", 0.90), ("imu_3", 1.35), ("imu_4", 1.75)] {
+        let chord_m = 0.30 - 0.15 * y_m / 1.8;
+        let x_m = 0.075 + y_m * f64::to_radians(20.0).tan() + 0.15 * chord_m;
+        let arm_m = x_m - file.pitch_axis_x();
+        assert!(arm_m > 0.1, "{name} is aft of the axis");
+        let felt = history.get(&format!("az_{name}_m_s2")).unwrap();
+        for (i, felt) in felt.iter().enumerate().skip(1) {
+            let expected = -arm_m * alpha.second(i as f64 * 0.005);
+            assert!((felt - expected).abs() < 1e-4, "{name} sample {i}: {felt} m/s2 for {expected} m/s2");
+        }
+    }
+}
+
+#[test]
 fn a_doublet_rings_in_the_first_mode_and_wind_damps_it() {
     let (file, wing) = wing_with(|_| ());
     let rig = Rig::new(&wing, settings(&file)).unwrap();

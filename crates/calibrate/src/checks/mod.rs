@@ -53,7 +53,9 @@ impl Finding {
 /// A campaign's data as they are to be fitted, and what was found in them.
 #[derive(Debug, Clone)]
 pub struct Checked {
-    /// Without the rows that no others bear out; the noise is what the rows show where that is more than declared.
+    /// Without the rows set aside, and with the noise that rows show.
+    pub campaign: Campaign,
+    /// The same grouped.
     pub data: StaticData,
     /// What was found.
     pub findings: Vec<Finding>,
@@ -70,9 +72,10 @@ pub fn check<M: SteadyModel>(
     campaign: &Campaign,
     data: StaticData,
 ) -> Result<Checked, CouplingError> {
-    let (data, mut findings, set_aside) = rows::check(campaign, data);
-    let units = units::of_campaign(model, campaign, &data)?;
-    let lines = lines(model, campaign.rho_kg_m3, &data)?;
+    let mut checked = rows::check(campaign, data);
+    let findings = &mut checked.findings;
+    let units = units::of_campaign(model, campaign, &checked.data)?;
+    let lines = lines(model, campaign.rho_kg_m3, &checked.data)?;
     if units.is_empty() {
         let causes = causes::find(model, campaign, &lines)?;
         if causes.is_empty() {
@@ -83,5 +86,5 @@ pub fn check<M: SteadyModel>(
     }
     findings.extend(units.into_iter().map(Finding::suspicion));
     findings.extend(theory::not_told(campaign));
-    Ok(Checked { data, findings, set_aside })
+    Ok(checked)
 }

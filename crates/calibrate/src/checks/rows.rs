@@ -1,7 +1,7 @@
 //! Single rows of static cases: one that no others bear out, scatter beyond what is declared, rows of other airspeeds.
 
-use super::Finding;
-use crate::campaign::{CHANNELS, Campaign, Sets, StaticPoint};
+use super::{Checked, Finding};
+use crate::campaign::{CHANNELS, Campaign, ChannelNoise, Sets, StaticPoint};
 use crate::objective::polynomial_residuals;
 use crate::statics::{AirspeedData, StaticData, block_name};
 use aero::flow::{same_airspeed, same_angle};
@@ -34,37 +34,46 @@ struct Group {
 }
 
 /// Groups the rows, sets aside those that no others bear out, and compares their scatter with what is declared.
-pub(super) fn check(campaign: &Campaign, mut data: StaticData) -> (StaticData, Vec<Finding>, Vec<usize>) {
-    let (mut findings, mut set_aside) = (Vec::new(), Vec::new());
+pub(super) fn check(campaign: &Campaign, data: StaticData) -> Checked {
+    let mut checked =
+        Checked { campaign: campaign.clone(), data, findings: Vec::new(), set_aside: Vec::new() };
     if campaign.sets == Sets::Common {
-        return (data, findings, set_aside);
+        return checked;
     }
-    let mut campaign = campaign.clone();
     let most = (MOST_SET_ASIDE * campaign.points.len() as f64).ceil() as usize;
     loop {
-        let groups = groups(&campaign, &data);
-        if let Some(found) = other_airspeeds(&groups, &data) {
-            findings.push(found);
-            return (data, findings, set_aside);
+        let groups = groups(&checked.campaign, &checked.data);
+        if let Some(found) = other_airspeeds(&groups, &checked.data) {
+            checked.findings.push(found);
+            return checked;
         }
-        let Some((place, sentence)) = worst_row(&groups, &campaign, &data) else { break };
-        let mut without = campaign.clone();
+        let Some((place, sentence)) = worst_row(&groups, &checked.campaign, &checked.data) else { break };
+        let mut without = checked.campaign.clone();
         let line = without.points.remove(place).span.line;
         match StaticData::from_campaign(&without) {
-            Ok(better) if set_aside.len() < most => {
-                findings.push(Finding::suspicion(format!("{sentence}; it is set aside")));
-                set_aside.push(line);
-                (campaign, data) = (without, better);
+            Ok(better) if checked.set_aside.len() < most => {
+                checked.findings.push(Finding::suspicion(format!("{sentence}; it is set aside")));
+                checked.set_aside.push(line);
+                (checked.campaign, checked.data) = (without, better);
             }
             _ => {
-                findings.push(Finding::defect(sentence));
+                checked.findings.push(Finding::defect(sentence));
                 break;
             }
         }
     }
-    findings.extend(more_scatter(&groups(&campaign, &data), &mut data));
-    findings.extend(data.airspeeds.iter().flat_map(|airspeed| rough(airspeed, &data)));
-    (data, findings, set_aside)
+    let groups = groups(&checked.campaign, &checked.data);
+    let more = more_scatter(&groups, &checked.data);
+    if let (Some(noise), false) = (&mut checked.campaign.noise, more.is_empty()) {
+        let mut sigma = noise.static_point.to_array();
+        more.iter().for_each(|(channel, seen, _)| sigma[*channel] = *seen);
+        noise.static_point = ChannelNoise::from_array(sigma);
+        checked.data.point_sigma = Some(sigma);
+    }
+    checked.findings.extend(more.into_iter().map(|(_, _, found)| found));
+    let rough = checked.data.airspeeds.iter().filter_map(|airspeed| rough(airspeed, &checked.data));
+    checked.findings.extend(rough.collect::<Vec<_>>());
+    checked
 }
 
 fn groups(campaign: &Campaign, data: &StaticData) -> Vec<Group> {
@@ -220,11 +229,10 @@ fn other_airspeeds(groups: &[Group], data: &StaticData) -> Option<Finding> {
     groups.iter().find_map(of)
 }
 
-/// Scatter of replicates, or about smooth curves where there are none, against what is declared; what is seen counts from here
-/// on.
-fn more_scatter(groups: &[Group], data: &mut StaticData) -> Vec<Finding> {
+/// Scatter of replicates, or about smooth curves where there are none, where it is more than declared: channel and size.
+fn more_scatter(groups: &[Group], data: &StaticData) -> Vec<(usize, f64, Finding)> {
     let Some(declared) = data.point_sigma.filter(|_| data.noise_dof.is_none()) else { return Vec::new() };
-    let (mut seen, mut found, mut least_dof) = (declared, Vec::new(), usize::MAX);
+    let mut found = Vec::new();
     for channel in (0..4).filter(|&c| data.channels[c]) {
         let replicated: Vec<(f64, usize)> =
             groups.iter().map(|group| of_replicates(group, channel)).collect();
@@ -241,16 +249,13 @@ fn more_scatter(groups: &[Group], data: &mut StaticData) -> Vec<Finding> {
         let Ok(law) = ChiSquared::new(dof.max(1) as f64) else { continue };
         let ratio = (squares / dof.max(1) as f64).sqrt() / declared[channel];
         if dof >= 3 && ratio > SCATTER && law.sf(squares / declared[channel].powi(2)) < LEVEL {
-            seen[channel] = ratio * declared[channel];
-            least_dof = least_dof.min(dof);
-            found.push(Finding::suspicion(format!(
+            let seen = ratio * declared[channel];
+            let said = Finding::suspicion(format!(
                 "{}: {about} scatter by {:.2}, {ratio:.1} times the {} that campaign.ron declares; what they show is taken",
-                CHANNELS[channel], seen[channel], declared[channel],
-            )));
+                CHANNELS[channel], seen, declared[channel],
+            ));
+            found.push((channel, seen, said));
         }
-    }
-    if !found.is_empty() {
-        data.point_sigma = Some(seen);
     }
     found
 }

@@ -8,6 +8,8 @@ pub mod history;
 pub mod model;
 pub mod modes;
 pub mod nonlinear;
+#[cfg(test)]
+mod point_mass;
 mod rows;
 mod sensors;
 pub mod small_motions;

@@ -70,11 +70,12 @@ impl FlyingAircraft {
             return Inputs { command_rad, ..Inputs::default() };
         };
         let entered = flown_m - self.equations.reference.v_m_s * gust.start_s;
-        let met: Vec<[f64; 2]> = self.gust_behind_m.iter().map(|behind| gust.at(entered - behind)).collect();
+        let met: Vec<[f64; 2]> =
+            self.gust_behind_m.iter().map(|behind| gust.met(entered - behind, v_m_s)).collect();
         Inputs {
             command_rad,
             gust_m_s: met.iter().map(|[w, _]| *w).collect(),
-            gust_rate_m_s2: met.iter().map(|[_, slope]| slope * v_m_s).collect(),
+            gust_rate_m_s2: met.iter().map(|[_, rate]| *rate).collect(),
         }
     }
 

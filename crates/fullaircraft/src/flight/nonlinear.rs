@@ -189,4 +189,93 @@ mod tests {
         }
         assert!(furthest > 1.0, "it did not tumble: {furthest}");
     }
+
+    #[test]
+    fn the_lag_of_a_gust_that_rises_steadily_is_that_of_first_order() {
+        // z' = x' - g V z with x' = w'/V from rest: z = w'/(g V²) (1 - exp(-g V t))
+        let (rise_m_s2, pole_per_m) = (5.0, 0.4);
+        let layout = StateLayout { modes: 0, drives: 0, motions: 6, poles: 1 };
+        let equations = Equations {
+            layout,
+            gravity_m_s2: 0.0,
+            reference: Reference { pitch_rate_rad_s: 0.0, ..body().reference },
+            poles_per_m: vec![pole_per_m],
+            generalised: AirRows { constant: vec![0.0; 6], by: Mat::zeros(6, 24) },
+            ..body()
+        };
+        let gust = |t_s: f64, _: &[f64]| Inputs {
+            gust_m_s: vec![rise_m_s2 * t_s],
+            gust_rate_m_s2: vec![rise_m_s2],
+            ..Inputs::default()
+        };
+        let states = integrate(&equations, &equations.trimmed(), gust, 501, &Integration::default()).unwrap();
+        let v = equations.reference.v_m_s;
+        for k in [10, 100, 500] {
+            let t_s = TIME_STEP_S * f64::from(k);
+            let expected = rise_m_s2 / (pole_per_m * v * v) * (1.0 - (-pole_per_m * v * t_s).exp());
+            let lag = states[k as usize][layout.lag(0, 5)];
+            assert!((lag - expected).abs() < 1e-7 * expected, "{t_s} s: {lag} {expected}");
+            let air = equations.evaluate(states[k as usize].as_slice(), &gust(t_s, &[])).air;
+            assert!((air[5] - rise_m_s2 * t_s / v).abs() < 1e-12, "its incidence is w/V");
+        }
+    }
+
+    /// A rigid body in air that answers angles, rates and their rates of change, sideways as well.
+    fn in_air() -> (Equations, Vec<f64>) {
+        let wave = |k: usize| 0.3 * (1.7 * k as f64 + 0.4).sin();
+        let equations = Equations {
+            rho_kg_m3: 1.2,
+            generalised: AirRows {
+                constant: (0..6).map(wave).collect(),
+                by: Mat::from_fn(6, 15, |i, j| wave(15 * i + j)),
+            },
+            ..body()
+        };
+        let mut state = equations.trimmed();
+        for (k, value) in [(0, -1.0), (1, 2.5), (2, -1.4), (3, 0.8), (4, -0.5), (5, 0.6)] {
+            state[k] += value;
+        }
+        (equations, state)
+    }
+
+    #[test]
+    fn the_air_answers_the_rates_at_which_its_angles_change() {
+        let (equations, state) = in_air();
+        let rigid = |state: &[f64]| {
+            let [v, alpha, beta] = Equations::stream_of(state);
+            let omega = vector(state, 3);
+            [alpha, beta, omega.x / v, omega.y / v, omega.z / v]
+        };
+        let evaluated = equations.evaluate(&state, &Inputs::default());
+        let later = |h: f64| -> [f64; 5] {
+            let moved = state.iter().zip(&evaluated.derivative).map(|(value, rate)| value + h * rate);
+            rigid(&moved.collect::<Vec<f64>>())
+        };
+        let (h, [v, ..]) = (1e-5, Equations::stream_of(&state));
+        for (motion, (after, before)) in later(h).into_iter().zip(later(-h)).enumerate() {
+            let (change, rate) = ((after - before) / (2.0 * h), v * evaluated.air[5 + motion]);
+            assert!(rate.abs() > 1e-3 && (rate - change).abs() < 1e-7, "motion {motion}: {rate} {change}");
+        }
+    }
+
+    #[test]
+    fn mass_times_acceleration_is_gravity_and_the_air_turned_with_the_stream() {
+        // Newton and Euler for a rigid body; the air's axes: along the stream, and up in the plane of symmetry
+        let (equations, state) = in_air();
+        let evaluated = equations.evaluate(&state, &Inputs::default());
+        let (velocity, omega) = (vector(&state, 0), vector(&state, 3));
+        let along = -velocity.normalize();
+        let up = along.cross(&Vector3::y()).normalize();
+        let turn = Matrix3::from_columns(&[along, up.cross(&along), up]);
+        let air = equations.generalised.at(&evaluated.air);
+        let on_body = |from: usize| turn * vector(&air, from) * evaluated.q_pa;
+        let gravity = attitude(&state).inverse() * Vector3::new(0.0, 0.0, -equations.gravity_m_s2);
+        let accelerations = evaluated.derivative.as_slice();
+        let momentum = (vector(accelerations, 0) + omega.cross(&velocity)) * equations.mass_kg;
+        let force = on_body(0) + gravity * equations.mass_kg;
+        assert!((momentum - force).norm() < 1e-9 * force.norm(), "{momentum} {force}");
+        let turned = equations.inertia * vector(accelerations, 3) + omega.cross(&(equations.inertia * omega));
+        let moment = on_body(3);
+        assert!((turned - moment).norm() < 1e-9 * moment.norm(), "{turned} {moment}");
+    }
 }

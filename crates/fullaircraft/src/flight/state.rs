@@ -110,3 +110,47 @@ pub(crate) fn euler_angles(attitude: &UnitQuaternion<f64>) -> [f64; 3] {
     let pitch = (-r[(2, 0)]).clamp(-1.0, 1.0).asin();
     [roll, pitch, (-r[(1, 0)]).atan2(r[(0, 0)])]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::FRAC_PI_2;
+
+    /// Where the earth sees what points ahead, to the right and up on board.
+    fn seen(attitude: &UnitQuaternion<f64>) -> [Vector3<f64>; 3] {
+        [-Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| attitude * axis)
+    }
+
+    #[test]
+    fn angles_say_where_nose_and_wing_point() {
+        let turned = |axis: Vector3<f64>| UnitQuaternion::from_scaled_axis(axis);
+        for (attitude, expected) in [
+            (turned(Vector3::new(-0.3, 0.0, 0.0)), [0.3, 0.0, 0.0]),
+            (turned(Vector3::new(0.0, 0.3, 0.0)), [0.0, 0.3, 0.0]),
+            (turned(Vector3::new(0.0, 0.0, -0.3)), [0.0, 0.0, 0.3]),
+        ] {
+            let ([nose, right, _], angles) = (seen(&attitude), euler_angles(&attitude));
+            // right wing down, nose up, nose right: sines of the angles as seen from the earth
+            let shown = [-right.z, nose.z, nose.y].map(f64::asin);
+            for ((angle, shown), expected) in angles.into_iter().zip(shown).zip(expected) {
+                assert!((angle - expected).abs() < 1e-15 && (shown - expected).abs() < 1e-15, "{angles:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn angles_compose_as_yaw_then_pitch_then_roll() {
+        // Etkin, Dynamics of Atmospheric Flight (1972), sec. 4.5: azimuth about the vertical, elevation of the nose, bank about the nose
+        let (roll, pitch, yaw) = (0.4, -0.7, 2.1_f64);
+        let about = |axis: Vector3<f64>, angle: f64| UnitQuaternion::from_scaled_axis(axis * angle);
+        let attitude = about(-Vector3::z(), yaw) * about(Vector3::y(), pitch) * about(-Vector3::x(), roll);
+        for (found, given) in euler_angles(&attitude).into_iter().zip([roll, pitch, yaw]) {
+            assert!((found - given).abs() < 1e-14, "{found} for {given}");
+        }
+        let [nose, right, up] = seen(&attitude);
+        assert!((nose.z - pitch.sin()).abs() < 1e-14, "height of the nose over the horizon");
+        assert!((nose.y.atan2(-nose.x) - yaw).abs() < 1e-14, "its azimuth, from ahead to the right");
+        assert!((-right.z - roll.sin() * pitch.cos()).abs() < 1e-14 && up.z > 0.0, "the wing's");
+        assert!(yaw > FRAC_PI_2, "beyond a quarter turn, where a sine alone would fail");
+    }
+}

@@ -19,7 +19,7 @@ use crate::error::AircraftError;
 use crate::trim::case::TrimTools;
 use crate::trim::model::FlightModel;
 use crate::trim::variables::{Acts, MOTIONS};
-use coupling::SupportedStructure;
+use coupling::{RigidInertia, SupportedStructure};
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 use schemars::JsonSchema;
@@ -164,7 +164,7 @@ impl FlightModel<'_> {
             Elastic::Rigid => return Ok(&tools.sums * loads),
             Elastic::Restrained => held,
             Elastic::Unrestrained => {
-                free = self.aircraft.unrestrained(held);
+                free = in_mean_axes(held, &self.aircraft.inertia);
                 &free
             }
         };
@@ -175,20 +175,47 @@ impl FlightModel<'_> {
     }
 }
 
-impl Aircraft {
-    /// The structure free in mean axes: its flexibility with inertia relief.
-    fn unrestrained(&self, held: &SupportedStructure) -> SupportedStructure {
-        let inertia = &self.inertia;
-        let b = inertia.mass.partial_piv_lu().solve(inertia.motions.transpose()).transpose().to_owned();
-        let bc = &b * inertia.sag.transpose();
-        let flexibility = &held.flexibility - &bc - bc.transpose() + &b * &inertia.work * b.transpose();
-        SupportedStructure { flexibility, ..held.clone() }
-    }
+/// The structure free in mean axes: its flexibility with inertia relief, wherever it is held.
+fn in_mean_axes(held: &SupportedStructure, inertia: &RigidInertia) -> SupportedStructure {
+    let b = inertia.mass.partial_piv_lu().solve(inertia.motions.transpose()).transpose().to_owned();
+    let bc = &b * inertia.sag.transpose();
+    let flexibility = &held.flexibility - &bc - bc.transpose() + &b * &inertia.work * b.transpose();
+    SupportedStructure { flexibility, ..held.clone() }
 }
 
 impl Derivatives {
     /// The row of a variable.
     pub fn by(&self, variable: &str) -> Option<&Derivative> {
         self.derivatives.iter().find(|derivative| derivative.variable == variable)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::Path;
+
+    #[test]
+    fn a_free_aircraft_bends_the_same_wherever_it_was_held_to_find_its_flexibility() {
+        let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/tuflex");
+        let wing = data.join("wing_beam.ron");
+        let aircraft =
+            Aircraft::read(&data.join("aircraft.ron"), Some(&wing)).expect("shipped files are right");
+        let bent = |node: usize| {
+            let held = aircraft.free.clamped_at(node);
+            let (held, inertia) = SupportedStructure::with_inertia(
+                &held,
+                &aircraft.spline,
+                aircraft.right.tip,
+                &aircraft.mass.centre,
+            )
+            .expect("it is held");
+            (in_mean_axes(&held, &inertia).flexibility, held.flexibility)
+        };
+        let ((free, by_root), (other, by_tip)) = (bent(aircraft.centre), bent(aircraft.left.tip));
+        let size = free.norm_max();
+        assert!((&by_root - &by_tip).norm_max() > size, "held there or there it bends very differently");
+        let apart = (&free - &other).norm_max();
+        assert!(apart < 1e-8 * by_tip.norm_max(), "{apart} m/N beside {size} m/N");
     }
 }

@@ -281,3 +281,34 @@ impl Aeroelastic<'_> {
 fn root_of(state: &State) -> Root {
     Root { p: state.p, beyond_table: state.beyond }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::FormulaForces;
+    use super::*;
+
+    /// Whether one step from rest to a dynamic pressure is taken by the first of two modes, Q = (a, b; b, 0) without damping.
+    fn is_taken(omega: [f64; 2], [a, b]: [f64; 2], q_pa: f64) -> bool {
+        let formula = |_: f64| Mat::from_fn(2, 2, |i, j| c64::from([[a, b], [b, 0.0]][i][j]));
+        let forces = FormulaForces { size: 2, range: (0.0, 1e4), formula };
+        let system = Aeroelastic::of_modes(&omega, 0.0, &forces).expect("two modes");
+        let state = system.modes().expect("modes in a vacuum").remove(0);
+        let flow = Flow { v_m_s: 10.0, rho_kg_m3: 2.0 * q_pa / 100.0 };
+        let track = Track { state, before: None };
+        system.step(&track, Place { flow, share: 1.0 }, 1.0).expect("forces").is_some()
+    }
+
+    #[test]
+    fn a_root_further_than_a_twentieth_from_its_guess_is_not_taken_for_the_next() {
+        // omega² = 100 + 2 q, guessed at 10: the root moves by a twentieth of itself at q = (100/.95² - 100)/2 = 5.402
+        let stiffening = |q_pa| is_taken([10.0, 30.0], [-2.0, 0.0], q_pa);
+        assert!(stiffening(5.40) && !stiffening(5.41));
+    }
+
+    #[test]
+    fn a_root_whose_shape_has_turned_is_not_taken_for_the_next() {
+        // K = (100, q; q, 101): shapes turn by t with tan 2t = 2 q, the root by half a thousandth; cos² t = .9 at tan 2t = .75
+        let coupled = |q_pa| is_taken([10.0, f64::sqrt(101.0)], [0.0, -1.0], q_pa);
+        assert!(coupled(0.374) && !coupled(0.376));
+    }
+}

@@ -1,0 +1,196 @@
+//! Effects that lag, remember, drift or grow with airspeed, against laws and closed forms.
+
+#![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
+
+mod common;
+
+use aero::{Corrections, Flow};
+use common::wing_with;
+use maneuver::effects::{
+    Active, Effect, Forces, Inputs, Loads, Place, WingState, acting_deflection, library,
+};
+use maneuver::rom::{Change, Drive, ReducedOrderModel, Zones};
+use maneuver::{Actuator, Rig, RigSettings, Smooth};
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+const FLOW: Flow = Flow { v_m_s: 30.0, rho_kg_m3: 1.225 };
+
+fn controls() -> Vec<String> {
+    ["inner", "outer"].map(str::to_owned).to_vec()
+}
+
+/// Every form of an effect.
+fn forms(name: &str) -> Vec<Arc<dyn Effect>> {
+    library(&controls()).into_iter().filter(|effect| effect.spec().name == name).collect()
+}
+
+fn place(zones: &Zones, time_step_s: f64, steady: bool, clock_h: f64) -> Place<'_> {
+    Place {
+        flow: FLOW,
+        zones,
+        controls: &[],
+        time_step_s,
+        steady,
+        clock_h,
+        actuator: Actuator { frequency_hz: 15.0, damping_ratio: 0.8 },
+        gravity_m_s2: 9.81,
+        balance_y_m: 0.0,
+        outer_shape: 0.0,
+        first_stiffness: 0.0,
+    }
+}
+
+/// Inputs at rest but for control surfaces.
+fn inputs(samples: usize, controls_rad: Vec<Vec<f64>>) -> Inputs {
+    let still = vec![0.0; samples];
+    let alpha = Smooth { value: still.clone(), rate: still.clone(), second: still.clone() };
+    Inputs { alpha, incidence_rad: still, controls_rad }
+}
+
+#[test]
+fn a_lagging_servo_of_any_form_follows_a_ramp_its_time_constant_later() {
+    // u = t through 1/(1 + tau s), or 1/(1 + tau s + tau² s²/2): t - tau when the beginning is forgotten
+    let (time_step_s, tau_s, zones) = (0.002, 0.05, Zones::default());
+    let ramp: Vec<f64> = (0..800).map(|i| f64::from(i) * time_step_s).collect();
+    let forms = forms("act_lag");
+    assert_eq!(forms.len(), 2);
+    for effect in forms {
+        let mut driven = inputs(800, vec![ramp.clone(), vec![0.0; 800]]);
+        effect.inputs(&[tau_s], &place(&zones, time_step_s, false, 0.0), &mut driven);
+        let behind_s = ramp[799] - driven.controls_rad[0][799];
+        assert!((behind_s / tau_s - 1.0).abs() < 1e-3, "{}: {behind_s} s for {tau_s} s", effect.form());
+        assert!(driven.controls_rad[1].iter().all(|delta| *delta == 0.0));
+    }
+}
+
+#[test]
+fn hysteresis_remembers_whether_the_flow_was_separated() {
+    let (share, area_m2) = (0.3, 0.05);
+    let zones = Zones { area_m2: vec![area_m2], y_norm: vec![0.5], ..Zones::default() };
+    // lost beyond 4 degrees, until 2.5 degrees
+    let sweep = [
+        (0.0, false),
+        (3.0, false),
+        (3.9, false),
+        (4.1, true),
+        (6.0, true),
+        (3.9, true),
+        (2.6, true),
+        (2.4, false),
+        (3.9, false),
+        (-3.9, false),
+        (-5.0, true),
+        (-2.6, true),
+        (-1.0, false),
+    ];
+    let by_angle = TAU * FLOW.dynamic_pressure_pa() * area_m2;
+    let lift_n = vec![sweep.iter().map(|(deg, _)| by_angle * f64::to_radians(*deg)).collect::<Vec<f64>>()];
+    let still = vec![0.0; sweep.len()];
+    let driven = inputs(sweep.len(), Vec::new());
+    let state = WingState {
+        inputs: &driven,
+        loads: &[still.clone(), still.clone(), still.clone()],
+        tip_m: &still,
+        lift_n: &lift_n,
+        height_m: &[],
+        twist_rad: &[],
+    };
+    let effect = forms("static_hysteresis").remove(0);
+    for steady in [false, true] {
+        let mut forces = Forces::none(1, sweep.len());
+        effect.forces(&[share], &place(&zones, 0.01, steady, 0.0), &state, &mut forces);
+        for (i, (deg, remembered)) in sweep.into_iter().enumerate() {
+            // static points have no before
+            let separated = if steady { deg.abs() > 4.0 } else { remembered };
+            let beyond = f64::to_radians(deg.abs() - 2.5) * deg.signum();
+            let expected = if separated { -share * by_angle * beyond } else { 0.0 };
+            let lost = forces.lift_n[0][i];
+            assert!(
+                (lost - expected).abs() < 1e-12 * by_angle,
+                "sample {i}, {deg} deg: {lost} N for {expected} N"
+            );
+        }
+    }
+}
+
+#[test]
+fn zeros_drift_by_their_rate_times_the_clock() {
+    let (rates, clock_h, zones) = ([1.2, -0.8, 0.4], 2.5, Zones::default());
+    let effect = forms("drift").remove(0);
+    let reading = [vec![10.0; 3], vec![-5.0; 3], vec![2.0; 3]];
+    let still = vec![0.0; 3];
+    let driven = inputs(3, Vec::new());
+    let state = WingState {
+        inputs: &driven,
+        loads: &reading,
+        tip_m: &still,
+        lift_n: &[],
+        height_m: &[],
+        twist_rad: &[],
+    };
+    let mut loads = Loads { balance: reading.clone(), tip_m: still.clone() };
+    // half an hour between samples
+    effect.loads(&rates, &place(&zones, 1800.0, false, clock_h), &state, &mut loads);
+    for (channel, rate) in rates.into_iter().enumerate() {
+        for (i, hours) in [2.5, 3.0, 3.5].into_iter().enumerate() {
+            let expected = reading[channel][i] + rate * hours;
+            assert!(
+                (loads.balance[channel][i] - expected).abs() < 1e-12,
+                "channel {channel} after {hours} h"
+            );
+        }
+    }
+}
+
+#[test]
+fn control_surfaces_saturate_more_by_the_power_of_airspeed() {
+    let (controls, delta) = (controls(), 0.25);
+    let at = |effect: &Arc<dyn Effect>, values: &[f64], v_m_s: f64| {
+        acting_deflection(&[Active::new(effect.clone(), values)], &controls, "outer", v_m_s, delta)
+    };
+    let forms = forms("ctl_saturation");
+    let by_form = |name: &str| forms.iter().find(|effect| effect.form() == name).unwrap();
+    for (v_m_s, power) in [(15.0, 2.0), (30.0, 2.0), (45.0, 1.0), (15.0, -1.0), (45.0, 0.0)] {
+        let grown = f64::powf(v_m_s / 30.0, power);
+        // delta_eff = s tanh(delta/s), 1/s = 2 per rad at 30 m/s
+        let s = 1.0 / (2.0 * grown);
+        let bent = at(by_form("tanh"), &[0.0, 2.0, power], v_m_s);
+        assert!((bent - s * (delta / s).tanh()).abs() < 1e-14, "{v_m_s} m/s, power {power}: {bent}");
+        // K = 1 + dK, dK at 14.3 degrees straight between that at 5 and that at 15 degrees
+        let share = (f64::to_degrees(delta) - 5.0) / 10.0;
+        let dk = grown * (0.1 + share * (-0.2 - 0.1));
+        let table = at(by_form("table"), &[0.0, 0.0, 0.0, 0.1, -0.2, -0.4, power], v_m_s);
+        assert!((table - delta * (1.0 + dk)).abs() < 1e-14, "{v_m_s} m/s, power {power}: {table}");
+    }
+}
+
+#[test]
+fn a_wake_that_remembers_longer_answers_as_the_wake_does_to_faster_motion() {
+    // R = steady + rate + wake; only the wake changes, to that of an oscillation (1 + dlag) times as fast
+    let (file, wing) = wing_with(|planform| planform.structure = None);
+    let rig = Rig::new(&wing, RigSettings::new(file.damping_ratio, file.pitch_axis_x())).unwrap();
+    let neutral = Corrections::neutral(wing.correctable.len());
+    let rom = ReducedOrderModel::new(&rig, FLOW, &neutral, None).unwrap();
+    let effect = forms("aero_lag").remove(0);
+    let lift = |dlag: f64, omega: f64| {
+        let mut change = Change::none(rom.zones.len());
+        effect.change(&[dlag], &place(&rom.zones, 0.01, false, 0.0), &mut change);
+        rom.responses(&change, &[omega], false)[0][(0, Drive::INCIDENCE)]
+    };
+    let added = |dlag: f64, omega: f64| lift(dlag, omega) - lift(0.0, omega);
+    for omega in [1.0, 5.0, 20.0] {
+        for (one, other) in [(0.5, 1.0), (1.0, -0.25), (-0.5, 0.4)] {
+            let both = (1.0 + one) * (1.0 + other) - 1.0;
+            let (law, found) = (added(one, omega) + added(other, (1.0 + one) * omega), added(both, omega));
+            let size = added(one, omega).norm();
+            assert!(
+                (found - law).norm() < 1e-9 * size,
+                "{omega} rad/s, {one} and {other}: {found} for {law}"
+            );
+        }
+    }
+    // Wagner: lift comes late, and later behind a longer wake
+    let (slow, later) = (lift(0.0, 1.0), added(1.0, 1.0));
+    assert!(slow.re > 0.0 && later.im < 0.0 && later.im.abs() > 1e-3 * slow.re, "{slow} {later}");
+}
