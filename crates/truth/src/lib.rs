@@ -1,0 +1,9 @@
+#![doc = include_str!("../README.md")]
+
+
+pub mod air;
+pub mod beam;
+mod fault;
+pub mod wing;
+
+pub use fault::Fault;
