@@ -61,8 +61,7 @@ fn tables_of_another_vortex_lattice_are_met() {
         let root_chord_m = number("c_root");
         let quarter = number("xLE_tip") + 0.25 * (tip_chord_m - root_chord_m);
         let sweep_rad = (quarter / semispan_m).atan();
-        let planform =
-            Planform { semispan_m, root_chord_m, tip_chord_m, sweep_rad, root_leading_x_m: 0.0 };
+        let planform = Planform { semispan_m, root_chord_m, tip_chord_m, sweep_rad, root_leading_x_m: 0.0 };
         let counts = [number("nchord"), number("nspan_half")].map(|count| {
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small count")]
             let count = count as usize;

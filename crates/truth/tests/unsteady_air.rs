@@ -67,7 +67,10 @@ fn oscillating_sections_have_the_lift_of_theodorsen_up_to_half_a_reduced_frequen
             let (share, degrees) = apart(found, exact);
             println!("motion {motion} k {k}: {:.2} %, {degrees:.2} degrees", 100.0 * share);
             if k <= 0.5 {
-                assert!(share.abs() < 0.01 && degrees.abs() < 1.0, "motion {motion} k {k}: {share} {degrees}");
+                assert!(
+                    share.abs() < 0.01 && degrees.abs() < 1.0,
+                    "motion {motion} k {k}: {share} {degrees}"
+                );
             }
         }
     }
@@ -103,7 +106,11 @@ fn a_step_of_incidence_gives_the_lift_of_wagner() {
         if place < 9.0 || place > 510.0 {
             continue;
         }
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small positive number")]
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a small positive number"
+        )]
         let before = place.floor() as usize;
         let share = place - place.floor();
         let found = by_step[before] * (1.0 - share) + by_step[before + 1] * share;

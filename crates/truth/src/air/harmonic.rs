@@ -3,7 +3,7 @@
 use super::lattice::Lattice;
 use super::operator::Operator;
 use super::wake::Part;
-use nalgebra::{Complex, DMatrix, DVector};
+use nalgebra::{Complex, DMatrix};
 
 /// Strip loads by a motion that swings with unit amplitude, as complex amplitudes.
 #[derive(Debug, Clone)]
@@ -12,6 +12,48 @@ pub struct Harmonic {
     pub lift_n: Vec<Complex<f64>>,
     /// Moment about the quarter point by strip, N m.
     pub moment_n_m: Vec<Complex<f64>>,
+}
+
+/// Rows of [`Operator`] by all motions that swing with unit amplitude, a column a motion, and their rates.
+pub(crate) struct States {
+    pub(crate) state: DMatrix<Complex<f64>>,
+    pub(crate) rate: DMatrix<Complex<f64>>,
+}
+
+impl States {
+    /// At an angular frequency; `time_step_s` is the stepped equations' own.
+    pub(crate) fn of(
+        lattice: &Lattice,
+        operator: &Operator,
+        v_m_s: f64,
+        time_step_s: f64,
+        omega_rad_s: f64,
+    ) -> Self {
+        let (count, motions) = (operator.strips, operator.motions);
+        let i_omega = Complex::new(0.0, omega_rad_s);
+        let back = Complex::new(0.0, -omega_rad_s * time_step_s).exp();
+        let by_motion = DMatrix::from_fn(3 * count, motions, |k, motion| {
+            Complex::from(v_m_s * operator.by_motion[(k, motion)])
+                + i_omega * operator.by_motion[(k, motions + motion)]
+        });
+        let mut wake = DMatrix::<Complex<f64>>::zeros(3 * count, count);
+        if operator.by_wake.ncols() > 0 {
+            for (row, strength) in strengths(lattice, back).iter().enumerate() {
+                for s in 0..count {
+                    for k in 0..3 * count {
+                        wake[(k, s)] += strength * operator.by_wake[(k, row * count + s)];
+                    }
+                }
+            }
+        }
+        let own = DMatrix::<Complex<f64>>::identity(count, count) - wake.rows(0, count);
+        let shed = own.lu().solve(&by_motion.rows(0, count).into_owned());
+        let shed = shed.unwrap_or_else(|| DMatrix::from_element(count, motions, Complex::new(f64::NAN, 0.0)));
+        let part = wake * shed;
+        let difference = (Complex::from(3.0) - 4.0 * back + back * back) / (2.0 * time_step_s);
+        let state = &by_motion + &part;
+        Self { state, rate: by_motion * i_omega + part * difference }
+    }
 }
 
 impl Harmonic {
@@ -25,29 +67,8 @@ impl Harmonic {
         omega_rad_s: f64,
     ) -> Self {
         let count = operator.strips;
-        let time_step_s = lattice.step_m / v_m_s;
-        let i_omega = Complex::new(0.0, omega_rad_s);
-        let back = Complex::new(0.0, -omega_rad_s * time_step_s).exp();
-        let by_motion = DVector::from_fn(3 * count, |k, _| {
-            Complex::from(v_m_s * operator.by_motion[(k, motion)])
-                + i_omega * operator.by_motion[(k, operator.motions + motion)]
-        });
-        let by_wake = strengths(lattice, back);
-        let mut wake = DMatrix::<Complex<f64>>::zeros(3 * count, count);
-        for (row, strength) in by_wake.iter().enumerate() {
-            for s in 0..count {
-                for k in 0..3 * count {
-                    wake[(k, s)] += strength * operator.by_wake[(k, row * count + s)];
-                }
-            }
-        }
-        let own = DMatrix::<Complex<f64>>::identity(count, count) - wake.rows(0, count);
-        let shed = own.lu().solve(&by_motion.rows(0, count).into_owned());
-        let shed = shed.unwrap_or_else(|| DVector::from_element(count, Complex::new(f64::NAN, 0.0)));
-        let part = wake * shed;
-        let difference = (Complex::from(3.0) - 4.0 * back + back * back) / (2.0 * time_step_s);
-        let state = &by_motion + &part;
-        let rate = by_motion * i_omega + part * difference;
+        let states = States::of(lattice, operator, v_m_s, lattice.step_m / v_m_s, omega_rad_s);
+        let (state, rate) = (states.state.column(motion), states.rate.column(motion));
         let mut loads = Self { lift_n: Vec::new(), moment_n_m: Vec::new() };
         for (s, strip) in lattice.strips.iter().enumerate() {
             let scale = rho_kg_m3 * strip.width_m;

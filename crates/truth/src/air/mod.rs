@@ -13,6 +13,7 @@ mod vortex;
 mod wake;
 
 pub use harmonic::Harmonic;
+pub(crate) use harmonic::States;
 pub use history::Memory;
 pub use lattice::{Lattice, Mesh, Strip};
 pub use motions::Motions;

@@ -71,6 +71,13 @@ impl Operator {
         }
     }
 
+    /// Changes the effect of a motion's position and rate.
+    pub fn scale_motion(&mut self, motion: usize, factor: f64) {
+        self.by_motion.column_mut(motion).scale_mut(factor);
+        self.by_motion.column_mut(self.motions + motion).scale_mut(factor);
+        self.steady.column_mut(motion).scale_mut(factor);
+    }
+
     /// Circulations and integrals of a motion by `position`, times the airspeed, at rest.
     pub fn at_rest(&self, motion: usize, position_v_m_s: f64) -> DVector<f64> {
         self.steady.column(motion) * position_v_m_s

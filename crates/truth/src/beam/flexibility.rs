@@ -3,56 +3,57 @@
 use super::axis::{Axis, Stiffness};
 use nalgebra::DMatrix;
 
-/// Points of Gauss and their weights on (-1, 1).
-const GAUSS: [(f64, f64); 3] =
-    [(-0.774_596_669_241_483_4, 5.0 / 9.0), (0.0, 8.0 / 9.0), (0.774_596_669_241_483_4, 5.0 / 9.0)];
-/// Pieces of the span over which is integrated.
-const PIECES: u32 = 240;
+/// Pieces of the span, each of one stiffness, over which moments are integrated exactly.
+const PIECES: u32 = 360;
 
-/// One point of integration.
+/// A piece of the axis.
 #[derive(Debug, Clone, Copy)]
-struct Point {
-    /// Along the axis, m.
-    s_m: f64,
-    /// Weight over bending stiffness, 1/(N m).
+struct Piece {
+    /// Its beginning along the axis, m.
+    from_m: f64,
+    /// One over the bending stiffness, 1/(N m²).
     bending: f64,
-    /// Weight over torsional stiffness.
+    /// One over the torsional stiffness.
     torsion: f64,
 }
 
 /// See the module. It holds for places up to the end of the span.
 #[derive(Debug, Clone)]
 pub(crate) struct Flexibility {
-    points: Vec<Point>,
+    pieces: Vec<Piece>,
+    length_m: f64,
     cos: f64,
 }
 
 impl Flexibility {
     pub(crate) fn new(axis: &Axis, end_y_m: f64, stiffness: &dyn Stiffness) -> Self {
-        let half = 0.5 * end_y_m / f64::from(PIECES);
-        let point = |piece: u32| {
-            GAUSS.iter().map(move |(place, weight)| {
-                let y_m = half * (f64::from(2 * piece + 1) + place);
-                let [bending, torsion] = stiffness.at(y_m);
-                let length = half * weight / axis.cos;
-                Point { s_m: y_m / axis.cos, bending: length / bending, torsion: length / torsion }
-            })
+        let width_m = end_y_m / f64::from(PIECES);
+        let piece = |number: u32| {
+            let [bending, torsion] = stiffness.at(width_m * (f64::from(number) + 0.5));
+            Piece {
+                from_m: width_m * f64::from(number) / axis.cos,
+                bending: 1.0 / bending,
+                torsion: 1.0 / torsion,
+            }
         };
-        Self { points: (0..PIECES).flat_map(point).collect(), cos: axis.cos }
+        Self { pieces: (0..PIECES).map(piece).collect(), length_m: width_m / axis.cos, cos: axis.cos }
     }
 
-    /// `(w, f, t)` at `to_y_m` by force, bending moment and torque at `from_y_m`; points between pieces count as they lie.
+    /// `(w, f, t)` at `to_y_m` by force, bending moment and torque at `from_y_m`.
     pub(crate) fn between(&self, to_y_m: f64, from_y_m: f64) -> [[f64; 3]; 3] {
         let (to, from) = (to_y_m / self.cos, from_y_m / self.cos);
         let last = to.min(from);
         let mut c = [[0.0; 3]; 3];
-        for point in self.points.iter().take_while(|point| point.s_m <= last) {
-            let (arm_to, arm_from) = (to - point.s_m, from - point.s_m);
-            c[0][0] += arm_to * arm_from * point.bending;
-            c[0][1] += arm_to * point.bending;
-            c[1][0] += arm_from * point.bending;
-            c[1][1] += point.bending;
-            c[2][2] += point.torsion;
+        for piece in self.pieces.iter().take_while(|piece| piece.from_m < last) {
+            let length = self.length_m.min(last - piece.from_m);
+            let middle = piece.from_m + 0.5 * length;
+            let (arm_to, arm_from) = (to - middle, from - middle);
+            let bent = length * piece.bending;
+            c[0][0] += bent * (arm_to * arm_from + length * length / 12.0);
+            c[0][1] += bent * arm_to;
+            c[1][0] += bent * arm_from;
+            c[1][1] += bent;
+            c[2][2] += length * piece.torsion;
         }
         c
     }

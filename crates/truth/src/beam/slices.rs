@@ -58,8 +58,7 @@ impl Beam {
         let stiffness =
             |y_m: f64| [stations.at(&stations.bending_n_m2, y_m), stations.at(&stations.torsion_n_m2, y_m)];
         let axis = Axis::of(&wing.planform, stations);
-        let mut beam =
-            Self::new(axis, wing.planform.semispan_m, slices_of(wing, &axis, count), &stiffness);
+        let mut beam = Self::new(axis, wing.planform.semispan_m, slices_of(wing, &axis, count), &stiffness);
         beam.extras = wing
             .lumps
             .iter()
@@ -80,7 +79,11 @@ impl Beam {
     /// The slice that a place belongs to.
     fn nearest(&self, y_m: f64) -> usize {
         let width = self.end_y_m / self.slices.len().max(1) as f64;
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "not negative, and bounded")]
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "not negative, and bounded"
+        )]
         let place = (y_m.max(0.0) / width) as usize;
         place.min(self.slices.len().saturating_sub(1))
     }

@@ -153,7 +153,8 @@ impl Wing {
     /// # Errors
     /// A file that cannot be read, or whose wing is no parametric one with a beam.
     pub fn read(path: &Path) -> Result<Self, Fault> {
-        let options = ron::Options::default().with_default_extension(ron::extensions::Extensions::IMPLICIT_SOME);
+        let options =
+            ron::Options::default().with_default_extension(ron::extensions::Extensions::IMPLICIT_SOME);
         let file: File = options.from_str(&text_of(path)?).map_err(|error| Fault::new(path, error))?;
         let (Source::Parametric(of), balance_x_m) = (file.source, file.balance.x_m);
         let Structure::Beam(beam) = of.structure;

@@ -51,8 +51,7 @@ impl Polars {
             let rows = (0..re.len()).filter(|row| {
                 re[*row] == *number && (STRAIGHT_DEG.0..=STRAIGHT_DEG.1).contains(&alpha[*row])
             });
-            let points: Vec<[f64; 3]> =
-                rows.map(|row| [alpha[row].to_radians(), cl[row], cm[row]]).collect();
+            let points: Vec<[f64; 3]> = rows.map(|row| [alpha[row].to_radians(), cl[row], cm[row]]).collect();
             let (slope_per_rad, at_zero) = line(points.iter().map(|p| (p[0], p[1])));
             let (cm_by_cl, cm_zero) = line(points.iter().map(|p| (p[1], p[2])));
             Section { slope_per_rad, zero_rad: -at_zero / slope_per_rad, cm_zero, cm_by_cl }

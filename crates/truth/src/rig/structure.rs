@@ -1,0 +1,106 @@
+//! The structure of a case in its own modes, and what of it the air and the balance see.
+
+use super::{GRAVITY_M_S2, Rig};
+use crate::beam::{Axis, Beam, Extra, Modes, Stiffness};
+use crate::setting::Setting;
+use nalgebra::{DMatrix, DVector};
+
+/// See the module.
+#[derive(Debug, Clone)]
+pub struct Structure {
+    /// Natural frequencies, rad/s.
+    pub omega_rad_s: Vec<f64>,
+    /// Damping over critical, by mode.
+    pub damping: Vec<f64>,
+    /// Height of the strips' quarter points, strips by modes.
+    pub(crate) height: DMatrix<f64>,
+    /// Nose-up rotation of the strips, strips by modes.
+    pub(crate) pitch: DMatrix<f64>,
+    /// Height of the axis at the tip, by mode.
+    pub(crate) tip: DVector<f64>,
+    /// Generalised forces of a unit downward pull and of a unit nose-up acceleration.
+    pub(crate) fields: DMatrix<f64>,
+    /// What the modes' accelerations take off the balance's loads.
+    pub(crate) balance: DMatrix<f64>,
+    /// Balance loads by a unit downward pull and by a unit nose-up acceleration.
+    pub(crate) rigid: [[f64; 3]; 2],
+    /// Height of the tip in still air, level, m.
+    pub(crate) sag_m: f64,
+}
+
+impl Structure {
+    /// The structure of a rig in a setting.
+    pub fn new(rig: &Rig, setting: &Setting) -> Self {
+        let beam = beam_of(rig, setting);
+        let modes: Modes = beam.modes(rig.modes);
+        let (pitch_x_m, balance_x_m) = (rig.wing.pitch_x_m, rig.wing.balance_x_m);
+        let strips = &rig.lattice.strips;
+        let count = modes.omega_rad_s.len();
+        let (mut height, mut pitch) =
+            (DMatrix::zeros(strips.len(), count), DMatrix::zeros(strips.len(), count));
+        for (s, strip) in strips.iter().enumerate().filter(|(_, strip)| strip.metric) {
+            let shape = beam.shape(&modes, strip.quarter_x_m(), strip.y_m);
+            for mode in 0..count {
+                height[(s, mode)] = shape.height[mode];
+                pitch[(s, mode)] = shape.pitch[mode];
+            }
+        }
+        let tip = beam.shape(&modes, beam.axis.x_m(beam.end_y_m), beam.end_y_m).height;
+        let fields = modes.loads(&beam.fields(pitch_x_m));
+        let sag = modes.deflected(&(fields.column(0) * GRAVITY_M_S2));
+        let [mass, aft, out] = beam.moments(pitch_x_m);
+        let moved = pitch_x_m - balance_x_m;
+        let product = beam.product_kg_m2(pitch_x_m);
+        // about the balance: arms are longer by the way from the axis of pitch
+        let pulled = [-mass, -out, aft + moved * mass];
+        let turned = [aft, product, -(beam.pitch_inertia_kg_m2(pitch_x_m) + moved * aft)];
+        let tip = DVector::from_vec(tip);
+        Self {
+            damping: (0..count).map(|mode| setting.damping_of(mode)).collect(),
+            balance: beam.balance_rows(balance_x_m) * &modes.slices,
+            rigid: [pulled, turned],
+            sag_m: tip.dot(&sag),
+            omega_rad_s: modes.omega_rad_s,
+            height,
+            pitch,
+            tip,
+            fields,
+        }
+    }
+}
+
+/// The beam of a setting.
+fn beam_of(rig: &Rig, setting: &Setting) -> Beam {
+    let (wing, planform) = (&rig.wing, &rig.wing.planform);
+    let mut beam = Beam::of_wing(wing, rig.slices);
+    let eta = |y_m: f64| y_m / planform.semispan_m;
+    for slice in &mut beam.slices {
+        let factor = setting.mass.at(eta(slice.y_m));
+        slice.mass_kg *= factor;
+        slice.pitch_kg_m2 *= factor;
+        slice.roll_kg_m2 *= factor;
+        slice.aft_m += setting.mass_aft_over_c.at(eta(slice.y_m)) * planform.chord_m(slice.y_m);
+    }
+    let (aft_m, out_m) = setting.lumps_moved_m;
+    for extra in &mut beam.extras {
+        extra.x_m += aft_m;
+        extra.y_m += out_m;
+    }
+    beam.extras.extend(setting.extras.iter().copied());
+    let stations = &wing.stations;
+    let stiffness = |y_m: f64| {
+        [
+            stations.at(&stations.bending_n_m2, y_m) * setting.bending.at(eta(y_m)),
+            stations.at(&stations.torsion_n_m2, y_m) * setting.torsion.at(eta(y_m)),
+        ]
+    };
+    let axis = Axis::of(planform, stations);
+    rebuilt(beam, axis, &stiffness)
+}
+
+fn rebuilt(beam: Beam, axis: Axis, stiffness: &dyn Stiffness) -> Beam {
+    let extras: Vec<Extra> = beam.extras;
+    let mut beam = Beam::new(axis, beam.end_y_m, beam.slices, stiffness);
+    beam.extras = extras;
+    beam
+}
