@@ -32,7 +32,7 @@ fn solved(lattice: &Lattice, wake: bool) -> Operator {
     let mut motions = Motions::default();
     motions.push_strips(lattice, &[1.0], &[0.0]);
     motions.push_pitch(lattice, 0.5);
-    motions.push_flap(lattice, (0.0, 1e4), 0.25);
+    motions.push_flap(lattice, (0.0, 1e4), 0.25, 1.0);
     Operator::new(lattice, &[Section::FLAT], &motions, wake)
 }
 

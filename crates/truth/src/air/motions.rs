@@ -30,10 +30,10 @@ impl Motions {
         self.push_strips(lattice, &height, &vec![1.0; lattice.strips.len()]);
     }
 
-    /// Adds a flap: the rear `chord_share` of the strips between two places of the span, trailing edge down. A
-    /// point speaks for the stretch from its ring's vortex to the next, and moves by the share of it behind the hinge; strips
+    /// Adds a flap: the rear `chord_share` of the strips between two places of the span, trailing edge down about its hinge,
+    /// whose sweep has the cosine `hinge_cos`: along the stream the slope is that much less than the deflection. A point speaks for the stretch from its ring's vortex to the next, and moves by the share of it behind the hinge; strips
     /// that an end of the flap cuts likewise.
-    pub fn push_flap(&mut self, lattice: &Lattice, y_m: (f64, f64), chord_share: f64) {
+    pub fn push_flap(&mut self, lattice: &Lattice, y_m: (f64, f64), chord_share: f64, hinge_cos: f64) {
         let n = lattice.chordwise as f64;
         let (mut turned, mut falling) = (Vec::new(), Vec::new());
         for (ring, x_m) in lattice.points_x_m.iter().enumerate() {
@@ -41,7 +41,7 @@ impl Motions {
             let (inner, outer) = (strip.y_m - 0.5 * strip.width_m, strip.y_m + 0.5 * strip.width_m);
             let beside = ((outer.min(y_m.1) - inner.max(y_m.0)) / strip.width_m).clamp(0.0, 1.0);
             let rear = (lattice.share(ring) + 0.5 / n - (1.0 - chord_share)) * n;
-            let share = beside * rear.clamp(0.0, 1.0);
+            let share = hinge_cos * beside * rear.clamp(0.0, 1.0);
             let hinge_m = strip.leading_x_m + (1.0 - chord_share) * strip.chord_m;
             turned.push(share);
             falling.push(share * (x_m - hinge_m));

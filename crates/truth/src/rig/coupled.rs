@@ -22,7 +22,6 @@ pub struct Coupled<'a> {
     pub(crate) setting: Setting,
     pub(crate) structure: Structure,
     pub(crate) operator: Operator,
-    pub(crate) sections: Vec<Section>,
     /// Airspeed that acts, m/s; zero in still air.
     pub v_m_s: f64,
     /// Density, kg/m³.
@@ -110,7 +109,6 @@ impl<'a> Coupled<'a> {
             setting,
             structure,
             operator,
-            sections,
             v_m_s,
             rho_kg_m3,
             time_step_s,
@@ -201,7 +199,7 @@ impl<'a> Coupled<'a> {
                 extra[s] += 0.7 * (more - extra[s]);
             }
             rest = Some(Rest {
-                tip_z_m: self.structure.tip.dot(&modal) - self.structure.sag_m,
+                tip_z_m: self.structure.tip.dot(&(&modal - &self.structure.sag)),
                 lift_n: strip.rows(0, self.operator.strips).into_owned(),
                 lost: lost.clone(),
                 modal,
@@ -220,7 +218,10 @@ fn motions(rig: &Rig, structure: &Structure) -> Motions {
     }
     motions.push_pitch(&rig.lattice, rig.wing.pitch_x_m);
     for control in &rig.wing.controls {
-        motions.push_flap(&rig.lattice, control.y_m, control.chord_share);
+        let hinge_m = |y_m: f64| rig.wing.planform.x_m(y_m, 1.0 - control.chord_share);
+        let (inner, outer) = control.y_m;
+        let hinge_cos = (outer - inner) / (outer - inner).hypot(hinge_m(outer) - hinge_m(inner));
+        motions.push_flap(&rig.lattice, control.y_m, control.chord_share, hinge_cos);
     }
     motions
 }

@@ -222,7 +222,7 @@ impl<'a> March<'a> {
         let structure = &self.coupled.structure;
         flight.tip_z_m.push(self.rest.tip_z_m + structure.tip.dot(&self.modal[0]));
         if strips_too {
-            let modal = &self.rest.modal + &self.modal[0];
+            let modal = &self.rest.modal + &self.modal[0] - &structure.sag;
             flight.lift_n.push(self.lift_n.iter().copied().collect());
             flight.height_m.push((&structure.height * modal).iter().copied().collect());
         }

@@ -24,8 +24,8 @@ pub struct Structure {
     pub(crate) balance: DMatrix<f64>,
     /// Balance loads by a unit downward pull and by a unit nose-up acceleration.
     pub(crate) rigid: [[f64; 3]; 2],
-    /// Height of the tip in still air, level, m.
-    pub(crate) sag_m: f64,
+    /// Modal coordinates in still air, level.
+    pub(crate) sag: DVector<f64>,
 }
 
 impl Structure {
@@ -59,7 +59,7 @@ impl Structure {
             damping: (0..count).map(|mode| setting.damping_of(mode)).collect(),
             balance: beam.balance_rows(balance_x_m) * &modes.slices,
             rigid: [pulled, turned],
-            sag_m: tip.dot(&sag),
+            sag,
             omega_rad_s: modes.omega_rad_s,
             height,
             pitch,
