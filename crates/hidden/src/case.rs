@@ -70,7 +70,10 @@ impl Bench {
             plan.effects = scaled(&plan.effects, 0.5);
         }
         let d2 = self.detectability(&mut plan, &jitter);
-        let mut measured = self.measured(&plan, &physics, &jitter);
+        let mut measured = match &self.vortices {
+            Some(tunnel) => crate::vortices::measured(tunnel, &mut plan),
+            None => self.measured(&plan, &physics, &jitter),
+        };
         if let Some(defect) = &plan.defect {
             spoil(&mut measured, defect);
         }

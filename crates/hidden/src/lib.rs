@@ -30,6 +30,7 @@ mod simulate;
 pub mod strips;
 mod system;
 mod truth_wing;
+mod vortices;
 
 pub use answer::Answer;
 pub use bench::{Bench, Fineness};

@@ -24,10 +24,10 @@ const LUMPS_M: (f64, f64) = (0.004, 0.003);
 /// Of moment coefficients of sections.
 const MOMENT: (f64, f64) = (0.002, 0.001);
 /// Effect of a flap with a gap, and its standard deviation.
-const FLAP: (f64, f64) = (0.96, 0.02);
+const FLAP: (f64, f64) = (0.94, 0.02);
 /// Damping: standard deviation of its logarithm, of all modes and of each; largest growth by amplitude.
 const DAMPING: (f64, f64) = (0.2, 0.15);
-const GROWTH: f64 = 0.3;
+const GROWTH: f64 = 0.15;
 /// Largest play of the root, degrees.
 const SLACK_DEG: f64 = 0.02;
 /// What a correction for walls leaves, rad for a lift coefficient of one.

@@ -5,6 +5,9 @@ use super::coupled::{Coupled, Rest};
 use crate::air::Memory;
 use nalgebra::{DMatrix, DVector, Dyn, LU};
 
+/// Swing of the tip in hundredths of the half span beyond which damping does not grow.
+const MOST_SWING: f64 = 4.0;
+
 /// What moves, by step.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Inputs {
@@ -186,8 +189,9 @@ impl<'a> March<'a> {
             + coupled.structure.fields.column(1) * inputs.alpha[2][i];
         for mode in 0..modes {
             let (omega, zeta) = (coupled.structure.omega_rad_s[mode], coupled.structure.damping[mode]);
-            let swing = self.modal[0][mode].hypot(self.modal[1][mode] / omega) / self.amplitude[mode];
-            let grown = 1.0 + coupled.setting.damping_growth * swing.min(4.0);
+            // by the rate: what is merely held bent does not swing
+            let swing = (self.modal[1][mode] / omega).abs() / self.amplitude[mode];
+            let grown = 1.0 + coupled.setting.damping_growth * swing.min(MOST_SWING);
             force[mode] -= omega * omega * position[mode] + 2.0 * zeta * omega * grown * velocity[mode];
         }
         let acceleration =
