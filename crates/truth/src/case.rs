@@ -7,7 +7,7 @@ use crate::drive::{Maneuver, Servo};
 use crate::effects::{self, Effect};
 use crate::fault::Fault;
 use crate::random::{Purpose, Random};
-use crate::rig::{Coupled, Flight, Inputs, Rig};
+use crate::rig::{Coupled, Fineness, Flight, Inputs, Rig};
 use crate::setting::Setting;
 use crate::wing::{Polars, Wing};
 use rayon::prelude::*;
@@ -45,9 +45,17 @@ impl Tunnel {
     /// # Errors
     /// Files that cannot be read, or a wing that is no flat parametric one with a beam.
     pub fn new(wing: &Path, polars: &Path) -> Result<Self, Fault> {
+        Self::divided(wing, polars, Fineness::CAMPAIGN)
+    }
+
+    /// A tunnel whose wing is divided in another way.
+    ///
+    /// # Errors
+    /// As [`Tunnel::new`].
+    pub fn divided(wing: &Path, polars: &Path, fineness: Fineness) -> Result<Self, Fault> {
         let (wing, polars) = (Wing::read(wing)?, Polars::read(polars)?);
         let controls = wing.controls.iter().map(|control| control.name.clone()).collect();
-        Ok(Self { rig: Rig::new(wing, Some(polars)), controls })
+        Ok(Self { rig: Rig::divided(wing, Some(polars), fineness), controls })
     }
 
     /// The runs of an order.
@@ -156,7 +164,9 @@ impl Tunnel {
                 let rigged: Vec<[Vec<f64>; 3]> = (0..self.controls.len())
                     .map(|control| {
                         let mut delta = vec![0.0];
-                        hidden.iter().for_each(|effect| effect.on_deflection(&here, control, &mut delta));
+                        for effect in hidden {
+                            effect.on_deflection(&here, control, &mut delta);
+                        }
                         [delta, vec![0.0], vec![0.0]]
                     })
                     .collect();

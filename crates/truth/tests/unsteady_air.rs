@@ -103,7 +103,7 @@ fn a_step_of_incidence_gives_the_lift_of_wagner() {
         let number = |name: &str| row[name].as_f64().expect("a number");
         // semi-chords travelled; the motion begins within the first step
         let place = number("s") * 0.5 / STEP_M - 0.5;
-        if place < 9.0 || place > 510.0 {
+        if !(9.0..=510.0).contains(&place) {
             continue;
         }
         #[expect(

@@ -70,61 +70,78 @@ const SHED: f64 = -0.125;
 /// Where the endless row ends, m.
 const FAR_M: f64 = 1e6;
 
-impl Lattice {
-    /// Divides a wing; the wall, at the first edge, is a plane of symmetry.
-    pub fn new(planform: &Planform, mesh: &Mesh) -> Self {
-        let n = mesh.chordwise;
-        let share = |ring: usize| (ring as f64 + if ring == n { SHED } else { 0.25 }) / n as f64;
-        let wall_m = mesh.edges_m[0];
+/// Corners and points of a mesh on an outline.
+struct Drawn<'a> {
+    planform: &'a Planform,
+    mesh: &'a Mesh,
+}
+
+impl Drawn<'_> {
+    /// A point of a ring's front line, or behind the trailing edge.
+    fn corner(&self, y_m: f64, ring: usize, aft_m: f64) -> Point {
+        let n = self.mesh.chordwise;
+        let share = (ring as f64 + if ring == n { SHED } else { 0.25 }) / n as f64;
+        [self.planform.x_m(y_m, share) + aft_m, y_m]
+    }
+
+    /// One quadrilateral a strip between two lines of rings, each so far aft.
+    fn between(&self, (front, front_m): (usize, f64), (rear, rear_m): (usize, f64)) -> Vec<[Point; 4]> {
+        let corners = |pair: &[f64]| {
+            [
+                self.corner(pair[0], front, front_m),
+                self.corner(pair[1], front, front_m),
+                self.corner(pair[1], rear, rear_m),
+                self.corner(pair[0], rear, rear_m),
+            ]
+        };
+        self.mesh.edges_m.windows(2).map(corners).collect()
+    }
+
+    /// Rings, strip after strip.
+    fn rings(&self) -> Vec<[Point; 4]> {
+        let n = self.mesh.chordwise;
+        let rows: Vec<Vec<[Point; 4]>> = (0..n).map(|i| self.between((i, 0.0), (i + 1, 0.0))).collect();
+        (0..rows[0].len() * n).map(|place| rows[place % n][place / n]).collect()
+    }
+
+    /// A stretch of the wake, in steps.
+    fn behind(&self, from: f64, to: f64) -> Vec<[Point; 4]> {
+        let n = self.mesh.chordwise;
+        let to_m = if to.is_finite() { self.mesh.step_m * to } else { FAR_M };
+        self.between((n, self.mesh.step_m * from), (n, to_m))
+    }
+
+    fn strips(&self) -> Vec<Strip> {
         let strip = |pair: &[f64]| {
             let y_m = 0.5 * (pair[0] + pair[1]);
             Strip {
                 y_m,
                 width_m: pair[1] - pair[0],
-                chord_m: planform.chord_m(y_m),
-                leading_x_m: planform.x_m(y_m, 0.0),
+                chord_m: self.planform.chord_m(y_m),
+                leading_x_m: self.planform.x_m(y_m, 0.0),
                 metric: y_m > 0.0,
             }
         };
-        let strips: Vec<Strip> = mesh.edges_m.windows(2).map(strip).collect();
+        self.mesh.edges_m.windows(2).map(strip).collect()
+    }
+}
+
+impl Lattice {
+    /// Divides a wing; the wall, at the first edge, is a plane of symmetry.
+    pub fn new(planform: &Planform, mesh: &Mesh) -> Self {
+        let (n, drawn) = (mesh.chordwise, Drawn { planform, mesh });
+        let strips = drawn.strips();
+        let point = |place: usize| {
+            let y_m = strips[place / n].y_m;
+            [planform.x_m(y_m, ((place % n) as f64 + 0.75) / n as f64), y_m]
+        };
+        let points: Vec<Point> = (0..strips.len() * n).map(point).collect();
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some thousands")]
         let rows = Rows::until((mesh.wake_m / mesh.step_m).ceil() as usize);
-        let corner = |y_m: f64, ring: usize, aft_m: f64| [planform.x_m(y_m, share(ring)) + aft_m, y_m];
-        let rings: Vec<[Point; 4]> = (0..strips.len() * n)
-            .map(|place| {
-                let (pair, i) = (&mesh.edges_m[place / n..place / n + 2], place % n);
-                [
-                    corner(pair[0], i, 0.0),
-                    corner(pair[1], i, 0.0),
-                    corner(pair[1], i + 1, 0.0),
-                    corner(pair[0], i + 1, 0.0),
-                ]
-            })
-            .collect();
-        let points: Vec<Point> = (0..strips.len() * n)
-            .map(|place| {
-                let y_m = strips[place / n].y_m;
-                [planform.x_m(y_m, ((place % n) as f64 + 0.75) / n as f64), y_m]
-            })
-            .collect();
-        let between = |from_m: f64, to_m: f64| -> Vec<[Point; 4]> {
-            let corners = |pair: &[f64]| {
-                [
-                    corner(pair[0], n, from_m),
-                    corner(pair[1], n, from_m),
-                    corner(pair[1], n, to_m),
-                    corner(pair[0], n, to_m),
-                ]
-            };
-            mesh.edges_m.windows(2).map(corners).collect()
-        };
-        let blown = |rings: &[[Point; 4]]| downwash(&points, rings, wall_m);
-        let step = |steps: usize| mesh.step_m * steps as f64;
+        let blown = |rings: &[[Point; 4]]| downwash(&points, rings, mesh.edges_m[0]);
         let pieces: Vec<(usize, f64, DMatrix<f64>)> = Rows::pieces()
             .into_par_iter()
-            .map(|(node, from, to, share)| {
-                (node, share, blown(&between(mesh.step_m * from, mesh.step_m * to)))
-            })
+            .map(|(node, from, to, share)| (node, share, blown(&drawn.behind(from, to))))
             .collect();
         let node = |number: usize| {
             let mut sum = DMatrix::zeros(points.len(), strips.len());
@@ -139,11 +156,11 @@ impl Lattice {
         };
         let part = |part: &Part| match part {
             Part::Node(number) => node(*number),
-            Part::Mean(from, to) => blown(&between(step(*from), step(*to))),
-            Part::Endless(from) => blown(&between(step(*from), FAR_M)),
+            Part::Mean(from, to) => blown(&drawn.behind(*from as f64, *to as f64)),
+            Part::Endless(from) => blown(&drawn.behind(*from as f64, f64::INFINITY)),
         };
         Self {
-            bound: blown(&rings),
+            bound: blown(&drawn.rings()),
             present: node(0),
             wake: rows.parts().par_iter().map(part).collect(),
             points_x_m: points.iter().map(|point| point[0]).collect(),

@@ -60,8 +60,8 @@ pub fn benchmark(controls: &[String]) -> Vec<Planned> {
     let mut all = Vec::new();
     for v_m_s in [18.0, 22.0, 30.0, 34.0] {
         for (hz, said) in [(0.5, "0p5"), (2.0, "2"), (4.0, "4")] {
-            let train = !HELD_OUT_M_S.contains(&v_m_s) && !(v_m_s == 30.0 && hz == 2.0);
-            all.push(pitch(format!("aoa_{said}hz_{v_m_s}"), v_m_s, hz, train));
+            let held = HELD_OUT_M_S.contains(&v_m_s) || (v_m_s == 30.0 && hz == 2.0);
+            all.push(pitch(format!("aoa_{said}hz_{v_m_s}"), v_m_s, hz, !held));
         }
     }
     all.push(pitch("aoa_2hz_40".into(), 40.0, 2.0, false));

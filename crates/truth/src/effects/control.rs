@@ -46,7 +46,9 @@ impl Effect {
             "ctl_saturation" => {
                 // those further out lose more; 1/sqrt(1 + 2/3 x²) begins as tanh x / x does
                 let inverse = p * (0.92 + 0.08 * control as f64);
-                delta.iter_mut().for_each(|d| *d /= (1.0 + (inverse * *d).powi(2) / 1.5).sqrt());
+                for d in delta {
+                    *d /= (1.0 + (inverse * *d).powi(2) / 1.5).sqrt();
+                }
             }
             "ctl_compliance" => {
                 let soft = p * record.q_pa / Q_REF_PA;
@@ -65,7 +67,9 @@ impl Effect {
                 }
             }
             "ctl_asym" => {
-                delta.iter_mut().for_each(|d| *d *= 1.0 - p / (1.0 + (*d / UP_DOWN_RAD).exp()));
+                for d in delta {
+                    *d *= 1.0 - p / (1.0 + (*d / UP_DOWN_RAD).exp());
+                }
             }
             "ctl_alpha_interaction" => {
                 for (i, d) in delta.iter_mut().enumerate() {
@@ -73,7 +77,9 @@ impl Effect {
                 }
             }
             "delta_offset" if control == self.choice(1) => {
-                delta.iter_mut().for_each(|d| *d += p.to_radians());
+                for d in delta {
+                    *d += p.to_radians();
+                }
             }
             _ => {}
         }

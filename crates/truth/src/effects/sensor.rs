@@ -67,7 +67,7 @@ impl Effect {
 
     /// What an angle sensor says, rad.
     pub(crate) fn on_reading(&self, alpha_rad: f64) -> f64 {
-        if self.name == "alpha_encoder" {
+        if self.name == "alpha_encoder" && self.value(0) != 0.0 {
             (alpha_rad.tan() / (1.0 + self.value(0))).atan()
         } else {
             alpha_rad

@@ -19,7 +19,7 @@ impl Effect {
         match self.name.as_str() {
             // a stream that turns a little less outboard
             "alpha_offset" => {
-                setting.incidence_rad.add(|eta| p.to_radians() * (1.0 + 0.08 * (PI * eta).cos()))
+                setting.incidence_rad.add(|eta| p.to_radians() * (1.0 + 0.08 * (PI * eta).cos()));
             }
             "flow_upwash_gradient" => {
                 let semispan_m = wing.planform.semispan_m;
@@ -68,7 +68,7 @@ impl Effect {
                 }
             }
             "tip_mass" if p != 0.0 => {
-                setting.extras.extend(tip_masses(wing, p, self.value(1), self.value(2)))
+                setting.extras.extend(tip_masses(wing, p, self.value(1), self.value(2)));
             }
             _ => {}
         }

@@ -91,7 +91,7 @@ impl<'a> Coupled<'a> {
             by_state[(s, s)] = scale * v_m_s * lift;
             by_rate[(s, count + s)] = scale * lift;
             // about the quarter point, then where the lift really acts, then the polar's moment
-            let moment = &sections[s].cm_by_cl * chord - aft_m;
+            let moment = sections[s].cm_by_cl * chord - aft_m;
             by_state[(count + s, s)] = scale * v_m_s * lift * (-0.75 * chord + moment);
             by_state[(count + s, count + s)] = scale * v_m_s * lift;
             by_rate[(count + s, count + s)] = scale * lift * 0.25 * chord;

@@ -79,8 +79,15 @@ pub struct Wing {
 struct File {
     source: Source,
     balance: Point,
+    root_plane: Option<Plane>,
     pitch_axis_x_m: Option<f64>,
     damping_ratio: Option<f64>,
+}
+
+#[derive(Deserialize)]
+enum Plane {
+    Symmetric(f64),
+    None,
 }
 
 #[derive(Deserialize)]
@@ -94,6 +101,10 @@ struct Parametric {
     root_chord_m: f64,
     tip_chord_m: f64,
     quarter_chord_sweep_deg: f64,
+    #[serde(default)]
+    dihedral_deg: f64,
+    #[serde(default)]
+    twist_deg: (f64, f64),
     #[serde(default)]
     root_leading_edge_x_m: f64,
     boxes: Boxes,
@@ -157,6 +168,21 @@ impl Wing {
             ron::Options::default().with_default_extension(ron::extensions::Extensions::IMPLICIT_SOME);
         let file: File = options.from_str(&text_of(path)?).map_err(|error| Fault::new(path, error))?;
         let (Source::Parametric(of), balance_x_m) = (file.source, file.balance.x_m);
+        if of.dihedral_deg != 0.0 || of.twist_deg != (0.0, 0.0) {
+            return Err(Fault::new(
+                path,
+                "the vortices of this program lie in a plane: no dihedral, no twist",
+            ));
+        }
+        let wall_y_m = of.fairing.map_or(0.0, |fairing| -fairing.width_m);
+        if let Some(Plane::Symmetric(y_m)) = file.root_plane
+            && (y_m - wall_y_m).abs() > 1e-9
+        {
+            return Err(Fault::new(path, "the plane of symmetry is not where the fairing ends"));
+        }
+        if matches!(file.root_plane, Some(Plane::None)) {
+            return Err(Fault::new(path, "this program flies a wing beside a wall, and this one has none"));
+        }
         let Structure::Beam(beam) = of.structure;
         let stations = Stations::read(&path.with_file_name(beam.distribution))?;
         let strips = f64::from(of.boxes.spanwise);
@@ -177,7 +203,7 @@ impl Wing {
                 sweep_rad: of.quarter_chord_sweep_deg.to_radians(),
                 root_leading_x_m: of.root_leading_edge_x_m,
             },
-            wall_y_m: of.fairing.map_or(0.0, |fairing| -fairing.width_m),
+            wall_y_m,
             controls: of.controls.into_iter().map(control).collect(),
             stations,
             lumps: beam.point_masses.into_iter().chain(beam.sensors).map(lump).collect(),

@@ -52,8 +52,9 @@ impl Polars {
                 re[*row] == *number && (STRAIGHT_DEG.0..=STRAIGHT_DEG.1).contains(&alpha[*row])
             });
             let points: Vec<[f64; 3]> = rows.map(|row| [alpha[row].to_radians(), cl[row], cm[row]]).collect();
-            let (slope_per_rad, at_zero) = line(points.iter().map(|p| (p[0], p[1])));
-            let (cm_by_cl, cm_zero) = line(points.iter().map(|p| (p[1], p[2])));
+            let columns = |x: usize, y: usize| points.iter().map(|p| (p[x], p[y])).collect::<Vec<_>>();
+            let (slope_per_rad, at_zero) = line(&columns(0, 1));
+            let (cm_by_cl, cm_zero) = line(&columns(1, 2));
             Section { slope_per_rad, zero_rad: -at_zero / slope_per_rad, cm_zero, cm_by_cl }
         };
         let sections = numbers.iter().map(section).collect();
@@ -76,12 +77,12 @@ impl Polars {
 }
 
 /// Slope and value at zero of the straight line through points, by least squares.
-fn line(points: impl Iterator<Item = (f64, f64)> + Clone) -> (f64, f64) {
-    let count = points.clone().count().max(1) as f64;
-    let mean = |of: fn((f64, f64)) -> f64| points.clone().map(of).sum::<f64>() / count;
+fn line(points: &[(f64, f64)]) -> (f64, f64) {
+    let count = points.len().max(1) as f64;
+    let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / count;
     let (x, y) = (mean(|p| p.0), mean(|p| p.1));
-    let across: f64 = points.clone().map(|p| (p.0 - x) * (p.1 - y)).sum();
-    let along: f64 = points.clone().map(|p| (p.0 - x) * (p.0 - x)).sum();
+    let across: f64 = points.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
+    let along: f64 = points.iter().map(|p| (p.0 - x) * (p.0 - x)).sum();
     let slope = across / along.max(f64::MIN_POSITIVE);
     (slope, y - slope * x)
 }
@@ -93,7 +94,7 @@ mod tests {
     #[test]
     fn a_line_goes_through_points_that_lie_on_one() {
         let points = [(0.0, 1.0), (2.0, 5.0), (3.0, 7.0)];
-        let (slope, at_zero) = line(points.into_iter());
+        let (slope, at_zero) = line(&points);
         assert!((slope - 2.0).abs() < 1e-12 && (at_zero - 1.0).abs() < 1e-12);
     }
 }
