@@ -8,12 +8,16 @@ mod draw;
 pub mod drive;
 pub mod effects;
 mod fault;
+mod order;
 pub mod profile;
 mod random;
+mod recording;
 pub mod rig;
 pub mod setting;
+mod signals;
 pub mod wing;
 
-pub use case::{Order, Tunnel};
+pub use case::Tunnel;
 pub use draw::{WINGS, true_wing};
 pub use fault::Fault;
+pub use order::Order;

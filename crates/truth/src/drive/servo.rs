@@ -1,6 +1,6 @@
 //! The ailerons' servo: second order.
 
-use crate::effects::second_order;
+use crate::signals::second_order;
 use std::f64::consts::TAU;
 
 /// A servo that follows its command.

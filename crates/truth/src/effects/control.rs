@@ -1,7 +1,7 @@
 //! What effects make of a control's command and of its servo's answer.
 
-use super::signals::second_order;
 use super::{Effect, Record};
+use crate::signals::second_order;
 
 /// Dynamic pressure that softness refers to: 30 m/s at sea level, Pa.
 const Q_REF_PA: f64 = 551.25;

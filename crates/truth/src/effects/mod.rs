@@ -9,10 +9,8 @@ mod bent;
 mod control;
 mod sensor;
 mod setting;
-pub(crate) mod signals;
 
 pub use setting::V_REF_M_S;
-pub(crate) use signals::second_order;
 
 use crate::rig::Flight;
 

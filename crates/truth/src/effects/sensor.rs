@@ -1,7 +1,7 @@
 //! What balance and data acquisition make of loads and angles.
 
-use super::signals::{early, lagged};
 use super::{Effect, Record};
+use crate::signals::{early, lagged};
 use std::f64::consts::{SQRT_2, TAU};
 
 /// Ranges of the channels, N and N m.

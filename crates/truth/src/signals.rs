@@ -1,7 +1,7 @@
 //! Lags and shifts of sampled signals that rest before their first sample.
 
 /// A lag of first order by the trapezoidal rule.
-pub(super) fn lagged(values: &[f64], lag_s: f64, time_step_s: f64) -> Vec<f64> {
+pub(crate) fn lagged(values: &[f64], lag_s: f64, time_step_s: f64) -> Vec<f64> {
     let a = 2.0 * lag_s / time_step_s;
     let mut before = values.first().map_or((0.0, 0.0), |first| (*first, *first));
     let step = |value: &f64| {
@@ -32,7 +32,7 @@ pub(crate) fn second_order(values: &[f64], omega: f64, zeta: f64, time_step_s: f
 }
 
 /// A signal `steps` earlier (later if negative): Lagrange's polynomial through six samples.
-pub(super) fn early(values: &[f64], steps: f64) -> Vec<f64> {
+pub(crate) fn early(values: &[f64], steps: f64) -> Vec<f64> {
     let Some(last) = values.len().checked_sub(1) else { return Vec::new() };
     (0..values.len()).map(|i| at(values, (i as f64 + steps).clamp(0.0, last as f64))).collect()
 }
