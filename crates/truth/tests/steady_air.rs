@@ -75,3 +75,26 @@ fn tables_of_another_vortex_lattice_are_met() {
     }
     assert!(met > 5);
 }
+
+/// A section with a polar in an infinite wing: its lift is the polar's, whatever the lattice.
+#[test]
+fn a_section_of_an_endless_wing_has_the_lift_of_its_polar() {
+    let planform = Planform {
+        semispan_m: 1e5,
+        root_chord_m: 1.0,
+        tip_chord_m: 1.0,
+        sweep_rad: 0.0,
+        root_leading_x_m: 0.0,
+    };
+    let mesh = Mesh { chordwise: 6, edges_m: vec![0.0, 1e5], step_m: 0.1, wake_m: 100.0 };
+    let lattice = Lattice::new(&planform, &mesh);
+    let mut motions = Motions::default();
+    motions.push_pitch(&lattice, 0.0);
+    for slope_per_rad in [5.2, 6.9] {
+        let section = Section { slope_per_rad, ..Section::FLAT };
+        let operator = Operator::new(&lattice, &[section], &motions, true);
+        let state = operator.at_rest(0, 1.0);
+        let lift = Loads::of(&lattice, 2.0, 1.0, &state, &(&state * 0.0)).lift_n[0] / 1e5;
+        assert!((lift / slope_per_rad - 1.0).abs() < 1e-4, "{lift} {slope_per_rad}");
+    }
+}

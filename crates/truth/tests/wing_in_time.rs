@@ -151,3 +151,54 @@ fn a_long_swing_in_time_is_the_steady_oscillation() {
         assert!(off < 0.005, "channel {channel}: {off}");
     }
 }
+
+/// A stiff wing in a vacuum, pitched: the balance sees mass times arms of the drawing's bodies, summed here anew.
+#[test]
+fn a_stiff_wing_in_a_vacuum_shows_its_inertia() {
+    let rig = rig();
+    let mut setting = drawn(&rig);
+    setting.bending.scale(|_| 1e5);
+    setting.torsion.scale(|_| 1e5);
+    let coupled = Coupled::new(&rig, setting, 0.0, 1e-9);
+    let omega = 20.0;
+    let found = coupled.swing(omega);
+    let beam = truth::beam::Beam::of_wing(&rig.wing, rig.slices);
+    let slices =
+        beam.slices.iter().map(|s| (s.mass_kg, beam.axis.x_m(s.y_m) + s.aft_m, s.y_m, s.pitch_kg_m2));
+    let lumps = beam.extras.iter().map(|e| (e.mass_kg, e.x_m, e.y_m, 0.0));
+    let (mut fz, mut mx, mut my) = (0.0, 0.0, 0.0);
+    for (mass_kg, x_m, y_m, own) in slices.chain(lumps) {
+        let aft_m = x_m - rig.wing.pitch_x_m;
+        // nose up with -omega² : what is aft is thrown down, so inertia pulls up against it
+        fz -= omega * omega * mass_kg * aft_m;
+        mx -= omega * omega * mass_kg * aft_m * y_m;
+        my += omega * omega * (mass_kg * aft_m * aft_m + own);
+    }
+    for (channel, expected) in [fz, mx, my].into_iter().enumerate() {
+        let load = found[(channel, 0)];
+        println!("{:.5} {expected:.5}", load.re);
+        assert!((load.re / expected - 1.0).abs() < 2e-3, "channel {channel}: {} {expected}", load.re);
+    }
+}
+
+/// The angle without lift lies among the angles of zero lift of the strips' polars, which are cambered.
+#[test]
+fn a_wing_of_polars_has_no_lift_where_its_sections_have_none() {
+    let rig = rig();
+    let mut setting = drawn(&rig);
+    setting.bending.scale(|_| 1e5);
+    setting.torsion.scale(|_| 1e5);
+    let coupled = Coupled::new(&rig, setting, 30.0, 1.225);
+    let lift = |alpha_deg: f64| {
+        let rest = coupled.at_rest(f64::to_radians(alpha_deg), &[0.0; 3]);
+        rest.lift_n.iter().sum::<f64>()
+    };
+    let (none, one) = (lift(0.0), lift(1.0));
+    let without_deg = -none / (one - none);
+    let polars = rig.polars.as_ref().expect("polars");
+    let zeros = [0.15, 0.2, 0.25, 0.3].map(|chord_m| polars.section(30.0, chord_m).zero_rad.to_degrees());
+    println!("no lift at {without_deg:.3} degrees, sections {zeros:.3?}");
+    assert!(none > 0.0);
+    let (low, high) = zeros.iter().fold((f64::MAX, f64::MIN), |(a, b), zero| (a.min(*zero), b.max(*zero)));
+    assert!((low - 0.05..=high + 0.05).contains(&without_deg), "{without_deg} {zeros:?}");
+}

@@ -104,3 +104,44 @@ fn rebuilt(beam: Beam, axis: Axis, stiffness: &dyn Stiffness) -> Beam {
     beam.extras = extras;
     beam
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::wing::Wing;
+    use std::path::Path;
+
+    /// What a mode's inertia puts on the balance is what the root carries: the moments that bend and twist the axis there.
+    #[test]
+    fn the_root_carries_what_inertia_puts_on_the_balance() {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/tuflex/wing_beam.ron");
+        let rig = Rig::new(Wing::read(&path).unwrap(), None);
+        let setting = Setting::drawn(0.02, 3);
+        let (structure, beam) = (Structure::new(&rig, &setting), beam_of(&rig, &setting));
+        let modes = beam.modes(rig.modes);
+        let (stations, axis) = (&rig.wing.stations, beam.axis);
+        let s_m = 0.004;
+        let y_m = s_m * axis.cos;
+        let shape = beam.shape(&modes, axis.x_m(y_m), y_m);
+        for mode in 0..4 {
+            let omega2 = modes.omega_rad_s[mode].powi(2);
+            let bent = 2.0 * shape.height[mode] / (s_m * s_m) * stations.bending_n_m2[0];
+            // nose-up rotation along x is cos t - sin f
+            let turned = (shape.pitch[mode] + axis.sin * 2.0 * shape.height[mode] / s_m) / axis.cos;
+            let twisted = turned / s_m * stations.torsion_n_m2[0];
+            let roll = bent * axis.cos + twisted * axis.sin;
+            let found = omega2 * structure.balance[(1, mode)];
+            assert!((found / roll - 1.0).abs() < 0.02, "mode {mode}: {found} {roll}");
+            // about the axis's root: the balance stands ahead of it, and lifts aft of it turn the nose down
+            let ahead_m = axis.root_x_m - rig.wing.balance_x_m;
+            let pitch = twisted * axis.cos - bent * axis.sin;
+            let about = omega2 * (structure.balance[(2, mode)] + ahead_m * structure.balance[(0, mode)]);
+            let most = about.abs().max(roll.abs() * axis.sin);
+            assert!((about - pitch).abs() < 0.02 * most, "mode {mode}: {about} {pitch}");
+            // what an acceleration does to a mode is what the mode's acceleration does to the balance
+            let (fz, my) = (structure.balance[(0, mode)], structure.balance[(2, mode)]);
+            assert!((structure.fields[(mode, 0)] + fz).abs() < 1e-9 + 1e-6 * fz.abs());
+            assert!((structure.fields[(mode, 1)] + my).abs() < 1e-9 + 1e-6 * my.abs());
+        }
+    }
+}
