@@ -5,13 +5,14 @@ use crate::at_speed::AtSpeed;
 use crate::bench::Bench;
 use crate::campaign::{CampaignFiles, Measured, airspeeds_m_s, records, static_points, texts};
 use crate::design::{runs, wind_off_runs};
-use crate::effects::{Effect, Role, kind};
+use crate::effects::{Effect, kind};
 use crate::faults::spoil;
 use crate::jitter::Jitter;
 use crate::physics::Physics;
 use crate::plan::{CasePlan, Hidden};
 use crate::random::Stream;
 use crate::simulate::TrueWing;
+use crate::sizes::scaled;
 
 /// A case as it is handed out.
 #[derive(Debug, Clone)]
@@ -37,21 +38,6 @@ const SCALED_WITHIN: f64 = 0.15;
 pub(crate) fn effects(hidden: &[Hidden]) -> Vec<Effect> {
     let effect = |hidden: &Hidden| Some(Effect { kind: kind(&hidden.name)?, values: hidden.values.clone() });
     hidden.iter().filter_map(effect).collect()
-}
-
-/// The sizes of effects times a factor.
-pub(crate) fn scaled(hidden: &[Hidden], factor: f64) -> Vec<Hidden> {
-    let one = |hidden: &Hidden| {
-        let mut scaled = hidden.clone();
-        if let Some(kind) = kind(&hidden.name) {
-            let sizes = kind.parameters.iter().zip(&mut scaled.values);
-            sizes
-                .filter(|(parameter, _)| parameter.role == Role::Size)
-                .for_each(|(_, value)| *value *= factor);
-        }
-        scaled
-    };
-    hidden.iter().map(one).collect()
 }
 
 impl Bench {

@@ -27,6 +27,7 @@ mod separated;
 pub mod separation;
 mod servo;
 mod simulate;
+mod sizes;
 pub mod strips;
 mod system;
 mod truth_wing;

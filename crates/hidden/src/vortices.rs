@@ -6,8 +6,8 @@
 //! the same cases.
 
 use crate::campaign::{Measured, Record, StaticPoint};
-use crate::case::scaled;
 use crate::plan::{CasePlan, Hidden};
+use crate::sizes::scaled;
 use nastran::InputError;
 use std::path::Path;
 use truth::effects::Effect;
