@@ -11,6 +11,7 @@ use crate::strips::Strips;
 use crate::system::Parts;
 use crate::truth_wing::{elements, file, same_beam, wing};
 use coupling::planform::Planform;
+use nastran::InputError;
 use rayon::prelude::*;
 use std::path::Path;
 use std::sync::OnceLock;
@@ -44,6 +45,8 @@ pub struct Bench {
     pub boxes: usize,
     damping_ratio: f64,
     metric: OnceLock<Metric>,
+    /// The tunnel of the second truth, if cases are flown there.
+    pub(crate) vortices: Option<truth::Tunnel>,
 }
 
 impl Bench {
@@ -67,6 +70,7 @@ impl Bench {
             boxes: truth.wing.lattice.len(),
             damping_ratio: file.damping_ratio,
             metric: OnceLock::new(),
+            vortices: None,
             parts: Parts {
                 structure,
                 strips,
@@ -76,6 +80,15 @@ impl Bench {
                 gravity_m_s2: truth.wing.gravity_m_s2,
             },
         })
+    }
+
+    /// Cases are flown by the program of vortices (`truth`) from here on; plans, sizes and detectabilities stay those of this one.
+    ///
+    /// # Errors
+    /// A wing that program cannot fly.
+    pub fn with_vortices(mut self, path: &Path) -> Result<Self, InputError> {
+        self.vortices = Some(crate::vortices::tunnel(path)?);
+        Ok(self)
     }
 
     /// Natural frequencies of the unchanged true structure, rad/s.

@@ -5,13 +5,14 @@ use crate::at_speed::AtSpeed;
 use crate::bench::Bench;
 use crate::campaign::{CampaignFiles, Measured, airspeeds_m_s, records, static_points, texts};
 use crate::design::{runs, wind_off_runs};
-use crate::effects::{Effect, Role, kind};
+use crate::effects::{Effect, kind};
 use crate::faults::spoil;
 use crate::jitter::Jitter;
 use crate::physics::Physics;
 use crate::plan::{CasePlan, Hidden};
 use crate::random::Stream;
 use crate::simulate::TrueWing;
+use crate::sizes::scaled;
 
 /// A case as it is handed out.
 #[derive(Debug, Clone)]
@@ -39,21 +40,6 @@ pub(crate) fn effects(hidden: &[Hidden]) -> Vec<Effect> {
     hidden.iter().filter_map(effect).collect()
 }
 
-/// The sizes of effects times a factor.
-pub(crate) fn scaled(hidden: &[Hidden], factor: f64) -> Vec<Hidden> {
-    let one = |hidden: &Hidden| {
-        let mut scaled = hidden.clone();
-        if let Some(kind) = kind(&hidden.name) {
-            let sizes = kind.parameters.iter().zip(&mut scaled.values);
-            sizes
-                .filter(|(parameter, _)| parameter.role == Role::Size)
-                .for_each(|(_, value)| *value *= factor);
-        }
-        scaled
-    };
-    hidden.iter().map(one).collect()
-}
-
 impl Bench {
     /// Makes a case. The same plan gives the same bytes, whatever the number of threads.
     pub fn case(&self, plan: &CasePlan) -> Case {
@@ -70,7 +56,10 @@ impl Bench {
             plan.effects = scaled(&plan.effects, 0.5);
         }
         let d2 = self.detectability(&mut plan, &jitter);
-        let mut measured = self.measured(&plan, &physics, &jitter);
+        let mut measured = match &self.vortices {
+            Some(tunnel) => crate::vortices::measured(tunnel, &mut plan),
+            None => self.measured(&plan, &physics, &jitter),
+        };
         if let Some(defect) = &plan.defect {
             spoil(&mut measured, defect);
         }

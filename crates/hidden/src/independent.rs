@@ -1,4 +1,4 @@
-//! The truth beside the model: two programs for one wing, of which each has its own lattice, modes, lags and time step.
+//! The truth beside the model: two discretisations of one wing, each with its own lattice, modes, lags and time step.
 
 use crate::bench::{Bench, Fineness};
 use crate::design::{Move, Planned, STEPS_PER_SAMPLE};
@@ -34,7 +34,7 @@ fn apart(a: &[f64], b: &[f64]) -> f64 {
 }
 
 #[test]
-fn the_truth_is_the_models_wing_seen_by_another_program_and_a_null_is_a_little_off() {
+fn the_truth_is_the_models_wing_in_another_discretisation_and_a_null_is_a_little_off() {
     let bench = Bench::new(&wing_file(), Fineness::BENCHMARK).expect("the shipped wing");
     let (file, wing) = ElasticWing::read(&wing_file()).expect("the shipped wing");
     assert!(bench.boxes as f64 > 1.8 * wing.lattice.len() as f64);

@@ -27,9 +27,11 @@ mod separated;
 pub mod separation;
 mod servo;
 mod simulate;
+mod sizes;
 pub mod strips;
 mod system;
 mod truth_wing;
+mod vortices;
 
 pub use answer::Answer;
 pub use bench::{Bench, Fineness};

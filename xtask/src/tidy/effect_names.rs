@@ -6,9 +6,9 @@ use std::collections::BTreeSet;
 use super::complaint::Complaint;
 use super::parsed::{Source, about, strings};
 
-/// Where names may stand: each effect's file, the benchmark's own effects, and the table of discover's rules.
-const MAY: [&str; 3] =
-    ["crates/maneuver/src/effects/library/", "crates/hidden/", "crates/discover/src/rules"];
+/// Where names may stand: each effect's file, the benchmark's own effects in both truths, and the table of discover's rules.
+const MAY: [&str; 4] =
+    ["crates/maneuver/src/effects/library/", "crates/hidden/", "crates/truth/", "crates/discover/src/rules"];
 /// Texts that mean something else than the effect of the same name.
 const OTHER_MEANING: &[(&str, &str, &str)] = &[];
 

@@ -14,6 +14,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("nastran", &[]),
     ("report", &[]),
     ("shipped", &[]),
+    ("truth", &[]),
     ("response", &["nastran"]),
     ("structure", &["nastran"]),
     ("aero", &["nastran"]),
@@ -23,7 +24,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("fullaircraft", &["nastran", "structure", "aero", "coupling", "maneuver"]),
     ("discover", &["nastran", "aero", "coupling", "calibrate", "maneuver", "response"]),
     ("tunnel", &["nastran", "structure", "aero", "coupling", "calibrate", "maneuver"]),
-    ("hidden", &["nastran", "structure", "aero", "coupling", "maneuver", "tunnel", "discover"]),
+    ("hidden", &["nastran", "structure", "aero", "coupling", "maneuver", "tunnel", "discover", "truth"]),
     (
         "validation",
         &["nastran", "structure", "aero", "coupling", "calibrate", "maneuver", "fullaircraft", "response"],
@@ -73,8 +74,8 @@ const ONLY_IN: &[(&str, &[&str])] = &[
     ("clarabel", &["calibrate"]),
     ("kuva", &["report"]),
     ("plotly", &["report"]),
-    ("rand_chacha", &["tunnel", "response", "discover", "hidden"]),
-    ("rand_distr", &["tunnel", "response", "discover", "hidden"]),
+    ("rand_chacha", &["tunnel", "response", "discover", "hidden", "truth"]),
+    ("rand_distr", &["tunnel", "response", "discover", "hidden", "truth"]),
     ("flate2", &["shipped"]),
     ("tar", &["shipped"]),
     ("ode_solvers", &["fullaircraft"]),
@@ -184,6 +185,16 @@ mod tests {
         ];
         let places: Vec<String> = check(&packages).into_iter().map(|c| c.place).collect();
         assert_eq!(places, ["maneuver", "validation", "coupling", "novel"]);
+    }
+
+    #[test]
+    fn the_truth_of_vortices_knows_nothing_of_ours_and_no_analysis_knows_it() {
+        for (name, imports) in MAY_IMPORT {
+            assert!(*name != "truth" || imports.is_empty(), "the truth imports {imports:?}");
+            assert!(*name == "hidden" || !imports.contains(&"truth"), "{name} imports the truth");
+            let analyses = !["hidden", "wingroot", "python", "xtask"].contains(name);
+            assert!(!analyses || !imports.contains(&"hidden"), "{name} imports the truth by `hidden`");
+        }
     }
 
     #[test]

@@ -30,6 +30,8 @@ pub struct BenchmarkResult {
     pub seed: u64,
     /// A: corrections from static points without the effects; B: from each case's own.
     pub track: String,
+    /// Which program made the campaigns: `doublet`, the model's library with another mesh, or `vortex`, one of its own.
+    pub truth: String,
     /// What is measured.
     #[serde(flatten)]
     pub scored: Metrics,

@@ -1,9 +1,10 @@
-//! `hidden`: the blind benchmark of `discover` on campaigns of a wing with another discretisation, in which a known effect is hidden.
+//! `hidden`: the blind benchmark of `discover` on campaigns in which a known effect is hidden, of a wing with another discretisation
+//! or of another program (`--truth vortex`).
 //!
 //! A case and its verdict go to one folder, its sealed answer to another that only the scoring reads. Cases that have a verdict
 //! are not done again.
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use nastran::InputError;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -29,9 +30,10 @@ use crate::{blind, kept_nulls, progress, show};
 #[command(after_help = "Examples:
   wingroot hidden --cases 20
   wingroot hidden --cases 600 --seed 2000000
+  wingroot hidden --truth vortex --cases 40
 
 Seeds below 1000000 are for development, below 2000000 for thresholds, from there for tests. Verdicts are
-kept in out/hidden.cases and answers in out/hidden.sealed, so that a run that was stopped goes on; remove both to begin anew,
+kept in out/hidden.cases and answers in out/hidden.sealed (of vortices in out/hidden_vortex.*), so that a run that was stopped goes on; remove both to begin anew,
 as after a change of `discover`.")]
 pub struct HiddenArgs {
     /// Number of cases
@@ -40,9 +42,40 @@ pub struct HiddenArgs {
     /// Calibrate each case on its own static points, as a user does (track B), instead of effect-free ones
     #[arg(long)]
     pub(crate) own_static_points: bool,
+    /// Which program makes the campaigns
+    #[arg(long, value_enum, default_value_t = Truth::Doublet)]
+    pub(crate) truth: Truth,
     /// Judge no case, score those that were judged before
     #[arg(long)]
     pub(crate) finished: bool,
+}
+
+/// The programs that make campaigns.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Truth {
+    /// The model's own library with another mesh: fast
+    #[default]
+    Doublet,
+    /// A vortex lattice and a beam of their own, which share nothing with the model
+    Vortex,
+}
+
+impl Truth {
+    /// Name in results.
+    fn name(self) -> &'static str {
+        match self {
+            Self::Doublet => "doublet",
+            Self::Vortex => "vortex",
+        }
+    }
+
+    /// Folder of results if none is named.
+    fn folder(self) -> &'static str {
+        match self {
+            Self::Doublet => "hidden",
+            Self::Vortex => "hidden_vortex",
+        }
+    }
 }
 
 /// The example and its file of the wing in whose model effects are missing; it is unpacked beside the cases.
@@ -65,6 +98,7 @@ struct Judge<'a> {
     folder: PathBuf,
     sealed: PathBuf,
     own_static_points: bool,
+    truth: Truth,
     common: Common,
     /// What the null distribution took, s.
     nulls_seconds: f64,
@@ -88,7 +122,7 @@ pub struct Timed {
 /// If the folder cannot be written, or the case cannot be judged.
 pub fn timed_case(folder: &Path) -> Result<Timed, Failure> {
     let timed =
-        with_judge([folder, folder], false, &Common { quiet: true, ..Common::default() }, |judge, bench| {
+        with_judge([folder, folder], &HiddenArgs::default(), &Common { quiet: true, ..Common::default() }, |judge, bench| {
             let plan = cases(FIRST_SEED, 3, &Mix::only(Class::Paper)).remove(2);
             judge.written(&bench.case(&plan), "case")?;
             let start = Instant::now();
@@ -123,12 +157,15 @@ fn wing(folder: &Path) -> Result<PathBuf, Failure> {
 /// with them.
 fn with_judge<T>(
     [folder, sealed]: [&Path; 2],
-    own_static_points: bool,
+    args: &HiddenArgs,
     common: &Common,
     work: impl FnOnce(&Judge<'_>, &Bench) -> Result<T, Failure>,
 ) -> Result<T, Failure> {
     let path = wing(folder)?;
-    let bench = Bench::new(&path, Fineness::BENCHMARK)?;
+    let mut bench = Bench::new(&path, Fineness::BENCHMARK)?;
+    if args.truth == Truth::Vortex {
+        bench = bench.with_vortices(&path)?;
+    }
     let (file, wing) = ElasticWing::read(&path)?;
     let rules = Rules::default();
     let lattice = LatticeVariant::of(&file, &wing, &rules.variants);
@@ -137,7 +174,8 @@ fn with_judge<T>(
         nulls: NullDistribution::default(),
         folder: folder.to_path_buf(),
         sealed: sealed.to_path_buf(),
-        own_static_points,
+        own_static_points: args.own_static_points,
+        truth: args.truth,
         common: common.clone(),
         nulls_seconds: 0.0,
     };
@@ -150,11 +188,11 @@ fn with_judge<T>(
 /// Runs the command.
 pub(crate) fn run(args: &HiddenArgs, common: &Common) -> Result<(), Failure> {
     let start = Instant::now();
-    let out = common.out("hidden");
+    let out = common.out(args.truth.folder());
     let seed = common.seed.unwrap_or(FIRST_SEED);
     let folders = [out.with_extension("cases"), out.with_extension("sealed")];
     let folders = [folders[0].as_path(), folders[1].as_path()];
-    let judged = with_judge(folders, args.own_static_points, common, |judge, bench| {
+    let judged = with_judge(folders, args, common, |judge, bench| {
         let mut plans = cases(seed, args.cases, &Mix::default());
         if args.finished {
             plans.retain(|plan| judge.earlier(&name(plan, seed)).is_some());
@@ -179,6 +217,7 @@ pub(crate) fn run(args: &HiddenArgs, common: &Common) -> Result<(), Failure> {
         command: "hidden".to_owned(),
         seed,
         track: if args.own_static_points { "B" } else { "A" }.to_owned(),
+        truth: args.truth.name().to_owned(),
         gates: gates(&metrics),
         scored: metrics,
         seconds,
@@ -214,7 +253,7 @@ impl Judge<'_> {
     /// Where answers and verdicts are kept; those of other rules, another library or another program are not found there.
     fn stores(&self) -> [Store; 2] {
         let track = if self.own_static_points { "B" } else { "A" };
-        let inputs = format!("{track} {:?}", self.nulls.key);
+        let inputs = format!("{track} {} {:?}", self.truth.name(), self.nulls.key);
         [&self.sealed, &self.folder.join("verdicts")].map(|folder| Store::new(folder.clone(), &inputs))
     }
 

@@ -1,0 +1,16 @@
+//! What is ordered of the tunnel.
+
+use crate::effects::Effect;
+
+/// A case as it is ordered.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Order {
+    /// Seed of noise, order and servo.
+    pub seed: u64,
+    /// Number of the true wing; none for the wing as drawn.
+    pub wing: Option<u64>,
+    /// What is hidden.
+    pub effects: Vec<Effect>,
+    /// Whether pitch without wind is flown too.
+    pub wind_off: bool,
+}
