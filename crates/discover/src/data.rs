@@ -51,12 +51,12 @@ impl Dataset {
         let how = &rules.data;
         let listed_in = &campaign.path;
         let read = read_runs(campaign, wing, listed_in)?;
-        let airspeeds_m_s = airspeeds(how, campaign, &read);
+        let (usage, split) = usage(how, &campaign.runs);
+        let airspeeds_m_s = airspeeds(how, campaign, &read, &usage);
         let blocks = blocks(campaign);
         let run_loads = run_loads(campaign, &read, listed_in)?;
         let stated = stated(campaign, run_loads);
         let not_used = not_used(campaign, &read);
-        let (usage, split) = usage(how, &campaign.runs);
         // a run without loads has nothing to say; the others keep their order
         let measured: Vec<usize> =
             (0..read.len()).filter(|i| (0..3).any(|c| read[*i].load(c).is_some())).collect();
@@ -178,11 +178,20 @@ fn read_runs(campaign: &Campaign, wing: &ElasticWing, listed_in: &Path) -> Resul
     Ok(read)
 }
 
-fn airspeeds(how: &DataRules, campaign: &Campaign, runs: &[Run]) -> Vec<f64> {
-    let mut all: Vec<f64> =
-        runs.iter().map(|run| run.v_m_s).chain(campaign.points.iter().map(|point| point.v_m_s)).collect();
+/// Airspeeds that are one are the slowest of them; what is held out moves none that training data are flown at.
+fn airspeeds(how: &DataRules, campaign: &Campaign, runs: &[Run], usage: &[Use]) -> Vec<f64> {
+    let of = |wanted: Use| runs.iter().zip(usage).filter(move |(_, usage)| **usage == wanted);
+    let apart = |mut all: Vec<f64>| {
+        all.sort_by(f64::total_cmp);
+        all.dedup_by(|b, a| (*b - *a).abs() <= how.same_airspeed * *a);
+        all
+    };
+    let points = campaign.points.iter().map(|point| point.v_m_s);
+    let mut all = apart(of(Use::Train).map(|(run, _)| run.v_m_s).chain(points).collect());
+    let new = |v: &f64| all.iter().all(|known| (v - known).abs() > how.same_airspeed * known.min(*v));
+    let held_out = apart(of(Use::Holdout).map(|(run, _)| run.v_m_s).filter(new).collect());
+    all.extend(held_out);
     all.sort_by(f64::total_cmp);
-    all.dedup_by(|b, a| (*b - *a).abs() <= how.same_airspeed * *a);
     all
 }
 

@@ -82,7 +82,7 @@ impl Noise {
         });
         let point =
             ByLoad::from_fn(|load| scatter.within[load].max(stated_point(load).unwrap_or(offset[load])));
-        let decimation = data.runs.iter().map(|run| run.decimation).max().unwrap_or(1) as f64;
+        let decimation = decimation(data);
         let stated =
             data.stated.map(|stated| stated.sample.map(|sigma| sigma * sigma / decimation).to_array());
         let variance = |v: usize, c: usize, b: usize| {
@@ -120,6 +120,12 @@ pub(crate) fn pairs(data: &Dataset) -> Vec<(usize, usize)> {
                 && first.measured[0].len() == second.measured[0].len()
         })
         .collect()
+}
+
+/// Samples of a file to one that is used, at most, in the training runs.
+fn decimation(data: &Dataset) -> f64 {
+    let training = data.runs.iter().filter(|run| run.usage == Use::Train);
+    training.map(|run| run.decimation).max().unwrap_or(1) as f64
 }
 
 /// The band of a frequency.

@@ -1,4 +1,5 @@
 //! Problems whose answers are known: loads are sums of columns that effects multiply, measured with a noise of one.
+#![allow(dead_code, reason = "each test file uses its own part")]
 
 use calibrate::Use;
 use coupling::ByLoad;
@@ -144,6 +145,19 @@ impl Known {
     pub(crate) fn uncertain_of(mut self, name: &str, sigma: f64) -> Self {
         self.uncertain.push(effect(name, sigma));
         self
+    }
+
+    /// The same with everything at an airspeed held out, and measured as `change` makes of it.
+    pub(crate) fn holding_out(mut self, airspeed: usize, change: impl Fn(f64) -> f64) -> Self {
+        let group = &mut self.data.statics[airspeed];
+        group.usage = Use::Holdout;
+        group.measured.iter_mut().for_each(|loads| loads[0] = loads[0].map(&change));
+        self
+    }
+
+    /// Training and held-out data, whose gaps are stated.
+    pub(crate) fn judged(&self) -> [Problem<'_>; 2] {
+        [Use::Train, Use::Holdout].map(|usage| Problem::of_runs(&self.data, &self.noise, usage))
     }
 
     pub(crate) fn setting(&self) -> Setting<'_> {

@@ -211,11 +211,11 @@ mod tests {
         let states = integrate(&equations, &equations.trimmed(), gust, 501, &Integration::default()).unwrap();
         let v = equations.reference.v_m_s;
         for k in [10, 100, 500] {
-            let t_s = TIME_STEP_S * f64::from(k);
+            let t_s = TIME_STEP_S * k as f64;
             let expected = rise_m_s2 / (pole_per_m * v * v) * (1.0 - (-pole_per_m * v * t_s).exp());
-            let lag = states[k as usize][layout.lag(0, 5)];
+            let lag = states[k][layout.lag(0, 5)];
             assert!((lag - expected).abs() < 1e-7 * expected, "{t_s} s: {lag} {expected}");
-            let air = equations.evaluate(states[k as usize].as_slice(), &gust(t_s, &[])).air;
+            let air = equations.evaluate(states[k].as_slice(), &gust(t_s, &[])).air;
             assert!((air[5] - rise_m_s2 * t_s / v).abs() < 1e-12, "its incidence is w/V");
         }
     }
