@@ -1,7 +1,5 @@
 //! Weighted means (RBE3): where a load on the reference goes, and what a group must hold to have a mean.
 
-#![expect(clippy::unwrap_used, reason = "a test whose deck cannot be read must fail")]
-
 mod common;
 
 use common::{at, close, displaced, system};

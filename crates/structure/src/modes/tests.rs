@@ -9,12 +9,12 @@ fn two_wings() -> System {
     let mut deck = String::from("MAT1,1,7.+10,2.7+10,,2700.\nPBAR,1,1,1.-4,4.-9,1.-9,2.-9\n");
     for wing in 0..2 {
         for node in 0..=8 {
-            let _ = write!(deck, "GRID,{},,{wing}.,{:?},0.\n", 100 * wing + node + 1, 0.25 * f64::from(node));
+            let _ = writeln!(deck, "GRID,{},,{wing}.,{:?},0.", 100 * wing + node + 1, 0.25 * f64::from(node));
         }
         for grid in (100 * wing + 1)..(100 * wing + 9) {
-            let _ = write!(deck, "CBAR,{grid},1,{grid},{},0.,0.,1.\n", grid + 1);
+            let _ = writeln!(deck, "CBAR,{grid},1,{grid},{},0.,0.,1.", grid + 1);
         }
-        let _ = write!(deck, "SPC1,1,123456,{}\n", 100 * wing + 1);
+        let _ = writeln!(deck, "SPC1,1,123456,{}", 100 * wing + 1);
     }
     let bulk = nastran::parse_deck("test.bdf", &deck).expect("a deck");
     System::assemble(&Model::from_bulk(&bulk).expect("a model")).expect("a structure")
