@@ -149,7 +149,7 @@ mod tests {
         for rho in [1e-4, 0.002, 0.005, 0.0099, 0.0101, 0.02, 1.0] {
             let expected = if rho < core { 2.0 * rho / (core * core) } else { 2.0 / rho };
             let near = |got: f64, want: f64| {
-                assert!((got - want).abs() < 1e-5 * expected, "{rho}: {got}, not {want}")
+                assert!((got - want).abs() < 1e-5 * expected, "{rho}: {got}, not {want}");
             };
             let [_, v, w] = velocity(&far, [1e7, rho, 0.0], core);
             near(w, -expected);

@@ -1,7 +1,5 @@
 //! Weighted means (RBE3): where a load on the reference goes, and what a group must hold to have a mean.
 
-#![expect(clippy::unwrap_used, reason = "a test whose deck cannot be read must fail")]
-
 mod common;
 
 use common::{at, close, displaced, system};
@@ -12,17 +10,14 @@ use structure::Model;
 fn group(places: &[[f64; 2]], weights: &[f64], reference: [f64; 2]) -> structure::System {
     let mut deck = format!("GRID,9,,{:?},{:?},0.\nRBE3,1,,9,123456", reference[0], reference[1]);
     for (k, weight) in weights.iter().enumerate() {
-        deck.push_str(&format!("{}{weight:?},123,{}", if k == 0 { "," } else { "\n," }, k + 1));
-        // one group a line
+        let start = if k == 0 { "," } else { "\n," };
+        deck = format!("{deck}{start}{weight:?},123,{}", k + 1);
+    }
+    for (k, [x, y]) in places.iter().enumerate() {
+        let id = k + 1;
+        deck = format!("{deck}\nGRID,{id},,{x:?},{y:?},0.\nCELAS2,{id},1.,{id},3\nSPC1,1,12456,{id}");
     }
     deck.push('\n');
-    for (k, place) in places.iter().enumerate() {
-        let id = k + 1;
-        deck.push_str(&format!(
-            "GRID,{id},,{:?},{:?},0.\nCELAS2,{id},1.,{id},3\nSPC1,1,12456,{id}\n",
-            place[0], place[1]
-        ));
-    }
     system(&deck)
 }
 

@@ -214,6 +214,25 @@ fn loads_of_held_out_doublets_move_nothing_but_the_judgement() {
 }
 
 #[test]
+fn without_noise_or_held_out_doublets_there_is_a_result_without_a_judgement() {
+    let folder = &outcome().folder;
+    let all = folder.join("all_train");
+    std::fs::create_dir_all(&all).expect("a temporary folder");
+    for entry in std::fs::read_dir(folder.join("campaign")).expect("the campaign") {
+        let (from, name) = entry.map(|entry| (entry.path(), entry.file_name())).expect("a file");
+        let text = std::fs::read_to_string(&from).expect("a text").replace("use: Holdout", "use: Train");
+        let noise = text.split_once("noise: Some((").zip(text.split_once(")),\n"));
+        let text =
+            noise.map(|((before, _), (_, after))| format!("{before}noise: None,\n{after}")).unwrap_or(text);
+        std::fs::write(all.join(name), text).expect("a temporary file");
+    }
+    let result = deflection(folder, "all_train", "deflection_all_train");
+    assert!(result["holdout"]["gap_of_changes"].is_null() && result["holdout"]["gap"].is_null());
+    assert_eq!(result["holdout"]["runs"].as_array().map(Vec::len), Some(0));
+    assert!(result["training"][0]["noise_error"].is_null() && result["training"][0]["gap"].is_null());
+}
+
+#[test]
 fn the_wing_it_writes_is_flown_by_simulate_with_its_corrections() {
     let outcome = outcome();
     let written = WingFile::read(&outcome.folder.join("deflection/wing.ron")).expect("the wing");

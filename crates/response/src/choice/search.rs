@@ -193,6 +193,7 @@ mod tests {
 
     #[test]
     fn the_lowest_penalised_sum_is_found_as_by_trying_all() {
+        let (mut looked_at, mut tried) = (0.0, 0.0);
         for case in 0..40 {
             let (hierarchical, penalty) = (case % 2 == 0, 0.2 + 0.1 * f64::from(case % 9));
             let problem = problem(f64::from(case), hierarchical);
@@ -200,6 +201,7 @@ mod tests {
             let cost = |set: Set, sum: f64| sum + penalty * f64::from(set.count_ones());
             let all = (0..=problem.all()).filter(allowed).map(|set| cost(set, problem.drops(set).sum));
             let want = all.fold(f64::INFINITY, f64::min);
+            tried += (0..=problem.all()).filter(allowed).count() as f64;
             let order = order(&problem);
             // from nothing but the full set, so that the search itself has to find it
             let mut found: BySize = vec![None; problem.count() + 1];
@@ -215,7 +217,10 @@ mod tests {
                 .map(|found| cost(found.set, found.sum))
                 .fold(f64::INFINITY, f64::min);
             assert!((got - want).abs() < 1e-9 * want, "{case}: {got} instead of {want}");
+            looked_at += 1e9 - search.left;
         }
+        println!("{looked_at} of {tried} sets were looked at");
+        assert!(looked_at < 0.5 * tried, "the bound leaves {looked_at} of {tried} sets");
     }
 
     #[test]
