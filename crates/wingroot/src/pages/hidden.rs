@@ -36,8 +36,11 @@ fn page_of(result: &BenchmarkResult) -> Page {
         title: "The blind benchmark of discover".into(),
         lead: vec![
             format!(
-                "{} campaigns of a wing with another discretisation and other forms of every effect, each with a known effect hidden or none, track {}, seed {}.",
-                scored.cases, result.track, result.seed
+                "{} campaigns of {} and other forms of every effect, each with a known effect hidden or none, track {}, seed {}.",
+                scored.cases,
+                made_by(&result.truth),
+                result.track,
+                result.seed
             ),
             match gates.len() - with.len() {
                 0 => format!("{reached} of {} acceptance criteria are met.", with.len()),
@@ -54,6 +57,15 @@ fn page_of(result: &BenchmarkResult) -> Page {
             Section::new("All metrics", vec![Block::Table(metrics(result))]),
         ],
         ..Page::default()
+    }
+}
+
+/// What made the campaigns.
+fn made_by(truth: &str) -> &'static str {
+    if truth == "vortex" {
+        "another program (a vortex lattice and a beam that share nothing with the model)"
+    } else {
+        "a wing with another discretisation"
     }
 }
 
