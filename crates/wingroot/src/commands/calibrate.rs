@@ -13,11 +13,11 @@ use crate::args::{Common, Measured};
 use crate::commands::calibrate_common as common_set;
 use crate::commands::calibrate_figures as figures;
 use crate::commands::calibrate_numbers::{channels, identifiability, speed_name};
+use crate::commands::calibrate_predictions;
 use crate::commands::calibrate_result::{
     AirspeedResult, BlockResult, CalibrateResult, LeftOutAirspeedResult, LeftOutResult, NonlinearityResult,
     RootPlaneResult, TareResult,
 };
-use crate::commands::calibrate_predictions;
 use crate::commands::calibrate_shapes;
 use crate::commands::calibrate_strips::{self, Strips};
 use crate::commands::result_parts::{Channels, as_json};

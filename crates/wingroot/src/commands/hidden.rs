@@ -121,8 +121,11 @@ pub struct Timed {
 /// # Errors
 /// If the folder cannot be written, or the case cannot be judged.
 pub fn timed_case(folder: &Path) -> Result<Timed, Failure> {
-    let timed =
-        with_judge([folder, folder], &HiddenArgs::default(), &Common { quiet: true, ..Common::default() }, |judge, bench| {
+    let timed = with_judge(
+        [folder, folder],
+        &HiddenArgs::default(),
+        &Common { quiet: true, ..Common::default() },
+        |judge, bench| {
             let plan = cases(FIRST_SEED, 3, &Mix::only(Class::Paper)).remove(2);
             judge.written(&bench.case(&plan), "case")?;
             let start = Instant::now();
@@ -135,7 +138,8 @@ pub fn timed_case(folder: &Path) -> Result<Timed, Failure> {
                 effects: prepared.library.len(),
                 nulls_seconds: judge.nulls_seconds,
             })
-        });
+        },
+    );
     std::fs::remove_dir_all(folder).map_err(Failure::computation)?;
     timed
 }
