@@ -3,6 +3,7 @@
 use crate::case::SteadyCase;
 use crate::steady::SteadyOperator;
 use faer::Mat;
+use faer::linalg::solvers::Solve;
 
 /// Readings of one case and their derivatives; the last reading is the height of the tip.
 #[derive(Debug, Clone)]
@@ -46,7 +47,6 @@ impl SteadyOperator<'_> {
         let (Some(structure), Some(factor)) = (&self.wing.supported, &self.factor) else {
             return vec![0.0; rows.nrows() + 1];
         };
-        use faer::linalg::solvers::Solve;
         let u = Mat::from_fn(displacement.len(), 1, |i, _| displacement[i]);
         let moved = factor.solve(&u);
         let cp = &self.wing.cp_displacement * &moved;
