@@ -98,3 +98,26 @@ fn a_section_of_an_endless_wing_has_the_lift_of_its_polar() {
         assert!((lift / slope_per_rad - 1.0).abs() < 1e-4, "{lift} {slope_per_rad}");
     }
 }
+
+/// A rectangular wing does not know where its wall's coordinate is counted from.
+#[test]
+fn a_wall_elsewhere_is_the_same_wall() {
+    let lift = |wall_m: f64| {
+        let semispan_m = 1.5 + wall_m;
+        let planform = Planform {
+            semispan_m,
+            root_chord_m: 0.5,
+            tip_chord_m: 0.5,
+            sweep_rad: 0.0,
+            root_leading_x_m: 0.0,
+        };
+        let edges_m = even(1.5, 12).iter().map(|edge| edge + wall_m).collect();
+        let lattice = Lattice::new(&planform, &Mesh { chordwise: 4, edges_m, step_m: 0.05, wake_m: 20.0 });
+        let mut motions = Motions::default();
+        motions.push_pitch(&lattice, 0.0);
+        let sections = vec![Section::FLAT; lattice.strips.len()];
+        let state = Operator::new(&lattice, &sections, &motions, true).at_rest(0, 1.0);
+        Loads::of(&lattice, 2.0, 1.0, &state, &(&state * 0.0)).lift_n.sum()
+    };
+    assert!((lift(-0.4) / lift(0.0) - 1.0).abs() < 1e-9, "{} {}", lift(-0.4), lift(0.0));
+}
