@@ -180,6 +180,9 @@ fn rows_of_many_airspeeds_with_one_label_are_no_calibration() {
     assert!(!result.faults().is_empty());
 }
 
+/// A fault put into a row.
+type Change = Box<dyn Fn(&mut StaticPoint)>;
+
 #[test]
 fn signs_swaps_units_and_other_places_are_told_from_each_other() {
     let wing_arm_m = {
@@ -190,7 +193,6 @@ fn signs_swaps_units_and_other_places_are_told_from_each_other() {
     let foot = 0.3048;
     let pound = 4.448_221_615;
     let span = 0.55;
-    type Change = Box<dyn Fn(&mut StaticPoint)>;
     let cases: Vec<(Change, &str)> = vec![
         (Box::new(times([1.0, 1.0, -1.0])), "My_Nm has the other sign"),
         (Box::new(times([1.0, -1.0, 1.0])), "Mx_Nm has the other sign"),

@@ -14,6 +14,7 @@ use calibrate::{Campaign, Noise, TipReading, calibrate};
 use common::{RHO, campaign, draw, loads, row, small_settings, wing_with};
 use coupling::wing_file::CorrectionPrior;
 use coupling::{ElasticWing, SteadyCase, SteadyModel};
+use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 static WING: LazyLock<ElasticWing> = LazyLock::new(on_few_boxes);
@@ -106,7 +107,7 @@ fn kind(quantity: &Quantity) -> &'static str {
 
 #[test]
 fn intervals_hold_truths_of_other_forms_and_are_narrow_where_the_data_decide() {
-    let mut held: std::collections::BTreeMap<&str, [f64; 4]> = Default::default();
+    let mut held: BTreeMap<&str, [f64; 4]> = BTreeMap::new();
     for seed in 0..60 {
         let truth = truth(seed);
         let campaign = measured(&truth, seed, TipReading::Unused);

@@ -108,13 +108,9 @@ impl Undone {
     }
 }
 
-fn causes<M: SteadyModel>(
-    model: &M,
-    campaign: &Campaign,
-    lines: &[Lines],
-) -> Result<Vec<Cause>, CouplingError> {
-    let arm_m = arm_m(&lines[lines.len() - 1]);
-    let [fz, mx, my] = lines[0].channels;
+/// Signs, channels and units.
+fn mistaken(lines: &[Lines]) -> Vec<Cause> {
+    let [_, mx, my] = lines[0].channels;
     let mut all: Vec<Cause> = Vec::new();
     let mut one = |is_possible: bool, undone: Undone| {
         if is_possible {
@@ -145,6 +141,14 @@ fn causes<M: SteadyModel>(
     one(true, Undone::scales("V_m_s is in knots", [0.514_444_f64.powi(-2); 3]));
     one(true, Undone::scales("V_m_s is in ft/s", [0.3048_f64.powi(-2); 3]));
     one(true, Undone::scales("V_m_s is in mph", [0.447_04_f64.powi(-2); 3]));
+    all
+}
+
+/// Other places of the balance's axes, and other spans.
+fn places(lines: &[Lines]) -> Vec<Cause> {
+    let arm_m = arm_m(&lines[lines.len() - 1]);
+    let [fz, mx, my] = lines[0].channels;
+    let mut all: Vec<Cause> = Vec::new();
     if fz && my {
         let moved = |share: &f64| {
             let dx_m = share * arm_m;
@@ -175,6 +179,16 @@ fn causes<M: SteadyModel>(
         };
         all.push(SPANS.iter().map(spanned).collect());
     }
+    all
+}
+
+fn causes<M: SteadyModel>(
+    model: &M,
+    campaign: &Campaign,
+    lines: &[Lines],
+) -> Result<Vec<Cause>, CouplingError> {
+    let mut all = mistaken(lines);
+    all.extend(places(lines));
     if campaign.points.iter().all(|point| point.v_m_s > 0.0) {
         let weight = weight(model, campaign)?;
         let words = format!(
@@ -256,10 +270,13 @@ fn log_density(lines: &[Lines], undone: &Undone, scale: f64) -> f64 {
     -0.5 * squares - log_det + 2.0 * lines.len() as f64 * f64::ln(determinant)
 }
 
+/// What one source of error does to the lines of an airspeed, by channel.
+type Shape<'a> = &'a dyn Fn(&Lines) -> [[f64; 2]; 3];
+
 /// By source of error: one standard deviation of slope and load at zero angle by airspeed and channel.
 fn columns(lines: &[Lines], scale: f64) -> Vec<Vec<[[f64; 2]; 3]>> {
     let mut all = Vec::new();
-    let shapes: [(&dyn Fn(&Lines) -> [[f64; 2]; 3], [f64; 2]); 7] = [
+    let shapes: [(Shape<'_>, [f64; 2]); 7] = [
         (&|l: &Lines| l.theory, USUAL.lift),
         (&|l: &Lines| [[0.0; 2], l.theory[1], [0.0; 2]], USUAL.centre_y),
         (&|l: &Lines| [[0.0; 2], [0.0; 2], l.theory[0].map(|load| load * l.chord_m)], USUAL.centre_x),

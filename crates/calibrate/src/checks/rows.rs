@@ -9,8 +9,8 @@ use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
 /// Probability that rows without a fault are called one, in a whole campaign.
 const LEVEL: f64 = 1e-4;
-/// Most rows that are set aside, as a share of all: beyond, it is not single rows that are wrong.
-const MOST_SET_ASIDE: f64 = 0.1;
+/// At most one row in so many is set aside: beyond, it is not single rows that are wrong.
+const ONE_SET_ASIDE_IN: usize = 10;
 /// Scatter over what is declared that needs no remark.
 const SCATTER: f64 = 2.0;
 /// Means are off a smooth curve by so many times their standard deviation: more than noise and a little curvature give.
@@ -40,7 +40,7 @@ pub(super) fn check(campaign: &Campaign, data: StaticData) -> Checked {
     if campaign.sets == Sets::Common {
         return checked;
     }
-    let most = (MOST_SET_ASIDE * campaign.points.len() as f64).ceil() as usize;
+    let most = campaign.points.len().div_ceil(ONE_SET_ASIDE_IN);
     loop {
         let groups = groups(&checked.campaign, &checked.data);
         if let Some(found) = other_airspeeds(&groups, &checked.data) {
@@ -66,7 +66,9 @@ pub(super) fn check(campaign: &Campaign, data: StaticData) -> Checked {
     let more = more_scatter(&groups, &checked.data);
     if let (Some(noise), false) = (&mut checked.campaign.noise, more.is_empty()) {
         let mut sigma = noise.static_point.to_array();
-        more.iter().for_each(|(channel, seen, _)| sigma[*channel] = *seen);
+        for (channel, seen, _) in &more {
+            sigma[*channel] = *seen;
+        }
         noise.static_point = ChannelNoise::from_array(sigma);
         checked.data.point_sigma = Some(sigma);
     }

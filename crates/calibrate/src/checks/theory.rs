@@ -33,17 +33,14 @@ pub(super) fn far_from_theory(lines: &[Lines]) -> Vec<Finding> {
         )));
     }
     let arm = |line: &[[f64; 2]; 3]| line[1][0] / line[0][0];
-    if fz && mx {
-        if let Some(ratio) =
-            median(&|l| arm(&l.measured) / arm(&l.theory)).filter(|ratio| !ARM.contains(ratio))
-        {
-            let theory_m = median(&|l| arm(&l.theory)).unwrap_or_default();
-            found.push(Finding::suspicion(format!(
+    let arm_ratio = median(&|l| arm(&l.measured) / arm(&l.theory)).filter(|ratio| !ARM.contains(ratio));
+    if let Some(ratio) = arm_ratio.filter(|_| fz && mx) {
+        let theory_m = median(&|l| arm(&l.theory)).unwrap_or_default();
+        found.push(Finding::suspicion(format!(
                 "lift by the angle acts {:.3} m from the balance's axis, {:.3} m by theory: the spanwise lift, the place of the \
                  balance, or the span; root loads do not tell them apart",
                 ratio * theory_m, theory_m,
             )));
-        }
     }
     found
 }

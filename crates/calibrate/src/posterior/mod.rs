@@ -234,6 +234,8 @@ fn centre(rows: &mut [Vec<f64>], of: &[usize]) {
     let Some(&first) = of.first() else { return };
     for k in 0..rows[first].len() {
         let mean = of.iter().map(|&r| rows[r][k]).sum::<f64>() / of.len() as f64;
-        of.iter().for_each(|&r| rows[r][k] -= mean);
+        for &r in of {
+            rows[r][k] -= mean;
+        }
     }
 }

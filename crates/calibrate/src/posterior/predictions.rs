@@ -45,9 +45,9 @@ pub(super) fn quantities(wing: &ElasticWing) -> (Vec<Quantity>, Mat<f64>) {
         let mut y_norm = 0.0;
         for b in (0..boxes.len()).filter(|&b| boxes.strip[b] == strip) {
             let width_m = all_ends[b][1] - all_ends[b][0];
-            [0, 1]
-                .iter()
-                .for_each(|i| row[2 * boxes.places[b] + i] = root(0, 2 * boxes.places[b] + i) / width_m);
+            for k in [2 * boxes.places[b], 2 * boxes.places[b] + 1] {
+                row[k] = root(0, k) / width_m;
+            }
             y_norm = boxes.y_norm[b];
         }
         listed.push(Quantity::StripLift { y_norm });

@@ -229,7 +229,7 @@ pub(crate) fn summary(all: &[AirspeedPredictions]) -> String {
     let line = |p: &Prediction| {
         let (_, unit, y_norm, control) = named(&p.quantity);
         let name = match (&p.quantity, y_norm, control) {
-            (Quantity::Bending { .. }, Some(y), _) if y == 0.5 => "bending at mid-span".to_owned(),
+            (Quantity::Bending { .. }, Some(0.5), _) => "bending at mid-span".to_owned(),
             (Quantity::TipHeight, ..) => "tip".to_owned(),
             (_, _, Some(control)) => format!("root bending by {control}"),
             _ => return None,
