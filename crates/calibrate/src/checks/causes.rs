@@ -76,10 +76,10 @@ pub(super) fn find<M: SteadyModel>(
     }
     let as_it_is = Undone::linear("", IDENTITY);
     let null = log_evidence(lines, std::slice::from_ref(&as_it_is)).0;
-    let mut judged: Vec<(f64, String, f64)> = Vec::new();
+    let mut judged: Vec<(f64, String)> = Vec::new();
     for cause in causes(model, campaign, lines)? {
         let (evidence, best) = log_evidence(lines, &cause);
-        judged.push((evidence - null, cause[best].words.clone(), evidence));
+        judged.push((evidence - null, cause[best].words.clone()));
     }
     judged.sort_by(|a, b| b.0.total_cmp(&a.0));
     let Some(best) = judged.first().filter(|best| best.0 > NAMED) else { return Ok(Vec::new()) };

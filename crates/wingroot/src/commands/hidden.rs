@@ -33,8 +33,8 @@ use crate::{blind, kept_nulls, progress, show};
   wingroot hidden --truth vortex --cases 40
 
 Seeds below 1000000 are for development, below 2000000 for thresholds, from there for tests. Verdicts are
-kept in out/hidden.cases and answers in out/hidden.sealed (of vortices in out/hidden_vortex.*), so that a run that was stopped goes on; remove both to begin anew,
-as after a change of `discover`.")]
+kept in out/hidden.cases and answers in out/hidden.sealed (of vortices in out/hidden_vortex.*), so that a run that was
+stopped goes on; remove both to begin anew, as after a change of `discover`.")]
 pub struct HiddenArgs {
     /// Number of cases
     #[arg(long, value_name = "N", default_value_t = 40, value_parser = whole::<100_000>)]

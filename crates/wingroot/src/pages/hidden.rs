@@ -135,7 +135,7 @@ mod tests {
     #[test]
     fn a_gate_without_a_case_is_neither_reached_nor_missed() {
         let result = json!({
-            "command": "hidden", "cases": 3, "seed": 5, "track": "A", "seconds": 1.0,
+            "command": "hidden", "cases": 3, "seed": 5, "track": "A", "truth": "doublet", "seconds": 1.0,
             "metrics": { "precision": { "value": 0.5, "low": 0.1, "high": 0.9, "n": 2 }, "pair_one": { "value": null, "n": 0 } },
             "gates": [
                 { "metric": "precision", "bound": "at_least", "limit": 0.92, "value": 0.5, "reached": false },
