@@ -36,7 +36,9 @@ fn names(text: &str, kind: &str) -> bool {
 fn a_kind_of_motion_is_named_in_its_file_and_in_the_list() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut files = Vec::new();
-    for folder in std::fs::read_dir(root.join("crates")).expect("crates").flatten() {
+    // the second program reads maneuver files with formulas of its own
+    let own = |folder: &std::fs::DirEntry| folder.file_name() != "truth";
+    for folder in std::fs::read_dir(root.join("crates")).expect("crates").flatten().filter(own) {
         sources(&folder.path().join("src"), &mut files);
     }
     sources(&root.join("xtask/src"), &mut files);

@@ -6,7 +6,7 @@
 //! of that. A cause with parameter `p` turns `d` into `A d + b`; its evidence is the mean over `p` of the density of that times
 //! the determinant of `A`.
 
-use super::Finding;
+use super::finding::Finding;
 use super::lines::Lines;
 use crate::campaign::Campaign;
 use aero::{Corrections, Flow};

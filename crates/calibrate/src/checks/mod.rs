@@ -5,6 +5,7 @@
 //! further from theory than panel models are, and what the campaign does not tell. [`trust`]: what the fit came to.
 
 pub mod causes;
+pub mod finding;
 mod lines;
 pub mod rows;
 pub mod theory;
@@ -14,54 +15,8 @@ pub mod units;
 use crate::campaign::Campaign;
 use crate::statics::StaticData;
 use coupling::{CouplingError, SteadyModel};
+pub use finding::{Checked, Finding, Weight};
 use lines::lines;
-
-/// How much a finding weighs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Weight {
-    /// Corrections of such data are not to be trusted: the calibration is no success.
-    Defect,
-    /// The numbers may be meant.
-    Suspicion,
-    /// What the campaign leaves open.
-    Open,
-}
-
-/// What a check found.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Finding {
-    /// What, where, how much, and what it probably is.
-    pub sentence: String,
-    /// How much it weighs.
-    pub weight: Weight,
-}
-
-impl Finding {
-    fn defect(sentence: String) -> Self {
-        Self { sentence, weight: Weight::Defect }
-    }
-
-    fn suspicion(sentence: String) -> Self {
-        Self { sentence, weight: Weight::Suspicion }
-    }
-
-    fn open(sentence: String) -> Self {
-        Self { sentence, weight: Weight::Open }
-    }
-}
-
-/// A campaign's data as they are to be fitted, and what was found in them.
-#[derive(Debug, Clone)]
-pub struct Checked {
-    /// Without the rows set aside, and with the noise that rows show.
-    pub campaign: Campaign,
-    /// The same grouped.
-    pub data: StaticData,
-    /// What was found.
-    pub findings: Vec<Finding>,
-    /// Lines of the rows set aside.
-    pub set_aside: Vec<usize>,
-}
 
 /// Checks a campaign and its rows, grouped.
 ///

@@ -1,6 +1,6 @@
 //! Single rows of static cases: one that no others bear out, scatter beyond what is declared, rows of other airspeeds.
 
-use super::{Checked, Finding};
+use super::finding::{Checked, Finding};
 use crate::campaign::{CHANNELS, Campaign, ChannelNoise, Sets, StaticPoint};
 use crate::objective::polynomial_residuals;
 use crate::statics::{AirspeedData, StaticData, block_name};

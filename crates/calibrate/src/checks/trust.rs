@@ -1,6 +1,6 @@
 //! What a fit came to: factors that no panel model is off by, and deflections beyond what is linear.
 
-use super::Finding;
+use super::finding::Finding;
 use crate::calibration::Context;
 use crate::campaign::TIP;
 use crate::common::CommonCalibration;

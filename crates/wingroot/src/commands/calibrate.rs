@@ -14,6 +14,7 @@ use crate::commands::calibrate_common as common_set;
 use crate::commands::calibrate_figures as figures;
 use crate::commands::calibrate_numbers::{channels, identifiability, speed_name};
 use crate::commands::calibrate_predictions;
+use crate::commands::calibrate_predictions_result;
 use crate::commands::calibrate_result::{
     AirspeedResult, BlockResult, CalibrateResult, LeftOutAirspeedResult, LeftOutResult, NonlinearityResult,
     RootPlaneResult, TareResult,
@@ -63,8 +64,8 @@ pub(crate) fn run(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> 
     };
     let strips = calibrate_strips::compare(&campaign.folder, &wing, &calibration)?;
     let result = CalibrateResult {
-        predictions: calibrate_predictions::result(&predictions),
-        next: calibrate_predictions::suggestions(&next),
+        predictions: calibrate_predictions_result::result(&predictions),
+        next: calibrate_predictions_result::suggestions(&next),
         ..result(&wing, &campaign, &calibration, strips.as_ref(), seconds)?
     };
     let result = as_json(&result)?;

@@ -8,77 +8,14 @@ use calibrate::posterior::{AirspeedPredictions, Prediction};
 use coupling::ElasticWing;
 use nastran::InputError;
 use report::{Figure, Panel, Series, Style};
-use schemars::JsonSchema;
-use serde::Serialize;
 
 use crate::commands::calibrate_numbers::speed_name;
+use crate::commands::calibrate_predictions_result::{named, result};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 
 /// Band of a quantity with the data, and without them.
 const BANDS: [&str; 2] = ["90 % interval with the data", "90 % interval before the data"];
-
-/// Predictions of one airspeed, at the largest angle of attack that was measured.
-#[derive(Debug, Serialize, JsonSchema)]
-pub(crate) struct AirspeedPredictionsResult {
-    /// Airspeed.
-    #[serde(rename = "V_m_s")]
-    v_m_s: f64,
-    /// Angle of attack.
-    alpha_deg: f64,
-    /// By quantity.
-    predictions: Vec<PredictionResult>,
-}
-
-/// A prediction with its 90 % interval.
-#[derive(Debug, Serialize, JsonSchema)]
-struct PredictionResult {
-    /// `strip_lift`, `shear`, `bending` (air loads outboard of a section), `tip_height`, `control_mx` (root bending by a degree).
-    quantity: &'static str,
-    /// Unit of the numbers.
-    unit: &'static str,
-    /// Place along the span, from root to tip; only of loads along it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    y_over_span: Option<f64>,
-    /// Name of the control; only of what a control does.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    control: Option<String>,
-    /// By theory.
-    theory: f64,
-    /// By the calibrated wing.
-    value: f64,
-    /// Lower end of the 90 % interval.
-    low: f64,
-    /// Upper end.
-    high: f64,
-    /// One standard deviation.
-    sigma: f64,
-    /// One standard deviation before the data, by the prior of the wing's file.
-    prior_sigma: f64,
-    /// Share of the prior's variance that the data take away: near zero, the interval is the prior's.
-    decided_by_data: f64,
-}
-
-/// A measurement that was not made.
-#[derive(Debug, Serialize, JsonSchema)]
-pub(crate) struct SuggestionResult {
-    /// What to measure.
-    measure: String,
-    /// Standard deviation of the prediction with the data there are, in its unit.
-    sigma: f64,
-    /// The same with this measurement beside them.
-    sigma_then: f64,
-}
-
-/// What stands in `result.json`.
-pub(crate) fn suggestions(all: &[Suggestion]) -> Vec<SuggestionResult> {
-    let one = |s: &Suggestion| SuggestionResult {
-        measure: s.measure.clone(),
-        sigma: s.sigma,
-        sigma_then: s.sigma_then,
-    };
-    all.iter().map(one).collect()
-}
 
 /// What to measure next, for the console.
 pub(crate) fn next_table(all: &[Suggestion]) -> String {
@@ -117,44 +54,6 @@ pub(crate) fn wanted(words: &str, wing: &ElasticWing) -> Result<Quantity, Failur
             ))
             .into()
     })
-}
-
-/// Name, unit, place and control.
-fn named(quantity: &Quantity) -> (&'static str, &'static str, Option<f64>, Option<String>) {
-    match quantity {
-        Quantity::StripLift { y_norm } => ("strip_lift", "N/m", Some(*y_norm), None),
-        Quantity::Shear { y_norm } => ("shear", "N", Some(*y_norm), None),
-        Quantity::Bending { y_norm } => ("bending", "N m", Some(*y_norm), None),
-        Quantity::TipHeight => ("tip_height", "m", None, None),
-        Quantity::ControlMx { control } => ("control_mx", "N m/deg", None, Some(control.clone())),
-    }
-}
-
-/// What stands in `result.json`.
-pub(crate) fn result(all: &[AirspeedPredictions]) -> Vec<AirspeedPredictionsResult> {
-    let one = |prediction: &Prediction| {
-        let (quantity, unit, y_over_span, control) = named(&prediction.quantity);
-        let [low, high] = prediction.interval();
-        PredictionResult {
-            quantity,
-            unit,
-            y_over_span,
-            control,
-            theory: prediction.theory,
-            value: prediction.value,
-            low,
-            high,
-            sigma: prediction.sigma,
-            prior_sigma: prediction.prior_sigma,
-            decided_by_data: prediction.decided(),
-        }
-    };
-    let of = |at: &AirspeedPredictions| AirspeedPredictionsResult {
-        v_m_s: at.v_m_s,
-        alpha_deg: at.alpha_rad.to_degrees(),
-        predictions: at.predictions.iter().map(one).collect(),
-    };
-    all.iter().map(of).collect()
 }
 
 /// Writes `predictions.csv` and the spanwise lift with its bands.

@@ -4,7 +4,7 @@ use coupling::ByLoad;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::commands::calibrate_predictions::{AirspeedPredictionsResult, SuggestionResult};
+use crate::commands::calibrate_predictions_result::{AirspeedPredictionsResult, SuggestionResult};
 use crate::commands::result_parts::Channels;
 
 /// What `calibrate` found. The objective is that of paper 1, Eq. 8: a weighted sum of the root mean square errors of the channels.

@@ -84,7 +84,8 @@ impl Command {
 mod calibrate_common;
 mod calibrate_figures;
 mod calibrate_numbers;
-pub(crate) mod calibrate_predictions;
+mod calibrate_predictions;
+pub(crate) mod calibrate_predictions_result;
 pub(crate) mod calibrate_result;
 mod calibrate_shapes;
 mod calibrate_strips;
