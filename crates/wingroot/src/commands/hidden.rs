@@ -43,7 +43,7 @@ pub struct HiddenArgs {
     #[arg(long)]
     pub(crate) own_static_points: bool,
     /// Which program makes the campaigns
-    #[arg(long, value_enum, default_value_t = Truth::Doublet)]
+    #[arg(long, value_enum, default_value_t = Truth::DoubletLattice)]
     pub(crate) truth: Truth,
     /// Judge no case, score those that were judged before
     #[arg(long)]
@@ -55,7 +55,8 @@ pub struct HiddenArgs {
 pub(crate) enum Truth {
     /// The model's own library with another mesh: fast
     #[default]
-    Doublet,
+    #[value(name = "doublet")]
+    DoubletLattice,
     /// A vortex lattice and a beam of their own, which share nothing with the model
     Vortex,
 }
@@ -64,7 +65,7 @@ impl Truth {
     /// Name in results.
     fn name(self) -> &'static str {
         match self {
-            Self::Doublet => "doublet",
+            Self::DoubletLattice => "doublet",
             Self::Vortex => "vortex",
         }
     }
@@ -72,7 +73,7 @@ impl Truth {
     /// Folder of results if none is named.
     fn folder(self) -> &'static str {
         match self {
-            Self::Doublet => "hidden",
+            Self::DoubletLattice => "hidden",
             Self::Vortex => "hidden_vortex",
         }
     }
