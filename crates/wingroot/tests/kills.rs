@@ -137,7 +137,12 @@ fn nothing_is_lost_at_any_moment() {
             let now = store.as_deref().map(parts).unwrap_or_default();
             // A store is emptied when its parts are in the results, or in the null distribution that they were for.
             if !ended && !now.is_empty() {
-                let lost = kept.iter().find(|&(path, text)| now.get(path) != Some(text));
+                // null campaigns go one by one when the distribution that they were for is written
+                let is_in_it = |path: &Path| {
+                    let folder = path.ancestors().nth(2);
+                    folder.is_some_and(|folder| folder.join("null_distribution.ron").is_file())
+                };
+                let lost = kept.iter().find(|&(path, text)| now.get(path) != Some(text) && !is_in_it(path));
                 let emptied = kept.keys().all(|path| !now.contains_key(path));
                 assert!(lost.is_none() || emptied, "{:?}: {lost:?} is lost", victim.arguments);
                 went_on += usize::from(now.len() > kept.len() && !kept.is_empty());
