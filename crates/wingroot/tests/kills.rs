@@ -138,11 +138,13 @@ fn nothing_is_lost_at_any_moment() {
             // A store is emptied when its parts are in the results, or in the null distribution that they were for.
             if !ended && !now.is_empty() {
                 // null campaigns go one by one when the distribution that they were for is written
-                let is_in_it = |path: &Path| {
-                    let folder = path.ancestors().nth(2);
-                    folder.is_some_and(|folder| folder.join("null_distribution.ron").is_file())
+                let is_in_it = |path: &PathBuf| {
+                    path.ancestors()
+                        .nth(2)
+                        .is_some_and(|folder| folder.join("null_distribution.ron").is_file())
                 };
-                let lost = kept.iter().find(|&(path, text)| now.get(path) != Some(text) && !is_in_it(path));
+                let is_lost = |path: &PathBuf, text: &String| now.get(path) != Some(text) && !is_in_it(path);
+                let lost = kept.iter().find(|&(path, text)| is_lost(path, text));
                 let emptied = kept.keys().all(|path| !now.contains_key(path));
                 assert!(lost.is_none() || emptied, "{:?}: {lost:?} is lost", victim.arguments);
                 went_on += usize::from(now.len() > kept.len() && !kept.is_empty());

@@ -2,7 +2,7 @@
 //!
 //! [`rows`]: single rows, their scatter, their airspeeds. [`units`]: factors that only a unit explains. [`causes`]: signs,
 //! channels, places and tares, each by its own evidence against what panel models are usually off by. [`theory`]: what is
-//! further from theory than panel models are, and what the campaign does not tell. [`trust`]: what the fit came to.
+//! further from theory than panel models are, and what the campaign does not tell. `trust`: what the fit came to.
 
 pub mod causes;
 pub mod finding;
