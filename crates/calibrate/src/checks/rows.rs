@@ -5,16 +5,27 @@ use crate::campaign::{CHANNELS, Campaign, ChannelNoise, Sets, StaticPoint};
 use crate::objective::polynomial_residuals;
 use crate::statics::{AirspeedData, StaticData, block_name};
 use aero::flow::{same_airspeed, same_angle};
+use faer::Mat;
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
 /// Probability that rows without a fault are called one, in a whole campaign.
 const LEVEL: f64 = 1e-4;
 /// At most one row in so many is set aside: beyond, it is not single rows that are wrong.
 const ONE_SET_ASIDE_IN: usize = 10;
+/// Rows set aside at most, however many there are.
+const MOST_SET_ASIDE: usize = 20;
+/// A row is the wrong one only if no other, left out, takes this share of the squares that it takes.
+const ALONE: f64 = 0.8;
+/// A row that the curve goes through whatever it reads is told from none.
+const LEAST_LEFT: f64 = 1e-6;
+/// Rows are not read more closely than this share of the largest load.
+const ROUNDING: f64 = 1e-6;
 /// Scatter over what is declared that needs no remark.
 const SCATTER: f64 = 2.0;
 /// Means are off a smooth curve by so many times their standard deviation: more than noise and a little curvature give.
 const ROUGH: f64 = 8.0;
+/// Rows beyond the first at their angle that their airspeeds are judged by.
+const LEAST_REPEATS: usize = 3;
 /// Rows of one airspeed differ by their loads' common factor alone if it explains this share of their scatter ...
 const COMMON_FACTOR: f64 = 0.8;
 /// ... and its root mean square is more than this.
@@ -40,24 +51,31 @@ pub(super) fn check(campaign: &Campaign, data: StaticData) -> Checked {
     if campaign.sets == Sets::Common {
         return checked;
     }
-    let most = campaign.points.len().div_ceil(ONE_SET_ASIDE_IN);
+    let most = campaign.points.len().div_ceil(ONE_SET_ASIDE_IN).min(MOST_SET_ASIDE);
     loop {
         let groups = groups(&checked.campaign, &checked.data);
         if let Some(found) = other_airspeeds(&groups, &checked.data) {
             checked.findings.push(found);
             return checked;
         }
-        let Some((place, sentence)) = worst_row(&groups, &checked.campaign, &checked.data) else { break };
+        let Some(worst) = worst_row(&groups, &checked.campaign, &checked.data) else { break };
+        if worst.is_end {
+            checked.findings.push(Finding::suspicion(format!(
+                "{}; it stays: the wing may stall at the ends of the angles, or the row is wrong",
+                worst.sentence
+            )));
+            break;
+        }
         let mut without = checked.campaign.clone();
-        let line = without.points.remove(place).span.line;
+        let line = without.points.remove(worst.place).span.line;
         match StaticData::from_campaign(&without) {
             Ok(better) if checked.set_aside.len() < most => {
-                checked.findings.push(Finding::suspicion(format!("{sentence}; it is set aside")));
+                checked.findings.push(Finding::suspicion(format!("{}; it is set aside", worst.sentence)));
                 checked.set_aside.push(line);
                 (checked.campaign, checked.data) = (without, better);
             }
             _ => {
-                checked.findings.push(Finding::defect(sentence));
+                checked.findings.push(Finding::defect(worst.sentence));
                 break;
             }
         }
@@ -100,117 +118,148 @@ fn groups(campaign: &Campaign, data: &StaticData) -> Vec<Group> {
     data.airspeeds.iter().map(of).collect()
 }
 
-/// The row furthest from what the others say, if chance does not explain it: its place and a sentence.
-fn worst_row(groups: &[Group], campaign: &Campaign, data: &StaticData) -> Option<(usize, String)> {
-    let tests: usize = groups.iter().map(|group| group.rows.len()).sum::<usize>() * 3;
-    let mut worst: Option<(f64, usize, String)> = None;
-    for group in groups {
-        for channel in (0..4).filter(|&c| data.channels[c]) {
-            let declared = data.noise_dof.is_none().then_some(data.point_sigma).flatten();
-            let Some(found) = deleted(group, channel, declared.map(|sigma| sigma[channel])) else { continue };
-            if found.p_value * (tests as f64) < LEVEL && worst.as_ref().is_none_or(|w| found.clear > w.0) {
-                let place = group.rows[found.row];
-                let unit = ["N", "N m", "N m", "m"][channel];
-                let sentence = format!(
-                    "line {} of the static cases: {} is {:.4} {unit} {} what the other rows at {} m/s say, whose scatter is {:.2} {unit}",
-                    campaign.points[place].span.line,
-                    CHANNELS[channel],
-                    found.jump.abs(),
-                    if found.jump > 0.0 { "above" } else { "below" },
-                    group.v_m_s,
-                    found.scatter,
-                );
-                worst = Some((found.clear, place, sentence));
+/// A row that the others do not bear out.
+struct Worst {
+    /// Its place among the campaign's points.
+    place: usize,
+    sentence: String,
+    /// It is the only row at the first or last angle: nothing tells a wrong reading from a wing that stalls there.
+    is_end: bool,
+}
+
+/// The row furthest from what the others say, in their scatter, if chance does not explain it.
+fn worst_row(groups: &[Group], campaign: &Campaign, data: &StaticData) -> Option<Worst> {
+    let channels: Vec<usize> = (0..4).filter(|&c| data.channels[c]).collect();
+    let tests = (groups.iter().map(|group| group.rows.len()).sum::<usize>() * channels.len()) as f64;
+    let declared = data.point_sigma.filter(|_| data.noise_dof.is_none());
+    let all = groups.iter().flat_map(|group| channels.iter().map(move |&channel| (group, channel)));
+    let (group, channel, found) = all
+        .filter_map(|(group, c)| Some((group, c, deleted(group, c, declared.map(|sigma| sigma[c]))?)))
+        .filter(|(.., found)| found.p_value * tests < LEVEL)
+        .max_by(|(.., a), (.., b)| (a.jump / a.scatter).abs().total_cmp(&(b.jump / b.scatter).abs()))?;
+    let place = group.rows[found.row];
+    let unit = ["N", "N m", "N m", "m"][channel];
+    let sentence = format!(
+        "line {} of the static cases: {} is {:.4} {unit} {} what the other rows at {} m/s say, whose scatter is {:.2} {unit}",
+        campaign.points[place].span.line,
+        CHANNELS[channel],
+        found.jump.abs(),
+        if found.jump > 0.0 { "above" } else { "below" },
+        group.v_m_s,
+        found.scatter,
+    );
+    Some(Worst { place, sentence, is_end: group.is_end(found.row) })
+}
+
+impl Group {
+    /// Rows by angle.
+    fn cells(&self) -> Vec<Vec<usize>> {
+        let mut order: Vec<usize> = (0..self.rows.len()).collect();
+        order.sort_by(|&a, &b| self.alphas_rad[a].total_cmp(&self.alphas_rad[b]));
+        let alike = |a: &usize, b: &usize| same_angle(self.alphas_rad[*a], self.alphas_rad[*b]);
+        order.chunk_by(alike).map(<[usize]>::to_vec).collect()
+    }
+
+    /// The mean of a channel over the rows at its angle, by row.
+    fn means(&self, cells: &[Vec<usize>], channel: usize) -> Vec<f64> {
+        let mut means = vec![0.0; self.rows.len()];
+        for cell in cells {
+            let mean = cell.iter().map(|&row| self.loads[channel][row]).sum::<f64>() / cell.len() as f64;
+            for &row in cell {
+                means[row] = mean;
             }
         }
+        means
     }
-    worst.map(|(_, place, sentence)| (place, sentence))
+
+    /// Whether a row is the only one at the smallest or largest angle.
+    fn is_end(&self, row: usize) -> bool {
+        let here = |alpha: &&f64| same_angle(**alpha, self.alphas_rad[row]);
+        let is_beyond = |beyond: fn(&f64, &f64) -> bool| {
+            self.alphas_rad.iter().any(|alpha| !here(&alpha) && beyond(alpha, &self.alphas_rad[row]))
+        };
+        self.alphas_rad.iter().filter(here).count() == 1 && !(is_beyond(f64::lt) && is_beyond(f64::gt))
+    }
 }
 
 /// The row of a channel without which a smooth curve fits best.
 struct Deleted {
     row: usize,
+    /// The row less the curve through the others.
     jump: f64,
+    /// Standard deviation of the others about it.
     scatter: f64,
     p_value: f64,
-    /// The jump in scatters.
-    clear: f64,
 }
 
-/// Leaves every row out of a line and of a parabola in turn (externally studentised residuals: Cook and Weisberg, Residuals
-/// and Influence in Regression, 1982, Section 2.2).
+/// Leaves every row out of a line and of a parabola in turn: the row's residual over one less its leverage is its distance from the
+/// curve through the others (Cook and Weisberg, Residuals and Influence in Regression, 1982, Section 2.2).
 fn deleted(group: &Group, channel: usize, declared: Option<f64>) -> Option<Deleted> {
-    let n = group.rows.len();
+    let loads = &group.loads[channel];
+    let n = loads.len();
+    let size = loads.iter().fold(f64::MIN_POSITIVE, |most, load| most.max(load.abs()));
     let mut best: Option<Deleted> = None;
-    for order in 1..=2 {
-        if group.angles < order + 3 {
-            continue;
-        }
+    for order in (1..=2).filter(|order| group.angles >= order + 3) {
         let dof = (n - 1 - (order + 1)) as f64;
-        let mut rest = Vec::with_capacity(n);
-        for left_out in 0..n {
-            let others = |values: &[f64]| -> Vec<f64> {
-                values.iter().enumerate().filter(|(i, _)| *i != left_out).map(|(_, value)| *value).collect()
-            };
-            let (alphas, loads) = (others(&group.alphas_rad), others(&group.loads[channel]));
-            let (residuals, coefficients) = polynomial_residuals(&alphas, &loads, order);
-            let at = coefficients.iter().rev().fold(0.0, |sum, c| sum * group.alphas_rad[left_out] + c);
-            let squares = residuals.iter().map(|r| r * r).sum::<f64>();
-            rest.push((squares, group.loads[channel][left_out] - at));
-        }
-        let all = polynomial_residuals(&group.alphas_rad, &group.loads[channel], order).0;
-        let all = all.iter().map(|r| r * r).sum::<f64>();
-        let row = (0..n).min_by(|&a, &b| rest[a].0.total_cmp(&rest[b].0))?;
-        let second = (0..n).filter(|&i| i != row).map(|i| rest[i].0).fold(f64::INFINITY, f64::min);
-        let (squares, jump) = rest[row];
-        let shown = squares / dof;
+        let (residuals, _) = polynomial_residuals(&group.alphas_rad, loads, order);
+        let left = leverages(&group.alphas_rad, order).into_iter().map(|h| (1.0 - h).max(LEAST_LEFT));
+        let jumps: Vec<f64> = residuals.iter().zip(left).map(|(r, left)| r / left).collect();
+        let taken: Vec<f64> = residuals.iter().zip(&jumps).map(|(r, jump)| r * jump).collect();
+        let row = (0..n).max_by(|&a, &b| taken[a].total_cmp(&taken[b]))?;
+        let second = (0..n).filter(|&i| i != row).map(|i| taken[i]).fold(0.0, f64::max);
+        let squares = residuals.iter().map(|r| r * r).sum::<f64>() - taken[row];
+        // exact data scatter by rounding, which is no noise
+        let shown = (squares / dof).max((ROUNDING * size).powi(2));
         // where what is left is what is declared, the declaration's certainty counts
-        let (variance, is_known) = match declared {
-            Some(sigma) if shown <= 4.0 * sigma * sigma => (shown.max(sigma * sigma), true),
-            _ => (shown, false),
+        let known = declared.filter(|sigma| shown <= 4.0 * sigma * sigma);
+        let variance = known.map_or(shown, |sigma| shown.max(sigma * sigma));
+        let f = taken[row] / variance;
+        let p_value = match known {
+            Some(_) => ChiSquared::new(1.0).ok()?.sf(f),
+            None => FisherSnedecor::new(1.0, dof).ok()?.sf(f),
         };
-        let f = (all - squares) / variance.max(f64::MIN_POSITIVE);
-        let p_value = if is_known {
-            ChiSquared::new(1.0).ok()?.sf(f)
-        } else {
-            FisherSnedecor::new(1.0, dof).ok()?.sf(f)
-        };
-        // another row could be the one as well
-        let is_alone = second > all - 0.8 * (all - squares);
-        let found =
-            Deleted { row, jump, scatter: variance.sqrt(), p_value, clear: jump.abs() / variance.sqrt() };
-        if is_alone && best.as_ref().is_none_or(|b| found.p_value < b.p_value) {
-            best = Some(found);
+        // where another row takes nearly as much, it could be that one
+        let is_alone = second < ALONE * taken[row];
+        if is_alone && best.as_ref().is_none_or(|b| p_value < b.p_value) {
+            best = Some(Deleted { row, jump: jumps[row], scatter: variance.sqrt(), p_value });
         }
     }
     best
 }
 
-/// Rows of one airspeed whose loads are all too large or all too small together.
+/// Share of each reading in its own fitted value, for a least-squares polynomial.
+fn leverages(x: &[f64], order: usize) -> Vec<f64> {
+    let scale = x.iter().fold(f64::MIN_POSITIVE, |most, v| most.max(v.abs()));
+    let matrix = Mat::from_fn(x.len(), order + 1, |i, k| (0..k).fold(1.0, |power, _| power * x[i] / scale));
+    let q = matrix.qr().compute_thin_Q();
+    (0..x.len()).map(|i| (0..=order).map(|k| q[(i, k)].powi(2)).sum()).collect()
+}
+
+/// Rows of one airspeed and angle whose loads are all too large or all too small together. Angles are compared with themselves
+/// only: stall makes all loads small together, too.
 fn other_airspeeds(groups: &[Group], data: &StaticData) -> Option<Finding> {
     let channels: Vec<usize> = (0..3).filter(|&c| data.channels[c]).collect();
     if channels.len() < 2 {
         return None;
     }
     let of = |group: &Group| {
-        let order = if group.angles >= 4 { 2 } else { 1 };
-        if group.rows.len() < order + 4 {
+        let cells = group.cells();
+        let rows = group.rows.len();
+        if rows < cells.len() + LEAST_REPEATS {
             return None;
         }
         let fits: Vec<(Vec<f64>, Vec<f64>, f64)> = channels
             .iter()
             .map(|&c| {
-                let (residuals, _) = polynomial_residuals(&group.alphas_rad, &group.loads[c], order);
-                let fitted: Vec<f64> =
-                    group.loads[c].iter().zip(&residuals).map(|(load, r)| load - r).collect();
-                let size = fitted.iter().map(|f| f * f).sum::<f64>() / fitted.len() as f64;
-                (residuals, fitted, 1.0 / size.max(f64::MIN_POSITIVE))
+                let means = group.means(&cells, c);
+                let residuals = group.loads[c].iter().zip(&means).map(|(load, mean)| load - mean).collect();
+                let size = means.iter().map(|mean| mean * mean).sum::<f64>() / rows as f64;
+                (residuals, means, 1.0 / size.max(f64::MIN_POSITIVE))
             })
             .collect();
         let sum = |of: &dyn Fn(f64, f64) -> f64, i: usize| -> f64 {
             fits.iter().map(|(residuals, fitted, weight)| weight * of(residuals[i], fitted[i])).sum()
         };
-        let rows = group.rows.len();
         let factor: Vec<f64> =
             (0..rows).map(|i| sum(&|r, f| r * f, i) / sum(&|_, f| f * f, i).max(f64::MIN_POSITIVE)).collect();
         let all: f64 = (0..rows).map(|i| sum(&|r, _| r * r, i)).sum();
@@ -288,21 +337,10 @@ fn rough(airspeed: &AirspeedData, data: &StaticData) -> Option<Finding> {
 
 /// Squares about the means of rows at one angle, and their degrees of freedom.
 fn of_replicates(group: &Group, channel: usize) -> (f64, usize) {
-    let mut cells: Vec<(f64, Vec<f64>)> = Vec::new();
-    for (alpha, load) in group.alphas_rad.iter().zip(&group.loads[channel]) {
-        match cells.iter_mut().find(|(angle, _)| same_angle(*angle, *alpha)) {
-            Some((_, loads)) => loads.push(*load),
-            None => cells.push((*alpha, vec![*load])),
-        }
-    }
-    let squares = |loads: &Vec<f64>| {
-        let mean = loads.iter().sum::<f64>() / loads.len() as f64;
-        loads.iter().map(|load| (load - mean).powi(2)).sum::<f64>()
-    };
-    (
-        cells.iter().map(|(_, loads)| squares(loads)).sum(),
-        cells.iter().map(|(_, loads)| loads.len() - 1).sum(),
-    )
+    let cells = group.cells();
+    let means = group.means(&cells, channel);
+    let squares = group.loads[channel].iter().zip(means).map(|(load, mean)| (load - mean).powi(2)).sum();
+    (squares, group.rows.len() - cells.len())
 }
 
 /// Squares about the stiffest polynomial that leaves one degree of freedom, of third order at most.
