@@ -22,8 +22,8 @@ const LEAST_LEFT: f64 = 1e-6;
 const ROUNDING: f64 = 1e-6;
 /// Scatter over what is declared that needs no remark.
 const SCATTER: f64 = 2.0;
-/// Means are off a smooth curve by so many times their standard deviation: more than noise and a little curvature give.
-const ROUGH: f64 = 8.0;
+/// The mean of an angle is off the curve through the others by so many standard deviations: more than noise and a little curvature.
+const LONE: f64 = 8.0;
 /// Rows beyond the first at their angle that their airspeeds are judged by.
 const LEAST_REPEATS: usize = 3;
 /// Rows of one airspeed differ by their loads' common factor alone if it explains this share of their scatter ...
@@ -91,8 +91,8 @@ pub(super) fn check(campaign: &Campaign, data: StaticData) -> Checked {
         checked.data.point_sigma = Some(sigma);
     }
     checked.findings.extend(more.into_iter().map(|(_, _, found)| found));
-    let rough = checked.data.airspeeds.iter().filter_map(|airspeed| rough(airspeed, &checked.data));
-    checked.findings.extend(rough.collect::<Vec<_>>());
+    let Checked { data, findings, .. } = &mut checked;
+    findings.extend(data.airspeeds.iter().filter_map(|airspeed| lone_angle(airspeed, data)));
     checked
 }
 
@@ -311,25 +311,31 @@ fn more_scatter(groups: &[Group], data: &StaticData) -> Vec<(usize, f64, Finding
     found
 }
 
-/// Means of angles between the ends that no smooth curve follows, though their rows agree: the ends may stall.
-fn rough(airspeed: &AirspeedData, data: &StaticData) -> Option<Finding> {
-    let inner =
-        airspeed.angles.get(1..airspeed.angles.len().saturating_sub(1)).filter(|inner| inner.len() >= 4)?;
-    let order = (inner.len() - 2).min(3);
-    let dof = (inner.len() - order - 1) as f64;
-    let alphas: Vec<f64> = inner.iter().map(|angle| angle.alpha_rad).collect();
+/// One angle between others whose rows agree and contradict all other angles. Stall bends what follows, too, and the ends alone.
+fn lone_angle(airspeed: &AirspeedData, data: &StaticData) -> Option<Finding> {
+    let angles = &airspeed.angles;
+    let means = Group {
+        v_m_s: airspeed.v_m_s,
+        rows: (0..angles.len()).collect(),
+        alphas_rad: angles.iter().map(|angle| angle.alpha_rad).collect(),
+        loads: std::array::from_fn(|c| angles.iter().map(|angle| angle.readings()[c]).collect()),
+        angles: angles.len(),
+    };
     (0..3).filter(|&c| data.channels[c]).find_map(|channel| {
-        let loads: Vec<f64> = inner.iter().map(|angle| angle.readings()[channel]).collect();
-        let (residuals, _) = polynomial_residuals(&alphas, &loads, order);
-        let sigma = |angle| Some(data.mean_sigma(angle)?[channel].hypot(data.block_sigma[channel]));
-        let over = residuals.iter().zip(inner).map(|(r, angle)| Some((r / sigma(angle)?).powi(2)));
-        let ratio = (over.sum::<Option<f64>>()? / dof).sqrt();
-        let size = residuals.iter().map(|r| r * r).sum::<f64>().sqrt();
-        (ratio > ROUGH).then(|| {
+        let sigma_of = |angle| Some(data.mean_sigma(angle)?[channel].hypot(data.block_sigma[channel]));
+        let sigma = angles.iter().map(sigma_of).try_fold(0.0, |most: f64, sigma| Some(most.max(sigma?)))?;
+        let found = deleted(&means, channel, Some(sigma))?;
+        let is_lone = found.scatter <= 2.0 * sigma && found.jump.abs() > LONE * sigma;
+        (is_lone && !means.is_end(found.row)).then(|| {
             Finding::defect(format!(
-                "rows with V_m_s = {}: {} is up to {size:.3} off a smooth curve in the angle, {ratio:.0} times what the rows' scatter \
-                 explains: rows of different angles contradict each other",
-                airspeed.v_m_s, CHANNELS[channel],
+                "rows with V_m_s = {} and alpha_deg = {:.2}: {} is {:.3} {} a smooth curve through the other angles, {:.0} times what \
+                 the rows' scatter explains: they contradict the other angles",
+                airspeed.v_m_s,
+                means.alphas_rad[found.row].to_degrees(),
+                CHANNELS[channel],
+                found.jump.abs(),
+                if found.jump > 0.0 { "above" } else { "below" },
+                found.jump.abs() / sigma,
             ))
         })
     })
