@@ -260,7 +260,7 @@ impl<'a, M: SteadyModel> Context<'a, M> {
                     angles: airspeed.angles.iter().collect(),
                     zero: &problem.zero,
                     point_sigma,
-                    common_sigma: self.common_sigma(),
+                    common_sigma: self.data.common_sigma(),
                 },
             ),
             lift: if self.data.channels[TIP] { lift_factor(&problem, point_sigma)? } else { None },
@@ -273,12 +273,6 @@ impl<'a, M: SteadyModel> Context<'a, M> {
             noise_floor: self.data.noise_floor(airspeed, problem.weights),
             line,
         })
-    }
-
-    /// The mean of a few blocks' offsets is itself uncertain by their spread over the root of their number.
-    pub(crate) fn common_sigma(&self) -> [f64; 4] {
-        let blocks = self.data.blocks.len().max(1) as f64;
-        self.data.block_sigma.map(|sigma| sigma / blocks.sqrt())
     }
 
     /// Weights of paper 1, Eq. 8, the tip's in N m/m: see `Settings::tip_weight`.

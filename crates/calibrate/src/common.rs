@@ -137,7 +137,7 @@ impl<M: SteadyModel> Context<'_, M> {
             angles: problem.angles().collect(),
             zero: &problem.zero,
             point_sigma: point_sigma.map(|sigma| wide * sigma),
-            common_sigma: self.common_sigma(),
+            common_sigma: self.data.common_sigma(),
         };
         let v_m_s = problem.groups.iter().map(|group| group.flow.v_m_s);
         Ok(CommonCalibration {

@@ -153,6 +153,12 @@ impl StaticData {
         self.point_sigma.map(|sigma| sigma.map(|s| s / (angle.replicates as f64).sqrt()))
     }
 
+    /// The mean of a few blocks' offsets is itself uncertain by their spread over the root of their number, by channel.
+    pub(crate) fn common_sigma(&self) -> [f64; 4] {
+        let blocks = self.blocks.len().max(1) as f64;
+        self.block_sigma.map(|sigma| sigma / blocks.sqrt())
+    }
+
     /// The noise floor of paper 1, Eq. 8 at an airspeed: the sum over channels of the standard deviation of a row over the
     /// root of the rows an angle, times the channel's weight.
     pub fn noise_floor(&self, airspeed: &AirspeedData, weights: [f64; 4]) -> Option<f64> {

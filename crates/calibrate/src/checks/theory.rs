@@ -36,11 +36,11 @@ pub(super) fn far_from_theory(lines: &[Lines]) -> Vec<Finding> {
     let arm_ratio = median(&|l| arm(&l.measured) / arm(&l.theory)).filter(|ratio| !ARM.contains(ratio));
     if let Some(ratio) = arm_ratio.filter(|_| fz && mx) {
         let theory_m = median(&|l| arm(&l.theory)).unwrap_or_default();
+        let measured_m = ratio * theory_m;
         found.push(Finding::open(format!(
-                "lift by the angle acts {:.3} m from the balance's axis, {:.3} m by theory: the spanwise lift, the place of the \
-                 balance, or the span; root loads do not tell them apart",
-                ratio * theory_m, theory_m,
-            )));
+            "lift by the angle acts {measured_m:.3} m from the balance's axis, {theory_m:.3} m by theory: the spanwise lift, the \
+             place of the balance, or the span; root loads do not tell them apart"
+        )));
     }
     found
 }

@@ -10,13 +10,16 @@ pub mod predictions;
 mod prior;
 
 use crate::calibration::{AirspeedCalibration, Calibration};
+use crate::campaign::{TIP, TipReading};
 use aero::{Corrections, Flow};
 use coupling::wing_file::CorrectionPrior;
 use coupling::{CouplingError, ElasticWing, Readings, SteadyCase, SteadyOperator};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
-use predictions::{Quantity, quantities, section_rows};
+use nastran::InputError;
+use predictions::{Quantity, quantities, row_of};
 use prior::Modes;
+use std::rc::Rc;
 
 /// Half of a 90 % interval of a Gaussian in standard deviations.
 const HALF_90: f64 = 1.644_853_627;
@@ -40,6 +43,11 @@ impl Prediction {
     /// The 90 % interval.
     pub fn interval(&self) -> [f64; 2] {
         [self.value - HALF_90 * self.sigma, self.value + HALF_90 * self.sigma]
+    }
+
+    /// The 90 % interval before the data, about the calibrated wing.
+    pub fn interval_before(&self) -> [f64; 2] {
+        [self.value - HALF_90 * self.prior_sigma, self.value + HALF_90 * self.prior_sigma]
     }
 
     /// Share of the prior's variance that the data took away.
@@ -68,151 +76,148 @@ pub fn intervals(
     calibration: &Calibration,
     prior: &CorrectionPrior,
 ) -> Result<Vec<AirspeedPredictions>, CouplingError> {
-    let modes = Modes::new(wing, prior);
-    calibration.airspeeds.iter().map(|at| at_airspeed(wing, calibration, at, prior, &modes)).collect()
+    let listed = quantities(wing);
+    let of = |at: &AirspeedCalibration| {
+        let known = Known::new(wing, calibration, at, prior)?;
+        let theory = wing.at(known.flow, &Corrections::neutral(wing.correctable.len()))?;
+        let case = known.largest();
+        let by_theory = read(wing, &theory, &case, &listed)?;
+        let predicted = read(wing, &known.corrected, &case, &listed)?;
+        let predictions = listed.iter().zip(by_theory).zip(predicted).map(|((quantity, theory), at)| {
+            let gradient = known.gradient(&at);
+            Prediction {
+                quantity: quantity.clone(),
+                theory: theory.value(),
+                value: at.value(),
+                prior_sigma: gradient.iter().map(|x| x * x).sum::<f64>().sqrt(),
+                sigma: known.sigma_with(&[], &gradient),
+            }
+        });
+        let predictions = predictions.collect();
+        Ok(AirspeedPredictions { v_m_s: known.flow.v_m_s, alpha_rad: case.alpha_rad, predictions })
+    };
+    calibration.airspeeds.iter().map(of).collect()
 }
 
-fn at_airspeed(
-    wing: &ElasticWing,
-    calibration: &Calibration,
-    at: &AirspeedCalibration,
-    prior: &CorrectionPrior,
-    modes: &Modes,
-) -> Result<AirspeedPredictions, CouplingError> {
-    let flow = Flow { v_m_s: at.data.v_m_s, rho_kg_m3: calibration.rho_kg_m3 };
-    let corrected = wing.at(flow, &at.corrections)?;
-    let posterior = Posterior::new(wing, calibration, at, prior, modes)?;
-    let alpha_rad = at.data.angles.iter().map(|angle| angle.alpha_rad).fold(f64::NEG_INFINITY, f64::max);
-    let (listed, rows) = quantities(wing);
-    let case = SteadyCase::new(flow, alpha_rad);
-    let neutral = Corrections::neutral(wing.correctable.len());
-    let theory = wing.at(flow, &neutral)?;
-    let read = corrected.readings(&case, &rows);
-    let by_theory = theory.readings(&case, &rows).values;
-    let mut predictions: Vec<Prediction> = listed
-        .into_iter()
-        .enumerate()
-        .map(|(r, quantity)| {
-            posterior.prediction(quantity, [by_theory[r], read.values[r]], &modes.gradient(&read, r, prior))
-        })
-        .collect();
-    for control in wing.control_names() {
-        let quantity = Quantity::ControlMx { control };
-        let [of_theory, value] =
-            [&theory, &corrected].map(|operator| value_of(wing, operator, &case, &quantity));
-        let gradient = gradient_of(wing, &corrected, &case, &quantity, modes, prior);
-        predictions.push(posterior.prediction(quantity, [of_theory, value], &gradient));
+/// A reading: a row of readings, less that of another case.
+struct Read {
+    of: Rc<Readings>,
+    less: Option<Rc<Readings>>,
+    row: usize,
+}
+
+impl Read {
+    fn value(&self) -> f64 {
+        self.of.values[self.row] - self.less.as_ref().map_or(0.0, |less| less.values[self.row])
     }
-    Ok(AirspeedPredictions { v_m_s: flow.v_m_s, alpha_rad, predictions })
 }
 
-/// What is read in a case for a quantity: rows on the box loads, and whether the case with the control by a degree less the case
-/// without it is meant. The tip's height has no row.
-fn read_of(wing: &ElasticWing, quantity: &Quantity) -> (Mat<f64>, Option<usize>) {
-    let root = |row: usize| Mat::from_fn(1, wing.root_rows.ncols(), |_, k| wing.root_rows[(row, k)]);
-    match quantity {
-        Quantity::Shear { y_norm } => (section_rows(wing, *y_norm)[0].clone(), None),
-        Quantity::Bending { y_norm } => (section_rows(wing, *y_norm)[1].clone(), None),
-        Quantity::TipHeight => (Mat::zeros(0, wing.root_rows.ncols()), None),
-        Quantity::ControlMx { control } => {
-            (root(1), wing.control_names().iter().position(|name| name == control))
+/// Reads quantities in a case; what a control does is the case with it by a degree less the case without it.
+fn read(
+    wing: &ElasticWing,
+    operator: &SteadyOperator<'_>,
+    case: &SteadyCase,
+    quantities: &[Quantity],
+) -> Result<Vec<Read>, InputError> {
+    let loads = quantities.iter().filter(|quantity| **quantity != Quantity::TipHeight);
+    let rows: Vec<Vec<f64>> = loads.map(|quantity| row_of(wing, quantity)).collect();
+    let matrix = Mat::from_fn(rows.len(), wing.root_rows.ncols(), |r, k| rows[r][k]);
+    let held = Rc::new(operator.readings(case, &matrix));
+    let names = wing.control_names();
+    let mut next_row = 0..;
+    let one = |quantity: &Quantity| {
+        if *quantity == Quantity::TipHeight {
+            return Ok(Read { of: Rc::clone(&held), less: None, row: rows.len() });
         }
-        Quantity::StripLift { y_norm } => {
-            let (listed, rows) = quantities(wing);
-            let of =
-                listed.iter().position(|one| matches!(one, Quantity::StripLift { y_norm: y } if y == y_norm));
-            (Mat::from_fn(1, rows.ncols(), |_, k| of.map_or(0.0, |r| rows[(r, k)])), None)
-        }
-    }
+        let row = next_row.next().unwrap_or_default();
+        let Quantity::ControlMx { control } = quantity else {
+            return Ok(Read { of: Rc::clone(&held), less: None, row });
+        };
+        let Some(index) = names.iter().position(|name| name == control) else {
+            return Err(InputError::general(format!("the wing has no control surface {control}")));
+        };
+        let mut deflected = case.clone();
+        deflected.controls_rad = vec![0.0; names.len()];
+        deflected.controls_rad[index] = 1.0_f64.to_radians();
+        Ok(Read { of: Rc::new(operator.readings(&deflected, &matrix)), less: Some(Rc::clone(&held)), row })
+    };
+    quantities.iter().map(one).collect()
 }
 
-/// Readings of a quantity in a case, and in the case that is taken from it.
-fn readings_of(
-    wing: &ElasticWing,
-    operator: &SteadyOperator<'_>,
-    case: &SteadyCase,
-    quantity: &Quantity,
-) -> (Readings, Option<Readings>) {
-    let (rows, control) = read_of(wing, quantity);
-    let read = operator.readings(case, &rows);
-    let Some(control) = control else { return (read, None) };
-    let mut deflected = case.clone();
-    deflected.controls_rad = vec![0.0; wing.controls.len()];
-    deflected.controls_rad[control] = 1.0_f64.to_radians();
-    (operator.readings(&deflected, &rows), Some(read))
-}
-
-fn value_of(
-    wing: &ElasticWing,
-    operator: &SteadyOperator<'_>,
-    case: &SteadyCase,
-    quantity: &Quantity,
-) -> f64 {
-    let (read, less) = readings_of(wing, operator, case, quantity);
-    read.values[0] - less.map_or(0.0, |less| less.values[0])
-}
-
-fn gradient_of(
-    wing: &ElasticWing,
-    operator: &SteadyOperator<'_>,
-    case: &SteadyCase,
-    quantity: &Quantity,
-    modes: &Modes,
-    prior: &CorrectionPrior,
-) -> Vec<f64> {
-    let (read, less) = readings_of(wing, operator, case, quantity);
-    let mut gradient = modes.gradient(&read, 0, prior);
-    if let Some(less) = less {
-        gradient.iter_mut().zip(modes.gradient(&less, 0, prior)).for_each(|(a, b)| *a -= b);
-    }
-    gradient
-}
-
-/// What the data of one airspeed leave of the prior.
-struct Posterior {
-    /// Rows by unknowns, over the standard deviation of a row.
+/// What is known of the corrections of one airspeed.
+struct Known<'a> {
+    flow: Flow,
+    alphas_rad: Vec<f64>,
+    /// The calibrated wing.
+    corrected: SteadyOperator<'a>,
+    modes: Modes,
+    /// Standard deviation of one row of the static cases, by channel.
+    sigma: [f64; 4],
+    /// Rows of the data by unknowns, over their standard deviation.
     rows: Vec<Vec<f64>>,
 }
 
-impl Posterior {
+impl<'a> Known<'a> {
     fn new(
-        wing: &ElasticWing,
+        wing: &'a ElasticWing,
         calibration: &Calibration,
         at: &AirspeedCalibration,
         prior: &CorrectionPrior,
-        modes: &Modes,
     ) -> Result<Self, CouplingError> {
-        let flow = Flow { v_m_s: at.data.v_m_s, rho_kg_m3: calibration.rho_kg_m3 };
-        let corrected = wing.at(flow, &at.corrections)?;
         let data = &calibration.data;
-        let sigma = data.point_sigma.unwrap_or(at.line.rmse);
-        let mut rows: Vec<Vec<f64>> = Vec::new();
-        let mut tip_rows = Vec::new();
-        for angle in &at.data.angles {
-            let read: Readings = corrected.readings(&SteadyCase::new(flow, angle.alpha_rad), &wing.root_rows);
-            for channel in (0..4).filter(|&c| data.channels[c]) {
-                let size =
-                    (sigma[channel] / (angle.replicates as f64).sqrt()).hypot(data.block_sigma[channel]);
-                let row = modes.gradient(&read, channel, prior);
-                if channel == crate::campaign::TIP {
-                    tip_rows.push(rows.len());
-                }
-                rows.push(row.iter().map(|value| value / size.max(f64::MIN_POSITIVE)).collect());
+        let flow = Flow { v_m_s: at.data.v_m_s, rho_kg_m3: calibration.rho_kg_m3 };
+        let mut known = Self {
+            flow,
+            alphas_rad: at.data.angles.iter().map(|angle| angle.alpha_rad).collect(),
+            corrected: wing.at(flow, &at.corrections)?,
+            modes: Modes::new(wing, prior),
+            sigma: data.point_sigma.unwrap_or(at.line.rmse),
+            rows: Vec::new(),
+        };
+        let readings: Vec<Readings> = known
+            .alphas_rad
+            .iter()
+            .map(|&alpha| known.corrected.readings(&known.case(alpha), &wing.root_rows))
+            .collect();
+        let common = data.common_sigma();
+        for channel in (0..4).filter(|&c| data.channels[c]) {
+            let mut rows: Vec<Vec<f64>> =
+                readings.iter().map(|read| known.modes.gradient(read, channel)).collect();
+            if channel == TIP && data.tip == TipReading::FreeZero {
+                take_out_mean(&mut rows);
             }
+            for (row, angle) in rows.iter_mut().zip(&at.data.angles) {
+                // behind the wing's unknowns: the offset common to all blocks, which moves a channel's rows together
+                row.extend((0..4).map(|c| if c == channel { common[c] } else { 0.0 }));
+                let sigma = known.sigma[channel] / (angle.replicates as f64).sqrt();
+                *row = over(std::mem::take(row), sigma);
+            }
+            known.rows.extend(rows);
         }
-        if data.tip == crate::campaign::TipReading::FreeZero {
-            centre(&mut rows, &tip_rows);
-        }
-        Ok(Self { rows })
+        Ok(known)
     }
 
-    fn prediction(&self, quantity: Quantity, [theory, value]: [f64; 2], gradient: &[f64]) -> Prediction {
-        let prior_sigma = gradient.iter().map(|x| x * x).sum::<f64>().sqrt();
-        Prediction { quantity, theory, value, prior_sigma, sigma: self.sigma_with(&[], gradient) }
+    fn case(&self, alpha_rad: f64) -> SteadyCase {
+        SteadyCase::new(self.flow, alpha_rad)
+    }
+
+    /// The case with the largest angle that was measured.
+    fn largest(&self) -> SteadyCase {
+        self.case(self.alphas_rad.iter().copied().fold(f64::NEG_INFINITY, f64::max))
+    }
+
+    fn gradient(&self, read: &Read) -> Vec<f64> {
+        let mut gradient = self.modes.gradient(&read.of, read.row);
+        if let Some(less) = &read.less {
+            for (value, less) in gradient.iter_mut().zip(self.modes.gradient(less, read.row)) {
+                *value -= less;
+            }
+        }
+        gradient
     }
 
     /// Standard deviation of what has this gradient, with further rows beside the data:
-    /// `g' g - (J g)' (J J' + I)⁻¹ (J g)`.
+    /// `g' g - (J g)' (J J' + I)⁻¹ (J g)`. Unknowns that a row or the gradient does not list have no part in it.
     fn sigma_with(&self, further: &[Vec<f64>], gradient: &[f64]) -> f64 {
         let rows: Vec<&Vec<f64>> = self.rows.iter().chain(further).collect();
         let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
@@ -229,13 +234,18 @@ impl Posterior {
     }
 }
 
+/// A row over the standard deviation of its reading.
+fn over(row: Vec<f64>, sigma: f64) -> Vec<f64> {
+    row.into_iter().map(|value| value / sigma.max(f64::MIN_POSITIVE)).collect()
+}
+
 /// A zero that is not known takes the mean out of rows.
-fn centre(rows: &mut [Vec<f64>], of: &[usize]) {
-    let Some(&first) = of.first() else { return };
-    for k in 0..rows[first].len() {
-        let mean = of.iter().map(|&r| rows[r][k]).sum::<f64>() / of.len() as f64;
-        for &r in of {
-            rows[r][k] -= mean;
+fn take_out_mean(rows: &mut [Vec<f64>]) {
+    let count = rows.len() as f64;
+    for k in 0..rows.first().map_or(0, Vec::len) {
+        let mean = rows.iter().map(|row| row[k]).sum::<f64>() / count;
+        for row in rows.iter_mut() {
+            row[k] -= mean;
         }
     }
 }

@@ -8,7 +8,8 @@ use faer::{Mat, Side};
 pub(super) struct Modes {
     /// Boxes by unknowns, by family: force, moment, pressure offset.
     families: [Mat<f64>; 3],
-    size: usize,
+    /// Standard deviation of the logarithm of the flexibility, the last unknown.
+    flexibility: f64,
 }
 
 impl Modes {
@@ -47,18 +48,20 @@ impl Modes {
                 }
             }
         }
-        Self { families, size }
+        Self { families, flexibility: prior.flexibility }
     }
 
     /// Derivatives of a reading by the unknowns.
-    pub(super) fn gradient(&self, read: &Readings, row: usize, prior: &CorrectionPrior) -> Vec<f64> {
-        let mut gradient = vec![0.0; self.size];
+    pub(super) fn gradient(&self, read: &Readings, row: usize) -> Vec<f64> {
+        let mut gradient = vec![0.0; self.families[0].ncols()];
         for (modes, by) in self.families.iter().zip([&read.by_force, &read.by_moment, &read.by_offset]) {
             for (k, value) in gradient.iter_mut().enumerate() {
                 *value += (0..modes.nrows()).map(|b| by[(row, b)] * modes[(b, k)]).sum::<f64>();
             }
         }
-        gradient[self.size - 1] = read.by_flexibility.get(row).copied().unwrap_or(0.0) * prior.flexibility;
+        if let Some(last) = gradient.last_mut() {
+            *last += read.by_flexibility[row] * self.flexibility;
+        }
         gradient
     }
 }

@@ -13,6 +13,7 @@ use crate::commands::calibrate_numbers::speed_name;
 use crate::commands::calibrate_predictions_result::{named, result};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
+use crate::pages::values::digits;
 
 /// Band of a quantity with the data, and without them.
 const BANDS: [&str; 2] = ["90 % interval with the data", "90 % interval before the data"];
@@ -105,13 +106,11 @@ fn lift(all: &[AirspeedPredictions]) -> Figure {
             let (x, y) = strips.iter().map(|(y_norm, p)| (*y_norm, of(p))).unzip();
             Series::new(name, x, y, style)
         };
-        let half = |p: &Prediction| p.interval()[1] - p.value;
-        let before = |p: &Prediction| half(p) * p.prior_sigma / p.sigma.max(f64::MIN_POSITIVE);
         let series = vec![
-            curve(BANDS[1], Style::Line, &|p| p.value - before(p)),
-            curve(BANDS[1], Style::Line, &|p| p.value + before(p)),
-            curve(BANDS[0], Style::Edge, &|p| p.value - half(p)),
-            curve(BANDS[0], Style::Edge, &|p| p.value + half(p)),
+            curve(BANDS[1], Style::Line, &|p| p.interval_before()[0]),
+            curve(BANDS[1], Style::Line, &|p| p.interval_before()[1]),
+            curve(BANDS[0], Style::Edge, &|p| p.interval()[0]),
+            curve(BANDS[0], Style::Edge, &|p| p.interval()[1]),
             curve("initial", Style::DashedLine, &|p| p.theory),
             curve("updated", Style::Line, &|p| p.value),
         ];
@@ -134,7 +133,7 @@ pub(crate) fn summary(all: &[AirspeedPredictions]) -> String {
             _ => return None,
         };
         let [low, high] = p.interval();
-        let [value, low, high] = [p.value, low, high].map(|x| format!("{:.*}", places(p.sigma), x));
+        let [value, low, high] = [p.value, low, high].map(|x| digits(x, 3));
         Some(format!("{name} {value} ({low} to {high}) {unit}"))
     };
     let lines: Vec<String> = at.predictions.iter().filter_map(line).collect();
@@ -144,10 +143,4 @@ pub(crate) fn summary(all: &[AirspeedPredictions]) -> String {
         at.alpha_rad.to_degrees(),
         lines.join("; ")
     )
-}
-
-/// Decimal places that show a standard deviation's second digit.
-fn places(sigma: f64) -> usize {
-    let decades = (1.0 - sigma.max(1e-9).log10().floor()).clamp(0.0, 6.0);
-    (0..=6_u8).find(|&places| f64::from(places) >= decades).map_or(6, usize::from)
 }
