@@ -9,7 +9,7 @@ use aero::Corrections;
 use calibrate::campaign::ChannelNoise;
 use calibrate::{Calibration, Campaign, Noise, StaticPoint, Weight, calibrate};
 use common::{campaign, draw, loads, papers_kind, row, small_settings, small_wing};
-use coupling::{ElasticWing, SteadyModel};
+use coupling::ElasticWing;
 use std::sync::LazyLock;
 
 static WING: LazyLock<ElasticWing> = LazyLock::new(small_wing);
@@ -257,7 +257,7 @@ fn signs_swaps_units_and_other_places_are_told_from_each_other() {
         let load = loads(&WING, 26.0, &[0.0, 2.0], &mild());
         (load[1][1] - load[0][1]) / (load[1][0] - load[0][0])
     };
-    let chord_m = WING.mean_chord_m();
+    let chord_m = WING.correctable.mean_chord_m();
     let foot = 0.3048;
     let pound = 4.448_221_615;
     let span = 0.55;

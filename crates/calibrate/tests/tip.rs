@@ -209,7 +209,7 @@ fn bent_far(wing: &ElasticWing, share: f64) -> Campaign {
     let mut campaign = sweep(wing, 1.2, [0.0; 2], |k| 1e-4 * draw(k));
     let heights = campaign.points.iter().filter_map(|point| point.tip_z_m);
     let most_m = heights.fold(0.0_f64, |most, z| most.max(z.abs()));
-    assert!(most_m > 0.2 * wing.span_m(), "{most_m}");
+    assert!(most_m > 0.2 * wing.correctable.span_m(), "{most_m}");
     for point in &mut campaign.points {
         point.tip_z_m = point.tip_z_m.map(|z| z * (1.0 - share * (z / most_m).powi(2)));
     }

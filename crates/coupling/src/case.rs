@@ -61,12 +61,26 @@ pub struct CorrectableBoxes {
     pub y_norm: Vec<f64>,
     /// Area of the box over the area of all correctable boxes.
     pub area_share: Vec<f64>,
+    /// Area of all of them, m².
+    pub area_m2: f64,
+    /// Where they begin and end along y, m.
+    pub ends_m: [f64; 2],
 }
 
 impl CorrectableBoxes {
     /// Number of boxes.
     pub fn len(&self) -> usize {
         self.places.len()
+    }
+
+    /// Extent along y, m.
+    pub fn span_m(&self) -> f64 {
+        self.ends_m[1] - self.ends_m[0]
+    }
+
+    /// Area over the span, m.
+    pub fn mean_chord_m(&self) -> f64 {
+        self.area_m2 / self.span_m()
     }
 
     /// True if there is nothing to correct.
@@ -102,12 +116,6 @@ pub trait SteadyModel: Sync {
     ) -> Result<Vec<f64>, CouplingError> {
         Ok(self.sensitivities(cases, corrections)?.iter().map(|case| case.tip_z_m).collect())
     }
-
-    /// Extent of the correctable boxes along y, m.
-    fn span_m(&self) -> f64;
-
-    /// Area of the correctable boxes over their span, m.
-    fn mean_chord_m(&self) -> f64;
 
     /// Whether the model has a tip that can deflect: a rigid wing has none.
     fn has_tip(&self) -> bool {

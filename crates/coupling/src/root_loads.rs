@@ -1,8 +1,5 @@
 //! Root loads: what the wing puts on the balance.
 
-use aero::Lattice;
-use faer::Mat;
-use nalgebra::{Point3, Vector3};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -141,29 +138,4 @@ impl std::ops::Sub for RootLoads {
             my_nm: self.my_nm - other.my_nm,
         }
     }
-}
-
-/// The balance: the point its moments are about, and which boxes hang on it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Balance {
-    /// Point the moments are about, basic axes, m.
-    pub point: Point3<f64>,
-    /// Per box of the lattice: does its load reach the balance? (A fairing may stand on the wall.)
-    pub metric: Vec<bool>,
-}
-
-/// R: 3 rows (Fz, Mx, My) by two columns a box. A load along the box normal at the midpoint and a moment about
-/// the box pitch axis (which has no part along x, so none of it is Mx), taken to the balance point; zero columns for
-/// boxes that are not metric.
-pub fn root_rows(lattice: &Lattice, balance: &Balance) -> Mat<f64> {
-    let mut rows = Mat::zeros(3, 2 * lattice.len());
-    for (j, panel) in lattice.boxes.iter().enumerate().filter(|(j, _)| balance.metric[*j]) {
-        let (n, e) = (panel.normal(), panel.pitch_axis());
-        let moment: Vector3<f64> = (panel.mid_point() - balance.point).cross(&n);
-        rows[(0, 2 * j)] = n.z;
-        rows[(1, 2 * j)] = moment.x;
-        rows[(2, 2 * j)] = moment.y;
-        rows[(2, 2 * j + 1)] = e.y;
-    }
-    rows
 }

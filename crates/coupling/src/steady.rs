@@ -245,18 +245,6 @@ impl SteadyModel for ElasticWing {
         Ok(self.at(first.flow, corrections)?.solve(cases).into_iter().map(|state| state.tip_z_m).collect())
     }
 
-    fn span_m(&self) -> f64 {
-        let boxes = self.correctable.places.iter().map(|&place| &self.lattice.boxes[place]);
-        let ends = boxes.flat_map(|panel| panel.corners.iter().map(|corner| corner.y));
-        let [least, most] = ends.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], y| [a.min(y), b.max(y)]);
-        most - least
-    }
-
-    fn mean_chord_m(&self) -> f64 {
-        let areas_m2 = self.correctable.places.iter().map(|&place| self.lattice.boxes[place].area_m2());
-        areas_m2.sum::<f64>() / self.span_m()
-    }
-
     fn has_tip(&self) -> bool {
         self.supported.is_some()
     }

@@ -2,7 +2,7 @@
 
 use crate::case::CorrectableBoxes;
 use crate::error::CouplingError;
-use crate::root_loads::{Balance, root_rows};
+use crate::load_rows::{Balance, root_rows};
 use crate::spline::Spline;
 use crate::supported::SupportedStructure;
 use crate::suspicion;

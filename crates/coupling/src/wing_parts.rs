@@ -2,7 +2,7 @@
 
 use crate::case::CorrectableBoxes;
 use crate::error::CouplingError;
-use crate::root_loads::Balance;
+use crate::load_rows::Balance;
 use crate::spline::Spline;
 use crate::supported::SupportedStructure;
 use crate::wing_file::{RootPlane, SplineKind, WingFile};
@@ -126,6 +126,8 @@ pub(crate) fn correctable_boxes(lattice: &Lattice, fairing: &[u32]) -> Correctab
         strip: Vec::new(),
         y_norm: Vec::new(),
         area_share: Vec::new(),
+        area_m2: 0.0,
+        ends_m: [0.0; 2],
     };
     let mut strips = 0;
     for surface in lattice.surfaces.iter().filter(|surface| !fairing.contains(&surface.id)) {
@@ -146,5 +148,6 @@ pub(crate) fn correctable_boxes(lattice: &Lattice, fairing: &[u32]) -> Correctab
     boxes.y_norm =
         boxes.places.iter().map(|&p| (lattice.boxes[p].mid_point().y - low) / (high - low)).collect();
     boxes.area_share = boxes.places.iter().map(|&place| lattice.boxes[place].area_m2() / total).collect();
+    (boxes.area_m2, boxes.ends_m) = (total, [low, high]);
     boxes
 }

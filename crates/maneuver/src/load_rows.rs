@@ -5,7 +5,7 @@
 //! that is metric for the balance, all boxes and grids outboard of a monitoring station, a strip's boxes.
 
 use coupling::wing_file::StationAt;
-use coupling::{ElasticWing, WingFile};
+use coupling::{ElasticWing, WingFile, station_rows, strip_rows};
 use faer::{Mat, MatRef};
 use nalgebra::Point3;
 use structure::System;
@@ -72,18 +72,7 @@ impl LoadRows {
         let names = ["Fz", "Mx", "My"]
             .map(|load| format!("{load}_{}_{}", station.name, if load == "Fz" { "N" } else { "Nm" }));
         let at = &station.point;
-        let mut air = Mat::zeros(3, 2 * wing.lattice.len());
-        for (j, panel) in wing.lattice.boxes.iter().enumerate() {
-            let (middle, n, axis) = (panel.mid_point(), panel.normal(), panel.pitch_axis());
-            if middle.y > at.y && wing.balance.metric[j] {
-                let moment = (middle - at).cross(&n);
-                air[(0, 2 * j)] = n.z;
-                for row in 0..2 {
-                    air[(1 + row, 2 * j)] = moment[row];
-                    air[(1 + row, 2 * j + 1)] = axis[row];
-                }
-            }
-        }
+        let air = station_rows(&wing.lattice, &wing.balance, at);
         let rigid = momentum.map(|m| {
             let all = m.system.rigid_body(at);
             let outboard = |dof: usize| m.system.points()[dof / 6].y > at.y;
@@ -94,13 +83,8 @@ impl LoadRows {
 
     /// Lift per metre of span of every strip of the correctable boxes (air alone), N/m.
     pub(crate) fn strips(wing: &ElasticWing, fields: usize, modes: usize) -> Self {
-        let boxes = &wing.correctable;
-        let count = boxes.strip.iter().max().map_or(0, |last| last + 1);
-        let mut air = Mat::zeros(count, 2 * wing.lattice.len());
-        for (&place, &strip) in boxes.places.iter().zip(&boxes.strip) {
-            let panel = &wing.lattice.boxes[place];
-            air[(strip, 2 * place)] = panel.normal().z / panel.width_m();
-        }
+        let air = strip_rows(&wing.lattice, &wing.correctable);
+        let count = air.nrows();
         Self {
             names: (0..count).map(|strip| format!("lift_strip_{}_N_m", strip + 1)).collect(),
             by_fields: Mat::zeros(count, fields),

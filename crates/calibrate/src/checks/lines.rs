@@ -45,7 +45,7 @@ pub(super) fn lines<M: SteadyModel>(
             measured: fitted.map(|(line, _)| line),
             noise: fitted.map(|(_, noise)| noise),
             theory: std::array::from_fn(|c| [(loads[1][c] - loads[0][c]) / step_rad, loads[0][c]]),
-            chord_m: model.mean_chord_m(),
+            chord_m: model.correctable().mean_chord_m(),
             channels: [data.channels[0], data.channels[1], data.channels[2]],
         })
     };

@@ -53,7 +53,7 @@ pub(crate) fn deflections<M: SteadyModel>(
     let data = context.data;
     let Some(lift) = set.lift.as_ref().filter(|_| data.channels[TIP]) else { return Ok(None) };
     let zero_m = |block: usize| lift.tip_zeros.get(block).map_or(0.0, |zero| zero.0);
-    let span_m = context.model.span_m();
+    let span_m = context.model.correctable().span_m();
     let angles = data.airspeeds.iter().flat_map(|airspeed| &airspeed.angles);
     let most_m = angles.map(|angle| (angle.tip_z_m - zero_m(angle.block)).abs()).fold(0.0, f64::max);
     if most_m < LINEAR * span_m {

@@ -14,12 +14,11 @@ pub(super) struct Modes {
 
 impl Modes {
     pub(super) fn new(wing: &ElasticWing, prior: &CorrectionPrior) -> Self {
-        use coupling::SteadyModel;
         let boxes = &wing.correctable;
         let strips = boxes.strip.iter().copied().max().map_or(0, |last| last + 1);
         let mut y_norm = vec![0.0; strips];
         boxes.strip.iter().zip(&boxes.y_norm).for_each(|(&strip, &y)| y_norm[strip] = y);
-        let local = prior.local_over_chord * wing.mean_chord_m() / wing.span_m();
+        let local = prior.local_over_chord * boxes.mean_chord_m() / boxes.span_m();
         let field = |parts: [f64; 3]| root_of(&y_norm, parts, [prior.smooth_over_span, local]);
         let along = |b: usize| (boxes.chord_row[b] as f64 + 0.5) / boxes.chord_rows[b] as f64 - 0.5;
         let by_alpha = wing.pressures_by_alpha();

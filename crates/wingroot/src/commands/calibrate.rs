@@ -161,7 +161,9 @@ fn result(
         noise_from: match (data.noise_dof, data.point_sigma) {
             (Some(dof), _) => format!("replicates, {dof} degrees of freedom"),
             (None, Some(sigma)) => match campaign.noise {
-                Some(noise) if noise.static_point.to_array() != sigma => "the scatter of rows, beyond the campaign's declaration".into(),
+                Some(noise) if noise.static_point.to_array() != sigma => {
+                    "the scatter of rows, beyond the campaign's declaration".into()
+                }
                 _ => "the campaign's declaration".into(),
             },
             (None, None) => "unknown: no replicates and none declared".into(),
