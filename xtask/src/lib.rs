@@ -33,6 +33,8 @@ enum Task {
     Program(wingroot::commands::Command),
     /// Our results beside every published reference
     Validate(commands::validate::ValidateArgs),
+    /// Intervals of calibrated wings beside wings that another program made
+    Trust(commands::trust::TrustArgs),
     /// Time of the main steps
     Bench(commands::bench::BenchArgs),
     /// Check the house rules of the repository
@@ -45,6 +47,7 @@ impl Task {
         match self {
             Self::Program(command) => (command.name(), command.results()),
             Self::Validate(_) => ("validate", Some("validate")),
+            Self::Trust(_) => ("trust", Some("trust")),
             Self::Bench(_) => ("bench", Some("bench")),
             Self::Tidy(_) => ("tidy", None),
         }
@@ -54,6 +57,7 @@ impl Task {
         match self {
             Self::Program(command) => command.run(common),
             Self::Validate(options) => commands::validate::run(options, common),
+            Self::Trust(options) => commands::trust::run(options, common),
             Self::Bench(options) => commands::bench::run(options, common),
             Self::Tidy(options) => commands::tidy::run(options, common),
         }

@@ -339,7 +339,9 @@ fn weight_tare<M: SteadyModel>(
 impl Calibration {
     /// Endings that are not a success.
     pub fn failures(&self) -> Vec<(f64, Ending)> {
-        let bad = |ending: &Ending| !matches!(ending, Ending::Converged | Ending::AtNoiseFloor);
+        let bad = |ending: &Ending| {
+            !matches!(ending, Ending::Converged | Ending::AtNoiseFloor | Ending::PosteriorMean)
+        };
         let common = self.common.iter().map(|common| (common.v_range_m_s[1], common.fit.ending));
         let each = self.airspeeds.iter().map(|a| (a.data.v_m_s, a.fit.ending));
         each.chain(common).filter(|(_, ending)| bad(ending)).collect()

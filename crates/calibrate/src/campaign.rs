@@ -1,5 +1,6 @@
 //! A campaign: a folder of measurements (`campaign.ron` or `campaign.json`, `static.csv`, runs), read and checked.
 
+use crate::sensors::{self, Sensor};
 use nastran::table::{ColumnNames, Table};
 use nastran::{InputError, Span, named_file, ron_file};
 use schemars::JsonSchema;
@@ -135,6 +136,9 @@ pub struct CampaignFile {
     pub sets: Sets,
     /// CSV file of static points in the folder.
     pub static_cases: String,
+    /// Sensors beside the balance, with columns in the static cases.
+    #[serde(default)]
+    pub sensors: Vec<Sensor>,
     /// What the CSV files call our columns.
     #[serde(default)]
     pub columns: ColumnNames,
@@ -158,6 +162,8 @@ pub struct StaticPoint {
     pub controls_rad: Vec<(String, f64)>,
     /// Tip deflection from the wind-off shape at alpha = 0, m.
     pub tip_z_m: Option<f64>,
+    /// What the campaign's sensors read, in their order; none where a cell is empty.
+    pub sensors: Vec<Option<f64>>,
     /// Where the row stands.
     pub span: Span,
 }
@@ -188,6 +194,8 @@ pub struct Campaign {
     pub tip: TipReading,
     /// Corrections by airspeed, or one set for all.
     pub sets: Sets,
+    /// Sensors beside the balance.
+    pub sensors: Vec<Sensor>,
     /// All rows of the static cases, weight tares included.
     pub points: Vec<StaticPoint>,
     /// What its files call columns that have another name here: our name to theirs.
@@ -215,7 +223,8 @@ impl Campaign {
         check_columns(&file.columns, &path)?;
         let statics = named_file(&path, &file.static_cases)?;
         let table = Table::read_named(&statics, &file.columns)?;
-        let (channels, points) = static_points(&table, &statics)?;
+        sensors::check(&file.sensors, is_static_column, &path)?;
+        let (channels, points) = static_points(&table, &statics, &file.sensors)?;
         let tip = file.tip.unwrap_or(if channels.contains(&true) {
             TipReading::Unused
         } else {
@@ -238,6 +247,7 @@ impl Campaign {
             channels,
             tip,
             sets: file.sets,
+            sensors: file.sensors,
             points,
             columns: file.columns,
             runs: file.runs,
@@ -304,11 +314,17 @@ fn is_static_column(name: &str) -> bool {
 }
 
 /// Reads the rows of `static.csv`.
-fn static_points(table: &Table, path: &Path) -> Result<([bool; 3], Vec<StaticPoint>), InputError> {
+fn static_points(
+    table: &Table,
+    path: &Path,
+    sensors: &[Sensor],
+) -> Result<([bool; 3], Vec<StaticPoint>), InputError> {
+    let columns: Vec<&str> = sensors.iter().map(|sensor| sensor.column.as_str()).collect();
     table.require(&["V_m_s", "alpha_deg"])?;
+    table.require(&columns)?;
     table.allow_only(
-        is_static_column,
-        "V_m_s, alpha_deg, Fz_N, Mx_Nm, My_Nm, block, tip_z_m or delta_NAME_deg",
+        |name| is_static_column(name) || columns.contains(&name),
+        "V_m_s, alpha_deg, Fz_N, Mx_Nm, My_Nm, block, tip_z_m, delta_NAME_deg or a sensor of campaign.ron",
     )?;
     if table.is_empty() {
         return Err(InputError::in_file(path, "there are no static cases below the header")
@@ -323,6 +339,10 @@ fn static_points(table: &Table, path: &Path) -> Result<([bool; 3], Vec<StaticPoi
         )
         .with_help("a static case needs at least one measured load, or the tip's height"));
     }
+    let read = |row: usize, name: &str| {
+        let empty = table.text(row, name)?.trim().is_empty();
+        (!empty).then(|| table.number(row, name)).transpose()
+    };
     let controls: Vec<&str> = table.columns().filter(|name| name.starts_with("delta_")).collect();
     let optional = |row: usize, name: &str| has(name).then(|| table.number(row, name)).transpose();
     let mut points = Vec::with_capacity(table.len());
@@ -354,6 +374,7 @@ fn static_points(table: &Table, path: &Path) -> Result<([bool; 3], Vec<StaticPoi
             block: has("block").then(|| table.text(row, "block").map(str::to_owned)).transpose()?,
             controls_rad,
             tip_z_m: optional(row, "tip_z_m")?,
+            sensors: columns.iter().map(|name| read(row, name)).collect::<Result<_, _>>()?,
             span: table.span(row, "V_m_s"),
         });
     }

@@ -31,6 +31,8 @@ pub enum Ending {
     InfeasibleBounds,
     /// Every step towards a better objective makes the wing diverge.
     Diverged,
+    /// More than root loads was measured: the mean of the posterior stands in the place of the least change.
+    PosteriorMean,
 }
 
 /// Rows that share a flow.

@@ -10,6 +10,7 @@
 
 use crate::blocks::BlockFit;
 use crate::campaign::{Campaign, Sets, StaticPoint, TIP, TipReading};
+use crate::sensors::Sensor;
 use aero::flow::{same_airspeed, same_angle};
 use nastran::{InputError, Span};
 use std::collections::{BTreeMap, BTreeSet};
@@ -86,8 +87,10 @@ pub struct StaticData {
     pub noise_dof: Option<usize>,
     /// Rows at V = 0.
     pub weight_tares: Vec<StaticPoint>,
-    /// Rows with a control deflected, which take no part in the fit.
-    pub deflected: usize,
+    /// Sensors beside the balance.
+    pub sensors: Vec<Sensor>,
+    /// Rows with wind on that say more than the means of the angles: with a control deflected, or with a sensor read.
+    pub further: Vec<StaticPoint>,
 }
 
 /// A cell: rows of one airspeed and angle.
@@ -122,7 +125,8 @@ impl StaticData {
             block_sigma: [0.0; 4],
             point_sigma: campaign.noise.map(|noise| noise.static_point.to_array()),
             noise_dof: None,
-            deflected: campaign.points.len() - fitted.len() - weight_tares.len(),
+            sensors: campaign.sensors.clone(),
+            further: campaign.points.iter().filter(|point| says_more(point)).cloned().collect(),
             weight_tares,
         };
         Ok(data.of_cells(&cells, &[]).0)
@@ -146,6 +150,17 @@ impl StaticData {
         let declared = campaign.noise.map(|noise| noise.static_point.to_array());
         let empty = Self { point_sigma: declared, noise_dof: None, blocks: Vec::new(), ..self.clone() };
         empty.of_cells(&seen, &left_out)
+    }
+
+    /// The offset of a row's block that was taken out of a channel's means.
+    pub(crate) fn offset_of(&self, row: &StaticPoint, channel: usize) -> f64 {
+        let block = self.blocks.iter().find(|block| block.block == block_name(row));
+        block.map_or(0.0, |block| block.offset[channel])
+    }
+
+    /// Rows with a control deflected.
+    pub fn deflected(&self) -> usize {
+        self.further.iter().filter(|point| !point.controls_rad.is_empty()).count()
     }
 
     /// Standard deviation of the mean of an angle's replicates, by channel.
@@ -251,6 +266,12 @@ impl StaticData {
         }
         airspeeds.into_iter().map(|(airspeed, _)| airspeed).collect()
     }
+}
+
+/// Whether a row says more than the mean of its angle does.
+fn says_more(point: &StaticPoint) -> bool {
+    let read = point.sensors.iter().any(Option::is_some);
+    point.v_m_s > 0.0 && (read || !point.controls_rad.is_empty())
 }
 
 /// Rows that are fitted: wind on, controls neutral.

@@ -191,7 +191,8 @@ fn p_and_f(readings: &[f64], sigma: Option<f64>, noise_dof: Option<usize>) -> (f
         point_sigma: sigma.map(|sigma| [sigma; 4]),
         noise_dof,
         weight_tares: Vec::new(),
-        deflected: 0,
+        sensors: Vec::new(),
+        further: Vec::new(),
     };
     let found = line_fit(&data, &airspeed).nonlinearity[0].unwrap();
     (found.p_value, found.f)

@@ -73,6 +73,19 @@ impl CorrectableBoxes {
         self.places.len()
     }
 
+    /// The first boxes of the two strips whose middles are on both sides of a place along the span, and their shares in what
+    /// is between them; beyond the last middles the nearest strip alone.
+    pub fn strips_at(&self, y_norm: f64) -> [(usize, f64); 2] {
+        let mut strips: Vec<(f64, usize)> =
+            (0..self.len()).filter(|&b| self.chord_row[b] == 0).map(|b| (self.y_norm[b], b)).collect();
+        strips.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let next = strips.partition_point(|strip| strip.0 < y_norm).min(strips.len() - 1);
+        let (before, after) = (strips[next.saturating_sub(1)], strips[next]);
+        let apart = after.0 - before.0;
+        let share = if apart > 0.0 { ((y_norm - before.0) / apart).clamp(0.0, 1.0) } else { 1.0 };
+        [(before.1, 1.0 - share), (after.1, share)]
+    }
+
     /// Extent along y, m.
     pub fn span_m(&self) -> f64 {
         self.ends_m[1] - self.ends_m[0]

@@ -23,7 +23,7 @@ pub use error::CouplingError;
 pub use exchange::Exchange;
 pub use load_rows::{Balance, root_rows, station_rows, strip_rows};
 pub use nastran_deck::{DeckOptions, NastranDeck};
-pub use readings::Readings;
+pub use readings::{Readings, Rows};
 pub use root_loads::{ByLoad, Load, RootLoads};
 pub use spline::Spline;
 pub use steady::{SteadyOperator, SteadyState};

@@ -153,25 +153,34 @@ impl SteadyOperator<'_> {
     /// ```
     /// A rigid wing's tip has a row of zeros.
     pub fn adjoint(&self) -> Mat<f64> {
-        self.adjoint_of(self.wing.root_rows.as_ref())
+        match &self.wing.supported {
+            Some(structure) => {
+                let tip = Mat::from_fn(1, structure.size(), |_, i| f64::from(u8::from(i == structure.tip_z)));
+                self.adjoint_of(self.wing.root_rows.as_ref(), tip.as_ref())
+            }
+            None => self.adjoint_of(self.wing.root_rows.as_ref(), Mat::zeros(1, 0).as_ref()),
+        }
     }
 
-    /// The same for any rows on the box loads in the place of R; the tip's row is the last.
-    pub(crate) fn adjoint_of(&self, rows: MatRef<'_, f64>) -> Mat<f64> {
-        let (wing, count) = (self.wing, rows.nrows());
-        let direct = |row: usize, column: usize| if row < count { rows[(row, column)] } else { 0.0 };
+    /// The same for any rows on the box loads in the place of R, and any on the displacement of the structure in the place
+    /// of the tip's, behind them.
+    pub(crate) fn adjoint_of(&self, on_loads: MatRef<'_, f64>, on_structure: MatRef<'_, f64>) -> Mat<f64> {
+        let (wing, count) = (self.wing, on_loads.nrows());
+        let direct = |row: usize, column: usize| if row < count { on_loads[(row, column)] } else { 0.0 };
         let (Some(structure), Some(factor)) = (&wing.supported, &self.factor) else {
-            return Mat::from_fn(count + 1, rows.ncols(), direct);
+            return Mat::from_fn(count + on_structure.nrows(), on_loads.ncols(), direct);
         };
         let q_pa = self.flow.dynamic_pressure_pa();
         let loads = self.loads().of_pressures(q_pa, wing.cp_displacement.as_ref());
-        let by_displacement = rows * &loads;
-        let root = factor.solve_transpose(by_displacement.transpose().to_owned());
-        let root = structure.flexibility.transpose() * &root;
-        let unit = Mat::from_fn(structure.size(), 1, |i, _| f64::from(u8::from(i == structure.tip_z)));
-        let tip = structure.flexibility.transpose() * &factor.solve_transpose(unit);
-        Mat::from_fn(count + 1, rows.ncols(), |row, column| {
-            let by_load = |dof: usize| if row < count { root[(dof, row)] } else { tip[(dof, 0)] };
+        let of = |by_displacement: MatRef<'_, f64>| {
+            structure.flexibility.transpose()
+                * &factor.solve_transpose(by_displacement.transpose().to_owned())
+        };
+        let (by_loads, by_structure) = (of((on_loads * &loads).as_ref()), of(on_structure));
+        Mat::from_fn(count + on_structure.nrows(), on_loads.ncols(), |row, column| {
+            let by_load = |dof: usize| {
+                if row < count { by_loads[(dof, row)] } else { by_structure[(dof, row - count)] }
+            };
             let elastic: f64 =
                 structure.spline_rows[column].iter().map(|&(dof, value)| value * by_load(dof)).sum();
             direct(row, column) + elastic
@@ -196,7 +205,7 @@ impl SteadyOperator<'_> {
     }
 
     /// Gravity in balance axes: g sin(alpha) aft, g cos(alpha) down.
-    fn gravity_field(&self, alpha_rad: f64) -> [f64; 3] {
+    pub(crate) fn gravity_field(&self, alpha_rad: f64) -> [f64; 3] {
         let g = self.wing.gravity_m_s2;
         [g * alpha_rad.sin(), 0.0, -g * alpha_rad.cos()]
     }

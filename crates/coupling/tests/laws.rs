@@ -5,7 +5,7 @@
 use aero::{Corrections, Flow};
 use coupling::planform::Planform;
 use coupling::wing_file::Source;
-use coupling::{ElasticWing, Mount, Spline, SteadyCase, SteadyModel, WingFile};
+use coupling::{ElasticWing, Mount, Rows, Spline, SteadyCase, SteadyModel, WingFile};
 use faer::Mat;
 use nalgebra::{Point3, Vector3};
 use std::path::{Path, PathBuf};
@@ -294,4 +294,63 @@ fn a_wing_beyond_divergence_is_refused_with_both_pressures() {
             / share
     };
     assert!(lift(0.999) > 50.0 * lift(0.1));
+}
+
+/// Rows of one reading on the structure, and root loads.
+fn rows(wing: &ElasticWing, on_structure: &[Vec<f64>]) -> Rows {
+    let columns = wing.tip_row().len();
+    Rows {
+        on_loads: wing.root_rows.clone(),
+        on_structure: Mat::from_fn(on_structure.len(), columns, |r, k| on_structure[r][k]),
+    }
+}
+
+#[test]
+fn a_section_is_rigid_and_the_last_one_is_where_the_tip_is() {
+    let (_, wing) = wing(|_| {});
+    let case = SteadyCase::new(flow(30.0), 0.06);
+    let operator = wing.at(case.flow, &uneven(wing.correctable.len())).unwrap();
+    let [ahead, turned] = wing.point_rows(0.6, 0.1);
+    let [behind, _] = wing.point_rows(0.6, 0.9);
+    let [last, _] = wing.point_rows(1.0, 0.38);
+    let values = operator.values(&case, &rows(&wing, &[ahead, behind, turned, last, wing.tip_row()]));
+    let [.., ahead_m, behind_m, turned_rad, last_m, tip_m] = values[..] else { panic!("{values:?}") };
+    // chord of the strips on both sides of 0.6 of the half span, from the drawing: 0.3 m at the root, 0.15 m at the tip
+    let chord_m = 0.3 - 0.15 * 0.6;
+    assert!(((ahead_m - behind_m) / (0.8 * chord_m) / turned_rad - 1.0).abs() < 0.02, "{values:?}");
+    // swept aft and bent up: washed out
+    assert!(turned_rad < 0.0 && ahead_m < behind_m, "{values:?}");
+    // the last strip's middle is 1/28 of the span inboard of the tip, where the slope is about twice the mean one
+    assert!(last_m < tip_m && last_m > 0.85 * tip_m, "{last_m} {tip_m}");
+    assert!((operator.solve(&[case])[0].tip_z_m - tip_m).abs() < 1e-12);
+}
+
+#[test]
+fn derivatives_by_flexibility_are_those_of_softer_materials() {
+    let softer = |bending: f64, torsion: f64| {
+        let (file, _) = wing(|_| {});
+        let mut bulk = file.bulk(Mount::Tunnel).unwrap();
+        for material in bulk.materials.values_mut() {
+            material.e /= 1.0 + bending;
+            material.g /= 1.0 + torsion;
+        }
+        ElasticWing::from_bulk(&file, &bulk).unwrap()
+    };
+    let case = SteadyCase::new(flow(30.0), 0.06);
+    let read = |wing: &ElasticWing| {
+        let [height, turned] = wing.point_rows(0.7, 0.2);
+        let operator = wing.at(case.flow, &uneven(wing.correctable.len())).unwrap();
+        operator.readings(&case, &rows(wing, &[height, turned, wing.tip_row()]))
+    };
+    let here = read(&softer(0.0, 0.0));
+    let step = 1e-5;
+    for (kind, moved) in [softer(step, 0.0), softer(0.0, step)].iter().enumerate() {
+        for (r, moved) in read(moved).values.iter().enumerate() {
+            let difference = (moved - here.values[r]) / step;
+            let by = here.by_flexibility[kind][r];
+            // the axis is straight but for the kink of the first element, where bending turns a little into torsion
+            let both = here.by_flexibility.iter().map(|by| by[r].abs()).fold(0.0, f64::max);
+            assert!((difference - by).abs() < 2e-2 * both, "{kind} {r}: {difference} {by}");
+        }
+    }
 }

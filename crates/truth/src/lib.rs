@@ -8,6 +8,7 @@ mod draw;
 pub mod drive;
 pub mod effects;
 mod fault;
+pub mod lift;
 mod order;
 pub mod profile;
 mod random;

@@ -23,6 +23,8 @@ pub(crate) enum Purpose {
     Record(u64),
     /// The phase of a tone.
     Tone,
+    /// Lift of a kind of wing.
+    Lift(u64),
 }
 
 /// One stream.
@@ -40,6 +42,7 @@ impl Random {
             Purpose::Statics => 15,
             Purpose::Reference => 16,
             Purpose::Tone => 17,
+            Purpose::Lift(kind) => 32 + kind,
             Purpose::Record(number) => 4096 + number,
         });
         Self(generator)

@@ -10,4 +10,6 @@ mod bench_general;
 mod bench_structure;
 mod bench_trim;
 pub(crate) mod tidy;
+pub(crate) mod trust;
+mod trust_campaign;
 pub(crate) mod validate;

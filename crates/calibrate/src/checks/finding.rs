@@ -28,7 +28,7 @@ impl Finding {
         Self { sentence, weight: Weight::Defect }
     }
 
-    pub(super) fn suspicion(sentence: String) -> Self {
+    pub(crate) fn suspicion(sentence: String) -> Self {
         Self { sentence, weight: Weight::Suspicion }
     }
 

@@ -1,11 +1,14 @@
 //! What to measure next: by how much each sensor would narrow the interval of one prediction.
 
-use super::predictions::Quantity;
-use super::{Known, Read, over, read};
+use super::known::{Known, over};
+use super::predictions::{Predicted, Quantity, predict};
+use super::read::read_case;
 use crate::calibration::Calibration;
 use crate::campaign::TIP;
+use crate::sensors::Reading;
 use coupling::wing_file::CorrectionPrior;
-use coupling::{CouplingError, ElasticWing, SteadyCase};
+use coupling::{CouplingError, ElasticWing, Rows, SteadyCase};
+use faer::Mat;
 use nastran::InputError;
 
 /// Places of strain bridges along the span, as shares of it.
@@ -41,9 +44,8 @@ pub fn rank(
     let Some(at) = calibration.airspeeds.last() else { return Ok(Vec::new()) };
     let known = Known::new(wing, calibration, at, prior)?;
     let in_case = |case: &SteadyCase, quantity: &Quantity| {
-        Ok::<_, InputError>(
-            read(wing, &known.corrected, case, std::slice::from_ref(quantity))?.swap_remove(0),
-        )
+        let quantity = std::slice::from_ref(quantity);
+        Ok::<_, InputError>(predict(wing, &known.corrected, &known.off, case, quantity)?.swap_remove(0))
     };
     let at_angles = |quantity: &Quantity| {
         known
@@ -52,15 +54,15 @@ pub fn rank(
             .map(|&alpha| in_case(&known.case(alpha), quantity))
             .collect::<Result<Vec<_>, _>>()
     };
-    let gradient = known.gradient(&in_case(&known.largest(), wanted)?);
+    let gradient = in_case(&known.largest(), wanted)?.gradient(&known.unknowns);
     let sigma = known.sigma_with(&[], &gradient);
     let data = &calibration.data;
     let mut found = Vec::new();
     let mut suggest = |measure: String, rows: Vec<Vec<f64>>| {
         found.push(Suggestion { measure, sigma, sigma_then: known.sigma_with(&rows, &gradient) });
     };
-    let rows = |readings: &[Read], sigma: f64| {
-        readings.iter().map(|read| over(known.gradient(read), sigma)).collect()
+    let rows = |readings: &[Predicted], sigma: f64| {
+        readings.iter().map(|read| over(read.gradient(&known.unknowns), sigma)).collect()
     };
     if !data.channels[TIP] {
         let tip_m = if known.sigma[TIP] > 0.0 { known.sigma[TIP] } else { TIP_M };
@@ -70,24 +72,26 @@ pub fn rank(
         );
         suggest(measure, rows(&at_angles(&Quantity::TipHeight)?, tip_m));
     }
-    for y_norm in BRIDGES {
-        let readings = at_angles(&Quantity::Bending { y_norm })?;
+    for y_over_span in BRIDGES {
+        let readings = at_angles(&Quantity::Reading(Reading::Bending { y_over_span }))?;
         let most = readings.iter().map(|read| read.value().abs()).fold(f64::MIN_POSITIVE, f64::max);
         let measure =
-            format!("bending by strain (to 1 %) at {y_norm:.1} of the span, at the angles measured");
+            format!("bending by strain (to 1 %) at {y_over_span:.1} of the span, at the angles measured");
         suggest(measure, rows(&readings, BRIDGE_SHARE * most));
     }
     let middle = known.case(known.alphas_rad[known.alphas_rad.len() / 2]);
+    let balance =
+        Rows { on_loads: wing.root_rows.clone(), on_structure: Mat::zeros(0, wing.tip_row().len()) };
     for (c, control) in wing.control_names().into_iter().enumerate() {
         let mut deflected_rows = Vec::new();
         for deflection_deg in DEFLECTED_DEG {
             let mut deflected = middle.clone();
             deflected.controls_rad = vec![0.0; wing.controls.len()];
             deflected.controls_rad[c] = f64::to_radians(deflection_deg);
-            let loads = known.corrected.readings(&deflected, &wing.root_rows);
+            let loads = read_case(&known.corrected, &known.off, &deflected, &balance);
             let channels = (0..3).filter(|&channel| data.channels[channel]);
             deflected_rows.extend(
-                channels.map(|channel| over(known.modes.gradient(&loads, channel), known.sigma[channel])),
+                channels.map(|channel| over(known.unknowns.gradient(&loads, channel), known.sigma[channel])),
             );
         }
         suggest(format!("root loads with {control} at -10 and 10 degrees"), deflected_rows);

@@ -1,7 +1,11 @@
 //! What is predicted with an interval: loads along the span, the tip, and what controls do.
 
-use coupling::{ElasticWing, station_rows, strip_rows};
-use faer::Mat;
+use super::prior::{Unknowns, WingOff};
+use super::read::{CaseRead, read_case};
+use crate::sensors::{Reading, Row, together};
+use coupling::{ElasticWing, SteadyCase, SteadyOperator};
+use nastran::InputError;
+use std::rc::Rc;
 
 /// Places of sections along the span, as shares of it.
 const SECTIONS: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
@@ -9,21 +13,8 @@ const SECTIONS: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
 /// What is predicted.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Quantity {
-    /// Lift per span at a strip, N/m.
-    StripLift {
-        /// Middle of the strip, distance from the root over the span.
-        y_norm: f64,
-    },
-    /// Air load outboard of a section, N.
-    Shear {
-        /// Place of the section.
-        y_norm: f64,
-    },
-    /// Its bending moment about the section, tip up positive, N m.
-    Bending {
-        /// Place of the section.
-        y_norm: f64,
-    },
+    /// What a sensor would read there.
+    Reading(Reading),
     /// Height of the tip above its wind-off place at alpha = 0, m.
     TipHeight,
     /// Bending moment at the root per degree of a control, N m/deg.
@@ -36,35 +27,73 @@ pub enum Quantity {
 /// What is predicted of a wing: strips, sections, tip, controls.
 pub(super) fn quantities(wing: &ElasticWing) -> Vec<Quantity> {
     let boxes = &wing.correctable;
-    let mut strips: Vec<(usize, f64)> =
-        boxes.strip.iter().copied().zip(boxes.y_norm.iter().copied()).collect();
-    strips.sort_by_key(|strip| strip.0);
-    strips.dedup_by_key(|strip| strip.0);
-    let strips = strips.into_iter().map(|(_, y_norm)| Quantity::StripLift { y_norm });
-    let sections =
-        SECTIONS.iter().flat_map(|&y_norm| [Quantity::Shear { y_norm }, Quantity::Bending { y_norm }]);
+    let strips = (0..boxes.len())
+        .filter(|&b| boxes.chord_row[b] == 0)
+        .map(|b| Reading::StripLift { y_over_span: boxes.y_norm[b] });
+    let sections = SECTIONS
+        .iter()
+        .flat_map(|&y_over_span| [Reading::Shear { y_over_span }, Reading::Bending { y_over_span }]);
     let controls = wing.control_names().into_iter().map(|control| Quantity::ControlMx { control });
-    strips.chain(sections).chain([Quantity::TipHeight]).chain(controls).collect()
+    strips.chain(sections).map(Quantity::Reading).chain([Quantity::TipHeight]).chain(controls).collect()
 }
 
-/// Row on the box loads that a quantity is read by; the tip's is empty, as its height is no load.
-pub(super) fn row_of(wing: &ElasticWing, quantity: &Quantity) -> Vec<f64> {
-    let row = |rows: &Mat<f64>, row: usize| (0..rows.ncols()).map(|k| rows[(row, k)]).collect();
-    let empty = || vec![0.0; wing.root_rows.ncols()];
-    let section = |y_norm: f64| {
-        let mut point = wing.balance.point;
-        point.y = wing.correctable.ends_m[0] + y_norm * wing.correctable.span_m();
-        station_rows(&wing.lattice, &wing.balance, &point)
-    };
+fn row_of(wing: &ElasticWing, quantity: &Quantity) -> Row {
     match quantity {
-        Quantity::StripLift { y_norm } => {
-            let strip = wing.correctable.y_norm.iter().position(|y| y == y_norm);
-            let rows = || strip_rows(&wing.lattice, &wing.correctable);
-            strip.map_or_else(empty, |b| row(&rows(), wing.correctable.strip[b]))
+        Quantity::Reading(reading) => reading.row(wing),
+        Quantity::TipHeight => Row::OnStructure(wing.tip_row()),
+        Quantity::ControlMx { .. } => {
+            Row::OnLoads((0..wing.root_rows.ncols()).map(|k| wing.root_rows[(1, k)]).collect())
         }
-        Quantity::Shear { y_norm } => row(&section(*y_norm), 0),
-        Quantity::Bending { y_norm } => row(&section(*y_norm), 1),
-        Quantity::TipHeight => empty(),
-        Quantity::ControlMx { .. } => row(&wing.root_rows, 1),
     }
+}
+
+/// A prediction: a reading of a case, less that of another case.
+pub(super) struct Predicted {
+    of: Rc<CaseRead>,
+    less: Option<Rc<CaseRead>>,
+    row: usize,
+}
+
+impl Predicted {
+    pub(super) fn value(&self) -> f64 {
+        self.of.values[self.row] - self.less.as_ref().map_or(0.0, |less| less.values[self.row])
+    }
+
+    /// Its derivatives by the unknowns.
+    pub(super) fn gradient(&self, unknowns: &Unknowns) -> Vec<f64> {
+        let mut gradient = unknowns.gradient(&self.of, self.row);
+        if let Some(less) = &self.less {
+            for (value, less) in gradient.iter_mut().zip(unknowns.gradient(less, self.row)) {
+                *value -= less;
+            }
+        }
+        gradient
+    }
+}
+
+/// Predicts quantities in a case; what a control does is the case with it by a degree less the case without it.
+pub(super) fn predict(
+    wing: &ElasticWing,
+    operator: &SteadyOperator<'_>,
+    off: &WingOff,
+    case: &SteadyCase,
+    quantities: &[Quantity],
+) -> Result<Vec<Predicted>, InputError> {
+    let (rows, places) = together(wing, quantities.iter().map(|quantity| row_of(wing, quantity)).collect());
+    let held = Rc::new(read_case(operator, off, case, &rows));
+    let names = wing.control_names();
+    let one = |(quantity, &row): (&Quantity, &usize)| {
+        let Quantity::ControlMx { control } = quantity else {
+            return Ok(Predicted { of: Rc::clone(&held), less: None, row });
+        };
+        let Some(index) = names.iter().position(|name| name == control) else {
+            return Err(InputError::general(format!("the wing has no control surface {control}")));
+        };
+        let mut deflected = case.clone();
+        deflected.controls_rad = vec![0.0; names.len()];
+        deflected.controls_rad[index] = 1.0_f64.to_radians();
+        let of = Rc::new(read_case(operator, off, &deflected, &rows));
+        Ok(Predicted { of, less: Some(Rc::clone(&held)), row })
+    };
+    quantities.iter().zip(&places).map(one).collect()
 }

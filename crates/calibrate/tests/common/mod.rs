@@ -72,6 +72,7 @@ pub(crate) fn row(v_m_s: f64, alpha_rad: f64, loads: [f64; 3], block: Option<&st
         block: block.map(str::to_owned),
         controls_rad: Vec::new(),
         tip_z_m: None,
+        sensors: Vec::new(),
         span: Span::generated("test"),
     }
 }
@@ -99,6 +100,7 @@ pub(crate) fn campaign(points: Vec<StaticPoint>, noise: Option<Noise>) -> Campai
         channels: [true; 3],
         tip: TipReading::Unused,
         sets: Sets::EachAirspeed,
+        sensors: Vec::new(),
         points,
         columns: nastran::table::ColumnNames::new(),
         runs: Vec::new(),

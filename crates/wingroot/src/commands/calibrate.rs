@@ -53,8 +53,9 @@ pub(crate) fn run(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> 
     let campaign = Campaign::read(&args.measured.campaign_path()?)?;
     let settings = Settings::of_wing(&file.correction);
     let calibration = calibrate::calibrate(&wing, &campaign, &settings)?;
+    let predictions = calibrate::posterior::posterior(&wing, &calibration, &file.correction.prior)?;
+    let calibration = calibration.with_means(&wing, &predictions)?;
     let seconds = start.elapsed().as_secs_f64();
-    let predictions = calibrate::posterior::intervals(&wing, &calibration, &file.correction.prior)?;
     let next = match &args.next {
         None => Vec::new(),
         Some(words) => {
@@ -64,7 +65,7 @@ pub(crate) fn run(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> 
     };
     let strips = calibrate_strips::compare(&campaign.folder, &wing, &calibration)?;
     let result = CalibrateResult {
-        predictions: calibrate_predictions_result::result(&predictions),
+        predictions: calibrate_predictions_result::result(&wing, &predictions),
         next: calibrate_predictions_result::suggestions(&next),
         ..result(&wing, &campaign, &calibration, strips.as_ref(), seconds)?
     };
@@ -74,11 +75,12 @@ pub(crate) fn run(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> 
     folder.input("campaign", &campaign.folder)?;
     folder.write_text("corrections.ron", &schedule(&file, &calibration).to_ron())?;
     write(&folder, &wing, &calibration, strips.as_ref())?;
-    calibrate_predictions::write(&folder, &predictions)?;
+    calibrate_predictions::write(&folder, &wing, &predictions)?;
     folder.write_json("result.json", &result)?;
     let faults = calibration.faults();
     let out = folder.commit_if(faults.is_empty())?;
-    let told = calibrate_predictions::summary(&predictions) + &calibrate_predictions::next_table(&next);
+    let told =
+        calibrate_predictions::summary(&wing, &predictions) + &calibrate_predictions::next_table(&next);
     show::summary(common, &summary(&calibration, &told, &out, seconds));
     show::json(common, &result)?;
     if faults.is_empty() { Ok(()) } else { Err(Failure::Computation(faults.join("; "))) }
@@ -173,7 +175,7 @@ fn result(
         defects: calibration.said(&[Weight::Defect]),
         left_open: calibration.said(&[Weight::Open]),
         lines_set_aside: calibration.set_aside.clone(),
-        rows_with_deflected_controls_left_aside: data.deflected,
+        rows_with_deflected_controls: data.deflected(),
         weight_tare: calibration.weight_tare.map(|tare| TareResult {
             points: tare.points,
             rms: ByLoad::from_array(tare.rms),

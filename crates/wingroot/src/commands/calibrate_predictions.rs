@@ -2,9 +2,10 @@
 
 use std::fmt::Write as _;
 
+use calibrate::Reading;
 use calibrate::posterior::next::Suggestion;
 use calibrate::posterior::predictions::Quantity;
-use calibrate::posterior::{AirspeedPredictions, Prediction};
+use calibrate::posterior::{AirspeedPosterior, Prediction};
 use coupling::ElasticWing;
 use nastran::InputError;
 use report::{Figure, Panel, Series, Style};
@@ -37,7 +38,8 @@ pub(crate) fn wanted(words: &str, wing: &ElasticWing) -> Result<Quantity, Failur
     let controls = wing.control_names();
     let of = |(what, which): (&str, &str)| match what {
         "bending" => {
-            which.parse().ok().filter(|y| (0.0..1.0).contains(y)).map(|y_norm| Quantity::Bending { y_norm })
+            let place = which.parse().ok().filter(|y| (0.0..1.0).contains(y));
+            place.map(|y_over_span| Quantity::Reading(Reading::Bending { y_over_span }))
         }
         "control" => {
             controls.contains(&which.to_owned()).then(|| Quantity::ControlMx { control: which.to_owned() })
@@ -58,14 +60,18 @@ pub(crate) fn wanted(words: &str, wing: &ElasticWing) -> Result<Quantity, Failur
 }
 
 /// Writes `predictions.csv` and the spanwise lift with its bands.
-pub(crate) fn write(folder: &ResultFolder, all: &[AirspeedPredictions]) -> Result<(), Failure> {
+pub(crate) fn write(
+    folder: &ResultFolder,
+    wing: &ElasticWing,
+    all: &[AirspeedPosterior],
+) -> Result<(), Failure> {
     if all.is_empty() {
         return Ok(());
     }
     let mut text = String::from(
         "V_m_s,alpha_deg,quantity,unit,y_over_span,control,theory,value,low,high,sigma,prior_sigma,decided_by_data\n",
     );
-    for at in result(all) {
+    for at in result(wing, all) {
         for p in &at.predictions {
             let place = p.y_over_span.map_or_else(String::new, |y| format!("{y:.4}"));
             let control = p.control.as_deref().unwrap_or("");
@@ -92,13 +98,13 @@ pub(crate) fn write(folder: &ResultFolder, all: &[AirspeedPredictions]) -> Resul
     folder.write_figure("predicted_lift", caption, lift(all))
 }
 
-fn lift(all: &[AirspeedPredictions]) -> Figure {
-    let panel = |at: &AirspeedPredictions| {
+fn lift(all: &[AirspeedPosterior]) -> Figure {
+    let panel = |at: &AirspeedPosterior| {
         let strips: Vec<(f64, &Prediction)> = at
             .predictions
             .iter()
             .filter_map(|p| match p.quantity {
-                Quantity::StripLift { y_norm } => Some((y_norm, p)),
+                Quantity::Reading(Reading::StripLift { y_over_span }) => Some((y_over_span, p)),
                 _ => None,
             })
             .collect();
@@ -122,12 +128,12 @@ fn lift(all: &[AirspeedPredictions]) -> Figure {
 }
 
 /// Lines for the console: what root loads leave open, at the highest airspeed.
-pub(crate) fn summary(all: &[AirspeedPredictions]) -> String {
+pub(crate) fn summary(wing: &ElasticWing, all: &[AirspeedPosterior]) -> String {
     let Some(at) = all.last() else { return String::new() };
     let line = |p: &Prediction| {
         let (_, unit, y_norm, control) = named(&p.quantity);
         let name = match (&p.quantity, y_norm, control) {
-            (Quantity::Bending { .. }, Some(0.5), _) => "bending at mid-span".to_owned(),
+            (Quantity::Reading(Reading::Bending { .. }), Some(0.5), _) => "bending at mid-span".to_owned(),
             (Quantity::TipHeight, ..) => "tip".to_owned(),
             (_, _, Some(control)) => format!("root bending by {control}"),
             _ => return None,
@@ -137,10 +143,29 @@ pub(crate) fn summary(all: &[AirspeedPredictions]) -> String {
         Some(format!("{name} {value} ({low} to {high}) {unit}"))
     };
     let lines: Vec<String> = at.predictions.iter().filter_map(line).collect();
-    format!(
+    let mut text = format!(
         "with 90 % intervals, at {} m/s and {:.1} degrees: {}\n",
         speed_name(at.v_m_s),
         at.alpha_rad.to_degrees(),
         lines.join("; ")
-    )
+    );
+    for at in all {
+        let Some(mean) = &at.mean else { continue };
+        let percent = |log: f64| format!("{:+.1} %", 100.0 * log.exp_m1());
+        let [bending, torsion] = mean.log_flexibility.map(percent);
+        let controls: String = wing
+            .control_names()
+            .iter()
+            .zip(&mean.controls)
+            .map(|(name, factor)| format!(", {name} {factor:.3} times its effect"))
+            .collect();
+        let _ = writeln!(
+            text,
+            "note: at {} m/s more than root loads was measured; corrections are next to what all of it and the prior leave most likely, with \
+             the root loads met by the structure as given. Intervals have flexibility {bending} in bending, {torsion} in torsion{controls}, which \
+             corrections.ron has not",
+            speed_name(at.v_m_s)
+        );
+    }
+    text
 }

@@ -1,10 +1,13 @@
 //! What stands in `result.json` of `calibrate` about predictions.
 
+use calibrate::Reading;
 use calibrate::posterior::next::Suggestion;
 use calibrate::posterior::predictions::Quantity;
-use calibrate::posterior::{AirspeedPredictions, Prediction};
+use calibrate::posterior::{AirspeedPosterior, Prediction};
+use coupling::ElasticWing;
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// Predictions of one airspeed, at the largest angle of attack that was measured.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -14,8 +17,22 @@ pub(crate) struct AirspeedPredictionsResult {
     pub(crate) v_m_s: f64,
     /// Angle of attack.
     pub(crate) alpha_deg: f64,
+    /// What goes with the corrections where more than root loads was measured; not in `corrections.ron`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) beside_corrections: Option<BesideResult>,
     /// By quantity.
     pub(crate) predictions: Vec<PredictionResult>,
+}
+
+/// What is most likely about structure and controls.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct BesideResult {
+    /// Factor on the flexibility in bending.
+    pub(crate) bending_flexibility: f64,
+    /// Factor on the flexibility in torsion.
+    pub(crate) torsional_flexibility: f64,
+    /// Factor on what each control does, by its name.
+    pub(crate) controls: BTreeMap<String, f64>,
 }
 
 /// A prediction with its 90 % interval.
@@ -71,16 +88,23 @@ pub(crate) fn suggestions(all: &[Suggestion]) -> Vec<SuggestionResult> {
 /// Name, unit, place and control.
 pub(crate) fn named(quantity: &Quantity) -> (&'static str, &'static str, Option<f64>, Option<String>) {
     match quantity {
-        Quantity::StripLift { y_norm } => ("strip_lift", "N/m", Some(*y_norm), None),
-        Quantity::Shear { y_norm } => ("shear", "N", Some(*y_norm), None),
-        Quantity::Bending { y_norm } => ("bending", "N m", Some(*y_norm), None),
+        Quantity::Reading(reading) => {
+            let (name, unit) = match reading {
+                Reading::StripLift { .. } => ("strip_lift", "N/m"),
+                Reading::Shear { .. } => ("shear", "N"),
+                Reading::Bending { .. } => ("bending", "N m"),
+                Reading::Height { .. } => ("height", "m"),
+                Reading::Twist { .. } => ("twist", "deg"),
+            };
+            (name, unit, Some(reading.y_over_span()), None)
+        }
         Quantity::TipHeight => ("tip_height", "m", None, None),
         Quantity::ControlMx { control } => ("control_mx", "N m/deg", None, Some(control.clone())),
     }
 }
 
 /// What stands in `result.json`.
-pub(crate) fn result(all: &[AirspeedPredictions]) -> Vec<AirspeedPredictionsResult> {
+pub(crate) fn result(wing: &ElasticWing, all: &[AirspeedPosterior]) -> Vec<AirspeedPredictionsResult> {
     let one = |prediction: &Prediction| {
         let (quantity, unit, y_over_span, control) = named(&prediction.quantity);
         let [low, high] = prediction.interval();
@@ -98,9 +122,17 @@ pub(crate) fn result(all: &[AirspeedPredictions]) -> Vec<AirspeedPredictionsResu
             decided_by_data: prediction.decided(),
         }
     };
-    let of = |at: &AirspeedPredictions| AirspeedPredictionsResult {
+    let of = |at: &AirspeedPosterior| AirspeedPredictionsResult {
         v_m_s: at.v_m_s,
         alpha_deg: at.alpha_rad.to_degrees(),
+        beside_corrections: at.mean.as_ref().map(|mean| {
+            let [bending, torsion] = mean.log_flexibility.map(f64::exp);
+            BesideResult {
+                bending_flexibility: bending,
+                torsional_flexibility: torsion,
+                controls: wing.control_names().into_iter().zip(mean.controls.iter().copied()).collect(),
+            }
+        }),
         predictions: at.predictions.iter().map(one).collect(),
     };
     all.iter().map(of).collect()

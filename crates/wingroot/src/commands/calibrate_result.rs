@@ -39,8 +39,8 @@ pub(crate) struct CalibrateResult {
     pub(crate) left_open: Vec<String>,
     /// Lines of static rows that no others bear out; they were not fitted.
     pub(crate) lines_set_aside: Vec<usize>,
-    /// Rows with a control deflected, which take no part.
-    pub(crate) rows_with_deflected_controls_left_aside: usize,
+    /// Rows with a control deflected.
+    pub(crate) rows_with_deflected_controls: usize,
     /// What the points without wind say about the wing's weight; null if there are none.
     pub(crate) weight_tare: Option<TareResult>,
     /// What the choice of the plane at the root does.

@@ -1,0 +1,196 @@
+//! What was measured at an airspeed, row by row, and what stands between a reading and the wing: offsets, zeros, scales.
+
+use crate::calibration::{AirspeedCalibration, Calibration};
+use crate::campaign::{CHANNELS, StaticPoint, TIP, TipReading};
+use crate::sensors::{Row, Zero, together};
+use aero::Flow;
+use aero::flow::same_airspeed;
+use coupling::{ElasticWing, Rows, SteadyCase};
+use nastran::InputError;
+
+/// A zero that is not known is as uncertain as this many times the largest reading.
+const LOOSE: f64 = 10.0;
+
+/// Unknowns that each reading's rows fit about (a line).
+const FITTED: usize = 2;
+/// Rows that miss the wing by more than this many times their noise have more than noise in them.
+const BEYOND: f64 = 1.7;
+
+/// A number that was measured.
+pub(super) struct Datum {
+    /// Index of its case.
+    pub(super) case: usize,
+    /// Index of the reading: of the balance's channels, the tip, or a sensor.
+    pub(super) row: usize,
+    pub(super) value: f64,
+    /// Standard deviation of its noise.
+    pub(super) sigma: f64,
+    /// Unknowns of the sensor it hangs on as well, standard Gaussians, and its derivative by each.
+    pub(super) nuisances: Vec<(usize, f64)>,
+}
+
+/// All of an airspeed.
+pub(super) struct Data {
+    pub(super) cases: Vec<SteadyCase>,
+    pub(super) rows: Rows,
+    pub(super) data: Vec<Datum>,
+    /// Number of unknowns of sensors.
+    pub(super) nuisances: usize,
+    /// Names of the readings' columns.
+    pub(super) names: Vec<String>,
+    /// How many times the stated noise is taken, by reading.
+    raised: Vec<f64>,
+}
+
+impl Data {
+    pub(super) fn of(
+        wing: &ElasticWing,
+        calibration: &Calibration,
+        at: &AirspeedCalibration,
+    ) -> Result<Self, InputError> {
+        let statics = &calibration.data;
+        let flow = Flow { v_m_s: at.data.v_m_s, rho_kg_m3: calibration.rho_kg_m3 };
+        let sigma = statics.point_sigma.unwrap_or(at.line.rmse);
+        let balance = (0..3).map(|channel| {
+            Row::OnLoads((0..wing.root_rows.ncols()).map(|k| wing.root_rows[(channel, k)]).collect())
+        });
+        let sensors = statics.sensors.iter().map(|sensor| sensor.reads.row(wing));
+        let (rows, places) =
+            together(wing, balance.chain([Row::OnStructure(wing.tip_row())]).chain(sensors).collect());
+        let raised = vec![1.0; rows.on_loads.nrows() + rows.on_structure.nrows()];
+        let mut names = vec![String::new(); raised.len()];
+        let columns = CHANNELS.into_iter().chain(statics.sensors.iter().map(|sensor| sensor.column.as_str()));
+        places.iter().zip(columns).for_each(|(&place, column)| names[place] = column.to_owned());
+        let mut found = Self { cases: Vec::new(), rows, data: Vec::new(), nuisances: 4, names, raised };
+        let common = statics.common_sigma();
+        let tip_zero = (statics.tip == TipReading::FreeZero).then(|| found.further_nuisance());
+        let farthest_m = at.data.angles.iter().map(|angle| angle.tip_z_m.abs()).fold(0.0, f64::max);
+        let offsets = |channel: usize| {
+            // the offset common to all blocks moves a channel's rows together
+            let zero = tip_zero.filter(|_| channel == TIP).map(|zero| (zero, LOOSE * farthest_m));
+            std::iter::once((channel, common[channel])).chain(zero).collect::<Vec<_>>()
+        };
+        for angle in &at.data.angles {
+            let case = found.case(SteadyCase::new(flow, angle.alpha_rad));
+            for channel in (0..4).filter(|&c| statics.channels[c]) {
+                found.data.push(Datum {
+                    case,
+                    row: places[channel],
+                    value: angle.readings()[channel],
+                    sigma: sigma[channel] / (angle.replicates as f64).sqrt(),
+                    nuisances: offsets(channel),
+                });
+            }
+        }
+        let further: Vec<&StaticPoint> =
+            statics.further.iter().filter(|point| same_airspeed(point.v_m_s, at.data.v_m_s)).collect();
+        let of_sensor = |s: usize| further.iter().filter_map(move |point| point.sensors[s]);
+        let of_sensors: Vec<Vec<(usize, Option<f64>)>> = statics
+            .sensors
+            .iter()
+            .enumerate()
+            .map(|(s, sensor)| {
+                let largest = of_sensor(s).map(f64::abs).fold(0.0, f64::max);
+                let zero =
+                    (sensor.zero == Zero::Free).then(|| (found.further_nuisance(), Some(LOOSE * largest)));
+                let scale = (sensor.scale > 0.0).then(|| (found.further_nuisance(), None));
+                zero.into_iter().chain(scale).collect()
+            })
+            .collect();
+        for point in further {
+            let case = found.case(case_of(wing, flow, point)?);
+            // neutral rows are in the means of their angles
+            let loads = (0..4).filter(|&c| statics.channels[c] && !point.controls_rad.is_empty());
+            for channel in loads {
+                found.data.push(Datum {
+                    case,
+                    row: places[channel],
+                    value: point.reading(channel) - statics.offset_of(point, channel),
+                    sigma: sigma[channel],
+                    nuisances: offsets(channel),
+                });
+            }
+            for (s, sensor) in statics.sensors.iter().enumerate() {
+                let Some(value) = point.sensors[s] else { continue };
+                let of =
+                    |&(unknown, size): &(usize, Option<f64>)| (unknown, size.unwrap_or(sensor.scale * value));
+                found.data.push(Datum {
+                    case,
+                    row: places[4 + s],
+                    value,
+                    sigma: sensor.sigma,
+                    nuisances: of_sensors[s].iter().map(of).collect(),
+                });
+            }
+        }
+        Ok(found)
+    }
+
+    /// By reading, how many times the noise its rows miss the wing at the mean, where that is more than noise does; none
+    /// where no reading is.
+    pub(super) fn levels(&self, misses: &[f64]) -> Option<Vec<f64>> {
+        let level = |row: usize| {
+            let of: Vec<f64> = self
+                .data
+                .iter()
+                .zip(misses)
+                .filter(|(datum, _)| datum.row == row)
+                .map(|(_, miss)| *miss)
+                .collect();
+            let freedom = of.len().saturating_sub(FITTED).max(1) as f64;
+            let level = (of.iter().map(|miss| miss * miss).sum::<f64>() / freedom).sqrt();
+            if level > BEYOND { level } else { 1.0 }
+        };
+        let levels: Vec<f64> = (0..self.raised.len()).map(level).collect();
+        levels.iter().any(|level| *level > 1.0).then_some(levels)
+    }
+
+    /// Raises the noise of readings by their levels.
+    pub(super) fn raise(&mut self, levels: &[f64]) {
+        for datum in &mut self.data {
+            datum.sigma *= levels[datum.row];
+        }
+        self.raised.iter_mut().zip(levels).for_each(|(raised, level)| *raised *= level);
+    }
+
+    /// Columns whose noise was raised, and how many times.
+    pub(super) fn beyond(self) -> Vec<(String, f64)> {
+        self.names.into_iter().zip(self.raised).filter(|(_, raised)| *raised > 1.0).collect()
+    }
+
+    /// Whether there is more than root loads with neutral controls.
+    pub(super) fn more_than_root_loads(&self) -> bool {
+        let deflected = self.cases.iter().any(|case| !case.controls_rad.is_empty());
+        deflected || self.data.iter().any(|datum| datum.row >= 3)
+    }
+
+    fn further_nuisance(&mut self) -> usize {
+        self.nuisances += 1;
+        self.nuisances - 1
+    }
+
+    /// The index of a case, among those there are or behind them.
+    fn case(&mut self, case: SteadyCase) -> usize {
+        self.cases.iter().position(|other| *other == case).unwrap_or_else(|| {
+            self.cases.push(case);
+            self.cases.len() - 1
+        })
+    }
+}
+
+/// The case of a row.
+fn case_of(wing: &ElasticWing, flow: Flow, point: &StaticPoint) -> Result<SteadyCase, InputError> {
+    let names = wing.control_names();
+    let mut case = SteadyCase::new(flow, point.alpha_rad);
+    if !point.controls_rad.is_empty() {
+        case.controls_rad = vec![0.0; names.len()];
+    }
+    for (name, delta_rad) in &point.controls_rad {
+        let Some(c) = names.iter().position(|control| control == name) else {
+            return Err(InputError::at(&point.span, format!("the wing has no control surface {name}"))
+                .with_help(format!("its control surfaces are {}", names.join(", "))));
+        };
+        case.controls_rad[c] = *delta_rad;
+    }
+    Ok(case)
+}

@@ -1,0 +1,56 @@
+//! A calibration with what is known in the place of its own corrections.
+
+use super::AirspeedPosterior;
+use crate::calibration::Calibration;
+use crate::campaign::{TIP, TipReading};
+use crate::checks::Finding;
+use crate::fit::Ending;
+use crate::objective::{objective, rmse};
+use aero::Flow;
+use coupling::{CouplingError, ElasticWing, SteadyCase, SteadyModel};
+
+impl Calibration {
+    /// The calibration with the means in the place of its corrections, where there are means, and with what was found
+    /// on the way.
+    ///
+    /// # Errors
+    /// If the wing cannot be solved.
+    pub fn with_means(
+        mut self,
+        wing: &ElasticWing,
+        known: &[AirspeedPosterior],
+    ) -> Result<Self, CouplingError> {
+        for (at, known) in self.airspeeds.iter_mut().zip(known) {
+            for (column, times) in &known.beyond {
+                self.findings.push(Finding::suspicion(format!(
+                    "{column} at {} m/s is off the calibrated wing by {times:.1} times its noise, which no correction explains (stall, a \
+                     sensor's place or scale, noise that is more than stated): it is taken as noise, and intervals are as wide",
+                    at.data.v_m_s
+                )));
+            }
+            if known.mean.is_none() {
+                continue;
+            }
+            at.corrections = known.corrections.clone();
+            let flow = Flow { v_m_s: at.data.v_m_s, rho_kg_m3: self.rho_kg_m3 };
+            let cases: Vec<SteadyCase> =
+                at.data.angles.iter().map(|angle| SteadyCase::new(flow, angle.alpha_rad)).collect();
+            let loads = wing.root_loads(&cases, &known.corrections)?;
+            let tips_m = wing.tip_deflections(&cases, &known.corrections)?;
+            let mut misses: Vec<[f64; 4]> = Vec::with_capacity(cases.len());
+            for (angle, (load, tip_m)) in at.data.angles.iter().zip(loads.iter().zip(tips_m)) {
+                let ([fz, mx, my], measured) = (load.to_array(), angle.readings());
+                let read = [fz, mx, my, tip_m];
+                misses.push(std::array::from_fn(|c| read[c] - measured[c]));
+            }
+            if self.data.tip == TipReading::FreeZero {
+                let zero = misses.iter().map(|miss| miss[TIP]).sum::<f64>() / misses.len() as f64;
+                misses.iter_mut().for_each(|miss| miss[TIP] -= zero);
+            }
+            at.fit.rmse[1] = rmse(&misses, self.data.channels);
+            at.fit.objective[1] = objective(at.fit.rmse[1], at.weights);
+            at.fit.ending = Ending::PosteriorMean;
+        }
+        Ok(self)
+    }
+}

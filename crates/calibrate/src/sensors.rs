@@ -1,0 +1,188 @@
+//! Sensors beside the balance: what they read of the wing, how well, and where a campaign says it.
+
+use coupling::{ElasticWing, Rows, station_rows, strip_rows};
+use faer::Mat;
+use nastran::InputError;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+
+/// A place along the span that a wing is read at: loads of the air, and the shape from its place with wind off at alpha = 0.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub enum Reading {
+    /// Lift per span, N/m (a row of pressure taps).
+    StripLift {
+        /// Place, from 0 at the root to 1 at the tip.
+        y_over_span: f64,
+    },
+    /// Lift outboard, N.
+    Shear {
+        /// Place, from 0 at the root to 1 at the tip.
+        y_over_span: f64,
+    },
+    /// Bending moment of the lift outboard, tip up positive, N m (a strain bridge, zeroed with wind off).
+    Bending {
+        /// Place, from 0 at the root to 1 at the tip.
+        y_over_span: f64,
+    },
+    /// Height, m (an optical marker).
+    Height {
+        /// Place, from 0 at the root to 1 at the tip.
+        y_over_span: f64,
+        /// Place along the chord, from 0 at the leading edge to 1.
+        x_over_c: f64,
+    },
+    /// Incidence by the wing's deformation, nose up positive, degrees.
+    Twist {
+        /// Place, from 0 at the root to 1 at the tip.
+        y_over_span: f64,
+    },
+}
+
+impl Reading {
+    /// Where along the span.
+    pub const fn y_over_span(self) -> f64 {
+        match self {
+            Self::StripLift { y_over_span }
+            | Self::Shear { y_over_span }
+            | Self::Bending { y_over_span }
+            | Self::Height { y_over_span, .. }
+            | Self::Twist { y_over_span } => y_over_span,
+        }
+    }
+
+    /// The row that reads it: on the box loads, or on the structure's displacement.
+    pub(crate) fn row(self, wing: &ElasticWing) -> Row {
+        let section = |y_over_span: f64| {
+            let mut point = wing.balance.point;
+            point.y = wing.correctable.ends_m[0] + y_over_span * wing.correctable.span_m();
+            station_rows(&wing.lattice, &wing.balance, &point)
+        };
+        let of = |rows: &Mat<f64>, row: usize| (0..rows.ncols()).map(|k| rows[(row, k)]).collect();
+        match self {
+            Self::StripLift { y_over_span } => {
+                let rows = strip_rows(&wing.lattice, &wing.correctable);
+                let mut mean = vec![0.0; rows.ncols()];
+                for (first, share) in wing.correctable.strips_at(y_over_span) {
+                    let strip = wing.correctable.strip[first];
+                    mean.iter_mut().enumerate().for_each(|(k, value)| *value += share * rows[(strip, k)]);
+                }
+                Row::OnLoads(mean)
+            }
+            Self::Shear { y_over_span } => Row::OnLoads(of(&section(y_over_span), 0)),
+            Self::Bending { y_over_span } => Row::OnLoads(of(&section(y_over_span), 1)),
+            Self::Height { y_over_span, x_over_c } => {
+                let [height, _] = wing.point_rows(y_over_span, x_over_c);
+                Row::OnStructure(height)
+            }
+            Self::Twist { y_over_span } => {
+                let [_, incidence] = wing.point_rows(y_over_span, 0.5);
+                Row::OnStructure(incidence.into_iter().map(f64::to_degrees).collect())
+            }
+        }
+    }
+}
+
+/// A row by which a wing is read.
+pub(crate) enum Row {
+    /// On the box loads, two columns a box.
+    OnLoads(Vec<f64>),
+    /// On the displacement of the structure.
+    OnStructure(Vec<f64>),
+}
+
+/// Rows read together, and where each is among the readings.
+pub(crate) fn together(wing: &ElasticWing, rows: Vec<Row>) -> (Rows, Vec<usize>) {
+    let on_loads = rows.iter().filter(|row| matches!(row, Row::OnLoads(_))).count();
+    let mut places = Vec::with_capacity(rows.len());
+    let (mut loads, mut structure) = (Vec::new(), Vec::new());
+    for row in rows {
+        match row {
+            Row::OnLoads(row) => {
+                places.push(loads.len());
+                loads.push(row);
+            }
+            Row::OnStructure(row) => {
+                places.push(on_loads + structure.len());
+                structure.push(row);
+            }
+        }
+    }
+    let matrix = |rows: &[Vec<f64>], columns: usize| Mat::from_fn(rows.len(), columns, |r, k| rows[r][k]);
+    let displaced = wing.supported.as_ref().map_or(0, coupling::SupportedStructure::size);
+    let rows = Rows {
+        on_loads: matrix(&loads, wing.root_rows.ncols()),
+        on_structure: matrix(&structure, displaced),
+    };
+    (rows, places)
+}
+
+/// What a sensor's zero is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+pub enum Zero {
+    /// It was set with wind off at alpha = 0.
+    #[default]
+    WindOff,
+    /// It is not known: one offset for all rows of an airspeed.
+    Free,
+}
+
+/// A sensor of a campaign, with a column of the static cases.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Sensor {
+    /// Its column in the static cases; a cell may be empty where it was not read.
+    pub column: String,
+    /// What it reads, and where.
+    pub reads: Reading,
+    /// Standard deviation of one row, in the unit of what is read.
+    pub sigma: f64,
+    /// What its zero is.
+    #[serde(default)]
+    pub zero: Zero,
+    /// Standard deviation of its scale, as a share: 0.01 where its calibration is good to 1 %.
+    #[serde(default)]
+    pub scale: f64,
+}
+
+/// Names differ and mean nothing else, places are on the wing, noise is positive.
+pub(crate) fn check(sensors: &[Sensor], taken: impl Fn(&str) -> bool, path: &Path) -> Result<(), InputError> {
+    for (i, sensor) in sensors.iter().enumerate() {
+        let fault = |message: String, help: &str| {
+            let text = nastran::read_text(path).unwrap_or_default();
+            let place = nastran::place_of(&["sensors:", &format!("\"{}\"", sensor.column)], &text, path);
+            Err(InputError::at(&place, message).with_help(help))
+        };
+        let name = &sensor.column;
+        if name.is_empty() || taken(name) || sensors[..i].iter().any(|other| other.column == *name) {
+            return fault(
+                format!("a sensor's column cannot be called `{name}`"),
+                "give every sensor a column of its own in the static cases, for instance \"strain_1_Nm\"",
+            );
+        }
+        let mut places = vec![sensor.reads.y_over_span()];
+        if let Reading::Height { x_over_c, .. } = sensor.reads {
+            places.push(x_over_c);
+        }
+        if places.iter().any(|place| !(0.0..=1.0).contains(place)) {
+            return fault(
+                format!("sensor `{name}` is beside the wing"),
+                "y_over_span is 0 at the root and 1 at the tip, x_over_c 0 at the leading edge and 1 at the trailing edge",
+            );
+        }
+        if !(sensor.sigma.is_finite() && sensor.sigma > 0.0) {
+            return fault(
+                format!("sigma of sensor `{name}` must be a positive standard deviation"),
+                "repeat a row a few times and take their standard deviation",
+            );
+        }
+        if !(0.0..1.0).contains(&sensor.scale) {
+            return fault(
+                format!("scale of sensor `{name}` must be from 0 to less than 1"),
+                "write 0.01 where its calibration is good to 1 %",
+            );
+        }
+    }
+    Ok(())
+}
