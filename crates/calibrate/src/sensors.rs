@@ -86,36 +86,53 @@ impl Reading {
 
 /// A row by which a wing is read.
 pub(crate) enum Row {
+    /// A channel of the balance: Fz, Mx, My.
+    Balance(usize),
     /// On the box loads, two columns a box.
     OnLoads(Vec<f64>),
     /// On the displacement of the structure.
     OnStructure(Vec<f64>),
 }
 
-/// Rows read together, and where each is among the readings.
-pub(crate) fn together(wing: &ElasticWing, rows: Vec<Row>) -> (Rows, Vec<usize>) {
-    let on_loads = rows.iter().filter(|row| matches!(row, Row::OnLoads(_))).count();
-    let mut places = Vec::with_capacity(rows.len());
-    let (mut loads, mut structure) = (Vec::new(), Vec::new());
-    for row in rows {
-        match row {
-            Row::OnLoads(row) => {
-                places.push(loads.len());
-                loads.push(row);
-            }
-            Row::OnStructure(row) => {
-                places.push(on_loads + structure.len());
-                structure.push(row);
+/// Rows that are read together.
+pub(crate) struct Together {
+    pub(crate) rows: Rows,
+    /// Where each is among the readings.
+    pub(crate) places: Vec<usize>,
+    /// Channel of the balance, by reading.
+    pub(crate) channels: Vec<Option<usize>>,
+}
+
+impl Together {
+    pub(crate) fn new(wing: &ElasticWing, asked: Vec<Row>) -> Self {
+        let on_loads = asked.iter().filter(|row| !matches!(row, Row::OnStructure(_))).count();
+        let mut channels = vec![None; asked.len()];
+        let mut places = Vec::with_capacity(asked.len());
+        let (mut loads, mut structure) = (Vec::new(), Vec::new());
+        for row in asked {
+            match row {
+                Row::Balance(channel) => {
+                    places.push(loads.len());
+                    channels[loads.len()] = Some(channel);
+                    loads.push((0..wing.root_rows.ncols()).map(|k| wing.root_rows[(channel, k)]).collect());
+                }
+                Row::OnLoads(row) => {
+                    places.push(loads.len());
+                    loads.push(row);
+                }
+                Row::OnStructure(row) => {
+                    places.push(on_loads + structure.len());
+                    structure.push(row);
+                }
             }
         }
+        let matrix = |rows: &[Vec<f64>], columns: usize| Mat::from_fn(rows.len(), columns, |r, k| rows[r][k]);
+        let rows = Rows {
+            on_loads: matrix(&loads, wing.root_rows.ncols()),
+            on_structure: matrix(&structure, wing.tip_row().len()),
+        };
+        Self { rows, places, channels }
     }
-    let matrix = |rows: &[Vec<f64>], columns: usize| Mat::from_fn(rows.len(), columns, |r, k| rows[r][k]);
-    let displaced = wing.supported.as_ref().map_or(0, coupling::SupportedStructure::size);
-    let rows = Rows {
-        on_loads: matrix(&loads, wing.root_rows.ncols()),
-        on_structure: matrix(&structure, displaced),
-    };
-    (rows, places)
 }
 
 /// What a sensor's zero is.

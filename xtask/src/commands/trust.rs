@@ -2,7 +2,6 @@
 
 use clap::Args;
 use std::collections::BTreeMap;
-use std::path::PathBuf;
 use std::time::Instant;
 
 use rayon::prelude::*;
@@ -93,7 +92,7 @@ pub(crate) fn run(args: &TrustArgs, common: &Common) -> Result<(), Failure> {
     });
     let folder = ResultFolder::begin(&common.out("trust"))?;
     folder.input("wing", &file.path)?;
-    folder.input("polars", &PathBuf::from(Stand::POLARS))?;
+    folder.input("polars", &repository::path(Stand::POLARS))?;
     folder.write_json("result.json", &result)?;
     folder.commit()?;
     show::summary(common, &summary(&rows, &outcomes));

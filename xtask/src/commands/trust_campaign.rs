@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::repository;
 use calibrate::campaign::ChannelNoise;
 use calibrate::{Campaign, Noise, Reading, Sensor, Sets, StaticPoint, TipReading, Zero};
 use nastran::Span;
@@ -76,7 +77,7 @@ impl Stand {
 
     pub(super) fn new(data: &Path) -> Result<Self, truth::Fault> {
         let wing = Wing::read(&data.join("wing_beam.ron"))?;
-        let polars = Polars::read(&data.join("e214_neuralfoil_polars.csv"))?;
+        let polars = Polars::read(&repository::path(Self::POLARS))?;
         Ok(Self { rig: Rig::new(wing, Some(polars)) })
     }
 

@@ -2,10 +2,10 @@
 
 use crate::calibration::{AirspeedCalibration, Calibration};
 use crate::campaign::{CHANNELS, StaticPoint, TIP, TipReading};
-use crate::sensors::{Row, Zero, together};
+use crate::sensors::{Row, Together, Zero};
 use aero::Flow;
 use aero::flow::same_airspeed;
-use coupling::{ElasticWing, Rows, SteadyCase};
+use coupling::{ElasticWing, SteadyCase};
 use nastran::InputError;
 
 /// A zero that is not known is as uncertain as this many times the largest reading.
@@ -32,7 +32,7 @@ pub(super) struct Datum {
 /// All of an airspeed.
 pub(super) struct Data {
     pub(super) cases: Vec<SteadyCase>,
-    pub(super) rows: Rows,
+    pub(super) together: Together,
     pub(super) data: Vec<Datum>,
     /// Number of unknowns of sensors.
     pub(super) nuisances: usize,
@@ -51,17 +51,15 @@ impl Data {
         let statics = &calibration.data;
         let flow = Flow { v_m_s: at.data.v_m_s, rho_kg_m3: calibration.rho_kg_m3 };
         let sigma = statics.point_sigma.unwrap_or(at.line.rmse);
-        let balance = (0..3).map(|channel| {
-            Row::OnLoads((0..wing.root_rows.ncols()).map(|k| wing.root_rows[(channel, k)]).collect())
-        });
         let sensors = statics.sensors.iter().map(|sensor| sensor.reads.row(wing));
-        let (rows, places) =
-            together(wing, balance.chain([Row::OnStructure(wing.tip_row())]).chain(sensors).collect());
-        let raised = vec![1.0; rows.on_loads.nrows() + rows.on_structure.nrows()];
+        let tip = Row::OnStructure(wing.tip_row());
+        let together = Together::new(wing, (0..3).map(Row::Balance).chain([tip]).chain(sensors).collect());
+        let places = together.places.clone();
+        let raised = vec![1.0; places.len()];
         let mut names = vec![String::new(); raised.len()];
         let columns = CHANNELS.into_iter().chain(statics.sensors.iter().map(|sensor| sensor.column.as_str()));
         places.iter().zip(columns).for_each(|(&place, column)| names[place] = column.to_owned());
-        let mut found = Self { cases: Vec::new(), rows, data: Vec::new(), nuisances: 4, names, raised };
+        let mut found = Self { cases: Vec::new(), together, data: Vec::new(), nuisances: 4, names, raised };
         let common = statics.common_sigma();
         let tip_zero = (statics.tip == TipReading::FreeZero).then(|| found.further_nuisance());
         let farthest_m = at.data.angles.iter().map(|angle| angle.tip_z_m.abs()).fold(0.0, f64::max);

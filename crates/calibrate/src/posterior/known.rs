@@ -214,7 +214,7 @@ fn linearise<'a>(
 ) -> Result<Linearised<'a>, CouplingError> {
     let operator = wing.at(flow, &off.corrections)?;
     let reads: Vec<CaseRead> =
-        data.cases.iter().map(|case| read_case(&operator, &off, case, &data.rows)).collect();
+        data.cases.iter().map(|case| read_case(&operator, &off, case, &data.together)).collect();
     let mut rows = Vec::with_capacity(data.data.len());
     let mut misses = Vec::with_capacity(data.data.len());
     for datum in &data.data {
@@ -226,10 +226,7 @@ fn linearise<'a>(
             row[unknowns.count() + unknown] = by;
             value += by * z[unknowns.count() + unknown];
         }
-        // how lattices spread what a deflection does differs by a share of it, row by row
-        let by_controls: f64 =
-            read.by_control.iter().zip(&off.controls).map(|(by, factor)| by[datum.row] * factor).sum();
-        let sigma = datum.sigma.hypot(unknowns.reading * by_controls).max(f64::MIN_POSITIVE);
+        let sigma = datum.sigma.max(f64::MIN_POSITIVE);
         rows.push(over(row, sigma));
         misses.push((datum.value - value) / sigma);
     }

@@ -5,10 +5,9 @@ use super::predictions::{Predicted, Quantity, predict};
 use super::read::read_case;
 use crate::calibration::Calibration;
 use crate::campaign::TIP;
-use crate::sensors::Reading;
+use crate::sensors::{Reading, Row, Together};
 use coupling::wing_file::CorrectionPrior;
-use coupling::{CouplingError, ElasticWing, Rows, SteadyCase};
-use faer::Mat;
+use coupling::{CouplingError, ElasticWing, SteadyCase};
 use nastran::InputError;
 
 /// Places of strain bridges along the span, as shares of it.
@@ -80,8 +79,7 @@ pub fn rank(
         suggest(measure, rows(&readings, BRIDGE_SHARE * most));
     }
     let middle = known.case(known.alphas_rad[known.alphas_rad.len() / 2]);
-    let balance =
-        Rows { on_loads: wing.root_rows.clone(), on_structure: Mat::zeros(0, wing.tip_row().len()) };
+    let balance = Together::new(wing, (0..3).map(Row::Balance).collect());
     for (c, control) in wing.control_names().into_iter().enumerate() {
         let mut deflected_rows = Vec::new();
         for deflection_deg in DEFLECTED_DEG {

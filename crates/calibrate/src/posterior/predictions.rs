@@ -2,7 +2,7 @@
 
 use super::prior::{Unknowns, WingOff};
 use super::read::{CaseRead, read_case};
-use crate::sensors::{Reading, Row, together};
+use crate::sensors::{Reading, Row, Together};
 use coupling::{ElasticWing, SteadyCase, SteadyOperator};
 use nastran::InputError;
 use std::rc::Rc;
@@ -41,9 +41,7 @@ fn row_of(wing: &ElasticWing, quantity: &Quantity) -> Row {
     match quantity {
         Quantity::Reading(reading) => reading.row(wing),
         Quantity::TipHeight => Row::OnStructure(wing.tip_row()),
-        Quantity::ControlMx { .. } => {
-            Row::OnLoads((0..wing.root_rows.ncols()).map(|k| wing.root_rows[(1, k)]).collect())
-        }
+        Quantity::ControlMx { .. } => Row::Balance(1),
     }
 }
 
@@ -79,8 +77,8 @@ pub(super) fn predict(
     case: &SteadyCase,
     quantities: &[Quantity],
 ) -> Result<Vec<Predicted>, InputError> {
-    let (rows, places) = together(wing, quantities.iter().map(|quantity| row_of(wing, quantity)).collect());
-    let held = Rc::new(read_case(operator, off, case, &rows));
+    let together = Together::new(wing, quantities.iter().map(|quantity| row_of(wing, quantity)).collect());
+    let held = Rc::new(read_case(operator, off, case, &together));
     let names = wing.control_names();
     let one = |(quantity, &row): (&Quantity, &usize)| {
         let Quantity::ControlMx { control } = quantity else {
@@ -92,8 +90,8 @@ pub(super) fn predict(
         let mut deflected = case.clone();
         deflected.controls_rad = vec![0.0; names.len()];
         deflected.controls_rad[index] = 1.0_f64.to_radians();
-        let of = Rc::new(read_case(operator, off, &deflected, &rows));
+        let of = Rc::new(read_case(operator, off, &deflected, &together));
         Ok(Predicted { of, less: Some(Rc::clone(&held)), row })
     };
-    quantities.iter().zip(&places).map(one).collect()
+    quantities.iter().zip(&together.places).map(one).collect()
 }

@@ -13,6 +13,8 @@ pub struct WingOff {
     pub corrections: Corrections,
     /// Factor on what each control surface does.
     pub controls: Vec<f64>,
+    /// What each does in Fz, Mx, My of the balance beyond that, as a share.
+    pub in_channels: Vec<[f64; 3]>,
     /// Logarithms of the factors on the flexibility in bending and in torsion.
     pub log_flexibility: [f64; 2],
 }
@@ -23,6 +25,7 @@ impl WingOff {
         Self {
             corrections: Corrections::neutral(wing.correctable.len()),
             controls: vec![1.0; wing.controls.len()],
+            in_channels: vec![[0.0; 3]; wing.controls.len()],
             log_flexibility: [0.0; 2],
         }
     }
@@ -47,8 +50,8 @@ pub(super) struct Unknowns {
     /// Number of strips.
     strips: usize,
     controls: usize,
-    /// Standard deviation of the factor on controls: common, of each.
-    control: [f64; 2],
+    /// Standard deviation of the factor on controls: common, of each, of each in one channel of the balance alone.
+    control: [f64; 3],
     /// Standard deviation of the logarithm of the flexibility in bending and in torsion.
     flexibility: [f64; 2],
     /// What any reading is off by, as a share of it.
@@ -93,9 +96,14 @@ impl Unknowns {
         self.fields.len() * self.strips
     }
 
+    /// The unknown of a control in a channel of the balance; the last two unknowns are the flexibility's.
+    fn of_channel(&self, control: usize, channel: usize) -> usize {
+        self.of_corrections() + 1 + self.controls + 3 * control + channel
+    }
+
     /// Number of unknowns.
     pub(super) fn count(&self) -> usize {
-        self.of_corrections() + 1 + self.controls + 2
+        self.of_corrections() + 1 + 4 * self.controls + 2
     }
 
     /// The wing that unknowns stand for.
@@ -109,12 +117,15 @@ impl Unknowns {
             }
         }
         let [force, moment, pressure_offset] = families;
-        let [common, each] = self.control;
+        let [common, each, _] = self.control;
         let first = self.of_corrections();
         WingOff {
             corrections: Corrections { force, moment, pressure_offset },
             controls: (0..self.controls).map(|c| 1.0 + common * z[first] + each * z[first + 1 + c]).collect(),
-            log_flexibility: [0, 1].map(|i| self.flexibility[i] * z[first + 1 + self.controls + i]),
+            in_channels: (0..self.controls)
+                .map(|c| [0, 1, 2].map(|channel| self.control[2] * z[self.of_channel(c, channel)]))
+                .collect(),
+            log_flexibility: [0, 1].map(|i| self.flexibility[i] * z[self.count() - 2 + i]),
         }
     }
 
@@ -136,9 +147,13 @@ impl Unknowns {
         for (c, by_control) in read.by_control.iter().enumerate() {
             gradient[first] += self.control[0] * by_control[row];
             gradient[first + 1 + c] = self.control[1] * by_control[row];
+            // where a lattice lets a deflection act is off as well
+            if let Some(channel) = read.channels[row] {
+                gradient[self.of_channel(c, channel)] = self.control[2] * by_control[row];
+            }
         }
         for (i, by_flexibility) in readings.by_flexibility.iter().enumerate() {
-            gradient[first + 1 + self.controls + i] = self.flexibility[i] * by_flexibility[row];
+            gradient[self.count() - 2 + i] = self.flexibility[i] * by_flexibility[row];
         }
         gradient
     }

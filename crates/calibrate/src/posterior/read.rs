@@ -1,7 +1,8 @@
 //! Readings of a wing that is off its theory, and their derivatives.
 
 use super::prior::WingOff;
-use coupling::{Readings, Rows, SteadyCase, SteadyOperator};
+use crate::sensors::Together;
+use coupling::{Readings, SteadyCase, SteadyOperator};
 
 /// What is read in one case.
 pub(super) struct CaseRead {
@@ -9,6 +10,8 @@ pub(super) struct CaseRead {
     pub(super) readings: Readings,
     /// By control and row: derivative by the factor on what the control does.
     pub(super) by_control: Vec<Vec<f64>>,
+    /// Channel of the balance, by row.
+    pub(super) channels: Vec<Option<usize>>,
     /// What is read.
     pub(super) values: Vec<f64>,
 }
@@ -18,8 +21,9 @@ pub(super) fn read_case(
     operator: &SteadyOperator<'_>,
     off: &WingOff,
     case: &SteadyCase,
-    rows: &Rows,
+    together: &Together,
 ) -> CaseRead {
+    let rows = &together.rows;
     let mut flown = case.clone();
     for (delta_rad, factor) in flown.controls_rad.iter_mut().zip(&off.controls) {
         *delta_rad *= factor;
@@ -35,10 +39,16 @@ pub(super) fn read_case(
         let values = operator.values(&without, rows);
         readings.values.iter().zip(values).map(|(with, without)| (with - without) / off.controls[c]).collect()
     };
-    let by_control = (0..off.controls.len()).map(by_control).collect();
+    let by_control: Vec<Vec<f64>> = (0..off.controls.len()).map(by_control).collect();
     let [bending, torsion] = off.log_flexibility;
     let [by_bending, by_torsion] = &readings.by_flexibility;
     let softened = by_bending.iter().zip(by_torsion).map(|(a, b)| a * bending + b * torsion);
-    let values = readings.values.iter().zip(softened).map(|(value, more)| value + more).collect();
-    CaseRead { readings, by_control, values }
+    let mut values: Vec<f64> =
+        readings.values.iter().zip(softened).map(|(value, more)| value + more).collect();
+    for (by_control, share) in by_control.iter().zip(&off.in_channels) {
+        for (row, channel) in together.channels.iter().enumerate() {
+            values[row] += channel.map_or(0.0, |channel| share[channel] * by_control[row]);
+        }
+    }
+    CaseRead { readings, by_control, channels: together.channels.clone(), values }
 }

@@ -21,9 +21,9 @@ pub struct CorrectionPrior {
     pub moment_offset_cp: f64,
     /// Of the moment factor of the boxes, smooth along the span.
     pub moment: f64,
-    /// Of the factor on what control surfaces do: common to all, of each. Gaps and boundary layers take 5 to 15 % of a plain
-    /// flap's theoretical lift.
-    pub control: [f64; 2],
+    /// Of the factor on what control surfaces do: common to all, of each, and of each in one load of the balance alone (where on the
+    /// wing it acts). Gaps and boundary layers take 5 to 15 % of a plain flap's theoretical lift.
+    pub control: [f64; 3],
     /// Of the logarithm of the structure's flexibility: in bending, in torsion.
     pub flexibility: [f64; 2],
     /// Of what any reading is off by, as a share of it, whatever the corrections are: lattices of other programs differ by so
@@ -43,9 +43,9 @@ impl Default for CorrectionPrior {
             zero_lift_deg: [0.8, 0.5, 0.4],
             moment_offset_cp: 0.05,
             moment: 0.2,
-            control: [0.06, 0.03],
+            control: [0.06, 0.03, 0.03],
             flexibility: [0.03, 0.05],
-            reading: 0.003,
+            reading: 0.002,
             smooth_over_span: 0.3,
             local_over_chord: 1.0,
         }
@@ -64,10 +64,13 @@ impl CorrectionPrior {
             ("smooth_over_span", self.smooth_over_span, 0.01),
             ("local_over_chord", self.local_over_chord, 0.01),
         ];
-        let fields = [three("force", self.force), three("zero_lift_deg", self.zero_lift_deg)];
-        let two = |name, values: [f64; 2]| values.map(|value| (name, value, 0.0));
-        let pairs = [two("control", self.control), two("flexibility", self.flexibility)];
-        fields.into_iter().flatten().chain(pairs.into_iter().flatten()).chain(single).collect()
+        let fields = [
+            three("force", self.force),
+            three("zero_lift_deg", self.zero_lift_deg),
+            three("control", self.control),
+        ];
+        let flexibility = self.flexibility.map(|value| ("flexibility", value, 0.0));
+        fields.into_iter().flatten().chain(flexibility).chain(single).collect()
     }
 
     /// Whether a file need not say it.
