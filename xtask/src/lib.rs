@@ -35,6 +35,8 @@ enum Task {
     Validate(commands::validate::ValidateArgs),
     /// Time of the main steps
     Bench(commands::bench::BenchArgs),
+    /// A folder of users' Nastran decks, each run as it asks, and a table of what became of them
+    Decks(commands::decks::DecksArgs),
     /// Check the house rules of the repository
     Tidy(commands::tidy::TidyArgs),
 }
@@ -46,6 +48,7 @@ impl Task {
             Self::Program(command) => (command.name(), command.results()),
             Self::Validate(_) => ("validate", Some("validate")),
             Self::Bench(_) => ("bench", Some("bench")),
+            Self::Decks(options) => ("decks", options.path.is_dir().then_some("decks")),
             Self::Tidy(_) => ("tidy", None),
         }
     }
@@ -55,6 +58,7 @@ impl Task {
             Self::Program(command) => command.run(common),
             Self::Validate(options) => commands::validate::run(options, common),
             Self::Bench(options) => commands::bench::run(options, common),
+            Self::Decks(options) => commands::decks::run(options, common),
             Self::Tidy(options) => commands::tidy::run(options, common),
         }
     }
@@ -76,7 +80,7 @@ mod tests {
     #[test]
     fn the_command_line_is_consistent_and_has_every_command_of_the_program() {
         Cli::command().debug_assert();
-        for name in ["pipeline", "calibrate", "new", "tidy", "bench", "validate"] {
+        for name in ["pipeline", "calibrate", "new", "tidy", "bench", "validate", "decks"] {
             assert!(Cli::command().find_subcommand(name).is_some(), "{name}");
         }
     }

@@ -4,9 +4,9 @@ use crate::card::Card;
 use crate::cards::kind::{CardKind, Cards, DeckCard, Family};
 use crate::cards::{
     Aecomp, Aefact, Aelink, Aelist, Aeros, Aestat, Aesurf, BeamElement, BeamProperty, Caero1, Cbush, Conm1,
-    Conm2, Coord, Crod, Genel, Grid, Mat1, Mat2, Mat8, Mat9, MonitorPoint, Mpc, Paero1, Pbush, Pcomp, Prod,
-    Pshell, Psolid, Rbar, Rbe2, Rbe3, ScalarElement, ScalarProperty, Set1, SetUnion, ShellElement,
-    SolidElement, Spc1, SplineCard, Suport, Trim,
+    Conm2, Coord, Crod, EigenMethod, Genel, Grid, Mat1, Mat2, Mat8, Mat9, MonitorPoint, Mpc, Paero1, Pbush,
+    Pcomp, Prod, Pshell, Psolid, Rbar, Rbe2, Rbe3, ScalarElement, ScalarProperty, Set1, SetUnion,
+    ShellElement, SolidElement, Spc1, SplineCard, Spoint, Suport, Trim,
 };
 use crate::deck::case_control::Subcase;
 use crate::dmi::Dmi;
@@ -107,6 +107,7 @@ macro_rules! kinds {
 kinds! {
     coords: BTreeMap<u32, Coord>, Own, ["CORD2R", "CORD2C", "CORD2S", "CORD1R", "CORD1C", "CORD1S"];
     grids: BTreeMap<u32, Grid>, Own, ["GRID"];
+    scalar_points: BTreeMap<u32, Spoint>, Own, ["SPOINT"];
     beams: BTreeMap<u32, BeamElement>, Element, ["CBAR", "CBEAM"];
     beam_properties: BTreeMap<u32, BeamProperty>, BeamProperty, ["PBAR", "PBEAM", "PBARL", "PBEAML"];
     materials: BTreeMap<u32, Mat1>, Material, ["MAT1"];
@@ -118,8 +119,8 @@ kinds! {
     solids: BTreeMap<u32, SolidElement>, Element, ["CHEXA", "CPENTA", "CTETRA"];
     rods: BTreeMap<u32, Crod>, Element, ["CROD"];
     bushes: BTreeMap<u32, Cbush>, Element, ["CBUSH"];
-    springs: BTreeMap<u32, ScalarElement>, Element, ["CELAS1", "CELAS2"];
-    scalar_masses: BTreeMap<u32, ScalarElement>, MassElement, ["CMASS1", "CMASS2"];
+    springs: BTreeMap<u32, ScalarElement>, Element, ["CELAS1", "CELAS2", "CELAS3", "CELAS4"];
+    scalar_masses: BTreeMap<u32, ScalarElement>, MassElement, ["CMASS1", "CMASS2", "CMASS3", "CMASS4"];
     general: BTreeMap<u32, Genel>, Element, ["GENEL"];
     mass_matrices: BTreeMap<u32, Conm1>, MassElement, ["CONM1"];
     rigid_bars: BTreeMap<u32, Rbar>, RigidElement, ["RBAR"];
@@ -149,7 +150,8 @@ kinds! {
     trims: BTreeMap<u32, Trim>, Own, ["TRIM"];
     aero_links: Vec<Aelink>, Own, ["AELINK"];
     aero_components: BTreeMap<String, Aecomp>, Own, ["AECOMP"];
-    supports: Vec<Suport>, Own, ["SUPORT"];
+    eigen_methods: BTreeMap<u32, EigenMethod>, Own, ["EIGRL", "EIGR"];
+    supports: Vec<Suport>, Own, ["SUPORT", "SUPORT1"];
 }
 
 /// The kind that a field holds.

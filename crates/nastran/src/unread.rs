@@ -18,8 +18,6 @@ const ELEMENTS: &[(&str, &str)] = &[
     ("CTETPR CPYRAM CPYRA", "CTETRA and CPENTA"),
     ("CONROD CTUBE", "CROD with PROD"),
     ("CBEND CBEAM3", "CBEAM"),
-    ("CELAS3 CELAS4", "CELAS1 or CELAS2 between grids"),
-    ("CMASS3 CMASS4", "CMASS1 or CMASS2 at grids"),
     ("CBUSH1D CBUSH2D CGAP CBEAR CROTORG", "CBUSH with the stiffness at the working point"),
     ("CWELD CFAST CSEAM", "CBUSH between RBE3"),
     ("CDAMP1 CDAMP2 CDAMP3 CDAMP4 CDAMP5 CVISC", "a damping ratio of the modes"),

@@ -41,8 +41,8 @@ fn bars_and_beams() {
     assert_eq!(beam.pins, [vec![4, 5], vec![]]);
     assert_eq!(beam.offsets.map(<[f64; 3]>::from), [[0.0, 0.1, 0.0], [0.2, 0.0, 0.0]]);
     assert_eq!(
-        error("CBAR,10,1,1,2,0.,0.,1.,BGG\n"),
-        "t.bdf:1:24: `BGG` in field OFFT of CBAR is not GGG, the only kind of offset vectors that is read"
+        error("CBAR,10,1,1,2,0.,0.,1.,EGG\n"),
+        "t.bdf:1:24: `EGG` in field OFFT of CBAR is not G or B and twice G or O, such as GGG or BOO"
     );
     assert_eq!(
         error("CBAR,10,1,1,2\n"),

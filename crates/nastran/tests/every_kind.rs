@@ -101,6 +101,14 @@ TRIM,1,.5,100.,URDD3,1.
 AELINK,ALWAYS,FLAP,ANGLEA,.5
 AECOMP,WING,AELIST,102
 SUPORT,1,35
+SUPORT1,4,2,35
+EIGRL,7,,,5
+EIGR,8,MGIV,,,,3
+SPOINT,98
+CELAS3,71,95,98
+CELAS4,72,4.5,98,99
+CMASS3,54,96,98
+CMASS4,55,2.5,98
 ";
 
 /// Boxes 1001 to 1004 in two strips of two; the strips count from the other side.
@@ -120,6 +128,7 @@ const NO_IMAGE: &[&str] = &[
     "aero_links",
     "aero_components",
     "supports",
+    "eigen_methods",
 ];
 /// Kinds that are read only.
 const NOT_WRITTEN: &[&str] = &[
@@ -131,6 +140,7 @@ const NOT_WRITTEN: &[&str] = &[
     "aero_links",
     "aero_components",
     "supports",
+    "eigen_methods",
 ];
 
 fn samples() -> BulkData {

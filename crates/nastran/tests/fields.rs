@@ -79,12 +79,14 @@ fn reals_may_have_any_exponent_mark() {
         ("7.", 7.0),
         ("1.e-2", 0.01),
         ("-1.25d+1", -12.5),
+        ("1e5", 1e5),
+        ("1E+9", 1e9),
     ];
     for (text, value) in cases {
         assert_eq!(nastran::real::parse(text), Some(value), "{text}");
     }
     for text in [
-        "", ".", "1", "1e5", "1.e", "1.5-", "1.2.3", "1. 5", "nan", "inf", "1.+999", "-", "0x1.", "1.5-3.",
+        "", ".", "1", "1+5", "1.e", "1.5-", "1.2.3", "1. 5", "nan", "inf", "1.+999", "-", "0x1.", "1.5-3.",
         "é.",
     ] {
         assert_eq!(nastran::real::parse(text), None, "{text}");

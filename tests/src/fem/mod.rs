@@ -114,7 +114,13 @@ impl Mesh {
         for i in 0..=self.nx {
             grids.extend((0..=self.ny).filter(|j| chosen(i, *j)).map(|j| self.id(i, j)));
         }
-        self.bulk.constraints.push(Spc1 { set: 1, components: components.to_vec(), grids, span: span() });
+        self.bulk.constraints.push(Spc1 {
+            set: 1,
+            components: components.to_vec(),
+            grids,
+            enforced: 0.0,
+            span: span(),
+        });
         self
     }
 
