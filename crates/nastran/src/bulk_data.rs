@@ -4,8 +4,8 @@ use crate::card::Card;
 use crate::cards::kind::{CardKind, Cards, DeckCard, Family};
 use crate::cards::{
     Aecomp, Aefact, Aelink, Aelist, Aeros, Aestat, Aesurf, BeamElement, BeamProperty, Caero1, Cbush, Conm1,
-    Conm2, Coord, Crod, EigenMethod, Genel, Grid, Mat1, Mat2, Mat8, Mat9, MonitorPoint, Mpc, Paero1, Pbush,
-    Pcomp, Prod, Pshell, Psolid, Rbar, Rbe2, Rbe3, ScalarElement, ScalarProperty, Set1, SetUnion,
+    Conm2, Conrod, Coord, Crod, EigenMethod, Genel, Grid, Mat1, Mat2, Mat8, Mat9, MonitorPoint, Mpc, Paero1,
+    Pbush, Pcomp, Prod, Pshell, Psolid, Rbar, Rbe2, Rbe3, ScalarElement, ScalarProperty, Set1, SetUnion,
     ShellElement, SolidElement, Spc1, SplineCard, Spoint, Suport, Trim,
 };
 use crate::deck::case_control::Subcase;
@@ -27,6 +27,7 @@ pub(crate) struct Rest {
     pub(crate) parameters: BTreeMap<String, f64>,
     pub(crate) matrices: BTreeMap<String, Dmi>,
     pub(crate) subcases: Vec<Subcase>,
+    pub(crate) air_errors: Vec<InputError>,
     pub(crate) unknown: BTreeMap<String, Unread>,
 }
 
@@ -34,7 +35,7 @@ impl Rest {
     /// Puts it into a deck as it is.
     pub(crate) fn put(self, deck: &mut BulkData) {
         (deck.parameters, deck.matrices) = (self.parameters, self.matrices);
-        (deck.subcases, deck.unknown) = (self.subcases, self.unknown);
+        (deck.subcases, deck.air_errors, deck.unknown) = (self.subcases, self.air_errors, self.unknown);
     }
 }
 
@@ -65,6 +66,8 @@ macro_rules! kinds {
             pub matrices: BTreeMap<String, Dmi>,
             /// Subcases of the case control.
             pub subcases: Vec<Subcase>,
+            /// What is wrong with cards of the air, which a structure does without ([`BulkData::refuse_unread_air`]).
+            pub air_errors: Vec<InputError>,
             /// Cards that are not read, by name.
             pub unknown: BTreeMap<String, Unread>,
         }
@@ -76,7 +79,7 @@ macro_rules! kinds {
         impl BulkData {
             /// Shows all cards to a visitor.
             pub(crate) fn visit(&self, visitor: &mut impl Visitor) {
-                let Self { $($field,)* parameters: _, matrices: _, subcases: _, unknown: _ } = self;
+                let Self { $($field,)* parameters: _, matrices: _, subcases: _, air_errors: _, unknown: _ } = self;
                 $(visitor.cards(kind_of(stringify!($field)), $field);)*
             }
 
@@ -85,9 +88,9 @@ macro_rules! kinds {
             /// # Errors
             /// If a change fails, or the other deck has a card with the same number.
             pub(crate) fn pour(self, into: &mut Self, change: &mut impl Change) -> Result<Rest, InputError> {
-                let Self { $($field,)* parameters, matrices, subcases, unknown } = self;
+                let Self { $($field,)* parameters, matrices, subcases, air_errors, unknown } = self;
                 $(pour_kind(kind_of(stringify!($field)), $field, &mut into.$field, change)?;)*
-                Ok(Rest { parameters, matrices, subcases, unknown })
+                Ok(Rest { parameters, matrices, subcases, air_errors, unknown })
             }
 
             /// Keeps what a card says; false if cards of its name are not read.
@@ -118,6 +121,7 @@ kinds! {
     shells: BTreeMap<u32, ShellElement>, Element, ["CQUAD4", "CTRIA3"];
     solids: BTreeMap<u32, SolidElement>, Element, ["CHEXA", "CPENTA", "CTETRA"];
     rods: BTreeMap<u32, Crod>, Element, ["CROD"];
+    conrods: BTreeMap<u32, Conrod>, Element, ["CONROD"];
     bushes: BTreeMap<u32, Cbush>, Element, ["CBUSH"];
     springs: BTreeMap<u32, ScalarElement>, Element, ["CELAS1", "CELAS2", "CELAS3", "CELAS4"];
     scalar_masses: BTreeMap<u32, ScalarElement>, MassElement, ["CMASS1", "CMASS2", "CMASS3", "CMASS4"];

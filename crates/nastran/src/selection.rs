@@ -84,18 +84,25 @@ impl BulkData {
         Ok(bulk)
     }
 
-    /// What stands in the deck and its case control does not select: said to the user, since Nastran leaves it out.
-    pub fn unselected(&self) -> Option<String> {
+    /// What of the deck's constraints its case control leaves out or selects in vain: said to the user.
+    pub fn remarks(&self) -> Vec<String> {
         let selects =
             |of: &dyn Fn(&Subcase) -> Option<u32>| self.subcases.iter().any(|case| of(case).is_some());
-        let mut names = Vec::new();
+        let mut remarks = Vec::new();
+        let mut left_out = |name: &str| {
+            remarks.push(format!("the case control selects no {name}: those in the deck do not apply"));
+        };
         if !self.subcases.is_empty() && !self.constraints.is_empty() && !selects(&|case| case.spc) {
-            names.push("SPC");
+            left_out("SPC");
         }
         if !self.subcases.is_empty() && !self.equations.is_empty() && !selects(&|case| case.mpc) {
-            names.push("MPC");
+            left_out("MPC");
         }
-        (!names.is_empty()).then(|| names.join(" and "))
+        let missing = |set: &u32| !equations(self).contains(set) && !self.equation_unions.contains_key(set);
+        let sets: BTreeSet<u32> = self.subcases.iter().filter_map(|case| case.mpc).filter(missing).collect();
+        remarks
+            .extend(sets.iter().map(|set| format!("the case control selects MPC {set}, which is not there")));
+        remarks
     }
 }
 
@@ -141,6 +148,9 @@ fn selected(
     let Some(SetUnion { sets: united, .. }) = unions.get(&set) else {
         return if sets.contains(&set) {
             Ok(vec![set])
+        } else if kind == "MPC" {
+            // As in Nastran, whose rigid elements may be all there is of it; [`BulkData::remarks`] says it.
+            Ok(Vec::new())
         } else {
             Err(InputError::general(format!("the case control selects {kind} {set}, which is not there")))
         };

@@ -173,7 +173,8 @@ fn every_break_is_named_with_its_line() {
         let template = if *old == "INCLUDE_HERE" { GOOD.replace("$ INCLUDE", "INCLUDE") } else { good() };
         assert_eq!(template.matches(old).count(), 1, "`{old}` must stand once in the good deck");
         let text = template.replace(old, new);
-        let result = parse_deck("good.bdf", &text).and_then(|deck| Frames::resolve(&deck).map(|_| ()));
+        let result = parse_deck("good.bdf", &text)
+            .and_then(|deck| deck.refuse_unread_air().and_then(|()| Frames::resolve(&deck).map(|_| ())));
         match result {
             Ok(()) => faults.push(format!("`{new}` was taken")),
             Err(error) => {

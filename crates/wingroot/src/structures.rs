@@ -78,8 +78,12 @@ fn say_what_was_assumed(bulk: &BulkData, model: &Model, system: &System) {
         }
         MassForm::Consistent => "masses of elements are consistent, as PARAM COUPMASS says",
     });
-    if let Some(cards) = bulk.unselected() {
-        show::note(&format!("the case control selects no {cards}: those in the deck do not apply"));
+    bulk.remarks().iter().for_each(|remark| show::note(remark));
+    if let Some(first) = bulk.air_errors.first() {
+        show::note(&format!(
+            "cards of the air are left aside, {} of them not read as they stand, the first: {first}",
+            bulk.air_errors.len()
+        ));
     }
     let held = system.auto_held();
     if !held.is_empty() {

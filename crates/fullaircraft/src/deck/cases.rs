@@ -16,6 +16,7 @@ pub struct DeckCase {
 /// # Errors
 /// If a subcase selects a TRIM that is not there, or the deck has none.
 pub fn deck_cases(bulk: &BulkData) -> Result<Vec<DeckCase>, InputError> {
+    bulk.refuse_unread_air()?;
     let mut cases = Vec::new();
     for subcase in &bulk.subcases {
         let Some(id) = subcase.trim else { continue };

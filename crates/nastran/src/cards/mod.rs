@@ -7,6 +7,7 @@
 mod beam;
 mod beam_property;
 mod bush;
+mod conrod;
 mod constraint;
 mod eigen;
 mod genel;
@@ -34,6 +35,7 @@ mod trim;
 pub use beam::{BeamElement, Offt, Orientation};
 pub use beam_property::{BeamProperty, BeamStation};
 pub use bush::{BushAxes, Cbush, Pbush};
+pub use conrod::Conrod;
 pub use constraint::{Mpc, SetUnion, Spc1};
 pub use eigen::EigenMethod;
 pub use genel::Genel;

@@ -15,6 +15,7 @@ mod taken;
 use crate::bulk_data::{BulkData, Unread};
 use crate::card::line::Line;
 use crate::card::{Card, lists};
+use crate::cards::kind::DeckCard;
 use crate::cards::{CornerThickness, Spoint};
 use crate::source::{InputError, Span};
 use crate::text_file::{no_file, read_text};
@@ -28,6 +29,12 @@ use taken::Numbers;
 
 /// The most numbers that all `THRU` of a deck may stand for: forty megabytes, and every real deck has less.
 const MOST_IN_RANGES: usize = 10_000_000;
+
+/// Cards of the air: one that is wrong or not read as it stands does not stop who asks for the structure alone.
+const AIR: [&str; 16] = [
+    "CAERO1", "PAERO1", "AEFACT", "AESURF", "AELIST", "SPLINE1", "SPLINE2", "SPLINE4", "SPLINE5", "MONPNT1",
+    "MONPNT3", "AEROS", "AESTAT", "TRIM", "AELINK", "AECOMP",
+];
 
 /// Reads a deck with the files it includes.
 ///
@@ -209,6 +216,17 @@ impl Reader {
             let ends = [card.count_or(2, "S1", 0)?, card.count_or(3, "S2", 0)?];
             let points = ends.into_iter().filter(|id| *id > 0);
             self.named_points.extend(points.map(|id| Spoint { id, span: card.span.clone() }));
+        }
+        if card.name == "SPOINT" {
+            // Naming a scalar point again changes nothing.
+            self.named_points.extend(Spoint::read(&card)?);
+            return Ok(());
+        }
+        if AIR.contains(&card.name.as_str()) {
+            // A structure does without them, and whoever needs them asks for what was wrong.
+            let wrong = self.deck.keep(&card).err();
+            self.deck.air_errors.extend(wrong);
+            return Ok(());
         }
         if !self.deck.keep(&card)? && !self.parameter(&card)? {
             let unread = self.deck.unknown.entry(card.name);

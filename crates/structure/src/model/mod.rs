@@ -4,6 +4,7 @@
 //! and scalar elements name, beam offsets and orientation vectors.
 
 mod build;
+mod conrod;
 mod elements;
 mod links;
 mod node;
@@ -67,7 +68,8 @@ impl Model {
     /// # Errors
     /// As [`Model::from_bulk`].
     pub fn from_deck(bulk: &BulkData, subcase: Option<u32>) -> Result<Self, InputError> {
-        let mut model = Self::from_bulk(&*bulk.bounded(subcase)?)?;
+        bulk.refuse_unread_undamped()?;
+        let mut model = Self::read(&*bulk.bounded(subcase)?, ShearModel::Equilibrium)?;
         let is_consistent = bulk.parameters.get("COUPMASS").is_some_and(|value| *value > 0.0);
         model.holds_loose = bulk.parameters.get("AUTOSPC") != Some(&0.0);
         model.mass_form = if is_consistent { MassForm::Consistent } else { MassForm::Lumped };
@@ -80,7 +82,11 @@ impl Model {
     /// As [`Model::from_bulk`].
     pub fn from_bulk_with(bulk: &BulkData, shear: ShearModel) -> Result<Self, InputError> {
         bulk.refuse_unread_elements()?;
-        let bulk = &*bulk.bounded(None)?;
+        Self::read(&*bulk.bounded(None)?, shear)
+    }
+
+    /// Reads what is there, under the constraints that are there.
+    fn read(bulk: &BulkData, shear: ShearModel) -> Result<Self, InputError> {
         let (elements, dependents) = (Vec::new(), Vec::new());
         let mut read = Reading { builder: build::Builder::new(bulk, shear)?, elements, dependents };
         registry::visit(bulk, &mut read)?;

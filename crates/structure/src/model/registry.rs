@@ -47,7 +47,7 @@ pub(crate) trait Visitor {
 #[rustfmt::skip]
 pub(crate) fn visit(bulk: &BulkData, visitor: &mut impl Visitor) -> Result<(), InputError> {
     let BulkData {
-        beams, rods, shells, solids, bushes, springs, general, masses, mass_matrices, scalar_masses,
+        beams, rods, conrods, shells, solids, bushes, springs, general, masses, mass_matrices, scalar_masses,
         rigid, rigid_bars, averages, equations,
         // Read by the elements and ties that refer to them, and by the clamps.
         coords: _, grids: _, scalar_points: _, beam_properties: _, rod_properties: _, shell_properties: _, laminates: _,
@@ -58,10 +58,11 @@ pub(crate) fn visit(bulk: &BulkData, visitor: &mut impl Visitor) -> Result<(), I
         matrices: _, aero_reference: _, trim_variables: _, trims: _, aero_links: _, aero_components: _, supports: _, eigen_methods: _,
         constraint_unions: _, equation_unions: _, subcases: _,
         // Refused where a structure cannot be without them.
-        unknown: _,
+        unknown: _, air_errors: _,
     } = bulk;
     visitor.elements(beams)?;
     visitor.elements(rods)?;
+    visitor.elements(conrods)?;
     visitor.elements(shells)?;
     visitor.elements(solids)?;
     visitor.elements(bushes)?;
