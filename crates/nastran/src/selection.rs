@@ -64,6 +64,9 @@ impl BulkData {
         }
         let mut bulk = self.clone();
         bulk.subcases.clear();
+        if let Some(is_on) = subcase.auto_spc {
+            bulk.parameters.insert("AUTOSPC".to_owned(), f64::from(u8::from(is_on)));
+        }
         let kept = selected("SPC", subcase.spc, &clamps(self), &self.constraint_unions)?;
         bulk.constraints.retain(|card| kept.contains(&card.set));
         bulk.constraint_unions.retain(|id, _| Some(*id) == subcase.spc);

@@ -7,7 +7,8 @@ fn parse(text: &str) -> BulkData {
 }
 
 fn error(text: &str) -> String {
-    let error = parse_deck("t.bdf", text).expect_err("must be refused");
+    let error =
+        parse_deck("t.bdf", text).and_then(|deck| deck.refuse_unread_air()).expect_err("must be refused");
     format!("{}: {}", error.span.as_ref().expect("errors of decks have a place"), error.message)
 }
 
@@ -182,8 +183,8 @@ fn monitoring_stations_keep_their_labels() {
 
 #[test]
 fn unknown_cards_are_counted() {
-    let deck = parse("CQUADR,1,2,3,4,5,6\nCQUADR,2,2,3,4,5,6\nPLOTEL,1,1,2\n");
-    assert_eq!(deck.unread_cards().expect("two kinds"), "2 CQUADR, 1 PLOTEL");
+    let deck = parse("CQUAD8,1,2,3,4,5,6\nCQUAD8,2,2,3,4,5,6\nPLOTEL,1,1,2\n");
+    assert_eq!(deck.unread_cards().expect("two kinds"), "2 CQUAD8, 1 PLOTEL");
 }
 
 #[test]

@@ -101,3 +101,43 @@ fn supports_of_a_subcase_are_those_it_names() {
     let kept: Vec<&[u8]> = bulk.supports.iter().map(|card| card.components.as_slice()).collect();
     assert_eq!(kept, [&[3][..], &[1][..]]);
 }
+
+#[test]
+fn a_wrong_card_of_the_air_stops_who_needs_the_air_and_nobody_else() {
+    let deck = parse_deck("t.bdf", "GRID,1\nSPLINE2,1,1001,1001,1004,5,1.\nSPOINT,7\nSPOINT,7,8\n").unwrap();
+    assert_eq!(deck.scalar_points.len(), 2, "naming a scalar point twice changes nothing");
+    let error = deck.refuse_unread_air().unwrap_err().to_string();
+    assert!(error.starts_with("t.bdf:2:30: field DZ of SPLINE2 is not read"), "{error}");
+    assert_eq!(deck.refuse_unread_elements(), Ok(()));
+}
+
+#[test]
+fn sections_made_of_rectangles_have_the_areas_and_moments_of_those() {
+    let section = |kind: &str, dimensions: &str| {
+        let deck = parse_deck("t.bdf", &format!("PBARL,1,1,,{kind}\n,{dimensions}\n")).unwrap();
+        let at = deck.beam_properties[&1].stations[0];
+        (at.area, at.i1, at.i2)
+    };
+    let near = |ours: (f64, f64, f64), closed: (f64, f64, f64), what: &str| {
+        for (ours, closed) in [(ours.0, closed.0), (ours.1, closed.1), (ours.2, closed.2)] {
+            assert!((ours - closed).abs() < 1e-12 * closed, "{what}: {ours} beside {closed}");
+        }
+    };
+    // An I of height 6 and width 4 with walls of 1: the rectangle less two of 1.5 by 4.
+    let i_beam = (24.0 - 12.0, (4.0 * 216.0 - 3.0 * 64.0) / 12.0, (2.0 * 64.0 + 4.0) / 12.0);
+    near(section("I1", "3.,1.,4.,6."), i_beam, "I1");
+    near(section("I", "6.,4.,4.,1.,1.,1."), i_beam, "I");
+    near(section("H", "4.,2.,4.,1."), (i_beam.0, i_beam.2, i_beam.1), "H is an I on its side");
+    near(
+        section("CROSS", "3.,1.,4.,1."),
+        (7.0, 64.0 / 12.0 + 3.0 / 12.0, 4.0 / 12.0 + 60.0 / 12.0 + 0.25),
+        "CROSS",
+    );
+    near(section("T2", "4.,5.,1.,.5"), section("T", "4.,5.,1.,.5"), "a T upside down");
+    let tee = section("T", "4.,5.,1.,.5");
+    near(section("T1", "4.,4.,1.,.5"), (tee.0, tee.2, tee.1), "a T on its side");
+    near(section("CHAN1", "2.,1.,4.,6."), section("CHAN", "3.,6.,1.,1."), "CHAN1");
+    near(section("BOX1", "4.,6.,1.,1.,.5,.5"), section("BOX", "4.,6.,1.,.5"), "BOX1 of even walls");
+    let beam = parse_deck("t.bdf", "PBEAML,1,1,,T1\n,4.,4.,1.,.5\n").unwrap_err().to_string();
+    assert!(beam.contains("its shear centre is not known"), "{beam}");
+}

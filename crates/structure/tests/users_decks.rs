@@ -144,3 +144,22 @@ fn motions_without_stiffness_at_their_grid_are_held_and_named() {
     let bulk = parse_deck("deck", &deck("PARAM,AUTOSPC,NO\n")).unwrap();
     assert!(System::assemble(&Model::from_deck(&bulk, None).unwrap()).unwrap().auto_held().is_empty());
 }
+
+#[test]
+fn a_mass_that_nothing_holds_moves_only_where_autospc_is_off_as_msc_nastran_prints() {
+    // pyNastran, models/transfer_function/actuator_tf_modeling.f06 (MSC Nastran 2005): its table of singularities names grid 3
+    // component 1, its case control has AUTOSPC = NO, its modes are these.
+    let print = [7.957747e-2, 2.756644e-1];
+    let deck = |control: &str| {
+        format!(
+            "SOL 110\nCEND\n{control}BEGIN BULK\nGRID,1,,1.,0.,0.,,23456\nGRID,2,,2.,0.,0.,,23456\nGRID,3,,3.,0.,0.,,23456\n\
+             CELAS2,21,1.0,1,1\nCELAS2,22,1.5,1,1,2,1\nCONM2,11,1,,1.\nCONM2,12,2,,2.\nCONM2,13,3,,.4\n"
+        )
+    };
+    let free = hertz(&deck("AUTOSPC = NO\n"), None, 3);
+    assert_eq!(free[0], 0.0, "the third mass flies away");
+    assert_near(&free[1..], &print, 1e-6, "with AUTOSPC = NO");
+    let system = deck_system(&deck(""), None);
+    assert_eq!(system.auto_held(), [(3, 1)]);
+    assert_near(&hertz(&deck(""), None, 2), &print, 1e-6, "held by AUTOSPC");
+}

@@ -78,6 +78,11 @@ fn say_what_was_assumed(bulk: &BulkData, model: &Model, system: &System) {
         }
         MassForm::Consistent => "masses of elements are consistent, as PARAM COUPMASS says",
     });
+    if bulk.shells.values().any(|shell| shell.is_r) {
+        show::note(
+            "CQUADR and CTRIAR are computed as CQUAD4 and CTRIA3, which are stiffer in their plane: frequencies may be some per cent too high",
+        );
+    }
     bulk.remarks().iter().for_each(|remark| show::note(remark));
     if let Some(first) = bulk.air_errors.first() {
         show::note(&format!(

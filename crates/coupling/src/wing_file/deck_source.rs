@@ -25,6 +25,7 @@ impl DeckSource {
     pub(super) fn bulk(&self, folder: &Path, mount: Mount) -> Result<BulkData, InputError> {
         let path = folder.join(&self.file);
         let deck = read_deck(&path)?;
+        deck.refuse_unread_air()?;
         let mut bulk = deck.bounded(None).map_err(|error| error.or_in(&path))?.into_owned();
         if mount == Mount::Aircraft {
             self.remove_fairing_incidence(&mut bulk);

@@ -26,6 +26,8 @@ pub struct Subcase {
     pub support: Option<u32>,
     /// METHOD: EIGRL or EIGR.
     pub method: Option<u32>,
+    /// AUTOSPC, in the place of PARAM AUTOSPC.
+    pub auto_spc: Option<bool>,
     /// AESYMXZ: 1 symmetric, -1 antisymmetric, 0 asymmetric.
     pub symmetry: Option<i32>,
     /// Selections that change stiffness or mass and are not read, such as `K2GG = STIFF`.
@@ -145,6 +147,14 @@ fn select(case: &mut Subcase, command: &Command, name: &str, value: Option<&str>
         "TRIM" => case.trim = one()?,
         "SPC" => case.spc = one()?,
         "MPC" => case.mpc = one()?,
+        "AUTOSPC" => {
+            let word = value.unwrap_or_default().to_ascii_uppercase();
+            case.auto_spc = Some(match word.as_str() {
+                "YES" => true,
+                "NO" => false,
+                _ => return Err(wrong(command, "YES or NO")),
+            });
+        }
         "SUPORT1" => case.support = one()?,
         "METHOD" => case.method = one()?,
         "LABEL" | "SUBTITLE" => {

@@ -274,7 +274,8 @@ impl Reader {
         crate::geometry::check_grids(&self.deck)?;
         checks::corner_thicknesses(&self.deck, &self.thicknesses)?;
         checks::material_axes(&self.deck)?;
-        checks::monitor_names(&self.deck)?;
+        let same_name = checks::monitor_names(&self.deck);
+        self.deck.air_errors.extend(same_name);
         Ok(self.deck)
     }
 }

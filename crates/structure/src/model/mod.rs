@@ -69,7 +69,8 @@ impl Model {
     /// As [`Model::from_bulk`].
     pub fn from_deck(bulk: &BulkData, subcase: Option<u32>) -> Result<Self, InputError> {
         bulk.refuse_unread_undamped()?;
-        let mut model = Self::read(&*bulk.bounded(subcase)?, ShearModel::Equilibrium)?;
+        let bulk = &*bulk.bounded(subcase)?;
+        let mut model = Self::read(bulk, ShearModel::Equilibrium)?;
         let is_consistent = bulk.parameters.get("COUPMASS").is_some_and(|value| *value > 0.0);
         model.holds_loose = bulk.parameters.get("AUTOSPC") != Some(&0.0);
         model.mass_form = if is_consistent { MassForm::Consistent } else { MassForm::Lumped };
