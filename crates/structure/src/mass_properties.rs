@@ -30,9 +30,12 @@ impl MassProperties {
         let one = |element: &Arc<dyn Element>| {
             let dofs = element.dofs();
             let mass = mass_matrix(model, element, &dofs)?;
-            let rigid = DMatrix::from_fn(dofs.len(), 6, |i, j| match model.nodes[dofs[i] / 6].is_scalar {
-                true => 0.0,
-                false => rigid_entry(&points, &about, dofs[i], j),
+            let rigid = DMatrix::from_fn(dofs.len(), 6, |i, j| {
+                if model.nodes[dofs[i] / 6].is_scalar {
+                    0.0
+                } else {
+                    rigid_entry(&points, &about, dofs[i], j)
+                }
             });
             Some(Matrix6::from_fn(|i, j| (rigid.column(i).transpose() * &mass * rigid.column(j))[(0, 0)]))
         };

@@ -295,14 +295,7 @@ fn factorised(path: &Path, common: &Common) -> Result<(), Failure> {
     }
     let mut text = String::new();
     for subcase in subcases {
-        let system = (|| {
-            let model = Model::from_deck(&bulk, subcase)?;
-            if model.elements().next().is_none() {
-                return Err(InputError::in_file(path, "there is no structure: no element"));
-            }
-            System::assemble(&model)
-        })()
-        .map_err(|error: InputError| error.or_in(path))?;
+        let system = assembled(&bulk, subcase, path).map_err(|error| error.or_in(path))?;
         Flexibility::new(&system).map_err(Failure::computation)?;
         // Writing to a String cannot fail.
         let _ = writeln!(
@@ -314,6 +307,15 @@ fn factorised(path: &Path, common: &Common) -> Result<(), Failure> {
     }
     show::summary(common, &text);
     Ok(())
+}
+
+/// The structure of a deck under the boundary conditions of a subcase.
+fn assembled(bulk: &nastran::BulkData, subcase: Option<u32>, path: &Path) -> Result<System, InputError> {
+    let model = Model::from_deck(bulk, subcase)?;
+    if model.elements().next().is_none() {
+        return Err(InputError::in_file(path, "there is no structure: no element"));
+    }
+    System::assemble(&model)
 }
 
 fn table(rows: &[Row]) -> String {

@@ -17,7 +17,6 @@ pub struct EigenMethod {
 
 impl DeckCard for EigenMethod {
     numbered!();
-    variant!(|_card| 0);
     /// EIGRL: SID V1 V2 ND ...; EIGR: SID METHOD F1 F2 NE ND ... The lower end of the range is skipped: modes are found from the lowest on.
     fn read(card: &Card) -> Result<Vec<Self>, InputError> {
         let (highest, count) = if card.name == "EIGRL" { (2, 3) } else { (3, 5) };

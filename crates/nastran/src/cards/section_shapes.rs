@@ -140,7 +140,7 @@ fn cross(arms: f64, upright: f64, height: f64, thickness: f64) -> Option<Section
         return None;
     }
     let middle = Rectangle { y: 0.0, z: 0.0, height, width: upright };
-    let z = (upright + arms / 2.0) / 2.0;
+    let z = f64::midpoint(upright, arms / 2.0);
     let arm = Rectangle { y: 0.0, z, height: thickness, width: arms / 2.0 };
     let whole = of_rectangles(&[middle, arm, Rectangle { z: -z, ..arm }]);
     let j = (height * upright.powi(3) + arms * thickness.powi(3)) / 3.0;
@@ -164,7 +164,7 @@ fn uneven_box([width, height]: [f64; 2], lids: [f64; 2], sides: [f64; 2]) -> Opt
         side(sides[0] / 2.0, sides[0]),
         side(width - sides[1] / 2.0, sides[1]),
     ]);
-    let (across, up) = (width - (sides[0] + sides[1]) / 2.0, height - (lids[0] + lids[1]) / 2.0);
+    let (across, up) = (width - f64::midpoint(sides[0], sides[1]), height - f64::midpoint(lids[0], lids[1]));
     let way = across / lids[0] + across / lids[1] + up / sides[0] + up / sides[1];
     let j = 4.0 * (across * up).powi(2) / way;
     let shear_factors =

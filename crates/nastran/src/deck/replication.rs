@@ -75,8 +75,7 @@ fn changed(line: &Line, fields: &[String], rule: &[String]) -> Result<Vec<String
     let old = |at: usize| fields.get(at).map_or("", String::as_str);
     (0..count)
         .map(|at| match rule.get(at).map_or("", String::as_str) {
-            _ if at >= rest => Ok(old(at).to_owned()),
-            "=" => Ok(old(at).to_owned()),
+            text if at >= rest || text == "=" => Ok(old(at).to_owned()),
             step if step.starts_with('*') => {
                 let step = step[1..].trim_matches(['(', ')']);
                 sum(old(at), step).ok_or_else(|| {

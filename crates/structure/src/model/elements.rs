@@ -33,9 +33,10 @@ impl ElementCard for BeamElement {
         let local = springs::line_axes(&(grids[1] - grids[0]), Some(&orientation));
         let mut offsets = [Vector3::zeros(); 2];
         for (end, offset) in offsets.iter_mut().enumerate() {
-            let axes = match self.offt.is_element[end] {
-                true => local.ok_or_else(|| no_axes(&user, &self.span))?,
-                false => builder.nodes[nodes[end]].axes,
+            let axes = if self.offt.is_element[end] {
+                local.ok_or_else(|| no_axes(&user, &self.span))?
+            } else {
+                builder.nodes[nodes[end]].axes
             };
             *offset = axes * self.offsets[end];
         }
