@@ -37,6 +37,8 @@ enum Task {
     Trust(commands::trust::TrustArgs),
     /// Time of the main steps
     Bench(commands::bench::BenchArgs),
+    /// A folder of users' Nastran decks, each run as it asks, and a table of what became of them
+    Decks(commands::decks::DecksArgs),
     /// Check the house rules of the repository
     Tidy(commands::tidy::TidyArgs),
 }
@@ -49,6 +51,7 @@ impl Task {
             Self::Validate(_) => ("validate", Some("validate")),
             Self::Trust(_) => ("trust", Some("trust")),
             Self::Bench(_) => ("bench", Some("bench")),
+            Self::Decks(options) => ("decks", options.path.is_dir().then_some("decks")),
             Self::Tidy(_) => ("tidy", None),
         }
     }
@@ -59,6 +62,7 @@ impl Task {
             Self::Validate(options) => commands::validate::run(options, common),
             Self::Trust(options) => commands::trust::run(options, common),
             Self::Bench(options) => commands::bench::run(options, common),
+            Self::Decks(options) => commands::decks::run(options, common),
             Self::Tidy(options) => commands::tidy::run(options, common),
         }
     }
@@ -80,7 +84,7 @@ mod tests {
     #[test]
     fn the_command_line_is_consistent_and_has_every_command_of_the_program() {
         Cli::command().debug_assert();
-        for name in ["pipeline", "calibrate", "new", "tidy", "bench", "validate"] {
+        for name in ["pipeline", "calibrate", "new", "tidy", "bench", "validate", "decks"] {
             assert!(Cli::command().find_subcommand(name).is_some(), "{name}");
         }
     }

@@ -46,6 +46,7 @@ impl Lattice {
     /// a panel has no area, box numbers collide, or there are more than 50000 boxes or than fit into memory; the card
     /// is blamed.
     pub fn from_bulk(bulk: &BulkData) -> Result<Self, InputError> {
+        bulk.refuse_unread_air()?;
         let frames = Frames::resolve(bulk)?;
         let mut lattice = Self::default();
         for panel in bulk.panels.values() {

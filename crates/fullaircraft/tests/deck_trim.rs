@@ -1,6 +1,5 @@
 //! Trim of a user's deck beyond its published numbers: links, stations, divergence, plate splines, and refusals.
 
-use fullaircraft::deck::cases::select;
 use fullaircraft::{TrimDeck, deck_cases};
 use nastran::{BulkData, parse_deck};
 use std::path::Path;
@@ -28,9 +27,9 @@ fn subcases_of_the_deck_are_its_trims() {
     let cases = deck_cases(&bulk).unwrap();
     let trims: Vec<(u32, u32)> = cases.iter().map(|case| (case.subcase.id, case.trim.id)).collect();
     assert_eq!(trims, [(1, 1), (2, 2)]);
-    assert!(select(&bulk, &cases[0].subcase).is_ok());
+    assert!(bulk.in_subcase(&cases[0].subcase).is_ok());
     let gone = deck("", &[("SPC = 1", "SPC = 9")]);
-    let error = select(&gone, &deck_cases(&gone).unwrap()[0].subcase).unwrap_err();
+    let error = gone.in_subcase(&deck_cases(&gone).unwrap()[0].subcase).unwrap_err();
     assert!(error.to_string().contains("SPC 9"), "{error}");
     let gone = deck("", &[("TRIM = 2", "TRIM = 9")]);
     assert!(deck_cases(&gone).unwrap_err().to_string().contains("TRIM 9"));
@@ -142,4 +141,31 @@ fn a_plate_spline_follows_rigid_motions_and_refuses_grids_on_a_line() {
     let (line, _) = plate("SET1,700,97,98,99,100\n");
     let error = TrimDeck::new(&line, 0.9).unwrap_err();
     assert!(error.to_string().contains("do not determine a plate"), "{error}");
+}
+
+#[test]
+fn an_antisymmetric_trim_knows_neither_camber_nor_offsets_and_follows_the_roll_in_proportion() {
+    let change = [
+        ("SPC1,1,1246,90\n", "SPC1,1,12356,90\n"),
+        ("SPC1,1,246,97,98,99,100\n", "SPC1,1,135,97,98,99,100\n"),
+        ("SUPORT,90,35\n", "SUPORT,90,4\nAESTAT,601,ROLL\nAESTAT,602,URDD4\n"),
+    ];
+    let mut bulk = deck("", &change);
+    let symmetric = bulk.aero_reference.as_mut().expect("AEROS");
+    symmetric.symmetry = -1;
+    assert!(bulk.matrices.contains_key("W2GJ"), "the twist that must not count");
+    bulk.matrices.insert("FA2J".to_owned(), nastran::Dmi::column_vector("FA2J", vec![0.1; 40]));
+    let trim_deck = TrimDeck::new(&bulk, 0.9).unwrap();
+    let rolled = |roll: f64| {
+        let all = ["ANGLEA", "PITCH", "URDD3", "URDD5", "ELEV"].map(|label| (label.to_owned(), 0.0));
+        let fixed: Vec<_> = all.into_iter().chain([("ROLL".to_owned(), roll)]).collect();
+        trim_deck.trim(40.0, &fixed).unwrap().values["URDD4"]
+    };
+    assert!(
+        rolled(0.0).abs() < 1e-12 * rolled(0.1).abs(),
+        "nothing rolls an aircraft that does not roll: {}",
+        rolled(0.0)
+    );
+    near(rolled(0.2), 2.0 * rolled(0.1), 1e-9);
+    assert!(rolled(0.1) * rolled(-0.1) < 0.0 && rolled(0.1) != 0.0);
 }

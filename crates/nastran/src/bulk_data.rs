@@ -4,9 +4,9 @@ use crate::card::Card;
 use crate::cards::kind::{CardKind, Cards, DeckCard, Family};
 use crate::cards::{
     Aecomp, Aefact, Aelink, Aelist, Aeros, Aestat, Aesurf, BeamElement, BeamProperty, Caero1, Cbush, Conm1,
-    Conm2, Coord, Crod, Genel, Grid, Mat1, Mat2, Mat8, Mat9, MonitorPoint, Mpc, Paero1, Pbush, Pcomp, Prod,
-    Pshell, Psolid, Rbar, Rbe2, Rbe3, ScalarElement, ScalarProperty, Set1, SetUnion, ShellElement,
-    SolidElement, Spc1, SplineCard, Suport, Trim,
+    Conm2, Conrod, Coord, Crod, EigenMethod, Genel, Grid, Mat1, Mat2, Mat8, Mat9, MonitorPoint, Mpc, Paero1,
+    Pbush, Pcomp, Prod, Pshell, Psolid, Rbar, Rbe2, Rbe3, ScalarElement, ScalarProperty, Set1, SetUnion,
+    ShellElement, SolidElement, Spc1, SplineCard, Spoint, Suport, Trim,
 };
 use crate::deck::case_control::Subcase;
 use crate::dmi::Dmi;
@@ -27,6 +27,7 @@ pub(crate) struct Rest {
     pub(crate) parameters: BTreeMap<String, f64>,
     pub(crate) matrices: BTreeMap<String, Dmi>,
     pub(crate) subcases: Vec<Subcase>,
+    pub(crate) air_errors: Vec<InputError>,
     pub(crate) unknown: BTreeMap<String, Unread>,
 }
 
@@ -34,7 +35,7 @@ impl Rest {
     /// Puts it into a deck as it is.
     pub(crate) fn put(self, deck: &mut BulkData) {
         (deck.parameters, deck.matrices) = (self.parameters, self.matrices);
-        (deck.subcases, deck.unknown) = (self.subcases, self.unknown);
+        (deck.subcases, deck.air_errors, deck.unknown) = (self.subcases, self.air_errors, self.unknown);
     }
 }
 
@@ -65,6 +66,8 @@ macro_rules! kinds {
             pub matrices: BTreeMap<String, Dmi>,
             /// Subcases of the case control.
             pub subcases: Vec<Subcase>,
+            /// What is wrong with cards of the air, which a structure does without ([`BulkData::refuse_unread_air`]).
+            pub air_errors: Vec<InputError>,
             /// Cards that are not read, by name.
             pub unknown: BTreeMap<String, Unread>,
         }
@@ -76,7 +79,7 @@ macro_rules! kinds {
         impl BulkData {
             /// Shows all cards to a visitor.
             pub(crate) fn visit(&self, visitor: &mut impl Visitor) {
-                let Self { $($field,)* parameters: _, matrices: _, subcases: _, unknown: _ } = self;
+                let Self { $($field,)* parameters: _, matrices: _, subcases: _, air_errors: _, unknown: _ } = self;
                 $(visitor.cards(kind_of(stringify!($field)), $field);)*
             }
 
@@ -85,9 +88,9 @@ macro_rules! kinds {
             /// # Errors
             /// If a change fails, or the other deck has a card with the same number.
             pub(crate) fn pour(self, into: &mut Self, change: &mut impl Change) -> Result<Rest, InputError> {
-                let Self { $($field,)* parameters, matrices, subcases, unknown } = self;
+                let Self { $($field,)* parameters, matrices, subcases, air_errors, unknown } = self;
                 $(pour_kind(kind_of(stringify!($field)), $field, &mut into.$field, change)?;)*
-                Ok(Rest { parameters, matrices, subcases, unknown })
+                Ok(Rest { parameters, matrices, subcases, air_errors, unknown })
             }
 
             /// Keeps what a card says; false if cards of its name are not read.
@@ -107,6 +110,7 @@ macro_rules! kinds {
 kinds! {
     coords: BTreeMap<u32, Coord>, Own, ["CORD2R", "CORD2C", "CORD2S", "CORD1R", "CORD1C", "CORD1S"];
     grids: BTreeMap<u32, Grid>, Own, ["GRID"];
+    scalar_points: BTreeMap<u32, Spoint>, Own, ["SPOINT"];
     beams: BTreeMap<u32, BeamElement>, Element, ["CBAR", "CBEAM"];
     beam_properties: BTreeMap<u32, BeamProperty>, BeamProperty, ["PBAR", "PBEAM", "PBARL", "PBEAML"];
     materials: BTreeMap<u32, Mat1>, Material, ["MAT1"];
@@ -114,12 +118,13 @@ kinds! {
     rigid: BTreeMap<u32, Rbe2>, RigidElement, ["RBE2"];
     constraints: Vec<Spc1>, Own, ["SPC1", "SPC"];
     sets: BTreeMap<u32, Set1>, Own, ["SET1"];
-    shells: BTreeMap<u32, ShellElement>, Element, ["CQUAD4", "CTRIA3"];
+    shells: BTreeMap<u32, ShellElement>, Element, ["CQUAD4", "CTRIA3", "CQUADR", "CTRIAR"];
     solids: BTreeMap<u32, SolidElement>, Element, ["CHEXA", "CPENTA", "CTETRA"];
     rods: BTreeMap<u32, Crod>, Element, ["CROD"];
+    conrods: BTreeMap<u32, Conrod>, Element, ["CONROD"];
     bushes: BTreeMap<u32, Cbush>, Element, ["CBUSH"];
-    springs: BTreeMap<u32, ScalarElement>, Element, ["CELAS1", "CELAS2"];
-    scalar_masses: BTreeMap<u32, ScalarElement>, MassElement, ["CMASS1", "CMASS2"];
+    springs: BTreeMap<u32, ScalarElement>, Element, ["CELAS1", "CELAS2", "CELAS3", "CELAS4"];
+    scalar_masses: BTreeMap<u32, ScalarElement>, MassElement, ["CMASS1", "CMASS2", "CMASS3", "CMASS4"];
     general: BTreeMap<u32, Genel>, Element, ["GENEL"];
     mass_matrices: BTreeMap<u32, Conm1>, MassElement, ["CONM1"];
     rigid_bars: BTreeMap<u32, Rbar>, RigidElement, ["RBAR"];
@@ -149,7 +154,8 @@ kinds! {
     trims: BTreeMap<u32, Trim>, Own, ["TRIM"];
     aero_links: Vec<Aelink>, Own, ["AELINK"];
     aero_components: BTreeMap<String, Aecomp>, Own, ["AECOMP"];
-    supports: Vec<Suport>, Own, ["SUPORT"];
+    eigen_methods: BTreeMap<u32, EigenMethod>, Own, ["EIGRL", "EIGR"];
+    supports: Vec<Suport>, Own, ["SUPORT", "SUPORT1"];
 }
 
 /// The kind that a field holds.

@@ -33,10 +33,10 @@ impl BulkData {
         let mut mirror = Mirror { to_basic: &to_basic, boxes, strips: self.strips()? };
         let mut image = Self::default();
         let rest = self.clone().pour(&mut image, &mut mirror)?;
-        let Rest { parameters, mut matrices, subcases: _, unknown } = rest;
+        let Rest { parameters, mut matrices, subcases: _, air_errors, unknown } = rest;
         let incidence = matrices.remove("W2GJ").map(|matrix| carried(boxes, matrix));
         image.matrices.extend(incidence.map(|matrix| (matrix.name.clone(), matrix)));
-        (image.parameters, image.unknown) = (parameters, unknown);
+        (image.parameters, image.air_errors, image.unknown) = (parameters, air_errors, unknown);
         Ok(image)
     }
 

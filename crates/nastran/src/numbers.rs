@@ -101,7 +101,9 @@ impl BulkData {
     /// # Errors
     /// If both use a number for the same kind of card, or measure mass in different units (PARAM WTMASS).
     pub fn join(&mut self, other: Self) -> Result<(), InputError> {
-        let Rest { parameters, matrices, subcases: _, unknown: _ } = other.pour(self, &mut Keep)?;
+        let Rest { parameters, matrices, subcases: _, air_errors, unknown: _ } =
+            other.pour(self, &mut Keep)?;
+        self.air_errors.extend(air_errors);
         for (name, value) in parameters {
             let first = self.parameters.entry(name.clone()).or_insert(value);
             if name == "WTMASS" && *first != value {

@@ -1,6 +1,7 @@
 //! Nastran's real numbers: reading them, and the most precise text for one in a field of given width.
 //!
-//! A real has a decimal point; its exponent may come with `E`, `D` or only a sign (`1.5-3` is 0.0015).
+//! A real has a decimal point, or an exponent with a letter (`1E9`, which Nastran takes as well); an exponent may come with `E`,
+//! `D` or only a sign (`1.5-3` is 0.0015).
 
 /// The value of a Nastran real, or nothing if the text is not one or is not finite.
 pub fn parse(text: &str) -> Option<f64> {
@@ -9,7 +10,8 @@ pub fn parse(text: &str) -> Option<f64> {
     let end = unsigned.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(unsigned.len());
     let (mantissa, exponent) = unsigned.split_at(end);
     let digits = mantissa.bytes().filter(u8::is_ascii_digit).count();
-    if digits == 0 || mantissa.bytes().filter(|b| *b == b'.').count() != 1 {
+    let points = mantissa.bytes().filter(|b| *b == b'.').count();
+    if digits == 0 || points > 1 || (points == 0 && !exponent.starts_with(['e', 'E', 'd', 'D'])) {
         return None;
     }
     let letterless = exponent.strip_prefix(['e', 'E', 'd', 'D']).unwrap_or(exponent);

@@ -10,19 +10,17 @@ use crate::source::InputError;
 /// Elements, masses and rigid elements of the Quick Reference Guides of MSC, NX and NASTRAN-95 that are not read, and
 /// what is read in their place.
 const ELEMENTS: &[(&str, &str)] = &[
-    ("CTRIAR CTRIA6 CTRIA1 CTRIA2 CTRPLT CTRBSC CTRMEM CTRIM6 CTRPLT1 CTRSHL", "CTRIA3"),
-    ("CQUADR CQUAD8 CQUAD CQUAD1 CQUAD2 CQDPLT CQDMEM CQDMEM1 CQDMEM2", "CQUAD4"),
+    ("CTRIA6 CTRIA1 CTRIA2 CTRPLT CTRBSC CTRMEM CTRIM6 CTRPLT1 CTRSHL", "CTRIA3"),
+    ("CQUAD8 CQUAD CQUAD1 CQUAD2 CQDPLT CQDMEM CQDMEM1 CQDMEM2", "CQUAD4"),
     ("CSHEAR CTWIST", "CQUAD4 and CROD"),
     ("CIHEX1 CIHEX2 CIHEX3 CHEXA1 CHEXA2 CHEX8 CHEX20 CHEXPR CIFHEX", "CHEXA"),
     ("CWEDGE CPENPR CIFPENT", "CPENTA"),
     ("CTETPR CPYRAM CPYRA", "CTETRA and CPENTA"),
-    ("CONROD CTUBE", "CROD with PROD"),
+    ("CTUBE", "CROD with PROD or CONROD"),
     ("CBEND CBEAM3", "CBEAM"),
-    ("CELAS3 CELAS4", "CELAS1 or CELAS2 between grids"),
-    ("CMASS3 CMASS4", "CMASS1 or CMASS2 at grids"),
     ("CBUSH1D CBUSH2D CGAP CBEAR CROTORG", "CBUSH with the stiffness at the working point"),
     ("CWELD CFAST CSEAM", "CBUSH between RBE3"),
-    ("CDAMP1 CDAMP2 CDAMP3 CDAMP4 CDAMP5 CVISC", "a damping ratio of the modes"),
+    (DAMPERS, "a damping ratio of the modes"),
     (
         "CTRIAX CTRIAX6 CTRAX3 CTRAX6 CQUADX CQUADX4 CQUADX8 CCONEAX CTRIARG CTRAPRG CTRIAAX CTRAPAX CTORDRG",
         "a model in space",
@@ -35,6 +33,9 @@ const ELEMENTS: &[(&str, &str)] = &[
     ("RSPLINE CRSPLINE CRBE3 CRIGD3 RBE2GS", "RBE3 or MPC"),
 ];
 
+/// Dampers, which have no part in statics, natural modes and trims.
+const DAMPERS: &str = "CDAMP1 CDAMP2 CDAMP3 CDAMP4 CDAMP5 CVISC";
+
 impl BulkData {
     /// How many cards of which names are not read; nothing if all are.
     pub fn unread_cards(&self) -> Option<String> {
@@ -43,16 +44,36 @@ impl BulkData {
         (!list.is_empty()).then(|| list.join(", "))
     }
 
+    /// Refuses a deck whose cards of the air are wrong or not read as they stand.
+    ///
+    /// # Errors
+    /// If there is one: the first.
+    pub fn refuse_unread_air(&self) -> Result<(), InputError> {
+        self.air_errors.first().map_or(Ok(()), |error| Err(error.clone()))
+    }
+
     /// Refuses a deck with elements, masses or rigid elements that are not read.
     ///
     /// # Errors
     /// If there is one: with the names, how many of each, where the first of each stands, and what to write instead.
     pub fn refuse_unread_elements(&self) -> Result<(), InputError> {
-        let instead = |name: &str| {
-            ELEMENTS.iter().find(|(names, _)| names.split(' ').any(|one| one == name)).map(|row| row.1)
-        };
+        self.refuse_elements_but("")
+    }
+
+    /// As [`BulkData::refuse_unread_elements`], where damping counts for nothing (statics, natural modes, trims).
+    ///
+    /// # Errors
+    /// As [`BulkData::refuse_unread_elements`].
+    pub fn refuse_unread_undamped(&self) -> Result<(), InputError> {
+        self.refuse_elements_but(DAMPERS)
+    }
+
+    fn refuse_elements_but(&self, allowed: &str) -> Result<(), InputError> {
+        let is_in = |names: &str, name: &str| names.split(' ').any(|one| one == name);
+        let instead = |name: &str| ELEMENTS.iter().find(|(names, _)| is_in(names, name)).map(|row| row.1);
+        let unread = self.unknown.iter().filter(|(name, _)| !is_in(allowed, name));
         let mut left: Vec<(&String, &Unread, &str)> =
-            self.unknown.iter().filter_map(|(name, unread)| Some((name, unread, instead(name)?))).collect();
+            unread.filter_map(|(name, unread)| Some((name, unread, instead(name)?))).collect();
         left.sort_by_key(|(name, unread, _)| (std::cmp::Reverse(unread.count), *name));
         let Some((_, first, _)) = left.first() else { return Ok(()) };
         let list: Vec<String> = left
@@ -77,15 +98,22 @@ mod tests {
 
     #[test]
     fn an_element_that_is_not_read_stops_with_name_number_place_and_way_out() {
-        let deck = "PLOTEL,9,1,2\nGRID,1\nCTRIAR,1,1,1,2,3\nRBE1,7\nCTRIAR,2,1,1,2,4\n";
+        let deck = "PLOTEL,9,1,2\nGRID,1\nCTRIA6,1,1,1,2,3\nRBE1,7\nCTRIA6,2,1,1,2,4\n";
         let error =
-            parse_deck("wing.bdf", deck).expect("a deck").refuse_unread_elements().expect_err("CTRIAR");
+            parse_deck("wing.bdf", deck).expect("a deck").refuse_unread_elements().expect_err("CTRIA6");
         assert_eq!(
             error.to_string(),
-            "wing.bdf:3:1: the deck has 2 CTRIAR (from wing.bdf:3:1 on), 1 RBE1 (from wing.bdf:4:1 on): elements that \
+            "wing.bdf:3:1: the deck has 2 CTRIA6 (from wing.bdf:3:1 on), 1 RBE1 (from wing.bdf:4:1 on): elements that \
              are not read, and leaving them out would change stiffness, damping, mass or constraints (hint: write CTRIA3 for \
-             CTRIAR, RBE2 or MPC for RBE1, or take out what the model shall do without)"
+             CTRIA6, RBE2 or MPC for RBE1, or take out what the model shall do without)"
         );
+    }
+
+    #[test]
+    fn dampers_stop_only_where_damping_counts() {
+        let deck = parse_deck("wing.bdf", "CDAMP2,1,.5,1,3\n").expect("a deck");
+        assert!(deck.refuse_unread_elements().is_err());
+        assert_eq!(deck.refuse_unread_undamped(), Ok(()));
     }
 
     #[test]

@@ -54,6 +54,9 @@ impl Visitor for Text<'_> {
 
 fn parameter(name: &str, value: f64) -> String {
     let card = Fields::new("PARAM").text(name);
+    if name == "AUTOSPC" {
+        return card.text(if value == 0.0 { "NO" } else { "YES" }).write();
+    }
     let is_whole = value.fract() == 0.0 && value.abs() < 1e8 && !REAL_PARAMETERS.contains(&name);
     if is_whole { card.text(format!("{value:.0}")).write() } else { card.real(value).write() }
 }

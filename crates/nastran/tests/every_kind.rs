@@ -41,6 +41,8 @@ SPC,1,3,12
 SET1,70,1,2,3
 CQUAD4,80,90,1,2,3,4,30.
 CTRIA3,81,91,1,2,3,7
+CQUADR,74,90,1,2,3,4,30.
+CTRIAR,75,91,1,2,3,7
 GRID,4,,0.,1.,.25
 GRID,5,,2.,1.,.25
 GRID,6,,3.,1.,.25
@@ -51,6 +53,7 @@ CHEXA,82,92,1,2,3,4,5,6
 CPENTA,83,92,1,2,3,4,5,6
 CTETRA,84,92,1,2,3,4
 CROD,85,93,1,2
+CONROD,73,40,1,2,1.,2.
 CBUSH,86,94,1,2,0.,1.,.5
 ,.25,7,.1,.2,.3
 CELAS1,87,95,1,3,2,3
@@ -101,6 +104,14 @@ TRIM,1,.5,100.,URDD3,1.
 AELINK,ALWAYS,FLAP,ANGLEA,.5
 AECOMP,WING,AELIST,102
 SUPORT,1,35
+SUPORT1,4,2,35
+EIGRL,7,,,5
+EIGR,8,MGIV,,,,3
+SPOINT,98
+CELAS3,71,95,98
+CELAS4,72,4.5,98,99
+CMASS3,54,96,98
+CMASS4,55,2.5,98
 ";
 
 /// Boxes 1001 to 1004 in two strips of two; the strips count from the other side.
@@ -120,6 +131,7 @@ const NO_IMAGE: &[&str] = &[
     "aero_links",
     "aero_components",
     "supports",
+    "eigen_methods",
 ];
 /// Kinds that are read only.
 const NOT_WRITTEN: &[&str] = &[
@@ -131,6 +143,7 @@ const NOT_WRITTEN: &[&str] = &[
     "aero_links",
     "aero_components",
     "supports",
+    "eigen_methods",
 ];
 
 fn samples() -> BulkData {

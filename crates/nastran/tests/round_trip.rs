@@ -111,7 +111,8 @@ fn shells_and_solids(dice: &mut Dice, deck: &mut BulkData) {
             None => MaterialDirection::AngleDeg(angle),
         };
         let (property, grids, offset) = (dice.id(), dice.grids(corners), dice.real());
-        deck.shells.insert(id, ShellElement { id, property, grids, direction, offset, span: span() });
+        deck.shells
+            .insert(id, ShellElement { id, property, grids, direction, is_r: false, offset, span: span() });
     }
     for corners in [4, 6, 8] {
         let (id, property, grids) = (dice.id(), dice.id(), dice.grids(corners));

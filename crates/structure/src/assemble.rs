@@ -77,7 +77,8 @@ pub(crate) fn matrices(
 pub(crate) fn mass_matrix(model: &Model, element: &Arc<dyn Element>, dofs: &[usize]) -> Option<DMatrix<f64>> {
     let m = element.mass().map(std::borrow::Cow::into_owned)?;
     let is_lumped = model.mass_form == MassForm::Lumped && element.stiffness().is_some();
-    Some(if is_lumped { lumped(&m, dofs) } else { m } * model.mass_factor)
+    let m = if is_lumped { element.lumped_mass().unwrap_or_else(|| lumped(&m, dofs)) } else { m };
+    Some(m * model.mass_factor)
 }
 
 /// Each displacement keeps the sum of its row over displacements of the same component.

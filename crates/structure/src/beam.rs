@@ -42,6 +42,7 @@ pub struct Beam {
     axes: Matrix3<f64>,
     stiffness: DMatrix<f64>,
     mass: DMatrix<f64>,
+    lumped_mass: DMatrix<f64>,
 }
 
 impl Beam {
@@ -73,6 +74,7 @@ impl Beam {
             axes,
             stiffness: at_grids(&local, &to_local),
             mass: at_grids(&beam_mass::consistent(section, length_m), &to_local),
+            lumped_mass: at_grids(&beam_mass::lumped(section, length_m), &to_local),
         })
     }
 
@@ -99,6 +101,9 @@ impl Element for Beam {
     }
     fn mass(&self) -> Option<Cow<'_, DMatrix<f64>>> {
         Some(Cow::Borrowed(&self.mass))
+    }
+    fn lumped_mass(&self) -> Option<DMatrix<f64>> {
+        Some(self.lumped_mass.clone())
     }
 }
 

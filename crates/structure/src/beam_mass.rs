@@ -1,4 +1,4 @@
-//! Consistent mass of a beam element.
+//! Consistent and lumped mass of a beam element.
 //!
 //! M = int N^T m N dx with the Euler-Bernoulli shape functions (cubic bending, linear axial and twist) at the
 //! line on which the mass stands: material mass rho A on the neutral axis, non-structural mass on its own line.
@@ -30,6 +30,37 @@ pub(crate) fn consistent(section: Section, length: f64) -> Matrix12 {
         }
         let twisting = rho * (station.i1 + station.i2) + section.nsi(x);
         mass += shape.twist.transpose() * shape.twist * (twisting * dx);
+    }
+    mass
+}
+
+/// Mass as points at the ends, in element axes: each line's mass goes to the ends by its lever, where it stands off the axis with
+/// the inertia that it has there. A beam (PBEAM) also has its twisting inertia at the ends, a bar (PBAR) has none: what Nastran's
+/// lumped mass has.
+pub(crate) fn lumped(section: Section, length: f64) -> Matrix12 {
+    let mut mass = Matrix12::zeros();
+    for (x, weight) in section.quadrature() {
+        let station = section.at(x);
+        let dx = weight * length;
+        let rho = section.material.rho;
+        for (end, share) in [(0, 1.0 - x), (6, x)] {
+            for (per_length, offset) in
+                [(rho * station.area, section.neutral_axis(x)), (station.nsm, section.nsm_offset(x))]
+            {
+                let rows = [
+                    row(&[(end, 1.0), (end + 4, offset.y), (end + 5, -offset.x)]),
+                    row(&[(end + 1, 1.0), (end + 3, -offset.y)]),
+                    row(&[(end + 2, 1.0), (end + 3, offset.x)]),
+                ];
+                for row in rows {
+                    mass += row.transpose() * row * (per_length * dx * share);
+                }
+            }
+            if section.property.is_beam {
+                let twisting = rho * (station.i1 + station.i2) + section.nsi(x);
+                mass[(end + 3, end + 3)] += twisting * dx * share;
+            }
+        }
     }
     mass
 }

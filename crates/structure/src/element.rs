@@ -23,4 +23,9 @@ pub trait Element: Debug + Send + Sync {
     fn stiffness(&self) -> Option<Cow<'_, DMatrix<f64>>>;
     /// Mass over [`Element::dofs`], kg and kg m^2, symmetric; `None` if it has none.
     fn mass(&self) -> Option<Cow<'_, DMatrix<f64>>>;
+    /// Mass as points at its ends, if the element knows better than the sums of [`Element::mass`]'s rows: off the grids (offsets)
+    /// points have inertia about them.
+    fn lumped_mass(&self) -> Option<DMatrix<f64>> {
+        None
+    }
 }

@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod assemble;
+mod autospc;
 pub mod beam;
 mod beam_mass;
 mod blocks;

@@ -30,7 +30,13 @@ impl MassProperties {
         let one = |element: &Arc<dyn Element>| {
             let dofs = element.dofs();
             let mass = mass_matrix(model, element, &dofs)?;
-            let rigid = DMatrix::from_fn(dofs.len(), 6, |i, j| rigid_entry(&points, &about, dofs[i], j));
+            let rigid = DMatrix::from_fn(dofs.len(), 6, |i, j| {
+                if model.nodes[dofs[i] / 6].is_scalar {
+                    0.0
+                } else {
+                    rigid_entry(&points, &about, dofs[i], j)
+                }
+            });
             Some(Matrix6::from_fn(|i, j| (rigid.column(i).transpose() * &mass * rigid.column(j))[(0, 0)]))
         };
         let each: Vec<Option<Matrix6<f64>>> = model.elements.par_iter().map(one).collect();

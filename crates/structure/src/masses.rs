@@ -44,7 +44,7 @@ impl PointMass {
     /// From a card; `node` is the position of its grid, `point` the grid's place in the basic system.
     ///
     /// # Errors
-    /// If its coordinate system is not there, its mass is negative or its inertia is not that of a body.
+    /// If its coordinate system is not there, its mass is negative or its inertia no number.
     pub fn from_card(
         card: &Conm2,
         node: usize,
@@ -57,26 +57,32 @@ impl PointMass {
         }
         let [i11, i21, i22, i31, i32, i33] = card.inertia;
         let own = Matrix3::new(i11, -i21, -i31, -i21, i22, -i32, -i31, -i32, i33);
-        check_inertia(card, &own)?;
+        say_of_inertia(card, &own)?;
         let offset = card.offset;
         let Ok(cid) = u32::try_from(card.cid) else {
             // -1: the offset is the centre itself, in the basic system.
             return Ok(Self::new(card.id, node, card.mass, &(offset - point.coords), &own));
         };
-        let axes = frames.axes_at(cid, &card.span)?;
+        let axes = frames.axes_at_point(cid, point, &card.span)?;
         Ok(Self::new(card.id, node, card.mass, &(axes * offset), &(axes * own * axes.transpose())))
     }
 }
 
-/// A mass matrix with a negative direction has modes with a negative square of frequency: refused here, where
-/// the card is known.
-fn check_inertia(card: &Conm2, inertia: &Matrix3<f64>) -> Result<(), InputError> {
+/// An inertia that no body has is computed with and said, as Nastran does: what several cards or a rigid element sum up to may
+/// well be a body's.
+fn say_of_inertia(card: &Conm2, inertia: &Matrix3<f64>) -> Result<(), InputError> {
+    if !inertia.norm().is_finite() {
+        let message = format!("CONM2 {}: its inertia is beyond floating-point numbers", card.id);
+        return Err(InputError::at(&card.span, message).with_help("look for an exponent too many"));
+    }
     let least = inertia.symmetric_eigenvalues().min();
-    if least < -1e-9 * inertia.norm() || !inertia.norm().is_finite() {
-        let message = format!("CONM2 {}: its inertia has the negative principal value {least:.3e}", card.id);
-        let help =
-            "I11, I22, I33 are about the centre of gravity, not the grid; products are positive integrals";
-        return Err(InputError::at(&card.span, message).with_help(help));
+    if least < -1e-9 * inertia.norm() {
+        tracing::warn!(
+            "{}: CONM2 {} has an inertia with the negative principal value {least:.3e}, which no body has; I11, I22, I33 are about \
+             the centre of gravity, not the grid, and I21, I31, I32 are positive integrals",
+            card.span,
+            card.id
+        );
     }
     Ok(())
 }

@@ -1,6 +1,7 @@
 //! The assembled structure: sparse stiffness and mass, and the way between all motions and the free ones.
 
 use crate::assemble::{self, Assembled};
+use crate::autospc;
 use crate::dofs::{DofMap, Sets};
 use crate::factor::{self, Analysis};
 use crate::model::Model;
@@ -20,6 +21,8 @@ use std::sync::{Arc, OnceLock};
 pub struct System {
     ids: Vec<u32>,
     points: Vec<Point3<f64>>,
+    /// Scalar points, which no rigid motion of the whole moves.
+    scalar: Vec<usize>,
     dofs: DofMap,
     k_gg: Arc<Sparse>,
     m_gg: Arc<Sparse>,
@@ -27,6 +30,8 @@ pub struct System {
     m_ff: Sparse,
     /// Nodes whose displacements no element touches.
     unattached: Vec<usize>,
+    /// Motions held because they have no stiffness.
+    auto_held: Vec<(u32, u8)>,
     /// Made when something is factorised for the first time.
     analysis: OnceLock<Arc<Analysis>>,
 }
@@ -65,9 +70,21 @@ impl System {
         let Assembled { k_gg, m_gg, k_ff, m_ff } = assemble::assembled(model, &dofs, factors);
         let ids = model.nodes.iter().map(|node| node.id).collect();
         let points = model.nodes.iter().map(|node| node.point).collect();
+        let scalar = (0..model.nodes.len()).filter(|node| model.nodes[*node].is_scalar).collect();
         let (k_gg, m_gg) = (Arc::new(k_gg), Arc::new(m_gg));
-        let system =
-            Self { ids, points, dofs, k_gg, m_gg, k_ff, m_ff, unattached, analysis: OnceLock::new() };
+        let system = Self {
+            ids,
+            points,
+            scalar,
+            dofs,
+            k_gg,
+            m_gg,
+            k_ff,
+            m_ff,
+            unattached,
+            auto_held: Vec::new(),
+            analysis: OnceLock::new(),
+        };
         tracing::debug!(
             nodes = system.ids.len(),
             free = system.free_count(),
@@ -79,7 +96,18 @@ impl System {
             let help = "look for an offset, mass or coordinate many orders of magnitude off";
             return Err(InputError::general(message).with_help(help));
         }
-        Ok(system)
+        Ok(if model.holds_loose { system.without_loose() } else { system })
+    }
+
+    /// With the motions held that have no stiffness at their grid.
+    fn without_loose(self) -> Self {
+        let loose = autospc::without_stiffness(&self.k_ff, &self.dofs.free);
+        if loose.is_empty() {
+            return self;
+        }
+        let kept: Vec<usize> = (0..self.free_count()).filter(|at| loose.binary_search(at).is_err()).collect();
+        let auto_held = loose.iter().map(|at| self.name(*at)).collect();
+        Self { auto_held, ..self.restricted(&kept) }
     }
 
     /// A structure given by its matrices: nodes `ids` in ascending order at `points`, g-set stiffness and mass
@@ -120,12 +148,14 @@ impl System {
         let system = Self {
             ids,
             points,
+            scalar: Vec::new(),
             dofs,
             k_gg,
             m_gg,
             k_ff,
             m_ff,
             unattached: Vec::new(),
+            auto_held: Vec::new(),
             analysis: OnceLock::new(),
         };
         assert!(system.is_finite(), "stiffness and mass are finite numbers");
@@ -140,6 +170,11 @@ impl System {
     pub fn clamped_at(&self, node: usize) -> Self {
         assert!(node < self.ids.len(), "the structure has the node");
         let kept: Vec<usize> = (0..self.free_count()).filter(|at| self.dofs.free[*at] / 6 != node).collect();
+        self.restricted(&kept)
+    }
+
+    /// The same structure with only some of its free motions, ascending.
+    fn restricted(&self, kept: &[usize]) -> Self {
         let mut place = vec![None; self.free_count()];
         kept.iter().enumerate().for_each(|(new, old)| place[*old] = Some(new));
         let row = |row: &Vec<(usize, f64)>| {
@@ -152,12 +187,14 @@ impl System {
         Self {
             ids: self.ids.clone(),
             points: self.points.clone(),
+            scalar: self.scalar.clone(),
             dofs,
             k_gg: Arc::clone(&self.k_gg),
             m_gg: Arc::clone(&self.m_gg),
-            k_ff: sparse::block(self.k_ff.as_ref(), &kept),
-            m_ff: sparse::block(self.m_ff.as_ref(), &kept),
+            k_ff: sparse::block(self.k_ff.as_ref(), kept),
+            m_ff: sparse::block(self.m_ff.as_ref(), kept),
             unattached: self.unattached.clone(),
+            auto_held: self.auto_held.clone(),
             analysis: OnceLock::new(),
         }
     }
@@ -191,6 +228,11 @@ impl System {
     /// Whether an element holds a node, or it follows others; a load on a node that nothing holds has no effect.
     pub fn is_attached(&self, node: usize) -> bool {
         self.unattached.binary_search(&node).is_err()
+    }
+
+    /// Grid and component of the motions that were held because they have no stiffness at their grid (AUTOSPC).
+    pub fn auto_held(&self) -> &[(u32, u8)] {
+        &self.auto_held
     }
 
     /// Places of the nodes in the basic system, m.
@@ -283,6 +325,9 @@ impl System {
                 rigid[(6 * node + next, 3 + axis)] = -arm[last];
                 rigid[(6 * node + last, 3 + axis)] = arm[next];
             }
+        }
+        for node in &self.scalar {
+            (0..36).for_each(|at| rigid[(6 * node + at / 6, at % 6)] = 0.0);
         }
         rigid
     }

@@ -133,16 +133,10 @@ fn a_grid_that_nothing_touches_is_held_and_known() {
 }
 
 #[test]
-fn an_inertia_that_no_body_has_is_refused() {
+fn a_negative_mass_is_refused_and_an_inertia_that_no_body_has_only_said_as_nastran_does() {
     let body = |inertia: &str| message(&format!("GRID,1,,0.,0.,0.\nCONM2,5,1,,1.0\n,{inertia}\n"));
-    // a negative moment; moments whose product of inertia is larger than both allow: 0.1 - 0.3
-    for (inertia, least) in [("-.2,,.1,,,.1", "-2.000e-1"), (".1,.3,.1,,,.1", "-2.000e-1")] {
-        let expected =
-            format!("wing.bdf:2:1: CONM2 5: its inertia has the negative principal value {least} (hint: ");
-        assert!(body(inertia).starts_with(&expected), "{}", body(inertia));
-    }
-    // a thin rod has none about its own axis
-    assert_eq!(body("0.,,.1,,,.1"), "accepted");
+    assert_eq!(body("0.,,.1,,,.1"), "accepted", "a thin rod has none about its own axis");
+    assert_eq!(body("-.2,,.1,,,.1"), "accepted", "computed with, as several cards may sum up to a body");
     let negative = message("GRID,1,,0.,0.,0.\nCONM2,5,1,,-1.0\n");
     assert!(negative.starts_with("wing.bdf:2:1: CONM2 5 has the negative mass -1"), "{negative}");
 }

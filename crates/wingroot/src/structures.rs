@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use coupling::{Mount, WingFile};
 use nastran::{BulkData, InputError};
-use structure::{Model, System};
+use structure::{MassForm, Model, System};
 
 use crate::failure::Failure;
 use crate::{paths, show};
@@ -30,6 +30,14 @@ impl Structure {
     /// # Errors
     /// If a file is wrong, or there is no structure in it.
     pub fn read(wing: Option<&Path>, deck: Option<&Path>) -> Result<Self, Failure> {
+        Self::read_in(wing, deck, None)
+    }
+
+    /// As [`Structure::read`], a deck under the boundary conditions of a subcase.
+    ///
+    /// # Errors
+    /// As [`Structure::read`]; if a deck's subcases differ in boundary conditions and none is named.
+    pub fn read_in(wing: Option<&Path>, deck: Option<&Path>, subcase: Option<u32>) -> Result<Self, Failure> {
         let (name, path, bulk) = if let Some(deck) = deck {
             let name = deck.file_name().map(|name| name.to_string_lossy().into_owned());
             (name.unwrap_or_default(), deck.to_path_buf(), nastran::read_deck(deck)?)
@@ -46,12 +54,62 @@ impl Structure {
         if let Some(cards) = bulk.unread_cards() {
             show::note(&format!("cards that are not read: {cards}"));
         }
-        let model = Model::from_bulk(&bulk).map_err(|error| error.or_in(&path))?;
+        let model = if deck.is_some() { Model::from_deck(&bulk, subcase) } else { Model::from_bulk(&bulk) };
+        let model = model.map_err(|error| error.or_in(&path))?;
         if model.elements().next().is_none() {
             let error = InputError::in_file(&path, "there is no structure: no element");
             return Err(error.with_help("a structure has beams, shells, springs or masses").into());
         }
         let system = System::assemble(&model).map_err(|error| error.or_in(&path))?;
+        if deck.is_some() {
+            say_what_was_assumed(&bulk, &model, &system);
+        }
         Ok(Self { name, path, bulk, model, system })
+    }
+}
+
+/// What a deck leaves to its reader, as it was read.
+fn say_what_was_assumed(bulk: &BulkData, model: &Model, system: &System) {
+    /// How many motions are named.
+    const SHOWN: usize = 8;
+    show::note(match model.mass_form {
+        MassForm::Lumped => {
+            "masses of elements are lumped, Nastran's default (PARAM,COUPMASS,1 makes them consistent)"
+        }
+        MassForm::Consistent => "masses of elements are consistent, as PARAM COUPMASS says",
+    });
+    if bulk.shells.values().any(|shell| shell.is_r) {
+        show::note(
+            "CQUADR and CTRIAR are computed as CQUAD4 and CTRIA3, which are stiffer in their plane: frequencies may be some per cent too high",
+        );
+    }
+    bulk.remarks().iter().for_each(|remark| show::note(remark));
+    if let Some(first) = bulk.air_errors.first() {
+        show::note(&format!(
+            "cards of the air are left aside, {} of them not read as they stand, the first: {first}",
+            bulk.air_errors.len()
+        ));
+    }
+    let held = system.auto_held();
+    if !held.is_empty() {
+        let named: Vec<String> = held
+            .iter()
+            .take(SHOWN)
+            .map(|(grid, component)| format!("GRID {grid} component {component}"))
+            .collect();
+        let more = held.len().saturating_sub(SHOWN);
+        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+        let (count, named) = (held.len(), named.join(", "));
+        show::note(&format!("AUTOSPC holds {count} motion(s) without stiffness: {named}{more}"));
+    }
+    let reduced: Vec<&str> = ["ASET", "ASET1", "OMIT", "OMIT1"]
+        .into_iter()
+        .filter(|name| bulk.unknown.contains_key(*name))
+        .collect();
+    if !reduced.is_empty() {
+        show::note(&format!(
+            "{} are not followed: modes are those of all motions, without reduction",
+            reduced.join(", ")
+        ));
     }
 }

@@ -86,8 +86,17 @@ fn bending_beam(elements: u32, clamped: bool) -> BulkData {
         let orientation = Orientation::Vector([0.0, 0.0, 1.0].into());
         let (pins, offsets) = ([Vec::new(), Vec::new()], [[0.0; 3].into(); 2]);
         let grids = [id, id + 1];
-        let beam =
-            BeamElement { id, property: 1, grids, orientation, pins, offsets, is_beam: false, span: span() };
+        let beam = BeamElement {
+            id,
+            property: 1,
+            grids,
+            orientation,
+            pins,
+            offsets,
+            offt: nastran::Offt::default(),
+            is_beam: false,
+            span: span(),
+        };
         bulk.beams.insert(id, beam);
     }
     let station = BeamStation { x_over_l: 0.0, area: 1.0, i1: 1.0, i2: 1.0, i12: 0.0, j: 1.0, nsm: 1.0 };
@@ -104,9 +113,21 @@ fn bending_beam(elements: u32, clamped: bool) -> BulkData {
     };
     bulk.beam_properties.insert(1, property);
     bulk.materials.insert(1, Mat1 { id: 1, e: 1.0, g: 1.0, nu: 0.0, rho: 0.0, span: span() });
-    bulk.constraints.push(Spc1 { set: 1, components: vec![1, 2, 4, 6], grids: all, span: span() });
+    bulk.constraints.push(Spc1 {
+        set: 1,
+        components: vec![1, 2, 4, 6],
+        grids: all,
+        enforced: 0.0,
+        span: span(),
+    });
     if clamped {
-        bulk.constraints.push(Spc1 { set: 1, components: vec![3, 5], grids: vec![1], span: span() });
+        bulk.constraints.push(Spc1 {
+            set: 1,
+            components: vec![3, 5],
+            grids: vec![1],
+            enforced: 0.0,
+            span: span(),
+        });
     }
     bulk
 }
@@ -150,7 +171,13 @@ pub(super) fn bah_system(inputs: &Value) -> System {
     bulk.springs.insert(81, scalar(81, 5_142_671.0, [Some((12, 5)), None]));
     bulk.scalar_masses
         .insert(82, ScalarElement { is_mass: true, ..scalar(82, 13_967.2, [Some((12, 5)), None]) });
-    bulk.constraints.push(Spc1 { set: 1, components: vec![4, 5], grids: vec![11], span: span() });
+    bulk.constraints.push(Spc1 {
+        set: 1,
+        components: vec![4, 5],
+        grids: vec![11],
+        enforced: 0.0,
+        span: span(),
+    });
     System::assemble(&Model::from_bulk(&bulk).expect("the wing")).expect("the wing")
 }
 
@@ -203,7 +230,7 @@ pub(super) fn bah_structure(inputs: &Value) -> BulkData {
     bulk.mass_matrices.insert(90, Conm1 { id: 90, grid: 11, cid: 0, mass, span: span() });
     let terms = vec![((12, 3), 1.0), ((8, 3), -1.5), ((7, 3), 0.5), ((12, 5), -33.25)];
     bulk.equations.push(Mpc { set: 1, terms, span: span() });
-    bulk.constraints.push(Spc1 { set: 1, components: vec![6], grids: vec![11], span: span() });
+    bulk.constraints.push(Spc1 { set: 1, components: vec![6], grids: vec![11], enforced: 0.0, span: span() });
     bulk.parameters.insert("WTMASS".into(), 0.002_590_7);
     bulk
 }

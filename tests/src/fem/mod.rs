@@ -75,9 +75,10 @@ impl Mesh {
     /// Adds a quadrilateral (or triangle) of property 1.
     pub fn add_shell(&mut self, id: u32, grids: Vec<u32>) {
         let direction = MaterialDirection::AngleDeg(0.0);
-        self.bulk
-            .shells
-            .insert(id, ShellElement { id, property: 1, grids, direction, offset: 0.0, span: span() });
+        self.bulk.shells.insert(
+            id,
+            ShellElement { id, property: 1, grids, direction, is_r: false, offset: 0.0, span: span() },
+        );
     }
 
     /// Number of the grid in column `i` and row `j`.
@@ -114,7 +115,13 @@ impl Mesh {
         for i in 0..=self.nx {
             grids.extend((0..=self.ny).filter(|j| chosen(i, *j)).map(|j| self.id(i, j)));
         }
-        self.bulk.constraints.push(Spc1 { set: 1, components: components.to_vec(), grids, span: span() });
+        self.bulk.constraints.push(Spc1 {
+            set: 1,
+            components: components.to_vec(),
+            grids,
+            enforced: 0.0,
+            span: span(),
+        });
         self
     }
 

@@ -9,6 +9,7 @@ mod bench_dlm;
 mod bench_general;
 mod bench_structure;
 mod bench_trim;
+pub(crate) mod decks;
 pub(crate) mod tidy;
 pub(crate) mod trust;
 mod trust_campaign;

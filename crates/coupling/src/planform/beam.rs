@@ -153,7 +153,13 @@ impl Axis<'_> {
         bulk.sets.insert(ROOT_SET, Set1 { id: ROOT_SET, ids: root.clone(), span: self.span.clone() });
         if mount == Mount::Tunnel {
             let components = vec![1, 2, 3, 4, 5, 6];
-            bulk.constraints.push(Spc1 { set: 1, components, grids: root, span: self.span.clone() });
+            bulk.constraints.push(Spc1 {
+                set: 1,
+                components,
+                grids: root,
+                enforced: 0.0,
+                span: self.span.clone(),
+            });
         }
     }
 }

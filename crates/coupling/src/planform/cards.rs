@@ -73,6 +73,7 @@ pub fn add_beam(
         orientation: Orientation::Vector(orientation),
         pins: [Vec::new(), Vec::new()],
         offsets: [Vector3::zeros(); 2],
+        offt: nastran::Offt::default(),
         is_beam: true,
         span: span.clone(),
     };

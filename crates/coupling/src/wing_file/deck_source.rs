@@ -23,7 +23,10 @@ pub struct DeckSource {
 impl DeckSource {
     /// The deck as it is for the tunnel; without constraints, monitor points and fairing for an aircraft.
     pub(super) fn bulk(&self, folder: &Path, mount: Mount) -> Result<BulkData, InputError> {
-        let mut bulk = read_deck(&folder.join(&self.file))?;
+        let path = folder.join(&self.file);
+        let deck = read_deck(&path)?;
+        deck.refuse_unread_air()?;
+        let mut bulk = deck.bounded(None).map_err(|error| error.or_in(&path))?.into_owned();
         if mount == Mount::Aircraft {
             self.remove_fairing_incidence(&mut bulk);
             bulk.panels.retain(|id, _| !self.fairing_panels.contains(id));

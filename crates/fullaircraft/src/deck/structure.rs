@@ -11,17 +11,20 @@ use structure::{Flexibility, Model, System};
 
 /// The deck's structure.
 pub(crate) fn assembled(bulk: &BulkData) -> Result<System, InputError> {
-    System::assemble(&Model::from_bulk(bulk)?)
+    System::assemble(&Model::from_deck(bulk, None)?)
 }
 
 /// The structure clamped at its SUPORT motions.
 pub(crate) fn held(bulk: &BulkData) -> Result<System, InputError> {
     let mut bulk = bulk.clone();
+    // One more card of a set that applies.
+    let set = bulk.constraints.first().map_or(1, |card| card.set);
     for support in &bulk.supports {
         let clamp = Spc1 {
-            set: 1,
+            set,
             components: support.components.clone(),
             grids: vec![support.grid],
+            enforced: 0.0,
             span: support.span.clone(),
         };
         bulk.constraints.push(clamp);

@@ -7,8 +7,9 @@
 //! F is the flexibility held at the SUPORT motions (restrained); with inertia relief in mean axes it is `R F Rᵀ`,
 //! `R = 1 - D (Dᵀ M D)^-1 Dᵀ M` (unrestrained). Trim angles are those of the SUPORT grid. Source: MSC.Nastran Aeroelastic
 //! Analysis User's Guide, chapter 2, quasi-steady static aeroelasticity.
-//! All SPC and SPC1 of the [`BulkData`] apply: see [`select`](crate::deck::cases::select) for what a subcase selects. DMI WKK and FA2J of the deck are applied:
-//! their factors in S, their offsets as loads that are always there, as camber is.
+//! [`BulkData::in_subcase`] gives the deck as a subcase selects it. DMI WKK and FA2J of the deck are applied:
+//! their factors in S, their offsets as loads that are always there, as camber is. An antisymmetric subcase has neither camber nor
+//! offsets: both are the same on the two halves.
 
 use crate::deck::cases::refuse_unread;
 use crate::deck::monitors::{Monitor, monitors};
@@ -16,7 +17,7 @@ use crate::deck::spline;
 use crate::deck::structure::{
     Reduced, assembled, box_displacements, corrections, held, reference_motions, support_motions,
 };
-use crate::deck::variables::{Links, variables};
+use crate::deck::variables::{ANTISYMMETRIC, Links, variables};
 use crate::error::AircraftError;
 use crate::trim::balance::Balance;
 use aero::{Corrections, Integration, Lattice, MirrorPlane, SteadyAero};
@@ -122,8 +123,12 @@ impl TrimDeck {
         let motion = box_displacements(&spline, &s_dofs);
         let theta = Mat::from_fn(lattice.len(), s_dofs.len(), |j, dof| motion[(2 * j + 1, dof)]);
         let loads = integration.corrected(&corrections);
-        let (gather, offset) =
-            (loads.rows_by_pressure(motion.transpose()), loads.offset_weighed(motion.transpose()));
+        let gather = loads.rows_by_pressure(motion.transpose());
+        // Pressures that are always there are the same on both halves, as camber is.
+        let offset = match aeros.symmetry {
+            ANTISYMMETRIC => vec![0.0; gather.nrows()],
+            _ => loads.offset_weighed(motion.transpose()),
+        };
         // one factorisation of the influence coefficients for all dynamic pressures
         let aero = SteadyAero::new(&lattice, mirror_plane(&aeros), mach)?;
         let (cp_variables, cp_displacement) =
@@ -295,7 +300,7 @@ fn divergence(flexibility: &Mat<f64>, stiffness: &Mat<f64>) -> Result<Vec<f64>, 
 fn mirror_plane(aeros: &Aeros) -> MirrorPlane {
     match aeros.symmetry {
         1 => MirrorPlane::Symmetric { y_m: 0.0 },
-        -1 => MirrorPlane::Antisymmetric { y_m: 0.0 },
+        ANTISYMMETRIC => MirrorPlane::Antisymmetric { y_m: 0.0 },
         _ => MirrorPlane::None,
     }
 }

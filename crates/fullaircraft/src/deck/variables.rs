@@ -5,6 +5,9 @@ use faer::Mat;
 use nalgebra::{Point3, Vector3};
 use nastran::{Aeros, BulkData, InputError};
 
+/// SYMXZ of an antisymmetric flow.
+pub(crate) const ANTISYMMETRIC: i32 = -1;
+
 /// Names, incidence, and which acceleration each variable is.
 pub(crate) type Variables = (Vec<String>, Mat<f64>, Vec<Option<usize>>);
 
@@ -16,7 +19,12 @@ pub(crate) fn variables(
     origin: &Point3<f64>,
 ) -> Result<Variables, InputError> {
     let n = lattice.len();
-    let mut all = vec![("INTERCEPT".to_owned(), camber_and_twist(bulk, lattice)?, None)];
+    let mut camber = camber_and_twist(bulk, lattice)?;
+    // Both halves of an aircraft have the same camber and twist: nothing of it is antisymmetric.
+    if aeros.symmetry == ANTISYMMETRIC {
+        camber.fill(0.0);
+    }
+    let mut all = vec![("INTERCEPT".to_owned(), camber, None)];
     let rate =
         |axis: Vector3<f64>, length: f64| incidence::rotation_rate(lattice, &axis, origin, length / 2.0);
     for card in bulk.trim_variables.values() {

@@ -110,7 +110,7 @@ impl<'a> Columns<'a> {
         let width = if head.text().contains('*') { 16 } else { 8 };
         let data = (8..72).step_by(width).map(|start| self.field(start..start + width)).collect();
         let tail = self.field(72..80).text().to_owned();
-        let tail = tail.strip_prefix(['+', '*']).unwrap_or("").to_owned();
+        let tail = tail.strip_prefix(['+', '*']).unwrap_or("").trim().to_owned();
         Line { head, data, tail, is_free: false }
     }
 
@@ -136,7 +136,7 @@ impl<'a> Columns<'a> {
                 InputError::at(&surplus.span, message).with_help("go on in a line that starts with a comma")
             );
         }
-        let tail = tail.get(1..).unwrap_or("").to_owned();
+        let tail = tail.get(1..).unwrap_or("").trim().to_owned();
         let beyond = self.characters.len();
         data.resize_with(count, || self.field(beyond..beyond));
         Ok(Line { head, data, tail, is_free: true })

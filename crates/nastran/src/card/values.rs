@@ -81,10 +81,10 @@ impl Card {
         ]))
     }
 
-    /// Component digits 1 to 6 in ascending order, each once; empty or `0` gives none.
+    /// Component digits 1 to 6 in ascending order, each once; empty or `0` gives none. Blanks between them say nothing.
     pub(crate) fn components(&self, index: usize, what: &str) -> Result<Vec<u8>, InputError> {
-        let text = self.text(index);
-        let mut digits: Vec<u8> = text.bytes().filter(|b| *b != b'0').map(|b| b.wrapping_sub(b'0')).collect();
+        let said = self.text(index).bytes().filter(|b| !matches!(b, b'0' | b' '));
+        let mut digits: Vec<u8> = said.map(|b| b.wrapping_sub(b'0')).collect();
         digits.sort_unstable();
         let twice = digits.windows(2).any(|pair| pair[0] == pair[1]);
         if twice || digits.iter().any(|digit| !(1..=6).contains(digit)) {
@@ -131,14 +131,12 @@ impl Card {
         Ok(digits)
     }
 
-    /// A grid and one component digit in the next field.
+    /// A grid and one component digit in the next field; 0 or nothing there means a scalar point.
     pub(crate) fn motion(&self, index: usize, grid: &str, digit: &str) -> Result<Motion, InputError> {
         let id = self.id(index, grid)?;
         match self.components(index + 1, digit)?.as_slice() {
             [one] => Ok((id, *one)),
-            [] => Err(self
-                .error(index + 1, format!("{} has no component in field {digit} for {id}", self.name))
-                .with_help("give one digit from 1 to 6; scalar points are not read")),
+            [] => Ok((id, 0)),
             _ => Err(self.wrong(index + 1, digit, "one digit from 1 to 6")),
         }
     }
@@ -187,12 +185,17 @@ impl Card {
         Err(self.wrong(index, what, &format!("empty or {}, the only ones that are read", words.join(", "))))
     }
 
-    /// PARAM: name and value; nothing if the value is no number, or complex.
+    /// PARAM: name and value (of AUTOSPC 1 for YES and 0 for NO); nothing if the value is no number, or complex.
     pub(crate) fn parameter(&self) -> Result<Option<(String, f64)>, InputError> {
         let name = self.name_at(0, "N")?;
         let text = self.text(1);
         if text.is_empty() {
             return Err(self.empty(1, "V1", "a value"));
+        }
+        // Kept as a number, as the others are.
+        let is_switch = name == "AUTOSPC" && ["YES", "NO"].iter().any(|word| text.eq_ignore_ascii_case(word));
+        if is_switch {
+            return Ok(Some((name, f64::from(u8::from(text.eq_ignore_ascii_case("YES"))))));
         }
         let whole = text.parse::<i32>().ok().map(f64::from);
         let Some(value) = whole.or_else(|| real::parse(text)) else {

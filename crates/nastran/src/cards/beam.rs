@@ -12,16 +12,53 @@ pub struct BeamElement {
     pub property: u32,
     /// End grids A and B.
     pub grids: [u32; 2],
-    /// Orientation: a vector in end A's displacement system, or a grid.
+    /// Orientation: a vector in end A's displacement system unless `offt` says otherwise, or a grid.
     pub orientation: Orientation,
     /// Pin flags at ends A and B, digits 1 to 6.
     pub pins: [Vec<u8>; 2],
-    /// Offset vectors from grid to element end, in the grids' displacement systems.
+    /// Offset vectors from grid to element end, in the grids' displacement systems unless `offt` says otherwise.
     pub offsets: [Vector3<f64>; 2],
+    /// What axes orientation and offset vectors are given in.
+    pub offt: Offt,
     /// True for CBEAM, false for CBAR.
     pub is_beam: bool,
     /// Where the card stands.
     pub span: Span,
+}
+
+/// OFFT: in what axes the vectors of a bar or beam are given; by default all in displacement systems (GGG).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Offt {
+    /// The orientation vector is in the basic system (B).
+    pub is_basic: bool,
+    /// The offset vector at each end is in element axes, x from grid A to grid B (O).
+    pub is_element: [bool; 2],
+}
+
+impl Offt {
+    /// Three letters, or the 1 (vector) and 2 (grid) of old decks, which say nothing that the fields before do not.
+    fn read(card: &Card) -> Result<Self, InputError> {
+        let text = card.text(7).to_ascii_uppercase();
+        if matches!(text.as_str(), "" | "0" | "1" | "2") {
+            return Ok(Self::default());
+        }
+        match text.as_bytes() {
+            [vector @ (b'G' | b'B'), a @ (b'G' | b'O'), b @ (b'G' | b'O')] => {
+                Ok(Self { is_basic: *vector == b'B', is_element: [*a == b'O', *b == b'O'] })
+            }
+            _ => Err(card.wrong(7, "OFFT", "G or B and twice G or O, such as GGG or BOO")),
+        }
+    }
+
+    /// Its letters; empty for the default.
+    fn write(self) -> String {
+        if self == Self::default() {
+            return String::new();
+        }
+        let letter = |is_element: bool| if is_element { 'O' } else { 'G' };
+        let vector = if self.is_basic { 'B' } else { 'G' };
+        [vector, letter(self.is_element[0]), letter(self.is_element[1])].iter().collect()
+    }
 }
 
 /// The vector that, with the element axis, spans plane 1.
@@ -67,9 +104,6 @@ impl DeckCard for BeamElement {
     fn read(card: &Card) -> Result<Vec<Self>, InputError> {
         let is_beam = card.name == "CBEAM";
         let id = card.id(0, "EID")?;
-        if !card.text(7).is_empty() && !card.text(7).eq_ignore_ascii_case("GGG") {
-            return Err(card.wrong(7, "OFFT", "GGG, the only kind of offset vectors that is read"));
-        }
         for (index, name) in [(16, "SA"), (17, "SB")] {
             if is_beam && card.count_or(index, name, 0)? != 0 {
                 return Err(card.error(index, format!("warping ({name}) of {} is not read", card.name)));
@@ -82,6 +116,7 @@ impl DeckCard for BeamElement {
             orientation: orientation(card)?,
             pins: [card.components(8, "PA")?, card.components(9, "PB")?],
             offsets: [card.vector(10, ["W1A", "W2A", "W3A"])?, card.vector(13, ["W1B", "W2B", "W3B"])?],
+            offt: Offt::read(card)?,
             is_beam,
             span: card.span.clone(),
         }])
@@ -89,7 +124,7 @@ impl DeckCard for BeamElement {
 
     fn write(&self, card: Fields) -> Fields {
         let card = self.orientation.write(card.ints([self.id, self.property]).ints(self.grids));
-        let card = card.blanks(1).digits(&self.pins[0]).digits(&self.pins[1]);
+        let card = card.text(self.offt.write()).digits(&self.pins[0]).digits(&self.pins[1]);
         let [a, b] = &self.offsets;
         if self.offsets == [Vector3::zeros(); 2] { card } else { card.reals(a).reals(b) }
     }
@@ -98,7 +133,16 @@ impl DeckCard for BeamElement {
 
     fn mirrored(self, _: &Mirror) -> Mirrored<Self> {
         let orientation = self.orientation.mirrored();
-        Ok(Some(Self { orientation, offsets: self.offsets.map(flipped), ..self }))
+        // Element z is the cross product of axis and orientation vector: along it the sign changes.
+        let image = |end: usize| {
+            let offset = self.offsets[end];
+            if self.offt.is_element[end] {
+                Vector3::new(offset.x, offset.y, minus(offset.z))
+            } else {
+                flipped(offset)
+            }
+        };
+        Ok(Some(Self { orientation, offsets: [image(0), image(1)], ..self }))
     }
 }
 

@@ -4,20 +4,22 @@ use super::prelude::*;
 use crate::card::FIELDS_PER_LINE;
 use crate::motion::{Motion, keeps_sign};
 
-/// Clamped components of grids (SPC1).
+/// Clamped components of grids (SPC1; SPC, where a motion is enforced).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spc1 {
     /// Set identification.
     pub set: u32,
-    /// Components, digits 1 to 6.
+    /// Components, digits 1 to 6; none at a scalar point.
     pub components: Vec<u8>,
-    /// Grids.
+    /// Grids or scalar points.
     pub grids: Vec<u32>,
+    /// Enforced displacement or rotation in the grids' displacement systems (field D of SPC); modes, flutter and trims hold the motion.
+    pub enforced: f64,
     /// Where the card stands.
     pub span: Span,
 }
 
-/// SPC: SID G1 C1 D1 G2 C2 D2, as the SPC1 that say the same; enforced displacements are refused.
+/// SPC: SID G1 C1 D1 G2 C2 D2, as the SPC1 that say the same.
 fn spc(card: &Card) -> Result<Vec<Spc1>, InputError> {
     card.ends_after(7)?;
     let set = card.id(0, "SID")?;
@@ -26,35 +28,33 @@ fn spc(card: &Card) -> Result<Vec<Spc1>, InputError> {
         if at > 1 && (at..at + 3).all(|index| card.text(index).is_empty()) {
             continue;
         }
-        let (grid, components) = (card.id(at, "G")?, card.some_components(at + 1, "C")?);
-        let displacement = card.real_or(at + 2, "D", 0.0)?;
-        if displacement != 0.0 {
-            let message =
-                format!("SPC enforces a displacement of {displacement} on grid {grid}, which is not read");
-            return Err(card.error(at + 2, message).with_help("leave field D empty, or zero"));
-        }
-        all.push(Spc1 { set, components, grids: vec![grid], span: card.span.clone() });
+        let (grid, components) = (card.id(at, "G")?, card.components(at + 1, "C")?);
+        let enforced = card.real_or(at + 2, "D", 0.0)?;
+        all.push(Spc1 { set, components, grids: vec![grid], enforced, span: card.span.clone() });
     }
     Ok(all)
 }
 
 impl DeckCard for Spc1 {
     keyed!(u32, set);
+    variant!(|card| usize::from(card.enforced != 0.0));
     /// SPC1: SID C G1 G2 ... or G1 THRU G2.
     fn read(card: &Card) -> Result<Vec<Self>, InputError> {
         if card.name == "SPC" {
             return spc(card);
         }
         let components = card.components(1, "C")?;
-        if components.is_empty() {
-            return Err(card.empty(1, "C", "the clamped components, such as 123456"));
-        }
         let grids = card.id_list(2, "G")?;
-        Ok(vec![Spc1 { set: card.id(0, "SID")?, components, grids, span: card.span.clone() }])
+        Ok(vec![Spc1 { set: card.id(0, "SID")?, components, grids, enforced: 0.0, span: card.span.clone() }])
     }
 
     fn write(&self, card: Fields) -> Fields {
-        card.int(self.set).digits(&self.components).ints(self.grids.iter().copied())
+        match self.grids.as_slice() {
+            [grid] if self.enforced != 0.0 => {
+                card.ints([self.set, *grid]).digits(&self.components).real(self.enforced)
+            }
+            _ => card.int(self.set).digits(&self.components).ints(self.grids.iter().copied()),
+        }
     }
 
     // Sets keep their numbers.

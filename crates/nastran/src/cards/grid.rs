@@ -24,6 +24,10 @@ impl DeckCard for Grid {
     numbered!();
     /// GRID: ID CP X1 X2 X3 CD PS.
     fn read(card: &Card) -> Result<Vec<Self>, InputError> {
+        if card.text(5) == "-1" {
+            let message = format!("GRID {} is a point of a fluid (CD = -1), which is not read", card.text(0));
+            return Err(card.error(5, message).with_help("take the fluid out: wingroot has no acoustics"));
+        }
         Ok(vec![Grid {
             id: card.id(0, "ID")?,
             cp: card.count_or(1, "CP", 0)?,

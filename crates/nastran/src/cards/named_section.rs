@@ -1,6 +1,6 @@
 //! Sections of beams given by name and dimensions: PBARL and PBEAML.
 
-use super::section_shapes::{SECTIONS, Section, section};
+use super::section_shapes::{OF_BARS_ONLY, SECTIONS, Section, section};
 use crate::card::{Card, FIELDS_PER_LINE};
 use crate::source::InputError;
 
@@ -60,6 +60,10 @@ pub(super) fn pbeaml(card: &Card) -> Result<Vec<NamedStation>, InputError> {
 fn kind(card: &Card) -> Result<(&'static str, usize), InputError> {
     card.word(2, "GROUP", &["MSCBML0"])?;
     let name = card.name_at(3, "TYPE")?;
+    if card.name == "PBEAML" && OF_BARS_ONLY.contains(&name.as_str()) {
+        let message = format!("section {name} of PBEAML is not read: its shear centre is not known");
+        return Err(card.error(3, message).with_help("give the numbers in a PBEAM, or use PBARL"));
+    }
     SECTIONS.into_iter().find(|(known, _)| *known == name).ok_or_else(|| {
         let known: Vec<&str> = SECTIONS.iter().map(|(known, _)| *known).collect();
         let message = format!("section {name} of {} is not read", card.name);

@@ -1,4 +1,4 @@
-//! Springs and masses between single motions: CELAS1, CELAS2, PELAS, CMASS1, CMASS2 and PMASS.
+//! Springs and masses between single motions: CELAS1 to CELAS4, PELAS, CMASS1 to CMASS4 and PMASS.
 
 use super::prelude::*;
 use crate::card::FIELDS_PER_LINE;
@@ -21,7 +21,7 @@ impl Ids for ScalarValue {
     }
 }
 
-/// A scalar spring (CELAS1, CELAS2) or mass (CMASS1, CMASS2) between two motions, or a motion and the ground.
+/// A scalar spring (CELAS1 to CELAS4) or mass (CMASS1 to CMASS4) between two motions, or a motion and the ground.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ScalarElement {
     /// Identification number.
@@ -36,22 +36,46 @@ pub struct ScalarElement {
     pub span: Span,
 }
 
+impl ScalarElement {
+    /// Whether it joins scalar points only (CELAS3, CELAS4, CMASS3, CMASS4).
+    fn joins_points(&self) -> bool {
+        self.ends.iter().flatten().all(|(_, component)| *component == 0)
+    }
+}
+
 impl DeckCard for ScalarElement {
     numbered!();
-    variant!(|card| usize::from(matches!(card.value, ScalarValue::Given(_))));
+    variant!(|card| {
+        usize::from(matches!(card.value, ScalarValue::Given(_))) + 2 * usize::from(card.joins_points())
+    });
 
-    /// CELAS1, CMASS1: EID PID G1 C1 G2 C2; CELAS2: EID K G1 C1 G2 C2 GE S; CMASS2: EID M G1 C1 G2 C2.
+    /// CELAS1, CMASS1: EID PID G1 C1 G2 C2; CELAS2: EID K G1 C1 G2 C2 GE S; CMASS2: EID M G1 C1 G2 C2; CELAS3, CMASS3:
+    /// EID PID S1 S2; CELAS4: EID K S1 S2; CMASS4: EID M S1 S2.
     ///
-    /// Damping and stress coefficients are skipped; scalar points are refused.
+    /// Damping and stress coefficients are skipped.
     fn read(card: &Card) -> Result<Vec<Self>, InputError> {
-        card.ends_after(if card.name == "CELAS2" { 8 } else { 6 })?;
+        let is_scalar = card.name.ends_with(['3', '4']);
+        card.ends_after(if card.name == "CELAS2" {
+            8
+        } else if is_scalar {
+            4
+        } else {
+            6
+        })?;
         let id = card.id(0, "EID")?;
         let value = match card.name.as_str() {
-            "CELAS2" => ScalarValue::Given(card.real(1, "K")?),
-            "CMASS2" => ScalarValue::Given(card.real(1, "M")?),
+            "CELAS2" | "CELAS4" => ScalarValue::Given(card.real(1, "K")?),
+            "CMASS2" | "CMASS4" => ScalarValue::Given(card.real(1, "M")?),
             _ => ScalarValue::Property(card.id_or(1, "PID", id)?),
         };
-        let ends = [end(card, 2, "G1", "C1")?, end(card, 4, "G2", "C2")?];
+        let ends = if is_scalar {
+            let point = |at: usize, name: &str| {
+                Ok(Some(card.count_or(at, name, 0)?).filter(|id| *id > 0).map(|id| (id, 0)))
+            };
+            [point(2, "S1")?, point(3, "S2")?]
+        } else {
+            [end(card, 2, "G1", "C1")?, end(card, 4, "G2", "C2")?]
+        };
         if ends[0] == ends[1] {
             let message = match ends[0] {
                 None => format!("{} {id} has no grid at either end", card.name),
@@ -76,6 +100,9 @@ impl DeckCard for ScalarElement {
             ScalarValue::Property(property) => card.int(property),
             ScalarValue::Given(value) => card.real(value),
         };
+        if self.joins_points() {
+            return card.ints(self.ends.map(|end| end.map_or(0, |(point, _)| point)));
+        }
         card.motion(self.ends[0]).motion(self.ends[1])
     }
 

@@ -7,6 +7,8 @@
 //! otherwise Nastran's typical values: 5/6 for a rectangle, 0.9 for a circle, 0.5 for a tube, A_web/A along the web and
 //! A_flange/(1.2 A) along the flanges.
 //!
+//! Dimensions of T1, T2, I1, H, CHAN1, CROSS and BOX1 are those of the same guide; their shear factors follow the same rules.
+//!
 //! y points up in the figures of Nastran's Quick Reference Guide and z to the right, away from the web of CHAN and
 //! from the upright leg of L.
 
@@ -32,7 +34,7 @@ pub(super) struct Section {
 }
 
 /// The names that are read, with how many dimensions each has.
-pub(super) const SECTIONS: [(&str, usize); 9] = [
+pub(super) const SECTIONS: [(&str, usize); 16] = [
     ("ROD", 1),
     ("TUBE", 2),
     ("TUBE2", 2),
@@ -42,7 +44,17 @@ pub(super) const SECTIONS: [(&str, usize); 9] = [
     ("T", 4),
     ("CHAN", 4),
     ("L", 4),
+    ("T2", 4),
+    ("I1", 4),
+    ("H", 4),
+    ("CHAN1", 4),
+    ("CROSS", 4),
+    ("T1", 4),
+    ("BOX1", 6),
 ];
+
+/// Sections whose place of the shear centre is not known here: a bar does not ask for it, a beam does.
+pub(super) const OF_BARS_ONLY: [&str; 2] = ["T1", "BOX1"];
 
 /// The section of a name with its dimensions; nothing if the dimensions do not fit together.
 pub(super) fn section(name: &str, dimensions: &[f64]) -> Option<Section> {
@@ -58,6 +70,29 @@ pub(super) fn section(name: &str, dimensions: &[f64]) -> Option<Section> {
         ("T", [width, height, flange, web]) => tee(*width, *height, *flange, *web),
         ("CHAN", [width, height, web, flange]) => channel(*width, *height, *web, *flange),
         ("L", [width, height, lying, upright]) => angle(*width, *height, *lying, *upright),
+        // The flange below.
+        ("T2", [width, height, flange, web]) => {
+            let over = tee(*width, *height, *flange, *web)?;
+            Some(Section { neutral_axis: over.neutral_axis.map(|at| 0.0 - at), ..over })
+        }
+        // Overhang of both flanges together, web, clear height, whole height.
+        ("I1", [overhang, web, clear, height]) => {
+            flanged(*height, [overhang + web; 2], *web, [(height - clear) / 2.0; 2])
+        }
+        ("CHAN1", [overhang, web, clear, height]) => {
+            channel(overhang + web, *height, *web, (height - clear) / 2.0)
+        }
+        // Clear width, both legs together, their height, thickness of the bar between them.
+        ("H", [clear, legs, height, bar]) => {
+            flanged(clear + legs, [*height; 2], *bar, [legs / 2.0; 2]).map(turned)
+        }
+        ("CROSS", [arms, upright, height, thickness]) => cross(*arms, *upright, *height, *thickness),
+        ("T1", [height, web_length, flange, web]) => {
+            tee(*height, web_length + flange, *flange, *web).map(turned)
+        }
+        ("BOX1", [width, height, top, bottom, left, right]) => {
+            uneven_box([*width, *height], [*top, *bottom], [*left, *right])
+        }
         _ => None,
     }
 }
@@ -90,6 +125,50 @@ fn hollow([width, height, lids, sides]: [f64; 4]) -> Option<Section> {
     let enclosed = (width - sides) * (height - lids);
     let j = 4.0 * enclosed.powi(2) / (2.0 * (width - sides) / lids + 2.0 * (height - lids) / sides);
     let shear_factors = [2.0 * sides * inner_height / whole.area, 2.0 * lids * inner_width / whole.area];
+    Some(Section { j, shear_factors, ..whole })
+}
+
+/// A quarter turn: y for z.
+fn turned(section: Section) -> Section {
+    let [along, across] = section.shear_factors;
+    Section { i1: section.i2, i2: section.i1, shear_factors: [across, along], ..section }
+}
+
+/// An upright rectangle with an arm on each side.
+fn cross(arms: f64, upright: f64, height: f64, thickness: f64) -> Option<Section> {
+    if thickness > height {
+        return None;
+    }
+    let middle = Rectangle { y: 0.0, z: 0.0, height, width: upright };
+    let z = f64::midpoint(upright, arms / 2.0);
+    let arm = Rectangle { y: 0.0, z, height: thickness, width: arms / 2.0 };
+    let whole = of_rectangles(&[middle, arm, Rectangle { z: -z, ..arm }]);
+    let j = (height * upright.powi(3) + arms * thickness.powi(3)) / 3.0;
+    let shear_factors =
+        [height * upright / whole.area, arms * thickness / whole.area].map(|share| share / 1.2);
+    Some(Section { j, shear_factors, ..whole })
+}
+
+/// A hollow rectangle with four walls of their own.
+fn uneven_box([width, height]: [f64; 2], lids: [f64; 2], sides: [f64; 2]) -> Option<Section> {
+    let (clear, inside) = (height - lids[0] - lids[1], width - sides[0] - sides[1]);
+    if clear <= 0.0 || inside <= 0.0 {
+        return None;
+    }
+    let lid = |y: f64, thickness: f64| Rectangle { y, z: width / 2.0, height: thickness, width };
+    let side =
+        |z: f64, thickness: f64| Rectangle { y: lids[1] + clear / 2.0, z, height: clear, width: thickness };
+    let whole = of_rectangles(&[
+        lid(height - lids[0] / 2.0, lids[0]),
+        lid(lids[1] / 2.0, lids[1]),
+        side(sides[0] / 2.0, sides[0]),
+        side(width - sides[1] / 2.0, sides[1]),
+    ]);
+    let (across, up) = (width - f64::midpoint(sides[0], sides[1]), height - f64::midpoint(lids[0], lids[1]));
+    let way = across / lids[0] + across / lids[1] + up / sides[0] + up / sides[1];
+    let j = 4.0 * (across * up).powi(2) / way;
+    let shear_factors =
+        [(sides[0] + sides[1]) * clear / whole.area, (lids[0] + lids[1]) * inside / whole.area];
     Some(Section { j, shear_factors, ..whole })
 }
 

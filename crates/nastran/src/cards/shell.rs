@@ -23,7 +23,7 @@ impl Ids for MaterialDirection {
     }
 }
 
-/// A shell element (CQUAD4 with four grids, CTRIA3 with three).
+/// A shell element (CQUAD4 or CQUADR with four grids, CTRIA3 or CTRIAR with three).
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShellElement {
     /// Identification number.
@@ -34,6 +34,8 @@ pub struct ShellElement {
     pub grids: Vec<u32>,
     /// Where the material's axes come from.
     pub direction: MaterialDirection,
+    /// True for CQUADR and CTRIAR, whose own stiffness against turning in their plane is not read: they are computed as CQUAD4 and CTRIA3.
+    pub is_r: bool,
     /// ZOFFS: distance from the plane of the grids to the reference plane, along the element's normal.
     pub offset: f64,
     /// Where the card stands.
@@ -42,10 +44,10 @@ pub struct ShellElement {
 
 impl DeckCard for ShellElement {
     numbered!();
-    variant!(|card| usize::from(card.grids.len() == 3));
+    variant!(|card| usize::from(card.grids.len() == 3) + 2 * usize::from(card.is_r));
 
     /// CQUAD4: EID PID G1 G2 G3 G4 THETA/MCID ZOFFS / blank TFLAG T1 T2 T3 T4, and
-    /// CTRIA3: EID PID G1 G2 G3 THETA/MCID ZOFFS blank / blank TFLAG T1 T2 T3.
+    /// CTRIA3: EID PID G1 G2 G3 THETA/MCID ZOFFS blank / blank TFLAG T1 T2 T3; CQUADR and CTRIAR alike.
     fn read(card: &Card) -> Result<Vec<Self>, InputError> {
         let corners = corners(card);
         let id = card.id(0, "EID")?;
@@ -67,6 +69,7 @@ impl DeckCard for ShellElement {
             property: card.id_or(1, "PID", id)?,
             grids: card.corners(2, corners)?,
             direction: direction(card, after)?,
+            is_r: card.name.ends_with('R'),
             offset: card.real_or(after + 1, "ZOFFS", 0.0)?,
             span: card.span.clone(),
         }])
@@ -98,7 +101,11 @@ impl DeckCard for ShellElement {
 
 /// Names of the fields of the corners.
 fn corners(card: &Card) -> &'static [&'static str] {
-    if card.name == "CQUAD4" { &["G1", "G2", "G3", "G4"] } else { &["G1", "G2", "G3"] }
+    if matches!(card.name.as_str(), "CQUAD4" | "CQUADR") {
+        &["G1", "G2", "G3", "G4"]
+    } else {
+        &["G1", "G2", "G3"]
+    }
 }
 
 /// A corner thickness, which must be the property's ([`crate::deck`] checks it when all is read).
@@ -117,7 +124,7 @@ pub(crate) struct CornerThickness {
 impl CornerThickness {
     /// Those of a shell's card; none of other cards.
     pub(crate) fn of(card: &Card) -> Result<Vec<Self>, InputError> {
-        if !matches!(card.name.as_str(), "CQUAD4" | "CTRIA3") {
+        if !matches!(card.name.as_str(), "CQUAD4" | "CTRIA3" | "CQUADR" | "CTRIAR") {
             return Ok(Vec::new());
         }
         let is_ratio = card.text(FIELDS_PER_LINE + 1) == "1";

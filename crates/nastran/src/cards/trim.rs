@@ -126,9 +126,11 @@ impl DeckCard for Trim {
     no_image!();
 }
 
-/// Fictitious supports of one grid (SUPORT).
+/// Fictitious supports of one grid (SUPORT, and SUPORT1, which a subcase selects).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Suport {
+    /// Its set (SUPORT1); none for one that always applies (SUPORT).
+    pub set: Option<u32>,
     /// Grid.
     pub grid: u32,
     /// Components, digits 1 to 6.
@@ -139,13 +141,16 @@ pub struct Suport {
 
 impl DeckCard for Suport {
     keyed!(u32, grid);
-    /// SUPORT: ID1 C1 ID2 C2 ...
+    /// SUPORT: ID1 C1 ID2 C2 ... SUPORT1: SID ID1 C1 ID2 C2 ...
     fn read(card: &Card) -> Result<Vec<Self>, InputError> {
-        let places = (0..card.len().max(1)).step_by(2).filter(|at| *at == 0 || !card.text(*at).is_empty());
+        let first = usize::from(card.name == "SUPORT1");
+        let set = (first > 0).then(|| card.id(0, "SID")).transpose()?;
+        let end = card.len().max(first + 1);
+        let places = (first..end).step_by(2).filter(|at| *at == first || !card.text(*at).is_empty());
         places
             .map(|at| {
                 let (grid, components) = (card.id(at, "ID")?, card.some_components(at + 1, "C")?);
-                Ok(Suport { grid, components, span: card.span.clone() })
+                Ok(Suport { set, grid, components, span: card.span.clone() })
             })
             .collect()
     }

@@ -1,15 +1,18 @@
-//! Case control, as far as static aeroelasticity needs it: which TRIM, SPC, MPC and symmetry each SUBCASE selects.
+//! Case control: what each SUBCASE selects of the sets in the bulk data.
 //!
-//! What stands before the first SUBCASE holds for all of them. Output requests and all other commands are skipped.
+//! What stands before the first SUBCASE holds for all of them. Output requests are skipped. Selections that change the
+//! structure and are not read are kept by name, so that whoever needs the structure can refuse them.
 
+use crate::deck::include;
 use crate::source::{InputError, Span};
+use crate::text_file::read_text;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// What a subcase selects.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Subcase {
-    /// Its number; zero for a deck without SUBCASE.
+    /// Its number; zero for a case control without SUBCASE.
     pub id: u32,
     /// LABEL, else SUBTITLE.
     pub label: String,
@@ -19,55 +22,158 @@ pub struct Subcase {
     pub spc: Option<u32>,
     /// MPC.
     pub mpc: Option<u32>,
+    /// SUPORT1.
+    pub support: Option<u32>,
+    /// METHOD: EIGRL or EIGR.
+    pub method: Option<u32>,
+    /// AUTOSPC, in the place of PARAM AUTOSPC.
+    pub auto_spc: Option<bool>,
     /// AESYMXZ: 1 symmetric, -1 antisymmetric, 0 asymmetric.
     pub symmetry: Option<i32>,
+    /// Selections that change stiffness or mass and are not read, such as `K2GG = STIFF`.
+    pub unread: Vec<(String, Span)>,
 }
 
-/// Reads the lines before BEGIN BULK.
+/// Commands that change stiffness or mass of the structure and are not read.
+const CHANGING: [&str; 5] = ["K2GG", "M2GG", "NSM", "STATSUB", "DEFORM"];
+
+/// Commands that begin something made of earlier subcases, which have no boundary conditions of their own.
+const COMBINED: [&str; 3] = ["SUBCOM", "SYMCOM", "REPCASE"];
+
+/// One line and where it stands.
+struct Command {
+    text: String,
+    span: Span,
+}
+
+/// Reads the lines before BEGIN BULK: those after CEND, or all if there is no CEND. Without CEND and without a selection
+/// there is no case control and no subcase; with one there is at least one.
 ///
 /// # Errors
-/// If a selection is no number, or AESYMXZ no symmetry.
+/// If a selection is no number, AESYMXZ no symmetry, or an included file cannot be read.
 pub(super) fn read(path: &Path, lines: &[&str]) -> Result<Vec<Subcase>, InputError> {
-    let file: Arc<PathBuf> = Arc::new(path.to_path_buf());
+    let is_end =
+        |line: &&str| line.trim_start().get(..4).is_some_and(|word| word.eq_ignore_ascii_case("CEND"));
+    let end = lines.iter().position(is_end);
+    let mut commands = Vec::new();
+    collect(path, lines, end.map_or(0, |at| at + 1), &mut commands)?;
     let mut common = Subcase::default();
     let mut subcases: Vec<Subcase> = Vec::new();
-    for (at, line) in lines.iter().enumerate() {
-        let text = line.split('$').next().unwrap_or("").trim();
-        let wrong = |what: &str| {
-            let span = Span::new(&file, at + 1, 1, line.chars().count().max(1) + 1);
-            InputError::at(&span, format!("`{text}` selects nothing")).with_help(format!("expected {what}"))
-        };
-        let mut words = text.split(|c: char| c.is_whitespace() || c == '=').filter(|word| !word.is_empty());
-        let (Some(command), value) = (words.next(), words.next()) else { continue };
-        let number = || value.and_then(|value| value.parse::<u32>().ok()).ok_or_else(|| wrong("a number"));
-        let command = command.to_ascii_uppercase();
-        if command == "SUBCASE" {
-            subcases.push(Subcase { id: number()?, ..common.clone() });
-            continue;
-        }
-        let case = subcases.last_mut().unwrap_or(&mut common);
-        match command.as_str() {
-            "TRIM" => case.trim = Some(number()?),
-            "SPC" => case.spc = Some(number()?),
-            "MPC" => case.mpc = Some(number()?),
-            "LABEL" | "SUBTITLE" => {
-                case.label =
-                    text.split_once('=').map_or_else(String::new, |(_, label)| label.trim().to_owned());
+    let mut combined: Option<Subcase> = None;
+    for command in &commands {
+        let Some((name, value)) = words(&command.text) else { continue };
+        if name.starts_with("SUBC") && name != "SUBCOM" || name == "SYM" {
+            let id = number(command, value)?;
+            if subcases.iter().any(|case| case.id == id) {
+                let message = format!("subcase {id} is given twice");
+                return Err(
+                    InputError::at(&command.span, message).with_help("give every subcase its own number")
+                );
             }
-            "AESYMXZ" => {
-                let word = value.unwrap_or_default().to_ascii_uppercase();
-                case.symmetry = Some(match word.get(..4) {
-                    Some("SYMM") => 1,
-                    Some("ANTI") => -1,
-                    Some("ASYM") => 0,
-                    _ => return Err(wrong("SYMMETRIC, ANTISYMMETRIC or ASYMMETRIC")),
-                });
-            }
-            _ => {}
+            subcases.push(Subcase { id, ..common.clone() });
+            combined = None;
+        } else if COMBINED.contains(&name.as_str()) {
+            combined = Some(Subcase::default());
+        } else {
+            let case = combined.as_mut().or(subcases.last_mut()).unwrap_or(&mut common);
+            select(case, command, &name, value)?;
         }
     }
-    if subcases.is_empty() && common.trim.is_some() {
+    if subcases.is_empty() && (end.is_some() || common != Subcase::default()) {
         subcases.push(common);
     }
     Ok(subcases)
+}
+
+/// The lines from one on, with those of included files in their place.
+fn collect(path: &Path, lines: &[&str], from: usize, commands: &mut Vec<Command>) -> Result<(), InputError> {
+    let file: Arc<PathBuf> = Arc::new(path.to_path_buf());
+    let mut at = from;
+    while at < lines.len() {
+        let line = lines[at];
+        if include::is_include(line) {
+            let found = include::target(&file, lines, at)?;
+            at = found.next_line;
+            let inner = path.parent().unwrap_or(Path::new("")).join(&found.path);
+            // A file that includes itself would never end.
+            if include::identity(&inner) == include::identity(path) {
+                return Err(InputError::at(&found.span, format!("{} includes itself", path.display())));
+            }
+            let text =
+                read_text(&inner).map_err(|error| InputError { span: Some(found.span.clone()), ..error })?;
+            let without_includes: Vec<&str> =
+                text.lines().filter(|line| !include::is_include(line)).collect();
+            collect(&inner, &without_includes, 0, commands)?;
+            continue;
+        }
+        let text = line.split('$').next().unwrap_or("").trim();
+        if !text.is_empty() {
+            let span = Span::new(&file, at + 1, 1, line.chars().count().max(1) + 1);
+            commands.push(Command { text: text.to_owned(), span });
+        }
+        at += 1;
+    }
+    Ok(())
+}
+
+/// Name in capitals and value of a command, what stands in brackets left out; nothing for those of fluids.
+fn words(text: &str) -> Option<(String, Option<&str>)> {
+    let end = text.find(|c: char| c.is_whitespace() || c == '=' || c == '(').unwrap_or(text.len());
+    let (name, mut rest) = text.split_at(end);
+    if let Some(open) = rest.trim_start().strip_prefix('(') {
+        let (inside, after) = open.split_once(')')?;
+        if inside.to_ascii_uppercase().starts_with("FLUI") {
+            return None;
+        }
+        rest = after;
+    }
+    let value = rest.split(|c: char| c.is_whitespace() || c == '=').find(|word| !word.is_empty());
+    Some((name.to_ascii_uppercase(), value))
+}
+
+fn wrong(command: &Command, what: &str) -> InputError {
+    InputError::at(&command.span, format!("`{}` selects nothing", command.text))
+        .with_help(format!("expected {what}"))
+}
+
+fn number(command: &Command, value: Option<&str>) -> Result<u32, InputError> {
+    value.and_then(|value| value.parse().ok()).ok_or_else(|| wrong(command, "a number"))
+}
+
+/// Keeps what a command says of a subcase.
+fn select(case: &mut Subcase, command: &Command, name: &str, value: Option<&str>) -> Result<(), InputError> {
+    let one = || number(command, value).map(Some);
+    match name {
+        "TRIM" => case.trim = one()?,
+        "SPC" => case.spc = one()?,
+        "MPC" => case.mpc = one()?,
+        "AUTOSPC" => {
+            let word = value.unwrap_or_default().to_ascii_uppercase();
+            case.auto_spc = Some(match word.as_str() {
+                "YES" => true,
+                "NO" => false,
+                _ => return Err(wrong(command, "YES or NO")),
+            });
+        }
+        "SUPORT1" => case.support = one()?,
+        "METHOD" => case.method = one()?,
+        "LABEL" | "SUBTITLE" => {
+            let label = command.text.split_once('=').map_or("", |(_, label)| label);
+            label.trim().clone_into(&mut case.label);
+        }
+        "AESYMXZ" => {
+            let word = value.unwrap_or_default().to_ascii_uppercase();
+            case.symmetry = Some(match word.get(..4) {
+                Some("SYMM") => 1,
+                Some("ANTI") => -1,
+                Some("ASYM") => 0,
+                _ => return Err(wrong(command, "SYMMETRIC, ANTISYMMETRIC or ASYMMETRIC")),
+            });
+        }
+        _ if CHANGING.contains(&name) => {
+            case.unread.push((command.text.clone(), command.span.clone()));
+        }
+        _ => {}
+    }
+    Ok(())
 }

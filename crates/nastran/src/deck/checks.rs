@@ -44,18 +44,34 @@ pub(super) fn material_axes(deck: &BulkData) -> Result<(), InputError> {
     })
 }
 
+/// Demands a component wherever a spring, mass or equation names a grid; only scalar points have none.
+pub(super) fn components(deck: &BulkData) -> Result<(), InputError> {
+    let elements = deck.springs.values().chain(deck.scalar_masses.values());
+    let of_elements =
+        elements.flat_map(|card| card.ends.iter().flatten().map(move |motion| (motion, &card.span)));
+    let of_equations =
+        deck.equations.iter().flat_map(|card| card.terms.iter().map(move |term| (&term.0, &card.span)));
+    let mut open = of_elements
+        .chain(of_equations)
+        .filter(|((id, component), _)| *component == 0 && deck.grids.contains_key(id));
+    open.next().map_or(Ok(()), |((id, _), span)| {
+        Err(InputError::at(span, format!("there is no component for GRID {id}, which is no scalar point"))
+            .with_help("give one digit from 1 to 6"))
+    })
+}
+
 /// Demands that every monitoring station has its own name.
-pub(super) fn monitor_names(deck: &BulkData) -> Result<(), InputError> {
+pub(super) fn monitor_names(deck: &BulkData) -> Option<InputError> {
     for (at, monitor) in deck.monitors.iter().enumerate() {
         if let Some(first) = deck.monitors[..at].iter().find(|other| other.name == monitor.name) {
             let message = format!(
                 "monitoring station {} is given twice; the number or name is taken since {}",
                 monitor.name, first.span
             );
-            return Err(
-                InputError::at(&monitor.span, message).with_help("give every card its own number or name")
+            return Some(
+                InputError::at(&monitor.span, message).with_help("give every card its own number or name"),
             );
         }
     }
-    Ok(())
+    None
 }

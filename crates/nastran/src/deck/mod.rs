@@ -7,17 +7,21 @@ pub mod case_control;
 mod checks;
 mod defaults;
 mod dmi_cards;
+pub mod executive;
 mod include;
+mod replication;
 mod taken;
 
 use crate::bulk_data::{BulkData, Unread};
 use crate::card::line::Line;
 use crate::card::{Card, lists};
-use crate::cards::CornerThickness;
+use crate::cards::kind::DeckCard;
+use crate::cards::{CornerThickness, Spoint};
 use crate::source::{InputError, Span};
 use crate::text_file::{no_file, read_text};
 use defaults::Defaults;
 use dmi_cards::DmiCards;
+use replication::{Replication, is_replication};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -25,6 +29,12 @@ use taken::Numbers;
 
 /// The most numbers that all `THRU` of a deck may stand for: forty megabytes, and every real deck has less.
 const MOST_IN_RANGES: usize = 10_000_000;
+
+/// Cards of the air: one that is wrong or not read as it stands does not stop who asks for the structure alone.
+const AIR: [&str; 16] = [
+    "CAERO1", "PAERO1", "AEFACT", "AESURF", "AELIST", "SPLINE1", "SPLINE2", "SPLINE4", "SPLINE5", "MONPNT1",
+    "MONPNT3", "AEROS", "AESTAT", "TRIM", "AELINK", "AECOMP",
+];
 
 /// Reads a deck with the files it includes.
 ///
@@ -72,6 +82,8 @@ struct Reader {
     defaults: Defaults,
     numbers: Numbers,
     thicknesses: Vec<CornerThickness>,
+    /// Scalar points named by elements that join nothing else.
+    named_points: Vec<Spoint>,
     card: Option<Card>,
     files: BTreeMap<PathBuf, Span>,
     /// Numbers that `THRU` has stood for so far.
@@ -83,6 +95,8 @@ impl Reader {
     /// Reads the lines of a file from index `next` on.
     fn lines(&mut self, path: &Path, lines: &[&str], mut next: usize) -> Result<(), InputError> {
         let file = Arc::new(path.to_path_buf());
+        // The last card of one line, and the replications that follow it.
+        let (mut plain, mut running): (Option<usize>, Option<Replication>) = (None, None);
         while next < lines.len() && !self.has_ended {
             let number = next + 1;
             if include::is_include(lines[next]) {
@@ -94,6 +108,23 @@ impl Reader {
             }
             next += 1;
             let Some(line) = Line::cut(&file, number, lines[number - 1])? else { continue };
+            if is_replication(&line) {
+                let mut replication = match running.take() {
+                    Some(replication) => replication,
+                    None => Replication::of(
+                        plain.map(|at| Line::cut(&file, at + 1, lines[at])).transpose()?.flatten(),
+                    ),
+                };
+                for copy in replication.expanded(&line)? {
+                    self.flush()?;
+                    self.card = Some(Card::start(copy)?);
+                }
+                running = Some(replication);
+                continue;
+            }
+            // A card of several lines cannot be replicated line by line.
+            plain = (!line.is_continuation()).then_some(number - 1);
+            running = None;
             if line.is_continuation() {
                 let Some(card) = &mut self.card else {
                     let error = InputError::at(&line.head.span, "a continuation without a card before it");
@@ -102,6 +133,9 @@ impl Reader {
                 card.extend(line)?;
             } else {
                 self.flush()?;
+                if self.begins_again(&line, lines[number - 1])? {
+                    continue;
+                }
                 if line.head.text().eq_ignore_ascii_case("ENDDATA") {
                     self.has_ended = true;
                 } else {
@@ -110,6 +144,28 @@ impl Reader {
             }
         }
         self.flush()
+    }
+
+    /// Whether a line is one more BEGIN BULK. Nothing is lost where no card stands between the two.
+    fn begins_again(&self, line: &Line, text: &str) -> Result<bool, InputError> {
+        let mut words = text.split('$').next().unwrap_or("").split(|c: char| c.is_whitespace() || c == '=');
+        if !words.next().is_some_and(|word| word.eq_ignore_ascii_case("BEGIN")) {
+            return Ok(false);
+        }
+        if words.all(|word| word.is_empty() || word.eq_ignore_ascii_case("BULK")) && self.is_empty() {
+            return Ok(true);
+        }
+        let message = format!(
+            "`{}` begins another part of the deck; superelements and parts are not read",
+            text.trim()
+        );
+        Err(InputError::at(&line.head.span, message)
+            .with_help("give the whole model as one bulk data section"))
+    }
+
+    /// Whether no card has been read.
+    fn is_empty(&self) -> bool {
+        self.deck == BulkData { subcases: self.deck.subcases.clone(), ..BulkData::default() }
     }
 
     fn include(&mut self, from: &Path, found: &include::Target) -> Result<(), InputError> {
@@ -156,6 +212,22 @@ impl Reader {
 
     fn keep(&mut self, card: Card) -> Result<(), InputError> {
         self.thicknesses.extend(CornerThickness::of(&card)?);
+        if matches!(card.name.as_str(), "CELAS3" | "CELAS4" | "CMASS3" | "CMASS4") {
+            let ends = [card.count_or(2, "S1", 0)?, card.count_or(3, "S2", 0)?];
+            let points = ends.into_iter().filter(|id| *id > 0);
+            self.named_points.extend(points.map(|id| Spoint { id, span: card.span.clone() }));
+        }
+        if card.name == "SPOINT" {
+            // Naming a scalar point again changes nothing.
+            self.named_points.extend(Spoint::read(&card)?);
+            return Ok(());
+        }
+        if AIR.contains(&card.name.as_str()) {
+            // A structure does without them, and whoever needs them asks for what was wrong.
+            let wrong = self.deck.keep(&card).err();
+            self.deck.air_errors.extend(wrong);
+            return Ok(());
+        }
         if !self.deck.keep(&card)? && !self.parameter(&card)? {
             let unread = self.deck.unknown.entry(card.name);
             unread.or_insert(Unread { count: 0, first: card.span }).count += 1;
@@ -177,16 +249,33 @@ impl Reader {
         Ok(true)
     }
 
+    /// Scalar points that only CELAS3, CELAS4, CMASS3 and CMASS4 name; a point cannot be a grid as well.
+    fn scalar_points(&mut self) -> Result<(), InputError> {
+        for Spoint { id, span } in std::mem::take(&mut self.named_points) {
+            self.deck.scalar_points.entry(id).or_insert(Spoint { id, span });
+        }
+        match self.deck.scalar_points.values().find(|point| self.deck.grids.contains_key(&point.id)) {
+            Some(Spoint { id, span }) => {
+                let message =
+                    format!("{id} is a scalar point here and a GRID at {}", self.deck.grids[id].span);
+                Err(InputError::at(span, message).with_help("give points and grids different numbers"))
+            }
+            None => checks::components(&self.deck),
+        }
+    }
+
     fn finish(mut self) -> Result<BulkData, InputError> {
         for card in self.defaults.elements() {
             self.keep(card)?;
         }
         self.defaults.grids(&mut self.deck)?;
+        self.scalar_points()?;
         self.deck.matrices = self.matrices.assemble()?;
         crate::geometry::check_grids(&self.deck)?;
         checks::corner_thicknesses(&self.deck, &self.thicknesses)?;
         checks::material_axes(&self.deck)?;
-        checks::monitor_names(&self.deck)?;
+        let same_name = checks::monitor_names(&self.deck);
+        self.deck.air_errors.extend(same_name);
         Ok(self.deck)
     }
 }

@@ -3,8 +3,8 @@
 use super::node::{Clamp, Node};
 use crate::laminate::{ShearModel, ShellSection};
 use crate::solid_material::SolidMaterial;
-use nalgebra::Matrix3;
-use nastran::{BulkData, Frames, InputError, Span};
+use nalgebra::{Matrix3, Point3};
+use nastran::{BulkData, Frames, InputError, Motion, Span};
 use std::collections::BTreeMap;
 use std::fmt::Display;
 use std::sync::Arc;
@@ -25,15 +25,22 @@ pub(crate) struct Builder<'a> {
 
 impl<'a> Builder<'a> {
     pub(super) fn new(bulk: &'a BulkData, shear: ShearModel) -> Result<Self, InputError> {
-        let places = bulk.grids.keys().enumerate().map(|(place, id)| (*id, place)).collect();
         let frames = Frames::resolve(bulk)?;
-        let mut nodes = Vec::with_capacity(bulk.grids.len());
+        let mut nodes = Vec::with_capacity(bulk.grids.len() + bulk.scalar_points.len());
         for grid in bulk.grids.values() {
             let point = frames.grid_point(grid)?;
-            let axes =
-                if grid.cd == 0 { Matrix3::identity() } else { frames.axes_at(grid.cd, &grid.span)? };
-            nodes.push(Node { id: grid.id, point, axes });
+            let axes = match grid.cd {
+                0 => Matrix3::identity(),
+                system => frames.axes_at_point(system, &point, &grid.span)?,
+            };
+            nodes.push(Node { id: grid.id, point, axes, is_scalar: false });
         }
+        for id in bulk.scalar_points.keys() {
+            let (point, axes) = (Point3::origin(), Matrix3::identity());
+            nodes.push(Node { id: *id, point, axes, is_scalar: true });
+        }
+        nodes.sort_unstable_by_key(|node| node.id);
+        let places = nodes.iter().enumerate().map(|(place, node)| (node.id, place)).collect();
         let (sections, solid_materials) = (BTreeMap::new(), BTreeMap::new());
         Ok(Self { bulk, frames, nodes, shear, sections, solid_materials, places })
     }
@@ -44,13 +51,37 @@ impl<'a> Builder<'a> {
         self.places.get(&grid).copied().ok_or_else(missing)
     }
 
+    /// Position and component (0 to 5) of one motion that `user` names.
+    pub(super) fn motion(
+        &self,
+        (grid, component): Motion,
+        user: &str,
+        span: &Span,
+    ) -> Result<(usize, usize), InputError> {
+        let node = self.node(grid, user, span)?;
+        match (self.nodes[node].is_scalar, component) {
+            (true, 0 | 1) => Ok((node, 0)),
+            (false, 1..=6) => Ok((node, usize::from(component) - 1)),
+            (true, _) => {
+                let message = format!(
+                    "{user} names component {component} of scalar point {grid}, which has one motion only"
+                );
+                Err(InputError::at(span, message).with_help("leave the component empty"))
+            }
+            (false, _) => {
+                let message = format!("{user} has no component for GRID {grid}");
+                Err(InputError::at(span, message).with_help("give one digit from 1 to 6"))
+            }
+        }
+    }
+
     /// Positions of several grids.
     pub(super) fn nodes_of(&self, grids: &[u32], user: &str, span: &Span) -> Result<Vec<usize>, InputError> {
         grids.iter().map(|grid| self.node(*grid, user, span)).collect()
     }
 
     pub(super) fn clamps(&self) -> Result<Vec<Clamp>, InputError> {
-        let mut clamps = Vec::new();
+        let (mut clamps, mut absent) = (Vec::new(), Vec::new());
         for grid in self.bulk.grids.values().filter(|grid| !grid.ps.is_empty()) {
             let node = self.places[&grid.id];
             clamps.push(Clamp { node, components: grid.ps.clone(), span: grid.span.clone() });
@@ -58,9 +89,25 @@ impl<'a> Builder<'a> {
         for card in &self.bulk.constraints {
             let user = format!("SPC1 of set {}", card.set);
             for grid in &card.grids {
-                let node = self.node(*grid, &user, &card.span)?;
-                clamps.push(Clamp { node, components: card.components.clone(), span: card.span.clone() });
+                // As in Nastran, which warns: lists by THRU reach over grids that are not there.
+                let Some(node) = self.places.get(grid).copied() else {
+                    absent.push(*grid);
+                    continue;
+                };
+                let is_scalar = self.nodes[node].is_scalar;
+                if card.components.is_empty() && !is_scalar {
+                    let message = format!("{user} names GRID {grid} without a component");
+                    return Err(InputError::at(&card.span, message).with_help("give digits from 1 to 6"));
+                }
+                let components = if is_scalar { vec![1] } else { card.components.clone() };
+                clamps.push(Clamp { node, components, span: card.span.clone() });
             }
+        }
+        if let Some(first) = absent.first() {
+            let count = absent.len();
+            tracing::warn!(
+                "SPC and SPC1 name {count} grid(s) that are not in the deck, the first of them {first}; there is nothing to hold there"
+            );
         }
         Ok(clamps)
     }

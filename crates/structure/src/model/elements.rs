@@ -25,10 +25,20 @@ impl ElementCard for BeamElement {
         let owner = format!("{} {}", if property.is_beam { "PBEAM" } else { "PBAR" }, property.id);
         let material = found(&bulk.materials, property.material, &owner, "MAT1", &property.span)?;
         let grids = nodes.map(|node| builder.nodes[node].point);
-        let orientation = builder.orientation(&self.orientation, nodes[0], &user, &self.span)?;
+        let orientation = match &self.orientation {
+            Orientation::Vector(vector) if self.offt.is_basic => *vector,
+            other => builder.orientation(other, nodes[0], &user, &self.span)?,
+        };
+        // Element axes of offset vectors go from grid to grid.
+        let local = springs::line_axes(&(grids[1] - grids[0]), Some(&orientation));
         let mut offsets = [Vector3::zeros(); 2];
         for (end, offset) in offsets.iter_mut().enumerate() {
-            *offset = builder.nodes[nodes[end]].axes * self.offsets[end];
+            let axes = if self.offt.is_element[end] {
+                local.ok_or_else(|| no_axes(&user, &self.span))?
+            } else {
+                builder.nodes[nodes[end]].axes
+            };
+            *offset = axes * self.offsets[end];
         }
         let placement = BeamPlacement { grids, offsets, orientation, pins: self.pins.clone() };
         Ok(Arc::new(Beam::new(self.id, nodes, &placement, property, material, &self.span)?))
@@ -41,6 +51,14 @@ impl ElementCard for BeamElement {
     fn cell(&self) -> Option<(CellShape, Vec<u32>)> {
         Some((CellShape::Line, self.grids.to_vec()))
     }
+}
+
+/// The error for offset vectors in element axes that are not there.
+fn no_axes(user: &str, span: &Span) -> InputError {
+    let message = format!(
+        "{user} has offset vectors in element axes, but both grids are at one place or its orientation vector lies along it"
+    );
+    InputError::at(span, message).with_help("write OFFT as GGG with offset vectors in the grids' axes")
 }
 
 impl ElementCard for Crod {
@@ -191,11 +209,6 @@ impl Builder<'_> {
         user: &str,
         span: &Span,
     ) -> Result<Vec<(usize, usize)>, InputError> {
-        motions
-            .iter()
-            .map(|(grid, component)| {
-                Ok((self.node(*grid, user, span)?, usize::from(*component).saturating_sub(1)))
-            })
-            .collect()
+        motions.iter().map(|motion| self.motion(*motion, user, span)).collect()
     }
 }

@@ -69,9 +69,9 @@ impl TieCard for Mpc {
     fn dependents(&self, builder: &Builder) -> Result<Vec<Dependent>, InputError> {
         let user = format!("MPC of set {}", self.set);
         let mut equation = Vec::with_capacity(self.terms.len());
-        for ((grid, component), factor) in &self.terms {
-            let node = builder.node(*grid, &user, &self.span)?;
-            equation.push((6 * node + usize::from(*component).saturating_sub(1), *factor));
+        for (motion, factor) in &self.terms {
+            let (node, component) = builder.motion(*motion, &user, &self.span)?;
+            equation.push((6 * node + component, *factor));
         }
         let Some((dependent, _)) = equation.first().copied() else { return Ok(Vec::new()) };
         solved_for(&[equation], &[dependent], &user, &self.span)

@@ -4,6 +4,7 @@
 //! and scalar elements name, beam offsets and orientation vectors.
 
 mod build;
+mod conrod;
 mod elements;
 mod links;
 mod node;
@@ -27,8 +28,8 @@ pub enum MassForm {
     /// By the same shape functions as the stiffness, rotary inertia included.
     #[default]
     Consistent,
-    /// As points at the nodes: each displacement keeps the sum of its row, rotations have none. (Concentrated masses
-    /// stay as they are.)
+    /// As points at the ends of beams, with their inertia about the grids; of other elements each displacement keeps the sum of its
+    /// row and rotations have none. (Concentrated masses stay as they are.)
     Lumped,
 }
 
@@ -41,22 +42,39 @@ pub struct Model {
     pub elements: Vec<Arc<dyn Element>>,
     /// Motions that follow others.
     pub dependents: Vec<Dependent>,
-    /// Clamps: those of the grids, then those of the constraint cards. All sets of constraints apply.
+    /// Clamps: those of the grids, then those of the constraint cards.
     pub clamps: Vec<Clamp>,
     /// What every mass is multiplied with (PARAM WTMASS); one if the deck says nothing.
     pub mass_factor: f64,
     /// Consistent, or lumped (PARAM COUPMASS -1).
     pub mass_form: MassForm,
+    /// Whether motions without stiffness at their grid are held (AUTOSPC).
+    pub holds_loose: bool,
 }
 
 impl Model {
-    /// Reads a structure from bulk data.
+    /// Reads the structure of a wing or of a part from bulk data: consistent mass unless PARAM COUPMASS says otherwise.
     ///
     /// # Errors
-    /// If the deck has elements that are not read, or a card refers to something that is not there, or describes no possible element; the card is blamed and
-    /// the hint lists what there is.
+    /// If the deck has elements that are not read, a card refers to something that is not there or describes no possible element (the card is blamed and
+    /// the hint lists what there is), or it is left open which constraints apply ([`BulkData::bounded`]).
     pub fn from_bulk(bulk: &BulkData) -> Result<Self, InputError> {
         Self::from_bulk_with(bulk, ShearModel::Equilibrium)
+    }
+
+    /// Reads the structure of a user's deck as Nastran does: lumped mass unless PARAM COUPMASS is above zero, motions
+    /// without stiffness held unless PARAM AUTOSPC is NO, under the boundary conditions of a subcase ([`BulkData::bounded`]).
+    ///
+    /// # Errors
+    /// As [`Model::from_bulk`].
+    pub fn from_deck(bulk: &BulkData, subcase: Option<u32>) -> Result<Self, InputError> {
+        bulk.refuse_unread_undamped()?;
+        let bulk = &*bulk.bounded(subcase)?;
+        let mut model = Self::read(bulk, ShearModel::Equilibrium)?;
+        let is_consistent = bulk.parameters.get("COUPMASS").is_some_and(|value| *value > 0.0);
+        model.holds_loose = bulk.parameters.get("AUTOSPC") != Some(&0.0);
+        model.mass_form = if is_consistent { MassForm::Consistent } else { MassForm::Lumped };
+        Ok(model)
     }
 
     /// As [`Model::from_bulk`], with another rule for the transverse shear stiffness of laminates (PCOMP).
@@ -65,6 +83,11 @@ impl Model {
     /// As [`Model::from_bulk`].
     pub fn from_bulk_with(bulk: &BulkData, shear: ShearModel) -> Result<Self, InputError> {
         bulk.refuse_unread_elements()?;
+        Self::read(&*bulk.bounded(None)?, shear)
+    }
+
+    /// Reads what is there, under the constraints that are there.
+    fn read(bulk: &BulkData, shear: ShearModel) -> Result<Self, InputError> {
         let (elements, dependents) = (Vec::new(), Vec::new());
         let mut read = Reading { builder: build::Builder::new(bulk, shear)?, elements, dependents };
         registry::visit(bulk, &mut read)?;
@@ -81,7 +104,15 @@ impl Model {
             let message = format!("PARAM WTMASS {mass_factor} is not a positive number");
             return Err(InputError::general(message).with_help("it turns the deck's weights into masses"));
         }
-        Ok(Self { nodes: builder.nodes, elements, dependents, clamps, mass_factor, mass_form })
+        Ok(Self {
+            nodes: builder.nodes,
+            elements,
+            dependents,
+            clamps,
+            mass_factor,
+            mass_form,
+            holds_loose: false,
+        })
     }
 
     /// Every element, in the order in which they are summed.

@@ -12,6 +12,8 @@ pub struct Node {
     pub point: Point3<f64>,
     /// Axes of its displacement system, as columns in the basic system.
     pub axes: Matrix3<f64>,
+    /// Whether it is a scalar point: component 1 is its only motion, and it has no place (`point` is the origin).
+    pub is_scalar: bool,
 }
 
 /// Components of one node that are held fixed.

@@ -47,21 +47,22 @@ pub(crate) trait Visitor {
 #[rustfmt::skip]
 pub(crate) fn visit(bulk: &BulkData, visitor: &mut impl Visitor) -> Result<(), InputError> {
     let BulkData {
-        beams, rods, shells, solids, bushes, springs, general, masses, mass_matrices, scalar_masses,
+        beams, rods, conrods, shells, solids, bushes, springs, general, masses, mass_matrices, scalar_masses,
         rigid, rigid_bars, averages, equations,
         // Read by the elements and ties that refer to them, and by the clamps.
-        coords: _, grids: _, beam_properties: _, rod_properties: _, shell_properties: _, laminates: _,
+        coords: _, grids: _, scalar_points: _, beam_properties: _, rod_properties: _, shell_properties: _, laminates: _,
         solid_properties: _, bush_properties: _, spring_properties: _, mass_properties: _, materials: _,
         plane_materials: _, ply_materials: _, solid_materials: _, constraints: _, parameters: _,
         // Of the air and of the case control.
         sets: _, panels: _, panel_properties: _, factors: _, surfaces: _, box_lists: _, splines: _, monitors: _,
-        matrices: _, aero_reference: _, trim_variables: _, trims: _, aero_links: _, aero_components: _, supports: _,
+        matrices: _, aero_reference: _, trim_variables: _, trims: _, aero_links: _, aero_components: _, supports: _, eigen_methods: _,
         constraint_unions: _, equation_unions: _, subcases: _,
         // Refused where a structure cannot be without them.
-        unknown: _,
+        unknown: _, air_errors: _,
     } = bulk;
     visitor.elements(beams)?;
     visitor.elements(rods)?;
+    visitor.elements(conrods)?;
     visitor.elements(shells)?;
     visitor.elements(solids)?;
     visitor.elements(bushes)?;

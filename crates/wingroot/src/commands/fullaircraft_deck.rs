@@ -5,7 +5,6 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::time::Instant;
 
-use fullaircraft::deck::cases::select;
 use fullaircraft::{DeckCase, Elastic, TrimDeck, TrimmedDeck, deck_cases};
 use nastran::BulkData;
 use schemars::JsonSchema;
@@ -144,7 +143,7 @@ fn is_same(a: &DeckCase, b: &DeckCase) -> bool {
 }
 
 fn assembled(bulk: &BulkData, case: &DeckCase) -> Result<TrimDeck, Failure> {
-    Ok(TrimDeck::new(&select(bulk, &case.subcase)?, case.trim.mach)?)
+    Ok(TrimDeck::new(&bulk.in_subcase(&case.subcase)?, case.trim.mach)?)
 }
 
 fn numbers(case: &DeckCase, deck: &TrimDeck, found: Result<TrimmedDeck, String>) -> Trimmed {

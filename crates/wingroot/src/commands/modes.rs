@@ -1,12 +1,14 @@
 //! `modes`: natural frequencies and shapes of a wing's or a deck's structure; with measurements, their fit.
 
 use clap::Args;
+use std::f64::consts::TAU;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::time::Instant;
 
+use nastran::EigenMethod;
 use report::Table;
-use structure::{Modes, ModesError, effective_masses, normal_modes};
+use structure::{Modes, ModesError, count_below, effective_masses, normal_modes};
 
 use super::modes_pictures::hertz;
 use super::{modes_pictures, modes_shapes, modes_update};
@@ -31,7 +33,10 @@ pub struct ModesArgs {
     /// A Nastran deck instead of a wing
     #[arg(long, value_name = "FILE")]
     pub(crate) deck: Option<PathBuf>,
-    /// Number of modes [default: 10, or as many as there are]
+    /// The subcase of the deck whose boundary conditions hold [default: the only ones]
+    #[arg(long, value_name = "N", requires = "deck")]
+    pub(crate) subcase: Option<u32>,
+    /// Number of modes [default: as METHOD of the deck asks, or 10; as many as there are]
     #[arg(long, value_name = "N", value_parser = whole::<10_000>)]
     pub(crate) count: Option<usize>,
     /// Measured frequencies, shapes and deflections, and the regions whose stiffness and mass are fitted to them
@@ -48,8 +53,12 @@ pub(crate) fn run(args: &ModesArgs, common: &Common) -> Result<(), Failure> {
         return modes_update::run(args.wing.as_deref(), args.deck.as_deref(), measured, common);
     }
     let start = Instant::now();
-    let structure = Structure::read(args.wing.as_deref(), args.deck.as_deref())?;
-    let modes = solve(&structure, args.count)?;
+    let structure = Structure::read_in(args.wing.as_deref(), args.deck.as_deref(), args.subcase)?;
+    let modes = match asked(&structure, args.subcase).filter(|_| args.count.is_none() && args.deck.is_some())
+    {
+        Some(method) => solve_as(&structure, method)?,
+        None => solve(&structure, args.count)?,
+    };
     let folder = ResultFolder::begin(&common.out("modes"))?;
     folder.input("structure", &structure.path)?;
     let cells = structure::mesh::cells(&structure.bulk, &structure.system);
@@ -72,15 +81,37 @@ pub(crate) fn run(args: &ModesArgs, common: &Common) -> Result<(), Failure> {
     show::json(common, &result)
 }
 
-/// As many modes as asked for; without a wish [`COUNT`] or what there is.
+/// As many modes as asked for, or as there are; without a wish [`COUNT`] of them.
 pub(crate) fn solve(structure: &Structure, count: Option<usize>) -> Result<Modes, Failure> {
-    let wanted = count.unwrap_or_else(|| COUNT.min(structure.system.free_count()));
-    match (normal_modes(&structure.system, wanted), count) {
-        (Err(ModesError::TooMany { available, .. }), None) => {
+    let wanted = count.unwrap_or(COUNT).min(structure.system.free_count()).max(1);
+    match normal_modes(&structure.system, wanted) {
+        Err(ModesError::TooMany { available, .. }) if available > 0 => {
+            if let Some(count) = count {
+                show::note(&format!("{count} modes were asked for; the masses allow {available}"));
+            }
             normal_modes(&structure.system, available).map_err(Failure::computation)
         }
-        (modes, _) => modes.map_err(Failure::computation),
+        modes => modes.map_err(Failure::computation),
     }
+}
+
+/// The EIGRL or EIGR that the deck's case control selects.
+fn asked(structure: &Structure, subcase: Option<u32>) -> Option<&EigenMethod> {
+    let mut cases = structure.bulk.subcases.iter().filter(|case| subcase.is_none_or(|id| case.id == id));
+    structure.bulk.eigen_methods.get(&cases.find_map(|case| case.method)?)
+}
+
+/// The modes of an EIGRL or EIGR: its number, those up to its highest frequency, or both.
+fn solve_as(structure: &Structure, method: &EigenMethod) -> Result<Modes, Failure> {
+    let count = method.count.map(|count| count as usize);
+    let Some(highest_hz) = method.highest_hz else { return solve(structure, count) };
+    let below = count_below(&structure.system, highest_hz * TAU).map_err(Failure::computation)?;
+    if below == 0 {
+        show::note(&format!(
+            "no mode lies below the {highest_hz} Hz of the deck's METHOD; the first is given"
+        ));
+    }
+    solve(structure, Some(below.min(count.unwrap_or(below)).max(1)))
 }
 
 fn result(structure: &Structure, modes: &Modes, seconds: f64) -> ModesResult {

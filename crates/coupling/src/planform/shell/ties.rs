@@ -94,7 +94,7 @@ impl Mesh<'_> {
         };
         bulk.bushes.insert(id, bush);
         let (components, grids) = (ALL.to_vec(), vec![BALANCE_GRID]);
-        bulk.constraints.push(Spc1 { set: 1, components, grids, span: span.clone() });
+        bulk.constraints.push(Spc1 { set: 1, components, grids, enforced: 0.0, span: span.clone() });
     }
 
     /// Each grid of the axis carries the span half way to its neighbours, at that piece's own middle.

@@ -1,0 +1,171 @@
+//! The deck as its case control selects it: one owner of what SPC, MPC and SUPORT1 apply, for every command.
+//!
+//! With a case control, what it does not select does not apply, as in Nastran; a deck of bulk data alone has one set of each,
+//! or sets that SPCADD and MPCADD unite. Where subcases differ in boundary conditions nothing is chosen in silence.
+
+use crate::bulk_data::BulkData;
+use crate::cards::SetUnion;
+use crate::deck::case_control::Subcase;
+use crate::source::InputError;
+use std::borrow::Cow;
+use std::collections::{BTreeMap, BTreeSet};
+
+impl BulkData {
+    /// The deck under its boundary conditions: those of a subcase, of the only ones there are, or of a deck without case
+    /// control. The case control is gone from it.
+    ///
+    /// # Errors
+    /// If the subcase is not there, subcases differ in boundary conditions and none is named, a selected set is not there, or
+    /// several sets stand in a deck without case control.
+    pub fn bounded(&self, subcase: Option<u32>) -> Result<Cow<'_, Self>, InputError> {
+        if let Some(id) = subcase {
+            let case = self.subcases.iter().find(|case| case.id == id).ok_or_else(|| {
+                let known: Vec<String> = self.subcases.iter().map(|case| case.id.to_string()).collect();
+                InputError::general(format!("the deck has no subcase {id}")).with_help(format!(
+                    "there are: {}",
+                    if known.is_empty() { "none".to_owned() } else { known.join(", ") }
+                ))
+            })?;
+            return self.in_subcase(case).map(Cow::Owned);
+        }
+        let Some(first) = self.subcases.first() else {
+            one_set("SPC", &clamps(self), &self.constraint_unions)?;
+            one_set("MPC", &equations(self), &self.equation_unions)?;
+            return Ok(Cow::Borrowed(self));
+        };
+        // Modes are asked for where a METHOD is.
+        let is_asked =
+            |case: &&Subcase| case.method.is_some() || self.subcases.iter().all(|case| case.method.is_none());
+        let asked: Vec<&Subcase> = self.subcases.iter().filter(is_asked).collect();
+        let conditions = |case: &Subcase| (case.spc, case.mpc, case.support);
+        let chosen = asked.first().copied().unwrap_or(first);
+        if asked.iter().any(|case| conditions(case) != conditions(chosen)) {
+            let list: Vec<String> = asked.iter().map(|case| described(case)).collect();
+            let message = format!("the subcases differ in boundary conditions: {}", list.join("; "));
+            return Err(InputError::general(message).with_help("name one of them (--subcase NUMBER)"));
+        }
+        self.in_subcase(chosen).map(Cow::Owned)
+    }
+
+    /// The deck as a subcase sees it: its SPC and MPC sets (SPCADD and MPCADD unite several), its SUPORT1 and its symmetry.
+    ///
+    /// Of a deck without case control the default subcase is the whole deck, as in [`BulkData::bounded`].
+    ///
+    /// # Errors
+    /// If a selected set is not there, or one that an SPCADD or MPCADD unites, or it selects something that changes the structure and is not read.
+    pub fn in_subcase(&self, subcase: &Subcase) -> Result<Self, InputError> {
+        if self.subcases.is_empty() && *subcase == Subcase::default() {
+            return self.bounded(None).map(Cow::into_owned);
+        }
+        if let Some((text, span)) = subcase.unread.first() {
+            let message = format!("`{text}` changes stiffness or mass of the structure and is not read");
+            return Err(InputError::at(span, message)
+                .with_help("take it out, or write what it adds as elements and masses"));
+        }
+        let mut bulk = self.clone();
+        bulk.subcases.clear();
+        if let Some(is_on) = subcase.auto_spc {
+            bulk.parameters.insert("AUTOSPC".to_owned(), f64::from(u8::from(is_on)));
+        }
+        let kept = selected("SPC", subcase.spc, &clamps(self), &self.constraint_unions)?;
+        bulk.constraints.retain(|card| kept.contains(&card.set));
+        bulk.constraint_unions.retain(|id, _| Some(*id) == subcase.spc);
+        let kept = selected("MPC", subcase.mpc, &equations(self), &self.equation_unions)?;
+        bulk.equations.retain(|card| kept.contains(&card.set));
+        bulk.equation_unions.retain(|id, _| Some(*id) == subcase.mpc);
+        if let Some(set) =
+            subcase.support.filter(|set| self.supports.iter().all(|card| card.set != Some(*set)))
+        {
+            return Err(InputError::general(format!(
+                "the case control selects SUPORT1 {set}, which is not there"
+            )));
+        }
+        bulk.supports.retain(|card| card.set.is_none() || card.set == subcase.support);
+        if let (Some(symmetry), Some(aeros)) = (subcase.symmetry, &mut bulk.aero_reference) {
+            aeros.symmetry = symmetry;
+        }
+        Ok(bulk)
+    }
+
+    /// What of the deck's constraints its case control leaves out or selects in vain: said to the user.
+    pub fn remarks(&self) -> Vec<String> {
+        let selects =
+            |of: &dyn Fn(&Subcase) -> Option<u32>| self.subcases.iter().any(|case| of(case).is_some());
+        let mut remarks = Vec::new();
+        let mut left_out = |name: &str| {
+            remarks.push(format!("the case control selects no {name}: those in the deck do not apply"));
+        };
+        if !self.subcases.is_empty() && !self.constraints.is_empty() && !selects(&|case| case.spc) {
+            left_out("SPC");
+        }
+        if !self.subcases.is_empty() && !self.equations.is_empty() && !selects(&|case| case.mpc) {
+            left_out("MPC");
+        }
+        let missing = |set: &u32| !equations(self).contains(set) && !self.equation_unions.contains_key(set);
+        let sets: BTreeSet<u32> = self.subcases.iter().filter_map(|case| case.mpc).filter(missing).collect();
+        remarks
+            .extend(sets.iter().map(|set| format!("the case control selects MPC {set}, which is not there")));
+        remarks
+    }
+}
+
+fn clamps(bulk: &BulkData) -> BTreeSet<u32> {
+    bulk.constraints.iter().map(|card| card.set).collect()
+}
+
+fn equations(bulk: &BulkData) -> BTreeSet<u32> {
+    bulk.equations.iter().map(|card| card.set).collect()
+}
+
+fn described(case: &Subcase) -> String {
+    let one = |name: &str, set: Option<u32>| set.map(|set| format!("{name} {set}"));
+    let sets: Vec<String> = [one("SPC", case.spc), one("MPC", case.mpc), one("SUPORT1", case.support)]
+        .into_iter()
+        .flatten()
+        .collect();
+    format!("{} has {}", case.id, if sets.is_empty() { "none".to_owned() } else { sets.join(", ") })
+}
+
+/// Demands one set, or a union of all.
+fn one_set(kind: &str, sets: &BTreeSet<u32>, unions: &BTreeMap<u32, SetUnion>) -> Result<(), InputError> {
+    let is_union = |union: &SetUnion| sets.iter().all(|set| union.sets.contains(set));
+    if sets.len() < 2 || unions.values().any(is_union) {
+        return Ok(());
+    }
+    let list: Vec<String> = sets.iter().map(u32::to_string).collect();
+    let message =
+        format!("the deck has {kind} sets {} and no case control that selects one", list.join(", "));
+    Err(InputError::general(message).with_help(format!(
+        "write {kind} = NUMBER between CEND and BEGIN BULK, or unite what shall apply by {kind}ADD"
+    )))
+}
+
+/// The sets that a selection means.
+fn selected(
+    kind: &str,
+    set: Option<u32>,
+    sets: &BTreeSet<u32>,
+    unions: &BTreeMap<u32, SetUnion>,
+) -> Result<Vec<u32>, InputError> {
+    let Some(set) = set else { return Ok(Vec::new()) };
+    let Some(SetUnion { sets: united, .. }) = unions.get(&set) else {
+        return if sets.contains(&set) {
+            Ok(vec![set])
+        } else if kind == "MPC" {
+            // As in Nastran, whose rigid elements may be all there is of it; [`BulkData::remarks`] says it.
+            Ok(Vec::new())
+        } else {
+            Err(InputError::general(format!("the case control selects {kind} {set}, which is not there")))
+        };
+    };
+    if sets.contains(&set) {
+        let message = format!("{kind} {set} is a set of its own and a union by {kind}ADD");
+        return Err(InputError::general(message).with_help("give the union another number"));
+    }
+    match united.iter().find(|one| !sets.contains(one)) {
+        Some(missing) => {
+            Err(InputError::general(format!("{kind}ADD {set} unites set {missing}, which is not there")))
+        }
+        None => Ok(united.clone()),
+    }
+}

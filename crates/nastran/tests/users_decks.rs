@@ -1,0 +1,143 @@
+//! What users' decks have beside plain cards: case control, replication, blanks, old spellings.
+
+use nastran::{Analysis, Offt, Solution, parse_deck};
+
+const CLAMPS: &str = "GRID,1\nGRID,2,,1.\nSPC1,1,123,1\nSPC1,2,456,1\nSPC1,3,2,2\nSPCADD,9,1,3\n";
+
+fn held(control: &str, subcase: Option<u32>) -> Result<Vec<u32>, String> {
+    let deck = parse_deck("t.bdf", &format!("{control}{CLAMPS}")).map_err(|error| error.to_string())?;
+    let bulk = deck.bounded(subcase).map_err(|error| error.to_string())?;
+    Ok(bulk.constraints.iter().map(|card| card.set).collect())
+}
+
+#[test]
+fn the_case_control_selects_and_what_it_does_not_select_does_not_apply() {
+    assert_eq!(held("SOL 103\nCEND\nSPC = 2\nBEGIN BULK\n", None).unwrap(), [2]);
+    assert_eq!(held("CEND\nSPC=9\nBEGIN BULK\n", None).unwrap(), [1, 3], "a union");
+    assert_eq!(held("SOL 103\nCEND\nMETHOD = 1\nBEGIN BULK\n", None).unwrap(), [0; 0], "none is selected");
+    let two = "CEND\nSUBCASE 1\nSPC=1\nSUBCASE 2\nSPC=2\nBEGIN BULK\n";
+    assert_eq!(held(two, Some(2)).unwrap(), [2]);
+    let with_method = "CEND\nSUBCASE 1\nSPC=1\nSUBCASE 2\nSPC=2\nMETHOD=4\nBEGIN BULK\n";
+    assert_eq!(held(with_method, None).unwrap(), [2], "modes are asked for in the second");
+    let combined = "CEND\nSPC=1\nSUBCASE 1\nSUBCASE 2\nSUBCOM 3\nSUBSEQ=1.,1.\nSPC=2\nBEGIN BULK\n";
+    assert_eq!(held(combined, None).unwrap(), [1], "a combination has no boundary conditions of its own");
+}
+
+#[test]
+fn what_is_left_open_is_refused_with_what_there_is() {
+    let two = "CEND\nSUBCASE 1\nSPC=1\nSUBCASE 2\nSPC=2\nBEGIN BULK\n";
+    assert_eq!(
+        held(two, None).unwrap_err(),
+        "the subcases differ in boundary conditions: 1 has SPC 1; 2 has SPC 2 (hint: name one of them (--subcase NUMBER))"
+    );
+    assert_eq!(held(two, Some(3)).unwrap_err(), "the deck has no subcase 3 (hint: there are: 1, 2)");
+    let open = held("", None).unwrap_err();
+    assert!(open.starts_with("the deck has SPC sets 1, 2, 3 and no case control that selects one"), "{open}");
+    let changed = held("CEND\nSPC=1\nK2GG = STIFF\nBEGIN BULK\n", None).unwrap_err();
+    assert!(changed.starts_with("t.bdf:3:1: `K2GG = STIFF` changes stiffness or mass"), "{changed}");
+    let again = held("CEND\nBEGIN BULK\nGRID,7\nBEGIN SUPER=1\n", None).unwrap_err();
+    assert!(again.contains("superelements and parts are not read"), "{again}");
+    assert!(held("CEND\nSPC=1\nBEGIN BULK\nBEGIN BULK\n", None).is_ok(), "nothing stands between the two");
+}
+
+#[test]
+fn the_solution_asked_for_is_known_by_number_and_by_name() {
+    let asked = |text: &str| Solution::of(text).map(|solution| solution.analysis);
+    for (text, analysis) in [
+        ("ID A,B\nSOL 103\nCEND\n", Analysis::Modes),
+        ("SOL SEMODES $ modes\n", Analysis::Modes),
+        ("sol=144\n", Analysis::Trim),
+        ("SOL 1,0\n", Analysis::Statics),
+        ("SOL 106\n", Analysis::NonlinearStatics),
+        ("SOL 153\n", Analysis::Other),
+    ] {
+        assert_eq!(asked(text), Some(analysis), "{text}");
+    }
+    assert_eq!(asked("CEND\nBEGIN BULK\nSOL 103\n"), None);
+}
+
+#[test]
+fn replication_gives_the_cards_it_stands_for() {
+    let short = "GRID,1,,0.,1.\n=,*(10),,*(.5),==\n=(2)\nCBAR,7,1,1,11,0.,0.,1.\n=,*1,=,*10,*10,==\n";
+    let long = "GRID,1,,0.,1.\nGRID,11,,.5,1.\nGRID,21,,1.,1.\nGRID,31,,1.5,1.\n\
+                CBAR,7,1,1,11,0.,0.,1.\nCBAR,8,1,11,21,0.,0.,1.\n";
+    let text = |deck: &str| nastran::write_deck(&parse_deck("t.bdf", deck).unwrap());
+    assert_eq!(text(short), text(long));
+    let error = parse_deck("t.bdf", "GRID,1\n=,*(.5)\n").unwrap_err().to_string();
+    assert!(error.starts_with("t.bdf:2:1: `.5` cannot be added to `1`"), "{error}");
+    let error = parse_deck("t.bdf", "=(3)\n").unwrap_err().to_string();
+    assert!(error.starts_with("t.bdf:1:1: a replication (`=`) has no card"), "{error}");
+}
+
+#[test]
+fn blanks_inside_component_fields_and_continuation_names_say_nothing() {
+    let deck = "GRDSET                                                  12 4 6\n\
+                GRID    1               0.      0.      0.\n\
+                PCOMP   1               .03                                             +      A\n\
+                +      A74      .0074   0.\n";
+    let deck = parse_deck("t.bdf", deck).unwrap();
+    assert_eq!(deck.grids[&1].ps, [1, 2, 4, 6]);
+    assert_eq!(deck.laminates[&1].plies.len(), 1);
+}
+
+#[test]
+fn offset_vectors_have_every_spelling_of_the_manual_and_the_flags_of_old_decks() {
+    let offt = |text: &str| {
+        let deck = format!("GRID,1\nGRID,2,,1.\nCBAR,1,1,1,2,0.,0.,1.,{text}\n");
+        parse_deck("t.bdf", &deck).map(|deck| deck.beams[&1].offt)
+    };
+    assert_eq!(offt("BGG").unwrap(), Offt { is_basic: true, is_element: [false; 2] });
+    assert_eq!(offt("GOG").unwrap(), Offt { is_basic: false, is_element: [true, false] });
+    assert_eq!(offt("boo").unwrap(), Offt { is_basic: true, is_element: [true; 2] });
+    assert_eq!((offt("1").unwrap(), offt("2").unwrap()), (Offt::default(), Offt::default()));
+    assert!(offt("GXG").is_err());
+}
+
+#[test]
+fn supports_of_a_subcase_are_those_it_names() {
+    let deck = "CEND\nSUBCASE 1\nSUPORT1=5\nBEGIN BULK\nGRID,1\nSUPORT,1,3\nSUPORT1,5,1,1\nSUPORT1,6,1,2\n";
+    let deck = parse_deck("t.bdf", deck).unwrap();
+    let bulk = deck.bounded(None).unwrap();
+    let kept: Vec<&[u8]> = bulk.supports.iter().map(|card| card.components.as_slice()).collect();
+    assert_eq!(kept, [&[3][..], &[1][..]]);
+}
+
+#[test]
+fn a_wrong_card_of_the_air_stops_who_needs_the_air_and_nobody_else() {
+    let deck = parse_deck("t.bdf", "GRID,1\nSPLINE2,1,1001,1001,1004,5,1.\nSPOINT,7\nSPOINT,7,8\n").unwrap();
+    assert_eq!(deck.scalar_points.len(), 2, "naming a scalar point twice changes nothing");
+    let error = deck.refuse_unread_air().unwrap_err().to_string();
+    assert!(error.starts_with("t.bdf:2:30: field DZ of SPLINE2 is not read"), "{error}");
+    assert_eq!(deck.refuse_unread_elements(), Ok(()));
+}
+
+#[test]
+fn sections_made_of_rectangles_have_the_areas_and_moments_of_those() {
+    let section = |kind: &str, dimensions: &str| {
+        let deck = parse_deck("t.bdf", &format!("PBARL,1,1,,{kind}\n,{dimensions}\n")).unwrap();
+        let at = deck.beam_properties[&1].stations[0];
+        (at.area, at.i1, at.i2)
+    };
+    let near = |ours: (f64, f64, f64), closed: (f64, f64, f64), what: &str| {
+        for (ours, closed) in [(ours.0, closed.0), (ours.1, closed.1), (ours.2, closed.2)] {
+            assert!((ours - closed).abs() < 1e-12 * closed, "{what}: {ours} beside {closed}");
+        }
+    };
+    // An I of height 6 and width 4 with walls of 1: the rectangle less two of 1.5 by 4.
+    let i_beam = (24.0 - 12.0, (4.0 * 216.0 - 3.0 * 64.0) / 12.0, (2.0 * 64.0 + 4.0) / 12.0);
+    near(section("I1", "3.,1.,4.,6."), i_beam, "I1");
+    near(section("I", "6.,4.,4.,1.,1.,1."), i_beam, "I");
+    near(section("H", "4.,2.,4.,1."), (i_beam.0, i_beam.2, i_beam.1), "H is an I on its side");
+    near(
+        section("CROSS", "3.,1.,4.,1."),
+        (7.0, 64.0 / 12.0 + 3.0 / 12.0, 4.0 / 12.0 + 60.0 / 12.0 + 0.25),
+        "CROSS",
+    );
+    near(section("T2", "4.,5.,1.,.5"), section("T", "4.,5.,1.,.5"), "a T upside down");
+    let tee = section("T", "4.,5.,1.,.5");
+    near(section("T1", "4.,4.,1.,.5"), (tee.0, tee.2, tee.1), "a T on its side");
+    near(section("CHAN1", "2.,1.,4.,6."), section("CHAN", "3.,6.,1.,1."), "CHAN1");
+    near(section("BOX1", "4.,6.,1.,1.,.5,.5"), section("BOX", "4.,6.,1.,.5"), "BOX1 of even walls");
+    let beam = parse_deck("t.bdf", "PBEAML,1,1,,T1\n,4.,4.,1.,.5\n").unwrap_err().to_string();
+    assert!(beam.contains("its shear centre is not known"), "{beam}");
+}

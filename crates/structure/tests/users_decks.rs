@@ -1,0 +1,165 @@
+//! Decks as Nastran reads them: lumped mass, boundary conditions of a subcase, scalar points, displacement systems, AUTOSPC.
+
+use nastran::parse_deck;
+use std::f64::consts::TAU;
+use structure::{Model, System, normal_modes};
+
+fn deck_system(deck: &str, subcase: Option<u32>) -> System {
+    let bulk = parse_deck("deck.bdf", deck).unwrap_or_else(|error| panic!("{error}"));
+    let model = Model::from_deck(&bulk, subcase).unwrap_or_else(|error| panic!("{error}"));
+    System::assemble(&model).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn hertz(deck: &str, subcase: Option<u32>, count: usize) -> Vec<f64> {
+    let modes = normal_modes(&deck_system(deck, subcase), count).unwrap_or_else(|error| panic!("{error}"));
+    modes.omega_rad_s.iter().map(|omega| omega / TAU).collect()
+}
+
+fn assert_near(ours: &[f64], reference: &[f64], relative: f64, what: &str) {
+    assert_eq!(ours.len(), reference.len(), "{what}");
+    for (ours, reference) in ours.iter().zip(reference) {
+        assert!((ours - reference).abs() <= relative * reference, "{what}: {ours} beside {reference}");
+    }
+}
+
+/// A cantilever of nine CBAR and one CBEAM of a round section with a mass at its tip, as the deck `beam_modes` of pyNastran's models.
+fn bars_and_a_beam(parameters: &str) -> String {
+    let grids: String = (1..=11).map(|grid| format!("GRID,{grid},,{}.\n", grid - 1)).collect();
+    let bars: String = (1..=9).map(|bar| format!("CBAR,{bar},1,{bar},{},0.,1.,0.\n", bar + 1)).collect();
+    format!(
+        "SOL SEMODES\nCEND\nSPC = 1\nMETHOD = 1\nBEGIN BULK\n{parameters}{grids}{bars}CBEAM,10,3,10,11,0.,1.,0.\n\
+         CONM2,21,11,,2.59-3\n,2.59-3,,2.59-3,,,2.59-3\nMAT1,2,3.+7,1.1628+7,.29,7.4851-4\n\
+         PBARL,1,2,,ROD\n,1.\nPBEAML,3,2,,ROD\n,1.\nSPC,1,1,123456\n"
+    )
+}
+
+#[test]
+fn lumped_mass_gives_the_frequencies_that_simcenter_nastran_prints() {
+    // pyNastran, models/beam_modes/beam_modes.f06 (Simcenter Nastran 2019): bending in pairs, then twist and stretch.
+    let print =
+        [456.6603, 456.6603, 2674.588, 2674.588, 3554.923, 4507.487, 6626.104, 6626.104, 11111.59, 11111.59];
+    assert_near(&hertz(&bars_and_a_beam(""), None, 10), &print, 5e-7, "lumped, the default");
+    let consistent = hertz(&bars_and_a_beam("PARAM,COUPMASS,1\n"), None, 10);
+    assert!(
+        (consistent[8] / print[8] - 1.0).abs() > 1e-3,
+        "PARAM COUPMASS 1 is another mass: {}",
+        consistent[8]
+    );
+}
+
+/// Half of a free beam of twenty elements, its plane of symmetry at the first grid.
+fn half_beam(subcases: &str) -> String {
+    let grids: String =
+        (1..=11).map(|grid| format!("GRID,{grid},,{:.1},,,,1246\n", f64::from(grid - 1) / 10.0)).collect();
+    let bars: String = (1..=10).map(|bar| format!("CBAR,{bar},1,{bar},{},0.,0.,1.\n", bar + 1)).collect();
+    format!(
+        "CEND\n{subcases}BEGIN BULK\n{grids}{bars}PBAR,1,1,1.-4,1.-10,1.-10,2.-10\nMAT1,1,7.+10,,.3,2700.\nSPC1,1,5,1\nSPC1,2,3,1\n"
+    )
+}
+
+#[test]
+fn symmetric_and_antisymmetric_sets_are_kept_apart_and_give_the_modes_of_the_whole_free_beam() {
+    let deck = half_beam("SUBCASE 1\nSPC=1\nSUBCASE 2\nSPC=2\n");
+    let omega = |root: f64| (root / 2.0_f64).powi(2) * (70e9 * 1e-10 / (2700.0 * 1e-4_f64)).sqrt() / TAU;
+    // Roots of cos(x) cosh(x) = 1 (Blevins, Formulas for Natural Frequency and Mode Shape, table 8-1).
+    let symmetric = hertz(&deck, Some(1), 3);
+    let antisymmetric = hertz(&deck, Some(2), 3);
+    assert!(symmetric[0] < 1e-3 && antisymmetric[0] < 1e-3, "one rigid motion each");
+    assert_near(&symmetric[1..], &[omega(4.730_041), omega(10.995_608)], 0.03, "symmetric");
+    assert_near(&antisymmetric[1..], &[omega(7.853_205), omega(14.137_165)], 0.03, "antisymmetric");
+    let open = Model::from_deck(&parse_deck("deck.bdf", &deck).unwrap(), None).unwrap_err().to_string();
+    assert!(open.starts_with("the subcases differ in boundary conditions"), "{open}");
+}
+
+#[test]
+fn scalar_points_carry_masses_and_springs_without_a_place() {
+    // Ground, spring, mass, spring, mass: omega^2 = (3 -+ sqrt 5)/2.
+    let golden =
+        [(3.0 - 5.0_f64.sqrt()) / 2.0, (3.0 + 5.0_f64.sqrt()) / 2.0].map(|square| square.sqrt() / TAU);
+    let by_points = "CELAS4,1,1.,7\nCELAS4,2,1.,7,9\nCMASS4,3,1.,7\nCMASS4,4,1.,9\n";
+    assert_near(&hertz(by_points, None, 2), &golden, 1e-9, "CELAS4 and CMASS4");
+    let mixed =
+        "SPOINT,7,9\nPELAS,5,1.\nPMASS,6,1.\nCELAS1,1,5,7\nCELAS2,2,1.,7,,9\nCMASS3,3,6,7\nCMASS2,4,1.,9\n";
+    assert_near(&hertz(mixed, None, 2), &golden, 1e-9, "CELAS1, CELAS2, CMASS3 and CMASS2");
+    let held = "SPOINT,7,8,9\nCELAS4,1,1.,7,8\nCELAS4,2,1.,8,9\nCMASS4,3,1.,8\nCMASS4,4,1.,9\nSPC1,1,,7\n";
+    assert_near(&hertz(held, None, 2), &golden, 1e-9, "SPC1 at a scalar point");
+    let mass = deck_system(mixed, None).mass_properties().mass_kg;
+    assert_eq!(mass, 0.0, "a scalar mass moves in no direction of space");
+    let twice = parse_deck("d", "GRID,7\nCELAS4,1,1.,7\n").unwrap_err().to_string();
+    assert!(twice.starts_with("d:2:1: 7 is a scalar point here and a GRID"), "{twice}");
+}
+
+#[test]
+fn components_in_a_cylindrical_system_follow_the_place_of_the_grid() {
+    // A mass at 30 degrees with springs of 400 along r, 100 along theta and 900 along z.
+    let deck = "CORD2C,5,,0.,0.,0.,0.,0.,1.\n,1.,0.,0.\nGRID,1,5,2.,30.,0.,5,456\nCONM2,1,1,,1.\n\
+                CELAS2,1,400.,1,1\nCELAS2,2,100.,1,2\nCELAS2,3,900.,1,3\n";
+    let modes = normal_modes(&deck_system(deck, None), 3).unwrap();
+    assert_near(&modes.omega_rad_s, &[10.0, 20.0, 30.0], 1e-9, "springs along r, theta, z");
+    let system = deck_system(deck, None);
+    let shape = system.expand(modes.shapes.as_ref());
+    let (x, y) = (shape[(0, 0)], shape[(1, 0)]);
+    assert!(
+        (x * 30.0_f64.to_radians().cos() + y * 30.0_f64.to_radians().sin()).abs() < 1e-9,
+        "the softest moves along theta"
+    );
+}
+
+#[test]
+fn vectors_in_basic_and_element_axes_say_what_those_in_displacement_axes_say() {
+    let beam = |vectors: &str| {
+        let deck = format!(
+            "CORD2R,5,,0.,0.,0.,0.,0.,1.\n,0.,1.,0.\nGRID,1,,0.,0.,0.,5\nGRID,2,,0.,2.,0.,5\n\
+             CBAR,1,1,1,2,{vectors}\nPBAR,1,1,1.-4,3.-9,1.-9,2.-9\nMAT1,1,7.+10,,.3,2700.\nSPC1,1,123456,1\nCONM2,9,2,,1.\n"
+        );
+        hertz(&deck, None, 3)
+    };
+    // Displacement axes: x along basic y, y along basic -x. The bar goes along basic y; element y is basic z, element z basic x.
+    let displacement = beam("0.,0.,1.,GGG\n,,,.1,0.,.2,.1,0.,.2");
+    let basic = beam("0.,0.,1.,BGG\n,,,.1,0.,.2,.1,0.,.2");
+    assert_near(&basic, &displacement, 1e-12, "z is z in both");
+    let turned = beam("1.,0.,1.,BGG\n,,,.1,0.,.2,.1,0.,.2");
+    let same_turned = beam("0.,-1.,1.,GGG\n,,,.1,0.,.2,.1,0.,.2");
+    assert_near(&turned, &same_turned, 1e-12, "basic x is displacement -y");
+    let element = beam("0.,0.,1.,GOO\n,,,.1,.2,0.,.1,.2,0.");
+    assert_near(&element, &displacement, 1e-12, "element x along the bar, y up");
+    assert!(
+        (element[0] / beam("0.,0.,1.,GOO\n,,,.1,0.,.2,.1,0.,.2")[0] - 1.0).abs() > 1e-6,
+        "and not the same with y and z exchanged"
+    );
+}
+
+#[test]
+fn motions_without_stiffness_at_their_grid_are_held_and_named() {
+    // Two rods in a line: only the motion along them has stiffness. Fixed ends, k = 2 E A / L, half of each rod's mass at the middle.
+    let deck = |parameter: &str| {
+        format!(
+            "{parameter}GRID,1,,0.,0.,0.\nGRID,2,,1.,1.,0.\nGRID,3,,2.,2.,0.\nCROD,1,1,1,2\nCROD,2,1,2,3\nPROD,1,1,1.-4\n\
+                 MAT1,1,7.+10,,.3,2700.\nSPC1,1,123456,1,3,77\n"
+        )
+    };
+    let system = deck_system(&deck(""), None);
+    assert_eq!(system.auto_held().len(), 2, "{:?}", system.auto_held());
+    assert!(system.auto_held().iter().all(|(grid, _)| *grid == 2), "{:?}", system.auto_held());
+    let bulk = parse_deck("deck", &deck("PARAM,AUTOSPC,NO\n")).unwrap();
+    assert!(System::assemble(&Model::from_deck(&bulk, None).unwrap()).unwrap().auto_held().is_empty());
+}
+
+#[test]
+fn a_mass_that_nothing_holds_moves_only_where_autospc_is_off_as_msc_nastran_prints() {
+    // pyNastran, models/transfer_function/actuator_tf_modeling.f06 (MSC Nastran 2005): its table of singularities names grid 3
+    // component 1, its case control has AUTOSPC = NO, its modes are these.
+    let print = [7.957747e-2, 2.756644e-1];
+    let deck = |control: &str| {
+        format!(
+            "SOL 110\nCEND\n{control}BEGIN BULK\nGRID,1,,1.,0.,0.,,23456\nGRID,2,,2.,0.,0.,,23456\nGRID,3,,3.,0.,0.,,23456\n\
+             CELAS2,21,1.0,1,1\nCELAS2,22,1.5,1,1,2,1\nCONM2,11,1,,1.\nCONM2,12,2,,2.\nCONM2,13,3,,.4\n"
+        )
+    };
+    let free = hertz(&deck("AUTOSPC = NO\n"), None, 3);
+    assert_eq!(free[0], 0.0, "the third mass flies away");
+    assert_near(&free[1..], &print, 1e-6, "with AUTOSPC = NO");
+    let system = deck_system(&deck(""), None);
+    assert_eq!(system.auto_held(), [(3, 1)]);
+    assert_near(&hertz(&deck(""), None, 2), &print, 1e-6, "held by AUTOSPC");
+}
