@@ -4,6 +4,7 @@
 //! one line in `model/registry.rs` (the crate's README shows how). Matrices may be computed when they are asked for (a solid's would fill the memory
 //! of a large model) or kept.
 
+use crate::corotation::Corotation;
 use nalgebra::DMatrix;
 use std::borrow::Cow;
 use std::fmt::Debug;
@@ -23,4 +24,8 @@ pub trait Element: Debug + Send + Sync {
     fn stiffness(&self) -> Option<Cow<'_, DMatrix<f64>>>;
     /// Mass over [`Element::dofs`], kg and kg m^2, symmetric; `None` if it has none.
     fn mass(&self) -> Option<Cow<'_, DMatrix<f64>>>;
+    /// How it turns with nodes that turn far.
+    fn corotation(&self) -> Corotation {
+        Corotation::Fit
+    }
 }

@@ -53,12 +53,7 @@ impl System {
         model: &Model,
         factors: impl Fn(usize) -> [f64; 2] + Sync,
     ) -> Result<Self, InputError> {
-        let mut sets = Sets::of(model)?;
-        let mut touched = vec![false; 6 * model.nodes.len()];
-        for element in model.elements() {
-            element.dofs().into_iter().for_each(|dof| touched[dof] = true);
-        }
-        let touched = sets.hold_untouched(|dof| touched[dof]);
+        let (sets, touched) = Sets::of_touched(model)?;
         let unattached: Vec<usize> =
             (0..model.nodes.len()).filter(|node| touched[6 * node..6 * node + 3] == [false; 3]).collect();
         let dofs = sets.map();

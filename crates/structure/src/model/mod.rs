@@ -14,6 +14,7 @@ mod solids;
 pub use node::{Clamp, Node};
 
 use crate::constraints::Dependent;
+use crate::constraints::joint::Tie;
 use crate::element::Element;
 use crate::laminate::ShearModel;
 use nastran::{BulkData, InputError};
@@ -41,6 +42,8 @@ pub struct Model {
     pub elements: Vec<Arc<dyn Element>>,
     /// Motions that follow others.
     pub dependents: Vec<Dependent>,
+    /// The cards that say so.
+    pub ties: Vec<Tie>,
     /// Clamps: those of the grids, then those of the constraint cards. All sets of constraints apply.
     pub clamps: Vec<Clamp>,
     /// What every mass is multiplied with (PARAM WTMASS); one if the deck says nothing.
@@ -65,10 +68,11 @@ impl Model {
     /// As [`Model::from_bulk`].
     pub fn from_bulk_with(bulk: &BulkData, shear: ShearModel) -> Result<Self, InputError> {
         bulk.refuse_unread_elements()?;
-        let (elements, dependents) = (Vec::new(), Vec::new());
-        let mut read = Reading { builder: build::Builder::new(bulk, shear)?, elements, dependents };
+        let builder = build::Builder::new(bulk, shear)?;
+        let mut read =
+            Reading { builder, elements: Vec::new(), dependents: Vec::new(), ties: Vec::new() };
         registry::visit(bulk, &mut read)?;
-        let Reading { builder, elements, dependents } = read;
+        let Reading { builder, elements, dependents, ties } = read;
         let clamps = builder.clamps()?;
         let parameter = |name: &str| bulk.parameters.get(name).copied();
         let mass_form = if parameter("COUPMASS").is_some_and(|v| v < 0.0) {
@@ -81,7 +85,7 @@ impl Model {
             let message = format!("PARAM WTMASS {mass_factor} is not a positive number");
             return Err(InputError::general(message).with_help("it turns the deck's weights into masses"));
         }
-        Ok(Self { nodes: builder.nodes, elements, dependents, clamps, mass_factor, mass_form })
+        Ok(Self { nodes: builder.nodes, elements, dependents, ties, clamps, mass_factor, mass_form })
     }
 
     /// Every element, in the order in which they are summed.
@@ -95,6 +99,7 @@ struct Reading<'a> {
     builder: build::Builder<'a>,
     elements: Vec<Arc<dyn Element>>,
     dependents: Vec<Dependent>,
+    ties: Vec<Tie>,
 }
 
 impl registry::Visitor for Reading<'_> {
@@ -110,7 +115,9 @@ impl registry::Visitor for Reading<'_> {
         cards: impl IntoIterator<Item = &'a C>,
     ) -> Result<(), InputError> {
         for card in cards {
+            let first = self.dependents.len();
             self.dependents.extend(card.dependents(&self.builder)?);
+            self.ties.extend(Tie::new(card.joint(&self.builder)?, &self.dependents, first));
         }
         Ok(())
     }

@@ -6,6 +6,7 @@
 use super::build::Builder;
 use crate::cell_shape::CellShape;
 use crate::constraints::Dependent;
+use crate::constraints::joint::Joint;
 use crate::element::Element;
 use nastran::{BulkData, InputError};
 use std::collections::BTreeMap;
@@ -29,6 +30,8 @@ pub(crate) trait ElementCard {
 pub(crate) trait TieCard {
     /// The motions that follow.
     fn dependents(&self, builder: &Builder) -> Result<Vec<Dependent>, InputError>;
+    /// What they do at finite rotations.
+    fn joint(&self, builder: &Builder) -> Result<Joint, InputError>;
     /// Its number, and the two ends of each arm that it is drawn as.
     fn arms(&self) -> (u32, Vec<[u32; 2]>);
 }

@@ -1,0 +1,113 @@
+//! Newton's method from one state to the equilibrium under given loads, in mixed form.
+//!
+//! The tangent's geometric terms take the forces that the last linear step promised, the residual the true ones (Magisano,
+//! Leonetti and Garcea, Int. J. Numer. Meth. Eng. 109, 2017): stiff stretching no longer spoils the
+//! prediction of bending, which takes a tenth to a half of the iterations.
+
+use super::loads::Loads;
+use super::state::State;
+use super::structure::LargeDeflection;
+use crate::factor::Factor;
+use crate::sparse;
+use faer::Mat;
+use nalgebra::DVector;
+use rayon::prelude::*;
+
+/// Iterations of one load step.
+const ITERATIONS: usize = 15;
+
+/// Work of the last step in units of the largest first one.
+const WORK: f64 = 1e-12;
+
+/// Largest last spin, rad, and displacement in units of the structure's size.
+const STEP: f64 = 1e-7;
+
+/// Spin of one iteration beyond which a linear prediction means nothing, rad.
+const SPIN: f64 = 1.5;
+
+/// An equilibrium.
+pub(super) struct Converged {
+    pub(super) state: State,
+    pub(super) iterations: usize,
+    /// Of the tangent.
+    pub(super) negative: usize,
+    /// The tangent's factor.
+    pub(super) factor: Factor,
+}
+
+/// No equilibrium was reached.
+pub(super) struct Failed {
+    /// Negative pivots of the last tangent.
+    pub(super) negative: usize,
+    pub(super) iterations: usize,
+}
+
+/// From `start` to the equilibrium under `loads`. `work` is the largest work of a first step so far, N m.
+pub(super) fn converge(
+    structure: &LargeDeflection,
+    start: &State,
+    loads: &Loads,
+    work: &mut f64,
+) -> Result<Converged, Failed> {
+    let mut state = start.clone();
+    let mut promised: Option<Vec<DVector<f64>>> = None;
+    let (mut negative, size) = (0, extent(start));
+    for iteration in 1..=ITERATIONS {
+        let map = structure.map(&state);
+        let inner = structure.inner(&state);
+        let outer = structure.load_forces(&state, loads);
+        let short: Vec<f64> = inner.forces.iter().zip(&outer).map(|(i, o)| i - o).collect();
+        let local = promised.as_ref().unwrap_or(&inner.local);
+        let k = structure.tangent(&state, &map, &inner.placed, local, &short);
+        let scale: Vec<f64> = sparse::diagonal(k.as_ref()).iter().map(|d| d.abs()).collect();
+        let failed = |negative| Failed { negative, iterations: iteration };
+        let Some(factor) = Factor::indefinite(&structure.analysis, k.as_ref(), &scale) else {
+            return Err(failed(negative));
+        };
+        negative = factor.pivots().iter().filter(|(_, pivot)| *pivot < 0.0).count();
+        let r = LargeDeflection::reduced(&map, &short);
+        let du = factor.solve(Mat::from_fn(r.len(), 1, |i, _| -r[i]).as_ref());
+        let du: Vec<f64> = du.col(0).iter().copied().collect();
+        let moved = structure.move_on(&mut state, &map, &du);
+        let (shift, spin) = largest(&moved);
+        if !(shift.is_finite() && spin.is_finite()) || spin > SPIN {
+            return Err(failed(negative));
+        }
+        let own: f64 = du.iter().zip(&r).map(|(u, r)| u * r).sum::<f64>().abs();
+        if iteration == 1 {
+            *work = work.max(own);
+        }
+        if own <= WORK * *work && spin < STEP && shift < STEP * size {
+            return Ok(Converged { state, iterations: iteration, negative, factor });
+        }
+        let one = |at: usize| {
+            let element = &structure.elements[structure.elastic[at]];
+            let motion = element.dofs().into_iter().map(|dof| moved[dof]);
+            let motion = DVector::from_iterator(inner.local[at].len(), motion);
+            let change = element.promised(&inner.placed[at], &motion).expect("it is elastic");
+            &inner.local[at] + change
+        };
+        promised = Some((0..inner.local.len()).into_par_iter().map(one).collect());
+    }
+    Err(Failed { negative, iterations: ITERATIONS })
+}
+
+/// Largest displacement and spin of a motion of the g-set.
+fn largest(motion: &[f64]) -> (f64, f64) {
+    let most = |first: usize| {
+        let parts = motion.chunks_exact(6).map(|m| m[first].hypot(m[first + 1]).hypot(m[first + 2]));
+        parts.fold(0.0, |most: f64, own| if own.is_nan() { own } else { most.max(own) })
+    };
+    (most(0), most(3))
+}
+
+/// The diagonal of the box around all nodes, m.
+fn extent(state: &State) -> f64 {
+    let mut square = 0.0;
+    for axis in 0..3 {
+        let all = state.places.iter().map(|place| place[axis]);
+        let (low, high) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
+        square += (high - low) * (high - low);
+    }
+    f64::sqrt(square)
+}
