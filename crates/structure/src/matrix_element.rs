@@ -20,13 +20,27 @@ impl MatrixElement {
     /// A stiffness (N/m, Nm/rad) over `dofs` of the g-set; motions without any stiffness are left out.
     pub fn spring(id: u32, dofs: &[usize], stiffness: &DMatrix<f64>) -> Self {
         let (dofs, matrix) = without_empty(dofs, stiffness);
-        Self { id, nodes: nodes_of(&dofs), dofs, stiffness: Some(matrix), mass: None, corotation: Corotation::Fit }
+        Self {
+            id,
+            nodes: nodes_of(&dofs),
+            dofs,
+            stiffness: Some(matrix),
+            mass: None,
+            corotation: Corotation::Fit,
+        }
     }
 
     /// A mass (kg, kg m^2) over `dofs` of the g-set; motions without any mass are left out.
     pub fn mass(id: u32, dofs: &[usize], mass: &DMatrix<f64>) -> Self {
         let (dofs, matrix) = without_empty(dofs, mass);
-        Self { id, nodes: nodes_of(&dofs), dofs, stiffness: None, mass: Some(matrix), corotation: Corotation::Fit }
+        Self {
+            id,
+            nodes: nodes_of(&dofs),
+            dofs,
+            stiffness: None,
+            mass: Some(matrix),
+            corotation: Corotation::Fit,
+        }
     }
 
     /// Stiffness and mass over the same motions.

@@ -146,7 +146,11 @@ pub(crate) fn general(
     }
     let element = MatrixElement::spring(card.id, &dofs, &(t.transpose() * local * &t));
     let why = format!("GENEL {}: its matrix does not tell how it turns with large deflections", card.id);
-    Ok(if turns_with_its_grids(&element, nodes) { element } else { element.turning(Corotation::Refused(why)) })
+    Ok(if turns_with_its_grids(&element, nodes) {
+        element
+    } else {
+        element.turning(Corotation::Refused(why))
+    })
 }
 
 /// Whether the grids of an element are not in one line and a rigid motion of theirs meets no force.

@@ -4,18 +4,9 @@ mod common;
 mod large;
 
 use common::system;
-use large::{beam_along_x, force, large, moment, path};
+use large::{beam_along_x, elastica, force, large, moment, numbers, path, published};
 use nalgebra::Vector3;
 use structure::nonlinear::{Controls, Loads};
-
-/// Bisshopp and Drucker, Q. Appl. Math. 3 (1945): P L^2 / E I, shortening and deflection over length of an inextensible
-/// cantilever under an end force; these digits from the elliptic integrals.
-const ELASTICA: [[f64; 3]; 4] = [
-    [1.0, 0.056_433_24, 0.301_720_77],
-    [2.0, 0.160_641_72, 0.493_457_48],
-    [4.0, 0.328_941_24, 0.669_964_18],
-    [10.0, 0.554_995_6, 0.810_609_02],
-];
 
 #[test]
 fn sixteen_beams_bend_as_the_elastica_and_the_error_falls_with_the_square() {
@@ -24,16 +15,17 @@ fn sixteen_beams_bend_as_the_elastica_and_the_error_falls_with_the_square() {
         let wing = large(&deck);
         // E I = 100.
         let loads = Loads { dead: vec![force(count, [0.0, 0.0, 10.0])], ..Loads::default() };
-        let stops: Vec<f64> = ELASTICA.iter().map(|row| row[0] / 10.0).collect();
+        let (alphas, u, w) = elastica();
+        let stops: Vec<f64> = alphas.iter().map(|alpha| alpha / 10.0).collect();
         let path = wing
             .path(&wing.undeformed(), &Loads::default(), &loads, &Controls { stops, ..Controls::default() })
             .unwrap();
         let mut largest: f64 = 0.0;
-        for [alpha, shortening, deflection] in ELASTICA {
+        for (at, alpha) in alphas.iter().enumerate() {
             let place = path.at(alpha / 10.0).unwrap().state.places[count];
-            let (u, w) = (1.0 - place.x / 10.0, place.z / 10.0);
-            println!("{count} beams, alpha {alpha}: {u:.6} {shortening:.6}, {w:.6} {deflection:.6}");
-            largest = largest.max((w / deflection - 1.0).abs()).max((u - shortening).abs() / shortening);
+            let (own_u, own_w) = (1.0 - place.x / 10.0, place.z / 10.0);
+            println!("{count} beams, alpha {alpha}: {own_u:.6} {:.6}, {own_w:.6} {:.6}", u[at], w[at]);
+            largest = largest.max((own_w / w[at] - 1.0).abs()).max((own_u / u[at] - 1.0).abs());
         }
         println!("iterations {}", path.points.iter().map(|p| p.iterations).sum::<usize>());
         largest
@@ -75,8 +67,7 @@ fn small_loads_give_the_linear_answer_and_the_difference_falls_in_proportion() {
     let difference = |factor: f64| {
         let loads = Loads { dead: vec![force(7, [2.0 * factor, 0.0, factor])], ..Loads::default() };
         let moved = path(&wing, &loads).end().state.displacements(wing.nodes());
-        let square: f64 =
-            moved.iter().enumerate().map(|(i, u)| (u / factor - linear[(i, 0)]).powi(2)).sum();
+        let square: f64 = moved.iter().enumerate().map(|(i, u)| (u / factor - linear[(i, 0)]).powi(2)).sum();
         square.sqrt() / linear.norm_l2()
     };
     let (large, small) = (difference(1e-3), difference(1e-4));
@@ -84,14 +75,6 @@ fn small_loads_give_the_linear_answer_and_the_difference_falls_in_proportion() {
     assert!(small < 1e-5, "{small:e}");
     assert!((large / small - 10.0).abs() < 0.5, "in proportion to the load: {large:e} {small:e}");
 }
-
-/// Bathe and Bolourchi, Int. J. Numer. Meth. Eng. 14 (1979): a bend of 45 degrees in the plane, radius 100, section 1 x 1, pushed out of
-/// it. The converged values are those of 64 corotational beams of an independent program, torsion constant 0.1406.
-const BEND: [[f64; 4]; 3] = [
-    [300.0, -12.173, 40.477, -7.176],
-    [450.0, -18.739, 48.702, -10.919],
-    [600.0, -23.816, 53.605, -13.73],
-];
 
 #[test]
 fn a_bend_of_45_degrees_goes_out_of_its_plane_as_published() {
@@ -109,12 +92,18 @@ fn a_bend_of_45_degrees_goes_out_of_its_plane_as_published() {
     let loads = Loads { dead: vec![force(count, [0.0, 600.0, 0.0])], ..Loads::default() };
     let controls = Controls { stops: vec![0.5, 0.75, 1.0], ..Controls::default() };
     let path = wing.path(&wing.undeformed(), &Loads::default(), &loads, &controls).unwrap();
-    println!("45 degrees: {:?}", path.points.iter().map(|p| (p.load_factor, p.iterations)).collect::<Vec<_>>());
-    for [load, u, v, w] in BEND {
+    println!(
+        "45 degrees: {:?}",
+        path.points.iter().map(|p| (p.load_factor, p.iterations)).collect::<Vec<_>>()
+    );
+    // Bathe and Bolourchi (1979); the converged values of an independent program with the same torsion constant.
+    let case = published("nl_beam__bathe_bolourchi_45");
+    for load in [300.0, 450.0, 600.0] {
         let state = &path.at(load / 600.0).unwrap().state;
         let moved = state.places[count] - wing.nodes()[count].point.coords;
-        let expected = Vector3::new(u, v, w);
-        println!("{load}: {:.3} {:.3} {:.3} for {u} {v} {w}", moved.x, moved.y, moved.z);
+        let expected = numbers(&case["expected"]["own_J_0.1406_64_beams"][format!("{load}")]);
+        let expected = Vector3::from_vec(expected);
+        println!("{load}: {:.3} {:.3} {:.3} for {expected:?}", moved.x, moved.y, moved.z);
         assert!((moved - expected).norm() < 0.003 * expected.norm(), "{load}: {moved} for {expected}");
     }
 }

@@ -3,10 +3,9 @@
 mod common;
 mod large;
 
-use large::{force, large, moment, model};
+use large::{force, large, path};
 use nalgebra::{Rotation3, Vector3};
-use structure::nonlinear::{Following, LargeDeflection, Loads, NodeLoad, State};
-use structure::{Joint, Model};
+use structure::nonlinear::{Controls, Following, LargeDeflection, Loads, NodeLoad, State};
 
 /// One of everything: beams with offsets and pins, rods, quadrilaterals (one warped), a triangle, a laminate, solids of three kinds,
 /// bushes between coincident and distant grids, springs, masses with arms, rigid links in a chain, a mean.
@@ -95,7 +94,8 @@ fn tangent_error(wing: &LargeDeflection, state: &State, loads: &Loads) -> f64 {
 fn the_tangent_is_that_of_differences_at_strains_of_ten_percent() {
     // Means carry no load here: their own turning is left out of the tangent.
     let wing = large(&zoo());
-    let loads = Loads { dead: vec![force(16, [50.0, -20.0, 90.0]), force(4, [1.0, 2.0, 3.0])], ..Loads::default() };
+    let loads =
+        Loads { dead: vec![force(16, [50.0, -20.0, 90.0]), force(4, [1.0, 2.0, 3.0])], ..Loads::default() };
     for strain in [0.0, 0.02, 0.2] {
         let error = tangent_error(&wing, &shaken(&wing, strain), &loads);
         println!("strain {strain}: tangent against differences {error:e}");
@@ -115,4 +115,70 @@ fn turned_by_three_radians_and_moved_it_carries_no_force() {
         println!("rigid: {largest:e} of {strained:e}");
         assert!(largest < 1e-10 * strained, "{largest:e} of {strained:e}");
     }
+}
+
+/// Forces on rigid arms and on the mean's reference, pressures, following forces, weight; all turned.
+fn all_loads(turned: &Rotation3<f64>) -> Loads {
+    let dead = [force(16, [200.0, -80.0, 300.0]), force(17, [100.0, 150.0, -250.0])];
+    let dead = dead.map(|load| NodeLoad {
+        force: turned * load.force,
+        moment: turned * Vector3::new(5.0, 9.0, -7.0),
+        ..load
+    });
+    let following = vec![
+        // Given at the undeformed place.
+        Following::Node(force(6, [0.0, 30.0, 400.0])),
+        Following::Pressure { face: vec![1, 2, 3, 4], pascal: vec![300.0, 200.0, 100.0, 250.0] },
+        Following::Pressure { face: vec![2, 6, 3], pascal: vec![300.0, 200.0, 100.0] },
+        Following::Along { node: 13, line: [9, 13], size: 100.0, is_moment: false },
+        Following::Across { node: 8, lines: [[2, 8], [2, 6]], size: 40.0, is_moment: true },
+    ];
+    Loads { dead: dead.to_vec(), following, gravity_m_s2: turned * Vector3::new(0.0, 0.0, -90.0) }
+}
+
+fn held() -> LargeDeflection {
+    let deck = zoo().replace("CELAS2,40,1.+4,16,1,17,1\n", "").replace("SPC1,1,123,6", "SPC1,1,123456,1,6");
+    // Rods without torsion: the grids of the solids do not turn.
+    let deck = deck.replace("PROD,2,1,.01,1.-5", "PROD,2,1,.01");
+    large(&(deck + "CONM2,21,18,,2.,.1,.2,-.1\n"))
+}
+
+#[test]
+fn turned_with_its_loads_it_gives_the_same_local_result() {
+    let wing = held();
+    let straight = path(&wing, &all_loads(&Rotation3::identity()));
+    let moved = straight.end().state.places[16] - wing.undeformed().places[16];
+    println!("the end of the arm moves by {moved:?}, {:?}", straight.end().largest_local_rotation);
+    assert!(moved.norm() > 0.2, "it bends: {moved}");
+    for vector in [Vector3::new(0.0, std::f64::consts::FRAC_PI_2, 0.0), Vector3::new(-1.44, 1.92, 1.8)] {
+        let turn = Rotation3::from_scaled_axis(vector);
+        let start = wing.undeformed().turned(&turn);
+        let turned = wing.path(&start, &Loads::default(), &all_loads(&turn), &Controls::default()).unwrap();
+        let expected = straight.end().state.turned(&turn);
+        let places = turned.end().state.places.iter().zip(&expected.places);
+        let off = places.map(|(own, expected)| (own - expected).norm()).fold(0.0, f64::max);
+        println!("turned by {:.2} rad: {off:e} m", vector.norm());
+        assert!(off < 1e-9 * moved.norm(), "turned by {vector}: {off:e}");
+    }
+}
+
+#[test]
+fn clamps_give_what_all_loads_ask_for_at_the_places_of_now() {
+    let (wing, loads) = (held(), all_loads(&Rotation3::identity()));
+    let walked = path(&wing, &loads);
+    let state = &walked.end().state;
+    let (reactions, outer) = (wing.reactions(state, &loads), wing.load_forces(state, &loads));
+    let sum = |forces: &[f64]| {
+        let mut sum = (Vector3::zeros(), Vector3::zeros());
+        for (own, place) in forces.chunks_exact(6).zip(&state.places) {
+            let force = Vector3::from_column_slice(&own[..3]);
+            sum.0 += force;
+            sum.1 += place.cross(&force) + Vector3::from_column_slice(&own[3..]);
+        }
+        sum
+    };
+    let ((force, moment), (given, turning)) = (sum(&outer), sum(&reactions));
+    println!("loads {force:?} {moment:?}");
+    assert!((force + given).norm() < 1e-7 * force.norm(), "forces: {force} {given}");
+    assert!((moment + turning).norm() < 1e-7 * moment.norm(), "moments: {moment} {turning}");
 }

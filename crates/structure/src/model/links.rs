@@ -82,7 +82,9 @@ impl TieCard for Rbe3 {
     fn joint(&self, builder: &Builder) -> Result<Joint, InputError> {
         let user = format!("RBE3 {}", self.id);
         let groups: Option<Vec<bool>> = self.groups.iter().map(|group| whole(&group.components)).collect();
-        let (Some(turns), Some(turning)) = (whole(&self.components), groups) else { return Ok(Joint::Linear) };
+        let (Some(turns), Some(turning)) = (whole(&self.components), groups) else {
+            return Ok(Joint::Linear);
+        };
         if !self.um.is_empty() {
             return Ok(Joint::Linear);
         }

@@ -69,8 +69,7 @@ impl Model {
     pub fn from_bulk_with(bulk: &BulkData, shear: ShearModel) -> Result<Self, InputError> {
         bulk.refuse_unread_elements()?;
         let builder = build::Builder::new(bulk, shear)?;
-        let mut read =
-            Reading { builder, elements: Vec::new(), dependents: Vec::new(), ties: Vec::new() };
+        let mut read = Reading { builder, elements: Vec::new(), dependents: Vec::new(), ties: Vec::new() };
         registry::visit(bulk, &mut read)?;
         let Reading { builder, elements, dependents, ties } = read;
         let clamps = builder.clamps()?;

@@ -70,7 +70,7 @@ impl Corotated {
         let points: Vec<Vector3<f64>> = nodes.iter().map(|node| model.nodes[*node].point.coords).collect();
         let per_node = if dofs.iter().any(|dof| dof % 6 > 2) { 6 } else { 3 };
         let frame = match element.corotation() {
-            Corotation::Fit => Frame::Moving(Group::of(&points)),
+            Corotation::Fit => Frame::Moving(Group::of(&points, per_node == 6)),
             Corotation::Node(node) => Frame::Moving(Group::with_node(&points, node)),
             Corotation::Ground => Frame::Fixed(HALF_TURN),
             Corotation::Axes => Frame::Fixed(SMALL_TURN),

@@ -29,10 +29,10 @@ const ROLL: f64 = 1e-3;
 const BREADTH: f64 = 1e-3;
 
 impl Group {
-    /// Of nodes that count alike.
-    pub(crate) fn of(points: &[Vector3<f64>]) -> Self {
+    /// Of nodes that count alike; `turns` if the element has rotations of theirs. A line without them has no roll.
+    pub(crate) fn of(points: &[Vector3<f64>], turns: bool) -> Self {
         let mut group = Self::weighted(points, vec![1.0; points.len()], vec![0.0; points.len()]);
-        if group.is_line() {
+        if group.is_line() && turns {
             let square: f64 = group.arms.iter().map(Vector3::norm_squared).sum();
             let weight = if square > 0.0 { ROLL * square } else { 1.0 };
             group.rotations = vec![weight; points.len()];
@@ -75,8 +75,27 @@ impl Group {
         if self.fits_places { self.places[node] } else { 0.0 }
     }
 
+    /// The rotation of a line without roll; its spin has no part along the line.
+    fn line(&self, arms: &[Vector3<f64>]) -> Fit {
+        let longest = (0..arms.len()).max_by(|a, b| self.arms[*a].norm().total_cmp(&self.arms[*b].norm()));
+        let (before, now) = longest.map_or((Vector3::x(), Vector3::x()), |at| (self.arms[at], arms[at]));
+        let q = Rotation3::rotation_between(&before, &now).unwrap_or_else(|| {
+            // Half a turn about any normal.
+            let normal = before.cross(&Vector3::ith(before.iamin(), 1.0)).normalize();
+            Rotation3::from_scaled_axis(normal * std::f64::consts::PI)
+        });
+        let size: f64 =
+            self.arms.iter().zip(arms).map(|(before, now)| before.dot(&(q.inverse() * now))).sum();
+        let along = before.try_normalize(0.0).unwrap_or_else(Vector3::x);
+        let across = Matrix3::identity() - along * along.transpose();
+        Fit { q: *q.matrix(), inverse: if size == 0.0 { Matrix3::zeros() } else { across / size } }
+    }
+
     /// The best fit to arms and rotations of now.
     pub(crate) fn fit(&self, arms: &[Vector3<f64>], rotations: &[Rotation3<f64>]) -> Fit {
+        if self.rotations.iter().all(|weight| *weight == 0.0) && self.is_line() {
+            return self.line(arms);
+        }
         let mut m = Matrix3::zeros();
         for (node, arm) in arms.iter().enumerate() {
             m += arm * self.arms[node].transpose() * self.weight(node);
@@ -151,7 +170,7 @@ mod tests {
         let all = [[0.0, 0.0, 0.0], [2.0, 0.1, 0.0], [2.2, 1.0, 0.0], [0.1, 1.1, 0.0], [0.3, 0.4, 1.0]];
         let all: Vec<Vector3<f64>> = all.iter().map(|p| Vector3::from(*p)).collect();
         for count in 1..=5 {
-            let group = Group::of(&all[..count]);
+            let group = Group::of(&all[..count], true);
             let arms: Vec<_> = group.arms.iter().map(|arm| turned * arm).collect();
             let fit = group.fit(&arms, &vec![turned; count]);
             assert!((fit.q - turned.matrix()).amax() < 1e-14, "{count} nodes: {}", fit.q - turned.matrix());

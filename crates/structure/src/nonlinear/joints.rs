@@ -65,14 +65,17 @@ impl Joints {
                 })),
                 Joint::Mean { reference, turns, members } if mean(model, *reference, members).is_some() => {
                     let (group, arm) = mean(model, *reference, members).expect("asked just before");
-                    let sources = members.iter().flat_map(|(node, _, w)| motions(*node, if *w > 0.0 { 6 } else { 3 }));
+                    let sources =
+                        members.iter().flat_map(|(node, _, w)| motions(*node, if *w > 0.0 { 6 } else { 3 }));
                     let nodes = members.iter().map(|(node, _, _)| *node).collect();
                     let sources = sources.collect();
-                    let step = Step::Mean { reference: *reference, turns: *turns, members: nodes, group, arm };
+                    let step =
+                        Step::Mean { reference: *reference, turns: *turns, members: nodes, group, arm };
                     open.push((step, motions(*reference, if *turns { 6 } else { 3 }), sources));
                 }
                 joint => {
-                    let all = rows.iter().flat_map(|row| row.row.iter().map(|(dof, _)| *dof).chain([row.dof]));
+                    let all =
+                        rows.iter().flat_map(|row| row.row.iter().map(|(dof, _)| *dof).chain([row.dof]));
                     let nodes = all.map(|dof| dof / 6).collect();
                     if *joint != Joint::Difference {
                         linear.push(Linear { owner: tie.owner.clone(), nodes });
@@ -119,7 +122,8 @@ impl Joints {
 
     /// The same over free motions only.
     pub(crate) fn map(&self, rows: &[Row]) -> DofMap {
-        let to_free = |row: &Row| row.iter().filter_map(|(d, f)| self.places[*d].map(|at| (at, *f))).collect();
+        let to_free =
+            |row: &Row| row.iter().filter_map(|(d, f)| self.places[*d].map(|at| (at, *f))).collect();
         DofMap { free: self.free.clone(), rows: rows.iter().map(to_free).collect() }
     }
 
@@ -263,7 +267,8 @@ fn ordered(mut open: Vec<(Step, Vec<usize>, Vec<usize>)>, model: &Model) -> Resu
             open.into_iter().partition(|(_, _, sources)| !sources.iter().any(|dof| waiting.contains(dof)));
         if ready.is_empty() {
             let dof = rest[0].1[0];
-            let message = format!("the ties of GRID {} follow each other in a circle", model.nodes[dof / 6].id);
+            let message =
+                format!("the ties of GRID {} follow each other in a circle", model.nodes[dof / 6].id);
             let help = "with large deflections a rigid element needs all motions of the node it follows";
             return Err(InputError::general(message).with_help(help));
         }

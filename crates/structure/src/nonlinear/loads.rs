@@ -66,7 +66,8 @@ impl Loads {
     /// The loads times a factor.
     #[must_use]
     pub fn times(&self, factor: f64) -> Self {
-        let node = |load: &NodeLoad| NodeLoad { force: load.force * factor, moment: load.moment * factor, ..*load };
+        let node =
+            |load: &NodeLoad| NodeLoad { force: load.force * factor, moment: load.moment * factor, ..*load };
         let following = |load: &Following| {
             let mut load = load.clone();
             match &mut load {
@@ -94,14 +95,22 @@ impl Loads {
 
     /// Forces and moments on the nodes (g-set, basic axes) at a state, without weight.
     pub(crate) fn at(&self, state: &State) -> Vec<f64> {
+        let mut sum = self.following_at(state);
+        for load in &self.dead {
+            for i in 0..3 {
+                sum[6 * load.node + i] += load.force[i];
+                sum[6 * load.node + 3 + i] += load.moment[i];
+            }
+        }
+        sum
+    }
+
+    /// The part of those that follow.
+    pub(crate) fn following_at(&self, state: &State) -> Vec<f64> {
         let mut sum = vec![0.0; 6 * state.places.len()];
         let mut add = |node: usize, first: usize, value: &Vector3<f64>| {
             (0..3).for_each(|i| sum[6 * node + first + i] += value[i]);
         };
-        for load in &self.dead {
-            add(load.node, 0, &load.force);
-            add(load.node, 3, &load.moment);
-        }
         let place = |node: &usize| state.places[*node];
         for load in &self.following {
             match load {

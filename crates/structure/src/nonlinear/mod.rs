@@ -13,6 +13,7 @@ mod corotated;
 mod error;
 mod frame;
 mod joints;
+mod krylov;
 mod loads;
 mod newton;
 mod rotation;

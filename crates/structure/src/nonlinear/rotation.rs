@@ -86,7 +86,8 @@ mod tests {
             let rotation = Rotation3::from_scaled_axis(theta);
             for axis in 0..3 {
                 let spin = Vector3::ith(axis, step);
-                let turned = |sign: f64| logarithm((Rotation3::from_scaled_axis(spin * sign) * rotation).matrix());
+                let turned =
+                    |sign: f64| logarithm((Rotation3::from_scaled_axis(spin * sign) * rotation).matrix());
                 let change = (turned(1.0) - turned(-1.0)) / (2.0 * step);
                 let own = by_spin(&theta).column(axis).into_owned();
                 assert!((change - own).norm() < 1e-8, "L at {angle}: {own} for {change}");

@@ -1,7 +1,7 @@
 //! The mode that loses its stiffness where an equilibrium becomes unstable.
 
-use super::structure::LargeDeflection;
 use super::state::State;
+use super::structure::LargeDeflection;
 use crate::blocks::Noise;
 use crate::factor::Factor;
 use faer::Mat;

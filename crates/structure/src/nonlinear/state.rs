@@ -24,7 +24,8 @@ impl State {
     /// Displacements (m) and rotation vectors (rad, up to half a turn) of all nodes: the g-set, basic axes.
     pub fn displacements(&self, nodes: &[Node]) -> Vec<f64> {
         let one = |(at, node): (usize, &Node)| {
-            let (moved, turned) = (self.places[at] - node.point.coords, logarithm(self.rotations[at].matrix()));
+            let (moved, turned) =
+                (self.places[at] - node.point.coords, logarithm(self.rotations[at].matrix()));
             [moved.x, moved.y, moved.z, turned.x, turned.y, turned.z]
         };
         nodes.iter().enumerate().flat_map(one).collect()

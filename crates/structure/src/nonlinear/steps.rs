@@ -31,7 +31,8 @@ pub struct Controls {
     pub stops: Vec<f64>,
     /// The first step that is tried.
     pub first_step: f64,
-    /// Goes on along unstable equilibria, instead of ending where the first one is found.
+    /// Goes on along unstable equilibria, instead of ending where the first one is found. (Under loads that follow the
+    /// structure stability is not judged.)
     pub accepts_unstable: bool,
 }
 
@@ -50,8 +51,9 @@ pub struct Point {
     pub state: State,
     /// Iterations since the last one, those of steps that failed among them.
     pub iterations: usize,
-    /// Negative pivots of the tangent: zero for a stable equilibrium.
-    pub negative_pivots: usize,
+    /// Negative pivots of the tangent: zero for a stable equilibrium. Nothing if loads follow the structure: the
+    /// symmetric tangent does not tell.
+    pub negative_pivots: Option<usize>,
     /// The largest rotation of a node within an element, rad, and the element.
     pub largest_local_rotation: (f64, u32),
 }
@@ -96,17 +98,26 @@ impl LargeDeflection {
         let mut points: Vec<Point> = Vec::new();
         let (mut reached, mut state, mut step) = (0.0, start.clone(), controls.first_step);
         let (mut pending, mut growing) = (0, true);
+        let judged = from.following.is_empty() && to.following.is_empty();
+        let watched = judged && !controls.accepts_unstable;
         for stop in if controls.stops.is_empty() { &[1.0][..] } else { &controls.stops } {
             while reached < *stop {
                 let rest: f64 = stop - reached;
                 // No sliver is left over.
-                let (tried, is_stop) = if step > 0.999 * rest { (*stop, true) } else { (reached + step, false) };
+                let (tried, is_stop) =
+                    if step > 0.999 * rest { (*stop, true) } else { (reached + step, false) };
                 match walk.to(&state, tried) {
-                    Ok(found) if found.negative > 0 && !controls.accepts_unstable => {
-                        if tried - reached <= BRACKET {
+                    Ok(found) if found.negative_on_the_way > 0 && watched => {
+                        let length = tried - reached;
+                        if found.negative > 0 && length <= BRACKET {
                             return Err(self.unstable(&found, reached, tried));
                         }
-                        (step, growing) = (0.5 * (tried - reached), false);
+                        // A step that jumps from one branch to another however short it is is no way.
+                        if length < SHORTEST {
+                            let negative = found.negative_on_the_way;
+                            return Err(NonlinearError::Stalled { load_factor: reached, tried, negative });
+                        }
+                        (step, growing) = (0.5 * length, growing && found.negative == 0);
                         pending += found.iterations;
                     }
                     Ok(found) => {
@@ -120,7 +131,7 @@ impl LargeDeflection {
                             largest_local_rotation: self.largest_local_rotation(&found.state),
                             state: found.state.clone(),
                             iterations: pending + found.iterations,
-                            negative_pivots: found.negative,
+                            negative_pivots: judged.then_some(found.negative),
                         });
                         (reached, state, pending) = (tried, found.state, 0);
                     }

@@ -18,6 +18,9 @@ use std::sync::Arc;
 /// Elements whose matrices are in memory at a time.
 const BATCH: usize = 256;
 
+/// Largest entry (m, rad) of the motion by which following loads are differenced.
+const DIFFERENCE: f64 = 1e-6;
+
 /// A structure whose deflections may be large.
 #[derive(Debug, Clone)]
 pub struct LargeDeflection {
@@ -114,7 +117,9 @@ impl LargeDeflection {
         let one = |at: &usize| {
             let element = &self.elements[*at];
             let mass = element.turned(element.mass.as_ref()?, state);
-            let of = |i: usize| if i % element.per_node < 3 { loads.gravity_m_s2[i % element.per_node] } else { 0.0 };
+            let of = |i: usize| {
+                if i % element.per_node < 3 { loads.gravity_m_s2[i % element.per_node] } else { 0.0 }
+            };
             Some(mass * DVector::from_fn(element.dofs().len(), |i, _| of(i)))
         };
         let weights: Vec<Option<DVector<f64>>> = self.massive.par_iter().map(one).collect();
@@ -124,6 +129,30 @@ impl LargeDeflection {
             }
         }
         sum
+    }
+
+    /// What a motion of the free ones changes following loads by, with the sign of a stiffness; by differences.
+    pub(super) fn following_stiffness(
+        &self,
+        state: &State,
+        map: &DofMap,
+        loads: &Loads,
+        v: &[f64],
+    ) -> Vec<f64> {
+        let size = v.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+        if size == 0.0 {
+            return vec![0.0; v.len()];
+        }
+        let step = DIFFERENCE / size;
+        let at = |sign: f64| {
+            let motion: Vec<f64> = v.iter().map(|v| sign * step * v).collect();
+            let mut moved = state.clone();
+            self.move_on(&mut moved, map, &motion);
+            loads.following_at(&moved)
+        };
+        let change: Vec<f64> =
+            at(1.0).iter().zip(at(-1.0)).map(|(up, down)| (down - up) / (2.0 * step)).collect();
+        Self::reduced(map, &change)
     }
 
     /// Forces (N, Nm; g-set, moments over spins) with which the nodes hold the elements at a state.
@@ -140,8 +169,11 @@ impl LargeDeflection {
             (placed, local, force)
         };
         let all: Vec<_> = self.elastic.par_iter().map(one).collect();
-        let mut inner =
-            Inner { placed: Vec::with_capacity(all.len()), local: Vec::with_capacity(all.len()), forces: Vec::new() };
+        let mut inner = Inner {
+            placed: Vec::with_capacity(all.len()),
+            local: Vec::with_capacity(all.len()),
+            forces: Vec::new(),
+        };
         let mut forces = vec![0.0; 6 * self.nodes.len()];
         for (at, (placed, local, force)) in self.elastic.iter().zip(all) {
             for (dof, value) in self.elements[*at].dofs().into_iter().zip(force.iter()) {

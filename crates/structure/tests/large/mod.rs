@@ -10,6 +10,7 @@
 
 use nalgebra::Vector3;
 use nastran::parse_deck;
+use serde_json::Value;
 use structure::Model;
 use structure::nonlinear::{LargeDeflection, Loads, NodeLoad, Path};
 
@@ -51,4 +52,27 @@ pub fn beam_along_x(count: usize, length: f64, e: f64, [height, breadth]: [f64; 
         deck += &format!("CBAR,{grid},1,{grid},{},0.,0.,1.\n", grid + 1);
     }
     deck
+}
+
+/// A case of `data/published`.
+pub fn published(name: &str) -> Value {
+    let path = format!("{}/../../data/published/{name}.json", env!("CARGO_MANIFEST_DIR"));
+    serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
+}
+
+/// A column of its expected values.
+pub fn tabled(case: &Value, column: &str) -> Vec<f64> {
+    numbers(&case["expected"][column])
+}
+
+/// A list of numbers.
+pub fn numbers(list: &Value) -> Vec<f64> {
+    list.as_array().unwrap().iter().map(|value| value.as_f64().unwrap()).collect()
+}
+
+/// The inextensible cantilever under an end force (Bisshopp and Drucker, Q. Appl. Math. 3, 1945): P L^2 / E I, shortening and deflection
+/// over length.
+pub fn elastica() -> (Vec<f64>, Vec<f64>, Vec<f64>) {
+    let case = published("nl_beam__elastica_end_shear");
+    (tabled(&case, "alpha"), tabled(&case, "shortening_over_L"), tabled(&case, "deflection_over_L"))
 }
