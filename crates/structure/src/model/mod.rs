@@ -6,11 +6,13 @@
 mod build;
 mod elements;
 mod links;
+mod loads;
 mod node;
 pub(crate) mod registry;
 mod shells;
 mod solids;
 
+pub use loads::{load_sets, loads_of};
 pub use node::{Clamp, Node};
 
 use crate::constraints::Dependent;

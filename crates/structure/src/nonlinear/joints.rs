@@ -153,6 +153,17 @@ impl Joints {
         }
     }
 
+    /// What the ground gives at clamped motions (own axes).
+    pub(crate) fn reactions(&self, state: &State, unbalanced: &[f64]) -> Vec<f64> {
+        let mut reactions = vec![0.0; unbalanced.len()];
+        for (row, force) in self.rows(state).iter().zip(unbalanced) {
+            for (dof, factor) in row.iter().filter(|(dof, _)| self.clamped[*dof]) {
+                reactions[*dof] += factor * force;
+            }
+        }
+        reactions
+    }
+
     /// What turning rigid arms adds to the tangent under forces on the nodes (g-set): degrees of freedom and matrix.
     pub(crate) fn turning_arms(&self, state: &State, forces: &[f64]) -> Vec<([usize; 3], DMatrix<f64>)> {
         let mut carried = forces.to_vec();
@@ -240,6 +251,17 @@ impl Joints {
             };
         }
     }
+}
+
+/// Forces and moments (g-set, own axes of the grids) that the ground gives at the clamps of the undeformed structure, from what
+/// the elements ask of the nodes less the loads (N, Nm; g-set, basic axes): ties carry theirs to what they follow.
+///
+/// # Errors
+/// As [`crate::System::assemble`].
+pub fn reactions_of(model: &Model, unbalanced: &[f64]) -> Result<Vec<f64>, InputError> {
+    let (sets, _) = Sets::of_touched(model)?;
+    let joints = Joints::of(model, &sets)?;
+    Ok(joints.reactions(&State::undeformed(&model.nodes), unbalanced))
 }
 
 /// The group of a weighted mean and the arm of its reference from the middle; nothing if places do not determine a

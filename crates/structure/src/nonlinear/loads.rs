@@ -1,7 +1,9 @@
 //! Loads on a structure that bends far: fixed in space, turning with it, and the weight of what it carries.
 
 use super::state::State;
-use nalgebra::Vector3;
+use crate::system::System;
+use faer::Mat;
+use nalgebra::{Rotation3, Vector3};
 
 /// Force and moment at a node.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -137,6 +139,19 @@ impl Loads {
             }
         }
         sum
+    }
+}
+
+impl System {
+    /// Forces and moments (N, Nm; g-set, basic axes) of loads on the undeformed structure, the weight of its masses among
+    /// them.
+    pub fn forces_of(&self, loads: &Loads) -> Mat<f64> {
+        let places: Vec<Vector3<f64>> = self.points().iter().map(|point| point.coords).collect();
+        let rotations = vec![Rotation3::identity(); places.len()];
+        let fixed = loads.at(&State { places, rotations });
+        let pull = |i: usize| if i % 6 < 3 { loads.gravity_m_s2[i % 6] } else { 0.0 };
+        let weight = self.inertia_loads(Mat::from_fn(fixed.len(), 1, |i, _| pull(i)).as_ref());
+        Mat::from_fn(fixed.len(), 1, |i, _| fixed[i] + weight[(i, 0)])
     }
 }
 

@@ -23,6 +23,7 @@ mod steps;
 mod structure;
 
 pub use error::NonlinearError;
+pub use joints::reactions_of;
 pub use loads::{Following, Loads, NodeLoad};
 pub use state::State;
 pub use steps::{Controls, Path, Point};

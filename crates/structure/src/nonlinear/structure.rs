@@ -231,8 +231,7 @@ impl LargeDeflection {
         values.symmetric().0
     }
 
-    /// The tangent stiffness over the free motions, dense and unsymmetric as the elements give it: what differences of
-    /// the residual are, for checks of small structures without loads on rigid arms.
+    /// What the free motions are short of equilibrium by (N, Nm, own axes of the grids): elastic forces less loads.
     pub fn residual(&self, state: &State, loads: &Loads) -> Vec<f64> {
         let map = self.map(state);
         let outer = self.load_forces(state, loads);
@@ -251,14 +250,8 @@ impl LargeDeflection {
     /// Forces and moments (N, Nm; g-set, own axes of the grids) that the ground gives at the clamps in equilibrium.
     pub fn reactions(&self, state: &State, loads: &Loads) -> Vec<f64> {
         let outer = self.load_forces(state, loads);
-        let mut reactions = vec![0.0; outer.len()];
-        let rows = self.joints.rows(state);
-        for ((row, inner), outer) in rows.iter().zip(self.inner_forces(state)).zip(outer) {
-            for (dof, factor) in row.iter().filter(|(dof, _)| self.joints.clamped[*dof]) {
-                reactions[*dof] += factor * (inner - outer);
-            }
-        }
-        reactions
+        let unbalanced: Vec<f64> = self.inner_forces(state).iter().zip(&outer).map(|(i, o)| i - o).collect();
+        self.joints.reactions(state, &unbalanced)
     }
 
     /// The largest rotation of a node against the frame of its element, rad, and the element.
