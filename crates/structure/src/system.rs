@@ -111,20 +111,21 @@ impl System {
         };
         let all: Vec<usize> = (0..n).collect();
         let ((k_gg, m_gg), (k_ff, m_ff)) = (sum(&all), sum(&dofs.free));
-        let (k_gg, m_gg) = (Arc::new(k_gg), Arc::new(m_gg));
-        let system = Self {
-            ids,
-            points,
-            dofs,
-            k_gg,
-            m_gg,
-            k_ff,
-            m_ff,
-            unattached: Vec::new(),
-            analysis: OnceLock::new(),
-        };
+        let system = Self::of_parts(ids, points, dofs, [k_gg, m_gg], [k_ff, m_ff]);
         assert!(system.is_finite(), "stiffness and mass are finite numbers");
         system
+    }
+
+    /// Of stiffness and mass that are summed already, of all motions and of the free ones.
+    pub(crate) fn of_parts(
+        ids: Vec<u32>,
+        points: Vec<Point3<f64>>,
+        dofs: DofMap,
+        [k_gg, m_gg]: [Sparse; 2],
+        [k_ff, m_ff]: [Sparse; 2],
+    ) -> Self {
+        let (k_gg, m_gg) = (Arc::new(k_gg), Arc::new(m_gg));
+        Self { ids, points, dofs, k_gg, m_gg, k_ff, m_ff, unattached: Vec::new(), analysis: OnceLock::new() }
     }
 
     /// The same structure with all motions of a node that are free clamped, as an SPC1 card for them would.

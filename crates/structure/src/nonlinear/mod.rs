@@ -21,6 +21,7 @@ mod stability;
 mod state;
 mod steps;
 mod structure;
+mod tangent;
 
 pub use error::NonlinearError;
 pub use joints::reactions_of;

@@ -26,14 +26,18 @@ const STEP: f64 = 1e-7;
 /// Spin of one iteration beyond which a linear prediction means nothing, rad.
 const SPIN: f64 = 1.5;
 
+/// A way that grows by more than this over the mean of the stiffnesses at its ends went across a limit of the load.
+pub(super) const JUMP: f64 = 1.5;
+
 /// An equilibrium.
 pub(super) struct Converged {
     pub(super) state: State,
     pub(super) iterations: usize,
     /// Of the tangent.
     pub(super) negative: usize,
-    /// Of all tangents on the way: where there are some, it may have jumped from one branch to another.
-    pub(super) negative_on_the_way: usize,
+    /// Where a tangent on the way had negative pivots: work of the added load on its displacement over what the tangents
+    /// of both ends say. Beyond [`JUMP`] it has come to another branch.
+    pub(super) overshoot: f64,
     /// The tangent's factor.
     pub(super) factor: Factor,
 }
@@ -54,6 +58,7 @@ pub(super) fn converge(
 ) -> Result<Converged, Failed> {
     let mut state = start.clone();
     let mut promised: Option<Vec<DVector<f64>>> = None;
+    let (mut added, mut way, mut first_work): (Vec<f64>, Vec<f64>, f64) = (Vec::new(), Vec::new(), 0.0);
     let (mut negative, mut on_the_way, size) = (0, 0, extent(start));
     for iteration in 1..=ITERATIONS {
         let map = structure.map(&state);
@@ -86,16 +91,15 @@ pub(super) fn converge(
         let own: f64 = du.iter().zip(&r).map(|(u, r)| u * r).sum::<f64>().abs();
         tracing::trace!(iteration, own, shift, spin, negative, "iteration");
         if iteration == 1 {
-            *work = work.max(own);
+            (*work, first_work) = (work.max(own), own);
+            (added, way) = (r.clone(), vec![0.0; r.len()]);
         }
+        way.iter_mut().zip(&du).for_each(|(way, du)| *way += du);
         if own <= WORK * *work && spin < STEP && shift < STEP * size {
-            return Ok(Converged {
-                state,
-                iterations: iteration,
-                negative,
-                negative_on_the_way: on_the_way,
-                factor,
-            });
+            let product = |u: &[f64]| added.iter().zip(u).map(|(f, u)| f * u).sum::<f64>().abs();
+            let mean = 0.5 * (first_work + product(&solve(&added)));
+            let overshoot = if on_the_way > 0 { product(&way) / mean } else { 0.0 };
+            return Ok(Converged { state, iterations: iteration, negative, overshoot, factor });
         }
         let one = |at: usize| {
             let element = &structure.elements[structure.elastic[at]];

@@ -3,7 +3,7 @@
 use super::error::NonlinearError;
 use super::joints::LINEAR_TURN;
 use super::loads::Loads;
-use super::newton::{Converged, converge};
+use super::newton::{Converged, JUMP, converge};
 use super::rotation::logarithm;
 use super::stability;
 use super::state::State;
@@ -107,15 +107,14 @@ impl LargeDeflection {
                 let (tried, is_stop) =
                     if step > 0.999 * rest { (*stop, true) } else { (reached + step, false) };
                 match walk.to(&state, tried) {
-                    Ok(found) if found.negative_on_the_way > 0 && watched => {
+                    Ok(found) if watched && (found.negative > 0 || found.overshoot > JUMP) => {
                         let length = tried - reached;
                         if found.negative > 0 && length <= BRACKET {
                             return Err(self.unstable(&found, reached, tried));
                         }
                         // A step that jumps from one branch to another however short it is is no way.
                         if length < SHORTEST {
-                            let negative = found.negative_on_the_way;
-                            return Err(NonlinearError::Stalled { load_factor: reached, tried, negative });
+                            return Err(NonlinearError::Stalled { load_factor: reached, tried, negative: 0 });
                         }
                         (step, growing) = (0.5 * length, growing && found.negative == 0);
                         pending += found.iterations;

@@ -31,7 +31,7 @@ pub struct LargeDeflection {
     /// Places of those with mass.
     massive: Vec<usize>,
     pub(super) joints: Joints,
-    pattern: Pattern,
+    pub(super) pattern: Pattern,
     pub(super) analysis: Arc<Analysis>,
 }
 
