@@ -1,5 +1,7 @@
 //! What every structure that bends far must fulfil: exact tangents, no force from rigid rotations, results that turn with it.
 
+#![expect(clippy::format_push_string, reason = "decks written card by card")]
+
 mod common;
 mod large;
 
@@ -64,9 +66,9 @@ fn tangent_error(wing: &LargeDeflection, state: &State, loads: &Loads) -> f64 {
     let (n, step) = (wing.free_count(), 1e-6);
     let k = wing.stiffness(state, loads);
     let mut dense = vec![vec![0.0; n]; n];
-    for j in 0..n {
+    for (j, column) in dense.iter_mut().enumerate() {
         for (i, value) in k.as_ref().row_idx_of_col(j).zip(k.as_ref().val_of_col(j)) {
-            dense[i][j] = *value;
+            column[i] = *value;
         }
     }
     let column = |j: usize| {

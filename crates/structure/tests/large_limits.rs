@@ -1,7 +1,5 @@
 //! Loads that cannot be carried, parts that cannot turn, loads that follow.
 
-#![expect(clippy::format_push_string, reason = "decks written card by card")]
-
 mod common;
 mod large;
 

@@ -98,7 +98,9 @@ impl TieCard for Rbe3 {
         let about = builder.nodes[reference].point;
         let distances = members.iter().map(|(node, _, _)| (builder.nodes[*node].point - about).norm());
         let square = average::mean_radius(distances).powi(2);
-        members.iter_mut().for_each(|(_, _, weight)| *weight *= square);
+        for (_, _, weight) in &mut members {
+            *weight *= square;
+        }
         Ok(Joint::Mean { reference, turns, members })
     }
 

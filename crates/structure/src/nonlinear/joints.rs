@@ -108,7 +108,7 @@ impl Joints {
                         sum(spins.chain([(1.0, &source[i])]))
                     });
                     let mut basic: Vec<Row> = moved.collect();
-                    basic.extend(source[3..6].iter().cloned().take(if *turns { 3 } else { 0 }));
+                    basic.extend(source[3..if *turns { 6 } else { 3 }].iter().cloned());
                     self.store(&mut own, *to, &basic);
                 }
                 Step::Mean { reference, turns, members, group, .. } => {
@@ -306,7 +306,9 @@ fn ordered(mut open: Vec<(Step, Vec<usize>, Vec<usize>)>, model: &Model) -> Resu
 fn sum<'a>(parts: impl Iterator<Item = (f64, &'a Row)>) -> Row {
     let mut sum: BTreeMap<usize, f64> = BTreeMap::new();
     for (factor, row) in parts {
-        row.iter().for_each(|(dof, f)| *sum.entry(*dof).or_default() += factor * f);
+        for (dof, f) in row {
+            *sum.entry(*dof).or_default() += factor * f;
+        }
     }
     sum.into_iter().collect()
 }

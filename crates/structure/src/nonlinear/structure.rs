@@ -190,7 +190,9 @@ impl LargeDeflection {
     pub(super) fn reduced(map: &DofMap, forces: &[f64]) -> Vec<f64> {
         let mut reduced = vec![0.0; map.free.len()];
         for (row, force) in map.rows.iter().zip(forces) {
-            row.iter().for_each(|(at, factor)| reduced[*at] += factor * force);
+            for (at, factor) in row {
+                reduced[*at] += factor * force;
+            }
         }
         reduced
     }
@@ -221,7 +223,9 @@ impl LargeDeflection {
                 (free, k, reduced)
             };
             let batch: Vec<_> = range.into_par_iter().map(one).collect();
-            batch.iter().for_each(|(free, k, reduced)| add(free, k, reduced.as_ref()));
+            for (free, k, reduced) in &batch {
+                add(free, k, reduced.as_ref());
+            }
         }
         for (dofs, term) in self.joints.turning_arms(state, unbalanced) {
             let free = free_motions(&dofs, map);
