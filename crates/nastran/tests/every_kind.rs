@@ -230,8 +230,7 @@ fn every_number_is_raised_and_nothing_else() {
     let raised = deck.clone().raised(step, "").expect("numbers that do not meet");
     let (before, after) = (fields(&deck), fields(&raised));
     // Sets of constraints and loads, and what only the case control and names refer to.
-    let keep =
-        ["equation_unions", "constraint_unions", "load_sums", "trims", "aero_links", "aero_reference"];
+    let keep = ["equation_unions", "constraint_unions", "load_sums", "trims", "aero_links", "aero_reference"];
     for field in kinds(&keep) {
         assert_ne!(before[field], after[field], "{field} keeps its numbers");
     }
