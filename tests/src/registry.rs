@@ -66,6 +66,34 @@ pub fn cases() -> impl Iterator<Item = &'static Case> {
 pub const LISTED: &[(&str, &str)] = &[
     ("trim__freedlm", "its deck is named, but not in the file"),
     (
+        "nl_beam__bathe_bolourchi_45",
+        "compared in crates/structure/tests/large_deflections.rs at every load of the table",
+    ),
+    (
+        "nl_beam__elastica_end_shear",
+        "compared in crates/structure/tests/large_deflections.rs at every load of the table",
+    ),
+    (
+        "nl_pazy__static_torsion_skin0",
+        "compared in crates/structure/tests/large_pazy.rs at every load of the table",
+    ),
+    (
+        "nl_shell__sze_3_1_end_shear",
+        "compared in crates/structure/tests/large_shells.rs at every load of the table",
+    ),
+    (
+        "nl_shell__sze_3_2_end_moment",
+        "compared in crates/structure/tests/large_shells.rs at every load of the table",
+    ),
+    (
+        "nl_shell__sze_3_3_slit_annulus",
+        "compared in crates/structure/tests/large_shells.rs at every load of the table",
+    ),
+    (
+        "nl_pazy__static_bending_skin1",
+        "needs the finite element model with the skin, or its equivalent beam, which are not in the files",
+    ),
+    (
         "flutter__pazy_sol145_NO_tipmass",
         "the finite element model of the wing with its skin is not in the file, only the deck's name; `cargo xtask flutter` \
          gives the flutter of the beam in data/pazy, which is fitted to the measured wing",

@@ -4,9 +4,10 @@ use crate::card::Card;
 use crate::cards::kind::{CardKind, Cards, DeckCard, Family};
 use crate::cards::{
     Aecomp, Aefact, Aelink, Aelist, Aeros, Aestat, Aesurf, BeamElement, BeamProperty, Caero1, Cbush, Conm1,
-    Conm2, Conrod, Coord, Crod, EigenMethod, Genel, Grid, Mat1, Mat2, Mat8, Mat9, MonitorPoint, Mpc, Paero1,
-    Pbush, Pcomp, Prod, Pshell, Psolid, Rbar, Rbe2, Rbe3, ScalarElement, ScalarProperty, Set1, SetUnion,
-    ShellElement, SolidElement, Spc1, SplineCard, Spoint, Suport, Trim,
+    Conm2, Conrod, Coord, Crod, EigenMethod, Genel, Gravity, Grid, LineLoad, LoadSum, Mat1, Mat2, Mat8, Mat9,
+    MonitorPoint, Mpc, Paero1, Pbush, Pcomp, PointLoad, Pressure, Prod, Pshell, Psolid, Rbar, Rbe2, Rbe3,
+    ScalarElement, ScalarProperty, Set1, SetUnion, ShellElement, SolidElement, Spc1, SplineCard, Spoint,
+    Suport, Trim,
 };
 use crate::deck::case_control::Subcase;
 use crate::dmi::Dmi;
@@ -149,6 +150,11 @@ kinds! {
     monitors: Vec<MonitorPoint>, Own, ["MONPNT1", "MONPNT3"];
     constraint_unions: BTreeMap<u32, SetUnion>, Own, ["SPCADD"];
     equation_unions: BTreeMap<u32, SetUnion>, Own, ["MPCADD"];
+    point_loads: Vec<PointLoad>, Own, ["FORCE", "MOMENT"];
+    line_loads: Vec<LineLoad>, Own, ["FORCE1", "MOMENT1"];
+    pressures: Vec<Pressure>, Own, ["PLOAD", "PLOAD2", "PLOAD4"];
+    gravities: Vec<Gravity>, Own, ["GRAV"];
+    load_sums: BTreeMap<u32, LoadSum>, Own, ["LOAD"];
     aero_reference: Option<Aeros>, Own, ["AEROS"];
     trim_variables: BTreeMap<u32, Aestat>, Own, ["AESTAT"];
     trims: BTreeMap<u32, Trim>, Own, ["TRIM"];

@@ -98,6 +98,15 @@ MONPNT3,TIP,Wing tip
 ,35,70,,7,.1,.2,.3
 SPCADD,5,1
 MPCADD,6,1
+FORCE,2,1,7,2.,.1,.2,.3
+MOMENT,2,1,7,2.,.1,.2,.3
+FORCE1,2,1,4.,2,3
+MOMENT1,2,1,4.,2,3
+PLOAD,2,5.,1,2,3
+PLOAD2,2,5.,80,81
+PLOAD4,2,80,1.,2.,3.,4.
+GRAV,2,7,9.75,0.,0.,-1.
+LOAD,3,1.,2.,2
 AEROS,,,1.,2.,2.
 AESTAT,120,ANGLEA
 TRIM,1,.5,100.,URDD3,1.
@@ -125,6 +134,11 @@ const NO_IMAGE: &[&str] = &[
     "monitors",
     "constraint_unions",
     "equation_unions",
+    "point_loads",
+    "line_loads",
+    "pressures",
+    "gravities",
+    "load_sums",
     "aero_reference",
     "trim_variables",
     "trims",
@@ -228,8 +242,8 @@ fn every_number_is_raised_and_nothing_else() {
     let deck = samples();
     let raised = deck.clone().raised(step, "").expect("numbers that do not meet");
     let (before, after) = (fields(&deck), fields(&raised));
-    // Sets of constraints, and what only the case control and names refer to.
-    let keep = ["equation_unions", "constraint_unions", "trims", "aero_links", "aero_reference"];
+    // Sets of constraints and loads, and what only the case control and names refer to.
+    let keep = ["equation_unions", "constraint_unions", "load_sums", "trims", "aero_links", "aero_reference"];
     for field in kinds(&keep) {
         assert_ne!(before[field], after[field], "{field} keeps its numbers");
     }

@@ -24,7 +24,8 @@ pub(crate) struct Assembled {
 }
 
 /// An element's motions among the free ones: T of its own rows, or where each row stands if no row is a combination.
-enum Free {
+#[derive(Debug, Clone)]
+pub(crate) enum Free {
     Places(Vec<Option<usize>>),
     Combined { dofs: Vec<usize>, t: DMatrix<f64> },
 }
@@ -93,7 +94,7 @@ fn lumped(mass: &DMatrix<f64>, dofs: &[usize]) -> DMatrix<f64> {
     DMatrix::from_diagonal(&nalgebra::DVector::from_fn(dofs.len(), |i, _| of_row(i)))
 }
 
-fn free_motions(dofs: &[usize], map: &DofMap) -> Free {
+pub(crate) fn free_motions(dofs: &[usize], map: &DofMap) -> Free {
     let is_plain = |dof: &usize| matches!(map.rows[*dof].as_slice(), [] | [(_, 1.0)]);
     if dofs.iter().all(is_plain) {
         return Free::Places(dofs.iter().map(|dof| map.rows[*dof].first().map(|(at, _)| *at)).collect());
@@ -111,7 +112,7 @@ fn free_motions(dofs: &[usize], map: &DofMap) -> Free {
 }
 
 impl Free {
-    fn list(&self) -> Vec<usize> {
+    pub(crate) fn list(&self) -> Vec<usize> {
         match self {
             Self::Places(places) => places.iter().flatten().copied().collect(),
             Self::Combined { dofs, .. } => dofs.clone(),
@@ -119,7 +120,7 @@ impl Free {
     }
 
     /// T^T A T; nothing where the element's own matrix can be added as it is.
-    fn reduce(&self, matrix: Option<&DMatrix<f64>>) -> Option<DMatrix<f64>> {
+    pub(crate) fn reduce(&self, matrix: Option<&DMatrix<f64>>) -> Option<DMatrix<f64>> {
         match (self, matrix) {
             (Self::Combined { t, .. }, Some(matrix)) => Some(t.transpose() * matrix * t),
             _ => None,

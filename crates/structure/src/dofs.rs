@@ -48,16 +48,32 @@ impl Sets {
         Ok(Self { clamped, dependent, axes: model.nodes.iter().map(turned).collect() })
     }
 
+    /// Which motions are clamped or held.
+    pub(crate) fn clamps(&self) -> &[bool] {
+        &self.clamped
+    }
+
     /// Clamped motions only, basic axes.
     pub(crate) fn clamped(clamped: Vec<bool>) -> Self {
         let axes = vec![None; clamped.len() / 6];
         Self { clamped, dependent: BTreeMap::new(), axes }
     }
 
+    /// Of a model, what no element touches held; and for each motion whether it is touched or follows others.
+    pub(crate) fn of_touched(model: &Model) -> Result<(Self, Vec<bool>), InputError> {
+        let mut sets = Self::of(model)?;
+        let mut touched = vec![false; 6 * model.nodes.len()];
+        for element in model.elements() {
+            element.dofs().into_iter().for_each(|dof| touched[dof] = true);
+        }
+        let touched = sets.hold_untouched(|dof| touched[dof]);
+        Ok((sets, touched))
+    }
+
     /// Holds motions that nothing touches: `is_touched` tells of a degree of freedom of the g-set (basic axes)
     /// whether an element has stiffness or mass there. A motion that another one follows counts as touched. Gives for each
     /// motion whether it is touched or follows others.
-    pub(crate) fn hold_untouched(&mut self, is_touched: impl Fn(usize) -> bool) -> Vec<bool> {
+    fn hold_untouched(&mut self, is_touched: impl Fn(usize) -> bool) -> Vec<bool> {
         let mut touched = vec![false; self.clamped.len()];
         for (dof, mark) in touched.iter_mut().enumerate() {
             *mark = match self.axes[dof / 6] {

@@ -4,6 +4,7 @@
 //! one line in `model/registry.rs` (the crate's README shows how). Matrices may be computed when they are asked for (a solid's would fill the memory
 //! of a large model) or kept.
 
+use crate::corotation::Corotation;
 use nalgebra::DMatrix;
 use std::borrow::Cow;
 use std::fmt::Debug;
@@ -27,5 +28,10 @@ pub trait Element: Debug + Send + Sync {
     /// points have inertia about them.
     fn lumped_mass(&self) -> Option<DMatrix<f64>> {
         None
+    }
+
+    /// How it turns with nodes that turn far.
+    fn corotation(&self) -> Corotation {
+        Corotation::Fit
     }
 }

@@ -4,6 +4,7 @@
 //! matrix `[m E, -m [r]; m [r], I - m [r][r]]` about the node. The card's products of inertia are positive
 //! integrals (I21 = int x1 x2 dm) and enter the inertia matrix with a minus sign, as in Nastran.
 
+use crate::corotation::Corotation;
 use crate::element::Element;
 use nalgebra::{DMatrix, Matrix3, Point3, Vector3};
 use nastran::{Conm2, Frames, InputError};
@@ -102,5 +103,8 @@ impl Element for PointMass {
     }
     fn mass(&self) -> Option<Cow<'_, DMatrix<f64>>> {
         Some(Cow::Borrowed(&self.mass))
+    }
+    fn corotation(&self) -> Corotation {
+        Corotation::Node(0)
     }
 }

@@ -1,5 +1,6 @@
 //! Elements that are a small matrix over some motions: springs, bushes, rods, general elements, mass matrices.
 
+use crate::corotation::Corotation;
 use crate::element::Element;
 use nalgebra::DMatrix;
 use std::borrow::Cow;
@@ -12,24 +13,46 @@ pub struct MatrixElement {
     dofs: Vec<usize>,
     stiffness: Option<DMatrix<f64>>,
     mass: Option<DMatrix<f64>>,
+    corotation: Corotation,
 }
 
 impl MatrixElement {
     /// A stiffness (N/m, Nm/rad) over `dofs` of the g-set; motions without any stiffness are left out.
     pub fn spring(id: u32, dofs: &[usize], stiffness: &DMatrix<f64>) -> Self {
         let (dofs, matrix) = without_empty(dofs, stiffness);
-        Self { id, nodes: nodes_of(&dofs), dofs, stiffness: Some(matrix), mass: None }
+        Self {
+            id,
+            nodes: nodes_of(&dofs),
+            dofs,
+            stiffness: Some(matrix),
+            mass: None,
+            corotation: Corotation::Fit,
+        }
     }
 
     /// A mass (kg, kg m^2) over `dofs` of the g-set; motions without any mass are left out.
     pub fn mass(id: u32, dofs: &[usize], mass: &DMatrix<f64>) -> Self {
         let (dofs, matrix) = without_empty(dofs, mass);
-        Self { id, nodes: nodes_of(&dofs), dofs, stiffness: None, mass: Some(matrix) }
+        Self {
+            id,
+            nodes: nodes_of(&dofs),
+            dofs,
+            stiffness: None,
+            mass: Some(matrix),
+            corotation: Corotation::Fit,
+        }
     }
 
     /// Stiffness and mass over the same motions.
     pub fn new(id: u32, dofs: Vec<usize>, stiffness: DMatrix<f64>, mass: DMatrix<f64>) -> Self {
-        Self { id, nodes: nodes_of(&dofs), dofs, stiffness: Some(stiffness), mass: Some(mass) }
+        let nodes = nodes_of(&dofs);
+        Self { id, nodes, dofs, stiffness: Some(stiffness), mass: Some(mass), corotation: Corotation::Fit }
+    }
+
+    /// The same matrices, turning in another way than with the best fit of the nodes.
+    #[must_use]
+    pub fn turning(self, corotation: Corotation) -> Self {
+        Self { corotation, ..self }
     }
 }
 
@@ -64,5 +87,8 @@ impl Element for MatrixElement {
     }
     fn mass(&self) -> Option<Cow<'_, DMatrix<f64>>> {
         self.mass.as_ref().map(Cow::Borrowed)
+    }
+    fn corotation(&self) -> Corotation {
+        self.corotation.clone()
     }
 }

@@ -12,6 +12,7 @@ use rayon::prelude::*;
 pub(crate) type Sparse = SparseColMat<usize, f64>;
 
 /// Where entries can stand in a symmetric matrix: the lower triangle, column by column, rows ascending.
+#[derive(Debug, Clone)]
 pub(crate) struct Pattern {
     columns: Vec<usize>,
     rows: Vec<usize>,

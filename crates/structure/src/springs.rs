@@ -1,5 +1,7 @@
 //! Springs, bushes, rods, general elements and mass matrices: cards to matrices in basic axes.
 
+use crate::corotation::Corotation;
+use crate::element::Element;
 use crate::matrix_element::MatrixElement;
 use crate::model::Node;
 use nalgebra::{DMatrix, DVector, Matrix3, Point3, Vector3};
@@ -55,7 +57,13 @@ pub(crate) fn bush(
         strain.view_mut((3, 6 * end + 3), (3, 3)).copy_from(&turn);
     }
     let k = DMatrix::from_diagonal(&DVector::from_column_slice(&property.stiffness));
-    MatrixElement::spring(id, &dofs, &(strain.transpose() * k * &strain))
+    let bush = MatrixElement::spring(id, &dofs, &(strain.transpose() * k * &strain));
+    // Its axes turn with end A; nodes are listed in ascending order, and an end that meets no stiffness is not among them.
+    let turning = match bush.nodes().iter().position(|node| *node == ends.0) {
+        Some(node) if ends.1.is_some() => Corotation::Node(node),
+        _ => Corotation::Ground,
+    };
+    bush.turning(turning)
 }
 
 /// A rod: stretch and twist, and its mass on the displacements.
@@ -136,7 +144,38 @@ pub(crate) fn general(
             t[(row, dofs.binary_search(dof).expect("every motion is in the list"))] += factor;
         }
     }
-    Ok(MatrixElement::spring(card.id, &dofs, &(t.transpose() * local * &t)))
+    let element = MatrixElement::spring(card.id, &dofs, &(t.transpose() * local * &t));
+    let why = format!("GENEL {}: its matrix does not tell how it turns with large deflections", card.id);
+    Ok(if turns_with_its_grids(&element, nodes) {
+        element
+    } else {
+        element.turning(Corotation::Refused(why))
+    })
+}
+
+/// Whether the grids of an element are not in one line and a rigid motion of theirs meets no force.
+fn turns_with_its_grids(element: &MatrixElement, nodes: &[Node]) -> bool {
+    let (Some(k), dofs) = (element.stiffness(), element.dofs()) else { return false };
+    let about = element.nodes().first().map_or_else(Point3::origin, |node| nodes[*node].point);
+    let arms: Vec<Vector3<f64>> = element.nodes().iter().map(|node| nodes[*node].point - about).collect();
+    let spread: Matrix3<f64> = arms.iter().map(|arm| arm * arm.transpose()).sum();
+    let mut squares: Vec<f64> = spread.symmetric_eigenvalues().iter().copied().collect();
+    squares.sort_by(f64::total_cmp);
+    let size = squares[2].sqrt();
+    // Rotations in units of the size: one unit for the whole matrix.
+    let scale: Vec<f64> = dofs.iter().map(|dof| if dof % 6 < 3 { 1.0 } else { 1.0 / size }).collect();
+    let scaled = DMatrix::from_fn(dofs.len(), dofs.len(), |i, j| scale[i] * k[(i, j)] * scale[j]);
+    let rigid = DMatrix::from_fn(dofs.len(), 6, |i, motion| {
+        let (arm, component) = (nodes[dofs[i] / 6].point - about, dofs[i] % 6);
+        let unit = Vector3::ith(motion % 3, 1.0);
+        match (component < 3, motion < 3) {
+            (true, true) => unit[component],
+            (true, false) => unit.cross(&arm)[component] / size,
+            (false, false) => unit[component - 3],
+            (false, true) => 0.0,
+        }
+    });
+    squares[1] > 1e-6 * squares[2] && (&scaled * rigid).amax() <= 1e-6 * scaled.amax()
 }
 
 /// A mass matrix at a node, its axes the columns of `axes`.
@@ -146,7 +185,8 @@ pub(crate) fn mass_matrix(card: &Conm1, node: usize, axes: &Matrix3<f64>) -> Mat
     turn.view_mut((3, 3), (3, 3)).copy_from(axes);
     let own = DMatrix::from_fn(6, 6, |i, j| card.mass[i][j]);
     let dofs: Vec<usize> = (0..6).map(|component| 6 * node + component).collect();
-    MatrixElement::mass(card.id, &dofs, &(&turn * own * turn.transpose()))
+    let mass = MatrixElement::mass(card.id, &dofs, &(&turn * own * turn.transpose()));
+    mass.turning(Corotation::Node(0))
 }
 
 /// Axes of a bush from its line and an orientation vector: x along, y in the plane of the vector.

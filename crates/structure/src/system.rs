@@ -58,12 +58,7 @@ impl System {
         model: &Model,
         factors: impl Fn(usize) -> [f64; 2] + Sync,
     ) -> Result<Self, InputError> {
-        let mut sets = Sets::of(model)?;
-        let mut touched = vec![false; 6 * model.nodes.len()];
-        for element in model.elements() {
-            element.dofs().into_iter().for_each(|dof| touched[dof] = true);
-        }
-        let touched = sets.hold_untouched(|dof| touched[dof]);
+        let (sets, touched) = Sets::of_touched(model)?;
         let unattached: Vec<usize> =
             (0..model.nodes.len()).filter(|node| touched[6 * node..6 * node + 3] == [false; 3]).collect();
         let dofs = sets.map();
@@ -144,8 +139,21 @@ impl System {
         };
         let all: Vec<usize> = (0..n).collect();
         let ((k_gg, m_gg), (k_ff, m_ff)) = (sum(&all), sum(&dofs.free));
+        let system = Self::of_parts(ids, points, dofs, [k_gg, m_gg], [k_ff, m_ff]);
+        assert!(system.is_finite(), "stiffness and mass are finite numbers");
+        system
+    }
+
+    /// Of stiffness and mass that are summed already, of all motions and of the free ones.
+    pub(crate) fn of_parts(
+        ids: Vec<u32>,
+        points: Vec<Point3<f64>>,
+        dofs: DofMap,
+        [k_gg, m_gg]: [Sparse; 2],
+        [k_ff, m_ff]: [Sparse; 2],
+    ) -> Self {
         let (k_gg, m_gg) = (Arc::new(k_gg), Arc::new(m_gg));
-        let system = Self {
+        Self {
             ids,
             points,
             scalar: Vec::new(),
@@ -157,9 +165,7 @@ impl System {
             unattached: Vec::new(),
             auto_held: Vec::new(),
             analysis: OnceLock::new(),
-        };
-        assert!(system.is_finite(), "stiffness and mass are finite numbers");
-        system
+        }
     }
 
     /// The same structure with all motions of a node that are free clamped, as an SPC1 card for them would.

@@ -21,6 +21,7 @@ use crate::commands::pipeline_result::PipelineResult;
 use crate::commands::response_missing_result::MissingResult;
 use crate::commands::response_result::{DisplacementResult, ResponseResult};
 use crate::commands::simulate_result::SimulateResult;
+use crate::commands::statics_result::StaticsResult;
 use crate::commands::tunnel_result::TunnelResult;
 
 /// A schema with its name.
@@ -84,6 +85,7 @@ pub fn all() -> Vec<Named> {
         result::<TunnelResult>("tunnel_result", "result.json of tunnel"),
         result::<ModesResult>("modes_result", "result.json of modes"),
         result::<ModesMeasuredResult>("modes_measured_result", "result.json of modes --measured"),
+        result::<StaticsResult>("statics_result", "result.json of statics"),
         result::<DeckResult>("deck_result", "result.json of deck"),
         result::<ResponseResult>("response_result", "result.json of response"),
         result::<MissingResult>("response_missing_result", "result.json of response --missing"),

@@ -34,7 +34,8 @@ pub(crate) fn mean(
 ) -> Result<Vec<Dependent>, InputError> {
     let owner = format!("RBE3 {}", card.id);
     let about = nodes[reference].point;
-    let radius_m = mean_radius(nodes, members, reference);
+    let distances = members.iter().map(|member| (nodes[member.node].point - about).norm());
+    let radius_m = mean_radius(distances);
     // Rotations in units of the radius, so that the matrix has one unit.
     let scale = Vector6::from_fn(|k, _| if k < 3 { 1.0 } else { radius_m });
     let mut normal = Matrix6::zeros();
@@ -71,9 +72,10 @@ pub(crate) fn mean(
     solved_for(&equations, if um.is_empty() { &own } else { um }, &owner, &card.span)
 }
 
-fn mean_radius(nodes: &[Node], members: &[Member], reference: usize) -> f64 {
-    let distance = |member: &Member| (nodes[member.node].point - nodes[reference].point).norm();
-    let mean = members.iter().map(distance).sum::<f64>() / (members.len().max(1) as f64);
+/// The mean of the members' distances from the reference, m; one if all are there.
+pub(crate) fn mean_radius(distances: impl ExactSizeIterator<Item = f64>) -> f64 {
+    let count = distances.len().max(1) as f64;
+    let mean = distances.sum::<f64>() / count;
     if mean > 0.0 { mean } else { 1.0 }
 }
 

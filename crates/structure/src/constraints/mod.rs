@@ -6,6 +6,7 @@
 
 pub(crate) mod average;
 pub(crate) mod equation;
+pub(crate) mod joint;
 pub(crate) mod rigid;
 
 use crate::model::Node;

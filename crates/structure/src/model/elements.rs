@@ -4,6 +4,7 @@ use super::build::{Builder, found};
 use super::registry::ElementCard;
 use crate::beam::{Beam, BeamPlacement};
 use crate::cell_shape::CellShape;
+use crate::corotation::Corotation;
 use crate::element::Element;
 use crate::masses::PointMass;
 use crate::matrix_element::MatrixElement;
@@ -145,7 +146,7 @@ impl ElementCard for ScalarElement {
         }
         let (dofs, matrix) = springs::scalar(&builder.nodes, ends, value);
         let make = if self.is_mass { MatrixElement::mass } else { MatrixElement::spring };
-        Ok(Arc::new(make(self.id, &dofs, &matrix)))
+        Ok(Arc::new(make(self.id, &dofs, &matrix).turning(Corotation::Axes)))
     }
 
     /// Only springs are drawn.

@@ -7,14 +7,17 @@ mod build;
 mod conrod;
 mod elements;
 mod links;
+mod loads;
 mod node;
 pub(crate) mod registry;
 mod shells;
 mod solids;
 
+pub use loads::{load_sets, loads_of};
 pub use node::{Clamp, Node};
 
 use crate::constraints::Dependent;
+use crate::constraints::joint::Tie;
 use crate::element::Element;
 use crate::laminate::ShearModel;
 use nastran::{BulkData, InputError};
@@ -42,6 +45,8 @@ pub struct Model {
     pub elements: Vec<Arc<dyn Element>>,
     /// Motions that follow others.
     pub dependents: Vec<Dependent>,
+    /// The cards that say so.
+    pub ties: Vec<Tie>,
     /// Clamps: those of the grids, then those of the constraint cards.
     pub clamps: Vec<Clamp>,
     /// What every mass is multiplied with (PARAM WTMASS); one if the deck says nothing.
@@ -88,10 +93,10 @@ impl Model {
 
     /// Reads what is there, under the constraints that are there.
     fn read(bulk: &BulkData, shear: ShearModel) -> Result<Self, InputError> {
-        let (elements, dependents) = (Vec::new(), Vec::new());
-        let mut read = Reading { builder: build::Builder::new(bulk, shear)?, elements, dependents };
+        let builder = build::Builder::new(bulk, shear)?;
+        let mut read = Reading { builder, elements: Vec::new(), dependents: Vec::new(), ties: Vec::new() };
         registry::visit(bulk, &mut read)?;
-        let Reading { builder, elements, dependents } = read;
+        let Reading { builder, elements, dependents, ties } = read;
         let clamps = builder.clamps()?;
         let parameter = |name: &str| bulk.parameters.get(name).copied();
         let mass_form = if parameter("COUPMASS").is_some_and(|v| v < 0.0) {
@@ -108,6 +113,7 @@ impl Model {
             nodes: builder.nodes,
             elements,
             dependents,
+            ties,
             clamps,
             mass_factor,
             mass_form,
@@ -126,6 +132,7 @@ struct Reading<'a> {
     builder: build::Builder<'a>,
     elements: Vec<Arc<dyn Element>>,
     dependents: Vec<Dependent>,
+    ties: Vec<Tie>,
 }
 
 impl registry::Visitor for Reading<'_> {
@@ -141,7 +148,9 @@ impl registry::Visitor for Reading<'_> {
         cards: impl IntoIterator<Item = &'a C>,
     ) -> Result<(), InputError> {
         for card in cards {
+            let first = self.dependents.len();
             self.dependents.extend(card.dependents(&self.builder)?);
+            self.ties.extend(Tie::new(card.joint(&self.builder)?, &self.dependents, first));
         }
         Ok(())
     }

@@ -6,6 +6,7 @@
 use super::build::Builder;
 use crate::cell_shape::CellShape;
 use crate::constraints::Dependent;
+use crate::constraints::joint::Joint;
 use crate::element::Element;
 use nastran::{BulkData, InputError};
 use std::collections::BTreeMap;
@@ -29,6 +30,8 @@ pub(crate) trait ElementCard {
 pub(crate) trait TieCard {
     /// The motions that follow.
     fn dependents(&self, builder: &Builder) -> Result<Vec<Dependent>, InputError>;
+    /// What they do at finite rotations.
+    fn joint(&self, builder: &Builder) -> Result<Joint, InputError>;
     /// Its number, and the two ends of each arm that it is drawn as.
     fn arms(&self) -> (u32, Vec<[u32; 2]>);
 }
@@ -53,6 +56,8 @@ pub(crate) fn visit(bulk: &BulkData, visitor: &mut impl Visitor) -> Result<(), I
         coords: _, grids: _, scalar_points: _, beam_properties: _, rod_properties: _, shell_properties: _, laminates: _,
         solid_properties: _, bush_properties: _, spring_properties: _, mass_properties: _, materials: _,
         plane_materials: _, ply_materials: _, solid_materials: _, constraints: _, parameters: _,
+        // Taken by the load set that is asked for.
+        point_loads: _, line_loads: _, pressures: _, gravities: _, load_sums: _,
         // Of the air and of the case control.
         sets: _, panels: _, panel_properties: _, factors: _, surfaces: _, box_lists: _, splines: _, monitors: _,
         matrices: _, aero_reference: _, trim_variables: _, trims: _, aero_links: _, aero_components: _, supports: _, eigen_methods: _,

@@ -31,7 +31,11 @@ pub(super) fn scaled(system: &System, modes: &Modes, mode: usize) -> Vec<[f64; 6
 
 /// The undeformed mesh with a mode's displacement and rotation as point fields ("Warp By Vector" in ParaView).
 pub(super) fn vtu(system: &System, cells: &[MeshCell], modes: &Modes, mode: usize) -> String {
-    let nodes = scaled(system, modes, mode);
+    vtu_of(system, cells, &scaled(system, modes, mode))
+}
+
+/// The undeformed mesh with displacement and rotation of the nodes, six a node, as point fields.
+pub(super) fn vtu_of(system: &System, cells: &[MeshCell], nodes: &[[f64; 6]]) -> String {
     let field = |name: &str, from: usize| Field {
         name: name.into(),
         components: 3,

@@ -44,33 +44,56 @@ pub(super) fn write(
 /// The structure undeformed and in its first modes, these to be asked for one by one but the first; none for a structure
 /// without an extent.
 fn views(system: &System, cells: &[MeshCell], modes: &Modes) -> Vec<View> {
-    let points = system.points().to_vec();
+    let points = system.points();
     let extent = |axis: usize| {
         let values = || points.iter().map(|point| point[axis]);
         values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
     };
     let reach = REACH * (0..3).map(extent).fold(0.0, f64::max);
+    let mut states = vec![(String::from("undeformed"), vec![0.0; 6 * points.len()])];
+    for (mode, hertz) in hertz(modes).iter().enumerate().take(SHAPES) {
+        let moved = scaled(system, modes, mode).iter().flatten().map(|value| reach * value).collect();
+        states.push((format!("mode {}: {hertz:.2} Hz", mode + 1), moved));
+    }
+    if reach > 0.0 { in_space(system, cells, &states, 1) } else { Vec::new() }
+}
+
+/// Views of states of a structure (name, displacements six a node), those after the first but number `shown` to be asked
+/// for; none for a structure without an extent.
+fn in_space(system: &System, cells: &[MeshCell], states: &[(String, Vec<f64>)], shown: usize) -> Vec<View> {
     let (faces, lines) = (surface(cells), lines(cells));
-    if reach <= 0.0 || faces.is_empty() && lines.is_empty() {
+    if faces.is_empty() && lines.is_empty() {
         return Vec::new();
     }
-    let view = |title: String, at: &[_], waits: bool| View {
-        title,
-        groups: vec!["structure".into()],
-        quads: faces.iter().map(|face| Quad { corners: face.map(|node| at[node]), group: 0 }).collect(),
-        lines: lines.iter().map(|ends| ends.map(|node| at[node])).collect(),
-        waits,
-    };
-    let hertz = hertz(modes);
-    let mut views = vec![view("undeformed".into(), &points, false)];
-    for (mode, hertz) in hertz.iter().enumerate().take(SHAPES) {
-        let mut moved = points.clone();
-        for (point, six) in moved.iter_mut().zip(scaled(system, modes, mode)) {
-            (0..3).for_each(|axis| point[axis] += reach * six[axis]);
+    let view = |(number, (title, displacements)): (usize, &(String, Vec<f64>))| {
+        let mut at = system.points().to_vec();
+        for (point, six) in at.iter_mut().zip(displacements.chunks_exact(6)) {
+            (0..3).for_each(|axis| point[axis] += six[axis]);
         }
-        views.push(view(format!("mode {}: {hertz:.2} Hz", mode + 1), &moved, mode > 0));
+        View {
+            title: title.clone(),
+            groups: vec!["structure".into()],
+            quads: faces.iter().map(|face| Quad { corners: face.map(|node| at[node]), group: 0 }).collect(),
+            lines: lines.iter().map(|ends| ends.map(|node| at[node])).collect(),
+            waits: number != 0 && number != shown,
+        }
+    };
+    states.iter().enumerate().map(view).collect()
+}
+
+/// Writes states of a structure to scale, the last one shown; nothing for a structure without an extent.
+pub(super) fn write_states(
+    folder: &ResultFolder,
+    (name, caption): (&str, &str),
+    (system, cells): (&System, &[MeshCell]),
+    states: &[(String, Vec<f64>)],
+    files: &[String],
+) -> Result<(), Failure> {
+    let views = in_space(system, cells, states, states.len() - 1);
+    if views.is_empty() {
+        return Ok(());
     }
-    views
+    folder.write_shapes("shapes_in_space", &format!("Shapes of {name}"), caption, views, files)
 }
 
 /// Beams, rods, bushes and springs; arms of rigid elements are no structure to look at.

@@ -18,6 +18,7 @@ mod pipeline;
 pub mod plates;
 mod response;
 mod simulate;
+mod statics;
 mod tunnel;
 pub mod values;
 
@@ -41,6 +42,7 @@ pub(crate) fn page(written: Written) -> Option<Page> {
         "fullaircraft --deck" => aircraft_deck::page,
         "flutter" => flutter::page,
         "modes" => modes::page,
+        "statics" => statics::page,
         "deck" => deck::page,
         "docs" => docs::page,
         "tunnel" => tunnel::page,

@@ -1,0 +1,93 @@
+//! Loads at grids: FORCE and MOMENT in fixed directions, FORCE1 and MOMENT1 along a line between grids.
+
+use super::prelude::*;
+use nalgebra::Vector3;
+
+/// A force or moment in a fixed direction (FORCE, MOMENT).
+#[derive(Debug, Clone, PartialEq)]
+pub struct PointLoad {
+    /// Load set.
+    pub set: u32,
+    /// Grid it acts on.
+    pub grid: u32,
+    /// Coordinate system of the vector.
+    pub cid: u32,
+    /// Scale times vector.
+    pub vector: Vector3<f64>,
+    /// MOMENT.
+    pub is_moment: bool,
+    /// Where the card stands.
+    pub span: Span,
+}
+
+impl DeckCard for PointLoad {
+    keyed!(u32, set);
+    variant!(|card| usize::from(card.is_moment));
+    /// FORCE: SID G CID F N1 N2 N3.
+    fn read(card: &Card) -> Result<Vec<Self>, InputError> {
+        card.ends_after(7)?;
+        Ok(vec![Self {
+            set: card.id(0, "SID")?,
+            grid: card.id(1, "G")?,
+            cid: card.id_or(2, "CID", 0)?,
+            vector: card.vector::<Vector3<f64>>(4, ["N1", "N2", "N3"])? * card.real(3, "F")?,
+            is_moment: card.name == "MOMENT",
+            span: card.span.clone(),
+        }])
+    }
+
+    fn write(&self, card: Fields) -> Fields {
+        card.ints([self.set, self.grid, self.cid]).real(1.0).reals(&self.vector)
+    }
+
+    // Sets keep their numbers.
+    raises!(cards: grid; systems: cid);
+
+    // An image has no case control that selects loads.
+    no_image!();
+}
+
+/// A force along, or a moment about, the line from one grid to another, which it follows (FORCE1, MOMENT1).
+#[derive(Debug, Clone, PartialEq)]
+pub struct LineLoad {
+    /// Load set.
+    pub set: u32,
+    /// Grid it acts on.
+    pub grid: u32,
+    /// Size.
+    pub size: f64,
+    /// The line's ends.
+    pub line: [u32; 2],
+    /// MOMENT1.
+    pub is_moment: bool,
+    /// Where the card stands.
+    pub span: Span,
+}
+
+impl DeckCard for LineLoad {
+    keyed!(u32, set);
+    variant!(|card| usize::from(card.is_moment));
+    /// FORCE1: SID G F G1 G2.
+    fn read(card: &Card) -> Result<Vec<Self>, InputError> {
+        card.ends_after(5)?;
+        let ends = card.corners(3, &["G1", "G2"])?;
+        Ok(vec![Self {
+            set: card.id(0, "SID")?,
+            grid: card.id(1, "G")?,
+            size: card.real(2, "F")?,
+            line: [ends[0], ends[1]],
+            is_moment: card.name == "MOMENT1",
+            span: card.span.clone(),
+        }])
+    }
+
+    fn write(&self, card: Fields) -> Fields {
+        card.ints([self.set, self.grid]).real(self.size).ints(self.line)
+    }
+
+    // Sets keep their numbers.
+    raises!(cards: grid, line);
+
+    // An image has no case control that selects loads.
+    no_image!();
+}

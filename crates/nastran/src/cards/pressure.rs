@@ -1,0 +1,124 @@
+//! Pressures on faces: PLOAD between grids, PLOAD2 on shells, PLOAD4 on shells and faces of solids.
+
+use super::prelude::*;
+
+/// What a pressure acts on.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Pressed {
+    /// The face between three or four grids (PLOAD).
+    Grids(Vec<u32>),
+    /// Shells (PLOAD2, PLOAD4).
+    Elements(Vec<u32>),
+    /// The face of a solid that holds a corner and the one opposite to it, or for a triangle of a CPENTA only the corner,
+    /// or for a CTETRA the corner that the face does not hold (PLOAD4).
+    Face {
+        /// The solid.
+        element: u32,
+        /// G1.
+        corner: u32,
+        /// G3 or G4.
+        other: Option<u32>,
+    },
+}
+
+/// A pressure normal to faces.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pressure {
+    /// Load set.
+    pub set: u32,
+    /// What it acts on.
+    pub on: Pressed,
+    /// At the corners; the last is zero for three.
+    pub pressure: [f64; 4],
+    /// Name of the card.
+    pub form: usize,
+    /// Where the card stands.
+    pub span: Span,
+}
+
+impl DeckCard for Pressure {
+    keyed!(u32, set);
+    variant!(|card| card.form);
+    /// PLOAD: SID P G1 G2 G3 G4. PLOAD2: SID P EID1 EID2 ... or THRU. PLOAD4: SID EID P1 P2 P3 P4 G1 G3, or THRU EID2.
+    fn read(card: &Card) -> Result<Vec<Self>, InputError> {
+        let set = card.id(0, "SID")?;
+        let span = card.span.clone();
+        if card.name == "PLOAD4" {
+            return four(card, set);
+        }
+        let pressure = [card.real(1, "P")?; 4];
+        let (on, form) = if card.name == "PLOAD" {
+            card.ends_after(6)?;
+            let names = ["G1", "G2", "G3", "G4"];
+            let count = if card.text(5).is_empty() { 3 } else { 4 };
+            (Pressed::Grids(card.corners(2, &names[..count])?), 0)
+        } else {
+            (Pressed::Elements(card.id_list(2, "EID")?), 1)
+        };
+        Ok(vec![Self { set, on, pressure, form, span }])
+    }
+
+    fn write(&self, card: Fields) -> Fields {
+        let card = card.int(self.set);
+        match (&self.on, self.form) {
+            (Pressed::Face { element, corner, other }, _) => {
+                card.int(*element).reals(&self.pressure).int(*corner).optional(*other)
+            }
+            (Pressed::Elements(list), 2) => card.ints(list.iter().copied().take(1)).reals(&self.pressure),
+            (Pressed::Grids(list) | Pressed::Elements(list), _) => {
+                card.real(self.pressure[0]).ints(list.iter().copied())
+            }
+        }
+    }
+
+    // Sets keep their numbers.
+    fn raise(&mut self, by: Step) {
+        match &mut self.on {
+            Pressed::Grids(list) | Pressed::Elements(list) => by.cards(list),
+            Pressed::Face { element, corner, other } => {
+                by.cards(element);
+                by.cards(corner);
+                by.cards(other);
+            }
+        }
+    }
+
+    // An image has no case control that selects loads.
+    no_image!();
+}
+
+/// PLOAD4, an item an element.
+fn four(card: &Card, set: u32) -> Result<Vec<Pressure>, InputError> {
+    if let Some(index) = (8..card.len()).find(|index| !card.text(*index).is_empty()) {
+        let message = "PLOAD4 gives its pressure a direction of its own, which is not read";
+        let help =
+            "pressures normal to the face are: leave the continuation empty, or give the forces as FORCE";
+        return Err(card.error(index, message).with_help(help));
+    }
+    let first = card.real(2, "P1")?;
+    let mut pressure = [first; 4];
+    for (at, name) in [(1, "P2"), (2, "P3"), (3, "P4")] {
+        pressure[at] = card.real_or(2 + at, name, first)?;
+    }
+    let element = card.id(1, "EID")?;
+    let (form, span) = (2, card.span.clone());
+    if card.text(6).eq_ignore_ascii_case("THRU") {
+        let last = card.id(7, "EID2")?;
+        let one = |element| {
+            let on = Pressed::Elements(vec![element]);
+            Pressure { set, on, pressure, form, span: span.clone() }
+        };
+        return if last < element || last - element > 1_000_000 {
+            Err(card.wrong(7, "EID2", "an element number above EID"))
+        } else {
+            Ok((element..=last).map(one).collect())
+        };
+    }
+    let on = if card.text(6).is_empty() {
+        Pressed::Elements(vec![element])
+    } else {
+        let other = if card.text(7).is_empty() { None } else { Some(card.id(7, "G3")?) };
+        Pressed::Face { element, corner: card.id(6, "G1")?, other }
+    };
+    Ok(vec![Pressure { set, on, pressure, form, span }])
+}

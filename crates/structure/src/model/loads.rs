@@ -1,0 +1,183 @@
+//! Load sets of a deck as loads on the nodes of its model.
+
+use super::build::Builder;
+use crate::laminate::ShearModel;
+use crate::nonlinear::{Following, Loads, NodeLoad};
+use nalgebra::Vector3;
+use nastran::{
+    BulkData, Gravity, InputError, LineLoad, LoadSum, PointLoad, Pressed, Pressure, SolidElement, Span,
+};
+use std::collections::BTreeSet;
+
+/// Loads that are not read, and would be missing if a set had some.
+const UNREAD: &[&str] = &[
+    "FORCE2", "MOMENT2", "PLOAD1", "PLOADX1", "RFORCE", "ACCEL", "ACCEL1", "SLOAD", "SPCD", "DEFORM", "TEMP",
+    "TEMPD", "TEMPP1", "TEMPRB", "CLOAD",
+];
+
+/// The sets of loads that a deck has, ascending.
+pub fn load_sets(bulk: &BulkData) -> Vec<u32> {
+    let sums = bulk.load_sums.keys().copied();
+    let points = bulk.point_loads.iter().map(|load| load.set);
+    let lines = bulk.line_loads.iter().map(|load| load.set);
+    let pressures = bulk.pressures.iter().map(|load| load.set);
+    let weights = bulk.gravities.iter().map(|load| load.set);
+    let all: BTreeSet<u32> = sums.chain(points).chain(lines).chain(pressures).chain(weights).collect();
+    all.into_iter().collect()
+}
+
+/// The loads of a set: LOAD sums up others. FORCE, MOMENT and GRAV keep their direction, FORCE1, MOMENT1 and pressures
+/// follow the structure.
+///
+/// # Errors
+/// If there is no such set, it names what is not there, or the deck has loads that are not read.
+pub fn loads_of(bulk: &BulkData, set: u32) -> Result<Loads, InputError> {
+    if let Some((name, unread)) = bulk.unknown.iter().find(|(name, _)| UNREAD.contains(&name.as_str())) {
+        let message = format!("{name} is a load that is not read: leaving it out would change the loads");
+        let help =
+            "give it as FORCE, MOMENT, FORCE1, PLOAD, PLOAD2, PLOAD4 or GRAV, or take it out of the deck";
+        return Err(InputError::at(&unread.first, message).with_help(help));
+    }
+    let builder = Builder::new(bulk, ShearModel::Equilibrium)?;
+    let Some(LoadSum { scale, parts, span, .. }) = bulk.load_sums.get(&set) else {
+        return single(&builder, set, None);
+    };
+    let mut sum = Loads::default();
+    for (factor, part) in parts {
+        sum = sum.and(&single(&builder, *part, Some(span))?.times(scale * factor));
+    }
+    Ok(sum)
+}
+
+/// A set that is no sum; `asked` is the card that names it.
+fn single(builder: &Builder, set: u32, asked: Option<&Span>) -> Result<Loads, InputError> {
+    let bulk = builder.bulk;
+    let mut loads = Loads::default();
+    for load in bulk.point_loads.iter().filter(|load| load.set == set) {
+        loads.dead.push(point(builder, load)?);
+    }
+    for load in bulk.line_loads.iter().filter(|load| load.set == set) {
+        loads.following.push(line(builder, load)?);
+    }
+    for load in bulk.pressures.iter().filter(|load| load.set == set) {
+        pressure(builder, load, &mut loads.following)?;
+    }
+    for Gravity { cid, vector, span, .. } in bulk.gravities.iter().filter(|load| load.set == set) {
+        loads.gravity_m_s2 += builder.frames.axes_at(*cid, span)? * vector;
+    }
+    if loads == Loads::default() {
+        let known: Vec<String> = load_sets(bulk).iter().map(u32::to_string).collect();
+        let message = format!("the deck has no loads of set {set}");
+        let help = if known.is_empty() {
+            "it has none at all".into()
+        } else {
+            format!("there are {}", known.join(", "))
+        };
+        return Err(asked
+            .map_or_else(|| InputError::general(&message), |span| InputError::at(span, &message))
+            .with_help(help));
+    }
+    Ok(loads)
+}
+
+fn point(builder: &Builder, load: &PointLoad) -> Result<NodeLoad, InputError> {
+    let user = if load.is_moment { "MOMENT" } else { "FORCE" };
+    let node = builder.node(load.grid, &format!("{user} of set {}", load.set), &load.span)?;
+    let axes = builder.frames.axes_at_point(load.cid, &builder.nodes[node].point, &load.span)?;
+    let (own, none) = (axes * load.vector, Vector3::zeros());
+    let (force, moment) = if load.is_moment { (none, own) } else { (own, none) };
+    Ok(NodeLoad { node, force, moment })
+}
+
+fn line(builder: &Builder, load: &LineLoad) -> Result<Following, InputError> {
+    let user = format!("{} of set {}", if load.is_moment { "MOMENT1" } else { "FORCE1" }, load.set);
+    let node = builder.node(load.grid, &user, &load.span)?;
+    let line =
+        [builder.node(load.line[0], &user, &load.span)?, builder.node(load.line[1], &user, &load.span)?];
+    if (builder.nodes[line[1]].point - builder.nodes[line[0]].point).norm() == 0.0 {
+        let message = format!("{user}: GRID {} and {} are at one place", load.line[0], load.line[1]);
+        return Err(
+            InputError::at(&load.span, message).with_help("its direction is from one grid to the other")
+        );
+    }
+    Ok(Following::Along { node, line, size: load.size, is_moment: load.is_moment })
+}
+
+fn pressure(builder: &Builder, load: &Pressure, into: &mut Vec<Following>) -> Result<(), InputError> {
+    let user = format!("{} of set {}", ["PLOAD", "PLOAD2", "PLOAD4"][load.form.min(2)], load.set);
+    let mut press = |grids: &[u32], sign: f64| -> Result<(), InputError> {
+        let face = builder.nodes_of(grids, &user, &load.span)?;
+        let pascal = load.pressure[..face.len()].iter().map(|p| p * sign).collect();
+        into.push(Following::Pressure { face, pascal });
+        Ok(())
+    };
+    match &load.on {
+        Pressed::Grids(grids) => press(grids, 1.0),
+        Pressed::Elements(elements) => {
+            for element in elements {
+                // PLOAD4 with THRU may run over numbers that no shell has.
+                let Some(shell) = builder.bulk.shells.get(element) else {
+                    let message =
+                        format!("{user} presses on element {element}, which is no CQUAD4 or CTRIA3");
+                    let help = "for a solid PLOAD4 names its face by G1 and G3";
+                    return Err(InputError::at(&load.span, message).with_help(help));
+                };
+                press(&shell.grids, 1.0)?;
+            }
+            Ok(())
+        }
+        Pressed::Face { element, corner, other } => {
+            let solid = builder.bulk.solids.get(element);
+            let Some(grids) = solid.and_then(|solid| face_of(builder, solid, *corner, *other)) else {
+                let message = format!("{user}: G1 and G3 name no face of a solid {element}");
+                let help = "two opposite corners of the face; of a CTETRA one of the face and the one off it";
+                return Err(InputError::at(&load.span, message).with_help(help));
+            };
+            // Faces run so that their normal points out of the solid; pressure pushes in.
+            press(&grids, -1.0)
+        }
+    }
+}
+
+/// Faces of the solids by corners, with the normal outside if the corners are in Nastran's order.
+const FACES: [&[&[usize]]; 3] = [
+    &[&[0, 2, 1], &[0, 1, 3], &[1, 2, 3], &[2, 0, 3]],
+    &[&[0, 2, 1], &[3, 4, 5], &[0, 1, 4, 3], &[1, 2, 5, 4], &[2, 0, 3, 5]],
+    &[&[0, 3, 2, 1], &[4, 5, 6, 7], &[0, 1, 5, 4], &[1, 2, 6, 5], &[2, 3, 7, 6], &[3, 0, 4, 7]],
+];
+
+/// The corners of the face that PLOAD4 names, from `corner` on, with the normal outside.
+fn face_of(builder: &Builder, solid: &SolidElement, corner: u32, other: Option<u32>) -> Option<Vec<u32>> {
+    let faces = match solid.grids.len() {
+        4 => FACES[0],
+        6 => FACES[1],
+        _ => FACES[2],
+    };
+    let named = faces.iter().map(|face| face.iter().map(|at| solid.grids[*at]).collect::<Vec<u32>>());
+    let is_meant = |face: &Vec<u32>| {
+        let place = |grid: u32| face.iter().position(|own| *own == grid);
+        match (place(corner), other) {
+            (None, _) => false,
+            (Some(_), None) => face.len() == 3,
+            (Some(_), Some(off)) if solid.grids.len() == 4 => {
+                place(off).is_none() && solid.grids.contains(&off)
+            }
+            (Some(one), Some(opposite)) => face.len() == 4 && place(opposite) == Some((one + 2) % 4),
+        }
+    };
+    let mut face = named.into_iter().find(is_meant)?;
+    let at = face.iter().position(|own| *own == corner)?;
+    face.rotate_left(at);
+    // An element may be numbered in either sense.
+    let place =
+        |grid: &u32| builder.node(*grid, "", &solid.span).ok().map(|node| builder.nodes[node].point.coords);
+    let middle = |grids: &[u32]| -> Option<Vector3<f64>> {
+        Some(grids.iter().map(place).sum::<Option<Vector3<f64>>>()? / (grids.len() as f64))
+    };
+    let out = middle(&face)? - middle(&solid.grids)?;
+    let normal = (place(&face[1])? - place(&face[0])?).cross(&(place(&face[2])? - place(&face[0])?));
+    if normal.dot(&out) < 0.0 {
+        face[1..].reverse();
+    }
+    Some(face)
+}

@@ -1,0 +1,134 @@
+//! Newton's method from one state to the equilibrium under given loads, in mixed form.
+//!
+//! The tangent's geometric terms take the forces that the last linear step promised, the residual the true ones (Magisano,
+//! Leonetti and Garcea, Int. J. Numer. Meth. Eng. 109, 2017): stiff stretching no longer spoils the
+//! prediction of bending, which takes a tenth to a half of the iterations.
+
+use super::krylov;
+use super::loads::Loads;
+use super::state::State;
+use super::structure::LargeDeflection;
+use crate::factor::Factor;
+use crate::sparse;
+use faer::Mat;
+use nalgebra::DVector;
+use rayon::prelude::*;
+
+/// Iterations of one load step.
+const ITERATIONS: usize = 15;
+
+/// Work of the last step in units of the largest first one.
+const WORK: f64 = 1e-12;
+
+/// Largest last spin, rad, and displacement in units of the structure's size.
+const STEP: f64 = 1e-7;
+
+/// Spin of one iteration beyond which a linear prediction means nothing, rad.
+const SPIN: f64 = 1.5;
+
+/// A way that grows by more than this over the mean of the stiffnesses at its ends went across a limit of the load.
+pub(super) const JUMP: f64 = 1.5;
+
+/// An equilibrium.
+pub(super) struct Converged {
+    pub(super) state: State,
+    pub(super) iterations: usize,
+    /// Of the tangent.
+    pub(super) negative: usize,
+    /// Where a tangent on the way had negative pivots: work of the added load on its displacement over what the tangents
+    /// of both ends say. Beyond [`JUMP`] it has come to another branch.
+    pub(super) overshoot: f64,
+    /// The tangent's factor.
+    pub(super) factor: Factor,
+}
+
+/// No equilibrium was reached.
+pub(super) struct Failed {
+    /// Negative pivots of the last tangent.
+    pub(super) negative: usize,
+    pub(super) iterations: usize,
+}
+
+/// From `start` to the equilibrium under `loads`. `work` is the largest work of a first step so far, N m.
+pub(super) fn converge(
+    structure: &LargeDeflection,
+    start: &State,
+    loads: &Loads,
+    work: &mut f64,
+) -> Result<Converged, Failed> {
+    let mut state = start.clone();
+    let mut promised: Option<Vec<DVector<f64>>> = None;
+    let (mut added, mut way, mut first_work): (Vec<f64>, Vec<f64>, f64) = (Vec::new(), Vec::new(), 0.0);
+    let (mut negative, mut on_the_way, size) = (0, 0, extent(start));
+    for iteration in 1..=ITERATIONS {
+        let map = structure.map(&state);
+        let inner = structure.inner(&state);
+        let outer = structure.load_forces(&state, loads);
+        let short: Vec<f64> = inner.forces.iter().zip(&outer).map(|(i, o)| i - o).collect();
+        let local = promised.as_ref().unwrap_or(&inner.local);
+        let k = structure.tangent(&state, &map, &inner.placed, local, &short);
+        let scale: Vec<f64> = sparse::diagonal(k.as_ref()).iter().map(|d| d.abs()).collect();
+        let failed = |negative| Failed { negative, iterations: iteration };
+        let Some(factor) = Factor::indefinite(&structure.analysis, k.as_ref(), &scale) else {
+            return Err(failed(negative));
+        };
+        negative = factor.pivots().iter().filter(|(_, pivot)| *pivot < 0.0).count();
+        on_the_way = on_the_way.max(negative);
+        let r = LargeDeflection::reduced(&map, &short);
+        let solve = |b: &[f64]| -> Vec<f64> {
+            factor.solve(Mat::from_fn(b.len(), 1, |i, _| -b[i]).as_ref()).col(0).iter().copied().collect()
+        };
+        let du = if loads.following.is_empty() {
+            solve(&r)
+        } else {
+            krylov::solve(&r, &solve, |v| structure.following_stiffness(&state, &map, loads, v))
+        };
+        let moved = structure.move_on(&mut state, &map, &du);
+        let (shift, spin) = largest(&moved);
+        if !(shift.is_finite() && spin.is_finite()) || spin > SPIN {
+            return Err(failed(negative));
+        }
+        let own: f64 = du.iter().zip(&r).map(|(u, r)| u * r).sum::<f64>().abs();
+        tracing::trace!(iteration, own, shift, spin, negative, "iteration");
+        if iteration == 1 {
+            (*work, first_work) = (work.max(own), own);
+            (added, way) = (r.clone(), vec![0.0; r.len()]);
+        }
+        way.iter_mut().zip(&du).for_each(|(way, du)| *way += du);
+        if own <= WORK * *work && spin < STEP && shift < STEP * size {
+            let product = |u: &[f64]| added.iter().zip(u).map(|(f, u)| f * u).sum::<f64>().abs();
+            let mean = 0.5 * (first_work + product(&solve(&added)));
+            let overshoot = if on_the_way > 0 { product(&way) / mean } else { 0.0 };
+            return Ok(Converged { state, iterations: iteration, negative, overshoot, factor });
+        }
+        let one = |at: usize| {
+            let element = &structure.elements[structure.elastic[at]];
+            let motion = element.dofs().into_iter().map(|dof| moved[dof]);
+            let motion = DVector::from_iterator(inner.local[at].len(), motion);
+            let change = element.promised(&inner.placed[at], &motion).expect("it is elastic");
+            &inner.local[at] + change
+        };
+        promised = Some((0..inner.local.len()).into_par_iter().map(one).collect());
+    }
+    Err(Failed { negative, iterations: ITERATIONS })
+}
+
+/// Largest displacement and spin of a motion of the g-set.
+fn largest(motion: &[f64]) -> (f64, f64) {
+    let most = |first: usize| {
+        let parts = motion.chunks_exact(6).map(|m| m[first].hypot(m[first + 1]).hypot(m[first + 2]));
+        parts.fold(0.0, |most: f64, own| if own.is_nan() { own } else { most.max(own) })
+    };
+    (most(0), most(3))
+}
+
+/// The diagonal of the box around all nodes, m.
+fn extent(state: &State) -> f64 {
+    let mut square = 0.0;
+    for axis in 0..3 {
+        let all = state.places.iter().map(|place| place[axis]);
+        let (low, high) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
+        square += (high - low) * (high - low);
+    }
+    f64::sqrt(square)
+}

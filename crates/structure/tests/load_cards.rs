@@ -1,0 +1,110 @@
+//! Loads of a deck's cards, against closed forms and equilibrium.
+
+mod common;
+mod large;
+
+use faer::Mat;
+use nalgebra::Vector3;
+use nastran::{BulkData, parse_deck};
+use structure::nonlinear::{Loads, reactions_of};
+use structure::{Flexibility, Model, System, load_sets, loads_of};
+
+fn deck(cards: &str) -> BulkData {
+    parse_deck("test.bdf", cards).expect("a deck")
+}
+
+/// Sum of forces and of moments about the origin.
+fn resultant(system: &System, forces: &Mat<f64>) -> (Vector3<f64>, Vector3<f64>) {
+    let mut sum = (Vector3::zeros(), Vector3::zeros());
+    for (node, point) in system.points().iter().enumerate() {
+        let of = |first: usize| Vector3::from_fn(|i, _| forces[(6 * node + first + i, 0)]);
+        sum.0 += of(0);
+        sum.1 += point.coords.cross(&of(0)) + of(3);
+    }
+    sum
+}
+
+/// A box of 2 x 3 x 4 as one solid, and a plate of 2 x 3 on its top.
+const BOX: &str = "GRID,1,,0.,0.,0.\nGRID,2,,2.,0.,0.\nGRID,3,,2.,3.,0.\nGRID,4,,0.,3.,0.\nGRID,5,,0.,0.,4.\n\
+    GRID,6,,2.,0.,4.\nGRID,7,,2.,3.,4.\nGRID,8,,0.,3.,4.\nCHEXA,1,1,1,2,3,4,5,6\n,7,8\nPSOLID,1,1\n\
+    MAT1,1,7.+10,,.3,100.\nCQUAD4,2,2,5,6,7,8\nPSHELL,2,1,.1,1,,1\nSPC1,1,123456,1,2,3,4\n";
+
+fn summed(cards: &str, set: u32) -> (Vector3<f64>, Vector3<f64>) {
+    let bulk = deck(&(BOX.to_owned() + cards));
+    let system = System::assemble(&Model::from_bulk(&bulk).expect("a model")).expect("a system");
+    resultant(&system, &system.forces_of(&loads_of(&bulk, set).expect("loads")))
+}
+
+#[track_caller]
+fn near(own: Vector3<f64>, expected: [f64; 3], what: &str) {
+    let expected = Vector3::from(expected);
+    assert!((own - expected).norm() < 1e-9 * (1.0 + expected.norm()), "{what}: {own} for {expected}");
+}
+
+#[test]
+fn pressures_push_along_the_normal_of_shells_and_into_solids() {
+    // The plate's grids run so that its normal is +z: 6 m^2 at the middle (1, 1.5).
+    for card in ["PLOAD2,5,10.,2\n", "PLOAD4,5,2,10.\n", "PLOAD,5,10.,5,6,7,8\n"] {
+        let (force, moment) = summed(card, 5);
+        near(force, [0.0, 0.0, 60.0], card);
+        near(moment, [90.0, -60.0, 0.0], card);
+    }
+    // Into the solid: its side x = 2 is pushed along -x, its bottom along +z, and the top along -z.
+    near(summed("PLOAD4,5,1,10.,,,,2,7\n", 5).0, [-120.0, 0.0, 0.0], "the side");
+    near(summed("PLOAD4,5,1,10.,,,,1,3\n", 5).0, [0.0, 0.0, 60.0], "the bottom");
+    near(summed("PLOAD4,5,1,10.,,,,8,6\n", 5).0, [0.0, 0.0, -60.0], "the top");
+    // Linear between the corners: 0 at y = 0, 12 at y = 3: its centre is at y = 2.
+    let (force, moment) = summed("PLOAD4,5,2,0.,0.,12.,12.\n", 5);
+    near(force, [0.0, 0.0, 36.0], "the mean");
+    near(moment, [72.0, -36.0, 0.0], "the centre of pressure");
+}
+
+#[test]
+fn sums_scale_their_sets_and_weight_is_that_of_the_mass() {
+    // 100 kg/m^3 in 24 m^3 and in .6 m^3.
+    let cards = "FORCE,1,7,,2.,1.,0.,3.\nMOMENT,1,7,,1.,0.,4.,0.\nGRAV,2,,10.,0.,0.,-1.\nLOAD,9,2.,3.,1,.5,2\n\
+        FORCE1,3,6,5.,6,7\n";
+    let (force, moment) = summed(cards, 1);
+    near(force, [2.0, 0.0, 6.0], "FORCE");
+    near(moment, [18.0, 0.0, -6.0], "its moment and MOMENT");
+    near(summed(cards, 2).0, [0.0, 0.0, -24_600.0], "GRAV");
+    near(summed(cards, 9).0, [12.0, 0.0, 36.0 - 24_600.0], "LOAD");
+    near(summed(cards, 3).0, [0.0, 5.0, 0.0], "FORCE1 along y");
+    assert_eq!(load_sets(&deck(cards)), [1, 2, 3, 9]);
+}
+
+#[test]
+fn reactions_of_ties_arrive_at_the_clamps() {
+    let cards = "GRID,9,,1.,1.5,9.\nRBE3,20,,9,123456,1.,123,5,6\n,7,8\nFORCE,1,9,,5.,1.,2.,3.\n\
+        GRID,10,,7.,7.,7.\nRBE2,21,9,123456,10\nMOMENT,1,10,,1.,6.,5.,4.\nFORCE,1,10,,1.,0.,0.,8.\n";
+    let bulk = deck(&(BOX.to_owned() + cards));
+    let model = Model::from_bulk(&bulk).expect("a model");
+    let system = System::assemble(&model).expect("a system");
+    let forces = system.forces_of(&loads_of(&bulk, 1).expect("loads"));
+    let u_f = Flexibility::new(&system).expect("held").displacements(system.reduce(forces.as_ref()).as_ref());
+    let unbalanced = system.elastic_loads(system.expand(u_f.as_ref()).as_ref()) - &forces;
+    let unbalanced: Vec<f64> = unbalanced.col(0).iter().copied().collect();
+    let given = reactions_of(&model, &unbalanced).expect("reactions");
+    let (force, moment) = resultant(&system, &forces);
+    let (own, turning) = resultant(&system, &Mat::from_fn(given.len(), 1, |i, _| given[i]));
+    assert!((own + force).norm() < 1e-8 * force.norm(), "{own} {force}");
+    assert!((turning + moment).norm() < 1e-8 * moment.norm(), "{turning} {moment}");
+}
+
+#[test]
+fn what_is_not_read_or_not_there_is_said() {
+    let said =
+        |cards: &str, set: u32| loads_of(&deck(&(BOX.to_owned() + cards)), set).unwrap_err().to_string();
+    for (cards, set, expected) in [
+        ("FORCE,1,7,,2.,1.,0.,3.\n", 2, "no loads of set 2 (hint: there are 1)"),
+        ("FORCE,1,77,,2.,1.,0.,3.\n", 1, "FORCE of set 1 refers to GRID 77"),
+        ("FORCE,1,7,,2.,1.,0.,3.\nTEMPD,1,20.\n", 1, "TEMPD is a load that is not read"),
+        ("PLOAD2,1,2.,1\n", 1, "PLOAD2 of set 1 presses on element 1"),
+        ("PLOAD4,1,1,2.,,,,1,2\n", 1, "name no face of a solid 1"),
+        ("LOAD,1,1.,1.,4\n", 1, "no loads of set 4"),
+    ] {
+        let own = said(cards, set);
+        assert!(own.contains(expected), "{own}");
+    }
+    assert_eq!(Loads::default().times(3.0), Loads::default());
+}
