@@ -8,6 +8,7 @@ mod deflection;
 mod effects;
 mod hash;
 mod prior;
+mod servos;
 mod stations;
 mod write;
 
@@ -17,6 +18,7 @@ pub use deflection::{DeflectionRow, DeflectionTable, OutsideAirspeeds};
 pub use effects::{EffectValidity, WingEffect};
 pub use hash::of_text as fingerprint;
 pub use prior::CorrectionPrior;
+pub use servos::Servos;
 pub use stations::StationAt;
 pub use write::Rewritten;
 
@@ -50,6 +52,9 @@ pub struct WingFile {
     /// Modal damping ratio of the structure, a share of critical damping.
     #[serde(default = "default_damping")]
     pub damping_ratio: f64,
+    /// What stands between commanded deflections and control surfaces; left out: servos of 15 Hz and 0.8, known to a tenth.
+    #[serde(default, skip_serializing_if = "Servos::is_default")]
+    pub servos: Servos,
     /// How boxes follow the structure.
     #[serde(default)]
     pub spline: SplineKind,
@@ -278,6 +283,7 @@ impl WingFile {
             within("root_plane", y_m, -1e4, 1e4)?;
         }
         within("damping_ratio", self.damping_ratio, 0.0, 0.5)?;
+        self.servos.check()?;
         stations::check(&self.stations)?;
         count("chord_strips", self.correction.chord_strips, 1, 100)?;
         count("span_order", self.correction.span_order, 0, 8)?;

@@ -29,6 +29,11 @@ impl Parameter {
     pub fn calibrated(self, by: Calibration, sigma: f64) -> Self {
         Self { calibrated: Some(Calibrated { by, sigma }), ..self }
     }
+
+    /// Takes what a wing's file knows of it; a standard deviation of zero: it is none of what stays uncertain.
+    pub(super) fn know(&mut self, by: Calibration, sigma: f64) {
+        self.calibrated = (sigma > 0.0).then_some(Calibrated { by, sigma });
+    }
 }
 
 /// How well a calibrated model knows a parameter.

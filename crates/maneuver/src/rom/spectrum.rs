@@ -22,6 +22,8 @@ thread_local! {
 const HIGHEST_HZ: f64 = 25.0;
 /// Above the grid responses fade to nothing over this share of its highest frequency.
 const FADE: f64 = 0.2;
+/// How long a signal that was filtered has to come to rest, s.
+const FILTERED_REST_S: f64 = 1.0;
 /// How long drives take to return, s.
 const RETURN_S: f64 = 1.0;
 /// How long the wing then has to come to rest, s: with and without a stream, which damps it.
@@ -170,6 +172,33 @@ impl ResponseTable {
             (first + k, weight)
         }))
     }
+}
+
+/// Samples behind a linear filter, given by its response at an angular frequency (rad/s); at rest before the first.
+pub(crate) fn filtered(values: &[f64], time_step_s: f64, response: impl Fn(f64) -> c64) -> Vec<f64> {
+    if values.iter().all(|value| *value == values[0]) {
+        return values.to_vec();
+    }
+    let length = fast_length(values.len() + steps(RETURN_S + FILTERED_REST_S, time_step_s));
+    let (forward, backward) = PLANNER
+        .with_borrow_mut(|planner| (planner.plan_fft_forward(length), planner.plan_fft_inverse(length)));
+    let mut spectrum: Vec<c64> = continued(values, length, time_step_s).into_iter().map(c64::from).collect();
+    forward.process(&mut spectrum);
+    let step_rad_s = TAU / (length as f64 * time_step_s);
+    for bin in 0..=length / 2 {
+        let factor = response(bin as f64 * step_rad_s);
+        if 2 * bin == length {
+            spectrum[bin] *= factor.re;
+        } else {
+            spectrum[bin] *= factor;
+            if bin > 0 {
+                spectrum[length - bin] *= factor.conj();
+            }
+        }
+    }
+    backward.process(&mut spectrum);
+    let scale = 1.0 / length as f64;
+    spectrum[..values.len()].iter().map(|value| values[0] + scale * value.re).collect()
 }
 
 /// Finer where the first bending lies; much finer without wind, where only the structure damps it.
