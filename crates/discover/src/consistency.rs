@@ -98,7 +98,7 @@ pub fn shares(setting: &Setting<'_>, current: &CurrentModel<'_>, which: usize) -
 }
 
 /// How far shares of an effect are from one size, or that one from the size that was found: the larger chi square over its
-/// degrees of freedom; none without shares.
+/// degrees of freedom; none with fewer than two shares.
 pub fn scatter(rules: &Rules, effect: &Active, shares: &[Share]) -> Option<f64> {
     let judges = |share: &&Share| !effect.effect.holds_at_rest_only() || share.moved == Moved::Nothing;
     let shares: Vec<&Share> = shares.iter().filter(judges).collect();
@@ -116,14 +116,14 @@ pub fn scatter(rules: &Rules, effect: &Active, shares: &[Share]) -> Option<f64> 
 
 /// Chi square over its degrees of freedom of shares that may differ by `form`, and of their mean, which is to be one.
 fn spread(shares: &[&Share], form: f64) -> Option<f64> {
-    if shares.is_empty() {
+    if shares.len() < 2 {
         return None;
     }
     let weight = |s: &&Share| 1.0 / (s.sigma * s.sigma + form * form);
     let whole: f64 = shares.iter().map(weight).sum();
     let mean = shares.iter().map(|s| weight(s) * s.share).sum::<f64>() / whole;
     let square: f64 = shares.iter().map(|s| weight(s) * (s.share - mean).powi(2)).sum();
-    let among = square / (shares.len() - 1).max(1) as f64;
+    let among = square / (shares.len() - 1) as f64;
     // what the form is off by, parts may have in common
     let known: f64 = shares.iter().map(|s| 1.0 / (s.sigma * s.sigma)).sum();
     let from_found = (mean - 1.0).powi(2) / (1.0 / known + form * form);
@@ -162,7 +162,7 @@ mod tests {
     #[test]
     fn equal_shares_do_not_scatter_and_opposite_ones_do() {
         assert_eq!(spread(&[&share(1.0, 0.1), &share(1.0, 0.2)], 0.15), Some(0.0));
-        assert_eq!(spread(&[], 0.15), None);
+        assert_eq!(spread(&[&share(1.0, 0.1)], 0.15), None);
         // (1.5 - 0.5)² / (2 (0.1² + 0.15²)) by hand
         let apart = spread(&[&share(1.5, 0.1), &share(0.5, 0.1)], 0.15).expect("two shares");
         assert!((apart - 1.0 / (2.0 * 0.0325)).abs() < 1e-9, "{apart}");

@@ -3,10 +3,9 @@
 use super::effect::Effect;
 use super::flight_air::{Flight, FlightAir};
 use super::place::{Forces, Inputs, Loads, Place, WingState};
-use super::spec::{Parameter, Spec, Stage};
+use super::spec::{Known, Parameter, Spec, Stage};
 use crate::rig::Actuator;
 use crate::rom::{Change, Constants};
-use coupling::wing_file::Servos;
 
 /// One form of an effect. Its fields are the methods of [`Effect`]; those that [`Declaration::NONE`] is left to fill in do
 /// nothing.
@@ -17,8 +16,8 @@ pub(super) struct Declaration {
     pub(super) form: &'static str,
     /// By the names of the wing's controls; none: the effect is not of this wing.
     pub(super) parameters: fn(&[String]) -> Vec<Parameter>,
-    /// What a wing's file knows of its servos, put into the parameters.
-    pub(super) known: fn(Servos, &mut [Parameter]),
+    /// How well a wing's file says that the parameters are known.
+    pub(super) known: fn(&Known, &mut [Parameter]),
     pub(super) starts: &'static [&'static [f64]],
     pub(super) constrain: fn(&mut [f64]),
     pub(super) is_itself: fn(&[f64]) -> bool,
@@ -73,14 +72,10 @@ pub(super) struct Declared {
 }
 
 impl Declared {
-    /// None if the effect is not of a wing with these controls and servos.
-    pub(super) fn new(
-        declaration: &'static Declaration,
-        controls: &[String],
-        servos: Servos,
-    ) -> Option<Self> {
+    /// None if the effect is not of a wing with these controls.
+    pub(super) fn new(declaration: &'static Declaration, controls: &[String], known: &Known) -> Option<Self> {
         let mut parameters = (declaration.parameters)(controls);
-        (declaration.known)(servos, &mut parameters);
+        (declaration.known)(known, &mut parameters);
         (!parameters.is_empty()).then_some(Self { declaration, parameters })
     }
 }

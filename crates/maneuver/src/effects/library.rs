@@ -2,7 +2,7 @@
 
 use super::declaration::{Declaration, Declared};
 use super::effect::Effect;
-use coupling::wing_file::Servos;
+use super::spec::Known;
 use std::sync::Arc;
 
 /// Names the files of the effects, once.
@@ -63,13 +63,13 @@ effects![
     ctl_saturation,
 ];
 
-/// The effects for a wing with these controls, whose servos are those of a file that does not mention them.
+/// The effects for a wing with these controls, known as a file that says nothing of it has them.
 pub fn library(controls: &[String]) -> Vec<Arc<dyn Effect>> {
-    library_with(controls, Servos::default())
+    library_with(controls, &Known::default())
 }
 
-/// The effects for a wing with these controls and servos; forms of one effect follow each other.
-pub fn library_with(controls: &[String], servos: Servos) -> Vec<Arc<dyn Effect>> {
-    let of = |form| Declared::new(form, controls, servos).map(|effect| Arc::new(effect) as Arc<dyn Effect>);
+/// The effects for a wing with these controls that is known so well; forms of one effect follow each other.
+pub fn library_with(controls: &[String], known: &Known) -> Vec<Arc<dyn Effect>> {
+    let of = |form| Declared::new(form, controls, known).map(|effect| Arc::new(effect) as Arc<dyn Effect>);
     ALL.iter().copied().flatten().filter_map(of).collect()
 }

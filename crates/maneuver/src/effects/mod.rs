@@ -10,8 +10,8 @@
 //! 5. [`Effect::forces`]: forces that depend on the state (stall, hysteresis), iterated with the wing's answer;
 //! 6. [`Effect::loads`]: what reaches the balance and what its amplifiers make of it.
 //!
-//! What is physical about an effect stands in its file, and nowhere else: also what a calibration knows of it
-//! ([`Parameter::calibrated`]), what becomes of it in flight ([`Effect::flight`]), what it may not stand beside
+//! What is physical about an effect stands in its file, and nowhere else: also which test
+//! knows it, and how well by the wing's file ([`Parameter::calibrated`], [`Known`]), what becomes of it in flight ([`Effect::flight`]), what it may not stand beside
 //! ([`Effect::excludes_deflection_correction`]) and what looks like it ([`Spec::rivals`]).
 
 mod active;
@@ -37,5 +37,5 @@ pub use flight_air::{Flight, FlightAir};
 pub use library::{library, library_with};
 pub use of_wing::{of_wing, without};
 pub use place::{Forces, Inputs, Loads, Place, WingState};
-pub use spec::{Calibrated, Calibration, Parameter, Side, Spec, Stage};
+pub use spec::{Calibrated, Calibration, Known, Parameter, Side, Spec, Stage};
 pub use travel::{Carried, acting_deflection, carry};

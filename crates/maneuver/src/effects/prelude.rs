@@ -7,4 +7,3 @@ pub(super) use super::spec::{Calibration, Parameter, Side, Spec, Stage};
 pub(super) use super::{separation, signal};
 pub(super) use crate::rig::Actuator;
 pub(super) use crate::rom::PointMass;
-pub(super) use coupling::wing_file::Servos;

@@ -30,8 +30,8 @@ const SERVO: Declaration = Declaration {
         let share = |name: &str, lower| Parameter::new(name, lower..=4.0, 0.3);
         vec![share("period_share", -1.0), share("damping_share", -0.9)]
     },
-    known: |servos, parameters| {
-        for (parameter, sd) in parameters.iter_mut().zip(servos.relative_sd()) {
+    known: |known, parameters| {
+        for (parameter, sd) in parameters.iter_mut().zip(known.servos.relative_sd()) {
             parameter.know(Calibration::Servos, sd);
         }
     },
@@ -43,10 +43,11 @@ const FIRST_ORDER: Declaration = Declaration {
     spec: SERVO.spec,
     form: "first order",
     parameters: |_| vec![Parameter::new("tau_s", 0.0..=0.3, 0.03)],
-    known: |servos, parameters| {
+    known: |known, parameters| {
         // the delay at rest of what is known is that of period times damping
-        let [period, damping] = servos.relative_sd();
-        parameters[0].know(Calibration::Servos, Actuator::from(servos).delay_s() * period.hypot(damping));
+        let [period, damping] = known.servos.relative_sd();
+        parameters[0]
+            .know(Calibration::Servos, Actuator::from(known.servos).delay_s() * period.hypot(damping));
     },
     inputs: |p, place, inputs| {
         lag(p, place, inputs, |control| signal::first_order(control, place.time_step_s, p[0]));
