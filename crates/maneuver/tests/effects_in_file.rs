@@ -180,7 +180,7 @@ fn servos_are_those_of_the_file_and_how_well_they_are_known_is_in_the_effects() 
 
 #[test]
 fn servos_and_standard_deviations_that_cannot_be_are_refused_at_their_line() {
-    let line = text().lines().position(|line| line.contains("servos: ")).unwrap() + 1;
+    let line = text().lines().position(|line| line.contains("servos: SecondOrder")).unwrap() + 1;
     for (servos, says) in [
         (SERVOS.replace("15.0", "0.0"), "servos of 0.0 +- 1.5 Hz"),
         (SERVOS.replace("1.5", "-1.5"), "servos of 15.0 +- -1.5 Hz"),

@@ -55,17 +55,22 @@ impl KnownTo {
 
     /// Names, values, and the most they may be.
     pub(super) fn values(&self) -> [(&'static str, f64, f64); 10] {
-        [
-            ("bending", self.bending, 0.5),
-            ("torsion", self.torsion, 0.5),
-            ("mass", self.mass, 0.5),
-            ("damping", self.damping, 1.0),
-            ("apparent_mass", self.apparent_mass, 0.5),
-            ("wake_lag", self.wake_lag, 0.5),
-            ("surfaces", self.surfaces, 0.5),
-            ("linkage", self.linkage, 0.5),
-            ("alpha_deg", self.alpha_deg, 5.0),
-            ("clock_s", self.clock_s, 0.05),
-        ]
+        macro_rules! each {
+            ($($field:ident: $most:literal),+) => {
+                [$((stringify!($field), self.$field, $most)),+]
+            };
+        }
+        each!(
+            bending: 0.5,
+            torsion: 0.5,
+            mass: 0.5,
+            damping: 1.0,
+            apparent_mass: 0.5,
+            wake_lag: 0.5,
+            surfaces: 0.5,
+            linkage: 0.5,
+            alpha_deg: 5.0,
+            clock_s: 0.05
+        )
     }
 }

@@ -100,18 +100,7 @@ fn place<'a>(
 /// Flies a stimulus. `model` is of the same rig and effects.
 pub fn fly(rig: &ReducedOrderModel, model: &Model, effects: &[Active], stimulus: &Stimulus) -> Flown {
     let place = place(rig, effects, stimulus.time_step_s, stimulus.steady, stimulus.clock_h);
-    let mut inputs = stimulus.inputs.clone();
-    for active in effects {
-        active.effect.inputs(&active.values, &place, &mut inputs);
-    }
-    if !stimulus.steady {
-        for control in &mut inputs.controls_rad {
-            *control = place.actuator.follow(control, stimulus.time_step_s);
-        }
-    }
-    for active in effects {
-        active.effect.surfaces(&active.values, &place, &mut inputs);
-    }
+    let inputs = turned(&place, effects, stimulus.inputs.clone());
     let samples = inputs.alpha.value.len();
     let g = rig.gravity_m_s2();
     // gravity follows the balance's own angle
@@ -161,6 +150,22 @@ pub fn fly(rig: &ReducedOrderModel, model: &Model, effects: &[Active], stimulus:
         }
     }
     Flown { loads: loads.balance, tip_m: loads.tip_m }
+}
+
+/// What drives the wing, its controls behind their servos.
+fn turned(place: &Place<'_>, effects: &[Active], mut inputs: Inputs) -> Inputs {
+    for active in effects {
+        active.effect.inputs(&active.values, place, &mut inputs);
+    }
+    if !place.steady {
+        for control in &mut inputs.controls_rad {
+            *control = place.actuator.follow(control, place.time_step_s);
+        }
+    }
+    for active in effects {
+        active.effect.surfaces(&active.values, place, &mut inputs);
+    }
+    inputs
 }
 
 /// The forces of a state; effects see the lift without the forces of the round before.

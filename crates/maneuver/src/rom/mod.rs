@@ -21,7 +21,6 @@ mod zones;
 pub use change::{Change, PointMass};
 pub use drive::{Constants, Drive, Outputs};
 pub use spectrum::ResponseTable;
-pub(crate) use spectrum::filtered;
 pub use stiffness::StiffnessParts;
 pub use zones::Zones;
 
