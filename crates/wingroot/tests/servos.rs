@@ -73,10 +73,13 @@ fn servos_beyond_what_the_file_knows_of_them_are_named_quicker_or_slower() {
         let share = result.effects[0].parameters.get("period_share").map(|share| share.value);
         match servos {
             TrueServos::None => {
-                assert!(share.is_some_and(|share| share < -0.8), "{name}: {share:?} {trace:?}")
+                assert!(share.is_some_and(|share| share < -0.8), "{name}: {share:?} {trace:?}");
             }
             _ => {
-                assert!(share.is_none_or(|share| (share - 15.0 / 7.0 + 1.0).abs() < 0.3), "{name}: {share:?}")
+                assert!(
+                    share.is_none_or(|share| (share - 15.0 / 7.0 + 1.0).abs() < 0.3),
+                    "{name}: {share:?}"
+                );
             }
         }
         let gap = result.gap().expect("gaps").holdout;
