@@ -7,7 +7,9 @@ mod deck_source;
 mod deflection;
 mod effects;
 mod hash;
+mod known;
 mod prior;
+mod servos;
 mod stations;
 mod write;
 
@@ -16,7 +18,9 @@ pub use deck_source::DeckSource;
 pub use deflection::{DeflectionRow, DeflectionTable, OutsideAirspeeds};
 pub use effects::{EffectValidity, WingEffect};
 pub use hash::of_text as fingerprint;
+pub use known::KnownTo;
 pub use prior::CorrectionPrior;
+pub use servos::Servos;
 pub use stations::StationAt;
 pub use write::Rewritten;
 
@@ -50,6 +54,12 @@ pub struct WingFile {
     /// Modal damping ratio of the structure, a share of critical damping.
     #[serde(default = "default_damping")]
     pub damping_ratio: f64,
+    /// What stands between commanded deflections and control surfaces; left out: servos of 15 Hz and 0.8, known to a tenth.
+    #[serde(default, skip_serializing_if = "Servos::is_default")]
+    pub servos: Servos,
+    /// How well the tests before the tunnel leave the rest known, one standard deviation each.
+    #[serde(default, skip_serializing_if = "KnownTo::is_default")]
+    pub known_to: KnownTo,
     /// How boxes follow the structure.
     #[serde(default)]
     pub spline: SplineKind,
@@ -278,6 +288,10 @@ impl WingFile {
             within("root_plane", y_m, -1e4, 1e4)?;
         }
         within("damping_ratio", self.damping_ratio, 0.0, 0.5)?;
+        self.servos.check()?;
+        for (field, value, most) in self.known_to.values() {
+            within(field, value, 0.0, most)?;
+        }
         stations::check(&self.stations)?;
         count("chord_strips", self.correction.chord_strips, 1, 100)?;
         count("span_order", self.correction.span_order, 0, 8)?;

@@ -22,7 +22,7 @@ use crate::uncertain::uncertain;
 use calibrate::{Campaign, Schedule, Use};
 use coupling::{ByLoad, ElasticWing, WingFile};
 use maneuver::AirModel;
-use maneuver::effects::{Active, Effect, library};
+use maneuver::effects::{Active, Effect, library_with};
 use std::sync::Arc;
 
 /// Why a campaign cannot be searched.
@@ -144,7 +144,7 @@ impl Prepared {
         let noise = Noise::new(&data, &flown)?;
         let spectral_lines = spectral_lines(&data, &flown);
         let open_corrections = if own_corrections { 1.0 } else { rigs.rules.shared.calibrated };
-        let library = library(&controls);
+        let library = library_with(&controls, &rigs.own.file().into());
         let uncertain = uncertain(&library, &controls, &rigs.rules.shared);
         Ok(Self {
             data,

@@ -97,7 +97,8 @@ pub fn shares(setting: &Setting<'_>, current: &CurrentModel<'_>, which: usize) -
     all.into_iter().filter(|share| share.sigma < rules.known_share.min(rules.times_worse * best)).collect()
 }
 
-/// How far shares of an effect are from one size: chi square over its degrees of freedom; none with fewer than two shares.
+/// How far shares of an effect are from one size, or that one from the size that was found: the larger chi square over its
+/// degrees of freedom; none with fewer than two shares.
 pub fn scatter(rules: &Rules, effect: &Active, shares: &[Share]) -> Option<f64> {
     let judges = |share: &&Share| !effect.effect.holds_at_rest_only() || share.moved == Moved::Nothing;
     let shares: Vec<&Share> = shares.iter().filter(judges).collect();
@@ -113,7 +114,7 @@ pub fn scatter(rules: &Rules, effect: &Active, shares: &[Share]) -> Option<f64> 
     spread(&shares, rule.form.hypot(off))
 }
 
-/// Chi square over its degrees of freedom of shares that may differ by `form`.
+/// Chi square over its degrees of freedom of shares that may differ by `form`, and of their mean, which is to be one.
 fn spread(shares: &[&Share], form: f64) -> Option<f64> {
     if shares.len() < 2 {
         return None;
@@ -122,7 +123,11 @@ fn spread(shares: &[&Share], form: f64) -> Option<f64> {
     let whole: f64 = shares.iter().map(weight).sum();
     let mean = shares.iter().map(|s| weight(s) * s.share).sum::<f64>() / whole;
     let square: f64 = shares.iter().map(|s| weight(s) * (s.share - mean).powi(2)).sum();
-    Some(square / (shares.len() - 1) as f64)
+    let among = square / (shares.len() - 1) as f64;
+    // what the form is off by, parts may have in common
+    let known: f64 = shares.iter().map(|s| 1.0 / (s.sigma * s.sigma)).sum();
+    let from_found = (mean - 1.0).powi(2) / (1.0 / known + form * form);
+    Some(among.max(from_found))
 }
 
 /// Segments by airspeed and what moved.
@@ -161,5 +166,13 @@ mod tests {
         // (1.5 - 0.5)² / (2 (0.1² + 0.15²)) by hand
         let apart = spread(&[&share(1.5, 0.1), &share(0.5, 0.1)], 0.15).expect("two shares");
         assert!((apart - 1.0 / (2.0 * 0.0325)).abs() < 1e-9, "{apart}");
+    }
+
+    #[test]
+    fn shares_that_agree_with_each_other_and_not_with_the_size_found_are_no_size_of_it() {
+        let same = [-0.81, -0.83, -0.75, -0.69].map(|value| share(value, 0.1));
+        let off = spread(&same.iter().collect::<Vec<_>>(), 0.15).expect("shares");
+        // (1 + 0.77)² / (0.1²/4 + 0.15²) by hand
+        assert!((off - 1.77_f64.powi(2) / 0.025).abs() < 1e-9, "{off}");
     }
 }

@@ -12,7 +12,7 @@ use crate::result::{
     Candidate, DiscoverResult, Estimate, MapCell, Misfit, NamedEffect, SearchResult, StatedGap, StatedGaps,
 };
 use crate::simulator::Simulator;
-use crate::verdict::{Gap, Judgement};
+use crate::verdict::{Answer, Gap, Judgement};
 use calibrate::{Schedule, Use};
 use coupling::wing_file::{EffectValidity, WingEffect};
 use maneuver::effects::Active;
@@ -34,6 +34,9 @@ pub struct Finding<'a> {
     pub advice: Vec<Advice>,
     /// The smallest sizes that would have been named, where nothing is.
     pub detection_limits: Vec<DetectionLimit>,
+    /// Effects that the search ended with and that are not in the model, as the gap on training data does not shrink with them;
+    /// and that gap.
+    withdrawn: Option<(Vec<&'static str>, Gap)>,
 }
 
 /// Where what a finding rests on comes from.
@@ -53,7 +56,46 @@ impl<'a> Finding<'a> {
         let report = prepared.search(nulls, seed);
         let own_corrections = prepared.open_corrections == 1.0;
         let (advice, detection_limits) = (Vec::new(), Vec::new());
-        Self { prepared, nulls, report, recalibrated: None, own_corrections, advice, detection_limits }
+        let (recalibrated, withdrawn) = (None, None);
+        let mut finding = Self {
+            prepared,
+            nulls,
+            report,
+            recalibrated,
+            own_corrections,
+            advice,
+            detection_limits,
+            withdrawn,
+        };
+        // corrections of the campaign's own have taken up what effects do at rest, until they are calibrated again
+        if !own_corrections {
+            finding.withdraw_unsupported();
+        }
+        finding
+    }
+
+    /// Takes effects with which the gap on training data does not shrink out of the model.
+    fn withdraw_unsupported(&mut self) {
+        let names = self.report.outcome.names();
+        let tried = self.gap(0);
+        if names.is_empty() || tried.after < tried.before {
+            return;
+        }
+        self.report.outcome.found.clear();
+        self.report.outcome.unexplained = true;
+        self.report.current = self.report.current.with(&self.prepared.setting(), &[]);
+        for gaps in &mut self.report.gaps {
+            gaps[1] = gaps[0];
+        }
+        self.recalibrated = None;
+        self.advice.clear();
+        self.withdrawn = Some((names, tried));
+    }
+
+    /// Before and after, training or held-out runs (0, 1).
+    fn gap(&self, which: usize) -> Gap {
+        let [before, after] = self.report.gaps[which].map(|gap| gap.all);
+        Gap { before, after, floor: self.nulls.floor[which] }
     }
 
     /// Thinks of the next experiment and of what would have been named.
@@ -79,6 +121,7 @@ impl<'a> Finding<'a> {
             }
         }
         self.recalibrated = Some(again);
+        self.withdraw_unsupported();
     }
 
     /// The wing with the effects as it is flown after: with corrections calibrated again if they are the campaign's own.
@@ -89,12 +132,21 @@ impl<'a> Finding<'a> {
 
     /// What is said of it.
     pub fn judgement(&self) -> Judgement<'_> {
-        let of = |which: usize| {
-            let [before, after] = self.report.gaps[which].map(|gap| gap.all);
-            Gap { before, after, floor: self.nulls.floor[which] }
-        };
-        let held_out = self.prepared.data.has_held_out().then(|| of(1));
-        Judgement::new(&self.prepared.data.rules.verdict, &self.report.outcome, of(0), held_out)
+        let held_out = self.prepared.data.has_held_out().then(|| self.gap(1));
+        let rules = &self.prepared.data.rules.verdict;
+        let judgement = Judgement::new(rules, &self.report.outcome, self.gap(0), held_out);
+        match &self.withdrawn {
+            Some((names, training)) => Judgement { names: names.clone(), training: *training, ..judgement },
+            None => judgement,
+        }
+    }
+
+    /// The effects that are named.
+    fn named(&self) -> &[Found] {
+        match self.judgement().answer() {
+            Answer::Named(..) => &self.report.outcome.found,
+            Answer::Withdrawn(_) | Answer::Missing | Answer::Nothing => &[],
+        }
     }
 
     /// What separates rivals most for its cost, if anything of the menu does; else what the library says.
@@ -191,7 +243,7 @@ impl<'a> Finding<'a> {
                 data_hash: data_hash.to_owned(),
             }
         };
-        self.report.outcome.found.iter().map(entry).collect()
+        self.named().iter().map(entry).collect()
     }
 
     /// `result.json`; the residual is located in it if `with_located`, which takes some seconds.
@@ -248,7 +300,7 @@ impl<'a> Finding<'a> {
         DiscoverResult {
             command: "discover".to_owned(),
             verdict: judgement.kind(),
-            effects: outcome.found.iter().map(named).collect(),
+            effects: self.named().iter().map(named).collect(),
             defects: Vec::new(),
             refused: None,
             seconds: Some(seconds),

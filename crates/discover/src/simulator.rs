@@ -63,11 +63,7 @@ impl<'a> SplitRig<'a> {
         air: AirModel,
         rules: &VariantRules,
     ) -> Result<Self, SimulatorError> {
-        let settings = RigSettings {
-            modes: rules.modes,
-            air,
-            ..RigSettings::new(file.damping_ratio, file.pitch_axis_x())
-        };
+        let settings = RigSettings { modes: rules.modes, air, ..RigSettings::of_wing(file) };
         let rig = Rig::new(wing, settings)?;
         let parts = StiffnessParts::new(&rig, &file.bulk(Mount::Tunnel)?)?;
         Ok(Self { file, wing, rig, parts, boxes: None })

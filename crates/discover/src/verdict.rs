@@ -37,6 +37,28 @@ pub struct Judgement<'a> {
     pub held_out: Option<Gap>,
 }
 
+/// The answer, from which verdict, sentence and success are told alike.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Answer<'j> {
+    /// Effects with which the training data come nearer, and whether one of them has rivals.
+    Named(&'j [&'j str], Rivals),
+    /// Effects with which they do not: none of them is in the model.
+    Withdrawn(&'j [&'j str]),
+    /// Something is missing that has no name.
+    Missing,
+    /// Nothing is missing.
+    Nothing,
+}
+
+/// Whether effects that are named have rivals.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Rivals {
+    /// The data tell them from all others.
+    None,
+    /// The data do not.
+    Some,
+}
+
 impl<'a> Judgement<'a> {
     /// Of what a search ended with.
     pub fn new(rules: &VerdictRules, outcome: &'a Outcome, training: Gap, held_out: Option<Gap>) -> Self {
@@ -55,14 +77,27 @@ impl<'a> Judgement<'a> {
         }
     }
 
-    /// The answer: a gap well above what is left where nothing is missing is not `none`, even if no effect has the evidence
-    /// that it needs.
+    /// The answer: a gap well above what is left where nothing is missing is not nothing, even if no effect has the evidence
+    /// that it needs; and no effect is named with which the gap on training data does not shrink.
+    pub fn answer(&self) -> Answer<'_> {
+        let Gap { before, after, .. } = self.training;
+        match &self.names[..] {
+            [] if self.unexplained || self.is_far_above_floor() => Answer::Missing,
+            [] => Answer::Nothing,
+            names if after < before => {
+                Answer::Named(names, if self.ambiguous { Rivals::Some } else { Rivals::None })
+            }
+            names => Answer::Withdrawn(names),
+        }
+    }
+
+    /// The answer as results have it.
     pub fn kind(&self) -> VerdictKind {
-        match (self.names.is_empty(), self.ambiguous) {
-            (true, _) if self.unexplained || self.is_far_above_floor() => VerdictKind::Unknown,
-            (true, _) => VerdictKind::None,
-            (false, true) => VerdictKind::Ambiguous,
-            (false, false) => VerdictKind::Effects,
+        match self.answer() {
+            Answer::Named(_, Rivals::None) => VerdictKind::Effects,
+            Answer::Named(_, Rivals::Some) => VerdictKind::Ambiguous,
+            Answer::Withdrawn(_) | Answer::Missing => VerdictKind::Unknown,
+            Answer::Nothing => VerdictKind::None,
         }
     }
 
@@ -73,13 +108,12 @@ impl<'a> Judgement<'a> {
 
     /// Whether the training data come nearer with the effects in the model; true without any.
     pub fn is_supported(&self) -> bool {
-        self.names.is_empty() || self.training.after < self.training.before
+        !matches!(self.answer(), Answer::Withdrawn(_))
     }
 
     /// Whether the held-out gap shrank, and to at most so many times what is left where nothing is missing.
     pub fn is_success(&self) -> bool {
-        !self.names.is_empty()
-            && self.is_supported()
+        matches!(self.answer(), Answer::Named(..))
             && self.held_out.is_some_and(|gap| gap.is_closed(self.closed))
     }
 }

@@ -102,6 +102,65 @@ fn a_flipped_sign_is_named_in_a_run_and_everywhere() {
     }
 }
 
+/// What is wrong in the runs alone is said so: the static points were taken with another program.
+#[test]
+fn what_is_wrong_in_all_runs_alone_is_not_said_of_all_data() {
+    for c in 0..3 {
+        let found =
+            only(|data| data.runs.iter_mut().flat_map(|run| &mut run.measured[c]).for_each(|v| *v = -*v));
+        assert_eq!((found.kind, &found.run), (DefectKind::SignFlipped, &None));
+        assert!(found.sentence.contains("in all runs and not in the static points"), "{}", found.sentence);
+    }
+    let found = only(|data| data.runs.iter_mut().for_each(|run| run.measured.swap(1, 2)));
+    assert_eq!((found.kind, &found.run), (DefectKind::SwappedChannels, &None));
+    assert!(
+        found.sentence.contains("exchanged in all runs and not in the static points"),
+        "{}",
+        found.sentence
+    );
+}
+
+/// A wing that turns nose down as its tip goes up has moments that are each other's opposites, nearly: exchanged, both go against
+/// their simulations.
+#[test]
+fn exchanged_moments_that_go_against_each_other_are_no_two_signs() {
+    let flight = shipped();
+    for seed in [3, 4] {
+        let joiner = library(&flight.controls).into_iter().find(|e| e.spec().name == "joiner_inertia");
+        let joiner = Active::new(joiner.expect("an effect"), &[-0.1, 0.3, -0.1, 0.1]);
+        let mut data = flight.pretend(&flight.with(&[joiner]), seed);
+        data.runs.iter_mut().for_each(|run| run.measured.swap(1, 2));
+        data.statics.iter_mut().flat_map(|group| &mut group.measured).for_each(|loads| loads.swap(1, 2));
+        let found = checked(flight, &data);
+        let kinds: Vec<DefectKind> = found.iter().map(|defect| defect.kind).collect();
+        assert_eq!(kinds, [DefectKind::SwappedChannels], "{found:#?}");
+    }
+}
+
+/// Twice a hundred (a range of the amplifier), pounds in a run (4.448), and inches for metres in moments (39.37).
+#[test]
+fn a_channel_of_another_scale_is_named_in_its_runs_alone() {
+    let flight = shipped();
+    for (names, c, factor, channel) in [
+        (["doublet_inner_15_30", "aoa_2hz_30"], 1, 100.0, "Mx_Nm"),
+        (["chirp_outer_5_22", "doublet_middle_15_22"], 0, 1.0 / 4.448, "Fz_N"),
+        (["aoa_0p5hz_30", "aoa_4hz_30"], 2, 39.37, "My_Nm"),
+    ] {
+        let mut data = flight.data.clone();
+        for name in names {
+            data.runs[flight.run(name)].measured[c].iter_mut().for_each(|value| *value *= factor);
+        }
+        let mut found = checked(flight, &data);
+        found.retain(|defect| defect.kind != DefectKind::Repeat);
+        let mut said: Vec<_> =
+            found.iter().map(|d| (d.kind, d.run.as_deref(), d.channel.as_deref())).collect();
+        let mut expected = names.map(|name| (DefectKind::Scaled, Some(name), Some(channel)));
+        said.sort_by_key(|one| one.1);
+        expected.sort_by_key(|one| one.1);
+        assert_eq!(said, expected, "{found:#?}");
+    }
+}
+
 #[test]
 fn a_wrong_airspeed_is_named_with_its_estimate() {
     // measured at 30 m/s, labelled 34, and the other way round

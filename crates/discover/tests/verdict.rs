@@ -33,12 +33,15 @@ fn the_kind_follows_from_names_rivals_and_the_training_gap() {
 }
 
 #[test]
-fn what_makes_the_training_gap_larger_is_called_unsupported() {
-    let worse = Judgement { training: gap(3.8, 6.9, 1.2), ..closed() };
-    assert!(!worse.is_supported() && !worse.is_success());
-    let said = worse.sentence();
-    assert!(said.contains("does not shrink (3.8 -> 6.9)") && said.contains("do not support it"), "{said}");
-    assert!(!said.contains("closed"), "{said}");
+fn what_does_not_shrink_the_training_gap_is_named_by_no_verdict() {
+    for (training, ambiguous) in [(gap(3.8, 6.9, 1.2), false), (gap(3.8, 3.8, 1.2), true)] {
+        let worse = Judgement { training, ambiguous, ..closed() };
+        assert_eq!(worse.kind(), VerdictKind::Unknown);
+        assert!(!worse.is_supported() && !worse.is_success());
+        let said = worse.sentence();
+        assert!(said.contains("does not shrink (3.8 -> ") && said.contains("Nothing is named"), "{said}");
+        assert!(!said.contains("closed"), "{said}");
+    }
 }
 
 #[test]

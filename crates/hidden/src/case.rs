@@ -11,6 +11,7 @@ use crate::jitter::Jitter;
 use crate::physics::Physics;
 use crate::plan::{CasePlan, Hidden};
 use crate::random::Stream;
+use crate::servo::Servo;
 use crate::simulate::TrueWing;
 use crate::sizes::scaled;
 
@@ -106,8 +107,10 @@ impl Bench {
         physics: &(dyn Fn(f64) -> Physics + Sync),
         jitter: &Jitter,
     ) -> Measured {
-        let wing_with =
-            |effects| TrueWing { parts: &self.parts, jittered: physics, effects, servo: jitter.servo() };
+        let given =
+            plan.servos.given().map(|(frequency_hz, damping_ratio)| Servo { frequency_hz, damping_ratio });
+        let servo = given.unwrap_or_else(|| jitter.servo());
+        let wing_with = |effects| TrueWing { parts: &self.parts, jittered: physics, effects, servo };
         let none = Vec::new();
         let effects = effects(&plan.effects);
         let (plain, wing) = (wing_with(&none), wing_with(&effects));

@@ -38,7 +38,7 @@ fn the_truth_is_the_models_wing_in_another_discretisation_and_a_null_is_a_little
     let bench = Bench::new(&wing_file(), Fineness::BENCHMARK).expect("the shipped wing");
     let (file, wing) = ElasticWing::read(&wing_file()).expect("the shipped wing");
     assert!(bench.boxes as f64 > 1.8 * wing.lattice.len() as f64);
-    let rig = Rig::new(&wing, RigSettings::new(file.damping_ratio, file.pitch_axis_x())).expect("a rig");
+    let rig = Rig::new(&wing, RigSettings::of_wing(&file)).expect("a rig");
     assert!(bench.omega_rad_s().len() > rig.omega_rad_s().len());
     let flow = Flow { v_m_s: 30.0, rho_kg_m3: crate::design::RHO_KG_M3 };
     let model = rig.at(flow, &Corrections::neutral(wing.correctable.len())).expect("below divergence");

@@ -38,5 +38,5 @@ pub use bench::{Bench, Fineness};
 pub use campaign::CampaignFiles;
 pub use case::Case;
 pub use jitter::Jitter;
-pub use plan::{CasePlan, Class, Defect, Mix, SeedRange, cases};
+pub use plan::{CasePlan, Class, Defect, Mix, SeedRange, TrueServos, cases};
 pub use score::{Families, Metrics, score};

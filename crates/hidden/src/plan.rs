@@ -137,6 +137,37 @@ pub struct CasePlan {
     /// Whether pitch without wind is flown too; not in lists of cases.
     #[serde(default)]
     pub wind_off: bool,
+    /// The true servos; lists of cases draw them.
+    #[serde(default)]
+    pub servos: TrueServos,
+}
+
+/// The true servos of a case.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+pub enum TrueServos {
+    /// Drawn with the wing, near those of the model.
+    #[default]
+    Drawn,
+    /// Surfaces follow at once.
+    None,
+    /// Of second order.
+    SecondOrder {
+        /// Natural frequency.
+        frequency_hz: f64,
+        /// Damping ratio.
+        damping_ratio: f64,
+    },
+}
+
+impl TrueServos {
+    /// Natural frequency (infinite: they follow at once) and damping ratio, unless they are drawn.
+    pub(crate) fn given(self) -> Option<(f64, f64)> {
+        match self {
+            Self::Drawn => None,
+            Self::None => Some((f64::INFINITY, 1.0)),
+            Self::SecondOrder { frequency_hz, damping_ratio } => Some((frequency_hz, damping_ratio)),
+        }
+    }
 }
 
 /// What a seed may be used for; the ranges are kept apart.
@@ -269,6 +300,7 @@ fn draw(list_seed: u64, index: usize, class: Class, number: usize) -> CasePlan {
             _ => None,
         },
         wind_off: false,
+        servos: TrueServos::Drawn,
     }
 }
 

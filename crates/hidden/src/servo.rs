@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 /// `d'' = w² (command - d) - 2 zeta w d'`
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Servo {
-    /// Natural frequency, Hz.
+    /// Natural frequency, Hz; infinite: it follows at once.
     pub(crate) frequency_hz: f64,
     /// Damping ratio.
     pub(crate) damping_ratio: f64,
@@ -17,7 +17,7 @@ impl Servo {
     /// Deflections of a command that is at rest before its first sample.
     pub(crate) fn follow(self, command: &[f64], time_step_s: f64) -> Vec<f64> {
         let Some(&first) = command.first() else { return Vec::new() };
-        if command.iter().all(|value| *value == first) {
+        if self.frequency_hz.is_infinite() || command.iter().all(|value| *value == first) {
             return command.to_vec();
         }
         let omega = TAU * self.frequency_hz;

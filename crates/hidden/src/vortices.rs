@@ -10,6 +10,7 @@ use crate::plan::{CasePlan, Hidden};
 use crate::sizes::scaled;
 use nastran::InputError;
 use std::path::Path;
+use truth::drive::Servo;
 use truth::effects::Effect;
 use truth::{Order, Tunnel, WINGS};
 
@@ -45,6 +46,7 @@ fn order(plan: &CasePlan) -> Order {
         seed: plan.seed,
         wing: Some(plan.seed % WINGS),
         effects: plan.effects.iter().map(effect).collect(),
+        servo: plan.servos.given().map(|(frequency_hz, damping_ratio)| Servo { frequency_hz, damping_ratio }),
         wind_off: plan.wind_off,
     }
 }

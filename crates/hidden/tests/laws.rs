@@ -3,7 +3,7 @@
 use hidden::campaign::Record;
 use hidden::effects::{KINDS, Kind, Parameter, Role, Sign};
 use hidden::plan::Hidden;
-use hidden::{Bench, CasePlan, Class, Fineness, Mix, cases};
+use hidden::{Bench, CasePlan, Class, Fineness, Mix, TrueServos, cases};
 use std::path::Path;
 
 fn bench() -> Bench {
@@ -22,6 +22,7 @@ fn plan(effects: Vec<Hidden>) -> CasePlan {
         defect: None,
         leave_out: None,
         wind_off: false,
+        servos: TrueServos::Drawn,
     }
 }
 

@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for remark in maneuver.checked(&file, &controls)? {
         writeln!(std::io::stderr(), "{remark}")?;
     }
-    let settings = maneuver.settings(&RigSettings::new(file.damping_ratio, file.balance.x_m));
+    let settings = maneuver.settings(&RigSettings::of_wing(&file));
     let rig = Rig::new(&wing, settings)?;
     let flow = Flow { v_m_s: maneuver.v_m_s, rho_kg_m3: maneuver.rho_kg_m3 };
     // corrections of a calibration take the place of neutral ones

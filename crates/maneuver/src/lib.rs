@@ -15,6 +15,7 @@ mod load_rows;
 pub mod maneuver_file;
 pub mod motion;
 mod operators;
+mod periodic;
 pub mod rig;
 pub mod rig_model;
 pub mod rom;

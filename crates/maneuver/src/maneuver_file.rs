@@ -44,7 +44,7 @@ pub struct ManeuverFile {
 #[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub enum ActuatorChoice {
-    /// The assumed actuator of [`RigSettings::new`].
+    /// The servos of the wing's file.
     #[default]
     Assumed,
     /// Nothing: surfaces follow at once, so no command may jump. It is flown as an actuator of ten times the sampling

@@ -15,9 +15,12 @@ use crate::air::{AirModel, AirParts, RationalAir, UnsteadyAir};
 use crate::assemble::assemble;
 use crate::load_rows::Station;
 use crate::operators::{FIELDS, RigOperators};
+use crate::periodic::filtered;
 use crate::rig_model::RigModel;
 use aero::{Corrections, Flow};
-use coupling::{CouplingError, ElasticWing};
+use coupling::wing_file::Servos;
+use coupling::{CouplingError, ElasticWing, WingFile};
+use faer::c64;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use structure::ModesError;
@@ -41,7 +44,7 @@ pub struct RigSettings {
     pub damping_ratio: f64,
     /// x of the axis the wing is pitched about, m.
     pub pitch_axis_x_m: f64,
-    /// Every control's actuator. 15 Hz and 0.8 are assumed: no measurement of the servos is known.
+    /// Every control's actuator.
     pub actuator: Actuator,
     /// Cutoff of the smoothing of measured inputs and of the filter on loads that are compared, Hz.
     pub cutoff_hz: f64,
@@ -55,14 +58,59 @@ pub struct RigSettings {
     pub strip_loads: bool,
 }
 
+impl Actuator {
+    /// Surfaces that follow at once, as far as a state space can have them.
+    const AT_ONCE: Self = Self { frequency_hz: 1e4, damping_ratio: std::f64::consts::FRAC_1_SQRT_2 };
+
+    /// Deflection per command at an angular frequency (rad/s); an infinite natural frequency is no servo.
+    pub fn response(&self, omega_rad_s: f64) -> c64 {
+        let w = std::f64::consts::TAU * self.frequency_hz;
+        let over = omega_rad_s / w;
+        c64::from(1.0) / c64::new(1.0 - over * over, 2.0 * self.damping_ratio * over)
+    }
+
+    /// The same with its period and its damping ratio changed by shares of them; without a period it follows at once.
+    #[must_use]
+    pub fn changed(self, period_share: f64, damping_share: f64) -> Self {
+        Self {
+            frequency_hz: self.frequency_hz / (1.0 + period_share),
+            damping_ratio: self.damping_ratio * (1.0 + damping_share),
+        }
+    }
+
+    /// How late it follows a ramp, s: `2 zeta / w`.
+    pub fn delay_s(&self) -> f64 {
+        2.0 * self.damping_ratio / (std::f64::consts::TAU * self.frequency_hz)
+    }
+
+    /// Deflections of a command that rests before its first sample.
+    pub fn follow(&self, command: &[f64], time_step_s: f64) -> Vec<f64> {
+        filtered(command, time_step_s, |omega| self.response(omega))
+    }
+}
+
+impl From<Servos> for Actuator {
+    fn from(servos: Servos) -> Self {
+        match servos {
+            Servos::None => Self::AT_ONCE,
+            Servos::SecondOrder { frequency_hz, damping_ratio, .. } => Self { frequency_hz, damping_ratio },
+        }
+    }
+}
+
 impl RigSettings {
-    /// Twenty modes, 25 Hz, the assumed actuator, no sensors.
+    /// As a wing's file has damping, pitch axis and servos; twenty modes, 25 Hz, no sensors.
+    pub fn of_wing(file: &WingFile) -> Self {
+        Self { actuator: file.servos.into(), ..Self::new(file.damping_ratio, file.pitch_axis_x()) }
+    }
+
+    /// Twenty modes, 25 Hz, the servos of a file that does not mention them, no sensors.
     pub fn new(damping_ratio: f64, pitch_axis_x_m: f64) -> Self {
         Self {
             modes: 20,
             damping_ratio,
             pitch_axis_x_m,
-            actuator: Actuator { frequency_hz: 15.0, damping_ratio: 0.8 },
+            actuator: Servos::default().into(),
             cutoff_hz: 25.0,
             sensors: Vec::new(),
             air: AirModel::default(),

@@ -9,8 +9,8 @@ use common::copy::{Copy, data};
 use common::flown::run;
 use coupling::wing_file::{EffectValidity, WingEffect};
 use coupling::{ElasticWing, Mount, WingFile};
-use maneuver::effects::{Active, Beside, library, of_wing, without};
-use maneuver::{Motion, Rig, RigSettings, TimeHistory};
+use maneuver::effects::{Active, Beside, library, library_with, of_wing, without};
+use maneuver::{Actuator, Motion, Rig, RigSettings, TimeHistory};
 
 const EMPTY: &str = "effects: [],";
 
@@ -141,4 +141,73 @@ fn effects_that_cannot_be_are_refused_at_their_place() {
         let line = changed.lines().nth(span.line - 1).unwrap();
         assert!(line[span.column - 1..].starts_with(at), "{list}: {}", &line[span.column - 1..]);
     }
+}
+
+/// The servos of the shipped wing's file.
+const SERVOS: &str = "servos: SecondOrder(frequency_hz: 15.0, damping_ratio: 0.8, frequency_sd_hz: 1.5, damping_ratio_sd: 0.08),";
+
+#[test]
+fn servos_are_those_of_the_file_and_how_well_they_are_known_is_in_the_effects() {
+    assert!(text().contains(SERVOS));
+    let with = |name: &str, servos: &str| Copy::new(name, &text().replace(SERVOS, servos)).read();
+    let known = |file: &WingFile| -> Vec<Option<f64>> {
+        let library = library_with(&["one".to_owned()], &file.into());
+        let forms = library.iter().filter(|effect| effect.spec().name == "act_lag");
+        forms.flat_map(|form| form.parameters()).map(|p| p.calibrated.map(|known| known.sigma)).collect()
+    };
+    let actuator = |file: &WingFile| RigSettings::of_wing(file).actuator;
+    // left out: as the shipped file says
+    let (left_out, said) = (with("out", "").unwrap(), with("said", SERVOS).unwrap());
+    assert_eq!((left_out.servos, actuator(&left_out)), (said.servos, actuator(&said)));
+    assert_eq!(actuator(&said), Actuator { frequency_hz: 15.0, damping_ratio: 0.8 });
+    // shares of period and damping, and the delay 2 zeta / w of both: 1.6 / (2 pi 15) times 0.1 and 0.1 in quadrature
+    let delay_s = 1.6 / (std::f64::consts::TAU * 15.0) * 0.02_f64.sqrt();
+    for (known, expected) in known(&said).into_iter().zip([0.1, 0.1, delay_s, delay_s]) {
+        assert!((known.unwrap() - expected).abs() < 1e-12, "{known:?} {expected}");
+    }
+    let own = "servos: SecondOrder(frequency_hz: 9.0, damping_ratio: 0.5, frequency_sd_hz: 0.9, damping_ratio_sd: 0.0),";
+    let own = with("own", own).unwrap();
+    assert_eq!(actuator(&own), Actuator { frequency_hz: 9.0, damping_ratio: 0.5 });
+    assert_eq!(known(&own)[..2], [Some(0.1), None]);
+    // without servos a command that does not jump is followed to a thousandth
+    let none = with("none", "servos: None,").unwrap();
+    assert_eq!(known(&none), [None; 4]);
+    let command: Vec<f64> = (0..200).map(|i| (0.1 * f64::from(i)).sin()).collect();
+    for (turned, command) in actuator(&none).follow(&command, 0.005).iter().zip(&command) {
+        assert!((turned - command).abs() < 1e-3, "{turned} {command}");
+    }
+}
+
+#[test]
+fn servos_and_standard_deviations_that_cannot_be_are_refused_at_their_line() {
+    let line = text().lines().position(|line| line.contains("servos: SecondOrder")).unwrap() + 1;
+    for (servos, says) in [
+        (SERVOS.replace("15.0", "0.0"), "servos of 0.0 +- 1.5 Hz"),
+        (SERVOS.replace("1.5", "-1.5"), "servos of 15.0 +- -1.5 Hz"),
+        (SERVOS.replace("0.08", "0.5"), "a damping ratio of 0.8 +- 0.5"),
+    ] {
+        let error = Copy::new("bad_servos", &text().replace(SERVOS, &servos)).read().unwrap_err();
+        assert!(error.message.contains(says), "{}", error.message);
+        assert!(error.help.unwrap().contains("servos: None"));
+        assert_eq!(error.span.unwrap().line, line);
+    }
+    let error = Copy::new("bad_known", &text().replace("bending: 0.01", "bending: 1.0")).read().unwrap_err();
+    assert!(error.message.contains("bending"), "{}", error.message);
+}
+
+/// A wing that is known worse: what the file says is what an effect takes as known.
+#[test]
+fn what_the_file_says_of_the_tests_before_the_tunnel_is_what_effects_take_as_known() {
+    let file = Copy::new(
+        "known",
+        &text().replace("bending: 0.01", "bending: 0.03").replace("mass: 0.007", "mass: 0.0"),
+    );
+    let library = library_with(&[], &(&file.read().unwrap()).into());
+    let sigma = |name: &str| {
+        let effect = library.iter().find(|effect| effect.spec().name == name).unwrap();
+        effect.parameters()[0].calibrated.map(|known| known.sigma)
+    };
+    assert_eq!(sigma("bend_stiff"), Some(0.03));
+    assert_eq!(sigma("wing_mass_error"), None);
+    assert_eq!(sigma("tors_stiff"), Some(0.02));
 }

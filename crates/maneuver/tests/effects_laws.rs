@@ -54,13 +54,67 @@ fn a_lagging_servo_of_any_form_follows_a_ramp_its_time_constant_later() {
     let (time_step_s, tau_s, zones) = (0.002, 0.05, Zones::default());
     let ramp: Vec<f64> = (0..800).map(|i| f64::from(i) * time_step_s).collect();
     let forms = forms("act_lag");
-    assert_eq!(forms.len(), 2);
-    for effect in forms {
+    assert_eq!(forms.len(), 3);
+    for effect in forms.into_iter().filter(|effect| effect.parameters().len() == 1) {
         let mut driven = inputs(800, vec![ramp.clone(), vec![0.0; 800]]);
         effect.inputs(&[tau_s], &place(&zones, time_step_s, false, 0.0), &mut driven);
         let behind_s = ramp[799] - driven.controls_rad[0][799];
         assert!((behind_s / tau_s - 1.0).abs() < 1e-3, "{}: {behind_s} s for {tau_s} s", effect.form());
         assert!(driven.controls_rad[1].iter().all(|delta| *delta == 0.0));
+    }
+}
+
+/// A servo of second order follows a ramp `2 zeta / w` later; one without a period follows at once.
+#[test]
+fn another_servo_follows_a_ramp_as_late_as_its_period_and_damping_say() {
+    let time_step_s = 0.002;
+    let ramp: Vec<f64> = (0..800).map(|i| f64::from(i) * time_step_s).collect();
+    let form = forms("act_lag").into_iter().find(|effect| effect.form() == "servo").unwrap();
+    for (shares, late_s) in [
+        ([0.0, 0.0], 1.6 / (TAU * 15.0)),
+        ([15.0 / 16.6 - 1.0, 0.875 / 0.8 - 1.0], 1.75 / (TAU * 16.6)),
+        ([-1.0, 0.0], 0.0),
+    ] {
+        let mut servo = Actuator { frequency_hz: 15.0, damping_ratio: 0.8 };
+        form.servos(&shares, &mut servo);
+        let behind_s = ramp[400] - servo.follow(&ramp, time_step_s)[400];
+        assert!((behind_s - late_s).abs() < 1e-5, "{shares:?}: {behind_s} s, expected {late_s} s");
+    }
+}
+
+/// Behind the servo a surface holds what a stop leaves it, and comes off the stop as the servo does; a bent command is a smaller
+/// command, whose shape the servo keeps. Differential equation `d'' = w² (u - d) - 2 zeta w d'` of a unit step in closed form.
+#[test]
+fn a_stop_behind_the_servo_cuts_what_the_servo_turned() {
+    let time_step_s = 0.002;
+    let (servo, zones) = (Actuator { frequency_hz: 15.0, damping_ratio: 0.8 }, Zones::default());
+    let (w, zeta, step, start) = (TAU * servo.frequency_hz, servo.damping_ratio, 0.4, 100);
+    let wd = w * (1.0 - zeta * zeta).sqrt();
+    let turned = |t: f64| {
+        let swing = (wd * t).cos() + zeta * w / wd * (wd * t).sin();
+        if t > 0.0 { step * (1.0 - (-zeta * w * t).exp() * swing) } else { 0.0 }
+    };
+    let command: Vec<f64> = (0..400).map(|i| if i < start { 0.0 } else { step }).collect();
+    let inverse = 3.0;
+    for form in forms("ctl_saturation").into_iter().filter(|effect| effect.form().starts_with("tanh")) {
+        let behind = form.form() == "tanh behind the servo";
+        let mut driven = inputs(400, vec![command.clone(), vec![0.0; 400]]);
+        let here = place(&zones, time_step_s, false, 0.0);
+        let p = [inverse, 0.0, 0.0];
+        form.inputs(&p, &here, &mut driven);
+        driven.controls_rad.iter_mut().for_each(|control| *control = servo.follow(control, time_step_s));
+        form.surfaces(&p, &here, &mut driven);
+        // a sampled step is one half a step earlier, between two samples
+        for i in [110, 115, 125, 160, 300] {
+            let t = (f64::from(i) - f64::from(start) + 0.5) * time_step_s;
+            let expected = if behind {
+                (inverse * turned(t)).tanh() / inverse
+            } else {
+                (inverse * step).tanh() / inverse * turned(t) / step
+            };
+            let got = driven.controls_rad[0][usize::try_from(i).unwrap()];
+            assert!((got - expected).abs() < 2e-3 * step, "{}: {i} {got} {expected}", form.form());
+        }
     }
 }
 

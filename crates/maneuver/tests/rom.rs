@@ -9,7 +9,7 @@ use common::{uneven, wing_with};
 use coupling::{ElasticWing, SteadyCase};
 use faer::{Mat, c64};
 use maneuver::rom::{Change, Constants, Drive, Outputs, ReducedOrderModel, ResponseTable};
-use maneuver::{Motion, Rig, RigSettings, Smooth};
+use maneuver::{Actuator, Motion, Rig, RigSettings, Smooth};
 use std::f64::consts::TAU;
 
 fn flow(v_m_s: f64) -> Flow {
@@ -17,10 +17,11 @@ fn flow(v_m_s: f64) -> Flow {
 }
 
 /// Root pitch with gravity's share, then the controls: what [`maneuver::RigModel::frequency_response`] gives.
-fn as_the_rig_gives_it(rom: &ReducedOrderModel, response: &Mat<c64>) -> Mat<c64> {
+fn as_the_rig_gives_it(rom: &ReducedOrderModel, response: &Mat<c64>, servo: c64) -> Mat<c64> {
     Mat::from_fn(4, 1 + rom.controls.len(), |row, motion| match motion {
         0 => response[(row, Drive::PITCH)] + response[(row, Drive::G_SIN)] * rom.gravity_m_s2(),
-        control => response[(row, Drive::CONTROLS + control - 1)],
+        // its state space has the servo within
+        control => response[(row, Drive::CONTROLS + control - 1)] * servo,
     })
 }
 
@@ -36,7 +37,10 @@ fn the_reduced_order_model_answers_as_its_state_space_does() {
         let change = Change::none(rom.zones.len());
         let responses = rom.responses(&change, &omegas, true);
         for (omega, response) in omegas.iter().zip(&responses) {
-            let (ours, theirs) = (as_the_rig_gives_it(&rom, response), model.frequency_response(*omega));
+            let (ours, theirs) = (
+                as_the_rig_gives_it(&rom, response, Actuator::from(file.servos).response(*omega)),
+                model.frequency_response(*omega),
+            );
             for row in 0..4 {
                 for column in 0..ours.ncols() {
                     let largest = (0..ours.ncols()).map(|j| theirs[(row, j)].norm()).fold(0.0, f64::max);
@@ -157,7 +161,10 @@ fn a_history_by_fourier_transform_is_the_one_stepped_in_time() {
         let cos: Vec<f64> = coarse.alpha.value.iter().map(|a| g * a.cos()).collect();
         let mut drives: Vec<(usize, &[f64])> =
             vec![(Drive::PITCH, &coarse.alpha.value), (Drive::G_SIN, &sin), (Drive::G_COS, &cos)];
-        let controls = coarse.controls_rad.iter().enumerate();
+        let servo = Actuator::from(file.servos);
+        let turned: Vec<Vec<f64>> =
+            coarse.controls_rad.iter().map(|command| servo.follow(command, 0.01)).collect();
+        let controls = turned.iter().enumerate();
         drives.extend(controls.map(|(c, values)| (Drive::CONTROLS + c, values.as_slice())));
         let ours = table.fly(&drives, 0.01);
         let theirs = model.fly(&fine);

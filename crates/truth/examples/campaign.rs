@@ -10,7 +10,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let out = words.first().map_or("out/campaign", String::as_str);
     let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/tuflex");
     let tunnel = Tunnel::new(&data.join("wing_beam.ron"), &data.join("e214_neuralfoil_polars.csv"))?;
-    let order = Order { seed: number(1).unwrap_or(1), wing: number(2), effects: Vec::new(), wind_off: true };
+    let order = Order {
+        seed: number(1).unwrap_or(1),
+        wing: number(2),
+        effects: Vec::new(),
+        servo: None,
+        wind_off: true,
+    };
     let measured = tunnel.measure(&order);
     Files::of(&measured, &tunnel.planned(&order), &tunnel.controls)
         .write(&Path::new(out).join("measured"))?;

@@ -96,7 +96,7 @@ impl Tunnel {
             [0, 1, 2].map(|derivative| all.iter().map(|values| values[derivative]).collect())
         };
         let alpha = signal("alpha");
-        let servo = draw::servo(order.seed);
+        let servo = order.servo.unwrap_or_else(|| draw::servo(order.seed));
         let commands: Vec<Vec<f64>> = self
             .controls
             .iter()

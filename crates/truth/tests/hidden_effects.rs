@@ -65,6 +65,7 @@ fn measured(tunnel: &Tunnel, sizes: &[(&str, &[f64])], seed: u64) -> Measured {
         seed,
         wing: Some(3),
         effects: sizes.iter().map(effect).collect(),
+        servo: None,
         wind_off: false,
     })
 }
@@ -112,6 +113,7 @@ fn one_order_gives_one_campaign_and_another_wing_another() {
     let one = measured(&tunnel, &[], 4);
     assert!(one == measured(&tunnel, &[], 4));
     assert!(change(&one, &measured(&tunnel, &[], 5)) > 3.0);
-    let other = tunnel.measure(&Order { seed: 4, wing: Some(4), effects: Vec::new(), wind_off: false });
+    let other =
+        tunnel.measure(&Order { seed: 4, wing: Some(4), effects: Vec::new(), servo: None, wind_off: false });
     assert!(change(&one, &other) > 3.0);
 }

@@ -49,7 +49,7 @@ fn runs(file: &TunnelFile) -> Option<(String, &'static str)> {
     if let Some(what) = slow {
         return Some((what, "zero is a wind-off run"));
     }
-    let actuator = file.dynamics.as_ref()?.actuator;
+    let actuator = file.dynamics.as_ref()?.actuator?;
     let possible = |value: f64, most: f64| value > 0.0 && value <= most;
     let good = possible(actuator.frequency_hz, 1e4) && possible(actuator.damping_ratio, 10.0);
     (!good).then(|| {

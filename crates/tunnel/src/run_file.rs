@@ -16,8 +16,9 @@ pub struct Dynamics {
     pub sample_rate_hz: f64,
     /// One standard deviation of the measured angle of attack, degrees.
     pub alpha_sigma_deg: f64,
-    /// Every control's actuator.
-    pub actuator: Actuator,
+    /// Every control's actuator; left out: the servos of the wing's file.
+    #[serde(default)]
+    pub actuator: Option<Actuator>,
     /// What of a commanded deflection acts, by control surface, airspeed and deflection; left out: all of it.
     #[serde(default)]
     pub deflection: Vec<DeflectionTable>,

@@ -25,10 +25,8 @@ pub(crate) fn measure(
     let Some(dynamics) = tunnel.dynamics.as_ref().filter(|_| !tunnel.runs.is_empty()) else {
         return Ok(Vec::new());
     };
-    let settings = RigSettings {
-        actuator: dynamics.actuator,
-        ..RigSettings::new(truth.file.damping_ratio, truth.file.pitch_axis_x())
-    };
+    let plain = RigSettings::of_wing(&truth.file);
+    let settings = RigSettings { actuator: dynamics.actuator.unwrap_or(plain.actuator), ..plain };
     let rig = Rig::new(&truth.wing, settings)?;
     let deflection = DeflectionCorrection::new(dynamics.deflection.clone());
     let offsets = block_offsets(tunnel, seed);

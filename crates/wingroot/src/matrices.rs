@@ -10,7 +10,7 @@ use crate::hdf5::{Group, Values};
 
 /// How the rig of a wing is modelled: the settings of its file, a sensor wherever it has a grid for one.
 pub fn rig_settings(file: &WingFile, wing: &ElasticWing) -> RigSettings {
-    let mut settings = RigSettings::new(file.damping_ratio, file.pitch_axis_x());
+    let mut settings = RigSettings::of_wing(file);
     if let (Some(planform), Some((system, _))) = (file.planform(), &wing.structure) {
         let node = |(name, grid): (String, u32)| system.node_index(grid).map(|node| (name, node));
         settings.sensors = planform.sensor_grids().into_iter().filter_map(node).collect();

@@ -17,7 +17,7 @@ const AMPLITUDE_DEG: f64 = 5.0;
 
 /// Rows of the wing: its rig, its system at one airspeed, one chirp of its first control.
 pub(crate) fn rows(file: &WingFile, wing: &ElasticWing) -> Result<Vec<Value>, Failure> {
-    let settings = || RigSettings::new(file.damping_ratio, file.pitch_axis_x());
+    let settings = || RigSettings::of_wing(file);
     let boxes = wing.correctable.len();
     let rig = Rig::new(wing, settings())?;
     let flow = Flow { v_m_s: V_M_S, rho_kg_m3: 1.225 };

@@ -11,6 +11,8 @@ pub enum DefectKind {
     SwappedChannels,
     /// A channel's sign.
     SignFlipped,
+    /// A channel is many times what it is in other runs.
+    Scaled,
     /// The airspeed is not what the label says.
     WrongAirspeed,
     /// The channel ends at a value beyond which the load went.

@@ -1,4 +1,4 @@
-//! Channels whose labels are exchanged or whose sign is flipped: in all data, or in one run and not in others.
+//! Channels whose labels are exchanged or whose sign is flipped: in all data, in all runs, or in one run and not in others.
 //!
 //! Everywhere: the channels are compared in shape alone, each with one free positive gain, so that no gain, slope or
 //! dynamic pressure that is wrong in all runs looks like an exchange. In one run: against the simulation times the gain
@@ -21,47 +21,55 @@ const ORDERS: [ByLoad<Load>; 5] = {
 /// As the labels say.
 const AS_LABELLED: ByLoad<Load> = ByLoad { fz: Fz, mx: Mx, my: My };
 
-/// Exchanged or flipped in all data.
+/// Exchanged or flipped in all data, or in all runs and not in the static points.
 pub(super) fn everywhere(rules: &LabelRules, records: &[Record]) -> Vec<Defect> {
-    let flipped: Vec<Defect> = Load::ALL
-        .into_iter()
-        .filter(|&c| flipped_everywhere(rules, records, c))
-        .map(sign_everywhere)
-        .collect();
-    if !flipped.is_empty() && !exchange_explains(rules, records) {
-        return flipped;
+    let windy = |steady: bool| -> Vec<&Record> {
+        records.iter().filter(|record| record.v_m_s > 0.0 && record.steady == steady).collect()
+    };
+    let (points, mut judged) = (windy(true), windy(false));
+    let runs = !judged.is_empty();
+    if !runs {
+        judged.clone_from(&points);
     }
-    let own = shapes_left(records, AS_LABELLED);
-    let best = ORDERS.map(|order| (shapes_left(records, order), order));
+    let flipped = ByLoad::from_fn(|c| flipped_in(rules, &judged, c));
+    let as_flipped = shapes_left(&judged, AS_LABELLED, flipped);
+    let own = shapes_left(&judged, AS_LABELLED, NOT_FLIPPED);
+    let best = ORDERS.map(|order| (shapes_left(&judged, order, NOT_FLIPPED), order));
     let best = best.iter().min_by(|a, b| a.0.total_cmp(&b.0)).copied().unwrap_or((own, AS_LABELLED));
-    if best.0 < rules.explains_all * own && own > rules.wrong {
-        vec![exchanged(None, best.1)]
-    } else {
-        Vec::new()
+    // two channels that stand in each other's place may go against their simulations, both of them: what leaves less is it
+    let two_flipped = Load::ALL.into_iter().filter(|&c| flipped[c]).count() == 2;
+    if own > rules.wrong && (best.0 < rules.explains_all * own || two_flipped && best.0 < as_flipped) {
+        let of_points = |order| shapes_left(&points, order, NOT_FLIPPED);
+        let in_points = of_points(best.1) * rules.explains_all <= of_points(AS_LABELLED);
+        return vec![exchanged(None, best.1, all_of(runs, in_points))];
     }
+    let sign = |c: Load| sign_everywhere(c, all_of(runs, flipped_in(rules, &points, c)));
+    Load::ALL.into_iter().filter(|&c| flipped[c]).map(sign).collect()
 }
 
-fn exchange_explains(rules: &LabelRules, records: &[Record]) -> bool {
-    let own = shapes_left(records, AS_LABELLED);
-    ORDERS.iter().any(|order| shapes_left(records, *order) < rules.explains_all * own)
+/// Nothing flipped.
+const NOT_FLIPPED: ByLoad<bool> = ByLoad { fz: false, mx: false, my: false };
+
+/// Where a fault is, in words.
+fn all_of(runs: bool, points: bool) -> &'static str {
+    if runs && !points { "all runs and not in the static points" } else { "all data" }
 }
 
-fn sign_everywhere(c: Load) -> Defect {
+fn sign_everywhere(c: Load, place: &str) -> Defect {
     let channel = c.column();
     Defect {
         kind: DefectKind::SignFlipped,
         run: None,
         channel: Some(channel.into()),
-        sentence: format!("{channel} has the opposite sign in all data: it is minus what the wing does"),
+        sentence: format!("{channel} has the opposite sign in {place}: it is minus what the wing does"),
     }
 }
 
-/// Whether the loads go against the simulation in three quarters of all records, at rest and in motion.
-fn flipped_everywhere(rules: &LabelRules, records: &[Record], c: Load) -> bool {
-    let windy = || records.iter().filter(|record| record.v_m_s > 0.0);
+/// Whether the loads go against the simulation in three quarters of the records, at rest and in motion.
+fn flipped_in(rules: &LabelRules, records: &[&Record], c: Load) -> bool {
     let of = |pair: Option<Pair>, record: &Record| pair.and_then(|pair| correlation(&pair, record.sigma[c]));
-    let whole: Vec<f64> = windy().filter_map(|r| of(r.channels[c].clone(), r)).collect();
-    let moving: Vec<f64> = windy().filter_map(|r| of(r.about_mean(c), r)).collect();
+    let whole: Vec<f64> = records.iter().filter_map(|r| of(r.channels[c].clone(), r)).collect();
+    let moving: Vec<f64> = records.iter().filter_map(|r| of(r.about_mean(c), r)).collect();
     let against = |values: &[f64]| {
         let count = values.iter().filter(|value| **value < -rules.against).count();
         !values.is_empty() && 4 * count >= 3 * values.len()
@@ -75,12 +83,13 @@ fn correlation(pair: &Pair, sigma: f64) -> Option<f64> {
     Some(gain * powers.sqrt())
 }
 
-/// Share of the motion's loads that channels in an order leave, each with one positive gain for all records.
-fn shapes_left(records: &[Record], order: ByLoad<Load>) -> f64 {
+/// Share of the motion's loads that channels in an order leave, each with one gain for all records, positive unless it is
+/// flipped.
+fn shapes_left(records: &[&Record], order: ByLoad<Load>, flipped: ByLoad<bool>) -> f64 {
     let mut left = 0.0;
     for c in Load::ALL {
         let (mut mm, mut ms, mut ss) = (0.0, 0.0, 0.0);
-        for record in records.iter().filter(|record| record.v_m_s > 0.0) {
+        for record in records {
             let (Some(own), Some(other)) = (record.about_mean(c), record.about_mean(order[c])) else {
                 continue;
             };
@@ -93,7 +102,8 @@ fn shapes_left(records: &[Record], order: ByLoad<Load>) -> f64 {
             ss += 1.0;
         }
         if ss > 0.0 && mm > 0.0 {
-            left += if ms > 0.0 { 1.0 - ms * ms / (ss * mm) } else { 1.0 };
+            let as_said = if flipped[c] { ms < 0.0 } else { ms > 0.0 };
+            left += if as_said { 1.0 - ms * ms / (ss * mm) } else { 1.0 };
         }
     }
     left
@@ -105,7 +115,7 @@ pub(super) fn by_run(rules: &LabelRules, records: &[Record]) -> Vec<Defect> {
     for record in records {
         let gains: ByLoad<Option<f64>> = ByLoad::from_fn(|c| peers_gain(records, record, c));
         if let Some(order) = exchanged_in(rules, record, gains) {
-            all.push(exchanged(Some(&record.name), order));
+            all.push(exchanged(Some(&record.name), order, &record.name));
             continue;
         }
         for c in Load::ALL {
@@ -167,13 +177,12 @@ fn exchanged_in(rules: &LabelRules, record: &Record, gains: ByLoad<Option<f64>>)
     (least < rules.explains * own && own > rules.wrong).then_some(order)
 }
 
-fn exchanged(run: Option<&str>, order: ByLoad<Load>) -> Defect {
+fn exchanged(run: Option<&str>, order: ByLoad<Load>, place: &str) -> Defect {
     let moved: Vec<String> = Load::ALL
         .into_iter()
         .filter(|&c| order[c] != c)
         .map(|c| format!("what is called {} is {}", order[c].column(), c.column()))
         .collect();
-    let place = run.map_or_else(|| "all data".to_owned(), str::to_owned);
     Defect {
         kind: DefectKind::SwappedChannels,
         run: run.map(str::to_owned),

@@ -9,6 +9,7 @@ mod labels;
 mod record;
 mod repeats;
 mod samples;
+mod scales;
 mod timing;
 
 use crate::data::Dataset;
@@ -34,6 +35,7 @@ pub fn defects(data: &Dataset, simulated: &[Flown], sigma: &[ByLoad<f64>]) -> Ve
     if !everywhere {
         add(labels::by_run(&rules.labels, &records));
     }
+    add(scales::by_run(&rules.scales, &records));
     add(airspeed::wrong(&rules.airspeed, &records));
     add(samples::spikes(&rules.samples, &records));
     add(timing::lags(&rules.timing, &records));

@@ -1,6 +1,6 @@
 //! When data are at fault.
 
-use super::rule::Origin::{Formula, Unknown};
+use super::rule::Origin::{Formula, Physical, Unknown};
 use super::rule::rules;
 
 rules! {
@@ -48,6 +48,18 @@ rules! {
         wrong: f64 = 0.1, "", Unknown;
         /// A channel goes against the simulation if they correlate by less than minus this.
         against: f64 = 0.7, "", Unknown;
+    }
+}
+
+rules! {
+    /// Channels that are many times what they are in other runs.
+    ScaleRules {
+        /// Least factor between a channel's gain in a run and in the other runs.
+        least_factor: f64 = 3.0, "", Physical("the smallest of units that are mistaken for each other: pounds for newtons is 4.4");
+        /// A channel has a gain if it correlates so well with the simulation.
+        alike: f64 = 0.8, "", Physical("as late and early runs");
+        /// So many other runs make a comparison.
+        peers: usize = 3, "runs", Formula("the middle of three is not the one that is wrong");
     }
 }
 

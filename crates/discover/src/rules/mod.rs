@@ -10,7 +10,7 @@ mod model;
 mod rule;
 mod search;
 
-pub use checks::{AirspeedRules, LabelRules, RecordRules, RepeatRules, SampleRules, TimingRules};
+pub use checks::{AirspeedRules, LabelRules, RecordRules, RepeatRules, SampleRules, ScaleRules, TimingRules};
 pub use data::{DataRules, NoiseRules, SpectralLineRules};
 pub use effects::{EffectRule, EffectRules, OffByVariants};
 pub use model::{SharedRules, ToleranceRules, VariantRules};
@@ -56,6 +56,8 @@ themes! {
     airspeed: AirspeedRules, "Data checks: wrong airspeeds";
     /// Data checks: exchanged labels and flipped signs.
     labels: LabelRules, "Data checks: exchanged labels and flipped signs";
+    /// Data checks: scaled channels.
+    scales: ScaleRules, "Data checks: channels of another scale";
     /// Data checks: samples that were not measured.
     samples: SampleRules, "Data checks: stuck and clipped channels, spikes";
     /// Data checks: late and early runs.

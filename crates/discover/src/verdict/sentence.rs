@@ -1,22 +1,29 @@
 //! The verdict in one sentence.
 
-use super::{Gap, Judgement};
+use super::{Answer, Gap, Judgement};
 
 impl Judgement<'_> {
     /// The verdict in a sentence or two.
     pub fn sentence(&self) -> String {
-        if self.names.is_empty() { self.nothing_named() } else { self.named() }
+        match self.answer() {
+            Answer::Named(names, _) => self.named(names),
+            Answer::Withdrawn(names) => self.withdrawn(names),
+            Answer::Missing | Answer::Nothing => self.nothing_named(),
+        }
     }
 
-    fn named(&self) -> String {
-        let names = self.names.join(" and ");
+    fn withdrawn(&self, names: &[&str]) -> String {
+        let Gap { before, after, .. } = self.training;
+        format!(
+            "Something is missing, and no effect of the library is it: with {} in the model the gap on training data does not \
+             shrink ({before:.1} -> {after:.1}). Nothing is named, and wing.ron is as given.",
+            names.join(" and ")
+        )
+    }
+
+    fn named(&self, names: &[&str]) -> String {
+        let names = names.join(" and ");
         let Gap { before, after, floor } = self.training;
-        if !self.is_supported() {
-            return format!(
-                "With {names} in the model the gap on training data does not shrink ({before:.1} -> {after:.1}): these data do \
-                 not support it, and wing.ron is as given."
-            );
-        }
         let judged = match self.held_out {
             None => format!(
                 "With {names} the gap on training data goes from {before:.1} to {after:.1}; no data are held out to judge it by, \

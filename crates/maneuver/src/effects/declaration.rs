@@ -3,7 +3,8 @@
 use super::effect::Effect;
 use super::flight_air::{Flight, FlightAir};
 use super::place::{Forces, Inputs, Loads, Place, WingState};
-use super::spec::{Parameter, Spec, Stage};
+use super::spec::{Known, Parameter, Spec, Stage};
+use crate::rig::Actuator;
 use crate::rom::{Change, Constants};
 
 /// One form of an effect. Its fields are the methods of [`Effect`]; those that [`Declaration::NONE`] is left to fill in do
@@ -15,10 +16,14 @@ pub(super) struct Declaration {
     pub(super) form: &'static str,
     /// By the names of the wing's controls; none: the effect is not of this wing.
     pub(super) parameters: fn(&[String]) -> Vec<Parameter>,
+    /// How well a wing's file says that the parameters are known.
+    pub(super) known: fn(&Known, &mut [Parameter]),
     pub(super) starts: &'static [&'static [f64]],
     pub(super) constrain: fn(&mut [f64]),
     pub(super) is_itself: fn(&[f64]) -> bool,
     pub(super) inputs: fn(&[f64], &Place<'_>, &mut Inputs),
+    pub(super) servos: fn(&[f64], &mut Actuator),
+    pub(super) surfaces: fn(&[f64], &Place<'_>, &mut Inputs),
     pub(super) change: fn(&[f64], &Place<'_>, &mut Change),
     pub(super) constants: fn(&[f64], &Place<'_>, &mut Constants),
     pub(super) needs_zones: bool,
@@ -38,10 +43,13 @@ impl Declaration {
         spec: Spec::NONE,
         form: "",
         parameters: |_| Vec::new(),
+        known: |_, _| (),
         starts: &[],
         constrain: |_| (),
         is_itself: |_| true,
         inputs: |_, _, _| (),
+        servos: |_, _| (),
+        surfaces: |_, _, _| (),
         change: |_, _, _| (),
         constants: |_, _, _| (),
         needs_zones: false,
@@ -65,8 +73,9 @@ pub(super) struct Declared {
 
 impl Declared {
     /// None if the effect is not of a wing with these controls.
-    pub(super) fn new(declaration: &'static Declaration, controls: &[String]) -> Option<Self> {
-        let parameters = (declaration.parameters)(controls);
+    pub(super) fn new(declaration: &'static Declaration, controls: &[String], known: &Known) -> Option<Self> {
+        let mut parameters = (declaration.parameters)(controls);
+        (declaration.known)(known, &mut parameters);
         (!parameters.is_empty()).then_some(Self { declaration, parameters })
     }
 }
@@ -98,6 +107,14 @@ impl Effect for Declared {
 
     fn inputs(&self, p: &[f64], place: &Place<'_>, inputs: &mut Inputs) {
         (self.declaration.inputs)(p, place, inputs);
+    }
+
+    fn servos(&self, p: &[f64], servos: &mut Actuator) {
+        (self.declaration.servos)(p, servos);
+    }
+
+    fn surfaces(&self, p: &[f64], place: &Place<'_>, angles: &mut Inputs) {
+        (self.declaration.surfaces)(p, place, angles);
     }
 
     fn change(&self, p: &[f64], place: &Place<'_>, change: &mut Change) {

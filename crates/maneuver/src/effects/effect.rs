@@ -3,6 +3,7 @@
 use super::flight_air::{Flight, FlightAir};
 use super::place::{Forces, Inputs, Loads, Place, WingState};
 use super::spec::{Parameter, Spec, Stage};
+use crate::rig::Actuator;
 use crate::rom::{Change, Constants};
 
 /// A term of the simulation with parameters. `p` are values of [`Effect::parameters`], in their order and units.
@@ -32,7 +33,13 @@ pub trait Effect: std::fmt::Debug + Send + Sync {
         true
     }
 
-    /// Changes what the angle sensor and the servos make of angle and commands.
+    /// Changes the servos.
+    fn servos(&self, _p: &[f64], _servos: &mut Actuator) {}
+
+    /// Changes what the control surfaces make of the angles of their servos (linkage, stops, the flow behind the hinge).
+    fn surfaces(&self, _p: &[f64], _place: &Place<'_>, _angles: &mut Inputs) {}
+
+    /// Changes what the angle sensor and the servos are given of angle and commands.
     fn inputs(&self, _p: &[f64], _place: &Place<'_>, _inputs: &mut Inputs) {}
 
     /// Changes the linear wing: air, structure, masses.

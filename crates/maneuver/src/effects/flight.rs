@@ -61,7 +61,7 @@ impl Model {
 
 /// What effects ask of the linear wing.
 fn asked(rig: &ReducedOrderModel, effects: &[Active]) -> (Change, Constants, bool) {
-    let place = place(rig, 0.0, true, 0.0);
+    let place = place(rig, effects, 0.0, true, 0.0);
     let mut change = Change::none(rig.zones.len());
     let mut constants = Constants::default();
     for active in effects {
@@ -71,7 +71,17 @@ fn asked(rig: &ReducedOrderModel, effects: &[Active]) -> (Change, Constants, boo
     (change, constants, effects.iter().any(|active| active.effect.needs_zones()))
 }
 
-fn place(rig: &ReducedOrderModel, time_step_s: f64, steady: bool, clock_h: f64) -> Place<'_> {
+fn place<'a>(
+    rig: &'a ReducedOrderModel,
+    effects: &[Active],
+    time_step_s: f64,
+    steady: bool,
+    clock_h: f64,
+) -> Place<'a> {
+    let mut actuator = rig.actuator;
+    for active in effects {
+        active.effect.servos(&active.values, &mut actuator);
+    }
     Place {
         flow: rig.flow,
         zones: &rig.zones,
@@ -79,7 +89,7 @@ fn place(rig: &ReducedOrderModel, time_step_s: f64, steady: bool, clock_h: f64) 
         time_step_s,
         steady,
         clock_h,
-        actuator: rig.actuator,
+        actuator,
         gravity_m_s2: rig.gravity_m_s2(),
         balance_y_m: rig.balance_y_m(),
         outer_shape: rig.outer_shape(),
@@ -89,11 +99,8 @@ fn place(rig: &ReducedOrderModel, time_step_s: f64, steady: bool, clock_h: f64) 
 
 /// Flies a stimulus. `model` is of the same rig and effects.
 pub fn fly(rig: &ReducedOrderModel, model: &Model, effects: &[Active], stimulus: &Stimulus) -> Flown {
-    let place = place(rig, stimulus.time_step_s, stimulus.steady, stimulus.clock_h);
-    let mut inputs = stimulus.inputs.clone();
-    for active in effects {
-        active.effect.inputs(&active.values, &place, &mut inputs);
-    }
+    let place = place(rig, effects, stimulus.time_step_s, stimulus.steady, stimulus.clock_h);
+    let inputs = turned(&place, effects, stimulus.inputs.clone());
     let samples = inputs.alpha.value.len();
     let g = rig.gravity_m_s2();
     // gravity follows the balance's own angle
@@ -143,6 +150,22 @@ pub fn fly(rig: &ReducedOrderModel, model: &Model, effects: &[Active], stimulus:
         }
     }
     Flown { loads: loads.balance, tip_m: loads.tip_m }
+}
+
+/// What drives the wing, its controls behind their servos.
+fn turned(place: &Place<'_>, effects: &[Active], mut inputs: Inputs) -> Inputs {
+    for active in effects {
+        active.effect.inputs(&active.values, place, &mut inputs);
+    }
+    if !place.steady {
+        for control in &mut inputs.controls_rad {
+            *control = place.actuator.follow(control, place.time_step_s);
+        }
+    }
+    for active in effects {
+        active.effect.surfaces(&active.values, place, &mut inputs);
+    }
+    inputs
 }
 
 /// The forces of a state; effects see the lift without the forces of the round before.

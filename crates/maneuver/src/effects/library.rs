@@ -2,6 +2,7 @@
 
 use super::declaration::{Declaration, Declared};
 use super::effect::Effect;
+use super::spec::Known;
 use std::sync::Arc;
 
 /// Names the files of the effects, once.
@@ -62,8 +63,13 @@ effects![
     ctl_saturation,
 ];
 
-/// The effects for a wing with these controls; forms of one effect follow each other.
+/// The effects for a wing with these controls, known as a file that says nothing of it has them.
 pub fn library(controls: &[String]) -> Vec<Arc<dyn Effect>> {
-    let of = |form| Declared::new(form, controls).map(|effect| Arc::new(effect) as Arc<dyn Effect>);
+    library_with(controls, &Known::default())
+}
+
+/// The effects for a wing with these controls that is known so well; forms of one effect follow each other.
+pub fn library_with(controls: &[String], known: &Known) -> Vec<Arc<dyn Effect>> {
+    let of = |form| Declared::new(form, controls, known).map(|effect| Arc::new(effect) as Arc<dyn Effect>);
     ALL.iter().copied().flatten().filter_map(of).collect()
 }

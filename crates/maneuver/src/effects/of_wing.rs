@@ -2,7 +2,7 @@
 
 use super::active::Active;
 use super::effect::Effect;
-use super::library::library;
+use super::library::library_with;
 use coupling::WingFile;
 use coupling::wing_file::WingEffect;
 use nastran::InputError;
@@ -19,7 +19,7 @@ const ROUNDING: f64 = 1e-9;
 /// An effect, form or parameter that there is not, an effect that is the physics of the wing's deflection correction, a value
 /// outside its bounds or one that physics does not allow with the others: at its place in the wing's file.
 pub fn of_wing(file: &WingFile, controls: &[String]) -> Result<Vec<Active>, InputError> {
-    let known = library(controls);
+    let known = library_with(controls, &file.into());
     file.effects.iter().map(|listed| one(file, listed, &known)).collect()
 }
 

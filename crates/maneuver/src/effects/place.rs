@@ -54,7 +54,7 @@ pub struct Inputs {
     pub alpha: Smooth,
     /// Additional angle of the stream alone, rad.
     pub incidence_rad: Vec<f64>,
-    /// Deflections at the hinge before the servo, in the wing's order, rad.
+    /// Commanded deflections, behind the servos those of the surfaces, in the wing's order, rad.
     pub controls_rad: Vec<Vec<f64>>,
 }
 

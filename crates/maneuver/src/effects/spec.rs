@@ -1,5 +1,7 @@
 //! What is known of an effect before any data: its parameters, where it sits, what it looks like.
 
+use coupling::WingFile;
+use coupling::wing_file::{KnownTo, Servos};
 use std::ops::RangeInclusive;
 
 /// A parameter of an effect.
@@ -24,10 +26,24 @@ impl Parameter {
         Self { name: name.into(), lower, upper, plausible, calibrated: None }
     }
 
-    /// The same, determined by a test to a standard deviation in its own unit.
-    #[must_use]
-    pub fn calibrated(self, by: Calibration, sigma: f64) -> Self {
-        Self { calibrated: Some(Calibrated { by, sigma }), ..self }
+    /// Determined by a test to a standard deviation in its own unit; zero: it is none of what stays uncertain.
+    pub(super) fn know(&mut self, by: Calibration, sigma: f64) {
+        self.calibrated = (sigma > 0.0).then_some(Calibrated { by, sigma });
+    }
+}
+
+/// How well a wing is known, by its file.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Known {
+    /// Servos with their standard deviations.
+    pub servos: Servos,
+    /// The rest.
+    pub to: KnownTo,
+}
+
+impl From<&WingFile> for Known {
+    fn from(file: &WingFile) -> Self {
+        Self { servos: file.servos, to: file.known_to }
     }
 }
 

@@ -75,6 +75,7 @@ pub fn acting_deflection(
     inputs.controls_rad[index][0] = delta_rad;
     for active in effects.iter().filter(|active| active.effect.flight() == Flight::Deflection) {
         active.effect.inputs(&active.values, &place, &mut inputs);
+        active.effect.surfaces(&active.values, &place, &mut inputs);
     }
     inputs.controls_rad[index][0]
 }

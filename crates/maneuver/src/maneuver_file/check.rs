@@ -77,7 +77,7 @@ pub(super) fn numbers(file: &ManeuverFile) -> Result<(), InputError> {
             "actuator",
             frequency_hz > 0.0 && frequency_hz <= 1e4 && damping_ratio > 0.0 && damping_ratio <= 10.0,
             format!("an actuator of {frequency_hz:?} Hz and a damping ratio of {damping_ratio:?}"),
-            "both are above zero; 15 Hz and 0.8 are assumed if nothing is said",
+            "both are above zero; without `actuator` the servos are those of the wing's file",
         ));
     }
     if let Some((field, _, message, help)) = rules.iter().find(|(_, holds, ..)| !holds) {

@@ -18,7 +18,7 @@ impl Drive {
     pub const G_SIN: usize = 2;
     /// Gravity down, per m/s².
     pub const G_COS: usize = 3;
-    /// First commanded deflection, per rad.
+    /// First control surface's deflection, behind its servo, per rad.
     pub const CONTROLS: usize = 4;
     /// How many modes may be driven by forces of their own.
     pub const DRIVEN_MODES: usize = 2;

@@ -180,7 +180,6 @@ impl ReducedOrderModel {
     /// Modes and balance by drives, the modes held.
     fn direct(&self, s: c64, z: &Mat<c64>, structure: &Structural, everything: bool) -> Mat<c64> {
         let m = self.modes();
-        let actuator = self.deflection(s);
         Mat::from_fn(m + BALANCE, self.drive().len(everything), |row, column| {
             let field = |f: usize| c64::from(structure.field(self, row, f));
             let drive = self.drive();
@@ -189,17 +188,11 @@ impl ReducedOrderModel {
                 Drive::INCIDENCE => z[(row, m)],
                 Drive::G_SIN => field(0),
                 Drive::G_COS => -field(1),
-                c if c < drive.lifts() => z[(row, m + 1 + c - Drive::CONTROLS)] * actuator,
+                c if c < drive.lifts() => z[(row, m + 1 + c - Drive::CONTROLS)],
                 c if c < drive.modal() => c64::from(self.zone_drive[(row, c - drive.lifts())]),
                 c => c64::from(f64::from(u8::from(row == c - drive.modal()))),
             }
         })
-    }
-
-    /// Deflection per command.
-    fn deflection(&self, s: c64) -> c64 {
-        let w = std::f64::consts::TAU * self.actuator.frequency_hz;
-        c64::from(w * w) / (s * s + s * (2.0 * self.actuator.damping_ratio * w) + w * w)
     }
 
     fn tip_direct(&self, s: c64, tip: &Mat<c64>, column: usize) -> c64 {
@@ -209,7 +202,7 @@ impl ReducedOrderModel {
             Drive::INCIDENCE => tip[(0, m)],
             Drive::G_SIN => field(0),
             Drive::G_COS => -field(1),
-            c if c < self.drive().lifts() => tip[(0, m + 1 + c - Drive::CONTROLS)] * self.deflection(s),
+            c if c < self.drive().lifts() => tip[(0, m + 1 + c - Drive::CONTROLS)],
             _ => c64::new(0.0, 0.0),
         }
     }
@@ -222,9 +215,7 @@ impl ReducedOrderModel {
             Drive::INCIDENCE => lift[(zone, m)],
             Drive::G_SIN => field(0),
             Drive::G_COS => -field(1),
-            c if (Drive::CONTROLS..drive.lifts()).contains(&c) => {
-                lift[(zone, m + 1 + c - Drive::CONTROLS)] * self.deflection(s)
-            }
+            c if (Drive::CONTROLS..drive.lifts()).contains(&c) => lift[(zone, m + 1 + c - Drive::CONTROLS)],
             c if (drive.lifts()..drive.modal()).contains(&c) => {
                 c64::from(f64::from(u8::from(zone == c - drive.lifts())))
             }

@@ -6,24 +6,16 @@
 //! answer from rest. Drives are band limited between samples (their continuation is smooth).
 
 use super::{Constants, ReducedOrderModel};
+use crate::periodic::{PLANNER, RETURN_S, continued, fast_length, steps};
 use faer::{Mat, c64};
-use rustfft::FftPlanner;
-use std::cell::RefCell;
 use std::f64::consts::{PI, TAU};
 
 use super::change::Change;
-
-thread_local! {
-    /// Plans are made once a length.
-    static PLANNER: RefCell<FftPlanner<f64>> = RefCell::new(FftPlanner::new());
-}
 
 /// Highest frequency of the grid, Hz: as far as the smoothing of inputs lets anything through.
 const HIGHEST_HZ: f64 = 25.0;
 /// Above the grid responses fade to nothing over this share of its highest frequency.
 const FADE: f64 = 0.2;
-/// How long drives take to return, s.
-const RETURN_S: f64 = 1.0;
 /// How long the wing then has to come to rest, s: with and without a stream, which damps it.
 const REST_S: [f64; 2] = [5.0, 20.0];
 
@@ -188,25 +180,6 @@ fn steps_between(from: f64, to: f64, step: f64) -> usize {
     steps(to - from, step)
 }
 
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a positive number of steps")]
-fn steps(length: f64, step: f64) -> usize {
-    (length / step).round() as usize
-}
-
-/// The next length that is a product of 2, 3 and 5.
-fn fast_length(least: usize) -> usize {
-    let smooth = |mut n: usize| {
-        for p in [2, 3, 5] {
-            while n.is_multiple_of(p) {
-                n /= p;
-            }
-        }
-        n == 1
-    };
-    // a power of two lies between any number and its double
-    (least..=2 * least).find(|n| n.is_multiple_of(2) && smooth(*n)).unwrap_or(least)
-}
-
 /// What the first and the second of two real records count in the complex one that holds both.
 const ONE: c64 = c64::new(1.0, 0.0);
 /// See above.
@@ -224,19 +197,4 @@ fn parted(both: &[c64], count: usize) -> Vec<Vec<c64>> {
         1 => vec![both[bins].to_vec()],
         _ => vec![bins.clone().map(first).collect(), bins.map(second).collect()],
     }
-}
-
-/// The change from the first sample, brought back to zero after the last.
-fn continued(values: &[f64], length: usize, time_step_s: f64) -> Vec<f64> {
-    let (first, last) = (values[0], values[values.len() - 1]);
-    let back = steps(RETURN_S, time_step_s).max(1);
-    (0..length)
-        .map(|i| match i.checked_sub(values.len()) {
-            None => values[i] - first,
-            Some(beyond) if beyond < back => {
-                (last - first) * 0.5 * (1.0 + (PI * (beyond + 1) as f64 / back as f64).cos())
-            }
-            Some(_) => 0.0,
-        })
-        .collect()
 }

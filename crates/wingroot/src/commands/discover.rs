@@ -200,16 +200,14 @@ fn write_wing(
     data_hash: &str,
     results: &ResultFolder,
 ) -> Result<(), Failure> {
-    let supported = finding.judgement().is_supported();
-    let effects = if supported { finding.wing_effects(data_hash) } else { Vec::new() };
-    let rewritten = corrected.file.with_effects(effects)?;
+    let rewritten = corrected.file.with_effects(finding.wing_effects(data_hash))?;
     let name = corrected.file.written_name();
     results.write_text(name, &rewritten.text)?;
     for (name, from) in &rewritten.beside {
         results.write_text(name, &nastran::read_text(from)?)?;
     }
     let wing = coupling::WingFile::read(&results.path().join(name))?;
-    let again = finding.recalibrated.as_ref().filter(|_| supported).map(|again| &again.schedule);
+    let again = finding.recalibrated.as_ref().map(|again| &again.schedule);
     let Schedule { sets, unconverged, .. } = again.unwrap_or(&corrected.schedule).clone();
     results.write_text(
         "corrections.ron",

@@ -72,10 +72,7 @@ pub(crate) fn run(args: &FlutterArgs, common: &Common) -> Result<(), Failure> {
             .into());
     }
     let highest = args.to.unwrap_or(HIGHEST);
-    let rig = Rig::new(
-        &corrected.wing,
-        RigSettings::new(corrected.file.damping_ratio, corrected.file.pitch_axis_x()),
-    )?;
+    let rig = Rig::new(&corrected.wing, RigSettings::of_wing(&corrected.file))?;
     let doublets =
         DoubletLattice::new(&corrected.wing.lattice, corrected.wing.plane, 0.0, &DlmSettings::default())
             .map_err(Failure::computation)?;

@@ -75,7 +75,7 @@ fn title(result: &DiscoverResult) -> &'static str {
     match result.verdict {
         VerdictKind::DataDefect => "The data are at fault: nothing was searched",
         _ if result.search.as_ref().is_some_and(|search| !search.supported) => {
-            "An effect was named that the data do not support"
+            "Something is missing; the effect that was weighed makes it no better, and none is named"
         }
         VerdictKind::Effects => "An effect was missing from the model, and is found",
         VerdictKind::Ambiguous => "An effect is missing; these data do not tell which of several",

@@ -11,7 +11,8 @@ pub(super) const FORMS: &[Declaration] = &[Declaration {
         rivals: &["joiner_inertia", "wing_mass_error"],
         experiment: "runs in air beside the weighed inertia; it does not depend on airspeed",
     },
-    parameters: |_| vec![Parameter::new("dam", -0.95..=4.0, 0.5).calibrated(Calibration::Air, 0.04)],
+    parameters: |_| vec![Parameter::new("dam", -0.95..=4.0, 0.5)],
+    known: |known, parameters| parameters[0].know(Calibration::Air, known.to.apparent_mass),
     change: |p, _, change| change.apparent_mass += p[0],
     ..Declaration::NONE
 }];

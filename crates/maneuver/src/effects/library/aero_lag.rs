@@ -11,7 +11,8 @@ pub(super) const FORMS: &[Declaration] = &[Declaration {
         rivals: &["delay", "act_lag", "added_mass"],
         experiment: "a frequency sweep at two airspeeds: it collapses on reduced frequency",
     },
-    parameters: |_| vec![Parameter::new("dlag", -0.8..=5.0, 0.5).calibrated(Calibration::Air, 0.07)],
+    parameters: |_| vec![Parameter::new("dlag", -0.8..=5.0, 0.5)],
+    known: |known, parameters| parameters[0].know(Calibration::Air, known.to.wake_lag),
     change: |p, _, change| change.lag += p[0],
     ..Declaration::NONE
 }];

@@ -11,7 +11,8 @@ pub(super) const FORMS: &[Declaration] = &[Declaration {
         rivals: &["camber", "flow_upwash_gradient", "drift"],
         experiment: "an inverted run",
     },
-    parameters: |_| vec![Parameter::new("a0_deg", -3.0..=3.0, 0.5).calibrated(Calibration::Angle, 0.01)],
+    parameters: |_| vec![Parameter::new("a0_deg", -3.0..=3.0, 0.5)],
+    known: |known, parameters| parameters[0].know(Calibration::Angle, known.to.alpha_deg),
     inputs: |p, place, inputs| inputs.incline(place, p[0].to_radians()),
     ..Declaration::NONE
 }];

@@ -12,20 +12,12 @@ pub(super) const FORMS: &[Declaration] = &[Declaration {
         experiment: "amplitudes from 1 to 5 degrees; a slow triangle",
     },
     parameters: |_| vec![Parameter::new("gap_deg", 0.0..=3.0, 1.0)],
-    inputs,
+    surfaces: |p, place, angles| {
+        if !place.steady && p[0] > 0.0 {
+            for surface in &mut angles.controls_rad {
+                *surface = signal::freeplay(surface, p[0].to_radians());
+            }
+        }
+    },
     ..Declaration::NONE
 }];
-
-fn inputs(p: &[f64], place: &Place<'_>, inputs: &mut Inputs) {
-    if place.steady || p[0] <= 0.0 {
-        return;
-    }
-    for control in &mut inputs.controls_rad {
-        let turned = signal::damped(control, place.time_step_s, place.actuator);
-        let surface = signal::freeplay(&turned, p[0].to_radians());
-        // the command to which a surface without freeplay would answer so, but for the servo's lag of the difference
-        for (command, (after, before)) in control.iter_mut().zip(surface.iter().zip(&turned)) {
-            *command += after - before;
-        }
-    }
-}

@@ -14,9 +14,8 @@ pub(super) const FORMS: &[Declaration] = &[Declaration {
         rivals: &["ctl_scale", "tors_stiff"],
         experiment: "an airspeed sweep at one deflection; a potentiometer at the surface",
     },
-    parameters: |_| {
-        vec![Parameter::new("k_at_30_m_s", -0.3..=2.0, 0.15).calibrated(Calibration::Surfaces, 0.01)]
-    },
+    parameters: |_| vec![Parameter::new("k_at_30_m_s", -0.3..=2.0, 0.15)],
+    known: |known, parameters| parameters[0].know(Calibration::Surfaces, known.to.linkage),
     inputs: |p, place, inputs| {
         // a linkage that turns the surface further must not turn it round
         let less = 1.0 / (1.0 + p[0] * place.q_over_reference()).max(SMALLEST);

@@ -1,8 +1,10 @@
 //! Control surfaces lose effectiveness at large deflections: K_delta(delta, V) of paper 1, Eq. 10.
 //!
-//! Two forms. `tanh`: `delta_eff = s tanh(delta/s)`, by 1/s for each surface, so that zero is no loss.
+//! Three forms. `tanh`: the command is bent before the servo, `delta_eff = s tanh(delta/s)`, by 1/s for each surface, so that
+//! zero is no loss. `tanh behind the servo`: what the servo turned is bent alike, by a stop of the surface or by the air on it;
+//! the two differ by the inertia of the surface, which no balance of a wing without masses on its surfaces sees.
 //! `table`: for each surface what is added to K at 5, 15 and 25 degrees, straight between, constant outside, where tanh
-//! does not fit: an effectiveness above one. In both, what differs from one grows with airspeed by a common power, the last
+//! does not fit: an effectiveness above one. In all, what differs from one grows with airspeed by a common power, the last
 //! parameter.
 
 use crate::effects::prelude::*;
@@ -18,6 +20,7 @@ const BENT: f64 = 0.3;
 /// See the module.
 pub(super) const FORMS: &[Declaration] = &[
     TANH,
+    Declaration { form: "tanh behind the servo", inputs: Declaration::NONE.inputs, surfaces: bend, ..TANH },
     Declaration {
         form: "table",
         parameters: |controls| {
@@ -52,21 +55,24 @@ const TANH: Declaration = Declaration {
         let of_each = |name| Parameter::new(format!("inverse_s_{name}_per_rad"), 0.0..=8.0, 2.0);
         with_power(controls.iter().map(of_each).collect())
     },
-    inputs: |p, place, inputs| {
-        let faster = faster(p, place);
-        for (control, inverse) in inputs.controls_rad.iter_mut().zip(p) {
-            let inverse = inverse * faster;
-            if inverse > 0.0 {
-                for delta in control.iter_mut() {
-                    *delta = (inverse * *delta).tanh() / inverse;
-                }
-            }
-        }
-    },
+    inputs: bend,
     excludes_deflection_correction: true,
     flight: Flight::Deflection,
     ..Declaration::NONE
 };
+
+/// Bends deflections, of commands or of surfaces.
+fn bend(p: &[f64], place: &Place<'_>, deflections: &mut Inputs) {
+    let faster = faster(p, place);
+    for (control, inverse) in deflections.controls_rad.iter_mut().zip(p) {
+        let inverse = inverse * faster;
+        if inverse > 0.0 {
+            for delta in control.iter_mut() {
+                *delta = (inverse * *delta).tanh() / inverse;
+            }
+        }
+    }
+}
 
 /// None without control surfaces.
 fn with_power(mut of_each: Vec<Parameter>) -> Vec<Parameter> {

@@ -11,7 +11,8 @@ pub(super) const FORMS: &[Declaration] = &[Declaration {
         rivals: &["aero_lag", "lift_slope"],
         experiment: "a free decay without wind",
     },
-    parameters: |_| vec![Parameter::new("dz", -0.9..=6.0, 1.0).calibrated(Calibration::Damping, 0.1)],
+    parameters: |_| vec![Parameter::new("dz", -0.9..=6.0, 1.0)],
+    known: |known, parameters| parameters[0].know(Calibration::Damping, known.to.damping),
     change: |p, _, change| change.damping += p[0],
     ..Declaration::NONE
 }];

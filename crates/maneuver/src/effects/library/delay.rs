@@ -11,7 +11,8 @@ pub(super) const FORMS: &[Declaration] = &[Declaration {
         rivals: &["daq_filter", "act_lag", "aero_lag"],
         experiment: "a common pulse; a tap without wind",
     },
-    parameters: |_| vec![Parameter::new("tau_s", -0.06..=0.06, 0.02).calibrated(Calibration::Clock, 0.001)],
+    parameters: |_| vec![Parameter::new("tau_s", -0.06..=0.06, 0.02)],
+    known: |known, parameters| parameters[0].know(Calibration::Clock, known.to.clock_s),
     stage: Stage::Record,
     loads: |p, place, _, loads| {
         if !place.steady && p[0] != 0.0 {

@@ -11,7 +11,8 @@ pub(super) const FORMS: &[Declaration] = &[Declaration {
         rivals: &["ac_shift", "ctl_compliance", "re_dependence"],
         experiment: "a chirp to 20 Hz; an airspeed sweep; a dead torque",
     },
-    parameters: |_| vec![Parameter::new("dGJ", -0.7..=2.0, 0.25).calibrated(Calibration::Stiffness, 0.02)],
+    parameters: |_| vec![Parameter::new("dGJ", -0.7..=2.0, 0.25)],
+    known: |known, parameters| parameters[0].know(Calibration::Stiffness, known.to.torsion),
     change: |p, _, change| change.torsion += p[0],
     splits_stiffness: true,
     ..Declaration::NONE

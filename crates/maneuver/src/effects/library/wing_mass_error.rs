@@ -11,7 +11,8 @@ pub(super) const FORMS: &[Declaration] = &[Declaration {
         rivals: &["joiner_inertia", "tip_mass", "bend_stiff"],
         experiment: "weighing, and wind-off pitch",
     },
-    parameters: |_| vec![Parameter::new("dm_over_m", -0.3..=0.3, 0.05).calibrated(Calibration::Mass, 0.007)],
+    parameters: |_| vec![Parameter::new("dm_over_m", -0.3..=0.3, 0.05)],
+    known: |known, parameters| parameters[0].know(Calibration::Mass, known.to.mass),
     change: |p, _, change| change.mass += p[0],
     ..Declaration::NONE
 }];
