@@ -83,6 +83,7 @@ fn wing(arm_aft_of_edge_m: f64) -> LargeDeflection {
         id: u32::try_from(at + 1).expect("a small number"),
         point: *point,
         axes: Matrix3::identity(),
+        is_scalar: false,
     };
     let span = Span::new(&Arc::new("beam".into()), 1, 1, 1);
     let model = Model {
@@ -93,6 +94,7 @@ fn wing(arm_aft_of_edge_m: f64) -> LargeDeflection {
         clamps: vec![Clamp { node: 0, components: vec![1, 2, 3, 4, 5, 6], span }],
         mass_factor: 1.0,
         mass_form: MassForm::Consistent,
+        holds_loose: false,
     };
     LargeDeflection::new(&model).expect("a beam")
 }
