@@ -93,7 +93,9 @@ impl ElasticWing {
                 })
                 .collect();
             let about: f64 = turns.iter().map(|&(i, along)| displacement[i] * along).sum();
-            turns.iter().for_each(|&(i, along)| twist[i] = about * along);
+            for (i, along) in turns {
+                twist[i] = about * along;
+            }
         }
         twist
     }

@@ -144,7 +144,7 @@ fn effects_that_cannot_be_are_refused_at_their_place() {
 }
 
 /// The servos of the shipped wing's file.
-const SERVOS: &str = "servos: SecondOrder(frequency_hz: 15.0, damping_ratio: 0.8, frequency_sd_hz: 1.5, damping_ratio_sd: 0.08),";
+const SERVOS: &str = "servos: SecondOrder(frequency_hz: 15.0, damping_ratio: 0.8, frequency_sd_hz: 1.0, damping_ratio_sd: 0.05),";
 
 #[test]
 fn servos_are_those_of_the_file_and_how_well_they_are_known_is_in_the_effects() {

@@ -38,14 +38,14 @@ pub struct CorrectionPrior {
 impl Default for CorrectionPrior {
     fn default() -> Self {
         Self {
-            force: [0.08, 0.06, 0.06],
+            force: [0.08, 0.05, 0.05],
             force_along_chord: 0.2,
-            zero_lift_deg: [0.8, 0.5, 0.4],
+            zero_lift_deg: [0.8, 0.4, 0.35],
             moment_offset_cp: 0.05,
             moment: 0.2,
-            control: [0.06, 0.03, 0.03],
+            control: [0.05, 0.03, 0.03],
             flexibility: [0.03, 0.05],
-            reading: 0.002,
+            reading: 0.0015,
             smooth_over_span: 0.3,
             local_over_chord: 1.0,
         }

@@ -29,8 +29,8 @@ impl Default for Servos {
         Self::SecondOrder {
             frequency_hz: 15.0,
             damping_ratio: 0.8,
-            frequency_sd_hz: 1.5,
-            damping_ratio_sd: 0.08,
+            frequency_sd_hz: 1.0,
+            damping_ratio_sd: 0.05,
         }
     }
 }
