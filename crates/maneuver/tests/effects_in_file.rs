@@ -160,9 +160,10 @@ fn servos_are_those_of_the_file_and_how_well_they_are_known_is_in_the_effects() 
     let (left_out, said) = (with("out", "").unwrap(), with("said", SERVOS).unwrap());
     assert_eq!((left_out.servos, actuator(&left_out)), (said.servos, actuator(&said)));
     assert_eq!(actuator(&said), Actuator { frequency_hz: 15.0, damping_ratio: 0.8 });
-    // shares of period and damping, and the delay 2 zeta / w of both: 1.6 / (2 pi 15) times 0.1 and 0.1 in quadrature
-    let delay_s = 1.6 / (std::f64::consts::TAU * 15.0) * 0.02_f64.sqrt();
-    for (known, expected) in known(&said).into_iter().zip([0.1, 0.1, delay_s, delay_s]) {
+    // shares of period and damping, and the delay 2 zeta / w of both: 1.6 / (2 pi 15) times these in quadrature
+    let shares = [1.0 / 15.0, 0.05 / 0.8];
+    let delay_s = 1.6 / (std::f64::consts::TAU * 15.0) * f64::hypot(shares[0], shares[1]);
+    for (known, expected) in known(&said).into_iter().zip([shares[0], shares[1], delay_s, delay_s]) {
         assert!((known.unwrap() - expected).abs() < 1e-12, "{known:?} {expected}");
     }
     let own = "servos: SecondOrder(frequency_hz: 9.0, damping_ratio: 0.5, frequency_sd_hz: 0.9, damping_ratio_sd: 0.0),";

@@ -115,7 +115,9 @@ pub(crate) fn run(args: &DecksArgs, common: &Common) -> Result<(), Failure> {
     let _ = std::fs::remove_dir_all(&scratch);
     rows.sort_by(|a, b| a.deck.cmp(&b.deck));
     let mut counts: BTreeMap<Status, usize> = BTreeMap::new();
-    rows.iter().for_each(|row| *counts.entry(row.status).or_default() += 1);
+    for row in &rows {
+        *counts.entry(row.status).or_default() += 1;
+    }
     folder.write_text("table.csv", &csv(&rows))?;
     folder.write_json(
         "result.json",
@@ -272,7 +274,7 @@ fn sentence(text: &str) -> String {
     let lines = || text.lines().map(str::trim).filter(|line| !line.is_empty());
     let error = lines().find_map(|line| line.strip_prefix("error: "));
     let panic = lines().skip_while(|line| !line.contains("panicked at")).nth(1);
-    error.or(panic).or_else(|| lines().last()).unwrap_or_default().to_owned()
+    error.or(panic).or_else(|| lines().next_back()).unwrap_or_default().to_owned()
 }
 
 /// Reads a deck, assembles it under each of its boundary conditions and factorises its stiffness.

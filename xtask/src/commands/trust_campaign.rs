@@ -93,61 +93,18 @@ impl Stand {
 
     /// What is measured of a wing.
     pub(super) fn campaign(&self, flown: &Flown<'_>, sensors: Sensors) -> Campaign {
-        let mut random = Normal(ChaCha12Rng::seed_from_u64(flown.number));
-        let bridge = |&y_over_span: &f64| Sensor {
-            column: format!("bending_{y_over_span}_Nm"),
-            reads: Reading::Bending { y_over_span },
-            sigma: BRIDGE_SIGMA_NM,
-            zero: Zero::WindOff,
-            scale: BRIDGE_SCALE,
-        };
-        let strain = matches!(sensors, Sensors::Strain | Sensors::All);
-        let bridges: Vec<Sensor> = if strain { BRIDGES.iter().map(bridge).collect() } else { Vec::new() };
-        let gains: Vec<f64> = bridges.iter().map(|bridge| 1.0 + random.of(bridge.scale)).collect();
-        let controls = &self.rig.wing.controls;
-        let mut points = Vec::new();
-        let mut measure = |v_m_s: f64, alpha_deg: f64, deflection: Option<(usize, f64)>| {
-            let at = if v_m_s > 0.0 { &flown.wind } else { &flown.still };
-            let mut controls_rad = vec![0.0; controls.len()];
-            if let Some((control, delta_deg)) = deflection {
-                controls_rad[control] = delta_deg.to_radians();
-            }
-            let rest = at.at_rest(alpha_deg.to_radians(), &controls_rad);
-            let loads = std::array::from_fn(|c| Some(rest.loads[c] + random.of(SIGMA[c])));
-            let tip_z_m = Some(rest.tip_z_m + random.of(SIGMA[3]));
-            let carried = Carried { rig: &self.rig, rest };
-            let read = |(bridge, gain): (&Sensor, &f64)| {
-                let value = gain * carried.bending(bridge.reads.y_over_span()) + random.of(bridge.sigma);
-                (v_m_s > 0.0 && deflection.is_none()).then_some(value)
-            };
-            points.push(StaticPoint {
-                v_m_s,
-                alpha_rad: alpha_deg.to_radians(),
-                loads,
-                block: None,
-                controls_rad: deflection
-                    .map(|(control, delta_deg)| (controls[control].name.clone(), delta_deg.to_radians()))
-                    .into_iter()
-                    .collect(),
-                tip_z_m,
-                sensors: bridges.iter().zip(&gains).map(read).collect(),
-                span: Span::generated("measured"),
-            });
-        };
+        let mut recorder = Recorder::new(flown, sensors);
         for v_m_s in [0.0, V_M_S] {
             for alpha_deg in ALPHAS_DEG {
-                (0..REPEATS).for_each(|_| measure(v_m_s, alpha_deg, None));
+                (0..REPEATS).for_each(|_| recorder.record(v_m_s, alpha_deg, None));
             }
         }
         if matches!(sensors, Sensors::Deflected | Sensors::All) {
-            for control in 0..controls.len() {
+            for control in 0..self.rig.wing.controls.len() {
                 for delta_deg in DEFLECTIONS_DEG {
-                    measure(V_M_S, DEFLECTED_AT_DEG, Some((control, delta_deg)));
+                    recorder.record(V_M_S, DEFLECTED_AT_DEG, Some((control, delta_deg)));
                 }
             }
-        }
-        for (line, point) in points.iter_mut().enumerate() {
-            point.span.line = line + 2;
         }
         let [fz_n, mx_nm, my_nm, tip_z_m] = SIGMA.map(Some);
         let noise = ChannelNoise { fz_n, mx_nm, my_nm, tip_z_m };
@@ -161,11 +118,71 @@ impl Stand {
             channels: [true; 3],
             tip: if tip { TipReading::Zeroed } else { TipReading::Unused },
             sets: Sets::EachAirspeed,
-            sensors: bridges,
-            points,
+            sensors: recorder.bridges,
+            points: recorder.points,
             columns: ColumnNames::new(),
             runs: Vec::new(),
         }
+    }
+}
+
+/// Rows as they are measured.
+struct Recorder<'a> {
+    flown: &'a Flown<'a>,
+    random: Normal,
+    bridges: Vec<Sensor>,
+    /// What each bridge reads for one newton metre.
+    gains: Vec<f64>,
+    points: Vec<StaticPoint>,
+}
+
+impl<'a> Recorder<'a> {
+    fn new(flown: &'a Flown<'a>, sensors: Sensors) -> Self {
+        let mut random = Normal(ChaCha12Rng::seed_from_u64(flown.number));
+        let bridge = |&y_over_span: &f64| Sensor {
+            column: format!("bending_{y_over_span}_Nm"),
+            reads: Reading::Bending { y_over_span },
+            sigma: BRIDGE_SIGMA_NM,
+            zero: Zero::WindOff,
+            scale: BRIDGE_SCALE,
+        };
+        let strain = matches!(sensors, Sensors::Strain | Sensors::All);
+        let bridges: Vec<Sensor> = if strain { BRIDGES.iter().map(bridge).collect() } else { Vec::new() };
+        let gains = bridges.iter().map(|bridge| 1.0 + random.of(bridge.scale)).collect();
+        Self { flown, random, bridges, gains, points: Vec::new() }
+    }
+
+    fn record(&mut self, v_m_s: f64, alpha_deg: f64, deflection: Option<(usize, f64)>) {
+        let (flown, random) = (self.flown, &mut self.random);
+        let rig = &flown.stand.rig;
+        let at = if v_m_s > 0.0 { &flown.wind } else { &flown.still };
+        let mut controls_rad = vec![0.0; rig.wing.controls.len()];
+        if let Some((control, delta_deg)) = deflection {
+            controls_rad[control] = delta_deg.to_radians();
+        }
+        let rest = at.at_rest(alpha_deg.to_radians(), &controls_rad);
+        let loads = std::array::from_fn(|c| Some(rest.loads[c] + random.of(SIGMA[c])));
+        let tip_z_m = Some(rest.tip_z_m + random.of(SIGMA[3]));
+        let carried = Carried { rig, rest };
+        let read = |(bridge, gain): (&Sensor, &f64)| {
+            let value = gain * carried.bending(bridge.reads.y_over_span()) + random.of(bridge.sigma);
+            (v_m_s > 0.0 && deflection.is_none()).then_some(value)
+        };
+        let named = |(control, delta_deg): (usize, f64)| {
+            (rig.wing.controls[control].name.clone(), delta_deg.to_radians())
+        };
+        let mut span = Span::generated("measured");
+        span.line = self.points.len() + 2;
+        self.points.push(StaticPoint {
+            v_m_s,
+            alpha_rad: alpha_deg.to_radians(),
+            loads,
+            block: None,
+            controls_rad: deflection.map(named).into_iter().collect(),
+            tip_z_m,
+            sensors: self.bridges.iter().zip(&self.gains).map(read).collect(),
+            span,
+        });
     }
 }
 

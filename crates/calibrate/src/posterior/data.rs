@@ -2,7 +2,7 @@
 
 use crate::calibration::{AirspeedCalibration, Calibration};
 use crate::campaign::{CHANNELS, StaticPoint, TIP, TipReading};
-use crate::sensors::{Row, Together, Zero};
+use crate::sensors::{Row, Sensor, Together, Zero};
 use aero::Flow;
 use aero::flow::same_airspeed;
 use coupling::{ElasticWing, SteadyCase};
@@ -29,11 +29,19 @@ pub(super) struct Datum {
     pub(super) nuisances: Vec<(usize, f64)>,
 }
 
+/// What is known of a channel's rows.
+struct ChannelKnown {
+    /// Standard deviation of one row.
+    sigma: f64,
+    /// What moves all of them together.
+    offsets: Vec<(usize, f64)>,
+}
+
 /// All of an airspeed.
 pub(super) struct Data {
     pub(super) cases: Vec<SteadyCase>,
     pub(super) together: Together,
-    pub(super) data: Vec<Datum>,
+    pub(super) measured: Vec<Datum>,
     /// Number of unknowns of sensors.
     pub(super) nuisances: usize,
     /// Names of the readings' columns.
@@ -49,79 +57,80 @@ impl Data {
         at: &AirspeedCalibration,
     ) -> Result<Self, InputError> {
         let statics = &calibration.data;
-        let flow = Flow { v_m_s: at.data.v_m_s, rho_kg_m3: calibration.rho_kg_m3 };
-        let sigma = statics.point_sigma.unwrap_or(at.line.rmse);
         let sensors = statics.sensors.iter().map(|sensor| sensor.reads.row(wing));
         let tip = Row::OnStructure(wing.tip_row());
         let together = Together::new(wing, (0..3).map(Row::Balance).chain([tip]).chain(sensors).collect());
-        let places = together.places.clone();
-        let raised = vec![1.0; places.len()];
-        let mut names = vec![String::new(); raised.len()];
+        let mut names = vec![String::new(); together.places.len()];
         let columns = CHANNELS.into_iter().chain(statics.sensors.iter().map(|sensor| sensor.column.as_str()));
-        places.iter().zip(columns).for_each(|(&place, column)| names[place] = column.to_owned());
-        let mut found = Self { cases: Vec::new(), together, data: Vec::new(), nuisances: 4, names, raised };
-        let common = statics.common_sigma();
-        let tip_zero = (statics.tip == TipReading::FreeZero).then(|| found.further_nuisance());
-        let farthest_m = at.data.angles.iter().map(|angle| angle.tip_z_m.abs()).fold(0.0, f64::max);
-        let offsets = |channel: usize| {
-            // the offset common to all blocks moves a channel's rows together
-            let zero = tip_zero.filter(|_| channel == TIP).map(|zero| (zero, LOOSE * farthest_m));
-            std::iter::once((channel, common[channel])).chain(zero).collect::<Vec<_>>()
-        };
+        for (&place, column) in together.places.iter().zip(columns) {
+            names[place].push_str(column);
+        }
+        let raised = vec![1.0; names.len()];
+        let (cases, measured) = (Vec::new(), Vec::new());
+        let mut found = Self { cases, together, measured, nuisances: CHANNELS.len(), names, raised };
+        let flow = Flow { v_m_s: at.data.v_m_s, rho_kg_m3: calibration.rho_kg_m3 };
+        let channels = found.channels(calibration, at);
         for angle in &at.data.angles {
             let case = found.case(SteadyCase::new(flow, angle.alpha_rad));
-            for channel in (0..4).filter(|&c| statics.channels[c]) {
-                found.data.push(Datum {
-                    case,
-                    row: places[channel],
-                    value: angle.readings()[channel],
-                    sigma: sigma[channel] / (angle.replicates as f64).sqrt(),
-                    nuisances: offsets(channel),
-                });
+            for (channel, known) in channels.iter().enumerate().filter(|&(c, _)| statics.channels[c]) {
+                let sigma = known.sigma / (angle.replicates as f64).sqrt();
+                found.add(case, channel, angle.readings()[channel], sigma, known.offsets.clone());
             }
         }
         let further: Vec<&StaticPoint> =
-            statics.further.iter().filter(|point| same_airspeed(point.v_m_s, at.data.v_m_s)).collect();
-        let of_sensor = |s: usize| further.iter().filter_map(move |point| point.sensors[s]);
-        let of_sensors: Vec<Vec<(usize, Option<f64>)>> = statics
-            .sensors
-            .iter()
-            .enumerate()
-            .map(|(s, sensor)| {
-                let largest = of_sensor(s).map(f64::abs).fold(0.0, f64::max);
-                let zero =
-                    (sensor.zero == Zero::Free).then(|| (found.further_nuisance(), Some(LOOSE * largest)));
-                let scale = (sensor.scale > 0.0).then(|| (found.further_nuisance(), None));
-                zero.into_iter().chain(scale).collect()
-            })
-            .collect();
+            statics.further.iter().filter(|point| same_airspeed(point.v_m_s, flow.v_m_s)).collect();
+        let of_sensors = found.of_sensors(&statics.sensors, &further);
         for point in further {
             let case = found.case(case_of(wing, flow, point)?);
             // neutral rows are in the means of their angles
-            let loads = (0..4).filter(|&c| statics.channels[c] && !point.controls_rad.is_empty());
-            for channel in loads {
-                found.data.push(Datum {
-                    case,
-                    row: places[channel],
-                    value: point.reading(channel) - statics.offset_of(point, channel),
-                    sigma: sigma[channel],
-                    nuisances: offsets(channel),
-                });
+            let deflected = !point.controls_rad.is_empty();
+            for (channel, known) in
+                channels.iter().enumerate().filter(|&(c, _)| statics.channels[c] && deflected)
+            {
+                let value = point.reading(channel) - statics.offset_of(point, channel);
+                found.add(case, channel, value, known.sigma, known.offsets.clone());
             }
             for (s, sensor) in statics.sensors.iter().enumerate() {
                 let Some(value) = point.sensors[s] else { continue };
                 let of =
                     |&(unknown, size): &(usize, Option<f64>)| (unknown, size.unwrap_or(sensor.scale * value));
-                found.data.push(Datum {
-                    case,
-                    row: places[4 + s],
-                    value,
-                    sigma: sensor.sigma,
-                    nuisances: of_sensors[s].iter().map(of).collect(),
-                });
+                let nuisances = of_sensors[s].iter().map(of).collect();
+                found.add(case, CHANNELS.len() + s, value, sensor.sigma, nuisances);
             }
         }
         Ok(found)
+    }
+
+    /// Adds a number of a column: of the channels, then of the sensors.
+    fn add(&mut self, case: usize, column: usize, value: f64, sigma: f64, nuisances: Vec<(usize, f64)>) {
+        self.measured.push(Datum { case, row: self.together.places[column], value, sigma, nuisances });
+    }
+
+    /// Noise of the channels and what moves all rows of one together: the offset common to all blocks, a tip's zero.
+    fn channels(&mut self, calibration: &Calibration, at: &AirspeedCalibration) -> [ChannelKnown; 4] {
+        let statics = &calibration.data;
+        let (sigma, common) = (statics.point_sigma.unwrap_or(at.line.rmse), statics.common_sigma());
+        let tip_zero = (statics.tip == TipReading::FreeZero).then(|| self.further_nuisance());
+        let farthest_m = at.data.angles.iter().map(|angle| angle.tip_z_m.abs()).fold(0.0, f64::max);
+        std::array::from_fn(|channel| {
+            let zero = tip_zero.filter(|_| channel == TIP).map(|zero| (zero, LOOSE * farthest_m));
+            ChannelKnown {
+                sigma: sigma[channel],
+                offsets: std::iter::once((channel, common[channel])).chain(zero).collect(),
+            }
+        })
+    }
+
+    /// Unknowns of sensors: zeros of their sizes, and scales, whose size is a share of what is read.
+    fn of_sensors(&mut self, sensors: &[Sensor], points: &[&StaticPoint]) -> Vec<Vec<(usize, Option<f64>)>> {
+        let one = |(s, sensor): (usize, &Sensor)| {
+            let largest =
+                points.iter().filter_map(|point| point.sensors[s]).map(f64::abs).fold(0.0, f64::max);
+            let zero = (sensor.zero == Zero::Free).then(|| (self.further_nuisance(), Some(LOOSE * largest)));
+            let scale = (sensor.scale > 0.0).then(|| (self.further_nuisance(), None));
+            zero.into_iter().chain(scale).collect()
+        };
+        sensors.iter().enumerate().map(one).collect()
     }
 
     /// By reading, how many times the noise its rows miss the wing at the mean, where that is more than noise does; none
@@ -129,7 +138,7 @@ impl Data {
     pub(super) fn levels(&self, misses: &[f64]) -> Option<Vec<f64>> {
         let level = |row: usize| {
             let of: Vec<f64> = self
-                .data
+                .measured
                 .iter()
                 .zip(misses)
                 .filter(|(datum, _)| datum.row == row)
@@ -145,7 +154,7 @@ impl Data {
 
     /// Raises the noise of readings by their levels.
     pub(super) fn raise(&mut self, levels: &[f64]) {
-        for datum in &mut self.data {
+        for datum in &mut self.measured {
             datum.sigma *= levels[datum.row];
         }
         self.raised.iter_mut().zip(levels).for_each(|(raised, level)| *raised *= level);
@@ -159,7 +168,7 @@ impl Data {
     /// Whether there is more than root loads with neutral controls.
     pub(super) fn more_than_root_loads(&self) -> bool {
         let deflected = self.cases.iter().any(|case| !case.controls_rad.is_empty());
-        deflected || self.data.iter().any(|datum| datum.row >= 3)
+        deflected || self.measured.iter().any(|datum| datum.row >= 3)
     }
 
     fn further_nuisance(&mut self) -> usize {

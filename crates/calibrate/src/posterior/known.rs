@@ -145,7 +145,7 @@ fn on_given_structure(
         at.extend(&mean[count..]);
         off.corrections = unknowns.wing(&at).corrections;
         let here = linearise(wing, flow, unknowns, data, off.clone(), &at)?;
-        let balance = || (0..data.data.len()).filter(|&i| data.data[i].row < 3);
+        let balance = || (0..data.measured.len()).filter(|&i| data.measured[i].row < 3);
         let rows: Vec<Vec<f64>> = balance().map(|i| here.rows[i][..count].to_vec()).collect();
         let rows: Vec<&Vec<f64>> = rows.iter().collect();
         let moved = |row: &[f64]| {
@@ -215,9 +215,9 @@ fn linearise<'a>(
     let operator = wing.at(flow, &off.corrections)?;
     let reads: Vec<CaseRead> =
         data.cases.iter().map(|case| read_case(&operator, &off, case, &data.together)).collect();
-    let mut rows = Vec::with_capacity(data.data.len());
-    let mut misses = Vec::with_capacity(data.data.len());
-    for datum in &data.data {
+    let mut rows = Vec::with_capacity(data.measured.len());
+    let mut misses = Vec::with_capacity(data.measured.len());
+    for datum in &data.measured {
         let read = &reads[datum.case];
         let mut row = unknowns.gradient(read, datum.row);
         row.resize(z.len(), 0.0);

@@ -45,7 +45,9 @@ impl Calibration {
             }
             if self.data.tip == TipReading::FreeZero {
                 let zero = misses.iter().map(|miss| miss[TIP]).sum::<f64>() / misses.len() as f64;
-                misses.iter_mut().for_each(|miss| miss[TIP] -= zero);
+                for miss in &mut misses {
+                    miss[TIP] -= zero;
+                }
             }
             at.fit.rmse[1] = rmse(&misses, self.data.channels);
             at.fit.objective[1] = objective(at.fit.rmse[1], at.weights);

@@ -153,12 +153,10 @@ pub(crate) fn summary(wing: &ElasticWing, all: &[AirspeedPosterior]) -> String {
         let Some(mean) = &at.mean else { continue };
         let percent = |log: f64| format!("{:+.1} %", 100.0 * log.exp_m1());
         let [bending, torsion] = mean.log_flexibility.map(percent);
-        let controls: String = wing
-            .control_names()
-            .iter()
-            .zip(&mean.controls)
-            .map(|(name, factor)| format!(", {name} {factor:.3} times its effect"))
-            .collect();
+        let mut controls = String::new();
+        for (name, factor) in wing.control_names().iter().zip(&mean.controls) {
+            let _ = write!(controls, ", {name} {factor:.3} times its effect");
+        }
         let _ = writeln!(
             text,
             "note: at {} m/s more than root loads was measured; corrections are next to what all of it and the prior leave most likely, with \
