@@ -37,7 +37,8 @@ fn main() -> std::io::Result<()> {
 /// `data` and `docs` are links to the repository's folders, and folders in a published package; a checkout without links
 /// (Windows) has neither.
 fn in_repository(folder: &str) -> PathBuf {
-    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    // asked when it runs: a folder that was moved brings the script compiled at its former place
+    let here = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from).unwrap_or_default();
     let linked = here.join(folder);
     if linked.is_dir() { linked } else { here.join("../..").join(folder) }
 }

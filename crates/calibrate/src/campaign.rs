@@ -169,6 +169,12 @@ pub struct StaticPoint {
 }
 
 impl StaticPoint {
+    /// Whether it says more than the mean of its angle does: with wind on a control deflected, or a sensor read.
+    pub(crate) fn says_more(&self) -> bool {
+        let read = self.sensors.iter().any(Option::is_some);
+        self.v_m_s > 0.0 && (read || !self.controls_rad.is_empty())
+    }
+
     /// What was read on a channel of [`CHANNELS`]; zero where there is none.
     pub(crate) fn reading(&self, channel: usize) -> f64 {
         self.loads.get(channel).copied().unwrap_or(self.tip_z_m).unwrap_or(0.0)

@@ -126,7 +126,7 @@ impl StaticData {
             point_sigma: campaign.noise.map(|noise| noise.static_point.to_array()),
             noise_dof: None,
             sensors: campaign.sensors.clone(),
-            further: campaign.points.iter().filter(|point| says_more(point)).cloned().collect(),
+            further: campaign.points.iter().filter(|point| point.says_more()).cloned().collect(),
             weight_tares,
         };
         Ok(data.of_cells(&cells, &[]).0)
@@ -156,11 +156,6 @@ impl StaticData {
     pub(crate) fn offset_of(&self, row: &StaticPoint, channel: usize) -> f64 {
         let block = self.blocks.iter().find(|block| block.block == block_name(row));
         block.map_or(0.0, |block| block.offset[channel])
-    }
-
-    /// Rows with a control deflected.
-    pub fn deflected(&self) -> usize {
-        self.further.iter().filter(|point| !point.controls_rad.is_empty()).count()
     }
 
     /// Standard deviation of the mean of an angle's replicates, by channel.
@@ -266,12 +261,6 @@ impl StaticData {
         }
         airspeeds.into_iter().map(|(airspeed, _)| airspeed).collect()
     }
-}
-
-/// Whether a row says more than the mean of its angle does.
-fn says_more(point: &StaticPoint) -> bool {
-    let read = point.sensors.iter().any(Option::is_some);
-    point.v_m_s > 0.0 && (read || !point.controls_rad.is_empty())
 }
 
 /// Rows that are fitted: wind on, controls neutral.

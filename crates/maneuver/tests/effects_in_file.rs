@@ -183,9 +183,9 @@ fn servos_are_those_of_the_file_and_how_well_they_are_known_is_in_the_effects() 
 fn servos_and_standard_deviations_that_cannot_be_are_refused_at_their_line() {
     let line = text().lines().position(|line| line.contains("servos: SecondOrder")).unwrap() + 1;
     for (servos, says) in [
-        (SERVOS.replace("15.0", "0.0"), "servos of 0.0 +- 1.5 Hz"),
-        (SERVOS.replace("1.5", "-1.5"), "servos of 15.0 +- -1.5 Hz"),
-        (SERVOS.replace("0.08", "0.5"), "a damping ratio of 0.8 +- 0.5"),
+        (SERVOS.replace("15.0", "0.0"), "servos of 0.0 +- 1.0 Hz"),
+        (SERVOS.replace("hz: 1.0", "hz: -1.0"), "servos of 15.0 +- -1.0 Hz"),
+        (SERVOS.replace("0.05", "0.5"), "a damping ratio of 0.8 +- 0.5"),
     ] {
         let error = Copy::new("bad_servos", &text().replace(SERVOS, &servos)).read().unwrap_err();
         assert!(error.message.contains(says), "{}", error.message);

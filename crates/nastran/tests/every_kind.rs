@@ -251,7 +251,7 @@ fn every_number_is_raised_and_nothing_else() {
     let same = deck.clone().raised(Step { cards: 0, boxes: 0 }, "").expect("the same numbers");
     assert_eq!(fields(&same), before);
     let mut both = BulkData { aero_reference: None, trims: BTreeMap::new(), ..deck };
-    (both.constraint_unions, both.equation_unions) = Default::default();
+    (both.constraint_unions, both.equation_unions, both.load_sums) = Default::default();
     both.aero_components.clear();
     both.join(raised).expect("numbers above all others");
     for (name, count) in samples().element_counts() {

@@ -22,10 +22,15 @@ fn assert_near(ours: &[f64], reference: &[f64], relative: f64, what: &str) {
     }
 }
 
+/// A card a number.
+fn cards(numbers: std::ops::RangeInclusive<u32>, card: impl Fn(u32) -> String) -> String {
+    numbers.map(card).collect::<Vec<_>>().concat()
+}
+
 /// A cantilever of nine CBAR and one CBEAM of a round section with a mass at its tip, as the deck `beam_modes` of pyNastran's models.
 fn bars_and_a_beam(parameters: &str) -> String {
-    let grids: String = (1..=11).map(|grid| format!("GRID,{grid},,{}.\n", grid - 1)).collect();
-    let bars: String = (1..=9).map(|bar| format!("CBAR,{bar},1,{bar},{},0.,1.,0.\n", bar + 1)).collect();
+    let grids = cards(1..=11, |grid| format!("GRID,{grid},,{}.\n", grid - 1));
+    let bars = cards(1..=9, |bar| format!("CBAR,{bar},1,{bar},{},0.,1.,0.\n", bar + 1));
     format!(
         "SOL SEMODES\nCEND\nSPC = 1\nMETHOD = 1\nBEGIN BULK\n{parameters}{grids}{bars}CBEAM,10,3,10,11,0.,1.,0.\n\
          CONM2,21,11,,2.59-3\n,2.59-3,,2.59-3,,,2.59-3\nMAT1,2,3.+7,1.1628+7,.29,7.4851-4\n\
@@ -49,9 +54,8 @@ fn lumped_mass_gives_the_frequencies_that_simcenter_nastran_prints() {
 
 /// Half of a free beam of twenty elements, its plane of symmetry at the first grid.
 fn half_beam(subcases: &str) -> String {
-    let grids: String =
-        (1..=11).map(|grid| format!("GRID,{grid},,{:.1},,,,1246\n", f64::from(grid - 1) / 10.0)).collect();
-    let bars: String = (1..=10).map(|bar| format!("CBAR,{bar},1,{bar},{},0.,0.,1.\n", bar + 1)).collect();
+    let grids = cards(1..=11, |grid| format!("GRID,{grid},,{:.1},,,,1246\n", f64::from(grid - 1) / 10.0));
+    let bars = cards(1..=10, |bar| format!("CBAR,{bar},1,{bar},{},0.,0.,1.\n", bar + 1));
     format!(
         "CEND\n{subcases}BEGIN BULK\n{grids}{bars}PBAR,1,1,1.-4,1.-10,1.-10,2.-10\nMAT1,1,7.+10,,.3,2700.\nSPC1,1,5,1\nSPC1,2,3,1\n"
     )
@@ -75,7 +79,7 @@ fn symmetric_and_antisymmetric_sets_are_kept_apart_and_give_the_modes_of_the_who
 fn scalar_points_carry_masses_and_springs_without_a_place() {
     // Ground, spring, mass, spring, mass: omega^2 = (3 -+ sqrt 5)/2.
     let golden =
-        [(3.0 - 5.0_f64.sqrt()) / 2.0, (3.0 + 5.0_f64.sqrt()) / 2.0].map(|square| square.sqrt() / TAU);
+        [(3.0 - 5.0_f64.sqrt()) / 2.0, f64::midpoint(3.0, 5.0_f64.sqrt())].map(|square| square.sqrt() / TAU);
     let by_points = "CELAS4,1,1.,7\nCELAS4,2,1.,7,9\nCMASS4,3,1.,7\nCMASS4,4,1.,9\n";
     assert_near(&hertz(by_points, None, 2), &golden, 1e-9, "CELAS4 and CMASS4");
     let mixed =
@@ -149,7 +153,7 @@ fn motions_without_stiffness_at_their_grid_are_held_and_named() {
 fn a_mass_that_nothing_holds_moves_only_where_autospc_is_off_as_msc_nastran_prints() {
     // pyNastran, models/transfer_function/actuator_tf_modeling.f06 (MSC Nastran 2005): its table of singularities names grid 3
     // component 1, its case control has AUTOSPC = NO, its modes are these.
-    let print = [7.957747e-2, 2.756644e-1];
+    let print = [0.079_577_47, 0.275_664_4];
     let deck = |control: &str| {
         format!(
             "SOL 110\nCEND\n{control}BEGIN BULK\nGRID,1,,1.,0.,0.,,23456\nGRID,2,,2.,0.,0.,,23456\nGRID,3,,3.,0.,0.,,23456\n\

@@ -4,7 +4,7 @@
 //! the end of it. What a program of ours cannot run yet as asked (statics, flutter, gusts) is read and assembled, and its
 //! constrained stiffness factorised.
 
-use clap::{Args, CommandFactory};
+use clap::Args;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -220,11 +220,10 @@ fn row(args: &DecksArgs, name: &str, scratch: &Path) -> Row {
 
 /// The command that runs what a deck asks for; `decks` itself where there is none yet, nothing where there will be none.
 fn command(analysis: Analysis) -> Option<&'static str> {
-    let has_statics = crate::Cli::command().find_subcommand("statics").is_some();
     match analysis {
         Analysis::Other | Analysis::Optimisation => None,
-        Analysis::Statics | Analysis::NonlinearStatics if has_statics => Some("statics"),
-        Analysis::Statics | Analysis::NonlinearStatics | Analysis::Buckling => Some("decks"),
+        Analysis::Statics | Analysis::NonlinearStatics => Some("statics"),
+        Analysis::Buckling => Some("decks"),
         Analysis::Modes | Analysis::Response | Analysis::Flutter | Analysis::Gust => Some("modes"),
         Analysis::Trim => Some("fullaircraft"),
     }

@@ -1,7 +1,8 @@
 //! What is known of a wing at an airspeed: where its unknowns are and how far they may be off.
 
 use super::data::Data;
-use super::prior::{Unknowns, WingOff};
+use super::off::WingOff;
+use super::prior::Unknowns;
 use super::read::{CaseRead, read_case};
 use crate::calibration::{AirspeedCalibration, Calibration};
 use aero::{Corrections, Flow};

@@ -13,11 +13,12 @@ mod data;
 mod known;
 mod means;
 pub mod next;
+mod off;
 pub mod predictions;
 mod prior;
 mod read;
 
-pub use prior::WingOff;
+pub use off::WingOff;
 
 use crate::calibration::{AirspeedCalibration, Calibration};
 use aero::Corrections;

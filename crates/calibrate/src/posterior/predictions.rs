@@ -1,6 +1,7 @@
 //! What is predicted with an interval: loads along the span, the tip, and what controls do.
 
-use super::prior::{Unknowns, WingOff};
+use super::off::WingOff;
+use super::prior::Unknowns;
 use super::read::{CaseRead, read_case};
 use crate::sensors::{Reading, Row, Together};
 use coupling::{ElasticWing, SteadyCase, SteadyOperator};

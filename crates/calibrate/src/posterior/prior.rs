@@ -1,35 +1,11 @@
 //! What corrections are before any data, by the wing's file: smooth and local parts along the span, about theory.
 
+use super::off::WingOff;
 use super::read::CaseRead;
 use aero::Corrections;
 use coupling::ElasticWing;
 use coupling::wing_file::CorrectionPrior;
 use faer::{Mat, Side};
-
-/// A wing off its theory.
-#[derive(Debug, Clone, PartialEq)]
-pub struct WingOff {
-    /// Corrections of the boxes.
-    pub corrections: Corrections,
-    /// Factor on what each control surface does.
-    pub controls: Vec<f64>,
-    /// What each does in Fz, Mx, My of the balance beyond that, as a share.
-    pub in_channels: Vec<[f64; 3]>,
-    /// Logarithms of the factors on the flexibility in bending and in torsion.
-    pub log_flexibility: [f64; 2],
-}
-
-impl WingOff {
-    /// Theory.
-    pub(super) fn theory(wing: &ElasticWing) -> Self {
-        Self {
-            corrections: Corrections::neutral(wing.correctable.len()),
-            controls: vec![1.0; wing.controls.len()],
-            in_channels: vec![[0.0; 3]; wing.controls.len()],
-            log_flexibility: [0.0; 2],
-        }
-    }
-}
 
 /// A field of corrections along the span, times a shape that every strip has.
 struct Field {

@@ -1,6 +1,6 @@
 //! Readings of a wing that is off its theory, and their derivatives.
 
-use super::prior::WingOff;
+use super::off::WingOff;
 use crate::sensors::Together;
 use coupling::{Readings, SteadyCase, SteadyOperator};
 

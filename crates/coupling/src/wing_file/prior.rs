@@ -38,9 +38,9 @@ pub struct CorrectionPrior {
 impl Default for CorrectionPrior {
     fn default() -> Self {
         Self {
-            force: [0.08, 0.05, 0.05],
+            force: [0.08, 0.06, 0.06],
             force_along_chord: 0.2,
-            zero_lift_deg: [0.8, 0.4, 0.35],
+            zero_lift_deg: [0.8, 0.5, 0.4],
             moment_offset_cp: 0.05,
             moment: 0.2,
             control: [0.05, 0.03, 0.03],

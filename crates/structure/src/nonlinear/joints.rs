@@ -112,7 +112,7 @@ impl Joints {
                     self.store(&mut own, *to, &basic);
                 }
                 Step::Mean { reference, turns, members, group, .. } => {
-                    let basic = self.mean_rows(&own, state, (members, group), *reference);
+                    let basic = self.mean_rows(&own, state, members, group, *reference);
                     self.store(&mut own, *reference, &basic[..if *turns { 6 } else { 3 }]);
                 }
             }
@@ -201,7 +201,8 @@ impl Joints {
         &self,
         own: &[Row],
         state: &State,
-        (members, group): (&[usize], &Group),
+        members: &[usize],
+        group: &Group,
         reference: usize,
     ) -> Vec<Row> {
         let places: Vec<_> = members.iter().map(|node| state.places[*node]).collect();

@@ -175,7 +175,11 @@ fn result(
         defects: calibration.said(&[Weight::Defect]),
         left_open: calibration.said(&[Weight::Open]),
         lines_set_aside: calibration.set_aside.clone(),
-        rows_with_deflected_controls: data.deflected(),
+        rows_with_deflected_controls: data
+            .further
+            .iter()
+            .filter(|point| !point.controls_rad.is_empty())
+            .count(),
         weight_tare: calibration.weight_tare.map(|tare| TareResult {
             points: tare.points,
             rms: ByLoad::from_array(tare.rms),

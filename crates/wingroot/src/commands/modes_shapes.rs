@@ -84,8 +84,10 @@ fn in_space(system: &System, cells: &[MeshCell], states: &[(String, Vec<f64>)], 
 /// Writes states of a structure to scale, the last one shown; nothing for a structure without an extent.
 pub(super) fn write_states(
     folder: &ResultFolder,
-    (name, caption): (&str, &str),
-    (system, cells): (&System, &[MeshCell]),
+    name: &str,
+    caption: &str,
+    system: &System,
+    cells: &[MeshCell],
     states: &[(String, Vec<f64>)],
     files: &[String],
 ) -> Result<(), Failure> {

@@ -106,8 +106,8 @@ impl Answer<'_> {
                 }
             }
         }
-        let mesh = (&structure.system, cells.as_slice());
-        modes_shapes::write_states(folder, (&structure.name, CAPTION), mesh, &views, &files)
+        let (name, system) = (&structure.name, &structure.system);
+        modes_shapes::write_states(folder, name, CAPTION, system, &cells, &views, &files)
     }
 
     fn table(&self, values: &[f64], head: &str, is_wanted: impl Fn(&[f64]) -> bool) -> String {
