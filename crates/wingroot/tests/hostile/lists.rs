@@ -39,15 +39,12 @@ pub(crate) fn rows() -> Vec<Row> {
         [command, said] => refused(command, "", whole(""), said),
         _ => panic!("{row:?} has not two cells"),
     });
-    let stopped = [
-        Row::refused("modes --deck wing.bdf --count 10000", "", whole(""), &["modes were asked for"]),
-        refused(
-            "calibrate --wing deck_wing.ron --campaign campaign",
-            "wing.bdf",
-            text("SPC1,1,123456,1\n", ""),
-            "free to move",
-        ),
-    ];
+    let stopped = [refused(
+        "calibrate --wing deck_wing.ron --campaign campaign",
+        "wing.bdf",
+        text("SPC1,1,123456,1\n", ""),
+        "free to move",
+    )];
     let stopped = stopped.map(|row| row.ending(End::Stopped));
     texts.chain(files).chain(options).chain(stopped).chain(spoilt()).chain(large()).collect()
 }
