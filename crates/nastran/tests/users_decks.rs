@@ -141,3 +141,9 @@ fn sections_made_of_rectangles_have_the_areas_and_moments_of_those() {
     let beam = parse_deck("t.bdf", "PBEAML,1,1,,T1\n,4.,4.,1.,.5\n").unwrap_err().to_string();
     assert!(beam.contains("its shear centre is not known"), "{beam}");
 }
+
+#[test]
+fn loads_may_name_the_basic_system_by_its_number() {
+    let deck = parse_deck("t.bdf", "GRID,1\nFORCE,1,1,0,10.,0.,0.,1.\nGRAV,2,0,9.81,0.,0.,-1.\n");
+    assert_eq!(deck.map(|deck| deck.grids.len()), Ok(1));
+}

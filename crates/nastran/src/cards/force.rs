@@ -29,7 +29,7 @@ impl DeckCard for PointLoad {
         Ok(vec![Self {
             set: card.id(0, "SID")?,
             grid: card.id(1, "G")?,
-            cid: card.id_or(2, "CID", 0)?,
+            cid: card.count_or(2, "CID", 0)?,
             vector: card.vector::<Vector3<f64>>(4, ["N1", "N2", "N3"])? * card.real(3, "F")?,
             is_moment: card.name == "MOMENT",
             span: card.span.clone(),

@@ -23,7 +23,7 @@ impl DeckCard for Gravity {
         card.ends_after(7)?;
         Ok(vec![Self {
             set: card.id(0, "SID")?,
-            cid: card.id_or(1, "CID", 0)?,
+            cid: card.count_or(1, "CID", 0)?,
             vector: card.vector::<Vector3<f64>>(3, ["N1", "N2", "N3"])? * card.real(2, "A")?,
             span: card.span.clone(),
         }])
