@@ -177,6 +177,11 @@ fn check_settings<M: SteadyModel>(
         return Err(InputError::general("the campaign fits tip deflections, but the wing is rigid")
             .with_help("give the wing a structure, or write `tip: Unused` in campaign.ron"));
     }
+    if let Some(sensor) = data.sensors.iter().find(|sensor| sensor.reads.is_shape() && !model.has_tip()) {
+        let message = format!("sensor `{}` reads the wing's shape, but the wing is rigid", sensor.column);
+        return Err(InputError::general(message)
+            .with_help("give the wing a structure, or take the sensor out of campaign.ron"));
+    }
     let boxes = model.correctable();
     let rows = boxes.chord_rows.iter().copied().min().unwrap_or(0);
     if settings.chord_strips == 0 || settings.chord_strips > rows {

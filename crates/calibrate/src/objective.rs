@@ -80,10 +80,7 @@ fn test(
         let weighted: f64 =
             line.iter().zip(&airspeed.angles).map(|(r, angle)| r * r * angle.replicates as f64).sum();
         let f = weighted / freedom / sigma[channel].powi(2).max(f64::MIN_POSITIVE);
-        let p_value = match data.noise_dof {
-            Some(dof) => FisherSnedecor::new(freedom, dof as f64).ok()?.sf(f),
-            None => ChiSquared::new(freedom).ok()?.sf(f * freedom),
-        };
+        let p_value = probability_of_noise(f, freedom, data.noise_dof)?;
         return Some(Nonlinearity { curvature_per_rad2, f, p_value });
     }
     if count < 4 {
@@ -96,6 +93,15 @@ fn test(
         f,
         p_value: FisherSnedecor::new(1.0, freedom).ok()?.sf(f.max(0.0)),
     })
+}
+
+/// Probability that noise alone makes a mean square as large: `f` over its variance, which is declared or estimated with so many
+/// degrees of freedom.
+pub(crate) fn probability_of_noise(f: f64, freedom: f64, noise_dof: Option<usize>) -> Option<f64> {
+    match noise_dof {
+        Some(dof) => Some(FisherSnedecor::new(freedom, dof as f64).ok()?.sf(f)),
+        None => Some(ChiSquared::new(freedom).ok()?.sf(f * freedom)),
+    }
 }
 
 /// Residuals and coefficients (ascending powers) of a least-squares polynomial of order 1 or 2.

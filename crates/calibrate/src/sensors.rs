@@ -52,6 +52,11 @@ impl Reading {
         }
     }
 
+    /// Whether it is of the wing's shape, not of its loads.
+    pub const fn is_shape(self) -> bool {
+        matches!(self, Self::Height { .. } | Self::Twist { .. })
+    }
+
     /// The row that reads it: on the box loads, or on the structure's displacement.
     pub(crate) fn row(self, wing: &ElasticWing) -> Row {
         let section = |y_over_span: f64| {

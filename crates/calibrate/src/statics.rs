@@ -152,6 +152,11 @@ impl StaticData {
         empty.of_cells(&seen, &left_out)
     }
 
+    /// Whether more than root loads with neutral controls is used: the tip, deflected rows, sensors.
+    pub fn is_more_than_root_loads(&self) -> bool {
+        self.channels[TIP] || !self.further.is_empty()
+    }
+
     /// The offset of a row's block that was taken out of a channel's means.
     pub(crate) fn offset_of(&self, row: &StaticPoint, channel: usize) -> f64 {
         let block = self.blocks.iter().find(|block| block.block == block_name(row));

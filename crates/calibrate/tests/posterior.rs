@@ -1,6 +1,6 @@
 //! Intervals of what the calibrated wing predicts, on truths that do not have the form of the prior: planted by hand on the same
-//! lattice, rough, stepped at an aileron, or lost at the tip. Whether intervals hold on other lattices and structures is not
-//! judged here.
+//! lattice, rough, stepped at an aileron, or lost at the tip. Whether intervals hold on other lattices and structures is
+//! judged by `cargo xtask trust`.
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 

@@ -71,9 +71,12 @@ fn of_effects(simulator: &Simulator, prepared: &Prepared, effects: &[Active]) ->
         .collect()
 }
 
-/// The campaign with these loads taken off, and without the points of held-out airspeeds.
+/// The campaign with these loads taken off, without the points of held-out airspeeds, and without sensors: what effects add to these
+/// is not known.
 fn without(campaign: &Campaign, data: &Dataset, loads: &[Vec<ByLoad<f64>>]) -> Campaign {
     let mut campaign = campaign.clone();
+    campaign.sensors.clear();
+    campaign.points.iter_mut().for_each(|point| point.sensors.clear());
     for (group, loads) in data.statics.iter().zip(loads) {
         for (&point, loads) in group.points.iter().zip(loads) {
             for (load, effect) in campaign.points[point].loads.iter_mut().zip(loads.iter()) {

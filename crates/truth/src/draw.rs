@@ -48,7 +48,7 @@ fn varying(random: &mut Random) -> impl Fn(f64) -> f64 + use<> {
 }
 
 /// A profile about a middle: off altogether, and from place to place.
-fn off(middle: f64, sigma: (f64, f64), random: &mut Random) -> Profile {
+pub(crate) fn off(middle: f64, sigma: (f64, f64), random: &mut Random) -> Profile {
     let all = random.bounded(sigma.0);
     let place = varying(random);
     Profile::of(|eta| middle + all + sigma.1 * place(eta).clamp(-3.0, 3.0))

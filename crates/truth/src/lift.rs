@@ -1,11 +1,11 @@
 //! Wings whose lift is off the drawing, for judging calibrations at rest: by what polars and built wings are off by, rough from place to
 //! place, in steps at the ailerons, or separated within the angles that are measured. The README argues the sizes.
 
+use crate::draw::off;
 use crate::profile::Profile;
 use crate::random::{Purpose, Random};
 use crate::setting::{Setting, Stall};
 use crate::wing::Wing;
-use std::f64::consts::PI;
 
 /// How the lift is off.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -64,8 +64,6 @@ const STALL_DEG: (f64, f64) = (2.0, 4.5);
 const STALL_SHARE: (f64, f64) = (0.4, 0.9);
 const KNEE_DEG: f64 = 0.8;
 const STALL_CHORDS: f64 = 4.0;
-/// Waves along the span.
-const WAVES: u32 = 6;
 
 /// The wing of a kind and a number.
 pub fn off_drawing(wing: &Wing, kind: Kind, number: u64) -> Setting {
@@ -125,17 +123,6 @@ fn cells(count: f64, sigma: f64, random: &mut Random) -> impl Fn(f64) -> f64 + u
     let values: Vec<f64> = (0..count).map(|_| random.normal(sigma)).collect();
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and a few")]
     move |eta| values[((eta * count as f64) as usize).min(count - 1)]
-}
-
-/// A profile about a middle: off altogether, and in waves that fade with their number, of standard deviation one altogether.
-fn off(middle: f64, sigma: (f64, f64), random: &mut Random) -> Profile {
-    let all = random.normal(sigma.0);
-    let waves: Vec<(f64, f64)> =
-        (1..=WAVES).map(|n| (PI * f64::from(n), random.normal(1.0 / f64::from(n).sqrt()))).collect();
-    let whole: f64 = (1..=WAVES).map(|n| 0.5 / f64::from(n)).sum();
-    let place =
-        |eta: f64| waves.iter().map(|(turns, size)| size * (turns * eta).cos()).sum::<f64>() / whole.sqrt();
-    Profile::of(|eta| middle + all + sigma.1 * place(eta))
 }
 
 #[cfg(test)]

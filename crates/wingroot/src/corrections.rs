@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use calibrate::posterior::posterior;
 use calibrate::{Calibration, Campaign, CorrectionSet, Schedule, Settings, calibrate};
 use coupling::{CouplingError, ElasticWing, WingFile};
 use nastran::InputError;
@@ -38,8 +39,7 @@ impl CorrectedWing {
     /// # Errors
     /// If the calibration cannot be done.
     pub(crate) fn calibrated(&self, campaign: &Campaign) -> Result<Schedule, Failure> {
-        let settings = Settings::of_wing(&self.file.correction);
-        Ok(schedule(&self.file, &calibrate(&self.wing, campaign, &settings)?))
+        Ok(schedule(&self.file, &calibrated(&self.file, &self.wing, campaign)?))
     }
 
     /// Notes the wing and its corrections as inputs.
@@ -79,7 +79,7 @@ pub(crate) fn corrected_wing(given: &Given) -> Result<CorrectedWing, Failure> {
     let campaign = Campaign::read(&measured.campaign_path()?)?;
     let origin = format!("calibrated now from {}", campaign.folder.display());
     crate::show::note(&format!("no corrections of this wing in {}: {origin}", last.display()));
-    let calibration = calibrate(&wing, &campaign, &Settings::of_wing(&file.correction))?;
+    let calibration = calibrated(&file, &wing, &campaign)?;
     let schedule = schedule(&file, &calibration);
     if !schedule.unconverged.is_empty() && !given.accept_unconverged {
         let message = format!("the fit did not converge: {}", schedule.unconverged.join(", "));
@@ -93,6 +93,23 @@ impl Given {
     fn schedule(&self, path: &Path) -> Result<Schedule, InputError> {
         if self.accept_unconverged { Schedule::read_unconverged(path) } else { Schedule::read(path) }
     }
+}
+
+/// A calibration as `calibrate` does it: with the mean of what is known where more than root loads was measured.
+///
+/// # Errors
+/// If it cannot be done.
+fn calibrated(
+    file: &WingFile,
+    wing: &ElasticWing,
+    campaign: &Campaign,
+) -> Result<Calibration, CouplingError> {
+    let calibration = calibrate(wing, campaign, &Settings::of_wing(&file.correction))?;
+    if !calibration.data.is_more_than_root_loads() {
+        return Ok(calibration);
+    }
+    let known = posterior(wing, &calibration, &file.correction.prior)?;
+    calibration.with_means(wing, &known)
 }
 
 /// The corrections of a calibration as a schedule; one set for all airspeeds stands at both ends of their range.

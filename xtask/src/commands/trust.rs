@@ -178,15 +178,15 @@ fn rows(outcomes: &[Outcome]) -> Vec<Value> {
     cells.into_iter().map(row).collect()
 }
 
-/// Share of the campaigns of a kind in which something is said about the data.
+/// Share of the campaigns of a kind, by what is measured, in which something is said about the data.
 fn flags(outcomes: &[Outcome]) -> Value {
-    let mut shares: BTreeMap<Kind, (f64, f64)> = BTreeMap::new();
+    let mut shares: BTreeMap<String, (f64, f64)> = BTreeMap::new();
     for outcome in outcomes {
-        let share = shares.entry(outcome.kind).or_default();
+        let share = shares.entry(format!("{}, {}", outcome.kind.name(), outcome.sensors.name())).or_default();
         share.0 += f64::from(u8::from(outcome.flagged));
         share.1 += 1.0;
     }
-    shares.into_iter().map(|(kind, (flagged, all))| (kind.name(), flagged / all)).collect()
+    shares.into_iter().map(|(kind, (flagged, all))| (kind, flagged / all)).collect()
 }
 
 fn summary(rows: &[Value], outcomes: &[Outcome]) -> String {

@@ -2,7 +2,8 @@
 
 use super::finding::Finding;
 use super::lines::Lines;
-use crate::campaign::{Campaign, TipReading};
+use crate::campaign::{Campaign, Sets, TipReading};
+use aero::flow::same_airspeed;
 
 /// Measured over theory's lift slope that panel models of attached flow are off by.
 const LIFT: std::ops::Range<f64> = 0.85..1.15;
@@ -75,6 +76,23 @@ pub(super) fn not_told(campaign: &Campaign) -> Vec<Finding> {
         .filter(|(_, is_there)| !is_there)
         .map(|((name, open), _)| Finding::open(format!("the static cases have no {name}: {open}")))
         .collect();
+    let further = || campaign.points.iter().filter(|point| point.says_more());
+    if campaign.sets == Sets::Common && further().next().is_some() {
+        found.push(Finding::open(
+            "sensors and rows with a control deflected are not used: campaign.ron asks for one set of corrections for all airspeeds"
+                .to_owned(),
+        ));
+    }
+    let is_neutral = |v_m_s: f64| {
+        let mut rows = campaign.points.iter().filter(|point| point.controls_rad.is_empty());
+        rows.any(|point| same_airspeed(point.v_m_s, v_m_s))
+    };
+    let alone = further().filter(|point| !is_neutral(point.v_m_s)).count();
+    if alone > 0 {
+        found.push(Finding::open(format!(
+            "{alone} rows with a control deflected are not used: there are no rows with neutral controls at their airspeed"
+        )));
+    }
     if campaign.tip == TipReading::Unused && campaign.points.iter().any(|point| point.tip_z_m.is_some()) {
         found.push(Finding::open(
             "tip_z_m of the static cases is not used: `tip: FreeZero` in campaign.ron fits it, and bending along the span is then \

@@ -2,6 +2,7 @@
 
 use crate::calibration::{AirspeedCalibration, Calibration};
 use crate::campaign::{CHANNELS, StaticPoint, TIP, TipReading};
+use crate::objective::{LineFit, probability_of_noise};
 use crate::sensors::{Row, Sensor, Together, Zero};
 use aero::Flow;
 use aero::flow::same_airspeed;
@@ -13,8 +14,6 @@ const LOOSE: f64 = 10.0;
 
 /// Unknowns that each reading's rows fit about (a line).
 const FITTED: usize = 2;
-/// Rows that miss the wing by more than this many times their noise have more than noise in them.
-const BEYOND: f64 = 1.7;
 
 /// A number that was measured.
 pub(super) struct Datum {
@@ -133,23 +132,36 @@ impl Data {
         sensors.iter().enumerate().map(one).collect()
     }
 
-    /// By reading, how many times the noise its rows miss the wing at the mean, where that is more than noise does; none
-    /// where no reading is.
-    pub(super) fn levels(&self, misses: &[f64]) -> Option<Vec<f64>> {
+    /// By reading, how many times the noise its rows miss the wing at the mean, where noise does not explain that (a chance below
+    /// `significance` among all of them); none where it does for all.
+    pub(super) fn levels(
+        &self,
+        misses: &[f64],
+        noise_dof: Option<usize>,
+        significance: f64,
+    ) -> Option<Vec<f64>> {
+        let balance_and_tip = &self.together.places[..CHANNELS.len()];
         let level = |row: usize| {
-            let of: Vec<f64> = self
-                .measured
-                .iter()
-                .zip(misses)
-                .filter(|(datum, _)| datum.row == row)
-                .map(|(_, miss)| *miss)
-                .collect();
-            let freedom = of.len().saturating_sub(FITTED).max(1) as f64;
-            let level = (of.iter().map(|miss| miss * miss).sum::<f64>() / freedom).sqrt();
-            if level > BEYOND { level } else { 1.0 }
+            let of = || self.measured.iter().zip(misses).filter(|(datum, _)| datum.row == row);
+            let freedom = of().count().saturating_sub(FITTED).max(1) as f64;
+            let f = of().map(|(_, miss)| miss * miss).sum::<f64>() / freedom;
+            let dof = noise_dof.filter(|_| balance_and_tip.contains(&row));
+            let chance = probability_of_noise(f, freedom, dof).unwrap_or(1.0);
+            if f > 1.0 && chance < significance / self.raised.len() as f64 { f.sqrt() } else { 1.0 }
         };
         let levels: Vec<f64> = (0..self.raised.len()).map(level).collect();
         levels.iter().any(|level| *level > 1.0).then_some(levels)
+    }
+
+    /// By reading, how many times the noise straight lines miss the loads, where that is significant.
+    pub(super) fn levels_of_lines(&self, calibration: &Calibration, line: &LineFit) -> Vec<f64> {
+        let mut levels = vec![1.0; self.raised.len()];
+        for (&place, test) in self.together.places.iter().zip(&line.nonlinearity) {
+            if let Some(test) = test.filter(|test| test.p_value < calibration.nonlinearity_level) {
+                levels[place] = test.f.sqrt().max(1.0);
+            }
+        }
+        levels
     }
 
     /// Raises the noise of readings by their levels.
@@ -163,12 +175,6 @@ impl Data {
     /// Columns whose noise was raised, and how many times.
     pub(super) fn beyond(self) -> Vec<(String, f64)> {
         self.names.into_iter().zip(self.raised).filter(|(_, raised)| *raised > 1.0).collect()
-    }
-
-    /// Whether there is more than root loads with neutral controls.
-    pub(super) fn more_than_root_loads(&self) -> bool {
-        let deflected = self.cases.iter().any(|case| !case.controls_rad.is_empty());
-        deflected || self.measured.iter().any(|datum| datum.row >= 3)
     }
 
     fn further_nuisance(&mut self) -> usize {

@@ -19,6 +19,8 @@ const STILL: f64 = 1e-3;
 
 /// Steps to the root loads with the structure as given, from next to them.
 const GIVEN_STEPS: usize = 3;
+/// Chance below which what misses the wing is more than noise, shared among an airspeed's columns.
+const SIGNIFICANCE: f64 = 0.01;
 /// Most times that levels of noise are raised.
 const LEVELS: usize = 4;
 
@@ -37,7 +39,7 @@ pub(super) struct Known<'a> {
     pub(super) unknowns: Unknowns,
     /// Standard deviation of one row of the static cases, by channel.
     pub(super) sigma: [f64; 4],
-    /// How many times its stated noise a column is off where no correction explains it.
+    /// How many times its stated noise a column is off where no correction explains it; root loads alone are told by their lines.
     pub(super) beyond: Vec<(String, f64)>,
     /// Data by unknowns of the wing, then of the sensors, over their noise.
     rows: Vec<Vec<f64>>,
@@ -65,7 +67,7 @@ impl<'a> Known<'a> {
         let flow = Flow { v_m_s: at.data.v_m_s, rho_kg_m3: calibration.rho_kg_m3 };
         let unknowns = Unknowns::new(wing, prior);
         let mut data = Data::of(wing, calibration, at)?;
-        let more = data.more_than_root_loads();
+        let more = calibration.data.is_more_than_root_loads();
         // root loads alone: the least change of pressures that reaches them, as paper 1 has it
         let least_change = WingOff { corrections: at.corrections.clone(), ..WingOff::theory(wing) };
         let centre = |data: &Data| {
@@ -82,10 +84,16 @@ impl<'a> Known<'a> {
                 )
             }
         };
+        // What no correction explains is noise of its own level. The least change stops at straight lines' objective, a sum over the loads,
+        // so that one load may be missed by more than noise: there lines say what is beyond it.
+        if !more {
+            let levels = data.levels_of_lines(calibration, &at.line);
+            data.raise(&levels);
+        }
         let mut at_centre = centre(&data)?;
-        // what no correction explains is noise of its own level
-        for _ in 0..LEVELS {
-            let Some(levels) = data.levels(&at_centre.misses) else { break };
+        for _ in 0..if more { LEVELS } else { 0 } {
+            let noise_dof = calibration.data.noise_dof;
+            let Some(levels) = data.levels(&at_centre.misses, noise_dof, SIGNIFICANCE) else { break };
             data.raise(&levels);
             at_centre = centre(&data)?;
         }
@@ -104,7 +112,7 @@ impl<'a> Known<'a> {
             unknowns,
             sigma: calibration.data.point_sigma.unwrap_or(at.line.rmse),
             rows: at_centre.rows,
-            beyond: data.beyond(),
+            beyond: if more { data.beyond() } else { Vec::new() },
         })
     }
 

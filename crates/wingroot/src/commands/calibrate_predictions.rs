@@ -19,6 +19,9 @@ use crate::pages::values::digits;
 /// Band of a quantity with the data, and without them.
 const BANDS: [&str; 2] = ["90 % interval with the data", "90 % interval before the data"];
 
+/// A factor on a control that no row deflects is this near to one.
+const UNTOLD: f64 = 1e-9;
+
 /// What to measure next, for the console.
 pub(crate) fn next_table(all: &[Suggestion]) -> String {
     if all.is_empty() {
@@ -149,21 +152,28 @@ pub(crate) fn summary(wing: &ElasticWing, all: &[AirspeedPosterior]) -> String {
         at.alpha_rad.to_degrees(),
         lines.join("; ")
     );
-    for at in all {
-        let Some(mean) = &at.mean else { continue };
-        let percent = |log: f64| format!("{:+.1} %", 100.0 * log.exp_m1());
-        let [bending, torsion] = mean.log_flexibility.map(percent);
-        let mut controls = String::new();
-        for (name, factor) in wing.control_names().iter().zip(&mean.controls) {
-            let _ = write!(controls, ", {name} {factor:.3} times its effect");
-        }
+    let beside: Vec<String> = all.iter().filter_map(|at| beside(wing, at)).collect();
+    if !beside.is_empty() {
         let _ = writeln!(
             text,
-            "note: at {} m/s more than root loads was measured; corrections are next to what all of it and the prior leave most likely, with \
-             the root loads met by the structure as given. Intervals have flexibility {bending} in bending, {torsion} in torsion{controls}, which \
-             corrections.ron has not",
-            speed_name(at.v_m_s)
+            "note: more than root loads was measured: corrections are next to what all of it and the prior leave most likely, with the \
+             root loads met by the structure as given. Intervals have beside them, and corrections.ron has not, {}",
+            beside.join("; ")
         );
     }
     text
+}
+
+/// What goes with the corrections of an airspeed where more than root loads was measured; a control only if it was deflected.
+fn beside(wing: &ElasticWing, at: &AirspeedPosterior) -> Option<String> {
+    let mean = at.mean.as_ref()?;
+    let [bending, torsion] = mean.log_flexibility.map(|log| format!("{:+.1} %", 100.0 * log.exp_m1()));
+    let mut text =
+        format!("{} m/s: flexibility {bending} in bending, {torsion} in torsion", speed_name(at.v_m_s));
+    for (name, factor) in wing.control_names().iter().zip(&mean.controls) {
+        if (factor - 1.0).abs() > UNTOLD {
+            let _ = write!(text, ", {name} {factor:.3} times its effect");
+        }
+    }
+    Some(text)
 }

@@ -56,20 +56,28 @@ fn lead(result: &Value, airspeeds: &[Value]) -> Vec<String> {
     }
     let speeds: Vec<f64> = airspeeds.iter().filter_map(|a| at(a, "V_m_s")).collect();
     let (Some(slow), Some(fast)) = (speeds.first(), speeds.last()) else { return Vec::new() };
-    let reached = airspeeds.iter().filter(|a| text(a, "ending") == "Converged").count();
+    let ended = |ending: &str| airspeeds.iter().filter(|a| text(a, "ending") == ending).count();
     let bent: usize = airspeeds
         .iter()
         .flat_map(|a| list(a, "nonlinearity"))
         .filter(|test| test["significant"] == true)
         .count();
-    let mut lead = vec![format!(
-        "At {} of {} from {} to {} m/s the corrected model reaches the measured root loads as closely as a straight line over \
-         the angle of attack does; no model that is linear in the angle can come nearer.",
-        reached,
+    let speeds = format!(
+        "{} from {} to {} m/s",
         counted(speeds.len(), "airspeed", "airspeeds"),
         digits(*slow, 3),
         digits(*fast, 3)
-    )];
+    );
+    let mut lead = vec![match (ended("PosteriorMean"), ended("Converged")) {
+        (0, reached) => format!(
+            "At {reached} of {speeds} the corrected model reaches the measured root loads as closely as a straight line over \
+             the angle of attack does; no model that is linear in the angle can come nearer."
+        ),
+        (means, _) => format!(
+            "At {means} of {speeds} more than root loads was measured. Corrections there are those that all measurements and the prior \
+             leave most likely, with the root loads met by the structure as given."
+        ),
+    }];
     if bent > 0 {
         lead.push(format!(
             "{bent} of the measured curves are bent beyond chance: no correction of a linear model follows that."
