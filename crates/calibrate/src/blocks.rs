@@ -4,7 +4,7 @@
 //! to zero and are then shrunk as random effects.
 
 use crate::campaign::StaticPoint;
-use crate::statics::{Cell, block_name};
+use crate::statics::cells::{Cell, block_name};
 use faer::Mat;
 
 /// Fixed-effects estimate of the block offsets of one channel (cells eliminated, offsets sum to zero).

@@ -12,10 +12,6 @@ const MOST: usize = 10;
 /// Circles that may be, by their files, and why.
 const MAY: &[(&[&str], &str)] = &[
     (
-        &["crates/calibrate/src/blocks.rs", "crates/calibrate/src/statics.rs"],
-        "static data are means without the offsets of blocks, which are estimated from the same cells",
-    ),
-    (
         &[
             "crates/calibrate/src/calibration.rs",
             "crates/calibrate/src/checks/trust.rs",

@@ -3,7 +3,8 @@
 use super::finding::{Checked, Finding};
 use crate::campaign::{CHANNELS, Campaign, ChannelNoise, Sets, StaticPoint};
 use crate::objective::polynomial_residuals;
-use crate::statics::{AirspeedData, StaticData, block_name};
+use crate::statics::cells::block_name;
+use crate::statics::{AirspeedData, StaticData};
 use aero::flow::{same_airspeed, same_angle};
 use faer::Mat;
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};

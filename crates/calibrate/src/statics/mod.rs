@@ -8,15 +8,16 @@
 //! With one set of corrections for all airspeeds (`Sets::Common`), means are kept apart by block, as each block has a
 //! zero of the tip reading of its own, which the fit finds.
 
+pub(crate) mod cells;
+mod enough;
+
+use self::cells::{Cell, block_name, cells, split_by_block};
+use self::enough::{check_angles, check_blocks, check_rows};
 use crate::blocks::BlockFit;
 use crate::campaign::{Campaign, Sets, StaticPoint, TIP, TipReading};
 use crate::sensors::Sensor;
-use aero::flow::{same_airspeed, same_angle};
+use aero::flow::same_airspeed;
 use nastran::{InputError, Span};
-use std::collections::{BTreeMap, BTreeSet};
-
-/// The most blocks: each has an offset, and all are found together.
-const MOST_BLOCKS: usize = 200;
 
 /// One angle at one airspeed: the mean of its replicates after block offsets are removed.
 #[derive(Debug, Clone, PartialEq)]
@@ -91,13 +92,6 @@ pub struct StaticData {
     pub sensors: Vec<Sensor>,
     /// Rows with wind on that say more than the means of the angles: with a control deflected, or with a sensor read.
     pub further: Vec<StaticPoint>,
-}
-
-/// A cell: rows of one airspeed and angle.
-pub(crate) struct Cell<'a> {
-    v_m_s: f64,
-    alpha_rad: f64,
-    pub(crate) rows: Vec<&'a StaticPoint>,
 }
 
 impl StaticData {
@@ -272,131 +266,4 @@ impl StaticData {
 fn rows(campaign: &Campaign) -> Vec<&StaticPoint> {
     let fitted = |point: &&StaticPoint| point.v_m_s > 0.0 && point.controls_rad.is_empty();
     campaign.points.iter().filter(fitted).collect()
-}
-
-/// Cells of one block each, in the order of the cells, then of the blocks.
-fn split_by_block<'a>(cells: &[Cell<'a>], names: &[&str]) -> Vec<Cell<'a>> {
-    let mut split = Vec::new();
-    for cell in cells {
-        for name in names {
-            let rows: Vec<&StaticPoint> =
-                cell.rows.iter().copied().filter(|row| block_name(row) == *name).collect();
-            let count = rows.len() as f64;
-            if rows.is_empty() {
-                continue;
-            }
-            split.push(Cell {
-                v_m_s: rows.iter().map(|row| row.v_m_s).sum::<f64>() / count,
-                alpha_rad: rows.iter().map(|row| row.alpha_rad).sum::<f64>() / count,
-                rows,
-            });
-        }
-    }
-    split
-}
-
-pub(crate) fn block_name(row: &StaticPoint) -> &str {
-    row.block.as_deref().unwrap_or("")
-}
-
-/// Groups rows by airspeed, then angle, both ascending.
-fn cells<'a>(rows: &[&'a StaticPoint]) -> Vec<Cell<'a>> {
-    let mut sorted = rows.to_vec();
-    sorted.sort_by(|a, b| a.v_m_s.total_cmp(&b.v_m_s));
-    let mut groups: Vec<Vec<&StaticPoint>> = Vec::new();
-    for row in sorted {
-        match groups.last_mut() {
-            Some(group) if same_airspeed(group[0].v_m_s, row.v_m_s) => group.push(row),
-            _ => groups.push(vec![row]),
-        }
-    }
-    let mut cells: Vec<Cell<'a>> = Vec::new();
-    for mut group in groups {
-        group.sort_by(|a, b| a.alpha_rad.total_cmp(&b.alpha_rad));
-        let first = cells.len();
-        for row in group {
-            match cells[first..].last_mut() {
-                Some(cell) if same_angle(cell.rows[0].alpha_rad, row.alpha_rad) => {
-                    cell.rows.push(row);
-                }
-                _ => cells.push(Cell { v_m_s: 0.0, alpha_rad: 0.0, rows: vec![row] }),
-            }
-        }
-    }
-    for cell in &mut cells {
-        let count = cell.rows.len() as f64;
-        cell.v_m_s = cell.rows.iter().map(|row| row.v_m_s).sum::<f64>() / count;
-        cell.alpha_rad = cell.rows.iter().map(|row| row.alpha_rad).sum::<f64>() / count;
-    }
-    cells
-}
-
-/// A common set needs some rows: a zero, a slope, and something to compare them with.
-fn check_rows(campaign: &Campaign, rows: usize) -> Result<(), InputError> {
-    if rows >= 3 {
-        return Ok(());
-    }
-    let place =
-        campaign.points.first().map_or_else(|| Span::whole_file(&campaign.folder), |row| row.span.clone());
-    Err(InputError::at(&place, format!("{rows} static cases with wind on and neutral controls"))
-        .with_help("a common set of corrections needs at least three"))
-}
-
-/// Blocks are days and mountings: many of them are a column that means something else, such as a point's number.
-fn check_blocks(rows: &[&StaticPoint]) -> Result<(), InputError> {
-    let mut names = BTreeSet::new();
-    match rows.iter().find(|row| names.insert(block_name(row)) && names.len() > MOST_BLOCKS) {
-        None => Ok(()),
-        Some(row) => {
-            Err(InputError::at(&row.span, format!("the static cases have more than {MOST_BLOCKS} blocks"))
-                .with_help("a block is a day or a mounting, and all its rows have the same name"))
-        }
-    }
-}
-
-/// No angle beyond 0.6 degrees, though they differ: a sweep in radians looks like this.
-fn all_within_a_degree(campaign: &Campaign) -> bool {
-    let angles = || campaign.points.iter().map(|point| point.alpha_rad.to_degrees());
-    angles().all(|angle| angle.abs() < 0.6)
-        && angles().any(|angle| angle != campaign.points[0].alpha_rad.to_degrees())
-}
-
-/// Every airspeed needs three angles: a line through two has no error to compare with.
-fn check_angles(campaign: &Campaign, cells: &[Cell<'_>]) -> Result<(), InputError> {
-    let mut counts: BTreeMap<usize, (usize, f64, Span)> = BTreeMap::new();
-    let mut group = 0;
-    for (index, cell) in cells.iter().enumerate() {
-        if index > 0 && !same_airspeed(cells[index - 1].v_m_s, cell.v_m_s) {
-            group += 1;
-        }
-        counts.entry(group).or_insert((0, cell.v_m_s, cell.rows[0].span.clone())).0 += 1;
-    }
-    if counts.is_empty() {
-        let place = campaign
-            .points
-            .first()
-            .map_or_else(|| Span::whole_file(&campaign.folder), |row| row.span.clone());
-        return Err(InputError::at(
-            &place,
-            "the campaign has no static case with wind on and neutral controls",
-        )
-        .with_help("calibration needs at least three angles at one airspeed"));
-    }
-    for (angles, v_m_s, span) in counts.into_values() {
-        if angles < 3 {
-            return Err(InputError::at(
-                &span,
-                format!(
-                    "the airspeed {v_m_s} m/s has {angles} different angle(s), at least three are needed"
-                ),
-            )
-            .with_help(if all_within_a_degree(campaign) {
-                "every alpha_deg is within 0.6: are the angles in radians instead of degrees?"
-            } else {
-                "add angles at this airspeed, take its rows out of the static cases, or ask for one set of \
-                 corrections for all airspeeds (`sets: Common` in campaign.ron)"
-            }));
-        }
-    }
-    Ok(())
 }
