@@ -8,6 +8,7 @@ pub mod campaign;
 pub mod checks;
 pub mod common;
 mod cone_program;
+pub mod ensemble;
 pub mod fit;
 pub mod identifiability;
 pub mod left_out;
@@ -24,6 +25,7 @@ pub use calibration::{AirspeedCalibration, Calibration, WeightTare, calibrate};
 pub use campaign::{Campaign, CampaignFile, Noise, RunEntry, Sets, StaticPoint, TipReading, Use};
 pub use checks::{Finding, Weight};
 pub use common::CommonCalibration;
+pub use ensemble::Ensemble;
 pub use fit::{Ending, Fit};
 pub use identifiability::Identifiability;
 pub use lift_factor::LiftFactor;
@@ -32,3 +34,6 @@ pub use schedule::{CorrectionSet, Schedule};
 pub use sensors::{Reading, Sensor, Zero};
 pub use settings::Settings;
 pub use statics::{AirspeedData, StaticData};
+
+/// Half of a 90 % interval of a Gaussian in standard deviations.
+pub(crate) const HALF_90: f64 = 1.644_853_627;

@@ -4,7 +4,7 @@ use crate::campaign::AIRSPEEDS_M_S;
 use aero::Corrections;
 use nastran::{InputError, ron_file};
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -15,8 +15,8 @@ pub const STRAY: f64 = 0.02;
 const LARGEST: f64 = 1000.0;
 
 /// An airspeed and the corrections found there.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
-#[serde(from = "SetInFile")]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(from = "SetInFile", into = "SetInFile")]
 #[schemars(into = "SetInFile")]
 pub struct CorrectionSet {
     /// Airspeed, m/s.
@@ -26,7 +26,7 @@ pub struct CorrectionSet {
 }
 
 /// A set as `corrections.ron` writes it.
-#[derive(Deserialize, JsonSchema)]
+#[derive(Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct SetInFile {
     /// Airspeed, m/s.
@@ -43,6 +43,13 @@ struct SetInFile {
 impl From<SetInFile> for CorrectionSet {
     fn from(SetInFile { v_m_s, force, moment, pressure_offset }: SetInFile) -> Self {
         Self { v_m_s, corrections: Corrections { force, moment, pressure_offset } }
+    }
+}
+
+impl From<CorrectionSet> for SetInFile {
+    fn from(CorrectionSet { v_m_s, corrections }: CorrectionSet) -> Self {
+        let Corrections { force, moment, pressure_offset } = corrections;
+        Self { v_m_s, force, moment, pressure_offset }
     }
 }
 

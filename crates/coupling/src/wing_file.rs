@@ -5,6 +5,7 @@
 
 mod deck_source;
 mod deflection;
+mod departure;
 mod effects;
 mod hash;
 mod known;
@@ -16,6 +17,7 @@ mod write;
 pub use crate::planform::Mount;
 pub use deck_source::DeckSource;
 pub use deflection::{DeflectionRow, DeflectionTable, OutsideAirspeeds};
+pub use departure::Departure;
 pub use effects::{EffectValidity, WingEffect};
 pub use hash::of_text as fingerprint;
 pub use known::KnownTo;
@@ -85,6 +87,9 @@ pub struct WingFile {
     /// (line ends unified), the same on every platform. Corrections carry it to show whose they are.
     #[serde(skip)]
     pub hash: String,
+    /// What the wing departs from its drawing by. No file says it: wings of an ensemble have it.
+    #[serde(skip)]
+    pub departure: Departure,
 }
 
 /// Where geometry, structure and boxes come from.
@@ -197,6 +202,12 @@ impl WingFile {
     /// # Errors
     /// If the deck, airfoil or beam table cannot be read.
     pub fn bulk(&self, mount: Mount) -> Result<BulkData, InputError> {
+        let mut bulk = self.as_drawn(mount)?;
+        self.departure.put_into(&mut bulk);
+        Ok(bulk)
+    }
+
+    fn as_drawn(&self, mount: Mount) -> Result<BulkData, InputError> {
         match &self.source {
             Source::Deck(deck) => deck.bulk(&self.folder(), mount),
             Source::Parametric(planform) => {

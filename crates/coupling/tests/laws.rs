@@ -4,7 +4,7 @@
 
 use aero::{Corrections, Flow};
 use coupling::planform::Planform;
-use coupling::wing_file::Source;
+use coupling::wing_file::{Departure, Source};
 use coupling::{ElasticWing, Mount, Rows, Spline, SteadyCase, SteadyModel, WingFile};
 use faer::Mat;
 use nalgebra::{Point3, Vector3};
@@ -352,5 +352,33 @@ fn derivatives_by_flexibility_are_those_of_softer_materials() {
             let both = here.by_flexibility.iter().map(|by| by[r].abs()).fold(0.0, f64::max);
             assert!((difference - by).abs() < 2e-2 * both, "{kind} {r}: {difference} {by}");
         }
+    }
+}
+
+/// Flexibility and dynamic pressure act as one product (Bisplinghoff, Ashley and Halfman, Aeroelasticity, Section 8-2): a wing
+/// twice as soft is loaded at half the dynamic pressure as the drawn one, per dynamic pressure.
+#[test]
+fn a_softer_wing_at_less_dynamic_pressure_has_the_coefficients_of_the_drawn_one() {
+    let (mut file, mut drawn) = wing(|_| {});
+    let factor = 1.3_f64;
+    file.departure = Departure { log_flexibility: [factor.ln(); 2], ..Departure::default() };
+    let mut softer = ElasticWing::from_bulk(&file, &file.bulk(Mount::Tunnel).unwrap()).unwrap();
+    // weight does not go with dynamic pressure
+    (drawn.gravity_m_s2, softer.gravity_m_s2) = (0.0, 0.0);
+    let slope = |wing: &ElasticWing, v_m_s: f64| {
+        let cases = [0.0, 0.1].map(|alpha_rad| SteadyCase::new(flow(v_m_s), alpha_rad));
+        let loads = wing.root_loads(&cases, &uneven(wing.correctable.len())).unwrap();
+        let [zero, one] = [loads[0].to_array(), loads[1].to_array()];
+        let q_pa = 0.5 * RHO * v_m_s * v_m_s;
+        [0, 1, 2].map(|c| (one[c] - zero[c]) / q_pa)
+    };
+    let (by_softer, by_drawn) = (slope(&softer, 30.0 / factor.sqrt()), slope(&drawn, 30.0));
+    for c in 0..3 {
+        assert!((by_softer[c] / by_drawn[c] - 1.0).abs() < 1e-9, "{c}: {by_softer:?} {by_drawn:?}");
+        let stiff = slope(&drawn, 30.0 / factor.sqrt())[c];
+        assert!(
+            (stiff / by_drawn[c] - 1.0).abs() > 1e-3,
+            "{c}: elastic enough to tell: {stiff} {by_drawn:?}"
+        );
     }
 }

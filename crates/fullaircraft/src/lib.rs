@@ -25,7 +25,7 @@ pub use flight::model::FlyingAircraft;
 pub use flight::modes::FreeModes;
 pub use flight::nonlinear::Integration;
 pub use flight::small_motions::FreeFlight;
-pub use results::comparison::{Comparison, Summary};
+pub use results::comparison::{Comparison, Flown, ModelNumbers, Summary};
 pub use trim::case::{Balanced, TrimAt, TrimCase, TrimTools};
 pub use trim::derivatives::{Coefficients, Derivatives};
 pub use trim::envelope::Envelope;

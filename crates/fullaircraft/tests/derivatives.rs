@@ -4,6 +4,7 @@ mod common;
 
 use aero::{BoxLoads, Corrections, Integration, MirrorPlane, SteadyAero, incidence};
 use common::{assert_near, beam_wing, whole};
+use coupling::wing_file::Departure;
 use coupling::{GRAVITY_M_S2, WingFile};
 use fullaircraft::{Aircraft, Coefficients, Steady, TrimTools};
 use nalgebra::{Point3, Vector3};
@@ -160,4 +161,24 @@ fn with_its_centre_of_gravity_at_the_neutral_point_the_moment_does_not_follow_al
         let slope = if place == 0 { alpha.rigid } else { alpha.restrained };
         assert!(slope.pitch.abs() < 1e-8 * slope.lift, "{slope:?}");
     }
+}
+
+/// A flap that the flow sees nine tenths of does nine tenths of all it does, and nothing else changes.
+#[test]
+fn a_departing_aileron_departs_on_both_wings_of_the_aircraft() {
+    let mut wing = WingFile::read(&beam_wing()).unwrap();
+    wing.departure = Departure { controls: vec![("outer".into(), 0.9)], ..Departure::default() };
+    let departing = Aircraft::new(whole().file.clone(), wing).unwrap();
+    let [drawn, there] =
+        [whole(), &departing].map(|aircraft| aircraft.uncorrected().derivatives(30.0).unwrap());
+    for (name, factor) in [("outer", 0.9), ("inner", 1.0), ("alpha", 1.0)] {
+        let [drawn, there] = [&drawn, &there].map(|all| all.by(name).unwrap());
+        for (drawn, there) in [(drawn.rigid, there.rigid), (drawn.restrained, there.restrained)] {
+            let size = drawn.roll.abs().max(drawn.lift.abs());
+            for (there, drawn) in [(there.roll, drawn.roll), (there.lift, drawn.lift)] {
+                assert!((there - factor * drawn).abs() < 1e-9 * size, "{name}: {there} {drawn}");
+            }
+        }
+    }
+    assert!(drawn.by("outer").unwrap().rigid.roll.abs() > 0.01, "an aileron rolls");
 }

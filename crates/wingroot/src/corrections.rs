@@ -3,11 +3,12 @@
 use std::path::Path;
 
 use calibrate::posterior::posterior;
-use calibrate::{Calibration, Campaign, CorrectionSet, Schedule, Settings, calibrate};
+use calibrate::{Calibration, Campaign, CorrectionSet, Ensemble, Schedule, Settings, calibrate};
 use coupling::{CouplingError, ElasticWing, WingFile};
 use nastran::InputError;
 
 use crate::args::{Given, Measured};
+use crate::ensemble::ensemble_beside;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 
@@ -31,6 +32,8 @@ pub(crate) struct CorrectedWing {
     pub(crate) schedule: Schedule,
     /// Where the corrections come from, in words.
     pub(crate) origin: String,
+    /// Wings that are as likely; none where no ensemble stands beside the corrections.
+    pub(crate) ensemble: Option<Ensemble>,
 }
 
 impl CorrectedWing {
@@ -68,12 +71,14 @@ pub(crate) fn corrected_wing(given: &Given) -> Result<CorrectedWing, Failure> {
             return Err(InputError::in_file(path, message).with_help(help).into());
         }
         check_boxes(&schedule, &wing, path)?;
-        return Ok(CorrectedWing { file, wing, schedule, origin: path.display().to_string() });
+        let ensemble = given.ensemble(path, &schedule)?;
+        return Ok(CorrectedWing { file, wing, schedule, origin: path.display().to_string(), ensemble });
     }
     let last = crate::common::results("calibrate").join("corrections.ron");
     if let Some(schedule) = given.schedule(&last).ok().filter(|schedule| schedule.wing_hash == file.hash) {
         check_boxes(&schedule, &wing, &last)?;
-        return Ok(CorrectedWing { file, wing, schedule, origin: last.display().to_string() });
+        let ensemble = given.ensemble(&last, &schedule)?;
+        return Ok(CorrectedWing { file, wing, schedule, origin: last.display().to_string(), ensemble });
     }
     let measured = Measured { wing: Some(file.path.clone()), ..given.measured.clone() };
     let campaign = Campaign::read(&measured.campaign_path()?)?;
@@ -85,10 +90,15 @@ pub(crate) fn corrected_wing(given: &Given) -> Result<CorrectedWing, Failure> {
         let message = format!("the fit did not converge: {}", schedule.unconverged.join(", "));
         return Err(Failure::Computation(message + "; --accept-unconverged goes on with it"));
     }
-    Ok(CorrectedWing { file, wing, schedule, origin })
+    Ok(CorrectedWing { file, wing, schedule, origin, ensemble: None })
 }
 
 impl Given {
+    /// The ensemble beside corrections, if intervals are wanted.
+    fn ensemble(&self, path: &Path, schedule: &Schedule) -> Result<Option<Ensemble>, InputError> {
+        if self.no_intervals { Ok(None) } else { ensemble_beside(path, schedule) }
+    }
+
     /// Reads corrections; those of a fit that did not converge only if that was asked for.
     fn schedule(&self, path: &Path) -> Result<Schedule, InputError> {
         if self.accept_unconverged { Schedule::read_unconverged(path) } else { Schedule::read(path) }

@@ -16,6 +16,7 @@ pub mod commands;
 pub mod common;
 pub mod corrections;
 pub mod embedded;
+mod ensemble;
 pub mod failure;
 pub mod fingerprint;
 pub mod hdf5;

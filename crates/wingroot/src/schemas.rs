@@ -3,7 +3,6 @@
 //! Meaning is what the types' documentation says; a unit that only a field's name says is put behind it.
 
 use discover::result::DiscoverResult;
-use fullaircraft::Summary;
 use hidden::score::BenchmarkResult;
 use schemars::generate::SchemaSettings;
 use schemars::transform::RecursiveTransform;
@@ -14,6 +13,7 @@ use crate::commands::calibrate_result::CalibrateResult;
 use crate::commands::deck_result::DeckResult;
 use crate::commands::deflection_result::DeflectionResult;
 use crate::commands::flutter_result::FlutterResult;
+use crate::commands::fullaircraft::FullaircraftResult;
 use crate::commands::fullaircraft_cases::Summary as CasesSummary;
 use crate::commands::fullaircraft_deck::Summary as DeckSummary;
 use crate::commands::modes_result::{ModesMeasuredResult, ModesResult};
@@ -63,6 +63,10 @@ pub fn all() -> Vec<Named> {
         ),
         input::<calibrate::campaign::CampaignFile>("campaign", "campaign.ron: a folder of measurements"),
         input::<calibrate::Schedule>("corrections", "corrections.ron, written by calibrate"),
+        input::<calibrate::Ensemble>(
+            "ensemble",
+            "ensemble.ron, written by calibrate: wings that are as likely as the calibrated one",
+        ),
         input::<maneuver::ManeuverFile>("maneuver", "simulate --maneuver"),
         input::<structure::update::MeasuredFile>("measured", "modes --measured"),
         input::<fullaircraft::AircraftFile>("aircraft", "aircraft.ron"),
@@ -78,7 +82,7 @@ pub fn all() -> Vec<Named> {
         result::<DeflectionResult>("deflection_result", "result.json of deflection"),
         result::<DiscoverResult>("discover_result", "result.json of discover"),
         result::<BenchmarkResult>("hidden_result", "result.json of hidden"),
-        result::<Summary>("fullaircraft_result", "result.json of fullaircraft"),
+        result::<FullaircraftResult>("fullaircraft_result", "result.json of fullaircraft"),
         result::<CasesSummary>("fullaircraft_cases_result", "result.json of fullaircraft --cases"),
         result::<DeckSummary>("fullaircraft_deck_result", "result.json of fullaircraft --deck"),
         result::<PipelineResult>("pipeline_result", "result.json of pipeline"),

@@ -134,6 +134,27 @@ impl<'a> Known<'a> {
         let told = weights(&rows, &seen).map_or(0.0, |weights| product(&seen, &weights));
         (before - told).max(0.0).sqrt()
     }
+
+    /// Symmetric root of the covariance of the wing's unknowns, whatever the sensors' are.
+    pub(super) fn root(&self) -> Mat<f64> {
+        let (count, all) = (self.unknowns.count(), self.rows.first().map_or(0, Vec::len));
+        let identity = Mat::<f64>::identity(count.max(all), count.max(all));
+        let mut precision = identity.clone();
+        for row in &self.rows {
+            for (i, left) in row.iter().enumerate() {
+                for (j, right) in row.iter().enumerate() {
+                    precision[(i, j)] += left * right;
+                }
+            }
+        }
+        let Ok(factor) = precision.llt(Side::Lower) else { return identity.subcols(0, count).to_owned() };
+        let covariance = factor.solve(&identity);
+        let of_wing = covariance.submatrix(0, 0, count, count).to_owned();
+        let Ok(eigen) = of_wing.self_adjoint_eigen(Side::Lower) else { return of_wing };
+        let roots: Vec<f64> = (0..count).map(|k| eigen.S()[k].max(0.0).sqrt()).collect();
+        let scaled = Mat::from_fn(count, count, |i, k| eigen.U()[(i, k)] * roots[k]);
+        scaled * eigen.U().transpose()
+    }
 }
 
 /// Corrections next to the mean with which the wing of the file, its structure as given, has the measured root loads.

@@ -19,16 +19,16 @@ mod prior;
 mod read;
 
 pub use off::WingOff;
+pub(crate) use prior::Unknowns;
 
+use crate::HALF_90;
 use crate::calibration::{AirspeedCalibration, Calibration};
 use aero::Corrections;
 use coupling::wing_file::CorrectionPrior;
 use coupling::{CouplingError, ElasticWing};
+use faer::Mat;
 use known::Known;
 use predictions::{Quantity, predict, quantities};
-
-/// Half of a 90 % interval of a Gaussian in standard deviations.
-const HALF_90: f64 = 1.644_853_627;
 
 /// A prediction with its interval.
 #[derive(Debug, Clone, PartialEq)]
@@ -77,6 +77,17 @@ pub struct AirspeedPosterior {
     pub beyond: Vec<(String, f64)>,
     /// By quantity.
     pub predictions: Vec<Prediction>,
+    /// How far the wing may be off.
+    pub(crate) spread: Spread,
+}
+
+/// How far the unknowns of a wing may be off, and what that does to predictions.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Spread {
+    /// Symmetric root of the unknowns' covariance, in units of the prior.
+    pub(crate) root: Mat<f64>,
+    /// Derivatives of each prediction by the unknowns.
+    pub(crate) gradients: Vec<Vec<f64>>,
 }
 
 /// What is known at every calibrated airspeed.
@@ -96,23 +107,23 @@ pub fn posterior(
         let case = known.largest();
         let by_theory = predict(wing, &uncorrected, &theory, &case, &listed)?;
         let predicted = predict(wing, &known.corrected, &known.off, &case, &listed)?;
-        let predictions = listed.iter().zip(by_theory).zip(predicted).map(|((quantity, theory), at)| {
-            let gradient = at.gradient(&known.unknowns);
-            Prediction {
-                quantity: quantity.clone(),
-                theory: theory.value(),
-                value: at.value(),
-                prior_sigma: gradient
-                    .iter()
-                    .map(|x| x * x)
-                    .sum::<f64>()
-                    .sqrt()
-                    .hypot(known.unknowns.reading * at.value()),
-                sigma: known.sigma_with(&[], &gradient).hypot(known.unknowns.reading * at.value()),
-            }
+        let gradients: Vec<Vec<f64>> = predicted.iter().map(|at| at.gradient(&known.unknowns)).collect();
+        let each = listed.iter().zip(by_theory).zip(predicted.iter().zip(&gradients));
+        let predictions = each.map(|((quantity, theory), (at, gradient))| Prediction {
+            quantity: quantity.clone(),
+            theory: theory.value(),
+            value: at.value(),
+            prior_sigma: gradient
+                .iter()
+                .map(|x| x * x)
+                .sum::<f64>()
+                .sqrt()
+                .hypot(known.unknowns.reading * at.value()),
+            sigma: known.sigma_with(&[], gradient).hypot(known.unknowns.reading * at.value()),
         });
         let predictions = predictions.collect();
         Ok(AirspeedPosterior {
+            spread: Spread { root: known.root(), gradients },
             v_m_s: known.flow.v_m_s,
             alpha_rad: case.alpha_rad,
             mean: known.is_mean.then_some(known.off),

@@ -19,7 +19,7 @@ struct Field {
 
 /// The unknowns of a wing, each a standard Gaussian before the data: fields of corrections, what controls do (common, each),
 /// flexibility.
-pub(super) struct Unknowns {
+pub(crate) struct Unknowns {
     fields: Vec<Field>,
     /// Strip of every box.
     strip: Vec<usize>,
@@ -35,7 +35,7 @@ pub(super) struct Unknowns {
 }
 
 impl Unknowns {
-    pub(super) fn new(wing: &ElasticWing, prior: &CorrectionPrior) -> Self {
+    pub(crate) fn new(wing: &ElasticWing, prior: &CorrectionPrior) -> Self {
         let boxes = &wing.correctable;
         let strips = boxes.strip.iter().copied().max().map_or(0, |last| last + 1);
         let mut y_norm = vec![0.0; strips];
@@ -78,12 +78,12 @@ impl Unknowns {
     }
 
     /// Number of unknowns.
-    pub(super) fn count(&self) -> usize {
+    pub(crate) fn count(&self) -> usize {
         self.of_corrections() + 1 + 4 * self.controls + 2
     }
 
     /// The wing that unknowns stand for.
-    pub(super) fn wing(&self, z: &[f64]) -> WingOff {
+    pub(crate) fn wing(&self, z: &[f64]) -> WingOff {
         let boxes = self.strip.len();
         let mut families = [vec![1.0; boxes], vec![1.0; boxes], vec![0.0; boxes]];
         for (field, z) in self.fields.iter().zip(z.chunks(self.strips)) {

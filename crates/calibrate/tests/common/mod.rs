@@ -30,11 +30,19 @@ pub(crate) fn small_wing() -> ElasticWing {
 
 /// The shipped wing with its planform changed.
 pub(crate) fn wing_with(change: impl Fn(&mut Planform)) -> ElasticWing {
+    wing_of(&file_with(change))
+}
+
+pub(crate) fn wing_of(file: &WingFile) -> ElasticWing {
+    ElasticWing::from_bulk(file, &file.bulk(Mount::Tunnel).unwrap()).unwrap()
+}
+
+/// The shipped beam wing's file with another planform.
+pub(crate) fn file_with(change: impl Fn(&mut Planform)) -> WingFile {
     let mut file = WingFile::read(&path("tuflex/wing_beam.ron")).unwrap();
     let Source::Parametric(planform) = &mut file.source else { panic!("the shipped wing is parametric") };
     change(planform);
-    let bulk = file.bulk(Mount::Tunnel).unwrap();
-    ElasticWing::from_bulk(&file, &bulk).unwrap()
+    file
 }
 
 /// Settings that fit the small wing: as many chord strips as boxes.

@@ -177,6 +177,19 @@ impl Aircraft {
         Ok(Comparison { initial, updated, frequencies_hz: air.modes.frequencies_hz(), warnings })
     }
 
+    /// Flies all maneuvers with corrections alone, the doublet and the chirp as the surfaces make them.
+    ///
+    /// # Errors
+    /// As [`Aircraft::compare`].
+    pub fn fly_acting(
+        &self,
+        wing: &Corrections,
+        doublet: &MotionSpec,
+        chirp: &MotionSpec,
+    ) -> Result<Flown, AircraftError> {
+        self.with_corrections(wing)?.fly_all(&FlightAir::new(self)?, doublet, chirp)
+    }
+
     /// Sentences about flight points that contradict themselves.
     pub fn warnings(&self) -> Vec<String> {
         let points =

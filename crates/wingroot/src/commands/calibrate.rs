@@ -6,6 +6,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use aero::{Corrections, MirrorPlane};
+use calibrate::ensemble::ensemble;
 use calibrate::{AirspeedCalibration, Calibration, Campaign, Settings, Weight};
 use coupling::{ByLoad, ElasticWing, SteadyCase};
 
@@ -73,7 +74,11 @@ pub(crate) fn run(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> 
     let folder = ResultFolder::begin(&common.out("calibrate"))?;
     folder.input("wing", &file.path)?;
     folder.input("campaign", &campaign.folder)?;
-    folder.write_text("corrections.ron", &schedule(&file, &calibration).to_ron())?;
+    let schedule = schedule(&file, &calibration);
+    folder.write_text("corrections.ron", &schedule.to_ron())?;
+    if let Some(ensemble) = ensemble(&wing, &file.correction.prior, &schedule, &predictions) {
+        folder.write_text(crate::ensemble::FILE, &ensemble.to_ron()?)?;
+    }
     write(&folder, &wing, &calibration, strips.as_ref())?;
     calibrate_predictions::write(&folder, &wing, &predictions)?;
     folder.write_json("result.json", &result)?;

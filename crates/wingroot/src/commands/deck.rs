@@ -202,6 +202,7 @@ fn corrections(args: &DeckArgs) -> Result<Option<AtAirspeed>, Failure> {
         measured: Measured { wing: args.wing.clone(), campaign: None },
         corrections: Some(path.clone()),
         accept_unconverged: args.accept_unconverged,
+        no_intervals: true,
     };
     let corrected = corrected_wing(&given)?;
     let v_m_s = args.airspeed.unwrap_or_else(|| corrected.schedule.sets[0].v_m_s);

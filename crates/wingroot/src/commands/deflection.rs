@@ -21,6 +21,7 @@ use crate::commands::result_parts::as_json;
 use crate::commands::simulate::settings;
 use crate::commands::{deflection_figures, deflection_results};
 use crate::corrections::{CorrectedWing, corrected_wing};
+use crate::ensemble::write_corrections;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
@@ -168,7 +169,8 @@ fn write(out: &Path, found: &Found<'_>, seconds: f64) -> Result<PathBuf, Failure
     maneuver::effects::of_wing(&rewritten, &found.corrected.wing.control_names())?;
     let wing_hash = rewritten.hash;
     let schedule = calibrate::Schedule { wing_hash, ..found.corrected.schedule.clone() };
-    folder.write_text("corrections.ron", &schedule.to_ron())?;
+    let measured: Vec<String> = found.tables.iter().map(|table| table.control.clone()).collect();
+    write_corrections(&folder, found.corrected, &schedule, &measured)?;
     folder.write_text("deflection.csv", &deflection_results::csv(&found.factors))?;
     for (name, caption, figure) in [
         ("equivalent", "Figure 15 of the paper.", deflection_figures::equivalents(&found.factors)),

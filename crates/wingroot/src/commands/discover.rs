@@ -22,6 +22,7 @@ use nastran::ron_or_json::expected_in;
 use crate::args::{Common, Given};
 use crate::commands::{discover_figures, discover_results};
 use crate::corrections::{CorrectedWing, corrected_wing};
+use crate::ensemble::write_corrections;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::paths::folder_of;
@@ -129,6 +130,7 @@ fn without_held_out_points(
     Ok(CorrectedWing {
         schedule: corrected.calibrated(&kept)?,
         origin: "calibrated without the static points of held-out airspeeds".to_owned(),
+        ensemble: None,
         ..corrected
     })
 }
@@ -209,10 +211,8 @@ fn write_wing(
     let wing = coupling::WingFile::read(&results.path().join(name))?;
     let again = finding.recalibrated.as_ref().map(|again| &again.schedule);
     let Schedule { sets, unconverged, .. } = again.unwrap_or(&corrected.schedule).clone();
-    results.write_text(
-        "corrections.ron",
-        &Schedule { wing: wing.name, wing_hash: wing.hash, sets, unconverged }.to_ron(),
-    )
+    let schedule = Schedule { wing: wing.name, wing_hash: wing.hash, sets, unconverged };
+    write_corrections(results, corrected, &schedule, &[])
 }
 
 fn data_hash(campaign: &Campaign) -> Result<String, InputError> {

@@ -14,12 +14,14 @@ use maneuver::flutter::{
 use maneuver::{Rig, RigSettings};
 use nastran::InputError;
 use report::Table;
+use serde_json::Value;
 
 use super::flutter_figures::{self, Stability};
 use crate::args::{Common, Given, airspeed};
 use crate::commands::flutter_result::{FlutterResult, MethodResult, StabilityChange, StabilityResult};
 use crate::commands::result_parts::as_json;
 use crate::corrections::{CorrectedWing, corrected_wing};
+use crate::ensemble::{Intervals, intervals};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
@@ -72,24 +74,25 @@ pub(crate) fn run(args: &FlutterArgs, common: &Common) -> Result<(), Failure> {
             .into());
     }
     let highest = args.to.unwrap_or(HIGHEST);
-    let rig = Rig::new(&corrected.wing, RigSettings::of_wing(&corrected.file))?;
     let doublets =
         DoubletLattice::new(&corrected.wing.lattice, corrected.wing.plane, 0.0, &DlmSettings::default())
             .map_err(Failure::computation)?;
-    let kappa = REDUCED.map(|k| 2.0 * k / mean_chord_m(&corrected));
-    let task = Task {
-        pressures: rig.mode_pressures(&doublets, &kappa)?,
-        corrected: &corrected,
-        rig,
-        rho_kg_m3: campaign.rho_kg_m3,
-        speeds: (1..=SPEEDS).map(|i| highest * f64::from(i) / f64::from(SPEEDS)).collect(),
-    };
+    let speeds: Vec<f64> = (1..=SPEEDS).map(|i| highest * f64::from(i) / f64::from(SPEEDS)).collect();
+    let task = Task::new(&corrected, &doublets, campaign.rho_kg_m3, speeds)?;
     let neutral = Corrections::neutral(corrected.wing.correctable.len());
-    let models = [
-        task.stability("initial", &|_| neutral.clone(), &[(0.0, neutral.clone())])?,
-        task.stability("updated", &|v| corrected.schedule.at_or_nearest(v).0, &sets(&corrected.schedule))?,
-    ];
-    let result = as_json(&task.result(&models, start.elapsed().as_secs_f64()))?;
+    let models =
+        [task.stability("initial", &|_| neutral.clone(), &[(0.0, neutral.clone())])?, task.updated()?];
+    let members = corrected.with_each(|member| {
+        let task = Task::new(member, &doublets, task.rho_kg_m3, task.speeds.clone())?;
+        as_json(&task.of_model(&task.updated()?))
+    })?;
+    let spread = intervals(&as_json(&task.of_model(&models[1]))?, &members);
+    let result = FlutterResult {
+        intervals_90: corrected.intervals_from().map(|from| Intervals { from, of_updated: spread }),
+        ..task.result(&models, start.elapsed().as_secs_f64())
+    };
+    let told = intervals_told(&result);
+    let result = as_json(&result)?;
     let folder = ResultFolder::begin(&common.out("flutter"))?;
     corrected.note_inputs(&folder)?;
     folder.input("campaign", &campaign.folder)?;
@@ -101,10 +104,39 @@ pub(crate) fn run(args: &FlutterArgs, common: &Common) -> Result<(), Failure> {
     }
     folder.write_json("result.json", &result)?;
     let out = folder.commit()?;
-    let mut text = task.summary(&models);
+    let mut text = task.summary(&models) + &told;
     let _ = write!(text, "{:.1} s; results in {}", start.elapsed().as_secs_f64(), out.display());
     show::summary(common, &text);
     show::json(common, &result)
+}
+
+/// Intervals of the updated wing's speeds, for the console; where a wing of the ensemble has no such speed there is none.
+fn intervals_told(result: &FlutterResult) -> String {
+    let Some(Intervals { from, of_updated }) = &result.intervals_90 else {
+        return "no intervals: no ensemble.ron of `calibrate` beside the corrections\n".to_owned();
+    };
+    let of = |(what, place, found): (&str, &str, Option<f64>)| {
+        found?;
+        let ends = of_updated.pointer(place);
+        let end = |i: usize| ends.and_then(|ends| ends.get(i)).and_then(Value::as_f64);
+        Some(match (end(0), end(1)) {
+            (Some(low), Some(high)) => format!("{what} {low:.1} to {high:.1} m/s"),
+            _ => format!("{what}: not all of them have it below {} m/s", result.highest_airspeed_m_s),
+        })
+    };
+    let p_k = &result.updated.p_k;
+    let each = [
+        ("flutter", "/p_k/flutter_speed_m_s", p_k.flutter_speed_m_s),
+        ("divergence", "/p_k/divergence_speed_m_s", p_k.divergence_speed_m_s),
+    ];
+    let told: Vec<String> = each.into_iter().filter_map(of).collect();
+    if told.is_empty() {
+        return String::new();
+    }
+    format!(
+        "updated, 90 % intervals of p-k by {from} (corrections, stiffness, control surfaces; the unsteady part of the air as computed): {}\n",
+        told.join(", ")
+    )
 }
 
 /// Area over span.
@@ -119,7 +151,34 @@ fn sets(schedule: &Schedule) -> Vec<(f64, Corrections)> {
     schedule.sets.iter().map(|set| (set.v_m_s, set.corrections.clone())).collect()
 }
 
-impl Task<'_> {
+impl<'a> Task<'a> {
+    /// A wing's modes, and the pressures of them.
+    fn new(
+        corrected: &'a CorrectedWing,
+        doublets: &DoubletLattice,
+        rho_kg_m3: f64,
+        speeds: Vec<f64>,
+    ) -> Result<Self, Failure> {
+        let rig = Rig::new(&corrected.wing, RigSettings::of_wing(&corrected.file))?;
+        let kappa = REDUCED.map(|k| 2.0 * k / mean_chord_m(corrected));
+        Ok(Self { pressures: rig.mode_pressures(doublets, &kappa)?, corrected, rig, rho_kg_m3, speeds })
+    }
+
+    /// The wing with its corrections.
+    fn updated(&self) -> Result<Stability, Failure> {
+        let schedule = &self.corrected.schedule;
+        self.stability("updated", &|v| schedule.at_or_nearest(v).0, &sets(schedule))
+    }
+
+    /// The numbers of a model.
+    fn of_model(&self, model: &Stability) -> StabilityResult {
+        StabilityResult {
+            state_matrix: self.method(&model.state_matrix, model.divergence[0]),
+            p_k: self.method(&model.p_k, model.divergence[1]),
+            p_k_over_state_matrix: model.ratio(),
+        }
+    }
+
     fn flow(&self, v_m_s: f64) -> Flow {
         Flow { v_m_s, rho_kg_m3: self.rho_kg_m3 }
     }
@@ -154,11 +213,7 @@ impl Task<'_> {
     }
 
     fn result(&self, models: &[Stability; 2], seconds: f64) -> FlutterResult {
-        let [initial, updated] = models.each_ref().map(|model| StabilityResult {
-            state_matrix: self.method(&model.state_matrix, model.divergence[0]),
-            p_k: self.method(&model.p_k, model.divergence[1]),
-            p_k_over_state_matrix: model.ratio(),
-        });
+        let [initial, updated] = models.each_ref().map(|model| self.of_model(model));
         FlutterResult {
             command: "flutter",
             corrections: self.corrected.origin.clone(),
@@ -168,6 +223,7 @@ impl Task<'_> {
             modes: self.rig.omega_rad_s().len(),
             initial,
             updated,
+            intervals_90: None,
             seconds,
         }
     }

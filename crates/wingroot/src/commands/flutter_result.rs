@@ -3,6 +3,8 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use crate::ensemble::Intervals;
+
 /// Flutter and divergence of the wing without and with corrections.
 #[derive(Debug, Serialize, JsonSchema)]
 pub(crate) struct FlutterResult {
@@ -22,6 +24,9 @@ pub(crate) struct FlutterResult {
     pub(crate) initial: StabilityResult,
     /// With corrections.
     pub(crate) updated: StabilityResult,
+    /// What is not certain of the updated wing; null without an ensemble of wings beside the corrections. Where not every wing of it
+    /// has a speed, there is no interval.
+    pub(crate) intervals_90: Option<Intervals>,
     /// Wall clock.
     pub(crate) seconds: f64,
 }

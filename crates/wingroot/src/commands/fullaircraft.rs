@@ -3,13 +3,18 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use fullaircraft::{Aircraft, AircraftError, Comparison, Summary};
+use fullaircraft::{Aircraft, AircraftError, Comparison, Derivatives, ModelNumbers, Summary};
+use schemars::JsonSchema;
+use serde::Serialize;
+use serde_json::Value;
 
 use crate::args::Common;
 use crate::commands::fullaircraft_derivatives as derivatives;
 use crate::commands::fullaircraft_figures as figures;
-use crate::commands::fullaircraft_prepared::{FullaircraftArgs, Prepared, prepared};
+use crate::commands::fullaircraft_prepared::{Assembled, FullaircraftArgs, Prepared, assembled, prepared};
+use crate::commands::result_parts::as_json;
 use crate::commands::{fullaircraft_cases, fullaircraft_deck};
+use crate::ensemble::{Intervals, intervals};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
@@ -24,6 +29,23 @@ impl From<AircraftError> for Failure {
     }
 }
 
+/// `result.json` of `fullaircraft`.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct FullaircraftResult {
+    /// Both models.
+    #[serde(flatten)]
+    pub(crate) summary: Summary,
+    /// What is not certain of the updated model; null without an ensemble of wings beside the corrections.
+    pub(crate) intervals_90: Option<Intervals>,
+}
+
+/// What intervals are of.
+#[derive(Serialize)]
+struct Updated<'a> {
+    model: ModelNumbers,
+    derivatives: &'a Derivatives,
+}
+
 /// Samples of a history to a row of its file: 500 rows a second.
 const CSV_EVERY: usize = 2;
 
@@ -36,27 +58,38 @@ pub(crate) fn run(args: &FullaircraftArgs, common: &Common) -> Result<(), Failur
         return fullaircraft_deck::run(deck, common);
     }
     let start = Instant::now();
-    let Prepared { aircraft, corrections, effects, origin, inputs } = prepared(args, common)?;
+    let Prepared { aircraft, corrections, effects, wing, inputs } = prepared(args, common)?;
     for remark in effects.remarks(&aircraft.file).iter().filter(|_| !common.quiet) {
         show::note(remark);
     }
     let comparison = effects.compare(&aircraft, &corrections)?;
-    let summary = comparison.summary(&aircraft, start.elapsed().as_secs_f64());
+    let members = wing.with_each(|member| {
+        let Assembled { aircraft, corrections, effects } = assembled(aircraft.file.clone(), member)?;
+        let flown = effects.fly(&aircraft, &corrections)?;
+        as_json(&Updated { model: flown.numbers(), derivatives: &flown.derivatives })
+    })?;
+    let updated = &comparison.updated;
+    let updated = as_json(&Updated { model: updated.numbers(), derivatives: &updated.derivatives })?;
+    let summary = FullaircraftResult {
+        intervals_90: wing
+            .intervals_from()
+            .map(|from| Intervals { from, of_updated: intervals(&updated, &members) }),
+        summary: comparison.summary(&aircraft, start.elapsed().as_secs_f64()),
+    };
     let folder = ResultFolder::begin(&common.out(args.results()))?;
     inputs.iter().try_for_each(|(what, path)| folder.input(what, path))?;
     let out = write(folder, &aircraft, &comparison, &summary)?;
-    for warning in &summary.warnings {
+    let Summary { warnings, derivatives, correction_airspeed_m_s, boxes, seconds, .. } = &summary.summary;
+    for warning in warnings {
         if !common.quiet {
             show::note(warning);
         }
     }
     let text = format!(
-        "{}\n{}\ncorrections at {} m/s: {origin}\n{} boxes, {:.2} s; results in {}\n",
-        table(&summary),
-        derivatives::table(&summary.derivatives),
-        summary.correction_airspeed_m_s,
-        summary.boxes,
-        summary.seconds,
+        "{}\n{}\ncorrections at {correction_airspeed_m_s} m/s: {}\n{boxes} boxes, {seconds:.2} s; results in {}\n",
+        table(&summary)?,
+        derivatives::table(derivatives),
+        wing.origin,
         out.display()
     );
     show::summary(common, &text);
@@ -67,7 +100,7 @@ fn write(
     folder: ResultFolder,
     aircraft: &Aircraft,
     comparison: &Comparison,
-    summary: &Summary,
+    summary: &FullaircraftResult,
 ) -> Result<PathBuf, Failure> {
     for (model, flown) in [("initial", &comparison.initial), ("updated", &comparison.updated)] {
         let histories =
@@ -92,33 +125,60 @@ fn write(
     folder.commit()
 }
 
-fn table(summary: &Summary) -> report::Table {
-    let mut table = report::Table::new(&["", "initial", "updated"]);
-    let mut row = |what: String, before: f64, after: f64, places: usize| {
-        table.row([what, format!("{before:.places$}"), format!("{after:.places$}")]);
-    };
-    let (initial, updated) = (&summary.models.initial, &summary.models.updated);
-    for (name, before, after) in [
-        ("trim", &initial.trim, &updated.trim),
-        ("pull-up", &initial.pull_up, &updated.pull_up),
-        ("push-down", &initial.push_down, &updated.push_down),
-    ] {
-        let what = format!("{name}, {} m/s, n = {}: alpha (deg)", before.v_m_s, before.load_factor);
-        row(what, before.alpha_deg, after.alpha_deg, 2);
-        row("    elevator (deg)".into(), before.elevator_deg, after.elevator_deg, 2);
-        row("    tip deflection (m)".into(), before.tip_deflection_m, after.tip_deflection_m, 3);
+/// Rows of the table: words, where the number stands in a model's numbers, digits behind the point.
+const ROWS: [(&str, &str, usize); 15] = [
+    ("alpha (deg)", "/trim/alpha_deg", 2),
+    ("elevator (deg)", "/trim/elevator_deg", 2),
+    ("tip deflection (m)", "/trim/tip_deflection_m", 3),
+    ("alpha (deg)", "/pull_up/alpha_deg", 2),
+    ("elevator (deg)", "/pull_up/elevator_deg", 2),
+    ("tip deflection (m)", "/pull_up/tip_deflection_m", 3),
+    ("alpha (deg)", "/push_down/alpha_deg", 2),
+    ("elevator (deg)", "/push_down/elevator_deg", 2),
+    ("tip deflection (m)", "/push_down/tip_deflection_m", 3),
+    ("peak tip acceleration (m/s2)", "/doublet/peak_tip_acceleration_m_s2", 1),
+    ("peak tip rate (deg/s)", "/doublet/peak_tip_rate_deg_s", 1),
+    ("peak tip acceleration (m/s2)", "/chirp/peak_tip_acceleration_m_s2", 1),
+    ("peak tip rate (deg/s)", "/chirp/peak_tip_rate_deg_s", 1),
+    ("largest load factor", "/gust/peak_load_factor", 2),
+    ("largest right root Mx (N m)", "/gust/peak_right_root_Mx_Nm", 1),
+];
+
+/// Both models, and the interval of the updated one where there are wings to tell it.
+fn table(result: &FullaircraftResult) -> Result<report::Table, Failure> {
+    let models = as_json(&result.summary.models)?;
+    let spread = result.intervals_90.as_ref().map(|intervals| &intervals.of_updated);
+    let mut head = vec!["", "initial", "updated"];
+    head.extend(spread.map(|_| "90 % interval"));
+    let mut table = report::Table::new(&head);
+    let mut before = "";
+    for (words, place, digits) in ROWS {
+        let number = |model: &str| models.pointer(&format!("/{model}{place}")).and_then(Value::as_f64);
+        let (Some(initial), Some(updated)) = (number("initial"), number("updated")) else { continue };
+        let maneuver = place.split('/').nth(1).unwrap_or_default();
+        let same = std::mem::replace(&mut before, maneuver) == maneuver;
+        let name = if same { "    ".to_owned() } else { maneuver_name(maneuver, &models) };
+        let mut cells =
+            vec![format!("{name}{words}"), format!("{initial:.digits$}"), format!("{updated:.digits$}")];
+        if let Some(spread) = spread {
+            let ends = spread.pointer(&format!("/model{place}"));
+            let end = |i: usize| ends.and_then(|ends| ends.get(i)).and_then(Value::as_f64);
+            cells.push(match (end(0), end(1)) {
+                (Some(low), Some(high)) => format!("{low:.digits$} to {high:.digits$}"),
+                _ => String::new(),
+            });
+        }
+        table.row(cells);
     }
-    for (name, before, after) in
-        [("doublet", &initial.doublet, &updated.doublet), ("chirp", &initial.chirp, &updated.chirp)]
-    {
-        let accelerations = [before, after].map(|flown| flown.peak_tip_acceleration_m_s2);
-        row(format!("{name}: peak tip acceleration (m/s2)"), accelerations[0], accelerations[1], 1);
-        row("    peak tip rate (deg/s)".into(), before.peak_tip_rate_deg_s, after.peak_tip_rate_deg_s, 1);
+    Ok(table)
+}
+
+/// A maneuver's name for the table; steady points with airspeed and load factor.
+fn maneuver_name(maneuver: &str, models: &Value) -> String {
+    let number = |what: &str| models.pointer(&format!("/initial/{maneuver}/{what}")).and_then(Value::as_f64);
+    let name = maneuver.replace('_', "-");
+    match (number("V_m_s"), number("load_factor")) {
+        (Some(v_m_s), Some(load_factor)) => format!("{name}, {v_m_s} m/s, n = {load_factor}: "),
+        _ => format!("{name}: "),
     }
-    if let (Some(before), Some(after)) = (&initial.gust, &updated.gust) {
-        row("gust: largest load factor".into(), before.peak_load_factor, after.peak_load_factor, 2);
-        let moments = [before, after].map(|flown| flown.peak_right_root_mx_nm);
-        row("    largest right root Mx (N m)".into(), moments[0], moments[1], 1);
-    }
-    table
 }

@@ -17,6 +17,7 @@ use serde::Serialize;
 use crate::args::Common;
 use crate::commands::fullaircraft_cases_figures as figures;
 use crate::commands::fullaircraft_prepared::{FullaircraftArgs, Prepared, prepared};
+use crate::corrections::CorrectedWing;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::store::Store;
@@ -61,7 +62,8 @@ pub(crate) fn run(path: &Path, args: &FullaircraftArgs, common: &Common) -> Resu
     let start = Instant::now();
     let target = common.out(args.results());
     let file = CasesFile::read(path)?;
-    let Prepared { mut aircraft, corrections, origin, mut inputs, .. } = prepared(args, common)?;
+    let Prepared { mut aircraft, corrections, wing: CorrectedWing { origin, .. }, mut inputs, .. } =
+        prepared(args, common)?;
     inputs.push(("cases", file.path.clone()));
     if !aircraft.wing.deflection.is_empty() && !common.quiet {
         show::note(
@@ -77,12 +79,8 @@ pub(crate) fn run(path: &Path, args: &FullaircraftArgs, common: &Common) -> Resu
     let cases = file.cases();
     let finished: Vec<Option<CaseResult>> = cases.iter().map(|case| kept(&store, case)).collect();
     let before = finished.iter().flatten().count();
-    let missing: Vec<Case> = cases
-        .iter()
-        .zip(&finished)
-        .filter(|(_, found)| found.is_none())
-        .map(|(case, _)| case.clone())
-        .collect();
+    let unfinished = cases.iter().zip(&finished).filter(|(_, found)| found.is_none());
+    let missing: Vec<Case> = unfinished.map(|(case, _)| case.clone()).collect();
     // What needs no unsteady air is flown and kept before that is prepared, which takes longest.
     let (dynamic, steady): (Vec<Case>, Vec<Case>) = missing.into_iter().partition(Case::is_dynamic);
     let bar = progress::bar(common, dynamic.len() + steady.len(), "cases");

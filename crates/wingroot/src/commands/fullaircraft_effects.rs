@@ -3,7 +3,7 @@
 
 use aero::Corrections;
 use coupling::wing_file::OutsideAirspeeds;
-use fullaircraft::{Aircraft, AircraftError, AircraftFile, Comparison};
+use fullaircraft::{Aircraft, AircraftError, AircraftFile, Comparison, Flown};
 use maneuver::deflection::{DeflectionAt, DeflectionCorrection};
 use maneuver::effects::{Active, Carried, acting_deflection, carry, of_wing};
 use maneuver::motion::{MotionSpec, tidy_degrees};
@@ -80,18 +80,29 @@ impl Travelling {
         if acting.to_bits() == radians.to_bits() { commanded_deg } else { acting.to_degrees() }
     }
 
-    /// Flies both models; commands of the updated one reach as far as its surfaces let them: a sine keeps its shape.
+    /// What the surfaces make of doublet and chirp, which reach as far as they let them: a sine keeps its shape.
+    fn acting(&self, aircraft: &Aircraft) -> [MotionSpec; 2] {
+        let v_m_s = aircraft.file.trim.v_m_s;
+        [&aircraft.file.doublet, &aircraft.file.chirp].map(|motion| {
+            let commanded_deg = tidy_degrees(motion.kind().height());
+            let acting_deg = self.acting_deg(motion.control().unwrap_or_default(), v_m_s, commanded_deg);
+            motion.clone().with_height(acting_deg.to_radians())
+        })
+    }
+
+    /// Flies both models.
     pub(crate) fn compare(
         &self,
         aircraft: &Aircraft,
         corrections: &Corrections,
     ) -> Result<Comparison, AircraftError> {
-        let v_m_s = aircraft.file.trim.v_m_s;
-        let acting = |motion: &MotionSpec| {
-            let commanded_deg = tidy_degrees(motion.kind().height());
-            let acting_deg = self.acting_deg(motion.control().unwrap_or_default(), v_m_s, commanded_deg);
-            motion.clone().with_height(acting_deg.to_radians())
-        };
-        aircraft.compare_acting(corrections, &acting(&aircraft.file.doublet), &acting(&aircraft.file.chirp))
+        let [doublet, chirp] = self.acting(aircraft);
+        aircraft.compare_acting(corrections, &doublet, &chirp)
+    }
+
+    /// Flies the updated model alone.
+    pub(crate) fn fly(&self, aircraft: &Aircraft, corrections: &Corrections) -> Result<Flown, AircraftError> {
+        let [doublet, chirp] = self.acting(aircraft);
+        aircraft.fly_acting(corrections, &doublet, &chirp)
     }
 }

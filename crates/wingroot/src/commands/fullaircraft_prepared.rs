@@ -9,7 +9,7 @@ use nastran::InputError;
 
 use crate::args::{Common, Given, Measured};
 use crate::commands::fullaircraft_effects;
-use crate::corrections::corrected_wing;
+use crate::corrections::{CorrectedWing, corrected_wing};
 use crate::failure::Failure;
 use crate::paths;
 
@@ -57,8 +57,8 @@ pub(crate) struct Prepared {
     pub(crate) corrections: Corrections,
     /// Effects of the wing that fly with it.
     pub(crate) effects: fullaircraft_effects::Travelling,
-    /// Where they come from, in words.
-    pub(crate) origin: String,
+    /// The wing that they are of.
+    pub(crate) wing: CorrectedWing,
     /// What was read, for the report.
     pub(crate) inputs: Vec<(&'static str, PathBuf)>,
 }
@@ -76,15 +76,31 @@ pub(crate) fn prepared(args: &FullaircraftArgs, common: &Common) -> Result<Prepa
         InputError::in_field(&file.path, "correction_airspeed_m_s", refused.message)
             .with_help("choose an airspeed within those of the calibration")
     })?;
-    let nearest = wing.schedule.nearest(file.correction_airspeed_m_s);
-    if nearest.v_m_s != file.correction_airspeed_m_s && !common.quiet {
-        let asked = file.correction_airspeed_m_s;
-        crate::show::note(&format!("corrections of {} m/s, the nearest to {asked} m/s", nearest.v_m_s));
+    let asked = file.correction_airspeed_m_s;
+    let nearest_m_s = wing.schedule.nearest(asked).v_m_s;
+    if nearest_m_s != asked && !common.quiet {
+        crate::show::note(&format!("corrections of {nearest_m_s} m/s, the nearest to {asked} m/s"));
     }
-    let mut corrections = nearest.corrections.clone();
-    let effects = fullaircraft_effects::travelling(&wing, &file, &mut corrections)?;
     let mut inputs = vec![("aircraft", file.path.clone()), ("wing", wing_path)];
     inputs.extend(Some(("corrections", PathBuf::from(&wing.origin))).filter(|(_, path)| path.is_file()));
-    let aircraft = Aircraft::new(file, wing.file)?;
-    Ok(Prepared { aircraft, corrections, effects, origin: wing.origin, inputs })
+    let Assembled { aircraft, corrections, effects } = assembled(file, &wing)?;
+    Ok(Prepared { aircraft, corrections, effects, wing, inputs })
+}
+
+/// An aircraft with what its wing brings.
+pub(crate) struct Assembled {
+    /// The aircraft.
+    pub(crate) aircraft: Aircraft,
+    /// Corrections of one wing's boxes.
+    pub(crate) corrections: Corrections,
+    /// Effects of the wing that fly with it.
+    pub(crate) effects: fullaircraft_effects::Travelling,
+}
+
+/// The aircraft with a wing in the place of the one it names, and the corrections nearest to the airspeed it asks for.
+pub(crate) fn assembled(file: AircraftFile, wing: &CorrectedWing) -> Result<Assembled, Failure> {
+    let mut corrections = wing.schedule.nearest(file.correction_airspeed_m_s).corrections.clone();
+    let effects = fullaircraft_effects::travelling(wing, &file, &mut corrections)?;
+    let aircraft = Aircraft::new(file, wing.file.clone())?;
+    Ok(Assembled { aircraft, corrections, effects })
 }

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use crate::commands::fullaircraft::FullaircraftResult;
 use discover::result::DiscoverResult;
-use fullaircraft::Summary;
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::Value;
@@ -38,7 +38,7 @@ pub(crate) struct PipelineResult {
     #[schemars(with = "DiscoverResult")]
     pub(crate) discover: Value,
     /// Of `fullaircraft`.
-    #[schemars(with = "Summary")]
+    #[schemars(with = "FullaircraftResult")]
     pub(crate) fullaircraft: Value,
 }
 

@@ -9,16 +9,19 @@ use std::time::Instant;
 
 use aero::{Corrections, Flow};
 use calibrate::Campaign;
+use calibrate::ensemble::interval;
 use coupling::ByLoad;
 use maneuver::effects::Beside;
-use maneuver::{DeflectionAt, Rig, RigError, RigModel, RigSettings, Run, Simulated, simulate_commanded};
+use maneuver::{
+    DeflectionAt, ManeuverFile, Rig, RigError, RigModel, RigSettings, Run, Simulated, simulate_commanded,
+};
 use nastran::InputError;
 use rayon::prelude::*;
 
 use crate::args::{Common, Given};
 use crate::commands::result_parts::{Models as OfModels, as_json, loads};
 use crate::commands::simulate_effects::{self, WingEffects};
-use crate::commands::simulate_flown::{Flown, at_airspeed};
+use crate::commands::simulate_flown::{Band, Flown, at_airspeed};
 use crate::commands::simulate_result::{AirResult, RunResult, SimulateResult};
 use crate::commands::{simulate_files, simulate_maneuvers};
 use crate::corrections::{CorrectedWing, corrected_wing};
@@ -86,18 +89,20 @@ pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
     let maneuvers = simulate_maneuvers::read(&args.maneuver, &corrected)?;
     let settings = RigSettings { strip_loads: args.strips, ..settings(&corrected) };
     let rig = Rig::new(&corrected.wing, settings.clone())?;
-    let models = models(&runs, &rig, &corrected, &effects, rho_kg_m3)?;
     let bar = progress::bar(common, runs.len(), "flying runs");
-    let mut flown = runs
-        .into_par_iter()
-        .map(|(file, run)| {
-            let flown = fly(file, run, &models, &corrected);
-            bar.inc(1);
-            flown
-        })
-        .collect::<Result<Vec<_>, Failure>>()?;
+    let sortie = Sortie { runs: &runs, maneuvers: &maneuvers, rho_kg_m3, settings: &settings };
+    let mut flown = sortie.fly(&rig, &corrected, &effects, &|| bar.inc(1))?;
     progress::end(&bar);
-    flown.extend(simulate_maneuvers::fly(maneuvers, &rig, &settings, &corrected, &effects)?);
+    let members = corrected.with_each(|member| {
+        let rig = Rig::new(&member.wing, settings.clone())?;
+        let effects = simulate_effects::of(member, &args.without)?;
+        let flown = sortie.fly(&rig, member, &effects, &|| ())?;
+        Ok(flown.iter().map(|flown| loads_of(&flown.updated)).collect::<Vec<_>>())
+    })?;
+    for (index, flown) in flown.iter_mut().enumerate() {
+        flown.spread =
+            spread(&flown.updated, &members.iter().map(|member| &member[index]).collect::<Vec<_>>());
+    }
     for remark in effects.remarks() {
         show::note(&remark);
     }
@@ -115,6 +120,7 @@ pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
         modes: rig.omega_rad_s().len(),
         air: air_result(&rig),
         runs: flown.iter().map(run_result).collect(),
+        intervals_from: corrected.intervals_from(),
         effects,
         without,
         seconds,
@@ -122,6 +128,51 @@ pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
     let out = simulate_files::write(&common.out("simulate"), &flown, &corrected, &result)?;
     show::summary(common, &summary(&flown, &out, seconds));
     show::json(common, &result)
+}
+
+/// What is flown, by whatever wing.
+struct Sortie<'a> {
+    runs: &'a [(&'a PathBuf, Run)],
+    maneuvers: &'a [(ManeuverFile, Vec<String>)],
+    rho_kg_m3: f64,
+    settings: &'a RigSettings,
+}
+
+impl Sortie<'_> {
+    /// Flies runs, then maneuvers.
+    fn fly(
+        &self,
+        rig: &Rig<'_>,
+        corrected: &CorrectedWing,
+        effects: &WingEffects,
+        done: &(dyn Fn() + Sync),
+    ) -> Result<Vec<Flown>, Failure> {
+        let models = models(self.runs, rig, corrected, effects, self.rho_kg_m3)?;
+        let one = |(file, run): &(&PathBuf, Run)| {
+            let flown = fly(file, run.clone(), &models, corrected);
+            done();
+            flown
+        };
+        let mut flown = self.runs.par_iter().map(one).collect::<Result<Vec<_>, Failure>>()?;
+        flown.extend(simulate_maneuvers::fly(self.maneuvers, rig, self.settings, corrected, effects)?);
+        Ok(flown)
+    }
+}
+
+/// Histories of Fz, Mx, My.
+fn loads_of(simulated: &Simulated) -> [Vec<f64>; 3] {
+    simulate_files::LOADS.map(|(channel, _)| simulated.history.get(channel).unwrap_or(&[]).to_vec())
+}
+
+/// The 90 % interval of each load at each instant; none without wings of an ensemble.
+fn spread(updated: &Simulated, members: &[&[Vec<f64>; 3]]) -> Option<[Band; 3]> {
+    let of = |c: usize| {
+        let band = |(i, value): (usize, &f64)| {
+            interval(*value, &members.iter().map(|member| member[c][i]).collect::<Vec<_>>())
+        };
+        loads_of(updated)[c].iter().enumerate().map(band).collect()
+    };
+    (!members.is_empty()).then(|| [of(0), of(1), of(2)])
 }
 
 /// The campaign that says in which air a run was flown: the one named, else the run's own folder, else the wing's.
@@ -229,7 +280,7 @@ fn fly(file: &Path, run: Run, models: &[Models], corrected: &CorrectedWing) -> R
     let moves = run.controls_rad.iter().any(|(_, values)| values.iter().any(|delta| *delta != 0.0));
     let as_commanded = (moves && deflection != none).then(|| updated(&none)).transpose()?;
     let updated = updated(&deflection)?;
-    Ok(Flown { file: file.to_path_buf(), initial, updated, as_commanded, run, remarks })
+    Ok(Flown { file: file.to_path_buf(), initial, updated, as_commanded, run, remarks, spread: None })
 }
 
 fn run_result(flown: &Flown) -> RunResult {
@@ -244,6 +295,13 @@ fn run_result(flown: &Flown) -> RunResult {
         samples: flown.run.len(),
         residual_rms: OfModels { initial: loads(initial.residual_rms), updated: loads(updated.residual_rms) },
         remarks: flown.remarks.clone(),
+        largest_half_interval_90: flown.spread.as_ref().map(|bands| {
+            ByLoad::from_array(
+                bands
+                    .each_ref()
+                    .map(|band| band.iter().map(|[low, high]| 0.5 * (high - low)).fold(0.0, f64::max)),
+            )
+        }),
         raw_percent: OfModels {
             initial: percent(initial.residual_percent),
             updated: percent(updated.residual_percent),
@@ -286,6 +344,12 @@ fn summary(flown: &[Flown], out: &Path, seconds: f64) -> String {
     if declared {
         let _ = write!(text, "Largest change of a simulated load from its beginning:\n{changes}");
     }
+    let spread = flown.iter().filter_map(|flight| flight.spread.as_ref());
+    let widest = spread.flat_map(|[fz, ..]| fz).map(|[low, high]| 0.5 * (high - low)).reduce(f64::max);
+    let _ = match widest {
+        Some(widest) => write!(text, "90 % intervals of the loads: shaded, at most ±{widest:.2} N in Fz"),
+        None => write!(text, "no intervals: no ensemble.ron of `calibrate` beside the corrections"),
+    };
     format!("{text}\n{seconds:.2} s; results in {}\n", out.display())
 }
 

@@ -14,9 +14,13 @@ use crate::failure::Failure;
 use crate::output::ResultFolder;
 
 /// Channels and labels of the loads.
-const LOADS: [(&str, &str); 3] = [("Fz_N", "Fz (N)"), ("Mx_Nm", "Mx (N m)"), ("My_Nm", "My (N m)")];
+pub(super) const LOADS: [(&str, &str); 3] =
+    [("Fz_N", "Fz (N)"), ("Mx_Nm", "Mx (N m)"), ("My_Nm", "My (N m)")];
 /// The updated model with every deflection acting as commanded.
 const AS_COMMANDED: &str = "updated, deflections as commanded";
+
+/// What the shaded band is.
+const BAND: &str = "updated, 90 % interval";
 
 /// Writes everything and puts it in place.
 pub(crate) fn write(
@@ -77,6 +81,12 @@ fn models(flown: &Flown) -> TimeHistory {
                 curves.push(format!("{model}_{channel}"), values.to_vec());
             }
         }
+        if let Some(spread) = &flown.spread {
+            for (end, name) in ["low", "high"].into_iter().enumerate() {
+                let values = spread[c].iter().map(|interval| interval[end]).collect();
+                curves.push(format!("updated_{name}_{channel}"), values);
+            }
+        }
     }
     curves
 }
@@ -89,10 +99,14 @@ fn figure(flown: &Flown) -> Figure {
         let of = |simulated: &Simulated| simulated.history.get(name).unwrap_or(&[]).to_vec();
         // the measurement first, so that its noise covers neither model
         let measured = flown.run.loads.as_ref().map(|loads| loads[c].clone());
-        let mut series: Vec<Series> = measured
-            .map(|values| Series::new("measured", t_s.clone(), values, Style::Line))
-            .into_iter()
-            .collect();
+        let mut series = Vec::new();
+        if let Some(spread) = &flown.spread {
+            series.extend([0, 1].map(|end| {
+                let edge = spread[c].iter().map(|interval| interval[end]).collect();
+                Series::new(BAND, t_s.clone(), edge, Style::Edge)
+            }));
+        }
+        series.extend(measured.map(|values| Series::new("measured", t_s.clone(), values, Style::Line)));
         series.push(Series::new("initial", t_s.clone(), of(&flown.initial), Style::DashedLine));
         if let Some(as_commanded) = &flown.as_commanded {
             series.push(Series::new(AS_COMMANDED, t_s.clone(), of(as_commanded), Style::DashedLine));

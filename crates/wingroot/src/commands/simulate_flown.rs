@@ -8,6 +8,9 @@ use nastran::InputError;
 
 use crate::corrections::CorrectedWing;
 
+/// Lower and upper end of an interval at every instant.
+pub(crate) type Band = Vec<[f64; 2]>;
+
 /// A run or a maneuver flown with both models.
 pub(crate) struct Flown {
     /// Its file.
@@ -22,6 +25,8 @@ pub(crate) struct Flown {
     pub(crate) as_commanded: Option<Simulated>,
     /// What the user should know.
     pub(crate) remarks: Vec<String>,
+    /// 90 % intervals of the updated model's Fz, Mx, My; none without an ensemble of wings.
+    pub(crate) spread: Option<[Band; 3]>,
 }
 
 /// The corrections of loads and of deflections at the airspeed of a file; none without wind.

@@ -29,25 +29,25 @@ pub(crate) fn read(
 
 /// Flies them: one rig for each actuator.
 pub(crate) fn fly(
-    maneuvers: Vec<(ManeuverFile, Vec<String>)>,
+    maneuvers: &[(ManeuverFile, Vec<String>)],
     base: &Rig<'_>,
     settings: &RigSettings,
     corrected: &CorrectedWing,
     effects: &WingEffects,
 ) -> Result<Vec<Flown>, Failure> {
     let mut rigs: Vec<(RigSettings, Rig<'_>)> = Vec::new();
-    for (file, _) in &maneuvers {
+    for (file, _) in maneuvers {
         let own = file.settings(settings);
         if own != *settings && !rigs.iter().any(|(known, _)| *known == own) {
             rigs.push((own.clone(), Rig::new(&corrected.wing, own)?));
         }
     }
-    let flown = |(file, remarks): (ManeuverFile, Vec<String>)| {
+    let flown = |(file, remarks): &(ManeuverFile, Vec<String>)| {
         let own = file.settings(settings);
         let rig = rigs.iter().find(|(known, _)| *known == own).map_or(base, |(_, rig)| rig);
-        fly_one(&file, remarks, rig, corrected, effects)
+        fly_one(file, remarks.clone(), rig, corrected, effects)
     };
-    maneuvers.into_par_iter().map(flown).collect()
+    maneuvers.par_iter().map(flown).collect()
 }
 
 fn fly_one(
@@ -95,5 +95,6 @@ fn fly_one(
         as_commanded: None,
         run,
         remarks,
+        spread: None,
     })
 }

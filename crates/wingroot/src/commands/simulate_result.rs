@@ -21,6 +21,8 @@ pub(crate) struct SimulateResult {
     pub(crate) modes: usize,
     /// The approximation of the unsteady air; null if it is quasi-steady.
     pub(crate) air: Option<AirResult>,
+    /// Where the wings are from whose spread intervals are; null without them.
+    pub(crate) intervals_from: Option<String>,
     /// Runs, then maneuvers.
     pub(crate) runs: Vec<RunResult>,
     /// Effects that the updated model flies with; left out if the wing has none.
@@ -60,6 +62,9 @@ pub(crate) struct RunResult {
     pub(crate) residual_rms: Models<Loads>,
     /// What the user should know.
     pub(crate) remarks: Vec<String>,
+    /// Largest half of a 90 % interval of the updated model's loads, as corrections, stiffness and control surfaces are known; null
+    /// without an ensemble of wings.
+    pub(crate) largest_half_interval_90: Option<ByLoad<f64>>,
     /// The residual as a share of the load's variation, percent; null without measurement or for a load that never moves.
     pub(crate) raw_percent: Models<Option<ByLoad<Option<f64>>>>,
 }

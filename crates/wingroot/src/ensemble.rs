@@ -1,0 +1,154 @@
+//! Intervals of what is computed with a calibrated wing: the same again with every wing of its ensemble.
+
+use std::path::Path;
+
+use calibrate::ensemble::interval;
+use calibrate::{Ensemble, Schedule};
+use coupling::ElasticWing;
+use coupling::wing_file::{Departure, Mount, fingerprint};
+use nastran::InputError;
+use rayon::prelude::*;
+use schemars::JsonSchema;
+use serde::Serialize;
+use serde_json::{Map, Value};
+
+use crate::corrections::CorrectedWing;
+use crate::failure::Failure;
+use crate::output::ResultFolder;
+
+/// File of an ensemble, beside the corrections that it spreads about.
+pub(crate) const FILE: &str = "ensemble.ron";
+
+/// 90 % intervals, as corrections, stiffness and control surfaces are known.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct Intervals {
+    /// Where the wings are from whose spread they are.
+    pub(crate) from: String,
+    /// Low and high end in the place of every number of the updated model.
+    pub(crate) of_updated: Value,
+}
+
+/// The ensemble beside corrections; none if there is no such file or it is of other corrections, which is said.
+pub(crate) fn ensemble_beside(
+    corrections: &Path,
+    schedule: &Schedule,
+) -> Result<Option<Ensemble>, InputError> {
+    let path = corrections.with_file_name(FILE);
+    if !path.is_file() {
+        return Ok(None);
+    }
+    let ensemble = Ensemble::read(&path, schedule)?;
+    if ensemble.wing_hash == schedule.wing_hash && ensemble.corrections == fingerprint(&schedule.to_ron()) {
+        return Ok(Some(ensemble));
+    }
+    crate::show::note(&format!("{} is of other corrections: no intervals", path.display()));
+    Ok(None)
+}
+
+impl CorrectedWing {
+    /// Where the wings are from whose spread intervals are, in words; none without them.
+    pub(crate) fn intervals_from(&self) -> Option<String> {
+        let wings = self.ensemble.as_ref()?.members.len();
+        Some(format!("{wings} wings of {}", Path::new(&self.origin).with_file_name(FILE).display()))
+    }
+
+    /// Computes the same with every wing of the ensemble, in their order; empty without one.
+    ///
+    /// # Errors
+    /// Those of `compute`, and if a wing cannot be assembled.
+    pub(crate) fn with_each<T: Send>(
+        &self,
+        compute: impl Fn(&Self) -> Result<T, Failure> + Sync,
+    ) -> Result<Vec<T>, Failure> {
+        let Some(ensemble) = &self.ensemble else { return Ok(Vec::new()) };
+        let names = self.wing.control_names();
+        let members = ensemble.members.par_iter().map(|member| {
+            let mut file = self.file.clone();
+            file.departure = Departure {
+                log_flexibility: member.log_flexibility,
+                controls: names.iter().cloned().zip(member.controls.iter().copied()).collect(),
+            };
+            let wing = ElasticWing::from_bulk(&file, &file.bulk(Mount::Tunnel)?)?;
+            let schedule = Schedule { sets: member.sets.clone(), ..self.schedule.clone() };
+            compute(&Self { file, wing, schedule, origin: self.origin.clone(), ensemble: None })
+        });
+        members.collect()
+    }
+}
+
+/// Writes corrections that were found from those of `corrected`, and the ensemble about them; control surfaces that were `known` by a
+/// measurement since are as certain as it.
+pub(crate) fn write_corrections(
+    folder: &ResultFolder,
+    corrected: &CorrectedWing,
+    schedule: &Schedule,
+    known: &[String],
+) -> Result<(), Failure> {
+    folder.write_text("corrections.ron", &schedule.to_ron())?;
+    let names = corrected.wing.control_names();
+    let known: Vec<usize> = (0..names.len()).filter(|&i| known.contains(&names[i])).collect();
+    let about = corrected.ensemble.clone().and_then(|e| e.about(&corrected.schedule, schedule, &known));
+    about.map_or(Ok(()), |ensemble| folder.write_text(FILE, &ensemble.to_ron()?))
+}
+
+/// The 90 % interval of every number of a result, `[low, high]` in its place; names and what is no number are left out. Where a
+/// wing of the ensemble has no such number (no flutter in range, say), there is no interval.
+pub(crate) fn intervals(value: &Value, members: &[Value]) -> Value {
+    match value {
+        Value::Number(number) => {
+            let here = number.as_f64();
+            let each: Option<Vec<f64>> = members.iter().map(Value::as_f64).collect();
+            match (here, each) {
+                (Some(here), Some(each)) => interval(here, &each).to_vec().into(),
+                _ => Value::Null,
+            }
+        }
+        Value::Array(values) => values
+            .iter()
+            .enumerate()
+            .map(|(i, value)| intervals(value, &at(members, |member| member.get(i))))
+            .collect(),
+        Value::Object(fields) => {
+            let inside = fields.iter().filter(|(_, value)| holds_numbers(value));
+            let each = inside.map(|(name, value)| {
+                (name.clone(), intervals(value, &at(members, |member| member.get(name))))
+            });
+            Value::Object(each.filter(|(_, value)| !value.is_null()).collect::<Map<_, _>>())
+        }
+        _ => Value::Null,
+    }
+}
+
+fn at<'a>(members: &'a [Value], of: impl Fn(&'a Value) -> Option<&'a Value>) -> Vec<Value> {
+    members.iter().map(|member| of(member).cloned().unwrap_or(Value::Null)).collect()
+}
+
+fn holds_numbers(value: &Value) -> bool {
+    match value {
+        Value::Number(_) => true,
+        Value::Array(values) => values.iter().any(holds_numbers),
+        Value::Object(fields) => fields.values().any(holds_numbers),
+        _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::intervals;
+    use serde_json::json;
+
+    /// Members 1.6448... apart in quadrature: closed form of the interval; words vanish, and a number that one wing lacks has none.
+    #[test]
+    fn every_number_has_its_interval_in_its_place_and_none_where_a_wing_has_none() {
+        let value = json!({"name": "trim", "alpha": 2.0, "each": [1.0, 5.0], "flutter": 40.0, "none": null});
+        let members = [
+            json!({"name": "trim", "alpha": 3.0, "each": [1.0, 6.0], "flutter": 41.0, "none": null}),
+            json!({"name": "trim", "alpha": 1.0, "each": [1.0, 4.0], "flutter": null, "none": 3.0}),
+        ];
+        let found = intervals(&value, &members);
+        let half = 1.644_853_627;
+        assert_eq!(found["alpha"], json!([2.0 - half, 2.0 + half]));
+        assert_eq!(found["each"], json!([[1.0, 1.0], [5.0 - half, 5.0 + half]]));
+        assert!(["flutter", "name", "none"].iter().all(|left_out| found.get(left_out).is_none()), "{found}");
+    }
+}
