@@ -24,7 +24,7 @@ array() {
 parts=$(array --dependency="afterok:$prepare" --kill-on-invalid-dep=yes)
 
 # If an element failed, the array once more: elements that are done find nothing to do.
-again=$(array --dependency="afternotok:$parts" --kill-on-invalid-dep=yes)
+again=$(array --dependency="afterok:$prepare,afternotok:$parts" --kill-on-invalid-dep=yes)
 
 # Results, when the first or the second array is complete; names what is missing if something is.
 merge=$(submit --job-name=wingroot-merge --cpus-per-task=1 --time=@PREPARE_MINUTES@ --kill-on-invalid-dep=yes \

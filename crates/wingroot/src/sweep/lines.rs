@@ -5,8 +5,8 @@ const BEFORE: [&[&str]; 5] =
     [&["prepare"], &["merge"], &["status"], &["cluster", "slurm"], &["cluster", "kubernetes"]];
 /// Commands that go over many cases.
 const SWEPT: [&str; 2] = ["fullaircraft", "hidden"];
-/// Options of one process.
-const OWN: [&str; 2] = ["--part", "--case"];
+/// Options of one process, and those of `cluster` itself.
+const OWN: [&str; 6] = ["--part", "--case", "--parts", "--cpus", "--image", "--claim"];
 
 /// The command line of the sweep that this process works on, without its program and without what only this process is to do.
 pub fn sweep_line() -> String {
@@ -57,7 +57,7 @@ mod tests {
         assert_eq!(of("merge fullaircraft --cases a.ron --out x"), "fullaircraft --cases a.ron --out x");
         assert_eq!(of("--out merged status hidden --cases 20"), "--out merged hidden --cases 20");
         assert_eq!(of("hidden --part 3/8 --cases 20 --case=0123"), "hidden --cases 20");
-        assert_eq!(of("cluster slurm fullaircraft --cases a.ron"), "fullaircraft --cases a.ron");
+        assert_eq!(of("cluster slurm --parts 8 --cpus=1 hidden --cases 20"), "hidden --cases 20");
         assert_eq!(of("modes --count 3"), "modes --count 3");
         assert_eq!(quoted("it's"), r"'it'\''s'");
     }
