@@ -4,7 +4,7 @@ mod common;
 
 use common::{beam_wing, path, whole};
 use fullaircraft::cases::envelope::load_envelope;
-use fullaircraft::cases::grid::groups;
+use fullaircraft::cases::list::groups;
 use fullaircraft::{Aircraft, AircraftError, Case, CaseFlight, CaseResult, CasesFile, TrimTools};
 
 /// The shipped grid without what is flown in time.
@@ -109,7 +109,7 @@ fn a_grid_that_makes_no_sense_is_refused_by_its_place() {
     }
     let many: Vec<String> = (0..60_000).map(|i| format!("{}", f64::from(i) / 1000.0)).collect();
     let said = refused("[30.0, 60.0]", &format!("[{}]", many.join(", ")));
-    assert!(said.contains("cases, and 200000 are the most of a file"), "{said}");
+    assert!(said.contains("cases, and 5000000 are the most of a file"), "{said}");
     assert!(refused("frequency_hz: 5.0", "frequency_hz: 0.0").contains("maneuvers"));
     assert!(refused("Level,", "Levle,").contains("Levle"));
     assert!(refused("y_m: 0.45", "y_m: inf").contains("inf"));

@@ -32,6 +32,7 @@ pub mod schemas;
 pub mod show;
 pub mod store;
 pub mod structures;
+pub mod sweep;
 pub mod version;
 
 use common::Common;

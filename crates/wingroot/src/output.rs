@@ -7,6 +7,7 @@
 //! What is written is remembered: figures become PNG and CSV beside their SVG, and all of it with `result.json` and the
 //! inputs becomes `report.html`, without a command having to know how a page is made.
 
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
@@ -73,12 +74,28 @@ impl ResultFolder {
     /// # Errors
     /// If the file cannot be written, or a file of numbers (CSV, RON, cards, ParaView) has one that is not finite.
     pub fn write_text(&self, name: &str, text: &str) -> Result<(), Failure> {
-        if let Some(word) = not_finite(name, text) {
-            return Err(Failure::Computation(format!(
-                "{name} would hold `{word}`, which is no result: nothing is written"
-            )));
-        }
+        check_finite(name, text)?;
         self.write_bytes(name, text.as_bytes())
+    }
+
+    /// Writes a text file of any length, line by line.
+    ///
+    /// # Errors
+    /// As [`write_text`](Self::write_text), and what a line says that could not be made.
+    pub fn write_lines(
+        &self,
+        name: &str,
+        lines: impl Iterator<Item = Result<String, Failure>>,
+    ) -> Result<(), Failure> {
+        let path = self.partial.join(name);
+        let file = std::fs::File::create(&path).map_err(|e| refused(&path, &e))?;
+        let mut file = std::io::BufWriter::new(file);
+        for line in lines {
+            let line = line?;
+            check_finite(name, &line)?;
+            file.write_all(line.as_bytes()).map_err(|e| refused(&path, &e))?;
+        }
+        file.flush().map_err(|e| refused(&path, &e))
     }
 
     /// Writes a file of any kind; `name` may contain folders.
@@ -291,6 +308,11 @@ impl Drop for ResultFolder {
             let _ = std::fs::remove_dir_all(&self.partial);
         }
     }
+}
+
+fn check_finite(name: &str, text: &str) -> Result<(), Failure> {
+    let Some(word) = not_finite(name, text) else { return Ok(()) };
+    Err(Failure::Computation(format!("{name} would hold `{word}`, which is no result: nothing is written")))
 }
 
 /// The first number of a file of numbers that is not finite.

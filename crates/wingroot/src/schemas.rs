@@ -14,7 +14,7 @@ use crate::commands::deck_result::DeckResult;
 use crate::commands::deflection_result::DeflectionResult;
 use crate::commands::flutter_result::FlutterResult;
 use crate::commands::fullaircraft::FullaircraftResult;
-use crate::commands::fullaircraft_cases::Summary as CasesSummary;
+use crate::commands::fullaircraft_cases_merged::Summary as CasesSummary;
 use crate::commands::fullaircraft_deck::Summary as DeckSummary;
 use crate::commands::modes_result::{ModesMeasuredResult, ModesResult};
 use crate::commands::pipeline_result::PipelineResult;

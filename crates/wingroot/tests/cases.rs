@@ -1,9 +1,13 @@
 //! `fullaircraft --cases`, killed in the middle and started again: the same files, byte for byte, as of a run left alone.
 
+mod segments;
+
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
+
+use segments::finished;
 
 const CASES: &str = r#"Cases(
     name: "a small grid",
@@ -37,12 +41,6 @@ fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     entries.map(|e| (e.file_name().to_string_lossy().into_owned(), read(&e.path()))).collect()
 }
 
-/// Cases that are finished and kept beside the folder.
-fn kept(store: &Path) -> usize {
-    let Ok(entries) = std::fs::read_dir(store) else { return 0 };
-    entries.flatten().filter(|e| e.path().extension().is_some_and(|kind| kind == "json")).count()
-}
-
 #[test]
 fn a_killed_run_goes_on_and_ends_with_the_same_bytes() {
     let folder = std::env::temp_dir().join(format!("wingroot-cases-{}", std::process::id()));
@@ -64,14 +62,14 @@ fn a_killed_run_goes_on_and_ends_with_the_same_bytes() {
         .spawn()
         .expect("the command starts");
     let start = Instant::now();
-    while kept(&store) < 3 {
+    while finished(&store).len() < 3 {
         assert!(start.elapsed() < Duration::from_secs(300), "no case was finished");
         assert!(child.try_wait().expect("a child").is_none(), "it was done before it could be stopped");
         std::thread::sleep(Duration::from_millis(1));
     }
     child.kill().expect("it was running");
     child.wait().expect("a child");
-    let before = kept(&store);
+    let before = finished(&store).len();
     assert!((3..total).contains(&before), "{before} of {total} cases were finished");
     assert!(!stopped.join("result.json").exists(), "results are whole or not there");
 

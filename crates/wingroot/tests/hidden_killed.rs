@@ -1,11 +1,14 @@
 //! The blind benchmark, killed in the middle and started again: the verdicts of a run left alone, and no half-written file.
 //! Minutes: with RUN_SLOW_TESTS=1 only.
 
+mod segments;
+
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
+use segments::finished;
 use serde_json::Value;
 
 const CASES: usize = 4;
@@ -19,19 +22,14 @@ fn command(out: &Path) -> Command {
     command
 }
 
-/// All files with an ending in a folder, read as JSON, but for the seconds.
+/// All verdicts, or answers, that a folder keeps, but for the seconds.
 fn verdicts(folder: &Path) -> BTreeMap<String, Value> {
-    let Ok(entries) = std::fs::read_dir(folder) else { return BTreeMap::new() };
-    let files = entries.flatten().map(|entry| entry.path());
-    files
-        .filter(|path| path.extension().is_some_and(|ending| ending == "json"))
-        .map(|path| {
-            let text = std::fs::read_to_string(&path).expect("a file");
-            let mut value: Value = serde_json::from_str(&text).expect("a whole file");
-            value["seconds"] = Value::Null;
-            (path.file_name().expect("a name").to_string_lossy().into_owned(), value)
-        })
-        .collect()
+    let timeless = |(hash, text): (String, String)| {
+        let mut value: Value = serde_json::from_str(&text).expect("JSON");
+        value["seconds"] = Value::Null;
+        (hash, value)
+    };
+    finished(folder).into_iter().map(timeless).collect()
 }
 
 #[test]
@@ -76,8 +74,9 @@ fn a_killed_benchmark_goes_on_and_ends_with_the_same_verdicts() {
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     assert_eq!(verdicts(&kept), expected);
     assert_eq!(verdicts(&of(&stopped, "sealed")), verdicts(&of(&whole, "sealed")));
-    let metrics = |out: &Path| verdicts(out)["result.json"]["confusion"].clone();
+    let metrics = |out: &Path| {
+        let text = std::fs::read_to_string(out.join("result.json")).expect("a result");
+        serde_json::from_str::<Value>(&text).expect("JSON")["confusion"].clone()
+    };
     assert_eq!(metrics(&stopped), metrics(&whole));
-    let partial = std::fs::read_dir(&kept).expect("a folder").flatten();
-    assert!(partial.into_iter().all(|e| e.path().extension().is_none_or(|ending| ending != "partial")));
 }

@@ -1,10 +1,14 @@
 //! Commands killed at random moments and started again: nothing that was finished is lost, nothing of the user's is touched, and
 //! the end is that of a run left alone. A hundred kills with RUN_SLOW_TESTS=1, a few of the quick commands otherwise.
 
+mod segments;
+
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Duration;
+
+use segments::finished;
 
 const THESIS: &str = "years of work";
 const CASES: &str = r#"Cases(
@@ -75,19 +79,12 @@ fn finishes(folder: &Path, arguments: &[&str]) {
     assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
 }
 
-/// Finished parts, each whole: their texts by name.
+/// Finished cases of a store and of those below it, each whole: their results by folder and hash.
 fn parts(folder: &Path) -> BTreeMap<PathBuf, String> {
-    let mut found = BTreeMap::new();
-    for path in std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path()) {
-        if path.is_dir() {
-            found.extend(parts(&path));
-        } else if path.extension().is_some_and(|ending| ending == "json") {
-            let text = std::fs::read_to_string(&path).expect("a file");
-            let whole: Result<serde_json::Value, _> = serde_json::from_str(&text);
-            assert!(whole.is_ok(), "{} is half-written", path.display());
-            found.insert(path, text);
-        }
-    }
+    let of_folder = finished(folder).into_iter().map(|(hash, result)| (folder.join(hash), result));
+    let mut found: BTreeMap<PathBuf, String> = of_folder.collect();
+    let below = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
+    below.filter(|path| path.is_dir()).for_each(|path| found.extend(parts(&path)));
     found
 }
 

@@ -1,7 +1,8 @@
 //! The time of 1000 trim cases of the shipped aircraft: 50 maneuvers at ten airspeeds with two models, loads at eight stations included.
 
 use coupling::wing_file::StationAt;
-use fullaircraft::cases::grid::{Case, CaseResult, groups};
+use fullaircraft::cases::grid::CaseResult;
+use fullaircraft::cases::list::{Case, groups};
 use fullaircraft::{Aircraft, CaseFlight, CasesFile, TrimTools};
 use rayon::prelude::*;
 use serde_json::{Value, json};

@@ -19,9 +19,9 @@ const ANGLES_DEG: RangeInclusive<f64> = -90.0..=90.0;
 /// Longest motion, s.
 const LONGEST_S: f64 = 600.0;
 /// Most cases of a file.
-const MOST_CASES: usize = 200_000;
-/// What a case takes in memory until all are written, bytes: its loads at all stations, as numbers and as text.
-const MEMORY_A_CASE: f64 = 20_000.0;
+const MOST_CASES: usize = 5_000_000;
+/// What a case takes in memory, bytes: its hash and where its result stands; the result itself is in files.
+const MEMORY_A_CASE: f64 = 300.0;
 
 impl CasesFile {
     /// Numbers that cannot be, and too many of them.

@@ -3,6 +3,7 @@
 use crate::cases::grid::{CaseResult, StationLoads};
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::collections::HashMap;
 use std::fmt::Write as _;
 
 /// Names of the three loads with their units.
@@ -27,42 +28,61 @@ pub struct Extreme {
     pub flown: String,
 }
 
-/// Both ends of all loads, by model, station and load; of cases that give the same the first counts.
-pub fn load_envelope(results: &[CaseResult]) -> Vec<Extreme> {
-    let mut all: Vec<Extreme> = Vec::new();
-    for result in results {
+/// The envelope of cases that come one by one; of cases that give the same the first counts.
+#[derive(Debug, Default)]
+pub struct LoadEnvelope {
+    all: Vec<Extreme>,
+    /// First of the six extremes of a model's station.
+    first: HashMap<String, HashMap<String, usize>>,
+}
+
+impl LoadEnvelope {
+    /// Takes in a case.
+    pub fn add(&mut self, result: &CaseResult) {
         for place in &result.loads {
-            for (load, range) in LOADS.into_iter().zip(ranges(place)) {
-                for (end, value) in ["smallest", "largest"].into_iter().zip(range) {
-                    let known = all.iter_mut().find(|e| {
-                        e.model == result.model
-                            && e.station == place.station
-                            && e.load == load
-                            && e.end == end
-                    });
-                    let further = |known: &Extreme| match end {
-                        "smallest" => value < known.value,
-                        _ => value > known.value,
-                    };
-                    let one = || Extreme {
-                        model: result.model.clone(),
-                        station: place.station.clone(),
-                        load,
-                        end,
-                        value,
-                        case: result.number,
-                        flown: result.label(),
-                    };
-                    match known {
-                        Some(known) if further(known) => *known = one(),
-                        Some(_) => {}
-                        None => all.push(one()),
+            let known = self.first.get(&result.model).and_then(|stations| stations.get(&place.station));
+            if let Some(&first) = known {
+                let ends = ranges(place).into_iter().flatten();
+                for (known, value) in self.all[first..].iter_mut().zip(ends) {
+                    let further =
+                        if known.end == "smallest" { value < known.value } else { value > known.value };
+                    if further {
+                        (known.value, known.case, known.flown) = (value, result.number, result.label());
                     }
+                }
+            } else {
+                let stations = self.first.entry(result.model.clone()).or_default();
+                stations.insert(place.station.clone(), self.all.len());
+                for (load, range) in LOADS.into_iter().zip(ranges(place)) {
+                    self.all.extend(["smallest", "largest"].into_iter().zip(range).map(|(end, value)| {
+                        Extreme {
+                            model: result.model.clone(),
+                            station: place.station.clone(),
+                            load,
+                            end,
+                            value,
+                            case: result.number,
+                            flown: result.label(),
+                        }
+                    }));
                 }
             }
         }
     }
-    all
+
+    /// Both ends of all loads, by model, station and load.
+    pub fn extremes(self) -> Vec<Extreme> {
+        self.all
+    }
+}
+
+/// Both ends of all loads, by model, station and load.
+pub fn load_envelope(results: &[CaseResult]) -> Vec<Extreme> {
+    let mut envelope = LoadEnvelope::default();
+    for result in results {
+        envelope.add(result);
+    }
+    envelope.extremes()
 }
 
 /// The three ranges of a station in the order of [`LOADS`].
@@ -84,61 +104,70 @@ pub fn envelope_csv(envelope: &[Extreme]) -> String {
     text
 }
 
-/// All cases as CSV, a row each: what was flown, trim, tips and loads; empty where a case has no such number.
-pub fn cases_csv(results: &[CaseResult]) -> String {
-    let values = longest(results, |result| result.values.keys().cloned().collect());
-    let stations = longest(results, |result| result.loads.iter().map(|s| s.station.clone()).collect());
-    let mut text = String::from("case,model,maneuver,V_m_s,load_factor,refused");
-    for name in &values {
-        let _ = write!(text, ",{name}");
-    }
-    text += ",right_tip_min_m,right_tip_max_m,left_tip_min_m,left_tip_max_m";
-    for station in &stations {
-        let place = station.replace(' ', "_");
-        for load in LOADS {
-            let _ = write!(text, ",{place}_{load}_min,{place}_{load}_max");
-        }
-    }
-    text.push('\n');
-    for result in results {
-        text += &row(result, &values, &stations);
-    }
-    text
+/// The columns of a table of cases: names of values and stations of the case that has most of them.
+#[derive(Debug, Clone, Default)]
+pub struct CaseColumns {
+    /// Names of values.
+    pub values: Vec<String>,
+    /// Stations.
+    pub stations: Vec<String>,
 }
 
-fn longest(results: &[CaseResult], names: impl Fn(&CaseResult) -> Vec<String>) -> Vec<String> {
-    let lists = results.iter().map(names);
-    lists.fold(Vec::new(), |longest, list| if list.len() > longest.len() { list } else { longest })
-}
+impl CaseColumns {
+    /// Takes in a case.
+    pub fn add(&mut self, result: &CaseResult) {
+        if result.values.len() > self.values.len() {
+            self.values = result.values.keys().cloned().collect();
+        }
+        if result.loads.len() > self.stations.len() {
+            self.stations = result.loads.iter().map(|place| place.station.clone()).collect();
+        }
+    }
 
-fn row(result: &CaseResult, values: &[String], stations: &[String]) -> String {
-    let refused = result.refused.as_deref().unwrap_or_default().replace('"', "'");
-    let mut text = format!(
-        "{},{},\"{}\",{},{},\"{refused}\"",
-        result.number, result.model, result.maneuver, result.v_m_s, result.load_factor
-    );
-    let mut cell = |value: Option<f64>| {
-        text.push(',');
-        if let Some(value) = value {
-            let _ = write!(text, "{value}");
-        }
-    };
-    for name in values {
-        cell(result.values.get(name).copied());
+    /// The names of all numbers of a row, in the order of [`numbers`](Self::numbers), with their units.
+    pub fn names(&self) -> Vec<String> {
+        let tips = ["right", "left"]
+            .into_iter()
+            .flat_map(|side| ["min", "max"].map(|end| format!("{side}_tip_{end}_m")));
+        let loads = self.stations.iter().flat_map(|station| {
+            let place = station.replace(' ', "_");
+            LOADS.into_iter().flat_map(move |load| ["min", "max"].map(|end| format!("{place}_{load}_{end}")))
+        });
+        self.values.iter().cloned().chain(tips).chain(loads).collect()
     }
-    for side in 0..2 {
-        for end in 0..2 {
-            cell(result.tip_deflection_m.get(side).map(|range| range[end]));
+
+    /// The numbers of a row: values, heights of the tips, loads.
+    pub fn numbers(&self, result: &CaseResult) -> Vec<Option<f64>> {
+        let mut all: Vec<Option<f64>> =
+            self.values.iter().map(|name| result.values.get(name).copied()).collect();
+        for side in 0..2 {
+            all.extend([0, 1].map(|end| result.tip_deflection_m.get(side).map(|range| range[end])));
         }
-    }
-    for station in stations {
-        let place = result.loads.iter().find(|place| place.station == *station);
-        for load in 0..3 {
-            for end in 0..2 {
-                cell(place.map(|place| ranges(place)[load][end]));
-            }
+        for station in &self.stations {
+            let place = result.loads.iter().find(|place| place.station == *station);
+            all.extend((0..6).map(|at| place.map(|place| ranges(place)[at / 2][at % 2])));
         }
+        all
     }
-    text.push('\n');
-    text
+
+    /// The first line of the table as CSV.
+    pub fn csv_head(&self) -> String {
+        format!("case,model,maneuver,V_m_s,load_factor,refused,{}\n", self.names().join(","))
+    }
+
+    /// A line of the table as CSV: what was flown, trim, tips and loads; empty where a case has no such number.
+    pub fn csv_row(&self, result: &CaseResult) -> String {
+        let refused = result.refused.as_deref().unwrap_or_default().replace('"', "'");
+        let mut text = format!(
+            "{},{},\"{}\",{},{},\"{refused}\"",
+            result.number, result.model, result.maneuver, result.v_m_s, result.load_factor
+        );
+        for value in self.numbers(result) {
+            text.push(',');
+            // Writing to a String cannot fail.
+            let _ = value.map_or(Ok(()), |value| write!(text, "{value}"));
+        }
+        text.push('\n');
+        text
+    }
 }

@@ -6,35 +6,20 @@
 use crate::aircraft::assembly::Aircraft;
 use crate::aircraft::file::FlightPoint;
 use crate::cases::file::{Action, CasesFile};
+use crate::cases::list::{Case, MODELS};
 use crate::error::AircraftError;
 use crate::flight::air::FlightAir;
 use crate::flight::history::FlightHistory;
 use crate::flight::small_motions::FreeFlight;
 use crate::trim::case::{TrimAt, TrimTools};
-use crate::trim::maneuvers::Steady;
 use crate::trim::model::FlightModel;
 use crate::{LiftLimits, Trimmed};
-use maneuver::motion::tidy_degrees;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// Models of a case, in the order of results.
-pub const MODELS: [&str; 2] = ["initial", "updated"];
-
-/// One case.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Case {
-    /// Its place in the grid.
-    pub number: usize,
-    /// Which of [`MODELS`].
-    pub model: usize,
-    /// Airspeed, m/s.
-    pub v_m_s: f64,
-    /// What is flown.
-    pub action: Action,
-}
-
+/// How cases are flown and written; another number where results of the same version would not be comparable.
+const RULES: &str = "3";
 /// Smallest and largest loads at a station; the same twice in steady flight.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct StationLoads {
@@ -91,48 +76,13 @@ pub struct CaseFlight<'a> {
     pub limits: Option<&'a [LiftLimits]>,
 }
 
-impl CasesFile {
-    /// All cases: model by model, airspeed by airspeed, in the file's order.
-    pub fn cases(&self) -> Vec<Case> {
-        let actions = self.actions();
-        let mut cases = Vec::new();
-        for model in 0..MODELS.len() {
-            for &v_m_s in &self.airspeeds_v_m_s {
-                for action in &actions {
-                    cases.push(Case { number: cases.len(), model, v_m_s, action: action.clone() });
-                }
-            }
-        }
-        cases
-    }
+/// A model at one airspeed, or why it cannot fly there.
+#[derive(Debug)]
+pub struct GroupAt<'a> {
+    at: Result<TrimAt<'a>, String>,
 }
 
 impl Case {
-    /// The trim it is, or the level flight it starts from.
-    fn steady(&self) -> Steady {
-        if let Action::Steady(steady) = &self.action { steady.clone() } else { Steady::Level }
-    }
-
-    /// What is flown, in a few words.
-    pub fn maneuver(&self) -> String {
-        match &self.action {
-            Action::Steady(Steady::Roll { rate_deg_s, control, .. }) => {
-                format!("roll {rate_deg_s} deg/s, {control}")
-            }
-            Action::Steady(Steady::Sideslip { beta_deg, .. }) => format!("sideslip {beta_deg} deg"),
-            Action::Steady(steady) => steady.kind().to_owned(),
-            Action::Motion(motion) => {
-                let (kind, control) = (motion.kind(), motion.control().unwrap_or_default());
-                format!("{} {} deg, {control}", kind.words(), tidy_degrees(kind.height()))
-            }
-        }
-    }
-
-    /// Whether it is flown in time.
-    pub fn is_dynamic(&self) -> bool {
-        !matches!(self.action, Action::Steady(_))
-    }
-
     fn blank(&self) -> CaseResult {
         CaseResult {
             number: self.number,
@@ -150,50 +100,48 @@ impl Case {
 }
 
 impl CaseFlight<'_> {
-    /// Flies cases of one model at one airspeed: one factorisation for all trims among them. `done` gets each result in turn
-    /// and may stop the rest with an error.
+    /// Flies cases of one model at one airspeed, one after the other: one factorisation for all trims among them. `done` gets
+    /// each result in turn and may stop the rest with an error.
     ///
     /// # Errors
-    /// Unknown names, structures without modes, and what `done` says. What cannot be trimmed is a result.
+    /// As those of [`one`](Self::one), and what `done` says.
     pub fn fly<E: From<AircraftError>>(
         &self,
         cases: &[&Case],
         done: &mut dyn FnMut(&Case, CaseResult) -> Result<(), E>,
     ) -> Result<(), E> {
         let Some(first) = cases.first() else { return Ok(()) };
-        let model = self.models[first.model];
-        let at = match self.tools.at(model, first.v_m_s) {
-            Ok(at) => at,
-            Err(error) => {
-                for case in cases {
-                    done(case, CaseResult { refused: Some(error.to_string()), ..case.blank() })?;
-                }
-                return Ok(());
-            }
-        };
-        for case in cases {
-            let result = self.fly_one(case, model, &at)?;
-            done(case, result.if_finite())?;
-        }
-        Ok(())
+        let at = self.at(first);
+        cases.iter().try_for_each(|case| done(case, self.one(case, &at)?))
     }
 
-    fn fly_one(
-        &self,
-        case: &Case,
-        model: &FlightModel<'_>,
-        at: &TrimAt<'_>,
-    ) -> Result<CaseResult, AircraftError> {
-        let aircraft = self.tools.aircraft;
-        let mut result = case.blank();
-        let balanced = match at.solve(&case.steady().case(&aircraft.file, case.v_m_s)) {
-            Ok(balanced) => balanced,
-            Err(AircraftError::NotTrimmable { why, .. }) => {
-                result.refused = Some(why);
-                return Ok(result);
-            }
-            Err(other) => return Err(other),
+    /// What all cases of this one's model and airspeed are flown with.
+    pub fn at(&self, case: &Case) -> GroupAt<'_> {
+        GroupAt { at: self.tools.at(self.models[case.model], case.v_m_s).map_err(|error| error.to_string()) }
+    }
+
+    /// Flies a case of the model and airspeed that `at` is of.
+    ///
+    /// # Errors
+    /// Names that the aircraft does not know. Whatever else goes wrong is a result.
+    pub fn one(&self, case: &Case, at: &GroupAt<'_>) -> Result<CaseResult, AircraftError> {
+        let refused = |why: String| CaseResult { refused: Some(why), ..case.blank() };
+        let at = match &at.at {
+            Ok(at) => at,
+            Err(why) => return Ok(refused(why.clone())),
         };
+        match self.flown(case, at) {
+            Ok(result) => Ok(result.if_finite()),
+            Err(AircraftError::NotTrimmable { why, .. }) => Ok(refused(why)),
+            Err(AircraftError::Input(error)) => Err(AircraftError::Input(error)),
+            Err(other) => Ok(refused(other.to_string())),
+        }
+    }
+
+    fn flown(&self, case: &Case, at: &TrimAt<'_>) -> Result<CaseResult, AircraftError> {
+        let (aircraft, model) = (self.tools.aircraft, self.models[case.model]);
+        let mut result = case.blank();
+        let balanced = at.solve(&case.steady().case(&aircraft.file, case.v_m_s))?;
         let pair = |value: f64| [value, value];
         let point = FlightPoint {
             v_m_s: case.v_m_s,
@@ -284,31 +232,22 @@ fn range(values: &[f64]) -> [f64; 2] {
     if values.iter().all(|value| value.is_finite()) { [low, high] } else { [f64::NAN; 2] }
 }
 
-/// Cases sorted into groups that [`CaseFlight::fly`] takes: one for each model and airspeed.
-pub fn groups(cases: &[Case]) -> Vec<Vec<&Case>> {
-    let mut groups: Vec<Vec<&Case>> = Vec::new();
-    for case in cases {
-        let together = |group: &&mut Vec<&Case>| group[0].model == case.model && group[0].v_m_s == case.v_m_s;
-        match groups.iter_mut().find(together) {
-            Some(group) => group.push(case),
-            None => groups.push(vec![case]),
-        }
-    }
-    groups
-}
-
 impl Aircraft {
-    /// What results of cases depend on beside the case, as text: the aircraft, its wing, the corrections of one wing's boxes
-    /// and the stations.
-    pub fn inputs_of_cases(&self, corrections: &aero::Corrections, file: &CasesFile) -> String {
-        format!(
-            "2 {} {:?} {} {:?} {:?} {corrections:?}",
-            env!("CARGO_PKG_VERSION"),
-            AircraftFileText(&self.file),
-            self.wing.hash,
-            self.file.lift_limits().ok(),
-            file.stations,
-        )
+    /// What results of cases depend on beside the case, as text by name: the aircraft, its wing, the corrections of one wing's
+    /// boxes, the stations, and how results are made and written.
+    pub fn inputs_of_cases(
+        &self,
+        corrections: &aero::Corrections,
+        file: &CasesFile,
+    ) -> [(&'static str, String); 5] {
+        let limits = self.file.lift_limits().ok();
+        [
+            ("aircraft", format!("{:?} {limits:?}", AircraftFileText(&self.file))),
+            ("wing", self.wing.hash.clone()),
+            ("corrections", format!("{corrections:?}")),
+            ("stations", format!("{:?}", file.stations)),
+            ("rules of cases", RULES.to_owned()),
+        ]
     }
 }
 

@@ -4,3 +4,4 @@ mod check;
 pub mod envelope;
 pub mod file;
 pub mod grid;
+pub mod list;

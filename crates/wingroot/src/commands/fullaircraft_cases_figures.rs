@@ -1,11 +1,15 @@
 //! The figures of `fullaircraft --cases`: the load envelope along the span, and all cases at the right root.
 
 use fullaircraft::cases::envelope::{Extreme, LOADS, ranges};
-use fullaircraft::cases::grid::{CaseResult, MODELS};
+use fullaircraft::cases::grid::CaseResult;
+use fullaircraft::cases::list::MODELS;
 use fullaircraft::{Station, Stations};
 use report::{Figure, Panel, Series, Style};
 
 use crate::pages::values::with_unit;
+
+/// The station of which all cases are drawn.
+pub(crate) const DRAWN_STATION: &str = "right root";
 
 /// The envelope of the right wing's stations over y, initial dashed beside updated.
 pub(crate) fn envelope(stations: &Stations, envelope: &[Extreme]) -> Figure {
@@ -44,7 +48,7 @@ pub(crate) fn envelope(stations: &Stations, envelope: &[Extreme]) -> Figure {
 pub(crate) fn cloud(results: &[CaseResult]) -> Figure {
     let points = |model: &str, across: usize, up: usize| {
         let of_model = results.iter().filter(|result| result.model == model);
-        let loads = of_model.filter_map(|result| result.loads.iter().find(|s| s.station == "right root"));
+        let loads = of_model.filter_map(|result| result.loads.iter().find(|s| s.station == DRAWN_STATION));
         let pairs: Vec<(f64, f64)> = loads
             .flat_map(|place| [0, 1].map(|end| (ranges(place)[across][end], ranges(place)[up][end])))
             .collect();

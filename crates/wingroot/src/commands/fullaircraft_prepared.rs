@@ -12,6 +12,7 @@ use crate::commands::fullaircraft_effects;
 use crate::corrections::{CorrectedWing, corrected_wing};
 use crate::failure::Failure;
 use crate::paths;
+use crate::sweep::SweepArgs;
 
 /// Options of `fullaircraft`.
 #[derive(Debug, Clone, Default, Args)]
@@ -33,6 +34,9 @@ pub struct FullaircraftArgs {
     /// A grid of airspeeds, load factors and maneuvers (data/tuflex/cases.ron explains every field)
     #[arg(long, value_name = "FILE.ron")]
     pub(crate) cases: Option<PathBuf>,
+    /// Which of the cases
+    #[command(flatten)]
+    pub(crate) sweep: SweepArgs,
     /// The trims of a whole-aircraft Nastran deck (SOL 144) instead of the aircraft
     #[arg(long, value_name = "FILE.bdf", conflicts_with_all = ["cases", "aircraft", "wing", "campaign", "corrections"])]
     pub(crate) deck: Option<PathBuf>,

@@ -4,26 +4,25 @@
 //! A case and its verdict go to one folder, its sealed answer to another that only the scoring reads. Cases that have a verdict
 //! are not done again.
 
-use clap::{Args, ValueEnum};
-use nastran::InputError;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Instant;
 
-use coupling::ElasticWing;
-use discover::analysis::{Prepared, Rigs};
-use discover::finding::{Finding, Sources};
-use discover::model_form::LatticeVariant;
-use discover::null_distribution::NullDistribution;
+use clap::Args;
 use discover::result::DiscoverResult;
-use discover::rules::Rules;
 use hidden::score::{BenchmarkResult, gates};
-use hidden::{Answer, Bench, Case, CasePlan, Class, Families, Fineness, Mix, cases, score};
+use hidden::{Answer, Bench, CasePlan, Class, Families, Mix, cases, score};
 
 use crate::args::{Common, whole};
+use crate::commands::hidden_judge::{Judge, Setting, wing, with_judge};
+use crate::commands::hidden_truth::Truth;
 use crate::failure::Failure;
+use crate::fingerprint::Fingerprint;
 use crate::output::ResultFolder;
 use crate::store::Store;
-use crate::{blind, kept_nulls, progress, show};
+use crate::sweep::estimate::{Estimate, peak_memory_bytes};
+use crate::sweep::split::{Weighed, share_of};
+use crate::sweep::{SweepArgs, Task, merging, status};
+use crate::{progress, show};
 
 /// Options of `hidden`.
 #[derive(Debug, Clone, Default, Args)]
@@ -48,41 +47,11 @@ pub struct HiddenArgs {
     /// Judge no case, score those that were judged before
     #[arg(long)]
     pub(crate) finished: bool,
+    /// Which of the cases
+    #[command(flatten)]
+    pub(crate) sweep: SweepArgs,
 }
 
-/// The programs that make campaigns.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Truth {
-    /// The model's own library with another mesh: fast
-    #[default]
-    #[value(name = "doublet")]
-    DoubletLattice,
-    /// A vortex lattice and a beam of their own, which share nothing with the model
-    Vortex,
-}
-
-impl Truth {
-    /// Name in results.
-    fn name(self) -> &'static str {
-        match self {
-            Self::DoubletLattice => "doublet",
-            Self::Vortex => "vortex",
-        }
-    }
-
-    /// Folder of results if none is named.
-    fn folder(self) -> &'static str {
-        match self {
-            Self::DoubletLattice => "hidden",
-            Self::Vortex => "hidden_vortex",
-        }
-    }
-}
-
-/// The example and its file of the wing in whose model effects are missing; it is unpacked beside the cases.
-const WING: (&str, &str) = ("tuflex", "wing_beam.ron");
-/// First seed of the calibration range: the null distribution's campaign.
-const NULLS_SEED: u64 = 1_000_000;
 /// First seed of the development range.
 const FIRST_SEED: u64 = 1;
 
@@ -90,19 +59,6 @@ impl From<tunnel::TunnelError> for Failure {
     fn from(error: tunnel::TunnelError) -> Self {
         Self::computation(error)
     }
-}
-
-/// What serves all cases.
-struct Judge<'a> {
-    rigs: Rigs<'a>,
-    nulls: NullDistribution,
-    folder: PathBuf,
-    sealed: PathBuf,
-    own_static_points: bool,
-    truth: Truth,
-    common: Common,
-    /// What the null distribution took, s.
-    nulls_seconds: f64,
 }
 
 /// A case with its time and model runs, for `bench`.
@@ -124,13 +80,13 @@ pub struct Timed {
 pub fn timed_case(folder: &Path) -> Result<Timed, Failure> {
     let timed = with_judge(
         [folder, folder],
-        &HiddenArgs::default(),
-        &Common { quiet: true, ..Common::default() },
+        HiddenArgs::default().setting(),
+        ("bench", &Common { quiet: true, ..Common::default() }),
         |judge, bench| {
             let plan = cases(FIRST_SEED, 3, &Mix::only(Class::Paper)).remove(2);
-            judge.written(&bench.case(&plan), "case")?;
+            let case = judge.written(&bench.case(&plan), "case")?;
             let start = Instant::now();
-            let prepared = judge.read(&folder.join("case"), &plan)?;
+            let prepared = judge.read(&case, &plan)?;
             let report = prepared.search(&judge.nulls, plan.seed);
             let seconds = start.elapsed().as_secs_f64();
             Ok(Timed {
@@ -145,76 +101,31 @@ pub fn timed_case(folder: &Path) -> Result<Timed, Failure> {
     timed
 }
 
-/// The wing's file, unpacked into a folder of cases.
-fn wing(folder: &Path) -> Result<PathBuf, Failure> {
-    let (example, file) = WING;
-    let unpacked = folder.join(example);
-    let example =
-        shipped::example(example).ok_or_else(|| Failure::computation("the program lacks its example"))?;
-    example.write(&unpacked).map_err(|error| {
-        InputError::in_file(&unpacked, format!("the wing cannot be unpacked here: {error}"))
-            .with_help("choose another folder with --out DIR")
-    })?;
-    Ok(unpacked.join(file))
-}
-
-/// Sets up the shipped wing and the benchmark's null distribution in a folder of cases (the second is for answers), and works
-/// with them.
-fn with_judge<T>(
-    [folder, sealed]: [&Path; 2],
-    args: &HiddenArgs,
-    common: &Common,
-    work: impl FnOnce(&Judge<'_>, &Bench) -> Result<T, Failure>,
-) -> Result<T, Failure> {
-    let path = wing(folder)?;
-    let mut bench = Bench::new(&path, Fineness::BENCHMARK)?;
-    if args.truth == Truth::Vortex {
-        bench = bench.with_vortices(&path)?;
-    }
-    let (file, wing) = ElasticWing::read(&path)?;
-    let rules = Rules::default();
-    let lattice = LatticeVariant::of(&file, &wing, &rules.variants);
-    let mut judge = Judge {
-        rigs: Rigs::new(&file, &wing, lattice.as_ref(), rules)?,
-        nulls: NullDistribution::default(),
-        folder: folder.to_path_buf(),
-        sealed: sealed.to_path_buf(),
-        own_static_points: args.own_static_points,
-        truth: args.truth,
-        common: common.clone(),
-        nulls_seconds: 0.0,
-    };
-    let start = Instant::now();
-    judge.nulls = judge.null_distribution(&bench)?;
-    judge.nulls_seconds = start.elapsed().as_secs_f64();
-    work(&judge, &bench)
+/// What is asked for, while the judge is there.
+struct Session<'a> {
+    judge: &'a Judge<'a>,
+    bench: &'a Bench,
+    args: &'a HiddenArgs,
+    seed: u64,
+    common: &'a Common,
 }
 
 /// Runs the command.
 pub(crate) fn run(args: &HiddenArgs, common: &Common) -> Result<(), Failure> {
     let start = Instant::now();
+    let task = args.sweep.task()?;
     let out = common.out(args.truth.folder());
     let seed = common.seed.unwrap_or(FIRST_SEED);
     let folders = [out.with_extension("cases"), out.with_extension("sealed")];
     let folders = [folders[0].as_path(), folders[1].as_path()];
-    let judged = with_judge(folders, args, common, |judge, bench| {
-        let mut plans = cases(seed, args.cases, &Mix::default());
-        if args.finished {
-            plans.retain(|plan| judge.earlier(&name(plan, seed)).is_some());
-        }
-        let bar = progress::bar(common, plans.len(), "cases");
-        // one after the other, each with all processors, as a user's campaign has them: its seconds are a user's
-        let judged = plans
-            .iter()
-            .map(|plan| {
-                let one = judge.case(bench, plan, seed);
-                bar.inc(1);
-                one
-            })
-            .collect::<Result<Vec<(Answer, DiscoverResult)>, Failure>>();
-        progress::end(&bar);
-        judged
+    let label = match task {
+        Task::Part(share) => format!("part{}of{}", share.number, share.of),
+        _ => "whole".to_owned(),
+    };
+    let judged = with_judge(folders, args.setting(), (&label, common), |judge, bench| {
+        Session { judge, bench, args, seed, common }.run(task, start)
     })?;
+    let Some(judged) = judged else { return Ok(()) };
     let families = Families::frozen()?;
     let metrics = score(&judged, &families);
     let seconds = start.elapsed().as_secs_f64();
@@ -235,108 +146,127 @@ pub(crate) fn run(args: &HiddenArgs, common: &Common) -> Result<(), Failure> {
     show::json(common, &result)
 }
 
-impl Judge<'_> {
-    /// Thresholds from null campaigns of the model in the design of the benchmark, kept for the next run.
-    fn null_distribution(&self, bench: &Bench) -> Result<NullDistribution, Failure> {
-        let path = self.folder.join("null_distribution.ron");
-        let plan = cases(NULLS_SEED, 1, &Mix::only(Class::Null));
-        let folder = self.written(&bench.case(&plan[0]), "bank")?;
-        let left_out = plan[0].leave_out.as_deref();
-        let case = blind::read(&self.rigs, &folder, self.own_static_points, left_out)?;
-        let key = case.prepared.null_key(&self.rigs.own.file().hash, &case.schedule);
-        let kept: Option<NullDistribution> = nastran::ron_file::read(&path).ok();
-        if let Some(nulls) = kept.filter(|kept| kept.serves(&key, &case.prepared.library)) {
-            return Ok(nulls);
-        }
-        let store = Store::new(self.folder.join("null_campaigns"), &format!("{key:?}"));
-        let mut nulls = kept_nulls::null_distribution(&case.prepared, NULLS_SEED, store, &self.common);
-        nulls.key = key;
-        write(&path, &nastran::ron_file::to_text(&nulls)?)?;
-        Ok(nulls)
+impl HiddenArgs {
+    fn setting(&self) -> Setting {
+        Setting { truth: self.truth, own_static_points: self.own_static_points }
     }
+}
 
-    /// Where answers and verdicts are kept; those of other rules, another library or another program are not found there.
-    fn stores(&self) -> [Store; 2] {
-        let track = if self.own_static_points { "B" } else { "A" };
-        let inputs = format!("{track} {} {:?}", self.truth.name(), self.nulls.key);
-        [&self.sealed, &self.folder.join("verdicts")].map(|folder| Store::new(folder.clone(), &inputs))
-    }
-
-    /// Answer and verdict of a case that was judged before.
-    fn earlier(&self, name: &str) -> Option<(Answer, DiscoverResult)> {
-        let [sealed, verdicts] = self.stores();
-        Some((sealed.get(name)?, verdicts.get(name)?))
-    }
-
-    /// Makes a case, or takes one that is there, and lets `discover` judge it.
-    fn case(&self, bench: &Bench, plan: &CasePlan, seed: u64) -> Result<(Answer, DiscoverResult), Failure> {
-        let name = name(plan, seed);
-        if let Some(earlier) = self.earlier(&name) {
-            return Ok(earlier);
-        }
-        let case = bench.case(plan);
-        let folder = self.written(&case, &name)?;
-        let start = Instant::now();
-        let verdict = match self.read(&folder, plan) {
-            Ok(prepared) => self.judged(&prepared, plan, start),
-            // a campaign that cannot be read is refused as a user's would be
-            Err(Failure::Input(refused)) => {
-                let seconds = start.elapsed().as_secs_f64();
-                DiscoverResult::at_fault(Vec::new(), Some(refused.message), seconds)
+impl Session<'_> {
+    /// Does a task; what is to be scored, if it is that.
+    fn run(&self, task: Task, start: Instant) -> Result<Option<Vec<(Answer, DiscoverResult)>>, Failure> {
+        let verdicts = self.judge.verdicts();
+        match task {
+            Task::All if self.args.finished => {}
+            Task::All => drop(self.judge_all(&self.row())?),
+            Task::Part(share) => {
+                let row = share_of(self.row(), share);
+                let before = self.judge_all(&row)?;
+                let text = format!(
+                    "part {share}: {} of {} cases, {before} judged before, {:.0} s; kept in {}\n",
+                    row.len(),
+                    self.args.cases,
+                    start.elapsed().as_secs_f64(),
+                    verdicts.folder().display()
+                );
+                show::summary(self.common, &text);
+                return Ok(None);
             }
-            Err(other) => return Err(other),
-        };
-        let [sealed, verdicts] = self.stores();
-        let answer = sealed.put(&name, &case.answer)?;
-        let verdict = verdicts.put(&name, &verdict)?;
-        // measurements are made again from the seed if they are wanted
-        let _ = std::fs::remove_dir_all(folder);
-        Ok((answer, verdict))
-    }
-
-    /// Writes a case's files into a folder of its own.
-    fn written(&self, case: &Case, name: &str) -> Result<PathBuf, Failure> {
-        let folder = self.folder.join(name);
-        case.files.write(&folder).map_err(Failure::computation)?;
-        Ok(folder)
-    }
-
-    /// Reads and calibrates a case that was written.
-    fn read(&self, folder: &Path, plan: &CasePlan) -> Result<Prepared, Failure> {
-        let left_out = plan.leave_out.as_deref();
-        Ok(blind::read(&self.rigs, folder, self.own_static_points, left_out)?.prepared)
-    }
-
-    fn judged(&self, prepared: &Prepared, plan: &CasePlan, start: Instant) -> DiscoverResult {
-        let seconds = || start.elapsed().as_secs_f64();
-        let faults = prepared.defects();
-        if !faults.is_empty() {
-            return DiscoverResult::at_fault(faults, None, seconds());
+            Task::Case(hash) => return self.again(hash).map(|()| None),
+            Task::Prepare => {
+                let text = format!(
+                    "{} cases; thresholds are kept, {:.0} s\n",
+                    self.args.cases, self.judge.nulls_seconds
+                );
+                show::summary(self.common, &text);
+                return Ok(None);
+            }
+            Task::Status => {
+                let status = status::status("hidden", verdicts, self.row());
+                return status::show(self.common, verdicts, &status).map(|()| None);
+            }
+            Task::Estimate => {
+                self.args.sweep.estimate.put(self.estimate(start)?);
+                return Ok(None);
+            }
+            Task::Merge => merging::one_state(verdicts)?,
         }
-        let finding = Finding::search(prepared, &self.nulls, plan.seed);
-        let corrections = if self.own_static_points {
-            "the case's own static points"
-        } else {
-            "static points without the effect"
+        self.finished(task).map(Some)
+    }
+
+    /// Answers and verdicts of all cases, or with `--finished` of those that were judged.
+    fn finished(&self, task: Task) -> Result<Vec<(Answer, DiscoverResult)>, Failure> {
+        if task == Task::Merge && !self.args.finished {
+            let is_missing = |case: &Weighed| !self.judge.is_finished(&self.name(case.number));
+            let mut missing: Vec<Fingerprint> =
+                self.row().into_iter().filter(is_missing).map(|case| case.hash).collect();
+            missing.sort_unstable();
+            merging::complete(self.judge.verdicts(), &missing, || self.row())?;
+        }
+        merging::remarks(self.judge.verdicts());
+        self.judge.clear();
+        Ok(self.plans().iter().filter_map(|plan| self.judge.earlier(&self.name(plan.index))).collect())
+    }
+
+    fn plans(&self) -> Vec<CasePlan> {
+        cases(self.seed, self.args.cases, &Mix::default())
+    }
+
+    /// What a case is called in the stores.
+    fn name(&self, index: usize) -> String {
+        format!("{}_{index:05}", self.seed)
+    }
+
+    /// All cases; what one costs is not known before it is judged.
+    fn row(&self) -> Vec<Weighed> {
+        let weighed = |plan: CasePlan| {
+            let hash = Store::hash(&self.name(plan.index));
+            Weighed { is_late: false, group: hash, hash, cost: 1, number: plan.index }
         };
-        let sources = Sources { corrections: corrections.to_owned(), ..Sources::default() };
-        let result = finding.result(&sources, false, 0.0);
-        DiscoverResult { seconds: Some(seconds()), ..result }
+        self.plans().into_iter().map(weighed).collect()
     }
-}
 
-/// What a case is called in the stores.
-fn name(plan: &CasePlan, seed: u64) -> String {
-    format!("{seed}_{:05}", plan.index)
-}
-
-fn write(path: &Path, text: &str) -> Result<(), Failure> {
-    if let Some(folder) = path.parent() {
-        std::fs::create_dir_all(folder).map_err(Failure::computation)?;
+    /// Judges what is not judged: one after the other, each with all processors, as a user's campaign has them: its seconds
+    /// are a user's. How many were judged before.
+    fn judge_all(&self, row: &[Weighed]) -> Result<usize, Failure> {
+        let is_missing = |case: &&Weighed| !self.judge.is_finished(&self.name(case.number));
+        let mut missing: Vec<usize> = row.iter().filter(is_missing).map(|case| case.number).collect();
+        missing.sort_unstable();
+        let plans = self.plans();
+        let bar = progress::bar(self.common, missing.len(), "cases");
+        for plan in plans.iter().filter(|plan| missing.binary_search(&plan.index).is_ok()) {
+            self.judge.case(self.bench, plan, &self.name(plan.index))?;
+            bar.inc(1);
+        }
+        progress::end(&bar);
+        Ok(row.len() - missing.len())
     }
-    let partial = path.with_extension("partial");
-    std::fs::write(&partial, text).map_err(Failure::computation)?;
-    std::fs::rename(&partial, path).map_err(Failure::computation)
+
+    /// Three cases judged, each with all processors, and what all of them will take.
+    fn estimate(&self, start: Instant) -> Result<Estimate, Failure> {
+        let setup_s = start.elapsed().as_secs_f64();
+        let three: Vec<Weighed> = self.row().into_iter().take(3).collect();
+        self.judge_all(&three)?;
+        let told = three.iter().filter_map(|case| self.judge.verdicts().told_of(case.hash));
+        let threads = rayon::current_num_threads() as f64;
+        let flown = told.map(|told| (told.part, threads * told.seconds.unwrap_or(0.0)));
+        let flown: Vec<(String, f64)> = flown.collect();
+        let mean_s = flown.iter().map(|(_, seconds)| seconds).sum::<f64>() / flown.len().max(1) as f64;
+        let seconds = mean_s * self.args.cases as f64;
+        let memory_bytes = peak_memory_bytes();
+        Ok(Estimate { cases: self.args.cases, flown, setup_s, seconds, memory_bytes })
+    }
+
+    /// One case, whether it was judged or not.
+    fn again(&self, hash: Fingerprint) -> Result<(), Failure> {
+        let plans = self.plans();
+        let found = plans.iter().find(|plan| Store::hash(&self.name(plan.index)) == hash);
+        let Some(plan) = found else { return Err(merging::no_such_case(hash)) };
+        let name = self.name(plan.index);
+        let verdict = self.judge.case(self.bench, plan, &name)?;
+        show::summary(self.common, &format!("{name}: judged in {:.1} s\n", verdict.seconds.unwrap_or(0.0)));
+        show::json(self.common, &verdict)
+    }
 }
 
 fn summary(result: &BenchmarkResult, out: &Path) -> String {

@@ -44,6 +44,14 @@ commands! {
     discover: Discover(discover::DiscoverArgs),
     /// The blind benchmark of `discover`: effects hidden in campaigns of a wing with another discretisation
     hidden: Hidden(hidden::HiddenArgs),
+    /// What all cases of a sweep share, computed once before many processes take their parts of it
+    prepare: Prepare(prepare::PrepareArgs),
+    /// The results of a sweep that many processes computed, as one process would write them
+    merge: Merge(merge::MergeArgs),
+    /// How far a sweep is: finished cases, failures, the slowest
+    status: Status(status::StatusArgs),
+    /// A script for Slurm or a manifest for Kubernetes that runs a sweep in parts, from an estimate by three cases
+    cluster: Cluster(cluster::ClusterArgs),
     /// Trim, pull-up, push-down, chirp and doublet of the full aircraft, initial beside updated model
     fullaircraft: Fullaircraft(fullaircraft_prepared::FullaircraftArgs),
     /// Calibrate, simulate and fullaircraft, one after the other
@@ -76,7 +84,15 @@ impl Command {
     /// The folder of results that it writes, which takes the place of an earlier one.
     pub fn results(&self) -> Option<&'static str> {
         match self {
-            Self::Pipeline(_) | Self::New(_) | Self::Completions(_) | Self::Man(_) | Self::Schema(_) => None,
+            Self::Pipeline(_)
+            | Self::New(_)
+            | Self::Completions(_)
+            | Self::Man(_)
+            | Self::Schema(_)
+            | Self::Prepare(_)
+            | Self::Status(_)
+            | Self::Cluster(_) => None,
+            Self::Merge(options) => Some(options.what.results()),
             Self::Fullaircraft(options) => Some(options.results()),
             _ => Some(self.name()),
         }
@@ -100,13 +116,17 @@ mod discover_figures;
 mod discover_results;
 mod flutter_figures;
 pub(crate) mod flutter_result;
-pub(crate) mod fullaircraft_cases;
+mod fullaircraft_cases;
 mod fullaircraft_cases_figures;
+mod fullaircraft_cases_flown;
+pub(crate) mod fullaircraft_cases_merged;
 pub(crate) mod fullaircraft_deck;
 mod fullaircraft_derivatives;
 mod fullaircraft_effects;
 mod fullaircraft_figures;
 mod fullaircraft_prepared;
+mod hidden_judge;
+mod hidden_truth;
 mod modes_pictures;
 pub(crate) mod modes_result;
 mod modes_shapes;
@@ -132,6 +152,7 @@ mod simulate_maneuvers;
 pub(crate) mod simulate_result;
 mod statics_files;
 pub(crate) mod statics_result;
+mod swept;
 pub(crate) mod tunnel_result;
 
 pub(crate) use calibrate_numbers::speed_name;

@@ -7,6 +7,7 @@ use report::page::Input;
 
 use crate::fingerprint::Fingerprint;
 use crate::paths;
+use crate::sweep::lines::of_all_cases;
 
 /// Options that say where results go and how, not what they are.
 const WHERE: [&str; 2] = ["--out", "--threads"];
@@ -48,7 +49,8 @@ fn shown(path: &Path) -> String {
 pub(super) fn lines() -> Vec<(String, String)> {
     let mut words = vec!["wingroot".to_owned()];
     let mut skip = false;
-    for word in std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()) {
+    let given = std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
+    for word in of_all_cases(given) {
         let name = word.split('=').next().unwrap_or_default();
         if skip || HOW.contains(&name) {
             skip = false;
