@@ -5,6 +5,7 @@ pub mod drive;
 mod equations;
 pub mod gust;
 pub mod history;
+pub mod loads;
 pub mod model;
 pub mod modes;
 pub mod nonlinear;
