@@ -3,6 +3,7 @@
 pub mod atmosphere;
 mod cell;
 mod check;
+pub mod compare;
 pub mod design;
 pub mod matrix;
 pub mod rules;
@@ -15,4 +16,5 @@ pub use matrix::{Case, Condition, Matrix, matrix};
 pub use rules::pratt::Airframe;
 pub use rules::{Mark, Quantity};
 pub use select::file::SelectFile;
+pub use select::{Instant, Selection, select};
 pub use vn::Diagram;

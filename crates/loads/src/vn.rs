@@ -244,7 +244,7 @@ pub const VN_HEADER: &str = "mass,h_m,line,V_EAS_m_s,n\n";
 fn meets(stall_m_s: f64, k: f64) -> Option<(f64, f64)> {
     let a = stall_m_s.powi(-2);
     let v = (k + (k * k + 4.0 * a).sqrt()) / (2.0 * a);
-    v.is_finite().then(|| (v, 1.0 + k * v))
+    v.is_finite().then_some((v, 1.0 + k * v))
 }
 
 impl Design {

@@ -1,11 +1,15 @@
 //! The V-n diagram beside `rules.json`, and the case matrix.
 
+mod close;
 mod common;
+mod plan;
 
-use common::{close, design, mass, number, reference};
+use close::close;
+use common::{number, reference};
 use loads::design::{Direction, Gradients, Gust, GustSpeeds, Rules, Spectrum, Speed};
 use loads::matrix::{Action, Status};
 use loads::{Airframe, Condition, Design, Diagram, matrix};
+use plan::{design, mass};
 
 /// The airframe of the plan.
 const AIRFRAME: Airframe = Airframe { area_m2: 0.81, mean_chord_m: 0.225, lift_slope_per_rad: 5.2 };

@@ -1,13 +1,17 @@
 //! Numbers of the rules beside `rules.json`.
 
+mod close;
 mod common;
+mod plan;
 
-use common::{close, design, mass, number, reference};
+use close::close;
+use common::{number, reference};
 use loads::design::{GustSpeeds, Rules, Speed};
 use loads::rules::discrete::{alleviation, design_gust, one_minus_cosine};
 use loads::rules::factors::positive_limit;
 use loads::rules::pratt::Pratt;
 use loads::{Air, Airframe, Design, Mark};
+use plan::{design, mass};
 
 fn cs25() -> Design {
     Design { rules: Rules::Cs25, factors: None, ..design() }

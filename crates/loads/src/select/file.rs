@@ -64,7 +64,7 @@ pub enum Policy {
         #[serde(default)]
         stations: Vec<String>,
     },
-    /// All within so many percent of a load's range of its ends.
+    /// All whose load is within so many percent of an end, of the end's size.
     Within {
         /// Percent of the end's size.
         percent: f64,
@@ -169,7 +169,7 @@ impl Default for Export {
 }
 
 /// Which of the two models count.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Deserialize, Serialize, JsonSchema)]
 pub enum Model {
     /// As theory has it.
     Initial,

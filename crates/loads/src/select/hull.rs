@@ -5,7 +5,7 @@ use robust::{Coord, orient2d};
 /// The corners of the convex hull, counter-clockwise from the smallest x (of equal x the smallest y): places in `points`.
 ///
 /// Extreme points only: none inside an edge; of equal points the first. Points on one line have two corners, equal points one.
-pub fn corners(points: &[(f64, f64)]) -> Vec<usize> {
+pub(super) fn corners(points: &[(f64, f64)]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..points.len()).collect();
     let by_place = |a: &usize, b: &usize| {
         let (p, q) = (points[*a], points[*b]);
