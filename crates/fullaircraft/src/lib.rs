@@ -3,6 +3,7 @@
 pub mod aircraft;
 pub mod cases;
 pub mod deck;
+pub mod design_loads;
 pub mod error;
 pub mod flight;
 pub mod model;

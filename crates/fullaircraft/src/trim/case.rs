@@ -126,7 +126,7 @@ impl<'a> TrimTools<'a> {
     /// If the aircraft diverges at this airspeed.
     pub fn at(&'a self, model: &FlightModel<'_>, v_m_s: f64) -> Result<TrimAt<'a>, AircraftError> {
         let held = self.aircraft.held()?;
-        let flow = Flow { v_m_s, rho_kg_m3: self.aircraft.file.rho_kg_m3 };
+        let flow = Flow { v_m_s, rho_kg_m3: model.rho_kg_m3 };
         let q_pa = flow.dynamic_pressure_pa();
         let divergence_pa = model.divergence_pressure_pa()?;
         if divergence_pa.is_some_and(|limit_pa| q_pa >= limit_pa) {
@@ -260,6 +260,11 @@ impl TrimAt<'_> {
             if unknown { 0.0 } else { -self.balance[(outcome[i], column)] }
         });
         own.partial_piv_lu().solve(&by)
+    }
+
+    /// Airspeed, m/s.
+    pub fn v_m_s(&self) -> f64 {
+        self.v_m_s
     }
 
     /// Value of a variable or motion, in the unit its name says.

@@ -46,6 +46,8 @@ commands! {
     hidden: Hidden(hidden::HiddenArgs),
     /// Trim, pull-up, push-down, chirp and doublet of the full aircraft, initial beside updated model
     fullaircraft: Fullaircraft(fullaircraft_prepared::FullaircraftArgs),
+    /// Cases of a plan of design loads: V-n, gusts, envelope, selection, and cards for a stress model
+    loads: Loads(loads::LoadsArgs),
     /// Calibrate, simulate and fullaircraft, one after the other
     pipeline: Pipeline(pipeline::PipelineArgs),
     /// The virtual wind tunnel: writes a campaign folder
@@ -78,6 +80,7 @@ impl Command {
         match self {
             Self::Pipeline(_) | Self::New(_) | Self::Completions(_) | Self::Man(_) | Self::Schema(_) => None,
             Self::Fullaircraft(options) => Some(options.results()),
+            Self::Loads(options) => Some(options.results()),
             _ => Some(self.name()),
         }
     }
@@ -107,6 +110,11 @@ mod fullaircraft_derivatives;
 mod fullaircraft_effects;
 mod fullaircraft_figures;
 mod fullaircraft_prepared;
+mod loads_figures;
+mod loads_flights;
+mod loads_package;
+pub(crate) mod loads_result;
+mod loads_tables;
 mod modes_pictures;
 pub(crate) mod modes_result;
 mod modes_shapes;
