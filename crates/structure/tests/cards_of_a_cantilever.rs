@@ -5,6 +5,35 @@ use serde_json::Value;
 use std::fmt::Write as _;
 use structure::{Flexibility, Model, System};
 
+/// A cantilever along y: a moment about x lifts its tip.
+fn cantilever(nodes: usize, length: f64) -> String {
+    let mut deck = String::new();
+    for node in 0..=nodes {
+        let y = length * node as f64 / nodes as f64;
+        let _ = writeln!(
+            deck,
+            "GRID*   {:>16}                {:>16}{:>16}\n*       {:>16}",
+            node + 1,
+            "0.",
+            nastran::real::format(y, 16),
+            "0."
+        );
+    }
+    for node in 1..=nodes {
+        let _ = writeln!(
+            deck,
+            "CBAR    {node:>8}{:>8}{node:>8}{:>8}{:>8}{:>8}{:>8}",
+            1,
+            node + 1,
+            "0.",
+            "0.",
+            "1."
+        );
+    }
+    deck += "PBAR,1,1,1.-4,1.-8,1.-8,1.-8\nMAT1,1,2.5+10,,.3,0.\nSPC1,1,123456,1\n";
+    deck
+}
+
 #[test]
 fn loads_that_went_through_cards_bend_a_cantilever_as_its_closed_form_says() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/loads/cards.json");
@@ -14,34 +43,10 @@ fn loads_that_went_through_cards_bend_a_cantilever_as_its_closed_form_says() {
         let number = |value: &Value| value.as_f64().unwrap();
         let list = |key: &str| set[key].as_array().unwrap().iter().map(number).collect::<Vec<f64>>();
         let (forces, moments, length) = (list("force_N"), list("moment_Nm"), number(&set["L_m"]));
-        // along y; a moment about x lifts the tip
-        let mut deck = String::new();
-        let nodes = forces.len();
-        for node in 0..=nodes {
-            let y = length * node as f64 / nodes as f64;
-            let _ = writeln!(
-                deck,
-                "GRID*   {:>16}                {:>16}{:>16}\n*       {:>16}",
-                node + 1,
-                "0.",
-                nastran::real::format(y, 16),
-                "0."
-            );
-        }
-        for node in 1..=nodes {
-            let _ = writeln!(
-                deck,
-                "CBAR    {node:>8}{:>8}{node:>8}{:>8}{:>8}{:>8}{:>8}",
-                1,
-                node + 1,
-                "0.",
-                "0.",
-                "1."
-            );
-        }
         // E 2.5E10, I 1E-8: EI 250
         assert_eq!(number(&set["EI_N_m2"]), 250.0);
-        deck += "PBAR,1,1,1.-4,1.-8,1.-8,1.-8\nMAT1,1,2.5+10,,.3,0.\nSPC1,1,123456,1\n";
+        let nodes = forces.len();
+        let mut deck = cantilever(nodes, length);
         let grids: Vec<u32> = (1..).take(nodes + 1).collect();
         let mut loads = vec![0.0; 6 * (nodes + 1)];
         for (node, (force, moment)) in forces.iter().zip(&moments).enumerate() {

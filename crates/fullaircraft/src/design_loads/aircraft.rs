@@ -20,7 +20,10 @@ impl Aircraft {
     /// If no body could do that, or the state has a number that aircraft here do not.
     pub fn loaded(&self, mass: &MassCase) -> Result<Self, AircraftError> {
         if mass.z_cg_m.is_some_and(|z_m| z_m != 0.0) || mass.ixz_kg_m2.is_some_and(|i| i != 0.0) {
-            let message = format!("mass {}: the height of the centre of gravity and products of inertia are not read", mass.name);
+            let message = format!(
+                "mass {}: the height of the centre of gravity and products of inertia are not read",
+                mass.name
+            );
             return Err(InputError::general(message).with_help("leave out z_cg_m and ixz_kg_m2").into());
         }
         let mut file = self.file.clone();
@@ -86,7 +89,9 @@ pub fn maneuvers(file: &CasesFile, design: &Design) -> Result<Vec<(Action, Condi
                 Action::Motion(motion) => (motion.kind().words().to_owned(), 1.0),
             };
             let words = match &action {
-                Action::Steady(Steady::Roll { rate_deg_s, control, .. }) => format!("roll {rate_deg_s} deg/s by {control}"),
+                Action::Steady(Steady::Roll { rate_deg_s, control, .. }) => {
+                    format!("roll {rate_deg_s} deg/s by {control}")
+                }
                 Action::Motion(motion) => format!("{kind} of {}", motion.control().unwrap_or_default()),
                 Action::Steady(_) => kind.clone(),
             };

@@ -26,8 +26,7 @@ const AFTER_S: f64 = 0.8;
 const TOGETHER: usize = 8;
 
 /// What is done with a case that was flown: the case and its instants, and what gives nodal loads of one of them, counted from zero.
-pub type Done<'d, E> =
-    dyn FnMut(FlownCase, &dyn Fn(usize) -> Option<NodalLoads>) -> Result<(), E> + 'd;
+pub type Done<'d, E> = dyn FnMut(FlownCase, &dyn Fn(usize) -> Option<NodalLoads>) -> Result<(), E> + 'd;
 
 /// Everything that cases of one state of loading are flown with.
 #[derive(Debug)]
@@ -145,7 +144,8 @@ impl PlanFlight<'_> {
                 self.give(&flight.fly(None, &commands, samples), case.number, which, done)?;
             }
         }
-        let mut gusts: Vec<(&Case, Gust)> = cases.iter().filter_map(|case| Some((*case, gust(case)?))).collect();
+        let mut gusts: Vec<(&Case, Gust)> =
+            cases.iter().filter_map(|case| Some((*case, gust(case)?))).collect();
         gusts.sort_by(|a, b| a.1.length_m.total_cmp(&b.1.length_m));
         for together in gusts.chunks(TOGETHER) {
             let longest_m = together.iter().map(|(_, gust)| gust.length_m).fold(0.0, f64::max);
@@ -224,7 +224,8 @@ fn count(duration_s: f64) -> usize {
 impl FlownCase {
     /// The case, or a refusal if one of its loads is not finite.
     fn if_finite(self) -> Self {
-        let finite = |instant: &FlownInstant| instant.loads.iter().flatten().flatten().all(|load| load.is_finite());
+        let finite =
+            |instant: &FlownInstant| instant.loads.iter().flatten().flatten().all(|load| load.is_finite());
         if self.instants.iter().all(finite) {
             return self;
         }

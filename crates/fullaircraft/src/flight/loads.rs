@@ -16,9 +16,9 @@ use crate::flight::air::{FlightAir, RIGID};
 use crate::flight::drive::Drive;
 use crate::flight::equations::Evaluated;
 use crate::flight::gust::Gust;
+use crate::flight::load_sources::{CHANGING, Derivatives, SIX, Sources, read};
 use crate::flight::model::{FlyingAircraft, Rows};
 use crate::flight::rows::momentum;
-use crate::flight::sensors::felt;
 use crate::flight::small_motions::FreeFlight;
 use crate::flight::state::mode_state;
 use crate::stations::nodal::{Component, NodalLoads};
@@ -27,21 +27,6 @@ use crate::trim::model::{FlightModel, Trimmed};
 use faer::Mat;
 use maneuver::ExactStep;
 use nalgebra::{Matrix3, Vector3};
-use std::ops::Range;
-
-/// Components that change in flight, in the order of a station's rows.
-const CHANGING: [Component; 3] = [Component::Air, Component::Inertia, Component::Damping];
-/// Loads of a component at a station.
-const SIX: usize = 6;
-
-/// Where the sources stand in one list.
-#[derive(Debug, Clone)]
-struct Sources {
-    air: Range<usize>,
-    felt: Range<usize>,
-    q_pa: usize,
-    turn: Range<usize>,
-}
 
 /// A trimmed aircraft whose loads in small motions are asked for.
 #[derive(Debug)]
@@ -123,14 +108,7 @@ impl<'a> FlightLoads<'a> {
         let equations = &flying.equations;
         let state = equations.trimmed();
         let at_trim = equations.evaluate(&state, &equations.no_inputs());
-        let start = read(&flying, &state, &at_trim);
-        let (n_air, n_felt) = (at_trim.air.len(), felt(&state, &at_trim).len());
-        let sources = Sources {
-            air: 0..n_air,
-            felt: n_air..n_air + n_felt,
-            q_pa: n_air + n_felt,
-            turn: n_air + n_felt + 1..start.len(),
-        };
+        let sources = Sources::of(&state, &at_trim);
         let v_m_s = equations.reference.v_m_s;
         let modes = air.modes.elastic();
         let momentum = momentum(aircraft, &air.modes);
@@ -147,19 +125,7 @@ impl<'a> FlightLoads<'a> {
         }
         .of_stations(&stations, &rows, equations.layout.motions);
         let free = FreeFlight::showing(flying, read);
-        let pressures = rows.pressures();
-        let cp = &pressures * Mat::from_fn(n_air, 1, |i, _| at_trim.air[i]);
-        let loads = aircraft.flow.integration.corrected(&model.corrections);
-        let change = loads.of_pressures(at_trim.q_pa, cp.as_ref());
-        let nodal = Nodal {
-            start: trimmed.box_loads.iter().enumerate().map(|(k, load)| load + change[(k, 0)]).collect(),
-            corrections: model.corrections.clone(),
-            turn: at_trim.turn,
-            q_pa: at_trim.q_pa,
-            pressures,
-            momentum,
-            damping,
-        };
+        let nodal = Nodal::new(model, trimmed, &rows, &at_trim, [momentum, damping]);
         let points = aircraft.free.points();
         let steady_at_stations = stations
             .iter()
@@ -308,16 +274,30 @@ fn heights(aircraft: &Aircraft, air: &FlightAir, node: usize) -> Vec<f64> {
     (0..air.modes.elastic()).map(height).collect()
 }
 
-/// All sources at a moment.
-fn read(_: &FlyingAircraft, state: &[f64], evaluated: &Evaluated) -> Vec<f64> {
-    let mut all = evaluated.air.clone();
-    all.extend(felt(state, evaluated));
-    all.push(evaluated.q_pa);
-    all.extend(evaluated.turn.iter());
-    all
-}
-
 impl Nodal {
+    /// By the mass times modal and rigid accelerations, and the damping.
+    fn new(
+        model: &FlightModel<'_>,
+        trimmed: &Trimmed,
+        rows: &Rows<'_>,
+        at_trim: &Evaluated,
+        [momentum, damping]: [Mat<f64>; 2],
+    ) -> Self {
+        let pressures = rows.pressures();
+        let cp = &pressures * Mat::from_fn(at_trim.air.len(), 1, |i, _| at_trim.air[i]);
+        let loads = model.aircraft.flow.integration.corrected(&model.corrections);
+        let change = loads.of_pressures(at_trim.q_pa, cp.as_ref());
+        Self {
+            start: trimmed.box_loads.iter().enumerate().map(|(k, load)| load + change[(k, 0)]).collect(),
+            corrections: model.corrections.clone(),
+            turn: at_trim.turn,
+            q_pa: at_trim.q_pa,
+            pressures,
+            momentum,
+            damping,
+        }
+    }
+
     /// Adds the change of the air's loads.
     fn air(&self, aircraft: &Aircraft, sources: &Sources, change: &[f64], sums: &mut [f64]) {
         let air = &change[sources.air.clone()];
@@ -340,70 +320,6 @@ impl Nodal {
                     sums[6 * node + 3 + axis] += moment[axis];
                 }
             }
-        }
-    }
-}
-
-/// What loads at stations are made from.
-struct Derivatives<'a> {
-    aircraft: &'a Aircraft,
-    sources: &'a Sources,
-    at_trim: &'a Evaluated,
-    momentum: &'a Mat<f64>,
-    damping: &'a Mat<f64>,
-}
-
-impl Derivatives<'_> {
-    /// Loads of all stations by sources; `motions` is the number of motions the air answers.
-    fn of_stations(&self, stations: &[Station], rows: &Rows<'_>, motions: usize) -> Mat<f64> {
-        let mut all = Mat::zeros(SIX * CHANGING.len() * stations.len(), self.sources.turn.end);
-        let system = &self.aircraft.free;
-        for (at, station) in stations.iter().enumerate() {
-            let first = SIX * CHANGING.len() * at;
-            self.put_air(station, rows, &mut all, first);
-            let own = station.motions(system, &station.point);
-            let inertia = own.transpose() * self.momentum;
-            let damping = own.transpose() * self.damping;
-            for load in 0..SIX {
-                for (column, place) in self.sources.felt.clone().enumerate() {
-                    all[(first + SIX + load, place)] = -inertia[(load, column)];
-                }
-                for mode in 0..damping.ncols() {
-                    all[(first + 2 * SIX + load, motions + RIGID + mode)] = -damping[(load, mode)];
-                }
-            }
-        }
-        all
-    }
-
-    /// Six rows of a station's air from `first` on: `d(T q p) = T q by d(air) + T p dq + dT q p`, then about the station's point.
-    fn put_air(&self, station: &Station, rows: &Rows<'_>, all: &mut Mat<f64>, first: usize) {
-        let (aircraft, at_trim, sources) = (self.aircraft, self.at_trim, self.sources);
-        let motions = station.motions(&aircraft.free, &aircraft.mass.centre);
-        let boxes = aircraft.spline.displace(motions.as_ref());
-        let air = rows.of(&boxes.transpose().to_owned());
-        let at_start = air.at(&at_trim.air);
-        let arm = aircraft.mass.centre - station.point;
-        let mut put = |column: usize, force: Vector3<f64>, moment: Vector3<f64>| {
-            let moment = moment + arm.cross(&force);
-            for axis in 0..3 {
-                all[(first + axis, column)] = force[axis];
-                all[(first + 3 + axis, column)] = moment[axis];
-            }
-        };
-        let parts = |of: &[f64]| [0, 3].map(|from| Vector3::new(of[from], of[from + 1], of[from + 2]));
-        for column in sources.air.clone() {
-            let [force, moment] =
-                parts(air.by.col_as_slice(column)).map(|part| at_trim.turn * part * at_trim.q_pa);
-            put(column, force, moment);
-        }
-        let start = parts(&at_start);
-        let [force, moment] = start.map(|part| at_trim.turn * part);
-        put(sources.q_pa, force, moment);
-        for (at, column) in sources.turn.clone().enumerate() {
-            // entries of the turn, column by column
-            let unit = |part: Vector3<f64>| Vector3::ith(at % 3, part[at / 3] * at_trim.q_pa);
-            put(column, unit(start[0]), unit(start[1]));
         }
     }
 }

@@ -5,6 +5,7 @@ pub mod drive;
 mod equations;
 pub mod gust;
 pub mod history;
+mod load_sources;
 pub mod loads;
 pub mod model;
 pub mod modes;

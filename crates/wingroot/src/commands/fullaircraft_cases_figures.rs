@@ -1,8 +1,8 @@
 //! The figures of `fullaircraft --cases`: the load envelope along the span, and all cases at the right root.
 
+use fullaircraft::Station;
 use fullaircraft::cases::envelope::{Extreme, LOADS, ranges};
 use fullaircraft::cases::grid::{CaseResult, MODELS};
-use fullaircraft::Station;
 use report::{Figure, Panel, Series, Style};
 
 use crate::pages::values::with_unit;

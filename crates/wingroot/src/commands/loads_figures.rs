@@ -59,7 +59,8 @@ pub(crate) fn potatoes(
     for (place, name) in names.iter().enumerate().filter(|(_, name)| name.starts_with("right ")) {
         let panel = |(across, up): (Load, Load)| {
             let points = |label: &str, keep: &dyn Fn(&Instant) -> bool| {
-                let loads = instants.iter().filter(|instant| keep(instant)).map(|instant| &instant.loads[place]);
+                let loads =
+                    instants.iter().filter(|instant| keep(instant)).map(|instant| &instant.loads[place]);
                 let (x, y) = loads.map(|six| (six[across.place()], six[up.place()])).unzip();
                 Series::new(label, x, y, Style::Points)
             };

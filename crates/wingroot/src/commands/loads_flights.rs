@@ -66,7 +66,8 @@ impl<'a> Flights<'a> {
             Ok::<_, Failure>((aircraft, air))
         });
         let aircraft = aircraft.collect::<Result<Vec<_>, _>>()?;
-        let inputs = format!("loads 1 {} {design:?} {maneuvers:?}", base.inputs_of_cases(&prepared.corrections, plan));
+        let inputs =
+            format!("loads 1 {} {design:?} {maneuvers:?}", base.inputs_of_cases(&prepared.corrections, plan));
         let corrections = &prepared.corrections;
         let grids = base.free.node_ids().to_vec();
         Ok(Self { plan, design, matrix, stations, grids, maneuvers, corrections, inputs, aircraft })
@@ -137,8 +138,7 @@ impl<'a> Flights<'a> {
         for (model, case) in cases {
             let same = |group: &&mut Group<'_>| {
                 let first = group.1[0];
-                group.0 == *model
-                    && (first.mass, first.h_m, first.v_m_s) == (case.mass, case.h_m, case.v_m_s)
+                group.0 == *model && (first.mass, first.h_m, first.v_m_s) == (case.mass, case.h_m, case.v_m_s)
             };
             match groups.iter_mut().find(same) {
                 Some(group) => group.1.push(case),
@@ -206,9 +206,9 @@ impl Flown {
 
     /// Cases that could not be flown: number, model, why.
     pub(crate) fn failed(&self) -> impl Iterator<Item = (usize, String, String)> {
-        self.cases.iter().filter_map(|case| {
-            Some((case.number, MODELS[case.model].to_owned(), case.refused.clone()?))
-        })
+        self.cases
+            .iter()
+            .filter_map(|case| Some((case.number, MODELS[case.model].to_owned(), case.refused.clone()?)))
     }
 
     /// Says in the matrix what became of each case: failed if either model could not fly it.

@@ -3,12 +3,12 @@
 
 use std::fmt::Write as _;
 
+use fullaircraft::Component;
 use fullaircraft::package::cards::{CardCase, index, structure};
 use fullaircraft::package::round_trip::{Expected, LOADS, RoundTrip, Row, round_trip_csv, tips_by_loads};
-use fullaircraft::Component;
-use loads::select::file::{Component as Exported, ExportAt, Model, SelectFile};
-use loads::select::Selected;
 use loads::Selection;
+use loads::select::Selected;
+use loads::select::file::{Component as Exported, ExportAt, Model, SelectFile};
 use nastran::InputError;
 
 use crate::commands::fullaircraft_prepared::Prepared;
@@ -73,7 +73,10 @@ pub(crate) fn package(
     let title = format!("Design loads: {}", flights.plan.name);
     files.push(("index.bdf".to_owned(), index(aircraft, &title, &cases, &common).into_bytes()));
     files.push(("index.csv".to_owned(), index_csv(&cards, &common, select.export.factor).into_bytes()));
-    files.push(("station_loads.csv".to_owned(), stations_csv(selection, flights, flown, &common).into_bytes()));
+    files.push((
+        "station_loads.csv".to_owned(),
+        stations_csv(selection, flights, flown, &common).into_bytes(),
+    ));
     files.push(("round_trip.csv".to_owned(), (comment(&common) + &round_trip_csv(&rows)).into_bytes()));
     files.push(("README.md".to_owned(), readme(&common, cards.len()).into_bytes()));
     files.push(("loads.h5".to_owned(), hdf5_file(prepared, flights, &cards, &common)?));
@@ -161,7 +164,8 @@ fn index_csv(cards: &[Card], common: &[String], factor: f64) -> String {
     for card in cards {
         let print = Fingerprint::default().with(card.text.as_bytes());
         // Writing to a String cannot fail.
-        let _ = writeln!(text, "{},{},{print},{factor},\"{}\"", card.case.sid, card.case.file(), card.case.words);
+        let _ =
+            writeln!(text, "{},{},{print},{factor},\"{}\"", card.case.sid, card.case.file(), card.case.words);
     }
     text
 }
@@ -219,18 +223,27 @@ fn hdf5_file(
     let count = flights.stations.len();
     let sums: Vec<f64> =
         cards.iter().flat_map(|card| card.expected.stations.iter().flatten().copied()).collect();
-    let about: Vec<f64> =
-        flights.stations.iter().flat_map(|station| [station.point.x, station.point.y, station.point.z]).collect();
-    let loads = Group::new("loads", "net loads at grids, a row a load set; Fx, Fy, Fz (N), Mx, My, Mz (N m) of each grid; basic axes")
-        .with("sid", Values::Whole(cards.iter().map(|card| card.case.sid).collect()))
-        .with("words", Values::words(cards.iter().map(|card| &card.case.words)))
-        .with("origin", Values::words(cards.iter().map(|card| card.origin.join("\n"))))
-        .with("f_g", Values::Real(nets, vec![cards.len(), dofs]))
-        .with("grids", Values::Whole(free.node_ids().to_vec()))
-        .with("xyz_m", Values::Real(points, vec![free.node_count(), 3]));
-    let stations = Group::new("stations", "net loads at stations by load set, station and Fx, Fy, Fz (N), Mx, My, Mz (N m)")
-        .with("names", Values::words(flights.stations.iter().map(|station| &station.name)))
-        .with("points_m", Values::Real(about, vec![count, 3]))
-        .with("net", Values::Real(sums, vec![cards.len(), count, 6]));
+    let about: Vec<f64> = flights
+        .stations
+        .iter()
+        .flat_map(|station| [station.point.x, station.point.y, station.point.z])
+        .collect();
+    let loads = Group::new(
+        "loads",
+        "net loads at grids, a row a load set; Fx, Fy, Fz (N), Mx, My, Mz (N m) of each grid; basic axes",
+    )
+    .with("sid", Values::Whole(cards.iter().map(|card| card.case.sid).collect()))
+    .with("words", Values::words(cards.iter().map(|card| &card.case.words)))
+    .with("origin", Values::words(cards.iter().map(|card| card.origin.join("\n"))))
+    .with("f_g", Values::Real(nets, vec![cards.len(), dofs]))
+    .with("grids", Values::Whole(free.node_ids().to_vec()))
+    .with("xyz_m", Values::Real(points, vec![free.node_count(), 3]));
+    let stations = Group::new(
+        "stations",
+        "net loads at stations by load set, station and Fx, Fy, Fz (N), Mx, My, Mz (N m)",
+    )
+    .with("names", Values::words(flights.stations.iter().map(|station| &station.name)))
+    .with("points_m", Values::Real(about, vec![count, 3]))
+    .with("net", Values::Real(sums, vec![cards.len(), count, 6]));
     hdf5::bytes(&common.join("\n"), &[loads, stations])
 }

@@ -113,7 +113,12 @@ impl LoadsResult {
         let mut text = String::new();
         if self.cases > 0 {
             text += &self.matrix_line();
-            let _ = writeln!(text, "flown        {} cases, {} failures; initial and updated", self.flown, self.failed.len());
+            let _ = writeln!(
+                text,
+                "flown        {} cases, {} failures; initial and updated",
+                self.flown,
+                self.failed.len()
+            );
         }
         let cases: std::collections::BTreeSet<usize> = self.selected.iter().map(|one| one.case).collect();
         let _ = writeln!(text, "selected     {} instants of {} cases", self.selected.len(), cases.len());

@@ -33,7 +33,8 @@ pub(crate) fn station_loads(names: &[String], cases: &[FlownCase]) -> String {
                     }
                     let (model, number) = (MODELS[case.model], case.number);
                     // Writing to a String cannot fail.
-                    let _ = write!(text, "{model},{number},{instant},{},{name},{}", flown.t_s, component.name());
+                    let _ =
+                        write!(text, "{model},{number},{instant},{},{name},{}", flown.t_s, component.name());
                     for load in loads {
                         let _ = write!(text, ",{load:.12e}");
                     }
@@ -131,7 +132,8 @@ pub(crate) fn words(case: &Case) -> String {
 
 /// Ends of every net load over the gradients of each family of gusts: the worst gradient, and whether it lies inside the range.
 pub(crate) fn gusts(names: &[String], cases: &[FlownCase], matrix: &Matrix) -> String {
-    let mut text = String::from("model,case,station,load,end,H_m,value,t_s,tuned,Fx_N,Fy_N,Fz_N,Mx_Nm,My_Nm,Mz_Nm\n");
+    let mut text =
+        String::from("model,case,station,load,end,H_m,value,t_s,tuned,Fx_N,Fy_N,Fz_N,Mx_Nm,My_Nm,Mz_Nm\n");
     let mut families: Vec<Vec<(&FlownCase, f64)>> = Vec::new();
     let mut keys = Vec::new();
     for case in cases {
@@ -155,9 +157,11 @@ pub(crate) fn gusts(names: &[String], cases: &[FlownCase], matrix: &Matrix) -> S
                     let all = family.iter().flat_map(|(case, gradient_m)| {
                         case.instants.iter().map(move |instant| (*case, *gradient_m, instant, instant.net()))
                     });
-                    let worst = all.max_by(|a, b| (sign * a.3[place][at]).total_cmp(&(sign * b.3[place][at])));
+                    let worst =
+                        all.max_by(|a, b| (sign * a.3[place][at]).total_cmp(&(sign * b.3[place][at])));
                     let Some((case, gradient_m, instant, net)) = worst else { continue };
-                    let tuned = if range_m.contains(&gradient_m) { "no: at the end of the range" } else { "yes" };
+                    let tuned =
+                        if range_m.contains(&gradient_m) { "no: at the end of the range" } else { "yes" };
                     let (model, number, value) = (MODELS[case.model], case.number, net[place][at]);
                     // Writing to a String cannot fail.
                     let _ = write!(

@@ -9,7 +9,11 @@ use super::values::{at, digits, list, short, text, whole_at};
 
 pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
     let mut numbers = vec![
-        KeyNumber::new("cases", whole_at(result, "cases"), format!("{} left out", whole_at(result, "left_out"))),
+        KeyNumber::new(
+            "cases",
+            whole_at(result, "cases"),
+            format!("{} left out", whole_at(result, "left_out")),
+        ),
         KeyNumber::new("flown", whole_at(result, "flown"), "initial and updated model"),
         KeyNumber::new("load sets for stress", list(result, "selected").len().to_string(), ""),
     ];
@@ -18,7 +22,9 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
         numbers.push(KeyNumber::new("round trip", digits(worst, 2), note));
     }
     let failed = list(result, "failed");
-    let mut lead = vec!["Loads by the numbers of the plan; compliance with any rule is the applicant's to show.".to_owned()];
+    let mut lead = vec![
+        "Loads by the numbers of the plan; compliance with any rule is the applicant's to show.".to_owned(),
+    ];
     if !failed.is_empty() {
         lead.insert(0, format!("{} cases could not be flown; cases.csv says why.", failed.len()));
     }
