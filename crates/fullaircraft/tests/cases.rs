@@ -76,7 +76,7 @@ fn a_maneuver_in_time_loads_every_station_around_the_load_of_its_trim() {
     let moving = cases.iter().find(is_flown).expect("a maneuver in time is in the grid");
     let mut results = fly(&[level.clone(), moving.clone()], &tools);
     let (flown, steady) = (results.pop().unwrap(), results.pop().unwrap());
-    assert_eq!(flown.loads.len(), tools.stations.all.len());
+    assert_eq!(flown.loads.len(), tools.stations.len());
     for before in &steady.loads {
         let found = flown.loads.iter().find(|loads| loads.station == before.station).unwrap();
         let ranges = [found.fz_n, found.mx_nm, found.my_nm];

@@ -179,7 +179,7 @@ fn stations_add_up_and_the_tip_carries_less_than_the_root() {
     let at = tools.at(&model, 30.0).unwrap();
     let found = at.solve(&Steady::Pull { load_factor: 4.0 }.case(&aircraft.file, 30.0)).unwrap();
     let loads = at.station_loads(&found);
-    let names: Vec<&str> = tools.stations.all.iter().map(|station| station.name.as_str()).collect();
+    let names: Vec<&str> = tools.stations.iter().map(|station| station.name.as_str()).collect();
     assert_eq!(names, ["right root", "left root", "right a", "left a", "right b", "left b"]);
     assert!(loads[0][0] > loads[2][0] && loads[2][0] > loads[4][0] && loads[4][0] > 0.0, "{loads:?}");
     assert!(loads[0][1] > loads[2][1] && loads[2][1] > loads[4][1] && loads[4][1] > 0.0, "{loads:?}");

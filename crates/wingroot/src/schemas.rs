@@ -83,6 +83,8 @@ pub fn all() -> Vec<Named> {
         result::<DiscoverResult>("discover_result", "result.json of discover"),
         result::<BenchmarkResult>("hidden_result", "result.json of hidden"),
         result::<FullaircraftResult>("fullaircraft_result", "result.json of fullaircraft"),
+        result::<crate::commands::loads_result::LoadsResult>("loads_result", "result.json of loads"),
+        input::<loads::SelectFile>("select", "loads --select"),
         result::<CasesSummary>("fullaircraft_cases_result", "result.json of fullaircraft --cases"),
         result::<DeckSummary>("fullaircraft_deck_result", "result.json of fullaircraft --deck"),
         result::<PipelineResult>("pipeline_result", "result.json of pipeline"),

@@ -51,6 +51,10 @@ pub struct Aircraft {
     pub right: WingPlaces,
     /// Left wing.
     pub left: WingPlaces,
+    /// Nodes of the right and left half of the horizontal tail and of the vertical tail, from root to tip.
+    pub tail: [Vec<usize>; 3],
+    /// Nodes of the fuselage, nose first.
+    pub fuselage: Vec<usize>,
     /// Node of the reference grid.
     pub centre: usize,
     /// Mass properties of the whole.
@@ -90,6 +94,10 @@ impl Aircraft {
         let lattice = Lattice::from_bulk(&in_flow)?;
         let spline = spline(&cards, &lattice, &free, wing.spline)?;
         let [right, left] = wings(&cards, &wing, &free)?;
+        let nodes = |ids: &[u32]| ids.iter().map(|id| node(&free, *id)).collect::<Result<Vec<_>, _>>();
+        let [right_half, left_half, vertical] = &cards.tail_splines;
+        let tail = [nodes(right_half)?, nodes(left_half)?, nodes(vertical)?];
+        let fuselage = nodes(&cards.fuselage_spline)?;
         let centre = node(&free, cards.centre)?;
         let held = free.clamped_at(centre);
         let mass = free.mass_properties();
@@ -113,7 +121,8 @@ impl Aircraft {
             lattice,
         };
         let flow = ElasticWing::new(parts)?;
-        Ok(Self { file, wing, bulk: cards.bulk, free, spline, flow, right, left, centre, mass, inertia })
+        let bulk = cards.bulk;
+        Ok(Self { file, wing, bulk, free, spline, flow, right, left, tail, fuselage, centre, mass, inertia })
     }
 
     /// Corrections of one wing's boxes spread over the aircraft: the same on the right wing, mirrored on the left,

@@ -28,7 +28,7 @@ impl CasesFile {
     pub(super) fn check(&self) -> Result<(), InputError> {
         self.numbers("airspeeds_V_m_s", &self.airspeeds_v_m_s, &AIRSPEEDS_M_S)?;
         self.numbers("load_factors", &self.load_factors, &LOAD_FACTORS)?;
-        if self.airspeeds_v_m_s.is_empty() {
+        if self.airspeeds_v_m_s.is_empty() && self.rules.is_none() {
             return Err(self.wrong("airspeeds_V_m_s", "there is no airspeed", "give at least one"));
         }
         if !self.maneuvers.iter().all(is_possible) {
@@ -39,7 +39,7 @@ impl CasesFile {
         }
         let actions = self.maneuvers.iter().map(|maneuver| self.count(maneuver));
         let actions = actions.fold(0, usize::saturating_add);
-        if actions == 0 {
+        if actions == 0 && self.rules.is_none() {
             let help = "give at least one (`Pull` needs load factors that are not one, `Turn` one above)";
             return Err(self.wrong("maneuvers", "there is no maneuver to fly", help));
         }

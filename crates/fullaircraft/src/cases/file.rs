@@ -2,6 +2,8 @@
 
 use crate::trim::maneuvers::Steady;
 use coupling::wing_file::StationAt;
+use loads::Design;
+use loads::design::{DesignSpeeds, Gust, GustSpeeds, Lift, LimitLoadFactors, MassCase, Rules};
 use maneuver::motion::{MotionOr, MotionSpec, Others};
 use nastran::{InputError, ron_file};
 use schemars::JsonSchema;
@@ -15,16 +17,45 @@ use std::path::{Path, PathBuf};
 pub struct CasesFile {
     /// What reports call it.
     pub name: String,
-    /// Airspeeds, m/s.
-    #[serde(rename = "airspeeds_V_m_s")]
+    /// Airspeeds, m/s; a plan of loads (with `rules`) may leave them out.
+    #[serde(rename = "airspeeds_V_m_s", default)]
     pub airspeeds_v_m_s: Vec<f64>,
     /// Load factors of `Pull`, `Roll` and `Turn`.
+    #[serde(default)]
     pub load_factors: Vec<f64>,
     /// What is flown at each airspeed.
+    #[serde(default)]
     pub maneuvers: Vec<Maneuver>,
     /// Points of the right wing where loads are monitored, beside the root; the left has their images.
     #[serde(default)]
     pub stations: Vec<StationAt>,
+    /// Whose numbers are taken where the file gives none: makes the file a plan of loads, to which all fields below belong.
+    #[serde(default)]
+    pub rules: Option<Rules>,
+    /// Design speeds, equivalent airspeed.
+    #[serde(rename = "design_speeds_EAS_m_s", default)]
+    pub design_speeds: Option<DesignSpeeds>,
+    /// Limit load factors in place of those of the rules.
+    #[serde(default)]
+    pub limit_load_factors: Option<LimitLoadFactors>,
+    /// Lift coefficients of the stall lines.
+    #[serde(default)]
+    pub lift: Option<Lift>,
+    /// Altitudes, m.
+    #[serde(default)]
+    pub altitudes_m: Vec<f64>,
+    /// States of loading.
+    #[serde(default)]
+    pub masses: Vec<MassCase>,
+    /// Gusts.
+    #[serde(default)]
+    pub gusts: Vec<Gust>,
+    /// Gust speeds in place of those of the rules, and what those depend on.
+    #[serde(default)]
+    pub gust_speeds: Option<GustSpeeds>,
+    /// The file that says which cases go to stress.
+    #[serde(default)]
+    pub select: Option<String>,
     /// The file as it was named when read.
     #[serde(skip)]
     pub path: PathBuf,
@@ -101,7 +132,32 @@ impl CasesFile {
                 .with_help("expected metres"));
         }
         file.check()?;
+        file.design()?;
         Ok(file)
+    }
+
+    /// The plan's design, of a file that has `rules`.
+    ///
+    /// # Errors
+    /// If it has no design speeds, or its numbers make no sense.
+    pub fn design(&self) -> Result<Option<Design>, InputError> {
+        let Some(rules) = self.rules else { return Ok(None) };
+        let speeds = self.design_speeds.ok_or_else(|| {
+            InputError::in_field(&self.path, "rules", "a plan of loads needs `design_speeds_EAS_m_s`")
+                .with_help("such as design_speeds_EAS_m_s: (VC: 37.0, VD: 46.0)")
+        })?;
+        let design = Design {
+            path: self.path.clone(),
+            rules,
+            speeds,
+            factors: self.limit_load_factors,
+            lift: self.lift,
+            altitudes_m: self.altitudes_m.clone(),
+            masses: self.masses.clone(),
+            gusts: self.gusts.clone(),
+            gust_speeds: self.gust_speeds.unwrap_or_default(),
+        };
+        design.check().map(|()| Some(design))
     }
 
     /// What is flown at each airspeed, in the file's order.

@@ -156,7 +156,7 @@ impl CaseFlight<'_> {
             result.loads = self.flown_loads(&history, &at.station_loads(&balanced));
         } else {
             result.tip_deflection_m = trimmed.tip_deflection_m.map(pair).to_vec();
-            let stations = self.tools.stations.all.iter().zip(at.station_loads(&balanced));
+            let stations = self.tools.stations.iter().zip(at.station_loads(&balanced));
             result.loads = stations.map(|(place, loads)| station(&place.name, loads.map(pair))).collect();
         }
         Ok(result)
@@ -167,10 +167,10 @@ impl CaseFlight<'_> {
     fn flown_loads(&self, history: &FlightHistory, steady: &[[f64; 3]]) -> Vec<StationLoads> {
         let roots = [("right root", &history.root_right), ("left root", &history.root_left)];
         let mut all = roots.map(|(name, loads)| station(name, [0, 1, 2].map(|i| range(&loads[i])))).to_vec();
-        for (place, steady) in self.tools.stations.all.iter().zip(steady) {
-            let Some((side, name)) = place.name.split_once(' ') else { continue };
-            let name = format!("{name}_{side}");
-            let Some(flown) = history.stations.iter().find(|flown| flown.name == name) else { continue };
+        for (place, steady) in self.tools.stations.iter().zip(steady) {
+            let Some(flown) = history.stations.iter().find(|flown| flown.name == place.channel) else {
+                continue;
+            };
             let load = |i: usize| {
                 let start = flown.loads[i].first().copied().unwrap_or(0.0);
                 range(&flown.loads[i]).map(|value| steady[i] + (value - start))

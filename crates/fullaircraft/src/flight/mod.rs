@@ -5,6 +5,8 @@ pub mod drive;
 mod equations;
 pub mod gust;
 pub mod history;
+mod load_sources;
+pub mod loads;
 pub mod model;
 pub mod modes;
 pub mod nonlinear;

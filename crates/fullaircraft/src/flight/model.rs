@@ -43,14 +43,14 @@ impl FlyingAircraft {
     ) -> Result<Self, AircraftError> {
         let aircraft = model.aircraft;
         let gusts = if gust.is_some() { air.gust_x_m.len() } else { 0 };
-        let rows = Rows { model, trimmed, motions: motions(air, &drives, gusts) };
+        let rows = Rows::new(model, air, trimmed, &drives, gusts);
         let generalised = rows.of(&air.modes.generalised_rows(aircraft));
         let q_pa = model.flow(&trimmed.point).dynamic_pressure_pa();
         let amplitude =
             |(mode, omega): (usize, &f64)| q_pa * generalised.constant[6 + mode] / (omega * omega);
         let eta: Vec<f64> = air.modes.elastic_omega_rad_s().iter().enumerate().map(amplitude).collect();
         let equations = equations(&rows, air, &eta, generalised, drives.len());
-        let parts = LoadParts::new(aircraft, &air.modes);
+        let parts = LoadParts::new(aircraft, &air.modes)?;
         let loads = rows.of(&parts.air);
         let sensors = Sensors::new(aircraft, &air.modes, trimmed, &eta, parts, loads, &equations);
         let first = air.gust_x_m.first().copied().unwrap_or(0.0);
@@ -66,7 +66,18 @@ impl FlyingAircraft {
 
     /// Commands and gust at a time, with the distance (m) and the airspeed (m/s) flown.
     pub(crate) fn inputs(&self, command_rad: Vec<f64>, flown_m: f64, v_m_s: f64) -> Inputs {
-        let Some(gust) = self.gust else {
+        self.inputs_in(self.gust, command_rad, flown_m, v_m_s)
+    }
+
+    /// As [`FlyingAircraft::inputs`], in another gust.
+    pub(crate) fn inputs_in(
+        &self,
+        gust: Option<Gust>,
+        command_rad: Vec<f64>,
+        flown_m: f64,
+        v_m_s: f64,
+    ) -> Inputs {
+        let Some(gust) = gust else {
             return Inputs { command_rad, ..Inputs::default() };
         };
         let entered = flown_m - self.equations.reference.v_m_s * gust.start_s;
@@ -162,15 +173,31 @@ impl FlyingAircraft {
 }
 
 /// What makes rows of air loads of a trimmed model.
-struct Rows<'a> {
+pub(crate) struct Rows<'a> {
     model: &'a FlightModel<'a>,
     trimmed: &'a Trimmed,
     motions: RationalAir,
 }
 
-impl Rows<'_> {
+impl<'a> Rows<'a> {
+    /// For an aircraft with these drives and so many stations of a gust.
+    pub(crate) fn new(
+        model: &'a FlightModel<'a>,
+        air: &FlightAir,
+        trimmed: &'a Trimmed,
+        drives: &[Drive],
+        gusts: usize,
+    ) -> Self {
+        Self { model, trimmed, motions: motions(air, drives, gusts) }
+    }
+
+    /// Pressures by motions, rates over V, second rates over V², lags: boxes by the columns of [`AirRows`].
+    pub(crate) fn pressures(&self) -> Mat<f64> {
+        AirRows::new(Vec::new(), &self.motions).by
+    }
+
     /// Rows by box loads made rows by motions, per unit dynamic pressure.
-    fn of(&self, rows: &Mat<f64>) -> AirRows {
+    pub(crate) fn of(&self, rows: &Mat<f64>) -> AirRows {
         let q_pa = self.model.flow(&self.trimmed.point).dynamic_pressure_pa();
         let loads = self.trimmed.box_loads.iter().enumerate();
         let at_trim = |i: usize| loads.clone().map(|(k, p)| rows[(i, k)] * p).sum::<f64>() / q_pa;

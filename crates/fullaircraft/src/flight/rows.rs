@@ -8,11 +8,11 @@
 //! The last six columns are the centripetal accelerations `omega x (omega x r)`, linear in the products of the rates. Gravity is
 //! an acceleration upwards. Fz up, Mx, My about the part's point in aircraft axes (x aft, y right, z up) on both sides.
 
-use crate::aircraft::assembly::{Aircraft, WingPlaces};
+use crate::aircraft::assembly::Aircraft;
+use crate::error::AircraftError;
 use crate::flight::modes::FreeModes;
-use faer::{Mat, MatRef};
-use maneuver::Station;
-use nalgebra::{Matrix3, Point3, Vector3};
+use faer::Mat;
+use nalgebra::{Matrix3, Vector3};
 
 /// Products of rates: xx, yy, zz, xy, xz, yz.
 pub(crate) const PRODUCTS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
@@ -24,7 +24,7 @@ pub(crate) struct LoadParts {
     pub(crate) names: Vec<String>,
     /// From each part's point to the centre of gravity, m.
     pub(crate) to_centre: Vec<Vector3<f64>>,
-    /// Forces and moments about the centre of gravity, six rows a part, by box loads, two columns a box.
+    /// Forces and moments about the centre of gravity of what box loads put on the nodes, six rows a part, two columns a box.
     pub(crate) air: Mat<f64>,
     /// Fz, Mx, My about the part's point by six rigid accelerations about the centre of gravity, modal accelerations and
     /// products of rates.
@@ -32,70 +32,35 @@ pub(crate) struct LoadParts {
 }
 
 impl LoadParts {
-    /// Both wings at their roots, then every monitoring station on both sides, then the whole.
-    pub(crate) fn new(aircraft: &Aircraft, modes: &FreeModes) -> Self {
-        let root = aircraft.root_point();
-        let mut parts = vec![
-            ("right".to_owned(), root, aircraft.right.clone()),
-            ("left".to_owned(), root, aircraft.left.clone()),
-        ];
-        for station in Station::of_wing(&aircraft.wing) {
-            for (wing, side, sign) in [(&aircraft.right, "right", 1.0), (&aircraft.left, "left", -1.0)] {
-                let point = Point3::new(station.point.x, sign * station.point.y, station.point.z);
-                parts.push((format!("{}_{side}", station.name), point, outboard(aircraft, wing, &point)));
-            }
-        }
-        let whole = WingPlaces {
-            boxes: (0..aircraft.flow.lattice.len()).collect(),
-            nodes: (0..aircraft.free.node_count()).collect(),
-            ..aircraft.right.clone()
-        };
-        parts.push(("whole".to_owned(), aircraft.mass.centre, whole));
+    /// Both wings at their roots, then every station of the wing's file on both sides, then the whole.
+    ///
+    /// # Errors
+    /// If a station has nothing outboard of it.
+    pub(crate) fn new(aircraft: &Aircraft, modes: &FreeModes) -> Result<Self, AircraftError> {
+        let mut stations = aircraft.wing_stations(&[])?;
+        stations.extend(aircraft.body_stations().pop());
         let momentum = momentum(aircraft, modes);
-        let mut air = Mat::zeros(6 * parts.len(), 2 * aircraft.flow.lattice.len());
-        let mut inertia = Mat::zeros(3 * parts.len(), momentum.ncols());
-        for (at, (_, point, part)) in parts.iter().enumerate() {
-            put_air(aircraft, part, &mut air, 6 * at);
-            let nodal = nodal_loads(aircraft, part, point, momentum.as_ref());
-            inertia.as_mut().subrows_mut(3 * at, 3).copy_from(&nodal);
+        let (system, centre) = (&aircraft.free, &aircraft.mass.centre);
+        let mut air = Mat::zeros(6 * stations.len(), 2 * aircraft.flow.lattice.len());
+        let mut inertia = Mat::zeros(3 * stations.len(), momentum.ncols());
+        for (at, station) in stations.iter().enumerate() {
+            let boxes = aircraft.spline.displace(station.motions(system, centre).as_ref());
+            air.as_mut().subrows_mut(6 * at, 6).copy_from(boxes.transpose());
+            let sums = station.motions(system, &station.point).transpose() * &momentum;
+            inertia.as_mut().subrows_mut(3 * at, 3).copy_from(sums.as_ref().subrows(2, 3));
         }
-        Self {
-            to_centre: parts.iter().map(|(_, point, _)| aircraft.mass.centre - point).collect(),
-            names: parts.into_iter().map(|(name, ..)| name).collect(),
+        Ok(Self {
+            to_centre: stations.iter().map(|station| centre - station.point).collect(),
+            names: stations.into_iter().map(|station| station.channel).collect(),
             air,
             inertia,
-        }
-    }
-}
-
-/// Forces and moments about the centre of gravity of box loads on a part, into six rows from `first` on.
-fn put_air(aircraft: &Aircraft, part: &WingPlaces, air: &mut Mat<f64>, first: usize) {
-    for &j in &part.boxes {
-        let panel = &aircraft.flow.lattice.boxes[j];
-        let (n, axis) = (panel.normal(), panel.pitch_axis());
-        let moment = (panel.mid_point() - aircraft.mass.centre).cross(&n);
-        for i in 0..3 {
-            air[(first + i, 2 * j)] = n[i];
-            air[(first + 3 + i, 2 * j)] = moment[i];
-            air[(first + 3 + i, 2 * j + 1)] = axis[i];
-        }
-    }
-}
-
-/// Boxes and nodes of a wing beyond a point's |y|.
-fn outboard(aircraft: &Aircraft, wing: &WingPlaces, point: &Point3<f64>) -> WingPlaces {
-    let beyond = |y: f64| y * point.y.signum() > point.y.abs();
-    let lattice = &aircraft.flow.lattice;
-    WingPlaces {
-        boxes: wing.boxes.iter().copied().filter(|&j| beyond(lattice.boxes[j].mid_point().y)).collect(),
-        nodes: wing.nodes.iter().copied().filter(|&i| beyond(aircraft.free.points()[i].y)).collect(),
-        ..wing.clone()
+        })
     }
 }
 
 /// Forces on the g-set that accelerate the masses: six rigid accelerations about the centre of gravity, the elastic modes,
 /// products of rates.
-fn momentum(aircraft: &Aircraft, modes: &FreeModes) -> Mat<f64> {
+pub(crate) fn momentum(aircraft: &Aircraft, modes: &FreeModes) -> Mat<f64> {
     let (system, elastic) = (&aircraft.free, modes.elastic());
     let rigid = system.rigid_body(&aircraft.mass.centre);
     let points = system.points();
@@ -150,25 +115,4 @@ fn add_offsets(aircraft: &Aircraft, loads: &mut Mat<f64>, first: usize) {
             }
         }
     }
-}
-
-/// Fz, Mx, My about a point of nodal loads (g-set) on a part.
-fn nodal_loads(
-    aircraft: &Aircraft,
-    part: &WingPlaces,
-    about: &Point3<f64>,
-    f_g: MatRef<'_, f64>,
-) -> Mat<f64> {
-    let mut sums = Mat::zeros(3, f_g.ncols());
-    for column in 0..f_g.ncols() {
-        for &node in &part.nodes {
-            let of = |from: usize| Vector3::from_fn(|axis, _| f_g[(6 * node + from + axis, column)]);
-            let (force, moment) = (of(0), of(3));
-            let moment = moment + (aircraft.free.points()[node] - about).cross(&force);
-            sums[(0, column)] += force.z;
-            sums[(1, column)] += moment.x;
-            sums[(2, column)] += moment.y;
-        }
-    }
-    sums
 }

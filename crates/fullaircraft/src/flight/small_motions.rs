@@ -7,7 +7,8 @@
 
 use crate::error::AircraftError;
 use crate::flight::air::FlightAir;
-use crate::flight::equations::Inputs;
+use crate::flight::equations::{Evaluated, Inputs};
+use crate::flight::gust::Gust;
 use crate::flight::history::FlightHistory;
 use crate::flight::model::FlyingAircraft;
 use crate::flight::state::{self, vector};
@@ -25,11 +26,11 @@ const DIFFERENCE: f64 = 1e-4;
 /// A trimmed aircraft, ready for small motions.
 #[derive(Debug)]
 pub struct FreeFlight {
-    flying: FlyingAircraft,
-    a: Mat<f64>,
-    b: Mat<f64>,
-    c: Mat<f64>,
-    d: Mat<f64>,
+    pub(crate) flying: FlyingAircraft,
+    pub(crate) a: Mat<f64>,
+    pub(crate) b: Mat<f64>,
+    pub(crate) c: Mat<f64>,
+    pub(crate) d: Mat<f64>,
     y_0: Vec<f64>,
 }
 
@@ -50,6 +51,14 @@ impl FreeFlight {
 
     /// Linearises an aircraft's equations about its trim.
     pub fn of(flying: FlyingAircraft) -> Self {
+        Self::showing(flying, FlyingAircraft::read)
+    }
+
+    /// Linearises an aircraft's equations about its trim, with outputs of one's own.
+    pub(crate) fn showing(
+        flying: FlyingAircraft,
+        read: impl Fn(&FlyingAircraft, &[f64], &Evaluated) -> Vec<f64>,
+    ) -> Self {
         let equations = &flying.equations;
         let layout = equations.layout;
         let at_trim = equations.trimmed();
@@ -57,7 +66,7 @@ impl FreeFlight {
         let evaluate = |state: &[f64], inputs: &Inputs| {
             let evaluated = equations.evaluate(state, inputs);
             let rates = vector(state, 3) - Vector3::new(0.0, equations.reference.pitch_rate_rad_s, 0.0);
-            (state::small_rates(&evaluated.derivative, &rates), flying.read(state, &evaluated))
+            (state::small_rates(&evaluated.derivative, &rates), read(&flying, state, &evaluated))
         };
         let (_, y_0) = evaluate(&at_trim, &still);
         let (n, outputs, inputs) = (layout.small(), y_0.len(), input_count(&still));
@@ -131,12 +140,7 @@ impl FreeFlight {
             })
             .collect();
         let t_s: Vec<f64> = (0..samples).map(|k| k as f64 * time_step_s).collect();
-        let mut inputs = Mat::zeros(self.b.ncols(), samples);
-        for (k, t) in t_s.iter().enumerate() {
-            let at = flying.inputs(commands.iter().map(|list| list[k]).collect(), v * t, v);
-            let values = at.command_rad.iter().chain(&at.gust_m_s).chain(&at.gust_rate_m_s2);
-            values.enumerate().for_each(|(row, value)| inputs[(row, k)] = *value);
-        }
+        let inputs = self.inputs(flying.gust, &commands, &t_s);
         let at_rest = vec![0.0; self.a.nrows()];
         let mut y = ExactStep::new(self.a.as_ref(), self.b.as_ref(), time_step_s).outputs(
             &at_rest,
@@ -152,6 +156,21 @@ impl FreeFlight {
             y[(crate::flight::sensors::FIXED - 3, k)] -= v * t_s[k];
         }
         flying.history(t_s, &y, &commands)
+    }
+}
+
+impl FreeFlight {
+    /// Inputs (a column a sample) of commands (rad, a list a drive) and a gust that is met at the trim's airspeed.
+    pub(crate) fn inputs(&self, gust: Option<Gust>, commands_rad: &[Vec<f64>], t_s: &[f64]) -> Mat<f64> {
+        let v_m_s = self.flying.equations.reference.v_m_s;
+        let mut inputs = Mat::zeros(self.b.ncols(), t_s.len());
+        for (k, t) in t_s.iter().enumerate() {
+            let commands = commands_rad.iter().map(|list| list[k]).collect();
+            let at = self.flying.inputs_in(gust, commands, v_m_s * t, v_m_s);
+            let values = at.command_rad.iter().chain(&at.gust_m_s).chain(&at.gust_rate_m_s2);
+            values.enumerate().for_each(|(row, value)| inputs[(row, k)] = *value);
+        }
+        inputs
     }
 }
 

@@ -13,16 +13,17 @@
 use crate::aircraft::assembly::Aircraft;
 use crate::aircraft::file::FlightPoint;
 use crate::error::AircraftError;
+use crate::stations::nodal::NodalLoads;
+use crate::stations::places::Station;
 use crate::trim::balance::Balance;
 use crate::trim::model::{FlightModel, Trimmed};
-use crate::trim::stations::Stations;
 use crate::trim::variables::{Acts, MOTION_UNITS, MOTIONS, TrimVariables, motion};
 use aero::Flow;
 use coupling::wing_file::StationAt;
 use coupling::{CouplingError, RootLoads, SupportedStructure};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, MatRef};
-use nalgebra::Point3;
+use nalgebra::{Point3, Vector3};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// What each of the six equations balances.
@@ -53,8 +54,12 @@ pub struct TrimTools<'a> {
     pub aircraft: &'a Aircraft,
     /// Variables.
     pub variables: TrimVariables,
-    /// Stations.
-    pub stations: Stations,
+    /// Stations of the wings.
+    pub stations: Vec<Station>,
+    /// Loads of the stations by box loads (six rows a station, two columns a box).
+    air: Mat<f64>,
+    /// Loads of the stations by acceleration along and about the axes, about the centre of gravity: to be taken off.
+    pub(crate) inertia: Mat<f64>,
     /// Forces and moments about the centre of gravity by box loads, 6 by two a box.
     pub(crate) sums: Mat<f64>,
     factorisations: AtomicUsize,
@@ -72,7 +77,7 @@ pub struct TrimAt<'a> {
     loads: Mat<f64>,
     /// Six equations of balance.
     balance: Mat<f64>,
-    /// Loads of the stations, three rows each.
+    /// Loads of the stations, six rows each.
     stations: Mat<f64>,
 }
 
@@ -89,10 +94,22 @@ impl<'a> TrimTools<'a> {
     /// # Errors
     /// If a point has nothing outboard of it.
     pub fn new(aircraft: &'a Aircraft, points: &[StationAt]) -> Result<Self, AircraftError> {
+        let stations = aircraft.wing_stations(points)?;
+        let field = aircraft.free.inertia_loads(aircraft.free.rigid_body(&reference(aircraft)).as_ref());
+        let mut air = Mat::zeros(6 * stations.len(), 2 * aircraft.flow.lattice.len());
+        let mut inertia = Mat::zeros(6 * stations.len(), MOTIONS.len());
+        for (at, station) in stations.iter().enumerate() {
+            let motions = station.motions(&aircraft.free, &station.point);
+            let boxes = aircraft.spline.displace(motions.as_ref());
+            air.as_mut().subrows_mut(6 * at, 6).copy_from(boxes.transpose());
+            inertia.as_mut().subrows_mut(6 * at, 6).copy_from(motions.transpose() * &field);
+        }
         Ok(Self {
             aircraft,
             variables: TrimVariables::new(aircraft),
-            stations: Stations::new(aircraft, points)?,
+            stations,
+            air,
+            inertia,
             sums: sums(aircraft),
             factorisations: AtomicUsize::new(0),
         })
@@ -109,7 +126,7 @@ impl<'a> TrimTools<'a> {
     /// If the aircraft diverges at this airspeed.
     pub fn at(&'a self, model: &FlightModel<'_>, v_m_s: f64) -> Result<TrimAt<'a>, AircraftError> {
         let held = self.aircraft.held()?;
-        let flow = Flow { v_m_s, rho_kg_m3: self.aircraft.file.rho_kg_m3 };
+        let flow = Flow { v_m_s, rho_kg_m3: model.rho_kg_m3 };
         let q_pa = flow.dynamic_pressure_pa();
         let divergence_pa = model.divergence_pressure_pa()?;
         if divergence_pa.is_some_and(|limit_pa| q_pa >= limit_pa) {
@@ -129,13 +146,13 @@ impl<'a> TrimTools<'a> {
         let cp = cp + self.aircraft.flow.pressures_by_displacement() * &u;
         let loads = model.loads(q_pa, cp.as_ref());
         let mut balance = &self.sums * &loads;
-        let mut stations = &self.stations.air * &loads;
+        let mut stations = &self.air * &loads;
         for (motion, unit) in MOTION_UNITS.iter().enumerate() {
             for row in 0..6 {
                 balance[(row, first + motion)] -= self.aircraft.inertia.mass[(row, motion)] * unit;
             }
             for row in 0..stations.nrows() {
-                stations[(row, first + motion)] -= self.stations.inertia[(row, motion)] * unit;
+                stations[(row, first + motion)] -= self.inertia[(row, motion)] * unit;
             }
         }
         for (at, variable) in self.variables.all.iter().enumerate() {
@@ -245,6 +262,11 @@ impl TrimAt<'_> {
         own.partial_piv_lu().solve(&by)
     }
 
+    /// Airspeed, m/s.
+    pub fn v_m_s(&self) -> f64 {
+        self.v_m_s
+    }
+
     /// Value of a variable or motion, in the unit its name says.
     pub fn value(&self, balanced: &Balanced, name: &str) -> Option<f64> {
         self.names.iter().position(|known| known == name).map(|at| balanced.x[at])
@@ -258,7 +280,32 @@ impl TrimAt<'_> {
     /// Loads of each station: Fz (N), Mx, My (N m).
     pub fn station_loads(&self, balanced: &Balanced) -> Vec<[f64; 3]> {
         let all = combine(self.stations.as_ref(), &balanced.x);
-        all.chunks_exact(3).map(|three| [three[0], three[1], three[2]]).collect()
+        all.chunks_exact(6).map(|six| [six[2], six[3], six[4]]).collect()
+    }
+
+    /// Loads at all nodes. Thrust is put where the structure is held for statics (the fuselage at the wing's root).
+    pub fn nodal_loads(&self, balanced: &Balanced) -> NodalLoads {
+        let aircraft = self.tools.aircraft;
+        let loads = self.box_loads(balanced);
+        let air = aircraft.spline.loads(Mat::from_fn(loads.len(), 1, |k, _| loads[k]).as_ref());
+        let first = 1 + self.tools.variables.all.len();
+        let about = reference(aircraft);
+        let felt = Mat::from_fn(6, 1, |motion, _| -balanced.x[first + motion] * MOTION_UNITS[motion]);
+        let felt = aircraft.free.rigid_body(&about) * felt;
+        let inertia = aircraft.free.inertia_loads(felt.as_ref());
+        let mut thrust = vec![0.0; air.nrows()];
+        let (at, arm) = (6 * aircraft.centre, about - aircraft.free.points()[aircraft.centre]);
+        for (place, variable) in self.tools.variables.all.iter().enumerate() {
+            let Acts::Force(force) = variable.acts else { continue };
+            let newtons = balanced.x[1 + place] * variable.unit;
+            let shift = arm.cross(&Vector3::new(force[0], force[1], force[2]));
+            for axis in 0..3 {
+                thrust[at + axis] += newtons * force[axis];
+                thrust[at + 3 + axis] += newtons * (force[3 + axis] + shift[axis]);
+            }
+        }
+        let column = |of: &Mat<f64>| of.col_as_slice(0).to_vec();
+        NodalLoads { damping: vec![0.0; thrust.len()], air: column(&air), inertia: column(&inertia), thrust }
     }
 
     /// Height of the right and left tip over the plane of the centre, m.
@@ -322,10 +369,15 @@ fn combine(matrix: MatRef<'_, f64>, x: &[f64]) -> Vec<f64> {
     (0..matrix.nrows()).map(|row| x.iter().enumerate().map(|(k, x)| matrix[(row, k)] * x).sum()).collect()
 }
 
+/// What trims count moments and angular motions about: the centre of gravity on the aircraft's axis.
+fn reference(aircraft: &Aircraft) -> Point3<f64> {
+    Point3::new(aircraft.file.total.x_cg_m, 0.0, 0.0)
+}
+
 /// Forces and moments about the centre of gravity by box loads: along the normal at the midpoint, about the pitch axis.
 fn sums(aircraft: &Aircraft) -> Mat<f64> {
     let lattice = &aircraft.flow.lattice;
-    let about = Point3::new(aircraft.file.total.x_cg_m, 0.0, 0.0);
+    let about = reference(aircraft);
     let mut rows = Mat::zeros(6, 2 * lattice.len());
     for (j, panel) in lattice.boxes.iter().enumerate() {
         let (n, e) = (panel.normal(), panel.pitch_axis());

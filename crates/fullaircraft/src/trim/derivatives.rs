@@ -119,7 +119,7 @@ impl FlightModel<'_> {
         ];
         let (span_m, chord_m) = self.aircraft.reference_lengths_m();
         let area_m2 = self.aircraft.wing_area_m2();
-        let q_pa = 0.5 * self.aircraft.file.rho_kg_m3 * v_m_s * v_m_s;
+        let q_pa = 0.5 * self.rho_kg_m3 * v_m_s * v_m_s;
         let of = |sums: &Mat<f64>, column: usize, per: f64| Coefficients {
             lift: sums[(2, column)] * per / (q_pa * area_m2),
             side: sums[(1, column)] * per / (q_pa * area_m2),
@@ -154,7 +154,7 @@ impl FlightModel<'_> {
     /// Forces and moments about the centre of gravity per unit of each column, without inertia.
     fn sums(&self, tools: &TrimTools<'_>, v_m_s: f64, elastic: Elastic) -> Result<Mat<f64>, AircraftError> {
         let held = self.aircraft.held()?;
-        let flow = aero::Flow { v_m_s, rho_kg_m3: self.aircraft.file.rho_kg_m3 };
+        let flow = aero::Flow { v_m_s, rho_kg_m3: self.rho_kg_m3 };
         let q_pa = flow.dynamic_pressure_pa();
         let all = tools.pressures(v_m_s);
         let cp = all.as_ref().subcols(0, all.ncols() - MOTIONS.len()).to_owned();

@@ -6,6 +6,5 @@ pub mod derivatives;
 pub mod envelope;
 pub mod maneuvers;
 pub mod model;
-pub mod stations;
 pub mod trimmed;
 pub mod variables;

@@ -16,6 +16,8 @@ pub struct FlightModel<'a> {
     pub aircraft: &'a Aircraft,
     /// Corrections of all boxes in the flow.
     pub corrections: Corrections,
+    /// Density of the air, kg/m³: that of the aircraft's file, or another altitude's.
+    pub rho_kg_m3: f64,
     /// Lowest divergence pressure, Pa, once it has been asked for.
     divergence_pa: OnceLock<Option<f64>>,
 }
@@ -53,6 +55,7 @@ impl Aircraft {
         Ok(FlightModel {
             aircraft: self,
             corrections: self.corrections(wing)?,
+            rho_kg_m3: self.file.rho_kg_m3,
             divergence_pa: OnceLock::new(),
         })
     }
@@ -62,6 +65,7 @@ impl Aircraft {
         FlightModel {
             aircraft: self,
             corrections: Corrections::neutral(self.flow.lattice.len()),
+            rho_kg_m3: self.file.rho_kg_m3,
             divergence_pa: OnceLock::new(),
         }
     }
@@ -80,6 +84,12 @@ impl Aircraft {
 }
 
 impl FlightModel<'_> {
+    /// The same in air of another density, kg/m³.
+    #[must_use]
+    pub fn in_air(self, rho_kg_m3: f64) -> Self {
+        Self { rho_kg_m3, ..self }
+    }
+
     /// Name of the elevator's variable.
     pub(crate) fn elevator(&self) -> String {
         format!("{}_deg", self.aircraft.file.htp.control.name)
@@ -100,7 +110,7 @@ impl FlightModel<'_> {
 
     /// Airspeed and density of a point.
     pub fn flow(&self, point: &FlightPoint) -> Flow {
-        Flow { v_m_s: point.v_m_s, rho_kg_m3: self.aircraft.file.rho_kg_m3 }
+        Flow { v_m_s: point.v_m_s, rho_kg_m3: self.rho_kg_m3 }
     }
 
     /// Box loads of pressures, the pressure offset in the first column.

@@ -1,9 +1,9 @@
 //! The figures of `fullaircraft --cases`: the load envelope along the span, and all cases at the right root.
 
+use fullaircraft::Station;
 use fullaircraft::cases::envelope::{Extreme, LOADS, ranges};
 use fullaircraft::cases::grid::CaseResult;
 use fullaircraft::cases::list::MODELS;
-use fullaircraft::{Station, Stations};
 use report::{Figure, Panel, Series, Style};
 
 use crate::pages::values::with_unit;
@@ -12,8 +12,8 @@ use crate::pages::values::with_unit;
 pub(crate) const DRAWN_STATION: &str = "right root";
 
 /// The envelope of the right wing's stations over y, initial dashed beside updated.
-pub(crate) fn envelope(stations: &Stations, envelope: &[Extreme]) -> Figure {
-    let mut places: Vec<&Station> = stations.all.iter().filter(|s| s.name.starts_with("right")).collect();
+pub(crate) fn envelope(stations: &[Station], envelope: &[Extreme]) -> Figure {
+    let mut places: Vec<&Station> = stations.iter().filter(|s| s.name.starts_with("right")).collect();
     places.sort_by(|a, b| a.point.y.total_cmp(&b.point.y));
     let line = |model: &str, load: &str, end: &str| {
         let style = if model == "initial" { Style::DashedLine } else { Style::Line };

@@ -54,6 +54,8 @@ commands! {
     cluster: Cluster(cluster::ClusterArgs),
     /// Trim, pull-up, push-down, chirp and doublet of the full aircraft, initial beside updated model
     fullaircraft: Fullaircraft(fullaircraft_prepared::FullaircraftArgs),
+    /// Cases of a plan of design loads: V-n, gusts, envelope, selection, and cards for a stress model
+    loads: Loads(loads::LoadsArgs),
     /// Calibrate, simulate and fullaircraft, one after the other
     pipeline: Pipeline(pipeline::PipelineArgs),
     /// The virtual wind tunnel: writes a campaign folder
@@ -94,6 +96,7 @@ impl Command {
             | Self::Cluster(_) => None,
             Self::Merge(options) => Some(options.what.results()),
             Self::Fullaircraft(options) => Some(options.results()),
+            Self::Loads(options) => Some(options.results()),
             _ => Some(self.name()),
         }
     }
@@ -127,6 +130,11 @@ mod fullaircraft_figures;
 mod fullaircraft_prepared;
 mod hidden_judge;
 mod hidden_truth;
+mod loads_figures;
+mod loads_flights;
+mod loads_package;
+pub(crate) mod loads_result;
+mod loads_tables;
 mod modes_pictures;
 pub(crate) mod modes_result;
 mod modes_shapes;

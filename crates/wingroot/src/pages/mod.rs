@@ -12,6 +12,7 @@ mod discover_map;
 mod docs;
 mod flutter;
 mod hidden;
+mod loads;
 mod modes;
 mod origin;
 mod pipeline;
@@ -41,6 +42,7 @@ pub(crate) fn page(written: Written) -> Option<Page> {
         "fullaircraft --cases" => aircraft::cases,
         "fullaircraft --deck" => aircraft_deck::page,
         "flutter" => flutter::page,
+        "loads" => loads::page,
         "modes" => modes::page,
         "statics" => statics::page,
         "deck" => deck::page,

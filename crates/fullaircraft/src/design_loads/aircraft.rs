@@ -1,0 +1,102 @@
+//! The aircraft of a plan: in each state of loading, its airframe for the rules, its stations, and the plan's own maneuvers.
+
+use crate::aircraft::assembly::Aircraft;
+use crate::cases::file::{Action, CasesFile};
+use crate::error::AircraftError;
+use crate::stations::places::Station;
+use crate::trim::maneuvers::Steady;
+use crate::trim::model::FlightModel;
+use loads::design::{Design, MassCase, Speed};
+use loads::{Airframe, Condition};
+use nastran::InputError;
+
+/// Share of the largest load factor that rolls are flown at, beside zero, where the plan has no load factors of its own.
+const ROLLING_SHARE: f64 = 2.0 / 3.0;
+
+impl Aircraft {
+    /// The aircraft in a state of loading: what that leaves out stays. The body at the wing's root takes up the difference.
+    ///
+    /// # Errors
+    /// If no body could do that, or the state has a number that aircraft here do not.
+    pub fn loaded(&self, mass: &MassCase) -> Result<Self, AircraftError> {
+        if mass.z_cg_m.is_some_and(|z_m| z_m != 0.0) || mass.ixz_kg_m2.is_some_and(|i| i != 0.0) {
+            let message = format!(
+                "mass {}: the height of the centre of gravity and products of inertia are not read",
+                mass.name
+            );
+            return Err(InputError::general(message).with_help("leave out z_cg_m and ixz_kg_m2").into());
+        }
+        let mut file = self.file.clone();
+        let total = &mut file.total;
+        total.mass_kg = mass.mass_kg;
+        for (own, given) in [
+            (&mut total.x_cg_m, mass.x_cg_m),
+            (&mut total.ixx_kg_m2, mass.ixx_kg_m2),
+            (&mut total.iyy_kg_m2, mass.iyy_kg_m2),
+            (&mut total.izz_kg_m2, mass.izz_kg_m2),
+        ] {
+            *own = given.unwrap_or(*own);
+        }
+        Self::new(file, self.wing.clone())
+    }
+
+    /// What rules know of it: area and mean chord of both wings, and the lift slope of the whole, rigid, at an airspeed.
+    ///
+    /// # Errors
+    /// If the aircraft diverges there.
+    pub fn airframe(&self, model: &FlightModel<'_>, v_m_s: f64) -> Result<Airframe, AircraftError> {
+        let found = model.derivatives(v_m_s)?;
+        let alpha = found.derivatives.iter().find(|derivative| derivative.variable == "alpha");
+        Ok(Airframe {
+            area_m2: found.area_m2,
+            mean_chord_m: found.area_m2 / found.span_m,
+            lift_slope_per_rad: alpha.map_or(f64::NAN, |alpha| alpha.rigid.lift),
+        })
+    }
+
+    /// Stations of a plan: those of the wing and of the file, the tail, the fuselage and the whole.
+    ///
+    /// # Errors
+    /// If two have a name, or one has nothing outboard of it.
+    pub fn loads_stations(&self, file: &CasesFile) -> Result<Vec<Station>, InputError> {
+        let mut all = self.wing_stations(&file.stations)?;
+        all.extend(self.body_stations());
+        Ok(all)
+    }
+}
+
+/// The maneuvers of a plan beside corners and gusts, and the same as conditions of its matrix: each at every airspeed of the
+/// file, or at VA, VC and VD; rolls at its load factors, or at zero and two thirds of the largest.
+///
+/// # Errors
+/// If the plan's numbers make no sense.
+pub fn maneuvers(file: &CasesFile, design: &Design) -> Result<Vec<(Action, Condition)>, InputError> {
+    let (factors, _) = design.load_factors()?;
+    let speeds: Vec<f64> = if file.airspeeds_v_m_s.is_empty() {
+        [Speed::VA, Speed::VC, Speed::VD].iter().filter_map(|speed| design.speeds.get(*speed)).collect()
+    } else {
+        file.airspeeds_v_m_s.clone()
+    };
+    let mut plan = file.clone();
+    if plan.load_factors.is_empty() {
+        plan.load_factors = vec![0.0, ROLLING_SHARE * factors.n1];
+    }
+    let mut all = Vec::new();
+    for action in plan.actions() {
+        for &v_eas_m_s in &speeds {
+            let (kind, n_z) = match &action {
+                Action::Steady(steady) => (steady.kind().to_owned(), steady.load_factor()),
+                Action::Motion(motion) => (motion.kind().words().to_owned(), 1.0),
+            };
+            let words = match &action {
+                Action::Steady(Steady::Roll { rate_deg_s, control, .. }) => {
+                    format!("roll {rate_deg_s} deg/s by {control}")
+                }
+                Action::Motion(motion) => format!("{kind} of {}", motion.control().unwrap_or_default()),
+                Action::Steady(_) => kind.clone(),
+            };
+            all.push((action.clone(), Condition { kind, words, v_eas_m_s, n_z }));
+        }
+    }
+    Ok(all)
+}

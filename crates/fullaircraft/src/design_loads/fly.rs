@@ -1,0 +1,235 @@
+//! Flies cases of a plan that share a state of loading, an altitude and an airspeed, with one model: one factorisation for the
+//! trims, one linearisation for everything that is flown in time.
+
+use crate::aircraft::file::FlightPoint;
+use crate::cases::file::Action as Own;
+use crate::design_loads::instants::{FlownCase, FlownInstant, driving};
+use crate::error::AircraftError;
+use crate::flight::air::FlightAir;
+use crate::flight::drive::Drive;
+use crate::flight::gust::Gust;
+use crate::flight::loads::{FlightLoads, FlownLoads, LoadedTrim};
+use crate::stations::nodal::{Component, NodalLoads};
+use crate::stations::places::Station;
+use crate::trim::case::{TrimAt, TrimTools};
+use crate::trim::maneuvers::Steady;
+use crate::trim::model::FlightModel;
+use loads::design::Direction;
+use loads::matrix::{Action, Case};
+use maneuver::motion::{MotionSpec, sampled};
+
+/// Time step of flights, s.
+pub const TIME_STEP_S: f64 = 0.002;
+/// How long a flight goes on when the gust has passed, s.
+const AFTER_S: f64 = 0.8;
+/// Gusts flown side by side.
+const TOGETHER: usize = 8;
+
+/// What is done with a case that was flown: the case and its instants, and what gives nodal loads of one of them, counted from zero.
+pub type Done<'d, E> = dyn FnMut(FlownCase, &dyn Fn(usize) -> Option<NodalLoads>) -> Result<(), E> + 'd;
+
+/// Everything that cases of one state of loading are flown with.
+#[derive(Debug)]
+pub struct PlanFlight<'a> {
+    /// Variables of trims.
+    pub tools: &'a TrimTools<'a>,
+    /// Its unsteady air, if anything is flown in time.
+    pub air: Option<&'a FlightAir>,
+    /// Stations.
+    pub stations: &'a [Station],
+    /// The plan's own maneuvers, in the order of the matrix' conditions.
+    pub maneuvers: &'a [Own],
+}
+
+impl PlanFlight<'_> {
+    /// Flies cases at one altitude and airspeed with `model` (number `which` of the two), in that altitude's air. `done` gets each, and
+    /// may stop the rest.
+    ///
+    /// # Errors
+    /// Unknown names, and what `done` says. What cannot be trimmed is a result.
+    pub fn fly<E: From<AircraftError>>(
+        &self,
+        model: &FlightModel<'_>,
+        which: usize,
+        cases: &[&Case],
+        done: &mut Done<'_, E>,
+    ) -> Result<(), E> {
+        let Some(first) = cases.first() else { return Ok(()) };
+        let none = |_: usize| None;
+        let at = match self.tools.at(model, first.v_m_s) {
+            Ok(at) => at,
+            Err(error) => {
+                return cases.iter().try_for_each(|case| done(refused(case, which, &error), &none));
+            }
+        };
+        let (trims, moving): (Vec<&Case>, Vec<&Case>) =
+            cases.iter().copied().partition(|case| self.steady(case).is_some());
+        for case in trims {
+            let steady = self.steady(case).unwrap_or(Steady::Level);
+            match self.trim(&at, case.number, which, &steady) {
+                Ok((flown, loads)) => done(flown, &|instant| (instant == 0).then(|| loads.clone()))?,
+                Err(error @ AircraftError::NotTrimmable { .. }) => done(refused(case, which, &error), &none)?,
+                Err(error) => return Err(error.into()),
+            }
+        }
+        self.fly_in_time(model, &at, which, &moving, done)
+    }
+
+    /// The trim that a case is, if it is one.
+    fn steady(&self, case: &Case) -> Option<Steady> {
+        match case.action {
+            Action::Trim => Some(Steady::Pull { load_factor: case.n_z }),
+            Action::Condition(place) => match &self.maneuvers[place] {
+                Own::Steady(steady) => Some(steady.clone()),
+                Own::Motion(_) => None,
+            },
+            _ => None,
+        }
+    }
+
+    fn trim(
+        &self,
+        at: &TrimAt<'_>,
+        number: usize,
+        which: usize,
+        steady: &Steady,
+    ) -> Result<(FlownCase, NodalLoads), AircraftError> {
+        let aircraft = self.tools.aircraft;
+        let balanced = at.solve(&steady.case(&aircraft.file, at.v_m_s()))?;
+        let loads = at.nodal_loads(&balanced);
+        let points = aircraft.free.points();
+        let parts = Component::ALL.map(|component| loads.of(component));
+        let sums = |station: &Station| std::array::from_fn(|part| station.sums(points, &parts[part]));
+        let instant = FlownInstant {
+            t_s: 0.0,
+            tips_m: at.tip_deflection_m(&balanced),
+            loads: self.stations.iter().map(sums).collect(),
+        };
+        Ok((FlownCase { number, model: which, refused: None, instants: vec![instant] }, loads))
+    }
+
+    fn fly_in_time<E: From<AircraftError>>(
+        &self,
+        model: &FlightModel<'_>,
+        at: &TrimAt<'_>,
+        which: usize,
+        cases: &[&Case],
+        done: &mut Done<'_, E>,
+    ) -> Result<(), E> {
+        let Some(air) = self.air.filter(|_| !cases.is_empty()) else { return Ok(()) };
+        let aircraft = self.tools.aircraft;
+        let v_m_s = at.v_m_s();
+        let level = at.solve(&Steady::Level.case(&aircraft.file, v_m_s));
+        let level = match level {
+            Ok(level) => level,
+            Err(error @ AircraftError::NotTrimmable { .. }) => {
+                return cases.iter().try_for_each(|case| done(refused(case, which, &error), &|_| None));
+            }
+            Err(error) => return Err(error.into()),
+        };
+        let trimmed = at.trimmed(&level, &FlightPoint { v_m_s, load_factor: 1.0, pitch_rate_deg_s: 0.0 });
+        let drives = self.drives(cases)?;
+        let names: Vec<String> = drives.iter().map(|drive| drive.name.clone()).collect();
+        let steady = at.nodal_loads(&level);
+        let trim = LoadedTrim { model, air, trimmed: &trimmed, steady, drives };
+        let flight = FlightLoads::new(trim, self.stations.to_vec(), TIME_STEP_S)?;
+        for case in cases {
+            if let Some(motion) = self.motion(case) {
+                let place = names.iter().position(|name| Some(name.as_str()) == motion.control());
+                let samples = count(motion.record_s() + AFTER_S);
+                let mut commands = vec![Vec::new(); names.len()];
+                if let Some(place) = place {
+                    commands[place] = sampled(motion.kind(), TIME_STEP_S, samples);
+                }
+                self.give(&flight.fly(None, &commands, samples), case.number, which, done)?;
+            }
+        }
+        let mut gusts: Vec<(&Case, Gust)> =
+            cases.iter().filter_map(|case| Some((*case, gust(case)?))).collect();
+        gusts.sort_by(|a, b| a.1.length_m.total_cmp(&b.1.length_m));
+        for together in gusts.chunks(TOGETHER) {
+            let longest_m = together.iter().map(|(_, gust)| gust.length_m).fold(0.0, f64::max);
+            let samples = count(longest_m / v_m_s + AFTER_S);
+            let all: Vec<Gust> = together.iter().map(|(_, gust)| *gust).collect();
+            for ((case, _), flown) in together.iter().zip(flight.fly_gusts(&all, samples)) {
+                self.give(&flown, case.number, which, done)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Hands over a flight by the instants that can drive a load.
+    fn give<E: From<AircraftError>>(
+        &self,
+        flown: &FlownLoads<'_>,
+        number: usize,
+        which: usize,
+        done: &mut Done<'_, E>,
+    ) -> Result<(), E> {
+        let samples = driving(flown, self.stations.len());
+        let of = |sample: &usize| FlownInstant::of(flown, self.stations.len(), *sample);
+        let instants = samples.iter().map(of).collect();
+        let case = FlownCase { number, model: which, refused: None, instants };
+        done(case.if_finite(), &|instant| samples.get(instant).map(|sample| flown.nodal_loads(*sample)))
+    }
+
+    fn motion(&self, case: &Case) -> Option<&MotionSpec> {
+        let Action::Condition(place) = case.action else { return None };
+        if let Own::Motion(motion) = &self.maneuvers[place] { Some(motion) } else { None }
+    }
+
+    /// What moves in the cases, each once.
+    fn drives(&self, cases: &[&Case]) -> Result<Vec<Drive>, AircraftError> {
+        let mut drives: Vec<Drive> = Vec::new();
+        for name in cases.iter().filter_map(|case| self.motion(case)?.control()) {
+            if drives.iter().all(|drive| drive.name != name) {
+                drives.push(self.tools.aircraft.drive(name)?);
+            }
+        }
+        Ok(drives)
+    }
+}
+
+/// The gust of a case; vertical ones alone are flown.
+fn gust(case: &Case) -> Option<Gust> {
+    let Action::Discrete { gradient_m, direction, u_ds_m_s } = case.action else { return None };
+    let up = match direction {
+        Direction::Up => 1.0,
+        Direction::Down => -1.0,
+        Direction::Lateral => return None,
+    };
+    Some(Gust { velocity_m_s: up * u_ds_m_s, length_m: 2.0 * gradient_m, start_s: 0.0 })
+}
+
+/// Why a case is of a kind that is not flown, if it is.
+pub fn unflown(case: &Case) -> Option<&'static str> {
+    match case.action {
+        Action::Turbulence { .. } => Some("continuous turbulence is not flown"),
+        Action::Discrete { direction: Direction::Lateral, .. } => Some("lateral gusts are not flown"),
+        _ => None,
+    }
+}
+
+fn refused(case: &Case, which: usize, error: &AircraftError) -> FlownCase {
+    FlownCase { number: case.number, model: which, refused: Some(error.to_string()), instants: Vec::new() }
+}
+
+/// Samples of a duration.
+fn count(duration_s: f64) -> usize {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "files allow 0 to 600 s")]
+    let steps = (duration_s / TIME_STEP_S).ceil() as usize;
+    steps + 1
+}
+
+impl FlownCase {
+    /// The case, or a refusal if one of its loads is not finite.
+    fn if_finite(self) -> Self {
+        let finite =
+            |instant: &FlownInstant| instant.loads.iter().flatten().flatten().all(|load| load.is_finite());
+        if self.instants.iter().all(finite) {
+            return self;
+        }
+        let refused = Some("its loads are not finite: a motion grows beyond all numbers".to_owned());
+        Self { refused, instants: Vec::new(), ..self }
+    }
+}

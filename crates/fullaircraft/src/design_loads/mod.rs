@@ -1,0 +1,5 @@
+//! Cases of a plan of design loads, flown: an aircraft for each state of loading, densities by altitude, loads at stations and nodes.
+
+pub mod aircraft;
+pub mod fly;
+pub mod instants;

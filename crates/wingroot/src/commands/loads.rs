@@ -1,0 +1,208 @@
+//! `loads`: the cases of a plan of design loads flown with both models, their envelope, a selection, and the cards for stress.
+
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use clap::Args;
+use fullaircraft::CasesFile;
+use fullaircraft::cases::file::Action;
+use fullaircraft::design_loads::aircraft::maneuvers;
+use fullaircraft::design_loads::fly::unflown;
+use loads::matrix::Status;
+use loads::{Design, Matrix, SelectFile, matrix};
+use nastran::InputError;
+use nastran::ron_or_json::in_folder;
+
+use crate::args::{Common, Given};
+use crate::commands::fullaircraft_prepared::{FullaircraftArgs, Prepared, prepared};
+use crate::commands::loads_figures as figures;
+use crate::commands::loads_flights::{Flights, Flown};
+use crate::commands::loads_package::{Packed, package};
+use crate::commands::loads_result::{Failed, LoadsResult};
+use crate::commands::loads_tables as tables;
+use crate::failure::Failure;
+use crate::output::ResultFolder;
+use crate::show;
+
+/// Options of `loads`.
+#[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  wingroot loads
+  wingroot loads --plan data/tuflex/loads.ron --matrix-only
+  wingroot loads --from out/loads --select my/select.ron
+
+Flies every case of the plan with both models; writes cases.csv, vn.csv, station_loads.csv, envelope.csv, selected.csv,
+figures and package/ (FORCE and MOMENT cards of the selected cases, the structure they belong to, and their round trip)
+into out/loads. --from selects anew among finished cases and flies none: out/loads_selection.")]
+pub struct LoadsArgs {
+    /// The aircraft [default: aircraft.ron beside the wing, or of the current folder]
+    #[arg(long, value_name = "FILE")]
+    pub(crate) aircraft: Option<PathBuf>,
+    /// Wing [default: the one that the aircraft names], measurements, corrections.
+    #[command(flatten)]
+    pub(crate) given: Given,
+    /// The plan of design loads [default: loads.ron beside the aircraft]
+    #[arg(long, value_name = "FILE.ron")]
+    pub(crate) plan: Option<PathBuf>,
+    /// Only the matrix of cases and the V-n diagrams: nothing is flown
+    #[arg(long)]
+    pub(crate) matrix_only: bool,
+    /// The results of an earlier run to select from
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["plan", "matrix_only"], requires = "select")]
+    pub(crate) from: Option<PathBuf>,
+    /// Which cases go to stress [default: the one that the plan names; without one, all ends and hulls]
+    #[arg(long, value_name = "FILE.ron")]
+    pub(crate) select: Option<PathBuf>,
+}
+
+impl LoadsArgs {
+    /// The folder of results, which differs with what is asked for.
+    pub(super) fn results(&self) -> &'static str {
+        if self.from.is_some() { "loads_selection" } else { "loads" }
+    }
+}
+
+/// Runs the command.
+pub(crate) fn run(args: &LoadsArgs, common: &Common) -> Result<(), Failure> {
+    let target = common.out(args.results());
+    if let (Some(from), Some(select)) = (&args.from, &args.select) {
+        return select_again(&target, from, select, common);
+    }
+    let start = Instant::now();
+    let own = FullaircraftArgs {
+        aircraft: args.aircraft.clone(),
+        given: args.given.clone(),
+        ..FullaircraftArgs::default()
+    };
+    let mut prepared = prepared(&own, common)?;
+    let plan = plan(args, &prepared)?;
+    let design = plan.design()?.ok_or_else(|| {
+        InputError::in_file(&plan.path, "this is a grid of cases and no plan of design loads")
+            .with_help("a plan has `rules`; a grid is flown by `fullaircraft --cases`")
+    })?;
+    prepared.inputs.push(("plan", plan.path.clone()));
+    let (maneuvers, matrix) = planned(&prepared, &plan, &design)?;
+    if args.matrix_only {
+        let result = LoadsResult::of(&plan, &matrix);
+        let folder = ResultFolder::begin(&target)?;
+        prepared.inputs.iter().try_for_each(|(what, path)| folder.input(what, path))?;
+        write_matrix(&folder, &design, &matrix)?;
+        folder.write_json("result.json", &result)?;
+        let out = folder.commit()?;
+        show::summary(common, &format!("{}results in {}\n", result.matrix_line(), out.display()));
+        return show::json(common, &result);
+    }
+    let select = selection_file(args, &plan)?;
+    prepared.inputs.extend((!select.path.as_os_str().is_empty()).then(|| ("selection", select.path.clone())));
+    let flights = Flights::new(&prepared, &plan, &design, maneuvers, &matrix)?;
+    let (flown, store) = flights.fly(&target, common)?;
+    let result = write(&target, &prepared, &flights, flown, &select)?;
+    store.close()?;
+    let text = format!("{}{:.1} s\nresults in {}\n", result.text(), start.elapsed().as_secs_f64(), target.display());
+    show::summary(common, &text);
+    show::json(common, &result)?;
+    if result.flown == 0 {
+        return Err(Failure::Computation("none of the cases can be flown".into()));
+    }
+    Ok(())
+}
+
+/// The plan's file: the one named, else `loads.ron` beside the aircraft.
+fn plan(args: &LoadsArgs, prepared: &Prepared) -> Result<CasesFile, Failure> {
+    if let Some(path) = &args.plan {
+        return Ok(CasesFile::read(path)?);
+    }
+    let aircraft = &prepared.aircraft.file.path;
+    let folder = aircraft.parent().unwrap_or(Path::new(""));
+    let path = in_folder(folder, "loads")?.ok_or_else(|| {
+        InputError::in_file(aircraft, "no plan is named, and there is no loads.ron beside this aircraft")
+            .with_help("name the plan of design loads with --plan FILE.ron")
+    })?;
+    crate::paths::take("plan", &path, "beside the aircraft");
+    Ok(CasesFile::read(&path)?)
+}
+
+/// The selection: the file named, else the plan's, else ends and hulls of everything.
+fn selection_file(args: &LoadsArgs, plan: &CasesFile) -> Result<SelectFile, InputError> {
+    let beside = |name: &String| plan.path.parent().unwrap_or(Path::new("")).join(name);
+    match args.select.clone().or_else(|| plan.select.as_ref().map(beside)) {
+        Some(path) => SelectFile::read(&path),
+        None => Ok(SelectFile::default()),
+    }
+}
+
+/// The plan's own maneuvers and all its cases; kinds that are not flown are left out, with the reason.
+fn planned(prepared: &Prepared, plan: &CasesFile, design: &Design) -> Result<(Vec<Action>, Matrix), Failure> {
+    let aircraft = &prepared.aircraft;
+    let airframe = aircraft.airframe(&aircraft.uncorrected(), design.speeds.vc)?;
+    let (actions, conditions) = maneuvers(plan, design)?.into_iter().unzip::<_, _, Vec<_>, Vec<_>>();
+    let mut matrix = matrix(design, &airframe, &conditions)?;
+    for case in matrix.cases.iter_mut().filter(|case| case.status == Status::Planned) {
+        if let Some(why) = unflown(case) {
+            (case.status, case.why) = (Status::LeftOut, why.to_owned());
+        }
+    }
+    Ok((actions, matrix))
+}
+
+fn write_matrix(folder: &ResultFolder, design: &Design, matrix: &Matrix) -> Result<(), Failure> {
+    folder.write_text("cases.csv", &matrix.csv(design))?;
+    folder.write_text("vn.csv", &matrix.vn_csv(design))?;
+    figures::vn(folder, design, matrix)
+}
+
+/// Everything that comes of flown cases; nothing is written if the cards do not give back what was flown.
+fn write(
+    target: &Path,
+    prepared: &Prepared,
+    flights: &Flights<'_>,
+    flown: Flown,
+    select: &SelectFile,
+) -> Result<LoadsResult, Failure> {
+    let (plan, design) = (flights.plan, flights.design);
+    let mut matrix = flights.matrix.clone();
+    flown.mark(&mut matrix);
+    let names: Vec<String> = flights.stations.iter().map(|station| station.name.clone()).collect();
+    let instants = flown.instants();
+    let selection = loads::select(select, &names, &instants)?;
+    let packed: Packed = package(prepared, flights, &flown, select, &selection)?;
+    let folder = ResultFolder::begin(target)?;
+    prepared.inputs.iter().try_for_each(|(what, path)| folder.input(what, path))?;
+    write_matrix(&folder, design, &matrix)?;
+    let envelope = tables::envelope(&names, &instants, &matrix);
+    folder.write_text("station_loads.csv", &tables::station_loads(&names, &flown.cases))?;
+    folder.write_text("envelope.csv", &fullaircraft::cases::envelope::envelope_csv(&envelope))?;
+    folder.write_text("gusts.csv", &tables::gusts(&names, &flown.cases, &matrix))?;
+    folder.write_text("selection.csv", &selection.csv())?;
+    folder.write_text("selected.csv", &tables::selected(&selection, &flown, &matrix, design))?;
+    figures::potatoes(&folder, &names, &instants, &selection)?;
+    for (name, bytes) in &packed.files {
+        folder.write_bytes(&format!("package/{name}"), bytes)?;
+    }
+    let mut result = LoadsResult::of(plan, &matrix);
+    result.failed = flown.failed().map(|(case, model, why)| Failed { case, model, why }).collect();
+    result.envelope = envelope;
+    result.selected = selection.selected.iter().map(Into::into).collect();
+    result.round_trip = Some(packed.round_trip);
+    result.package = Some("package".to_owned());
+    folder.write_json("result.json", &result)?;
+    folder.commit_if(result.flown > 0)?;
+    Ok(result)
+}
+
+/// A new selection among the station loads of an earlier result.
+fn select_again(target: &Path, from: &Path, select: &Path, common: &Common) -> Result<(), Failure> {
+    let file = SelectFile::read(select)?;
+    let (names, instants) = tables::read_station_loads(&from.join("station_loads.csv"))?;
+    let selection = loads::select(&file, &names, &instants)?;
+    let folder = ResultFolder::begin(target)?;
+    folder.input("selection", select)?;
+    folder.input("station loads", &from.join("station_loads.csv"))?;
+    folder.write_text("selection.csv", &selection.csv())?;
+    figures::potatoes(&folder, &names, &instants, &selection)?;
+    let result = LoadsResult::selected_from(&from.display().to_string(), &selection);
+    folder.write_json("result.json", &result)?;
+    let out = folder.commit()?;
+    show::summary(common, &format!("{}results in {}\n", result.text(), out.display()));
+    show::json(common, &result)
+}

@@ -1,0 +1,249 @@
+//! The package for stress: cards of the selected instants, the structure they belong to, an index, HDF5, and their round trip,
+//! which is made before anything is written.
+
+use std::fmt::Write as _;
+
+use fullaircraft::Component;
+use fullaircraft::package::cards::{CardCase, index, structure};
+use fullaircraft::package::round_trip::{Expected, LOADS, RoundTrip, Row, round_trip_csv, tips_by_loads};
+use loads::Selection;
+use loads::select::Selected;
+use loads::select::file::{Component as Exported, ExportAt, Model, SelectFile};
+use nastran::InputError;
+
+use crate::commands::fullaircraft_prepared::Prepared;
+use crate::commands::loads_flights::{Flights, Flown, NodalOf};
+use crate::commands::loads_result::RoundTripResult;
+use crate::commands::loads_tables::{case_of, words};
+use crate::failure::Failure;
+use crate::fingerprint::Fingerprint;
+use crate::hdf5::{self, Group, Values};
+use crate::version::VERSION;
+
+/// A package in memory.
+pub(crate) struct Packed {
+    /// Name and bytes of each file.
+    pub(crate) files: Vec<(String, Vec<u8>)>,
+    /// How well the cards give back what was flown.
+    pub(crate) round_trip: RoundTripResult,
+}
+
+/// A selected instant on cards, and what the solver says of it.
+struct Card {
+    case: CardCase,
+    text: String,
+    expected: Expected,
+    origin: Vec<String>,
+}
+
+/// Makes the package.
+///
+/// # Errors
+/// If cards read back do not give the loads that were flown.
+pub(crate) fn package(
+    prepared: &Prepared,
+    flights: &Flights<'_>,
+    flown: &Flown,
+    select: &SelectFile,
+    selection: &Selection,
+) -> Result<Packed, Failure> {
+    refuse_unwritten(select)?;
+    let aircraft = &prepared.aircraft;
+    let common = origin(prepared, flights)?;
+    let key = |one: &Selected| (usize::from(one.model == Model::Updated), one.case, one.instant - 1);
+    let wanted: Vec<(usize, usize, usize)> = selection.selected.iter().map(key).collect();
+    let nodal = flights.nodal(&wanted)?;
+    let deck = structure(aircraft, &common);
+    let back = RoundTrip::new(aircraft, &flights.stations, &deck)?;
+    let tips = tips_by_loads(&aircraft.free, aircraft.centre, [aircraft.right.tip, aircraft.left.tip])?;
+    let (mut cards, mut rows) = (Vec::new(), Vec::new());
+    for (one, loads) in selection.selected.iter().zip(&nodal) {
+        let card = card(one, loads, flights, flown, &common, tips.as_ref())?;
+        rows.extend(back.compare(&card.case, &card.text, &card.expected)?);
+        cards.push(card);
+    }
+    if let Some(row) = rows.iter().find(|row| !row.holds()) {
+        return Err(Failure::Computation(format!(
+            "the round trip failed: load set {}, {} {}: {} flown, {} by the cards ({:.1e} of the largest); no package is written",
+            row.sid, row.place, row.what, row.solver, row.cards, row.of_largest
+        )));
+    }
+    let mut files = vec![("aircraft.bdf".to_owned(), deck.into_bytes())];
+    let cases: Vec<CardCase> = cards.iter().map(|card| card.case.clone()).collect();
+    let title = format!("Design loads: {}", flights.plan.name);
+    files.push(("index.bdf".to_owned(), index(aircraft, &title, &cases, &common).into_bytes()));
+    files.push(("index.csv".to_owned(), index_csv(&cards, &common, select.export.factor).into_bytes()));
+    files.push((
+        "station_loads.csv".to_owned(),
+        stations_csv(selection, flights, flown, &common).into_bytes(),
+    ));
+    files.push(("round_trip.csv".to_owned(), (comment(&common) + &round_trip_csv(&rows)).into_bytes()));
+    files.push(("README.md".to_owned(), readme(&common, cards.len()).into_bytes()));
+    files.push(("loads.h5".to_owned(), hdf5_file(prepared, flights, &cards, &common)?));
+    files.extend(cards.into_iter().map(|card| (card.case.file(), card.text.into_bytes())));
+    Ok(Packed { files, round_trip: worst(&rows) })
+}
+
+/// What a selection can ask for and is not written.
+fn refuse_unwritten(select: &SelectFile) -> Result<(), InputError> {
+    if select.export.at == ExportAt::Grids && select.export.components == [Exported::Net] {
+        return Ok(());
+    }
+    let message = "only net loads at grids are written as cards";
+    Err(InputError::in_field(&select.path, "export", message)
+        .with_help("write export: (at: Grids, components: [Net]), or leave both out"))
+}
+
+/// Program, plan and fingerprints of everything that was read.
+fn origin(prepared: &Prepared, flights: &Flights<'_>) -> Result<Vec<String>, Failure> {
+    let mut lines = vec![format!("wingroot {VERSION}, loads"), format!("plan \"{}\"", flights.plan.name)];
+    for (what, path) in &prepared.inputs {
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let print = if path.is_file() {
+            Fingerprint::of_file(path).map_err(|error| InputError::in_file(path, error.to_string()))?
+        } else {
+            Fingerprint::default()
+        };
+        lines.push(format!("{what} {name} {print}"));
+    }
+    lines.push(format!("wing with all its files {}", prepared.aircraft.wing.hash));
+    let corrections = format!("{:?}", prepared.corrections);
+    lines.push(format!("corrections of boxes {}", Fingerprint::default().with(corrections.as_bytes())));
+    lines.push("N, N m, m; basic axes x aft, y right, z up".to_owned());
+    Ok(lines)
+}
+
+fn card(
+    one: &Selected,
+    (model, number, instant, nodal): &NodalOf,
+    flights: &Flights<'_>,
+    flown: &Flown,
+    common: &[String],
+    tips: faer::MatRef<'_, f64>,
+) -> Result<Card, Failure> {
+    let lost = || Failure::Computation(format!("case {number} was selected and is not there"));
+    let case = case_of(flights.matrix, *number).ok_or_else(lost)?;
+    let flown = flown.case(*model, *number).and_then(|case| case.instants.get(*instant)).ok_or_else(lost)?;
+    let mass = &flights.design.masses[case.mass].name;
+    let net = nodal.of(Component::Net);
+    // in balanced flight the trim knows its tips; in motion they are those of the loads at that instant
+    let by_loads = |side: usize| net.iter().enumerate().map(|(dof, load)| tips[(dof, side)] * load).sum();
+    let tips_m = if flown.t_s > 0.0 { [by_loads(0), by_loads(1)] } else { flown.tips_m };
+    let title = format!("case {number} {}, {:.1} m/s, n {:.2}, {mass}", case.condition, case.v_m_s, case.n_z);
+    let mut origin = common.to_vec();
+    origin.push(format!(
+        "{}; mass {mass}; model {}; instant {} at {} s",
+        words(case),
+        one.model.name(),
+        one.instant,
+        flown.t_s
+    ));
+    let card = CardCase { sid: one.sid, words: title, net };
+    let text = card.text(&flights.grids, &origin);
+    Ok(Card { case: card, text, expected: Expected { stations: flown.net(), tips_m }, origin })
+}
+
+fn worst(rows: &[Row]) -> RoundTripResult {
+    let most = |of: &dyn Fn(&Row) -> bool| {
+        rows.iter().filter(|row| of(row)).map(|row| row.of_largest).fold(0.0, f64::max)
+    };
+    let is_tip = |row: &Row| row.what == "deflection_m";
+    RoundTripResult {
+        stations: most(&|row| !is_tip(row) && row.place != "balance"),
+        balance: most(&|row| row.place == "balance"),
+        tip: most(&is_tip),
+    }
+}
+
+fn comment(lines: &[String]) -> String {
+    lines.iter().map(|line| format!("# {line}\n")).collect()
+}
+
+fn index_csv(cards: &[Card], common: &[String], factor: f64) -> String {
+    let mut text = comment(common) + "sid,file,fingerprint,factor,case\n";
+    for card in cards {
+        let print = Fingerprint::default().with(card.text.as_bytes());
+        // Writing to a String cannot fail.
+        let _ =
+            writeln!(text, "{},{},{print},{factor},\"{}\"", card.case.sid, card.case.file(), card.case.words);
+    }
+    text
+}
+
+fn stations_csv(selection: &Selection, flights: &Flights<'_>, flown: &Flown, common: &[String]) -> String {
+    let mut text = comment(common) + "sid,case,instant,t_s,station,component," + &LOADS.join(",") + "\n";
+    for one in &selection.selected {
+        let model = usize::from(one.model == Model::Updated);
+        let Some(case) = flown.case(model, one.case) else { continue };
+        let Some(instant) = case.instants.get(one.instant - 1) else { continue };
+        for (station, components) in flights.stations.iter().zip(&instant.loads) {
+            for (component, loads) in Component::ALL.iter().zip(components) {
+                // Writing to a String cannot fail.
+                let _ = write!(
+                    text,
+                    "{},{},{},{},{},{}",
+                    one.sid,
+                    one.case,
+                    one.instant,
+                    instant.t_s,
+                    station.name,
+                    component.name()
+                );
+                for load in loads {
+                    let _ = write!(text, ",{load:.12e}");
+                }
+                text.push('\n');
+            }
+        }
+    }
+    text
+}
+
+fn readme(common: &[String], cases: usize) -> String {
+    let lines: String = common.iter().map(|line| format!("- {line}\n")).collect();
+    format!(
+        "# Loads for stress\n\n{lines}\n{cases} load sets: `index.bdf` is a deck of linear statics with a subcase each; it includes \
+         `aircraft.bdf` (the structure the cards belong to) and the cards, `case_NNNNN.bdf`. Cards are limit loads: all that is applied \
+         (air, inertia, thrust, damping, gravity), no reactions; each set is in balance. `index.bdf` holds the aircraft at the \
+         wing's root, where no reaction is left. Centrifugal forces of steady rolls and turns are left out. `round_trip.csv`: \
+         cards read back, summed at the stations, over the whole aircraft, and put on the structure. `loads.h5` has the same as arrays.\n"
+    )
+}
+
+fn hdf5_file(
+    prepared: &Prepared,
+    flights: &Flights<'_>,
+    cards: &[Card],
+    common: &[String],
+) -> Result<Vec<u8>, Failure> {
+    let free = &prepared.aircraft.free;
+    let dofs = 6 * free.node_count();
+    let nets: Vec<f64> = cards.iter().flat_map(|card| card.case.net.iter().copied()).collect();
+    let points: Vec<f64> = free.points().iter().flat_map(|point| [point.x, point.y, point.z]).collect();
+    let count = flights.stations.len();
+    let sums: Vec<f64> =
+        cards.iter().flat_map(|card| card.expected.stations.iter().flatten().copied()).collect();
+    let about: Vec<f64> = flights
+        .stations
+        .iter()
+        .flat_map(|station| [station.point.x, station.point.y, station.point.z])
+        .collect();
+    let loads = Group::new(
+        "loads",
+        "net loads at grids, a row a load set; Fx, Fy, Fz (N), Mx, My, Mz (N m) of each grid; basic axes",
+    )
+    .with("sid", Values::Whole(cards.iter().map(|card| card.case.sid).collect()))
+    .with("words", Values::words(cards.iter().map(|card| &card.case.words)))
+    .with("origin", Values::words(cards.iter().map(|card| card.origin.join("\n"))))
+    .with("f_g", Values::Real(nets, vec![cards.len(), dofs]))
+    .with("grids", Values::Whole(free.node_ids().to_vec()))
+    .with("xyz_m", Values::Real(points, vec![free.node_count(), 3]));
+    let stations = Group::new(
+        "stations",
+        "net loads at stations by load set, station and Fx, Fy, Fz (N), Mx, My, Mz (N m)",
+    )
+    .with("names", Values::words(flights.stations.iter().map(|station| &station.name)))
+    .with("points_m", Values::Real(about, vec![count, 3]))
+    .with("net", Values::Real(sums, vec![cards.len(), count, 6]));
+    hdf5::bytes(&common.join("\n"), &[loads, stations])
+}

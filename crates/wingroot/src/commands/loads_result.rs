@@ -1,0 +1,133 @@
+//! What `result.json` of `loads` holds.
+
+use fullaircraft::CasesFile;
+use fullaircraft::cases::envelope::Extreme;
+use loads::matrix::Status;
+use loads::select::Selected;
+use loads::{Matrix, Selection};
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::fmt::Write as _;
+
+/// See the module.
+#[derive(Debug, Default, Serialize, JsonSchema)]
+pub(crate) struct LoadsResult {
+    /// Name of the command.
+    command: &'static str,
+    /// Name of the plan.
+    name: String,
+    /// How many cases the matrix has.
+    pub(crate) cases: usize,
+    /// How many of them were flown with both models.
+    pub(crate) flown: usize,
+    /// How many were left out; cases.csv says why.
+    left_out: usize,
+    /// Cases that could not be flown.
+    pub(crate) failed: Vec<Failed>,
+    /// Smallest and largest net loads.
+    pub(crate) envelope: Vec<Extreme>,
+    /// What goes to stress.
+    pub(crate) selected: Vec<SelectedCase>,
+    /// The largest differences between solver and cards read back.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) round_trip: Option<RoundTripResult>,
+    /// The folder of the package.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) package: Option<String>,
+}
+
+/// A case that could not be flown.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct Failed {
+    /// Its number.
+    pub(crate) case: usize,
+    /// Which model.
+    pub(crate) model: String,
+    /// Why.
+    pub(crate) why: String,
+}
+
+/// An instant that goes to stress.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct SelectedCase {
+    /// Load set and subcase.
+    sid: u32,
+    /// Which model.
+    model: &'static str,
+    /// Number of the case.
+    case: usize,
+    /// Number within the case, from one.
+    instant: usize,
+    /// What asked for it.
+    why: Vec<String>,
+    /// How many ends and corners it drives.
+    driven: usize,
+}
+
+impl From<&Selected> for SelectedCase {
+    fn from(selected: &Selected) -> Self {
+        let Selected { sid, model, case, instant, driven, why } = selected.clone();
+        Self { sid, model: model.name(), case, instant, why, driven }
+    }
+}
+
+/// Largest differences as shares of the largest of each kind.
+#[derive(Debug, Clone, Copy, Default, Serialize, JsonSchema)]
+pub(crate) struct RoundTripResult {
+    /// Loads at stations.
+    pub(crate) stations: f64,
+    /// The whole aircraft, over the sum of sizes.
+    pub(crate) balance: f64,
+    /// Height of the tips, over what each load does to them.
+    pub(crate) tip: f64,
+}
+
+impl LoadsResult {
+    /// What the matrix says.
+    pub(crate) fn of(plan: &CasesFile, matrix: &Matrix) -> Self {
+        let count = |status| matrix.cases.iter().filter(|case| case.status == status).count();
+        Self {
+            command: "loads",
+            name: plan.name.clone(),
+            cases: matrix.cases.len(),
+            flown: count(Status::Flown),
+            left_out: count(Status::LeftOut),
+            ..Self::default()
+        }
+    }
+
+    /// A selection among the loads of another result.
+    pub(crate) fn selected_from(from: &str, selection: &Selection) -> Self {
+        let selected = selection.selected.iter().map(Into::into).collect();
+        Self { command: "loads", name: format!("selection from {from}"), selected, ..Self::default() }
+    }
+
+    /// The matrix in a line.
+    pub(crate) fn matrix_line(&self) -> String {
+        format!("matrix       {} cases, {} left out (cases.csv says why)\n", self.cases, self.left_out)
+    }
+
+    /// All in a few lines.
+    pub(crate) fn text(&self) -> String {
+        // Writing to a String cannot fail.
+        let mut text = String::new();
+        if self.cases > 0 {
+            text += &self.matrix_line();
+            let _ = writeln!(
+                text,
+                "flown        {} cases, {} failures; initial and updated",
+                self.flown,
+                self.failed.len()
+            );
+        }
+        let cases: std::collections::BTreeSet<usize> = self.selected.iter().map(|one| one.case).collect();
+        let _ = writeln!(text, "selected     {} instants of {} cases", self.selected.len(), cases.len());
+        if let Some(RoundTripResult { stations, balance, tip }) = self.round_trip {
+            let _ = writeln!(
+                text,
+                "round trip   stations {stations:.1e}, whole aircraft {balance:.1e} of the load, tip {tip:.1e}: reproduced"
+            );
+        }
+        text
+    }
+}

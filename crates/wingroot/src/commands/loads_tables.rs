@@ -1,0 +1,213 @@
+//! Tables of `loads`: station loads, envelope, gusts over their gradients, selected instants; and station loads read again.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::path::Path;
+
+use fullaircraft::Component;
+use fullaircraft::cases::envelope::Extreme;
+use fullaircraft::cases::list::MODELS;
+use fullaircraft::design_loads::instants::FlownCase;
+use fullaircraft::package::round_trip::LOADS;
+use loads::matrix::{Action, Case};
+use loads::select::Instant;
+use loads::select::file::Model;
+use loads::{Design, Matrix, Selection};
+use nastran::{InputError, read_text};
+
+use crate::commands::loads_flights::Flown;
+use crate::failure::Failure;
+
+/// Heads of `station_loads.csv`.
+const HEAD: &str = "model,case,instant,t_s,station,component,Fx_N,Fy_N,Fz_N,Mx_Nm,My_Nm,Mz_Nm";
+
+/// Loads at all stations in all instants by component; components without a load are left out, the net is always there.
+pub(crate) fn station_loads(names: &[String], cases: &[FlownCase]) -> String {
+    let mut text = format!("{HEAD}\n");
+    for case in cases {
+        for (instant, flown) in (1..).zip(&case.instants) {
+            for (name, components) in names.iter().zip(&flown.loads) {
+                for (component, loads) in Component::ALL.iter().zip(components) {
+                    if *component != Component::Net && loads.iter().all(|load| *load == 0.0) {
+                        continue;
+                    }
+                    let (model, number) = (MODELS[case.model], case.number);
+                    // Writing to a String cannot fail.
+                    let _ =
+                        write!(text, "{model},{number},{instant},{},{name},{}", flown.t_s, component.name());
+                    for load in loads {
+                        let _ = write!(text, ",{load:.12e}");
+                    }
+                    text.push('\n');
+                }
+            }
+        }
+    }
+    text
+}
+
+/// Net loads of `station_loads.csv`: names of the stations, and all instants.
+pub(crate) fn read_station_loads(path: &Path) -> Result<(Vec<String>, Vec<Instant>), Failure> {
+    let text = read_text(path)?;
+    let wrong = |line: usize, message: &str| {
+        InputError::in_file(path, format!("line {line}: {message}"))
+            .with_help("expected the file as `wingroot loads` writes it")
+    };
+    let mut lines = text.lines().enumerate();
+    if lines.next().map(|(_, head)| head) != Some(HEAD) {
+        return Err(wrong(1, "these are not the heads of station loads").into());
+    }
+    let mut names: Vec<String> = Vec::new();
+    let mut instants: BTreeMap<(usize, usize, usize), Vec<Option<[f64; 6]>>> = BTreeMap::new();
+    for (at, line) in lines {
+        let cells: Vec<&str> = line.split(',').collect();
+        let &[model, case, instant, _, station, component, ref values @ ..] = cells.as_slice() else {
+            return Err(wrong(at + 1, "a cell is missing").into());
+        };
+        if component != Component::Net.name() {
+            continue;
+        }
+        let number = |text: &str| text.parse::<usize>().map_err(|_| wrong(at + 1, "this is no number"));
+        let real = |text: &&str| text.parse::<f64>().ok().filter(|value| value.is_finite());
+        let values: Option<Vec<f64>> = values.iter().map(real).collect();
+        let values = values.and_then(|values| <[f64; 6]>::try_from(values).ok());
+        let values = values.ok_or_else(|| wrong(at + 1, "expected six finite loads"))?;
+        let model = MODELS.iter().position(|known| *known == model);
+        let model = model.ok_or_else(|| wrong(at + 1, "expected the model initial or updated"))?;
+        let place = names.iter().position(|name| name == station).unwrap_or_else(|| {
+            names.push(station.to_owned());
+            names.len() - 1
+        });
+        let loads = instants.entry((model, number(case)?, number(instant)?)).or_default();
+        loads.resize(loads.len().max(place + 1), None);
+        loads[place] = Some(values);
+    }
+    let all = instants.into_iter().map(|((model, case, instant), loads)| {
+        let loads = (0..names.len()).map(|place| loads.get(place).copied().flatten()).collect::<Option<_>>();
+        let model = if model == 0 { Model::Initial } else { Model::Updated };
+        let missing = || wrong(1, &format!("case {case} lacks loads of a station"));
+        Ok(Instant { model, case, instant, loads: loads.ok_or_else(missing)? })
+    });
+    let all = all.collect::<Result<Vec<_>, InputError>>()?;
+    Ok((names, all))
+}
+
+/// Both ends of the six net loads by model and station; of cases that give the same the first counts.
+pub(crate) fn envelope(names: &[String], instants: &[Instant], matrix: &Matrix) -> Vec<Extreme> {
+    let mut all = Vec::new();
+    for model in [Model::Initial, Model::Updated] {
+        for (place, station) in names.iter().enumerate() {
+            for (at, load) in LOADS.into_iter().enumerate() {
+                let of_model = || instants.iter().filter(|instant| instant.model == model);
+                let value = |instant: &&Instant| instant.loads[place][at];
+                let smallest = of_model().reduce(|a, b| if value(&b) < value(&a) { b } else { a });
+                let largest = of_model().reduce(|a, b| if value(&b) > value(&a) { b } else { a });
+                for (end, found) in [("smallest", smallest), ("largest", largest)] {
+                    let Some(found) = found else { continue };
+                    all.push(Extreme {
+                        model: model.name().to_owned(),
+                        station: station.clone(),
+                        load,
+                        end,
+                        value: value(&found),
+                        case: found.case,
+                        flown: case_of(matrix, found.case).map(words).unwrap_or_default(),
+                    });
+                }
+            }
+        }
+    }
+    all
+}
+
+/// A case of the matrix.
+pub(crate) fn case_of(matrix: &Matrix, number: usize) -> Option<&Case> {
+    matrix.cases.iter().find(|case| case.number == number)
+}
+
+/// A case in a few words.
+pub(crate) fn words(case: &Case) -> String {
+    format!("{}, {:.2} m/s, {} m, n {:.3}", case.condition, case.v_m_s, case.h_m, case.n_z)
+}
+
+/// Ends of every net load over the gradients of each family of gusts: the worst gradient, and whether it lies inside the range.
+pub(crate) fn gusts(names: &[String], cases: &[FlownCase], matrix: &Matrix) -> String {
+    let mut text =
+        String::from("model,case,station,load,end,H_m,value,t_s,tuned,Fx_N,Fy_N,Fz_N,Mx_Nm,My_Nm,Mz_Nm\n");
+    let mut families: Vec<Vec<(&FlownCase, f64)>> = Vec::new();
+    let mut keys = Vec::new();
+    for case in cases {
+        let Some(planned) = case_of(matrix, case.number) else { continue };
+        let Action::Discrete { gradient_m, direction, .. } = planned.action else { continue };
+        let key = (case.model, planned.mass, planned.h_m.to_bits(), planned.v_m_s.to_bits(), direction);
+        if let Some(at) = keys.iter().position(|known| *known == key) {
+            families[at].push((case, gradient_m));
+        } else {
+            keys.push(key);
+            families.push(vec![(case, gradient_m)]);
+        }
+    }
+    for family in &families {
+        let gradients = || family.iter().map(|(_, gradient_m)| *gradient_m);
+        let range_m =
+            [gradients().fold(f64::INFINITY, f64::min), gradients().fold(f64::NEG_INFINITY, f64::max)];
+        for (place, station) in names.iter().enumerate() {
+            for (at, load) in LOADS.into_iter().enumerate() {
+                for (end, sign) in [("smallest", -1.0), ("largest", 1.0)] {
+                    let all = family.iter().flat_map(|(case, gradient_m)| {
+                        case.instants.iter().map(move |instant| (*case, *gradient_m, instant, instant.net()))
+                    });
+                    let worst =
+                        all.max_by(|a, b| (sign * a.3[place][at]).total_cmp(&(sign * b.3[place][at])));
+                    let Some((case, gradient_m, instant, net)) = worst else { continue };
+                    let tuned =
+                        if range_m.contains(&gradient_m) { "no: at the end of the range" } else { "yes" };
+                    let (model, number, value) = (MODELS[case.model], case.number, net[place][at]);
+                    // Writing to a String cannot fail.
+                    let _ = write!(
+                        text,
+                        "{model},{number},{station},{load},{end},{gradient_m:.4},{value:.9e},{},{tuned}",
+                        instant.t_s
+                    );
+                    for load in net[place] {
+                        let _ = write!(text, ",{load:.9e}");
+                    }
+                    text.push('\n');
+                }
+            }
+        }
+    }
+    text
+}
+
+/// What goes to stress, a row a load set.
+pub(crate) fn selected(selection: &Selection, flown: &Flown, matrix: &Matrix, design: &Design) -> String {
+    let mut text = String::from("sid,model,case,instant,t_s,H_m,kind,mass,h_m,V_m_s,n_z,driven,why\n");
+    for one in &selection.selected {
+        let model = usize::from(one.model == Model::Updated);
+        let Some(case) = case_of(matrix, one.case) else { continue };
+        let instant = flown.case(model, one.case).and_then(|case| case.instants.get(one.instant - 1));
+        let gradient = match case.action {
+            Action::Discrete { gradient_m, .. } => format!("{gradient_m:.4}"),
+            _ => String::new(),
+        };
+        // Writing to a String cannot fail.
+        let _ = writeln!(
+            text,
+            "{},{},{},{},{},{gradient},{},{},{},{:.6},{:.6},{},\"{}\"",
+            one.sid,
+            one.model.name(),
+            one.case,
+            one.instant,
+            instant.map_or(0.0, |instant| instant.t_s),
+            case.kind,
+            design.masses[case.mass].name,
+            case.h_m,
+            case.v_m_s,
+            case.n_z,
+            one.driven,
+            one.why.join("; ")
+        );
+    }
+    text
+}

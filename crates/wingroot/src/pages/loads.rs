@@ -1,0 +1,72 @@
+//! The page of `loads`: how many cases, what drives the wing, what goes to stress, and how well the cards give it back.
+
+use report::Page;
+use report::page::{Block, KeyNumber, PageTable, Plate, Section};
+use serde_json::Value;
+
+use super::plates::{figures, taken};
+use super::values::{at, digits, list, short, text, whole_at};
+
+pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
+    let mut numbers = vec![
+        KeyNumber::new(
+            "cases",
+            whole_at(result, "cases"),
+            format!("{} left out", whole_at(result, "left_out")),
+        ),
+        KeyNumber::new("flown", whole_at(result, "flown"), "initial and updated model"),
+        KeyNumber::new("load sets for stress", list(result, "selected").len().to_string(), ""),
+    ];
+    if let Some(worst) = at(result, "round_trip/stations") {
+        let note = "largest difference between loads flown and cards read back";
+        numbers.push(KeyNumber::new("round trip", digits(worst, 2), note));
+    }
+    let failed = list(result, "failed");
+    let mut lead = vec![
+        "Loads by the numbers of the plan; compliance with any rule is the applicant's to show.".to_owned(),
+    ];
+    if !failed.is_empty() {
+        lead.insert(0, format!("{} cases could not be flown; cases.csv says why.", failed.len()));
+    }
+    let mut sections = vec![
+        figures("V-n diagrams", taken(plates, "vn_")),
+        figures("Loads at stations", taken(plates, "potato_")),
+        Section::new("Envelope", vec![Block::Table(envelope(result))]),
+        Section::new("Load sets for stress", vec![Block::Table(selected(result))]),
+    ];
+    sections.retain(|section| !section.blocks.is_empty());
+    Page { title: text(result, "name").to_owned(), lead, numbers, sections, ..Page::default() }
+}
+
+fn envelope(result: &Value) -> PageTable {
+    let mut table = PageTable::new("", &["model", "station", "load", "end", "value", "case", "flown"]);
+    for row in list(result, "envelope") {
+        let word = |key: &str| text(row, key).to_owned();
+        table.row([
+            word("model"),
+            word("station"),
+            word("load"),
+            word("end"),
+            short(row["value"].as_f64()),
+            whole_at(row, "case"),
+            word("flown"),
+        ]);
+    }
+    table
+}
+
+fn selected(result: &Value) -> PageTable {
+    let mut table = PageTable::new("", &["load set", "model", "case", "instant", "drives", "why"]);
+    for row in list(result, "selected") {
+        let why: Vec<&str> = list(row, "why").iter().filter_map(Value::as_str).collect();
+        table.row([
+            whole_at(row, "sid"),
+            text(row, "model").to_owned(),
+            whole_at(row, "case"),
+            whole_at(row, "instant"),
+            whole_at(row, "driven"),
+            why.join("; "),
+        ]);
+    }
+    table
+}

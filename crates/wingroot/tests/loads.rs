@@ -1,0 +1,165 @@
+//! `loads`: a small plan flown, its package and its round trip, a new selection that flies nothing, and input that makes no sense.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+const PLAN: &str = r#"Cases(
+    name: "a small plan",
+    rules: Vla,
+    design_speeds_EAS_m_s: (VA: 34.0, VC: 37.0, VD: 46.0),
+    limit_load_factors: (n1: 3.8, n2: -1.5),
+    lift: (cl_max: 1.3, cl_min: -0.9),
+    altitudes_m: [0.0],
+    masses: [(name: "full", mass_kg: 20.0), (name: "light", mass_kg: 18.0)],
+    maneuvers: [Roll(control: "outer", rates_deg_s: [60.0])],
+    gusts: [
+        Discrete(at: [VC], gradients_m: Of([4.0, 9.0]), directions: [Up, Down]),
+        Turbulence(at: [VC], cut_off_hz: 30.0),
+    ],
+    gust_speeds: Some((U_ref_m_s: 8.0, F_g: 1.0, U_sigma_ref_m_s: 10.0)),
+    stations: [(name: "half", y_m: 0.9, x_m: 0.42)],
+)
+"#;
+
+fn folder(name: &str) -> PathBuf {
+    let folder = std::env::temp_dir().join(format!("wingroot-loads-{name}-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder of our own");
+    folder
+}
+
+fn loads(words: &[&str], out: &Path) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_wingroot"))
+        .args(["loads", "--out"])
+        .arg(out)
+        .args(words)
+        .current_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("../.."))
+        .output()
+        .expect("the command starts")
+}
+
+fn said(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned() + &String::from_utf8_lossy(&output.stdout)
+}
+
+fn read(path: &Path) -> String {
+    std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// Reads the index with another reader and adds up each load set: all loads of the free aircraft are in balance.
+const BALANCE: &str = r#"
+import sys
+try:
+    from pyNastran.bdf.bdf import read_bdf
+    from pyNastran.bdf.mesh_utils.loads import sum_forces_moments
+except ImportError:
+    print("skipped: there is no pyNastran")
+    sys.exit(0)
+import numpy as np
+model = read_bdf(sys.argv[1], debug=None)
+assert len(model.load_combinations) == 0
+assert sorted(model.loads) == list(range(1, int(sys.argv[2]) + 1)), sorted(model.loads)
+assert [s for s in sorted(model.subcases) if s] == sorted(model.loads)
+for sid, cards in model.loads.items():
+    force, moment = sum_forces_moments(model, np.zeros(3), sid, include_grav=False)
+    sizes = [sum(np.linalg.norm(c.scaled_vector) for c in cards if c.type == kind) for kind in ("FORCE", "MOMENT")]
+    arms = sum(np.linalg.norm(c.scaled_vector) * np.linalg.norm(c.node_ref.get_position()) for c in cards if c.type == "FORCE")
+    assert np.linalg.norm(force) < 1e-8 * sizes[0], (sid, force, sizes)
+    assert np.linalg.norm(moment) < 1e-8 * (sizes[1] + arms), (sid, moment, sizes)
+print("read", len(model.loads))
+"#;
+
+fn read_by_pynastran(package: &Path, sets: usize) {
+    let index = package.join("index.bdf");
+    let python = Command::new("python3").args(["-c", BALANCE]).arg(index).arg(sets.to_string()).output();
+    let Ok(output) = python else {
+        eprintln!("skipped: there is no python3");
+        return;
+    };
+    assert!(output.status.success(), "{}", said(&output));
+    eprintln!("{}", said(&output));
+}
+
+#[test]
+fn a_plan_is_flown_into_a_package_that_gives_the_loads_back_and_a_new_selection_flies_nothing() {
+    let folder = folder("flown");
+    let (plan, out) = (folder.join("plan.ron"), folder.join("out"));
+    std::fs::write(&plan, PLAN).expect("a file of our own");
+    let plan = plan.to_str().expect("a name");
+    let wing = ["--wing", "data/tuflex/wing_beam.ron"];
+    let output = loads(&[wing[0], wing[1], "--plan", plan], &out);
+    assert!(output.status.success(), "{}", said(&output));
+    let result: serde_json::Value = serde_json::from_str(&read(&out.join("result.json"))).expect("JSON");
+    let number = |path: &str| result.pointer(path).and_then(serde_json::Value::as_f64).expect("a number");
+    assert!(number("/round_trip/stations") < 1e-9 && number("/round_trip/stations") > 0.0);
+    assert!(number("/round_trip/balance") < 1e-9 && number("/round_trip/tip") < 1e-9);
+    assert_eq!(result["failed"].as_array().map(Vec::len), Some(0), "{result}");
+    // every case of the matrix has a status
+    let cases = read(&out.join("cases.csv"));
+    assert_eq!(cases.lines().count() - 1, result["cases"].as_u64().expect("a count") as usize);
+    let status = |word: &str| cases.lines().filter(|line| line.contains(&format!(",{word},"))).count() as u64;
+    assert_eq!(Some(status("flown")), result["flown"].as_u64());
+    assert!(cases.contains("continuous turbulence is not flown") && status("planned") == 0, "{cases}");
+    // one file a load set, numbered from one, each with its origin
+    let package = out.join("package");
+    let index = read(&package.join("index.bdf"));
+    let selected = result["selected"].as_array().expect("a list");
+    assert!(selected.len() > 5, "{} load sets", selected.len());
+    for sid in 1..=selected.len() {
+        let cards = read(&package.join(format!("case_{sid:05}.bdf")));
+        assert!(cards.starts_with("$ wingroot ") && cards.contains("$ plan plan.ron "), "{cards}");
+        assert!(index.contains(&format!("SUBCASE {sid}\n  SUBTITLE = case ")), "{index}");
+    }
+    let deck = nastran::read_deck(&package.join("index.bdf")).expect("it is read");
+    let sets: Vec<u32> = (1..).take(selected.len()).collect();
+    assert_eq!(deck.subcases.iter().map(|subcase| subcase.id).collect::<Vec<_>>(), sets);
+    let trips = read(&package.join("round_trip.csv"));
+    assert!(!trips.contains("not reproduced") && trips.contains("right tip,deflection_m"));
+    read_by_pynastran(&package, selected.len());
+    // a new selection among what was flown
+    let select = folder.join("select.ron");
+    std::fs::write(&select, "Select(policies: [Envelope(loads: [Mx], stations: [\"right root\"])])")
+        .expect("a file");
+    let before = read(&out.join("envelope.csv"));
+    let again = folder.join("again");
+    let words = ["--from", out.to_str().expect("a name"), "--select", select.to_str().expect("a name")];
+    let output = loads(&words, &again);
+    assert!(output.status.success(), "{}", said(&output));
+    assert_eq!(before, read(&out.join("envelope.csv")), "the envelope is a fact");
+    let rows = read(&again.join("selection.csv"));
+    assert_eq!(rows.lines().count(), 3, "two ends of one load: {rows}");
+    for line in rows.lines().skip(1) {
+        let mut cells = line.split(',');
+        let value: f64 = cells.nth(3).and_then(|cell| cell.parse().ok()).expect("a load");
+        let known = before.lines().filter(|row| row.starts_with("updated,right root,Mx_Nm,"));
+        let known = known.filter_map(|row| row.split(',').nth(4)?.parse::<f64>().ok());
+        assert!(known.into_iter().any(|end| (end - value).abs() < 1e-8 * value.abs()), "{value} is an end");
+    }
+    std::fs::remove_dir_all(&folder).expect("ours");
+}
+
+#[test]
+fn a_plan_that_makes_no_sense_ends_with_a_sentence_and_status_2() {
+    let folder = folder("wrong");
+    let plan = folder.join("plan.ron");
+    let change = |from: &str, to: &str| {
+        assert!(PLAN.contains(from), "{from}");
+        PLAN.replacen(from, to, 1)
+    };
+    for (text, said_of) in [
+        (change("mass_kg: 20.0", "mass_kg: 0.0"), "mass"),
+        (change("VD: 46.0", "VD: 30.0"), "VD"),
+        (change("Of([4.0, 9.0])", "Of([4.0, -9.0])"), "gradient"),
+        (change("y_m: 0.9", "y_m: 9.0"), "outboard"),
+        (change("rules: Vla,", ""), "rules"),
+        (change("name: \"half\"", "name: \"root\""), "two stations"),
+        (change("mass_kg: 18.0", "mass_kg: 18.0, z_cg_m: 0.1"), "z_cg_m"),
+    ] {
+        std::fs::write(&plan, text).expect("a file of our own");
+        let words = ["--wing", "data/tuflex/wing_beam.ron", "--plan", plan.to_str().expect("a name")];
+        let output = loads(&words, &folder.join("out"));
+        assert_eq!(output.status.code(), Some(2), "{said_of}: {}", said(&output));
+        assert!(said(&output).contains(said_of), "{said_of}: {}", said(&output));
+        assert!(!folder.join("out").exists(), "nothing is written");
+    }
+    std::fs::remove_dir_all(&folder).expect("ours");
+}
