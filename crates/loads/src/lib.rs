@@ -5,6 +5,7 @@ mod cell;
 mod check;
 pub mod compare;
 pub mod design;
+pub mod flight;
 pub mod matrix;
 pub mod rules;
 pub mod select;
@@ -12,6 +13,7 @@ pub mod vn;
 
 pub use atmosphere::Air;
 pub use design::Design;
+pub use flight::FlightFile;
 pub use matrix::{Case, Condition, Matrix, matrix};
 pub use rules::pratt::Airframe;
 pub use rules::{Mark, Quantity};
