@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use clap::Parser;
 
 pub use {
-    aero, calibrate, coupling, discover, fullaircraft, hidden, maneuver, nastran, report, response, shipped,
+    aero, calibrate, coupling, discover, fullaircraft, hidden, loads, maneuver, nastran, report, response, shipped,
     structure, tunnel,
 };
 

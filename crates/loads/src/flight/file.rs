@@ -17,6 +17,9 @@ pub struct FlightFile {
     /// The wing in the tunnel that loads are calculated for; left out: conditions bring calculated loads with them.
     #[serde(default)]
     pub wing: Option<String>,
+    /// Density of the air at points of the wing, kg/m3; a campaign brings its own.
+    #[serde(default)]
+    pub rho_kg_m3: Option<f64>,
     /// Corrections of the updated model; left out: found from the points that are marked as fitted.
     #[serde(default)]
     pub corrections: Option<String>,
@@ -225,6 +228,9 @@ impl FlightFile {
             if value <= 0.0 || value >= 100.0 {
                 return wrong(field, "this makes no threshold", "expected a number above zero and below 100");
             }
+        }
+        if self.rho_kg_m3.is_some_and(|rho| !(0.0..100.0).contains(&rho) || rho == 0.0) {
+            return wrong("rho_kg_m3", "this is no density of air", "air at sea level has 1.225 kg/m3");
         }
         let noise = [self.state_sigma.v_m_s, self.state_sigma.alpha_deg];
         if noise.into_iter().any(|sigma| sigma < 0.0) {

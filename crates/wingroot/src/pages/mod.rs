@@ -10,6 +10,7 @@ mod deflection;
 mod discover;
 mod discover_map;
 mod docs;
+mod flightloads;
 mod flutter;
 mod hidden;
 mod modes;
@@ -40,6 +41,7 @@ pub(crate) fn page(written: Written) -> Option<Page> {
         "fullaircraft" => aircraft::page,
         "fullaircraft --cases" => aircraft::cases,
         "fullaircraft --deck" => aircraft_deck::page,
+        "flightloads" => flightloads::page,
         "flutter" => flutter::page,
         "modes" => modes::page,
         "statics" => statics::page,
