@@ -9,6 +9,8 @@ pub mod flight;
 pub mod matrix;
 pub mod rules;
 pub mod select;
+pub mod tuning;
+pub mod turbulence;
 pub mod vn;
 
 pub use atmosphere::Air;

@@ -22,9 +22,8 @@ pub(super) fn extremes(values: &[f64], back: f64, n: usize) -> Vec<usize> {
     }
     // The way to the end of the record is an extreme, too.
     match rises {
-        Some(true) => peaks.push(high),
         Some(false) => valleys.push(low),
-        None => peaks.push(high),
+        Some(true) | None => peaks.push(high),
     }
     peaks.sort_by(|a, b| values[*b].total_cmp(&values[*a]));
     valleys.sort_by(|a, b| values[*a].total_cmp(&values[*b]));

@@ -90,7 +90,9 @@ fn counts(channels: &[Channel], measured: &[Vec<f64>], kept: Option<usize>) -> V
             values.iter().copied().fold(f64::MIN, f64::max) - values.iter().copied().fold(f64::MAX, f64::min);
         let back = (TURNS.0 * channel.gauge.sigma.unwrap_or(0.0)).max(TURNS.1 * range);
         let mut is = vec![false; values.len()];
-        extremes(values, back, n).into_iter().for_each(|row| is[row] = true);
+        for row in extremes(values, back, n) {
+            is[row] = true;
+        }
         is
     };
     channels.iter().zip(measured).map(of).collect()

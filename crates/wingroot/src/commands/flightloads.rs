@@ -8,7 +8,7 @@ use std::time::Instant;
 use loads::FlightFile;
 use loads::compare::{Comparison, Judged, Point, judge};
 use loads::flight::{Channel, Condition, Reading, Source, readings};
-use nastran::InputError;
+use nastran::{InputError, ron_or_json};
 use report::Table;
 
 use super::flightloads_campaign::CampaignPoints;
@@ -35,7 +35,7 @@ flight.ron names stations with their gauges, conditions (tables of points, histo
 of calculated loads: no threshold is built in. Points that fitted the corrections count in no verdict. `wingroot schema flight`
 describes the file.")]
 pub struct FlightloadsArgs {
-    /// The file of measured loads [default: flight.ron of the current folder]
+    /// The file of measured loads, or the folder of flight.ron
     #[arg(long, value_name = "FILE", default_value = "flight.ron")]
     pub(crate) measured: PathBuf,
 }
@@ -53,7 +53,10 @@ pub(super) struct Measured {
 /// Runs the command.
 pub(crate) fn run(args: &FlightloadsArgs, common: &Common) -> Result<(), Failure> {
     let start = Instant::now();
-    let path = if args.measured.is_dir() { args.measured.join("flight.ron") } else { args.measured.clone() };
+    let path = match args.measured.is_dir() {
+        true => ron_or_json::expected_in(&args.measured, "flight")?,
+        false => args.measured.clone(),
+    };
     let file = FlightFile::read(&path)?;
     let channels = file.channels();
     let campaigns = CampaignPoints::all(&file)?;
