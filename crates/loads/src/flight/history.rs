@@ -40,7 +40,7 @@ mod tests {
     #[test]
     fn peaks_and_valleys_are_found_through_noise_smaller_than_the_way_back() {
         let wave = |row: usize| (row as f64 * 0.1).sin() * (1.0 + 0.01 * row as f64);
-        let noisy = |row: usize| wave(row) + if row % 2 == 0 { 0.02 } else { -0.02 };
+        let noisy = |row: usize| wave(row) + if row.is_multiple_of(2) { 0.02 } else { -0.02 };
         let values: Vec<f64> = (0..190).map(noisy).collect();
         let rows = extremes(&values, 0.2, 2);
         // sin is largest at 0.1 row = pi/2 + 2 pi k: rows 15.7, 78.5, 141.4; smallest at 47.1, 110.0, 172.8.
