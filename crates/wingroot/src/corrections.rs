@@ -109,7 +109,7 @@ impl Given {
 ///
 /// # Errors
 /// If it cannot be done.
-fn calibrated(
+pub(crate) fn calibrated(
     file: &WingFile,
     wing: &ElasticWing,
     campaign: &Campaign,

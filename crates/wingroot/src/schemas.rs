@@ -12,6 +12,7 @@ use serde_json::Value;
 use crate::commands::calibrate_result::CalibrateResult;
 use crate::commands::deck_result::DeckResult;
 use crate::commands::deflection_result::DeflectionResult;
+use crate::commands::flightloads_result::FlightloadsResult;
 use crate::commands::flutter_result::FlutterResult;
 use crate::commands::fullaircraft::FullaircraftResult;
 use crate::commands::fullaircraft_cases_merged::Summary as CasesSummary;
@@ -71,6 +72,8 @@ pub fn all() -> Vec<Named> {
         input::<structure::update::MeasuredFile>("measured", "modes --measured"),
         input::<fullaircraft::AircraftFile>("aircraft", "aircraft.ron"),
         input::<fullaircraft::CasesFile>("cases", "fullaircraft --cases"),
+        input::<loads::SelectFile>("select", "select.ron: which cases go to stress"),
+        input::<loads::FlightFile>("flight", "flight.ron: measured loads, for flightloads"),
         input::<tunnel::TunnelFile>("tunnel", "tunnel.ron: what the virtual wind tunnel measures"),
         input::<response::Study>("response", "response.ron: tables to analyse"),
         input::<discover::null_distribution::NullDistribution>(
@@ -99,6 +102,7 @@ pub fn all() -> Vec<Named> {
             "response_displacement_result",
             "result.json of response --displacement",
         ),
+        result::<FlightloadsResult>("flightloads_result", "result.json of flightloads"),
         result::<FlutterResult>("flutter_result", "result.json of flutter"),
     ]
 }

@@ -51,7 +51,8 @@ fn shipped() -> Vec<(PathBuf, &'static str, Value)> {
     let read = |path: PathBuf| {
         let text = std::fs::read_to_string(&path).expect("a shipped file");
         let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
-        let kinds = ["wing", "campaign", "aircraft", "cases", "tunnel", "response", "null_distribution"];
+        let kinds =
+            ["wing", "campaign", "aircraft", "cases", "tunnel", "response", "null_distribution", "flight"];
         let kind = kinds.into_iter().find(|kind| name.starts_with(kind)).unwrap_or("maneuver");
         (path, kind, converted(&text))
     };
@@ -232,10 +233,12 @@ fn every_result_fits_its_schema() {
         .expect("a file");
     let with = ["--wing", &wing, "--corrections", &corrections];
     let deck = path(&data("published/decks/ha144a_fsw.bdf"));
-    let commands: [(&str, Vec<&str>); 14] = [
+    let flight = path(&data("weber_brebner/flight.ron"));
+    let commands: [(&str, Vec<&str>); 15] = [
         ("calibrate_result", vec!["calibrate", "--wing", &wing]),
         ("simulate_result", [&["simulate"], &with[..]].concat()),
         ("deflection_result", [&["deflection"], &with[..]].concat()),
+        ("flightloads_result", vec!["flightloads", "--measured", &flight]),
         ("flutter_result", [&["flutter"], &with[..]].concat()),
         ("modes_result", vec!["modes", "--wing", &wing]),
         ("modes_measured_result", vec!["modes", "--wing", &wing, "--measured", "measured.ron"]),

@@ -92,16 +92,21 @@ pub struct Judged {
     /// Points that fitted the corrections and are not.
     pub fitted: usize,
     /// Measured on calculated; none of fewer than three points.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub line: Option<Line>,
     /// Mean of calculated minus measured, N or N m.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub bias: Option<Interval>,
     /// Root mean square of calculated minus measured, percent of the measured range.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub rms_percent: Option<f64>,
     /// Standard deviation of a measurement that the verdict rests on, N or N m.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub sigma: Option<f64>,
     /// Number of large loads.
     pub large: usize,
     /// Smallest calculated over measured among them.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub worst_ratio: Option<f64>,
     /// How many are conservative.
     pub conservative: Conservative,

@@ -64,6 +64,8 @@ commands! {
     modes: Modes(modes::ModesArgs),
     /// Displacements and reactions of a deck's structure under its loads, with small or large deflections
     statics: Statics(statics::StaticsArgs),
+    /// Measured against calculated loads, initial beside updated model: slopes with intervals, and verdicts
+    flightloads: Flightloads(flightloads::FlightloadsArgs),
     /// The wing as a Nastran deck: structure, boxes and splines
     deck: Deck(deck::DeckArgs),
     /// Response surfaces of measured coefficients: terms chosen by the predicted squared error, and their tests
@@ -117,6 +119,10 @@ pub(crate) mod deflection_result;
 mod deflection_results;
 mod discover_figures;
 mod discover_results;
+mod flightloads_campaign;
+mod flightloads_figures;
+pub(crate) mod flightloads_result;
+mod flightloads_wing;
 mod flutter_figures;
 pub(crate) mod flutter_result;
 mod fullaircraft_cases;

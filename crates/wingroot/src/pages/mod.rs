@@ -10,6 +10,7 @@ mod deflection;
 mod discover;
 mod discover_map;
 mod docs;
+mod flightloads;
 mod flutter;
 mod hidden;
 mod loads;
@@ -41,6 +42,7 @@ pub(crate) fn page(written: Written) -> Option<Page> {
         "fullaircraft" => aircraft::page,
         "fullaircraft --cases" => aircraft::cases,
         "fullaircraft --deck" => aircraft_deck::page,
+        "flightloads" => flightloads::page,
         "flutter" => flutter::page,
         "loads" => loads::page,
         "modes" => modes::page,

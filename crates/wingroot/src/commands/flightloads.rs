@@ -1,0 +1,192 @@
+//! `flightloads`: measured against calculated loads of the initial and the updated model.
+
+use clap::Args;
+use std::fmt::Write as _;
+use std::path::PathBuf;
+use std::time::Instant;
+
+use loads::FlightFile;
+use loads::compare::{Comparison, Judged, Point, judge};
+use loads::flight::{Channel, Condition, Reading, Source, readings};
+use nastran::{InputError, ron_or_json};
+use report::Table;
+
+use super::flightloads_campaign::CampaignPoints;
+use super::flightloads_figures::write_figures;
+use super::flightloads_result::{FlightloadsResult, Row, csv};
+use super::flightloads_wing::{Calculated, TunnelWing};
+use crate::args::Common;
+use crate::commands::result_parts::as_json;
+use crate::failure::Failure;
+use crate::output::ResultFolder;
+use crate::pages::values::digits;
+use crate::show;
+
+/// Names of the models in results.
+pub(super) const MODELS: [&str; 2] = ["initial", "updated"];
+
+/// Options of `flightloads`.
+#[derive(Debug, Clone, Default, Args)]
+#[command(after_help = "Examples:
+  wingroot flightloads
+  wingroot flightloads --measured my_flight/flight.ron
+
+flight.ron names stations with their gauges, conditions (tables of points, histories, or wind-tunnel campaigns) and what is asked
+of calculated loads: no threshold is built in. Points that fitted the corrections count in no verdict. `wingroot schema flight`
+describes the file.")]
+pub struct FlightloadsArgs {
+    /// The file of measured loads, or the folder of flight.ron
+    #[arg(long, value_name = "FILE", default_value = "flight.ron")]
+    pub(crate) measured: PathBuf,
+}
+
+/// A condition with what was measured and calculated.
+pub(super) struct Measured {
+    /// The condition.
+    pub(super) condition: Condition,
+    /// Readings.
+    pub(super) readings: Vec<Reading>,
+    /// Calculated loads of each reading by each model, in the order of the channels.
+    pub(super) calculated: [Option<Vec<Calculated>>; 2],
+}
+
+/// Runs the command.
+pub(crate) fn run(args: &FlightloadsArgs, common: &Common) -> Result<(), Failure> {
+    let start = Instant::now();
+    let path = match args.measured.is_dir() {
+        true => ron_or_json::expected_in(&args.measured, "flight")?,
+        false => args.measured.clone(),
+    };
+    let file = FlightFile::read(&path)?;
+    let channels = file.channels();
+    let campaigns = CampaignPoints::all(&file)?;
+    let wing = TunnelWing::read(&file, &campaigns)?;
+    let all = measured(&file, &channels, &campaigns, wing.as_ref())?;
+    let rows = rows(&file, &channels, &all);
+    if rows.is_empty() {
+        return Err(InputError::in_file(&path, "no load was calculated")
+            .with_help("name a `wing`, or bring columns such as initial_root_Mx_Nm in the tables")
+            .into());
+    }
+    let folder = ResultFolder::begin(&common.out("flightloads"))?;
+    folder.input("measured", &path)?;
+    if let Some(wing) = &wing {
+        folder.input("wing", &wing.file.path)?;
+    }
+    folder.write_text("flightloads.csv", &csv(&rows))?;
+    write_figures(&folder, &file, &channels, &all)?;
+    let mut result = FlightloadsResult::new(&file, wing.as_ref().map(TunnelWing::origin), rows, &campaigns);
+    result.seconds = start.elapsed().as_secs_f64();
+    let json = as_json(&result)?;
+    folder.write_json("result.json", &json)?;
+    let out = folder.commit()?;
+    let mut text = summary(&result);
+    let _ = write!(text, "written to {} in {:.1} s", out.display(), result.seconds);
+    show::summary(common, &text);
+    show::json(common, &json)
+}
+
+/// Readings and calculated loads of all conditions.
+fn measured(
+    file: &FlightFile,
+    channels: &[Channel],
+    campaigns: &[CampaignPoints],
+    wing: Option<&TunnelWing>,
+) -> Result<Vec<Measured>, Failure> {
+    let one = |condition: Condition| -> Result<Measured, Failure> {
+        let campaign = campaigns.iter().find(|campaign| campaign.condition == condition.name);
+        let readings = match campaign {
+            Some(campaign) => campaign.readings.clone(),
+            None => readings(file, &condition)?,
+        };
+        let brings = readings.iter().any(|reading| reading.calculated.iter().any(Option::is_some));
+        let calculated = if brings || wing.is_none() {
+            [0, 1].map(|model| brought(&readings, model))
+        } else {
+            if let Source::History(name, _) = &condition.source {
+                let message = format!(
+                    "the history {name} brings no calculated loads, and only steady points are calculated"
+                );
+                let help = "add columns such as updated_root_Mx_Nm, from `simulate` or another program";
+                return Err(InputError::in_file(&file.path, message).with_help(help).into());
+            }
+            let rho = campaign.map(|campaign| campaign.rho_kg_m3).or(file.rho_kg_m3);
+            wing.map_or(Ok([None, None]), |wing| wing.calculated(file, channels, &readings, rho))?
+        };
+        Ok(Measured { condition, readings, calculated })
+    };
+    file.conditions()?.into_iter().map(one).collect()
+}
+
+/// Loads that a table brings.
+fn brought(readings: &[Reading], model: usize) -> Option<Vec<Calculated>> {
+    let of = |reading: &Reading| {
+        let loads = reading.calculated[model].clone()?;
+        Some(Calculated { sigma: vec![0.0; loads.len()], loads })
+    };
+    readings.iter().map(of).collect()
+}
+
+/// Judges all conditions, stations and loads of each model together.
+fn rows(file: &FlightFile, channels: &[Channel], all: &[Measured]) -> Vec<Row> {
+    let mut rows = Vec::new();
+    for (model, name) in MODELS.into_iter().enumerate() {
+        let mut places = Vec::new();
+        let mut comparisons = Vec::new();
+        for one in all {
+            for (at, channel) in channels.iter().enumerate() {
+                if let Some(comparison) = comparison(one, channel, at, model) {
+                    comparisons.push(comparison);
+                    places.push((one.condition.name.clone(), channel));
+                }
+            }
+        }
+        let judged = judge(&comparisons, &file.thresholds());
+        let row = |((condition, channel), judged): ((String, &Channel), Judged)| {
+            Row::new(condition, channel, name, judged)
+        };
+        rows.extend(places.into_iter().zip(judged).map(row));
+    }
+    rows
+}
+
+/// A channel's points in a condition by a model.
+pub(super) fn comparison(one: &Measured, channel: &Channel, at: usize, model: usize) -> Option<Comparison> {
+    let calculated = one.calculated[model].as_ref()?;
+    let pairs = one.readings.iter().zip(calculated);
+    let point = |(reading, calculated): (&Reading, &Calculated)| {
+        let measured = reading.measured[at]?;
+        let (load, state_sigma) = (calculated.loads[at], calculated.sigma[at]);
+        Some(Point { calculated: load, measured, state_sigma, fitted: reading.fitted })
+    };
+    let points: Vec<Point> = pairs.filter_map(point).collect();
+    let name = format!("{} {}", one.condition.name, channel.column());
+    (!points.is_empty()).then(|| Comparison { name, unit: channel.load.unit(), gauge: channel.gauge, points })
+}
+
+fn summary(result: &FlightloadsResult) -> String {
+    let points = result.points;
+    let mut text = format!("{points} points in {} conditions", result.conditions);
+    if result.fitted > 0 {
+        let _ = write!(text, " ({} used to fit corrections: counted apart)", result.fitted);
+    }
+    text.push('\n');
+    let mut table = Table::new(&["condition", "load", "model", "slope", "95 %", "large loads >=", "verdict"]);
+    let three = |value: f64| digits(value, 4);
+    for row in &result.rows {
+        let line = row.judged.line.as_ref();
+        table.row(vec![
+            row.condition.clone(),
+            format!("{} {}", row.station, row.load),
+            row.model.to_owned(),
+            line.map_or_else(String::new, |line| three(line.slope.value)),
+            line.map_or_else(String::new, |line| {
+                format!("{} to {}", three(line.slope.low), three(line.slope.high))
+            }),
+            row.judged.worst_ratio.map_or_else(String::new, three),
+            row.judged.verdict.word().to_owned(),
+        ]);
+    }
+    let _ = writeln!(text, "{table}");
+    text
+}
