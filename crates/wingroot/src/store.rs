@@ -15,6 +15,7 @@ mod index;
 mod inputs;
 mod segment;
 
+pub use index::{Foreign, Standing};
 pub use inputs::Inputs;
 pub use segment::{Told, unique};
 
@@ -39,26 +40,6 @@ struct State {
     index: Option<Index>,
     /// This process' own segment.
     writer: Option<Writer>,
-}
-
-/// A segment of other inputs than those of the store.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Foreign {
-    /// The file.
-    pub path: PathBuf,
-    /// Names of the inputs that differ.
-    pub differs: Vec<String>,
-}
-
-/// How a store stands: what it holds beside the results themselves.
-#[derive(Debug, Default)]
-pub struct Standing {
-    /// Segments of other inputs.
-    pub foreign: Vec<Foreign>,
-    /// Records that were not whole, and are not believed.
-    pub damaged: usize,
-    /// Cases that were finished twice, with results that are not the same to the last digit.
-    pub contradicted: Vec<String>,
 }
 
 impl Store {

@@ -80,8 +80,8 @@ pub struct Timed {
 pub fn timed_case(folder: &Path) -> Result<Timed, Failure> {
     let timed = with_judge(
         [folder, folder],
-        HiddenArgs::default().setting(),
-        ("bench", &Common { quiet: true, ..Common::default() }),
+        HiddenArgs::default().setting("bench".to_owned()),
+        &Common { quiet: true, ..Common::default() },
         |judge, bench| {
             let plan = cases(FIRST_SEED, 3, &Mix::only(Class::Paper)).remove(2);
             let case = judge.written(&bench.case(&plan), "case")?;
@@ -122,7 +122,7 @@ pub(crate) fn run(args: &HiddenArgs, common: &Common) -> Result<(), Failure> {
         Task::Part(share) => format!("part{}of{}", share.number, share.of),
         _ => "whole".to_owned(),
     };
-    let judged = with_judge(folders, args.setting(), (&label, common), |judge, bench| {
+    let judged = with_judge(folders, args.setting(label), common, |judge, bench| {
         Session { judge, bench, args, seed, common }.run(task, start)
     })?;
     let Some(judged) = judged else { return Ok(()) };
@@ -147,8 +147,8 @@ pub(crate) fn run(args: &HiddenArgs, common: &Common) -> Result<(), Failure> {
 }
 
 impl HiddenArgs {
-    fn setting(&self) -> Setting {
-        Setting { truth: self.truth, own_static_points: self.own_static_points }
+    fn setting(&self, label: String) -> Setting {
+        Setting { truth: self.truth, own_static_points: self.own_static_points, label }
     }
 }
 

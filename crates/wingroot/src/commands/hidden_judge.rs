@@ -28,12 +28,14 @@ const NULLS_SEED: u64 = 1_000_000;
 const LEFT_FOR: Duration = Duration::from_secs(3600);
 
 /// What cases are judged as, beside the seed.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(crate) struct Setting {
     /// Which program makes the campaigns.
     pub(crate) truth: Truth,
     /// Track B.
     pub(crate) own_static_points: bool,
+    /// What this process' segments of the stores begin with.
+    pub(crate) label: String,
 }
 
 /// What serves all cases.
@@ -45,7 +47,6 @@ pub(crate) struct Judge<'a> {
     sealed: PathBuf,
     setting: Setting,
     common: Common,
-    label: String,
     /// Answers and verdicts.
     stores: OnceLock<[Store; 2]>,
     /// What the null distribution took, s.
@@ -77,7 +78,7 @@ pub(crate) fn wing(folder: &Path) -> Result<PathBuf, Failure> {
 pub(crate) fn with_judge<T>(
     [folder, sealed]: [&Path; 2],
     setting: Setting,
-    (label, common): (&str, &Common),
+    common: &Common,
     work: impl FnOnce(&Judge<'_>, &Bench) -> Result<T, Failure>,
 ) -> Result<T, Failure> {
     let path = wing(folder)?;
@@ -94,7 +95,6 @@ pub(crate) fn with_judge<T>(
         folder: folder.to_path_buf(),
         sealed: sealed.to_path_buf(),
         setting,
-        label: label.to_owned(),
         common: common.clone(),
         stores: OnceLock::new(),
         nulls_seconds: 0.0,
@@ -134,7 +134,7 @@ impl Judge<'_> {
                 .with("truth", self.setting.truth.name())
                 .with("null distribution", &format!("{:?}", self.nulls.key));
             [&self.sealed, &self.folder.join("verdicts")]
-                .map(|folder| Store::new(folder.clone(), inputs.clone()).labelled(self.label.clone()))
+                .map(|folder| Store::new(folder.clone(), inputs.clone()).labelled(self.setting.label.clone()))
         })
     }
 

@@ -6,11 +6,30 @@ use std::path::{Path, PathBuf};
 
 use super::inputs::Inputs;
 use super::segment::{Place, Segment, Told, paths, record_at};
-use super::{Foreign, Standing};
 use crate::fingerprint::Fingerprint;
 
 /// Segments that are kept open for reading.
 const MOST_OPEN: usize = 64;
+
+/// A segment of other inputs than those of the store.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Foreign {
+    /// The file.
+    pub path: PathBuf,
+    /// Names of the inputs that differ.
+    pub differs: Vec<String>,
+}
+
+/// How a store stands: what it holds beside the results themselves.
+#[derive(Debug, Default)]
+pub struct Standing {
+    /// Segments of other inputs.
+    pub foreign: Vec<Foreign>,
+    /// Records that were not whole, and are not believed.
+    pub damaged: usize,
+    /// Cases that were finished twice, with results that are not the same to the last digit.
+    pub contradicted: Vec<String>,
+}
 
 /// Places of all finished cases by hash.
 #[derive(Debug, Default)]
