@@ -9,9 +9,12 @@
 //! Limits: small strains, and rotations within one element of some 30 degrees ([`Point::largest_local_rotation`] says how
 //! far it went).
 
+mod acting;
+mod carried;
 mod corotated;
 mod error;
 mod frame;
+mod gain;
 mod joints;
 mod krylov;
 mod loads;
@@ -23,6 +26,8 @@ mod steps;
 mod structure;
 mod tangent;
 
+pub use acting::{Acting, Near};
+pub use carried::{Carried, CarriedPoint, PlacedCarriers};
 pub use error::NonlinearError;
 pub use joints::reactions_of;
 pub use loads::{Following, Loads, NodeLoad};

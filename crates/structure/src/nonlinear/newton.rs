@@ -4,8 +4,8 @@
 //! Leonetti and Garcea, Int. J. Numer. Meth. Eng. 109, 2017): stiff stretching no longer spoils the
 //! prediction of bending, which takes a tenth to a half of the iterations.
 
+use super::acting::Acting;
 use super::krylov;
-use super::loads::Loads;
 use super::state::State;
 use super::structure::LargeDeflection;
 use crate::factor::Factor;
@@ -49,11 +49,11 @@ pub(super) struct Failed {
     pub(super) iterations: usize,
 }
 
-/// From `start` to the equilibrium under `loads`. `work` is the largest work of a first step so far, N m.
+/// From `start` to the equilibrium under what acts. `work` is the largest work of a first step so far, N m.
 pub(super) fn converge(
     structure: &LargeDeflection,
     start: &State,
-    loads: &Loads,
+    acting: &dyn Acting,
     work: &mut f64,
 ) -> Result<Converged, Failed> {
     let mut state = start.clone();
@@ -63,12 +63,12 @@ pub(super) fn converge(
     for iteration in 1..=ITERATIONS {
         let map = structure.map(&state);
         let inner = structure.inner(&state);
-        let outer = structure.load_forces(&state, loads);
-        let short: Vec<f64> = inner.forces.iter().zip(&outer).map(|(i, o)| i - o).collect();
+        let failed = |negative| Failed { negative, iterations: iteration };
+        let Some(near) = acting.at(structure, &state) else { return Err(failed(negative)) };
+        let short: Vec<f64> = inner.forces.iter().zip(near.forces()).map(|(i, o)| i - o).collect();
         let local = promised.as_ref().unwrap_or(&inner.local);
         let k = structure.tangent(&state, &map, &inner.placed, local, &short);
         let scale: Vec<f64> = sparse::diagonal(k.as_ref()).iter().map(|d| d.abs()).collect();
-        let failed = |negative| Failed { negative, iterations: iteration };
         let Some(factor) = Factor::indefinite(&structure.analysis, k.as_ref(), &scale) else {
             return Err(failed(negative));
         };
@@ -78,10 +78,10 @@ pub(super) fn converge(
         let solve = |b: &[f64]| -> Vec<f64> {
             factor.solve(Mat::from_fn(b.len(), 1, |i, _| -b[i]).as_ref()).col(0).iter().copied().collect()
         };
-        let du = if loads.following.is_empty() {
-            solve(&r)
+        let du = if acting.follows() {
+            krylov::solve(&r, &solve, |v| structure.following_stiffness(&state, &map, near.as_ref(), v))
         } else {
-            krylov::solve(&r, &solve, |v| structure.following_stiffness(&state, &map, loads, v))
+            solve(&r)
         };
         let moved = structure.move_on(&mut state, &map, &du);
         let (shift, spin) = largest(&moved);

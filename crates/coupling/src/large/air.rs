@@ -1,0 +1,139 @@
+//! Weight and air on the bent wing.
+
+use super::boxes::{MovedBoxes, turned};
+use super::wing::LargeWing;
+use aero::{AeroBox, BoxLoads, Corrections, SteadyAero};
+use nalgebra::{Rotation3, Vector3};
+use structure::nonlinear::{Acting, LargeDeflection, Loads, Near, State};
+
+/// One condition: a share of weight is not taken, of dynamic pressure it may be.
+#[derive(Debug, Clone)]
+pub(super) struct Air<'a> {
+    pub(super) wing: &'a LargeWing,
+    /// Of all boxes.
+    pub(super) corrections: &'a Corrections,
+    pub(super) q_pa: f64,
+    pub(super) alpha_rad: f64,
+    /// Incidence of camber, twist and controls, rad, one a box.
+    pub(super) incidence: Vec<f64>,
+}
+
+/// The air about one state: its lattice solved, pressures of motions beside it by the same influence.
+pub(super) struct Solved<'a> {
+    air: Air<'a>,
+    aero: SteadyAero,
+    /// Chord along the stream of the boxes when the lattice was solved, m.
+    chord_m: Vec<f64>,
+    weight: Vec<f64>,
+    state: State,
+}
+
+/// Pressures and loads of all boxes.
+pub(super) struct Loaded {
+    /// Uncorrected pressure coefficients.
+    pub(super) cp: Vec<f64>,
+    /// Lift and moment.
+    pub(super) box_loads: BoxLoads,
+    /// Force, and moment about the midpoint, N and Nm, the structure's axes.
+    pub(super) loads: Vec<[Vector3<f64>; 2]>,
+    /// The boxes.
+    pub(super) boxes: MovedBoxes,
+}
+
+impl<'a> Air<'a> {
+    /// From the structure's axes to those whose x runs along the stream.
+    fn to_stream(&self) -> Rotation3<f64> {
+        Rotation3::from_axis_angle(&Vector3::y_axis(), self.alpha_rad)
+    }
+
+    /// Weight of the structure's axes at this angle of attack.
+    pub(super) fn weight(&self) -> Loads {
+        Loads {
+            gravity_m_s2: Vector3::from(self.wing.elastic.gravity_at(self.alpha_rad)),
+            ..Loads::default()
+        }
+    }
+
+    /// The lattice solved at a state; nothing if it cannot be.
+    pub(super) fn solved(&self, state: &State) -> Option<Solved<'a>> {
+        let elastic = &self.wing.elastic;
+        let stream = turned(&self.wing.boxes.moved(&elastic.lattice, state).lattice, &self.to_stream());
+        let aero = SteadyAero::moved(&stream, elastic.plane, elastic.mach).ok()?;
+        let chord_m = stream.boxes.iter().map(AeroBox::chord_m).collect();
+        let weight = self.wing.structure.load_forces(state, &self.weight());
+        Some(Solved { air: self.clone(), aero, chord_m, weight, state: state.clone() })
+    }
+}
+
+impl Solved<'_> {
+    /// Pressures and loads at a state, with the influence of the one that was solved.
+    pub(super) fn loaded(&self, state: &State) -> Loaded {
+        let (air, elastic) = (&self.air, &self.air.wing.elastic);
+        let boxes = air.wing.boxes.moved(&elastic.lattice, state);
+        let to_stream = air.to_stream();
+        let stream = turned(&boxes.lattice, &to_stream);
+        let chord = |panel: &AeroBox| {
+            let [c1, c2, c3, c4] = &panel.corners;
+            ((c2 - c1) + (c3 - c4)).normalize()
+        };
+        let chords: Vec<Vector3<f64>> = stream.boxes.iter().map(chord).collect();
+        let w: Vec<f64> = (stream.boxes.iter().zip(&chords).zip(&air.incidence))
+            .map(|((panel, chord), incidence)| panel.normal().x + incidence * chord.x)
+            .collect();
+        // The lattice takes the circulation as V cp chord/2 with the chord along the stream; pressures are by the box's own.
+        let own_m = |j: usize| 4.0 * elastic.integration.moment_arm(j);
+        let cp = self.aero.pressures_of(&w);
+        let cp: Vec<f64> = cp.iter().enumerate().map(|(j, cp)| cp * self.chord_m[j] / own_m(j)).collect();
+        let box_loads = elastic.integration.corrected(air.corrections).box_loads(air.q_pa, &cp);
+        let back = to_stream.inverse();
+        let load = |(j, panel): (usize, &AeroBox)| {
+            let [from, to] = panel.bound_vortex();
+            let direction = Vector3::x().cross(&(to - from)).normalize();
+            let force = direction * box_loads.values[2 * j];
+            [back * force, back * (direction.cross(&chords[j]) * box_loads.values[2 * j + 1])]
+        };
+        let loads = stream.boxes.iter().enumerate().map(load).collect();
+        Loaded { cp, box_loads, loads, boxes }
+    }
+
+    fn on_nodes(&self, state: &State) -> Vec<f64> {
+        let loaded = self.loaded(state);
+        self.air.wing.boxes.to_nodes(&loaded.boxes, &loaded.loads)
+    }
+}
+
+impl Acting for Air<'_> {
+    fn at<'b>(&'b self, structure: &'b LargeDeflection, state: &State) -> Option<Box<dyn Near + 'b>> {
+        if self.q_pa == 0.0 {
+            return Some(Box::new(Still(structure.load_forces(state, &self.weight()))));
+        }
+        Some(Box::new(self.solved(state)?))
+    }
+
+    fn follows(&self) -> bool {
+        self.q_pa != 0.0
+    }
+}
+
+impl Near for Solved<'_> {
+    fn forces(&self) -> Vec<f64> {
+        self.on_nodes(&self.state).iter().zip(&self.weight).map(|(air, weight)| air + weight).collect()
+    }
+
+    fn following(&self, state: &State) -> Vec<f64> {
+        self.on_nodes(state)
+    }
+}
+
+/// Weight alone.
+struct Still(Vec<f64>);
+
+impl Near for Still {
+    fn forces(&self) -> Vec<f64> {
+        self.0.clone()
+    }
+
+    fn following(&self, _: &State) -> Vec<f64> {
+        vec![0.0; self.0.len()]
+    }
+}
