@@ -75,7 +75,7 @@ fn small_loads_give_what_the_linear_wing_gives_and_the_difference_falls_with_the
 #[test]
 fn a_wing_turned_with_the_stream_carries_the_same_loads() {
     let wing = without_skin([4, 10], MirrorPlane::Symmetric { y_m: 0.0 });
-    let neutral = Corrections::neutral(wing.elastic.correctable.len());
+    let neutral = [Corrections::neutral(wing.elastic.correctable.len())];
     let plain = solved(&wing, &case(45.0, 5.0));
     // Nose up by 5 degrees instead of the stream; the clamp turns too.
     let turn = Rotation3::from_axis_angle(&Vector3::y_axis(), 5.0_f64.to_radians());
@@ -88,7 +88,7 @@ fn a_wing_turned_with_the_stream_carries_the_same_loads() {
 fn a_wing_rolled_as_a_whole_carries_the_same_loads() {
     let mut wing = without_skin([4, 10], MirrorPlane::None);
     wing.elastic.camber = vec![0.06; wing.elastic.lattice.len()];
-    let neutral = Corrections::neutral(wing.elastic.correctable.len());
+    let neutral = [Corrections::neutral(wing.elastic.correctable.len())];
     let plain = solved(&wing, &case(45.0, 0.0));
     assert!(plain.tip_m.z > 0.05, "it bends: {}", plain.tip_m.z);
     for angle in [90.0_f64, 172.0] {

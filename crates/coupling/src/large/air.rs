@@ -2,7 +2,7 @@
 
 use super::boxes::{MovedBoxes, turned};
 use super::wing::LargeWing;
-use aero::{AeroBox, BoxLoads, Corrections, SteadyAero};
+use aero::{AeroBox, BoxLoads, Corrections, Lattice, SteadyAero};
 use nalgebra::{Rotation3, Vector3};
 use structure::nonlinear::{Acting, LargeDeflection, Loads, Near, State};
 
@@ -11,7 +11,7 @@ use structure::nonlinear::{Acting, LargeDeflection, Loads, Near, State};
 pub(super) struct Air<'a> {
     pub(super) wing: &'a LargeWing,
     /// Of all boxes.
-    pub(super) corrections: &'a Corrections,
+    pub(super) corrections: Corrections,
     pub(super) q_pa: f64,
     pub(super) alpha_rad: f64,
     /// Incidence of camber, twist and controls, rad, one a box.
@@ -70,36 +70,80 @@ impl Solved<'_> {
     pub(super) fn loaded(&self, state: &State) -> Loaded {
         let (air, elastic) = (&self.air, &self.air.wing.elastic);
         let boxes = air.wing.boxes.moved(&elastic.lattice, state);
-        let to_stream = air.to_stream();
-        let stream = turned(&boxes.lattice, &to_stream);
-        let chord = |panel: &AeroBox| {
-            let [c1, c2, c3, c4] = &panel.corners;
-            ((c2 - c1) + (c3 - c4)).normalize()
-        };
-        let chords: Vec<Vector3<f64>> = stream.boxes.iter().map(chord).collect();
-        let w: Vec<f64> = (stream.boxes.iter().zip(&chords).zip(&air.incidence))
-            .map(|((panel, chord), incidence)| panel.normal().x + incidence * chord.x)
-            .collect();
+        let stream = turned(&boxes.lattice, &air.to_stream());
+        let cp = self.aero.pressures_of(&self.incidence(&stream));
         // The lattice takes the circulation as V cp chord/2 with the chord along the stream; pressures are by the box's own.
         let own_m = |j: usize| 4.0 * elastic.integration.moment_arm(j);
-        let cp = self.aero.pressures_of(&w);
         let cp: Vec<f64> = cp.iter().enumerate().map(|(j, cp)| cp * self.chord_m[j] / own_m(j)).collect();
-        let box_loads = elastic.integration.corrected(air.corrections).box_loads(air.q_pa, &cp);
-        let back = to_stream.inverse();
-        let load = |(j, panel): (usize, &AeroBox)| {
-            let [from, to] = panel.bound_vortex();
-            let direction = Vector3::x().cross(&(to - from)).normalize();
-            let force = direction * box_loads.values[2 * j];
-            [back * force, back * (direction.cross(&chords[j]) * box_loads.values[2 * j + 1])]
-        };
-        let loads = stream.boxes.iter().enumerate().map(load).collect();
+        let box_loads = elastic.integration.corrected(&air.corrections).box_loads(air.q_pa, &cp);
+        let loads = self.directed(&stream, &box_loads);
         Loaded { cp, box_loads, loads, boxes }
+    }
+
+    /// Boxes at a state, x along the stream.
+    pub(super) fn stream_boxes(&self, state: &State) -> Lattice {
+        let air = &self.air;
+        turned(&air.wing.boxes.moved(&air.wing.elastic.lattice, state).lattice, &air.to_stream())
+    }
+
+    /// The state that was solved.
+    pub(super) fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// Stream along the normals of boxes whose x runs along it, rad.
+    pub(super) fn incidence(&self, stream: &Lattice) -> Vec<f64> {
+        let own = stream.boxes.iter().zip(&self.air.incidence);
+        own.map(|(panel, incidence)| panel.normal().x + incidence * chord(panel).x).collect()
+    }
+
+    /// Force, and moment about the midpoint, of lift and moment of each box (N, Nm; the structure's axes).
+    fn directed(&self, stream: &Lattice, box_loads: &BoxLoads) -> Vec<[Vector3<f64>; 2]> {
+        let back = self.air.to_stream().inverse();
+        let load = |(j, panel): (usize, &AeroBox)| {
+            let [force, moment] = directions(panel);
+            [back * (force * box_loads.values[2 * j]), back * (moment * box_loads.values[2 * j + 1])]
+        };
+        stream.boxes.iter().enumerate().map(load).collect()
+    }
+
+    /// Force and moment (axes of the stream) of a unit pressure coefficient of the solved lattice, per unit dynamic pressure.
+    pub(super) fn unit_loads(&self, stream: &Lattice) -> Vec<[Vector3<f64>; 2]> {
+        let (integration, corrections) = (&self.air.wing.elastic.integration, &self.air.corrections);
+        let load = |(j, panel): (usize, &AeroBox)| {
+            let [force, moment] = directions(panel);
+            let arm = integration.moment_arm(j);
+            let lift = integration.area(j) * self.chord_m[j] / (4.0 * arm);
+            [force * (lift * corrections.force[j]), moment * (lift * arm * corrections.moment[j])]
+        };
+        stream.boxes.iter().enumerate().map(load).collect()
+    }
+
+    /// Lift and moment of a solved state, turned and moved with the boxes to another, on the nodes.
+    pub(super) fn same_loads_on_nodes(&self, loaded: &Loaded, state: &State) -> Vec<f64> {
+        let air = &self.air;
+        let boxes = air.wing.boxes.moved(&air.wing.elastic.lattice, state);
+        let stream = turned(&boxes.lattice, &air.to_stream());
+        air.wing.boxes.to_nodes(&boxes, &self.directed(&stream, &loaded.box_loads))
     }
 
     fn on_nodes(&self, state: &State) -> Vec<f64> {
         let loaded = self.loaded(state);
         self.air.wing.boxes.to_nodes(&loaded.boxes, &loaded.loads)
     }
+}
+
+/// Unit chord of a box, aft.
+fn chord(panel: &AeroBox) -> Vector3<f64> {
+    let [c1, c2, c3, c4] = &panel.corners;
+    ((c2 - c1) + (c3 - c4)).normalize()
+}
+
+/// Directions of a box's lift, on the stream (x) and the bound vortex, and of its nose-up moment.
+fn directions(panel: &AeroBox) -> [Vector3<f64>; 2] {
+    let [from, to] = panel.bound_vortex();
+    let lift = Vector3::x().cross(&(to - from)).normalize();
+    [lift, lift.cross(&chord(panel))]
 }
 
 impl Acting for Air<'_> {

@@ -12,6 +12,8 @@
 
 mod air;
 mod boxes;
+mod motion;
 mod wing;
 
+pub use motion::{BentMotion, BentMotionError};
 pub use wing::{LargeState, LargeWing};

@@ -5,12 +5,13 @@ use super::boxes::CarriedBoxes;
 use crate::case::SteadyCase;
 use crate::error::CouplingError;
 use crate::root_loads::RootLoads;
-use crate::wing::ElasticWing;
-use crate::wing_file::{SplineKind, WingFile};
+use crate::wing::{ElasticWing, blame_root_plane};
+use crate::wing_file::{Mount, SplineKind, WingFile};
 use crate::wing_parts::{spline_nodes, wing_parts};
 use aero::{BoxLoads, Corrections, Lattice};
 use nalgebra::{Point3, Vector3};
 use nastran::{BulkData, InputError};
+use std::path::Path;
 use structure::Model;
 use structure::nonlinear::{Acting, Controls, LargeDeflection, Loads, Near, State};
 
@@ -54,6 +55,20 @@ pub struct LargeState {
 }
 
 impl LargeWing {
+    /// Reads a wing's RON file and everything it names: the wing as it stands in the tunnel.
+    ///
+    /// # Errors
+    /// Bad input, and as [`LargeWing::from_bulk`].
+    pub fn read(path: &Path) -> Result<(WingFile, Self), CouplingError> {
+        let file = WingFile::read(path)?;
+        let bulk = file.bulk(Mount::Tunnel)?;
+        if let Some(cards) = bulk.unread_cards() {
+            tracing::warn!("{}: cards that are not read: {cards}", file.path.display());
+        }
+        let wing = Self::from_bulk(&file, &bulk).map_err(|error| blame_root_plane(error, &file))?;
+        Ok((file, wing))
+    }
+
     /// A wing file's wing.
     ///
     /// # Errors
@@ -117,7 +132,8 @@ impl LargeWing {
         &self.wind_off
     }
 
-    /// Equilibria of cases with corrections (one entry for each correctable box), each continued from the one before it.
+    /// Equilibria of cases with corrections (one entry for each correctable box), each continued from the one before
+    /// it.
     ///
     /// # Errors
     /// If no equilibrium is found, or the wing diverges there; with the last airspeed that was reached.
@@ -125,6 +141,18 @@ impl LargeWing {
         &self,
         cases: &[SteadyCase],
         corrections: &Corrections,
+    ) -> Result<Vec<LargeState>, CouplingError> {
+        self.solve_from(&self.wind_off, cases, &vec![corrections.clone(); cases.len()])
+    }
+
+    /// The same with corrections of each case.
+    ///
+    /// # Errors
+    /// As [`LargeWing::solve`].
+    pub fn solve_with(
+        &self,
+        cases: &[SteadyCase],
+        corrections: &[Corrections],
     ) -> Result<Vec<LargeState>, CouplingError> {
         self.solve_from(&self.wind_off, cases, corrections)
     }
@@ -137,19 +165,19 @@ impl LargeWing {
         &self,
         rest: &State,
         cases: &[SteadyCase],
-        corrections: &Corrections,
+        corrections: &[Corrections],
     ) -> Result<Vec<LargeState>, CouplingError> {
-        let corrections = self.elastic.padded(corrections)?;
         let still = Air {
             wing: self,
-            corrections: &corrections,
+            corrections: Corrections::neutral(self.elastic.lattice.len()),
             q_pa: 0.0,
             alpha_rad: 0.0,
             incidence: vec![0.0; self.elastic.lattice.len()],
         };
         let (mut from, mut state, mut found) = (still, rest.clone(), Vec::with_capacity(cases.len()));
-        for case in cases {
+        for (case, corrections) in cases.iter().zip(corrections) {
             let to = Air {
+                corrections: self.elastic.padded(corrections)?,
                 q_pa: case.flow.dynamic_pressure_pa(),
                 alpha_rad: case.alpha_rad,
                 incidence: self.incidence(case),
@@ -163,7 +191,7 @@ impl LargeWing {
     }
 
     /// Incidence of camber, twist and controls, rad, one a box.
-    fn incidence(&self, case: &SteadyCase) -> Vec<f64> {
+    pub(super) fn incidence(&self, case: &SteadyCase) -> Vec<f64> {
         let mut incidence = self.elastic.camber.clone();
         for (control, deflection) in self.elastic.controls.iter().zip(&case.controls_rad) {
             for (&place, slope) in control.boxes.iter().zip(&control.slope) {

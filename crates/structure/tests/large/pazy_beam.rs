@@ -66,7 +66,8 @@ pub fn beam(weight_aft_of_edge_m: Option<f64>) -> Model {
     for (at, row) in rows.iter().enumerate() {
         id += 1;
         let arm = Vector3::new(row[12], row[13], row[14]);
-        elements.push(Arc::new(PointMass::new(id, at, row[11], &arm, &Matrix3::zeros())));
+        let inertia = Matrix3::from_diagonal(&Vector3::new(row[15], row[16], row[17]));
+        elements.push(Arc::new(PointMass::new(id, at, row[11], &arm, &inertia)));
     }
     if weight_aft_of_edge_m.is_some() {
         elements.push(rod(id + 1, points[16].x - points[15].x));

@@ -52,7 +52,7 @@ commands! {
     tunnel: Tunnel(tunnel::TunnelArgs),
     /// Natural frequencies and shapes of a structure; with measurements, their fit by factors of regions
     modes: Modes(modes::ModesArgs),
-    /// Displacements and reactions of a deck's structure under its loads, with small or large deflections
+    /// Displacements of a deck's structure under its loads or of a wing in steady air, with small or large deflections
     statics: Statics(statics::StaticsArgs),
     /// The wing as a Nastran deck: structure, boxes and splines
     deck: Deck(deck::DeckArgs),
@@ -130,6 +130,8 @@ mod simulate_files;
 mod simulate_flown;
 mod simulate_maneuvers;
 pub(crate) mod simulate_result;
+mod statics_air;
+pub(crate) mod statics_air_result;
 mod statics_files;
 pub(crate) mod statics_result;
 pub(crate) mod tunnel_result;
