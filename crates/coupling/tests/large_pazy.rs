@@ -124,3 +124,21 @@ fn with_skin_the_measured_beam_rises_as_the_codes_say() {
         }
     }
 }
+
+#[test]
+fn without_lift_it_carries_its_weight_up_to_divergence() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/pazy/wing.ron");
+    let (_, wing) = LargeWing::read(&path).expect("the wing");
+    let neutral = Corrections::neutral(wing.elastic.correctable.len());
+    let cases = |airspeeds: &[f64]| -> Vec<SteadyCase> {
+        let case = |v_m_s: &f64| SteadyCase::new(Flow { v_m_s: *v_m_s, rho_kg_m3: 1.225 }, 0.0);
+        airspeeds.iter().map(case).collect()
+    };
+    let states = wing.solve(&cases(&[30.0, 90.0]), &neutral).expect("below divergence");
+    for state in &states {
+        println!("tip {:e} m, {} iterations, gain {:.4}", state.tip_m.z, state.iterations, state.gain);
+    }
+    let refused = wing.solve(&cases(&[90.0, 130.0]), &neutral).expect_err("beyond divergence").to_string();
+    println!("{refused}");
+    assert!(refused.contains("130.00 m/s") && refused.contains("the last one was at"), "{refused}");
+}

@@ -1,7 +1,7 @@
 //! Weight and air on the bent wing.
 
-use super::boxes::{MovedBoxes, turned};
-use super::wing::LargeWing;
+use super::boxes::{CarriedBoxes, MovedBoxes, turned};
+use crate::wing::ElasticWing;
 use aero::{AeroBox, BoxLoads, Corrections, Lattice, SteadyAero};
 use nalgebra::{Rotation3, Vector3};
 use structure::nonlinear::{Acting, LargeDeflection, Loads, Near, State};
@@ -9,7 +9,9 @@ use structure::nonlinear::{Acting, LargeDeflection, Loads, Near, State};
 /// One condition: a share of weight is not taken, of dynamic pressure it may be.
 #[derive(Debug, Clone)]
 pub(super) struct Air<'a> {
-    pub(super) wing: &'a LargeWing,
+    pub(super) elastic: &'a ElasticWing,
+    pub(super) structure: &'a LargeDeflection,
+    pub(super) boxes: &'a CarriedBoxes,
     /// Of all boxes.
     pub(super) corrections: Corrections,
     pub(super) q_pa: f64,
@@ -48,19 +50,16 @@ impl<'a> Air<'a> {
 
     /// Weight of the structure's axes at this angle of attack.
     pub(super) fn weight(&self) -> Loads {
-        Loads {
-            gravity_m_s2: Vector3::from(self.wing.elastic.gravity_at(self.alpha_rad)),
-            ..Loads::default()
-        }
+        Loads { gravity_m_s2: Vector3::from(self.elastic.gravity_at(self.alpha_rad)), ..Loads::default() }
     }
 
     /// The lattice solved at a state; nothing if it cannot be.
     pub(super) fn solved(&self, state: &State) -> Option<Solved<'a>> {
-        let elastic = &self.wing.elastic;
-        let stream = turned(&self.wing.boxes.moved(&elastic.lattice, state).lattice, &self.to_stream());
+        let elastic = self.elastic;
+        let stream = turned(&self.boxes.moved(&elastic.lattice, state).lattice, &self.to_stream());
         let aero = SteadyAero::moved(&stream, elastic.plane, elastic.mach).ok()?;
         let chord_m = stream.boxes.iter().map(AeroBox::chord_m).collect();
-        let weight = self.wing.structure.load_forces(state, &self.weight());
+        let weight = self.structure.load_forces(state, &self.weight());
         Some(Solved { air: self.clone(), aero, chord_m, weight, state: state.clone() })
     }
 }
@@ -68,8 +67,8 @@ impl<'a> Air<'a> {
 impl Solved<'_> {
     /// Pressures and loads at a state, with the influence of the one that was solved.
     pub(super) fn loaded(&self, state: &State) -> Loaded {
-        let (air, elastic) = (&self.air, &self.air.wing.elastic);
-        let boxes = air.wing.boxes.moved(&elastic.lattice, state);
+        let (air, elastic) = (&self.air, self.air.elastic);
+        let boxes = air.boxes.moved(&elastic.lattice, state);
         let stream = turned(&boxes.lattice, &air.to_stream());
         let cp = self.aero.pressures_of(&self.incidence(&stream));
         // The lattice takes the circulation as V cp chord/2 with the chord along the stream; pressures are by the box's own.
@@ -83,7 +82,7 @@ impl Solved<'_> {
     /// Boxes at a state, x along the stream.
     pub(super) fn stream_boxes(&self, state: &State) -> Lattice {
         let air = &self.air;
-        turned(&air.wing.boxes.moved(&air.wing.elastic.lattice, state).lattice, &air.to_stream())
+        turned(&air.boxes.moved(&air.elastic.lattice, state).lattice, &air.to_stream())
     }
 
     /// The state that was solved.
@@ -109,7 +108,7 @@ impl Solved<'_> {
 
     /// Force and moment (axes of the stream) of a unit pressure coefficient of the solved lattice, per unit dynamic pressure.
     pub(super) fn unit_loads(&self, stream: &Lattice) -> Vec<[Vector3<f64>; 2]> {
-        let (integration, corrections) = (&self.air.wing.elastic.integration, &self.air.corrections);
+        let (integration, corrections) = (&self.air.elastic.integration, &self.air.corrections);
         let load = |(j, panel): (usize, &AeroBox)| {
             let [force, moment] = directions(panel);
             let arm = integration.moment_arm(j);
@@ -122,14 +121,14 @@ impl Solved<'_> {
     /// Lift and moment of a solved state, turned and moved with the boxes to another, on the nodes.
     pub(super) fn same_loads_on_nodes(&self, loaded: &Loaded, state: &State) -> Vec<f64> {
         let air = &self.air;
-        let boxes = air.wing.boxes.moved(&air.wing.elastic.lattice, state);
+        let boxes = air.boxes.moved(&air.elastic.lattice, state);
         let stream = turned(&boxes.lattice, &air.to_stream());
-        air.wing.boxes.to_nodes(&boxes, &self.directed(&stream, &loaded.box_loads))
+        air.boxes.to_nodes(&boxes, &self.directed(&stream, &loaded.box_loads))
     }
 
     fn on_nodes(&self, state: &State) -> Vec<f64> {
         let loaded = self.loaded(state);
-        self.air.wing.boxes.to_nodes(&loaded.boxes, &loaded.loads)
+        self.air.boxes.to_nodes(&loaded.boxes, &loaded.loads)
     }
 }
 

@@ -4,12 +4,12 @@
 //! ```text
 //! x'' + diag(omega^2) x = A_0 x + q R cp_x,     cp_x from w = W_x x - i (omega/V) H x
 //! ```
-//! A_0: the loads of the steady pressures turn and move with the boxes (their directions and arms). W_x: change of the stream along the box's
-//! normal. H: displacement of its three-quarter point along it. R: work of a unit pressure coefficient. Columns are differences of
+//! A_0: the loads of the steady pressures turn and move with the boxes (their directions and arms). W_x: change of the
+//! stream along the box's normal. H: displacement of its three-quarter point along it. R: work of a unit pressure coefficient. Columns are differences of
 //! the places of boxes, exact to their round-off. Left out is what in-plane motions do with steady loads (lagging and
 //! yawing strips).
 
-use super::air::{Air, Loaded, Solved};
+use super::air::{Loaded, Solved};
 use super::wing::{LargeState, LargeWing};
 use crate::case::SteadyCase;
 use crate::error::CouplingError;
@@ -183,16 +183,6 @@ impl LargeWing {
             };
             motion.load_stiffness[(other, mode)] = (work(&forces[0]) - work(&forces[1])) / (2.0 * step);
         }
-    }
-
-    fn air(&self, case: &SteadyCase, corrections: &Corrections) -> Result<Air<'_>, CouplingError> {
-        Ok(Air {
-            wing: self,
-            corrections: self.elastic.padded(corrections)?,
-            q_pa: case.flow.dynamic_pressure_pa(),
-            alpha_rad: case.alpha_rad,
-            incidence: self.incidence(case),
-        })
     }
 }
 

@@ -168,7 +168,9 @@ impl LargeWing {
         corrections: &[Corrections],
     ) -> Result<Vec<LargeState>, CouplingError> {
         let still = Air {
-            wing: self,
+            elastic: &self.elastic,
+            structure: &self.structure,
+            boxes: &self.boxes,
             corrections: Corrections::neutral(self.elastic.lattice.len()),
             q_pa: 0.0,
             alpha_rad: 0.0,
@@ -176,13 +178,7 @@ impl LargeWing {
         };
         let (mut from, mut state, mut found) = (still, rest.clone(), Vec::with_capacity(cases.len()));
         for (case, corrections) in cases.iter().zip(corrections) {
-            let to = Air {
-                corrections: self.elastic.padded(corrections)?,
-                q_pa: case.flow.dynamic_pressure_pa(),
-                alpha_rad: case.alpha_rad,
-                incidence: self.incidence(case),
-                ..from.clone()
-            };
+            let to = self.air(case, corrections)?;
             let one = self.continued(&state, &from, &to, case)?;
             (from, state) = (to, one.state.clone());
             found.push(one);
@@ -190,8 +186,21 @@ impl LargeWing {
         Ok(found)
     }
 
+    /// The air of a case with corrections of each correctable box.
+    pub(super) fn air(&self, case: &SteadyCase, corrections: &Corrections) -> Result<Air<'_>, CouplingError> {
+        Ok(Air {
+            elastic: &self.elastic,
+            structure: &self.structure,
+            boxes: &self.boxes,
+            corrections: self.elastic.padded(corrections)?,
+            q_pa: case.flow.dynamic_pressure_pa(),
+            alpha_rad: case.alpha_rad,
+            incidence: self.incidence(case),
+        })
+    }
+
     /// Incidence of camber, twist and controls, rad, one a box.
-    pub(super) fn incidence(&self, case: &SteadyCase) -> Vec<f64> {
+    fn incidence(&self, case: &SteadyCase) -> Vec<f64> {
         let mut incidence = self.elastic.camber.clone();
         for (control, deflection) in self.elastic.controls.iter().zip(&case.controls_rad) {
             for (&place, slope) in control.boxes.iter().zip(&control.slope) {

@@ -1,6 +1,7 @@
 //! What acts on a structure that bends far, seen by Newton's method: forces at a state, and how they follow a small motion.
 
 use super::loads::Loads;
+use super::near::Near;
 use super::state::State;
 use super::structure::LargeDeflection;
 
@@ -11,15 +12,6 @@ pub trait Acting: Sync {
 
     /// Whether it changes with the state (weight does not).
     fn follows(&self) -> bool;
-}
-
-/// What acts near the state it was made for.
-pub trait Near {
-    /// Forces and moments on the nodes at that state, N and Nm (g-set, basic axes, moments over spins).
-    fn forces(&self) -> Vec<f64>;
-
-    /// At a state beside it, the part that follows the structure: its differences are the stiffness of the load.
-    fn following(&self, state: &State) -> Vec<f64>;
 }
 
 /// A set of loads at a state.

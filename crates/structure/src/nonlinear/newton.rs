@@ -17,7 +17,8 @@ use rayon::prelude::*;
 /// Iterations of one load step.
 const ITERATIONS: usize = 15;
 
-/// Work of the last step in units of the largest first one.
+/// Work of the last step in units of the largest first one, or of the energy that is stored if that is more: what is added
+/// to a loaded structure may be next to nothing.
 const WORK: f64 = 1e-12;
 
 /// Largest last spin, rad, and displacement in units of the structure's size.
@@ -95,7 +96,9 @@ pub(super) fn converge(
             (added, way) = (r.clone(), vec![0.0; r.len()]);
         }
         way.iter_mut().zip(&du).for_each(|(way, du)| *way += du);
-        if own <= WORK * *work && spin < STEP && shift < STEP * size {
+        let stored: f64 =
+            inner.placed.iter().zip(&inner.local).map(|(at, local)| 0.5 * at.motion.dot(local)).sum();
+        if own <= WORK * work.max(stored) && spin < STEP && shift < STEP * size {
             let product = |u: &[f64]| added.iter().zip(u).map(|(f, u)| f * u).sum::<f64>().abs();
             let mean = 0.5 * (first_work + product(&solve(&added)));
             let overshoot = if on_the_way > 0 { product(&way) / mean } else { 0.0 };

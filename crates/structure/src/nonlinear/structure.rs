@@ -1,9 +1,9 @@
 //! A structure that bends far: forces and tangent at any state.
 
-use super::acting::Near;
 use super::corotated::{Corotated, Placed};
 use super::joints::Joints;
 use super::loads::Loads;
+use super::near::Near;
 use super::state::State;
 use crate::assemble::{Free, free_motions};
 use crate::dofs::{DofMap, Sets};

@@ -104,7 +104,7 @@ impl Task {
     fn of(args: &AirArgs, file: WingFile, boxes: usize) -> Result<Self, Failure> {
         let alpha_deg = args.alpha.unwrap_or(ALPHA_DEG);
         let rho_kg_m3 = args.density.unwrap_or(DENSITY);
-        if !(alpha_deg.abs() <= STEEPEST_DEG) {
+        if !(-STEEPEST_DEG..=STEEPEST_DEG).contains(&alpha_deg) {
             let message =
                 format!("--alpha is {alpha_deg}, expected degrees from -{STEEPEST_DEG} to {STEEPEST_DEG}");
             return Err(InputError::general(message).into());
@@ -135,12 +135,12 @@ impl Task {
     }
 
     fn points(&self, elastic: &ElasticWing, large: Option<&LargeWing>) -> Result<Vec<AirPoint>, Failure> {
-        let mut bent = match large {
+        let bent = match large {
             Some(wing) => wing.solve_with(&self.cases, &self.corrections)?.into_iter().map(Some).collect(),
             None => vec![None; self.cases.len()],
         };
         let mut points = Vec::with_capacity(self.cases.len());
-        for ((case, corrections), state) in self.cases.iter().zip(&self.corrections).zip(bent.drain(..)) {
+        for ((case, corrections), state) in self.cases.iter().zip(&self.corrections).zip(bent) {
             let linear = match elastic.at(case.flow, corrections) {
                 Ok(operator) => {
                     let state = operator.solve(std::slice::from_ref(case)).remove(0);
@@ -182,18 +182,20 @@ fn csv(points: &[AirPoint]) -> String {
     let names = ["tip_z_m", "tip_y_m", "tip_twist_deg", "Fz_N", "Mx_Nm", "My_Nm"];
     let mut text = String::from("V_m_s");
     for which in ["linear", "large"] {
-        names.iter().for_each(|name| {
+        for name in names {
             let _ = write!(text, ",{which}_{name}");
-        });
+        }
     }
     text.push('\n');
     for point in points {
         let _ = write!(text, "{}", point.v_m_s);
         for bent in [&point.linear, &point.large] {
             match bent {
-                Some(bent) => values(bent).iter().for_each(|value| {
-                    let _ = write!(text, ",{value:.9e}");
-                }),
+                Some(bent) => {
+                    for value in values(bent) {
+                        let _ = write!(text, ",{value:.9e}");
+                    }
+                }
                 None => text.push_str(",,,,,,"),
             }
         }
