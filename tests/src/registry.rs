@@ -78,6 +78,18 @@ pub const LISTED: &[(&str, &str)] = &[
         "compared in crates/structure/tests/large_pazy.rs at every load of the table",
     ),
     (
+        "nl_pazy__flutter_deformed_aoa3",
+        "compared in crates/maneuver/tests/bent_flutter.rs: the measured onset and offset at 3 degrees",
+    ),
+    (
+        "nl_pazy__modes_deformed_skin0_to26pct",
+        "compared in crates/coupling/tests/large_motion.rs at every rise of the tip of the beam",
+    ),
+    (
+        "nl_pazy__static_aeroelastic_aoa5",
+        "compared in crates/coupling/tests/large_pazy.rs: without skin at seven airspeeds, with skin the wing of data/pazy",
+    ),
+    (
         "nl_shell__sze_3_1_end_shear",
         "compared in crates/structure/tests/large_shells.rs at every load of the table",
     ),

@@ -24,6 +24,8 @@ pub const CORE: f64 = 0.01;
 /// One horseshoe of unit strength in `cp`: circulation `V chord/2`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Horseshoe {
+    /// Ends of its legs on the surface, where these do not run along x from the bound segment on.
+    edges: Option<[Vector3<f64>; 2]>,
     from: Vector3<f64>,
     to: Vector3<f64>,
     length_2: f64,
@@ -36,6 +38,7 @@ impl Horseshoe {
     fn new(panel: &crate::AeroBox, beta: f64) -> Self {
         let [from, to] = panel.bound_vortex().map(|p| stretched(&p, beta));
         Self {
+            edges: None,
             from,
             to,
             length_2: (to - from).norm_squared(),
@@ -90,12 +93,31 @@ impl Receivers {
             let v = velocity(vortex, [px[i], py[i], pz[i]], core[i].min(vortex.core));
             out[i] += scale * (v[0] * nx[i] + v[1] * ny[i] + v[2] * nz[i]);
         }
+        let Some(edges) = &vortex.edges else { return };
+        for i in 0..count {
+            let v = by_the_surface(vortex, edges, [px[i], py[i], pz[i]], core[i].min(vortex.core));
+            out[i] += scale * (v[0] * nx[i] + v[1] * ny[i] + v[2] * nz[i]);
+        }
     }
 }
 
 /// The horseshoes of all boxes, x stretched by `1/beta`.
 pub(crate) fn horseshoes(lattice: &Lattice, beta: f64) -> Vec<Horseshoe> {
     lattice.boxes.iter().map(|panel| Horseshoe::new(panel, beta)).collect()
+}
+
+/// The horseshoes of boxes that stand at an angle to the stream or to each other: their legs run along the sides of the strip
+/// to its trailing edge, and leave it along the stream.
+pub(crate) fn horseshoes_on_surfaces(lattice: &Lattice, beta: f64) -> Vec<Horseshoe> {
+    let mut all = horseshoes(lattice, beta);
+    for surface in &lattice.surfaces {
+        for at in 0..surface.spanwise * surface.chordwise {
+            let last = surface.first_box + at - at % surface.chordwise + surface.chordwise - 1;
+            let [_, side_1, side_2, _] = &lattice.boxes[last].corners;
+            all[surface.first_box + at].edges = Some([side_1, side_2].map(|corner| stretched(corner, beta)));
+        }
+    }
+    all
 }
 
 fn stretched(p: &Point3<f64>, beta: f64) -> Vector3<f64> {
@@ -123,6 +145,30 @@ fn velocity(vortex: &Horseshoe, point: [f64; 3], core: f64) -> [f64; 3] {
     [bound * cross[0], bound * cross[1] - leg_2 * z2 + leg_1 * z1, bound * cross[2] + leg_2 * y2 - leg_1 * y1]
 }
 
+/// What legs along the surface add to [`velocity`]: segments from the bound one to the edge and legs from there, less the legs
+/// that began at the bound segment.
+fn by_the_surface(vortex: &Horseshoe, edges: &[Vector3<f64>; 2], point: [f64; 3], core: f64) -> [f64; 3] {
+    let point = Vector3::from(point);
+    let core_2 = core * core;
+    let from_x = |end: &Vector3<f64>| {
+        let r = point - end;
+        Vector3::new(0.0, -r.z, r.y) * leg(r.x, r.y * r.y + r.z * r.z, r.norm().max(core), core_2)
+    };
+    let segment = |a: &Vector3<f64>, b: &Vector3<f64>| {
+        let (r1, r2) = (point - a, point - b);
+        let (l1, l2) = (r1.norm().max(core), r2.norm().max(core));
+        let (cross, product, dot) = (r1.cross(&r2), l1 * l2, r1.dot(&r2));
+        let least = core_2 * (b - a).norm_squared();
+        let sum = if dot < 0.0 { cross.norm_squared().max(least) / (product - dot) } else { product + dot };
+        cross * ((l1 + l2) / (product * sum))
+    };
+    let [edge_1, edge_2] = edges;
+    // Circulation runs in along side 1, out along side 2.
+    let side_1 = segment(edge_1, &vortex.from) - from_x(edge_1) + from_x(&vortex.from);
+    let side_2 = segment(&vortex.to, edge_2) + from_x(edge_2) - from_x(&vortex.to);
+    (side_1 + side_2).into()
+}
+
 /// Factor of `x_hat x r` for a leg along +x: `1/(r (r - x))`.
 #[inline]
 fn leg(x: f64, rho_2: f64, r: f64, core_2: f64) -> f64 {
@@ -137,7 +183,7 @@ mod tests {
 
     fn vortex(from: [f64; 3], to: [f64; 3]) -> Horseshoe {
         let (from, to) = (Vector3::from(from), Vector3::from(to));
-        Horseshoe { from, to, length_2: (to - from).norm_squared(), core: 1.0, circulation: 1.0 }
+        Horseshoe { edges: None, from, to, length_2: (to - from).norm_squared(), core: 1.0, circulation: 1.0 }
     }
 
     /// Far downstream a leg is a straight vortex: 4 pi v = 2/rho outside of the core, and 2 rho/core² in it (Rankine).

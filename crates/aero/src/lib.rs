@@ -27,4 +27,4 @@ pub use integration::{BoxLoads, Integration};
 pub use lattice::{Lattice, Surface};
 pub use load_operator::{LoadDerivatives, LoadOperator};
 pub use mirror::{BoxMap, MirrorPlane};
-pub use vlm::{SteadyAero, influence};
+pub use vlm::{SteadyAero, influence, influence_of_moved};

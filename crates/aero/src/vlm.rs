@@ -5,7 +5,7 @@
 //! Prandtl and Glauert's: x is divided by beta = sqrt(1 - Mach^2), while cp, chords and normals stay.
 
 use crate::error::AeroError;
-use crate::horseshoe::{Receivers, horseshoes};
+use crate::horseshoe::{Horseshoe, Receivers, horseshoes, horseshoes_on_surfaces};
 use crate::lattice::Lattice;
 use crate::mirror::MirrorPlane;
 use faer::linalg::solvers::{PartialPivLu, Solve};
@@ -26,20 +26,46 @@ pub fn influence(lattice: &Lattice, plane: MirrorPlane, mach: f64) -> Result<Mat
     Ok(matrix)
 }
 
+/// The influence matrix of boxes that a wing carries: legs leave from the trailing edge of their strip. At the root boxes
+/// may turn a little across the plane, so their side of it is not checked.
+///
+/// # Errors
+/// If the lattice is empty or the Mach number is not in 0..1.
+pub fn influence_of_moved(lattice: &Lattice, plane: MirrorPlane, mach: f64) -> Result<Mat<f64>, AeroError> {
+    check(lattice, mach)?;
+    let vortices = horseshoes_on_surfaces(lattice, beta(mach));
+    let mut matrix = Mat::zeros(lattice.len(), lattice.len());
+    add_vortices(&mut matrix, &vortices, &Receivers::new(lattice, beta(mach), None), 1.0);
+    if let Some((y_m, sign)) = plane.image() {
+        add_vortices(&mut matrix, &vortices, &Receivers::new(lattice, beta(mach), Some(y_m)), sign);
+    }
+    Ok(matrix)
+}
+
 /// The influence matrix without an image.
 ///
 /// # Errors
 /// If the lattice is empty or the Mach number is not in 0..1.
 pub(crate) fn influence_of_own(lattice: &Lattice, mach: f64) -> Result<Mat<f64>, AeroError> {
+    check(lattice, mach)?;
+    let mut matrix = Mat::zeros(lattice.len(), lattice.len());
+    add(&mut matrix, lattice, mach, None, 1.0);
+    Ok(matrix)
+}
+
+fn check(lattice: &Lattice, mach: f64) -> Result<(), AeroError> {
     if !(0.0..1.0).contains(&mach) {
         return Err(AeroError::Mach { mach });
     }
     if lattice.is_empty() {
         return Err(AeroError::Empty);
     }
-    let mut matrix = Mat::zeros(lattice.len(), lattice.len());
-    add(&mut matrix, lattice, mach, None, 1.0);
-    Ok(matrix)
+    Ok(())
+}
+
+/// Of Prandtl and Glauert.
+fn beta(mach: f64) -> f64 {
+    (1.0 - mach * mach).sqrt()
 }
 
 /// The influence of the lattice's mirror image about y = `y_m` alone.
@@ -51,8 +77,11 @@ pub(crate) fn influence_of_image(lattice: &Lattice, mach: f64, y_m: f64) -> Mat<
 
 /// Adds `factor` times the influence of the lattice on itself, or of its image about a plane.
 fn add(matrix: &mut Mat<f64>, lattice: &Lattice, mach: f64, plane: Option<f64>, factor: f64) {
-    let beta = (1.0 - mach * mach).sqrt();
-    let (vortices, receivers) = (horseshoes(lattice, beta), Receivers::new(lattice, beta, plane));
+    let receivers = Receivers::new(lattice, beta(mach), plane);
+    add_vortices(matrix, &horseshoes(lattice, beta(mach)), &receivers, factor);
+}
+
+fn add_vortices(matrix: &mut Mat<f64>, vortices: &[Horseshoe], receivers: &Receivers, factor: f64) {
     matrix.par_col_iter_mut().zip(vortices.par_iter()).for_each(|(column, vortex)| {
         // A column of a new matrix is contiguous.
         let Some(column) = column.try_as_col_major_mut() else { return };
@@ -78,7 +107,19 @@ impl SteadyAero {
     /// # Errors
     /// As [`influence`], and if the matrix is singular.
     pub fn new(lattice: &Lattice, plane: MirrorPlane, mach: f64) -> Result<Self, AeroError> {
-        let factors = influence(lattice, plane, mach)?.partial_piv_lu();
+        Self::factorised(lattice, &influence(lattice, plane, mach)?)
+    }
+
+    /// The same by [`influence_of_moved`].
+    ///
+    /// # Errors
+    /// As that, and if the matrix is singular.
+    pub fn moved(lattice: &Lattice, plane: MirrorPlane, mach: f64) -> Result<Self, AeroError> {
+        Self::factorised(lattice, &influence_of_moved(lattice, plane, mach)?)
+    }
+
+    fn factorised(lattice: &Lattice, influence: &Mat<f64>) -> Result<Self, AeroError> {
+        let factors = influence.partial_piv_lu();
         let pivots: Vec<f64> = factors.U().diagonal().column_vector().iter().map(|p| p.abs()).collect();
         match lost_pivot(&pivots) {
             Some(i) => Err(AeroError::Singular { id: lattice.boxes[i].id }),

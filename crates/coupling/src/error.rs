@@ -3,6 +3,7 @@
 use aero::AeroError;
 use nastran::InputError;
 use structure::SingularStructure;
+use structure::nonlinear::NonlinearError;
 
 /// Why a coupled wing cannot be built or solved.
 #[derive(Debug, thiserror::Error)]
@@ -30,6 +31,26 @@ pub enum CouplingError {
         q_pa: f64,
         /// Lowest divergence pressure, Pa, if it was computed.
         divergence_pa: Option<f64>,
+    },
+    /// The bent wing does not carry itself.
+    #[error("no equilibrium of the wing under its own weight was found: {0}")]
+    OwnWeight(NonlinearError),
+    /// No (stable) equilibrium of the bent wing in the air.
+    #[error(
+        "no stable equilibrium of the bent wing was found at {v_m_s:.2} m/s and {alpha_deg:.2} degrees; the last one was at \
+        {reached_m_s:.2} m/s and {reached_deg:.2} degrees: {why}"
+    )]
+    NotInEquilibrium {
+        /// Airspeed asked for, m/s.
+        v_m_s: f64,
+        /// Angle of attack asked for, degrees.
+        alpha_deg: f64,
+        /// Airspeed of the last equilibrium, m/s.
+        reached_m_s: f64,
+        /// Its angle of attack, degrees.
+        reached_deg: f64,
+        /// What went wrong beyond it.
+        why: String,
     },
     /// Something has the wrong length.
     #[error("{what}: {got} values, expected {expected}")]

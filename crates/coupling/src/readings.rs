@@ -43,6 +43,17 @@ impl ElasticWing {
         (0..self.displaced()).map(|i| f64::from(u8::from(Some(i) == tip))).collect()
     }
 
+    /// Rise of the nose of the tip's section (rad) by a displacement of the structure, against wind off at alpha = 0; zero for
+    /// a rigid wing, and one whose boxes hang on grids that do not turn.
+    pub fn tip_twist_rad(&self, displacement: &[f64]) -> f64 {
+        let Some(structure) = &self.supported else { return 0.0 };
+        let pitch = structure.s_dofs[structure.tip_z] + 2;
+        let Ok(at) = structure.s_dofs.binary_search(&pitch) else { return 0.0 };
+        let field = self.gravity_at(0.0);
+        let wind_off: f64 = (0..3).map(|axis| structure.sag[(at, axis)] * field[axis]).sum();
+        displacement[at] - wind_off
+    }
+
     /// The row of the height (m) of a point of the wing, at a share of the span and of the chord there; and of the incidence
     /// (rad) there. Between the middles of two strips it is their mean by distance.
     pub fn point_rows(&self, y_norm: f64, x_over_c: f64) -> [Vec<f64>; 2] {

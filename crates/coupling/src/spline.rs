@@ -6,7 +6,8 @@
 
 use aero::{AeroBox, Lattice};
 use faer::{Mat, MatRef};
-use nalgebra::{Point3, Vector3};
+use nalgebra::{DMatrix, Point3, Vector3};
+use structure::nonlinear::CarriedPoint;
 
 /// Displacement of the boxes by the structure: sparse rows of G, two a box, columns in the g-set
 /// (6 a node: translations, then rotations, basic axes).
@@ -26,9 +27,7 @@ impl Spline {
     pub fn nearest_node(lattice: &Lattice, points: &[Point3<f64>], nodes: &[usize]) -> Self {
         let rows = lattice.boxes.iter().flat_map(|panel| {
             let mid = panel.mid_point();
-            let nearest = nodes.iter().copied().min_by(|&a, &b| {
-                (points[a] - mid).norm_squared().total_cmp(&(points[b] - mid).norm_squared())
-            });
+            let nearest = nearest_of(points, nodes, &mid);
             let motion = nearest.map_or_else(PointMotion::default, unit_motion);
             let origin = nearest.map_or(mid, |node| points[node]);
             box_rows(panel, &mid, &origin, &motion)
@@ -49,7 +48,7 @@ impl Spline {
         }
         let rows = lattice.boxes.iter().flat_map(|panel| {
             let mid = panel.mid_point();
-            let (foot, motion) = motion_on_axis(points, nodes, &mid);
+            let (foot, _, motion) = motion_on_axis(points, nodes, &mid);
             box_rows(panel, &mid, &foot, &motion)
         });
         Self { rows: rows.collect(), g_size: 6 * points.len() }
@@ -105,6 +104,46 @@ impl Spline {
     }
 }
 
+/// The point of the axis that [`Spline::beam`] ties each box to, with the two nodes it moves between.
+pub(crate) fn feet_on_axis(lattice: &Lattice, points: &[Point3<f64>], nodes: &[usize]) -> Vec<CarriedPoint> {
+    if nodes.len() < 2 {
+        return nearest_nodes(lattice, points, nodes);
+    }
+    let foot = |panel: &AeroBox| {
+        let (origin, ends, motion) = motion_on_axis(points, nodes, &panel.mid_point());
+        CarriedPoint { origin, nodes: ends.to_vec(), rows: dense(&motion, &ends) }
+    };
+    lattice.boxes.iter().map(foot).collect()
+}
+
+/// The node that [`Spline::nearest_node`] ties each box to.
+pub(crate) fn nearest_nodes(lattice: &Lattice, points: &[Point3<f64>], nodes: &[usize]) -> Vec<CarriedPoint> {
+    let tied = |panel: &AeroBox| {
+        let node = nearest_of(points, nodes, &panel.mid_point()).unwrap_or(0);
+        CarriedPoint { origin: points[node], nodes: vec![node], rows: dense(&unit_motion(node), &[node]) }
+    };
+    lattice.boxes.iter().map(tied).collect()
+}
+
+/// The nearest of the nodes; of equally near ones the first.
+fn nearest_of(points: &[Point3<f64>], nodes: &[usize], to: &Point3<f64>) -> Option<usize> {
+    let far = |node: usize| (points[node] - to).norm_squared();
+    nodes.iter().copied().min_by(|&a, &b| far(a).total_cmp(&far(b)))
+}
+
+/// Rows over the motions of some nodes, six columns each.
+fn dense(motion: &PointMotion, nodes: &[usize]) -> DMatrix<f64> {
+    let mut rows = DMatrix::zeros(6, 6 * nodes.len());
+    for (row, entries) in motion.iter().enumerate() {
+        for &(dof, value) in entries {
+            for (at, _) in nodes.iter().enumerate().filter(|(_, node)| **node == dof / 6) {
+                rows[(row, 6 * at + dof % 6)] += value;
+            }
+        }
+    }
+    rows
+}
+
 /// The motion of a node itself.
 fn unit_motion(node: usize) -> PointMotion {
     std::array::from_fn(|component| vec![(6 * node + component, 1.0)])
@@ -145,12 +184,12 @@ fn combine(motion: &PointMotion, weights: [f64; 6]) -> Vec<(usize, f64)> {
     entries
 }
 
-/// The foot of the perpendicular from `point` on the axis, and how that foot moves with the nodes.
+/// The foot of the perpendicular from `point` on the axis, the nodes before and behind it, and how that foot moves with them.
 fn motion_on_axis(
     points: &[Point3<f64>],
     nodes: &[usize],
     point: &Point3<f64>,
-) -> (Point3<f64>, PointMotion) {
+) -> (Point3<f64>, [usize; 2], PointMotion) {
     let mut best: Option<(f64, usize, f64)> = None;
     for (segment, pair) in nodes.windows(2).enumerate() {
         let along = points[pair[1]] - points[pair[0]];
@@ -164,7 +203,7 @@ fn motion_on_axis(
     let (_, segment, fraction) = best.unwrap_or((0.0, 0, 0.0));
     let (a, b) = (nodes[segment], nodes[segment + 1]);
     let along = points[b] - points[a];
-    (points[a] + along * fraction, beam_motion(a, b, &along, fraction))
+    (points[a] + along * fraction, [a, b], beam_motion(a, b, &along, fraction))
 }
 
 /// Motion of the point at fraction xi of a beam from node a to node b: cubic transverse, linear axial and twist.

@@ -54,6 +54,12 @@ impl ElasticWing {
         Ok(SteadyOperator { wing: self, flow, corrections, factor })
     }
 
+    /// Gravity in balance axes, m/s^2: g sin(alpha) aft, g cos(alpha) down.
+    pub(crate) fn gravity_at(&self, alpha_rad: f64) -> [f64; 3] {
+        let g = self.gravity_m_s2;
+        [g * alpha_rad.sin(), 0.0, -g * alpha_rad.cos()]
+    }
+
     /// H = Gᵀ W S Q D G: loads on the s-set per unit displacement and dynamic pressure.
     pub(crate) fn aerodynamic_stiffness(
         &self,
@@ -204,10 +210,9 @@ impl SteadyOperator<'_> {
         self.wing.integration.corrected(&self.corrections)
     }
 
-    /// Gravity in balance axes: g sin(alpha) aft, g cos(alpha) down.
+    /// [`ElasticWing::gravity_at`].
     pub(crate) fn gravity_field(&self, alpha_rad: f64) -> [f64; 3] {
-        let g = self.wing.gravity_m_s2;
-        [g * alpha_rad.sin(), 0.0, -g * alpha_rad.cos()]
+        self.wing.gravity_at(alpha_rad)
     }
 
     fn state(&self, case: &SteadyCase, cp: &[f64], displacement: Vec<f64>) -> SteadyState {

@@ -6,7 +6,7 @@ use crate::load_rows::{Balance, root_rows};
 use crate::spline::Spline;
 use crate::supported::SupportedStructure;
 use crate::suspicion;
-use crate::wing_file::{Mount, WingFile};
+use crate::wing_file::{Geometry, Mount, WingFile};
 use crate::wing_parts::{WingParts, correctable_boxes, wing_parts};
 use aero::{AeroError, ControlSurface, Corrections, Integration, Lattice, MirrorPlane, SteadyAero};
 use faer::{Mat, MatRef};
@@ -131,6 +131,12 @@ impl ElasticWing {
             tracing::warn!("{}: cards that are not read: {cards}", file.path.display());
         }
         let wing = Self::from_bulk(&file, &bulk).map_err(|error| blame_root_plane(error, &file))?;
+        if file.geometry == Geometry::Nonlinear {
+            tracing::warn!(
+                "{}: geometry is Nonlinear, but deflections are taken as small here; `wingroot statics --wing` has them large",
+                file.path.display()
+            );
+        }
         for said in suspicion::of_wing(&bulk, &wing.lattice) {
             tracing::warn!("{}: {said}", file.path.display());
         }
@@ -187,7 +193,7 @@ impl ElasticWing {
 }
 
 /// A plane that does not fit the boxes is the file's `root_plane`.
-fn blame_root_plane(error: CouplingError, file: &WingFile) -> CouplingError {
+pub(crate) fn blame_root_plane(error: CouplingError, file: &WingFile) -> CouplingError {
     match error {
         CouplingError::Aero(
             plane

@@ -7,6 +7,7 @@ mod deck_source;
 mod deflection;
 mod departure;
 mod effects;
+mod geometry;
 mod hash;
 mod known;
 mod prior;
@@ -19,6 +20,7 @@ pub use deck_source::DeckSource;
 pub use deflection::{DeflectionRow, DeflectionTable, OutsideAirspeeds};
 pub use departure::Departure;
 pub use effects::{EffectValidity, WingEffect};
+pub use geometry::Geometry;
 pub use hash::of_text as fingerprint;
 pub use known::KnownTo;
 pub use prior::CorrectionPrior;
@@ -65,6 +67,9 @@ pub struct WingFile {
     /// How boxes follow the structure.
     #[serde(default)]
     pub spline: SplineKind,
+    /// Whether the wing's deflections are small (left out) or as large as they come.
+    #[serde(default, skip_serializing_if = "Geometry::is_default")]
+    pub geometry: Geometry,
     /// The grid whose height is the tip deflection (a sensor's or point mass's of a parametric wing is 3001 or
     /// 4001 and up); left out: the grid the boxes follow that has the largest y.
     #[serde(default, skip_serializing_if = "Option::is_none")]

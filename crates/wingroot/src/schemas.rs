@@ -22,6 +22,7 @@ use crate::commands::pipeline_result::PipelineResult;
 use crate::commands::response_missing_result::MissingResult;
 use crate::commands::response_result::{DisplacementResult, ResponseResult};
 use crate::commands::simulate_result::SimulateResult;
+use crate::commands::statics_air_result::StaticsAirResult;
 use crate::commands::statics_result::StaticsResult;
 use crate::commands::tunnel_result::TunnelResult;
 
@@ -94,7 +95,8 @@ pub fn all() -> Vec<Named> {
         result::<TunnelResult>("tunnel_result", "result.json of tunnel"),
         result::<ModesResult>("modes_result", "result.json of modes"),
         result::<ModesMeasuredResult>("modes_measured_result", "result.json of modes --measured"),
-        result::<StaticsResult>("statics_result", "result.json of statics"),
+        result::<StaticsResult>("statics_result", "result.json of statics --deck"),
+        result::<StaticsAirResult>("statics_air_result", "result.json of statics --wing"),
         result::<DeckResult>("deck_result", "result.json of deck"),
         result::<ResponseResult>("response_result", "result.json of response"),
         result::<MissingResult>("response_missing_result", "result.json of response --missing"),

@@ -55,6 +55,6 @@ fn grid(stations: &[StationAt]) -> CasesFile {
             Maneuver::Other(Trims::Roll { control: control(), rates_deg_s: vec![30.0] }),
         ],
         stations: stations.to_vec(),
-        path: std::path::PathBuf::new(),
+        ..CasesFile::default()
     }
 }

@@ -1,5 +1,6 @@
 //! Flutter and divergence: p-k roots of given masses, stiffnesses and air forces, and eigenvalues of a linear system over airspeed.
 
+mod bent;
 mod curves;
 mod divergence;
 mod error;
@@ -13,6 +14,7 @@ mod spline;
 mod state_space;
 mod system;
 
+pub use bent::{BentCrossing, BentFlutterError, BentPoint, crossings, flutter_of_bent_wing};
 pub use curves::{Crossing, FlutterCurves, Root};
 pub use divergence::first_divergence;
 pub use error::FlutterError;

@@ -48,7 +48,7 @@ pub(crate) struct Corotated {
 
 /// An element at a state: its frame and its small motion.
 pub(crate) struct Placed {
-    q: Matrix3<f64>,
+    pub(super) q: Matrix3<f64>,
     /// Q^T x.
     arms: Vec<Vector3<f64>>,
     /// Q^T R and its logarithm, of elements with rotations.
@@ -96,6 +96,13 @@ impl Corotated {
         };
         let (k, mass) = (k.map(whole), mass.map(whole));
         Ok(Some(Self { id: element.id(), nodes, per_node, points, frame, k, mass }))
+    }
+
+    /// Nodes that carry something, without stiffness and mass of their own.
+    pub(super) fn carrier(nodes: &[usize], all: &[Vector3<f64>]) -> Self {
+        let points: Vec<Vector3<f64>> = nodes.iter().map(|node| all[*node]).collect();
+        let frame = Frame::Moving(Group::of(&points, true));
+        Self { id: 0, nodes: nodes.to_vec(), per_node: 6, points, frame, k: None, mass: None }
     }
 
     /// Whether it gives forces.
@@ -153,7 +160,7 @@ impl Corotated {
     }
 
     /// P^T H^T of a local force.
-    fn balanced(&self, placed: &Placed, local: &DVector<f64>) -> DVector<f64> {
+    pub(super) fn balanced(&self, placed: &Placed, local: &DVector<f64>) -> DVector<f64> {
         let mut own = local.clone();
         for (node, (_, theta)) in placed.turns.iter().enumerate() {
             let at = 6 * node + 3;
@@ -186,7 +193,7 @@ impl Corotated {
     }
 
     /// U and V with P = 1 - U V^T; nothing in fixed axes.
-    fn projector(&self, placed: &Placed) -> Option<(DMatrix<f64>, DMatrix<f64>)> {
+    pub(super) fn projector(&self, placed: &Placed) -> Option<(DMatrix<f64>, DMatrix<f64>)> {
         let (Frame::Moving(group), Some(fit)) = (&self.frame, &placed.fit) else { return None };
         let size = placed.motion.len();
         let (mut u, mut v) = (DMatrix::zeros(size, 6), DMatrix::zeros(size, 6));

@@ -54,3 +54,15 @@ pub enum NonlinearError {
         load_factor: f64,
     },
 }
+
+impl NonlinearError {
+    /// The last share of the load that was reached in equilibrium.
+    pub fn reached(&self) -> f64 {
+        match self {
+            Self::Singular(_) => 0.0,
+            Self::Stalled { load_factor, .. }
+            | Self::Unstable { load_factor, .. }
+            | Self::Turned { load_factor, .. } => *load_factor,
+        }
+    }
+}

@@ -9,12 +9,16 @@
 //! Limits: small strains, and rotations within one element of some 30 degrees ([`Point::largest_local_rotation`] says how
 //! far it went).
 
+mod acting;
+mod carried;
 mod corotated;
 mod error;
 mod frame;
+mod gain;
 mod joints;
 mod krylov;
 mod loads;
+mod near;
 mod newton;
 mod rotation;
 mod stability;
@@ -23,9 +27,12 @@ mod steps;
 mod structure;
 mod tangent;
 
+pub use acting::Acting;
+pub use carried::{Carried, CarriedPoint, PlacedCarriers};
 pub use error::NonlinearError;
 pub use joints::reactions_of;
 pub use loads::{Following, Loads, NodeLoad};
+pub use near::Near;
 pub use state::State;
 pub use steps::{Controls, Path, Point};
 pub use structure::LargeDeflection;

@@ -4,8 +4,8 @@
 //! Leonetti and Garcea, Int. J. Numer. Meth. Eng. 109, 2017): stiff stretching no longer spoils the
 //! prediction of bending, which takes a tenth to a half of the iterations.
 
+use super::acting::Acting;
 use super::krylov;
-use super::loads::Loads;
 use super::state::State;
 use super::structure::LargeDeflection;
 use crate::factor::Factor;
@@ -17,7 +17,8 @@ use rayon::prelude::*;
 /// Iterations of one load step.
 const ITERATIONS: usize = 15;
 
-/// Work of the last step in units of the largest first one.
+/// Work of the last step in units of the largest first one, or of the energy that is stored if that is more: what is added
+/// to a loaded structure may be next to nothing.
 const WORK: f64 = 1e-12;
 
 /// Largest last spin, rad, and displacement in units of the structure's size.
@@ -49,11 +50,11 @@ pub(super) struct Failed {
     pub(super) iterations: usize,
 }
 
-/// From `start` to the equilibrium under `loads`. `work` is the largest work of a first step so far, N m.
+/// From `start` to the equilibrium under what acts. `work` is the largest work of a first step so far, N m.
 pub(super) fn converge(
     structure: &LargeDeflection,
     start: &State,
-    loads: &Loads,
+    acting: &dyn Acting,
     work: &mut f64,
 ) -> Result<Converged, Failed> {
     let mut state = start.clone();
@@ -63,12 +64,12 @@ pub(super) fn converge(
     for iteration in 1..=ITERATIONS {
         let map = structure.map(&state);
         let inner = structure.inner(&state);
-        let outer = structure.load_forces(&state, loads);
-        let short: Vec<f64> = inner.forces.iter().zip(&outer).map(|(i, o)| i - o).collect();
+        let failed = |negative| Failed { negative, iterations: iteration };
+        let Some(near) = acting.at(structure, &state) else { return Err(failed(negative)) };
+        let short: Vec<f64> = inner.forces.iter().zip(near.forces()).map(|(i, o)| i - o).collect();
         let local = promised.as_ref().unwrap_or(&inner.local);
         let k = structure.tangent(&state, &map, &inner.placed, local, &short);
         let scale: Vec<f64> = sparse::diagonal(k.as_ref()).iter().map(|d| d.abs()).collect();
-        let failed = |negative| Failed { negative, iterations: iteration };
         let Some(factor) = Factor::indefinite(&structure.analysis, k.as_ref(), &scale) else {
             return Err(failed(negative));
         };
@@ -78,10 +79,10 @@ pub(super) fn converge(
         let solve = |b: &[f64]| -> Vec<f64> {
             factor.solve(Mat::from_fn(b.len(), 1, |i, _| -b[i]).as_ref()).col(0).iter().copied().collect()
         };
-        let du = if loads.following.is_empty() {
-            solve(&r)
+        let du = if acting.follows() {
+            krylov::solve(&r, &solve, |v| structure.following_stiffness(&state, &map, near.as_ref(), v))
         } else {
-            krylov::solve(&r, &solve, |v| structure.following_stiffness(&state, &map, loads, v))
+            solve(&r)
         };
         let moved = structure.move_on(&mut state, &map, &du);
         let (shift, spin) = largest(&moved);
@@ -95,7 +96,9 @@ pub(super) fn converge(
             (added, way) = (r.clone(), vec![0.0; r.len()]);
         }
         way.iter_mut().zip(&du).for_each(|(way, du)| *way += du);
-        if own <= WORK * *work && spin < STEP && shift < STEP * size {
+        let stored: f64 =
+            inner.placed.iter().zip(&inner.local).map(|(at, local)| 0.5 * at.motion.dot(local)).sum();
+        if own <= WORK * work.max(stored) && spin < STEP && shift < STEP * size {
             let product = |u: &[f64]| added.iter().zip(u).map(|(f, u)| f * u).sum::<f64>().abs();
             let mean = 0.5 * (first_work + product(&solve(&added)));
             let overshoot = if on_the_way > 0 { product(&way) / mean } else { 0.0 };

@@ -40,6 +40,14 @@ impl State {
         }
     }
 
+    /// Every node moved by a displacement and a spin (m, rad; g-set, basic axes).
+    #[must_use]
+    pub fn moved_by(&self, motion: &[f64]) -> Self {
+        let mut state = self.clone();
+        state.moved(motion);
+        state
+    }
+
     /// The whole structure turned about the origin: the same equilibrium if loads turn with it.
     #[must_use]
     pub fn turned(&self, rotation: &Rotation3<f64>) -> Self {

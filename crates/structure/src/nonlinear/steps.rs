@@ -1,5 +1,6 @@
 //! Load steps: as long as they converge, as short as they must be.
 
+use super::acting::Acting;
 use super::error::NonlinearError;
 use super::joints::LINEAR_TURN;
 use super::loads::Loads;
@@ -93,12 +94,37 @@ impl LargeDeflection {
         to: &Loads,
         controls: &Controls,
     ) -> Result<Path, NonlinearError> {
+        let at =
+            |factor: f64| -> Box<dyn Acting> { Box::new(from.times(1.0 - factor).and(&to.times(factor))) };
+        self.walk(start, &at, from.following.is_empty() && to.following.is_empty(), controls)
+    }
+
+    /// The same under whatever acts, by the share that has been reached of the way from one to the other; stability is not
+    /// judged ([`LargeDeflection::following_gain`] does).
+    ///
+    /// # Errors
+    /// As [`LargeDeflection::path`].
+    pub fn path_under<'a>(
+        &self,
+        start: &State,
+        at: &dyn Fn(f64) -> Box<dyn Acting + 'a>,
+        controls: &Controls,
+    ) -> Result<Path, NonlinearError> {
+        self.walk(start, at, false, controls)
+    }
+
+    fn walk<'a>(
+        &self,
+        start: &State,
+        at: &dyn Fn(f64) -> Box<dyn Acting + 'a>,
+        judged: bool,
+        controls: &Controls,
+    ) -> Result<Path, NonlinearError> {
         self.check_held()?;
-        let mut walk = Walk { structure: self, from, to, work: 0.0, iterations: 0 };
+        let mut walk = Walk { structure: self, at, work: 0.0, iterations: 0 };
         let mut points: Vec<Point> = Vec::new();
         let (mut reached, mut state, mut step) = (0.0, start.clone(), controls.first_step);
         let (mut pending, mut growing) = (0, true);
-        let judged = from.following.is_empty() && to.following.is_empty();
         let watched = judged && !controls.accepts_unstable;
         for stop in if controls.stops.is_empty() { &[1.0][..] } else { &controls.stops } {
             while reached < *stop {
@@ -186,20 +212,19 @@ impl LargeDeflection {
     }
 }
 
-/// Loads between two sets.
-struct Walk<'a> {
+/// What acts by the share reached.
+struct Walk<'a, 'b> {
     structure: &'a LargeDeflection,
-    from: &'a Loads,
-    to: &'a Loads,
+    at: &'a dyn Fn(f64) -> Box<dyn Acting + 'b>,
     /// Largest work of a first iteration so far.
     work: f64,
     iterations: usize,
 }
 
-impl Walk<'_> {
+impl Walk<'_, '_> {
     fn to(&mut self, state: &State, factor: f64) -> Result<Converged, super::newton::Failed> {
-        let loads = self.from.times(1.0 - factor).and(&self.to.times(factor));
-        let result = converge(self.structure, state, &loads, &mut self.work);
+        let acting = (self.at)(factor);
+        let result = converge(self.structure, state, acting.as_ref(), &mut self.work);
         self.iterations += match &result {
             Ok(found) => found.iterations,
             Err(failed) => failed.iterations,

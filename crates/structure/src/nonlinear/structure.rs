@@ -3,6 +3,7 @@
 use super::corotated::{Corotated, Placed};
 use super::joints::Joints;
 use super::loads::Loads;
+use super::near::Near;
 use super::state::State;
 use crate::assemble::{Free, free_motions};
 use crate::dofs::{DofMap, Sets};
@@ -136,7 +137,7 @@ impl LargeDeflection {
         &self,
         state: &State,
         map: &DofMap,
-        loads: &Loads,
+        near: &dyn Near,
         v: &[f64],
     ) -> Vec<f64> {
         let size = v.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
@@ -148,7 +149,7 @@ impl LargeDeflection {
             let motion: Vec<f64> = v.iter().map(|v| sign * step * v).collect();
             let mut moved = state.clone();
             self.move_on(&mut moved, map, &motion);
-            loads.following_at(&moved)
+            near.following(&moved)
         };
         let change: Vec<f64> =
             at(1.0).iter().zip(at(-1.0)).map(|(up, down)| (down - up) / (2.0 * step)).collect();

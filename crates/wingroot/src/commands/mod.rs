@@ -62,7 +62,7 @@ commands! {
     tunnel: Tunnel(tunnel::TunnelArgs),
     /// Natural frequencies and shapes of a structure; with measurements, their fit by factors of regions
     modes: Modes(modes::ModesArgs),
-    /// Displacements and reactions of a deck's structure under its loads, with small or large deflections
+    /// Displacements of a deck's structure under its loads or of a wing in steady air, with small or large deflections
     statics: Statics(statics::StaticsArgs),
     /// Measured against calculated loads, initial beside updated model: slopes with intervals, and verdicts
     flightloads: Flightloads(flightloads::FlightloadsArgs),
@@ -164,6 +164,8 @@ mod simulate_files;
 mod simulate_flown;
 mod simulate_maneuvers;
 pub(crate) mod simulate_result;
+mod statics_air;
+pub(crate) mod statics_air_result;
 mod statics_files;
 pub(crate) mod statics_result;
 mod swept;

@@ -1,5 +1,5 @@
-//! `statics`: displacements and reactions of a wing's or a deck's structure under a load set, with small or large
-//! deflections.
+//! `statics`: displacements and reactions of a deck's structure under a load set, or of a wing in steady air, with small or
+//! large deflections.
 
 use clap::Args;
 use std::fmt::Write as _;
@@ -11,6 +11,7 @@ use report::Table;
 use structure::nonlinear::{Controls, LargeDeflection, Loads, Path, reactions_of};
 use structure::{Flexibility, load_sets, loads_of};
 
+use super::statics_air::{self, AirArgs};
 use super::statics_files::{self, Answer};
 use crate::args::{Common, whole};
 use crate::commands::result_parts::as_json;
@@ -25,27 +26,32 @@ use crate::structures::Structure;
 #[command(after_help = "Examples:
   wingroot statics --deck my_wing.bdf
   wingroot statics --deck my_wing.bdf --load 20
-  wingroot statics --deck my_wing.bdf --load 20 --nonlinear --steps 20")]
+  wingroot statics --deck my_wing.bdf --load 20 --nonlinear --steps 20
+  wingroot statics --wing my_wing/wing.ron --airspeeds 20,30,40 --alpha 5 --nonlinear")]
 pub struct StaticsArgs {
     /// A Nastran deck with its loads (FORCE, MOMENT, FORCE1, MOMENT1, PLOAD, PLOAD2, PLOAD4, GRAV, LOAD)
-    #[arg(long, value_name = "FILE")]
-    pub(crate) deck: PathBuf,
+    #[arg(long, value_name = "FILE", required_unless_present = "wing")]
+    pub(crate) deck: Option<PathBuf>,
+    /// A wing in steady air
+    #[command(flatten)]
+    pub(crate) air: AirArgs,
     /// The load set [default: the only one, or the only LOAD]
-    #[arg(long, value_name = "SET", value_parser = whole::<99_999_999>)]
+    #[arg(long, value_name = "SET", value_parser = whole::<99_999_999>, conflicts_with = "wing")]
     pub(crate) load: Option<usize>,
-    /// Large deflections: every element turns with the structure, and so do pressures and FORCE1 [default: as PARAM
-    /// LGDISP says]
+    /// Large deflections: every element turns with the structure, and so do pressures, FORCE1 and the air [default: as PARAM
+    /// LGDISP or the wing's `geometry` says]
     #[arg(long)]
     pub(crate) nonlinear: bool,
     /// Equal shares of the load at which large deflections are written
-    #[arg(long, value_name = "N", default_value = "10", value_parser = whole::<1000>)]
+    #[arg(long, value_name = "N", default_value = "10", value_parser = whole::<1000>, conflicts_with = "wing")]
     pub(crate) steps: Option<usize>,
 }
 
 /// Runs the command.
 pub(crate) fn run(args: &StaticsArgs, common: &Common) -> Result<(), Failure> {
+    let Some(deck) = &args.deck else { return statics_air::run(&args.air, args.nonlinear, common) };
     let start = Instant::now();
-    let structure = Structure::read(None, Some(&args.deck))?;
+    let structure = Structure::read(None, Some(deck))?;
     let set = load_set(args, &structure)?;
     let loads = loads_of(&structure.bulk, set).map_err(|error| error.or_in(&structure.path))?;
     let linear = linear(&structure, &loads)?;

@@ -1,0 +1,182 @@
+//! Weight and air on the bent wing.
+
+use super::boxes::{CarriedBoxes, MovedBoxes, turned};
+use crate::wing::ElasticWing;
+use aero::{AeroBox, BoxLoads, Corrections, Lattice, SteadyAero};
+use nalgebra::{Rotation3, Vector3};
+use structure::nonlinear::{Acting, LargeDeflection, Loads, Near, State};
+
+/// One condition: a share of weight is not taken, of dynamic pressure it may be.
+#[derive(Debug, Clone)]
+pub(super) struct Air<'a> {
+    pub(super) elastic: &'a ElasticWing,
+    pub(super) structure: &'a LargeDeflection,
+    pub(super) boxes: &'a CarriedBoxes,
+    /// Of all boxes.
+    pub(super) corrections: Corrections,
+    pub(super) q_pa: f64,
+    pub(super) alpha_rad: f64,
+    /// Incidence of camber, twist and controls, rad, one a box.
+    pub(super) incidence: Vec<f64>,
+}
+
+/// The air about one state: its lattice solved, pressures of motions beside it by the same influence.
+pub(super) struct Solved<'a> {
+    air: Air<'a>,
+    aero: SteadyAero,
+    /// Chord along the stream of the boxes when the lattice was solved, m.
+    chord_m: Vec<f64>,
+    weight: Vec<f64>,
+    state: State,
+}
+
+/// Pressures and loads of all boxes.
+pub(super) struct Loaded {
+    /// Uncorrected pressure coefficients.
+    pub(super) cp: Vec<f64>,
+    /// Lift and moment.
+    pub(super) box_loads: BoxLoads,
+    /// Force, and moment about the midpoint, N and Nm, the structure's axes.
+    pub(super) loads: Vec<[Vector3<f64>; 2]>,
+    /// The boxes.
+    pub(super) boxes: MovedBoxes,
+}
+
+impl<'a> Air<'a> {
+    /// From the structure's axes to those whose x runs along the stream.
+    fn to_stream(&self) -> Rotation3<f64> {
+        Rotation3::from_axis_angle(&Vector3::y_axis(), self.alpha_rad)
+    }
+
+    /// Weight of the structure's axes at this angle of attack.
+    pub(super) fn weight(&self) -> Loads {
+        Loads { gravity_m_s2: Vector3::from(self.elastic.gravity_at(self.alpha_rad)), ..Loads::default() }
+    }
+
+    /// The lattice solved at a state; nothing if it cannot be.
+    pub(super) fn solved(&self, state: &State) -> Option<Solved<'a>> {
+        let elastic = self.elastic;
+        let stream = turned(&self.boxes.moved(&elastic.lattice, state).lattice, &self.to_stream());
+        let aero = SteadyAero::moved(&stream, elastic.plane, elastic.mach).ok()?;
+        let chord_m = stream.boxes.iter().map(AeroBox::chord_m).collect();
+        let weight = self.structure.load_forces(state, &self.weight());
+        Some(Solved { air: self.clone(), aero, chord_m, weight, state: state.clone() })
+    }
+}
+
+impl Solved<'_> {
+    /// Pressures and loads at a state, with the influence of the one that was solved.
+    pub(super) fn loaded(&self, state: &State) -> Loaded {
+        let (air, elastic) = (&self.air, self.air.elastic);
+        let boxes = air.boxes.moved(&elastic.lattice, state);
+        let stream = turned(&boxes.lattice, &air.to_stream());
+        let cp = self.aero.pressures_of(&self.incidence(&stream));
+        // The lattice takes the circulation as V cp chord/2 with the chord along the stream; pressures are by the box's own.
+        let own_m = |j: usize| 4.0 * elastic.integration.moment_arm(j);
+        let cp: Vec<f64> = cp.iter().enumerate().map(|(j, cp)| cp * self.chord_m[j] / own_m(j)).collect();
+        let box_loads = elastic.integration.corrected(&air.corrections).box_loads(air.q_pa, &cp);
+        let loads = self.directed(&stream, &box_loads);
+        Loaded { cp, box_loads, loads, boxes }
+    }
+
+    /// Boxes at a state, x along the stream.
+    pub(super) fn stream_boxes(&self, state: &State) -> Lattice {
+        let air = &self.air;
+        turned(&air.boxes.moved(&air.elastic.lattice, state).lattice, &air.to_stream())
+    }
+
+    /// The state that was solved.
+    pub(super) fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// Stream along the normals of boxes whose x runs along it, rad.
+    pub(super) fn incidence(&self, stream: &Lattice) -> Vec<f64> {
+        let own = stream.boxes.iter().zip(&self.air.incidence);
+        own.map(|(panel, incidence)| panel.normal().x + incidence * chord(panel).x).collect()
+    }
+
+    /// Force, and moment about the midpoint, of lift and moment of each box (N, Nm; the structure's axes).
+    fn directed(&self, stream: &Lattice, box_loads: &BoxLoads) -> Vec<[Vector3<f64>; 2]> {
+        let back = self.air.to_stream().inverse();
+        let load = |(j, panel): (usize, &AeroBox)| {
+            let [force, moment] = directions(panel);
+            [back * (force * box_loads.values[2 * j]), back * (moment * box_loads.values[2 * j + 1])]
+        };
+        stream.boxes.iter().enumerate().map(load).collect()
+    }
+
+    /// Force and moment (axes of the stream) of a unit pressure coefficient of the solved lattice, per unit dynamic pressure.
+    pub(super) fn unit_loads(&self, stream: &Lattice) -> Vec<[Vector3<f64>; 2]> {
+        let (integration, corrections) = (&self.air.elastic.integration, &self.air.corrections);
+        let load = |(j, panel): (usize, &AeroBox)| {
+            let [force, moment] = directions(panel);
+            let arm = integration.moment_arm(j);
+            let lift = integration.area(j) * self.chord_m[j] / (4.0 * arm);
+            [force * (lift * corrections.force[j]), moment * (lift * arm * corrections.moment[j])]
+        };
+        stream.boxes.iter().enumerate().map(load).collect()
+    }
+
+    /// Lift and moment of a solved state, turned and moved with the boxes to another, on the nodes.
+    pub(super) fn same_loads_on_nodes(&self, loaded: &Loaded, state: &State) -> Vec<f64> {
+        let air = &self.air;
+        let boxes = air.boxes.moved(&air.elastic.lattice, state);
+        let stream = turned(&boxes.lattice, &air.to_stream());
+        air.boxes.to_nodes(&boxes, &self.directed(&stream, &loaded.box_loads))
+    }
+
+    fn on_nodes(&self, state: &State) -> Vec<f64> {
+        let loaded = self.loaded(state);
+        self.air.boxes.to_nodes(&loaded.boxes, &loaded.loads)
+    }
+}
+
+/// Unit chord of a box, aft.
+fn chord(panel: &AeroBox) -> Vector3<f64> {
+    let [c1, c2, c3, c4] = &panel.corners;
+    ((c2 - c1) + (c3 - c4)).normalize()
+}
+
+/// Directions of a box's lift, on the stream (x) and the bound vortex, and of its nose-up moment.
+fn directions(panel: &AeroBox) -> [Vector3<f64>; 2] {
+    let [from, to] = panel.bound_vortex();
+    let lift = Vector3::x().cross(&(to - from)).normalize();
+    [lift, lift.cross(&chord(panel))]
+}
+
+impl Acting for Air<'_> {
+    fn at<'b>(&'b self, structure: &'b LargeDeflection, state: &State) -> Option<Box<dyn Near + 'b>> {
+        if self.q_pa == 0.0 {
+            return Some(Box::new(Still(structure.load_forces(state, &self.weight()))));
+        }
+        Some(Box::new(self.solved(state)?))
+    }
+
+    fn follows(&self) -> bool {
+        self.q_pa != 0.0
+    }
+}
+
+impl Near for Solved<'_> {
+    fn forces(&self) -> Vec<f64> {
+        self.on_nodes(&self.state).iter().zip(&self.weight).map(|(air, weight)| air + weight).collect()
+    }
+
+    fn following(&self, state: &State) -> Vec<f64> {
+        self.on_nodes(state)
+    }
+}
+
+/// Weight alone.
+struct Still(Vec<f64>);
+
+impl Near for Still {
+    fn forces(&self) -> Vec<f64> {
+        self.0.clone()
+    }
+
+    fn following(&self, _: &State) -> Vec<f64> {
+        vec![0.0; self.0.len()]
+    }
+}

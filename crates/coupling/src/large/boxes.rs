@@ -1,0 +1,68 @@
+//! Boxes where the structure has carried them.
+
+use crate::spline::{feet_on_axis, nearest_nodes};
+use crate::wing_file::SplineKind;
+use aero::{AeroBox, Lattice};
+use nalgebra::{Point3, Rotation3, Vector3};
+use structure::nonlinear::{Carried, CarriedPoint, PlacedCarriers, State};
+
+/// The boxes of a lattice and what they hang on.
+#[derive(Debug, Clone)]
+pub(super) struct CarriedBoxes {
+    feet: Vec<CarriedPoint>,
+    carried: Carried,
+    nodes: usize,
+}
+
+/// The boxes at a state, on the structure's axes.
+pub(super) struct MovedBoxes {
+    placed: PlacedCarriers,
+    /// Place of each box's foot and its rotation.
+    feet: Vec<(Vector3<f64>, Rotation3<f64>)>,
+    /// The boxes.
+    pub(super) lattice: Lattice,
+}
+
+impl CarriedBoxes {
+    /// Of a lattice on the nodes at undeformed places that its spline is tied to.
+    pub(super) fn new(lattice: &Lattice, kind: SplineKind, points: &[Point3<f64>], nodes: &[usize]) -> Self {
+        let feet = match kind {
+            SplineKind::Beam => feet_on_axis(lattice, points, nodes),
+            SplineKind::NearestNode => nearest_nodes(lattice, points, nodes),
+        };
+        let places: Vec<Vector3<f64>> = points.iter().map(|point| point.coords).collect();
+        Self { carried: Carried::new(&places, &feet), feet, nodes: points.len() }
+    }
+
+    /// Where the boxes are.
+    pub(super) fn moved(&self, lattice: &Lattice, state: &State) -> MovedBoxes {
+        let placed = self.carried.placed(state);
+        let feet: Vec<_> = (0..self.feet.len()).map(|at| self.carried.place(&placed, at)).collect();
+        let carried = |j: usize| {
+            let (panel, (place, turned)) = (&lattice.boxes[j], &feet[j]);
+            let corner = |corner: Point3<f64>| Point3::from(place + turned * (corner - self.feet[j].origin));
+            AeroBox { id: panel.id, corners: panel.corners.map(corner) }
+        };
+        let boxes = (0..lattice.len()).map(carried).collect();
+        let lattice = Lattice { boxes, surfaces: lattice.surfaces.clone() };
+        MovedBoxes { placed, feet, lattice }
+    }
+
+    /// Forces and moments on the nodes (N, Nm; g-set) of a force and a moment about the midpoint of each box (N, Nm; the
+    /// structure's axes).
+    pub(super) fn to_nodes(&self, moved: &MovedBoxes, loads: &[[Vector3<f64>; 2]]) -> Vec<f64> {
+        let at_foot = |(j, [force, moment]): (usize, &[Vector3<f64>; 2])| {
+            let arm = moved.lattice.boxes[j].mid_point().coords - moved.feet[j].0;
+            [*force, moment + arm.cross(force)]
+        };
+        let loads: Vec<_> = loads.iter().enumerate().map(at_foot).collect();
+        self.carried.forces(&moved.placed, &loads, self.nodes)
+    }
+}
+
+/// A lattice turned about the origin.
+pub(super) fn turned(lattice: &Lattice, by: &Rotation3<f64>) -> Lattice {
+    let boxes = lattice.boxes.iter();
+    let boxes = boxes.map(|panel| AeroBox { id: panel.id, corners: panel.corners.map(|corner| by * corner) });
+    Lattice { boxes: boxes.collect(), surfaces: lattice.surfaces.clone() }
+}

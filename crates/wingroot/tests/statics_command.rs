@@ -1,0 +1,119 @@
+//! `statics` as a user runs it: a deck at large deflections, a wing in steady air.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+fn folder(name: &str) -> PathBuf {
+    let folder = std::env::temp_dir().join(format!("wingroot-statics-{}-{name}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a temporary folder");
+    folder
+}
+
+fn run(folder: &Path, arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_wingroot"));
+    command.arg("statics").args(arguments).args(["--quiet", "--out"]).arg(folder.join("out"));
+    command.current_dir(folder).output().expect("the command starts")
+}
+
+fn result(folder: &Path, arguments: &[&str]) -> Value {
+    let output = run(folder, arguments);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let text = std::fs::read_to_string(folder.join("out/result.json")).expect("a result");
+    serde_json::from_str(&text).expect("JSON")
+}
+
+fn published(name: &str) -> Value {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/published").join(name);
+    serde_json::from_str(&std::fs::read_to_string(path).expect("a case")).expect("JSON")
+}
+
+/// A cantilever of 16 bars, length 1, E I = 1, under an end force of 4 E I / L^2 (set 20).
+fn cantilever(folder: &Path, subcase: &str) {
+    use std::fmt::Write as _;
+    let mut deck = format!(
+        "SOL 106\nCEND\nSPC = 1\n{subcase}BEGIN BULK\nMAT1,1,1.+6,,0.\nPBAR,1,1,1.,1.-6,1.-6,2.-6\nSPC1,1,123456,1\n"
+    );
+    for grid in 1..=17 {
+        let _ = writeln!(deck, "GRID,{grid},,{:.6},0.,0.", f64::from(grid - 1) / 16.0);
+    }
+    for bar in 1..=16 {
+        let _ = writeln!(deck, "CBAR,{bar},1,{bar},{},0.,0.,1.", bar + 1);
+    }
+    deck.push_str("FORCE,20,17,,4.,0.,0.,1.\nFORCE,30,17,,1.,0.,0.,1.\nENDDATA\n");
+    std::fs::write(folder.join("wing.bdf"), deck).expect("a deck");
+}
+
+#[test]
+fn a_deck_at_large_deflections_is_the_elastica_with_linear_theory_beside_it() {
+    let folder = folder("elastica");
+    cantilever(&folder, "");
+    let result = result(&folder, &["--deck", "wing.bdf", "--load", "20", "--nonlinear", "--steps", "4"]);
+    let case = published("nl_beam__elastica_end_shear.json");
+    let column = |name: &str| -> Vec<f64> {
+        case["expected"][name].as_array().expect("a list").iter().filter_map(Value::as_f64).collect()
+    };
+    let loads = column("alpha");
+    let mut met = 0;
+    for step in result["steps"].as_array().expect("steps") {
+        let load = 4.0 * step["load_factor"].as_f64().expect("a number");
+        let Some(at) = loads.iter().position(|of| (of - load).abs() < 1e-9) else { continue };
+        let z = step["displacement_m"][2].as_f64().expect("a number");
+        let wanted = column("deflection_over_L")[at];
+        assert!((z / wanted - 1.0).abs() < 1.5e-3, "deflection {z} for {wanted} at {load}");
+        met += 1;
+    }
+    assert!(met >= 3, "only {met} loads are in the table");
+    let linear = result["linear_displacement_m"][2].as_f64().expect("a number");
+    assert!((linear - 4.0 / 3.0).abs() < 1e-6, "linear theory says {linear}, not P L^3 / 3 E I");
+    assert!(
+        folder.join("out/steps.csv").is_file() && folder.join("out/displacement_over_load.svg").is_file()
+    );
+    std::fs::remove_dir_all(folder).expect("it was made above");
+}
+
+#[test]
+fn a_wing_in_steady_air_bends_as_the_codes_say_with_linear_theory_beside_it() {
+    let folder = folder("air");
+    let wing = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/pazy/wing.ron");
+    let wing = wing.to_str().expect("a path");
+    let result = result(&folder, &["--wing", wing, "--airspeeds", "50,20", "--nonlinear"]);
+    let case = published("nl_pazy__static_aeroelastic_aoa5.json");
+    let table = case["expected"]["skin1_UMNAST_VLM_zyx"].as_array().expect("rows");
+    let points = result["points"].as_array().expect("points");
+    for (point, airspeed) in points.iter().zip([20.0, 50.0]) {
+        assert_eq!(point["V_m_s"], airspeed, "airspeeds rise");
+        let row = table.iter().find(|row| row[0] == airspeed).expect("the airspeed");
+        let wanted = row[1].as_f64().expect("a number");
+        let percent = point["large"]["tip_z_m"].as_f64().expect("a number") / 0.0055;
+        assert!((percent / wanted - 1.0).abs() < 0.06, "tip at {airspeed} m/s: {percent} for {wanted}");
+    }
+    let of = |which: &str| points[1][which]["tip_z_m"].as_f64().expect("a number");
+    // The codes carry no weight; crates/coupling/tests/large_pazy.rs compares the ratio without it.
+    let ratio = of("large") / of("linear");
+    assert!(0.85 < ratio && ratio < 0.95, "large over linear {ratio}");
+    assert!(folder.join("out/tip_over_airspeed.svg").is_file() && folder.join("out/report.html").is_file());
+    std::fs::remove_dir_all(folder).expect("it was made above");
+}
+
+#[test]
+fn what_cannot_be_is_refused_with_the_last_airspeed_that_was_reached() {
+    let folder = folder("refused");
+    let wing = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/pazy/wing.ron");
+    let wing = wing.to_str().expect("a path");
+    let stopped = |arguments: &[&str], status: i32, words: &[&str]| {
+        let output = run(&folder, arguments);
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(status), "{arguments:?}: {said}");
+        assert!(words.iter().all(|word| said.contains(word)), "{arguments:?}: {said}");
+    };
+    stopped(&[], 2, &["--deck"]);
+    stopped(&["--wing", wing, "--alpha", "60"], 2, &["--alpha", "-45 to 45"]);
+    stopped(&["--wing", wing, "--density", "0"], 2, &["--density"]);
+    stopped(&["--wing", wing, "--deck", "wing.bdf"], 2, &["cannot be used with"]);
+    // Its divergence is at 107 m/s by linear theory; the straight wing without lift does not bend away from it.
+    let arguments = ["--wing", wing, "--airspeeds", "90,130", "--alpha", "0", "--nonlinear"];
+    stopped(&arguments, 3, &["no stable equilibrium", "130.00 m/s", "the last one was at"]);
+    std::fs::remove_dir_all(folder).expect("it was made above");
+}
