@@ -37,7 +37,13 @@ impl Aircraft {
         ] {
             *own = given.unwrap_or(*own);
         }
-        Self::new(file, self.wing.clone())
+        Self::new(file, self.wing.clone()).map_err(|error| match error {
+            AircraftError::Input(input) => {
+                let message = format!("mass {}: {}", mass.name, input.message);
+                AircraftError::Input(InputError { message, span: None, ..input })
+            }
+            other => other,
+        })
     }
 
     /// What rules know of it: area and mean chord of both wings, and the lift slope of the whole, rigid, at an airspeed.

@@ -29,7 +29,7 @@ pub(crate) struct Flights<'a> {
     pub(crate) stations: Vec<Station>,
     /// Numbers of the grids, in the order of the nodes.
     pub(crate) grids: Vec<u32>,
-    maneuvers: Vec<Action>,
+    pub(crate) maneuvers: Vec<Action>,
     corrections: &'a Corrections,
     inputs: Inputs,
     /// The aircraft in each state of loading with its unsteady air.
@@ -177,7 +177,8 @@ fn part(case: &Case, model: usize) -> String {
         + &format!(" {}", case.number)
 }
 
-fn is_in_time(case: &Case, maneuvers: &[Action]) -> bool {
+/// Whether a case is flown in time.
+pub(crate) fn is_in_time(case: &Case, maneuvers: &[Action]) -> bool {
     match case.action {
         Planned::Trim => false,
         Planned::Condition(place) => matches!(maneuvers[place], Action::Motion(_)),

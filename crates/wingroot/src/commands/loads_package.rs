@@ -12,7 +12,7 @@ use loads::select::file::{Component as Exported, ExportAt, Model, SelectFile};
 use nastran::InputError;
 
 use crate::commands::fullaircraft_prepared::Prepared;
-use crate::commands::loads_flights::{Flights, Flown, NodalOf};
+use crate::commands::loads_flights::{Flights, Flown, NodalOf, is_in_time};
 use crate::commands::loads_result::RoundTripResult;
 use crate::commands::loads_tables::{case_of, words};
 use crate::failure::Failure;
@@ -33,6 +33,8 @@ struct Card {
     case: CardCase,
     text: String,
     expected: Expected,
+    /// How far a trim's own tips are from those of its loads on the structure, over what each load does to them.
+    trim_tip: f64,
     origin: Vec<String>,
 }
 
@@ -68,6 +70,7 @@ pub(crate) fn package(
             row.sid, row.place, row.what, row.solver, row.cards, row.of_largest
         )));
     }
+    let trim_tip = cards.iter().map(|card| card.trim_tip).fold(0.0, f64::max);
     let mut files = vec![("aircraft.bdf".to_owned(), deck.into_bytes())];
     let cases: Vec<CardCase> = cards.iter().map(|card| card.case.clone()).collect();
     let title = format!("Design loads: {}", flights.plan.name);
@@ -81,7 +84,7 @@ pub(crate) fn package(
     files.push(("README.md".to_owned(), readme(&common, cards.len()).into_bytes()));
     files.push(("loads.h5".to_owned(), hdf5_file(prepared, flights, &cards, &common)?));
     files.extend(cards.into_iter().map(|card| (card.case.file(), card.text.into_bytes())));
-    Ok(Packed { files, round_trip: worst(&rows) })
+    Ok(Packed { files, round_trip: RoundTripResult { trim_tip, ..worst(&rows) } })
 }
 
 /// What a selection can ask for and is not written.
@@ -126,9 +129,10 @@ fn card(
     let flown = flown.case(*model, *number).and_then(|case| case.instants.get(*instant)).ok_or_else(lost)?;
     let mass = &flights.design.masses[case.mass].name;
     let net = nodal.of(Component::Net);
-    // in balanced flight the trim knows its tips; in motion they are those of the loads at that instant
-    let by_loads = |side: usize| net.iter().enumerate().map(|(dof, load)| tips[(dof, side)] * load).sum();
-    let tips_m = if flown.t_s > 0.0 { [by_loads(0), by_loads(1)] } else { flown.tips_m };
+    let does = |side: usize| net.iter().enumerate().map(move |(dof, load)| tips[(dof, side)] * load);
+    let tips_m = [0, 1].map(|side| does(side).sum::<f64>());
+    let off = |side: usize| (flown.tips_m[side] - tips_m[side]).abs() / does(side).map(f64::abs).sum::<f64>();
+    let trim_tip = if is_in_time(case, &flights.maneuvers) { 0.0 } else { off(0).max(off(1)) };
     let title = format!("case {number} {}, {:.1} m/s, n {:.2}, {mass}", case.condition, case.v_m_s, case.n_z);
     let mut origin = common.to_vec();
     origin.push(format!(
@@ -140,7 +144,7 @@ fn card(
     ));
     let card = CardCase { sid: one.sid, words: title, net };
     let text = card.text(&flights.grids, &origin);
-    Ok(Card { case: card, text, expected: Expected { stations: flown.net(), tips_m }, origin })
+    Ok(Card { case: card, text, expected: Expected { stations: flown.net(), tips_m }, trim_tip, origin })
 }
 
 fn worst(rows: &[Row]) -> RoundTripResult {
@@ -152,6 +156,7 @@ fn worst(rows: &[Row]) -> RoundTripResult {
         stations: most(&|row| !is_tip(row) && row.place != "balance"),
         balance: most(&|row| row.place == "balance"),
         tip: most(&is_tip),
+        trim_tip: 0.0,
     }
 }
 
