@@ -1,8 +1,6 @@
 //! Small motions about the bent wing: its modes beside SOL 400 and UM/NAST (Riso and Cesnik, J. Aircraft, 2023), and the air's answer
 //! at rest beside differences of the steady loads.
 
-#![expect(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
-
 mod large;
 
 use aero::{Corrections, DlmSettings, DoubletLattice, Flow, MirrorPlane};

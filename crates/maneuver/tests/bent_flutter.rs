@@ -1,8 +1,6 @@
 //! Flutter of the Pazy wing about its bent state, root at 3 degrees: onset and offset of the hump beside the test (Drachinsky et al.,
 //! AIAA J., 2022) and UM/NAST (Riso and Cesnik, J. Aircraft, 2023).
 
-#![expect(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
-
 use aero::{Corrections, Flow};
 use coupling::{LargeWing, Mount, SteadyCase, WingFile};
 use maneuver::flutter::{crossings, flutter_of_bent_wing};

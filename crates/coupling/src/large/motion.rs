@@ -107,7 +107,7 @@ impl LargeWing {
                 let moved: Vec<f64> = shape.iter().map(|v| v * step).collect();
                 state.state.moved_by(&moved)
             });
-            self.add_column(&mut motion, mode, &solved, &loaded, &sides, step);
+            motion.add_column(mode, &solved, &loaded, &sides, step);
         }
         Ok(motion)
     }
@@ -146,11 +146,12 @@ impl LargeWing {
         }
         Ok(all)
     }
+}
 
+impl BentMotion {
     /// The columns of one mode from the states on both sides.
     fn add_column(
-        &self,
-        motion: &mut BentMotion,
+        &mut self,
         mode: usize,
         solved: &Solved<'_>,
         loaded: &Loaded,
@@ -165,8 +166,8 @@ impl LargeWing {
         let now = solved.stream_boxes(solved.state());
         let unit = solved.unit_loads(&now);
         for (j, [force, moment]) in unit.iter().enumerate() {
-            motion.incidence[(j, mode)] = (w[0][j] - w[1][j]) / (2.0 * step);
-            motion.heave[(j, mode)] = rise(j, &AeroBox::three_quarter_point).dot(&now.boxes[j].normal());
+            self.incidence[(j, mode)] = (w[0][j] - w[1][j]) / (2.0 * step);
+            self.heave[(j, mode)] = rise(j, &AeroBox::three_quarter_point).dot(&now.boxes[j].normal());
             let axes = boxes.each_ref().map(|lattice| frame(&lattice.boxes[j]));
             let turn = axes[0] * axes[1].transpose();
             let spin = Vector3::new(
@@ -174,14 +175,14 @@ impl LargeWing {
                 turn[(0, 2)] - turn[(2, 0)],
                 turn[(1, 0)] - turn[(0, 1)],
             ) / (4.0 * step);
-            motion.work[(mode, j)] = force.dot(&rise(j, &AeroBox::mid_point)) + moment.dot(&spin);
+            self.work[(mode, j)] = force.dot(&rise(j, &AeroBox::mid_point)) + moment.dot(&spin);
         }
         let forces = sides.each_ref().map(|side| solved.same_loads_on_nodes(loaded, side));
-        for other in 0..motion.omega_rad_s.len() {
+        for other in 0..self.omega_rad_s.len() {
             let work = |forces: &[f64]| -> f64 {
-                forces.iter().enumerate().map(|(dof, force)| force * motion.shapes[(dof, other)]).sum()
+                forces.iter().enumerate().map(|(dof, force)| force * self.shapes[(dof, other)]).sum()
             };
-            motion.load_stiffness[(other, mode)] = (work(&forces[0]) - work(&forces[1])) / (2.0 * step);
+            self.load_stiffness[(other, mode)] = (work(&forces[0]) - work(&forces[1])) / (2.0 * step);
         }
     }
 }
