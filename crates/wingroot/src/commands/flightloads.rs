@@ -53,9 +53,10 @@ pub(super) struct Measured {
 /// Runs the command.
 pub(crate) fn run(args: &FlightloadsArgs, common: &Common) -> Result<(), Failure> {
     let start = Instant::now();
-    let path = match args.measured.is_dir() {
-        true => ron_or_json::expected_in(&args.measured, "flight")?,
-        false => args.measured.clone(),
+    let path = if args.measured.is_dir() {
+        ron_or_json::expected_in(&args.measured, "flight")?
+    } else {
+        args.measured.clone()
     };
     let file = FlightFile::read(&path)?;
     let channels = file.channels();
