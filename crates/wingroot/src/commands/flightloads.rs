@@ -19,7 +19,7 @@ use crate::args::Common;
 use crate::commands::result_parts::as_json;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
-use crate::pages::values::digits;
+use crate::pages::values::{counted, digits};
 use crate::show;
 
 /// Names of the models in results.
@@ -53,9 +53,10 @@ pub(super) struct Measured {
 /// Runs the command.
 pub(crate) fn run(args: &FlightloadsArgs, common: &Common) -> Result<(), Failure> {
     let start = Instant::now();
-    let path = match args.measured.is_dir() {
-        true => ron_or_json::expected_in(&args.measured, "flight")?,
-        false => args.measured.clone(),
+    let path = if args.measured.is_dir() {
+        ron_or_json::expected_in(&args.measured, "flight")?
+    } else {
+        args.measured.clone()
     };
     let file = FlightFile::read(&path)?;
     let channels = file.channels();
@@ -165,8 +166,11 @@ pub(super) fn comparison(one: &Measured, channel: &Channel, at: usize, model: us
 }
 
 fn summary(result: &FlightloadsResult) -> String {
-    let points = result.points;
-    let mut text = format!("{points} points in {} conditions", result.conditions);
+    let mut text = format!(
+        "{} in {}",
+        counted(result.points, "point", "points"),
+        counted(result.conditions, "condition", "conditions")
+    );
     if result.fitted > 0 {
         let _ = write!(text, " ({} used to fit corrections: counted apart)", result.fitted);
     }

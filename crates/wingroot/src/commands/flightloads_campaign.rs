@@ -47,7 +47,7 @@ impl CampaignPoints {
     ) -> Result<Self, Failure> {
         let data = StaticData::from_campaign(campaign)?;
         let is_fitted = |v_m_s: f64, alpha_rad: f64| {
-            every.is_some_and(|every| angle_of(&data.airspeeds, v_m_s, alpha_rad) % every == 0)
+            every.is_some_and(|every| angle_of(&data.airspeeds, v_m_s, alpha_rad).is_multiple_of(every))
         };
         let kept = every.map(|_| {
             let mut kept = campaign.clone();

@@ -5,7 +5,7 @@ use report::page::{Block, KeyNumber, Plate, Section};
 use serde_json::Value;
 
 use super::plates::figures;
-use super::values::{Column, at, counted, digits, list, short_at, table_of, text, whole_at, word};
+use super::values::{Column, at, digits, list, short_at, table_of, text, whole_at, word};
 
 pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
     let rows = list(result, "rows");
@@ -54,12 +54,12 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
         figures("Measured and calculated", std::mem::take(plates)),
     ];
     sections.retain(|section| !section.blocks.is_empty());
-    let points = at(result, "points").unwrap_or_default();
-    // Counts are small whole numbers.
-    let points = counted(points.round().max(0.0) as usize, "point", "points");
     Page {
         title: format!("Measured against calculated loads: {}", text(result, "name")),
-        lead: vec![format!("{points}, of which {fitted} fitted the corrections."), asked],
+        lead: vec![
+            format!("{} points, of which {fitted} fitted the corrections.", whole_at(result, "points")),
+            asked,
+        ],
         numbers,
         sections,
         ..Page::default()
