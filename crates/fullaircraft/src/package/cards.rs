@@ -40,34 +40,23 @@ impl CardCase {
 
 /// Lines as comments of a deck, without what would end one.
 fn comments(lines: &[String]) -> String {
-    lines.iter().map(|line| format!("$ {}\n", line.replace(['\n', '\r'], " "))).collect()
+    lines.iter().fold(String::new(), |text, line| text + "$ " + &line.replace(['\n', '\r'], " ") + "\n")
 }
 
 /// The structure that the cards belong to, to be included in a bulk data section; `origin` says where it comes from.
 pub fn structure(aircraft: &Aircraft, origin: &[String]) -> String {
-    let bulk = BulkData {
-        panels: Default::default(),
-        panel_properties: Default::default(),
-        factors: Default::default(),
-        surfaces: Default::default(),
-        box_lists: Default::default(),
-        splines: Default::default(),
-        monitors: Default::default(),
-        sets: Default::default(),
-        matrices: Default::default(),
-        aero_reference: None,
-        trim_variables: Default::default(),
-        trims: Default::default(),
-        aero_links: Default::default(),
-        aero_components: Default::default(),
-        supports: Default::default(),
-        point_loads: Default::default(),
-        line_loads: Default::default(),
-        pressures: Default::default(),
-        gravities: Default::default(),
-        load_sums: Default::default(),
-        ..aircraft.bulk.clone()
-    };
+    let mut bulk = aircraft.bulk.clone();
+    let BulkData { panels, panel_properties, factors, surfaces, box_lists, splines, monitors, sets, .. } =
+        &mut bulk;
+    panels.clear();
+    panel_properties.clear();
+    factors.clear();
+    surfaces.clear();
+    box_lists.clear();
+    splines.clear();
+    monitors.clear();
+    sets.clear();
+    bulk.matrices.clear();
     let cards = write_deck(&bulk);
     let lines = cards.lines().filter(|line| !["BEGIN BULK", "ENDDATA"].contains(line));
     lines.fold(comments(origin), |text, line| text + line + "\n")

@@ -161,7 +161,7 @@ fn worst(rows: &[Row]) -> RoundTripResult {
 }
 
 fn comment(lines: &[String]) -> String {
-    lines.iter().map(|line| format!("# {line}\n")).collect()
+    lines.iter().fold(String::new(), |text, line| text + "# " + line + "\n")
 }
 
 fn index_csv(cards: &[Card], common: &[String], factor: f64) -> String {
@@ -205,7 +205,7 @@ fn stations_csv(selection: &Selection, flights: &Flights<'_>, flown: &Flown, com
 }
 
 fn readme(common: &[String], cases: usize) -> String {
-    let lines: String = common.iter().map(|line| format!("- {line}\n")).collect();
+    let lines = common.iter().fold(String::new(), |text, line| text + "- " + line + "\n");
     format!(
         "# Loads for stress\n\n{lines}\n{cases} load sets: `index.bdf` is a deck of linear statics with a subcase each; it includes \
          `aircraft.bdf` (the structure the cards belong to) and the cards, `case_NNNNN.bdf`. Cards are limit loads: all that is applied \
