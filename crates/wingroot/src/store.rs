@@ -1,6 +1,6 @@
 //! The one store of finished cases: what a stopped run, or another part of a sweep, has finished is not computed again.
 //!
-//! A folder of segments ([`segment`]), one for each process that writes: no locks, no renames, nothing that a network's file system
+//! A folder of segments (`segment`), one for each process that writes: no locks, no renames, nothing that a network's file system
 //! does badly. A process appends each case as it is finished and reads the segments of all others when it begins. A case
 //! that is there twice counts once. Segments say what their results depend on ([`Inputs`]); only those of the same inputs are read.
 

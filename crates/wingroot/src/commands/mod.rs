@@ -45,15 +45,15 @@ commands! {
     /// The blind benchmark of `discover`: effects hidden in campaigns of a wing with another discretisation
     hidden: Hidden(hidden::HiddenArgs),
     /// What all cases of a sweep share, computed once before many processes take their parts of it
-    prepare: Prepare(prepare::PrepareArgs),
+    prepare: Prepare(Box<prepare::PrepareArgs>),
     /// The results of a sweep that many processes computed, as one process would write them
-    merge: Merge(merge::MergeArgs),
+    merge: Merge(Box<merge::MergeArgs>),
     /// How far a sweep is: finished cases, failures, the slowest
-    status: Status(status::StatusArgs),
+    status: Status(Box<status::StatusArgs>),
     /// A script for Slurm or a manifest for Kubernetes that runs a sweep in parts, from an estimate by three cases
-    cluster: Cluster(cluster::ClusterArgs),
+    cluster: Cluster(Box<cluster::ClusterArgs>),
     /// Trim, pull-up, push-down, chirp and doublet of the full aircraft, initial beside updated model
-    fullaircraft: Fullaircraft(fullaircraft_prepared::FullaircraftArgs),
+    fullaircraft: Fullaircraft(Box<fullaircraft_prepared::FullaircraftArgs>),
     /// Cases of a plan of design loads: V-n, gusts, envelope, selection, and cards for a stress model
     loads: Loads(loads::LoadsArgs),
     /// Calibrate, simulate and fullaircraft, one after the other
