@@ -1,7 +1,8 @@
 //! Verdicts, and why.
 
+use super::facts::{Facts, Pair};
+use super::given::{Thresholds, Zero};
 use super::statistics::Interval;
-use super::{Facts, Pair, Thresholds, Zero};
 use schemars::JsonSchema;
 use serde::Serialize;
 

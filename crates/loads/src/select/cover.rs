@@ -1,8 +1,8 @@
 //! Which instants stay under a cap: greedy cover by cases.
 
-use super::Instant;
 use super::drivers::{Driver, Rank};
 use super::file::SelectFile;
+use super::instant::Instant;
 use nastran::{InputError, place_of, read_text};
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,8 +1,8 @@
 //! What the policies of a selection ask for.
 
-use super::Instant;
 use super::file::{Load, Model, Policy, SelectFile, Weight};
 use super::hull::corners;
+use super::instant::Instant;
 use super::places::{Place, Places};
 use nastran::InputError;
 

@@ -8,33 +8,16 @@ mod csv;
 mod drivers;
 pub mod file;
 mod hull;
+mod instant;
 mod places;
 
 use crate::select::file::{Model, Policy, SelectFile};
 use cover::cover;
 use drivers::{Driver, drivers};
+pub use instant::Instant;
 use nastran::InputError;
 use places::Places;
 use std::collections::BTreeMap;
-
-/// Loads at one instant of a case.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Instant {
-    /// Model.
-    pub model: Model,
-    /// Number of the case.
-    pub case: usize,
-    /// Number within the case, from one.
-    pub instant: usize,
-    /// Fx, Fy, Fz, N, and Mx, My, Mz, N m, at each station.
-    pub loads: Vec<[f64; 6]>,
-}
-
-impl Instant {
-    fn key(&self) -> (Model, usize, usize) {
-        (self.model, self.case, self.instant)
-    }
-}
 
 /// An end, a corner or what else a policy asks for, and the instant that gives it.
 #[derive(Debug, Clone, PartialEq)]

@@ -6,13 +6,14 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use loads::FlightFile;
-use loads::compare::{Comparison, Judged, Point, judge};
+use loads::compare::{Judged, judge};
 use loads::flight::{Channel, Condition, Reading, Source, readings};
 use nastran::{InputError, ron_or_json};
 use report::Table;
 
 use super::flightloads_campaign::CampaignPoints;
 use super::flightloads_figures::write_figures;
+use super::flightloads_measured::{MODELS, Measured, comparison};
 use super::flightloads_result::{FlightloadsResult, Row, csv};
 use super::flightloads_wing::{Calculated, TunnelWing};
 use crate::args::Common;
@@ -21,9 +22,6 @@ use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::pages::values::{counted, digits};
 use crate::show;
-
-/// Names of the models in results.
-pub(super) const MODELS: [&str; 2] = ["initial", "updated"];
 
 /// Options of `flightloads`.
 #[derive(Debug, Clone, Default, Args)]
@@ -38,16 +36,6 @@ pub struct FlightloadsArgs {
     /// The file of measured loads, or the folder of flight.ron
     #[arg(long, value_name = "FILE", default_value = "flight.ron")]
     pub(crate) measured: PathBuf,
-}
-
-/// A condition with what was measured and calculated.
-pub(super) struct Measured {
-    /// The condition.
-    pub(super) condition: Condition,
-    /// Readings.
-    pub(super) readings: Vec<Reading>,
-    /// Calculated loads of each reading by each model, in the order of the channels.
-    pub(super) calculated: [Option<Vec<Calculated>>; 2],
 }
 
 /// Runs the command.
@@ -149,20 +137,6 @@ fn rows(file: &FlightFile, channels: &[Channel], all: &[Measured]) -> Vec<Row> {
         rows.extend(places.into_iter().zip(judged).map(row));
     }
     rows
-}
-
-/// A channel's points in a condition by a model.
-pub(super) fn comparison(one: &Measured, channel: &Channel, at: usize, model: usize) -> Option<Comparison> {
-    let calculated = one.calculated[model].as_ref()?;
-    let pairs = one.readings.iter().zip(calculated);
-    let point = |(reading, calculated): (&Reading, &Calculated)| {
-        let measured = reading.measured[at]?;
-        let (load, state_sigma) = (calculated.loads[at], calculated.sigma[at]);
-        Some(Point { calculated: load, measured, state_sigma, fitted: reading.fitted })
-    };
-    let points: Vec<Point> = pairs.filter_map(point).collect();
-    let name = format!("{} {}", one.condition.name, channel.column());
-    (!points.is_empty()).then(|| Comparison { name, unit: channel.load.unit(), gauge: channel.gauge, points })
 }
 
 fn summary(result: &FlightloadsResult) -> String {

@@ -5,7 +5,7 @@ use loads::compare::Comparison;
 use loads::flight::Channel;
 use report::{Figure, Panel, Series, Style};
 
-use super::flightloads::{MODELS, Measured, comparison};
+use super::flightloads_measured::{MODELS, Measured, comparison};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 

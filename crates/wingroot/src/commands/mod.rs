@@ -121,6 +121,7 @@ mod discover_figures;
 mod discover_results;
 mod flightloads_campaign;
 mod flightloads_figures;
+mod flightloads_measured;
 pub(crate) mod flightloads_result;
 mod flightloads_wing;
 mod flutter_figures;
