@@ -98,7 +98,8 @@ pub(crate) fn run(args: &LoadsArgs, common: &Common) -> Result<(), Failure> {
     let (flown, store) = flights.fly(&target, common)?;
     let result = write(&target, &prepared, &flights, &flown, &select)?;
     store.close()?;
-    let text = format!("{}{:.1} s\nresults in {}\n", result.text(), start.elapsed().as_secs_f64(), target.display());
+    let text =
+        format!("{}{:.1} s\nresults in {}\n", result.text(), start.elapsed().as_secs_f64(), target.display());
     show::summary(common, &text);
     show::json(common, &result)?;
     if result.flown == 0 {
