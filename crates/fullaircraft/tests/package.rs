@@ -35,9 +35,9 @@ fn worst(rows: &[Row]) -> f64 {
 
 /// Trims of the aircraft, with their tips as the trim has them.
 fn trims(aircraft: &Aircraft) -> Vec<(CardCase, [f64; 2])> {
-    let tools = TrimTools::new(aircraft, &[]).unwrap();
+    let tools = TrimTools::new(aircraft, &[]).expect("it is trimmed");
     let model = aircraft.uncorrected();
-    let at = tools.at(&model, V_M_S).unwrap();
+    let at = tools.at(&model, V_M_S).expect("it is trimmed");
     let control = || "outer".to_owned();
     let all = [
         Steady::Pull { load_factor: 3.8 },
@@ -47,7 +47,7 @@ fn trims(aircraft: &Aircraft) -> Vec<(CardCase, [f64; 2])> {
     ];
     let mut cases = Vec::new();
     for (sid, steady) in (1..).zip(all) {
-        let found = at.solve(&steady.case(&aircraft.file, V_M_S)).unwrap();
+        let found = at.solve(&steady.case(&aircraft.file, V_M_S)).expect("it is trimmed");
         cases.push((case(sid, steady.kind(), &at.nodal_loads(&found)), at.tip_deflection_m(&found)));
     }
     cases

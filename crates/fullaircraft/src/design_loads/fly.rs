@@ -25,8 +25,8 @@ const AFTER_S: f64 = 0.8;
 /// Gusts flown side by side.
 const TOGETHER: usize = 8;
 
-/// What is done with a case that was flown: the case and its instants, and what gives nodal loads of one of them, counted from zero.
-pub type Done<'d, E> = dyn FnMut(FlownCase, &dyn Fn(usize) -> Option<NodalLoads>) -> Result<(), E> + 'd;
+/// What is done with a case that was flown: the case and its instants, and what gives nodal loads at a time, s.
+pub type Done<'d, E> = dyn FnMut(FlownCase, &dyn Fn(f64) -> Option<NodalLoads>) -> Result<(), E> + 'd;
 
 /// Everything that cases of one state of loading are flown with.
 #[derive(Debug)]
@@ -55,7 +55,7 @@ impl PlanFlight<'_> {
         done: &mut Done<'_, E>,
     ) -> Result<(), E> {
         let Some(first) = cases.first() else { return Ok(()) };
-        let none = |_: usize| None;
+        let none = |_: f64| None;
         let at = match self.tools.at(model, first.v_m_s) {
             Ok(at) => at,
             Err(error) => {
@@ -67,7 +67,7 @@ impl PlanFlight<'_> {
         for case in trims {
             let steady = self.steady(case).unwrap_or(Steady::Level);
             match self.trim(&at, case.number, which, &steady) {
-                Ok((flown, loads)) => done(flown, &|instant| (instant == 0).then(|| loads.clone()))?,
+                Ok((flown, loads)) => done(flown, &|t_s| (t_s <= 0.0).then(|| loads.clone()))?,
                 Err(error @ AircraftError::NotTrimmable { .. }) => done(refused(case, which, &error), &none)?,
                 Err(error) => return Err(error.into()),
             }
@@ -141,7 +141,7 @@ impl PlanFlight<'_> {
                 if let Some(place) = place {
                     commands[place] = sampled(motion.kind(), TIME_STEP_S, samples);
                 }
-                self.give(&flight.fly(None, &commands, samples), case.number, which, done)?;
+                self.give(&flight.fly(None, &commands, samples), samples, (case.number, which), done)?;
             }
         }
         let mut gusts: Vec<(&Case, Gust)> =
@@ -151,8 +151,10 @@ impl PlanFlight<'_> {
             let longest_m = together.iter().map(|(_, gust)| gust.length_m).fold(0.0, f64::max);
             let samples = count(longest_m / v_m_s + AFTER_S);
             let all: Vec<Gust> = together.iter().map(|(_, gust)| *gust).collect();
-            for ((case, _), flown) in together.iter().zip(flight.fly_gusts(&all, samples)) {
-                self.give(&flown, case.number, which, done)?;
+            for ((case, gust), flown) in together.iter().zip(flight.fly_gusts(&all, samples)) {
+                // what counts of a flight does not depend on what is flown beside it
+                let own = count(gust.length_m / v_m_s + AFTER_S);
+                self.give(&flown, own, (case.number, which), done)?;
             }
         }
         Ok(())
@@ -162,15 +164,18 @@ impl PlanFlight<'_> {
     fn give<E: From<AircraftError>>(
         &self,
         flown: &FlownLoads<'_>,
-        number: usize,
-        which: usize,
+        samples: usize,
+        (number, which): (usize, usize),
         done: &mut Done<'_, E>,
     ) -> Result<(), E> {
-        let samples = driving(flown, self.stations.len());
+        let driving = driving(flown, self.stations.len(), samples);
         let of = |sample: &usize| FlownInstant::of(flown, self.stations.len(), *sample);
-        let instants = samples.iter().map(of).collect();
+        let instants = driving.iter().map(of).collect();
         let case = FlownCase { number, model: which, refused: None, instants };
-        done(case.if_finite(), &|instant| samples.get(instant).map(|sample| flown.nodal_loads(*sample)))
+        done(case.if_finite(), &|t_s| {
+            let at = flown.t_s.iter().position(|known| (known - t_s).abs() < 0.5 * TIME_STEP_S)?;
+            Some(flown.nodal_loads(at))
+        })
     }
 
     fn motion(&self, case: &Case) -> Option<&MotionSpec> {

@@ -32,11 +32,11 @@ pub struct FlownCase {
 const ALONG: [[f64; 3]; 5] =
     [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 1.0, 1.0], [0.0, 1.0, -1.0]];
 
-/// Samples in ascending order at which some station's net load is furthest along one of the directions, either way.
-pub fn driving(flown: &FlownLoads<'_>, stations: usize) -> Vec<usize> {
+/// Of the first samples, in ascending order, those at which some station's net load is furthest along one of the directions, either way.
+pub fn driving(flown: &FlownLoads<'_>, stations: usize, first: usize) -> Vec<usize> {
     let mut samples = Vec::new();
     for station in 0..stations {
-        let loads: Vec<[f64; 3]> = (0..flown.t_s.len())
+        let loads: Vec<[f64; 3]> = (0..first.min(flown.t_s.len()))
             .map(|sample| {
                 let six = flown.at_station(station, Component::Net, sample);
                 [six[2], six[3], six[4]]

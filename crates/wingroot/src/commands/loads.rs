@@ -96,9 +96,10 @@ pub(crate) fn run(args: &LoadsArgs, common: &Common) -> Result<(), Failure> {
     prepared.inputs.extend((!select.path.as_os_str().is_empty()).then(|| ("selection", select.path.clone())));
     let flights = Flights::new(&prepared, &plan, &design, maneuvers, &matrix)?;
     let (flown, store) = flights.fly(&target, common)?;
-    let result = write(&target, &prepared, &flights, flown, &select)?;
+    let result = write(&target, &prepared, &flights, &flown, &select)?;
     store.close()?;
-    let text = format!("{}{:.1} s\nresults in {}\n", result.text(), start.elapsed().as_secs_f64(), target.display());
+    let text =
+        format!("{}{:.1} s\nresults in {}\n", result.text(), start.elapsed().as_secs_f64(), target.display());
     show::summary(common, &text);
     show::json(common, &result)?;
     if result.flown == 0 {
@@ -156,7 +157,7 @@ fn write(
     target: &Path,
     prepared: &Prepared,
     flights: &Flights<'_>,
-    flown: Flown,
+    flown: &Flown,
     select: &SelectFile,
 ) -> Result<LoadsResult, Failure> {
     let (plan, design) = (flights.plan, flights.design);
@@ -165,7 +166,7 @@ fn write(
     let names: Vec<String> = flights.stations.iter().map(|station| station.name.clone()).collect();
     let instants = flown.instants();
     let selection = loads::select(select, &names, &instants)?;
-    let packed: Packed = package(prepared, flights, &flown, select, &selection)?;
+    let packed: Packed = package(prepared, flights, flown, select, &selection)?;
     let folder = ResultFolder::begin(target)?;
     prepared.inputs.iter().try_for_each(|(what, path)| folder.input(what, path))?;
     write_matrix(&folder, design, &matrix)?;
@@ -174,7 +175,7 @@ fn write(
     folder.write_text("envelope.csv", &fullaircraft::cases::envelope::envelope_csv(&envelope))?;
     folder.write_text("gusts.csv", &tables::gusts(&names, &flown.cases, &matrix))?;
     folder.write_text("selection.csv", &selection.csv())?;
-    folder.write_text("selected.csv", &tables::selected(&selection, &flown, &matrix, design))?;
+    folder.write_text("selected.csv", &tables::selected(&selection, flown, &matrix, design))?;
     figures::potatoes(&folder, &names, &instants, &selection)?;
     for (name, bytes) in &packed.files {
         folder.write_bytes(&format!("package/{name}"), bytes)?;

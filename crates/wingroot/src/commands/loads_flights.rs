@@ -41,8 +41,15 @@ pub(crate) struct Flown {
     pub(crate) cases: Vec<FlownCase>,
 }
 
-/// Instants of a case and a model that are asked for, and their nodal loads.
+/// An instant that is asked for: model, number of the case, instant from zero, time, s.
+pub(crate) type Wanted = (usize, usize, usize, f64);
+
+/// Its nodal loads.
 pub(crate) type NodalOf = (usize, usize, usize, NodalLoads);
+
+/// What is done with a flown case and what gives its nodal loads at a time, s.
+type Each<'e> =
+    dyn Fn(&Case, FlownCase, &dyn Fn(f64) -> Option<NodalLoads>) -> Result<(), Failure> + Sync + 'e;
 
 /// Cases that share a state of loading, altitude and airspeed, and the model they are flown with.
 type Group<'m> = (usize, Vec<&'m Case>);
@@ -102,10 +109,10 @@ impl<'a> Flights<'a> {
         Ok((Flown { cases }, store))
     }
 
-    /// Nodal loads of instants (model, number of the case, instant from zero), in this order.
-    pub(crate) fn nodal(&self, wanted: &[(usize, usize, usize)]) -> Result<Vec<NodalOf>, Failure> {
+    /// Nodal loads of instants, in this order.
+    pub(crate) fn nodal(&self, wanted: &[Wanted]) -> Result<Vec<NodalOf>, Failure> {
         let mut cases: Vec<(usize, &Case)> = Vec::new();
-        for &(model, number, _) in wanted {
+        for &(model, number, ..) in wanted {
             if !cases.iter().any(|(m, case)| *m == model && case.number == number) {
                 let case = self.matrix.cases.iter().find(|case| case.number == number);
                 cases.extend(case.map(|case| (model, case)));
@@ -113,9 +120,9 @@ impl<'a> Flights<'a> {
         }
         let found = Mutex::new(Vec::new());
         self.each(&cases, &|case, flown, loads| {
-            for &(model, number, instant) in wanted {
+            for &(model, number, instant, t_s) in wanted {
                 if (model, number) == (flown.model, case.number) {
-                    let nodal = loads(instant).ok_or_else(|| {
+                    let nodal = loads(t_s).ok_or_else(|| {
                         Failure::Computation(format!("case {number} has no instant {}", instant + 1))
                     })?;
                     found.lock().map_err(Failure::computation)?.push((model, number, instant, nodal));
@@ -124,17 +131,14 @@ impl<'a> Flights<'a> {
             Ok(())
         })?;
         let mut found = found.into_inner().map_err(Failure::computation)?;
-        let place = |of: &NodalOf| wanted.iter().position(|want| *want == (of.0, of.1, of.2));
+        let place =
+            |of: &NodalOf| wanted.iter().position(|want| (want.0, want.1, want.2) == (of.0, of.1, of.2));
         found.sort_by_key(place);
         Ok(found)
     }
 
     /// Flies cases with models, groups side by side.
-    fn each(
-        &self,
-        cases: &[(usize, &Case)],
-        done: &(dyn Fn(&Case, FlownCase, &dyn Fn(usize) -> Option<NodalLoads>) -> Result<(), Failure> + Sync),
-    ) -> Result<(), Failure> {
+    fn each(&self, cases: &[(usize, &Case)], done: &Each<'_>) -> Result<(), Failure> {
         let mut groups: Vec<Group<'_>> = Vec::new();
         for (model, case) in cases {
             let same = |group: &&mut Group<'_>| {

@@ -12,7 +12,7 @@ use loads::select::file::{Component as Exported, ExportAt, Model, SelectFile};
 use nastran::InputError;
 
 use crate::commands::fullaircraft_prepared::Prepared;
-use crate::commands::loads_flights::{Flights, Flown, NodalOf, is_in_time};
+use crate::commands::loads_flights::{Flights, Flown, NodalOf, Wanted, is_in_time};
 use crate::commands::loads_result::RoundTripResult;
 use crate::commands::loads_tables::{case_of, words};
 use crate::failure::Failure;
@@ -52,8 +52,12 @@ pub(crate) fn package(
     refuse_unwritten(select)?;
     let aircraft = &prepared.aircraft;
     let common = origin(prepared, flights)?;
-    let key = |one: &Selected| (usize::from(one.model == Model::Updated), one.case, one.instant - 1);
-    let wanted: Vec<(usize, usize, usize)> = selection.selected.iter().map(key).collect();
+    let key = |one: &Selected| {
+        let (model, instant) = (usize::from(one.model == Model::Updated), one.instant - 1);
+        let flown = flown.case(model, one.case).and_then(|case| case.instants.get(instant));
+        (model, one.case, instant, flown.map_or(0.0, |flown| flown.t_s))
+    };
+    let wanted: Vec<Wanted> = selection.selected.iter().map(key).collect();
     let nodal = flights.nodal(&wanted)?;
     let deck = structure(aircraft, &common);
     let back = RoundTrip::new(aircraft, &flights.stations, &deck)?;

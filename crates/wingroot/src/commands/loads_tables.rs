@@ -46,6 +46,9 @@ pub(crate) fn station_loads(names: &[String], cases: &[FlownCase]) -> String {
     text
 }
 
+/// Loads of an instant at the stations that were found so far.
+type Found = Vec<Option<[f64; 6]>>;
+
 /// Net loads of `station_loads.csv`: names of the stations, and all instants.
 pub(crate) fn read_station_loads(path: &Path) -> Result<(Vec<String>, Vec<Instant>), Failure> {
     let text = read_text(path)?;
@@ -58,7 +61,7 @@ pub(crate) fn read_station_loads(path: &Path) -> Result<(Vec<String>, Vec<Instan
         return Err(wrong(1, "these are not the heads of station loads").into());
     }
     let mut names: Vec<String> = Vec::new();
-    let mut instants: BTreeMap<(usize, usize, usize), Vec<Option<[f64; 6]>>> = BTreeMap::new();
+    let mut instants: BTreeMap<(usize, usize, usize), Found> = BTreeMap::new();
     for (at, line) in lines {
         let cells: Vec<&str> = line.split(',').collect();
         let &[model, case, instant, _, station, component, ref values @ ..] = cells.as_slice() else {
