@@ -3,14 +3,15 @@
 use crate::real;
 use std::fmt::Write as _;
 
-/// What is smaller than this share of the largest number of its kind is zero.
-const NOTHING: f64 = 1e-12;
+/// What is not above this share of the largest number of its kind is zero: at 1e-12 the moments left out of a wing of shells, alike in sign, move
+/// its tip by 1e-9.
+const NOTHING: f64 = 1e-13;
 /// Width of a field.
 const WIDTH: usize = 16;
 
 /// FORCE* and MOMENT* of loads at grids: `loads` has six numbers a grid (forces, then moments, along the basic axes).
 ///
-/// Forces and moments below 1e-12 of the largest force or moment are left out.
+/// Forces and moments up to 1e-13 of the largest force or moment are left out.
 pub fn load_cards(set: u32, grids: &[u32], loads: &[f64]) -> String {
     let largest = |from: usize| {
         let of = loads.chunks_exact(6).flat_map(|six| &six[from..from + 3]);

@@ -89,6 +89,7 @@ pub fn all() -> Vec<Named> {
         result::<FullaircraftResult>("fullaircraft_result", "result.json of fullaircraft"),
         result::<crate::commands::loads_result::LoadsResult>("loads_result", "result.json of loads"),
         input::<loads::SelectFile>("select", "loads --select"),
+        result::<crate::sweep::status::Status>("status_result", "status --json"),
         result::<CasesSummary>("fullaircraft_cases_result", "result.json of fullaircraft --cases"),
         result::<DeckSummary>("fullaircraft_deck_result", "result.json of fullaircraft --deck"),
         result::<PipelineResult>("pipeline_result", "result.json of pipeline"),
@@ -169,7 +170,8 @@ mod tests {
 
     #[test]
     fn every_command_with_a_result_has_its_schema() {
-        let without = ["new", "docs", "completions", "man", "schema"];
+        // `merge` gives the result of the sweep's command
+        let without = ["new", "docs", "completions", "man", "schema", "prepare", "merge", "cluster"];
         let names: Vec<&str> = all().iter().map(|schema| schema.name).collect();
         for command in Cli::command().get_subcommands().filter(|c| !without.contains(&c.get_name())) {
             let name = format!("{}_result", command.get_name());

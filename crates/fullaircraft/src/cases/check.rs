@@ -20,6 +20,8 @@ const ANGLES_DEG: RangeInclusive<f64> = -90.0..=90.0;
 const LONGEST_S: f64 = 600.0;
 /// Most cases of a file.
 const MOST_CASES: usize = 5_000_000;
+/// What to do where no airspeed is given.
+const NO_AIRSPEED: &str = "give at least one; a plan of design loads has `rules` and takes its own";
 /// What a case takes in memory, bytes: its hash and where its result stands; the result itself is in files.
 const MEMORY_A_CASE: f64 = 300.0;
 
@@ -29,7 +31,7 @@ impl CasesFile {
         self.numbers("airspeeds_V_m_s", &self.airspeeds_v_m_s, &AIRSPEEDS_M_S)?;
         self.numbers("load_factors", &self.load_factors, &LOAD_FACTORS)?;
         if self.airspeeds_v_m_s.is_empty() && self.rules.is_none() {
-            return Err(self.wrong("airspeeds_V_m_s", "there is no airspeed", "give at least one"));
+            return Err(self.wrong("airspeeds_V_m_s", "there is no airspeed", NO_AIRSPEED));
         }
         if !self.maneuvers.iter().all(is_possible) {
             let message = "a number of `maneuvers` makes no sense here";

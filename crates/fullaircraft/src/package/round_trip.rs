@@ -2,15 +2,18 @@
 //! the structure held at the wing's root.
 //!
 //! Stations must hold within 1e-9 of the case's largest force or moment, the whole within 1e-9 of the sum of sizes, tips within 1e-9
-//! of the sum of what each load does to them.
+//! of the sum of what each load does to them. The structure that was read must have the stiffness of the aircraft's, each coefficient
+//! within 1e-9 of the geometric mean of its diagonals; what the loads do to the tips is then asked of one structure, as thin shells
+//! are so badly conditioned that two solutions of one structure differ by more than 1e-9.
 
 use crate::aircraft::assembly::Aircraft;
 use crate::error::AircraftError;
 use crate::package::cards::CardCase;
 use crate::stations::places::Station;
-use faer::Mat;
+use faer::{Mat, MatRef};
 use nalgebra::Point3;
 use nastran::{BulkData, InputError, parse_deck};
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use structure::{Flexibility, Model, System};
 
@@ -24,9 +27,9 @@ pub const LOADS: [&str; 6] = ["Fx_N", "Fy_N", "Fz_N", "Mx_Nm", "My_Nm", "Mz_Nm"]
 pub struct Row {
     /// The case's load set.
     pub sid: u32,
-    /// Station, `right tip`, `left tip` or `balance`.
+    /// Station, `right tip`, `left tip`, `balance` or `structure`.
     pub place: String,
-    /// One of [`LOADS`] or `deflection_m`.
+    /// One of [`LOADS`], `deflection_m` or `stiffness`.
     pub what: &'static str,
     /// By the solver.
     pub solver: f64,
@@ -52,15 +55,17 @@ pub struct Expected {
     pub tips_m: [f64; 2],
 }
 
-/// A structure that was read from its file, and how its tips answer loads.
+/// A structure that was read from its file, how far it is from the aircraft's, and how the tips answer loads.
 #[derive(Debug)]
 pub struct RoundTrip<'a> {
     stations: &'a [Station],
     /// From our nodes to those that were read.
     nodes: Vec<usize>,
     read: System,
-    /// Height of both tips by loads on the g-set that was read.
+    /// Height of both tips by loads on the aircraft's g-set.
     tips: Mat<f64>,
+    /// Largest difference of a coefficient of stiffness, as a share of the geometric mean of its diagonals.
+    stiffness_off: f64,
 }
 
 /// How high both tips rise by loads on the g-set of a structure held at a node, g-set by 2, m/N and m/N m: by reciprocity the
@@ -68,7 +73,7 @@ pub struct RoundTrip<'a> {
 ///
 /// # Errors
 /// If the structure is free to move when held there.
-pub fn tips_by_loads(free: &System, centre: usize, tips: [usize; 2]) -> Result<Mat<f64>, AircraftError> {
+fn tips_by_loads(free: &System, centre: usize, tips: [usize; 2]) -> Result<Mat<f64>, AircraftError> {
     let held = free.clamped_at(centre);
     let flexibility = Flexibility::new(&held).map_err(coupling::CouplingError::from)?;
     let mut units = Mat::zeros(6 * free.node_count(), 2);
@@ -76,10 +81,39 @@ pub fn tips_by_loads(free: &System, centre: usize, tips: [usize; 2]) -> Result<M
     let solve = |loads: &Mat<f64>| {
         held.expand(flexibility.displacements(held.reduce(loads.as_ref()).as_ref()).as_ref())
     };
-    // thin shells are badly conditioned: one step of refinement takes off what the factors leave of rounding
-    let first = solve(&units);
-    let left = units - held.elastic_loads(first.as_ref());
-    Ok(first + solve(&left))
+    Ok(solve(&units))
+}
+
+/// Largest difference of two structures' coefficients of stiffness between the same motions, as a share of the geometric mean of
+/// the diagonals; one if they do not have the same motions.
+fn stiffness_off(one: &System, other: &System) -> f64 {
+    let place = |free: usize| (one.name(free), free);
+    let places: BTreeMap<(u32, u8), usize> = (0..one.free_count()).map(place).collect();
+    let Some(to_one) = (0..other.free_count())
+        .map(|free| places.get(&other.name(free)).copied())
+        .collect::<Option<Vec<_>>>()
+    else {
+        return 1.0;
+    };
+    if to_one.len() != one.free_count() {
+        return 1.0;
+    }
+    let mut left: BTreeMap<(usize, usize), f64> = BTreeMap::new();
+    let mut diagonal = vec![0.0; one.free_count()];
+    for entry in one.stiffness().triplet_iter() {
+        *left.entry((entry.row, entry.col)).or_default() += *entry.val;
+        if entry.row == entry.col {
+            diagonal[entry.row] += *entry.val;
+        }
+    }
+    for entry in other.stiffness().triplet_iter() {
+        *left.entry((to_one[entry.row], to_one[entry.col])).or_default() -= *entry.val;
+    }
+    let share = |((row, col), off): ((usize, usize), f64)| {
+        let scale = (diagonal[row] * diagonal[col]).sqrt();
+        if off == 0.0 { 0.0 } else { off.abs() / scale }
+    };
+    left.into_iter().map(share).fold(0.0, f64::max)
 }
 
 impl<'a> RoundTrip<'a> {
@@ -95,9 +129,14 @@ impl<'a> RoundTrip<'a> {
             node.ok_or_else(|| InputError::general(format!("grid {id} is not where it was in aircraft.bdf")))
         });
         let nodes: Vec<usize> = nodes.collect::<Result<_, _>>()?;
-        let tips = [aircraft.right.tip, aircraft.left.tip].map(|tip| nodes[tip]);
-        let tips = tips_by_loads(&read, nodes[aircraft.centre], tips)?;
-        Ok(Self { stations, nodes, read, tips })
+        let tips = tips_by_loads(&aircraft.free, aircraft.centre, [aircraft.right.tip, aircraft.left.tip])?;
+        let stiffness_off = stiffness_off(&aircraft.free, &read);
+        Ok(Self { stations, nodes, read, tips, stiffness_off })
+    }
+
+    /// Height of both tips by loads on the aircraft's g-set, g-set by 2, m/N and m/N m.
+    pub fn tips(&self) -> MatRef<'_, f64> {
+        self.tips.as_ref()
     }
 
     /// Reads the cards of a case (`text`, its file) and compares.
@@ -144,10 +183,16 @@ impl<'a> RoundTrip<'a> {
             rows.push(row("balance", what, 0.0, whole.sums(points, &loads)[load], sizes[load / 3]));
         }
         for (side, place) in ["right tip", "left tip"].into_iter().enumerate() {
-            let does = loads.iter().enumerate().map(|(dof, load)| self.tips[(dof, side)] * load);
+            let own = self
+                .nodes
+                .iter()
+                .enumerate()
+                .flat_map(|(own, node)| (0..6).map(move |c| (6 * own + c, 6 * node + c)));
+            let does = own.map(|(own, read)| self.tips[(own, side)] * loads[read]);
             let largest = does.clone().map(f64::abs).sum();
             rows.push(row(place, "deflection_m", expected.tips_m[side], does.sum(), largest));
         }
+        rows.push(row("structure", "stiffness", 1.0, 1.0 + self.stiffness_off, 1.0));
         Ok(rows)
     }
 

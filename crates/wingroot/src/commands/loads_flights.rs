@@ -7,7 +7,7 @@ use aero::Corrections;
 use fullaircraft::cases::file::Action;
 use fullaircraft::cases::list::MODELS;
 use fullaircraft::design_loads::fly::PlanFlight;
-use fullaircraft::design_loads::instants::FlownCase;
+use fullaircraft::design_loads::instants::{FlownCase, FlownInstant};
 use fullaircraft::{Aircraft, CasesFile, FlightAir, NodalLoads, Station, TrimTools};
 use loads::matrix::{Action as Planned, Case, Status};
 use loads::select::Instant;
@@ -41,11 +41,22 @@ pub(crate) struct Flown {
     pub(crate) cases: Vec<FlownCase>,
 }
 
+/// Instants of two flights this close in time are one: a tenth of a time step.
+const SAME_S: f64 = 2e-4;
+
 /// An instant that is asked for: model, number of the case, instant from zero, time, s.
 pub(crate) type Wanted = (usize, usize, usize, f64);
 
-/// Its nodal loads.
-pub(crate) type NodalOf = (usize, usize, usize, NodalLoads);
+/// An instant of a case flown again, with what was not kept of the first flight.
+pub(crate) struct FlownAgain {
+    pub(crate) model: usize,
+    pub(crate) number: usize,
+    /// From zero.
+    pub(crate) instant: usize,
+    /// Its loads at stations; none if this flight has no end of a load there.
+    pub(crate) flown: Option<FlownInstant>,
+    pub(crate) nodal: NodalLoads,
+}
 
 /// What is done with a flown case and what gives its nodal loads at a time, s.
 type Each<'e> =
@@ -109,8 +120,8 @@ impl<'a> Flights<'a> {
         Ok((Flown { cases }, store))
     }
 
-    /// Nodal loads of instants, in this order.
-    pub(crate) fn nodal(&self, wanted: &[Wanted]) -> Result<Vec<NodalOf>, Failure> {
+    /// Instants flown again, in this order.
+    pub(crate) fn again(&self, wanted: &[Wanted]) -> Result<Vec<FlownAgain>, Failure> {
         let mut cases: Vec<(usize, &Case)> = Vec::new();
         for &(model, number, ..) in wanted {
             if !cases.iter().any(|(m, case)| *m == model && case.number == number) {
@@ -125,14 +136,18 @@ impl<'a> Flights<'a> {
                     let nodal = loads(t_s).ok_or_else(|| {
                         Failure::Computation(format!("case {number} has no instant {}", instant + 1))
                     })?;
-                    found.lock().map_err(Failure::computation)?.push((model, number, instant, nodal));
+                    let same = |at: &&FlownInstant| (at.t_s - t_s).abs() < SAME_S;
+                    let flown = flown.instants.iter().find(same).cloned();
+                    let again = FlownAgain { model, number, instant, flown, nodal };
+                    found.lock().map_err(Failure::computation)?.push(again);
                 }
             }
             Ok(())
         })?;
         let mut found = found.into_inner().map_err(Failure::computation)?;
-        let place =
-            |of: &NodalOf| wanted.iter().position(|want| (want.0, want.1, want.2) == (of.0, of.1, of.2));
+        let place = |of: &FlownAgain| {
+            wanted.iter().position(|want| (want.0, want.1, want.2) == (of.model, of.number, of.instant))
+        };
         found.sort_by_key(place);
         Ok(found)
     }

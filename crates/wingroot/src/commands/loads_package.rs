@@ -4,15 +4,16 @@
 use std::fmt::Write as _;
 
 use fullaircraft::Component;
+use fullaircraft::design_loads::instants::FlownInstant;
 use fullaircraft::package::cards::{CardCase, index, structure};
-use fullaircraft::package::round_trip::{Expected, LOADS, RoundTrip, Row, round_trip_csv, tips_by_loads};
+use fullaircraft::package::round_trip::{Expected, LOADS, RoundTrip, Row, round_trip_csv};
 use loads::Selection;
 use loads::select::Selected;
 use loads::select::file::{Component as Exported, ExportAt, Model, SelectFile};
 use nastran::InputError;
 
 use crate::commands::fullaircraft_prepared::Prepared;
-use crate::commands::loads_flights::{Flights, Flown, NodalOf, Wanted, is_in_time};
+use crate::commands::loads_flights::{Flights, Flown, FlownAgain, Wanted, is_in_time};
 use crate::commands::loads_result::RoundTripResult;
 use crate::commands::loads_tables::{case_of, words};
 use crate::failure::Failure;
@@ -35,8 +36,15 @@ struct Card {
     expected: Expected,
     /// How far a trim's own tips are from those of its loads on the structure, over what each load does to them.
     trim_tip: f64,
+    /// How far its stations' loads are from those of the first flight.
+    repeat: f64,
+    /// The instant that the cards are of.
+    flown: FlownInstant,
     origin: Vec<String>,
 }
+
+/// Most that loads at stations of a case flown again may differ from the first flight's: two solutions with thin shells differ by 1e-8.
+const REPEAT: f64 = 1e-6;
 
 /// Makes the package.
 ///
@@ -58,13 +66,12 @@ pub(crate) fn package(
         (model, one.case, instant, flown.map_or(0.0, |flown| flown.t_s))
     };
     let wanted: Vec<Wanted> = selection.selected.iter().map(key).collect();
-    let nodal = flights.nodal(&wanted)?;
+    let again = flights.again(&wanted)?;
     let deck = structure(aircraft, &common);
     let back = RoundTrip::new(aircraft, &flights.stations, &deck)?;
-    let tips = tips_by_loads(&aircraft.free, aircraft.centre, [aircraft.right.tip, aircraft.left.tip])?;
     let (mut cards, mut rows) = (Vec::new(), Vec::new());
-    for (one, loads) in selection.selected.iter().zip(&nodal) {
-        let card = card(one, loads, flights, flown, &common, tips.as_ref())?;
+    for (one, again) in selection.selected.iter().zip(&again) {
+        let card = card(one, again, flights, flown, &common, back.tips())?;
         rows.extend(back.compare(&card.case, &card.text, &card.expected)?);
         cards.push(card);
     }
@@ -74,7 +81,13 @@ pub(crate) fn package(
             row.sid, row.place, row.what, row.solver, row.cards, row.of_largest
         )));
     }
-    let trim_tip = cards.iter().map(|card| card.trim_tip).fold(0.0, f64::max);
+    let most = |of: fn(&Card) -> f64| cards.iter().map(of).fold(0.0, f64::max);
+    let (trim_tip, repeat) = (most(|card| card.trim_tip), most(|card| card.repeat));
+    if repeat > REPEAT {
+        return Err(Failure::Computation(format!(
+            "cases flown again differ at stations by {repeat:.1e} of the largest load (at most {REPEAT:.0e}); no package is written"
+        )));
+    }
     let mut files = vec![("aircraft.bdf".to_owned(), deck.into_bytes())];
     let cases: Vec<CardCase> = cards.iter().map(|card| card.case.clone()).collect();
     let title = format!("Design loads: {}", flights.plan.name);
@@ -82,13 +95,13 @@ pub(crate) fn package(
     files.push(("index.csv".to_owned(), index_csv(&cards, &common, select.export.factor).into_bytes()));
     files.push((
         "station_loads.csv".to_owned(),
-        stations_csv(selection, flights, flown, &common).into_bytes(),
+        stations_csv(selection, flights, &cards, &common).into_bytes(),
     ));
     files.push(("round_trip.csv".to_owned(), (comment(&common) + &round_trip_csv(&rows)).into_bytes()));
     files.push(("README.md".to_owned(), readme(&common, cards.len()).into_bytes()));
     files.push(("loads.h5".to_owned(), hdf5_file(prepared, flights, &cards, &common)?));
     files.extend(cards.into_iter().map(|card| (card.case.file(), card.text.into_bytes())));
-    Ok(Packed { files, round_trip: RoundTripResult { trim_tip, ..worst(&rows) } })
+    Ok(Packed { files, round_trip: RoundTripResult { trim_tip, repeat, ..worst(&rows) } })
 }
 
 /// What a selection can ask for and is not written.
@@ -122,17 +135,19 @@ fn origin(prepared: &Prepared, flights: &Flights<'_>) -> Result<Vec<String>, Fai
 
 fn card(
     one: &Selected,
-    (model, number, instant, nodal): &NodalOf,
+    again: &FlownAgain,
     flights: &Flights<'_>,
     flown: &Flown,
     common: &[String],
     tips: faer::MatRef<'_, f64>,
 ) -> Result<Card, Failure> {
+    let FlownAgain { model, number, instant, .. } = *again;
     let lost = || Failure::Computation(format!("case {number} was selected and is not there"));
-    let case = case_of(flights.matrix, *number).ok_or_else(lost)?;
-    let flown = flown.case(*model, *number).and_then(|case| case.instants.get(*instant)).ok_or_else(lost)?;
+    let case = case_of(flights.matrix, number).ok_or_else(lost)?;
+    let first = flown.case(model, number).and_then(|case| case.instants.get(instant)).ok_or_else(lost)?;
+    let flown = again.flown.as_ref().unwrap_or(first);
     let mass = &flights.design.masses[case.mass].name;
-    let net = nodal.of(Component::Net);
+    let net = again.nodal.of(Component::Net);
     let does = |side: usize| net.iter().enumerate().map(move |(dof, load)| tips[(dof, side)] * load);
     let tips_m = [0, 1].map(|side| does(side).sum::<f64>());
     let off = |side: usize| (flown.tips_m[side] - tips_m[side]).abs() / does(side).map(f64::abs).sum::<f64>();
@@ -148,7 +163,26 @@ fn card(
     ));
     let card = CardCase { sid: one.sid, words: title, net };
     let text = card.text(&flights.grids, &origin);
-    Ok(Card { case: card, text, expected: Expected { stations: flown.net(), tips_m }, trim_tip, origin })
+    Ok(Card {
+        case: card,
+        text,
+        repeat: repeat(&first.net(), &flown.net()),
+        expected: Expected { stations: flown.net(), tips_m },
+        flown: flown.clone(),
+        trim_tip,
+        origin,
+    })
+}
+
+/// Largest difference of two flights' loads at stations, as a share of the largest force or moment.
+fn repeat(first: &[[f64; 6]], again: &[[f64; 6]]) -> f64 {
+    let of_kind = |from: usize| {
+        let pairs =
+            || first.iter().zip(again).flat_map(|(a, b)| a[from..from + 3].iter().zip(&b[from..from + 3]));
+        let largest = pairs().fold(0.0_f64, |most, (a, _)| most.max(a.abs()));
+        pairs().fold(0.0_f64, |most, (a, b)| most.max((a - b).abs())) / largest.max(f64::MIN_POSITIVE)
+    };
+    of_kind(0).max(of_kind(3))
 }
 
 fn worst(rows: &[Row]) -> RoundTripResult {
@@ -157,10 +191,12 @@ fn worst(rows: &[Row]) -> RoundTripResult {
     };
     let is_tip = |row: &Row| row.what == "deflection_m";
     RoundTripResult {
-        stations: most(&|row| !is_tip(row) && row.place != "balance"),
+        stations: most(&|row| !is_tip(row) && !["balance", "structure"].contains(&row.place.as_str())),
         balance: most(&|row| row.place == "balance"),
         tip: most(&is_tip),
+        structure: most(&|row| row.place == "structure"),
         trim_tip: 0.0,
+        repeat: 0.0,
     }
 }
 
@@ -179,12 +215,10 @@ fn index_csv(cards: &[Card], common: &[String], factor: f64) -> String {
     text
 }
 
-fn stations_csv(selection: &Selection, flights: &Flights<'_>, flown: &Flown, common: &[String]) -> String {
+fn stations_csv(selection: &Selection, flights: &Flights<'_>, cards: &[Card], common: &[String]) -> String {
     let mut text = comment(common) + "sid,case,instant,t_s,station,component," + &LOADS.join(",") + "\n";
-    for one in &selection.selected {
-        let model = usize::from(one.model == Model::Updated);
-        let Some(case) = flown.case(model, one.case) else { continue };
-        let Some(instant) = case.instants.get(one.instant - 1) else { continue };
+    for (one, card) in selection.selected.iter().zip(cards) {
+        let instant = &card.flown;
         for (station, components) in flights.stations.iter().zip(&instant.loads) {
             for (component, loads) in Component::ALL.iter().zip(components) {
                 // Writing to a String cannot fail.

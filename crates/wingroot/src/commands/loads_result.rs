@@ -80,8 +80,12 @@ pub(crate) struct RoundTripResult {
     pub(crate) balance: f64,
     /// Height of the tips, over what each load does to them.
     pub(crate) tip: f64,
+    /// Coefficients of stiffness of the structure that was read, over the geometric mean of their diagonals.
+    pub(crate) structure: f64,
     /// Height of the tips as trims have them beside that of their loads on the structure, over the same: how exactly the structure is solved.
     pub(crate) trim_tip: f64,
+    /// Loads at stations of selected cases flown again beside those of the first flight.
+    pub(crate) repeat: f64,
 }
 
 impl LoadsResult {
@@ -124,10 +128,11 @@ impl LoadsResult {
         }
         let cases: std::collections::BTreeSet<usize> = self.selected.iter().map(|one| one.case).collect();
         let _ = writeln!(text, "selected     {} instants of {} cases", self.selected.len(), cases.len());
-        if let Some(RoundTripResult { stations, balance, tip, trim_tip }) = self.round_trip {
+        if let Some(RoundTripResult { stations, balance, tip, structure, trim_tip, repeat }) = self.round_trip
+        {
             let _ = writeln!(
                 text,
-                "round trip   stations {stations:.1e}, whole aircraft {balance:.1e} of the load, tip {tip:.1e}: reproduced (tips of trims {trim_tip:.1e})"
+                "round trip   stations {stations:.1e}, whole aircraft {balance:.1e} of the load, tip {tip:.1e}, structure {structure:.1e}: reproduced (tips of trims {trim_tip:.1e}, flown again {repeat:.1e})"
             );
         }
         text

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, HashMap};
 use std::fmt::Write as _;
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::common::Common;
@@ -16,7 +17,7 @@ use crate::sweep::split::Weighed;
 const SHOWN: usize = 5;
 
 /// How far a sweep is.
-#[derive(Debug, Default, Serialize)]
+#[derive(Debug, Default, Serialize, JsonSchema)]
 pub struct Status {
     /// Name of the command.
     command: &'static str,
@@ -30,7 +31,8 @@ pub struct Status {
     slowest: Vec<One>,
     /// Time of all finished cases together, s.
     seconds: f64,
-    /// What the others will take by the costs of the table, s; none if nothing is finished.
+    /// What the others will take by the costs of the table, s; left out if nothing is finished.
+    #[serde(skip_serializing_if = "Option::is_none")]
     seconds_left: Option<f64>,
     /// Segments of other inputs, with what differs.
     other_inputs: Vec<String>,
@@ -39,13 +41,14 @@ pub struct Status {
 }
 
 /// A finished case.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 struct One {
     /// Its hash, for `--case`.
     hash: String,
     /// What it is.
     case: String,
-    /// What it took, s.
+    /// What it took, s; left out if it is not known.
+    #[serde(skip_serializing_if = "Option::is_none")]
     seconds: Option<f64>,
 }
 

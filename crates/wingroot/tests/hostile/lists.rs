@@ -122,7 +122,6 @@ fn large() -> Vec<Row> {
         refused("calibrate", "wing.ron", boxes(100, 1_000_000), "wing.ron: & spanwise"),
         refused(flutter, "wing.ron", boxes(100, 200), "20000 boxes"),
         refused(cases, "wing.ron", boxes(100, 200), "20000 boxes"),
-        refused(cases, "cases.ron", rates(500_000), "cases.ron: & the most of a file"),
-        refused(cases, "cases.ron", rates(60_000), "cases.ron: & the most of a file"),
+        refused(cases, "cases.ron", rates(700_000), "cases.ron: & the most of a file"),
     ]
 }
