@@ -133,10 +133,12 @@ impl PlanFlight<'_> {
         let steady = at.nodal_loads(&level);
         let trim = LoadedTrim { model, air, trimmed: &trimmed, steady, drives };
         let flight = FlightLoads::new(trim, self.stations.to_vec(), TIME_STEP_S)?;
+        let cases = self.stable(&flight, which, cases, done)?;
+        let cases = &cases;
         for case in cases {
             if let Some(motion) = self.motion(case) {
                 let place = names.iter().position(|name| Some(name.as_str()) == motion.control());
-                let samples = count(motion.record_s() + AFTER_S);
+                let samples = count(self.duration_s(case, v_m_s));
                 let mut commands = vec![Vec::new(); names.len()];
                 if let Some(place) = place {
                     commands[place] = sampled(motion.kind(), TIME_STEP_S, samples);
@@ -151,9 +153,9 @@ impl PlanFlight<'_> {
             let longest_m = together.iter().map(|(_, gust)| gust.length_m).fold(0.0, f64::max);
             let samples = count(longest_m / v_m_s + AFTER_S);
             let all: Vec<Gust> = together.iter().map(|(_, gust)| *gust).collect();
-            for ((case, gust), flown) in together.iter().zip(flight.fly_gusts(&all, samples)) {
+            for ((case, _), flown) in together.iter().zip(flight.fly_gusts(&all, samples)) {
                 // what counts of a flight does not depend on what is flown beside it
-                let own = count(gust.length_m / v_m_s + AFTER_S);
+                let own = count(self.duration_s(case, v_m_s));
                 self.give(&flown, own, (case.number, which), done)?;
             }
         }
@@ -176,6 +178,39 @@ impl PlanFlight<'_> {
             let at = flown.t_s.iter().position(|known| (known - t_s).abs() < 0.5 * TIME_STEP_S)?;
             Some(flown.nodal_loads(at))
         })
+    }
+
+    /// Cases but those with a motion that doubles while they are flown: their loads are those of the time flown, and are refused.
+    fn stable<'c, E: From<AircraftError>>(
+        &self,
+        flight: &FlightLoads<'_>,
+        which: usize,
+        cases: &[&'c Case],
+        done: &mut Done<'_, E>,
+    ) -> Result<Vec<&'c Case>, E> {
+        let Some(doubling_s) = flight.doubling_s() else { return Ok(cases.to_vec()) };
+        let (stable, unstable): (Vec<&Case>, Vec<&Case>) =
+            cases.iter().partition(|case| doubling_s > self.duration_s(case, flight.v_m_s()));
+        let why = format!(
+            "level flight is unstable with this mass, a motion doubles in {doubling_s:.2} s: loads would grow with the time flown (an \
+             aircraft that is stabilised needs its control laws)"
+        );
+        for case in unstable {
+            let refused = FlownCase {
+                number: case.number,
+                model: which,
+                refused: Some(why.clone()),
+                instants: Vec::new(),
+            };
+            done(refused, &|_| None)?;
+        }
+        Ok(stable)
+    }
+
+    /// How long a case is flown in time, s.
+    fn duration_s(&self, case: &Case, v_m_s: f64) -> f64 {
+        let moved_s = self.motion(case).map_or(0.0, MotionSpec::record_s);
+        gust(case).map_or(moved_s, |gust| gust.length_m / v_m_s) + AFTER_S
     }
 
     fn motion(&self, case: &Case) -> Option<&MotionSpec> {

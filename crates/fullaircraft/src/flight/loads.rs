@@ -91,6 +91,16 @@ pub struct LoadedTrim<'a> {
 }
 
 impl<'a> FlightLoads<'a> {
+    /// Airspeed of the trim, m/s.
+    pub fn v_m_s(&self) -> f64 {
+        self.free.v_m_s()
+    }
+
+    /// How long the fastest growing motion of level flight takes to double, s; none if nothing grows.
+    pub fn doubling_s(&self) -> Option<f64> {
+        self.free.doubling_s()
+    }
+
     /// Linearises the flight of a trimmed aircraft that may meet gusts, in steps of `time_step_s`.
     ///
     /// # Errors

@@ -111,11 +111,19 @@ impl FreeFlight {
 
     /// A sentence if a motion doubles within `duration_s` without any input: rounding errors then grow, too.
     pub fn warning(&self, name: &str, duration_s: f64) -> Option<String> {
+        let doubling_s = self.doubling_s().filter(|doubling_s| *doubling_s < duration_s)?;
+        Some(format!("{name}: the free aircraft is unstable, a motion doubles in {doubling_s:.2} s"))
+    }
+
+    /// Airspeed of the trim, m/s.
+    pub fn v_m_s(&self) -> f64 {
+        self.flying.equations.reference.v_m_s
+    }
+
+    /// How long the fastest growing motion takes to double, s; none if nothing grows.
+    pub fn doubling_s(&self) -> Option<f64> {
         let rate = self.growth_rate_per_s()?;
-        (rate * duration_s > std::f64::consts::LN_2).then(|| {
-            let doubling_s = std::f64::consts::LN_2 / rate;
-            format!("{name}: the free aircraft is unstable, a motion doubles in {doubling_s:.2} s")
-        })
+        (rate > 0.0).then(|| std::f64::consts::LN_2 / rate)
     }
 
     /// The answer to a motion of what moves the aircraft.
