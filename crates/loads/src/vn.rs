@@ -204,8 +204,8 @@ impl Diagram {
                 }
             };
             let end = |v: Option<f64>, most: f64| v.unwrap_or(most).min(most);
-            along("stall", end(self.v_a_least_m_s, vd), &|v| stall.factors(v).1);
-            along("inverted stall", end(self.v_g_m_s, self.speeds.vc), &|v| stall.factors(v).0);
+            along("stall line", end(self.v_a_least_m_s, vd), &|v| stall.factors(v).1);
+            along("inverted stall line", end(self.v_g_m_s, self.speeds.vc), &|v| stall.factors(v).0);
         }
         let (n1, vc) = (self.factors.n1, self.speeds.vc);
         let from = |v: Option<f64>| v.unwrap_or(0.0);

@@ -8,9 +8,11 @@ use coupling::{CouplingError, ElasticWing, WingFile};
 use nastran::InputError;
 
 use crate::args::{Given, Measured};
-use crate::ensemble::ensemble_beside;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
+
+/// File of an ensemble, beside the corrections that it spreads about.
+pub(crate) const ENSEMBLE: &str = "ensemble.ron";
 
 impl From<CouplingError> for Failure {
     fn from(error: CouplingError) -> Self {
@@ -91,6 +93,22 @@ pub(crate) fn corrected_wing(given: &Given) -> Result<CorrectedWing, Failure> {
         return Err(Failure::Computation(message + "; --accept-unconverged goes on with it"));
     }
     Ok(CorrectedWing { file, wing, schedule, origin, ensemble: None })
+}
+
+/// The ensemble beside corrections; none if there is no such file or it is of other corrections, which is said.
+fn ensemble_beside(corrections: &Path, schedule: &Schedule) -> Result<Option<Ensemble>, InputError> {
+    let path = corrections.with_file_name(ENSEMBLE);
+    if !path.is_file() {
+        return Ok(None);
+    }
+    let ensemble = Ensemble::read(&path, schedule)?;
+    if ensemble.wing_hash == schedule.wing_hash
+        && ensemble.corrections == coupling::wing_file::fingerprint(&schedule.to_ron())
+    {
+        return Ok(Some(ensemble));
+    }
+    crate::show::note(&format!("{} is of other corrections: no intervals", path.display()));
+    Ok(None)
 }
 
 impl Given {

@@ -2,22 +2,18 @@
 
 use std::path::Path;
 
+use calibrate::Schedule;
 use calibrate::ensemble::interval;
-use calibrate::{Ensemble, Schedule};
 use coupling::ElasticWing;
-use coupling::wing_file::{Departure, Mount, fingerprint};
-use nastran::InputError;
+use coupling::wing_file::{Departure, Mount};
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-use crate::corrections::CorrectedWing;
+use crate::corrections::{CorrectedWing, ENSEMBLE};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
-
-/// File of an ensemble, beside the corrections that it spreads about.
-pub(crate) const FILE: &str = "ensemble.ron";
 
 /// 90 % intervals, as corrections, stiffness and control surfaces are known.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -28,28 +24,11 @@ pub(crate) struct Intervals {
     pub(crate) of_updated: Value,
 }
 
-/// The ensemble beside corrections; none if there is no such file or it is of other corrections, which is said.
-pub(crate) fn ensemble_beside(
-    corrections: &Path,
-    schedule: &Schedule,
-) -> Result<Option<Ensemble>, InputError> {
-    let path = corrections.with_file_name(FILE);
-    if !path.is_file() {
-        return Ok(None);
-    }
-    let ensemble = Ensemble::read(&path, schedule)?;
-    if ensemble.wing_hash == schedule.wing_hash && ensemble.corrections == fingerprint(&schedule.to_ron()) {
-        return Ok(Some(ensemble));
-    }
-    crate::show::note(&format!("{} is of other corrections: no intervals", path.display()));
-    Ok(None)
-}
-
 impl CorrectedWing {
     /// Where the wings are from whose spread intervals are, in words; none without them.
     pub(crate) fn intervals_from(&self) -> Option<String> {
         let wings = self.ensemble.as_ref()?.members.len();
-        Some(format!("{wings} wings of {}", Path::new(&self.origin).with_file_name(FILE).display()))
+        Some(format!("{wings} wings of {}", Path::new(&self.origin).with_file_name(ENSEMBLE).display()))
     }
 
     /// Computes the same with every wing of the ensemble, in their order; empty without one.
@@ -88,7 +67,7 @@ pub(crate) fn write_corrections(
     let names = corrected.wing.control_names();
     let known: Vec<usize> = (0..names.len()).filter(|&i| known.contains(&names[i])).collect();
     let about = corrected.ensemble.clone().and_then(|e| e.about(&corrected.schedule, schedule, &known));
-    about.map_or(Ok(()), |ensemble| folder.write_text(FILE, &ensemble.to_ron()?))
+    about.map_or(Ok(()), |ensemble| folder.write_text(ENSEMBLE, &ensemble.to_ron()?))
 }
 
 /// The 90 % interval of every number of a result, `[low, high]` in its place; names and what is no number are left out. Where a

@@ -51,9 +51,20 @@ fn shipped() -> Vec<(PathBuf, &'static str, Value)> {
     let read = |path: PathBuf| {
         let text = std::fs::read_to_string(&path).expect("a shipped file");
         let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
-        let kinds =
-            ["wing", "campaign", "aircraft", "cases", "tunnel", "response", "null_distribution", "flight"];
+        let kinds = [
+            "wing",
+            "campaign",
+            "aircraft",
+            "cases",
+            "select",
+            "tunnel",
+            "response",
+            "null_distribution",
+            "flight",
+        ];
         let kind = kinds.into_iter().find(|kind| name.starts_with(kind)).unwrap_or("maneuver");
+        // a plan of design loads is a grid of cases with more fields
+        let kind = if name.starts_with("loads") { "cases" } else { kind };
         (path, kind, converted(&text))
     };
     files(&data("")).into_iter().filter(is_ron).map(read).collect()

@@ -5,12 +5,12 @@
 //! exact with eight wings. What is left is random, in pairs of opposite sign. The same Gaussians serve all airspeeds, as one wing
 //! is off alike at all of them.
 
-use super::{Ensemble, Member};
+use super::file::{Ensemble, Member};
+use super::moved::{moved, short};
 use crate::posterior::predictions::Quantity;
 use crate::posterior::{AirspeedPosterior, Spread, Unknowns};
 use crate::schedule::{CorrectionSet, Schedule};
 use crate::sensors::Reading;
-use aero::Corrections;
 use coupling::wing_file::CorrectionPrior;
 use coupling::{ElasticWing, wing_file};
 use faer::{Mat, Side};
@@ -24,8 +24,6 @@ const MEMBERS: usize = 8;
 const EXACT: usize = MEMBERS - 1;
 /// Seed of the random part.
 const SEED: u64 = 1;
-/// Least factor on a box's force: pressures that panel methods have do not turn round.
-const LEAST_FORCE: f64 = 0.05;
 
 /// The wings that `known` leaves as likely, about the corrections of `schedule`; none where one set serves all airspeeds or
 /// nothing is known.
@@ -65,27 +63,6 @@ pub fn ensemble(
         corrections: wing_file::fingerprint(&schedule.to_ron()),
         members: gaussians.iter().map(member).collect(),
     })
-}
-
-/// Corrections moved by as much as others differ.
-pub(super) fn moved(centre: &Corrections, to: &Corrections, from: &Corrections) -> Corrections {
-    let family = |of: fn(&Corrections) -> &Vec<f64>, least: f64| {
-        of(centre)
-            .iter()
-            .zip(of(to).iter().zip(of(from)))
-            .map(|(centre, (to, from))| short((centre + to - from).max(least.min(*centre))))
-            .collect()
-    };
-    Corrections {
-        force: family(|c| &c.force, LEAST_FORCE),
-        moment: family(|c| &c.moment, f64::NEG_INFINITY),
-        pressure_offset: family(|c| &c.pressure_offset, f64::NEG_INFINITY),
-    }
-}
-
-/// Seven decimals: no spread is known better, and the file stays small.
-fn short(value: f64) -> f64 {
-    (value * 1e7).round() / 1e7
 }
 
 /// Orthonormal directions of the Gaussians, `count` by at most [`EXACT`], in which predictions have most of their variance. Each

@@ -3,113 +3,14 @@
 //!
 //! `calibrate` writes it as `ensemble.ron` beside `corrections.ron`.
 
+mod file;
 mod members;
+mod moved;
 
+pub use file::{Ensemble, Member};
 pub use members::ensemble;
 
 use crate::HALF_90;
-use crate::schedule::{CorrectionSet, Schedule};
-use coupling::wing_file;
-use nastran::{InputError, ron_file};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-use std::path::Path;
-
-/// More wings than this say nothing new, and reading them would take the memory.
-const MOST: usize = 1000;
-
-/// A wing of an ensemble.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Member {
-    /// Logarithms of the factors on the structure's flexibility in bending and in torsion.
-    pub log_flexibility: [f64; 2],
-    /// Factor on what each control surface does, in the wing's order.
-    pub controls: Vec<f64>,
-    /// Corrections, at the airspeeds of `corrections.ron`.
-    pub sets: Vec<CorrectionSet>,
-}
-
-/// See the module; its mean is the calibrated wing.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Ensemble {
-    /// Name of the wing.
-    pub wing: String,
-    /// Hash of the wing's file and what it names.
-    pub wing_hash: String,
-    /// Fingerprint of the text of the corrections that the ensemble spreads about.
-    pub corrections: String,
-    /// The wings.
-    pub members: Vec<Member>,
-}
-
-impl Ensemble {
-    /// Reads `ensemble.ron`.
-    ///
-    /// # Errors
-    /// A missing or misspelt field, no members or too many, or members whose sets are not those of `schedule`.
-    pub fn read(path: &Path, schedule: &Schedule) -> Result<Self, InputError> {
-        let ensemble: Self = ron_file::read(path)?;
-        let refuse = |message: String| {
-            Err(InputError::in_field(path, "members", message).with_help(
-                "run `wingroot calibrate` again, which writes ensemble.ron beside corrections.ron",
-            ))
-        };
-        if !(1..=MOST).contains(&ensemble.members.len()) {
-            return refuse(format!("{} wings, expected 1 to {MOST}", ensemble.members.len()));
-        }
-        for (index, member) in ensemble.members.iter().enumerate() {
-            let alike = member.sets.len() == schedule.sets.len()
-                && member.sets.iter().zip(&schedule.sets).all(|(a, b)| {
-                    a.v_m_s == b.v_m_s
-                        && [&a.corrections.force, &a.corrections.moment, &a.corrections.pressure_offset]
-                            .iter()
-                            .all(|values| values.len() == b.corrections.len())
-                });
-            if !alike {
-                return refuse(format!(
-                    "wing {} has other airspeeds or boxes than the corrections",
-                    index + 1
-                ));
-            }
-        }
-        Ok(ensemble)
-    }
-
-    /// The same wings about other corrections of the same airspeeds, each moved by as much as the corrections were, for a wing whose
-    /// `known` control surfaces (by index) were measured since; none for other airspeeds.
-    pub fn about(mut self, from: &Schedule, to: &Schedule, known: &[usize]) -> Option<Self> {
-        let airspeeds = |schedule: &Schedule| schedule.sets.iter().map(|set| set.v_m_s).collect::<Vec<_>>();
-        if airspeeds(from) != airspeeds(to) {
-            return None;
-        }
-        for member in &mut self.members {
-            for (set, (from, to)) in member.sets.iter_mut().zip(from.sets.iter().zip(&to.sets)) {
-                set.corrections = members::moved(&set.corrections, &to.corrections, &from.corrections);
-            }
-            for &control in known {
-                member.controls[control] = 1.0;
-            }
-        }
-        self.wing.clone_from(&to.wing);
-        self.wing_hash.clone_from(&to.wing_hash);
-        self.corrections = wing_file::fingerprint(&to.to_ron());
-        Some(self)
-    }
-
-    /// The file's text.
-    ///
-    /// # Errors
-    /// If a number cannot be written.
-    pub fn to_ron(&self) -> Result<String, InputError> {
-        let text = ron_file::to_text(self)?;
-        Ok(format!(
-            "// Wings that the campaign leaves as likely as its uncertainty says: simulate, flutter and fullaircraft fly each of them\n\
-             // and give 90 % intervals by how far they spread about the wing of corrections.ron.\n{text}"
-        ))
-    }
-}
 
 /// The 90 % interval of what the calibrated wing has as `value` and the wings of an ensemble as `members`.
 pub fn interval(value: f64, members: &[f64]) -> [f64; 2] {

@@ -59,6 +59,8 @@ pub struct Expected {
 #[derive(Debug)]
 pub struct RoundTrip<'a> {
     stations: &'a [Station],
+    /// Our nodes.
+    points: Vec<Point3<f64>>,
     /// From our nodes to those that were read.
     nodes: Vec<usize>,
     read: System,
@@ -131,7 +133,13 @@ impl<'a> RoundTrip<'a> {
         let nodes: Vec<usize> = nodes.collect::<Result<_, _>>()?;
         let tips = tips_by_loads(&aircraft.free, aircraft.centre, [aircraft.right.tip, aircraft.left.tip])?;
         let stiffness_off = stiffness_off(&aircraft.free, &read);
-        Ok(Self { stations, nodes, read, tips, stiffness_off })
+        let points = aircraft.free.points().to_vec();
+        Ok(Self { stations, points, nodes, read, tips, stiffness_off })
+    }
+
+    /// The aircraft's nodes.
+    pub fn points(&self) -> &[Point3<f64>] {
+        &self.points
     }
 
     /// Height of both tips by loads on the aircraft's g-set, g-set by 2, m/N and m/N m.

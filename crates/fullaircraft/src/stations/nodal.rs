@@ -25,7 +25,7 @@ impl Component {
             Self::Air => "air",
             Self::Inertia => "inertia",
             Self::Thrust => "thrust",
-            Self::Damping => "damping",
+            Self::Damping => "structural damping",
             Self::Net => "net",
         }
     }

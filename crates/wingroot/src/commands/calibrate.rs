@@ -23,7 +23,7 @@ use crate::commands::calibrate_result::{
 use crate::commands::calibrate_shapes;
 use crate::commands::calibrate_strips::{self, Strips};
 use crate::commands::result_parts::{Channels, as_json};
-use crate::corrections::schedule;
+use crate::corrections::{ENSEMBLE, schedule};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
@@ -77,7 +77,7 @@ pub(crate) fn run(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> 
     let schedule = schedule(&file, &calibration);
     folder.write_text("corrections.ron", &schedule.to_ron())?;
     if let Some(ensemble) = ensemble(&wing, &file.correction.prior, &schedule, &predictions) {
-        folder.write_text(crate::ensemble::FILE, &ensemble.to_ron()?)?;
+        folder.write_text(ENSEMBLE, &ensemble.to_ron()?)?;
     }
     write(&folder, &wing, &calibration, strips.as_ref())?;
     calibrate_predictions::write(&folder, &wing, &predictions)?;

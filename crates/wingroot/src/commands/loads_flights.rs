@@ -7,7 +7,7 @@ use aero::Corrections;
 use fullaircraft::cases::file::Action;
 use fullaircraft::cases::list::MODELS;
 use fullaircraft::design_loads::fly::PlanFlight;
-use fullaircraft::design_loads::instants::{FlownCase, FlownInstant};
+use fullaircraft::design_loads::instants::FlownCase;
 use fullaircraft::{Aircraft, CasesFile, FlightAir, NodalLoads, Station, TrimTools};
 use loads::matrix::{Action as Planned, Case, Status};
 use loads::select::Instant;
@@ -41,9 +41,6 @@ pub(crate) struct Flown {
     pub(crate) cases: Vec<FlownCase>,
 }
 
-/// Instants of two flights this close in time are one: a tenth of a time step.
-const SAME_S: f64 = 2e-4;
-
 /// An instant that is asked for: model, number of the case, instant from zero, time, s.
 pub(crate) type Wanted = (usize, usize, usize, f64);
 
@@ -53,8 +50,6 @@ pub(crate) struct FlownAgain {
     pub(crate) number: usize,
     /// From zero.
     pub(crate) instant: usize,
-    /// Its loads at stations; none if this flight has no end of a load there.
-    pub(crate) flown: Option<FlownInstant>,
     pub(crate) nodal: NodalLoads,
 }
 
@@ -136,9 +131,7 @@ impl<'a> Flights<'a> {
                     let nodal = loads(t_s).ok_or_else(|| {
                         Failure::Computation(format!("case {number} has no instant {}", instant + 1))
                     })?;
-                    let same = |at: &&FlownInstant| (at.t_s - t_s).abs() < SAME_S;
-                    let flown = flown.instants.iter().find(same).cloned();
-                    let again = FlownAgain { model, number, instant, flown, nodal };
+                    let again = FlownAgain { model, number, instant, nodal };
                     found.lock().map_err(Failure::computation)?.push(again);
                 }
             }

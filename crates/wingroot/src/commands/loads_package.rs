@@ -3,10 +3,10 @@
 
 use std::fmt::Write as _;
 
-use fullaircraft::Component;
 use fullaircraft::design_loads::instants::FlownInstant;
 use fullaircraft::package::cards::{CardCase, index, structure};
 use fullaircraft::package::round_trip::{Expected, LOADS, RoundTrip, Row, round_trip_csv};
+use fullaircraft::{Component, Station};
 use loads::Selection;
 use loads::select::Selected;
 use loads::select::file::{Component as Exported, ExportAt, Model, SelectFile};
@@ -36,9 +36,9 @@ struct Card {
     expected: Expected,
     /// How far a trim's own tips are from those of its loads on the structure, over what each load does to them.
     trim_tip: f64,
-    /// How far its stations' loads are from those of the first flight.
+    /// How far these sums are from the first flight's loads at stations.
     repeat: f64,
-    /// The instant that the cards are of.
+    /// The instant, with the sums of the nodal loads that are on the cards.
     flown: FlownInstant,
     origin: Vec<String>,
 }
@@ -71,7 +71,7 @@ pub(crate) fn package(
     let back = RoundTrip::new(aircraft, &flights.stations, &deck)?;
     let (mut cards, mut rows) = (Vec::new(), Vec::new());
     for (one, again) in selection.selected.iter().zip(&again) {
-        let card = card(one, again, flights, flown, &common, back.tips())?;
+        let card = card(one, again, flights, flown, &common, &back)?;
         rows.extend(back.compare(&card.case, &card.text, &card.expected)?);
         cards.push(card);
     }
@@ -85,7 +85,8 @@ pub(crate) fn package(
     let (trim_tip, repeat) = (most(|card| card.trim_tip), most(|card| card.repeat));
     if repeat > REPEAT {
         return Err(Failure::Computation(format!(
-            "cases flown again differ at stations by {repeat:.1e} of the largest load (at most {REPEAT:.0e}); no package is written"
+            "nodal loads of cases flown again differ at stations by {repeat:.1e} of the largest load (at most {REPEAT:.0e}); no package is \
+             written"
         )));
     }
     let mut files = vec![("aircraft.bdf".to_owned(), deck.into_bytes())];
@@ -139,13 +140,16 @@ fn card(
     flights: &Flights<'_>,
     flown: &Flown,
     common: &[String],
-    tips: faer::MatRef<'_, f64>,
+    back: &RoundTrip<'_>,
 ) -> Result<Card, Failure> {
+    let tips = back.tips();
     let FlownAgain { model, number, instant, .. } = *again;
     let lost = || Failure::Computation(format!("case {number} was selected and is not there"));
     let case = case_of(flights.matrix, number).ok_or_else(lost)?;
     let first = flown.case(model, number).and_then(|case| case.instants.get(instant)).ok_or_else(lost)?;
-    let flown = again.flown.as_ref().unwrap_or(first);
+    let parts = Component::ALL.map(|component| again.nodal.of(component));
+    let sums = |station: &Station| std::array::from_fn(|part| station.sums(back.points(), &parts[part]));
+    let flown = FlownInstant { loads: flights.stations.iter().map(sums).collect(), ..first.clone() };
     let mass = &flights.design.masses[case.mass].name;
     let net = again.nodal.of(Component::Net);
     let does = |side: usize| net.iter().enumerate().map(move |(dof, load)| tips[(dof, side)] * load);
@@ -168,7 +172,7 @@ fn card(
         text,
         repeat: repeat(&first.net(), &flown.net()),
         expected: Expected { stations: flown.net(), tips_m },
-        flown: flown.clone(),
+        flown,
         trim_tip,
         origin,
     })

@@ -84,7 +84,7 @@ pub(crate) struct RoundTripResult {
     pub(crate) structure: f64,
     /// Height of the tips as trims have them beside that of their loads on the structure, over the same: how exactly the structure is solved.
     pub(crate) trim_tip: f64,
-    /// Loads at stations of selected cases flown again beside those of the first flight.
+    /// Sums of nodal loads at stations, of selected cases flown again, beside the first flight's loads there.
     pub(crate) repeat: f64,
 }
 
