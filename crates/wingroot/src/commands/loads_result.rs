@@ -126,6 +126,13 @@ impl LoadsResult {
                 self.failed.len()
             );
         }
+        if let Some(first) = self.failed.first() {
+            let _ = writeln!(
+                text,
+                "failed       case {} ({}): {}; cases.csv has all",
+                first.case, first.model, first.why
+            );
+        }
         let cases: std::collections::BTreeSet<usize> = self.selected.iter().map(|one| one.case).collect();
         let _ = writeln!(text, "selected     {} instants of {} cases", self.selected.len(), cases.len());
         if let Some(RoundTripResult { stations, balance, tip, structure, trim_tip, repeat }) = self.round_trip
