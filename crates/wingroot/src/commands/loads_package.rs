@@ -43,7 +43,8 @@ struct Card {
     origin: Vec<String>,
 }
 
-/// Most that loads at stations of a case flown again may differ from the first flight's: two solutions with thin shells differ by 1e-8.
+/// Most that loads at stations of a case flown again may differ from the first flight's: they are
+/// sums of other numbers, and with thin shells differ by 2e-7.
 const REPEAT: f64 = 1e-6;
 
 /// Makes the package.
