@@ -58,6 +58,25 @@ pub struct ElasticWing {
     pub(crate) cp_displacement: Mat<f64>,
 }
 
+/// Reads a wing's file and everything it names, assembles the wing in the tunnel, and says what was not read of it and what is
+/// suspicious.
+pub(crate) fn read_wing<W>(
+    path: &Path,
+    assemble: impl FnOnce(&WingFile, &BulkData) -> Result<W, CouplingError>,
+) -> Result<(WingFile, W), CouplingError> {
+    let file = WingFile::read(path)?;
+    let bulk = file.bulk(Mount::Tunnel)?;
+    if let Some(cards) = bulk.unread_cards() {
+        tracing::warn!("{}: cards that are not read: {cards}", file.path.display());
+    }
+    // before it is assembled: a wing in wrong units may not carry its own weight
+    for said in suspicion::of_wing(&bulk, &Lattice::from_bulk(&bulk)?) {
+        tracing::warn!("{}: {said}", file.path.display());
+    }
+    let wing = assemble(&file, &bulk).map_err(|error| blame_root_plane(error, &file))?;
+    Ok((file, wing))
+}
+
 impl ElasticWing {
     /// Names of the control surfaces, in their order.
     pub fn control_names(&self) -> Vec<String> {
@@ -125,20 +144,12 @@ impl ElasticWing {
     /// # Errors
     /// Bad input, a structure that is not held, a box across the root plane.
     pub fn read(path: &Path) -> Result<(WingFile, Self), CouplingError> {
-        let file = WingFile::read(path)?;
-        let bulk = file.bulk(Mount::Tunnel)?;
-        if let Some(cards) = bulk.unread_cards() {
-            tracing::warn!("{}: cards that are not read: {cards}", file.path.display());
-        }
-        let wing = Self::from_bulk(&file, &bulk).map_err(|error| blame_root_plane(error, &file))?;
+        let (file, wing) = read_wing(path, Self::from_bulk)?;
         if file.geometry == Geometry::Nonlinear {
             tracing::warn!(
                 "{}: geometry is Nonlinear, but deflections are taken as small here; `wingroot statics --wing` has them large",
                 file.path.display()
             );
-        }
-        for said in suspicion::of_wing(&bulk, &wing.lattice) {
-            tracing::warn!("{}: {said}", file.path.display());
         }
         Ok((file, wing))
     }
@@ -193,7 +204,7 @@ impl ElasticWing {
 }
 
 /// A plane that does not fit the boxes is the file's `root_plane`.
-pub(crate) fn blame_root_plane(error: CouplingError, file: &WingFile) -> CouplingError {
+fn blame_root_plane(error: CouplingError, file: &WingFile) -> CouplingError {
     match error {
         CouplingError::Aero(
             plane

@@ -47,14 +47,17 @@ impl Case {
     }
 
     fn warns(&self, expected: &str) {
-        let output = self.calibrate();
-        let said = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert!(
-            said.lines().any(|line| line.contains("WARN") && line.contains(expected)),
-            "`{expected}` is not in: {said}"
-        );
-        assert!(!said.contains("panicked"), "{said}");
+        said_of(&self.calibrate(), expected);
     }
+}
+
+fn said_of(output: &Output, expected: &str) {
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(
+        said.lines().any(|line| line.contains("WARN") && line.contains(expected)),
+        "`{expected}` is not in: {said}"
+    );
+    assert!(!said.contains("panicked"), "{said}");
 }
 
 impl Drop for Case {
@@ -195,6 +198,15 @@ fn a_deck_with_grids_in_millimetres_and_boxes_in_metres_is_suspected() {
     case.warns("a thousandfold apart");
     case.warns("softer than rubber: is it in MPa or GPa instead of Pa?");
     case.warns("lighter than foam");
+    // whatever is computed with it, and whether or not it carries its own weight
+    let statics = Command::new(env!("CARGO_BIN_EXE_wingroot"))
+        .args(["statics", "--nonlinear", "--wing"])
+        .arg(case.0.join("w/wing.ron"))
+        .arg("--out")
+        .arg(case.0.join("out"))
+        .output()
+        .expect("the command starts");
+    said_of(&statics, "softer than rubber");
 }
 
 #[test]

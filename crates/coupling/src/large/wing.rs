@@ -5,8 +5,8 @@ use super::boxes::CarriedBoxes;
 use crate::case::SteadyCase;
 use crate::error::CouplingError;
 use crate::root_loads::RootLoads;
-use crate::wing::{ElasticWing, blame_root_plane};
-use crate::wing_file::{Mount, SplineKind, WingFile};
+use crate::wing::{ElasticWing, read_wing};
+use crate::wing_file::{SplineKind, WingFile};
 use crate::wing_parts::{spline_nodes, wing_parts};
 use aero::{BoxLoads, Corrections, Lattice};
 use nalgebra::{Point3, Vector3};
@@ -60,13 +60,7 @@ impl LargeWing {
     /// # Errors
     /// Bad input, and as [`LargeWing::from_bulk`].
     pub fn read(path: &Path) -> Result<(WingFile, Self), CouplingError> {
-        let file = WingFile::read(path)?;
-        let bulk = file.bulk(Mount::Tunnel)?;
-        if let Some(cards) = bulk.unread_cards() {
-            tracing::warn!("{}: cards that are not read: {cards}", file.path.display());
-        }
-        let wing = Self::from_bulk(&file, &bulk).map_err(|error| blame_root_plane(error, &file))?;
-        Ok((file, wing))
+        read_wing(path, Self::from_bulk)
     }
 
     /// A wing file's wing.
