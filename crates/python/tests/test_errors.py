@@ -31,11 +31,16 @@ def test_corrections_of_another_wing_are_refused(data, own_wing):
         wingroot.flutter(data / "tuflex/wing.ron", data / "tuflex/measured", corrections=own_wing[1])
 
 
-def test_what_cannot_be_completed_is_a_computation_error(own_wing):
+def test_what_cannot_be_completed_is_a_computation_error(data):
+    # by linear theory the wing diverges at 107 m/s, and without lift it does not bend away from it
+    with pytest.raises(wingroot.ComputationError, match="no stable equilibrium") as raised:
+        wingroot.command("statics", wing=data / "pazy/wing.ron", nonlinear=True, airspeeds="90,130", alpha=0)
+    assert raised.value.result is None
+
+
+def test_a_wing_has_no_more_modes_than_motions_with_mass(own_wing):
     wing, _ = own_wing
-    with pytest.raises(wingroot.ComputationError) as raised:
-        wingroot.modes(wing, count=10_000)
-    assert "144" in raised.value.message and raised.value.result is None
+    assert 0 < len(wingroot.modes(wing, count=10_000)["frequencies_hz"]) < 10_000
 
 
 def test_a_result_that_was_not_there_names_those_that_are(own_wing):
