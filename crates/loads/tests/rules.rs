@@ -7,7 +7,7 @@ mod plan;
 use close::close;
 use common::{number, reference};
 use loads::design::{GustSpeeds, Rules, Speed};
-use loads::rules::discrete::{alleviation, design_gust, one_minus_cosine};
+use loads::rules::discrete::{alleviation, design_gust};
 use loads::rules::factors::positive_limit;
 use loads::rules::pratt::Pratt;
 use loads::{Air, Airframe, Design, Mark};
@@ -132,12 +132,4 @@ fn a_number_that_the_rules_do_not_give_is_asked_for_by_name_and_an_own_number_is
     assert_eq!((quantity.value, quantity.mark), (9.0, Mark::Own));
     assert_eq!(own.rules_in_use(), Rules::Own);
     assert_eq!(Design { factors: None, ..design() }.rules_in_use(), Rules::Vla);
-}
-
-#[test]
-fn a_gust_of_one_minus_a_cosine_is_largest_at_its_gradient_and_nothing_outside() {
-    assert_eq!(one_minus_cosine(10.0, 30.0, 30.0), 10.0);
-    assert_eq!(one_minus_cosine(10.0, 30.0, -1.0), 0.0);
-    assert_eq!(one_minus_cosine(10.0, 30.0, 60.1), 0.0);
-    assert!((one_minus_cosine(10.0, 30.0, 15.0) - 5.0).abs() < 1e-12);
 }

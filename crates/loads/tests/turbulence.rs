@@ -8,7 +8,7 @@ mod plunge;
 use close::close;
 use common::{number, reference};
 use loads::design::Spectrum;
-use loads::rules::discrete::{design_gust, one_minus_cosine};
+use loads::rules::discrete::design_gust;
 use loads::tuning::{Tuned, worst};
 use loads::turbulence::{Complex64, Grid, Mode, Response, Turbulence};
 use plunge::{Flexible, Rigid};
@@ -48,6 +48,12 @@ fn root_mean_squares_in_both_spectra_with_and_without_lags_are_those_of_the_refe
             }
         }
     }
+}
+
+/// CS 25.341(a)(2): `U/2 (1 - cos(pi s/H))` for 0 <= s <= 2 H.
+fn one_minus_cosine(size: f64, gradient: f64, s: f64) -> f64 {
+    let inside = (0.0..=2.0 * gradient).contains(&s);
+    if inside { size / 2.0 * (1.0 - (std::f64::consts::PI * s / gradient).cos()) } else { 0.0 }
 }
 
 #[test]

@@ -1,4 +1,5 @@
-//! Discrete gusts of one minus a cosine (CS 25.341(a)): reference velocity, alleviation by the flight profile, design velocity.
+//! Discrete gusts of one minus a cosine (CS 25.341(a)): reference velocity, alleviation by the flight profile, design
+//! velocity. Its shape is flown by `fullaircraft::Gust`.
 
 use super::{Mark, Quantity, between, share_by_speed};
 use crate::design::{Design, Rules};
@@ -21,15 +22,6 @@ pub fn alleviation(h_m: f64, z_mo_m: f64, landing_kg: f64, no_fuel_kg: f64, take
     let f_gz = 1.0 - z_mo_m / 76_200.0;
     let f_gm = (no_fuel_kg / take_off_kg * (PI / 4.0 * landing_kg / take_off_kg).tan()).sqrt();
     between(&[(0.0, f64::midpoint(f_gz, f_gm)), (z_mo_m, 1.0)], h_m)
-}
-
-/// Upward velocity of a gust at a distance, m, behind its beginning: of size `u_m_s` after a gradient, m.
-pub fn one_minus_cosine(u_m_s: f64, gradient_m: f64, s_m: f64) -> f64 {
-    if (0.0..=2.0 * gradient_m).contains(&s_m) {
-        u_m_s / 2.0 * (1.0 - (PI * s_m / gradient_m).cos())
-    } else {
-        0.0
-    }
 }
 
 /// U_ds = U_ref F_g (H/107 m)^(1/6).

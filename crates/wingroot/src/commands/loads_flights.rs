@@ -183,10 +183,10 @@ impl<'a> Flights<'a> {
     }
 }
 
-/// What a case is called in the store: what is flown, whatever its number.
+/// What a case is called in the store: what is flown, and its number, which its result holds.
 fn part(case: &Case, model: usize) -> String {
-    format!("{model} {} {:?} {:?} {:?} {:?}", case.mass, case.h_m, case.v_m_s, case.n_z, case.action)
-        + &format!(" {}", case.number)
+    let Case { number, mass, h_m, v_m_s, n_z, action, .. } = case;
+    format!("{model} {mass} {h_m:?} {v_m_s:?} {n_z:?} {action:?} {number}")
 }
 
 /// Whether a case is flown in time.
