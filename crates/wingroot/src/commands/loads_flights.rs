@@ -1,5 +1,6 @@
 //! Flying a plan's cases: an aircraft for each state of loading, groups of cases on all threads, finished cases kept.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::Mutex;
 
@@ -95,10 +96,10 @@ impl<'a> Flights<'a> {
             .flat_map(|case| [0, 1].map(|model| store.get::<FlownCase>(&part(case, model))))
             .flatten()
             .collect();
-        let is_known = |case: &Case, model| known.iter().any(|k| k.number == case.number && k.model == model);
+        let finished: BTreeSet<(usize, usize)> = known.iter().map(|case| (case.model, case.number)).collect();
         let missing: Vec<(usize, &Case)> = planned()
             .flat_map(|case| [(0, case), (1, case)])
-            .filter(|(model, case)| !is_known(case, *model))
+            .filter(|(model, case)| !finished.contains(&(*model, case.number)))
             .collect();
         let bar = progress::bar(common, missing.len(), "cases");
         let results = Mutex::new(Vec::new());
@@ -215,7 +216,8 @@ impl Flown {
 
     /// A case flown with a model.
     pub(crate) fn case(&self, model: usize, number: usize) -> Option<&FlownCase> {
-        self.cases.iter().find(|case| (case.model, case.number) == (model, number))
+        let place = self.cases.binary_search_by_key(&(model, number), |case| (case.model, case.number));
+        place.ok().map(|place| &self.cases[place])
     }
 
     /// Cases that could not be flown: number, model, why.
@@ -227,10 +229,14 @@ impl Flown {
 
     /// Says in the matrix what became of each case: failed if either model could not fly it.
     pub(crate) fn mark(&self, matrix: &mut Matrix) {
+        let mut failed: BTreeMap<usize, String> = BTreeMap::new();
+        for (number, model, why) in self.failed() {
+            failed.entry(number).or_insert(format!("{model}: {why}"));
+        }
         for case in matrix.cases.iter_mut().filter(|case| case.status == Status::Planned) {
             case.status = Status::Flown;
-            if let Some((_, model, why)) = self.failed().find(|(number, ..)| *number == case.number) {
-                (case.status, case.why) = (Status::Failed, format!("{model}: {why}"));
+            if let Some(why) = failed.remove(&case.number) {
+                (case.status, case.why) = (Status::Failed, why);
             }
         }
     }
