@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
-use std::sync::Mutex;
+use std::sync::{Mutex, PoisonError};
 
 /// Held while a copy is written and while a program is started: a process that another test starts meanwhile inherits
 /// the file that is open for writing, and the kernel runs no program that somebody has open so ("text file busy").
@@ -10,7 +10,7 @@ static COPY_OR_START: Mutex<()> = Mutex::new(());
 
 /// A folder for one test with a copy of the program.
 fn copied(name: &str) -> PathBuf {
-    let _alone = COPY_OR_START.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+    let _alone = COPY_OR_START.lock().unwrap_or_else(PoisonError::into_inner);
     let folder = std::env::temp_dir().join(format!("wingroot-program-{name}-{}", std::process::id()));
     let _ = std::fs::remove_dir_all(&folder);
     std::fs::create_dir_all(&folder).expect("a temporary folder");
@@ -24,7 +24,7 @@ fn run(program: &Path, folder: &Path, arguments: &[&str]) -> Output {
     command.args(arguments).current_dir(folder).env_clear();
     command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let started = {
-        let _alone = COPY_OR_START.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+        let _alone = COPY_OR_START.lock().unwrap_or_else(PoisonError::into_inner);
         command.spawn().expect("the program starts")
     };
     started.wait_with_output().expect("the program ends")
