@@ -24,6 +24,10 @@ pub const SAME_AIRSPEED: f64 = 0.002;
 /// Angles of attack closer than this are one, rad (0.05 degrees): a turntable is set no better.
 pub const SAME_ANGLE_RAD: f64 = 8.7e-4;
 
+/// An airspeed this share below or above those of a schedule takes the nearest one's values, as tunnels stray; farther out
+/// none are taken.
+pub const STRAY_AIRSPEED: f64 = 0.02;
+
 /// Whether two airspeeds (m/s) are one condition.
 pub fn same_airspeed(a: f64, b: f64) -> bool {
     (a - b).abs() <= SAME_AIRSPEED * a.max(b)

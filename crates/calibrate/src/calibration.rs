@@ -14,7 +14,7 @@ use crate::settings::Settings;
 use crate::statics::{AirspeedData, StaticData};
 use crate::tip_zero::TipZero;
 use aero::{Corrections, Flow};
-use coupling::{CouplingError, SteadyCase, SteadyModel};
+use coupling::{ByLoad, CouplingError, SteadyCase, SteadyModel};
 use faer::Mat;
 use nastran::InputError;
 use rayon::prelude::*;
@@ -53,9 +53,9 @@ pub struct WeightTare {
     /// Rows.
     pub points: usize,
     /// Root mean square of measured minus modelled weight, by channel (N, N m, N m).
-    pub rms: [f64; 3],
+    pub rms: ByLoad<f64>,
     /// The same over the standard deviation of a row; none if noise is not known.
-    pub rms_over_noise: Option<[f64; 3]>,
+    pub rms_over_noise: Option<ByLoad<f64>>,
 }
 
 /// A finished calibration.
@@ -331,13 +331,15 @@ fn weight_tare<M: SteadyModel>(
         .map(|point| SteadyCase::new(Flow { v_m_s: 0.0, rho_kg_m3 }, point.alpha_rad))
         .collect();
     let loads = model.root_loads(&cases, &neutral)?;
-    let rms = std::array::from_fn(|c| {
-        let squares = data.weight_tares.iter().zip(&loads).filter_map(|(point, load)| {
-            point.loads[c].map(|measured| (measured - load.to_array()[c]).powi(2))
+    let rms = ByLoad::from_fn(|load| {
+        let squares = data.weight_tares.iter().zip(&loads).filter_map(|(point, modelled)| {
+            let modelled = ByLoad::from(*modelled)[load];
+            point.loads[load as usize].map(|measured| (measured - modelled).powi(2))
         });
         (squares.sum::<f64>() / data.weight_tares.len() as f64).sqrt()
     });
-    let over = |sigma: [f64; 4]| std::array::from_fn(|c| rms[c] / sigma[c].max(f64::MIN_POSITIVE));
+    let over =
+        |sigma: [f64; 4]| ByLoad::from_fn(|load| rms[load] / sigma[load as usize].max(f64::MIN_POSITIVE));
     Ok(Some(WeightTare { points: data.weight_tares.len(), rms, rms_over_noise: data.point_sigma.map(over) }))
 }
 

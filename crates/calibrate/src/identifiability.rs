@@ -11,6 +11,31 @@ use crate::statics::Angle;
 use crate::tip_zero::TipZero;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// One value for each family of corrections.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+pub struct ByFamily<T> {
+    /// Factors of forces.
+    pub force: T,
+    /// Factors of moments.
+    pub moment: T,
+    /// Pressure offsets.
+    pub pressure_offset: T,
+}
+
+impl<T> ByFamily<T> {
+    /// From the order of the families: force, moment, pressure offset.
+    pub fn from_array([force, moment, pressure_offset]: [T; 3]) -> Self {
+        Self { force, moment, pressure_offset }
+    }
+
+    /// Another value from each.
+    pub fn map<U>(self, of: impl FnMut(T) -> U) -> ByFamily<U> {
+        ByFamily::from_array([self.force, self.moment, self.pressure_offset].map(of))
+    }
+}
 
 /// What one airspeed's data say about its corrections.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,12 +47,12 @@ pub struct Identifiability {
     pub determined_directions: usize,
     /// By family and channel: how strongly the channel hangs on the family, as a share of how strongly it hangs on
     /// all (roots of sums of squares of the sensitivities).
-    pub leverage: [[f64; 4]; 3],
+    pub leverage: ByFamily<[f64; 4]>,
     /// By family: standard deviation of the corrections after over before the data, mean over boxes. Near one: the
     /// data say nothing about it.
-    pub remaining_spread: [f64; 3],
+    pub remaining_spread: ByFamily<f64>,
     /// By family: posterior standard deviation of the corrections, root mean square over boxes.
-    pub posterior_sigma: [f64; 3],
+    pub posterior_sigma: ByFamily<f64>,
     /// Standard deviation of the area-weighted mean of the force factor, before the data (the prior's) and after.
     pub mean_force_sigma: [f64; 2],
     /// Posterior standard deviation of the predicted reading by channel, root mean square over the angles, the offset
@@ -39,7 +64,12 @@ impl Identifiability {
     /// Families that no channel hangs on (less than a twentieth of what it hangs on all): whatever the fit gives
     /// them is the prior's.
     pub fn undetermined(&self) -> Vec<&'static str> {
-        (0..3).filter(|&f| self.leverage[f].iter().all(|share| *share < 0.05)).map(|f| FAMILIES[f]).collect()
+        let ByFamily { force, moment, pressure_offset } = &self.leverage;
+        let families = FAMILIES.into_iter().zip([force, moment, pressure_offset]);
+        families
+            .filter(|(_, shares)| shares.iter().all(|share| *share < 0.05))
+            .map(|(name, _)| name)
+            .collect()
     }
 }
 
@@ -88,9 +118,9 @@ pub(crate) fn identifiability(at: &Linearised, inputs: &Inputs<'_>) -> Option<Id
     Some(Identifiability {
         determined_directions: singular_values.iter().filter(|&&s| s > 1.0).count(),
         singular_values,
-        leverage: leverage(&scaled, &rows, inputs),
-        remaining_spread: by_box.0,
-        posterior_sigma: by_box.1,
+        leverage: ByFamily::from_array(leverage(&scaled, &rows, inputs)),
+        remaining_spread: ByFamily::from_array(by_box.0),
+        posterior_sigma: ByFamily::from_array(by_box.1),
         mean_force_sigma: posterior.mean_force(inputs, factor.L()),
         predicted_sigma: posterior.predicted(&rows),
     })

@@ -27,7 +27,7 @@ pub use checks::{Finding, Weight};
 pub use common::CommonCalibration;
 pub use ensemble::Ensemble;
 pub use fit::{Ending, Fit};
-pub use identifiability::Identifiability;
+pub use identifiability::{ByFamily, Identifiability};
 pub use lift_factor::LiftFactor;
 pub use objective::{LineFit, Nonlinearity};
 pub use schedule::{CorrectionSet, Schedule};

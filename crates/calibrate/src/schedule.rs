@@ -2,14 +2,12 @@
 
 use crate::campaign::AIRSPEEDS_M_S;
 use aero::Corrections;
+use aero::flow::STRAY_AIRSPEED;
 use nastran::{InputError, ron_file};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::fmt::Write as _;
 use std::path::Path;
-
-/// An airspeed this share beyond the calibrated range takes the nearest set, as tunnels stray; beyond it none is taken.
-pub const STRAY: f64 = 0.02;
 
 /// No factor or pressure offset of a wing is larger: theory would say nothing of it.
 const LARGEST: f64 = 1000.0;
@@ -123,7 +121,7 @@ impl Schedule {
     }
 
     /// The corrections at an airspeed (same air density as the campaign's): interpolated in dynamic pressure inside of the
-    /// calibrated range, the nearest set up to [`STRAY`] beyond it.
+    /// calibrated range, the nearest set up to [`STRAY_AIRSPEED`] beyond it.
     ///
     /// # Errors
     /// If the airspeed is farther outside.
@@ -134,7 +132,7 @@ impl Schedule {
         let slack = 1e-9 * wanted;
         if wanted < q(first) - slack || wanted > q(last) + slack {
             let nearest = self.nearest(v_m_s);
-            if (nearest.v_m_s - v_m_s).abs() <= STRAY * nearest.v_m_s {
+            if (nearest.v_m_s - v_m_s).abs() <= STRAY_AIRSPEED * nearest.v_m_s {
                 return Ok(nearest.corrections.clone());
             }
             return Err(InputError::general(format!(

@@ -234,7 +234,8 @@ fn without_a_word_from_the_data_offsets_are_as_uncertain_as_factors_times_the_th
     let wing = small_wing();
     let data = campaign(rows(&wing, 30.0, &papers_kind(&wing, 0.3)), Some(noise(1e7)));
     let result = calibrate(&wing, &data, &small_settings()).unwrap();
-    let [force, moment, offset] = result.airspeeds[0].identifiability.as_ref().unwrap().posterior_sigma;
+    let calibrate::ByFamily { force, moment, pressure_offset: offset } =
+        result.airspeeds[0].identifiability.as_ref().unwrap().posterior_sigma;
     assert!((moment / force - 1.0).abs() < 1e-6, "{force} {moment}");
     let expected = mean_square_pressure(&wing, 30.0).sqrt();
     assert!((offset / force / expected - 1.0).abs() < 1e-6, "{} beside {expected}", offset / force);

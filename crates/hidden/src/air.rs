@@ -27,6 +27,8 @@ pub struct StripAir {
     pub(crate) rational: RationalAir,
     /// Without lags, for fast modes.
     pub(crate) instant: RationalAir,
+    /// Strip loads by rates, without memory.
+    pub(crate) quasi_steady_rate: Mat<f64>,
     /// Steady strip loads by the incidence of each strip.
     pub(crate) by_strip: Mat<f64>,
     /// Steady strip loads of camber and twist.
@@ -68,6 +70,7 @@ impl StripAir {
         Ok(Self {
             rational: RationalAir::fit(&table, steady.clone(), &poles, Weighting::RIG, |_| false),
             instant: RationalAir::fit(&table, steady, &slow, Weighting::RIG, |_| false).without_lags(),
+            quasi_steady_rate: &rows * &wing.pressures(columns.moving.as_ref()),
             by_strip: &rows * &wing.pressures(unit.as_ref()),
             camber: (&rows * &camber).col_as_slice(0).to_vec(),
             controls: wing.controls.len(),

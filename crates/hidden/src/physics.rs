@@ -67,6 +67,8 @@ pub struct Physics {
     pub apparent_mass: Vec<f64>,
     /// Factor of what a strip's lags add.
     pub lag_amplitude: Vec<f64>,
+    /// Factor of all that air does beyond the steady answer to the momentary incidence.
+    pub unsteady: f64,
     /// How much further aft the loads of every control's deflection act, share of the chord.
     pub flap_aft_over_c: Vec<f64>,
     /// Shift of the distributed mass, aft, share of the chord.
@@ -100,6 +102,7 @@ impl Physics {
             flap: vec![1.0; controls],
             apparent_mass: vec![1.0; count],
             lag_amplitude: vec![1.0; count],
+            unsteady: 1.0,
             flap_aft_over_c: vec![0.0; controls],
             mass_aft_over_c: 0.0,
             lag_rate: vec![1.0; LAGS],

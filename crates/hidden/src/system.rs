@@ -242,8 +242,14 @@ impl Parts {
                 for row in 0..2 * count {
                     let strip = row % count;
                     let apparent = if derivative == 2 { apparent_mass(physics, strip) } else { 1.0 };
-                    let moved = if row < count { 0.0 } else { flap_aft * matrix[(row - count, motion)] };
-                    let own = matrix[(row, motion)] - self.strips.chord_m[row % count] * moved;
+                    let entry = |row: usize| {
+                        let instant =
+                            if derivative == 1 { self.air.quasi_steady_rate[(row, motion)] } else { 0.0 };
+                        let unsteady = if derivative == 0 { 1.0 } else { physics.unsteady };
+                        instant + unsteady * (matrix[(row, motion)] - instant)
+                    };
+                    let moved = if row < count { 0.0 } else { flap_aft * entry(row - count) };
+                    let own = entry(row) - self.strips.chord_m[row % count] * moved;
                     let value = factors[derivative] * flap * apparent * own;
                     match layout.place(motion, derivative) {
                         Some(place) => rows.add(row, place, value),
@@ -256,7 +262,7 @@ impl Parts {
                 for pole in 0..layout.poles {
                     let at = layout.lag(pole, place);
                     for row in 0..2 * count {
-                        let amplitude = q_pa * flap * physics.lag_amplitude[row % count];
+                        let amplitude = q_pa * flap * physics.unsteady * physics.lag_amplitude[row % count];
                         let moved =
                             if row < count { 0.0 } else { flap_aft * air.lags[pole][(row - count, motion)] };
                         let aft_m = self.strips.chord_m[row % count];

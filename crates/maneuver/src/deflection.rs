@@ -9,13 +9,12 @@ use crate::history::TimeHistory;
 use crate::rig_model::{Motion, RigModel};
 use crate::run::Run;
 use crate::simulate::{Simulated, simulate};
+use aero::flow::STRAY_AIRSPEED;
 use coupling::WingFile;
 use coupling::wing_file::{DeflectionTable, OutsideAirspeeds};
 use nastran::InputError;
 use std::path::Path;
 
-/// An airspeed may be this share beyond the listed ones.
-const STRAY: f64 = 0.02;
 /// A deflection may be this share beyond the largest listed one without a remark.
 const ROUNDING: f64 = 1e-6;
 
@@ -98,7 +97,7 @@ impl Curve {
         let rows = &table.rows;
         let ends = rows.first().zip(rows.last());
         let (first, last) = ends.map_or((v_m_s, v_m_s), |(first, last)| (first.v_m_s, last.v_m_s));
-        let inside = (first * (1.0 - STRAY)..=last * (1.0 + STRAY)).contains(&v_m_s);
+        let inside = (first * (1.0 - STRAY_AIRSPEED)..=last * (1.0 + STRAY_AIRSPEED)).contains(&v_m_s);
         if !inside && table.outside == OutsideAirspeeds::Refuse {
             let range =
                 if rows.len() > 1 { format!("from {first} to {last}") } else { format!("at {first}") };

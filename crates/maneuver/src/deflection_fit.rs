@@ -20,6 +20,7 @@ use crate::simulate::motion_of;
 use crate::smoothing::zero_phase;
 use aero::flow::same_airspeed;
 use coupling::wing_file::{DeflectionRow, DeflectionTable, OutsideAirspeeds};
+use coupling::{ByLoad, Load};
 use nastran::InputError;
 use std::path::Path;
 
@@ -27,8 +28,6 @@ use std::path::Path;
 const LAG_S: f64 = 0.2;
 /// Deflections that differ by less than this share are one.
 const SAME_DEFLECTION: f64 = 0.02;
-/// Channels of a run.
-const LOADS: [&str; 3] = ["Fz_N", "Mx_Nm", "My_Nm"];
 
 /// The doublet that a run is.
 #[derive(Debug, Clone, PartialEq)]
@@ -97,7 +96,7 @@ pub fn doublet_of(run: &Run) -> Option<MeasuredDoublet> {
 pub fn fit_doublet(
     run: &Run,
     model: &RigModel,
-    sigma: Option<[f64; 3]>,
+    sigma: Option<ByLoad<f64>>,
     file: &Path,
 ) -> Result<DoubletFit, InputError> {
     let refuse =
@@ -111,7 +110,7 @@ pub fn fit_doublet(
     let unmoved = model.fly(&Motion { controls_rad: still, ..motion.clone() });
     let moved = model.fly(&motion);
     let channel = |c: usize| {
-        let of = |history: &TimeHistory| history.get(LOADS[c]).unwrap_or(&[]).to_vec();
+        let of = |history: &TimeHistory| history.get(Load::ALL[c].column()).unwrap_or(&[]).to_vec();
         let (with, without) = (of(&moved), of(&unmoved));
         let x = with.iter().zip(&without).map(|(a, b)| a - b).collect::<Vec<f64>>();
         let y = measured[c].iter().zip(&without).map(|(m, b)| m - b).collect::<Vec<f64>>();
@@ -122,10 +121,11 @@ pub fn fit_doublet(
     if channels.iter().all(|channel| dot(&channel.x, &channel.x) == 0.0) {
         return refuse("the control surface does nothing in the model");
     }
-    let weights = sigma.map_or_else(|| residual_weights(&channels), |sigma| sigma.map(|s| 1.0 / (s * s)));
+    let weights =
+        sigma.map_or_else(|| residual_weights(&channels), |sigma| sigma.map(|s| 1.0 / (s * s)).to_array());
     let (factor, information) = scale(&channels, weights);
     let filter = |values: &[f64]| zero_phase(values, run.time_step_s, model.cutoff_hz);
-    let noise_error = sigma.map(|sigma| {
+    let noise_error = sigma.map(ByLoad::to_array).map(|sigma| {
         let part = |c: usize| {
             let through = centred(filter(&channels[c].x));
             (weights[c] * sigma[c]).powi(2) * dot(&through, &through)
@@ -302,23 +302,25 @@ pub fn tables(factors: &[FittedFactor]) -> Result<Vec<DeflectionTable>, InputErr
 
 /// Root mean square of measured minus simulated changes of Fz, Mx, My (filtered, without their means: what a deflection
 /// correction can be blamed for); none if the run has no loads.
-pub fn change_rms(run: &Run, simulated: &TimeHistory, cutoff_hz: f64) -> Option<[f64; 3]> {
+pub fn change_rms(run: &Run, simulated: &TimeHistory, cutoff_hz: f64) -> Option<ByLoad<f64>> {
     let measured = run.loads.as_ref()?;
-    let rms = |c: usize| {
-        let of_model = simulated.get(LOADS[c]).unwrap_or(&[]);
-        let off: Vec<f64> = measured[c].iter().zip(of_model).map(|(m, s)| m - s).collect();
+    let rms = |load: Load| {
+        let of_model = simulated.get(load.column()).unwrap_or(&[]);
+        let off: Vec<f64> = measured[load as usize].iter().zip(of_model).map(|(m, s)| m - s).collect();
         let off = centred(zero_phase(&off, run.time_step_s, cutoff_hz));
         (dot(&off, &off) / off.len().max(1) as f64).sqrt()
     };
-    Some([rms(0), rms(1), rms(2)])
+    Some(ByLoad::from_fn(rms))
 }
 
 /// Root mean square residual over sigma, all channels of all runs; runs count by their samples.
-pub fn gap(runs: &[(usize, [f64; 3])], sigma: [f64; 3]) -> f64 {
+pub fn gap(runs: &[(usize, ByLoad<f64>)], sigma: ByLoad<f64>) -> f64 {
     let samples: usize = runs.iter().map(|(samples, _)| samples).sum();
     let squares: f64 = runs
         .iter()
-        .map(|(samples, rms)| *samples as f64 * (0..3).map(|c| (rms[c] / sigma[c]).powi(2)).sum::<f64>())
+        .map(|(samples, rms)| {
+            *samples as f64 * Load::ALL.iter().map(|&load| (rms[load] / sigma[load]).powi(2)).sum::<f64>()
+        })
         .sum();
     (squares / (3 * samples.max(1)) as f64).sqrt()
 }

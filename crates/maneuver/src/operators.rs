@@ -1,6 +1,6 @@
 //! What a rig needs at every airspeed, computed once: modes on the s-set, static residuals, pressures of motion.
 
-use crate::air::{AirModel, MotionColumns, UnsteadyAir};
+use crate::air::{MotionColumns, UnsteadyAir};
 use crate::load_rows::{LoadRows, Momentum};
 use crate::rig::{RigError, RigSettings};
 use coupling::supported::restrict;
@@ -65,10 +65,7 @@ impl RigOperators {
             pitch if pitch == modes => wing.pressures_by_alpha()[j],
             control => wing.pressures_by_control()[(j, control - modes - 1)],
         });
-        let rate = match settings.air {
-            AirModel::QuasiSteady => wing.pressures(columns.moving.as_ref()),
-            AirModel::Unsteady { .. } => Mat::zeros(0, 0),
-        };
+        let rate = wing.pressures(columns.moving.as_ref());
         let rows = looked_at(wing, motion.as_ref());
         let air = UnsteadyAir::new(settings.air, wing, columns, steady, rate, rows)
             .map_err(coupling::CouplingError::from)?;

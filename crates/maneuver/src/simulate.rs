@@ -4,6 +4,7 @@ use crate::history::TimeHistory;
 use crate::rig_model::{Motion, RigModel};
 use crate::run::Run;
 use crate::smoothing::{smooth_from_rest, zero_phase};
+use coupling::{ByLoad, Load};
 use nastran::InputError;
 use std::path::Path;
 
@@ -14,9 +15,9 @@ pub struct Simulated {
     pub history: TimeHistory,
     /// Root mean square of measured minus simulated Fz, Mx, My (N, N m), both behind the same zero-phase filter;
     /// none if the run has no loads.
-    pub residual_rms: Option<[f64; 3]>,
+    pub residual_rms: Option<ByLoad<f64>>,
     /// The same over the root mean square variation of the measured load, in per cent.
-    pub residual_percent: Option<[f64; 3]>,
+    pub residual_percent: Option<ByLoad<f64>>,
 }
 
 /// The inputs of a run: the measured angle smoothed, the commanded deflections as they are.
@@ -65,20 +66,21 @@ impl Simulated {
         let (mut residual_rms, mut residual_percent) = (None, None);
         if let Some(measured) = &run.loads {
             let filtered = |values: &[f64]| zero_phase(values, run.time_step_s, model.cutoff_hz);
-            let channel = |c: usize| history.get(["Fz_N", "Mx_Nm", "My_Nm"][c]).unwrap_or(&[]);
-            let rms: [f64; 3] = std::array::from_fn(|c| {
+            let rms = ByLoad::from_fn(|load| {
+                let simulated = filtered(history.get(load.column()).unwrap_or(&[]));
                 let difference: Vec<f64> =
-                    filtered(&measured[c]).iter().zip(filtered(channel(c))).map(|(m, s)| m - s).collect();
+                    filtered(&measured[load as usize]).iter().zip(simulated).map(|(m, s)| m - s).collect();
                 root_mean_square(&difference)
             });
             let variation = |values: &[f64]| {
                 let mean = values.iter().sum::<f64>() / values.len() as f64;
                 root_mean_square(&values.iter().map(|value| value - mean).collect::<Vec<f64>>())
             };
-            let percent =
-                |c: usize| 100.0 * rms[c] / variation(&filtered(&measured[c])).max(f64::MIN_POSITIVE);
+            let percent = |load: Load| {
+                100.0 * rms[load] / variation(&filtered(&measured[load as usize])).max(f64::MIN_POSITIVE)
+            };
             residual_rms = Some(rms);
-            residual_percent = Some(std::array::from_fn(percent));
+            residual_percent = Some(ByLoad::from_fn(percent));
         }
         Self { history, residual_rms, residual_percent }
     }

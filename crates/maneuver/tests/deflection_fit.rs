@@ -5,6 +5,7 @@
 mod common;
 
 use aero::{Corrections, Flow};
+use coupling::ByLoad;
 use coupling::wing_file::{DeflectionRow, DeflectionTable, OutsideAirspeeds};
 use maneuver::deflection_fit::{DoubletFit, doublet_of, fit_doublet, noise_gap, pooled, tables};
 use maneuver::motion::{Chirp, Doublet, Signal, sampled};
@@ -13,7 +14,7 @@ use maneuver::{
 };
 use std::path::Path;
 
-const SIGMA: [f64; 3] = [0.2, 0.12, 0.05];
+const SIGMA: ByLoad<f64> = ByLoad { fz: 0.2, mx: 0.12, my: 0.05 };
 const TIME_STEP_S: f64 = 0.005;
 const SAMPLES: usize = 601;
 
@@ -74,7 +75,7 @@ fn measured(
     let history = fly_commanded(model, &Motion { time_step_s: TIME_STEP_S, alpha, controls_rad }, correction);
     let loads = std::array::from_fn(|c| {
         let clean = history.get(["Fz_N", "Mx_Nm", "My_Nm"][c]).unwrap();
-        clean.iter().map(|value| value + 0.08 + noise.next(SIGMA[c])).collect()
+        clean.iter().map(|value| value + 0.08 + noise.next(SIGMA.to_array()[c])).collect()
     });
     Run {
         name: control.to_owned(),

@@ -10,7 +10,7 @@ use maneuver::effects::{
     Active, Effect, Forces, Inputs, Loads, Place, WingState, acting_deflection, library,
 };
 use maneuver::rom::{Change, Drive, ReducedOrderModel, Zones};
-use maneuver::{Actuator, Rig, RigSettings, Smooth};
+use maneuver::{Actuator, AirModel, Rig, RigSettings, Smooth};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -244,6 +244,37 @@ fn a_wake_that_remembers_longer_answers_as_the_wake_does_to_faster_motion() {
             );
         }
     }
+    // a gain multiplies all that is unsteady, with the wake's lags as changed; all that is unsteady is what air without memory lacks
+    let with_gain = &forms("aero_lag")[1];
+    let changed = |p: [f64; 2], omega: f64| {
+        let mut change = Change::none(rom.zones.len());
+        with_gain.change(&p, &place(&rom.zones, 0.01, false, 0.0), &mut change);
+        rom.responses(&change, &[omega], false)[0][(0, Drive::INCIDENCE)] - lift(0.0, omega)
+    };
+    let settings = RigSettings {
+        air: AirModel::QuasiSteady,
+        ..RigSettings::new(file.damping_ratio, file.pitch_axis_x())
+    };
+    let without_memory =
+        ReducedOrderModel::new(&Rig::new(&wing, settings).unwrap(), FLOW, &neutral, None).unwrap();
+    for omega in [1.0, 5.0, 20.0] {
+        let unsteady = changed([0.0, 1.0], omega);
+        for (dlag, dgain) in [(0.0, -0.5), (0.5, 0.0), (1.0, 0.3), (-0.4, -0.2)] {
+            let law = added(dlag, omega) + (unsteady + added(dlag, omega)) * dgain;
+            let found = changed([dlag, dgain], omega);
+            assert!((found - law).norm() < 1e-9 * unsteady.norm(), "{omega} rad/s: {found} for {law}");
+        }
+        let instant = without_memory.responses(&Change::none(rom.zones.len()), &[omega], false)[0]
+            [(0, Drive::INCIDENCE)];
+        let lacking = lift(0.0, omega) - instant;
+        // the gain acts on the function with few poles
+        assert!(
+            (unsteady - lacking).norm() < 0.1 * lacking.norm(),
+            "{omega} rad/s: {unsteady} for {lacking}"
+        );
+    }
+    // at rest there is no memory
+    assert!(changed([1.0, 1.0], 1e-9).norm() < 1e-9 * lift(0.0, 0.0).norm());
     // Wagner: lift comes late, and later behind a longer wake
     let (slow, later) = (lift(0.0, 1.0), added(1.0, 1.0));
     assert!(slow.re > 0.0 && later.im < 0.0 && later.im.abs() > 1e-3 * slow.re, "{slow} {later}");

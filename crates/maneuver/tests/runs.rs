@@ -72,7 +72,7 @@ fn a_simulated_run_flown_again_gives_its_own_loads() {
     let csv = written("again", &history.to_csv());
     let again = simulate(&Run::read(&csv).unwrap(), &model, &csv).unwrap();
     std::fs::remove_dir_all(csv.parent().unwrap()).unwrap();
-    for (channel, rms) in again.residual_rms.unwrap().into_iter().enumerate() {
+    for (channel, rms) in again.residual_rms.unwrap().to_array().into_iter().enumerate() {
         // the file has nine digits of some 100 N
         assert!(rms < 1e-5, "channel {channel}: {rms}");
     }

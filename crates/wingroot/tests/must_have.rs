@@ -172,6 +172,30 @@ fn a_servos_lag_shows_beside_its_much_larger_rate_limit() {
 
 /// Of surfaces that are weaker at all deflections, where the library has no scale for them; both may be taken away, as each
 /// is the other's twin.
+/// What depends on frequency alone: the steady limit is that of the corrections.
+#[test]
+fn the_gain_and_lag_of_the_wake_are_found_and_a_delay_is_not_called_one() {
+    let (lag, gain) = (0.6, -0.4);
+    let plan = plan(Class::Null, &[("aero_lag", &[lag, gain])]);
+    let (prepared, _) = prepared(&plan, "wake");
+    let report = prepared.search(&limits(), plan.seed);
+    assert_eq!(names(&report), ["aero_lag"], "{:?}", report.outcome.trace);
+    let found = &report.outcome.found[0];
+    assert_eq!(found.active.effect.form(), "gain and lag", "{:?}", found.active.values);
+    let [(lag_found, lag_sigma), (gain_found, gain_sigma)] =
+        [0, 1].map(|k| (found.active.values[k], found.sigma[k]));
+    assert!((gain_found - gain).abs() < 2.0 * gain_sigma, "gain {gain_found} +- {gain_sigma} for {gain}");
+    // the truth slows five lags where the model has three: of its factor a part is damping to the model
+    assert!(
+        lag_found > 4.0 * lag_sigma && lag_found < lag + 2.0 * lag_sigma,
+        "lag {lag_found} +- {lag_sigma} for {lag}"
+    );
+    let delayed = self::plan(Class::Null, &[("delay", &[0.025])]);
+    let (prepared, _) = self::prepared(&delayed, "delayed");
+    let report = prepared.search(&limits(), delayed.seed);
+    assert_eq!(names(&report), ["delay"], "{:?}", report.outcome.trace);
+}
+
 #[test]
 fn surfaces_weaker_at_all_deflections_do_not_saturate() {
     let hidden = ("ctl_scale", &[-0.337][..]);

@@ -18,7 +18,7 @@ pub struct KnownTo {
     pub damping: f64,
     /// Of the apparent mass of the air, as a share.
     pub apparent_mass: f64,
-    /// Of the wake's lag, as a share.
+    /// Of the wake's lag, and of all that is unsteady, as a share.
     pub wake_lag: f64,
     /// Of what all control surfaces do, as a share.
     pub surfaces: f64,

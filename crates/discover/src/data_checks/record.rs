@@ -139,6 +139,7 @@ impl Pair {
 /// from what runs hold above 10 Hz, where little else is.
 pub fn rough_noise(data: &Dataset) -> Vec<ByLoad<f64>> {
     let highest_hz = data.rules.data.highest_hz;
+    let quiet_hz = data.rules.noise.quiet_from * highest_hz;
     let quiet = |c: Load| {
         let of = |run: &crate::data::RunData| {
             let (values, dt) = (&run.measured[c as usize], run.stimulus.time_step_s);
@@ -146,7 +147,7 @@ pub fn rough_noise(data: &Dataset) -> Vec<ByLoad<f64>> {
             let high = all
                 .iter()
                 .enumerate()
-                .filter(|(k, _)| crate::transform::frequency_hz(*k, values.len(), dt) > 0.85 * highest_hz);
+                .filter(|(k, _)| crate::transform::frequency_hz(*k, values.len(), dt) > quiet_hz);
             // the middle of |x| of normal numbers
             median(high.map(|(_, value)| value.abs()).collect()).map(|middle| middle / 0.6745)
         };

@@ -157,7 +157,7 @@ fn spike(rules: &SampleRules, record: &Record, c: Load) -> Option<Spike> {
     sorted.sort_by(f64::total_cmp);
     let narrow = (0..outs.len())
         .filter(|&j| (2 * rules.narrow..=4 * rules.narrow).contains(&j.abs_diff(k)))
-        .all(|j| outs[j] < 0.35 * outs[k]);
-    let usual = sorted[sorted.len() * 97 / 100];
+        .all(|j| outs[j] < rules.beside_narrow * outs[k]);
+    let usual = sorted[sorted.len() * rules.usual_percent / 100];
     Some(Spike { height: outs[k], usual, at: k + rules.narrow, narrow })
 }

@@ -80,7 +80,9 @@ rules! {
         near_end: f64 = 0.02, "", Unknown;
         /// Least height of a spike.
         spike: f64 = 25.0, "standard deviations", Unknown;
-        /// And over that of all but three per cent of the samples, and over that of peers.
+        /// The usual height is that of all but the highest.
+        usual_percent: usize = 97, "% of the samples", Unknown;
+        /// And over the usual height, and over that of peers.
         spike_over_others: f64 = 4.0, "", Unknown;
         /// What another run of the kind shows within this time is no defect but the wing's doing...
         same_instant_s: f64 = 0.1, "s", Unknown;
@@ -88,6 +90,8 @@ rules! {
         common: f64 = 0.3, "", Unknown;
         /// A spike is over within so many samples.
         narrow: usize = 2, "samples", Unknown;
+        /// Around it, as far again, nothing is this share as high.
+        beside_narrow: f64 = 0.35, "", Unknown;
     }
 }
 

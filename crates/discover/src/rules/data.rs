@@ -26,10 +26,12 @@ rules! {
     NoiseRules {
         /// Upper ends of the bands in which the noise of a coefficient is one number.
         bands_hz: [f64; 5] = [1.0, 2.0, 4.0, 8.0, 12.0], "Hz", Formula("octaves up to `highest_hz`");
+        /// Where neither is known, noise is what a record holds above this share of `highest_hz`.
+        quiet_from: f64 = 0.85, "", Unknown;
         /// So many coefficients are needed for an estimate that may stand alone.
         enough_coefficients: usize = 12, "", Unknown;
         /// Static points at angles closer than this repeat each other.
-        same_angle_rad: f64 = 1e-4, "rad", Physical("an encoder's noise");
+        same_angle_rad: f64 = aero::flow::SAME_ANGLE_RAD, "rad", Physical("how well a turntable is set");
         /// Offset of a run where nothing tells it.
         least_offset: f64 = 1e-3, "N, N m", Unknown;
     }

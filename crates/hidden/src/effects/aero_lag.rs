@@ -1,4 +1,5 @@
-//! A wake that answers later, its slow part more than its fast part (the obvious form: one factor of all lags).
+//! A wake that answers later, its slow part more than its fast part (the obvious form: one factor of all lags). A
+//! second value, which the benchmark does not draw, makes all that is unsteady larger or smaller.
 
 use super::{Kind, Parameter, Sign};
 
@@ -9,6 +10,7 @@ pub(super) const KIND: Kind = Kind {
         for (place, rate) in physics.lag_rate.iter_mut().enumerate() {
             *rate /= 1.0 + p[0] * (1.15 - 0.08 * place as f64);
         }
+        physics.unsteady += p.get(1).copied().unwrap_or(0.0);
     },
     ..Kind::NONE
 };

@@ -70,6 +70,8 @@ pub struct UnsteadyAir {
     pub beyond: RationalAir,
     /// What [`UnsteadyAir::beyond`] tends to: air without lags.
     pub instant: RationalAir,
+    /// What air without memory would give: steady answers to momentary incidences.
+    pub quasi_steady: RationalAir,
     lattice: Option<DoubletLattice>,
 }
 
@@ -98,9 +100,9 @@ impl UnsteadyAir {
         looked_at: Mat<f64>,
     ) -> Result<Self, AeroError> {
         let chord_m = mean_chord_m(&wing.lattice);
+        let quasi_steady = RationalAir::quasi_steady(steady.clone(), rate);
         let AirModel::Unsteady { lags, dlm } = model else {
-            let rational = RationalAir::quasi_steady(steady, rate);
-            let [beyond, instant] = [rational.clone(), rational.clone()];
+            let [rational, beyond, instant] = std::array::from_fn(|_| quasi_steady.clone());
             return Ok(Self {
                 columns,
                 chord_m,
@@ -109,6 +111,7 @@ impl UnsteadyAir {
                 rational,
                 beyond,
                 instant,
+                quasi_steady,
                 lattice: None,
             });
         };
@@ -129,6 +132,7 @@ impl UnsteadyAir {
             rational,
             beyond,
             instant,
+            quasi_steady,
             lattice: Some(solver),
         })
     }

@@ -24,6 +24,8 @@ pub struct Change {
     pub lift_slope: f64,
     /// Added to the factor of the wake's lag distances.
     pub lag: f64,
+    /// Added to the factor of the unsteady part: all that air does beyond the steady answer to the momentary incidence.
+    pub unsteady: f64,
     /// Added to the factor of apparent mass.
     pub apparent_mass: f64,
     /// Added to the factors of stiffness in bending and torsion.
@@ -51,6 +53,7 @@ impl Change {
             pressure: 0.0,
             lift_slope: 0.0,
             lag: 0.0,
+            unsteady: 0.0,
             apparent_mass: 0.0,
             bending: 0.0,
             torsion: 0.0,

@@ -8,7 +8,7 @@ use std::time::Instant;
 use aero::{Corrections, MirrorPlane};
 use calibrate::ensemble::ensemble;
 use calibrate::{AirspeedCalibration, Calibration, Campaign, Settings, Weight};
-use coupling::{ByLoad, ElasticWing, SteadyCase};
+use coupling::{ElasticWing, SteadyCase};
 
 use crate::args::{Common, Measured};
 use crate::commands::calibrate_common as common_set;
@@ -187,8 +187,8 @@ fn result(
             .count(),
         weight_tare: calibration.weight_tare.map(|tare| TareResult {
             points: tare.points,
-            rms: ByLoad::from_array(tare.rms),
-            rms_over_noise: tare.rms_over_noise.map(ByLoad::from_array),
+            rms: tare.rms,
+            rms_over_noise: tare.rms_over_noise,
         }),
         root_plane: root_plane(wing, campaign, calibration)?,
         predictions: Vec::new(),

@@ -2,7 +2,7 @@
 
 use calibrate::campaign::TIP;
 
-use crate::commands::calibrate_result::{ByFamily, IdentifiabilityResult};
+use crate::commands::calibrate_result::IdentifiabilityResult;
 use crate::commands::result_parts::Channels;
 
 /// 18 m/s -> `18`, 22.5 m/s -> `22.5`.
@@ -18,9 +18,9 @@ pub(crate) fn identifiability(
 ) -> IdentifiabilityResult {
     IdentifiabilityResult {
         singular_values: told.singular_values.clone(),
-        leverage: ByFamily::of(told.leverage.map(|values| channels(values, measured))),
-        remaining_spread: ByFamily::of(told.remaining_spread),
-        posterior_sigma: ByFamily::of(told.posterior_sigma),
+        leverage: told.leverage.map(|values| channels(values, measured)),
+        remaining_spread: told.remaining_spread,
+        posterior_sigma: told.posterior_sigma,
         predicted_sigma: channels(told.predicted_sigma, measured),
         undetermined: told.undetermined(),
     }

@@ -1,5 +1,6 @@
 //! `result.json` of `calibrate`.
 
+use calibrate::ByFamily;
 use coupling::ByLoad;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -135,24 +136,6 @@ pub(crate) struct IdentifiabilityResult {
     pub(crate) predicted_sigma: Channels,
     /// Families that no channel hangs on: what the fit gives them is the prior's.
     pub(crate) undetermined: Vec<&'static str>,
-}
-
-/// By family of corrections.
-#[derive(Debug, Serialize, JsonSchema)]
-pub(crate) struct ByFamily<T> {
-    /// Factors of forces.
-    pub(crate) force: T,
-    /// Factors of moments.
-    pub(crate) moment: T,
-    /// Pressure offsets.
-    pub(crate) pressure_offset: T,
-}
-
-impl<T> ByFamily<T> {
-    /// In the order of the families.
-    pub(crate) fn of([force, moment, pressure_offset]: [T; 3]) -> Self {
-        Self { force, moment, pressure_offset }
-    }
 }
 
 /// Angles that were left out and predicted.

@@ -8,6 +8,7 @@ use std::time::Instant;
 use aero::Flow;
 use calibrate::Campaign;
 use calibrate::campaign::Use;
+use coupling::ByLoad;
 use coupling::wing_file::DeflectionTable;
 use maneuver::deflection_fit::{change_rms, doublet_of, fit_doublet, noise_gap, pooled, tables};
 use maneuver::{
@@ -54,7 +55,7 @@ pub(crate) fn run(args: &DeflectionArgs, common: &Common) -> Result<(), Failure>
     let (doublets, models) = doublets(&campaign, &settings, &corrected)?;
     let sigma = campaign.noise.and_then(|noise| {
         let [fz, mx, my, _] = noise.sample.to_array();
-        (fz > 0.0 && mx > 0.0 && my > 0.0).then_some([fz, mx, my])
+        (fz > 0.0 && mx > 0.0 && my > 0.0).then_some(ByLoad { fz, mx, my })
     });
     let train = doublets.iter().filter(|doublet| doublet.usage == Use::Train);
     let fits = train

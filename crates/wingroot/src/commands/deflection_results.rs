@@ -34,9 +34,9 @@ pub(crate) struct Judged {
     /// Its length.
     pub(crate) samples: usize,
     /// Of the loads.
-    pub(crate) loads: [[f64; 3]; 2],
+    pub(crate) loads: [ByLoad<f64>; 2],
     /// Of their changes, without the mean: no part of the trim.
-    pub(crate) changes: [[f64; 3]; 2],
+    pub(crate) changes: [ByLoad<f64>; 2],
 }
 
 /// What was found.
@@ -52,7 +52,7 @@ pub(crate) struct Found<'a> {
     /// Held-out doublets.
     pub(crate) judged: Vec<Judged>,
     /// Declared noise of a sample.
-    pub(crate) sigma: Option<[f64; 3]>,
+    pub(crate) sigma: Option<ByLoad<f64>>,
     /// Gap that the noise alone leaves.
     pub(crate) noise_gap: f64,
     /// What the user should know.
@@ -62,7 +62,7 @@ pub(crate) struct Found<'a> {
 impl Found<'_> {
     /// Gaps of the held-out doublets before and after, of the loads or of their changes; none without declared noise
     /// or held-out runs.
-    pub(crate) fn gaps(&self, of: impl Fn(&Judged) -> [[f64; 3]; 2]) -> Option<[f64; 2]> {
+    pub(crate) fn gaps(&self, of: impl Fn(&Judged) -> [ByLoad<f64>; 2]) -> Option<[f64; 2]> {
         let sigma = self.sigma.filter(|_| !self.judged.is_empty())?;
         let at = |state: usize| {
             gap(&self.judged.iter().map(|run| (run.samples, of(run)[state])).collect::<Vec<_>>(), sigma)
@@ -82,10 +82,7 @@ pub(crate) fn result(found: &Found<'_>, seconds: f64) -> DeflectionResult {
         standard_error: fitted.standard_error,
         runs: fitted.runs,
     };
-    let both = |[before, after]: [[f64; 3]; 2]| BeforeAfter {
-        before: ByLoad::from_array(before),
-        after: ByLoad::from_array(after),
-    };
+    let both = |[before, after]: [ByLoad<f64>; 2]| BeforeAfter { before, after };
     let run = |run: &Judged| JudgedResult {
         run: run.name.clone(),
         residual_rms: both(run.loads),

@@ -51,8 +51,3 @@ pub(crate) fn as_json<T: Serialize>(result: &T) -> Result<Value, Failure> {
 
 /// Root loads by name; none where they were not measured.
 pub(crate) type Loads = Option<ByLoad<f64>>;
-
-/// Of Fz, Mx, My.
-pub(crate) fn loads(values: Option<[f64; 3]>) -> Loads {
-    values.map(ByLoad::from_array)
-}

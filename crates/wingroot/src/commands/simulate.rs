@@ -19,7 +19,7 @@ use nastran::InputError;
 use rayon::prelude::*;
 
 use crate::args::{Common, Given};
-use crate::commands::result_parts::{Models as OfModels, as_json, loads};
+use crate::commands::result_parts::{Models as OfModels, as_json};
 use crate::commands::simulate_effects::{self, WingEffects};
 use crate::commands::simulate_flown::{Band, Flown, at_airspeed};
 use crate::commands::simulate_result::{AirResult, RunResult, SimulateResult};
@@ -286,14 +286,14 @@ fn fly(file: &Path, run: Run, models: &[Models], corrected: &CorrectedWing) -> R
 fn run_result(flown: &Flown) -> RunResult {
     let (initial, updated) = (&flown.initial, &flown.updated);
     // Of a load that never moves there is no part.
-    let percent = |values: Option<[f64; 3]>| {
-        values.map(|values| ByLoad::from_array(values.map(|value| value.is_finite().then_some(value))))
+    let percent = |values: Option<ByLoad<f64>>| {
+        values.map(|values| values.map(|value| value.is_finite().then_some(value)))
     };
     RunResult {
         file: flown.file.display().to_string(),
         v_m_s: flown.run.v_m_s,
         samples: flown.run.len(),
-        residual_rms: OfModels { initial: loads(initial.residual_rms), updated: loads(updated.residual_rms) },
+        residual_rms: OfModels { initial: initial.residual_rms, updated: updated.residual_rms },
         remarks: flown.remarks.clone(),
         largest_half_interval_90: flown.spread.as_ref().map(|bands| {
             ByLoad::from_array(
@@ -325,7 +325,8 @@ fn summary(flown: &[Flown], out: &Path, seconds: f64) -> String {
     for flight in flown {
         let mut cells = vec![flight.run.name.clone(), format!("{:.1}", flight.run.v_m_s)];
         let of = |simulated: &Simulated, c: usize| {
-            simulated.residual_rms.map_or_else(|| largest_change(simulated, c), |rms| rms[c])
+            let rms = simulated.residual_rms.map(ByLoad::to_array);
+            rms.map_or_else(|| largest_change(simulated, c), |rms| rms[c])
         };
         let numbers = (0..3).flat_map(|c| [of(&flight.initial, c), of(&flight.updated, c)]);
         cells.extend(numbers.map(|number| format!("{number:.3}")));
