@@ -27,6 +27,9 @@ const STEP: f64 = 1e-7;
 /// Spin of one iteration beyond which a linear prediction means nothing, rad.
 const SPIN: f64 = 1.5;
 
+/// Residual of the linear equations of a step under loads that follow, relative.
+const RESIDUAL: f64 = 1e-8;
+
 /// A way that grows by more than this over the mean of the stiffnesses at its ends went across a limit of the load.
 pub(super) const JUMP: f64 = 1.5;
 
@@ -79,8 +82,16 @@ pub(super) fn converge(
         let solve = |b: &[f64]| -> Vec<f64> {
             factor.solve(Mat::from_fn(b.len(), 1, |i, _| -b[i]).as_ref()).col(0).iter().copied().collect()
         };
-        let du = if acting.follows() {
-            krylov::solve(&r, &solve, |v| structure.following_stiffness(&state, &map, near.as_ref(), v))
+        let du = if acting.follows() || structure.joints.has_means() {
+            let product = |v: &[f64]| {
+                let mut all = structure.turning_means(&state, &map, &short, v);
+                if acting.follows() {
+                    let loads = structure.following_stiffness(&state, &map, near.as_ref(), v);
+                    all.iter_mut().zip(loads).for_each(|(all, own)| *all += own);
+                }
+                all
+            };
+            krylov::solve(&r, &solve, product, RESIDUAL)
         } else {
             solve(&r)
         };
