@@ -7,7 +7,6 @@ use crate::root_loads::RootLoads;
 use aero::Corrections;
 use std::collections::BTreeMap;
 use std::sync::Mutex;
-use structure::nonlinear::State;
 
 /// A bent wing in many cases with many corrections: each is continued from the case without corrections, whose equilibrium is
 /// found once. So a result does not depend on what was asked before it.
@@ -15,7 +14,7 @@ use structure::nonlinear::State;
 pub struct LargeModel<'a> {
     wing: &'a LargeWing,
     /// Equilibria of theory by the numbers of the case; nothing where there is none.
-    theory: Mutex<BTreeMap<Vec<u64>, Option<State>>>,
+    theory: Mutex<BTreeMap<Vec<u64>, Option<LargeState>>>,
 }
 
 impl LargeWing {
@@ -37,15 +36,18 @@ impl LargeModel<'_> {
     ) -> Result<LargeState, CouplingError> {
         if let Some(start) = self.theory_of(case) {
             let theory = Corrections::neutral(self.wing.elastic.correctable.len());
+            if *corrections == theory {
+                return Ok(start);
+            }
             let (from, to) = (self.wing.air(case, &theory)?, self.wing.air(case, corrections)?);
-            if let Ok(found) = self.wing.continued(&start, &from, &to, case) {
+            if let Ok(found) = self.wing.continued(&start.state, &from, &to, case) {
                 return Ok(found);
             }
         }
         Ok(self.wing.solve(std::slice::from_ref(case), corrections)?.remove(0))
     }
 
-    fn theory_of(&self, case: &SteadyCase) -> Option<State> {
+    fn theory_of(&self, case: &SteadyCase) -> Option<LargeState> {
         let numbers = [case.flow.v_m_s, case.flow.rho_kg_m3, case.alpha_rad];
         let key: Vec<u64> = numbers.iter().chain(&case.controls_rad).map(|v| v.to_bits()).collect();
         let known = self.theory.lock().ok()?.get(&key).cloned();
@@ -53,10 +55,10 @@ impl LargeModel<'_> {
             return known;
         }
         let theory = Corrections::neutral(self.wing.elastic.correctable.len());
-        let found = self.wing.solve(std::slice::from_ref(case), &theory).ok();
-        let state = found.and_then(|mut found| found.pop()).map(|found| found.state);
-        self.theory.lock().ok()?.insert(key, state.clone());
-        state
+        let found =
+            self.wing.solve(std::slice::from_ref(case), &theory).ok().and_then(|mut found| found.pop());
+        self.theory.lock().ok()?.insert(key, found.clone());
+        found
     }
 
     fn each<T>(
@@ -72,6 +74,10 @@ impl LargeModel<'_> {
 impl SteadyModel for LargeModel<'_> {
     fn correctable(&self) -> &CorrectableBoxes {
         &self.wing.elastic.correctable
+    }
+
+    fn bends_far(&self) -> bool {
+        true
     }
 
     fn root_loads(
