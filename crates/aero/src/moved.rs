@@ -52,18 +52,15 @@ pub fn influence_by_motion(
     assert_eq!(cp.len(), lattice.len(), "pressures are for another number of boxes");
     let beta = beta(mach);
     let sources = sources(lattice, beta, cp);
-    let sides: Vec<(f64, Option<f64>)> =
-        [Some((1.0, None)), plane.image().map(|(y_m, sign)| (sign, Some(y_m)))]
-            .into_iter()
-            .flatten()
-            .collect();
+    let image = plane.image().map(|(y_m, sign)| Side { sign, mirror_m: Some(y_m) });
+    let sides: Vec<Side> = [Side { sign: 1.0, mirror_m: None }].into_iter().chain(image).collect();
     let mut all = Mat::zeros(6 * lattice.len(), lattice.len());
     all.par_col_iter_mut().enumerate().for_each(|(at, column)| {
         // A column of a new matrix is contiguous.
         let Some(column) = column.try_as_col_major_mut() else { return };
         let out = column.as_slice_mut();
-        for (sign, mirror) in &sides {
-            add_received(&sources, (at, &lattice.boxes[at]), beta, (*sign, *mirror), out);
+        for side in &sides {
+            add_received(&sources, lattice, at, beta, side, out);
         }
     });
     Ok(all)
@@ -105,17 +102,18 @@ fn mean_chord(panel: &AeroBox) -> Vector3<f64> {
     ((c2 - c1) + (c3 - c4)) / 2.0
 }
 
-/// What one box receives of all vortices, or of their images about a plane with a sign.
-fn add_received(
-    sources: &[Source],
-    (at, panel): (usize, &AeroBox),
-    beta: f64,
-    (sign, mirror): (f64, Option<f64>),
-    out: &mut [f64],
-) {
+/// The vortices, or their images about a plane y = `mirror_m`, with the sign of their circulation.
+struct Side {
+    sign: f64,
+    mirror_m: Option<f64>,
+}
+
+/// What one box receives of one side.
+fn add_received(sources: &[Source], lattice: &Lattice, at: usize, beta: f64, side: &Side, out: &mut [f64]) {
+    let (panel, sign) = (&lattice.boxes[at], side.sign);
     let (place, normal, own_core) = (panel.three_quarter_point(), panel.normal(), core(panel));
     let (mut point, mut along) = (stretched(&place, beta), normal * sign);
-    if let Some(y_m) = mirror {
+    if let Some(y_m) = side.mirror_m {
         point.y = 2.0 * y_m - point.y;
         along.y = -along.y;
     }
@@ -137,7 +135,7 @@ fn add_received(
         (0..3).for_each(|i| out[6 * source.boxes[1] + 3 + i] += turned[i]);
     }
     by_point.x /= beta;
-    if mirror.is_some() {
+    if side.mirror_m.is_some() {
         by_point.y = -by_point.y;
         by_normal.y = -by_normal.y;
     }

@@ -84,3 +84,37 @@ fn a_planted_lift_is_found_to_the_last_digits_on_a_wing_that_bends_by_a_third() 
     );
     assert!(found.trend.unwrap().0.abs() < 1e-5, "{found:?}");
 }
+
+#[test]
+fn the_measured_tips_of_the_pazy_wing_ask_for_one_lift_at_all_deflections() {
+    if std::env::var_os("RUN_SLOW_TESTS").is_none() {
+        println!("left out: minutes; RUN_SLOW_TESTS=1 runs it");
+        return;
+    }
+    let (file, wing) = LargeWing::read(&path("pazy/wing.ron")).unwrap();
+    for name in ["tip_3deg", "tip_5deg", "tip_5deg_by_airspeed"] {
+        let start = std::time::Instant::now();
+        let campaign = Campaign::read(&path("pazy").join(name)).unwrap();
+        let fitted = |bends_far: bool| {
+            let settings = Settings::of_wing(&file.correction);
+            let found = if bends_far {
+                calibrate(&wing.model(), &campaign, &settings)
+            } else {
+                calibrate(&wing.elastic, &campaign, &settings)
+            };
+            found.unwrap().common.unwrap().lift.unwrap()
+        };
+        let [small, large] = [false, true].map(fitted);
+        let seconds = start.elapsed().as_secs_f64();
+        println!(
+            "{name}: small {:.4} +- {:.4}, change {:.4?}",
+            small.factor,
+            small.sigma,
+            small.trend.unwrap()
+        );
+        println!("    large {:.4} +- {:.4}, change {:.4?}", large.factor, large.sigma, large.trend.unwrap());
+        println!("    zeros {:.5?} {:.5?}; {seconds:.0} s", small.tip_zeros, large.tip_zeros);
+        let (change, sigma) = large.trend.unwrap();
+        assert!(change.abs() < 2.0 * sigma, "{name}: the lift changes by {change} +- {sigma}");
+    }
+}
