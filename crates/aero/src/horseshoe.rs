@@ -25,12 +25,12 @@ pub const CORE: f64 = 0.01;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Horseshoe {
     /// Ends of its legs on the surface, where these do not run along x from the bound segment on.
-    edges: Option<[Vector3<f64>; 2]>,
-    from: Vector3<f64>,
-    to: Vector3<f64>,
+    pub(crate) edges: Option<[Vector3<f64>; 2]>,
+    pub(crate) from: Vector3<f64>,
+    pub(crate) to: Vector3<f64>,
     length_2: f64,
-    core: f64,
-    circulation: f64,
+    pub(crate) core: f64,
+    pub(crate) circulation: f64,
 }
 
 impl Horseshoe {
@@ -42,7 +42,7 @@ impl Horseshoe {
             from,
             to,
             length_2: (to - from).norm_squared(),
-            core: CORE * size(panel),
+            core: core(panel),
             circulation: panel.chord_m() / 2.0,
         }
     }
@@ -75,7 +75,7 @@ impl Receivers {
                 all.point[axis].push(p[axis]);
                 all.normal[axis].push(n[axis]);
             }
-            all.core.push(CORE * size(panel));
+            all.core.push(core(panel));
         }
         all
     }
@@ -120,12 +120,13 @@ pub(crate) fn horseshoes_on_surfaces(lattice: &Lattice, beta: f64) -> Vec<Horses
     all
 }
 
-fn stretched(p: &Point3<f64>, beta: f64) -> Vector3<f64> {
+pub(crate) fn stretched(p: &Point3<f64>, beta: f64) -> Vector3<f64> {
     Vector3::new(p.x / beta, p.y, p.z)
 }
 
-fn size(panel: &crate::AeroBox) -> f64 {
-    panel.chord_m().min(panel.width_m())
+/// Radius of the core of a box's vortices, m.
+pub(crate) fn core(panel: &crate::AeroBox) -> f64 {
+    CORE * panel.chord_m().min(panel.width_m())
 }
 
 /// 4 pi times the velocity of a horseshoe of circulation 1 at a point.

@@ -13,6 +13,7 @@ pub mod integration;
 pub mod lattice;
 pub mod load_operator;
 pub mod mirror;
+pub mod moved;
 pub mod vlm;
 
 pub use airfoil::Airfoil;
@@ -27,4 +28,5 @@ pub use integration::{BoxLoads, Integration};
 pub use lattice::{Lattice, Surface};
 pub use load_operator::{LoadDerivatives, LoadOperator};
 pub use mirror::{BoxMap, MirrorPlane};
+pub use moved::influence_by_motion;
 pub use vlm::{SteadyAero, influence, influence_of_moved};

@@ -53,7 +53,7 @@ pub(crate) fn influence_of_own(lattice: &Lattice, mach: f64) -> Result<Mat<f64>,
     Ok(matrix)
 }
 
-fn check(lattice: &Lattice, mach: f64) -> Result<(), AeroError> {
+pub(crate) fn check(lattice: &Lattice, mach: f64) -> Result<(), AeroError> {
     if !(0.0..1.0).contains(&mach) {
         return Err(AeroError::Mach { mach });
     }
@@ -64,7 +64,7 @@ fn check(lattice: &Lattice, mach: f64) -> Result<(), AeroError> {
 }
 
 /// Of Prandtl and Glauert.
-fn beta(mach: f64) -> f64 {
+pub(crate) fn beta(mach: f64) -> f64 {
     (1.0 - mach * mach).sqrt()
 }
 
@@ -133,6 +133,15 @@ impl SteadyAero {
     /// If `w` has not one row per box.
     pub fn pressures(&self, w: MatRef<'_, f64>) -> Mat<f64> {
         self.factors.solve(w)
+    }
+
+    /// What a weighted sum of pressures weighs incidences by, A^-T c: one weight a box, of cp in, of rad out.
+    ///
+    /// # Panics
+    /// If there is not one weight a box.
+    pub fn weights_of_incidences(&self, weights: &[f64]) -> Vec<f64> {
+        let column = MatRef::from_column_major_slice(weights, weights.len(), 1);
+        self.factors.solve_transpose(column).col(0).iter().copied().collect()
     }
 
     /// [`SteadyAero::pressures`] for a single column.

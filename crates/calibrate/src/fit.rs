@@ -264,7 +264,7 @@ impl<M: SteadyModel> Problem<'_, M> {
                     return Ok(Step::Taken(next, linearised));
                 }
                 Ok(_) => why = Ending::Stalled,
-                Err(CouplingError::Diverged { .. }) => {}
+                Err(error) if error.is_without_equilibrium() => {}
                 Err(error) => return Err(error),
             }
             share *= 0.5;

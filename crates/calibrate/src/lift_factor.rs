@@ -9,6 +9,9 @@
 //! ```
 //! where rho is the correlation of neighbouring residuals in the order of the file (not below zero): the rows of a sweep
 //! come from one slow process and say less than as many independent ones.
+//!
+//! Whether one factor serves all deflections is asked by a second unknown about the solution, `s + b z/z_max` with the model's
+//! height z of the tip: b is zero within its uncertainty where the model's deflections grow as the measured ones do.
 
 use crate::campaign::TIP;
 use crate::fit::Problem;
@@ -17,6 +20,8 @@ use coupling::{CouplingError, RootSensitivity, SteadyModel};
 
 /// Gauss-Newton steps at most; the problem is one smooth curve, and three or four do.
 const MOST_STEPS: usize = 20;
+/// Share of the growing part that one factor does not explain, below which the two are not told apart.
+const LEAST_APART: f64 = 1e-6;
 
 /// The uniform factor on lift.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,6 +37,9 @@ pub struct LiftFactor {
     /// Free zeros of the tip reading by block: what the reading shows when the tip has not moved, m, and its standard
     /// uncertainty; empty if the zero is known.
     pub tip_zeros: Vec<(f64, f64)>,
+    /// By how much the factor would change from no to the largest deflection of the tip, and its standard uncertainty; none if the
+    /// tip is not fitted, or the data do not tell the two apart.
+    pub trend: Option<(f64, f64)>,
 }
 
 impl LiftFactor {
@@ -41,10 +49,19 @@ impl LiftFactor {
     }
 }
 
+/// One channel at one factor, by row, in standard deviations; the tip's about its zero.
+struct Channel {
+    channel: usize,
+    residuals: Vec<f64>,
+    /// By the factor.
+    slopes: Vec<f64>,
+    /// By the part of the factor that grows with the height of the tip.
+    growing: Vec<f64>,
+}
+
 /// Rows at one factor.
 struct At {
-    /// Residual and derivative by channel and row, in standard deviations; the tip's about its zero.
-    rows: Vec<(usize, Vec<f64>, Vec<f64>)>,
+    channels: Vec<Channel>,
     /// Means by block of simulated minus measured tip and of its derivative, m.
     tip_means: (Vec<f64>, Vec<f64>),
 }
@@ -69,8 +86,8 @@ pub(crate) fn lift_factor<M: SteadyModel>(
         }
     }
     let (_, information) = at.normal();
-    let count: usize = at.rows.iter().map(|row| row.1.len()).sum();
-    let squares: f64 = at.rows.iter().flat_map(|row| &row.1).map(|r| r * r).sum();
+    let count: usize = at.channels.iter().map(|channel| channel.residuals.len()).sum();
+    let squares: f64 = at.channels.iter().flat_map(|channel| &channel.residuals).map(|r| r * r).sum();
     let freedom = count.saturating_sub(1 + problem.zero.count()).max(1) as f64;
     let scatter = (squares / freedom).max(1.0).sqrt();
     let mut found = LiftFactor {
@@ -79,10 +96,12 @@ pub(crate) fn lift_factor<M: SteadyModel>(
         correlation: at.correlation(problem),
         rmse: [0.0; 4],
         tip_zeros: Vec::new(),
+        trend: None,
     };
     let wide = scatter * found.widening();
     found.sigma = wide / information.sqrt();
-    for (channel, residuals, _) in &at.rows {
+    found.trend = at.trend(freedom - 1.0, found.widening()).filter(|_| problem.channels[TIP]);
+    for Channel { channel, residuals, .. } in &at.channels {
         let squares: f64 =
             residuals.iter().zip(problem.angles()).map(|(r, a)| r * r / a.replicates as f64).sum();
         found.rmse[*channel] = point_sigma[*channel] * (squares / residuals.len() as f64).sqrt();
@@ -121,29 +140,53 @@ fn at<M: SteadyModel>(
         problem.zero.means(|row| misses[row][TIP]),
         problem.zero.means(|row| slope(&sensitivities[row], TIP)),
     );
-    let rows = (0..4).filter(|&c| problem.channels[c]).map(|channel| {
+    let highest_m = sensitivities.iter().map(|at| at.tip_z_m.abs()).fold(f64::MIN_POSITIVE, f64::max);
+    let channels = (0..4).filter(|&c| problem.channels[c]).map(|channel| {
         let mut residuals: Vec<f64> = misses.iter().map(|row| row[channel]).collect();
         let mut slopes: Vec<f64> = sensitivities.iter().map(|at| slope(at, channel)).collect();
-        if channel == TIP {
-            problem.zero.centre(&mut residuals);
-            problem.zero.centre(&mut slopes);
-        }
+        let mut growing: Vec<f64> =
+            slopes.iter().zip(&sensitivities).map(|(slope, at)| slope * at.tip_z_m / highest_m).collect();
+        let columns = [&mut residuals, &mut slopes, &mut growing];
         let sigma = point_sigma[channel].max(f64::MIN_POSITIVE);
-        for ((r, s), angle) in residuals.iter_mut().zip(&mut slopes).zip(problem.angles()) {
-            let weight = (angle.replicates as f64).sqrt() / sigma;
-            *r *= weight;
-            *s *= weight;
+        for column in columns {
+            if channel == TIP {
+                problem.zero.centre(column);
+            }
+            for (value, angle) in column.iter_mut().zip(problem.angles()) {
+                *value *= (angle.replicates as f64).sqrt() / sigma;
+            }
         }
-        (channel, residuals, slopes)
+        Channel { channel, residuals, slopes, growing }
     });
-    Ok(At { rows: rows.collect(), tip_means: means })
+    Ok(At { channels: channels.collect(), tip_means: means })
 }
 
 impl At {
     /// Gradient and curvature of half the sum of squares.
     fn normal(&self) -> (f64, f64) {
-        let pairs = || self.rows.iter().flat_map(|(_, residuals, slopes)| residuals.iter().zip(slopes));
-        (pairs().map(|(r, s)| r * s).sum(), pairs().map(|(_, s)| s * s).sum())
+        (self.product(|at| &at.residuals, |at| &at.slopes), self.product(|at| &at.slopes, |at| &at.slopes))
+    }
+
+    fn product(&self, a: impl Fn(&Channel) -> &Vec<f64>, b: impl Fn(&Channel) -> &Vec<f64>) -> f64 {
+        self.channels.iter().flat_map(|at| a(at).iter().zip(b(at))).map(|(a, b)| a * b).sum()
+    }
+
+    /// The growing part of the factor by least squares, with its standard uncertainty.
+    fn trend(&self, freedom: f64, widening: f64) -> Option<(f64, f64)> {
+        let ss = self.product(|at| &at.slopes, |at| &at.slopes);
+        let sg = self.product(|at| &at.slopes, |at| &at.growing);
+        let gg = self.product(|at| &at.growing, |at| &at.growing);
+        let rs = self.product(|at| &at.residuals, |at| &at.slopes);
+        let rg = self.product(|at| &at.residuals, |at| &at.growing);
+        let rr = self.product(|at| &at.residuals, |at| &at.residuals);
+        let apart = gg - sg * sg / ss;
+        if freedom < 1.0 || apart <= LEAST_APART * gg {
+            return None;
+        }
+        let trend = -(rg - sg / ss * rs) / apart;
+        let squares = rr - rs * rs / ss - trend * trend * apart;
+        let scatter = (squares / freedom).max(1.0).sqrt();
+        Some((trend, scatter * widening / apart.sqrt()))
     }
 
     /// Correlation of residuals that follow one another in the file, blocks apart, all channels together.
@@ -152,7 +195,7 @@ impl At {
         let mut order: Vec<usize> = (0..place.len()).collect();
         order.sort_by_key(|&row| place[row]);
         let (mut products, mut squares) = (0.0, 0.0);
-        for (_, residuals, _) in &self.rows {
+        for Channel { residuals, .. } in &self.channels {
             for pair in order.windows(2).filter(|pair| place[pair[0]].0 == place[pair[1]].0) {
                 products += residuals[pair[0]] * residuals[pair[1]];
                 squares += 0.5 * (residuals[pair[0]].powi(2) + residuals[pair[1]].powi(2));

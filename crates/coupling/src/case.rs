@@ -135,6 +135,11 @@ pub trait SteadyModel: Sync {
         true
     }
 
+    /// Whether deflections are large in the model.
+    fn bends_far(&self) -> bool {
+        false
+    }
+
     /// Root loads, tip deflection and derivatives of cases that share a flow, in their order.
     ///
     /// # Errors

@@ -63,3 +63,10 @@ pub enum CouplingError {
         expected: usize,
     },
 }
+
+impl CouplingError {
+    /// Whether the wing has no stable equilibrium at the loads that were asked for: beyond its divergence, or bent too far.
+    pub fn is_without_equilibrium(&self) -> bool {
+        matches!(self, Self::Diverged { .. } | Self::NotInEquilibrium { .. })
+    }
+}

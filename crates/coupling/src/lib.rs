@@ -22,7 +22,7 @@ mod wing_parts;
 pub use case::{CorrectableBoxes, RootSensitivity, SteadyCase, SteadyModel};
 pub use error::CouplingError;
 pub use exchange::Exchange;
-pub use large::{BentMotion, BentMotionError, LargeState, LargeWing};
+pub use large::{BentMotion, BentMotionError, LargeModel, LargeState, LargeWing};
 pub use load_rows::{Balance, root_rows, station_rows, strip_rows};
 pub use nastran_deck::{DeckOptions, NastranDeck};
 pub use readings::{Readings, Rows};

@@ -4,10 +4,10 @@ use crate::card::Card;
 use crate::cards::kind::{CardKind, Cards, DeckCard, Family};
 use crate::cards::{
     Aecomp, Aefact, Aelink, Aelist, Aeros, Aestat, Aesurf, BeamElement, BeamProperty, Caero1, Cbush, Conm1,
-    Conm2, Conrod, Coord, Crod, EigenMethod, Genel, Gravity, Grid, LineLoad, LoadSum, Mat1, Mat2, Mat8, Mat9,
-    MonitorPoint, Mpc, Paero1, Pbush, Pcomp, PointLoad, Pressure, Prod, Pshell, Psolid, Rbar, Rbe2, Rbe3,
-    ScalarElement, ScalarProperty, Set1, SetUnion, ShellElement, SolidElement, Spc1, SplineCard, Spoint,
-    Suport, Trim,
+    Conm2, Conrod, Coord, Crod, CrossLoad, EigenMethod, Genel, Gravity, Grid, LineLoad, LoadSum, Mat1, Mat2,
+    Mat8, Mat9, MonitorPoint, Mpc, Paero1, Pbush, Pcomp, PointLoad, Pressure, Prod, Pshell, Psolid, Rbar,
+    Rbe2, Rbe3, ScalarElement, ScalarProperty, Set1, SetUnion, ShellElement, SolidElement, Spc1, SplineCard,
+    Spoint, Suport, Trim,
 };
 use crate::deck::case_control::Subcase;
 use crate::dmi::Dmi;
@@ -152,6 +152,7 @@ kinds! {
     equation_unions: BTreeMap<u32, SetUnion>, Own, ["MPCADD"];
     point_loads: Vec<PointLoad>, Own, ["FORCE", "MOMENT"];
     line_loads: Vec<LineLoad>, Own, ["FORCE1", "MOMENT1"];
+    cross_loads: Vec<CrossLoad>, Own, ["FORCE2", "MOMENT2"];
     pressures: Vec<Pressure>, Own, ["PLOAD", "PLOAD2", "PLOAD4"];
     gravities: Vec<Gravity>, Own, ["GRAV"];
     load_sums: BTreeMap<u32, LoadSum>, Own, ["LOAD"];

@@ -102,6 +102,8 @@ FORCE,2,1,7,2.,.1,.2,.3
 MOMENT,2,1,7,2.,.1,.2,.3
 FORCE1,2,1,4.,2,3
 MOMENT1,2,1,4.,2,3
+FORCE2,2,1,4.,2,3,2,1
+MOMENT2,2,1,4.,2,3,2,1
 PLOAD,2,5.,1,2,3
 PLOAD2,2,5.,80,81
 PLOAD4,2,80,1.,2.,3.,4.
@@ -136,6 +138,7 @@ const NO_IMAGE: &[&str] = &[
     "equation_unions",
     "point_loads",
     "line_loads",
+    "cross_loads",
     "pressures",
     "gravities",
     "load_sums",

@@ -6,7 +6,7 @@ mod common;
 mod large;
 
 use large::{force, large, path};
-use nalgebra::{Rotation3, Vector3};
+use nalgebra::{DMatrix, DVector, Rotation3, Vector3};
 use structure::nonlinear::{Controls, Following, LargeDeflection, Loads, NodeLoad, State};
 
 /// One of everything: beams with offsets and pins, rods, quadrilaterals (one warped), a triangle, a laminate, solids of three kinds,
@@ -183,4 +183,61 @@ fn clamps_give_what_all_loads_ask_for_at_the_places_of_now() {
     println!("loads {force:?} {moment:?}");
     assert!((force + given).norm() < 1e-7 * force.norm(), "forces: {force} {given}");
     assert!((moment + turning).norm() < 1e-7 * moment.norm(), "moments: {moment} {turning}");
+}
+
+/// The equilibrium next to a state: many steps with one tangent, where Newton's method stops at a ten-millionth of a radian.
+fn to_the_last_digit(wing: &LargeDeflection, start: &State, loads: &Loads) -> State {
+    let (n, k) = (wing.free_count(), wing.stiffness(start, loads));
+    let mut dense = DMatrix::zeros(n, n);
+    for j in 0..n {
+        for (i, value) in k.as_ref().row_idx_of_col(j).zip(k.as_ref().val_of_col(j)) {
+            dense[(i, j)] = *value;
+        }
+    }
+    let factor = dense.lu();
+    let mut state = start.clone();
+    for _ in 0..60 {
+        let short = DVector::from_vec(wing.residual(&state, loads));
+        let step = -factor.solve(&short).unwrap();
+        state = wing.moved(&state, step.as_slice());
+    }
+    state
+}
+
+#[test]
+fn readings_change_with_loads_as_their_adjoint_says() {
+    // Loads on the mean's reference and on masses with arms: ties and weight turn.
+    let (wing, mut loads) = (held(), all_loads(&Rotation3::identity()));
+    loads.following.clear();
+    let mean = NodeLoad { moment: Vector3::new(8.0, -6.0, 4.0), ..force(17, [300.0, 200.0, -400.0]) };
+    loads.dead.push(mean);
+    let end = to_the_last_digit(&wing, &path(&wing, &loads).end().state, &loads);
+    let turned = end.rotations.iter().map(Rotation3::angle).fold(0.0, f64::max);
+    assert!(turned > 0.2, "it turns: {turned}");
+    let read = |state: &State| state.places[16].z + 0.3 * state.places[13].x;
+    let mut by_motion = vec![0.0; 6 * wing.nodes().len()];
+    (by_motion[6 * 16 + 2], by_motion[6 * 13]) = (1.0, 0.3);
+    let dead = wing.change_of_dead(&end, &loads);
+    let change = |motion: &[f64]| dead.transposed_in_equilibrium(motion);
+    let outer = wing.load_forces(&end, &loads);
+    let lambda = &wing.adjoint(&end, &outer, &change, &[by_motion]).unwrap()[0];
+    let mut off: f64 = 0.0;
+    for (node, axis, is_moment) in
+        [(17, 0, false), (17, 1, true), (16, 2, false), (12, 1, false), (4, 2, true)]
+    {
+        let step = 0.05;
+        let at = |step: f64| {
+            let (mut more, unit) = (loads.clone(), Vector3::ith(axis, step));
+            let none = force(node, [0.0; 3]);
+            let load =
+                if is_moment { NodeLoad { moment: unit, ..none } } else { NodeLoad { force: unit, ..none } };
+            more.dead.push(load);
+            read(&to_the_last_digit(&wing, &end, &more))
+        };
+        let difference = (at(step) - at(-step)) / (2.0 * step);
+        let own = lambda[6 * node + 3 * usize::from(is_moment) + axis];
+        println!("node {node}, axis {axis}: {own:.9e}, by differences {difference:.9e}");
+        off = off.max((own / difference - 1.0).abs());
+    }
+    assert!(off < 1e-6, "the adjoint is off by {off:e}");
 }

@@ -108,3 +108,30 @@ fn what_is_not_read_or_not_there_is_said() {
     }
     assert_eq!(Loads::default().times(3.0), Loads::default());
 }
+
+#[test]
+fn forces_across_two_lines_are_those_along_their_normal_and_follow_it() {
+    // Along x by 2, along y by 3: the normal is +z, and -z the other way round.
+    for (cards, expected) in [
+        ("FORCE2,5,7,40.,5,6,5,8\n", "FORCE,5,7,,40.,0.,0.,1.\n"),
+        ("FORCE2,5,7,40.,5,8,5,6\n", "FORCE,5,7,,40.,0.,0.,-1.\n"),
+        ("MOMENT2,5,7,40.,6,7,6,2\n", "MOMENT,5,7,,40.,-1.,0.,0.\n"),
+        ("FORCE2,4,7,40.,5,6,5,8\nLOAD,5,2.,1.5,4\n", "FORCE,5,7,,120.,0.,0.,1.\n"),
+    ] {
+        let ((force, moment), (f, m)) = (summed(cards, 5), summed(expected, 5));
+        near(force, f.into(), cards);
+        near(moment, m.into(), cards);
+    }
+    // Turned by a quarter about y, +z becomes +x.
+    let bulk = deck(&(BOX.to_owned() + "FORCE2,5,7,40.,5,6,5,8\n"));
+    let wing = structure::nonlinear::LargeDeflection::new(&Model::from_bulk(&bulk).expect("a model"))
+        .expect("a structure");
+    let quarter = nalgebra::Rotation3::from_axis_angle(&Vector3::y_axis(), std::f64::consts::FRAC_PI_2);
+    let forces = wing.load_forces(&wing.undeformed().turned(&quarter), &loads_of(&bulk, 5).expect("loads"));
+    let total = forces.chunks_exact(6).map(|six| Vector3::from_column_slice(&six[..3])).sum::<Vector3<f64>>();
+    near(total, [40.0, 0.0, 0.0], "turned");
+    for (card, said) in [("FORCE2,5,7,40.,5,6,8,7\n", "parallel"), ("FORCE2,5,7,40.,5,6,5,99\n", "99")] {
+        let error = loads_of(&deck(&(BOX.to_owned() + card)), 5).expect_err("refused").to_string();
+        assert!(error.contains(said), "{error}");
+    }
+}

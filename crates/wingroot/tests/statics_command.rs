@@ -117,3 +117,23 @@ fn what_cannot_be_is_refused_with_the_last_airspeed_that_was_reached() {
     stopped(&arguments, 3, &["no stable equilibrium", "130.00 m/s", "the last one was at"]);
     std::fs::remove_dir_all(folder).expect("it was made above");
 }
+
+#[test]
+fn the_load_of_the_case_control_is_taken_and_of_several_one_must_be_named() {
+    let folder = folder("subcases");
+    let tip = |arguments: &[&str]| {
+        let result = result(&folder, &[&["--deck", "wing.bdf"], arguments].concat());
+        result["linear_displacement_m"][2].as_f64().expect("a number")
+    };
+    // P L^3 / 3 E I of P = 1 (set 30) and P = 4 (set 20).
+    cantilever(&folder, "LOAD = 30\n");
+    assert!((tip(&[]) - 1.0 / 3.0).abs() < 1e-6, "LOAD before the first SUBCASE");
+    assert!((tip(&["--load", "20"]) - 4.0 / 3.0).abs() < 1e-6, "--load says more than the deck");
+    cantilever(&folder, "SUBCASE 1\nLOAD = 20\nSUBCASE 7\nLOAD = 30\n");
+    assert!((tip(&["--subcase", "7"]) - 1.0 / 3.0).abs() < 1e-6, "LOAD of subcase 7");
+    let refused = run(&folder, &["--deck", "wing.bdf"]);
+    let said = String::from_utf8_lossy(&refused.stderr);
+    assert_eq!(refused.status.code(), Some(2), "{said}");
+    assert!(said.contains("--subcase: 1 (LOAD 20), 7 (LOAD 30)"), "{said}");
+    std::fs::remove_dir_all(&folder).expect("it was made above");
+}

@@ -76,10 +76,20 @@ pub(crate) fn deflections<M: SteadyModel>(
     let is_different = difference > DIFFERENT * first.sigma && difference > LEAST_DIFFERENCE;
     Ok(is_different.then(|| {
         Finding::suspicion(format!(
-            "the lift factor is {:.3} +- {:.3} of tip deflections below {:.0} % of the span and {:.3} +- {:.3} of all, up to {:.0} %: \
-             a linear model does not have this, so it is the deflection and not the lift that the factor mends; fit small \
-             deflections alone",
-            first.factor, first.sigma, 50.0 * most_m / span_m, lift.factor, lift.sigma, 100.0 * most_m / span_m,
+            "the lift factor is {:.3} +- {:.3} of tip deflections below {:.0} % of the span and {:.3} +- {:.3} of all, up to {:.0} %: {}",
+            first.factor,
+            first.sigma,
+            50.0 * most_m / span_m,
+            lift.factor,
+            lift.sigma,
+            100.0 * most_m / span_m,
+            if context.model.bends_far() {
+                "deflections are large in the model, so it is not they that the factor mends: stall, a stiffness or a reading that \
+                 changes"
+            } else {
+                "a linear model does not have this, so it is the deflection and not the lift that the factor mends; fit small \
+                 deflections alone, or write `geometry: Nonlinear` in the wing's file"
+            },
         ))
     }))
 }

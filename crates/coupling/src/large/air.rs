@@ -22,10 +22,10 @@ pub(super) struct Air<'a> {
 
 /// The air about one state: its lattice solved, pressures of motions beside it by the same influence.
 pub(super) struct Solved<'a> {
-    air: Air<'a>,
-    aero: SteadyAero,
+    pub(super) air: Air<'a>,
+    pub(super) aero: SteadyAero,
     /// Chord along the stream of the boxes when the lattice was solved, m.
-    chord_m: Vec<f64>,
+    pub(super) chord_m: Vec<f64>,
     weight: Vec<f64>,
     state: State,
 }
@@ -44,8 +44,13 @@ pub(super) struct Loaded {
 
 impl<'a> Air<'a> {
     /// From the structure's axes to those whose x runs along the stream.
-    fn to_stream(&self) -> Rotation3<f64> {
+    pub(super) fn to_stream(&self) -> Rotation3<f64> {
         Rotation3::from_axis_angle(&Vector3::y_axis(), self.alpha_rad)
+    }
+
+    /// Chord of a box along itself, m.
+    pub(super) fn own_chord_m(&self, at: usize) -> f64 {
+        4.0 * self.elastic.integration.moment_arm(at)
     }
 
     /// Weight of the structure's axes at this angle of attack.
@@ -72,8 +77,8 @@ impl Solved<'_> {
         let stream = turned(&boxes.lattice, &air.to_stream());
         let cp = self.aero.pressures_of(&self.incidence(&stream));
         // The lattice takes the circulation as V cp chord/2 with the chord along the stream; pressures are by the box's own.
-        let own_m = |j: usize| 4.0 * elastic.integration.moment_arm(j);
-        let cp: Vec<f64> = cp.iter().enumerate().map(|(j, cp)| cp * self.chord_m[j] / own_m(j)).collect();
+        let cp: Vec<f64> =
+            cp.iter().enumerate().map(|(j, cp)| cp * self.chord_m[j] / air.own_chord_m(j)).collect();
         let box_loads = elastic.integration.corrected(&air.corrections).box_loads(air.q_pa, &cp);
         let loads = self.directed(&stream, &box_loads);
         Loaded { cp, box_loads, loads, boxes }
@@ -133,13 +138,13 @@ impl Solved<'_> {
 }
 
 /// Unit chord of a box, aft.
-fn chord(panel: &AeroBox) -> Vector3<f64> {
+pub(super) fn chord(panel: &AeroBox) -> Vector3<f64> {
     let [c1, c2, c3, c4] = &panel.corners;
     ((c2 - c1) + (c3 - c4)).normalize()
 }
 
 /// Directions of a box's lift, on the stream (x) and the bound vortex, and of its nose-up moment.
-fn directions(panel: &AeroBox) -> [Vector3<f64>; 2] {
+pub(super) fn directions(panel: &AeroBox) -> [Vector3<f64>; 2] {
     let [from, to] = panel.bound_vortex();
     let lift = Vector3::x().cross(&(to - from)).normalize();
     [lift, lift.cross(&chord(panel))]

@@ -3,8 +3,8 @@
 use crate::spline::{feet_on_axis, nearest_nodes};
 use crate::wing_file::SplineKind;
 use aero::{AeroBox, Lattice};
-use nalgebra::{Point3, Rotation3, Vector3};
-use structure::nonlinear::{Carried, CarriedPoint, PlacedCarriers, State};
+use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
+use structure::nonlinear::{Carried, CarriedPoint, PlacedCarriers, State, differenced};
 
 /// The boxes of a lattice and what they hang on.
 #[derive(Debug, Clone)]
@@ -46,6 +46,25 @@ impl CarriedBoxes {
         let boxes = (0..lattice.len()).map(carried).collect();
         let lattice = Lattice { boxes, surfaces: lattice.surfaces.clone() };
         MovedBoxes { placed, feet, lattice }
+    }
+
+    /// Displacements of the midpoints of boxes (m) and their spins (rad) in a motion of all nodes (m, rad; g-set, basic axes).
+    pub(super) fn motions(&self, lattice: &Lattice, state: &State, motion: &[f64]) -> Vec<[Vector3<f64>; 2]> {
+        let each = |motion: &[f64]| -> Vec<f64> {
+            let moved = self.moved(lattice, &state.moved_by(motion));
+            let one = |(panel, (_, turned)): (&AeroBox, &(Vector3<f64>, Rotation3<f64>))| {
+                let turned: Vec<f64> = turned.matrix().iter().copied().collect();
+                [panel.mid_point().coords.as_slice(), &turned].concat()
+            };
+            moved.lattice.boxes.iter().zip(&moved.feet).flat_map(one).collect()
+        };
+        let now = self.moved(lattice, state);
+        let one = |(change, (_, turned)): (&[f64], &(Vector3<f64>, Rotation3<f64>))| {
+            let turning = Matrix3::from_column_slice(&change[3..]) * turned.matrix().transpose();
+            let spin = |i: usize, j: usize| 0.5 * (turning[(i, j)] - turning[(j, i)]);
+            [Vector3::from_column_slice(&change[..3]), Vector3::new(spin(2, 1), spin(0, 2), spin(1, 0))]
+        };
+        differenced(motion, each).chunks_exact(12).zip(&now.feet).map(one).collect()
     }
 
     /// Forces and moments on the nodes (N, Nm; g-set) of a force and a moment about the midpoint of each box (N, Nm; the

@@ -10,10 +10,14 @@
 //! the wake induces is not in the forces. Factors and offsets of corrections stay with their boxes. Small
 //! deflections are the limit: [`crate::ElasticWing`], term by term.
 
+mod adjoint;
 mod air;
+mod answer;
 mod boxes;
+mod model;
 mod motion;
 mod wing;
 
+pub use model::LargeModel;
 pub use motion::{BentMotion, BentMotionError};
 pub use wing::{LargeState, LargeWing};

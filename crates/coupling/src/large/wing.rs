@@ -24,7 +24,7 @@ pub struct LargeWing {
     pub structure: LargeDeflection,
     pub(super) boxes: CarriedBoxes,
     /// The node whose height is the tip deflection.
-    tip: usize,
+    pub(super) tip: usize,
     /// At rest at alpha = 0: its own weight alone.
     wind_off: State,
 }
@@ -204,7 +204,7 @@ impl LargeWing {
         incidence
     }
 
-    fn continued(
+    pub(super) fn continued(
         &self,
         start: &State,
         from: &Air<'_>,

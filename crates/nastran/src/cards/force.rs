@@ -1,4 +1,5 @@
-//! Loads at grids: FORCE and MOMENT in fixed directions, FORCE1 and MOMENT1 along a line between grids.
+//! Loads at grids: FORCE and MOMENT in fixed directions, FORCE1 and MOMENT1 along a line between grids, FORCE2 and MOMENT2 across two
+//! lines.
 
 use super::prelude::*;
 use nalgebra::Vector3;
@@ -87,6 +88,52 @@ impl DeckCard for LineLoad {
 
     // Sets keep their numbers.
     raises!(cards: grid, line);
+
+    // An image has no case control that selects loads.
+    no_image!();
+}
+
+/// A force, or a moment, normal to two lines between grids, which it follows (FORCE2, MOMENT2).
+#[derive(Debug, Clone, PartialEq)]
+pub struct CrossLoad {
+    /// Load set.
+    pub set: u32,
+    /// Grid it acts on.
+    pub grid: u32,
+    /// Size.
+    pub size: f64,
+    /// Ends of the first line, then of the second; the direction is first cross second.
+    pub ends: [u32; 4],
+    /// MOMENT2.
+    pub is_moment: bool,
+    /// Where the card stands.
+    pub span: Span,
+}
+
+impl DeckCard for CrossLoad {
+    keyed!(u32, set);
+    variant!(|card| usize::from(card.is_moment));
+    /// FORCE2: SID G F G1 G2 G3 G4.
+    fn read(card: &Card) -> Result<Vec<Self>, InputError> {
+        card.ends_after(7)?;
+        let ends = ["G1", "G2", "G3", "G4"].into_iter().enumerate();
+        let ends = ends.map(|(at, name)| card.id(3 + at, name)).collect::<Result<Vec<u32>, _>>()?;
+        Ok(vec![Self {
+            set: card.id(0, "SID")?,
+            grid: card.id(1, "G")?,
+            size: card.real(2, "F")?,
+            ends: [ends[0], ends[1], ends[2], ends[3]],
+            is_moment: card.name == "MOMENT2",
+            span: card.span.clone(),
+        }])
+    }
+
+    fn write(&self, card: Fields) -> Fields {
+        card.ints([self.set, self.grid]).real(self.size).ints(self.ends)
+    }
+
+    // Sets keep their numbers.
+    raises!(cards: grid, ends);
 
     // An image has no case control that selects loads.
     no_image!();

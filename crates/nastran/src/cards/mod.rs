@@ -41,7 +41,7 @@ pub use bush::{BushAxes, Cbush, Pbush};
 pub use conrod::Conrod;
 pub use constraint::{Mpc, SetUnion, Spc1};
 pub use eigen::EigenMethod;
-pub use force::{LineLoad, PointLoad};
+pub use force::{CrossLoad, LineLoad, PointLoad};
 pub use genel::Genel;
 pub use gravity::{Gravity, LoadSum};
 pub use grid::{Grid, Set1};

@@ -24,6 +24,8 @@ pub struct Subcase {
     pub mpc: Option<u32>,
     /// SUPORT1.
     pub support: Option<u32>,
+    /// LOAD: static loads.
+    pub load: Option<u32>,
     /// METHOD: EIGRL or EIGR.
     pub method: Option<u32>,
     /// AUTOSPC, in the place of PARAM AUTOSPC.
@@ -156,6 +158,7 @@ fn select(case: &mut Subcase, command: &Command, name: &str, value: Option<&str>
             });
         }
         "SUPORT1" => case.support = one()?,
+        "LOAD" => case.load = one()?,
         "METHOD" => case.method = one()?,
         "LABEL" | "SUBTITLE" => {
             let label = command.text.split_once('=').map_or("", |(_, label)| label);

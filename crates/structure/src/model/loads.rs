@@ -5,37 +5,42 @@ use crate::laminate::ShearModel;
 use crate::nonlinear::{Following, Loads, NodeLoad};
 use nalgebra::Vector3;
 use nastran::{
-    BulkData, Gravity, InputError, LineLoad, LoadSum, PointLoad, Pressed, Pressure, SolidElement, Span,
+    BulkData, CrossLoad, Gravity, InputError, LineLoad, LoadSum, PointLoad, Pressed, Pressure, SolidElement,
+    Span,
 };
 use std::collections::BTreeSet;
 
 /// Loads that are not read, and would be missing if a set had some.
 const UNREAD: &[&str] = &[
-    "FORCE2", "MOMENT2", "PLOAD1", "PLOADX1", "RFORCE", "ACCEL", "ACCEL1", "SLOAD", "SPCD", "DEFORM", "TEMP",
-    "TEMPD", "TEMPP1", "TEMPRB", "CLOAD",
+    "PLOAD1", "PLOADX1", "RFORCE", "ACCEL", "ACCEL1", "SLOAD", "SPCD", "DEFORM", "TEMP", "TEMPD", "TEMPP1",
+    "TEMPRB", "CLOAD",
 ];
+
+/// Sine of an angle that is round-off of places.
+const ROUND_OFF: f64 = 1e-9;
 
 /// The sets of loads that a deck has, ascending.
 pub fn load_sets(bulk: &BulkData) -> Vec<u32> {
     let sums = bulk.load_sums.keys().copied();
     let points = bulk.point_loads.iter().map(|load| load.set);
     let lines = bulk.line_loads.iter().map(|load| load.set);
+    let across = bulk.cross_loads.iter().map(|load| load.set);
     let pressures = bulk.pressures.iter().map(|load| load.set);
     let weights = bulk.gravities.iter().map(|load| load.set);
-    let all: BTreeSet<u32> = sums.chain(points).chain(lines).chain(pressures).chain(weights).collect();
+    let all: BTreeSet<u32> =
+        sums.chain(points).chain(lines).chain(across).chain(pressures).chain(weights).collect();
     all.into_iter().collect()
 }
 
-/// The loads of a set: LOAD sums up others. FORCE, MOMENT and GRAV keep their direction, FORCE1, MOMENT1 and pressures
-/// follow the structure.
+/// The loads of a set: LOAD sums up others. FORCE, MOMENT and GRAV keep their direction, FORCE1, MOMENT1, FORCE2, MOMENT2
+/// and pressures follow the structure.
 ///
 /// # Errors
 /// If there is no such set, it names what is not there, or the deck has loads that are not read.
 pub fn loads_of(bulk: &BulkData, set: u32) -> Result<Loads, InputError> {
     if let Some((name, unread)) = bulk.unknown.iter().find(|(name, _)| UNREAD.contains(&name.as_str())) {
         let message = format!("{name} is a load that is not read: leaving it out would change the loads");
-        let help =
-            "give it as FORCE, MOMENT, FORCE1, PLOAD, PLOAD2, PLOAD4 or GRAV, or take it out of the deck";
+        let help = "give it as FORCE, MOMENT, FORCE1, FORCE2, PLOAD, PLOAD2, PLOAD4 or GRAV, or take it out of the deck";
         return Err(InputError::at(&unread.first, message).with_help(help));
     }
     let builder = Builder::new(bulk, ShearModel::Equilibrium)?;
@@ -58,6 +63,9 @@ fn single(builder: &Builder, set: u32, asked: Option<&Span>) -> Result<Loads, In
     }
     for load in bulk.line_loads.iter().filter(|load| load.set == set) {
         loads.following.push(line(builder, load)?);
+    }
+    for load in bulk.cross_loads.iter().filter(|load| load.set == set) {
+        loads.following.push(across(builder, load)?);
     }
     for load in bulk.pressures.iter().filter(|load| load.set == set) {
         pressure(builder, load, &mut loads.following)?;
@@ -101,6 +109,19 @@ fn line(builder: &Builder, load: &LineLoad) -> Result<Following, InputError> {
         );
     }
     Ok(Following::Along { node, line, size: load.size, is_moment: load.is_moment })
+}
+
+fn across(builder: &Builder, load: &CrossLoad) -> Result<Following, InputError> {
+    let user = format!("{} of set {}", if load.is_moment { "MOMENT2" } else { "FORCE2" }, load.set);
+    let node = builder.node(load.grid, &user, &load.span)?;
+    let ends = builder.nodes_of(&load.ends, &user, &load.span)?;
+    let lines = [[ends[0], ends[1]], [ends[2], ends[3]]];
+    let [a, b] = lines.map(|[from, to]| builder.nodes[to].point - builder.nodes[from].point);
+    if a.cross(&b).norm() <= ROUND_OFF * a.norm() * b.norm() {
+        let message = format!("{user}: its two lines are parallel, or one has no length");
+        return Err(InputError::at(&load.span, message).with_help("its direction is normal to both lines"));
+    }
+    Ok(Following::Across { node, lines, size: load.size, is_moment: load.is_moment })
 }
 
 fn pressure(builder: &Builder, load: &Pressure, into: &mut Vec<Following>) -> Result<(), InputError> {

@@ -105,6 +105,11 @@ impl Corotated {
         Self { id: 0, nodes: nodes.to_vec(), per_node: 6, points, frame, k: None, mass: None }
     }
 
+    /// The same on a state of its own nodes alone.
+    pub(super) fn alone(&self) -> Self {
+        Self { nodes: (0..self.nodes.len()).collect(), ..self.clone() }
+    }
+
     /// Whether it gives forces.
     pub(crate) fn is_elastic(&self) -> bool {
         self.k.is_some()

@@ -3,7 +3,7 @@
 //! `du_g` = T(x) `du_f` over displacements and spins. A rigid arm gives dx = dx_m - [a] dw_m; a mean gives
 //! the weighted displacement of its group and the spin of the group's best fit. Forces on what follows go back the same way,
 //! and where a rigid arm carries the force f from its independent node, turning the arm changes its moment: [f][a] is
-//! added to the tangent. (The like term of a mean is left out: it costs iterations, no accuracy.)
+//! added to the tangent. The like term of a mean would fill the tangent: its products are differences (`super::adjoint`).
 
 use super::frame::{Group, spin_of_rotation};
 use super::state::State;
@@ -185,6 +185,11 @@ impl Joints {
             terms.push(([3, 4, 5].map(|c| 6 * from + c), term));
         }
         terms
+    }
+
+    /// Whether there are weighted means among them.
+    pub(crate) fn has_means(&self) -> bool {
+        self.steps.iter().any(|step| matches!(step, Step::Mean { .. }))
     }
 
     /// Nodes on whose rotations turning arms act, whatever the state.

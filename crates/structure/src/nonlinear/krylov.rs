@@ -6,14 +6,12 @@
 /// Steps at most.
 const STEPS: usize = 30;
 
-/// Residual of the preconditioned equations, relative.
-const RESIDUAL: f64 = 1e-8;
-
-/// -(K + L)^-1 r: `solve` is -K^-1, `product` is L v.
+/// -(K + L)^-1 r: `solve` is -K^-1, `product` is L v, `residual` that of the preconditioned equations, relative.
 pub(super) fn solve(
     r: &[f64],
     solve: &impl Fn(&[f64]) -> Vec<f64>,
     product: impl Fn(&[f64]) -> Vec<f64>,
+    residual: f64,
 ) -> Vec<f64> {
     let b = solve(r);
     let size = norm(&b);
@@ -47,7 +45,7 @@ pub(super) fn solve(
         let last = right[step];
         right[step] = turn[0] * last;
         right.push(-turn[1] * last);
-        if right[step + 1].abs() <= RESIDUAL * size || rest <= 1e-14 * length {
+        if right[step + 1].abs() <= residual * size || rest <= 1e-14 * length {
             break;
         }
         basis.push(next.iter().map(|v| v / rest).collect());
@@ -80,7 +78,7 @@ mod tests {
             l.iter().map(|row| row.iter().zip(v).map(|(l, v)| l * v).sum()).collect()
         };
         let r = [1.0, -2.0, 3.0, 0.5];
-        let x = super::solve(&r, &|b: &[f64]| b.iter().zip(k).map(|(b, k)| -b / k).collect(), product);
+        let x = super::solve(&r, &|b: &[f64]| b.iter().zip(k).map(|(b, k)| -b / k).collect(), product, 1e-8);
         for (at, (applied, r)) in product(&x).iter().zip(r).enumerate() {
             let short = k[at] * x[at] + applied + r;
             assert!(short.abs() < 1e-7, "equation {at}: {short:e}");

@@ -10,6 +10,7 @@
 //! far it went).
 
 mod acting;
+mod adjoint;
 mod carried;
 mod corotated;
 mod error;
@@ -26,8 +27,10 @@ mod state;
 mod steps;
 mod structure;
 mod tangent;
+mod weight;
 
 pub use acting::Acting;
+pub use adjoint::{Transposed, differenced, moments_across};
 pub use carried::{Carried, CarriedPoint, PlacedCarriers};
 pub use error::NonlinearError;
 pub use joints::reactions_of;
@@ -36,3 +39,4 @@ pub use near::Near;
 pub use state::State;
 pub use steps::{Controls, Path, Point};
 pub use structure::LargeDeflection;
+pub use weight::DeadChange;

@@ -6,8 +6,10 @@
 
 use super::acting::Acting;
 use super::krylov;
+use super::near::Near;
 use super::state::State;
 use super::structure::LargeDeflection;
+use crate::dofs::DofMap;
 use crate::factor::Factor;
 use crate::sparse;
 use faer::Mat;
@@ -26,6 +28,9 @@ const STEP: f64 = 1e-7;
 
 /// Spin of one iteration beyond which a linear prediction means nothing, rad.
 const SPIN: f64 = 1.5;
+
+/// Residual of the linear equations of a step under loads that follow, relative.
+const RESIDUAL: f64 = 1e-8;
 
 /// A way that grows by more than this over the mean of the stiffnesses at its ends went across a limit of the load.
 pub(super) const JUMP: f64 = 1.5;
@@ -76,13 +81,11 @@ pub(super) fn converge(
         negative = factor.pivots().iter().filter(|(_, pivot)| *pivot < 0.0).count();
         on_the_way = on_the_way.max(negative);
         let r = LargeDeflection::reduced(&map, &short);
-        let solve = |b: &[f64]| -> Vec<f64> {
-            factor.solve(Mat::from_fn(b.len(), 1, |i, _| -b[i]).as_ref()).col(0).iter().copied().collect()
-        };
-        let du = if acting.follows() {
-            krylov::solve(&r, &solve, |v| structure.following_stiffness(&state, &map, near.as_ref(), v))
+        let du = if acting.follows() || structure.joints.has_means() {
+            let following = acting.follows().then_some(near.as_ref());
+            unsymmetric_step(structure, &state, &map, following, &short, &factor)
         } else {
-            solve(&r)
+            symmetric_step(&factor, &r)
         };
         let moved = structure.move_on(&mut state, &map, &du);
         let (shift, spin) = largest(&moved);
@@ -100,7 +103,7 @@ pub(super) fn converge(
             inner.placed.iter().zip(&inner.local).map(|(at, local)| 0.5 * at.motion.dot(local)).sum();
         if own <= WORK * work.max(stored) && spin < STEP && shift < STEP * size {
             let product = |u: &[f64]| added.iter().zip(u).map(|(f, u)| f * u).sum::<f64>().abs();
-            let mean = 0.5 * (first_work + product(&solve(&added)));
+            let mean = 0.5 * (first_work + product(&symmetric_step(&factor, &added)));
             let overshoot = if on_the_way > 0 { product(&way) / mean } else { 0.0 };
             return Ok(Converged { state, iterations: iteration, negative, overshoot, factor });
         }
@@ -114,6 +117,33 @@ pub(super) fn converge(
         promised = Some((0..inner.local.len()).into_par_iter().map(one).collect());
     }
     Err(Failed { negative, iterations: ITERATIONS })
+}
+
+/// -K^-1 r.
+fn symmetric_step(factor: &Factor, r: &[f64]) -> Vec<f64> {
+    factor.solve(Mat::from_fn(r.len(), 1, |i, _| -r[i]).as_ref()).col(0).iter().copied().collect()
+}
+
+/// The same with what is not in the tangent: means that turn, and loads that follow. `short` is what the nodes are short of
+/// equilibrium by.
+fn unsymmetric_step(
+    structure: &LargeDeflection,
+    state: &State,
+    map: &DofMap,
+    following: Option<&dyn Near>,
+    short: &[f64],
+    factor: &Factor,
+) -> Vec<f64> {
+    let product = |v: &[f64]| {
+        let mut all = structure.turning_means(state, map, short, v);
+        if let Some(near) = following {
+            let loads = structure.following_stiffness(state, map, near, v);
+            all.iter_mut().zip(loads).for_each(|(all, own)| *all += own);
+        }
+        all
+    };
+    let r = LargeDeflection::reduced(map, short);
+    krylov::solve(&r, &|b: &[f64]| symmetric_step(factor, b), product, RESIDUAL)
 }
 
 /// Largest displacement and spin of a motion of the g-set.

@@ -7,12 +7,16 @@ use std::time::Instant;
 
 use aero::{Corrections, MirrorPlane};
 use calibrate::ensemble::ensemble;
+use calibrate::posterior::AirspeedPosterior;
+use calibrate::posterior::next::Suggestion;
 use calibrate::{AirspeedCalibration, Calibration, Campaign, Settings, Weight};
-use coupling::{ElasticWing, SteadyCase};
+use coupling::{ElasticWing, Geometry, LargeWing, SteadyCase, WingFile};
+use nastran::InputError;
 
 use crate::args::{Common, Measured};
 use crate::commands::calibrate_common as common_set;
 use crate::commands::calibrate_figures as figures;
+use crate::commands::calibrate_model::{self, Fitted};
 use crate::commands::calibrate_numbers::{channels, identifiability, speed_name};
 use crate::commands::calibrate_predictions;
 use crate::commands::calibrate_predictions_result;
@@ -49,55 +53,113 @@ pub struct CalibrateArgs {
 
 /// Runs the command.
 pub(crate) fn run(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
-    let start = Instant::now();
-    let (file, wing) = ElasticWing::read(&args.measured.wing_path()?)?;
+    let path = args.measured.wing_path()?;
+    if WingFile::read(&path)?.geometry == Geometry::Nonlinear {
+        let (file, wing) = LargeWing::read(&path)?;
+        return fit(args, common, &file, &Fitted::large(&wing));
+    }
+    let (file, wing) = ElasticWing::read(&path)?;
+    fit(args, common, &file, &Fitted::Small(&wing))
+}
+
+/// What a fit came to.
+struct Fit {
+    calibration: Calibration,
+    /// With small deflections, where the fit has large ones.
+    small: Option<Calibration>,
+    predictions: Vec<AirspeedPosterior>,
+    /// What to measure next.
+    next: Vec<Suggestion>,
+    seconds: f64,
+}
+
+/// Fits a wing and writes what came of it.
+fn fit(args: &CalibrateArgs, common: &Common, file: &WingFile, fitted: &Fitted<'_>) -> Result<(), Failure> {
+    let wing = fitted.elastic();
     let campaign = Campaign::read(&args.measured.campaign_path()?)?;
-    let settings = Settings::of_wing(&file.correction);
-    let calibration = calibrate::calibrate(&wing, &campaign, &settings)?;
-    let predictions = calibrate::posterior::posterior(&wing, &calibration, &file.correction.prior)?;
-    let calibration = calibration.with_means(&wing, &predictions)?;
-    let seconds = start.elapsed().as_secs_f64();
-    let next = match &args.next {
-        None => Vec::new(),
-        Some(words) => {
-            let wanted = calibrate_predictions::wanted(words, &wing)?;
-            calibrate::posterior::next::rank(&wing, &calibration, &file.correction.prior, &wanted)?
-        }
+    let Fit { calibration, small, predictions, next, seconds } = found(args, &campaign, file, fitted)?;
+    let strips = calibrate_strips::compare(&campaign.folder, fitted, &calibration)?;
+    let of_small = |small: &Calibration| -> Vec<_> {
+        let lifts = calibrate_model::lift_factors(small).into_iter();
+        lifts.map(|lift| common_set::lift_factor(lift, small)).collect()
     };
-    let strips = calibrate_strips::compare(&campaign.folder, &wing, &calibration)?;
     let result = CalibrateResult {
-        predictions: calibrate_predictions_result::result(&wing, &predictions),
+        lift_factors_with_small_deflections: small.as_ref().map(of_small).unwrap_or_default(),
+        predictions: calibrate_predictions_result::result(wing, &predictions),
         next: calibrate_predictions_result::suggestions(&next),
-        ..result(&wing, &campaign, &calibration, strips.as_ref(), seconds)?
+        ..result(wing, &campaign, &calibration, strips.as_ref(), seconds)?
     };
     let result = as_json(&result)?;
     let folder = ResultFolder::begin(&common.out("calibrate"))?;
     folder.input("wing", &file.path)?;
     folder.input("campaign", &campaign.folder)?;
-    let schedule = schedule(&file, &calibration);
+    let schedule = schedule(file, &calibration);
     folder.write_text("corrections.ron", &schedule.to_ron())?;
-    if let Some(ensemble) = ensemble(&wing, &file.correction.prior, &schedule, &predictions) {
+    if let Some(ensemble) = ensemble(wing, &file.correction.prior, &schedule, &predictions) {
         folder.write_text(ENSEMBLE, &ensemble.to_ron()?)?;
     }
-    write(&folder, &wing, &calibration, strips.as_ref())?;
-    calibrate_predictions::write(&folder, &wing, &predictions)?;
+    write(&folder, fitted, &calibration, strips.as_ref())?;
+    calibrate_predictions::write(&folder, wing, &predictions)?;
     folder.write_json("result.json", &result)?;
     let faults = calibration.faults();
     let out = folder.commit_if(faults.is_empty())?;
-    let told =
-        calibrate_predictions::summary(&wing, &predictions) + &calibrate_predictions::next_table(&next);
+    let both = small.as_ref().map(|small| calibrate_model::told(&calibration, small)).unwrap_or_default();
+    let told = both
+        + &calibrate_predictions::summary(wing, &predictions)
+        + &calibrate_predictions::next_table(&next);
     show::summary(common, &summary(&calibration, &told, &out, seconds));
     show::json(common, &result)?;
     if faults.is_empty() { Ok(()) } else { Err(Failure::Computation(faults.join("; "))) }
 }
 
+/// The corrections, and with small deflections the intervals of what they predict.
+fn found(
+    args: &CalibrateArgs,
+    campaign: &Campaign,
+    file: &WingFile,
+    fitted: &Fitted<'_>,
+) -> Result<Fit, Failure> {
+    let (start, wing, prior) = (Instant::now(), fitted.elastic(), &file.correction.prior);
+    let settings = Settings::of_wing(&file.correction);
+    if matches!(fitted, Fitted::Large(..)) {
+        if args.next.is_some() {
+            let message = "--next ranks by intervals of predictions, which are known with small deflections only";
+            let help = "take `geometry: Nonlinear` out of the wing's file for it";
+            return Err(InputError::general(message).with_help(help).into());
+        }
+        let calibration = calibrate::calibrate(fitted, campaign, &settings)?;
+        let unused = calibration.data.further.len();
+        if unused > 0 {
+            tracing::warn!(
+                "{unused} rows with sensors or deflected controls are not fitted: they are with small deflections only"
+            );
+        }
+        let seconds = start.elapsed().as_secs_f64();
+        let small = Some(calibrate::calibrate(wing, campaign, &settings)?);
+        return Ok(Fit { calibration, small, predictions: Vec::new(), next: Vec::new(), seconds });
+    }
+    let calibration = calibrate::calibrate(wing, campaign, &settings)?;
+    let predictions = calibrate::posterior::posterior(wing, &calibration, prior)?;
+    let calibration = calibration.with_means(wing, &predictions)?;
+    let seconds = start.elapsed().as_secs_f64();
+    let next = match &args.next {
+        None => Vec::new(),
+        Some(words) => {
+            let wanted = calibrate_predictions::wanted(words, wing)?;
+            calibrate::posterior::next::rank(wing, &calibration, prior, &wanted)?
+        }
+    };
+    Ok(Fit { calibration, small: None, predictions, next, seconds })
+}
+
 /// Writes DMI cards and figures.
 fn write(
     folder: &ResultFolder,
-    wing: &ElasticWing,
+    fitted: &Fitted<'_>,
     calibration: &Calibration,
     strips: Option<&Strips>,
 ) -> Result<(), Failure> {
+    let wing = fitted.elastic();
     let common = calibration.common.iter().map(|set| &set.corrections);
     let reaches =
         figures::reaches(calibration.airspeeds.iter().map(|airspeed| &airspeed.corrections).chain(common));
@@ -107,16 +169,16 @@ fn write(
     }
     match &calibration.common {
         None => {
-            folder.write_text("static_loads.csv", &figures::static_loads_csv(wing, calibration)?)?;
-            figures::write(folder, wing, calibration)?;
+            folder.write_text("static_loads.csv", &figures::static_loads_csv(fitted, calibration)?)?;
+            figures::write(folder, fitted, calibration)?;
         }
         Some(set) => {
             write_set(folder, wing, "common", "all airspeeds", &set.corrections, reaches)?;
             let caption = "Readings with their zeros taken out, and what both models give.";
-            folder.write_figure("readings", caption, common_set::figure(wing, set, calibration)?)?;
+            folder.write_figure("readings", caption, common_set::figure(fitted, set, calibration)?)?;
         }
     }
-    calibrate_shapes::write(folder, wing, calibration)?;
+    calibrate_shapes::write(folder, fitted, calibration)?;
     if let Some(strips) = strips {
         folder.write_figure("strips", "Measured beside computed; never fitted.", strips.figure())?;
     }
@@ -191,6 +253,7 @@ fn result(
             rms_over_noise: tare.rms_over_noise,
         }),
         root_plane: root_plane(wing, campaign, calibration)?,
+        lift_factors_with_small_deflections: Vec::new(),
         predictions: Vec::new(),
         next: Vec::new(),
         strips: strips.map(Strips::rows),

@@ -3,11 +3,14 @@
 use aero::{Corrections, Flow};
 use calibrate::campaign::{CHANNELS, TIP};
 use calibrate::{Calibration, CommonCalibration, LiftFactor};
-use coupling::{ElasticWing, SteadyCase};
+use coupling::{SteadyCase, SteadyModel};
 use report::{Figure, Panel, Series, Style};
 
+use crate::commands::calibrate_model::Fitted;
 use crate::commands::calibrate_numbers::{identifiability, speed_name};
-use crate::commands::calibrate_result::{CommonResult, LiftFactorResult, MeanForceFactor, TipZeroResult};
+use crate::commands::calibrate_result::{
+    CommonResult, LiftFactorResult, MeanForceFactor, TipZeroResult, TrendResult,
+};
 use crate::commands::result_parts::Channels;
 use crate::failure::Failure;
 
@@ -57,6 +60,7 @@ pub(crate) fn lift_factor(found: &LiftFactor, calibration: &Calibration) -> Lift
         sigma: found.sigma,
         correlation_of_rows: found.correlation,
         rmse: Channels::of(found.rmse, calibration.data.channels),
+        change_up_to_largest_deflection: found.trend.map(|(value, sigma)| TrendResult { value, sigma }),
         tip_zeros,
     }
 }
@@ -104,7 +108,7 @@ pub(crate) fn table(common: &CommonCalibration, calibration: &Calibration) -> St
 /// # Errors
 /// If the wing diverges.
 pub(crate) fn figure(
-    wing: &ElasticWing,
+    wing: &Fitted<'_>,
     common: &CommonCalibration,
     calibration: &Calibration,
 ) -> Result<Figure, Failure> {
@@ -115,15 +119,13 @@ pub(crate) fn figure(
         .flat_map(|a| a.angles.iter().map(|angle| (a.v_m_s, angle)))
         .collect();
     let zeros = common.lift.as_ref().map_or(&[][..], |found| &found.tip_zeros);
-    let neutral = Corrections::neutral(wing.correctable.len());
+    let neutral = Corrections::neutral(wing.correctable().len());
     let readings = |corrections: &Corrections| -> Result<Vec<[f64; 4]>, Failure> {
         rows.iter()
             .map(|&(v_m_s, angle)| {
                 let flow = Flow { v_m_s, rho_kg_m3: calibration.rho_kg_m3 };
                 let case = SteadyCase::new(flow, angle.alpha_rad);
-                let state = &wing.at(flow, corrections)?.solve(&[case])[0];
-                let [fz, mx, my] = state.root.to_array();
-                Ok([fz, mx, my, state.tip_z_m])
+                Ok(wing.solve(&[case], corrections)?[0].readings())
             })
             .collect()
     };

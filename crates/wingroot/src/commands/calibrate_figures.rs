@@ -4,11 +4,12 @@
 use aero::{Corrections, Flow};
 use calibrate::campaign::TIP;
 use calibrate::{AirspeedCalibration, Calibration};
-use coupling::{ElasticWing, SteadyCase, SteadyState};
+use coupling::{ElasticWing, SteadyCase, SteadyModel};
 use std::fmt::Write as _;
 
 use report::{Figure, Panel, PlanformView, Series, Style};
 
+use crate::commands::calibrate_model::{Fitted, Seen};
 use crate::commands::calibrate_numbers::speed_name;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
@@ -19,7 +20,7 @@ const NOISE: &str = "noise: 2 standard deviations of a mean to either side";
 const LEAST: f64 = 1e-12;
 
 /// The curves of [`static_loads`] as CSV: a row for every airspeed and angle.
-pub(crate) fn static_loads_csv(wing: &ElasticWing, calibration: &Calibration) -> Result<String, Failure> {
+pub(crate) fn static_loads_csv(wing: &Fitted<'_>, calibration: &Calibration) -> Result<String, Failure> {
     let names = ["Fz_N", "Mx_Nm", "My_Nm", "tip_z_m"];
     let channels: Vec<usize> = (0..names.len()).filter(|&c| calibration.data.channels[c]).collect();
     let mut text = String::from("V_m_s,alpha_deg");
@@ -29,7 +30,7 @@ pub(crate) fn static_loads_csv(wing: &ElasticWing, calibration: &Calibration) ->
         }
     }
     text.push('\n');
-    let neutral = Corrections::neutral(wing.correctable.len());
+    let neutral = Corrections::neutral(wing.correctable().len());
     for airspeed in &calibration.airspeeds {
         let initial = simulated(wing, airspeed, &neutral, calibration)?;
         let updated = simulated(wing, airspeed, &airspeed.corrections, calibration)?;
@@ -47,7 +48,7 @@ pub(crate) fn static_loads_csv(wing: &ElasticWing, calibration: &Calibration) ->
 /// Writes root loads, what is left of them, and singular values.
 pub(crate) fn write(
     folder: &ResultFolder,
-    wing: &ElasticWing,
+    wing: &Fitted<'_>,
     calibration: &Calibration,
 ) -> Result<(), Failure> {
     let loads = static_loads(wing, calibration)?;
@@ -134,9 +135,9 @@ fn singular_values(calibration: &Calibration) -> Option<Figure> {
 }
 
 /// Measured, initial and updated root loads at every airspeed.
-fn static_loads(wing: &ElasticWing, calibration: &Calibration) -> Result<Figure, Failure> {
+fn static_loads(wing: &Fitted<'_>, calibration: &Calibration) -> Result<Figure, Failure> {
     let names = [("Fz (N)", 0), ("Mx (N m)", 1), ("My (N m)", 2), ("tip (m)", TIP)];
-    let neutral = Corrections::neutral(wing.correctable.len());
+    let neutral = Corrections::neutral(wing.correctable().len());
     let mut panels = Vec::new();
     for airspeed in &calibration.airspeeds {
         let measured: Vec<f64> =
@@ -163,7 +164,7 @@ fn static_loads(wing: &ElasticWing, calibration: &Calibration) -> Result<Figure,
 }
 
 fn simulated(
-    wing: &ElasticWing,
+    wing: &Fitted<'_>,
     airspeed: &AirspeedCalibration,
     corrections: &Corrections,
     calibration: &Calibration,
@@ -171,11 +172,7 @@ fn simulated(
     let flow = Flow { v_m_s: airspeed.data.v_m_s, rho_kg_m3: calibration.rho_kg_m3 };
     let cases: Vec<SteadyCase> =
         airspeed.data.angles.iter().map(|angle| SteadyCase::new(flow, angle.alpha_rad)).collect();
-    let reading = |state: &SteadyState| {
-        let [fz, mx, my] = state.root.to_array();
-        [fz, mx, my, state.tip_z_m]
-    };
-    Ok(wing.at(flow, corrections)?.solve(&cases).iter().map(reading).collect())
+    Ok(wing.solve(&cases, corrections)?.iter().map(Seen::readings).collect())
 }
 
 /// Farthest that force factors, moment factors and offsets of any set are from theory: the reach of their colours, which

@@ -46,7 +46,10 @@ pub(crate) struct CalibrateResult {
     pub(crate) weight_tare: Option<TareResult>,
     /// What the choice of the plane at the root does.
     pub(crate) root_plane: RootPlaneResult,
-    /// What the calibrated wing predicts, with intervals; empty if one set serves all airspeeds.
+    /// The uniform factors on lift with small deflections, of the common set or of each airspeed; empty where the fit has them
+    /// small.
+    pub(crate) lift_factors_with_small_deflections: Vec<LiftFactorResult>,
+    /// What the calibrated wing predicts, with intervals; empty if one set serves all airspeeds, or with large deflections.
     pub(crate) predictions: Vec<AirspeedPredictionsResult>,
     /// What to measure next, the best first; empty if it was not asked for.
     pub(crate) next: Vec<SuggestionResult>,
@@ -222,8 +225,20 @@ pub(crate) struct LiftFactorResult {
     pub(crate) correlation_of_rows: f64,
     /// Root mean square errors that are left.
     pub(crate) rmse: Channels,
+    /// By how much it would change from no to the largest deflection of the tip; null if the tip is not fitted, or the data do not
+    /// tell the two apart.
+    pub(crate) change_up_to_largest_deflection: Option<TrendResult>,
     /// Free zeros of the tip's reading.
     pub(crate) tip_zeros: Vec<TipZeroResult>,
+}
+
+/// A change with its standard deviation.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct TrendResult {
+    /// The change.
+    pub(crate) value: f64,
+    /// Its standard deviation.
+    pub(crate) sigma: f64,
 }
 
 /// A free zero of the tip's reading.

@@ -2,9 +2,10 @@
 
 use aero::{Corrections, Flow};
 use calibrate::Calibration;
-use coupling::{ElasticWing, SteadyCase, shape::deformed_boxes};
+use coupling::{SteadyCase, shape::deformed_boxes};
 use report::deformed::{Quad, View};
 
+use super::calibrate_model::{Fitted, Seen};
 use super::calibrate_numbers::speed_name;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
@@ -12,9 +13,10 @@ use crate::output::ResultFolder;
 /// Writes the shapes; nothing for a rigid wing.
 pub(super) fn write(
     folder: &ResultFolder,
-    wing: &ElasticWing,
+    fitted: &Fitted<'_>,
     calibration: &Calibration,
 ) -> Result<(), Failure> {
+    let wing = fitted.elastic();
     let fastest = calibration.airspeeds.iter().max_by(|a, b| a.data.v_m_s.total_cmp(&b.data.v_m_s));
     let (Some(held), Some(airspeed)) = (&wing.supported, fastest) else { return Ok(()) };
     let angles = airspeed.data.angles.iter().map(|angle| angle.alpha_rad);
@@ -31,9 +33,13 @@ pub(super) fn write(
     let flat = wing.lattice.boxes.iter().map(|panel| panel.corners).collect();
     let mut views = vec![view("undeformed".into(), flat)];
     for (name, corrections) in [("initial", &neutral), ("updated", found)] {
-        for state in wing.at(flow, corrections)?.solve(&[SteadyCase::new(flow, alpha_rad)]) {
-            let corners = deformed_boxes(&wing.lattice, held, &state.displacement);
-            views.push(view(format!("{name}: tip {:.3} m", state.tip_z_m), corners));
+        for seen in fitted.solve(&[SteadyCase::new(flow, alpha_rad)], corrections)? {
+            let corners = match &seen {
+                Seen::Small(state) => deformed_boxes(&wing.lattice, held, &state.displacement),
+                Seen::Large(state) => state.lattice.boxes.iter().map(|panel| panel.corners).collect(),
+            };
+            let [_, _, _, tip_m] = seen.readings();
+            views.push(view(format!("{name}: tip {tip_m:.3} m"), corners));
         }
     }
     let title = format!("The wing at {} m/s, {:.1} degrees", speed_name(flow.v_m_s), alpha_rad.to_degrees());

@@ -4,11 +4,12 @@ use std::path::Path;
 
 use aero::{Corrections, Flow};
 use calibrate::Calibration;
-use coupling::{ElasticWing, SteadyCase};
+use coupling::SteadyCase;
 use nastran::table::Table;
 use nastran::{InputError, Span};
 use report::{Figure, Panel, Series, Style};
 
+use crate::commands::calibrate_model::Fitted;
 use crate::commands::calibrate_result::{StripResult, StripsRms};
 use crate::failure::Failure;
 
@@ -30,9 +31,10 @@ pub(crate) struct Strips {
 /// A misspelt column, a cell that is not a number, an airspeed or angle that the static cases do not have.
 pub(crate) fn compare(
     folder: &Path,
-    wing: &ElasticWing,
+    fitted: &Fitted<'_>,
     calibration: &Calibration,
 ) -> Result<Option<Strips>, Failure> {
+    let wing = fitted.elastic();
     let path = folder.join("strips.csv");
     if !path.is_file() {
         return Ok(None);
@@ -60,8 +62,8 @@ pub(crate) fn compare(
     let measured_total = measured_fz_n / (q_pa * area_m2);
     let two_y_over_b = table.numbers("two_y_over_b")?;
     let neutral = Corrections::neutral(wing.correctable.len());
-    let (places, initial) = distribution(wing, &case, &neutral)?;
-    let (_, updated) = distribution(wing, &case, corrections)?;
+    let (places, initial) = distribution(fitted, &case, &neutral)?;
+    let (_, updated) = distribution(fitted, &case, corrections)?;
     let at = |curve: &[f64]| two_y_over_b.iter().map(|y| interpolated(&places, curve, *y)).collect();
     Ok(Some(Strips {
         v_m_s,
@@ -99,16 +101,17 @@ fn measured_point<'a>(
 
 /// cl/CL of every strip of the wing and where its middle is, 0 at the root, 1 at the tip.
 fn distribution(
-    wing: &ElasticWing,
+    fitted: &Fitted<'_>,
     case: &SteadyCase,
     corrections: &Corrections,
 ) -> Result<(Vec<f64>, Vec<f64>), Failure> {
-    let state = &wing.at(case.flow, corrections)?.solve(std::slice::from_ref(case))[0];
+    let wing = fitted.elastic();
+    let seen = &fitted.solve(std::slice::from_ref(case), corrections)?[0];
     let boxes = &wing.correctable;
     let strips = boxes.strip.iter().max().map_or(0, |last| last + 1);
     let (mut lift, mut area, mut place) = (vec![0.0; strips], vec![0.0; strips], vec![0.0; strips]);
     for (b, &at) in boxes.places.iter().enumerate() {
-        lift[boxes.strip[b]] += state.box_loads.values[2 * at] * wing.lattice.boxes[at].normal().z;
+        lift[boxes.strip[b]] += seen.box_loads().values[2 * at] * wing.lattice.boxes[at].normal().z;
         area[boxes.strip[b]] += wing.lattice.boxes[at].area_m2();
         place[boxes.strip[b]] = boxes.y_norm[b];
     }

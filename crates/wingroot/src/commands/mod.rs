@@ -106,6 +106,7 @@ impl Command {
 
 mod calibrate_common;
 mod calibrate_figures;
+mod calibrate_model;
 mod calibrate_numbers;
 mod calibrate_predictions;
 pub(crate) mod calibrate_predictions_result;

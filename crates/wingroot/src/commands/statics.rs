@@ -29,15 +29,18 @@ use crate::structures::Structure;
   wingroot statics --deck my_wing.bdf --load 20 --nonlinear --steps 20
   wingroot statics --wing my_wing/wing.ron --airspeeds 20,30,40 --alpha 5 --nonlinear")]
 pub struct StaticsArgs {
-    /// A Nastran deck with its loads (FORCE, MOMENT, FORCE1, MOMENT1, PLOAD, PLOAD2, PLOAD4, GRAV, LOAD)
+    /// A Nastran deck with its loads (FORCE, MOMENT, FORCE1, MOMENT1, FORCE2, MOMENT2, PLOAD, PLOAD2, PLOAD4, GRAV, LOAD)
     #[arg(long, value_name = "FILE", required_unless_present = "wing")]
     pub(crate) deck: Option<PathBuf>,
     /// A wing in steady air
     #[command(flatten)]
     pub(crate) air: AirArgs,
-    /// The load set [default: the only one, or the only LOAD]
+    /// The load set [default: LOAD of the subcase, or the only set, or the only sum]
     #[arg(long, value_name = "SET", value_parser = whole::<99_999_999>, conflicts_with = "wing")]
     pub(crate) load: Option<usize>,
+    /// The subcase whose LOAD and boundary conditions are taken [default: the only one]
+    #[arg(long, value_name = "ID", conflicts_with = "wing")]
+    pub(crate) subcase: Option<u32>,
     /// Large deflections: every element turns with the structure, and so do pressures, FORCE1 and the air [default: as PARAM
     /// LGDISP or the wing's `geometry` says]
     #[arg(long)]
@@ -51,7 +54,7 @@ pub struct StaticsArgs {
 pub(crate) fn run(args: &StaticsArgs, common: &Common) -> Result<(), Failure> {
     let Some(deck) = &args.deck else { return statics_air::run(&args.air, args.nonlinear, common) };
     let start = Instant::now();
-    let structure = Structure::read(None, Some(deck))?;
+    let structure = Structure::read_in(None, Some(deck), args.subcase)?;
     let set = load_set(args, &structure)?;
     let loads = loads_of(&structure.bulk, set).map_err(|error| error.or_in(&structure.path))?;
     let linear = linear(&structure, &loads)?;
@@ -77,6 +80,23 @@ fn load_set(args: &StaticsArgs, structure: &Structure) -> Result<u32, Failure> {
     if let Some(set) = args.load.and_then(|set| u32::try_from(set).ok()) {
         return Ok(set);
     }
+    let mut selected: Vec<(u32, u32)> = structure
+        .bulk
+        .subcases
+        .iter()
+        .filter(|case| args.subcase.is_none_or(|id| case.id == id))
+        .filter_map(|case| Some((case.id, case.load?)))
+        .collect();
+    selected.dedup_by_key(|(_, load)| *load);
+    match selected.as_slice() {
+        [] => {}
+        [(_, set)] => return Ok(*set),
+        _ => {
+            let list: Vec<String> = selected.iter().map(|(id, load)| format!("{id} (LOAD {load})")).collect();
+            let error = InputError::in_file(&structure.path, "the deck's subcases have several loads");
+            return Err(error.with_help(format!("name one by --subcase: {}", list.join(", "))).into());
+        }
+    }
     let all = load_sets(&structure.bulk);
     let sums: Vec<u32> = structure.bulk.load_sums.keys().copied().collect();
     match (all.as_slice(), sums.as_slice()) {
@@ -84,7 +104,7 @@ fn load_set(args: &StaticsArgs, structure: &Structure) -> Result<u32, Failure> {
         ([], _) => {
             let error = InputError::in_file(&structure.path, "the deck has no loads");
             Err(error
-                .with_help("FORCE, MOMENT, FORCE1, MOMENT1, PLOAD, PLOAD2, PLOAD4, GRAV and LOAD are read")
+                .with_help("FORCE, MOMENT, FORCE1, MOMENT1, FORCE2, MOMENT2, PLOAD, PLOAD2, PLOAD4, GRAV and LOAD are read")
                 .into())
         }
         _ => {

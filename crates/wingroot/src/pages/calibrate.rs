@@ -123,7 +123,21 @@ fn numbers(result: &Value, airspeeds: &[Value]) -> Vec<KeyNumber> {
             "one factor for all boxes, with its standard error",
         ));
     }
+    numbers.extend(both_geometries(result));
     numbers
+}
+
+/// Where deflections are large: how the factor on lift changes up to the largest one, and how it would with small ones.
+fn both_geometries(result: &Value) -> Option<KeyNumber> {
+    let [small, ..] = list(result, "lift_factors_with_small_deflections") else { return None };
+    let large =
+        result.pointer("/common/lift_factor").or_else(|| result.pointer("/airspeeds/0/lift_factor"))?;
+    let change = |lift: &Value| {
+        let of = |key: &str| short_at(lift, &format!("change_up_to_largest_deflection/{key}"));
+        format!("{} \u{b1} {}", of("value"), of("sigma"))
+    };
+    let note = "change of the factor on lift up to the largest deflection: large deflections, and in brackets what small ones would ask for";
+    Some(KeyNumber::new("trend of the lift", format!("{} ({})", change(large), change(small)), note))
 }
 
 fn fits(airspeeds: &[Value]) -> PageTable {

@@ -1,0 +1,278 @@
+//! How the incidences that moved boxes need for given pressures change as the boxes move, each as a rigid body.
+//!
+//! ```text
+//! E_i = sum_j A_ij cp_j,   dE_i = sum_b (dE_i/dt_b . t_b + dE_i/ds_b . s_b)
+//! ```
+//! t_b is the displacement of the midpoint of box b, s_b its spin. Vortices move with the box that carries them and, where their
+//! legs leave the surface, with the last box of their strip; the point and the normal of a box with that box, and so does
+//! the chord that its circulation is counted by. The derivatives of [`crate::influence_of_moved`] are taken term by term; within the
+//! cores of vortices, where no box of one surface is, that of the core's size is left out.
+
+use crate::error::AeroError;
+use crate::geometry::AeroBox;
+use crate::horseshoe::{Horseshoe, core, horseshoes_on_surfaces, stretched};
+use crate::lattice::Lattice;
+use crate::mirror::MirrorPlane;
+use crate::vlm::{beta, check};
+use faer::Mat;
+use nalgebra::Vector3;
+use rayon::prelude::*;
+use std::f64::consts::PI;
+
+/// A vortex with its pressure: ends of its legs on the surface, of its bound segment, and what they move with.
+struct Source {
+    /// Leg's end, bound segment's two ends, leg's end, x stretched.
+    points: [Vector3<f64>; 4],
+    /// The same from the midpoints of the boxes they move with, not stretched.
+    arms: [Vector3<f64>; 4],
+    /// The boxes they move with.
+    boxes: [usize; 4],
+    core: f64,
+    /// Circulation over -4 pi.
+    strength: f64,
+    /// By the spin of its box, over its own value.
+    by_spin: Vector3<f64>,
+}
+
+/// The derivatives of A cp (rad) by displacements (1/m) and spins (1/rad) of all boxes about their midpoints: six rows a box, a
+/// column for each incidence.
+///
+/// # Errors
+/// As [`crate::influence_of_moved`].
+///
+/// # Panics
+/// If there is not one pressure coefficient a box.
+pub fn influence_by_motion(
+    lattice: &Lattice,
+    plane: MirrorPlane,
+    mach: f64,
+    cp: &[f64],
+) -> Result<Mat<f64>, AeroError> {
+    check(lattice, mach)?;
+    assert_eq!(cp.len(), lattice.len(), "pressures are for another number of boxes");
+    let beta = beta(mach);
+    let sources = sources(lattice, beta, cp);
+    let image = plane.image().map(|(y_m, sign)| Side { sign, mirror_m: Some(y_m) });
+    let sides: Vec<Side> = [Side { sign: 1.0, mirror_m: None }].into_iter().chain(image).collect();
+    let mut all = Mat::zeros(6 * lattice.len(), lattice.len());
+    all.par_col_iter_mut().enumerate().for_each(|(at, column)| {
+        // A column of a new matrix is contiguous.
+        let Some(column) = column.try_as_col_major_mut() else { return };
+        let out = column.as_slice_mut();
+        for side in &sides {
+            add_received(&sources, lattice, at, beta, side, out);
+        }
+    });
+    Ok(all)
+}
+
+fn sources(lattice: &Lattice, beta: f64, cp: &[f64]) -> Vec<Source> {
+    let vortices = horseshoes_on_surfaces(lattice, beta);
+    let mut last: Vec<usize> = (0..lattice.len()).collect();
+    for surface in &lattice.surfaces {
+        for at in 0..surface.spanwise * surface.chordwise {
+            last[surface.first_box + at] =
+                surface.first_box + at - at % surface.chordwise + surface.chordwise - 1;
+        }
+    }
+    let one = |(j, vortex): (usize, &Horseshoe)| {
+        let [edge_1, edge_2] = vortex.edges.unwrap_or([vortex.from, vortex.to]);
+        let points = [edge_1, vortex.from, vortex.to, edge_2];
+        let boxes = [last[j], j, j, last[j]];
+        let middle = |at: usize| lattice.boxes[boxes[at]].mid_point().coords;
+        let arms = std::array::from_fn(|at| {
+            let own: Vector3<f64> = points[at];
+            Vector3::new(own.x * beta, own.y, own.z) - middle(at)
+        });
+        let chord = mean_chord(&lattice.boxes[j]);
+        Source {
+            points,
+            arms,
+            boxes,
+            core: vortex.core,
+            strength: -cp[j] * vortex.circulation / (4.0 * PI),
+            by_spin: chord.cross(&Vector3::x()) / chord.x,
+        }
+    };
+    vortices.iter().enumerate().map(one).collect()
+}
+
+fn mean_chord(panel: &AeroBox) -> Vector3<f64> {
+    let [c1, c2, c3, c4] = &panel.corners;
+    ((c2 - c1) + (c3 - c4)) / 2.0
+}
+
+/// The vortices, or their images about a plane y = `mirror_m`, with the sign of their circulation.
+struct Side {
+    sign: f64,
+    mirror_m: Option<f64>,
+}
+
+/// What one box receives of one side.
+fn add_received(sources: &[Source], lattice: &Lattice, at: usize, beta: f64, side: &Side, out: &mut [f64]) {
+    let (panel, sign) = (&lattice.boxes[at], side.sign);
+    let (place, normal, own_core) = (panel.three_quarter_point(), panel.normal(), core(panel));
+    let (mut point, mut along) = (stretched(&place, beta), normal * sign);
+    if let Some(y_m) = side.mirror_m {
+        point.y = 2.0 * y_m - point.y;
+        along.y = -along.y;
+    }
+    let (mut by_point, mut by_normal): (Vector3<f64>, Vector3<f64>) = (Vector3::zeros(), Vector3::zeros());
+    for source in sources {
+        let weights = along * source.strength;
+        let (velocity, by_ends) = source.velocity(&point, &weights, own_core.min(source.core));
+        by_normal += velocity * (sign * source.strength);
+        for (end, by_end) in by_ends.iter().enumerate() {
+            by_point -= by_end;
+            add(
+                out,
+                source.boxes[end],
+                &Vector3::new(by_end.x / beta, by_end.y, by_end.z),
+                &source.arms[end],
+            );
+        }
+        let turned = source.by_spin * weights.dot(&velocity);
+        (0..3).for_each(|i| out[6 * source.boxes[1] + 3 + i] += turned[i]);
+    }
+    by_point.x /= beta;
+    if side.mirror_m.is_some() {
+        by_point.y = -by_point.y;
+        by_normal.y = -by_normal.y;
+    }
+    add(out, at, &by_point, &(place - panel.mid_point()));
+    let turned = normal.cross(&by_normal);
+    (0..3).for_each(|i| out[6 * at + 3 + i] += turned[i]);
+}
+
+/// The derivative by a point that moves with a box, at an arm from its midpoint.
+fn add(out: &mut [f64], at: usize, by_point: &Vector3<f64>, arm: &Vector3<f64>) {
+    let by_spin = arm.cross(by_point);
+    for i in 0..3 {
+        out[6 * at + i] += by_point[i];
+        out[6 * at + 3 + i] += by_spin[i];
+    }
+}
+
+impl Source {
+    /// 4 pi times the velocity of unit circulation at a point, and the derivatives of its weighted sum by the four ends.
+    fn velocity(
+        &self,
+        point: &Vector3<f64>,
+        weights: &Vector3<f64>,
+        core: f64,
+    ) -> (Vector3<f64>, [Vector3<f64>; 4]) {
+        let r = self.points.map(|end| point - end);
+        let (mut sum, mut by_ends) = (Vector3::zeros(), [Vector3::zeros(); 4]);
+        // Circulation comes in along side 1, runs along the bound segment, and leaves along side 2.
+        for first in 0..3 {
+            if self.points[first] == self.points[first + 1] {
+                continue;
+            }
+            let (velocity, by) = segment(&r[first], &r[first + 1], weights, core);
+            sum += velocity;
+            by_ends[first] -= by[0];
+            by_ends[first + 1] -= by[1];
+        }
+        for (end, sign) in [(0, -1.0), (3, 1.0)] {
+            let (velocity, by) = leg(&r[end], weights, core);
+            sum += velocity * sign;
+            by_ends[end] -= by * sign;
+        }
+        (sum, by_ends)
+    }
+}
+
+/// A segment seen from its ends: velocity, and the derivatives of its weighted sum by both vectors.
+fn segment(
+    r1: &Vector3<f64>,
+    r2: &Vector3<f64>,
+    weights: &Vector3<f64>,
+    core: f64,
+) -> (Vector3<f64>, [Vector3<f64>; 2]) {
+    let (l1, l2) = (r1.norm().max(core), r2.norm().max(core));
+    let (cross, product, dot) = (r1.cross(r2), l1 * l2, r1.dot(r2));
+    let least = core * core * (r1 - r2).norm_squared();
+    let sum = if dot < 0.0 { cross.norm_squared().max(least) / (product - dot) } else { product + dot };
+    let size = (l1 + l2) / (product * sum);
+    let weighted = weights.dot(&cross) * size;
+    let unit = |r: &Vector3<f64>, l: f64| if l > core { r / l } else { Vector3::zeros() };
+    let by_size = |u: Vector3<f64>, l_other: f64, other: &Vector3<f64>| {
+        u / (l1 + l2) - u * (l_other / product) - (u * l_other + other) / sum
+    };
+    let by_1 = r2.cross(weights) * size + by_size(unit(r1, l1), l2, r2) * weighted;
+    let by_2 = weights.cross(r1) * size + by_size(unit(r2, l2), l1, r1) * weighted;
+    (cross * size, [by_1, by_2])
+}
+
+/// A leg along +x seen from its end: velocity, and the derivative of its weighted sum.
+fn leg(r: &Vector3<f64>, weights: &Vector3<f64>, core: f64) -> (Vector3<f64>, Vector3<f64>) {
+    let l = r.norm().max(core);
+    let rho_2 = (r.y * r.y + r.z * r.z).max(core * core);
+    let size = if r.x > 0.0 { (l + r.x) / (rho_2 * l) } else { 1.0 / ((l - r.x) * l) };
+    let turned = Vector3::new(0.0, -r.z, r.y);
+    let weighted = weights.dot(&turned);
+    let by_radius = -size * size * (2.0 * l - r.x) / l;
+    let by_size = Vector3::new(1.0 / (l * l * l), by_radius * r.y, by_radius * r.z);
+    (turned * size, Vector3::new(0.0, weights.z, -weights.y) * size + by_size * weighted)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::vlm::influence_of_moved;
+    use nalgebra::{Point3, Rotation3};
+
+    /// A wing of 2 by 3 boxes, each out of place.
+    fn bent() -> Lattice {
+        let mut lattice =
+            Lattice::trapezoid(1, [0.0, 0.1, 0.0], 1.0, [0.4, 3.0, 0.0], 0.7, [2, 3]).expect("boxes");
+        for at in 0..lattice.len() {
+            let size = 0.1 * (1.0 + at as f64).sin();
+            move_box(&mut lattice, at, &[0.2 * size, -0.1 * size, size, 2.0 * size, -0.9 * size, 0.4 * size]);
+        }
+        lattice
+    }
+
+    fn move_box(lattice: &mut Lattice, at: usize, motion: &[f64; 6]) {
+        let middle = lattice.boxes[at].mid_point();
+        let spin = Rotation3::from_scaled_axis(Vector3::new(motion[3], motion[4], motion[5]));
+        let shift = Vector3::new(motion[0], motion[1], motion[2]);
+        let moved = |corner: Point3<f64>| middle + shift + spin * (corner - middle);
+        lattice.boxes[at].corners = lattice.boxes[at].corners.map(moved);
+    }
+
+    #[test]
+    fn derivatives_by_motions_of_boxes_are_those_of_differences() {
+        let lattice = bent();
+        let cp: Vec<f64> = (0..lattice.len()).map(|j| 1.0 + 0.4 * (j as f64).cos()).collect();
+        for (plane, mach) in [
+            (MirrorPlane::None, 0.0),
+            (MirrorPlane::Symmetric { y_m: -0.05 }, 0.4),
+            (MirrorPlane::Antisymmetric { y_m: -0.05 }, 0.0),
+        ] {
+            let needed = |lattice: &Lattice| -> Vec<f64> {
+                let a = influence_of_moved(lattice, plane, mach).expect("boxes");
+                (0..cp.len()).map(|i| (0..cp.len()).map(|j| a[(i, j)] * cp[j]).sum()).collect()
+            };
+            let found = influence_by_motion(&lattice, plane, mach, &cp).expect("boxes");
+            for motion in 0..6 * lattice.len() {
+                let step = 1e-5;
+                let [up, down] = [step, -step].map(|step| {
+                    let mut moved = lattice.clone();
+                    let mut motions = [0.0; 6];
+                    motions[motion % 6] = step;
+                    move_box(&mut moved, motion / 6, &motions);
+                    needed(&moved)
+                });
+                for i in 0..cp.len() {
+                    let difference = (up[i] - down[i]) / (2.0 * step);
+                    let own = found[(motion, i)];
+                    assert!(
+                        (own - difference).abs() < 2e-8 * (1.0 + difference.abs()),
+                        "{plane:?}: incidence {i} by motion {motion}: {own}, by differences {difference}"
+                    );
+                }
+            }
+        }
+    }
+}
