@@ -83,7 +83,8 @@ impl Model {
         let p = Complex::new(at[1], at[2]);
         let mut stream = shape.stream;
         stream.v_m_s = at[5];
-        let heave = Complex::new(at[3], at[4]) / self.rig.heave_gain * (p * self.rig.heave_delay_s).exp();
+        let seen = (-p * self.rig.heave_delay_s).exp() * self.rig.heave_gain;
+        let heave = Complex::new(at[3], at[4]) / seen;
         let loads = self.loads(shape, at, heave);
         let own = section.dynamic_stiffness(stream, p);
         let equations = [
@@ -96,7 +97,7 @@ impl Model {
         let determinant = of_p[0] * own[(1, 0)] - of_p[1] * own[(0, 0)];
         let mut left = [Complex::default(); 4];
         left[0] = (equations[0] * own[(1, 0)] - equations[1] * own[(0, 0)]) / determinant;
-        left[1] = (of_p[0] * equations[1] - of_p[1] * equations[0]) / determinant * self.rig.heave_gain;
+        left[1] = (of_p[0] * equations[1] - of_p[1] * equations[0]) / determinant * seen;
         for n in [2, 3] {
             let own = section.dynamic_stiffness(stream, p * n as f64);
             // heave as a linear guide makes it

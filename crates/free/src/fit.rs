@@ -82,8 +82,8 @@ impl Fitted {
 }
 
 fn model(rig: &Rig, days: &[u32], effects: &[Effect], x: &[f64], day: u32) -> Model {
-    let nearest = (0..days.len()).min_by_key(|k| days[*k].abs_diff(day)).unwrap_or(0);
-    let factor = |first: usize, sd: f64| (sd * x[first + nearest]).exp();
+    let nearest = (0..days.len()).min_by_key(|k| days[*k].abs_diff(day));
+    let factor = |first: usize, sd: f64| nearest.map_or(1.0, |k| (sd * x[first + k]).exp());
     let stiffness = factor(LINEAR + 1, rig.day_stiffness_sd);
     let damping = factor(LINEAR + 1 + days.len(), rig.day_damping_sd);
     let mut at = LINEAR + 1 + 2 * days.len();

@@ -49,34 +49,33 @@ pub struct Found {
     pub residuals: usize,
 }
 
-/// Searches with each scale that the heave sensor may have; the more probable one, and its place among the scales.
+/// Searches with the scale of the heave sensor that is the more probable one, and its place among the scales: the effects that the
+/// first scale leads to are fitted with each other one, and where that is better the search is made with it.
 pub fn search_scales(rig: &Rig, points: &[Point]) -> (Found, usize) {
     let scaled = rig.scaled();
-    let found = scaled.iter().map(|rig| search(rig, points)).enumerate();
-    let best = found.max_by(|(_, a), (_, b)| a.fitted.log_evidence.total_cmp(&b.fitted.log_evidence));
-    best.map_or_else(|| (search(rig, points), 0), |(place, found)| (found, place))
+    let mut best = (search(&scaled[0], points), 0);
+    for (place, rig) in scaled.iter().enumerate().skip(1) {
+        let calibrated = calibrated(rig, points);
+        let fitted = Problem::new(rig, points).fit(&best.0.named, calibrated.as_ref());
+        if fitted.log_evidence > best.0.fitted.log_evidence {
+            best = (search(rig, points), place);
+        }
+    }
+    best
+}
+
+/// The linear rig fitted to oscillations that are small, for which a rig is taken for linear; none if there are none.
+fn calibrated(rig: &Rig, points: &[Point]) -> Option<Fitted> {
+    let largest = SMALL * rig.scatter.turbulence_rad;
+    let small = points.iter().filter(|point| point.measured.amplitude_rad < largest);
+    let small: Vec<Point> = small.cloned().collect();
+    (!small.is_empty()).then(|| Problem::new(rig, &small).fit(&[], None))
 }
 
 /// Searches.
 pub fn search(rig: &Rig, points: &[Point]) -> Found {
-    let small: Vec<Point> = points
-        .iter()
-        .filter(|point| point.measured.amplitude_rad < SMALL * rig.scatter.turbulence_rad)
-        .cloned()
-        .collect();
     let problem = Problem::new(rig, points);
-    if points.is_empty() {
-        let fitted = problem.fit(&[], None);
-        return Found {
-            linear: fitted.clone(),
-            fitted,
-            levels: Vec::new(),
-            named: Vec::new(),
-            rivals: Vec::new(),
-            residuals: 0,
-        };
-    }
-    let calibrated = if small.is_empty() { None } else { Some(Problem::new(rig, &small).fit(&[], None)) };
+    let calibrated = calibrated(rig, points);
     let mut fitted = problem.fit(&[], calibrated.as_ref());
     let linear = calibrated.unwrap_or_else(|| fitted.clone());
     let (mut levels, mut named): (Vec<Vec<Candidate>>, Vec<Effect>) = (Vec::new(), Vec::new());

@@ -151,6 +151,24 @@ fn harmonic_balance_gives_the_describing_functions_of_the_handbook() {
     assert!((found / known - 1.0).abs() < 0.02, "growth {found} 1/s, handbook {known}");
 }
 
+/// A root of the section, seen by a heave sensor of a tenth of the scale that is 3 ms late.
+#[test]
+fn harmonic_balance_of_a_linear_rig_gives_its_roots_as_the_sensors_see_them() {
+    let mut section = rotor();
+    section.unbalance_kgm = 0.3;
+    section.strip = Strip { lifting_span_m: 0.8, axis: -0.4, lag: 0.6, ..section.strip };
+    let stream = Stream { rho_kg_m3: 1.2, v_m_s: 17.0 };
+    let (gain, delay_s) = (0.1, 0.003);
+    let rig = LinearRig { section, heave_gain: gain, heave_delay_s: delay_s };
+    let model = Model { rig, effects: Vec::new(), centre_rad: 0.0, stiffness: 1.0, damping: 1.0 };
+    let p = section.roots(stream)[0];
+    let own = section.dynamic_stiffness(stream, p);
+    let heave = -own[(0, 1)] / own[(0, 0)] * gain * (-p * delay_s).exp();
+    let found = model.respond(stream, 0.05, [p * 1.02, heave * 1.05]).expect("a solution");
+    assert!((found[0] - p).norm() < 1e-6 * p.norm(), "{} from the root {p}", found[0]);
+    assert!((found[1] - heave).norm() < 1e-6 * heave.norm(), "heave {} seen, closed form {heave}", found[1]);
+}
+
 #[test]
 fn a_window_gives_back_growth_frequency_and_harmonics() {
     let (growth, omega, dt_s) = (-0.3, 17.0, 0.004);

@@ -81,6 +81,7 @@ pub fn all() -> Vec<Named> {
             "null_distribution",
             "null_distribution.ron, written by discover",
         ),
+        input::<free::rig::Rig>("rig", "rig.ron: a wing on a heave and a pitch spring"),
         result::<CalibrateResult>("calibrate_result", "result.json of calibrate"),
         result::<SimulateResult>("simulate_result", "result.json of simulate"),
         result::<DeflectionResult>("deflection_result", "result.json of deflection"),
@@ -107,6 +108,7 @@ pub fn all() -> Vec<Named> {
         ),
         result::<FlightloadsResult>("flightloads_result", "result.json of flightloads"),
         result::<FlutterResult>("flutter_result", "result.json of flutter"),
+        result::<crate::commands::free_result::FreeResult>("free_result", "result.json of free"),
     ]
 }
 

@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use free::campaign::{Kind, Run};
 
 /// What a spring, a stall or a damper adds to the nose-down moment: pitch (rad), rate (rad/s), dynamic pressure (Pa).
-pub(crate) type Moment = fn(f64, f64, f64) -> f64;
+pub(crate) type Moment<'m> = &'m dyn Fn(f64, f64, f64) -> f64;
 
 const B: f64 = 0.15;
 const A: f64 = -0.48;
@@ -24,7 +24,7 @@ const KA: f64 = 24.0;
 const STEP_S: f64 = 2.5e-4;
 
 /// Rates of `[h, a, h', a']` with the downwash of the past that is not yet felt.
-fn rates(x: [f64; 4], v: f64, missing: f64, stiffness: f64, moment: Moment) -> [f64; 4] {
+fn rates(x: [f64; 4], v: f64, missing: f64, stiffness: f64, moment: Moment<'_>) -> [f64; 4] {
     let [h, a, hd, ad] = x;
     let downwash = hd + v * a + B * (0.5 - A) * ad;
     let circulatory = 2.0 * PI * RHO * v * B * SPAN * (downwash - missing);
@@ -39,7 +39,7 @@ fn rates(x: [f64; 4], v: f64, missing: f64, stiffness: f64, moment: Moment) -> [
 }
 
 /// A run: let go from an angle (rad), `settled_s` thrown away, then samples at 250 Hz.
-pub(crate) fn run(day: u32, kind: Kind, v: f64, from: (f64, f64), length_s: f64, moment: Moment) -> Run {
+pub(crate) fn run(day: u32, kind: Kind, v: f64, from: (f64, f64), length_s: f64, moment: Moment<'_>) -> Run {
     let (from_rad, settled_s) = from;
     let stiffness = 1.0 + 0.004 * (f64::from(day) - 2.0);
     let (mut x, mut deficiency) = ([0.0, from_rad, 0.0, 0.0], [0.0; 2]);
@@ -47,7 +47,7 @@ pub(crate) fn run(day: u32, kind: Kind, v: f64, from: (f64, f64), length_s: f64,
     let downwash = |x: [f64; 4]| x[2] + v * x[1] + B * (0.5 - A) * x[3];
     let steps = |seconds: f64| (0..).take_while(move |k| f64::from(*k) * STEP_S < seconds);
     let settled = steps(settled_s).count();
-    let mut noise = 0.37_f64;
+    let mut noise = 0.1 + 0.8 * (37.7 * v + f64::from(day) * 0.3).fract();
     for k in 0..settled + steps(length_s).count() {
         if k >= settled && (k - settled).is_multiple_of(16) {
             // a logistic map: scatter without a library
@@ -73,7 +73,7 @@ pub(crate) fn run(day: u32, kind: Kind, v: f64, from: (f64, f64), length_s: f64,
 }
 
 /// Cycles at these airspeeds and what follows a blow at those, on two days.
-pub(crate) fn campaign(cycles_m_s: &[f64], taps_m_s: &[f64], moment: Moment) -> Vec<Run> {
+pub(crate) fn campaign(cycles_m_s: &[f64], taps_m_s: &[f64], moment: Moment<'_>) -> Vec<Run> {
     let day = |day: u32| {
         let cycles = cycles_m_s.iter().map(move |v| run(day, Kind::Cycle, *v, (0.15, 40.0), 2.0, moment));
         let taps = taps_m_s.iter().map(move |v| run(day, Kind::Tap, *v, (0.012, 0.5), 7.0, moment));
