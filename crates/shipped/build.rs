@@ -7,8 +7,8 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 
 /// What is packed: folders of the repository.
-const FOLDERS: [&str; 6] =
-    ["data/mav", "data/own_wing", "data/pazy", "data/tuflex", "data/weber_brebner", "docs"];
+const FOLDERS: [&str; 7] =
+    ["data/bristol", "data/mav", "data/own_wing", "data/pazy", "data/tuflex", "data/weber_brebner", "docs"];
 /// What measurements were generated from stays out of a wing of one's own.
 const LEFT_OUT: &str = "made_with";
 

@@ -34,6 +34,7 @@ examples! {
     tuflex: "the flexible wing of paper 1, of shells and solids, and its aircraft (measurements generated)",
     weber_brebner: "a rigid swept wing of 1958 with measured lift along the span (measurements)",
     pazy: "a very flexible wing of which the tip's deflection was measured (measurements)",
+    bristol: "a wing on a heave and a pitch spring that flutters: 178 runs that nobody drives (measurements)",
     mav: "wind-tunnel runs of a micro air vehicle for response surfaces (measurements generated)",
 }
 

@@ -5,8 +5,8 @@ use std::process::ExitCode;
 use clap::Parser;
 
 pub use {
-    aero, calibrate, coupling, discover, fullaircraft, hidden, loads, maneuver, nastran, report, response,
-    shipped, structure, tunnel,
+    aero, calibrate, coupling, discover, free, fullaircraft, hidden, loads, maneuver, nastran, report,
+    response, shipped, structure, tunnel,
 };
 
 pub mod args;

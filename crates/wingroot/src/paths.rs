@@ -16,6 +16,7 @@ const WING: &str = "wing";
 const AIRCRAFT: &str = "aircraft";
 const CAMPAIGN: &str = "campaign";
 const TUNNEL: &str = "tunnel";
+const RIG: &str = "rig";
 /// The study of a folder of response surfaces.
 pub(crate) const STUDY: &str = "response";
 /// Folders of measurements that are looked for beside a wing.
@@ -86,6 +87,14 @@ pub fn aircraft(given: Option<&Path>, wing: Option<&Path>) -> Result<PathBuf, In
 /// If none is named and none is here.
 pub fn tunnel(given: Option<&Path>) -> Result<PathBuf, InputError> {
     found("runs", given, TUNNEL, "tuflex", "--runs FILE")
+}
+
+/// The file of a rig that nobody drives: the one named, else `rig.ron` of the current folder.
+///
+/// # Errors
+/// If none is named and none is here.
+pub fn rig(given: Option<&Path>) -> Result<PathBuf, InputError> {
+    found("rig", given, RIG, "bristol", "--rig FILE")
 }
 
 /// The data of response surfaces: the path named, else the current folder if it holds `response.ron`.

@@ -81,6 +81,7 @@ pub fn all() -> Vec<Named> {
             "null_distribution",
             "null_distribution.ron, written by discover",
         ),
+        input::<free::rig::Rig>("rig", "rig.ron: a wing on a heave and a pitch spring"),
         result::<CalibrateResult>("calibrate_result", "result.json of calibrate"),
         result::<SimulateResult>("simulate_result", "result.json of simulate"),
         result::<DeflectionResult>("deflection_result", "result.json of deflection"),
@@ -107,6 +108,7 @@ pub fn all() -> Vec<Named> {
         ),
         result::<FlightloadsResult>("flightloads_result", "result.json of flightloads"),
         result::<FlutterResult>("flutter_result", "result.json of flutter"),
+        result::<crate::commands::free_result::FreeResult>("free_result", "result.json of free"),
     ]
 }
 
@@ -121,6 +123,11 @@ const UNITS: &[(&str, &str)] = &[
     ("_rad_s", "rad/s"),
     ("_m_s", "m/s"),
     ("_kg_m", "kg/m"),
+    ("_n_s_per_m", "N s/m"),
+    ("_n_per_m", "N/m"),
+    ("_per_s", "1/s"),
+    ("_nm_s", "N m s"),
+    ("_kgm", "kg m"),
     ("_per_rad", "1/rad"),
     ("_per_deg", "1/deg"),
     ("_percent", "%"),

@@ -95,6 +95,7 @@ fn nobody_elses_data_is_taken() {
         ("fullaircraft", "no aircraft given"),
         ("tunnel", "no runs given"),
         ("response", "no data given"),
+        ("free", "no rig given"),
     ] {
         let output = run(&program, &base, &[command]);
         assert_eq!(output.status.code(), Some(2), "{command}: {}", said(&output));

@@ -61,6 +61,7 @@ fn shipped() -> Vec<(PathBuf, &'static str, Value)> {
             "response",
             "null_distribution",
             "flight",
+            "rig",
         ];
         let kind = kinds.into_iter().find(|kind| name.starts_with(kind)).unwrap_or("maneuver");
         // a plan of design loads is a grid of cases with more fields

@@ -42,6 +42,8 @@ commands! {
     deflection: Deflection(deflection::DeflectionArgs),
     /// Where simulation and measurements disagree, which effect is missing, the wing with it, the gap before and after
     discover: Discover(discover::DiscoverArgs),
+    /// What a measured rig on two springs that nobody drives lacks, and its cycles at airspeeds that were not fitted
+    free: Free(free::FreeArgs),
     /// The blind benchmark of `discover`: effects hidden in campaigns of a wing with another discretisation
     hidden: Hidden(hidden::HiddenArgs),
     /// What all cases of a sweep share, computed once before many processes take their parts of it
@@ -127,6 +129,8 @@ pub(crate) mod flightloads_result;
 mod flightloads_wing;
 mod flutter_figures;
 pub(crate) mod flutter_result;
+mod free_figures;
+pub(crate) mod free_result;
 mod fullaircraft_cases;
 mod fullaircraft_cases_figures;
 mod fullaircraft_cases_flown;

@@ -50,7 +50,11 @@ pub(crate) fn run(args: &NewArgs, common: &Common) -> Result<(), Failure> {
     }
     written?;
     let shown = folder.display();
-    let first = if example.name == "mav" { "response" } else { "calibrate" };
+    let first = match example.name {
+        "mav" => "response",
+        "bristol" => "free",
+        _ => "calibrate",
+    };
     show::summary(
         common,
         &format!(

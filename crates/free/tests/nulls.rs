@@ -1,0 +1,71 @@
+//! How often a wrong name is given: campaigns of the tests' own integrator, each with other sizes, airspeeds and scatter.
+//! Minutes, so with `RUN_SLOW_TESTS=1` only; the numbers stand in docs/benchmarks.md.
+
+mod independent;
+
+use std::path::Path;
+
+use free::effect::Family;
+use free::points::points;
+use free::rig::Rig;
+use free::search::{Found, search};
+use free::verdict::Answer;
+use independent::{Moment, campaign};
+use rayon::prelude::*;
+
+/// Campaigns of each kind.
+const CAMPAIGNS: u32 = 20;
+
+/// A number from 0 to 1 that goes evenly through the campaigns.
+fn even(k: u32, turn: f64) -> f64 {
+    (f64::from(k) * turn).fract()
+}
+
+fn found(k: u32, cycles_m_s: &[f64], taps_m_s: &[f64], moment: Moment<'_>) -> Found {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/bristol/rig.ron");
+    let rig = Rig::read(&path).expect("the shipped rig");
+    let moved = |all: &[f64]| all.iter().map(|v| v + 1.5 * even(k, 0.618_034)).collect::<Vec<_>>();
+    search(&rig, &points(&campaign(&moved(cycles_m_s), &moved(taps_m_s), moment), &rig.scatter))
+}
+
+/// Those of which something holds; nothing without `RUN_SLOW_TESTS=1`.
+fn count(what: &str, holds: impl Fn(u32) -> bool + Sync) -> Option<usize> {
+    if std::env::var_os("RUN_SLOW_TESTS").is_none() {
+        eprintln!("not run, as it takes minutes: RUN_SLOW_TESTS=1 runs it");
+        return None;
+    }
+    let count = (0..CAMPAIGNS).into_par_iter().filter(|k| holds(*k)).count();
+    eprintln!("{what}: {count} of {CAMPAIGNS}");
+    Some(count)
+}
+
+#[test]
+fn a_spring_that_hardens_gets_no_second_name() {
+    let wrong = count("hardening with another or a second name", |k| {
+        let (k3, power) = (1500.0 + 3000.0 * even(k, 0.414_214), if k.is_multiple_of(2) { 3 } else { 2 });
+        let size = if power == 3 { k3 } else { 0.12 * k3 };
+        let moment = move |a: f64, _: f64, _: f64| size * a.abs().powi(power).copysign(a);
+        let found = found(k, &[18.0, 22.0, 26.5], &[18.0, 24.0], &moment);
+        !matches!(found.answer(), Answer::Named([one]) if one.family() == Family::HardeningPitch)
+    });
+    assert!(wrong.is_none_or(|wrong| wrong <= 1), "{wrong:?}");
+}
+
+#[test]
+fn a_stall_of_the_moment_is_not_called_a_spring() {
+    let wrong = count("stall of the moment called a spring", |k| {
+        let (slope, mean) = (6.0 + 6.0 * even(k, 0.414_214), 0.08 + 0.04 * even(k, 0.732_051));
+        let moment = move |a: f64, _: f64, q: f64| q * 0.063 * slope * (a + mean - 0.14).max(0.0);
+        let found = found(k, &[18.0, 22.0, 26.5], &[18.0, 24.0], &moment);
+        matches!(found.answer(), Answer::Named([one, ..]) if one.family() == Family::HardeningPitch)
+    });
+    assert!(wrong.is_none_or(|wrong| wrong == 0), "{wrong:?}");
+}
+
+#[test]
+fn decays_of_a_linear_rig_get_no_name() {
+    let wrong = count("linear decays with a name", |k| {
+        found(k, &[], &[12.0, 14.5], &|_: f64, _: f64, _: f64| 0.0).answer() != Answer::Nothing
+    });
+    assert!(wrong.is_none_or(|wrong| wrong == 0), "{wrong:?}");
+}
