@@ -8,7 +8,7 @@ use fullaircraft::flight::loads::LoadedTrim;
 use fullaircraft::package::cards::{CardCase, index, structure};
 use fullaircraft::package::round_trip::{Expected, RoundTrip, Row, round_trip_csv};
 use fullaircraft::{
-    Aircraft, Component, FlightLoads, FlightPoint, Gust, NodalLoads, Station, Steady, TrimTools,
+    Aircraft, Component, FlightLoads, FlightPoint, Gust, GustAxis, NodalLoads, Station, Steady, TrimTools,
 };
 
 const V_M_S: f64 = 30.0;
@@ -83,6 +83,7 @@ fn cards_of_instants_in_a_gust_read_back_give_the_stations_the_balance_and_the_t
         trimmed: &trimmed,
         steady: at.nodal_loads(&found),
         drives: vec![],
+        axis: GustAxis::Vertical,
     };
     let flight = FlightLoads::new(trim, stations.clone(), 0.002).unwrap();
     let flown = flight.fly(Some(Gust { velocity_m_s: 5.0, length_m: 6.0, start_s: 0.0 }), &[], 200);

@@ -3,11 +3,13 @@
 
 use std::fmt::Write as _;
 
+use fullaircraft::design_loads::in_time::axis_of;
 use fullaircraft::design_loads::instants::FlownInstant;
 use fullaircraft::package::cards::{CardCase, index, structure};
 use fullaircraft::package::round_trip::{Expected, LOADS, RoundTrip, Row, round_trip_csv};
 use fullaircraft::{Component, Station};
 use loads::Selection;
+use loads::matrix::Case;
 use loads::select::Selected;
 use loads::select::file::{Component as Exported, ExportAt, Model, SelectFile};
 use nastran::InputError;
@@ -61,12 +63,13 @@ pub(crate) fn package(
     refuse_unwritten(select)?;
     let aircraft = &prepared.aircraft;
     let common = origin(prepared, flights)?;
-    let key = |one: &Selected| {
-        let (model, instant) = (usize::from(one.model == Model::Updated), one.instant - 1);
-        let flown = flown.case(model, one.case).and_then(|case| case.instants.get(instant));
-        (model, one.case, instant, flown.map_or(0.0, |flown| flown.t_s))
+    let wanted = |one: &Selected| {
+        let (model, number, instant) = (usize::from(one.model == Model::Updated), one.case, one.instant - 1);
+        let first = flown.case(model, number).and_then(|case| case.instants.get(instant));
+        let first = first.ok_or_else(|| lost(number))?;
+        Ok(Wanted { model, number, instant, flown: first })
     };
-    let wanted: Vec<Wanted> = selection.selected.iter().map(key).collect();
+    let wanted = selection.selected.iter().map(wanted).collect::<Result<Vec<Wanted<'_>>, Failure>>()?;
     let again = flights.again(&wanted)?;
     let deck = structure(aircraft, &common);
     let back = RoundTrip::new(aircraft, &flights.stations, &deck)?;
@@ -145,9 +148,9 @@ fn card(
 ) -> Result<Card, Failure> {
     let tips = back.tips();
     let FlownAgain { model, number, instant, .. } = *again;
-    let lost = || Failure::Computation(format!("case {number} was selected and is not there"));
-    let case = case_of(flights.matrix, number).ok_or_else(lost)?;
-    let first = flown.case(model, number).and_then(|case| case.instants.get(instant)).ok_or_else(lost)?;
+    let case = case_of(flights.matrix, number).ok_or_else(|| lost(number))?;
+    let first = flown.case(model, number).and_then(|case| case.instants.get(instant));
+    let first = first.ok_or_else(|| lost(number))?;
     let parts = Component::ALL.map(|component| again.nodal.of(component));
     let sums = |station: &Station| std::array::from_fn(|part| station.sums(back.points(), &parts[part]));
     let flown = FlownInstant { loads: flights.stations.iter().map(sums).collect(), ..first.clone() };
@@ -160,11 +163,11 @@ fn card(
     let title = format!("case {number} {}, {:.1} m/s, n {:.2}, {mass}", case.condition, case.v_m_s, case.n_z);
     let mut origin = common.to_vec();
     origin.push(format!(
-        "{}; mass {mass}; model {}; instant {} at {} s",
+        "{}; mass {mass}; model {}; instant {} {}",
         words(case),
         one.model.name(),
         one.instant,
-        flown.t_s
+        moment(flights, case, &flown)
     ));
     let card = CardCase { sid: one.sid, words: title, net };
     let text = card.text(&flights.grids, &origin);
@@ -177,6 +180,25 @@ fn card(
         trim_tip,
         origin,
     })
+}
+
+/// When an instant is, or which load is at its limit in it.
+fn moment(flights: &Flights<'_>, case: &Case, flown: &FlownInstant) -> String {
+    let names = || flights.stations.iter().map(|station| station.name.clone()).collect::<Vec<String>>();
+    match (flown.limit, flown.gradient_m) {
+        (Some(limit), _) => {
+            format!(
+                "with {} at its limit, and the loads that go with it",
+                limit.words(axis_of(case), &names())
+            )
+        }
+        (None, Some(gradient_m)) => format!("at {} s, gradient {gradient_m:.2} m", flown.t_s),
+        (None, None) => format!("at {} s", flown.t_s),
+    }
+}
+
+fn lost(number: usize) -> Failure {
+    Failure::Computation(format!("case {number} was selected and is not there"))
 }
 
 /// Largest difference of two flights' loads at stations, as a share of the largest force or moment.
