@@ -120,6 +120,7 @@ mod deflection_results;
 mod discover_figures;
 mod discover_results;
 mod flightloads_campaign;
+mod flightloads_coverage;
 mod flightloads_figures;
 mod flightloads_measured;
 pub(crate) mod flightloads_result;
