@@ -25,8 +25,8 @@ const AFTER_S: f64 = 0.8;
 /// Gusts flown side by side.
 const TOGETHER: usize = 8;
 
-/// What a flight of a plan is given to.
-type Each<'e, E> = dyn FnMut(FlownCase, &FlownLoads<'_>) -> Result<(), E> + 'e;
+/// What the flight of a gust is given to, with its gradient, m.
+type Each<'e, E> = dyn FnMut(FlownCase, &FlownLoads<'_>, f64) -> Result<(), E> + 'e;
 
 /// A linearised flight and the cases that are flown with it.
 pub(super) struct InTime<'f> {
@@ -124,7 +124,7 @@ impl InTime<'_> {
         let (families, single): (Vec<&Case>, Vec<&Case>) = cases.iter().partition(|case| searched(&case));
         let gusts: Vec<(usize, Gust)> =
             single.iter().filter_map(|case| Some((case.number, gust(case, None)?))).collect();
-        self.fly_gusts(&gusts, &mut |flown_case, flown| {
+        self.fly_gusts(&gusts, &mut |flown_case, flown, _| {
             let of = single.iter().find(|case| case.number == flown_case.number);
             let nodal: &Nodal<'_> = &|instant| match instant.gradient_m {
                 None => at_time(flown, instant),
@@ -151,7 +151,7 @@ impl InTime<'_> {
         let gusts: Vec<(usize, Gust)> =
             cases.iter().filter_map(|case| Some((case.number, gust(case, None)?))).collect();
         let mut given = Vec::new();
-        self.fly_gusts(&gusts, &mut |flown, _| {
+        self.fly_gusts(&gusts, &mut |flown, _, _| {
             given.push(flown);
             Ok::<(), E>(())
         })?;
@@ -172,15 +172,16 @@ impl InTime<'_> {
             })
             .collect();
         let mut found = Vec::new();
-        self.fly_gusts(&between, &mut |mut flown, _| {
-            found.append(&mut flown.instants.into_iter().map(|instant| (flown.number, instant)).collect());
-            flown.instants = Vec::new();
+        self.fly_gusts(&between, &mut |flown, _, gradient_m| {
+            for instant in flown.instants {
+                found.push((flown.number, FlownInstant { gradient_m: Some(gradient_m), ..instant }));
+            }
             Ok::<(), E>(())
         })?;
         Ok(family.with(found))
     }
 
-    /// Flies gusts side by side, each with the number of its case; an instant of a gradient that is not its case's says so.
+    /// Flies gusts side by side, each with the number of its case.
     fn fly_gusts<E>(&self, gusts: &[(usize, Gust)], each: &mut Each<'_, E>) -> Result<(), E> {
         let v_m_s = self.flight.v_m_s();
         let mut sorted = gusts.to_vec();
@@ -191,7 +192,8 @@ impl InTime<'_> {
             let all: Vec<Gust> = together.iter().map(|(_, gust)| *gust).collect();
             for ((number, gust), flown) in together.iter().zip(self.flight.fly_gusts(&all, samples)) {
                 // what counts of a flight does not depend on what is flown beside it
-                each(self.case(&flown, count(gust.length_m / v_m_s + AFTER_S), *number), &flown)?;
+                let case = self.case(&flown, count(gust.length_m / v_m_s + AFTER_S), *number);
+                each(case, &flown, gust.length_m / 2.0)?;
             }
         }
         Ok(())
