@@ -5,9 +5,9 @@ use std::fmt::Write as _;
 
 use fullaircraft::design_loads::in_time::axis_of;
 use fullaircraft::design_loads::instants::FlownInstant;
-use fullaircraft::package::cards::{CardCase, index, structure};
+use fullaircraft::package::cards::{CardCase, CardPart, index, structure};
 use fullaircraft::package::round_trip::{Expected, LOADS, RoundTrip, Row, round_trip_csv};
-use fullaircraft::{Component, Station};
+use fullaircraft::{Component, NodalLoads, Station};
 use loads::Selection;
 use loads::matrix::Case;
 use loads::select::Selected;
@@ -49,6 +49,9 @@ struct Card {
 /// sums of other numbers, and with thin shells differ by 2e-7.
 const REPEAT: f64 = 1e-6;
 
+/// What is asked for where the air's loads are a set apart from all others.
+const PARTS: [Exported; 2] = [Exported::Air, Exported::Inertia];
+
 /// Makes the package.
 ///
 /// # Errors
@@ -74,8 +77,12 @@ pub(crate) fn package(
     let deck = structure(aircraft, &common);
     let back = RoundTrip::new(aircraft, &flights.stations, &deck)?;
     let (mut cards, mut rows) = (Vec::new(), Vec::new());
+    let last = selection.selected.iter().map(|one| one.sid).max().unwrap_or(0);
     for (one, again) in selection.selected.iter().zip(&again) {
-        let card = card(one, again, flights, flown, &common, &back)?;
+        let mut card = card(one, again, flights, flown, &common, &back)?;
+        if select.export.components == PARTS {
+            card.part(&again.nodal, last, flights);
+        }
         rows.extend(back.compare(&card.case, &card.text, &card.expected)?);
         cards.push(card);
     }
@@ -111,12 +118,13 @@ pub(crate) fn package(
 
 /// What a selection can ask for and is not written.
 fn refuse_unwritten(select: &SelectFile) -> Result<(), InputError> {
-    if select.export.at == ExportAt::Grids && select.export.components == [Exported::Net] {
+    let known = [&[Exported::Net][..], &PARTS];
+    if select.export.at == ExportAt::Grids && known.contains(&&select.export.components[..]) {
         return Ok(());
     }
-    let message = "only net loads at grids are written as cards";
+    let message = "cards are written at grids, as net loads or as those of the air with all others apart";
     Err(InputError::in_field(&select.path, "export", message)
-        .with_help("write export: (at: Grids, components: [Net]), or leave both out"))
+        .with_help("write export: (at: Grids, components: [Net]) or [Air, Inertia], or leave both out"))
 }
 
 /// Program, plan and fingerprints of everything that was read.
@@ -169,7 +177,7 @@ fn card(
         one.instant,
         moment(flights, case, &flown)
     ));
-    let card = CardCase { sid: one.sid, words: title, net };
+    let card = CardCase { sid: one.sid, words: title, net, parts: Vec::new() };
     let text = card.text(&flights.grids, &origin);
     Ok(Card {
         case: card,
@@ -199,6 +207,20 @@ fn moment(flights: &Flights<'_>, case: &Case, flown: &FlownInstant) -> String {
 
 fn lost(number: usize) -> Failure {
     Failure::Computation(format!("case {number} was selected and is not there"))
+}
+
+impl Card {
+    /// Parts the case in the air's loads and all others, whose sets are numbered beyond those of the cases.
+    fn part(&mut self, nodal: &NodalLoads, last: u32, flights: &Flights<'_>) {
+        let air = nodal.of(Component::Air);
+        let rest = self.case.net.iter().zip(&air).map(|(net, air)| net - air).collect();
+        let beyond = |part: u32| last + 2 * (self.case.sid - 1) + part;
+        self.case.parts = vec![
+            CardPart { sid: beyond(1), words: "air", loads: air },
+            CardPart { sid: beyond(2), words: "inertia, gravity, thrust and damping", loads: rest },
+        ];
+        self.text = self.case.text(&flights.grids, &self.origin);
+    }
 }
 
 /// Largest difference of two flights' loads at stations, as a share of the largest force or moment.
