@@ -23,7 +23,7 @@ pub use deck::trim::{Elastic, TrimDeck, TrimmedDeck};
 pub use error::AircraftError;
 pub use flight::air::FlightAir;
 pub use flight::drive::Drive;
-pub use flight::gust::Gust;
+pub use flight::gust::{Gust, GustAxis};
 pub use flight::history::FlightHistory;
 pub use flight::loads::{FlightLoads, FlownLoads};
 pub use flight::model::FlyingAircraft;

@@ -5,10 +5,10 @@ mod common;
 use common::{air, whole};
 use coupling::wing_file::StationAt;
 use fullaircraft::flight::loads::LoadedTrim;
-use fullaircraft::package::cards::{CardCase, index, structure};
+use fullaircraft::package::cards::{CardCase, CardPart, index, structure};
 use fullaircraft::package::round_trip::{Expected, RoundTrip, Row, round_trip_csv};
 use fullaircraft::{
-    Aircraft, Component, FlightLoads, FlightPoint, Gust, NodalLoads, Station, Steady, TrimTools,
+    Aircraft, Component, FlightLoads, FlightPoint, Gust, GustAxis, NodalLoads, Station, Steady, TrimTools,
 };
 
 const V_M_S: f64 = 30.0;
@@ -21,7 +21,7 @@ fn stations(aircraft: &Aircraft) -> Vec<Station> {
 }
 
 fn case(sid: u32, words: &str, loads: &NodalLoads) -> CardCase {
-    CardCase { sid, words: words.to_owned(), net: loads.of(Component::Net) }
+    CardCase { sid, words: words.to_owned(), net: loads.of(Component::Net), parts: Vec::new() }
 }
 
 fn expected(aircraft: &Aircraft, stations: &[Station], net: &[f64], tips_m: [f64; 2]) -> Expected {
@@ -83,6 +83,7 @@ fn cards_of_instants_in_a_gust_read_back_give_the_stations_the_balance_and_the_t
         trimmed: &trimmed,
         steady: at.nodal_loads(&found),
         drives: vec![],
+        axis: GustAxis::Vertical,
     };
     let flight = FlightLoads::new(trim, stations.clone(), 0.002).unwrap();
     let flown = flight.fly(Some(Gust { velocity_m_s: 5.0, length_m: 6.0, start_s: 0.0 }), &[], 200);
@@ -188,4 +189,46 @@ fn the_index_has_a_subcase_for_each_case_and_reads_back() {
     }
     let longest = text.lines().map(str::len).max().unwrap();
     assert!(longest <= 80, "a line of {longest} characters");
+}
+
+#[test]
+fn the_airs_loads_and_all_others_as_sets_of_their_own_add_up_to_the_net_loads() {
+    let aircraft = whole();
+    let stations = stations(aircraft);
+    let back = RoundTrip::new(aircraft, &stations, &structure(aircraft, &[])).unwrap();
+    let tools = TrimTools::new(aircraft, &[]).unwrap();
+    let model = aircraft.uncorrected();
+    let at = tools.at(&model, V_M_S).unwrap();
+    let found = at.solve(&Steady::Pull { load_factor: 3.0 }.case(&aircraft.file, V_M_S)).unwrap();
+    let loads = at.nodal_loads(&found);
+    let mut case = case(1, "pull-up", &loads);
+    let part = |sid, words, component| CardPart { sid, words, loads: loads.of(component) };
+    case.parts = vec![part(2, "air", Component::Air), part(3, "inertia", Component::Inertia)];
+    let text = case.text(aircraft.free.node_ids(), &[]);
+    let deck = nastran::parse_deck("case", &text).unwrap();
+    let of = |set: u32| -> f64 {
+        deck.point_loads
+            .iter()
+            .filter(|card| card.set == set && !card.is_moment)
+            .map(|card| card.vector.z)
+            .sum()
+    };
+    let weight_n = coupling::GRAVITY_M_S2 * aircraft.mass.mass_kg;
+    assert!(
+        (of(2) / (3.0 * weight_n) - 1.0).abs() < 1e-6,
+        "the air lifts three times the weight: {} N",
+        of(2)
+    );
+    assert!(
+        (of(3) / (3.0 * weight_n) + 1.0).abs() < 1e-6,
+        "inertia and gravity pull as much down: {} N",
+        of(3)
+    );
+    let expected = expected(aircraft, &stations, &case.net, at.tip_deflection_m(&found));
+    let rows = back.compare(&case, &text, &expected).unwrap();
+    assert!(rows.iter().all(Row::holds), "{}\n{}", worst(&rows), round_trip_csv(&rows));
+    // a sum that forgets a part is found
+    let forgets = text.replacen(",1.,2,1.,3", ",1.,2,.999,3", 1);
+    assert_ne!(forgets, text);
+    assert!(!back.compare(&case, &forgets, &expected).unwrap().iter().all(Row::holds));
 }

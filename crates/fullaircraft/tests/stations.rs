@@ -7,7 +7,8 @@ use common::{air, path, whole};
 use coupling::wing_file::StationAt;
 use fullaircraft::flight::loads::LoadedTrim;
 use fullaircraft::{
-    Aircraft, AircraftFile, Component, FlightLoads, FlightPoint, Gust, NodalLoads, Station, Steady, TrimTools,
+    Aircraft, AircraftFile, Component, FlightLoads, FlightPoint, Gust, GustAxis, NodalLoads, Station, Steady,
+    TrimTools,
 };
 use nalgebra::{Matrix3, Vector3};
 use structure::Flexibility;
@@ -212,8 +213,14 @@ fn in_gusts_and_with_ailerons_nodal_loads_add_up_to_the_stations_and_are_in_bala
     let point = FlightPoint { v_m_s: V_M_S, load_factor: 1.0, pitch_rate_deg_s: 0.0 };
     let trimmed = at.trimmed(&found, &point);
     let drives = vec![aircraft.drive(OUTER).unwrap()];
-    let trim =
-        LoadedTrim { model: &model, air: air(), trimmed: &trimmed, steady: at.nodal_loads(&found), drives };
+    let trim = LoadedTrim {
+        model: &model,
+        air: air(),
+        trimmed: &trimmed,
+        steady: at.nodal_loads(&found),
+        drives,
+        axis: GustAxis::Vertical,
+    };
     let flight = FlightLoads::new(trim, stations(aircraft), 0.002).unwrap();
     let gust = Gust { velocity_m_s: 3.0, length_m: 4.0, start_s: 0.0 };
     let step = vec![vec![0.1; 150]];
@@ -257,7 +264,14 @@ fn loads_in_flight_change_as_the_instruments_say() {
     let trimmed = at.trimmed(&found, &point);
     let drives = || vec![aircraft.drive(OUTER).unwrap()];
     let steady = at.nodal_loads(&found);
-    let trim = LoadedTrim { model: &model, air: air(), trimmed: &trimmed, steady, drives: drives() };
+    let trim = LoadedTrim {
+        model: &model,
+        air: air(),
+        trimmed: &trimmed,
+        steady,
+        drives: drives(),
+        axis: GustAxis::Vertical,
+    };
     let stations = aircraft.wing_stations(&[]).unwrap();
     let flight = FlightLoads::new(trim, stations, 0.001).unwrap();
     let command = vec![0.05; 200];

@@ -53,6 +53,8 @@ pub enum Action {
         direction: Direction,
         /// Design velocity, m/s TAS.
         u_ds_m_s: f64,
+        /// Whether the worst gradient of each load is searched for between those of the plan.
+        refine: bool,
     },
     /// Continuous turbulence from level flight.
     Turbulence {
@@ -165,14 +167,14 @@ impl Writer<'_> {
         for gust in &self.design.gusts {
             match gust {
                 Gust::Pratt { .. } => {}
-                Gust::Discrete { at, gradients_m, directions, .. } => {
+                Gust::Discrete { at, gradients_m, directions, refine } => {
                     let gradients = match gradients_m {
                         Gradients::Default => default_gradients(airframe.mean_chord_m),
                         Gradients::Of(own) => own.clone(),
                     };
                     for &speed in at {
                         for &direction in directions {
-                            self.discrete(speed, direction, &gradients)?;
+                            self.discrete(speed, (direction, *refine), &gradients)?;
                         }
                     }
                 }
@@ -222,14 +224,19 @@ impl Writer<'_> {
         }
     }
 
-    fn discrete(&mut self, speed: Speed, direction: Direction, gradients: &[f64]) -> Result<(), InputError> {
+    fn discrete(
+        &mut self,
+        speed: Speed,
+        (direction, refine): (Direction, bool),
+        gradients: &[f64],
+    ) -> Result<(), InputError> {
         let (v, h_m) = (self.speed(speed)?, self.diagram.h_m);
         let reference = self.design.reference_gust(h_m, v)?.value;
         let factor = self.design.profile_alleviation(h_m)?.value;
         for &gradient_m in gradients {
             let u_ds_m_s = design_gust(reference, factor, gradient_m) * self.air.true_over_equivalent();
             let words = format!("gust {} H {gradient_m:.1} m at {}", direction.word(), speed.name());
-            let action = Action::Discrete { gradient_m, direction, u_ds_m_s };
+            let action = Action::Discrete { gradient_m, direction, u_ds_m_s, refine };
             let case = self.case("discrete", &words, v, 1.0, action);
             self.push_level(case);
         }

@@ -97,3 +97,60 @@ fn tables_with_calculated_loads_need_no_wing_and_mistakes_end_with_status_two() 
         assert!(said.contains(words), "{said}");
     }
 }
+
+/// A run of `loads` as far as coverage reads it.
+const SELECTED: &str = "sid,model,case,instant,t_s,H_m,kind,mass,h_m,V_m_s,n_z,driven,limit,why\n\
+                        1,updated,3,1,0,,corner,full,0,28.0,2.5,4,,\"ends, of Mx\"\n2,updated,9,4,0.2,12.5,discrete,full,0,46.0,1.0,2,,\"hull\"\n";
+const ENVELOPE: &str = "model,station,load,end,value,case,flown\n\
+                        initial,right half,Mx_Nm,largest,99,9,\"gust\"\nupdated,right half,Mx_Nm,smallest,-4,3,\"corner, down\"\n\
+                        updated,right half,Mx_Nm,largest,20,9,\"gust\"\n";
+
+#[test]
+fn design_instants_and_loads_that_were_not_flown_are_said() {
+    let folder = folder("coverage");
+    let file = r#"FlightLoads(name: "pull-ups", stations: [(name: "half", loads: [(load: Mx, sigma: 1.0)])],
+        conditions: [(name: "pull-up", points: "points.csv")],
+        reliable_within_percent: 5.0, bias_within_sigma: 2.0, large_from_percent: 60.0)"#;
+    let points = "V_m_s,n_z,half_Mx_Nm,updated_half_Mx_Nm\n20,1,4,4\n25,2,8,8.1\n30,2.6,10,10\n30,3,12.5,12.4\n30,0.5,2,2\n";
+    let design = folder.join("design");
+    std::fs::create_dir_all(&design).expect("a folder");
+    for (path, text) in [
+        (folder.join("flight.ron"), file),
+        (folder.join("points.csv"), points),
+        (design.join("selected.csv"), SELECTED),
+        (design.join("envelope.csv"), ENVELOPE),
+    ] {
+        std::fs::write(path, text).expect("a file");
+    }
+    let run = |design: &Path| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_wingroot"));
+        command.args(["flightloads", "--json", "--out", "out", "--measured", "flight.ron", "--package"]);
+        command.arg(design).current_dir(&folder).output().expect("the command starts")
+    };
+    let output = run(&design);
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success(), "{said}");
+    let result: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let instants = result["coverage"]["instants"].as_array().expect("instants");
+    let flown: Vec<[bool; 2]> = instants
+        .iter()
+        .map(|one| ["v_is_flown", "n_is_flown"].map(|key| one[key].as_bool().expect("it was recorded")))
+        .collect();
+    assert_eq!(flown, [[true, true], [false, true]], "28 m/s at 2.5 was flown, 46 m/s was not");
+    let loads = read(&folder.join("out/coverage_loads.csv"));
+    assert!(
+        loads.contains("\"half\",Mx,largest,12.5,20,1.600000"),
+        "20 N m by design, 12.5 measured: {loads}"
+    );
+    assert!(loads.contains("\"half\",Mx,smallest,2,-4,not flown"), "nothing downwards was measured: {loads}");
+    std::fs::write(design.join("envelope.csv"), ENVELOPE.replace("right half", "right third"))
+        .expect("a file");
+    let output = run(&design);
+    assert_eq!(output.status.code(), Some(2), "the plan has no such station");
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(said.contains("no design loads Mx_Nm of station half"), "{said}");
+}
+
+fn read(path: &Path) -> String {
+    std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}

@@ -3,6 +3,7 @@
 mod box_rows;
 pub mod cases;
 mod monitors;
+mod net_monitors;
 mod plate;
 mod spline;
 mod structure;

@@ -26,8 +26,7 @@ impl Monitor {
     }
 }
 
-/// The MONPNT1 of a deck, and the names of the stations that are left out: MONPNT3, whose loads are the structure's, and MONPNT1
-/// of a component made of grids.
+/// The MONPNT1 of a deck, and the names of those that are left out: of a component made of grids.
 ///
 /// # Errors
 /// If a component, list, box or system is not there.
@@ -39,7 +38,6 @@ pub(crate) fn monitors(
     let (mut all, mut skipped) = (Vec::new(), Vec::new());
     for card in &bulk.monitors {
         if card.is_structural {
-            skipped.push(card.name.clone());
             continue;
         }
         let axes = frames.axes_at(card.cd, &card.span)?;

@@ -13,6 +13,7 @@
 
 use crate::deck::cases::refuse_unread;
 use crate::deck::monitors::{Monitor, monitors};
+use crate::deck::net_monitors::{NetMonitor, net_monitors};
 use crate::deck::spline;
 use crate::deck::structure::{
     Reduced, assembled, box_displacements, corrections, held, reference_motions, support_motions,
@@ -50,9 +51,10 @@ pub struct TrimDeck {
     origin: Point3<f64>,
     /// Controls in proportion to others.
     links: Links,
-    /// MONPNT3, and MONPNT1 of a component made of grids, which are left out.
+    /// MONPNT3 of a group that is no SET1, and MONPNT1 of a component made of grids, which are left out.
     pub skipped_monitors: Vec<String>,
     monitors: Vec<Monitor>,
+    net_monitors: Vec<NetMonitor>,
     /// Pressures of the undeformed aircraft, boxes by variables.
     cp_variables: Mat<f64>,
     /// Pressures by displacement of the s-set.
@@ -88,7 +90,7 @@ pub struct TrimmedDeck {
     pub cp: Vec<f64>,
     /// Lift of each box along its normal, the deck's unit of force.
     pub lift: Vec<f64>,
-    /// Air loads of each MONPNT1 along and about its axes: three forces, three moments.
+    /// Air loads of each MONPNT1 and net loads of each MONPNT3 along and about its axes: three forces, three moments.
     pub monitors: BTreeMap<String, [f64; 6]>,
 }
 
@@ -135,11 +137,15 @@ impl TrimDeck {
             (aero.pressures(incidence.as_ref()), aero.pressures(theta.as_ref()));
         let stiffness = &gather * &cp_displacement;
         let divergence = divergence(&structure.restrained, &stiffness)?;
-        let (monitors, skipped_monitors) = monitors(bulk, &lattice, &frames)?;
+        let (monitors, mut skipped_monitors) = monitors(bulk, &lattice, &frames)?;
+        let (net_monitors, groups) =
+            net_monitors(bulk, &frames, &free, &s_dofs, free.inertia_loads(a.as_ref()).as_ref())?;
+        skipped_monitors.extend(groups);
         let at = |m: &Mat<f64>| coupling::supported::restrict(m.as_ref(), &s_dofs);
         Ok(Self {
             links: Links::new(bulk, &variables)?,
             monitors,
+            net_monitors,
             skipped_monitors,
             cp_variables,
             cp_displacement,
@@ -262,12 +268,14 @@ impl TrimDeck {
             .map(|row| values.iter().enumerate().map(|(j, value)| cp[(row, j)] * value).sum())
             .collect();
         let loads = self.integration.corrected(&self.corrections).box_loads(q, &cp);
-        let monitored = self.monitors.iter();
+        let monitored = self.monitors.iter().map(|one| (one.name.clone(), one.loads(&self.lattice, &loads)));
+        let on_grids: Vec<f64> = (0..self.gather.nrows())
+            .map(|i| q * (self.offset[i] + (0..cp.len()).map(|j| self.gather[(i, j)] * cp[j]).sum::<f64>()))
+            .collect();
+        let net = self.net_monitors.iter().map(|one| (one.name.clone(), one.loads(&on_grids, &values)));
         Ok(TrimmedDeck {
             lift: loads.values.iter().copied().step_by(2).collect(),
-            monitors: monitored
-                .map(|monitor| (monitor.name.clone(), monitor.loads(&self.lattice, &loads)))
-                .collect(),
+            monitors: monitored.chain(net).collect(),
             cp,
             values: self.variables.iter().cloned().zip(values).collect(),
         })

@@ -2,4 +2,7 @@
 
 pub mod aircraft;
 pub mod fly;
+pub mod in_time;
 pub mod instants;
+mod search;
+mod turbulence;

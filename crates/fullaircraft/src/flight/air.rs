@@ -14,11 +14,12 @@
 //! maneuvers are; there errors are below 3 % of an entry's largest modulus for modes and controls and 6 % for rigid motions
 //! (the pitching moment of the tail), below k = 0.15 within 1 and 2 %. Beyond k = 0.8 the wings' wake on the tail is rough.
 //!
-//! A gust is known at stations along x, `gust_x_m`, and linear between them: constant gusts are exact, a wave of length L is
+//! A gust, vertical or from the side, is known at stations along x, `gust_x_m`, and linear between them: constant gusts are exact, a wave of length L is
 //! met with an error of 1/8 (2 pi d/L)², d = 0.1 m the distance of stations.
 
 use crate::aircraft::assembly::Aircraft;
 use crate::error::AircraftError;
+use crate::flight::gust::GustAxis;
 use crate::flight::modes::FreeModes;
 use aero::{DlmSettings, DoubletLattice, incidence};
 use faer::{Mat, MatRef};
@@ -43,7 +44,7 @@ pub struct AirColumns {
     pub modes: usize,
     /// Control surfaces.
     pub controls: usize,
-    /// Stations of the gust.
+    /// Stations of the gust; each has a column a vertical gust and one a lateral one.
     pub gusts: usize,
 }
 
@@ -58,14 +59,23 @@ impl AirColumns {
         RIGID + self.modes + control
     }
 
-    /// Column of a gust station.
+    /// Column of a station of a vertical gust, upwards.
     pub fn gust(self, station: usize) -> usize {
-        self.control(self.controls) + station
+        self.gust_along(GustAxis::Vertical, station)
+    }
+
+    /// Column of a station of a gust.
+    pub fn gust_along(self, axis: GustAxis, station: usize) -> usize {
+        let before = match axis {
+            GustAxis::Vertical => 0,
+            GustAxis::Lateral => self.gusts,
+        };
+        self.control(self.controls) + before + station
     }
 
     /// All columns.
     pub fn count(self) -> usize {
-        self.gust(self.gusts)
+        self.gust_along(GustAxis::Lateral, self.gusts)
     }
 
     /// True if a column is an incidence, without a p² of its own.
@@ -263,11 +273,15 @@ fn motions(aircraft: &Aircraft, modes: &FreeModes, columns: AirColumns, gust_x_m
             moving[(j, columns.control(c))] = lever[j];
         }
     }
+    let from_right = incidence::sideslip(lattice);
     for (j, panel) in lattice.boxes.iter().enumerate() {
         let (before, share) = between(gust_x_m, panel.three_quarter_point().x);
-        let n_z = panel.normal().z;
-        still[(j, columns.gust(before))] = (1.0 - share) * n_z;
-        still[(j, columns.gust(before + 1))] = share * n_z;
+        // upwards, and from the right
+        for (axis, incidence) in [(GustAxis::Vertical, panel.normal().z), (GustAxis::Lateral, from_right[j])]
+        {
+            still[(j, columns.gust_along(axis, before))] = (1.0 - share) * incidence;
+            still[(j, columns.gust_along(axis, before + 1))] = share * incidence;
+        }
     }
     MotionColumns { still, moving }
 }

@@ -3,10 +3,19 @@
 
 use std::f64::consts::TAU;
 
-/// A vertical gust that the foremost point of the aircraft enters first.
+/// Which way the air of a gust moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum GustAxis {
+    /// Upwards.
+    Vertical,
+    /// From the right, towards -y.
+    Lateral,
+}
+
+/// A gust that the foremost point of the aircraft enters first.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gust {
-    /// Largest velocity, upwards, m/s.
+    /// Largest velocity along the gust's axis (upwards, or from the right), m/s.
     pub velocity_m_s: f64,
     /// Length L, m: twice the gradient distance.
     pub length_m: f64,

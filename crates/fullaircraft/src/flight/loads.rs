@@ -15,7 +15,7 @@ use crate::error::AircraftError;
 use crate::flight::air::{FlightAir, RIGID};
 use crate::flight::drive::Drive;
 use crate::flight::equations::Evaluated;
-use crate::flight::gust::Gust;
+use crate::flight::gust::{Gust, GustAxis};
 use crate::flight::load_sources::{CHANGING, Derivatives, SIX, Sources, read};
 use crate::flight::model::{FlyingAircraft, Rows};
 use crate::flight::rows::momentum;
@@ -31,15 +31,15 @@ use nalgebra::{Matrix3, Vector3};
 /// A trimmed aircraft whose loads in small motions are asked for.
 #[derive(Debug)]
 pub struct FlightLoads<'a> {
-    aircraft: &'a Aircraft,
-    free: FreeFlight,
+    pub(crate) aircraft: &'a Aircraft,
+    pub(crate) free: FreeFlight,
     step: ExactStep,
     time_step_s: f64,
     sources: Sources,
-    stations: Vec<Station>,
+    pub(crate) stations: Vec<Station>,
     /// Loads of the stations by states and by inputs: three components of six loads each.
-    by_state: Mat<f64>,
-    by_input: Mat<f64>,
+    pub(crate) by_state: Mat<f64>,
+    pub(crate) by_input: Mat<f64>,
     nodal: Nodal,
     steady: NodalLoads,
     steady_at_stations: Vec<[[f64; SIX]; 5]>,
@@ -88,6 +88,8 @@ pub struct LoadedTrim<'a> {
     pub steady: NodalLoads,
     /// What moves it.
     pub drives: Vec<Drive>,
+    /// Which way the air of the gusts moves that it meets.
+    pub axis: GustAxis,
 }
 
 impl<'a> FlightLoads<'a> {
@@ -110,11 +112,11 @@ impl<'a> FlightLoads<'a> {
         stations: Vec<Station>,
         time_step_s: f64,
     ) -> Result<Self, AircraftError> {
-        let LoadedTrim { model, air, trimmed, steady, drives } = trim;
+        let LoadedTrim { model, air, trimmed, steady, drives, axis } = trim;
         let aircraft = model.aircraft;
         let met = Gust { velocity_m_s: 0.0, length_m: 1.0, start_s: 0.0 };
-        let rows = Rows::new(model, air, trimmed, &drives, air.gust_x_m.len());
-        let flying = FlyingAircraft::new(model, air, trimmed, drives, Some(met))?;
+        let rows = Rows::new(model, air, trimmed, &drives, Some(axis));
+        let flying = FlyingAircraft::meeting(model, air, trimmed, drives, Some((met, axis)))?;
         let equations = &flying.equations;
         let state = equations.trimmed();
         let at_trim = equations.evaluate(&state, &equations.no_inputs());
@@ -163,7 +165,13 @@ impl<'a> FlightLoads<'a> {
         &self.stations
     }
 
-    /// Flies commands (rad, a list of samples a drive; a missing list is zero) and a gust.
+    /// Fx, Fy, Fz (N), Mx, My, Mz (N m) of a component at a station in the trim.
+    pub fn at_trim(&self, station: usize, component: Component) -> [f64; SIX] {
+        let place = Component::ALL.iter().position(|other| *other == component).unwrap_or(0);
+        self.steady_at_stations[station][place]
+    }
+
+    /// Flies commands (rad, a list of samples a drive; a missing list is zero) and a gust along the axis of its air.
     pub fn fly(&'a self, gust: Option<Gust>, commands_rad: &[Vec<f64>], samples: usize) -> FlownLoads<'a> {
         let t_s = self.times(samples);
         let of = |drive: usize| {
@@ -202,7 +210,7 @@ impl<'a> FlightLoads<'a> {
         (0..samples).map(|k| k as f64 * self.time_step_s).collect()
     }
 
-    fn flown(&'a self, t_s: Vec<f64>, states: Mat<f64>, inputs: Mat<f64>) -> FlownLoads<'a> {
+    pub(crate) fn flown(&'a self, t_s: Vec<f64>, states: Mat<f64>, inputs: Mat<f64>) -> FlownLoads<'a> {
         let changes = &self.by_state * &states + &self.by_input * &inputs;
         FlownLoads { of: self, t_s, states, inputs, changes }
     }
@@ -211,8 +219,7 @@ impl<'a> FlightLoads<'a> {
 impl FlownLoads<'_> {
     /// Fx, Fy, Fz (N), Mx, My, Mz (N m) of a component at a station at a sample.
     pub fn at_station(&self, station: usize, component: Component, sample: usize) -> [f64; SIX] {
-        let place = Component::ALL.iter().position(|other| *other == component).unwrap_or(0);
-        let mut loads = self.of.steady_at_stations[station][place];
+        let mut loads = self.of.at_trim(station, component);
         for (at, changing) in CHANGING.iter().enumerate() {
             if component != *changing && component != Component::Net {
                 continue;

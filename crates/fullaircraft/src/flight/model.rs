@@ -4,7 +4,7 @@ use crate::error::AircraftError;
 use crate::flight::air::{FlightAir, RIGID};
 use crate::flight::drive::Drive;
 use crate::flight::equations::{AirRows, Equations, Evaluated, Inputs, Reference};
-use crate::flight::gust::Gust;
+use crate::flight::gust::{Gust, GustAxis};
 use crate::flight::history::{FlightHistory, StationHistory, SurfaceHistory, UnitHistory};
 use crate::flight::rows::LoadParts;
 use crate::flight::sensors::{FIXED, Sensors, Unit};
@@ -41,9 +41,20 @@ impl FlyingAircraft {
         drives: Vec<Drive>,
         gust: Option<Gust>,
     ) -> Result<Self, AircraftError> {
+        Self::meeting(model, air, trimmed, drives, gust.map(|gust| (gust, GustAxis::Vertical)))
+    }
+
+    /// As [`FlyingAircraft::new`], with a gust along either axis.
+    pub(crate) fn meeting(
+        model: &FlightModel<'_>,
+        air: &FlightAir,
+        trimmed: &Trimmed,
+        drives: Vec<Drive>,
+        gust: Option<(Gust, GustAxis)>,
+    ) -> Result<Self, AircraftError> {
         let aircraft = model.aircraft;
         let gusts = if gust.is_some() { air.gust_x_m.len() } else { 0 };
-        let rows = Rows::new(model, air, trimmed, &drives, gusts);
+        let rows = Rows::new(model, air, trimmed, &drives, gust.map(|(_, axis)| axis));
         let generalised = rows.of(&air.modes.generalised_rows(aircraft));
         let q_pa = model.flow(&trimmed.point).dynamic_pressure_pa();
         let amplitude =
@@ -59,7 +70,7 @@ impl FlyingAircraft {
             sensors,
             drives,
             gust_behind_m: air.gust_x_m[..gusts].iter().map(|x| x - first).collect(),
-            gust,
+            gust: gust.map(|(gust, _)| gust),
             centre_behind_m: aircraft.mass.centre.x - first,
         })
     }
@@ -180,13 +191,13 @@ pub(crate) struct Rows<'a> {
 }
 
 impl<'a> Rows<'a> {
-    /// For an aircraft with these drives and so many stations of a gust.
+    /// For an aircraft with these drives, and in gusts along an axis if there are any.
     pub(crate) fn new(
         model: &'a FlightModel<'a>,
         air: &FlightAir,
         trimmed: &'a Trimmed,
         drives: &[Drive],
-        gusts: usize,
+        gusts: Option<GustAxis>,
     ) -> Self {
         Self { model, trimmed, motions: motions(air, drives, gusts) }
     }
@@ -251,8 +262,10 @@ fn equations(
 }
 
 /// Columns of the air for rigid motions, modes, drives (their surfaces in their shares) and gusts.
-fn motions(air: &FlightAir, drives: &[Drive], gusts: usize) -> RationalAir {
+fn motions(air: &FlightAir, drives: &[Drive], gusts: Option<GustAxis>) -> RationalAir {
     let columns = air.columns;
+    let axis = gusts.unwrap_or(GustAxis::Vertical);
+    let gusts = if gusts.is_some() { columns.gusts } else { 0 };
     let before = RIGID + columns.modes;
     let pick = |of: &Mat<f64>| {
         Mat::from_fn(of.nrows(), before + drives.len() + gusts, |j, motion| match motion {
@@ -262,7 +275,7 @@ fn motions(air: &FlightAir, drives: &[Drive], gusts: usize) -> RationalAir {
                 .iter()
                 .map(|&(control, share)| share * of[(j, columns.control(control))])
                 .sum(),
-            gust => of[(j, columns.gust(gust - before - drives.len()))],
+            gust => of[(j, columns.gust_along(axis, gust - before - drives.len()))],
         })
     };
     RationalAir {

@@ -19,6 +19,19 @@ pub struct CardCase {
     pub words: String,
     /// Net loads of the g-set, 6 a node, N and N m.
     pub net: Vec<f64>,
+    /// Load sets that the case's LOAD adds up to the net loads; none: the net loads are one set of their own.
+    pub parts: Vec<CardPart>,
+}
+
+/// A load set that is a part of a case.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CardPart {
+    /// Load set.
+    pub sid: u32,
+    /// What it is, in words.
+    pub words: &'static str,
+    /// Loads of the g-set, 6 a node, N and N m.
+    pub loads: Vec<f64>,
 }
 
 impl CardCase {
@@ -34,7 +47,20 @@ impl CardCase {
             self.words.clone(),
             "net applied loads (air, inertia, thrust, damping, gravity), limit; N, N m; basic axes x aft, y right, z up; no reactions".to_owned(),
         ]);
-        text + &load_cards(self.sid, grids, &self.net)
+        if self.parts.is_empty() {
+            return text + &load_cards(self.sid, grids, &self.net);
+        }
+        // Writing to a String cannot fail.
+        let _ = write!(text, "LOAD,{},1.", self.sid);
+        for part in &self.parts {
+            let _ = write!(text, ",1.,{}", part.sid);
+        }
+        text.push('\n');
+        for part in &self.parts {
+            text += &comments(&[format!("load set {}: {}", part.sid, part.words)]);
+            text += &load_cards(part.sid, grids, &part.loads);
+        }
+        text
     }
 }
 

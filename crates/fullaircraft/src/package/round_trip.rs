@@ -208,15 +208,22 @@ impl<'a> RoundTrip<'a> {
     /// Loads on the g-set that was read.
     fn loads(&self, sid: u32, deck: &BulkData) -> Result<Vec<f64>, InputError> {
         let mut loads = vec![0.0; 6 * self.read.node_count()];
+        let factor = |set: u32| match deck.load_sums.get(&sid) {
+            Some(sum) => {
+                sum.parts.iter().filter(|(_, of)| *of == set).map(|(part, _)| sum.scale * part).sum()
+            }
+            None => f64::from(u8::from(set == sid)),
+        };
         for card in &deck.point_loads {
-            let node = self.read.node_index(card.grid).filter(|_| card.set == sid && card.cid == 0);
+            let factor: f64 = factor(card.set);
+            let node = self.read.node_index(card.grid).filter(|_| factor != 0.0 && card.cid == 0);
             let node = node.ok_or_else(|| {
                 let message =
                     format!("this load of set {} at grid {} is not of case {sid}", card.set, card.grid);
                 InputError::at(&card.span, message)
             })?;
             let first = 6 * node + if card.is_moment { 3 } else { 0 };
-            (0..3).for_each(|axis| loads[first + axis] += card.vector[axis]);
+            (0..3).for_each(|axis| loads[first + axis] += factor * card.vector[axis]);
         }
         Ok(loads)
     }

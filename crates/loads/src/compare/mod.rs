@@ -4,6 +4,7 @@
 //! calculated below (1 - r) of the measured is a test by itself, so are slopes, and Holm's steps keep the chance of one false alarm
 //! among them at 2.5 %. Errors of a gauge's calibration are shared by its points, which Holm's steps allow for.
 
+pub mod coverage;
 mod facts;
 mod given;
 pub mod statistics;

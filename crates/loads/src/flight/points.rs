@@ -31,6 +31,10 @@ pub struct Reading {
     pub place: nastran::Span,
     /// The state, if its table has it.
     pub state: Option<State>,
+    /// Airspeed, m/s, if it was recorded.
+    pub v_m_s: Option<f64>,
+    /// Load factor, if it was recorded.
+    pub n_z: Option<f64>,
     /// Loads in the order of the channels, N or N m; none where a channel is not compared here.
     pub measured: Vec<Option<f64>>,
     /// Loads that the table brings of the initial and the updated model.
@@ -73,6 +77,8 @@ pub fn readings(file: &FlightFile, condition: &Condition) -> Result<Vec<Reading>
         Ok(Reading {
             place: table.span(row, table.columns().next().unwrap_or_default()),
             state: state(&table, row)?,
+            v_m_s: recorded(&table, row, "V_m_s")?,
+            n_z: recorded(&table, row, "n_z")?,
             measured: measured.iter().zip(&counts).map(|(all, is)| is[row].then_some(all[row])).collect(),
             calculated: [of(&initial, row), of(&updated, row)],
             fitted,
@@ -128,6 +134,11 @@ fn calculated(table: &Table, model: &str, channels: &[Channel]) -> Result<Option
     let complete =
         channels.iter().zip(all).map(|(channel, all)| all.ok_or_else(|| missing(table, &named(channel))));
     complete.collect::<Result<Vec<_>, _>>().map(Some)
+}
+
+/// A number of a column that may not be there.
+fn recorded(table: &Table, row: usize, column: &str) -> Result<Option<f64>, InputError> {
+    table.has(column).then(|| table.number(row, column)).transpose()
 }
 
 fn state(table: &Table, row: usize) -> Result<Option<State>, InputError> {

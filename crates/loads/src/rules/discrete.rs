@@ -29,6 +29,11 @@ pub fn design_gust(u_ref_m_s: f64, f_g: f64, gradient_m: f64) -> f64 {
     u_ref_m_s * f_g * (gradient_m / LONGEST_GRADIENT_M).powf(1.0 / 6.0)
 }
 
+/// The design velocity of another gradient, m/s, by that of one: both gradients in m.
+pub fn rescaled(u_ds_m_s: f64, gradient_m: f64, other_m: f64) -> f64 {
+    u_ds_m_s * (other_m / gradient_m).powf(1.0 / 6.0)
+}
+
 /// The ten gradients that are flown if none are given, m: geometric, and with Pratt's 12.5 chords in the range for small aircraft.
 pub fn default_gradients(mean_chord_m: f64) -> Vec<f64> {
     let first = SHORTEST_GRADIENT_M.min(12.5 * mean_chord_m);

@@ -12,6 +12,7 @@ use nastran::{InputError, ron_or_json};
 use report::Table;
 
 use super::flightloads_campaign::CampaignPoints;
+use super::flightloads_coverage as coverage;
 use super::flightloads_figures::write_figures;
 use super::flightloads_measured::{MODELS, Measured, comparison};
 use super::flightloads_result::{FlightloadsResult, Row, csv};
@@ -27,7 +28,7 @@ use crate::show;
 #[derive(Debug, Clone, Default, Args)]
 #[command(after_help = "Examples:
   wingroot flightloads
-  wingroot flightloads --measured my_flight/flight.ron
+  wingroot flightloads --measured my_flight/flight.ron --package out/loads
 
 flight.ron names stations with their gauges, conditions (tables of points, histories, or wind-tunnel campaigns) and what is asked
 of calculated loads: no threshold is built in. Points that fitted the corrections count in no verdict. `wingroot schema flight`
@@ -36,6 +37,9 @@ pub struct FlightloadsArgs {
     /// The file of measured loads, or the folder of flight.ron
     #[arg(long, value_name = "FILE", default_value = "flight.ron")]
     pub(crate) measured: PathBuf,
+    /// Results of `loads`: how far what was flown covers its design loads
+    #[arg(long, value_name = "DIR")]
+    pub(crate) package: Option<PathBuf>,
 }
 
 /// Runs the command.
@@ -57,14 +61,23 @@ pub(crate) fn run(args: &FlightloadsArgs, common: &Common) -> Result<(), Failure
             .with_help("name a `wing`, or bring columns such as initial_root_Mx_Nm in the tables")
             .into());
     }
+    let covered = args.package.as_deref().map(|package| coverage::coverage(package, &channels, &all)).transpose()?;
     let folder = ResultFolder::begin(&common.out("flightloads"))?;
     folder.input("measured", &path)?;
     if let Some(wing) = &wing {
         folder.input("wing", &wing.file.path)?;
     }
+    if let Some(package) = &args.package {
+        folder.input("design loads", &package.join("envelope.csv"))?;
+        folder.input("design instants", &package.join("selected.csv"))?;
+    }
+    if let Some(covered) = &covered {
+        coverage::write(&folder, covered)?;
+    }
     folder.write_text("flightloads.csv", &csv(&rows))?;
     write_figures(&folder, &file, &channels, &all)?;
     let mut result = FlightloadsResult::new(&file, wing.as_ref().map(TunnelWing::origin), rows, &campaigns);
+    result.coverage = covered;
     result.seconds = start.elapsed().as_secs_f64();
     let json = as_json(&result)?;
     folder.write_json("result.json", &json)?;
@@ -166,5 +179,6 @@ fn summary(result: &FlightloadsResult) -> String {
         ]);
     }
     let _ = writeln!(text, "{table}");
+    text += &result.coverage.as_ref().map(coverage::line).unwrap_or_default();
     text
 }

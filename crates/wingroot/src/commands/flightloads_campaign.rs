@@ -83,6 +83,8 @@ impl CampaignPoints {
                     alpha_deg: point.alpha_rad.to_degrees(),
                     controls_deg: BTreeMap::new(),
                 }),
+                v_m_s: Some(point.v_m_s),
+                n_z: None,
                 measured,
                 calculated: [None, None],
                 fitted: is_fitted(point.v_m_s, point.alpha_rad),

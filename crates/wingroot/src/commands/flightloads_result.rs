@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use loads::FlightFile;
+use loads::compare::coverage::Coverage;
 use loads::compare::{Judged, Thresholds, Verdict};
 use loads::flight::Channel;
 use schemars::JsonSchema;
@@ -33,6 +34,9 @@ pub(crate) struct FlightloadsResult {
     thresholds: Thresholds,
     /// A row each condition, station, load and model.
     pub(crate) rows: Vec<Row>,
+    /// How far what was flown covers design loads, if these were given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) coverage: Option<Coverage>,
     /// Wall clock.
     pub(crate) seconds: f64,
 }
@@ -97,6 +101,7 @@ impl FlightloadsResult {
             left_out: campaigns.iter().map(|campaign| campaign.left_out).sum(),
             thresholds: file.thresholds(),
             rows,
+            coverage: None,
             seconds: 0.0,
         }
     }

@@ -56,7 +56,7 @@ struct Trimmed {
     values: BTreeMap<String, f64>,
     /// Lift; null if the subcase was refused.
     lift: Option<f64>,
-    /// Loads at monitor points: three forces, three moments.
+    /// Loads at monitor points: three forces, three moments; of the air (MONPNT1), net on all of their grids (MONPNT3).
     monitors: BTreeMap<String, [f64; 6]>,
     /// Dynamic pressures of divergence.
     divergence_q: Vec<f64>,
@@ -114,7 +114,7 @@ pub(crate) fn run(path: &Path, common: &Common) -> Result<(), Failure> {
     let skipped = known.map_or_else(Vec::new, |(_, deck)| deck.skipped_monitors);
     if !skipped.is_empty() && !common.quiet {
         show::note(&format!(
-            "stations left out (MONPNT3, and MONPNT1 of components made of grids): {}",
+            "stations left out (MONPNT3 of a group that is no SET1, MONPNT1 of components made of grids): {}",
             skipped.join(", ")
         ));
     }

@@ -7,8 +7,6 @@ use clap::Args;
 use fullaircraft::CasesFile;
 use fullaircraft::cases::file::Action;
 use fullaircraft::design_loads::aircraft::maneuvers;
-use fullaircraft::design_loads::fly::unflown;
-use loads::matrix::Status;
 use loads::{Design, Matrix, SelectFile, matrix};
 use nastran::InputError;
 use nastran::ron_or_json::in_folder;
@@ -17,9 +15,11 @@ use crate::args::{Common, Given};
 use crate::commands::fullaircraft_prepared::{FullaircraftArgs, Prepared, prepared};
 use crate::commands::loads_figures as figures;
 use crate::commands::loads_flights::{Flights, Flown};
+use crate::commands::loads_gusts as gusts;
 use crate::commands::loads_package::{Packed, package};
 use crate::commands::loads_result::{Failed, LoadsResult};
 use crate::commands::loads_tables as tables;
+use crate::commands::loads_turbulence as turbulence;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
@@ -132,18 +132,12 @@ fn selection_file(args: &LoadsArgs, plan: &CasesFile) -> Result<SelectFile, Inpu
     }
 }
 
-/// The plan's own maneuvers and all its cases; kinds that are not flown are left out, with the reason.
+/// The plan's own maneuvers and all its cases.
 fn planned(prepared: &Prepared, plan: &CasesFile, design: &Design) -> Result<(Vec<Action>, Matrix), Failure> {
     let aircraft = &prepared.aircraft;
     let airframe = aircraft.airframe(&aircraft.uncorrected(), design.speeds.vc)?;
     let (actions, conditions) = maneuvers(plan, design)?.into_iter().unzip::<_, _, Vec<_>, Vec<_>>();
-    let mut matrix = matrix(design, &airframe, &conditions)?;
-    for case in matrix.cases.iter_mut().filter(|case| case.status == Status::Planned) {
-        if let Some(why) = unflown(case) {
-            (case.status, case.why) = (Status::LeftOut, why.to_owned());
-        }
-    }
-    Ok((actions, matrix))
+    Ok((actions, matrix(design, &airframe, &conditions)?))
 }
 
 fn write_matrix(folder: &ResultFolder, design: &Design, matrix: &Matrix) -> Result<(), Failure> {
@@ -173,9 +167,13 @@ fn write(
     let envelope = tables::envelope(&names, &instants, &matrix);
     folder.write_text("station_loads.csv", &tables::station_loads(&names, &flown.cases))?;
     folder.write_text("envelope.csv", &fullaircraft::cases::envelope::envelope_csv(&envelope))?;
-    folder.write_text("gusts.csv", &tables::gusts(&names, &flown.cases, &matrix))?;
+    let gusts = gusts::worst(&names, &flown.cases, &matrix);
+    folder.write_text("gusts.csv", &gusts::csv(&gusts))?;
+    folder.write_text("turbulence.csv", &turbulence::csv(&names, &flown.cases))?;
+    folder.write_text("correlation.csv", &turbulence::correlation(&names, &flown.cases))?;
+    turbulence::figures(&folder, &flights.stations, flown, &matrix, design)?;
     folder.write_text("selection.csv", &selection.csv())?;
-    folder.write_text("selected.csv", &tables::selected(&selection, flown, &matrix, design))?;
+    folder.write_text("selected.csv", &tables::selected(&names, &selection, flown, &matrix, design))?;
     figures::potatoes(&folder, &names, &instants, &selection)?;
     for (name, bytes) in &packed.files {
         folder.write_bytes(&format!("package/{name}"), bytes)?;
@@ -183,6 +181,8 @@ fn write(
     let mut result = LoadsResult::of(plan, &matrix);
     result.failed = flown.failed().map(|(case, model, why)| Failed { case, model, why }).collect();
     result.envelope = envelope;
+    result.gusts = gusts::of_roots(gusts);
+    result.turbulence = turbulence::rows(&names, &flown.cases);
     result.selected = selection.selected.iter().map(Into::into).collect();
     result.round_trip = Some(packed.round_trip);
     result.package = Some("package".to_owned());

@@ -7,8 +7,8 @@ use std::sync::Mutex;
 use aero::Corrections;
 use fullaircraft::cases::file::Action;
 use fullaircraft::cases::list::MODELS;
-use fullaircraft::design_loads::fly::PlanFlight;
-use fullaircraft::design_loads::instants::FlownCase;
+use fullaircraft::design_loads::fly::{Nodal, PlanFlight};
+use fullaircraft::design_loads::instants::{FlownCase, FlownInstant};
 use fullaircraft::{Aircraft, CasesFile, FlightAir, NodalLoads, Station, TrimTools};
 use loads::matrix::{Action as Planned, Case, Status};
 use loads::select::Instant;
@@ -42,8 +42,14 @@ pub(crate) struct Flown {
     pub(crate) cases: Vec<FlownCase>,
 }
 
-/// An instant that is asked for: model, number of the case, instant from zero, time, s.
-pub(crate) type Wanted = (usize, usize, usize, f64);
+/// An instant of a case that is asked for.
+pub(crate) struct Wanted<'f> {
+    pub(crate) model: usize,
+    pub(crate) number: usize,
+    /// From zero.
+    pub(crate) instant: usize,
+    pub(crate) flown: &'f FlownInstant,
+}
 
 /// An instant of a case flown again, with what was not kept of the first flight.
 pub(crate) struct FlownAgain {
@@ -54,9 +60,8 @@ pub(crate) struct FlownAgain {
     pub(crate) nodal: NodalLoads,
 }
 
-/// What is done with a flown case and what gives its nodal loads at a time, s.
-type Each<'e> =
-    dyn Fn(&Case, FlownCase, &dyn Fn(f64) -> Option<NodalLoads>) -> Result<(), Failure> + Sync + 'e;
+/// What is done with a flown case and what gives its nodal loads at an instant.
+type Each<'e> = dyn Fn(&Case, FlownCase, &Nodal<'_>) -> Result<(), Failure> + Sync + 'e;
 
 /// Cases that share a state of loading, altitude and airspeed, and the model they are flown with.
 type Group<'m> = (usize, Vec<&'m Case>);
@@ -96,14 +101,25 @@ impl<'a> Flights<'a> {
             .flat_map(|case| [0, 1].map(|model| store.get::<FlownCase>(&part(case, model))))
             .flatten()
             .collect();
-        let finished: BTreeSet<(usize, usize)> = known.iter().map(|case| (case.model, case.number)).collect();
+        let mut finished: BTreeSet<(usize, usize)> =
+            known.iter().map(|case| (case.model, case.number)).collect();
+        let mut known = known;
+        for family in self.families() {
+            for model in [0, 1] {
+                // what is searched for between gradients depends on all of them
+                if !family.iter().all(|number| finished.contains(&(model, *number))) {
+                    finished.retain(|(of, number)| *of != model || !family.contains(number));
+                }
+            }
+        }
+        known.retain(|case| finished.contains(&(case.model, case.number)));
         let missing: Vec<(usize, &Case)> = planned()
             .flat_map(|case| [(0, case), (1, case)])
             .filter(|(model, case)| !finished.contains(&(*model, case.number)))
             .collect();
         let bar = progress::bar(common, missing.len(), "cases");
         let results = Mutex::new(Vec::new());
-        self.each(&missing, &|case, flown, _| {
+        self.each(&missing, true, &|case, flown, _| {
             let kept = store.put(&part(case, flown.model), &flown)?;
             results.lock().map_err(Failure::computation)?.push(kept);
             bar.inc(1);
@@ -116,20 +132,34 @@ impl<'a> Flights<'a> {
         Ok((Flown { cases }, store))
     }
 
+    /// Numbers of the planned gusts whose worst gradients are searched for together.
+    fn families(&self) -> Vec<Vec<usize>> {
+        let mut families: Vec<(String, Vec<usize>)> = Vec::new();
+        for case in self.matrix.cases.iter().filter(|case| case.status == Status::Planned) {
+            let Planned::Discrete { direction, refine: true, .. } = case.action else { continue };
+            let key = format!("{} {:?} {:?} {direction:?}", case.mass, case.h_m, case.v_m_s);
+            match families.iter_mut().find(|family| family.0 == key) {
+                Some(family) => family.1.push(case.number),
+                None => families.push((key, vec![case.number])),
+            }
+        }
+        families.into_iter().map(|family| family.1).collect()
+    }
+
     /// Instants flown again, in this order.
-    pub(crate) fn again(&self, wanted: &[Wanted]) -> Result<Vec<FlownAgain>, Failure> {
+    pub(crate) fn again(&self, wanted: &[Wanted<'_>]) -> Result<Vec<FlownAgain>, Failure> {
         let mut cases: Vec<(usize, &Case)> = Vec::new();
-        for &(model, number, ..) in wanted {
+        for &Wanted { model, number, .. } in wanted {
             if !cases.iter().any(|(m, case)| *m == model && case.number == number) {
                 let case = self.matrix.cases.iter().find(|case| case.number == number);
                 cases.extend(case.map(|case| (model, case)));
             }
         }
         let found = Mutex::new(Vec::new());
-        self.each(&cases, &|case, flown, loads| {
-            for &(model, number, instant, t_s) in wanted {
+        self.each(&cases, false, &|case, flown, loads| {
+            for &Wanted { model, number, instant, flown: first } in wanted {
                 if (model, number) == (flown.model, case.number) {
-                    let nodal = loads(t_s).ok_or_else(|| {
+                    let nodal = loads(first).ok_or_else(|| {
                         Failure::Computation(format!("case {number} has no instant {}", instant + 1))
                     })?;
                     let again = FlownAgain { model, number, instant, nodal };
@@ -140,14 +170,17 @@ impl<'a> Flights<'a> {
         })?;
         let mut found = found.into_inner().map_err(Failure::computation)?;
         let place = |of: &FlownAgain| {
-            wanted.iter().position(|want| (want.0, want.1, want.2) == (of.model, of.number, of.instant))
+            let same = |want: &Wanted<'_>| {
+                (want.model, want.number, want.instant) == (of.model, of.number, of.instant)
+            };
+            wanted.iter().position(same)
         };
         found.sort_by_key(place);
         Ok(found)
     }
 
-    /// Flies cases with models, groups side by side.
-    fn each(&self, cases: &[(usize, &Case)], done: &Each<'_>) -> Result<(), Failure> {
+    /// Flies cases with models, groups side by side; worst gradients are searched for if asked to.
+    fn each(&self, cases: &[(usize, &Case)], search: bool, done: &Each<'_>) -> Result<(), Failure> {
         let mut groups: Vec<Group<'_>> = Vec::new();
         for (model, case) in cases {
             let same = |group: &&mut Group<'_>| {
@@ -175,6 +208,7 @@ impl<'a> Flights<'a> {
                 air: air.as_ref(),
                 stations: &self.stations,
                 maneuvers: &self.maneuvers,
+                search,
             };
             flight.fly(&model, *which, cases, &mut |flown: FlownCase, loads| {
                 let case = cases.iter().find(|case| case.number == flown.number).unwrap_or(&first);
@@ -206,7 +240,7 @@ impl Flown {
             let model = if case.model == 0 { Model::Initial } else { Model::Updated };
             let number = case.number;
             let one = move |(instant, flown): (usize, &_)| {
-                let flown: &fullaircraft::design_loads::instants::FlownInstant = flown;
+                let flown: &FlownInstant = flown;
                 Instant { model, case: number, instant: instant + 1, loads: flown.net() }
             };
             case.instants.iter().enumerate().map(one).collect::<Vec<_>>()

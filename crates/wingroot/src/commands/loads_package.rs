@@ -3,11 +3,13 @@
 
 use std::fmt::Write as _;
 
+use fullaircraft::design_loads::in_time::axis_of;
 use fullaircraft::design_loads::instants::FlownInstant;
-use fullaircraft::package::cards::{CardCase, index, structure};
+use fullaircraft::package::cards::{CardCase, CardPart, index, structure};
 use fullaircraft::package::round_trip::{Expected, LOADS, RoundTrip, Row, round_trip_csv};
-use fullaircraft::{Component, Station};
+use fullaircraft::{Component, NodalLoads, Station};
 use loads::Selection;
+use loads::matrix::Case;
 use loads::select::Selected;
 use loads::select::file::{Component as Exported, ExportAt, Model, SelectFile};
 use nastran::InputError;
@@ -47,6 +49,9 @@ struct Card {
 /// sums of other numbers, and with thin shells differ by 2e-7.
 const REPEAT: f64 = 1e-6;
 
+/// What is asked for where the air's loads are a set apart from all others.
+const PARTS: [Exported; 2] = [Exported::Air, Exported::Inertia];
+
 /// Makes the package.
 ///
 /// # Errors
@@ -61,18 +66,23 @@ pub(crate) fn package(
     refuse_unwritten(select)?;
     let aircraft = &prepared.aircraft;
     let common = origin(prepared, flights)?;
-    let key = |one: &Selected| {
-        let (model, instant) = (usize::from(one.model == Model::Updated), one.instant - 1);
-        let flown = flown.case(model, one.case).and_then(|case| case.instants.get(instant));
-        (model, one.case, instant, flown.map_or(0.0, |flown| flown.t_s))
+    let wanted = |one: &Selected| {
+        let (model, number, instant) = (usize::from(one.model == Model::Updated), one.case, one.instant - 1);
+        let first = flown.case(model, number).and_then(|case| case.instants.get(instant));
+        let first = first.ok_or_else(|| lost(number))?;
+        Ok(Wanted { model, number, instant, flown: first })
     };
-    let wanted: Vec<Wanted> = selection.selected.iter().map(key).collect();
+    let wanted = selection.selected.iter().map(wanted).collect::<Result<Vec<Wanted<'_>>, Failure>>()?;
     let again = flights.again(&wanted)?;
     let deck = structure(aircraft, &common);
     let back = RoundTrip::new(aircraft, &flights.stations, &deck)?;
     let (mut cards, mut rows) = (Vec::new(), Vec::new());
+    let last = selection.selected.iter().map(|one| one.sid).max().unwrap_or(0);
     for (one, again) in selection.selected.iter().zip(&again) {
-        let card = card(one, again, flights, flown, &common, &back)?;
+        let mut card = card(one, again, flights, flown, &common, &back)?;
+        if select.export.components == PARTS {
+            card.part(&again.nodal, last, flights);
+        }
         rows.extend(back.compare(&card.case, &card.text, &card.expected)?);
         cards.push(card);
     }
@@ -108,12 +118,13 @@ pub(crate) fn package(
 
 /// What a selection can ask for and is not written.
 fn refuse_unwritten(select: &SelectFile) -> Result<(), InputError> {
-    if select.export.at == ExportAt::Grids && select.export.components == [Exported::Net] {
+    let known = [&[Exported::Net][..], &PARTS];
+    if select.export.at == ExportAt::Grids && known.contains(&&select.export.components[..]) {
         return Ok(());
     }
-    let message = "only net loads at grids are written as cards";
+    let message = "cards are written at grids, as net loads or as those of the air with all others apart";
     Err(InputError::in_field(&select.path, "export", message)
-        .with_help("write export: (at: Grids, components: [Net]), or leave both out"))
+        .with_help("write export: (at: Grids, components: [Net]) or [Air, Inertia], or leave both out"))
 }
 
 /// Program, plan and fingerprints of everything that was read.
@@ -145,9 +156,9 @@ fn card(
 ) -> Result<Card, Failure> {
     let tips = back.tips();
     let FlownAgain { model, number, instant, .. } = *again;
-    let lost = || Failure::Computation(format!("case {number} was selected and is not there"));
-    let case = case_of(flights.matrix, number).ok_or_else(lost)?;
-    let first = flown.case(model, number).and_then(|case| case.instants.get(instant)).ok_or_else(lost)?;
+    let case = case_of(flights.matrix, number).ok_or_else(|| lost(number))?;
+    let first = flown.case(model, number).and_then(|case| case.instants.get(instant));
+    let first = first.ok_or_else(|| lost(number))?;
     let parts = Component::ALL.map(|component| again.nodal.of(component));
     let sums = |station: &Station| std::array::from_fn(|part| station.sums(back.points(), &parts[part]));
     let flown = FlownInstant { loads: flights.stations.iter().map(sums).collect(), ..first.clone() };
@@ -160,13 +171,13 @@ fn card(
     let title = format!("case {number} {}, {:.1} m/s, n {:.2}, {mass}", case.condition, case.v_m_s, case.n_z);
     let mut origin = common.to_vec();
     origin.push(format!(
-        "{}; mass {mass}; model {}; instant {} at {} s",
+        "{}; mass {mass}; model {}; instant {} {}",
         words(case),
         one.model.name(),
         one.instant,
-        flown.t_s
+        moment(flights, case, &flown)
     ));
-    let card = CardCase { sid: one.sid, words: title, net };
+    let card = CardCase { sid: one.sid, words: title, net, parts: Vec::new() };
     let text = card.text(&flights.grids, &origin);
     Ok(Card {
         case: card,
@@ -177,6 +188,39 @@ fn card(
         trim_tip,
         origin,
     })
+}
+
+/// When an instant is, or which load is at its limit in it.
+fn moment(flights: &Flights<'_>, case: &Case, flown: &FlownInstant) -> String {
+    let names = || flights.stations.iter().map(|station| station.name.clone()).collect::<Vec<String>>();
+    match (flown.limit, flown.gradient_m) {
+        (Some(limit), _) => {
+            format!(
+                "with {} at its limit, and the loads that go with it",
+                limit.words(axis_of(case), &names())
+            )
+        }
+        (None, Some(gradient_m)) => format!("at {} s, gradient {gradient_m:.2} m", flown.t_s),
+        (None, None) => format!("at {} s", flown.t_s),
+    }
+}
+
+fn lost(number: usize) -> Failure {
+    Failure::Computation(format!("case {number} was selected and is not there"))
+}
+
+impl Card {
+    /// Parts the case in the air's loads and all others, whose sets are numbered beyond those of the cases.
+    fn part(&mut self, nodal: &NodalLoads, last: u32, flights: &Flights<'_>) {
+        let air = nodal.of(Component::Air);
+        let rest = self.case.net.iter().zip(&air).map(|(net, air)| net - air).collect();
+        let beyond = |part: u32| last + 2 * (self.case.sid - 1) + part;
+        self.case.parts = vec![
+            CardPart { sid: beyond(1), words: "air", loads: air },
+            CardPart { sid: beyond(2), words: "inertia, gravity, thrust and damping", loads: rest },
+        ];
+        self.text = self.case.text(&flights.grids, &self.origin);
+    }
 }
 
 /// Largest difference of two flights' loads at stations, as a share of the largest force or moment.

@@ -9,6 +9,9 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt::Write as _;
 
+use crate::commands::loads_gusts::{self as gusts, WorstGust};
+use crate::commands::loads_turbulence::{self as turbulence, TurbulenceRow};
+
 /// See the module.
 #[derive(Debug, Default, Serialize, JsonSchema)]
 pub(crate) struct LoadsResult {
@@ -26,6 +29,10 @@ pub(crate) struct LoadsResult {
     pub(crate) failed: Vec<Failed>,
     /// Smallest and largest net loads.
     pub(crate) envelope: Vec<Extreme>,
+    /// Worst discrete gusts of both wings' roots.
+    pub(crate) gusts: Vec<WorstGust>,
+    /// Loads in continuous turbulence.
+    pub(crate) turbulence: Vec<TurbulenceRow>,
     /// What goes to stress.
     pub(crate) selected: Vec<SelectedCase>,
     /// The largest differences between solver and cards read back.
@@ -133,6 +140,8 @@ impl LoadsResult {
                 first.case, first.model, first.why
             );
         }
+        text += &gusts::line(&self.gusts).unwrap_or_default();
+        text += &turbulence::line(&self.turbulence).unwrap_or_default();
         let cases: std::collections::BTreeSet<usize> = self.selected.iter().map(|one| one.case).collect();
         let _ = writeln!(text, "selected     {} instants of {} cases", self.selected.len(), cases.len());
         if let Some(RoundTripResult { stations, balance, tip, structure, trim_tip, repeat }) = self.round_trip

@@ -1,4 +1,4 @@
-//! Tables of `loads`: station loads, envelope, gusts over their gradients, selected instants; and station loads read again.
+//! Tables of `loads`: station loads, envelope, selected instants; and station loads read again.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -7,7 +7,8 @@ use std::path::Path;
 use fullaircraft::Component;
 use fullaircraft::cases::envelope::Extreme;
 use fullaircraft::cases::list::MODELS;
-use fullaircraft::design_loads::instants::FlownCase;
+use fullaircraft::design_loads::in_time::axis_of;
+use fullaircraft::design_loads::instants::{FlownCase, FlownInstant};
 use fullaircraft::package::round_trip::LOADS;
 use loads::matrix::{Action, Case};
 use loads::select::Instant;
@@ -128,76 +129,37 @@ pub(crate) fn case_of(matrix: &Matrix, number: usize) -> Option<&Case> {
     matrix.cases.iter().find(|case| case.number == number)
 }
 
+/// The gradient of the gust that an instant of a case is of, m.
+pub(crate) fn gradient_m(case: &Case, instant: &FlownInstant) -> Option<f64> {
+    let Action::Discrete { gradient_m, .. } = case.action else { return None };
+    Some(instant.gradient_m.unwrap_or(gradient_m))
+}
+
 /// A case in a few words.
 pub(crate) fn words(case: &Case) -> String {
     format!("{}, {:.2} m/s, {} m, n {:.3}", case.condition, case.v_m_s, case.h_m, case.n_z)
 }
 
-/// Ends of every net load over the gradients of each family of gusts: the worst gradient, and whether it lies inside the range.
-pub(crate) fn gusts(names: &[String], cases: &[FlownCase], matrix: &Matrix) -> String {
-    let mut text =
-        String::from("model,case,station,load,end,H_m,value,t_s,tuned,Fx_N,Fy_N,Fz_N,Mx_Nm,My_Nm,Mz_Nm\n");
-    let mut families: Vec<Vec<(&FlownCase, f64)>> = Vec::new();
-    let mut keys = Vec::new();
-    for case in cases {
-        let Some(planned) = case_of(matrix, case.number) else { continue };
-        let Action::Discrete { gradient_m, direction, .. } = planned.action else { continue };
-        let key = (case.model, planned.mass, planned.h_m.to_bits(), planned.v_m_s.to_bits(), direction);
-        if let Some(at) = keys.iter().position(|known| *known == key) {
-            families[at].push((case, gradient_m));
-        } else {
-            keys.push(key);
-            families.push(vec![(case, gradient_m)]);
-        }
-    }
-    for family in &families {
-        let gradients = || family.iter().map(|(_, gradient_m)| *gradient_m);
-        let range_m =
-            [gradients().fold(f64::INFINITY, f64::min), gradients().fold(f64::NEG_INFINITY, f64::max)];
-        for (place, station) in names.iter().enumerate() {
-            for (at, load) in LOADS.into_iter().enumerate() {
-                for (end, sign) in [("smallest", -1.0), ("largest", 1.0)] {
-                    let all = family.iter().flat_map(|(case, gradient_m)| {
-                        case.instants.iter().map(move |instant| (*case, *gradient_m, instant, instant.net()))
-                    });
-                    let worst =
-                        all.max_by(|a, b| (sign * a.3[place][at]).total_cmp(&(sign * b.3[place][at])));
-                    let Some((case, gradient_m, instant, net)) = worst else { continue };
-                    let tuned =
-                        if range_m.contains(&gradient_m) { "no: at the end of the range" } else { "yes" };
-                    let (model, number, value) = (MODELS[case.model], case.number, net[place][at]);
-                    // Writing to a String cannot fail.
-                    let _ = write!(
-                        text,
-                        "{model},{number},{station},{load},{end},{gradient_m:.4},{value:.9e},{},{tuned}",
-                        instant.t_s
-                    );
-                    for load in net[place] {
-                        let _ = write!(text, ",{load:.9e}");
-                    }
-                    text.push('\n');
-                }
-            }
-        }
-    }
-    text
-}
-
 /// What goes to stress, a row a load set.
-pub(crate) fn selected(selection: &Selection, flown: &Flown, matrix: &Matrix, design: &Design) -> String {
-    let mut text = String::from("sid,model,case,instant,t_s,H_m,kind,mass,h_m,V_m_s,n_z,driven,why\n");
+pub(crate) fn selected(
+    names: &[String],
+    selection: &Selection,
+    flown: &Flown,
+    matrix: &Matrix,
+    design: &Design,
+) -> String {
+    let mut text = String::from("sid,model,case,instant,t_s,H_m,kind,mass,h_m,V_m_s,n_z,driven,limit,why\n");
     for one in &selection.selected {
         let model = usize::from(one.model == Model::Updated);
         let Some(case) = case_of(matrix, one.case) else { continue };
         let instant = flown.case(model, one.case).and_then(|case| case.instants.get(one.instant - 1));
-        let gradient = match case.action {
-            Action::Discrete { gradient_m, .. } => format!("{gradient_m:.4}"),
-            _ => String::new(),
-        };
+        let gradient = instant.and_then(|instant| gradient_m(case, instant));
+        let gradient = gradient.map_or_else(String::new, |gradient_m| format!("{gradient_m:.4}"));
+        let limit = instant.and_then(|instant| Some(instant.limit?.words(axis_of(case), names)));
         // Writing to a String cannot fail.
         let _ = writeln!(
             text,
-            "{},{},{},{},{},{gradient},{},{},{},{:.6},{:.6},{},\"{}\"",
+            "{},{},{},{},{},{gradient},{},{},{},{:.6},{:.6},{},{},\"{}\"",
             one.sid,
             one.model.name(),
             one.case,
@@ -209,6 +171,7 @@ pub(crate) fn selected(selection: &Selection, flown: &Flown, matrix: &Matrix, de
             case.v_m_s,
             case.n_z,
             one.driven,
+            limit.unwrap_or_default(),
             one.why.join("; ")
         );
     }

@@ -31,6 +31,8 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
     let mut sections = vec![
         figures("V-n diagrams", taken(plates, "vn_")),
         figures("Loads at stations", taken(plates, "potato_")),
+        turbulence(result, plates),
+        Section::new("Discrete gusts", gusts(result)),
         Section::new("Envelope", vec![Block::Table(envelope(result))]),
         Section::new("Load sets for stress", vec![Block::Table(selected(result))]),
     ];
@@ -53,6 +55,57 @@ fn envelope(result: &Value) -> PageTable {
         ]);
     }
     table
+}
+
+/// Limit loads in continuous turbulence: figures, and those of both roots.
+fn turbulence(result: &Value, plates: &mut Vec<Plate>) -> Section {
+    let mut section = figures("Continuous turbulence", taken(plates, "turbulence_"));
+    let head = ["model", "case", "station", "load", "level", "smallest", "largest", "A per m/s", "N0 (Hz)"];
+    let mut table = PageTable::new("", &head);
+    let roots = list(result, "turbulence").iter().filter(|row| text(row, "station").ends_with(" root"));
+    for row in roots.clone() {
+        let word = |key: &str| text(row, key).to_owned();
+        table.row([
+            word("model"),
+            whole_at(row, "case"),
+            word("station"),
+            word("load"),
+            short(row["one_g"].as_f64()),
+            short(row["limits"][0].as_f64()),
+            short(row["limits"][1].as_f64()),
+            short(row["a_bar"].as_f64()),
+            short(row["n0_hz"].as_f64()),
+        ]);
+    }
+    if roots.count() > 0 {
+        section.blocks.push(Block::Table(table));
+    }
+    section
+}
+
+/// Worst gusts of the roots.
+fn gusts(result: &Value) -> Vec<Block> {
+    let rows = list(result, "gusts");
+    if rows.is_empty() {
+        return Vec::new();
+    }
+    let mut table =
+        PageTable::new("", &["model", "station", "load", "end", "value", "H (m)", "case", "tuned"]);
+    for row in rows {
+        let word = |key: &str| text(row, key).to_owned();
+        let tuned = row["tuned"].as_bool().unwrap_or(false);
+        table.row([
+            word("model"),
+            word("station"),
+            word("load"),
+            word("end"),
+            short(row["value"].as_f64()),
+            short(row["H_m"].as_f64()),
+            whole_at(row, "case"),
+            if tuned { "yes" } else { "no: at the end of the range" }.to_owned(),
+        ]);
+    }
+    vec![Block::Table(table)]
 }
 
 fn selected(result: &Value) -> PageTable {

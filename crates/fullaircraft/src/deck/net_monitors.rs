@@ -1,0 +1,83 @@
+//! MONPNT3: net loads (the air's, where the splines put them, less mass times acceleration) on a set of grids, added up about a point.
+//!
+//! ```text
+//! F = Rᵀ (q Gᵀ P - M a)      R: the motions of the set's grids along and about the station's axes, all other grids still
+//! ```
+//! What acts on the part, in the right-hand axes of CD: on a clamped wing, what the wing puts on its root.
+
+use crate::deck::structure::reference_motions;
+use faer::{Mat, MatRef};
+use nastran::{BulkData, Frames, InputError, MonitorPoint};
+use structure::System;
+
+/// A monitoring station of the structure.
+#[derive(Debug, Clone)]
+pub(crate) struct NetMonitor {
+    /// Its name.
+    pub(crate) name: String,
+    /// Six loads by loads on the s-set.
+    by_air: Mat<f64>,
+    /// Six loads by the accelerations of the variables: force to accelerate its part.
+    by_variables: Mat<f64>,
+}
+
+impl NetMonitor {
+    /// Three forces and three moments of loads on the s-set with the values of the variables.
+    pub(crate) fn loads(&self, air: &[f64], values: &[f64]) -> [f64; 6] {
+        let row = |of: &Mat<f64>, i: usize, by: &[f64]| -> f64 {
+            by.iter().enumerate().map(|(j, value)| of[(i, j)] * value).sum()
+        };
+        std::array::from_fn(|i| row(&self.by_air, i, air) - row(&self.by_variables, i, values))
+    }
+}
+
+/// The MONPNT3 of a deck whose GRIDSET is a SET1, and the names of the others (groups are no cards). ELEMSET and XFLAG are not
+/// read: all loads of the grids count. `mass_times` is mass times the accelerations of the variables, g-set by variables.
+///
+/// # Errors
+/// If a grid or a system is not there.
+pub(crate) fn net_monitors(
+    bulk: &BulkData,
+    frames: &Frames,
+    free: &System,
+    s_dofs: &[usize],
+    mass_times: MatRef<'_, f64>,
+) -> Result<(Vec<NetMonitor>, Vec<String>), InputError> {
+    let (mut all, mut skipped) = (Vec::new(), Vec::new());
+    for card in bulk.monitors.iter().filter(|card| card.is_structural) {
+        let set = card.set.parse::<u32>().ok().and_then(|id| bulk.sets.get(&id));
+        let Some(set) = set else {
+            skipped.push(card.name.clone());
+            continue;
+        };
+        let motions = motions(card, &set.ids, frames, free)?;
+        all.push(NetMonitor {
+            name: card.name.clone(),
+            by_air: coupling::supported::restrict(motions.as_ref(), s_dofs).transpose().to_owned(),
+            by_variables: motions.transpose() * mass_times,
+        });
+    }
+    Ok((all, skipped))
+}
+
+/// Motions of a station's grids along and about its axes, g-set by 6.
+fn motions(
+    card: &MonitorPoint,
+    grids: &[u32],
+    frames: &Frames,
+    free: &System,
+) -> Result<Mat<f64>, InputError> {
+    let axes = frames.axes_at(card.cd, &card.span)?;
+    let point = frames.point(card.cp, card.xyz, &card.span)?;
+    let all = reference_motions(free, &point, &axes);
+    let mut own = Mat::zeros(all.nrows(), 6);
+    for grid in grids {
+        let node = free.node_index(*grid).ok_or_else(|| {
+            InputError::at(&card.span, format!("GRID {grid} of MONPNT3 {} is not there", card.name))
+        })?;
+        for dof in 6 * node..6 * node + 6 {
+            (0..6).for_each(|motion| own[(dof, motion)] = all[(dof, motion)]);
+        }
+    }
+    Ok(own)
+}
