@@ -51,7 +51,8 @@ impl LiftFactor {
 
 /// One channel at one factor, by row, in standard deviations; the tip's about its zero.
 struct Channel {
-    channel: usize,
+    /// Its place among Fz, Mx, My and the tip.
+    place: usize,
     residuals: Vec<f64>,
     /// By the factor.
     slopes: Vec<f64>,
@@ -101,10 +102,10 @@ pub(crate) fn lift_factor<M: SteadyModel>(
     let wide = scatter * found.widening();
     found.sigma = wide / information.sqrt();
     found.trend = at.trend(freedom - 1.0, found.widening()).filter(|_| problem.channels[TIP]);
-    for Channel { channel, residuals, .. } in &at.channels {
+    for Channel { place, residuals, .. } in &at.channels {
         let squares: f64 =
             residuals.iter().zip(problem.angles()).map(|(r, a)| r * r / a.replicates as f64).sum();
-        found.rmse[*channel] = point_sigma[*channel] * (squares / residuals.len() as f64).sqrt();
+        found.rmse[*place] = point_sigma[*place] * (squares / residuals.len() as f64).sqrt();
     }
     if problem.zero.count() > 0 {
         let (zeros, arms) = &at.tip_means;
@@ -156,7 +157,7 @@ fn at<M: SteadyModel>(
                 *value *= (angle.replicates as f64).sqrt() / sigma;
             }
         }
-        Channel { channel, residuals, slopes, growing }
+        Channel { place: channel, residuals, slopes, growing }
     });
     Ok(At { channels: channels.collect(), tip_means: means })
 }

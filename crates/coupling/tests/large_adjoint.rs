@@ -76,9 +76,7 @@ fn off(wing: &LargeWing, case: &SteadyCase) -> f64 {
                 let gradient = derivative(&own);
                 let sum: f64 = (0..count).map(|b| gradient[(reading, b)] * along(b)).sum();
                 let size: f64 = (0..count).map(|b| (gradient[(reading, b)] * along(b)).abs()).sum();
-                let own = (sum - difference).abs() / size;
-                println!("{name} {direction}, reading {reading}: {sum:.9e}, {difference:.9e}: {own:.1e}");
-                worst = worst.max(own);
+                worst = worst.max((sum - difference).abs() / size);
             }
         }
     }

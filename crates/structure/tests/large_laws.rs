@@ -198,7 +198,7 @@ fn to_the_last_digit(wing: &LargeDeflection, start: &State, loads: &Loads) -> St
     let mut state = start.clone();
     for _ in 0..60 {
         let short = DVector::from_vec(wing.residual(&state, loads));
-        let step = -factor.solve(&short).unwrap();
+        let step = -factor.solve(&short).expect("a stiff structure");
         state = wing.moved(&state, step.as_slice());
     }
     state

@@ -75,8 +75,8 @@ impl LargeDeflection {
             self.move_on(&mut moved, map, v);
             Self::reduced(&self.map(&moved), unbalanced)
         });
-        let mut taken = moments_across(unbalanced, &motion);
-        taken.iter_mut().for_each(|moment| *moment *= 0.5);
+        let mut taken: Vec<f64> =
+            moments_across(unbalanced, &motion).iter().map(|moment| 0.5 * moment).collect();
         for (dofs, term) in self.joints.turning_arms(state, unbalanced) {
             for (i, row) in dofs.iter().enumerate() {
                 taken[*row] +=

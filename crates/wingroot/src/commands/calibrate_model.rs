@@ -143,10 +143,9 @@ pub(crate) fn told(large: &Calibration, small: &Calibration) -> String {
         });
         format!("{:.3} +- {:.3}{trend}", lift.factor, lift.sigma)
     };
-    let pairs = lift_factors(large).into_iter().zip(lift_factors(small));
-    pairs
-        .map(|(large, small)| {
-            format!("lift factor with large deflections {}; with small ones {}\n", words(large), words(small))
-        })
-        .collect()
+    let line = |(large, small)| {
+        format!("lift factor with large deflections {}; with small ones {}\n", words(large), words(small))
+    };
+    let lines: Vec<String> = lift_factors(large).into_iter().zip(lift_factors(small)).map(line).collect();
+    lines.concat()
 }
