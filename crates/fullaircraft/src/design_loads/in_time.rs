@@ -121,18 +121,18 @@ impl InTime<'_> {
     fn gusts<E: From<AircraftError>>(&self, cases: &[&Case], done: &mut Done<'_, E>) -> Result<(), E> {
         let searched =
             |case: &&&Case| self.plan.search && matches!(case.action, Action::Discrete { refine: true, .. });
-        let (families, single): (Vec<&Case>, Vec<&Case>) = cases.iter().partition(|case| searched(&case));
+        let (families, single): (Vec<&Case>, Vec<&Case>) = cases.iter().partition(|case| searched(case));
         let gusts: Vec<(usize, Gust)> =
             single.iter().filter_map(|case| Some((case.number, gust(case, None)?))).collect();
         self.fly_gusts(&gusts, &mut |flown_case, flown, _| {
             let of = single.iter().find(|case| case.number == flown_case.number);
-            let nodal: &Nodal<'_> = &|instant| match instant.gradient_m {
-                None => at_time(flown, instant),
-                Some(_) => {
-                    let found = gust(of?, instant.gradient_m)?;
-                    let samples = count(found.length_m / self.flight.v_m_s() + AFTER_S);
-                    at_time(&self.flight.fly(Some(found), &[], samples), instant)
+            let nodal: &Nodal<'_> = &|instant| {
+                if instant.gradient_m.is_none() {
+                    return at_time(flown, instant);
                 }
+                let found = gust(of?, instant.gradient_m)?;
+                let samples = count(found.length_m / self.flight.v_m_s() + AFTER_S);
+                at_time(&self.flight.fly(Some(found), &[], samples), instant)
             };
             done(flown_case, nodal)
         })?;

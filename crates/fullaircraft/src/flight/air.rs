@@ -160,10 +160,9 @@ impl FlightAir {
         Ok(accuracy::Accuracy::at(&self.rational, &sample, rows.as_ref(), largest.as_ref()).error)
     }
 
-    /// The same air for an aircraft that does not bend, answering at once as in steady flow: what textbooks' closed
-    /// forms of the short period and the phugoid assume.
+    /// The same air for an aircraft that does not bend.
     #[must_use]
-    pub fn rigid_and_quasi_steady(&self, aircraft: &Aircraft) -> Self {
+    pub fn rigid(&self) -> Self {
         let (from, first) = (self.columns, FreeModes::FIRST_ELASTIC);
         let columns = AirColumns { modes: 0, ..from };
         let kept: Vec<usize> = (0..RIGID).chain(from.control(0)..from.count()).collect();
@@ -172,14 +171,29 @@ impl FlightAir {
             still: pick(self.incidence.still.as_ref()),
             moving: pick(self.incidence.moving.as_ref()),
         };
-        let rate = aircraft.flow.pressures(incidence.moving.as_ref());
+        let rational = RationalAir {
+            poles_per_m: self.rational.poles_per_m.clone(),
+            steady: pick(self.steady()),
+            rate: pick(self.rational.rate.as_ref()),
+            second: pick(self.rational.second.as_ref()),
+            lags: self.rational.lags.iter().map(|lag| pick(lag.as_ref())).collect(),
+        };
         let modes = FreeModes {
             omega_rad_s: self.modes.omega_rad_s[..first].to_vec(),
             shapes: self.modes.shapes.as_ref().subcols(0, first).to_owned(),
             boxes: self.modes.boxes.as_ref().subcols(0, first).to_owned(),
         };
-        let rational = RationalAir::quasi_steady(pick(self.steady()), rate);
         Self { modes, columns, rational, incidence, ..self.clone() }
+    }
+
+    /// The same air for an aircraft that does not bend, answering at once as in steady flow: what textbooks' closed
+    /// forms of the short period and the phugoid assume.
+    #[must_use]
+    pub fn rigid_and_quasi_steady(&self, aircraft: &Aircraft) -> Self {
+        let rigid = self.rigid();
+        let rate = aircraft.flow.pressures(rigid.incidence.moving.as_ref());
+        let rational = RationalAir::quasi_steady(rigid.steady().to_owned(), rate);
+        Self { rational, ..rigid }
     }
 
     /// Steady pressures per unit of each column, boxes by columns.
