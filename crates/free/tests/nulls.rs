@@ -3,6 +3,7 @@
 
 mod independent;
 
+use std::io::Write as _;
 use std::path::Path;
 
 use free::effect::Family;
@@ -28,14 +29,18 @@ fn found(k: u32, cycles_m_s: &[f64], taps_m_s: &[f64], moment: Moment<'_>) -> Fo
     search(&rig, &points(&campaign(&moved(cycles_m_s), &moved(taps_m_s), moment), &rig.scatter))
 }
 
+fn said(text: &str) {
+    writeln!(std::io::stderr(), "{text}").expect("standard error");
+}
+
 /// Those of which something holds; nothing without `RUN_SLOW_TESTS=1`.
 fn count(what: &str, holds: impl Fn(u32) -> bool + Sync) -> Option<usize> {
     if std::env::var_os("RUN_SLOW_TESTS").is_none() {
-        eprintln!("not run, as it takes minutes: RUN_SLOW_TESTS=1 runs it");
+        said("not run, as it takes minutes: RUN_SLOW_TESTS=1 runs it");
         return None;
     }
     let count = (0..CAMPAIGNS).into_par_iter().filter(|k| holds(*k)).count();
-    eprintln!("{what}: {count} of {CAMPAIGNS}");
+    said(&format!("{what}: {count} of {CAMPAIGNS}"));
     Some(count)
 }
 

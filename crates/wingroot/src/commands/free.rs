@@ -11,6 +11,7 @@ use free::points::points;
 use free::predict::{Prediction, measured_onset_m_s, predictions, score};
 use free::rig::Rig;
 use free::search::{Found, search_scales};
+use free::verdict::Answer;
 use nastran::InputError;
 
 use super::free_figures;
@@ -108,7 +109,7 @@ impl Searched {
             verdict: answer.kind(),
             sentence: answer.sentence(),
             effects: effects(found),
-            rivals: found.rivals.clone(),
+            rivals: if matches!(answer, Answer::Ambiguous(..)) { found.rivals.clone() } else { Vec::new() },
             rig: self.found.fitted.model(rig, 0).rig.into(),
             candidates: candidates(found),
             points: self.points,

@@ -3,6 +3,7 @@
 use free::effect::Family;
 use free::predict::Score;
 use free::search::{Candidate, Found};
+use free::verdict::Answer;
 use response::verdict::VerdictKind;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -99,8 +100,11 @@ pub(crate) struct ParameterResult {
     pub(crate) sd: f64,
 }
 
-/// The effects of a search.
+/// The effects that a search names.
 pub(crate) fn effects(found: &Found) -> Vec<EffectResult> {
+    if matches!(found.answer(), Answer::Missing | Answer::Nothing) {
+        return Vec::new();
+    }
     let of = |(effect, values): (free::effect::Effect, Vec<[f64; 2]>)| {
         let named = effect.parameters().into_iter().zip(values);
         let parameters = named.map(|(p, [value, sd])| ParameterResult { name: p.name, value, sd }).collect();
