@@ -13,6 +13,7 @@ pub mod integration;
 pub mod lattice;
 pub mod load_operator;
 pub mod mirror;
+pub mod stream_axes;
 pub mod vlm;
 
 pub use airfoil::Airfoil;
@@ -27,4 +28,5 @@ pub use integration::{BoxLoads, Integration};
 pub use lattice::{Lattice, Surface};
 pub use load_operator::{LoadDerivatives, LoadOperator};
 pub use mirror::{BoxMap, MirrorPlane};
+pub use stream_axes::StreamAxes;
 pub use vlm::{SteadyAero, influence, influence_of_moved};

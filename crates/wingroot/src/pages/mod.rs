@@ -12,6 +12,7 @@ mod discover_map;
 mod docs;
 mod flightloads;
 mod flutter;
+mod flutter_deck;
 mod hidden;
 mod loads;
 mod modes;
@@ -44,6 +45,7 @@ pub(crate) fn page(written: Written) -> Option<Page> {
         "fullaircraft --deck" => aircraft_deck::page,
         "flightloads" => flightloads::page,
         "flutter" => flutter::page,
+        "flutter --deck" => flutter_deck::page,
         "loads" => loads::page,
         "modes" => modes::page,
         "statics" => statics::page,
