@@ -128,7 +128,7 @@ fn points_are_those_of_the_lists() {
 fn what_flutter_needs_is_asked_for_by_its_name() {
     let mut bulk = wing(&Rotation3::identity(), 0, PK);
     let case = flutter_cases(&bulk).expect("a case").remove(0).0;
-    let mut why = |change: &dyn Fn(&mut BulkData)| {
+    let why = |change: &dyn Fn(&mut BulkData)| {
         let mut bulk = bulk.clone();
         change(&mut bulk);
         FlutterDeck::new(&bulk, &case).expect_err("a card is missing").to_string()
