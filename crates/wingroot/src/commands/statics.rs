@@ -58,7 +58,8 @@ pub(crate) fn run(args: &StaticsArgs, common: &Common) -> Result<(), Failure> {
     let start = Instant::now();
     let bulk = nastran::read_deck(deck)?;
     let wanted = |value: Option<usize>| value.and_then(|value| u32::try_from(value).ok());
-    let cases = statics_cases::asked(&bulk, wanted(args.load), args.subcase).map_err(|error| error.or_in(deck))?;
+    let cases =
+        statics_cases::asked(&bulk, wanted(args.load), args.subcase).map_err(|error| error.or_in(deck))?;
     let folder = ResultFolder::begin(&common.out("statics"))?;
     folder.input("structure", deck)?;
     let mut known: Option<Bounded> = None;
@@ -81,9 +82,12 @@ pub(crate) fn run(args: &StaticsArgs, common: &Common) -> Result<(), Failure> {
             (false, _) => None,
             (true, None) => Some(large(structure, &loads, args.steps.unwrap_or(1))?),
             (true, Some(_)) => {
-                return Err(InputError::in_file(deck, "SPC enforces motions, which large deflections do not know")
-                    .with_help("leave out --nonlinear and PARAM LGDISP, or press by forces")
-                    .into());
+                return Err(InputError::in_file(
+                    deck,
+                    "SPC enforces motions, which large deflections do not know",
+                )
+                .with_help("leave out --nonlinear and PARAM LGDISP, or press by forces")
+                .into());
             }
         };
         let answer = Answer { structure, linear: &linear, large: walked.as_ref() };
