@@ -188,7 +188,7 @@ fn names(args: &DecksArgs) -> Result<Vec<String>, Failure> {
 
 /// Whether a file may be a deck: what Nastran prints repeats the executive control.
 fn is_deck(path: &Path) -> bool {
-    let extension = path.extension().map(|extension| extension.to_ascii_lowercase());
+    let extension = path.extension().map(std::ffi::OsStr::to_ascii_lowercase);
     extension.is_none_or(|extension| !["f06", "f04", "log", "op2"].iter().any(|print| extension == *print))
 }
 

@@ -4,6 +4,7 @@ use super::splines;
 use aero::{Lattice, StreamAxes};
 use nalgebra::{DMatrix, DVector, Point3};
 use nastran::parse_deck;
+use std::fmt::Write as _;
 
 /// Places of five grids, and their heights.
 const GRIDS: [[f64; 3]; 5] =
@@ -14,7 +15,7 @@ fn motion(card: &str, places: &[[f64; 3]]) -> (Lattice, Vec<f64>) {
     let mut deck =
         format!("CAERO1,101,1,,2,2,,,1\n,0.,0.,0.,1.,0.,2.,0.,1.\nPAERO1,1\nSET1,9,1,THRU,5\n{card}\n");
     for (i, [x, y, _]) in places.iter().enumerate() {
-        deck += &format!("GRID,{},,{x:?},{y:?},0.\n", i + 1);
+        let _ = writeln!(deck, "GRID,{},,{x:?},{y:?},0.", i + 1);
     }
     let bulk = parse_deck("t.bdf", &deck).expect("a deck");
     let lattice = Lattice::from_bulk(&bulk).expect("boxes");
