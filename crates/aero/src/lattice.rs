@@ -4,6 +4,7 @@
 //! panels in ascending order. So the boxes' order in the lattice is that of ascending numbers.
 
 use crate::geometry::AeroBox;
+use crate::stream_axes::StreamAxes;
 use nalgebra::{Point3, Vector3};
 use nastran::{Aefact, BulkData, Caero1, Divisions, Frames, InputError};
 use std::collections::HashSet;
@@ -46,11 +47,20 @@ impl Lattice {
     /// a panel has no area, box numbers collide, or there are more than 50000 boxes or than fit into memory; the card
     /// is blamed.
     pub fn from_bulk(bulk: &BulkData) -> Result<Self, InputError> {
+        Self::in_axes(bulk, &StreamAxes::basic())
+    }
+
+    /// As [`Lattice::from_bulk`], seen in axes whose x lies along the stream: corners are in those axes, and so is everything
+    /// that is computed of the lattice.
+    ///
+    /// # Errors
+    /// As [`Lattice::from_bulk`].
+    pub fn in_axes(bulk: &BulkData, axes: &StreamAxes) -> Result<Self, InputError> {
         bulk.refuse_unread_air()?;
         let frames = Frames::resolve(bulk)?;
         let mut lattice = Self::default();
         for panel in bulk.panels.values() {
-            let corners = panel_corners(panel, &frames)?;
+            let corners = panel_corners(panel, &frames, axes)?;
             let span = fractions(bulk, panel, panel.span_divisions, "spanwise")?;
             let chord = fractions(bulk, panel, panel.chord_divisions, "chordwise")?;
             let count = (span.len() - 1).saturating_mul(chord.len() - 1);
@@ -195,10 +205,10 @@ fn refuse_too_many(boxes: usize, panel: &Caero1) -> Result<(), InputError> {
         .map_err(|error| at(error.message))
 }
 
-/// Corners 1 to 4 of a panel in basic axes; its chords lie along basic x.
-fn panel_corners(panel: &Caero1, frames: &Frames) -> Result<[Point3<f64>; 4], InputError> {
-    let leading_1 = frames.point(panel.cp, panel.point_1, &panel.span)?;
-    let leading_4 = frames.point(panel.cp, panel.point_4, &panel.span)?;
+/// Corners 1 to 4 of a panel in the stream's axes; its chords lie along their x.
+fn panel_corners(panel: &Caero1, frames: &Frames, axes: &StreamAxes) -> Result<[Point3<f64>; 4], InputError> {
+    let leading_1 = axes.seen(&frames.point(panel.cp, panel.point_1, &panel.span)?);
+    let leading_4 = axes.seen(&frames.point(panel.cp, panel.point_4, &panel.span)?);
     let along = |from: &Point3<f64>, chord: f64| from + Vector3::x() * chord;
     let width = (leading_4 - leading_1).yz().norm();
     // Negated so that numbers that are not numbers are refused too.

@@ -2,6 +2,7 @@
 
 use aero::AeroError;
 use coupling::CouplingError;
+use maneuver::flutter::FlutterError;
 use nastran::InputError;
 use structure::{ModesError, SingularStructure};
 
@@ -20,6 +21,9 @@ pub enum AircraftError {
     /// The lattice cannot be solved.
     #[error("{0}")]
     Aero(#[from] AeroError),
+    /// Flutter cannot be computed.
+    #[error("{0}")]
+    Flutter(#[from] FlutterError),
     /// The natural modes cannot be computed.
     #[error("{0}")]
     Modes(#[from] ModesError),

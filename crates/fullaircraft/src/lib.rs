@@ -19,6 +19,7 @@ pub use cases::file::CasesFile;
 pub use cases::grid::{CaseFlight, CaseResult};
 pub use cases::list::Case;
 pub use deck::cases::{DeckCase, deck_cases};
+pub use deck::flutter::{FlutterDeck, FlutterPoints, FlutterRoots, flutter_cases};
 pub use deck::trim::{Elastic, TrimDeck, TrimmedDeck};
 pub use error::AircraftError;
 pub use flight::air::FlightAir;

@@ -3,16 +3,16 @@
 use crate::card::Card;
 use crate::cards::kind::{CardKind, Cards, DeckCard, Family};
 use crate::cards::{
-    Aecomp, Aefact, Aelink, Aelist, Aeros, Aestat, Aesurf, BeamElement, BeamProperty, Caero1, Cbush, Conm1,
-    Conm2, Conrod, Coord, Crod, CrossLoad, EigenMethod, Genel, Gravity, Grid, LineLoad, LoadSum, Mat1, Mat2,
-    Mat8, Mat9, MonitorPoint, Mpc, Paero1, Pbush, Pcomp, PointLoad, Pressure, Prod, Pshell, Psolid, Rbar,
-    Rbe2, Rbe3, ScalarElement, ScalarProperty, Set1, SetUnion, ShellElement, SolidElement, Spc1, SplineCard,
-    Spoint, Suport, Trim,
+    Aecomp, Aefact, Aelink, Aelist, Aero, Aeros, Aestat, Aesurf, BeamElement, BeamProperty, Caero1, Cbush,
+    Conm1, Conm2, Conrod, Coord, Crod, CrossLoad, EigenMethod, Flfact, Flutter, Genel, Gravity, Grid,
+    LineLoad, LoadSum, Mat1, Mat2, Mat8, Mat9, Mkaero, MonitorPoint, Mpc, Paero1, Pbush, Pcomp, PointLoad,
+    Pressure, Prod, Pshell, Psolid, Rbar, Rbe2, Rbe3, ScalarElement, ScalarProperty, Set1, SetUnion,
+    ShellElement, SolidElement, Spc1, SplineCard, Spoint, Suport, Tabdmp1, Trim,
 };
 use crate::deck::case_control::Subcase;
 use crate::dmi::Dmi;
 use crate::source::{InputError, Span};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// How often a card that is not read occurs.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,6 +21,8 @@ pub struct Unread {
     pub count: usize,
     /// Where the first one stands.
     pub first: Span,
+    /// The whole numbers in their first fields: sets of loads, numbers of elements.
+    pub numbers: BTreeSet<u32>,
 }
 
 /// What a deck has beside cards that stand for themselves.
@@ -163,6 +165,11 @@ kinds! {
     aero_components: BTreeMap<String, Aecomp>, Own, ["AECOMP"];
     eigen_methods: BTreeMap<u32, EigenMethod>, Own, ["EIGRL", "EIGR"];
     supports: Vec<Suport>, Own, ["SUPORT", "SUPORT1"];
+    unsteady_reference: Option<Aero>, Own, ["AERO"];
+    flutters: BTreeMap<u32, Flutter>, Own, ["FLUTTER"];
+    flutter_factors: BTreeMap<u32, Flfact>, Own, ["FLFACT"];
+    reduced_frequencies: Vec<Mkaero>, Own, ["MKAERO1", "MKAERO2"];
+    damping_tables: BTreeMap<u32, Tabdmp1>, Own, ["TABDMP1"];
 }
 
 /// The kind that a field holds.

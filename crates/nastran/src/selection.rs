@@ -87,6 +87,15 @@ impl BulkData {
         Ok(bulk)
     }
 
+    /// What of the deck's splines is not computed as it is asked for: said to the user.
+    pub fn spline_remark(&self) -> Option<String> {
+        let finite = self.splines.values().filter(|spline| spline.is_finite_plate);
+        let list: Vec<String> = finite.map(|spline| spline.id.to_string()).collect();
+        (!list.is_empty()).then(|| {
+            format!("finite plates (FPS) are computed as infinite ones (IPS), splines {}", list.join(", "))
+        })
+    }
+
     /// What of the deck's constraints its case control leaves out or selects in vain: said to the user.
     pub fn remarks(&self) -> Vec<String> {
         let selects =

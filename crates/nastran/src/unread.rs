@@ -78,7 +78,7 @@ impl BulkData {
         let Some((_, first, _)) = left.first() else { return Ok(()) };
         let list: Vec<String> = left
             .iter()
-            .map(|(name, Unread { count, first }, _)| format!("{count} {name} (from {first} on)"))
+            .map(|(name, Unread { count, first, .. }, _)| format!("{count} {name} (from {first} on)"))
             .collect();
         let message = format!(
             "the deck has {}: elements that are not read, and leaving them out would change stiffness, damping, mass or constraints",

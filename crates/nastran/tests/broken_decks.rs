@@ -134,7 +134,7 @@ const BREAKS: &[(&str, &str, &str, usize)] = &[
         "box 1002 of SPLINE1 comes after box 1001",
         48,
     ),
-    ("SPLINE1,70,1001,1001,1002,5", "SPLINE1,70,1001,1001,1002,5,.1", "field DZ of SPLINE1 is not read", 48),
+    ("SPLINE1,70,1001,1001,1002,5", "SPLINE1,70,1001,1001,1002,5,,TPS", "in field METH of SPLINE1", 48),
     ("SPLINE1,70,1001,1001,1002,5", "SPLINE2,70,1001,1001,1002,5\n,-2.", "field DTHX of SPLINE2", 49),
     ("PARAM,WTMASS,1.", "PARAM,WTMASS,0.", "above zero, as WTMASS must be", 49),
     ("PARAM,WTMASS,1.", "PARAM,WTMASS,", "field V1 of PARAM is empty", 49),

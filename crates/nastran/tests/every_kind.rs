@@ -123,6 +123,14 @@ CELAS3,71,95,98
 CELAS4,72,4.5,98,99
 CMASS3,54,96,98
 CMASS4,55,2.5,98
+AERO,7,,2.,1.2,1
+FLUTTER,5,PK,1,2,3
+FLFACT,1,.5,1.
+MKAERO1,0.,.5,,,,,,
+,.1,.2
+MKAERO2,0.,.3
+TABDMP1,6,CRIT,,,,,,
+,0.,.01,10.,.02,ENDT
 ";
 
 /// Boxes 1001 to 1004 in two strips of two; the strips count from the other side.
@@ -149,6 +157,11 @@ const NO_IMAGE: &[&str] = &[
     "aero_components",
     "supports",
     "eigen_methods",
+    "unsteady_reference",
+    "flutters",
+    "flutter_factors",
+    "reduced_frequencies",
+    "damping_tables",
 ];
 /// Kinds that are read only.
 const NOT_WRITTEN: &[&str] = &[
@@ -161,6 +174,11 @@ const NOT_WRITTEN: &[&str] = &[
     "aero_components",
     "supports",
     "eigen_methods",
+    "unsteady_reference",
+    "flutters",
+    "flutter_factors",
+    "reduced_frequencies",
+    "damping_tables",
 ];
 
 fn samples() -> BulkData {
@@ -246,14 +264,27 @@ fn every_number_is_raised_and_nothing_else() {
     let raised = deck.clone().raised(step, "").expect("numbers that do not meet");
     let (before, after) = (fields(&deck), fields(&raised));
     // Sets of constraints and loads, and what only the case control and names refer to.
-    let keep = ["equation_unions", "constraint_unions", "load_sums", "trims", "aero_links", "aero_reference"];
+    let keep = [
+        "equation_unions",
+        "constraint_unions",
+        "load_sums",
+        "trims",
+        "aero_links",
+        "aero_reference",
+        "flutters",
+        "flutter_factors",
+        "reduced_frequencies",
+        "damping_tables",
+    ];
     for field in kinds(&keep) {
         assert_ne!(before[field], after[field], "{field} keeps its numbers");
     }
     // Raising by nothing changes nothing, and both models fit into one deck.
     let same = deck.clone().raised(Step { cards: 0, boxes: 0 }, "").expect("the same numbers");
     assert_eq!(fields(&same), before);
-    let mut both = BulkData { aero_reference: None, trims: BTreeMap::new(), ..deck };
+    let mut both =
+        BulkData { aero_reference: None, unsteady_reference: None, trims: BTreeMap::new(), ..deck };
+    (both.flutters, both.flutter_factors, both.damping_tables) = Default::default();
     (both.constraint_unions, both.equation_unions, both.load_sums) = Default::default();
     both.aero_components.clear();
     both.join(raised).expect("numbers above all others");

@@ -255,7 +255,10 @@ fn others(dice: &mut Dice, deck: &mut BulkData) {
     ] {
         let (id, panel, set, first) = (dice.id(), dice.id(), dice.id(), dice.id());
         let boxes = (first, dice.id());
-        let card = SplineCard { id, panel, boxes, list: None, set, kind, span: span() };
+        let (flexibility, is_finite_plate) = (0.25, false);
+        let list = None;
+        let card =
+            SplineCard { id, panel, boxes, list, set, kind, flexibility, is_finite_plate, span: span() };
         deck.splines.insert(id, card.clone());
         let (id, list) = (dice.id(), Some(dice.id()));
         deck.splines.insert(id, SplineCard { id, boxes: (panel, panel), list, ..card });

@@ -104,10 +104,10 @@ fn supports_of_a_subcase_are_those_it_names() {
 
 #[test]
 fn a_wrong_card_of_the_air_stops_who_needs_the_air_and_nobody_else() {
-    let deck = parse_deck("t.bdf", "GRID,1\nSPLINE2,1,1001,1001,1004,5,1.\nSPOINT,7\nSPOINT,7,8\n").unwrap();
+    let deck = parse_deck("t.bdf", "GRID,1\nSPLINE2,1,1001,1001,1004,5,-1.\nSPOINT,7\nSPOINT,7,8\n").unwrap();
     assert_eq!(deck.scalar_points.len(), 2, "naming a scalar point twice changes nothing");
     let error = deck.refuse_unread_air().unwrap_err().to_string();
-    assert!(error.starts_with("t.bdf:2:28: field DZ of SPLINE2 is not read"), "{error}");
+    assert!(error.starts_with("t.bdf:2:28: `-1.` in field DZ of SPLINE2"), "{error}");
     assert_eq!(deck.refuse_unread_elements(), Ok(()));
 }
 

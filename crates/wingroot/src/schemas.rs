@@ -109,6 +109,10 @@ pub fn all() -> Vec<Named> {
         result::<FlightloadsResult>("flightloads_result", "result.json of flightloads"),
         result::<FlutterResult>("flutter_result", "result.json of flutter"),
         result::<crate::commands::free_result::FreeResult>("free_result", "result.json of free"),
+        result::<crate::commands::flutter_deck_result::DeckFlutter>(
+            "flutter_deck_result",
+            "result.json of flutter --deck",
+        ),
     ]
 }
 

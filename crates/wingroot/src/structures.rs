@@ -47,6 +47,19 @@ impl Structure {
             let bulk = file.bulk(Mount::Tunnel)?;
             (file.name, path, bulk)
         };
+        Self::of_cards(name, path, bulk, deck.is_some().then_some(subcase))
+    }
+
+    /// The structure of cards that have been read: a wing's, or a deck's under the boundary conditions of a subcase or of the only ones.
+    ///
+    /// # Errors
+    /// As [`Structure::read_in`].
+    pub fn of_cards(
+        name: String,
+        path: PathBuf,
+        bulk: BulkData,
+        deck: Option<Option<u32>>,
+    ) -> Result<Self, Failure> {
         if bulk.grids.is_empty() {
             let error = InputError::in_file(&path, "there is no structure: no grid point");
             return Err(error.with_help("a rigid wing has neither modes nor a deck of its structure").into());
@@ -54,7 +67,10 @@ impl Structure {
         if let Some(cards) = bulk.unread_cards() {
             show::note(&format!("cards that are not read: {cards}"));
         }
-        let model = if deck.is_some() { Model::from_deck(&bulk, subcase) } else { Model::from_bulk(&bulk) };
+        let model = match deck {
+            Some(subcase) => Model::from_deck(&bulk, subcase),
+            None => Model::from_bulk(&bulk),
+        };
         let model = model.map_err(|error| error.or_in(&path))?;
         if model.elements().next().is_none() {
             let error = InputError::in_file(&path, "there is no structure: no element");

@@ -41,3 +41,60 @@ fn both_methods_and_models_are_in_the_result_and_agree_on_divergence() {
     }
     std::fs::remove_dir_all(&out).expect("our own folder");
 }
+
+/// A rigid section of one strip on springs of heave and pitch, in steady air at each end.
+const SECTION: &str = "SOL 145\nCEND\nSPC = 1\nMETHOD = 5\nSUBCASE 3\nLABEL = a section\nFMETHOD = 6\nBEGIN BULK\n\
+    GRID,1,,.4,0.,0.\nGRID,2,,.5,0.,0.\nGRID,3,,.4,2.,0.\nGRID,4,,.9,2.,0.\nRBE2,9,1,123456,2,3,4\n\
+    CONM2,10,2,,4.\n,.1,,.1,,,.1\nCELAS2,1,4000.,1,3\nCELAS2,2,300.,1,5\nSPC1,1,1246,1\nEIGRL,5,,,2\n\
+    AERO,0,,1.,1.225,1\nCAERO1,1001,1,,4,4,,,1\n,0.,0.,0.,1.,0.,2.,0.,1.\nPAERO1,1\nSET1,30,1,THRU,4\n\
+    SPLINE1,20,1001,1001,1016,30\nMKAERO1,0.\n,.01,.05,.1,.2,.5,1.,2.\nFLUTTER,6,PK,1,2,3\nFLFACT,1,1.\nFLFACT,2,0.\n\
+    FLFACT,3,5.,10.,15.,20.,25.,30.\n,35.,40.\nENDDATA\n";
+
+#[test]
+fn a_deck_is_run_as_it_stands_and_what_it_lacks_is_said() {
+    let folder = std::env::temp_dir().join(format!("wingroot-flutter-deck-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a temporary folder");
+    let run = |deck: &str, more: &[&str]| {
+        std::fs::write(folder.join("section.bdf"), deck).expect("a deck");
+        let mut command = Command::new(env!("CARGO_BIN_EXE_wingroot"));
+        command.args(["flutter", "--deck", "section.bdf", "--out", "out", "--json", "--quiet"]).args(more);
+        command.current_dir(&folder).output().expect("the command starts")
+    };
+    let output = run(SECTION, &[]);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let result: Value = serde_json::from_slice(&output.stdout).expect("nothing but JSON");
+    let case = &result["subcases"][0];
+    assert_eq!(
+        (case["subcase"].as_u64(), case["boxes"].as_u64(), case["label"].as_str()),
+        (Some(3), Some(16), Some("a section"))
+    );
+    // sqrt(k/m) of heave and pitch about the spring, coupled by the mass 0.1 behind it.
+    let (m, s, i) = (4.0, 0.4, 0.1 + 0.04);
+    let (kh, kp) = (4000.0, 300.0);
+    let (a, b, c) = (m * i - s * s, -(m * kp + i * kh), kh * kp);
+    for (at, sign) in [(0, -1.0), (1, 1.0)] {
+        let square: f64 = (-b + sign * f64::sqrt(b * b - 4.0 * a * c)) / (2.0 * a);
+        let hz = case["frequencies_hz"][at].as_f64().expect("a frequency");
+        assert!((hz * std::f64::consts::TAU / square.sqrt() - 1.0).abs() < 1e-6, "mode {at}: {hz} Hz");
+    }
+    let changes = case["conditions"][0]["changes_of_stability"].as_array().expect("a list");
+    assert!(changes.iter().any(|change| change["becomes"] == "unstable"), "{changes:?}");
+    let table = std::fs::read_to_string(folder.join("out/roots.csv")).expect("a table");
+    assert!(table.lines().count() > 16, "two roots or more at eight airspeeds: {table}");
+    assert!(
+        folder.join("out/report.html").is_file() && folder.join("out/subcase_3_condition_1.svg").is_file()
+    );
+    for (deck, more, words) in [
+        (SECTION.replace("FMETHOD = 6", "FMETHOD = 7"), &[][..], "FMETHOD 7, which is not there"),
+        (SECTION.replace("AERO,0,,1.", "$"), &[], "no AERO"),
+        (SECTION.replace("MKAERO1,0.", "MKAERO1,1.4"), &[], "1.4"),
+        (SECTION.to_owned(), &["--subcase", "4"], "subcase 4 asks for no flutter"),
+        (SECTION.replace("SPLINE1,20", "SPLINE6,20"), &[], "SPLINE6"),
+    ] {
+        let output = run(&deck, more);
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(matches!(output.status.code(), Some(2 | 3)), "{said}");
+        assert!(said.contains(words), "{words}: {said}");
+    }
+    std::fs::remove_dir_all(&folder).expect("our own folder");
+}

@@ -118,22 +118,82 @@ fn what_cannot_be_is_refused_with_the_last_airspeed_that_was_reached() {
     std::fs::remove_dir_all(folder).expect("it was made above");
 }
 
+/// The cantilever under subcases of its own, E I = 1.
+fn with_subcases(folder: &Path, case_control: &str, cards: &str) {
+    cantilever(folder, "");
+    let deck = std::fs::read_to_string(folder.join("wing.bdf")).expect("a deck");
+    let deck = deck.replace("SOL 106\nCEND\nSPC = 1\n", &format!("SOL 101\nCEND\n{case_control}"));
+    std::fs::write(folder.join("wing.bdf"), deck.replace("ENDDATA", &format!("{cards}ENDDATA")))
+        .expect("a deck");
+}
+
 #[test]
-fn the_load_of_the_case_control_is_taken_and_of_several_one_must_be_named() {
+fn every_subcase_has_the_loads_and_supports_that_it_selects() {
     let folder = folder("subcases");
-    let tip = |arguments: &[&str]| {
-        let result = result(&folder, &[&["--deck", "wing.bdf"], arguments].concat());
-        result["linear_displacement_m"][2].as_f64().expect("a number")
+    // Both ends held in the second.
+    with_subcases(
+        &folder,
+        "SUBCASE 1\nSPC = 1\nLOAD = 30\nSUBCASE 2\nSPC = 2\nLOAD = 40\nSUBCASE 3\nSPC = 1\nLOAD = 20\n",
+        "SPC1,2,123456,1,17\nFORCE,40,9,,1.,0.,0.,1.\n",
+    );
+    let all = result(&folder, &["--deck", "wing.bdf"]);
+    let z = |value: &Value| value["linear_displacement_m"][2].as_f64().expect("a number");
+    let further = all["further"].as_array().expect("two more subcases");
+    // P L^3/(3 E I), clamped at both ends P L^3/(192 E I).
+    for (of, subcase, set, wanted) in
+        [(&all, 1, 30, 1.0 / 3.0), (&further[0], 2, 40, 1.0 / 192.0), (&further[1], 3, 20, 4.0 / 3.0)]
+    {
+        assert_eq!((of["subcase"].as_u64(), of["load_set"].as_u64()), (Some(subcase), Some(set)));
+        assert!((z(of) / wanted - 1.0).abs() < 1e-5, "subcase {subcase}: {} for {wanted}", z(of));
+    }
+    assert!(
+        folder.join("out/subcase_3_displacements.csv").is_file()
+            && folder.join("out/reactions.csv").is_file()
+    );
+    let one = result(&folder, &["--deck", "wing.bdf", "--subcase", "2"]);
+    assert_eq!((z(&one), one.get("further")), (z(&further[0]), None));
+    with_subcases(
+        &folder,
+        "SPC = 1\nSUBCASE 1\nLOAD = 30\nSUBCASE 2\nTEMP = 5\nLOAD = 30\n",
+        "TEMPD,5,20.\n",
+    );
+    let output = run(&folder, &["--deck", "wing.bdf"]);
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(said.contains("subcase 2 selects temperatures (set 5)"), "{said}");
+    std::fs::remove_dir_all(folder).expect("it was made above");
+}
+
+#[test]
+fn a_motion_that_spc_enforces_is_met_and_its_reaction_is_that_of_the_beam() {
+    let folder = folder("enforced");
+    // The tip is pushed by 0.3 along the axes of a system turned a quarter: its x is basic z.
+    with_subcases(
+        &folder,
+        "SPC = 3\n",
+        "SPCADD,3,1,2\nSPC,2,17,1,.3\nCORD2R,7,,0.,0.,0.,0.,1.,0.\n,0.,0.,1.\n",
+    );
+    let path = folder.join("wing.bdf");
+    let deck = std::fs::read_to_string(&path).expect("a deck");
+    let deck =
+        deck.replace("GRID,17,,1.000000,0.,0.", "GRID,17,,1.000000,0.,0.,7").replace("FORCE,", "$ FORCE,");
+    std::fs::write(&path, deck).expect("a deck");
+    let enforced = result(&folder, &["--deck", "wing.bdf"]);
+    assert_eq!(enforced["load_set"], 0);
+    let z = enforced["displacement_m"][2].as_f64().expect("a number");
+    assert!((z - 0.3).abs() < 1e-12, "the tip is at {z}");
+    // 3 E I d/L^3 at the tip, the opposite at the root.
+    let table = std::fs::read_to_string(folder.join("out/reactions.csv")).expect("reactions");
+    let row = |grid: &str| -> Vec<f64> {
+        let line = table.lines().find(|line| line.starts_with(grid)).expect("a reaction");
+        line.split(',').skip(1).map(|cell| cell.parse().expect("a number")).collect()
     };
-    // P L^3 / 3 E I of P = 1 (set 30) and P = 4 (set 20).
-    cantilever(&folder, "LOAD = 30\n");
-    assert!((tip(&[]) - 1.0 / 3.0).abs() < 1e-6, "LOAD before the first SUBCASE");
-    assert!((tip(&["--load", "20"]) - 4.0 / 3.0).abs() < 1e-6, "--load says more than the deck");
-    cantilever(&folder, "SUBCASE 1\nLOAD = 20\nSUBCASE 7\nLOAD = 30\n");
-    assert!((tip(&["--subcase", "7"]) - 1.0 / 3.0).abs() < 1e-6, "LOAD of subcase 7");
-    let refused = run(&folder, &["--deck", "wing.bdf"]);
-    let said = String::from_utf8_lossy(&refused.stderr);
-    assert_eq!(refused.status.code(), Some(2), "{said}");
-    assert!(said.contains("--subcase: 1 (LOAD 20), 7 (LOAD 30)"), "{said}");
-    std::fs::remove_dir_all(&folder).expect("it was made above");
+    let (root, tip) = (row("1,"), row("17,"));
+    assert!((tip[0] / 0.9 - 1.0).abs() < 1e-5, "the tip is pushed by {tip:?}, along its own x");
+    assert!((root[2] / -0.9 - 1.0).abs() < 1e-5, "the root gives {root:?}");
+    let output = run(&folder, &["--deck", "wing.bdf", "--nonlinear"]);
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(said.contains("SPC enforces motions"), "{said}");
+    std::fs::remove_dir_all(folder).expect("it was made above");
 }

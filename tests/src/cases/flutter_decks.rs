@@ -6,7 +6,7 @@
 use crate::registry::Case;
 use crate::row::{Row, worst};
 use crate::{list, number, numbers};
-use aero::{DlmSettings, DoubletLattice, Flow, KernelIntegral, Lattice, MirrorPlane, SpanFit};
+use aero::{DlmSettings, DoubletLattice, Flow, Lattice, MirrorPlane};
 use coupling::Spline;
 use faer::Mat;
 use maneuver::flutter::{Aeroelastic, FlutterCurves, gaf_table};
@@ -19,7 +19,7 @@ use structure::{Model, System, normal_modes};
 pub const CASES: &[Case] = &[Case { file: "flutter__swept15_d10023a", run: swept_beam }];
 
 /// As Nastran's doublet lattice.
-pub const NASTRAN: DlmSettings = DlmSettings { integral: KernelIntegral::Laschka, fit: SpanFit::Parabolic };
+pub const NASTRAN: DlmSettings = DlmSettings::NASTRAN;
 
 /// A structure from cards, its first modes, and how boxes move with them.
 pub struct DeckWing {

@@ -174,7 +174,8 @@ fn names(args: &DecksArgs) -> Result<Vec<String>, Failure> {
         for path in entries.flatten().map(|entry| entry.path()) {
             if path.is_dir() {
                 folders.push(path);
-            } else if Solution::of_file(&path).is_ok_and(|solution| solution.is_some())
+            } else if is_deck(&path)
+                && Solution::of_file(&path).is_ok_and(|solution| solution.is_some())
                 && let Ok(name) = path.strip_prefix(&args.path)
             {
                 names.push(name.to_string_lossy().into_owned());
@@ -183,6 +184,12 @@ fn names(args: &DecksArgs) -> Result<Vec<String>, Failure> {
     }
     names.sort();
     Ok(names)
+}
+
+/// Whether a file may be a deck: what Nastran prints repeats the executive control.
+fn is_deck(path: &Path) -> bool {
+    let extension = path.extension().map(std::ffi::OsStr::to_ascii_lowercase);
+    extension.is_none_or(|extension| !["f06", "f04", "log", "op2"].iter().any(|print| extension == *print))
 }
 
 /// Runs a deck.
@@ -224,7 +231,8 @@ fn command(analysis: Analysis) -> Option<&'static str> {
         Analysis::Other | Analysis::Optimisation => None,
         Analysis::Statics | Analysis::NonlinearStatics => Some("statics"),
         Analysis::Buckling => Some("decks"),
-        Analysis::Modes | Analysis::Response | Analysis::Flutter | Analysis::Gust => Some("modes"),
+        Analysis::Modes | Analysis::Response | Analysis::Gust => Some("modes"),
+        Analysis::Flutter => Some("flutter"),
         Analysis::Trim => Some("fullaircraft"),
     }
 }

@@ -24,6 +24,11 @@ pub struct DlmSettings {
     pub fit: SpanFit,
 }
 
+impl DlmSettings {
+    /// The approximations of MSC Nastran's N5KQ: with them its printed forces and roots are met more closely.
+    pub const NASTRAN: Self = Self { integral: KernelIntegral::Laschka, fit: SpanFit::Parabolic };
+}
+
 /// Influences of one set of boxes on another: at rest, and what oscillation adds.
 #[derive(Debug, Clone)]
 struct Block {

@@ -110,7 +110,17 @@ fn add_splines(
         let id = surface.id;
         bulk.splines.insert(
             id,
-            SplineCard { id, panel: surface.id, boxes, list: None, set, kind, span: span.clone() },
+            SplineCard {
+                id,
+                panel: surface.id,
+                boxes,
+                list: None,
+                set,
+                kind,
+                flexibility: 0.0,
+                is_finite_plate: false,
+                span: span.clone(),
+            },
         );
     }
     Ok(())

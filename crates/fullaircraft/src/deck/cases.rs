@@ -44,6 +44,11 @@ const NEEDED: [&str; 15] = [
     "DMIK", "SPLINE3", "SPLINE6", "SPLINE7", "UXVEC",
 ];
 
+/// Which of some cards the deck has that are not read.
+pub(crate) fn unread_cards<'a>(bulk: &BulkData, names: &[&'a str]) -> Vec<&'a str> {
+    names.iter().copied().filter(|name| bulk.unknown.contains_key(*name)).collect()
+}
+
 /// Refuses a deck with cards that are not read and would change its trims, by their names.
 ///
 /// # Errors
@@ -56,7 +61,7 @@ pub(crate) fn refuse_unread(bulk: &BulkData) -> Result<(), InputError> {
         );
         return Err(InputError::at(&card.span, message).with_help("leave field D empty, or zero"));
     }
-    let there: Vec<&str> = NEEDED.into_iter().filter(|name| bulk.unknown.contains_key(*name)).collect();
+    let there = unread_cards(bulk, &NEEDED);
     if there.is_empty() {
         return Ok(());
     }

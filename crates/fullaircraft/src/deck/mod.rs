@@ -1,7 +1,8 @@
-//! Trim and derivatives of a user's whole-aircraft deck (SOL 144).
+//! Trim and derivatives of a user's whole-aircraft deck (SOL 144), and its flutter (SOL 145).
 
 mod box_rows;
 pub mod cases;
+pub mod flutter;
 mod monitors;
 mod net_monitors;
 mod plate;

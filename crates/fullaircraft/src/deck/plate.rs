@@ -1,7 +1,7 @@
 //! The infinite plate of SPLINE1 (Harder and Desmarais, 1972).
 //!
 //! ```text
-//! w(x, y) = a0 + a1 x + a2 y + sum F_i r_i² ln r_i²,   sum F_i = sum x_i F_i = sum y_i F_i = 0,   w(x_i, y_i) = u_i
+//! w(x, y) = a0 + a1 x + a2 y + sum F_i r_i² ln r_i²,   sum F_i = sum x_i F_i = sum y_i F_i = 0,   w(x_i, y_i) + 16 pi DZ F_i = u_i
 //! ```
 //! x along the stream and y along the span in the panel's plane, w and u_i along its normal. A box heaves by w at its midpoint and
 //! pitches by the slope along the stream there. Boxes of a SPLINE1 are the rectangle of its panel with BOX1 and BOX2 at its
@@ -71,6 +71,10 @@ pub(crate) fn rows(
                 matrix[(j, i)] = value[0];
             }
         }
+    }
+    for i in 0..n {
+        // The plate's own flexibility is r² ln r² / 16 pi with a bending stiffness of one.
+        matrix[(i, i)] += 16.0 * std::f64::consts::PI * card.flexibility / (unit * unit);
     }
     let mut wanted = Mat::zeros(n + 3, 2 * boxes.len());
     for (k, &place) in boxes.iter().enumerate() {

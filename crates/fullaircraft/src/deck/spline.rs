@@ -10,7 +10,7 @@
 
 use crate::deck::box_rows::{BoxRows, nodes};
 use crate::deck::plate;
-use aero::{AeroBox, Lattice};
+use aero::{AeroBox, Lattice, StreamAxes};
 use coupling::Spline;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
@@ -69,22 +69,34 @@ impl Attachment {
     }
 }
 
-/// The splines of a deck: SPLINE2 and SPLINE5 as described above, SPLINE1 and SPLINE4 as [`crate::deck::plate`] says; every box must have one.
+/// The splines of a deck.
+#[derive(Debug)]
+pub(crate) struct Splined {
+    /// Motion of the boxes by those of the structure.
+    pub(crate) spline: Spline,
+    /// Boxes without a spline.
+    pub(crate) loose: Vec<u32>,
+}
+
+/// The splines of a deck: SPLINE2 and SPLINE5 as described above, SPLINE1 and SPLINE4 as [`crate::deck::plate`] says; a box without one neither moves nor loads the structure.
 ///
 /// # Errors
-/// If a box has no spline or two, or a spline names a set, grid or system that is not there.
+/// If no box has a spline or one has two, or a spline names a set, grid or system that is not there.
 pub(crate) fn splines(
     bulk: &BulkData,
     lattice: &Lattice,
     ids: &[u32],
     points: &[Point3<f64>],
-) -> Result<Spline, InputError> {
+    stream: &StreamAxes,
+) -> Result<Splined, InputError> {
+    let seen: Vec<Point3<f64>> = points.iter().map(|point| stream.seen(point)).collect();
+    let points = seen.as_slice();
     let mut rows: Vec<Option<Vec<(usize, f64)>>> = vec![None; 2 * lattice.len()];
     for card in bulk.splines.values() {
         let boxes = boxes(bulk, card, lattice)?;
         let pairs = match card.kind {
             SplineKind::Plate => plate::rows(bulk, card, lattice, &boxes, ids, points)?,
-            SplineKind::Beam { .. } => beam(bulk, card, lattice, &boxes, ids, points)?,
+            SplineKind::Beam { .. } => beam(bulk, card, lattice, &boxes, ids, points, stream)?,
         };
         for (place, pair) in boxes.iter().zip(pairs) {
             for (k, row) in pair.into_iter().enumerate() {
@@ -95,22 +107,28 @@ pub(crate) fn splines(
             }
         }
     }
-    if let Some(loose) = (0..lattice.len()).find(|&j| rows[2 * j].is_none()) {
-        let other: Vec<&str> =
-            bulk.unknown.keys().map(String::as_str).filter(|name| name.starts_with("SPLINE")).collect();
-        let message = if other.is_empty() {
-            format!("box {} has no spline", lattice.boxes[loose].id)
-        } else {
-            format!(
-                "box {} has no spline that is read; the deck has {}",
-                lattice.boxes[loose].id,
-                other.join(", ")
-            )
-        };
-        return Err(InputError::general(message)
-            .with_help("name every box in a SPLINE1, SPLINE2, SPLINE4 or SPLINE5 of the deck"));
+    let loose: Vec<u32> =
+        (0..lattice.len()).filter(|&j| rows[2 * j].is_none()).map(|j| lattice.boxes[j].id).collect();
+    if loose.len() == lattice.len() {
+        return Err(InputError::general("no box of the deck has a spline")
+            .with_help("name the boxes in a SPLINE1, SPLINE2, SPLINE4 or SPLINE5"));
     }
-    Ok(Spline::from_rows(rows.into_iter().flatten().collect(), 6 * points.len()))
+    let rows = rows.into_iter().map(|row| in_basic_axes(row.unwrap_or_default(), stream)).collect();
+    Ok(Splined { spline: Spline::from_rows(rows, 6 * points.len()), loose })
+}
+
+/// A row over motions of the nodes along the stream's axes as one over those along the basic axes.
+fn in_basic_axes(row: Vec<(usize, f64)>, stream: &StreamAxes) -> Vec<(usize, f64)> {
+    if stream.is_basic() {
+        return row;
+    }
+    let mut turned = std::collections::BTreeMap::new();
+    for (dof, value) in row {
+        for axis in 0..3 {
+            *turned.entry(dof / 3 * 3 + axis).or_insert(0.0) += stream.axes[(axis, dof % 3)] * value;
+        }
+    }
+    turned.into_iter().collect()
 }
 
 /// Places of a spline's boxes: its list (SPLINE4, SPLINE5), a rectangle (SPLINE1), or a range of numbers (SPLINE2).
@@ -140,6 +158,7 @@ fn beam(
     boxes: &[usize],
     ids: &[u32],
     points: &[Point3<f64>],
+    stream: &StreamAxes,
 ) -> Result<Vec<BoxRows>, InputError> {
     let blame = |message: String| InputError::at(&card.span, message);
     let SplineKind::Beam { system, torsional_ratio, attachment } = card.kind else { return Ok(Vec::new()) };
@@ -147,12 +166,15 @@ fn beam(
         return Err(blame(format!("spline {} has no boxes", card.id)));
     };
     let frames = Frames::resolve(bulk)?;
-    let axes = axes(&lattice.boxes[*first], &frames.axes_at(system, &card.span)?.column(1).into_owned());
-    let origin = frames.origin(system, &card.span)?;
+    let axes = axes(
+        &lattice.boxes[*first],
+        &(stream.axes.transpose() * frames.axes_at(system, &card.span)?.column(1)),
+    );
+    let origin = stream.seen(&frames.origin(system, &card.span)?);
     let mut attached = Vec::new();
     for node in nodes(bulk, card, ids)? {
         let at = axes.transpose() * (points[node] - origin);
-        attached.push(Attachment::new(node, Part::Heave, &at, 0.0));
+        attached.push(Attachment::new(node, Part::Heave, &at, card.flexibility));
         for (part, flexibility) in [Part::AboutX, Part::AboutY].into_iter().zip(attachment) {
             if flexibility >= 0.0 {
                 attached.push(Attachment::new(node, part, &at, flexibility));
@@ -231,3 +253,6 @@ fn row(attached: &[Attachment], axes: &Matrix3<f64>, weights: &Mat<f64>, column:
     }
     entries.into_iter().collect()
 }
+
+#[cfg(test)]
+mod tests;

@@ -14,14 +14,14 @@
 use crate::deck::cases::refuse_unread;
 use crate::deck::monitors::{Monitor, monitors};
 use crate::deck::net_monitors::{NetMonitor, net_monitors};
-use crate::deck::spline;
+use crate::deck::spline::{self, Splined};
 use crate::deck::structure::{
     Reduced, assembled, box_displacements, corrections, held, reference_motions, support_motions,
 };
 use crate::deck::variables::{ANTISYMMETRIC, Links, variables};
 use crate::error::AircraftError;
 use crate::trim::balance::Balance;
-use aero::{Corrections, Integration, Lattice, MirrorPlane, SteadyAero};
+use aero::{Corrections, Integration, Lattice, MirrorPlane, SteadyAero, StreamAxes};
 use coupling::CouplingError;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, c64};
@@ -53,6 +53,8 @@ pub struct TrimDeck {
     links: Links,
     /// MONPNT3 of a group that is no SET1, and MONPNT1 of a component made of grids, which are left out.
     pub skipped_monitors: Vec<String>,
+    /// Boxes without a spline, which neither move nor load the structure.
+    pub loose_boxes: Vec<u32>,
     monitors: Vec<Monitor>,
     net_monitors: Vec<NetMonitor>,
     /// Pressures of the undeformed aircraft, boxes by variables.
@@ -98,7 +100,7 @@ impl TrimDeck {
     /// Assembles a deck for one Mach number.
     ///
     /// # Errors
-    /// If the deck has cards that are not read and would change the trim, AEROS is missing or its axes are turned, SUPORT names more than one grid, a variable is unknown, a box has no spline, or the structure is
+    /// If the deck has cards that are not read and would change the trim, AEROS is missing or its axes are turned, SUPORT names more than one grid, a variable is unknown, no box has a spline, or the structure is
     /// free to move when held at the SUPORT motions.
     pub fn new(bulk: &BulkData, mach: f64) -> Result<Self, AircraftError> {
         let missing = |card: &str| InputError::general(format!("the deck has no {card}, which trim needs"));
@@ -106,7 +108,8 @@ impl TrimDeck {
         let aeros = bulk.aero_reference.clone().ok_or_else(|| missing("AEROS"))?;
         let lattice = Lattice::from_bulk(bulk)?;
         let (free, held) = (assembled(bulk)?, held(bulk)?);
-        let spline = spline::splines(bulk, &lattice, free.node_ids(), free.points())?;
+        let Splined { spline, loose } =
+            spline::splines(bulk, &lattice, free.node_ids(), free.points(), &StreamAxes::basic())?;
         let frames = Frames::resolve(bulk)?;
         refuse_turned(&frames, &aeros)?;
         let axes = frames.axes_at(aeros.rcsid, &aeros.span)?;
@@ -128,9 +131,8 @@ impl TrimDeck {
         let gather = loads.rows_by_pressure(motion.transpose());
         let offset = offset(aeros.symmetry, || loads.offset_weighed(motion.transpose()), gather.nrows());
         // one factorisation of the influence coefficients for all dynamic pressures
-        let aero = SteadyAero::new(&lattice, mirror_plane(&aeros), mach)?;
-        let (cp_variables, cp_displacement) =
-            (aero.pressures(incidence.as_ref()), aero.pressures(theta.as_ref()));
+        let aero = SteadyAero::new(&lattice, mirror_plane(aeros.symmetry), mach)?;
+        let cp_displacement = aero.pressures(theta.as_ref());
         let stiffness = &gather * &cp_displacement;
         let divergence = divergence(&structure.restrained, &stiffness)?;
         let (monitors, skipped) = monitors(bulk, &lattice, &frames)?;
@@ -142,7 +144,8 @@ impl TrimDeck {
             monitors,
             net_monitors,
             skipped_monitors: [skipped, groups].concat(),
-            cp_variables,
+            loose_boxes: loose,
+            cp_variables: aero.pressures(incidence.as_ref()),
             cp_displacement,
             stiffness,
             divergence,
@@ -304,9 +307,9 @@ fn divergence(flexibility: &Mat<f64>, stiffness: &Mat<f64>) -> Result<Vec<f64>, 
     Ok(pressures)
 }
 
-/// The plane of symmetry that AEROS asks for.
-fn mirror_plane(aeros: &Aeros) -> MirrorPlane {
-    match aeros.symmetry {
+/// The plane of symmetry that AEROS or AERO asks for (SYMXZ).
+pub(crate) fn mirror_plane(symmetry: i32) -> MirrorPlane {
+    match symmetry {
         1 => MirrorPlane::Symmetric { y_m: 0.0 },
         ANTISYMMETRIC => MirrorPlane::Antisymmetric { y_m: 0.0 },
         _ => MirrorPlane::None,

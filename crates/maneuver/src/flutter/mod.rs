@@ -1,10 +1,12 @@
 //! Flutter and divergence: p-k roots of given masses, stiffnesses and air forces, and eigenvalues of a linear system over airspeed.
 
 mod bent;
+mod complete;
 mod curves;
 mod divergence;
 mod error;
 mod forces;
+mod k_method;
 mod modal_air;
 mod pk;
 mod rig_forces;
@@ -12,13 +14,16 @@ mod root;
 mod scheduled;
 mod spline;
 mod state_space;
+mod sweep;
 mod system;
 
 pub use bent::{BentCrossing, BentFlutterError, BentPoint, crossings, flutter_of_bent_wing};
+pub use complete::{Branch, CompleteCurves};
 pub use curves::{Crossing, FlutterCurves, Root};
 pub use divergence::first_divergence;
 pub use error::FlutterError;
 pub use forces::{FormulaForces, GafTable, GeneralisedForces};
+pub use k_method::KRoot;
 pub use modal_air::{gaf_table, incidence_of_motion};
 pub use rig_forces::ModePressures;
 pub use scheduled::ScheduledForces;

@@ -8,7 +8,7 @@ use super::curves::{Crossing, FlutterCurves, Root};
 use super::root::{Missed, Place, State};
 use super::{Aeroelastic, FlutterError};
 use aero::Flow;
-use faer::{Mat, c64};
+use faer::c64;
 use std::f64::consts::TAU;
 
 /// Likeness of shapes below which a step is too long.
@@ -22,17 +22,17 @@ const CROSSING: f64 = 1e-12;
 
 /// A branch on its way.
 #[derive(Debug, Clone)]
-struct Track {
-    state: State,
+pub(super) struct Track {
+    pub(super) state: State,
     /// Change of p over the last step, and that step.
-    before: Option<(c64, f64)>,
+    pub(super) before: Option<(c64, f64)>,
 }
 
 /// Way between two places, from 0 to 1.
 #[derive(Debug, Clone, Copy)]
-struct Leg {
-    from: Place,
-    to: Place,
+pub(super) struct Leg {
+    pub(super) from: Place,
+    pub(super) to: Place,
 }
 
 impl Leg {
@@ -58,14 +58,7 @@ impl Aeroelastic<'_> {
     /// If there is no flow, an airspeed or density is not positive, or a natural frequency is zero. A mode that cannot be
     /// followed to the end is no error, but stands in [`FlutterCurves::lost`].
     pub fn pk(&self, flows: &[Flow]) -> Result<FlutterCurves, FlutterError> {
-        if flows.is_empty() {
-            return Err(FlutterError::Empty("the list of flows"));
-        }
-        for (what, value) in flows.iter().flat_map(|f| [("airspeed", f.v_m_s), ("density", f.rho_kg_m3)]) {
-            if !(value > 0.0 && value.is_finite()) {
-                return Err(FlutterError::Number { what, value, expected: "positive" });
-            }
-        }
+        checked(flows)?;
         let mut curves = FlutterCurves {
             flows: flows.to_vec(),
             branches: Vec::new(),
@@ -145,7 +138,13 @@ impl Aeroelastic<'_> {
     }
 
     /// Follows a branch along a leg up to `end` of it.
-    fn march(&self, start: Track, leg: Leg, end: f64, branch: usize) -> Result<Track, FlutterError> {
+    pub(super) fn march(
+        &self,
+        start: Track,
+        leg: Leg,
+        end: f64,
+        branch: usize,
+    ) -> Result<Track, FlutterError> {
         let (mut track, mut t, mut step) = (start, 0.0, end);
         // the last step's slope is in the units of the last leg: legs of one sweep are alike
         while t < end {
@@ -198,7 +197,7 @@ impl Aeroelastic<'_> {
     fn other_kind(&self, track: &Track, place: Place) -> Option<Track> {
         let forces = self.split(0.0, place.flow.v_m_s).ok()?;
         let mut found: Vec<State> = self
-            .roots_at_rest(&forces, place)?
+            .with_forces_held(&forces, place)?
             .into_iter()
             .filter(|state| state.real != track.state.real)
             .filter_map(|state| self.root(&state, place).ok())
@@ -214,32 +213,8 @@ impl Aeroelastic<'_> {
         Some(Track { state, before: None })
     }
 
-    /// Eigenvalues with the forces held at kappa = 0: real roots, and first guesses of slow oscillations.
-    fn roots_at_rest(&self, forces: &super::system::SplitForces, place: Place) -> Option<Vec<State>> {
-        let n = self.size();
-        let at = |p: f64| self.matrix(c64::from(p), forces, place.flow, place.share);
-        let (rest, rate) = (at(0.0), self.slope(c64::default(), forces, place.flow, place.share));
-        let mass = self.mass().to_owned().partial_piv_lu();
-        let right =
-            Mat::from_fn(n, 2 * n, |i, j| if j < n { -rest[(i, j)].re } else { -rate[(i, j - n)].re });
-        let lower = faer::linalg::solvers::Solve::solve(&mass, right);
-        let a = Mat::from_fn(2 * n, 2 * n, |i, j| match i.checked_sub(n) {
-            None => f64::from(u8::from(j == i + n)),
-            Some(row) => lower[(row, j)],
-        });
-        let eigen = a.eigen().ok()?;
-        let states = (0..2 * n).filter_map(|k| {
-            let p = eigen.S()[k];
-            let real = p.im.abs() <= 1e-9 * p.norm();
-            let u = (0..n).map(|i| eigen.U()[(i, k)]).collect();
-            let p = if real { c64::from(p.re) } else { p };
-            (p.im >= 0.0).then_some(State { p, u, real, beyond: false })
-        });
-        Some(states.collect())
-    }
-
     /// Where a branch changes the sign of its growth rate between both ends of a leg.
-    fn crossing(
+    pub(super) fn crossing(
         &self,
         from: &Track,
         to: &Track,
@@ -278,7 +253,20 @@ impl Aeroelastic<'_> {
     }
 }
 
-fn root_of(state: &State) -> Root {
+/// Refuses an empty list, and airspeeds and densities that are not positive.
+pub(super) fn checked(flows: &[Flow]) -> Result<(), FlutterError> {
+    if flows.is_empty() {
+        return Err(FlutterError::Empty("the list of flows"));
+    }
+    for (what, value) in flows.iter().flat_map(|f| [("airspeed", f.v_m_s), ("density", f.rho_kg_m3)]) {
+        if !(value > 0.0 && value.is_finite()) {
+            return Err(FlutterError::Number { what, value, expected: "positive" });
+        }
+    }
+    Ok(())
+}
+
+pub(super) fn root_of(state: &State) -> Root {
     Root { p: state.p, beyond_table: state.beyond }
 }
 
@@ -286,6 +274,7 @@ fn root_of(state: &State) -> Root {
 mod tests {
     use super::super::FormulaForces;
     use super::*;
+    use faer::Mat;
 
     /// Whether one step from rest to a dynamic pressure is taken by the first of two modes, Q = (a, b; b, 0) without damping.
     fn is_taken(omega: [f64; 2], [a, b]: [f64; 2], q_pa: f64) -> bool {

@@ -42,6 +42,10 @@ pub struct SplineCard {
     pub set: u32,
     /// Plate or beam.
     pub kind: SplineKind,
+    /// DZ: flexibility with which displacements are attached; 0 rigidly, more smooths.
+    pub flexibility: f64,
+    /// FPS: a finite plate is asked for, which is computed as an infinite one.
+    pub is_finite_plate: bool,
     /// Where the card stands.
     pub span: Span,
 }
@@ -55,14 +59,14 @@ impl DeckCard for SplineCard {
     /// SPLINE4: EID CAERO AELIST blank SETG DZ METH USAGE / NELEM MELEM FTYPE RCORE, and
     /// SPLINE5: EID CAERO AELIST blank SETG DZ DTOR CID / DTHX DTHY blank USAGE METH blank FTYPE RCORE.
     ///
-    /// The number of elements of a finite plate is skipped; smoothing (DZ) and other
-    /// methods than the infinite plate and beam are refused.
+    /// A finite plate (FPS) is read as an infinite one, which [`SplineCard::is_finite_plate`] tells, and the number of its elements
+    /// is skipped; other methods than plate and beam are refused.
     fn read(card: &Card) -> Result<Vec<Self>, InputError> {
-        card.unset(5, "DZ")?;
+        let flexibility = card.not_negative(5, "DZ", 0.0)?;
         let by_list = matches!(card.name.as_str(), "SPLINE4" | "SPLINE5");
         let kind = if matches!(card.name.as_str(), "SPLINE1" | "SPLINE4") {
             card.ends_after(if by_list { 12 } else { 10 })?;
-            card.word(6, "METH", &["IPS"])?;
+            card.word(6, "METH", &["IPS", "FPS"])?;
             card.word(7, "USAGE", &["BOTH"])?;
             SplineKind::Plate
         } else {
@@ -89,7 +93,18 @@ impl DeckCard for SplineCard {
             let message = format!("box {} of {} comes after box {}", boxes.0, card.name, boxes.1);
             return Err(card.error(3, message).with_help("name the first box, then the last"));
         }
-        Ok(vec![SplineCard { id, panel, boxes, list, set, kind, span: card.span.clone() }])
+        let is_finite_plate = kind == SplineKind::Plate && card.text(6).eq_ignore_ascii_case("FPS");
+        Ok(vec![SplineCard {
+            id,
+            panel,
+            boxes,
+            list,
+            set,
+            kind,
+            flexibility,
+            is_finite_plate,
+            span: card.span.clone(),
+        }])
     }
 
     fn write(&self, card: Fields) -> Fields {
@@ -99,9 +114,10 @@ impl DeckCard for SplineCard {
             None => card.ints([self.boxes.0, self.boxes.1, self.set]),
         };
         match self.kind {
-            SplineKind::Plate => card.real(0.0),
+            SplineKind::Plate if self.is_finite_plate => card.real(self.flexibility).text("FPS"),
+            SplineKind::Plate => card.real(self.flexibility),
             SplineKind::Beam { system, torsional_ratio, attachment } => {
-                let card = card.real(0.0).real(torsional_ratio).int(system);
+                let card = card.real(self.flexibility).real(torsional_ratio).int(system);
                 if attachment == [0.0; 2] { card } else { card.reals(&attachment) }
             }
         }

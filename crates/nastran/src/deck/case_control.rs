@@ -28,6 +28,14 @@ pub struct Subcase {
     pub load: Option<u32>,
     /// METHOD: EIGRL or EIGR.
     pub method: Option<u32>,
+    /// LOAD: static loads.
+    pub load: Option<u32>,
+    /// TEMPERATURE, or TEMPERATURE(LOAD): temperatures that load the structure.
+    pub temperature: Option<u32>,
+    /// FMETHOD: FLUTTER.
+    pub flutter: Option<u32>,
+    /// SDAMPING: TABDMP1.
+    pub damping: Option<u32>,
     /// AUTOSPC, in the place of PARAM AUTOSPC.
     pub auto_spc: Option<bool>,
     /// AESYMXZ: 1 symmetric, -1 antisymmetric, 0 asymmetric.
@@ -142,6 +150,12 @@ fn number(command: &Command, value: Option<&str>) -> Result<u32, InputError> {
     value.and_then(|value| value.parse().ok()).ok_or_else(|| wrong(command, "a number"))
 }
 
+/// Whether temperatures are those that materials are taken at, TEMP(INIT) and TEMP(MATERIAL), which load nothing.
+fn is_initial(text: &str) -> bool {
+    let inside = text.split_once('(').map_or("", |(_, rest)| rest).trim_start().to_ascii_uppercase();
+    inside.starts_with("INIT") || inside.starts_with("MAT")
+}
+
 /// Keeps what a command says of a subcase.
 fn select(case: &mut Subcase, command: &Command, name: &str, value: Option<&str>) -> Result<(), InputError> {
     let one = || number(command, value).map(Some);
@@ -160,6 +174,10 @@ fn select(case: &mut Subcase, command: &Command, name: &str, value: Option<&str>
         "SUPORT1" => case.support = one()?,
         "LOAD" => case.load = one()?,
         "METHOD" => case.method = one()?,
+        "LOAD" => case.load = one()?,
+        "TEMP" | "TEMPERATURE" if !is_initial(&command.text) => case.temperature = one()?,
+        "FMETHOD" => case.flutter = one()?,
+        "SDAMPING" | "SDAMP" => case.damping = one()?,
         "LABEL" | "SUBTITLE" => {
             let label = command.text.split_once('=').map_or("", |(_, label)| label);
             label.trim().clone_into(&mut case.label);

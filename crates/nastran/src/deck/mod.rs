@@ -22,7 +22,7 @@ use crate::text_file::{no_file, read_text};
 use defaults::Defaults;
 use dmi_cards::DmiCards;
 use replication::{Replication, is_replication};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use taken::Numbers;
@@ -31,9 +31,10 @@ use taken::Numbers;
 const MOST_IN_RANGES: usize = 10_000_000;
 
 /// Cards of the air: one that is wrong or not read as it stands does not stop who asks for the structure alone.
-const AIR: [&str; 16] = [
+const AIR: [&str; 22] = [
     "CAERO1", "PAERO1", "AEFACT", "AESURF", "AELIST", "SPLINE1", "SPLINE2", "SPLINE4", "SPLINE5", "MONPNT1",
-    "MONPNT3", "AEROS", "AESTAT", "TRIM", "AELINK", "AECOMP",
+    "MONPNT3", "AEROS", "AESTAT", "TRIM", "AELINK", "AECOMP", "AERO", "FLUTTER", "FLFACT", "MKAERO1",
+    "MKAERO2", "TABDMP1",
 ];
 
 /// Reads a deck with the files it includes.
@@ -229,8 +230,11 @@ impl Reader {
             return Ok(());
         }
         if !self.deck.keep(&card)? && !self.parameter(&card)? {
+            let number: Option<u32> = card.text(0).parse().ok();
             let unread = self.deck.unknown.entry(card.name);
-            unread.or_insert(Unread { count: 0, first: card.span }).count += 1;
+            let unread = unread.or_insert(Unread { count: 0, first: card.span, numbers: BTreeSet::new() });
+            unread.count += 1;
+            unread.numbers.extend(number);
         }
         Ok(())
     }

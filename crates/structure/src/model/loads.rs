@@ -6,7 +6,7 @@ use crate::nonlinear::{Following, Loads, NodeLoad};
 use nalgebra::Vector3;
 use nastran::{
     BulkData, CrossLoad, Gravity, InputError, LineLoad, LoadSum, PointLoad, Pressed, Pressure, SolidElement,
-    Span,
+    Span, Unread,
 };
 use std::collections::BTreeSet;
 
@@ -38,7 +38,13 @@ pub fn load_sets(bulk: &BulkData) -> Vec<u32> {
 /// # Errors
 /// If there is no such set, it names what is not there, or the deck has loads that are not read.
 pub fn loads_of(bulk: &BulkData, set: u32) -> Result<Loads, InputError> {
-    if let Some((name, unread)) = bulk.unknown.iter().find(|(name, _)| UNREAD.contains(&name.as_str())) {
+    let parts =
+        bulk.load_sums.get(&set).map_or_else(Vec::new, |sum| sum.parts.iter().map(|part| part.1).collect());
+    let is_meant = |unread: &Unread| {
+        unread.numbers.contains(&set) || parts.iter().any(|part| unread.numbers.contains(part))
+    };
+    let mut unread = bulk.unknown.iter().filter(|(name, _)| UNREAD.contains(&name.as_str()));
+    if let Some((name, unread)) = unread.find(|(_, unread)| is_meant(unread)) {
         let message = format!("{name} is a load that is not read: leaving it out would change the loads");
         let help = "give it as FORCE, MOMENT, FORCE1, FORCE2, PLOAD, PLOAD2, PLOAD4 or GRAV, or take it out of the deck";
         return Err(InputError::at(&unread.first, message).with_help(help));

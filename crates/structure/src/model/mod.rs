@@ -6,6 +6,7 @@
 mod build;
 mod conrod;
 mod elements;
+mod enforced;
 mod links;
 mod loads;
 mod node;
@@ -13,6 +14,7 @@ pub(crate) mod registry;
 mod shells;
 mod solids;
 
+pub use enforced::enforced_motions;
 pub use loads::{load_sets, loads_of};
 pub use node::{Clamp, Node};
 

@@ -61,7 +61,8 @@ pub(crate) fn visit(bulk: &BulkData, visitor: &mut impl Visitor) -> Result<(), I
         // Of the air and of the case control.
         sets: _, panels: _, panel_properties: _, factors: _, surfaces: _, box_lists: _, splines: _, monitors: _,
         matrices: _, aero_reference: _, trim_variables: _, trims: _, aero_links: _, aero_components: _, supports: _, eigen_methods: _,
-        constraint_unions: _, equation_unions: _, subcases: _,
+        constraint_unions: _, equation_unions: _, subcases: _, unsteady_reference: _, flutters: _, flutter_factors: _,
+        reduced_frequencies: _, damping_tables: _,
         // Refused where a structure cannot be without them.
         unknown: _, air_errors: _,
     } = bulk;

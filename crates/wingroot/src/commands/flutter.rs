@@ -3,6 +3,7 @@
 
 use clap::Args;
 use std::fmt::Write as _;
+use std::path::PathBuf;
 use std::time::Instant;
 
 use aero::{Corrections, DlmSettings, DoubletLattice, Flow};
@@ -16,6 +17,7 @@ use nastran::InputError;
 use report::Table;
 use serde_json::Value;
 
+use super::flutter_deck;
 use super::flutter_figures::{self, Stability};
 use crate::args::{Common, Given, airspeed};
 use crate::commands::flutter_result::{FlutterResult, MethodResult, StabilityChange, StabilityResult};
@@ -30,11 +32,18 @@ use crate::show;
 #[derive(Debug, Clone, Default, Args)]
 #[command(after_help = "Examples:
   wingroot flutter
-  wingroot flutter --wing my_wing/wing.ron --campaign my_wing/campaign --to 60")]
+  wingroot flutter --wing my_wing/wing.ron --campaign my_wing/campaign --to 60
+  wingroot flutter --deck my_aircraft.bdf")]
 pub struct FlutterArgs {
     /// Wing, measurements, corrections.
     #[command(flatten)]
     pub(crate) given: Given,
+    /// A Nastran deck instead of a wing: flutter as SOL 145 of it asks (FLUTTER, FLFACT, MKAERO1, MKAERO2), in its own units
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["wing", "campaign", "corrections", "accept_unconverged", "no_intervals", "to"])]
+    pub(crate) deck: Option<PathBuf>,
+    /// The subcase of the deck [default: all that select a FLUTTER]
+    #[arg(long, value_name = "N", requires = "deck")]
+    pub(crate) subcase: Option<u32>,
     /// Highest airspeed looked at, m/s [default: 100, up to which air is nearly incompressible]
     #[arg(long, value_name = "V", value_parser = airspeed)]
     pub(crate) to: Option<f64>,
@@ -65,6 +74,9 @@ struct Task<'a> {
 
 /// Runs the command.
 pub(crate) fn run(args: &FlutterArgs, common: &Common) -> Result<(), Failure> {
+    if let Some(deck) = &args.deck {
+        return flutter_deck::run(deck, args.subcase, common);
+    }
     let start = Instant::now();
     let campaign = Campaign::read(&args.given.measured.campaign_path()?)?;
     let corrected = corrected_wing(&args.given)?;

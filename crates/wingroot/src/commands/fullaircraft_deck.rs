@@ -111,7 +111,11 @@ pub(crate) fn run(path: &Path, common: &Common) -> Result<(), Failure> {
         bar.inc(1);
     }
     progress::end(&bar);
-    let skipped = known.map_or_else(Vec::new, |(_, deck)| deck.skipped_monitors);
+    let (skipped, loose) =
+        known.map_or_else(Default::default, |(_, deck)| (deck.skipped_monitors, deck.loose_boxes));
+    if !common.quiet {
+        say_of_splines(&bulk, &loose);
+    }
     if !skipped.is_empty() && !common.quiet {
         show::note(&format!(
             "stations left out (MONPNT3 of a group that is no SET1, MONPNT1 of components made of grids): {}",
@@ -134,6 +138,17 @@ pub(crate) fn run(path: &Path, common: &Common) -> Result<(), Failure> {
     show::summary(common, &text);
     show::json(common, &summary)?;
     refused.map_or(Ok(()), |why| Err(Failure::Computation(why)))
+}
+
+/// What of the splines is not as the deck might expect.
+pub(crate) fn say_of_splines(bulk: &BulkData, loose: &[u32]) {
+    bulk.spline_remark().iter().for_each(|remark| show::note(remark));
+    if let Some(first) = loose.first() {
+        show::note(&format!(
+            "{} boxes have no spline, the first {first}: they neither move nor load the structure",
+            loose.len()
+        ));
+    }
 }
 
 /// Whether two subcases have the same boundary conditions and air.

@@ -6,12 +6,14 @@ use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use nastran::InputError;
+use faer::Mat;
+use nastran::{BulkData, InputError};
 use report::Table;
 use structure::nonlinear::{Controls, LargeDeflection, Loads, Path, reactions_of};
-use structure::{Flexibility, load_sets, loads_of};
+use structure::{Flexibility, enforced_motions, loads_of};
 
 use super::statics_air::{self, AirArgs};
+use super::statics_cases::{self, Asked};
 use super::statics_files::{self, Answer};
 use crate::args::{Common, whole};
 use crate::commands::result_parts::as_json;
@@ -35,11 +37,11 @@ pub struct StaticsArgs {
     /// A wing in steady air
     #[command(flatten)]
     pub(crate) air: AirArgs,
-    /// The load set [default: LOAD of the subcase, or the only set, or the only sum]
+    /// The load set [default: LOAD of each subcase; without a case control the only one, or the only LOAD]
     #[arg(long, value_name = "SET", value_parser = whole::<99_999_999>, conflicts_with = "wing")]
     pub(crate) load: Option<usize>,
-    /// The subcase whose LOAD and boundary conditions are taken [default: the only one]
-    #[arg(long, value_name = "ID", conflicts_with = "wing")]
+    /// The subcase of the deck whose loads and boundary conditions hold [default: all that select loads]
+    #[arg(long, value_name = "N", conflicts_with = "wing")]
     pub(crate) subcase: Option<u32>,
     /// Large deflections: every element turns with the structure, and so do pressures, FORCE1 and the air [default: as PARAM
     /// LGDISP or the wing's `geometry` says]
@@ -54,81 +56,101 @@ pub struct StaticsArgs {
 pub(crate) fn run(args: &StaticsArgs, common: &Common) -> Result<(), Failure> {
     let Some(deck) = &args.deck else { return statics_air::run(&args.air, args.nonlinear, common) };
     let start = Instant::now();
-    let structure = Structure::read_in(None, Some(deck), args.subcase)?;
-    let set = load_set(args, &structure)?;
-    let loads = loads_of(&structure.bulk, set).map_err(|error| error.or_in(&structure.path))?;
-    let linear = linear(&structure, &loads)?;
-    let is_large =
-        args.nonlinear || structure.bulk.parameters.get("LGDISP").is_some_and(|value| *value > 0.0);
-    let walked = if is_large { Some(large(&structure, &loads, args.steps.unwrap_or(1))?) } else { None };
+    let bulk = nastran::read_deck(deck)?;
+    let wanted = |value: Option<usize>| value.and_then(|value| u32::try_from(value).ok());
+    let cases =
+        statics_cases::asked(&bulk, wanted(args.load), args.subcase).map_err(|error| error.or_in(deck))?;
     let folder = ResultFolder::begin(&common.out("statics"))?;
-    folder.input("structure", &structure.path)?;
-    let answer = Answer { structure: &structure, linear: &linear, large: walked.as_ref() };
-    answer.write(&folder)?;
-    let result = result(&answer, set, start.elapsed().as_secs_f64());
+    folder.input("structure", deck)?;
+    let mut known: Option<Bounded> = None;
+    let mut results: Vec<StaticsResult> = Vec::new();
+    let mut text = String::new();
+    for case in &cases {
+        let bounded = match known.take().filter(|known| known.case.is_bounded_as(case)) {
+            Some(known) => known,
+            None => Bounded::new(deck, &bulk, case)?,
+        };
+        let structure = &bounded.structure;
+        let loads = match case.load {
+            Some(set) => loads_of(&structure.bulk, set).map_err(|error| error.or_in(deck))?,
+            None => Loads::default(),
+        };
+        let linear = bounded.linear(&loads)?;
+        let is_large =
+            args.nonlinear || structure.bulk.parameters.get("LGDISP").is_some_and(|value| *value > 0.0);
+        let walked = match (is_large, &bounded.enforced) {
+            (false, _) => None,
+            (true, None) => Some(large(structure, &loads, args.steps.unwrap_or(1))?),
+            (true, Some(_)) => {
+                return Err(InputError::in_file(
+                    deck,
+                    "SPC enforces motions, which large deflections do not know",
+                )
+                .with_help("leave out --nonlinear and PARAM LGDISP, or press by forces")
+                .into());
+            }
+        };
+        let answer = Answer { structure, linear: &linear, large: walked.as_ref() };
+        // The first subcase has the plain names, as a deck of one has.
+        answer.write(&folder, results.first().and(case.subcase))?;
+        let result = result(&answer, case, start.elapsed().as_secs_f64());
+        text += &summary(&result);
+        results.push(result);
+        known = Some(bounded);
+    }
+    let mut results = results.into_iter();
+    let Some(first) = results.next() else { return Err(Failure::Computation("no load was computed".into())) };
+    let result = StaticsResult { further: results.collect(), ..first };
     let json = as_json(&result)?;
     folder.write_json("result.json", &json)?;
     let out = folder.commit()?;
-    let mut text = summary(&result);
     let _ = write!(text, "written to {} in {:.1} s", out.display(), start.elapsed().as_secs_f64());
     show::summary(common, &text);
     show::json(common, &json)
 }
 
-/// The set that is asked for, or the one there can be no doubt about.
-fn load_set(args: &StaticsArgs, structure: &Structure) -> Result<u32, Failure> {
-    if let Some(set) = args.load.and_then(|set| u32::try_from(set).ok()) {
-        return Ok(set);
-    }
-    let mut selected: Vec<(u32, u32)> = structure
-        .bulk
-        .subcases
-        .iter()
-        .filter(|case| args.subcase.is_none_or(|id| case.id == id))
-        .filter_map(|case| Some((case.id, case.load?)))
-        .collect();
-    selected.dedup_by_key(|(_, load)| *load);
-    match selected.as_slice() {
-        [] => {}
-        [(_, set)] => return Ok(*set),
-        _ => {
-            let list: Vec<String> = selected.iter().map(|(id, load)| format!("{id} (LOAD {load})")).collect();
-            let error = InputError::in_file(&structure.path, "the deck's subcases have several loads");
-            return Err(error.with_help(format!("name one by --subcase: {}", list.join(", "))).into());
-        }
-    }
-    let all = load_sets(&structure.bulk);
-    let sums: Vec<u32> = structure.bulk.load_sums.keys().copied().collect();
-    match (all.as_slice(), sums.as_slice()) {
-        ([set], _) | (_, [set]) => Ok(*set),
-        ([], _) => {
-            let error = InputError::in_file(&structure.path, "the deck has no loads");
-            Err(error
-                .with_help("FORCE, MOMENT, FORCE1, MOMENT1, FORCE2, MOMENT2, PLOAD, PLOAD2, PLOAD4, GRAV and LOAD are read")
-                .into())
-        }
-        _ => {
-            let list: Vec<String> = all.iter().map(u32::to_string).collect();
-            let error = InputError::in_file(&structure.path, "the deck has several load sets");
-            Err(error.with_help(format!("name one by --load: {}", list.join(", "))).into())
-        }
-    }
+/// A structure under the boundary conditions of a case, factorised.
+struct Bounded {
+    case: Asked,
+    structure: Structure,
+    flexibility: Flexibility,
+    /// Motions that SPC enforces, six a node.
+    enforced: Option<Mat<f64>>,
 }
 
-/// Forces on the nodes, displacements and reactions.
-fn linear(structure: &Structure, loads: &Loads) -> Result<statics_files::State, Failure> {
-    let system = &structure.system;
-    let forces = system.forces_of(loads);
-    let flexibility = Flexibility::new(system).map_err(Failure::computation)?;
-    let u_g = system.expand(flexibility.displacements(system.reduce(forces.as_ref()).as_ref()).as_ref());
-    let unbalanced = system.elastic_loads(u_g.as_ref()) - &forces;
-    let unbalanced: Vec<f64> = unbalanced.col(0).iter().copied().collect();
-    Ok(statics_files::State {
-        displacements: u_g.col(0).iter().copied().collect(),
-        forces: forces.col(0).iter().copied().collect(),
-        reactions: reactions_of(&structure.model, &unbalanced)
-            .map_err(|error| error.or_in(&structure.path))?,
-    })
+impl Bounded {
+    fn new(deck: &std::path::Path, bulk: &BulkData, case: &Asked) -> Result<Self, Failure> {
+        let name = deck.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+        let structure = Structure::of_cards(name, deck.to_path_buf(), bulk.clone(), Some(case.subcase))?;
+        let bounded = bulk.bounded(case.subcase).map_err(|error| error.or_in(deck))?;
+        let enforced = enforced_motions(&bounded).map_err(|error| error.or_in(deck))?;
+        let enforced = enforced.map(|motions| Mat::from_fn(motions.len(), 1, |i, _| motions[i]));
+        let flexibility = Flexibility::new(&structure.system).map_err(Failure::computation)?;
+        Ok(Self { case: case.clone(), structure, flexibility, enforced })
+    }
+
+    /// Forces on the nodes, displacements and reactions.
+    fn linear(&self, loads: &Loads) -> Result<statics_files::State, Failure> {
+        let system = &self.structure.system;
+        let forces = system.forces_of(loads);
+        let mut pushing = forces.clone();
+        if let Some(enforced) = &self.enforced {
+            pushing -= system.elastic_loads(enforced.as_ref());
+        }
+        let mut u_g =
+            system.expand(self.flexibility.displacements(system.reduce(pushing.as_ref()).as_ref()).as_ref());
+        if let Some(enforced) = &self.enforced {
+            u_g += enforced;
+        }
+        let unbalanced = system.elastic_loads(u_g.as_ref()) - &forces;
+        let unbalanced: Vec<f64> = unbalanced.col(0).iter().copied().collect();
+        Ok(statics_files::State {
+            displacements: u_g.col(0).iter().copied().collect(),
+            forces: forces.col(0).iter().copied().collect(),
+            reactions: reactions_of(&self.structure.model, &unbalanced)
+                .map_err(|error| error.or_in(&self.structure.path))?,
+        })
+    }
 }
 
 /// The way of the load, and the end as the linear answer has it.
@@ -152,7 +174,7 @@ fn large(
     Ok((path, state, shapes))
 }
 
-fn result(answer: &Answer, load_set: u32, seconds: f64) -> StaticsResult {
+fn result(answer: &Answer, case: &Asked, seconds: f64) -> StaticsResult {
     let structure = answer.structure;
     let node = answer.largest();
     let of = |displacements: &[f64]| [0, 1, 2].map(|axis| displacements[6 * node + axis]);
@@ -161,7 +183,8 @@ fn result(answer: &Answer, load_set: u32, seconds: f64) -> StaticsResult {
     StaticsResult {
         command: "statics",
         structure: structure.name.clone(),
-        load_set,
+        subcase: case.subcase,
+        load_set: case.load.unwrap_or_default(),
         large_deflections: answer.large.is_some(),
         grids: structure.system.node_count(),
         free_motions: structure.system.free_count(),
@@ -182,14 +205,16 @@ fn result(answer: &Answer, load_set: u32, seconds: f64) -> StaticsResult {
             .large
             .map(|(path, _, _)| path.end().largest_local_rotation.0.to_degrees()),
         seconds,
+        further: Vec::new(),
     }
 }
 
 fn summary(result: &StaticsResult) -> String {
     let three = |values: &[f64; 3]| values.map(|value| format!("{value:.6}")).join(", ");
     let mut text = format!(
-        "{}, load set {}: force {} N, {} deflections\n",
+        "{}{}, load set {}: force {} N, {} deflections\n",
         result.structure,
+        result.subcase.map_or_else(String::new, |subcase| format!(", subcase {subcase}")),
         result.load_set,
         three(&result.applied_force_n),
         if result.large_deflections { "large" } else { "small" },

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use report::{Figure, Panel, Series, Style};
-use structure::mesh::cells;
+use structure::mesh::{MeshCell, cells};
 use structure::nonlinear::Path;
 
 use super::{modes_pictures, modes_shapes};
@@ -67,10 +67,27 @@ impl Answer<'_> {
         (force, moment)
     }
 
-    /// Writes all files and figures.
-    pub(super) fn write(&self, folder: &ResultFolder) -> Result<(), Failure> {
+    /// Writes tables and the shape of a subcase behind the first, under names with its number.
+    fn write_further(&self, folder: &ResultFolder, cells: &[MeshCell], subcase: u32) -> Result<(), Failure> {
+        let (system, end) = (&self.structure.system, self.end());
+        let own = |name: &str| format!("subcase_{subcase}_{name}");
+        let held = |six: &[f64]| six.iter().any(|value| *value != 0.0);
+        folder.write_text(
+            &own("displacements.csv"),
+            &self.table(&end.displacements, DISPLACEMENTS, |_| true),
+        )?;
+        folder.write_text(&own("reactions.csv"), &self.table(&end.reactions, REACTIONS, held))?;
+        let nodes: Vec<[f64; 6]> = end.displacements.chunks_exact(6).map(six).collect();
+        folder.write_text(&own("shape.vtu"), &modes_pictures::vtu_of(system, cells, &nodes))
+    }
+
+    /// Writes all files and figures; of a further subcase tables and the shape.
+    pub(super) fn write(&self, folder: &ResultFolder, further: Option<u32>) -> Result<(), Failure> {
         let (structure, end) = (self.structure, self.end());
         let cells = cells(&structure.bulk, &structure.system);
+        if let Some(subcase) = further {
+            return self.write_further(folder, &cells, subcase);
+        }
         folder.write_text("displacements.csv", &self.table(&end.displacements, DISPLACEMENTS, |_| true))?;
         let held = |six: &[f64]| six.iter().any(|value| *value != 0.0);
         folder.write_text("reactions.csv", &self.table(&end.reactions, REACTIONS, held))?;

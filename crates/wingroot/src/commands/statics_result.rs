@@ -10,7 +10,10 @@ pub(crate) struct StaticsResult {
     pub(crate) command: &'static str,
     /// Name of the structure.
     pub(crate) structure: String,
-    /// The load set.
+    /// The subcase; absent where the deck has one boundary condition only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) subcase: Option<u32>,
+    /// The load set; zero where only motions are enforced.
     pub(crate) load_set: u32,
     /// Whether deflections are large.
     pub(crate) large_deflections: bool,
@@ -36,6 +39,9 @@ pub(crate) struct StaticsResult {
     pub(crate) largest_local_rotation_deg: Option<f64>,
     /// Wall clock.
     pub(crate) seconds: f64,
+    /// The other subcases; absent if there are none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(crate) further: Vec<StaticsResult>,
 }
 
 /// An equilibrium on the way of the load.

@@ -12,6 +12,7 @@ mod discover_map;
 mod docs;
 mod flightloads;
 mod flutter;
+mod flutter_deck;
 mod free;
 mod hidden;
 mod loads;
@@ -46,6 +47,7 @@ pub(crate) fn page(written: Written) -> Option<Page> {
         "flightloads" => flightloads::page,
         "flutter" => flutter::page,
         "free" => free::page,
+        "flutter --deck" => flutter_deck::page,
         "loads" => loads::page,
         "modes" => modes::page,
         "statics" => statics::page,
