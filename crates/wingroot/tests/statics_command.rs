@@ -197,3 +197,19 @@ fn a_motion_that_spc_enforces_is_met_and_its_reaction_is_that_of_the_beam() {
     assert!(said.contains("SPC enforces motions"), "{said}");
     std::fs::remove_dir_all(folder).expect("it was made above");
 }
+
+#[test]
+fn the_load_of_the_case_control_is_taken_unless_another_is_named() {
+    let folder = folder("load");
+    let tip = |arguments: &[&str]| {
+        let result = result(&folder, &[&["--deck", "wing.bdf"], arguments].concat());
+        result["linear_displacement_m"][2].as_f64().expect("a number")
+    };
+    // P L^3 / 3 E I of P = 1 (set 30) and P = 4 (set 20).
+    cantilever(&folder, "LOAD = 30\n");
+    assert!((tip(&[]) - 1.0 / 3.0).abs() < 1e-6, "LOAD before the first SUBCASE");
+    assert!((tip(&["--load", "20"]) - 4.0 / 3.0).abs() < 1e-6, "--load says more than the deck");
+    cantilever(&folder, "SUBCASE 1\nLOAD = 20\nSUBCASE 7\nLOAD = 30\n");
+    assert!((tip(&["--subcase", "7"]) - 1.0 / 3.0).abs() < 1e-6, "LOAD of subcase 7");
+    std::fs::remove_dir_all(&folder).expect("it was made above");
+}

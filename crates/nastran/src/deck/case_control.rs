@@ -24,8 +24,6 @@ pub struct Subcase {
     pub mpc: Option<u32>,
     /// SUPORT1.
     pub support: Option<u32>,
-    /// LOAD: static loads.
-    pub load: Option<u32>,
     /// METHOD: EIGRL or EIGR.
     pub method: Option<u32>,
     /// LOAD: static loads.
@@ -172,7 +170,6 @@ fn select(case: &mut Subcase, command: &Command, name: &str, value: Option<&str>
             });
         }
         "SUPORT1" => case.support = one()?,
-        "LOAD" => case.load = one()?,
         "METHOD" => case.method = one()?,
         "LOAD" => case.load = one()?,
         "TEMP" | "TEMPERATURE" if !is_initial(&command.text) => case.temperature = one()?,
