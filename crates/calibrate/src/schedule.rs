@@ -52,7 +52,7 @@ impl From<CorrectionSet> for SetInFile {
 }
 
 /// Corrections by airspeed, as in `corrections.ron`.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename = "Corrections")]
 pub struct Schedule {
     /// Name of the wing.

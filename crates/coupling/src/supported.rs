@@ -69,11 +69,7 @@ impl SupportedStructure {
         balance: &Point3<f64>,
     ) -> Result<(Self, RigidInertia), CouplingError> {
         let flexibility = Flexibility::new(system)?;
-        let mut s_dofs = spline.used_dofs();
-        if !s_dofs.contains(&(6 * tip + 2)) {
-            s_dofs.push(6 * tip + 2);
-            s_dofs.sort_unstable();
-        }
+        let s_dofs = s_set(spline, tip);
         let displaced = |f_g: MatRef<'_, f64>| {
             system.expand(flexibility.displacements(system.reduce(f_g).as_ref()).as_ref())
         };
@@ -98,6 +94,27 @@ impl SupportedStructure {
         });
         let sag = sag.as_ref().subcols(0, 3).to_owned();
         Ok((Self::from_parts(s_dofs, symmetric(&f), sag, weight, spline, tip)?, inertia))
+    }
+
+    /// What takes long of [`SupportedStructure::with_inertia`], as matrices that [`SupportedStructure::of_matrices`] takes.
+    pub fn matrices(&self, inertia: &RigidInertia) -> [Mat<f64>; 7] {
+        let RigidInertia { motions, sag, mass, work } = inertia;
+        [&self.flexibility, &self.sag, &self.weight, motions, sag, mass, work].map(Clone::clone)
+    }
+
+    /// From the matrices that [`SupportedStructure::matrices`] gave; `None` if they are not of this spline's s-set.
+    pub fn of_matrices(matrices: Vec<Mat<f64>>, spline: &Spline, tip: usize) -> Option<(Self, RigidInertia)> {
+        let s_dofs = s_set(spline, tip);
+        let s = s_dofs.len();
+        let sizes = [(s, s), (s, 3), (3, 3), (s, 6), (s, 6), (6, 6), (6, 6)];
+        let [flexibility, sag_of_weight, weight, motions, sag, mass, work]: [Mat<f64>; 7] =
+            matrices.try_into().ok()?;
+        let all = [&flexibility, &sag_of_weight, &weight, &motions, &sag, &mass, &work];
+        if all.map(|matrix| (matrix.nrows(), matrix.ncols())) != sizes {
+            return None;
+        }
+        let structure = Self::from_parts(s_dofs, flexibility, sag_of_weight, weight, spline, tip).ok()?;
+        Some((structure, RigidInertia { motions, sag, mass, work }))
     }
 
     /// From given matrices, for structures that come as numbers (another code's, or truncated to some modes).
@@ -152,6 +169,16 @@ impl SupportedStructure {
         }
         g
     }
+}
+
+/// The degrees of freedom that the spline uses and the tip's height, ascending.
+fn s_set(spline: &Spline, tip: usize) -> Vec<usize> {
+    let mut s_dofs = spline.used_dofs();
+    if !s_dofs.contains(&(6 * tip + 2)) {
+        s_dofs.push(6 * tip + 2);
+        s_dofs.sort_unstable();
+    }
+    s_dofs
 }
 
 /// The rows `dofs` of a matrix.

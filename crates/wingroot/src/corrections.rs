@@ -1,6 +1,6 @@
 //! A wing with its corrections: from a file, from the last `calibrate` if it was of this wing, or found now.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use calibrate::posterior::posterior;
 use calibrate::{Calibration, Campaign, CorrectionSet, Ensemble, Schedule, Settings, calibrate};
@@ -10,9 +10,12 @@ use nastran::InputError;
 use crate::args::{Given, Measured};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
+use crate::store::Shared;
 
 /// File of an ensemble, beside the corrections that it spreads about.
 pub(crate) const ENSEMBLE: &str = "ensemble.ron";
+/// Name of a calibration among what processes share.
+const CORRECTIONS: &str = "corrections";
 
 impl From<CouplingError> for Failure {
     fn from(error: CouplingError) -> Self {
@@ -64,6 +67,14 @@ impl CorrectedWing {
 /// # Errors
 /// Bad input, corrections of another wing, or a calibration that cannot be done.
 pub(crate) fn corrected_wing(given: &Given) -> Result<CorrectedWing, Failure> {
+    corrected_wing_shared(given, &Shared::default())
+}
+
+/// The same; a calibration that would be made now is taken from what processes share, or made and left there.
+///
+/// # Errors
+/// As [`corrected_wing`].
+pub(crate) fn corrected_wing_shared(given: &Given, shared: &Shared) -> Result<CorrectedWing, Failure> {
     let (file, wing) = ElasticWing::read(&given.measured.wing_path()?)?;
     if let Some(path) = given.corrections.as_deref() {
         let schedule = given.schedule(path)?;
@@ -76,23 +87,86 @@ pub(crate) fn corrected_wing(given: &Given) -> Result<CorrectedWing, Failure> {
         let ensemble = given.ensemble(path, &schedule)?;
         return Ok(CorrectedWing { file, wing, schedule, origin: path.display().to_string(), ensemble });
     }
-    let last = crate::common::results("calibrate").join("corrections.ron");
-    if let Some(schedule) = given.schedule(&last).ok().filter(|schedule| schedule.wing_hash == file.hash) {
+    let last = last();
+    if let Some(schedule) = of_last(given, &file) {
         check_boxes(&schedule, &wing, &last)?;
         let ensemble = given.ensemble(&last, &schedule)?;
         return Ok(CorrectedWing { file, wing, schedule, origin: last.display().to_string(), ensemble });
     }
+    let Wanted { campaign, inputs, origin } = wanted(given, &file)?;
+    let schedule = if let Some(kept) = kept(shared, &inputs) {
+        kept
+    } else {
+        crate::show::note(&format!("no corrections of this wing in {}: {origin}", last.display()));
+        let schedule = schedule(&file, &calibrated(&file, &wing, &campaign)?);
+        shared.put_bytes(CORRECTIONS, &inputs, &serde_json::to_vec(&schedule).map_err(Failure::computation)?);
+        schedule
+    };
+    let schedule = converged(schedule, given)?;
+    Ok(CorrectedWing { file, wing, schedule, origin, ensemble: None })
+}
+
+/// Corrections that another process calibrated, of a wing that need not be assembled for them.
+pub(crate) struct Left {
+    /// The wing's file.
+    pub(crate) file: WingFile,
+    /// Its corrections.
+    pub(crate) schedule: Schedule,
+    /// Where they come from, in words.
+    pub(crate) origin: String,
+}
+
+/// What another process has left of the calibration that [`corrected_wing_shared`] would make; none if it would make none.
+///
+/// # Errors
+/// As [`corrected_wing`].
+pub(crate) fn left_by_another(given: &Given, shared: &Shared) -> Result<Option<Left>, Failure> {
+    let file = WingFile::read(&given.measured.wing_path()?)?;
+    if given.corrections.is_some() || of_last(given, &file).is_some() {
+        return Ok(None);
+    }
+    let Wanted { inputs, origin, .. } = wanted(given, &file)?;
+    let Some(schedule) = kept(shared, &inputs) else { return Ok(None) };
+    Ok(Some(Left { file, schedule: converged(schedule, given)?, origin }))
+}
+
+/// A calibration that is wanted.
+struct Wanted {
+    campaign: Campaign,
+    /// What it depends on, as text.
+    inputs: String,
+    /// Where corrections come from then, in words.
+    origin: String,
+}
+
+fn wanted(given: &Given, file: &WingFile) -> Result<Wanted, Failure> {
     let measured = Measured { wing: Some(file.path.clone()), ..given.measured.clone() };
     let campaign = Campaign::read(&measured.campaign_path()?)?;
+    let inputs = format!("{} {campaign:?}", file.hash);
     let origin = format!("calibrated now from {}", campaign.folder.display());
-    crate::show::note(&format!("no corrections of this wing in {}: {origin}", last.display()));
-    let calibration = calibrated(&file, &wing, &campaign)?;
-    let schedule = schedule(&file, &calibration);
-    if !schedule.unconverged.is_empty() && !given.accept_unconverged {
-        let message = format!("the fit did not converge: {}", schedule.unconverged.join(", "));
-        return Err(Failure::Computation(message + "; --accept-unconverged goes on with it"));
+    Ok(Wanted { campaign, inputs, origin })
+}
+
+fn kept(shared: &Shared, inputs: &str) -> Option<Schedule> {
+    serde_json::from_slice(&shared.bytes(CORRECTIONS, inputs)?).ok()
+}
+
+/// Where the last `calibrate` has written its corrections.
+fn last() -> PathBuf {
+    crate::common::results("calibrate").join("corrections.ron")
+}
+
+/// Those corrections, if they are of this wing.
+fn of_last(given: &Given, file: &WingFile) -> Option<Schedule> {
+    given.schedule(&last()).ok().filter(|schedule| schedule.wing_hash == file.hash)
+}
+
+fn converged(schedule: Schedule, given: &Given) -> Result<Schedule, Failure> {
+    if schedule.unconverged.is_empty() || given.accept_unconverged {
+        return Ok(schedule);
     }
-    Ok(CorrectedWing { file, wing, schedule, origin, ensemble: None })
+    let message = format!("the fit did not converge: {}", schedule.unconverged.join(", "));
+    Err(Failure::Computation(message + "; --accept-unconverged goes on with it"))
 }
 
 /// The ensemble beside corrections; none if there is no such file or it is of other corrections, which is said.

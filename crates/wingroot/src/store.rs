@@ -14,10 +14,12 @@ use serde::de::DeserializeOwned;
 mod index;
 mod inputs;
 mod segment;
+mod shared;
 
 pub use index::{Foreign, Standing};
 pub use inputs::Inputs;
 pub use segment::{Told, unique};
+pub use shared::Shared;
 
 use crate::failure::Failure;
 use crate::fingerprint::Fingerprint;
@@ -48,14 +50,22 @@ impl Store {
         Self { folder, inputs: inputs.into(), label: "whole".to_owned(), state: Mutex::default() }
     }
 
-    /// The store of the results that will stand at `target`: `.NAME.finished` beside it.
+    /// The store of the results that will stand at `target`.
     ///
     /// # Errors
     /// If the target has no place.
     pub fn beside(target: &Path, inputs: impl Into<Inputs>) -> Result<Self, Failure> {
+        Ok(Self::new(Self::folder_beside(target)?, inputs))
+    }
+
+    /// The folder of that store: `.NAME.finished` beside the target.
+    ///
+    /// # Errors
+    /// If the target has no place.
+    pub fn folder_beside(target: &Path) -> Result<PathBuf, Failure> {
         let target = std::path::absolute(target).map_err(|error| refused(target, &error))?;
         let name = target.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-        Ok(Self::new(target.with_file_name(format!(".{name}.finished")), inputs))
+        Ok(target.with_file_name(format!(".{name}.finished")))
     }
 
     /// With the name that this process' segment begins with, such as that of its part.

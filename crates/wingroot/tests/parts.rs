@@ -1,12 +1,15 @@
 //! A sweep in parts: any order, twice, at once, killed, dealt out anew: the bytes of one process; and what is refused.
 
+mod result_files;
 mod segments;
 
 use std::collections::BTreeMap;
+use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::time::Duration;
 
+use result_files::files;
 use segments::finished;
 
 const CASES: &str = r#"Cases(
@@ -35,9 +38,13 @@ struct Sweep(PathBuf);
 
 impl Sweep {
     fn new(name: &str) -> Self {
+        Self::of(name, CASES)
+    }
+
+    fn of(name: &str, cases: &str) -> Self {
         let folder = std::env::temp_dir().join(format!("wingroot-parts-{name}-{}", std::process::id()));
         std::fs::create_dir_all(&folder).expect("a folder of our own");
-        std::fs::write(folder.join("cases.ron"), CASES).expect("a file of our own");
+        std::fs::write(folder.join("cases.ron"), cases).expect("a file of our own");
         Self(folder)
     }
 
@@ -80,11 +87,15 @@ impl Sweep {
         String::from_utf8_lossy(&output.stderr).into_owned()
     }
 
+    /// What one process writes; its page names the file of the cases, which is another in each test.
+    fn whole(&self) -> BTreeMap<String, Vec<u8>> {
+        self.finishes(&[], "whole", &[]);
+        assert!(!self.store("whole").exists(), "what is finished is in the results");
+        self.files("whole")
+    }
+
     fn files(&self, out: &str) -> BTreeMap<String, Vec<u8>> {
-        let entries = std::fs::read_dir(self.0.join(out)).expect("a result folder").flatten();
-        entries
-            .map(|e| (e.file_name().to_string_lossy().into_owned(), std::fs::read(e.path()).expect("a file")))
-            .collect()
+        files(&self.0.join(out))
     }
 }
 
@@ -102,7 +113,6 @@ fn ends(child: Child) {
 #[test]
 fn parts_in_any_order_twice_at_once_and_dealt_out_anew_merge_to_the_bytes_of_one_process() {
     let sweep = Sweep::new("order");
-    sweep.finishes(&[], "whole", &[]);
     // the third of three twice at once, the first by an array's variables, and all of two after a change of mind
     let twice = [0, 1].map(|_| sweep.command(&[], "parts", &["--part", "3/3"]).spawn().expect("it starts"));
     twice.into_iter().for_each(ends);
@@ -120,38 +130,142 @@ fn parts_in_any_order_twice_at_once_and_dealt_out_anew_merge_to_the_bytes_of_one
     assert_eq!(after.len(), 2 * 3 * 18, "two models, three airspeeds, eighteen actions");
 
     sweep.finishes(&["merge"], "parts", &[]);
-    assert_eq!(sweep.files("parts"), sweep.files("whole"));
-    assert!(sweep.store("parts").exists() && !sweep.store("whole").exists());
+    assert!(sweep.files("parts") == sweep.whole(), "merged parts are not what one process writes");
+    assert!(sweep.store("parts").exists());
+}
+
+/// Fingerprints of the results in a store by the hashes of their cases.
+fn prints(store: &Path) -> BTreeMap<String, u64> {
+    let print = |result: String| {
+        let mut hasher = DefaultHasher::new();
+        result.hash(&mut hasher);
+        hasher.finish()
+    };
+    finished(store).into_iter().map(|(hash, result)| (hash, print(result))).collect()
+}
+
+/// Waits for a part and gives the largest memory it had, bytes; zero where the system does not tell.
+fn peak_bytes(mut child: Child) -> f64 {
+    let status = format!("/proc/{}/status", child.id());
+    let mut peak = 0.0;
+    while child.try_wait().expect("a child").is_none() {
+        let text = std::fs::read_to_string(&status).unwrap_or_default();
+        let line = text.lines().find_map(|line| line.strip_prefix("VmHWM:")?.trim().strip_suffix(" kB"));
+        peak = line.and_then(|kilobytes| kilobytes.parse::<f64>().ok()).map_or(peak, |now| 1024.0 * now);
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    ends(child);
+    peak
 }
 
 #[test]
 fn parts_killed_at_random_moments_lose_what_was_in_the_air_only() {
-    let kills = if std::env::var_os("RUN_SLOW_TESTS").is_some() { 100 } else { 5 };
-    let sweep = Sweep::new("kills");
-    sweep.finishes(&[], "whole", &[]);
-    let expected = sweep.files("whole");
-    let mut kept = BTreeMap::new();
+    let slow = std::env::var_os("RUN_SLOW_TESTS").is_some();
+    // two models, twenty airspeeds, so many rates of roll
+    let (kills, parts, rates, within_s) = if slow { (100, 16, 2500, 6.0) } else { (5, 4, 10, 2.5) };
+    if !slow {
+        eprintln!(
+            "{} trims, {kills} kills: RUN_SLOW_TESTS=1 has a hundred thousand and a hundred",
+            40 * rates
+        );
+    }
+    let list = |values: Vec<f64>| values.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+    let airspeeds = list((0..20).map(|i| 22.0 + 0.9 * f64::from(i)).collect());
+    let rates_deg_s = list((1..=rates).map(|i| 90.0 * f64::from(i) / f64::from(rates)).collect());
+    let cases = format!(
+        "Cases(name: \"rolls\", airspeeds_V_m_s: [{airspeeds}], load_factors: [0.0], \
+         maneuvers: [Roll(control: \"outer\", rates_deg_s: [{rates_deg_s}])])"
+    );
+    let sweep = Sweep::of("kills", &cases);
+    let expected = sweep.whole();
+    sweep.finishes(&["prepare"], "killed", &[]);
+    let (mut kept, mut went_on) = (BTreeMap::new(), 0);
     for kill in 0..kills {
-        // moments spread over the two seconds by steps of the golden section, and over all parts
-        let moment = (f64::from(kill) * 0.618_034).fract() * 2.5;
-        let part = format!("{}/4", kill % 4 + 1);
+        // moments spread by steps of the golden section, parts out of order
+        let moment_s = (f64::from(kill) * 0.618_034).fract() * within_s;
+        let part = format!("{}/{parts}", kill * 7 % parts + 1);
         let mut child = sweep
             .command(&[], "killed", &["--part", &part, "--threads", "1"])
             .stderr(Stdio::null())
             .spawn()
             .expect("it starts");
-        std::thread::sleep(Duration::from_secs_f64(moment));
+        std::thread::sleep(Duration::from_secs_f64(moment_s));
         child.kill().expect("it can be killed");
         child.wait().expect("it is gone");
-        let now = finished(&sweep.store("killed"));
+        let now = prints(&sweep.store("killed"));
         assert!(kept.iter().all(|(hash, result)| now.get(hash) == Some(result)), "kill {kill} lost a case");
+        went_on += usize::from(now.len() > kept.len());
         kept = now;
     }
-    for part in ["2/4", "4/4", "1/4", "3/4"] {
-        sweep.finishes(&[], "killed", &["--part", part]);
+    eprintln!("{kills} kills: {} cases were finished before them, in {went_on} of the parts", kept.len());
+    // the last first, every third twice at once
+    for number in (1..=parts).rev() {
+        let part = format!("{number}/{parts}");
+        let copies = if number % 3 == 0 { 2 } else { 1 };
+        let running: Vec<Child> = (0..copies)
+            .map(|_| sweep.command(&[], "killed", &["--part", &part]).spawn().expect("it starts"))
+            .collect();
+        for child in running {
+            let peak = peak_bytes(child);
+            assert!(peak < 1e9, "part {part} had {peak} bytes");
+        }
     }
+    assert_eq!(prints(&sweep.store("killed")).len(), 40 * usize::try_from(rates).expect("a number"));
     sweep.finishes(&["merge"], "killed", &[]);
-    assert_eq!(sweep.files("killed"), expected);
+    assert!(sweep.files("killed") == expected, "merged parts are not what one process writes");
+}
+
+#[test]
+fn parts_take_what_prepare_left_and_compute_again_what_is_damaged() {
+    let sweep = Sweep::new("shared");
+    sweep.finishes(&["prepare"], "out", &[]);
+    let shared = |name: &str| -> Vec<PathBuf> {
+        let entries = std::fs::read_dir(sweep.store("out")).expect("a store").flatten().map(|e| e.path());
+        let is_it = |path: &PathBuf| {
+            let file = path.file_name().expect("a name").to_string_lossy();
+            file.starts_with(name) && file.ends_with(".shared")
+        };
+        entries.filter(is_it).collect()
+    };
+    let names = ["corrections", "flexibility", "air"];
+    let left: Vec<(PathBuf, Vec<u8>)> = names
+        .iter()
+        .map(|name| {
+            let [path] = &shared(name)[..] else { panic!("one file of {name}") };
+            (path.clone(), std::fs::read(path).expect("a file"))
+        })
+        .collect();
+    // what a part says that it read is what prepare left: it says nothing of a calibration, and leaves the files as they are
+    let said = |words: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_wingroot"));
+        let output = command
+            .args(["fullaircraft", "--wing", "data/tuflex/wing_beam.ron", "--cases"])
+            .arg(sweep.0.join("cases.ron"))
+            .arg("--out")
+            .arg(sweep.0.join("out"))
+            .args(words)
+            .current_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("../.."))
+            .output()
+            .expect("it starts");
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8_lossy(&output.stderr).into_owned()
+    };
+    let first = said(&["--part", "1/2"]);
+    assert!(!first.contains("calibrated now") && !first.contains("damaged"), "{first}");
+    for (path, bytes) in &left {
+        let mut other = bytes.clone();
+        let middle = other.len() / 2;
+        other[middle] ^= 1;
+        std::fs::write(path, other).expect("our own file");
+    }
+    let second = said(&["--part", "2/2"]);
+    assert_eq!(second.matches("is damaged: what it holds is computed again").count(), 3, "{second}");
+    assert!(second.contains("calibrated now"), "{second}");
+    for (path, bytes) in &left {
+        assert!(std::fs::read(path).is_ok_and(|now| now == *bytes), "{} is whole again", path.display());
+    }
+    sweep.finishes(&["merge"], "out", &[]);
+    assert!(sweep.files("out") == sweep.whole(), "merged parts are not what one process writes");
 }
 
 #[test]

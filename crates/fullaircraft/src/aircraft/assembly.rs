@@ -11,7 +11,7 @@ use crate::model::cards::{self, Cards};
 use crate::model::closing;
 use aero::{ControlSurface, Corrections, Lattice, MirrorPlane, camber_and_twist};
 use coupling::{
-    Balance, ElasticWing, RigidInertia, Spline, SplineKind, SupportedStructure, WingFile, WingParts,
+    Balance, ElasticWing, Keep, RigidInertia, Spline, SplineKind, SupportedStructure, WingFile, WingParts,
 };
 use nalgebra::Point3;
 use nastran::{BulkData, Frames, InputError};
@@ -79,6 +79,14 @@ impl Aircraft {
     /// # Errors
     /// As [`Aircraft::read`].
     pub fn new(file: AircraftFile, wing: WingFile) -> Result<Self, AircraftError> {
+        Self::kept(file, wing, &())
+    }
+
+    /// The same; its flexibility is taken from where it is kept, or found and kept there.
+    ///
+    /// # Errors
+    /// As [`Aircraft::read`].
+    pub fn kept(file: AircraftFile, wing: WingFile, keep: &dyn Keep) -> Result<Self, AircraftError> {
         let mut cards = cards::build(&file, &wing)?;
         let rest = MassProperties::of_model(&Model::from_bulk(&cards.bulk)?);
         let frames = Frames::resolve(&cards.bulk)?;
@@ -99,11 +107,10 @@ impl Aircraft {
         let tail = [nodes(right_half)?, nodes(left_half)?, nodes(vertical)?];
         let fuselage = nodes(&cards.fuselage_spline)?;
         let centre = node(&free, cards.centre)?;
-        let held = free.clamped_at(centre);
         let mass = free.mass_properties();
         let centre_of_gravity = Point3::new(file.total.x_cg_m, 0.0, 0.0);
-        let (supported, inertia) =
-            SupportedStructure::with_inertia(&held, &spline, right.tip, &centre_of_gravity)?;
+        let place = Held { inputs: inputs(&file, &wing), keep, centre, tip: right.tip };
+        let (supported, inertia) = place.reduced(&free, &spline, &centre_of_gravity)?;
         let parts = WingParts {
             controls: ControlSurface::all_from_bulk(&in_flow, &lattice)?,
             balance: Balance { point: centre_of_gravity, metric: vec![true; lattice.len()] },
@@ -123,6 +130,11 @@ impl Aircraft {
         let flow = ElasticWing::new(parts)?;
         let bulk = cards.bulk;
         Ok(Self { file, wing, bulk, free, spline, flow, right, left, tail, fuselage, centre, mass, inertia })
+    }
+
+    /// What the assembled aircraft depends on, its air without corrections too: another text for another aircraft.
+    pub fn inputs(&self) -> String {
+        inputs(&self.file, &self.wing)
     }
 
     /// Corrections of one wing's boxes spread over the aircraft: the same on the right wing, mirrored on the left,
@@ -167,6 +179,41 @@ impl Aircraft {
                 InputError::at(&place, message)
                     .with_help(format!("controls are {} (L_ is the left one)", names.join(", ")))
             })
+    }
+}
+
+/// The wing's files, as it departs from them, and the aircraft's.
+fn inputs(file: &AircraftFile, wing: &WingFile) -> String {
+    format!("{} {:?} {}", wing.hash, wing.departure, file.text())
+}
+
+/// Name of the flexibility where it is kept.
+const FLEXIBILITY: &str = "flexibility";
+
+/// The structure held at the centre, on its way to the s-set.
+struct Held<'a> {
+    inputs: String,
+    keep: &'a dyn Keep,
+    centre: usize,
+    tip: usize,
+}
+
+impl Held<'_> {
+    fn reduced(
+        &self,
+        free: &System,
+        spline: &Spline,
+        centre_of_gravity: &Point3<f64>,
+    ) -> Result<(SupportedStructure, RigidInertia), AircraftError> {
+        let kept = self.keep.get(FLEXIBILITY, &self.inputs);
+        if let Some(found) = kept.and_then(|kept| SupportedStructure::of_matrices(kept, spline, self.tip)) {
+            return Ok(found);
+        }
+        let held = free.clamped_at(self.centre);
+        let (supported, inertia) =
+            SupportedStructure::with_inertia(&held, spline, self.tip, centre_of_gravity)?;
+        self.keep.put(FLEXIBILITY, &self.inputs, &supported.matrices(&inertia));
+        Ok((supported, inertia))
     }
 }
 

@@ -230,6 +230,11 @@ impl AircraftFile {
         Ok(file)
     }
 
+    /// The file without the place it was read from: another text if anything in it is another.
+    pub fn text(&self) -> String {
+        format!("{:?}", Self { path: PathBuf::new(), ..self.clone() })
+    }
+
     /// Where the wing's file is.
     pub fn wing_path(&self) -> PathBuf {
         self.path.parent().unwrap_or_else(|| Path::new("")).join(&self.wing)

@@ -242,20 +242,11 @@ impl Aircraft {
     ) -> [(&'static str, String); 5] {
         let limits = self.file.lift_limits().ok();
         [
-            ("aircraft", format!("{:?} {limits:?}", AircraftFileText(&self.file))),
+            ("aircraft", format!("{} {limits:?}", self.file.text())),
             ("wing", self.wing.hash.clone()),
             ("corrections", format!("{corrections:?}")),
             ("stations", format!("{:?}", file.stations)),
             ("rules of cases", RULES.to_owned()),
         ]
-    }
-}
-
-/// The file without the place it was read from.
-struct AircraftFileText<'a>(&'a crate::AircraftFile);
-
-impl std::fmt::Debug for AircraftFileText<'_> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        crate::AircraftFile { path: std::path::PathBuf::new(), ..self.0.clone() }.fmt(f)
     }
 }

@@ -21,7 +21,9 @@ use crate::aircraft::assembly::Aircraft;
 use crate::error::AircraftError;
 use crate::flight::gust::GustAxis;
 use crate::flight::modes::FreeModes;
+use crate::flight::solved_air::SolvedAir;
 use aero::{DlmSettings, DoubletLattice, incidence};
+use coupling::Keep;
 use faer::{Mat, MatRef};
 use maneuver::air::{AirTable, MotionColumns, RationalAir, Weighting, accuracy};
 use nalgebra::{Point3, Vector3};
@@ -31,6 +33,8 @@ pub const REDUCED_FREQUENCIES: [f64; 8] = [0.02, 0.05, 0.1, 0.17, 0.26, 0.4, 0.8
 /// Number of lags and the reduced frequencies of their first and last pole, in geometric steps between.
 const LAGS: usize = 10;
 const POLES: [f64; 2] = [0.05, 1.0];
+/// Name of modes and pressures where they are kept.
+const KEPT: &str = "air";
 /// Distance of the stations at which a gust is known, m.
 const GUST_STEP_M: f64 = 0.1;
 /// Rigid motions: angle of attack, sideslip, and rotation rates over V (1/m) about x, y and z through the centre of
@@ -101,7 +105,6 @@ pub struct FlightAir {
     pub rational: RationalAir,
     /// Incidences, boxes by columns.
     pub incidence: MotionColumns,
-    lattice: DoubletLattice,
 }
 
 impl FlightAir {
@@ -110,21 +113,38 @@ impl FlightAir {
     /// # Errors
     /// If the modes do not converge or the lattice cannot be solved.
     pub fn new(aircraft: &Aircraft) -> Result<Self, AircraftError> {
-        let modes = FreeModes::new(aircraft)?;
+        Self::kept(aircraft, &())
+    }
+
+    /// The same; modes and pressures are taken from where they are kept, or found and kept there.
+    ///
+    /// # Errors
+    /// If the modes do not converge or the lattice cannot be solved.
+    pub fn kept(aircraft: &Aircraft, keep: &dyn Keep) -> Result<Self, AircraftError> {
         let wing = &aircraft.flow;
+        let inputs = aircraft.inputs();
+        let kept = keep.get(KEPT, &inputs).and_then(SolvedAir::of_matrices);
+        let modes = kept.as_ref().map_or_else(|| FreeModes::new(aircraft), |kept| Ok(kept.modes.clone()))?;
         let chord_m = mean_chord_m(aircraft);
         let gust_x_m = gust_stations(aircraft);
         let columns =
             AirColumns { modes: modes.elastic(), controls: wing.controls.len(), gusts: gust_x_m.len() };
         let incidence = motions(aircraft, &modes, columns, &gust_x_m);
-        let lattice = DoubletLattice::new(&wing.lattice, wing.plane, wing.mach, &DlmSettings::default())?;
         let kappa = REDUCED_FREQUENCIES.map(|k| 2.0 * k / chord_m);
-        let table = AirTable::new(&lattice, &incidence, &kappa)?;
-        let steady = wing.pressures(incidence.still.as_ref());
+        let solved = if let Some(kept) = kept {
+            kept
+        } else {
+            let table = AirTable::new(&lattice(aircraft)?, &incidence, &kappa)?;
+            let steady = wing.pressures(incidence.still.as_ref());
+            let solved = SolvedAir { modes: modes.clone(), steady, cp: table.cp };
+            keep.put(KEPT, &inputs, &solved.matrices());
+            solved
+        };
+        let table = AirTable { omega_over_v_per_m: kappa.to_vec(), cp: solved.cp };
         let poles = poles_per_m(chord_m);
         let is_incidence = |column| columns.is_incidence(column);
-        let rational = RationalAir::fit(&table, steady, &poles, Weighting::FLIGHT, is_incidence);
-        Ok(Self { modes, columns, gust_x_m, chord_m, table, rational, incidence, lattice })
+        let rational = RationalAir::fit(&table, solved.steady, &poles, Weighting::FLIGHT, is_incidence);
+        Ok(Self { modes, columns, gust_x_m, chord_m, table, rational, incidence })
     }
 
     /// Highest frequency of the table at an airspeed, Hz.
@@ -152,7 +172,7 @@ impl FlightAir {
     /// If the lattice cannot be solved.
     pub fn error_at(&self, aircraft: &Aircraft, k: f64) -> Result<Mat<f64>, AircraftError> {
         let kappa = 2.0 * k / self.chord_m;
-        let exact = self.lattice.at(kappa)?.pressures(self.incidence.incidence(kappa).as_ref());
+        let exact = lattice(aircraft)?.at(kappa)?.pressures(self.incidence.incidence(kappa).as_ref());
         let rows = self.modes.generalised_rows(aircraft);
         let rows = aircraft.flow.integration.rows_by_pressure(rows.as_ref());
         let largest = significant(&accuracy::largest(rows.as_ref(), self.table.cp.iter()));
@@ -186,6 +206,12 @@ impl FlightAir {
     pub fn steady(&self) -> MatRef<'_, f64> {
         self.rational.steady.as_ref()
     }
+}
+
+/// The doublets of all boxes.
+fn lattice(aircraft: &Aircraft) -> Result<DoubletLattice, AircraftError> {
+    let wing = &aircraft.flow;
+    Ok(DoubletLattice::new(&wing.lattice, wing.plane, wing.mach, &DlmSettings::default())?)
 }
 
 /// An entry less than this beside the largest of its row and column (both scaled to one) is left out of account: zero by

@@ -16,5 +16,6 @@ mod point_mass;
 mod rows;
 mod sensors;
 pub mod small_motions;
+mod solved_air;
 mod state;
 pub mod turbulence;

@@ -18,6 +18,7 @@ use crate::ensemble::{Intervals, intervals};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
+use crate::store::Shared;
 
 impl From<AircraftError> for Failure {
     fn from(error: AircraftError) -> Self {
@@ -64,7 +65,8 @@ pub(crate) fn run(args: &FullaircraftArgs, common: &Common) -> Result<(), Failur
     }
     let comparison = effects.compare(&aircraft, &corrections)?;
     let members = wing.with_each(|member| {
-        let Assembled { aircraft, corrections, effects } = assembled(aircraft.file.clone(), member)?;
+        let Assembled { aircraft, corrections, effects } =
+            assembled(aircraft.file.clone(), member, &Shared::default())?;
         let flown = effects.fly(&aircraft, &corrections)?;
         as_json(&Updated { model: flown.numbers(), derivatives: &flown.derivatives })
     })?;

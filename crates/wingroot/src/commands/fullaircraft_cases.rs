@@ -11,12 +11,11 @@ use nastran::InputError;
 use crate::args::Common;
 use crate::commands::fullaircraft_cases_flown::{COMMAND, Flown, Flying};
 use crate::commands::fullaircraft_cases_merged::{Merged, remark, table};
-use crate::commands::fullaircraft_prepared::{FullaircraftArgs, Prepared, prepared};
-use crate::corrections::CorrectedWing;
+use crate::commands::fullaircraft_prepared::{FullaircraftArgs, PreparedCases, prepared_cases};
 use crate::failure::Failure;
 use crate::fingerprint::Fingerprint;
 use crate::show;
-use crate::store::{Inputs, Store, Told};
+use crate::store::{Inputs, Shared, Store, Told};
 use crate::sweep::estimate::{Estimate, peak_memory_bytes};
 use crate::sweep::share::Share;
 use crate::sweep::split::{Weighed, share_of};
@@ -38,8 +37,10 @@ pub(crate) fn run(path: &Path, args: &FullaircraftArgs, common: &Common) -> Resu
     let task = args.sweep.task()?;
     let target = common.out(args.results());
     let file = CasesFile::read(path)?;
-    let Prepared { mut aircraft, corrections, wing: CorrectedWing { origin, .. }, mut inputs, .. } =
-        prepared(args, common)?;
+    let keeps = matches!(task, Task::Prepare | Task::Part(_));
+    let shared = Shared::new(&Store::folder_beside(&target)?, keeps);
+    let PreparedCases { mut aircraft, corrections, origin, mut inputs } =
+        prepared_cases(args, common, &shared)?;
     inputs.push(("cases", file.path.clone()));
     if !aircraft.wing.deflection.is_empty() && !common.quiet {
         show::note(
@@ -63,6 +64,7 @@ pub(crate) fn run(path: &Path, args: &FullaircraftArgs, common: &Common) -> Resu
         models: [&models[0], &models[1]],
         limits: limits.as_deref(),
         store: Store::beside(&target, depends)?.labelled(label),
+        shared: &shared,
         common,
     };
     let here = Here { common, target, inputs, origin, start };
@@ -123,14 +125,20 @@ fn again(flying: &Flying<'_>, hash: Fingerprint, common: &Common) -> Result<(), 
     show::json(common, &result)
 }
 
-/// What all cases share, looked through before many processes begin.
+/// What all cases share, computed and kept before many processes begin.
 fn prepare(flying: &Flying<'_>, common: &Common) -> Result<(), Failure> {
     merging::one_state(&flying.store)?;
+    if flying.grid.cases().any(|case| case.is_dynamic()) {
+        flying.air()?;
+    }
+    let (files, bytes) = flying.shared.size();
     let text = format!(
-        "{} cases of {} boxes; all names are known, and nothing in {} is of another state\n",
+        "{} cases of {} boxes; all names are known, and nothing in {} is of another state; \
+         {files} files of {:.1} MB there spare parts what all cases share\n",
         flying.grid.len(),
         flying.tools.aircraft.flow.lattice.len(),
-        flying.store.folder().display()
+        flying.store.folder().display(),
+        bytes as f64 / 1e6
     );
     show::summary(common, &text);
     Ok(())

@@ -13,7 +13,7 @@ use crate::args::Common;
 use crate::failure::Failure;
 use crate::fingerprint::Fingerprint;
 use crate::progress;
-use crate::store::{Store, Told};
+use crate::store::{Shared, Store, Told};
 use crate::sweep::split::Weighed;
 
 /// Name of the command in results.
@@ -33,6 +33,8 @@ pub(crate) struct Flying<'a> {
     pub(crate) limits: Option<&'a [LiftLimits]>,
     /// What is finished.
     pub(crate) store: Store,
+    /// What all cases share, where it is kept.
+    pub(crate) shared: &'a Shared,
     /// Options of every command.
     pub(crate) common: &'a Common,
 }
@@ -90,8 +92,7 @@ impl Flying<'_> {
         for is_late in [false, true] {
             let cases: Vec<Weighed> =
                 missing.iter().filter(|case| case.is_late == is_late).copied().collect();
-            let air =
-                if is_late && !cases.is_empty() { Some(FlightAir::new(self.tools.aircraft)?) } else { None };
+            let air = if is_late && !cases.is_empty() { Some(self.air()?) } else { None };
             let flight = self.flight(air.as_ref());
             let groups: Vec<&[Weighed]> = cases.chunk_by(|a, b| a.group == b.group).collect();
             groups.par_iter().try_for_each(|group| self.fly_group(&flight, group, &bar, &refused))?;
@@ -103,7 +104,7 @@ impl Flying<'_> {
     /// Flies a case whether it is finished or not; it is kept if it was not.
     pub(crate) fn fly_one(&self, number: usize) -> Result<CaseResult, Failure> {
         let case = self.grid.case(number);
-        let air = if case.is_dynamic() { Some(FlightAir::new(self.tools.aircraft)?) } else { None };
+        let air = if case.is_dynamic() { Some(self.air()?) } else { None };
         let flight = self.flight(air.as_ref());
         let start = Instant::now();
         let result = flight.one(&case, &flight.at(&case))?;
@@ -111,6 +112,11 @@ impl Flying<'_> {
             self.keep(&case, &result, start.elapsed().as_secs_f64())?;
         }
         Ok(result)
+    }
+
+    /// The unsteady air.
+    pub(crate) fn air(&self) -> Result<FlightAir, Failure> {
+        Ok(FlightAir::kept(self.tools.aircraft, self.shared)?)
     }
 
     fn flight<'b>(&'b self, air: Option<&'b FlightAir>) -> CaseFlight<'b> {

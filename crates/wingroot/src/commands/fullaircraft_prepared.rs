@@ -3,15 +3,17 @@
 use std::path::PathBuf;
 
 use aero::Corrections;
+use calibrate::Schedule;
 use clap::Args;
 use fullaircraft::{Aircraft, AircraftFile};
 use nastran::InputError;
 
 use crate::args::{Common, Given, Measured};
 use crate::commands::fullaircraft_effects;
-use crate::corrections::{CorrectedWing, corrected_wing};
+use crate::corrections::{CorrectedWing, Left, corrected_wing_shared, left_by_another};
 use crate::failure::Failure;
 use crate::paths;
+use crate::store::Shared;
 use crate::sweep::SweepArgs;
 
 /// Options of `fullaircraft`.
@@ -69,26 +71,79 @@ pub(crate) struct Prepared {
 
 /// Reads and assembles the aircraft with the corrections of its wing.
 pub(crate) fn prepared(args: &FullaircraftArgs, common: &Common) -> Result<Prepared, Failure> {
+    prepared_shared(asked(args)?, common, &Shared::default())
+}
+
+/// What grids of cases are flown with: no effects but those that are in the corrections.
+pub(crate) struct PreparedCases {
+    /// The aircraft.
+    pub(crate) aircraft: Aircraft,
+    /// Corrections of one wing's boxes.
+    pub(crate) corrections: Corrections,
+    /// Where they come from, in words.
+    pub(crate) origin: String,
+    /// What was read, for the report.
+    pub(crate) inputs: Vec<(&'static str, PathBuf)>,
+}
+
+/// The same aircraft and corrections; what processes share is taken from there or left there.
+pub(crate) fn prepared_cases(
+    args: &FullaircraftArgs,
+    common: &Common,
+    shared: &Shared,
+) -> Result<PreparedCases, Failure> {
+    let asked = asked(args)?;
+    // effects join the corrections by the wing as it stands in the tunnel
+    let left = left_by_another(&asked.given, shared)?.filter(|left| left.file.effects.is_empty());
+    let Some(Left { file: wing, schedule, origin }) = left else {
+        let Prepared { aircraft, corrections, wing, inputs, .. } = prepared_shared(asked, common, shared)?;
+        return Ok(PreparedCases { aircraft, corrections, origin: wing.origin, inputs });
+    };
+    let Asked { file, wing_path, .. } = asked;
+    check_airspeed(&schedule, &file, common)?;
+    let inputs = vec![("aircraft", file.path.clone()), ("wing", wing_path)];
+    let corrections = schedule.nearest(file.correction_airspeed_m_s).corrections.clone();
+    Ok(PreparedCases { aircraft: Aircraft::kept(file, wing, shared)?, corrections, origin, inputs })
+}
+
+/// What options ask for.
+struct Asked {
+    file: AircraftFile,
+    given: Given,
+    wing_path: PathBuf,
+}
+
+fn asked(args: &FullaircraftArgs) -> Result<Asked, Failure> {
     let named = &args.given.measured;
     let file = AircraftFile::read(&paths::aircraft(args.aircraft.as_deref(), named.wing.as_deref())?)?;
     let wing_path = named.wing.clone().unwrap_or_else(|| file.wing_path());
     let measured = Measured { wing: Some(wing_path.clone()), campaign: named.campaign.clone() };
-    let given = Given { measured, ..args.given.clone() };
-    let wing = corrected_wing(&given)?;
+    Ok(Asked { file, given: Given { measured, ..args.given.clone() }, wing_path })
+}
+
+fn prepared_shared(asked: Asked, common: &Common, shared: &Shared) -> Result<Prepared, Failure> {
+    let Asked { file, given, wing_path } = asked;
+    let wing = corrected_wing_shared(&given, shared)?;
+    check_airspeed(&wing.schedule, &file, common)?;
+    let mut inputs = vec![("aircraft", file.path.clone()), ("wing", wing_path)];
+    inputs.extend(Some(("corrections", PathBuf::from(&wing.origin))).filter(|(_, path)| path.is_file()));
+    let Assembled { aircraft, corrections, effects } = assembled(file, &wing, shared)?;
+    Ok(Prepared { aircraft, corrections, effects, wing, inputs })
+}
+
+/// Refuses an airspeed of corrections that was not calibrated; says which set stands for one between those that were.
+fn check_airspeed(schedule: &Schedule, file: &AircraftFile, common: &Common) -> Result<(), Failure> {
     // The nearest set stands for airspeeds between the calibrated ones, as published (40 m/s for 37 and 42 m/s).
-    wing.schedule.at(file.correction_airspeed_m_s).map_err(|refused| {
+    schedule.at(file.correction_airspeed_m_s).map_err(|refused| {
         InputError::in_field(&file.path, "correction_airspeed_m_s", refused.message)
             .with_help("choose an airspeed within those of the calibration")
     })?;
     let asked = file.correction_airspeed_m_s;
-    let nearest_m_s = wing.schedule.nearest(asked).v_m_s;
+    let nearest_m_s = schedule.nearest(asked).v_m_s;
     if nearest_m_s != asked && !common.quiet {
         crate::show::note(&format!("corrections of {nearest_m_s} m/s, the nearest to {asked} m/s"));
     }
-    let mut inputs = vec![("aircraft", file.path.clone()), ("wing", wing_path)];
-    inputs.extend(Some(("corrections", PathBuf::from(&wing.origin))).filter(|(_, path)| path.is_file()));
-    let Assembled { aircraft, corrections, effects } = assembled(file, &wing)?;
-    Ok(Prepared { aircraft, corrections, effects, wing, inputs })
+    Ok(())
 }
 
 /// An aircraft with what its wing brings.
@@ -102,9 +157,13 @@ pub(crate) struct Assembled {
 }
 
 /// The aircraft with a wing in the place of the one it names, and the corrections nearest to the airspeed it asks for.
-pub(crate) fn assembled(file: AircraftFile, wing: &CorrectedWing) -> Result<Assembled, Failure> {
+pub(crate) fn assembled(
+    file: AircraftFile,
+    wing: &CorrectedWing,
+    shared: &Shared,
+) -> Result<Assembled, Failure> {
     let mut corrections = wing.schedule.nearest(file.correction_airspeed_m_s).corrections.clone();
     let effects = fullaircraft_effects::travelling(wing, &file, &mut corrections)?;
-    let aircraft = Aircraft::new(file, wing.file.clone())?;
+    let aircraft = Aircraft::kept(file, wing.file.clone(), shared)?;
     Ok(Assembled { aircraft, corrections, effects })
 }
