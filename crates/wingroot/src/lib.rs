@@ -25,6 +25,7 @@ pub mod matrices;
 pub mod nulls;
 pub mod output;
 pub mod pages;
+mod partitioned;
 pub mod paths;
 pub mod progress;
 pub mod said;

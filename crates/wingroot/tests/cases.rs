@@ -1,12 +1,13 @@
 //! `fullaircraft --cases`, killed in the middle and started again: the same files, byte for byte, as of a run left alone.
 
+mod result_files;
 mod segments;
 
-use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
+use result_files::files;
 use segments::finished;
 
 const CASES: &str = r#"Cases(
@@ -35,12 +36,6 @@ fn command(cases: &Path, out: &Path) -> Command {
     command
 }
 
-fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
-    let entries = std::fs::read_dir(folder).expect("a result folder").flatten();
-    let read = |path: &PathBuf| std::fs::read(path).expect("a file");
-    entries.map(|e| (e.file_name().to_string_lossy().into_owned(), read(&e.path()))).collect()
-}
-
 #[test]
 fn a_killed_run_goes_on_and_ends_with_the_same_bytes() {
     let folder = std::env::temp_dir().join(format!("wingroot-cases-{}", std::process::id()));
@@ -53,6 +48,8 @@ fn a_killed_run_goes_on_and_ends_with_the_same_bytes() {
     let expected = files(&whole);
     let total = String::from_utf8_lossy(&expected["cases.csv"]).lines().count() - 1;
     assert!(expected.contains_key("envelope.csv") && expected.contains_key("envelope.svg"));
+    let rolls = expected.keys().filter(|name| name.starts_with("station_loads/kind=roll/mass_kg="));
+    assert_eq!(rolls.count(), 1, "one table of all rolls: {:?}", expected.keys());
     assert!(!folder.join(".whole.finished").exists(), "what is finished is in the results");
 
     let store = folder.join(".stopped.finished");

@@ -91,6 +91,7 @@ const ONLY_IN: &[(&str, &[&str])] = &[
     ("clap", &["wingroot", "xtask"]),
     ("codespan-reporting", &["wingroot"]),
     ("hdf5-pure", &["wingroot"]),
+    ("parquet", &["wingroot"]),
     ("indicatif", &["wingroot"]),
     ("tracing-subscriber", &["wingroot"]),
     ("numpy", &["python"]),

@@ -90,6 +90,14 @@ impl Case {
         }
     }
 
+    /// Its kind: that of the trim (`roll`), or of the motion (`doublet`).
+    pub fn kind(&self) -> &str {
+        match &self.action {
+            Action::Steady(steady) => steady.kind(),
+            Action::Motion(motion) => motion.kind().words(),
+        }
+    }
+
     /// Whether it is flown in time.
     pub fn is_dynamic(&self) -> bool {
         !matches!(self.action, Action::Steady(_))

@@ -12,6 +12,7 @@ use serde::Serialize;
 
 use crate::commands::fullaircraft_cases_figures as figures;
 use crate::commands::fullaircraft_cases_flown::{COMMAND, Flying};
+use crate::commands::fullaircraft_cases_table::LoadsTable;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
@@ -112,8 +113,14 @@ impl Merged {
         let Self { summary, columns, drawn } = self;
         let folder = ResultFolder::begin(target)?;
         inputs.iter().try_for_each(|(what, path)| folder.input(what, path))?;
-        let rows = (0..summary.cases).map(|number| Ok(columns.csv_row(&read(flying, number)?)));
+        let mut table = LoadsTable::new(&folder, flying);
+        let rows = (0..summary.cases).map(|number| {
+            let result = read(flying, number)?;
+            table.add(&flying.grid.case(number), &result)?;
+            Ok(columns.csv_row(&result))
+        });
         folder.write_lines("cases.csv", std::iter::once(Ok(columns.csv_head())).chain(rows))?;
+        table.finish()?;
         folder.write_text("envelope.csv", &envelope_csv(&summary.envelope))?;
         if !summary.envelope.is_empty() {
             folder.write_figure_of(

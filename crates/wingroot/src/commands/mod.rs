@@ -136,6 +136,7 @@ mod fullaircraft_cases;
 mod fullaircraft_cases_figures;
 mod fullaircraft_cases_flown;
 pub(crate) mod fullaircraft_cases_merged;
+pub(crate) mod fullaircraft_cases_table;
 pub(crate) mod fullaircraft_deck;
 mod fullaircraft_derivatives;
 mod fullaircraft_effects;
