@@ -4,6 +4,7 @@
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::OnceLock;
 
 use serde_json::Value;
 
@@ -31,12 +32,23 @@ fn flown(folder: &Path, command: &[&str]) -> (Value, String) {
     (serde_json::from_str(&result).unwrap(), said)
 }
 
+/// A folder with the calibration of the shipped wing in it, made once for all tests.
 fn calibrated(name: &str) -> PathBuf {
+    static ONCE: OnceLock<PathBuf> = OnceLock::new();
+    let once = ONCE.get_or_init(|| {
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("ensemble");
+        std::fs::remove_dir_all(&folder).ok();
+        let out = folder.display().to_string();
+        let (status, said) = run(&[&["calibrate"], &WING[..], &["--out", &out]].concat());
+        assert_eq!(status, Some(0), "{said}");
+        folder
+    });
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     std::fs::remove_dir_all(&folder).ok();
-    let out = folder.join("calibrate").display().to_string();
-    let (status, said) = run(&[&["calibrate"], &WING[..], &["--out", &out]].concat());
-    assert_eq!(status, Some(0), "{said}");
+    std::fs::create_dir_all(folder.join("calibrate")).unwrap();
+    for name in ["corrections.ron", "ensemble.ron"] {
+        std::fs::copy(once.join(name), folder.join("calibrate").join(name)).unwrap();
+    }
     folder
 }
 
