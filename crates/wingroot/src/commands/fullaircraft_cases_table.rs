@@ -34,7 +34,7 @@ pub(crate) struct LoadsTable {
 impl LoadsTable {
     /// In a result folder.
     pub(crate) fn new(folder: &ResultFolder, flying: &Flying<'_>) -> Self {
-        // with a point in any case: readers take a column of whole numbers for another type
+        // with a point in any case: DuckDB takes whole numbers in names of folders for numbers, all others for words
         let mass_kg = format!("{:?}", flying.tools.aircraft.file.total.mass_kg);
         Self { table: Partitioned::new(folder.path(), TABLE, &COLUMNS), mass_kg }
     }
