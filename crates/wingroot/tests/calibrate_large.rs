@@ -1,5 +1,6 @@
 //! `calibrate` of a wing that bends far, as a user runs it: tip deflections of other codes up to a third of the semispan.
 
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -29,7 +30,8 @@ fn folder() -> PathBuf {
     let number = |row: &Value, at: usize| row[at].as_f64().expect("a number");
     let mut text = String::from("V_m_s,alpha_deg,tip_z_m\n");
     for row in rows.iter().filter(|row| (7.0..=50.0).contains(&number(row, 0))) {
-        text += &format!("{},5,{}\n", number(row, 0), 0.01 * number(row, 1) * SEMISPAN_M);
+        let tip_m = 0.01 * number(row, 1) * SEMISPAN_M;
+        writeln!(text, "{},5,{tip_m}", number(row, 0)).expect("text");
     }
     std::fs::write(folder.join("campaign/static.csv"), text).expect("a file");
     folder

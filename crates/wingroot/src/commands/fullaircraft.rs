@@ -65,7 +65,8 @@ pub(crate) fn run(args: &FullaircraftArgs, common: &Common) -> Result<(), Failur
     }
     let comparison = effects.compare(&aircraft, &corrections)?;
     let members = wing.with_each(|member| {
-        let Assembled { aircraft, corrections, effects } = assembled(aircraft.file.clone(), member, &Shared::default())?;
+        let Assembled { aircraft, corrections, effects } =
+            assembled(aircraft.file.clone(), member, &Shared::default())?;
         let flown = effects.fly(&aircraft, &corrections)?;
         as_json(&Updated { model: flown.numbers(), derivatives: &flown.derivatives })
     })?;
