@@ -31,15 +31,15 @@ fn stations(aircraft: &Aircraft) -> Vec<Station> {
 /// Flies the shipped aircraft with beams from level flight.
 fn flying(axis: GustAxis, then: impl FnOnce(&FlightLoads<'_>)) {
     let aircraft = whole();
-    let tools = TrimTools::new(aircraft, &[]).unwrap();
+    let tools = TrimTools::new(aircraft, &[]).expect("the shipped aircraft flies");
     let model = aircraft.uncorrected();
-    let at = tools.at(&model, V_M_S).unwrap();
-    let found = at.solve(&Steady::Level.case(&aircraft.file, V_M_S)).unwrap();
+    let at = tools.at(&model, V_M_S).expect("the shipped aircraft flies");
+    let found = at.solve(&Steady::Level.case(&aircraft.file, V_M_S)).expect("the shipped aircraft flies");
     let point = FlightPoint { v_m_s: V_M_S, load_factor: 1.0, pitch_rate_deg_s: 0.0 };
     let trimmed = at.trimmed(&found, &point);
     let steady = at.nodal_loads(&found);
     let trim = LoadedTrim { model: &model, air: air(), trimmed: &trimmed, steady, drives: Vec::new(), axis };
-    then(&FlightLoads::new(trim, stations(aircraft), 0.001).unwrap());
+    then(&FlightLoads::new(trim, stations(aircraft), 0.001).expect("the shipped aircraft flies"));
 }
 
 fn in_turbulence<'a>(flight: &'a FlightLoads<'_>, cut_off_hz: f64, panels: f64) -> TurbulentLoads<'a> {
