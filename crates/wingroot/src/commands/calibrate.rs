@@ -123,7 +123,8 @@ fn found(
     let settings = Settings::of_wing(&file.correction);
     if matches!(fitted, Fitted::Large(..)) {
         if args.next.is_some() {
-            let message = "--next ranks by intervals of predictions, which are known with small deflections only";
+            let message =
+                "--next ranks by intervals of predictions, which are known with small deflections only";
             let help = "take `geometry: Nonlinear` out of the wing's file for it";
             return Err(InputError::general(message).with_help(help).into());
         }

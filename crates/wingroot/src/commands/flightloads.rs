@@ -61,7 +61,8 @@ pub(crate) fn run(args: &FlightloadsArgs, common: &Common) -> Result<(), Failure
             .with_help("name a `wing`, or bring columns such as initial_root_Mx_Nm in the tables")
             .into());
     }
-    let covered = args.package.as_deref().map(|package| coverage::coverage(package, &channels, &all)).transpose()?;
+    let covered =
+        args.package.as_deref().map(|package| coverage::coverage(package, &channels, &all)).transpose()?;
     let folder = ResultFolder::begin(&common.out("flightloads"))?;
     folder.input("measured", &path)?;
     if let Some(wing) = &wing {
