@@ -115,10 +115,10 @@ fn a_deck_with_turned_axes_or_other_splines_is_refused_in_words() {
     bulk.aero_reference.as_mut().unwrap().acsid = 77;
     let error = TrimDeck::new(&bulk, 0.9).unwrap_err();
     assert!(error.to_string().contains("ACSID"), "{error}");
-    let mut bulk = deck("SPLINE9,900,1000,1,,1100,,IPS\n", &[]);
+    let mut bulk = deck("SPLINE6,900,1000,1,,1100,,IPS\n", &[]);
     bulk.splines.clear();
     let error = TrimDeck::new(&bulk, 0.9).unwrap_err();
-    assert!(error.to_string().contains("SPLINE9"), "{error}");
+    assert!(error.to_string().contains("SPLINE6"), "{error}");
 }
 
 #[test]

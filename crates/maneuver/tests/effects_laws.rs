@@ -267,9 +267,8 @@ fn a_wake_that_remembers_longer_answers_as_the_wake_does_to_faster_motion() {
         let instant = without_memory.responses(&Change::none(rom.zones.len()), &[omega], false)[0]
             [(0, Drive::INCIDENCE)];
         let lacking = lift(0.0, omega) - instant;
-        // the gain acts on the function with few poles
         assert!(
-            (unsteady - lacking).norm() < 0.1 * lacking.norm(),
+            (unsteady - lacking).norm() < 1e-9 * lacking.norm(),
             "{omega} rad/s: {unsteady} for {lacking}"
         );
     }

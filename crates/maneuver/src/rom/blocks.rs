@@ -29,7 +29,23 @@ impl ReducedOrderModel {
     }
 
     pub(super) fn changed(&self, change: &Change) -> Blocks {
-        self.blocks(&self.zone_sum(change), change)
+        let mut changed = self.blocks(&self.zone_sum(change), change);
+        if change.unsteady != 0.0 {
+            changed.by += faer::Scale(change.unsteady) * &self.unsteady().by;
+        }
+        changed
+    }
+
+    /// All that the unchanged air does beyond the steady answer to the momentary incidence.
+    fn unsteady(&self) -> Blocks {
+        let Blocks { mut by, rows } = self.blocks(&self.air, &Change::none(self.zones.len()));
+        for motion in 0..self.layout.motions() {
+            for row in 0..rows {
+                by[(motion * rows + row, 0)] = 0.0;
+                by[(motion * rows + row, 1)] -= self.quasi_steady_rate[(row, motion)];
+            }
+        }
+        Blocks { by, rows }
     }
 
     pub(super) fn changed_lift(&self, change: &Change) -> Blocks {

@@ -52,10 +52,9 @@ pub struct ReducedOrderModel {
     pub(crate) zone_moment: Vec<Mat<f64>>,
     /// Apparent mass of still air, modes and balance by motions, times s².
     pub(crate) apparent: Mat<f64>,
-    /// What the air remembers, by a rational function with few poles: modes and balance by motions, times s beyond the answer to
-    /// momentary incidences, times s², and one a pole, times s/(s + g V).
-    pub(crate) memory_rate: Mat<f64>,
-    pub(crate) memory_second: Mat<f64>,
+    /// What air without memory gives by rates: modes and balance by motions, times s.
+    pub(crate) quasi_steady_rate: Mat<f64>,
+    /// The wake's part in a rational function with few poles: modes and balance by motions, one a pole, times s/(s + g V).
     pub(crate) wake: Vec<Mat<f64>>,
     pub(crate) wake_poles_per_m: Vec<f64>,
     /// Lift of each zone by the layout's columns, N.
@@ -113,13 +112,12 @@ impl ReducedOrderModel {
             controls: wing.control_names(),
             air: rows.all.as_ref() * box_loads,
             apparent: rows.of_pressures(wing, 0.5 * flow.rho_kg_m3, &corrections, &o.air.instant.second),
-            memory_rate: rows.of_pressures(
+            quasi_steady_rate: rows.of_pressures(
                 wing,
                 0.5 * flow.rho_kg_m3 * flow.v_m_s,
                 &corrections,
-                &(&o.air.beyond.rate - &o.air.quasi_steady.rate),
+                &o.air.quasi_steady.rate,
             ),
-            memory_second: rows.of_pressures(wing, 0.5 * flow.rho_kg_m3, &corrections, &o.air.beyond.second),
             wake: o
                 .air
                 .beyond

@@ -108,7 +108,7 @@ impl ReducedOrderModel {
         }
     }
 
-    /// Apparent mass, a wake with another memory, and more or less of all that is unsteady: the difference of the few poles' functions is added, as the many poles
+    /// Apparent mass and a wake with another memory: the difference of the few poles' functions is added, as the many poles
     /// of the approximation are no lags of their own.
     fn add_memory(&self, z: &mut Mat<c64>, change: &Change, omega: f64) {
         let mut add = |factor: c64, by: &Mat<f64>| {
@@ -121,15 +121,11 @@ impl ReducedOrderModel {
         if change.apparent_mass != 0.0 {
             add(c64::from(-change.apparent_mass * omega * omega), &self.apparent);
         }
-        let s = c64::new(0.0, omega);
-        if change.unsteady != 0.0 {
-            add(change.unsteady * s, &self.memory_rate);
-            add(change.unsteady * s * s, &self.memory_second);
-        }
-        if (change.lag != 0.0 || change.unsteady != 0.0) && self.flow.v_m_s > 0.0 {
+        if change.lag != 0.0 && self.flow.v_m_s > 0.0 {
+            let s = c64::new(0.0, omega);
             let lag = |g: f64| s / (s + c64::from(g * self.flow.v_m_s));
             for (by, &g) in self.wake.iter().zip(&self.wake_poles_per_m) {
-                add((1.0 + change.unsteady) * lag(g / (1.0 + change.lag)) - lag(g), by);
+                add((1.0 + change.unsteady) * (lag(g / (1.0 + change.lag)) - lag(g)), by);
             }
         }
     }

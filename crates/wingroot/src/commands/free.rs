@@ -25,8 +25,10 @@ use crate::{paths, show};
 /// Options of `free`.
 #[derive(Debug, Clone, Default, Args)]
 #[command(after_help = "Examples:
-  wingroot new rig --example bristol && cd rig && wingroot free
-  wingroot free --rig my_rig/rig.ron")]
+  wingroot free
+  wingroot free --rig my_rig/rig.ron
+
+`wingroot new rig --example bristol` makes the folder of a measured rig.")]
 pub struct FreeArgs {
     /// The rig [default: rig.ron of the current folder]; its folder has runs.csv and the folder free
     #[arg(long, value_name = "FILE")]
