@@ -1,7 +1,8 @@
 //! What a null distribution depends on, as fingerprints: the wing, its corrections, the effects with everything that they
 //! declare, the rules, the stated noise, and the campaign's design. Measured loads have no part in it: null campaigns replace
 //! them. Angles, airspeeds and commands have, as they drive the wing. The seed has none: another seed draws from the same
-//! distribution.
+//! distribution. Formulas of effects have no part, as nothing can be read from them: whoever changes one makes the shipped
+//! distribution again.
 
 use crate::data::Dataset;
 use aero::Corrections;

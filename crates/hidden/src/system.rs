@@ -243,10 +243,13 @@ impl Parts {
                     let strip = row % count;
                     let apparent = if derivative == 2 { apparent_mass(physics, strip) } else { 1.0 };
                     let entry = |row: usize| {
-                        let instant =
-                            if derivative == 1 { self.air.quasi_steady_rate[(row, motion)] } else { 0.0 };
-                        let unsteady = if derivative == 0 { 1.0 } else { physics.unsteady };
-                        instant + unsteady * (matrix[(row, motion)] - instant)
+                        let value = matrix[(row, motion)];
+                        let unsteady = match derivative {
+                            0 => 0.0,
+                            1 => value - self.air.quasi_steady_rate[(row, motion)],
+                            _ => value,
+                        };
+                        value + (physics.unsteady - 1.0) * unsteady
                     };
                     let moved = if row < count { 0.0 } else { flap_aft * entry(row - count) };
                     let own = entry(row) - self.strips.chord_m[row % count] * moved;

@@ -152,7 +152,8 @@ pub(crate) fn figures(
         });
         let mass = &design.masses[case.mass].name;
         let title = format!("{}, mass {mass}, {} m, {:.1} m/s", case.condition, case.h_m, case.v_m_s);
-        let caption = "Limit loads in continuous turbulence about level flight, each at its own limit.";
+        let caption = "Limit loads in continuous turbulence about level flight, each at its own limit; airspeed and attitude are held, so that \
+                       an aircraft that diverges in these alone is not refused.";
         folder.write_figure(
             &format!("turbulence_{number}"),
             caption,
