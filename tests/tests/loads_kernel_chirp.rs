@@ -12,12 +12,10 @@
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
-mod loads_kernel;
-
+use crate::loads_kernel::{GRAVITY_M_S2, LoadsKernelWing, MODES, RHO_KG_M3, data};
 use aero::{ControlSurface, Corrections, DlmSettings, Flow, KernelIntegral, Lattice, SpanFit};
 use coupling::{ElasticWing, SteadyCase};
 use faer::c64;
-use loads_kernel::{GRAVITY_M_S2, LoadsKernelWing, MODES, RHO_KG_M3, data};
 use maneuver::{Actuator, AirModel, Motion, Rig, RigModel, RigSettings, Smooth};
 use nastran::table::Table;
 use std::f64::consts::TAU;

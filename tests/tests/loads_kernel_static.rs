@@ -7,11 +7,9 @@
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
-mod loads_kernel;
-
+use crate::loads_kernel::{GRAVITY_M_S2, LoadsKernelWing, RHO_KG_M3, data};
 use aero::{Corrections, Flow, Lattice};
 use coupling::SteadyCase;
-use loads_kernel::{GRAVITY_M_S2, LoadsKernelWing, RHO_KG_M3, data};
 use nastran::table::Table;
 
 fn check(reference: &str, corrections: &Corrections) {

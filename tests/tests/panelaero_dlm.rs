@@ -3,12 +3,10 @@
 
 #![expect(clippy::unwrap_used, reason = "a helper of tests may fail the test where it stands")]
 
-mod panelaero;
-
+use crate::panelaero::{mesh, pitch_axis, table};
 use aero::{DlmSettings, DoubletLattice, KernelIntegral, Lattice, MirrorPlane, SpanFit};
 use faer::{Mat, c64};
 use nalgebra::{Point3, Vector3};
-use panelaero::{mesh, pitch_axis, table};
 use validation::data;
 
 const CASES: [&str; 5] = ["alpha", "heave", "pitch", "bend", "gust"];

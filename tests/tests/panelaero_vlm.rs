@@ -2,11 +2,9 @@
 
 #![expect(clippy::unwrap_used, reason = "a helper of tests may fail the test where it stands")]
 
-mod panelaero;
-
+use crate::panelaero::{mesh, pitch_axis, table};
 use aero::{Corrections, Integration, Lattice, MirrorPlane, SteadyAero, incidence};
 use faer::Mat;
-use panelaero::{mesh, pitch_axis, table};
 use validation::{assert_close, data};
 
 /// Printed to 11 or 13 digits: what is left is round-off.

@@ -3,12 +3,10 @@
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
-mod common;
-
+use crate::common::{campaign, draw, loads, papers_kind, row, small_settings, small_wing};
 use aero::Corrections;
 use calibrate::campaign::ChannelNoise;
 use calibrate::{Calibration, Campaign, Noise, StaticPoint, Weight, calibrate};
-use common::{campaign, draw, loads, papers_kind, row, small_settings, small_wing};
 use coupling::ElasticWing;
 use std::sync::LazyLock;
 
@@ -287,7 +285,7 @@ fn signs_swaps_units_and_other_places_are_told_from_each_other() {
 #[test]
 fn a_weight_that_was_not_tared_is_named_with_its_size_unless_wind_off_rows_show_it() {
     // the wing's weight and its moments, from its own deck
-    let file = coupling::WingFile::read(&common::path("tuflex/wing_beam.ron")).unwrap();
+    let file = coupling::WingFile::read(&crate::common::path("tuflex/wing_beam.ron")).unwrap();
     let model = structure::Model::from_bulk(&file.bulk(coupling::Mount::Tunnel).unwrap()).unwrap();
     let mass = structure::MassProperties::of_model(&model);
     let weight_n = 9.80665 * mass.mass_kg;

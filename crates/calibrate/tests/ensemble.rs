@@ -3,15 +3,13 @@
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
-mod common;
-
+use crate::common::{RHO, campaign, draw, file_with, loads, papers_kind, row, small_settings, wing_of};
 use aero::Flow;
 use calibrate::campaign::ChannelNoise;
 use calibrate::ensemble::ensemble;
 use calibrate::posterior::predictions::Quantity;
 use calibrate::posterior::{Prediction, posterior};
 use calibrate::{Campaign, CorrectionSet, Ensemble, Noise, Reading, Schedule, TipReading, calibrate};
-use common::{RHO, campaign, draw, file_with, loads, papers_kind, row, small_settings, wing_of};
 use coupling::wing_file::{CorrectionPrior, Departure, WingFile};
 use coupling::{ElasticWing, SteadyCase, SteadyModel};
 

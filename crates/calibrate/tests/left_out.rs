@@ -3,10 +3,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
-mod common;
-
+use crate::common::{campaign, draw, loads, papers_kind, row, small_settings, small_wing};
 use calibrate::{Campaign, StaticPoint, TipReading, calibrate};
-use common::{campaign, draw, loads, papers_kind, row, small_settings, small_wing};
 use coupling::ElasticWing;
 
 const ALPHAS_DEG: [f64; 5] = [-4.0, -2.0, 0.0, 2.0, 4.0];

@@ -3,12 +3,10 @@
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
-mod common;
-
+use crate::common::{campaign, draw, loads, papers_kind, row, small_settings, small_wing, wing_with};
 use aero::Corrections;
 use calibrate::campaign::ChannelNoise;
 use calibrate::{Campaign, Ending, Noise, Settings, StaticPoint, calibrate};
-use common::{campaign, draw, loads, papers_kind, row, small_settings, small_wing, wing_with};
 use coupling::ElasticWing;
 
 const ALPHAS_DEG: [f64; 5] = [-4.0, -2.0, 0.0, 2.0, 4.0];
@@ -274,7 +272,7 @@ fn an_airspeed_beyond_divergence_is_an_error() {
         planform.quarter_chord_sweep_deg = -30.0;
     });
     let neutral = Corrections::neutral(wing.correctable.len());
-    let v_d = wing.divergence_speed(common::RHO, &neutral).unwrap().unwrap();
+    let v_d = wing.divergence_speed(crate::common::RHO, &neutral).unwrap().unwrap();
     let points = ALPHAS_DEG.iter().map(|a| row(1.1 * v_d, a.to_radians(), [*a, *a, *a], None)).collect();
     let settings = Settings { chord_strips: 4, ..Settings::default() };
     let error = calibrate(&wing, &campaign(points, Some(noise())), &settings).unwrap_err();

@@ -4,14 +4,12 @@
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
-mod common;
-
+use crate::common::{RHO, campaign, draw, loads, row, small_settings, wing_with};
 use aero::{Corrections, Flow};
 use calibrate::campaign::ChannelNoise;
 use calibrate::posterior::predictions::Quantity;
 use calibrate::posterior::{AirspeedPosterior, posterior};
 use calibrate::{Campaign, Noise, Reading, TipReading, calibrate};
-use common::{RHO, campaign, draw, loads, row, small_settings, wing_with};
 use coupling::wing_file::CorrectionPrior;
 use coupling::{ElasticWing, Rows, SteadyCase, SteadyModel};
 use faer::Mat;

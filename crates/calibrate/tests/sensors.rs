@@ -3,14 +3,12 @@
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
-mod common;
-
+use crate::common::{RHO, campaign, draw, row, small_settings, wing_with};
 use aero::{Corrections, Flow};
 use calibrate::campaign::ChannelNoise;
 use calibrate::posterior::predictions::Quantity;
 use calibrate::posterior::{AirspeedPosterior, Prediction, posterior};
 use calibrate::{Calibration, Campaign, Ending, Noise, Reading, Sensor, Zero, calibrate};
-use common::{RHO, campaign, draw, row, small_settings, wing_with};
 use coupling::wing_file::CorrectionPrior;
 use coupling::{ElasticWing, Rows, SteadyCase, station_rows};
 use faer::Mat;
@@ -227,7 +225,7 @@ fn what_is_not_used_is_said_and_a_rigid_wing_has_no_shape() {
     assert!(said.contains("1 rows with a control deflected are not used"), "{said}");
     let mut rigid = neutral;
     rigid.sensors[0].reads = Reading::Twist { y_over_span: 0.5 };
-    let mut wing = common::wing_with(|planform| planform.boxes.spanwise = 56);
+    let mut wing = crate::common::wing_with(|planform| planform.boxes.spanwise = 56);
     wing.supported = None;
     let error = calibrate(&wing, &rigid, &small_settings()).unwrap_err().to_string();
     assert!(error.contains("reads the wing's shape, but the wing is rigid"), "{error}");

@@ -3,12 +3,10 @@
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
-mod common;
-
+use crate::common::{RHO, campaign, draw, loads, papers_kind, row, small_settings, small_wing, wing_with};
 use aero::{Corrections, Flow};
 use calibrate::campaign::{ChannelNoise, TIP};
 use calibrate::{Campaign, Ending, Noise, Sets, StaticPoint, TipReading, Weight, calibrate};
-use common::{RHO, campaign, draw, loads, papers_kind, row, small_settings, small_wing, wing_with};
 use coupling::{ElasticWing, SteadyCase, SteadyModel};
 
 const ALPHAS_DEG: [f64; 5] = [-4.0, -2.0, 0.0, 2.0, 4.0];

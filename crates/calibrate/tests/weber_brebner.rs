@@ -2,20 +2,18 @@
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
-mod common;
-
 use calibrate::{Calibration, Campaign, Settings, calibrate};
 use coupling::{ElasticWing, SteadyCase, WingFile};
 
 fn calibrated(wing: &ElasticWing) -> Calibration {
-    let file = WingFile::read(&common::path("weber_brebner/wing.ron")).unwrap();
-    let campaign = Campaign::read(&common::path("weber_brebner")).unwrap();
+    let file = WingFile::read(&crate::common::path("weber_brebner/wing.ron")).unwrap();
+    let campaign = Campaign::read(&crate::common::path("weber_brebner")).unwrap();
     calibrate(wing, &campaign, &Settings::of_wing(&file.correction)).unwrap()
 }
 
 #[test]
 fn the_measured_wing_is_calibrated_and_its_curvature_reported() {
-    let wing = ElasticWing::read(&common::path("weber_brebner/wing.ron")).unwrap().1;
+    let wing = ElasticWing::read(&crate::common::path("weber_brebner/wing.ron")).unwrap().1;
     let result = calibrated(&wing);
     let airspeed = &result.airspeeds[0];
     // q S of the half wing turns newtons into the lift coefficient
@@ -32,9 +30,9 @@ fn the_measured_wing_is_calibrated_and_its_curvature_reported() {
 
 #[test]
 fn the_corrected_wing_has_the_measured_spanwise_lift_which_was_not_used() {
-    let wing = ElasticWing::read(&common::path("weber_brebner/wing.ron")).unwrap().1;
+    let wing = ElasticWing::read(&crate::common::path("weber_brebner/wing.ron")).unwrap().1;
     let airspeed = &calibrated(&wing).airspeeds[0];
-    let table = nastran::table::Table::read(&common::path("weber_brebner/strips.csv")).unwrap();
+    let table = nastran::table::Table::read(&crate::common::path("weber_brebner/strips.csv")).unwrap();
     let case = SteadyCase::new(aero::Flow { v_m_s: 49.7, rho_kg_m3: 1.225 }, 4.2_f64.to_radians());
     let q_pa = case.flow.dynamic_pressure_pa();
     let state = &wing.at(case.flow, &airspeed.corrections).unwrap().solve(&[case])[0];

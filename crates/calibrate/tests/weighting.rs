@@ -3,8 +3,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
-mod common;
-
+use crate::common::{RHO, campaign, draw, loads, papers_kind, row, small_settings, small_wing, wing_with};
 use aero::{Corrections, Flow};
 use calibrate::campaign::ChannelNoise;
 use calibrate::objective::line_fit;
@@ -12,7 +11,6 @@ use calibrate::statics::Angle;
 use calibrate::{
     AirspeedData, Campaign, Noise, Sets, Settings, StaticData, StaticPoint, TipReading, calibrate,
 };
-use common::{RHO, campaign, draw, loads, papers_kind, row, small_settings, small_wing, wing_with};
 use coupling::{ElasticWing, SteadyCase, SteadyModel};
 use nastran::Span;
 

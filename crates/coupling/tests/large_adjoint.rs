@@ -2,11 +2,9 @@
 
 #![expect(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
-mod large;
-
+use crate::large::without_skin;
 use aero::{Corrections, Flow, MirrorPlane};
 use coupling::{LargeWing, Mount, RootSensitivity, SteadyCase, SteadyModel, WingFile};
-use large::without_skin;
 use std::path::Path;
 
 /// A wing file of the repository with few boxes.

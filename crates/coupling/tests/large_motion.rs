@@ -1,12 +1,10 @@
 //! Small motions about the bent wing: its modes beside SOL 400 and UM/NAST (Riso and Cesnik, J. Aircraft, 2023), and the air's answer
 //! at rest beside differences of the steady loads.
 
-mod large;
-
+use crate::large::{SEMISPAN_M, without_skin, without_skin_with};
 use aero::{Corrections, DlmSettings, DoubletLattice, Flow, MirrorPlane};
 use coupling::{LargeWing, SteadyCase};
 use faer::{Mat, c64};
-use large::{SEMISPAN_M, without_skin, without_skin_with};
 use serde_json::Value;
 use std::f64::consts::TAU;
 use structure::update::modal_assurance;

@@ -1,11 +1,9 @@
 //! The Pazy wing bent by steady air, root at 5 degrees, beside UM/NAST with a vortex lattice and SOL 400 (Riso and Cesnik, J. Aircraft,
 //! 2023).
 
-mod large;
-
+use crate::large::{SEMISPAN_M, without_skin};
 use aero::{Corrections, Flow, MirrorPlane};
 use coupling::{LargeState, LargeWing, Mount, SteadyCase, WingFile};
-use large::{SEMISPAN_M, without_skin};
 use serde_json::Value;
 use std::path::Path;
 

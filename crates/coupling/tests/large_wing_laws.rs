@@ -2,11 +2,9 @@
 
 #![expect(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
-mod large;
-
+use crate::large::without_skin;
 use aero::{Corrections, Flow, MirrorPlane};
 use coupling::{LargeState, LargeWing, Mount, SteadyCase, WingFile};
-use large::without_skin;
 use nalgebra::{DMatrix, Point3, Rotation3, Vector3};
 use std::path::Path;
 use structure::nonlinear::{Carried, CarriedPoint, Loads, State};

@@ -1,14 +1,12 @@
 //! The shell-and-solid wing that its file generates: counts, geometry and references of the mesh.
 
-mod shell_mesh;
-
+use crate::shell_mesh::{area_vector, centre, corner_jacobians, point, volume};
 use coupling::planform::{
     BALANCE_GRID, FIRST_AXIS_GRID, MeshCounts, Mount, Planform, ROOT_GRID, ShellSolid, Structure,
 };
 use coupling::wing_file::WingFile;
 use nalgebra::Vector3;
 use nastran::{BulkData, MaterialDirection};
-use shell_mesh::{area_vector, centre, corner_jacobians, point, volume};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 

@@ -1,11 +1,9 @@
 //! Masses and beam properties of the shell-and-solid wing, against sums made another way and against the beam's table.
 
-mod shell_mesh;
-
+use crate::shell_mesh::masses;
 use coupling::planform::{Mount, Planform, Profile, ShellSolid, Structure, Surface};
 use coupling::wing_file::WingFile;
 use nalgebra::{Point3, Vector3};
-use shell_mesh::masses;
 use std::path::{Path, PathBuf};
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;

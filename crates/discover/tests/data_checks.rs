@@ -1,8 +1,6 @@
 //! The data checks name every defect that is put into the shipped campaign, and nothing where only the model is wrong.
 
-mod common;
-
-use common::{Flight, shipped};
+use crate::common::{Flight, shipped};
 use discover::data::Dataset;
 use discover::data_checks::{Defect, DefectKind, defects, rough_noise};
 use maneuver::effects::{Active, library};

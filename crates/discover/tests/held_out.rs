@@ -1,8 +1,7 @@
 //! What is held out judges and does nothing else: with every number of it changed, what training data are flown as, the noise,
 //! what is found and the thresholds stay the same to the last bit.
 
-mod known;
-
+use crate::known::{Known, exact, nulls};
 use aero::Corrections;
 use calibrate::{Campaign, CorrectionSet, Schedule, Use};
 use coupling::ElasticWing;
@@ -15,7 +14,6 @@ use discover::rules::VariantRules;
 use discover::search::search;
 use discover::simulator::{Simulator, SplitRig};
 use discover::spectral_lines::spectral_lines;
-use known::{Known, exact, nulls};
 use maneuver::AirModel;
 use maneuver::effects::Flown;
 use std::path::{Path, PathBuf};

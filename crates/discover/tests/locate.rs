@@ -1,11 +1,8 @@
 //! What a residual goes with: effects put into a campaign of the shipped wing are located, none is where there is none,
 //! and the shipped campaign shows its ailerons' curves and the fast pitch in My.
 
-#[expect(dead_code, reason = "other tests use the rest")]
-mod common;
-
+use crate::common::{Flight, shipped};
 use calibrate::Use;
-use common::{Flight, shipped};
 use discover::data::Dataset;
 use discover::locate::{Cell, Located, Maneuver, PureError, Residuals, chirps, map, regressors, variances};
 use discover::rules::LocateRules;

@@ -14,7 +14,7 @@ fn the_page_of_the_documents_is_the_one_of_the_rules() {
     let text = std::fs::read_to_string(&path).unwrap_or_default();
     assert!(
         text == page,
-        "docs/discover_rules.md is not what the rules are: WRITE_RULES=1 cargo test -p wingroot-discover --test rules"
+        "docs/discover_rules.md is not what the rules are: WRITE_RULES=1 cargo test -p wingroot-discover --test discover rules"
     );
 }
 

@@ -1,7 +1,6 @@
 //! What is found, ranked and judged on problems whose answers are known.
 
-mod known;
-
+use crate::known::{Known, effect, exact, nulls};
 use discover::consistency::{scatter, shares};
 use discover::current_model::CurrentModel;
 use discover::detection_limit::detection_limits;
@@ -10,7 +9,6 @@ use discover::null_campaigns::{NullCampaign, NullStore, from_null_campaigns};
 use discover::rank::rank;
 use discover::search::search;
 use discover::verdict::{Gap, Judgement, VerdictKind};
-use known::{Known, effect, exact, nulls};
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -164,10 +162,12 @@ fn points_may_be_off_by_their_tolerance() {
         let known = Known::new(rules, &["pitch"], &[("pitch", [1.1 * size; 2])]);
         CurrentModel::new(&known.setting(), known.problem(), &[effect("pitch", size)]).chi2
     };
-    let noise = 0.81 * 2.0 * known::POINTS as f64;
+    let noise = 0.81 * 2.0 * crate::known::POINTS as f64;
     let kept = |gain: f64| -> f64 {
         let square = |airspeed: usize| -> f64 {
-            (0..known::POINTS).map(|i| (size * known::column("pitch", airspeed, i)).powi(2)).sum()
+            (0..crate::known::POINTS)
+                .map(|i| (size * crate::known::column("pitch", airspeed, i)).powi(2))
+                .sum()
         };
         [0, 1].map(square).map(|s2| 0.01 * s2 / (1.0 + gain * gain * s2)).iter().sum()
     };

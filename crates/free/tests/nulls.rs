@@ -1,17 +1,15 @@
 //! How often a wrong name is given: campaigns of the tests' own integrator, each with other sizes, airspeeds and scatter.
 //! Minutes, so with `RUN_SLOW_TESTS=1` only; the numbers stand in docs/benchmarks.md.
 
-mod independent;
-
 use std::io::Write as _;
 use std::path::Path;
 
+use crate::independent::{Moment, campaign};
 use free::effect::Family;
 use free::points::points;
 use free::rig::Rig;
 use free::search::{Found, search};
 use free::verdict::Answer;
-use independent::{Moment, campaign};
 use rayon::prelude::*;
 
 /// Campaigns of each kind.

@@ -1,9 +1,8 @@
 //! What is named on campaigns of a rig that the crate did not make, and that nothing is named where nothing is missing.
 
-mod independent;
-
 use std::path::{Path, PathBuf};
 
+use crate::independent::{Moment, campaign};
 use free::effect::{Effect, Family};
 use free::fit::Problem;
 use free::held_out::HeldOut;
@@ -12,7 +11,6 @@ use free::predict::{predictions, score};
 use free::rig::Rig;
 use free::search::{Found, search};
 use free::verdict::Answer;
-use independent::{Moment, campaign};
 
 fn data() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/bristol")

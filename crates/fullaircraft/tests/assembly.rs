@@ -1,9 +1,7 @@
 //! What the aircraft is made of: boxes, masses, the mirror image, natural modes.
 
-mod common;
-
+use crate::common::{assert_near, path, whole, wings};
 use aero::{Corrections, Lattice};
-use common::{assert_near, path, whole, wings};
 use coupling::WingFile;
 use coupling::planform::Mount;
 use fullaircraft::model::mirror::Image;

@@ -1,8 +1,6 @@
 //! A grid of cases: how often the aircraft is factorised, what the envelope is made of, and input that makes no sense.
 
-mod common;
-
-use common::{beam_wing, path, whole};
+use crate::common::{beam_wing, path, whole};
 use fullaircraft::cases::envelope::load_envelope;
 use fullaircraft::cases::list::groups;
 use fullaircraft::{Aircraft, AircraftError, Case, CaseFlight, CaseResult, CasesFile, TrimTools};

@@ -1,9 +1,7 @@
 //! Derivatives against what they must be: sums made another way, trims, scaled corrections and a shifted centre of gravity.
 
-mod common;
-
+use crate::common::{assert_near, beam_wing, whole};
 use aero::{BoxLoads, Corrections, Integration, MirrorPlane, SteadyAero, incidence};
-use common::{assert_near, beam_wing, whole};
 use coupling::wing_file::Departure;
 use coupling::{GRAVITY_M_S2, WingFile};
 use fullaircraft::{Aircraft, Coefficients, Steady, TrimTools};

@@ -1,8 +1,6 @@
 //! The V-n envelope against its closed form, strips against the lift they add up to, and warnings where they are due.
 
-mod common;
-
-use common::{assert_near, whole};
+use crate::common::{assert_near, whole};
 use coupling::GRAVITY_M_S2;
 use fullaircraft::LiftLimits;
 use fullaircraft::aircraft::lift_limits::{lift_limits, limits_at};

@@ -1,8 +1,6 @@
 //! Dynamic maneuvers: laws that any aircraft obeys, and the size of the answer to a doublet.
 
-mod common;
-
-use common::{air, assert_near, whole, wings};
+use crate::common::{air, assert_near, whole, wings};
 use fullaircraft::{FlightAir, FlightHistory, FlyingAircraft, FreeFlight, Integration};
 use maneuver::motion::Doublet;
 use nalgebra::Vector3;

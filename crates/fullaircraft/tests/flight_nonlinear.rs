@@ -1,9 +1,7 @@
 //! Nonlinear flight in unsteady air: laws it obeys, closed forms, and its linearisation.
 
-mod common;
-
+use crate::common::{air, assert_near, whole};
 use aero::incidence;
-use common::{air, assert_near, whole};
 use faer::{Mat, MatRef};
 use fullaircraft::{Drive, FlightHistory, FlyingAircraft, FreeFlight, Gust, Integration, Trimmed};
 use maneuver::Signal;

@@ -1,9 +1,7 @@
 //! Trims of the whole aircraft with any free variables and motions: laws of balance, symmetry and mirroring, closed forms of
 //! turn and roll, and refusals in words.
 
-mod common;
-
-use common::{assert_near, whole, wings};
+use crate::common::{assert_near, whole, wings};
 use coupling::GRAVITY_M_S2;
 use coupling::wing_file::StationAt;
 use fullaircraft::{AircraftError, Steady, TrimCase, TrimTools};
@@ -155,7 +153,7 @@ fn thrust_pushes_by_its_weight_s_share_and_pitches_by_its_arm() {
     let mut file = whole().file.clone();
     file.thrust_line =
         Some(fullaircraft::aircraft::file::ThrustLine { point_m: (0.4, 0.0, -0.1), up_deg: 0.0 });
-    let wing = coupling::WingFile::read(&common::beam_wing()).unwrap();
+    let wing = coupling::WingFile::read(&crate::common::beam_wing()).unwrap();
     let aircraft = fullaircraft::Aircraft::new(file, wing).unwrap();
     let tools = TrimTools::new(&aircraft, &[]).unwrap();
     let model = aircraft.uncorrected();
@@ -212,7 +210,7 @@ fn a_trim_that_does_not_exist_says_what_limits_it() {
     let text = refused(&["alpha_deg", "flaps_deg"], &[lift, ("n_x", 0.0)]);
     assert!(text.contains("flaps_deg is no variable"), "{text}");
     // beyond divergence: a wing swept back has none, one that gives way against its loads has
-    let wing = coupling::WingFile::read(&common::beam_wing()).unwrap();
+    let wing = coupling::WingFile::read(&crate::common::beam_wing()).unwrap();
     let mut soft = fullaircraft::Aircraft::new(aircraft.file.clone(), wing).unwrap();
     let held = soft.flow.supported.as_mut().unwrap();
     held.flexibility = &held.flexibility * faer::Scale(-1.0);

@@ -1,8 +1,6 @@
 //! Cards of cases: a cantilever's closed form through them, and the round trip of trims and of a gust's instants.
 
-mod common;
-
-use common::{air, whole};
+use crate::common::{air, whole};
 use coupling::wing_file::StationAt;
 use fullaircraft::flight::loads::LoadedTrim;
 use fullaircraft::package::cards::{CardCase, CardPart, index, structure};

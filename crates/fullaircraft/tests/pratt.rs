@@ -1,7 +1,5 @@
 //! Pratt's formula beside the gust that it stands for, flown: H = 12.5 chords, the structure rigid, pitch held.
 
-mod common;
-
 use fullaircraft::flight::loads::LoadedTrim;
 use fullaircraft::{
     Aircraft, AircraftFile, Component, FlightAir, FlightLoads, FlightPoint, Gust, GustAxis, Steady, TrimTools,
@@ -15,11 +13,11 @@ const CHORDS: f64 = 12.5;
 
 /// The shipped aircraft with beams, so slow in pitch that a gust does not turn it.
 fn held_in_pitch() -> Aircraft {
-    let mut file = AircraftFile::read(&common::path()).expect("shipped files are right");
+    let mut file = AircraftFile::read(&crate::common::path()).expect("shipped files are right");
     let total = &mut file.total;
     // no body is hard to turn about one axis alone
     (total.ixx_kg_m2, total.iyy_kg_m2, total.izz_kg_m2) = (1e5, 1e5, 1e5);
-    let wing = coupling::WingFile::read(&common::beam_wing()).expect("shipped files are right");
+    let wing = coupling::WingFile::read(&crate::common::beam_wing()).expect("shipped files are right");
     Aircraft::new(file, wing).expect("a body that is hard to turn")
 }
 

@@ -1,9 +1,7 @@
 //! Loads at stations and at all nodes by what they come from: laws of sums and balance in trims and in flight, and the moment in
 //! a beam by its curvature.
 
-mod common;
-
-use common::{air, path, whole};
+use crate::common::{air, path, whole};
 use coupling::wing_file::StationAt;
 use fullaircraft::flight::loads::LoadedTrim;
 use fullaircraft::{
@@ -253,7 +251,7 @@ fn in_gusts_and_with_ailerons_nodal_loads_add_up_to_the_stations_and_are_in_bala
 
 #[test]
 fn loads_in_flight_change_as_the_instruments_say() {
-    let mut wing = coupling::WingFile::read(&common::beam_wing()).expect("shipped files are right");
+    let mut wing = coupling::WingFile::read(&crate::common::beam_wing()).expect("shipped files are right");
     wing.stations = points();
     let aircraft = Aircraft::new(AircraftFile::read(&path()).expect("a file"), wing).expect("an aircraft");
     let tools = TrimTools::new(&aircraft, &[]).unwrap();

@@ -3,10 +3,8 @@
 //! The table is the one in data/tuflex/README.md, "The aircraft": a vortex lattice of 28 by 12 boxes with an image, beam
 //! of 36 elements, wings carrying all lift, made by an independent program when the stand-in was sized.
 
-mod common;
-
+use crate::common::{assert_near, path, whole, wings};
 use aero::{BoxLoads, Corrections, Integration, MirrorPlane, SteadyAero, incidence};
-use common::{assert_near, path, whole, wings};
 use coupling::GRAVITY_M_S2;
 use faer::Mat;
 use fullaircraft::{Aircraft, AircraftError, AircraftFile, FlightPoint};
@@ -118,7 +116,8 @@ fn only_the_second_published_point_has_a_pitch_rate_that_contradicts_its_load_fa
 
 /// The shipped aircraft with a structure that neither bends nor sags.
 fn rigid() -> Aircraft {
-    let mut aircraft = Aircraft::read(&path(), Some(&common::beam_wing())).expect("shipped files are right");
+    let mut aircraft =
+        Aircraft::read(&path(), Some(&crate::common::beam_wing())).expect("shipped files are right");
     let held = aircraft.flow.supported.as_mut().expect("it has a structure");
     held.flexibility = Mat::zeros(held.flexibility.nrows(), held.flexibility.ncols());
     held.sag = Mat::zeros(held.sag.nrows(), 3);

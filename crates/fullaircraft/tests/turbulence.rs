@@ -1,9 +1,7 @@
 //! Continuous turbulence on the free elastic aircraft: its transfer functions beside flights in time, limit loads and companions as
 //! identities of cards, symmetry, and grids of frequencies.
 
-mod common;
-
-use common::{air, whole};
+use crate::common::{air, whole};
 use coupling::wing_file::StationAt;
 use faer::c64;
 use fullaircraft::flight::loads::LoadedTrim;

@@ -1,10 +1,7 @@
 //! Statistics beside `measured_against_calculated.json`, and verdicts on campaigns whose truth is known.
 
-mod close;
-mod common;
-
-use close::close;
-use common::{number, reference};
+use crate::close::close;
+use crate::common::{number, reference};
 use loads::compare::statistics::{Interval, holm, wilson};
 use loads::compare::{Comparison, Gauge, Judged, Point, Thresholds, Verdict, Zero, judge};
 use rand_chacha::ChaCha8Rng;

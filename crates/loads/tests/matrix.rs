@@ -1,15 +1,11 @@
 //! The V-n diagram beside `rules.json`, and the case matrix.
 
-mod close;
-mod common;
-mod plan;
-
-use close::close;
-use common::{number, reference};
+use crate::close::close;
+use crate::common::{number, reference};
+use crate::plan::{design, mass};
 use loads::design::{Direction, Gradients, Gust, GustSpeeds, Rules, Spectrum, Speed};
 use loads::matrix::{Action, Status};
 use loads::{Airframe, Condition, Design, Diagram, matrix};
-use plan::{design, mass};
 
 /// The airframe of the plan.
 const AIRFRAME: Airframe = Airframe { area_m2: 0.81, mean_chord_m: 0.225, lift_slope_per_rad: 5.2 };

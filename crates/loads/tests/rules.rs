@@ -1,17 +1,13 @@
 //! Numbers of the rules beside `rules.json`.
 
-mod close;
-mod common;
-mod plan;
-
-use close::close;
-use common::{number, reference};
+use crate::close::close;
+use crate::common::{number, reference};
+use crate::plan::{design, mass};
 use loads::design::{GustSpeeds, Rules, Speed};
 use loads::rules::discrete::{alleviation, design_gust};
 use loads::rules::factors::positive_limit;
 use loads::rules::pratt::Pratt;
 use loads::{Air, Airframe, Design, Mark};
-use plan::{design, mass};
 
 fn cs25() -> Design {
     Design { rules: Rules::Cs25, factors: None, ..design() }

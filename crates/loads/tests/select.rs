@@ -1,8 +1,6 @@
 //! Hulls, ends and policies beside `selection.json`, and laws of any selection.
 
-mod common;
-
-use common::{number, reference};
+use crate::common::{number, reference};
 use loads::select::file::{Load, Model, Policy};
 use loads::{Instant, SelectFile, Selection, select};
 use proptest::prelude::*;

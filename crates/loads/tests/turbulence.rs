@@ -1,17 +1,13 @@
 //! Turbulence and discrete gusts on aircraft in plunge, written as transfer functions and equations of motion, beside
 //! `plunge_gust.json` and `flexible_plunge.json`.
 
-mod close;
-mod common;
-mod plunge;
-
-use close::close;
-use common::{number, reference};
+use crate::close::close;
+use crate::common::{number, reference};
+use crate::plunge::{Flexible, Rigid};
 use loads::design::Spectrum;
 use loads::rules::discrete::design_gust;
 use loads::tuning::{Tuned, worst};
 use loads::turbulence::{Complex64, Grid, Mode, Response, Turbulence};
-use plunge::{Flexible, Rigid};
 use serde_json::Value;
 
 /// Far above all that responds: closed forms have no cut-off.

@@ -2,10 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
-mod common;
-
+use crate::common::wing_with;
 use aero::{Corrections, Flow};
-use common::wing_with;
 use coupling::ElasticWing;
 use maneuver::motion::{About, OneMinusCosine, Signal};
 use maneuver::{AirModel, Motion, Rig, RigSettings, Smooth};

@@ -2,8 +2,6 @@
 
 #![expect(clippy::unwrap_used, reason = "a helper of tests may fail the test where it stands")]
 
-mod common;
-
 use aero::{Corrections, Flow};
 use coupling::wing_file::{DeflectionRow, DeflectionTable, OutsideAirspeeds};
 use maneuver::motion::{Doublet, sampled};
@@ -95,7 +93,7 @@ fn a_command_beyond_the_largest_measured_deflection_is_reported() {
 
 #[test]
 fn commanded_deflections_are_corrected_before_the_actuator_and_written_as_commanded() {
-    let (file, wing) = common::wing_with(|_| ());
+    let (file, wing) = crate::common::wing_with(|_| ());
     let rig = Rig::new(&wing, RigSettings::new(file.damping_ratio, file.pitch_axis_x())).unwrap();
     let neutral = Corrections::neutral(wing.correctable.len());
     let model = rig.at(Flow { v_m_s: 20.0, rho_kg_m3: 1.225 }, &neutral).unwrap();

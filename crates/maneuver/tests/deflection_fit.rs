@@ -2,8 +2,6 @@
 
 #![expect(clippy::unwrap_used, reason = "a helper of tests may fail the test where it stands")]
 
-mod common;
-
 use aero::{Corrections, Flow};
 use coupling::ByLoad;
 use coupling::wing_file::{DeflectionRow, DeflectionTable, OutsideAirspeeds};
@@ -55,7 +53,7 @@ fn planted() -> Vec<DeflectionTable> {
 
 fn model(wing: &coupling::ElasticWing, file: &coupling::WingFile, v_m_s: f64) -> RigModel {
     let rig = Rig::new(wing, RigSettings::new(file.damping_ratio, file.pitch_axis_x())).unwrap();
-    rig.at(Flow { v_m_s, rho_kg_m3: 1.225 }, &common::uneven(wing)).unwrap()
+    rig.at(Flow { v_m_s, rho_kg_m3: 1.225 }, &crate::common::uneven(wing)).unwrap()
 }
 
 /// A run as measured: the planted correction, noise, and a day's offset that no model has.
@@ -97,7 +95,7 @@ fn doublet(degrees: f64) -> Doublet {
 
 #[test]
 fn planted_corrections_come_back_within_three_standard_errors_and_two_percent() {
-    let (file, wing) = common::wing_with(|_| ());
+    let (file, wing) = crate::common::wing_with(|_| ());
     let truth = planted();
     let correction = DeflectionCorrection::new(truth.clone());
     let mut noise = Normal(7);
@@ -136,7 +134,7 @@ fn planted_corrections_come_back_within_three_standard_errors_and_two_percent() 
 
 #[test]
 fn standard_errors_are_as_large_as_the_scatter() {
-    let (file, wing) = common::wing_with(|_| ());
+    let (file, wing) = crate::common::wing_with(|_| ());
     let model = model(&wing, &file, 18.0);
     let correction = DeflectionCorrection::new(planted()).at(18.0).unwrap();
     let mut noise = Normal(11);
@@ -166,7 +164,7 @@ fn standard_errors_are_as_large_as_the_scatter() {
 
 #[test]
 fn repeats_are_pooled_and_their_error_shrinks() {
-    let (file, wing) = common::wing_with(|_| ());
+    let (file, wing) = crate::common::wing_with(|_| ());
     let model = model(&wing, &file, 30.0);
     let correction = DeflectionCorrection::new(planted()).at(30.0).unwrap();
     let mut noise = Normal(3);
@@ -185,7 +183,7 @@ fn repeats_are_pooled_and_their_error_shrinks() {
 
 #[test]
 fn repeats_that_scatter_more_than_their_errors_say_have_the_standard_error_of_a_mean() {
-    let (file, wing) = common::wing_with(|_| ());
+    let (file, wing) = crate::common::wing_with(|_| ());
     let model = model(&wing, &file, 30.0);
     let factors = [0.80, 0.85, 1.00, 0.95];
     let fits: Vec<DoubletFit> = factors
@@ -231,7 +229,7 @@ fn repeats_that_scatter_more_than_their_errors_say_have_the_standard_error_of_a_
 
 #[test]
 fn only_doublets_of_one_surface_in_the_wind_are_taken() {
-    let (file, wing) = common::wing_with(|_| ());
+    let (file, wing) = crate::common::wing_with(|_| ());
     let model = model(&wing, &file, 30.0);
     let mut noise = Normal(1);
     let chirp = Chirp { height: 0.1, from_hz: 0.0, to_hz: 10.0, duration_s: 2.0, start_s: 0.5 };
@@ -262,7 +260,7 @@ fn only_doublets_of_one_surface_in_the_wind_are_taken() {
 
 #[test]
 fn a_factor_that_cannot_be_is_refused() {
-    let (file, wing) = common::wing_with(|_| ());
+    let (file, wing) = crate::common::wing_with(|_| ());
     let model = model(&wing, &file, 30.0);
     let mut run = measured(&model, &DeflectionAt::default(), "inner", &doublet(15.0), &mut Normal(1));
     // the column's sign is wrong
@@ -274,7 +272,7 @@ fn a_factor_that_cannot_be_is_refused() {
 
 #[test]
 fn neutral_corrections_of_loads_and_deflections_give_a_factor_of_one() {
-    let (file, wing) = common::wing_with(|_| ());
+    let (file, wing) = crate::common::wing_with(|_| ());
     let rig = Rig::new(&wing, RigSettings::new(file.damping_ratio, file.pitch_axis_x())).unwrap();
     let neutral = Corrections::neutral(wing.correctable.len());
     let model = rig.at(Flow { v_m_s: 22.0, rho_kg_m3: 1.225 }, &neutral).unwrap();

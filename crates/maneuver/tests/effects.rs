@@ -2,10 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
-mod common;
-
-use common::flown::{effect, points, rom, run, with};
-use common::wing_with;
+use crate::common::flown::{effect, points, rom, run, with};
+use crate::common::wing_with;
 use coupling::Mount;
 use maneuver::effects::{Active, library};
 use maneuver::rom::StiffnessParts;

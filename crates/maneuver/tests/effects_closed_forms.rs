@@ -2,11 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
-mod common;
-
+use crate::common::flown::{effect, points, rom, run, swing, with};
+use crate::common::wing_with;
 use aero::{Corrections, Flow};
-use common::flown::{effect, points, rom, run, swing, with};
-use common::wing_with;
 use maneuver::effects::{Active, Inputs, Loads, Place, Stimulus, WingState};
 use maneuver::rom::{Change, Drive, Outputs, PointMass, ReducedOrderModel, Zones};
 use maneuver::{Rig, RigSettings, Smooth};

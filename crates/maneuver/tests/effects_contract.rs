@@ -3,12 +3,10 @@
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
-mod common;
-
+use crate::common::copy::{Copy, data};
+use crate::common::flown::{Recording, plausible, points, rom, run, with};
+use crate::common::wing_with;
 use aero::Corrections;
-use common::copy::{Copy, data};
-use common::flown::{Recording, plausible, points, rom, run, with};
-use common::wing_with;
 use coupling::WingFile;
 use coupling::wing_file::{DeflectionRow, DeflectionTable, OutsideAirspeeds};
 use maneuver::effects::{Active, Effect, Flight, acting_deflection, carry, library, of_wing};

@@ -2,11 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
-mod common;
-
+use crate::common::copy::{Copy, data};
+use crate::common::flown::run;
 use aero::{Corrections, Flow};
-use common::copy::{Copy, data};
-use common::flown::run;
 use coupling::wing_file::{EffectValidity, WingEffect};
 use coupling::{ElasticWing, Mount, WingFile};
 use maneuver::effects::{Active, Beside, library, library_with, of_wing, without};

@@ -3,11 +3,9 @@
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
-mod common;
-
+use crate::common::flown::{effect, with};
+use crate::common::{uneven, wing_with};
 use aero::{Corrections, Flow};
-use common::flown::{effect, with};
-use common::{uneven, wing_with};
 use maneuver::effects::{Active, Inputs, Stimulus, acting_deflection, carry, library};
 use maneuver::rom::ReducedOrderModel;
 use maneuver::{Rig, RigSettings, Smooth};

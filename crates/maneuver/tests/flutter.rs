@@ -2,10 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be computed must fail")]
 
-mod common;
-
+use crate::common::{uneven, wing_with};
 use aero::{DlmSettings, DoubletLattice, Flow};
-use common::{uneven, wing_with};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, c64};
 use maneuver::flutter::{

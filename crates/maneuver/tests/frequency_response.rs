@@ -10,10 +10,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
-mod common;
-
+use crate::common::{uneven, wing_with};
 use aero::{Corrections, DlmSettings, DoubletLattice, Flow};
-use common::{uneven, wing_with};
 use coupling::{ElasticWing, GRAVITY_M_S2, WingFile};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, c64};

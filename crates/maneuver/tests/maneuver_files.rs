@@ -2,8 +2,6 @@
 
 #![expect(clippy::unwrap_used, reason = "a helper of tests may fail the test where it stands")]
 
-mod common;
-
 use aero::{Corrections, Flow};
 use coupling::{ElasticWing, WingFile};
 use maneuver::growth::growing;
@@ -53,7 +51,7 @@ fn controls() -> Vec<String> {
 }
 
 fn wing_file() -> WingFile {
-    common::wing_with(|_| ()).0
+    crate::common::wing_with(|_| ()).0
 }
 
 /// Reads and checks; the complaint with its line and column.
@@ -123,7 +121,7 @@ fn a_deflection_beyond_its_limit_is_refused_and_the_assumed_limit_says_so() {
     // two motions of one surface add up
     let sum = format!("{DOUBLET},\n    Step(of: \"inner\", height_deg: 20.0)");
     assert!(complaint("sum", &with(&sum)).0.contains("35.00 degrees"));
-    let (limited, _) = common::wing_with(|planform| planform.controls[0].limit_deg = Some(10.0));
+    let (limited, _) = crate::common::wing_with(|planform| planform.controls[0].limit_deg = Some(10.0));
     let error =
         Declared::new("own", &with(DOUBLET)).read().unwrap().checked(&limited, &controls()).unwrap_err();
     assert!(error.message.contains("beyond 10 degrees (its limit in the wing's file)"), "{error}");
@@ -148,7 +146,7 @@ fn a_step_or_doublet_in_a_command_without_an_actuator_is_refused() {
 
 #[test]
 fn a_model_whose_motion_grows_by_itself_is_above_flutter() {
-    let (file, wing) = common::wing_with(|_| ());
+    let (file, wing) = crate::common::wing_with(|_| ());
     let mut model = model_of(&wing, &file);
     assert_eq!(growing(&model), None, "the wing is stable at 30 m/s");
     // one oscillation of 5 Hz that grows by 0.3 a second, one that decays
@@ -167,7 +165,7 @@ fn a_model_whose_motion_grows_by_itself_is_above_flutter() {
 #[test]
 fn an_airspeed_above_divergence_is_refused() {
     // a flexible wing swept forward diverges
-    let (file, wing) = common::wing_with(|planform| planform.quarter_chord_sweep_deg = -40.0);
+    let (file, wing) = crate::common::wing_with(|planform| planform.quarter_chord_sweep_deg = -40.0);
     let rig = Rig::new(&wing, RigSettings::new(file.damping_ratio, file.pitch_axis_x())).unwrap();
     let neutral = Corrections::neutral(wing.correctable.len());
     let v_d = wing.divergence_speed(1.225, &neutral).unwrap().unwrap();
@@ -215,7 +213,7 @@ fn numbers_and_fields_that_cannot_be_are_refused_at_their_place() {
 
 #[test]
 fn declared_motions_are_the_signals_they_name() {
-    let (file, wing) = common::wing_with(|_| ());
+    let (file, wing) = crate::common::wing_with(|_| ());
     let model = model_of(&wing, &file);
     let text = with(
         "OneMinusCosine(of: \"alpha\", height_deg: 3.7, frequency_hz: 2.0, start_s: 0.5),\n\
@@ -246,7 +244,7 @@ fn declared_motions_are_the_signals_they_name() {
 
 #[test]
 fn an_angle_of_ones_own_starts_from_rest_and_is_followed() {
-    let (file, wing) = common::wing_with(|_| ());
+    let (file, wing) = crate::common::wing_with(|_| ());
     let model = model_of(&wing, &file);
     let text = with("FromFile(file: \"angle.csv\")").replace("  alpha_deg: 1.3,\n", "");
     let declared = Declared::new("angle", &text).read().unwrap();

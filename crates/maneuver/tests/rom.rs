@@ -2,10 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
-mod common;
-
+use crate::common::{uneven, wing_with};
 use aero::{Corrections, Flow};
-use common::{uneven, wing_with};
 use coupling::{ElasticWing, SteadyCase};
 use faer::{Mat, c64};
 use maneuver::rom::{Change, Constants, Drive, Outputs, ReducedOrderModel, ResponseTable};

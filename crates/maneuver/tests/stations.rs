@@ -2,10 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
-mod common;
-
+use crate::common::{uneven, wing_with};
 use aero::Flow;
-use common::{uneven, wing_with};
 use maneuver::motion::{About, OneMinusCosine};
 use maneuver::{Motion, Rig, RigSettings, Signal, Smooth, Station, TimeHistory};
 use nalgebra::Point3;

@@ -3,10 +3,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
-mod common;
-
+use crate::common::{uneven, wing_with};
 use aero::{Corrections, Flow};
-use common::{uneven, wing_with};
 use coupling::ElasticWing;
 use coupling::planform::Planform;
 use coupling::supported::restrict;

@@ -1,8 +1,6 @@
 //! Broken decks: each gives one sentence that names the fault and its line, and none ends the program.
 
-mod common;
-
-use common::content;
+use crate::common::content;
 use nastran::{Frames, parse_deck, read_deck, write_deck};
 use std::path::PathBuf;
 

@@ -1,9 +1,7 @@
 //! Every kind of cards goes through reading, counting, numbering, joining, mirroring and writing. The list of kinds and
 //! the samples are compared name by name, so that a kind without a sample fails.
 
-mod common;
-
-use common::content;
+use crate::common::content;
 use nastran::{BulkData, CARD_KINDS, Family, Step, parse_deck, write_deck};
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,8 +1,6 @@
 //! What is written is read as it was: every card of general finite elements with random values.
 
-mod common;
-
-use common::content;
+use crate::common::content;
 use nastran::{
     BulkData, BushAxes, Cbush, Conm1, Coord, CoordDefinition, CoordKind, Crod, Genel, Mat2, Mat8, Mat9,
     MaterialDirection, Motion, Mpc, Orientation, Pbush, Pcomp, Ply, Prod, Pshell, Psolid, Rbar, Rbe3,

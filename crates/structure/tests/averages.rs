@@ -1,8 +1,6 @@
 //! Weighted means (RBE3): where a load on the reference goes, and what a group must hold to have a mean.
 
-mod common;
-
-use common::{at, close, displaced, system};
+use crate::common::{at, close, displaced, system};
 use nastran::parse_deck;
 use structure::Model;
 

@@ -1,9 +1,7 @@
 //! Laminates and their directions as the cards say them: symmetric lists, reference planes, material axes, and transverse
 //! shear by the equilibrium of unlike plies.
 
-mod common;
-
-use common::{close, displaced, system};
+use crate::common::{close, displaced, system};
 use nalgebra::{DMatrix, DVector};
 use nastran::{Mat8, Span, parse_deck};
 use structure::{Model, PlacedPly, PlaneMaterial, ShearModel, ShellSection};
@@ -87,7 +85,7 @@ fn material_directions_turn_from_the_first_side_towards_the_normal_cross_it() {
         let system = system(&format!("{plate}{systems}{MATERIALS}{element}"));
         let u = displaced(&system, &[(2, 1, 0.5 * force), (3, 1, 0.5 * force)]);
         // the side at x = 0 stays where it is along x, so the shear strain is the slope of v
-        let gamma = common::at(&system, &u, 2, 2) / a;
+        let gamma = crate::common::at(&system, &u, 2, 2) / a;
         close(gamma, shear_compliance(angle_deg) * force / (b * t), 1e-8, what);
     }
 }
@@ -257,7 +255,7 @@ fn a_plate_that_only_bends_is_rigid_in_shear() {
         // linear rotations over n elements: 1 - 1/(4 n²) of the beam
         let expected = p * length.powi(3) / (3.0 * e * inertia) * (1.0 - 0.25 / f64::from(count * count));
         close(
-            common::at(&system, &u, count + 1, 3),
+            crate::common::at(&system, &u, count + 1, 3),
             expected,
             1e-4,
             &format!("{length} m long, {t} m thick"),

@@ -1,8 +1,6 @@
 //! The contract of an element, run for shells; patch tests of a section with membrane, bending and coupling.
 
-mod contract;
-
-use contract::{Specimen, contract};
+use crate::contract::{Specimen, contract};
 use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
 use nastran::{Mat8, Span};
 use std::sync::Arc;

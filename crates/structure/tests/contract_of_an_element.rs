@@ -1,8 +1,6 @@
 //! The contract of an element, run for the beam.
 
-mod contract;
-
-use contract::{Specimen, contract, rigid};
+use crate::contract::{Specimen, contract, rigid};
 use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
 use nastran::{BeamProperty, BeamStation, Mat1, Span};
 use structure::{Beam, BeamPlacement, Element};

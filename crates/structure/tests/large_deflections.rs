@@ -2,11 +2,8 @@
 
 #![expect(clippy::format_push_string, reason = "decks written card by card")]
 
-mod common;
-mod large;
-
-use common::system;
-use large::{beam_along_x, elastica, force, large, moment, numbers, path, published};
+use crate::common::system;
+use crate::large::{beam_along_x, elastica, force, large, moment, numbers, path, published};
 use nalgebra::Vector3;
 use structure::nonlinear::{Controls, Loads};
 
@@ -65,7 +62,7 @@ fn small_loads_give_the_linear_answer_and_the_difference_falls_in_proportion() {
     let deck = beam_along_x(6, 2.0, 7e10, [0.01, 0.02])
         + "GRID,20,,2.0,0.3,0.1\nRBE2,1,7,123456,20\nSPC1,1,123456,1\n";
     let wing = large(&deck);
-    let linear = common::displaced(&system(&deck), &[(20, 3, 1.0), (20, 1, 2.0)]);
+    let linear = crate::common::displaced(&system(&deck), &[(20, 3, 1.0), (20, 1, 2.0)]);
     let difference = |factor: f64| {
         let loads = Loads { dead: vec![force(7, [2.0 * factor, 0.0, factor])], ..Loads::default() };
         let moved = path(&wing, &loads).end().state.displacements(wing.nodes());

@@ -2,10 +2,7 @@
 
 #![expect(clippy::format_push_string, reason = "decks written card by card")]
 
-mod common;
-mod large;
-
-use large::{force, large, path};
+use crate::large::{force, large, path};
 use nalgebra::{DMatrix, DVector, Rotation3, Vector3};
 use structure::nonlinear::{Controls, Following, LargeDeflection, Loads, NodeLoad, State};
 

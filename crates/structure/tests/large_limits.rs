@@ -1,9 +1,6 @@
 //! Loads that cannot be carried, parts that cannot turn, loads that follow.
 
-mod common;
-mod large;
-
-use large::{beam_along_x, force, large, model};
+use crate::large::{beam_along_x, force, large, model};
 use nalgebra::Vector3;
 use structure::nonlinear::{Following, LargeDeflection, Loads, NonlinearError};
 

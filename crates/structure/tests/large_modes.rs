@@ -1,8 +1,6 @@
 //! Natural modes about a loaded state, against closed forms.
 
-mod large;
-
-use large::{beam_along_x, force, large};
+use crate::large::{beam_along_x, force, large};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 use structure::nonlinear::{LargeDeflection, Loads, State};

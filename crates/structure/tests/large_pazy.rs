@@ -1,13 +1,9 @@
 //! The Pazy wing without its skin under a weight behind the trailing edge of its tip: the equivalent beam of Riso and Cesnik beside
 //! their program (UM/NAST, a geometrically exact beam) and beside SOL 400 with shells.
 
-mod large;
-#[path = "large/pazy_beam.rs"]
-mod pazy_beam;
-
-use large::{numbers, published};
+use crate::large::{numbers, published};
+use crate::pazy_beam::{AXIS_M, CHORD_M};
 use nalgebra::Vector3;
-use pazy_beam::{AXIS_M, CHORD_M};
 use structure::nonlinear::{LargeDeflection, Loads, NodeLoad, State};
 
 const SEMISPAN_M: f64 = 0.55;
@@ -21,7 +17,7 @@ fn tip(state: &State, chord: f64) -> Vector3<f64> {
 #[test]
 fn the_wing_without_skin_bends_and_twists_under_a_weight_behind_its_tip() {
     let case = published("nl_pazy__static_torsion_skin0");
-    let wing = LargeDeflection::new(&pazy_beam::beam(Some(0.04))).expect("a beam");
+    let wing = LargeDeflection::new(&crate::pazy_beam::beam(Some(0.04))).expect("a beam");
     let weight = Loads { gravity_m_s2: Vector3::new(0.0, 0.0, -G_M_S2), ..Loads::default() };
     let sag = wing.under(&weight).expect("its own weight").end().state.clone();
     let rows = |name: &str| -> Vec<Vec<f64>> {

@@ -9,10 +9,7 @@
     reason = "decks written card by card, numbers beside references"
 )]
 
-mod common;
-mod large;
-
-use large::{elastica, force, large, moment, published, tabled};
+use crate::large::{elastica, force, large, moment, published, tabled};
 use nalgebra::Vector3;
 use std::time::Instant;
 use structure::nonlinear::{Controls, LargeDeflection, Loads, NodeLoad, Path};

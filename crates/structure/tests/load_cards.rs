@@ -1,8 +1,5 @@
 //! Loads of a deck's cards, against closed forms and equilibrium.
 
-mod common;
-mod large;
-
 use faer::Mat;
 use nalgebra::Vector3;
 use nastran::{BulkData, parse_deck};

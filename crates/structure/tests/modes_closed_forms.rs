@@ -1,8 +1,6 @@
 //! Natural frequencies against closed forms, and the proof that none is missing.
 
-mod common;
-
-use common::{AREA, E, I, RHO, beam, close, section, system};
+use crate::common::{AREA, E, I, RHO, beam, close, section, system};
 use nalgebra::Point3;
 use structure::{ModesError, count_below, normal_modes};
 
@@ -125,7 +123,7 @@ fn an_overhanging_mass_on_a_shaft_swings_with_its_full_moment_of_inertia() {
     let system = system(&(deck.to_owned() + &section().replace(&format!(",{RHO:?}"), ",0.")));
     let modes = normal_modes(&system, 1).unwrap();
     let inertia = 0.5 * (0.3f64.powi(2) + 0.4f64.powi(2)) + 0.02;
-    close(modes.omega_rad_s[0], (common::G * I[2] / 2.0 / inertia).sqrt(), 1e-10, "swing");
+    close(modes.omega_rad_s[0], (crate::common::G * I[2] / 2.0 / inertia).sqrt(), 1e-10, "swing");
 }
 
 #[test]

@@ -1,8 +1,6 @@
 //! Structures of several parts: two beams on a body that is free, or held.
 
-mod common;
-
-use common::{at, beam, close, displaced, section, system};
+use crate::common::{at, beam, close, displaced, section, system};
 use faer::Mat;
 use nastran::parse_deck;
 use structure::{Flexibility, MassProperties, Model, count_below, normal_modes, normal_modes_below};

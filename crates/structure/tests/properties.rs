@@ -1,8 +1,6 @@
 //! Laws on random elements: symmetry, rigid motions without strain, exact mass, indifference to frames and to units.
 
-mod contract;
-
-use contract::{Specimen, contract, rigid};
+use crate::contract::{Specimen, contract, rigid};
 use nalgebra::{DMatrix, Matrix3, Point3, Rotation3, Vector3};
 use nastran::{BeamProperty, BeamStation, Mat1, Mat8, Span, parse_deck};
 use proptest::prelude::*;

@@ -1,8 +1,6 @@
 //! What is refused, and that the message says what, where and what to do.
 
-mod common;
-
-use common::{beam, section, system};
+use crate::common::{beam, section, system};
 use nastran::parse_deck;
 use structure::{Flexibility, Model, System};
 
@@ -107,18 +105,18 @@ fn a_hinge_in_a_held_beam_carries_no_moment() {
     let hinged = deck.replace("CBAR,1,1,1,2,0.,0.,1.\n", "CBAR,1,1,2,1,0.,0.,1.\n,6\n");
     assert_ne!(deck, hinged);
     let system = system(&hinged);
-    let u = common::displaced(&system, &[(2, 3, 5.0)]);
+    let u = crate::common::displaced(&system, &[(2, 3, 5.0)]);
     // Element 1 is hinged at grid 2, element 2 is not: grid 2 turns with the second cantilever.
-    let cantilever = 5.0 / 2.0 / (3.0 * common::E * common::I[0]);
-    common::close(common::at(&system, &u, 2, 3), cantilever, 1e-10, "deflection");
+    let cantilever = 5.0 / 2.0 / (3.0 * crate::common::E * crate::common::I[0]);
+    crate::common::close(crate::common::at(&system, &u, 2, 3), cantilever, 1e-10, "deflection");
 }
 
 #[test]
 fn a_motion_without_stiffness_is_named() {
     // Twist is touched by the beam but has neither stiffness nor inertia.
     let section = section()
-        .replace(&format!("{:.1E}\n", common::I[2]), "0.\n")
-        .replace(&format!("{:.1E}", common::G), "0.");
+        .replace(&format!("{:.1E}\n", crate::common::I[2]), "0.\n")
+        .replace(&format!("{:.1E}", crate::common::G), "0.");
     let deck = beam(1, 1, 2.0, 0.0) + &section + "SPC1,1,123456,1\nSPC1,1,1346,2\n";
     let error = Flexibility::new(&system(&deck)).unwrap_err();
     assert_eq!(error.loose, [(2, 5)], "{error}");

@@ -1,8 +1,6 @@
 //! Deflections against closed forms of beam theory.
 
-mod common;
-
-use common::{AREA, E, G, I, at, beam, close, displaced, section, system};
+use crate::common::{AREA, E, G, I, at, beam, close, displaced, section, system};
 
 fn cantilever() -> structure::System {
     system(&(beam(1, 5, 2.0, 0.0) + &section() + "SPC1,1,123456,1\n"))

@@ -3,9 +3,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a helper of tests may fail the test where it stands")]
 
-mod common;
-
-use common::{beam, section};
+use crate::common::{beam, section};
 use structure::update::{
     Fit, MeasuredDeflection, MeasuredMode, Measurements, Parameter, Quantity, Settings, State, evaluate, fit,
 };

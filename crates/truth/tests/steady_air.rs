@@ -4,8 +4,7 @@ use std::path::{Path, PathBuf};
 use truth::air::{Harmonic, Lattice, Loads, Mesh, Motions, Operator};
 use truth::wing::{Planform, Section};
 
-mod published;
-use published::case;
+use crate::published::case;
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/published")

@@ -1,14 +1,11 @@
 //! `fullaircraft --cases`, killed in the middle and started again: the same files, byte for byte, as of a run left alone.
 
-mod result_files;
-mod segments;
-
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-use result_files::files;
-use segments::finished;
+use crate::result_files::files;
+use crate::segments::finished;
 
 const CASES: &str = r#"Cases(
     name: "a small grid",

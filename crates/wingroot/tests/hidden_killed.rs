@@ -1,14 +1,12 @@
 //! The blind benchmark, killed in the middle and started again: the verdicts of a run left alone, and no half-written file.
 //! Minutes: with RUN_SLOW_TESTS=1 only.
 
-mod segments;
-
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-use segments::finished;
+use crate::segments::finished;
 use serde_json::Value;
 
 const CASES: usize = 4;

@@ -1,14 +1,12 @@
 //! Commands killed at random moments and started again: nothing that was finished is lost, nothing of the user's is touched, and
 //! the end is that of a run left alone. A hundred kills with RUN_SLOW_TESTS=1, a few of the quick commands otherwise.
 
-mod segments;
-
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
-use segments::finished;
+use crate::segments::finished;
 
 const THESIS: &str = "years of work";
 const CASES: &str = r#"Cases(

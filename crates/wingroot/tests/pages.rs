@@ -1,11 +1,9 @@
 //! Pages of small runs, made here and used in a browser.
 
-mod browser;
-
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use browser::{Browser, looks, use_page};
+use crate::browser::{Browser, looks, use_page};
 use wingroot::report::page::{Block, Content, KeyNumber, Plate, Section};
 use wingroot::report::{Figure, Page, Panel, Series, Style};
 

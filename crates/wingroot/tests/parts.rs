@@ -1,16 +1,13 @@
 //! A sweep in parts: any order, twice, at once, killed, dealt out anew: the bytes of one process; and what is refused.
 
-mod result_files;
-mod segments;
-
 use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::time::Duration;
 
-use result_files::files;
-use segments::finished;
+use crate::result_files::files;
+use crate::segments::finished;
 
 const CASES: &str = r#"Cases(
     name: "a small grid",

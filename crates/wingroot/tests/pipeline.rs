@@ -4,14 +4,12 @@
 
 #![expect(clippy::unwrap_used, reason = "a test whose results cannot be read must fail")]
 
-mod browser;
-
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
 
-use browser::{Browser, looks, use_page};
+use crate::browser::{Browser, looks, use_page};
 use serde_json::Value;
 use wingroot::output::ResultFolder;
 

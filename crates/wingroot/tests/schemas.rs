@@ -1,13 +1,11 @@
 //! Schemas and files: what is shipped and what commands write fits the schema of its kind, what is wrong does not; and a wing in
 //! JSON is the wing in RON.
 
-mod ron_to_json;
-
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use crate::ron_to_json::converted;
 use jsonschema::Validator;
-use ron_to_json::converted;
 use serde_json::{Value, json};
 
 fn data(name: &str) -> PathBuf {

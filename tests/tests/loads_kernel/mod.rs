@@ -1,5 +1,7 @@
 //! The clamped wing of `data/loads_kernel` in our types: lattice, nodes, ten modes, camber, weight.
 
+#![expect(clippy::unwrap_used, reason = "a helper of tests may fail the test where it stands")]
+
 use aero::{ControlSurface, Lattice, MirrorPlane};
 use coupling::{Balance, ElasticWing, Spline, SupportedStructure, WingParts};
 use faer::{Mat, Side};

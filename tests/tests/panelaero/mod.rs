@@ -1,5 +1,7 @@
 //! Meshes and tables of data/panelaero.
 
+#![expect(clippy::unwrap_used, reason = "a helper of tests may fail the test where it stands")]
+
 use aero::{AeroBox, Lattice};
 use nalgebra::Point3;
 use nastran::Table;

@@ -6,6 +6,7 @@
 //! - [`effect_names`]: an effect is asked for by name in its own file only.
 //! - [`decisions`]: what decides in `discover` is in its rules.
 //! - [`circles`]: files of a crate do not take names from each other in circles.
+//! - [`suites`]: every file of tests is run.
 //! - [`documents`]: ARCHITECTURE.md speaks of what exists; every folder of data says where it comes from.
 
 use std::path::Path;
@@ -23,6 +24,7 @@ pub mod modules;
 pub mod parameters;
 pub mod parsed;
 pub mod sources;
+pub mod suites;
 
 pub use complaint::Complaint;
 
@@ -34,6 +36,7 @@ pub fn check(root: &Path) -> Result<Vec<Complaint>, Failure> {
     let packages = imports::packages(root)?;
     let mut complaints = imports::check(&packages);
     complaints.extend(sources::check(root)?);
+    complaints.extend(suites::check(root)?);
     let sources = parsed::sources(root)?;
     complaints.extend(parameters::check(&sources));
     complaints.extend(effect_names::check(&sources, &effect_names::names()));

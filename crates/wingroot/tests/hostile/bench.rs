@@ -1,6 +1,6 @@
 //! Runs rows in parallel, each in a copy of the example of its own, with 20 s, 8 GB of addresses, and no result.
 
-use crate::row::{Change, End, Row};
+use super::row::{Change, End, Row};
 use std::collections::BTreeSet;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -48,7 +48,7 @@ fn make_example(folder: &Path) {
     std::fs::create_dir_all(parent).expect("a temporary folder");
     let made = Command::new(PROGRAM).arg("new").arg(folder).output().expect("the program starts");
     assert!(made.status.success(), "{}", String::from_utf8_lossy(&made.stderr));
-    for (name, content) in crate::lists::added() {
+    for (name, content) in super::lists::added() {
         std::fs::write(folder.join(name), content).expect("a file of the example");
     }
     // corrections of the example, so that commands that need some do not calibrate first

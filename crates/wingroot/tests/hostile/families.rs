@@ -1,6 +1,6 @@
 //! Families of rows: every number and every key of the example's files, spoilt in the same ways.
 
-use crate::row::{Change, End, Row};
+use super::row::{Change, End, Row};
 use std::path::Path;
 
 /// Files of the example with the command that reads them.
@@ -24,9 +24,9 @@ pub(crate) fn rows() -> Vec<Row> {
     FILES.iter().flat_map(|(command, file)| of_file(command, file)).collect()
 }
 
-/// The example's text of a file, as `new` and [`crate::lists::added`] make it.
+/// The example's text of a file, as `new` and [`super::lists::added`] make it.
 fn text_of(file: &str) -> String {
-    if let Some((_, text)) = crate::lists::added().into_iter().find(|(name, _)| *name == file) {
+    if let Some((_, text)) = super::lists::added().into_iter().find(|(name, _)| *name == file) {
         return text;
     }
     let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/own_wing").join(file);

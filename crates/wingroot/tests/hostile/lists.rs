@@ -1,7 +1,7 @@
 //! Rows by hand: the tables beside this file, and files and sizes that no table can hold.
 
-use crate::row::Change::{Folder, Gone};
-use crate::row::{End, Row, text, whole};
+use super::row::Change::{Folder, Gone};
+use super::row::{End, Row, text, whole};
 
 /// What the tables abbreviate.
 const SHORT: [(&str, &str); 2] =
@@ -49,7 +49,7 @@ pub(crate) fn rows() -> Vec<Row> {
     texts.chain(files).chain(options).chain(stopped).chain(spoilt()).chain(large()).collect()
 }
 
-fn refused(command: &str, file: &str, change: crate::row::Change, said: &str) -> Row {
+fn refused(command: &str, file: &str, change: super::row::Change, said: &str) -> Row {
     Row::refused(command, file, change, &said.split(" & ").collect::<Vec<_>>())
 }
 

@@ -2,15 +2,11 @@
 
 #![expect(clippy::unwrap_used, reason = "a test whose data cannot be read must fail")]
 
-mod common;
-#[path = "../../coupling/tests/large/mod.rs"]
-mod large;
-
+use crate::common::{RHO, campaign, path, row};
+use crate::large::{SEMISPAN_M, without_skin};
 use aero::{Corrections, Flow, MirrorPlane};
 use calibrate::{Campaign, LiftFactor, Sets, Settings, StaticPoint, TipReading, calibrate};
-use common::{RHO, campaign, path, row};
 use coupling::{LargeWing, SteadyCase, SteadyModel};
-use large::{SEMISPAN_M, without_skin};
 
 const ALPHA_DEG: f64 = 5.0;
 /// Settings of `data/pazy/wing.ron`.

@@ -1,0 +1,7 @@
+//! The tests of `aero` that need no process of their own, as one program: linked once, and both cores busy to the end.
+
+mod airfoil;
+mod decks;
+mod dlm_laws;
+mod lattice_laws;
+mod load_laws;

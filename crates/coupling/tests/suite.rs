@@ -1,0 +1,18 @@
+//! The tests of `coupling` that need no process of their own, as one program: linked once, and both cores busy to the end.
+
+mod deck;
+mod deflection_table;
+mod exchange;
+mod large;
+mod large_adjoint;
+mod large_motion;
+mod large_pazy;
+mod large_wing_laws;
+mod laws;
+mod nastran_deck;
+mod planform;
+mod planform_shell;
+mod planform_shell_errors;
+mod planform_shell_sections;
+mod shell_mesh;
+mod shell_wing_modes;

@@ -1,0 +1,19 @@
+//! The tests of `nastran` that need no process of their own, as one program: linked once, and both cores busy to the end.
+
+mod broken_decks;
+mod cards;
+mod common;
+mod dmi;
+mod every_kind;
+mod fe_cards;
+mod fields;
+mod flutter_cards;
+mod geometry;
+mod include;
+mod robustness;
+mod round_trip;
+mod sections;
+mod tables;
+mod trim_cards;
+mod users_decks;
+mod write;

@@ -1,0 +1,44 @@
+//! The tests of `wingroot` that need no process of their own, as one program: linked once, and both cores busy to the end.
+
+mod bad_input;
+mod browser;
+mod calibrate_large;
+mod cases;
+mod cluster;
+mod deck_trim;
+mod deflection;
+mod discover;
+mod effects;
+mod ensemble;
+mod flightloads;
+mod flutter;
+mod free;
+mod guide;
+mod hidden_killed;
+#[path = "hostile/main.rs"]
+mod hostile;
+mod kills;
+mod loads;
+mod must_have;
+mod nothing_lost;
+mod pages;
+mod parts;
+mod pipeline;
+mod response_command;
+mod response_missing;
+mod result_files;
+mod results;
+mod ron_to_json;
+mod schemas;
+mod segments;
+mod sensors;
+mod servos;
+mod statics_command;
+mod stations;
+mod strips;
+mod structure_commands;
+mod tables;
+mod terminal;
+mod units;
+mod user_campaigns;
+mod wind_tunnel_runs;
