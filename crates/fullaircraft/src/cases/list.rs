@@ -107,14 +107,15 @@ impl Case {
     pub fn cost(&self) -> u64 {
         match &self.action {
             Action::Steady(_) => 1,
-            #[expect(
-                clippy::cast_possible_truncation,
-                clippy::cast_sign_loss,
-                reason = "records have up to 600 s"
-            )]
-            Action::Motion(motion) => MOTION_COST + (MOTION_COST_A_SECOND * motion.record_s()) as u64,
+            Action::Motion(motion) => motion_cost(motion.record_s()),
         }
     }
+}
+
+/// What a motion of so many seconds costs beside a trim.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "files allow 0 to 600 s")]
+pub(crate) fn motion_cost(seconds: f64) -> u64 {
+    MOTION_COST + (MOTION_COST_A_SECOND * seconds) as u64
 }
 
 /// Cases sorted into groups that are flown together: one for each model and airspeed.

@@ -6,6 +6,7 @@ use crate::error::AircraftError;
 use crate::stations::places::Station;
 use crate::trim::maneuvers::Steady;
 use crate::trim::model::FlightModel;
+use coupling::Keep;
 use loads::design::{Design, MassCase, Speed};
 use loads::{Airframe, Condition};
 use nastran::InputError;
@@ -19,6 +20,14 @@ impl Aircraft {
     /// # Errors
     /// If no body could do that, or the state has a number that aircraft here do not.
     pub fn loaded(&self, mass: &MassCase) -> Result<Self, AircraftError> {
+        self.loaded_kept(mass, &())
+    }
+
+    /// The same; what takes long is taken from where it is kept, or found and kept there.
+    ///
+    /// # Errors
+    /// As [`loaded`](Self::loaded).
+    pub fn loaded_kept(&self, mass: &MassCase, keep: &dyn Keep) -> Result<Self, AircraftError> {
         if mass.z_cg_m.is_some_and(|z_m| z_m != 0.0) || mass.ixz_kg_m2.is_some_and(|i| i != 0.0) {
             let message = format!(
                 "mass {}: the height of the centre of gravity and products of inertia are not read",
@@ -37,7 +46,7 @@ impl Aircraft {
         ] {
             *own = given.unwrap_or(*own);
         }
-        Self::new(file, self.wing.clone()).map_err(|error| match error {
+        Self::kept(file, self.wing.clone(), keep).map_err(|error| match error {
             AircraftError::Input(input) => {
                 let message = format!("mass {}: {}", mass.name, input.message);
                 AircraftError::Input(InputError { message, span: None, ..input })

@@ -21,7 +21,7 @@ use maneuver::motion::{MotionSpec, sampled};
 /// Time step of flights, s.
 pub const TIME_STEP_S: f64 = 0.002;
 /// How long a flight goes on when the gust has passed, s.
-const AFTER_S: f64 = 0.8;
+pub(super) const AFTER_S: f64 = 0.8;
 /// Gusts flown side by side.
 const TOGETHER: usize = 8;
 
@@ -65,7 +65,7 @@ impl PlanFlight<'_> {
             if own.is_empty() {
                 continue;
             }
-            let drives = self.drives(&own)?;
+            let drives = self.drives(axis)?;
             let names = drives.iter().map(|drive| drive.name.clone()).collect();
             let steady = at.nodal_loads(&level);
             let trim = LoadedTrim { model, air, trimmed: &trimmed, steady, drives, axis };
@@ -76,10 +76,14 @@ impl PlanFlight<'_> {
         Ok(())
     }
 
-    /// What moves in the cases, each once.
-    fn drives(&self, cases: &[&Case]) -> Result<Vec<Drive>, AircraftError> {
+    /// What moves in any motion of the plan, each once: which cases are flown together changes no digit of a flight.
+    fn drives(&self, axis: GustAxis) -> Result<Vec<Drive>, AircraftError> {
         let mut drives: Vec<Drive> = Vec::new();
-        for name in cases.iter().filter_map(|case| self.motion(case)?.control()) {
+        let motions = self.maneuvers.iter().filter_map(|own| match own {
+            Own::Motion(motion) if axis == GustAxis::Vertical => motion.control(),
+            _ => None,
+        });
+        for name in motions {
             if drives.iter().all(|drive| drive.name != name) {
                 drives.push(self.tools.aircraft.drive(name)?);
             }
@@ -117,15 +121,29 @@ impl InTime<'_> {
         self.gusts(&timed, done)
     }
 
-    /// Flies gusts, families whose worst gradients are searched for together.
+    /// Flies gusts, those of one direction side by side; families whose worst gradients are searched for together.
     fn gusts<E: From<AircraftError>>(&self, cases: &[&Case], done: &mut Done<'_, E>) -> Result<(), E> {
-        let searched =
-            |case: &&&Case| self.plan.search && matches!(case.action, Action::Discrete { refine: true, .. });
-        let (families, single): (Vec<&Case>, Vec<&Case>) = cases.iter().partition(|case| searched(case));
+        for direction in [Direction::Up, Direction::Down, Direction::Lateral] {
+            let own = |case: &&&Case| matches!(case.action, Action::Discrete { direction: own, .. } if own == direction);
+            let searched = |case: &&Case| {
+                self.plan.search && matches!(case.action, Action::Discrete { refine: true, .. })
+            };
+            let (family, single): (Vec<&Case>, Vec<&Case>) =
+                cases.iter().filter(own).copied().partition(searched);
+            self.single(&single, done)?;
+            for flown in self.family(&family)? {
+                done(flown, &|_| None)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Flies gusts whose gradients stay as they are.
+    fn single<E: From<AircraftError>>(&self, cases: &[&Case], done: &mut Done<'_, E>) -> Result<(), E> {
         let gusts: Vec<(usize, Gust)> =
-            single.iter().filter_map(|case| Some((case.number, gust(case, None)?))).collect();
+            cases.iter().filter_map(|case| Some((case.number, gust(case, None)?))).collect();
         self.fly_gusts(&gusts, &mut |flown_case, flown, _| {
-            let of = single.iter().find(|case| case.number == flown_case.number);
+            let of = cases.iter().find(|case| case.number == flown_case.number);
             let nodal: &Nodal<'_> = &|instant| {
                 if instant.gradient_m.is_none() {
                     return at_time(flown, instant);
@@ -135,15 +153,7 @@ impl InTime<'_> {
                 at_time(&self.flight.fly(Some(found), &[], samples), instant)
             };
             done(flown_case, nodal)
-        })?;
-        for direction in [Direction::Up, Direction::Down, Direction::Lateral] {
-            let own = |case: &&&Case| matches!(case.action, Action::Discrete { direction: own, .. } if own == direction);
-            let family: Vec<&Case> = families.iter().filter(own).copied().collect();
-            for flown in self.family(&family)? {
-                done(flown, &|_| None)?;
-            }
-        }
-        Ok(())
+        })
     }
 
     /// Flies the gradients of a family and those where a load between them is largest: these become instants of the nearest case.

@@ -1,6 +1,7 @@
 //! Cases of a plan of design loads, flown: an aircraft for each state of loading, densities by altitude, loads at stations and nodes.
 
 pub mod aircraft;
+pub mod cost;
 pub mod fly;
 pub mod in_time;
 pub mod instants;
