@@ -9,7 +9,7 @@ use crate::gap::Gap;
 use crate::load_model::LoadModel;
 use crate::model_form::{LatticeVariant, kernel_variant, lag_variant};
 use crate::noise::{Noise, NoiseUnknown};
-use crate::null_campaigns::{NullStore, from_null_campaigns};
+use crate::null_campaigns::{NullCampaign, NullStore, from_null_campaigns, null_campaigns};
 use crate::null_distribution::NullDistribution;
 use crate::null_key::NullKey;
 use crate::problem::Problem;
@@ -189,6 +189,11 @@ impl Prepared {
     /// The same, with campaigns that a stopped run has finished, and each kept when it is.
     pub fn null_distribution_kept(&self, seed: u64, kept: &dyn NullStore) -> NullDistribution {
         from_null_campaigns(&self.setting(), self.training(), &self.judged(), seed, kept)
+    }
+
+    /// Some of these campaigns, by their numbers; those that are not kept are made.
+    pub fn null_campaigns(&self, seed: u64, wanted: &[u64], kept: &dyn NullStore) -> Vec<NullCampaign> {
+        null_campaigns(&self.setting(), self.training(), &self.judged(), seed, wanted, kept)
     }
 
     /// What a null distribution of this campaign depends on, for the wing of a file (its hash) with these corrections.

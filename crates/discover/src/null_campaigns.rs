@@ -14,6 +14,7 @@ use rayon::prelude::*;
 use response::verdict::mean_and_deviation;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
+use std::time::Instant;
 
 /// What the search finds in one campaign without effect.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -30,8 +31,8 @@ pub struct NullCampaign {
 pub trait NullStore: Sync {
     /// A campaign that was finished before.
     fn get(&self, k: u64) -> Option<NullCampaign>;
-    /// Keeps a campaign.
-    fn put(&self, k: u64, campaign: &NullCampaign);
+    /// Keeps a campaign that took so long, s.
+    fn put(&self, k: u64, campaign: &NullCampaign, seconds: f64);
 }
 
 /// Keeps nothing.
@@ -40,10 +41,38 @@ impl NullStore for () {
         None
     }
 
-    fn put(&self, _: u64, _: &NullCampaign) {}
+    fn put(&self, _: u64, _: &NullCampaign, _: f64) {}
 }
 
-/// Makes campaigns without effect and searches them; `judged` are training and held-out data, each run for itself.
+/// Makes those campaigns without effect that are wanted and searches them; `judged` are training and held-out data, each run for itself.
+/// A campaign is the same whichever others are wanted.
+pub fn null_campaigns(
+    setting: &Setting<'_>,
+    train: Problem<'_>,
+    judged: &[Problem<'_>; 2],
+    seed: u64,
+    wanted: &[u64],
+    kept: &dyn NullStore,
+) -> Vec<NullCampaign> {
+    // the same model flies all of them: what it is uncertain of and what effects change in it is found once
+    let current = CurrentModel::bare(setting, train).remembering();
+    let one = |k: u64| {
+        let start = Instant::now();
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        random.set_stream(k + 1);
+        let campaign = null(setting, &current, judged, &mut random, k);
+        kept.put(k, &campaign, start.elapsed().as_secs_f64());
+        campaign
+    };
+    let mut nulls: Vec<(u64, Option<NullCampaign>)> = wanted.iter().map(|k| (*k, kept.get(*k))).collect();
+    // the first alone, so that the others need not fly side by side what it will remember
+    if let Some((k, first)) = nulls.iter_mut().find(|(_, null)| null.is_none()) {
+        *first = Some(one(*k));
+    }
+    nulls.into_par_iter().map(|(k, null)| null.unwrap_or_else(|| one(k))).collect()
+}
+
+/// All campaigns that the rules ask for, and what they say together.
 pub fn from_null_campaigns(
     setting: &Setting<'_>,
     train: Problem<'_>,
@@ -51,27 +80,13 @@ pub fn from_null_campaigns(
     seed: u64,
     kept: &dyn NullStore,
 ) -> NullDistribution {
+    let all: Vec<u64> = (0..setting.rules().nulls.campaigns).collect();
+    distribution(setting, &null_campaigns(setting, train, judged, seed, &all, kept))
+}
+
+/// What these campaigns say together.
+fn distribution(setting: &Setting<'_>, nulls: &[NullCampaign]) -> NullDistribution {
     let rules = &setting.rules().nulls;
-    // the same model flies all of them: what it is uncertain of and what effects change in it is found once
-    let current = CurrentModel::bare(setting, train).remembering();
-    let one = |k: u64| {
-        let mut random = ChaCha8Rng::seed_from_u64(seed);
-        random.set_stream(k + 1);
-        let campaign = null(setting, &current, judged, &mut random, k);
-        kept.put(k, &campaign);
-        campaign
-    };
-    let mut nulls: Vec<Option<NullCampaign>> = (0..rules.campaigns).map(|k| kept.get(k)).collect();
-    // the first alone, so that the others need not fly side by side what it will remember
-    if let Some((k, first)) = (0..).zip(&mut nulls).find(|(_, null)| null.is_none()) {
-        *first = Some(one(k));
-    }
-    let nulls: Vec<NullCampaign> = (0..rules.campaigns)
-        .zip(nulls)
-        .collect::<Vec<_>>()
-        .into_par_iter()
-        .map(|(k, null)| null.unwrap_or_else(|| one(k)))
-        .collect();
     let threshold = |effect: &Arc<dyn Effect>| {
         let label = label(effect);
         let found =

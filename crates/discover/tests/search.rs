@@ -218,7 +218,7 @@ impl NullStore for Stopped {
         self.kept.lock().expect("no other panicked").get(&k).cloned()
     }
 
-    fn put(&self, k: u64, campaign: &NullCampaign) {
+    fn put(&self, k: u64, campaign: &NullCampaign, _: f64) {
         self.flown.fetch_add(1, Ordering::Relaxed);
         self.kept.lock().expect("no other panicked").insert(k, campaign.clone());
     }

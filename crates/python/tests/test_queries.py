@@ -22,26 +22,26 @@ CASES = """Cases(
     stations: [(name: "half", y_m: 0.9)],
 )
 """
-TABLE = "out/loads/station_loads"
+TABLE = "out/sweep/station_loads"
 
 
 @pytest.fixture(scope="module")
 def loads(tmp_path_factory, program) -> Path:
-    """A folder with the results in out/loads, as the queries name them."""
+    """A folder with the results in out/sweep, as the queries name them."""
     folder = tmp_path_factory.mktemp("queries")
     airspeeds = ", ".join(f"{25 + 0.75 * i}" for i in range(16))
     rates = ", ".join(f"{1 + i * 60 / RATES:.6f}" for i in range(RATES))
     (folder / "cases.ron").write_text(CASES.format(airspeeds=airspeeds, rates=rates))
     aircraft, wing = ROOT / "data/tuflex/aircraft.ron", ROOT / "data/tuflex/wing_beam.ron"
     words = ["--aircraft", aircraft, "--wing", wing, "--campaign", ROOT / "data/tuflex/measured"]
-    program("fullaircraft", *words, "--cases", folder / "cases.ron", "--out", folder / "out/loads")
+    program("fullaircraft", *words, "--cases", folder / "cases.ron", "--out", folder / "out/sweep")
     return folder
 
 
 @pytest.fixture(scope="module")
 def rows(loads) -> list[dict]:
     """All cases as CSV has them: a row a case, a column a station, load and end."""
-    with (loads / "out/loads/cases.csv").open() as text:
+    with (loads / "out/sweep/cases.csv").open() as text:
         return list(csv.DictReader(text))
 
 

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use calibrate::Schedule;
-use calibrate::ensemble::interval;
-use coupling::ElasticWing;
+use calibrate::ensemble::{Member, interval};
 use coupling::wing_file::{Departure, Mount};
+use coupling::{ElasticWing, WingFile};
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -40,18 +40,29 @@ impl CorrectedWing {
         compute: impl Fn(&Self) -> Result<T, Failure> + Sync,
     ) -> Result<Vec<T>, Failure> {
         let Some(ensemble) = &self.ensemble else { return Ok(Vec::new()) };
-        let names = self.wing.control_names();
-        let members = ensemble.members.par_iter().map(|member| {
-            let mut file = self.file.clone();
-            file.departure = Departure {
-                log_flexibility: member.log_flexibility,
-                controls: names.iter().cloned().zip(member.controls.iter().copied()).collect(),
-            };
-            let wing = ElasticWing::from_bulk(&file, &file.bulk(Mount::Tunnel)?)?;
-            let schedule = Schedule { sets: member.sets.clone(), ..self.schedule.clone() };
-            compute(&Self { file, wing, schedule, origin: self.origin.clone(), ensemble: None })
-        });
+        let members = ensemble.members.par_iter().map(|member| compute(&self.member(member)?));
         members.collect()
+    }
+
+    /// A wing of the ensemble as it stands in the tunnel.
+    ///
+    /// # Errors
+    /// If it cannot be assembled.
+    pub(crate) fn member(&self, member: &Member) -> Result<Self, Failure> {
+        let (file, schedule) = self.of_member(member);
+        let wing = ElasticWing::from_bulk(&file, &file.bulk(Mount::Tunnel)?)?;
+        Ok(Self { file, wing, schedule, origin: self.origin.clone(), ensemble: None })
+    }
+
+    /// File and corrections of a wing of the ensemble.
+    pub(crate) fn of_member(&self, member: &Member) -> (WingFile, Schedule) {
+        let names = self.wing.control_names();
+        let mut file = self.file.clone();
+        file.departure = Departure {
+            log_flexibility: member.log_flexibility,
+            controls: names.into_iter().zip(member.controls.iter().copied()).collect(),
+        };
+        (file, Schedule { sets: member.sets.clone(), ..self.schedule.clone() })
     }
 }
 

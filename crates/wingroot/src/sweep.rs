@@ -1,6 +1,6 @@
 //! Commands that go over many cases: all of them in one process, or shares of them in many, then put together.
 //!
-//! `fullaircraft --cases` and `hidden` do the same whatever they are asked for: they take their share ([`split`]), leave out what the
+//! `fullaircraft --cases`, `loads` and `hidden` do the same whatever they are asked for: they take their share ([`split`]), leave out what the
 //! store has, and keep each case as it is finished ([`crate::store`]). Results are made of the store, so that parts give the
 //! bytes that one process gives.
 
@@ -48,7 +48,7 @@ pub enum Stage {
     Merge,
     /// To say how far it is.
     Status,
-    /// To compute three cases, and say what the others will take.
+    /// To compute a few cases, and say what the others will take.
     Estimate,
 }
 
@@ -67,8 +67,18 @@ pub enum Task {
     Merge,
     /// How far the sweep is.
     Status,
-    /// Three cases, and what the others will take.
+    /// A few cases, and what the others will take.
     Estimate,
+}
+
+impl Task {
+    /// What the name of this process' segment begins with.
+    pub fn label(self) -> String {
+        match self {
+            Self::Part(share) => format!("part{}of{}", share.number, share.of),
+            _ => "whole".to_owned(),
+        }
+    }
 }
 
 impl SweepArgs {
@@ -101,6 +111,19 @@ impl SweepArgs {
         };
         crate::show::note(&format!("part {share} of the cases, by {variable}; `--part 1/1` is all of them"));
         Ok(Task::Part(share))
+    }
+}
+
+impl SweepArgs {
+    /// The same for a command that a user may run in an array of their own, a task each with its own input: an array or an indexed job
+    /// tells its share only with the number of parts, as the scripts of `cluster` do.
+    ///
+    /// # Errors
+    /// As [`task`](Self::task).
+    pub fn task_by_parts(&self) -> Result<Task, Failure> {
+        let told = std::env::var_os(share::PARTS).is_some();
+        let asked = self.part.is_some() || self.case.is_some() || self.stage != Stage::Compute;
+        if told || asked { self.task() } else { Ok(Task::All) }
     }
 }
 

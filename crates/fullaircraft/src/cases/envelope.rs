@@ -26,6 +26,16 @@ pub struct Extreme {
     pub case: usize,
     /// That case in words.
     pub flown: String,
+    /// 90 % interval of the load at this end, N or N m, as the wing is known; left out where no others as likely were flown.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub interval_90: Option<[f64; 2]>,
+}
+
+impl Extreme {
+    /// Whether another is the same end of the same load at the same station, whichever model it is of.
+    pub fn is_end_of(&self, other: &Self) -> bool {
+        (self.load, self.end, &self.station) == (other.load, other.end, &other.station)
+    }
 }
 
 /// The envelope of cases that come one by one; of cases that give the same the first counts.
@@ -63,6 +73,7 @@ impl LoadEnvelope {
                             value,
                             case: result.number,
                             flown: result.label(),
+                            interval_90: None,
                         }
                     }));
                 }
@@ -90,16 +101,22 @@ pub fn ranges(place: &StationLoads) -> [[f64; 2]; 3] {
     [place.fz_n, place.mx_nm, place.my_nm]
 }
 
-/// The envelope as CSV.
+/// The envelope as CSV; with both ends of intervals where there are any.
 pub fn envelope_csv(envelope: &[Extreme]) -> String {
-    let mut text = String::from("model,station,load,end,value,case,flown\n");
+    let is_interval = envelope.iter().any(|extreme| extreme.interval_90.is_some());
+    let more = if is_interval { ",low_90,high_90" } else { "" };
+    let mut text = format!("model,station,load,end,value,case,flown{more}\n");
     for e in envelope {
         // Writing to a String cannot fail.
-        let _ = writeln!(
+        let _ = write!(
             text,
             "{},{},{},{},{},{},\"{}\"",
             e.model, e.station, e.load, e.end, e.value, e.case, e.flown
         );
+        let _ = match e.interval_90 {
+            Some([low, high]) => writeln!(text, ",{low},{high}"),
+            None => writeln!(text, "{}", if is_interval { ",," } else { "" }),
+        };
     }
     text
 }

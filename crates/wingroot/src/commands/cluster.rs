@@ -17,7 +17,7 @@ use crate::sweep::lines::sweep_line;
   wingroot cluster kubernetes --image example.org/wingroot --claim loads fullaircraft --cases cases.ron > sweep.yaml
   wingroot cluster containerfile > Containerfile
 
-Three cases are computed first, and kept; parts, memory and time are estimated from them and can be changed in what is written.")]
+A few cases are computed first, and kept; parts, memory and time are estimated from them and can be changed in what is written.")]
 pub struct ClusterArgs {
     /// What kind of cluster.
     #[command(subcommand)]

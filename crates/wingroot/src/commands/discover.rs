@@ -12,22 +12,20 @@ use discover::data::Dataset;
 use discover::data_checks::Defect;
 use discover::finding::{Finding, Sources};
 use discover::model_form::LatticeVariant;
-use discover::null_distribution::NullDistribution;
 use discover::recalibration::{recalibrated, without_held_out};
 use discover::result::DiscoverResult;
 use discover::rules::Rules;
 use nastran::InputError;
-use nastran::ron_or_json::expected_in;
 
 use crate::args::{Common, Given};
+use crate::commands::discover_nulls::Asked;
 use crate::commands::{discover_figures, discover_results};
 use crate::corrections::{CorrectedWing, corrected_wing};
 use crate::ensemble::write_corrections;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
-use crate::paths::folder_of;
-use crate::store::Store;
-use crate::{kept_nulls, show};
+use crate::show;
+use crate::sweep::{SweepArgs, Task};
 
 /// Options of `discover`.
 #[derive(Debug, Clone, Default, Args)]
@@ -52,6 +50,9 @@ pub struct DiscoverArgs {
     /// What `null_distribution` was called before
     #[arg(long, value_name = "FILE", hide = true, conflicts_with = "null_distribution")]
     pub(crate) bank: Option<PathBuf>,
+    /// Which of the null campaigns: a process that has a share of them keeps it for `merge discover`
+    #[command(flatten)]
+    pub(crate) sweep: SweepArgs,
 }
 
 impl From<DiscoverError> for Failure {
@@ -69,6 +70,7 @@ impl From<DiscoverError> for Failure {
 /// Runs the command.
 pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
     let start = Instant::now();
+    let task = args.sweep.task_by_parts()?;
     let folder = args.given.measured.campaign_path()?;
     let campaign = Campaign::read(&folder)?;
     let corrected = corrected_wing(&args.given)?;
@@ -87,10 +89,16 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
     let out = common.out("discover");
     let faults = prepared.defects();
     if !faults.is_empty() {
-        return refuse(faults, &out, common, start.elapsed().as_secs_f64());
+        return refuse(faults, task, &out, common, start.elapsed().as_secs_f64());
     }
     let seed = common.seed.unwrap_or(1);
-    let (nulls, nulls_from) = null_distribution(args, &corrected, &prepared, common, seed)?;
+    if args.bank.is_some() && !common.quiet {
+        show::note("--bank is called --null-distribution now; the old name is read for one version");
+    }
+    let named = args.null_distribution.as_ref().or(args.bank.as_ref());
+    let estimate = &args.sweep.estimate;
+    let asked = Asked { named, corrected: &corrected, prepared: &prepared, common, seed, start, estimate };
+    let Some((nulls, nulls_from)) = asked.null_distribution(task)? else { return Ok(()) };
     let mut finding = Finding::search(&prepared, &nulls, seed);
     finding.look_further(&rigs, &corrected.schedule)?;
     let sources = Sources {
@@ -135,64 +143,19 @@ fn without_held_out_points(
     })
 }
 
-/// Data at fault end the command with status 3; what was found is written all the same.
-fn refuse(faults: Vec<Defect>, out: &Path, common: &Common, seconds: f64) -> Result<(), Failure> {
+/// Data at fault end the command with status 3; what was found is written all the same, unless this is one process of many.
+fn refuse(faults: Vec<Defect>, task: Task, out: &Path, common: &Common, seconds: f64) -> Result<(), Failure> {
     let sentences: Vec<String> = faults.iter().map(|defect| defect.sentence.clone()).collect();
+    let failure = Failure::Computation(format!("the data are at fault: {}", sentences.join("; ")));
+    if !matches!(task, Task::All | Task::Merge) {
+        return Err(failure);
+    }
     let result = DiscoverResult::at_fault(faults, None, seconds);
     let results = ResultFolder::begin(out)?;
     results.write_json("result.json", &result)?;
     results.commit_incomplete()?;
     show::json(common, &result)?;
-    Err(Failure::Computation(format!("the data are at fault: {}", sentences.join("; "))))
-}
-
-/// The given or shipped one if it belongs to this wing and campaign, else from campaigns without effect, made now.
-fn null_distribution(
-    args: &DiscoverArgs,
-    corrected: &CorrectedWing,
-    prepared: &Prepared,
-    common: &Common,
-    seed: u64,
-) -> Result<(NullDistribution, String), Failure> {
-    let wanted = prepared.null_key(&corrected.file.hash, &corrected.schedule);
-    let serves = |nulls: &NullDistribution| nulls.serves(&wanted, &prepared.library);
-    if args.bank.is_some() && !common.quiet {
-        show::note("--bank is called --null-distribution now; the old name is read for one version");
-    }
-    let given = args.null_distribution.as_ref().or(args.bank.as_ref());
-    let beside = expected_in(folder_of(&corrected.file.path), "null_distribution")?;
-    let last = crate::common::results("discover").join("null_distribution.ron");
-    if let Some(path) = given {
-        let nulls: NullDistribution = nastran::ron_file::read(path)?;
-        if !serves(&nulls) {
-            let differs = nulls.key.differs_in(&wanted);
-            let of = if differs.is_empty() {
-                "lacks effects of the library".to_owned()
-            } else {
-                format!("does not fit; what differs: {}", differs.join(", "))
-            };
-            let message = format!("this null distribution {of}");
-            return Err(InputError::in_file(path, message)
-                .with_help("leave --null-distribution out to have it made for this one")
-                .into());
-        }
-        return Ok((nulls, path.display().to_string()));
-    }
-    for path in [beside, last] {
-        let nulls: Option<NullDistribution> = nastran::ron_file::read(&path).ok();
-        if let Some(nulls) = nulls.filter(serves) {
-            return Ok((nulls, path.display().to_string()));
-        }
-    }
-    if !common.quiet {
-        show::note(
-            "no null distribution for this wing, campaign and library of effects: made now (a minute or so)",
-        );
-    }
-    let store = Store::beside(&common.out("discover"), &format!("null campaigns {seed} {wanted:?}"))?;
-    let mut nulls = kept_nulls::null_distribution(prepared, seed, store, common);
-    nulls.key = wanted;
-    Ok((nulls, "made now".to_owned()))
+    Err(failure)
 }
 
 /// The wing with the effects that the data support, and its corrections calibrated again beside them.

@@ -11,12 +11,13 @@ use nastran::InputError;
 use crate::args::Common;
 use crate::commands::fullaircraft_cases_flown::{COMMAND, Flown, Flying};
 use crate::commands::fullaircraft_cases_merged::{Merged, remark, table};
+use crate::commands::fullaircraft_draws::Draws;
 use crate::commands::fullaircraft_prepared::{FullaircraftArgs, PreparedCases, prepared_cases};
 use crate::failure::Failure;
 use crate::fingerprint::Fingerprint;
 use crate::show;
 use crate::store::{Inputs, Shared, Store, Told};
-use crate::sweep::estimate::{Estimate, peak_memory_bytes};
+use crate::sweep::estimate::Estimate;
 use crate::sweep::share::Share;
 use crate::sweep::split::{Weighed, share_of};
 use crate::sweep::{Task, merging, status};
@@ -39,7 +40,7 @@ pub(crate) fn run(path: &Path, args: &FullaircraftArgs, common: &Common) -> Resu
     let file = CasesFile::read(path)?;
     let keeps = matches!(task, Task::Prepare | Task::Part(_));
     let shared = Shared::new(&Store::folder_beside(&target)?, keeps);
-    let PreparedCases { mut aircraft, corrections, origin, mut inputs } =
+    let PreparedCases { mut aircraft, corrections, origin, ensemble, mut inputs } =
         prepared_cases(args, common, &shared)?;
     inputs.push(("cases", file.path.clone()));
     if !aircraft.wing.deflection.is_empty() && !common.quiet {
@@ -54,18 +55,17 @@ pub(crate) fn run(path: &Path, args: &FullaircraftArgs, common: &Common) -> Resu
     let limits = aircraft.file.lift_limits()?;
     let depends = aircraft.inputs_of_cases(&corrections, &file);
     let depends = depends.iter().fold(Inputs::default(), |all, (name, text)| all.with(name, text));
-    let label = match task {
-        Task::Part(share) => format!("part{}of{}", share.number, share.of),
-        _ => "whole".to_owned(),
-    };
+    let draws = Draws::new(ensemble.as_ref(), &aircraft.file, &shared);
+    let depends = draws.inputs().iter().fold(depends, |all, text| all.with("ensemble", text));
     let flying = Flying {
         grid: file.grid(),
         tools: &tools,
         models: [&models[0], &models[1]],
         limits: limits.as_deref(),
-        store: Store::beside(&target, depends)?.labelled(label),
+        store: Store::beside(&target, depends)?.labelled(task.label()),
         shared: &shared,
         common,
+        draws,
     };
     let here = Here { common, target, inputs, origin, start };
     let done = match task {
@@ -97,7 +97,7 @@ fn part(flying: &Flying<'_>, share: Share, here: &Here<'_>) -> Result<(), Failur
     let text = format!(
         "part {share}: {} of {} cases, {} of them not to be flown, {} finished before; {} factorisations, {:.2} s; kept in {}\n",
         own.len(),
-        flying.grid.len(),
+        flying.count(),
         flown.refused,
         flown.before,
         flying.tools.factorisations(),
@@ -128,14 +128,12 @@ fn again(flying: &Flying<'_>, hash: Fingerprint, common: &Common) -> Result<(), 
 /// What all cases share, computed and kept before many processes begin.
 fn prepare(flying: &Flying<'_>, common: &Common) -> Result<(), Failure> {
     merging::one_state(&flying.store)?;
-    if flying.grid.cases().any(|case| case.is_dynamic()) {
-        flying.air()?;
-    }
+    flying.leave(flying.grid.cases().any(|case| case.is_dynamic()))?;
     let (files, bytes) = flying.shared.size();
     let text = format!(
         "{} cases of {} boxes; all names are known, and nothing in {} is of another state; \
          {files} files of {:.1} MB there spare parts what all cases share\n",
-        flying.grid.len(),
+        flying.count(),
         flying.tools.aircraft.flow.lattice.len(),
         flying.store.folder().display(),
         bytes as f64 / 1e6
@@ -152,20 +150,7 @@ fn estimate(flying: &Flying<'_>, start: Instant) -> Result<Estimate, Failure> {
     flying.fly(&three)?;
     let told: Vec<(Weighed, Told)> =
         three.iter().filter_map(|case| Some((*case, flying.store.told_of(case.hash)?))).collect();
-    let flown = told.iter().map(|(_, told)| (told.part.clone(), told.seconds.unwrap_or(0.0)));
-    let flown: Vec<(String, f64)> = flown.collect();
-    // trims by trims, motions by motions: the table's costs are between the two only roughly right
-    let seconds = [false, true].into_iter().map(|is_late| {
-        let cost = |cases: &mut dyn Iterator<Item = Weighed>| cases.map(|case| case.cost).sum::<u64>() as f64;
-        let own = || told.iter().filter(|(case, _)| case.is_late == is_late);
-        let seconds: f64 = own().filter_map(|(_, told)| told.seconds).sum();
-        let of_all = cost(&mut row.iter().filter(|case| case.is_late == is_late).copied());
-        seconds * of_all / cost(&mut own().map(|(case, _)| *case)).max(1.0)
-    });
-    let seconds: f64 = seconds.sum();
-    let setup_s = start.elapsed().as_secs_f64() - flown.iter().map(|(_, seconds)| seconds).sum::<f64>();
-    let memory_bytes = peak_memory_bytes();
-    Ok(Estimate { cases: row.len(), flown, setup_s: setup_s.max(0.0), seconds, memory_bytes })
+    Ok(Estimate::of_some(&row, &told, start))
 }
 
 /// Results from the store, case by case.
@@ -194,13 +179,14 @@ fn merge(
     );
     let text = format!(
         "{}\n{} cases, {} of them not to be flown{flown}, {:.2} s\n\
-         corrections at {} m/s: {}\nresults in {}\n",
+         corrections at {} m/s: {}\n{}results in {}\n",
         table(&summary.envelope),
         summary.cases,
         summary.refused.len(),
         here.start.elapsed().as_secs_f64(),
         summary.correction_airspeed_m_s,
         here.origin,
+        summary.intervals_from.as_ref().map_or_else(String::new, |from| format!("90 % intervals: {from}\n")),
         out.display()
     );
     show::summary(here.common, &text);

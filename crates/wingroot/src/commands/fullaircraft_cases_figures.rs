@@ -11,34 +11,43 @@ use crate::pages::values::with_unit;
 /// The station of which all cases are drawn.
 pub(crate) const DRAWN_STATION: &str = "right root";
 
-/// The envelope of the right wing's stations over y, initial dashed beside updated.
+/// The intervals of the updated model in the legend.
+const BAND: &str = "updated, 90 % interval";
+
+/// The envelope of the right wing's stations over y, initial dashed beside updated with its intervals.
 pub(crate) fn envelope(stations: &[Station], envelope: &[Extreme]) -> Figure {
     let mut places: Vec<&Station> = stations.iter().filter(|s| s.name.starts_with("right")).collect();
     places.sort_by(|a, b| a.point.y.total_cmp(&b.point.y));
-    let line = |model: &str, load: &str, end: &str| {
-        let style = if model == "initial" { Style::DashedLine } else { Style::Line };
-        let (mut x, mut y) = (Vec::new(), Vec::new());
-        for place in &places {
-            let found = envelope
-                .iter()
-                .find(|e| e.model == model && e.station == place.name && e.load == load && e.end == end);
-            if let Some(extreme) = found {
-                x.push(place.point.y);
-                y.push(extreme.value);
-            }
-        }
-        Series::new(model, x, y, style)
+    let curve = |name: &str, at: [&str; 3], style: Style, of: &dyn Fn(&Extreme) -> Option<f64>| {
+        let found = places.iter().filter_map(|place| {
+            let is_it = |e: &&Extreme| e.station == place.name && [e.model.as_str(), e.load, e.end] == at;
+            Some((place.point.y, of(envelope.iter().find(is_it)?)?))
+        });
+        let (x, y) = found.unzip();
+        Series::new(name, x, y, style)
     };
     let panel = |load: &'static str| {
-        Panel::new(
-            "",
-            "y of the station (m)",
-            with_unit(load),
-            MODELS
-                .iter()
-                .flat_map(|model| ["smallest", "largest"].map(|end| line(model, load, end)))
-                .collect(),
-        )
+        let mut series = Vec::new();
+        for end in ["smallest", "largest"] {
+            let at = [MODELS[1], load, end];
+            series.extend(
+                [0, 1].map(|side| curve(BAND, at, Style::Edge, &|extreme| Some(extreme.interval_90?[side]))),
+            );
+        }
+        series.retain(|edge| !edge.x.is_empty());
+        for model in MODELS {
+            // a line through one point is none
+            let style = match model {
+                _ if places.len() < 2 => Style::Marked,
+                "initial" => Style::DashedLine,
+                _ => Style::Line,
+            };
+            series.extend(
+                ["smallest", "largest"]
+                    .map(|end| curve(model, [model, load, end], style, &|extreme| Some(extreme.value))),
+            );
+        }
+        Panel::new("", "y of the station (m)", with_unit(load), series)
     };
     let panels = LOADS.into_iter().map(panel).collect();
     Figure::new("Load envelope of the right wing", panels, 3)

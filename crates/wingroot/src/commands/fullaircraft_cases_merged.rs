@@ -13,6 +13,7 @@ use serde::Serialize;
 use crate::commands::fullaircraft_cases_figures as figures;
 use crate::commands::fullaircraft_cases_flown::{COMMAND, Flying};
 use crate::commands::fullaircraft_cases_table::LoadsTable;
+use crate::commands::fullaircraft_draws::set_intervals;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
@@ -37,6 +38,9 @@ pub(crate) struct Summary {
     pub(crate) correction_airspeed_m_s: f64,
     /// Smallest and largest loads.
     pub(crate) envelope: Vec<Extreme>,
+    /// Where the wings are from whose envelopes the intervals are of; left out without them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) intervals_from: Option<String>,
     /// What the user should know.
     warnings: Vec<String>,
 }
@@ -87,6 +91,9 @@ impl Merged {
                 drawn.push(result);
             }
         }
+        let mut envelope = envelope.extremes();
+        let draws = draws(flying, &refused, &mut warnings)?;
+        set_intervals(&mut envelope, &draws);
         let summary = Summary {
             command: COMMAND,
             name: file.name.clone(),
@@ -94,7 +101,8 @@ impl Merged {
             refused,
             boxes: flying.tools.aircraft.flow.lattice.len(),
             correction_airspeed_m_s: flying.tools.aircraft.file.correction_airspeed_m_s,
-            envelope: envelope.extremes(),
+            envelope,
+            intervals_from: flying.draws.from(),
             warnings: warnings.into_iter().collect(),
         };
         Ok(Self { summary, columns, drawn })
@@ -123,9 +131,13 @@ impl Merged {
         table.finish()?;
         folder.write_text("envelope.csv", &envelope_csv(&summary.envelope))?;
         if !summary.envelope.is_empty() {
+            let mut caption = "The smallest and the largest load of all cases at each station.".to_owned();
+            if summary.intervals_from.is_some() {
+                caption += " Shaded: 90 % intervals of the updated model's, the envelope taken for each wing that is as likely.";
+            }
             folder.write_figure_of(
                 "envelope",
-                "The smallest and the largest load of all cases at each station.",
+                &caption,
                 figures::envelope(&flying.tools.stations, &summary.envelope),
                 "envelope.csv",
             )?;
@@ -138,6 +150,37 @@ impl Merged {
         folder.write_json("result.json", summary)?;
         folder.commit_if(summary.refused.len() < summary.cases)
     }
+}
+
+/// The envelope of each draw; one that cannot fly what the updated model flies is said.
+fn draws(
+    flying: &Flying<'_>,
+    refused: &[Refused],
+    warnings: &mut BTreeSet<String>,
+) -> Result<Vec<Vec<Extreme>>, Failure> {
+    let of_a_draw = flying.of_a_draw();
+    let of_draw = |draw: usize| {
+        let mut envelope = LoadEnvelope::default();
+        let first = flying.grid.len() + draw * of_a_draw;
+        let (mut lost, mut example) = (0, String::new());
+        for number in first..first + of_a_draw {
+            let result = read(flying, number)?;
+            envelope.add(&result);
+            let Some(why) = &result.refused else { continue };
+            if refused.iter().all(|own| own.case != result.number) {
+                lost += 1;
+                example = format!("{}: {why}", result.label());
+            }
+        }
+        if lost > 0 {
+            let wing = draw + 1;
+            warnings.insert(format!(
+                "wing {wing} of the ensemble cannot fly {lost} cases that the updated model flies ({example}): its envelope is without them"
+            ));
+        }
+        Ok(envelope.extremes())
+    };
+    (0..flying.draws.count()).map(of_draw).collect()
 }
 
 fn read(flying: &Flying<'_>, number: usize) -> Result<CaseResult, Failure> {
@@ -163,10 +206,16 @@ pub(crate) fn remark(summary: &Summary) {
     }
 }
 
-/// The envelope for people.
+/// The envelope for people; with intervals of the updated model where there are any.
 pub(crate) fn table(envelope: &[Extreme]) -> report::Table {
-    let mut table =
-        report::Table::new(&["", "initial", "updated: smallest", "initial", "updated: largest", "given by"]);
+    let is_interval = envelope.iter().any(|extreme| extreme.interval_90.is_some());
+    let mut head = vec![""];
+    for end in ["updated: smallest", "updated: largest"] {
+        head.extend(["initial", end]);
+        head.extend(is_interval.then_some("90 %"));
+    }
+    head.push("given by");
+    let mut table = report::Table::new(&head);
     let mut stations: Vec<&str> = Vec::new();
     for extreme in envelope {
         if !stations.contains(&extreme.station.as_str()) {
@@ -180,16 +229,20 @@ pub(crate) fn table(envelope: &[Extreme]) -> report::Table {
                     .iter()
                     .find(|e| e.model == model && e.station == station && e.load == load && e.end == end)
             };
-            let number =
-                |model: &str, end: &str| find(model, end).map_or("-".into(), |e| format!("{:.2}", e.value));
-            table.row([
-                format!("{station}: {}", load.replace('_', " ")),
-                number(MODELS[0], "smallest"),
-                number(MODELS[1], "smallest"),
-                number(MODELS[0], "largest"),
-                number(MODELS[1], "largest"),
-                find(MODELS[1], "largest").map_or_else(String::new, |e| e.flown.clone()),
-            ]);
+            let mut row = vec![format!("{station}: {}", load.replace('_', " "))];
+            for end in ["smallest", "largest"] {
+                row.extend(MODELS.map(|model| {
+                    find(model, end).map_or_else(|| "-".to_owned(), |e| format!("{:.2}", e.value))
+                }));
+                if is_interval {
+                    let interval = find(MODELS[1], end).and_then(|e| e.interval_90);
+                    row.push(
+                        interval.map_or_else(String::new, |[low, high]| format!("{low:.2} to {high:.2}")),
+                    );
+                }
+            }
+            row.push(find(MODELS[1], "largest").map_or_else(String::new, |e| e.flown.clone()));
+            table.row(row);
         }
     }
     table

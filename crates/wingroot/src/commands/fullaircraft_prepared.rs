@@ -74,6 +74,15 @@ pub(crate) fn prepared(args: &FullaircraftArgs, common: &Common) -> Result<Prepa
     prepared_shared(asked(args)?, common, &Shared::default())
 }
 
+/// The same; what processes share is taken from there or left there.
+pub(crate) fn prepared_for_parts(
+    args: &FullaircraftArgs,
+    common: &Common,
+    shared: &Shared,
+) -> Result<Prepared, Failure> {
+    prepared_shared(asked(args)?, common, shared)
+}
+
 /// What grids of cases are flown with: no effects but those that are in the corrections.
 pub(crate) struct PreparedCases {
     /// The aircraft.
@@ -82,6 +91,8 @@ pub(crate) struct PreparedCases {
     pub(crate) corrections: Corrections,
     /// Where they come from, in words.
     pub(crate) origin: String,
+    /// The wing with its ensemble; none without one.
+    pub(crate) ensemble: Option<CorrectedWing>,
     /// What was read, for the report.
     pub(crate) inputs: Vec<(&'static str, PathBuf)>,
 }
@@ -97,13 +108,16 @@ pub(crate) fn prepared_cases(
     let left = left_by_another(&asked.given, shared)?.filter(|left| left.file.effects.is_empty());
     let Some(Left { file: wing, schedule, origin }) = left else {
         let Prepared { aircraft, corrections, wing, inputs, .. } = prepared_shared(asked, common, shared)?;
-        return Ok(PreparedCases { aircraft, corrections, origin: wing.origin, inputs });
+        let origin = wing.origin.clone();
+        let ensemble = Some(wing).filter(|wing| wing.ensemble.is_some());
+        return Ok(PreparedCases { aircraft, corrections, origin, ensemble, inputs });
     };
     let Asked { file, wing_path, .. } = asked;
     check_airspeed(&schedule, &file, common)?;
     let inputs = vec![("aircraft", file.path.clone()), ("wing", wing_path)];
     let corrections = schedule.nearest(file.correction_airspeed_m_s).corrections.clone();
-    Ok(PreparedCases { aircraft: Aircraft::kept(file, wing, shared)?, corrections, origin, inputs })
+    let aircraft = Aircraft::kept(file, wing, shared)?;
+    Ok(PreparedCases { aircraft, corrections, origin, ensemble: None, inputs })
 }
 
 /// What options ask for.

@@ -118,11 +118,7 @@ pub(crate) fn run(args: &HiddenArgs, common: &Common) -> Result<(), Failure> {
     let seed = common.seed.unwrap_or(FIRST_SEED);
     let folders = [out.with_extension("cases"), out.with_extension("sealed")];
     let folders = [folders[0].as_path(), folders[1].as_path()];
-    let label = match task {
-        Task::Part(share) => format!("part{}of{}", share.number, share.of),
-        _ => "whole".to_owned(),
-    };
-    let judged = with_judge(folders, args.setting(label), common, |judge, bench| {
+    let judged = with_judge(folders, args.setting(task.label()), common, |judge, bench| {
         Session { judge, bench, args, seed, common }.run(task, start)
     })?;
     let Some(judged) = judged else { return Ok(()) };
@@ -221,7 +217,8 @@ impl Session<'_> {
     fn row(&self) -> Vec<Weighed> {
         let weighed = |plan: CasePlan| {
             let hash = Store::hash(&self.name(plan.index));
-            Weighed { is_late: false, group: hash, hash, cost: 1, number: plan.index }
+            let frame = Fingerprint::default();
+            Weighed { frame, is_late: false, group: hash, unit: hash, hash, cost: 1, number: plan.index }
         };
         self.plans().into_iter().map(weighed).collect()
     }

@@ -120,7 +120,9 @@ impl Judge<'_> {
             return Ok(nulls);
         }
         let store = Store::new(self.folder.join("null_campaigns"), &format!("{key:?}"));
-        let mut nulls = kept_nulls::null_distribution(&case.prepared, NULLS_SEED, store, &self.common);
+        let mut nulls = kept_nulls::null_distribution(&case.prepared, NULLS_SEED, &store, &self.common);
+        // A store that resists is found again, or is of other inputs and ignored.
+        let _ = store.close();
         nulls.key = key;
         write(&path, nastran::ron_file::to_text(&nulls)?.as_bytes()).map_err(Failure::computation)?;
         Ok(nulls)

@@ -12,17 +12,21 @@ use nastran::InputError;
 use nastran::ron_or_json::in_folder;
 
 use crate::args::{Common, Given};
-use crate::commands::fullaircraft_prepared::{FullaircraftArgs, Prepared, prepared};
+use crate::commands::fullaircraft_prepared::{FullaircraftArgs, Prepared, prepared_for_parts};
+use crate::commands::loads_draws as draws;
 use crate::commands::loads_figures as figures;
 use crate::commands::loads_flights::{Flights, Flown};
 use crate::commands::loads_gusts as gusts;
 use crate::commands::loads_package::{Packed, package};
 use crate::commands::loads_result::{Failed, LoadsResult};
+use crate::commands::loads_sweep as sweep;
 use crate::commands::loads_tables as tables;
 use crate::commands::loads_turbulence as turbulence;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
+use crate::store::{Shared, Store};
+use crate::sweep::{SweepArgs, Task};
 
 /// Options of `loads`.
 #[derive(Debug, Clone, Default, Args)]
@@ -33,7 +37,8 @@ use crate::show;
 
 Flies every case of the plan with both models; writes cases.csv, vn.csv, station_loads.csv, envelope.csv, selected.csv,
 figures and package/ (FORCE and MOMENT cards of the selected cases, the structure they belong to, and their round trip)
-into out/loads. --from selects anew among finished cases and flies none: out/loads_selection.")]
+into out/loads. Finished cases are kept beside that folder until all are done. --from selects anew among finished cases and
+flies none: out/loads_selection.")]
 pub struct LoadsArgs {
     /// The aircraft [default: aircraft.ron beside the wing, or of the current folder]
     #[arg(long, value_name = "FILE")]
@@ -45,14 +50,17 @@ pub struct LoadsArgs {
     #[arg(long, value_name = "FILE.ron")]
     pub(crate) plan: Option<PathBuf>,
     /// Only the matrix of cases and the V-n diagrams: nothing is flown
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["part", "case"])]
     pub(crate) matrix_only: bool,
     /// The results of an earlier run to select from
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["plan", "matrix_only"], requires = "select")]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["plan", "matrix_only", "part", "case"], requires = "select")]
     pub(crate) from: Option<PathBuf>,
     /// Which cases go to stress [default: the one that the plan names; without one, all ends and hulls]
     #[arg(long, value_name = "FILE.ron")]
     pub(crate) select: Option<PathBuf>,
+    /// Which of the cases
+    #[command(flatten)]
+    pub(crate) sweep: SweepArgs,
 }
 
 impl LoadsArgs {
@@ -74,7 +82,11 @@ pub(crate) fn run(args: &LoadsArgs, common: &Common) -> Result<(), Failure> {
         given: args.given.clone(),
         ..FullaircraftArgs::default()
     };
-    let mut prepared = prepared(&own, common)?;
+    let task = if args.matrix_only { Task::All } else { args.sweep.task()? };
+    // one process flies selected cases again for their cards
+    let keeps = matches!(task, Task::All | Task::Prepare | Task::Part(_)) && !args.matrix_only;
+    let shared = Shared::new(&Store::folder_beside(&target)?, keeps);
+    let mut prepared = prepared_for_parts(&own, common, &shared)?;
     let plan = plan(args, &prepared)?;
     let design = plan.design()?.ok_or_else(|| {
         InputError::in_file(&plan.path, "this is a grid of cases and no plan of design loads")
@@ -94,10 +106,13 @@ pub(crate) fn run(args: &LoadsArgs, common: &Common) -> Result<(), Failure> {
     }
     let select = selection_file(args, &plan)?;
     prepared.inputs.extend((!select.path.as_os_str().is_empty()).then(|| ("selection", select.path.clone())));
-    let flights = Flights::new(&prepared, &plan, &design, maneuvers, &matrix)?;
-    let (flown, store) = flights.fly(&target, common)?;
+    let mut flights = Flights::new(&prepared, (&plan, &design), maneuvers, &matrix, &target, &shared)?;
+    flights.store = flights.store.labelled(task.label());
+    let Some(flown) = sweep::flown(&flights, task, &args.sweep, common, start)? else { return Ok(()) };
     let result = write(&target, &prepared, &flights, &flown, &select)?;
-    store.close()?;
+    if task == Task::All {
+        flights.store.close()?;
+    }
     let text =
         format!("{}{:.1} s\nresults in {}\n", result.text(), start.elapsed().as_secs_f64(), target.display());
     show::summary(common, &text);
@@ -164,7 +179,8 @@ fn write(
     let folder = ResultFolder::begin(target)?;
     prepared.inputs.iter().try_for_each(|(what, path)| folder.input(what, path))?;
     write_matrix(&folder, design, &matrix)?;
-    let envelope = tables::envelope(&names, &instants, &matrix);
+    let mut envelope = tables::envelope(&names, &instants, &matrix);
+    draws::intervals(flights, &names, &mut envelope)?;
     folder.write_text("station_loads.csv", &tables::station_loads(&names, &flown.cases))?;
     folder.write_text("envelope.csv", &fullaircraft::cases::envelope::envelope_csv(&envelope))?;
     let gusts = gusts::worst(&names, &flown.cases, &matrix);
@@ -181,6 +197,7 @@ fn write(
     let mut result = LoadsResult::of(plan, &matrix);
     result.failed = flown.failed().map(|(case, model, why)| Failed { case, model, why }).collect();
     result.envelope = envelope;
+    result.intervals_from = flights.states.draws.from();
     result.gusts = gusts::of_roots(gusts);
     result.turbulence = turbulence::rows(&names, &flown.cases);
     result.selected = selection.selected.iter().map(Into::into).collect();

@@ -1,15 +1,17 @@
 //! Flying a plan's cases: an aircraft for each state of loading, groups of cases on all threads, finished cases kept.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Mutex;
+use std::time;
 
-use aero::Corrections;
 use fullaircraft::cases::file::Action;
 use fullaircraft::cases::list::MODELS;
+use fullaircraft::design_loads::cost::cost;
+pub(crate) use fullaircraft::design_loads::cost::is_in_time;
 use fullaircraft::design_loads::fly::{Nodal, PlanFlight};
 use fullaircraft::design_loads::instants::{FlownCase, FlownInstant};
-use fullaircraft::{Aircraft, CasesFile, FlightAir, NodalLoads, Station, TrimTools};
+use fullaircraft::{CasesFile, NodalLoads, Station};
 use loads::matrix::{Action as Planned, Case, Status};
 use loads::select::Instant;
 use loads::select::file::Model;
@@ -17,10 +19,14 @@ use loads::{Air, Design, Matrix};
 use rayon::prelude::*;
 
 use crate::args::Common;
+use crate::commands::fullaircraft_draws::Draws;
 use crate::commands::fullaircraft_prepared::Prepared;
+use crate::commands::loads_states::{Frame, Loaded, States};
 use crate::failure::Failure;
+use crate::fingerprint::Fingerprint;
 use crate::progress;
-use crate::store::{Inputs, Store};
+use crate::store::{Inputs, Shared, Store, Told};
+use crate::sweep::split::Weighed;
 
 /// A plan ready to be flown.
 pub(crate) struct Flights<'a> {
@@ -31,10 +37,12 @@ pub(crate) struct Flights<'a> {
     /// Numbers of the grids, in the order of the nodes.
     pub(crate) grids: Vec<u32>,
     pub(crate) maneuvers: Vec<Action>,
-    corrections: &'a Corrections,
-    inputs: Inputs,
-    /// The aircraft in each state of loading with its unsteady air.
-    aircraft: Vec<(Aircraft, Option<FlightAir>)>,
+    /// What is finished.
+    pub(crate) store: Store,
+    /// The aircraft in each state of loading.
+    pub(crate) states: States<'a>,
+    /// What all cases share, where it is kept.
+    pub(crate) shared: &'a Shared,
 }
 
 /// What came of the cases, in the order of models and numbers.
@@ -60,90 +68,145 @@ pub(crate) struct FlownAgain {
     pub(crate) nodal: NodalLoads,
 }
 
-/// What is done with a flown case and what gives its nodal loads at an instant.
-type Each<'e> = dyn Fn(&Case, FlownCase, &Nodal<'_>) -> Result<(), Failure> + Sync + 'e;
+/// What is done with a flown case, what gives its nodal loads at an instant, and what it took, s.
+type Each<'e> = dyn Fn(&Case, FlownCase, &Nodal<'_>, f64) -> Result<(), Failure> + Sync + 'e;
 
-/// Cases that share a state of loading, altitude and airspeed, and the model they are flown with.
+/// Cases of one aircraft that share altitude and airspeed, and the version they are flown with: one of both models, or beyond them a wing of
+/// the ensemble.
 type Group<'m> = (usize, Vec<&'m Case>);
 
 impl<'a> Flights<'a> {
-    /// The aircraft in every state of loading.
+    /// The cases of `matrix` and what is finished of them beside `target`.
     pub(crate) fn new(
         prepared: &'a Prepared,
-        plan: &'a CasesFile,
-        design: &'a Design,
+        (plan, design): (&'a CasesFile, &'a Design),
         maneuvers: Vec<Action>,
         matrix: &'a Matrix,
+        target: &Path,
+        shared: &'a Shared,
     ) -> Result<Self, Failure> {
         let base = &prepared.aircraft;
         let stations = base.loads_stations(plan)?;
-        let in_time = |case: &&Case| case.status == Status::Planned && is_in_time(case, &maneuvers);
-        let aircraft = design.masses.iter().enumerate().map(|(mass, loading)| {
-            let aircraft = base.loaded(loading)?;
-            let moves = matrix.cases.iter().filter(in_time).any(|case| case.mass == mass);
-            let air = if moves { Some(FlightAir::new(&aircraft)?) } else { None };
-            Ok::<_, Failure>((aircraft, air))
-        });
-        let aircraft = aircraft.collect::<Result<Vec<_>, _>>()?;
         let depends = base.inputs_of_cases(&prepared.corrections, plan);
         let depends = depends.iter().fold(Inputs::default(), |all, (name, text)| all.with(name, text));
+        let ensemble = Some(&prepared.wing).filter(|wing| wing.ensemble.is_some());
+        let draws = Draws::new(ensemble, &base.file, shared);
+        let depends = draws.inputs().iter().fold(depends, |all, text| all.with("ensemble", text));
         let inputs = depends.with("design", &format!("{design:?} {maneuvers:?}"));
-        let corrections = &prepared.corrections;
+        let store = Store::beside(target, inputs)?;
+        let states = States::new(base, &prepared.corrections, &design.masses, draws, shared);
         let grids = base.free.node_ids().to_vec();
-        Ok(Self { plan, design, matrix, stations, grids, maneuvers, corrections, inputs, aircraft })
+        Ok(Self { plan, design, matrix, stations, grids, maneuvers, store, states, shared })
     }
 
-    /// Flies what is not finished; each case is kept as soon as it is there.
-    pub(crate) fn fly(&self, target: &Path, common: &Common) -> Result<(Flown, Store), Failure> {
-        let store = Store::beside(target, self.inputs.clone())?;
-        let planned = || self.matrix.cases.iter().filter(|case| case.status == Status::Planned);
-        let known: Vec<FlownCase> = planned()
-            .flat_map(|case| [0, 1].map(|model| store.get::<FlownCase>(&part(case, model))))
-            .flatten()
-            .collect();
-        let mut finished: BTreeSet<(usize, usize)> =
-            known.iter().map(|case| (case.model, case.number)).collect();
-        let mut known = known;
-        for family in self.families() {
-            for model in [0, 1] {
-                // what is searched for between gradients depends on all of them
-                if !family.iter().all(|number| finished.contains(&(model, *number))) {
-                    finished.retain(|(of, number)| *of != model || !family.contains(number));
-                }
+    /// Numbers of all planned cases with both models and the wings of the ensemble: place in the matrix, and how many matrices before.
+    fn numbers(&self) -> impl Iterator<Item = usize> {
+        let count = self.matrix.cases.len();
+        let planned = |place: &usize| self.matrix.cases[*place].status == Status::Planned;
+        let versions = MODELS.len() + self.states.draws.count();
+        (0..versions)
+            .flat_map(move |version| (0..count).filter(planned).map(move |place| version * count + place))
+    }
+
+    /// Which model it is flown with (beyond the two a wing of the ensemble), and the case.
+    fn case(&self, number: usize) -> (usize, &'a Case) {
+        let count = self.matrix.cases.len();
+        (number / count, &self.matrix.cases[number % count])
+    }
+
+    /// The aircraft that flies a case.
+    pub(crate) fn frame(&self, number: usize) -> Frame {
+        let (version, case) = self.case(number);
+        frame(version, case)
+    }
+
+    /// What a case is called in the store: in words, and all that is flown.
+    pub(crate) fn part(&self, number: usize) -> String {
+        let (version, case) = self.case(number);
+        let Case { number, mass, h_m, v_m_s, n_z, action, condition, .. } = case;
+        let draw = || format!("draw {}", version + 1 - MODELS.len());
+        let model = MODELS.get(version).map_or_else(draw, ToString::to_string);
+        let mass = &self.design.masses[*mass].name;
+        format!("{model} {number} {condition}, {mass}, {h_m:?} m, {v_m_s:?} m/s, n {n_z:?}: {action:?}")
+    }
+
+    /// All cases with what they cost and share. Gusts of one direction are flown together: the worst gradients depend on all of them.
+    pub(crate) fn row(&self) -> Vec<Weighed> {
+        let print = |text: String| Fingerprint::default().with(text.as_bytes());
+        let weighed = |number: usize| {
+            let (model, case) = self.case(number);
+            let Case { h_m, v_m_s, mass, action, .. } = case;
+            let hash = Store::hash(&self.part(number));
+            let frame = print(format!("{:?} {:?}", self.frame(number).draw, self.design.masses[*mass]));
+            let group = print(format!("{frame} {model} {h_m:?} {v_m_s:?}"));
+            let unit = match action {
+                Planned::Discrete { direction, .. } => print(format!("{group} {direction:?}")),
+                _ => hash,
+            };
+            let is_late = is_in_time(case, &self.maneuvers);
+            Weighed { frame, is_late, group, unit, hash, cost: cost(case, &self.maneuvers), number }
+        };
+        self.numbers().map(weighed).collect()
+    }
+
+    /// Hashes of cases that are not finished, sorted.
+    pub(crate) fn missing(&self) -> Vec<Fingerprint> {
+        let parts = self.numbers().map(|number| self.part(number));
+        let mut missing: Vec<Fingerprint> =
+            parts.filter(|part| !self.store.has(part)).map(|part| Store::hash(&part)).collect();
+        missing.sort_unstable();
+        missing
+    }
+
+    /// Flies those cases of a sorted row that are not finished; each is kept as soon as it is there. How many were finished before.
+    pub(crate) fn fly(&self, row: &[Weighed], common: &Common) -> Result<usize, Failure> {
+        let is_finished = |case: &Weighed| self.store.has(&self.part(case.number));
+        let units = row.chunk_by(|a, b| a.unit == b.unit);
+        let missing: Vec<&Weighed> = units.filter(|unit| !unit.iter().all(is_finished)).flatten().collect();
+        let key = |number: usize| {
+            let (version, case) = self.case(number);
+            (version, case.number)
+        };
+        let numbers: BTreeMap<(usize, usize), usize> =
+            missing.iter().map(|case| (key(case.number), case.number)).collect();
+        let mut cases: Vec<(usize, &Case)> = missing.iter().map(|case| self.case(case.number)).collect();
+        cases.sort_by_key(|(model, case)| (case.number, *model));
+        let bar = progress::bar(common, cases.len(), "cases");
+        self.each(&cases, true, &|case, flown, _, seconds| {
+            let number = numbers.get(&(flown.model, case.number)).copied();
+            let part = number.map(|number| self.part(number)).ok_or_else(|| unknown(case.number))?;
+            if !self.store.has(&part) {
+                let told = Told { part, seconds: Some(seconds), failed: flown.refused.clone() };
+                self.store.put_told(&told, &flown)?;
             }
-        }
-        known.retain(|case| finished.contains(&(case.model, case.number)));
-        let missing: Vec<(usize, &Case)> = planned()
-            .flat_map(|case| [(0, case), (1, case)])
-            .filter(|(model, case)| !finished.contains(&(*model, case.number)))
-            .collect();
-        let bar = progress::bar(common, missing.len(), "cases");
-        let results = Mutex::new(Vec::new());
-        self.each(&missing, true, &|case, flown, _| {
-            let kept = store.put(&part(case, flown.model), &flown)?;
-            results.lock().map_err(Failure::computation)?.push(kept);
             bar.inc(1);
             Ok(())
         })?;
         progress::end(&bar);
-        let mut cases = results.into_inner().map_err(Failure::computation)?;
-        cases.extend(known);
-        cases.sort_by_key(|case| (case.model, case.number));
-        Ok((Flown { cases }, store))
+        Ok(row.len() - missing.len())
     }
 
-    /// Numbers of the planned gusts whose worst gradients are searched for together.
-    fn families(&self) -> Vec<Vec<usize>> {
-        let mut families: Vec<(String, Vec<usize>)> = Vec::new();
-        for case in self.matrix.cases.iter().filter(|case| case.status == Status::Planned) {
-            let Planned::Discrete { direction, refine: true, .. } = case.action else { continue };
-            let key = format!("{} {:?} {:?} {direction:?}", case.mass, case.h_m, case.v_m_s);
-            match families.iter_mut().find(|family| family.0 == key) {
-                Some(family) => family.1.push(case.number),
-                None => families.push((key, vec![case.number])),
-            }
-        }
-        families.into_iter().map(|family| family.1).collect()
+    /// All cases of both models, once they are finished.
+    pub(crate) fn finished(&self) -> Result<Flown, Failure> {
+        let of_models = |number: &usize| self.case(*number).0 < MODELS.len();
+        let cases = self.numbers().filter(of_models).map(|number| self.read(number));
+        let mut cases = cases.collect::<Result<Vec<FlownCase>, Failure>>()?;
+        cases.sort_by_key(|case| (case.model, case.number));
+        Ok(Flown { cases })
+    }
+
+    /// All cases of a wing of the ensemble as if they were the updated model's, once they are finished.
+    pub(crate) fn of_draw(&self, draw: usize) -> Result<Flown, Failure> {
+        let own = |number: &usize| self.frame(*number).draw == Some(draw);
+        let as_updated = |case: FlownCase| FlownCase { model: MODELS.len() - 1, ..case };
+        let cases = self.numbers().filter(own).map(|number| self.read(number).map(as_updated));
+        Ok(Flown { cases: cases.collect::<Result<Vec<FlownCase>, Failure>>()? })
+    }
+
+    fn read(&self, number: usize) -> Result<FlownCase, Failure> {
+        let part = self.part(number);
+        let lost = || Failure::Computation(format!("{part}: can no longer be read: run again"));
+        self.store.get::<FlownCase>(&part).ok_or_else(lost)
     }
 
     /// Instants flown again, in this order.
@@ -156,7 +219,7 @@ impl<'a> Flights<'a> {
             }
         }
         let found = Mutex::new(Vec::new());
-        self.each(&cases, false, &|case, flown, loads| {
+        self.each(&cases, false, &|case, flown, loads, _| {
             for &Wanted { model, number, instant, flown: first } in wanted {
                 if (model, number) == (flown.model, case.number) {
                     let nodal = loads(first).ok_or_else(|| {
@@ -179,58 +242,62 @@ impl<'a> Flights<'a> {
         Ok(found)
     }
 
-    /// Flies cases with models, groups side by side; worst gradients are searched for if asked to.
+    /// Flies cases with models, aircraft by aircraft and its groups side by side; worst gradients are searched for if asked to.
     fn each(&self, cases: &[(usize, &Case)], search: bool, done: &Each<'_>) -> Result<(), Failure> {
-        let mut groups: Vec<Group<'_>> = Vec::new();
-        for (model, case) in cases {
+        let mut frames: BTreeMap<Frame, Vec<Group<'_>>> = BTreeMap::new();
+        for (version, case) in cases {
             let same = |group: &&mut Group<'_>| {
                 let first = group.1[0];
-                group.0 == *model && (first.mass, first.h_m, first.v_m_s) == (case.mass, case.h_m, case.v_m_s)
+                group.0 == *version && (first.h_m, first.v_m_s) == (case.h_m, case.v_m_s)
             };
+            let groups = frames.entry(frame(*version, case)).or_default();
             match groups.iter_mut().find(same) {
                 Some(group) => group.1.push(case),
-                None => groups.push((*model, vec![case])),
+                None => groups.push((*version, vec![case])),
             }
         }
-        let tools = self.aircraft.iter().map(|(aircraft, _)| TrimTools::new(aircraft, &[]));
-        let tools = tools.collect::<Result<Vec<_>, _>>()?;
-        tools.iter().try_for_each(|tools| self.plan.check_names(tools))?;
-        groups.par_iter().try_for_each(|(which, cases)| {
-            let first = cases[0];
-            let (aircraft, air) = &self.aircraft[first.mass];
-            let model = match which {
-                0 => aircraft.uncorrected(),
-                _ => aircraft.with_corrections(self.corrections)?,
-            };
-            let model = model.in_air(Air::at(first.h_m).rho_kg_m3);
-            let flight = PlanFlight {
-                tools: &tools[first.mass],
-                air: air.as_ref(),
-                stations: &self.stations,
-                maneuvers: &self.maneuvers,
-                search,
-            };
-            flight.fly(&model, *which, cases, &mut |flown: FlownCase, loads| {
-                let case = cases.iter().find(|case| case.number == flown.number).unwrap_or(&first);
-                done(case, flown, loads)
+        frames.into_iter().try_for_each(|(frame, groups)| {
+            let moves =
+                groups.iter().flat_map(|group| &group.1).any(|case| is_in_time(case, &self.maneuvers));
+            self.states.with(frame, moves, |loaded| {
+                self.plan.check_names(loaded.tools)?;
+                groups.par_iter().try_for_each(|group| self.fly_group(loaded, group, search, done))
             })
+        })
+    }
+
+    fn fly_group(
+        &self,
+        loaded: &Loaded<'_>,
+        (version, cases): &Group<'_>,
+        search: bool,
+        done: &Each<'_>,
+    ) -> Result<(), Failure> {
+        let first = cases[0];
+        let Loaded { tools, air, corrections } = *loaded;
+        let model = match version {
+            0 => tools.aircraft.uncorrected(),
+            _ => tools.aircraft.with_corrections(corrections)?,
+        };
+        let model = model.in_air(Air::at(first.h_m).rho_kg_m3);
+        let flight = PlanFlight { tools, air, stations: &self.stations, maneuvers: &self.maneuvers, search };
+        let mut since = time::Instant::now();
+        flight.fly(&model, *version, cases, &mut |flown: FlownCase, loads| {
+            let case = cases.iter().find(|case| case.number == flown.number).unwrap_or(&first);
+            done(case, flown, loads, since.elapsed().as_secs_f64())?;
+            since = time::Instant::now();
+            Ok(())
         })
     }
 }
 
-/// What a case is called in the store: what is flown, and its number, which its result holds.
-fn part(case: &Case, model: usize) -> String {
-    let Case { number, mass, h_m, v_m_s, n_z, action, .. } = case;
-    format!("{model} {mass} {h_m:?} {v_m_s:?} {n_z:?} {action:?} {number}")
+/// The aircraft that flies a case of a version: of both models the calibrated one, beyond them one of the ensemble.
+fn frame(version: usize, case: &Case) -> Frame {
+    Frame { draw: version.checked_sub(MODELS.len()), mass: case.mass }
 }
 
-/// Whether a case is flown in time.
-pub(crate) fn is_in_time(case: &Case, maneuvers: &[Action]) -> bool {
-    match case.action {
-        Planned::Trim => false,
-        Planned::Condition(place) => matches!(maneuvers[place], Action::Motion(_)),
-        Planned::Discrete { .. } | Planned::Turbulence { .. } => true,
-    }
+fn unknown(number: usize) -> Failure {
+    Failure::Computation(format!("case {number} was flown and nobody asked for it"))
 }
 
 impl Flown {

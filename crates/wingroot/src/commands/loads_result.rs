@@ -29,6 +29,9 @@ pub(crate) struct LoadsResult {
     pub(crate) failed: Vec<Failed>,
     /// Smallest and largest net loads.
     pub(crate) envelope: Vec<Extreme>,
+    /// Where the wings are from whose envelopes the intervals are of; left out without them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) intervals_from: Option<String>,
     /// Worst discrete gusts of both wings' roots.
     pub(crate) gusts: Vec<WorstGust>,
     /// Loads in continuous turbulence.
@@ -139,6 +142,9 @@ impl LoadsResult {
                 "failed       case {} ({}): {}; cases.csv has all",
                 first.case, first.model, first.why
             );
+        }
+        if let Some(from) = &self.intervals_from {
+            let _ = writeln!(text, "envelope     90 % intervals: {from}");
         }
         text += &gusts::line(&self.gusts).unwrap_or_default();
         text += &turbulence::line(&self.turbulence).unwrap_or_default();

@@ -116,6 +116,7 @@ pub(crate) fn envelope(names: &[String], instants: &[Instant], matrix: &Matrix) 
                         value: value(&found),
                         case: found.case,
                         flown: case_of(matrix, found.case).map(words).unwrap_or_default(),
+                        interval_90: None,
                     });
                 }
             }

@@ -52,7 +52,7 @@ commands! {
     merge: Merge(Box<merge::MergeArgs>),
     /// How far a sweep is: finished cases, failures, the slowest
     status: Status(Box<status::StatusArgs>),
-    /// A script for Slurm or a manifest for Kubernetes that runs a sweep in parts, from an estimate by three cases
+    /// A script for Slurm or a manifest for Kubernetes that runs a sweep in parts, from an estimate by a few cases
     cluster: Cluster(Box<cluster::ClusterArgs>),
     /// Trim, pull-up, push-down, chirp and doublet of the full aircraft, initial beside updated model
     fullaircraft: Fullaircraft(Box<fullaircraft_prepared::FullaircraftArgs>),
@@ -121,6 +121,7 @@ mod deflection_figures;
 pub(crate) mod deflection_result;
 mod deflection_results;
 mod discover_figures;
+mod discover_nulls;
 mod discover_results;
 mod flightloads_campaign;
 mod flightloads_coverage;
@@ -141,16 +142,20 @@ pub(crate) mod fullaircraft_cases_merged;
 pub(crate) mod fullaircraft_cases_table;
 pub(crate) mod fullaircraft_deck;
 mod fullaircraft_derivatives;
+mod fullaircraft_draws;
 mod fullaircraft_effects;
 mod fullaircraft_figures;
 mod fullaircraft_prepared;
 mod hidden_judge;
 mod hidden_truth;
+mod loads_draws;
 mod loads_figures;
 mod loads_flights;
 mod loads_gusts;
 mod loads_package;
 pub(crate) mod loads_result;
+mod loads_states;
+mod loads_sweep;
 mod loads_tables;
 mod loads_turbulence;
 mod modes_pictures;

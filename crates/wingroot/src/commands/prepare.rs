@@ -11,9 +11,10 @@ use crate::sweep::Stage;
 #[derive(Debug, Clone, Args)]
 #[command(after_help = "Examples:
   wingroot prepare fullaircraft --cases data/tuflex/cases.ron
+  wingroot prepare loads --plan data/tuflex/loads.ron
   wingroot prepare hidden --cases 600 --seed 2000000
 
-Before many processes take parts of a sweep (--part K/N): checks all input, finds thresholds that all cases need.")]
+Before many processes take parts of a sweep (--part K/N): checks all input, computes what all cases need.")]
 pub struct PrepareArgs {
     /// The sweep: the command that computes it, with its options
     #[command(subcommand)]

@@ -4,9 +4,11 @@ use clap::Subcommand;
 use nastran::InputError;
 
 use crate::args::Common;
+use crate::commands::discover::{self, DiscoverArgs};
 use crate::commands::fullaircraft;
 use crate::commands::fullaircraft_prepared::FullaircraftArgs;
 use crate::commands::hidden::{self, HiddenArgs};
+use crate::commands::loads::{self, LoadsArgs};
 use crate::failure::Failure;
 use crate::sweep::estimate::{Estimate, Slot};
 use crate::sweep::{Stage, SweepArgs};
@@ -16,6 +18,10 @@ use crate::sweep::{Stage, SweepArgs};
 pub(crate) enum Swept {
     /// The grid of flight cases of `fullaircraft --cases`
     Fullaircraft(FullaircraftArgs),
+    /// The cases of a plan of design loads
+    Loads(LoadsArgs),
+    /// The null campaigns of `discover`
+    Discover(DiscoverArgs),
     /// The blind benchmark of `discover`
     Hidden(HiddenArgs),
 }
@@ -26,7 +32,7 @@ impl Swept {
         self.run_with(&|sweep: &SweepArgs| SweepArgs { stage, ..sweep.clone() }, common)
     }
 
-    /// Three cases computed, and what the others will take.
+    /// A few cases computed, and what the others will take.
     pub(crate) fn estimate(&self, common: &Common) -> Result<Estimate, Failure> {
         let slot = Slot::default();
         let common = Common { json: false, quiet: true, ..common.clone() };
@@ -46,6 +52,14 @@ impl Swept {
             Self::Fullaircraft(args) => {
                 fullaircraft::run(&FullaircraftArgs { sweep: sweep(&args.sweep), ..args.clone() }, common)
             }
+            Self::Loads(args) if args.matrix_only || args.from.is_some() => {
+                let error = InputError::general("with these options `loads` flies no case");
+                Err(error.with_help("leave out --matrix-only and --from").into())
+            }
+            Self::Loads(args) => loads::run(&LoadsArgs { sweep: sweep(&args.sweep), ..args.clone() }, common),
+            Self::Discover(args) => {
+                discover::run(&DiscoverArgs { sweep: sweep(&args.sweep), ..args.clone() }, common)
+            }
             Self::Hidden(args) => {
                 hidden::run(&HiddenArgs { sweep: sweep(&args.sweep), ..args.clone() }, common)
             }
@@ -56,6 +70,8 @@ impl Swept {
     pub(crate) fn results(&self) -> &'static str {
         match self {
             Self::Fullaircraft(args) => args.results(),
+            Self::Loads(args) => args.results(),
+            Self::Discover(_) => "discover",
             Self::Hidden(args) => args.truth.folder(),
         }
     }

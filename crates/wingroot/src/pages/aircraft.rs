@@ -139,13 +139,19 @@ fn derivatives(result: &Value) -> PageTable {
 
 pub(super) fn cases(result: &Value, plates: &mut Vec<Plate>) -> Page {
     let envelope = list(result, "envelope");
-    let columns: [Column; 5] = [
+    let mut columns: Vec<Column> = vec![
         ("model", "model", word),
         ("load", "load", |extreme, key| with_unit(text(extreme, key))),
         ("end", "end", word),
         ("value", "value", short_at),
-        ("case", "flown", |extreme, key| text(extreme, key).replace('_', " ")),
     ];
+    if envelope.iter().any(|extreme| extreme.get("interval_90").is_some()) {
+        columns.push(("90 % interval", "interval_90", |extreme, key| {
+            let [low, high] = [0, 1].map(|end| at(extreme, &format!("{key}/{end}")));
+            low.and(high).map_or_else(String::new, |_| format!("{} to {}", short(low), short(high)))
+        }));
+    }
+    columns.push(("case", "flown", |extreme, key| text(extreme, key).replace('_', " ")));
     let at_root = envelope.iter().filter(|extreme| text(extreme, "station") == "right root");
     let table = table_of("Smallest and largest loads of all cases at the right root.", at_root, &columns);
     let most = |model: &str| {

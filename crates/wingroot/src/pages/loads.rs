@@ -41,18 +41,22 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
 }
 
 fn envelope(result: &Value) -> PageTable {
-    let mut table = PageTable::new("", &["model", "station", "load", "end", "value", "case", "flown"]);
-    for row in list(result, "envelope") {
-        let word = |key: &str| text(row, key).to_owned();
-        table.row([
-            word("model"),
-            word("station"),
-            word("load"),
-            word("end"),
-            short(row["value"].as_f64()),
-            whole_at(row, "case"),
-            word("flown"),
-        ]);
+    let rows = list(result, "envelope");
+    let is_interval = rows.iter().any(|row| row.get("interval_90").is_some());
+    let mut head = vec!["model", "station", "load", "end", "value"];
+    head.extend(is_interval.then_some("90 % interval"));
+    head.extend(["case", "flown"]);
+    let mut table = PageTable::new("", &head);
+    for row in rows {
+        let mut cells = ["model", "station", "load", "end"].map(|key| text(row, key).to_owned()).to_vec();
+        cells.push(short(row["value"].as_f64()));
+        if is_interval {
+            let [low, high] = [0, 1].map(|end| row["interval_90"][end].as_f64());
+            let words = low.and(high).map(|_| format!("{} to {}", short(low), short(high)));
+            cells.push(words.unwrap_or_default());
+        }
+        cells.extend([whole_at(row, "case"), text(row, "flown").to_owned()]);
+        table.row(cells);
     }
     table
 }

@@ -1,14 +1,18 @@
-//! What a sweep will take, from three of its cases.
+//! What a sweep will take, from a few of its cases.
 
 use std::fmt::Write as _;
 use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Instant;
 
-/// What was measured with three cases, and what it comes to.
+use crate::store::Told;
+use crate::sweep::split::Weighed;
+
+/// What was measured with a few cases, and what it comes to.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Estimate {
     /// Cases of the sweep.
     pub cases: usize,
-    /// The three in words, each with its time, s.
+    /// These in words, each with its time, s.
     pub flown: Vec<(String, f64)>,
     /// What a process takes before its first case, s.
     pub setup_s: f64,
@@ -40,10 +44,31 @@ const PART_S: f64 = 900.0;
 const MOST_PARTS: f64 = 1000.0;
 /// A part may take so many times its estimate, and so much of its memory.
 const MARGIN: [f64; 2] = [4.0, 2.0];
+/// Computed cases that are shown.
+const SHOWN: usize = 3;
 /// Least memory of a part, MB.
 const LEAST_MB: f64 = 1024.0;
 
 impl Estimate {
+    /// Of cases of a row that were computed since `start`, each with what was told of it. Those without and with unsteady air are
+    /// taken to the whole row apart: the table's costs are between the two only roughly right.
+    pub fn of_some(row: &[Weighed], told: &[(Weighed, Told)], start: Instant) -> Self {
+        let flown = told.iter().map(|(_, told)| (told.part.clone(), told.seconds.unwrap_or(0.0)));
+        let flown: Vec<(String, f64)> = flown.collect();
+        let seconds = [false, true].into_iter().map(|is_late| {
+            let cost =
+                |cases: &mut dyn Iterator<Item = Weighed>| cases.map(|case| case.cost).sum::<u64>() as f64;
+            let own = || told.iter().filter(|(case, _)| case.is_late == is_late);
+            let seconds: f64 = own().filter_map(|(_, told)| told.seconds).sum();
+            let of_all = cost(&mut row.iter().filter(|case| case.is_late == is_late).copied());
+            seconds * of_all / cost(&mut own().map(|(case, _)| *case)).max(1.0)
+        });
+        let seconds: f64 = seconds.sum();
+        let setup_s = start.elapsed().as_secs_f64() - flown.iter().map(|(_, seconds)| seconds).sum::<f64>();
+        let memory_bytes = peak_memory_bytes();
+        Self { cases: row.len(), flown, setup_s: setup_s.max(0.0), seconds, memory_bytes }
+    }
+
     /// Number of parts of so many threads each.
     pub fn parts(&self, cpus: usize) -> usize {
         let parts = (self.seconds / cpus.max(1) as f64 / PART_S).ceil().clamp(1.0, MOST_PARTS);
@@ -67,9 +92,14 @@ impl Estimate {
 
     /// The estimate as comments of a script.
     pub fn lines(&self, parts: usize, cpus: usize) -> String {
-        let mut text =
-            format!("# {} cases. Three were computed for this estimate, and are kept:\n", self.cases);
-        for (case, seconds) in &self.flown {
+        let mut text = format!(
+            "# {} cases. {} were computed for this estimate, and are kept; the slowest:\n",
+            self.cases,
+            self.flown.len()
+        );
+        let mut flown: Vec<&(String, f64)> = self.flown.iter().collect();
+        flown.sort_by(|a, b| b.1.total_cmp(&a.1));
+        for (case, seconds) in flown.into_iter().take(SHOWN) {
             // Writing to a String cannot fail.
             let _ = writeln!(text, "#   {seconds:9.4} s  {case}");
         }

@@ -4,7 +4,9 @@
 const BEFORE: [&[&str]; 5] =
     [&["prepare"], &["merge"], &["status"], &["cluster", "slurm"], &["cluster", "kubernetes"]];
 /// Commands that go over many cases.
-const SWEPT: [&str; 2] = ["fullaircraft", "hidden"];
+const SWEPT: [&str; 4] = ["fullaircraft", "loads", "discover", "hidden"];
+/// Options of every command whose value is a word of the user's, which may be a command's.
+const WITH_VALUE: [&str; 3] = ["--out", "--threads", "--seed"];
 /// Options of one process, and those of `cluster` itself.
 const OWN: [&str; 6] = ["--part", "--case", "--parts", "--cpus", "--image", "--claim"];
 
@@ -16,7 +18,8 @@ pub fn sweep_line() -> String {
 
 /// The words of a command line without the task of one process: the line of all cases.
 pub fn of_all_cases(mut words: Vec<String>) -> Vec<String> {
-    let swept = words.iter().position(|word| SWEPT.contains(&word.as_str()));
+    let is_value = |at: usize| at > 0 && WITH_VALUE.iter().chain(&OWN).any(|option| *option == words[at - 1]);
+    let swept = (0..words.len()).find(|&at| SWEPT.contains(&words[at].as_str()) && !is_value(at));
     for before in BEFORE {
         let at = words.windows(before.len()).position(|found| found == before);
         if let Some(at) = at.filter(|at| swept.is_some_and(|swept| *at < swept)) {
@@ -58,6 +61,11 @@ mod tests {
         assert_eq!(of("--out merged status hidden --cases 20"), "--out merged hidden --cases 20");
         assert_eq!(of("hidden --part 3/8 --cases 20 --case=0123"), "hidden --cases 20");
         assert_eq!(of("cluster slurm --parts 8 --cpus=1 hidden --cases 20"), "hidden --cases 20");
+        assert_eq!(of("cluster kubernetes --claim loads loads --out loads"), "loads --out loads");
+        assert_eq!(
+            of("--out loads merge fullaircraft --cases a.ron"),
+            "--out loads fullaircraft --cases a.ron"
+        );
         assert_eq!(of("modes --count 3"), "modes --count 3");
         assert_eq!(quoted("it's"), r"'it'\''s'");
     }

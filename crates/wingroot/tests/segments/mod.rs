@@ -21,3 +21,19 @@ pub(crate) fn finished(folder: &Path) -> BTreeMap<String, String> {
     }
     all
 }
+
+/// What each finished case of a store is called, and its result; of a case that is there twice both.
+pub(crate) fn told(folder: &Path) -> Vec<(String, serde_json::Value)> {
+    let mut all = Vec::new();
+    for path in std::fs::read_dir(folder).expect("a store").flatten().map(|entry| entry.path()) {
+        if path.extension().is_none_or(|ending| ending != "segment") {
+            continue;
+        }
+        for line in std::fs::read_to_string(&path).expect("a segment is text").lines().skip(1) {
+            let parts: Vec<&str> = line.split('\t').collect();
+            let json = |at: usize| serde_json::from_str::<serde_json::Value>(parts[at]).expect("JSON");
+            all.push((json(4)["part"].as_str().expect("words").to_owned(), json(5)));
+        }
+    }
+    all
+}
