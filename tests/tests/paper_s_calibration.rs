@@ -46,7 +46,7 @@ fn initial_and_measured(airspeed: &AirspeedCalibration) -> [Lines; 2] {
         airspeed.data.angles.iter().map(|angle| SteadyCase::new(flow, angle.alpha_rad)).collect();
     let loads = wing().1.root_loads(&cases, &Corrections::neutral(672)).expect("no divergence");
     let loads: Vec<[f64; 3]> = loads.into_iter().map(coupling::RootLoads::to_array).collect();
-    let data: Vec<[f64; 3]> = airspeed.data.angles.iter().map(|angle| angle.loads).collect();
+    let data: Vec<[f64; 3]> = airspeed.data.angles.iter().map(|angle| angle.loads.to_array()).collect();
     [line(airspeed, &loads), line(airspeed, &data)]
 }
 

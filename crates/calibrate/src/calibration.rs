@@ -282,7 +282,7 @@ impl<'a, M: SteadyModel> Context<'a, M> {
 
     /// Weights of paper 1, Eq. 8, the tip's in N m/m: see `Settings::tip_weight`.
     pub(crate) fn weights(&self, flows: &[Flow]) -> Result<[f64; 4], CouplingError> {
-        let [fz, mx, my] = self.settings.weights;
+        let ByLoad { fz, mx, my } = self.settings.weights;
         if !self.data.channels[TIP] {
             return Ok([fz, mx, my, 0.0]);
         }

@@ -1,12 +1,13 @@
 //! Settings of a calibration.
 
+use coupling::ByLoad;
 use coupling::wing_file::CorrectionSettings;
 
 /// What the user may choose; [`Settings::default`] is what the paper does, with our numbers where it gives none.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Settings {
     /// Weights of Fz, Mx and My in paper 1, Eq. 8 (1, 1, 1: newtons and newton metres are added).
-    pub weights: [f64; 3],
+    pub weights: ByLoad<f64>,
     /// Weight of the tip's height in paper 1, Eq. 8, on top of the rule that makes metres commensurable: a metre counts as
     /// the bending moment Mx (N m) that belongs to it by theory, the ratio of the uncorrected wing's derivatives by
     /// the angle of attack (summed over the airspeeds of a common set). A tip that is wrong by one per cent then
@@ -38,7 +39,7 @@ pub struct Settings {
 impl Default for Settings {
     fn default() -> Self {
         Self {
-            weights: [1.0; 3],
+            weights: ByLoad { fz: 1.0, mx: 1.0, my: 1.0 },
             tip_weight: 1.0,
             chord_strips: 12,
             span_order: 4,

@@ -11,7 +11,7 @@ use calibrate::statics::Angle;
 use calibrate::{
     AirspeedData, Campaign, Noise, Sets, Settings, StaticData, StaticPoint, TipReading, calibrate,
 };
-use coupling::{ElasticWing, SteadyCase, SteadyModel};
+use coupling::{ByLoad, ElasticWing, SteadyCase, SteadyModel};
 use nastran::Span;
 
 const ALPHAS_DEG: [f64; 5] = [-4.0, -2.0, 0.0, 2.0, 4.0];
@@ -167,7 +167,7 @@ fn p_and_f(readings: &[f64], sigma: Option<f64>, noise_dof: Option<usize>) -> (f
     let half = 0.5 * (readings.len() - 1) as f64;
     let angle = |(k, reading): (usize, &f64)| Angle {
         alpha_rad: k as f64 - half,
-        loads: [*reading; 3],
+        loads: ByLoad::from_fn(|_| *reading),
         tip_z_m: 0.0,
         block: 0,
         line: k,

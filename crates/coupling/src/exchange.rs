@@ -9,6 +9,7 @@
 
 use crate::case::SteadyCase;
 use crate::error::CouplingError;
+use crate::root_loads::RootLoads;
 use crate::wing::ElasticWing;
 use aero::{Corrections, Flow, influence};
 use faer::Mat;
@@ -32,9 +33,9 @@ pub struct Exchange {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LeftOut {
     /// Fz, Mx, My (N, N m, N m) of the elastic wing with all corrections.
-    pub complete: [f64; 3],
+    pub complete: RootLoads,
     /// The same where the moment factors are the force factors.
-    pub carried: [f64; 3],
+    pub carried: RootLoads,
 }
 
 impl Exchange {
@@ -89,9 +90,9 @@ impl Exchange {
         flow: Flow,
         alpha_rad: f64,
     ) -> Result<LeftOut, CouplingError> {
-        let loads = |corrections: &Corrections| -> Result<[f64; 3], CouplingError> {
+        let loads = |corrections: &Corrections| -> Result<RootLoads, CouplingError> {
             let states = wing.at(flow, corrections)?.solve(&[SteadyCase::new(flow, alpha_rad)]);
-            Ok(states[0].root.to_array())
+            Ok(states[0].root)
         };
         let carried = Corrections { moment: corrections.force.clone(), ..corrections.clone() };
         Ok(LeftOut { complete: loads(corrections)?, carried: loads(&carried)? })

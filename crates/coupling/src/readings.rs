@@ -170,7 +170,7 @@ impl SteadyOperator<'_> {
     fn wind_off(&self) -> Vec<f64> {
         let Some(structure) = &self.wing.supported else { return Vec::new() };
         let field = self.gravity_field(0.0);
-        times(&structure.sag, &field).collect()
+        times(&structure.sag, field.as_slice()).collect()
     }
 }
 

@@ -15,6 +15,7 @@ use crate::wing::ElasticWing;
 use aero::{BoxLoads, Corrections, Flow, LoadOperator};
 use faer::linalg::solvers::{PartialPivLu, Solve};
 use faer::{Mat, MatRef};
+use nalgebra::Vector3;
 
 /// A wing in one steady case.
 #[derive(Debug, Clone)]
@@ -55,9 +56,9 @@ impl ElasticWing {
     }
 
     /// Gravity in balance axes, m/s^2: g sin(alpha) aft, g cos(alpha) down.
-    pub(crate) fn gravity_at(&self, alpha_rad: f64) -> [f64; 3] {
+    pub(crate) fn gravity_at(&self, alpha_rad: f64) -> Vector3<f64> {
         let g = self.gravity_m_s2;
-        [g * alpha_rad.sin(), 0.0, -g * alpha_rad.cos()]
+        Vector3::new(g * alpha_rad.sin(), 0.0, -g * alpha_rad.cos())
     }
 
     /// H = Gᵀ W S Q D G: loads on the s-set per unit displacement and dynamic pressure.
@@ -211,7 +212,7 @@ impl SteadyOperator<'_> {
     }
 
     /// [`ElasticWing::gravity_at`].
-    pub(crate) fn gravity_field(&self, alpha_rad: f64) -> [f64; 3] {
+    pub(crate) fn gravity_field(&self, alpha_rad: f64) -> Vector3<f64> {
         self.wing.gravity_at(alpha_rad)
     }
 

@@ -61,8 +61,8 @@ fn what_is_left_out_are_the_moment_factors_alone() {
     carried.moment.clone_from(&carried.force);
     let (all, without) = (loads(&corrections), loads(&carried));
     for c in 0..3 {
-        assert!((difference.complete[c] - all[c]).abs() < 1e-12);
-        assert!((difference.carried[c] - without[c]).abs() < 1e-12);
+        assert!((difference.complete.to_array()[c] - all[c]).abs() < 1e-12);
+        assert!((difference.carried.to_array()[c] - without[c]).abs() < 1e-12);
     }
     corrections.moment.clone_from(&corrections.force);
     let nothing = Exchange::left_out(&wing, &corrections, flow, 0.05).expect("below divergence");

@@ -51,7 +51,7 @@ impl PapersProblem<'_> {
         let residuals: Vec<[f64; 3]> = loads
             .iter()
             .zip(&self.data.angles)
-            .map(|(load, angle)| std::array::from_fn(|c| load.to_array()[c] - angle.loads[c]))
+            .map(|(load, angle)| std::array::from_fn(|c| load.to_array()[c] - angle.loads.to_array()[c]))
             .collect();
         Ok(objective(rmse(&residuals, [true; 3]), [1.0; 3]))
     }

@@ -7,10 +7,10 @@
 //! the determinant of `A`.
 
 use super::finding::Finding;
-use super::lines::Lines;
+use super::lines::{Line, Lines};
 use crate::campaign::Campaign;
 use aero::{Corrections, Flow};
-use coupling::{CouplingError, SteadyCase, SteadyModel};
+use coupling::{ByLoad, CouplingError, Load, RootLoads, SteadyCase, SteadyModel};
 use faer::{Mat, Side};
 
 /// What theory is off by, one standard deviation: in common, and at each airspeed for itself.
@@ -56,10 +56,10 @@ const SPANS: [f64; 10] = [0.35, 0.45, 0.55, 0.65, 0.75, 1.3, 1.5, 1.8, 2.2, 2.8]
 struct Undone {
     /// What it is, with its size.
     words: String,
-    /// On Fz, Mx, My.
+    /// On the loads in the order Fz, Mx, My.
     matrix: [[f64; 3]; 3],
     /// Added to the loads at zero angle afterwards.
-    shift: [f64; 3],
+    shift: RootLoads,
 }
 
 /// A cause: its values, equally likely.
@@ -96,7 +96,7 @@ const IDENTITY: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.
 
 impl Undone {
     fn linear(words: &str, matrix: [[f64; 3]; 3]) -> Self {
-        Self { words: words.to_owned(), matrix, shift: [0.0; 3] }
+        Self { words: words.to_owned(), matrix, shift: RootLoads::default() }
     }
 
     fn scales(words: &str, by: [f64; 3]) -> Self {
@@ -110,7 +110,7 @@ impl Undone {
 
 /// Signs, channels and units.
 fn mistaken(lines: &[Lines]) -> Vec<Cause> {
-    let [_, mx, my] = lines[0].channels;
+    let ByLoad { mx, my, .. } = lines[0].channels;
     let mut all: Vec<Cause> = Vec::new();
     let mut one = |is_possible: bool, undone: Undone| {
         if is_possible {
@@ -147,7 +147,7 @@ fn mistaken(lines: &[Lines]) -> Vec<Cause> {
 /// Other places of the balance's axes, and other spans.
 fn places(lines: &[Lines]) -> Vec<Cause> {
     let arm_m = arm_m(&lines[lines.len() - 1]);
-    let [fz, mx, my] = lines[0].channels;
+    let ByLoad { fz, mx, my } = lines[0].channels;
     let mut all: Vec<Cause> = Vec::new();
     if fz && my {
         let moved = |share: &f64| {
@@ -193,24 +193,26 @@ fn causes<M: SteadyModel>(
         let weight = weight(model, campaign)?;
         let words = format!(
             "the wing's weight ({:.1} N, {:.1} N m, {:.1} N m) is not tared: the static cases have no rows at V_m_s = 0 to show it",
-            -weight[0], -weight[1], -weight[2],
+            -weight.fz_n, -weight.mx_nm, -weight.my_nm,
         );
-        all.push(vec![Undone { words, matrix: IDENTITY, shift: weight.map(|load| -load) }]);
+        all.push(vec![Undone { words, matrix: IDENTITY, shift: RootLoads::default() - weight }]);
     }
     Ok(all)
 }
 
 /// Root loads of the wing's weight at alpha = 0, N and N m: the tare of the model is half of what turning it over takes.
-pub(super) fn weight<M: SteadyModel>(model: &M, campaign: &Campaign) -> Result<[f64; 3], CouplingError> {
+pub(super) fn weight<M: SteadyModel>(model: &M, campaign: &Campaign) -> Result<RootLoads, CouplingError> {
     let flow = Flow { v_m_s: 0.0, rho_kg_m3: campaign.rho_kg_m3 };
     let neutral = Corrections::neutral(model.correctable().len());
     let turned = model.root_loads(&[SteadyCase::new(flow, std::f64::consts::PI)], &neutral)?;
-    Ok(turned.first().map_or([0.0; 3], |load| load.to_array().map(|value| -0.5 * value)))
+    Ok(RootLoads::from_array(
+        turned.first().map_or([0.0; 3], |load| load.to_array().map(|value| -0.5 * value)),
+    ))
 }
 
 /// Arm of theory's lift along the span, m.
 fn arm_m(lines: &Lines) -> f64 {
-    (lines.theory[1][0] / lines.theory[0][0]).abs()
+    (lines.theory.mx.slope / lines.theory.fz.slope).abs()
 }
 
 /// Logarithm of the mean density over a cause's values and over scales of what theory is off by, and the likeliest value.
@@ -229,33 +231,56 @@ fn log_mean(values: &[f64]) -> f64 {
     largest + (values.iter().map(|value| (value - largest).exp()).sum::<f64>() / values.len() as f64).ln()
 }
 
+/// A number of the lines: which airspeed's, of which load, its slope (0) or load at zero angle (1).
+#[derive(Clone, Copy)]
+struct Entry {
+    line: usize,
+    load: Load,
+    part: usize,
+}
+
+impl Entry {
+    fn of(self, lines: &[ByLoad<Line>]) -> f64 {
+        lines[self.line][self.load].parts()[self.part]
+    }
+}
+
 /// Logarithm of the density of all lines, a cause undone, in the coordinates of the lines as they are.
 fn log_density(lines: &[Lines], undone: &Undone, scale: f64) -> f64 {
-    let channels: Vec<usize> = (0..3).filter(|&c| lines[0].channels[c]).collect();
-    let entries: Vec<(usize, usize, usize)> =
-        (0..lines.len()).flat_map(|k| channels.iter().flat_map(move |&c| [(k, c, 0), (k, c, 1)])).collect();
+    let channels: Vec<Load> = Load::ALL.into_iter().filter(|&load| lines[0].channels[load]).collect();
+    let entries: Vec<Entry> = (0..lines.len())
+        .flat_map(|line| {
+            let both = move |&load: &Load| [0, 1].map(|part| Entry { line, load, part });
+            channels.iter().flat_map(both)
+        })
+        .collect();
     let n = entries.len();
     let columns = columns(lines, scale);
     let matrix = &undone.matrix;
-    let measured = |(k, c, which): (usize, usize, usize)| {
-        let load: f64 = (0..3).map(|j| matrix[c][j] * lines[k].measured[j][which]).sum();
-        load + if which == 1 { undone.shift[c] } else { 0.0 }
+    let on = |load: Load, from: Load| matrix[load as usize][from as usize];
+    let shift = ByLoad::from(undone.shift);
+    let measured = |at: Entry| {
+        let of = |from: Load| on(at.load, from) * lines[at.line].measured[from].parts()[at.part];
+        Load::ALL.map(of).into_iter().sum::<f64>() + if at.part == 1 { shift[at.load] } else { 0.0 }
     };
-    let noise = |a: (usize, usize, usize), b: (usize, usize, usize)| {
-        if a.0 != b.0 {
+    let noise = |a: Entry, b: Entry| {
+        if a.line != b.line {
             return 0.0;
         }
-        let place = if a.2 == b.2 { a.2 } else { 2 };
-        (0..3).map(|j| matrix[a.1][j] * matrix[b.1][j] * lines[a.0].noise[j][place]).sum::<f64>()
+        let of = |from: Load| {
+            on(a.load, from) * on(b.load, from) * lines[a.line].noise[from].matrix()[a.part][b.part]
+        };
+        Load::ALL.map(of).into_iter().sum()
     };
     let covariance = Mat::from_fn(n, n, |i, j| {
         let (a, b) = (entries[i], entries[j]);
-        let common: f64 = columns.iter().map(|column| column[a.0][a.1][a.2] * column[b.0][b.1][b.2]).sum();
+        let common: f64 = columns.iter().map(|column| a.of(column) * b.of(column)).sum();
         common + noise(a, b)
     });
     let Ok(factor) = covariance.llt(Side::Lower) else { return f64::NEG_INFINITY };
     let mut off = Mat::from_fn(n, 1, |i, _| {
-        measured(entries[i]) - lines[entries[i].0].theory[entries[i].1][entries[i].2]
+        let at = entries[i];
+        measured(at) - lines[at.line].theory[at.load].parts()[at.part]
     });
     factor.L().solve_lower_triangular_in_place(off.as_mut());
     let squares: f64 = (0..n).map(|i| off[(i, 0)].powi(2)).sum();
@@ -265,31 +290,31 @@ fn log_density(lines: &[Lines], undone: &Undone, scale: f64) -> f64 {
     let determinant = if all_measured {
         undone.determinant()
     } else {
-        channels.iter().map(|&c| matrix[c][c].abs()).product()
+        channels.iter().map(|&load| on(load, load).abs()).product()
     };
     -0.5 * squares - log_det + 2.0 * lines.len() as f64 * f64::ln(determinant)
 }
 
-/// What one source of error does to the lines of an airspeed, by channel.
-type Shape<'a> = &'a dyn Fn(&Lines) -> [[f64; 2]; 3];
+/// What one source of error does to the lines of an airspeed.
+type Shape<'a> = &'a dyn Fn(&Lines) -> ByLoad<Line>;
 
 /// By source of error: one standard deviation of slope and load at zero angle by airspeed and channel.
-fn columns(lines: &[Lines], scale: f64) -> Vec<Vec<[[f64; 2]; 3]>> {
+fn columns(lines: &[Lines], scale: f64) -> Vec<Vec<ByLoad<Line>>> {
     let mut all = Vec::new();
+    let mx = |mx: Line| ByLoad { mx, ..ByLoad::default() };
+    let my = |my: Line| ByLoad { my, ..ByLoad::default() };
     let shapes: [(Shape<'_>, [f64; 2]); 7] = [
         (&|l: &Lines| l.theory, USUAL.lift),
-        (&|l: &Lines| [[0.0; 2], l.theory[1], [0.0; 2]], USUAL.centre_y),
-        (&|l: &Lines| [[0.0; 2], [0.0; 2], l.theory[0].map(|load| load * l.chord_m)], USUAL.centre_x),
-        (&|l: &Lines| l.theory.map(|line| [0.0, line[0]]), USUAL.zero_lift_rad),
-        (&|l: &Lines| [[0.0; 2], [0.0, OFFSET_CENTRE[0] * l.theory[1][0]], [0.0; 2]], USUAL.zero_lift_rad),
-        (
-            &|l: &Lines| [[0.0; 2], [0.0; 2], [0.0, OFFSET_CENTRE[1] * l.theory[0][0] * l.chord_m]],
-            USUAL.zero_lift_rad,
-        ),
-        (&|l: &Lines| [[0.0; 2], [0.0; 2], [0.0, l.theory[0][0] / LIFT_SLOPE * l.chord_m]], USUAL.moment),
+        (&|l: &Lines| mx(l.theory.mx), USUAL.centre_y),
+        (&|l: &Lines| my(l.theory.fz.times(l.chord_m, l.chord_m)), USUAL.centre_x),
+        (&|l: &Lines| l.theory.map(|line| Line::level(line.slope)), USUAL.zero_lift_rad),
+        (&|l: &Lines| mx(Line::level(OFFSET_CENTRE[0] * l.theory.mx.slope)), USUAL.zero_lift_rad),
+        (&|l: &Lines| my(Line::level(OFFSET_CENTRE[1] * l.theory.fz.slope * l.chord_m)), USUAL.zero_lift_rad),
+        (&|l: &Lines| my(Line::level(l.theory.fz.slope / LIFT_SLOPE * l.chord_m)), USUAL.moment),
     ];
     for (shape, [common, own]) in shapes {
-        let sized = |lines: &Lines, size: f64| shape(lines).map(|line| line.map(|load| scale * size * load));
+        let sized =
+            |lines: &Lines, size: f64| shape(lines).map(|line| line.times(scale * size, scale * size));
         all.push(lines.iter().map(|line| sized(line, common)).collect());
         for k in 0..lines.len() {
             all.push(

@@ -1,9 +1,10 @@
 //! What is further from theory than panel models are, and what a campaign leaves open.
 
 use super::finding::Finding;
-use super::lines::Lines;
+use super::lines::{Line, Lines};
 use crate::campaign::{Campaign, Sets, TipReading};
 use aero::flow::same_airspeed;
+use coupling::{ByLoad, Load, RootLoads};
 
 /// Measured over theory's lift slope that panel models of attached flow are off by.
 const LIFT: std::ops::Range<f64> = 0.85..1.15;
@@ -18,13 +19,13 @@ pub(super) fn far_from_theory(lines: &[Lines]) -> Vec<Finding> {
         values.sort_by(f64::total_cmp);
         values.get(values.len() / 2).copied().filter(|value| value.is_finite())
     };
-    let [fz, mx, _] = lines.first().map_or([false; 3], |line| line.channels);
-    let channel = usize::from(!fz);
+    let ByLoad { fz, mx, .. } = lines.first().map_or(ByLoad::default(), |line| line.channels);
+    let load = if fz { Load::Fz } else { Load::Mx };
     if !fz && !mx {
         return found;
     }
     if let Some(lift) =
-        median(&|l| l.measured[channel][0] / l.theory[channel][0]).filter(|lift| !LIFT.contains(lift))
+        median(&|l| l.measured[load].slope / l.theory[load].slope).filter(|lift| !LIFT.contains(lift))
     {
         found.push(Finding::suspicion(format!(
             "loads grow with the angle {lift:.2} times as much as theory says: the lift slope, or a dynamic pressure {:+.0} % off \
@@ -33,7 +34,7 @@ pub(super) fn far_from_theory(lines: &[Lines]) -> Vec<Finding> {
             100.0 * (lift.abs().sqrt() - 1.0),
         )));
     }
-    let arm = |line: &[[f64; 2]; 3]| line[1][0] / line[0][0];
+    let arm = |line: &ByLoad<Line>| line.mx.slope / line.fz.slope;
     let arm_ratio = median(&|l| arm(&l.measured) / arm(&l.theory)).filter(|ratio| !ARM.contains(ratio));
     if let Some(ratio) = arm_ratio.filter(|_| fz && mx) {
         let theory_m = median(&|l| arm(&l.theory)).unwrap_or_default();
@@ -47,18 +48,18 @@ pub(super) fn far_from_theory(lines: &[Lines]) -> Vec<Finding> {
 }
 
 /// Load at zero angle that the weight explains as well as camber does, where no row at V = 0 tells them apart.
-pub(super) fn weight_or_camber(weight: [f64; 3], campaign: &Campaign, lines: &[Lines]) -> Option<Finding> {
+pub(super) fn weight_or_camber(weight: RootLoads, campaign: &Campaign, lines: &[Lines]) -> Option<Finding> {
     let wind_off = campaign.points.iter().any(|point| point.v_m_s == 0.0);
-    let slowest = lines.first().filter(|line| line.channels[0] && !wind_off)?;
-    let less_n = slowest.theory[0][1] - slowest.measured[0][1];
-    let weight_n = -weight[0];
+    let slowest = lines.first().filter(|line| line.channels.fz && !wind_off)?;
+    let less_n = slowest.theory.fz.at_zero - slowest.measured.fz.at_zero;
+    let weight_n = -weight.fz_n;
     let is_alike = weight_n > 0.0 && less_n > 0.5 * weight_n && less_n < 1.5 * weight_n;
     is_alike.then(|| {
         Finding::suspicion(format!(
             "at {} m/s and zero angle Fz_N is {less_n:.1} N less than theory: the wing's weight ({weight_n:.1} N) that was not tared, \
              or a zero-lift angle {:+.2} degrees off; rows at V_m_s = 0 would tell them apart",
             slowest.v_m_s,
-            (less_n / slowest.theory[0][0]).to_degrees(),
+            (less_n / slowest.theory.fz.slope).to_degrees(),
         ))
     })
 }

@@ -3,8 +3,8 @@
 use super::off::WingOff;
 use super::read::CaseRead;
 use aero::Corrections;
-use coupling::ElasticWing;
 use coupling::wing_file::CorrectionPrior;
+use coupling::{ByLoad, ElasticWing};
 use faer::{Mat, Side};
 
 /// A field of corrections along the span, times a shape that every strip has.
@@ -99,7 +99,7 @@ impl Unknowns {
             corrections: Corrections { force, moment, pressure_offset },
             controls: (0..self.controls).map(|c| 1.0 + common * z[first] + each * z[first + 1 + c]).collect(),
             in_channels: (0..self.controls)
-                .map(|c| [0, 1, 2].map(|channel| self.control[2] * z[self.of_channel(c, channel)]))
+                .map(|c| ByLoad::from_fn(|load| self.control[2] * z[self.of_channel(c, load as usize)]))
                 .collect(),
             log_flexibility: [0, 1].map(|i| self.flexibility[i] * z[self.count() - 2 + i]),
         }

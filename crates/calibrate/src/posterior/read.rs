@@ -2,7 +2,7 @@
 
 use super::off::WingOff;
 use crate::sensors::Together;
-use coupling::{Readings, SteadyCase, SteadyOperator};
+use coupling::{Load, Readings, SteadyCase, SteadyOperator};
 
 /// What is read in one case.
 pub(super) struct CaseRead {
@@ -47,7 +47,7 @@ pub(super) fn read_case(
         readings.values.iter().zip(softened).map(|(value, more)| value + more).collect();
     for (by_control, share) in by_control.iter().zip(&off.in_channels) {
         for (row, channel) in together.channels.iter().enumerate() {
-            values[row] += channel.map_or(0.0, |channel| share[channel] * by_control[row]);
+            values[row] += channel.map_or(0.0, |channel| share[Load::ALL[channel]] * by_control[row]);
         }
     }
     CaseRead { readings, by_control, channels: together.channels.clone(), values }

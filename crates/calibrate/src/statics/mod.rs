@@ -17,6 +17,7 @@ use crate::blocks::BlockFit;
 use crate::campaign::{Campaign, Sets, StaticPoint, TIP, TipReading};
 use crate::sensors::Sensor;
 use aero::flow::same_airspeed;
+use coupling::ByLoad;
 use nastran::{InputError, Span};
 
 /// One angle at one airspeed: the mean of its replicates after block offsets are removed.
@@ -25,7 +26,7 @@ pub struct Angle {
     /// Mean angle of attack, rad.
     pub alpha_rad: f64,
     /// Mean Fz, Mx, My; meaningless where the campaign lacks the channel.
-    pub loads: [f64; 3],
+    pub loads: ByLoad<f64>,
     /// Mean height of the tip, m; meaningless where it is not fitted.
     pub tip_z_m: f64,
     /// Index (in [`StaticData::block_names`]) of the block its rows are from; zero where blocks are averaged, which
@@ -40,7 +41,7 @@ pub struct Angle {
 impl Angle {
     /// Fz, Mx, My and the tip's height.
     pub fn readings(&self) -> [f64; 4] {
-        let [fz, mx, my] = self.loads;
+        let ByLoad { fz, mx, my } = self.loads;
         [fz, mx, my, self.tip_z_m]
     }
 }
@@ -239,7 +240,7 @@ impl StaticData {
             };
             let angle = Angle {
                 alpha_rad: cell.alpha_rad,
-                loads: [mean(0), mean(1), mean(2)],
+                loads: ByLoad::from_fn(|load| mean(load as usize)),
                 tip_z_m: mean(TIP),
                 block: if self.sets == Sets::Common { block_of(cell.rows[0]).unwrap_or(0) } else { 0 },
                 line: cell.rows.iter().map(|row| row.span.line).min().unwrap_or(0),

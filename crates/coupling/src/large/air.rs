@@ -55,7 +55,7 @@ impl<'a> Air<'a> {
 
     /// Weight of the structure's axes at this angle of attack.
     pub(super) fn weight(&self) -> Loads {
-        Loads { gravity_m_s2: Vector3::from(self.elastic.gravity_at(self.alpha_rad)), ..Loads::default() }
+        Loads { gravity_m_s2: self.elastic.gravity_at(self.alpha_rad), ..Loads::default() }
     }
 
     /// The lattice solved at a state; nothing if it cannot be.

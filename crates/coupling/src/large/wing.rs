@@ -115,7 +115,7 @@ impl LargeWing {
 
     /// Finds the state at rest at alpha = 0.
     fn rest(&mut self) -> Result<(), CouplingError> {
-        let gravity_m_s2 = Vector3::from(self.elastic.gravity_at(0.0));
+        let gravity_m_s2 = self.elastic.gravity_at(0.0);
         let path = self.structure.under(&Loads { gravity_m_s2, ..Loads::default() });
         self.wind_off = path.map_err(CouplingError::OwnWeight)?.end().state.clone();
         Ok(())

@@ -89,7 +89,7 @@ fn measured_point<'a>(
     });
     match (airspeed, angle) {
         (Some(airspeed), Some(angle)) if calibration.data.channels[0] => {
-            Ok((&airspeed.corrections, angle.loads[0]))
+            Ok((&airspeed.corrections, angle.loads.fz))
         }
         _ => Err(InputError::at(
             span,

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use coupling::exchange::LeftOut;
-use coupling::{ByLoad, DeckOptions, ElasticWing, Exchange, NastranDeck};
+use coupling::{DeckOptions, ElasticWing, Exchange, NastranDeck};
 use faer::Mat;
 use nastran::InputError;
 use serde_json::Value;
@@ -164,7 +164,7 @@ fn carried(at: &AtAirspeed) -> String {
     format!(
         "\nfor programs without WKK and FA2J: w2gj.bdf and qjj.op4 carry the lift of every box; moment factors are left out: \
          My at {} m/s and {ALPHA_DEG} degrees {:.4} instead of {:.4} N m",
-        at.v_m_s, left_out.carried[2], left_out.complete[2]
+        at.v_m_s, left_out.carried.my_nm, left_out.complete.my_nm
     )
 }
 
@@ -176,8 +176,8 @@ fn left_out(at: &AtAirspeed) -> Option<LeftOutOfDeck> {
         v_m_s: at.v_m_s,
         rho_kg_m3: RHO_KG_M3,
         alpha_deg: ALPHA_DEG,
-        root_loads_complete: ByLoad::from_array(left_out.complete),
-        root_loads_carried: ByLoad::from_array(left_out.carried),
+        root_loads_complete: left_out.complete.into(),
+        root_loads_carried: left_out.carried.into(),
     })
 }
 
