@@ -5,10 +5,11 @@
 use crate::common::flown::{effect, points, rom, run, swing, with};
 use crate::common::wing_with;
 use aero::{Corrections, Flow};
-use maneuver::effects::{Active, Inputs, Loads, Place, Stimulus, WingState};
+use maneuver::effects::{Active, Effect, Inputs, Loads, Place, Stimulus, WingState, library};
 use maneuver::rom::{Change, Drive, Outputs, PointMass, ReducedOrderModel, Zones};
 use maneuver::{Rig, RigSettings, Smooth};
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 /// Loads with one effect, and without any.
 fn beside(rom: &ReducedOrderModel, name: &str, values: &[f64], stimulus: &Stimulus) -> [[Vec<f64>; 3]; 2] {
@@ -75,6 +76,90 @@ fn friction_and_cables_pull_against_the_turning_and_the_angle() {
         }
         assert!((held[2][i] - my + 4.0 * alpha.value[i]).abs() < 1e-12);
     }
+}
+
+/// Loads with a form of an effect, and without any.
+fn beside_form(
+    rom: &ReducedOrderModel,
+    (name, form): (&str, &str),
+    values: &[f64],
+    stimulus: &Stimulus,
+) -> [[Vec<f64>; 3]; 2] {
+    let is = |effect: &Arc<dyn Effect>| effect.spec().name == name && effect.form() == form;
+    let effect = library(&rom.controls).into_iter().find(is).unwrap();
+    [with(rom, &[Active::new(effect, values)], stimulus).loads, with(rom, &[], stimulus).loads]
+}
+
+/// Both forms turn against the motion; the smooth one has tanh 1 of it at the rate at which it levels off, all of it far above.
+#[test]
+fn friction_that_levels_off_is_the_dry_one_far_above_its_rate_and_less_below() {
+    let rom = rom(30.0);
+    let mut stimulus = run(rom.controls.len());
+    let at_rad_s = [0.02 + 0.1, 10.0, -10.0, 0.0];
+    stimulus.inputs.alpha.rate[..4].copy_from_slice(&at_rad_s);
+    let [rubbed, clean] = beside_form(&rom, ("friction", "smooth"), &[-0.3, 0.1], &stimulus);
+    let expected = [-0.3 * 1f64.tanh(), -0.3, 0.3, 0.0];
+    for (i, expected) in expected.into_iter().enumerate() {
+        let added = rubbed[2][i] - clean[2][i];
+        assert!((added - expected).abs() < 1e-9, "{} rad/s: {added} {expected}", at_rad_s[i]);
+    }
+}
+
+#[test]
+fn a_bridge_with_another_slope_for_each_sign_adds_a_share_of_its_size() {
+    let rom = rom(30.0);
+    let stimulus = points(rom.controls.len());
+    let [ours, y] = beside_form(&rom, ("balance_nonlin", "by sign"), &[0.1, 0.0, -0.2], &stimulus);
+    assert!(
+        y[2].iter().any(|my| *my < 0.0) || y[0].iter().any(|fz| *fz < 0.0),
+        "loads of one sign tell nothing"
+    );
+    for i in 0..y[0].len() {
+        let expected = [y[0][i] + 0.1 * y[0][i].abs(), y[1][i], y[2][i] - 0.2 * y[2][i].abs()];
+        for (c, expected) in expected.into_iter().enumerate() {
+            assert!((ours[c][i] - expected).abs() < 1e-9, "channel {c} point {i}");
+        }
+    }
+}
+
+/// `1 - exp(-t / .5 h)` of the parameter, t the clock: the run begins half an hour after the zeros.
+#[test]
+fn a_balance_that_warms_up_has_come_two_thirds_of_its_way_after_half_an_hour() {
+    let rom = rom(30.0);
+    let stimulus = run(rom.controls.len());
+    let [ours, y] = beside_form(&rom, ("drift", "warming up"), &[1.0, 0.0, -0.5], &stimulus);
+    let share = |i: usize| 1.0 - (-(stimulus.clock_h + i as f64 * stimulus.time_step_s / 3600.0) / 0.5).exp();
+    assert!((stimulus.clock_h - 0.5).abs() < 1e-12 && (share(0) - 0.632).abs() < 1e-3);
+    for i in [0, 57, y[0].len() - 1] {
+        assert!(
+            (ours[0][i] - y[0][i] - share(i)).abs() < 1e-9
+                && (ours[2][i] - y[2][i] + 0.5 * share(i)).abs() < 1e-9
+        );
+        assert!((ours[1][i] - y[1][i]).abs() < 1e-12);
+    }
+}
+
+/// A linear wing at rest: its loads by a deflection are those by a deflection that is half the gap smaller.
+#[test]
+fn a_surface_that_the_air_presses_back_lacks_half_its_gap() {
+    let rom = rom(30.0);
+    let still = crate::common::flown::rom(0.0);
+    let at = |delta_deg: f64| {
+        let mut stimulus = points(rom.controls.len());
+        stimulus.inputs.controls_rad.iter_mut().for_each(|control| control.fill(delta_deg.to_radians()));
+        stimulus
+    };
+    let pressed = |delta_deg: f64| {
+        beside_form(&rom, ("backlash", "pressed by the air"), &[1.5], &at(delta_deg))[0][0].clone()
+    };
+    let plain = |delta_deg: f64| with(&rom, &[], &at(delta_deg)).loads[0].clone();
+    for (commanded, acting) in [(5.0, 4.25), (-5.0, -4.25), (0.5, 0.0)] {
+        for (ours, theirs) in pressed(commanded).iter().zip(plain(acting)) {
+            assert!((ours - theirs).abs() < 1e-9, "{commanded} degrees: {ours} N, {theirs} N");
+        }
+    }
+    let [loose, tight] = beside_form(&still, ("backlash", "pressed by the air"), &[1.5], &at(5.0));
+    assert!(loose == tight, "no air presses a surface without wind");
 }
 
 #[test]
