@@ -31,6 +31,7 @@ pub mod recalibration;
 pub mod result;
 pub mod rules;
 mod run_data;
+mod same_design;
 pub mod search;
 pub mod setting;
 pub mod shared;

@@ -96,6 +96,36 @@ fn a_null_distribution_is_another_s_where_anything_but_a_measured_load_differs()
     );
 }
 
+#[test]
+fn campaigns_that_are_flown_alike_have_one_design_whatever_was_measured() {
+    let (_, wing) = ElasticWing::read(&folder("tuflex").join("wing_beam.ron")).unwrap();
+    let campaign = Campaign::read(&folder("tuflex/measured")).unwrap();
+    let data = Dataset::read(&campaign, &wing, &Arc::default()).unwrap();
+    let alike = |changed: &dyn Fn(&mut Dataset)| {
+        let mut other = data.clone();
+        changed(&mut other);
+        (data.has_design_of(&other), other.has_design_of(&data))
+    };
+    let (yes, no) = ((true, true), (false, false));
+    let angle = |data: &mut Dataset, by_rad: f64| {
+        data.runs[3].stimulus.inputs.alpha.value.iter_mut().for_each(|alpha| *alpha += by_rad);
+    };
+    assert_eq!(alike(&|data| data.runs[3].measured[1][7] += 1.0), yes, "a measured load");
+    assert_eq!(alike(&|data| data.runs[3].stimulus.clock_h += 30.0), yes, "another day");
+    assert_eq!(alike(&|data| angle(data, 3e-4)), yes, "an encoder's noise");
+    assert_eq!(alike(&|data| angle(data, 2e-3)), no, "another angle");
+    assert_eq!(
+        alike(&|data| data.runs[3].stimulus.inputs.controls_rad[0].fill(0.2)),
+        no,
+        "another deflection"
+    );
+    assert_eq!(alike(&|data| data.airspeeds_m_s[1] *= 1.0005), yes, "how well a tunnel holds its airspeed");
+    assert_eq!(alike(&|data| data.airspeeds_m_s[1] *= 1.05), no, "another airspeed");
+    assert_eq!(alike(&|data| data.runs[3].usage = other_use(data.runs[3].usage)), no, "another use");
+    assert_eq!(alike(&|data| data.runs.truncate(20)), no, "fewer runs");
+    assert_eq!(alike(&|data| data.statics[1].measured[0][2] = None), no, "a load less");
+}
+
 fn other_use(usage: calibrate::Use) -> calibrate::Use {
     if usage == calibrate::Use::Train { calibrate::Use::Holdout } else { calibrate::Use::Train }
 }

@@ -21,6 +21,19 @@ pub enum VerdictKind {
     DataDefect,
 }
 
+impl VerdictKind {
+    /// As results have it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Effects => "effects",
+            Self::Ambiguous => "ambiguous",
+            Self::None => "none",
+            Self::Unknown => "unknown",
+            Self::DataDefect => "data_defect",
+        }
+    }
+}
+
 /// Root mean square of what a model leaves, in standard deviations of the noise.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct Gap {

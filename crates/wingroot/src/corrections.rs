@@ -50,6 +50,14 @@ impl CorrectedWing {
         Ok(schedule(&self.file, &calibrated(&self.file, &self.wing, campaign)?))
     }
 
+    /// The same, of a fit that converged or one that is accepted all the same.
+    ///
+    /// # Errors
+    /// As [`calibrated`](Self::calibrated), and if the fit did not converge.
+    pub(crate) fn calibrated_for(&self, given: &Given, campaign: &Campaign) -> Result<Schedule, Failure> {
+        converged(self.calibrated(campaign)?, given)
+    }
+
     /// Notes the wing and its corrections as inputs.
     ///
     /// # Errors
@@ -104,6 +112,17 @@ pub(crate) fn corrected_wing_shared(given: &Given, shared: &Shared) -> Result<Co
     };
     let schedule = converged(schedule, given)?;
     Ok(CorrectedWing { file, wing, schedule, origin, ensemble: None })
+}
+
+/// Reads a wing whose corrections are to be found campaign by campaign; it has none yet.
+///
+/// # Errors
+/// Bad input.
+pub(crate) fn wing_without_corrections(given: &Given) -> Result<CorrectedWing, Failure> {
+    let (file, wing) = ElasticWing::read(&given.measured.wing_path()?)?;
+    let (name, hash) = (file.name.clone(), file.hash.clone());
+    let schedule = Schedule { wing: name, wing_hash: hash, sets: Vec::new(), unconverged: Vec::new() };
+    Ok(CorrectedWing { file, wing, schedule, origin: String::new(), ensemble: None })
 }
 
 /// Corrections that another process calibrated, of a wing that need not be assembled for them.

@@ -86,6 +86,10 @@ pub fn all() -> Vec<Named> {
         result::<SimulateResult>("simulate_result", "result.json of simulate"),
         result::<DeflectionResult>("deflection_result", "result.json of deflection"),
         result::<DiscoverResult>("discover_result", "result.json of discover"),
+        result::<crate::commands::discover_campaigns_result::CampaignsResult>(
+            "discover_campaigns_result",
+            "result.json of discover --campaigns",
+        ),
         result::<BenchmarkResult>("hidden_result", "result.json of hidden"),
         result::<FullaircraftResult>("fullaircraft_result", "result.json of fullaircraft"),
         result::<crate::commands::loads_result::LoadsResult>("loads_result", "result.json of loads"),

@@ -4,6 +4,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a helper of tests may fail the test where it stands")]
 
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -280,4 +281,58 @@ fn one_thread_and_two_give_the_same_bytes() {
         (result.to_string(), file("wing.ron"), file("corrections.ron"), file("runs/aoa_4hz_30.csv"))
     };
     assert_eq!(run("1"), run("2"));
+}
+
+/// Runs `discover` on a folder of campaigns.
+fn of_campaigns(name: &str, folder: &Path) -> (Option<i32>, String, String, Value) {
+    discover(name, &["--wing", WING, "--campaigns", folder.to_str().unwrap()])
+}
+
+#[test]
+fn a_folder_without_campaigns_is_refused_and_so_is_one_beside_a_single_campaign() {
+    let empty = scratch("user-no-campaigns");
+    std::fs::create_dir_all(empty.join("notes")).unwrap();
+    let (status, _, said, _) = of_campaigns("user-no-campaigns", &empty);
+    assert_eq!(status, Some(2), "{said}");
+    assert!(
+        said.contains("no folder in here has a campaign.ron") && said.contains("--campaign names"),
+        "{said}"
+    );
+    let (status, _, said, _) =
+        discover("user-both", &["--campaign", "a", "--campaigns", "b", "--wing", WING]);
+    assert_eq!(status, Some(2), "{said}");
+    assert!(said.contains("cannot be used with"), "{said}");
+}
+
+/// Two campaigns of one design and one with a fault: the second is judged by the thresholds of the first, the third stops
+/// neither, and each verdict is that of the campaign searched alone.
+#[test]
+fn campaigns_of_a_folder_are_searched_with_one_set_up_and_a_fault_in_one_stops_no_other() {
+    if std::env::var_os("RUN_SLOW_TESTS").is_none() {
+        let _ = writeln!(std::io::stderr(), "skipped: RUN_SLOW_TESTS=1 searches three campaigns of a folder");
+        return;
+    }
+    let folder = scratch("user-campaigns");
+    let first = campaign("user-campaigns/a", &AS_IT_IS);
+    campaign("user-campaigns/b", &AS_IT_IS);
+    campaign("user-campaigns/mixed", &Change { without: &[MX], but: &["aoa_2hz_30.csv"], ..AS_IT_IS });
+    let (status, _, said, result) = of_campaigns("user-campaigns", &folder);
+    assert_eq!(status, Some(3), "{said}");
+    assert!(said.contains("1 of 3 campaigns were not searched: mixed: "), "{said}");
+    let all = result["campaigns"].as_array().unwrap();
+    let [a, b, mixed] = [0, 1, 2].map(|place| &all[place]);
+    assert_eq!([a, b, mixed].map(|one| one["name"].as_str().unwrap()), ["a", "b", "mixed"]);
+    assert_eq!(mixed["verdict"], "data_defect");
+    assert!(mixed["sentence"].as_str().unwrap().contains("has no column Mx_Nm"), "{mixed}");
+    assert!(names(a).contains(&"joiner_inertia"), "{a:#}");
+    assert_eq!(b["null_distribution"], "made for a, which has the same design");
+    assert_eq!((names(a), &a["gap"]), (names(b), &b["gap"]));
+    let each = scratch("user-campaigns-out.each");
+    assert!(each.join("a/wing.ron").is_file() && each.join("b/report.html").is_file());
+    let nulls = each.join("a/null_distribution.ron");
+    let [campaign, nulls] = [&first, &nulls].map(|path| path.to_str().unwrap());
+    let alone = ["--wing", WING, "--campaign", campaign, "--null-distribution", nulls];
+    let (status, _, said, alone) = discover("user-campaign-alone", &alone);
+    assert_eq!(status, Some(0), "{said}");
+    assert_eq!((names(&alone), &alone["gap"]), (names(a), &a["gap"]));
 }

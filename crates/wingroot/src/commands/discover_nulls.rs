@@ -1,11 +1,12 @@
 //! The null distribution of `discover`: the given or shipped one, or one from null campaigns, which are a sweep: all in one process, or
 //! a share, preparation, merge and status of many.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use discover::analysis::Prepared;
 use discover::null_distribution::NullDistribution;
+use discover::null_key::NullKey;
 use nastran::InputError;
 use nastran::ron_or_json::expected_in;
 
@@ -75,7 +76,7 @@ impl Asked<'_> {
     fn given(
         &self,
         serves: &dyn Fn(&NullDistribution) -> bool,
-        wanted: &discover::null_key::NullKey,
+        wanted: &NullKey,
     ) -> Result<Option<(NullDistribution, String)>, Failure> {
         if let Some(path) = self.named {
             let nulls: NullDistribution = nastran::ron_file::read(path)?;
@@ -184,4 +185,23 @@ impl Asked<'_> {
 /// The number of a campaign.
 fn k(case: &Weighed) -> u64 {
     case.number as u64
+}
+
+/// A null distribution from campaigns without effect, made now in one process; those of a run that was stopped stand beside the results.
+///
+/// # Errors
+/// If nothing can be kept there.
+pub(crate) fn made_now(
+    key: NullKey,
+    prepared: &Prepared,
+    seed: u64,
+    out: &Path,
+    common: &Common,
+) -> Result<NullDistribution, Failure> {
+    let inputs = Inputs::default().with("seed", &seed.to_string()).with("design", &format!("{key:?}"));
+    let store = Store::beside(out, inputs)?;
+    let nulls = kept_nulls::null_distribution(prepared, seed, &store, common);
+    // A store that resists is found again, or is of other inputs and ignored.
+    let _ = store.close();
+    Ok(NullDistribution { key, ..nulls })
 }

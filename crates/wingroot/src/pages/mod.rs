@@ -8,6 +8,7 @@ mod changes;
 mod deck;
 mod deflection;
 mod discover;
+mod discover_campaigns;
 mod discover_map;
 mod docs;
 mod flightloads;
@@ -41,6 +42,7 @@ pub(crate) fn page(written: Written) -> Option<Page> {
         "deflection" => deflection::page,
         "simulate" => simulate::page,
         "discover" => discover::page,
+        "discover --campaigns" => discover_campaigns::page,
         "fullaircraft" => aircraft::page,
         "fullaircraft --cases" => aircraft::cases,
         "fullaircraft --deck" => aircraft_deck::page,
