@@ -18,6 +18,7 @@ use crate::search::search;
 use crate::setting::Setting;
 use crate::simulator::{Simulator, SimulatorError, SplitRig};
 use crate::spectral_lines::{SpectralLine, sentence, spectral_lines};
+use crate::stated_noise::{self, NoiseBand, beyond_stated};
 use crate::uncertain::uncertain;
 use calibrate::{Campaign, Schedule, Use};
 use coupling::{ByLoad, ElasticWing, WingFile};
@@ -106,6 +107,8 @@ pub struct Prepared {
     pub uncertain: Vec<Active>,
     /// The noise.
     pub noise: Noise,
+    /// Where it is not what the campaign states.
+    pub noise_beyond_stated: Vec<NoiseBand>,
     /// Spectral lines that do not repeat.
     pub spectral_lines: Vec<SpectralLine>,
     /// How open the corrections are (see [`Setting::open_corrections`]).
@@ -142,6 +145,7 @@ impl Prepared {
         let places: Vec<usize> = (0..data.runs.len()).map(|i| data.place_of_run(i)).collect();
         let flown = simulator.flown(&[], None, &places);
         let noise = Noise::new(&data, &flown)?;
+        let noise_beyond_stated = beyond_stated(&data, &flown);
         let spectral_lines = spectral_lines(&data, &flown);
         let open_corrections = if own_corrections { 1.0 } else { rigs.rules.shared.calibrated };
         let library = library_with(&controls, &rigs.own.file().into());
@@ -154,6 +158,7 @@ impl Prepared {
             controls,
             uncertain,
             noise,
+            noise_beyond_stated,
             spectral_lines,
             open_corrections,
         })
@@ -211,6 +216,7 @@ impl Prepared {
             outcome.unexplained = true;
             outcome.trace.push(sentence);
         }
+        outcome.trace.extend(stated_noise::sentence(&self.noise_beyond_stated));
         let gaps = self.judged().each_ref().map(|problem| {
             let places = problem.places();
             let of = |effects| problem.gap(&self.simulator.flown(effects, Some(&current.models), &places));

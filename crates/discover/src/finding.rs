@@ -289,6 +289,7 @@ impl<'a> Finding<'a> {
             detection_limits: self.detection_limits.clone(),
             steps: outcome.trace.clone(),
             spectral_lines: spectral_lines.clone(),
+            noise_beyond_stated: self.prepared.noise_beyond_stated.clone(),
             corrections: sources.corrections.clone(),
             null_distribution: sources.null_distribution.clone(),
             data_hash: sources.data_hash.clone(),

@@ -37,6 +37,7 @@ pub mod setting;
 pub mod shared;
 pub mod simulator;
 pub mod spectral_lines;
+pub mod stated_noise;
 mod statistics;
 mod tolerance;
 pub mod transform;

@@ -42,7 +42,7 @@ impl Noise {
     /// # Errors
     /// If there are neither repeats nor stated noise.
     pub fn new(data: &Dataset, simulated: &[Flown]) -> Result<Self, NoiseUnknown> {
-        let (rules, highest_hz) = (&data.rules.noise, data.rules.data.highest_hz);
+        let rules = &data.rules.noise;
         let band = |frequency_hz: f64| band(&rules.bands_hz, frequency_hz);
         let pairs = pairs(data);
         let scatter = static_scatter(data);
@@ -53,16 +53,9 @@ impl Noise {
         for &(a, b) in &pairs {
             let run = &data.runs[a];
             for c in 0..3 {
-                let residual = |i: usize| -> Vec<f64> {
-                    data.runs[i].measured[c].iter().zip(&simulated[i].loads[c]).map(|(m, s)| m - s).collect()
-                };
-                let difference: Vec<f64> = residual(a)
-                    .iter()
-                    .zip(residual(b))
-                    .map(|(a, b)| (a - b) / std::f64::consts::SQRT_2)
-                    .collect();
-                let (samples, dt) = (difference.len(), run.stimulus.time_step_s);
-                for (k, value) in cosines(&difference, dt, highest_hz).iter().enumerate() {
+                let values = half_difference(data, simulated, (a, b), c);
+                let (samples, dt) = (run.measured[c].len(), run.stimulus.time_step_s);
+                for (k, value) in values.iter().enumerate() {
                     if k == 0 {
                         offsets[c].0 += value * value / samples as f64;
                         offsets[c].1 += 1;
@@ -110,6 +103,20 @@ impl Noise {
     }
 }
 
+/// Cosine coefficients of what a run and its repeat differ by in a load (its place), the simulation taken off, over the root of two.
+pub(crate) fn half_difference(
+    data: &Dataset,
+    simulated: &[Flown],
+    (first, repeat): (usize, usize),
+    load: usize,
+) -> Vec<f64> {
+    let residual = |i: usize, k: usize| data.runs[i].measured[load][k] - simulated[i].loads[load][k];
+    let samples = data.runs[first].measured[load].len();
+    let difference: Vec<f64> =
+        (0..samples).map(|k| (residual(first, k) - residual(repeat, k)) / std::f64::consts::SQRT_2).collect();
+    cosines(&difference, data.runs[first].stimulus.time_step_s, data.rules.data.highest_hz)
+}
+
 /// Training runs that repeat another: the first, and the repeat.
 pub(crate) fn pairs(data: &Dataset) -> Vec<(usize, usize)> {
     let repeats = data.runs.iter().enumerate().filter_map(|(i, run)| run.repeat_of.map(|first| (first, i)));
@@ -123,13 +130,13 @@ pub(crate) fn pairs(data: &Dataset) -> Vec<(usize, usize)> {
 }
 
 /// Samples of a file to one that is used, at most, in the training runs.
-fn decimation(data: &Dataset) -> f64 {
+pub(crate) fn decimation(data: &Dataset) -> f64 {
     let training = data.runs.iter().filter(|run| run.usage == Use::Train);
     training.map(|run| run.decimation).max().unwrap_or(1) as f64
 }
 
 /// The band of a frequency.
-fn band(bands_hz: &[f64], frequency_hz: f64) -> usize {
+pub(crate) fn band(bands_hz: &[f64], frequency_hz: f64) -> usize {
     bands_hz.iter().position(|end| frequency_hz < *end).unwrap_or(bands_hz.len() - 1)
 }
 

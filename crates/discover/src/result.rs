@@ -9,6 +9,7 @@ use crate::gap::Gap;
 use crate::locate::Located;
 use crate::next::Advice;
 use crate::spectral_lines::SpectralLine;
+use crate::stated_noise::NoiseBand;
 use crate::verdict::VerdictKind;
 use coupling::ByLoad;
 use schemars::JsonSchema;
@@ -230,6 +231,8 @@ pub struct SearchResult {
     pub steps: Vec<String>,
     /// Lines that do not repeat from run to run.
     pub spectral_lines: Vec<SpectralLine>,
+    /// Where repeats differ by more than the noise that the campaign states.
+    pub noise_beyond_stated: Vec<NoiseBand>,
     /// Where the corrections come from.
     pub corrections: String,
     /// Where the null distribution comes from.

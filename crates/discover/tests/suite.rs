@@ -8,4 +8,5 @@ mod locate;
 mod null_key;
 mod rules;
 mod search;
+mod stated_noise;
 mod verdict;

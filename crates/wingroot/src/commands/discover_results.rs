@@ -6,6 +6,7 @@ use std::path::Path;
 use discover::finding::Finding;
 use discover::result::MapCell;
 use discover::spectral_lines::sentence;
+use discover::stated_noise;
 
 /// The map as CSV.
 pub(crate) fn map_csv(cells: &[MapCell]) -> String {
@@ -57,6 +58,9 @@ pub(crate) fn summary(finding: &Finding<'_>, out: &Path, seconds: f64) -> String
         let _ = writeln!(text, "not used: {} (residuals are root loads)", data.not_used.join(", "));
     }
     if let Some(line) = sentence(&data.rules.spectral_lines, &finding.prepared.spectral_lines) {
+        let _ = writeln!(text, "{line}");
+    }
+    if let Some(line) = stated_noise::sentence(&finding.prepared.noise_beyond_stated) {
         let _ = writeln!(text, "{line}");
     }
     let _ = writeln!(text, "{}", judgement.sentence());
