@@ -180,6 +180,20 @@ impl LargeWing {
         Ok(found)
     }
 
+    /// The equilibrium of a case with corrections, continued from that of another case.
+    ///
+    /// # Errors
+    /// As [`LargeWing::solve`].
+    pub fn continued_from(
+        &self,
+        known: &LargeState,
+        of: &SteadyCase,
+        case: &SteadyCase,
+        corrections: &Corrections,
+    ) -> Result<LargeState, CouplingError> {
+        self.continued(&known.state, &self.air(of, corrections)?, &self.air(case, corrections)?, case)
+    }
+
     /// The air of a case with corrections of each correctable box.
     pub(super) fn air(&self, case: &SteadyCase, corrections: &Corrections) -> Result<Air<'_>, CouplingError> {
         Ok(Air {
