@@ -1,9 +1,7 @@
 //! Balanced flight of the aircraft that bends: laws of balance, and small deflections as the limit of small loads.
 
-mod common;
-
+use crate::common::{whole, wings};
 use aero::Corrections;
-use common::{whole, wings};
 use coupling::GRAVITY_M_S2;
 use fullaircraft::{Aircraft, FlightModel, FlightPoint, LargeTrimmed};
 

@@ -219,7 +219,7 @@ impl Balancing<'_> {
     fn forces_at(&self, state: &State, trim: [f64; 2]) -> [Vec<f64>; 2] {
         let body = self.flying.body;
         let air = self.solved.on_nodes_in(&self.flying.air(trim), state);
-        let felt = body.elastic.gravity_at(trim[0]).map(|g| g * self.flying.flight.load_factor);
+        let felt = body.elastic.gravity_at(trim[0]) * self.flying.flight.load_factor;
         let inertia = self.fields[0].iter().zip(&self.fields[1]);
         [air, inertia.map(|(x, z)| felt[0] * x + felt[2] * z).collect()]
     }
