@@ -108,6 +108,10 @@ pub fn all() -> Vec<Named> {
         ),
         result::<FlightloadsResult>("flightloads_result", "result.json of flightloads"),
         result::<FlutterResult>("flutter_result", "result.json of flutter"),
+        result::<crate::commands::flutter_bent_result::BentFlutterResult>(
+            "flutter_bent_result",
+            "result.json of flutter with large deflections",
+        ),
         result::<crate::commands::free_result::FreeResult>("free_result", "result.json of free"),
         result::<crate::commands::flutter_deck_result::DeckFlutter>(
             "flutter_deck_result",
