@@ -52,6 +52,21 @@ pub enum CouplingError {
         /// What went wrong beyond it.
         why: String,
     },
+    /// No balanced equilibrium of the bent body in flight.
+    #[error(
+        "no balanced equilibrium of the bent aircraft was found at {v_m_s:.2} m/s and load factor {load_factor:.3}; the last one was \
+        at load factor {reached:.3}: {why}"
+    )]
+    NotBalanced {
+        /// Airspeed, m/s.
+        v_m_s: f64,
+        /// Load factor asked for.
+        load_factor: f64,
+        /// Of the last equilibrium.
+        reached: f64,
+        /// What went wrong beyond it.
+        why: String,
+    },
     /// Something has the wrong length.
     #[error("{what}: {got} values, expected {expected}")]
     Size {

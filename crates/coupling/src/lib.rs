@@ -24,7 +24,10 @@ pub use case::{CorrectableBoxes, RootSensitivity, SteadyCase, SteadyModel};
 pub use error::CouplingError;
 pub use exchange::Exchange;
 pub use kept::Keep;
-pub use large::{BentMotion, BentMotionError, LargeModel, LargeState, LargeWing};
+pub use large::{
+    BentMotion, BentMotionError, CarriedPart, FreeBody, FreeState, LargeModel, LargeState, LargeWing,
+    SteadyFlight,
+};
 pub use load_rows::{Balance, root_rows, station_rows, strip_rows};
 pub use nastran_deck::{DeckOptions, NastranDeck};
 pub use readings::{Readings, Rows};

@@ -37,5 +37,6 @@ pub use stations::places::Station;
 pub use trim::case::{Balanced, TrimAt, TrimCase, TrimTools};
 pub use trim::derivatives::{Coefficients, Derivatives};
 pub use trim::envelope::Envelope;
+pub use trim::large::{LargeAircraft, LargeTrimmed};
 pub use trim::maneuvers::Steady;
 pub use trim::model::{FlightModel, Trimmed};

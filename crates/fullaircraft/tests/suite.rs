@@ -11,6 +11,7 @@ mod envelope;
 mod flight;
 mod flight_nonlinear;
 mod general_trim;
+mod large_trim;
 mod mirror;
 mod net_monitors;
 mod package;

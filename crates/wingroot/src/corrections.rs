@@ -85,13 +85,7 @@ pub(crate) fn corrected_wing(given: &Given) -> Result<CorrectedWing, Failure> {
 pub(crate) fn corrected_wing_shared(given: &Given, shared: &Shared) -> Result<CorrectedWing, Failure> {
     let (file, wing) = ElasticWing::read(&given.measured.wing_path()?)?;
     if let Some(path) = given.corrections.as_deref() {
-        let schedule = given.schedule(path)?;
-        if schedule.wing_hash != file.hash {
-            let message = format!("these corrections belong to another wing than {}", file.path.display());
-            let help = "corrections hold for the wing they were found with: calibrate this one, or name the other with --wing";
-            return Err(InputError::in_file(path, message).with_help(help).into());
-        }
-        check_boxes(&schedule, &wing, path)?;
+        let schedule = given.schedule_of(path, &file, &wing)?;
         let ensemble = given.ensemble(path, &schedule)?;
         return Ok(CorrectedWing { file, wing, schedule, origin: path.display().to_string(), ensemble });
     }
@@ -208,6 +202,26 @@ impl Given {
     /// The ensemble beside corrections, if intervals are wanted.
     fn ensemble(&self, path: &Path, schedule: &Schedule) -> Result<Option<Ensemble>, InputError> {
         if self.no_intervals { Ok(None) } else { ensemble_beside(path, schedule) }
+    }
+
+    /// Reads corrections that must be of a wing.
+    ///
+    /// # Errors
+    /// If they cannot be read, or are of another wing or lattice.
+    pub(crate) fn schedule_of(
+        &self,
+        path: &Path,
+        file: &WingFile,
+        wing: &ElasticWing,
+    ) -> Result<Schedule, Failure> {
+        let schedule = self.schedule(path)?;
+        if schedule.wing_hash != file.hash {
+            let message = format!("these corrections belong to another wing than {}", file.path.display());
+            let help = "corrections hold for the wing they were found with: calibrate this one, or name the other with --wing";
+            return Err(InputError::in_file(path, message).with_help(help).into());
+        }
+        check_boxes(&schedule, wing, path)?;
+        Ok(schedule)
     }
 
     /// Reads corrections; those of a fit that did not converge only if that was asked for.

@@ -56,8 +56,12 @@ fn made<T: JsonSchema>(settings: SchemaSettings) -> Schema {
     settings.into_generator().into_root_schema_for::<T>()
 }
 
-/// All of them.
+/// All of them: inputs, then results.
 pub fn all() -> Vec<Named> {
+    inputs().into_iter().chain(results()).collect()
+}
+
+fn inputs() -> Vec<Named> {
     vec![
         input::<coupling::WingFile>(
             "wing",
@@ -82,6 +86,11 @@ pub fn all() -> Vec<Named> {
             "null_distribution.ron, written by discover",
         ),
         input::<free::rig::Rig>("rig", "rig.ron: a wing on a heave and a pitch spring"),
+    ]
+}
+
+fn results() -> Vec<Named> {
+    vec![
         result::<CalibrateResult>("calibrate_result", "result.json of calibrate"),
         result::<SimulateResult>("simulate_result", "result.json of simulate"),
         result::<DeflectionResult>("deflection_result", "result.json of deflection"),
@@ -93,7 +102,6 @@ pub fn all() -> Vec<Named> {
         result::<BenchmarkResult>("hidden_result", "result.json of hidden"),
         result::<FullaircraftResult>("fullaircraft_result", "result.json of fullaircraft"),
         result::<crate::commands::loads_result::LoadsResult>("loads_result", "result.json of loads"),
-        input::<loads::SelectFile>("select", "loads --select"),
         result::<crate::sweep::status::Status>("status_result", "status --json"),
         result::<CasesSummary>("fullaircraft_cases_result", "result.json of fullaircraft --cases"),
         result::<DeckSummary>("fullaircraft_deck_result", "result.json of fullaircraft --deck"),
@@ -112,6 +120,10 @@ pub fn all() -> Vec<Named> {
         ),
         result::<FlightloadsResult>("flightloads_result", "result.json of flightloads"),
         result::<FlutterResult>("flutter_result", "result.json of flutter"),
+        result::<crate::commands::flutter_bent_result::BentFlutterResult>(
+            "flutter_bent_result",
+            "result.json of flutter with large deflections",
+        ),
         result::<crate::commands::free_result::FreeResult>("free_result", "result.json of free"),
         result::<crate::commands::flutter_deck_result::DeckFlutter>(
             "flutter_deck_result",

@@ -98,3 +98,42 @@ fn a_deck_is_run_as_it_stands_and_what_it_lacks_is_said() {
     }
     std::fs::remove_dir_all(&folder).expect("our own folder");
 }
+
+/// The wing of `data/pazy` on few boxes.
+fn few_boxes(folder: &Path, more: &str) {
+    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/pazy");
+    std::fs::create_dir_all(folder).expect("a temporary folder");
+    let wing = std::fs::read_to_string(data.join("wing.ron")).expect("a shipped file");
+    let wing = wing.replace("chordwise: 18, spanwise: 36", "chordwise: 4, spanwise: 12");
+    let wing = wing.replace("    name: \"Pazy wing\",", &format!("    name: \"Pazy wing\",{more}"));
+    std::fs::write(folder.join("wing.ron"), wing).expect("a file");
+    std::fs::copy(data.join("beam_distribution.csv"), folder.join("beam_distribution.csv")).expect("a copy");
+}
+
+#[test]
+fn a_wing_that_bends_has_a_hump_that_small_deflections_do_not_know() {
+    let folder = std::env::temp_dir().join(format!("wingroot-flutter-bent-{}", std::process::id()));
+    few_boxes(&folder, "\n    geometry: Nonlinear,");
+    let run = |arguments: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_wingroot"));
+        command.args(["flutter", "--out", "out", "--json", "--quiet"]).args(arguments);
+        command.current_dir(&folder).output().expect("the command starts")
+    };
+    let output = run(&["--alpha", "3", "--to", "64", "--step", "4"]);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let result: Value = serde_json::from_slice(&output.stdout).expect("nothing but JSON");
+    let changes = result["root_angles"][0]["changes_of_stability"].as_array().expect("a list");
+    let [onset, offset] = changes.as_slice() else { panic!("not one hump: {changes:?}") };
+    assert_eq!((&onset["becomes"], &offset["becomes"]), (&"unstable".into(), &"stable".into()));
+    // Measured 49 and 55 m/s (`crates/maneuver/tests/bent_flutter.rs` compares the fine mesh); the undeformed wing has none below 64.
+    let v = |change: &Value| change["V_m_s"].as_f64().expect("a number");
+    assert!((v(onset) / 49.0 - 1.0).abs() < 0.1 && v(offset) < 64.0, "{changes:?}");
+    assert!(result["linear"]["flutter_speed_m_s"].is_null(), "{}", result["linear"]);
+    assert!(folder.join("out/roots.csv").is_file() && folder.join("out/flutter_boundary.svg").is_file());
+    // What small deflections have no use for is refused.
+    few_boxes(&folder, "");
+    let output = run(&["--alpha", "3"]);
+    assert_eq!(output.status.code(), Some(2), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("--nonlinear"));
+    std::fs::remove_dir_all(&folder).expect("our own folder");
+}

@@ -3,7 +3,7 @@
 use super::boxes::{CarriedBoxes, MovedBoxes, turned};
 use crate::wing::ElasticWing;
 use aero::{AeroBox, BoxLoads, Corrections, Lattice, SteadyAero};
-use nalgebra::{Rotation3, Vector3};
+use nalgebra::{Point3, Rotation3, Vector3};
 use structure::nonlinear::{Acting, LargeDeflection, Loads, Near, State};
 
 /// One condition: a share of weight is not taken, of dynamic pressure it may be.
@@ -18,6 +18,24 @@ pub(super) struct Air<'a> {
     pub(super) alpha_rad: f64,
     /// Incidence of camber, twist and controls, rad, one a box.
     pub(super) incidence: Vec<f64>,
+    /// Of a body in flight.
+    pub(super) turning: Turning,
+}
+
+/// A steady rotation of the whole, seen from axes that turn with it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Turning {
+    /// Rate over airspeed, rad/m, the structure's axes.
+    pub(super) per_m: Vector3<f64>,
+    /// A point of its axis, m.
+    pub(super) about: Point3<f64>,
+}
+
+impl Turning {
+    /// None.
+    pub(super) fn none() -> Self {
+        Self { per_m: Vector3::zeros(), about: Point3::origin() }
+    }
 }
 
 /// The air about one state: its lattice solved, pressures of motions beside it by the same influence.
@@ -58,6 +76,28 @@ impl<'a> Air<'a> {
         Loads { gravity_m_s2: self.elastic.gravity_at(self.alpha_rad), ..Loads::default() }
     }
 
+    /// Stream along the normals of boxes whose x runs along it, rad.
+    fn incidence_of(&self, stream: &Lattice) -> Vec<f64> {
+        let axes = self.to_stream();
+        let (rate, about) = (axes * self.turning.per_m, axes * self.turning.about);
+        let one = |(panel, incidence): (&AeroBox, &f64)| {
+            let own = rate.cross(&(panel.three_quarter_point() - about));
+            let normal = panel.normal();
+            normal.x + incidence * chord(panel).x - own.dot(&normal)
+        };
+        stream.boxes.iter().zip(&self.incidence).map(one).collect()
+    }
+
+    /// Force, and moment about the midpoint, of lift and moment of each box (N, Nm; the structure's axes).
+    fn directed(&self, stream: &Lattice, box_loads: &BoxLoads) -> Vec<[Vector3<f64>; 2]> {
+        let back = self.to_stream().inverse();
+        let load = |(j, panel): (usize, &AeroBox)| {
+            let [force, moment] = directions(panel);
+            [back * (force * box_loads.values[2 * j]), back * (moment * box_loads.values[2 * j + 1])]
+        };
+        stream.boxes.iter().enumerate().map(load).collect()
+    }
+
     /// The lattice solved at a state; nothing if it cannot be.
     pub(super) fn solved(&self, state: &State) -> Option<Solved<'a>> {
         let elastic = self.elastic;
@@ -72,15 +112,20 @@ impl<'a> Air<'a> {
 impl Solved<'_> {
     /// Pressures and loads at a state, with the influence of the one that was solved.
     pub(super) fn loaded(&self, state: &State) -> Loaded {
-        let (air, elastic) = (&self.air, self.air.elastic);
+        self.loaded_in(&self.air, state)
+    }
+
+    /// The same in other air, with the influence of the one that was solved.
+    pub(super) fn loaded_in(&self, air: &Air<'_>, state: &State) -> Loaded {
+        let elastic = air.elastic;
         let boxes = air.boxes.moved(&elastic.lattice, state);
         let stream = turned(&boxes.lattice, &air.to_stream());
-        let cp = self.aero.pressures_of(&self.incidence(&stream));
+        let cp = self.aero.pressures_of(&air.incidence_of(&stream));
         // The lattice takes the circulation as V cp chord/2 with the chord along the stream; pressures are by the box's own.
         let cp: Vec<f64> =
             cp.iter().enumerate().map(|(j, cp)| cp * self.chord_m[j] / air.own_chord_m(j)).collect();
         let box_loads = elastic.integration.corrected(&air.corrections).box_loads(air.q_pa, &cp);
-        let loads = self.directed(&stream, &box_loads);
+        let loads = air.directed(&stream, &box_loads);
         Loaded { cp, box_loads, loads, boxes }
     }
 
@@ -97,18 +142,7 @@ impl Solved<'_> {
 
     /// Stream along the normals of boxes whose x runs along it, rad.
     pub(super) fn incidence(&self, stream: &Lattice) -> Vec<f64> {
-        let own = stream.boxes.iter().zip(&self.air.incidence);
-        own.map(|(panel, incidence)| panel.normal().x + incidence * chord(panel).x).collect()
-    }
-
-    /// Force, and moment about the midpoint, of lift and moment of each box (N, Nm; the structure's axes).
-    fn directed(&self, stream: &Lattice, box_loads: &BoxLoads) -> Vec<[Vector3<f64>; 2]> {
-        let back = self.air.to_stream().inverse();
-        let load = |(j, panel): (usize, &AeroBox)| {
-            let [force, moment] = directions(panel);
-            [back * (force * box_loads.values[2 * j]), back * (moment * box_loads.values[2 * j + 1])]
-        };
-        stream.boxes.iter().enumerate().map(load).collect()
+        self.air.incidence_of(stream)
     }
 
     /// Force and moment (axes of the stream) of a unit pressure coefficient of the solved lattice, per unit dynamic pressure.
@@ -128,12 +162,17 @@ impl Solved<'_> {
         let air = &self.air;
         let boxes = air.boxes.moved(&air.elastic.lattice, state);
         let stream = turned(&boxes.lattice, &air.to_stream());
-        air.boxes.to_nodes(&boxes, &self.directed(&stream, &loaded.box_loads))
+        air.boxes.to_nodes(&boxes, &air.directed(&stream, &loaded.box_loads))
+    }
+
+    /// Forces of other air on the nodes at a state.
+    pub(super) fn on_nodes_in(&self, air: &Air<'_>, state: &State) -> Vec<f64> {
+        let loaded = self.loaded_in(air, state);
+        air.boxes.to_nodes(&loaded.boxes, &loaded.loads)
     }
 
     fn on_nodes(&self, state: &State) -> Vec<f64> {
-        let loaded = self.loaded(state);
-        self.air.boxes.to_nodes(&loaded.boxes, &loaded.loads)
+        self.on_nodes_in(&self.air, state)
     }
 }
 

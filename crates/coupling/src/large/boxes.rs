@@ -14,6 +14,17 @@ pub(super) struct CarriedBoxes {
     nodes: usize,
 }
 
+/// Boxes in a row of a lattice and what they follow.
+#[derive(Debug, Clone)]
+pub struct CarriedPart {
+    /// The first box and the one after the last.
+    pub boxes: [usize; 2],
+    /// How they follow.
+    pub kind: SplineKind,
+    /// The nodes, by position.
+    pub nodes: Vec<usize>,
+}
+
 /// The boxes at a state, on the structure's axes.
 pub(super) struct MovedBoxes {
     placed: PlacedCarriers,
@@ -26,10 +37,21 @@ pub(super) struct MovedBoxes {
 impl CarriedBoxes {
     /// Of a lattice on the nodes at undeformed places that its spline is tied to.
     pub(super) fn new(lattice: &Lattice, kind: SplineKind, points: &[Point3<f64>], nodes: &[usize]) -> Self {
-        let feet = match kind {
-            SplineKind::Beam => feet_on_axis(lattice, points, nodes),
-            SplineKind::NearestNode => nearest_nodes(lattice, points, nodes),
+        let part = CarriedPart { boxes: [0, lattice.len()], kind, nodes: nodes.to_vec() };
+        Self::of_parts(lattice, points, &[part])
+    }
+
+    /// Of parts that cover the lattice one after the other.
+    pub(super) fn of_parts(lattice: &Lattice, points: &[Point3<f64>], parts: &[CarriedPart]) -> Self {
+        let own = |part: &CarriedPart| {
+            let boxes = lattice.boxes[part.boxes[0]..part.boxes[1]].to_vec();
+            let own = Lattice { boxes, surfaces: Vec::new() };
+            match part.kind {
+                SplineKind::Beam => feet_on_axis(&own, points, &part.nodes),
+                SplineKind::NearestNode => nearest_nodes(&own, points, &part.nodes),
+            }
         };
+        let feet: Vec<CarriedPoint> = parts.iter().flat_map(own).collect();
         let places: Vec<Vector3<f64>> = points.iter().map(|point| point.coords).collect();
         Self { carried: Carried::new(&places, &feet), feet, nodes: points.len() }
     }

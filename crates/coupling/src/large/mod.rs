@@ -14,10 +14,13 @@ mod adjoint;
 mod air;
 mod answer;
 mod boxes;
+mod free;
 mod model;
 mod motion;
 mod wing;
 
+pub use boxes::CarriedPart;
+pub use free::{FreeBody, FreeState, SteadyFlight};
 pub use model::LargeModel;
 pub use motion::{BentMotion, BentMotionError};
 pub use wing::{LargeState, LargeWing};

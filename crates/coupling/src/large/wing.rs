@@ -1,6 +1,6 @@
 //! Equilibria of the bent wing.
 
-use super::air::{Air, Loaded};
+use super::air::{Air, Loaded, Turning};
 use super::boxes::CarriedBoxes;
 use crate::case::SteadyCase;
 use crate::error::CouplingError;
@@ -169,6 +169,7 @@ impl LargeWing {
             q_pa: 0.0,
             alpha_rad: 0.0,
             incidence: vec![0.0; self.elastic.lattice.len()],
+            turning: Turning::none(),
         };
         let (mut from, mut state, mut found) = (still, rest.clone(), Vec::with_capacity(cases.len()));
         for (case, corrections) in cases.iter().zip(corrections) {
@@ -178,6 +179,20 @@ impl LargeWing {
             found.push(one);
         }
         Ok(found)
+    }
+
+    /// The equilibrium of a case with corrections, continued from that of another case.
+    ///
+    /// # Errors
+    /// As [`LargeWing::solve`].
+    pub fn continued_from(
+        &self,
+        known: &LargeState,
+        of: &SteadyCase,
+        case: &SteadyCase,
+        corrections: &Corrections,
+    ) -> Result<LargeState, CouplingError> {
+        self.continued(&known.state, &self.air(of, corrections)?, &self.air(case, corrections)?, case)
     }
 
     /// The air of a case with corrections of each correctable box.
@@ -190,6 +205,7 @@ impl LargeWing {
             q_pa: case.flow.dynamic_pressure_pa(),
             alpha_rad: case.alpha_rad,
             incidence: self.incidence(case),
+            turning: Turning::none(),
         })
     }
 

@@ -9,9 +9,10 @@ use crate::aircraft::file::{AircraftFile, Surfaces};
 use crate::error::AircraftError;
 use crate::model::cards::{self, Cards};
 use crate::model::closing;
-use aero::{ControlSurface, Corrections, Lattice, MirrorPlane, camber_and_twist};
+use aero::{ControlSurface, Corrections, Lattice, MirrorPlane, Surface, camber_and_twist};
 use coupling::{
-    Balance, ElasticWing, Keep, RigidInertia, Spline, SplineKind, SupportedStructure, WingFile, WingParts,
+    Balance, CarriedPart, ElasticWing, Keep, RigidInertia, Spline, SplineKind, SupportedStructure, WingFile,
+    WingParts,
 };
 use nalgebra::Point3;
 use nastran::{BulkData, Frames, InputError};
@@ -44,6 +45,8 @@ pub struct Aircraft {
     pub free: System,
     /// How all boxes in the flow follow the structure.
     pub spline: Spline,
+    /// What the boxes of each panel follow.
+    pub carried: Vec<CarriedPart>,
     /// Boxes in the flow, controls, unit pressures, and the structure held at the centre. Its "balance" is the
     /// centre of gravity, and all boxes count; its corrections are those of both wings.
     pub flow: ElasticWing,
@@ -100,7 +103,8 @@ impl Aircraft {
             Surfaces::WingsOnly => cards.wings_in_flow(),
         };
         let lattice = Lattice::from_bulk(&in_flow)?;
-        let spline = spline(&cards, &lattice, &free, wing.spline)?;
+        let carried = carried(&cards, &lattice, &free, wing.spline)?;
+        let spline = spline(&carried, &lattice, &free);
         let [right, left] = wings(&cards, &wing, &free)?;
         let nodes = |ids: &[u32]| ids.iter().map(|id| node(&free, *id)).collect::<Result<Vec<_>, _>>();
         let [right_half, left_half, vertical] = &cards.tail_splines;
@@ -129,7 +133,22 @@ impl Aircraft {
         };
         let flow = ElasticWing::new(parts)?;
         let bulk = cards.bulk;
-        Ok(Self { file, wing, bulk, free, spline, flow, right, left, tail, fuselage, centre, mass, inertia })
+        Ok(Self {
+            file,
+            wing,
+            bulk,
+            free,
+            spline,
+            carried,
+            flow,
+            right,
+            left,
+            tail,
+            fuselage,
+            centre,
+            mass,
+            inertia,
+        })
     }
 
     /// What the assembled aircraft depends on, its air without corrections too: another text for another aircraft.
@@ -218,27 +237,32 @@ impl Held<'_> {
 }
 
 /// Each panel follows the grids of its own part.
-fn spline(
+fn carried(
     cards: &Cards,
     lattice: &Lattice,
     system: &System,
     kind: SplineKind,
-) -> Result<Spline, AircraftError> {
-    let mut parts = Vec::new();
-    for surface in &lattice.surfaces {
+) -> Result<Vec<CarriedPart>, AircraftError> {
+    let part = |surface: &Surface| {
         let end = surface.first_box + surface.chordwise * surface.spanwise;
-        let boxes = lattice.boxes[surface.first_box..end].to_vec();
-        let part = Lattice { boxes, surfaces: Vec::new() };
         let nodes: Vec<usize> =
             cards.spline_of_panel(surface.id).iter().map(|id| node(system, *id)).collect::<Result<_, _>>()?;
-        let nearest = kind == SplineKind::NearestNode && cards.is_wing_panel(surface.id);
-        parts.push(if nearest {
-            Spline::nearest_node(&part, system.points(), &nodes)
-        } else {
-            Spline::beam(&part, system.points(), &nodes)
-        });
-    }
-    Ok(Spline::joined(parts, 6 * system.node_count()))
+        let kind = if cards.is_wing_panel(surface.id) { kind } else { SplineKind::Beam };
+        Ok(CarriedPart { boxes: [surface.first_box, end], kind, nodes })
+    };
+    lattice.surfaces.iter().map(part).collect()
+}
+
+fn spline(parts: &[CarriedPart], lattice: &Lattice, system: &System) -> Spline {
+    let one = |part: &CarriedPart| {
+        let boxes = lattice.boxes[part.boxes[0]..part.boxes[1]].to_vec();
+        let own = Lattice { boxes, surfaces: Vec::new() };
+        match part.kind {
+            SplineKind::NearestNode => Spline::nearest_node(&own, system.points(), &part.nodes),
+            SplineKind::Beam => Spline::beam(&own, system.points(), &part.nodes),
+        }
+    };
+    Spline::joined(parts.iter().map(one), 6 * system.node_count())
 }
 
 /// Places of both wings.

@@ -4,6 +4,7 @@ pub(crate) mod balance;
 pub mod case;
 pub mod derivatives;
 pub mod envelope;
+pub mod large;
 pub mod maneuvers;
 pub mod model;
 pub mod trimmed;

@@ -80,12 +80,7 @@ impl TrimVariables {
             TrimVariable { name: "thrust_N".to_owned(), unit: 1.0, acts: Acts::Force(thrust(aircraft)) },
         ];
         for (name, parts) in controls(aircraft) {
-            let mut column = vec![0.0; lattice.len()];
-            for (at, sign) in parts {
-                for (sum, value) in column.iter_mut().zip(wing.controls[at].column(lattice.len())) {
-                    *sum += sign * value;
-                }
-            }
+            let column = moved_together(aircraft, &parts);
             all.push(flow(&format!("{name}_deg"), columns.len()));
             columns.push(column);
         }
@@ -125,6 +120,23 @@ fn thrust(aircraft: &Aircraft) -> [f64; 6] {
     let (x, y, z) = line.point_m;
     let moment = Vector3::new(x - aircraft.file.total.x_cg_m, y, z).cross(&force);
     [force.x, force.y, force.z, moment.x, moment.y, moment.z]
+}
+
+/// Incidence of all boxes by a control, rad per rad; none of this name: nothing.
+pub(crate) fn incidence_of_control(aircraft: &Aircraft, name: &str) -> Option<Vec<f64>> {
+    let (_, parts) = controls(aircraft).into_iter().find(|(known, _)| known == name)?;
+    Some(moved_together(aircraft, &parts))
+}
+
+fn moved_together(aircraft: &Aircraft, parts: &[(usize, f64)]) -> Vec<f64> {
+    let wing = &aircraft.flow;
+    let mut column = vec![0.0; wing.lattice.len()];
+    for (at, sign) in parts {
+        for (sum, value) in column.iter_mut().zip(wing.controls[*at].column(wing.lattice.len())) {
+            *sum += sign * value;
+        }
+    }
+    column
 }
 
 /// Control surfaces that move together: name, and place and sense of each.

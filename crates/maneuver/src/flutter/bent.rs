@@ -1,13 +1,12 @@
-//! Flutter of the wing that really bends: p-k about the equilibrium of every airspeed.
+//! The wing that really bends at one airspeed: its equilibrium, the tangent modes about it, and the p-k roots they become.
 //!
-//! Stiffness, places and directions are those of the bent wing at that airspeed (matched), so a mode may become unstable
-//! and, where the wing bends further, stable again: a hump.
+//! Stiffness, places and directions are those of the bent wing at that airspeed (matched). Over airspeed:
+//! [`super::bent_sweep`].
 
 use super::{Aeroelastic, FlutterError, GafTable};
 use aero::{Corrections, DlmSettings, DoubletLattice};
 use coupling::{BentMotion, BentMotionError, CouplingError, LargeState, LargeWing, SteadyCase};
 use faer::{Mat, c64};
-use std::f64::consts::TAU;
 
 /// Reduced frequencies omega c/(2V) of the doublet lattice, c the mean chord.
 const REDUCED: [f64; 12] = [0.0, 0.02, 0.05, 0.1, 0.16, 0.24, 0.34, 0.46, 0.62, 0.85, 1.2, 1.8];
@@ -26,54 +25,30 @@ pub enum BentFlutterError {
     Flutter(#[from] FlutterError),
 }
 
-/// The wing at an airspeed.
+/// The wing at an airspeed. Lists have one entry a mode; over a sweep the same entry is the same mode.
 #[derive(Debug, Clone)]
 pub struct BentPoint {
     /// The case.
     pub case: SteadyCase,
     /// Its equilibrium.
     pub state: LargeState,
-    /// Natural frequencies without the air's answer, rad/s, ascending.
+    /// Natural frequencies without the air's answer, rad/s, followed by shape.
     pub omega_rad_s: Vec<f64>,
-    /// Roots (1/s) that the modes become in the air; those that could not be followed are not there.
-    pub roots: Vec<c64>,
-}
-
-/// A change of stability over airspeed.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BentCrossing {
-    /// Airspeed, m/s, linear between those looked at.
-    pub v_m_s: f64,
-    /// Frequency, Hz.
-    pub frequency_hz: f64,
-    /// Rise of the tip, m.
-    pub tip_z_m: f64,
-    /// Whether the wing becomes unstable there (and not stable again).
-    pub unstable: bool,
+    /// Roots (1/s) in the air, followed over airspeed from the modes that they are at the first; nothing where one could not be followed.
+    pub roots: Vec<Option<c64>>,
+    /// Displacements (m) and spins of all nodes by natural mode, unit generalised mass.
+    pub(super) shapes: Mat<f64>,
 }
 
 impl BentPoint {
-    /// The oscillation that grows fastest, 1/s.
-    pub fn least_stable(&self) -> Option<c64> {
-        let oscillating = self.roots.iter().filter(|root| root.im > 0.0);
-        oscillating.copied().max_by(|a, b| (a.re / a.im).total_cmp(&(b.re / b.im)))
-    }
-}
-
-/// Equilibria and roots of cases at one angle of attack and ascending airspeed, in so many tangent modes of one damping ratio.
-///
-/// # Errors
-/// If there is no equilibrium, or modes, the lattice or the roots cannot be found.
-pub fn flutter_of_bent_wing(
-    wing: &LargeWing,
-    cases: &[SteadyCase],
-    corrections: &[Corrections],
-    count: usize,
-    damping_ratio: f64,
-) -> Result<Vec<BentPoint>, BentFlutterError> {
-    let states = wing.solve_with(cases, corrections)?;
-    let mut points = Vec::with_capacity(cases.len());
-    for ((case, corrections), state) in cases.iter().zip(corrections).zip(states) {
+    /// Modes ascending in frequency, roots as p-k follows each of them from a vacuum.
+    pub(super) fn new(
+        wing: &LargeWing,
+        case: &SteadyCase,
+        corrections: &Corrections,
+        state: LargeState,
+        (count, damping_ratio): (usize, f64),
+    ) -> Result<Self, BentFlutterError> {
         let motion = wing.small_motion(case, corrections, &state, count)?;
         let table = table(wing, &motion, case)?;
         let n = motion.omega_rad_s.len();
@@ -87,32 +62,16 @@ pub fn flutter_of_bent_wing(
             &table,
         )?;
         let curves = system.pk(&[case.flow])?;
-        let roots = curves.branches.iter().filter_map(|branch| Some(branch.first()?.p)).collect();
-        points.push(BentPoint { case: case.clone(), state, omega_rad_s: motion.omega_rad_s, roots });
+        let roots = curves.branches.iter().map(|branch| Some(branch.first()?.p)).collect();
+        let BentMotion { omega_rad_s, shapes, .. } = motion;
+        Ok(Self { case: case.clone(), state, omega_rad_s, roots, shapes })
     }
-    Ok(points)
-}
 
-/// Where the least stable oscillation changes its stability.
-pub fn crossings(points: &[BentPoint]) -> Vec<BentCrossing> {
-    let mut found = Vec::new();
-    for pair in points.windows(2) {
-        let (Some(a), Some(b)) = (pair[0].least_stable(), pair[1].least_stable()) else { continue };
-        let (g_a, g_b) = (a.re / a.im, b.re / b.im);
-        if (g_a > 0.0) == (g_b > 0.0) {
-            continue;
-        }
-        let share = g_a / (g_a - g_b);
-        let mix = |a: f64, b: f64| a + share * (b - a);
-        found.push(BentCrossing {
-            v_m_s: mix(pair[0].case.flow.v_m_s, pair[1].case.flow.v_m_s),
-            // That of the unstable side: the other may be another mode.
-            frequency_hz: if g_b > 0.0 { b.im } else { a.im } / TAU,
-            tip_z_m: mix(pair[0].state.tip_m.z, pair[1].state.tip_m.z),
-            unstable: g_b > 0.0,
-        });
+    /// The oscillation that grows fastest or dies most slowly, 1/s.
+    pub fn least_stable(&self) -> Option<c64> {
+        let oscillating = self.roots.iter().flatten().filter(|root| root.im > 0.0);
+        oscillating.copied().max_by(|a, b| (a.re / a.im).total_cmp(&(b.re / b.im)))
     }
-    found
 }
 
 /// Generalised forces per unit dynamic pressure: doublets on the moved boxes, and the steady loads that turn with them.

@@ -1,6 +1,7 @@
 //! Flutter and divergence: p-k roots of given masses, stiffnesses and air forces, and eigenvalues of a linear system over airspeed.
 
 mod bent;
+mod bent_sweep;
 mod complete;
 mod curves;
 mod divergence;
@@ -17,7 +18,8 @@ mod state_space;
 mod sweep;
 mod system;
 
-pub use bent::{BentCrossing, BentFlutterError, BentPoint, crossings, flutter_of_bent_wing};
+pub use bent::{BentFlutterError, BentPoint};
+pub use bent_sweep::{BentCrossing, BentFlutter, BentSweep};
 pub use complete::{Branch, CompleteCurves};
 pub use curves::{Crossing, FlutterCurves, Root};
 pub use divergence::first_divergence;

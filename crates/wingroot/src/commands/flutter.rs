@@ -8,6 +8,7 @@ use std::time::Instant;
 
 use aero::{Corrections, DlmSettings, DoubletLattice, Flow};
 use calibrate::{Campaign, Schedule};
+use coupling::{Geometry, WingFile};
 use maneuver::flutter::{
     Aeroelastic, Crossing, FlutterCurves, FlutterError, ModePressures, ScheduledForces, first_divergence,
     flutter_of_state_space,
@@ -17,6 +18,7 @@ use nastran::InputError;
 use report::Table;
 use serde_json::Value;
 
+use super::flutter_bent::{self, BentArgs};
 use super::flutter_deck;
 use super::flutter_figures::{self, Stability};
 use crate::args::{Common, Given, airspeed};
@@ -33,13 +35,15 @@ use crate::show;
 #[command(after_help = "Examples:
   wingroot flutter
   wingroot flutter --wing my_wing/wing.ron --campaign my_wing/campaign --to 60
+  wingroot flutter --wing my_wing/wing.ron --nonlinear --alpha 3,5 --to 70
   wingroot flutter --deck my_aircraft.bdf")]
 pub struct FlutterArgs {
     /// Wing, measurements, corrections.
     #[command(flatten)]
     pub(crate) given: Given,
     /// A Nastran deck instead of a wing: flutter as SOL 145 of it asks (FLUTTER, FLFACT, MKAERO1, MKAERO2), in its own units
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["wing", "campaign", "corrections", "accept_unconverged", "no_intervals", "to"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["wing", "campaign", "corrections", "accept_unconverged", "no_intervals", "to",
+        "nonlinear", "alpha", "step", "density"])]
     pub(crate) deck: Option<PathBuf>,
     /// The subcase of the deck [default: all that select a FLUTTER]
     #[arg(long, value_name = "N", requires = "deck")]
@@ -47,14 +51,17 @@ pub struct FlutterArgs {
     /// Highest airspeed looked at, m/s [default: 100, up to which air is nearly incompressible]
     #[arg(long, value_name = "V", value_parser = airspeed)]
     pub(crate) to: Option<f64>,
+    /// Large deflections.
+    #[command(flatten)]
+    pub(crate) bent: BentArgs,
 }
 
 /// Highest airspeed if nothing is said, m/s.
-const HIGHEST: f64 = 100.0;
+pub(super) const HIGHEST: f64 = 100.0;
 /// Airspeeds looked at.
 const SPEEDS: u32 = 100;
 /// Reduced frequencies of the doublet lattice, omega c/(2V) with the mean chord.
-const REDUCED: [f64; 18] =
+pub(super) const REDUCED: [f64; 18] =
     [0.0, 0.005, 0.01, 0.02, 0.04, 0.06, 0.09, 0.13, 0.18, 0.24, 0.32, 0.42, 0.55, 0.7, 0.9, 1.15, 1.5, 2.0];
 
 impl From<FlutterError> for Failure {
@@ -77,6 +84,11 @@ pub(crate) fn run(args: &FlutterArgs, common: &Common) -> Result<(), Failure> {
     if let Some(deck) = &args.deck {
         return flutter_deck::run(deck, args.subcase, common);
     }
+    let path = args.given.measured.wing_path()?;
+    if args.bent.nonlinear || WingFile::read(&path)?.geometry == Geometry::Nonlinear {
+        return flutter_bent::run(args, common);
+    }
+    args.bent.refuse()?;
     let start = Instant::now();
     let campaign = Campaign::read(&args.given.measured.campaign_path()?)?;
     let corrected = corrected_wing(&args.given)?;
@@ -185,8 +197,8 @@ impl<'a> Task<'a> {
     /// The numbers of a model.
     fn of_model(&self, model: &Stability) -> StabilityResult {
         StabilityResult {
-            state_matrix: self.method(&model.state_matrix, model.divergence[0]),
-            p_k: self.method(&model.p_k, model.divergence[1]),
+            state_matrix: method(&model.state_matrix, model.divergence[0], self.highest()),
+            p_k: method(&model.p_k, model.divergence[1], self.highest()),
             p_k_over_state_matrix: model.ratio(),
         }
     }
@@ -240,37 +252,6 @@ impl<'a> Task<'a> {
         }
     }
 
-    /// Numbers of one method; a sentence where there is none.
-    fn method(&self, curves: &FlutterCurves, divergence: Option<f64>) -> MethodResult {
-        let flutter = curves.flutter();
-        let none = |what: &str| format!("no {what} below {} m/s", self.highest());
-        let mut remarks: Vec<String> = curves.lost.iter().map(ToString::to_string).collect();
-        if flutter.is_none() {
-            remarks.push(none("flutter"));
-        }
-        if divergence.is_none() {
-            remarks.push(none("divergence"));
-        }
-        if flutter.is_some_and(|crossing| crossing.beyond_table) {
-            remarks.push(
-                "the flutter frequency is beyond the doublet lattice's table (k = 2): a hint only".into(),
-            );
-        }
-        let change = |crossing: &Crossing| StabilityChange {
-            v_m_s: crossing.flow.v_m_s,
-            frequency_hz: hertz(crossing),
-            mode: crossing.branch + 1,
-            becomes: if crossing.unstable { "unstable" } else { "stable" },
-        };
-        MethodResult {
-            flutter_speed_m_s: flutter.map(|crossing| crossing.flow.v_m_s),
-            flutter_frequency_hz: flutter.map(hertz),
-            divergence_speed_m_s: divergence,
-            changes_of_stability: curves.crossings.iter().map(change).collect(),
-            remarks,
-        }
-    }
-
     /// First and last airspeed of the corrections.
     fn calibrated(&self) -> [f64; 2] {
         let sets = &self.corrected.schedule.sets;
@@ -316,6 +297,36 @@ impl<'a> Task<'a> {
             );
         }
         text
+    }
+}
+
+/// Numbers of one method; a sentence where there is none.
+pub(super) fn method(curves: &FlutterCurves, divergence: Option<f64>, highest: f64) -> MethodResult {
+    let flutter = curves.flutter();
+    let none = |what: &str| format!("no {what} below {highest} m/s");
+    let mut remarks: Vec<String> = curves.lost.iter().map(ToString::to_string).collect();
+    if flutter.is_none() {
+        remarks.push(none("flutter"));
+    }
+    if divergence.is_none() {
+        remarks.push(none("divergence"));
+    }
+    if flutter.is_some_and(|crossing| crossing.beyond_table) {
+        remarks
+            .push("the flutter frequency is beyond the doublet lattice's table (k = 2): a hint only".into());
+    }
+    let change = |crossing: &Crossing| StabilityChange {
+        v_m_s: crossing.flow.v_m_s,
+        frequency_hz: hertz(crossing),
+        mode: crossing.branch + 1,
+        becomes: if crossing.unstable { "unstable" } else { "stable" },
+    };
+    MethodResult {
+        flutter_speed_m_s: flutter.map(|crossing| crossing.flow.v_m_s),
+        flutter_frequency_hz: flutter.map(hertz),
+        divergence_speed_m_s: divergence,
+        changes_of_stability: curves.crossings.iter().map(change).collect(),
+        remarks,
     }
 }
 

@@ -4,12 +4,16 @@ use report::Page;
 use report::page::{Block, KeyNumber, PageTable, Plate, Section};
 use serde_json::Value;
 
+use super::flutter_bent;
 use super::plates::figures;
 use super::values::{at, digits, list, short_at, text};
 
 const METHODS: [(&str, &str); 2] = [("state_matrix", "state matrix"), ("p_k", "p-k, doublet lattice")];
 
 pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
+    if !result["root_angles"].is_null() {
+        return flutter_bent::page(result, plates);
+    }
     let limit = short_at(result, "highest_airspeed_m_s");
     let mut numbers = Vec::new();
     for (model, label) in [("initial", "initial model"), ("updated", "updated model")] {

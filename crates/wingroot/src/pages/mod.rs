@@ -13,6 +13,7 @@ mod discover_map;
 mod docs;
 mod flightloads;
 mod flutter;
+mod flutter_bent;
 mod flutter_deck;
 mod free;
 mod hidden;
