@@ -69,8 +69,7 @@ fn flown(aircraft: &Aircraft, air: &FlightAir, actions: &[Action]) -> Vec<FlownC
 }
 
 #[test]
-fn who_is_refused_in_the_longest_gust_as_unstable_is_refused_in_turbulence_with_the_same_sentence_unless_held()
- {
+fn who_is_refused_in_the_longest_gust_is_refused_in_turbulence_by_the_same_sentence_unless_held() {
     let aircraft = with_cg_at(0.45);
     let air = FlightAir::new(&aircraft).expect("the shipped lattice is right");
     let all = flown(

@@ -289,7 +289,9 @@ impl Design {
     /// The longest gradient of the plan's discrete gusts, m; without any of its own the longest that gusts have.
     pub(crate) fn longest_gradient_m(&self) -> f64 {
         let own = self.gusts.iter().filter_map(|gust| match gust {
-            Gust::Discrete { gradients_m: Gradients::Of(own), .. } => Some(own.iter().copied().fold(0.0, f64::max)),
+            Gust::Discrete { gradients_m: Gradients::Of(own), .. } => {
+                Some(own.iter().copied().fold(0.0, f64::max))
+            }
             Gust::Discrete { gradients_m: Gradients::Default, .. } => Some(LONGEST_GRADIENT_M),
             _ => None,
         });

@@ -64,7 +64,18 @@ fn envelope(result: &Value) -> PageTable {
 /// Limit loads in continuous turbulence: figures, and those of both roots.
 fn turbulence(result: &Value, plates: &mut Vec<Plate>) -> Section {
     let mut section = figures("Continuous turbulence", taken(plates, "turbulence_"));
-    let head = ["model", "case", "station", "load", "level", "smallest", "largest", "A per m/s", "N0 (Hz)", "attitude"];
+    let head = [
+        "model",
+        "case",
+        "station",
+        "load",
+        "level",
+        "smallest",
+        "largest",
+        "A per m/s",
+        "N0 (Hz)",
+        "attitude",
+    ];
     let mut table = PageTable::new("", &head);
     let roots = list(result, "turbulence").iter().filter(|row| text(row, "station").ends_with(" root"));
     for row in roots.clone() {
