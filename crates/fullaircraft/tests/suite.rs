@@ -20,3 +20,4 @@ mod rectangular_wing;
 mod stations;
 mod trim;
 mod turbulence;
+mod unstable;

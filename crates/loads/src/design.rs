@@ -1,5 +1,6 @@
 //! What a plan of loads says of the design: rules, speeds, masses, altitudes and gusts. The fields of the plan's file.
 
+use crate::rules::discrete::LONGEST_GRADIENT_M;
 use nastran::InputError;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -151,6 +152,17 @@ pub enum Spectrum {
     Dryden,
 }
 
+/// What keeps airspeed and attitude in turbulence, whose waves are longer than any gust.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize, JsonSchema)]
+pub enum Attitude {
+    /// The aircraft itself: one that is refused in discrete gusts as unstable is refused in turbulence, too.
+    #[default]
+    Stable,
+    /// A pilot or control laws: an aircraft that diverges in airspeed and attitude alone is flown, and its loads are said to be
+    /// those with airspeed and attitude held.
+    Held,
+}
+
 /// A family of gusts.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -189,6 +201,9 @@ pub enum Gust {
         /// Axes: `Up` (the same as `Down`) and `Lateral`.
         #[serde(default = "upward")]
         directions: Vec<Direction>,
+        /// What keeps airspeed and attitude.
+        #[serde(default)]
+        attitude: Attitude,
     },
 }
 
@@ -269,6 +284,18 @@ impl Design {
     pub fn mtow_kg(&self) -> f64 {
         let heaviest = self.masses.iter().map(|mass| mass.mass_kg).fold(0.0, f64::max);
         self.gust_speeds.mtow_kg.unwrap_or(heaviest)
+    }
+
+    /// The longest gradient of the plan's discrete gusts, m; without any of its own the longest that gusts have.
+    pub(crate) fn longest_gradient_m(&self) -> f64 {
+        let own = self.gusts.iter().filter_map(|gust| match gust {
+            Gust::Discrete { gradients_m: Gradients::Of(own), .. } => {
+                Some(own.iter().copied().fold(0.0, f64::max))
+            }
+            Gust::Discrete { gradients_m: Gradients::Default, .. } => Some(LONGEST_GRADIENT_M),
+            _ => None,
+        });
+        own.reduce(f64::max).unwrap_or(LONGEST_GRADIENT_M)
     }
 
     /// A complaint at a field of the plan's file.

@@ -2,7 +2,7 @@
 
 use crate::atmosphere::Air;
 use crate::cell::cell;
-use crate::design::{Design, Direction, Gradients, Gust, Rules, Spectrum, Speed};
+use crate::design::{Attitude, Design, Direction, Gradients, Gust, Rules, Spectrum, Speed};
 use crate::rules::discrete::{default_gradients, design_gust};
 use crate::rules::pratt::Airframe;
 use crate::vn::Diagram;
@@ -68,6 +68,10 @@ pub enum Action {
         cut_off_hz: f64,
         /// Spectrum.
         spectrum: Spectrum,
+        /// What keeps airspeed and attitude.
+        attitude: Attitude,
+        /// Longest gradient of the plan's gusts, m: who cannot fly so long without doubling a motion is not stable by itself.
+        longest_gradient_m: f64,
     },
 }
 
@@ -178,7 +182,7 @@ impl Writer<'_> {
                         }
                     }
                 }
-                Gust::Turbulence { at, scale_m, cut_off_hz, spectrum, directions } => {
+                Gust::Turbulence { at, scale_m, cut_off_hz, spectrum, directions, attitude } => {
                     for &speed in at {
                         for &direction in directions {
                             let v = self.speed(speed)?;
@@ -189,8 +193,11 @@ impl Writer<'_> {
                                 scale_m: *scale_m,
                                 cut_off_hz: *cut_off_hz,
                                 spectrum: *spectrum,
+                                attitude: *attitude,
+                                longest_gradient_m: self.design.longest_gradient_m(),
                             };
-                            let words = format!("{} turbulence at {}", direction.axis(), speed.name());
+                            let (axis, held) = (direction.axis(), attitude.words());
+                            let words = format!("{axis} turbulence at {}{held}", speed.name());
                             let case = self.case("turbulence", &words, v, 1.0, action);
                             self.push_level(case);
                         }
@@ -294,6 +301,18 @@ impl Direction {
     /// The axis of the gust's velocity.
     pub fn axis(self) -> &'static str {
         if self == Self::Lateral { "lateral" } else { "vertical" }
+    }
+}
+
+impl Attitude {
+    /// As it follows a case's words.
+    fn words(self) -> &'static str {
+        if self == Self::Held { " with airspeed and attitude held" } else { "" }
+    }
+
+    /// As `turbulence.csv` has it.
+    pub fn word(self) -> &'static str {
+        if self == Self::Held { "held" } else { "stable" }
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::close::close;
 use crate::common::{number, reference};
 use crate::plan::{design, mass};
-use loads::design::{Direction, Gradients, Gust, GustSpeeds, Rules, Spectrum, Speed};
+use loads::design::{Attitude, Direction, Gradients, Gust, GustSpeeds, Rules, Spectrum, Speed};
 use loads::matrix::{Action, Status};
 use loads::{Airframe, Condition, Design, Diagram, matrix};
 
@@ -132,6 +132,7 @@ fn discrete_gusts_and_turbulence_are_cases_with_their_velocities_in_true_airspee
                 cut_off_hz: 30.0,
                 spectrum: Spectrum::Karman,
                 directions: vec![Direction::Up],
+                attitude: Attitude::Stable,
             },
         ],
         gust_speeds: GustSpeeds { f_g: Some(1.0), ..GustSpeeds::default() },
@@ -147,6 +148,40 @@ fn discrete_gusts_and_turbulence_are_cases_with_their_velocities_in_true_airspee
     let Action::Discrete { gradient_m, .. } = gusts[0].action else { panic!("{:?}", gusts[0]) };
     assert!((gradient_m - 12.5 * 0.225).abs() < 1e-12, "12.5 chords of a small aircraft: {gradient_m}");
     let turbulence = all.cases.last().unwrap();
-    let Action::Turbulence { u_sigma_m_s, .. } = turbulence.action else { panic!("{turbulence:?}") };
+    let Action::Turbulence { u_sigma_m_s, longest_gradient_m, .. } = turbulence.action else {
+        panic!("{turbulence:?}")
+    };
+    assert!((longest_gradient_m - 107.0).abs() < 1e-12, "as long as the plan's gusts: {longest_gradient_m}");
     assert!((u_sigma_m_s - 26.034_128_503_075_87 / 2.0).abs() < 1e-9, "half at VD: {u_sigma_m_s}");
+}
+
+#[test]
+fn turbulence_lasts_as_long_as_the_longest_gust_of_the_plan_and_its_words_say_who_holds_the_attitude() {
+    let turbulence = |attitude| Gust::Turbulence {
+        at: vec![Speed::VC],
+        scale_m: 762.0,
+        cut_off_hz: 30.0,
+        spectrum: Spectrum::Karman,
+        directions: vec![Direction::Up],
+        attitude,
+    };
+    let gusts = |own: &[f64]| Gust::Discrete {
+        at: vec![Speed::VC],
+        gradients_m: Gradients::Of(own.to_vec()),
+        directions: vec![Direction::Up],
+        refine: false,
+    };
+    let of = |before: &[Gust], attitude| {
+        let gusts = before.iter().cloned().chain([turbulence(attitude)]).collect();
+        let gust_speeds = GustSpeeds { f_g: Some(1.0), ..GustSpeeds::default() };
+        let plan = Design { rules: Rules::Cs25, gusts, gust_speeds, ..design() };
+        let case = matrix(&plan, &AIRFRAME, &[]).unwrap().cases.pop().expect("turbulence is last");
+        let Action::Turbulence { longest_gradient_m, attitude, .. } = case.action else { panic!("{case:?}") };
+        (longest_gradient_m, attitude, case.condition)
+    };
+    assert_eq!(of(&[], Attitude::Stable).0, 107.0, "a plan without gusts: the longest of CS 25.341(a)");
+    assert_eq!(of(&[gusts(&[20.0, 40.0, 30.0]), gusts(&[5.0])], Attitude::Stable).0, 40.0, "the plan's own");
+    let [(_, stable, free), (_, held, kept)] = [Attitude::Stable, Attitude::Held].map(|who| of(&[], who));
+    assert_eq!((stable, held), (Attitude::Stable, Attitude::Held));
+    assert_eq!(kept, format!("{free} with airspeed and attitude held"));
 }

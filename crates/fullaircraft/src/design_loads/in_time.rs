@@ -13,7 +13,7 @@ use crate::stations::nodal::NodalLoads;
 use crate::trim::case::TrimAt;
 use crate::trim::maneuvers::Steady;
 use crate::trim::model::FlightModel;
-use loads::design::Direction;
+use loads::design::{Attitude, Direction};
 use loads::matrix::{Action, Case};
 use loads::rules::discrete::rescaled;
 use maneuver::motion::{MotionSpec, sampled};
@@ -99,13 +99,10 @@ impl PlanFlight<'_> {
 
 impl InTime<'_> {
     fn fly<E: From<AircraftError>>(&self, cases: &[&Case], done: &mut Done<'_, E>) -> Result<(), E> {
+        let timed = self.stable(cases, done)?;
         let (rough, timed): (Vec<&Case>, Vec<&Case>) =
-            cases.iter().partition(|case| matches!(case.action, Action::Turbulence { .. }));
+            timed.iter().partition(|case| matches!(case.action, Action::Turbulence { .. }));
         self.turbulence(&rough, done)?;
-        if timed.is_empty() {
-            return Ok(());
-        }
-        let timed = self.stable(&timed, done)?;
         for case in &timed {
             if let Some(motion) = self.plan.motion(case) {
                 let place = self.drives.iter().position(|name| Some(name.as_str()) == motion.control());
@@ -217,7 +214,8 @@ impl InTime<'_> {
         FlownCase { number, model: self.which, instants, ..FlownCase::default() }.if_finite()
     }
 
-    /// Cases but those with a motion that doubles while they are flown: their loads are those of the time flown, and are refused.
+    /// Cases but those with a motion that doubles while they are flown: their loads are those of the time flown, and are refused; so
+    /// are those of turbulence that lasts as long as the longest gust, unless airspeed and attitude are held there.
     fn stable<'c, E: From<AircraftError>>(
         &self,
         cases: &[&'c Case],
@@ -232,10 +230,15 @@ impl InTime<'_> {
         Ok(stable)
     }
 
-    /// How long a case is flown in time, s.
+    /// How long an aircraft flies a case, s: in turbulence as long as in the longest gust, and for no time where it is held.
     fn duration_s(&self, case: &Case) -> f64 {
+        let flown_m = match case.action {
+            Action::Turbulence { attitude: Attitude::Held, .. } => return 0.0,
+            Action::Turbulence { longest_gradient_m, .. } => Some(2.0 * longest_gradient_m),
+            _ => gust(case, None).map(|gust| gust.length_m),
+        };
         let moved_s = self.plan.motion(case).map_or(0.0, MotionSpec::record_s);
-        gust(case, None).map_or(moved_s, |gust| gust.length_m / self.flight.v_m_s()) + AFTER_S
+        flown_m.map_or(moved_s, |flown_m| flown_m / self.flight.v_m_s()) + AFTER_S
     }
 }
 

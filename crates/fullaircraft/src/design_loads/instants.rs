@@ -3,6 +3,7 @@
 use crate::flight::gust::GustAxis;
 use crate::flight::loads::FlownLoads;
 use crate::stations::nodal::Component;
+use loads::design::Attitude;
 use serde::{Deserialize, Serialize};
 
 /// Loads at an instant of a case.
@@ -68,6 +69,8 @@ pub struct TurbulenceFacts {
     pub load_factor: Option<[f64; 2]>,
     /// Correlations of the loads that are looked at: places of two in `loads`, rho.
     pub correlations: Vec<(usize, usize, f64)>,
+    /// What keeps airspeed and attitude.
+    pub attitude: Attitude,
 }
 
 /// A load in turbulence.

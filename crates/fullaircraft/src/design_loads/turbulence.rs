@@ -8,6 +8,7 @@ use crate::flight::held::Held;
 use crate::flight::turbulence::{AtLimit, PANELS_A_DECADE, TurbulentLoads};
 use crate::stations::along::DIRECTIONS;
 use crate::stations::nodal::Component;
+use loads::design::Attitude;
 use loads::matrix::{Action, Case};
 use loads::turbulence::{Grid, Mode, Turbulence};
 
@@ -70,7 +71,7 @@ impl InTime<'_> {
     /// Statistics of all loads, and an instant for each of those that are looked at, at both of its limits.
     fn limits(&self, case: &Case, turbulent: &TurbulentLoads<'_>, u_sigma_m_s: f64) -> FlownCase {
         let stations = self.plan.stations.len();
-        let facts = self.facts(turbulent, u_sigma_m_s);
+        let facts = self.facts(case, turbulent, u_sigma_m_s);
         let moves = |station: usize, direction: usize| {
             let shares = self.axis.along()[direction].shares;
             facts.loads.iter().any(|load| load.station == station && shares[load.load] != 0.0)
@@ -94,7 +95,11 @@ impl InTime<'_> {
         FlownCase { number: case.number, model: self.which, refused: None, instants, turbulence }.if_finite()
     }
 
-    fn facts(&self, turbulent: &TurbulentLoads<'_>, u_sigma_m_s: f64) -> TurbulenceFacts {
+    fn facts(&self, case: &Case, turbulent: &TurbulentLoads<'_>, u_sigma_m_s: f64) -> TurbulenceFacts {
+        let attitude = match case.action {
+            Action::Turbulence { attitude, .. } => attitude,
+            _ => Attitude::default(),
+        };
         let response = turbulent.response();
         let something = turbulent.is_something(&response);
         let of = 6 * self.plan.stations.len();
@@ -112,6 +117,7 @@ impl InTime<'_> {
         let correlations = pairs.map(|(i, j)| (i, j, response.rho(moved[i], moved[j]))).collect();
         let load_factor =
             something.get(of).filter(|moves| **moves).map(|_| [response.a_bar(of), response.n0_hz(of)]);
-        TurbulenceFacts { u_sigma_m_s, loads: moved.iter().map(one).collect(), load_factor, correlations }
+        let loads = moved.iter().map(one).collect();
+        TurbulenceFacts { u_sigma_m_s, loads, load_factor, correlations, attitude }
     }
 }

@@ -6,6 +6,8 @@ use fullaircraft::Station;
 use fullaircraft::cases::list::MODELS;
 use fullaircraft::design_loads::instants::{FlownCase, TurbulenceFacts, TurbulentLoad};
 use fullaircraft::package::round_trip::LOADS;
+use loads::design::Attitude;
+use loads::matrix::{Action, Case};
 use loads::{Design, Matrix};
 use report::{Figure, Panel, Series, Style};
 use schemars::JsonSchema;
@@ -40,6 +42,8 @@ pub(crate) struct TurbulenceRow {
     /// By how much A may grow beyond the cut-off, %; left out if a mode is there, whose part is unknown.
     #[serde(skip_serializing_if = "Option::is_none")]
     tail_bound_percent: Option<f64>,
+    /// What keeps airspeed and attitude: `stable` (the aircraft) or `held` (a pilot or control laws, by the plan).
+    attitude: &'static str,
 }
 
 /// Cases that were flown in turbulence.
@@ -66,6 +70,7 @@ pub(crate) fn rows(names: &[String], cases: &[FlownCase]) -> Vec<TurbulenceRow> 
             limits: limits(facts, load),
             n0_hz: load.n0_hz,
             tail_bound_percent: load.tail_bound.map(|share| 100.0 * share),
+            attitude: facts.attitude.word(),
         };
         facts.loads.iter().map(row).collect::<Vec<_>>()
     };
@@ -75,17 +80,18 @@ pub(crate) fn rows(names: &[String], cases: &[FlownCase]) -> Vec<TurbulenceRow> 
 /// All loads that turbulence moves, and the load factor of the whole, as `turbulence.csv`.
 pub(crate) fn csv(names: &[String], cases: &[FlownCase]) -> String {
     let mut text = String::from(
-        "model,case,station,load,one_g,A_per_m_s,U_sigma_m_s,smallest,largest,N0_hz,tail_bound_percent\n",
+        "model,case,station,load,one_g,A_per_m_s,U_sigma_m_s,smallest,largest,N0_hz,tail_bound_percent,attitude\n",
     );
     for (case, facts) in rough(cases) {
         let (model, number, u) = (MODELS[case.model], case.number, facts.u_sigma_m_s);
+        let attitude = facts.attitude.word();
         for load in &facts.loads {
             let [smallest, largest] = limits(facts, load);
             let tail = load.tail_bound.map_or_else(String::new, |share| format!("{:.4}", 100.0 * share));
             // Writing to a String cannot fail.
             let _ = writeln!(
                 text,
-                "{model},{number},{},{},{:.9e},{:.9e},{u:.6},{smallest:.9e},{largest:.9e},{:.6},{tail}",
+                "{model},{number},{},{},{:.9e},{:.9e},{u:.6},{smallest:.9e},{largest:.9e},{:.6},{tail},{attitude}",
                 names[load.station], LOADS[load.load], load.one_g, load.a_bar, load.n0_hz
             );
         }
@@ -93,7 +99,7 @@ pub(crate) fn csv(names: &[String], cases: &[FlownCase]) -> String {
             let (smallest, largest) = (1.0 - u * a, 1.0 + u * a);
             let _ = writeln!(
                 text,
-                "{model},{number},whole,n_z,1,{a:.9e},{u:.6},{smallest:.9e},{largest:.9e},{n0:.6},"
+                "{model},{number},whole,n_z,1,{a:.9e},{u:.6},{smallest:.9e},{largest:.9e},{n0:.6},,{attitude}"
             );
         }
     }
@@ -152,15 +158,26 @@ pub(crate) fn figures(
         });
         let mass = &design.masses[case.mass].name;
         let title = format!("{}, mass {mass}, {} m, {:.1} m/s", case.condition, case.h_m, case.v_m_s);
-        let caption = "Limit loads in continuous turbulence about level flight, each at its own limit; airspeed and attitude are held, so that \
-                       an aircraft that diverges in these alone is not refused.";
         folder.write_figure(
             &format!("turbulence_{number}"),
-            caption,
+            caption(case),
             Figure::new(title, panels.into(), 3),
         )?;
     }
     Ok(())
+}
+
+fn caption(case: &Case) -> &'static str {
+    match case.action {
+        Action::Turbulence { attitude: Attitude::Held, .. } => {
+            "Limit loads in continuous turbulence about level flight, each at its own limit, with airspeed and attitude held as the plan says \
+             (attitude: Held): an aircraft that diverges in these alone is not refused."
+        }
+        _ => {
+            "Limit loads in continuous turbulence about level flight, each at its own limit. A model that is not stable by itself is refused, \
+             and not drawn; one that is meets waves longer than its modes with airspeed and attitude held."
+        }
+    }
 }
 
 /// The bending moment of the right root with the updated model, in a line.
@@ -174,8 +191,9 @@ pub(crate) fn line(rows: &[TurbulenceRow]) -> Option<String> {
         Some(percent) => format!("beyond the cut-off at most {percent:.2} %"),
         None => "modes lie beyond the cut-off: what they add is unknown".to_owned(),
     };
+    let held = if worst.attitude == Attitude::Held.word() { ", airspeed and attitude held" } else { "" };
     Some(format!(
-        "turbulence   right root Mx {:.1} to {:.1} N m (case {}, updated): U_sigma {:.2} m/s, A {:.3} N m per m/s, N0 {:.2} Hz, {tail}\n",
+        "turbulence   right root Mx {:.1} to {:.1} N m (case {}, updated{held}): U_sigma {:.2} m/s, A {:.3} N m per m/s, N0 {:.2} Hz, {tail}\n",
         worst.limits[0], worst.limits[1], worst.case, worst.u_sigma_m_s, worst.a_bar, worst.n0_hz
     ))
 }

@@ -64,7 +64,18 @@ fn envelope(result: &Value) -> PageTable {
 /// Limit loads in continuous turbulence: figures, and those of both roots.
 fn turbulence(result: &Value, plates: &mut Vec<Plate>) -> Section {
     let mut section = figures("Continuous turbulence", taken(plates, "turbulence_"));
-    let head = ["model", "case", "station", "load", "level", "smallest", "largest", "A per m/s", "N0 (Hz)"];
+    let head = [
+        "model",
+        "case",
+        "station",
+        "load",
+        "level",
+        "smallest",
+        "largest",
+        "A per m/s",
+        "N0 (Hz)",
+        "attitude",
+    ];
     let mut table = PageTable::new("", &head);
     let roots = list(result, "turbulence").iter().filter(|row| text(row, "station").ends_with(" root"));
     for row in roots.clone() {
@@ -79,6 +90,7 @@ fn turbulence(result: &Value, plates: &mut Vec<Plate>) -> Section {
             short(row["limits"][1].as_f64()),
             short(row["a_bar"].as_f64()),
             short(row["n0_hz"].as_f64()),
+            word("attitude"),
         ]);
     }
     if roots.count() > 0 {
