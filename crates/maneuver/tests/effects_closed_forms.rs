@@ -105,23 +105,6 @@ fn friction_that_levels_off_is_the_dry_one_far_above_its_rate_and_less_below() {
     }
 }
 
-#[test]
-fn a_bridge_with_another_slope_for_each_sign_adds_a_share_of_its_size() {
-    let rom = rom(30.0);
-    let stimulus = points(rom.controls.len());
-    let [ours, y] = beside_form(&rom, ("balance_nonlin", "by sign"), &[0.1, 0.0, -0.2], &stimulus);
-    assert!(
-        y[2].iter().any(|my| *my < 0.0) || y[0].iter().any(|fz| *fz < 0.0),
-        "loads of one sign tell nothing"
-    );
-    for i in 0..y[0].len() {
-        let expected = [y[0][i] + 0.1 * y[0][i].abs(), y[1][i], y[2][i] - 0.2 * y[2][i].abs()];
-        for (c, expected) in expected.into_iter().enumerate() {
-            assert!((ours[c][i] - expected).abs() < 1e-9, "channel {c} point {i}");
-        }
-    }
-}
-
 /// `1 - exp(-t / .5 h)` of the parameter, t the clock: the run begins half an hour after the zeros.
 #[test]
 fn a_balance_that_warms_up_has_come_two_thirds_of_its_way_after_half_an_hour() {

@@ -74,6 +74,18 @@ fn a_triangle_keeps_the_contract() {
 }
 
 #[test]
+fn a_triangle_with_drilling_keeps_the_contract() {
+    let points = [[0.1, 0.2, 0.3], [1.3, 0.1, 0.1], [0.4, 0.9, 0.5]].map(Point3::from);
+    let area = 0.5 * (points[1] - points[0]).cross(&(points[2] - points[0])).norm();
+    contract(|rotation| Specimen {
+        element: shell(rotation, &points, -0.03).with_drilling(),
+        points: points.to_vec(),
+        mass_kg: PER_AREA * area,
+        inertia: None,
+    });
+}
+
+#[test]
 fn a_rectangle_has_the_inertia_of_a_plate() {
     let (a, b) = (1.2, 0.5);
     let points = [[0.0, 0.0, 0.0], [a, 0.0, 0.0], [a, b, 0.0], [0.0, b, 0.0]].map(Point3::from);

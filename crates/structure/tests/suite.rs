@@ -17,6 +17,7 @@ mod large_modes;
 mod large_pazy;
 mod large_shells;
 mod load_cards;
+mod membrane_with_drilling;
 mod modes_closed_forms;
 mod parts;
 #[path = "large/pazy_beam.rs"]

@@ -34,7 +34,7 @@ pub struct ShellElement {
     pub grids: Vec<u32>,
     /// Where the material's axes come from.
     pub direction: MaterialDirection,
-    /// True for CQUADR and CTRIAR, whose own stiffness against turning in their plane is not read: they are computed as CQUAD4 and CTRIA3.
+    /// True for CQUADR and CTRIAR. A CTRIAR's membrane has its corners' rotations about the normal; a CQUADR is computed as a CQUAD4.
     pub is_r: bool,
     /// ZOFFS: distance from the plane of the grids to the reference plane, along the element's normal.
     pub offset: f64,

@@ -1,4 +1,4 @@
-//! Shells and their sections: CQUAD4 and CTRIA3 with PSHELL, PCOMP and PCOMPG.
+//! Shells and their sections: CQUAD4 (CQUADR), CTRIA3 and CTRIAR with PSHELL, PCOMP and PCOMPG.
 
 use super::build::{Builder, undefined};
 use super::registry::ElementCard;
@@ -24,7 +24,8 @@ impl ElementCard for ShellElement {
         let nodes = builder.nodes_of(&self.grids, &user, &self.span)?;
         let points: Vec<Point3<f64>> = nodes.iter().map(|node| builder.nodes[*node].point).collect();
         let angle = builder.angle(self, &points, &user)?;
-        Ok(Arc::new(Shell::new(self.id, nodes, &points, self.offset, section, angle, &self.span)?))
+        let shell = Shell::new(self.id, nodes, &points, self.offset, section, angle, &self.span)?;
+        Ok(Arc::new(if self.is_r { shell.with_drilling() } else { shell }))
     }
 
     fn property(&self) -> Option<u32> {

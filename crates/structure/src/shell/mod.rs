@@ -1,4 +1,4 @@
-//! Shells (CQUAD4, CTRIA3): flat elements of first-order shear theory with six motions a node.
+//! Shells (CQUAD4, CTRIA3, CTRIAR): flat elements of first-order shear theory with six motions a node.
 //!
 //! The element's plane goes through its corners' middle, normal to the cross product of its diagonals. Corners of a warped
 //! quadrilateral stand off that plane; its membrane strains are those of a shallow shell. With an offset, rigid arms along
@@ -7,13 +7,15 @@
 //! - transverse shear is tied at the sides (MITC4, Dvorkin and Bathe 1984; MITC3, Lee and Bathe 2004), so thin shells do
 //!   not lock;
 //! - a quadrilateral's membrane has four incompatible modes with Taylor's correction (Taylor, Beresford and Wilson
-//!   1976), condensed, so bending in its plane does not lock and the patch test holds; a triangle's membrane strain is
-//!   constant, as Nastran's;
-//! - rotation about the normal is tied to the membrane's own rotation (Hughes and Brezzi 1989) by a weak stiffness.
+//!   1976), condensed, so bending in its plane does not lock and the patch test holds; a CTRIA3's membrane strain is
+//!   constant, as Nastran's, a CTRIAR's is bent by its corners' rotations (Felippa 2003);
+//! - rotation about the normal is tied to the membrane's own rotation (Hughes and Brezzi 1989) by a weak stiffness, but
+//!   in a CTRIAR, whose membrane has it.
 //!
 //! Local motions a node: u, v, w, rotations about x, y, z. Strains: u,x; v,y; u,y + v,x. Curvatures: ry,x; -rx,y;
 //! ry,y - rx,x. Transverse shears: w,x + ry; w,y - rx.
 
+mod andes;
 mod point;
 mod quad;
 mod strains;
@@ -52,6 +54,8 @@ pub struct Shell {
     section: Arc<ShellSection>,
     /// From the element's x axis to the section's.
     angle_rad: f64,
+    /// The membrane is bent by rotations about the normal ([`Self::with_drilling`]).
+    drills: bool,
 }
 
 impl Shell {
@@ -76,7 +80,23 @@ impl Shell {
             let help = "give its grids in order around the element, each once";
             return Err(InputError::at(span, message).with_help(help));
         };
-        Ok(Self { id, nodes, axes: frame.axes, corners: frame.corners, offset_m, section, angle_rad })
+        Ok(Self {
+            id,
+            nodes,
+            axes: frame.axes,
+            corners: frame.corners,
+            offset_m,
+            section,
+            angle_rad,
+            drills: false,
+        })
+    }
+
+    /// With the corners' rotations about the normal as motions of a triangle's membrane (CTRIAR), which then bends in its
+    /// plane; a quadrilateral, whose incompatible modes do that, stays as it is.
+    #[must_use]
+    pub fn with_drilling(self) -> Self {
+        Self { drills: self.corners.len() == 3, ..self }
     }
 
     /// Axes of the element: rows x (along the side between the first two corners), y and normal, in basic axes.
@@ -118,7 +138,12 @@ impl Shell {
             strains_at(&quad::point(&self.corners, at, 0.0), &local, &modes)
         } else {
             let local = SVector::<f64, 18>::from_column_slice(local.as_slice());
-            strains_at(&triangle::point(&self.corners, at, 0.0), &local, &SVector::zeros())
+            let point = if self.drills {
+                andes::point(&self.corners, at, 0.0, &section.membrane)
+            } else {
+                triangle::point(&self.corners, at, 0.0)
+            };
+            strains_at(&point, &local, &SVector::zeros())
         }
     }
 
@@ -156,6 +181,8 @@ impl Element for Shell {
         let section = self.section();
         Some(Cow::Owned(if self.corners.len() == 4 {
             self.basic(&stiffness(&quad::points(&self.corners), &section, DRILLING))
+        } else if self.drills {
+            self.basic(&stiffness(&andes::points(&self.corners, &section.membrane), &section, DRILLING))
         } else {
             self.basic(&stiffness(&triangle::points(&self.corners), &section, DRILLING))
         }))

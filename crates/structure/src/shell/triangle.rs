@@ -6,10 +6,15 @@ use nalgebra::{Matrix2, Point3, RowSVector, SMatrix, Vector2};
 /// Derivatives of the shape functions 1 - r - s, r, s by r and s.
 const NATURAL: [[f64; 2]; 3] = [[-1.0, -1.0], [1.0, 0.0], [0.0, 1.0]];
 
-/// Three points inside, exact to second degree.
+/// Three points inside, exact to second degree, each of [`WEIGHT`].
+pub(super) const PLACES: [[f64; 2]; 3] =
+    [[1.0 / 6.0, 1.0 / 6.0], [2.0 / 3.0, 1.0 / 6.0], [1.0 / 6.0, 2.0 / 3.0]];
+
+/// Weight of a place: a third of the triangle's half of the unit square.
+pub(super) const WEIGHT: f64 = 1.0 / 6.0;
+
 pub(super) fn points(corners: &[Point3<f64>]) -> Vec<Point<18>> {
-    let (low, high) = (1.0 / 6.0, 2.0 / 3.0);
-    [[low, low], [high, low], [low, high]].map(|at| point(corners, at, 1.0 / 6.0)).into()
+    PLACES.map(|at| point(corners, at, WEIGHT)).into()
 }
 
 /// The operators at r, s with integration weight `weight`.

@@ -1,23 +1,12 @@
-//! A channel of the balance bends: `y += k y²`, or (`by sign`) has another slope pulled than pushed: `y += k |y|`, as bridges
-//! with a joint that opens have.
+//! A channel of the balance bends: `y += k y²`.
 
 use crate::effects::prelude::*;
 
 /// See the module.
-pub(super) const FORMS: &[Declaration] = &[
-    SQUARE,
-    Declaration {
-        form: "by sign",
-        parameters: |_| ["k_fz", "k_mx", "k_my"].map(|k| Parameter::new(k, -0.2..=0.2, 0.02)).to_vec(),
-        loads: |p, _, _, loads| loads.add_to_readings(p, |k, _, y| k * y.abs()),
-        ..SQUARE
-    },
-];
-
-const SQUARE: Declaration = Declaration {
+pub(super) const FORMS: &[Declaration] = &[Declaration {
     spec: Spec {
         name: "balance_nonlin",
-        title: "a balance channel is not linear",
+        title: "quadratic response of a balance channel",
         side: Side::Balance,
         rivals: &["stall", "wall_correction"],
         experiment: "dead weights beyond the linear range",
@@ -32,4 +21,4 @@ const SQUARE: Declaration = Declaration {
     stage: Stage::Reading,
     loads: |p, _, _, loads| loads.add_to_readings(p, |k, _, y| k * y * y),
     ..Declaration::NONE
-};
+}];
