@@ -1,6 +1,5 @@
 //! What a plan of loads says of the design: rules, speeds, masses, altitudes and gusts. The fields of the plan's file.
 
-use crate::rules::discrete::LONGEST_GRADIENT_M;
 use nastran::InputError;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -284,18 +283,6 @@ impl Design {
     pub fn mtow_kg(&self) -> f64 {
         let heaviest = self.masses.iter().map(|mass| mass.mass_kg).fold(0.0, f64::max);
         self.gust_speeds.mtow_kg.unwrap_or(heaviest)
-    }
-
-    /// The longest gradient of the plan's discrete gusts, m; without any of its own the longest that gusts have.
-    pub(crate) fn longest_gradient_m(&self) -> f64 {
-        let own = self.gusts.iter().filter_map(|gust| match gust {
-            Gust::Discrete { gradients_m: Gradients::Of(own), .. } => {
-                Some(own.iter().copied().fold(0.0, f64::max))
-            }
-            Gust::Discrete { gradients_m: Gradients::Default, .. } => Some(LONGEST_GRADIENT_M),
-            _ => None,
-        });
-        own.reduce(f64::max).unwrap_or(LONGEST_GRADIENT_M)
     }
 
     /// A complaint at a field of the plan's file.

@@ -3,7 +3,7 @@
 use crate::atmosphere::Air;
 use crate::cell::cell;
 use crate::design::{Attitude, Design, Direction, Gradients, Gust, Rules, Spectrum, Speed};
-use crate::rules::discrete::{default_gradients, design_gust};
+use crate::rules::discrete::{default_gradients, design_gust, longest_gradient_m};
 use crate::rules::pratt::Airframe;
 use crate::vn::Diagram;
 use nastran::InputError;
@@ -194,7 +194,7 @@ impl Writer<'_> {
                                 cut_off_hz: *cut_off_hz,
                                 spectrum: *spectrum,
                                 attitude: *attitude,
-                                longest_gradient_m: self.design.longest_gradient_m(),
+                                longest_gradient_m: longest_gradient_m(self.design),
                             };
                             let (axis, held) = (direction.axis(), attitude.words());
                             let words = format!("{axis} turbulence at {}{held}", speed.name());

@@ -81,7 +81,7 @@ fn friction_and_cables_pull_against_the_turning_and_the_angle() {
 /// Loads with a form of an effect, and without any.
 fn beside_form(
     rom: &ReducedOrderModel,
-    (name, form): (&str, &str),
+    [name, form]: [&str; 2],
     values: &[f64],
     stimulus: &Stimulus,
 ) -> [[Vec<f64>; 3]; 2] {
@@ -97,7 +97,7 @@ fn friction_that_levels_off_is_the_dry_one_far_above_its_rate_and_less_below() {
     let mut stimulus = run(rom.controls.len());
     let at_rad_s = [0.02 + 0.1, 10.0, -10.0, 0.0];
     stimulus.inputs.alpha.rate[..4].copy_from_slice(&at_rad_s);
-    let [rubbed, clean] = beside_form(&rom, ("friction", "smooth"), &[-0.3, 0.1], &stimulus);
+    let [rubbed, clean] = beside_form(&rom, ["friction", "smooth"], &[-0.3, 0.1], &stimulus);
     let expected = [-0.3 * 1f64.tanh(), -0.3, 0.3, 0.0];
     for (i, expected) in expected.into_iter().enumerate() {
         let added = rubbed[2][i] - clean[2][i];
@@ -110,7 +110,7 @@ fn friction_that_levels_off_is_the_dry_one_far_above_its_rate_and_less_below() {
 fn a_balance_that_warms_up_has_come_two_thirds_of_its_way_after_half_an_hour() {
     let rom = rom(30.0);
     let stimulus = run(rom.controls.len());
-    let [ours, y] = beside_form(&rom, ("drift", "warming up"), &[1.0, 0.0, -0.5], &stimulus);
+    let [ours, y] = beside_form(&rom, ["drift", "warming up"], &[1.0, 0.0, -0.5], &stimulus);
     let share = |i: usize| 1.0 - (-(stimulus.clock_h + i as f64 * stimulus.time_step_s / 3600.0) / 0.5).exp();
     assert!((stimulus.clock_h - 0.5).abs() < 1e-12 && (share(0) - 0.632).abs() < 1e-3);
     for i in [0, 57, y[0].len() - 1] {
@@ -133,7 +133,7 @@ fn a_surface_that_the_air_presses_back_lacks_half_its_gap() {
         stimulus
     };
     let pressed = |delta_deg: f64| {
-        beside_form(&rom, ("backlash", "pressed by the air"), &[1.5], &at(delta_deg))[0][0].clone()
+        beside_form(&rom, ["backlash", "pressed by the air"], &[1.5], &at(delta_deg))[0][0].clone()
     };
     let plain = |delta_deg: f64| with(&rom, &[], &at(delta_deg)).loads[0].clone();
     for (commanded, acting) in [(5.0, 4.25), (-5.0, -4.25), (0.5, 0.0)] {
@@ -141,7 +141,7 @@ fn a_surface_that_the_air_presses_back_lacks_half_its_gap() {
             assert!((ours - theirs).abs() < 1e-9, "{commanded} degrees: {ours} N, {theirs} N");
         }
     }
-    let [loose, tight] = beside_form(&still, ("backlash", "pressed by the air"), &[1.5], &at(5.0));
+    let [loose, tight] = beside_form(&still, ["backlash", "pressed by the air"], &[1.5], &at(5.0));
     assert!(loose == tight, "no air presses a surface without wind");
 }
 

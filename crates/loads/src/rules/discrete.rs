@@ -2,7 +2,7 @@
 //! velocity. Its shape is flown by `fullaircraft::Gust`.
 
 use super::{Mark, Quantity, between, share_by_speed};
-use crate::design::{Design, Rules};
+use crate::design::{Design, Gradients, Gust, Rules};
 use nastran::InputError;
 use std::f64::consts::PI;
 
@@ -27,6 +27,18 @@ pub fn alleviation(h_m: f64, z_mo_m: f64, landing_kg: f64, no_fuel_kg: f64, take
 /// U_ds = U_ref F_g (H/107 m)^(1/6).
 pub fn design_gust(u_ref_m_s: f64, f_g: f64, gradient_m: f64) -> f64 {
     u_ref_m_s * f_g * (gradient_m / LONGEST_GRADIENT_M).powf(1.0 / 6.0)
+}
+
+/// The longest gradient of the plan's discrete gusts, m; without any of its own the longest that gusts have.
+pub(crate) fn longest_gradient_m(design: &Design) -> f64 {
+    let own = design.gusts.iter().filter_map(|gust| match gust {
+        Gust::Discrete { gradients_m: Gradients::Of(own), .. } => {
+            Some(own.iter().copied().fold(0.0, f64::max))
+        }
+        Gust::Discrete { gradients_m: Gradients::Default, .. } => Some(LONGEST_GRADIENT_M),
+        _ => None,
+    });
+    own.reduce(f64::max).unwrap_or(LONGEST_GRADIENT_M)
 }
 
 /// The design velocity of another gradient, m/s, by that of one: both gradients in m.

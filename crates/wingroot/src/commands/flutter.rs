@@ -10,7 +10,7 @@ use aero::{Corrections, DlmSettings, DoubletLattice, Flow};
 use calibrate::{Campaign, Schedule};
 use coupling::{Geometry, WingFile};
 use maneuver::flutter::{
-    Aeroelastic, Crossing, FlutterCurves, FlutterError, ModePressures, ScheduledForces, first_divergence,
+    Aeroelastic, FlutterError, ModePressures, ScheduledForces, first_divergence,
     flutter_of_state_space,
 };
 use maneuver::{Rig, RigSettings};
@@ -18,11 +18,12 @@ use nastran::InputError;
 use report::Table;
 use serde_json::Value;
 
-use super::flutter_bent::{self, BentArgs};
+use super::flutter_bent::{self, Asked, BentArgs};
+use super::flutter_common::{HIGHEST, REDUCED, hertz, method};
 use super::flutter_deck;
 use super::flutter_figures::{self, Stability};
 use crate::args::{Common, Given, airspeed};
-use crate::commands::flutter_result::{FlutterResult, MethodResult, StabilityChange, StabilityResult};
+use crate::commands::flutter_result::{FlutterResult, StabilityResult};
 use crate::commands::result_parts::as_json;
 use crate::corrections::{CorrectedWing, corrected_wing};
 use crate::ensemble::{Intervals, intervals};
@@ -56,14 +57,8 @@ pub struct FlutterArgs {
     pub(crate) bent: BentArgs,
 }
 
-/// Highest airspeed if nothing is said, m/s.
-pub(super) const HIGHEST: f64 = 100.0;
 /// Airspeeds looked at.
 const SPEEDS: u32 = 100;
-/// Reduced frequencies of the doublet lattice, omega c/(2V) with the mean chord.
-pub(super) const REDUCED: [f64; 18] =
-    [0.0, 0.005, 0.01, 0.02, 0.04, 0.06, 0.09, 0.13, 0.18, 0.24, 0.32, 0.42, 0.55, 0.7, 0.9, 1.15, 1.5, 2.0];
-
 impl From<FlutterError> for Failure {
     fn from(error: FlutterError) -> Self {
         Self::computation(error)
@@ -86,7 +81,8 @@ pub(crate) fn run(args: &FlutterArgs, common: &Common) -> Result<(), Failure> {
     }
     let path = args.given.measured.wing_path()?;
     if args.bent.nonlinear || WingFile::read(&path)?.geometry == Geometry::Nonlinear {
-        return flutter_bent::run(args, common);
+        let asked = Asked { given: &args.given, bent: &args.bent, to: args.to };
+        return flutter_bent::run(&asked, common);
     }
     args.bent.refuse()?;
     let start = Instant::now();
@@ -300,43 +296,9 @@ impl<'a> Task<'a> {
     }
 }
 
-/// Numbers of one method; a sentence where there is none.
-pub(super) fn method(curves: &FlutterCurves, divergence: Option<f64>, highest: f64) -> MethodResult {
-    let flutter = curves.flutter();
-    let none = |what: &str| format!("no {what} below {highest} m/s");
-    let mut remarks: Vec<String> = curves.lost.iter().map(ToString::to_string).collect();
-    if flutter.is_none() {
-        remarks.push(none("flutter"));
-    }
-    if divergence.is_none() {
-        remarks.push(none("divergence"));
-    }
-    if flutter.is_some_and(|crossing| crossing.beyond_table) {
-        remarks
-            .push("the flutter frequency is beyond the doublet lattice's table (k = 2): a hint only".into());
-    }
-    let change = |crossing: &Crossing| StabilityChange {
-        v_m_s: crossing.flow.v_m_s,
-        frequency_hz: hertz(crossing),
-        mode: crossing.branch + 1,
-        becomes: if crossing.unstable { "unstable" } else { "stable" },
-    };
-    MethodResult {
-        flutter_speed_m_s: flutter.map(|crossing| crossing.flow.v_m_s),
-        flutter_frequency_hz: flutter.map(hertz),
-        divergence_speed_m_s: divergence,
-        changes_of_stability: curves.crossings.iter().map(change).collect(),
-        remarks,
-    }
-}
-
 impl Stability {
     /// Flutter speed of p-k over that of the state matrix.
     fn ratio(&self) -> Option<f64> {
         Some(self.p_k.flutter()?.flow.v_m_s / self.state_matrix.flutter()?.flow.v_m_s)
     }
-}
-
-fn hertz(crossing: &Crossing) -> f64 {
-    crossing.omega_rad_s / std::f64::consts::TAU
 }

@@ -15,12 +15,12 @@ use maneuver::{Rig, RigSettings};
 use nastran::InputError;
 use report::Table;
 
-use super::flutter::{FlutterArgs, HIGHEST, REDUCED, method};
 use super::flutter_bent_figures::{self as figures, Angle};
 use super::flutter_bent_result::{BentAirspeed, BentChange, BentFlutterResult, RootAngle};
+use super::flutter_common::{HIGHEST, REDUCED, method};
 use super::flutter_result::MethodResult;
 use super::result_parts::as_json;
-use crate::args::{Common, airspeed};
+use crate::args::{Common, Given, airspeed};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
@@ -40,6 +40,14 @@ pub(crate) struct BentArgs {
     /// With large deflections: density of the air, kg/m3 [default: the campaign's; without one 1.225]
     #[arg(long, value_name = "RHO")]
     pub(crate) density: Option<f64>,
+}
+
+/// What the command was asked for, of `flutter`'s options.
+pub(super) struct Asked<'a> {
+    pub(super) given: &'a Given,
+    pub(super) bent: &'a BentArgs,
+    /// Highest airspeed, m/s.
+    pub(super) to: Option<f64>,
 }
 
 /// Angles of attack if none are named, degrees.
@@ -91,7 +99,7 @@ struct Task {
 }
 
 /// Runs the command.
-pub(super) fn run(args: &FlutterArgs, common: &Common) -> Result<(), Failure> {
+pub(super) fn run(args: &Asked<'_>, common: &Common) -> Result<(), Failure> {
     let start = Instant::now();
     let alphas = alphas(&args.bent.alpha)?;
     let task = Task::of(args)?;
@@ -144,7 +152,7 @@ fn alphas(named: &[f64]) -> Result<Vec<f64>, InputError> {
 }
 
 impl Task {
-    fn of(args: &FlutterArgs) -> Result<Self, Failure> {
+    fn of(args: &Asked<'_>) -> Result<Self, Failure> {
         let (file, wing) = LargeWing::read(&args.given.measured.wing_path()?)?;
         let (highest, step) = (args.to.unwrap_or(HIGHEST), args.bent.step.unwrap_or(STEP_M_S));
         let Some(count) = (1..=MOST).find(|count| *count as f64 * step > 0.999 * highest) else {
@@ -237,7 +245,7 @@ fn of_angle(angle: &Angle) -> RootAngle {
 }
 
 /// Density as named, of the campaign that is named or stands beside the wing, or at sea level; kg/m3.
-fn density(args: &FlutterArgs) -> Result<f64, Failure> {
+fn density(args: &Asked<'_>) -> Result<f64, Failure> {
     if let Some(rho) = args.bent.density {
         if rho > 0.0 && rho <= 100.0 {
             return Ok(rho);

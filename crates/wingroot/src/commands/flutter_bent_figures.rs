@@ -92,7 +92,7 @@ fn curves(angle: &Angle) -> Figure {
     let damping = lines(points, &|point, mode| [speed(point), drawn(root(point, mode)[1])]);
     let frequency = lines(points, &|point, mode| [speed(point), root(point, mode)[0]]);
     let panels = vec![
-        Panel::new("damping", "airspeed (m/s)", "damping g, not below -0.5", damping),
+        Panel::new("damping g", "airspeed (m/s)", "damping g, not below -0.5", damping),
         Panel::new("frequency", "airspeed (m/s)", "frequency (Hz)", frequency),
     ];
     Figure::new(format!("Root at {} degrees", angle.alpha_deg), panels, 2)

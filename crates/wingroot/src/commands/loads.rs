@@ -15,7 +15,7 @@ use crate::args::{Common, Given};
 use crate::commands::fullaircraft_prepared::{FullaircraftArgs, Prepared, prepared_for_parts};
 use crate::commands::loads_draws as draws;
 use crate::commands::loads_figures as figures;
-use crate::commands::loads_flights::{Flights, Flown};
+use crate::commands::loads_flights::{Flights, Flown, FromPlan};
 use crate::commands::loads_gusts as gusts;
 use crate::commands::loads_package::{Packed, package};
 use crate::commands::loads_result::{Failed, LoadsResult};
@@ -106,7 +106,10 @@ pub(crate) fn run(args: &LoadsArgs, common: &Common) -> Result<(), Failure> {
     }
     let select = selection_file(args, &plan)?;
     prepared.inputs.extend((!select.path.as_os_str().is_empty()).then(|| ("selection", select.path.clone())));
-    let mut flights = Flights::new(&prepared, (&plan, &design), maneuvers, &matrix, &target, &shared)?;
+    let mut flights = {
+        let planned = FromPlan { plan: &plan, design: &design, maneuvers, matrix: &matrix };
+        Flights::new(&prepared, planned, &target, &shared)?
+    };
     flights.store = flights.store.labelled(task.label());
     let Some(flown) = sweep::flown(&flights, task, &args.sweep, common, start)? else { return Ok(()) };
     let result = write(&target, &prepared, &flights, &flown, &select)?;

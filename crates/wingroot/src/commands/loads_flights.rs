@@ -75,16 +75,23 @@ type Each<'e> = dyn Fn(&Case, FlownCase, &Nodal<'_>, f64) -> Result<(), Failure>
 /// the ensemble.
 type Group<'m> = (usize, Vec<&'m Case>);
 
+/// A plan and what it asks for.
+pub(crate) struct FromPlan<'a> {
+    pub(crate) plan: &'a CasesFile,
+    pub(crate) design: &'a Design,
+    pub(crate) maneuvers: Vec<Action>,
+    pub(crate) matrix: &'a Matrix,
+}
+
 impl<'a> Flights<'a> {
-    /// The cases of `matrix` and what is finished of them beside `target`.
+    /// The cases of the plan's matrix and what is finished of them beside `target`.
     pub(crate) fn new(
         prepared: &'a Prepared,
-        (plan, design): (&'a CasesFile, &'a Design),
-        maneuvers: Vec<Action>,
-        matrix: &'a Matrix,
+        planned: FromPlan<'a>,
         target: &Path,
         shared: &'a Shared,
     ) -> Result<Self, Failure> {
+        let FromPlan { plan, design, maneuvers, matrix } = planned;
         let base = &prepared.aircraft;
         let stations = base.loads_stations(plan)?;
         let depends = base.inputs_of_cases(&prepared.corrections, plan);

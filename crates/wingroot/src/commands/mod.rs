@@ -135,6 +135,7 @@ mod flightloads_wing;
 mod flutter_bent;
 mod flutter_bent_figures;
 pub(crate) mod flutter_bent_result;
+mod flutter_common;
 mod flutter_deck;
 pub(crate) mod flutter_deck_result;
 mod flutter_figures;
