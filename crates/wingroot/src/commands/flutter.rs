@@ -10,8 +10,7 @@ use aero::{Corrections, DlmSettings, DoubletLattice, Flow};
 use calibrate::{Campaign, Schedule};
 use coupling::{Geometry, WingFile};
 use maneuver::flutter::{
-    Aeroelastic, FlutterError, ModePressures, ScheduledForces, first_divergence,
-    flutter_of_state_space,
+    Aeroelastic, FlutterError, ModePressures, ScheduledForces, first_divergence, flutter_of_state_space,
 };
 use maneuver::{Rig, RigSettings};
 use nastran::InputError;
