@@ -1,50 +1,7 @@
 //! Null campaigns of `discover` in parts, put together: the thresholds of one process, to the last digit.
 
-use std::path::PathBuf;
-use std::process::{Command, Output};
-
+use crate::own_wing::OwnWing;
 use crate::result_files::files;
-
-/// A folder with the wing that a user begins with.
-struct Own(PathBuf);
-
-impl Own {
-    fn new(name: &str) -> Self {
-        let folder = std::env::temp_dir().join(format!("wingroot-discover-{name}-{}", std::process::id()));
-        std::fs::create_dir_all(&folder).expect("a folder of our own");
-        let own = Self(folder);
-        let begun =
-            Command::new(env!("CARGO_BIN_EXE_wingroot")).args(["new", "wing"]).current_dir(&own.0).output();
-        assert!(begun.is_ok_and(|output| output.status.success()));
-        own
-    }
-
-    fn command(&self, words: &[&str]) -> Command {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_wingroot"));
-        command.args(words).arg("--quiet").current_dir(self.0.join("wing"));
-        command
-    }
-
-    fn run(&self, words: &[&str]) -> Output {
-        self.command(words).output().expect("the command starts")
-    }
-
-    fn finishes(&self, words: &[&str]) {
-        let output = self.run(words);
-        assert!(output.status.success(), "{words:?}: {}", String::from_utf8_lossy(&output.stderr));
-    }
-
-    /// A file of a folder of results.
-    fn read(&self, path: &str) -> String {
-        std::fs::read_to_string(self.0.join("wing").join(path)).expect("a file of results")
-    }
-}
-
-impl Drop for Own {
-    fn drop(&mut self) {
-        let _ = std::fs::remove_dir_all(&self.0);
-    }
-}
 
 #[test]
 fn null_campaigns_in_parts_give_the_null_distribution_of_one_process() {
@@ -52,7 +9,7 @@ fn null_campaigns_in_parts_give_the_null_distribution_of_one_process() {
         eprintln!("skipped: RUN_SLOW_TESTS=1 makes two null distributions");
         return;
     }
-    let own = Own::new("parts");
+    let own = OwnWing::new("discover-parts");
     own.finishes(&["prepare", "discover", "--out", "parts"]);
     own.finishes(&["discover", "--out", "parts", "--part", "3/3"]);
     let early = own.run(&["merge", "discover", "--out", "parts"]);
@@ -77,7 +34,7 @@ fn null_campaigns_in_parts_give_the_null_distribution_of_one_process() {
     assert!(alone.is_ok_and(|output| output.status.success()));
 
     let differing = || {
-        let [parts, whole] = ["parts", "whole"].map(|out| files(&own.0.join("wing").join(out)));
+        let [parts, whole] = ["parts", "whole"].map(|out| files(&own.path(out)));
         let of_the_day = |name: &String| name == "result.json" || name == "wingroot.files";
         let names = whole.keys().chain(parts.keys()).filter(|name| !of_the_day(name)).cloned();
         names.filter(|name| parts.get(name) != whole.get(name)).collect::<Vec<String>>()

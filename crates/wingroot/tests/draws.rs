@@ -1,9 +1,7 @@
 //! Intervals of the load envelope: the updated model's cases flown with every wing of the ensemble, the envelope taken draw by draw; in one
 //! process and in parts.
 
-use std::path::PathBuf;
-use std::process::{Command, Output};
-
+use crate::own_wing::OwnWing;
 use crate::result_files::files;
 use crate::segments::told;
 use serde_json::Value;
@@ -16,48 +14,14 @@ const CASES: &str = r#"Cases(
 )
 "#;
 /// The standard Gaussian's 95 % quantile (Abramowitz and Stegun, table 26.5: 1.64485 36270).
-const QUANTILE_95: f64 = 1.644_853_627_0;
+pub(crate) const QUANTILE_95: f64 = 1.644_853_627_0;
 
-/// A folder with a wing of one's own and its calibration.
-struct Own(PathBuf);
-
-impl Own {
-    fn new(name: &str) -> Self {
-        let folder = std::env::temp_dir().join(format!("wingroot-draws-{name}-{}", std::process::id()));
-        std::fs::create_dir_all(&folder).expect("a folder of our own");
-        let own = Self(folder);
-        let begun =
-            Command::new(env!("CARGO_BIN_EXE_wingroot")).args(["new", "wing"]).current_dir(&own.0).output();
-        assert!(begun.is_ok_and(|output| output.status.success()));
-        own.finishes(&["calibrate"]);
-        std::fs::write(own.folder().join("cases.ron"), CASES).expect("a file of our own");
-        own
-    }
-
-    fn folder(&self) -> PathBuf {
-        self.0.join("wing")
-    }
-
-    fn run(&self, words: &[&str]) -> Output {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_wingroot"));
-        command.args(words).arg("--quiet").current_dir(self.folder()).output().expect("the command starts")
-    }
-
-    fn finishes(&self, words: &[&str]) {
-        let output = self.run(words);
-        assert!(output.status.success(), "{words:?}: {}", String::from_utf8_lossy(&output.stderr));
-    }
-
-    fn result(&self, out: &str) -> Value {
-        let text = std::fs::read_to_string(self.folder().join(out).join("result.json")).expect("a result");
-        serde_json::from_str(&text).expect("JSON")
-    }
+fn own_wing(name: &str) -> OwnWing {
+    OwnWing::calibrated_with(&format!("draws-{name}"), "cases.ron", CASES)
 }
 
-impl Drop for Own {
-    fn drop(&mut self) {
-        let _ = std::fs::remove_dir_all(&self.0);
-    }
+fn result(own: &OwnWing, out: &str) -> Value {
+    serde_json::from_str(&own.read(&format!("{out}/result.json"))).expect("JSON")
 }
 
 /// Ends of a load at a station over cases, each as the store has it.
@@ -73,7 +37,7 @@ fn end(cases: &[&Value], station: &str, load: &str, is_largest: bool) -> f64 {
 
 #[test]
 fn intervals_of_the_envelope_are_of_envelopes_taken_draw_by_draw() {
-    let own = Own::new("envelope");
+    let own = own_wing("envelope");
     let cases = ["fullaircraft", "--cases", "cases.ron", "--out", "parts"];
     let with = |more: &[&'static str]| [&cases[..], more].concat();
     let merge = |more: &[&'static str]| [&["merge"], &with(more)[..]].concat();
@@ -85,13 +49,13 @@ fn intervals_of_the_envelope_are_of_envelopes_taken_draw_by_draw() {
     assert!(other.status.code() == Some(2) && said.contains("another state of: ensemble"), "{said}");
 
     // the store names draws; envelopes and intervals by hand
-    let stored = told(&own.folder().join(".parts.finished"));
+    let stored = told(&own.path(".parts.finished"));
     let flown = |what: &str| -> Vec<&Value> {
         stored.iter().filter(|(part, _)| part.starts_with(what)).map(|(_, case)| case).collect()
     };
     let draws: Vec<Vec<&Value>> = (1..=8).map(|draw| flown(&format!("draw {draw} "))).collect();
     assert!(draws.iter().all(|draw| draw.len() == flown("1 ").len() && !draw.is_empty()), "{}", stored.len());
-    let result = own.result("parts");
+    let result = result(&own, "parts");
     let envelope = result["envelope"].as_array().expect("an envelope");
     let mut wide = 0;
     for extreme in envelope {
@@ -113,7 +77,7 @@ fn intervals_of_the_envelope_are_of_envelopes_taken_draw_by_draw() {
         wide += usize::from(half > 1e-3 * value.abs());
     }
     assert!(wide > envelope.len() / 4, "draws differ: {wide} of {}", envelope.len());
-    let csv = std::fs::read_to_string(own.folder().join("parts/envelope.csv")).expect("a table");
+    let csv = own.read("parts/envelope.csv");
     assert!(csv.starts_with("model,station,load,end,value,case,flown,low_90,high_90\n"), "{csv}");
 }
 
@@ -123,7 +87,7 @@ fn draws_in_parts_give_the_bytes_of_one_process_and_leave_the_envelope_itself_as
         eprintln!("skipped: RUN_SLOW_TESTS=1 flies a grid with nine wings, in one process and in parts");
         return;
     }
-    let own = Own::new("bytes");
+    let own = own_wing("bytes");
     let with = |more: &[&'static str]| [&["fullaircraft", "--cases", "cases.ron"], more].concat();
     own.finishes(&with(&["--out", "whole"]));
     own.finishes(&[&["prepare"], &with(&["--out", "parts"])[..]].concat());
@@ -131,12 +95,9 @@ fn draws_in_parts_give_the_bytes_of_one_process_and_leave_the_envelope_itself_as
         own.finishes(&with(&["--out", "parts", "--part", part]));
     }
     own.finishes(&[&["merge"], &with(&["--out", "parts"])[..]].concat());
-    assert!(
-        files(&own.folder().join("parts")) == files(&own.folder().join("whole")),
-        "the bytes of one process"
-    );
+    assert!(files(&own.path("parts")) == files(&own.path("whole")), "the bytes of one process");
     own.finishes(&with(&["--no-intervals", "--out", "alone"]));
-    let (alone, result) = (own.result("alone"), own.result("whole"));
+    let (alone, result) = (result(&own, "alone"), result(&own, "whole"));
     assert!(alone.get("intervals_from").is_none() && result["intervals_from"].is_string());
     let [alone, with_draws] = [&alone, &result].map(|all| all["envelope"].as_array().expect("an envelope"));
     for (a, b) in alone.iter().zip(with_draws) {
@@ -153,18 +114,18 @@ fn a_draw_in_a_grid_of_cases_is_trimmed_as_the_same_wing_in_the_maneuvers_of_the
         eprintln!("skipped: RUN_SLOW_TESTS=1 flies all maneuvers with the nine wings");
         return;
     }
-    let own = Own::new("trim");
+    let own = own_wing("trim");
     own.finishes(&["fullaircraft", "--out", "maneuvers"]);
-    let maneuvers = own.result("maneuvers");
+    let maneuvers = result(&own, "maneuvers");
     let trim = &maneuvers["models"]["updated"]["trim"];
     let cases = format!(
         "Cases(name: \"one\", airspeeds_V_m_s: [{:?}], load_factors: [1.0], maneuvers: [Level])",
         trim["V_m_s"].as_f64().expect("an airspeed")
     );
-    std::fs::write(own.folder().join("cases.ron"), cases).expect("a file of our own");
+    std::fs::write(own.path("cases.ron"), cases).expect("a file of our own");
     own.finishes(&["fullaircraft", "--cases", "cases.ron", "--out", "one", "--part", "1/2"]);
     own.finishes(&["fullaircraft", "--cases", "cases.ron", "--out", "one", "--part", "2/2"]);
-    let stored = told(&own.folder().join(".one.finished"));
+    let stored = told(&own.path(".one.finished"));
     let alpha = |what: &str| -> Vec<f64> {
         let own = stored.iter().filter(|(part, _)| part.starts_with(what));
         own.map(|(_, case)| case["values"]["alpha_deg"].as_f64().expect("an angle")).collect()

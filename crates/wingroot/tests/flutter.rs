@@ -130,6 +130,14 @@ fn a_wing_that_bends_has_a_hump_that_small_deflections_do_not_know() {
     assert!((v(onset) / 49.0 - 1.0).abs() < 0.1 && v(offset) < 64.0, "{changes:?}");
     assert!(result["linear"]["flutter_speed_m_s"].is_null(), "{}", result["linear"]);
     assert!(folder.join("out/roots.csv").is_file() && folder.join("out/flutter_boundary.svg").is_file());
+    // A sweep that begins inside the hump does not know where it began, and does not call that no flutter.
+    let middle = format!("{:.1}", 0.5 * (v(onset) + v(offset)));
+    let output = run(&["--alpha", "3", "--to", &middle, "--step", &middle]);
+    let result: Value = serde_json::from_slice(&output.stdout).expect("nothing but JSON");
+    let angle = &result["root_angles"][0];
+    assert_eq!(angle["is_unstable_at_lowest_airspeed"], true, "{angle}");
+    assert!(angle["remarks"].to_string().contains(&format!("unstable at {middle} m/s already")), "{angle}");
+    assert!(!angle["remarks"].to_string().contains("no flutter"), "{angle}");
     // What small deflections have no use for is refused.
     few_boxes(&folder, "");
     let output = run(&["--alpha", "3"]);

@@ -1,10 +1,13 @@
 //! A plan of design loads in parts: any order, twice, killed, dealt out anew: the bytes of one process, cards and pages too.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Output, Stdio};
+use std::path::PathBuf;
+use std::process::{Command, Output, Stdio};
 use std::time::Duration;
 
+use crate::draws::QUANTILE_95;
+use crate::own_wing::OwnWing;
+use crate::parts::peak_bytes;
 use crate::result_files::files;
 use crate::segments::{finished, told};
 
@@ -42,32 +45,17 @@ const MOVING: &str = r#"Cases(
 )
 "#;
 
-/// The standard Gaussian's 95 % quantile (Abramowitz and Stegun, table 26.5: 1.64485 36270).
-const QUANTILE_95: f64 = 1.644_853_627_0;
-
 /// A folder with a wing of one's own, its corrections and a plan.
-struct Sweep(PathBuf);
+struct Sweep(OwnWing);
 
 impl Sweep {
     fn new(name: &str, plan: &str) -> Self {
-        let folder = std::env::temp_dir().join(format!("wingroot-loads-parts-{name}-{}", std::process::id()));
-        std::fs::create_dir_all(&folder).expect("a folder of our own");
-        let sweep = Self(folder);
-        let finishes = |folder: &Path, words: &[&str]| {
-            let output =
-                Command::new(env!("CARGO_BIN_EXE_wingroot")).args(words).current_dir(folder).output();
-            assert!(output.is_ok_and(|output| output.status.success()), "{words:?}");
-        };
-        finishes(&sweep.0, &["new", "wing"]);
-        finishes(&sweep.0.join("wing"), &["calibrate", "--quiet"]);
-        std::fs::write(sweep.0.join("wing/loads.ron"), plan).expect("a file of our own");
-        sweep
+        Self(OwnWing::calibrated_with(&format!("loads-parts-{name}"), "loads.ron", plan))
     }
 
     fn command(&self, before: &[&str], out: &str, after: &[&str]) -> Command {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_wingroot"));
-        command.args(before).args(["loads", "--quiet", "--out", out]).args(after);
-        command.current_dir(self.0.join("wing")).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut command = self.0.command(&[before, &["loads", "--out", out], after].concat());
+        command.stdout(Stdio::piped()).stderr(Stdio::piped());
         command
     }
 
@@ -81,14 +69,12 @@ impl Sweep {
     }
 
     fn store(&self, out: &str) -> PathBuf {
-        self.0.join("wing").join(format!(".{out}.finished"))
+        self.0.path(&format!(".{out}.finished"))
     }
 
     /// Asserts that intervals of bending at the right root are those of envelopes of the ensemble's wings, by hand from the store.
     fn has_intervals_taken_draw_by_draw(&self, out: &str) {
-        let read = |name: &str| {
-            std::fs::read_to_string(self.0.join("wing").join(out).join(name)).expect("a file of results")
-        };
+        let read = |name: &str| self.0.read(&format!("{out}/{name}"));
         let table = read("station_loads.csv");
         let mut stations: Vec<&str> =
             table.lines().skip(1).filter_map(|line| line.split(',').nth(4)).collect();
@@ -126,16 +112,10 @@ impl Sweep {
 
     /// Results that differ from those of one process, by name.
     fn differing(&self, out: &str) -> Vec<String> {
-        let [merged, whole] = [out, "whole"].map(|out| files(&self.0.join("wing").join(out)));
+        let [merged, whole] = [out, "whole"].map(|out| files(&self.0.path(out)));
         assert!(whole.keys().any(|name| name.ends_with("index.bdf")), "cards are compared, too");
         let names = whole.keys().chain(merged.keys().filter(|name| !whole.contains_key(*name)));
         names.filter(|name| whole.get(*name) != merged.get(*name)).cloned().collect()
-    }
-}
-
-impl Drop for Sweep {
-    fn drop(&mut self) {
-        let _ = std::fs::remove_dir_all(&self.0);
     }
 }
 
@@ -150,7 +130,7 @@ fn parts_of_a_plan_have_each_case_once_and_a_merge_names_those_that_are_missing(
     let output = sweep.run(&["merge"], "parts", &["--no-intervals"]);
     let said = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2), "{said}");
-    let line = "loads --quiet --out parts --no-intervals --part 2/3 ";
+    let line = "loads --out parts --no-intervals --quiet --part 2/3 ";
     assert!(said.contains(line) && !said.contains("--part 1/3"), "{said}");
     let first = finished(&sweep.store("parts"));
     let output = sweep.run(&["status"], "parts", &["--no-intervals", "--json"]);
@@ -183,21 +163,6 @@ fn parts_of_a_plan_with_all_wings_of_the_ensemble_merge_to_the_bytes_of_one_proc
     assert_eq!(sweep.differing("parts"), Vec::<String>::new());
     assert!(sweep.store("parts").exists());
     sweep.has_intervals_taken_draw_by_draw("parts");
-}
-
-/// Waits for a part and gives the largest memory it had, bytes; zero where the system does not tell.
-fn peak_bytes(mut child: Child) -> f64 {
-    let status = format!("/proc/{}/status", child.id());
-    let mut peak = 0.0;
-    while child.try_wait().expect("a child").is_none() {
-        let text = std::fs::read_to_string(&status).unwrap_or_default();
-        let line = text.lines().find_map(|line| line.strip_prefix("VmHWM:")?.trim().strip_suffix(" kB"));
-        peak = line.and_then(|kilobytes| kilobytes.parse::<f64>().ok()).map_or(peak, |now| 1024.0 * now);
-        std::thread::sleep(Duration::from_millis(5));
-    }
-    let output = child.wait_with_output().expect("a child");
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    peak
 }
 
 #[test]

@@ -153,7 +153,7 @@ fn records(store: &Path) -> [usize; 2] {
 }
 
 /// Waits for a part and gives the largest memory it had, bytes; zero where the system does not tell.
-fn peak_bytes(mut child: Child) -> f64 {
+pub(crate) fn peak_bytes(mut child: Child) -> f64 {
     let status = format!("/proc/{}/status", child.id());
     let mut peak = 0.0;
     while child.try_wait().expect("a child").is_none() {

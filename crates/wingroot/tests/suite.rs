@@ -25,6 +25,7 @@ mod loads;
 mod loads_parts;
 mod must_have;
 mod nothing_lost;
+mod own_wing;
 mod pages;
 mod parts;
 mod pipeline;

@@ -325,7 +325,7 @@ fn campaigns_of_a_folder_are_searched_with_one_set_up_and_a_fault_in_one_stops_n
     assert_eq!(mixed["verdict"], "data_defect");
     assert!(mixed["sentence"].as_str().unwrap().contains("has no column Mx_Nm"), "{mixed}");
     assert!(names(a).contains(&"joiner_inertia"), "{a:#}");
-    assert_eq!(b["null_distribution"], "made for a, which has the same design");
+    assert_eq!(b["null_distribution"], "that of a, which has the same design");
     assert_eq!((names(a), &a["gap"]), (names(b), &b["gap"]));
     let each = scratch("user-campaigns-out.each");
     assert!(each.join("a/wing.ron").is_file() && each.join("b/report.html").is_file());

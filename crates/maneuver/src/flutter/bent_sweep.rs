@@ -60,6 +60,14 @@ pub struct BentSweep {
     pub ended: Option<CouplingError>,
 }
 
+impl BentSweep {
+    /// Whether a root grows at the lowest airspeed already, so that the sweep does not see where that began.
+    pub fn is_unstable_from_the_start(&self) -> bool {
+        let first = self.points.first();
+        first.is_some_and(|point| point.roots.iter().flatten().any(|root| root.re > 0.0))
+    }
+}
+
 impl BentFlutter<'_> {
     /// Equilibria, modes and roots over ascending airspeeds (m/s), with the corrections of each (one entry for each correctable
     /// box). An airspeed without a stable equilibrium ends the sweep.

@@ -19,7 +19,7 @@ use nastran::ron_or_json::in_folder;
 
 use crate::args::{Common, Given};
 use crate::commands::discover_campaigns_result::{CampaignVerdict, CampaignsResult};
-use crate::commands::discover_nulls::made_now;
+use crate::commands::discover_nulls::{beside_or_last, made_now};
 use crate::commands::discover_search::{
     Searched, check_without_effects, refuse, seed, without_held_out_airspeeds,
 };
@@ -126,7 +126,7 @@ struct One<'a> {
     begun: Instant,
 }
 
-/// Thresholds that were made for a campaign of this run.
+/// Thresholds of a campaign of this run.
 struct Made {
     name: String,
     nulls: NullDistribution,
@@ -148,15 +148,17 @@ impl One<'_> {
             return refuse(faults, out, begun.elapsed().as_secs_f64());
         }
         let key = prepared.null_key(&corrected.file.hash, &corrected.schedule);
-        let nulls = self.null_distribution(key, &prepared, made, common)?;
+        let nulls = self.null_distribution(key, corrected, &prepared, made, common)?;
         let searched = Searched { corrected, rigs, campaign, prepared: &prepared, nulls: &nulls };
         Ok(searched.written(out, common, begun)?.0)
     }
 
-    /// Those of an earlier campaign of the same design if wing, corrections and stated noise are the same, else made now.
+    /// Those of an earlier campaign of the same design if wing, corrections and stated noise are the same, those that stand beside the
+    /// wing if they are of this campaign, else made now.
     fn null_distribution(
         &self,
         key: NullKey,
+        corrected: &CorrectedWing,
         prepared: &Prepared,
         made: &mut Vec<Made>,
         common: &Common,
@@ -169,11 +171,15 @@ impl One<'_> {
                 && prepared.data.has_design_of(&made.data)
         };
         if let Some(made) = made.iter().find(serves) {
-            return Ok((made.nulls.clone(), format!("made for {}, which has the same design", made.name)));
+            return Ok((made.nulls.clone(), format!("that of {}, which has the same design", made.name)));
         }
-        let nulls = made_now(key, prepared, seed(common), self.out, common)?;
+        let is_own = |nulls: &NullDistribution| nulls.serves(&key, &prepared.library);
+        let (nulls, from) = match beside_or_last(&corrected.file, &is_own)? {
+            Some(found) => found,
+            None => (made_now(key, prepared, seed(common), self.out, common)?, "made now".to_owned()),
+        };
         made.push(Made { name: self.name.to_owned(), nulls: nulls.clone(), data: prepared.data.clone() });
-        Ok((nulls, "made now".to_owned()))
+        Ok((nulls, from))
     }
 }
 

@@ -4,6 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use coupling::WingFile;
 use discover::analysis::Prepared;
 use discover::null_distribution::NullDistribution;
 use discover::null_key::NullKey;
@@ -93,15 +94,7 @@ impl Asked<'_> {
                 .with_help("leave --null-distribution out to have it made for this one")
                 .into());
         }
-        let beside = expected_in(folder_of(&self.corrected.file.path), "null_distribution")?;
-        let last = crate::common::results("discover").join("null_distribution.ron");
-        for path in [beside, last] {
-            let nulls: Option<NullDistribution> = nastran::ron_file::read(&path).ok();
-            if let Some(nulls) = nulls.filter(serves) {
-                return Ok(Some((nulls, path.display().to_string())));
-            }
-        }
-        Ok(None)
+        beside_or_last(&self.corrected.file, serves)
     }
 
     /// Does a task; whether the distribution is to be made of campaigns then.
@@ -185,6 +178,25 @@ impl Asked<'_> {
 /// The number of a campaign.
 fn k(case: &Weighed) -> u64 {
     case.number as u64
+}
+
+/// The one beside the wing's file, or that of the last `discover`, if it serves; and where it is.
+///
+/// # Errors
+/// If it stands beside the wing in both forms of a file.
+pub(crate) fn beside_or_last(
+    file: &WingFile,
+    serves: &dyn Fn(&NullDistribution) -> bool,
+) -> Result<Option<(NullDistribution, String)>, Failure> {
+    let beside = expected_in(folder_of(&file.path), "null_distribution")?;
+    let last = crate::common::results("discover").join("null_distribution.ron");
+    for path in [beside, last] {
+        let nulls: Option<NullDistribution> = nastran::ron_file::read(&path).ok();
+        if let Some(nulls) = nulls.filter(serves) {
+            return Ok(Some((nulls, path.display().to_string())));
+        }
+    }
+    Ok(None)
 }
 
 /// A null distribution from campaigns without effect, made now in one process; those of a run that was stopped stand beside the results.

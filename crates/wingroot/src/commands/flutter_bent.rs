@@ -216,11 +216,20 @@ impl Task {
 fn of_angle(angle: &Angle) -> RootAngle {
     let sweep = &angle.sweep;
     let mut remarks: Vec<String> = sweep.ended.iter().map(ToString::to_string).collect();
-    let lost = (0..MODES).filter(|mode| sweep.points.iter().any(|point| point.roots[*mode].is_none()));
-    remarks.extend(lost.map(|mode| format!("mode {} was not followed at all airspeeds", mode + 1)));
-    if !sweep.crossings.iter().any(|crossing| crossing.unstable) {
-        let reached = sweep.points.last().map_or(0.0, |point| point.case.flow.v_m_s);
-        remarks.push(format!("no flutter below {reached} m/s"));
+    let is_lost = |mode: &usize| sweep.points.iter().any(|point| point.roots[*mode].is_none());
+    let lost: Vec<usize> = (0..MODES).filter(is_lost).collect();
+    remarks.extend(lost.iter().map(|mode| format!("mode {} was not followed at all airspeeds", mode + 1)));
+    let airspeed = |point: Option<&BentPoint>| point.map_or(0.0, |point| point.case.flow.v_m_s);
+    let from_the_start = sweep.is_unstable_from_the_start();
+    if from_the_start {
+        let lowest = airspeed(sweep.points.first());
+        remarks.push(format!(
+            "unstable at {lowest} m/s already, the lowest airspeed looked at: take a shorter --step"
+        ));
+    } else if !sweep.crossings.iter().any(|crossing| crossing.unstable) {
+        let reached = airspeed(sweep.points.last());
+        let of = if lost.is_empty() { "" } else { " of the modes that were followed" };
+        remarks.push(format!("no flutter{of} below {reached} m/s"));
     }
     let point = |point: &BentPoint| BentAirspeed {
         v_m_s: point.case.flow.v_m_s,
@@ -239,6 +248,7 @@ fn of_angle(angle: &Angle) -> RootAngle {
     RootAngle {
         alpha_deg: angle.alpha_deg,
         points: sweep.points.iter().map(point).collect(),
+        is_unstable_at_lowest_airspeed: from_the_start,
         changes_of_stability: sweep.crossings.iter().map(change).collect(),
         remarks,
     }
@@ -271,6 +281,11 @@ fn summary(result: &BentFlutterResult) -> String {
         number(result.linear.flutter_speed_m_s),
         number(result.linear.divergence_speed_m_s)
     );
+    let corrections = result.corrections.as_deref().map_or_else(
+        || "none: the wing as theory has it; --corrections names those of a calibration".to_owned(),
+        |path| format!("{path}, held at the nearest end outside the airspeeds that they were found at"),
+    );
+    let _ = writeln!(text, "corrections: {corrections}");
     let mut table = Table::new(&["root (deg)", "V (m/s)", "becomes", "frequency (Hz)", "mode", "tip z (m)"]);
     for angle in &result.root_angles {
         for change in &angle.changes_of_stability {

@@ -36,6 +36,8 @@ pub(crate) struct RootAngle {
     pub(crate) alpha_deg: f64,
     /// By airspeed, each with an equilibrium of its own.
     pub(crate) points: Vec<BentAirspeed>,
+    /// Whether it is unstable at the lowest of these airspeeds already: where that began is not known.
+    pub(crate) is_unstable_at_lowest_airspeed: bool,
     /// Every airspeed at which a mode becomes stable or unstable.
     pub(crate) changes_of_stability: Vec<BentChange>,
     /// What the user should know.

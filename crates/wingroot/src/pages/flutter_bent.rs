@@ -32,12 +32,17 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
             || "and not stable again".to_owned(),
             |v| format!("stable again at {} m/s", digits(v, 4)),
         );
-        let note = if first("unstable").is_some() { again } else { "bent by the air".to_owned() };
-        numbers.push(KeyNumber::new(
-            format!("flutter, root at {alpha} degrees"),
-            speed(first("unstable"), &reached),
-            note,
-        ));
+        let began_before = angle["is_unstable_at_lowest_airspeed"] == true;
+        let note =
+            if began_before || first("unstable").is_some() { again } else { "bent by the air".to_owned() };
+        let onset = if began_before {
+            let lowest =
+                list(angle, "points").first().map_or_else(String::new, |point| short_at(point, "V_m_s"));
+            format!("below {lowest} m/s")
+        } else {
+            speed(first("unstable"), &reached)
+        };
+        numbers.push(KeyNumber::new(format!("flutter, root at {alpha} degrees"), onset, note));
         rows(&mut table, angle, changes);
     }
     let of_modes = taken(plates, "root_angle");

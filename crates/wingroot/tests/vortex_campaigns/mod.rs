@@ -25,8 +25,11 @@ fn bench() -> &'static Bench {
     })
 }
 
+/// Gaps of training and held-out runs of such campaigns where nothing is missing.
+pub(crate) const FLOORS: [f64; 2] = [2.2, 2.4];
+
 /// Searches a campaign of a wing with these servos, and with what else is hidden. Thresholds are bare margins; where nothing is
-/// missing, campaigns of the vortex lattice have a misfit of about one and gaps of 2.2 and 2.4.
+/// missing, campaigns of the vortex lattice have a misfit of about one and gaps of [`FLOORS`].
 pub(crate) fn searched(
     name: &str,
     servos: TrueServos,
@@ -41,7 +44,7 @@ pub(crate) fn searched(
     let prepared: Prepared = read(&rigs, &folder, false, None).expect("a generated case").prepared;
     let library = maneuver::effects::library(&["any".to_owned()]);
     let margins = NullDistribution::of_margins(&library, &EffectRules::default());
-    let nulls = NullDistribution { misfit: 1.0, misfit_limit: 1.4, floor: [2.2, 2.4], ..margins };
+    let nulls = NullDistribution { misfit: 1.0, misfit_limit: 1.4, floor: FLOORS, ..margins };
     let finding = Finding::search(&prepared, &nulls, plan.seed);
     let result = finding.result(&discover::finding::Sources::default(), false, 0.0);
     let mut trace = finding.report.outcome.trace.clone();
