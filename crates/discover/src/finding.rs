@@ -268,6 +268,7 @@ impl<'a> Finding<'a> {
             next_experiment: self.next_experiment(),
             experiments: self.advice.clone(),
             gap: Some(StatedGaps { training, holdout }),
+            held_out_runs: if with_located { self.held_out_runs() } else { Vec::new() },
             success: judgement.is_success(),
             supported: judgement.is_supported(),
             not_used: data.not_used.clone(),

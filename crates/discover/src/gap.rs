@@ -18,9 +18,15 @@ pub struct Gap {
 impl Problem<'_> {
     /// The gap of a simulation (one entry a segment), nothing taken out.
     pub fn gap(&self, simulated: &[Flown]) -> Gap {
+        self.gap_of(simulated, |_| true)
+    }
+
+    /// The same of some segments, by their places.
+    pub fn gap_of(&self, simulated: &[Flown], wanted: impl Fn(usize) -> bool) -> Gap {
         let (mut squares, mut counts) = ([0.0; 3], [0_usize; 3]);
         let (mut raw, mut variation) = ([0.0; 3], [0.0; 3]);
-        for (segment, flown) in self.segments.iter().zip(simulated) {
+        let all = self.segments.iter().zip(simulated).enumerate();
+        for (_, (segment, flown)) in all.filter(|(place, _)| wanted(*place)) {
             let measured = &self.measured[segment.rows.clone()];
             let simulated = segment.kind.whitened(&flown.loads);
             for (i, (m, s)) in measured.iter().zip(&simulated).enumerate() {

@@ -16,6 +16,7 @@ mod distinguish;
 pub mod finding;
 pub mod found;
 pub mod gap;
+pub mod held_out_runs;
 pub mod load_model;
 pub mod locate;
 mod memory;

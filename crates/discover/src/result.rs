@@ -6,6 +6,7 @@ use crate::consistency::Share;
 use crate::data_checks::Defect;
 use crate::detection_limit::DetectionLimit;
 use crate::gap::Gap;
+use crate::held_out_runs::HeldOutRun;
 use crate::locate::Located;
 use crate::next::Advice;
 use crate::spectral_lines::SpectralLine;
@@ -212,6 +213,8 @@ pub struct SearchResult {
     pub experiments: Vec<Advice>,
     /// Gaps.
     pub gap: Option<StatedGaps>,
+    /// Held-out runs one by one, and which of them repeat a training maneuver.
+    pub held_out_runs: Vec<HeldOutRun>,
     /// Whether the held-out gap closed.
     pub success: bool,
     /// Whether the training data come nearer with the effects.

@@ -36,7 +36,7 @@ impl Dataset {
     }
 
     /// Angle and deflections, root mean square of their differences.
-    fn is_moved_like(&self, own: &Stimulus, other: &Stimulus) -> bool {
+    pub(crate) fn is_moved_like(&self, own: &Stimulus, other: &Stimulus) -> bool {
         let same_angle_rad = self.rules.noise.same_angle_rad;
         let near = |own: &Vec<f64>, other: &Vec<f64>| {
             let square: f64 = own.iter().zip(other).map(|(a, b)| (a - b).powi(2)).sum();

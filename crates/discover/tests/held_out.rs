@@ -6,10 +6,12 @@ use aero::Corrections;
 use calibrate::{Campaign, CorrectionSet, Schedule, Use};
 use coupling::ElasticWing;
 use discover::data::Dataset;
+use discover::held_out_runs::{HeldOutRun, sentence};
 use discover::load_model::LoadModel;
 use discover::noise::Noise;
 use discover::null_campaigns::from_null_campaigns;
 use discover::problem::Problem;
+use discover::result::BeforeAfter;
 use discover::rules::VariantRules;
 use discover::search::search;
 use discover::simulator::{Simulator, SplitRig};
@@ -188,4 +190,44 @@ fn a_search_and_its_thresholds_do_not_follow_what_is_held_out() {
     assert_eq!(one, other);
     assert_eq!(training, same);
     assert!(one.contains("pitch") && moved > 3.0 * held_out, "the judgement does: {held_out} and {moved}");
+}
+
+#[test]
+fn a_held_out_run_that_moves_as_a_training_run_did_is_told_from_those_that_move_otherwise() {
+    let (_, wing) = ElasticWing::read(&folder("wing_beam.ron")).expect("the shipped wing");
+    let mut campaign = campaign();
+    for says in [true, false] {
+        if !says {
+            // by its movement alone: the angles and deflections of another day
+            campaign.runs.iter_mut().for_each(|run| run.repeat_of = None);
+        }
+        let data = Dataset::read(&campaign, &wing, &Arc::default()).expect("its runs");
+        let repeated = |name: &str| {
+            let run = data.runs.iter().position(|run| run.name == name).expect("a run");
+            data.repeated_training_run(run).map(|first| data.runs[first].name.as_str())
+        };
+        assert_eq!(repeated("doublet_inner_15_30"), Some("doublet_inner_15_30_day_1"), "says so: {says}");
+        for other in ["doublet_inner_15_26", "doublet_inner_15_34", "wind_off_4hz"] {
+            assert_eq!(repeated(other), None, "{other}, another airspeed or another movement");
+        }
+    }
+}
+
+#[test]
+fn gaps_of_repeats_and_of_new_maneuvers_are_said_apart() {
+    let run = |repeats: Option<&str>, before: f64, after: f64, rows: usize| HeldOutRun {
+        run: "run".into(),
+        repeats: repeats.map(str::to_owned),
+        gap: BeforeAfter { before, after },
+        rows,
+    };
+    let runs = [run(Some("first"), 6.0, 1.0, 100), run(None, 3.0, 0.0, 100), run(None, 4.0, 5.0, 300)];
+    // (9 + 3 * 16) / 4 = 14.25 and 3 * 25 / 4 = 18.75
+    assert_eq!(
+        sentence(&runs).expect("one repeats"),
+        "1 of 3 held-out runs repeats a training maneuver (their gap 6.0 -> 1.0); gap of the 2 that move in a way or at an airspeed of \
+         their own 3.8 -> 4.3"
+    );
+    assert!(sentence(&runs[..1]).expect("it repeats").ends_with("so they do not judge what is new"));
+    assert_eq!(sentence(&runs[1..]), None);
 }

@@ -4,7 +4,8 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use discover::finding::Finding;
-use discover::result::MapCell;
+use discover::held_out_runs;
+use discover::result::{DiscoverResult, MapCell};
 use discover::spectral_lines::sentence;
 use discover::stated_noise;
 
@@ -25,8 +26,9 @@ pub(crate) fn map_csv(cells: &[MapCell]) -> String {
 }
 
 /// The table for people.
-pub(crate) fn summary(finding: &Finding<'_>, out: &Path, seconds: f64) -> String {
+pub(crate) fn summary(finding: &Finding<'_>, result: &DiscoverResult, out: &Path) -> String {
     let mut text = String::new();
+    let held_out = result.search.as_ref().map_or(&[][..], |search| &search.held_out_runs);
     for effect in &finding.report.outcome.found {
         let spec = effect.active.effect.spec();
         let _ = writeln!(
@@ -54,6 +56,9 @@ pub(crate) fn summary(finding: &Finding<'_>, out: &Path, seconds: f64) -> String
             gap.before, gap.after, gap.floor
         );
     }
+    if let Some(line) = held_out_runs::sentence(held_out) {
+        let _ = writeln!(text, "{line}");
+    }
     if !data.not_used.is_empty() {
         let _ = writeln!(text, "not used: {} (residuals are root loads)", data.not_used.join(", "));
     }
@@ -65,6 +70,11 @@ pub(crate) fn summary(finding: &Finding<'_>, out: &Path, seconds: f64) -> String
     }
     let _ = writeln!(text, "{}", judgement.sentence());
     let runs = finding.report.model_runs;
-    let _ = writeln!(text, "{seconds:.1} s, {runs} model runs; results in {}", out.display());
+    let _ = writeln!(
+        text,
+        "{:.1} s, {runs} model runs; results in {}",
+        result.seconds.unwrap_or(0.0),
+        out.display()
+    );
     text
 }

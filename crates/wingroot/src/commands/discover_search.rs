@@ -76,7 +76,7 @@ impl Searched<'_> {
         results.write_text("map.csv", &discover_results::map_csv(map.unwrap_or_default()))?;
         discover_figures::write(&finding, &results)?;
         results.commit()?;
-        let text = discover_results::summary(&finding, out, seconds);
+        let text = discover_results::summary(&finding, &result, out);
         Ok((result, text))
     }
 }

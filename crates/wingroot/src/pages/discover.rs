@@ -1,6 +1,7 @@
 //! The page of `discover`.
 
 use coupling::Load;
+use discover::held_out_runs::{self, HeldOutRun};
 use discover::result::{DiscoverResult, SearchResult, StatedGap};
 use discover::verdict::VerdictKind;
 use report::Page;
@@ -43,7 +44,7 @@ fn page_of(result: &DiscoverResult, plates: &mut Vec<Plate>) -> Page {
         table("The gap before and after", search.gap.is_some(), &|| gap(search)),
         table("The map before and after", !map.is_empty(), &|| super::discover_map::table(map)),
         table("The next experiment", !search.experiments.is_empty(), &|| experiments(search)),
-        (!runs.is_empty()).then(|| held_out_section(runs)),
+        (!runs.is_empty()).then(|| held_out_section(runs, &search.held_out_runs)),
         table("All candidates", !search.candidates.is_empty(), &|| candidates(search)),
         table("Detection limits", !search.detection_limits.is_empty(), &|| detection_limits(search)),
     ];
@@ -56,7 +57,7 @@ fn page_of(result: &DiscoverResult, plates: &mut Vec<Plate>) -> Page {
     }
 }
 
-fn held_out_section(runs: Vec<Plate>) -> Section {
+fn held_out_section(runs: Vec<Plate>, one_by_one: &[HeldOutRun]) -> Section {
     let changes = held_out(&runs);
     let mut shown = figures("Held-out runs", ordered(runs));
     let text = "These runs had no part in the search. Before: the corrected model without the effects; after: with them, and with \
@@ -64,11 +65,22 @@ fn held_out_section(runs: Vec<Plate>) -> Section {
                 the model after: noise of a sample, uncertainty of calibrated parameters, model-form variants.";
     let caption = "Held-out runs: root mean square of measured less simulated.";
     let told = changes::table(caption, &["run"], ["before", "after"], &changes);
-    shown.blocks.splice(
-        0..0,
-        [Block::Text(text.into()), Block::Text(changes::sentence(&changes)), Block::Table(told)],
-    );
+    let repeating = held_out_runs::sentence(one_by_one).map(|sentence| Block::Text(format!("{sentence}.")));
+    let blocks = [Block::Text(text.into()), Block::Text(changes::sentence(&changes))];
+    let told = [Block::Table(told), Block::Table(repeats(one_by_one))];
+    shown.blocks.splice(0..0, blocks.into_iter().chain(repeating).chain(told));
     shown
+}
+
+fn repeats(runs: &[HeldOutRun]) -> PageTable {
+    let caption = "Held-out runs: gap in standard deviations of the noise, and the training run that moves in the same way at the \
+                   same airspeed.";
+    let mut table = PageTable::new(caption, &["run", "gap before", "after", "repeats"]);
+    for HeldOutRun { run, repeats, gap, .. } in runs {
+        let [before, after] = [gap.before, gap.after].map(|gap| short(Some(gap)));
+        table.row([run.clone(), before, after, repeats.clone().unwrap_or_else(|| "-".into())]);
+    }
+    table
 }
 
 fn title(result: &DiscoverResult) -> &'static str {
