@@ -39,6 +39,8 @@ enum Task {
     Bench(commands::bench::BenchArgs),
     /// A folder of users' Nastran decks, each run as it asks, and a table of what became of them
     Decks(commands::decks::DecksArgs),
+    /// Small faults put in one at a time, and the share that a crate's own tests catch
+    Mutants(commands::mutants::MutantsArgs),
     /// Check the house rules of the repository
     Tidy(commands::tidy::TidyArgs),
 }
@@ -52,6 +54,7 @@ impl Task {
             Self::Trust(_) => ("trust", Some("trust")),
             Self::Bench(_) => ("bench", Some("bench")),
             Self::Decks(options) => ("decks", options.path.is_dir().then_some("decks")),
+            Self::Mutants(_) => ("mutants", Some("mutants")),
             Self::Tidy(_) => ("tidy", None),
         }
     }
@@ -63,6 +66,7 @@ impl Task {
             Self::Trust(options) => commands::trust::run(options, common),
             Self::Bench(options) => commands::bench::run(options, common),
             Self::Decks(options) => commands::decks::run(options, common),
+            Self::Mutants(options) => commands::mutants::run(options, common),
             Self::Tidy(options) => commands::tidy::run(options, common),
         }
     }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use aero::{Lattice, MirrorPlane, SteadyAero};
+use calibrate::posterior::posterior;
 use calibrate::{Calibration, Campaign, Settings, calibrate};
 use coupling::{ElasticWing, WingFile};
 use serde_json::{Value, json};
@@ -62,7 +63,20 @@ pub(crate) fn run(args: &BenchArgs, common: &Common) -> Result<(), Failure> {
         Ok(())
     })?;
     let airspeeds = calibration.airspeeds.len();
-    rows.push(row(&format!("calibrate_{airspeeds}_airspeeds_with_wing_and_aic"), whole));
+    let name = format!("calibrate_{airspeeds}_airspeeds_with_wing_and_aic");
+    rows.push(row(&name, whole));
+    let with_intervals = median(|| {
+        let (file, wing) = ElasticWing::read(&repository::path("data/tuflex/wing.ron"))?;
+        let calibration = calibrate(&wing, &campaign, &Settings::of_wing(&file.correction))?;
+        let predictions = posterior(&wing, &calibration, &file.correction.prior)?;
+        calibration.with_means(&wing, &predictions)?;
+        Ok(())
+    })?;
+    rows.push(json!({
+        "name": format!("{name}_and_intervals"), "seconds": with_intervals,
+        "peer": "the same without intervals", "peer_seconds": whole,
+        "ratio": whole / with_intervals,
+    }));
     rows.push(general(&wing, &campaign, &settings, &calibration, whole / airspeeds as f64)?);
     let result = json!({ "command": "bench", "rows": rows, "peak_MB": peak_mb() });
     let folder = ResultFolder::begin(&common.out("bench"))?.with_head(crate::pages::bench::page);

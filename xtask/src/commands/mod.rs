@@ -10,6 +10,7 @@ mod bench_general;
 mod bench_structure;
 mod bench_trim;
 pub(crate) mod decks;
+pub(crate) mod mutants;
 pub(crate) mod tidy;
 pub(crate) mod trust;
 mod trust_campaign;
