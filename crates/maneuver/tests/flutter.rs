@@ -5,7 +5,7 @@
 use crate::common::{uneven, wing_with};
 use aero::{DlmSettings, DoubletLattice, Flow};
 use faer::linalg::solvers::Solve;
-use faer::{Mat, c64};
+use faer::{Mat, Scale, c64};
 use maneuver::flutter::{
     Aeroelastic, FlutterError, FormulaForces, GafTable, GeneralisedForces, ScheduledForces,
     flutter_of_state_space, incidence_of_motion,
@@ -234,6 +234,44 @@ fn in_unsteady_air_the_state_matrix_flutters_as_p_k_on_the_doublet_lattice_does(
     // the rational function is within 1 % of the lattice; flutter is where much cancels
     let [v, f] = [pk.flow.v_m_s / eigen.flow.v_m_s - 1.0, pk.omega_rad_s / eigen.omega_rad_s - 1.0];
     assert!(v.abs() < 0.01 && f.abs() < 0.01, "{v:e} {f:e} at {} m/s", pk.flow.v_m_s);
+}
+
+/// Air that answers the momentary incidence alone has no force but in step with it: the forces of a motion at rest, and of its speed in
+/// proportion to the frequency.
+#[test]
+fn without_its_unsteady_part_air_answers_displacement_and_speed_and_nothing_else() {
+    let (file, wing) = wing_with(|_| ());
+    let rig = Rig::new(&wing, RigSettings::new(file.damping_ratio, file.pitch_axis_x())).unwrap();
+    let doublets = DoubletLattice::new(&wing.lattice, wing.plane, 0.0, &DlmSettings::default()).unwrap();
+    let kappa = [0.0, 1.0, 2.0, 4.0];
+    let pressures = rig.mode_pressures(&doublets, &kappa).unwrap();
+    let corrections = wing.padded(&uneven(&wing)).unwrap();
+    let forces = |factor: f64| {
+        let table = rig.gaf_table(&pressures.with_unsteady(factor), &corrections).unwrap();
+        kappa.map(|kappa| table.at(kappa, 30.0).unwrap())
+    };
+    let [steady, half, whole] = [0.0, 0.5, 1.0].map(forces);
+    let size = steady[0].norm_max();
+    for (k, kappa) in kappa.into_iter().enumerate().skip(1) {
+        let per_speed = Scale(c64::new(0.0, -1.0 / kappa)) * (&steady[k] - &steady[0]);
+        let first = Scale(c64::new(0.0, -1.0)) * (&steady[1] - &steady[0]);
+        assert!((per_speed - &first).norm_max() < 1e-10 * size, "omega/V = {kappa}");
+        let between = Scale(c64::from(0.5)) * (&steady[k] + &whole[k]);
+        assert!((between - &half[k]).norm_max() < 1e-12 * size, "the factor is no proportion");
+        // lift lags and apparent mass: far more than rounding
+        assert!((&whole[k] - &steady[k]).norm_max() > 1e-2 * size, "omega/V = {kappa}");
+        assert!(
+            first.norm_max() > 0.0 && max_imaginary(&first) < 1e-10 * size,
+            "a force out of step with the speed"
+        );
+    }
+    assert!((&whole[0] - &steady[0]).norm_max() < 1e-12 * size, "the steady limit stays");
+}
+
+fn max_imaginary(matrix: &Mat<c64>) -> f64 {
+    (0..matrix.ncols())
+        .flat_map(|j| (0..matrix.nrows()).map(move |i| matrix[(i, j)].im.abs()))
+        .fold(0.0, f64::max)
 }
 
 /// Numbers between -1 and 1 from a seed (Knuth's MMIX).

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use calibrate::Schedule;
-use calibrate::ensemble::{Member, interval};
+use calibrate::ensemble::{Member, interval_of};
 use coupling::wing_file::{Departure, Mount};
 use coupling::{ElasticWing, WingFile};
 use rayon::prelude::*;
@@ -84,24 +84,29 @@ pub(crate) fn write_corrections(
 /// The 90 % interval of every number of a result, `[low, high]` in its place; names and what is no number are left out. Where a
 /// wing of the ensemble has no such number (no flutter in range, say), there is no interval.
 pub(crate) fn intervals(value: &Value, members: &[Value]) -> Value {
+    intervals_of(value, &[members.to_vec()])
+}
+
+/// The same with several sources of uncertainty that know nothing of each other, each with its own wings.
+pub(crate) fn intervals_of(value: &Value, sources: &[Vec<Value>]) -> Value {
     match value {
         Value::Number(number) => {
-            let here = number.as_f64();
-            let each: Option<Vec<f64>> = members.iter().map(Value::as_f64).collect();
-            match (here, each) {
-                (Some(here), Some(each)) => interval(here, &each).to_vec().into(),
+            let numbers = |members: &Vec<Value>| members.iter().map(Value::as_f64).collect();
+            let each: Option<Vec<Vec<f64>>> = sources.iter().map(numbers).collect();
+            match (number.as_f64(), each) {
+                (Some(here), Some(each)) => interval_of(here, &each).to_vec().into(),
                 _ => Value::Null,
             }
         }
         Value::Array(values) => values
             .iter()
             .enumerate()
-            .map(|(i, value)| intervals(value, &at(members, |member| member.get(i))))
+            .map(|(i, value)| intervals_of(value, &at(sources, |member| member.get(i))))
             .collect(),
         Value::Object(fields) => {
             let inside = fields.iter().filter(|(_, value)| holds_numbers(value));
             let each = inside.map(|(name, value)| {
-                (name.clone(), intervals(value, &at(members, |member| member.get(name))))
+                (name.clone(), intervals_of(value, &at(sources, |member| member.get(name))))
             });
             Value::Object(each.filter(|(_, value)| !value.is_null()).collect::<Map<_, _>>())
         }
@@ -109,8 +114,9 @@ pub(crate) fn intervals(value: &Value, members: &[Value]) -> Value {
     }
 }
 
-fn at<'a>(members: &'a [Value], of: impl Fn(&'a Value) -> Option<&'a Value>) -> Vec<Value> {
-    members.iter().map(|member| of(member).cloned().unwrap_or(Value::Null)).collect()
+fn at<'a>(sources: &'a [Vec<Value>], of: impl Fn(&'a Value) -> Option<&'a Value>) -> Vec<Vec<Value>> {
+    let inside = |member: &'a Value| of(member).cloned().unwrap_or(Value::Null);
+    sources.iter().map(|members| members.iter().map(inside).collect()).collect()
 }
 
 fn holds_numbers(value: &Value) -> bool {
@@ -124,8 +130,8 @@ fn holds_numbers(value: &Value) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::intervals;
-    use serde_json::json;
+    use super::{intervals, intervals_of};
+    use serde_json::{Value, json};
 
     /// Members 1.6448... apart in quadrature: closed form of the interval; words vanish, and a number that one wing lacks has none.
     #[test]
@@ -140,5 +146,15 @@ mod tests {
         assert_eq!(found["alpha"], json!([2.0 - half, 2.0 + half]));
         assert_eq!(found["each"], json!([[1.0, 1.0], [5.0 - half, 5.0 + half]]));
         assert!(["flutter", "name", "none"].iter().all(|left_out| found.get(left_out).is_none()), "{found}");
+    }
+
+    /// Sources off by 3 and by 4 are off by 5 together.
+    #[test]
+    fn variances_of_sources_that_know_nothing_of_each_other_add() {
+        let of = |values: [f64; 2]| values.map(|value| json!({ "speed": value })).to_vec();
+        let found = intervals_of(&json!({"speed": 50.0}), &[of([53.0, 47.0]), of([54.0, 46.0])]);
+        let ends: Vec<f64> = found["speed"].as_array().unwrap().iter().filter_map(Value::as_f64).collect();
+        let half = 5.0 * 1.644_853_627;
+        assert!((ends[0] - (50.0 - half)).abs() < 1e-6 && (ends[1] - (50.0 + half)).abs() < 1e-6, "{ends:?}");
     }
 }

@@ -29,6 +29,9 @@ pub struct CorrectionPrior {
     /// Of what any reading is off by, as a share of it, whatever the corrections are: lattices of other programs differ by so
     /// much.
     pub reading: f64,
+    /// Of the factor on all that air does beyond the steady answer to the momentary incidence, for flutter. No load at rest tells
+    /// it; a tenth is assumed.
+    pub unsteady: f64,
     /// Length over which smooth parts are alike, as a share of the span.
     pub smooth_over_span: f64,
     /// Length over which local parts are alike, in mean chords; they may have steps.
@@ -46,6 +49,7 @@ impl Default for CorrectionPrior {
             control: [0.05, 0.03, 0.03],
             flexibility: [0.03, 0.05],
             reading: 0.0015,
+            unsteady: 0.1,
             smooth_over_span: 0.3,
             local_over_chord: 1.0,
         }
@@ -61,6 +65,7 @@ impl CorrectionPrior {
             ("moment_offset_cp", self.moment_offset_cp, 0.0),
             ("moment", self.moment, 0.0),
             ("reading", self.reading, 0.0),
+            ("unsteady", self.unsteady, 0.0),
             ("smooth_over_span", self.smooth_over_span, 0.01),
             ("local_over_chord", self.local_over_chord, 0.01),
         ];

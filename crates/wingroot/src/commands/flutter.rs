@@ -25,7 +25,7 @@ use crate::args::{Common, Given, airspeed};
 use crate::commands::flutter_result::{FlutterResult, StabilityResult};
 use crate::commands::result_parts::as_json;
 use crate::corrections::{CorrectedWing, corrected_wing};
-use crate::ensemble::{Intervals, intervals};
+use crate::ensemble::{Intervals, intervals_of};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
@@ -100,17 +100,21 @@ pub(crate) fn run(args: &FlutterArgs, common: &Common) -> Result<(), Failure> {
     let task = Task::new(&corrected, &doublets, campaign.rho_kg_m3, speeds)?;
     let neutral = Corrections::neutral(corrected.wing.correctable.len());
     let models =
-        [task.stability("initial", &|_| neutral.clone(), &[(0.0, neutral.clone())])?, task.updated()?];
+        [task.stability("initial", &|_| neutral.clone(), &[(0.0, neutral.clone())])?, task.updated(1.0)?];
     let members = corrected.with_each(|member| {
         let task = Task::new(member, &doublets, task.rho_kg_m3, task.speeds.clone())?;
-        as_json(&task.of_model(&task.updated()?))
+        as_json(&task.of_model(&task.updated(1.0)?))
     })?;
-    let spread = intervals(&as_json(&task.of_model(&models[1]))?, &members);
+    let off = corrected.file.correction.prior.unsteady;
+    let unsteady = if members.is_empty() { &[][..] } else { &[1.0 - off, 1.0 + off] };
+    let unsteady = unsteady.iter().map(|factor| as_json(&task.of_model(&task.updated(*factor)?)));
+    let sources = [members, unsteady.collect::<Result<_, Failure>>()?];
+    let spread = intervals_of(&as_json(&task.of_model(&models[1]))?, &sources);
     let result = FlutterResult {
         intervals_90: corrected.intervals_from().map(|from| Intervals { from, of_updated: spread }),
         ..task.result(&models, start.elapsed().as_secs_f64())
     };
-    let told = intervals_told(&result);
+    let told = intervals_told(&result, off);
     let result = as_json(&result)?;
     let folder = ResultFolder::begin(&common.out("flutter"))?;
     corrected.note_inputs(&folder)?;
@@ -130,7 +134,7 @@ pub(crate) fn run(args: &FlutterArgs, common: &Common) -> Result<(), Failure> {
 }
 
 /// Intervals of the updated wing's speeds, for the console; where a wing of the ensemble has no such speed there is none.
-fn intervals_told(result: &FlutterResult) -> String {
+fn intervals_told(result: &FlutterResult, unsteady: f64) -> String {
     let Some(Intervals { from, of_updated }) = &result.intervals_90 else {
         return "no intervals: no ensemble.ron of `calibrate` beside the corrections\n".to_owned();
     };
@@ -153,7 +157,8 @@ fn intervals_told(result: &FlutterResult) -> String {
         return String::new();
     }
     format!(
-        "updated, 90 % intervals of p-k by {from} (corrections, stiffness, control surfaces; the unsteady part of the air as computed): {}\n",
+        "updated, 90 % intervals of p-k by {from} (corrections, stiffness, control surfaces) and {:.0} % of the air's unsteady part (correction.prior.unsteady): {}\n",
+        100.0 * unsteady,
         told.join(", ")
     )
 }
@@ -183,10 +188,12 @@ impl<'a> Task<'a> {
         Ok(Self { pressures: rig.mode_pressures(doublets, &kappa)?, corrected, rig, rho_kg_m3, speeds })
     }
 
-    /// The wing with its corrections.
-    fn updated(&self) -> Result<Stability, Failure> {
+    /// The wing with its corrections, and with a factor on the unsteady part of the air in p-k; the state matrix has its rational
+    /// function as it was fitted.
+    fn updated(&self, unsteady: f64) -> Result<Stability, Failure> {
         let schedule = &self.corrected.schedule;
-        self.stability("updated", &|v| schedule.at_or_nearest(v).0, &sets(schedule))
+        let pressures = self.pressures.with_unsteady(unsteady);
+        self.stability_in("updated", &|v| schedule.at_or_nearest(v).0, &sets(schedule), &pressures)
     }
 
     /// The numbers of a model.
@@ -209,6 +216,16 @@ impl<'a> Task<'a> {
         at: &dyn Fn(f64) -> Corrections,
         sets: &[(f64, Corrections)],
     ) -> Result<Stability, Failure> {
+        self.stability_in(name, at, sets, &self.pressures)
+    }
+
+    fn stability_in(
+        &self,
+        name: &'static str,
+        at: &dyn Fn(f64) -> Corrections,
+        sets: &[(f64, Corrections)],
+        pressures: &ModePressures,
+    ) -> Result<Stability, Failure> {
         let wing = &self.corrected.wing;
         let elastic = first_divergence(&self.speeds, |v| wing.divergence_speed(self.rho_kg_m3, &at(v)))?;
         // the rig refuses airspeeds beyond divergence
@@ -217,7 +234,7 @@ impl<'a> Task<'a> {
         let state_matrix =
             flutter_of_state_space::<Failure>(&flows, |flow| Ok(self.rig.at(flow, &at(flow.v_m_s))?.a))?;
         let table = |(v_m_s, corrections): &(f64, Corrections)| -> Result<_, Failure> {
-            Ok((*v_m_s, self.rig.gaf_table(&self.pressures, &wing.padded(corrections)?)?))
+            Ok((*v_m_s, self.rig.gaf_table(pressures, &wing.padded(corrections)?)?))
         };
         let forces = ScheduledForces::new(sets.iter().map(table).collect::<Result<_, _>>()?)?;
         let damping = self.corrected.file.damping_ratio;
