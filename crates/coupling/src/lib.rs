@@ -26,7 +26,7 @@ pub use exchange::Exchange;
 pub use kept::Keep;
 pub use large::{
     BentMotion, BentMotionError, CarriedPart, FreeBody, FreeState, LargeModel, LargeState, LargeWing,
-    SteadyFlight,
+    SteadyFlight, Wake,
 };
 pub use load_rows::{Balance, root_rows, station_rows, strip_rows};
 pub use nastran_deck::{DeckOptions, NastranDeck};

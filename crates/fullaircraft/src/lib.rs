@@ -32,6 +32,7 @@ pub use flight::modes::FreeModes;
 pub use flight::nonlinear::Integration;
 pub use flight::small_motions::FreeFlight;
 pub use results::comparison::{Comparison, Flown, ModelNumbers, Summary};
+pub use results::large::{BentNumbers, LargeFlight, LargePoint};
 pub use stations::nodal::{Component, NodalLoads};
 pub use stations::places::Station;
 pub use trim::case::{Balanced, TrimAt, TrimCase, TrimTools};

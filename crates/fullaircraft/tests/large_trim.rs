@@ -2,10 +2,10 @@
 
 #![allow(clippy::unwrap_used, reason = "a test whose data cannot be computed must fail")]
 
-use crate::common::{whole, wings};
+use crate::common::{beam_wing, path, whole, wings};
 use aero::Corrections;
-use coupling::GRAVITY_M_S2;
-use fullaircraft::{Aircraft, FlightPoint};
+use coupling::{GRAVITY_M_S2, Wake, WingFile};
+use fullaircraft::{Aircraft, AircraftFile, FlightPoint};
 
 #[test]
 fn forces_and_moments_of_the_bent_aircraft_are_in_balance() {
@@ -57,15 +57,88 @@ fn without_angle(aircraft: &Aircraft, load_factor: f64) -> FlightPoint {
 }
 
 #[test]
-fn small_loads_give_the_trim_of_small_deflections() {
+fn what_bending_changes_falls_with_the_load_to_the_trim_of_small_deflections() {
     for (what, aircraft) in [("wings alone", wings()), ("whole", whole())] {
         let body = aircraft.large().unwrap();
         let model = aircraft.uncorrected();
-        let point = without_angle(aircraft, 1e-4);
+        let off = |load_factor: f64| {
+            let point = without_angle(aircraft, load_factor);
+            let (large, linear) = (body.trim(&model, &point).unwrap(), model.trim("small", &point).unwrap());
+            let tip = (large.tip_deflection_m[0] / linear.tip_deflection_m[0] - 1.0).abs();
+            [tip, (large.elevator_rad - linear.elevator_rad).to_degrees().abs()]
+        };
+        let (some, few) = (off(1e-3), off(1e-4));
+        println!(
+            "{what}: tip and elevator differ by {some:?} at a thousandth of the load, {few:?} at a tenth of that"
+        );
+        assert!(few[0] < 1e-4 && few[1] < 1e-3, "{what}: {few:?}");
+        for (some, few) in some.into_iter().zip(few).filter(|(some, _)| *some > 1e-6) {
+            let fall = some / few;
+            assert!((8.0..12.0).contains(&fall), "{what}: {some} falls to {few} with a tenth of the load");
+        }
+    }
+}
+
+/// A trim of next to no load at the angle of attack of the whole one.
+fn hardly_loaded(point: FlightPoint) -> FlightPoint {
+    let share = 1e-4;
+    FlightPoint {
+        v_m_s: point.v_m_s * f64::sqrt(share),
+        load_factor: point.load_factor * share,
+        pitch_rate_deg_s: point.pitch_rate_deg_s * f64::sqrt(share),
+    }
+}
+
+#[test]
+fn at_an_angle_of_attack_the_elevator_without_load_is_that_of_small_deflections() {
+    let aircraft = whole();
+    let (body, model) = (aircraft.large().unwrap(), aircraft.uncorrected());
+    for (what, point) in [("trim", aircraft.file.trim), ("pull-up", aircraft.file.pull_up)] {
+        let point = hardly_loaded(point);
         let (large, linear) = (body.trim(&model, &point).unwrap(), model.trim("small", &point).unwrap());
-        let off = (large.tip_deflection_m[0] / linear.tip_deflection_m[0] - 1.0).abs();
-        assert!(off < 1e-4, "{what}: tips differ by {off}");
-        let elevator = (large.elevator_rad - linear.elevator_rad).to_degrees().abs();
-        assert!(elevator < 1e-3, "{what}: elevators differ by {elevator} degrees");
+        let [own, of] = [large.elevator_rad, linear.elevator_rad].map(f64::to_degrees);
+        let [alpha, linear_alpha] = [large.alpha_rad, linear.alpha_rad].map(f64::to_degrees);
+        println!("{what}: elevator {own:.4} for {of:.4}, angle of attack {alpha:.4} for {linear_alpha:.4}");
+        // A sine is not the angle: some shares of the square of the angle, of incidences of 10 degrees with the camber's.
+        let most = 10.0 * (large.alpha_rad.powi(2) + 1e-4);
+        assert!((own - of).abs() < most, "{what}: elevator {own} for {of}");
+        assert!((alpha - linear_alpha).abs() < most, "{what}: {alpha} for {linear_alpha}");
+    }
+}
+
+/// The horizontal tail moved up, m.
+fn with_tail_moved(up_m: f64) -> Aircraft {
+    let mut file = AircraftFile::read(&path()).unwrap();
+    file.htp.root_leading_edge_m.2 += up_m;
+    Aircraft::new(file, WingFile::read(&beam_wing()).unwrap()).unwrap()
+}
+
+#[test]
+fn a_tail_a_few_millimetres_higher_needs_the_same_elevator() {
+    if std::env::var_os("RUN_SLOW_TESTS").is_none() {
+        eprintln!("skipped: trims of tails at five heights take a minute (RUN_SLOW_TESTS=1)");
+        return;
+    }
+    let elevator = |up_m: f64| {
+        let aircraft = with_tail_moved(up_m);
+        let model = aircraft.uncorrected();
+        let of = |wake: Wake| {
+            let large = aircraft.large().unwrap().with_wake(wake).trim(&model, &aircraft.file.trim).unwrap();
+            large.elevator_rad.to_degrees()
+        };
+        let linear = model.trim("trim", &aircraft.file.trim).unwrap().elevator_rad.to_degrees();
+        let [body, stream] = [Wake::Body, Wake::Stream].map(of);
+        println!(
+            "tail {:+.0} mm: elevator {linear:.3} linear, {body:.3} with the wake along the fuselage, {stream:.3} along the stream",
+            1e3 * up_m
+        );
+        [linear, body]
+    };
+    let all = [-0.02, -0.008, -0.004, 0.0, 0.004, 0.008, 0.02].map(elevator);
+    for pair in all.windows(2) {
+        for (what, which) in [("small", 0), ("large", 1)] {
+            let change = (pair[1][which] - pair[0][which]).abs();
+            assert!(change < 0.1, "{what} deflections: the elevator jumps by {change} degrees");
+        }
     }
 }

@@ -1,6 +1,7 @@
 //! The tests of `maneuver` that need no process of their own, as one program: linked once, and both cores busy to the end.
 
 mod bent_flutter;
+mod bent_wings;
 mod common;
 mod decay;
 mod deflection;
@@ -14,6 +15,8 @@ mod effects_laws;
 mod flutter;
 mod flutter_complete;
 mod frequency_response;
+#[path = "../../coupling/tests/large/mod.rs"]
+mod large;
 mod maneuver_files;
 mod motion_kinds;
 mod parts;

@@ -3,7 +3,7 @@
 use crate::card::Card;
 use crate::cards::kind::{CardKind, Cards, DeckCard, Family};
 use crate::cards::{
-    Aecomp, Aefact, Aelink, Aelist, Aero, Aeros, Aestat, Aesurf, BeamElement, BeamProperty, Caero1, Cbush,
+    Aecomp, Aefact, Aelink, Aelist, Aero, Aeros, Aestat, Aesurf, BeamElement, BeamLoad, BeamProperty, Caero1, Cbush,
     Conm1, Conm2, Conrod, Coord, Crod, CrossLoad, EigenMethod, Flfact, Flutter, Genel, Gravity, Grid,
     LineLoad, LoadSum, Mat1, Mat2, Mat8, Mat9, Mkaero, MonitorPoint, Mpc, Paero1, Pbush, Pcomp, PointLoad,
     Pressure, Prod, Pshell, Psolid, Rbar, Rbe2, Rbe3, ScalarElement, ScalarProperty, Set1, SetUnion,
@@ -155,6 +155,7 @@ kinds! {
     point_loads: Vec<PointLoad>, Own, ["FORCE", "MOMENT"];
     line_loads: Vec<LineLoad>, Own, ["FORCE1", "MOMENT1"];
     cross_loads: Vec<CrossLoad>, Own, ["FORCE2", "MOMENT2"];
+    beam_loads: Vec<BeamLoad>, Own, ["PLOAD1"];
     pressures: Vec<Pressure>, Own, ["PLOAD", "PLOAD2", "PLOAD4"];
     gravities: Vec<Gravity>, Own, ["GRAV"];
     load_sums: BTreeMap<u32, LoadSum>, Own, ["LOAD"];

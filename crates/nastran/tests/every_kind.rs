@@ -102,6 +102,7 @@ FORCE1,2,1,4.,2,3
 MOMENT1,2,1,4.,2,3
 FORCE2,2,1,4.,2,3,2,1
 MOMENT2,2,1,4.,2,3,2,1
+PLOAD1,2,20,FZE,FR,.25,3.,.75,5.
 PLOAD,2,5.,1,2,3
 PLOAD2,2,5.,80,81
 PLOAD4,2,80,1.,2.,3.,4.
@@ -145,6 +146,7 @@ const NO_IMAGE: &[&str] = &[
     "point_loads",
     "line_loads",
     "cross_loads",
+    "beam_loads",
     "pressures",
     "gravities",
     "load_sums",

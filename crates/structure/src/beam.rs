@@ -14,7 +14,7 @@
 use crate::beam_mass;
 use crate::element::Element;
 use crate::section::Section;
-use nalgebra::{DMatrix, Matrix3, Matrix6, Point3, SMatrix, Vector3};
+use nalgebra::{DMatrix, Matrix3, Matrix6, Point3, SMatrix, SVector, Vector3};
 use nastran::{BeamProperty, InputError, Mat1, Span};
 use std::borrow::Cow;
 
@@ -65,7 +65,7 @@ impl Beam {
             InputError::at(span, format!("beam {id}: its stiffness cannot be computed"))
                 .with_help("look for a property or material many orders of magnitude off")
         })?;
-        let local = release(local, &placement.pins);
+        let local = release(local, &placement.pins, &mut SVector::zeros());
         let to_local = grid_to_element(&axes, &placement.offsets);
         Ok(Self {
             id,
@@ -107,7 +107,15 @@ impl Element for Beam {
     }
 }
 
-fn element_axes(id: u32, placement: &BeamPlacement, span: &Span) -> Result<(f64, Matrix3<f64>), InputError> {
+/// Length and axes (x, y, z as columns, basic system) of an element.
+///
+/// # Errors
+/// If it has no length, or its orientation vector is along it.
+pub(crate) fn element_axes(
+    id: u32,
+    placement: &BeamPlacement,
+    span: &Span,
+) -> Result<(f64, Matrix3<f64>), InputError> {
     let [a, b] = [0, 1].map(|end| placement.grids[end] + placement.offsets[end]);
     let along = b - a;
     let length = along.norm();
@@ -130,17 +138,23 @@ fn element_axes(id: u32, placement: &BeamPlacement, span: &Span) -> Result<(f64,
     Ok((length, Matrix3::from_columns(&[x, z.cross(&x), z])))
 }
 
-/// Local stiffness, or `None` if the flexibility cannot be inverted in floating-point numbers.
-fn stiffness(section: Section, length: f64) -> Option<Matrix12> {
+/// Section forces by loads so far outboard on the element's axis.
+pub(crate) fn section_forces(section: Section, arm: f64) -> Matrix6<f64> {
+    let offset = 0.5 * (section.neutral_axis(0.0) + section.neutral_axis(1.0));
+    let mut forces = Matrix6::identity();
+    forces[(4, 2)] = -arm;
+    forces[(5, 1)] = arm;
+    forces[(4, 0)] = -offset.y;
+    forces[(5, 0)] = offset.x;
+    forces
+}
+
+/// Stiffness of end B with end A held, or `None` if the flexibility cannot be inverted in floating-point numbers.
+pub(crate) fn end_stiffness(section: Section, length: f64) -> Option<Matrix6<f64>> {
     let offset = 0.5 * (section.neutral_axis(0.0) + section.neutral_axis(1.0));
     let mut flexibility = Matrix6::<f64>::zeros();
     for (x, weight) in section.quadrature() {
-        let arm = (1.0 - x) * length;
-        let mut forces = Matrix6::identity();
-        forces[(4, 2)] = -arm;
-        forces[(5, 1)] = arm;
-        forces[(4, 0)] = -offset.y;
-        forces[(5, 0)] = offset.x;
+        let forces = section_forces(section, (1.0 - x) * length);
         flexibility += forces.transpose() * section.flexibility(x) * forces * (weight * length);
     }
     let mut carried = section.carried();
@@ -157,12 +171,13 @@ fn stiffness(section: Section, length: f64) -> Option<Matrix12> {
     let scale = flexibility.diagonal().map(|f| 1.0 / f.sqrt());
     let scaled = Matrix6::from_fn(|i, j| scale[i] * flexibility[(i, j)] * scale[j]);
     let inverse = scaled.cholesky()?.inverse();
-    let end_b =
-        Matrix6::from_fn(
-            |i, j| {
-                if carried[i] && carried[j] { scale[i] * inverse[(i, j)] * scale[j] } else { 0.0 }
-            },
-        );
+    let kept = |i, j| if carried[i] && carried[j] { scale[i] * inverse[(i, j)] * scale[j] } else { 0.0 };
+    Some(Matrix6::from_fn(kept))
+}
+
+/// Local stiffness, or `None` if the flexibility cannot be inverted in floating-point numbers.
+pub(crate) fn stiffness(section: Section, length: f64) -> Option<Matrix12> {
+    let end_b = end_stiffness(section, length)?;
     let mut relative = SMatrix::<f64, 6, 12>::zeros();
     for i in 0..6 {
         relative[(i, i)] = -1.0;
@@ -175,14 +190,15 @@ fn stiffness(section: Section, length: f64) -> Option<Matrix12> {
 }
 
 /// Static condensation of the released components, one after the other; a component that has already lost its
-/// stiffness (both ends of a bar free to twist) stays without.
-fn release(mut k: Matrix12, pins: &[Vec<u8>; 2]) -> Matrix12 {
+/// stiffness (both ends of a bar free to twist) stays without. What `load` has there goes to the other components.
+pub(crate) fn release(mut k: Matrix12, pins: &[Vec<u8>; 2], load: &mut SVector<f64, 12>) -> Matrix12 {
     let original = k.diagonal();
     for (end, components) in pins.iter().enumerate() {
         for component in components.iter().filter(|c| (1..=6).contains(*c)) {
             let p = 6 * end + usize::from(*component) - 1;
             if k[(p, p)] > 1e-10 * original[p] {
                 let column = k.column(p).into_owned();
+                *load -= column * (load[p] / column[p]);
                 k -= column * column.transpose() / column[p];
             }
             k.row_mut(p).fill(0.0);
@@ -193,7 +209,7 @@ fn release(mut k: Matrix12, pins: &[Vec<u8>; 2]) -> Matrix12 {
 }
 
 /// Displacements of the element's ends in element axes from those of the grids in basic axes.
-fn grid_to_element(axes: &Matrix3<f64>, offsets: &[Vector3<f64>; 2]) -> Matrix12 {
+pub(crate) fn grid_to_element(axes: &Matrix3<f64>, offsets: &[Vector3<f64>; 2]) -> Matrix12 {
     let mut t = Matrix12::zeros();
     let to_local = axes.transpose();
     for (end, offset) in offsets.iter().enumerate() {

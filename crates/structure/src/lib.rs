@@ -3,6 +3,7 @@
 mod assemble;
 mod autospc;
 pub mod beam;
+mod beam_load;
 mod beam_mass;
 mod blocks;
 mod cell_shape;

@@ -19,6 +19,11 @@ const GAUSS: [(f64, f64); 6] = [
 
 type Column = fn(&BeamStation) -> f64;
 
+/// Six Gauss points and their weights from one place to another.
+pub(crate) fn gauss([from, to]: [f64; 2]) -> [(f64, f64); 6] {
+    GAUSS.map(|(x, weight)| (from + x * (to - from), weight * (to - from)))
+}
+
 /// A section with its material.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Section<'a> {
@@ -50,12 +55,18 @@ impl Section<'_> {
 
     /// Integration points x/L and weights over the element: six Gauss points between each two stations.
     pub(crate) fn quadrature(&self) -> Vec<(f64, f64)> {
-        let mut ends: Vec<f64> = vec![0.0];
-        ends.extend(self.property.stations.iter().map(|s| s.x_over_l).filter(|x| *x > 0.0 && *x < 1.0));
-        ends.push(1.0);
-        ends.windows(2)
-            .flat_map(|w| GAUSS.map(|(x, weight)| (w[0] + x * (w[1] - w[0]), weight * (w[1] - w[0]))))
-            .collect()
+        self.quadrature_between(&[])
+    }
+
+    /// The same, for what has kinks at further places x/L.
+    pub(crate) fn quadrature_between(&self, kinks: &[f64]) -> Vec<(f64, f64)> {
+        let mut ends: Vec<f64> =
+            self.property.stations.iter().map(|s| s.x_over_l).chain([0.0, 1.0]).collect();
+        ends.extend(kinks);
+        ends.retain(|x| (0.0..=1.0).contains(x));
+        ends.sort_by(f64::total_cmp);
+        ends.dedup();
+        ends.windows(2).flat_map(|w| gauss([w[0], w[1]])).collect()
     }
 
     /// Where the neutral axis stands from the shear centre (y, z) at `x`.

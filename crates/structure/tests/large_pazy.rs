@@ -1,5 +1,5 @@
-//! The Pazy wing without its skin under a weight behind the trailing edge of its tip: the equivalent beam of Riso and Cesnik beside
-//! their program (UM/NAST, a geometrically exact beam) and beside SOL 400 with shells.
+//! The Pazy wing under a weight on its tip: the equivalent beams of Riso and Cesnik beside their program (UM/NAST, a geometrically
+//! exact beam).
 
 use crate::large::{numbers, published};
 use crate::pazy_beam::{AXIS_M, CHORD_M};
@@ -17,7 +17,7 @@ fn tip(state: &State, chord: f64) -> Vector3<f64> {
 #[test]
 fn the_wing_without_skin_bends_and_twists_under_a_weight_behind_its_tip() {
     let case = published("nl_pazy__static_torsion_skin0");
-    let wing = LargeDeflection::new(&crate::pazy_beam::beam(Some(0.04))).expect("a beam");
+    let wing = LargeDeflection::new(&crate::pazy_beam::beam(false, Some(0.04))).expect("a beam");
     let weight = Loads { gravity_m_s2: Vector3::new(0.0, 0.0, -G_M_S2), ..Loads::default() };
     let sag = wing.under(&weight).expect("its own weight").end().state.clone();
     let rows = |name: &str| -> Vec<Vec<f64>> {
@@ -57,4 +57,30 @@ fn the_wing_without_skin_bends_and_twists_under_a_weight_behind_its_tip() {
     }
     println!("largest differences from UM/NAST: z {worst_z:.4}, twist {worst_twist:.4}");
     assert!(worst_z < 0.005 && worst_twist < 0.02, "z {worst_z}, twist {worst_twist}");
+}
+
+#[test]
+fn the_wing_with_skin_bends_under_a_weight_on_its_tip() {
+    let case = published("nl_pazy__static_bending_skin1");
+    let wing = LargeDeflection::new(&crate::pazy_beam::beam(true, Some(-0.5 * CHORD_M))).expect("a beam");
+    let weight = Loads { gravity_m_s2: Vector3::new(0.0, 0.0, -G_M_S2), ..Loads::default() };
+    let sag = wing.under(&weight).expect("its own weight").end().state.clone();
+    let (mut worst_z, mut worst_y): (f64, f64) = (0.0, 0.0);
+    for row in case["expected"]["UMNAST_beam_z_y"].as_array().expect("rows").iter().map(numbers) {
+        let [mass_kg, z, y] = row[..] else { panic!("three columns") };
+        if mass_kg == 0.0 {
+            continue;
+        }
+        let force = Vector3::new(0.0, 0.0, -mass_kg * G_M_S2);
+        let load = NodeLoad { node: 16, force, moment: Vector3::zeros() };
+        let end = wing.under(&Loads { dead: vec![load], ..weight.clone() }).expect("carried").end().state.clone();
+        let moved = (end.places[15] - sag.places[15]) * (100.0 / SEMISPAN_M);
+        println!("{mass_kg} kg: z {:.3} for {z}, y {:.3} for {y}", moved.z, moved.y);
+        worst_z = worst_z.max((moved.z / z - 1.0).abs());
+        if mass_kg >= 1.0 {
+            worst_y = worst_y.max((moved.y / y - 1.0).abs());
+        }
+    }
+    println!("largest differences from UM/NAST: z {worst_z:.4}, y from 1 kg on {worst_y:.4}");
+    assert!(worst_z < 0.005 && worst_y < 0.01, "z {worst_z}, y {worst_y}");
 }

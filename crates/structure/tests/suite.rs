@@ -1,6 +1,7 @@
 //! The tests of `structure` that need no process of their own, as one program: linked once, and both cores busy to the end.
 
 mod averages;
+mod beam_loads;
 mod broken_decks;
 mod cards_of_a_cantilever;
 mod common;

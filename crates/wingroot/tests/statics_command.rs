@@ -5,13 +5,13 @@ use std::process::{Command, Output};
 
 use serde_json::Value;
 
-fn folder(name: &str) -> PathBuf {
+pub(crate) fn folder(name: &str) -> PathBuf {
     let folder = std::env::temp_dir().join(format!("wingroot-statics-{}-{name}", std::process::id()));
     std::fs::create_dir_all(&folder).expect("a temporary folder");
     folder
 }
 
-fn run(folder: &Path, arguments: &[&str]) -> Output {
+pub(crate) fn run(folder: &Path, arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_wingroot"));
     command.arg("statics").args(arguments).args(["--quiet", "--out"]).arg(folder.join("out"));
     command.current_dir(folder).output().expect("the command starts")

@@ -16,6 +16,7 @@ mod flightloads;
 mod flutter;
 mod forms;
 mod free;
+mod fullaircraft_large;
 mod guide;
 mod hidden_killed;
 #[path = "hostile/main.rs"]
@@ -39,6 +40,7 @@ mod segments;
 mod sensors;
 mod servos;
 mod statics_command;
+mod statics_limits;
 mod stations;
 mod strips;
 mod structure_commands;

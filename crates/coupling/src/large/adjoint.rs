@@ -89,13 +89,13 @@ impl About<'_> {
         readings.push(tip);
         let change = |motion: &[f64]| self.transposed(motion);
         let lambda = self.wing.structure.adjoint(state, forces, &change, &readings)?;
-        let stream = self.solved.stream_boxes(state);
-        let back = self.solved.air.to_stream().inverse();
-        let mut rows = Mat::zeros(LOADS + 1, 2 * stream.len());
+        let boxes = self.solved.turned_boxes(state);
+        let (back, stream) = (self.solved.air.to_wake().inverse(), self.solved.air.stream());
+        let mut rows = Mat::zeros(LOADS + 1, 2 * boxes.len());
         for (reading, lambda) in lambda.iter().enumerate() {
             let moved = self.wing.boxes.motions(&self.wing.elastic.lattice, state, lambda);
-            for (j, panel) in stream.boxes.iter().enumerate() {
-                let [force, moment] = directions(panel).map(|direction| back * direction);
+            for (j, panel) in boxes.boxes.iter().enumerate() {
+                let [force, moment] = directions(panel, &stream).map(|direction| back * direction);
                 let [mut shift, mut spin] = moved[j];
                 if let Some(held) = held.get(reading) {
                     shift += held[j][0];

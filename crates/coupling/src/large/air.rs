@@ -1,6 +1,7 @@
 //! Weight and air on the bent wing.
 
 use super::boxes::{CarriedBoxes, MovedBoxes, turned};
+use super::wake::Wake;
 use crate::wing::ElasticWing;
 use aero::{AeroBox, BoxLoads, Corrections, Lattice, SteadyAero};
 use nalgebra::{Point3, Rotation3, Vector3};
@@ -16,6 +17,7 @@ pub(super) struct Air<'a> {
     pub(super) corrections: Corrections,
     pub(super) q_pa: f64,
     pub(super) alpha_rad: f64,
+    pub(super) wake: Wake,
     /// Incidence of camber, twist and controls, rad, one a box.
     pub(super) incidence: Vec<f64>,
     /// Of a body in flight.
@@ -42,7 +44,7 @@ impl Turning {
 pub(super) struct Solved<'a> {
     pub(super) air: Air<'a>,
     pub(super) aero: SteadyAero,
-    /// Chord along the stream of the boxes when the lattice was solved, m.
+    /// Chord along the wake of the boxes when the lattice was solved, m.
     pub(super) chord_m: Vec<f64>,
     weight: Vec<f64>,
     state: State,
@@ -61,9 +63,14 @@ pub(super) struct Loaded {
 }
 
 impl<'a> Air<'a> {
-    /// From the structure's axes to those whose x runs along the stream.
-    pub(super) fn to_stream(&self) -> Rotation3<f64> {
-        Rotation3::from_axis_angle(&Vector3::y_axis(), self.alpha_rad)
+    /// From the structure's axes to those of the lattice, whose x runs along the wake.
+    pub(super) fn to_wake(&self) -> Rotation3<f64> {
+        self.wake.axes(self.alpha_rad)
+    }
+
+    /// Direction of the stream in the axes of the lattice.
+    pub(super) fn stream(&self) -> Vector3<f64> {
+        self.wake.stream(self.alpha_rad)
     }
 
     /// Chord of a box along itself, m.
@@ -76,34 +83,34 @@ impl<'a> Air<'a> {
         Loads { gravity_m_s2: self.elastic.gravity_at(self.alpha_rad), ..Loads::default() }
     }
 
-    /// Stream along the normals of boxes whose x runs along it, rad.
-    fn incidence_of(&self, stream: &Lattice) -> Vec<f64> {
-        let axes = self.to_stream();
+    /// Stream along the normals of boxes in the axes of the lattice, rad.
+    fn incidence_of(&self, boxes: &Lattice) -> Vec<f64> {
+        let (axes, stream) = (self.to_wake(), self.stream());
         let (rate, about) = (axes * self.turning.per_m, axes * self.turning.about);
         let one = |(panel, incidence): (&AeroBox, &f64)| {
             let own = rate.cross(&(panel.three_quarter_point() - about));
             let normal = panel.normal();
-            normal.x + incidence * chord(panel).x - own.dot(&normal)
+            (normal + chord(panel) * *incidence).dot(&stream) - own.dot(&normal)
         };
-        stream.boxes.iter().zip(&self.incidence).map(one).collect()
+        boxes.boxes.iter().zip(&self.incidence).map(one).collect()
     }
 
     /// Force, and moment about the midpoint, of lift and moment of each box (N, Nm; the structure's axes).
-    fn directed(&self, stream: &Lattice, box_loads: &BoxLoads) -> Vec<[Vector3<f64>; 2]> {
-        let back = self.to_stream().inverse();
+    fn directed(&self, boxes: &Lattice, box_loads: &BoxLoads) -> Vec<[Vector3<f64>; 2]> {
+        let (back, stream) = (self.to_wake().inverse(), self.stream());
         let load = |(j, panel): (usize, &AeroBox)| {
-            let [force, moment] = directions(panel);
+            let [force, moment] = directions(panel, &stream);
             [back * (force * box_loads.values[2 * j]), back * (moment * box_loads.values[2 * j + 1])]
         };
-        stream.boxes.iter().enumerate().map(load).collect()
+        boxes.boxes.iter().enumerate().map(load).collect()
     }
 
     /// The lattice solved at a state; nothing if it cannot be.
     pub(super) fn solved(&self, state: &State) -> Option<Solved<'a>> {
         let elastic = self.elastic;
-        let stream = turned(&self.boxes.moved(&elastic.lattice, state).lattice, &self.to_stream());
-        let aero = SteadyAero::moved(&stream, elastic.plane, elastic.mach).ok()?;
-        let chord_m = stream.boxes.iter().map(AeroBox::chord_m).collect();
+        let boxes = turned(&self.boxes.moved(&elastic.lattice, state).lattice, &self.to_wake());
+        let aero = SteadyAero::moved(&boxes, elastic.plane, elastic.mach).ok()?;
+        let chord_m = boxes.boxes.iter().map(AeroBox::chord_m).collect();
         let weight = self.structure.load_forces(state, &self.weight());
         Some(Solved { air: self.clone(), aero, chord_m, weight, state: state.clone() })
     }
@@ -119,20 +126,20 @@ impl Solved<'_> {
     pub(super) fn loaded_in(&self, air: &Air<'_>, state: &State) -> Loaded {
         let elastic = air.elastic;
         let boxes = air.boxes.moved(&elastic.lattice, state);
-        let stream = turned(&boxes.lattice, &air.to_stream());
-        let cp = self.aero.pressures_of(&air.incidence_of(&stream));
-        // The lattice takes the circulation as V cp chord/2 with the chord along the stream; pressures are by the box's own.
+        let turned_boxes = turned(&boxes.lattice, &air.to_wake());
+        let cp = self.aero.pressures_of(&air.incidence_of(&turned_boxes));
+        // The lattice takes the circulation as V cp chord/2 with the chord along the wake; pressures are by the box's own.
         let cp: Vec<f64> =
             cp.iter().enumerate().map(|(j, cp)| cp * self.chord_m[j] / air.own_chord_m(j)).collect();
         let box_loads = elastic.integration.corrected(&air.corrections).box_loads(air.q_pa, &cp);
-        let loads = air.directed(&stream, &box_loads);
+        let loads = air.directed(&turned_boxes, &box_loads);
         Loaded { cp, box_loads, loads, boxes }
     }
 
-    /// Boxes at a state, x along the stream.
-    pub(super) fn stream_boxes(&self, state: &State) -> Lattice {
+    /// Boxes at a state in the axes of the lattice.
+    pub(super) fn turned_boxes(&self, state: &State) -> Lattice {
         let air = &self.air;
-        turned(&air.boxes.moved(&air.elastic.lattice, state).lattice, &air.to_stream())
+        turned(&air.boxes.moved(&air.elastic.lattice, state).lattice, &air.to_wake())
     }
 
     /// The state that was solved.
@@ -140,29 +147,30 @@ impl Solved<'_> {
         &self.state
     }
 
-    /// Stream along the normals of boxes whose x runs along it, rad.
-    pub(super) fn incidence(&self, stream: &Lattice) -> Vec<f64> {
-        self.air.incidence_of(stream)
+    /// Stream along the normals of boxes in the axes of the lattice, rad.
+    pub(super) fn incidence(&self, boxes: &Lattice) -> Vec<f64> {
+        self.air.incidence_of(boxes)
     }
 
-    /// Force and moment (axes of the stream) of a unit pressure coefficient of the solved lattice, per unit dynamic pressure.
-    pub(super) fn unit_loads(&self, stream: &Lattice) -> Vec<[Vector3<f64>; 2]> {
+    /// Force and moment (axes of the lattice) of a unit pressure coefficient of the solved lattice, per unit dynamic pressure.
+    pub(super) fn unit_loads(&self, boxes: &Lattice) -> Vec<[Vector3<f64>; 2]> {
         let (integration, corrections) = (&self.air.elastic.integration, &self.air.corrections);
+        let stream = self.air.stream();
         let load = |(j, panel): (usize, &AeroBox)| {
-            let [force, moment] = directions(panel);
+            let [force, moment] = directions(panel, &stream);
             let arm = integration.moment_arm(j);
             let lift = integration.area(j) * self.chord_m[j] / (4.0 * arm);
             [force * (lift * corrections.force[j]), moment * (lift * arm * corrections.moment[j])]
         };
-        stream.boxes.iter().enumerate().map(load).collect()
+        boxes.boxes.iter().enumerate().map(load).collect()
     }
 
     /// Lift and moment of a solved state, turned and moved with the boxes to another, on the nodes.
     pub(super) fn same_loads_on_nodes(&self, loaded: &Loaded, state: &State) -> Vec<f64> {
         let air = &self.air;
         let boxes = air.boxes.moved(&air.elastic.lattice, state);
-        let stream = turned(&boxes.lattice, &air.to_stream());
-        air.boxes.to_nodes(&boxes, &air.directed(&stream, &loaded.box_loads))
+        let turned_boxes = turned(&boxes.lattice, &air.to_wake());
+        air.boxes.to_nodes(&boxes, &air.directed(&turned_boxes, &loaded.box_loads))
     }
 
     /// Forces of other air on the nodes at a state.
@@ -182,10 +190,10 @@ pub(super) fn chord(panel: &AeroBox) -> Vector3<f64> {
     ((c2 - c1) + (c3 - c4)).normalize()
 }
 
-/// Directions of a box's lift, on the stream (x) and the bound vortex, and of its nose-up moment.
-pub(super) fn directions(panel: &AeroBox) -> [Vector3<f64>; 2] {
+/// Directions of a box's lift, on the stream and the bound vortex, and of its nose-up moment.
+pub(super) fn directions(panel: &AeroBox, stream: &Vector3<f64>) -> [Vector3<f64>; 2] {
     let [from, to] = panel.bound_vortex();
-    let lift = Vector3::x().cross(&(to - from)).normalize();
+    let lift = stream.cross(&(to - from)).normalize();
     [lift, lift.cross(&chord(panel))]
 }
 

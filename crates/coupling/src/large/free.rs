@@ -12,6 +12,7 @@
 
 use super::air::{Air, Solved, Turning};
 use super::boxes::{CarriedBoxes, CarriedPart};
+use super::wake::Wake;
 use crate::error::CouplingError;
 use crate::wing::ElasticWing;
 use aero::{BoxLoads, Corrections, Flow, Lattice};
@@ -53,6 +54,8 @@ pub struct SteadyFlight {
     pub about: Point3<f64>,
     /// Incidence of the boxes by the control that balances the pitching moment, per rad; none if nothing balances it.
     pub control: Option<Vec<f64>>,
+    /// Where the wake goes.
+    pub wake: Wake,
 }
 
 /// The body in flight.
@@ -193,6 +196,7 @@ impl Flying<'_> {
             corrections: self.corrections.clone(),
             q_pa: self.flight.flow.dynamic_pressure_pa(),
             alpha_rad,
+            wake: self.flight.wake,
             incidence,
             turning: Turning {
                 per_m: Vector3::y() * (self.flight.pitch_rate_rad_s / self.flight.flow.v_m_s),

@@ -17,10 +17,12 @@ mod boxes;
 mod free;
 mod model;
 mod motion;
+mod wake;
 mod wing;
 
 pub use boxes::CarriedPart;
 pub use free::{FreeBody, FreeState, SteadyFlight};
 pub use model::LargeModel;
 pub use motion::{BentMotion, BentMotionError};
+pub use wake::Wake;
 pub use wing::{LargeState, LargeWing};

@@ -90,7 +90,7 @@ impl LargeWing {
         let solved = air.solved(&state.state).ok_or(stuck)?;
         let boxes = self.elastic.lattice.len();
         let mut motion = BentMotion {
-            lattice: along_the_stream(&solved.stream_boxes(&state.state), self.elastic.plane),
+            lattice: along_the_stream(&solved.turned_boxes(&state.state), self.elastic.plane),
             incidence: Mat::zeros(boxes, count),
             heave: Mat::zeros(boxes, count),
             work: Mat::zeros(count, boxes),
@@ -158,12 +158,12 @@ impl BentMotion {
         sides: &[State; 2],
         step: f64,
     ) {
-        let boxes = sides.each_ref().map(|side| solved.stream_boxes(side));
+        let boxes = sides.each_ref().map(|side| solved.turned_boxes(side));
         let w = boxes.each_ref().map(|lattice| solved.incidence(lattice));
         let rise = |j: usize, of: &dyn Fn(&AeroBox) -> Point3<f64>| {
             (of(&boxes[0].boxes[j]) - of(&boxes[1].boxes[j])) / (2.0 * step)
         };
-        let now = solved.stream_boxes(solved.state());
+        let now = solved.turned_boxes(solved.state());
         let unit = solved.unit_loads(&now);
         for (j, [force, moment]) in unit.iter().enumerate() {
             self.incidence[(j, mode)] = (w[0][j] - w[1][j]) / (2.0 * step);

@@ -2,6 +2,7 @@
 
 use super::air::{Air, Loaded, Turning};
 use super::boxes::CarriedBoxes;
+use super::wake::Wake;
 use crate::case::SteadyCase;
 use crate::error::CouplingError;
 use crate::root_loads::RootLoads;
@@ -168,6 +169,7 @@ impl LargeWing {
             corrections: Corrections::neutral(self.elastic.lattice.len()),
             q_pa: 0.0,
             alpha_rad: 0.0,
+            wake: Wake::Stream,
             incidence: vec![0.0; self.elastic.lattice.len()],
             turning: Turning::none(),
         };
@@ -204,6 +206,7 @@ impl LargeWing {
             corrections: self.elastic.padded(corrections)?,
             q_pa: case.flow.dynamic_pressure_pa(),
             alpha_rad: case.alpha_rad,
+            wake: Wake::Stream,
             incidence: self.incidence(case),
             turning: Turning::none(),
         })

@@ -2,7 +2,8 @@
 //!
 //! Loads act at the places of now, lift stands on the stream and on the bound vortices, weight and inertia are those of the bent
 //! aircraft. Angle of attack and elevator are found with the shape. What is left out with small deflections
-//! (drag, suction, centrifugal forces) is left out here.
+//! (drag, suction, centrifugal forces) is left out here, and the wake leaves along the fuselage, as there: a wake along the stream
+//! passes the tail within millimetres at some angles, where one that is made of single vortices gives it an incidence by chance.
 
 use crate::aircraft::assembly::{Aircraft, WingPlaces};
 use crate::aircraft::file::{FlightPoint, Surfaces};
@@ -10,7 +11,7 @@ use crate::error::AircraftError;
 use crate::stations::places::Station;
 use crate::trim::model::FlightModel;
 use crate::trim::variables::incidence_of_control;
-use coupling::{FreeBody, FreeState, RootLoads, SteadyFlight};
+use coupling::{FreeBody, FreeState, RootLoads, SteadyFlight, Wake};
 use nalgebra::Point3;
 use nastran::{Span, Spc1};
 use structure::Model;
@@ -20,6 +21,7 @@ use structure::Model;
 pub struct LargeAircraft<'a> {
     aircraft: &'a Aircraft,
     body: FreeBody<'a>,
+    wake: Wake,
 }
 
 /// The bent aircraft in balanced flight.
@@ -63,11 +65,18 @@ impl Aircraft {
         Ok(LargeAircraft {
             aircraft: self,
             body: FreeBody::new(&self.flow, &model, self.centre, &self.carried)?,
+            wake: Wake::Body,
         })
     }
 }
 
 impl LargeAircraft<'_> {
+    /// The same with another wake than along the fuselage.
+    #[must_use]
+    pub fn with_wake(self, wake: Wake) -> Self {
+        Self { wake, ..self }
+    }
+
     /// Balanced flight of a model of this aircraft at a point.
     ///
     /// # Errors
@@ -82,6 +91,7 @@ impl LargeAircraft<'_> {
             pitch_rate_rad_s: point.pitch_rate_deg_s.to_radians(),
             about: Point3::new(aircraft.file.total.x_cg_m, 0.0, 0.0),
             control: if whole { elevator() } else { None },
+            wake: self.wake,
         };
         let found = self.body.fly(&flight, &model.corrections)?;
         let chord_m = aircraft.flow.correctable.mean_chord_m();

@@ -6,7 +6,7 @@
 
 use super::bent::{BentFlutterError, BentPoint};
 use aero::{Corrections, Flow};
-use coupling::{CouplingError, LargeWing, SteadyCase};
+use coupling::{CouplingError, LargeState, LargeWing, SteadyCase};
 use faer::{Mat, c64};
 use std::f64::consts::TAU;
 
@@ -103,6 +103,20 @@ impl BentFlutter<'_> {
         Ok(sweep)
     }
 
+    /// A case by itself about an equilibrium that was found elsewhere, with its corrections (one entry for each correctable box);
+    /// roots in the order of natural frequencies.
+    ///
+    /// # Errors
+    /// If modes, the lattice or the roots cannot be found.
+    pub fn about(
+        &self,
+        case: &SteadyCase,
+        corrections: &Corrections,
+        state: LargeState,
+    ) -> Result<BentPoint, BentFlutterError> {
+        BentPoint::new(self.wing, case, corrections, state, (self.modes, self.damping_ratio))
+    }
+
     /// An airspeed by itself, its equilibrium continued from another's.
     fn point(
         &self,
@@ -116,7 +130,7 @@ impl BentFlutter<'_> {
             None => self.wing.solve(std::slice::from_ref(&case), &corrections)?.remove(0),
             Some(known) => self.wing.continued_from(&known.state, &known.case, &case, &corrections)?,
         };
-        BentPoint::new(self.wing, &case, &corrections, state, (self.modes, self.damping_ratio))
+        self.about(&case, &corrections, state)
     }
 
     /// An airspeed with its modes and roots in the order of the one before it; `earlier` tells where roots are going.

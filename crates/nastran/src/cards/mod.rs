@@ -5,6 +5,7 @@
 //! card names; [`crate::geometry`] resolves them to the basic system.
 
 mod beam;
+mod beam_load;
 mod beam_property;
 mod bush;
 mod conrod;
@@ -37,6 +38,7 @@ mod system;
 mod trim;
 
 pub use beam::{BeamElement, Offt, Orientation};
+pub use beam_load::BeamLoad;
 pub use beam_property::{BeamProperty, BeamStation};
 pub use bush::{BushAxes, Cbush, Pbush};
 pub use conrod::Conrod;

@@ -3,6 +3,7 @@
 use super::build::{Builder, found};
 use super::registry::ElementCard;
 use crate::beam::{Beam, BeamPlacement};
+use crate::beam_load::BeamParts;
 use crate::cell_shape::CellShape;
 use crate::corotation::Corotation;
 use crate::element::Element;
@@ -16,32 +17,41 @@ use nastran::{
 };
 use std::sync::Arc;
 
+/// What a bar or beam is made of.
+///
+/// # Errors
+/// If something that it names is not there, or its axes are not determined.
+pub(super) fn beam_parts<'a>(card: &BeamElement, builder: &Builder<'a>) -> Result<BeamParts<'a>, InputError> {
+    let bulk = builder.bulk;
+    let user = format!("{} {}", if card.is_beam { "CBEAM" } else { "CBAR" }, card.id);
+    let nodes = builder.ends(card.grids, &user, &card.span)?;
+    let kind = if card.is_beam { "PBEAM" } else { "PBAR" };
+    let property = found(&bulk.beam_properties, card.property, &user, kind, &card.span)?;
+    let owner = format!("{} {}", if property.is_beam { "PBEAM" } else { "PBAR" }, property.id);
+    let material = found(&bulk.materials, property.material, &owner, "MAT1", &property.span)?;
+    let grids = nodes.map(|node| builder.nodes[node].point);
+    let orientation = match &card.orientation {
+        Orientation::Vector(vector) if card.offt.is_basic => *vector,
+        other => builder.orientation(other, nodes[0], &user, &card.span)?,
+    };
+    // Element axes of offset vectors go from grid to grid.
+    let local = springs::line_axes(&(grids[1] - grids[0]), Some(&orientation));
+    let mut offsets = [Vector3::zeros(); 2];
+    for (end, offset) in offsets.iter_mut().enumerate() {
+        let axes = if card.offt.is_element[end] {
+            local.ok_or_else(|| no_axes(&user, &card.span))?
+        } else {
+            builder.nodes[nodes[end]].axes
+        };
+        *offset = axes * card.offsets[end];
+    }
+    let placement = BeamPlacement { grids, offsets, orientation, pins: card.pins.clone() };
+    Ok(BeamParts { nodes, placement, property, material })
+}
+
 impl ElementCard for BeamElement {
     fn element(&self, builder: &mut Builder) -> Result<Arc<dyn Element>, InputError> {
-        let bulk = builder.bulk;
-        let user = format!("{} {}", if self.is_beam { "CBEAM" } else { "CBAR" }, self.id);
-        let nodes = builder.ends(self.grids, &user, &self.span)?;
-        let kind = if self.is_beam { "PBEAM" } else { "PBAR" };
-        let property = found(&bulk.beam_properties, self.property, &user, kind, &self.span)?;
-        let owner = format!("{} {}", if property.is_beam { "PBEAM" } else { "PBAR" }, property.id);
-        let material = found(&bulk.materials, property.material, &owner, "MAT1", &property.span)?;
-        let grids = nodes.map(|node| builder.nodes[node].point);
-        let orientation = match &self.orientation {
-            Orientation::Vector(vector) if self.offt.is_basic => *vector,
-            other => builder.orientation(other, nodes[0], &user, &self.span)?,
-        };
-        // Element axes of offset vectors go from grid to grid.
-        let local = springs::line_axes(&(grids[1] - grids[0]), Some(&orientation));
-        let mut offsets = [Vector3::zeros(); 2];
-        for (end, offset) in offsets.iter_mut().enumerate() {
-            let axes = if self.offt.is_element[end] {
-                local.ok_or_else(|| no_axes(&user, &self.span))?
-            } else {
-                builder.nodes[nodes[end]].axes
-            };
-            *offset = axes * self.offsets[end];
-        }
-        let placement = BeamPlacement { grids, offsets, orientation, pins: self.pins.clone() };
+        let BeamParts { nodes, placement, property, material } = beam_parts(self, builder)?;
         Ok(Arc::new(Beam::new(self.id, nodes, &placement, property, material, &self.span)?))
     }
 

@@ -1,19 +1,21 @@
 //! Load sets of a deck as loads on the nodes of its model.
 
-use super::build::Builder;
+use super::build::{Builder, found};
+use super::elements::beam_parts;
+use crate::beam_load::on_grids;
 use crate::laminate::ShearModel;
 use crate::nonlinear::{Following, Loads, NodeLoad};
 use nalgebra::Vector3;
 use nastran::{
-    BulkData, CrossLoad, Gravity, InputError, LineLoad, LoadSum, PointLoad, Pressed, Pressure, SolidElement,
-    Span, Unread,
+    BeamLoad, BulkData, CrossLoad, Gravity, InputError, LineLoad, LoadSum, PointLoad, Pressed, Pressure,
+    SolidElement, Span, Unread,
 };
 use std::collections::BTreeSet;
 
 /// Loads that are not read, and would be missing if a set had some.
 const UNREAD: &[&str] = &[
-    "PLOAD1", "PLOADX1", "RFORCE", "ACCEL", "ACCEL1", "SLOAD", "SPCD", "DEFORM", "TEMP", "TEMPD", "TEMPP1",
-    "TEMPRB", "CLOAD",
+    "PLOADX1", "RFORCE", "ACCEL", "ACCEL1", "SLOAD", "SPCD", "DEFORM", "TEMP", "TEMPD", "TEMPP1", "TEMPRB",
+    "CLOAD",
 ];
 
 /// Sine of an angle that is round-off of places.
@@ -25,14 +27,15 @@ pub fn load_sets(bulk: &BulkData) -> Vec<u32> {
     let points = bulk.point_loads.iter().map(|load| load.set);
     let lines = bulk.line_loads.iter().map(|load| load.set);
     let across = bulk.cross_loads.iter().map(|load| load.set);
+    let beams = bulk.beam_loads.iter().map(|load| load.set);
     let pressures = bulk.pressures.iter().map(|load| load.set);
     let weights = bulk.gravities.iter().map(|load| load.set);
     let all: BTreeSet<u32> =
-        sums.chain(points).chain(lines).chain(across).chain(pressures).chain(weights).collect();
+        sums.chain(points).chain(lines).chain(across).chain(beams).chain(pressures).chain(weights).collect();
     all.into_iter().collect()
 }
 
-/// The loads of a set: LOAD sums up others. FORCE, MOMENT and GRAV keep their direction, FORCE1, MOMENT1, FORCE2, MOMENT2
+/// The loads of a set: LOAD sums up others. FORCE, MOMENT, PLOAD1 and GRAV keep their direction, FORCE1, MOMENT1, FORCE2, MOMENT2
 /// and pressures follow the structure.
 ///
 /// # Errors
@@ -46,7 +49,7 @@ pub fn loads_of(bulk: &BulkData, set: u32) -> Result<Loads, InputError> {
     let mut unread = bulk.unknown.iter().filter(|(name, _)| UNREAD.contains(&name.as_str()));
     if let Some((name, unread)) = unread.find(|(_, unread)| is_meant(unread)) {
         let message = format!("{name} is a load that is not read: leaving it out would change the loads");
-        let help = "give it as FORCE, MOMENT, FORCE1, FORCE2, PLOAD, PLOAD2, PLOAD4 or GRAV, or take it out of the deck";
+        let help = "give it as FORCE, MOMENT, FORCE1, FORCE2, PLOAD, PLOAD1, PLOAD2, PLOAD4 or GRAV, or take it out of the deck";
         return Err(InputError::at(&unread.first, message).with_help(help));
     }
     let builder = Builder::new(bulk, ShearModel::Equilibrium)?;
@@ -72,6 +75,9 @@ fn single(builder: &Builder, set: u32, asked: Option<&Span>) -> Result<Loads, In
     }
     for load in bulk.cross_loads.iter().filter(|load| load.set == set) {
         loads.following.push(across(builder, load)?);
+    }
+    for load in bulk.beam_loads.iter().filter(|load| load.set == set) {
+        loads.dead.extend(along(builder, load)?);
     }
     for load in bulk.pressures.iter().filter(|load| load.set == set) {
         pressure(builder, load, &mut loads.following)?;
@@ -128,6 +134,15 @@ fn across(builder: &Builder, load: &CrossLoad) -> Result<Following, InputError> 
         return Err(InputError::at(&load.span, message).with_help("its direction is normal to both lines"));
     }
     Ok(Following::Across { node, lines, size: load.size, is_moment: load.is_moment })
+}
+
+/// A load along a beam, on its two grids.
+fn along(builder: &Builder, load: &BeamLoad) -> Result<[NodeLoad; 2], InputError> {
+    let user = format!("PLOAD1 of set {}", load.set);
+    let card = found(&builder.bulk.beams, load.element, &user, "CBAR or CBEAM", &load.span)?;
+    let parts = beam_parts(card, builder)?;
+    let ends = on_grids(&parts, load)?;
+    Ok([0, 1].map(|end| NodeLoad { node: parts.nodes[end], force: ends[end][0], moment: ends[end][1] }))
 }
 
 fn pressure(builder: &Builder, load: &Pressure, into: &mut Vec<Following>) -> Result<(), InputError> {

@@ -1,6 +1,7 @@
-//! The Pazy wing without its skin as the equivalent beam of Riso and Cesnik (data/pazy/README.md), node 16 at the tip.
+//! The Pazy wing with and without its skin as the equivalent beam of Riso and Cesnik (data/pazy/README.md), node 16 at the tip.
 
 #![expect(clippy::expect_used, unreachable_pub, reason = "helpers of the tests in this folder")]
+#![allow(dead_code, reason = "not every test file uses every helper")]
 
 use nalgebra::{DMatrix, Matrix3, Matrix4, Matrix6, Point3, SMatrix, Vector3};
 use nastran::Span;
@@ -12,8 +13,13 @@ pub const CHORD_M: f64 = 0.1;
 /// Of the reference axis behind the leading edge.
 pub const AXIS_M: f64 = 0.0441;
 
-fn table() -> Vec<Vec<f64>> {
-    let path = format!("{}/../../data/pazy/beam_without_skin.csv", env!("CARGO_MANIFEST_DIR"));
+/// A row a station as in the tables of data/pazy: place along the axis, stiffness to the next station, mass, centre, inertia.
+pub type Station = Vec<f64>;
+
+/// The wing's stations.
+pub fn stations(with_skin: bool) -> Vec<Station> {
+    let name = if with_skin { "beam_with_skin" } else { "beam_without_skin" };
+    let path = format!("{}/../../data/pazy/{name}.csv", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(path).expect("the table");
     let rows = text.lines().filter(|line| !line.starts_with(['#', 'y']));
     rows.map(|row| row.split(',').map(|cell| cell.parse().expect("a number")).collect()).collect()
@@ -43,14 +49,28 @@ fn stiffness(section: &Matrix4<f64>, length: f64) -> DMatrix<f64> {
     DMatrix::from_fn(12, 12, |i, j| 0.5 * (k[(i, j)] + k[(j, i)]))
 }
 
-/// The beam, clamped at the wall; with a place for a weight behind the trailing edge of the tip, node 17 is there on a stiff rod.
-pub fn beam(weight_aft_of_edge_m: Option<f64>) -> Model {
-    let rows = table();
-    // Rows of the local axes: along the span, to the leading edge, up.
-    let axes = Matrix3::new(0.0, 1.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 1.0);
+/// The wing with or without skin, clamped at the wall; with a place for a weight behind the trailing edge of the tip, node 17 is there on a
+/// stiff rod.
+pub fn beam(with_skin: bool, weight_aft_of_edge_m: Option<f64>) -> Model {
+    let rows = stations(with_skin);
+    let mut model = swept(&rows, AXIS_M, 0.0);
+    if let Some(arm) = weight_aft_of_edge_m {
+        let point = Point3::new(CHORD_M + arm, rows[15][0], 0.0);
+        model.nodes.push(node(16, &point));
+        model.elements.push(rod(1000, point.x - AXIS_M));
+    }
+    model
+}
+
+/// A beam of stations, its axis from x = `root_x_m` at the wall, turned aft in its plane.
+pub fn swept(rows: &[Station], root_x_m: f64, sweep_rad: f64) -> Model {
+    let (sin, cos) = sweep_rad.sin_cos();
+    // Rows of the local axes: along the axis, to the leading edge, up.
+    let axes = Matrix3::new(sin, cos, 0.0, -cos, sin, 0.0, 0.0, 0.0, 1.0);
     let turn = DMatrix::from_fn(12, 12, |i, j| if i / 3 == j / 3 { axes[(i % 3, j % 3)] } else { 0.0 });
-    let mut points: Vec<Point3<f64>> = rows.iter().map(|row| Point3::new(AXIS_M, row[0], 0.0)).collect();
-    points.extend(weight_aft_of_edge_m.map(|arm| Point3::new(CHORD_M + arm, points[15].y, 0.0)));
+    // Masses have x aft, y along the axis, z up.
+    let masses = Matrix3::new(cos, sin, 0.0, -sin, cos, 0.0, 0.0, 0.0, 1.0);
+    let place = |row: &Station| Point3::new(root_x_m + sin * row[0], cos * row[0], 0.0);
     let mut elements: Vec<Arc<dyn Element>> = Vec::new();
     let mut id = 0;
     for (at, pair) in rows.windows(2).enumerate() {
@@ -65,22 +85,19 @@ pub fn beam(weight_aft_of_edge_m: Option<f64>) -> Model {
     }
     for (at, row) in rows.iter().enumerate() {
         id += 1;
-        let arm = Vector3::new(row[12], row[13], row[14]);
+        let arm = masses * Vector3::new(row[12], row[13], row[14]);
         let inertia = Matrix3::from_diagonal(&Vector3::new(row[15], row[16], row[17]));
-        elements.push(Arc::new(PointMass::new(id, at, row[11], &arm, &inertia)));
+        elements.push(Arc::new(PointMass::new(
+            id,
+            at,
+            row[11],
+            &arm,
+            &(masses * inertia * masses.transpose()),
+        )));
     }
-    if weight_aft_of_edge_m.is_some() {
-        elements.push(rod(id + 1, points[16].x - points[15].x));
-    }
-    let node = |(at, point): (usize, &Point3<f64>)| Node {
-        id: u32::try_from(at + 1).expect("a small number"),
-        point: *point,
-        axes: Matrix3::identity(),
-        is_scalar: false,
-    };
     let span = Span::new(&Arc::new("beam".into()), 1, 1, 1);
     Model {
-        nodes: points.iter().enumerate().map(node).collect(),
+        nodes: rows.iter().enumerate().map(|(at, row)| node(at, &place(row))).collect(),
         elements,
         dependents: Vec::new(),
         ties: Vec::new(),
@@ -89,6 +106,11 @@ pub fn beam(weight_aft_of_edge_m: Option<f64>) -> Model {
         mass_form: MassForm::Consistent,
         holds_loose: false,
     }
+}
+
+fn node(at: usize, point: &Point3<f64>) -> Node {
+    let id = u32::try_from(at + 1).expect("a small number");
+    Node { id, point: *point, axes: Matrix3::identity(), is_scalar: false }
 }
 
 /// Stiff beyond all else, along x from the tip.

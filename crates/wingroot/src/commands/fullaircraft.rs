@@ -3,7 +3,10 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use fullaircraft::{Aircraft, AircraftError, Comparison, Derivatives, ModelNumbers, Summary};
+use coupling::Geometry;
+use fullaircraft::{
+    Aircraft, AircraftError, BentNumbers, Comparison, Derivatives, LargeFlight, ModelNumbers, Summary,
+};
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::Value;
@@ -38,6 +41,9 @@ pub(crate) struct FullaircraftResult {
     pub(crate) summary: Summary,
     /// What is not certain of the updated model; null without an ensemble of wings beside the corrections.
     pub(crate) intervals_90: Option<Intervals>,
+    /// Steady flight with large deflections beside small ones, of the wing without an interval; absent if deflections are small.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) large_deflections: Option<LargeFlight>,
 }
 
 /// What intervals are of.
@@ -64,6 +70,8 @@ pub(crate) fn run(args: &FullaircraftArgs, common: &Common) -> Result<(), Failur
         show::note(remark);
     }
     let comparison = effects.compare(&aircraft, &corrections)?;
+    let is_large = args.nonlinear || wing.file.geometry == Geometry::Nonlinear;
+    let large = is_large.then(|| aircraft.large_flight(&corrections, &comparison)).transpose()?;
     let members = wing.with_each(|member| {
         let Assembled { aircraft, corrections, effects } =
             assembled(aircraft.file.clone(), member, &Shared::default())?;
@@ -76,6 +84,7 @@ pub(crate) fn run(args: &FullaircraftArgs, common: &Common) -> Result<(), Failur
         intervals_90: wing
             .intervals_from()
             .map(|from| Intervals { from, of_updated: intervals(&updated, &members) }),
+        large_deflections: large,
         summary: comparison.summary(&aircraft, start.elapsed().as_secs_f64()),
     };
     let folder = ResultFolder::begin(&common.out(args.results()))?;
@@ -88,8 +97,9 @@ pub(crate) fn run(args: &FullaircraftArgs, common: &Common) -> Result<(), Failur
         }
     }
     let text = format!(
-        "{}\n{}\ncorrections at {correction_airspeed_m_s} m/s: {}\n{boxes} boxes, {seconds:.2} s; results in {}\n",
+        "{}\n{}{}\ncorrections at {correction_airspeed_m_s} m/s: {}\n{boxes} boxes, {seconds:.2} s; results in {}\n",
         table(&summary)?,
+        summary.large_deflections.as_ref().map_or_else(String::new, large_table),
         derivatives::table(derivatives),
         wing.origin,
         out.display()
@@ -173,6 +183,34 @@ fn table(result: &FullaircraftResult) -> Result<report::Table, Failure> {
         table.row(cells);
     }
     Ok(table)
+}
+
+/// Steady flight in both geometries, for the console.
+fn large_table(flight: &LargeFlight) -> String {
+    let mut table = report::Table::new(&[
+        "large deflections (linear)",
+        "alpha (deg)",
+        "elevator (deg)",
+        "tip (m)",
+        "spread (m)",
+        "right root Mx (N m)",
+    ]);
+    for (model, points) in [("initial", &flight.initial), ("updated", &flight.updated)] {
+        for point in points {
+            let cell = |of: &dyn Fn(&BentNumbers) -> f64, digits: usize| {
+                format!("{:.digits$} ({:.digits$})", of(&point.large), of(&point.linear))
+            };
+            table.row(vec![
+                format!("{model}, {}, n = {}", point.name.replace('_', "-"), point.load_factor),
+                cell(&|numbers| numbers.alpha_deg, 2),
+                cell(&|numbers| numbers.elevator_deg, 2),
+                cell(&|numbers| numbers.tip_deflection_m, 3),
+                cell(&|numbers| numbers.spread_m, 3),
+                cell(&|numbers| numbers.right_root_mx_nm, 2),
+            ]);
+        }
+    }
+    format!("{table}\n")
 }
 
 /// A maneuver's name for the table; steady points with airspeed and load factor.

@@ -20,6 +20,7 @@ use crate::sweep::SweepArgs;
 #[derive(Debug, Clone, Default, Args)]
 #[command(after_help = "Examples:
   wingroot fullaircraft
+  wingroot fullaircraft --nonlinear
   wingroot fullaircraft --cases data/tuflex/cases.ron
   wingroot fullaircraft --deck data/published/decks/ha144a_fsw.bdf
 
@@ -42,6 +43,9 @@ pub struct FullaircraftArgs {
     /// The trims of a whole-aircraft Nastran deck (SOL 144) instead of the aircraft
     #[arg(long, value_name = "FILE.bdf", conflicts_with_all = ["cases", "aircraft", "wing", "campaign", "corrections"])]
     pub(crate) deck: Option<PathBuf>,
+    /// Trim, pull-up and push-down of the aircraft that really bends, too [default: as the wing's `geometry` says]
+    #[arg(long, conflicts_with_all = ["cases", "deck"])]
+    pub(crate) nonlinear: bool,
 }
 
 impl FullaircraftArgs {

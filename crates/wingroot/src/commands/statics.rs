@@ -31,7 +31,7 @@ use crate::structures::Structure;
   wingroot statics --deck my_wing.bdf --load 20 --nonlinear --steps 20
   wingroot statics --wing my_wing/wing.ron --airspeeds 20,30,40 --alpha 5 --nonlinear")]
 pub struct StaticsArgs {
-    /// A Nastran deck with its loads (FORCE, MOMENT, FORCE1, MOMENT1, FORCE2, MOMENT2, PLOAD, PLOAD2, PLOAD4, GRAV, LOAD)
+    /// A Nastran deck with its loads (FORCE, MOMENT, FORCE1, MOMENT1, FORCE2, MOMENT2, PLOAD, PLOAD1, PLOAD2, PLOAD4, GRAV, LOAD)
     #[arg(long, value_name = "FILE", required_unless_present = "wing")]
     pub(crate) deck: Option<PathBuf>,
     /// A wing in steady air

@@ -90,7 +90,7 @@ fn alone(bulk: &BulkData) -> Result<Option<u32>, InputError> {
         ([set], _) | (_, [set]) => Ok(Some(*set)),
         ([], _) if bulk.constraints.iter().any(|card| card.enforced != 0.0) => Ok(None),
         ([], _) => Err(InputError::general("the deck has no loads").with_help(
-            "FORCE, MOMENT, FORCE1, MOMENT1, FORCE2, MOMENT2, PLOAD, PLOAD2, PLOAD4, GRAV, LOAD and motions enforced by SPC are read",
+            "FORCE, MOMENT, FORCE1, MOMENT1, FORCE2, MOMENT2, PLOAD, PLOAD1, PLOAD2, PLOAD4, GRAV, LOAD and motions enforced by SPC are read",
         )),
         _ => {
             let list: Vec<String> = all.iter().map(u32::to_string).collect();

@@ -43,6 +43,9 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
     shapes.extend(taken(plates, "push_down"));
     let mut sections = vec![figures("Deformed shapes", shapes)];
     sections.push(Section::new("Steady flight", vec![Block::Table(steady(result))]));
+    if result.get("large_deflections").is_some() {
+        sections.push(Section::new("Large deflections", vec![Block::Table(bent(result))]));
+    }
     sections.push(figures("Maneuvers and gust in time", std::mem::take(plates)));
     sections.push(Section::new("Peaks", vec![Block::Table(peaks(result))]));
     if result.get("derivatives").is_some() {
@@ -67,6 +70,32 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
         sections,
         ..Page::default()
     }
+}
+
+/// Steady flight of the aircraft that bends, small deflections beside it.
+fn bent(result: &Value) -> PageTable {
+    let columns = [
+        ("alpha_deg", "alpha (deg)"),
+        ("elevator_deg", "elevator (deg)"),
+        ("tip_deflection_m", "tip (m)"),
+        ("spread_m", "tip to tip (m)"),
+        ("right_root_Mx_Nm", "right root Mx (N m)"),
+    ];
+    let mut head = vec!["model", "state", "load factor"];
+    head.extend(columns.iter().flat_map(|(_, words)| [*words, "small deflections"]));
+    let mut table =
+        PageTable::new("Loads act at the places of the bent aircraft; the time histories are linear.", &head);
+    for model in ["initial", "updated"] {
+        for point in list(result, &format!("large_deflections/{model}")) {
+            let name = text(point, "name").replace('_', "-");
+            let mut row = vec![model.to_owned(), name, short_at(point, "load_factor")];
+            for (key, _) in columns {
+                row.extend(["large", "linear"].map(|which| short_at(point, &format!("{which}/{key}"))));
+            }
+            table.row(row);
+        }
+    }
+    table
 }
 
 fn steady(result: &Value) -> PageTable {
