@@ -38,6 +38,20 @@ impl Fingerprint {
         }
     }
 
+    /// Another of bytes, eight at a step: several times as fast, for what is long and read often.
+    #[must_use]
+    pub fn of_words(bytes: &[u8]) -> Self {
+        let (words, rest) = bytes.as_chunks::<8>();
+        let mut last = [0; 8];
+        last[..rest.len()].copy_from_slice(rest);
+        // each step is a bijection, and turning brings high bits down, which multiplication alone does not
+        let step = |hash: u64, word: &[u8; 8]| {
+            (hash.rotate_left(29) ^ u64::from_le_bytes(*word)).wrapping_mul(PRIME)
+        };
+        let hash = words.iter().chain([&last, &(bytes.len() as u64).to_le_bytes()]).fold(OFFSET_BASIS, step);
+        Self(hash)
+    }
+
     /// That of 16 hexadecimal digits as they are shown.
     pub fn of_text(digits: &str) -> Option<Self> {
         (digits.len() == 16).then(|| u64::from_str_radix(digits, 16).ok().map(Self))?

@@ -1,11 +1,11 @@
 //! Where the finished cases of a store stand: 48 bytes a case in memory, whatever its result takes.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
 use super::inputs::Inputs;
-use super::segment::{Place, Segment, Told, paths, record_at};
+use super::segment::{Place, Record, Segment, Told, paths, record_at};
 use crate::fingerprint::Fingerprint;
 
 /// Segments that are kept open for reading.
@@ -37,13 +37,16 @@ pub(super) struct Index {
     places: HashMap<Fingerprint, (u32, Place)>,
     segments: Vec<PathBuf>,
     open: HashMap<u32, File>,
+    /// Cases whose results were read and are whole.
+    whole: HashSet<Fingerprint>,
     foreign: Vec<Foreign>,
     damaged: usize,
     contradicted: BTreeSet<String>,
 }
 
 impl Index {
-    /// Reads all segments of a folder once; of a case that is there twice the first counts, in the order of the segments' names.
+    /// Reads what all segments of a folder tell, once, without results; of a case that is there twice the first counts, in the order of the
+    /// segments' names.
     pub(super) fn read_all(folder: &Path, inputs: &Inputs) -> Self {
         let mut index = Self::default();
         for path in paths(folder) {
@@ -57,15 +60,12 @@ impl Index {
                 continue;
             }
             index.add_segment(&path);
-            index.damaged += segment.records(|record| {
-                if index
-                    .places
-                    .get(&record.hash)
-                    .is_some_and(|(_, known)| known.result != record.place.result)
-                {
-                    index.contradicted.insert(record.told.part);
+            index.damaged += segment.entries(|entry| {
+                let known = index.places.get(&entry.hash);
+                if known.is_some_and(|(_, known)| known.result != entry.place.result) {
+                    index.contradicted.insert(entry.told.part);
                 }
-                index.add(record.hash, record.place);
+                index.add(entry.hash, entry.place);
             });
         }
         index
@@ -82,9 +82,9 @@ impl Index {
         self.places.entry(hash).or_insert((segment, place));
     }
 
-    /// Whether a case is there.
-    pub(super) fn has(&self, hash: Fingerprint) -> bool {
-        self.places.contains_key(&hash)
+    /// Whether a case is there and whole.
+    pub(super) fn has(&mut self, hash: Fingerprint) -> bool {
+        self.whole.contains(&hash) || self.read(hash).is_some()
     }
 
     /// All hashes, sorted.
@@ -94,17 +94,45 @@ impl Index {
         all
     }
 
-    /// What was told of a case, and its result.
+    /// What was told of a case, and its result. One that is damaged is not there, unless another process finished it, too.
     pub(super) fn read(&mut self, hash: Fingerprint) -> Option<(Told, String)> {
-        let &(segment, place) = self.places.get(&hash)?;
+        while let Some(&(segment, place)) = self.places.get(&hash) {
+            if let Some(record) = self.record(segment, place).filter(|record| record.hash == hash) {
+                self.whole.insert(hash);
+                return Some((record.told, record.text));
+            }
+            self.damaged += 1;
+            self.places.remove(&hash);
+            self.add_next(hash, (segment, place.first_byte));
+        }
+        None
+    }
+
+    fn record(&mut self, segment: u32, place: Place) -> Option<Record> {
         if !self.open.contains_key(&segment) {
             if self.open.len() >= MOST_OPEN {
                 self.open.clear();
             }
             self.open.insert(segment, File::open(self.segments.get(segment as usize)?).ok()?);
         }
-        let record = record_at(self.open.get(&segment)?, place)?;
-        (record.hash == hash).then_some((record.told, record.text))
+        record_at(self.open.get(&segment)?, place)
+    }
+
+    /// Adds the next record of a case behind one that is damaged.
+    fn add_next(&mut self, hash: Fingerprint, damaged: (u32, u64)) {
+        for (number, path) in (0..).zip(&self.segments).skip(damaged.0 as usize) {
+            let Some((_, segment)) = Segment::open(path) else { continue };
+            let mut found = None;
+            segment.entries(|entry| {
+                if entry.hash == hash && (number, entry.place.first_byte) > damaged {
+                    found.get_or_insert(entry.place);
+                }
+            });
+            if let Some(place) = found {
+                self.places.insert(hash, (number, place));
+                return;
+            }
+        }
     }
 
     /// What was found beside results.

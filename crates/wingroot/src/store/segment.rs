@@ -2,10 +2,11 @@
 //! holds neither tabs nor ends of lines, so that a line that was cut or damaged costs no other.
 //!
 //! ```text
-//! wingroot-segment 1 TAB sum TAB inputs                   sum: of the inputs
-//! sum TAB hash TAB sum of result TAB bytes TAB told TAB result      sum: of all that follows; bytes: of told TAB result
+//! wingroot-segment 2 TAB sum TAB inputs                   sum: of the inputs
+//! sum TAB hash TAB sum of result TAB bytes TAB told TAB result      sum: of all behind it but the result; bytes: of told TAB result
 //! ```
-//! Sums are [`Fingerprint`]s: multiplication by an odd number is a bijection, so no single changed byte keeps one.
+//! Sums are [`Fingerprint`]s by words: every step is a bijection, so no single changed byte keeps one. Which cases are there is read
+//! without their results, which may be long: a part reads those of its own share, and not the whole sweep's.
 
 use std::fs::{File, OpenOptions};
 use std::hash::{BuildHasher, Hasher};
@@ -21,7 +22,7 @@ use crate::fingerprint::Fingerprint;
 /// Ending of segments.
 const ENDING: &str = "segment";
 /// What a segment begins with.
-const HEAD: &str = "wingroot-segment 1";
+const HEAD: &str = "wingroot-segment 2";
 /// How often what was written is sent to the disk: what a machine that fails may cost.
 const SYNC_EVERY: Duration = Duration::from_secs(1);
 
@@ -50,7 +51,6 @@ pub(super) struct Place {
 /// A record that was read whole.
 pub(super) struct Record {
     pub(super) hash: Fingerprint,
-    pub(super) place: Place,
     pub(super) told: Told,
     pub(super) text: String,
 }
@@ -64,14 +64,30 @@ pub(super) fn paths(folder: &Path) -> Vec<PathBuf> {
     all
 }
 
+/// What is read of a record without its result.
+pub(super) struct Entry {
+    pub(super) hash: Fingerprint,
+    pub(super) place: Place,
+    pub(super) told: Told,
+}
+
 fn sum(bytes: &[u8]) -> String {
-    Fingerprint::default().with(bytes).to_string()
+    Fingerprint::of_words(bytes).to_string()
 }
 
 /// A segment open for reading, after its head.
 pub(super) struct Segment {
     lines: BufReader<File>,
     first_byte: u64,
+}
+
+/// What stands at a place of a segment.
+enum Next {
+    Entry(Entry),
+    /// No record, or one whose end is not where it says.
+    Damaged,
+    /// Nothing more, or a last line that is still being written.
+    End,
 }
 
 impl Segment {
@@ -88,41 +104,97 @@ impl Segment {
         Some((serde_json::from_str(inputs).ok()?, Self { lines, first_byte: bytes as u64 }))
     }
 
-    /// Hands over all records that are whole; how many are not, but for a last line that is still being written.
-    pub(super) fn records(mut self, mut each: impl FnMut(Record)) -> usize {
-        let (mut damaged, mut line) = (0, Vec::new());
+    /// Hands over what is told of all records; how many are damaged so far as is seen without their results, but for a last line
+    /// that is still being written.
+    pub(super) fn entries(mut self, mut each: impl FnMut(Entry)) -> usize {
+        let mut damaged = 0;
         loop {
-            line.clear();
-            let Ok(bytes @ 1..) = self.lines.read_until(b'\n', &mut line) else { return damaged };
-            if line.last() != Some(&b'\n') {
-                return damaged;
+            match self.next() {
+                Next::Entry(entry) => {
+                    self.first_byte += u64::from(entry.place.bytes);
+                    each(entry);
+                }
+                Next::Damaged => {
+                    damaged += 1;
+                    let Some(bytes) = self.line_at(self.first_byte) else { return damaged };
+                    self.first_byte += bytes;
+                }
+                Next::End => return damaged,
             }
-            match record(&line, self.first_byte) {
-                Some(record) => each(record),
-                None => damaged += 1,
+        }
+    }
+
+    /// Bytes of the line from a place on; `None` without an end.
+    fn line_at(&mut self, first_byte: u64) -> Option<u64> {
+        self.lines.seek(SeekFrom::Start(first_byte)).ok()?;
+        let bytes = self.lines.skip_until(b'\n').ok()?;
+        self.lines.seek_relative(-1).ok()?;
+        (bytes > 0 && self.byte() == Some(b'\n')).then_some(bytes as u64)
+    }
+
+    fn byte(&mut self) -> Option<u8> {
+        let mut byte = [0];
+        self.lines.read_exact(&mut byte).ok()?;
+        Some(byte[0])
+    }
+
+    fn next(&mut self) -> Next {
+        let mut head = Vec::new();
+        for _ in 0..HEAD_PARTS {
+            match self.lines.by_ref().take(LONGEST_TOLD).read_until(b'\t', &mut head) {
+                Ok(0) | Err(_) => return Next::End,
+                Ok(_) if head.last() == Some(&b'\t') => {}
+                Ok(_) => {
+                    return if self.line_at(self.first_byte).is_some() { Next::Damaged } else { Next::End };
+                }
             }
-            self.first_byte += bytes as u64;
+        }
+        let Some((mut entry, rest)) = entry(&head, self.first_byte) else {
+            return if self.line_at(self.first_byte).is_some() { Next::Damaged } else { Next::End };
+        };
+        let skipped = i64::try_from(rest).ok().and_then(|rest| self.lines.seek_relative(rest).ok());
+        match skipped.and_then(|()| self.byte()) {
+            Some(b'\n') => {
+                entry.place.first_byte = self.first_byte;
+                Next::Entry(entry)
+            }
+            Some(_) => Next::Damaged,
+            None => Next::End,
         }
     }
 }
 
-/// The record of a line, if it is whole.
-fn record(line: &[u8], first_byte: u64) -> Option<Record> {
-    let line = std::str::from_utf8(line).ok()?;
-    let (told_sum, rest) = line.strip_suffix('\n')?.split_once('\t')?;
+/// Parts of a line before its result.
+const HEAD_PARTS: usize = 5;
+/// No more is told of a case, bytes.
+const LONGEST_TOLD: u64 = 1 << 20;
+
+/// What a record tells before its result (with the tab behind it), if that is whole; and bytes of the result.
+fn entry(head: &[u8], first_byte: u64) -> Option<(Entry, usize)> {
+    let told = std::str::from_utf8(head).ok()?.strip_suffix('\t')?;
+    let (told_sum, rest) = told.split_once('\t')?;
     if told_sum != sum(rest.as_bytes()) {
         return None;
     }
     let mut parts = rest.splitn(4, '\t');
-    let (hash, result, bytes, rest) = (parts.next()?, parts.next()?, parts.next()?, parts.next()?);
-    if bytes.parse() != Ok(rest.len()) {
+    let (hash, result, bytes, told) = (parts.next()?, parts.next()?, parts.next()?, parts.next()?);
+    let length = bytes.parse::<usize>().ok()?.checked_sub(told.len() + 1)?;
+    let bytes = u32::try_from(head.len() + length + 1).ok()?;
+    let place = Place { first_byte, bytes, result: Fingerprint::of_text(result)? };
+    let entry = Entry { hash: Fingerprint::of_text(hash)?, place, told: serde_json::from_str(told).ok()? };
+    Some((entry, length))
+}
+
+/// The record of a line, if it is whole.
+fn record(line: &[u8], first_byte: u64) -> Option<Record> {
+    let tabs = line.iter().enumerate().filter(|(_, byte)| **byte == b'\t').map(|(at, _)| at);
+    let (head, rest) = line.split_at_checked(tabs.take(HEAD_PARTS).last()? + 1)?;
+    let (Entry { hash, place, told }, bytes) = entry(head, first_byte)?;
+    let text = rest.strip_suffix(b"\n").filter(|text| text.len() == bytes)?;
+    if place.result != Fingerprint::of_words(text) {
         return None;
     }
-    let (told, text) = rest.split_once('\t')?;
-    let place =
-        Place { first_byte, bytes: u32::try_from(line.len()).ok()?, result: Fingerprint::of_text(result)? };
-    let hash = Fingerprint::of_text(hash)?;
-    Some(Record { hash, place, told: serde_json::from_str(told).ok()?, text: text.to_owned() })
+    Some(Record { hash, told, text: std::str::from_utf8(text).ok()?.to_owned() })
 }
 
 /// The record at a place of a file, if it is still whole.
@@ -167,9 +239,9 @@ impl Writer {
     /// Appends a case with one write.
     pub(super) fn append(&mut self, hash: Fingerprint, told: &Told, text: &str) -> std::io::Result<Place> {
         let told = serde_json::to_string(told)?;
-        let result = Fingerprint::default().with(text.as_bytes());
-        let rest = format!("{hash}\t{result}\t{}\t{told}\t{text}", told.len() + 1 + text.len());
-        let line = format!("{}\t{rest}\n", sum(rest.as_bytes()));
+        let result = Fingerprint::of_words(text.as_bytes());
+        let rest = format!("{hash}\t{result}\t{}\t{told}", told.len() + 1 + text.len());
+        let line = format!("{}\t{rest}\t{text}\n", sum(rest.as_bytes()));
         let bytes = u32::try_from(line.len()).map_err(std::io::Error::other)?;
         self.file.write_all(line.as_bytes())?;
         if self.synced.elapsed() > SYNC_EVERY {

@@ -143,3 +143,39 @@ fn a_store_removed_under_a_running_process_is_begun_anew() {
     store.put("two", &2.0).unwrap();
     assert_eq!(folder.store("a").get::<f64>("two"), Some(2.0));
 }
+
+/// Place of a byte inside the result of the first case.
+fn inside_first_result(segment: &[u8]) -> usize {
+    let head = segment.iter().position(|byte| *byte == b'\n').expect("a head") + 1;
+    let tabs = segment.iter().enumerate().skip(head).filter(|(_, byte)| **byte == b'\t').map(|(at, _)| at);
+    tabs.take(5).last().expect("a record") + 2
+}
+
+#[test]
+fn a_result_is_read_when_it_is_asked_for_and_one_that_is_damaged_is_then_not_there() {
+    let folder = Folder::new("lazily");
+    let mut bytes = filled(&folder, 3);
+    let at = inside_first_result(&bytes);
+    bytes[at] ^= 1;
+    rewrite(&folder.segments().remove(0), &bytes);
+    let store = folder.store("a");
+    assert!(store.has("case 1") && store.has("case 2"));
+    assert_eq!(store.standing().damaged, 0, "nobody asked for the damaged one");
+    assert!(!store.has("case 0"), "a case whose result is damaged is flown again");
+    assert_eq!(store.standing().damaged, 1);
+    store.put("case 0", &result(0)).expect("kept");
+    assert_eq!(found(&folder, 3), 3, "what was flown again stands behind the damaged one");
+}
+
+#[test]
+fn of_a_case_that_two_finished_the_whole_one_is_read() {
+    let folder = Folder::new("second");
+    let bytes = filled(&folder, 3);
+    filled(&folder, 3);
+    let (first, at) = (folder.segments().remove(0), inside_first_result(&bytes));
+    let mut damaged = std::fs::read(&first).expect("a segment");
+    assert_eq!(damaged.len(), bytes.len());
+    damaged[at] ^= 1;
+    rewrite(&first, &damaged);
+    assert_eq!(found(&folder, 3), 3);
+}
