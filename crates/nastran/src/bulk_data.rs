@@ -3,8 +3,8 @@
 use crate::card::Card;
 use crate::cards::kind::{CardKind, Cards, DeckCard, Family};
 use crate::cards::{
-    Aecomp, Aefact, Aelink, Aelist, Aero, Aeros, Aestat, Aesurf, BeamElement, BeamLoad, BeamProperty, Caero1, Cbush,
-    Conm1, Conm2, Conrod, Coord, Crod, CrossLoad, EigenMethod, Flfact, Flutter, Genel, Gravity, Grid,
+    Aecomp, Aefact, Aelink, Aelist, Aero, Aeros, Aestat, Aesurf, BeamElement, BeamLoad, BeamProperty, Caero1,
+    Cbush, Conm1, Conm2, Conrod, Coord, Crod, CrossLoad, EigenMethod, Flfact, Flutter, Genel, Gravity, Grid,
     LineLoad, LoadSum, Mat1, Mat2, Mat8, Mat9, Mkaero, MonitorPoint, Mpc, Paero1, Pbush, Pcomp, PointLoad,
     Pressure, Prod, Pshell, Psolid, Rbar, Rbe2, Rbe3, ScalarElement, ScalarProperty, Set1, SetUnion,
     ShellElement, SolidElement, Spc1, SplineCard, Spoint, Suport, Tabdmp1, Trim,

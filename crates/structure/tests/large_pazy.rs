@@ -73,7 +73,8 @@ fn the_wing_with_skin_bends_under_a_weight_on_its_tip() {
         }
         let force = Vector3::new(0.0, 0.0, -mass_kg * G_M_S2);
         let load = NodeLoad { node: 16, force, moment: Vector3::zeros() };
-        let end = wing.under(&Loads { dead: vec![load], ..weight.clone() }).expect("carried").end().state.clone();
+        let end =
+            wing.under(&Loads { dead: vec![load], ..weight.clone() }).expect("carried").end().state.clone();
         let moved = (end.places[15] - sag.places[15]) * (100.0 / SEMISPAN_M);
         println!("{mass_kg} kg: z {:.3} for {z}, y {:.3} for {y}", moved.z, moved.y);
         worst_z = worst_z.max((moved.z / z - 1.0).abs());
