@@ -147,20 +147,28 @@ fn the_beam_of_the_codes_with_skin_rises_and_twists_as_they_say() {
     let wing = crate::large::with_skin([18, 36], 0.0);
     let of =
         |name: &str, v: f64| rows(&case, name).into_iter().find(|row| row[0] == v).expect("the airspeed");
-    let cases = cases([30.0, 50.0].into_iter());
+    let cases = cases([12.5, 30.0, 50.0].into_iter());
+    let mut ratios = Vec::new();
     for (case, (state, linear)) in cases.iter().zip(solved(&wing, &cases)) {
         let v = case.flow.v_m_s;
         let (place, twist) = (of("skin1_UMNAST_VLM_zyx", v), of("skin1_UMNAST_VLM_twist_deg", v)[1]);
         let (own, turned) = (state.tip_m * (100.0 / SEMISPAN_M), state.twist_rad.to_degrees());
-        let ratio = state.tip_m.z / linear;
+        ratios.push([state.tip_m.z / linear, place[1] / of("skin1_linear_SOL144_z", v)[1]]);
         println!(
-            "{v} m/s: z {:.3} for {:.3}, y {:.3} for {:.3}, twist {turned:.4} for {twist:.4}, large over linear {ratio:.4}",
-            own.z, place[1], own.y, place[2]
+            "{v} m/s: z {:.3} for {:.3}, y {:.3} for {:.3}, twist {turned:.4} for {twist:.4}, large over linear {:.4?}",
+            own.z,
+            place[1],
+            own.y,
+            place[2],
+            ratios.last()
         );
         let off = [own.z / place[1], own.y / place[2], turned / twist].map(|ratio| (ratio - 1.0).abs());
         assert!(off[0] < 0.06 && off[1] < 0.12 && off[2] < 0.05, "{v} m/s: {off:?}");
-        assert!(v < 50.0 || (ratio - 0.890).abs() < 0.012, "large over linear {ratio} for 0.890");
     }
+    // Large and linear are two programs there, 1.2 % apart where deflections are small still: what bending changes is what counts.
+    let [own, wanted] = [0, 1].map(|which| ratios[2][which] / ratios[0][which]);
+    println!("from 12.5 to 50 m/s large over linear falls to {own:.4} for {wanted:.4}");
+    assert!((own - wanted).abs() < 0.012, "large over linear falls to {own} for {wanted}");
 }
 
 #[test]

