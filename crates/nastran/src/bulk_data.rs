@@ -121,7 +121,7 @@ kinds! {
     rigid: BTreeMap<u32, Rbe2>, RigidElement, ["RBE2"];
     constraints: Vec<Spc1>, Own, ["SPC1", "SPC"];
     sets: BTreeMap<u32, Set1>, Own, ["SET1"];
-    shells: BTreeMap<u32, ShellElement>, Element, ["CQUAD4", "CTRIA3", "CQUADR", "CTRIAR"];
+    shells: BTreeMap<u32, ShellElement>, Element, ["CQUAD4", "CTRIA3", "CQUADR", "CTRIAR", "CQUAD8", "CTRIA6"];
     solids: BTreeMap<u32, SolidElement>, Element, ["CHEXA", "CPENTA", "CTETRA"];
     rods: BTreeMap<u32, Crod>, Element, ["CROD"];
     conrods: BTreeMap<u32, Conrod>, Element, ["CONROD"];

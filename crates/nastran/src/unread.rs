@@ -10,8 +10,8 @@ use crate::source::InputError;
 /// Elements, masses and rigid elements of the Quick Reference Guides of MSC, NX and NASTRAN-95 that are not read, and
 /// what is read in their place.
 const ELEMENTS: &[(&str, &str)] = &[
-    ("CTRIA6 CTRIA1 CTRIA2 CTRPLT CTRBSC CTRMEM CTRIM6 CTRPLT1 CTRSHL", "CTRIA3"),
-    ("CQUAD8 CQUAD CQUAD1 CQUAD2 CQDPLT CQDMEM CQDMEM1 CQDMEM2", "CQUAD4"),
+    ("CTRIA1 CTRIA2 CTRPLT CTRBSC CTRMEM CTRIM6 CTRPLT1 CTRSHL", "CTRIA3"),
+    ("CQUAD CQUAD1 CQUAD2 CQDPLT CQDMEM CQDMEM1 CQDMEM2", "CQUAD4"),
     ("CSHEAR CTWIST", "CQUAD4 and CROD"),
     ("CIHEX1 CIHEX2 CIHEX3 CHEXA1 CHEXA2 CHEX8 CHEX20 CHEXPR CIFHEX", "CHEXA"),
     ("CWEDGE CPENPR CIFPENT", "CPENTA"),
@@ -98,14 +98,14 @@ mod tests {
 
     #[test]
     fn an_element_that_is_not_read_stops_with_name_number_place_and_way_out() {
-        let deck = "PLOTEL,9,1,2\nGRID,1\nCTRIA6,1,1,1,2,3\nRBE1,7\nCTRIA6,2,1,1,2,4\n";
+        let deck = "PLOTEL,9,1,2\nGRID,1\nCTRIA1,1,1,1,2,3\nRBE1,7\nCTRIA1,2,1,1,2,4\n";
         let error =
-            parse_deck("wing.bdf", deck).expect("a deck").refuse_unread_elements().expect_err("CTRIA6");
+            parse_deck("wing.bdf", deck).expect("a deck").refuse_unread_elements().expect_err("CTRIA1");
         assert_eq!(
             error.to_string(),
-            "wing.bdf:3:1: the deck has 2 CTRIA6 (from wing.bdf:3:1 on), 1 RBE1 (from wing.bdf:4:1 on): elements that \
+            "wing.bdf:3:1: the deck has 2 CTRIA1 (from wing.bdf:3:1 on), 1 RBE1 (from wing.bdf:4:1 on): elements that \
              are not read, and leaving them out would change stiffness, damping, mass or constraints (hint: write CTRIA3 for \
-             CTRIA6, RBE2 or MPC for RBE1, or take out what the model shall do without)"
+             CTRIA1, RBE2 or MPC for RBE1, or take out what the model shall do without)"
         );
     }
 

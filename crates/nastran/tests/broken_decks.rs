@@ -62,8 +62,13 @@ const BREAKS: &[(&str, &str, &str, usize)] = &[
     // Solids.
     ("\n,17,18\n", "\n,17\n", "field G8 of CHEXA is empty", 29),
     ("\n,17,18\n", "\n,17,17\n", "grid 17 stands twice in CHEXA 10", 29),
-    ("\n,17,18\n", "\n,17,18,101,102\n", "only its 8 corner grids G1 to G8 are", 29),
-    ("CTETRA,12,4,1,2,3,11\n", "CTETRA,12,4,1,2,3,11,21,22\n", "CTETRA 12 has midside grids", 31),
+    ("\n,17,18\n", "\n,17,18,1.5\n", "`1.5` in field G9 of CHEXA", 29),
+    (
+        "CTETRA,12,4,1,2,3,11\n",
+        "CTETRA,12,4,1,2,3,11,21,22\n,,,,,7\n",
+        "`7` stands behind the last field",
+        32,
+    ),
     ("PSOLID,4,3", "PSOLID,4,3,-2", "`-2` in field CORDM of PSOLID is not -1, 0 or", 32),
     ("PSOLID,4,3", "PSOLID,4,3,-1", "a MAT9 in element axes", 32),
     ("PSOLID,4,3", "PSOLID,4,3,,,,,PFLUID", "`PFLUID` in field FCTN of PSOLID", 32),

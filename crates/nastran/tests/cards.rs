@@ -183,8 +183,8 @@ fn monitoring_stations_keep_their_labels() {
 
 #[test]
 fn unknown_cards_are_counted() {
-    let deck = parse("CQUAD8,1,2,3,4,5,6\nCQUAD8,2,2,3,4,5,6\nPLOTEL,1,1,2\n");
-    assert_eq!(deck.unread_cards().expect("two kinds"), "2 CQUAD8, 1 PLOTEL");
+    let deck = parse("CSEAM,1,2,3,4,5,6\nCSEAM,2,2,3,4,5,6\nPLOTEL,1,1,2\n");
+    assert_eq!(deck.unread_cards().expect("two kinds"), "2 CSEAM, 1 PLOTEL");
 }
 
 #[test]

@@ -109,12 +109,23 @@ fn shells_and_solids(dice: &mut Dice, deck: &mut BulkData) {
             None => MaterialDirection::AngleDeg(angle),
         };
         let (property, grids, offset) = (dice.id(), dice.grids(corners), dice.real());
-        deck.shells
-            .insert(id, ShellElement { id, property, grids, direction, is_r: false, offset, span: span() });
+        deck.shells.insert(
+            id,
+            ShellElement {
+                id,
+                property,
+                grids,
+                midsides: Vec::new(),
+                direction,
+                is_r: false,
+                offset,
+                span: span(),
+            },
+        );
     }
     for corners in [4, 6, 8] {
         let (id, property, grids) = (dice.id(), dice.id(), dice.grids(corners));
-        deck.solids.insert(id, SolidElement { id, property, grids, span: span() });
+        deck.solids.insert(id, SolidElement { id, property, grids, midsides: Vec::new(), span: span() });
     }
     let (id, property, grids) = (dice.id(), dice.id(), dice.grids(2).try_into().expect("two"));
     deck.rods.insert(id, Crod { id, property, grids, span: span() });

@@ -1,6 +1,7 @@
-//! Shells of one thickness: CQUAD4, CTRIA3 and PSHELL.
+//! Shells of one thickness: CQUAD4, CTRIA3, their kin and PSHELL.
 
 use super::prelude::*;
+use super::solid::{midsides, reordered};
 use crate::card::FIELDS_PER_LINE;
 
 /// Nastran's default of TS/T; the exact 5/6 is not what it computes with.
@@ -23,7 +24,7 @@ impl Ids for MaterialDirection {
     }
 }
 
-/// A shell element (CQUAD4 or CQUADR with four grids, CTRIA3 or CTRIAR with three).
+/// A shell element (CQUAD4, CQUADR or CQUAD8 with four corners, CTRIA3, CTRIAR or CTRIA6 with three).
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShellElement {
     /// Identification number.
@@ -32,6 +33,8 @@ pub struct ShellElement {
     pub property: u32,
     /// Corner grids in order around the element: three or four.
     pub grids: Vec<u32>,
+    /// Grids on the sides (CQUAD8, CTRIA6), in the order of [`Self::sides`]: empty, or one for each side that may be missing.
+    pub midsides: Vec<Option<u32>>,
     /// Where the material's axes come from.
     pub direction: MaterialDirection,
     /// True for CQUADR and CTRIAR. A CTRIAR's membrane has its corners' rotations about the normal; a CQUADR is computed as a CQUAD4.
@@ -42,13 +45,70 @@ pub struct ShellElement {
     pub span: Span,
 }
 
+impl ShellElement {
+    /// The sides in the order of the grids on them: places in `grids` of the corners at their ends.
+    pub fn sides(&self) -> &'static [[usize; 2]] {
+        if self.grids.len() == 4 { &[[0, 1], [1, 2], [2, 3], [3, 0]] } else { &[[0, 1], [1, 2], [2, 0]] }
+    }
+
+    /// CQUAD8: EID PID G1 G2 G3 G4 G5 G6 / G7 G8 T1 T2 T3 T4 THETA/MCID ZOFFS / TFLAG, and
+    /// CTRIA6: EID PID G1 G2 G3 G4 G5 G6 / THETA/MCID ZOFFS T1 T2 T3 TFLAG.
+    fn curved(card: &Card) -> Result<Self, InputError> {
+        let corners = corners(card);
+        let count = corners.len();
+        let Places { angle, offset, flag, .. } = places(card);
+        card.ends_after(flag + 1)?;
+        let id = card.id(0, "EID")?;
+        Ok(Self {
+            id,
+            property: card.id_or(1, "PID", id)?,
+            grids: card.corners(2, corners)?,
+            midsides: midsides(card, 2 + count, count)?,
+            direction: direction(card, angle)?,
+            is_r: false,
+            offset: card.real_or(offset, "ZOFFS", 0.0)?,
+            span: card.span.clone(),
+        })
+    }
+}
+
+/// Where the fields of a shell's card are.
+struct Places {
+    angle: usize,
+    offset: usize,
+    flag: usize,
+    thickness: usize,
+}
+
+fn places(card: &Card) -> Places {
+    match card.name.as_str() {
+        "CQUAD8" => Places { angle: 14, offset: 15, flag: 16, thickness: 10 },
+        "CTRIA6" => Places { angle: 8, offset: 9, flag: 13, thickness: 10 },
+        _ => {
+            let angle = 2 + corners(card).len();
+            Places { angle, offset: angle + 1, flag: FIELDS_PER_LINE + 1, thickness: FIELDS_PER_LINE + 2 }
+        }
+    }
+}
+
 impl DeckCard for ShellElement {
     numbered!();
-    variant!(|card| usize::from(card.grids.len() == 3) + 2 * usize::from(card.is_r));
+    variant!(|card| {
+        let kind = if card.is_r { 2 } else { 4 * usize::from(!card.midsides.is_empty()) };
+        kind + usize::from(card.grids.len() == 3)
+    });
 
     /// CQUAD4: EID PID G1 G2 G3 G4 THETA/MCID ZOFFS / blank TFLAG T1 T2 T3 T4, and
     /// CTRIA3: EID PID G1 G2 G3 THETA/MCID ZOFFS blank / blank TFLAG T1 T2 T3; CQUADR and CTRIAR alike.
     fn read(card: &Card) -> Result<Vec<Self>, InputError> {
+        let flag = places(card).flag;
+        if card.count_or(flag, "TFLAG", 0)? > 1 {
+            return Err(card.wrong(flag, "TFLAG", "0 or 1"));
+        }
+        CornerThickness::of(card)?;
+        if matches!(card.name.as_str(), "CQUAD8" | "CTRIA6") {
+            return Ok(vec![Self::curved(card)?]);
+        }
         let corners = corners(card);
         let id = card.id(0, "EID")?;
         let after = 2 + corners.len();
@@ -59,15 +119,11 @@ impl DeckCard for ShellElement {
             }
         }
         card.ends_after(FIELDS_PER_LINE + 2 + corners.len())?;
-        let flag = card.count_or(FIELDS_PER_LINE + 1, "TFLAG", 0)?;
-        if flag > 1 {
-            return Err(card.wrong(FIELDS_PER_LINE + 1, "TFLAG", "0 or 1"));
-        }
-        CornerThickness::of(card)?;
         Ok(vec![Self {
             id,
             property: card.id_or(1, "PID", id)?,
             grids: card.corners(2, corners)?,
+            midsides: Vec::new(),
             direction: direction(card, after)?,
             is_r: card.name.ends_with('R'),
             offset: card.real_or(after + 1, "ZOFFS", 0.0)?,
@@ -77,6 +133,9 @@ impl DeckCard for ShellElement {
 
     fn write(&self, card: Fields) -> Fields {
         let card = card.ints([self.id, self.property]).ints(self.grids.iter().copied());
+        let card = self.midsides.iter().fold(card, |card, grid| card.optional(*grid));
+        // Of a CQUAD8 the corner thicknesses come first.
+        let card = if self.midsides.len() == 4 { card.blanks(4) } else { card };
         let card = match self.direction {
             MaterialDirection::AngleDeg(angle) => card.real(angle),
             MaterialDirection::System(system) => card.int(system),
@@ -84,14 +143,13 @@ impl DeckCard for ShellElement {
         card.real(self.offset)
     }
 
-    raises!(cards: id, property, grids; systems: direction);
+    raises!(cards: id, property, grids, midsides; systems: direction);
 
     /// Corners are listed the other way round, so that the normal is the image of the normal.
     fn mirrored(mut self, _: &Mirror) -> Mirrored<Self> {
-        self.grids.swap(0, 1);
-        if self.grids.len() == 4 {
-            self.grids.swap(2, 3);
-        }
+        let order: &[usize] = if self.grids.len() == 4 { &[1, 0, 3, 2] } else { &[1, 0, 2] };
+        self.midsides = reordered(&self.midsides, self.sides(), order);
+        self.grids = order.iter().map(|at| self.grids[*at]).collect();
         if let MaterialDirection::AngleDeg(angle) = &mut self.direction {
             *angle = minus(*angle);
         }
@@ -101,11 +159,7 @@ impl DeckCard for ShellElement {
 
 /// Names of the fields of the corners.
 fn corners(card: &Card) -> &'static [&'static str] {
-    if matches!(card.name.as_str(), "CQUAD4" | "CQUADR") {
-        &["G1", "G2", "G3", "G4"]
-    } else {
-        &["G1", "G2", "G3"]
-    }
+    if card.name.starts_with("CQUAD") { &["G1", "G2", "G3", "G4"] } else { &["G1", "G2", "G3"] }
 }
 
 /// A corner thickness, which must be the property's ([`crate::deck`] checks it when all is read).
@@ -124,12 +178,13 @@ pub(crate) struct CornerThickness {
 impl CornerThickness {
     /// Those of a shell's card; none of other cards.
     pub(crate) fn of(card: &Card) -> Result<Vec<Self>, InputError> {
-        if !matches!(card.name.as_str(), "CQUAD4" | "CTRIA3" | "CQUADR" | "CTRIAR") {
+        if !matches!(card.name.as_str(), "CQUAD4" | "CTRIA3" | "CQUADR" | "CTRIAR" | "CQUAD8" | "CTRIA6") {
             return Ok(Vec::new());
         }
-        let is_ratio = card.text(FIELDS_PER_LINE + 1) == "1";
+        let Places { flag, thickness, .. } = places(card);
+        let is_ratio = card.text(flag) == "1";
         let mut all = Vec::new();
-        for (index, name) in (FIELDS_PER_LINE + 2..).zip(["T1", "T2", "T3", "T4"]).take(corners(card).len()) {
+        for (index, name) in (thickness..).zip(["T1", "T2", "T3", "T4"]).take(corners(card).len()) {
             if let Some(value) = card.optional_real(index, name)? {
                 let (element, span) = (card.id(0, "EID")?, card.span_of(index).clone());
                 all.push(Self { element, value, is_ratio, span });

@@ -2,7 +2,15 @@
 
 use super::prelude::*;
 
-/// A solid element (CHEXA with eight grids, CPENTA with six, CTETRA with four).
+/// Edges of CHEXA in the order of the grids on them, as places of the corners at their ends.
+const HEXA_EDGES: [[usize; 2]; 12] =
+    [[0, 1], [1, 2], [2, 3], [3, 0], [0, 4], [1, 5], [2, 6], [3, 7], [4, 5], [5, 6], [6, 7], [7, 4]];
+/// Edges of CPENTA.
+const PENTA_EDGES: [[usize; 2]; 9] = [[0, 1], [1, 2], [2, 0], [0, 3], [1, 4], [2, 5], [3, 4], [4, 5], [5, 3]];
+/// Edges of CTETRA.
+const TETRA_EDGES: [[usize; 2]; 6] = [[0, 1], [1, 2], [2, 0], [0, 3], [1, 3], [2, 3]];
+
+/// A solid element (CHEXA with eight corners, CPENTA with six, CTETRA with four).
 #[derive(Debug, Clone, PartialEq)]
 pub struct SolidElement {
     /// Identification number.
@@ -11,8 +19,41 @@ pub struct SolidElement {
     pub property: u32,
     /// Corner grids: eight, six or four.
     pub grids: Vec<u32>,
+    /// Grids on the edges, in the order of [`Self::edges`]: empty, or one for each edge that may be missing.
+    pub midsides: Vec<Option<u32>>,
     /// Where the card stands.
     pub span: Span,
+}
+
+impl SolidElement {
+    /// The edges in the order of the grids on them: places in `grids` of the corners at their ends.
+    pub fn edges(&self) -> &'static [[usize; 2]] {
+        match self.grids.len() {
+            4 => &TETRA_EDGES,
+            6 => &PENTA_EDGES,
+            _ => &HEXA_EDGES,
+        }
+    }
+}
+
+/// Grids on edges from field `from` on, for so many edges: nothing if there are none.
+pub(super) fn midsides(card: &Card, from: usize, count: usize) -> Result<Vec<Option<u32>>, InputError> {
+    let read = |at: usize| match card.text(from + at) {
+        "0" => Ok(None),
+        _ => card.optional_id(from + at, &format!("G{}", from - 1 + at)),
+    };
+    let all: Vec<Option<u32>> = (0..count).map(read).collect::<Result<_, _>>()?;
+    Ok(if all.iter().all(Option::is_none) { Vec::new() } else { all })
+}
+
+/// Grids on edges of an element whose corners are listed in another `order`.
+pub(super) fn reordered(midsides: &[Option<u32>], edges: &[[usize; 2]], order: &[usize]) -> Vec<Option<u32>> {
+    let old = |[a, b]: &[usize; 2]| {
+        let ends = [order[*a], order[*b]];
+        edges.iter().position(|edge| *edge == ends || *edge == [ends[1], ends[0]])
+    };
+    let of_edge = |edge| old(edge).and_then(|at| midsides.get(at).copied().flatten());
+    if midsides.is_empty() { Vec::new() } else { edges.iter().map(of_edge).collect() }
 }
 
 impl DeckCard for SolidElement {
@@ -25,36 +66,28 @@ impl DeckCard for SolidElement {
         }
     }
 
-    /// CHEXA, CPENTA, CTETRA: EID PID G1 G2 ...; midside grids are refused.
+    /// CHEXA, CPENTA, CTETRA: EID PID, corners G1 G2 ..., then grids on the edges, each of which may be missing.
     fn read(card: &Card) -> Result<Vec<Self>, InputError> {
         let names = ["G1", "G2", "G3", "G4", "G5", "G6", "G7", "G8"];
-        let (corners, with_midsides) = match card.name.as_str() {
-            "CHEXA" => (8, 20),
-            "CPENTA" => (6, 15),
-            _ => (4, 10),
+        let (corners, edges) = match card.name.as_str() {
+            "CHEXA" => (8, 12),
+            "CPENTA" => (6, 9),
+            _ => (4, 6),
         };
         let grids = card.corners(2, &names[..corners])?;
-        card.ends_after(2 + with_midsides)?;
-        if card.len() > 2 + corners {
-            let surplus = (2 + corners..card.len()).find(|index| !card.text(*index).is_empty());
-            let message = format!(
-                "{} {} has midside grids, which are not read; only its {corners} corner grids G1 to G{corners} are",
-                card.name,
-                card.text(0)
-            );
-            return Err(card
-                .error(surplus.unwrap_or(2 + corners), message)
-                .with_help("write the mesh with linear elements"));
-        }
+        card.ends_after(2 + corners + edges)?;
+        let midsides = midsides(card, 2 + corners, edges)?;
         let id = card.id(0, "EID")?;
-        Ok(vec![SolidElement { id, property: card.id_or(1, "PID", id)?, grids, span: card.span.clone() }])
+        let property = card.id_or(1, "PID", id)?;
+        Ok(vec![SolidElement { id, property, grids, midsides, span: card.span.clone() }])
     }
 
     fn write(&self, card: Fields) -> Fields {
-        card.ints([self.id, self.property]).ints(self.grids.iter().copied())
+        let card = card.ints([self.id, self.property]).ints(self.grids.iter().copied());
+        self.midsides.iter().fold(card, |card, grid| card.optional(*grid))
     }
 
-    raises!(cards: id, property, grids);
+    raises!(cards: id, property, grids, midsides);
 
     /// Corners are listed the other way round, so that the solid keeps its sense.
     fn mirrored(mut self, _: &Mirror) -> Mirrored<Self> {
@@ -63,6 +96,7 @@ impl DeckCard for SolidElement {
             6 => &[1, 0, 2, 4, 3, 5],
             _ => &[1, 0, 2, 3],
         };
+        self.midsides = reordered(&self.midsides, self.edges(), order);
         self.grids = order.iter().filter_map(|at| self.grids.get(*at).copied()).collect();
         Ok(Some(self))
     }

@@ -3,7 +3,7 @@
 use super::node::{Clamp, Node};
 use crate::laminate::{ShearModel, ShellSection};
 use crate::solid_material::SolidMaterial;
-use nalgebra::{Matrix3, Point3};
+use nalgebra::{Matrix3, Point3, Vector3};
 use nastran::{BulkData, Frames, InputError, Motion, Span};
 use std::collections::BTreeMap;
 use std::fmt::Display;
@@ -20,8 +20,13 @@ pub(crate) struct Builder<'a> {
     pub(super) sections: BTreeMap<u32, Arc<ShellSection>>,
     /// Materials of solids by their property, unless its axes turn with the place.
     pub(super) solid_materials: BTreeMap<u32, Arc<SolidMaterial>>,
+    /// Which rotations of each node clamps hold, about the axes of its displacement system; empty before [`Self::hold`].
+    held: Vec<[bool; 3]>,
     places: BTreeMap<u32, usize>,
 }
+
+/// Least share of a direction's square along held axes for its rotation to be held: 15 degrees off.
+const HELD: f64 = 0.933;
 
 impl<'a> Builder<'a> {
     pub(super) fn new(bulk: &'a BulkData, shear: ShearModel) -> Result<Self, InputError> {
@@ -42,7 +47,24 @@ impl<'a> Builder<'a> {
         nodes.sort_unstable_by_key(|node| node.id);
         let places = nodes.iter().enumerate().map(|(place, node)| (node.id, place)).collect();
         let (sections, solid_materials) = (BTreeMap::new(), BTreeMap::new());
-        Ok(Self { bulk, frames, nodes, shear, sections, solid_materials, places })
+        Ok(Self { bulk, frames, nodes, shear, sections, solid_materials, held: Vec::new(), places })
+    }
+
+    /// Notes which rotations `clamps` hold.
+    pub(super) fn hold(&mut self, clamps: &[Clamp]) {
+        self.held = vec![[false; 3]; self.nodes.len()];
+        for clamp in clamps {
+            for component in clamp.components.iter().filter(|component| **component > 3) {
+                self.held[clamp.node][usize::from(*component) - 4] = true;
+            }
+        }
+    }
+
+    /// Whether clamps hold the rotation of a node about a direction of unit length.
+    pub(super) fn is_held(&self, node: usize, direction: &Vector3<f64>) -> bool {
+        let Some(held) = self.held.get(node) else { return false };
+        let own = self.nodes[node].axes.transpose() * direction;
+        (0..3).filter(|axis| held[*axis]).map(|axis| own[axis].powi(2)).sum::<f64>() > HELD
     }
 
     /// Position of a grid that `user` names.
@@ -111,6 +133,11 @@ impl<'a> Builder<'a> {
         }
         Ok(clamps)
     }
+}
+
+/// Which edges have a grid, and these grids.
+pub(super) fn present(midsides: &[Option<u32>]) -> (Vec<usize>, Vec<u32>) {
+    midsides.iter().enumerate().filter_map(|(edge, grid)| Some((edge, (*grid)?))).unzip()
 }
 
 /// The card of a kind that `user` refers to.

@@ -1,6 +1,6 @@
 //! Load sets of a deck as loads on the nodes of its model.
 
-use super::build::{Builder, found};
+use super::build::{Builder, found, present};
 use super::elements::beam_parts;
 use crate::beam_load::on_grids;
 use crate::laminate::ShearModel;
@@ -147,14 +147,20 @@ fn along(builder: &Builder, load: &BeamLoad) -> Result<[NodeLoad; 2], InputError
 
 fn pressure(builder: &Builder, load: &Pressure, into: &mut Vec<Following>) -> Result<(), InputError> {
     let user = format!("{} of set {}", ["PLOAD", "PLOAD2", "PLOAD4"][load.form.min(2)], load.set);
-    let mut press = |grids: &[u32], sign: f64| -> Result<(), InputError> {
-        let face = builder.nodes_of(grids, &user, &load.span)?;
+    let mut press = |grids: &[u32], sides: &[Option<u32>], sign: f64| -> Result<(), InputError> {
+        let (with, midsides) = present(sides);
+        if !with.is_empty() && with.len() < grids.len() {
+            let message = format!("{user} presses on a face with grids on {} of its sides", with.len());
+            return Err(InputError::at(&load.span, message).with_help("on all of them, or on none"));
+        }
+        let mut face = builder.nodes_of(grids, &user, &load.span)?;
         let pascal = load.pressure[..face.len()].iter().map(|p| p * sign).collect();
+        face.extend(builder.nodes_of(&midsides, &user, &load.span)?);
         into.push(Following::Pressure { face, pascal });
         Ok(())
     };
     match &load.on {
-        Pressed::Grids(grids) => press(grids, 1.0),
+        Pressed::Grids(grids) => press(grids, &[], 1.0),
         Pressed::Elements(elements) => {
             for element in elements {
                 // PLOAD4 with THRU may run over numbers that no shell has.
@@ -164,19 +170,20 @@ fn pressure(builder: &Builder, load: &Pressure, into: &mut Vec<Following>) -> Re
                     let help = "for a solid PLOAD4 names its face by G1 and G3";
                     return Err(InputError::at(&load.span, message).with_help(help));
                 };
-                press(&shell.grids, 1.0)?;
+                press(&shell.grids, &shell.midsides, 1.0)?;
             }
             Ok(())
         }
         Pressed::Face { element, corner, other } => {
             let solid = builder.bulk.solids.get(element);
-            let Some(grids) = solid.and_then(|solid| face_of(builder, solid, *corner, *other)) else {
+            let face = solid.and_then(|solid| Some((solid, face_of(builder, solid, *corner, *other)?)));
+            let Some((solid, grids)) = face else {
                 let message = format!("{user}: G1 and G3 name no face of a solid {element}");
                 let help = "two opposite corners of the face; of a CTETRA one of the face and the one off it";
                 return Err(InputError::at(&load.span, message).with_help(help));
             };
             // Faces run so that their normal points out of the solid; pressure pushes in.
-            press(&grids, -1.0)
+            press(&grids, &sides_of(solid, &grids), -1.0)
         }
     }
 }
@@ -187,6 +194,16 @@ const FACES: [&[&[usize]]; 3] = [
     &[&[0, 2, 1], &[3, 4, 5], &[0, 1, 4, 3], &[1, 2, 5, 4], &[2, 0, 3, 5]],
     &[&[0, 3, 2, 1], &[4, 5, 6, 7], &[0, 1, 5, 4], &[1, 2, 6, 5], &[2, 3, 7, 6], &[3, 0, 4, 7]],
 ];
+
+/// The grids on the sides of a face, from its first corner to its second and so on.
+fn sides_of(solid: &SolidElement, face: &[u32]) -> Vec<Option<u32>> {
+    let grid_between = |at: usize| {
+        let ends = [face[at], face[(at + 1) % face.len()]];
+        let is_meant = |edge: &[usize; 2]| edge.iter().all(|end| ends.contains(&solid.grids[*end]));
+        solid.midsides.get(solid.edges().iter().position(is_meant)?).copied().flatten()
+    };
+    (0..face.len()).map(grid_between).collect()
+}
 
 /// The corners of the face that PLOAD4 names, from `corner` on, with the normal outside.
 fn face_of(builder: &Builder, solid: &SolidElement, corner: u32, other: Option<u32>) -> Option<Vec<u32>> {

@@ -95,11 +95,12 @@ impl Model {
 
     /// Reads what is there, under the constraints that are there.
     fn read(bulk: &BulkData, shear: ShearModel) -> Result<Self, InputError> {
-        let builder = build::Builder::new(bulk, shear)?;
+        let mut builder = build::Builder::new(bulk, shear)?;
+        let clamps = builder.clamps()?;
+        builder.hold(&clamps);
         let mut read = Reading { builder, elements: Vec::new(), dependents: Vec::new(), ties: Vec::new() };
         registry::visit(bulk, &mut read)?;
         let Reading { builder, elements, dependents, ties } = read;
-        let clamps = builder.clamps()?;
         let parameter = |name: &str| bulk.parameters.get(name).copied();
         let mass_form = if parameter("COUPMASS").is_some_and(|v| v < 0.0) {
             MassForm::Lumped

@@ -1,19 +1,25 @@
-//! Shells and their sections: CQUAD4 (CQUADR), CTRIA3 and CTRIAR with PSHELL, PCOMP and PCOMPG.
+//! Shells and their sections: CQUAD4 (CQUADR), CTRIA3, CTRIAR, CQUAD8 and CTRIA6 with PSHELL, PCOMP and PCOMPG.
 
-use super::build::{Builder, undefined};
+use super::build::{Builder, present, undefined};
 use super::registry::ElementCard;
 use crate::cell_shape::CellShape;
 use crate::element::Element;
 use crate::laminate::{PlacedPly, ShellSection};
 use crate::plane_material::PlaneMaterial;
-use crate::shell::Shell;
+use crate::shell::{CurvedPlace, CurvedShell, SectionAxis, Shell};
 use nalgebra::{Matrix2, Matrix3, Point3, Vector3};
 use nastran::{InputError, MaterialDirection, Pcomp, Ply, Pshell, ShellElement, Span};
 use std::sync::Arc;
 
 impl ElementCard for ShellElement {
     fn element(&self, builder: &mut Builder) -> Result<Arc<dyn Element>, InputError> {
-        let user = format!("{} {}", if self.grids.len() == 4 { "CQUAD4" } else { "CTRIA3" }, self.id);
+        let name = match (self.grids.len(), self.midsides.is_empty()) {
+            (4, true) => "CQUAD4",
+            (4, false) => "CQUAD8",
+            (_, true) => "CTRIA3",
+            (_, false) => "CTRIA6",
+        };
+        let user = format!("{name} {}", self.id);
         let section = if let Some(known) = builder.sections.get(&self.property) {
             Arc::clone(known)
         } else {
@@ -21,10 +27,17 @@ impl ElementCard for ShellElement {
             builder.sections.insert(self.property, Arc::clone(&made));
             made
         };
+        if !self.midsides.is_empty() {
+            return Ok(Arc::new(builder.curved(self, section, &user)?));
+        }
         let nodes = builder.nodes_of(&self.grids, &user, &self.span)?;
         let points: Vec<Point3<f64>> = nodes.iter().map(|node| builder.nodes[*node].point).collect();
         let angle = builder.angle(self, &points, &user)?;
-        let shell = Shell::new(self.id, nodes, &points, self.offset, section, angle, &self.span)?;
+        let mut shell = Shell::new(self.id, nodes, &points, self.offset, section, angle, &self.span)?;
+        let normal = shell.axes().row(2).transpose();
+        if shell.nodes().iter().all(|node| builder.is_held(*node, &normal)) {
+            shell = shell.without_drilling_tie();
+        }
         Ok(Arc::new(if self.is_r { shell.with_drilling() } else { shell }))
     }
 
@@ -39,6 +52,32 @@ impl ElementCard for ShellElement {
 }
 
 impl Builder<'_> {
+    fn curved(
+        &self,
+        card: &ShellElement,
+        section: Arc<ShellSection>,
+        user: &str,
+    ) -> Result<CurvedShell, InputError> {
+        let (sides, midsides) = present(&card.midsides);
+        let grids: Vec<u32> = card.grids.iter().copied().chain(midsides).collect();
+        let nodes = self.nodes_of(&grids, user, &card.span)?;
+        let points: Vec<Point3<f64>> = nodes.iter().map(|node| self.nodes[*node].point).collect();
+        let axis = match card.direction {
+            MaterialDirection::AngleDeg(angle) => SectionAxis::Angle(angle.to_radians()),
+            MaterialDirection::System(system) => {
+                let middle =
+                    points.iter().map(|point| point.coords).sum::<Vector3<f64>>() / (points.len() as f64);
+                let axes = self.frames.axes_at_point(system, &Point3::from(middle), &card.span)?;
+                SectionAxis::Along(axes.column(0).into_owned())
+            }
+        };
+        let place = CurvedPlace { nodes, points, sides, offset_m: card.offset };
+        let shell = CurvedShell::new(card.id, place, section, axis, &card.span)?;
+        let mut grids = shell.nodes().iter().zip(shell.normals());
+        let are_held = grids.all(|(node, normal)| self.is_held(*node, normal));
+        Ok(if are_held { shell.without_drilling_tie() } else { shell })
+    }
+
     /// From the element's x axis to the material's, rad.
     fn angle(&self, card: &ShellElement, points: &[Point3<f64>], user: &str) -> Result<f64, InputError> {
         let system = match card.direction {

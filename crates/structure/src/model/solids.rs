@@ -1,10 +1,10 @@
 //! Solids: CHEXA, CPENTA and CTETRA with PSOLID and MAT1 or MAT9.
 
-use super::build::{Builder, found, undefined};
+use super::build::{Builder, found, present, undefined};
 use super::registry::ElementCard;
 use crate::cell_shape::CellShape;
 use crate::element::Element;
-use crate::solid::Solid;
+use crate::solid::{QuadraticSolid, Solid};
 use crate::solid_material::SolidMaterial;
 use nalgebra::{Matrix3, Point3, Vector3};
 use nastran::{InputError, Psolid, SolidElement};
@@ -19,7 +19,9 @@ impl ElementCard for SolidElement {
         };
         let user = format!("{kind} {}", self.id);
         let property = found(&builder.bulk.solid_properties, self.property, &user, "PSOLID", &self.span)?;
-        let nodes = builder.nodes_of(&self.grids, &user, &self.span)?;
+        let (edges, midsides) = present(&self.midsides);
+        let grids: Vec<u32> = self.grids.iter().copied().chain(midsides).collect();
+        let nodes = builder.nodes_of(&grids, &user, &self.span)?;
         let points: Vec<Point3<f64>> = nodes.iter().map(|node| builder.nodes[*node].point).collect();
         let known = builder.solid_materials.get(&property.id).filter(|_| property.cordm == 0);
         let material = if let Some(known) = known {
@@ -31,6 +33,10 @@ impl ElementCard for SolidElement {
             builder.solid_materials.insert(property.id, Arc::clone(&made));
             made
         };
+        if !edges.is_empty() {
+            let solid = QuadraticSolid::new(self.id, nodes, &points, &edges, &material, &self.span)?;
+            return Ok(Arc::new(solid));
+        }
         Ok(Arc::new(Solid::new(self.id, nodes, &points, &material, &self.span)?))
     }
 

@@ -1,6 +1,8 @@
 //! Loads on a structure that bends far: fixed in space, turning with it, and the weight of what it carries.
 
 use super::state::State;
+use crate::serendipity::{self, Edge, with_midsides};
+use crate::solid::{gauss_2, gauss_3, radon};
 use crate::system::System;
 use faer::Mat;
 use nalgebra::{Rotation3, Vector3};
@@ -43,10 +45,10 @@ pub enum Following {
         /// A moment instead of a force.
         is_moment: bool,
     },
-    /// A pressure on a face of three or four nodes, along its normal of now: positive on the side from which the
+    /// A pressure on a face of three or four corners, with or without nodes on all of its sides, along its normal of now: positive on the side from which the
     /// nodes run the other way round, so that it pushes along the normal by the right hand.
     Pressure {
-        /// The corners, around the face.
+        /// The corners, around the face, then the nodes of its sides (from the first corner to the second and so on), if it has some.
         face: Vec<usize>,
         /// Pa, by corner.
         pascal: Vec<f64>,
@@ -155,24 +157,36 @@ impl System {
     }
 }
 
-/// Work-equivalent forces of a pressure that is interpolated between the corners, along the surface's normal.
-pub(crate) fn pressure_forces(corners: &[Vector3<f64>], pascal: &[f64]) -> Vec<Vector3<f64>> {
-    if let [a, b, c] = corners {
-        let area = (b - a).cross(&(c - a)) * 0.5;
-        let total: f64 = pascal.iter().sum();
-        return pascal.iter().map(|own| area * ((total + own) / 12.0)).collect();
-    }
-    let mut forces = vec![Vector3::zeros(); corners.len()];
-    let place = 1.0 / 3.0_f64.sqrt();
-    for (r, s) in [(-place, -place), (place, -place), (place, place), (-place, place)] {
-        let signs = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
-        let shape = signs.map(|(a, b)| 0.25 * (1.0 + a * r) * (1.0 + b * s));
-        let by_r = signs.map(|(a, b)| 0.25 * a * (1.0 + b * s));
-        let by_s = signs.map(|(a, b)| 0.25 * b * (1.0 + a * r));
-        let along = |n: [f64; 4]| corners.iter().zip(n).map(|(x, n)| x * n).sum::<Vector3<f64>>();
-        let p: f64 = pascal.iter().zip(shape).map(|(p, n)| p * n).sum();
-        let normal = along(by_r).cross(&along(by_s)) * p;
-        forces.iter_mut().zip(shape).for_each(|(force, n)| *force += normal * n);
+/// Work-equivalent forces of a pressure that is interpolated between the corners (`pascal`), along the surface's normal. A face of six
+/// or eight nodes is curved: its corners, then the nodes of its sides.
+pub(crate) fn pressure_forces(nodes: &[Vector3<f64>], pascal: &[f64]) -> Vec<Vector3<f64>> {
+    let mut forces = vec![Vector3::zeros(); nodes.len()];
+    for (at, weight) in face_points(nodes.len()) {
+        let is_triangle = nodes.len().is_multiple_of(3);
+        let linear = if is_triangle { serendipity::triangle(at) } else { serendipity::quadrilateral(at) };
+        let p: f64 = pascal.iter().zip(&linear.values).map(|(p, n)| p * n).sum();
+        let sides: &[Edge] = match nodes.len() {
+            6 => &serendipity::TRIANGLE,
+            8 => &serendipity::QUADRILATERAL,
+            _ => &[],
+        };
+        let functions = with_midsides(linear, sides.iter().copied(), [at[0], at[1], 0.0]);
+        let along = |axis: usize| -> Vector3<f64> {
+            nodes.iter().zip(&functions.slopes).map(|(x, slope)| x * slope[axis]).sum()
+        };
+        let normal = along(0).cross(&along(1)) * (p * weight);
+        forces.iter_mut().zip(&functions.values).for_each(|(force, n)| *force += normal * *n);
     }
     forces
+}
+
+/// Points of integration of a face and their weights.
+fn face_points(nodes: usize) -> Vec<([f64; 2], f64)> {
+    if nodes.is_multiple_of(3) {
+        return radon().map(|(r, s, weight)| ([r, s], weight)).into();
+    }
+    let square = |line: &[(f64, f64)]| -> Vec<([f64; 2], f64)> {
+        line.iter().flat_map(|(x, wx)| line.iter().map(move |(y, wy)| ([*x, *y], wx * wy))).collect()
+    };
+    if nodes == 4 { square(&gauss_2()) } else { square(&gauss_3()) }
 }

@@ -10,17 +10,19 @@
 //!   1976), condensed, so bending in its plane does not lock and the patch test holds; a CTRIA3's membrane strain is
 //!   constant, as Nastran's, a CTRIAR's is bent by its corners' rotations (Felippa 2003);
 //! - rotation about the normal is tied to the membrane's own rotation (Hughes and Brezzi 1989) by a weak stiffness, but
-//!   in a CTRIAR, whose membrane has it.
+//!   in a CTRIAR, whose membrane has it, and where the rotations about the normal of all corners are held.
 //!
 //! Local motions a node: u, v, w, rotations about x, y, z. Strains: u,x; v,y; u,y + v,x. Curvatures: ry,x; -rx,y;
 //! ry,y - rx,x. Transverse shears: w,x + ry; w,y - rx.
 
 mod andes;
+mod curved;
 mod point;
 mod quad;
 mod strains;
 mod triangle;
 
+pub use curved::{CurvedPlace, CurvedShell, SectionAxis};
 pub use strains::ShellStrains;
 
 use crate::element::Element;
@@ -56,6 +58,8 @@ pub struct Shell {
     angle_rad: f64,
     /// The membrane is bent by rotations about the normal ([`Self::with_drilling`]).
     drills: bool,
+    /// Stiffness of the rotation about the normal against the membrane's own, in units of the membrane's shear stiffness.
+    tie: f64,
 }
 
 impl Shell {
@@ -89,6 +93,7 @@ impl Shell {
             section,
             angle_rad,
             drills: false,
+            tie: DRILLING,
         })
     }
 
@@ -97,6 +102,13 @@ impl Shell {
     #[must_use]
     pub fn with_drilling(self) -> Self {
         Self { drills: self.corners.len() == 3, ..self }
+    }
+
+    /// Without the stiffness that ties the corners' rotations about the normal to the membrane's own: for an element all of whose
+    /// rotations about the normal are held, whose membrane they would hold as well.
+    #[must_use]
+    pub fn without_drilling_tie(self) -> Self {
+        Self { tie: 0.0, ..self }
     }
 
     /// Axes of the element: rows x (along the side between the first two corners), y and normal, in basic axes.
@@ -134,7 +146,7 @@ impl Shell {
         let section = self.section();
         if self.corners.len() == 4 {
             let local = SVector::<f64, 24>::from_column_slice(local.as_slice());
-            let modes = modes_of(&quad::points(&self.corners), &section, DRILLING, &local);
+            let modes = modes_of(&quad::points(&self.corners), &section, self.tie, &local);
             strains_at(&quad::point(&self.corners, at, 0.0), &local, &modes)
         } else {
             let local = SVector::<f64, 18>::from_column_slice(local.as_slice());
@@ -180,11 +192,11 @@ impl Element for Shell {
     fn stiffness(&self) -> Option<Cow<'_, DMatrix<f64>>> {
         let section = self.section();
         Some(Cow::Owned(if self.corners.len() == 4 {
-            self.basic(&stiffness(&quad::points(&self.corners), &section, DRILLING))
+            self.basic(&stiffness(&quad::points(&self.corners), &section, self.tie))
         } else if self.drills {
-            self.basic(&stiffness(&andes::points(&self.corners, &section.membrane), &section, DRILLING))
+            self.basic(&stiffness(&andes::points(&self.corners, &section.membrane), &section, self.tie))
         } else {
-            self.basic(&stiffness(&triangle::points(&self.corners), &section, DRILLING))
+            self.basic(&stiffness(&triangle::points(&self.corners), &section, self.tie))
         }))
     }
     fn mass(&self) -> Option<Cow<'_, DMatrix<f64>>> {

@@ -2,7 +2,7 @@
 
 use super::strains::ShellStrains;
 use crate::laminate::ShellSection;
-use nalgebra::{Matrix4, RowSVector, SMatrix, SVector};
+use nalgebra::{Matrix3, Matrix4, Matrix6, RowSVector, SMatrix, SVector};
 
 /// Strain operators at one point, D = 6 motions a node.
 pub(super) struct Point<const D: usize> {
@@ -106,4 +106,23 @@ pub(super) fn mass<const D: usize>(points: &[Point<D>], section: &ShellSection) 
         }
     }
     sum
+}
+
+/// Mass of an area of one between two grids of a curved shell, over their six motions in basic axes: the kinetic energy of the velocities u + (offset
+/// + z) (t x n), where `left` and `right` turn t into t x n.
+pub(super) fn mass_of(
+    section: &ShellSection,
+    left: &Matrix3<f64>,
+    right: &Matrix3<f64>,
+    offset_m: f64,
+) -> Matrix6<f64> {
+    let m = section.mass_kg_m2;
+    let first = section.mass_moment_kg_m + m * offset_m;
+    let second = section.mass_inertia_kg + (first + section.mass_moment_kg_m) * offset_m;
+    let mut block = Matrix6::zeros();
+    block.fixed_view_mut::<3, 3>(0, 0).fill_diagonal(m);
+    block.fixed_view_mut::<3, 3>(0, 3).copy_from(&(right * first));
+    block.fixed_view_mut::<3, 3>(3, 0).copy_from(&(left.transpose() * first));
+    block.fixed_view_mut::<3, 3>(3, 3).copy_from(&(left.transpose() * right * second));
+    block
 }

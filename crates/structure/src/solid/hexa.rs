@@ -92,6 +92,14 @@ impl Shape for Hexa {
     fn mass_points(&self) -> Vec<QuadraturePoint> {
         cube(&gauss_3())
     }
+
+    fn quadratic_points(&self) -> Vec<QuadraturePoint> {
+        cube(&gauss_3())
+    }
+
+    fn quadratic_mass_points(&self) -> Vec<QuadraturePoint> {
+        cube(&gauss_3())
+    }
 }
 
 fn cube(line: &[(f64, f64)]) -> Vec<QuadraturePoint> {

@@ -10,14 +10,21 @@
 //! A parallelepiped bends exactly. A mesh of trapezoidal sides still locks when it is slender, as every element
 //! with eight corners that passes the patch test must (MacNeal, 1987).
 //!
+//! With grids on the edges a solid is a [`QuadraticSolid`].
+//!
 //! Corners are numbered as Nastran's; as there, only their consecutive order counts, so that an element may be
 //! numbered in either sense. Matrices are computed when asked for: an element keeps its corners and a reference to
 //! its material.
 
 mod hexa;
 mod penta;
+mod quadratic;
 mod shape;
 mod tetra;
+
+pub(crate) use penta::radon;
+pub use quadratic::QuadraticSolid;
+pub(crate) use shape::{gauss_2, gauss_3};
 
 use crate::element::Element;
 use crate::solid_material::{COMPONENTS, SolidMaterial};
@@ -30,6 +37,16 @@ use std::sync::Arc;
 /// Smallest ratio that still counts as more than nothing: of a distance of corners to the element's size, of a
 /// volume to the lengths that span it.
 const SMALLEST: f64 = 1e-6;
+
+/// The family with this number of corners.
+fn base_of(corners: usize) -> Option<&'static dyn Shape> {
+    match corners {
+        8 => Some(&hexa::Hexa),
+        6 => Some(&penta::Penta),
+        4 => Some(&tetra::Tetra),
+        _ => None,
+    }
+}
 
 /// A solid element.
 #[derive(Debug, Clone)]
@@ -57,15 +74,10 @@ impl Solid {
         material: &Arc<SolidMaterial>,
         span: &Span,
     ) -> Result<Self, InputError> {
-        let shape: &'static dyn Shape = match (nodes.len(), points.len()) {
-            (8, 8) => &hexa::Hexa,
-            (6, 6) => &penta::Penta,
-            (4, 4) => &tetra::Tetra,
-            (nodes, points) => {
-                let message = format!("solid {id} has {nodes} corners and {points} points");
-                let help = "expected 8 (CHEXA), 6 (CPENTA) or 4 (CTETRA), without grids on the edges";
-                return Err(InputError::at(span, message).with_help(help));
-            }
+        let Some(shape) = base_of(nodes.len()).filter(|_| points.len() == nodes.len()) else {
+            let message = format!("solid {id} has {} corners and {} points", nodes.len(), points.len());
+            let help = "expected 8 (CHEXA), 6 (CPENTA) or 4 (CTETRA)";
+            return Err(InputError::at(span, message).with_help(help));
         };
         let mut corners = SMatrix::<f64, 3, 8>::zeros();
         for (i, point) in points.iter().enumerate() {

@@ -83,6 +83,15 @@ impl Shape for Penta {
     fn mass_points(&self) -> Vec<QuadraturePoint> {
         prism(&radon(), &gauss_3())
     }
+
+    /// Strains are linear over the triangle, quadratic along the prism.
+    fn quadratic_points(&self) -> Vec<QuadraturePoint> {
+        prism(&TRIANGLE_2.map(|(r, s)| (r, s, 1.0 / 6.0)), &gauss_3())
+    }
+
+    fn quadratic_mass_points(&self) -> Vec<QuadraturePoint> {
+        prism(&radon(), &gauss_3())
+    }
 }
 
 /// Three points of equal weight, exact to degree 2 over the triangle.
@@ -90,7 +99,7 @@ const TRIANGLE_2: [(f64, f64); 3] = [(1.0 / 6.0, 1.0 / 6.0), (2.0 / 3.0, 1.0 / 6
 
 /// Radon's seven points, exact to degree 5 over the triangle (Stroud, *Approximate Calculation of Multiple
 /// Integrals*, T2: 5-1).
-fn radon() -> [(f64, f64, f64); 7] {
+pub(crate) fn radon() -> [(f64, f64, f64); 7] {
     let root = 15.0_f64.sqrt();
     let (a, b) = ((6.0 - root) / 21.0, (6.0 + root) / 21.0);
     let (wa, wb) = ((155.0 - root) / 2400.0, (155.0 + root) / 2400.0);

@@ -38,6 +38,10 @@ pub(crate) trait Shape: Debug + Sync {
     fn stiffness_points(&self) -> Vec<QuadraturePoint>;
     /// Quadrature of the mass, exact for the shape with straight edges.
     fn mass_points(&self) -> Vec<QuadraturePoint>;
+    /// Quadrature of the stiffness with grids on the edges, exact where edges are straight and grids in their middle.
+    fn quadratic_points(&self) -> Vec<QuadraturePoint>;
+    /// Quadrature of the mass with grids on the edges.
+    fn quadratic_mass_points(&self) -> Vec<QuadraturePoint>;
 }
 
 /// Gauss' rule with two points on -1 to 1, exact to degree 3.

@@ -50,4 +50,26 @@ impl Shape for Tetra {
             .map(|at| QuadraturePoint { at, weight: 1.0 / 24.0 })
             .to_vec()
     }
+
+    /// Strains are linear.
+    fn quadratic_points(&self) -> Vec<QuadraturePoint> {
+        self.mass_points()
+    }
+
+    /// Fifteen points, exact to degree 5 (Stroud, *Approximate Calculation of Multiple Integrals*, T3: 5-1).
+    fn quadratic_mass_points(&self) -> Vec<QuadraturePoint> {
+        let root = 15.0_f64.sqrt();
+        let mut points = vec![QuadraturePoint { at: [0.25; 3], weight: 8.0 / 405.0 }];
+        for sign in [1.0, -1.0] {
+            let (near, weight) =
+                ((7.0 - sign * root) / 34.0, (2665.0 + sign * 14.0 * root) / (6.0 * 37800.0));
+            let far = 1.0 - 3.0 * near;
+            let places = [[near, near, near], [far, near, near], [near, far, near], [near, near, far]];
+            points.extend(places.map(|at| QuadraturePoint { at, weight }));
+        }
+        let (a, b) = ((10.0 - 2.0 * root) / 40.0, (10.0 + 2.0 * root) / 40.0);
+        let pairs = [[a, a, b], [a, b, a], [b, a, a], [b, b, a], [b, a, b], [a, b, b]];
+        points.extend(pairs.map(|at| QuadraturePoint { at, weight: 10.0 / (6.0 * 189.0) }));
+        points
+    }
 }

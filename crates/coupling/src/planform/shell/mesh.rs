@@ -122,7 +122,10 @@ impl<'wing> Mesh<'wing> {
                     ]
                 };
                 let grids = [face(layer), face(layer + 1)].concat();
-                bulk.solids.insert(id, SolidElement { id, property: CORE, grids, span: span.clone() });
+                bulk.solids.insert(
+                    id,
+                    SolidElement { id, property: CORE, grids, midsides: Vec::new(), span: span.clone() },
+                );
                 id += 1;
             }
         }

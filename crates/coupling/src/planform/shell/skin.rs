@@ -28,9 +28,19 @@ impl Numbered<'_> {
         let Some(property) = property else { return };
         let (id, grids) = (self.next, grids.to_vec());
         let (direction, span) = (self.direction, self.span.clone());
-        self.bulk
-            .shells
-            .insert(id, ShellElement { id, property, grids, direction, is_r: false, offset: 0.0, span });
+        self.bulk.shells.insert(
+            id,
+            ShellElement {
+                id,
+                property,
+                grids,
+                midsides: Vec::new(),
+                direction,
+                is_r: false,
+                offset: 0.0,
+                span,
+            },
+        );
         self.next += 1;
     }
 }
