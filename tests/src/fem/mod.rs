@@ -77,7 +77,16 @@ impl Mesh {
         let direction = MaterialDirection::AngleDeg(0.0);
         self.bulk.shells.insert(
             id,
-            ShellElement { id, property: 1, grids, direction, is_r: false, offset: 0.0, span: span() },
+            ShellElement {
+                id,
+                property: 1,
+                grids,
+                direction,
+                is_r: false,
+                offset: 0.0,
+                midsides: Vec::new(),
+                span: span(),
+            },
         );
     }
 
