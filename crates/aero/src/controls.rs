@@ -5,6 +5,7 @@
 //! that rotation about its own pitch axis: hinge . (n x x), for a swept hinge the cosine of its sweep.
 
 use crate::lattice::Lattice;
+use crate::stream_axes::StreamAxes;
 use nastran::{Aelist, Aesurf, BulkData, Frames, InputError};
 use std::collections::BTreeMap;
 
@@ -28,6 +29,18 @@ impl ControlSurface {
     /// # Errors
     /// If a box list, a box of it or a coordinate system is not there, or a label is used twice.
     pub fn all_from_bulk(bulk: &BulkData, lattice: &Lattice) -> Result<Vec<Self>, InputError> {
+        Self::all_in_axes(bulk, lattice, &StreamAxes::basic())
+    }
+
+    /// As [`ControlSurface::all_from_bulk`], for boxes seen in axes of the stream ([`Lattice::in_axes`]).
+    ///
+    /// # Errors
+    /// As [`ControlSurface::all_from_bulk`].
+    pub fn all_in_axes(
+        bulk: &BulkData,
+        lattice: &Lattice,
+        stream: &StreamAxes,
+    ) -> Result<Vec<Self>, InputError> {
         let frames = Frames::resolve(bulk)?;
         let index: BTreeMap<u32, usize> = lattice.boxes.iter().enumerate().map(|(i, b)| (b.id, i)).collect();
         let mut all: Vec<Self> = Vec::new();
@@ -40,8 +53,8 @@ impl ControlSurface {
             }
             let mut parts: BTreeMap<usize, [f64; 2]> = BTreeMap::new();
             for (cid, list) in &card.parts {
-                let hinge = frames.axes_at(*cid, &card.span)?.column(1).into_owned();
-                let origin = frames.origin(*cid, &card.span)?;
+                let hinge = stream.axes.transpose() * frames.axes_at(*cid, &card.span)?.column(1);
+                let origin = stream.seen(&frames.origin(*cid, &card.span)?);
                 for place in places(box_list(bulk, card, *list)?, &index)? {
                     let panel = &lattice.boxes[place];
                     let arm = panel.three_quarter_point() - origin;

@@ -43,7 +43,7 @@ impl Lattice {
     /// The boxes of a deck's CAERO1 panels.
     ///
     /// # Errors
-    /// If a panel refers to an AEFACT or a coordinate system that is not there, divisions do not rise from 0 to 1,
+    /// If a panel refers to an AEFACT or a coordinate system that is not there, divisions do not rise between 0 and 1,
     /// a panel has no area, box numbers collide, or there are more than 50000 boxes or than fit into memory; the card
     /// is blamed.
     pub fn from_bulk(bulk: &BulkData) -> Result<Self, InputError> {
@@ -246,15 +246,27 @@ fn fractions(bulk: &BulkData, panel: &Caero1, of: Divisions, which: &str) -> Res
     }
 }
 
-/// The numbers of an AEFACT, which must rise from 0 to 1.
+/// How far the ends of an AEFACT may be from 0 and 1, as fields of eight characters round them: `.9999999`.
+const ROUNDED: f64 = 1e-6;
+
+/// The numbers of an AEFACT, which must rise between 0 and 1; ends that are rounded are 0 and 1, so that panels meet. A list that begins
+/// or ends elsewhere makes boxes of that part of the panel alone, as in Nastran ([`BulkData::division_remark`] says it).
 fn rising_fractions(list: &Aefact) -> Result<Vec<f64>, InputError> {
-    let rising = list.values.windows(2).all(|pair| pair[0] < pair[1]);
-    let ends = (list.values.first(), list.values.last());
-    if list.values.len() >= 2 && rising && ends == (Some(&0.0), Some(&1.0)) {
-        return Ok(list.values.clone());
+    let mut values = list.values.clone();
+    for (end, exact) in [(0, 0.0), (values.len().saturating_sub(1), 1.0)] {
+        if let Some(value) = values.get_mut(end).filter(|value| (**value - exact).abs() <= ROUNDED) {
+            *value = exact;
+        }
     }
-    Err(InputError::at(&list.span, format!("divisions on AEFACT {} do not rise from 0.0 to 1.0", list.id))
-        .with_help("list the boundaries of all strips or boxes, the first 0.0 and the last 1.0"))
+    let rising = values.windows(2).all(|pair| pair[0] < pair[1]);
+    if values.len() >= 2 && rising && values.iter().all(|value| (0.0..=1.0).contains(value)) {
+        return Ok(values);
+    }
+    Err(InputError::at(
+        &list.span,
+        format!("divisions on AEFACT {} do not rise between 0.0 and 1.0", list.id),
+    )
+    .with_help("list the boundaries of all strips or boxes, the first 0.0 and the last 1.0"))
 }
 
 /// The boxes of a panel; `None` if their numbers do not fit.

@@ -28,6 +28,22 @@ fn boxes_are_numbered_chordwise_first_and_panels_rise() {
 }
 
 #[test]
+fn divisions_that_eight_characters_round_end_where_the_panel_ends() {
+    let of = |ends: &str| {
+        let cards = format!("CAERO1,1,1,0,,3,21,,1\n,0.,0.,0.,1.,0.,1.,0.,1.\nAEFACT,21,{ends}\n");
+        Lattice::from_bulk(&deck(&cards)).unwrap_or_else(|error| panic!("{error}"))
+    };
+    assert_eq!(of("0.,.5,.9999999"), of("0.,.5,1."));
+    assert_eq!(of("1.-7,.5,1."), of("0.,.5,1."));
+    // A list of a part makes the boxes of that part, and it is said.
+    let cards = |ends: &str| format!("CAERO1,1,1,0,,3,21,,1\n,0.,0.,0.,1.,0.,1.,0.,1.\nAEFACT,21,{ends}\n");
+    let inner = of("0.,.25,.5");
+    assert_eq!(inner.boxes[..], of("0.,.25,.5,1.").boxes[..6]);
+    assert!(deck(&cards("0.,.25,.5")).division_remark().is_some_and(|said| said.contains("CAERO1 1 ")));
+    assert_eq!(deck(&cards("0.,.25,.9999999")).division_remark(), None);
+}
+
+#[test]
 fn bad_panels_are_refused_at_their_card() {
     let refusal = |cards: &str| Lattice::from_bulk(&deck(cards)).unwrap_err().to_string();
     let collision = refusal(
@@ -37,11 +53,11 @@ fn bad_panels_are_refused_at_their_card() {
     let missing = refusal("CAERO1,1,1,0,,3,99,,1\n,0.,0.,0.,1.,0.,1.,0.,1.\n");
     assert!(missing.contains("AEFACT 99"), "{missing}");
     let falling = refusal("CAERO1,1,1,0,,3,21,,1\n,0.,0.,0.,1.,0.,1.,0.,1.\nAEFACT,21,0.,.7,.5,1.\n");
-    assert!(falling.contains("wing.bdf:4") && falling.contains("rise from 0.0 to 1.0"), "{falling}");
-    for ends in [".1,.5,1.", "0.,.5,.9", "0.,.5,1.1", "-.1,.5,1.", "0.,1.,1.", "1."] {
+    assert!(falling.contains("wing.bdf:4") && falling.contains("rise between 0.0 and 1.0"), "{falling}");
+    for ends in ["0.,.5,1.1", "-.1,.5,1.", "0.,1.,1.", "1."] {
         for panel in ["CAERO1,1,1,0,,3,21,,1", "CAERO1,1,1,0,3,,,21,1"] {
             let open = refusal(&format!("{panel}\n,0.,0.,0.,1.,0.,1.,0.,1.\nAEFACT,21,{ends}\n"));
-            assert!(open.contains("AEFACT 21 do not rise from 0.0 to 1.0"), "{ends}: {open}");
+            assert!(open.contains("AEFACT 21 do not rise between 0.0 and 1.0"), "{ends}: {open}");
         }
     }
     let flat = refusal("CAERO1,1,1,0,2,3,,,1\n,0.,0.,0.,1.,1.,0.,0.,1.\n");

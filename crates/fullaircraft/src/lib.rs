@@ -20,6 +20,11 @@ pub use cases::grid::{CaseFlight, CaseResult};
 pub use cases::list::Case;
 pub use deck::cases::{DeckCase, deck_cases};
 pub use deck::flutter::{FlutterDeck, FlutterPoints, FlutterRoots, flutter_cases};
+pub use deck::gust::{
+    DeckGust, DynamicAnswer, GustCase, GustDeck, GustLoads, MonitorAnswer, RandomAnswer, RandomSet,
+    TimeAnswer, gust_cases,
+};
+pub use deck::modal::ModalDeck;
 pub use deck::trim::{Elastic, TrimDeck, TrimmedDeck};
 pub use error::AircraftError;
 pub use flight::air::FlightAir;

@@ -46,7 +46,7 @@ fn assembled(bulk: &BulkData) -> (FlutterDeck, Vec<FlutterPoints>, Vec<(f64, Gaf
     let deck = FlutterDeck::new(bulk, &case).unwrap_or_else(|error| panic!("{error}"));
     let points = deck.points(bulk, &card).unwrap_or_else(|error| panic!("{error}"));
     let mut machs: Vec<f64> =
-        points.iter().flat_map(FlutterPoints::machs).map(|m| deck.nearest_mach(m)).collect();
+        points.iter().flat_map(FlutterPoints::machs).map(|m| deck.modal.nearest_mach(m)).collect();
     machs.dedup();
     let tables = machs.into_iter().map(|m| (m, deck.forces(m).expect("forces"))).collect();
     (deck, points, tables)

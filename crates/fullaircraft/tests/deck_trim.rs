@@ -82,9 +82,28 @@ fn a_station_of_all_boxes_has_the_lift_of_the_aircraft() {
     near(trimmed.monitors["TOTAL"][2], 8000.0, 2e-6);
     let canard: f64 = trimmed.lift[..8].iter().sum();
     near(trimmed.monitors["FRONT"][2], canard, 1e-12);
-    let error =
-        TrimDeck::new(&deck("MONPNT1,TOTAL   ,label\n,123456,ALL,0,15.,0.,0.\n", &[]), 0.9).unwrap_err();
-    assert!(error.to_string().contains("AECOMP ALL"), "{error}");
+    // A component that is not there is left out, as Nastran does (its warning 7701), and named.
+    let bulk = deck("MONPNT1,TOTAL   ,label\n,123456,ALL,0,15.,0.,0.\n", &[]);
+    assert_eq!(TrimDeck::new(&bulk, 0.9).unwrap().skipped_monitors, ["TOTAL"]);
+}
+
+#[test]
+fn stations_of_one_name_are_kept_one_after_the_other_and_lists_of_components_add_up() {
+    let more = "AECOMP,WING,CAERO,1100\nAECOMP,CANARD,CAERO,1000\nAECOMPL,BOTH,WING,CANARD\n\
+                MONPNT1,SAME    ,wing\n,123456,WING,0,15.,0.,0.\nMONPNT1,SAME    ,canard\n,123456,CANARD,0,15.,0.,0.\n\
+                MONPNT1,ALL     ,list\n,123456,BOTH,0,15.,0.,0.\n";
+    let bulk = deck(more, &[]);
+    assert_eq!(bulk.station_names(), ["SAME", "SAME (2)", "ALL"]);
+    let trimmed = TrimDeck::new(&bulk, 0.9).unwrap().trim_card(&bulk.trims[&1]).unwrap();
+    let loads = |name: &str| trimmed.monitors[name];
+    near(loads("SAME (2)")[2], trimmed.lift[..8].iter().sum(), 1e-12);
+    for component in 0..6 {
+        let sum = loads("SAME")[component] + loads("SAME (2)")[component];
+        assert!(
+            (loads("ALL")[component] - sum).abs() <= 1e-9 * loads("ALL")[2].abs(),
+            "component {component}"
+        );
+    }
 }
 
 #[test]
@@ -109,12 +128,7 @@ fn what_limits_a_trim_is_said() {
 }
 
 #[test]
-fn a_deck_with_turned_axes_or_other_splines_is_refused_in_words() {
-    let turned = "CORD2R,77,,0.,0.,0.,0.,0.,-1.,+\n+,-1.,0.,0.\n";
-    let mut bulk = deck(turned, &[]);
-    bulk.aero_reference.as_mut().unwrap().acsid = 77;
-    let error = TrimDeck::new(&bulk, 0.9).unwrap_err();
-    assert!(error.to_string().contains("ACSID"), "{error}");
+fn a_deck_with_other_splines_is_refused_in_words() {
     let mut bulk = deck("SPLINE6,900,1000,1,,1100,,IPS\n", &[]);
     bulk.splines.clear();
     let error = TrimDeck::new(&bulk, 0.9).unwrap_err();
@@ -168,4 +182,113 @@ fn an_antisymmetric_trim_knows_neither_camber_nor_offsets_and_follows_the_roll_i
     );
     near(rolled(0.2), 2.0 * rolled(0.1), 1e-9);
     assert!(rolled(0.1) * rolled(-0.1) < 0.0 && rolled(0.1) != 0.0);
+}
+
+/// The deck with all that stands in the basic system turned and shifted, and the stream with it.
+fn turned(mut bulk: BulkData) -> BulkData {
+    let turn = nalgebra::Rotation3::new(nalgebra::Vector3::new(0.4, -0.8, 2.5));
+    let at =
+        |v: nalgebra::Vector3<f64>| nalgebra::Point3::from(nalgebra::Vector3::new(7.0, -3.0, 2.0) + turn * v);
+    let (a, b, c) = (at(nalgebra::Vector3::zeros()), at(nalgebra::Vector3::z()), at(nalgebra::Vector3::x()));
+    let other = |id: u32| if id == 0 { 900 } else { id };
+    for coord in bulk.coords.values_mut() {
+        if let nastran::CoordDefinition::Points { rid, .. } = &mut coord.definition {
+            *rid = other(*rid);
+        }
+    }
+    let span = nastran::Span::generated("the test");
+    let definition = nastran::CoordDefinition::Points { rid: 0, a, b, c };
+    bulk.coords
+        .insert(900, nastran::Coord { id: 900, kind: nastran::CoordKind::Rectangular, definition, span });
+    bulk.grids.values_mut().for_each(|grid| (grid.cp, grid.cd) = (other(grid.cp), other(grid.cd)));
+    bulk.panels.values_mut().for_each(|panel| panel.cp = other(panel.cp));
+    bulk.monitors.iter_mut().for_each(|card| (card.cp, card.cd) = (other(card.cp), other(card.cd)));
+    bulk
+}
+
+#[test]
+fn a_deck_turned_with_its_stream_has_the_same_trim_loads_and_derivatives() {
+    let more = "AECOMP,WING,CAERO,1100\nMONPNT1,WING    ,wing\n,123456,WING,0,15.,0.,0.\n\
+                SET1,77,110,111,112,120,121,122\nMONPNT3,NET     ,net\n,123456,77,,0,15.,0.,0.\n";
+    let (straight, turned) = (deck(more, &[]), turned(deck(more, &[])));
+    let [one, other] = [&straight, &turned].map(|bulk| TrimDeck::new(bulk, 0.9).expect("a deck"));
+    let [a, b] = [&one, &other].map(|deck| deck.trim_card(&straight.trims[&2]).expect("a trim"));
+    for (name, value) in &a.values {
+        assert!((value - b.values[name]).abs() < 1e-9, "{name}: {value} {}", b.values[name]);
+    }
+    for name in ["WING", "NET"] {
+        let size = a.monitors[name].iter().map(|load| load.abs()).fold(0.0, f64::max);
+        for (x, y) in a.monitors[name].iter().zip(&b.monitors[name]) {
+            assert!((x - y).abs() < 1e-8 * size, "{name}: {x} {y}");
+        }
+    }
+    for elastic in [fullaircraft::Elastic::Restrained, fullaircraft::Elastic::Unrestrained] {
+        let [x, y] = [&one, &other].map(|deck| deck.derivatives(1200.0, elastic));
+        for (name, coefficients) in &x {
+            for (p, q) in coefficients.iter().zip(&y[name]) {
+                assert!((p - q).abs() < 1e-8, "{name}: {p} {q}");
+            }
+        }
+    }
+    // with the stream along the basic x it is another aircraft
+    let mut crosswise = turned;
+    crosswise.aero_reference.as_mut().expect("AEROS").acsid = 0;
+    let found =
+        TrimDeck::new(&crosswise, 0.9).map(|deck| deck.derivatives(40.0, fullaircraft::Elastic::Rigid));
+    let slope = one.derivatives(40.0, fullaircraft::Elastic::Rigid)["ANGLEA"][2];
+    assert!(found.is_err() || found.is_ok_and(|all| (all["ANGLEA"][2] / slope - 1.0).abs() > 0.1));
+}
+
+#[test]
+fn the_angle_of_attack_of_the_mean_axes_is_that_of_no_grid_in_particular() {
+    let at = |grid: &str| {
+        let bulk = deck("", &[("SUPORT,90,35", &format!("SUPORT,{grid},35"))]);
+        TrimDeck::new(&bulk, 0.9).unwrap().trim_card(&bulk.trims[&2]).unwrap()
+    };
+    let [one, other] = ["90", "98"].map(at);
+    let apart = one.values["ANGLEA"] - other.values["ANGLEA"];
+    assert!(apart.abs() > 1e-4, "the fuselage bends between the two: {apart}");
+    near(one.values["ELEV"], other.values["ELEV"], 1e-9);
+    let [a, b] = [&one, &other].map(|trimmed| trimmed.mean_angle_of_attack_rad.expect("a SUPORT in pitch"));
+    assert!((a - b).abs() < 1e-9, "{a} {b}, {apart}");
+    assert!((a - one.values["ANGLEA"]).abs() > 5e-6, "{a} {}", one.values["ANGLEA"]);
+    // A structure that hardly bends has its grids' angle.
+    let mut stiff = deck("", &[]);
+    stiff
+        .materials
+        .values_mut()
+        .for_each(|material| (material.e, material.g) = (1e6 * material.e, 1e6 * material.g));
+    let trimmed = TrimDeck::new(&stiff, 0.9).unwrap().trim_card(&stiff.trims[&2]).unwrap();
+    near(trimmed.mean_angle_of_attack_rad.expect("an angle"), trimmed.values["ANGLEA"], 1e-4);
+}
+
+#[test]
+fn components_of_several_grids_support_an_aircraft_as_those_of_one_do() {
+    // the half model as a whole one: all six motions free, held at one grid or at two
+    let at = |support: &str| {
+        let change = [
+            ("SPC = 1\n", ""),
+            ("SPC1,1,1246,90\n", ""),
+            ("SPC1,1,246,97,98,99,100\n", ""),
+            ("SUPORT,90,35\n", support),
+            (
+                "AESTAT,501,ANGLEA\n",
+                "AESTAT,501,ANGLEA\nAESTAT,605,URDD1\nAESTAT,606,URDD2\nAESTAT,607,URDD4\nAESTAT,608,URDD6\n",
+            ),
+        ];
+        let mut bulk = deck("", &change);
+        bulk.aero_reference.as_mut().expect("AEROS").symmetry = 0;
+        let bulk = bulk.in_subcase(&bulk.subcases[0]).expect("a subcase");
+        TrimDeck::new(&bulk, 0.9).and_then(|deck| deck.trim_card(&bulk.trims[&1]))
+    };
+    let [one, two] =
+        ["SUPORT,90,123456\n", "SUPORT,90,1234\nSUPORT,99,23\n"].map(|support| at(support).expect("a trim"));
+    for name in ["URDD1", "URDD2", "URDD4", "URDD6", "ELEV"] {
+        let scale = one.values[name].abs().max(1e-3);
+        assert!((one.values[name] - two.values[name]).abs() < 1e-7 * scale, "{name}: {one:?} {two:?}");
+    }
+    let [a, b] = [&one, &two].map(|trimmed| trimmed.mean_angle_of_attack_rad.expect("pitch"));
+    near(a, b, 1e-7);
+    let error = at("SUPORT,90,1234\nSUPORT,99,45\n").expect_err("yaw is free").to_string();
+    assert!(error.contains("do not hold a rigid body"), "{error}");
 }

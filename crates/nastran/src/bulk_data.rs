@@ -3,11 +3,12 @@
 use crate::card::Card;
 use crate::cards::kind::{CardKind, Cards, DeckCard, Family};
 use crate::cards::{
-    Aecomp, Aefact, Aelink, Aelist, Aero, Aeros, Aestat, Aesurf, BeamElement, BeamLoad, BeamProperty, Caero1,
-    Cbush, Conm1, Conm2, Conrod, Coord, Crod, CrossLoad, EigenMethod, Flfact, Flutter, Genel, Gravity, Grid,
-    LineLoad, LoadSum, Mat1, Mat2, Mat8, Mat9, Mkaero, MonitorPoint, Mpc, Paero1, Pbush, Pcomp, PointLoad,
-    Pressure, Prod, Pshell, Psolid, Rbar, Rbe2, Rbe3, ScalarElement, ScalarProperty, Set1, SetUnion,
-    ShellElement, SolidElement, Spc1, SplineCard, Spoint, Suport, Tabdmp1, Trim,
+    Aecomp, Aecompl, Aefact, Aelink, Aelist, Aero, Aeros, Aestat, Aesurf, BeamElement, BeamLoad,
+    BeamProperty, Caero1, Cbush, Conm1, Conm2, Conrod, Coord, Crod, CrossLoad, Darea, Dmig, DynamicLoad,
+    EigenMethod, Flfact, Flutter, FrequencyList, FunctionTable, Genel, Gravity, Grid, Gust, LineLoad,
+    LoadSum, Mat1, Mat2, Mat8, Mat9, Mkaero, MonitorPoint, Mpc, Paero1, Pbush, Pcomp, PointLoad, Pressure,
+    Prod, Pshell, Psolid, Randps, Rbar, Rbe2, Rbe3, ScalarElement, ScalarProperty, Set1, SetUnion,
+    ShellElement, SolidElement, Spc1, SpectrumTable, SplineCard, Spoint, Suport, Tabdmp1, TimeSteps, Trim,
 };
 use crate::deck::case_control::Subcase;
 use crate::dmi::Dmi;
@@ -164,6 +165,7 @@ kinds! {
     trims: BTreeMap<u32, Trim>, Own, ["TRIM"];
     aero_links: Vec<Aelink>, Own, ["AELINK"];
     aero_components: BTreeMap<String, Aecomp>, Own, ["AECOMP"];
+    component_lists: BTreeMap<String, Aecompl>, Own, ["AECOMPL"];
     eigen_methods: BTreeMap<u32, EigenMethod>, Own, ["EIGRL", "EIGR"];
     supports: Vec<Suport>, Own, ["SUPORT", "SUPORT1"];
     unsteady_reference: Option<Aero>, Own, ["AERO"];
@@ -171,6 +173,17 @@ kinds! {
     flutter_factors: BTreeMap<u32, Flfact>, Own, ["FLFACT"];
     reduced_frequencies: Vec<Mkaero>, Own, ["MKAERO1", "MKAERO2"];
     damping_tables: BTreeMap<u32, Tabdmp1>, Own, ["TABDMP1"];
+    gusts: BTreeMap<u32, Gust>, Own, ["GUST"];
+    dynamic_loads: BTreeMap<u32, DynamicLoad>, Own, ["TLOAD1", "TLOAD2", "RLOAD1", "RLOAD2"];
+    dynamic_sums: BTreeMap<u32, LoadSum>, Own, ["DLOAD"];
+    load_areas: Vec<Darea>, Own, ["DAREA"];
+    extra_points: BTreeMap<u32, Spoint>, Own, ["EPOINT"];
+    direct_matrices: Vec<Dmig>, Own, ["DMIG"];
+    frequencies: Vec<FrequencyList>, Own, ["FREQ", "FREQ1", "FREQ2"];
+    time_steps: BTreeMap<u32, TimeSteps>, Own, ["TSTEP"];
+    function_tables: BTreeMap<u32, FunctionTable>, Own, ["TABLED1", "TABLED2", "TABLED3"];
+    spectrum_tables: BTreeMap<u32, SpectrumTable>, Own, ["TABRND1", "TABRNDG"];
+    spectra: Vec<Randps>, Own, ["RANDPS"];
 }
 
 /// The kind that a field holds.

@@ -4,7 +4,7 @@
 //! or sets that SPCADD and MPCADD unite. Where subcases differ in boundary conditions nothing is chosen in silence.
 
 use crate::bulk_data::BulkData;
-use crate::cards::SetUnion;
+use crate::cards::{Aecomp, Divisions, SetUnion};
 use crate::deck::case_control::Subcase;
 use crate::source::InputError;
 use std::borrow::Cow;
@@ -85,6 +85,56 @@ impl BulkData {
             aeros.symmetry = symmetry;
         }
         Ok(bulk)
+    }
+
+    /// Names of the monitoring stations in the deck's order, each once: Nastran prints several of one name one after the other, here
+    /// those after the first have their place among them, `ROOT (2)`.
+    pub fn station_names(&self) -> Vec<String> {
+        let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+        let mut names = Vec::with_capacity(self.monitors.len());
+        for monitor in &self.monitors {
+            let count = counts.entry(&monitor.name).or_default();
+            *count += 1;
+            names.push(if *count == 1 {
+                monitor.name.clone()
+            } else {
+                format!("{} ({count})", monitor.name)
+            });
+        }
+        names
+    }
+
+    /// The components that a name stands for: an AECOMP, or those of an AECOMPL, of lists of lists too; nothing if one is not there.
+    pub fn components_of(&self, name: &str) -> Option<Vec<&Aecomp>> {
+        let (mut found, mut open, mut seen) = (Vec::new(), vec![name.to_owned()], BTreeSet::new());
+        while let Some(name) = open.pop() {
+            if !seen.insert(name.clone()) {
+                continue;
+            }
+            match (self.aero_components.get(&name), self.component_lists.get(&name)) {
+                (Some(component), _) => found.push(component),
+                (None, Some(list)) => open.extend(list.parts.iter().cloned()),
+                (None, None) => return None,
+            }
+        }
+        Some(found)
+    }
+
+    /// Which panels have boxes on a part of them alone, because their lists of divisions (AEFACT) begin or end inside: said to the user.
+    pub fn division_remark(&self) -> Option<String> {
+        let is_part = |divisions: &Divisions| {
+            let Divisions::Aefact(id) = divisions else { return false };
+            let values = self.factors.get(id).map_or(&[][..], |list| &list.values);
+            values.first().is_some_and(|first| *first > 1e-6)
+                || values.last().is_some_and(|last| *last < 1.0 - 1e-6)
+        };
+        let of_part = self
+            .panels
+            .values()
+            .filter(|panel| is_part(&panel.span_divisions) || is_part(&panel.chord_divisions));
+        let list: Vec<String> = of_part.map(|panel| format!("CAERO1 {} ", panel.id)).collect();
+        (!list.is_empty())
+            .then(|| format!("{}has boxes on a part alone: AEFACT does not go from 0 to 1", list.concat()))
     }
 
     /// What of the deck's splines is not computed as it is asked for: said to the user.

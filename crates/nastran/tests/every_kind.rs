@@ -113,6 +113,7 @@ AESTAT,120,ANGLEA
 TRIM,1,.5,100.,URDD3,1.
 AELINK,ALWAYS,FLAP,ANGLEA,.5
 AECOMP,WING,AELIST,102
+AECOMPL,ALL,WING
 SUPORT,1,35
 SUPORT1,4,2,35
 EIGRL,7,,,5
@@ -130,6 +131,31 @@ MKAERO1,0.,.5,,,,,,
 MKAERO2,0.,.3
 TABDMP1,6,CRIT,,,,,,
 ,0.,.01,10.,.02,ENDT
+GUST,1,5,.1,0.,30.
+TLOAD1,1,7,.1,,8
+TLOAD2,2,7,,,0.,1.,2.,90.
+,.5,1.
+RLOAD1,3,7,,,8
+RLOAD2,4,7,,,8,8
+DLOAD,5,1.,2.,1,3.,2
+DAREA,7,1,3,2.
+EPOINT,1001
+DMIG,STIFF,0,6,1,0
+DMIG,STIFF,1,3,,2,3,1.
+FREQ,9,1.,2.
+FREQ1,9,1.,2.,3
+FREQ2,9,1.,8.,3
+TSTEP,10,100,.1
+TABLED1,8,,,,,,,
+,0.,1.,2.,3.,ENDT
+TABLED2,9,1.,,,,,,
+,0.,1.,2.,3.,ENDT
+TABLED3,10,1.,2.,,,,,
+,0.,1.,2.,3.,ENDT
+TABRND1,11,,,,,,,
+,0.,1.,2.,3.,ENDT
+TABRNDG,12,1,2.,3.
+RANDPS,13,1,1,1.,,11
 ";
 
 /// Boxes 1001 to 1004 in two strips of two; the strips count from the other side.
@@ -155,6 +181,7 @@ const NO_IMAGE: &[&str] = &[
     "trims",
     "aero_links",
     "aero_components",
+    "component_lists",
     "supports",
     "eigen_methods",
     "unsteady_reference",
@@ -162,6 +189,16 @@ const NO_IMAGE: &[&str] = &[
     "flutter_factors",
     "reduced_frequencies",
     "damping_tables",
+    "gusts",
+    "dynamic_loads",
+    "dynamic_sums",
+    "load_areas",
+    "direct_matrices",
+    "frequencies",
+    "time_steps",
+    "function_tables",
+    "spectrum_tables",
+    "spectra",
 ];
 /// Kinds that are read only.
 const NOT_WRITTEN: &[&str] = &[
@@ -172,6 +209,7 @@ const NOT_WRITTEN: &[&str] = &[
     "trims",
     "aero_links",
     "aero_components",
+    "component_lists",
     "supports",
     "eigen_methods",
     "unsteady_reference",
@@ -179,6 +217,15 @@ const NOT_WRITTEN: &[&str] = &[
     "flutter_factors",
     "reduced_frequencies",
     "damping_tables",
+    "gusts",
+    "dynamic_loads",
+    "load_areas",
+    "direct_matrices",
+    "frequencies",
+    "time_steps",
+    "function_tables",
+    "spectrum_tables",
+    "spectra",
 ];
 
 fn samples() -> BulkData {
@@ -270,11 +317,20 @@ fn every_number_is_raised_and_nothing_else() {
         "load_sums",
         "trims",
         "aero_links",
+        "component_lists",
         "aero_reference",
         "flutters",
         "flutter_factors",
         "reduced_frequencies",
         "damping_tables",
+        "gusts",
+        "dynamic_loads",
+        "dynamic_sums",
+        "frequencies",
+        "time_steps",
+        "function_tables",
+        "spectrum_tables",
+        "spectra",
     ];
     for field in kinds(&keep) {
         assert_ne!(before[field], after[field], "{field} keeps its numbers");
@@ -286,7 +342,10 @@ fn every_number_is_raised_and_nothing_else() {
         BulkData { aero_reference: None, unsteady_reference: None, trims: BTreeMap::new(), ..deck };
     (both.flutters, both.flutter_factors, both.damping_tables) = Default::default();
     (both.constraint_unions, both.equation_unions, both.load_sums) = Default::default();
+    (both.gusts, both.dynamic_loads, both.dynamic_sums, both.time_steps) = Default::default();
+    (both.function_tables, both.spectrum_tables) = Default::default();
     both.aero_components.clear();
+    both.component_lists.clear();
     both.join(raised).expect("numbers above all others");
     for (name, count) in samples().element_counts() {
         assert_eq!(both.element_counts()[name], 2 * count, "{name}");

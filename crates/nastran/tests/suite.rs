@@ -9,6 +9,7 @@ mod fe_cards;
 mod fields;
 mod flutter_cards;
 mod geometry;
+mod gust_cards;
 mod include;
 mod robustness;
 mod round_trip;

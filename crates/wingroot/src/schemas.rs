@@ -129,6 +129,7 @@ fn results() -> Vec<Named> {
             "flutter_deck_result",
             "result.json of flutter --deck",
         ),
+        result::<crate::commands::gust_result::GustResult>("gust_result", "result.json of gust"),
     ]
 }
 

@@ -18,6 +18,7 @@ mod forms;
 mod free;
 mod fullaircraft_large;
 mod guide;
+mod gust;
 mod hidden_killed;
 #[path = "hostile/main.rs"]
 mod hostile;

@@ -1,7 +1,7 @@
 //! `decks`: a folder of users' Nastran decks, each run as its executive control asks, and a table of what became of them.
 //!
 //! Every deck runs in a process of its own, so that a panic, a hang or a memory that grows without end is a row of the table and not
-//! the end of it. What a program of ours cannot run yet as asked (statics, flutter, gusts) is read and assembled, and its
+//! the end of it. What a program of ours cannot run yet as asked (buckling, dynamic response) is read and assembled, and its
 //! constrained stiffness factorised.
 
 use clap::Args;
@@ -231,7 +231,8 @@ fn command(analysis: Analysis) -> Option<&'static str> {
         Analysis::Other | Analysis::Optimisation => None,
         Analysis::Statics | Analysis::NonlinearStatics => Some("statics"),
         Analysis::Buckling => Some("decks"),
-        Analysis::Modes | Analysis::Response | Analysis::Gust => Some("modes"),
+        Analysis::Modes | Analysis::Response => Some("modes"),
+        Analysis::Gust => Some("gust"),
         Analysis::Flutter => Some("flutter"),
         Analysis::Trim => Some("fullaircraft"),
     }

@@ -1,8 +1,11 @@
-//! Trim and derivatives of a user's whole-aircraft deck (SOL 144), and its flutter (SOL 145).
+//! Trim and derivatives of a user's whole-aircraft deck (SOL 144), its flutter (SOL 145) and gusts (SOL 146).
 
 mod box_rows;
 pub mod cases;
 pub mod flutter;
+pub mod gust;
+mod mean_pitch;
+pub mod modal;
 mod monitors;
 mod net_monitors;
 mod plate;

@@ -1,8 +1,9 @@
 //! MONPNT1: air loads of a component's boxes, added up about a point.
 
-use aero::{BoxLoads, Lattice};
+use aero::{BoxLoads, Lattice, StreamAxes};
+use faer::Mat;
 use nalgebra::{Matrix3, Point3};
-use nastran::{BulkData, ComponentOf, Frames, InputError};
+use nastran::{Aecomp, BulkData, ComponentOf, Frames, InputError};
 
 /// A monitoring station.
 #[derive(Debug, Clone)]
@@ -18,6 +19,31 @@ pub(crate) struct Monitor {
 }
 
 impl Monitor {
+    /// It in the axes of the stream, for boxes that are given there.
+    pub(crate) fn seen_in(&self, stream: &StreamAxes) -> Self {
+        Self {
+            point: stream.seen(&self.point),
+            axes: stream.axes.transpose() * self.axes,
+            name: self.name.clone(),
+            boxes: self.boxes.clone(),
+        }
+    }
+
+    /// Three forces and three moments (rows) by the loads of the boxes (two columns a box).
+    pub(crate) fn rows(&self, lattice: &Lattice) -> Mat<f64> {
+        let mut rows = Mat::zeros(6, 2 * lattice.len());
+        for &place in &self.boxes {
+            for part in [2 * place, 2 * place + 1] {
+                let mut unit = BoxLoads { values: vec![0.0; 2 * lattice.len()] };
+                unit.values[part] = 1.0;
+                let (force, moment) = unit.resultant(lattice, std::iter::once(place), &self.point);
+                let turned = [self.axes.transpose() * force, self.axes.transpose() * moment];
+                (0..6).for_each(|row| rows[(row, part)] = turned[row / 3][row % 3]);
+            }
+        }
+        rows
+    }
+
     /// Three forces and three moments.
     pub(crate) fn loads(&self, lattice: &Lattice, loads: &BoxLoads) -> [f64; 6] {
         let (force, moment) = loads.resultant(lattice, self.boxes.iter().copied(), &self.point);
@@ -26,36 +52,40 @@ impl Monitor {
     }
 }
 
-/// The MONPNT1 of a deck, and the names of those that are left out: of a component made of grids.
+/// The MONPNT1 of a deck, and the names of those that are left out: of components made of grids, or that are not there, which
+/// Nastran leaves out as well.
 ///
 /// # Errors
-/// If a component, list, box or system is not there.
+/// If a list, box or system is not there.
 pub(crate) fn monitors(
     bulk: &BulkData,
     lattice: &Lattice,
     frames: &Frames,
 ) -> Result<(Vec<Monitor>, Vec<String>), InputError> {
     let (mut all, mut skipped) = (Vec::new(), Vec::new());
-    for card in &bulk.monitors {
+    for (card, name) in bulk.monitors.iter().zip(bulk.station_names()) {
         if card.is_structural {
             continue;
         }
         let axes = frames.axes_at(card.cd, &card.span)?;
         let point = frames.point(card.cp, card.xyz, &card.span)?;
-        if bulk.aero_components.get(&card.set).is_some_and(|component| component.of == ComponentOf::Grids) {
-            skipped.push(card.name.clone());
+        let components = bulk.components_of(&card.set).unwrap_or_default();
+        if components.is_empty() || components.iter().any(|component| component.of == ComponentOf::Grids) {
+            skipped.push(name);
             continue;
         }
-        let boxes = boxes(bulk, &card.set, lattice).map_err(|why| InputError::at(&card.span, why))?;
-        all.push(Monitor { name: card.name.clone(), boxes, point, axes });
+        let boxes = boxes(bulk, &components, lattice).map_err(|why| InputError::at(&card.span, why))?;
+        all.push(Monitor { name, boxes, point, axes });
     }
     Ok((all, skipped))
 }
 
-fn boxes(bulk: &BulkData, name: &str, lattice: &Lattice) -> Result<Vec<usize>, String> {
-    let component = bulk.aero_components.get(name).ok_or_else(|| format!("AECOMP {name} is not there"))?;
+fn boxes(bulk: &BulkData, components: &[&Aecomp], lattice: &Lattice) -> Result<Vec<usize>, String> {
     let mut places = Vec::new();
-    for list in &component.lists {
+    for (component, list) in
+        components.iter().flat_map(|component| component.lists.iter().map(move |list| (component, list)))
+    {
+        let name = &component.name;
         match component.of {
             ComponentOf::Grids => {}
             ComponentOf::Panels => {

@@ -44,15 +44,16 @@ pub(crate) fn net_monitors(
     mass_times: MatRef<'_, f64>,
 ) -> Result<(Vec<NetMonitor>, Vec<String>), InputError> {
     let (mut all, mut skipped) = (Vec::new(), Vec::new());
-    for card in bulk.monitors.iter().filter(|card| card.is_structural) {
+    let stations = bulk.monitors.iter().zip(bulk.station_names());
+    for (card, name) in stations.filter(|(card, _)| card.is_structural) {
         let set = card.set.parse::<u32>().ok().and_then(|id| bulk.sets.get(&id));
         let Some(set) = set else {
-            skipped.push(card.name.clone());
+            skipped.push(name);
             continue;
         };
         let motions = motions(card, &set.ids, frames, free)?;
         all.push(NetMonitor {
-            name: card.name.clone(),
+            name,
             by_air: coupling::supported::restrict(motions.as_ref(), s_dofs).transpose().to_owned(),
             by_variables: motions.transpose() * mass_times,
         });
@@ -61,7 +62,7 @@ pub(crate) fn net_monitors(
 }
 
 /// Motions of a station's grids along and about its axes, g-set by 6.
-fn motions(
+pub(crate) fn motions(
     card: &MonitorPoint,
     grids: &[u32],
     frames: &Frames,

@@ -3,11 +3,14 @@
 use crate::error::AircraftError;
 use aero::Corrections;
 use coupling::{CouplingError, Spline};
-use faer::linalg::solvers::Solve;
+use faer::linalg::solvers::{DenseSolveCore, Solve};
 use faer::{Mat, MatRef};
-use nalgebra::{Matrix3, Point3};
-use nastran::{BulkData, InputError, Spc1};
+use nalgebra::{Matrix3, Point3, Vector3};
+use nastran::{BulkData, Frames, InputError, Spc1, Suport};
 use structure::{Flexibility, Model, System};
+
+/// Rigid motions by a unit of a SUPORT component beyond which the components do not hold a rigid body.
+const LARGEST: f64 = 1e9;
 
 /// The deck's structure.
 pub(crate) fn assembled(bulk: &BulkData) -> Result<System, InputError> {
@@ -32,22 +35,59 @@ pub(crate) fn held(bulk: &BulkData) -> Result<System, InputError> {
     assembled(&bulk)
 }
 
-/// The rigid motions of the SUPORT components, g-set by motions; none for a deck without SUPORT, held by its constraints.
+/// The rigid motions of the SUPORT components, each of unit size with the others at rest, g-set by motions; none for a deck without
+/// SUPORT, held by its constraints.
+///
+/// # Errors
+/// If a grid is not there, or components of several grids are not six that hold a rigid body.
 pub(crate) fn support_motions(bulk: &BulkData, free: &System) -> Result<Mat<f64>, InputError> {
     let [support, rest @ ..] = bulk.supports.as_slice() else {
         return Ok(Mat::zeros(6 * free.node_count(), 0));
     };
-    let node = free.node_index(support.grid).ok_or_else(|| {
-        InputError::at(&support.span, format!("GRID {} of SUPORT is not there", support.grid))
-    })?;
-    if rest.iter().any(|other| other.grid != support.grid) || bulk.grids[&support.grid].cd != 0 {
-        return Err(InputError::at(&support.span, "SUPORT names several grids, or one with its own axes")
-            .with_help("support one grid with basic displacement axes"));
+    let frames = Frames::resolve(bulk)?;
+    let place = |support: &Suport| {
+        let node = free.node_index(support.grid).ok_or_else(|| {
+            InputError::at(&support.span, format!("GRID {} of SUPORT is not there", support.grid))
+        })?;
+        let axes = frames.axes_at_point(bulk.grids[&support.grid].cd, &free.points()[node], &support.span)?;
+        Ok::<_, InputError>((node, axes))
+    };
+    let (node, axes) = place(support)?;
+    let rigid = reference_motions(free, &free.points()[node], &axes);
+    let components = |support: &Suport| support.components.iter().map(|c| usize::from(*c) - 1).collect();
+    if rest.iter().all(|other| other.grid == support.grid) {
+        let columns: Vec<usize> = bulk.supports.iter().map(components).collect::<Vec<Vec<usize>>>().concat();
+        return Ok(Mat::from_fn(rigid.nrows(), columns.len(), |i, j| rigid[(i, columns[j])]));
     }
-    let rigid = free.rigid_body(&free.points()[node]);
-    let columns: Vec<usize> =
-        bulk.supports.iter().flat_map(|s| &s.components).map(|c| usize::from(*c) - 1).collect();
-    Ok(Mat::from_fn(rigid.nrows(), columns.len(), |i, j| rigid[(i, columns[j])]))
+    // What each of the six motions about the first grid moves along the components.
+    let mut moved: Vec<[f64; 6]> = Vec::new();
+    for support in &bulk.supports {
+        let (node, axes) = place(support)?;
+        let columns: Vec<usize> = components(support);
+        for c in columns {
+            let along =
+                |k: usize, motion: usize| axes[(k, c % 3)] * rigid[(6 * node + 3 * (c / 3) + k, motion)];
+            moved.push(std::array::from_fn(|motion| (0..3).map(|k| along(k, motion)).sum()));
+        }
+    }
+    let by_motions = Mat::from_fn(moved.len(), 6, |i, j| moved[i][j]);
+    let motions = (moved.len() == 6).then(|| by_motions.partial_piv_lu().inverse());
+    let motions = motions.filter(|all| all.col_iter().all(|column| column.iter().all(|x| x.abs() < LARGEST)));
+    let refused = || {
+        InputError::at(
+            &support.span,
+            "SUPORT names components of several grids that do not hold a rigid body",
+        )
+        .with_help("support six components that do, or components of one grid")
+    };
+    Ok(rigid * motions.ok_or_else(refused)?)
+}
+
+/// Rotation of each SUPORT motion, basic axes.
+pub(crate) fn support_rotations(bulk: &BulkData, free: &System, d: &Mat<f64>) -> Vec<Vector3<f64>> {
+    let node = bulk.supports.first().and_then(|support| free.node_index(support.grid));
+    let of = |node: usize, j: usize| Vector3::from_fn(|axis, _| d[(6 * node + 3 + axis, j)]);
+    (0..d.ncols()).map(|j| node.map_or_else(Vector3::zeros, |node| of(node, j))).collect()
 }
 
 /// Unit motions along and about the reference axes.
@@ -93,6 +133,10 @@ pub(crate) struct Reduced {
     pub(crate) sag: Mat<f64>,
     /// SUPORT motions by each variable's inertia.
     pub(crate) inertia: Mat<f64>,
+    /// Motion of the mean axes along the SUPORT motions by loads on the s-set, held: `(Dᵀ M D)^-1 Dᵀ M F`.
+    pub(crate) mean_by_load: Mat<f64>,
+    /// The same by each variable's inertia loads: `(Dᵀ M D)^-1 Dᵀ M F M a`.
+    pub(crate) mean_by_inertia: Mat<f64>,
 }
 
 impl Reduced {
@@ -115,10 +159,13 @@ impl Reduced {
         let f_gs = displaced(units.as_ref());
         let (md, ma) = (free.inertia_loads(d.as_ref()), free.inertia_loads(a.as_ref()));
         let restrained = at(&f_gs);
-        let sag = at(&displaced(ma.as_ref()));
+        let sagged = displaced(ma.as_ref());
+        let sag = at(&sagged);
         let inertia = d.transpose() * ma;
         if d.ncols() == 0 {
-            return Ok(Self { unrestrained: restrained.clone(), restrained, sag, inertia });
+            let [mean_by_load, mean_by_inertia] = [s_dofs.len(), a.ncols()].map(|n| Mat::zeros(0, n));
+            let unrestrained = restrained.clone();
+            return Ok(Self { unrestrained, restrained, sag, inertia, mean_by_load, mean_by_inertia });
         }
         let m_rr = d.transpose() * &md;
         let factor = m_rr.partial_piv_lu();
@@ -132,6 +179,8 @@ impl Reduced {
             let message = "no mass moves with a SUPORT motion";
             return Err(CouplingError::from(InputError::general(message)).into());
         }
-        Ok(Self { restrained, unrestrained, sag, inertia })
+        let mean_by_load = factor.solve(&c);
+        let mean_by_inertia = factor.solve(md.transpose() * sagged);
+        Ok(Self { restrained, unrestrained, sag, inertia, mean_by_load, mean_by_inertia })
     }
 }

@@ -12,11 +12,13 @@
 //! offsets: both are the same on the two halves.
 
 use crate::deck::cases::refuse_unread;
+use crate::deck::mean_pitch::MeanPitch;
 use crate::deck::monitors::{Monitor, monitors};
 use crate::deck::net_monitors::{NetMonitor, net_monitors};
 use crate::deck::spline::{self, Splined};
 use crate::deck::structure::{
     Reduced, assembled, box_displacements, corrections, held, reference_motions, support_motions,
+    support_rotations,
 };
 use crate::deck::variables::{ANTISYMMETRIC, Links, variables};
 use crate::error::AircraftError;
@@ -43,11 +45,12 @@ pub enum Elastic {
 /// A deck ready to be trimmed at one Mach number.
 #[derive(Debug)]
 pub struct TrimDeck {
-    /// Boxes.
+    /// Boxes, in the axes of the stream (ACSID).
     pub lattice: Lattice,
     /// Variable names: INTERCEPT (camber and twist, always 1), then AESTAT and AESURF in ascending number.
     pub variables: Vec<String>,
     aeros: Aeros,
+    /// Origin of the reference axes, in those of the stream.
     origin: Point3<f64>,
     /// Controls in proportion to others.
     links: Links,
@@ -79,6 +82,8 @@ pub struct TrimDeck {
     inertia: Mat<f64>,
     /// The s-set part of the SUPORT motions.
     motions: Mat<f64>,
+    /// By how much the mean axes pitch against the SUPORT grid.
+    mean_pitch: Option<MeanPitch>,
     /// The s-set part of the six motions of the reference axes.
     axes: Mat<f64>,
 }
@@ -86,8 +91,10 @@ pub struct TrimDeck {
 /// A trimmed deck.
 #[derive(Debug, Clone)]
 pub struct TrimmedDeck {
-    /// Value of each variable.
+    /// Value of each variable; angles are those of the SUPORT grid.
     pub values: BTreeMap<String, f64>,
+    /// Angle of attack of the mean axes, rad, in which the deformation has no momentum; none without ANGLEA or a SUPORT motion in pitch.
+    pub mean_angle_of_attack_rad: Option<f64>,
     /// Pressure coefficient of each box, before the deck's corrections.
     pub cp: Vec<f64>,
     /// Lift of each box along its normal, the deck's unit of force.
@@ -100,29 +107,27 @@ impl TrimDeck {
     /// Assembles a deck for one Mach number.
     ///
     /// # Errors
-    /// If the deck has cards that are not read and would change the trim, AEROS is missing or its axes are turned, SUPORT names more than one grid, a variable is unknown, no box has a spline, or the structure is
+    /// If the deck has cards that are not read and would change the trim, AEROS is missing, SUPORT names more than one grid, a variable is unknown, no box has a spline, or the structure is
     /// free to move when held at the SUPORT motions.
     pub fn new(bulk: &BulkData, mach: f64) -> Result<Self, AircraftError> {
-        let missing = |card: &str| InputError::general(format!("the deck has no {card}, which trim needs"));
         refuse_unread(bulk)?;
-        let aeros = bulk.aero_reference.clone().ok_or_else(|| missing("AEROS"))?;
-        let lattice = Lattice::from_bulk(bulk)?;
+        let missing = || InputError::general("the deck has no AEROS, which trim needs");
+        let aeros = bulk.aero_reference.clone().ok_or_else(missing)?;
+        let frames = Frames::resolve(bulk)?;
+        let stream = stream_axes(&frames, &aeros)?;
+        let lattice = Lattice::in_axes(bulk, &stream)?;
         let (free, held) = (assembled(bulk)?, held(bulk)?);
         let Splined { spline, loose } =
-            spline::splines(bulk, &lattice, free.node_ids(), free.points(), &StreamAxes::basic())?;
-        let frames = Frames::resolve(bulk)?;
-        refuse_turned(&frames, &aeros)?;
+            spline::splines(bulk, &lattice, free.node_ids(), free.points(), &stream)?;
         let axes = frames.axes_at(aeros.rcsid, &aeros.span)?;
         let origin = frames.origin(aeros.rcsid, &aeros.span)?;
-        let (variables, incidence, accelerations) = variables(bulk, &lattice, &aeros, &origin)?;
+        let (variables, incidence, accelerations) =
+            variables(bulk, &lattice, &aeros, &stream.seen(&origin), &stream)?;
         let integration = Integration::new(&lattice);
         let s_dofs = spline.used_dofs();
         let d = support_motions(bulk, &free)?;
         let d6 = reference_motions(&free, &origin, &axes);
-        let units = bulk.parameters.get("AUNITS").copied().unwrap_or(1.0);
-        let a = Mat::from_fn(d6.nrows(), variables.len(), |i, j| {
-            accelerations[j].map_or(0.0, |axis| d6[(i, axis)] / units)
-        });
+        let a = accelerations_by(bulk, &d6, &accelerations);
         let structure = Reduced::new(&free, &held, &d, &a, &s_dofs)?;
         let corrections = corrections(bulk, lattice.len())?;
         let motion = box_displacements(&spline, &s_dofs);
@@ -135,7 +140,7 @@ impl TrimDeck {
         let cp_displacement = aero.pressures(theta.as_ref());
         let stiffness = &gather * &cp_displacement;
         let divergence = divergence(&structure.restrained, &stiffness)?;
-        let (monitors, skipped) = monitors(bulk, &lattice, &frames)?;
+        let (monitors, skipped) = stations(bulk, &lattice, &stream)?;
         let accelerated = free.inertia_loads(a.as_ref());
         let (net_monitors, groups) = net_monitors(bulk, &frames, &free, &s_dofs, accelerated.as_ref())?;
         let at = |m: &Mat<f64>| coupling::supported::restrict(m.as_ref(), &s_dofs);
@@ -151,6 +156,7 @@ impl TrimDeck {
             divergence,
             integration,
             motions: at(&d),
+            mean_pitch: MeanPitch::new(&structure, &support_rotations(bulk, &free, &d), &stream),
             axes: at(&d6),
             gather,
             offset,
@@ -162,7 +168,7 @@ impl TrimDeck {
             lattice,
             variables,
             aeros,
-            origin,
+            origin: stream.seen(&origin),
         })
     }
 
@@ -207,7 +213,7 @@ impl TrimDeck {
         self.variables.iter().enumerate().map(|(j, name)| (name.clone(), of(j))).collect()
     }
 
-    /// Neutral point: x in the basic system about which the moment does not follow the angle of attack; nothing without ANGLEA.
+    /// Neutral point: x in the axes of the stream (ACSID) about which the moment does not follow the angle of attack; nothing without ANGLEA.
     pub fn neutral_point_x(&self, q: f64, elastic: Elastic) -> Option<f64> {
         let all = self.derivatives(q, elastic);
         let alpha = all.get("ANGLEA")?;
@@ -271,7 +277,10 @@ impl TrimDeck {
             .map(|i| q * (self.offset[i] + (0..cp.len()).map(|j| self.gather[(i, j)] * cp[j]).sum::<f64>()))
             .collect();
         let net = self.net_monitors.iter().map(|one| (one.name.clone(), one.loads(&on_grids, &values)));
+        let alpha = self.variables.iter().position(|name| name == "ANGLEA").map(|at| values[at]);
+        let mean = self.mean_pitch.as_ref().map(|pitch| pitch.angle_rad(&on_grids, &values));
         Ok(TrimmedDeck {
+            mean_angle_of_attack_rad: alpha.zip(mean).map(|(alpha, mean)| alpha + mean),
             lift: loads.values.iter().copied().step_by(2).collect(),
             monitors: monitored.chain(net).collect(),
             cp,
@@ -285,14 +294,27 @@ fn offset(symmetry: i32, weighed: impl FnOnce() -> Vec<f64>, rows: usize) -> Vec
     if symmetry == ANTISYMMETRIC { vec![0.0; rows] } else { weighed() }
 }
 
-/// The stream goes along x of the basic system.
-fn refuse_turned(frames: &Frames, aeros: &Aeros) -> Result<(), InputError> {
-    if (frames.axes_at(aeros.acsid, &aeros.span)? - Matrix3::identity()).amax() <= 1e-9 {
-        return Ok(());
-    }
-    let message = "the aerodynamic system ACSID is turned against the basic system, which is not supported";
-    Err(InputError::at(&aeros.span, message)
-        .with_help("write the deck with x aft, y right and z up in the basic system"))
+/// Accelerations of the g-set by each variable: those of the reference axes in units of gravity (PARAM AUNITS), none of the others.
+fn accelerations_by(bulk: &BulkData, axes: &Mat<f64>, of: &[Option<usize>]) -> Mat<f64> {
+    let units = bulk.parameters.get("AUNITS").copied().unwrap_or(1.0);
+    Mat::from_fn(axes.nrows(), of.len(), |i, j| of[j].map_or(0.0, |axis| axes[(i, axis)] / units))
+}
+
+/// Stations of boxes that are seen in the axes of the stream.
+fn stations(
+    bulk: &BulkData,
+    lattice: &Lattice,
+    stream: &StreamAxes,
+) -> Result<(Vec<Monitor>, Vec<String>), InputError> {
+    let (monitors, skipped) = monitors(bulk, lattice, &Frames::resolve(bulk)?)?;
+    Ok((monitors.iter().map(|monitor| monitor.seen_in(stream)).collect(), skipped))
+}
+
+/// The axes of the stream; those that are only shifted in the plane of symmetry are the basic ones, in which users look for places.
+fn stream_axes(frames: &Frames, aeros: &Aeros) -> Result<StreamAxes, InputError> {
+    let stream = StreamAxes::of_deck(frames, aeros.acsid, &aeros.span)?;
+    let is_shifted = (stream.axes - Matrix3::identity()).amax() <= 1e-9 && stream.origin.y == 0.0;
+    Ok(if is_shifted { StreamAxes::basic() } else { stream })
 }
 
 /// One over the positive real eigenvalues of `F H`, ascending.

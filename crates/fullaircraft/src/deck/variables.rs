@@ -1,6 +1,6 @@
 //! The variables of a deck's trim: camber and twist, AESTAT and AESURF, and controls linked to others (AELINK).
 
-use aero::{ControlSurface, Lattice, camber_and_twist, incidence};
+use aero::{ControlSurface, Lattice, StreamAxes, camber_and_twist, incidence};
 use faer::Mat;
 use nalgebra::{Point3, Vector3};
 use nastran::{Aeros, BulkData, InputError};
@@ -11,12 +11,13 @@ pub(crate) const ANTISYMMETRIC: i32 = -1;
 /// Names, incidence, and which acceleration each variable is.
 pub(crate) type Variables = (Vec<String>, Mat<f64>, Vec<Option<usize>>);
 
-/// Names, incidence, and which acceleration each variable is.
+/// Names, incidence, and which acceleration each variable is; boxes and `origin` (of rates) are seen in the axes of the stream.
 pub(crate) fn variables(
     bulk: &BulkData,
     lattice: &Lattice,
     aeros: &Aeros,
     origin: &Point3<f64>,
+    stream: &StreamAxes,
 ) -> Result<Variables, InputError> {
     let n = lattice.len();
     let mut camber = camber_and_twist(bulk, lattice)?;
@@ -46,7 +47,7 @@ pub(crate) fn variables(
         all.push((label, column, acceleration));
     }
     all.extend(
-        ControlSurface::all_from_bulk(bulk, lattice)?
+        ControlSurface::all_in_axes(bulk, lattice, stream)?
             .into_iter()
             .map(|c| (c.name.clone(), c.column(n), None)),
     );

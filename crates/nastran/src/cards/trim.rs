@@ -251,3 +251,33 @@ impl DeckCard for Aecomp {
 
     no_image!();
 }
+
+/// Components as one (AECOMPL).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Aecompl {
+    /// Name, which no AECOMP has.
+    pub name: String,
+    /// Names of AECOMP, or of other AECOMPL.
+    pub parts: Vec<String>,
+    /// Where the card stands.
+    pub span: Span,
+}
+
+impl DeckCard for Aecompl {
+    keyed!(String, name);
+    /// AECOMPL: NAME LABEL1 LABEL2 ...
+    fn read(card: &Card) -> Result<Vec<Self>, InputError> {
+        let there = (1..card.len()).filter(|at| !card.text(*at).is_empty());
+        let parts: Vec<String> = there.map(|at| card.name_at(at, "LABEL")).collect::<Result<_, _>>()?;
+        if parts.is_empty() {
+            return Err(card.empty(1, "LABEL1", "the name of an AECOMP"));
+        }
+        Ok(vec![Self { name: card.name_at(0, "NAME")?, parts, span: card.span.clone() }])
+    }
+
+    not_written!();
+
+    keeps_numbers!();
+
+    no_image!();
+}

@@ -6,6 +6,7 @@
 use crate::deck::include;
 use crate::source::{InputError, Span};
 use crate::text_file::read_text;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -38,8 +39,34 @@ pub struct Subcase {
     pub auto_spc: Option<bool>,
     /// AESYMXZ: 1 symmetric, -1 antisymmetric, 0 asymmetric.
     pub symmetry: Option<i32>,
+    /// GUST.
+    pub gust: Option<u32>,
+    /// DLOAD: TLOAD, RLOAD or DLOAD.
+    pub dynamic_load: Option<u32>,
+    /// FREQUENCY: FREQ, FREQ1 and FREQ2.
+    pub frequencies: Option<u32>,
+    /// TSTEP.
+    pub time_steps: Option<u32>,
+    /// RANDOM: RANDPS.
+    pub random: Option<u32>,
+    /// K2PP, M2PP, B2PP: matrices (DMIG) beside the structure's; TFL: transfer functions.
+    pub direct: Vec<String>,
+    /// Grids of DISPLACEMENT, VELOCITY and ACCELERATION.
+    pub responses: Asked,
     /// Selections that change stiffness or mass and are not read, such as `K2GG = STIFF`.
     pub unread: Vec<(String, Span)>,
+}
+
+/// Points that answers are asked for at.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub enum Asked {
+    /// None.
+    #[default]
+    Nothing,
+    /// ALL.
+    All,
+    /// Those of sets, in rising numbers.
+    Of(BTreeSet<u32>),
 }
 
 /// Commands that change stiffness or mass of the structure and are not read.
@@ -48,7 +75,10 @@ const CHANGING: [&str; 5] = ["K2GG", "M2GG", "NSM", "STATSUB", "DEFORM"];
 /// Commands that begin something made of earlier subcases, which have no boundary conditions of their own.
 const COMBINED: [&str; 3] = ["SUBCOM", "SYMCOM", "REPCASE"];
 
-/// One line and where it stands.
+/// Longest range of a set.
+const LONGEST_RANGE: u32 = 1_000_000;
+
+/// One command, with the lines that a comma joins to it, and where it stands.
 struct Command {
     text: String,
     span: Span,
@@ -68,6 +98,7 @@ pub(super) fn read(path: &Path, lines: &[&str]) -> Result<Vec<Subcase>, InputErr
     let mut common = Subcase::default();
     let mut subcases: Vec<Subcase> = Vec::new();
     let mut combined: Option<Subcase> = None;
+    let sets = sets(&commands);
     for command in &commands {
         let Some((name, value)) = words(&command.text) else { continue };
         if name.starts_with("SUBC") && name != "SUBCOM" || name == "SYM" {
@@ -84,7 +115,7 @@ pub(super) fn read(path: &Path, lines: &[&str]) -> Result<Vec<Subcase>, InputErr
             combined = Some(Subcase::default());
         } else {
             let case = combined.as_mut().or(subcases.last_mut()).unwrap_or(&mut common);
-            select(case, command, &name, value)?;
+            select(case, command, &name, value, &sets)?;
         }
     }
     if subcases.is_empty() && (end.is_some() || common != Subcase::default()) {
@@ -117,7 +148,10 @@ fn collect(path: &Path, lines: &[&str], from: usize, commands: &mut Vec<Command>
         let text = line.split('$').next().unwrap_or("").trim();
         if !text.is_empty() {
             let span = Span::new(&file, at + 1, 1, line.chars().count().max(1) + 1);
-            commands.push(Command { text: text.to_owned(), span });
+            match commands.last_mut().filter(|before| before.text.ends_with(',')) {
+                Some(before) => before.text += text,
+                None => commands.push(Command { text: text.to_owned(), span }),
+            }
         }
         at += 1;
     }
@@ -154,8 +188,53 @@ fn is_initial(text: &str) -> bool {
     inside.starts_with("INIT") || inside.starts_with("MAT")
 }
 
+/// The sets of points, by number; of a set given again the last.
+fn sets(commands: &[Command]) -> BTreeMap<u32, BTreeSet<u32>> {
+    let mut sets = BTreeMap::new();
+    for command in commands {
+        let Some((head, list)) = command.text.split_once('=') else { continue };
+        let mut words = head.split_whitespace();
+        let is_set = words.next().is_some_and(|word| word.eq_ignore_ascii_case("SET"));
+        let Some(id) = words.next().and_then(|id| id.parse().ok()).filter(|_| is_set) else { continue };
+        let mut ids: BTreeSet<u32> = BTreeSet::new();
+        let (mut last, mut is_range) = (None, false);
+        for word in list.split(|c: char| c.is_whitespace() || c == ',').filter(|word| !word.is_empty()) {
+            match word.parse::<u32>() {
+                Ok(end) => {
+                    let first = last.filter(|first| is_range && end > *first && end - first < LONGEST_RANGE);
+                    ids.extend(first.unwrap_or(end)..=end);
+                    (last, is_range) = (Some(end), false);
+                }
+                Err(_) => is_range = word.eq_ignore_ascii_case("THRU"),
+            }
+        }
+        sets.insert(id, ids);
+    }
+    sets
+}
+
+/// Adds the points of a request; one that names no set asks for nothing.
+fn ask(case: &mut Subcase, value: Option<&str>, sets: &BTreeMap<u32, BTreeSet<u32>>) {
+    let word = value.unwrap_or_default();
+    if word.eq_ignore_ascii_case("ALL") {
+        case.responses = Asked::All;
+    } else if let Some(set) = word.parse().ok().and_then(|id: u32| sets.get(&id)) {
+        match &mut case.responses {
+            Asked::All => {}
+            Asked::Of(ids) => ids.extend(set),
+            Asked::Nothing => case.responses = Asked::Of(set.clone()),
+        }
+    }
+}
+
 /// Keeps what a command says of a subcase.
-fn select(case: &mut Subcase, command: &Command, name: &str, value: Option<&str>) -> Result<(), InputError> {
+fn select(
+    case: &mut Subcase,
+    command: &Command,
+    name: &str,
+    value: Option<&str>,
+    sets: &BTreeMap<u32, BTreeSet<u32>>,
+) -> Result<(), InputError> {
     let one = || number(command, value).map(Some);
     match name {
         "TRIM" => case.trim = one()?,
@@ -175,6 +254,15 @@ fn select(case: &mut Subcase, command: &Command, name: &str, value: Option<&str>
         "TEMP" | "TEMPERATURE" if !is_initial(&command.text) => case.temperature = one()?,
         "FMETHOD" => case.flutter = one()?,
         "SDAMPING" | "SDAMP" => case.damping = one()?,
+        "GUST" => case.gust = one()?,
+        "DLOAD" => case.dynamic_load = one()?,
+        "FREQ" | "FREQUENCY" => case.frequencies = one()?,
+        "TSTEP" => case.time_steps = one()?,
+        "RANDOM" => case.random = one()?,
+        "K2PP" | "M2PP" | "B2PP" | "TFL" => {
+            case.direct.push(format!("{name} {}", value.unwrap_or_default().to_ascii_uppercase()));
+        }
+        _ if ["DISP", "VELO", "ACCE"].iter().any(|word| name.starts_with(word)) => ask(case, value, sets),
         "LABEL" | "SUBTITLE" => {
             let label = command.text.split_once('=').map_or("", |(_, label)| label);
             label.trim().clone_into(&mut case.label);

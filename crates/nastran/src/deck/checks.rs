@@ -59,19 +59,3 @@ pub(super) fn components(deck: &BulkData) -> Result<(), InputError> {
             .with_help("give one digit from 1 to 6"))
     })
 }
-
-/// Demands that every monitoring station has its own name.
-pub(super) fn monitor_names(deck: &BulkData) -> Option<InputError> {
-    for (at, monitor) in deck.monitors.iter().enumerate() {
-        if let Some(first) = deck.monitors[..at].iter().find(|other| other.name == monitor.name) {
-            let message = format!(
-                "monitoring station {} is given twice; the number or name is taken since {}",
-                monitor.name, first.span
-            );
-            return Some(
-                InputError::at(&monitor.span, message).with_help("give every card its own number or name"),
-            );
-        }
-    }
-    None
-}

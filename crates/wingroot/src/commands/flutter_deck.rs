@@ -58,7 +58,7 @@ pub(super) fn run(path: &Path, subcase: Option<u32>, common: &Common) -> Result<
         } else {
             let deck = FlutterDeck::new(&bulk, case)?;
             if !common.quiet {
-                say_of_splines(&bulk, &deck.loose_boxes);
+                say_of_splines(&bulk, &deck.modal.loose_boxes);
             }
             deck
         };
@@ -108,7 +108,7 @@ fn solved(
     let Task { bulk, deck, case, card } = task;
     let points = deck.points(bulk, card)?;
     let mut machs: Vec<f64> =
-        points.iter().flat_map(FlutterPoints::machs).map(|mach| deck.nearest_mach(mach)).collect();
+        points.iter().flat_map(FlutterPoints::machs).map(|mach| deck.modal.nearest_mach(mach)).collect();
     machs.sort_by(f64::total_cmp);
     machs.dedup();
     let bar = progress::bar(common, machs.len() + points.len(), "flutter");
@@ -153,9 +153,9 @@ fn solved(
         subcase: case.id,
         label: case.label.clone(),
         flutter: card.id,
-        boxes: deck.lattice.len(),
-        frequencies_hz: deck.omega_rad_s.iter().map(|omega| omega / TAU).collect(),
-        rigid_modes: deck.omega_rad_s.iter().filter(|omega| **omega == 0.0).count(),
+        boxes: deck.modal.lattice.len(),
+        frequencies_hz: deck.modal.omega_rad_s.iter().map(|omega| omega / TAU).collect(),
+        rigid_modes: deck.modal.omega_rad_s.iter().filter(|omega| **omega == 0.0).count(),
         conditions,
     })
 }
@@ -179,7 +179,7 @@ fn rows(deck: &FlutterDeck, group: &FlutterPoints, curves: &CompleteCurves, lead
                 FlutterPoints::Matched { machs, .. } => machs[place],
                 _ => first(group).0,
             };
-            let k = root.p.im / flow.v_m_s / deck.kappa(1.0);
+            let k = root.p.im / flow.v_m_s / deck.modal.kappa(1.0);
             let g = root.damping_g().map_or_else(String::new, |g| g.to_string());
             let (density, v) = (flow.rho_kg_m3, flow.v_m_s);
             let (number, hz) = (number + 1, root.frequency_hz());
@@ -200,11 +200,11 @@ fn condition(deck: &FlutterDeck, group: &FlutterPoints, roots: &FlutterRoots) ->
     let (mut changes, mut remarks) = (Vec::new(), Vec::new());
     let asked = group.machs();
     let far: Vec<f64> =
-        asked.iter().copied().filter(|mach| (deck.nearest_mach(*mach) - mach).abs() > 1e-9).collect();
+        asked.iter().copied().filter(|mach| (deck.modal.nearest_mach(*mach) - mach).abs() > 1e-9).collect();
     if let Some(mach) = far.first() {
         remarks.push(format!(
             "MKAERO1 and MKAERO2 have no Mach number {mach}; forces are those of {}",
-            deck.nearest_mach(*mach)
+            deck.modal.nearest_mach(*mach)
         ));
     }
     let mut speeds = [f64::INFINITY, f64::NEG_INFINITY];

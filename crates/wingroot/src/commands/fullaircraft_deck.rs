@@ -52,8 +52,10 @@ struct Trimmed {
     q: f64,
     /// Why it was not trimmed; null if it was.
     refused: Option<String>,
-    /// Trim variables.
+    /// Trim variables; angles are those of the SUPORT grid.
     values: BTreeMap<String, f64>,
+    /// Angle of attack of the mean axes; null if the subcase was refused, or has no ANGLEA or no SUPORT motion in pitch.
+    mean_angle_of_attack_rad: Option<f64>,
     /// Lift; null if the subcase was refused.
     lift: Option<f64>,
     /// Loads at monitor points: three forces, three moments; of the air (MONPNT1), net on all of their grids (MONPNT3).
@@ -118,7 +120,7 @@ pub(crate) fn run(path: &Path, common: &Common) -> Result<(), Failure> {
     }
     if !skipped.is_empty() && !common.quiet {
         show::note(&format!(
-            "stations left out (MONPNT3 of a group that is no SET1, MONPNT1 of components made of grids): {}",
+            "stations left out (MONPNT3 of a group, MONPNT1 of components made of grids or not there): {}",
             skipped.join(", ")
         ));
     }
@@ -142,7 +144,7 @@ pub(crate) fn run(path: &Path, common: &Common) -> Result<(), Failure> {
 
 /// What of the splines is not as the deck might expect.
 pub(crate) fn say_of_splines(bulk: &BulkData, loose: &[u32]) {
-    bulk.spline_remark().iter().for_each(|remark| show::note(remark));
+    bulk.division_remark().iter().chain(&bulk.spline_remark()).for_each(|remark| show::note(remark));
     if let Some(first) = loose.first() {
         show::note(&format!(
             "{} boxes have no spline, the first {first}: they neither move nor load the structure",
@@ -185,6 +187,7 @@ fn numbers(case: &DeckCase, deck: &TrimDeck, found: Result<TrimmedDeck, String>)
         q,
         refused,
         values: trimmed.as_ref().map(|trimmed| trimmed.values.clone()).unwrap_or_default(),
+        mean_angle_of_attack_rad: trimmed.as_ref().and_then(|trimmed| trimmed.mean_angle_of_attack_rad),
         lift: trimmed.as_ref().map(|trimmed| trimmed.lift.iter().sum()),
         monitors: trimmed.map(|trimmed| trimmed.monitors).unwrap_or_default(),
         divergence_q: deck.divergence_pressures().iter().copied().take(DIVERGENCES).collect(),
@@ -220,6 +223,9 @@ fn text(summary: &Summary) -> String {
             table.row([name.clone(), value].into_iter().chain(cells));
         }
         let _ = writeln!(text, "{table}");
+        if let Some(angle) = case.mean_angle_of_attack_rad {
+            let _ = writeln!(text, "  ANGLEA of the mean axes: {angle:.6e} (above: of the SUPORT grid)");
+        }
         for (name, loads) in &case.monitors {
             let loads: Vec<String> = loads.iter().map(|load| format!("{load:.4e}")).collect();
             let _ = writeln!(text, "  MONPNT1 {name}: {}", loads.join(" "));

@@ -74,6 +74,8 @@ commands! {
     response: Response(Box<crate::args::ResponseArgs>),
     /// Flutter and divergence speeds of the wing, initial beside updated, by two methods, with V-g and V-f curves
     flutter: Flutter(flutter::FlutterArgs),
+    /// A Nastran deck in discrete and random gusts: motions of grids and loads of its monitoring stations
+    gust: Gust(gust::GustArgs),
     /// The documents that came with the program, as pages to read without a network
     docs: Docs(docs::DocsArgs),
     /// What a shell needs to complete commands and options
@@ -153,6 +155,9 @@ mod fullaircraft_draws;
 mod fullaircraft_effects;
 mod fullaircraft_figures;
 mod fullaircraft_prepared;
+mod gust_files;
+pub(crate) mod gust_result;
+mod gust_text;
 mod hidden_judge;
 mod hidden_truth;
 mod loads_draws;

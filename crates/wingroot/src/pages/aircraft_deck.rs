@@ -63,6 +63,9 @@ fn subcase(case: &Value) -> Section {
     for (name, value) in case["values"].as_object().into_iter().flatten() {
         trimmed.row([name.clone(), five_at(value, "")]);
     }
+    if let Some(angle) = at(case, "mean_angle_of_attack_rad") {
+        trimmed.row(["ANGLEA of the mean axes (above: of the SUPORT grid)".to_owned(), digits(angle, 5)]);
+    }
     if let Some(lift) = at(case, "lift") {
         trimmed.row(["lift".to_owned(), digits(lift, 5)]);
     }

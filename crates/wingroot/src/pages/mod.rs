@@ -16,6 +16,7 @@ mod flutter;
 mod flutter_bent;
 mod flutter_deck;
 mod free;
+mod gust;
 mod hidden;
 mod loads;
 mod modes;
@@ -51,6 +52,7 @@ pub(crate) fn page(written: Written) -> Option<Page> {
         "flutter" => flutter::page,
         "free" => free::page,
         "flutter --deck" => flutter_deck::page,
+        "gust" => gust::page,
         "loads" => loads::page,
         "modes" => modes::page,
         "statics" => statics::page,
