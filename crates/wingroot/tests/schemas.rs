@@ -242,9 +242,10 @@ fn every_result_fits_its_schema() {
     std::fs::write(made("field.csv"), format!("x_mm,y_mm,w_mm\n{}", field.collect::<String>()))
         .expect("a file");
     let with = ["--wing", &wing, "--corrections", &corrections];
-    let deck = path(&data("published/decks/ha144a_fsw.bdf"));
+    let [deck, gust] =
+        ["ha144a_fsw.bdf", "bah_gust.bdf"].map(|name| path(&data("published/decks").join(name)));
     let flight = path(&data("weber_brebner/flight.ron"));
-    let commands: [(&str, Vec<&str>); 15] = [
+    let commands: [(&str, Vec<&str>); 16] = [
         ("calibrate_result", vec!["calibrate", "--wing", &wing]),
         ("simulate_result", [&["simulate"], &with[..]].concat()),
         ("deflection_result", [&["deflection"], &with[..]].concat()),
@@ -260,6 +261,7 @@ fn every_result_fits_its_schema() {
             [&["fullaircraft", "--cases", "cases.ron", "--aircraft", &aircraft], &with[..]].concat(),
         ),
         ("fullaircraft_deck_result", vec!["fullaircraft", "--deck", &deck]),
+        ("gust_result", vec!["gust", "--deck", &gust]),
         ("response_result", vec!["response", "--data", &mav]),
         ("response_missing_result", vec!["response", "--missing", "--hide", "q*delta", "--data", &mav]),
         ("response_displacement_result", vec!["response", "--displacement", "field.csv"]),

@@ -165,7 +165,7 @@ impl Reduced {
         if d.ncols() == 0 {
             let [mean_by_load, mean_by_inertia] = [s_dofs.len(), a.ncols()].map(|n| Mat::zeros(0, n));
             let unrestrained = restrained.clone();
-            return Ok(Self { unrestrained, restrained, sag, inertia, mean_by_load, mean_by_inertia });
+            return Ok(Self { restrained, unrestrained, sag, inertia, mean_by_load, mean_by_inertia });
         }
         let m_rr = d.transpose() * &md;
         let factor = m_rr.partial_piv_lu();

@@ -26,7 +26,7 @@ use crate::{progress, show};
   wingroot gust --deck my_aircraft.bdf
   wingroot gust --deck my_aircraft.bdf --subcase 20 --grids 101,116")]
 pub struct GustArgs {
-    /// A Nastran deck: discrete and random gusts as SOL 146 of it asks (GUST, TLOAD1/2, RLOAD1/2, FREQ, TSTEP, RANDPS), in its own units
+    /// A Nastran deck: discrete and random gusts as SOL 146 of it asks (GUST, TLOAD, RLOAD, FREQ, TSTEP, RANDPS), in its own units
     #[arg(long, value_name = "FILE")]
     pub(crate) deck: PathBuf,
     /// The subcase of the deck [default: all that select a GUST or a DLOAD]

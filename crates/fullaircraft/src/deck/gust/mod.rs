@@ -90,7 +90,7 @@ impl GustDeck {
         if modal.bulk.unknown.contains_key("MONDSP1") {
             remarks.push("MONDSP1 is not read: name grids by DISPLACEMENT in the case control".to_owned());
         }
-        let highest = cases.iter().flat_map(|case| case.hz.last().map(|hz| TAU * hz / case.flow.v_m_s));
+        let highest = cases.iter().filter_map(|case| case.hz.last().map(|hz| TAU * hz / case.flow.v_m_s));
         let highest = highest.fold(0.0, f64::max);
         let mach = cases.first().map_or(0.0, |case| case.mach);
         let mut rows = Mat::zeros(6 * stations.len(), 2 * modal.lattice.len());
@@ -180,7 +180,7 @@ impl GustDeck {
                     .into());
             }
             let by_motion = self.air.on_stations(kappa, x.as_ref()).map(|p| p * Scale(c64::from(q)));
-            answer.stations.push(self.loads(&x, omega, [by_motion, by_gust]));
+            answer.stations.push(self.loads(&x, omega, &[by_motion, by_gust]));
             answer.excitation.push(excitation);
             answer.modal.push(x.col(0).iter().copied().collect());
         }
@@ -188,7 +188,7 @@ impl GustDeck {
     }
 
     /// Loads of the stations of amplitudes of the modes, and of the air by the motion and by the gust.
-    fn loads(&self, x: &Mat<c64>, omega: f64, air: [Option<Mat<c64>>; 2]) -> Vec<GustLoads<c64>> {
+    fn loads(&self, x: &Mat<c64>, omega: f64, air: &[Option<Mat<c64>>; 2]) -> Vec<GustLoads<c64>> {
         let of_stations = self.stations.iter().enumerate().map(|(at, station)| {
             let [flexible, gust] = [0, 1].map(|part| {
                 let row = |row: usize| air[part].as_ref().map_or(c64::from(0.0), |p| p[(6 * at + row, 0)]);

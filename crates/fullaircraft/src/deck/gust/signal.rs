@@ -18,6 +18,9 @@ const GAUSS: [(f64, f64); 4] = [
     (0.861_136_311_594_052_6, 0.347_854_845_137_453_9),
 ];
 
+/// Panels of the rule at most.
+const MOST_PANELS: u32 = 1 << 20;
+
 /// A sum of dynamic loads with their factors.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Signal {
@@ -209,10 +212,13 @@ fn of_lines(points: &[(f64, f64)], omega: f64) -> c64 {
 /// The transform of a function from 0 to `length` whose fastest rate is given, 1/s.
 fn by_rule(f: &dyn Fn(f64) -> f64, length: f64, rate: f64, omega: f64) -> c64 {
     // A quarter of a radian a panel; a root at the start (powers between 0 and 1) wants more than a few.
-    let panels = (4.0 * rate * length).ceil().clamp(64.0, 1e6) as usize;
-    let half = 0.5 * length / panels as f64;
-    let panel = |at: usize| {
-        let middle = half * (2 * at + 1) as f64;
+    let mut panels = 64_u32;
+    while f64::from(panels) < 4.0 * rate * length && panels < MOST_PANELS {
+        panels *= 2;
+    }
+    let half = 0.5 * length / f64::from(panels);
+    let panel = |at: u32| {
+        let middle = half * f64::from(2 * at + 1);
         GAUSS
             .iter()
             .map(|(place, weight)| {
