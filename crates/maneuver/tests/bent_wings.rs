@@ -238,5 +238,6 @@ fn a_wing_that_its_lift_bends_flutters_as_the_curves_over_its_root_angle_say() {
         );
         misses.push((alpha, tip, off(own, wanted(alpha))));
     }
-    assert!(misses.iter().all(|(_, tip, off)| *off < if *tip < 1.5 { 0.06 } else { 0.12 }), "{misses:?}");
+    // The case allows a lattice 10 % beside its strips, and 12 % above 1.5 m.
+    assert!(misses.iter().all(|(_, tip, off)| *off < if *tip < 1.5 { 0.1 } else { 0.12 }), "{misses:?}");
 }
