@@ -131,6 +131,8 @@ mod flightloads_coverage;
 mod flightloads_figures;
 mod flightloads_measured;
 pub(crate) mod flightloads_result;
+mod flightloads_sections;
+mod flightloads_span;
 mod flightloads_wing;
 mod flutter_bent;
 mod flutter_bent_figures;
