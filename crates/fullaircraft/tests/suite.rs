@@ -5,6 +5,7 @@ mod cases;
 mod common;
 mod deck_cards;
 mod deck_flutter;
+mod deck_plan;
 mod deck_trim;
 mod derivatives;
 mod envelope;

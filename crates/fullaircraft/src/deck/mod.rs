@@ -3,8 +3,10 @@
 mod box_rows;
 pub mod cases;
 pub mod flutter;
+pub mod grids;
 mod monitors;
 mod net_monitors;
+pub mod nodal;
 mod plate;
 mod spline;
 mod structure;

@@ -12,6 +12,7 @@
 //! offsets: both are the same on the two halves.
 
 use crate::deck::cases::refuse_unread;
+use crate::deck::grids::DeckGrids;
 use crate::deck::monitors::{Monitor, monitors};
 use crate::deck::net_monitors::{NetMonitor, net_monitors};
 use crate::deck::spline::{self, Splined};
@@ -81,6 +82,8 @@ pub struct TrimDeck {
     motions: Mat<f64>,
     /// The s-set part of the six motions of the reference axes.
     axes: Mat<f64>,
+    /// The structure whose grids carry the loads.
+    pub grids: DeckGrids,
 }
 
 /// A trimmed deck.
@@ -94,6 +97,8 @@ pub struct TrimmedDeck {
     pub lift: Vec<f64>,
     /// Air loads of each MONPNT1 and net loads of each MONPNT3 along and about its axes: three forces, three moments.
     pub monitors: BTreeMap<String, [f64; 6]>,
+    /// The air's loads on the s-set.
+    pub(crate) on_grids: Vec<f64>,
 }
 
 impl TrimDeck {
@@ -114,6 +119,7 @@ impl TrimDeck {
         refuse_turned(&frames, &aeros)?;
         let axes = frames.axes_at(aeros.rcsid, &aeros.span)?;
         let origin = frames.origin(aeros.rcsid, &aeros.span)?;
+        let plane_y_m = frames.origin(aeros.acsid, &aeros.span)?.y;
         let (variables, incidence, accelerations) = variables(bulk, &lattice, &aeros, &origin)?;
         let integration = Integration::new(&lattice);
         let s_dofs = spline.used_dofs();
@@ -131,7 +137,7 @@ impl TrimDeck {
         let gather = loads.rows_by_pressure(motion.transpose());
         let offset = offset(aeros.symmetry, || loads.offset_weighed(motion.transpose()), gather.nrows());
         // one factorisation of the influence coefficients for all dynamic pressures
-        let aero = SteadyAero::new(&lattice, mirror_plane(aeros.symmetry), mach)?;
+        let aero = SteadyAero::new(&lattice, mirror_plane(aeros.symmetry, plane_y_m), mach)?;
         let cp_displacement = aero.pressures(theta.as_ref());
         let stiffness = &gather * &cp_displacement;
         let divergence = divergence(&structure.restrained, &stiffness)?;
@@ -163,7 +169,18 @@ impl TrimDeck {
             variables,
             aeros,
             origin,
+            grids: DeckGrids::new(bulk, [free, held], s_dofs, accelerated),
         })
+    }
+
+    /// Reference lengths and symmetry.
+    pub fn aeros(&self) -> &Aeros {
+        &self.aeros
+    }
+
+    /// Loads on the s-set of the rigid deck per unit of each variable and of dynamic pressure, without offsets.
+    pub(crate) fn rigid_loads(&self) -> Mat<f64> {
+        &self.gather * &self.cp_variables
     }
 
     /// Dynamic pressures at which the aircraft, held at the SUPORT motions, diverges, ascending: one over the positive real
@@ -276,6 +293,7 @@ impl TrimDeck {
             monitors: monitored.chain(net).collect(),
             cp,
             values: self.variables.iter().cloned().zip(values).collect(),
+            on_grids,
         })
     }
 }
@@ -307,11 +325,11 @@ fn divergence(flexibility: &Mat<f64>, stiffness: &Mat<f64>) -> Result<Vec<f64>, 
     Ok(pressures)
 }
 
-/// The plane of symmetry that AEROS or AERO asks for (SYMXZ).
-pub(crate) fn mirror_plane(symmetry: i32) -> MirrorPlane {
+/// The plane of symmetry that AEROS or AERO asks for (SYMXZ), through the origin of the aerodynamic system at `y_m`.
+pub(crate) fn mirror_plane(symmetry: i32, y_m: f64) -> MirrorPlane {
     match symmetry {
-        1 => MirrorPlane::Symmetric { y_m: 0.0 },
-        ANTISYMMETRIC => MirrorPlane::Antisymmetric { y_m: 0.0 },
+        1 => MirrorPlane::Symmetric { y_m },
+        ANTISYMMETRIC => MirrorPlane::Antisymmetric { y_m },
         _ => MirrorPlane::None,
     }
 }

@@ -31,9 +31,9 @@ use crate::show;
   wingroot flightloads
   wingroot flightloads --measured my_flight/flight.ron --package out/loads
 
-flight.ron names stations with their gauges, conditions (tables of points, histories, sections of a wing, or wind-tunnel campaigns) and
-what is asked of calculated loads: no threshold is built in. Points that fitted the corrections count in no verdict. `wingroot schema flight`
-describes the file.")]
+flight.ron names stations with their gauges, conditions (tables of points, histories, sections of a wing, or wind-tunnel
+campaigns) and what is asked of calculated loads: no threshold is built in. Points that fitted the corrections count in no verdict.
+`wingroot schema flight` describes the file.")]
 pub struct FlightloadsArgs {
     /// The file of measured loads, or the folder of flight.ron
     #[arg(long, value_name = "FILE", default_value = "flight.ron")]

@@ -139,7 +139,7 @@ impl FlutterDeck {
         ks.sort_by(f64::total_cmp);
         ks.dedup();
         let kappa: Vec<f64> = ks.iter().map(|k| self.kappa(*k)).collect();
-        let plane = mirror_plane(self.aero.symmetry);
+        let plane = mirror_plane(self.aero.symmetry, 0.0);
         let doublets = DoubletLattice::new(&self.lattice, plane, mach, &DlmSettings::NASTRAN)?;
         gaf_table(&self.lattice, &doublets, self.motion.as_ref(), Some(&self.corrections), &kappa)
     }
