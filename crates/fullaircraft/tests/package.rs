@@ -24,7 +24,10 @@ fn case(sid: u32, words: &str, loads: &NodalLoads) -> CardCase {
 
 fn expected(aircraft: &Aircraft, stations: &[Station], net: &[f64], tips_m: [f64; 2]) -> Expected {
     let points = aircraft.free.points();
-    Expected { stations: stations.iter().map(|station| station.sums(points, net)).collect(), tips_m }
+    Expected {
+        stations: stations.iter().map(|station| station.sums(points, net)).collect(),
+        tips_m: tips_m.to_vec(),
+    }
 }
 
 fn worst(rows: &[Row]) -> f64 {
@@ -94,7 +97,7 @@ fn cards_of_instants_in_a_gust_read_back_give_the_stations_the_balance_and_the_t
         let net_at = |station| flown.at_station(station, Component::Net, sample);
         let tip = |side| case.net.iter().enumerate().map(|(dof, load)| tips[(dof, side)] * load).sum();
         let expected =
-            Expected { stations: (0..stations.len()).map(net_at).collect(), tips_m: [tip(0), tip(1)] };
+            Expected { stations: (0..stations.len()).map(net_at).collect(), tips_m: vec![tip(0), tip(1)] };
         let rows = back.compare(&case, &case.text(aircraft.free.node_ids(), &[]), &expected).unwrap();
         assert!(rows.iter().all(Row::holds), "sample {sample}: {}\n{}", worst(&rows), round_trip_csv(&rows));
         // modes that are kept move the tips as all loads together do: what is left are the modes that are not kept

@@ -183,6 +183,7 @@ fn the_net_moment_at_a_cut_is_that_in_the_beam() {
                     channel: "cut".to_owned(),
                     point: middle,
                     nodes: wing.nodes.iter().copied().filter(|node| y(node) > at_y).collect(),
+                    axes: nalgebra::Matrix3::identity(),
                 };
                 let sums = cut.sums(nodes, &net);
                 let (axes, by_curvature) = moment_by_curvature(aircraft, u, ends);

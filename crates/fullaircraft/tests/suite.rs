@@ -7,6 +7,7 @@ mod common;
 mod deck_cards;
 mod deck_flutter;
 mod deck_gust;
+mod deck_plan;
 mod deck_trim;
 mod derivatives;
 mod envelope;

@@ -126,8 +126,10 @@ fn cards_of_a_load_at_its_limit_sum_up_to_the_limit_and_to_the_companions_of_all
                 let flown = turbulent.at_limits(&[AtLimit { station, along, is_largest }], u_sigma_m_s);
                 let net = flown.nodal_loads(0).of(Component::Net);
                 let tip = |side| net.iter().enumerate().map(|(dof, load)| tips[(dof, side)] * load).sum();
-                let expected =
-                    Expected { stations: (0..stations.len()).map(goes).collect(), tips_m: [tip(0), tip(1)] };
+                let expected = Expected {
+                    stations: (0..stations.len()).map(goes).collect(),
+                    tips_m: vec![tip(0), tip(1)],
+                };
                 let case = CardCase { sid, words: "turbulence".to_owned(), net, parts: Vec::new() };
                 let rows = back.compare(&case, &case.text(aircraft.free.node_ids(), &[]), &expected).unwrap();
                 assert!(rows.iter().all(Row::holds), "{axis:?}, {}\n{}", along.words, round_trip_csv(&rows));

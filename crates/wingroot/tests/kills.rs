@@ -47,7 +47,7 @@ struct Victim {
     out: &'static str,
 }
 
-const VICTIMS: [Victim; 5] = [
+const VICTIMS: [Victim; 4] = [
     Victim { arguments: &["calibrate"], store: None, within_s: 0.8, kills: [35, 8], out: "out/calibrate" },
     Victim {
         arguments: &["fullaircraft", "--cases", "cases.ron", "--threads", "1"],
@@ -55,13 +55,6 @@ const VICTIMS: [Victim; 5] = [
         within_s: 1.5,
         kills: [30, 8],
         out: "out/fullaircraft_cases",
-    },
-    Victim {
-        arguments: &["loads", "--plan", "loads.ron", "--threads", "1"],
-        store: Some("out/.loads.finished"),
-        within_s: 6.0,
-        kills: [20, 0],
-        out: "out/loads",
     },
     Victim {
         arguments: &["discover"],
@@ -78,6 +71,15 @@ const VICTIMS: [Victim; 5] = [
         out: "out/hidden",
     },
 ];
+
+/// A plan of design loads.
+const PLAN: Victim = Victim {
+    arguments: &["loads", "--plan", "loads.ron", "--threads", "1"],
+    store: Some("out/.loads.finished"),
+    within_s: 6.0,
+    kills: [20, 0],
+    out: "out/loads",
+};
 
 /// A generator of moments; which they are does not matter.
 struct Moments(u64);
@@ -120,13 +122,9 @@ fn result(out: &Path) -> serde_json::Value {
     value
 }
 
-#[test]
-fn nothing_is_lost_at_any_moment() {
-    let slow = std::env::var_os("RUN_SLOW_TESTS").is_some();
-    if !slow {
-        eprintln!("loads, discover and hidden are skipped: RUN_SLOW_TESTS=1 kills a hundred commands");
-    }
-    let base = std::env::temp_dir().join(format!("wingroot-kills-{}", std::process::id()));
+/// A folder with a wing of one's own, twice: one in which commands are killed, and one in which they are left alone.
+fn folders(name: &str) -> (PathBuf, PathBuf, PathBuf) {
+    let base = std::env::temp_dir().join(format!("wingroot-kills-{name}-{}", std::process::id()));
     std::fs::create_dir_all(&base).expect("a temporary folder");
     finishes(&base, &["new", "alone"]);
     finishes(&base, &["new", "killed"]);
@@ -137,9 +135,15 @@ fn nothing_is_lost_at_any_moment() {
         std::fs::create_dir(folder.join("out")).expect("a folder");
         std::fs::write(folder.join("out/thesis.txt"), THESIS).expect("a file");
     }
+    (base, alone, killed)
+}
+
+/// Kills commands so often and starts them again.
+fn survive(name: &str, victims: &[Victim], kills: impl Fn(&Victim) -> usize) {
+    let (base, alone, killed) = folders(name);
     let mut moments = Moments(20_261_122);
-    for victim in &VICTIMS {
-        let kills = victim.kills[usize::from(!slow)];
+    for victim in victims {
+        let kills = kills(victim);
         if kills == 0 {
             continue;
         }
@@ -205,4 +209,22 @@ fn a_file_in_the_result_folder_stops_every_command_and_stays() {
         assert_eq!(std::fs::read_to_string(out.join("thesis.txt")).expect("it is there"), THESIS);
     }
     std::fs::remove_dir_all(&base).expect("a temporary folder");
+}
+
+#[test]
+fn nothing_is_lost_at_any_moment() {
+    let slow = std::env::var_os("RUN_SLOW_TESTS").is_some();
+    if !slow {
+        eprintln!("discover and hidden are skipped: RUN_SLOW_TESTS=1 kills a hundred commands");
+    }
+    survive("all", &VICTIMS, |victim| victim.kills[usize::from(!slow)]);
+}
+
+#[test]
+fn a_plan_of_design_loads_killed_at_twenty_moments_goes_on_from_its_finished_cases_to_the_same_end() {
+    if std::env::var_os("RUN_SLOW_TESTS").is_none() {
+        eprintln!("skipped: RUN_SLOW_TESTS=1 kills a plan of design loads twenty times");
+        return;
+    }
+    survive("plan", &[PLAN], |victim| victim.kills[0]);
 }

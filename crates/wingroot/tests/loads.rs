@@ -263,7 +263,58 @@ fn a_plan_is_flown_into_a_package_that_gives_the_loads_back_and_a_new_selection_
         let known = known.filter_map(|row| row.split(',').nth(4)?.parse::<f64>().ok());
         assert!(known.into_iter().any(|end| (end - value).abs() < 1e-8 * value.abs()), "{value} is an end");
     }
+    cards_of_a_new_selection_are_those_of_the_plan(&folder, &wing, plan, &select);
     std::fs::remove_dir_all(&folder).expect("ours");
+}
+
+/// Only the selected cases are flown again; what comes of them are the cards that the whole plan wrote for them.
+fn cards_of_a_new_selection_are_those_of_the_plan(folder: &Path, wing: &[&str], plan: &str, select: &Path) {
+    let (out, again) = (folder.join("out"), folder.join("cards"));
+    let given =
+        ["--from", out.to_str().expect("a name"), "--select", select.to_str().expect("a name"), "--cards"];
+    let words = [&given[..], wing, &["--plan", plan]].concat();
+    let output = loads(&words, &again);
+    assert!(output.status.success(), "{}", said(&output));
+    assert!(said(&output).contains("cases flown again for their loads at grids: 1"), "{}", said(&output));
+    let package = again.join("package");
+    assert!(!read(&package.join("round_trip.csv")).contains("not reproduced"));
+    // what a set is, in words, and its cards without the number of the set
+    let set = |path: &Path| {
+        let text = read(path);
+        let words = text.lines().find(|line| line.starts_with("$ case ")).expect("its words").to_owned();
+        let instant = text.lines().find(|line| line.contains("; model ")).expect("its instant").to_owned();
+        let cards: Vec<String> =
+            text.lines().filter(|line| !line.starts_with('$')).map(without_set).collect();
+        (words + &instant, cards)
+    };
+    let files = |package: &Path| -> Vec<PathBuf> {
+        let all = std::fs::read_dir(package).expect("a package").flatten().map(|entry| entry.path());
+        all.filter(|path| path.file_name().is_some_and(|name| name.to_string_lossy().starts_with("case_")))
+            .collect()
+    };
+    let of_plan: std::collections::BTreeMap<_, _> =
+        files(&out.join("package")).iter().map(|path| set(path)).collect();
+    let selected = files(&package);
+    assert_eq!(selected.len(), 2);
+    for path in selected {
+        let (words, cards) = set(&path);
+        assert!(cards.len() > 10 && of_plan.get(&words) == Some(&cards), "{words}");
+    }
+    // results of another plan
+    let other = folder.join("other.ron");
+    std::fs::write(&other, PLAN.replacen("VC: 37.0", "VC: 36.0", 1)).expect("a file");
+    let words = [&given[..], wing, &["--plan", other.to_str().expect("a name")]].concat();
+    let output = loads(&words, &folder.join("none"));
+    assert_eq!(output.status.code(), Some(2), "{}", said(&output));
+    assert!(said(&output).contains("another plan"), "{}", said(&output));
+}
+
+/// A card without the number of its load set.
+fn without_set(line: &str) -> String {
+    match line.split_at_checked(8) {
+        Some(("FORCE*  " | "MOMENT* ", fields)) => line[..8].to_owned() + &fields[16..],
+        _ => line.to_owned(),
+    }
 }
 
 #[test]
@@ -282,6 +333,15 @@ fn a_plan_that_makes_no_sense_ends_with_a_sentence_and_status_2() {
         (change("rules: Vla,", ""), "rules"),
         (change("name: \"half\"", "name: \"root\""), "two stations"),
         (change("mass_kg: 18.0", "mass_kg: 18.0, z_cg_m: 0.1"), "z_cg_m"),
+        // nothing to fly
+        (change("altitudes_m: [0.0]", "altitudes_m: []"), "there is no altitude"),
+        (
+            change(
+                "masses: [(name: \"full\", mass_kg: 20.0), (name: \"light\", mass_kg: 18.0)]",
+                "masses: []",
+            ),
+            "there is no mass",
+        ),
     ] {
         std::fs::write(&plan, text).expect("a file of our own");
         let words = ["--wing", "data/tuflex/wing_beam.ron", "--plan", plan.to_str().expect("a name")];

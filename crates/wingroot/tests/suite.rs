@@ -24,6 +24,7 @@ mod hidden_killed;
 mod hostile;
 mod kills;
 mod loads;
+mod loads_deck;
 mod loads_parts;
 mod must_have;
 mod nothing_lost;

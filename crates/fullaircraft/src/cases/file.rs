@@ -56,9 +56,37 @@ pub struct CasesFile {
     /// The file that says which cases go to stress.
     #[serde(default)]
     pub select: Option<String>,
+    /// Of a plan that is flown on a Nastran deck (`loads --deck`): the deck's units, and its level flight.
+    #[serde(default)]
+    pub deck: Option<DeckUnits>,
     /// The file as it was named when read.
     #[serde(skip)]
     pub path: PathBuf,
+}
+
+/// What a plan says of the deck that it is flown on; forces, lengths and seconds make all other units.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DeckUnits {
+    /// The deck's unit of length, m: 0.3048 for feet.
+    #[serde(default = "one")]
+    pub length_m: f64,
+    /// The deck's unit of force, N: 4.4482216 for pounds.
+    #[serde(rename = "force_N", default = "one")]
+    pub force_n: f64,
+    /// Number of the TRIM card that is level flight; left out: the deck's first.
+    #[serde(default)]
+    pub trim: Option<u32>,
+}
+
+impl Default for DeckUnits {
+    fn default() -> Self {
+        Self { length_m: 1.0, force_n: 1.0, trim: None }
+    }
+}
+
+fn one() -> f64 {
+    1.0
 }
 
 /// What is flown: trims, or from level flight a motion of a pair of ailerons (a record without `duration_s` ends with it).
@@ -130,6 +158,11 @@ impl CasesFile {
         if !points.into_iter().all(f64::is_finite) {
             return Err(InputError::in_field(path, "stations", "a place of `stations` is not finite")
                 .with_help("expected metres"));
+        }
+        let units = file.deck.unwrap_or_default();
+        if ![units.length_m, units.force_n].iter().all(|unit| unit.is_finite() && *unit > 0.0) {
+            return Err(InputError::in_field(path, "deck", "a unit of the deck is not above zero")
+                .with_help("expected deck: (length_m: 0.3048, force_N: 4.4482216), for instance"));
         }
         file.check()?;
         file.design()?;

@@ -3,11 +3,13 @@
 mod box_rows;
 pub mod cases;
 pub mod flutter;
+pub mod grids;
 pub mod gust;
 mod mean_pitch;
 pub mod modal;
 mod monitors;
 mod net_monitors;
+pub mod nodal;
 mod plate;
 mod spline;
 mod structure;

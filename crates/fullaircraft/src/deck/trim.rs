@@ -12,6 +12,7 @@
 //! offsets: both are the same on the two halves.
 
 use crate::deck::cases::refuse_unread;
+use crate::deck::grids::DeckGrids;
 use crate::deck::mean_pitch::MeanPitch;
 use crate::deck::monitors::{Monitor, monitors};
 use crate::deck::net_monitors::{NetMonitor, net_monitors};
@@ -86,6 +87,8 @@ pub struct TrimDeck {
     mean_pitch: Option<MeanPitch>,
     /// The s-set part of the six motions of the reference axes.
     axes: Mat<f64>,
+    /// The structure whose grids carry the loads.
+    pub grids: DeckGrids,
 }
 
 /// A trimmed deck.
@@ -101,6 +104,8 @@ pub struct TrimmedDeck {
     pub lift: Vec<f64>,
     /// Air loads of each MONPNT1 and net loads of each MONPNT3 along and about its axes: three forces, three moments.
     pub monitors: BTreeMap<String, [f64; 6]>,
+    /// The air's loads on the s-set.
+    pub(crate) on_grids: Vec<f64>,
 }
 
 impl TrimDeck {
@@ -169,7 +174,18 @@ impl TrimDeck {
             variables,
             aeros,
             origin: stream.seen(&origin),
+            grids: DeckGrids::new(bulk, [free, held], s_dofs, accelerated),
         })
+    }
+
+    /// Reference lengths and symmetry.
+    pub fn aeros(&self) -> &Aeros {
+        &self.aeros
+    }
+
+    /// Loads on the s-set of the rigid deck per unit of each variable and of dynamic pressure, without offsets.
+    pub(crate) fn rigid_loads(&self) -> Mat<f64> {
+        &self.gather * &self.cp_variables
     }
 
     /// Dynamic pressures at which the aircraft, held at the SUPORT motions, diverges, ascending: one over the positive real
@@ -285,6 +301,7 @@ impl TrimDeck {
             monitors: monitored.chain(net).collect(),
             cp,
             values: self.variables.iter().cloned().zip(values).collect(),
+            on_grids,
         })
     }
 }
@@ -329,7 +346,7 @@ fn divergence(flexibility: &Mat<f64>, stiffness: &Mat<f64>) -> Result<Vec<f64>, 
     Ok(pressures)
 }
 
-/// The plane of symmetry that AEROS or AERO asks for (SYMXZ).
+/// The plane of symmetry that AEROS or AERO asks for (SYMXZ), through the origin of the axes of the stream (ACSID), in these axes.
 pub(crate) fn mirror_plane(symmetry: i32) -> MirrorPlane {
     match symmetry {
         1 => MirrorPlane::Symmetric { y_m: 0.0 },

@@ -2,6 +2,7 @@
 
 pub mod aircraft;
 pub mod cost;
+pub mod deck;
 pub mod fly;
 pub mod in_time;
 pub mod instants;

@@ -11,7 +11,7 @@
 use crate::aircraft::assembly::{Aircraft, WingPlaces};
 use coupling::wing_file::StationAt;
 use faer::Mat;
-use nalgebra::{Point3, Vector3};
+use nalgebra::{Matrix3, Point3, Vector3};
 use nastran::InputError;
 use structure::System;
 
@@ -26,10 +26,12 @@ pub struct Station {
     pub point: Point3<f64>,
     /// Nodes that count, as places in the structure's list.
     pub nodes: Vec<usize>,
+    /// Directions that loads are along and about, as columns: those of the aircraft but for monitoring points of decks.
+    pub axes: Matrix3<f64>,
 }
 
 impl Station {
-    /// Fx, Fy, Fz (N), Mx, My, Mz (N m) about the station's point of loads on the g-set; `points` are the structure's nodes.
+    /// Fx, Fy, Fz (N), Mx, My, Mz (N m) about the station's point, in its axes, of loads on the g-set; `points` are the structure's nodes.
     pub fn sums(&self, points: &[Point3<f64>], f_g: &[f64]) -> [f64; 6] {
         let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
         for &node in &self.nodes {
@@ -37,10 +39,11 @@ impl Station {
             force += part(0);
             moment += part(3) + (points[node] - self.point).cross(&part(0));
         }
+        let [force, moment] = [force, moment].map(|three| self.axes.transpose() * three);
         [force.x, force.y, force.z, moment.x, moment.y, moment.z]
     }
 
-    /// Rigid motions of its nodes about a point, the rest still, g-set by 6: their transpose sums loads.
+    /// Rigid motions of its nodes about a point in aircraft axes, the rest still, g-set by 6: their transpose sums loads.
     pub(crate) fn motions(&self, system: &System, about: &Point3<f64>) -> Mat<f64> {
         let rigid = system.rigid_body(about);
         let mut own = Mat::zeros(rigid.nrows(), 6);
@@ -62,6 +65,7 @@ impl Aircraft {
             channel: side.to_owned(),
             point: self.root_point(),
             nodes: wing.nodes.clone(),
+            axes: Matrix3::identity(),
         };
         let mut all = vec![whole("right", &self.right), whole("left", &self.left)];
         let points: Vec<&StationAt> = self.wing.stations.iter().chain(points).collect();
@@ -85,6 +89,7 @@ impl Aircraft {
             channel: name.replace(' ', "_"),
             point,
             nodes,
+            axes: Matrix3::identity(),
         };
         let names = ["right horizontal tail", "left horizontal tail", "vertical tail"];
         let mut all: Vec<Station> = names
@@ -123,6 +128,6 @@ impl Aircraft {
         let root = self.root_point();
         let place = Point3::new(point.x_m.unwrap_or(root.x), sign * point.y_m, point.z_m.unwrap_or(root.z));
         let (name, channel) = (format!("{side} {}", point.name), format!("{}_{side}", point.name));
-        Ok(Station { name, channel, point: place, nodes })
+        Ok(Station { name, channel, point: place, nodes, axes: Matrix3::identity() })
     }
 }

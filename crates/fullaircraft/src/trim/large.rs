@@ -12,7 +12,7 @@ use crate::stations::places::Station;
 use crate::trim::model::FlightModel;
 use crate::trim::variables::incidence_of_control;
 use coupling::{FreeBody, FreeState, RootLoads, SteadyFlight, Wake};
-use nalgebra::Point3;
+use nalgebra::{Matrix3, Point3};
 use nastran::{Span, Spc1};
 use structure::Model;
 
@@ -119,6 +119,7 @@ impl LargeAircraft<'_> {
             channel: String::new(),
             point: self.aircraft.root_point(),
             nodes: wing.nodes.clone(),
+            axes: Matrix3::identity(),
         };
         let points: Vec<Point3<f64>> = flight.state.places.iter().map(|place| Point3::from(*place)).collect();
         let all: Vec<f64> = flight.air.iter().zip(&flight.inertia).map(|(air, own)| air + own).collect();

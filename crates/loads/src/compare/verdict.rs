@@ -59,8 +59,8 @@ pub(super) fn verdict(
     let slope = match facts.slope() {
         Some(slope) if n >= FEWEST => slope,
         _ => {
-            let why =
-                format!("{n} points that fitted no corrections; {FEWEST} different ones are the fewest");
+            let points = if n == 1 { "1 point" } else { &format!("{n} points") };
+            let why = format!("{points} that fitted no corrections; {FEWEST} different ones are the fewest");
             return (Verdict::Undetermined, vec![why]);
         }
     };

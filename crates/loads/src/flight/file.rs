@@ -71,7 +71,7 @@ pub struct GaugeInFile {
     pub zero: Zero,
 }
 
-/// What was measured in a condition: one of `points`, `history` and `campaign`.
+/// What was measured in a condition: one of `points`, `history`, `campaign` and `sections`.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ConditionInFile {
@@ -89,6 +89,10 @@ pub struct ConditionInFile {
     /// A folder with a wind-tunnel campaign, whose static cases are points.
     #[serde(default)]
     pub campaign: Option<String>,
+    /// A table of lift coefficients of the wing's sections (`V_m_s`, `alpha_deg`, `two_y_over_b`, `cl`): each stands for the part of the
+    /// half wing that is nearest to it, as a station of its own, whose Fz is compared.
+    #[serde(default)]
+    pub sections: Option<String>,
     /// Every so many angles of a campaign fit the corrections, from the smallest on; the others are judged.
     #[serde(default)]
     pub fit_every: Option<usize>,
@@ -115,6 +119,8 @@ pub enum Source {
     History(String, usize),
     /// A campaign's folder, with every so many angles fitted.
     Campaign(String, Option<usize>),
+    /// A table of sections' lift.
+    Sections(String),
 }
 
 /// A condition as it was checked.
@@ -199,12 +205,14 @@ impl FlightFile {
     fn condition(&self, one: &ConditionInFile) -> Result<Condition, InputError> {
         let wrong =
             |message: &str, help: &str| self.at_name(&one.name, &format!("`{}` {message}", one.name), help);
-        let help = "give one of points: \"FILE\", history: \"FILE\" and campaign: \"FOLDER\"";
-        let source = match (&one.points, &one.history, &one.campaign) {
-            (Some(file), None, None) => Source::Points(file.clone()),
-            (None, Some(file), None) => Source::History(file.clone(), one.extremes.unwrap_or(1)),
-            (None, None, Some(folder)) => Source::Campaign(folder.clone(), one.fit_every),
-            (None, None, None) => return Err(wrong("has no points", help)),
+        let help =
+            "give one of points: \"FILE\", history: \"FILE\", campaign: \"FOLDER\" and sections: \"FILE\"";
+        let source = match (&one.points, &one.history, &one.campaign, &one.sections) {
+            (Some(file), None, None, None) => Source::Points(file.clone()),
+            (None, Some(file), None, None) => Source::History(file.clone(), one.extremes.unwrap_or(1)),
+            (None, None, Some(folder), None) => Source::Campaign(folder.clone(), one.fit_every),
+            (None, None, None, Some(file)) => Source::Sections(file.clone()),
+            (None, None, None, None) => return Err(wrong("has no points", help)),
             _ => return Err(wrong("has points from two places", help)),
         };
         match source {

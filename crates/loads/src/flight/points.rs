@@ -51,7 +51,7 @@ pub fn readings(file: &FlightFile, condition: &Condition) -> Result<Vec<Reading>
     let (name, kept) = match &condition.source {
         Source::Points(name) => (name, None),
         Source::History(name, extremes) => (name, Some(*extremes)),
-        Source::Campaign(..) => return Ok(Vec::new()),
+        Source::Campaign(..) | Source::Sections(_) => return Ok(Vec::new()),
     };
     let path = named_file(&file.path, name)?;
     let table = Table::read(&path)?;

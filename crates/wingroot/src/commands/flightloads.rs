@@ -16,6 +16,7 @@ use super::flightloads_coverage as coverage;
 use super::flightloads_figures::write_figures;
 use super::flightloads_measured::{MODELS, Measured, comparison};
 use super::flightloads_result::{FlightloadsResult, Row, csv};
+use super::flightloads_sections::sections;
 use super::flightloads_wing::{Calculated, TunnelWing};
 use crate::args::Common;
 use crate::commands::result_parts::as_json;
@@ -30,9 +31,9 @@ use crate::show;
   wingroot flightloads
   wingroot flightloads --measured my_flight/flight.ron --package out/loads
 
-flight.ron names stations with their gauges, conditions (tables of points, histories, or wind-tunnel campaigns) and what is asked
-of calculated loads: no threshold is built in. Points that fitted the corrections count in no verdict. `wingroot schema flight`
-describes the file.")]
+flight.ron names stations with their gauges, conditions (tables of points, histories, sections of a wing, or wind-tunnel
+campaigns) and what is asked of calculated loads: no threshold is built in. Points that fitted the corrections count in no verdict.
+`wingroot schema flight` describes the file.")]
 pub struct FlightloadsArgs {
     /// The file of measured loads, or the folder of flight.ron
     #[arg(long, value_name = "FILE", default_value = "flight.ron")]
@@ -55,7 +56,7 @@ pub(crate) fn run(args: &FlightloadsArgs, common: &Common) -> Result<(), Failure
     let campaigns = CampaignPoints::all(&file)?;
     let wing = TunnelWing::read(&file, &campaigns)?;
     let all = measured(&file, &channels, &campaigns, wing.as_ref())?;
-    let rows = rows(&file, &channels, &all);
+    let rows = rows(&file, &all);
     if rows.is_empty() {
         return Err(InputError::in_file(&path, "no load was calculated")
             .with_help("name a `wing`, or bring columns such as initial_root_Mx_Nm in the tables")
@@ -76,7 +77,7 @@ pub(crate) fn run(args: &FlightloadsArgs, common: &Common) -> Result<(), Failure
         coverage::write(&folder, covered)?;
     }
     folder.write_text("flightloads.csv", &csv(&rows))?;
-    write_figures(&folder, &file, &channels, &all)?;
+    write_figures(&folder, &file, &all)?;
     let mut result = FlightloadsResult::new(&file, wing.as_ref().map(TunnelWing::origin), rows, &campaigns);
     result.coverage = covered;
     result.seconds = start.elapsed().as_secs_f64();
@@ -97,6 +98,10 @@ fn measured(
     wing: Option<&TunnelWing>,
 ) -> Result<Vec<Measured>, Failure> {
     let one = |condition: Condition| -> Result<Measured, Failure> {
+        if let Source::Sections(name) = &condition.source {
+            let rho = campaigns.first().map(|campaign| campaign.rho_kg_m3).or(file.rho_kg_m3);
+            return sections(file, &condition, name, wing.zip(rho));
+        }
         let campaign = campaigns.iter().find(|campaign| campaign.condition == condition.name);
         let readings = match campaign {
             Some(campaign) => campaign.readings.clone(),
@@ -116,7 +121,7 @@ fn measured(
             let rho = campaign.map(|campaign| campaign.rho_kg_m3).or(file.rho_kg_m3);
             wing.map_or(Ok([None, None]), |wing| wing.calculated(file, channels, &readings, rho))?
         };
-        Ok(Measured { condition, readings, calculated })
+        Ok(Measured { condition, channels: channels.to_vec(), readings, calculated })
     };
     file.conditions()?.into_iter().map(one).collect()
 }
@@ -131,14 +136,14 @@ fn brought(readings: &[Reading], model: usize) -> Option<Vec<Calculated>> {
 }
 
 /// Judges all conditions, stations and loads of each model together.
-fn rows(file: &FlightFile, channels: &[Channel], all: &[Measured]) -> Vec<Row> {
+fn rows(file: &FlightFile, all: &[Measured]) -> Vec<Row> {
     let mut rows = Vec::new();
     for (model, name) in MODELS.into_iter().enumerate() {
         let mut places = Vec::new();
         let mut comparisons = Vec::new();
         for one in all {
-            for (at, channel) in channels.iter().enumerate() {
-                if let Some(comparison) = comparison(one, channel, at, model) {
+            for (at, channel) in one.channels.iter().enumerate() {
+                if let Some(comparison) = comparison(one, at, model) {
                     comparisons.push(comparison);
                     places.push((one.condition.name.clone(), channel));
                 }

@@ -23,7 +23,9 @@ pub(super) fn coverage(folder: &Path, channels: &[Channel], all: &[Measured]) ->
     let envelope = Table::read(&path)?;
     let mut loads = Vec::new();
     for (at, channel) in channels.iter().enumerate() {
-        let readings = all.iter().flat_map(|one| &one.readings);
+        // sections of a wing are no stations of a plan
+        let of_channels = all.iter().filter(|one| one.channels == channels);
+        let readings = of_channels.flat_map(|one| &one.readings);
         let measured: Vec<f64> = readings.filter_map(|reading| reading.measured[at]).collect();
         if measured.is_empty() {
             continue;

@@ -13,16 +13,13 @@ use crate::output::ResultFolder;
 pub(super) fn write_figures(
     folder: &ResultFolder,
     file: &FlightFile,
-    channels: &[Channel],
     all: &[Measured],
 ) -> Result<(), Failure> {
     for (number, one) in all.iter().enumerate() {
+        let channels = &one.channels;
         let of = |channel: usize| -> Vec<(&'static str, Comparison)> {
             let each = MODELS.into_iter().enumerate();
-            each.filter_map(|(model, name)| {
-                Some((name, comparison(one, &channels[channel], channel, model)?))
-            })
-            .collect()
+            each.filter_map(|(model, name)| Some((name, comparison(one, channel, model)?))).collect()
         };
         let comparisons: Vec<_> = (0..channels.len()).map(|at| (&channels[at], of(at))).collect();
         let columns = channels.len().min(3);

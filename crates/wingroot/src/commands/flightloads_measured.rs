@@ -12,6 +12,8 @@ pub(super) const MODELS: [&str; 2] = ["initial", "updated"];
 pub(super) struct Measured {
     /// The condition.
     pub(super) condition: Condition,
+    /// What is compared in it.
+    pub(super) channels: Vec<Channel>,
     /// Readings.
     pub(super) readings: Vec<Reading>,
     /// Calculated loads of each reading by each model, in the order of the channels.
@@ -19,7 +21,8 @@ pub(super) struct Measured {
 }
 
 /// A channel's points in a condition by a model.
-pub(super) fn comparison(one: &Measured, channel: &Channel, at: usize, model: usize) -> Option<Comparison> {
+pub(super) fn comparison(one: &Measured, at: usize, model: usize) -> Option<Comparison> {
+    let channel = &one.channels[at];
     let calculated = one.calculated[model].as_ref()?;
     let pairs = one.readings.iter().zip(calculated);
     let point = |(reading, calculated): (&Reading, &Calculated)| {

@@ -8,6 +8,7 @@ use loads::flight::{Channel, Reading, State};
 use nastran::{InputError, named_file};
 
 use super::flightloads_campaign::{CampaignPoints, root_load};
+use super::flightloads_span::SpanLift;
 use crate::corrections::{calibrated, schedule};
 use crate::failure::Failure;
 
@@ -115,13 +116,7 @@ impl TunnelWing {
         if noise.v_m_s > 0.0 {
             states.push(State { v_m_s: state.v_m_s + noise.v_m_s, ..state.clone() });
         }
-        let corrections = match &self.schedule {
-            Some((schedule, _)) if is_updated => {
-                let refused = |error: InputError| InputError { span: Some(reading.place.clone()), ..error };
-                schedule.at(state.v_m_s).map_err(refused)?
-            }
-            _ => Corrections::neutral(self.wing.correctable.len()),
-        };
+        let corrections = self.corrections(is_updated, state.v_m_s, reading)?;
         let all = states
             .iter()
             .map(|state| self.root(state, rho_kg_m3, &corrections, reading))
@@ -131,6 +126,41 @@ impl TunnelWing {
             all[1..].iter().map(|moved| (moved[*place] - all[0][*place]).powi(2)).sum::<f64>().sqrt()
         });
         Ok(Calculated { sigma: sigma.collect(), loads })
+    }
+
+    /// Lift along the span at a state.
+    pub(super) fn along_the_span(
+        &self,
+        reading: &Reading,
+        state: &State,
+        is_updated: bool,
+        rho_kg_m3: f64,
+    ) -> Result<SpanLift, Failure> {
+        let corrections = self.corrections(is_updated, state.v_m_s, reading)?;
+        let flow = Flow { v_m_s: state.v_m_s, rho_kg_m3 };
+        let case = SteadyCase::new(flow, state.alpha_deg.to_radians());
+        let solved = self.wing.at(flow, &corrections)?.solve(&[case]);
+        Ok(SpanLift::of(&self.wing, &solved[0].box_loads.values))
+    }
+
+    /// Whether there is an updated model.
+    pub(super) fn is_corrected(&self) -> bool {
+        self.schedule.is_some()
+    }
+
+    /// Corrections of a model at an airspeed.
+    fn corrections(
+        &self,
+        is_updated: bool,
+        v_m_s: f64,
+        reading: &Reading,
+    ) -> Result<Corrections, InputError> {
+        match &self.schedule {
+            Some((schedule, _)) if is_updated => {
+                schedule.at(v_m_s).map_err(|error| InputError { span: Some(reading.place.clone()), ..error })
+            }
+            _ => Ok(Corrections::neutral(self.wing.correctable.len())),
+        }
     }
 
     /// Fz, Mx and My at the balance.

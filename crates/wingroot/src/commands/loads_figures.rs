@@ -49,14 +49,16 @@ pub(crate) fn vn(folder: &ResultFolder, design: &Design, matrix: &Matrix) -> Res
     Ok(())
 }
 
-/// Net loads of all instants at each station of the right wing, and those that go to stress.
+/// Net loads of all instants at each station of the right wing, and those that go to stress; of a deck at all its stations.
 pub(crate) fn potatoes(
     folder: &ResultFolder,
     names: &[String],
     instants: &[Instant],
     selection: &Selection,
 ) -> Result<(), Failure> {
-    for (place, name) in names.iter().enumerate().filter(|(_, name)| name.starts_with("right ")) {
+    let of_right = |name: &&String| name.starts_with("right ");
+    let is_drawn = |name: &&String| of_right(name) || !names.iter().any(|other| of_right(&other));
+    for (place, name) in names.iter().enumerate().filter(|(_, name)| is_drawn(name)) {
         let panel = |(across, up): (Load, Load)| {
             let points = |label: &str, keep: &dyn Fn(&Instant) -> bool| {
                 let loads =

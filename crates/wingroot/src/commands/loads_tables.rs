@@ -47,11 +47,27 @@ pub(crate) fn station_loads(names: &[String], cases: &[FlownCase]) -> String {
     text
 }
 
-/// Loads of an instant at the stations that were found so far.
-type Found = Vec<Option<[f64; 6]>>;
+/// A row of `station_loads.csv`.
+pub(crate) struct StationRow<'r> {
+    /// Which of the two models.
+    pub(crate) model: usize,
+    /// Number of the case.
+    pub(crate) case: usize,
+    /// Number of the instant, from one.
+    pub(crate) instant: usize,
+    /// Station.
+    pub(crate) station: &'r str,
+    /// Component's name.
+    pub(crate) component: &'r str,
+    /// Six loads.
+    pub(crate) loads: [f64; 6],
+}
 
-/// Net loads of `station_loads.csv`: names of the stations, and all instants.
-pub(crate) fn read_station_loads(path: &Path) -> Result<(Vec<String>, Vec<Instant>), Failure> {
+/// Reads `station_loads.csv` row by row: it may be long.
+///
+/// # Errors
+/// If it is not as it is written here.
+pub(crate) fn station_rows(path: &Path, mut each: impl FnMut(StationRow<'_>)) -> Result<(), InputError> {
     let text = read_text(path)?;
     let wrong = |line: usize, message: &str| {
         InputError::in_file(path, format!("line {line}: {message}"))
@@ -59,37 +75,54 @@ pub(crate) fn read_station_loads(path: &Path) -> Result<(Vec<String>, Vec<Instan
     };
     let mut lines = text.lines().enumerate();
     if lines.next().map(|(_, head)| head) != Some(HEAD) {
-        return Err(wrong(1, "these are not the heads of station loads").into());
+        return Err(wrong(1, "these are not the heads of station loads"));
     }
-    let mut names: Vec<String> = Vec::new();
-    let mut instants: BTreeMap<(usize, usize, usize), Found> = BTreeMap::new();
     for (at, line) in lines {
         let cells: Vec<&str> = line.split(',').collect();
         let &[model, case, instant, _, station, component, ref values @ ..] = cells.as_slice() else {
-            return Err(wrong(at + 1, "a cell is missing").into());
+            return Err(wrong(at + 1, "a cell is missing"));
         };
-        if component != Component::Net.name() {
-            continue;
-        }
         let number = |text: &str| text.parse::<usize>().map_err(|_| wrong(at + 1, "this is no number"));
         let real = |text: &&str| text.parse::<f64>().ok().filter(|value| value.is_finite());
         let values: Option<Vec<f64>> = values.iter().map(real).collect();
-        let values = values.and_then(|values| <[f64; 6]>::try_from(values).ok());
-        let values = values.ok_or_else(|| wrong(at + 1, "expected six finite loads"))?;
+        let loads = values.and_then(|values| <[f64; 6]>::try_from(values).ok());
+        let loads = loads.ok_or_else(|| wrong(at + 1, "expected six finite loads"))?;
         let model = MODELS.iter().position(|known| *known == model);
         let model = model.ok_or_else(|| wrong(at + 1, "expected the model initial or updated"))?;
-        let place = names.iter().position(|name| name == station).unwrap_or_else(|| {
-            names.push(station.to_owned());
-            names.len() - 1
-        });
-        let loads = instants.entry((model, number(case)?, number(instant)?)).or_default();
-        loads.resize(loads.len().max(place + 1), None);
-        loads[place] = Some(values);
+        let (case, instant) = (number(case)?, number(instant)?);
+        each(StationRow { model, case, instant, station, component, loads });
     }
+    Ok(())
+}
+
+/// The place of a name in a list, which it joins if it is new.
+pub(crate) fn place_of(names: &mut Vec<String>, name: &str) -> usize {
+    names.iter().position(|known| known == name).unwrap_or_else(|| {
+        names.push(name.to_owned());
+        names.len() - 1
+    })
+}
+
+/// Loads of an instant at the stations that were found so far.
+type Found = Vec<Option<[f64; 6]>>;
+
+/// Net loads of `station_loads.csv`: names of the stations, and all instants.
+pub(crate) fn read_station_loads(path: &Path) -> Result<(Vec<String>, Vec<Instant>), Failure> {
+    let mut names: Vec<String> = Vec::new();
+    let mut instants: BTreeMap<(usize, usize, usize), Found> = BTreeMap::new();
+    station_rows(path, |row| {
+        if row.component != Component::Net.name() {
+            return;
+        }
+        let place = place_of(&mut names, row.station);
+        let loads = instants.entry((row.model, row.case, row.instant)).or_default();
+        loads.resize(loads.len().max(place + 1), None);
+        loads[place] = Some(row.loads);
+    })?;
     let all = instants.into_iter().map(|((model, case, instant), loads)| {
         let loads = (0..names.len()).map(|place| loads.get(place).copied().flatten()).collect::<Option<_>>();
         let model = if model == 0 { Model::Initial } else { Model::Updated };
-        let missing = || wrong(1, &format!("case {case} lacks loads of a station"));
+        let missing = || InputError::in_file(path, format!("case {case} lacks loads of a station"));
         Ok(Instant { model, case, instant, loads: loads.ok_or_else(missing)? })
     });
     let all = all.collect::<Result<Vec<_>, InputError>>()?;

@@ -1,0 +1,80 @@
+//! A deck's structure as loads at its grids need it: points, mass, SUPORT, stations of MONPNT3. All is in the deck's units and the basic
+//! system.
+
+use crate::stations::places::Station;
+use faer::Mat;
+use nalgebra::Point3;
+use nastran::{BulkData, Frames, InputError};
+use structure::System;
+
+/// A deck's structure as loads at its grids need it.
+#[derive(Debug)]
+pub struct DeckGrids {
+    /// The structure under the deck's constraints.
+    pub free: System,
+    /// The same, held at the SUPORT motions, too.
+    pub held: System,
+    /// Grid and components (1 to 6) of the SUPORT.
+    pub support: Option<(u32, Vec<u8>)>,
+    /// Places in the g-set of the loads that the air's splines reach.
+    pub(crate) s_dofs: Vec<usize>,
+    /// Mass times the acceleration of each variable, g-set by variables.
+    pub(crate) mass_times: Mat<f64>,
+}
+
+impl DeckGrids {
+    /// Of a deck's structure, free and held.
+    pub(crate) fn new(
+        bulk: &BulkData,
+        [free, held]: [System; 2],
+        s_dofs: Vec<usize>,
+        mass_times: Mat<f64>,
+    ) -> Self {
+        Self { support: support_of(bulk), free, held, s_dofs, mass_times }
+    }
+
+    /// The whole deck's mass as its plunge knows it, in the deck's unit; of a half model, that half's.
+    pub fn mass(&self) -> f64 {
+        let up = self.free.rigid_body(&Point3::origin());
+        let moved = self.free.inertia_loads(up.as_ref());
+        (0..up.nrows()).map(|dof| up[(dof, 2)] * moved[(dof, 2)]).sum()
+    }
+
+    /// The MONPNT3 of a deck whose GRIDSET is a SET1.
+    ///
+    /// # Errors
+    /// If a grid or a system is not there.
+    pub fn monitored(&self, bulk: &BulkData) -> Result<Vec<Station>, InputError> {
+        let frames = Frames::resolve(bulk)?;
+        let mut all = Vec::new();
+        let stations = bulk.monitors.iter().zip(bulk.station_names());
+        for (card, name) in stations.filter(|(card, _)| card.is_structural) {
+            let Some(set) = card.set.parse::<u32>().ok().and_then(|id| bulk.sets.get(&id)) else { continue };
+            let node = |grid: &u32| {
+                self.free.node_index(*grid).ok_or_else(|| {
+                    InputError::at(&card.span, format!("GRID {grid} of MONPNT3 {} is not there", card.name))
+                })
+            };
+            let mut nodes = set.ids.iter().map(node).collect::<Result<Vec<_>, _>>()?;
+            nodes.sort_unstable();
+            nodes.dedup();
+            all.push(Station {
+                channel: name.clone(),
+                name,
+                point: frames.point(card.cp, card.xyz, &card.span)?,
+                nodes,
+                axes: frames.axes_at(card.cd, &card.span)?,
+            });
+        }
+        Ok(all)
+    }
+}
+
+/// Grid and components of a deck's SUPORT.
+fn support_of(bulk: &BulkData) -> Option<(u32, Vec<u8>)> {
+    let grid = bulk.supports.first()?.grid;
+    let mut components: Vec<u8> =
+        bulk.supports.iter().flat_map(|one| one.components.iter().copied()).collect();
+    components.sort_unstable();
+    Some((grid, components))
+}

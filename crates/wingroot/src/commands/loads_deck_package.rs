@@ -1,0 +1,146 @@
+//! The package of a plan on a deck: cards in the deck's units at the deck's grids, its structure, and their round trip.
+
+use fullaircraft::design_loads::deck::DeckFlown;
+use fullaircraft::package::cards::{CardCase, Hold, structure_of};
+use fullaircraft::package::round_trip::{Expected, Own, RoundTrip, Row};
+use fullaircraft::{Component, NodalLoads};
+use loads::Selection;
+use loads::select::Selected;
+use loads::select::file::{Model as Which, SelectFile};
+use structure::{Model, System};
+
+use crate::commands::loads_export::{Export, Places};
+use crate::commands::loads_on_deck::OnDeck;
+use crate::commands::loads_package::{PARTS, lost, origin_of, parts, refuse_unwritten};
+use crate::commands::loads_package_files::{Card, Heads, Packed, Site, packed};
+use crate::commands::loads_tables::{case_of, words};
+use crate::failure::Failure;
+
+/// Units of the cards, in words.
+const UNITS: &str = "the deck's units of force and length; basic axes of the deck";
+
+/// Makes the package of a flown plan.
+///
+/// # Errors
+/// If cards read back do not give the loads that were flown.
+pub(super) fn package(
+    on: &OnDeck,
+    all: &[DeckFlown],
+    select: &SelectFile,
+    selection: &Selection,
+) -> Result<Packed, Failure> {
+    refuse_unwritten(select)?;
+    let mut common = origin_of(&on.file.name, &on.inputs)?;
+    let units = on.plan.units;
+    common.push(format!(
+        "tables: N, N m, m; cards and structure: {UNITS} (lengths of {} m, forces of {} N)",
+        units.length_m, units.force_n
+    ));
+    let grids = &on.deck.grids;
+    let deck = structure_of(&on.plan.bulk, &common);
+    let back = RoundTrip::of(own(on), &on.stations, &deck)?;
+    let places = Places {
+        stations: &on.stations,
+        grids: grids.free.node_ids(),
+        hold: Hold::of(&on.plan.bulk, on.plan.equations, grids.support.clone()),
+        deck,
+        common: &common,
+    };
+    let export = Export::new(back, select.export.at, places)?;
+    let last = selection.selected.iter().map(|one| one.sid).max().unwrap_or(0);
+    let (mut cards, mut rows) = (Vec::new(), Vec::new());
+    for one in &selection.selected {
+        let model = usize::from(one.model == Which::Updated);
+        let found = all.iter().find(|flown| (flown.case.model, flown.case.number) == (model, one.case));
+        let found = found.ok_or_else(|| lost(one.case))?;
+        let nodal = found.nodal.as_ref().ok_or_else(|| lost(one.case))?;
+        let mut card = card(on, one, found, nodal, &common, &export.back)?;
+        let nodal = export.nodal(nodal.clone());
+        card.case.net = nodal.of(Component::Net);
+        if select.export.components == PARTS {
+            card.case.parts = parts(one.sid, last, &nodal);
+        }
+        card.text = card.case.text_in(UNITS, export.grids(), &card.origin);
+        let read = export.compare(&card.case, &card.text, &card.expected)?;
+        rows.extend(read.into_iter().map(|row| in_si(on, row)));
+        cards.push(card);
+    }
+    let cases: Vec<CardCase> = cards.iter().map(|card| card.case.clone()).collect();
+    let index = export.index(&format!("Design loads: {}", on.file.name), &cases, &common);
+    let held = match &grids.support {
+        Some((grid, _)) => format!("as its SUPORT at grid {grid} says"),
+        None => "by its own constraints".to_owned(),
+    };
+    let (numbers, words) = (export.grids().to_vec(), export.words(&held));
+    let points = export.points();
+    let site = Site { stations: &on.stations, grids: &numbers, points, units: UNITS, words: &words };
+    let heads =
+        Heads { structure: export.file(), index, common: common.clone(), factor: select.export.factor };
+    packed(&site, selection, cards, &rows, heads)
+}
+
+/// The deck's structure: its tips are its rightmost grid and, unless it is half an aircraft, its leftmost.
+fn own(on: &OnDeck) -> Own<'_> {
+    let grids = &on.deck.grids;
+    let points = grids.free.points();
+    let furthest = |side: f64| {
+        (0..points.len()).max_by(|a, b| (side * points[*a].y).total_cmp(&(side * points[*b].y))).unwrap_or(0)
+    };
+    let mut tips = vec![("right tip", furthest(1.0))];
+    if on.deck.aeros().symmetry == 0 {
+        tips.push(("left tip", furthest(-1.0)));
+    }
+    let (about, balanced) = match &grids.support {
+        Some((grid, components)) => (
+            grids.free.node_index(*grid).unwrap_or(0),
+            components.iter().map(|component| usize::from(*component) - 1).collect(),
+        ),
+        None => (0, Vec::new()),
+    };
+    Own {
+        free: &grids.free,
+        held: &grids.held,
+        tips,
+        about,
+        balanced,
+        assemble: |bulk| System::assemble(&Model::from_deck(bulk, None)?),
+    }
+}
+
+/// A row in the deck's units in N, N m and m.
+fn in_si(on: &OnDeck, row: Row) -> Row {
+    let [force_n, moment_nm] = on.plan.unit_loads();
+    let unit = match row.what {
+        "stiffness" => 1.0,
+        "deflection_m" => on.plan.units.length_m,
+        moment if moment.starts_with('M') => moment_nm,
+        _ => force_n,
+    };
+    Row { solver: unit * row.solver, cards: unit * row.cards, ..row }
+}
+
+fn card(
+    on: &OnDeck,
+    one: &Selected,
+    found: &DeckFlown,
+    nodal: &NodalLoads,
+    common: &[String],
+    back: &RoundTrip<'_>,
+) -> Result<Card, Failure> {
+    let case = case_of(&on.matrix, one.case).ok_or_else(|| lost(one.case))?;
+    let flown = found.case.instants.get(one.instant - 1).ok_or_else(|| lost(one.case))?.clone();
+    let net = nodal.of(Component::Net);
+    let tips = back.tips();
+    let tip = |side: usize| net.iter().enumerate().map(|(dof, load)| tips[(dof, side)] * load).sum::<f64>();
+    let expected = Expected {
+        stations: on.stations.iter().map(|station| station.sums(back.points(), &net)).collect(),
+        tips_m: (0..tips.ncols()).map(tip).collect(),
+    };
+    let mass = &on.design.masses[case.mass].name;
+    let title =
+        format!("case {} {}, {:.1} m/s, n {:.2}, {mass}", one.case, case.condition, case.v_m_s, case.n_z);
+    let mut origin = common.to_vec();
+    origin.push(format!("{}; mass {mass}; model {}; a trim", words(case), one.model.name()));
+    let case = CardCase { sid: one.sid, words: title, net, parts: Vec::new() };
+    Ok(Card { case, text: String::new(), expected, trim_tip: 0.0, repeat: 0.0, flown, origin })
+}
