@@ -4,11 +4,12 @@ use crate::card::Card;
 use crate::cards::kind::{CardKind, Cards, DeckCard, Family};
 use crate::cards::{
     Aecomp, Aecompl, Aefact, Aelink, Aelist, Aero, Aeros, Aestat, Aesurf, BeamElement, BeamLoad,
-    BeamProperty, Caero1, Cbush, Conm1, Conm2, Conrod, Coord, Crod, CrossLoad, Darea, Dmig, DynamicLoad,
-    EigenMethod, Flfact, Flutter, FrequencyList, FunctionTable, Genel, Gravity, Grid, Gust, LineLoad,
-    LoadSum, Mat1, Mat2, Mat8, Mat9, Mkaero, MonitorPoint, Mpc, Paero1, Pbush, Pcomp, PointLoad, Pressure,
-    Prod, Pshell, Psolid, Randps, Rbar, Rbe2, Rbe3, ScalarElement, ScalarProperty, Set1, SetUnion,
-    ShellElement, SolidElement, Spc1, SpectrumTable, SplineCard, Spoint, Suport, Tabdmp1, TimeSteps, Trim,
+    BeamProperty, Caero1, Cbush, Conm1, Conm2, Conrod, Coord, Crod, CrossLoad, Cshear, Ctube, Darea, Dmig,
+    DynamicLoad, EigenMethod, Flfact, Flutter, FrequencyList, FunctionTable, Genel, Gravity, Grid, Gust,
+    LineLoad, LoadSum, Mat1, Mat2, Mat8, Mat9, Mkaero, MonitorPoint, Mpc, Paero1, Pbush, Pcomp, PointLoad,
+    Pressure, Prod, Pshear, Pshell, Psolid, Ptube, Randps, Rbar, Rbe2, Rbe3, ScalarElement, ScalarProperty,
+    Set1, SetUnion, ShellElement, SolidElement, Spc1, SpectrumTable, SplineCard, Spoint, Suport, Tabdmp1,
+    TimeSteps, Trim,
 };
 use crate::deck::case_control::Subcase;
 use crate::dmi::Dmi;
@@ -125,6 +126,8 @@ kinds! {
     shells: BTreeMap<u32, ShellElement>, Element, ["CQUAD4", "CTRIA3", "CQUADR", "CTRIAR", "CQUAD8", "CTRIA6"];
     solids: BTreeMap<u32, SolidElement>, Element, ["CHEXA", "CPENTA", "CTETRA"];
     rods: BTreeMap<u32, Crod>, Element, ["CROD"];
+    tubes: BTreeMap<u32, Ctube>, Element, ["CTUBE"];
+    shear_panels: BTreeMap<u32, Cshear>, Element, ["CSHEAR"];
     conrods: BTreeMap<u32, Conrod>, Element, ["CONROD"];
     bushes: BTreeMap<u32, Cbush>, Element, ["CBUSH"];
     springs: BTreeMap<u32, ScalarElement>, Element, ["CELAS1", "CELAS2", "CELAS3", "CELAS4"];
@@ -138,6 +141,8 @@ kinds! {
     laminates: BTreeMap<u32, Pcomp>, ShellProperty, ["PCOMP", "PCOMPG"];
     solid_properties: BTreeMap<u32, Psolid>, Own, ["PSOLID"];
     rod_properties: BTreeMap<u32, Prod>, Own, ["PROD"];
+    tube_properties: BTreeMap<u32, Ptube>, Own, ["PTUBE"];
+    panel_sections: BTreeMap<u32, Pshear>, Own, ["PSHEAR"];
     bush_properties: BTreeMap<u32, Pbush>, Own, ["PBUSH"];
     spring_properties: BTreeMap<u32, ScalarProperty>, Own, ["PELAS"];
     mass_properties: BTreeMap<u32, ScalarProperty>, Own, ["PMASS"];

@@ -18,14 +18,21 @@ fn shells_take_an_angle_or_a_system() {
 }
 
 #[test]
-fn corner_thicknesses_are_fine_if_they_say_what_the_property_says() {
-    parse("CQUAD4,1,7,1,2,3,4\n,,,.5,.5,.5,.5\nCTRIA3,2,7,1,2,3\n,,1,1.,,1.\nPSHELL,7,1,.5,1\n");
-    parse("PCOMP,7,,,,,,,SYM\n,1,.1,0.,,,.15\nCQUAD4,1,7,1,2,3,4\n,,,.5,.5,.5,.5\n");
-    let error = parse_deck("t.bdf", "CQUAD4,1,7,1,2,3,4\n,,,.5,.6,.5,.5\nPSHELL,7,1,.5,1\n").unwrap_err();
-    assert!(
-        error.to_string().contains("corner thickness 0.6 of shell 1 is not the property's, 0.5"),
-        "{error}"
+fn corner_thicknesses_are_in_units_of_the_propertys_where_they_differ() {
+    let plain = parse("CQUAD4,1,7,1,2,3,4\n,,,.5,.5,.5,.5\nCTRIA3,2,7,1,2,3\n,,1,1.,,1.\nPSHELL,7,1,.5,1\n");
+    assert!(plain.shells.values().all(|shell| shell.thickness.ratios(0.5).is_none()));
+    let deck = parse(
+        "CQUAD4,1,7,1,2,3,4\n,,,.5,.6,.5\nCTRIA3,2,7,1,2,3\n,,1,1.,,2.\nCTRIA6,3,7,1,2,3,4,5,6\n,,,.2,.3,.4,0\nCQUAD8,4,7,1,2,3,4,5,6\n,7,8,.2,.3,.4,.5\n,1\n",
     );
+    let ratios = |id: u32| deck.shells[&id].thickness.ratios(0.5);
+    assert_eq!(ratios(1), Some(vec![1.0, 1.2, 1.0, 1.0]));
+    assert_eq!(ratios(2), Some(vec![1.0, 1.0, 2.0]));
+    assert_eq!(ratios(3), Some(vec![0.4, 0.6, 0.8]));
+    assert_eq!(ratios(4), Some(vec![0.2, 0.3, 0.4, 0.5]));
+    let again = parse(&nastran::write_deck(&deck));
+    for (id, shell) in &deck.shells {
+        assert_eq!(again.shells[id].thickness, shell.thickness, "written and read again");
+    }
 }
 
 #[test]

@@ -2,10 +2,10 @@
 
 use crate::common::content;
 use nastran::{
-    BulkData, BushAxes, Cbush, Conm1, Coord, CoordDefinition, CoordKind, Crod, Genel, Mat2, Mat8, Mat9,
-    MaterialDirection, Motion, Mpc, Orientation, Pbush, Pcomp, Ply, Prod, Pshell, Psolid, Rbar, Rbe3,
-    Rbe3Group, ScalarElement, ScalarProperty, ScalarValue, ShellElement, SolidElement, Span, SplineCard,
-    SplineKind, parse_deck, real, write_deck,
+    BulkData, BushAxes, Cbush, Conm1, Coord, CoordDefinition, CoordKind, CornerThickness, Crod, Genel, Mat2,
+    Mat8, Mat9, MaterialDirection, Motion, Mpc, Orientation, Pbush, Pcomp, Ply, Prod, Pshell, Psolid, Rbar,
+    Rbe3, Rbe3Group, ScalarElement, ScalarProperty, ScalarValue, ShellElement, SolidElement, Span,
+    SplineCard, SplineKind, parse_deck, real, write_deck,
 };
 use proptest::prelude::*;
 
@@ -118,6 +118,7 @@ fn shells_and_solids(dice: &mut Dice, deck: &mut BulkData) {
                 midsides: Vec::new(),
                 direction,
                 is_r: false,
+                thickness: CornerThickness::default(),
                 offset,
                 span: span(),
             },

@@ -74,11 +74,17 @@ pub fn draw(title: &str, views: &[View]) -> Result<Drawing, DrawError> {
     let axes = picture_axes();
     let flat = |p: &Point3<f64>| (axes[0].dot(&p.coords), axes[1].dot(&p.coords));
     let points = || views.iter().flat_map(View::points).map(flat);
-    let (low, right) = extent(points().map(|(u, _)| u));
-    let (bottom, high) = extent(points().map(|(_, v)| v));
-    if !(right > low && high > bottom) {
+    let (across, up) = (extent(points().map(|(u, _)| u)), extent(points().map(|(_, v)| v)));
+    let size = (across.1 - across.0).max(up.1 - up.0);
+    if !(size > 0.0 && size.is_finite()) {
         return Err(DrawError::Empty(title.into()));
     }
+    // A straight line up or across has no other extent of its own.
+    let widened = |(low, high): (f64, f64)| {
+        let missing = if high - low > 1e-6 * size { 0.0 } else { 0.05 * size };
+        (low - missing, high + missing)
+    };
+    let ((low, right), (bottom, high)) = (widened(across), widened(up));
     let scale = ((WIDTH - 2.0 * MARGIN) / (right - low)).min(HEIGHT / (high - bottom));
     let drawn_height = (high - bottom) * scale;
     let width = WIDTH * views.len().clamp(1, ROW) as f64;

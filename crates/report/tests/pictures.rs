@@ -128,6 +128,22 @@ fn deformed_aircraft_stand_side_by_side() {
     assert!(text_of("deformed.svg", &svg).contains("updated"));
 }
 
+/// A structure of one line, straight up in the picture: it has no width there.
+#[test]
+fn one_upright_line_is_drawn() {
+    let lines = vec![[nalgebra::Point3::origin(), nalgebra::Point3::new(0.0, 0.0, 10.0)]];
+    let view = View {
+        title: "mast".into(),
+        groups: vec!["structure".into()],
+        quads: Vec::new(),
+        lines,
+        waits: false,
+    };
+    let svg = report::deformed::draw("Mast", std::slice::from_ref(&view)).unwrap().svg();
+    assert!(!svg.contains("NaN") && !svg.contains("inf"), "every place is a number");
+    assert!(text_of("mast.svg", &svg).contains("mast"));
+}
+
 #[test]
 fn what_cannot_be_drawn_is_refused_with_its_name() {
     let empty = Figure::new("nothing", vec![], 1);

@@ -4,7 +4,7 @@
 //! e + z k the strain at height z above the reference surface. Jones, *Mechanics of Composite Materials*, ch. 4.
 
 use crate::plane_material::{PlaneMaterial, strain_rotation};
-use nalgebra::{Matrix2, Matrix3};
+use nalgebra::{Matrix2, Matrix3, Matrix6, Vector6};
 
 /// How transverse shear stiffness follows from the plies.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,6 +43,8 @@ pub struct ShellSection {
     pub shear: Matrix2<f64>,
     /// Mass per area, kg/m^2.
     pub mass_kg_m2: f64,
+    /// The part of it that is not structural, kg/m^2.
+    pub nsm_kg_m2: f64,
     /// First moment of the mass about the reference surface, kg/m.
     pub mass_moment_kg_m: f64,
     /// Second moment of the mass about the reference surface, kg.
@@ -61,6 +63,7 @@ impl ShellSection {
             bending: Matrix3::zeros(),
             shear: Matrix2::zeros(),
             mass_kg_m2: nsm_kg_m2,
+            nsm_kg_m2,
             mass_moment_kg_m: 0.0,
             mass_inertia_kg: 0.0,
         };
@@ -98,6 +101,44 @@ impl ShellSection {
             self.shear = Matrix2::identity() * (RIGID * stiff);
         }
         self
+    }
+
+    /// Its membrane stiffness and nothing else.
+    #[must_use]
+    pub fn membrane_alone(&self) -> Self {
+        let (none, shear) = (Matrix3::zeros(), Matrix2::zeros());
+        let (mass_kg_m2, nsm_kg_m2, mass_moment_kg_m, mass_inertia_kg) = (0.0, 0.0, 0.0, 0.0);
+        let (membrane, coupling, bending) = (self.membrane, none, none);
+        Self { membrane, coupling, bending, shear, mass_kg_m2, nsm_kg_m2, mass_moment_kg_m, mass_inertia_kg }
+    }
+
+    /// Whether membrane strains and curvatures together store energy, to rounding.
+    pub fn stores_energy(&self) -> bool {
+        let (a, b, d) = (&self.membrane, &self.coupling, &self.bending);
+        let all = Matrix6::from_fn(|i, j| match (i / 3, j / 3) {
+            (0, 0) => a[(i, j)],
+            (1, 1) => d[(i - 3, j - 3)],
+            (0, _) => b[(i, j - 3)],
+            _ => b[(i - 3, j)],
+        });
+        let scale = Vector6::from_fn(|i, _| all[(i, i)].max(f64::MIN_POSITIVE).sqrt().recip());
+        let scaled = Matrix6::from_fn(|i, j| scale[i] * all[(i, j)] * scale[j]);
+        scaled.symmetric_eigenvalues().min() > -1e-9
+    }
+
+    /// The same section with all heights times `ratio`, as where a plate's thickness varies; non-structural mass stays.
+    #[must_use]
+    pub fn thickened(&self, ratio: f64) -> Self {
+        Self {
+            membrane: self.membrane * ratio,
+            coupling: self.coupling * ratio.powi(2),
+            bending: self.bending * ratio.powi(3),
+            shear: self.shear * ratio,
+            mass_kg_m2: (self.mass_kg_m2 - self.nsm_kg_m2) * ratio + self.nsm_kg_m2,
+            nsm_kg_m2: self.nsm_kg_m2,
+            mass_moment_kg_m: self.mass_moment_kg_m * ratio.powi(2),
+            mass_inertia_kg: self.mass_inertia_kg * ratio.powi(3),
+        }
     }
 
     /// The section in axes from which its own x axis is turned by `angle_rad` (from x towards y).

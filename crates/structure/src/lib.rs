@@ -26,6 +26,7 @@ mod ordering;
 pub mod plane_material;
 mod section;
 mod serendipity;
+mod shear_panel;
 pub mod shell;
 pub mod solid;
 pub mod solid_material;

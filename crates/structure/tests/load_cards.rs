@@ -41,7 +41,9 @@ fn near(own: Vector3<f64>, expected: [f64; 3], what: &str) {
 #[test]
 fn pressures_push_along_the_normal_of_shells_and_into_solids() {
     // The plate's grids run so that its normal is +z: 6 m^2 at the middle (1, 1.5).
-    for card in ["PLOAD2,5,10.,2\n", "PLOAD4,5,2,10.\n", "PLOAD,5,10.,5,6,7,8\n"] {
+    // Ranges run over the shells that there are.
+    let ranges = ["PLOAD2,5,10.,2,THRU,9\n", "PLOAD4,5,2,10.,,,,THRU,9\n"];
+    for card in ranges.into_iter().chain(["PLOAD2,5,10.,2\n", "PLOAD4,5,2,10.\n", "PLOAD,5,10.,5,6,7,8\n"]) {
         let (force, moment) = summed(card, 5);
         near(force, [0.0, 0.0, 60.0], card);
         near(moment, [90.0, -60.0, 0.0], card);

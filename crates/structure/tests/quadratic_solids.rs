@@ -195,6 +195,13 @@ fn a_bent_hexahedron_has_six_motions_without_energy_and_positive_lumped_masses()
         let mass = MassProperties::of_model(&model).mass_kg;
         // A sector of a ring: one radian, radii 2 and 3; parabolas in the place of arcs leave two thousandths.
         close(mass, 3.0 * 0.5 * (9.0 - 4.0), 3e-3, "mass of a sector of a ring");
+        let lumped = model.elements().next().and_then(Element::lumped_mass).expect("has mass");
+        assert!(
+            lumped.diagonal().iter().all(|own| *own > 0.0),
+            "no grid has a negative mass: {}",
+            lumped.diagonal()
+        );
+        close(lumped.trace(), 3.0 * mass, 1e-12, "lumped mass along three axes");
         let system = System::assemble(&model).expect("a system");
         let loose = structure::normal_modes(&system, 7).expect("modes").omega_rad_s;
         assert!(loose[5] < 1e-3 * loose[6], "six rigid motions and no more: {loose:?}");

@@ -94,11 +94,6 @@ fn say_what_was_assumed(bulk: &BulkData, model: &Model, system: &System) {
         }
         MassForm::Consistent => "masses of elements are consistent, as PARAM COUPMASS says",
     });
-    if bulk.shells.values().any(|shell| shell.is_r && shell.grids.len() == 4) {
-        show::note(
-            "CQUADR is computed as CQUAD4, whose rotations about its normal are not those of its membrane: frequencies may be some per cent off",
-        );
-    }
     bulk.remarks().iter().for_each(|remark| show::note(remark));
     if let Some(first) = bulk.air_errors.first() {
         show::note(&format!(

@@ -10,7 +10,7 @@ pub mod solid_mesh;
 
 use faer::Mat;
 use nalgebra::Point3;
-use nastran::{BulkData, Grid, Mat1, MaterialDirection, Pshell, ShellElement, Span, Spc1};
+use nastran::{BulkData, CornerThickness, Grid, Mat1, MaterialDirection, Pshell, ShellElement, Span, Spc1};
 use structure::{Flexibility, Model, ShearModel, Shell, ShellSection, System, normal_modes};
 
 /// Where the cards come from, for messages.
@@ -85,6 +85,7 @@ impl Mesh {
                 is_r: false,
                 offset: 0.0,
                 midsides: Vec::new(),
+                thickness: CornerThickness::default(),
                 span: span(),
             },
         );

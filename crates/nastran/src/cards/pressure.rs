@@ -30,6 +30,8 @@ pub struct Pressure {
     pub on: Pressed,
     /// At the corners; the last is zero for three.
     pub pressure: [f64; 4],
+    /// The elements are those of a range (THRU), in which numbers may be missing.
+    pub is_range: bool,
     /// Name of the card.
     pub form: usize,
     /// Where the card stands.
@@ -55,7 +57,8 @@ impl DeckCard for Pressure {
         } else {
             (Pressed::Elements(card.id_list(2, "EID")?), 1)
         };
-        Ok(vec![Self { set, on, pressure, form, span }])
+        let is_range = form == 1 && card.text(3).eq_ignore_ascii_case("THRU");
+        Ok(vec![Self { set, on, pressure, is_range, form, span }])
     }
 
     fn write(&self, card: Fields) -> Fields {
@@ -106,7 +109,7 @@ fn four(card: &Card, set: u32) -> Result<Vec<Pressure>, InputError> {
         let last = card.id(7, "EID2")?;
         let one = |element| {
             let on = Pressed::Elements(vec![element]);
-            Pressure { set, on, pressure, form, span: span.clone() }
+            Pressure { set, on, pressure, is_range: true, form, span: span.clone() }
         };
         return if last < element || last - element > 1_000_000 {
             Err(card.wrong(7, "EID2", "an element number above EID"))
@@ -120,5 +123,5 @@ fn four(card: &Card, set: u32) -> Result<Vec<Pressure>, InputError> {
         let other = if card.text(7).is_empty() { None } else { Some(card.id(7, "G3")?) };
         Pressed::Face { element, corner: card.id(6, "G1")?, other }
     };
-    Ok(vec![Pressure { set, on, pressure, form, span }])
+    Ok(vec![Pressure { set, on, pressure, is_range: false, form, span }])
 }

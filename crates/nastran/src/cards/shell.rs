@@ -37,10 +37,12 @@ pub struct ShellElement {
     pub midsides: Vec<Option<u32>>,
     /// Where the material's axes come from.
     pub direction: MaterialDirection,
-    /// True for CQUADR and CTRIAR. A CTRIAR's membrane has its corners' rotations about the normal; a CQUADR is computed as a CQUAD4.
+    /// True for CQUADR and CTRIAR, whose membrane has its corners' rotations about the normal.
     pub is_r: bool,
     /// ZOFFS: distance from the plane of the grids to the reference plane, along the element's normal.
     pub offset: f64,
+    /// Thicknesses at the corners, where they are not the property's.
+    pub thickness: CornerThickness,
     /// Where the card stands.
     pub span: Span,
 }
@@ -67,6 +69,7 @@ impl ShellElement {
             direction: direction(card, angle)?,
             is_r: false,
             offset: card.real_or(offset, "ZOFFS", 0.0)?,
+            thickness: CornerThickness::read(card)?,
             span: card.span.clone(),
         })
     }
@@ -101,11 +104,6 @@ impl DeckCard for ShellElement {
     /// CQUAD4: EID PID G1 G2 G3 G4 THETA/MCID ZOFFS / blank TFLAG T1 T2 T3 T4, and
     /// CTRIA3: EID PID G1 G2 G3 THETA/MCID ZOFFS blank / blank TFLAG T1 T2 T3; CQUADR and CTRIAR alike.
     fn read(card: &Card) -> Result<Vec<Self>, InputError> {
-        let flag = places(card).flag;
-        if card.count_or(flag, "TFLAG", 0)? > 1 {
-            return Err(card.wrong(flag, "TFLAG", "0 or 1"));
-        }
-        CornerThickness::of(card)?;
         if matches!(card.name.as_str(), "CQUAD8" | "CTRIA6") {
             return Ok(vec![Self::curved(card)?]);
         }
@@ -127,6 +125,7 @@ impl DeckCard for ShellElement {
             direction: direction(card, after)?,
             is_r: card.name.ends_with('R'),
             offset: card.real_or(after + 1, "ZOFFS", 0.0)?,
+            thickness: CornerThickness::read(card)?,
             span: card.span.clone(),
         }])
     }
@@ -134,13 +133,25 @@ impl DeckCard for ShellElement {
     fn write(&self, card: Fields) -> Fields {
         let card = card.ints([self.id, self.property]).ints(self.grids.iter().copied());
         let card = self.midsides.iter().fold(card, |card, grid| card.optional(*grid));
+        let given = self.thickness.at.len();
         // Of a CQUAD8 the corner thicknesses come first.
-        let card = if self.midsides.len() == 4 { card.blanks(4) } else { card };
+        let card = match self.midsides.len() {
+            4 if given == 0 => card.blanks(4),
+            4 => self.thickness.write(card),
+            _ => card,
+        };
         let card = match self.direction {
             MaterialDirection::AngleDeg(angle) => card.real(angle),
             MaterialDirection::System(system) => card.int(system),
         };
-        card.real(self.offset)
+        let card = card.real(self.offset);
+        let flag = |card: Fields| card.optional((self.thickness.is_ratio).then_some(1));
+        match (self.midsides.len(), self.grids.len()) {
+            _ if given == 0 => card,
+            (4, _) => flag(card),
+            (3, _) => flag(self.thickness.write(card)),
+            (_, corners) => self.thickness.write(flag(card.blanks(FIELDS_PER_LINE + 1 - corners - 4))),
+        }
     }
 
     raises!(cards: id, property, grids, midsides; systems: direction);
@@ -150,6 +161,9 @@ impl DeckCard for ShellElement {
         let order: &[usize] = if self.grids.len() == 4 { &[1, 0, 3, 2] } else { &[1, 0, 2] };
         self.midsides = reordered(&self.midsides, self.sides(), order);
         self.grids = order.iter().map(|at| self.grids[*at]).collect();
+        if !self.thickness.at.is_empty() {
+            self.thickness.at = order.iter().map(|at| self.thickness.at[*at]).collect();
+        }
         if let MaterialDirection::AngleDeg(angle) = &mut self.direction {
             *angle = minus(*angle);
         }
@@ -162,35 +176,45 @@ fn corners(card: &Card) -> &'static [&'static str] {
     if card.name.starts_with("CQUAD") { &["G1", "G2", "G3", "G4"] } else { &["G1", "G2", "G3"] }
 }
 
-/// A corner thickness, which must be the property's ([`crate::deck`] checks it when all is read).
-#[derive(Debug)]
-pub(crate) struct CornerThickness {
-    /// The shell element.
-    pub(crate) element: u32,
-    /// The thickness, or its ratio to the property's.
-    pub(crate) value: f64,
-    /// TFLAG = 1.
-    pub(crate) is_ratio: bool,
-    /// Where it stands.
-    pub(crate) span: Span,
+/// Thicknesses of a shell at its corners (T1 to T4, TFLAG).
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct CornerThickness {
+    /// Those given; empty if none is. A corner without one has the property's.
+    pub at: Vec<Option<f64>>,
+    /// They are in units of the property's thickness (TFLAG 1).
+    pub is_ratio: bool,
 }
 
 impl CornerThickness {
-    /// Those of a shell's card; none of other cards.
-    pub(crate) fn of(card: &Card) -> Result<Vec<Self>, InputError> {
-        if !matches!(card.name.as_str(), "CQUAD4" | "CTRIA3" | "CQUADR" | "CTRIAR" | "CQUAD8" | "CTRIA6") {
-            return Ok(Vec::new());
-        }
+    fn read(card: &Card) -> Result<Self, InputError> {
         let Places { flag, thickness, .. } = places(card);
-        let is_ratio = card.text(flag) == "1";
-        let mut all = Vec::new();
+        let is_ratio = match card.count_or(flag, "TFLAG", 0)? {
+            0 => false,
+            1 => true,
+            _ => return Err(card.wrong(flag, "TFLAG", "0 or 1")),
+        };
+        let mut at = Vec::new();
         for (index, name) in (thickness..).zip(["T1", "T2", "T3", "T4"]).take(corners(card).len()) {
-            if let Some(value) = card.optional_real(index, name)? {
-                let (element, span) = (card.id(0, "EID")?, card.span_of(index).clone());
-                all.push(Self { element, value, is_ratio, span });
+            let value = card.optional_real(index, name)?;
+            if value.is_some_and(|value| !(value >= 0.0 && value.is_finite())) {
+                return Err(card.wrong(index, name, "a thickness of zero or more"));
             }
+            at.push(value);
         }
-        Ok(all)
+        Ok(if at.iter().all(Option::is_none) { Self::default() } else { Self { at, is_ratio } })
+    }
+
+    /// In units of the property's thickness, one a corner; nothing if all are the property's (to the digits of a card: ply thicknesses are
+    /// summed).
+    pub fn ratios(&self, property: f64) -> Option<Vec<f64>> {
+        let unit = if self.is_ratio { 1.0 } else { property };
+        let ratio = |value: &Option<f64>| value.map_or(1.0, |value| value / unit);
+        let ratios: Vec<f64> = self.at.iter().map(ratio).collect();
+        ratios.iter().any(|ratio| (ratio - 1.0).abs() > 1e-6).then_some(ratios)
+    }
+
+    fn write(&self, card: Fields) -> Fields {
+        self.at.iter().fold(card, |card, value| card.optional_real(*value))
     }
 }
 

@@ -15,8 +15,8 @@ mod taken;
 use crate::bulk_data::{BulkData, Unread};
 use crate::card::line::Line;
 use crate::card::{Card, lists};
+use crate::cards::Spoint;
 use crate::cards::kind::DeckCard;
-use crate::cards::{CornerThickness, Spoint};
 use crate::source::{InputError, Span};
 use crate::text_file::{no_file, read_text};
 use defaults::Defaults;
@@ -84,7 +84,6 @@ struct Reader {
     matrices: DmiCards,
     defaults: Defaults,
     numbers: Numbers,
-    thicknesses: Vec<CornerThickness>,
     /// Scalar points named by elements that join nothing else.
     named_points: Vec<Spoint>,
     card: Option<Card>,
@@ -214,7 +213,6 @@ impl Reader {
     }
 
     fn keep(&mut self, card: Card) -> Result<(), InputError> {
-        self.thicknesses.extend(CornerThickness::of(&card)?);
         if matches!(card.name.as_str(), "CELAS3" | "CELAS4" | "CMASS3" | "CMASS4") {
             let ends = [card.count_or(2, "S1", 0)?, card.count_or(3, "S2", 0)?];
             let points = ends.into_iter().filter(|id| *id > 0);
@@ -278,7 +276,6 @@ impl Reader {
         self.scalar_points()?;
         self.deck.matrices = self.matrices.assemble()?;
         crate::geometry::check_grids(&self.deck)?;
-        checks::corner_thicknesses(&self.deck, &self.thicknesses)?;
         checks::material_axes(&self.deck)?;
         Ok(self.deck)
     }

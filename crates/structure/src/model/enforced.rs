@@ -1,60 +1,44 @@
 //! Motions that SPC enforces (field D): what the structure is held at instead of zero.
 
-use super::build::Builder;
-use crate::laminate::ShearModel;
+use super::Model;
+use crate::constraints;
 use nastran::{BulkData, InputError, Spc1};
-use std::collections::BTreeSet;
 
-/// The enforced motions of a deck under its constraints ([`BulkData::bounded`]): six a node (m, rad; basic axes), in the order of the
-/// model's nodes; none if all are zero.
+/// The enforced motions of a deck under its constraints ([`BulkData::bounded`]) on its `model`: six a node (m, rad; basic axes), in the order of the
+/// model's nodes; none if all are zero. What follows a motion by a rigid element or an equation follows an enforced one, too.
 ///
 /// # Errors
-/// If a grid is not there, or is tied to others by a rigid element or an equation, whose motion it would share.
-pub fn enforced_motions(bulk: &BulkData) -> Result<Option<Vec<f64>>, InputError> {
+/// If a motion follows itself in a circle.
+pub fn enforced_motions(bulk: &BulkData, model: &Model) -> Result<Option<Vec<f64>>, InputError> {
     let cards: Vec<&Spc1> = bulk.constraints.iter().filter(|card| card.enforced != 0.0).collect();
     if cards.is_empty() {
         return Ok(None);
     }
-    let builder = Builder::new(bulk, ShearModel::Equilibrium)?;
-    let tied = tied(bulk);
-    let mut motions = vec![0.0; 6 * builder.nodes.len()];
+    // In the axes of each grid's displacement system.
+    let mut own = vec![0.0; 6 * model.nodes.len()];
     for card in cards {
-        for grid in &card.grids {
-            let node = builder.node(*grid, "SPC", &card.span)?;
-            if tied.contains(grid) {
-                let message = format!(
-                    "SPC enforces a motion of grid {grid}, which a rigid element or an equation ties to others"
-                );
-                return Err(InputError::at(&card.span, message)
-                    .with_help("enforce the motion of a grid beside, joined by a stiff spring"));
-            }
-            let axes = &builder.nodes[node].axes;
+        // Grids that are not there have been said where they are clamped.
+        let places =
+            card.grids.iter().filter_map(|grid| model.nodes.binary_search_by_key(grid, |n| n.id).ok());
+        for node in places {
             for component in &card.components {
-                let (from, axis) = (3 * (usize::from(*component - 1) / 3), usize::from(*component - 1) % 3);
-                for basic in 0..3 {
-                    motions[6 * node + from + basic] += axes[(basic, axis)] * card.enforced;
-                }
+                own[6 * node + usize::from(*component) - 1] = card.enforced;
             }
             if card.components.is_empty() {
-                motions[6 * node] += card.enforced;
+                own[6 * node] = card.enforced;
             }
         }
     }
-    Ok(Some(motions))
-}
-
-/// Grids that rigid elements and equations join.
-fn tied(bulk: &BulkData) -> BTreeSet<u32> {
-    let mut all = BTreeSet::new();
-    for card in bulk.rigid.values() {
-        all.insert(card.independent);
-        all.extend(&card.dependent);
+    for (dof, row) in constraints::resolved(&model.nodes, &model.dependents)? {
+        own[dof] = row.iter().map(|(source, factor)| factor * own[*source]).sum();
     }
-    all.extend(bulk.rigid_bars.values().flat_map(|card| card.grids));
-    for card in bulk.averages.values() {
-        all.insert(card.reference);
-        all.extend(card.groups.iter().flat_map(|group| &group.grids));
+    let mut basic = vec![0.0; own.len()];
+    for (node, axes) in model.nodes.iter().map(|node| node.axes).enumerate() {
+        for (row, column) in (0..9).map(|at| (at / 3, at % 3)) {
+            for first in [0, 3] {
+                basic[6 * node + first + row] += axes[(row, column)] * own[6 * node + first + column];
+            }
+        }
     }
-    all.extend(bulk.equations.iter().flat_map(|card| card.terms.iter().map(|((grid, _), _)| *grid)));
-    all
+    Ok(Some(basic))
 }

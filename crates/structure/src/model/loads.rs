@@ -165,6 +165,11 @@ fn pressure(builder: &Builder, load: &Pressure, into: &mut Vec<Following>) -> Re
             for element in elements {
                 // PLOAD4 with THRU may run over numbers that no shell has.
                 let Some(shell) = builder.bulk.shells.get(element) else {
+                    // As in Nastran, a range runs over the elements that there are.
+                    let some = || elements.iter().any(|other| builder.bulk.shells.contains_key(other));
+                    if load.is_range && (load.form == 2 || some()) {
+                        continue;
+                    }
                     let message =
                         format!("{user} presses on element {element}, which is no CQUAD4 or CTRIA3");
                     let help = "for a solid PLOAD4 names its face by G1 and G3";

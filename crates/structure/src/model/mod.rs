@@ -11,8 +11,10 @@ mod links;
 mod loads;
 mod node;
 pub(crate) mod registry;
+mod shear;
 mod shells;
 mod solids;
+mod tube;
 
 pub use enforced::enforced_motions;
 pub use loads::{load_sets, loads_of};

@@ -50,10 +50,10 @@ pub(crate) trait Visitor {
 #[rustfmt::skip]
 pub(crate) fn visit(bulk: &BulkData, visitor: &mut impl Visitor) -> Result<(), InputError> {
     let BulkData {
-        beams, rods, conrods, shells, solids, bushes, springs, general, masses, mass_matrices, scalar_masses,
+        beams, rods, conrods, tubes, shear_panels, shells, solids, bushes, springs, general, masses, mass_matrices, scalar_masses,
         rigid, rigid_bars, averages, equations,
         // Read by the elements and ties that refer to them, and by the clamps.
-        coords: _, grids: _, scalar_points: _, beam_properties: _, rod_properties: _, shell_properties: _, laminates: _,
+        coords: _, grids: _, scalar_points: _, beam_properties: _, rod_properties: _, tube_properties: _, panel_sections: _, shell_properties: _, laminates: _,
         solid_properties: _, bush_properties: _, spring_properties: _, mass_properties: _, materials: _,
         plane_materials: _, ply_materials: _, solid_materials: _, constraints: _, parameters: _,
         // Taken by the load set that is asked for.
@@ -70,6 +70,8 @@ pub(crate) fn visit(bulk: &BulkData, visitor: &mut impl Visitor) -> Result<(), I
     visitor.elements(beams)?;
     visitor.elements(rods)?;
     visitor.elements(conrods)?;
+    visitor.elements(tubes)?;
+    visitor.elements(shear_panels)?;
     visitor.elements(shells)?;
     visitor.elements(solids)?;
     visitor.elements(bushes)?;

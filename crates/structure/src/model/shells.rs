@@ -27,6 +27,7 @@ impl ElementCard for ShellElement {
             builder.sections.insert(self.property, Arc::clone(&made));
             made
         };
+        let ratios = builder.thickness_ratios(self, &user)?;
         if !self.midsides.is_empty() {
             return Ok(Arc::new(builder.curved(self, section, &user)?));
         }
@@ -34,6 +35,9 @@ impl ElementCard for ShellElement {
         let points: Vec<Point3<f64>> = nodes.iter().map(|node| builder.nodes[*node].point).collect();
         let angle = builder.angle(self, &points, &user)?;
         let mut shell = Shell::new(self.id, nodes, &points, self.offset, section, angle, &self.span)?;
+        if let Some(ratios) = ratios {
+            shell = shell.with_thickness(ratios);
+        }
         let normal = shell.axes().row(2).transpose();
         if shell.nodes().iter().all(|node| builder.is_held(*node, &normal)) {
             shell = shell.without_drilling_tie();
@@ -52,6 +56,30 @@ impl ElementCard for ShellElement {
 }
 
 impl Builder<'_> {
+    /// Thicknesses at the corners in units of the property's, where they differ.
+    fn thickness_ratios(&self, card: &ShellElement, user: &str) -> Result<Option<Vec<f64>>, InputError> {
+        let plain = self.bulk.shell_properties.get(&card.property).map(|property| property.thickness);
+        let laminate = self.bulk.laminates.get(&card.property).map(|laminate| {
+            let listed: f64 = laminate.plies.iter().map(|ply| ply.thickness).sum();
+            if laminate.is_symmetric { 2.0 * listed } else { listed }
+        });
+        let ratios = plain.or(laminate).and_then(|thickness| card.thickness.ratios(thickness));
+        let blamed = if laminate.is_some() {
+            "a laminate has"
+        } else if !card.midsides.is_empty() {
+            "a shell with grids on its sides has"
+        } else {
+            return Ok(ratios);
+        };
+        if ratios.is_none() {
+            return Ok(None);
+        }
+        let message =
+            format!("{user}: its corner thicknesses are not its property's, which {blamed} everywhere");
+        Err(InputError::at(&card.span, message)
+            .with_help("leave the corner thicknesses empty and use a property for each thickness"))
+    }
+
     fn curved(
         &self,
         card: &ShellElement,
@@ -112,16 +140,12 @@ impl Builder<'_> {
         let user = format!("PSHELL {}", card.id);
         let t = card.thickness;
         let sound = t > 0.0 && t.is_finite() && card.bending_ratio >= 0.0 && card.shear_ratio >= 0.0;
-        if !sound || card.coupling.is_some() {
-            let message = if sound {
-                format!("{user}: membrane and bending coupled by MID4 are not read")
-            } else {
-                format!(
-                    "{user} has the thickness {t} and ratios {}, {}",
-                    card.bending_ratio, card.shear_ratio
-                )
-            };
-            let help = "thickness is positive, 12I/T^3 and TS/T are not negative; for coupling use PCOMP";
+        if !sound {
+            let message = format!(
+                "{user} has the thickness {t} and ratios {}, {}",
+                card.bending_ratio, card.shear_ratio
+            );
+            let help = "thickness is positive, 12I/T^3 and TS/T are not negative";
             return Err(InputError::at(&card.span, message).with_help(help));
         }
         let material = |id: Option<u32>| id.map(|id| self.plane(id, &user, &card.span)).transpose();
@@ -136,16 +160,34 @@ impl Builder<'_> {
             Some(material) => material.turned_shear(0.0) * (card.shear_ratio * t),
             None => Matrix2::from_element(f64::INFINITY),
         };
+        // Nastran's curvatures have the other sign: MID4 is the integral of -z G over T^2 (MSC, Linear Static Analysis User's Guide).
+        let coupling = card.coupling.map(|id| self.coupling(id, &user, &card.span)).transpose()?;
         let section = ShellSection {
             membrane: q(&membrane) * t,
-            coupling: Matrix3::zeros(),
+            coupling: coupling.unwrap_or_else(Matrix3::zeros) * -t.powi(2),
             bending: q(&bending) * (card.bending_ratio * t.powi(3) / 12.0),
             shear,
             mass_kg_m2: density * t + card.nsm,
+            nsm_kg_m2: card.nsm,
             mass_moment_kg_m: 0.0,
             mass_inertia_kg: density * t.powi(3) / 12.0,
         };
+        if card.coupling.is_some() && !section.stores_energy() {
+            let message =
+                format!("{user}: MID4 couples membrane and bending so that some strain has negative energy");
+            return Err(InputError::at(&card.span, message)
+                .with_help("look at its sign and size beside MID1 and MID2"));
+        }
         Ok(if bends { section.with_finite_shear(t) } else { section })
+    }
+
+    /// What MID4 refers to, which alone need not store energy.
+    fn coupling(&self, id: u32, user: &str, span: &Span) -> Result<Matrix3<f64>, InputError> {
+        let Some(card) = self.bulk.plane_materials.get(&id) else {
+            return Ok(self.plane(id, user, span)?.stiffness);
+        };
+        let [g11, g12, g13, g22, g23, g33] = card.g;
+        Ok(Matrix3::new(g11, g12, g13, g12, g22, g23, g13, g23, g33))
     }
 
     fn laminate(&self, card: &Pcomp) -> Result<ShellSection, InputError> {

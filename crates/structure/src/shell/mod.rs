@@ -1,4 +1,4 @@
-//! Shells (CQUAD4, CTRIA3, CTRIAR): flat elements of first-order shear theory with six motions a node.
+//! Shells (CQUAD4, CTRIA3, CTRIAR, CQUADR): flat elements of first-order shear theory with six motions a node.
 //!
 //! The element's plane goes through its corners' middle, normal to the cross product of its diagonals. Corners of a warped
 //! quadrilateral stand off that plane; its membrane strains are those of a shallow shell. With an offset, rigid arms along
@@ -8,7 +8,8 @@
 //!   not lock;
 //! - a quadrilateral's membrane has four incompatible modes with Taylor's correction (Taylor, Beresford and Wilson
 //!   1976), condensed, so bending in its plane does not lock and the patch test holds; a CTRIA3's membrane strain is
-//!   constant, as Nastran's, a CTRIAR's is bent by its corners' rotations (Felippa 2003);
+//!   constant, as Nastran's, a CTRIAR's is bent by its corners' rotations (Felippa 2003), a CQUADR's is the mean of two pairs
+//!   of CTRIAR;
 //! - rotation about the normal is tied to the membrane's own rotation (Hughes and Brezzi 1989) by a weak stiffness, but
 //!   in a CTRIAR, whose membrane has it, and where the rotations about the normal of all corners are held.
 //!
@@ -29,7 +30,7 @@ use crate::element::Element;
 use crate::laminate::ShellSection;
 use nalgebra::{DMatrix, DVector, Matrix3, Point3, SMatrix, SVector, Vector3};
 use nastran::{InputError, Span};
-use point::{mass, modes_of, stiffness, strains_at};
+use point::{Point, mass, modes_of, stiffness, strains_at};
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -60,7 +61,14 @@ pub struct Shell {
     drills: bool,
     /// Stiffness of the rotation about the normal against the membrane's own, in units of the membrane's shear stiffness.
     tie: f64,
+    /// Thickness at the corners in units of the section's; empty if it is the section's everywhere.
+    thickness: Vec<f64>,
+    /// The membranes of a quadrilateral that drills, by [`CUTS`]; else none.
+    triangles: Vec<Shell>,
 }
+
+/// Corners of the triangles that the two diagonals cut a quadrilateral into.
+const CUTS: [[usize; 3]; 4] = [[0, 1, 2], [2, 3, 0], [0, 1, 3], [1, 2, 3]];
 
 impl Shell {
     /// A shell between the nodes at `points` (three or four), its reference surface `offset_m` off the grids along
@@ -94,14 +102,60 @@ impl Shell {
             angle_rad,
             drills: false,
             tie: DRILLING,
+            thickness: Vec::new(),
+            triangles: Vec::new(),
         })
     }
 
-    /// With the corners' rotations about the normal as motions of a triangle's membrane (CTRIAR), which then bends in its
-    /// plane; a quadrilateral, whose incompatible modes do that, stays as it is.
+    /// With the corners' rotations about the normal as motions of the membrane (CTRIAR, CQUADR), which then bends in its plane: a triangle's own,
+    /// a quadrilateral's as the mean of its two cuts into triangles. A quadrilateral whose section couples membrane and bending, or one of whose
+    /// triangles is degenerate, stays as it is.
     #[must_use]
     pub fn with_drilling(self) -> Self {
-        Self { drills: self.corners.len() == 3, ..self }
+        if self.corners.len() == 3 {
+            return Self { drills: true, ..self };
+        }
+        let triangles: Option<Vec<_>> = CUTS.iter().map(|corners| self.membrane_of(*corners)).collect();
+        match triangles {
+            Some(triangles) if self.section.coupling.amax() == 0.0 => {
+                Self { drills: true, triangles, ..self }
+            }
+            _ => self,
+        }
+    }
+
+    /// The membrane of three corners, with drilling rotations.
+    fn membrane_of(&self, corners: [usize; 3]) -> Option<Self> {
+        let points = corners.map(|at| Point3::from(self.axes.transpose() * self.corners[at].coords));
+        let frame = Frame::of(&points)?;
+        let (sin, cos) = self.angle_rad.sin_cos();
+        let along = frame.axes * (self.axes.transpose() * Vector3::new(cos, sin, 0.0));
+        let of_corner = |at: usize| self.thickness.get(at).copied();
+        Some(Self {
+            nodes: corners.map(|at| self.nodes[at]).into(),
+            axes: frame.axes,
+            corners: frame.corners,
+            section: Arc::new(self.section.membrane_alone()),
+            angle_rad: along.y.atan2(along.x),
+            drills: true,
+            thickness: corners.iter().filter_map(|at| of_corner(*at)).collect(),
+            triangles: Vec::new(),
+            ..*self
+        })
+    }
+
+    /// A quadrilateral's stiffness with drilling: its own in bending and shear, half of each triangle's membrane.
+    fn drilled_stiffness(&self) -> DMatrix<f64> {
+        let bending = ShellSection { membrane: Matrix3::zeros(), ..self.section() };
+        let mut k = self.basic(&stiffness(&self.quad_points(), &bending, 0.0));
+        for (triangle, corners) in self.triangles.iter().zip(CUTS) {
+            let own = triangle.stiffness().unwrap_or_default();
+            let place = |index: usize| 6 * corners[index / 6] + index % 6;
+            for (row, column) in (0..18 * 18).map(|at| (at / 18, at % 18)) {
+                k[(place(row), place(column))] += 0.5 * own[(row, column)];
+            }
+        }
+        k
     }
 
     /// Without the stiffness that ties the corners' rotations about the normal to the membrane's own: for an element all of whose
@@ -109,6 +163,12 @@ impl Shell {
     #[must_use]
     pub fn without_drilling_tie(self) -> Self {
         Self { tie: 0.0, ..self }
+    }
+
+    /// With thicknesses at the corners (T1 to T4), in units of the section's, linear between.
+    #[must_use]
+    pub fn with_thickness(self, ratios: Vec<f64>) -> Self {
+        Self { thickness: ratios, ..self }
     }
 
     /// Axes of the element: rows x (along the side between the first two corners), y and normal, in basic axes.
@@ -146,7 +206,7 @@ impl Shell {
         let section = self.section();
         if self.corners.len() == 4 {
             let local = SVector::<f64, 24>::from_column_slice(local.as_slice());
-            let modes = modes_of(&quad::points(&self.corners), &section, self.tie, &local);
+            let modes = modes_of(&self.quad_points(), &section, self.tie, &local);
             strains_at(&quad::point(&self.corners, at, 0.0), &local, &modes)
         } else {
             let local = SVector::<f64, 18>::from_column_slice(local.as_slice());
@@ -157,6 +217,22 @@ impl Shell {
             };
             strains_at(&point, &local, &SVector::zeros())
         }
+    }
+
+    fn quad_points(&self) -> Vec<Point<24>> {
+        self.thickened(quad::points(&self.corners))
+    }
+
+    fn triangle_points(&self) -> Vec<Point<18>> {
+        self.thickened(triangle::points(&self.corners))
+    }
+
+    /// The points with their thickness.
+    fn thickened<const D: usize>(&self, mut points: Vec<Point<D>>) -> Vec<Point<D>> {
+        for point in points.iter_mut().filter(|_| !self.thickness.is_empty()) {
+            point.thickness = point.shape.iter().zip(&self.thickness).map(|(n, ratio)| n * ratio).sum();
+        }
+        points
     }
 
     /// Motions of the reference surface in the element's axes by those of the grids in basic axes.
@@ -191,19 +267,22 @@ impl Element for Shell {
     }
     fn stiffness(&self) -> Option<Cow<'_, DMatrix<f64>>> {
         let section = self.section();
-        Some(Cow::Owned(if self.corners.len() == 4 {
-            self.basic(&stiffness(&quad::points(&self.corners), &section, self.tie))
+        Some(Cow::Owned(if !self.triangles.is_empty() {
+            self.drilled_stiffness()
+        } else if self.corners.len() == 4 {
+            self.basic(&stiffness(&self.quad_points(), &section, self.tie))
         } else if self.drills {
-            self.basic(&stiffness(&andes::points(&self.corners, &section.membrane), &section, self.tie))
+            let points = self.thickened(andes::points(&self.corners, &section.membrane));
+            self.basic(&stiffness(&points, &section, self.tie))
         } else {
-            self.basic(&stiffness(&triangle::points(&self.corners), &section, self.tie))
+            self.basic(&stiffness(&self.triangle_points(), &section, self.tie))
         }))
     }
     fn mass(&self) -> Option<Cow<'_, DMatrix<f64>>> {
         Some(Cow::Owned(if self.corners.len() == 4 {
-            self.basic(&mass(&quad::points(&self.corners), &self.section))
+            self.basic(&mass(&self.quad_points(), &self.section))
         } else {
-            self.basic(&mass(&triangle::points(&self.corners), &self.section))
+            self.basic(&mass(&self.triangle_points(), &self.section))
         }))
     }
 }

@@ -8,6 +8,8 @@ use nalgebra::{Matrix3, Matrix4, Matrix6, RowSVector, SMatrix, SVector};
 pub(super) struct Point<const D: usize> {
     /// Area it stands for, m^2 (weight times Jacobian).
     pub(super) area_m2: f64,
+    /// Thickness here, in units of the section's.
+    pub(super) thickness: f64,
     /// Shape functions of the nodes.
     pub(super) shape: Vec<f64>,
     pub(super) membrane: SMatrix<f64, 3, D>,
@@ -29,11 +31,12 @@ struct Parts<const D: usize> {
 }
 
 fn parts<const D: usize>(points: &[Point<D>], section: &ShellSection, drilling: f64) -> Parts<D> {
-    let (a, b, d) = (&section.membrane, &section.coupling, &section.bending);
-    let turn = drilling * a[(2, 2)].max(section.shear[(0, 0)] * 1e-3);
     let mut sum = Parts { uu: SMatrix::zeros(), ua: SMatrix::zeros(), aa: Matrix4::zeros() };
     for point in points {
         let da = point.area_m2;
+        let section = section.thickened(point.thickness);
+        let (a, b, d) = (&section.membrane, &section.coupling, &section.bending);
+        let turn = drilling * a[(2, 2)].max(section.shear[(0, 0)] * 1e-3);
         let (m, k) = (&point.membrane, &point.bending);
         let force = (a * m + b * k) * da;
         let moment = (b * m + d * k) * da;
@@ -82,9 +85,10 @@ pub(super) fn strains_at<const D: usize>(
 
 /// Consistent mass: the kinetic energy of the velocities u + z ry, v - z rx, w.
 pub(super) fn mass<const D: usize>(points: &[Point<D>], section: &ShellSection) -> SMatrix<f64, D, D> {
-    let (m, first, second) = (section.mass_kg_m2, section.mass_moment_kg_m, section.mass_inertia_kg);
     let mut sum = SMatrix::<f64, D, D>::zeros();
     for point in points {
+        let section = section.thickened(point.thickness);
+        let (m, first, second) = (section.mass_kg_m2, section.mass_moment_kg_m, section.mass_inertia_kg);
         for (i, left) in point.shape.iter().enumerate() {
             for (j, right) in point.shape.iter().enumerate() {
                 let share = left * right * point.area_m2;

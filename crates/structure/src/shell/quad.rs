@@ -72,7 +72,17 @@ pub(super) fn point(corners: &[Point3<f64>], at: [f64; 2], weight: f64) -> Point
     let (modes, mode_drilling) = incompatible(corners, at, determinant);
     let shear = inverse * covariant_shear(corners, at);
     let area_m2 = weight * determinant;
-    Point { area_m2, shape: shapes.to_vec(), membrane, bending, shear, drilling, modes, mode_drilling }
+    Point {
+        area_m2,
+        thickness: 1.0,
+        shape: shapes.to_vec(),
+        membrane,
+        bending,
+        shear,
+        drilling,
+        modes,
+        mode_drilling,
+    }
 }
 
 /// Strains of the modes 1 - xi^2 and 1 - eta^2 of u and of v. With the Jacobian of the middle, scaled, they do no

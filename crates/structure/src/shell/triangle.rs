@@ -49,6 +49,7 @@ pub(super) fn point(corners: &[Point3<f64>], at: [f64; 2], weight: f64) -> Point
     let shear = inverse * covariant_shear(&j, at);
     Point {
         area_m2: weight * j.determinant(),
+        thickness: 1.0,
         shape: shapes.to_vec(),
         membrane,
         bending,

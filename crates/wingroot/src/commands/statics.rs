@@ -123,7 +123,7 @@ impl Bounded {
         let name = deck.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let structure = Structure::of_cards(name, deck.to_path_buf(), bulk.clone(), Some(case.subcase))?;
         let bounded = bulk.bounded(case.subcase).map_err(|error| error.or_in(deck))?;
-        let enforced = enforced_motions(&bounded).map_err(|error| error.or_in(deck))?;
+        let enforced = enforced_motions(&bounded, &structure.model).map_err(|error| error.or_in(deck))?;
         let enforced = enforced.map(|motions| Mat::from_fn(motions.len(), 1, |i, _| motions[i]));
         let flexibility = Flexibility::new(&structure.system).map_err(Failure::computation)?;
         Ok(Self { case: case.clone(), structure, flexibility, enforced })

@@ -3,7 +3,7 @@
 use super::laminates::Laminates;
 use super::mesh::{AXIS_SYSTEM, Mesh};
 use super::settings::Surface;
-use nastran::{BulkData, MaterialDirection, ShellElement, Span};
+use nastran::{BulkData, CornerThickness, MaterialDirection, ShellElement, Span};
 
 /// Where the shells of one surface begin, and what they are.
 const UPPER: u32 = 2_100_001;
@@ -37,6 +37,7 @@ impl Numbered<'_> {
                 midsides: Vec::new(),
                 direction,
                 is_r: false,
+                thickness: CornerThickness::default(),
                 offset: 0.0,
                 span,
             },

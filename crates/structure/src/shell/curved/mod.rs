@@ -263,6 +263,7 @@ impl CurvedShell {
         });
         let mut point = Point::<D> {
             area_m2: weight * jacobian.determinant(),
+            thickness: 1.0,
             shape: functions.values.clone(),
             membrane: SMatrix::zeros(),
             bending: SMatrix::zeros(),
