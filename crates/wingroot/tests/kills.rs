@@ -150,7 +150,6 @@ fn survive(name: &str, victims: &[Victim], kills: impl Fn(&Victim) -> usize) {
         finishes(&alone, victim.arguments);
         let store = victim.store.map(|store| killed.join(store));
         let mut kept = BTreeMap::new();
-        let mut went_on = 0;
         for _ in 0..kills {
             let mut child = wingroot(&killed, victim.arguments).spawn().expect("the command starts");
             std::thread::sleep(Duration::from_secs_f64(victim.within_s * moments.next()));
@@ -170,13 +169,11 @@ fn survive(name: &str, victims: &[Victim], kills: impl Fn(&Victim) -> usize) {
                 let lost = kept.iter().find(|&(path, text)| is_lost(path, text));
                 let emptied = kept.keys().all(|path| !now.contains_key(path));
                 assert!(lost.is_none() || emptied, "{:?}: {lost:?} is lost", victim.arguments);
-                went_on += usize::from(now.len() > kept.len() && !kept.is_empty());
             }
             kept = now;
             let thesis = std::fs::read_to_string(killed.join("out/thesis.txt")).expect("it is there");
             assert_eq!(thesis, THESIS);
         }
-        eprintln!("{:?}: {kills} kills, {went_on} times more was kept than before", victim.arguments);
         finishes(&killed, victim.arguments);
         assert_eq!(
             result(&killed.join(victim.out)),

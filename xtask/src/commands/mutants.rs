@@ -97,7 +97,7 @@ pub(crate) fn run(args: &MutantsArgs, common: &Common) -> Result<(), Failure> {
     if let Some(name) = unknown {
         let known: Vec<&str> = CRATES.iter().map(|(name, _)| *name).collect();
         let error = InputError::general(format!("--crates: no crate {name} is in the list"));
-        return Err(error.with_help(&format!("take some of {}", known.join(", "))).into());
+        return Err(error.with_help(format!("take some of {}", known.join(", "))).into());
     }
     let folder = ResultFolder::begin(&common.out("mutants"))?;
     let wanted =

@@ -94,13 +94,7 @@ pub(crate) fn run(args: &LoadsArgs, common: &Common) -> Result<(), Failure> {
         return select_again(args, from, select, common);
     }
     if let (Some(deck), Some(plan)) = (&args.deck, &args.plan) {
-        if !args.matrix_only && args.sweep.task()? != Task::All {
-            return Err(InputError::general("a plan on a deck is flown in one process")
-                .with_help("leave out --part, prepare, merge and status")
-                .into());
-        }
-        let asked = Asked { deck, plan, select: args.select.as_deref(), matrix_only: args.matrix_only };
-        return loads_deck::run(&asked, &target, common);
+        return on_deck(args, deck, plan, &target, common);
     }
     let start = Instant::now();
     let own = FullaircraftArgs {
@@ -153,6 +147,23 @@ pub(crate) fn run(args: &LoadsArgs, common: &Common) -> Result<(), Failure> {
     Ok(())
 }
 
+/// A plan on a deck.
+fn on_deck(
+    args: &LoadsArgs,
+    deck: &Path,
+    plan: &Path,
+    target: &Path,
+    common: &Common,
+) -> Result<(), Failure> {
+    if !args.matrix_only && args.sweep.task()? != Task::All {
+        return Err(InputError::general("a plan on a deck is flown in one process")
+            .with_help("leave out --part, prepare, merge and status")
+            .into());
+    }
+    let asked = Asked { deck, plan, select: args.select.as_deref(), matrix_only: args.matrix_only };
+    loads_deck::run(&asked, target, common)
+}
+
 /// The plan's file: the one named, else `loads.ron` beside the aircraft.
 fn plan(args: &LoadsArgs, prepared: &Prepared) -> Result<CasesFile, Failure> {
     if let Some(path) = &args.plan {
@@ -198,7 +209,7 @@ fn write(
     write_matrix(&folder, design, &matrix)?;
     let mut envelope = tables::envelope(&names, &instants, &matrix);
     draws::intervals(flights, &names, &mut envelope)?;
-    folder.write_text("station_loads.csv", &tables::station_loads(&names, &flown.cases))?;
+    tables::write_station_loads(&folder, &names, &flown.cases)?;
     folder.write_text("instants.csv", &kept::csv(&flown.cases))?;
     folder.write_text("envelope.csv", &fullaircraft::cases::envelope::envelope_csv(&envelope))?;
     let gusts = gusts::worst(&names, &flown.cases, &matrix);

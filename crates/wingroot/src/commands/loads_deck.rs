@@ -48,7 +48,7 @@ pub(super) fn run(asked: &Asked<'_>, target: &Path, common: &Common) -> Result<(
     }
     let select = selection_file(asked.select, &on.file)?;
     on.inputs.extend((!select.path.as_os_str().is_empty()).then(|| ("selection", select.path.clone())));
-    let all = on.fly(common)?;
+    let all = on.fly(common);
     let flown = Flown { cases: all.iter().map(|one| one.case.clone()).collect() };
     flown.mark(&mut on.matrix);
     let (result, packed) = write(&on, target, &select, &all, &flown)?;
@@ -91,8 +91,8 @@ fn write(
     let folder = begun(on, target)?;
     let envelope = tables::envelope(&names, &instants, &on.matrix);
     let selected = tables::selected(&names, &selection, flown, &on.matrix, &on.design);
+    tables::write_station_loads(&folder, &names, &flown.cases)?;
     for (name, text) in [
-        ("station_loads.csv", tables::station_loads(&names, &flown.cases)),
         ("envelope.csv", fullaircraft::cases::envelope::envelope_csv(&envelope)),
         ("trims.csv", trims(all)),
         ("monitors.csv", monitors(all)),

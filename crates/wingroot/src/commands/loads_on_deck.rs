@@ -72,7 +72,7 @@ impl OnDeck {
     }
 
     /// All cases with both models, in the order of models and numbers; each Mach number is assembled once.
-    pub(super) fn fly(&self, common: &Common) -> Result<Vec<DeckFlown>, Failure> {
+    pub(super) fn fly(&self, common: &Common) -> Vec<DeckFlown> {
         let mut cases: Vec<&Case> =
             self.matrix.cases.iter().filter(|case| case.status == Status::Planned).collect();
         cases.sort_by(|a, b| a.mach.total_cmp(&b.mach).then(a.number.cmp(&b.number)));
@@ -92,7 +92,7 @@ impl OnDeck {
         }
         progress::end(&bar);
         all.sort_by_key(|one| (one.case.model, one.case.number));
-        Ok(all)
+        all
     }
 }
 

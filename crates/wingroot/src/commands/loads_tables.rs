@@ -18,29 +18,41 @@ use nastran::{InputError, read_text};
 
 use crate::commands::loads_flights::Flown;
 use crate::failure::Failure;
+use crate::output::ResultFolder;
 
 /// Heads of `station_loads.csv`.
 const HEAD: &str = "model,case,instant,t_s,station,component,Fx_N,Fy_N,Fz_N,Mx_Nm,My_Nm,Mz_Nm";
 
-/// Loads at all stations in all instants by component; components without a load are left out, the net is always there.
-pub(crate) fn station_loads(names: &[String], cases: &[FlownCase]) -> String {
-    let mut text = format!("{HEAD}\n");
-    for case in cases {
-        for (instant, flown) in (1..).zip(&case.instants) {
-            for (name, components) in names.iter().zip(&flown.loads) {
-                for (component, loads) in Component::ALL.iter().zip(components) {
-                    if *component != Component::Net && loads.iter().all(|load| *load == 0.0) {
-                        continue;
-                    }
-                    let (model, number) = (MODELS[case.model], case.number);
-                    // Writing to a String cannot fail.
-                    let _ =
-                        write!(text, "{model},{number},{instant},{},{name},{}", flown.t_s, component.name());
-                    for load in loads {
-                        let _ = write!(text, ",{load:.12e}");
-                    }
-                    text.push('\n');
+/// Writes loads at all stations in all instants by component, case by case: gigabytes of a plan with thousands of gusts. Components
+/// without a load are left out, the net is always there.
+///
+/// # Errors
+/// If it cannot be written, or a load is not finite.
+pub(crate) fn write_station_loads(
+    folder: &ResultFolder,
+    names: &[String],
+    cases: &[FlownCase],
+) -> Result<(), Failure> {
+    let head = std::iter::once(Ok(format!("{HEAD}\n")));
+    folder
+        .write_lines("station_loads.csv", head.chain(cases.iter().map(|case| Ok(station_loads(names, case)))))
+}
+
+fn station_loads(names: &[String], case: &FlownCase) -> String {
+    let mut text = String::new();
+    for (instant, flown) in (1..).zip(&case.instants) {
+        for (name, components) in names.iter().zip(&flown.loads) {
+            for (component, loads) in Component::ALL.iter().zip(components) {
+                if *component != Component::Net && loads.iter().all(|load| *load == 0.0) {
+                    continue;
                 }
+                let (model, number) = (MODELS[case.model], case.number);
+                // Writing to a String cannot fail.
+                let _ = write!(text, "{model},{number},{instant},{},{name},{}", flown.t_s, component.name());
+                for load in loads {
+                    let _ = write!(text, ",{load:.12e}");
+                }
+                text.push('\n');
             }
         }
     }
