@@ -40,6 +40,10 @@ impl Balance<'_> {
                 self.list(&free)
             ));
         }
+        if n == 0 {
+            // all is given, and nothing has to balance: a held aircraft
+            return Ok(x.iter().map(|value| value.unwrap_or(0.0)).collect());
+        }
         if self.matrix.col_iter().any(|column| column.iter().any(|value| !value.is_finite())) {
             return Err("the forces on the aircraft are not finite".to_owned());
         }
@@ -162,5 +166,13 @@ mod tests {
         let balance = Balance { matrix: &matrix, rows: &[0, 2], row_names: &ROWS, names: &names };
         let still = balance.solve(&[Some(1.0), None, None, Some(0.0)]).unwrap_err();
         assert!(still.contains("acts on the yawing moment"), "{still}");
+    }
+
+    #[test]
+    fn where_all_is_given_and_nothing_has_to_balance_values_stay_as_they_are() {
+        let names = ["alpha".to_owned(), "elevator".to_owned()];
+        let matrix = mat![[-5.0, 2.0], [-1.0, 1.0]];
+        let balance = Balance { matrix: &matrix, rows: &[], row_names: &ROWS, names: &names };
+        assert_eq!(balance.solve(&[Some(2.0), Some(-1.0)]), Ok(vec![2.0, -1.0]));
     }
 }
