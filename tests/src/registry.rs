@@ -103,7 +103,19 @@ pub const LISTED: &[(&str, &str)] = &[
     ),
     (
         "nl_pazy__static_bending_skin1",
-        "needs the finite element model with the skin, or its equivalent beam, which are not in the files",
+        "compared in crates/structure/tests/large_pazy.rs: the codes' equivalent beam with skin",
+    ),
+    (
+        "nl_pazy__flutter_onset_over_angle",
+        "compared in crates/maneuver/tests/bent_wings.rs at 3, 5 and 7 degrees with RUN_SLOW_TESTS",
+    ),
+    (
+        "nl_pazy__swept10",
+        "compared in crates/maneuver/tests/bent_wings.rs with RUN_SLOW_TESTS: shape and onset",
+    ),
+    (
+        "nl_hale__patil_flutter",
+        "compared in crates/maneuver/tests/bent_wings.rs: flutter over the tip, and over the root angle with RUN_SLOW_TESTS",
     ),
     (
         "flutter__pazy_sol145_NO_tipmass",

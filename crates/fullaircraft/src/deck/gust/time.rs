@@ -163,7 +163,7 @@ fn remarks(hz: &[f64], transform: &[c64], times_s: &[f64], value: &dyn Fn(f64) -
     if !has_rest {
         let share = if all > 0.0 { mean.abs() / (all / period).sqrt() } else { 0.0 };
         remarks.push(format!(
-            "there is no frequency of zero: answers have no mean over their period of {period} s{}",
+            "there is no frequency of zero: answers have no mean over their period of {period:.4} s{}",
             if share > SAID {
                 ", but the excitation has one: begin FREQ at zero, or let an opposite gust follow"
             } else {
