@@ -3,13 +3,15 @@
 use crate::analysis::{DiscoverError, Prepared, Report, Rigs};
 use crate::detection_limit::DetectionLimit;
 use crate::found::Found;
+use crate::held_out_runs::held_out_runs;
 use crate::load_model::LoadModel;
 use crate::locate::{Cell, Located, PureError, Residuals, map, regressors};
 use crate::next::{Advice, advise};
 use crate::null_distribution::NullDistribution;
 use crate::recalibration::Recalibrated;
 use crate::result::{
-    Candidate, DiscoverResult, Estimate, MapCell, Misfit, NamedEffect, SearchResult, StatedGap, StatedGaps,
+    Candidate, DiscoverResult, Estimate, HeldOutRun, MapCell, Misfit, NamedEffect, SearchResult, StatedGap,
+    StatedGaps,
 };
 use crate::simulator::Simulator;
 use crate::verdict::{Answer, Gap, Judgement};
@@ -128,6 +130,10 @@ impl<'a> Finding<'a> {
     pub fn simulator_after(&self) -> &Simulator {
         let again = self.recalibrated.as_ref().filter(|_| self.own_corrections);
         again.map_or(&self.prepared.simulator, |again| &again.simulator)
+    }
+
+    fn held_out_runs(&self) -> Vec<HeldOutRun> {
+        held_out_runs(self.prepared, &self.report.current, self.simulator_after())
     }
 
     /// What is said of it.

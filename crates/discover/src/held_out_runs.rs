@@ -1,26 +1,13 @@
 //! Held-out runs one by one: a run that does on another day what a training run did tells what stays the same; how the model
 //! does in what it has not seen, only the others tell.
 
+use crate::analysis::Prepared;
+use crate::current_model::CurrentModel;
 use crate::data::Dataset;
-use crate::finding::Finding;
 use crate::load_model::LoadModel;
-use crate::result::BeforeAfter;
+use crate::result::{BeforeAfter, HeldOutRun};
+use crate::simulator::Simulator;
 use calibrate::Use;
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-/// A held-out run.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct HeldOutRun {
-    /// Its name.
-    pub run: String,
-    /// The training run that moved in the same way at the same airspeed, if there is one.
-    pub repeats: Option<String>,
-    /// Root mean square of measured minus simulated loads over the noise.
-    pub gap: BeforeAfter<f64>,
-    /// Numbers that it is the root mean square of.
-    pub rows: usize,
-}
 
 impl Dataset {
     /// The training run that a held-out run repeats: so its entry says, or it moved in the same way at the same airspeed.
@@ -38,30 +25,31 @@ impl Dataset {
     }
 }
 
-impl Finding<'_> {
-    /// See the module.
-    pub fn held_out_runs(&self) -> Vec<HeldOutRun> {
-        let (prepared, current) = (self.prepared, &self.report.current);
-        let [_, judged] = prepared.judged();
-        let places = judged.places();
-        let before = prepared.simulator.flown(&[], Some(&current.models), &places);
-        let after = self.simulator_after().flown(&current.effects, None, &places);
-        let statics = prepared.data.statics.len();
-        (0..judged.segments.len())
-            .filter(|segment| places[*segment] >= statics)
-            .map(|segment| {
-                let run = places[segment] - statics;
-                let gap = |flown: &[_]| judged.gap_of(flown, |other| other == segment).all;
-                let repeats = prepared.data.repeated_training_run(run);
-                HeldOutRun {
-                    run: prepared.data.runs[run].name.clone(),
-                    repeats: repeats.map(|first| prepared.data.runs[first].name.clone()),
-                    gap: BeforeAfter { before: gap(&before), after: gap(&after) },
-                    rows: judged.segments[segment].rows.len(),
-                }
-            })
-            .collect()
-    }
+/// See the module: before, as `model` flies without effects; after, as `after` does with them.
+pub(crate) fn held_out_runs(
+    prepared: &Prepared,
+    model: &CurrentModel<'_>,
+    after: &Simulator,
+) -> Vec<HeldOutRun> {
+    let [_, judged] = prepared.judged();
+    let places = judged.places();
+    let before = prepared.simulator.flown(&[], Some(&model.models), &places);
+    let after = after.flown(&model.effects, None, &places);
+    let statics = prepared.data.statics.len();
+    (0..judged.segments.len())
+        .filter(|segment| places[*segment] >= statics)
+        .map(|segment| {
+            let run = places[segment] - statics;
+            let gap = |flown: &[_]| judged.gap_of(flown, |other| other == segment).all;
+            let repeats = prepared.data.repeated_training_run(run);
+            HeldOutRun {
+                run: prepared.data.runs[run].name.clone(),
+                repeats: repeats.map(|first| prepared.data.runs[first].name.clone()),
+                gap: BeforeAfter { before: gap(&before), after: gap(&after) },
+                rows: judged.segments[segment].rows.len(),
+            }
+        })
+        .collect()
 }
 
 /// How many held-out runs repeat a training maneuver, and the gaps of these and of the others; none where none does.

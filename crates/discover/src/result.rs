@@ -6,7 +6,6 @@ use crate::consistency::Share;
 use crate::data_checks::Defect;
 use crate::detection_limit::DetectionLimit;
 use crate::gap::Gap;
-use crate::held_out_runs::HeldOutRun;
 use crate::locate::Located;
 use crate::next::Advice;
 use crate::spectral_lines::SpectralLine;
@@ -65,6 +64,19 @@ pub struct BeforeAfter<T> {
     pub before: T,
     /// With them.
     pub after: T,
+}
+
+/// A held-out run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct HeldOutRun {
+    /// Its name.
+    pub run: String,
+    /// The training run that moved in the same way at the same airspeed, if there is one.
+    pub repeats: Option<String>,
+    /// Root mean square of measured minus simulated loads over the noise.
+    pub gap: BeforeAfter<f64>,
+    /// Numbers that it is the root mean square of.
+    pub rows: usize,
 }
 
 /// The gap of training or held-out data; without numbers where there are no such data.

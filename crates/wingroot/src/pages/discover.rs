@@ -1,8 +1,8 @@
 //! The page of `discover`.
 
 use coupling::Load;
-use discover::held_out_runs::{self, HeldOutRun};
-use discover::result::{DiscoverResult, SearchResult, StatedGap};
+use discover::held_out_runs;
+use discover::result::{DiscoverResult, HeldOutRun, SearchResult, StatedGap};
 use discover::verdict::VerdictKind;
 use report::Page;
 use report::page::{Block, Content, KeyNumber, PageTable, Plate, Section};
