@@ -4,12 +4,11 @@
 //! That state follows from one of pure shear on a square by a projective map, under which equilibrium is kept: with a, b linear functions of
 //! the place that vanish on sides 4-1 and 1-2, and c one that vanishes on the line through the two points where opposite sides meet,
 //! Airy's function is a b / c. It leaves all four sides without direct stress; in a parallelogram c is constant and so is the shear flow.
-//! Stiffness: the forces that the sides need, each half at its two corners, by Castigliano's theorem. Forces normal to the mean plane
-//! balance the moment of the sides of a warped panel.
+//! Stiffness: the forces that the sides need, each half at its two corners, by Castigliano's theorem.
 
 use crate::matrix_element::MatrixElement;
 use crate::solid::gauss_3;
-use nalgebra::{DMatrix, DVector, Matrix2, Matrix3, Matrix3x4, Point3, SVector, Vector2, Vector3, Vector4};
+use nalgebra::{DMatrix, DVector, Matrix2, Matrix3, Point3, SVector, Vector2, Vector3};
 use nastran::{InputError, Mat1, Pshear, Span};
 
 /// Smallest sine of a corner's angle.
@@ -116,28 +115,14 @@ impl Place {
         (gradient, second)
     }
 
-    /// Forces on the corners (basic axes) that hold the state of stress, of unit thickness.
+    /// Forces on the corners (basic axes) that hold the state of stress, of unit thickness: half of those on the two sides that meet there.
+    /// On opposite corners they are opposite, and these are equally high above the mean plane: a warped panel is in balance as it is.
     fn corner_forces(&self) -> SVector<f64, 12> {
         let gradients = self.corners.map(|corner| self.airy(&corner).0);
-        let mut forces = [Vector3::zeros(); 4];
-        for side in 0..4 {
-            let next = (side + 1) % 4;
-            let change = gradients[next] - gradients[side];
-            for end in [side, next] {
-                forces[end] += Vector3::new(change.y, -change.x, 0.0) * 0.5;
-            }
-        }
-        // Forces normal to the mean plane: none in sum, and with the moments of those within it.
-        let balance =
-            Matrix3x4::from_fn(|row, corner| [1.0, self.corners[corner].x, self.corners[corner].y][row]);
-        let moment = |axis: usize| self.corners.iter().zip(&forces).map(|(c, f)| c.z * f[axis]).sum::<f64>();
-        let needed = Vector3::new(0.0, moment(0), moment(1));
-        let kicks: Vector4<f64> = (balance * balance.transpose())
-            .try_inverse()
-            .map_or_else(Vector4::zeros, |inverse| balance.transpose() * inverse * needed);
         let mut all = SVector::<f64, 12>::zeros();
-        for (corner, force) in forces.iter().enumerate() {
-            let force = force + Vector3::z() * kicks[corner];
+        for corner in 0..4 {
+            let change = gradients[(corner + 1) % 4] - gradients[(corner + 3) % 4];
+            let force = Vector3::new(change.y, -change.x, 0.0) * 0.5;
             all.fixed_rows_mut::<3>(3 * corner).copy_from(&(self.axes.transpose() * force));
         }
         all

@@ -20,7 +20,7 @@ use crate::repository;
   cargo xtask mutants --crates structure --sample 40
   cargo xtask mutants --seed 3 --write
 
-Needs cargo-mutants (cargo install cargo-mutants --locked). A mutant takes a build of its crate and that crate's tests: a minute or two.
+Needs cargo-mutants (cargo install cargo-mutants --locked). A mutant takes a build of its crate and a run of its tests.
 Equivalent mutants, which change nothing that can be seen, are listed with their reasons in .cargo/mutants.toml.")]
 pub(crate) struct MutantsArgs {
     /// Crates, by comma [default: all of the table in docs/testing.md]

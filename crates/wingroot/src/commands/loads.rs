@@ -112,14 +112,10 @@ pub(crate) fn run(args: &LoadsArgs, common: &Common) -> Result<(), Failure> {
     prepared.inputs.push(("plan", plan.path.clone()));
     let (maneuvers, matrix) = planned(&prepared, &plan, &design)?;
     if args.matrix_only {
-        let result = LoadsResult::of(&plan, &matrix);
         let folder = ResultFolder::begin(&target)?;
         prepared.inputs.iter().try_for_each(|(what, path)| folder.input(what, path))?;
         write_matrix(&folder, &design, &matrix)?;
-        folder.write_json("result.json", &result)?;
-        let out = folder.commit()?;
-        show::summary(common, &format!("{}results in {}\n", result.matrix_line(), out.display()));
-        return show::json(common, &result);
+        return LoadsResult::of(&plan, &matrix).end_with_matrix(folder, common);
     }
     let select = selection_file(args.select.as_deref(), &plan)?;
     prepared.inputs.extend((!select.path.as_os_str().is_empty()).then(|| ("selection", select.path.clone())));
@@ -133,18 +129,7 @@ pub(crate) fn run(args: &LoadsArgs, common: &Common) -> Result<(), Failure> {
     if task == Task::All {
         flights.store.close()?;
     }
-    let text = format!(
-        "{}{packed}{:.1} s\nresults in {}\n",
-        result.text(),
-        start.elapsed().as_secs_f64(),
-        target.display()
-    );
-    show::summary(common, &text);
-    show::json(common, &result)?;
-    if result.flown == 0 {
-        return Err(Failure::Computation("none of the cases can be flown".into()));
-    }
-    Ok(())
+    result.end(&packed, start, &target, common)
 }
 
 /// A plan on a deck.

@@ -20,7 +20,6 @@ use crate::commands::loads_result::{Failed, LoadsResult};
 use crate::commands::loads_tables as tables;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
-use crate::show;
 
 /// What is asked for.
 pub(super) struct Asked<'a> {
@@ -39,12 +38,7 @@ pub(super) fn run(asked: &Asked<'_>, target: &Path, common: &Common) -> Result<(
     let start = Instant::now();
     let mut on = OnDeck::read(asked.deck, asked.plan, common)?;
     if asked.matrix_only {
-        let folder = begun(&on, target)?;
-        let result = LoadsResult::of(&on.file, &on.matrix);
-        folder.write_json("result.json", &result)?;
-        let out = folder.commit()?;
-        show::summary(common, &format!("{}results in {}\n", result.matrix_line(), out.display()));
-        return show::json(common, &result);
+        return LoadsResult::of(&on.file, &on.matrix).end_with_matrix(begun(&on, target)?, common);
     }
     let select = selection_file(asked.select, &on.file)?;
     on.inputs.extend((!select.path.as_os_str().is_empty()).then(|| ("selection", select.path.clone())));
@@ -52,18 +46,7 @@ pub(super) fn run(asked: &Asked<'_>, target: &Path, common: &Common) -> Result<(
     let flown = Flown { cases: all.iter().map(|one| one.case.clone()).collect() };
     flown.mark(&mut on.matrix);
     let (result, packed) = write(&on, target, &select, &all, &flown)?;
-    let text = format!(
-        "{}{packed}{:.1} s\nresults in {}\n",
-        result.text(),
-        start.elapsed().as_secs_f64(),
-        target.display()
-    );
-    show::summary(common, &text);
-    show::json(common, &result)?;
-    if result.flown == 0 {
-        return Err(Failure::Computation("none of the cases can be flown".into()));
-    }
-    Ok(())
+    result.end(&packed, start, target, common)
 }
 
 /// The folder of results with the matrix in it.

@@ -8,9 +8,15 @@ use loads::{Matrix, Selection};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt::Write as _;
+use std::path::Path;
+use std::time::Instant;
 
+use crate::args::Common;
 use crate::commands::loads_gusts::{self as gusts, WorstGust};
 use crate::commands::loads_turbulence::{self as turbulence, TurbulenceRow};
+use crate::failure::Failure;
+use crate::output::ResultFolder;
+use crate::show;
 
 /// See the module.
 #[derive(Debug, Default, Serialize, JsonSchema)]
@@ -119,8 +125,39 @@ impl LoadsResult {
     }
 
     /// The matrix in a line.
-    pub(crate) fn matrix_line(&self) -> String {
+    fn matrix_line(&self) -> String {
         format!("matrix       {} cases, {} left out (cases.csv says why)\n", self.cases, self.left_out)
+    }
+
+    /// Ends a command that was asked for the matrix alone.
+    ///
+    /// # Errors
+    /// If the results cannot be written or shown.
+    pub(crate) fn end_with_matrix(&self, folder: ResultFolder, common: &Common) -> Result<(), Failure> {
+        folder.write_json("result.json", self)?;
+        let out = folder.commit()?;
+        show::summary(common, &format!("{}results in {}\n", self.matrix_line(), out.display()));
+        show::json(common, self)
+    }
+
+    /// Shows what was flown, and the package in a line.
+    ///
+    /// # Errors
+    /// If it cannot be shown, or no case could be flown.
+    pub(crate) fn end(
+        &self,
+        packed: &str,
+        start: Instant,
+        target: &Path,
+        common: &Common,
+    ) -> Result<(), Failure> {
+        let (seconds, text) = (start.elapsed().as_secs_f64(), self.text());
+        show::summary(common, &format!("{text}{packed}{seconds:.1} s\nresults in {}\n", target.display()));
+        show::json(common, self)?;
+        if self.flown == 0 {
+            return Err(Failure::Computation("none of the cases can be flown".into()));
+        }
+        Ok(())
     }
 
     /// All in a few lines.

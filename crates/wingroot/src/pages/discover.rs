@@ -58,29 +58,23 @@ fn page_of(result: &DiscoverResult, plates: &mut Vec<Plate>) -> Page {
 }
 
 fn held_out_section(runs: Vec<Plate>, one_by_one: &[HeldOutRun]) -> Section {
-    let changes = held_out(&runs);
+    let mut changes = held_out(&runs);
+    for change in &mut changes {
+        let run = one_by_one.iter().find(|run| run.run == change.cells[0]);
+        let repeats = run.and_then(|run| run.repeats.clone());
+        change.cells.push(repeats.unwrap_or_else(|| "-".into()));
+    }
     let mut shown = figures("Held-out runs", ordered(runs));
     let text = "These runs had no part in the search. Before: the corrected model without the effects; after: with them, and with \
                 corrections calibrated again beside them. The band is two standard deviations to either side of \
                 the model after: noise of a sample, uncertainty of calibrated parameters, model-form variants.";
-    let caption = "Held-out runs: root mean square of measured less simulated.";
-    let told = changes::table(caption, &["run"], ["before", "after"], &changes);
+    let caption = "Held-out runs: root mean square of measured less simulated; and the training run that moves in the same way at the same \
+                   airspeed.";
+    let told = changes::table(caption, &["run", "repeats"], ["before", "after"], &changes);
     let repeating = held_out_runs::sentence(one_by_one).map(|sentence| Block::Text(format!("{sentence}.")));
     let blocks = [Block::Text(text.into()), Block::Text(changes::sentence(&changes))];
-    let told = [Block::Table(told), Block::Table(repeats(one_by_one))];
-    shown.blocks.splice(0..0, blocks.into_iter().chain(repeating).chain(told));
+    shown.blocks.splice(0..0, blocks.into_iter().chain(repeating).chain([Block::Table(told)]));
     shown
-}
-
-fn repeats(runs: &[HeldOutRun]) -> PageTable {
-    let caption = "Held-out runs: gap in standard deviations of the noise, and the training run that moves in the same way at the \
-                   same airspeed.";
-    let mut table = PageTable::new(caption, &["run", "gap before", "after", "repeats"]);
-    for HeldOutRun { run, repeats, gap, .. } in runs {
-        let [before, after] = [gap.before, gap.after].map(|gap| short(Some(gap)));
-        table.row([run.clone(), before, after, repeats.clone().unwrap_or_else(|| "-".into())]);
-    }
-    table
 }
 
 fn title(result: &DiscoverResult) -> &'static str {

@@ -10,7 +10,7 @@ use super::values::{at, counted, digits, list, short_at, text};
 pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
     let cases = list(result, "subcases");
     let mut numbers = Vec::new();
-    let mut sections = Vec::new();
+    let mut sections = vec![figures("Answers", std::mem::take(plates))];
     for case in cases {
         let is_in_time = case["in_time"] == true;
         let when = if is_in_time { "at (s)" } else { "at (Hz)" };
@@ -47,7 +47,6 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
         }
         sections.push(Section::new("Random gusts".to_owned(), vec![Block::Table(table)]));
     }
-    sections.push(figures("Answers", std::mem::take(plates)));
     sections.retain(|section| !section.blocks.is_empty());
     Page {
         title: format!("Gusts of {}", text(result, "deck")),
