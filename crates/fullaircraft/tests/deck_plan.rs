@@ -30,7 +30,7 @@ fn ha144a() -> BulkData {
 }
 
 fn units(trim: u32) -> DeckUnits {
-    DeckUnits { length_m: FOOT_M, force_n: POUND_N, trim: Some(trim) }
+    DeckUnits { length_m: FOOT_M, force_n: POUND_N, trim: Some(trim), modes_up_to_hz: None }
 }
 
 /// A pull-up at a dynamic pressure in psf at Mach 0.9 in the air at sea level.
@@ -175,7 +175,7 @@ fn cards_for_a_deck_s_structure_read_back_give_stations_balance_and_tip_and_a_sp
 
 #[test]
 fn a_card_that_is_not_level_flight_or_units_of_another_deck_are_refused() {
-    let metres = DeckUnits { length_m: 1.0, force_n: 1.0, trim: Some(1) };
+    let metres = DeckUnits { trim: Some(1), ..DeckUnits::default() };
     let error = DeckPlan::new(&ha144a(), metres).unwrap_err().to_string();
     assert!(error.contains("not level flight") && error.contains("32.17"), "{error}");
     let error = DeckPlan::new(&ha144a(), units(7)).unwrap_err();

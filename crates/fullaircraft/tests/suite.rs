@@ -8,6 +8,7 @@ mod deck_cards;
 mod deck_flutter;
 mod deck_gust;
 mod deck_plan;
+mod deck_plan_gusts;
 mod deck_trim;
 mod derivatives;
 mod envelope;

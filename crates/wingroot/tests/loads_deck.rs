@@ -30,6 +30,16 @@ impl Folder {
         Self(folder)
     }
 
+    /// The plan's trims alone.
+    fn of_trims(name: &str) -> Self {
+        let folder = Self::new(name);
+        let plan = read(&folder.0.join("plan.ron"));
+        let at = plan.find("        Discrete(").expect("gusts");
+        let end = at + plan[at..].find("    ],").expect("an end");
+        std::fs::write(folder.0.join("plan.ron"), plan[..at].to_owned() + &plan[end..]).expect("a file");
+        folder
+    }
+
     fn change(&self, file: &str, from: &str, to: &str) {
         let text = read(&self.0.join(file));
         assert!(text.contains(from), "{from}");
@@ -78,8 +88,8 @@ fn a_plan_on_a_deck_is_trimmed_enveloped_selected_and_gives_cards_for_the_deck_s
     let rows_of_cases = rows(&cases);
     assert_eq!(
         rows_of_cases.len(),
-        2 * (6 + 4),
-        "six corners and four gusts by Pratt at two altitudes: {cases}"
+        2 * (6 + 4 + 40 + 1),
+        "six corners, four gusts by Pratt, ten gradients at two speeds up and down and turbulence, at two altitudes: {cases}"
     );
     let flown: Vec<&Vec<&str>> = rows_of_cases.iter().filter(|row| row[10] == "flown").collect();
     assert!(flown.len() > 15 && !cases.contains(",failed,"), "{cases}");
@@ -99,8 +109,9 @@ fn a_plan_on_a_deck_is_trimmed_enveloped_selected_and_gives_cards_for_the_deck_s
         };
         assert!(of("updated").len() == 12 && of("updated") == of("initial"), "{station}: {envelope}");
     }
+    gusts_and_turbulence(&out, &flown);
     let result: serde_json::Value = serde_json::from_str(&read(&out.join("result.json"))).expect("JSON");
-    for key in ["stations", "balance", "tip", "structure"] {
+    for key in ["stations", "balance", "tip", "structure", "repeat"] {
         let off = result["round_trip"][key].as_f64().expect("a number");
         assert!(off < 1e-9, "{key}: {off}");
     }
@@ -111,14 +122,52 @@ fn a_plan_on_a_deck_is_trimmed_enveloped_selected_and_gives_cards_for_the_deck_s
     let held = deck.constraints.iter().find(|card| card.components == [3, 5]).expect("the SUPORT is held");
     assert_eq!(held.grids, [90]);
     let page = read(&out.join("report.html"));
-    for words in ["V-n diagram", "Loads at OUTER", "Loads at whole"] {
+    for words in
+        ["V-n diagram", "Loads at OUTER", "Loads at whole", "Discrete gusts", "Continuous turbulence"]
+    {
         assert!(page.contains(words), "{words}");
+    }
+}
+
+/// Gusts and turbulence are flown, drive loads, and go to stress with their cards.
+fn gusts_and_turbulence(out: &Path, flown: &[&Vec<&str>]) {
+    let of_kind = |kind: &str| flown.iter().filter(|row| row[1] == kind).count();
+    assert!(of_kind("discrete") == 80 && of_kind("turbulence") == 2, "{flown:?}");
+    let gusts = read(&out.join("gusts.csv"));
+    let bending: Vec<Vec<&str>> =
+        rows(&gusts).into_iter().filter(|row| row[2] == "root" && row[3] == "Mx_Nm").collect();
+    // two models, two altitudes, two speeds, two directions, two ends
+    assert_eq!(bending.len(), 32, "{gusts}");
+    for row in bending.iter().filter(|row| row[4] == "largest") {
+        let gradient_m = number(row[5]);
+        assert!((8.9..107.1).contains(&gradient_m) && number(row[6]) > 0.0, "{row:?}");
+    }
+    let turbulence = read(&out.join("turbulence.csv"));
+    for row in rows(&turbulence).iter().filter(|row| row[3] != "n_z") {
+        let [one_g, a, u, smallest, largest] = [4, 5, 6, 7, 8].map(|at| number(row[at]));
+        assert!((largest - one_g - u * a).abs() < 1e-6 * largest.abs().max(u * a), "{row:?}");
+        assert!((one_g - smallest - u * a).abs() < 1e-6 * smallest.abs().max(u * a), "{row:?}");
+    }
+    assert!(turbulence.contains(",whole,n_z,") && read(&out.join("correlation.csv")).lines().count() > 10);
+    let selected = read(&out.join("selected.csv"));
+    let kinds: Vec<&str> = rows(&selected).into_iter().map(|row| row[6]).collect();
+    for kind in ["corner", "discrete", "turbulence"] {
+        assert!(kinds.contains(&kind), "{kind}: {selected}");
+    }
+    let package = out.join("package");
+    for (row, words) in rows(&selected).iter().filter_map(|row| match row[6] {
+        "discrete" => Some((row.clone(), "gust ")),
+        "turbulence" => Some((row.clone(), "at its limit, and the loads that go with it")),
+        _ => None,
+    }) {
+        let card = read(&package.join(format!("case_{:0>5}.bdf", row[0])));
+        assert!(card.contains(words) && card.contains("FORCE*"), "{row:?}");
     }
 }
 
 #[test]
 fn loads_condensed_to_stations_add_up_to_every_cut() {
-    let folder = Folder::new("stations");
+    let folder = Folder::of_trims("stations");
     std::fs::write(
         folder.0.join("select.ron"),
         "Select(policies: [Envelope()], export: (at: Stations, components: [Air, Inertia]))",
@@ -176,7 +225,7 @@ fn loads_condensed_to_stations_add_up_to_every_cut() {
 
 #[test]
 fn a_changed_byte_of_an_input_changes_the_fingerprint_in_every_file_of_the_package() {
-    let folder = Folder::new("origin");
+    let folder = Folder::of_trims("origin");
     let files = |out: &Path| -> BTreeMap<String, Vec<u8>> {
         let all = std::fs::read_dir(out.join("package")).expect("a package").flatten();
         let of = |entry: std::fs::DirEntry| {
@@ -213,23 +262,20 @@ fn a_changed_byte_of_an_input_changes_the_fingerprint_in_every_file_of_the_packa
 
 #[test]
 fn what_a_deck_cannot_fly_is_listed_and_a_plan_of_other_units_or_masses_is_refused() {
-    let folder = Folder::new("refused");
+    let folder = Folder::of_trims("refused");
     folder.change(
         "plan.ron",
-        "gusts: [Pratt(at: [VC, VD])]",
-        "gusts: [Pratt(at: [VC, VD]), Discrete(at: [VC], gradients_m: Of([30.0]), directions: [Up])]",
-    );
-    folder.change(
-        "plan.ron",
-        "U_de_VC_m_s: 15.24",
-        "Z_mo_m: 9000.0, MLW_kg: 3000.0, MZFW_kg: 3000.0, U_de_VC_m_s: 15.24",
+        "Pratt(at: [VC, VD]),",
+        "Pratt(at: [VC, VD]), Discrete(at: [VC], gradients_m: Of([30.0]), directions: [Up, Lateral]),",
     );
     let out = folder.flown("out", &["--matrix-only"]);
     let cases = read(&out.join("cases.csv"));
     let left = rows(&cases).into_iter().filter(|row| row[1] == "discrete");
     let left: Vec<Vec<&str>> = left.collect();
     assert!(
-        left.len() == 2 && left.iter().all(|row| row[10] == "left_out" && row[11].contains("trimmed")),
+        left.len() == 4
+            && left.iter().all(|row| row[8].contains("lateral")
+                == (row[10] == "left_out" && row[11].contains("half of an aircraft"))),
         "{cases}"
     );
     for (from, to, words) in [
@@ -239,6 +285,8 @@ fn what_a_deck_cannot_fly_is_listed_and_a_plan_of_other_units_or_masses_is_refus
         ("trim: Some(1)", "trim: Some(3)", "no TRIM"),
         ("force_N: 4.4482216152605", "force_N: 0.0", "above zero"),
         ("y_m: 3.0", "y_m: 30.0", "no grid outboard"),
+        (", modes_up_to_hz: Some(1000.0)", "", "nothing says which"),
+        ("modes_up_to_hz: Some(1000.0)", "modes_up_to_hz: Some(0.0)", "above zero"),
     ] {
         let before = read(&folder.0.join("plan.ron"));
         folder.change("plan.ron", from, to);

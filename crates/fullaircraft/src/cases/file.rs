@@ -77,11 +77,14 @@ pub struct DeckUnits {
     /// Number of the TRIM card that is level flight; left out: the deck's first.
     #[serde(default)]
     pub trim: Option<u32>,
+    /// Highest frequency of the modes that gusts and turbulence move, Hz; left out: as the deck's METHOD, or its only EIGRL, says.
+    #[serde(default)]
+    pub modes_up_to_hz: Option<f64>,
 }
 
 impl Default for DeckUnits {
     fn default() -> Self {
-        Self { length_m: 1.0, force_n: 1.0, trim: None }
+        Self { length_m: 1.0, force_n: 1.0, trim: None, modes_up_to_hz: None }
     }
 }
 
@@ -160,8 +163,9 @@ impl CasesFile {
                 .with_help("expected metres"));
         }
         let units = file.deck.unwrap_or_default();
-        if ![units.length_m, units.force_n].iter().all(|unit| unit.is_finite() && *unit > 0.0) {
-            return Err(InputError::in_field(path, "deck", "a unit of the deck is not above zero")
+        let given = [Some(units.length_m), Some(units.force_n), units.modes_up_to_hz];
+        if !given.into_iter().flatten().all(|value| value.is_finite() && value > 0.0) {
+            return Err(InputError::in_field(path, "deck", "a number of `deck` is not above zero")
                 .with_help("expected deck: (length_m: 0.3048, force_N: 4.4482216), for instance"));
         }
         file.check()?;

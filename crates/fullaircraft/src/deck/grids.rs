@@ -1,6 +1,7 @@
 //! A deck's structure as loads at its grids need it: points, mass, SUPORT, stations of MONPNT3. All is in the deck's units and the basic
 //! system.
 
+use crate::deck::net_monitors::loaded_grids;
 use crate::stations::places::Station;
 use faer::Mat;
 use nalgebra::Point3;
@@ -49,13 +50,14 @@ impl DeckGrids {
         let mut all = Vec::new();
         let stations = bulk.monitors.iter().zip(bulk.station_names());
         for (card, name) in stations.filter(|(card, _)| card.is_structural) {
-            let Some(set) = card.set.parse::<u32>().ok().and_then(|id| bulk.sets.get(&id)) else { continue };
+            let set = card.set.parse::<u32>().ok().and_then(|id| bulk.sets.get(&id));
+            let Some(ids) = set.and_then(|set| loaded_grids(bulk, &set.ids)) else { continue };
             let node = |grid: &u32| {
                 self.free.node_index(*grid).ok_or_else(|| {
                     InputError::at(&card.span, format!("GRID {grid} of MONPNT3 {} is not there", card.name))
                 })
             };
-            let mut nodes = set.ids.iter().map(node).collect::<Result<Vec<_>, _>>()?;
+            let mut nodes = ids.iter().map(node).collect::<Result<Vec<_>, _>>()?;
             nodes.sort_unstable();
             nodes.dedup();
             all.push(Station {

@@ -12,6 +12,6 @@ mod net_monitors;
 pub mod nodal;
 mod plate;
 mod spline;
-mod structure;
+pub(crate) mod structure;
 pub mod trim;
 mod variables;

@@ -3,11 +3,13 @@
 //! ```text
 //! F = Rᵀ (q Gᵀ P - M a)      R: the motions of the set's grids along and about the station's axes, all other grids still
 //! ```
+//! Grids that are held in all six components, and nothing beside them, are a wind tunnel's balance: what the whole deck puts on it.
 //! What acts on the part, in the right-hand axes of CD: on a clamped wing, what the wing puts on its root.
 
 use crate::deck::structure::reference_motions;
 use faer::{Mat, MatRef};
 use nastran::{BulkData, Frames, InputError, MonitorPoint};
+use std::collections::BTreeSet;
 use structure::System;
 
 /// A monitoring station of the structure.
@@ -31,7 +33,7 @@ impl NetMonitor {
     }
 }
 
-/// The MONPNT3 of a deck whose GRIDSET is a SET1, and the names of the others (groups are no cards). ELEMSET and XFLAG are not
+/// The MONPNT3 of a deck whose GRIDSET is a SET1, and the names of the others (groups are no cards; held grids beside other held ones). ELEMSET and XFLAG are not
 /// read: all loads of the grids count. `mass_times` is mass times the accelerations of the variables, g-set by variables.
 ///
 /// # Errors
@@ -51,7 +53,11 @@ pub(crate) fn net_monitors(
             skipped.push(name);
             continue;
         };
-        let motions = motions(card, &set.ids, frames, free)?;
+        let Some(grids) = loaded_grids(bulk, &set.ids) else {
+            skipped.push(name);
+            continue;
+        };
+        let motions = motions(card, &grids, frames, free)?;
         all.push(NetMonitor {
             name,
             by_air: coupling::supported::restrict(motions.as_ref(), s_dofs).transpose().to_owned(),
@@ -59,6 +65,21 @@ pub(crate) fn net_monitors(
         });
     }
     Ok((all, skipped))
+}
+
+/// The grids whose net loads a station of these adds up: their own, or, where a wind tunnel's balance holds all of them in all six
+/// components, those of the whole deck, which it feels as a reaction; none if something else is held beside them.
+pub(crate) fn loaded_grids(bulk: &BulkData, ids: &[u32]) -> Option<Vec<u32>> {
+    let is_held = |id: &u32| {
+        let of = bulk.constraints.iter().filter(|card| card.grids.contains(id));
+        let components: BTreeSet<u8> = of.flat_map(|card| card.components.iter().copied()).collect();
+        components.len() == 6
+    };
+    if ids.is_empty() || !ids.iter().all(is_held) {
+        return Some(ids.to_vec());
+    }
+    let alone = bulk.constraints.iter().flat_map(|card| &card.grids).all(|id| ids.contains(id));
+    (alone && bulk.supports.is_empty()).then(|| bulk.grids.keys().copied().collect())
 }
 
 /// Motions of a station's grids along and about its axes, g-set by 6.

@@ -2,7 +2,7 @@
 //!
 //! A TRIM card of the deck is level flight. A case of load factor n has its variables, but n times its URDD3 and, where the card gives
 //! PITCH, the rate `(n - 1) g/V` of a steady pull-up beside it, `q c/(2 V)` of the reference chord. Dynamic pressure and Mach number are
-//! the case's. A half model (SYMXZ 1) has half of the mass and of the area of the aircraft.
+//! the case's. Gusts in time and turbulence change level flight by the deck's modes (`deck_gusts`). A half model (SYMXZ 1) has half of the mass and of the area of the aircraft.
 
 use crate::cases::file::{Action as Own, CasesFile, DeckUnits};
 use crate::deck::cases::{DeckCase, deck_cases};
@@ -13,10 +13,11 @@ use crate::stations::nodal::{Component, NodalLoads};
 use crate::stations::places::Station;
 use crate::trim::maneuvers::Steady;
 use coupling::GRAVITY_M_S2;
+use loads::design::Direction;
 use loads::matrix::{Action, Case};
 use loads::{Air, Airframe};
 use nalgebra::{Matrix3, Point3};
-use nastran::{BulkData, InputError, Trim};
+use nastran::{Aero, BulkData, EigenMethod, InputError, Mkaero, Subcase, Trim};
 use std::collections::BTreeMap;
 
 /// The acceleration of level flight.
@@ -37,6 +38,7 @@ pub struct DeckPlan {
     pub equations: Option<u32>,
     /// Units.
     pub units: DeckUnits,
+    pub(super) subcase: Subcase,
     level: Trim,
 }
 
@@ -81,7 +83,7 @@ impl DeckPlan {
             return Err(InputError::at(&level.span, message)
                 .with_help("name the TRIM of level flight and the deck's unit of length in the plan: deck: (length_m: 0.3048, trim: 1)"));
         }
-        Ok(Self { bulk, equations: subcase.mpc, units, level })
+        Ok(Self { bulk, equations: subcase.mpc, units, subcase, level })
     }
 
     /// The deck for one Mach number, by model: 0 without its corrections (WKK and FA2J), 1 as it is.
@@ -89,11 +91,59 @@ impl DeckPlan {
     /// # Errors
     /// As [`TrimDeck::new`].
     pub fn at(&self, model: usize, mach: f64) -> Result<TrimDeck, AircraftError> {
+        TrimDeck::new(&self.of_model(model), mach)
+    }
+
+    /// Whether it has corrections of its air, so that its two models may differ.
+    pub fn is_corrected(&self) -> bool {
+        CORRECTIONS.iter().any(|name| self.bulk.matrices.contains_key(*name))
+    }
+
+    fn of_model(&self, model: usize) -> BulkData {
         let mut bulk = self.bulk.clone();
         if model == 0 {
             bulk.matrices.retain(|name, _| !CORRECTIONS.contains(&name.as_str()));
         }
-        TrimDeck::new(&bulk, mach)
+        bulk
+    }
+
+    /// The deck of a model with what its modes in unsteady air need: references as its AEROS has them, reduced frequencies by
+    /// `kappa` (omega/V) at a Mach number, modes as the plan or the deck asks for.
+    ///
+    /// # Errors
+    /// If it has no AEROS.
+    pub(super) fn moved(
+        &self,
+        model: usize,
+        mach: f64,
+        kappa: &[f64],
+    ) -> Result<(BulkData, Subcase), InputError> {
+        let (mut bulk, mut subcase) = (self.of_model(model), self.subcase.clone());
+        let missing = || InputError::general("the deck has no AEROS, which its air needs");
+        let aeros = bulk.aero_reference.clone().ok_or_else(missing)?;
+        let (chord, span) = (aeros.chord, aeros.span);
+        bulk.unsteady_reference = Some(Aero {
+            acsid: aeros.acsid,
+            velocity: None,
+            chord,
+            density: 0.0,
+            symmetry: aeros.symmetry,
+            span: span.clone(),
+        });
+        let pairs = kappa.iter().map(|kappa| (mach, 0.5 * kappa * chord)).collect();
+        bulk.reduced_frequencies = vec![Mkaero { pairs, span: span.clone() }];
+        if let Some(hz) = self.units.modes_up_to_hz {
+            let id = bulk.eigen_methods.keys().max().map_or(1, |last| last + 1);
+            bulk.eigen_methods.insert(id, EigenMethod { id, highest_hz: Some(hz), count: None, span });
+            subcase.method = Some(id);
+        }
+        Ok((bulk, subcase))
+    }
+
+    /// Dynamic pressure of a case, the deck's unit.
+    pub(super) fn dynamic_pressure(&self, case: &Case) -> f64 {
+        let DeckUnits { length_m, force_n, .. } = self.units;
+        0.5 * Air::at(case.h_m).rho_kg_m3 * case.v_m_s * case.v_m_s * length_m * length_m / force_n
     }
 
     /// One unit of force and of moment of the deck, N and N m.
@@ -163,17 +213,21 @@ impl DeckPlan {
     }
 
     /// Why a case is not flown on a deck, if it is not.
-    pub fn left_out(case: &Case, maneuvers: &[Own]) -> Option<&'static str> {
+    pub fn left_out(&self, case: &Case, maneuvers: &[Own]) -> Option<&'static str> {
         match case.action {
             Action::Trim => None,
             Action::Condition(place) => match &maneuvers[place] {
                 Own::Steady(Steady::Level | Steady::Pull { .. }) => None,
                 Own::Steady(_) => Some("of maneuvers a deck flies level flight and pull-ups only"),
-                Own::Motion(_) => Some("a deck is trimmed, and not flown in time"),
+                Own::Motion(_) => Some("a deck is flown in gusts, and not in maneuvers in time"),
             },
-            Action::Discrete { .. } | Action::Turbulence { .. } => {
-                Some("a deck is trimmed, and not flown in gusts; Pratt's are trims")
+            Action::Discrete { direction: Direction::Lateral, .. }
+            | Action::Turbulence { direction: Direction::Lateral, .. }
+                if self.times() > 1.0 =>
+            {
+                Some("half of an aircraft meets no gust from the side")
             }
+            Action::Discrete { .. } | Action::Turbulence { .. } => None,
         }
     }
 
@@ -196,8 +250,7 @@ impl DeckPlan {
 
     /// The TRIM card of a case.
     fn card(&self, case: &Case, chord: f64) -> Trim {
-        let DeckUnits { length_m, force_n, .. } = self.units;
-        let q_pa = 0.5 * Air::at(case.h_m).rho_kg_m3 * case.v_m_s * case.v_m_s;
+        let length_m = self.units.length_m;
         let rate = (case.n_z - 1.0) * GRAVITY_M_S2 / case.v_m_s;
         let pitch = rate * chord * length_m / (2.0 * case.v_m_s);
         let of_case = |(name, value): &(String, f64)| {
@@ -210,10 +263,24 @@ impl DeckPlan {
         };
         Trim {
             mach: case.mach,
-            q: q_pa * length_m * length_m / force_n,
+            q: self.dynamic_pressure(case),
             fixed: self.level.fixed.iter().map(of_case).collect(),
             ..self.level.clone()
         }
+    }
+
+    /// Loads at grids (the deck's units, at its points) added up at stations by component, N and N m.
+    pub fn at_stations(
+        &self,
+        nodal: &NodalLoads,
+        stations: &[Station],
+        points: &[Point3<f64>],
+    ) -> Vec<[[f64; 6]; 5]> {
+        let units = self.unit_loads();
+        let parts = Component::ALL.map(|component| nodal.of(component));
+        let in_si = |six: [f64; 6]| std::array::from_fn(|load| six[load] * units[load / 3]);
+        let sums = |station: &Station| std::array::from_fn(|part| in_si(station.sums(points, &parts[part])));
+        stations.iter().map(sums).collect()
     }
 
     fn flown(
@@ -225,16 +292,14 @@ impl DeckPlan {
     ) -> DeckFlown {
         let nodal = deck.nodal_loads(trimmed);
         let points = deck.grids.free.points();
-        let parts = Component::ALL.map(|component| nodal.of(component));
         let units = self.unit_loads();
         let in_si = |six: [f64; 6]| std::array::from_fn(|load| six[load] * units[load / 3]);
-        let sums = |station: &Station| std::array::from_fn(|part| in_si(station.sums(points, &parts[part])));
         let instant = FlownInstant {
             t_s: 0.0,
             tips_m: [0.0; 2],
             gradient_m: None,
             limit: None,
-            loads: stations.iter().map(sums).collect(),
+            loads: self.at_stations(&nodal, stations, points),
         };
         let of_air = |card: &&nastran::MonitorPoint| !card.is_structural;
         let names = self.bulk.monitors.iter().filter(of_air).map(|card| &card.name);

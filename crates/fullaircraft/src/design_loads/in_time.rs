@@ -4,18 +4,17 @@ use crate::aircraft::file::FlightPoint;
 use crate::cases::file::Action as Own;
 use crate::design_loads::fly::{Done, Nodal, PlanFlight, refused};
 use crate::design_loads::instants::{FlownCase, FlownInstant, driving};
-use crate::design_loads::search;
+use crate::design_loads::search::{gust, searched};
 use crate::error::AircraftError;
 use crate::flight::drive::Drive;
 use crate::flight::gust::{Gust, GustAxis};
 use crate::flight::loads::{FlightLoads, FlownLoads, LoadedTrim};
-use crate::stations::nodal::NodalLoads;
+use crate::stations::nodal::{Component, NodalLoads};
 use crate::trim::case::TrimAt;
 use crate::trim::maneuvers::Steady;
 use crate::trim::model::FlightModel;
 use loads::design::{Attitude, Direction};
 use loads::matrix::{Action, Case};
-use loads::rules::discrete::rescaled;
 use maneuver::motion::{MotionSpec, sampled};
 
 /// Time step of flights, s.
@@ -122,13 +121,21 @@ impl InTime<'_> {
     fn gusts<E: From<AircraftError>>(&self, cases: &[&Case], done: &mut Done<'_, E>) -> Result<(), E> {
         for direction in [Direction::Up, Direction::Down, Direction::Lateral] {
             let own = |case: &&&Case| matches!(case.action, Action::Discrete { direction: own, .. } if own == direction);
-            let searched = |case: &&Case| {
+            let is_searched = |case: &&Case| {
                 self.plan.search && matches!(case.action, Action::Discrete { refine: true, .. })
             };
             let (family, single): (Vec<&Case>, Vec<&Case>) =
-                cases.iter().filter(own).copied().partition(searched);
+                cases.iter().filter(own).copied().partition(is_searched);
             self.single(&single, done)?;
-            for flown in self.family(&family)? {
+            let all = &mut |gusts: &[(usize, Gust)]| -> Result<Vec<(FlownCase, f64)>, E> {
+                let mut flown = Vec::new();
+                self.fly_gusts(gusts, &mut |case, _, gradient_m| {
+                    flown.push((case, gradient_m));
+                    Ok::<(), E>(())
+                })?;
+                Ok(flown)
+            };
+            for flown in searched(&family, self.axis, all)? {
                 done(flown, &|_| None)?;
             }
         }
@@ -153,41 +160,6 @@ impl InTime<'_> {
         })
     }
 
-    /// Flies the gradients of a family and those where a load between them is largest: these become instants of the nearest case.
-    fn family<E: From<AircraftError>>(&self, cases: &[&Case]) -> Result<Vec<FlownCase>, E> {
-        let gusts: Vec<(usize, Gust)> =
-            cases.iter().filter_map(|case| Some((case.number, gust(case, None)?))).collect();
-        let mut given = Vec::new();
-        self.fly_gusts(&gusts, &mut |flown, _, _| {
-            given.push(flown);
-            Ok::<(), E>(())
-        })?;
-        given.sort_by_key(|flown| flown.number);
-        if given.iter().any(|flown| flown.refused.is_some()) {
-            return Ok(given);
-        }
-        let gradient_m = |flown: &FlownCase| {
-            gusts.iter().find(|gust| gust.0 == flown.number).map(|gust| gust.1.length_m / 2.0)
-        };
-        let family = search::Family::new(given.iter().filter_map(gradient_m).collect(), given, self.axis);
-        let between: Vec<(usize, Gust)> = family
-            .next_m()
-            .into_iter()
-            .filter_map(|next_m| {
-                let number = family.nearest(next_m)?;
-                Some((number, gust(cases.iter().find(|case| case.number == number)?, Some(next_m))?))
-            })
-            .collect();
-        let mut found = Vec::new();
-        self.fly_gusts(&between, &mut |flown, _, gradient_m| {
-            for instant in flown.instants {
-                found.push((flown.number, FlownInstant { gradient_m: Some(gradient_m), ..instant }));
-            }
-            Ok::<(), E>(())
-        })?;
-        Ok(family.with(found))
-    }
-
     /// Flies gusts side by side, each with the number of its case.
     fn fly_gusts<E>(&self, gusts: &[(usize, Gust)], each: &mut Each<'_, E>) -> Result<(), E> {
         let v_m_s = self.flight.v_m_s();
@@ -209,7 +181,8 @@ impl InTime<'_> {
     /// A flight by the instants that can drive a load.
     fn case(&self, flown: &FlownLoads<'_>, samples: usize, number: usize) -> FlownCase {
         let stations = self.plan.stations.len();
-        let driving = driving(flown, stations, samples, self.axis);
+        let net = |station: usize, sample: usize| flown.at_station(station, Component::Net, sample);
+        let driving = driving(&net, stations, samples.min(flown.t_s.len()), self.axis);
         let instants = driving.iter().map(|sample| FlownInstant::of(flown, stations, *sample)).collect();
         FlownCase { number, model: self.which, instants, ..FlownCase::default() }.if_finite()
     }
@@ -257,15 +230,6 @@ pub fn axis_of(case: &Case) -> GustAxis {
         | Action::Turbulence { direction: Direction::Lateral, .. } => GustAxis::Lateral,
         _ => GustAxis::Vertical,
     }
-}
-
-/// The gust of a case, or of another gradient, m, in its place.
-fn gust(case: &Case, other_m: Option<f64>) -> Option<Gust> {
-    let Action::Discrete { gradient_m, direction, u_ds_m_s, .. } = case.action else { return None };
-    let sign = if direction == Direction::Down { -1.0 } else { 1.0 };
-    let flown_m = other_m.unwrap_or(gradient_m);
-    let velocity_m_s = sign * rescaled(u_ds_m_s, gradient_m, flown_m);
-    Some(Gust { velocity_m_s, length_m: 2.0 * flown_m, start_s: 0.0 })
 }
 
 fn at_time(flown: &FlownLoads<'_>, instant: &FlownInstant) -> Option<NodalLoads> {

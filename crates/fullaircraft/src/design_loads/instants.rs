@@ -90,14 +90,18 @@ pub struct TurbulentLoad {
     pub tail_bound: Option<f64>,
 }
 
-/// Of the first samples, in ascending order, those at which some station's net load, each over its range, is furthest along one of the
-/// directions of an axis, either way.
-pub fn driving(flown: &FlownLoads<'_>, stations: usize, first: usize, axis: GustAxis) -> Vec<usize> {
+/// Of so many samples, in ascending order, those at which some station's net load (`net`: of a station at a sample), each over its
+/// range, is furthest along one of the directions of an axis, either way.
+pub(super) fn driving(
+    net: &dyn Fn(usize, usize) -> [f64; 6],
+    stations: usize,
+    samples: usize,
+    axis: GustAxis,
+) -> Vec<usize> {
+    let count = samples;
     let mut samples = Vec::new();
     for station in 0..stations {
-        let loads: Vec<[f64; 6]> = (0..first.min(flown.t_s.len()))
-            .map(|sample| flown.at_station(station, Component::Net, sample))
-            .collect();
+        let loads: Vec<[f64; 6]> = (0..count).map(|sample| net(station, sample)).collect();
         let range: [f64; 6] = std::array::from_fn(|load| {
             let of = || loads.iter().map(|six| six[load]);
             let range = of().fold(f64::NEG_INFINITY, f64::max) - of().fold(f64::INFINITY, f64::min);

@@ -3,6 +3,9 @@
 pub mod aircraft;
 pub mod cost;
 pub mod deck;
+pub mod deck_gusts;
+mod deck_motion;
+mod deck_turbulence;
 pub mod fly;
 pub mod in_time;
 pub mod instants;

@@ -2,15 +2,53 @@
 //! largest, one more is flown, and its instants are kept that raise an end.
 
 use crate::design_loads::instants::{FlownCase, FlownInstant};
-use crate::flight::gust::GustAxis;
+use crate::flight::gust::{Gust, GustAxis};
 use crate::stations::nodal::Component;
+use loads::design::Direction;
+use loads::matrix::{Action, Case};
+use loads::rules::discrete::rescaled;
 use loads::tuning::worst;
 
 /// Gradients this close are flown once: the top of a load over the gradient is flat.
 const ALIKE: f64 = 1.05;
 
+/// What flies gusts, each with the number of its case: what came of them, with their gradients, m.
+pub(super) type Fly<'f, E> = dyn FnMut(&[(usize, Gust)]) -> Result<Vec<(FlownCase, f64)>, E> + 'f;
+
+/// Flies the gradients of a family and those where a load between them is largest: these become instants of the nearest case.
+///
+/// # Errors
+/// Those of what flies.
+pub(super) fn searched<E>(
+    cases: &[&Case],
+    axis: GustAxis,
+    fly: &mut Fly<'_, E>,
+) -> Result<Vec<FlownCase>, E> {
+    let of = |number: usize, gradient_m: Option<f64>| {
+        let case = cases.iter().find(|case| case.number == number)?;
+        Some((number, gust(case, gradient_m)?))
+    };
+    let given: Vec<(usize, Gust)> = cases.iter().filter_map(|case| of(case.number, None)).collect();
+    let mut given = fly(&given)?;
+    given.sort_by_key(|(flown, _)| flown.number);
+    let (given, gradients_m): (Vec<FlownCase>, Vec<f64>) = given.into_iter().unzip();
+    if given.iter().any(|flown| flown.refused.is_some()) {
+        return Ok(given);
+    }
+    let family = Family::new(gradients_m, given, axis);
+    let next = family.next_m();
+    let between: Vec<(usize, Gust)> =
+        next.into_iter().filter_map(|next_m| of(family.nearest(next_m)?, Some(next_m))).collect();
+    let found = fly(&between)?.into_iter().flat_map(|(flown, gradient_m)| {
+        let number = flown.number;
+        let one = move |instant| (number, FlownInstant { gradient_m: Some(gradient_m), ..instant });
+        flown.instants.into_iter().map(one)
+    });
+    Ok(family.with(found.collect()))
+}
+
 /// Gradients of a family, m, in rising order, and their cases.
-pub(super) struct Family {
+struct Family {
     gradients_m: Vec<f64>,
     cases: Vec<FlownCase>,
     /// Loads whose worst gradients are searched for.
@@ -22,7 +60,7 @@ type End = (usize, usize, f64);
 
 impl Family {
     /// Of cases with their gradients.
-    pub(super) fn new(gradients_m: Vec<f64>, cases: Vec<FlownCase>, axis: GustAxis) -> Self {
+    fn new(gradients_m: Vec<f64>, cases: Vec<FlownCase>, axis: GustAxis) -> Self {
         let mut both: Vec<(f64, FlownCase)> = gradients_m.into_iter().zip(cases).collect();
         both.sort_by(|a, b| a.0.total_cmp(&b.0));
         let (gradients_m, cases) = both.into_iter().unzip();
@@ -42,7 +80,7 @@ impl Family {
     }
 
     /// Gradients to fly next, m.
-    pub(super) fn next_m(&self) -> Vec<f64> {
+    fn next_m(&self) -> Vec<f64> {
         let next = |end: End| {
             let sizes: Vec<f64> = self.cases.iter().map(|case| largest(&case.instants, end)).collect();
             worst(&self.gradients_m, &sizes)?.next_m
@@ -60,7 +98,7 @@ impl Family {
     }
 
     /// Number of the case with the gradient nearest to one, m.
-    pub(super) fn nearest(&self, gradient_m: f64) -> Option<usize> {
+    fn nearest(&self, gradient_m: f64) -> Option<usize> {
         let away = |known: f64| (known / gradient_m).ln().abs();
         let places = 0..self.cases.len();
         let place =
@@ -69,7 +107,7 @@ impl Family {
     }
 
     /// The cases with those of the found instants that raise an end; each comes with its case's number.
-    pub(super) fn with(mut self, found: Vec<(usize, FlownInstant)>) -> Vec<FlownCase> {
+    fn with(mut self, found: Vec<(usize, FlownInstant)>) -> Vec<FlownCase> {
         let mut kept = vec![false; found.len()];
         for end in self.ends() {
             let known =
@@ -87,6 +125,15 @@ impl Family {
         }
         self.cases
     }
+}
+
+/// The gust of a case, or of another gradient, m, in its place.
+pub(super) fn gust(case: &Case, other_m: Option<f64>) -> Option<Gust> {
+    let Action::Discrete { gradient_m, direction, u_ds_m_s, .. } = case.action else { return None };
+    let sign = if direction == Direction::Down { -1.0 } else { 1.0 };
+    let flown_m = other_m.unwrap_or(gradient_m);
+    let velocity_m_s = sign * rescaled(u_ds_m_s, gradient_m, flown_m);
+    Some(Gust { velocity_m_s, length_m: 2.0 * flown_m, start_s: 0.0 })
 }
 
 /// A net load towards an end.

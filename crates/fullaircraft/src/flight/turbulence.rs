@@ -28,16 +28,75 @@ pub struct AtLimit {
     pub is_largest: bool,
 }
 
+/// Net loads of stations and the load factor in turbulence, per m/s.
+#[derive(Debug)]
+pub(crate) struct NetLoads {
+    pub(crate) grid: Grid,
+    turbulence: Turbulence,
+    stations: usize,
+    /// Net loads of the stations, six each, then the load factor if the whole is one of them, at the frequencies of the grid.
+    loads: Vec<Vec<c64>>,
+}
+
 /// An aircraft in turbulence.
 #[derive(Debug)]
 pub struct TurbulentLoads<'a> {
     flight: &'a FlightLoads<'a>,
-    grid: Grid,
-    turbulence: Turbulence,
+    pub(crate) net: NetLoads,
     states: Vec<Vec<c64>>,
     inputs: Vec<Vec<c64>>,
-    /// Net loads of the stations, six each, then the load factor.
-    loads: Vec<Vec<c64>>,
+}
+
+impl NetLoads {
+    /// Of stations, six each, then the load factor if there is one.
+    pub(crate) fn new(grid: Grid, turbulence: Turbulence, stations: usize, loads: Vec<Vec<c64>>) -> Self {
+        Self { grid, turbulence, stations, loads }
+    }
+
+    /// Root mean squares, crossings and correlations of all.
+    pub(crate) fn response(&self) -> Response<'_> {
+        self.response_of(&self.loads)
+    }
+
+    /// The same of others.
+    pub(crate) fn response_of<'l>(&'l self, loads: &'l [Vec<c64>]) -> Response<'l> {
+        Response::new(&self.grid, self.turbulence, loads)
+    }
+
+    /// How many stations there are.
+    pub(crate) fn stations(&self) -> usize {
+        self.stations
+    }
+
+    /// Which loads are more than rounding.
+    pub(crate) fn is_something(&self, response: &Response<'_>) -> Vec<bool> {
+        let stations = SIX * self.stations;
+        let kind = |at: usize| if at < stations { 1 + at % SIX / 3 } else { 0 };
+        let largest = |of: usize| {
+            let own = (0..self.loads.len()).filter(|at| kind(*at) == of);
+            own.map(|at| response.a_bar(at)).fold(0.0, f64::max)
+        };
+        let by_kind = [largest(0), largest(1), largest(2)];
+        (0..self.loads.len()).map(|at| response.a_bar(at) > NOTHING * by_kind[kind(at)]).collect()
+    }
+
+    /// What is at its limit, each load over its own A.
+    pub(crate) fn at_limits(&self, limits: &[AtLimit]) -> Vec<Vec<c64>> {
+        let response = self.response();
+        let something = self.is_something(&response);
+        let combined = |limit: &AtLimit| -> Vec<c64> {
+            let first = SIX * limit.station;
+            let mut sum = vec![c64::ZERO; self.grid.omega_rad_s.len()];
+            for (load, share) in limit.along.shares.iter().enumerate() {
+                if *share != 0.0 && something[first + load] {
+                    let share = share / response.a_bar(first + load);
+                    sum.iter_mut().zip(&self.loads[first + load]).for_each(|(sum, h)| *sum += h * share);
+                }
+            }
+            sum
+        };
+        limits.iter().map(combined).collect()
+    }
 }
 
 impl<'a> FlightLoads<'a> {
@@ -74,57 +133,38 @@ impl<'a> FlightLoads<'a> {
         loads.extend(whole.map(|whole| {
             frequencies().map(|k| row(SIX * CHANGING.len() * whole + 2, k) / weight_n).collect()
         }));
-        TurbulentLoads { flight: self, states: waves.states, inputs: waves.inputs, loads, grid, turbulence }
+        let net = NetLoads::new(grid, turbulence, self.stations.len(), loads);
+        TurbulentLoads { flight: self, net, states: waves.states, inputs: waves.inputs }
     }
 }
 
 impl<'a> TurbulentLoads<'a> {
     /// Frequencies with their weights.
     pub fn grid(&self) -> &Grid {
-        &self.grid
+        &self.net.grid
     }
 
     /// A net load (Fx, Fy, Fz, Mx, My, Mz) of a station at the frequencies of the grid, per m/s, the gust's phase zero at the foremost
     /// station of the gust: change from the trim.
     pub fn transfer(&self, station: usize, load: usize) -> &[c64] {
-        &self.loads[SIX * station + load]
+        &self.net.loads[SIX * station + load]
     }
 
     /// Root mean squares, crossings and correlations: Fx, Fy, Fz, Mx, My, Mz of each station, then the load factor (of the air's lift)
     /// if one of the stations is the whole.
     pub fn response(&self) -> Response<'_> {
-        Response::new(&self.grid, self.turbulence, &self.loads)
+        self.net.response()
     }
 
     /// Which loads are more than rounding.
     pub fn is_something(&self, response: &Response<'_>) -> Vec<bool> {
-        let stations = SIX * self.flight.stations.len();
-        let kind = |at: usize| if at < stations { 1 + at % SIX / 3 } else { 0 };
-        let largest = |of: usize| {
-            let own = (0..self.loads.len()).filter(|at| kind(*at) == of);
-            own.map(|at| response.a_bar(at)).fold(0.0, f64::max)
-        };
-        let by_kind = [largest(0), largest(1), largest(2)];
-        (0..self.loads.len()).map(|at| response.a_bar(at) > NOTHING * by_kind[kind(at)]).collect()
+        self.net.is_something(response)
     }
 
     /// Loads with each of these at its limit for an intensity, m/s TAS: a sample each, in the order given, at no time.
     pub fn at_limits(&self, limits: &[AtLimit], u_sigma_m_s: f64) -> FlownLoads<'a> {
-        let response = self.response();
-        let something = self.is_something(&response);
-        let combined = |limit: &AtLimit| -> Vec<c64> {
-            let first = SIX * limit.station;
-            let mut sum = vec![c64::ZERO; self.grid.omega_rad_s.len()];
-            for (load, share) in limit.along.shares.iter().enumerate() {
-                if *share != 0.0 && something[first + load] {
-                    let share = share / response.a_bar(first + load);
-                    sum.iter_mut().zip(&self.loads[first + load]).for_each(|(sum, h)| *sum += h * share);
-                }
-            }
-            sum
-        };
-        let wanted: Vec<Vec<c64>> = limits.iter().map(combined).collect();
-        let of_wanted = Response::new(&self.grid, self.turbulence, &wanted);
+        let wanted = self.net.at_limits(limits);
+        let of_wanted = self.net.response_of(&wanted);
         let goes = |of: &[Vec<c64>]| {
             Mat::from_fn(of.len(), limits.len(), |i, limit| {
                 let sign = if limits[limit].is_largest { 1.0 } else { -1.0 };

@@ -13,4 +13,4 @@ mod table;
 pub use elastic::elastic_response;
 pub use periodic::{Periodic, periodic_response};
 pub use shape::OneMinusCosineGust;
-pub use table::{FrequencyTable, gust_incidence};
+pub use table::{FrequencyTable, gust_incidence, gust_incidence_along};

@@ -7,10 +7,22 @@ use faer::{Mat, c64};
 /// Incidence of a gust of amplitude one (w/V = 1 rad) whose phase is taken at `x_0_m`, at the boxes' three-quarter
 /// points: boxes by 1, at omega/V in 1/m.
 pub fn gust_incidence(lattice: &Lattice, x_0_m: f64, omega_over_v: f64) -> Mat<c64> {
+    gust_incidence_along(lattice, [0.0, 0.0, 1.0], x_0_m, omega_over_v)
+}
+
+/// The same of a gust whose air moves along a direction.
+pub fn gust_incidence_along(
+    lattice: &Lattice,
+    direction: [f64; 3],
+    x_0_m: f64,
+    omega_over_v: f64,
+) -> Mat<c64> {
     Mat::from_fn(lattice.len(), 1, |j, _| {
         let panel = &lattice.boxes[j];
         let phase = omega_over_v * (panel.three_quarter_point().x - x_0_m);
-        c64::new(phase.cos(), -phase.sin()) * panel.normal().z
+        let normal = panel.normal();
+        let across = (0..3).map(|axis| normal[axis] * direction[axis]).sum::<f64>();
+        c64::new(phase.cos(), -phase.sin()) * across
     })
 }
 

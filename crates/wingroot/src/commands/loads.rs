@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Args;
-use fullaircraft::CasesFile;
 use fullaircraft::cases::file::Action;
 use fullaircraft::design_loads::aircraft::maneuvers;
+use fullaircraft::{CasesFile, Station};
 use loads::{Design, Matrix, SelectFile, Selection, matrix};
 use nastran::InputError;
 use nastran::ron_or_json::in_folder;
@@ -201,7 +201,7 @@ fn write(
     folder.write_text("gusts.csv", &gusts::csv(&gusts))?;
     folder.write_text("turbulence.csv", &turbulence::csv(&names, &flown.cases))?;
     folder.write_text("correlation.csv", &turbulence::correlation(&names, &flown.cases))?;
-    turbulence::figures(&folder, &flights.stations, flown, &matrix, design)?;
+    turbulence::figures(&folder, &along(&flights.stations), flown, &matrix, design)?;
     folder.write_text("selection.csv", &selection.csv())?;
     folder.write_text("selected.csv", &tables::selected(&names, &selection, flown, &matrix, design))?;
     figures::potatoes(&folder, &names, &instants, &selection)?;
@@ -212,7 +212,7 @@ fn write(
     result.failed = flown.failed().map(|(case, model, why)| Failed { case, model, why }).collect();
     result.envelope = envelope;
     result.intervals_from = flights.states.draws.from();
-    result.gusts = gusts::of_roots(gusts);
+    result.gusts = gusts::of_stations(gusts, &|station| station.ends_with(" root"));
     result.turbulence = turbulence::rows(&names, &flown.cases);
     result.selected = selection.selected.iter().map(Into::into).collect();
     result.round_trip = Some(packed.round_trip);
@@ -220,6 +220,13 @@ fn write(
     folder.write_json("result.json", &result)?;
     folder.commit_if(result.flown > 0)?;
     Ok((result, line))
+}
+
+/// Stations along the right wing: their places and y, m.
+fn along(stations: &[Station]) -> Vec<(usize, f64)> {
+    let is_wing = |name: &str| name.starts_with("right ") && !name.ends_with(" tail");
+    let own = stations.iter().enumerate().filter(|(_, station)| is_wing(&station.name));
+    own.map(|(place, station)| (place, station.point.y)).collect()
 }
 
 /// A new selection among the station loads of an earlier result; its cards, if they are asked for.

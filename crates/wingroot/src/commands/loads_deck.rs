@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::time::Instant;
 
+use fullaircraft::Station;
 use fullaircraft::cases::list::MODELS;
 use fullaircraft::design_loads::deck::DeckFlown;
 use fullaircraft::package::round_trip::LOADS;
@@ -14,10 +15,12 @@ use crate::args::Common;
 use crate::commands::loads_deck_package::package;
 use crate::commands::loads_figures as figures;
 use crate::commands::loads_flights::Flown;
+use crate::commands::loads_gusts as gusts;
 use crate::commands::loads_on_deck::OnDeck;
 use crate::commands::loads_plan::{selection_file, write_matrix};
 use crate::commands::loads_result::{Failed, LoadsResult};
 use crate::commands::loads_tables as tables;
+use crate::commands::loads_turbulence as turbulence;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 
@@ -74,9 +77,13 @@ fn write(
     let folder = begun(on, target)?;
     let envelope = tables::envelope(&names, &instants, &on.matrix);
     let selected = tables::selected(&names, &selection, flown, &on.matrix, &on.design);
+    let worst = gusts::worst(&names, &flown.cases, &on.matrix);
     tables::write_station_loads(&folder, &names, &flown.cases)?;
     for (name, text) in [
         ("envelope.csv", fullaircraft::cases::envelope::envelope_csv(&envelope)),
+        ("gusts.csv", gusts::csv(&worst)),
+        ("turbulence.csv", turbulence::csv(&names, &flown.cases)),
+        ("correlation.csv", turbulence::correlation(&names, &flown.cases)),
         ("trims.csv", trims(all)),
         ("monitors.csv", monitors(all)),
         ("selection.csv", selection.csv()),
@@ -84,6 +91,7 @@ fn write(
     ] {
         folder.write_text(name, &text)?;
     }
+    turbulence::figures(&folder, &along(on), flown, &on.matrix, &on.design)?;
     figures::potatoes(&folder, &names, &instants, &selection)?;
     for (name, bytes) in &packed.files {
         folder.write_bytes(&format!("package/{name}"), bytes)?;
@@ -91,12 +99,22 @@ fn write(
     let mut result = LoadsResult::of(&on.file, &on.matrix);
     result.failed = flown.failed().map(|(case, model, why)| Failed { case, model, why }).collect();
     result.envelope = envelope;
+    result.gusts = gusts::of_stations(worst, &|station| station != "whole");
+    result.turbulence = turbulence::rows(&names, &flown.cases);
     result.selected = selection.selected.iter().map(Into::into).collect();
     result.round_trip = Some(packed.round_trip);
     result.package = Some("package".to_owned());
     folder.write_json("result.json", &result)?;
     folder.commit_if(result.flown > 0)?;
     Ok((result, line))
+}
+
+/// Stations along the right wing: their places and y, m.
+fn along(on: &OnDeck) -> Vec<(usize, f64)> {
+    let is_basic = |station: &Station| station.name != "whole" && station.axes.is_identity(1e-9);
+    let places = on.stations.iter().enumerate().filter(|(_, station)| is_basic(station));
+    let y_m = places.map(|(place, station)| (place, station.point.y * on.plan.units.length_m));
+    y_m.filter(|(_, y_m)| *y_m > 0.0).collect()
 }
 
 /// Trim variables of all cases in the deck's own units.

@@ -1,6 +1,9 @@
 //! The package of a plan on a deck: cards in the deck's units at the deck's grids, its structure, and their round trip.
 
-use fullaircraft::design_loads::deck::DeckFlown;
+use std::collections::BTreeMap;
+
+use fullaircraft::design_loads::deck::{DeckFlown, DeckPlan};
+use fullaircraft::design_loads::instants::FlownInstant;
 use fullaircraft::package::cards::{CardCase, Hold, structure_of};
 use fullaircraft::package::round_trip::{Expected, Own, RoundTrip, Row};
 use fullaircraft::{Component, NodalLoads};
@@ -10,8 +13,11 @@ use loads::select::file::{Model as Which, SelectFile};
 use structure::{Model, System};
 
 use crate::commands::loads_export::{Export, Places};
+use crate::commands::loads_flights::Wanted;
 use crate::commands::loads_on_deck::OnDeck;
-use crate::commands::loads_package::{PARTS, lost, origin_of, parts, refuse_unwritten};
+use crate::commands::loads_package::{
+    PARTS, check_repeat, lost, moment, origin_of, parts, refuse_unwritten, repeat,
+};
 use crate::commands::loads_package_files::{Card, Heads, Packed, Site, packed};
 use crate::commands::loads_tables::{case_of, words};
 use crate::failure::Failure;
@@ -48,14 +54,12 @@ pub(super) fn package(
     };
     let export = Export::new(back, select.export.at, places)?;
     let last = selection.selected.iter().map(|one| one.sid).max().unwrap_or(0);
+    let mut at_grids = at_grids(on, all, selection)?;
     let (mut cards, mut rows) = (Vec::new(), Vec::new());
     for one in &selection.selected {
-        let model = usize::from(one.model == Which::Updated);
-        let found = all.iter().find(|flown| (flown.case.model, flown.case.number) == (model, one.case));
-        let found = found.ok_or_else(|| lost(one.case))?;
-        let nodal = found.nodal.as_ref().ok_or_else(|| lost(one.case))?;
-        let mut card = card(on, one, found, nodal, &common, &export.back)?;
-        let nodal = export.nodal(nodal.clone());
+        let nodal = at_grids.remove(&one.sid).ok_or_else(|| lost(one.case))?;
+        let mut card = card(on, one, flown(all, one)?, &nodal, &common, &export.back)?;
+        let nodal = export.nodal(nodal);
         card.case.net = nodal.of(Component::Net);
         if select.export.components == PARTS {
             card.case.parts = parts(one.sid, last, &nodal);
@@ -65,6 +69,7 @@ pub(super) fn package(
         rows.extend(read.into_iter().map(|row| in_si(on, row)));
         cards.push(card);
     }
+    check_repeat(&cards)?;
     let cases: Vec<CardCase> = cards.iter().map(|card| card.case.clone()).collect();
     let index = export.index(&format!("Design loads: {}", on.file.name), &cases, &common);
     let held = match &grids.support {
@@ -119,16 +124,52 @@ fn in_si(on: &OnDeck, row: Row) -> Row {
     Row { solver: unit * row.solver, cards: unit * row.cards, ..row }
 }
 
+/// A selected instant as it was flown.
+fn flown<'f>(all: &'f [DeckFlown], one: &Selected) -> Result<&'f FlownInstant, Failure> {
+    let case = found(all, one)?;
+    case.case.instants.get(one.instant - 1).ok_or_else(|| lost(one.case))
+}
+
+fn found<'f>(all: &'f [DeckFlown], one: &Selected) -> Result<&'f DeckFlown, Failure> {
+    let model = usize::from(one.model == Which::Updated);
+    let same = |flown: &&DeckFlown| (flown.case.model, flown.case.number) == (model, one.case);
+    all.iter().find(same).ok_or_else(|| lost(one.case))
+}
+
+/// Loads at grids of what was selected, by load set: kept of trims; gusts are flown again.
+fn at_grids(
+    on: &OnDeck,
+    all: &[DeckFlown],
+    selection: &Selection,
+) -> Result<BTreeMap<u32, NodalLoads>, Failure> {
+    let mut loads = BTreeMap::new();
+    let (mut again, mut wanted) = (Vec::new(), Vec::new());
+    for one in &selection.selected {
+        match &found(all, one)?.nodal {
+            Some(nodal) => {
+                loads.insert(one.sid, nodal.clone());
+            }
+            None => {
+                let model = usize::from(one.model == Which::Updated);
+                let (instant, flown) = (one.instant - 1, flown(all, one)?);
+                wanted.push(Wanted { model, number: one.case, instant, flown });
+                again.push(one.sid);
+            }
+        }
+    }
+    loads.extend(again.into_iter().zip(on.again(&wanted)?.into_iter().map(|again| again.nodal)));
+    Ok(loads)
+}
+
 fn card(
     on: &OnDeck,
     one: &Selected,
-    found: &DeckFlown,
+    first: &FlownInstant,
     nodal: &NodalLoads,
     common: &[String],
     back: &RoundTrip<'_>,
 ) -> Result<Card, Failure> {
     let case = case_of(&on.matrix, one.case).ok_or_else(|| lost(one.case))?;
-    let flown = found.case.instants.get(one.instant - 1).ok_or_else(|| lost(one.case))?.clone();
     let net = nodal.of(Component::Net);
     let tips = back.tips();
     let tip = |side: usize| net.iter().enumerate().map(|(dof, load)| tips[(dof, side)] * load).sum::<f64>();
@@ -136,11 +177,20 @@ fn card(
         stations: on.stations.iter().map(|station| station.sums(back.points(), &net)).collect(),
         tips_m: (0..tips.ncols()).map(tip).collect(),
     };
+    let flown =
+        FlownInstant { loads: on.plan.at_stations(nodal, &on.stations, back.points()), ..first.clone() };
     let mass = &on.design.masses[case.mass].name;
     let title =
         format!("case {} {}, {:.1} m/s, n {:.2}, {mass}", one.case, case.condition, case.v_m_s, case.n_z);
+    let moment = if DeckPlan::is_in_gusts(case) {
+        let names: Vec<String> = on.stations.iter().map(|station| station.name.clone()).collect();
+        format!("instant {} {}", one.instant, moment(&names, case, &flown))
+    } else {
+        "a trim".to_owned()
+    };
     let mut origin = common.to_vec();
-    origin.push(format!("{}; mass {mass}; model {}; a trim", words(case), one.model.name()));
+    origin.push(format!("{}; mass {mass}; model {}; {moment}", words(case), one.model.name()));
     let case = CardCase { sid: one.sid, words: title, net, parts: Vec::new() };
-    Ok(Card { case, text: String::new(), expected, trim_tip: 0.0, repeat: 0.0, flown, origin })
+    let repeat = repeat(&first.net(), &flown.net());
+    Ok(Card { case, text: String::new(), expected, trim_tip: 0.0, repeat, flown, origin })
 }

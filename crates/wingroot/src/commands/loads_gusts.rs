@@ -117,11 +117,10 @@ pub(crate) fn csv(all: &[WorstGust]) -> String {
     text
 }
 
-/// The worst of all families for Fz, Mx and My of both wings' roots.
-pub(crate) fn of_roots(all: Vec<WorstGust>) -> Vec<WorstGust> {
+/// The worst of all families for Fz, Mx and My of some stations.
+pub(crate) fn of_stations(all: Vec<WorstGust>, is_shown: &dyn Fn(&str) -> bool) -> Vec<WorstGust> {
     let mut roots: Vec<WorstGust> = Vec::new();
-    for one in all.into_iter().filter(|one| one.station.ends_with(" root") && LOADS[2..5].contains(&one.load))
-    {
+    for one in all.into_iter().filter(|one| is_shown(&one.station) && LOADS[2..5].contains(&one.load)) {
         let same = |other: &&mut WorstGust| {
             (other.model, &other.station, other.load, other.end)
                 == (one.model, &one.station, one.load, one.end)
@@ -139,12 +138,12 @@ pub(crate) fn of_roots(all: Vec<WorstGust>) -> Vec<WorstGust> {
     roots
 }
 
-/// The bending moment of the right root with the updated model, in a line.
+/// The moments of the right root, or of the first station, with the updated model, in a line.
 pub(crate) fn line(roots: &[WorstGust]) -> Option<String> {
+    let station = shown_station(roots.iter().map(|one| one.station.as_str()))?;
     let of = |load: &str| {
-        let own = roots
-            .iter()
-            .filter(|one| one.model == MODELS[1] && one.station == "right root" && one.load == load);
+        let own =
+            roots.iter().filter(|one| one.model == MODELS[1] && one.station == station && one.load == load);
         own.max_by(|a, b| a.value.abs().total_cmp(&b.value.abs()))
     };
     let words = |one: &WorstGust| {
@@ -152,5 +151,11 @@ pub(crate) fn line(roots: &[WorstGust]) -> Option<String> {
         format!("{} {:.4} at H {:.1} m{tuned}", one.load, one.value, one.h_m)
     };
     let all: Vec<String> = ["Mx_Nm", "My_Nm"].into_iter().filter_map(|load| Some(words(of(load)?))).collect();
-    (!all.is_empty()).then(|| format!("gusts        right root {} (updated)\n", all.join("; ")))
+    (!all.is_empty()).then(|| format!("gusts        {station} {} (updated)\n", all.join("; ")))
+}
+
+/// The right root where there is one, else the first station.
+pub(crate) fn shown_station<'s>(mut names: impl Iterator<Item = &'s str>) -> Option<&'s str> {
+    let first = names.next()?;
+    Some(std::iter::once(first).chain(names).find(|name| *name == "right root").unwrap_or(first))
 }

@@ -1,24 +1,35 @@
 //! A plan of design loads on a user's deck: what it asks for, and its trims.
 
+use std::cmp::Ordering;
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 use fullaircraft::cases::list::MODELS;
 use fullaircraft::design_loads::aircraft::maneuvers;
 use fullaircraft::design_loads::deck::{DeckFlown, DeckPlan};
+use fullaircraft::design_loads::deck_gusts::DeckFlight;
+use fullaircraft::design_loads::fly::Nodal;
 use fullaircraft::design_loads::instants::FlownCase;
 use fullaircraft::{AircraftError, CasesFile, Station, TrimDeck};
 use loads::matrix::{Case, Status};
 use loads::{Air, Design, Matrix, matrix};
 use nastran::{BulkData, InputError};
+use rayon::prelude::*;
 
 use crate::args::Common;
 use crate::commands::fullaircraft_deck::say_of_splines;
+use crate::commands::loads_flights::{FlownAgain, Wanted};
+use crate::commands::loads_package::lost;
 use crate::commands::loads_plan::design;
+use crate::commands::loads_tables::case_of;
 use crate::failure::Failure;
 use crate::{progress, show};
 
 /// Share by which the plan's mass may differ from the deck's.
 const SAME_MASS: f64 = 1e-3;
+
+/// What is done with a case that was flown, and what gives its loads at grids at an instant in a gust.
+type Done<'d> = dyn Fn(DeckFlown, &Nodal<'_>) + Sync + 'd;
 
 /// A plan on a deck, flown.
 pub(super) struct OnDeck {
@@ -63,36 +74,104 @@ impl OnDeck {
         let airframe = plan.airframe(&deck).map_err(|error| error.or_in(path))?;
         let mut matrix = matrix(&design, &airframe, &conditions)?;
         for case in matrix.cases.iter_mut().filter(|case| case.status == Status::Planned) {
-            if let Some(why) = DeckPlan::left_out(case, &actions) {
+            if let Some(why) = plan.left_out(case, &actions) {
                 (case.status, case.why) = (Status::LeftOut, why.to_owned());
             }
+        }
+        if matrix.cases.iter().any(|case| case.status == Status::Planned && DeckPlan::is_in_gusts(case)) {
+            plan.check_modes().map_err(|error| error.or_in(path))?;
         }
         let inputs = vec![("deck", path.to_path_buf()), ("plan", file.path.clone())];
         Ok(Self { file, design, plan, deck, stations, matrix, inputs })
     }
 
-    /// All cases with both models, in the order of models and numbers; each Mach number is assembled once.
+    /// All cases with both models, in the order of models and numbers; each Mach number is assembled once. Of a deck without corrections
+    /// both models are one.
     pub(super) fn fly(&self, common: &Common) -> Vec<DeckFlown> {
-        let mut cases: Vec<&Case> =
+        let cases: Vec<&Case> =
             self.matrix.cases.iter().filter(|case| case.status == Status::Planned).collect();
-        cases.sort_by(|a, b| a.mach.total_cmp(&b.mach).then(a.number.cmp(&b.number)));
-        let bar = progress::bar(common, MODELS.len() * cases.len(), "cases");
-        let mut all = Vec::new();
-        for model in 0..MODELS.len() {
-            for same in cases.chunk_by(|a, b| a.mach == b.mach) {
-                let deck = self.plan.at(model, same[0].mach);
-                for case in same {
-                    all.push(match &deck {
-                        Ok(deck) => self.plan.fly(deck, case, model, &self.stations),
-                        Err(error) => refused(case, model, error),
-                    });
-                    bar.inc(1);
-                }
+        let models = if self.plan.is_corrected() { 0..MODELS.len() } else { 1..MODELS.len() };
+        let all: Vec<(usize, &Case)> =
+            models.flat_map(|model| cases.iter().map(move |case| (model, *case))).collect();
+        let bar = progress::bar(common, all.len(), "cases");
+        let found = Mutex::new(Vec::new());
+        self.each(all, false, &|flown: DeckFlown, _: &Nodal<'_>| {
+            bar.inc(1);
+            let mut found = found.lock().unwrap_or_else(PoisonError::into_inner);
+            if !self.plan.is_corrected() {
+                found.push(DeckFlown { case: FlownCase { model: 0, ..flown.case.clone() }, ..flown.clone() });
             }
-        }
+            found.push(flown);
+        });
         progress::end(&bar);
+        let mut all = found.into_inner().unwrap_or_else(PoisonError::into_inner);
         all.sort_by_key(|one| (one.case.model, one.case.number));
         all
+    }
+
+    /// Loads at grids of instants in gusts, flown again, in this order; the deck's units.
+    ///
+    /// # Errors
+    /// If an instant is not there.
+    pub(super) fn again(&self, wanted: &[Wanted<'_>]) -> Result<Vec<FlownAgain>, Failure> {
+        let mut cases: Vec<(usize, &Case)> = Vec::new();
+        for Wanted { model, number, .. } in wanted {
+            if !cases.iter().any(|(known, case)| (known, case.number) == (model, *number)) {
+                cases.extend(case_of(&self.matrix, *number).map(|case| (*model, case)));
+            }
+        }
+        let found = Mutex::new(Vec::new());
+        self.each(cases, true, &|flown: DeckFlown, nodal: &Nodal<'_>| {
+            let own = wanted
+                .iter()
+                .filter(|want| (want.model, want.number) == (flown.case.model, flown.case.number));
+            let again = own.filter_map(|want| {
+                let Wanted { model, number, instant, flown } = *want;
+                Some(FlownAgain { model, number, instant, nodal: nodal(flown)? })
+            });
+            found.lock().unwrap_or_else(PoisonError::into_inner).extend(again);
+        });
+        let mut found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let one = |want: &Wanted<'_>| {
+            let same = |of: &FlownAgain| {
+                (of.model, of.number, of.instant) == (want.model, want.number, want.instant)
+            };
+            let place = found.iter().position(same).ok_or_else(|| lost(want.number))?;
+            Ok(found.swap_remove(place))
+        };
+        wanted.iter().map(one).collect()
+    }
+
+    /// Flies cases with models, those of a model and Mach number with one assembly.
+    fn each(&self, mut cases: Vec<(usize, &Case)>, nodal: bool, done: &Done<'_>) {
+        let key = |one: &(usize, &Case)| (one.0, one.1.mach, one.1.h_m);
+        cases.sort_by(|a, b| {
+            let order = key(a).partial_cmp(&key(b)).unwrap_or(Ordering::Equal);
+            order.then(a.1.number.cmp(&b.1.number))
+        });
+        let groups: Vec<&[(usize, &Case)]> = cases.chunk_by(|a, b| key(a) == key(b)).collect();
+        groups.par_iter().for_each(|group| {
+            let (model, first) = group[0];
+            let none: &Nodal<'_> = &|_| None;
+            let deck = match self.plan.at(model, first.mach) {
+                Ok(deck) => deck,
+                Err(error) => {
+                    return group.iter().for_each(|(_, case)| done(refused(case, model, &error), none));
+                }
+            };
+            let (gusts, trims): (Vec<&Case>, Vec<&Case>) =
+                group.iter().map(|(_, case)| *case).partition(|case| DeckPlan::is_in_gusts(case));
+            for case in trims {
+                done(self.plan.fly(&deck, case, model, &self.stations), none);
+            }
+            let flight = DeckFlight { deck: &deck, stations: &self.stations, search: !nodal, nodal };
+            let flown = self.plan.fly_in_gusts(flight, model, &gusts, &mut |case, nodal| {
+                done(DeckFlown { case, ..DeckFlown::default() }, nodal);
+                Ok::<(), AircraftError>(())
+            });
+            // nothing that is done here can fail, and what cannot be flown is a result
+            drop(flown);
+        });
     }
 }
 

@@ -67,13 +67,7 @@ pub(crate) fn package(
         rows.extend(export.compare(&card.case, &card.text, &card.expected)?);
         cards.push(card);
     }
-    let repeat = cards.iter().map(|card| card.repeat).fold(0.0, f64::max);
-    if repeat > REPEAT {
-        return Err(Failure::Computation(format!(
-            "nodal loads of cases flown again differ at stations by {repeat:.1e} of the largest load (at most {REPEAT:.0e}); no package is \
-             written"
-        )));
-    }
+    check_repeat(&cards)?;
     let title = format!("Design loads: {}", flights.plan.name);
     let cases: Vec<CardCase> = cards.iter().map(|card| card.case.clone()).collect();
     let (grids, words) = (export.grids().to_vec(), export.words("at the wing's root"));
@@ -88,6 +82,21 @@ pub(crate) fn package(
     let heads =
         Heads { structure: export.file(), index, common: common.clone(), factor: select.export.factor };
     packed(&site, selection, cards, &rows, heads)
+}
+
+/// Refuses loads of cases flown again that are not those of the first flight.
+///
+/// # Errors
+/// If one differs.
+pub(crate) fn check_repeat(cards: &[Card]) -> Result<(), Failure> {
+    let repeat = cards.iter().map(|card| card.repeat).fold(0.0, f64::max);
+    if repeat <= REPEAT {
+        return Ok(());
+    }
+    Err(Failure::Computation(format!(
+        "nodal loads of cases flown again differ at stations by {repeat:.1e} of the largest load (at most {REPEAT:.0e}); no package is \
+         written"
+    )))
 }
 
 /// The instants of a selection as they were flown.
@@ -166,13 +175,14 @@ fn card(
     let off = |side: usize| (flown.tips_m[side] - tips_m[side]).abs() / does(side).map(f64::abs).sum::<f64>();
     let trim_tip = if is_in_time(case, &flights.maneuvers) { 0.0 } else { off(0).max(off(1)) };
     let title = format!("case {number} {}, {:.1} m/s, n {:.2}, {mass}", case.condition, case.v_m_s, case.n_z);
+    let names: Vec<String> = flights.stations.iter().map(|station| station.name.clone()).collect();
     let mut origin = common.to_vec();
     origin.push(format!(
         "{}; mass {mass}; model {}; instant {} {}",
         words(case),
         one.model.name(),
         one.instant,
-        moment(flights, case, &flown)
+        moment(&names, case, &flown)
     ));
     Ok(Card {
         case: CardCase { sid: one.sid, words: title, net, parts: Vec::new() },
@@ -186,13 +196,12 @@ fn card(
 }
 
 /// When an instant is, or which load is at its limit in it.
-fn moment(flights: &Flights<'_>, case: &Case, flown: &FlownInstant) -> String {
-    let names = || flights.stations.iter().map(|station| station.name.clone()).collect::<Vec<String>>();
+pub(crate) fn moment(stations: &[String], case: &Case, flown: &FlownInstant) -> String {
     match (flown.limit, flown.gradient_m) {
         (Some(limit), _) => {
             format!(
                 "with {} at its limit, and the loads that go with it",
-                limit.words(axis_of(case), &names())
+                limit.words(axis_of(case), stations)
             )
         }
         (None, Some(gradient_m)) => format!("at {} s, gradient {gradient_m:.2} m", flown.t_s),
@@ -216,7 +225,7 @@ pub(crate) fn parts(sid: u32, last: u32, nodal: &NodalLoads) -> Vec<CardPart> {
 }
 
 /// Largest difference of two flights' loads at stations, as a share of the largest force or moment.
-fn repeat(first: &[[f64; 6]], again: &[[f64; 6]]) -> f64 {
+pub(crate) fn repeat(first: &[[f64; 6]], again: &[[f64; 6]]) -> f64 {
     let of_kind = |from: usize| {
         let pairs =
             || first.iter().zip(again).flat_map(|(a, b)| a[from..from + 3].iter().zip(&b[from..from + 3]));

@@ -38,7 +38,7 @@ pub(crate) struct LoadsResult {
     /// Where the wings are from whose envelopes the intervals are of; left out without them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) intervals_from: Option<String>,
-    /// Worst discrete gusts of both wings' roots.
+    /// Worst discrete gusts of both wings' roots; on a deck, of each station.
     pub(crate) gusts: Vec<WorstGust>,
     /// Loads in continuous turbulence.
     pub(crate) turbulence: Vec<TurbulenceRow>,

@@ -2,7 +2,6 @@
 
 use std::fmt::Write as _;
 
-use fullaircraft::Station;
 use fullaircraft::cases::list::MODELS;
 use fullaircraft::design_loads::instants::{FlownCase, TurbulenceFacts, TurbulentLoad};
 use fullaircraft::package::round_trip::LOADS;
@@ -14,6 +13,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::commands::loads_flights::Flown;
+use crate::commands::loads_gusts::shown_station;
 use crate::commands::loads_tables::case_of;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
@@ -122,10 +122,10 @@ pub(crate) fn correlation(names: &[String], cases: &[FlownCase]) -> String {
     text
 }
 
-/// Limit loads along the right wing, a figure a case.
+/// Limit loads along the right wing, a figure a case; `along` has places of stations and their y, m.
 pub(crate) fn figures(
     folder: &ResultFolder,
-    stations: &[Station],
+    along: &[(usize, f64)],
     flown: &Flown,
     matrix: &Matrix,
     design: &Design,
@@ -144,9 +144,8 @@ pub(crate) fn figures(
                 let mut points: Vec<(f64, [f64; 2])> = facts
                     .loads
                     .iter()
-                    .filter(|one| one.load == load && stations[one.station].name.starts_with("right "))
-                    .filter(|one| !stations[one.station].name.ends_with(" tail"))
-                    .map(|one| (stations[one.station].point.y, limits(facts, one)))
+                    .filter(|one| one.load == load)
+                    .filter_map(|one| Some((place_y_m(along, one.station)?, limits(facts, one))))
                     .collect();
                 points.sort_by(|a, b| a.0.total_cmp(&b.0));
                 for (end, words) in ["smallest", "largest"].into_iter().enumerate() {
@@ -167,6 +166,11 @@ pub(crate) fn figures(
     Ok(())
 }
 
+/// y of a station that is looked at, m.
+fn place_y_m(along: &[(usize, f64)], station: usize) -> Option<f64> {
+    along.iter().find(|(place, _)| *place == station).map(|(_, y_m)| *y_m)
+}
+
 fn caption(case: &Case) -> &'static str {
     match case.action {
         Action::Turbulence { attitude: Attitude::Held, .. } => {
@@ -180,11 +184,11 @@ fn caption(case: &Case) -> &'static str {
     }
 }
 
-/// The bending moment of the right root with the updated model, in a line.
+/// The bending moment of the right root, or of the first station, with the updated model, in a line.
 pub(crate) fn line(rows: &[TurbulenceRow]) -> Option<String> {
-    let own = rows
-        .iter()
-        .filter(|row| row.model == MODELS[1] && row.station == "right root" && row.load == "Mx_Nm");
+    let station = shown_station(rows.iter().map(|row| row.station.as_str()))?;
+    let own =
+        rows.iter().filter(|row| row.model == MODELS[1] && row.station == station && row.load == "Mx_Nm");
     let size = |row: &TurbulenceRow| row.limits[0].abs().max(row.limits[1].abs());
     let worst = own.max_by(|a, b| size(a).total_cmp(&size(b)))?;
     let tail = match worst.tail_bound_percent {
@@ -193,7 +197,7 @@ pub(crate) fn line(rows: &[TurbulenceRow]) -> Option<String> {
     };
     let held = if worst.attitude == Attitude::Held.word() { ", airspeed and attitude held" } else { "" };
     Some(format!(
-        "turbulence   right root Mx {:.1} to {:.1} N m (case {}, updated{held}): U_sigma {:.2} m/s, A {:.3} N m per m/s, N0 {:.2} Hz, {tail}\n",
+        "turbulence   {station} Mx {:.1} to {:.1} N m (case {}, updated{held}): U_sigma {:.2} m/s, A {:.3} N m per m/s, N0 {:.2} Hz, {tail}\n",
         worst.limits[0], worst.limits[1], worst.case, worst.u_sigma_m_s, worst.a_bar, worst.n0_hz
     ))
 }

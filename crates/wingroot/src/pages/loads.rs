@@ -61,7 +61,7 @@ fn envelope(result: &Value) -> PageTable {
     table
 }
 
-/// Limit loads in continuous turbulence: figures, and those of both roots.
+/// Limit loads in continuous turbulence: figures, and those of both roots; on a deck, of all stations.
 fn turbulence(result: &Value, plates: &mut Vec<Plate>) -> Section {
     let mut section = figures("Continuous turbulence", taken(plates, "turbulence_"));
     let head = [
@@ -77,7 +77,9 @@ fn turbulence(result: &Value, plates: &mut Vec<Plate>) -> Section {
         "attitude",
     ];
     let mut table = PageTable::new("", &head);
-    let roots = list(result, "turbulence").iter().filter(|row| text(row, "station").ends_with(" root"));
+    let is_root = |row: &Value| text(row, "station").ends_with(" root");
+    let has_roots = list(result, "turbulence").iter().any(is_root);
+    let roots = list(result, "turbulence").iter().filter(|row| !has_roots || is_root(row));
     for row in roots.clone() {
         let word = |key: &str| text(row, key).to_owned();
         table.row([

@@ -9,7 +9,7 @@ use crate::error::AircraftError;
 use aero::{DlmSettings, DoubletLattice, Integration};
 use faer::{Mat, MatRef, Scale, c64};
 use maneuver::flutter::{GafTable, MatrixSpline, incidence_of_motion};
-use maneuver::gust::{FrequencyTable, gust_incidence};
+use maneuver::gust::{FrequencyTable, gust_incidence_along};
 
 /// Share of the air forces by which a spline may miss them in the widest gap before it is said.
 const SAID: f64 = 0.02;
@@ -27,16 +27,19 @@ pub(crate) struct GustAir {
     pub(crate) mach: f64,
     /// What the user should know.
     pub(crate) remarks: Vec<String>,
+    /// Share of the air forces by which the splines miss them amid the widest gap of the frequencies.
+    pub(crate) missed: f64,
 }
 
 impl GustAir {
     /// Solves the lattice at the Mach number of MKAERO1 and MKAERO2 that is nearest; `rows` weigh box loads for the stations (two
-    /// columns a box), `highest` is the highest omega/V asked for.
+    /// columns a box), `highest` is the highest omega/V asked for, and the air of the gust moves along `direction`.
     pub(crate) fn new(
         deck: &ModalDeck,
         rows: MatRef<'_, f64>,
         mach: f64,
         highest: f64,
+        direction: [f64; 3],
     ) -> Result<Self, AircraftError> {
         let mut remarks = Vec::new();
         let near = deck.nearest_mach(mach);
@@ -55,7 +58,7 @@ impl GustAir {
             kappa.push(highest);
         }
         let all = all_rows(deck, rows);
-        let solver = Solver::new(deck, near, &all)?;
+        let solver = Solver::new(deck, near, &all, direction)?;
         let solved: Vec<[Mat<c64>; 2]> =
             kappa.iter().map(|kappa| solver.at(*kappa)).collect::<Result<_, AircraftError>>()?;
         let modes = deck.omega_rad_s.len();
@@ -70,7 +73,7 @@ impl GustAir {
         let modal = GafTable::new(kappa.clone(), part(0, modes))?;
         let columns = solved.iter().map(|pair| pair[1].clone()).collect();
         let gust = FrequencyTable::new(kappa.clone(), columns, solver.middle)?;
-        let air = Self { modal, stations, gust, mach: near, remarks };
+        let air = Self { modal, stations, gust, mach: near, remarks, missed: 0.0 };
         air.with_check(&solver, &kappa)
     }
 
@@ -88,6 +91,7 @@ impl GustAir {
         let modes = splined.nrows();
         let missed = off(splined.as_ref(), by_modes.subrows(0, modes))
             .max(off(self.gust.at(amid, solver.middle)?.subrows(0, modes), by_gust.subrows(0, modes)));
+        self.missed = missed;
         if missed > SAID {
             self.remarks.push(format!(
                 "between the reduced frequencies {:.4} and {:.4} of MKAERO the splined air forces are off by {:.0} %: list more",
@@ -126,17 +130,24 @@ struct Solver<'a> {
     rows: &'a Mat<f64>,
     /// Where the gust's phase is taken: amid the boxes, so that the forces turn slowly with frequency.
     middle: f64,
+    /// Where the gust's air goes.
+    direction: [f64; 3],
 }
 
 impl<'a> Solver<'a> {
-    fn new(deck: &'a ModalDeck, mach: f64, rows: &'a Mat<f64>) -> Result<Self, AircraftError> {
+    fn new(
+        deck: &'a ModalDeck,
+        mach: f64,
+        rows: &'a Mat<f64>,
+        direction: [f64; 3],
+    ) -> Result<Self, AircraftError> {
         let plane = mirror_plane(deck.aero.symmetry);
         let doublets = DoubletLattice::new(&deck.lattice, plane, mach, &DlmSettings::NASTRAN)?;
         let places = deck.lattice.boxes.iter().map(|panel| panel.three_quarter_point().x);
         let (low, high) =
             places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
         let integration = Integration::new(&deck.lattice);
-        Ok(Self { deck, doublets, integration, rows, middle: f64::midpoint(low, high) })
+        Ok(Self { deck, doublets, integration, rows, middle: f64::midpoint(low, high), direction })
     }
 
     /// Forces on all rows by the modes, and by a gust.
@@ -147,7 +158,7 @@ impl<'a> Solver<'a> {
         let of = |w: Mat<c64>| loads.weighed(self.rows.as_ref(), solved.pressures(w.as_ref()).as_ref());
         Ok([
             of(incidence_of_motion(lattice, self.deck.motion.as_ref(), kappa)),
-            of(gust_incidence(lattice, self.middle, kappa)),
+            of(gust_incidence_along(lattice, self.direction, self.middle, kappa)),
         ])
     }
 }

@@ -14,6 +14,7 @@ mod random;
 mod signal;
 mod stations;
 mod time;
+pub(crate) mod waves;
 
 pub use asked::{GustCase, gust_cases};
 pub use random::{DeckGust, RandomAnswer, RandomSet};
@@ -97,7 +98,7 @@ impl GustDeck {
         for (at, station) in stations.iter().enumerate() {
             rows.subrows_mut(6 * at, 6).copy_from(&station.rows);
         }
-        let air = GustAir::new(&modal, rows.as_ref(), mach, highest)?;
+        let air = GustAir::new(&modal, rows.as_ref(), mach, highest, [0.0, 0.0, 1.0])?;
         remarks.extend(air.remarks.iter().cloned());
         Ok(Self { modal, remarks, stations, air })
     }

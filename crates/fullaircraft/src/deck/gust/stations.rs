@@ -3,7 +3,7 @@
 
 use crate::deck::modal::ModalDeck;
 use crate::deck::monitors::monitors;
-use crate::deck::net_monitors::motions;
+use crate::deck::net_monitors::{loaded_grids, motions};
 use aero::StreamAxes;
 use faer::Mat;
 use nastran::{BulkData, ComponentOf, Frames, InputError, MonitorPoint};
@@ -66,7 +66,7 @@ pub(crate) fn stations(deck: &ModalDeck) -> Result<(Vec<Station>, Vec<String>), 
 fn grids(bulk: &BulkData, card: &MonitorPoint) -> Option<Vec<u32>> {
     let of = |id: &u32| bulk.sets.get(id).map(|set| set.ids.clone());
     if card.is_structural {
-        return card.set.parse().ok().and_then(|id: u32| of(&id));
+        return card.set.parse().ok().and_then(|id: u32| of(&id)).and_then(|ids| loaded_grids(bulk, &ids));
     }
     let components = bulk.components_of(&card.set)?;
     if components.iter().any(|component| component.of != ComponentOf::Grids) {
