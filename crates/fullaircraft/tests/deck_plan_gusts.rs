@@ -5,7 +5,8 @@ use aero::Lattice;
 use fullaircraft::cases::file::DeckUnits;
 use fullaircraft::design_loads::deck::DeckPlan;
 use fullaircraft::design_loads::deck_gusts::DeckFlight;
-use fullaircraft::design_loads::instants::{FlownCase, FlownInstant};
+use fullaircraft::design_loads::fly::Nodal;
+use fullaircraft::design_loads::instants::{FlownCase, TurbulentLoad};
 use fullaircraft::{
     AircraftError, CasesFile, Component, GustDeck, NodalLoads, Station, TrimDeck, gust_cases,
 };
@@ -118,7 +119,7 @@ impl Ready {
     fn fly(&self, case: &Case) -> (FlownCase, Vec<NodalLoads>) {
         let flight = DeckFlight { deck: &self.deck, stations: &self.stations, search: false, nodal: true };
         let mut found = None;
-        let done = &mut |flown: FlownCase, nodal: &dyn Fn(&FlownInstant) -> Option<NodalLoads>| {
+        let done = &mut |flown: FlownCase, nodal: &Nodal<'_>| {
             let all = flown.instants.iter().filter_map(nodal).collect();
             found = Some((flown, all));
             Ok::<(), AircraftError>(())
@@ -174,9 +175,7 @@ fn a_wing_free_in_plunge_has_in_a_plan_s_turbulence_the_loads_of_another_doublet
         let facts = flown.turbulence.as_ref().expect("statistics");
         let net = ready.place("NET");
         let at = |load: usize| {
-            let own = |one: &fullaircraft::design_loads::instants::TurbulentLoad| {
-                (one.station, one.load) == (net, load)
-            };
+            let own = |one: &TurbulentLoad| (one.station, one.load) == (net, load);
             facts.loads.iter().position(own).expect("it moves")
         };
         let near = |what: &str, ours: f64, expected: &Value, share: f64| {

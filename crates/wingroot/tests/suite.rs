@@ -13,6 +13,7 @@ mod draws;
 mod effects;
 mod ensemble;
 mod flightloads;
+mod flightloads_aircraft;
 mod flutter;
 mod forms;
 mod free;

@@ -11,6 +11,7 @@ use loads::flight::{Channel, Condition, Reading, Source, readings};
 use nastran::{InputError, ron_or_json};
 use report::Table;
 
+use super::flightloads_aircraft::FlownAircraft;
 use super::flightloads_campaign::CampaignPoints;
 use super::flightloads_coverage as coverage;
 use super::flightloads_figures::write_figures;
@@ -30,6 +31,7 @@ use crate::show;
 #[command(after_help = "Examples:
   wingroot flightloads
   wingroot flightloads --measured my_flight/flight.ron --package out/loads
+  wingroot flightloads --measured my_flight/flight.ron --aircraft aircraft.ron --plan loads.ron
 
 flight.ron names stations with their gauges, conditions (tables of points, histories, sections of a wing, or wind-tunnel
 campaigns) and what is asked of calculated loads: no threshold is built in. Points that fitted the corrections count in no verdict.
@@ -41,6 +43,12 @@ pub struct FlightloadsArgs {
     /// Results of `loads`: how far what was flown covers its design loads
     #[arg(long, value_name = "DIR")]
     pub(crate) package: Option<PathBuf>,
+    /// An aircraft in flight: its loads at the measured airspeeds (V_m_s) and load factors (n_z), wings level, by both models
+    #[arg(long, value_name = "FILE")]
+    pub(crate) aircraft: Option<PathBuf>,
+    /// With --aircraft: the plan of design loads whose stations it has
+    #[arg(long, value_name = "FILE.ron", requires = "aircraft")]
+    pub(crate) plan: Option<PathBuf>,
 }
 
 /// Runs the command.
@@ -55,11 +63,18 @@ pub(crate) fn run(args: &FlightloadsArgs, common: &Common) -> Result<(), Failure
     let channels = file.channels();
     let campaigns = CampaignPoints::all(&file)?;
     let wing = TunnelWing::read(&file, &campaigns)?;
-    let all = measured(&file, &channels, &campaigns, wing.as_ref())?;
+    let flown = args
+        .aircraft
+        .as_deref()
+        .map(|aircraft| FlownAircraft::read(aircraft, args.plan.as_deref(), &file, common));
+    let models = Models { wing: wing.as_ref(), aircraft: flown.transpose()? };
+    let all = measured(&file, &channels, &campaigns, &models)?;
     let rows = rows(&file, &all);
     if rows.is_empty() {
         return Err(InputError::in_file(&path, "no load was calculated")
-            .with_help("name a `wing`, or bring columns such as initial_root_Mx_Nm in the tables")
+            .with_help(
+                "name a `wing`, or --aircraft, or bring columns such as initial_root_Mx_Nm in the tables",
+            )
             .into());
     }
     let covered =
@@ -68,6 +83,12 @@ pub(crate) fn run(args: &FlightloadsArgs, common: &Common) -> Result<(), Failure
     folder.input("measured", &path)?;
     if let Some(wing) = &wing {
         folder.input("wing", &wing.file.path)?;
+    }
+    if let Some(aircraft) = &models.aircraft {
+        aircraft.prepared.inputs.iter().try_for_each(|(what, path)| folder.input(what, path))?;
+    }
+    if let Some(plan) = &args.plan {
+        folder.input("plan", plan)?;
     }
     if let Some(package) = &args.package {
         folder.input("design loads", &package.join("envelope.csv"))?;
@@ -78,7 +99,7 @@ pub(crate) fn run(args: &FlightloadsArgs, common: &Common) -> Result<(), Failure
     }
     folder.write_text("flightloads.csv", &csv(&rows))?;
     write_figures(&folder, &file, &all)?;
-    let mut result = FlightloadsResult::new(&file, wing.as_ref().map(TunnelWing::origin), rows, &campaigns);
+    let mut result = FlightloadsResult::new(&file, models.origin(), rows, &campaigns);
     result.coverage = covered;
     result.seconds = start.elapsed().as_secs_f64();
     let json = as_json(&result)?;
@@ -90,13 +111,28 @@ pub(crate) fn run(args: &FlightloadsArgs, common: &Common) -> Result<(), Failure
     show::json(common, &json)
 }
 
+/// What loads are calculated with.
+struct Models<'a> {
+    wing: Option<&'a TunnelWing>,
+    aircraft: Option<FlownAircraft>,
+}
+
+impl Models<'_> {
+    /// Where the corrections come from.
+    fn origin(&self) -> Option<String> {
+        let flown = self.aircraft.as_ref().map(|aircraft| aircraft.prepared.wing.origin.clone());
+        flown.or_else(|| self.wing.map(TunnelWing::origin))
+    }
+}
+
 /// Readings and calculated loads of all conditions.
 fn measured(
     file: &FlightFile,
     channels: &[Channel],
     campaigns: &[CampaignPoints],
-    wing: Option<&TunnelWing>,
+    models: &Models<'_>,
 ) -> Result<Vec<Measured>, Failure> {
+    let wing = models.wing;
     let one = |condition: Condition| -> Result<Measured, Failure> {
         if let Source::Sections(name) = &condition.source {
             let rho = campaigns.first().map(|campaign| campaign.rho_kg_m3).or(file.rho_kg_m3);
@@ -108,8 +144,10 @@ fn measured(
             None => readings(file, &condition)?,
         };
         let brings = readings.iter().any(|reading| reading.calculated.iter().any(Option::is_some));
-        let calculated = if brings || wing.is_none() {
+        let calculated = if brings || (wing.is_none() && models.aircraft.is_none()) {
             [0, 1].map(|model| brought(&readings, model))
+        } else if let Some(aircraft) = &models.aircraft {
+            aircraft.calculated(file, &condition, channels, &readings)?
         } else {
             if let Source::History(name, _) = &condition.source {
                 let message = format!(

@@ -128,6 +128,7 @@ mod discover_figures;
 mod discover_nulls;
 mod discover_results;
 mod discover_search;
+mod flightloads_aircraft;
 mod flightloads_campaign;
 mod flightloads_coverage;
 mod flightloads_figures;
