@@ -337,6 +337,41 @@ fn a_side_gust_meets_a_fin_as_one_upwards_meets_a_wing() {
 }
 
 #[test]
+fn a_gust_from_the_right_pushes_a_whole_deck_s_fin_to_the_left() {
+    // a whole rigid aircraft of a wing and a fin, free in plunge and to the side
+    let grids = "GRID,1,,.5,0.,0.\nGRID,3,,0.,-3.,0.\nGRID,4,,1.,-3.,0.\nGRID,5,,0.,3.,0.\nGRID,6,,1.,3.,0.\nGRID,7,,3.,0.,0.\n\
+                 GRID,8,,4.,0.,0.\nGRID,9,,3.,0.,2.\nGRID,10,,4.,0.,2.\nCONM2,11,1,,200.\nRBE2,13,1,123456,3,4,5,6,7,+R\n+R,8,9,10\n";
+    let deck = format!(
+        "SOL 144\nCEND\nSPC = 1\nMETHOD = 5\nTRIM = 1\nBEGIN BULK\n{grids}CELAS2,14,1.-9,1,3\nCELAS2,15,1.-9,1,2\nSPC1,1,1456,1\n\
+         SUPORT,1,23\nEIGRL,5,,,2\nPAERO1,1\nCAERO1,1001,1,,16,4,,,1\n,0.,-3.,0.,1.,0.,3.,0.,1.\nSET1,30,3,THRU,6\n\
+         SPLINE1,20,1001,1001,1064,30\nCAERO1,2001,1,,6,4,,,1\n,3.,0.,0.,1.,3.,0.,2.,1.\nSET1,32,7,THRU,10\n\
+         SPLINE1,21,2001,2001,2024,32\nAEROS,0,0,1.,6.,6.,0\nAESTAT,501,ANGLEA\nAESTAT,502,SIDES\nAESTAT,503,URDD3\n\
+         AESTAT,504,URDD2\nTRIM,1,0.,61.25,URDD3,{G},URDD2,0.\nENDDATA\n"
+    );
+    let bulk = parse_deck("whole", &deck).unwrap_or_else(|error| panic!("{error}"));
+    let ready = Ready::new(&bulk, DeckUnits::default(), V_M_S);
+    let side = |u_ds_m_s: f64| {
+        let action =
+            Action::Discrete { gradient_m: 12.0, direction: Direction::Lateral, u_ds_m_s, refine: false };
+        let side = case(V_M_S, action);
+        assert_eq!(ready.plan.left_out(&side, &[]), None);
+        let (flown, _) = ready.flown(&side);
+        let whole = ready.place("whole");
+        let loads: Vec<[f64; 6]> = flown.instants.iter().map(|one| one.loads[whole][0]).collect();
+        let of = |load: usize, sign: f64| {
+            loads.iter().map(|six| sign * six[load]).fold(f64::NEG_INFINITY, f64::max)
+        };
+        let lift = of(2, 1.0) - 200.0 * G;
+        assert!(lift.abs() < 1e-6 * 200.0 * G, "it changes no lift: {lift}");
+        [of(1, 1.0), of(1, -1.0)]
+    };
+    let [right, left] = side(1.0);
+    // in slow air of 1 m/s at 10 m/s: below the fin's flat plate, 2 pi q S w/V, above a fifth of it
+    let plate = 2.0 * PI * 0.5 * Air::at(0.0).rho_kg_m3 * V_M_S * 2.0;
+    assert!((0.2 * plate..plate).contains(&left) && right < 0.3 * left, "{right} {left} beside {plate}");
+}
+
+#[test]
 fn an_unstable_deck_a_side_gust_on_half_of_one_and_a_deck_without_modes_are_refused() {
     // the weight goes from the nose to the tail
     let aft =

@@ -75,9 +75,8 @@ fn table(path: &Path) -> (Vec<String>, Vec<Vec<String>>) {
     (head, rows.collect())
 }
 
-#[test]
-fn a_flight_of_the_design_states_with_the_design_loads_is_reliable_with_a_slope_of_one() {
-    let folder = flown("design");
+/// The states that were flown with their loads by the updated model, as a table of measurements, and how many.
+fn measured(folder: &Folder) -> (String, usize) {
     let (_, cases) = table(&folder.0.join("design/cases.csv"));
     let (_, loads) = table(&folder.0.join("design/station_loads.csv"));
     let mx = |case: &str, station: &str| {
@@ -89,69 +88,62 @@ fn a_flight_of_the_design_states_with_the_design_loads_is_reliable_with_a_slope_
     let mut points = String::from("V_m_s,n_z,root_Mx_Nm,half_Mx_Nm\n");
     let flown: Vec<&Vec<String>> = cases.iter().filter(|row| row[10] == "flown").collect();
     for row in &flown {
+        let [root, half] = ["right root", "right half"].map(|station| mx(&row[0], station));
         // Writing to a String cannot fail.
-        let _ = writeln!(
-            points,
-            "{},{},{},{}",
-            row[4],
-            row[7],
-            mx(&row[0], "right root"),
-            mx(&row[0], "right half")
-        );
+        let _ = writeln!(points, "{},{},{root},{half}", row[4], row[7]);
     }
+    (points, flown.len())
+}
+
+#[test]
+fn a_flight_of_the_design_states_with_the_design_loads_is_reliable_with_a_slope_of_one() {
+    let folder = flown("design");
+    let (points, count) = measured(&folder);
     folder.write("points.csv", &points);
     // the same states one after the other
-    let history: Vec<String> = points
-        .lines()
-        .enumerate()
-        .map(|(at, line)| if at == 0 { format!("t_s,{line}") } else { format!("{at},{line}") })
-        .collect();
-    folder.write("history.csv", &(history.join("\n") + "\n"));
+    let in_time =
+        |(at, line): (usize, &str)| if at == 0 { format!("t_s,{line}\n") } else { format!("{at},{line}\n") };
+    folder.write("history.csv", &points.lines().enumerate().map(in_time).collect::<String>());
     let output = folder.judged();
     assert!(output.status.success(), "{}", said(&output));
     let result: Value = serde_json::from_slice(&output.stdout).expect("JSON");
-    let rows = result["rows"].as_array().expect("rows");
     let of = |condition: &str, station: &str, model: &str| {
-        let is = |row: &&Value| {
-            (&row["condition"], &row["station"], &row["model"])
-                == (&condition.into(), &station.into(), &model.into())
-        };
+        let keys = [("condition", condition), ("station", station), ("model", model)];
+        let is = |row: &&Value| keys.iter().all(|(key, value)| row[key] == *value);
+        let rows = result["rows"].as_array().expect("rows");
         rows.iter().find(is).unwrap_or_else(|| panic!("{condition} {station} {model}"))
     };
     for station in ["root", "half"] {
         let row = of("pull-ups", station, "updated");
-        let slope = row["line"]["slope"]["value"].as_f64().expect("a slope");
+        let slope = |row: &Value| row["line"]["slope"]["value"].as_f64().expect("a slope");
         // cases.csv has airspeeds and load factors to six digits behind the point
-        assert!((slope - 1.0).abs() < 1e-5 && row["verdict"] == "reliable", "{row}");
-        assert_eq!(row["points"], flown.len(), "{row}");
+        assert!((slope(row) - 1.0).abs() < 1e-5 && row["verdict"] == "reliable", "{row}");
+        assert_eq!(row["points"], count, "{row}");
         let worst = of("a pull-up in time", station, "updated")["worst_ratio"].as_f64().expect("a ratio");
         assert!((worst - 1.0).abs() < 1e-5, "{worst}");
-        let initial = of("pull-ups", station, "initial")["line"]["slope"]["value"].as_f64().expect("a slope");
+        let initial = slope(of("pull-ups", station, "initial"));
         assert!((initial - 1.0).abs() > 0.01, "the initial model has other loads: {initial}");
     }
-    // rolls, stations that are not there, no load factor, a wing in the tunnel beside it
+    refused(&folder, &points);
+}
+
+/// Rolls, no load factor, a station that is not there, a wing in the tunnel beside the aircraft.
+fn refused(folder: &Folder, points: &str) {
     let still = points.replace("V_m_s,", "delta_outer_deg,V_m_s,").replace('\n', "\n0,");
     let rolls = still.trim_end_matches("0,").replacen("\n0,", "\n5,", 1);
+    let tunnel = FLIGHT.replace("state_sigma:", "wing: Some(\"wing.ron\"), state_sigma:");
+    let third = [FLIGHT, points].map(|text| text.replace("half", "third"));
     for (changes, words) in [
-        (vec![("points.csv", rolls.to_owned())], "delta_outer_deg is not zero"),
+        (vec![("points.csv", rolls)], "delta_outer_deg is not zero"),
         (vec![("points.csv", points.replace("n_z", "n_x"))], "no load factor"),
-        (
-            vec![
-                ("flight.ron", FLIGHT.replace("half", "third")),
-                ("points.csv", points.replace("half", "third")),
-            ],
-            "no station third",
-        ),
-        (
-            vec![("flight.ron", FLIGHT.replace("state_sigma:", "wing: Some(\"wing.ron\"), state_sigma:"))],
-            "wing",
-        ),
+        (["flight.ron", "points.csv"].into_iter().zip(third).collect(), "no station third"),
+        (vec![("flight.ron", tunnel)], "brings its own wing"),
     ] {
         changes.iter().for_each(|(file, text)| folder.write(file, text));
         let output = folder.judged();
         assert_eq!(output.status.code(), Some(2), "{words}: {}", said(&output));
         assert!(said(&output).contains(words), "{words}: {}", said(&output));
-        folder.write("points.csv", &points);
+        folder.write("points.csv", points);
         folder.write("flight.ron", FLIGHT);
     }
 }

@@ -6,7 +6,7 @@ use crate::deck::gust::waves::GustWaves;
 use crate::deck::modal::ModalDeck;
 use crate::deck::trim::TrimDeck;
 use crate::design_loads::deck::DeckPlan;
-use crate::design_loads::deck_motion::{Changes, DeckMotion, Spectrum, rows_of};
+use crate::design_loads::deck_motion::{DeckMotion, Spectrum, Wave, rows_of};
 use crate::design_loads::fly::{Done, Nodal, refused};
 use crate::design_loads::in_time::{AFTER_S, axis_of, unstable_words};
 use crate::design_loads::instants::{FlownCase, driving};
@@ -28,7 +28,7 @@ const HARMONICS: f64 = 8.0;
 /// Samples while a gust passes a point.
 const SAMPLES: f64 = 128.0;
 /// Longest time that is flown after a gust, s: two periods of the first elastic mode, at most this.
-const LONGEST_AFTER_S: f64 = 5.0;
+const LONGEST_AFTER_S: f64 = 3.0;
 /// The period of an answer is at first so many times the flight.
 const PERIODS: f64 = 3.0;
 /// How often it is doubled, if something of the answer is left.
@@ -255,7 +255,7 @@ impl InGusts<'_> {
                 let flown = self.one(&lasting, case.number, &gust_of);
                 let nodal: &Nodal<'_> = &|instant| {
                     let gust_of = gust(case, instant.gradient_m)?;
-                    let changes = self.changes(&lasting, &gust_of, &[instant.t_s]);
+                    let changes = self.motion.in_time(&lasting, &self.wave(&gust_of), &[instant.t_s]);
                     Some(self.motion.nodal(&changes, 0))
                 };
                 done(flown, nodal)?;
@@ -278,14 +278,19 @@ impl InGusts<'_> {
         (gust.length_m + self.behind_m) / self.v_m_s + self.after_s
     }
 
-    fn changes(&self, spectrum: &Spectrum, gust: &Gust, t_s: &[f64]) -> Changes {
-        let gust_of_deck = Gust { velocity_m_s: gust.velocity_m_s / self.length_m, ..*gust };
-        self.motion.in_time(spectrum, &gust_of_deck, self.v_m_s, t_s, HARMONICS)
+    fn wave(&self, gust: &Gust) -> Wave {
+        Wave {
+            velocity: gust.velocity_m_s / self.length_m,
+            lasts_s: gust.length_m / self.v_m_s,
+            harmonics: HARMONICS,
+        }
     }
 
     /// Answers over frequency whose period is long enough for all gusts to die away, or why there are none.
     fn lasting(&self, cases: &[&Case]) -> Result<Spectrum, String> {
-        let gusts: Vec<Gust> = cases.iter().filter_map(|case| gust(case, None)).collect();
+        let mut gusts: Vec<Gust> = cases.iter().filter_map(|case| gust(case, None)).collect();
+        gusts.sort_by(|a, b| a.length_m.total_cmp(&b.length_m));
+        gusts.dedup_by(|a, b| a.length_m == b.length_m);
         let longest_s = gusts.iter().map(|gust| self.flight_s(gust)).fold(0.0, f64::max);
         let highest = cases.iter().map(|case| highest_rad_s(case)).fold(0.0, f64::max);
         let mut period_s = PERIODS * longest_s.max(f64::MIN_POSITIVE);
@@ -311,33 +316,20 @@ impl InGusts<'_> {
 
     /// What is left of a gust's loads at the end of the period, share of each load's peak.
     fn left(&self, spectrum: &Spectrum, gust: &Gust, period_s: f64) -> f64 {
-        let flown = self.changes(spectrum, gust, &self.times(gust));
-        let ends: Vec<f64> = (0..64).map(|at| period_s * (0.95 + 0.05 / 64.0 * f64::from(at))).collect();
-        let ending = self.changes(spectrum, gust, &ends);
-        let peaks = |changes: &Changes, samples: usize| -> Vec<f64> {
-            let mut peaks = vec![0.0_f64; 6 * self.motion.stations.len()];
-            for (station, sample) in
-                (0..self.motion.stations.len()).flat_map(|s| (0..samples).map(move |k| (s, k)))
-            {
-                let net = self.motion.net_change(changes, station, sample);
-                (0..6).for_each(|load| {
-                    peaks[6 * station + load] = peaks[6 * station + load].max(net[load].abs());
-                });
-            }
-            peaks
+        let peaks = |t_s: &[f64]| -> Vec<f64> {
+            let net = self.motion.net_in_time(spectrum, &self.wave(gust), t_s);
+            net.row_iter().map(|row| row.iter().fold(0.0_f64, |most, load| most.max(load.abs()))).collect()
         };
-        let (largest, last) = (peaks(&flown, self.times(gust).len()), peaks(&ending, ends.len()));
+        let ends: Vec<f64> = (0..64).map(|at| period_s * (0.95 + 0.05 / 64.0 * f64::from(at))).collect();
+        let flown: Vec<f64> = self.times(gust).into_iter().step_by(4).collect();
+        let (largest, last) = (peaks(&flown), peaks(&ends));
         let of_kind = |kind: usize| {
             let own = largest.iter().enumerate().filter(|(at, _)| at % 6 / 3 == kind);
             own.map(|(_, value)| *value).fold(0.0, f64::max)
         };
         let kinds = [of_kind(0), of_kind(1)];
-        let shares = largest
-            .iter()
-            .zip(&last)
-            .enumerate()
-            .filter(|(at, (peak, _))| **peak > NOTHING * kinds[at % 6 / 3]);
-        shares.map(|(_, (peak, left))| left / peak).fold(0.0, f64::max)
+        let moves = |at: usize| largest[at] > NOTHING * kinds[at % 6 / 3];
+        (0..largest.len()).filter(|at| moves(*at)).map(|at| last[at] / largest[at]).fold(0.0, f64::max)
     }
 
     fn times(&self, gust: &Gust) -> Vec<f64> {
@@ -349,15 +341,16 @@ impl InGusts<'_> {
     /// A gust by the instants that can drive a load.
     fn one(&self, spectrum: &Spectrum, number: usize, gust: &Gust) -> FlownCase {
         let t_s = self.times(gust);
-        let changes = self.changes(spectrum, gust, &t_s);
+        let change = self.motion.net_in_time(spectrum, &self.wave(gust), &t_s);
         let net = |station: usize, sample: usize| {
-            let (level, change) =
-                (self.motion.level(station), self.motion.net_change(&changes, station, sample));
-            std::array::from_fn(|load| level[load] + change[load])
+            let level = self.motion.level(station);
+            std::array::from_fn(|load| level[load] + change[(6 * station + load, sample)])
         };
         let driving = driving(&net, self.motion.stations.len(), t_s.len(), self.axis);
+        let at_s: Vec<f64> = driving.into_iter().map(|sample| t_s[sample]).collect();
+        let changes = self.motion.in_time(spectrum, &self.wave(gust), &at_s);
         let instants =
-            driving.iter().map(|sample| self.motion.instant(&changes, t_s[*sample], *sample)).collect();
+            at_s.iter().enumerate().map(|(at, t_s)| self.motion.instant(&changes, *t_s, at)).collect();
         FlownCase { number, model: self.which, instants, ..FlownCase::default() }.if_finite()
     }
 }

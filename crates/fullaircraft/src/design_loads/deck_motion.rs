@@ -11,7 +11,6 @@ use crate::deck::modal::ModalDeck;
 use crate::deck::structure::box_displacements;
 use crate::design_loads::instants::FlownInstant;
 use crate::error::AircraftError;
-use crate::flight::gust::Gust;
 use crate::stations::nodal::{Component, NodalLoads};
 use crate::stations::places::Station;
 use faer::{Mat, MatRef, c64};
@@ -44,6 +43,48 @@ pub(super) struct Spectrum {
     pub(super) waves: Waves,
     inertia: Mat<c64>,
     damping: Mat<c64>,
+    /// Net loads of the stations, six each, N and N m.
+    pub(super) net: Mat<c64>,
+}
+
+/// A gust of one minus a cosine as its answer is made of.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Wave {
+    /// Its largest velocity, the deck's unit of length a second.
+    pub(super) velocity: f64,
+    /// How long it takes to pass, s.
+    pub(super) lasts_s: f64,
+    /// How many harmonics of that time count.
+    pub(super) harmonics: f64,
+}
+
+impl Wave {
+    /// What each frequency (rad/s, equal steps from half a step on) adds at each time, real and imaginary parts, frequencies by times.
+    fn turns(&self, omega_rad_s: &[f64], t_s: &[f64]) -> [Mat<f64>; 2] {
+        let highest = self.harmonics * TAU / self.lasts_s;
+        let count = omega_rad_s.partition_point(|omega| *omega <= highest);
+        let first = omega_rad_s.first().copied().unwrap_or(0.0);
+        let scale = self.velocity * 2.0 * first / PI;
+        let amplitudes: Vec<c64> =
+            omega_rad_s[..count].iter().map(|omega| one_minus_cosine(*omega, self.lasts_s) * scale).collect();
+        let [mut re, mut im] = [0, 1].map(|_| Mat::zeros(count, t_s.len()));
+        for (at, t_s) in t_s.iter().enumerate() {
+            let step = c64::cis(2.0 * first * t_s);
+            let mut turn = c64::cis(first * t_s);
+            for (k, amplitude) in amplitudes.iter().enumerate() {
+                let value = amplitude * turn;
+                (re[(k, at)], im[(k, at)]) = (value.re, value.im);
+                turn *= step;
+            }
+        }
+        [re, im]
+    }
+}
+
+/// The real parts of amplitudes (by frequency) times what each frequency adds.
+fn real(of: &Mat<c64>, [re, im]: &[Mat<f64>; 2]) -> Mat<f64> {
+    let part = |part: fn(&c64) -> f64| Mat::from_fn(of.nrows(), re.nrows(), |i, k| part(&of[(i, k)]));
+    part(|value| value.re) * re - part(|value| value.im) * im
 }
 
 /// Changes from level flight, a column a sample: the air's loads on the rows, and the forces on the modes by inertia and by damping.
@@ -99,18 +140,15 @@ impl<'a> DeckMotion<'a> {
     /// With its answers at frequencies, rad/s.
     pub(super) fn spectrum(&self, omega_rad_s: Vec<f64>) -> Result<Spectrum, AircraftError> {
         let waves = self.waves.at(omega_rad_s)?;
-        Ok(Spectrum { inertia: waves.inertia(), damping: waves.damping(&self.waves), waves })
-    }
-
-    /// Net loads of the stations over frequency, six each, N and N m per unit velocity of the deck.
-    pub(super) fn net(&self, spectrum: &Spectrum) -> Mat<c64> {
-        let count = SIX * self.stations.len();
-        let on_modes = &spectrum.inertia + &spectrum.damping;
-        let by_modes = Mat::from_fn(count, self.by_modes.ncols(), |i, j| c64::from(self.by_modes[(i, j)]));
+        let (inertia, damping) = (waves.inertia(), waves.damping(&self.waves));
+        let on_modes = &inertia + &damping;
+        let by_modes =
+            Mat::from_fn(self.by_modes.nrows(), on_modes.nrows(), |i, j| c64::from(self.by_modes[(i, j)]));
         let moved = by_modes * on_modes;
-        Mat::from_fn(count, moved.ncols(), |i, k| {
-            (spectrum.waves.rows[(i, k)] + moved[(i, k)]) * self.units[i % SIX / 3]
-        })
+        let net = Mat::from_fn(moved.nrows(), moved.ncols(), |i, k| {
+            (waves.rows[(i, k)] + moved[(i, k)]) * self.units[i % SIX / 3]
+        });
+        Ok(Spectrum { waves, inertia, damping, net })
     }
 
     /// The air's load of a station over frequency, N or N m per unit velocity of the deck.
@@ -121,34 +159,18 @@ impl<'a> DeckMotion<'a> {
     }
 
     /// What a gust (velocity in the deck's unit of length, the aircraft's speed in m/s) does at times, s, by answers at equal steps.
-    pub(super) fn in_time(
-        &self,
-        spectrum: &Spectrum,
-        gust: &Gust,
-        v_m_s: f64,
-        t_s: &[f64],
-        harmonics: f64,
-    ) -> Changes {
-        let omega = &spectrum.waves.omega_rad_s;
-        let lasts_s = gust.length_m / v_m_s;
-        let count = omega.partition_point(|omega| *omega <= harmonics * TAU / lasts_s);
-        let step = 2.0 * omega.first().copied().unwrap_or(0.0);
-        let amplitudes: Vec<c64> = omega[..count]
-            .iter()
-            .map(|omega| one_minus_cosine(*omega, lasts_s) * (gust.velocity_m_s * step / PI))
-            .collect();
-        let turned = |k: usize, at: usize| amplitudes[k] * c64::cis(omega[k] * t_s[at]);
-        let re = Mat::from_fn(count, t_s.len(), |k, at| turned(k, at).re);
-        let im = Mat::from_fn(count, t_s.len(), |k, at| turned(k, at).im);
-        let real = |of: &Mat<c64>| {
-            let part = |part: fn(&c64) -> f64| Mat::from_fn(of.nrows(), count, |i, k| part(&of[(i, k)]));
-            part(|value| value.re) * &re - part(|value| value.im) * &im
-        };
+    pub(super) fn in_time(&self, spectrum: &Spectrum, wave: &Wave, t_s: &[f64]) -> Changes {
+        let turns = wave.turns(&spectrum.waves.omega_rad_s, t_s);
         Changes {
-            rows: real(&spectrum.waves.rows),
-            inertia: real(&spectrum.inertia),
-            damping: real(&spectrum.damping),
+            rows: real(&spectrum.waves.rows, &turns),
+            inertia: real(&spectrum.inertia, &turns),
+            damping: real(&spectrum.damping, &turns),
         }
+    }
+
+    /// Changes of the stations' net loads alone, six rows each, N and N m, a column a time.
+    pub(super) fn net_in_time(&self, spectrum: &Spectrum, wave: &Wave, t_s: &[f64]) -> Mat<f64> {
+        real(&spectrum.net, &wave.turns(&spectrum.waves.omega_rad_s, t_s))
     }
 
     /// What goes with each of some loads in turbulence, per their root mean squares times `factors`.
@@ -185,12 +207,6 @@ impl<'a> DeckMotion<'a> {
             value * self.units[load / 3]
         };
         std::array::from_fn(|part| std::array::from_fn(|load| each(part, load)))
-    }
-
-    /// The change of a station's net loads at a sample, N and N m.
-    pub(super) fn net_change(&self, changes: &Changes, station: usize, sample: usize) -> [f64; SIX] {
-        let parts = self.change(changes, station, sample);
-        std::array::from_fn(|load| parts.iter().map(|part| part[load]).sum())
     }
 
     /// Net loads of a station in level flight, N and N m.

@@ -45,9 +45,11 @@ impl InGusts<'_> {
 
     /// Net loads of all stations, then the load factor if the whole is one of them, per m/s.
     fn per_m_s(&self, spectrum: &Spectrum) -> Vec<Vec<c64>> {
-        let net = self.motion.net(spectrum);
-        let mut loads: Vec<Vec<c64>> =
-            net.row_iter().map(|row| row.iter().map(|value| *value / self.length_m).collect()).collect();
+        let mut loads: Vec<Vec<c64>> = spectrum
+            .net
+            .row_iter()
+            .map(|row| row.iter().map(|value| *value / self.length_m).collect())
+            .collect();
         let grids = self.motion.waves.modal.system.node_count();
         if let Some(whole) = self.motion.stations.iter().position(|station| station.nodes.len() == grids) {
             let scale = 1.0 / (self.length_m * self.weight_n);

@@ -62,12 +62,13 @@ pub(crate) fn run(args: &FlightloadsArgs, common: &Common) -> Result<(), Failure
     let file = FlightFile::read(&path)?;
     let channels = file.channels();
     let campaigns = CampaignPoints::all(&file)?;
-    let wing = TunnelWing::read(&file, &campaigns)?;
     let flown = args
         .aircraft
         .as_deref()
-        .map(|aircraft| FlownAircraft::read(aircraft, args.plan.as_deref(), &file, common));
-    let models = Models { wing: wing.as_ref(), aircraft: flown.transpose()? };
+        .map(|aircraft| FlownAircraft::read(aircraft, args.plan.as_deref(), &file, common))
+        .transpose()?;
+    let wing = TunnelWing::read(&file, &campaigns)?;
+    let models = Models { wing: wing.as_ref(), aircraft: flown };
     let all = measured(&file, &channels, &campaigns, &models)?;
     let rows = rows(&file, &all);
     if rows.is_empty() {

@@ -66,7 +66,7 @@ impl FlownAircraft {
                 _ => aircraft.with_corrections(&self.prepared.corrections)?,
             };
             let flown = flown.in_air(self.rho_kg_m3);
-            let one = |reading: &Reading| self.one(&tools, &flown, (file, reading), &places);
+            let one = |reading: &Reading| self.one(&tools, &flown, reading, file.state_sigma.v_m_s, &places);
             *calculated = Some(readings.iter().map(one).collect::<Result<_, Failure>>()?);
         }
         Ok(models)
@@ -121,7 +121,8 @@ impl FlownAircraft {
         &self,
         tools: &TrimTools<'_>,
         model: &FlightModel<'_>,
-        (file, reading): (&FlightFile, &Reading),
+        reading: &Reading,
+        noise_m_s: f64,
         places: &[(usize, usize)],
     ) -> Result<Calculated, Failure> {
         let missing = |what: &str| {
@@ -145,11 +146,10 @@ impl FlownAircraft {
             Ok(places.iter().map(|(place, load)| self.stations[*place].sums(points, &net)[*load]).collect())
         };
         let loads = at(v_m_s)?;
-        let sigma = match file.state_sigma.v_m_s {
-            noise if noise > 0.0 => {
-                at(v_m_s + noise)?.iter().zip(&loads).map(|(moved, load)| (moved - load).abs()).collect()
-            }
-            _ => vec![0.0; loads.len()],
+        let sigma = if noise_m_s > 0.0 {
+            at(v_m_s + noise_m_s)?.iter().zip(&loads).map(|(moved, load)| (moved - load).abs()).collect()
+        } else {
+            vec![0.0; loads.len()]
         };
         Ok(Calculated { loads, sigma })
     }
