@@ -117,7 +117,8 @@ impl Ready {
 
     /// A case as it is flown, and loads at grids of its instants.
     fn fly(&self, case: &Case) -> (FlownCase, Vec<NodalLoads>) {
-        let flight = DeckFlight { deck: &self.deck, stations: &self.stations, search: false, nodal: true };
+        let stations = &self.stations;
+        let flight = DeckFlight { deck: &self.deck, stations, search: false, nodal: true, all: &[case] };
         let mut found = None;
         let done = &mut |flown: FlownCase, nodal: &Nodal<'_>| {
             let all = flown.instants.iter().filter_map(nodal).collect();
@@ -345,7 +346,7 @@ fn a_gust_from_the_right_pushes_a_whole_deck_s_fin_to_the_left() {
         "SOL 144\nCEND\nSPC = 1\nMETHOD = 5\nTRIM = 1\nBEGIN BULK\n{grids}CELAS2,14,1.-9,1,3\nCELAS2,15,1.-9,1,2\nSPC1,1,1456,1\n\
          SUPORT,1,23\nEIGRL,5,,,2\nPAERO1,1\nCAERO1,1001,1,,16,4,,,1\n,0.,-3.,0.,1.,0.,3.,0.,1.\nSET1,30,3,THRU,6\n\
          SPLINE1,20,1001,1001,1064,30\nCAERO1,2001,1,,6,4,,,1\n,3.,0.,0.,1.,3.,0.,2.,1.\nSET1,32,7,THRU,10\n\
-         SPLINE1,21,2001,2001,2024,32\nAEROS,0,0,1.,6.,6.,0\nAESTAT,501,ANGLEA\nAESTAT,502,SIDES\nAESTAT,503,URDD3\n\
+         SPLINE1,21,2001,2001,2024,32\nMONPNT3,FIN     ,fin\n,246,32,,0,3.5,0.,0.\nAEROS,0,0,1.,6.,6.,0\nAESTAT,501,ANGLEA\nAESTAT,502,SIDES\nAESTAT,503,URDD3\n\
          AESTAT,504,URDD2\nTRIM,1,0.,61.25,URDD3,{G},URDD2,0.\nENDDATA\n"
     );
     let bulk = parse_deck("whole", &deck).unwrap_or_else(|error| panic!("{error}"));
@@ -356,13 +357,16 @@ fn a_gust_from_the_right_pushes_a_whole_deck_s_fin_to_the_left() {
         let side = case(V_M_S, action);
         assert_eq!(ready.plan.left_out(&side, &[]), None);
         let (flown, _) = ready.flown(&side);
-        let whole = ready.place("whole");
+        let [whole, fin] = ["whole", "FIN"].map(|name| ready.place(name));
         let loads: Vec<[f64; 6]> = flown.instants.iter().map(|one| one.loads[whole][0]).collect();
         let of = |load: usize, sign: f64| {
             loads.iter().map(|six| sign * six[load]).fold(f64::NEG_INFINITY, f64::max)
         };
         let lift = of(2, 1.0) - 200.0 * G;
         assert!(lift.abs() < 1e-6 * 200.0 * G, "it changes no lift: {lift}");
+        assert!(
+            flown.instants.iter().all(|one| (one.loads[fin][0][1] - one.loads[whole][0][1]).abs() < 1e-9)
+        );
         [of(1, 1.0), of(1, -1.0)]
     };
     let [right, left] = side(1.0);

@@ -59,6 +59,8 @@ pub struct DeckFlight<'a> {
     pub search: bool,
     /// Whether loads at grids are asked for.
     pub nodal: bool,
+    /// All gusts that the plan has in this flow: frequencies and periods are theirs, so that which of them are flown changes no digit.
+    pub all: &'a [&'a Case],
 }
 
 /// Cases of one flow, model and axis.
@@ -77,6 +79,8 @@ pub(super) struct InGusts<'a> {
     behind_m: f64,
     after_s: f64,
     search: bool,
+    /// All cases of the flow and axis.
+    all: Vec<&'a Case>,
 }
 
 impl DeckPlan {
@@ -116,7 +120,7 @@ impl DeckPlan {
             if own.is_empty() {
                 continue;
             }
-            match self.in_gusts(flight, (model, axis), &own) {
+            match self.in_gusts(flight, (model, axis), own[0]) {
                 Ok(ready) => ready.fly(&own, done)?,
                 Err(why) => {
                     own.iter().try_for_each(|case| done(refused(case, model, &why), &|_| None))?;
@@ -131,16 +135,16 @@ impl DeckPlan {
         &self,
         flight: DeckFlight<'a>,
         (model, axis): (usize, GustAxis),
-        cases: &[&Case],
+        first: &Case,
     ) -> Result<InGusts<'a>, String> {
-        let first = cases[0];
+        let all: Vec<&Case> = flight.all.iter().copied().filter(|case| axis_of(case) == axis).collect();
         let level = self.fly(flight.deck, first, model, flight.stations);
         let (Some(instant), Some(nodal)) = (level.case.instants.first(), level.nodal) else {
             return Err(level.case.refused.unwrap_or_default());
         };
         let v_m_s = first.v_m_s;
         let length_m = self.units.length_m;
-        let highest_rad_s = cases.iter().map(|case| highest_rad_s(case)).fold(0.0, f64::max);
+        let highest_rad_s = all.iter().map(|case| highest_rad_s(case)).fold(0.0, f64::max);
         let direction = if axis == GustAxis::Lateral { [0.0, -1.0, 0.0] } else { [0.0, 0.0, 1.0] };
         let v = v_m_s / length_m;
         let q = self.dynamic_pressure(first);
@@ -181,6 +185,7 @@ impl DeckPlan {
             weight_n,
             after_s,
             modes,
+            all,
         })
     }
 
@@ -238,7 +243,10 @@ impl InGusts<'_> {
         for case in rough {
             self.rough(case, done)?;
         }
-        let lasting = match self.lasting(&single) {
+        if single.is_empty() {
+            return Ok(());
+        }
+        let lasting = match self.lasting() {
             Ok(lasting) => lasting,
             Err(why) => {
                 return single.iter().try_for_each(|case| done(refused(case, self.which, &why), &|_| None));
@@ -287,7 +295,9 @@ impl InGusts<'_> {
     }
 
     /// Answers over frequency whose period is long enough for all gusts to die away, or why there are none.
-    fn lasting(&self, cases: &[&Case]) -> Result<Spectrum, String> {
+    fn lasting(&self) -> Result<Spectrum, String> {
+        let cases: Vec<&Case> =
+            self.all.iter().copied().filter(|case| matches!(case.action, Action::Discrete { .. })).collect();
         let mut gusts: Vec<Gust> = cases.iter().filter_map(|case| gust(case, None)).collect();
         gusts.sort_by(|a, b| a.length_m.total_cmp(&b.length_m));
         gusts.dedup_by(|a, b| a.length_m == b.length_m);

@@ -164,7 +164,9 @@ impl OnDeck {
             for case in trims {
                 done(self.plan.fly(&deck, case, model, &self.stations), none);
             }
-            let flight = DeckFlight { deck: &deck, stations: &self.stations, search: !nodal, nodal };
+            let all: Vec<&Case> = self.matrix.cases.iter().filter(|case| is_beside(case, first)).collect();
+            let flight =
+                DeckFlight { deck: &deck, stations: &self.stations, search: !nodal, nodal, all: &all };
             let flown = self.plan.fly_in_gusts(flight, model, &gusts, &mut |case, nodal| {
                 done(DeckFlown { case, ..DeckFlown::default() }, nodal);
                 Ok::<(), AircraftError>(())
@@ -173,6 +175,13 @@ impl OnDeck {
             drop(flown);
         });
     }
+}
+
+/// Whether a case is a gust that is flown in the flow of another.
+fn is_beside(case: &Case, other: &Case) -> bool {
+    case.status != Status::LeftOut
+        && DeckPlan::is_in_gusts(case)
+        && (case.mach, case.h_m) == (other.mach, other.h_m)
 }
 
 fn refused(case: &Case, model: usize, error: &AircraftError) -> DeckFlown {
