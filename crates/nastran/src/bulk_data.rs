@@ -8,8 +8,8 @@ use crate::cards::{
     DynamicLoad, EigenMethod, Flfact, Flutter, FrequencyList, FunctionTable, Genel, Gravity, Grid, Gust,
     LineLoad, LoadSum, Mat1, Mat2, Mat8, Mat9, Mkaero, MonitorPoint, Mpc, Paero1, Pbush, Pcomp, PointLoad,
     Pressure, Prod, Pshear, Pshell, Psolid, Ptube, Randps, Rbar, Rbe2, Rbe3, ScalarElement, ScalarProperty,
-    Set1, SetUnion, ShellElement, SolidElement, Spc1, SpectrumTable, SplineCard, Spoint, Suport, Tabdmp1,
-    TimeSteps, Trim,
+    Set1, SetUnion, ShellElement, SolidElement, Spc1, Spcd, SpectrumTable, SplineCard, Spoint, Suport,
+    Tabdmp1, Temperature, TimeSteps, Trim,
 };
 use crate::deck::case_control::Subcase;
 use crate::dmi::Dmi;
@@ -165,6 +165,8 @@ kinds! {
     pressures: Vec<Pressure>, Own, ["PLOAD", "PLOAD2", "PLOAD4"];
     gravities: Vec<Gravity>, Own, ["GRAV"];
     load_sums: BTreeMap<u32, LoadSum>, Own, ["LOAD"];
+    enforced: Vec<Spcd>, Own, ["SPCD"];
+    temperatures: Vec<Temperature>, Own, ["TEMP", "TEMPD", "TEMPRB", "TEMPP1"];
     aero_reference: Option<Aeros>, Own, ["AEROS"];
     trim_variables: BTreeMap<u32, Aestat>, Own, ["AESTAT"];
     trims: BTreeMap<u32, Trim>, Own, ["TRIM"];

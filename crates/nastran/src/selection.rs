@@ -5,7 +5,7 @@
 
 use crate::bulk_data::BulkData;
 use crate::cards::{Aecomp, Divisions, SetUnion};
-use crate::deck::case_control::Subcase;
+use crate::deck::case_control::{Subcase, foreign_purpose};
 use crate::source::InputError;
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
@@ -56,6 +56,11 @@ impl BulkData {
     pub fn in_subcase(&self, subcase: &Subcase) -> Result<Self, InputError> {
         if self.subcases.is_empty() && *subcase == Subcase::default() {
             return self.bounded(None).map(Cow::into_owned);
+        }
+        if let Some((text, span)) = &subcase.foreign {
+            let message = format!("`{text}` asks for {}, which wingroot is not for", foreign_purpose(text));
+            return Err(InputError::at(span, message)
+                .with_help("take the command out if the model shall be run without"));
         }
         if let Some((text, span)) = subcase.unread.first() {
             let message = format!("`{text}` changes stiffness or mass of the structure and is not read");

@@ -147,3 +147,56 @@ fn loads_may_name_the_basic_system_by_its_number() {
     let deck = parse_deck("t.bdf", "GRID,1\nFORCE,1,1,0,10.,0.,0.,1.\nGRAV,2,0,9.81,0.,0.,-1.\n");
     assert_eq!(deck.map(|deck| deck.grids.len()), Ok(1));
 }
+
+#[test]
+fn numbers_of_a_free_line_are_separated_by_blanks_too() {
+    let written = |deck: &str| nastran::write_deck(&parse_deck("t.bdf", deck).unwrap());
+    let plain = "PSHEAR,401,1,1.,.5,1.,30.\n";
+    assert_eq!(written("PSHEAR, 401     1       1.0     0.5, 1.,30.$ a remark\n"), written(plain));
+    // Commas that begin after the second field, as in MSC's own decks.
+    let grids = "GRID,1\nGRID,2,,1.\n";
+    let bush = written(&format!("{grids}CBUSH   10211,  10010,  1,    2\n"));
+    assert_eq!(bush, written(&format!("{grids}CBUSH,10211,10010,1,2\n")));
+    let words = parse_deck("t.bdf", "MONPNT3,TIP,Wing tip 2 3\n,35,70,,0,.1,.2,.3\nSET1,70,1\nGRID,1\n").unwrap();
+    assert_eq!(words.monitors[0].name, "TIP", "words stay together");
+}
+
+#[test]
+fn a_coordinate_system_may_stand_in_one_free_line() {
+    let long = parse_deck("t.bdf", "CORD2C,1,0,0.,0.,0.,0.,0.,1.,0.,1.,0.\n").unwrap();
+    let short = parse_deck("t.bdf", "CORD2C,1,0,0.,0.,0.,0.,0.,1.\n,0.,1.,0.\n").unwrap();
+    let text = nastran::write_deck(&long);
+    assert!(text.contains("CORD2C"), "{text}");
+    assert_eq!(text, nastran::write_deck(&short));
+}
+
+#[test]
+fn a_step_of_a_replication_begins_at_zero_where_the_field_is_empty() {
+    let deck = parse_deck("t.bdf", "CORD2R,1,,0.,0.,0.,0.,0.,1.\n,1.,0.,0.\nGRID,1,,0.,1.,0.\n=,*(1),=,=,=,=,*(1)\n").unwrap();
+    assert_eq!((deck.grids[&1].cd, deck.grids[&2].cd), (0, 1));
+}
+
+#[test]
+fn commands_may_be_cut_down_and_temperatures_are_told_apart() {
+    let text = "CEND\nSUPORT = 4\nTEMP(INIT) = 5\nTEMPERATURE(MATERIAL) = 6\nSUBCASE 1\nMETH = 7\nTEMP(LOAD) = 8\nSUBCASE 2\nTEMP = 9\nBEGIN BULK\nGRID,1\n";
+    let deck = parse_deck("t.bdf", text).unwrap();
+    let [one, two] = deck.subcases.as_slice() else { panic!("two subcases") };
+    assert_eq!((one.support, one.method), (Some(4), Some(7)));
+    assert_eq!((one.temperature, one.initial_temperature), (Some(8), Some(5)));
+    assert_eq!((two.temperature, two.initial_temperature), (Some(9), Some(5)));
+}
+
+#[test]
+fn what_wingroot_is_not_for_is_refused_by_what_it_is() {
+    for (command, what) in [
+        ("ADAPT = 101", "adaptive p-elements"),
+        ("BCONTACT = 11", "contact or glue"),
+        ("AXISYM = FLUID", "fluids"),
+        ("FLUX = ALL", "heat"),
+    ] {
+        let deck = parse_deck("t.bdf", &format!("CEND\n{command}\nBEGIN BULK\nGRID,1\n")).unwrap();
+        let error = deck.bounded(None).unwrap_err().to_string();
+        let expected = format!("t.bdf:2:1: `{command}` asks for {what}");
+        assert!(error.starts_with(&expected) && error.contains("which wingroot is not for"), "{error}");
+    }
+}

@@ -49,7 +49,7 @@ pub use mass_properties::MassProperties;
 pub use masses::PointMass;
 pub use matrix_element::MatrixElement;
 pub use mesh::{CellShape, MeshCell};
-pub use model::{Clamp, MassForm, Model, Node, enforced_motions, load_sets, loads_of};
+pub use model::{Clamp, MassForm, Model, Node, enforced_motions, load_sets, loads_of, thermal_loads};
 pub use modes::{Modes, ModesError, normal_modes, normal_modes_below};
 pub use plane_material::PlaneMaterial;
 pub use shell::{CurvedPlace, CurvedShell, SectionAxis, Shell, ShellStrains};

@@ -15,7 +15,7 @@ fn what_follows_an_enforced_motion_moves_with_it() {
     let bulk = parse_deck("test.bdf", deck).expect("a deck");
     let model = Model::from_bulk(&bulk).expect("a model");
     let system = System::assemble(&model).expect("a system");
-    let enforced = enforced_motions(&bulk, &model).expect("no circle").expect("one motion");
+    let enforced = enforced_motions(&bulk, &model, None).expect("no circle").expect("one motion");
     let enforced = Mat::from_fn(enforced.len(), 1, |i, _| enforced[i]);
     let mut load = Mat::zeros(enforced.nrows(), 1);
     load[(6 * system.node_index(1).expect("is there"), 0)] = 200.0;

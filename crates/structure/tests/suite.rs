@@ -13,6 +13,7 @@ mod coupled_sections;
 mod curved_shells;
 mod effective_mass;
 mod enforced;
+mod heat;
 mod large;
 mod large_deflections;
 mod large_laws;

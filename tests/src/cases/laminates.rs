@@ -5,7 +5,7 @@ use crate::fem::{Mesh, frequencies_hz, solve, span};
 use crate::registry::Case;
 use crate::row::Row;
 use crate::{list, number, numbers};
-use nastran::Mat8;
+use nastran::{Expansion, Mat8};
 use serde_json::Value;
 use structure::{PlacedPly, PlaneMaterial, ShearModel, ShellSection};
 
@@ -46,6 +46,7 @@ fn lamination_theory(case: &Value) -> Vec<Row> {
             g1z: constant("G13"),
             g2z: constant("G23"),
             rho: 0.0,
+            expansion: Expansion::default(),
             span: span(),
         };
         let material = PlaneMaterial::ply(&card).expect("a sound material");

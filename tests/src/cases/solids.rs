@@ -9,7 +9,7 @@ use crate::registry::Case;
 use crate::row::{Row, worst};
 use crate::{list, number, numbers};
 use nalgebra::{Point3, Vector3};
-use nastran::{Mat1, Span};
+use nastran::{Expansion, Mat1, Span};
 use serde_json::Value;
 use std::sync::Arc;
 use structure::SolidMaterial;
@@ -21,7 +21,7 @@ pub const CASES: &[Case] = &[
 ];
 
 fn isotropic(e: f64, nu: f64) -> Arc<SolidMaterial> {
-    let card = Mat1 { id: 1, e, g: 0.0, nu, rho: 0.0, span: Span::generated("published case") };
+    let card = Mat1 { id: 1, e, g: 0.0, nu, rho: 0.0, expansion: Expansion::default(), span: Span::generated("published case") };
     Arc::new(SolidMaterial::from_mat1(&card).expect("a sound material"))
 }
 

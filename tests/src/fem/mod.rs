@@ -10,7 +10,9 @@ pub mod solid_mesh;
 
 use faer::Mat;
 use nalgebra::Point3;
-use nastran::{BulkData, CornerThickness, Grid, Mat1, MaterialDirection, Pshell, ShellElement, Span, Spc1};
+use nastran::{
+    BulkData, CornerThickness, Expansion, Grid, Mat1, MaterialDirection, Pshell, ShellElement, Span, Spc1,
+};
 use structure::{Flexibility, Model, ShearModel, Shell, ShellSection, System, normal_modes};
 
 /// Where the cards come from, for messages.
@@ -101,7 +103,7 @@ impl Mesh {
     pub fn of(mut self, plate: Isotropic) -> Self {
         let Isotropic { e, nu, rho, t } = plate;
         let g = e / (2.0 * (1.0 + nu));
-        self.bulk.materials.insert(1, Mat1 { id: 1, e, g, nu, rho, span: span() });
+        self.bulk.materials.insert(1, Mat1 { id: 1, e, g, nu, rho, expansion: Expansion::default(), span: span() });
         let section = Pshell {
             id: 1,
             membrane: Some(1),

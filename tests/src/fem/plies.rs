@@ -1,7 +1,7 @@
 //! Laminates of the published plates: one ply material, angles, simply supported edges.
 
 use super::{Mesh, span};
-use nastran::{Mat8, Pcomp, Ply};
+use nastran::{Expansion, Mat8, Pcomp, Ply};
 
 /// A ply's elastic constants and density.
 #[derive(Debug, Clone, Copy)]
@@ -27,7 +27,7 @@ impl PlyConstants {
     /// The material card.
     pub fn card(&self) -> Mat8 {
         let [g12, g1z, g2z] = self.g;
-        Mat8 { id: 1, e1: self.e1, e2: self.e2, nu12: self.nu12, g12, g1z, g2z, rho: self.rho, span: span() }
+        Mat8 { id: 1, e1: self.e1, e2: self.e2, nu12: self.nu12, g12, g1z, g2z, rho: self.rho, expansion: Expansion::default(), span: span() }
     }
 }
 
@@ -55,7 +55,7 @@ impl Mesh {
             })
             .collect();
         let laminate =
-            Pcomp { id: 1, z0: None, nsm: 0.0, plies, is_symmetric: false, is_global: false, span: span() };
+            Pcomp { id: 1, z0: None, nsm: 0.0, reference: 0.0, plies, is_symmetric: false, is_global: false, span: span() };
         self.bulk.laminates.insert(1, laminate);
         self
     }

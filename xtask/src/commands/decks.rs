@@ -4,6 +4,7 @@
 //! the end of it. What a program of ours cannot run yet as asked (buckling, dynamic response) is read and assembled, and its
 //! constrained stiffness factorised.
 
+use super::{decks_broken, decks_factorised};
 use clap::Args;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -15,7 +16,6 @@ use std::time::{Duration, Instant};
 use nastran::{Analysis, InputError, Solution};
 use report::Table;
 use serde::Serialize;
-use structure::{Flexibility, Model, System};
 use wingroot::args::Common;
 use wingroot::failure::Failure;
 use wingroot::output::ResultFolder;
@@ -26,6 +26,7 @@ use wingroot::{progress, show};
 #[command(after_help = "Examples:
   cargo xtask decks ~/decks
   cargo xtask decks ~/decks --list ~/decks.txt --seconds 30
+  cargo xtask decks ~/decks --broken 200
   cargo xtask decks ~/decks/wing.bdf")]
 pub(crate) struct DecksArgs {
     /// A folder of decks; or one deck, which is read, assembled and factorised in this process
@@ -37,6 +38,9 @@ pub(crate) struct DecksArgs {
     /// Longest time of a deck, s
     #[arg(long, value_name = "S", default_value_t = 60)]
     pub(crate) seconds: u64,
+    /// Run this many broken and mixed decks that are made from those of the folder, in their place
+    #[arg(long, value_name = "N")]
+    pub(crate) broken: Option<usize>,
     /// Largest memory of a deck, megabytes
     #[arg(long, value_name = "MB", default_value_t = 4000)]
     pub(crate) megabytes: u64,
@@ -89,14 +93,22 @@ struct Row {
 /// Runs the command.
 pub(crate) fn run(args: &DecksArgs, common: &Common) -> Result<(), Failure> {
     if args.path.is_file() {
-        return factorised(&args.path, common);
+        return decks_factorised::factorised(&args.path, common);
     }
     let start = Instant::now();
-    let names = names(args)?;
+    let scratch = std::env::temp_dir().join(format!("decks-{}", std::process::id()));
+    let (names, args) = match args.broken {
+        None => (names(args)?, args.clone()),
+        Some(count) => {
+            let path = scratch.join("broken");
+            let made = decks_broken::broken(&args.path, &names(args)?, &path, count)?;
+            (made, DecksArgs { path, ..args.clone() })
+        }
+    };
+    let args = &args;
     let bar = progress::bar(common, names.len(), "decks");
     let next = AtomicUsize::new(0);
     let folder = ResultFolder::begin(&common.out("decks"))?;
-    let scratch = std::env::temp_dir().join(format!("decks-{}", std::process::id()));
     let work = |worker: usize| {
         let mut rows = Vec::new();
         while let Some(name) = names.get(next.fetch_add(1, Ordering::Relaxed)) {
@@ -285,49 +297,6 @@ fn sentence(text: &str) -> String {
     error.or(panic).or_else(|| lines().next_back()).unwrap_or_default().to_owned()
 }
 
-/// Reads a deck, assembles it under each of its boundary conditions and factorises its stiffness.
-fn factorised(path: &Path, common: &Common) -> Result<(), Failure> {
-    let bulk = nastran::read_deck(path)?;
-    let mut subcases: Vec<Option<u32>> = Vec::new();
-    for case in &bulk.subcases {
-        let is_known = |id: &Option<u32>| {
-            let other = bulk.subcases.iter().find(|other| Some(other.id) == *id);
-            other.is_some_and(|other| {
-                (other.spc, other.mpc, other.support) == (case.spc, case.mpc, case.support)
-            })
-        };
-        if !subcases.iter().any(is_known) {
-            subcases.push(Some(case.id));
-        }
-    }
-    if subcases.is_empty() {
-        subcases.push(None);
-    }
-    let mut text = String::new();
-    for subcase in subcases {
-        let system = assembled(&bulk, subcase, path).map_err(|error| error.or_in(path))?;
-        Flexibility::new(&system).map_err(Failure::computation)?;
-        // Writing to a String cannot fail.
-        let _ = writeln!(
-            text,
-            "{} free motions, {} held by AUTOSPC",
-            system.free_count(),
-            system.auto_held().len()
-        );
-    }
-    show::summary(common, &text);
-    Ok(())
-}
-
-/// The structure of a deck under the boundary conditions of a subcase.
-fn assembled(bulk: &nastran::BulkData, subcase: Option<u32>, path: &Path) -> Result<System, InputError> {
-    let model = Model::from_deck(bulk, subcase)?;
-    if model.elements().next().is_none() {
-        return Err(InputError::in_file(path, "there is no structure: no element"));
-    }
-    System::assemble(&model)
-}
-
 fn table(rows: &[Row]) -> String {
     let mut table = Table::new(&["deck", "SOL", "ran", "status", "s", "sentence"]);
     for row in rows {
@@ -381,7 +350,7 @@ mod tests {
     #[test]
     fn a_process_that_does_not_end_is_ended_and_one_that_takes_too_much_memory_as_well() {
         let sleeper = || Command::new("sleep").arg("20").stderr(Stdio::piped()).spawn();
-        let args = DecksArgs { path: PathBuf::new(), list: None, seconds: 0, megabytes: 4000 };
+        let args = DecksArgs { path: PathBuf::new(), list: None, seconds: 0, broken: None, megabytes: 4000 };
         let Ok(child) = sleeper() else { return };
         assert_eq!(watched(child, &args).0, Status::TooLong);
         if cfg!(target_os = "linux") {

@@ -10,6 +10,8 @@ mod bench_general;
 mod bench_structure;
 mod bench_trim;
 pub(crate) mod decks;
+mod decks_broken;
+mod decks_factorised;
 pub(crate) mod mutants;
 pub(crate) mod tidy;
 pub(crate) mod trust;

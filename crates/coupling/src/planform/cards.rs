@@ -1,7 +1,9 @@
 //! Cards that made models have in common: grids, rigid ties, lumped masses and slender beams, all in basic axes.
 
 use nalgebra::{Point3, Vector3};
-use nastran::{BeamElement, BeamProperty, BeamStation, BulkData, Conm2, Grid, Mat1, Orientation, Rbe2, Span};
+use nastran::{
+    BeamElement, BeamProperty, BeamStation, BulkData, Conm2, Expansion, Grid, Mat1, Orientation, Rbe2, Span,
+};
 
 /// A free grid.
 pub fn add_grid(bulk: &mut BulkData, id: u32, point: &Point3<f64>, span: &Span) {
@@ -23,7 +25,7 @@ pub fn add_mass(bulk: &mut BulkData, id: u32, grid: u32, mass: f64, span: &Span)
 /// A material by its moduli, Pa, without mass.
 pub fn add_material(bulk: &mut BulkData, id: u32, e: f64, g: f64, span: &Span) {
     let nu = e / (2.0 * g) - 1.0;
-    bulk.materials.insert(id, Mat1 { id, e, g, nu, rho: 0.0, span: span.clone() });
+    bulk.materials.insert(id, Mat1 { id, e, g, nu, rho: 0.0, expansion: Expansion::default(), span: span.clone() });
 }
 
 /// The section of a slender beam: area (m²), second moments of plane 1 and 2, torsion constant (m⁴).

@@ -1,14 +1,19 @@
 //! From lines to fields: small (8 columns), large (16 columns, `*`) and free (commas) lines, with tabs,
 //! comments and continuations. Every field keeps its line and columns.
 //!
-//! A line is free if a comma stands in its first ten columns. A continuation starts with `+`, `*`, a blank or
+//! A line is free if a comma stands in its first ten columns, or right after a whole number that begins in the ninth. Its fields are separated by
+//! commas, numbers by blanks, too. A continuation starts with `+`, `*`, a blank or
 //! a comma and continues the card before it; if both ends carry a continuation name, the names must agree,
 //! because sorted continuations are not supported. `$` starts a comment anywhere.
 
+use crate::real;
 use crate::source::{InputError, Span};
 use std::ops::Range;
 use std::path::PathBuf;
 use std::sync::Arc;
+
+/// Cards whose fields may all stand in one free line.
+const SYSTEMS: [&str; 3] = ["CORD2R", "CORD2C", "CORD2S"];
 
 /// The data fields of one whole line; a large line has half of them.
 pub(crate) const FIELDS_PER_LINE: usize = 8;
@@ -54,7 +59,8 @@ impl Line {
         if source.characters.iter().all(|(character, _)| character.is_whitespace()) {
             return Ok(None);
         }
-        let is_free = source.characters.iter().take(10).any(|(character, _)| *character == ',');
+        let is_free =
+            source.characters.iter().take(10).any(|(character, _)| *character == ',') || source.counts_with_comma();
         if is_free { source.free().map(Some) } else { Ok(Some(source.fixed())) }
     }
 }
@@ -114,18 +120,52 @@ impl<'a> Columns<'a> {
         Line { head, data, tail, is_free: false }
     }
 
+    /// Whether the first data field is a whole number and a comma: a free line whose commas begin late.
+    fn counts_with_comma(&self) -> bool {
+        let first: String = self.characters.iter().skip(8).take(8).map(|(character, _)| *character).collect();
+        let number = first.trim().strip_suffix(',').unwrap_or("").trim_end();
+        !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit())
+    }
+
+    /// The fields between two commas: one, or as many as there are numbers with blanks between them.
+    fn separated(&self, range: Range<usize>, into: &mut Vec<Field>) {
+        let is_blank = |at: &usize| self.characters[*at].0.is_whitespace();
+        let places: Vec<usize> = range.clone().collect();
+        let words: Vec<&[usize]> =
+            places.split(|at| is_blank(at)).filter(|word| !word.is_empty()).collect();
+        let is_number = |word: &&[usize]| {
+            let text: String = word.iter().map(|at| self.characters[*at].0).collect();
+            real::parse(&text).is_some() || text.bytes().all(|byte| byte.is_ascii_digit())
+        };
+        // The name of the card stands before the first number.
+        let named = usize::from(into.is_empty());
+        if words.len() < 2 || !words.iter().skip(named).all(is_number) {
+            into.push(self.field(range));
+            return;
+        }
+        into.extend(words.iter().map(|word| self.field(word[0]..word[word.len() - 1] + 1)));
+    }
+
     fn free(&self) -> Result<Line, InputError> {
         let mut pieces = Vec::new();
         let mut start = 0;
         for end in 0..=self.characters.len() {
             if end == self.characters.len() || self.characters[end].0 == ',' {
-                pieces.push(self.field(start..end));
+                self.separated(start..end, &mut pieces);
                 start = end + 1;
             }
         }
         let mut data = pieces.split_off(1);
         let head = pieces.remove(0);
         let count = if head.text().contains('*') { FIELDS_PER_LINE / 2 } else { FIELDS_PER_LINE };
+        // As Nastran goes on by itself where the eleven fields of a coordinate system stand in one line.
+        let goes_on = SYSTEMS.iter().any(|name| head.text().eq_ignore_ascii_case(name));
+        let mark = data.get(count).map_or("", Field::text);
+        if goes_on && data.len() > count && !mark.is_empty() && !mark.starts_with(['+', '*']) {
+            let beyond = self.characters.len();
+            data.resize_with(2 * FIELDS_PER_LINE, || self.field(beyond..beyond));
+            return Ok(Line { head, data, tail: String::new(), is_free: true });
+        }
         let rest = if data.len() > count { data.split_off(count) } else { Vec::new() };
         let tail = rest.first().map_or("", Field::text);
         let is_mark = tail.is_empty() || tail.starts_with(['+', '*']);

@@ -31,6 +31,8 @@ pub struct Pcomp {
     pub z0: Option<f64>,
     /// NSM: non-structural mass per area.
     pub nsm: f64,
+    /// TREF: the temperature at which nothing has expanded, in the place of the plies' own.
+    pub reference: f64,
     /// The plies the card lists. With `is_symmetric` these are the lower half only.
     pub plies: Vec<Ply>,
     /// LAM = SYM.
@@ -48,7 +50,7 @@ impl DeckCard for Pcomp {
     /// PCOMP: PID Z0 NSM SB FT TREF GE LAM / MID1 T1 THETA1 SOUT1 MID2 T2 THETA2 SOUT2 / ..., and
     /// PCOMPG: the same first line, then a line GPLYID MID T THETA SOUT for every ply.
     ///
-    /// Strength, temperature and damping (SB, FT, TREF, GE) are skipped. Four empty fields are no ply.
+    /// Strength and damping (SB, FT, GE) are skipped. Four empty fields are no ply.
     fn read(card: &Card) -> Result<Vec<Self>, InputError> {
         let is_global = card.name == "PCOMPG";
         card.word(7, "LAM", &["SYM"])?;
@@ -81,6 +83,7 @@ impl DeckCard for Pcomp {
             id: card.id(0, "PID")?,
             z0: card.optional_real(1, "Z0")?,
             nsm: card.real_or(2, "NSM", 0.0)?,
+            reference: card.real_or(5, "TREF", 0.0)?,
             plies,
             is_symmetric: !card.text(7).is_empty(),
             is_global,
@@ -89,7 +92,9 @@ impl DeckCard for Pcomp {
     }
 
     fn write(&self, card: Fields) -> Fields {
-        let card = card.int(self.id).optional_real(self.z0).real(self.nsm).blanks(4);
+        let card = card.int(self.id).optional_real(self.z0).real(self.nsm).blanks(2);
+        let warm = Some(self.reference).filter(|reference| *reference != 0.0);
+        let card = card.optional_real(warm).blanks(1);
         let mut card = if self.is_symmetric { card.text("SYM") } else { card.blanks(1) };
         for ply in &self.plies {
             if self.is_global {

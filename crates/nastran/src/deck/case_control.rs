@@ -31,6 +31,8 @@ pub struct Subcase {
     pub load: Option<u32>,
     /// TEMPERATURE, or TEMPERATURE(LOAD): temperatures that load the structure.
     pub temperature: Option<u32>,
+    /// TEMPERATURE(INITIAL): temperatures at which nothing has expanded, in the place of the materials' own.
+    pub initial_temperature: Option<u32>,
     /// FMETHOD: FLUTTER.
     pub flutter: Option<u32>,
     /// SDAMPING: TABDMP1.
@@ -53,6 +55,8 @@ pub struct Subcase {
     pub direct: Vec<String>,
     /// Grids of DISPLACEMENT, VELOCITY and ACCELERATION.
     pub responses: Asked,
+    /// A command for what no program of wingroot computes, such as `ADAPT = 101`.
+    pub foreign: Option<(String, Span)>,
     /// Selections that change stiffness or mass and are not read, such as `K2GG = STIFF`.
     pub unread: Vec<(String, Span)>,
 }
@@ -71,6 +75,23 @@ pub enum Asked {
 
 /// Commands that change stiffness or mass of the structure and are not read.
 const CHANGING: [&str; 5] = ["K2GG", "M2GG", "NSM", "STATSUB", "DEFORM"];
+
+/// Commands that ask for what wingroot is not for, and what that is.
+const FOREIGN: [(&str, &str); 4] = [
+    ("ADAPT", "adaptive p-elements"),
+    ("BCONTACT BCSET BGSET", "contact or glue"),
+    ("AXISYM AXISYMMETRIC HARMONICS", "fluids and bodies of revolution by harmonics"),
+    ("FLUX", "heat"),
+];
+
+/// What a command of [`FOREIGN`] asks for.
+pub(crate) fn foreign_purpose(text: &str) -> &'static str {
+    let name = words(text).map(|(name, _)| name).unwrap_or_default();
+    FOREIGN
+        .iter()
+        .find(|(names, _)| names.split(' ').any(|one| one == name))
+        .map_or("something else", |(_, what)| what)
+}
 
 /// Commands that begin something made of earlier subcases, which have no boundary conditions of their own.
 const COMBINED: [&str; 3] = ["SUBCOM", "SYMCOM", "REPCASE"];
@@ -182,10 +203,21 @@ fn number(command: &Command, value: Option<&str>) -> Result<u32, InputError> {
     value.and_then(|value| value.parse().ok()).ok_or_else(|| wrong(command, "a number"))
 }
 
-/// Whether temperatures are those that materials are taken at, TEMP(INIT) and TEMP(MATERIAL), which load nothing.
-fn is_initial(text: &str) -> bool {
-    let inside = text.split_once('(').map_or("", |(_, rest)| rest).trim_start().to_ascii_uppercase();
-    inside.starts_with("INIT") || inside.starts_with("MAT")
+/// Commands that may be cut down to four letters or more.
+const ABBREVIATED: [&str; 13] = [
+    "AUTOSPC", "SUPORT1", "METHOD", "TEMPERATURE", "FMETHOD", "SDAMPING", "DLOAD", "FREQUENCY", "TSTEP", "RANDOM",
+    "SUBTITLE", "AESYMXZ", "LABEL",
+];
+
+/// The whole name of a command.
+fn unabbreviated(name: &str) -> &str {
+    let whole = ABBREVIATED.iter().find(|whole| name.len() >= 4 && whole.starts_with(name));
+    whole.copied().unwrap_or(name)
+}
+
+/// What stands in brackets, in capitals: TEMP(INITIAL).
+fn said_of(text: &str) -> String {
+    text.split_once('(').map_or("", |(_, rest)| rest).trim_start().to_ascii_uppercase()
 }
 
 /// The sets of points, by number; of a set given again the last.
@@ -236,7 +268,7 @@ fn select(
     sets: &BTreeMap<u32, BTreeSet<u32>>,
 ) -> Result<(), InputError> {
     let one = || number(command, value).map(Some);
-    match name {
+    match unabbreviated(name) {
         "TRIM" => case.trim = one()?,
         "SPC" => case.spc = one()?,
         "MPC" => case.mpc = one()?,
@@ -251,12 +283,17 @@ fn select(
         "SUPORT1" => case.support = one()?,
         "METHOD" => case.method = one()?,
         "LOAD" => case.load = one()?,
-        "TEMP" | "TEMPERATURE" if !is_initial(&command.text) => case.temperature = one()?,
+        "TEMPERATURE" => match said_of(&command.text).get(..3) {
+            Some("INI") => case.initial_temperature = one()?,
+            // Materials that change with temperature (MATT1) are refused where temperatures count.
+            Some("MAT") => {}
+            _ => case.temperature = one()?,
+        },
         "FMETHOD" => case.flutter = one()?,
-        "SDAMPING" | "SDAMP" => case.damping = one()?,
+        "SDAMPING" => case.damping = one()?,
         "GUST" => case.gust = one()?,
         "DLOAD" => case.dynamic_load = one()?,
-        "FREQ" | "FREQUENCY" => case.frequencies = one()?,
+        "FREQUENCY" => case.frequencies = one()?,
         "TSTEP" => case.time_steps = one()?,
         "RANDOM" => case.random = one()?,
         "K2PP" | "M2PP" | "B2PP" | "TFL" => {
@@ -275,6 +312,9 @@ fn select(
                 Some("ASYM") => 0,
                 _ => return Err(wrong(command, "SYMMETRIC, ANTISYMMETRIC or ASYMMETRIC")),
             });
+        }
+        _ if FOREIGN.iter().any(|(names, _)| names.split(' ').any(|one| one == name)) => {
+            case.foreign = Some((command.text.clone(), command.span.clone()));
         }
         _ if CHANGING.contains(&name) => {
             case.unread.push((command.text.clone(), command.span.clone()));

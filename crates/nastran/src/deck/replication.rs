@@ -89,7 +89,9 @@ fn changed(line: &Line, fields: &[String], rule: &[String]) -> Result<Vec<String
 }
 
 fn sum(old: &str, step: &str) -> Option<String> {
-    if let (Ok(old), Ok(step)) = (old.parse::<i64>(), step.parse::<i64>()) {
+    // An empty field counts as zero.
+    let whole = if old.is_empty() { Ok(0) } else { old.parse::<i64>() };
+    if let (Ok(old), Ok(step)) = (whole, step.parse::<i64>()) {
         return Some(old.checked_add(step)?.to_string());
     }
     let old = if old.is_empty() { 0.0 } else { real::parse(old)? };

@@ -4,7 +4,7 @@ use super::build::{Builder, found, present};
 use super::elements::beam_parts;
 use crate::beam_load::on_grids;
 use crate::laminate::ShearModel;
-use crate::nonlinear::{Following, Loads, NodeLoad};
+use crate::nonlinear::{Following, Loads, NodeLoad, pressure_shares};
 use nalgebra::Vector3;
 use nastran::{
     BeamLoad, BulkData, CrossLoad, Gravity, InputError, LineLoad, LoadSum, PointLoad, Pressed, Pressure,
@@ -13,10 +13,7 @@ use nastran::{
 use std::collections::BTreeSet;
 
 /// Loads that are not read, and would be missing if a set had some.
-const UNREAD: &[&str] = &[
-    "PLOADX1", "RFORCE", "ACCEL", "ACCEL1", "SLOAD", "SPCD", "DEFORM", "TEMP", "TEMPD", "TEMPP1", "TEMPRB",
-    "CLOAD",
-];
+const UNREAD: &[&str] = &["PLOADX1", "RFORCE", "ACCEL", "ACCEL1", "SLOAD", "DEFORM", "CLOAD"];
 
 /// Sine of an angle that is round-off of places.
 const ROUND_OFF: f64 = 1e-9;
@@ -30,8 +27,9 @@ pub fn load_sets(bulk: &BulkData) -> Vec<u32> {
     let beams = bulk.beam_loads.iter().map(|load| load.set);
     let pressures = bulk.pressures.iter().map(|load| load.set);
     let weights = bulk.gravities.iter().map(|load| load.set);
+    let enforced = bulk.enforced.iter().map(|card| card.set);
     let all: BTreeSet<u32> =
-        sums.chain(points).chain(lines).chain(across).chain(beams).chain(pressures).chain(weights).collect();
+        sums.chain(points).chain(lines).chain(across).chain(beams).chain(pressures).chain(weights).chain(enforced).collect();
     all.into_iter().collect()
 }
 
@@ -54,13 +52,28 @@ pub fn loads_of(bulk: &BulkData, set: u32) -> Result<Loads, InputError> {
     }
     let builder = Builder::new(bulk, ShearModel::Equilibrium)?;
     let Some(LoadSum { scale, parts, span, .. }) = bulk.load_sums.get(&set) else {
-        return single(&builder, set, None);
+        let is_enforced = || bulk.enforced.iter().any(|card| card.set == set);
+        return match single(&builder, set, None) {
+            // Motions alone may load a structure.
+            Err(_) if is_enforced() && !has_forces(bulk, set) => Ok(Loads::default()),
+            other => other,
+        };
     };
+    if let Some(card) = bulk.enforced.iter().find(|card| parts.iter().any(|part| part.1 == card.set)) {
+        let message = format!("LOAD {set} sums set {}, whose SPCD a LOAD card does not combine", card.set);
+        return Err(InputError::at(&card.span, message)
+            .with_help("give the SPCD the number that the case control's LOAD names"));
+    }
     let mut sum = Loads::default();
     for (factor, part) in parts {
         sum = sum.and(&single(&builder, *part, Some(span))?.times(scale * factor));
     }
     Ok(sum)
+}
+
+/// Whether a set has cards beside motions.
+fn has_forces(bulk: &BulkData, set: u32) -> bool {
+    load_sets(&BulkData { enforced: Vec::new(), ..bulk.clone() }).contains(&set)
 }
 
 /// A set that is no sum; `asked` is the card that names it.
@@ -80,7 +93,7 @@ fn single(builder: &Builder, set: u32, asked: Option<&Span>) -> Result<Loads, In
         loads.dead.extend(along(builder, load)?);
     }
     for load in bulk.pressures.iter().filter(|load| load.set == set) {
-        pressure(builder, load, &mut loads.following)?;
+        pressure(builder, load, &mut loads)?;
     }
     for Gravity { cid, vector, span, .. } in bulk.gravities.iter().filter(|load| load.set == set) {
         loads.gravity_m_s2 += builder.frames.axes_at(*cid, span)? * vector;
@@ -145,7 +158,8 @@ fn along(builder: &Builder, load: &BeamLoad) -> Result<[NodeLoad; 2], InputError
     Ok([0, 1].map(|end| NodeLoad { node: parts.nodes[end], force: ends[end][0], moment: ends[end][1] }))
 }
 
-fn pressure(builder: &Builder, load: &Pressure, into: &mut Vec<Following>) -> Result<(), InputError> {
+fn pressure(builder: &Builder, load: &Pressure, into: &mut Loads) -> Result<(), InputError> {
+    let direction = load.direction.map(|(system, vector)| directed(builder, system, &vector, load)).transpose()?;
     let user = format!("{} of set {}", ["PLOAD", "PLOAD2", "PLOAD4"][load.form.min(2)], load.set);
     let mut press = |grids: &[u32], sides: &[Option<u32>], sign: f64| -> Result<(), InputError> {
         let (with, midsides) = present(sides);
@@ -154,9 +168,20 @@ fn pressure(builder: &Builder, load: &Pressure, into: &mut Vec<Following>) -> Re
             return Err(InputError::at(&load.span, message).with_help("on all of them, or on none"));
         }
         let mut face = builder.nodes_of(grids, &user, &load.span)?;
-        let pascal = load.pressure[..face.len()].iter().map(|p| p * sign).collect();
+        let pascal: Vec<f64> = load.pressure[..face.len()].iter().map(|p| p * sign).collect();
         face.extend(builder.nodes_of(&midsides, &user, &load.span)?);
-        into.push(Following::Pressure { face, pascal });
+        let Some(direction) = direction else {
+            into.following.push(Following::Pressure { face, pascal });
+            return Ok(());
+        };
+        // Per area, along a direction of its own, which it keeps.
+        let places: Vec<Vector3<f64>> = face.iter().map(|node| builder.nodes[*node].point.coords).collect();
+        let shares = pressure_shares(&places, &load.pressure[..pascal.len()]);
+        into.dead.extend(face.iter().zip(shares).map(|(node, share)| NodeLoad {
+            node: *node,
+            force: direction * share,
+            moment: Vector3::zeros(),
+        }));
         Ok(())
     };
     match &load.on {
@@ -190,6 +215,23 @@ fn pressure(builder: &Builder, load: &Pressure, into: &mut Vec<Following>) -> Re
             // Faces run so that their normal points out of the solid; pressure pushes in.
             press(&grids, &sides_of(solid, &grids), -1.0)
         }
+    }
+}
+
+/// The direction of a load per area, of length one in basic axes.
+fn directed(builder: &Builder, system: u32, vector: &Vector3<f64>, load: &Pressure) -> Result<Vector3<f64>, InputError> {
+    let Some(grid) = grid_of(builder, load) else { return Ok(vector.normalize()) };
+    let place = builder.node(grid, &format!("PLOAD4 of set {}", load.set), &load.span)?;
+    let axes = builder.frames.axes_at_point(system, &builder.nodes[place].point, &load.span)?;
+    Ok((axes * vector).normalize())
+}
+
+/// A grid of what a pressure acts on: axes of curved systems are taken there.
+fn grid_of(builder: &Builder, load: &Pressure) -> Option<u32> {
+    match &load.on {
+        Pressed::Grids(grids) => grids.first().copied(),
+        Pressed::Elements(list) => builder.bulk.shells.get(list.first()?)?.grids.first().copied(),
+        Pressed::Face { corner, .. } => Some(*corner),
     }
 }
 

@@ -7,6 +7,7 @@ mod build;
 mod conrod;
 mod elements;
 mod enforced;
+mod heat;
 mod links;
 mod loads;
 mod node;
@@ -14,9 +15,11 @@ pub(crate) mod registry;
 mod shear;
 mod shells;
 mod solids;
+mod temperatures;
 mod tube;
 
 pub use enforced::enforced_motions;
+pub use heat::thermal_loads;
 pub use loads::{load_sets, loads_of};
 pub use node::{Clamp, Node};
 

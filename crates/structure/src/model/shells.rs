@@ -8,8 +8,11 @@ use crate::laminate::{PlacedPly, ShellSection};
 use crate::plane_material::PlaneMaterial;
 use crate::shell::{CurvedPlace, CurvedShell, SectionAxis, Shell};
 use nalgebra::{Matrix2, Matrix3, Point3, Vector3};
-use nastran::{InputError, MaterialDirection, Pcomp, Ply, Pshell, ShellElement, Span};
+use nastran::{InputError, Mat2, MaterialDirection, Pcomp, Ply, Pshell, ShellElement, Span};
 use std::sync::Arc;
+
+/// Length of a unit vector's projection that is round-off.
+const ROUND_OFF: f64 = 1e-12;
 
 impl ElementCard for ShellElement {
     fn element(&self, builder: &mut Builder) -> Result<Arc<dyn Element>, InputError> {
@@ -107,7 +110,7 @@ impl Builder<'_> {
     }
 
     /// From the element's x axis to the material's, rad.
-    fn angle(&self, card: &ShellElement, points: &[Point3<f64>], user: &str) -> Result<f64, InputError> {
+    pub(super) fn angle(&self, card: &ShellElement, points: &[Point3<f64>], user: &str) -> Result<f64, InputError> {
         let system = match card.direction {
             MaterialDirection::AngleDeg(angle) => return Ok(angle.to_radians()),
             MaterialDirection::System(system) => system,
@@ -116,7 +119,14 @@ impl Builder<'_> {
         let Some(axes) = Shell::axes_of(points) else { return Ok(0.0) };
         let middle = points.iter().map(|point| point.coords).sum::<Vector3<f64>>() / (points.len() as f64);
         let x = axes * self.frames.axes_at_point(system, &Point3::from(middle), &card.span)?.column(0);
-        if x.x.hypot(x.y) < 1e-6 {
+        // The projection is taken as the deck's digits give it, however short, as Nastran does (FreeDLM's ribs, 6e-8).
+        let projected = x.x.hypot(x.y);
+        if (ROUND_OFF..1e-6).contains(&projected) {
+            tracing::warn!(
+                "{user}: the x axis of system {system} (MCID) is almost normal to the element: its projection, {projected:.1e}, is the material's direction"
+            );
+        }
+        if projected < ROUND_OFF {
             let message = format!("{user}: the x axis of system {system} (MCID) is normal to the element");
             let help = "its projection is the material's direction; choose another system, or an angle";
             return Err(InputError::at(&card.span, message).with_help(help));
@@ -150,14 +160,14 @@ impl Builder<'_> {
         }
         let material = |id: Option<u32>| id.map(|id| self.plane(id, &user, &card.span)).transpose();
         let (membrane, bending) = (material(card.membrane)?, material(card.bending)?);
-        let shear = material(card.shear)?;
+        let shear = card.shear.map(|id| self.transverse(id, &user, &card.span)).transpose()?;
         let q = |material: &Option<PlaneMaterial>| material.map_or_else(Matrix3::zeros, |m| m.stiffness);
         let density = membrane.or(bending).map_or(0.0, |material| material.density);
         let bends = bending.is_some() && card.bending_ratio > 0.0;
         let shear = match shear {
             // A membrane has no transverse stiffness at all.
             _ if !bends => Matrix2::zeros(),
-            Some(material) => material.turned_shear(0.0) * (card.shear_ratio * t),
+            Some(shear) => shear * (card.shear_ratio * t),
             None => Matrix2::from_element(f64::INFINITY),
         };
         // Nastran's curvatures have the other sign: MID4 is the integral of -z G over T^2 (MSC, Linear Static Analysis User's Guide).
@@ -181,6 +191,19 @@ impl Builder<'_> {
         Ok(if bends { section.with_finite_shear(t) } else { section })
     }
 
+    /// Transverse shear moduli (xz, yz) of what MID3 refers to: G11, G12 and G22 of a MAT2.
+    fn transverse(&self, id: u32, user: &str, span: &Span) -> Result<Matrix2<f64>, InputError> {
+        let Some(Mat2 { g: [g11, g12, _, g22, ..], span, .. }) = self.bulk.plane_materials.get(&id) else {
+            return Ok(self.plane(id, user, span)?.turned_shear(0.0));
+        };
+        let moduli = Matrix2::new(*g11, *g12, *g12, *g22);
+        if moduli.cholesky().is_some() {
+            return Ok(moduli);
+        }
+        let message = format!("MAT2 {id}: G11, G12 and G22 are the transverse shear moduli of {user}, and store no energy");
+        Err(InputError::at(span, message).with_help("G11 and G22 must be positive, G12^2 less than their product"))
+    }
+
     /// What MID4 refers to, which alone need not store energy.
     fn coupling(&self, id: u32, user: &str, span: &Span) -> Result<Matrix3<f64>, InputError> {
         let Some(card) = self.bulk.plane_materials.get(&id) else {
@@ -191,6 +214,12 @@ impl Builder<'_> {
     }
 
     fn laminate(&self, card: &Pcomp) -> Result<ShellSection, InputError> {
+        let placed: Vec<PlacedPly> = self.layers(card)?.into_iter().map(|(ply, _)| ply).collect();
+        Ok(ShellSection::laminate(&placed, card.nsm, self.shear))
+    }
+
+    /// Layers of a laminate from bottom to top, each with the number of its material.
+    pub(super) fn layers(&self, card: &Pcomp) -> Result<Vec<(PlacedPly, u32)>, InputError> {
         let user = format!("PCOMP {}", card.id);
         let mirrored: &[Ply] = if card.is_symmetric { &card.plies } else { &[] };
         let plies: Vec<&Ply> = card.plies.iter().chain(mirrored.iter().rev()).collect();
@@ -209,10 +238,10 @@ impl Builder<'_> {
             let material = self.plane(ply.material, &user, &card.span)?;
             let high = low + ply.thickness;
             let angle_rad = ply.angle_deg.to_radians();
-            placed.push(PlacedPly { material, angle_rad, z_low_m: low, z_high_m: high });
+            placed.push((PlacedPly { material, angle_rad, z_low_m: low, z_high_m: high }, ply.material));
             low = high;
         }
-        Ok(ShellSection::laminate(&placed, card.nsm, self.shear))
+        Ok(placed)
     }
 
     /// A plane material by its number, whatever its kind.

@@ -6,38 +6,22 @@ use crate::cell_shape::CellShape;
 use crate::element::Element;
 use crate::solid::{QuadraticSolid, Solid};
 use crate::solid_material::SolidMaterial;
-use nalgebra::{Matrix3, Point3, Vector3};
+use nalgebra::{Matrix3, Point3, Vector3, Vector6};
 use nastran::{InputError, Psolid, SolidElement};
 use std::sync::Arc;
 
+/// A solid of either kind.
+enum AnySolid {
+    Plain(Solid),
+    WithEdges(QuadraticSolid),
+}
+
 impl ElementCard for SolidElement {
     fn element(&self, builder: &mut Builder) -> Result<Arc<dyn Element>, InputError> {
-        let kind = match self.grids.len() {
-            8 => "CHEXA",
-            6 => "CPENTA",
-            _ => "CTETRA",
-        };
-        let user = format!("{kind} {}", self.id);
-        let property = found(&builder.bulk.solid_properties, self.property, &user, "PSOLID", &self.span)?;
-        let (edges, midsides) = present(&self.midsides);
-        let grids: Vec<u32> = self.grids.iter().copied().chain(midsides).collect();
-        let nodes = builder.nodes_of(&grids, &user, &self.span)?;
-        let points: Vec<Point3<f64>> = nodes.iter().map(|node| builder.nodes[*node].point).collect();
-        let known = builder.solid_materials.get(&property.id).filter(|_| property.cordm == 0);
-        let material = if let Some(known) = known {
-            Arc::clone(known)
-        } else {
-            let middle =
-                points.iter().map(|point| point.coords).sum::<Vector3<f64>>() / (points.len() as f64);
-            let made = Arc::new(builder.solid_material(property, &Point3::from(middle))?);
-            builder.solid_materials.insert(property.id, Arc::clone(&made));
-            made
-        };
-        if !edges.is_empty() {
-            let solid = QuadraticSolid::new(self.id, nodes, &points, &edges, &material, &self.span)?;
-            return Ok(Arc::new(solid));
-        }
-        Ok(Arc::new(Solid::new(self.id, nodes, &points, &material, &self.span)?))
+        Ok(match builder.solid(self)? {
+            AnySolid::Plain(solid) => Arc::new(solid),
+            AnySolid::WithEdges(solid) => Arc::new(solid),
+        })
     }
 
     fn property(&self) -> Option<u32> {
@@ -55,6 +39,50 @@ impl ElementCard for SolidElement {
 }
 
 impl Builder<'_> {
+    fn solid(&mut self, card: &SolidElement) -> Result<AnySolid, InputError> {
+        let builder = self;
+        let kind = match card.grids.len() {
+            8 => "CHEXA",
+            6 => "CPENTA",
+            _ => "CTETRA",
+        };
+        let user = format!("{kind} {}", card.id);
+        let property = found(&builder.bulk.solid_properties, card.property, &user, "PSOLID", &card.span)?;
+        let (edges, midsides) = present(&card.midsides);
+        let grids: Vec<u32> = card.grids.iter().copied().chain(midsides).collect();
+        let nodes = builder.nodes_of(&grids, &user, &card.span)?;
+        let points: Vec<Point3<f64>> = nodes.iter().map(|node| builder.nodes[*node].point).collect();
+        let known = builder.solid_materials.get(&property.id).filter(|_| property.cordm == 0);
+        let material = if let Some(known) = known {
+            Arc::clone(known)
+        } else {
+            let middle =
+                points.iter().map(|point| point.coords).sum::<Vector3<f64>>() / (points.len() as f64);
+            let made = Arc::new(builder.solid_material(property, &Point3::from(middle))?);
+            builder.solid_materials.insert(property.id, Arc::clone(&made));
+            made
+        };
+        if !edges.is_empty() {
+            let solid = QuadraticSolid::new(card.id, nodes, &points, &edges, &material, &card.span)?;
+            return Ok(AnySolid::WithEdges(solid));
+        }
+        Ok(AnySolid::Plain(Solid::new(card.id, nodes, &points, &material, &card.span)?))
+    }
+
+    /// Forces (N) by degree of freedom of the g-set that hold a solid whose grids are warmer by `rises`; `strain` is its free strain a degree.
+    pub(super) fn solid_expansion(
+        &mut self,
+        card: &SolidElement,
+        strain: &Vector6<f64>,
+        rises: &[f64],
+    ) -> Result<Vec<(usize, f64)>, InputError> {
+        let (dofs, forces) = match self.solid(card)? {
+            AnySolid::Plain(solid) => (solid.dofs(), solid.thermal_forces(strain, rises)),
+            AnySolid::WithEdges(solid) => (solid.dofs(), solid.thermal_forces(strain, rises)),
+        };
+        Ok(dofs.into_iter().zip(forces.iter().copied()).collect())
+    }
+
     fn solid_material(&self, card: &Psolid, place: &Point3<f64>) -> Result<SolidMaterial, InputError> {
         let bulk = self.bulk;
         if let Some(material) = bulk.materials.get(&card.material) {

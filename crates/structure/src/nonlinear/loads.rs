@@ -160,6 +160,21 @@ impl System {
 /// Work-equivalent forces of a pressure that is interpolated between the corners (`pascal`), along the surface's normal. A face of six
 /// or eight nodes is curved: its corners, then the nodes of its sides.
 pub(crate) fn pressure_forces(nodes: &[Vector3<f64>], pascal: &[f64]) -> Vec<Vector3<f64>> {
+    pressed(nodes, pascal, |normal| normal)
+}
+
+/// Sizes of the work-equivalent forces of a load per area, whatever its direction.
+pub(crate) fn pressure_shares(nodes: &[Vector3<f64>], pascal: &[f64]) -> Vec<f64> {
+    let sizes = pressed(nodes, pascal, |normal| Vector3::new(normal.norm(), 0.0, 0.0));
+    sizes.into_iter().map(|size| size.x).collect()
+}
+
+/// The integral of the pressure times something of the normal (its length an area), shared by the shape functions.
+fn pressed(
+    nodes: &[Vector3<f64>],
+    pascal: &[f64],
+    of: impl Fn(Vector3<f64>) -> Vector3<f64>,
+) -> Vec<Vector3<f64>> {
     let mut forces = vec![Vector3::zeros(); nodes.len()];
     for (at, weight) in face_points(nodes.len()) {
         let is_triangle = nodes.len().is_multiple_of(3);
@@ -174,7 +189,7 @@ pub(crate) fn pressure_forces(nodes: &[Vector3<f64>], pascal: &[f64]) -> Vec<Vec
         let along = |axis: usize| -> Vector3<f64> {
             nodes.iter().zip(&functions.slopes).map(|(x, slope)| x * slope[axis]).sum()
         };
-        let normal = along(0).cross(&along(1)) * (p * weight);
+        let normal = of(along(0).cross(&along(1))) * (p * weight);
         forces.iter_mut().zip(&functions.values).for_each(|(force, n)| *force += normal * *n);
     }
     forces

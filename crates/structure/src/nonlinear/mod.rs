@@ -34,6 +34,7 @@ pub use adjoint::{Transposed, differenced, moments_across};
 pub use carried::{Carried, CarriedPoint, PlacedCarriers};
 pub use error::NonlinearError;
 pub use joints::reactions_of;
+pub(crate) use loads::pressure_shares;
 pub use loads::{Following, Loads, NodeLoad};
 pub use near::Near;
 pub use state::State;

@@ -28,7 +28,7 @@ pub(crate) use shape::{gauss_2, gauss_3};
 
 use crate::element::Element;
 use crate::solid_material::{COMPONENTS, SolidMaterial};
-use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Matrix6xX, Point3, SMatrix, Vector3};
+use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Matrix6xX, Point3, SMatrix, Vector3, Vector6};
 use nastran::{InputError, Span};
 use shape::{Gradients, ModeStrains, Shape, Values};
 use std::borrow::Cow;
@@ -203,6 +203,23 @@ impl Solid {
             strains_t.columns_mut(6 * i, 6).copy_from(&strains.transpose());
         }
         strains_t * stresses
+    }
+
+    /// Forces at the corners (three each, N) that hold the element where it is warmer by `rises` at its corners, between them by the shape
+    /// functions; `strain` is the free strain a degree (basic axes). What the modes take is condensed with them.
+    pub(crate) fn thermal_forces(&self, strain: &Vector6<f64>, rises: &[f64]) -> DVector<f64> {
+        let own = 3 * self.nodes.len();
+        let mut all = DVector::zeros(own + self.shape.mode_count());
+        for point in self.shape.stiffness_points() {
+            let (strains, volume) = self.strains(point.at);
+            let rise: f64 = self.shape.values(point.at).iter().zip(rises).map(|(n, rise)| n * rise).sum();
+            all += strains.transpose() * (self.material.stiffness * strain) * (rise * point.weight * volume);
+        }
+        let mut forces = all.rows(0, own).into_owned();
+        if let Some(by_corners) = self.modes_by_corners(&self.with_modes()) {
+            forces += by_corners.transpose() * all.rows(own, by_corners.nrows());
+        }
+        forces
     }
 
     /// -K_aa^-1 K_au: the modes from the corners' displacements; `None` without modes, or if they cannot be found.

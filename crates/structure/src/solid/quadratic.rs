@@ -8,7 +8,7 @@ use super::{SMALLEST, base_of, write_strains};
 use crate::element::Element;
 use crate::serendipity::{self, Edge, Functions, with_midsides};
 use crate::solid_material::SolidMaterial;
-use nalgebra::{DMatrix, DVector, Matrix3, Matrix6xX, Point3, Vector3};
+use nalgebra::{DMatrix, DVector, Matrix3, Matrix6xX, Point3, Vector3, Vector6};
 use nastran::{InputError, Span};
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -141,6 +141,19 @@ impl QuadraticSolid {
             write_strains(&mut strains, 3 * node, &(inverse * slope));
         }
         (strains, volume.abs())
+    }
+
+    /// Forces at the grids (three each, N) that hold the element where it is warmer by `rises` at its grids; `strain` is the free strain a degree
+    /// (basic axes).
+    pub(crate) fn thermal_forces(&self, strain: &Vector6<f64>, rises: &[f64]) -> DVector<f64> {
+        let mut forces = DVector::zeros(3 * self.nodes.len());
+        for point in self.stiffness_points() {
+            let (strains, volume) = self.strains(point.at);
+            let values = self.functions(point.at).values;
+            let rise: f64 = values.iter().zip(rises).map(|(n, rise)| n * rise).sum();
+            forces += strains.transpose() * (self.material.stiffness * strain) * (rise * point.weight * volume);
+        }
+        forces
     }
 
     fn stiffness_points(&self) -> Vec<QuadraturePoint> {

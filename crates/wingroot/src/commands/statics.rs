@@ -10,7 +10,7 @@ use faer::Mat;
 use nastran::{BulkData, InputError};
 use report::Table;
 use structure::nonlinear::{Controls, LargeDeflection, Loads, Path, reactions_of};
-use structure::{Flexibility, enforced_motions, loads_of};
+use structure::{Flexibility, enforced_motions, loads_of, thermal_loads};
 
 use super::statics_air::{self, AirArgs};
 use super::statics_cases::{self, Asked};
@@ -31,7 +31,7 @@ use crate::structures::Structure;
   wingroot statics --deck my_wing.bdf --load 20 --nonlinear --steps 20
   wingroot statics --wing my_wing/wing.ron --airspeeds 20,30,40 --alpha 5 --nonlinear")]
 pub struct StaticsArgs {
-    /// A Nastran deck with its loads (FORCE, MOMENT, FORCE1, MOMENT1, FORCE2, MOMENT2, PLOAD, PLOAD1, PLOAD2, PLOAD4, GRAV, LOAD)
+    /// A Nastran deck with its loads (FORCE, MOMENT, FORCE1, MOMENT1, FORCE2, MOMENT2, PLOAD, PLOAD1, PLOAD2, PLOAD4, GRAV, LOAD; SPCD; TEMP, TEMPD, TEMPRB, TEMPP1)
     #[arg(long, value_name = "FILE", required_unless_present = "wing")]
     pub(crate) deck: Option<PathBuf>,
     /// A wing in steady air
@@ -57,6 +57,7 @@ pub(crate) fn run(args: &StaticsArgs, common: &Common) -> Result<(), Failure> {
     let Some(deck) = &args.deck else { return statics_air::run(&args.air, args.nonlinear, common) };
     let start = Instant::now();
     let bulk = nastran::read_deck(deck)?;
+    statics_cases::refuse_nonlinear_materials(&bulk, deck)?;
     let wanted = |value: Option<usize>| value.and_then(|value| u32::try_from(value).ok());
     let cases =
         statics_cases::asked(&bulk, wanted(args.load), args.subcase).map_err(|error| error.or_in(deck))?;
@@ -75,19 +76,18 @@ pub(crate) fn run(args: &StaticsArgs, common: &Common) -> Result<(), Failure> {
             Some(set) => loads_of(&structure.bulk, set).map_err(|error| error.or_in(deck))?,
             None => Loads::default(),
         };
-        let linear = bounded.linear(&loads)?;
+        let linear = bounded.linear(case, &loads)?;
         let is_large =
             args.nonlinear || structure.bulk.parameters.get("LGDISP").is_some_and(|value| *value > 0.0);
-        let walked = match (is_large, &bounded.enforced) {
+        let is_moved = case.temperatures[0].is_some() || bounded.enforced(case.load)?.is_some();
+        let walked = match (is_large, is_moved) {
             (false, _) => None,
-            (true, None) => Some(large(structure, &loads, args.steps.unwrap_or(1))?),
-            (true, Some(_)) => {
-                return Err(InputError::in_file(
-                    deck,
-                    "SPC enforces motions, which large deflections do not know",
-                )
-                .with_help("leave out --nonlinear and PARAM LGDISP, or press by forces")
-                .into());
+            (true, false) => Some(large(structure, &loads, args.steps.unwrap_or(1))?),
+            (true, true) => {
+                let message = "large deflections know no motions that SPC or SPCD enforces, and no temperatures";
+                return Err(InputError::in_file(deck, message)
+                    .with_help("leave out --nonlinear and PARAM LGDISP, or press by forces")
+                    .into());
             }
         };
         let answer = Answer { structure, linear: &linear, large: walked.as_ref() };
@@ -95,6 +95,9 @@ pub(crate) fn run(args: &StaticsArgs, common: &Common) -> Result<(), Failure> {
         answer.write(&folder, results.first().and(case.subcase))?;
         let result = result(&answer, case, start.elapsed().as_secs_f64());
         text += &summary(&result);
+        if let Some(set) = case.temperatures[0] {
+            let _ = writeln!(text, "temperatures of set {set} expand the structure");
+        }
         results.push(result);
         known = Some(bounded);
     }
@@ -114,32 +117,43 @@ struct Bounded {
     case: Asked,
     structure: Structure,
     flexibility: Flexibility,
-    /// Motions that SPC enforces, six a node.
-    enforced: Option<Mat<f64>>,
+    /// The deck under these conditions.
+    bulk: BulkData,
 }
 
 impl Bounded {
     fn new(deck: &std::path::Path, bulk: &BulkData, case: &Asked) -> Result<Self, Failure> {
         let name = deck.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let structure = Structure::of_cards(name, deck.to_path_buf(), bulk.clone(), Some(case.subcase))?;
-        let bounded = bulk.bounded(case.subcase).map_err(|error| error.or_in(deck))?;
-        let enforced = enforced_motions(&bounded, &structure.model).map_err(|error| error.or_in(deck))?;
-        let enforced = enforced.map(|motions| Mat::from_fn(motions.len(), 1, |i, _| motions[i]));
+        let bulk = bulk.bounded(case.subcase).map_err(|error| error.or_in(deck))?.into_owned();
         let flexibility = Flexibility::new(&structure.system).map_err(Failure::computation)?;
-        Ok(Self { case: case.clone(), structure, flexibility, enforced })
+        Ok(Self { case: case.clone(), structure, flexibility, bulk })
     }
 
-    /// Forces on the nodes, displacements and reactions.
-    fn linear(&self, loads: &Loads) -> Result<statics_files::State, Failure> {
+    /// Motions that SPC and the SPCD of a load set enforce, six a node.
+    fn enforced(&self, load: Option<u32>) -> Result<Option<Mat<f64>>, InputError> {
+        let motions = enforced_motions(&self.bulk, &self.structure.model, load)
+            .map_err(|error| error.or_in(&self.structure.path))?;
+        Ok(motions.map(|motions| Mat::from_fn(motions.len(), 1, |i, _| motions[i])))
+    }
+
+    /// Forces on the nodes (those that would hold the free expansion among them), displacements and reactions.
+    fn linear(&self, case: &Asked, loads: &Loads) -> Result<statics_files::State, Failure> {
         let system = &self.structure.system;
-        let forces = system.forces_of(loads);
+        let mut forces = system.forces_of(loads);
+        if let [Some(warm), initial] = case.temperatures {
+            let expanding = thermal_loads(&self.bulk, warm, initial)
+                .map_err(|error| error.or_in(&self.structure.path))?;
+            (0..expanding.len()).for_each(|dof| forces[(dof, 0)] += expanding[dof]);
+        }
+        let enforced = self.enforced(case.load)?;
         let mut pushing = forces.clone();
-        if let Some(enforced) = &self.enforced {
+        if let Some(enforced) = &enforced {
             pushing -= system.elastic_loads(enforced.as_ref());
         }
         let mut u_g =
             system.expand(self.flexibility.displacements(system.reduce(pushing.as_ref()).as_ref()).as_ref());
-        if let Some(enforced) = &self.enforced {
+        if let Some(enforced) = &enforced {
             u_g += enforced;
         }
         let unbalanced = system.elastic_loads(u_g.as_ref()) - &forces;

@@ -1,6 +1,7 @@
 //! Which loads under which boundary conditions a static deck asks for: LOAD of its subcases, or its only load set.
 
-use nastran::{BulkData, InputError, Subcase};
+use nastran::{Analysis, BulkData, InputError, Solution, Subcase};
+use std::path::Path;
 use structure::load_sets;
 
 use crate::show;
@@ -10,15 +11,18 @@ use crate::show;
 pub(super) struct Asked {
     /// The subcase; none where the deck has one condition only, or no case control.
     pub(super) subcase: Option<u32>,
-    /// The load set; none where only motions are enforced.
+    /// The load set; none where only motions are enforced or temperatures load.
     pub(super) load: Option<u32>,
+    /// Temperatures that load, and those at which nothing has expanded.
+    pub(super) temperatures: [Option<u32>; 2],
     /// SPC, MPC and SUPORT1 of the subcase.
     conditions: [Option<u32>; 3],
 }
 
 impl Asked {
     fn of(case: &Subcase, load: Option<u32>) -> Self {
-        Self { subcase: Some(case.id), load, conditions: [case.spc, case.mpc, case.support] }
+        let temperatures = [case.temperature, case.initial_temperature];
+        Self { subcase: Some(case.id), load, temperatures, conditions: [case.spc, case.mpc, case.support] }
     }
 
     /// Whether boundary conditions are the same.
@@ -30,7 +34,7 @@ impl Asked {
 /// The loads that a deck asks for; `load` and `subcase` are the user's.
 ///
 /// # Errors
-/// If the subcase is not there, selects temperatures, or nothing says which load set applies.
+/// If the subcase is not there, or nothing says which load set applies.
 pub(super) fn asked(
     bulk: &BulkData,
     load: Option<u32>,
@@ -45,16 +49,18 @@ pub(super) fn asked(
                 .unwrap_or_else(|| InputError::general("no such subcase")));
         };
         let selected = load.or(case.load);
-        let load = if selected.is_some() || is_enforced(bulk, case) { selected } else { alone(bulk)? };
-        return Ok(vec![Asked::of(warm(case)?, load)]);
+        let is_loaded = selected.is_some() || case.temperature.is_some() || is_enforced(bulk, case);
+        let load = if is_loaded { selected } else { alone(bulk)? };
+        return Ok(vec![Asked::of(case, load)]);
     }
     if load.is_none() {
-        let is_loaded = |case: &&Subcase| case.load.is_some() || is_enforced(bulk, case);
+        let is_loaded = |case: &&Subcase| {
+            case.load.is_some() || case.temperature.is_some() || is_enforced(bulk, case)
+        };
         let loaded: Vec<&Subcase> = bulk.subcases.iter().filter(is_loaded).collect();
         if !loaded.is_empty() {
-            return loaded.into_iter().map(|case| Ok(Asked::of(warm(case)?, case.load))).collect();
+            return Ok(loaded.into_iter().map(|case| Asked::of(case, case.load)).collect());
         }
-        bulk.subcases.iter().try_for_each(|case| warm(case).map(|_| ()))?;
     }
     let set = match load {
         Some(set) => Some(set),
@@ -63,7 +69,7 @@ pub(super) fn asked(
     if let (None, Some(set), false) = (load, set, bulk.subcases.is_empty()) {
         show::note(&format!("the case control selects no LOAD: load set {set}, the only one, is applied"));
     }
-    Ok(vec![Asked { subcase: None, load: set, conditions: [None; 3] }])
+    Ok(vec![Asked { subcase: None, load: set, temperatures: [None; 2], conditions: [None; 3] }])
 }
 
 /// Whether an SPC of the subcase enforces a motion.
@@ -74,12 +80,21 @@ fn is_enforced(bulk: &BulkData, case: &Subcase) -> bool {
     case.spc.is_some_and(|set| there(set) || united(set).into_iter().any(there))
 }
 
-/// A subcase without temperatures.
-fn warm(case: &Subcase) -> Result<&Subcase, InputError> {
-    let Some(set) = case.temperature else { return Ok(case) };
-    let message =
-        format!("subcase {} selects temperatures (set {set}), and thermal expansion is not read", case.id);
-    Err(InputError::general(message).with_help("name a subcase without TEMPERATURE, or take it out"))
+/// Materials that count where a deck asks for nonlinear statics.
+const NONLINEAR: [&str; 7] = ["MATS1", "MATS3", "MATSMA", "MATEP", "MATVP", "MATG", "CREEP"];
+
+/// Refuses nonlinear statics (SOL 106, 400, 401) of materials that yield, creep or damage; linear statics leaves them out as Nastran does.
+///
+/// # Errors
+/// If the deck asks for that.
+pub(super) fn refuse_nonlinear_materials(bulk: &BulkData, deck: &Path) -> Result<(), InputError> {
+    let asked = Solution::of_file(deck)?;
+    let Some(solution) = asked.filter(|solution| solution.analysis == Analysis::NonlinearStatics) else { return Ok(()) };
+    let Some((name, unread)) = bulk.unknown.iter().find(|(name, _)| NONLINEAR.contains(&name.as_str())) else {
+        return Ok(());
+    };
+    let message = format!("SOL {} asks for a material that is not linear ({name}), which wingroot is not for", solution.name);
+    Err(InputError::at(&unread.first, message).with_help("take it out to compute with the elastic material"))
 }
 
 /// The load set that there can be no doubt about: the only one, the only LOAD, or none where motions are enforced.
@@ -90,7 +105,7 @@ fn alone(bulk: &BulkData) -> Result<Option<u32>, InputError> {
         ([set], _) | (_, [set]) => Ok(Some(*set)),
         ([], _) if bulk.constraints.iter().any(|card| card.enforced != 0.0) => Ok(None),
         ([], _) => Err(InputError::general("the deck has no loads").with_help(
-            "FORCE, MOMENT, FORCE1, MOMENT1, FORCE2, MOMENT2, PLOAD, PLOAD1, PLOAD2, PLOAD4, GRAV, LOAD and motions enforced by SPC are read",
+            "FORCE, MOMENT, FORCE1, MOMENT1, FORCE2, MOMENT2, PLOAD, PLOAD1, PLOAD2, PLOAD4, GRAV, LOAD, SPCD, motions enforced by SPC and temperatures that the case control selects are read",
         )),
         _ => {
             let list: Vec<String> = all.iter().map(u32::to_string).collect();

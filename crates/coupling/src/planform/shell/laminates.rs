@@ -10,7 +10,7 @@ use super::layup::{FIRST_PLY_MATERIAL, Layup};
 use super::mesh::Mesh;
 use super::settings::Surface;
 use crate::planform::panels::card_number;
-use nastran::{BulkData, Mat8, Pcomp, Ply, Span};
+use nastran::{BulkData, Expansion, Mat8, Pcomp, Ply, Span};
 
 const FIRST_LAMINATE: u32 = 1001;
 
@@ -94,6 +94,7 @@ impl<'wing> Laminates<'wing> {
                 id,
                 z0: None,
                 nsm: laminate.nsm_kg_m2,
+                reference: 0.0,
                 plies: laminate.plies,
                 is_symmetric: false,
                 is_global: false,
@@ -111,6 +112,7 @@ impl<'wing> Laminates<'wing> {
                 g1z: material.g12_pa,
                 g2z: material.g12_pa,
                 rho: material.rho_kg_m3,
+                expansion: Expansion::default(),
                 span: span.clone(),
             };
             bulk.ply_materials.insert(id, card);

@@ -7,7 +7,7 @@ use crate::planform::Planform;
 use crate::planform::cards::add_grid;
 use crate::planform::panels::card_number;
 use nalgebra::{Point3, Unit, Vector3};
-use nastran::{BulkData, Coord, CoordDefinition, InputError, Mat1, Psolid, SolidElement, Span};
+use nastran::{BulkData, Coord, CoordDefinition, Expansion, InputError, Mat1, Psolid, SolidElement, Span};
 
 const FIRST_SOLID: u32 = 1_000_001;
 /// PSOLID and MAT1 of the core.
@@ -106,7 +106,7 @@ impl<'wing> Mesh<'wing> {
         let foam = self.settings.foam;
         let rho = foam.rho_kg_m3 * self.contour.area() / self.contour.area_between(&self.lines);
         let g = foam.e_pa / (2.0 * (1.0 + foam.nu));
-        bulk.materials.insert(CORE, Mat1 { id: CORE, e: foam.e_pa, g, nu: foam.nu, rho, span: span.clone() });
+        bulk.materials.insert(CORE, Mat1 { id: CORE, e: foam.e_pa, g, nu: foam.nu, rho, expansion: Expansion::default(), span: span.clone() });
         bulk.solid_properties.insert(CORE, Psolid { id: CORE, material: CORE, cordm: 0, span: span.clone() });
         let cells =
             (0..self.spanwise()).flat_map(|station| (0..self.chordwise()).map(move |line| (station, line)));
