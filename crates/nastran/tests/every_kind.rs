@@ -183,71 +183,18 @@ fn box_images() -> BTreeMap<u32, u32> {
 }
 
 /// Kinds that an image has no cards of, said beside their types.
-const NO_IMAGE: &[&str] = &[
-    "splines",
-    "monitors",
-    "constraint_unions",
-    "equation_unions",
-    "point_loads",
-    "line_loads",
-    "cross_loads",
-    "beam_loads",
-    "pressures",
-    "gravities",
-    "load_sums",
-    "enforced",
-    "temperatures",
-    "aero_reference",
-    "trim_variables",
-    "trims",
-    "aero_links",
-    "aero_components",
-    "component_lists",
-    "supports",
-    "eigen_methods",
-    "unsteady_reference",
-    "flutters",
-    "flutter_factors",
-    "reduced_frequencies",
-    "damping_tables",
-    "gusts",
-    "dynamic_loads",
-    "dynamic_sums",
-    "load_areas",
-    "direct_matrices",
-    "frequencies",
-    "time_steps",
-    "function_tables",
-    "spectrum_tables",
-    "spectra",
-];
+const NO_IMAGE: &str = "\
+    splines monitors constraint_unions equation_unions point_loads line_loads cross_loads beam_loads pressures \
+     gravities load_sums enforced temperatures aero_reference trim_variables trims aero_links aero_components \
+     component_lists supports eigen_methods unsteady_reference flutters flutter_factors reduced_frequencies \
+     damping_tables gusts dynamic_loads dynamic_sums load_areas direct_matrices frequencies time_steps \
+     function_tables spectrum_tables spectra";
 /// Kinds that are read only.
-const NOT_WRITTEN: &[&str] = &[
-    "constraint_unions",
-    "equation_unions",
-    "aero_reference",
-    "trim_variables",
-    "trims",
-    "aero_links",
-    "aero_components",
-    "component_lists",
-    "supports",
-    "eigen_methods",
-    "unsteady_reference",
-    "flutters",
-    "flutter_factors",
-    "reduced_frequencies",
-    "damping_tables",
-    "gusts",
-    "dynamic_loads",
-    "load_areas",
-    "direct_matrices",
-    "frequencies",
-    "time_steps",
-    "function_tables",
-    "spectrum_tables",
-    "spectra",
-];
+const NOT_WRITTEN: &str = "\
+    constraint_unions equation_unions aero_reference trim_variables trims aero_links aero_components \
+     component_lists supports eigen_methods unsteady_reference flutters flutter_factors reduced_frequencies \
+     damping_tables gusts dynamic_loads load_areas direct_matrices frequencies time_steps function_tables \
+     spectrum_tables spectra";
 
 fn samples() -> BulkData {
     parse_deck("samples.bdf", SAMPLES).unwrap_or_else(|error| panic!("{error}"))
@@ -287,8 +234,12 @@ fn filled(deck: &BulkData) -> BTreeSet<String> {
     fields(deck).into_iter().filter(|(_, text)| !is_empty(text)).map(|(name, _)| name).collect()
 }
 
-fn kinds(but: &[&str]) -> Vec<&'static str> {
-    CARD_KINDS.iter().map(|kind| kind.field).filter(|field| !but.contains(field)).collect()
+fn kinds(but: &str) -> Vec<&'static str> {
+    CARD_KINDS
+        .iter()
+        .map(|kind| kind.field)
+        .filter(|field| but.split(' ').all(|other| other != *field))
+        .collect()
 }
 
 #[test]
@@ -322,7 +273,7 @@ fn every_kind_that_is_written_is_read_again_as_it_was() {
     for field in kinds(NOT_WRITTEN) {
         assert_eq!(rounded(&before[field]), rounded(&after[field]), "{field}");
     }
-    assert!(NOT_WRITTEN.iter().all(|field| !filled(&again).contains(*field)));
+    assert!(NOT_WRITTEN.split(' ').all(|field| !filled(&again).contains(field)));
 }
 
 #[test]
@@ -353,7 +304,7 @@ fn every_number_is_raised_and_nothing_else() {
         "spectrum_tables",
         "spectra",
     ];
-    for field in kinds(&keep) {
+    for field in kinds(&keep.join(" ")) {
         assert_ne!(before[field], after[field], "{field} keeps its numbers");
     }
     // Raising by nothing changes nothing, and both models fit into one deck.
@@ -386,7 +337,7 @@ fn every_kind_has_an_image_or_says_that_it_has_none() {
     for field in kinds(NO_IMAGE).into_iter().filter(|field| *field != general) {
         assert!(filled(&image).contains(field), "{field} vanishes from the image");
     }
-    assert!(NO_IMAGE.iter().all(|field| !filled(&image).contains(*field)));
+    assert!(NO_IMAGE.split(' ').all(|field| !filled(&image).contains(field)));
     // The image of the image: all but coordinates, which are in the basic system now.
     let twice = image.mirrored(&boxes).unwrap_or_else(|error| panic!("{error}"));
     let basic = twice.mirrored(&boxes).unwrap_or_else(|error| panic!("{error}"));

@@ -2,10 +2,10 @@
 
 use crate::common::content;
 use nastran::{
-    BulkData, BushAxes, Cbush, Conm1, Coord, CoordDefinition, CoordKind, CornerThickness, Crod, Expansion, Genel, Mat2,
-    Mat8, Mat9, MaterialDirection, Motion, Mpc, Orientation, Pbush, Pcomp, Ply, Prod, Pshell, Psolid, Rbar,
-    Rbe3, Rbe3Group, ScalarElement, ScalarProperty, ScalarValue, ShellElement, SolidElement, Span,
-    SplineCard, SplineKind, parse_deck, real, write_deck,
+    BulkData, BushAxes, Cbush, Conm1, Coord, CoordDefinition, CoordKind, CornerThickness, Crod, Expansion,
+    Genel, Mat2, Mat8, Mat9, MaterialDirection, Motion, Mpc, Orientation, Pbush, Pcomp, Ply, Prod, Pshell,
+    Psolid, Rbar, Rbe3, Rbe3Group, ScalarElement, ScalarProperty, ScalarValue, ShellElement, SolidElement,
+    Span, SplineCard, SplineKind, parse_deck, real, write_deck,
 };
 use proptest::prelude::*;
 
@@ -234,7 +234,8 @@ fn properties(dice: &mut Dice, deck: &mut BulkData) {
             .collect();
         let z0 = dice.real();
         let (z0, nsm, is_symmetric) = (dice.optional(z0), dice.real(), dice.yes());
-        deck.laminates.insert(id, Pcomp { id, z0, nsm, reference: 0.0, plies, is_symmetric, is_global, span: span() });
+        deck.laminates
+            .insert(id, Pcomp { id, z0, nsm, reference: 0.0, plies, is_symmetric, is_global, span: span() });
     }
     let (id, material, cordm) = (dice.id(), dice.id(), i32::try_from(dice.up_to(9)).expect("small") - 1);
     deck.solid_properties.insert(id, Psolid { id, material, cordm, span: span() });
@@ -253,7 +254,21 @@ fn materials(dice: &mut Dice, deck: &mut BulkData) {
     deck.plane_materials.insert(id, Mat2 { id, g, rho, expansion: Expansion::default(), span: span() });
     let (id, e2) = (dice.id(), dice.positive());
     let [g12, g1z, g2z, rho] = std::array::from_fn(|_| dice.positive());
-    deck.ply_materials.insert(id, Mat8 { id, e1: e2, e2, nu12: 0.25, g12, g1z, g2z, rho, expansion: Expansion::default(), span: span() });
+    deck.ply_materials.insert(
+        id,
+        Mat8 {
+            id,
+            e1: e2,
+            e2,
+            nu12: 0.25,
+            g12,
+            g1z,
+            g2z,
+            rho,
+            expansion: Expansion::default(),
+            span: span(),
+        },
+    );
     let (id, g, rho) = (dice.id(), dice.reals(), dice.positive());
     deck.solid_materials.insert(id, Mat9 { id, g, rho, expansion: Expansion::default(), span: span() });
 }

@@ -157,7 +157,8 @@ fn numbers_of_a_free_line_are_separated_by_blanks_too() {
     let grids = "GRID,1\nGRID,2,,1.\n";
     let bush = written(&format!("{grids}CBUSH   10211,  10010,  1,    2\n"));
     assert_eq!(bush, written(&format!("{grids}CBUSH,10211,10010,1,2\n")));
-    let words = parse_deck("t.bdf", "MONPNT3,TIP,Wing tip 2 3\n,35,70,,0,.1,.2,.3\nSET1,70,1\nGRID,1\n").unwrap();
+    let words =
+        parse_deck("t.bdf", "MONPNT3,TIP,Wing tip 2 3\n,35,70,,0,.1,.2,.3\nSET1,70,1\nGRID,1\n").unwrap();
     assert_eq!(words.monitors[0].name, "TIP", "words stay together");
 }
 
@@ -172,7 +173,11 @@ fn a_coordinate_system_may_stand_in_one_free_line() {
 
 #[test]
 fn a_step_of_a_replication_begins_at_zero_where_the_field_is_empty() {
-    let deck = parse_deck("t.bdf", "CORD2R,1,,0.,0.,0.,0.,0.,1.\n,1.,0.,0.\nGRID,1,,0.,1.,0.\n=,*(1),=,=,=,=,*(1)\n").unwrap();
+    let deck = parse_deck(
+        "t.bdf",
+        "CORD2R,1,,0.,0.,0.,0.,0.,1.\n,1.,0.,0.\nGRID,1,,0.,1.,0.\n=,*(1),=,=,=,=,*(1)\n",
+    )
+    .unwrap();
     assert_eq!((deck.grids[&1].cd, deck.grids[&2].cd), (0, 1));
 }
 

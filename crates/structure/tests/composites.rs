@@ -92,7 +92,18 @@ fn material_directions_turn_from_the_first_side_towards_the_normal_cross_it() {
 
 fn ply_of(e: f64, g: f64) -> PlaneMaterial {
     let span = Span::generated("test");
-    let card = Mat8 { id: 1, e1: e, e2: e, nu12: 0.0, g12: e / 2.0, g1z: g, g2z: g, rho: 1000.0, span };
+    let card = Mat8 {
+        id: 1,
+        e1: e,
+        e2: e,
+        nu12: 0.0,
+        g12: e / 2.0,
+        g1z: g,
+        g2z: g,
+        rho: 1000.0,
+        expansion: nastran::Expansion::default(),
+        span,
+    };
     PlaneMaterial::ply(&card).expect("a sound material")
 }
 
@@ -177,7 +188,18 @@ fn unlike_plies_shear_as_the_balance_of_their_bending_stresses_asks() {
 fn turned_plies_shear_in_each_plane_by_their_own_moduli() {
     let span = Span::generated("test");
     let (e1, e2, nu12, g12, g1z, g2z) = (138e9, 9e9, 0.3, 5e9, 5e9, 3e9);
-    let card = Mat8 { id: 1, e1, e2, nu12, g12, g1z, g2z, rho: 1600.0, span };
+    let card = Mat8 {
+        id: 1,
+        e1,
+        e2,
+        nu12,
+        g12,
+        g1z,
+        g2z,
+        rho: 1600.0,
+        expansion: nastran::Expansion::default(),
+        span,
+    };
     let material = PlaneMaterial::ply(&card).expect("a sound material");
     let (angles_deg, edges) = ([0.0, 90.0, 30.0], [-0.002, -0.001, 0.001, 0.004]);
     let plies: Vec<PlacedPly> = (0..3)
@@ -207,7 +229,18 @@ fn turned_plies_shear_in_each_plane_by_their_own_moduli() {
 #[test]
 fn with_a_factor_plies_shear_side_by_side_each_in_its_own_direction() {
     let span = Span::generated("test");
-    let card = Mat8 { id: 1, e1: 138e9, e2: 9e9, nu12: 0.3, g12: 5e9, g1z: 5e9, g2z: 3e9, rho: 1600.0, span };
+    let card = Mat8 {
+        id: 1,
+        e1: 138e9,
+        e2: 9e9,
+        nu12: 0.3,
+        g12: 5e9,
+        g1z: 5e9,
+        g2z: 3e9,
+        rho: 1600.0,
+        expansion: nastran::Expansion::default(),
+        span,
+    };
     let material = PlaneMaterial::ply(&card).expect("a sound material");
     let ply = |angle_deg: f64, z_low_m: f64, z_high_m: f64| PlacedPly {
         material,

@@ -17,6 +17,7 @@ fn section() -> Arc<ShellSection> {
         g1z: 5e9,
         g2z: 3e9,
         rho: 1600.0,
+        expansion: nastran::Expansion::default(),
         span: Span::generated("test"),
     };
     let material = PlaneMaterial::ply(&card).expect("a sound material");

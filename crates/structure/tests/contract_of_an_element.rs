@@ -10,7 +10,15 @@ fn span() -> Span {
 }
 
 fn material() -> Mat1 {
-    Mat1 { id: 1, e: 70e9, g: 27e9, nu: 0.3, rho: 2700.0, span: span() }
+    Mat1 {
+        id: 1,
+        e: 70e9,
+        g: 27e9,
+        nu: 0.3,
+        rho: 2700.0,
+        expansion: nastran::Expansion::default(),
+        span: span(),
+    }
 }
 
 fn station(x_over_l: f64, size: f64) -> BeamStation {

@@ -18,7 +18,18 @@ const NU: f64 = 0.25;
 fn ply(e: f64, nu: f64, thickness_m: f64, low_m: f64) -> Arc<ShellSection> {
     let g = e / (2.0 * (1.0 + nu));
     let span = Span::generated("test");
-    let card = Mat8 { id: 1, e1: e, e2: e, nu12: nu, g12: g, g1z: g, g2z: g, rho: 100.0, span };
+    let card = Mat8 {
+        id: 1,
+        e1: e,
+        e2: e,
+        nu12: nu,
+        g12: g,
+        g1z: g,
+        g2z: g,
+        rho: 100.0,
+        expansion: nastran::Expansion::default(),
+        span,
+    };
     let material = PlaneMaterial::ply(&card).expect("a sound material");
     let ply = PlacedPly { material, angle_rad: 0.0, z_low_m: low_m, z_high_m: low_m + thickness_m };
     Arc::new(ShellSection::laminate(&[ply], 0.7, ShearModel::Equilibrium))

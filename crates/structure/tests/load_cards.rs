@@ -97,7 +97,7 @@ fn what_is_not_read_or_not_there_is_said() {
     for (cards, set, expected) in [
         ("FORCE,1,7,,2.,1.,0.,3.\n", 2, "no loads of set 2 (hint: there are 1)"),
         ("FORCE,1,77,,2.,1.,0.,3.\n", 1, "FORCE of set 1 refers to GRID 77"),
-        ("FORCE,1,7,,2.,1.,0.,3.\nTEMPD,1,20.\n", 1, "TEMPD is a load that is not read"),
+        ("FORCE,1,7,,2.,1.,0.,3.\nRFORCE,1,7,,2.,0.,0.,1.\n", 1, "RFORCE is a load that is not read"),
         ("PLOAD2,1,2.,1\n", 1, "PLOAD2 of set 1 presses on element 1"),
         ("PLOAD4,1,1,2.,,,,1,2\n", 1, "name no face of a solid 1"),
         ("LOAD,1,1.,1.,4\n", 1, "no loads of set 4"),

@@ -22,7 +22,18 @@ fn isotropic() -> Arc<ShellSection> {
 /// A sheet of one ply.
 fn sheet(e1: f64, e2: f64, g12: f64, angle_rad: f64) -> Arc<ShellSection> {
     let span = Span::generated("test");
-    let card = Mat8 { id: 1, e1, e2, nu12: NU, g12, g1z: g12, g2z: g12, rho: 2700.0, span };
+    let card = Mat8 {
+        id: 1,
+        e1,
+        e2,
+        nu12: NU,
+        g12,
+        g1z: g12,
+        g2z: g12,
+        rho: 2700.0,
+        expansion: nastran::Expansion::default(),
+        span,
+    };
     let material = PlaneMaterial::ply(&card).expect("a sound material");
     let (z_low_m, z_high_m) = (-0.5 * THICKNESS_M, 0.5 * THICKNESS_M);
     let ply = PlacedPly { material, angle_rad, z_low_m, z_high_m };

@@ -103,6 +103,7 @@ impl RandomBeam {
             g: units.stress(27e9),
             nu: 0.3,
             rho: units.density(2700.0),
+            expansion: nastran::Expansion::default(),
             span: span(),
         };
         let station = |x_over_l: f64, size: f64| BeamStation {
@@ -178,6 +179,7 @@ impl RandomShell {
             g1z: gpa(5.0),
             g2z: gpa(3.0),
             rho: units.density(1600.0),
+            expansion: nastran::Expansion::default(),
             span: span(),
         };
         let material = PlaneMaterial::ply(&card).expect("a sound material");

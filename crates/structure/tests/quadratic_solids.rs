@@ -12,7 +12,15 @@ use structure::{Element, MassProperties, Model, QuadraticSolid, SolidMaterial, S
 const NU: f64 = 0.25;
 
 fn material() -> Arc<SolidMaterial> {
-    let card = Mat1 { id: 1, e: 1e6, g: 0.0, nu: NU, rho: 3.0, span: Span::generated("test") };
+    let card = Mat1 {
+        id: 1,
+        e: 1e6,
+        g: 0.0,
+        nu: NU,
+        rho: 3.0,
+        expansion: nastran::Expansion::default(),
+        span: Span::generated("test"),
+    };
     Arc::new(SolidMaterial::from_mat1(&card).expect("a sound material"))
 }
 
@@ -260,7 +268,15 @@ fn a_thick_elliptic_plate_has_the_stress_of_nafems_le10() {
     let grids: Vec<u32> = card.grids.iter().copied().chain(card.midsides.iter().flatten().copied()).collect();
     let nodes: Vec<usize> = grids.iter().map(|grid| system.node_index(*grid).expect("is there")).collect();
     let points: Vec<Point3<f64>> = nodes.iter().map(|node| system.points()[*node]).collect();
-    let steel = Mat1 { id: 1, e: 2.1e11, g: 0.0, nu: 0.3, rho: 0.0, span: Span::generated("test") };
+    let steel = Mat1 {
+        id: 1,
+        e: 2.1e11,
+        g: 0.0,
+        nu: 0.3,
+        rho: 0.0,
+        expansion: nastran::Expansion::default(),
+        span: Span::generated("test"),
+    };
     let steel = Arc::new(SolidMaterial::from_mat1(&steel).expect("sound"));
     let own = DVector::from_iterator(
         60,

@@ -15,7 +15,15 @@ const E: f64 = 70e9;
 const NU: f64 = 0.3;
 
 fn material() -> Arc<SolidMaterial> {
-    let card = Mat1 { id: 1, e: E, g: 0.0, nu: NU, rho: 0.0, span: Span::generated("test") };
+    let card = Mat1 {
+        id: 1,
+        e: E,
+        g: 0.0,
+        nu: NU,
+        rho: 0.0,
+        expansion: nastran::Expansion::default(),
+        span: Span::generated("test"),
+    };
     Arc::new(SolidMaterial::from_mat1(&card).unwrap())
 }
 

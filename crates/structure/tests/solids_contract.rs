@@ -18,7 +18,7 @@ fn span() -> Span {
 }
 
 fn isotropic() -> Mat1 {
-    Mat1 { id: 1, e: 70e9, g: 0.0, nu: 0.3, rho: RHO, span: span() }
+    Mat1 { id: 1, e: 70e9, g: 0.0, nu: 0.3, rho: RHO, expansion: nastran::Expansion::default(), span: span() }
 }
 
 /// A timber-like material: three moduli, three Poisson's ratios, three shear moduli, all different.
@@ -38,7 +38,7 @@ fn orthotropic() -> Mat9 {
     ] {
         g[at] = value;
     }
-    Mat9 { id: 2, g, rho: RHO, span: span() }
+    Mat9 { id: 2, g, rho: RHO, expansion: nastran::Expansion::default(), span: span() }
 }
 
 fn turned_material(rotation: &Rotation3<f64>, is_orthotropic: bool) -> Arc<SolidMaterial> {

@@ -66,14 +66,22 @@ fn elements(cells: Cells) -> Vec<Vec<usize>> {
 
 fn materials() -> [Arc<SolidMaterial>; 2] {
     let span = Span::generated("test");
-    let steel = Mat1 { id: 1, e: 1e6, g: 0.0, nu: 0.25, rho: 1.0, span: span.clone() };
+    let steel = Mat1 {
+        id: 1,
+        e: 1e6,
+        g: 0.0,
+        nu: 0.25,
+        rho: 1.0,
+        expansion: nastran::Expansion::default(),
+        span: span.clone(),
+    };
     let mut g = [0.0; 21];
     for (at, value) in
         [(0, 25.2), (1, 0.34), (2, 0.34), (6, 1.07), (7, 0.27), (11, 1.07), (15, 0.5), (18, 0.2), (20, 0.5)]
     {
         g[at] = value;
     }
-    let ply = Mat9 { id: 2, g, rho: 1.0, span };
+    let ply = Mat9 { id: 2, g, rho: 1.0, expansion: nastran::Expansion::default(), span };
     let axes = Rotation3::from_euler_angles(0.7, -0.2, 1.1);
     [SolidMaterial::from_mat1(&steel), SolidMaterial::from_mat9(&ply, axes.matrix())]
         .map(|material| Arc::new(material.unwrap()))

@@ -12,7 +12,7 @@ fn span() -> Span {
 }
 
 fn mat1(e: f64, nu: f64, rho: f64) -> Mat1 {
-    Mat1 { id: 5, e, g: 0.0, nu, rho, span: span() }
+    Mat1 { id: 5, e, g: 0.0, nu, rho, expansion: nastran::Expansion::default(), span: span() }
 }
 
 fn cube() -> Vec<[f64; 3]> {
@@ -83,7 +83,7 @@ fn materials_that_give_energy_are_refused() {
     for at in [0, 6, 11, 15, 18, 20] {
         g[at] = 1.0;
     }
-    let honest = Mat9 { id: 8, g, rho: 0.0, span: span() };
+    let honest = Mat9 { id: 8, g, rho: 0.0, expansion: nastran::Expansion::default(), span: span() };
     assert!(SolidMaterial::from_mat9(&honest, &Matrix3::identity()).is_ok());
     for (at, value) in [(0, 0.0), (1, 1.0), (20, -1.0), (7, 2.0), (3, f64::NAN)] {
         let mut card = honest.clone();
@@ -97,7 +97,8 @@ fn materials_that_give_energy_are_refused() {
 fn an_isotropic_mat9_is_the_mat1_in_any_axes() {
     let (e, nu) = (3.0, 0.2);
     let isotropic = SolidMaterial::from_mat1(&mat1(e, nu, 1.0)).unwrap();
-    let mut card = Mat9 { id: 8, g: [0.0; 21], rho: 1.0, span: span() };
+    let mut card =
+        Mat9 { id: 8, g: [0.0; 21], rho: 1.0, expansion: nastran::Expansion::default(), span: span() };
     let shear = e / (2.0 * (1.0 + nu));
     let lame = e * nu / ((1.0 + nu) * (1.0 - 2.0 * nu));
     for at in [0, 6, 11] {
@@ -116,7 +117,8 @@ fn an_isotropic_mat9_is_the_mat1_in_any_axes() {
 
 #[test]
 fn the_fibres_of_a_turned_material_lie_along_the_axes_given() {
-    let mut card = Mat9 { id: 8, g: [0.0; 21], rho: 1.0, span: span() };
+    let mut card =
+        Mat9 { id: 8, g: [0.0; 21], rho: 1.0, expansion: nastran::Expansion::default(), span: span() };
     for (at, value) in [(0, 10.0), (6, 2.0), (11, 3.0), (15, 0.4), (18, 0.5), (20, 0.6)] {
         card.g[at] = value;
     }

@@ -50,7 +50,8 @@ fn ply(material: &Value, is_along_y: bool) -> Arc<SolidMaterial> {
     ] {
         g[at] = value;
     }
-    let card = Mat9 { id: 1, g, rho: 0.0, expansion: Expansion::default(), span: Span::generated("published case") };
+    let card =
+        Mat9 { id: 1, g, rho: 0.0, expansion: Expansion::default(), span: Span::generated("published case") };
     let along_y = Matrix3::new(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0);
     let axes = if is_along_y { along_y } else { Matrix3::identity() };
     Arc::new(SolidMaterial::from_mat9(&card, &axes).expect("a sound material"))

@@ -26,7 +26,15 @@ pub(super) fn plate(inputs: &Value) -> Isotropic {
 
 pub(super) fn section(plate: Isotropic) -> ShellSection {
     let Isotropic { e, nu, rho, t } = plate;
-    let card = nastran::Mat1 { id: 1, e, g: e / (2.0 * (1.0 + nu)), nu, rho, expansion: nastran::Expansion::default(), span: span() };
+    let card = nastran::Mat1 {
+        id: 1,
+        e,
+        g: e / (2.0 * (1.0 + nu)),
+        nu,
+        rho,
+        expansion: nastran::Expansion::default(),
+        span: span(),
+    };
     let material = PlaneMaterial::isotropic(&card).expect("a sound material");
     let ply = PlacedPly { material, angle_rad: 0.0, z_low_m: -0.5 * t, z_high_m: 0.5 * t };
     ShellSection::laminate(&[ply], 0.0, ShearModel::Equilibrium)

@@ -21,7 +21,15 @@ pub const CASES: &[Case] = &[
 ];
 
 fn isotropic(e: f64, nu: f64) -> Arc<SolidMaterial> {
-    let card = Mat1 { id: 1, e, g: 0.0, nu, rho: 0.0, expansion: Expansion::default(), span: Span::generated("published case") };
+    let card = Mat1 {
+        id: 1,
+        e,
+        g: 0.0,
+        nu,
+        rho: 0.0,
+        expansion: Expansion::default(),
+        span: Span::generated("published case"),
+    };
     Arc::new(SolidMaterial::from_mat1(&card).expect("a sound material"))
 }
 

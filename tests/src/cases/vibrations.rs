@@ -112,7 +112,10 @@ fn bending_beam(elements: u32, clamped: bool) -> BulkData {
         span: span(),
     };
     bulk.beam_properties.insert(1, property);
-    bulk.materials.insert(1, Mat1 { id: 1, e: 1.0, g: 1.0, nu: 0.0, rho: 0.0, expansion: Expansion::default(), span: span() });
+    bulk.materials.insert(
+        1,
+        Mat1 { id: 1, e: 1.0, g: 1.0, nu: 0.0, rho: 0.0, expansion: Expansion::default(), span: span() },
+    );
     bulk.constraints.push(Spc1 {
         set: 1,
         components: vec![1, 2, 4, 6],

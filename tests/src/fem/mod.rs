@@ -103,7 +103,9 @@ impl Mesh {
     pub fn of(mut self, plate: Isotropic) -> Self {
         let Isotropic { e, nu, rho, t } = plate;
         let g = e / (2.0 * (1.0 + nu));
-        self.bulk.materials.insert(1, Mat1 { id: 1, e, g, nu, rho, expansion: Expansion::default(), span: span() });
+        self.bulk
+            .materials
+            .insert(1, Mat1 { id: 1, e, g, nu, rho, expansion: Expansion::default(), span: span() });
         let section = Pshell {
             id: 1,
             membrane: Some(1),

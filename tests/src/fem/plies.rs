@@ -27,7 +27,18 @@ impl PlyConstants {
     /// The material card.
     pub fn card(&self) -> Mat8 {
         let [g12, g1z, g2z] = self.g;
-        Mat8 { id: 1, e1: self.e1, e2: self.e2, nu12: self.nu12, g12, g1z, g2z, rho: self.rho, expansion: Expansion::default(), span: span() }
+        Mat8 {
+            id: 1,
+            e1: self.e1,
+            e2: self.e2,
+            nu12: self.nu12,
+            g12,
+            g1z,
+            g2z,
+            rho: self.rho,
+            expansion: Expansion::default(),
+            span: span(),
+        }
     }
 }
 
@@ -54,8 +65,16 @@ impl Mesh {
                 global_id: None,
             })
             .collect();
-        let laminate =
-            Pcomp { id: 1, z0: None, nsm: 0.0, reference: 0.0, plies, is_symmetric: false, is_global: false, span: span() };
+        let laminate = Pcomp {
+            id: 1,
+            z0: None,
+            nsm: 0.0,
+            reference: 0.0,
+            plies,
+            is_symmetric: false,
+            is_global: false,
+            span: span(),
+        };
         self.bulk.laminates.insert(1, laminate);
         self
     }

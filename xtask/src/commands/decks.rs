@@ -97,15 +97,7 @@ pub(crate) fn run(args: &DecksArgs, common: &Common) -> Result<(), Failure> {
     }
     let start = Instant::now();
     let scratch = std::env::temp_dir().join(format!("decks-{}", std::process::id()));
-    let (names, args) = match args.broken {
-        None => (names(args)?, args.clone()),
-        Some(count) => {
-            let path = scratch.join("broken");
-            let made = decks_broken::broken(&args.path, &names(args)?, &path, count)?;
-            (made, DecksArgs { path, ..args.clone() })
-        }
-    };
-    let args = &args;
+    let (names, args) = &asked(args, &scratch)?;
     let bar = progress::bar(common, names.len(), "decks");
     let next = AtomicUsize::new(0);
     let folder = ResultFolder::begin(&common.out("decks"))?;
@@ -154,6 +146,15 @@ pub(crate) fn run(args: &DecksArgs, common: &Common) -> Result<(), Failure> {
     } else {
         Err(Failure::Computation(format!("{bad} decks did not end by themselves or panicked")))
     }
+}
+
+/// The decks to run and where they are: those of the folder, or broken ones made of them.
+fn asked(args: &DecksArgs, scratch: &Path) -> Result<(Vec<String>, DecksArgs), Failure> {
+    let names = names(args)?;
+    let Some(count) = args.broken else { return Ok((names, args.clone())) };
+    let path = scratch.join("broken");
+    let made = decks_broken::broken(&args.path, &names, &path, count)?;
+    Ok((made, DecksArgs { path, ..args.clone() }))
 }
 
 fn words(status: Status) -> &'static str {

@@ -12,11 +12,30 @@ use wingroot::failure::Failure;
 const LONGEST: usize = 400_000;
 /// What is written over a field.
 const JUNK: [&str; 14] = [
-    "1.O", "-7", "0", "99999999", "4294967296", "1.E999", "NAN", "", "THRU", "1.2.3", "+", "é", "=", "-1.E-320",
+    "1.O",
+    "-7",
+    "0",
+    "99999999",
+    "4294967296",
+    "1.E999",
+    "NAN",
+    "",
+    "THRU",
+    "1.2.3",
+    "+",
+    "é",
+    "=",
+    "-1.E-320",
 ];
 /// What a line is turned into or preceded by.
 const LINES: [&str; 8] = [
-    "+       1       2       3", "=(3)", "BEGIN SUPER=1", "INCLUDE 'nowhere.bdf'", "SUBCASE 1", "&", "GRID,1,1,0.,0.,0.,1",
+    "+       1       2       3",
+    "=(3)",
+    "BEGIN SUPER=1",
+    "INCLUDE 'nowhere.bdf'",
+    "SUBCASE 1",
+    "&",
+    "GRID,1,1,0.,0.,0.,1",
     "PARAM,WTMASS,0.",
 ];
 
@@ -24,7 +43,12 @@ const LINES: [&str; 8] = [
 ///
 /// # Errors
 /// If a deck cannot be read or written, or none is short enough.
-pub(super) fn broken(from: &Path, names: &[String], into: &Path, count: usize) -> Result<Vec<String>, Failure> {
+pub(super) fn broken(
+    from: &Path,
+    names: &[String],
+    into: &Path,
+    count: usize,
+) -> Result<Vec<String>, Failure> {
     let read = |name: &String| {
         let path = from.join(name);
         let text = read_text(&path).ok().filter(|text| text.len() <= LONGEST && text.lines().count() > 3)?;
@@ -39,7 +63,8 @@ pub(super) fn broken(from: &Path, names: &[String], into: &Path, count: usize) -
     for number in 0..count {
         let name = format!("broken_{number:04}.bdf");
         let path = into.join(&name);
-        fs::write(&path, one(&decks, number)).map_err(|error| InputError::in_file(&path, error.to_string()))?;
+        fs::write(&path, one(&decks, number))
+            .map_err(|error| InputError::in_file(&path, error.to_string()))?;
         made.push(name);
     }
     Ok(made)
@@ -103,7 +128,8 @@ fn with_junk(line: &str, field: usize, junk: &str) -> String {
         fields[at] = junk;
         return fields.join(",");
     }
-    let letters: Vec<char> = line.chars().chain(std::iter::repeat(' ')).take(line.chars().count().max(80)).collect();
+    let letters: Vec<char> =
+        line.chars().chain(std::iter::repeat(' ')).take(line.chars().count().max(80)).collect();
     let (start, end) = (8 * field, 8 * field + 8);
     let before: String = letters[..start].iter().collect();
     let after: String = letters[end.min(letters.len())..].iter().collect();
@@ -116,7 +142,9 @@ mod tests {
 
     #[test]
     fn a_number_makes_the_same_deck_again_and_another_one_another() {
-        let deck = "CEND\nBEGIN BULK\nGRID,1,,0.,0.,0.\nGRID    2               1.      0.      0.\nENDDATA\n".to_owned();
+        let deck =
+            "CEND\nBEGIN BULK\nGRID,1,,0.,0.,0.\nGRID    2               1.      0.      0.\nENDDATA\n"
+                .to_owned();
         let made: Vec<Vec<u8>> = (0..40).map(|number| one(std::slice::from_ref(&deck), number)).collect();
         assert_eq!(made[7], one(std::slice::from_ref(&deck), 7));
         let mut different = made.clone();
@@ -128,7 +156,10 @@ mod tests {
     #[test]
     fn a_field_is_overwritten_where_it_stands() {
         assert_eq!(with_junk("GRID,1,,0.,0.", 3, "1.O"), "GRID,1,,1.O,0.");
-        assert_eq!(with_junk("GRID    2               1.      0.", 1, "-7"), "GRID    -7              1.      0.");
+        assert_eq!(
+            with_junk("GRID    2               1.      0.", 1, "-7"),
+            "GRID    -7              1.      0."
+        );
         assert_eq!(with_whole_paths("GRID,1\ninclude 'a.blk'", Path::new("/")), "GRID,1\nINCLUDE '/a.blk'");
     }
 }

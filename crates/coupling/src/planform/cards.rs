@@ -25,7 +25,8 @@ pub fn add_mass(bulk: &mut BulkData, id: u32, grid: u32, mass: f64, span: &Span)
 /// A material by its moduli, Pa, without mass.
 pub fn add_material(bulk: &mut BulkData, id: u32, e: f64, g: f64, span: &Span) {
     let nu = e / (2.0 * g) - 1.0;
-    bulk.materials.insert(id, Mat1 { id, e, g, nu, rho: 0.0, expansion: Expansion::default(), span: span.clone() });
+    bulk.materials
+        .insert(id, Mat1 { id, e, g, nu, rho: 0.0, expansion: Expansion::default(), span: span.clone() });
 }
 
 /// The section of a slender beam: area (m²), second moments of plane 1 and 2, torsion constant (m⁴).

@@ -59,8 +59,8 @@ impl Line {
         if source.characters.iter().all(|(character, _)| character.is_whitespace()) {
             return Ok(None);
         }
-        let is_free =
-            source.characters.iter().take(10).any(|(character, _)| *character == ',') || source.counts_with_comma();
+        let is_free = source.characters.iter().take(10).any(|(character, _)| *character == ',')
+            || source.counts_with_comma();
         if is_free { source.free().map(Some) } else { Ok(Some(source.fixed())) }
     }
 }
@@ -131,8 +131,7 @@ impl<'a> Columns<'a> {
     fn separated(&self, range: Range<usize>, into: &mut Vec<Field>) {
         let is_blank = |at: &usize| self.characters[*at].0.is_whitespace();
         let places: Vec<usize> = range.clone().collect();
-        let words: Vec<&[usize]> =
-            places.split(|at| is_blank(at)).filter(|word| !word.is_empty()).collect();
+        let words: Vec<&[usize]> = places.split(|at| is_blank(at)).filter(|word| !word.is_empty()).collect();
         let is_number = |word: &&[usize]| {
             let text: String = word.iter().map(|at| self.characters[*at].0).collect();
             real::parse(&text).is_some() || text.bytes().all(|byte| byte.is_ascii_digit())

@@ -83,7 +83,10 @@ impl DeckCard for Mat1 {
             g,
             nu,
             rho: card.real_or(4, "RHO", 0.0)?,
-            expansion: Expansion { strain: [along, along, along, 0.0, 0.0, 0.0], reference: card.real_or(6, "TREF", 0.0)? },
+            expansion: Expansion {
+                strain: [along, along, along, 0.0, 0.0, 0.0],
+                reference: card.real_or(6, "TREF", 0.0)?,
+            },
             span: card.span.clone(),
         }])
     }

@@ -91,7 +91,8 @@ impl DeckCard for Temperature {
             }
             TemperatureOf::Others(warmth) => card.real(*warmth),
             TemperatureOf::Bars { elements, ends, gradients: [[a1, a2], [b1, b2]] } => {
-                let card = card.ints(elements.iter().copied().take(1)).reals(ends).reals(&[*a1, *b1, *a2, *b2]);
+                let card =
+                    card.ints(elements.iter().copied().take(1)).reals(ends).reals(&[*a1, *b1, *a2, *b2]);
                 if elements.len() > 1 { card.blanks(8).ints(elements.iter().copied().skip(1)) } else { card }
             }
             TemperatureOf::Plates { elements, mean, gradient } => {
@@ -106,7 +107,9 @@ impl DeckCard for Temperature {
         match &mut self.of {
             TemperatureOf::Grids(grids) => by.cards(grids),
             TemperatureOf::Others(_) => {}
-            TemperatureOf::Bars { elements, .. } | TemperatureOf::Plates { elements, .. } => by.cards(elements),
+            TemperatureOf::Bars { elements, .. } | TemperatureOf::Plates { elements, .. } => {
+                by.cards(elements)
+            }
         }
     }
 

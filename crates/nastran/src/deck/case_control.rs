@@ -205,8 +205,19 @@ fn number(command: &Command, value: Option<&str>) -> Result<u32, InputError> {
 
 /// Commands that may be cut down to four letters or more.
 const ABBREVIATED: [&str; 13] = [
-    "AUTOSPC", "SUPORT1", "METHOD", "TEMPERATURE", "FMETHOD", "SDAMPING", "DLOAD", "FREQUENCY", "TSTEP", "RANDOM",
-    "SUBTITLE", "AESYMXZ", "LABEL",
+    "AUTOSPC",
+    "SUPORT1",
+    "METHOD",
+    "TEMPERATURE",
+    "FMETHOD",
+    "SDAMPING",
+    "DLOAD",
+    "FREQUENCY",
+    "TSTEP",
+    "RANDOM",
+    "SUBTITLE",
+    "AESYMXZ",
+    "LABEL",
 ];
 
 /// The whole name of a command.
@@ -259,6 +270,16 @@ fn ask(case: &mut Subcase, value: Option<&str>, sets: &BTreeMap<u32, BTreeSet<u3
     }
 }
 
+/// The number of AESYMXZ's word.
+fn symmetry(command: &Command, value: Option<&str>) -> Result<i32, InputError> {
+    match value.unwrap_or_default().to_ascii_uppercase().get(..4) {
+        Some("SYMM") => Ok(1),
+        Some("ANTI") => Ok(-1),
+        Some("ASYM") => Ok(0),
+        _ => Err(wrong(command, "SYMMETRIC, ANTISYMMETRIC or ASYMMETRIC")),
+    }
+}
+
 /// Keeps what a command says of a subcase.
 fn select(
     case: &mut Subcase,
@@ -304,15 +325,7 @@ fn select(
             let label = command.text.split_once('=').map_or("", |(_, label)| label);
             label.trim().clone_into(&mut case.label);
         }
-        "AESYMXZ" => {
-            let word = value.unwrap_or_default().to_ascii_uppercase();
-            case.symmetry = Some(match word.get(..4) {
-                Some("SYMM") => 1,
-                Some("ANTI") => -1,
-                Some("ASYM") => 0,
-                _ => return Err(wrong(command, "SYMMETRIC, ANTISYMMETRIC or ASYMMETRIC")),
-            });
-        }
+        "AESYMXZ" => case.symmetry = Some(symmetry(command, value)?),
         _ if FOREIGN.iter().any(|(names, _)| names.split(' ').any(|one| one == name)) => {
             case.foreign = Some((command.text.clone(), command.span.clone()));
         }

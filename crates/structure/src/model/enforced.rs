@@ -43,8 +43,10 @@ pub fn enforced_motions(
         let component = component.max(1);
         let is_held = |clamp: &super::Clamp| clamp.node == node && clamp.components.contains(&component);
         if !model.clamps.iter().any(is_held) {
-            let message = format!("{user} enforces component {component} of GRID {grid}, which no SPC or SPC1 holds");
-            return Err(InputError::at(&card.span, message).with_help("hold it by SPC1 in the set that the subcase selects"));
+            let message =
+                format!("{user} enforces component {component} of GRID {grid}, which no SPC or SPC1 holds");
+            return Err(InputError::at(&card.span, message)
+                .with_help("hold it by SPC1 in the set that the subcase selects"));
         }
         own[6 * node + usize::from(component) - 1] = card.value;
     }

@@ -100,7 +100,9 @@ fn rod<C: ElementCard + Numbered>(
 ) -> Result<(), InputError> {
     // What is missing is said where the element is made.
     let material = material.and_then(|id| builder.bulk.materials.get(&id));
-    let Some(Expansion { strain, reference }) = material.map(|material| material.expansion) else { return Ok(()) };
+    let Some(Expansion { strain, reference }) = material.map(|material| material.expansion) else {
+        return Ok(());
+    };
     if strain[0] == 0.0 {
         return Ok(());
     }
@@ -170,7 +172,8 @@ fn shell(card: &ShellElement, builder: &Builder, warmth: &Warmth) -> Result<Opti
     let corners = &points[..card.grids.len()];
     let flat = Shell::axes_of(corners).filter(|_| card.midsides.is_empty());
     let Some(axes) = flat else {
-        let message = format!("{user} with grids on its sides is warmed unevenly or has no isotropic material");
+        let message =
+            format!("{user} with grids on its sides is warmed unevenly or has no isotropic material");
         return Err(InputError::at(&card.span, message).with_help("use CQUAD4 and CTRIA3 for it"));
     };
     let turn = strain_rotation(-builder.angle(card, corners, &user)?);
@@ -187,7 +190,9 @@ fn shell(card: &ShellElement, builder: &Builder, warmth: &Warmth) -> Result<Opti
         // The reference surface stands off the grids.
         let own = own - turned.cross(&Vector3::new(0.0, 0.0, card.offset));
         let (moved, turned) = (axes.transpose() * own, axes.transpose() * turned);
-        (0..3).for_each(|axis| (motions[6 * at + axis], motions[6 * at + 3 + axis]) = (moved[axis], turned[axis]));
+        (0..3).for_each(|axis| {
+            (motions[6 * at + axis], motions[6 * at + 3 + axis]) = (moved[axis], turned[axis])
+        });
     }
     Ok(Some(motions))
 }
@@ -269,8 +274,11 @@ fn solid(
         return Ok(());
     }
     if of_all.is_none() && property.cordm != 0 {
-        let message = format!("{user} expands in axes of its own (CORDM {}), which is not computed", property.cordm);
-        return Err(InputError::at(&property.span, message).with_help("give the material in the basic system"));
+        let message =
+            format!("{user} expands in axes of its own (CORDM {}), which is not computed", property.cordm);
+        return Err(
+            InputError::at(&property.span, message).with_help("give the material in the basic system")
+        );
     }
     let grids: Vec<u32> = card.grids.iter().chain(card.midsides.iter().flatten()).copied().collect();
     let rises = warmth.grids(&grids, own.reference, &user, &card.span)?;

@@ -28,8 +28,15 @@ pub fn load_sets(bulk: &BulkData) -> Vec<u32> {
     let pressures = bulk.pressures.iter().map(|load| load.set);
     let weights = bulk.gravities.iter().map(|load| load.set);
     let enforced = bulk.enforced.iter().map(|card| card.set);
-    let all: BTreeSet<u32> =
-        sums.chain(points).chain(lines).chain(across).chain(beams).chain(pressures).chain(weights).chain(enforced).collect();
+    let all: BTreeSet<u32> = sums
+        .chain(points)
+        .chain(lines)
+        .chain(across)
+        .chain(beams)
+        .chain(pressures)
+        .chain(weights)
+        .chain(enforced)
+        .collect();
     all.into_iter().collect()
 }
 
@@ -159,7 +166,8 @@ fn along(builder: &Builder, load: &BeamLoad) -> Result<[NodeLoad; 2], InputError
 }
 
 fn pressure(builder: &Builder, load: &Pressure, into: &mut Loads) -> Result<(), InputError> {
-    let direction = load.direction.map(|(system, vector)| directed(builder, system, &vector, load)).transpose()?;
+    let direction =
+        load.direction.map(|(system, vector)| directed(builder, system, &vector, load)).transpose()?;
     let user = format!("{} of set {}", ["PLOAD", "PLOAD2", "PLOAD4"][load.form.min(2)], load.set);
     let mut press = |grids: &[u32], sides: &[Option<u32>], sign: f64| -> Result<(), InputError> {
         let (with, midsides) = present(sides);
@@ -219,7 +227,12 @@ fn pressure(builder: &Builder, load: &Pressure, into: &mut Loads) -> Result<(), 
 }
 
 /// The direction of a load per area, of length one in basic axes.
-fn directed(builder: &Builder, system: u32, vector: &Vector3<f64>, load: &Pressure) -> Result<Vector3<f64>, InputError> {
+fn directed(
+    builder: &Builder,
+    system: u32,
+    vector: &Vector3<f64>,
+    load: &Pressure,
+) -> Result<Vector3<f64>, InputError> {
     let Some(grid) = grid_of(builder, load) else { return Ok(vector.normalize()) };
     let place = builder.node(grid, &format!("PLOAD4 of set {}", load.set), &load.span)?;
     let axes = builder.frames.axes_at_point(system, &builder.nodes[place].point, &load.span)?;

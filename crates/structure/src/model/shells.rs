@@ -110,7 +110,12 @@ impl Builder<'_> {
     }
 
     /// From the element's x axis to the material's, rad.
-    pub(super) fn angle(&self, card: &ShellElement, points: &[Point3<f64>], user: &str) -> Result<f64, InputError> {
+    pub(super) fn angle(
+        &self,
+        card: &ShellElement,
+        points: &[Point3<f64>],
+        user: &str,
+    ) -> Result<f64, InputError> {
         let system = match card.direction {
             MaterialDirection::AngleDeg(angle) => return Ok(angle.to_radians()),
             MaterialDirection::System(system) => system,
@@ -200,8 +205,11 @@ impl Builder<'_> {
         if moduli.cholesky().is_some() {
             return Ok(moduli);
         }
-        let message = format!("MAT2 {id}: G11, G12 and G22 are the transverse shear moduli of {user}, and store no energy");
-        Err(InputError::at(span, message).with_help("G11 and G22 must be positive, G12^2 less than their product"))
+        let message = format!(
+            "MAT2 {id}: G11, G12 and G22 are the transverse shear moduli of {user}, and store no energy"
+        );
+        Err(InputError::at(span, message)
+            .with_help("G11 and G22 must be positive, G12^2 less than their product"))
     }
 
     /// What MID4 refers to, which alone need not store energy.

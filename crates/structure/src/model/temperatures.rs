@@ -4,7 +4,8 @@ use nastran::{BulkData, InputError, Span, TemperatureOf, Unread};
 use std::collections::BTreeMap;
 
 /// Temperatures that are not read, and would be missing if a set had some.
-const UNREAD: &[&str] = &["TEMPP2", "TEMPP3", "TEMPP4", "TEMPG", "TEMPBC", "TEMPF", "TEMPN1", "TEMPAX", "TEMPIC"];
+const UNREAD: &[&str] =
+    &["TEMPP2", "TEMPP3", "TEMPP4", "TEMPG", "TEMPBC", "TEMPF", "TEMPN1", "TEMPAX", "TEMPIC"];
 /// Materials whose constants change with the temperature.
 const CHANGING: &[&str] = &["MATT1", "MATT2", "MATT3", "MATT8", "MATT9", "MATT11"];
 
@@ -32,16 +33,24 @@ impl Warmth {
     /// # Errors
     /// If a set is not there, has temperatures that are not read, or materials change with the temperature.
     pub(super) fn of(bulk: &BulkData, load: u32, initial: Option<u32>) -> Result<Self, InputError> {
-        if let Some((name, unread)) = bulk.unknown.iter().find(|(name, _)| CHANGING.contains(&name.as_str())) {
+        if let Some((name, unread)) = bulk.unknown.iter().find(|(name, _)| CHANGING.contains(&name.as_str()))
+        {
             let message = format!("{name} makes a material change with the temperature, which is not read");
-            return Err(InputError::at(&unread.first, message).with_help("give the constants at the temperature, or take it out"));
+            return Err(InputError::at(&unread.first, message)
+                .with_help("give the constants at the temperature, or take it out"));
         }
         let initial = initial.map(|set| Ok((set, Field::of(bulk, set)?))).transpose()?;
         Ok(Self { set: load, now: Field::of(bulk, load)?, initial })
     }
 
     /// Of each of some grids.
-    pub(super) fn grids(&self, grids: &[u32], reference: f64, user: &str, span: &Span) -> Result<Vec<f64>, InputError> {
+    pub(super) fn grids(
+        &self,
+        grids: &[u32],
+        reference: f64,
+        user: &str,
+        span: &Span,
+    ) -> Result<Vec<f64>, InputError> {
         let before = |grid: u32| match &self.initial {
             Some((set, field)) => field.at(grid, *set, user, span),
             None => Ok(reference),
@@ -52,7 +61,8 @@ impl Warmth {
     /// Mean of some grids before now.
     fn before(&self, grids: &[u32], reference: f64, user: &str, span: &Span) -> Result<f64, InputError> {
         let Some((set, field)) = &self.initial else { return Ok(reference) };
-        let all = grids.iter().map(|grid| field.at(*grid, *set, user, span)).collect::<Result<Vec<_>, _>>()?;
+        let all =
+            grids.iter().map(|grid| field.at(*grid, *set, user, span)).collect::<Result<Vec<_>, _>>()?;
         Ok(all.iter().sum::<f64>() / (all.len() as f64))
     }
 
@@ -95,8 +105,11 @@ impl Field {
             UNREAD.contains(&name.as_str()) && unread.numbers.contains(&set)
         };
         if let Some((name, unread)) = bulk.unknown.iter().find(is_meant) {
-            let message = format!("{name} is a temperature that is not read: leaving it out would change the loads");
-            return Err(InputError::at(&unread.first, message).with_help("TEMP, TEMPD, TEMPRB and TEMPP1 are read"));
+            let message =
+                format!("{name} is a temperature that is not read: leaving it out would change the loads");
+            return Err(
+                InputError::at(&unread.first, message).with_help("TEMP, TEMPD, TEMPRB and TEMPP1 are read")
+            );
         }
         let mut field = Self::default();
         let mut any = false;

@@ -151,7 +151,8 @@ impl QuadraticSolid {
             let (strains, volume) = self.strains(point.at);
             let values = self.functions(point.at).values;
             let rise: f64 = values.iter().zip(rises).map(|(n, rise)| n * rise).sum();
-            forces += strains.transpose() * (self.material.stiffness * strain) * (rise * point.weight * volume);
+            forces +=
+                strains.transpose() * (self.material.stiffness * strain) * (rise * point.weight * volume);
         }
         forces
     }

@@ -84,7 +84,8 @@ pub(crate) fn run(args: &StaticsArgs, common: &Common) -> Result<(), Failure> {
             (false, _) => None,
             (true, false) => Some(large(structure, &loads, args.steps.unwrap_or(1))?),
             (true, true) => {
-                let message = "large deflections know no motions that SPC or SPCD enforces, and no temperatures";
+                let message =
+                    "large deflections know no motions that SPC or SPCD enforces, and no temperatures";
                 return Err(InputError::in_file(deck, message)
                     .with_help("leave out --nonlinear and PARAM LGDISP, or press by forces")
                     .into());

@@ -54,9 +54,8 @@ pub(super) fn asked(
         return Ok(vec![Asked::of(case, load)]);
     }
     if load.is_none() {
-        let is_loaded = |case: &&Subcase| {
-            case.load.is_some() || case.temperature.is_some() || is_enforced(bulk, case)
-        };
+        let is_loaded =
+            |case: &&Subcase| case.load.is_some() || case.temperature.is_some() || is_enforced(bulk, case);
         let loaded: Vec<&Subcase> = bulk.subcases.iter().filter(is_loaded).collect();
         if !loaded.is_empty() {
             return Ok(loaded.into_iter().map(|case| Asked::of(case, case.load)).collect());
@@ -89,11 +88,17 @@ const NONLINEAR: [&str; 7] = ["MATS1", "MATS3", "MATSMA", "MATEP", "MATVP", "MAT
 /// If the deck asks for that.
 pub(super) fn refuse_nonlinear_materials(bulk: &BulkData, deck: &Path) -> Result<(), InputError> {
     let asked = Solution::of_file(deck)?;
-    let Some(solution) = asked.filter(|solution| solution.analysis == Analysis::NonlinearStatics) else { return Ok(()) };
-    let Some((name, unread)) = bulk.unknown.iter().find(|(name, _)| NONLINEAR.contains(&name.as_str())) else {
+    let Some(solution) = asked.filter(|solution| solution.analysis == Analysis::NonlinearStatics) else {
         return Ok(());
     };
-    let message = format!("SOL {} asks for a material that is not linear ({name}), which wingroot is not for", solution.name);
+    let Some((name, unread)) = bulk.unknown.iter().find(|(name, _)| NONLINEAR.contains(&name.as_str()))
+    else {
+        return Ok(());
+    };
+    let message = format!(
+        "SOL {} asks for a material that is not linear ({name}), which wingroot is not for",
+        solution.name
+    );
     Err(InputError::at(&unread.first, message).with_help("take it out to compute with the elastic material"))
 }
 

@@ -106,7 +106,18 @@ impl<'wing> Mesh<'wing> {
         let foam = self.settings.foam;
         let rho = foam.rho_kg_m3 * self.contour.area() / self.contour.area_between(&self.lines);
         let g = foam.e_pa / (2.0 * (1.0 + foam.nu));
-        bulk.materials.insert(CORE, Mat1 { id: CORE, e: foam.e_pa, g, nu: foam.nu, rho, expansion: Expansion::default(), span: span.clone() });
+        bulk.materials.insert(
+            CORE,
+            Mat1 {
+                id: CORE,
+                e: foam.e_pa,
+                g,
+                nu: foam.nu,
+                rho,
+                expansion: Expansion::default(),
+                span: span.clone(),
+            },
+        );
         bulk.solid_properties.insert(CORE, Psolid { id: CORE, material: CORE, cordm: 0, span: span.clone() });
         let cells =
             (0..self.spanwise()).flat_map(|station| (0..self.chordwise()).map(move |line| (station, line)));
