@@ -91,14 +91,19 @@ impl ShellSection {
         section.with_finite_shear(plies.iter().map(|ply| ply.z_high_m - ply.z_low_m).sum())
     }
 
-    /// The same section, `thickness_m` thick, with a rigid shear stiffness in the place of an infinite one. What only bends
+    /// The same section, `thickness_m` thick, with a rigid shear stiffness in the place of an infinite one and of any that is stiffer still (decks
+    /// write moduli such as 1e15, beside which a membrane has no stiffness and AUTOSPC would hold it). What only bends
     /// has no membrane stiffness to measure it by: G t is then that of the bending stiffness, 12/t² G t³/12.
     #[must_use]
     pub fn with_finite_shear(mut self, thickness_m: f64) -> Self {
+        let of_bending = 12.0 * self.bending[(2, 2)] / thickness_m.powi(2);
+        let rigid = RIGID * if self.membrane[(2, 2)] > 0.0 { self.membrane[(2, 2)] } else { of_bending };
         if !self.shear.iter().all(|value| value.is_finite()) || self.shear.determinant() <= 0.0 {
-            let of_bending = 12.0 * self.bending[(2, 2)] / thickness_m.powi(2);
-            let stiff = if self.membrane[(2, 2)] > 0.0 { self.membrane[(2, 2)] } else { of_bending };
-            self.shear = Matrix2::identity() * (RIGID * stiff);
+            self.shear = Matrix2::identity() * rigid;
+        }
+        let share = [0, 1].map(|at| (rigid / self.shear[(at, at)]).min(1.0).sqrt());
+        if share.iter().any(|share| *share < 1.0) {
+            self.shear = Matrix2::from_fn(|i, j| share[i] * self.shear[(i, j)] * share[j]);
         }
         self
     }

@@ -167,3 +167,18 @@ fn a_mass_that_nothing_holds_moves_only_where_autospc_is_off_as_msc_nastran_prin
     assert_eq!(system.auto_held(), [(3, 1)]);
     assert_near(&hertz(&deck(""), None, 2), &print, 1e-6, "held by AUTOSPC");
 }
+
+/// A strip pulled along its length is longer by F L / (E A), whatever transverse shear modulus its ply has: beside 1e15 Pa AUTOSPC held the membrane.
+#[test]
+fn a_huge_transverse_modulus_does_not_take_the_membrane_away() {
+    let deck = "CEND\nSPC=1\nBEGIN BULK\nGRID,1\nGRID,2,,2.\nGRID,3,,2.,1.\nGRID,4,,0.,1.\nCQUAD4,1,1,1,2,3,4\nPCOMP,1\n,2,.1,0.\n\
+                MAT8,2,2.+7,2.+7,0.,1.+7,1.+15,1.+15\nSPC1,1,13456,1,4\nSPC1,1,2,1\nFORCE,1,2,,500.,1.\nFORCE,1,3,,500.,1.\n";
+    let system = deck_system(deck, None);
+    assert!(!system.auto_held().iter().any(|(_, component)| *component < 3), "{:?}", system.auto_held());
+    let bulk = parse_deck("deck.bdf", deck).expect("a deck");
+    let loads = structure::loads_of(&bulk, 1).expect("loads");
+    let load = system.reduce(system.forces_of(&loads).as_ref());
+    let moved = system
+        .expand(structure::Flexibility::new(&system).expect("held").displacements(load.as_ref()).as_ref());
+    assert_near(&[moved[(6, 0)]], &[1000.0 * 2.0 / (2e7 * 0.1)], 1e-9, "longer");
+}
