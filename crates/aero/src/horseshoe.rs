@@ -12,7 +12,9 @@
 //! points of a panel are half a box from every vortex of it, so cores act only between surfaces, as when a tail
 //! stands in line with the strip edges of a wing.
 
+use crate::geometry::AeroBox;
 use crate::lattice::Lattice;
+use crate::seams::Seams;
 use nalgebra::{Point3, Vector3};
 use std::f64::consts::PI;
 
@@ -34,9 +36,9 @@ pub(crate) struct Horseshoe {
 }
 
 impl Horseshoe {
-    /// The horseshoe of a box, its x stretched by `1/beta` (Prandtl-Glauert).
-    fn new(panel: &crate::AeroBox, beta: f64) -> Self {
-        let [from, to] = panel.bound_vortex().map(|p| stretched(&p, beta));
+    /// The horseshoe of a box whose bound vortex is that of `at`, its x stretched by `1/beta` (Prandtl-Glauert).
+    fn new(panel: &AeroBox, at: &AeroBox, beta: f64) -> Self {
+        let [from, to] = at.bound_vortex().map(|p| stretched(&p, beta));
         Self {
             edges: None,
             from,
@@ -103,17 +105,19 @@ impl Receivers {
 
 /// The horseshoes of all boxes, x stretched by `1/beta`.
 pub(crate) fn horseshoes(lattice: &Lattice, beta: f64) -> Vec<Horseshoe> {
-    lattice.boxes.iter().map(|panel| Horseshoe::new(panel, beta)).collect()
+    lattice.boxes.iter().map(|panel| Horseshoe::new(panel, panel, beta)).collect()
 }
 
-/// The horseshoes of boxes that stand at an angle to the stream or to each other: their legs run along the sides of the strip
-/// to its trailing edge, and leave it along the stream.
-pub(crate) fn horseshoes_on_surfaces(lattice: &Lattice, beta: f64) -> Vec<Horseshoe> {
-    let mut all = horseshoes(lattice, beta);
+/// The horseshoes of boxes that stand at an angle to the stream or to each other: they run along corners that are joined, their
+/// legs along the sides of the strip to its trailing edge, and leave it along the stream.
+pub(crate) fn horseshoes_on_surfaces(lattice: &Lattice, seams: &Seams, beta: f64) -> Vec<Horseshoe> {
+    let closed = seams.closed(lattice);
+    let boxes = lattice.boxes.iter().zip(&closed.boxes);
+    let mut all: Vec<Horseshoe> = boxes.map(|(panel, at)| Horseshoe::new(panel, at, beta)).collect();
     for surface in &lattice.surfaces {
         for at in 0..surface.spanwise * surface.chordwise {
             let last = surface.first_box + at - at % surface.chordwise + surface.chordwise - 1;
-            let [_, side_1, side_2, _] = &lattice.boxes[last].corners;
+            let [_, side_1, side_2, _] = &closed.boxes[last].corners;
             all[surface.first_box + at].edges = Some([side_1, side_2].map(|corner| stretched(corner, beta)));
         }
     }
@@ -125,7 +129,7 @@ pub(crate) fn stretched(p: &Point3<f64>, beta: f64) -> Vector3<f64> {
 }
 
 /// Radius of the core of a box's vortices, m.
-pub(crate) fn core(panel: &crate::AeroBox) -> f64 {
+pub(crate) fn core(panel: &AeroBox) -> f64 {
     CORE * panel.chord_m().min(panel.width_m())
 }
 

@@ -14,6 +14,7 @@ pub mod lattice;
 pub mod load_operator;
 pub mod mirror;
 pub mod moved;
+pub mod seams;
 pub mod stream_axes;
 pub mod vlm;
 
@@ -30,5 +31,6 @@ pub use lattice::{Lattice, Surface};
 pub use load_operator::{LoadDerivatives, LoadOperator};
 pub use mirror::{BoxMap, MirrorPlane};
 pub use moved::influence_by_motion;
+pub use seams::Seams;
 pub use stream_axes::StreamAxes;
 pub use vlm::{SteadyAero, influence, influence_of_moved};

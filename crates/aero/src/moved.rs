@@ -3,9 +3,9 @@
 //! ```text
 //! E_i = sum_j A_ij cp_j,   dE_i = sum_b (dE_i/dt_b . t_b + dE_i/ds_b . s_b)
 //! ```
-//! t_b is the displacement of the midpoint of box b, s_b its spin. Vortices move with the box that carries them and, where their
-//! legs leave the surface, with the last box of their strip; the point and the normal of a box with that box, and so does
-//! the chord that its circulation is counted by. The derivatives of [`crate::influence_of_moved`] are taken term by term; within the
+//! t_b is the displacement of the midpoint of box b, s_b its spin. Vortices run from corner to corner, each moved by the mean of the
+//! boxes that meet there ([`Seams`]); the point and the normal of a box move with that box, and so does the chord that its
+//! circulation is counted by. The derivatives of [`crate::influence_of_moved`] are taken term by term; within the
 //! cores of vortices, where no box of one surface is, that of the core's size is left out.
 
 use crate::error::AeroError;
@@ -13,6 +13,7 @@ use crate::geometry::AeroBox;
 use crate::horseshoe::{Horseshoe, core, horseshoes_on_surfaces, stretched};
 use crate::lattice::Lattice;
 use crate::mirror::MirrorPlane;
+use crate::seams::Seams;
 use crate::vlm::{beta, check};
 use faer::Mat;
 use nalgebra::Vector3;
@@ -23,10 +24,10 @@ use std::f64::consts::PI;
 struct Source {
     /// Leg's end, bound segment's two ends, leg's end, x stretched.
     points: [Vector3<f64>; 4],
-    /// The same from the midpoints of the boxes they move with, not stretched.
-    arms: [Vector3<f64>; 4],
-    /// The boxes they move with.
-    boxes: [usize; 4],
+    /// The places of corners that these are shares of.
+    shares: [[(usize, f64); 2]; 4],
+    /// The box whose pressure it has.
+    of: usize,
     core: f64,
     /// Circulation over -4 pi.
     strength: f64,
@@ -44,6 +45,7 @@ struct Source {
 /// If there is not one pressure coefficient a box.
 pub fn influence_by_motion(
     lattice: &Lattice,
+    seams: &Seams,
     plane: MirrorPlane,
     mach: f64,
     cp: &[f64],
@@ -51,7 +53,7 @@ pub fn influence_by_motion(
     check(lattice, mach)?;
     assert_eq!(cp.len(), lattice.len(), "pressures are for another number of boxes");
     let beta = beta(mach);
-    let sources = sources(lattice, beta, cp);
+    let on = On { sources: sources(lattice, seams, beta, cp), lattice, seams, beta };
     let image = plane.image().map(|(y_m, sign)| Side { sign, mirror_m: Some(y_m) });
     let sides: Vec<Side> = [Side { sign: 1.0, mirror_m: None }].into_iter().chain(image).collect();
     let mut all = Mat::zeros(6 * lattice.len(), lattice.len());
@@ -59,15 +61,17 @@ pub fn influence_by_motion(
         // A column of a new matrix is contiguous.
         let Some(column) = column.try_as_col_major_mut() else { return };
         let out = column.as_slice_mut();
+        let mut by_place = vec![Vector3::zeros(); seams.places.len()];
         for side in &sides {
-            add_received(&sources, lattice, at, beta, side, out);
+            on.add_received(at, side, &mut by_place, out);
         }
+        on.to_boxes(&by_place, out);
     });
     Ok(all)
 }
 
-fn sources(lattice: &Lattice, beta: f64, cp: &[f64]) -> Vec<Source> {
-    let vortices = horseshoes_on_surfaces(lattice, beta);
+fn sources(lattice: &Lattice, seams: &Seams, beta: f64, cp: &[f64]) -> Vec<Source> {
+    let vortices = horseshoes_on_surfaces(lattice, seams, beta);
     let mut last: Vec<usize> = (0..lattice.len()).collect();
     for surface in &lattice.surfaces {
         for at in 0..surface.spanwise * surface.chordwise {
@@ -76,19 +80,20 @@ fn sources(lattice: &Lattice, beta: f64, cp: &[f64]) -> Vec<Source> {
         }
     }
     let one = |(j, vortex): (usize, &Horseshoe)| {
-        let [edge_1, edge_2] = vortex.edges.unwrap_or([vortex.from, vortex.to]);
-        let points = [edge_1, vortex.from, vortex.to, edge_2];
-        let boxes = [last[j], j, j, last[j]];
-        let middle = |at: usize| lattice.boxes[boxes[at]].mid_point().coords;
-        let arms = std::array::from_fn(|at| {
-            let own: Vector3<f64> = points[at];
-            Vector3::new(own.x * beta, own.y, own.z) - middle(at)
-        });
         let chord = mean_chord(&lattice.boxes[j]);
+        let [lead_1, trail_1, trail_2, lead_2] = seams.corners[j];
+        let quarter = |lead: usize, trail: usize| [(lead, 0.75), (trail, 0.25)];
+        let mut shares = [quarter(lead_1, trail_1); 4];
+        (shares[2], shares[3]) = (quarter(lead_2, trail_2), quarter(lead_2, trail_2));
+        if vortex.edges.is_some() {
+            let [_, edge_1, edge_2, _] = seams.corners[last[j]];
+            (shares[0], shares[3]) = ([(edge_1, 1.0), (edge_1, 0.0)], [(edge_2, 1.0), (edge_2, 0.0)]);
+        }
+        let [edge_1, edge_2] = vortex.edges.unwrap_or([vortex.from, vortex.to]);
         Source {
-            points,
-            arms,
-            boxes,
+            points: [edge_1, vortex.from, vortex.to, edge_2],
+            shares,
+            of: j,
             core: vortex.core,
             strength: -cp[j] * vortex.circulation / (4.0 * PI),
             by_spin: chord.cross(&Vector3::x()) / chord.x,
@@ -108,40 +113,60 @@ struct Side {
     mirror_m: Option<f64>,
 }
 
-/// What one box receives of one side.
-fn add_received(sources: &[Source], lattice: &Lattice, at: usize, beta: f64, side: &Side, out: &mut [f64]) {
-    let (panel, sign) = (&lattice.boxes[at], side.sign);
-    let (place, normal, own_core) = (panel.three_quarter_point(), panel.normal(), core(panel));
-    let (mut point, mut along) = (stretched(&place, beta), normal * sign);
-    if let Some(y_m) = side.mirror_m {
-        point.y = 2.0 * y_m - point.y;
-        along.y = -along.y;
-    }
-    let (mut by_point, mut by_normal): (Vector3<f64>, Vector3<f64>) = (Vector3::zeros(), Vector3::zeros());
-    for source in sources {
-        let weights = along * source.strength;
-        let (velocity, by_ends) = source.velocity(&point, &weights, own_core.min(source.core));
-        by_normal += velocity * (sign * source.strength);
-        for (end, by_end) in by_ends.iter().enumerate() {
-            by_point -= by_end;
-            add(
-                out,
-                source.boxes[end],
-                &Vector3::new(by_end.x / beta, by_end.y, by_end.z),
-                &source.arms[end],
-            );
+/// All vortices and what they are on.
+struct On<'a> {
+    sources: Vec<Source>,
+    lattice: &'a Lattice,
+    seams: &'a Seams,
+    beta: f64,
+}
+
+impl On<'_> {
+    /// What one box receives of one side: by the places of corners, and by its own motion and the others' chords.
+    fn add_received(&self, at: usize, side: &Side, by_place: &mut [Vector3<f64>], out: &mut [f64]) {
+        let (panel, sign, beta) = (&self.lattice.boxes[at], side.sign, self.beta);
+        let (place, normal, own_core) = (panel.three_quarter_point(), panel.normal(), core(panel));
+        let (mut point, mut along) = (stretched(&place, beta), normal * sign);
+        if let Some(y_m) = side.mirror_m {
+            point.y = 2.0 * y_m - point.y;
+            along.y = -along.y;
         }
-        let turned = source.by_spin * weights.dot(&velocity);
-        (0..3).for_each(|i| out[6 * source.boxes[1] + 3 + i] += turned[i]);
+        let (mut by_point, mut by_normal): (Vector3<f64>, Vector3<f64>) =
+            (Vector3::zeros(), Vector3::zeros());
+        for source in &self.sources {
+            let weights = along * source.strength;
+            let (velocity, by_ends) = source.velocity(&point, &weights, own_core.min(source.core));
+            by_normal += velocity * (sign * source.strength);
+            for (by_end, shares) in by_ends.iter().zip(&source.shares) {
+                by_point -= by_end;
+                for (place, share) in shares {
+                    by_place[*place] += Vector3::new(by_end.x / beta, by_end.y, by_end.z) * *share;
+                }
+            }
+            let turned = source.by_spin * weights.dot(&velocity);
+            (0..3).for_each(|i| out[6 * source.of + 3 + i] += turned[i]);
+        }
+        by_point.x /= beta;
+        if side.mirror_m.is_some() {
+            by_point.y = -by_point.y;
+            by_normal.y = -by_normal.y;
+        }
+        add(out, at, &by_point, &(place - panel.mid_point()));
+        let turned = normal.cross(&by_normal);
+        (0..3).for_each(|i| out[6 * at + 3 + i] += turned[i]);
     }
-    by_point.x /= beta;
-    if side.mirror_m.is_some() {
-        by_point.y = -by_point.y;
-        by_normal.y = -by_normal.y;
+
+    /// From the places of corners to the boxes whose mean they are.
+    fn to_boxes(&self, by_place: &[Vector3<f64>], out: &mut [f64]) {
+        for (meeting, by) in self.seams.places.iter().zip(by_place) {
+            let across = if meeting.plane_y_m.is_some() { 0.0 } else { by.y };
+            let share = Vector3::new(by.x, across, by.z) / meeting.corners.len() as f64;
+            for (j, corner) in &meeting.corners {
+                let panel = &self.lattice.boxes[*j];
+                add(out, *j, &share, &(panel.corners[*corner] - panel.mid_point()));
+            }
+        }
     }
-    add(out, at, &by_point, &(place - panel.mid_point()));
-    let turned = normal.cross(&by_normal);
-    (0..3).for_each(|i| out[6 * at + 3 + i] += turned[i]);
 }
 
 /// The derivative by a point that moves with a box, at an arm from its midpoint.
@@ -223,14 +248,15 @@ mod tests {
     use nalgebra::{Point3, Rotation3};
 
     /// A wing of 2 by 3 boxes, each out of place.
-    fn bent() -> Lattice {
+    fn bent(plane: MirrorPlane) -> (Lattice, Seams) {
         let mut lattice =
             Lattice::trapezoid(1, [0.0, 0.1, 0.0], 1.0, [0.4, 3.0, 0.0], 0.7, [2, 3]).expect("boxes");
+        let seams = Seams::of(&lattice, plane);
         for at in 0..lattice.len() {
             let size = 0.1 * (1.0 + at as f64).sin();
             move_box(&mut lattice, at, &[0.2 * size, -0.1 * size, size, 2.0 * size, -0.9 * size, 0.4 * size]);
         }
-        lattice
+        (lattice, seams)
     }
 
     fn move_box(lattice: &mut Lattice, at: usize, motion: &[f64; 6]) {
@@ -243,18 +269,19 @@ mod tests {
 
     #[test]
     fn derivatives_by_motions_of_boxes_are_those_of_differences() {
-        let lattice = bent();
-        let cp: Vec<f64> = (0..lattice.len()).map(|j| 1.0 + 0.4 * (j as f64).cos()).collect();
         for (plane, mach) in [
             (MirrorPlane::None, 0.0),
             (MirrorPlane::Symmetric { y_m: -0.05 }, 0.4),
+            (MirrorPlane::Symmetric { y_m: 0.1 }, 0.0),
             (MirrorPlane::Antisymmetric { y_m: -0.05 }, 0.0),
         ] {
+            let (lattice, seams) = bent(plane);
+            let cp: Vec<f64> = (0..lattice.len()).map(|j| 1.0 + 0.4 * (j as f64).cos()).collect();
             let needed = |lattice: &Lattice| -> Vec<f64> {
-                let a = influence_of_moved(lattice, plane, mach).expect("boxes");
+                let a = influence_of_moved(lattice, &seams, plane, mach).expect("boxes");
                 (0..cp.len()).map(|i| (0..cp.len()).map(|j| a[(i, j)] * cp[j]).sum()).collect()
             };
-            let found = influence_by_motion(&lattice, plane, mach, &cp).expect("boxes");
+            let found = influence_by_motion(&lattice, &seams, plane, mach, &cp).expect("boxes");
             for motion in 0..6 * lattice.len() {
                 let step = 1e-5;
                 let [up, down] = [step, -step].map(|step| {

@@ -8,6 +8,7 @@ use crate::error::AeroError;
 use crate::horseshoe::{Horseshoe, Receivers, horseshoes, horseshoes_on_surfaces};
 use crate::lattice::Lattice;
 use crate::mirror::MirrorPlane;
+use crate::seams::Seams;
 use faer::linalg::solvers::{PartialPivLu, Solve};
 use faer::{Mat, MatRef};
 use rayon::prelude::*;
@@ -26,14 +27,23 @@ pub fn influence(lattice: &Lattice, plane: MirrorPlane, mach: f64) -> Result<Mat
     Ok(matrix)
 }
 
-/// The influence matrix of boxes that a wing carries: legs leave from the trailing edge of their strip. At the root boxes
-/// may turn a little across the plane, so their side of it is not checked.
+/// The influence matrix of boxes that a wing carries: vortices run along the corners that they share (`seams`, of the lattice as it
+/// was laid out), and legs leave from the trailing edge of their strip. At the root boxes may turn a little across the plane,
+/// so their side of it is not checked.
 ///
 /// # Errors
 /// If the lattice is empty or the Mach number is not in 0..1.
-pub fn influence_of_moved(lattice: &Lattice, plane: MirrorPlane, mach: f64) -> Result<Mat<f64>, AeroError> {
+///
+/// # Panics
+/// If the seams are those of other boxes.
+pub fn influence_of_moved(
+    lattice: &Lattice,
+    seams: &Seams,
+    plane: MirrorPlane,
+    mach: f64,
+) -> Result<Mat<f64>, AeroError> {
     check(lattice, mach)?;
-    let vortices = horseshoes_on_surfaces(lattice, beta(mach));
+    let vortices = horseshoes_on_surfaces(lattice, seams, beta(mach));
     let mut matrix = Mat::zeros(lattice.len(), lattice.len());
     add_vortices(&mut matrix, &vortices, &Receivers::new(lattice, beta(mach), None), 1.0);
     if let Some((y_m, sign)) = plane.image() {
@@ -114,8 +124,8 @@ impl SteadyAero {
     ///
     /// # Errors
     /// As that, and if the matrix is singular.
-    pub fn moved(lattice: &Lattice, plane: MirrorPlane, mach: f64) -> Result<Self, AeroError> {
-        Self::factorised(lattice, &influence_of_moved(lattice, plane, mach)?)
+    pub fn moved(lattice: &Lattice, seams: &Seams, plane: MirrorPlane, mach: f64) -> Result<Self, AeroError> {
+        Self::factorised(lattice, &influence_of_moved(lattice, seams, plane, mach)?)
     }
 
     fn factorised(lattice: &Lattice, influence: &Mat<f64>) -> Result<Self, AeroError> {

@@ -5,3 +5,4 @@ mod decks;
 mod dlm_laws;
 mod lattice_laws;
 mod load_laws;
+mod seams;

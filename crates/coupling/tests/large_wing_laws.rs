@@ -20,10 +20,15 @@ fn solved(wing: &LargeWing, case: &SteadyCase) -> LargeState {
 
 /// The shipped beam wing (swept, tapered, cambered) with few boxes.
 fn shipped() -> LargeWing {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/tuflex/wing_beam.ron");
+    shipped_as("wing_beam", 14)
+}
+
+/// A shipped wing with few boxes.
+fn shipped_as(name: &str, strips: usize) -> LargeWing {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../data/tuflex/{name}.ron"));
     let mut file = WingFile::read(&path).unwrap();
     let coupling::wing_file::Source::Parametric(planform) = &mut file.source else { panic!("parametric") };
-    (planform.boxes.chordwise, planform.boxes.spanwise) = (4, 14);
+    (planform.boxes.chordwise, planform.boxes.spanwise) = (4, strips);
     planform.controls.clear();
     // Its loads reach the clamp, not the balance.
     planform.fairing = None;
@@ -68,6 +73,20 @@ fn small_loads_give_what_the_linear_wing_gives_and_the_difference_falls_with_the
     assert!(shares[2] < 2e-4 * shares[0].max(1e-3) + 1e-6, "the limit is another: {shares:?}");
     let falls = shares[0] / shares[1];
     assert!(falls > 1.9, "the difference falls by {falls} for half the load: {shares:?}");
+}
+
+/// The axis of the shells is not their neutral one: it stretches and shortens as they bend, and strips on it come apart. The beam's
+/// strips do not.
+#[test]
+fn in_shells_bending_takes_no_more_lift_than_on_the_beam_of_the_same_wing() {
+    let case = case(30.0, 2.0);
+    let lost = ["wing", "wing_beam"].map(|name| {
+        let wing = shipped_as(name, 28);
+        let neutral = Corrections::neutral(wing.elastic.correctable.len());
+        let linear = wing.elastic.at(case.flow, &neutral).unwrap().solve(std::slice::from_ref(&case));
+        1.0 - solved(&wing, &case).root.fz_n / linear[0].root.fz_n
+    });
+    assert!((lost[0] - lost[1]).abs() < 0.003, "lift lost in shells and on the beam: {lost:?}");
 }
 
 #[test]

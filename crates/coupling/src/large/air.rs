@@ -109,7 +109,7 @@ impl<'a> Air<'a> {
     pub(super) fn solved(&self, state: &State) -> Option<Solved<'a>> {
         let elastic = self.elastic;
         let boxes = turned(&self.boxes.moved(&elastic.lattice, state).lattice, &self.to_wake());
-        let aero = SteadyAero::moved(&boxes, elastic.plane, elastic.mach).ok()?;
+        let aero = SteadyAero::moved(&boxes, &self.boxes.seams, elastic.plane, elastic.mach).ok()?;
         let chord_m = boxes.boxes.iter().map(AeroBox::chord_m).collect();
         let weight = self.structure.load_forces(state, &self.weight());
         Some(Solved { air: self.clone(), aero, chord_m, weight, state: state.clone() })
@@ -140,6 +140,11 @@ impl Solved<'_> {
     pub(super) fn turned_boxes(&self, state: &State) -> Lattice {
         let air = &self.air;
         turned(&air.boxes.moved(&air.elastic.lattice, state).lattice, &air.to_wake())
+    }
+
+    /// Those of the state that was solved, their corners joined.
+    pub(super) fn surface(&self) -> Lattice {
+        self.air.boxes.seams.closed(&self.turned_boxes(&self.state))
     }
 
     /// The state that was solved.

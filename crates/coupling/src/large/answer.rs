@@ -34,7 +34,7 @@ impl<'a> Answer<'a> {
         let boxes = solved.turned_boxes(solved.state());
         let of_lattice = |(j, cp): (usize, &f64)| cp * air.own_chord_m(j) / solved.chord_m[j];
         let cp: Vec<f64> = loaded.cp.iter().enumerate().map(of_lattice).collect();
-        let by_motion = influence_by_motion(&boxes, elastic.plane, elastic.mach, &cp)?;
+        let by_motion = influence_by_motion(&boxes, &air.boxes.seams, elastic.plane, elastic.mach, &cp)?;
         let ones = Mat::from_fn(cp.len(), 1, |_, _| 1.0);
         let unit = elastic.integration.corrected(&air.corrections).of_pressures(air.q_pa, ones.as_ref());
         Ok(Self { solved, loaded, boxes, to_wake: air.to_wake(), stream: air.stream(), by_motion, unit })

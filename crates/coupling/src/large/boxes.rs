@@ -2,7 +2,7 @@
 
 use crate::spline::{feet_on_axis, nearest_nodes};
 use crate::wing_file::SplineKind;
-use aero::{AeroBox, Lattice};
+use aero::{AeroBox, Lattice, MirrorPlane, Seams};
 use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
 use structure::nonlinear::{Carried, CarriedPoint, PlacedCarriers, State, differenced};
 
@@ -12,6 +12,8 @@ pub(super) struct CarriedBoxes {
     feet: Vec<CarriedPoint>,
     carried: Carried,
     nodes: usize,
+    /// Where they meet.
+    pub(super) seams: Seams,
 }
 
 /// Boxes in a row of a lattice and what they follow.
@@ -36,13 +38,24 @@ pub(super) struct MovedBoxes {
 
 impl CarriedBoxes {
     /// Of a lattice on the nodes at undeformed places that its spline is tied to.
-    pub(super) fn new(lattice: &Lattice, kind: SplineKind, points: &[Point3<f64>], nodes: &[usize]) -> Self {
+    pub(super) fn new(
+        lattice: &Lattice,
+        plane: MirrorPlane,
+        kind: SplineKind,
+        points: &[Point3<f64>],
+        nodes: &[usize],
+    ) -> Self {
         let part = CarriedPart { boxes: [0, lattice.len()], kind, nodes: nodes.to_vec() };
-        Self::of_parts(lattice, points, &[part])
+        Self::of_parts(lattice, plane, points, &[part])
     }
 
     /// Of parts that cover the lattice one after the other.
-    pub(super) fn of_parts(lattice: &Lattice, points: &[Point3<f64>], parts: &[CarriedPart]) -> Self {
+    pub(super) fn of_parts(
+        lattice: &Lattice,
+        plane: MirrorPlane,
+        points: &[Point3<f64>],
+        parts: &[CarriedPart],
+    ) -> Self {
         let own = |part: &CarriedPart| {
             let boxes = lattice.boxes[part.boxes[0]..part.boxes[1]].to_vec();
             let own = Lattice { boxes, surfaces: Vec::new() };
@@ -53,7 +66,12 @@ impl CarriedBoxes {
         };
         let feet: Vec<CarriedPoint> = parts.iter().flat_map(own).collect();
         let places: Vec<Vector3<f64>> = points.iter().map(|point| point.coords).collect();
-        Self { carried: Carried::new(&places, &feet), feet, nodes: points.len() }
+        Self {
+            carried: Carried::new(&places, &feet),
+            feet,
+            nodes: points.len(),
+            seams: Seams::of(lattice, plane),
+        }
     }
 
     /// Where the boxes are.

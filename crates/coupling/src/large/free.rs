@@ -94,7 +94,7 @@ impl<'a> FreeBody<'a> {
     ) -> Result<Self, CouplingError> {
         let structure = LargeDeflection::new(model)?;
         let points: Vec<Point3<f64>> = structure.nodes().iter().map(|node| node.point).collect();
-        let boxes = CarriedBoxes::of_parts(&elastic.lattice, &points, parts);
+        let boxes = CarriedBoxes::of_parts(&elastic.lattice, elastic.plane, &points, parts);
         let mut body = Self { elastic, structure, boxes, centre, weight_n: 0.0 };
         let fields = body.fields(&body.structure.undeformed());
         body.weight_n = elastic.gravity_m_s2 * body.resultant(&body.structure.undeformed(), &fields[1])[2];

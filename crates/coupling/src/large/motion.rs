@@ -13,7 +13,7 @@ use super::air::{Loaded, Solved};
 use super::wing::{LargeState, LargeWing};
 use crate::case::SteadyCase;
 use crate::error::CouplingError;
-use aero::{AeroBox, Corrections, Lattice, MirrorPlane};
+use aero::{AeroBox, Corrections, Lattice};
 use faer::Mat;
 use nalgebra::{Point3, Vector3};
 use structure::nonlinear::{Loads, Near, NodeLoad, State};
@@ -21,9 +21,6 @@ use structure::{Modes, ModesError, normal_modes};
 
 /// Largest displacement or spin (m, rad) of a node in the differences.
 const STEP: f64 = 1e-5;
-
-/// Sides of boxes nearer to the plane of symmetry than this share of their width lie in it.
-const IN_PLANE: f64 = 1e-3;
 
 /// The wing as it answers small motions about an equilibrium.
 #[derive(Debug, Clone)]
@@ -90,7 +87,7 @@ impl LargeWing {
         let solved = air.solved(&state.state).ok_or(stuck)?;
         let boxes = self.elastic.lattice.len();
         let mut motion = BentMotion {
-            lattice: along_the_stream(&solved.turned_boxes(&state.state), self.elastic.plane),
+            lattice: along_the_stream(&solved.surface()),
             incidence: Mat::zeros(boxes, count),
             heave: Mat::zeros(boxes, count),
             work: Mat::zeros(count, boxes),
@@ -198,7 +195,7 @@ fn frame(panel: &AeroBox) -> nalgebra::Matrix3<f64> {
 
 /// Boxes as doublets need them: the sides of a strip lie along the stream, at y and z of its middle there. Their dihedral and places
 /// stay, their incidence is in the steady part.
-fn along_the_stream(lattice: &Lattice, plane: MirrorPlane) -> Lattice {
+fn along_the_stream(lattice: &Lattice) -> Lattice {
     let mut along = lattice.clone();
     for surface in &lattice.surfaces {
         for strip in 0..surface.spanwise {
@@ -206,8 +203,7 @@ fn along_the_stream(lattice: &Lattice, plane: MirrorPlane) -> Lattice {
             let last = first + surface.chordwise - 1;
             let [lead_1, _, _, lead_2] = &lattice.boxes[first].corners;
             let [_, trail_1, trail_2, _] = &lattice.boxes[last].corners;
-            let mut sides = [nalgebra::center(lead_1, trail_1), nalgebra::center(lead_2, trail_2)];
-            snap(&mut sides, plane);
+            let sides = [nalgebra::center(lead_1, trail_1), nalgebra::center(lead_2, trail_2)];
             for panel in &mut along.boxes[first..=last] {
                 for (corner, side) in panel.corners.iter_mut().zip([0, 0, 1, 1]) {
                     (corner.y, corner.z) = (sides[side].y, sides[side].z);
@@ -216,15 +212,4 @@ fn along_the_stream(lattice: &Lattice, plane: MirrorPlane) -> Lattice {
         }
     }
     along
-}
-
-/// What all but touches the plane of symmetry lies in it, and nothing crosses it.
-fn snap(sides: &mut [Point3<f64>; 2], plane: MirrorPlane) {
-    let (MirrorPlane::Symmetric { y_m } | MirrorPlane::Antisymmetric { y_m }) = plane else { return };
-    let width = (sides[1] - sides[0]).norm();
-    for side in sides {
-        if (side.y - y_m).abs() < IN_PLANE * width {
-            side.y = y_m;
-        }
-    }
 }

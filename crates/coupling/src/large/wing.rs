@@ -96,7 +96,7 @@ impl LargeWing {
             );
         };
         let structure = LargeDeflection::new(model)?;
-        let boxes = CarriedBoxes::new(&elastic.lattice, kind, system.points(), nodes);
+        let boxes = CarriedBoxes::new(&elastic.lattice, elastic.plane, kind, system.points(), nodes);
         let tip = supported.s_dofs[supported.tip_z] / 6;
         let wind_off = structure.undeformed();
         let mut wing = Self { elastic, structure, boxes, tip, wind_off };
