@@ -5,4 +5,5 @@ mod decks;
 mod dlm_laws;
 mod lattice_laws;
 mod load_laws;
+mod random_lattices;
 mod seams;

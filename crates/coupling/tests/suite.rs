@@ -14,5 +14,6 @@ mod planform;
 mod planform_shell;
 mod planform_shell_errors;
 mod planform_shell_sections;
+mod random_splines;
 mod shell_mesh;
 mod shell_wing_modes;
