@@ -34,15 +34,19 @@ pub fn thermal_loads(bulk: &BulkData, load: u32, initial: Option<u32>) -> Result
         }
     }
     for card in bulk.rods.values() {
-        let section = bulk.rod_properties.get(&card.property).map(|section| section.material);
-        rod(&mut forces, &mut builder, &warmth, (card, card.grids, section), &card.span)?;
+        let material = bulk.rod_properties.get(&card.property).map(|section| section.material);
+        let rod = Rod { card, id: card.id, grids: card.grids, material, span: &card.span };
+        rod.add(&mut forces, &mut builder, &warmth)?;
     }
     for card in bulk.tubes.values() {
-        let section = bulk.tube_properties.get(&card.property).map(|section| section.material);
-        rod(&mut forces, &mut builder, &warmth, (card, card.grids, section), &card.span)?;
+        let material = bulk.tube_properties.get(&card.property).map(|section| section.material);
+        let rod = Rod { card, id: card.id, grids: card.grids, material, span: &card.span };
+        rod.add(&mut forces, &mut builder, &warmth)?;
     }
     for card in bulk.conrods.values() {
-        rod(&mut forces, &mut builder, &warmth, (card, card.grids, Some(card.material)), &card.span)?;
+        let material = Some(card.material);
+        let rod = Rod { card, id: card.id, grids: card.grids, material, span: &card.span };
+        rod.add(&mut forces, &mut builder, &warmth)?;
     }
     for card in bulk.shells.values() {
         if let Some(motions) = shell(card, &builder, &warmth)? {
@@ -90,52 +94,33 @@ fn beam(card: &BeamElement, builder: &Builder, warmth: &Warmth) -> Result<Option
     Ok(Some(motions))
 }
 
-/// Adds the forces of a rod with grids and material.
-fn rod<C: ElementCard + Numbered>(
-    forces: &mut [f64],
-    builder: &mut Builder,
-    warmth: &Warmth,
-    (card, grids, material): (&C, [u32; 2], Option<u32>),
-    span: &Span,
-) -> Result<(), InputError> {
-    // What is missing is said where the element is made.
-    let material = material.and_then(|id| builder.bulk.materials.get(&id));
-    let Some(Expansion { strain, reference }) = material.map(|material| material.expansion) else {
-        return Ok(());
-    };
-    if strain[0] == 0.0 {
-        return Ok(());
-    }
-    let element = card.element(builder)?;
-    let (rise, _) = warmth.bar(card.number(), &grids, reference, &format!("rod {}", card.number()), span)?;
-    let [a, b] = [0, 1].map(|end| builder.nodes[element.nodes()[end]].point);
-    let longer = (b - a) * (strain[0] * rise);
-    let mut motions = vec![0.0; 12];
-    (0..3).for_each(|axis| motions[6 + axis] = longer[axis]);
-    add(forces, &*element, &motions);
-    Ok(())
+/// A rod of any kind with what its expansion needs.
+struct Rod<'a, C> {
+    card: &'a C,
+    id: u32,
+    grids: [u32; 2],
+    material: Option<u32>,
+    span: &'a Span,
 }
 
-/// A card with a number.
-trait Numbered {
-    fn number(&self) -> u32;
-}
-
-impl Numbered for nastran::Crod {
-    fn number(&self) -> u32 {
-        self.id
-    }
-}
-
-impl Numbered for nastran::Ctube {
-    fn number(&self) -> u32 {
-        self.id
-    }
-}
-
-impl Numbered for nastran::Conrod {
-    fn number(&self) -> u32 {
-        self.id
+impl<C: ElementCard> Rod<'_, C> {
+    /// Adds its forces.
+    fn add(&self, forces: &mut [f64], builder: &mut Builder, warmth: &Warmth) -> Result<(), InputError> {
+        // What is missing is said where the element is made.
+        let material = self.material.and_then(|id| builder.bulk.materials.get(&id));
+        let Expansion { strain, reference } = material.map(|material| material.expansion).unwrap_or_default();
+        if strain[0] == 0.0 {
+            return Ok(());
+        }
+        let element = self.card.element(builder)?;
+        let (rise, _) =
+            warmth.bar(self.id, &self.grids, reference, &format!("rod {}", self.id), self.span)?;
+        let [a, b] = [0, 1].map(|end| builder.nodes[element.nodes()[end]].point);
+        let longer = (b - a) * (strain[0] * rise);
+        let mut motions = vec![0.0; 12];
+        (0..3).for_each(|axis| motions[6 + axis] = longer[axis]);
+        add(forces, &*element, &motions);
+        Ok(())
     }
 }
 
