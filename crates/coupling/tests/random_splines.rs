@@ -62,7 +62,8 @@ impl Case {
         let mut motions = Mat::zeros(6 * self.axis.len(), 1);
         for node in 0..self.axis.len() {
             let wave = |k: usize| (phase + 1.3 * (6 * node + k) as f64).sin();
-            let vectors = [Vector3::new(wave(0), wave(1), wave(2)) * length, Vector3::new(wave(3), wave(4), wave(5))];
+            let vectors =
+                [Vector3::new(wave(0), wave(1), wave(2)) * length, Vector3::new(wave(3), wave(4), wave(5))];
             for (part, vector) in vectors.iter().enumerate() {
                 let turned = turn * vector;
                 for k in 0..3 {
