@@ -215,7 +215,6 @@ impl DeckPlan {
     /// Why a case is not flown on a deck, if it is not.
     pub fn left_out(&self, case: &Case, maneuvers: &[Own]) -> Option<&'static str> {
         match case.action {
-            Action::Trim => None,
             Action::Condition(place) => match &maneuvers[place] {
                 Own::Steady(Steady::Level | Steady::Pull { .. }) => None,
                 Own::Steady(_) => Some("of maneuvers a deck flies level flight and pull-ups only"),
@@ -227,7 +226,7 @@ impl DeckPlan {
             {
                 Some("half of an aircraft meets no gust from the side")
             }
-            Action::Discrete { .. } | Action::Turbulence { .. } => None,
+            Action::Trim | Action::Discrete { .. } | Action::Turbulence { .. } => None,
         }
     }
 

@@ -263,7 +263,7 @@ impl InGusts<'_> {
                 let flown = self.one(&lasting, case.number, &gust_of);
                 let nodal: &Nodal<'_> = &|instant| {
                     let gust_of = gust(case, instant.gradient_m)?;
-                    let changes = self.motion.in_time(&lasting, &self.wave(&gust_of), &[instant.t_s]);
+                    let changes = lasting.in_time(&self.wave(&gust_of), &[instant.t_s]);
                     Some(self.motion.nodal(&changes, 0))
                 };
                 done(flown, nodal)?;
@@ -327,7 +327,7 @@ impl InGusts<'_> {
     /// What is left of a gust's loads at the end of the period, share of each load's peak.
     fn left(&self, spectrum: &Spectrum, gust: &Gust, period_s: f64) -> f64 {
         let peaks = |t_s: &[f64]| -> Vec<f64> {
-            let net = self.motion.net_in_time(spectrum, &self.wave(gust), t_s);
+            let net = spectrum.net_in_time(&self.wave(gust), t_s);
             net.row_iter().map(|row| row.iter().fold(0.0_f64, |most, load| most.max(load.abs()))).collect()
         };
         let ends: Vec<f64> = (0..64).map(|at| period_s * (0.95 + 0.05 / 64.0 * f64::from(at))).collect();
@@ -351,14 +351,14 @@ impl InGusts<'_> {
     /// A gust by the instants that can drive a load.
     fn one(&self, spectrum: &Spectrum, number: usize, gust: &Gust) -> FlownCase {
         let t_s = self.times(gust);
-        let change = self.motion.net_in_time(spectrum, &self.wave(gust), &t_s);
+        let change = spectrum.net_in_time(&self.wave(gust), &t_s);
         let net = |station: usize, sample: usize| {
             let level = self.motion.level(station);
             std::array::from_fn(|load| level[load] + change[(6 * station + load, sample)])
         };
         let driving = driving(&net, self.motion.stations.len(), t_s.len(), self.axis);
         let at_s: Vec<f64> = driving.into_iter().map(|sample| t_s[sample]).collect();
-        let changes = self.motion.in_time(spectrum, &self.wave(gust), &at_s);
+        let changes = spectrum.in_time(&self.wave(gust), &at_s);
         let instants =
             at_s.iter().enumerate().map(|(at, t_s)| self.motion.instant(&changes, *t_s, at)).collect();
         FlownCase { number, model: self.which, instants, ..FlownCase::default() }.if_finite()

@@ -118,6 +118,38 @@ fn motions(modal: &ModalDeck, station: &Station) -> Mat<f64> {
     })
 }
 
+impl Spectrum {
+    /// What a gust (velocity in the deck's unit of length, the aircraft's speed in m/s) does at times, s, by answers at equal steps.
+    pub(super) fn in_time(&self, wave: &Wave, t_s: &[f64]) -> Changes {
+        let turns = wave.turns(&self.waves.omega_rad_s, t_s);
+        Changes {
+            rows: real(&self.waves.rows, &turns),
+            inertia: real(&self.inertia, &turns),
+            damping: real(&self.damping, &turns),
+        }
+    }
+
+    /// Changes of the stations' net loads alone, six rows each, N and N m, a column a time.
+    pub(super) fn net_in_time(&self, wave: &Wave, t_s: &[f64]) -> Mat<f64> {
+        real(&self.net, &wave.turns(&self.waves.omega_rad_s, t_s))
+    }
+
+    /// What goes with each of some loads in turbulence, per their root mean squares times `factors`.
+    pub(super) fn with_loads(&self, of: &Response<'_>, factors: &[f64]) -> Changes {
+        let goes = |all: &Mat<c64>| {
+            let mut found = Mat::zeros(all.nrows(), factors.len());
+            for row in 0..all.nrows() {
+                let list: Vec<c64> = all.row(row).iter().copied().collect();
+                for (at, factor) in factors.iter().enumerate() {
+                    found[(row, at)] = factor * of.companion(&list, at);
+                }
+            }
+            found
+        };
+        Changes { rows: goes(&self.waves.rows), inertia: goes(&self.inertia), damping: goes(&self.damping) }
+    }
+}
+
 impl<'a> DeckMotion<'a> {
     /// Of waves whose rows are [`rows_of`] these stations and grids.
     pub(super) fn new(
@@ -156,40 +188,6 @@ impl<'a> DeckMotion<'a> {
         let row = SIX * station + load;
         let unit = self.units[load / 3];
         (0..spectrum.waves.rows.ncols()).map(|k| spectrum.waves.rows[(row, k)] * unit).collect()
-    }
-
-    /// What a gust (velocity in the deck's unit of length, the aircraft's speed in m/s) does at times, s, by answers at equal steps.
-    pub(super) fn in_time(&self, spectrum: &Spectrum, wave: &Wave, t_s: &[f64]) -> Changes {
-        let turns = wave.turns(&spectrum.waves.omega_rad_s, t_s);
-        Changes {
-            rows: real(&spectrum.waves.rows, &turns),
-            inertia: real(&spectrum.inertia, &turns),
-            damping: real(&spectrum.damping, &turns),
-        }
-    }
-
-    /// Changes of the stations' net loads alone, six rows each, N and N m, a column a time.
-    pub(super) fn net_in_time(&self, spectrum: &Spectrum, wave: &Wave, t_s: &[f64]) -> Mat<f64> {
-        real(&spectrum.net, &wave.turns(&spectrum.waves.omega_rad_s, t_s))
-    }
-
-    /// What goes with each of some loads in turbulence, per their root mean squares times `factors`.
-    pub(super) fn with_loads(&self, spectrum: &Spectrum, of: &Response<'_>, factors: &[f64]) -> Changes {
-        let goes = |all: &Mat<c64>| {
-            let mut found = Mat::zeros(all.nrows(), factors.len());
-            for row in 0..all.nrows() {
-                let list: Vec<c64> = all.row(row).iter().copied().collect();
-                for (at, factor) in factors.iter().enumerate() {
-                    found[(row, at)] = factor * of.companion(&list, at);
-                }
-            }
-            found
-        };
-        Changes {
-            rows: goes(&spectrum.waves.rows),
-            inertia: goes(&spectrum.inertia),
-            damping: goes(&spectrum.damping),
-        }
     }
 
     /// The change of a station's air, inertia and damping at a sample, N and N m.

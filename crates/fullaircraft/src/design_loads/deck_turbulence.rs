@@ -71,6 +71,6 @@ impl InGusts<'_> {
             sign * u_sigma_m_s / self.length_m
         };
         let factors: Vec<f64> = limits.iter().map(factor).collect();
-        self.motion.with_loads(spectrum, &net.response_of(&wanted), &factors)
+        spectrum.with_loads(&net.response_of(&wanted), &factors)
     }
 }
