@@ -14,7 +14,6 @@
 
 use crate::geometry::AeroBox;
 use crate::lattice::Lattice;
-use crate::seams::Seams;
 use nalgebra::{Point3, Vector3};
 use std::f64::consts::PI;
 
@@ -108,10 +107,9 @@ pub(crate) fn horseshoes(lattice: &Lattice, beta: f64) -> Vec<Horseshoe> {
     lattice.boxes.iter().map(|panel| Horseshoe::new(panel, panel, beta)).collect()
 }
 
-/// The horseshoes of boxes that stand at an angle to the stream or to each other: they run along corners that are joined, their
-/// legs along the sides of the strip to its trailing edge, and leave it along the stream.
-pub(crate) fn horseshoes_on_surfaces(lattice: &Lattice, seams: &Seams, beta: f64) -> Vec<Horseshoe> {
-    let closed = seams.closed(lattice);
+/// The horseshoes of boxes that stand at an angle to the stream or to each other: they run along the corners of the same boxes `closed`
+/// (joined where they meet), their legs along the sides of the strip to its trailing edge, and leave it along the stream.
+pub(crate) fn horseshoes_on_surfaces(lattice: &Lattice, closed: &Lattice, beta: f64) -> Vec<Horseshoe> {
     let boxes = lattice.boxes.iter().zip(&closed.boxes);
     let mut all: Vec<Horseshoe> = boxes.map(|(panel, at)| Horseshoe::new(panel, at, beta)).collect();
     for surface in &lattice.surfaces {

@@ -71,7 +71,7 @@ pub fn influence_by_motion(
 }
 
 fn sources(lattice: &Lattice, seams: &Seams, beta: f64, cp: &[f64]) -> Vec<Source> {
-    let vortices = horseshoes_on_surfaces(lattice, seams, beta);
+    let vortices = horseshoes_on_surfaces(lattice, &seams.closed(lattice), beta);
     let mut last: Vec<usize> = (0..lattice.len()).collect();
     for surface in &lattice.surfaces {
         for at in 0..surface.spanwise * surface.chordwise {

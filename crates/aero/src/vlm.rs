@@ -43,7 +43,7 @@ pub fn influence_of_moved(
     mach: f64,
 ) -> Result<Mat<f64>, AeroError> {
     check(lattice, mach)?;
-    let vortices = horseshoes_on_surfaces(lattice, seams, beta(mach));
+    let vortices = horseshoes_on_surfaces(lattice, &seams.closed(lattice), beta(mach));
     let mut matrix = Mat::zeros(lattice.len(), lattice.len());
     add_vortices(&mut matrix, &vortices, &Receivers::new(lattice, beta(mach), None), 1.0);
     if let Some((y_m, sign)) = plane.image() {

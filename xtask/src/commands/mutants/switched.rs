@@ -270,7 +270,7 @@ mod tests {
     fn an_operator_is_another_with_its_switch_on_and_sides_stay_together() {
         let (text, found) = with(
             "fn f(a: f64) -> f64 { -a + 2.0 - a }",
-            &[("BinaryOperator", 1, 33, "*"), ("UnaryOperator", 1, 23, ""), ("BinaryOperator", 1, 33, "/")],
+            &[("BinaryOperator", 1, 32, "*"), ("UnaryOperator", 1, 23, ""), ("BinaryOperator", 1, 32, "/")],
         );
         let a = "(if on(1) { a } else { -a })";
         let all = format!(
