@@ -108,7 +108,7 @@ impl DeckCard for Temperature {
             TemperatureOf::Grids(grids) => by.cards(grids),
             TemperatureOf::Others(_) => {}
             TemperatureOf::Bars { elements, .. } | TemperatureOf::Plates { elements, .. } => {
-                by.cards(elements)
+                by.cards(elements);
             }
         }
     }
