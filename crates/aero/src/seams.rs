@@ -52,7 +52,9 @@ impl Seams {
             };
             let reach = all[first..].iter().take_while(|other| along(other) - along(one) <= near[one.0]);
             let corners: Vec<_> = reach.filter(meets).copied().collect();
-            corners.iter().for_each(|(j, at)| seams.corners[*j][*at] = seams.places.len());
+            for (j, at) in &corners {
+                seams.corners[*j][*at] = seams.places.len();
+            }
             let plane_y_m = plane_y_m.filter(|y_m| (corner(one).y - y_m).abs() <= near[one.0]);
             seams.places.push(Meeting { corners, plane_y_m });
         }

@@ -247,13 +247,13 @@ fn ha144a_in_a_plan_s_gust_has_the_loads_of_sol_146_in_time() {
         let ours = ready.place(name);
         let level = ready.plan.fly(&ready.deck, &discrete(v_m_s, gradient_m), 1, &ready.stations);
         let level = level.case.instants[0].net()[ours];
-        for load in 0..6 {
+        for (load, before) in level.iter().enumerate() {
             let of_kind = if load < 3 { 0..3 } else { 3..6 };
             let peak = theirs.loads.iter().flat_map(|one| of_kind.clone().map(|at| one.total(at).abs()));
             let peak = peak.fold(0.0, f64::max);
             for instant in flown.instants.iter().filter(|instant| instant.t_s < 1.4) {
                 let unit = if load < 3 { POUND_N } else { POUND_N * FOOT_M };
-                let change = (instant.net()[ours][load] - level[load]) / unit;
+                let change = (instant.net()[ours][load] - before) / unit;
                 let at = instant.t_s / 0.0005;
                 let (low, share) = (at.floor(), at - at.floor());
                 #[expect(

@@ -5,6 +5,7 @@ use crate::common::{at, close, system};
 use faer::Mat;
 use nalgebra::{DVector, Point3};
 use nastran::{BulkData, Span, parse_deck};
+use std::f64::consts::FRAC_1_SQRT_2;
 use std::fmt::Write;
 use std::sync::Arc;
 use structure::{
@@ -157,7 +158,7 @@ fn outline(place: f64) -> [[f64; 2]; 2] {
     let inner = match place {
         p if p < 4.0 => arc(1.0, 5.625 * p),
         p if p < 5.0 => arc(1.0, 22.5 * (p - 3.0)),
-        p => between([[0.7071, 0.7071], [0.7071, 1.79]], (p - 5.0) / 2.0),
+        p => between([[FRAC_1_SQRT_2, FRAC_1_SQRT_2], [FRAC_1_SQRT_2, 1.79]], (p - 5.0) / 2.0),
     };
     let outer = match place {
         p if p < 3.0 => arc(1.4, 5.625 * p),
@@ -196,7 +197,8 @@ fn le11(n: usize) -> f64 {
     let corners = [[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0], [0, 0, 2], [2, 0, 2], [2, 2, 2], [0, 2, 2]];
     let edges =
         [(0, 1), (1, 2), (2, 3), (3, 0), (0, 4), (1, 5), (2, 6), (3, 7), (4, 5), (5, 6), (6, 7), (7, 4)];
-    let middle = |(a, b): (usize, usize)| [0, 1, 2].map(|axis| (corners[a][axis] + corners[b][axis]) / 2);
+    let middle =
+        |(a, b): (usize, usize)| [0, 1, 2].map(|axis| usize::midpoint(corners[a][axis], corners[b][axis]));
     let shape: Vec<[usize; 3]> = corners.into_iter().chain(edges.into_iter().map(middle)).collect();
     let grids = |i: usize, j: usize| {
         shape.iter().map(|at| id([2 * i + at[0], 2 * j + at[1], at[2]])).collect::<Vec<_>>()

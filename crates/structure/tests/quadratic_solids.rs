@@ -268,16 +268,7 @@ fn a_thick_elliptic_plate_has_the_stress_of_nafems_le10() {
     let grids: Vec<u32> = card.grids.iter().copied().chain(card.midsides.iter().flatten().copied()).collect();
     let nodes: Vec<usize> = grids.iter().map(|grid| system.node_index(*grid).expect("is there")).collect();
     let points: Vec<Point3<f64>> = nodes.iter().map(|node| system.points()[*node]).collect();
-    let steel = Mat1 {
-        id: 1,
-        e: 2.1e11,
-        g: 0.0,
-        nu: 0.3,
-        rho: 0.0,
-        expansion: nastran::Expansion::default(),
-        span: Span::generated("test"),
-    };
-    let steel = Arc::new(SolidMaterial::from_mat1(&steel).expect("sound"));
+    let steel = Arc::new(SolidMaterial::from_mat1(&bulk.materials[&1]).expect("sound"));
     let own = DVector::from_iterator(
         60,
         nodes.iter().flat_map(|node| [0, 1, 2].map(|axis| u[(6 * node + axis, 0)])),

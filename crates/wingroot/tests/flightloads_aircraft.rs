@@ -139,7 +139,9 @@ fn refused(folder: &Folder, points: &str) {
         (["flight.ron", "points.csv"].into_iter().zip(third).collect(), "no station third"),
         (vec![("flight.ron", tunnel)], "brings its own wing"),
     ] {
-        changes.iter().for_each(|(file, text)| folder.write(file, text));
+        for (file, text) in changes {
+            folder.write(file, &text);
+        }
         let output = folder.judged();
         assert_eq!(output.status.code(), Some(2), "{words}: {}", said(&output));
         assert!(said(&output).contains(words), "{words}: {}", said(&output));

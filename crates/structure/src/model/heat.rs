@@ -175,9 +175,9 @@ fn shell(card: &ShellElement, builder: &Builder, warmth: &Warmth) -> Result<Opti
         // The reference surface stands off the grids.
         let own = own - turned.cross(&Vector3::new(0.0, 0.0, card.offset));
         let (moved, turned) = (axes.transpose() * own, axes.transpose() * turned);
-        (0..3).for_each(|axis| {
-            (motions[6 * at + axis], motions[6 * at + 3 + axis]) = (moved[axis], turned[axis])
-        });
+        for axis in 0..3 {
+            (motions[6 * at + axis], motions[6 * at + 3 + axis]) = (moved[axis], turned[axis]);
+        }
     }
     Ok(Some(motions))
 }

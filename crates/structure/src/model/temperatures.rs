@@ -70,7 +70,7 @@ impl Warmth {
     pub(super) fn bar(
         &self,
         id: u32,
-        grids: &[u32; 2],
+        grids: &[u32],
         reference: f64,
         user: &str,
         span: &Span,

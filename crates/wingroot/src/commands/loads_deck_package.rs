@@ -145,16 +145,13 @@ fn at_grids(
     let mut loads = BTreeMap::new();
     let (mut again, mut wanted) = (Vec::new(), Vec::new());
     for one in &selection.selected {
-        match &found(all, one)?.nodal {
-            Some(nodal) => {
-                loads.insert(one.sid, nodal.clone());
-            }
-            None => {
-                let model = usize::from(one.model == Which::Updated);
-                let (instant, flown) = (one.instant - 1, flown(all, one)?);
-                wanted.push(Wanted { model, number: one.case, instant, flown });
-                again.push(one.sid);
-            }
+        if let Some(nodal) = &found(all, one)?.nodal {
+            loads.insert(one.sid, nodal.clone());
+        } else {
+            let model = usize::from(one.model == Which::Updated);
+            let (instant, flown) = (one.instant - 1, flown(all, one)?);
+            wanted.push(Wanted { model, number: one.case, instant, flown });
+            again.push(one.sid);
         }
     }
     loads.extend(again.into_iter().zip(on.again(&wanted)?.into_iter().map(|again| again.nodal)));

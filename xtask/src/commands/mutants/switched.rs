@@ -119,10 +119,13 @@ fn with_switches(text: &str, inner: &[Place], place: &Place) -> String {
     let part = |range: &Range<usize>| rendered(text, inner, range.clone());
     let chosen = |alternative: &dyn Fn(&str) -> String| {
         let cases = place.mutants.iter();
-        let cases: String = cases
+        let cases: Vec<String> = cases
             .map(|(number, new)| format!("if {} {{ {} }} else ", asks(*number), alternative(new)))
             .collect();
-        format!("({cases}{{ {} }})", part(&place.at))
+        format!("({}{{ {} }})", cases.concat(), part(&place.at))
+    };
+    let each = |switch: &dyn Fn(usize, &str) -> String| {
+        place.mutants.iter().map(|(number, new)| switch(*number, new)).collect::<Vec<String>>().concat()
     };
     match &place.form {
         Form::Binary([left, right]) => {
@@ -132,12 +135,8 @@ fn with_switches(text: &str, inner: &[Place], place: &Place) -> String {
             chosen(&|operator| format!("{} {operator} ({})", part(left), part(right)))
         }
         Form::Unary(operand) => chosen(&|_| part(operand)),
-        Form::Body => place
-            .mutants
-            .iter()
-            .map(|(number, value)| format!(" if {} {{ return {value}; }} ", asks(*number)))
-            .collect(),
-        Form::Arm => place.mutants.iter().map(|(number, _)| format!(" if !{}", asks(*number))).collect(),
+        Form::Body => each(&|number, value| format!(" if {} {{ return {value}; }} ", asks(number))),
+        Form::Arm => each(&|number, _| format!(" if !{}", asks(number))),
         Form::Guard { arm: true } => {
             let asked = place.mutants.first().map_or(String::new(), |(number, _)| asks(*number));
             format!("!{asked} && ({})", part(&place.at))
