@@ -152,15 +152,21 @@ fn every_subcase_has_the_loads_and_supports_that_it_selects() {
     );
     let one = result(&folder, &["--deck", "wing.bdf", "--subcase", "2"]);
     assert_eq!((z(&one), one.get("further")), (z(&further[0]), None));
+    // The second is heated beside its load: the tip moves by alpha T L along the beam, and not across.
     with_subcases(
         &folder,
         "SPC = 1\nSUBCASE 1\nLOAD = 30\nSUBCASE 2\nTEMP = 5\nLOAD = 30\n",
         "TEMPD,5,20.\n",
     );
-    let output = run(&folder, &["--deck", "wing.bdf"]);
-    let said = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!(output.status.code(), Some(2), "{said}");
-    assert!(said.contains("subcase 2 selects temperatures (set 5)"), "{said}");
+    let path = folder.join("wing.bdf");
+    let deck = std::fs::read_to_string(&path).expect("a deck");
+    std::fs::write(&path, deck.replace("MAT1,1,1.+6,,0.", "MAT1,1,1.+6,,0.,,1.-4")).expect("a deck");
+    let heated = result(&folder, &["--deck", "wing.bdf"]);
+    let along = |value: &Value| value["linear_displacement_m"][0].as_f64().expect("a number");
+    let second = &heated["further"][0];
+    assert!(along(&heated).abs() < 1e-12, "the first subcase selects no temperatures");
+    assert!((along(second) / 2e-3 - 1.0).abs() < 1e-9, "the tip moves by {}", along(second));
+    assert!((z(second) / z(&heated) - 1.0).abs() < 1e-9);
     std::fs::remove_dir_all(folder).expect("it was made above");
 }
 
@@ -194,7 +200,7 @@ fn a_motion_that_spc_enforces_is_met_and_its_reaction_is_that_of_the_beam() {
     let output = run(&folder, &["--deck", "wing.bdf", "--nonlinear"]);
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
     assert_eq!(output.status.code(), Some(2), "{said}");
-    assert!(said.contains("SPC enforces motions"), "{said}");
+    assert!(said.contains("no motions that SPC or SPCD enforces"), "{said}");
     std::fs::remove_dir_all(folder).expect("it was made above");
 }
 
