@@ -10,6 +10,7 @@ use crate::wing_file::{Geometry, Mount, WingFile};
 use crate::wing_parts::{WingParts, correctable_boxes, wing_parts};
 use aero::{AeroError, ControlSurface, Corrections, Integration, Lattice, MirrorPlane, SteadyAero};
 use faer::{Mat, MatRef};
+use nalgebra::Point3;
 use nastran::{BulkData, InputError};
 use std::path::Path;
 use structure::System;
@@ -21,7 +22,7 @@ pub const GRAVITY_M_S2: f64 = 9.806_65;
 ///
 /// Everything that depends on neither airspeed nor corrections is here, computed once: the pressures per unit
 /// angle of attack, camber, control deflection and per unit displacement of the structure.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct ElasticWing {
     /// All boxes, fairing included.
     pub lattice: Lattice,
@@ -137,6 +138,26 @@ impl ElasticWing {
             gravity_m_s2: GRAVITY_M_S2,
             aero,
         })
+    }
+
+    /// The same wing in the same air with other masses: `supported` has the s-set, the spline and the flexibility of before, its loads
+    /// are about another point.
+    ///
+    /// # Errors
+    /// If it follows the structure otherwise.
+    pub fn with_masses(
+        &self,
+        point: Point3<f64>,
+        supported: SupportedStructure,
+    ) -> Result<Self, CouplingError> {
+        let before = self.supported.as_ref().map_or(0, SupportedStructure::size);
+        if self.supported.as_ref().is_none_or(|own| own.spline_rows != supported.spline_rows) {
+            let got = supported.size();
+            return Err(CouplingError::Size { what: "motions of the structure", got, expected: before });
+        }
+        let balance = Balance { point, metric: self.balance.metric.clone() };
+        let root_rows = root_rows(&self.lattice, &balance);
+        Ok(Self { root_rows, balance, supported: Some(supported), ..self.clone() })
     }
 
     /// Reads a wing's RON file and everything it names, and assembles the wing as it stands in the tunnel.

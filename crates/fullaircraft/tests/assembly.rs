@@ -6,6 +6,7 @@ use coupling::WingFile;
 use coupling::planform::Mount;
 use fullaircraft::model::mirror::Image;
 use fullaircraft::{Aircraft, AircraftFile, FreeModes};
+use loads::design::MassCase;
 use std::collections::BTreeSet;
 
 #[test]
@@ -36,6 +37,48 @@ fn mass_centre_and_inertia_are_those_of_the_file() {
     }
     // Symmetry: no products of inertia with y.
     assert!(mass.inertia_kg_m2[(0, 1)].abs() < 1e-12 && mass.inertia_kg_m2[(1, 2)].abs() < 1e-12);
+}
+
+#[test]
+fn a_state_of_loading_has_its_totals_and_is_the_aircraft_that_is_built_with_them() {
+    let state = MassCase {
+        name: "light".to_owned(),
+        mass_kg: 15.0,
+        x_cg_m: Some(0.43),
+        z_cg_m: None,
+        ixx_kg_m2: Some(1.9),
+        iyy_kg_m2: Some(2.2),
+        izz_kg_m2: Some(4.0),
+        ixz_kg_m2: None,
+    };
+    let loaded = whole().loaded(&state).unwrap();
+    let mass = &loaded.mass;
+    assert_near("mass", mass.mass_kg, 15.0, 1e-12);
+    assert_near("centre of gravity", mass.centre.x, 0.43, 1e-12);
+    for (axis, expected) in [1.9, 2.2, 4.0].into_iter().enumerate() {
+        assert_near("inertia", mass.inertia_kg_m2[(axis, axis)], expected, 1e-10);
+    }
+    let mut file = whole().file.clone();
+    (file.total.mass_kg, file.total.x_cg_m) = (15.0, 0.43);
+    (file.total.ixx_kg_m2, file.total.iyy_kg_m2, file.total.izz_kg_m2) = (1.9, 2.2, 4.0);
+    let built = Aircraft::new(file, whole().wing.clone()).unwrap();
+    let near = |what: &str, a: &[f64], b: &[f64]| {
+        assert_eq!(a.len(), b.len(), "{what}");
+        let largest = b.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        let off = a.iter().zip(b).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+        assert!(off < 1e-12 * largest, "{what} is {off} off {largest}");
+    };
+    let dense = |matrix: &faer::Mat<f64>| -> Vec<f64> {
+        (0..matrix.ncols()).flat_map(|j| matrix.col(j).iter().copied()).collect()
+    };
+    near("mass of the free motions", loaded.free.mass().val(), built.free.mass().val());
+    near("inertia of rigid accelerations", &dense(&loaded.inertia.mass), &dense(&built.inertia.mass));
+    near("what they bend", &dense(&loaded.inertia.sag), &dense(&built.inertia.sag));
+    near("rows of the resultants", &dense(&loaded.flow.root_rows), &dense(&built.flow.root_rows));
+    let weight =
+        |aircraft: &Aircraft| dense(&aircraft.flow.supported.as_ref().expect("it is elastic").weight);
+    near("weight", &weight(&loaded), &weight(&built));
+    assert_eq!(loaded.bulk.masses.len(), built.bulk.masses.len());
 }
 
 #[test]

@@ -150,6 +150,19 @@ impl Values {
     }
 }
 
+/// A matrix with another added over some motions; `None` where it has no entry for one.
+pub(crate) fn with_sum(a: &Sparse, dofs: &[usize], change: &DMatrix<f64>) -> Option<Sparse> {
+    let mut values = a.val().to_vec();
+    for (j, column) in dofs.iter().enumerate() {
+        let range = a.symbolic().col_range(*column);
+        let rows = a.symbolic().row_idx_of_col_raw(*column);
+        for (i, row) in dofs.iter().enumerate() {
+            values[range.start + rows.binary_search(row).ok()?] += change[(i, j)];
+        }
+    }
+    Some(Sparse::new(a.symbolic().to_owned().expect("memory for a copy of the pattern"), values))
+}
+
 /// `a + factor b` for matrices of one pattern.
 pub(crate) fn combine(
     a: SparseColMatRef<'_, usize, f64>,

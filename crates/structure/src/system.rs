@@ -1,6 +1,6 @@
 //! The assembled structure: sparse stiffness and mass, and the way between all motions and the free ones.
 
-use crate::assemble::{self, Assembled};
+use crate::assemble::{self, Assembled, Free};
 use crate::autospc;
 use crate::dofs::{DofMap, Sets};
 use crate::factor::{self, Analysis};
@@ -8,7 +8,7 @@ use crate::model::Model;
 use crate::sparse::{self, Pattern, Sparse};
 use faer::sparse::SparseColMatRef;
 use faer::{Mat, MatRef};
-use nalgebra::Point3;
+use nalgebra::{DMatrix, Point3};
 use nastran::InputError;
 use std::sync::{Arc, OnceLock};
 
@@ -166,6 +166,25 @@ impl System {
             auto_held: Vec::new(),
             analysis: OnceLock::new(),
         }
+    }
+
+    /// The same structure with `change` added to the mass of some motions of the g-set (symmetric, kg and kg m²); `None` if these are not
+    /// joined by any element so far.
+    ///
+    /// # Panics
+    /// If there are not as many rows as motions.
+    pub fn with_mass_change(&self, dofs: &[usize], change: &DMatrix<f64>) -> Option<Self> {
+        assert_eq!(change.nrows(), dofs.len(), "one row a motion");
+        let m_gg = sparse::with_sum(&self.m_gg, dofs, change)?;
+        let m_ff = match assemble::free_motions(dofs, &self.dofs) {
+            Free::Combined { dofs, t } => sparse::with_sum(&self.m_ff, &dofs, &(t.transpose() * change * t))?,
+            Free::Places(places) => {
+                let free: Vec<usize> = (0..dofs.len()).filter(|at| places[*at].is_some()).collect();
+                let own = change.select_rows(&free).select_columns(&free);
+                sparse::with_sum(&self.m_ff, &places.into_iter().flatten().collect::<Vec<_>>(), &own)?
+            }
+        };
+        Some(Self { m_gg: Arc::new(m_gg), m_ff, ..self.clone() })
     }
 
     /// The same structure with all motions of a node that are free clamped, as an SPC1 card for them would.

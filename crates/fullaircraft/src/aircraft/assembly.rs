@@ -64,6 +64,9 @@ pub struct Aircraft {
     pub mass: MassProperties,
     /// What rigid accelerations, about the centre of gravity, do to the structure held at the centre.
     pub inertia: RigidInertia,
+    /// Mass properties of all but the body that closes the totals, and that body's number.
+    rest: MassProperties,
+    closing: u32,
 }
 
 impl Aircraft {
@@ -95,7 +98,8 @@ impl Aircraft {
         let frames = Frames::resolve(&cards.bulk)?;
         let at = frames.grid_point(&cards.bulk.grids[&cards.centre])?;
         let body = closing::mass(&file, &rest, cards.closing, cards.centre, &at)?;
-        cards.bulk.masses.insert(body.id, body);
+        let closing = body.id;
+        cards.bulk.masses.insert(closing, body);
         let free = System::assemble(&Model::from_bulk(&cards.bulk)?)?;
 
         let in_flow = match file.surfaces {
@@ -148,6 +152,49 @@ impl Aircraft {
             centre,
             mass,
             inertia,
+            rest,
+            closing,
+        })
+    }
+
+    /// The aircraft with other totals, which the body at the wing's root takes up; the structure, its spline and the air stay as they are.
+    ///
+    /// # Errors
+    /// If no body has what is missing.
+    pub(crate) fn of_totals(&self, file: AircraftFile, keep: &dyn Keep) -> Result<Self, AircraftError> {
+        let centre_id = self.free.node_ids()[self.centre];
+        let point = self.free.points()[self.centre];
+        let body = closing::mass(&file, &self.rest, self.closing, centre_id, &point)?;
+        let scaled = self.bulk.parameters.get("WTMASS").is_some_and(|factor| *factor != 1.0);
+        let change = closing::inertia(&body) - closing::inertia(&self.bulk.masses[&self.closing]);
+        let dofs: Vec<usize> = (6 * self.centre..6 * self.centre + 6).collect();
+        let (false, Some(free)) = (scaled, self.free.with_mass_change(&dofs, &change)) else {
+            return Self::kept(file, self.wing.clone(), keep);
+        };
+        let mut bulk = self.bulk.clone();
+        bulk.masses.insert(self.closing, body);
+        let mass = free.mass_properties();
+        let centre_of_gravity = Point3::new(file.total.x_cg_m, 0.0, 0.0);
+        let place =
+            Held { inputs: inputs(&file, &self.wing), keep, centre: self.centre, tip: self.right.tip };
+        let (supported, inertia) = place.reduced(&free, &self.spline, &centre_of_gravity)?;
+        Ok(Self {
+            file,
+            wing: self.wing.clone(),
+            bulk,
+            free,
+            spline: self.spline.clone(),
+            carried: self.carried.clone(),
+            flow: self.flow.with_masses(centre_of_gravity, supported)?,
+            right: self.right.clone(),
+            left: self.left.clone(),
+            tail: self.tail.clone(),
+            fuselage: self.fuselage.clone(),
+            centre: self.centre,
+            mass,
+            inertia,
+            rest: self.rest.clone(),
+            closing: self.closing,
         })
     }
 

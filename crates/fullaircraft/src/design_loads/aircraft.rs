@@ -46,7 +46,7 @@ impl Aircraft {
         ] {
             *own = given.unwrap_or(*own);
         }
-        Self::kept(file, self.wing.clone(), keep).map_err(|error| match error {
+        self.of_totals(file, keep).map_err(|error| match error {
             AircraftError::Input(input) => {
                 let message = format!("mass {}: {}", mass.name, input.message);
                 AircraftError::Input(InputError { message, span: None, ..input })

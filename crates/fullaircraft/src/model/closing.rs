@@ -5,9 +5,10 @@
 //! body must be possible: mass and moments of inertia above zero, none larger than the sum of the other two.
 
 use crate::aircraft::file::AircraftFile;
-use nalgebra::{Matrix3, Point3, Vector3};
+use nalgebra::{DMatrix, Matrix3, Point3, Vector3};
 use nastran::{Conm2, InputError};
-use structure::MassProperties;
+use std::borrow::Cow;
+use structure::{Element as _, MassProperties, PointMass};
 
 /// The closing mass on grid `grid` at `at`, given the mass properties of everything else.
 ///
@@ -50,6 +51,15 @@ pub(crate) fn mass(
     }
     let offset = place - at;
     Ok(Conm2 { id, grid, cid: 0, mass, offset, inertia: [x, 0.0, y, 0.0, 0.0, z], span: file.span() })
+}
+
+/// Mass matrix of a closing body over the six motions of its grid, kg and kg m².
+pub(crate) fn inertia(body: &Conm2) -> DMatrix<f64> {
+    let [x, _, y, _, _, z] = body.inertia;
+    let own = Matrix3::from_diagonal(&Vector3::new(x, y, z));
+    let point = PointMass::new(body.id, 0, body.mass, &body.offset, &own);
+    // all six motions have inertia: the body is one that can be
+    point.mass().map_or_else(|| DMatrix::zeros(6, 6), Cow::into_owned)
 }
 
 fn steiner(r: &Vector3<f64>) -> Matrix3<f64> {

@@ -156,15 +156,6 @@ impl<'a> Flights<'a> {
         self.numbers().map(weighed).collect()
     }
 
-    /// Hashes of cases that are not finished, sorted.
-    pub(crate) fn missing(&self) -> Vec<Fingerprint> {
-        let parts = self.numbers().map(|number| self.part(number));
-        let mut missing: Vec<Fingerprint> =
-            parts.filter(|part| !self.store.has(part)).map(|part| Store::hash(&part)).collect();
-        missing.sort_unstable();
-        missing
-    }
-
     /// Flies those cases of a sorted row that are not finished; each is kept as soon as it is there. How many were finished before.
     pub(crate) fn fly(&self, row: &[Weighed], common: &Common) -> Result<usize, Failure> {
         let is_finished = |case: &Weighed| self.store.has(&self.part(case.number));
@@ -193,13 +184,23 @@ impl<'a> Flights<'a> {
         Ok(row.len() - missing.len())
     }
 
-    /// All cases of both models, once they are finished.
-    pub(crate) fn finished(&self) -> Result<Flown, Failure> {
-        let of_models = |number: &usize| self.case(*number).0 < MODELS.len();
-        let cases = self.numbers().filter(of_models).map(|number| self.read(number));
-        let mut cases = cases.collect::<Result<Vec<FlownCase>, Failure>>()?;
+    /// All finished cases of both models, read once, and the sorted hashes of cases that are not finished, those of the ensemble's wings
+    /// among them.
+    pub(crate) fn finished(&self) -> (Flown, Vec<Fingerprint>) {
+        let (mut cases, mut missing) = (Vec::new(), Vec::new());
+        for number in self.numbers() {
+            let part = self.part(number);
+            if self.case(number).0 >= MODELS.len() {
+                missing.extend((!self.store.has(&part)).then(|| Store::hash(&part)));
+            } else if let Some(case) = self.store.get::<FlownCase>(&part) {
+                cases.push(case);
+            } else {
+                missing.push(Store::hash(&part));
+            }
+        }
         cases.sort_by_key(|case| (case.model, case.number));
-        Ok(Flown { cases })
+        missing.sort_unstable();
+        (Flown { cases }, missing)
     }
 
     /// All cases of a wing of the ensemble as if they were the updated model's, once they are finished.

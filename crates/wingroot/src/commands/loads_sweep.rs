@@ -38,14 +38,11 @@ pub(crate) fn flown(
     match task {
         Task::All => {
             flights.fly(&share_of(flights.row(), ALL), common)?;
-            merging::remarks(&flights.store);
-            return flights.finished().map(Some);
+            return all(flights).map(Some);
         }
         Task::Merge => {
             merging::one_state(&flights.store)?;
-            merging::complete(&flights.store, &flights.missing(), || flights.row())?;
-            merging::remarks(&flights.store);
-            return flights.finished().map(Some);
+            return all(flights).map(Some);
         }
         Task::Part(share) => part(flights, share, common, start)?,
         Task::Case(hash) => again(flights, hash, common)?,
@@ -57,6 +54,14 @@ pub(crate) fn flown(
         }
     }
     Ok(None)
+}
+
+/// All that was flown; nothing may be missing.
+fn all(flights: &Flights<'_>) -> Result<Flown, Failure> {
+    let (flown, missing) = flights.finished();
+    merging::complete(&flights.store, &missing, || flights.row())?;
+    merging::remarks(&flights.store);
+    Ok(flown)
 }
 
 /// A share of the cases, which are kept; results are made by `merge`.
