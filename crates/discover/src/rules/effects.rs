@@ -71,8 +71,8 @@ impl Default for EffectRules {
     fn default() -> Self {
         let usual = EffectRule::default;
         let margin = |margin| EffectRule { margin, ..usual() };
-        // flow that separates: where, how suddenly and with what delay it does so no one formula says; and the slope by Reynolds
-        // number, whose parts of the data are the airspeeds
+        // flow that separates: where, how suddenly and with what delay it does so no one formula says; the slope by Reynolds
+        // number, whose parts of the data are the airspeeds; and lags of servos, which may be of any order
         let rough = || EffectRule { form: 0.4, ..usual() };
         // what scales all loads
         let level = || EffectRule { off_by_variants: OffByVariants::Size(0.01), ..usual() };
@@ -97,6 +97,7 @@ impl Default for EffectRules {
                 "wing_mass_error",
                 EffectRule { form: 0.08, off_by_variants: OffByVariants::Nothing, ..margin(40.0) },
             ),
+            ("act_lag", rough()),
             ("stall", rough()),
             ("dynamic_stall", rough()),
             ("re_dependence", rough()),

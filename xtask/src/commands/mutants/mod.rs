@@ -30,12 +30,9 @@ pub(crate) struct MutantsArgs {
     /// Crates, by comma [default: all of the table in docs/testing.md]
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub(crate) crates: Vec<String>,
-    /// About so many mutants of a crate: every k-th of its list
+    /// About so many mutants of a crate: every k-th of its list, from that of --seed on
     #[arg(long, value_name = "N", default_value_t = 150)]
     pub(crate) sample: usize,
-    /// Which of every k, counted round
-    #[arg(long, value_name = "N", default_value_t = 1)]
-    pub(crate) seed: usize,
     /// Put the rows into docs/testing.md, in place of earlier ones of these crates
     #[arg(long)]
     pub(crate) write: bool,
@@ -95,7 +92,7 @@ pub(crate) fn run(args: &MutantsArgs, common: &Common) -> Result<(), Failure> {
         CRATES.iter().filter(|(name, _)| args.crates.is_empty() || args.crates.iter().any(|one| one == name));
     let mut rows = Vec::new();
     for (name, files) in wanted {
-        let row = row(args, name, files)?;
+        let row = row(args.sample, common.seed.unwrap_or(1), name, files)?;
         show::summary(common, &format!("{}\n", line(&row)));
         rows.push(row);
     }
@@ -117,10 +114,10 @@ pub(crate) fn run(args: &MutantsArgs, common: &Common) -> Result<(), Failure> {
 }
 
 /// Lists a crate's mutants, tries every k-th and counts.
-fn row(args: &MutantsArgs, name: &str, files: &[&str]) -> Result<Row, Failure> {
+fn row(sample: usize, seed: u64, name: &str, files: &[&str]) -> Result<Row, Failure> {
     let all = listed::listed(name, files)?;
-    let every = (all.len() / args.sample.max(1)).max(1);
-    let from = args.seed % every;
+    let every = (all.len() / sample.max(1)).max(1);
+    let from = (seed % every as u64) as usize;
     let taken: Vec<Mutant> = all.iter().skip(from).step_by(every).cloned().collect();
     let built = tree::built(name, &taken)?;
     let missed = judged::missed(&built)?;
