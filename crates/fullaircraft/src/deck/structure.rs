@@ -5,7 +5,7 @@ use aero::Corrections;
 use coupling::{CouplingError, Spline};
 use faer::linalg::solvers::{DenseSolveCore, Solve};
 use faer::{Mat, MatRef};
-use nalgebra::{Matrix3, Point3, Vector3};
+use nalgebra::{DMatrix, Matrix3, Point3, Vector3};
 use nastran::{BulkData, Frames, InputError, Spc1, Suport};
 use structure::{Flexibility, Model, System};
 
@@ -57,6 +57,9 @@ pub(crate) fn support_motions(bulk: &BulkData, free: &System) -> Result<Mat<f64>
     let components = |support: &Suport| support.components.iter().map(|c| usize::from(*c) - 1).collect();
     if rest.iter().all(|other| other.grid == support.grid) {
         let columns: Vec<usize> = bulk.supports.iter().map(components).collect::<Vec<Vec<usize>>>().concat();
+        if let Some(motions) = along_clamps(bulk, free, &rigid, &columns)? {
+            return Ok(motions);
+        }
         return Ok(Mat::from_fn(rigid.nrows(), columns.len(), |i, j| rigid[(i, columns[j])]));
     }
     // What each of the six motions about the first grid moves along the components.
@@ -81,6 +84,53 @@ pub(crate) fn support_motions(bulk: &BulkData, free: &System) -> Result<Mat<f64>
         .with_help("support six components that do, or components of one grid")
     };
     Ok(rigid * motions.ok_or_else(refused)?)
+}
+
+/// The motions of the SUPORT components that leave clamped displacements where they are, as Nastran's D = `-K_ll^-1 K_lr` does: pitch about a grid above
+/// the one that is held in x moves the whole in x. `rigid` are the six motions about the supported grid. Nothing if the plain ones leave them there, or
+/// no rigid motion does.
+fn along_clamps(
+    bulk: &BulkData,
+    free: &System,
+    rigid: &Mat<f64>,
+    columns: &[usize],
+) -> Result<Option<Mat<f64>>, InputError> {
+    let frames = Frames::resolve(bulk)?;
+    let by_cards =
+        bulk.constraints.iter().flat_map(|card| card.grids.iter().map(|grid| (*grid, &card.components)));
+    let mut clamps: Vec<[f64; 6]> = Vec::new();
+    for (grid, components) in by_cards.chain(bulk.grids.values().map(|grid| (grid.id, &grid.ps))) {
+        let (Some(card), Some(node)) = (bulk.grids.get(&grid), free.node_index(grid)) else { continue };
+        if components.is_empty() || !free.is_attached(node) {
+            continue;
+        }
+        let axes = frames.axes_at_point(card.cd, &free.points()[node], &card.span)?;
+        for axis in components.iter().filter(|component| **component <= 3).map(|c| usize::from(*c) - 1) {
+            clamps.push(std::array::from_fn(|j| {
+                (0..3).map(|k| axes[(k, axis)] * rigid[(6 * node + k, j)]).sum()
+            }));
+        }
+    }
+    let length = clamps.iter().flatten().fold(1.0, |most: f64, value| most.max(value.abs()));
+    if clamps.iter().all(|row| columns.iter().all(|column| row[*column].abs() <= 1e-9 * length)) {
+        return Ok(None);
+    }
+    // Rotations as displacements at the longest arm.
+    let scale = |j: usize| if j < 3 { 1.0 } else { length };
+    let count = columns.len();
+    let conditions = DMatrix::from_fn(count + clamps.len(), 6, |i, j| match i.checked_sub(count) {
+        Some(clamp) => clamps[clamp][j] / scale(j),
+        None => f64::from(u8::from(columns[i] == j)),
+    });
+    let units =
+        DMatrix::from_fn(conditions.nrows(), count, |i, j| if i == j { scale(columns[j]) } else { 0.0 });
+    let found =
+        conditions.clone().svd(true, true).solve(&units, 1e-9).unwrap_or_else(|_| DMatrix::zeros(6, count));
+    if (conditions * &found - units).amax() > 1e-6 * length {
+        return Ok(None);
+    }
+    let along = |i: usize, j: usize| (0..6).map(|k| rigid[(i, k)] * found[(k, j)] / scale(k)).sum();
+    Ok(Some(Mat::from_fn(rigid.nrows(), count, along)))
 }
 
 /// Rotation of each SUPORT motion, basic axes.

@@ -194,6 +194,14 @@ impl TrimDeck {
         &self.divergence
     }
 
+    /// The lowest dynamic pressure at which the aircraft diverges as it flies: free in the SUPORT motions, in mean axes.
+    ///
+    /// # Errors
+    /// If the eigenvalues do not converge.
+    pub fn free_divergence(&self) -> Result<Option<f64>, AircraftError> {
+        Ok(divergence(&self.unrestrained, &self.stiffness)?.first().copied())
+    }
+
     /// Loads on the s-set of the pressures of each variable, offsets with the first (INTERCEPT), per unit dynamic pressure.
     fn loads(&self, cp: &Mat<f64>) -> Mat<f64> {
         let mut loads = &self.gather * cp;
@@ -240,7 +248,7 @@ impl TrimDeck {
     /// balance of the SUPORT motions.
     ///
     /// # Errors
-    /// At or beyond divergence; if a fixed variable is unknown, there are not as many free variables as SUPORT motions, or free
+    /// At or beyond divergence of the free aircraft (held at the SUPORT motions it may diverge earlier, which says nothing of flight); if a fixed variable is unknown, there are not as many free variables as SUPORT motions, or free
     /// variables cannot be determined; they are named.
     pub fn trim(&self, q: f64, fixed: &[(String, f64)]) -> Result<TrimmedDeck, AircraftError> {
         self.balanced(q, fixed, None)
@@ -260,7 +268,9 @@ impl TrimDeck {
         fixed: &[(String, f64)],
         trim: Option<u32>,
     ) -> Result<TrimmedDeck, AircraftError> {
-        if let Some(&first) = self.divergence.first().filter(|first| q >= **first) {
+        if self.divergence.first().is_some_and(|first| q >= *first)
+            && let Some(first) = self.free_divergence()?.filter(|first| q >= *first)
+        {
             return Err(CouplingError::Diverged { q_pa: q, divergence_pa: Some(first) }.into());
         }
         let mut x: Vec<Option<f64>> = vec![None; self.variables.len()];
