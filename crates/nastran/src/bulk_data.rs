@@ -8,7 +8,7 @@ use crate::cards::{
     DynamicLoad, EigenMethod, Flfact, Flutter, FrequencyList, FunctionTable, Genel, Gravity, Grid, Gust,
     LineLoad, LoadSum, Mat1, Mat2, Mat8, Mat9, Mkaero, MonitorPoint, Mpc, Paero1, Pbush, Pcomp, PointLoad,
     Pressure, Prod, Pshear, Pshell, Psolid, Ptube, Randps, Rbar, Rbe2, Rbe3, ScalarElement, ScalarProperty,
-    Set1, SetUnion, ShellElement, SolidElement, Spc1, Spcd, SpectrumTable, SplineCard, Spoint, Suport,
+    Set1, SetUnion, ShellElement, SolidElement, Spc1, Spcd, SpectrumTable, Spin, SplineCard, Spoint, Suport,
     Tabdmp1, Temperature, TimeSteps, Trim,
 };
 use crate::deck::case_control::Subcase;
@@ -164,6 +164,7 @@ kinds! {
     beam_loads: Vec<BeamLoad>, Own, ["PLOAD1"];
     pressures: Vec<Pressure>, Own, ["PLOAD", "PLOAD2", "PLOAD4"];
     gravities: Vec<Gravity>, Own, ["GRAV"];
+    spins: Vec<Spin>, Own, ["RFORCE"];
     load_sums: BTreeMap<u32, LoadSum>, Own, ["LOAD"];
     enforced: Vec<Spcd>, Own, ["SPCD"];
     temperatures: Vec<Temperature>, Own, ["TEMP", "TEMPD", "TEMPRB", "TEMPP1"];

@@ -118,6 +118,7 @@ PLOAD2,2,5.,80,81
 PLOAD4,2,80,1.,2.,3.,4.
 ,7,.1,.2,.3
 GRAV,2,7,9.75,0.,0.,-1.
+RFORCE,2,1,7,9.75,0.,.5,-1.
 LOAD,3,1.,2.,2
 SPCD,2,1,3,.5
 TEMP,2,1,20.,2,30.
@@ -185,7 +186,7 @@ fn box_images() -> BTreeMap<u32, u32> {
 /// Kinds that an image has no cards of, said beside their types.
 const NO_IMAGE: &str = "\
     splines monitors constraint_unions equation_unions point_loads line_loads cross_loads beam_loads pressures \
-     gravities load_sums enforced temperatures aero_reference trim_variables trims aero_links aero_components \
+     gravities spins load_sums enforced temperatures aero_reference trim_variables trims aero_links aero_components \
      component_lists supports eigen_methods unsteady_reference flutters flutter_factors reduced_frequencies \
      damping_tables gusts dynamic_loads dynamic_sums load_areas direct_matrices frequencies time_steps \
      function_tables spectrum_tables spectra";

@@ -96,11 +96,13 @@ fn lumped(mass: &DMatrix<f64>, dofs: &[usize]) -> DMatrix<f64> {
 
 pub(crate) fn free_motions(dofs: &[usize], map: &DofMap) -> Free {
     let is_plain = |dof: &usize| matches!(map.rows[*dof].as_slice(), [] | [(_, 1.0)]);
-    if dofs.iter().all(is_plain) {
-        return Free::Places(dofs.iter().map(|dof| map.rows[*dof].first().map(|(at, _)| *at)).collect());
-    }
     let mut own: Vec<usize> = dofs.iter().flat_map(|dof| map.rows[*dof].iter().map(|(at, _)| *at)).collect();
     own.sort_unstable();
+    let is_shared = own.windows(2).any(|pair| pair[0] == pair[1]);
+    // Where two motions of an element follow the same one, what is between them counts for both.
+    if !is_shared && dofs.iter().all(is_plain) {
+        return Free::Places(dofs.iter().map(|dof| map.rows[*dof].first().map(|(at, _)| *at)).collect());
+    }
     own.dedup();
     let mut t = DMatrix::zeros(dofs.len(), own.len());
     for (row, dof) in dofs.iter().enumerate() {

@@ -204,3 +204,15 @@ fn what_is_no_load_of_a_beam_is_refused() {
         assert!(said(cards).contains(word), "{cards}: {}", said(cards));
     }
 }
+
+#[test]
+fn a_load_along_an_axis_of_its_beam_is_not_projected() {
+    // Only loads along basic axes act on the projected length (Strand7 on reading Nastran's PLOAD1).
+    let loads = |scale: &str| {
+        loads_of(&deck(&format!("{BAR}PLOAD1,5,7,FXE,{scale},0.,3.,1.,5.\n")), 5)
+            .expect("a load along the bar")
+    };
+    assert_eq!(loads("FRPR"), loads("FR"));
+    assert_eq!(loads("LEPR"), loads("LE"));
+    assert!(loads("FR").dead.iter().any(|load| load.force.norm() > 1.0));
+}

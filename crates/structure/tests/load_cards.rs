@@ -97,7 +97,8 @@ fn what_is_not_read_or_not_there_is_said() {
     for (cards, set, expected) in [
         ("FORCE,1,7,,2.,1.,0.,3.\n", 2, "no loads of set 2 (hint: there are 1)"),
         ("FORCE,1,77,,2.,1.,0.,3.\n", 1, "FORCE of set 1 refers to GRID 77"),
-        ("FORCE,1,7,,2.,1.,0.,3.\nRFORCE,1,7,,2.,0.,0.,1.\n", 1, "RFORCE is a load that is not read"),
+        ("FORCE,1,7,,2.,1.,0.,3.\nACCEL,1,7,,2.,0.,0.,1.\n", 1, "ACCEL is a load that is not read"),
+        ("RFORCE,1,77,,2.,0.,0.,1.\n", 1, "RFORCE of set 1 refers to GRID 77"),
         ("PLOAD2,1,2.,1\n", 1, "PLOAD2 of set 1 presses on element 1"),
         ("PLOAD4,1,1,2.,,,,1,2\n", 1, "name no face of a solid 1"),
         ("LOAD,1,1.,1.,4\n", 1, "no loads of set 4"),
@@ -133,4 +134,27 @@ fn forces_across_two_lines_are_those_along_their_normal_and_follow_it() {
         let error = loads_of(&deck(&(BOX.to_owned() + card)), 5).expect_err("refused").to_string();
         assert!(error.contains(said), "{error}");
     }
+}
+
+#[test]
+fn a_rotation_pushes_masses_outward_as_particles_are() {
+    // Closed form: m w^2 r from the axis; A is in revolutions, as Nastran's and NASTRAN-95's manuals say.
+    let w2 = (2.0 * std::f64::consts::PI * 3.0).powi(2);
+    // About z through grid 5, (0, 0, 4): a body of 2 kg at (2, 3, 4).
+    let (force, moment) = summed("CONM2,9,7,,2.\nRFORCE,1,5,,3.,0.,0.,1.\n", 1);
+    let (whole, _) = summed("RFORCE,1,5,,3.,0.,0.,1.\n", 1);
+    near((force - whole) / w2, [4.0, 6.0, 0.0], "a body");
+    assert!((moment.z / w2).abs() < 1e-6, "no force turns the axis: {moment}");
+    // The box of 24 m^3 with 100 kg/m^3, the plate of .6 m^3: all of it at its middle, whatever the mass's form.
+    near(whole / w2, [2460.0, 3690.0, 0.0], "the box and the plate");
+    // About x through the origin, the vector along another system's axis.
+    let turned = "CORD2R,3,,0.,0.,0.,1.,0.,0.\n,0.,1.,0.\nRFORCE,1,,3,1.5,0.,0.,2.\n";
+    near(summed(turned, 1).0 / w2, [0.0, 3690.0, 2400.0 * 2.0 + 60.0 * 4.0], "turned");
+    // A body beside its grid is two particles on a rod: the middle at (3, 3, 6), .5 along (1, 1, 0) and back.
+    let body = "CONM2,9,7,,8.,1.,0.,2.\n,2.,2.,2.,0.,0.,4.\nRFORCE,1,5,,3.,1.,2.,.5\n";
+    let pair = "GRID,11,,3.5,3.5,6.\nGRID,12,,2.5,2.5,6.\nCONM2,9,11,,4.\nCONM2,10,12,,4.\nRBE2,9,7,123456,11,12\n\
+        RFORCE,1,5,,3.,1.,2.,.5\n";
+    let ((force, moment), (f, m)) = (summed(body, 1), summed(pair, 1));
+    assert!((force - f).norm() < 1e-9 * f.norm(), "{force} for {f}");
+    assert!((moment - m).norm() < 1e-9 * m.norm(), "{moment} for {m}");
 }

@@ -182,3 +182,74 @@ fn a_huge_transverse_modulus_does_not_take_the_membrane_away() {
         .expand(structure::Flexibility::new(&system).expect("held").displacements(load.as_ref()).as_ref());
     assert_near(&[moved[(6, 0)]], &[1000.0 * 2.0 / (2e7 * 0.1)], 1e-9, "longer");
 }
+
+#[test]
+fn elements_whose_motions_follow_one_motion_store_nothing() {
+    // MYSTRAN's benchmark SB-RBE2-01-CROD-05-MPC-03: five rods of E A / L = 1e4 in a row, grids 2 to 5 moving as one, 6 with 1, which is held:
+    // the 1400 on them stretch the first rod and press the last, 1400 / 2e4 = .07 as MYSTRAN 18 prints.
+    let rods = cards(1..=5, |rod| format!("CROD,{rod},20,{rod},{}\n", rod + 1));
+    let grids = cards(1..=6, |grid| format!("GRID,{grid},,{}.,0.,0.,,23456\n", 10 * (grid - 1)));
+    let forces = cards(2..=5, |grid| format!("FORCE,1,{grid},,{}.,1.,0.,0.\n", 100 * grid));
+    let ties = "MPC,34,3,1,1.,4,1,-1.\nMPC,34,4,1,1.,5,1,-1.\nMPC,34,6,1,1.,1,1,-1.\nRBE2,32,3,1,2\n";
+    let row = format!(
+        "{grids}{rods}{forces}{ties}PROD,20,10,.01\nMAT1,10,1.+7,,.33,3.\nSPC1,1,1,1\nPARAM,COUPMASS,1\n"
+    );
+    assert_near(&moved(&row)[6..7], &[0.07], 1e-12, "the rods in the middle do not stretch");
+    // They weigh: three whole ones, and a third of each of the two outside.
+    let mass = 3.0 * 0.01 * 10.0 * (3.0 + 2.0 / 3.0);
+    assert_near(&hertz(&row, None, 1), &[(2e4_f64 / mass).sqrt() / TAU], 1e-9, "nor do they oscillate");
+    // A bush between two grids at one place that follow a third one does not hold it.
+    let bush = "GRID,1,,0.,0.,0.,,3456\nGRID,2,,0.,0.,0.\nGRID,3,,0.,0.,0.\nRBE2,9,1,123456,2,3\nCBUSH,4,5,2,3,,,,0\n\
+                PBUSH,5,K,7.+6,7.+6,7.+6,7.+6,7.+6,7.+6\nCELAS2,6,50.,1,1\nCELAS2,7,20.,1,2\nFORCE,1,2,,1.,1.,1.,0.\n";
+    assert_near(&moved(bush)[..2], &[0.02, 0.05], 1e-12, "only the springs to the ground do");
+}
+
+/// Displacements of all grids under load set 1.
+fn moved(deck: &str) -> Vec<f64> {
+    let system = deck_system(deck, None);
+    let bulk = parse_deck("deck.bdf", deck).expect("read before");
+    let forces = system.forces_of(&structure::loads_of(&bulk, 1).expect("loads"));
+    let held = structure::Flexibility::new(&system).expect("held");
+    let u = system.expand(held.displacements(system.reduce(forces.as_ref()).as_ref()).as_ref());
+    u.col(0).iter().copied().collect()
+}
+
+#[test]
+fn a_stiffened_strip_bends_as_its_beams_do_however_few_the_elements() {
+    // Beam theory: P L^3 / 3 E I with I of the bars and of the strip together (no lateral contraction), P L / (5/6 G A) by the strip's shear alone.
+    // Elements without residual bending flexibility hold the bars to straight rotations: a third more stiffness with one of them.
+    let (length, width, t, e) = (3.0_f64, 0.4_f64, 0.01_f64, 7e10);
+    let strip = e * width * t.powi(3) / 12.0;
+    for (count, shells, bars) in
+        [(1, "CQUAD4", 0.0), (1, "CQUAD4", 2.0), (3, "CQUAD4", 2.0), (2, "CTRIA3", 1.0)]
+    {
+        let step = length / f64::from(count);
+        let mut deck = format!(
+            "PSHELL,1,1,{t},1,,1\nMAT1,1,{e:?},,0.,2700.\nPBAR,2,1,0.,{:?},{:?}\nSPC1,1,123456,100,200\n",
+            bars * strip / e,
+            bars * strip / e
+        );
+        for at in 0..=count {
+            let x = f64::from(at) * step;
+            deck += &format!("GRID,{},,{x:?},0.,0.\nGRID,{},,{x:?},{width:?},0.\n", 100 + at, 200 + at);
+        }
+        for at in 0..count {
+            let [a, b, c, d] = [100 + at, 101 + at, 201 + at, 200 + at];
+            deck += &match shells {
+                "CQUAD4" => format!("CQUAD4,1{at},1,{a},{b},{c},{d}\n"),
+                _ => format!("CTRIA3,1{at},1,{a},{b},{c}\nCTRIA3,2{at},1,{a},{c},{d}\n"),
+            };
+            if bars > 0.0 {
+                deck += &format!("CBAR,3{at},2,{a},{b},0.,0.,1.\nCBAR,4{at},2,{d},{c},0.,0.,1.\n");
+            }
+        }
+        let tip = [100 + count, 200 + count];
+        deck += &tip.map(|grid| format!("FORCE,1,{grid},,.5,0.,0.,1.\n")).concat();
+        let u = moved(&deck);
+        let nodes = usize::try_from(count).expect("few");
+        let rise = 0.5 * (u[6 * nodes + 2] + u[6 * (2 * nodes + 1) + 2]);
+        let expected = length.powi(3) / (3.0 * strip * (1.0 + 2.0 * bars));
+        let within = if shells == "CQUAD4" { 1e-4 } else { 0.03 };
+        assert_near(&[rise], &[expected], within, &format!("{count} {shells}, bars {bars}"));
+    }
+}

@@ -131,6 +131,7 @@ pub fn structure_of(deck: &BulkData, origin: &[String]) -> String {
         cross_loads: Vec::new(),
         pressures: Vec::new(),
         gravities: Vec::new(),
+        spins: Vec::new(),
         load_sums: BTreeMap::new(),
         aero_reference: None,
         trim_variables: BTreeMap::new(),

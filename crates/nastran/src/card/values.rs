@@ -22,11 +22,11 @@ impl Card {
     pub(crate) fn id(&self, index: usize, what: &str) -> Result<u32, InputError> {
         match self.text(index) {
             "" => Err(self.empty(index, what, "a positive whole number")),
-            text => text
-                .parse()
-                .ok()
-                .filter(|id| *id > 0)
-                .ok_or_else(|| self.wrong(index, what, "a positive whole number")),
+            text => text.parse().ok().filter(|id| *id > 0).ok_or_else(|| {
+                let is_long = text.len() > 9 && text.bytes().all(|byte| byte.is_ascii_digit());
+                let most = format!("a number up to {}", u32::MAX);
+                self.wrong(index, what, if is_long { &most } else { "a positive whole number" })
+            }),
         }
     }
 

@@ -15,7 +15,8 @@ pub struct BeamLoad {
     pub is_element: bool,
     /// Places are lengths from end A, not shares of the length.
     pub is_length: bool,
-    /// The load is one on the length that is seen along its direction (scales LEPR and FRPR).
+    /// The load is one on the length that is seen along its direction (scales LEPR and FRPR of a force along basic axes; along the element's they are LE
+    /// and FR).
     pub is_projected: bool,
     /// Where it begins and ends; the same place: it is concentrated there.
     pub places: [f64; 2],
@@ -52,7 +53,7 @@ impl DeckCard for BeamLoad {
                 format!("PLOAD1 runs from {from} to {to}, not from end A towards end B of its element");
             return Err(card.error(4, message));
         }
-        if is_projected && (component > 3 || is_element) {
+        if is_projected && component > 3 && !is_element {
             let message = "PLOAD1: what is projected is a force along basic axes";
             return Err(card.error(3, message).with_help("write SCALE as LE or FR"));
         }
@@ -62,7 +63,7 @@ impl DeckCard for BeamLoad {
             component,
             is_element,
             is_length,
-            is_projected,
+            is_projected: is_projected && !is_element,
             places: [from, to],
             values: [first, if to > from { card.real_or(7, "P2", first)? } else { first }],
             span: card.span.clone(),

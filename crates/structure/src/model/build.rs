@@ -20,6 +20,8 @@ pub(crate) struct Builder<'a> {
     pub(super) sections: BTreeMap<u32, Arc<ShellSection>>,
     /// Materials of solids by their property, unless its axes turn with the place.
     pub(super) solid_materials: BTreeMap<u32, Arc<SolidMaterial>>,
+    /// Shells are Nastran's ([`crate::shell::Shell::with_residual_bending`]).
+    pub(super) as_nastran: bool,
     /// Which rotations of each node clamps hold, about the axes of its displacement system; empty before [`Self::hold`].
     held: Vec<[bool; 3]>,
     places: BTreeMap<u32, usize>,
@@ -47,7 +49,17 @@ impl<'a> Builder<'a> {
         nodes.sort_unstable_by_key(|node| node.id);
         let places = nodes.iter().enumerate().map(|(place, node)| (node.id, place)).collect();
         let (sections, solid_materials) = (BTreeMap::new(), BTreeMap::new());
-        Ok(Self { bulk, frames, nodes, shear, sections, solid_materials, held: Vec::new(), places })
+        Ok(Self {
+            bulk,
+            frames,
+            nodes,
+            shear,
+            sections,
+            solid_materials,
+            as_nastran: false,
+            held: Vec::new(),
+            places,
+        })
     }
 
     /// Notes which rotations `clamps` hold.

@@ -2,6 +2,7 @@
 
 use super::build::{Builder, found, present};
 use super::elements::beam_parts;
+use super::spin::outward;
 use crate::beam_load::on_grids;
 use crate::laminate::ShearModel;
 use crate::nonlinear::{Following, Loads, NodeLoad, pressure_shares};
@@ -13,7 +14,7 @@ use nastran::{
 use std::collections::BTreeSet;
 
 /// Loads that are not read, and would be missing if a set had some.
-const UNREAD: &[&str] = &["PLOADX1", "RFORCE", "ACCEL", "ACCEL1", "SLOAD", "DEFORM", "CLOAD"];
+const UNREAD: &[&str] = &["PLOADX1", "ACCEL", "ACCEL1", "SLOAD", "DEFORM", "CLOAD"];
 
 /// Sine of an angle that is round-off of places.
 const ROUND_OFF: f64 = 1e-9;
@@ -27,6 +28,7 @@ pub fn load_sets(bulk: &BulkData) -> Vec<u32> {
     let beams = bulk.beam_loads.iter().map(|load| load.set);
     let pressures = bulk.pressures.iter().map(|load| load.set);
     let weights = bulk.gravities.iter().map(|load| load.set);
+    let spins = bulk.spins.iter().map(|load| load.set);
     let enforced = bulk.enforced.iter().map(|card| card.set);
     let all: BTreeSet<u32> = sums
         .chain(points)
@@ -35,12 +37,13 @@ pub fn load_sets(bulk: &BulkData) -> Vec<u32> {
         .chain(beams)
         .chain(pressures)
         .chain(weights)
+        .chain(spins)
         .chain(enforced)
         .collect();
     all.into_iter().collect()
 }
 
-/// The loads of a set: LOAD sums up others. FORCE, MOMENT, PLOAD1 and GRAV keep their direction, FORCE1, MOMENT1, FORCE2, MOMENT2
+/// The loads of a set: LOAD sums up others. FORCE, MOMENT, PLOAD1, GRAV and RFORCE keep their direction, FORCE1, MOMENT1, FORCE2, MOMENT2
 /// and pressures follow the structure.
 ///
 /// # Errors
@@ -54,7 +57,7 @@ pub fn loads_of(bulk: &BulkData, set: u32) -> Result<Loads, InputError> {
     let mut unread = bulk.unknown.iter().filter(|(name, _)| UNREAD.contains(&name.as_str()));
     if let Some((name, unread)) = unread.find(|(_, unread)| is_meant(unread)) {
         let message = format!("{name} is a load that is not read: leaving it out would change the loads");
-        let help = "give it as FORCE, MOMENT, FORCE1, FORCE2, PLOAD, PLOAD1, PLOAD2, PLOAD4 or GRAV, or take it out of the deck";
+        let help = "give it as FORCE, MOMENT, FORCE1, FORCE2, PLOAD, PLOAD1, PLOAD2, PLOAD4, GRAV or RFORCE, or take it out of the deck";
         return Err(InputError::at(&unread.first, message).with_help(help));
     }
     let builder = Builder::new(bulk, ShearModel::Equilibrium)?;
@@ -104,6 +107,9 @@ fn single(builder: &Builder, set: u32, asked: Option<&Span>) -> Result<Loads, In
     }
     for Gravity { cid, vector, span, .. } in bulk.gravities.iter().filter(|load| load.set == set) {
         loads.gravity_m_s2 += builder.frames.axes_at(*cid, span)? * vector;
+    }
+    for load in bulk.spins.iter().filter(|load| load.set == set) {
+        loads.dead.extend(outward(builder, load)?);
     }
     if loads == Loads::default() {
         let known: Vec<String> = load_sets(bulk).iter().map(u32::to_string).collect();

@@ -15,6 +15,7 @@ pub(crate) mod registry;
 mod shear;
 mod shells;
 mod solids;
+mod spin;
 mod temperatures;
 mod tube;
 
@@ -75,14 +76,14 @@ impl Model {
     }
 
     /// Reads the structure of a user's deck as Nastran does: lumped mass unless PARAM COUPMASS is above zero, motions
-    /// without stiffness held unless PARAM AUTOSPC is NO, under the boundary conditions of a subcase ([`BulkData::bounded`]).
+    /// without stiffness held unless PARAM AUTOSPC is NO, flat shells with residual bending flexibility ([`crate::Shell::with_residual_bending`]), under the boundary conditions of a subcase ([`BulkData::bounded`]).
     ///
     /// # Errors
     /// As [`Model::from_bulk`].
     pub fn from_deck(bulk: &BulkData, subcase: Option<u32>) -> Result<Self, InputError> {
         bulk.refuse_unread_undamped()?;
         let bulk = &*bulk.bounded(subcase)?;
-        let mut model = Self::read(bulk, ShearModel::Equilibrium)?;
+        let mut model = Self::read(bulk, ShearModel::Equilibrium, true)?;
         let is_consistent = bulk.parameters.get("COUPMASS").is_some_and(|value| *value > 0.0);
         model.holds_loose = bulk.parameters.get("AUTOSPC") != Some(&0.0);
         model.mass_form = if is_consistent { MassForm::Consistent } else { MassForm::Lumped };
@@ -95,12 +96,13 @@ impl Model {
     /// As [`Model::from_bulk`].
     pub fn from_bulk_with(bulk: &BulkData, shear: ShearModel) -> Result<Self, InputError> {
         bulk.refuse_unread_elements()?;
-        Self::read(&*bulk.bounded(None)?, shear)
+        Self::read(&*bulk.bounded(None)?, shear, false)
     }
 
     /// Reads what is there, under the constraints that are there.
-    fn read(bulk: &BulkData, shear: ShearModel) -> Result<Self, InputError> {
+    fn read(bulk: &BulkData, shear: ShearModel, as_nastran: bool) -> Result<Self, InputError> {
         let mut builder = build::Builder::new(bulk, shear)?;
+        builder.as_nastran = as_nastran;
         let clamps = builder.clamps()?;
         builder.hold(&clamps);
         let mut read = Reading { builder, elements: Vec::new(), dependents: Vec::new(), ties: Vec::new() };

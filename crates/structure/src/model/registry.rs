@@ -57,7 +57,7 @@ pub(crate) fn visit(bulk: &BulkData, visitor: &mut impl Visitor) -> Result<(), I
         solid_properties: _, bush_properties: _, spring_properties: _, mass_properties: _, materials: _,
         plane_materials: _, ply_materials: _, solid_materials: _, constraints: _, parameters: _,
         // Taken by the load set that is asked for.
-        point_loads: _, line_loads: _, cross_loads: _, beam_loads: _, pressures: _, gravities: _, load_sums: _, enforced: _, temperatures: _,
+        point_loads: _, line_loads: _, cross_loads: _, beam_loads: _, pressures: _, gravities: _, spins: _, load_sums: _, enforced: _, temperatures: _,
         // Of the air and of the case control.
         sets: _, panels: _, panel_properties: _, factors: _, surfaces: _, box_lists: _, splines: _, monitors: _,
         matrices: _, aero_reference: _, trim_variables: _, trims: _, aero_links: _, aero_components: _, component_lists: _, supports: _, eigen_methods: _,

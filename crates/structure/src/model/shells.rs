@@ -45,6 +45,9 @@ impl ElementCard for ShellElement {
         if shell.nodes().iter().all(|node| builder.is_held(*node, &normal)) {
             shell = shell.without_drilling_tie();
         }
+        if builder.as_nastran {
+            shell = shell.with_residual_bending();
+        }
         Ok(Arc::new(if self.is_r { shell.with_drilling() } else { shell }))
     }
 

@@ -61,6 +61,8 @@ pub struct Shell {
     drills: bool,
     /// Stiffness of the rotation about the normal against the membrane's own, in units of the membrane's shear stiffness.
     tie: f64,
+    /// Has the residual bending flexibility.
+    relaxes: bool,
     /// Thickness at the corners in units of the section's; empty if it is the section's everywhere.
     thickness: Vec<f64>,
     /// The membranes of a quadrilateral that drills, by [`CUTS`]; else none.
@@ -102,6 +104,7 @@ impl Shell {
             angle_rad,
             drills: false,
             tie: DRILLING,
+            relaxes: false,
             thickness: Vec::new(),
             triangles: Vec::new(),
         })
@@ -146,7 +149,7 @@ impl Shell {
 
     /// A quadrilateral's stiffness with drilling: its own in bending and shear, half of each triangle's membrane.
     fn drilled_stiffness(&self) -> DMatrix<f64> {
-        let bending = ShellSection { membrane: Matrix3::zeros(), ..self.section() };
+        let bending = ShellSection { membrane: Matrix3::zeros(), ..self.relaxed(self.section()) };
         let mut k = self.basic(&stiffness(&self.quad_points(), &bending, 0.0));
         for (triangle, corners) in self.triangles.iter().zip(CUTS) {
             let own = triangle.stiffness().unwrap_or_default();
@@ -163,6 +166,14 @@ impl Shell {
     #[must_use]
     pub fn without_drilling_tie(self) -> Self {
         Self { tie: 0.0, ..self }
+    }
+
+    /// With the shear flexibility that makes up for the linear rotations' lack of bending (MacNeal, A simple quadrilateral shell element, Computers
+    /// and Structures 8, 1978), as Nastran's CQUAD4 and CTRIA3 have it: strips bend as beams do, whatever their number, and bars along their sides with
+    /// them. Without it thin shells hold bars to straight rotations.
+    #[must_use]
+    pub fn with_residual_bending(self) -> Self {
+        Self { relaxes: true, ..self }
     }
 
     /// With thicknesses at the corners (T1 to T4), in units of the section's, linear between.
@@ -219,6 +230,26 @@ impl Shell {
         }
     }
 
+    /// The section with the residual bending flexibility of [`Self::with_residual_bending`]: for each side d, `d dT / 24 D(d)`, D(d) the stiffness of
+    /// bending along it; of a rectangle a by b that is a^2 / 12 D11 and b^2 / 12 D22.
+    fn relaxed(&self, mut section: ShellSection) -> ShellSection {
+        let Some(mut flexibility) = section.shear.try_inverse().filter(|_| self.relaxes) else {
+            return section;
+        };
+        let n = self.corners.len();
+        for at in 0..n {
+            let side = (self.corners[(at + 1) % n] - self.corners[at]).xy();
+            let (x, y) = (side.x, side.y);
+            let curvature = Vector3::new(x * x, y * y, 2.0 * x * y) / side.norm_squared();
+            let stiffness = curvature.dot(&(section.bending * curvature));
+            if stiffness > 0.0 {
+                flexibility += side * side.transpose() / (24.0 * stiffness);
+            }
+        }
+        section.shear = flexibility.try_inverse().unwrap_or(section.shear);
+        section
+    }
+
     fn quad_points(&self) -> Vec<Point<24>> {
         self.thickened(quad::points(&self.corners))
     }
@@ -266,7 +297,7 @@ impl Element for Shell {
         &self.nodes
     }
     fn stiffness(&self) -> Option<Cow<'_, DMatrix<f64>>> {
-        let section = self.section();
+        let section = self.relaxed(self.section());
         Some(Cow::Owned(if !self.triangles.is_empty() {
             self.drilled_stiffness()
         } else if self.corners.len() == 4 {

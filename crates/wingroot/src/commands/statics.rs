@@ -31,7 +31,7 @@ use crate::structures::Structure;
   wingroot statics --deck my_wing.bdf --load 20 --nonlinear --steps 20
   wingroot statics --wing my_wing/wing.ron --airspeeds 20,30,40 --alpha 5 --nonlinear")]
 pub struct StaticsArgs {
-    /// A Nastran deck with its loads (FORCE, MOMENT, FORCE1, MOMENT1, FORCE2, MOMENT2, PLOAD, PLOAD1, PLOAD2, PLOAD4, GRAV, LOAD; SPCD; TEMP, TEMPD, TEMPRB, TEMPP1)
+    /// A Nastran deck with its loads (FORCE, MOMENT, FORCE1, MOMENT1, FORCE2, MOMENT2, PLOAD, PLOAD1, PLOAD2, PLOAD4, GRAV, RFORCE, LOAD; SPCD; TEMP, TEMPD, TEMPRB, TEMPP1)
     #[arg(long, value_name = "FILE", required_unless_present = "wing")]
     pub(crate) deck: Option<PathBuf>,
     /// A wing in steady air
@@ -82,6 +82,12 @@ pub(crate) fn run(args: &StaticsArgs, common: &Common) -> Result<(), Failure> {
         let is_moved = case.temperatures[0].is_some() || bounded.enforced(case.load)?.is_some();
         let walked = match (is_large, is_moved) {
             (false, _) => None,
+            (true, false) if !structure.bulk.spins.is_empty() => {
+                let message = "large deflections know no RFORCE, whose forces grow as the masses move outward";
+                return Err(InputError::in_file(deck, message)
+                    .with_help("leave out --nonlinear and PARAM LGDISP, or give its forces as FORCE")
+                    .into());
+            }
             (true, false) => Some(large(structure, &loads, args.steps.unwrap_or(1))?),
             (true, true) => {
                 let message =
