@@ -83,7 +83,8 @@ pub(crate) fn run(args: &StaticsArgs, common: &Common) -> Result<(), Failure> {
         let walked = match (is_large, is_moved) {
             (false, _) => None,
             (true, false) if !structure.bulk.spins.is_empty() => {
-                let message = "large deflections know no RFORCE, whose forces grow as the masses move outward";
+                let message =
+                    "large deflections know no RFORCE, whose forces grow as the masses move outward";
                 return Err(InputError::in_file(deck, message)
                     .with_help("leave out --nonlinear and PARAM LGDISP, or give its forces as FORCE")
                     .into());
