@@ -224,28 +224,26 @@ fn a_stiffened_strip_bends_as_its_beams_do_however_few_the_elements() {
         [(1, "CQUAD4", 0.0), (1, "CQUAD4", 2.0), (3, "CQUAD4", 2.0), (2, "CTRIA3", 1.0)]
     {
         let step = length / f64::from(count);
-        let mut deck = format!(
-            "PSHELL,1,1,{t},1,,1\nMAT1,1,{e:?},,0.,2700.\nPBAR,2,1,0.,{:?},{:?}\nSPC1,1,123456,100,200\n",
-            bars * strip / e,
-            bars * strip / e
+        let inertia = bars * strip / e;
+        let section = format!(
+            "PSHELL,1,1,{t},1,,1\nMAT1,1,{e:?},,0.,2700.\nPBAR,2,1,0.,{inertia:?},{inertia:?}\nSPC1,1,123456,100,200\n"
         );
-        for at in 0..=count {
+        let grids = cards(0..=count, |at| {
             let x = f64::from(at) * step;
-            deck += &format!("GRID,{},,{x:?},0.,0.\nGRID,{},,{x:?},{width:?},0.\n", 100 + at, 200 + at);
-        }
-        for at in 0..count {
+            format!("GRID,{},,{x:?},0.,0.\nGRID,{},,{x:?},{width:?},0.\n", 100 + at, 200 + at)
+        });
+        let elements = cards(0..=count - 1, |at| {
             let [a, b, c, d] = [100 + at, 101 + at, 201 + at, 200 + at];
-            deck += &match shells {
+            let shell = match shells {
                 "CQUAD4" => format!("CQUAD4,1{at},1,{a},{b},{c},{d}\n"),
                 _ => format!("CTRIA3,1{at},1,{a},{b},{c}\nCTRIA3,2{at},1,{a},{c},{d}\n"),
             };
-            if bars > 0.0 {
-                deck += &format!("CBAR,3{at},2,{a},{b},0.,0.,1.\nCBAR,4{at},2,{d},{c},0.,0.,1.\n");
-            }
-        }
+            let pair = format!("CBAR,3{at},2,{a},{b},0.,0.,1.\nCBAR,4{at},2,{d},{c},0.,0.,1.\n");
+            if bars > 0.0 { shell + &pair } else { shell }
+        });
         let tip = [100 + count, 200 + count];
-        deck += &tip.map(|grid| format!("FORCE,1,{grid},,.5,0.,0.,1.\n")).concat();
-        let u = moved(&deck);
+        let forces = tip.map(|grid| format!("FORCE,1,{grid},,.5,0.,0.,1.\n")).concat();
+        let u = moved(&(section + &grids + &elements + &forces));
         let nodes = usize::try_from(count).expect("few");
         let rise = 0.5 * (u[6 * nodes + 2] + u[6 * (2 * nodes + 1) + 2]);
         let expected = length.powi(3) / (3.0 * strip * (1.0 + 2.0 * bars));

@@ -248,7 +248,7 @@ impl TrimDeck {
     /// balance of the SUPORT motions.
     ///
     /// # Errors
-    /// At or beyond divergence of the free aircraft (held at the SUPORT motions it may diverge earlier, which says nothing of flight); if a fixed variable is unknown, there are not as many free variables as SUPORT motions, or free
+    /// Where the aircraft diverges both held at the SUPORT motions and free (what diverges held alone says little of flight); if a fixed variable is unknown, there are not as many free variables as SUPORT motions, or free
     /// variables cannot be determined; they are named.
     pub fn trim(&self, q: f64, fixed: &[(String, f64)]) -> Result<TrimmedDeck, AircraftError> {
         self.balanced(q, fixed, None)

@@ -24,7 +24,7 @@ impl Card {
             "" => Err(self.empty(index, what, "a positive whole number")),
             text => text.parse().ok().filter(|id| *id > 0).ok_or_else(|| {
                 let is_long = text.len() > 9 && text.bytes().all(|byte| byte.is_ascii_digit());
-                let most = format!("a number up to {}", u32::MAX);
+                let most = format!("a positive whole number up to {}", u32::MAX);
                 self.wrong(index, what, if is_long { &most } else { "a positive whole number" })
             }),
         }

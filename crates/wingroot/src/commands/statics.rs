@@ -77,27 +77,7 @@ pub(crate) fn run(args: &StaticsArgs, common: &Common) -> Result<(), Failure> {
             None => Loads::default(),
         };
         let linear = bounded.linear(case, &loads)?;
-        let is_large =
-            args.nonlinear || structure.bulk.parameters.get("LGDISP").is_some_and(|value| *value > 0.0);
-        let is_moved = case.temperatures[0].is_some() || bounded.enforced(case.load)?.is_some();
-        let walked = match (is_large, is_moved) {
-            (false, _) => None,
-            (true, false) if !structure.bulk.spins.is_empty() => {
-                let message =
-                    "large deflections know no RFORCE, whose forces grow as the masses move outward";
-                return Err(InputError::in_file(deck, message)
-                    .with_help("leave out --nonlinear and PARAM LGDISP, or give its forces as FORCE")
-                    .into());
-            }
-            (true, false) => Some(large(structure, &loads, args.steps.unwrap_or(1))?),
-            (true, true) => {
-                let message =
-                    "large deflections know no motions that SPC or SPCD enforces, and no temperatures";
-                return Err(InputError::in_file(deck, message)
-                    .with_help("leave out --nonlinear and PARAM LGDISP, or press by forces")
-                    .into());
-            }
-        };
+        let walked = bounded.walked(args, case, &loads)?;
         let answer = Answer { structure, linear: &linear, large: walked.as_ref() };
         // The first subcase has the plain names, as a deck of one has.
         answer.write(&folder, results.first().and(case.subcase))?;
@@ -145,6 +125,28 @@ impl Bounded {
         Ok(motions.map(|motions| Mat::from_fn(motions.len(), 1, |i, _| motions[i])))
     }
 
+    /// The way of the load where deflections are large; nothing where they are small.
+    fn walked(&self, args: &StaticsArgs, case: &Asked, loads: &Loads) -> Result<Option<Walked>, Failure> {
+        let bulk = &self.structure.bulk;
+        if !args.nonlinear && bulk.parameters.get("LGDISP").is_none_or(|value| *value <= 0.0) {
+            return Ok(None);
+        }
+        let refused = |message: &str, help: &str| {
+            Err(InputError::in_file(&self.structure.path, message).with_help(help).into())
+        };
+        if case.temperatures[0].is_some() || self.enforced(case.load)?.is_some() {
+            let message = "large deflections know no motions that SPC or SPCD enforces, and no temperatures";
+            return refused(message, "leave out --nonlinear and PARAM LGDISP, or press by forces");
+        }
+        let turns = |set: u32| bulk.spins.iter().any(|spin| spin.set == set);
+        let sum = case.load.and_then(|set| bulk.load_sums.get(&set));
+        if case.load.is_some_and(turns) || sum.is_some_and(|sum| sum.parts.iter().any(|part| turns(part.1))) {
+            let message = "large deflections know no RFORCE, whose forces grow as the masses move outward";
+            return refused(message, "leave out --nonlinear and PARAM LGDISP, or give its forces as FORCE");
+        }
+        large(&self.structure, loads, args.steps.unwrap_or(1)).map(Some)
+    }
+
     /// Forces on the nodes (those that would hold the free expansion among them), displacements and reactions.
     fn linear(&self, case: &Asked, loads: &Loads) -> Result<statics_files::State, Failure> {
         let system = &self.structure.system;
@@ -175,12 +177,11 @@ impl Bounded {
     }
 }
 
-/// The way of the load, and the end as the linear answer has it.
-fn large(
-    structure: &Structure,
-    loads: &Loads,
-    steps: usize,
-) -> Result<(Path, statics_files::State, Vec<Vec<f64>>), Failure> {
+/// The way of the load, the end as the linear answer has it, and the shapes on the way.
+type Walked = (Path, statics_files::State, Vec<Vec<f64>>);
+
+/// The way of the load.
+fn large(structure: &Structure, loads: &Loads, steps: usize) -> Result<Walked, Failure> {
     let wing = LargeDeflection::new(&structure.model).map_err(|error| error.or_in(&structure.path))?;
     let stops = (1..=steps).map(|step| step as f64 / steps as f64).collect();
     let controls = Controls { stops, ..Controls::default() };
