@@ -125,14 +125,14 @@ fn where_both_forms_diverge_the_trim_is_refused_and_just_below_it_the_lift_slope
 
 #[test]
 fn an_aircraft_that_diverges_only_as_it_is_held_is_trimmed() {
-    // Held at a grid of no mass on a spring that is soft in pitch, it diverges; in flight the spring carries nothing.
-    let soft = "GRID,500,,15.,0.,0.\nCBUSH,500,500,90,500,,,,0\nPBUSH,500,K,1.+9,1.+9,1.+9,1.+9,1.+4,1.+9\nSPC1,1,1246,500\n";
+    // Held behind its air on a spring that is soft in pitch, at a grid of no mass, it diverges; in flight the spring carries nothing.
+    let soft = "GRID,500,,30.,0.,0.\nCBUSH,500,500,100,500,,,,0\nPBUSH,500,K,1.+9,1.+9,1.+9,1.+9,1.+4,1.+9\nSPC1,1,246,500\n";
     let plain = deck("", &[]);
     let trim = |bulk: &BulkData| {
         let deck = TrimDeck::new(bulk, 0.9).unwrap();
         (deck.divergence_pressures()[0], deck.trim_card(&plain.trims[&1]).unwrap())
     };
-    let (held, flown) = trim(&deck(soft, &[("SUPORT,90,", "SUPORT,500,"), ("1246,90", "246,90")]));
+    let (held, flown) = trim(&deck(soft, &[("SUPORT,90,", "SUPORT,500,")]));
     let (_, expected) = trim(&plain);
     assert!(held < plain.trims[&1].q, "{held}");
     near(flown.values["ELEV"], expected.values["ELEV"], 1e-5);
@@ -326,7 +326,8 @@ fn a_clamp_beside_the_supported_grid_is_left_where_it_is() {
         TrimDeck::new(bulk, 0.9).unwrap().derivatives(40.0, fullaircraft::Elastic::Unrestrained)["ANGLEA"]
     };
     let [below, heavy, plain] = [&below, &heavy, &deck("", &[])].map(derivatives);
-    near(below[2], heavy[2], 1e-6);
-    near(below[4], heavy[4], 1e-6);
-    assert!((below[2] / plain[2] - 1.0).abs() > 1e-3, "{} is not {}", below[2], plain[2]);
+    // But for the stretch of the fuselage, which the masses pull along.
+    near(below[2], heavy[2], 1e-5);
+    near(below[4], heavy[4], 1e-5);
+    assert!((below[2] / plain[2] - 1.0).abs() > 2e-4, "{} is not {}", below[2], plain[2]);
 }
