@@ -47,7 +47,7 @@ fn rectangle(mu: f64, rho_kg_m3: f64) -> BulkData {
 }
 
 /// HA144A with its wing outboard of the fuselage as a station, in basic axes and turned by a quarter about x.
-fn ha144a(change: &[(&str, &str)], more: &str) -> BulkData {
+pub(crate) fn ha144a(change: &[(&str, &str)], more: &str) -> BulkData {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/published/decks/ha144a_fsw.bdf");
     let mut text = std::fs::read_to_string(path).expect("the shipped deck");
     let stations = "SET1,82,110,111,112,120,121,122\nCORD2R,88,0,0.,0.,0.,0.,-1.,0.,+T\n+T,1.,0.,0.\n\
@@ -61,7 +61,7 @@ fn ha144a(change: &[(&str, &str)], more: &str) -> BulkData {
     parse_deck("ha144a", &text).unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn feet() -> DeckUnits {
+pub(crate) fn feet() -> DeckUnits {
     DeckUnits { length_m: FOOT_M, force_n: POUND_N, trim: Some(1), modes_up_to_hz: Some(1000.0) }
 }
 
@@ -83,11 +83,11 @@ fn case(v_m_s: f64, action: Action) -> Case {
     }
 }
 
-fn discrete(v_m_s: f64, gradient_m: f64) -> Case {
+pub(crate) fn discrete(v_m_s: f64, gradient_m: f64) -> Case {
     case(v_m_s, Action::Discrete { gradient_m, direction: Direction::Up, u_ds_m_s: 1.0, refine: false })
 }
 
-fn turbulence(v_m_s: f64, scale_m: f64, cut_off_hz: f64) -> Case {
+pub(crate) fn turbulence(v_m_s: f64, scale_m: f64, cut_off_hz: f64) -> Case {
     let action = Action::Turbulence {
         direction: Direction::Up,
         u_sigma_m_s: 2.0,
@@ -101,14 +101,14 @@ fn turbulence(v_m_s: f64, scale_m: f64, cut_off_hz: f64) -> Case {
 }
 
 /// A plan, its deck and stations.
-struct Ready {
-    plan: DeckPlan,
-    deck: TrimDeck,
-    stations: Vec<Station>,
+pub(crate) struct Ready {
+    pub(crate) plan: DeckPlan,
+    pub(crate) deck: TrimDeck,
+    pub(crate) stations: Vec<Station>,
 }
 
 impl Ready {
-    fn new(bulk: &BulkData, units: DeckUnits, v_m_s: f64) -> Self {
+    pub(crate) fn new(bulk: &BulkData, units: DeckUnits, v_m_s: f64) -> Self {
         let plan = DeckPlan::new(bulk, units).unwrap_or_else(|error| panic!("{error}"));
         let deck = plan.at(1, v_m_s / Air::at(0.0).sound_m_s).unwrap_or_else(|error| panic!("{error}"));
         let stations = plan.stations(&deck, &CasesFile::default()).expect("they are there");
@@ -116,7 +116,7 @@ impl Ready {
     }
 
     /// A case as it is flown, and loads at grids of its instants.
-    fn fly(&self, case: &Case) -> (FlownCase, Vec<NodalLoads>) {
+    pub(crate) fn fly(&self, case: &Case) -> (FlownCase, Vec<NodalLoads>) {
         let stations = &self.stations;
         let flight = DeckFlight { deck: &self.deck, stations, search: false, nodal: true, all: &[case] };
         let mut found = None;
@@ -129,14 +129,14 @@ impl Ready {
         found.expect("it was flown or refused")
     }
 
-    fn flown(&self, case: &Case) -> (FlownCase, Vec<NodalLoads>) {
+    pub(crate) fn flown(&self, case: &Case) -> (FlownCase, Vec<NodalLoads>) {
         let (flown, nodal) = self.fly(case);
         assert_eq!(flown.refused, None);
         assert!(!flown.instants.is_empty() && nodal.len() == flown.instants.len());
         (flown, nodal)
     }
 
-    fn place(&self, name: &str) -> usize {
+    pub(crate) fn place(&self, name: &str) -> usize {
         self.stations.iter().position(|station| station.name == name).expect("a station")
     }
 }

@@ -9,6 +9,7 @@ mod deck_flutter;
 mod deck_gust;
 mod deck_plan;
 mod deck_plan_gusts;
+mod deck_plan_stations;
 mod deck_trim;
 mod derivatives;
 mod envelope;

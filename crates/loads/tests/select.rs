@@ -250,3 +250,26 @@ proptest! {
         prop_assert_eq!(before, at_root(&file, &all));
     }
 }
+
+#[test]
+fn a_load_that_is_rounding_in_all_cases_sends_none_of_them_to_stress() {
+    // a root that is loaded, and the whole in balance but for the last digits
+    let stations = ["root".to_owned(), "whole".to_owned()];
+    let one = |case: usize, root: f64, whole: f64| Instant {
+        model: Model::Updated,
+        case,
+        instant: 1,
+        loads: [root, whole].map(|load| [0.0, 0.0, load, 2.0 * load, -load, 0.0]).to_vec(),
+    };
+    let all = [one(1, 100.0, 1e-9), one(2, -50.0, 0.0), one(3, 10.0, 5e-8), one(4, 20.0, -9e-8)];
+    let ends = Policy::Envelope { loads: vec![Load::Fz, Load::Mx], stations: vec![] };
+    let hulls = Policy::Hull { pairs: vec![(Load::Fz, Load::My)], stations: vec![] };
+    let selection = select(&by(vec![ends, hulls]), &stations, &all).expect("a selection");
+    assert_eq!(cases(&selection), BTreeSet::from([1, 2]), "{:?}", selection.drives);
+    assert!(selection.drives.iter().all(|drive| !drive.what.starts_with("whole")));
+    // a thousandth of the largest is a load
+    let alone = Policy::Envelope { loads: vec![Load::Fz], stations: vec![] };
+    let all = [one(1, 100.0, 0.1), one(2, -50.0, 0.0)];
+    let selection = select(&by(vec![alone]), &stations, &all).expect("a selection");
+    assert_eq!(selection.drives.len(), 4);
+}

@@ -20,9 +20,13 @@ pub fn parse(text: &str) -> Option<f64> {
     if !exponent.is_empty() && !well_formed {
         return None;
     }
-    let sign = if text.starts_with('-') { "-" } else { "" };
-    let power = if exponent.is_empty() { "0" } else { letterless };
-    format!("{sign}{mantissa}e{power}").parse().ok().filter(|value: &f64| value.is_finite())
+    let value: Result<f64, _> = if exponent.is_empty() || exponent.starts_with(['e', 'E']) {
+        text.parse()
+    } else {
+        let sign = if text.starts_with('-') { "-" } else { "" };
+        format!("{sign}{mantissa}e{letterless}").parse()
+    };
+    value.ok().filter(|value| value.is_finite())
 }
 
 /// The most precise text of at most `width` characters (8 or more) that Nastran reads as a real.
@@ -34,25 +38,45 @@ pub fn format(value: f64, width: usize) -> String {
     if !value.is_finite() {
         return value.to_string();
     }
-    let fixed = longest(width, |precision| fixed(value, precision));
-    let exponential = longest(width, |precision| exponential(value, precision));
-    let error = |text: &Option<String>| {
-        text.as_deref().and_then(parse).map_or(f64::INFINITY, |written| (written - value).abs())
-    };
+    let [most_fixed, most_exponential] = most(value, width);
+    let fixed = longest(most_fixed, value, width, fixed);
+    let exponential = longest(most_exponential, value, width, exponential);
+    let error = |found: &Option<(String, f64)>| found.as_ref().map_or(f64::INFINITY, |(_, error)| *error);
     let chosen = match (error(&fixed), error(&exponential)) {
         (f64::INFINITY, f64::INFINITY) => None,
         (fixed_error, exponential_error) if fixed_error < exponential_error => fixed,
         (fixed_error, exponential_error) if exponential_error < fixed_error => exponential,
-        _ => [fixed, exponential].into_iter().flatten().min_by_key(String::len),
+        _ => [fixed, exponential].into_iter().flatten().min_by_key(|(text, _)| text.len()),
     };
     // Only numbers so near the largest one that rounding overflows have no candidate.
-    let text = chosen.unwrap_or_else(|| if value < 0.0 { "-1.7+308".into() } else { "1.79+308".into() });
-    with_leading_zero(text, width)
+    let largest = || if value < 0.0 { "-1.7+308".into() } else { "1.79+308".into() };
+    with_leading_zero(chosen.map_or_else(largest, |(text, _)| text), width)
 }
 
-/// The longest text that fits, from the highest precision down.
-fn longest(width: usize, text: impl Fn(usize) -> String) -> Option<String> {
-    (0..width).rev().map(text).find(|text| text.len() <= width && parse(text).is_some())
+/// Precisions of the fixed and the exponential form that are not worth exceeding: a longer text fits only if its last digits are zeros,
+/// and is then the text of this precision. One more than the power of ten says, which may be one off near a power.
+fn most(value: f64, width: usize) -> [usize; 2] {
+    let power = value.abs().log10().floor();
+    if !power.is_finite() {
+        return [width - 1; 2];
+    }
+    let sign = usize::from(value.is_sign_negative());
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 324")]
+    let [whole, size] = [(power + 1.0).max(0.0) as usize, power.abs() as usize];
+    let digits = size.max(1).ilog10() as usize + 1;
+    // the point; a digit, the point and the exponent's sign
+    let left = |taken: usize| (width + 1).saturating_sub(sign + taken).min(width - 1);
+    [left(whole + 1), left(3 + digits)]
+}
+
+/// The longest text that fits, from a precision down, and how far it is from the value.
+fn longest(most: usize, value: f64, width: usize, text: fn(f64, usize) -> String) -> Option<(String, f64)> {
+    let of = |precision| {
+        let text = Some(text(value, precision)).filter(|text| text.len() <= width)?;
+        let error = (parse(&text)? - value).abs();
+        Some((text, error))
+    };
+    (0..=most).rev().find_map(of)
 }
 
 /// `12.5`, `.125`; trailing zeros dropped only when they are beyond the width anyway or say nothing.

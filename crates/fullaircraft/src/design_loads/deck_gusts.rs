@@ -13,10 +13,11 @@ use crate::design_loads::instants::{FlownCase, driving};
 use crate::design_loads::search::{gust, searched};
 use crate::error::AircraftError;
 use crate::flight::gust::{Gust, GustAxis};
+use crate::package::round_trip::LOADS;
 use crate::stations::places::Station;
 use aero::Flow;
 use coupling::GRAVITY_M_S2;
-use faer::c64;
+use faer::{Mat, c64};
 use loads::design::Direction;
 use loads::matrix::{Action, Case};
 use loads::turbulence::Mode;
@@ -35,9 +36,15 @@ const PERIODS: f64 = 3.0;
 const DOUBLINGS: usize = 6;
 /// Share of a load's peak that may be left at the end of the period.
 const LEFT: f64 = 2e-3;
-/// Loads smaller than this share of the largest of their kind are rounding.
+/// Net loads smaller than this share of the largest of their kind, the air's among them, are rounding.
 const NOTHING: f64 = 1e-6;
-/// A root grows if its real part is more than this share of its size.
+/// What is said of a gust that no station shows.
+const NO_LOADS: &str = "net loads at all stations are nothing beside the air's, as those of the whole of a free aircraft are: a gust has no load \
+                        to be judged by; give the plan stations: [(name: \"root\", y_m: 1.0)], or the deck a MONPNT3 of a part";
+/// Peaks count as at least this share of the largest of their kind: what a gust upwards does to the side of an aircraft may go on for ever.
+const SMALL: f64 = 1e-2;
+/// A root grows if its real part is more than this share of its size, and its size more than this share of the largest: zero found twice
+/// is a small pair.
 const GROWS: f64 = 1e-6;
 /// Poles with less damping than this share of their size are modes that a grid of frequencies is refined around.
 const NARROW: f64 = 0.25;
@@ -75,6 +82,8 @@ pub(super) struct InGusts<'a> {
     pub(super) weight_n: f64,
     /// Narrow modes in the flow.
     pub(super) modes: Vec<Mode>,
+    /// Which motion takes longest to decay, in words.
+    slowest: String,
     /// From the foremost box to the rearmost, m.
     behind_m: f64,
     after_s: f64,
@@ -168,7 +177,8 @@ impl DeckPlan {
                 100.0 * MISSED
             ));
         }
-        let modes = stable(&waves.roots().map_err(|error| error.to_string())?).map_err(unstable_words)?;
+        let roots = waves.roots().map_err(|error| error.to_string())?;
+        let modes = stable(&roots).map_err(unstable_words)?;
         let slowest = waves.modal.omega_rad_s.iter().copied().filter(|omega| *omega > 0.0);
         let after_s = (2.0 * TAU / slowest.fold(f64::INFINITY, f64::min)).clamp(AFTER_S, LONGEST_AFTER_S);
         let weight_n = flight.deck.grids.mass() * self.units.force_n / length_m * GRAVITY_M_S2;
@@ -185,6 +195,7 @@ impl DeckPlan {
             weight_n,
             after_s,
             modes,
+            slowest: slowest_words(&roots),
             all,
         })
     }
@@ -198,12 +209,28 @@ impl DeckPlan {
 
 /// The narrow modes among roots, or how long the fastest growing takes to double, s.
 fn stable(roots: &[c64]) -> Result<Vec<Mode>, f64> {
-    let fastest = roots.iter().filter(|p| p.re > GROWS * p.norm()).map(|p| p.re).fold(0.0, f64::max);
+    let zero = GROWS * roots.iter().map(|p| p.norm()).fold(0.0, f64::max);
+    let growing = roots.iter().filter(|p| p.norm() > zero && p.re > GROWS * p.norm());
+    let fastest = growing.map(|p| p.re).fold(0.0, f64::max);
     if fastest > 0.0 {
         return Err(LN_2 / fastest);
     }
     let narrow = roots.iter().filter(|p| p.im > 0.0 && -p.re < NARROW * p.im);
     Ok(narrow.map(|p| Mode { omega_rad_s: p.im, decay_rad_s: -p.re }).collect())
+}
+
+/// The motion among roots that takes longest to decay, and what can be done.
+fn slowest_words(roots: &[c64]) -> String {
+    let decaying = roots.iter().filter(|p| p.re < -GROWS * p.norm());
+    match decaying.max_by(|a, b| a.re.total_cmp(&b.re)) {
+        Some(p) if p.im != 0.0 => format!(
+            "the air alone gives the motion at {:.3} Hz {:.4} % of critical damping; structural damping is PARAM G, or SDAMPING with TABDMP1",
+            p.im.abs() / TAU,
+            -100.0 * p.re / p.norm()
+        ),
+        Some(p) => format!("a motion without oscillation takes {:.0} s to halve", LN_2 / -p.re),
+        None => "no motion decays".to_owned(),
+    }
 }
 
 /// The highest frequency that a case needs, rad/s.
@@ -304,42 +331,57 @@ impl InGusts<'_> {
         let longest_s = gusts.iter().map(|gust| self.flight_s(gust)).fold(0.0, f64::max);
         let highest = cases.iter().map(|case| highest_rad_s(case)).fold(0.0, f64::max);
         let mut period_s = PERIODS * longest_s.max(f64::MIN_POSITIVE);
-        let mut left = 0.0;
+        let mut left = (0.0, 0);
         for _ in 0..=DOUBLINGS {
             let step = TAU / period_s;
             let omega = std::iter::successors(Some(0.5 * step), |omega| Some(omega + step));
             let omega: Vec<f64> = omega.take_while(|omega| *omega <= highest).collect();
             let spectrum = self.motion.spectrum(omega).map_err(|error| error.to_string())?;
-            left = gusts.iter().map(|gust| self.left(&spectrum, gust, period_s)).fold(0.0, f64::max);
-            if left <= LEFT {
+            let all: Option<Vec<_>> = gusts.iter().map(|gust| self.left(&spectrum, gust, period_s)).collect();
+            left = all
+                .ok_or(NO_LOADS)?
+                .into_iter()
+                .fold((0.0, 0), |most, one| if one.0 > most.0 { one } else { most });
+            if left.0 <= LEFT {
                 return Ok(spectrum);
             }
             period_s *= 2.0;
         }
         Err(format!(
-            "{:.1} % of the answer to a gust is left after {:.0} s: a motion hardly decays; give the deck structural damping (PARAM G, or \
-             SDAMPING with TABDMP1)",
-            100.0 * left,
-            0.5 * period_s
+            "{:.1} % of {} at {} is left {:.0} s after a gust; {}",
+            100.0 * left.0,
+            LOADS[left.1 % 6],
+            self.motion.stations[left.1 / 6].name,
+            0.5 * period_s,
+            self.slowest
         ))
     }
 
-    /// What is left of a gust's loads at the end of the period, share of each load's peak.
-    fn left(&self, spectrum: &Spectrum, gust: &Gust, period_s: f64) -> f64 {
-        let peaks = |t_s: &[f64]| -> Vec<f64> {
-            let net = spectrum.net_in_time(&self.wave(gust), t_s);
-            net.row_iter().map(|row| row.iter().fold(0.0_f64, |most, load| most.max(load.abs()))).collect()
+    /// The most that is left of one of a gust's net loads at the end of the period, share of its peak, and which; none where all of them are
+    /// nothing beside the air's, as at the whole of a free aircraft.
+    fn left(&self, spectrum: &Spectrum, gust: &Gust, period_s: f64) -> Option<(f64, usize)> {
+        let peaks = |t_s: &[f64]| -> [Vec<f64>; 2] {
+            let most = |all: Mat<f64>| {
+                all.row_iter()
+                    .map(|row| row.iter().fold(0.0_f64, |most, load| most.max(load.abs())))
+                    .collect()
+            };
+            spectrum.net_and_air_in_time(&self.wave(gust), t_s).map(most)
         };
         let ends: Vec<f64> = (0..64).map(|at| period_s * (0.95 + 0.05 / 64.0 * f64::from(at))).collect();
         let flown: Vec<f64> = self.times(gust).into_iter().step_by(4).collect();
-        let (largest, last) = (peaks(&flown), peaks(&ends));
-        let of_kind = |kind: usize| {
-            let own = largest.iter().enumerate().filter(|(at, _)| at % 6 / 3 == kind);
+        let ([largest, air], [last, _]) = (peaks(&flown), peaks(&ends));
+        let of_kind = |of: &[f64], kind: usize| {
+            let own = of.iter().enumerate().filter(|(at, _)| at % 6 / 3 == kind);
             own.map(|(_, value)| *value).fold(0.0, f64::max)
         };
-        let kinds = [of_kind(0), of_kind(1)];
-        let moves = |at: usize| largest[at] > NOTHING * kinds[at % 6 / 3];
-        (0..largest.len()).filter(|at| moves(*at)).map(|at| last[at] / largest[at]).fold(0.0, f64::max)
+        let kinds = [0, 1].map(|kind| of_kind(&largest, kind).max(of_kind(&air, kind)));
+        let moves = |at: &usize| largest[*at] > NOTHING * kinds[at % 6 / 3];
+        let share = |at: usize| (last[at] / largest[at].max(SMALL * kinds[at % 6 / 3]), at);
+        (0..largest.len())
+            .filter(moves)
+            .map(share)
+            .reduce(|most, one| if one.0 > most.0 { one } else { most })
     }
 
     fn times(&self, gust: &Gust) -> Vec<f64> {

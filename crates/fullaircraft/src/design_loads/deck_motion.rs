@@ -19,6 +19,8 @@ use std::f64::consts::{PI, TAU};
 
 /// Loads of a station.
 const SIX: usize = 6;
+/// Times that are worked on together: what thousands of frequencies add to all times of a flight would be hundreds of megabytes.
+const TOGETHER: usize = 32;
 
 /// A deck's stations and grids by its modes and its air.
 #[derive(Debug)]
@@ -59,32 +61,37 @@ pub(super) struct Wave {
 }
 
 impl Wave {
-    /// What each frequency (rad/s, equal steps from half a step on) adds at each time, real and imaginary parts, frequencies by times.
-    fn turns(&self, omega_rad_s: &[f64], t_s: &[f64]) -> [Mat<f64>; 2] {
+    /// What answers (by frequency, rad/s, equal steps from half a step on) add up to at times, rows by times.
+    fn sums<const N: usize>(&self, of: [&Mat<c64>; N], omega_rad_s: &[f64], t_s: &[f64]) -> [Mat<f64>; N] {
         let highest = self.harmonics * TAU / self.lasts_s;
         let count = omega_rad_s.partition_point(|omega| *omega <= highest);
         let first = omega_rad_s.first().copied().unwrap_or(0.0);
         let scale = self.velocity * 2.0 * first / PI;
         let amplitudes: Vec<c64> =
             omega_rad_s[..count].iter().map(|omega| one_minus_cosine(*omega, self.lasts_s) * scale).collect();
-        let [mut re, mut im] = [0, 1].map(|_| Mat::zeros(count, t_s.len()));
-        for (at, t_s) in t_s.iter().enumerate() {
-            let step = c64::cis(2.0 * first * t_s);
-            let mut turn = c64::cis(first * t_s);
-            for (k, amplitude) in amplitudes.iter().enumerate() {
-                let value = amplitude * turn;
-                (re[(k, at)], im[(k, at)]) = (value.re, value.im);
-                turn *= step;
+        let part =
+            |of: &Mat<c64>, part: fn(&c64) -> f64| Mat::from_fn(of.nrows(), count, |i, k| part(&of[(i, k)]));
+        let parts = of.map(|of| [part(of, |value| value.re), part(of, |value| -value.im)]);
+        let mut sums = of.map(|of| Mat::zeros(of.nrows(), t_s.len()));
+        let mut turns = [0, 1].map(|_| Mat::<f64>::zeros(count, TOGETHER.min(t_s.len())));
+        for (block, times) in t_s.chunks(TOGETHER).enumerate() {
+            for (at, t_s) in times.iter().enumerate() {
+                let step = c64::cis(2.0 * first * t_s);
+                let mut turn = c64::cis(first * t_s);
+                let [re, im] = turns.each_mut().map(|part| part.col_as_slice_mut(at));
+                for ((re, im), amplitude) in re.iter_mut().zip(im).zip(&amplitudes) {
+                    let value = amplitude * turn;
+                    (*re, *im) = (value.re, value.im);
+                    turn *= step;
+                }
+            }
+            for (parts, sum) in parts.iter().zip(&mut sums) {
+                let [re, im] = [0, 1].map(|at| &parts[at] * turns[at].subcols(0, times.len()));
+                sum.subcols_mut(block * TOGETHER, times.len()).copy_from(re + im);
             }
         }
-        [re, im]
+        sums
     }
-}
-
-/// The real parts of amplitudes (by frequency) times what each frequency adds.
-fn real(of: &Mat<c64>, [re, im]: &[Mat<f64>; 2]) -> Mat<f64> {
-    let part = |part: fn(&c64) -> f64| Mat::from_fn(of.nrows(), re.nrows(), |i, k| part(&of[(i, k)]));
-    part(|value| value.re) * re - part(|value| value.im) * im
 }
 
 /// Changes from level flight, a column a sample: the air's loads on the rows, and the forces on the modes by inertia and by damping.
@@ -121,17 +128,22 @@ fn motions(modal: &ModalDeck, station: &Station) -> Mat<f64> {
 impl Spectrum {
     /// What a gust (velocity in the deck's unit of length, the aircraft's speed in m/s) does at times, s, by answers at equal steps.
     pub(super) fn in_time(&self, wave: &Wave, t_s: &[f64]) -> Changes {
-        let turns = wave.turns(&self.waves.omega_rad_s, t_s);
-        Changes {
-            rows: real(&self.waves.rows, &turns),
-            inertia: real(&self.inertia, &turns),
-            damping: real(&self.damping, &turns),
-        }
+        let of = [&self.waves.rows, &self.inertia, &self.damping];
+        let [rows, inertia, damping] = wave.sums(of, &self.waves.omega_rad_s, t_s);
+        Changes { rows, inertia, damping }
     }
 
     /// Changes of the stations' net loads alone, six rows each, N and N m, a column a time.
     pub(super) fn net_in_time(&self, wave: &Wave, t_s: &[f64]) -> Mat<f64> {
-        real(&self.net, &wave.turns(&self.waves.omega_rad_s, t_s))
+        let [net] = wave.sums([&self.net], &self.waves.omega_rad_s, t_s);
+        net
+    }
+
+    /// The same, and those of the air alone, in the deck's units.
+    pub(super) fn net_and_air_in_time(&self, wave: &Wave, t_s: &[f64]) -> [Mat<f64>; 2] {
+        let [net, air] = wave.sums([&self.net, &self.waves.rows], &self.waves.omega_rad_s, t_s);
+        let stations = net.nrows();
+        [net, air.subrows(0, stations).to_owned()]
     }
 
     /// What goes with each of some loads in turbulence, per their root mean squares times `factors`.

@@ -78,22 +78,23 @@ fn stiffness_off(one: &System, other: &System) -> f64 {
     if to_one.len() != one.free_count() {
         return 1.0;
     }
-    let mut left: BTreeMap<(usize, usize), f64> = BTreeMap::new();
+    let mut left: Vec<(usize, usize, f64)> = Vec::new();
     let mut diagonal = vec![0.0; one.free_count()];
     for entry in one.stiffness().triplet_iter() {
-        *left.entry((entry.row, entry.col)).or_default() += *entry.val;
+        left.push((entry.col, entry.row, *entry.val));
         if entry.row == entry.col {
             diagonal[entry.row] += *entry.val;
         }
     }
-    for entry in other.stiffness().triplet_iter() {
-        *left.entry((to_one[entry.row], to_one[entry.col])).or_default() -= *entry.val;
-    }
-    let share = |((row, col), off): ((usize, usize), f64)| {
-        let scale = (diagonal[row] * diagonal[col]).sqrt();
-        if off == 0.0 { 0.0 } else { off.abs() / scale }
+    let others = other.stiffness().triplet_iter();
+    left.extend(others.map(|entry| (to_one[entry.col], to_one[entry.row], -*entry.val)));
+    left.sort_unstable_by_key(|(col, row, _)| (*col, *row));
+    let share = |same: &[(usize, usize, f64)]| {
+        let off: f64 = same.iter().map(|(_, _, value)| value).sum();
+        let (col, row, _) = same[0];
+        if off == 0.0 { 0.0 } else { off.abs() / (diagonal[row] * diagonal[col]).sqrt() }
     };
-    left.into_iter().map(share).fold(0.0, f64::max)
+    left.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)).map(share).fold(0.0, f64::max)
 }
 
 impl<'a> RoundTrip<'a> {

@@ -6,6 +6,9 @@ use super::instant::Instant;
 use super::places::{Place, Places};
 use nastran::InputError;
 
+/// Loads that are nowhere more than this share of the largest of their kind are rounding.
+const NOTHING: f64 = 1e-9;
+
 /// The order in which a cap takes drivers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Rank {
@@ -49,7 +52,7 @@ pub(super) fn drivers(
     places: &Places<'_>,
     order: &[&Instant],
 ) -> Result<Vec<Driver>, InputError> {
-    let mut finder = Finder { file, order, model: Model::Initial, all: Vec::new() };
+    let mut finder = Finder { file, order, nothing: nothing(order), model: Model::Initial, all: Vec::new() };
     for &model in &file.models {
         finder.model = model;
         for policy in &file.policies {
@@ -69,9 +72,19 @@ pub(super) fn drivers(
     Ok(finder.all)
 }
 
+/// Forces and moments that are nothing beside the largest of all instants.
+fn nothing(order: &[&Instant]) -> [f64; 2] {
+    [0, 3].map(|from| {
+        let kind = order.iter().flat_map(|instant| &instant.loads).flat_map(move |six| &six[from..from + 3]);
+        NOTHING * kind.fold(0.0_f64, |most, load| most.max(load.abs()))
+    })
+}
+
 struct Finder<'a> {
     file: &'a SelectFile,
     order: &'a [&'a Instant],
+    /// A force and a moment that are rounding.
+    nothing: [f64; 2],
     model: Model,
     all: Vec<Driver>,
 }
@@ -93,10 +106,17 @@ impl Finder<'_> {
         self.all.push(Driver { place: value.place, rank, policy, what, values });
     }
 
+    /// Whether a load is rounding in all instants, as the whole of a free aircraft's is: it has neither ends nor corners.
+    fn is_nothing(&self, values: &[Value], load: Load) -> bool {
+        let at = load.place();
+        let most = self.nothing[at / 3];
+        most > 0.0 && values.iter().all(|value| value.loads[at].abs() <= most)
+    }
+
     fn ends(&mut self, places: &[&Place], loads: &[Load]) {
         for place in places {
             let values = self.values(place, &|_| true);
-            for &load in loads {
+            for &load in loads.iter().filter(|load| !self.is_nothing(&values, **load)).collect::<Vec<_>>() {
                 for (end, value) in ends(&values, load) {
                     let what = format!("{} {} {end}", place.name, load.name());
                     self.push(Rank::End, "envelope", what, value, &[load]);
@@ -109,6 +129,9 @@ impl Finder<'_> {
         for place in places {
             let values = self.values(place, &|_| true);
             for &(a, b) in pairs {
+                if self.is_nothing(&values, a) && self.is_nothing(&values, b) {
+                    continue;
+                }
                 let points: Vec<(f64, f64)> =
                     values.iter().map(|v| (v.loads[a.place()], v.loads[b.place()])).collect();
                 for corner in corners(&points) {

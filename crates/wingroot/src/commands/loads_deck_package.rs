@@ -10,6 +10,7 @@ use fullaircraft::{Component, NodalLoads};
 use loads::Selection;
 use loads::select::Selected;
 use loads::select::file::{Model as Which, SelectFile};
+use rayon::prelude::*;
 use structure::{Model, System};
 
 use crate::commands::loads_export::{Export, Places};
@@ -54,21 +55,22 @@ pub(super) fn package(
     };
     let export = Export::new(back, select.export.at, places)?;
     let last = selection.selected.iter().map(|one| one.sid).max().unwrap_or(0);
-    let mut at_grids = at_grids(on, all, selection)?;
-    let (mut cards, mut rows) = (Vec::new(), Vec::new());
-    for one in &selection.selected {
-        let nodal = at_grids.remove(&one.sid).ok_or_else(|| lost(one.case))?;
-        let mut card = card(on, one, flown(all, one)?, &nodal, &common, &export.back)?;
-        let nodal = export.nodal(nodal);
+    let at_grids = at_grids(on, all, selection)?;
+    let on_cards = |one: &Selected| {
+        let nodal = at_grids.get(&one.sid).ok_or_else(|| lost(one.case))?;
+        let mut card = card(on, one, flown(all, one)?, nodal, &common, &export.back)?;
+        let nodal = export.nodal(nodal.clone());
         card.case.net = nodal.of(Component::Net);
         if select.export.components == PARTS {
             card.case.parts = parts(one.sid, last, &nodal);
         }
         card.text = card.case.text_in(UNITS, export.grids(), &card.origin);
         let read = export.compare(&card.case, &card.text, &card.expected)?;
-        rows.extend(read.into_iter().map(|row| in_si(on, row)));
-        cards.push(card);
-    }
+        Ok((card, read.into_iter().map(|row| in_si(on, row)).collect()))
+    };
+    let made: Result<Vec<_>, Failure> = selection.selected.par_iter().map(on_cards).collect();
+    let (cards, rows): (Vec<Card>, Vec<Vec<Row>>) = made?.into_iter().unzip();
+    let rows = rows.concat();
     check_repeat(&cards)?;
     let cases: Vec<CardCase> = cards.iter().map(|card| card.case.clone()).collect();
     let index = export.index(&format!("Design loads: {}", on.file.name), &cases, &common);

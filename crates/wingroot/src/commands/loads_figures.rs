@@ -56,6 +56,9 @@ pub(crate) fn potatoes(
     instants: &[Instant],
     selection: &Selection,
 ) -> Result<(), Failure> {
+    if instants.is_empty() {
+        return Ok(());
+    }
     let of_right = |name: &&String| name.starts_with("right ");
     let is_drawn = |name: &&String| of_right(name) || !names.iter().any(|other| of_right(&other));
     for (place, name) in names.iter().enumerate().filter(|(_, name)| is_drawn(name)) {

@@ -4,13 +4,14 @@
 use fullaircraft::design_loads::in_time::axis_of;
 use fullaircraft::design_loads::instants::FlownInstant;
 use fullaircraft::package::cards::{CardCase, CardPart, Hold, structure};
-use fullaircraft::package::round_trip::{Expected, RoundTrip};
+use fullaircraft::package::round_trip::{Expected, RoundTrip, Row};
 use fullaircraft::{Component, NodalLoads, Station};
 use loads::Selection;
 use loads::matrix::Case;
 use loads::select::Selected;
 use loads::select::file::{Component as Exported, Model, SelectFile};
 use nastran::InputError;
+use rayon::prelude::*;
 
 use crate::commands::fullaircraft_prepared::Prepared;
 use crate::commands::loads_export::{Export, Places};
@@ -54,9 +55,8 @@ pub(crate) fn package(
         common: &common,
     };
     let export = Export::new(back, select.export.at, places)?;
-    let (mut cards, mut rows) = (Vec::new(), Vec::new());
     let last = selection.selected.iter().map(|one| one.sid).max().unwrap_or(0);
-    for (one, again) in selection.selected.iter().zip(again) {
+    let on_cards = |(one, again): (&Selected, FlownAgain)| {
         let mut card = card(one, &again, flights, flown, &common, &export.back)?;
         let nodal = export.nodal(again.nodal);
         card.case.net = nodal.of(Component::Net);
@@ -64,9 +64,12 @@ pub(crate) fn package(
             card.case.parts = parts(one.sid, last, &nodal);
         }
         card.text = card.case.text(export.grids(), &card.origin);
-        rows.extend(export.compare(&card.case, &card.text, &card.expected)?);
-        cards.push(card);
-    }
+        let rows = export.compare(&card.case, &card.text, &card.expected)?;
+        Ok((card, rows))
+    };
+    let made: Result<Vec<_>, Failure> = selection.selected.par_iter().zip(again).map(on_cards).collect();
+    let (cards, rows): (Vec<Card>, Vec<Vec<Row>>) = made?.into_iter().unzip();
+    let rows = rows.concat();
     check_repeat(&cards)?;
     let title = format!("Design loads: {}", flights.plan.name);
     let cases: Vec<CardCase> = cards.iter().map(|card| card.case.clone()).collect();

@@ -203,3 +203,26 @@ fn hdf5_file(site: &Site<'_>, cards: &[Card], common: &[String]) -> Result<Vec<u
     .with("net", Values::Real(sums, vec![cards.len(), count, 6]));
     hdf5::bytes(&common.join("\n"), &[loads, stations])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_load_that_the_cards_do_not_give_back_ends_with_status_3_and_no_package() {
+        let site = Site { stations: &[], grids: &[], points: Vec::new(), units: "N, N m", words: "" };
+        let selection = Selection { selected: Vec::new(), drives: Vec::new(), never: Vec::new() };
+        let made = |cards: f64, of_largest: f64| {
+            let row =
+                Row { sid: 1, place: "right root".to_owned(), what: "Mx_Nm", solver: 1.0, cards, of_largest };
+            let structure = ("aircraft.bdf", String::new());
+            let heads = Heads { structure, index: String::new(), common: Vec::new(), factor: 1.0 };
+            packed(&site, &selection, Vec::new(), &[row], heads)
+        };
+        assert!(made(1.0, 0.0).is_ok());
+        // the fourth place of one value is one more
+        let failure = made(1.001, 1e-3).err().expect("it does not hold");
+        assert_eq!(failure.exit_status(), 3);
+        assert!(failure.to_string().contains("load set 1, right root Mx_Nm"), "{failure}");
+    }
+}

@@ -34,7 +34,7 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
         turbulence(result, plates),
         Section::new("Discrete gusts", gusts(result)),
         Section::new("Envelope", vec![Block::Table(envelope(result))]),
-        Section::new("Load sets for stress", vec![Block::Table(selected(result))]),
+        Section::new("Load sets for stress", for_stress(result)),
     ];
     sections.retain(|section| !section.blocks.is_empty());
     Page { title: text(result, "name").to_owned(), lead, numbers, sections, ..Page::default() }
@@ -124,6 +124,24 @@ fn gusts(result: &Value) -> Vec<Block> {
         ]);
     }
     vec![Block::Table(table)]
+}
+
+/// What the package holds, how well it gives back what was flown, and its load sets.
+fn for_stress(result: &Value) -> Vec<Block> {
+    let sets = Block::Table(selected(result));
+    let Some(package) = result["package"].as_str() else { return vec![sets] };
+    let off =
+        |key: &str| at(result, &format!("round_trip/{key}")).map_or_else(String::new, |off| digits(off, 2));
+    let words = format!(
+        "{package}/ holds index.bdf (linear statics, a subcase a load set), the structure or the stations that the cards belong to, \
+         case_00001.bdf to case_{:05}.bdf, index.csv (fingerprints), station_loads.csv, round_trip.csv, loads.h5 and README.md. Read back, the cards \
+         give the loads of stations within {}, the whole aircraft's balance within {}, and the tips within {} of the largest.",
+        list(result, "selected").len(),
+        off("stations"),
+        off("balance"),
+        off("tip")
+    );
+    vec![Block::Text(words), sets]
 }
 
 fn selected(result: &Value) -> PageTable {
