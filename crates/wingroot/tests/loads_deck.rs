@@ -1,6 +1,6 @@
 //! `loads --deck`: the plan of HA144A as a user runs it, its package at grids and at stations, its origin, and what is refused.
 
-use crate::package_peers::{Cut, read_by_pynastran, solved_by_mystran};
+use crate::package_peers::{Cut, read_by_pynastran};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -126,7 +126,6 @@ fn a_plan_on_a_deck_is_trimmed_enveloped_selected_and_gives_cards_for_the_deck_s
     let cut =
         Cut { station: "root", beyond_y: 1.0 / 0.3048, about: 90, unit_loads: [POUND_N, POUND_N * 0.3048] };
     read_by_pynastran(&package, sets, &cut);
-    solved_by_mystran(&package, sets, &[("right", 1.0)], 0.3048);
     let page = read(&out.join("report.html"));
     for words in [
         "V-n diagram",

@@ -84,8 +84,8 @@ pub(crate) fn read_by_pynastran(package: &Path, sets: usize, cut: &Cut) {
 }
 
 /// Heights of the tips under each load set by MYSTRAN (`MYSTRAN=PROGRAM`, or `mystran` on the path), which has bars and no beams, within 1e-6
-/// of those of the round trip; `length_m` is the package's unit of length.
-pub(crate) fn solved_by_mystran(package: &Path, sets: usize, sides: &[(&str, f64)], length_m: f64) {
+/// of those of the round trip.
+pub(crate) fn solved_by_mystran(package: &Path, sets: usize) {
     let program = std::env::var_os("MYSTRAN").unwrap_or_else(|| "mystran".into());
     let folder = package.with_file_name("mystran");
     std::fs::create_dir_all(&folder).expect("a folder");
@@ -109,12 +109,12 @@ pub(crate) fn solved_by_mystran(package: &Path, sets: usize, sides: &[(&str, f64
         row.and_then(|row| row.split(',').nth(3)?.parse().ok()).expect("a tip")
     };
     let mut off = 0.0_f64;
-    for (sid, (side, sign)) in (1..=sets).flat_map(|sid| sides.iter().map(move |side| (sid, side))) {
+    for (sid, (side, sign)) in (1..=sets).flat_map(|sid| [(sid, ("right", 1.0)), (sid, ("left", -1.0))]) {
         // the wing's axis ends at the tip grid; others of the same y stand beside it
         let outermost = bulk.grids.values().map(|grid| sign * grid.xyz.y).fold(0.0, f64::max);
         let tips = bulk.grids.values().filter(|grid| sign * grid.xyz.y > outermost - 1e-6);
         let expected = expected(sid, side);
-        let shares = tips.map(|grid| (length_m * rises[&(sid, grid.id)] / expected - 1.0).abs());
+        let shares = tips.map(|grid| (rises[&(sid, grid.id)] / expected - 1.0).abs());
         off = off.max(shares.fold(f64::INFINITY, f64::min));
     }
     assert!(off < 1e-6, "MYSTRAN's tips are off by {off:.1e}");

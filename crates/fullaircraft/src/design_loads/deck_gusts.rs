@@ -11,6 +11,7 @@ use crate::design_loads::fly::{Done, Nodal, refused};
 use crate::design_loads::in_time::{AFTER_S, axis_of, unstable_words};
 use crate::design_loads::instants::{FlownCase, driving};
 use crate::design_loads::search::{gust, searched};
+use crate::design_loads::slowest::slowest_words;
 use crate::error::AircraftError;
 use crate::flight::gust::{Gust, GustAxis};
 use crate::package::round_trip::LOADS;
@@ -45,7 +46,7 @@ const NO_LOADS: &str = "net loads at all stations are nothing beside the air's, 
 const SMALL: f64 = 1e-2;
 /// A root grows if its real part is more than this share of its size, and its size more than this share of the largest: zero found twice
 /// is a small pair.
-const GROWS: f64 = 1e-6;
+pub(super) const GROWS: f64 = 1e-6;
 /// Poles with less damping than this share of their size are modes that a grid of frequencies is refined around.
 const NARROW: f64 = 0.25;
 /// A gust's phase turns by so many radians over half of the aircraft between two frequencies of the air.
@@ -217,20 +218,6 @@ fn stable(roots: &[c64]) -> Result<Vec<Mode>, f64> {
     }
     let narrow = roots.iter().filter(|p| p.im > 0.0 && -p.re < NARROW * p.im);
     Ok(narrow.map(|p| Mode { omega_rad_s: p.im, decay_rad_s: -p.re }).collect())
-}
-
-/// The motion among roots that takes longest to decay, and what can be done.
-fn slowest_words(roots: &[c64]) -> String {
-    let decaying = roots.iter().filter(|p| p.re < -GROWS * p.norm());
-    match decaying.max_by(|a, b| a.re.total_cmp(&b.re)) {
-        Some(p) if p.im != 0.0 => format!(
-            "the air alone gives the motion at {:.3} Hz {:.4} % of critical damping; structural damping is PARAM G, or SDAMPING with TABDMP1",
-            p.im.abs() / TAU,
-            -100.0 * p.re / p.norm()
-        ),
-        Some(p) => format!("a motion without oscillation takes {:.0} s to halve", LN_2 / -p.re),
-        None => "no motion decays".to_owned(),
-    }
 }
 
 /// The highest frequency that a case needs, rad/s.

@@ -10,4 +10,5 @@ pub mod fly;
 pub mod in_time;
 pub mod instants;
 mod search;
+mod slowest;
 mod turbulence;
