@@ -11,7 +11,7 @@ use crate::design_loads::fly::{Done, Nodal, refused};
 use crate::design_loads::in_time::{AFTER_S, axis_of, unstable_words};
 use crate::design_loads::instants::{FlownCase, driving};
 use crate::design_loads::search::{gust, searched};
-use crate::design_loads::slowest::slowest_words;
+use crate::design_loads::slowest::{GROWS, slowest_words};
 use crate::error::AircraftError;
 use crate::flight::gust::{Gust, GustAxis};
 use crate::package::round_trip::LOADS;
@@ -44,9 +44,6 @@ const NO_LOADS: &str = "net loads at all stations are nothing beside the air's, 
                         to be judged by; give the plan stations: [(name: \"root\", y_m: 1.0)], or the deck a MONPNT3 of a part";
 /// Peaks count as at least this share of the largest of their kind: what a gust upwards does to the side of an aircraft may go on for ever.
 const SMALL: f64 = 1e-2;
-/// A root grows if its real part is more than this share of its size, and its size more than this share of the largest: zero found twice
-/// is a small pair.
-pub(super) const GROWS: f64 = 1e-6;
 /// Poles with less damping than this share of their size are modes that a grid of frequencies is refined around.
 const NARROW: f64 = 0.25;
 /// A gust's phase turns by so many radians over half of the aircraft between two frequencies of the air.

@@ -1,8 +1,11 @@
 //! Which motion of a deck in its flow takes longest to decay, in words.
 
-use crate::design_loads::deck_gusts::GROWS;
 use faer::c64;
 use std::f64::consts::{LN_2, TAU};
+
+/// A root grows if its real part is more than this share of its size, and its size more than this share of the largest: zero found twice
+/// is a small pair.
+pub(super) const GROWS: f64 = 1e-6;
 
 /// The motion among roots that takes longest to decay, and what can be done.
 pub(super) fn slowest_words(roots: &[c64]) -> String {
