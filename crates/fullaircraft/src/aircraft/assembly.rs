@@ -136,11 +136,10 @@ impl Aircraft {
             lattice,
         };
         let flow = ElasticWing::new(parts)?;
-        let bulk = cards.bulk;
         Ok(Self {
             file,
             wing,
-            bulk,
+            bulk: cards.bulk,
             free,
             spline,
             carried,

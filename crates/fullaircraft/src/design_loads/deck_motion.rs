@@ -13,7 +13,8 @@ use crate::design_loads::instants::FlownInstant;
 use crate::error::AircraftError;
 use crate::stations::nodal::{Component, NodalLoads};
 use crate::stations::places::Station;
-use faer::{Mat, MatRef, c64};
+use faer::linalg::matmul::matmul;
+use faer::{Accum, Mat, MatRef, Par, c64};
 use loads::turbulence::Response;
 use std::f64::consts::{PI, TAU};
 
@@ -86,8 +87,11 @@ impl Wave {
                 }
             }
             for (parts, sum) in parts.iter().zip(&mut sums) {
-                let [re, im] = [0, 1].map(|at| &parts[at] * turns[at].subcols(0, times.len()));
-                sum.subcols_mut(block * TOGETHER, times.len()).copy_from(re + im);
+                for (at, accum) in [(0, Accum::Replace), (1, Accum::Add)] {
+                    let own = sum.as_mut().subcols_mut(block * TOGETHER, times.len());
+                    // gusts are side by side: more threads for a small block only wait for each other
+                    matmul(own, accum, &parts[at], turns[at].subcols(0, times.len()), 1.0, Par::Seq);
+                }
             }
         }
         sums
