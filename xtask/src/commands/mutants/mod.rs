@@ -117,7 +117,7 @@ pub(crate) fn run(args: &MutantsArgs, common: &Common) -> Result<(), Failure> {
 fn row(sample: usize, seed: u64, name: &str, files: &[&str]) -> Result<Row, Failure> {
     let all = listed::listed(name, files)?;
     let every = (all.len() / sample.max(1)).max(1);
-    let from = (seed % every as u64) as usize;
+    let from = usize::try_from(seed % every as u64).unwrap_or_default();
     let taken: Vec<Mutant> = all.iter().skip(from).step_by(every).cloned().collect();
     let built = tree::built(name, &taken)?;
     let missed = judged::missed(&built)?;
