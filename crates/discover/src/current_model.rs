@@ -76,6 +76,20 @@ impl<'a> CurrentModel<'a> {
         Self { problem, residual, shared, chi2, ..self.clone() }
     }
 
+    /// The model without one of the effects, where nothing is allowed to runs and nothing is uncertain.
+    pub(crate) fn lacking(&self, setting: &Setting<'_>, which: usize) -> Self {
+        let mut effects = self.effects.clone();
+        effects.remove(which);
+        let models = setting.model.models(&effects, Some(&self.models));
+        let own = self.contributions[which].iter();
+        let flown: Vec<Flown> = self.flown.iter().zip(own).map(|(all, own)| difference(all, own)).collect();
+        let problem = self.problem.without_tolerances();
+        let residual = problem.residual(&flown);
+        let shared = Shared::new(&[], problem.len());
+        let chi2 = shared.norm(&residual);
+        Self { problem, effects, models, flown, residual, shared, chi2, ..self.clone() }
+    }
+
     /// What one of the effects changes in the residual.
     pub fn contribution(&self, which: usize) -> Vec<f64> {
         let own = self.contributions[which].iter();

@@ -24,7 +24,7 @@ pub struct Found {
     pub rivals: Vec<Refit>,
     /// What was ranked and had some of its evidence when it was named: what may take its place.
     pub considered: Vec<&'static str>,
-    /// The size that each airspeed and kind of maneuver alone would give it, over the one found.
+    /// The size that each airspeed and kind of maneuver alone would give it, over the one that the search found.
     pub shares: Vec<Share>,
 }
 

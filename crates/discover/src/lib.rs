@@ -35,6 +35,7 @@ mod run_data;
 mod same_design;
 pub mod search;
 pub mod setting;
+mod settle;
 pub mod shared;
 pub mod simulator;
 pub mod spectral_lines;

@@ -141,6 +141,16 @@ impl<'a> Problem<'a> {
         }
     }
 
+    /// The same where nothing is allowed to runs.
+    #[must_use]
+    pub(crate) fn without_tolerances(&self) -> Self {
+        let mut problem = self.clone();
+        for segment in &mut problem.segments {
+            segment.tolerance.clear();
+        }
+        problem
+    }
+
     /// Whitened measured minus simulated loads.
     pub fn residual(&self, simulated: &[Flown]) -> Vec<f64> {
         let mut residual = self.measured.clone();

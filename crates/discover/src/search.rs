@@ -11,6 +11,7 @@ use crate::problem::Problem;
 use crate::rank::{Ranked, rank};
 use crate::rules::Rules;
 use crate::setting::Setting;
+use crate::settle::settle;
 
 /// Searches a training problem.
 pub fn search<'a>(
@@ -53,6 +54,7 @@ pub fn search<'a>(
     if outcome.found.len() != current.effects.len() {
         current = current.with(setting, &others(&outcome.found, &[]));
     }
+    current = settle(setting, current, &mut outcome.found);
     outcome.misfit = [start / rows, current.chi2 / rows];
     outcome.unexplained = outcome.misfit[1] > nulls.misfit_limit || undecided && outcome.found.is_empty();
     (outcome, current)

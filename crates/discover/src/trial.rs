@@ -3,6 +3,7 @@
 use crate::current_model::CurrentModel;
 use crate::memory::Memory;
 use crate::setting::Setting;
+use faer::Mat;
 use maneuver::effects::{Active, Effect, Flown, Parameter};
 use std::sync::Arc;
 
@@ -61,6 +62,48 @@ impl Trial<'_> {
         let beside = |p: &Parameter| rules.beside_size * f64::from(u8::from(p.upper > 0.0));
         let others: Vec<f64> = parameters.iter().map(beside).collect();
         around(&others, &self.change(&others), sign)
+    }
+
+    /// What one more plausible size of each parameter changes around a point.
+    pub(crate) fn secants_around(&self, parameters: &[Parameter], point: &Point) -> Mat<f64> {
+        let rules = &self.setting.rules().fit;
+        let column = |k: usize| {
+            let mut sizes = point.sizes.clone();
+            // towards zero, where bounds are not
+            let step = match sizes[k] {
+                0.0 => rules.secant_step * if parameters[k].upper > 0.0 { 1.0 } else { -1.0 },
+                size => -rules.last_secant_share * size,
+            };
+            sizes[k] += step;
+            let beside = difference(&self.current.residual, &self.change(&sizes));
+            point.residual.iter().zip(beside).map(|(at, beside)| (at - beside) / step).collect()
+        };
+        let columns: Vec<Vec<f64>> = (0..parameters.len()).map(column).collect();
+        Mat::from_fn(point.residual.len(), columns.len(), |i, j| columns[j][i])
+    }
+
+    /// Sizes with the least misfit near some, by secants that are taken anew at every step, and those secants.
+    pub(crate) fn least_squares(&self, near: &[f64]) -> (Point, Mat<f64>) {
+        let rules = &self.setting.rules().fit;
+        let parameters = self.effect.parameters();
+        let mut point = self.point(near);
+        let mut jacobian = self.secants_around(&parameters, &point);
+        for _ in 0..rules.last_steps {
+            let step = self.current.shared.step(&jacobian, &point.residual, &point.sizes).step;
+            let shortened = |share: f64| {
+                let sizes = point.sizes.iter().zip(&step).map(|(size, step)| size + share * step);
+                self.point(&sizes.collect::<Vec<f64>>())
+            };
+            let next = [1.0, 0.5, 0.25].into_iter().map(shortened).find(|next| next.score < point.score);
+            let Some(next) = next else { break };
+            let gained = point.score - next.score;
+            point = next;
+            jacobian = self.secants_around(&parameters, &point);
+            if gained < rules.least_gain {
+                break;
+            }
+        }
+        (point, jacobian)
     }
 
     /// What the effect changes in the residual at sizes.

@@ -24,6 +24,10 @@ rules! {
         least_gain: f64 = 0.5, "chi square", Formula("half a log Bayes factor of a quarter: nothing is decided by it");
         /// Secants of a parameter are taken over this size from a size that is not zero.
         secant_step: f64 = 0.2, "plausible sizes", Unknown;
+        /// At the end of a fit they are taken over this share of a size, towards zero.
+        last_secant_share: f64 = 0.1, "", Formula("half of what values that were found may be off by: `found_value_off`");
+        /// Most steps with such secants.
+        last_steps: usize = 8, "", Formula("each squares what a size is off by: three or four are enough");
         /// A parameter that does nothing alone is tried beside others of this size.
         beside_size: f64 = 0.5, "plausible sizes", Unknown;
     }
@@ -90,6 +94,8 @@ rules! {
         explained_by_all: f64 = 0.5, "", Unknown;
         /// How far values are off because no form is exact, as a share of them.
         value_form: f64 = 0.1, "", Measured("development cases of the blind benchmark: a nominal 90 % interval holds .80 of the true values with it");
+        /// In the end values are taken to where the gap is least, within so many of the standard deviations that the search and the form left.
+        settled_within: f64 = 2.5, "standard deviations", Formula("one in eighty normal values is further");
     }
 }
 

@@ -165,9 +165,11 @@ impl Aircraft {
         let point = self.free.points()[self.centre];
         let body = closing::mass(&file, &self.rest, self.closing, centre_id, &point)?;
         let scaled = self.bulk.parameters.get("WTMASS").is_some_and(|factor| *factor != 1.0);
-        let change = closing::inertia(&body) - closing::inertia(&self.bulk.masses[&self.closing]);
+        let before = closing::inertia(&self.bulk.masses[&self.closing]);
+        let change =
+            closing::inertia(&body).zip(before).filter(|_| !scaled).map(|(after, before)| after - before);
         let dofs: Vec<usize> = (6 * self.centre..6 * self.centre + 6).collect();
-        let (false, Some(free)) = (scaled, self.free.with_mass_change(&dofs, &change)) else {
+        let Some(free) = change.and_then(|change| self.free.with_mass_change(&dofs, &change)) else {
             return Self::kept(file, self.wing.clone(), keep);
         };
         let mut bulk = self.bulk.clone();

@@ -53,13 +53,12 @@ pub(crate) fn mass(
     Ok(Conm2 { id, grid, cid: 0, mass, offset, inertia: [x, 0.0, y, 0.0, 0.0, z], span: file.span() })
 }
 
-/// Mass matrix of a closing body over the six motions of its grid, kg and kg m².
-pub(crate) fn inertia(body: &Conm2) -> DMatrix<f64> {
+/// Mass matrix of a closing body over the six motions of its grid, kg and kg m²; none where one of them has no inertia.
+pub(crate) fn inertia(body: &Conm2) -> Option<DMatrix<f64>> {
     let [x, _, y, _, _, z] = body.inertia;
     let own = Matrix3::from_diagonal(&Vector3::new(x, y, z));
     let point = PointMass::new(body.id, 0, body.mass, &body.offset, &own);
-    // all six motions have inertia: the body is one that can be
-    point.mass().map_or_else(|| DMatrix::zeros(6, 6), Cow::into_owned)
+    point.mass().filter(|mass| mass.nrows() == 6).map(Cow::into_owned)
 }
 
 fn steiner(r: &Vector3<f64>) -> Matrix3<f64> {
