@@ -117,7 +117,7 @@ pub struct RunEntry {
     pub wind_off: bool,
 }
 
-/// A campaign's file, `campaign.ron`, as written; [`Campaign::read`] checks it.
+/// A campaign's file as written; [`Campaign::read`] checks it.
 #[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename = "Campaign")]
 pub struct CampaignFile {
@@ -169,10 +169,20 @@ pub struct StaticPoint {
 }
 
 impl StaticPoint {
-    /// Whether it says more than the mean of its angle does: with wind on a control deflected, or a sensor read.
-    pub(crate) fn says_more(&self) -> bool {
+    /// Whether it says more than the mean of its angle does: a control deflected, a sensor read, a weight on the wing.
+    pub(crate) fn says_more(&self, sensors: &[Sensor]) -> bool {
         let read = self.sensors.iter().any(Option::is_some);
-        self.v_m_s > 0.0 && (read || !self.controls_rad.is_empty())
+        if self.v_m_s > 0.0 { read || !self.controls_rad.is_empty() } else { self.is_hung(sensors) }
+    }
+
+    /// Whether a sensor is read under a dead weight.
+    pub(crate) fn is_hung(&self, sensors: &[Sensor]) -> bool {
+        sensors::weight_in(sensors, &self.sensors).is_some()
+    }
+
+    /// Whether it is a tare: with wind off, and no weight on the wing.
+    pub(crate) fn is_tare(&self, sensors: &[Sensor]) -> bool {
+        self.v_m_s == 0.0 && !self.is_hung(sensors)
     }
 
     /// What was read on a channel of [`CHANNELS`]; zero where there is none.
@@ -373,6 +383,8 @@ fn static_points(
                 controls_rad.push((name.to_owned(), delta_deg.to_radians()));
             }
         }
+        let cells = columns.iter().map(|name| read(row, name)).collect::<Result<Vec<_>, _>>()?;
+        sensors::check_weights(sensors, v_m_s, &cells, |name| table.span(row, name))?;
         points.push(StaticPoint {
             v_m_s,
             alpha_rad: alpha_deg.to_radians(),
@@ -380,7 +392,7 @@ fn static_points(
             block: has("block").then(|| table.text(row, "block").map(str::to_owned)).transpose()?,
             controls_rad,
             tip_z_m: optional(row, "tip_z_m")?,
-            sensors: columns.iter().map(|name| read(row, name)).collect::<Result<_, _>>()?,
+            sensors: cells,
             span: table.span(row, "V_m_s"),
         });
     }

@@ -31,7 +31,7 @@ pub use identifiability::{ByFamily, Identifiability};
 pub use lift_factor::LiftFactor;
 pub use objective::{LineFit, Nonlinearity};
 pub use schedule::{CorrectionSet, Schedule};
-pub use sensors::{Reading, Sensor, Zero};
+pub use sensors::{DeadWeight, Reading, Sensor, Zero};
 pub use settings::Settings;
 pub use statics::{AirspeedData, StaticData};
 

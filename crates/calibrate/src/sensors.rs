@@ -2,7 +2,7 @@
 
 use coupling::{ElasticWing, Rows, station_rows, strip_rows};
 use faer::Mat;
-use nastran::InputError;
+use nastran::{InputError, Span};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -150,6 +150,18 @@ pub enum Zero {
     Free,
 }
 
+/// A weight that hangs on the wing with wind off.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DeadWeight {
+    /// Its mass, kg.
+    pub mass_kg: f64,
+    /// Place along the span, from 0 at the root to 1 at the tip.
+    pub y_over_span: f64,
+    /// Place along the chord, from 0 at the leading edge to 1.
+    pub x_over_c: f64,
+}
+
 /// A sensor of a campaign, with a column of the static cases.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -166,6 +178,9 @@ pub struct Sensor {
     /// Standard deviation of its scale, as a share: 0.01 where its calibration is good to 1 %.
     #[serde(default)]
     pub scale: f64,
+    /// A weight under which it is read, against the wing without it: its cells are in rows with V_m_s = 0, which are no tares. Shapes only.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub under: Option<DeadWeight>,
 }
 
 /// Names differ and mean nothing else, places are on the wing, noise is positive.
@@ -187,6 +202,15 @@ pub(crate) fn check(sensors: &[Sensor], taken: impl Fn(&str) -> bool, path: &Pat
         if let Reading::Height { x_over_c, .. } = sensor.reads {
             places.push(x_over_c);
         }
+        if let Some(weight) = &sensor.under {
+            places.extend([weight.y_over_span, weight.x_over_c]);
+            if !(sensor.reads.is_shape() && weight.mass_kg.is_finite() && weight.mass_kg > 0.0) {
+                return fault(
+                    format!("sensor `{name}` is read under a weight of {:?} kg", weight.mass_kg),
+                    "a dead weight has a positive mass, and Height or Twist are read under it",
+                );
+            }
+        }
         if places.iter().any(|place| !(0.0..=1.0).contains(place)) {
             return fault(
                 format!("sensor `{name}` is beside the wing"),
@@ -205,6 +229,34 @@ pub(crate) fn check(sensors: &[Sensor], taken: impl Fn(&str) -> bool, path: &Pat
                 "write 0.01 where its calibration is good to 1 %",
             );
         }
+    }
+    Ok(())
+}
+
+/// The weight that hangs on the wing in a row whose sensors read `cells`.
+pub(crate) fn weight_in(sensors: &[Sensor], cells: &[Option<f64>]) -> Option<DeadWeight> {
+    sensors.iter().zip(cells).filter(|(_, cell)| cell.is_some()).find_map(|(sensor, _)| sensor.under)
+}
+
+/// Sensors under a weight are read with wind off, and one weight hangs in a row.
+pub(crate) fn check_weights(
+    sensors: &[Sensor],
+    v_m_s: f64,
+    cells: &[Option<f64>],
+    place: impl Fn(&str) -> Span,
+) -> Result<(), InputError> {
+    let hung = weight_in(sensors, cells);
+    for (sensor, _) in sensors.iter().zip(cells).filter(|(_, cell)| cell.is_some()) {
+        let name = &sensor.column;
+        let why = match sensor.under {
+            Some(_) if v_m_s > 0.0 => "it is read with wind off, in rows with V_m_s = 0",
+            under if hung.is_some() && under != hung => {
+                "another sensor of this row is read under another weight"
+            }
+            _ => continue,
+        };
+        return Err(InputError::at(&place(name), format!("`{name}` cannot be read here: {why}"))
+            .with_help("leave the cell empty, and give every dead weight rows of its own with V_m_s = 0"));
     }
     Ok(())
 }

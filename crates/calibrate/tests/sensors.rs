@@ -78,7 +78,8 @@ fn with_bridge(gain: f64, zero_nm: f64, zero: Zero) -> Campaign {
         point
     });
     let reads = Reading::Bending { y_over_span: 0.4 };
-    let bridge = Sensor { column: "bridge_Nm".into(), reads, sigma: BRIDGE_SIGMA_NM, zero, scale: 0.002 };
+    let bridge =
+        Sensor { column: "bridge_Nm".into(), reads, sigma: BRIDGE_SIGMA_NM, zero, scale: 0.002, under: None };
     Campaign { sensors: vec![bridge], ..campaign(points.collect(), Some(noise())) }
 }
 

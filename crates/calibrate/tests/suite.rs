@@ -3,6 +3,7 @@
 mod bent_wing;
 mod checks;
 mod common;
+mod dead_weights;
 mod ensemble;
 #[path = "../../coupling/tests/large/mod.rs"]
 mod large;
@@ -12,5 +13,6 @@ mod posterior;
 mod schedule;
 mod sensors;
 mod tip;
+mod together;
 mod weber_brebner;
 mod weighting;

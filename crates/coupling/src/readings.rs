@@ -87,6 +87,22 @@ impl ElasticWing {
         rows
     }
 
+    /// What rows on the displacement read with wind off when a weight (N, downward) is hung on the wing at a share of the span and of the
+    /// chord there, against the wing without it; and the derivatives by the logarithms of the flexibility in bending and in torsion.
+    pub fn under_weight(&self, weight_n: f64, place: [f64; 2], rows: &Mat<f64>) -> (Vec<f64>, [Vec<f64>; 2]) {
+        let nothing = || vec![0.0; rows.nrows()];
+        let Some(structure) = &self.supported else { return (nothing(), [nothing(), nothing()]) };
+        // a force does on its point's height what it does on the degrees of freedom that the height follows
+        let [height, _] = self.point_rows(place[0], place[1]);
+        let pulled = Mat::from_fn(height.len(), 1, |i, _| -weight_n * height[i]);
+        let moved = &structure.flexibility * pulled;
+        let moved = moved.col_as_slice(0);
+        let twist = self.twist_of(moved);
+        let bent: Vec<f64> = moved.iter().zip(&twist).map(|(all, twist)| all - twist).collect();
+        let read = |vector: &[f64]| times(rows, vector).collect::<Vec<f64>>();
+        (read(moved), [read(&bent), read(&twist)])
+    }
+
     /// The part of a displacement that turns the axis about itself; zero where boxes hang on grids that do not turn.
     fn twist_of(&self, displacement: &[f64]) -> Vec<f64> {
         let mut twist = vec![0.0; displacement.len()];

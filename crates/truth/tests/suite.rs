@@ -5,5 +5,6 @@ mod convergence;
 mod hidden_effects;
 mod published;
 mod steady_air;
+mod steady_maneuvers;
 mod unsteady_air;
 mod wing_in_time;

@@ -44,6 +44,27 @@ impl CorrectedWing {
         members.collect()
     }
 
+    /// The same with every wing as it flies, in free air.
+    ///
+    /// # Errors
+    /// As [`CorrectedWing::with_each`].
+    pub(crate) fn with_each_in_flight<T: Send>(
+        &self,
+        compute: impl Fn(&Self) -> Result<T, Failure> + Sync,
+    ) -> Result<Vec<T>, Failure> {
+        let Some(ensemble) = &self.ensemble else { return Ok(Vec::new()) };
+        let members = ensemble.members.par_iter().map(|member| compute(&self.member_in_flight(member)?));
+        members.collect()
+    }
+
+    /// A wing of the ensemble with the structure and surfaces of the tunnel, and corrections of free air.
+    ///
+    /// # Errors
+    /// If it cannot be assembled.
+    pub(crate) fn member_in_flight(&self, member: &Member) -> Result<Self, Failure> {
+        self.member(&Member { sets: member.sets_in_flight(), ..member.clone() })
+    }
+
     /// A wing of the ensemble as it stands in the tunnel.
     ///
     /// # Errors

@@ -16,4 +16,7 @@ pub(crate) mod mutants;
 pub(crate) mod tidy;
 pub(crate) mod trust;
 mod trust_campaign;
+mod trust_flight;
+mod trust_generator;
+mod trust_judged;
 pub(crate) mod validate;

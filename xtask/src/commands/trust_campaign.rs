@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use super::trust_flight::{Asked, Point};
 use crate::repository;
 use calibrate::campaign::ChannelNoise;
 use calibrate::{Campaign, Noise, Reading, Sensor, Sets, StaticPoint, TipReading, Zero};
@@ -12,9 +13,10 @@ use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 use truth::lift::{Kind, off_drawing};
 use truth::rig::{Coupled, Rest, Rig};
+use truth::setting::Setting;
 use truth::wing::{Polars, Wing};
 
-const V_M_S: f64 = 26.0;
+pub(super) const V_M_S: f64 = 26.0;
 const RHO_KG_M3: f64 = 1.225;
 const ALPHAS_DEG: [f64; 6] = [-4.0, -2.0, 0.0, 2.0, 4.0, 6.0];
 /// Rows at each angle.
@@ -56,6 +58,9 @@ impl Sensors {
 /// The other program's wind tunnel.
 pub(super) struct Stand {
     rig: Rig,
+    /// The wing as it flies.
+    flying: Rig,
+    points: [Point; 3],
 }
 
 /// A true wing at the airspeed and with wind off.
@@ -64,6 +69,8 @@ pub(super) struct Flown<'a> {
     number: u64,
     wind: Coupled<'a>,
     still: Coupled<'a>,
+    /// With its image, in a stream without walls whose speed is that which is said.
+    flying: Coupled<'a>,
 }
 
 /// What it carries in a case.
@@ -75,15 +82,18 @@ pub(super) struct Carried<'a> {
 impl Stand {
     pub(super) const POLARS: &'static str = "data/tuflex/e214_neuralfoil_polars.csv";
 
-    pub(super) fn new(data: &Path) -> Result<Self, truth::Fault> {
+    pub(super) fn new(data: &Path, points: [Point; 3]) -> Result<Self, truth::Fault> {
         let wing = Wing::read(&data.join("wing_beam.ron"))?;
         let polars = Polars::read(&repository::path(Self::POLARS))?;
-        Ok(Self { rig: Rig::new(wing, Some(polars)) })
+        let rig = Rig::new(wing, Some(polars));
+        Ok(Self { flying: rig.on_aircraft(), rig, points })
     }
 
     pub(super) fn fly(&self, kind: Kind, number: u64) -> Flown<'_> {
         let setting = off_drawing(&self.rig.wing, kind, number);
+        let free = Setting { wall_rad: 0.0, airspeed: 1.0, ..setting.clone() };
         Flown {
+            flying: Coupled::new(&self.flying, free, V_M_S, RHO_KG_M3),
             stand: self,
             number,
             wind: Coupled::new(&self.rig, setting.clone(), V_M_S, RHO_KG_M3),
@@ -145,6 +155,7 @@ impl<'a> Recorder<'a> {
             sigma: BRIDGE_SIGMA_NM,
             zero: Zero::WindOff,
             scale: BRIDGE_SCALE,
+            under: None,
         };
         let strain = matches!(sensors, Sensors::Strain | Sensors::All);
         let bridges: Vec<Sensor> = if strain { BRIDGES.iter().map(bridge).collect() } else { Vec::new() };
@@ -198,6 +209,20 @@ impl<'a> Flown<'a> {
             controls_rad[control] = 1.0_f64.to_radians();
         }
         Carried { rig: &self.stand.rig, rest: self.wind.at_rest(alpha_rad, &controls_rad) }
+    }
+
+    /// What is asked of each of the steady maneuvers (rad or m), and its size: of an incidence, that which carries the weight; none where
+    /// the wing cannot fly it.
+    pub(super) fn in_flight(&self) -> Vec<Option<(&'static str, [f64; 2])>> {
+        let one = |point: &Point| {
+            let at = |load_factor: f64| self.flying.steady(point.half_mass_kg, load_factor);
+            let flown = at(point.load_factor)?;
+            Some(match point.asked {
+                Asked::Incidence(name) => (name, [flown.alpha_rad, flown.alpha_rad - at(0.0)?.alpha_rad]),
+                Asked::Tip(name) => (name, [flown.tip_z_m, flown.tip_z_m.abs()]),
+            })
+        };
+        self.stand.points.iter().map(one).collect()
     }
 
     /// Bending moment at the root by a degree of a control, N m.

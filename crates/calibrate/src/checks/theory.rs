@@ -49,7 +49,7 @@ pub(super) fn far_from_theory(lines: &[Lines]) -> Vec<Finding> {
 
 /// Load at zero angle that the weight explains as well as camber does, where no row at V = 0 tells them apart.
 pub(super) fn weight_or_camber(weight: RootLoads, campaign: &Campaign, lines: &[Lines]) -> Option<Finding> {
-    let wind_off = campaign.points.iter().any(|point| point.v_m_s == 0.0);
+    let wind_off = campaign.points.iter().any(|point| point.is_tare(&campaign.sensors));
     let slowest = lines.first().filter(|line| line.channels.fz && !wind_off)?;
     let less_n = slowest.theory.fz.at_zero - slowest.measured.fz.at_zero;
     let weight_n = -weight.fz_n;
@@ -77,7 +77,7 @@ pub(super) fn not_told(campaign: &Campaign) -> Vec<Finding> {
         .filter(|(_, is_there)| !is_there)
         .map(|((name, open), _)| Finding::open(format!("the static cases have no {name}: {open}")))
         .collect();
-    let further = || campaign.points.iter().filter(|point| point.says_more());
+    let further = || campaign.points.iter().filter(|point| point.says_more(&campaign.sensors));
     if campaign.sets == Sets::Common && further().next().is_some() {
         found.push(Finding::open(
             "sensors and rows with a control deflected are not used: campaign.ron asks for one set of corrections for all airspeeds"
@@ -88,7 +88,7 @@ pub(super) fn not_told(campaign: &Campaign) -> Vec<Finding> {
         let mut rows = campaign.points.iter().filter(|point| point.controls_rad.is_empty());
         rows.any(|point| same_airspeed(point.v_m_s, v_m_s))
     };
-    let alone = further().filter(|point| !is_neutral(point.v_m_s)).count();
+    let alone = further().filter(|point| point.v_m_s > 0.0 && !is_neutral(point.v_m_s)).count();
     if alone > 0 {
         found.push(Finding::open(format!(
             "{alone} rows with a control deflected are not used: there are no rows with neutral controls at their airspeed"

@@ -2,6 +2,7 @@
 
 use super::moved::moved;
 use crate::schedule::{CorrectionSet, Schedule};
+use aero::Corrections;
 use coupling::wing_file;
 use nastran::{InputError, ron_file};
 use schemars::JsonSchema;
@@ -19,8 +20,36 @@ pub struct Member {
     pub log_flexibility: [f64; 2],
     /// Factor on what each control surface does, in the wing's order.
     pub controls: Vec<f64>,
+    /// Factor on all lift in flight: what the tunnel's stream was off free air by.
+    #[serde(default = "one", skip_serializing_if = "is_one")]
+    pub stream: f64,
     /// Corrections, at the airspeeds of `corrections.ron`.
     pub sets: Vec<CorrectionSet>,
+}
+
+const fn one() -> f64 {
+    1.0
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "the signature serde calls")]
+fn is_one(value: &f64) -> bool {
+    *value == 1.0
+}
+
+impl Member {
+    /// Its corrections in free air.
+    pub fn sets_in_flight(&self) -> Vec<CorrectionSet> {
+        let scaled = |values: &[f64]| values.iter().map(|value| value * self.stream).collect();
+        let one = |set: &CorrectionSet| CorrectionSet {
+            v_m_s: set.v_m_s,
+            corrections: Corrections {
+                force: scaled(&set.corrections.force),
+                moment: scaled(&set.corrections.moment),
+                pressure_offset: scaled(&set.corrections.pressure_offset),
+            },
+        };
+        self.sets.iter().map(one).collect()
+    }
 }
 
 /// See the module; its mean is the calibrated wing.

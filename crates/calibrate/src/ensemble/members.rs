@@ -2,8 +2,8 @@
 //!
 //! Unknowns of the posterior are a square root of its covariance times independent Gaussians. Along the directions that most of
 //! the predictions' variance lies in, the wings take the signs of a Hadamard matrix: the variance of what depends on these alone is
-//! exact with eight wings. What is left is random, in pairs of opposite sign. The same Gaussians serve all airspeeds, as one wing
-//! is off alike at all of them.
+//! exact with eight wings. The tunnel's stream, which no load in it tells, has the signs of the last of them. What is left is random, in
+//! pairs of opposite sign. The same Gaussians serve all airspeeds, as one wing is off alike at all of them.
 
 use super::file::{Ensemble, Member};
 use super::moved::{moved, short};
@@ -22,10 +22,13 @@ use rand_distr::{Distribution, StandardNormal};
 const MEMBERS: usize = 8;
 /// Directions in which variances are exact.
 const EXACT: usize = MEMBERS - 1;
+/// The direction whose signs the tunnel's stream shares, the least important: what hangs on the stream (all of the lift at an angle) was
+/// measured in the tunnel and knows next to nothing of it.
+const STREAM: usize = EXACT - 1;
 /// Seed of the random part.
 const SEED: u64 = 1;
 
-/// The wings that `known` leaves as likely, about the corrections of `schedule`; none where one set serves all airspeeds or
+/// The wings that `known` leaves as likely, about its means, or the corrections of `schedule` where it has none; none where one set serves all airspeeds or
 /// nothing is known.
 pub fn ensemble(
     wing: &ElasticWing,
@@ -38,22 +41,32 @@ pub fn ensemble(
     let theory = unknowns.wing(&vec![0.0; unknowns.count()]).corrections;
     let directions = directions(known, unknowns.count());
     let gaussians = gaussians(&directions);
-    let member = |gaussians: &Vec<f64>| {
+    let member = |(number, gaussians): (usize, &Vec<f64>)| {
         let off = |spread: &Spread| {
             let z: Vec<f64> = (0..unknowns.count())
                 .map(|i| (0..gaussians.len()).map(|k| spread.root[(i, k)] * gaussians[k]).sum())
                 .collect();
             unknowns.wing(&z)
         };
+        // about the mean where there is one: corrections of the schedule are for the structure as given, which the mean's is not
         let set = |(known, centre): (&AirspeedPosterior, &CorrectionSet)| CorrectionSet {
             v_m_s: centre.v_m_s,
-            corrections: moved(&centre.corrections, &off(&known.spread).corrections, &theory),
+            corrections: moved(
+                known.mean.as_ref().map_or(&centre.corrections, |mean| &mean.corrections),
+                &off(&known.spread).corrections,
+                &theory,
+            ),
         };
         // what the structure and its surfaces are does not depend on the airspeed: dynamic pressure tells most at the highest
         let at_last = off(&last.spread);
+        let mean = last.mean.as_ref();
+        let softer = mean.map_or([0.0; 2], |mean| mean.log_flexibility);
+        let control =
+            |(c, factor): (usize, f64)| short(factor + mean.map_or(0.0, |mean| mean.controls[c] - 1.0));
         Member {
-            log_flexibility: at_last.log_flexibility.map(short),
-            controls: at_last.controls.into_iter().map(short).collect(),
+            log_flexibility: [0, 1].map(|i| short(softer[i] + at_last.log_flexibility[i])),
+            controls: at_last.controls.into_iter().enumerate().map(control).collect(),
+            stream: 1.0 + prior.stream * sign(number, STREAM),
             sets: known.iter().zip(&schedule.sets).map(set).collect(),
         }
     };
@@ -61,7 +74,7 @@ pub fn ensemble(
         wing: schedule.wing.clone(),
         wing_hash: schedule.wing_hash.clone(),
         corrections: wing_file::fingerprint(&schedule.to_ron()),
-        members: gaussians.iter().map(member).collect(),
+        members: gaussians.iter().enumerate().map(member).collect(),
     })
 }
 
@@ -92,6 +105,11 @@ fn directions(known: &[AirspeedPosterior], count: usize) -> Mat<f64> {
     )
 }
 
+/// The matrix of Hadamard (Sylvester's) without its first column.
+fn sign(member: usize, column: usize) -> f64 {
+    if (member & (column + 1)).count_ones() % 2 == 0 { 1.0 } else { -1.0 }
+}
+
 /// The Gaussians of every wing.
 fn gaussians(directions: &Mat<f64>) -> Vec<Vec<f64>> {
     let (count, exact) = (directions.nrows(), directions.ncols());
@@ -103,9 +121,8 @@ fn gaussians(directions: &Mat<f64>) -> Vec<Vec<f64>> {
     for (member, z) in drawn.iter_mut().enumerate() {
         for k in 0..exact {
             let along: f64 = (0..count).map(|i| directions[(i, k)] * z[i]).sum();
-            let sign = if (member & (k + 1)).count_ones() % 2 == 0 { 1.0 } else { -1.0 };
             for (i, z) in z.iter_mut().enumerate() {
-                *z += (sign - along) * directions[(i, k)];
+                *z += (sign(member, k) - along) * directions[(i, k)];
             }
         }
     }

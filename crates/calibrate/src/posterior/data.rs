@@ -7,6 +7,7 @@ use crate::sensors::{Row, Sensor, Together, Zero};
 use aero::Flow;
 use aero::flow::same_airspeed;
 use coupling::{ElasticWing, SteadyCase};
+use faer::Mat;
 use nastran::InputError;
 
 /// A zero that is not known is as uncertain as this many times the largest reading.
@@ -26,6 +27,15 @@ pub(super) struct Datum {
     pub(super) sigma: f64,
     /// Unknowns of the sensor it hangs on as well, standard Gaussians, and its derivative by each.
     pub(super) nuisances: Vec<(usize, f64)>,
+    /// What the structure as given reads, if it was read under a dead weight with wind off and not in the case.
+    pub(super) hung: Option<Hung>,
+}
+
+/// A reading under a dead weight.
+pub(super) struct Hung {
+    pub(super) value: f64,
+    /// By the logarithms of the flexibility in bending and in torsion.
+    pub(super) by_flexibility: [f64; 2],
 }
 
 /// What is known of a channel's rows.
@@ -78,7 +88,11 @@ impl Data {
         }
         let further: Vec<&StaticPoint> =
             statics.further.iter().filter(|point| same_airspeed(point.v_m_s, flow.v_m_s)).collect();
-        let of_sensors = found.of_sensors(&statics.sensors, &further);
+        let hung: Vec<&StaticPoint> =
+            statics.further.iter().filter(|p| p.is_hung(&statics.sensors)).collect();
+        let read: Vec<&StaticPoint> = further.iter().chain(&hung).copied().collect();
+        let of_sensors = found.of_sensors(&statics.sensors, &read);
+        found.hang(wing, &statics.sensors, &hung, &of_sensors);
         for point in further {
             let case = found.case(case_of(wing, flow, point)?);
             // neutral rows are in the means of their angles
@@ -91,18 +105,51 @@ impl Data {
             }
             for (s, sensor) in statics.sensors.iter().enumerate() {
                 let Some(value) = point.sensors[s] else { continue };
-                let of =
-                    |&(unknown, size): &(usize, Option<f64>)| (unknown, size.unwrap_or(sensor.scale * value));
-                let nuisances = of_sensors[s].iter().map(of).collect();
+                let nuisances = nuisances_of(&of_sensors[s], sensor, value);
                 found.add(case, CHANNELS.len() + s, value, sensor.sigma, nuisances);
             }
         }
         Ok(found)
     }
 
+    /// Adds what is read under dead weights.
+    fn hang(
+        &mut self,
+        wing: &ElasticWing,
+        sensors: &[Sensor],
+        points: &[&StaticPoint],
+        of_sensors: &[Vec<(usize, Option<f64>)>],
+    ) {
+        for point in points {
+            for (s, sensor) in sensors.iter().enumerate() {
+                let (Some(value), Some(weight)) = (point.sensors[s], sensor.under) else { continue };
+                let Row::OnStructure(row) = sensor.reads.row(wing) else { continue };
+                let rows = Mat::from_fn(1, row.len(), |_, i| row[i]);
+                let weight_n = weight.mass_kg * wing.gravity_m_s2 * point.alpha_rad.cos();
+                let place = [weight.y_over_span, weight.x_over_c];
+                let (read, by_flexibility) = wing.under_weight(weight_n, place, &rows);
+                self.measured.push(Datum {
+                    case: 0,
+                    row: self.together.places[CHANNELS.len() + s],
+                    value,
+                    sigma: sensor.sigma,
+                    nuisances: nuisances_of(&of_sensors[s], sensor, value),
+                    hung: Some(Hung { value: read[0], by_flexibility: by_flexibility.map(|by| by[0]) }),
+                });
+            }
+        }
+    }
+
     /// Adds a number of a column: of the channels, then of the sensors.
     fn add(&mut self, case: usize, column: usize, value: f64, sigma: f64, nuisances: Vec<(usize, f64)>) {
-        self.measured.push(Datum { case, row: self.together.places[column], value, sigma, nuisances });
+        self.measured.push(Datum {
+            case,
+            row: self.together.places[column],
+            value,
+            sigma,
+            nuisances,
+            hung: None,
+        });
     }
 
     /// Noise of the channels and what moves all rows of one together: the offset common to all blocks, a tip's zero.
@@ -173,8 +220,9 @@ impl Data {
     }
 
     /// Columns whose noise was raised, and how many times.
-    pub(super) fn beyond(self) -> Vec<(String, f64)> {
-        self.names.into_iter().zip(self.raised).filter(|(_, raised)| *raised > 1.0).collect()
+    pub(super) fn beyond(&self) -> Vec<(String, f64)> {
+        let all = self.names.iter().cloned().zip(self.raised.iter().copied());
+        all.filter(|(_, raised)| *raised > 1.0).collect()
     }
 
     fn further_nuisance(&mut self) -> usize {
@@ -189,6 +237,11 @@ impl Data {
             self.cases.len() - 1
         })
     }
+}
+
+/// Unknowns of a sensor that read `value`, and the derivatives of the reading by them.
+fn nuisances_of(unknowns: &[(usize, Option<f64>)], sensor: &Sensor, value: f64) -> Vec<(usize, f64)> {
+    unknowns.iter().map(|&(unknown, size)| (unknown, size.unwrap_or(sensor.scale * value))).collect()
 }
 
 /// The case of a row.

@@ -1,6 +1,7 @@
 //! What is known of a wing at an airspeed: where its unknowns are and how far they may be off.
 
-use super::data::Data;
+use super::data::{Data, Datum};
+use super::joint::Joint;
 use super::off::WingOff;
 use super::prior::Unknowns;
 use super::read::{CaseRead, read_case};
@@ -42,7 +43,11 @@ pub(super) struct Known<'a> {
     /// How many times its stated noise a column is off where no correction explains it; root loads alone are told by their lines.
     pub(super) beyond: Vec<(String, f64)>,
     /// Data by unknowns of the wing, then of the sensors, over their noise.
-    rows: Vec<Vec<f64>>,
+    pub(super) rows: Vec<Vec<f64>>,
+    /// The unknowns, and what the data are off by there, over the noise.
+    z: Vec<f64>,
+    misses: Vec<f64>,
+    data: Data,
 }
 
 /// The data linearised at unknowns.
@@ -97,13 +102,8 @@ impl<'a> Known<'a> {
             data.raise(&levels);
             at_centre = centre(&data)?;
         }
-        let given = if more {
-            on_given_structure(wing, flow, &unknowns, &data, &at_centre.z)?
-        } else {
-            at.corrections.clone()
-        };
         Ok(Self {
-            given,
+            given: at.corrections.clone(),
             flow,
             alphas_rad: at.data.angles.iter().map(|angle| angle.alpha_rad).collect(),
             off: at_centre.off,
@@ -113,7 +113,58 @@ impl<'a> Known<'a> {
             sigma: calibration.data.point_sigma.unwrap_or(at.line.rmse),
             rows: at_centre.rows,
             beyond: if more { data.beyond() } else { Vec::new() },
+            z: at_centre.z,
+            misses: at_centre.misses,
+            data,
         })
+    }
+
+    /// All airspeeds, and how they hang together: where more than root loads was measured each tells of the others.
+    pub(super) fn all(
+        wing: &'a ElasticWing,
+        calibration: &Calibration,
+        prior: &CorrectionPrior,
+    ) -> Result<(Vec<Self>, Joint), CouplingError> {
+        let of = |at: &AirspeedCalibration| Self::new(wing, calibration, at, prior);
+        let mut known = calibration.airspeeds.iter().map(of).collect::<Result<Vec<_>, _>>()?;
+        let alike = if known.iter().all(|at| at.is_mean) { prior.airspeeds_alike } else { 0.0 };
+        let mut joint = Joint::new(&known, alike);
+        for _ in 0..if alike > 0.0 && known.len() > 1 { STEPS } else { 0 } {
+            let asked = |at: &Self, i: usize| at.misses[i] + product(&at.rows[i], &at.z);
+            let Some(means) = joint.means(&known, &asked) else { break };
+            let moves = known.iter().zip(&means).flat_map(|(at, mean)| at.z.iter().zip(mean));
+            let moved = moves.map(|(from, to)| (from - to).abs()).fold(0.0, f64::max);
+            let there = known
+                .iter()
+                .zip(&means)
+                .map(|(at, z)| linearise(wing, at.flow, &at.unknowns, &at.data, at.unknowns.wing(z), z));
+            match there.collect::<Result<Vec<_>, _>>() {
+                Ok(there) => known.iter_mut().zip(there).for_each(|(at, there)| at.move_to(there)),
+                Err(CouplingError::Diverged { .. }) => break,
+                Err(error) => return Err(error),
+            }
+            joint = Joint::new(&known, alike);
+            if moved < STILL {
+                break;
+            }
+        }
+        for at in known.iter_mut().filter(|at| at.is_mean) {
+            at.given = on_given_structure(wing, at.flow, &at.unknowns, &at.data, &at.z)?;
+        }
+        Ok((known, joint))
+    }
+
+    fn move_to(&mut self, there: Linearised<'a>) {
+        self.off = there.off;
+        self.corrected = there.operator;
+        self.rows = there.rows;
+        self.z = there.z;
+        self.misses = there.misses;
+    }
+
+    /// Whether a row of the data was read under a dead weight: it is the same at all airspeeds.
+    pub(super) fn is_hung(&self, row: usize) -> bool {
+        self.data.measured[row].hung.is_some()
     }
 
     pub(super) fn case(&self, alpha_rad: f64) -> SteadyCase {
@@ -123,37 +174,6 @@ impl<'a> Known<'a> {
     /// The case with the largest angle that was measured.
     pub(super) fn largest(&self) -> SteadyCase {
         self.case(self.alphas_rad.iter().copied().fold(f64::NEG_INFINITY, f64::max))
-    }
-
-    /// Standard deviation of what has this gradient, with further rows beside the data:
-    /// `g' g - (J g)' (J J' + I)⁻¹ (J g)`. Unknowns that a row or the gradient does not list have no part in it.
-    pub(super) fn sigma_with(&self, further: &[Vec<f64>], gradient: &[f64]) -> f64 {
-        let rows: Vec<&Vec<f64>> = self.rows.iter().chain(further).collect();
-        let seen: Vec<f64> = rows.iter().map(|row| product(row, gradient)).collect();
-        let before = product(gradient, gradient);
-        let told = weights(&rows, &seen).map_or(0.0, |weights| product(&seen, &weights));
-        (before - told).max(0.0).sqrt()
-    }
-
-    /// Symmetric root of the covariance of the wing's unknowns, whatever the sensors' are.
-    pub(super) fn root(&self) -> Mat<f64> {
-        let (count, all) = (self.unknowns.count(), self.rows.first().map_or(0, Vec::len));
-        let identity = Mat::<f64>::identity(count.max(all), count.max(all));
-        let mut precision = identity.clone();
-        for row in &self.rows {
-            for (i, left) in row.iter().enumerate() {
-                for (j, right) in row.iter().enumerate() {
-                    precision[(i, j)] += left * right;
-                }
-            }
-        }
-        let Ok(factor) = precision.llt(Side::Lower) else { return identity.subcols(0, count).to_owned() };
-        let covariance = factor.solve(&identity);
-        let of_wing = covariance.submatrix(0, 0, count, count).to_owned();
-        let Ok(eigen) = of_wing.self_adjoint_eigen(Side::Lower) else { return of_wing };
-        let roots: Vec<f64> = (0..count).map(|k| eigen.S()[k].max(0.0).sqrt()).collect();
-        let scaled = Mat::from_fn(count, count, |i, k| eigen.U()[(i, k)] * roots[k]);
-        scaled * eigen.U().transpose()
     }
 }
 
@@ -175,7 +195,8 @@ fn on_given_structure(
         at.extend(&mean[count..]);
         off.corrections = unknowns.wing(&at).corrections;
         let here = linearise(wing, flow, unknowns, data, off.clone(), &at)?;
-        let balance = || (0..data.measured.len()).filter(|&i| data.measured[i].row < 3);
+        let on_balance = |datum: &Datum| datum.row < 3 && datum.hung.is_none();
+        let balance = || (0..data.measured.len()).filter(|&i| on_balance(&data.measured[i]));
         let rows: Vec<Vec<f64>> = balance().map(|i| here.rows[i][..count].to_vec()).collect();
         let rows: Vec<&Vec<f64>> = rows.iter().collect();
         let moved = |row: &[f64]| {
@@ -248,10 +269,14 @@ fn linearise<'a>(
     let mut rows = Vec::with_capacity(data.measured.len());
     let mut misses = Vec::with_capacity(data.measured.len());
     for datum in &data.measured {
-        let read = &reads[datum.case];
-        let mut row = unknowns.gradient(read, datum.row);
+        let (mut value, mut row) = match &datum.hung {
+            Some(hung) => unknowns.under_weight(hung, &off),
+            None => {
+                let read = &reads[datum.case];
+                (read.values[datum.row], unknowns.gradient(read, datum.row))
+            }
+        };
         row.resize(z.len(), 0.0);
-        let mut value = read.values[datum.row];
         for &(unknown, by) in &datum.nuisances {
             row[unknowns.count() + unknown] = by;
             value += by * z[unknowns.count() + unknown];
@@ -274,7 +299,7 @@ fn weights(rows: &[&Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
 }
 
 /// The sum of products; what one of them does not list is zero.
-fn product(a: &[f64], b: &[f64]) -> f64 {
+pub(super) fn product(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 

@@ -7,9 +7,12 @@
 //! Corrections about theory, what controls do and the flexibility are Gaussian before the data ([`CorrectionPrior`]). Data
 //! `d = h(z) + noise`, linearised where the squares of misses and unknowns are least, leave `z` with the covariance
 //! `(I + J' N⁻¹ J)⁻¹` in units of the prior (Tarantola, Inverse Problem Theory, 2005, Section 3.2), and a prediction with
-//! gradient `g` has the variance `g' C g`.
+//! gradient `g` has the variance `g' C g`. Where more than root loads was measured, corrections of different airspeeds are alike and the
+//! structure is the same, so that what was measured at one tells of the others; with root loads alone, whose centre is not the mean, each
+//! airspeed stands for itself.
 
 mod data;
+mod joint;
 mod known;
 mod means;
 pub mod next;
@@ -22,7 +25,7 @@ pub use off::WingOff;
 pub(crate) use prior::Unknowns;
 
 use crate::HALF_90;
-use crate::calibration::{AirspeedCalibration, Calibration};
+use crate::calibration::Calibration;
 use aero::Corrections;
 use coupling::wing_file::CorrectionPrior;
 use coupling::{CouplingError, ElasticWing};
@@ -100,8 +103,8 @@ pub fn posterior(
     prior: &CorrectionPrior,
 ) -> Result<Vec<AirspeedPosterior>, CouplingError> {
     let listed = quantities(wing);
-    let of = |at: &AirspeedCalibration| {
-        let known = Known::new(wing, calibration, at, prior)?;
+    let (known, joint) = Known::all(wing, calibration, prior)?;
+    let of = |(k, known): (usize, Known<'_>)| {
         let theory = WingOff::theory(wing);
         let uncorrected = wing.at(known.flow, &theory.corrections)?;
         let case = known.largest();
@@ -119,11 +122,11 @@ pub fn posterior(
                 .sum::<f64>()
                 .sqrt()
                 .hypot(known.unknowns.reading * at.value()),
-            sigma: known.sigma_with(&[], gradient).hypot(known.unknowns.reading * at.value()),
+            sigma: joint.sigma(k, gradient).hypot(known.unknowns.reading * at.value()),
         });
         let predictions = predictions.collect();
         Ok(AirspeedPosterior {
-            spread: Spread { root: known.root(), gradients },
+            spread: Spread { root: joint.root(k), gradients },
             v_m_s: known.flow.v_m_s,
             alpha_rad: case.alpha_rad,
             mean: known.is_mean.then_some(known.off),
@@ -132,5 +135,5 @@ pub fn posterior(
             predictions,
         })
     };
-    calibration.airspeeds.iter().map(of).collect()
+    known.into_iter().enumerate().map(of).collect()
 }

@@ -40,8 +40,8 @@ pub fn rank(
     prior: &CorrectionPrior,
     wanted: &Quantity,
 ) -> Result<Vec<Suggestion>, CouplingError> {
-    let Some(at) = calibration.airspeeds.last() else { return Ok(Vec::new()) };
-    let known = Known::new(wing, calibration, at, prior)?;
+    let (all, joint) = Known::all(wing, calibration, prior)?;
+    let Some((last, known)) = all.iter().enumerate().next_back() else { return Ok(Vec::new()) };
     let in_case = |case: &SteadyCase, quantity: &Quantity| {
         let quantity = std::slice::from_ref(quantity);
         Ok::<_, InputError>(predict(wing, &known.corrected, &known.off, case, quantity)?.swap_remove(0))
@@ -54,11 +54,11 @@ pub fn rank(
             .collect::<Result<Vec<_>, _>>()
     };
     let gradient = in_case(&known.largest(), wanted)?.gradient(&known.unknowns);
-    let sigma = known.sigma_with(&[], &gradient);
+    let sigma = joint.sigma(last, &gradient);
     let data = &calibration.data;
     let mut found = Vec::new();
     let mut suggest = |measure: String, rows: Vec<Vec<f64>>| {
-        found.push(Suggestion { measure, sigma, sigma_then: known.sigma_with(&rows, &gradient) });
+        found.push(Suggestion { measure, sigma, sigma_then: joint.sigma_with(last, &rows, &gradient) });
     };
     let rows = |readings: &[Predicted], sigma: f64| {
         readings.iter().map(|read| over(read.gradient(&known.unknowns), sigma)).collect()

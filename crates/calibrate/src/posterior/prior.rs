@@ -1,5 +1,6 @@
 //! What corrections are before any data, by the wing's file: smooth and local parts along the span, about theory.
 
+use super::data::Hung;
 use super::off::WingOff;
 use super::read::CaseRead;
 use aero::Corrections;
@@ -103,6 +104,17 @@ impl Unknowns {
                 .collect(),
             log_flexibility: [0, 1].map(|i| self.flexibility[i] * z[self.count() - 2 + i]),
         }
+    }
+
+    /// What is read under a dead weight, and its derivatives by the unknowns.
+    pub(super) fn under_weight(&self, hung: &Hung, off: &WingOff) -> (f64, Vec<f64>) {
+        let mut gradient = vec![0.0; self.count()];
+        let mut value = hung.value;
+        for (i, by) in hung.by_flexibility.iter().enumerate() {
+            value += by * off.log_flexibility[i];
+            gradient[self.count() - 2 + i] = by * self.flexibility[i];
+        }
+        (value, gradient)
     }
 
     /// Derivatives of a reading by the unknowns.

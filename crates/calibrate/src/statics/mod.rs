@@ -91,7 +91,7 @@ pub struct StaticData {
     pub weight_tares: Vec<StaticPoint>,
     /// Sensors beside the balance.
     pub sensors: Vec<Sensor>,
-    /// Rows with wind on that say more than the means of the angles: with a control deflected, or with a sensor read.
+    /// Rows that say more than the means of the angles: with a control deflected, with a sensor read, or under a dead weight.
     pub further: Vec<StaticPoint>,
 }
 
@@ -103,7 +103,7 @@ impl StaticData {
     pub fn from_campaign(campaign: &Campaign) -> Result<Self, InputError> {
         let fitted = rows(campaign);
         let weight_tares: Vec<StaticPoint> =
-            campaign.points.iter().filter(|p| p.v_m_s == 0.0).cloned().collect();
+            campaign.points.iter().filter(|p| p.is_tare(&campaign.sensors)).cloned().collect();
         check_blocks(&fitted)?;
         let cells = cells(&fitted);
         match campaign.sets {
@@ -121,7 +121,7 @@ impl StaticData {
             point_sigma: campaign.noise.map(|noise| noise.static_point.to_array()),
             noise_dof: None,
             sensors: campaign.sensors.clone(),
-            further: campaign.points.iter().filter(|point| point.says_more()).cloned().collect(),
+            further: campaign.points.iter().filter(|p| p.says_more(&campaign.sensors)).cloned().collect(),
             weight_tares,
         };
         Ok(data.of_cells(&cells, &[]).0)

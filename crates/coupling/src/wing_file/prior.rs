@@ -32,6 +32,13 @@ pub struct CorrectionPrior {
     /// Of the factor on all that air does beyond the steady answer to the momentary incidence, for flutter. No load at rest tells
     /// it; a tenth is assumed.
     pub unsteady: f64,
+    /// Of the lift in free air over that in the tunnel's stream, less one: for flight alone, as no load in the tunnel tells it. Default:
+    /// a quarter of what walls of a closed section do to a half model (0.003 rad for a lift coefficient of one), and 0.2 % of the airspeed.
+    pub stream: f64,
+    /// How alike corrections of two airspeeds are where more than root loads was measured: their correlation falls as
+    /// `exp(-|ln V1/V2| / airspeeds_alike)`. Default: sections of `data/tuflex` lose 5 % of lift slope and .6 degrees of zero lift for
+    /// .85 in the logarithm, .7 of the standard deviations above. 0: every airspeed for itself.
+    pub airspeeds_alike: f64,
     /// Length over which smooth parts are alike, as a share of the span.
     pub smooth_over_span: f64,
     /// Length over which local parts are alike, in mean chords; they may have steps.
@@ -50,6 +57,8 @@ impl Default for CorrectionPrior {
             flexibility: [0.03, 0.05],
             reading: 0.0015,
             unsteady: 0.1,
+            stream: 0.015,
+            airspeeds_alike: 2.5,
             smooth_over_span: 0.3,
             local_over_chord: 1.0,
         }
@@ -66,6 +75,8 @@ impl CorrectionPrior {
             ("moment", self.moment, 0.0),
             ("reading", self.reading, 0.0),
             ("unsteady", self.unsteady, 0.0),
+            ("stream", self.stream, 0.0),
+            ("airspeeds_alike", self.airspeeds_alike, 0.0),
             ("smooth_over_span", self.smooth_over_span, 0.01),
             ("local_over_chord", self.local_over_chord, 0.01),
         ];

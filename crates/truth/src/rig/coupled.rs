@@ -160,6 +160,11 @@ impl<'a> Coupled<'a> {
 
     /// The state at an angle of attack and deflections that stay.
     pub fn at_rest(&self, alpha_rad: f64, controls_rad: &[f64]) -> Rest {
+        self.pulled(alpha_rad, controls_rad, GRAVITY_M_S2 * alpha_rad.cos())
+    }
+
+    /// The same where masses are pulled down by an acceleration, m/s².
+    pub(crate) fn pulled(&self, alpha_rad: f64, controls_rad: &[f64], pull: f64) -> Rest {
         let modes = self.structure.omega_rad_s.len();
         let steady = &self.operator.steady * self.v_m_s;
         let loads_by_state = &self.generalised * &self.by_state;
@@ -180,7 +185,6 @@ impl<'a> Coupled<'a> {
             for (control, delta) in controls_rad.iter().enumerate() {
                 state += steady.column(modes + 1 + control) * *delta;
             }
-            let pull = GRAVITY_M_S2 * alpha_rad.cos();
             let force = &loads_by_state * &state
                 + &self.generalised * &self.constant
                 + self.structure.fields.column(0) * pull;

@@ -2,11 +2,13 @@
 
 mod coupled;
 mod flight;
+mod maneuver;
 mod structure;
 mod swing;
 
 pub use coupled::{Coupled, Rest};
 pub use flight::{Flight, Inputs};
+pub use maneuver::Steady;
 pub use structure::Structure;
 
 use crate::air::{Lattice, Mesh};
@@ -55,6 +57,11 @@ impl Fineness {
 const WAKE_SPANS: f64 = 8.0;
 
 impl Rig {
+    /// The same wing with its image at the other side of the root, as on an aircraft: the wall is at the root, nothing stands between.
+    pub fn on_aircraft(&self) -> Self {
+        Self::new(Wing { wall_y_m: 0.0, ..self.wing.clone() }, self.polars.clone())
+    }
+
     /// Lays the lattice of campaigns over a wing.
     pub fn new(wing: Wing, polars: Option<Polars>) -> Self {
         Self::divided(wing, polars, Fineness::CAMPAIGN)

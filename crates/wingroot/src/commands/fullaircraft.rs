@@ -72,7 +72,7 @@ pub(crate) fn run(args: &FullaircraftArgs, common: &Common) -> Result<(), Failur
     let comparison = effects.compare(&aircraft, &corrections)?;
     let is_large = args.nonlinear || wing.file.geometry == Geometry::Nonlinear;
     let large = is_large.then(|| aircraft.large_flight(&corrections, &comparison)).transpose()?;
-    let members = wing.with_each(|member| {
+    let members = wing.with_each_in_flight(|member| {
         let Assembled { aircraft, corrections, effects } =
             assembled(aircraft.file.clone(), member, &Shared::default())?;
         let flown = effects.fly(&aircraft, &corrections)?;

@@ -61,10 +61,10 @@ impl<'a> Draws<'a> {
         if !wing.file.effects.is_empty() {
             // effects join the corrections by the wing as it stands in the tunnel
             let Assembled { aircraft, corrections, .. } =
-                assembled(self.file.clone(), &wing.member(member)?, self.shared)?;
+                assembled(self.file.clone(), &wing.member_in_flight(member)?, self.shared)?;
             return Ok(Draw { aircraft, corrections });
         }
-        let (file, schedule) = wing.of_member(member);
+        let (file, schedule) = wing.of_member(&Member { sets: member.sets_in_flight(), ..member.clone() });
         let corrections = schedule.nearest(self.file.correction_airspeed_m_s).corrections.clone();
         Ok(Draw { aircraft: Aircraft::kept(self.file.clone(), file, self.shared)?, corrections })
     }
