@@ -5,9 +5,12 @@
 use crate::common::{RHO, campaign, loads, path, row, small_settings, wing_of};
 use aero::{Corrections, Flow};
 use calibrate::campaign::ChannelNoise;
+use calibrate::ensemble::ensemble;
 use calibrate::posterior::predictions::Quantity;
 use calibrate::posterior::{AirspeedPosterior, posterior};
-use calibrate::{Campaign, DeadWeight, Noise, Reading, Sensor, StaticPoint, Zero, calibrate};
+use calibrate::{
+    Campaign, CorrectionSet, DeadWeight, Noise, Reading, Schedule, Sensor, StaticPoint, Zero, calibrate,
+};
 use coupling::wing_file::{CorrectionPrior, Departure, Source};
 use coupling::{ElasticWing, GRAVITY_M_S2, SteadyCase, SteadyModel, WingFile};
 use std::path::PathBuf;
@@ -153,6 +156,30 @@ fn dead_weights_tell_the_stiffness_and_narrow_the_tip() {
     assert!((low..=high).contains(&true_m), "{:?} {true_m}", tip(&told));
     assert!(tip(&told).sigma < 0.8 * before.sigma, "{:?} {before:?}", tip(&told));
     assert!((tip(&told).value - true_m).abs() < 0.5 * (before.value - true_m).abs());
+}
+
+/// Whatever is computed with the wings of the ensemble has the stiffness that was measured, not the drawing's.
+#[test]
+fn wings_of_the_ensemble_are_about_the_stiffness_that_was_found() {
+    let calibration = calibrate(&*WING, &measured(true).0, &small_settings()).unwrap();
+    let prior = CorrectionPrior::default();
+    let known = posterior(&WING, &calibration, &prior).unwrap();
+    let calibration = calibration.with_means(&WING, &known).unwrap();
+    let corrections = calibration.airspeeds[0].corrections.clone();
+    let schedule = Schedule {
+        wing: FILE.name.clone(),
+        wing_hash: FILE.hash.clone(),
+        sets: vec![CorrectionSet { v_m_s: V_M_S, corrections }],
+        unconverged: Vec::new(),
+    };
+    let members = ensemble(&WING, &prior, &schedule, &known).unwrap().members;
+    let mean = known[0].mean.as_ref().unwrap();
+    for i in 0..2 {
+        let all: f64 = members.iter().map(|member| member.log_flexibility[i]).sum();
+        assert!((all / members.len() as f64 - mean.log_flexibility[i]).abs() < 1e-6);
+    }
+    let force = |b: usize| members.iter().map(|m| m.sets[0].corrections.force[b]).sum::<f64>() / 8.0;
+    assert!((0..mean.corrections.len()).all(|b| (force(b) - mean.corrections.force[b]).abs() < 1e-6));
 }
 
 #[test]

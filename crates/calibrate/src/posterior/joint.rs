@@ -9,9 +9,16 @@
 //! ```
 //! (Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, Eqs. 2.23 and 2.24.)
 
-use super::known::{Known, product};
 use faer::linalg::solvers::{Llt, Solve};
 use faer::{Mat, MatRef, Side};
+
+/// Rows of an airspeed's data over their noise: by unknowns of the wing, then of the sensors.
+pub(super) struct OfAirspeed<'a> {
+    pub(super) v_m_s: f64,
+    pub(super) rows: &'a [Vec<f64>],
+    /// Which of them were read under a dead weight.
+    pub(super) hung: Vec<bool>,
+}
 
 /// See the module.
 pub(super) struct Joint {
@@ -22,27 +29,30 @@ pub(super) struct Joint {
     /// Unknowns of corrections, and of a wing in all.
     corrections: usize,
     count: usize,
+    /// With those of sensors, by airspeed.
+    unknowns: Vec<usize>,
     /// Of `J R J' + I`.
     factor: Option<Llt<f64>>,
 }
 
 impl Joint {
-    /// Of airspeeds that are alike over so much in their logarithm; 0: each for itself.
-    pub(super) fn new(known: &[Known<'_>], alike: f64) -> Self {
+    /// Of airspeeds that are alike over so much in their logarithm (0: each for itself), with so many unknowns of corrections and of a wing in all.
+    pub(super) fn new(of: &[OfAirspeed<'_>], [corrections, count]: [usize; 2], alike: f64) -> Self {
         let between = |k: usize, l: usize| {
-            let apart = (known[k].flow.v_m_s / known[l].flow.v_m_s).ln().abs();
+            let apart = (of[k].v_m_s / of[l].v_m_s).ln().abs();
             if k == l { 1.0 } else { (-apart / alike).exp() }
         };
-        let each = known.iter().enumerate().flat_map(|(k, at)| {
+        let each = of.iter().enumerate().flat_map(|(k, at)| {
             // the same dead weight says nothing new at another airspeed, unless no airspeed knows of another
-            let new = move |i: &usize| k == 0 || alike == 0.0 || !at.is_hung(*i);
+            let new = move |i: &usize| k == 0 || alike == 0.0 || !at.hung[*i];
             (0..at.rows.len()).filter(new).map(move |i| (k, i, at.rows[i].clone()))
         });
         let mut joint = Self {
             rows: each.collect(),
-            alike: Mat::from_fn(known.len(), known.len(), between),
-            corrections: known.first().map_or(0, |at| at.unknowns.of_corrections()),
-            count: known.first().map_or(0, |at| at.unknowns.count()),
+            alike: Mat::from_fn(of.len(), of.len(), between),
+            corrections,
+            count,
+            unknowns: of.iter().map(|at| at.rows.first().map_or(count, Vec::len)).collect(),
             factor: None,
         };
         joint.factor = joint.factorised(&joint.rows);
@@ -76,16 +86,11 @@ impl Joint {
         alike * part(0, self.corrections) + part(self.corrections, self.count)
     }
 
-    /// The unknowns of every airspeed that the data and the prior leave most likely, where `asked` is what a row of the data asks for.
-    pub(super) fn means<'a>(
-        &self,
-        known: &[Known<'a>],
-        asked: &dyn Fn(&Known<'a>, usize) -> f64,
-    ) -> Option<Vec<Vec<f64>>> {
-        let right = Mat::from_fn(self.rows.len(), 1, |r, _| asked(&known[self.rows[r].0], self.rows[r].1));
+    /// The unknowns of every airspeed that the data and the prior leave most likely; `asked` is what a row of an airspeed's data asks for.
+    pub(super) fn means(&self, asked: &dyn Fn(usize, usize) -> f64) -> Option<Vec<Vec<f64>>> {
+        let right = Mat::from_fn(self.rows.len(), 1, |r, _| asked(self.rows[r].0, self.rows[r].1));
         let weights = self.factor.as_ref()?.solve(&right);
-        let mut means: Vec<Vec<f64>> =
-            known.iter().map(|at| vec![0.0; at.rows.first().map_or(self.count, Vec::len)]).collect();
+        let mut means: Vec<Vec<f64>> = self.unknowns.iter().map(|count| vec![0.0; *count]).collect();
         for (r, (l, _, row)) in self.rows.iter().enumerate() {
             for (k, mean) in means.iter_mut().enumerate() {
                 for (i, mean) in mean.iter_mut().enumerate().take(row.len()) {
@@ -148,4 +153,9 @@ impl Joint {
 
 fn inner(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> f64 {
     (0..a.nrows()).map(|i| a[(i, 0)] * b[(i, 0)]).sum()
+}
+
+/// The sum of products; what one of them does not list is zero.
+pub(super) fn product(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

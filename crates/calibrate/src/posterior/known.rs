@@ -1,7 +1,7 @@
 //! What is known of a wing at an airspeed: where its unknowns are and how far they may be off.
 
 use super::data::{Data, Datum};
-use super::joint::Joint;
+use super::joint::{Joint, OfAirspeed, product};
 use super::off::WingOff;
 use super::prior::Unknowns;
 use super::read::{CaseRead, read_case};
@@ -128,10 +128,10 @@ impl<'a> Known<'a> {
         let of = |at: &AirspeedCalibration| Self::new(wing, calibration, at, prior);
         let mut known = calibration.airspeeds.iter().map(of).collect::<Result<Vec<_>, _>>()?;
         let alike = if known.iter().all(|at| at.is_mean) { prior.airspeeds_alike } else { 0.0 };
-        let mut joint = Joint::new(&known, alike);
+        let mut joint = Self::joint(&known, alike);
         for _ in 0..if alike > 0.0 && known.len() > 1 { STEPS } else { 0 } {
-            let asked = |at: &Self, i: usize| at.misses[i] + product(&at.rows[i], &at.z);
-            let Some(means) = joint.means(&known, &asked) else { break };
+            let asked = |k: usize, i: usize| known[k].misses[i] + product(&known[k].rows[i], &known[k].z);
+            let Some(means) = joint.means(&asked) else { break };
             let moves = known.iter().zip(&means).flat_map(|(at, mean)| at.z.iter().zip(mean));
             let moved = moves.map(|(from, to)| (from - to).abs()).fold(0.0, f64::max);
             let there = known
@@ -143,7 +143,7 @@ impl<'a> Known<'a> {
                 Err(CouplingError::Diverged { .. }) => break,
                 Err(error) => return Err(error),
             }
-            joint = Joint::new(&known, alike);
+            joint = Self::joint(&known, alike);
             if moved < STILL {
                 break;
             }
@@ -162,9 +162,14 @@ impl<'a> Known<'a> {
         self.misses = there.misses;
     }
 
-    /// Whether a row of the data was read under a dead weight: it is the same at all airspeeds.
-    pub(super) fn is_hung(&self, row: usize) -> bool {
-        self.data.measured[row].hung.is_some()
+    fn joint(known: &[Self], alike: f64) -> Joint {
+        let counts = known.first().map_or([0; 2], |at| [at.unknowns.of_corrections(), at.unknowns.count()]);
+        let of = known.iter().map(|at| OfAirspeed {
+            v_m_s: at.flow.v_m_s,
+            rows: &at.rows,
+            hung: at.data.measured.iter().map(|datum| datum.hung.is_some()).collect(),
+        });
+        Joint::new(&of.collect::<Vec<_>>(), counts, alike)
     }
 
     pub(super) fn case(&self, alpha_rad: f64) -> SteadyCase {
@@ -296,11 +301,6 @@ fn weights(rows: &[&Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
     let factor = covariance.llt(Side::Lower).ok()?;
     let solved = factor.solve(&Mat::from_fn(right.len(), 1, |i, _| right[i]));
     Some((0..right.len()).map(|i| solved[(i, 0)]).collect())
-}
-
-/// The sum of products; what one of them does not list is zero.
-pub(super) fn product(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// A row over the standard deviation of its reading.
