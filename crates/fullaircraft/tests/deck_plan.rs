@@ -3,7 +3,7 @@
 use fullaircraft::cases::file::DeckUnits;
 use fullaircraft::design_loads::deck::{DeckFlown, DeckPlan};
 use fullaircraft::package::cards::{CardCase, structure_of};
-use fullaircraft::package::round_trip::{Expected, Own, RoundTrip, Row};
+use fullaircraft::package::round_trip::{Balanced, Expected, Own, RoundTrip, Row};
 use fullaircraft::{CasesFile, Component, Station, TrimDeck};
 use loads::Air;
 use loads::design::Rules;
@@ -143,15 +143,18 @@ fn cards_for_a_deck_s_structure_read_back_give_stations_balance_and_tip_and_a_sp
     assert!(text.contains("CBAR") && !text.contains("CAERO1") && !text.contains("TRIM"), "{text}");
     let (support, components) = grids.support.clone().expect("a SUPORT");
     assert_eq!((support, components.as_slice()), (90, &[3, 5][..]));
-    let own = Own {
-        free: &grids.free,
-        held: &grids.held,
-        tips: vec![("right tip", grids.free.node_index(122).unwrap())],
-        about: grids.free.node_index(support).unwrap(),
-        balanced: components.iter().map(|component| usize::from(*component) - 1).collect(),
-        assemble: |bulk| System::assemble(&Model::from_deck(bulk, None)?),
+    let back = |balanced: Vec<Balanced>| {
+        let own = Own {
+            free: &grids.free,
+            held: &grids.held,
+            tips: vec![("right tip", grids.free.node_index(122).unwrap())],
+            balanced,
+            assemble: |bulk| System::assemble(&Model::from_deck(bulk, None)?),
+        };
+        RoundTrip::of(own, &ready.stations, &text).unwrap()
     };
-    let back = RoundTrip::of(own, &ready.stations, &text).unwrap();
+    let below = back(grids.balanced.iter().map(beside_a_clamp).collect());
+    let back = back(grids.balanced.clone());
     let net = ready.fly(1200.0, 2.5).nodal.expect("loads").of(Component::Net);
     let tip: f64 = net.iter().enumerate().map(|(dof, load)| back.tips()[(dof, 0)] * load).sum();
     assert!(tip > 0.01, "the tip goes up by {tip} ft");
@@ -171,6 +174,26 @@ fn cards_for_a_deck_s_structure_read_back_give_stations_balance_and_tip_and_a_sp
         !back.compare(&case, &spoilt, &expected).unwrap().iter().all(Row::holds),
         "a card 0.1 % too large"
     );
+    // A force along x at the supported grid, which a clamp ten feet below would take, is in balance with a moment of -10 times it.
+    let mut net = case.net.clone();
+    let first = 6 * grids.free.node_index(support).unwrap();
+    (net[first], net[first + 4]) = (net[first] + 1e4, net[first + 4] - 1e5);
+    let pulled = CardCase { net, ..case };
+    let cards = pulled.text_in("lbf, ft", grids.free.node_ids(), &[]);
+    let of_balance = |back: &RoundTrip<'_>| {
+        let rows = back.compare(&pulled, &cards, &expected).unwrap();
+        rows.iter().filter(|row| row.place == "balance").all(Row::holds)
+    };
+    assert!(of_balance(&below) && !of_balance(&back));
+}
+
+/// Pitch that leaves a point ten feet below the supported grid where it is along x.
+fn beside_a_clamp(plain: &Balanced) -> Balanced {
+    let lever = if plain.load == 4 { 10.0 } else { 0.0 };
+    let [_, rest @ ..] = plain.shares;
+    let mut shares = [lever; 6];
+    shares[1..].copy_from_slice(&rest);
+    Balanced { shares, ..plain.clone() }
 }
 
 #[test]

@@ -321,6 +321,11 @@ fn a_clamp_beside_the_supported_grid_is_left_where_it_is() {
     let arm = "GRID,500,,15.,0.,-10.\nCBAR,500,500,90,500,1.,0.,0.\nPBAR,500,1,100.,1.+4,1.+4,1.+4\n\
         SPC1,1,1246,500\n";
     let below = deck(arm, &[("SPC1,1,1246,90", "SPC1,1,246,90")]);
+    // What is in balance is the moment with that of the force along x which the clamp takes.
+    let balanced = TrimDeck::new(&below, 0.9).unwrap().grids.balanced;
+    let pitch = balanced.iter().find(|one| one.load == 4).expect("pitch is supported");
+    let off = pitch.shares.iter().zip([10.0, 0.0, 0.0, 0.0, 1.0, 0.0]).map(|(ours, law)| (ours - law).abs());
+    assert!(off.fold(0.0, f64::max) < 1e-9 && pitch.about.x == 15.0, "{pitch:?}");
     let heavy = deck("CONM2,500,90,0,0.,,,,,+\n+,0.,0.,800000.\n", &[]);
     let derivatives = |bulk: &BulkData| {
         TrimDeck::new(bulk, 0.9).unwrap().derivatives(40.0, fullaircraft::Elastic::Unrestrained)["ANGLEA"]

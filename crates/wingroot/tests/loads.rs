@@ -250,6 +250,11 @@ fn a_plan_that_makes_no_sense_ends_with_a_sentence_and_status_2() {
         let output = loads(&words, &folder.join("out"));
         assert_eq!(output.status.code(), Some(2), "{said_of}: {}", said(&output));
         assert!(said(&output).contains(said_of), "{said_of}: {}", said(&output));
+        // without `rules` there is no line to name
+        let place = if said_of == "rules" { "plan.ron: " } else { "plan.ron:" };
+        let after = said(&output).split_once(place).map(|(_, rest)| rest.chars().next());
+        let is_named = after.flatten().is_some_and(|first| said_of == "rules" || first.is_ascii_digit());
+        assert!(is_named, "file and line, {said_of}: {}", said(&output));
         assert!(!folder.join("out").exists(), "nothing is written");
     }
     std::fs::remove_dir_all(&folder).expect("ours");

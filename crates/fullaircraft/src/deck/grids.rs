@@ -2,6 +2,7 @@
 //! system.
 
 use crate::deck::net_monitors::loaded_grids;
+use crate::package::rows::Balanced;
 use crate::stations::places::Station;
 use faer::Mat;
 use nalgebra::Point3;
@@ -17,6 +18,8 @@ pub struct DeckGrids {
     pub held: System,
     /// Grid and components (1 to 6) of the SUPORT.
     pub support: Option<(u32, Vec<u8>)>,
+    /// What no constraint carries: the work of all loads in each motion of the SUPORT, which leaves clamps where they are.
+    pub balanced: Vec<Balanced>,
     /// Places in the g-set of the loads that the air's splines reach.
     pub(crate) s_dofs: Vec<usize>,
     /// Mass times the acceleration of each variable, g-set by variables.
@@ -24,14 +27,15 @@ pub struct DeckGrids {
 }
 
 impl DeckGrids {
-    /// Of a deck's structure, free and held.
+    /// Of a deck's structure, free and held; `motions` are those of the SUPORT, g-set by components in the order of the cards.
     pub(crate) fn new(
         bulk: &BulkData,
         [free, held]: [System; 2],
         s_dofs: Vec<usize>,
-        mass_times: Mat<f64>,
+        [motions, mass_times]: [Mat<f64>; 2],
     ) -> Self {
-        Self { support: support_of(bulk), free, held, s_dofs, mass_times }
+        let balanced = balanced(bulk, &free, &motions);
+        Self { support: support_of(bulk), balanced, free, held, s_dofs, mass_times }
     }
 
     /// The whole deck's mass as its plunge knows it, in the deck's unit; of a half model, that half's.
@@ -70,6 +74,19 @@ impl DeckGrids {
         }
         Ok(all)
     }
+}
+
+/// The motions of a deck's SUPORT as those of the first grid that it names.
+fn balanced(bulk: &BulkData, free: &System, motions: &Mat<f64>) -> Vec<Balanced> {
+    let first = bulk.supports.first().and_then(|support| free.node_index(support.grid));
+    let Some(node) = first else { return Vec::new() };
+    let components = bulk.supports.iter().flat_map(|support| &support.components);
+    let one = |(at, component): (usize, &u8)| Balanced {
+        load: usize::from(*component) - 1,
+        about: free.points()[node],
+        shares: std::array::from_fn(|of| motions[(6 * node + of, at)]),
+    };
+    components.enumerate().map(one).collect()
 }
 
 /// Grid and components of a deck's SUPORT.

@@ -174,7 +174,7 @@ impl TrimDeck {
             variables,
             aeros,
             origin: stream.seen(&origin),
-            grids: DeckGrids::new(bulk, [free, held], s_dofs, accelerated),
+            grids: DeckGrids::new(bulk, [free, held], s_dofs, [d, accelerated]),
         })
     }
 

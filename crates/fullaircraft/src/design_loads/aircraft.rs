@@ -28,13 +28,7 @@ impl Aircraft {
     /// # Errors
     /// As [`loaded`](Self::loaded).
     pub fn loaded_kept(&self, mass: &MassCase, keep: &dyn Keep) -> Result<Self, AircraftError> {
-        if mass.z_cg_m.is_some_and(|z_m| z_m != 0.0) || mass.ixz_kg_m2.is_some_and(|i| i != 0.0) {
-            let message = format!(
-                "mass {}: the height of the centre of gravity and products of inertia are not read",
-                mass.name
-            );
-            return Err(InputError::general(message).with_help("leave out z_cg_m and ixz_kg_m2").into());
-        }
+        check_loading(mass)?;
         let mut file = self.file.clone();
         let total = &mut file.total;
         total.mass_kg = mass.mass_kg;
@@ -72,12 +66,31 @@ impl Aircraft {
     /// Stations of a plan: those of the wing and of the file, the tail, the fuselage and the whole.
     ///
     /// # Errors
-    /// If two have a name, or one has nothing outboard of it.
+    /// If two have a name, or one has nothing outboard of it: of the plan's own at their place in it.
     pub fn loads_stations(&self, file: &CasesFile) -> Result<Vec<Station>, InputError> {
-        let mut all = self.wing_stations(&file.stations)?;
+        self.wing_stations(&[])?;
+        let in_plan = |error: InputError| {
+            let span = InputError::in_field(&file.path, "stations", "").span;
+            InputError { span, ..error }
+        };
+        let mut all = self.wing_stations(&file.stations).map_err(in_plan)?;
         all.extend(self.body_stations());
         Ok(all)
     }
+}
+
+/// Refuses what a state of loading can say and aircraft here do not have.
+///
+/// # Errors
+/// If its centre of gravity is above or below the axis, or it has a product of inertia.
+pub fn check_loading(mass: &MassCase) -> Result<(), InputError> {
+    if mass.z_cg_m.is_none_or(|z_m| z_m == 0.0) && mass.ixz_kg_m2.is_none_or(|ixz| ixz == 0.0) {
+        return Ok(());
+    }
+    let name = &mass.name;
+    let message =
+        format!("mass {name}: the height of the centre of gravity and products of inertia are not read");
+    Err(InputError::general(message).with_help("leave out z_cg_m and ixz_kg_m2"))
 }
 
 /// The maneuvers of a plan beside corners and gusts, and the same as conditions of its matrix: each at every airspeed of the

@@ -49,7 +49,8 @@ pub(crate) struct Derivatives<'a> {
     pub(crate) sources: &'a Sources,
     pub(crate) at_trim: &'a Evaluated,
     pub(crate) momentum: &'a Mat<f64>,
-    pub(crate) damping: &'a Mat<f64>,
+    /// Damping of each mode by its rate over V: what its momentum is multiplied by, m/s².
+    pub(crate) damping: &'a [f64],
 }
 
 impl Derivatives<'_> {
@@ -62,13 +63,13 @@ impl Derivatives<'_> {
             self.put_air(station, rows, &mut all, first);
             let own = station.motions(system, &station.point);
             let inertia = own.transpose() * self.momentum;
-            let damping = own.transpose() * self.damping;
             for load in 0..SIX {
                 for (column, place) in self.sources.felt.clone().enumerate() {
                     all[(first + SIX + load, place)] = -inertia[(load, column)];
                 }
-                for mode in 0..damping.ncols() {
-                    all[(first + 2 * SIX + load, motions + RIGID + mode)] = -damping[(load, mode)];
+                for (mode, damping) in self.damping.iter().enumerate() {
+                    all[(first + 2 * SIX + load, motions + RIGID + mode)] =
+                        -inertia[(load, 6 + mode)] * damping;
                 }
             }
         }

@@ -18,15 +18,16 @@ use crate::flight::equations::Evaluated;
 use crate::flight::gust::{Gust, GustAxis};
 use crate::flight::load_sources::{CHANGING, Derivatives, SIX, Sources, read};
 use crate::flight::model::{FlyingAircraft, Rows};
-use crate::flight::rows::momentum;
+use crate::flight::rows::LoadParts;
 use crate::flight::small_motions::FreeFlight;
 use crate::flight::state::mode_state;
 use crate::stations::nodal::{Component, NodalLoads};
 use crate::stations::places::Station;
 use crate::trim::model::{FlightModel, Trimmed};
-use faer::Mat;
+use faer::{Mat, MatRef};
 use maneuver::ExactStep;
 use nalgebra::{Matrix3, Vector3};
+use std::sync::Arc;
 
 /// A trimmed aircraft whose loads in small motions are asked for.
 #[derive(Debug)]
@@ -55,8 +56,9 @@ struct Nodal {
     pressures: Mat<f64>,
     /// Corrected box loads of these pressures per unit dynamic pressure, two a box: factors in.
     corrections: aero::Corrections,
-    momentum: Mat<f64>,
-    damping: Mat<f64>,
+    parts: Arc<LoadParts>,
+    /// Damping of each mode by its rate over V: what its momentum is multiplied by, m/s².
+    damping: Vec<f64>,
     q_pa: f64,
     turn: Matrix3<f64>,
     /// Box loads at the start.
@@ -122,22 +124,19 @@ impl<'a> FlightLoads<'a> {
         let at_trim = equations.evaluate(&state, &equations.no_inputs());
         let sources = Sources::of(&state, &at_trim);
         let v_m_s = equations.reference.v_m_s;
-        let modes = air.modes.elastic();
-        let momentum = momentum(aircraft, &air.modes);
-        let damping = Mat::from_fn(momentum.nrows(), modes, |dof, mode| {
-            let rate = 2.0 * equations.damping_ratio * equations.omega_rad_s[mode] * v_m_s;
-            momentum[(dof, 6 + mode)] * rate
-        });
+        let parts = air.load_parts(aircraft)?;
+        let damping: Vec<f64> =
+            equations.omega_rad_s.iter().map(|omega| 2.0 * equations.damping_ratio * omega * v_m_s).collect();
         let by_source = Derivatives {
             aircraft,
             sources: &sources,
             at_trim: &at_trim,
-            momentum: &momentum,
+            momentum: &parts.momentum,
             damping: &damping,
         }
         .of_stations(&stations, &rows, equations.layout.motions);
         let free = FreeFlight::showing(flying, read);
-        let nodal = Nodal::new(model, trimmed, &rows, &at_trim, [momentum, damping]);
+        let nodal = Nodal::new(model, trimmed, &rows, &at_trim, (parts, damping));
         let points = aircraft.free.points();
         let steady_at_stations = stations
             .iter()
@@ -238,11 +237,12 @@ impl FlownLoads<'_> {
         let change = change.col_as_slice(0);
         let mut all = self.of.steady.clone();
         self.of.nodal.air(self.of.aircraft, sources, change, &mut all.air);
-        let modes = self.of.nodal.damping.ncols();
+        let Nodal { parts, damping, .. } = &self.of.nodal;
         // rates of the modes over V stand after the motions and the rigid motions' rates
         let rates = free.flying.equations.layout.motions + RIGID;
-        add(&mut all.inertia, &self.of.nodal.momentum, &change[sources.felt.clone()]);
-        add(&mut all.damping, &self.of.nodal.damping, &change[rates..rates + modes]);
+        add(&mut all.inertia, parts.momentum.as_ref(), &change[sources.felt.clone()]);
+        let damped: Vec<f64> = damping.iter().zip(&change[rates..]).map(|(by, rate)| by * rate).collect();
+        add(&mut all.damping, parts.momentum.as_ref().subcols(6, damped.len()), &damped);
         all
     }
 
@@ -272,9 +272,9 @@ impl FlownLoads<'_> {
 }
 
 /// Takes a matrix times values off a list.
-fn add(list: &mut [f64], matrix: &Mat<f64>, values: &[f64]) {
+fn add(list: &mut [f64], matrix: MatRef<'_, f64>, values: &[f64]) {
     for (column, value) in values.iter().enumerate() {
-        list.iter_mut().zip(matrix.col_as_slice(column)).for_each(|(sum, entry)| *sum -= entry * value);
+        list.iter_mut().zip(matrix.col(column).iter()).for_each(|(sum, entry)| *sum -= entry * value);
     }
 }
 
@@ -298,7 +298,7 @@ impl Nodal {
         trimmed: &Trimmed,
         rows: &Rows<'_>,
         at_trim: &Evaluated,
-        [momentum, damping]: [Mat<f64>; 2],
+        (parts, damping): (Arc<LoadParts>, Vec<f64>),
     ) -> Self {
         let pressures = rows.pressures();
         let cp = &pressures * Mat::from_fn(at_trim.air.len(), 1, |i, _| at_trim.air[i]);
@@ -310,7 +310,7 @@ impl Nodal {
             turn: at_trim.turn,
             q_pa: at_trim.q_pa,
             pressures,
-            momentum,
+            parts,
             damping,
         }
     }

@@ -29,6 +29,9 @@ pub(crate) struct LoadParts {
     /// Fz, Mx, My about the part's point by six rigid accelerations about the centre of gravity, modal accelerations and
     /// products of rates.
     pub(crate) inertia: Mat<f64>,
+    /// Forces on the g-set that accelerate the masses: six rigid accelerations about the centre of gravity, the elastic modes,
+    /// products of rates.
+    pub(crate) momentum: Mat<f64>,
 }
 
 impl LoadParts {
@@ -54,13 +57,13 @@ impl LoadParts {
             names: stations.into_iter().map(|station| station.channel).collect(),
             air,
             inertia,
+            momentum,
         })
     }
 }
 
-/// Forces on the g-set that accelerate the masses: six rigid accelerations about the centre of gravity, the elastic modes,
-/// products of rates.
-pub(crate) fn momentum(aircraft: &Aircraft, modes: &FreeModes) -> Mat<f64> {
+/// [`LoadParts::momentum`].
+fn momentum(aircraft: &Aircraft, modes: &FreeModes) -> Mat<f64> {
     let (system, elastic) = (&aircraft.free, modes.elastic());
     let rigid = system.rigid_body(&aircraft.mass.centre);
     let points = system.points();

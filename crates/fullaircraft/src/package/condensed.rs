@@ -7,7 +7,7 @@
 //! cut's loads exactly.
 
 use crate::package::cards::{CardCase, comments};
-use crate::package::rows::{Expected, Row, balance_rows, station_rows};
+use crate::package::rows::{Balanced, Expected, Row, balance_rows, station_rows};
 use crate::stations::nodal::NodalLoads;
 use crate::stations::places::Station;
 use nalgebra::{Matrix3, Point3};
@@ -132,7 +132,7 @@ impl<'a> Condensed<'a> {
         text: &str,
         stations: &str,
         expected: &Expected,
-        balanced: &[usize],
+        balanced: &[Balanced],
     ) -> Result<Vec<Row>, InputError> {
         let read = parse_deck("stations.bdf", stations)?;
         let places = self.grids.iter().map(|grid| {
@@ -149,8 +149,7 @@ impl<'a> Condensed<'a> {
         };
         let sums: Vec<[f64; 6]> = (0..self.stations.len()).map(cut).collect();
         let mut rows = station_rows(case.sid, self.stations, &expected.stations, &sums);
-        let about = places[places.len() - 1];
-        rows.extend(balance_rows(case.sid, &places, &about, &loads, balanced));
+        rows.extend(balance_rows(case.sid, &places, &loads, balanced));
         Ok(rows)
     }
 }

@@ -10,7 +10,7 @@
 use crate::aircraft::assembly::Aircraft;
 use crate::error::AircraftError;
 use crate::package::cards::CardCase;
-pub use crate::package::rows::{Expected, LOADS, Row, TOLERANCE, round_trip_csv};
+pub use crate::package::rows::{Balanced, Expected, LOADS, Row, TOLERANCE, round_trip_csv};
 use crate::package::rows::{balance_rows, station_rows};
 use crate::stations::places::Station;
 use faer::{Mat, MatRef};
@@ -28,10 +28,8 @@ pub struct Own<'o> {
     pub held: &'o System,
     /// Names and nodes of the tips.
     pub tips: Vec<(&'static str, usize)>,
-    /// The node about which the whole is in balance.
-    pub about: usize,
-    /// Which of the six loads are in balance: those that no constraint carries.
-    pub balanced: Vec<usize>,
+    /// What is in balance: the loads that no constraint carries.
+    pub balanced: Vec<Balanced>,
     /// How a deck of this kind is read.
     pub assemble: fn(&BulkData) -> Result<System, InputError>,
 }
@@ -48,9 +46,8 @@ pub struct RoundTrip<'a> {
     /// Height of the tips by loads on our g-set.
     tips: Mat<f64>,
     names: Vec<&'static str>,
-    /// The node about which the whole is in balance, and in which loads.
-    about: usize,
-    balanced: Vec<usize>,
+    /// What is in balance.
+    balanced: Vec<Balanced>,
     /// Largest difference of a coefficient of stiffness, as a share of the geometric mean of its diagonals.
     stiffness_off: f64,
 }
@@ -108,8 +105,7 @@ impl<'a> RoundTrip<'a> {
             free: &aircraft.free,
             held: &held,
             tips: vec![("right tip", aircraft.right.tip), ("left tip", aircraft.left.tip)],
-            about: 0,
-            balanced: (0..6).collect(),
+            balanced: Balanced::all(aircraft.free.points()[0]),
             assemble: |bulk| System::assemble(&Model::from_bulk(bulk)?),
         };
         Self::of(own, stations, structure)
@@ -131,8 +127,8 @@ impl<'a> RoundTrip<'a> {
         let stiffness_off = stiffness_off(own.free, &read);
         let points = own.free.points().to_vec();
         let names = own.tips.iter().map(|(name, _)| *name).collect();
-        let (about, balanced) = (own.about, own.balanced);
-        Ok(Self { stations, points, nodes, read, tips, names, about, balanced, stiffness_off })
+        let balanced = own.balanced;
+        Ok(Self { stations, points, nodes, read, tips, names, balanced, stiffness_off })
     }
 
     /// The aircraft's nodes.
@@ -140,8 +136,8 @@ impl<'a> RoundTrip<'a> {
         &self.points
     }
 
-    /// Which of the six loads of the whole are in balance.
-    pub fn balanced(&self) -> &[usize] {
+    /// Which sums of the loads of the whole are in balance.
+    pub fn balanced(&self) -> &[Balanced] {
         &self.balanced
     }
 
@@ -170,8 +166,7 @@ impl<'a> RoundTrip<'a> {
         let sums: Vec<[f64; 6]> =
             self.stations.iter().map(|station| own(station).sums(points, &loads)).collect();
         let mut rows = station_rows(case.sid, self.stations, &expected.stations, &sums);
-        let about = points[self.nodes[self.about]];
-        rows.extend(balance_rows(case.sid, points, &about, &loads, &self.balanced));
+        rows.extend(balance_rows(case.sid, points, &loads, &self.balanced));
         let row = |place: &str, what, solver, cards, largest| {
             Row::new(case.sid, place, what, [solver, cards], largest)
         };

@@ -57,6 +57,25 @@ impl Row {
     }
 }
 
+/// A sum of the loads of the whole that is to be nothing: their work in a rigid motion that no constraint hinders.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Balanced {
+    /// Which of [`LOADS`] it is called.
+    pub load: usize,
+    /// Point of the moments.
+    pub about: Point3<f64>,
+    /// Shares of the six loads about that point in it: how far the motion takes it, and turns it.
+    pub shares: [f64; 6],
+}
+
+impl Balanced {
+    /// All six loads about a point.
+    pub fn all(about: Point3<f64>) -> Vec<Self> {
+        let unit = |load| std::array::from_fn(|at| f64::from(u8::from(at == load)));
+        (0..6).map(|load| Self { load, about, shares: unit(load) }).collect()
+    }
+}
+
 /// Loads at stations beside those summed from cards, as shares of the largest force or moment.
 pub(crate) fn station_rows(
     sid: u32,
@@ -76,26 +95,26 @@ pub(crate) fn station_rows(
     rows
 }
 
-/// Those of the six loads of the whole, about a point, that are to be nothing, as shares of the sum of sizes.
+/// Sums of the loads of the whole that are to be nothing, as shares of the sum of sizes.
 pub(crate) fn balance_rows(
     sid: u32,
     points: &[Point3<f64>],
-    about: &Point3<f64>,
     loads: &[f64],
-    balanced: &[usize],
+    balanced: &[Balanced],
 ) -> Vec<Row> {
-    let whole = Station {
-        name: "balance".to_owned(),
-        channel: "balance".to_owned(),
-        point: *about,
-        nodes: (0..points.len()).collect(),
-        axes: Matrix3::identity(),
+    let row = |one: &Balanced| {
+        let whole = Station {
+            name: "balance".to_owned(),
+            channel: "balance".to_owned(),
+            point: one.about,
+            nodes: (0..points.len()).collect(),
+            axes: Matrix3::identity(),
+        };
+        let left: f64 =
+            whole.sums(points, loads).iter().zip(one.shares).map(|(sum, share)| sum * share).sum();
+        Row::new(sid, "balance", LOADS[one.load], [0.0, left], sizes(points, &one.about, loads)[one.load / 3])
     };
-    let (left, sizes) = (whole.sums(points, loads), sizes(points, about, loads));
-    balanced
-        .iter()
-        .map(|&load| Row::new(sid, "balance", LOADS[load], [0.0, left[load]], sizes[load / 3]))
-        .collect()
+    balanced.iter().map(row).collect()
 }
 
 /// Sums of sizes of forces, and of their moments about a point with the moments.

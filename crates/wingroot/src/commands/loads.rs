@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use clap::Args;
 use fullaircraft::cases::file::Action;
-use fullaircraft::design_loads::aircraft::maneuvers;
+use fullaircraft::design_loads::aircraft::{check_loading, maneuvers};
 use fullaircraft::{CasesFile, Station};
 use loads::{Design, Matrix, SelectFile, Selection, matrix};
 use nastran::InputError;
@@ -167,6 +167,14 @@ fn plan(args: &LoadsArgs, prepared: &Prepared) -> Result<CasesFile, Failure> {
 /// The plan's own maneuvers and all its cases.
 fn planned(prepared: &Prepared, plan: &CasesFile, design: &Design) -> Result<(Vec<Action>, Matrix), Failure> {
     let aircraft = &prepared.aircraft;
+    aircraft.loads_stations(plan)?;
+    for mass in &design.masses {
+        let in_plan = |error: InputError| InputError {
+            span: InputError::in_field(&plan.path, "masses", "").span,
+            ..error
+        };
+        check_loading(mass).map_err(in_plan)?;
+    }
     let airframe = aircraft.airframe(&aircraft.uncorrected(), design.speeds.vc)?;
     let (actions, conditions) = maneuvers(plan, design)?.into_iter().unzip::<_, _, Vec<_>, Vec<_>>();
     Ok((actions, matrix(design, &airframe, &conditions)?))

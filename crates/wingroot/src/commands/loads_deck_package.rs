@@ -97,19 +97,11 @@ fn own(on: &OnDeck) -> Own<'_> {
     if on.deck.aeros().symmetry == 0 {
         tips.push(("left tip", furthest(-1.0)));
     }
-    let (about, balanced) = match &grids.support {
-        Some((grid, components)) => (
-            grids.free.node_index(*grid).unwrap_or(0),
-            components.iter().map(|component| usize::from(*component) - 1).collect(),
-        ),
-        None => (0, Vec::new()),
-    };
     Own {
         free: &grids.free,
         held: &grids.held,
         tips,
-        about,
-        balanced,
+        balanced: grids.balanced.clone(),
         assemble: |bulk| System::assemble(&Model::from_deck(bulk, None)?),
     }
 }

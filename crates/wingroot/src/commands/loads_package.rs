@@ -44,9 +44,13 @@ pub(crate) fn package(
     let aircraft = &prepared.aircraft;
     let common = origin(prepared, flights)?;
     let wanted = wanted(flown, selection)?;
-    let again = flights.again(&wanted)?;
-    let deck = structure(aircraft, &common);
-    let back = RoundTrip::new(aircraft, &flights.stations, &deck)?;
+    let read_back = || -> Result<_, Failure> {
+        let deck = structure(aircraft, &common);
+        let back = RoundTrip::new(aircraft, &flights.stations, &deck)?;
+        Ok((deck, back))
+    };
+    let (again, back) = rayon::join(|| flights.again(&wanted), read_back);
+    let (again, (deck, back)) = (again?, back?);
     let places = Places {
         stations: &flights.stations,
         grids: &flights.grids,
