@@ -21,7 +21,7 @@ use crate::aircraft::assembly::Aircraft;
 use crate::error::AircraftError;
 use crate::flight::gust::GustAxis;
 use crate::flight::modes::FreeModes;
-use crate::flight::rows::LoadParts;
+use crate::flight::rows::momentum;
 use crate::flight::solved_air::SolvedAir;
 use aero::{DlmSettings, DoubletLattice, incidence};
 use coupling::Keep;
@@ -29,6 +29,7 @@ use faer::{Mat, MatRef};
 use maneuver::air::{AirTable, MotionColumns, RationalAir, Weighting, accuracy};
 use nalgebra::{Point3, Vector3};
 use std::sync::{Arc, OnceLock};
+use structure::MassProperties;
 
 /// Reduced frequencies k = omega c/(2 V), c the wing's mean chord, at which the doublet lattice is solved.
 pub const REDUCED_FREQUENCIES: [f64; 8] = [0.02, 0.05, 0.1, 0.17, 0.26, 0.4, 0.8, 2.0];
@@ -107,8 +108,8 @@ pub struct FlightAir {
     pub rational: RationalAir,
     /// Incidences, boxes by columns.
     pub incidence: MotionColumns,
-    /// What loads are made of at any airspeed, once they are asked for.
-    parts: OnceLock<Arc<LoadParts>>,
+    /// What accelerates the masses of an aircraft of these totals, once it is asked for.
+    momentum: OnceLock<(MassProperties, Arc<Mat<f64>>)>,
 }
 
 impl FlightAir {
@@ -148,19 +149,14 @@ impl FlightAir {
         let poles = poles_per_m(chord_m);
         let is_incidence = |column| columns.is_incidence(column);
         let rational = RationalAir::fit(&table, solved.steady, &poles, Weighting::FLIGHT, is_incidence);
-        Ok(Self { modes, columns, gust_x_m, chord_m, table, rational, incidence, parts: OnceLock::new() })
+        Ok(Self { modes, columns, gust_x_m, chord_m, table, rational, incidence, momentum: OnceLock::new() })
     }
 
-    /// What loads of the aircraft of this air are made of, found once: airspeed, altitude and corrections do not change it.
-    ///
-    /// # Errors
-    /// If a station has nothing outboard of it.
-    pub(crate) fn load_parts(&self, aircraft: &Aircraft) -> Result<Arc<LoadParts>, AircraftError> {
-        if let Some(known) = self.parts.get() {
-            return Ok(known.clone());
-        }
-        let made = Arc::new(LoadParts::new(aircraft, &self.modes)?);
-        Ok(self.parts.get_or_init(|| made).clone())
+    /// The [`momentum`] of the aircraft of this air, found once: airspeed, altitude and corrections do not change it.
+    pub(crate) fn momentum(&self, aircraft: &Aircraft) -> Arc<Mat<f64>> {
+        let of = || Arc::new(momentum(aircraft, &self.modes));
+        let (mass, known) = self.momentum.get_or_init(|| (aircraft.mass.clone(), of()));
+        if *mass == aircraft.mass { known.clone() } else { of() }
     }
 
     /// Highest frequency of the table at an airspeed, Hz.
@@ -219,7 +215,7 @@ impl FlightAir {
             shapes: self.modes.shapes.as_ref().subcols(0, first).to_owned(),
             boxes: self.modes.boxes.as_ref().subcols(0, first).to_owned(),
         };
-        Self { modes, columns, rational, incidence, parts: OnceLock::new(), ..self.clone() }
+        Self { modes, columns, rational, incidence, momentum: OnceLock::new(), ..self.clone() }
     }
 
     /// The same air for an aircraft that does not bend, answering at once as in steady flow: what textbooks' closed

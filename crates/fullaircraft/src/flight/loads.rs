@@ -18,7 +18,6 @@ use crate::flight::equations::Evaluated;
 use crate::flight::gust::{Gust, GustAxis};
 use crate::flight::load_sources::{CHANGING, Derivatives, SIX, Sources, read};
 use crate::flight::model::{FlyingAircraft, Rows};
-use crate::flight::rows::LoadParts;
 use crate::flight::small_motions::FreeFlight;
 use crate::flight::state::mode_state;
 use crate::stations::nodal::{Component, NodalLoads};
@@ -56,7 +55,7 @@ struct Nodal {
     pressures: Mat<f64>,
     /// Corrected box loads of these pressures per unit dynamic pressure, two a box: factors in.
     corrections: aero::Corrections,
-    parts: Arc<LoadParts>,
+    momentum: Arc<Mat<f64>>,
     /// Damping of each mode by its rate over V: what its momentum is multiplied by, m/s².
     damping: Vec<f64>,
     q_pa: f64,
@@ -124,19 +123,19 @@ impl<'a> FlightLoads<'a> {
         let at_trim = equations.evaluate(&state, &equations.no_inputs());
         let sources = Sources::of(&state, &at_trim);
         let v_m_s = equations.reference.v_m_s;
-        let parts = air.load_parts(aircraft)?;
+        let momentum = air.momentum(aircraft);
         let damping: Vec<f64> =
             equations.omega_rad_s.iter().map(|omega| 2.0 * equations.damping_ratio * omega * v_m_s).collect();
         let by_source = Derivatives {
             aircraft,
             sources: &sources,
             at_trim: &at_trim,
-            momentum: &parts.momentum,
+            momentum: &momentum,
             damping: &damping,
         }
         .of_stations(&stations, &rows, equations.layout.motions);
         let free = FreeFlight::showing(flying, read);
-        let nodal = Nodal::new(model, trimmed, &rows, &at_trim, (parts, damping));
+        let nodal = Nodal::new(model, trimmed, &rows, &at_trim, (momentum, damping));
         let points = aircraft.free.points();
         let steady_at_stations = stations
             .iter()
@@ -237,12 +236,12 @@ impl FlownLoads<'_> {
         let change = change.col_as_slice(0);
         let mut all = self.of.steady.clone();
         self.of.nodal.air(self.of.aircraft, sources, change, &mut all.air);
-        let Nodal { parts, damping, .. } = &self.of.nodal;
+        let Nodal { momentum, damping, .. } = &self.of.nodal;
         // rates of the modes over V stand after the motions and the rigid motions' rates
         let rates = free.flying.equations.layout.motions + RIGID;
-        add(&mut all.inertia, parts.momentum.as_ref(), &change[sources.felt.clone()]);
+        add(&mut all.inertia, (**momentum).as_ref(), &change[sources.felt.clone()]);
         let damped: Vec<f64> = damping.iter().zip(&change[rates..]).map(|(by, rate)| by * rate).collect();
-        add(&mut all.damping, parts.momentum.as_ref().subcols(6, damped.len()), &damped);
+        add(&mut all.damping, (**momentum).as_ref().subcols(6, damped.len()), &damped);
         all
     }
 
@@ -298,7 +297,7 @@ impl Nodal {
         trimmed: &Trimmed,
         rows: &Rows<'_>,
         at_trim: &Evaluated,
-        (parts, damping): (Arc<LoadParts>, Vec<f64>),
+        (momentum, damping): (Arc<Mat<f64>>, Vec<f64>),
     ) -> Self {
         let pressures = rows.pressures();
         let cp = &pressures * Mat::from_fn(at_trim.air.len(), 1, |i, _| at_trim.air[i]);
@@ -310,7 +309,7 @@ impl Nodal {
             turn: at_trim.turn,
             q_pa: at_trim.q_pa,
             pressures,
-            parts,
+            momentum,
             damping,
         }
     }

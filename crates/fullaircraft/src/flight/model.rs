@@ -6,6 +6,7 @@ use crate::flight::drive::Drive;
 use crate::flight::equations::{AirRows, Equations, Evaluated, Inputs, Reference};
 use crate::flight::gust::{Gust, GustAxis};
 use crate::flight::history::{FlightHistory, StationHistory, SurfaceHistory, UnitHistory};
+use crate::flight::rows::LoadParts;
 use crate::flight::sensors::{FIXED, Sensors, Unit};
 use crate::flight::state::StateLayout;
 use crate::trim::model::{FlightModel, Trimmed};
@@ -60,9 +61,9 @@ impl FlyingAircraft {
             |(mode, omega): (usize, &f64)| q_pa * generalised.constant[6 + mode] / (omega * omega);
         let eta: Vec<f64> = air.modes.elastic_omega_rad_s().iter().enumerate().map(amplitude).collect();
         let equations = equations(&rows, air, &eta, generalised, drives.len());
-        let parts = air.load_parts(aircraft)?;
+        let parts = LoadParts::new(aircraft, &air.momentum(aircraft))?;
         let loads = rows.of(&parts.air);
-        let sensors = Sensors::new(aircraft, &air.modes, trimmed, &eta, &parts, loads, &equations);
+        let sensors = Sensors::new(aircraft, &air.modes, trimmed, &eta, parts, loads, &equations);
         let first = air.gust_x_m.first().copied().unwrap_or(0.0);
         Ok(Self {
             equations,

@@ -3,7 +3,7 @@
 use crate::aircraft::assembly::Aircraft;
 use crate::aircraft::file::AircraftFile;
 use crate::flight::modes::FreeModes;
-use crate::flight::rows::{LoadParts, PRODUCTS};
+use crate::flight::rows::{LoadParts, PRODUCTS, momentum};
 use crate::trim::case::TrimTools;
 use coupling::WingFile;
 use coupling::wing_file::{Source, StationAt};
@@ -60,8 +60,8 @@ fn a_mass_outboard_of_a_station_adds_its_mass_times_its_acceleration() {
     let [before, after] = [0.0, MORE_KG].map(aircraft);
     let [stations, with_mass] =
         [&before, &after].map(|aircraft| TrimTools::new(aircraft, &[]).expect("stations"));
-    let [parts, parts_with_mass] =
-        [&before, &after].map(|a| LoadParts::new(a, &FreeModes::new(a).expect("modes")).expect("parts"));
+    let [parts, parts_with_mass] = [&before, &after]
+        .map(|a| LoadParts::new(a, &momentum(a, &FreeModes::new(a).expect("modes"))).expect("parts"));
     let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
     for (at, (side, point)) in places().iter().enumerate() {
         for motion in 0..6 {

@@ -29,27 +29,23 @@ pub(crate) struct LoadParts {
     /// Fz, Mx, My about the part's point by six rigid accelerations about the centre of gravity, modal accelerations and
     /// products of rates.
     pub(crate) inertia: Mat<f64>,
-    /// Forces on the g-set that accelerate the masses: six rigid accelerations about the centre of gravity, the elastic modes,
-    /// products of rates.
-    pub(crate) momentum: Mat<f64>,
 }
 
 impl LoadParts {
-    /// Both wings at their roots, then every station of the wing's file on both sides, then the whole.
+    /// Both wings at their roots, then every station of the wing's file on both sides, then the whole; with the aircraft's [`momentum`].
     ///
     /// # Errors
     /// If a station has nothing outboard of it.
-    pub(crate) fn new(aircraft: &Aircraft, modes: &FreeModes) -> Result<Self, AircraftError> {
+    pub(crate) fn new(aircraft: &Aircraft, momentum: &Mat<f64>) -> Result<Self, AircraftError> {
         let mut stations = aircraft.wing_stations(&[])?;
         stations.extend(aircraft.body_stations().pop());
-        let momentum = momentum(aircraft, modes);
         let (system, centre) = (&aircraft.free, &aircraft.mass.centre);
         let mut air = Mat::zeros(6 * stations.len(), 2 * aircraft.flow.lattice.len());
         let mut inertia = Mat::zeros(3 * stations.len(), momentum.ncols());
         for (at, station) in stations.iter().enumerate() {
             let boxes = aircraft.spline.displace(station.motions(system, centre).as_ref());
             air.as_mut().subrows_mut(6 * at, 6).copy_from(boxes.transpose());
-            let sums = station.motions(system, &station.point).transpose() * &momentum;
+            let sums = station.motions(system, &station.point).transpose() * momentum;
             inertia.as_mut().subrows_mut(3 * at, 3).copy_from(sums.as_ref().subrows(2, 3));
         }
         Ok(Self {
@@ -57,13 +53,13 @@ impl LoadParts {
             names: stations.into_iter().map(|station| station.channel).collect(),
             air,
             inertia,
-            momentum,
         })
     }
 }
 
-/// [`LoadParts::momentum`].
-fn momentum(aircraft: &Aircraft, modes: &FreeModes) -> Mat<f64> {
+/// Forces on the g-set that accelerate the masses: six rigid accelerations about the centre of gravity, the elastic modes,
+/// products of rates.
+pub(crate) fn momentum(aircraft: &Aircraft, modes: &FreeModes) -> Mat<f64> {
     let (system, elastic) = (&aircraft.free, modes.elastic());
     let rigid = system.rigid_body(&aircraft.mass.centre);
     let points = system.points();

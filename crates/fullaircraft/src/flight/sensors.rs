@@ -60,14 +60,14 @@ impl Sensors {
         modes: &FreeModes,
         trimmed: &Trimmed,
         eta: &[f64],
-        parts: &LoadParts,
+        parts: LoadParts,
         loads: AirRows,
         equations: &Equations,
     ) -> Self {
         let (units, outermost) = units(aircraft, modes, trimmed, eta);
         let pitch =
             (0..modes.elastic()).map(|mode| modes.elastic_shape(6 * aircraft.centre + 4, mode)).collect();
-        let LoadParts { names: parts, to_centre, inertia, .. } = parts.clone();
+        let LoadParts { names: parts, to_centre, inertia, .. } = parts;
         let shift = vec![0.0; inertia.nrows()];
         let alpha_at_trim_rad = trimmed.alpha_rad;
         let mut sensors =
