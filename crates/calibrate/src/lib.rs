@@ -18,6 +18,7 @@ pub mod posterior;
 pub mod schedule;
 pub mod sensors;
 pub mod settings;
+mod static_points;
 pub mod statics;
 mod tip_zero;
 

@@ -46,9 +46,8 @@ fn weighed(trial: &Trial<'_>, found: &Found) -> Vec<f64> {
     let (before, sigma) = (in_plausible(&found.active.values), in_plausible(&found.sigma));
     let (least, jacobian) = trial.least_squares(&before);
     let k = before.len();
-    let runs: Vec<Range<usize>> =
-        trial.current.problem.segments.iter().map(|segment| segment.rows.clone()).collect();
-    let mut whole = clustered(&runs, &jacobian, &least.residual);
+    let runs = trial.current.problem.segments.iter().map(|segment| segment.rows.clone());
+    let mut whole = clustered(runs, &jacobian, &least.residual);
     for j in 0..k {
         whole[(j, j)] += sigma[j] * sigma[j];
     }
@@ -63,7 +62,11 @@ fn weighed(trial: &Trial<'_>, found: &Found) -> Vec<f64> {
 }
 
 /// Covariance of sizes by least squares: `A⁻¹ (sum over runs of g g') A⁻¹`, A = J'J + I, g = J'r of a run's rows.
-fn clustered(runs: &[Range<usize>], jacobian: &Mat<f64>, residual: &[f64]) -> Mat<f64> {
+fn clustered(
+    runs: impl IntoIterator<Item = Range<usize>>,
+    jacobian: &Mat<f64>,
+    residual: &[f64],
+) -> Mat<f64> {
     let k = jacobian.ncols();
     let normal = jacobian.transpose() * jacobian + Mat::<f64>::identity(k, k);
     let mut scatter = Mat::zeros(k, k);
@@ -83,8 +86,7 @@ mod tests {
     #[test]
     fn runs_that_are_off_as_a_whole_tell_less_than_their_samples() {
         let jacobian = Mat::from_fn(6, 1, |_, _| 2.0);
-        let runs = [0..3, 3..6];
-        let of = |residual: [f64; 6]| clustered(&runs, &jacobian, &residual)[(0, 0)];
+        let of = |residual: [f64; 6]| clustered([0..3, 3..6], &jacobian, &residual)[(0, 0)];
         // each run as a whole: scores of 2 x 3 and -2 x 3 over 6 x 2² + 1
         assert!((of([1.0, 1.0, 1.0, -1.0, -1.0, -1.0]) - 2.0 * 36.0 / 625.0).abs() < 1e-12);
         // the same sum of squares from sample to sample: scores of 2 and -2
@@ -95,7 +97,7 @@ mod tests {
     fn covariances_of_two_sizes_are_those_of_the_textbook() {
         // J'J + I = diag(5, 10): sizes of runs that see one parameter each do not mix
         let jacobian = Mat::from_fn(2, 2, |i, j| [[2.0, 0.0], [0.0, 3.0]][i][j]);
-        let covariance = clustered(&[0..1, 1..2], &jacobian, &[1.0, 2.0]);
+        let covariance = clustered([0..1, 1..2], &jacobian, &[1.0, 2.0]);
         let by_hand = [[4.0 / 25.0, 0.0], [0.0, 36.0 / 100.0]];
         for (i, row) in by_hand.iter().enumerate() {
             for (j, value) in row.iter().enumerate() {
@@ -103,7 +105,7 @@ mod tests {
             }
         }
         // one run that sees both: its parameters are off together
-        let together = clustered(&[0..2], &jacobian, &[1.0, 2.0]);
+        let together = clustered(std::iter::once(0..2), &jacobian, &[1.0, 2.0]);
         assert!((together[(0, 1)] - 2.0 * 6.0 / 50.0).abs() < 1e-12);
     }
 }

@@ -116,11 +116,6 @@ impl Judge<'_> {
         Ok(Calibrated { schedule, calibration, known: known.swap_remove(0) })
     }
 
-    /// What is asked of a wing, and at which angle.
-    fn asked(&self, known: &AirspeedPosterior) -> (Vec<Quantity>, f64) {
-        (known.predictions.iter().map(|prediction| prediction.quantity.clone()).collect(), known.alpha_rad)
-    }
-
     /// What somebody would say who knows the generator, by set of sensors, learned from attached wings.
     fn generators(
         &self,
@@ -130,17 +125,18 @@ impl Judge<'_> {
     ) -> Result<Vec<Generator>, Failure> {
         let kinds = Kind::ALL.into_iter().filter(|kind| *kind != Kind::Separated).collect::<Vec<_>>();
         let drawn = self.stand.fly(Kind::Polars, first);
-        let (asked, alpha_rad) = self.asked(&self.calibrated(&drawn, Sensors::Nothing)?.known);
+        let (asked, alpha_rad) = asked(&self.calibrated(&drawn, Sensors::Nothing)?.known);
         let judged: Vec<bool> = truths(&drawn, &asked, alpha_rad).iter().map(Option::is_some).collect();
-        let one = |number: u64| {
-            let flown = self.stand.fly(kinds[(number % kinds.len() as u64) as usize], first + number);
+        let one = |(number, kind): (u64, &Kind)| {
+            let flown = self.stand.fly(*kind, first + number);
             done();
             let values = values(&truths(&flown, &asked, alpha_rad), &judged)?;
             let measured = Sensors::ALL.map(|sensors| measurements(&self.stand.campaign(&flown, sensors)));
             Some((values, measured))
         };
+        let wings: Vec<(u64, &Kind)> = (0..count).zip(kinds.iter().cycle()).collect();
         let learned: Vec<(Vec<f64>, [Vec<f64>; 5])> =
-            (0..count).into_par_iter().map(one).collect::<Vec<_>>().into_iter().flatten().collect();
+            wings.into_par_iter().map(one).collect::<Vec<_>>().into_iter().flatten().collect();
         let truths: Vec<Vec<f64>> = learned.iter().map(|(values, _)| values.clone()).collect();
         let of = |sensors: usize| {
             let measured: Vec<Vec<f64>> = learned.iter().map(|(_, of)| of[sensors].clone()).collect();
@@ -159,7 +155,7 @@ impl Judge<'_> {
         let flown = self.stand.fly(kind, number);
         let one = |(sensors, generator): (Sensors, &Generator)| {
             let Calibrated { calibration, known, schedule } = self.calibrated(&flown, sensors)?;
-            let (asked, alpha_rad) = self.asked(&known);
+            let (asked, alpha_rad) = asked(&known);
             let truths = truths(&flown, &asked, alpha_rad);
             let prior = &self.file.correction.prior;
             let missing = || Failure::Computation("a calibration without an ensemble".into());
@@ -180,4 +176,9 @@ fn flagged(calibration: &Calibration) -> bool {
         at.line.nonlinearity.iter().flatten().any(|test| test.p_value < calibration.nonlinearity_level)
     });
     bent || !calibration.said(&[Weight::Suspicion, Weight::Defect]).is_empty()
+}
+
+/// What is asked of a wing, and at which angle.
+fn asked(known: &AirspeedPosterior) -> (Vec<Quantity>, f64) {
+    (known.predictions.iter().map(|prediction| prediction.quantity.clone()).collect(), known.alpha_rad)
 }

@@ -107,7 +107,7 @@ fn directions(known: &[AirspeedPosterior], count: usize) -> Mat<f64> {
 
 /// The matrix of Hadamard (Sylvester's) without its first column.
 fn sign(member: usize, column: usize) -> f64 {
-    if (member & (column + 1)).count_ones() % 2 == 0 { 1.0 } else { -1.0 }
+    if (member & (column + 1)).count_ones().is_multiple_of(2) { 1.0 } else { -1.0 }
 }
 
 /// The Gaussians of every wing.

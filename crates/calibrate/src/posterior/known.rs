@@ -274,12 +274,11 @@ fn linearise<'a>(
     let mut rows = Vec::with_capacity(data.measured.len());
     let mut misses = Vec::with_capacity(data.measured.len());
     for datum in &data.measured {
-        let (mut value, mut row) = match &datum.hung {
-            Some(hung) => unknowns.under_weight(hung, &off),
-            None => {
-                let read = &reads[datum.case];
-                (read.values[datum.row], unknowns.gradient(read, datum.row))
-            }
+        let (mut value, mut row) = if let Some(hung) = &datum.hung {
+            unknowns.under_weight(hung, &off)
+        } else {
+            let read = &reads[datum.case];
+            (read.values[datum.row], unknowns.gradient(read, datum.row))
         };
         row.resize(z.len(), 0.0);
         for &(unknown, by) in &datum.nuisances {

@@ -58,6 +58,7 @@ const WAKE_SPANS: f64 = 8.0;
 
 impl Rig {
     /// The same wing with its image at the other side of the root, as on an aircraft: the wall is at the root, nothing stands between.
+    #[must_use]
     pub fn on_aircraft(&self) -> Self {
         Self::new(Wing { wall_y_m: 0.0, ..self.wing.clone() }, self.polars.clone())
     }
