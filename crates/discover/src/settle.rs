@@ -2,7 +2,7 @@
 //!
 //! While effects are looked for, a run may be off by a gain and a shift of its own: what is left is the shape of an effect over
 //! time, known to the noise. That is right for telling effects apart and trusts their form too much for their size: a lag of
-//! four poles, seen as one of two, is found a quarter too small, and the rest of its delay is left to the runs. In the end sizes
+//! four poles, fitted by one, is found a quarter too small, and the rest of its delay is left to the runs. In the end sizes
 //! are weighed against those that leave the least gap on the training data, each by what is known of it: the search's standard
 //! deviations, and the scatter of the least squares from run to run (covariance clustered by runs: Liang and Zeger 1986).
 

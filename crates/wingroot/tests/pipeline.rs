@@ -130,14 +130,15 @@ fn the_joiner_s_inertia_and_first_moment_are_the_planted_ones() {
     // planted: 5 kg, .02 m forward, .15 kg m2 about the pitch axis
     let (inertia, moment) = (value("Iyy_kg_m2"), value("mx_kg_m"));
     assert!((inertia / 0.15 - 1.0).abs() < 0.03, "{inertia}");
-    assert!((moment / -0.1 - 1.0).abs() < 0.1, "{moment}");
+    assert!((moment / -0.1 - 1.0).abs() < 0.03, "{moment}");
 }
 
 #[test]
 fn the_held_out_gap_closes_to_at_most_twice_its_floor() {
     let (_, result) = discovered();
     let gap = |name: &str| result["gap"]["holdout"][name].as_f64().unwrap();
-    assert!(gap("after") < 0.6 * gap("before") && gap("after") <= 2.0 * gap("floor"), "{}", result["gap"]);
+    // with sizes of the search alone it was .52 of the gap before (our own earlier result)
+    assert!(gap("after") < 0.5 * gap("before") && gap("after") <= 2.0 * gap("floor"), "{}", result["gap"]);
     assert_eq!(result["success"], true);
 }
 
