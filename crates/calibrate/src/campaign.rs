@@ -1,7 +1,7 @@
 //! A campaign: a folder of measurements (`campaign.ron` or `campaign.json`, `static.csv`, runs), read and checked.
 
+use crate::deflected::{control_of, deflections};
 use crate::sensors::{self, Sensor};
-use crate::static_points::{is_static_column, static_points};
 use nastran::table::{ColumnNames, Table};
 use nastran::{InputError, Span, named_file, ron_file};
 use schemars::JsonSchema;
@@ -322,4 +322,69 @@ fn check_columns(columns: &ColumnNames, path: &Path) -> Result<(), InputError> {
         }
     }
     Ok(())
+}
+
+fn is_static_column(name: &str) -> bool {
+    ["V_m_s", "alpha_deg", "block"].contains(&name) || CHANNELS.contains(&name) || control_of(name).is_some()
+}
+
+/// Reads the rows of `static.csv`.
+fn static_points(
+    table: &Table,
+    path: &Path,
+    sensors: &[Sensor],
+) -> Result<([bool; 3], Vec<StaticPoint>), InputError> {
+    let columns: Vec<&str> = sensors.iter().map(|sensor| sensor.column.as_str()).collect();
+    table.require(&["V_m_s", "alpha_deg"])?;
+    table.require(&columns)?;
+    table.allow_only(
+        |name| is_static_column(name) || columns.contains(&name),
+        "V_m_s, alpha_deg, Fz_N, Mx_Nm, My_Nm, block, tip_z_m, delta_NAME_deg or a sensor of campaign.ron",
+    )?;
+    if table.is_empty() {
+        return Err(InputError::in_file(path, "there are no static cases below the header")
+            .with_help("calibration needs at least three angles at one airspeed"));
+    }
+    let has = |name: &str| table.has(name);
+    let channels = [CHANNELS[0], CHANNELS[1], CHANNELS[2]].map(has);
+    if !CHANNELS.into_iter().any(has) {
+        return Err(InputError::at(
+            &table.span(0, "V_m_s"),
+            "none of the columns Fz_N, Mx_Nm, My_Nm, tip_z_m is there",
+        )
+        .with_help("a static case needs at least one measured load, or the tip's height"));
+    }
+    let read = |row: usize, name: &str| {
+        let empty = table.text(row, name)?.trim().is_empty();
+        (!empty).then(|| table.number(row, name)).transpose()
+    };
+    let optional = |row: usize, name: &str| has(name).then(|| table.number(row, name)).transpose();
+    let mut points = Vec::with_capacity(table.len());
+    for row in 0..table.len() {
+        let v_m_s = table.number(row, "V_m_s")?;
+        if v_m_s != 0.0 && !AIRSPEEDS_M_S.contains(&v_m_s) {
+            let message = format!("the airspeed {v_m_s:?} m/s is neither zero nor within 0.1 to 340 m/s");
+            return Err(InputError::at(&table.span(row, "V_m_s"), message)
+                .with_help("zero marks a weight tare; the air is taken as incompressible"));
+        }
+        let alpha_deg = table.number(row, "alpha_deg")?;
+        if alpha_deg.abs() > 90.0 {
+            let message = format!("the angle of attack {alpha_deg:?} degrees is beyond 90 degrees");
+            return Err(InputError::at(&table.span(row, "alpha_deg"), message)
+                .with_help("angles are in degrees, nose up positive"));
+        }
+        let cells = columns.iter().map(|name| read(row, name)).collect::<Result<Vec<_>, _>>()?;
+        sensors::check_weights(sensors, v_m_s, &cells, |name| table.span(row, name))?;
+        points.push(StaticPoint {
+            v_m_s,
+            alpha_rad: alpha_deg.to_radians(),
+            loads: [optional(row, CHANNELS[0])?, optional(row, CHANNELS[1])?, optional(row, CHANNELS[2])?],
+            block: has("block").then(|| table.text(row, "block").map(str::to_owned)).transpose()?,
+            controls_rad: deflections(table, row)?,
+            tip_z_m: optional(row, "tip_z_m")?,
+            sensors: cells,
+            span: table.span(row, "V_m_s"),
+        });
+    }
+    Ok((channels, points))
 }

@@ -8,6 +8,7 @@ pub mod campaign;
 pub mod checks;
 pub mod common;
 mod cone_program;
+mod deflected;
 pub mod ensemble;
 pub mod fit;
 pub mod identifiability;
@@ -18,7 +19,6 @@ pub mod posterior;
 pub mod schedule;
 pub mod sensors;
 pub mod settings;
-mod static_points;
 pub mod statics;
 mod tip_zero;
 
