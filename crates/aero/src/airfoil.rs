@@ -184,3 +184,66 @@ fn second_derivatives(t: &[f64], z: &[f64]) -> Vec<f64> {
     m[n - 1] = m[n - 2] + last * (m[n - 2] - m[n - 3]);
     m
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Uneven, from the upper trailing edge through the nose to the lower one.
+    const KNOTS: [f64; 8] = [-1.0, -0.83, -0.55, -0.2, 0.0, 0.31, 0.72, 1.0];
+
+    fn through(z: impl Fn(f64) -> f64) -> Airfoil {
+        let (t, z): (Vec<f64>, Vec<f64>) = KNOTS.iter().map(|t| (*t, z(*t))).unzip();
+        let curvature = second_derivatives(&t, &z);
+        Airfoil { name: String::new(), t, z, curvature }
+    }
+
+    fn assert_near(got: f64, want: f64, what: &str) {
+        assert!((got - want).abs() < 1e-11, "{what}: {got} instead of {want}");
+    }
+
+    /// A cubic has one third derivative everywhere, as next to the ends the spline has; of its powers of t
+    /// the even ones are camber and the odd ones half the thickness.
+    #[test]
+    fn a_cubic_comes_back_with_its_slope_camber_and_thickness() {
+        let airfoil = through(|t| 0.3 - 0.7 * t + 1.1 * t * t + 0.9 * t * t * t);
+        for (t, m) in airfoil.t.iter().zip(&airfoil.curvature) {
+            assert_near(*m, 2.2 + 5.4 * t, "second derivative");
+        }
+        for i in 0..=40 {
+            let t = f64::from(i) / 20.0 - 1.0;
+            let (z, slope) = airfoil.at(t);
+            assert_near(z, 0.3 - 0.7 * t + 1.1 * t * t + 0.9 * t * t * t, "z");
+            assert_near(slope, -0.7 + 2.2 * t + 2.7 * t * t, "slope");
+            let x = t * t;
+            assert_near(airfoil.camber(x), 0.3 + 1.1 * x, "camber");
+            assert_near(airfoil.camber_slope(x), 1.1, "slope of the camber line");
+            assert_near(airfoil.thickness(x), 1.4 * t.abs() - 1.8 * t.abs().powi(3), "thickness");
+        }
+        assert_near(airfoil.camber(-0.5), 0.3, "camber ahead of the nose");
+        assert_near(airfoil.thickness(1.5), -0.4, "thickness behind the trailing edge");
+        assert_near(airfoil.camber(1.5), 1.4, "camber behind the trailing edge");
+        assert!(airfoil.thickness(0.0).abs() < 1e-15, "both surfaces meet at the nose");
+    }
+
+    /// These conditions have one solution only: values, slopes continuous at all knots, third derivatives
+    /// next to the ends.
+    #[test]
+    fn a_spline_goes_through_its_points_without_a_bend_and_ends_in_one_cubic() {
+        let airfoil = through(|t| (5.0 * t + 0.4).sin());
+        let (t, m) = (&airfoil.t, &airfoil.curvature);
+        for (knot, z) in t.iter().zip(&airfoil.z) {
+            assert_near(airfoil.at(*knot).0, *z, "value at a knot");
+        }
+        for knot in &t[1..t.len() - 1] {
+            let (before, here) = (airfoil.at(knot - 1e-10), airfoil.at(*knot));
+            assert!((before.1 - here.1).abs() < 1e-7 && (before.0 - here.0).abs() < 1e-8, "a bend at {knot}");
+        }
+        let third = |i: usize| (m[i + 1] - m[i]) / (t[i + 1] - t[i]);
+        let last = t.len() - 2;
+        for (a, b) in [(third(0), third(1)), (third(last), third(last - 1))] {
+            assert!((a - b).abs() < 1e-9 * b.abs(), "third derivatives {a} and {b}");
+        }
+        assert!((third(1) - third(2)).abs() > 1.0, "they are those of no single cubic");
+    }
+}

@@ -254,4 +254,82 @@ mod tests {
             );
         }
     }
+
+    /// Biot and Savart's law for the pieces of a line by Simpson's rule: 4 pi times the velocity of circulation 1.
+    fn biot_savart(line: &[Vector3<f64>], point: &Vector3<f64>) -> Vector3<f64> {
+        let parts = 4000_u32;
+        let of = |ends: &[Vector3<f64>]| -> Vector3<f64> {
+            let along = ends[1] - ends[0];
+            let one = |i: u32| {
+                let weight = if i == 0 || i == parts { 1.0 } else { f64::from(2 + 2 * (i % 2)) };
+                let r = point - (ends[0] + along * (f64::from(i) / f64::from(parts)));
+                along.cross(&r) * (weight / r.norm().powi(3))
+            };
+            (0..=parts).map(one).sum::<Vector3<f64>>() / (3.0 * f64::from(parts))
+        };
+        line.windows(2).map(of).sum()
+    }
+
+    /// The corners of a horseshoe whose legs leave the surface at `edges`, from far downstream to far downstream.
+    fn line(vortex: &Horseshoe, edges: [Vector3<f64>; 2]) -> Vec<Vector3<f64>> {
+        let away = |edge: Vector3<f64>| [3.0, 10.0, 100.0, 1e3, 1e4, 1e5].map(|x| edge + Vector3::x() * x);
+        let mut all: Vec<_> = away(edges[0]).into_iter().rev().collect();
+        all.extend([edges[0], vortex.from, vortex.to, edges[1]]);
+        all.extend(away(edges[1]));
+        all
+    }
+
+    #[test]
+    fn horseshoes_along_the_stream_or_the_surface_obey_biot_and_savart() {
+        let own = vortex([0.3, -0.4, 0.1], [0.5, 0.7, 0.3]);
+        let edges = [Vector3::new(1.1, -0.5, -0.1), Vector3::new(1.4, 0.8, 0.2)];
+        let straight = [own.from + Vector3::x(), own.to + Vector3::x()];
+        let mut points: Vec<Vector3<f64>> = Vec::new();
+        for x in [-30.0, -0.6, 0.4, 0.9, 2.5] {
+            points.extend(
+                [[-1.3, 0.5], [0.2, -0.6], [0.4, 0.9], [2.1, 0.1]].map(|[y, z]| Vector3::new(x, y, z)),
+            );
+        }
+        // On the extensions of the bound line, of the side and, upstream, of a leg: nothing comes of these
+        // themselves.
+        points.extend([own.to + (own.to - own.from) * 0.8, own.from + (own.from - own.to) * 1.5]);
+        points.extend([edges[0] + (edges[0] - own.from), own.from + (own.from - edges[0]) * 0.7]);
+        points.extend([own.to - Vector3::x() * 0.9, edges[1] - Vector3::x() * 2.0]);
+        for point in points {
+            let at = point.into();
+            let plain = Vector3::from(velocity(&own, at, 1e-6));
+            let want = biot_savart(&line(&own, straight), &point);
+            assert!((plain - want).norm() < 1e-6 * (1e-3 + want.norm()), "{point}: {plain} {want}");
+            let same = Vector3::from(by_the_surface(&own, &straight, at, 1e-6));
+            assert!(same.norm() < 1e-10 * plain.norm(), "{point}: {same}");
+            let bent = plain + Vector3::from(by_the_surface(&own, &edges, at, 1e-6));
+            let want = biot_savart(&line(&own, edges), &point);
+            assert!((bent - want).norm() < 1e-6 * (1e-3 + want.norm()), "{point}: {bent} {want}");
+        }
+    }
+
+    /// In the middle of a long side 4 pi v = 2/rho outside of the core and 2 rho/core² in it, round the
+    /// side's direction.
+    #[test]
+    fn sides_along_the_surface_have_the_same_core() {
+        let (long, core) = (1e6, 0.01);
+        let direction = Vector3::new(0.8, 0.0, 0.6);
+        for side in [0, 1] {
+            let mut ends = [[0.0, 0.0, 0.0], [0.0, 0.0, 0.0]].map(Vector3::from);
+            ends[1 - side].y = if side == 0 { 1e12 } else { -1e12 };
+            let own = vortex((ends[0] - direction * long).into(), (ends[1] - direction * long).into());
+            let edges = [ends[0] + direction * long, ends[1] + direction * long];
+            // It comes in along side 1 and goes out along side 2.
+            let along = if side == 0 { -direction } else { direction };
+            for rho in [1e-4, 0.002, 0.0099, 0.0101, 0.02, 1.0] {
+                for away in [Vector3::y(), direction.cross(&Vector3::y())] {
+                    let r = away * rho;
+                    let got = Vector3::from(velocity(&own, r.into(), core))
+                        + Vector3::from(by_the_surface(&own, &edges, r.into(), core));
+                    let want = along.cross(&r) * 2.0 / f64::max(rho * rho, core * core);
+                    assert!((got - want).norm() < 1e-3 * want.norm(), "side {side} at {rho}: {got} {want}");
+                }
+            }
+        }
+    }
 }

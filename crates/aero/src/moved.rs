@@ -247,10 +247,11 @@ mod tests {
     use crate::vlm::influence_of_moved;
     use nalgebra::{Point3, Rotation3};
 
-    /// A wing of 2 by 3 boxes, each out of place.
+    /// A wing of 2 by 3 boxes and a tail of two behind it, each out of place.
     fn bent(plane: MirrorPlane) -> (Lattice, Seams) {
-        let mut lattice =
-            Lattice::trapezoid(1, [0.0, 0.1, 0.0], 1.0, [0.4, 3.0, 0.0], 0.7, [2, 3]).expect("boxes");
+        let wing = Lattice::trapezoid(1, [0.0, 0.1, 0.0], 1.0, [0.4, 3.0, 0.0], 0.7, [2, 3]).expect("boxes");
+        let tail = Lattice::trapezoid(11, [2.2, 0.1, 0.4], 0.9, [2.4, 1.6, 0.5], 0.7, [2, 1]).expect("boxes");
+        let mut lattice = wing.joined(&tail).expect("one lattice");
         let seams = Seams::of(&lattice, plane);
         for at in 0..lattice.len() {
             let size = 0.1 * (1.0 + at as f64).sin();
@@ -300,6 +301,80 @@ mod tests {
                     );
                 }
             }
+        }
+    }
+
+    /// How a number changes as a vector does, by central differences.
+    fn differences(of: impl Fn(&Vector3<f64>) -> f64, at: &Vector3<f64>) -> Vector3<f64> {
+        let step = 1e-5 * at.norm();
+        Vector3::from_fn(|axis, _| {
+            let [up, down] = [step, -step].map(|step| {
+                let mut there = *at;
+                there[axis] += step;
+                of(&there)
+            });
+            (up - down) / (2.0 * step)
+        })
+    }
+
+    /// Biot and Savart: (r1 x r2) (1/|r1| + 1/|r2|)/(|r1||r2| + r1.r2), where that is no small difference.
+    #[test]
+    fn a_segment_has_its_velocity_and_the_derivatives_by_its_ends() {
+        let (core, weights) = (1e-3, Vector3::new(0.3, -0.7, 0.5));
+        for (r1, r2) in [
+            ([0.4, 0.2, -0.1], [-0.5, 0.7, 0.3]),
+            ([-0.4, 0.5, 0.2], [0.6, 0.1, 0.4]),
+            ([1.0, 0.3, 0.0], [-1.2, 0.2, 0.1]),
+            ([2.0, -0.7, 0.4], [1.1, 0.5, 0.3]),
+            // beyond either end on the segment's line, and within the core of the nearer end
+            ([0.3, 0.4, -0.2], [0.9, 1.2, -0.6]),
+            ([0.9, 1.2, -0.6], [0.3, 0.4, -0.2]),
+            ([2e-4, 3e-4, 1e-4], [0.8, 0.5, 0.1]),
+            ([0.8, 0.5, 0.1], [2e-4, -3e-4, 1e-4]),
+        ] {
+            let (r1, r2) = (Vector3::from(r1), Vector3::from(r2));
+            let (velocity, [by_1, by_2]) = segment(&r1, &r2, &weights, core);
+            let (l1, l2) = (r1.norm().max(core), r2.norm().max(core));
+            let want = r1.cross(&r2) * ((1.0 / l1 + 1.0 / l2) / (l1 * l2 + r1.dot(&r2)));
+            assert!((velocity - want).norm() < 1e-12 * (1.0 + want.norm()), "{velocity} {want}");
+            let of = |a: &Vector3<f64>, b: &Vector3<f64>| weights.dot(&segment(a, b, &weights, core).0);
+            let (want_1, want_2) = (differences(|r| of(r, &r2), &r1), differences(|r| of(&r1, r), &r2));
+            let size = 1.0 + want_1.norm() + want_2.norm();
+            assert!((by_1 - want_1).norm() < 1e-7 * size, "{r1} {r2}: {by_1} {want_1}");
+            assert!((by_2 - want_2).norm() < 1e-7 * size, "{r1} {r2}: {by_2} {want_2}");
+        }
+        // In the middle of a long one: 2/rho outside of the core, linear to zero in it.
+        for rho in [1e-5, 4e-4, 9e-4, 1.1e-3, 0.01] {
+            let (r1, r2) = (Vector3::new(0.0, 100.0, rho), Vector3::new(0.0, -100.0, rho));
+            let (velocity, _) = segment(&r1, &r2, &weights, core);
+            let want = 2.0 / rho * (rho / core).powi(2).min(1.0);
+            assert!((velocity - Vector3::x() * want).norm() < 1e-5 * want, "{rho}: {velocity} {want}");
+        }
+    }
+
+    /// A leg along +x: x cross r over |r| (|r| - x) anywhere, 2/rho far downstream, with a core that turns as
+    /// a solid body.
+    #[test]
+    fn a_leg_has_its_velocity_and_the_derivative_by_its_place() {
+        let (core, weights) = (1e-3, Vector3::new(0.3, -0.7, 0.5));
+        for x in [-3.0, -0.4, 0.0, 0.7, 2.5] {
+            for (y, z) in [(0.4, 0.2), (-0.3, 0.8), (0.2, -0.5), (-1.5, -0.1)] {
+                let r = Vector3::new(x, y, z);
+                let (velocity, by) = leg(&r, &weights, core);
+                let want = Vector3::x().cross(&r) / (r.norm() * (r.norm() - x));
+                assert!((velocity - want).norm() < 1e-12 * want.norm(), "{r}: {velocity} {want}");
+                let want = differences(|r| weights.dot(&leg(r, &weights, core).0), &r);
+                assert!((by - want).norm() < 1e-7 * (1.0 + want.norm()), "{r}: {by} {want}");
+            }
+        }
+        // Upstream on its own line nothing comes of it, but the line may move.
+        let (velocity, by) = leg(&Vector3::new(-2.0, 0.0, 0.0), &weights, core);
+        assert_eq!(velocity, Vector3::zeros());
+        assert!((by - Vector3::new(0.0, weights.z, -weights.y) / 8.0).norm() < 1e-14, "{by}");
+        for rho in [1e-5, 4e-4, 9e-4, 1.1e-3, 0.01] {
+            let (velocity, _) = leg(&Vector3::new(100.0, rho, 0.0), &weights, core);
+            let want = 2.0 / rho * (rho / core).powi(2).min(1.0);
+            assert!((velocity - Vector3::z() * want).norm() < 1e-6 * want, "{rho}: {velocity} {want}");
         }
     }
 }

@@ -110,4 +110,37 @@ mod tests {
             assert!((moved - Vector3::new(0.0, 0.01, 0.02)).norm() < 1e-15, "box {j} by {moved}");
         }
     }
+
+    /// A hundredth of the smaller box is where a vortex's core ends.
+    #[test]
+    fn corners_meet_within_the_core_of_the_smaller_box_and_the_plane_within_their_own() {
+        for size in [0.01, 1.0, 50.0] {
+            let panel = |id: u32, from: f64, to: f64, chord: f64, lead: f64| {
+                Lattice::trapezoid(id, [lead, from, 0.0], chord, [lead, to, 0.0], chord, [1, 1])
+                    .map(|lattice| lattice.scaled(size))
+                    .expect("a box")
+            };
+            // Beside each other in either order; the small one's core is 0.002, the large one's 0.01.
+            for (gap, meets) in [(0.0, true), (0.0015, true), (0.004, false), (0.02, false)] {
+                for order in [false, true] {
+                    let large = panel(1, 0.0, 1.0, 1.0, 0.0);
+                    let small = panel(9, 1.0 + gap, 1.2 + gap, 0.3, 0.0);
+                    let pair = if order { small.joined(&large) } else { large.joined(&small) };
+                    let seams = Seams::of(&pair.expect("two boxes"), MirrorPlane::None);
+                    // Leading edges alone are in line.
+                    assert_eq!(seams.places.len(), if meets { 7 } else { 8 }, "gap {gap}, size {size}");
+                    let most = seams.places.iter().map(|place| place.corners.len()).max();
+                    assert_eq!(most, Some(if meets { 2 } else { 1 }));
+                    assert!(seams.corners.iter().flatten().all(|place| *place < seams.places.len()));
+                }
+            }
+            for (gap, within) in [(0.0, true), (0.008, true), (-0.008, true), (0.012, false), (-0.012, false)]
+            {
+                let y_m = (2.0 - gap) * size;
+                let seams = Seams::of(&panel(1, 2.0, 3.0, 1.0, 0.0), MirrorPlane::Antisymmetric { y_m });
+                let held = seams.places.iter().filter(|place| place.plane_y_m == Some(y_m)).count();
+                assert_eq!(held, if within { 2 } else { 0 }, "{gap} from the plane, size {size}");
+            }
+        }
+    }
 }

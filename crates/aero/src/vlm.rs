@@ -163,3 +163,21 @@ impl SteadyAero {
         column.col(0).iter().copied().collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pivot_is_lost_where_it_is_no_more_than_round_off_of_the_largest() {
+        assert_eq!(lost_pivot(&[2.0, 1.0, 3.0]), None);
+        assert_eq!(lost_pivot(&[1e3, 1.0, 1e-9]), None);
+        assert_eq!(lost_pivot(&[1e3, 1.0, 0.9e-10]), Some(2));
+        assert_eq!(lost_pivot(&[1e-3, 0.9e-16, 1.0e-15]), Some(1));
+        assert_eq!(lost_pivot(&[0.0, 0.0]), Some(0));
+        for bad in [f64::NAN, f64::INFINITY] {
+            assert_eq!(lost_pivot(&[1.0, bad, 0.0]), Some(usize::from(bad.is_nan())));
+        }
+        assert_eq!(lost_pivot(&[]), None);
+    }
+}

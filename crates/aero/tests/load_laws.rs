@@ -257,3 +257,42 @@ fn lift_ahead_of_the_point_is_a_nose_up_moment() {
     // 0.75 m ahead of the point and 0.5 m to the right: My = -x Fz, Mx = y Fz
     assert_eq!(moment, Vector3::new(0.5, 0.75, 0.0));
 }
+
+#[test]
+fn loads_and_corrections_are_counted_by_boxes() {
+    let lattice = mixed();
+    let (n, s) = (lattice.len(), Integration::new(&lattice));
+    let loads = s.corrected(&some(n)).box_loads(Q_PA, &varied(n, 0.5, 0.0));
+    assert_eq!((s.len(), loads.len(), loads.values.len(), some(n).len()), (n, n, 2 * n, n));
+    assert!(!s.is_empty() && !loads.is_empty() && !some(n).is_empty());
+    for (j, panel) in lattice.boxes.iter().enumerate() {
+        assert_eq!((s.area(j), s.moment_arm(j)), (panel.area_m2(), panel.chord_m() / 4.0));
+        let (force, moment) = loads.vector(&lattice, j);
+        assert!((force - panel.normal() * loads.values[2 * j]).norm() < 1e-12);
+        assert!((moment - panel.pitch_axis() * loads.values[2 * j + 1]).norm() < 1e-12);
+    }
+    let none = Integration::new(&Lattice::default());
+    assert_eq!(none.len(), 0);
+    assert!(none.is_empty() && Corrections::neutral(0).is_empty());
+    assert!(BoxLoads { values: vec![] }.is_empty());
+}
+
+#[test]
+fn matrices_that_are_no_corrections_are_refused() {
+    let all = some(2);
+    let (wkk, fa2j) = (all.wkk(), all.fa2j());
+    let message = |wkk: &Dmi, fa2j: &Dmi| Corrections::from_dmi(wkk, fa2j).unwrap_err().message;
+    let with = |matrix: &Dmi, columns: Vec<Vec<f64>>| Dmi { columns, ..matrix.clone() };
+    let column = &fa2j.columns[0];
+    assert!(message(&wkk, &with(&fa2j, vec![column.clone(); 2])).contains("2 columns, expected one"));
+    for bad in [f64::NAN, f64::INFINITY] {
+        assert!(message(&wkk, &with(&fa2j, vec![vec![0.1, bad]])).contains("not finite"));
+        assert!(message(&with(&wkk, vec![vec![1.0, 1.0, bad, 1.0]]), &fa2j).contains("not finite"));
+    }
+    // Four rows and three columns, each with its entry on the diagonal, are not square.
+    let unit = |i: usize| (0..4).map(|row| f64::from(u8::from(row == i))).collect::<Vec<_>>();
+    assert!(message(&with(&wkk, (0..3).map(unit).collect()), &fa2j).contains("not diagonal"));
+    let full = Corrections::from_dmi(&with(&wkk, (0..4).map(unit).collect()), &fa2j).unwrap();
+    assert_eq!((full.force, full.moment), (vec![1.0; 2], vec![1.0; 2]));
+    assert!(message(&with(&wkk, vec![vec![1.0; 3]]), &fa2j).contains("two and one for each box"));
+}

@@ -4,7 +4,7 @@ use discover::result::{DiscoverResult, Estimate, NamedEffect, SearchResult, Stat
 use discover::verdict::VerdictKind;
 use hidden::answer::{TrueEffect, TrueParameter};
 use hidden::score::{Bound, Metric, gates};
-use hidden::{Answer, Class, Families, Metrics, score};
+use hidden::{Answer, Class, Defect, Families, Metrics, score};
 
 fn answer(class: Class, effects: &[(&str, f64)]) -> Answer {
     let effect = |(name, d2): &(&str, f64)| TrueEffect {
@@ -203,4 +203,149 @@ fn answers_and_metrics_survive_their_files() {
     let scored = score(&[(answer, verdict(VerdictKind::Unknown, &[]))], &families());
     let text = serde_json::to_string(&scored).expect("metrics");
     assert_eq!(serde_json::from_str::<hidden::Metrics>(&text).expect("the same"), scored);
+}
+
+/// A list's metrics by name.
+fn scored(cases: Vec<(Answer, DiscoverResult)>) -> impl Fn(&str) -> Option<f64> {
+    let scored = score(&cases, &families());
+    move |name| scored.metrics[name].value
+}
+
+fn is_close(value: Option<f64>, expected: f64) -> bool {
+    value.is_some_and(|value| (value - expected).abs() < 1e-12)
+}
+
+#[test]
+fn gaps_count_where_what_was_named_rightly_can_be_seen() {
+    use Class::{Null, Single};
+    let with_gap = |class: Class, hidden: &[(&str, f64)], named: &[(&str, f64)], gap: [f64; 3]| {
+        let kind = if named.is_empty() { VerdictKind::None } else { VerdictKind::Effects };
+        let mut said = verdict(kind, named);
+        let [before, after, floor] = gap;
+        let gap = StatedGap { before, after, floor, ..StatedGap::default() };
+        said.search.as_mut().expect("a search").gap = Some(StatedGaps { training: gap, holdout: gap });
+        (answer(class, hidden), said)
+    };
+    let (stall, gain) = (("stall", 5000.0), ("gain", 5000.0));
+    let value = scored(vec![
+        with_gap(Single, &[stall], &[("stall", 0.9)], [10.0, 3.0, 2.0]),
+        with_gap(Single, &[gain], &[("gain", 0.9)], [10.0, 5.0, 1.0]),
+        // a fifth above the floor is not seen, a wrong name closes nothing
+        with_gap(Single, &[gain], &[("gain", 0.9)], [1.2, 1.0, 1.0]),
+        with_gap(Single, &[gain], &[("stall", 0.9)], [30.0, 1.0, 1.0]),
+        with_gap(Null, &[], &[], [3.0, 3.0, 2.0]),
+        with_gap(Null, &[], &[], [2.0, 2.0, 1.0]),
+        with_gap(Null, &[], &[], [1.0, 1.0, 0.0]),
+    ]);
+    assert!(is_close(value("gap_share_removed_median"), 0.5 * (7.0 / 8.0 + 5.0 / 9.0)));
+    assert!(is_close(value("gap_ratio_median"), 0.5 * (0.3 + 0.5)));
+    assert!(is_close(value("gap_within_twice_the_floor"), 0.5));
+    assert!(is_close(value("gap_of_nulls_over_floor_median"), 0.5 * (3.0 / 2.0 + 2.0 / 1.0)));
+}
+
+#[test]
+fn each_verdict_is_counted_where_it_belongs() {
+    use Class::{LeftOut, Null, OutOfLibrary, Pair, Single, Weak};
+    use VerdictKind::{DataDefect, Effects, None as Nothing, Unknown};
+    let left_out = |named: DiscoverResult| {
+        let mut hidden = answer(LeftOut, &[("delay", 9e4), ("gain", 9e4)]);
+        hidden.leave_out = Some("delay".to_owned());
+        (hidden, named)
+    };
+    let faulty = |named: DiscoverResult| {
+        let mut hidden = answer(Class::Defect, &[("stall", 9e4)]);
+        hidden.defect = Some(Defect::NoReplicates);
+        (hidden, named)
+    };
+    let both = [("stall", 900.0), ("gain", 800.0)];
+    let cases = vec![
+        (answer(Null, &[]), verdict(Unknown, &[])),
+        (answer(Null, &[]), verdict(DataDefect, &[])),
+        (answer(Null, &[]), verdict(Nothing, &[])),
+        (answer(Single, &[("stall", 5000.0)]), verdict(Effects, &[("stall", 0.9)])),
+        (answer(Single, &[("stall", 5000.0)]), verdict(Effects, &[("stall", 0.9)])),
+        (answer(Single, &[("stall", 5000.0)]), verdict(Effects, &[("gain", 0.9)])),
+        (answer(Single, &[("stall", 5000.0)]), verdict(Nothing, &[])),
+        (answer(Weak, &[("stall", 10.0)]), verdict(Effects, &[("stall", 0.9)])),
+        (answer(Weak, &[("stall", 20.0)]), verdict(Nothing, &[])),
+        (answer(Single, &[("stall", 12.0)]), verdict(Nothing, &[])),
+        (answer(Pair, &both), verdict(Effects, &[("gain", 0.9), ("stall", 0.8)])),
+        (answer(Pair, &both), verdict(Effects, &[("gain", 0.9), ("stall", 0.8)])),
+        (answer(Pair, &both), verdict(Effects, &[("gain", 0.9)])),
+        // a library that has it after all, alone and with a false name beside it
+        (answer(OutOfLibrary, &[("stall", 9e4)]), verdict(Effects, &[("stall", 0.9)])),
+        (answer(OutOfLibrary, &[("stall", 9e4)]), verdict(Effects, &[("stall", 0.9), ("friction", 0.6)])),
+        (answer(OutOfLibrary, &[("shedding_tone", 9e4)]), verdict(Unknown, &[])),
+        left_out(verdict(Effects, &[("daq_filter", 0.9)])),
+        left_out(verdict(Effects, &[("daq_filter", 0.9), ("stall", 0.9)])),
+        left_out(verdict(Unknown, &[])),
+        faulty(verdict(DataDefect, &[])),
+        faulty(verdict(DataDefect, &[])),
+        faulty(verdict(Effects, &[("stall", 0.9)])),
+    ];
+    let value = scored(cases.clone());
+    let third = 1.0 / 3.0;
+    for (name, expected) in [
+        ("null_unknown", third),
+        ("null_data_defect", third),
+        // the two that the library has after all are singles like others
+        ("wrong_clear", 0.5 * third),
+        ("silent_clear", 0.5 * third),
+        ("top1_weak_10", 1.0),
+        ("top1_weak_30", 0.0),
+        ("pair_both_visible", 2.0 * third),
+        ("out_of_library_flagged", 2.0 * third),
+        ("out_of_library_misnamed", third),
+        ("left_out_any_misnamed", third),
+        ("left_out_unknown", third),
+        ("defect_refused", 2.0 * third),
+        ("defect_named_effect", third),
+        // what is left out of a library, or of faulty data, is not in the mix: six singles are named, and three pairs
+        ("precision", 8.0 / 9.0),
+    ] {
+        assert!(is_close(value(name), expected), "{name}: {:?} for {expected}", value(name));
+    }
+    let confusion = score(&cases, &families()).confusion;
+    assert_eq!(confusion["delay+gain (left out)"]["daq_filter"], 1);
+    assert_eq!(confusion["data_defect"]["data_defect"], 2);
+}
+
+#[test]
+fn confidences_are_those_of_names_that_are_claimed_in_the_mix() {
+    use Class::{LeftOut, Null, Pair, Single};
+    use VerdictKind::{Effects, Unknown};
+    let mut left_out = answer(LeftOut, &[("delay", 9e4)]);
+    left_out.leave_out = Some("delay".to_owned());
+    let cases = vec![
+        (answer(Single, &[("stall", 5000.0)]), verdict(Effects, &[("stall", 0.9)])),
+        (answer(Null, &[]), verdict(Effects, &[("stall", 0.6)])),
+        (answer(Pair, &[("stall", 900.0), ("gain", 800.0)]), verdict(Effects, &[("gain", 0.8), ("camber", 0.5)])),
+        (left_out, verdict(Effects, &[("daq_filter", 0.3)])),
+        // listed, but not claimed
+        (answer(Single, &[("stall", 5000.0)]), verdict(Unknown, &[("stall", 0.2)])),
+    ];
+    let scored = score(&cases, &families());
+    let brier = scored.metrics["confidence_brier"];
+    assert_eq!((brier.n, scored.metrics["confidence_ece"].n), (4, 4));
+    assert!(is_close(brier.value, (0.01 + 0.36 + 0.04 + 0.25) / 4.0));
+    assert!(is_close(scored.metrics["confidence_ece"].value, (0.1 + 0.6 + 0.2 + 0.5) / 4.0));
+}
+
+#[test]
+fn sizes_are_compared_where_they_are_sizes_and_data_are_sound() {
+    let two_parameters = |defect: Option<Defect>| {
+        let mut hidden = answer(Class::Single, &[("stall", 5000.0)]);
+        let place = TrueParameter { name: "place".to_owned(), value: 1.0, size: false };
+        let none = TrueParameter { name: "none".to_owned(), value: 0.0, size: true };
+        hidden.effects[0].parameters.extend([place, none]);
+        hidden.defect = defect;
+        let mut said = verdict(VerdictKind::Effects, &[("stall", 0.9)]);
+        for name in ["place", "none"] {
+            said.effects[0].parameters.insert(name.to_owned(), Estimate { value: 5.0, sigma: None });
+        }
+        score(&[(hidden, said)], &families()).metrics["parameter_error_median"]
+    };
+    let sound = two_parameters(None);
+    assert!(sound.n == 1 && is_close(sound.value, 0.1));
+    assert_eq!(two_parameters(Some(Defect::NoReplicates)).n, 0);
 }

@@ -151,3 +151,124 @@ fn opposite(right: &AeroBox, left: &AeroBox, reach: f64) -> Option<f64> {
         None
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn panel(id: u32, from: [f64; 3], to: [f64; 3], divisions: [u32; 2]) -> Lattice {
+        Lattice::trapezoid(id, from, 1.0, to, 1.0, divisions).expect("boxes")
+    }
+
+    fn joined(parts: &[&Lattice]) -> Lattice {
+        parts.iter().fold(Lattice::default(), |all, part| all.joined(part).expect("one lattice"))
+    }
+
+    fn mirror(p: &Point3<f64>) -> Point3<f64> {
+        Point3::new(p.x, -p.y, p.z)
+    }
+
+    /// A right wing of two strips, its image, one of a single box above each, a fin.
+    fn aircraft() -> Lattice {
+        let right = panel(1, [0.0, 0.0, 0.0], [0.0, 2.0, 0.0], [2, 2]);
+        let left = panel(101, [0.0, -2.0, 0.0], [0.0, 0.0, 0.0], [2, 2]);
+        let above = panel(201, [0.0, 0.5, 1.0], [0.0, 1.5, 1.0], [1, 1]);
+        // From the middle to the tip: its normal is down where that of the right one is up.
+        let other = panel(301, [0.0, -0.5, 1.0], [0.0, -1.5, 1.0], [1, 1]);
+        let fin = panel(401, [1.0, 0.0, 0.0], [1.0, 0.0, 1.0], [2, 1]);
+        joined(&[&left, &other, &fin, &right, &above])
+    }
+
+    #[test]
+    fn every_right_box_finds_its_image_among_boxes_in_line_and_above() {
+        let lattice = aircraft();
+        let halves = Halves::find(&lattice).expect("a symmetric lattice");
+        assert_eq!((halves.pairs(), halves.middle.as_slice()), (5, [5, 6].as_slice()));
+        let mut taken: Vec<usize> = halves.pairs.iter().map(|pair| pair.1).collect();
+        taken.sort_unstable();
+        assert_eq!(taken, [0, 1, 2, 3, 4]);
+        for (right, left, flip) in &halves.pairs {
+            let (one, other) = (&lattice.boxes[*right], &lattice.boxes[*left]);
+            assert!((mirror(&one.mid_point()) - other.mid_point()).norm() < 1e-14);
+            let image = mirror(&Point3::from(one.normal()));
+            assert!((image - Point3::from(other.normal() * *flip)).norm() < 1e-14, "{right} {left} {flip}");
+            assert_eq!(*flip, if lattice.boxes[*right].id == 201 { -1.0 } else { 1.0 });
+        }
+        let kept = halves.kept(&lattice);
+        let ids: Vec<u32> = kept.boxes.iter().map(|panel| panel.id).collect();
+        assert_eq!(ids, [1, 2, 3, 4, 201, 401, 402]);
+    }
+
+    #[test]
+    fn what_is_not_symmetric_or_has_nothing_to_pair_is_none() {
+        let right = panel(1, [0.0, 0.0, 0.0], [0.0, 2.0, 0.0], [1, 2]);
+        let left = panel(101, [0.0, -2.0, 0.0], [0.0, 0.0, 0.0], [1, 2]);
+        let fin = panel(201, [1.0, 0.0, 0.0], [1.0, 0.0, 1.0], [2, 1]);
+        let half = panel(301, [0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1, 1]);
+        let across = panel(401, [0.0, -0.5, 0.0], [0.0, 0.5, 0.0], [1, 1]);
+        let upright = panel(501, [0.0, -1.0, 0.0], [0.0, -1.0, 1.0], [1, 2]);
+        assert!(Halves::find(&joined(&[&right, &left])).is_some());
+        let none: [&[&Lattice]; 7] = [
+            &[],
+            &[&fin],
+            &[&right],
+            &[&left, &fin],
+            &[&half, &left],
+            &[&left, &right, &across],
+            &[&right, &upright],
+        ];
+        for parts in none {
+            assert_eq!(Halves::find(&joined(parts)), None, "{:?}", joined(parts).surfaces);
+        }
+    }
+
+    /// Half of a billionth of a box off is an image still, three of them are not, in any direction and at any size.
+    #[test]
+    fn images_are_told_to_a_billionth_of_a_box() {
+        for size in [0.01, 1.0, 100.0] {
+            for axis in 0..3 {
+                for (off, pairs) in [(0.5e-9, true), (-0.5e-9, true), (3e-9, false), (-3e-9, false)] {
+                    let right = panel(1, [0.3, 1.0, 0.2], [0.3, 2.0, 0.2], [1, 1]);
+                    let mut left = panel(101, [0.3, -2.0, 0.2], [0.3, -1.0, 0.2], [1, 1]);
+                    left.boxes[0].corners.iter_mut().for_each(|corner| corner[axis] += off);
+                    let both = joined(&[&right, &left]).scaled(size);
+                    assert_eq!(Halves::find(&both).is_some(), pairs, "{off} along {axis}, size {size}");
+                }
+            }
+            // The plane: a wing may overlap it by as much, and a fin stand as much beside it.
+            for (off, whole) in [(-0.5e-9, true), (-3e-9, false)] {
+                let right = panel(1, [0.3, off, 0.2], [0.3, 1.0, 0.2], [1, 1]);
+                let left = panel(101, [0.3, -1.0, 0.2], [0.3, -off, 0.2], [1, 1]);
+                let found = Halves::find(&joined(&[&right, &left]).scaled(size));
+                assert_eq!(found.is_some(), whole, "{off} over the plane, size {size}");
+                for side in [off, -off] {
+                    let right = panel(1, [0.3, 0.0, 0.2], [0.3, 1.0, 0.2], [1, 1]);
+                    let left = panel(101, [0.3, -1.0, 0.2], [0.3, 0.0, 0.2], [1, 1]);
+                    let fin = panel(201, [0.3, side, 1.0], [0.3, side, 2.0], [1, 1]);
+                    let found = Halves::find(&joined(&[&right, &left, &fin]).scaled(size));
+                    assert_eq!(found.is_some(), whole, "a fin at {side}, size {size}");
+                }
+            }
+        }
+    }
+
+    /// Any incidences are the sum of their parts; the mirror keeps the one and changes the sign of the other.
+    #[test]
+    fn parts_of_incidences_add_up_to_them_and_have_the_symmetry_of_their_name() {
+        let lattice = aircraft();
+        let halves = Halves::find(&lattice).expect("a symmetric lattice");
+        let w = Mat::from_fn(lattice.len(), 2, |i, j| c64::new((1.3 * i as f64).sin(), (i + 3 * j) as f64));
+        let [same, other] = halves.split(w.as_ref());
+        assert_eq!((same.nrows(), other.nrows()), (5, 7));
+        assert!((halves.join([same.clone(), other.clone()]) - &w).norm_max() < 1e-14);
+        let none = |rows: usize| Mat::zeros(rows, 2);
+        for (whole, sign) in [(halves.join([same, none(7)]), 1.0), (halves.join([none(5), other]), -1.0)] {
+            for column in 0..2 {
+                for (right, left, flip) in &halves.pairs {
+                    let image = whole[(*right, column)] * (sign * flip);
+                    assert!((whole[(*left, column)] - image).norm() < 1e-14);
+                }
+            }
+        }
+    }
+}

@@ -266,4 +266,96 @@ mod tests {
             }
         }
     }
+
+    /// With a sixteenth of a half width between its points and so far away Simpson's rule is as good as exact.
+    #[test]
+    fn moments_far_away_are_those_of_quadrature_in_every_direction() {
+        let places = [(0.0, 3.2), (3.2, 0.2), (5.0, 5.0), (-5.0, 5.0), (-200.0, 0.5), (200.0, 0.5)];
+        for (y, z) in places.into_iter().chain([(0.5, 200.0), (-40.0, 0.01), (0.01, 40.0), (-9.0, 5e-4)]) {
+            let (got, planar) = (moments(y, z, CORES), z <= PLANAR);
+            let parts = 4000_u32;
+            let mut want = [[0.0; MOST_POINTS]; 2];
+            for i in 0..=parts {
+                let ends = if i == 0 || i == parts { 1.0 } else { f64::from(2 + 2 * (i % 2)) };
+                let eta = f64::from(i) * 2.0 / f64::from(parts) - 1.0;
+                let inverse = 1.0 / ((y - eta).powi(2) + z * z);
+                let [one, two] = &mut want;
+                for (power, (one, two)) in one.iter_mut().zip(two).enumerate() {
+                    let weight =
+                        ends * 2.0 / f64::from(3 * parts) * eta.powi(i32::try_from(power).unwrap_or(0));
+                    *one += weight * inverse;
+                    *two += if planar { 0.0 } else { weight * inverse * inverse };
+                }
+            }
+            for kind in 0..2 {
+                for power in 0..MOST_POINTS {
+                    let (got, want, size) = (got[kind][power], want[kind][power], want[kind][0]);
+                    assert!((got - want).abs() <= 1e-11 * size, "{kind} {power} at {y}, {z}: {got} {want}");
+                }
+            }
+        }
+    }
+
+    /// Sixteen points integrate powers up to the thirty-first exactly.
+    #[test]
+    fn gauss_rule_is_exact_for_as_many_powers_as_it_has_numbers() {
+        assert!(RULE.windows(2).all(|pair| pair[0].0 > pair[1].0));
+        for power in 0..32 {
+            let sum: f64 = RULE.iter().map(|(x, weight)| weight * x.powi(power)).sum();
+            let want = if power % 2 == 0 { 2.0 / f64::from(power + 1) } else { 0.0 };
+            assert!((sum - want).abs() < 1e-14, "x^{power}: {sum} instead of {want}");
+        }
+    }
+
+    /// A pole at either end has eta^p there as its factor, 1 or -1 at the left; its core makes d/core^2 of
+    /// 1/d and touches no more. The logarithm's factor is the slope p eta^(p-1), as y^(p-1) to within d.
+    #[test]
+    fn cores_act_on_the_poles_and_the_logarithms_of_the_ends_alone() {
+        let tiny = Cores { pole: 1e-9, logarithm: 1e-9 };
+        for d in [-0.004, 0.004, 0.007, -0.0095] {
+            for end in [1.0, -1.0] {
+                let y: f64 = end + d;
+                let plain = in_plane(y, tiny);
+                let with_pole = in_plane(y, Cores { pole: 0.01, ..tiny });
+                let with_log = in_plane(y, Cores { logarithm: 0.05, ..tiny });
+                for power in 0..MOST_POINTS {
+                    let p = i32::try_from(power).unwrap_or(0);
+                    let pole = end.powi(p) * end * (d / 1e-4 - 1.0 / d);
+                    let got = with_pole[0][power] - plain[0][power];
+                    assert!((got - pole).abs() < 1e-9, "pole of {power} at {y}: {got} instead of {pole}");
+                    let log =
+                        if p == 0 { 0.0 } else { f64::from(p) * y.powi(p - 1) * end * (0.05 / d.abs()).ln() };
+                    let got = with_log[0][power] - plain[0][power];
+                    assert!((got - log).abs() < 1e-9, "logarithm of {power} at {y}: {got} instead of {log}");
+                }
+                assert_eq!([plain[1], with_pole[1], with_log[1]], [[0.0; MOST_POINTS]; 3]);
+            }
+        }
+        // On the end itself there is nothing of its own pole, and the other one is 1/2 away.
+        assert_eq!(in_plane(1.0, CORES)[0][0], -0.5);
+        assert_eq!(in_plane(-1.0, CORES)[0][0], -0.5);
+    }
+
+    #[test]
+    fn a_thousandth_of_a_half_width_is_the_plane_and_both_sides_of_it_are_alike() {
+        assert_eq!(moments(0.3, PLANAR, CORES), moments(0.3, 0.0, CORES));
+        assert_eq!(moments(0.3, 0.0, CORES)[0], in_plane(0.3, CORES)[0]);
+        let above = moments(0.3, 1.001 * PLANAR, CORES);
+        assert!((above[0][0] / (PI / (1.001 * PLANAR)) - 1.0).abs() < 1e-2, "{}", above[0][0]);
+        for fit in [SpanFit::Parabolic, SpanFit::Quartic] {
+            for z in [5e-4, 0.2, 4.0] {
+                assert_eq!(weights(fit, 0.4, z, CORES), weights(fit, 0.4, -z, CORES));
+            }
+        }
+        // Each polynomial is 1 at its own point and 0 at the others.
+        for fit in [SpanFit::Parabolic, SpanFit::Quartic] {
+            for (i, own) in fit.points().iter().enumerate() {
+                for point in fit.points() {
+                    let value: f64 = fit.cardinal(i).iter().rev().fold(0.0, |sum, c| sum * point + c);
+                    let want = f64::from(u8::from(own == point));
+                    assert!((value - want).abs() < 1e-14, "{fit:?} {own} at {point}: {value}");
+                }
+            }
+        }
+    }
 }

@@ -64,3 +64,16 @@ pub struct Metrics {
     /// effects' names, pairs with a `+`.
     pub confusion: BTreeMap<String, BTreeMap<String, usize>>,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn half_of_the_numbers_are_below_a_median() {
+        let median = |values: &[f64]| Metric::median(values.to_vec()).value;
+        assert_eq!(median(&[5.0, 1.0, 4.0, 2.0]), Some(3.0));
+        assert_eq!(median(&[9.0, 1.0, 5.0, 2.0, 3.0]), Some(3.0));
+        assert_eq!(median(&[]), None);
+    }
+}

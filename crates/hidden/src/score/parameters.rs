@@ -107,6 +107,10 @@ mod tests {
         // said with .9, half right: .4 off
         let half = vec![(0.9, true), (0.9, false)];
         assert!(calibration_error(&half).is_some_and(|ece| (ece - 0.4).abs() < 1e-12));
+        // bins do not make up for each other, and the last one has its upper end
+        let apart = vec![(0.1, true), (0.9, false)];
+        assert!(calibration_error(&apart).is_some_and(|ece| (ece - 0.9).abs() < 1e-12));
+        assert_eq!(calibration_error(&[(1.0, false)]), Some(1.0));
         assert_eq!(calibration_error(&[]), None);
     }
 }

@@ -23,14 +23,14 @@ struct Test<'a> {
     reaches: BTreeSet<usize>,
 }
 
-/// Numbers of the mutants that no test catches.
+/// Numbers of the mutants that no test catches, of those that together take no longer than `most` without a mutant.
 ///
 /// # Errors
 /// If a program does not start, or a test fails without a mutant.
-pub(super) fn missed(built: &Built) -> Result<Vec<usize>, Failure> {
+pub(super) fn missed(built: &Built, most: Duration) -> Result<Vec<usize>, Failure> {
     let mut tests = tests(built)?;
     tests.sort_by_key(|test| test.took);
-    let missed = built.inside.par_iter().map(|&mutant| Ok((mutant, is_caught(built, &tests, mutant)?)));
+    let missed = built.inside.par_iter().map(|&mutant| Ok((mutant, is_caught(built, &tests, mutant, most)?)));
     let judged: Vec<(usize, bool)> = missed.collect::<Result<_, Failure>>()?;
     Ok(judged.into_iter().filter(|(_, caught)| !caught).map(|(mutant, _)| mutant).collect())
 }
@@ -63,8 +63,14 @@ fn tests(built: &Built) -> Result<Vec<Test<'_>>, Failure> {
 }
 
 /// Whether a test fails or hangs with a mutant: first the quickest alone, then more and more in one process.
-fn is_caught(built: &Built, tests: &[Test<'_>], mutant: usize) -> Result<bool, Failure> {
-    let reaching: Vec<&Test<'_>> = tests.iter().filter(|test| test.reaches.contains(&mutant)).collect();
+fn is_caught(built: &Built, tests: &[Test<'_>], mutant: usize, most: Duration) -> Result<bool, Failure> {
+    let mut together = Duration::ZERO;
+    let quick = |test: &&Test<'_>| {
+        together += test.took;
+        together <= most
+    };
+    let reaching = tests.iter().filter(|test| test.reaches.contains(&mutant));
+    let reaching: Vec<&Test<'_>> = reaching.take_while(quick).collect();
     let (mut at, mut size) = (0, 1);
     while at < reaching.len() {
         let some = &reaching[at..(at + size).min(reaching.len())];

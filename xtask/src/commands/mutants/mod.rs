@@ -5,6 +5,8 @@ mod listed;
 mod switched;
 mod tree;
 
+use std::time::Duration;
+
 use clap::Args;
 use loads::compare::statistics::wilson;
 use nastran::InputError;
@@ -30,9 +32,12 @@ pub(crate) struct MutantsArgs {
     /// Crates, by comma [default: all of the table in docs/testing.md]
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub(crate) crates: Vec<String>,
-    /// About so many mutants of a crate: every k-th of its list, from that of --seed on
-    #[arg(long, value_name = "N", default_value_t = 150)]
+    /// About so many mutants of a crate: every k-th of its list, from that of --seed on; two thirds can stand behind a switch
+    #[arg(long, value_name = "N", default_value_t = 225)]
     pub(crate) sample: usize,
+    /// A mutant is missed if the quickest tests that reach it, of so many seconds together, all pass
+    #[arg(long, value_name = "N", default_value_t = 20)]
+    pub(crate) seconds: u64,
     /// Put the rows into docs/testing.md, in place of earlier ones of these crates
     #[arg(long)]
     pub(crate) write: bool,
@@ -92,7 +97,7 @@ pub(crate) fn run(args: &MutantsArgs, common: &Common) -> Result<(), Failure> {
         CRATES.iter().filter(|(name, _)| args.crates.is_empty() || args.crates.iter().any(|one| one == name));
     let mut rows = Vec::new();
     for (name, files) in wanted {
-        let row = row(args.sample, common.seed.unwrap_or(1), name, files)?;
+        let row = row(args, common.seed.unwrap_or(1), name, files)?;
         show::summary(common, &format!("{}\n", line(&row)));
         rows.push(row);
     }
@@ -114,13 +119,13 @@ pub(crate) fn run(args: &MutantsArgs, common: &Common) -> Result<(), Failure> {
 }
 
 /// Lists a crate's mutants, tries every k-th and counts.
-fn row(sample: usize, seed: u64, name: &str, files: &[&str]) -> Result<Row, Failure> {
+fn row(args: &MutantsArgs, seed: u64, name: &str, files: &[&str]) -> Result<Row, Failure> {
     let all = listed::listed(name, files)?;
-    let every = (all.len() / sample.max(1)).max(1);
+    let every = (all.len() / args.sample.max(1)).max(1);
     let from = usize::try_from(seed % every as u64).unwrap_or_default();
     let taken: Vec<Mutant> = all.iter().skip(from).step_by(every).cloned().collect();
     let built = tree::built(name, &taken)?;
-    let missed = judged::missed(&built)?;
+    let missed = judged::missed(&built, Duration::from_secs(args.seconds))?;
     Ok(Row {
         name: name.to_owned(),
         mutants: all.len(),

@@ -51,11 +51,11 @@ pub(super) fn built(name: &str, mutants: &[Mutant]) -> Result<Built, Failure> {
     }
 }
 
-/// What git knows of, written only where it differs: what is compiled stays.
+/// What git knows of, or would take, written only where it differs: what is compiled stays.
 fn copied(tree: &Path) -> Result<(), Failure> {
     let listed = Command::new("git")
         .current_dir(repository::path("."))
-        .args(["ls-files", "-z"])
+        .args(["ls-files", "-z", "--cached", "--others", "--exclude-standard"])
         .output()
         .map_err(text_of)?;
     for name in String::from_utf8_lossy(&listed.stdout).split_terminator('\0') {
@@ -119,8 +119,8 @@ fn compiled(tree: &Path, name: &str) -> Result<(Vec<PathBuf>, Vec<Refused>), Fai
     let target = std::path::absolute(repository::path("target/mutants/build")).map_err(text_of)?;
     let output = Command::new("cargo")
         .current_dir(tree)
-        .args(["test", "--package", &format!("wingroot-{name}"), "--lib", "--tests", "--no-run"])
-        .args(["--message-format=json", "--quiet", "--keep-going", "--profile", "mutants"])
+        .args(["build", "--package", &format!("wingroot-{name}"), "--tests", "--keep-going"])
+        .args(["--message-format=json", "--quiet", "--profile", "mutants"])
         .env("CARGO_TARGET_DIR", target)
         .output()
         .map_err(text_of)?;
