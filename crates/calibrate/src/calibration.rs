@@ -375,3 +375,6 @@ impl Calibration {
         self.airspeeds.iter().map(|airspeed| airspeed.fit.cone_programs).chain(common).sum()
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -388,3 +388,6 @@ fn static_points(
     }
     Ok((channels, points))
 }
+
+#[cfg(test)]
+mod tests;

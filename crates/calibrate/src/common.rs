@@ -205,3 +205,6 @@ impl Curves {
         (1.0 + 4.0 * count / freedom).sqrt()
     }
 }
+
+#[cfg(test)]
+mod tests;

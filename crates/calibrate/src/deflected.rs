@@ -23,3 +23,21 @@ pub(crate) fn deflections(table: &Table, row: usize) -> Result<Vec<(String, f64)
     }
     Ok(controls_rad)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_of_controls_are_read_in_degrees_where_they_are_not_zero() {
+        assert_eq!(control_of("delta_flap_in_deg"), Some("flap_in"));
+        assert_eq!(control_of("delta_flap"), None);
+        assert_eq!(control_of("flap_deg"), None);
+        let table = Table::parse("t.csv", "V_m_s,delta_a_deg,delta_b_deg\n1,0,-90\n1,180,0\n1,0,0\n")
+            .expect("a table");
+        let read = |row| deflections(&table, row).expect("numbers");
+        assert_eq!(read(0), [("b".to_owned(), -std::f64::consts::FRAC_PI_2)]);
+        assert_eq!(read(1), [("a".to_owned(), std::f64::consts::PI)]);
+        assert_eq!(read(2), []);
+    }
+}

@@ -299,3 +299,6 @@ pub(crate) struct Linearised {
     pub(crate) residuals: Vec<[f64; 4]>,
     pub(crate) sensitivities: Vec<RootSensitivity>,
 }
+
+#[cfg(test)]
+mod tests;

@@ -248,3 +248,6 @@ fn lower_solve(lower: faer::MatRef<'_, f64>, right: &Mat<f64>) -> Mat<f64> {
     lower.solve_lower_triangular_in_place(solution.as_mut());
     solution
 }
+
+#[cfg(test)]
+mod tests;

@@ -176,3 +176,6 @@ fn line_through(kept: &[Angle], angles: &[Angle], channels: [bool; 4]) -> Vec<[f
     };
     angles.iter().map(about).collect()
 }
+
+#[cfg(test)]
+mod tests;

@@ -20,6 +20,8 @@ pub mod schedule;
 pub mod sensors;
 pub mod settings;
 pub mod statics;
+#[cfg(test)]
+mod tests;
 mod tip_zero;
 
 pub use calibration::{AirspeedCalibration, Calibration, WeightTare, calibrate};

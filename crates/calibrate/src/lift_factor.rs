@@ -205,3 +205,6 @@ impl At {
         (products / f64::max(squares, f64::MIN_POSITIVE)).clamp(0.0, 0.99)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -119,3 +119,47 @@ pub(crate) fn polynomial_residuals(x: &[f64], y: &[f64], order: usize) -> (Vec<f
     let residuals = (0..x.len()).map(|i| y[i] - fitted(i)).collect();
     (residuals, (0..=order).map(|k| solution[(k, 0)] / power(scale, k)).collect())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn near(a: f64, b: f64, tolerance: f64) {
+        assert!((a - b).abs() < tolerance, "{a} {b}");
+    }
+
+    #[test]
+    fn the_objective_is_the_weighted_sum_of_root_mean_squares() {
+        let found = rmse(&[[3.0, 1.0, 5.0], [-4.0, 1.0, 5.0]], [true, true, false]);
+        near(found[0], 12.5_f64.sqrt(), 1e-12);
+        assert_eq!(found[1..], [1.0, 0.0]);
+        assert_eq!(rmse::<2>(&[], [true; 2]), [0.0; 2]);
+        assert_eq!(objective([1.0, 2.0, 3.0], [10.0, 0.5, 1.0]), 14.0);
+    }
+
+    /// Upper 5 % points: F(1, 10) 4.965, F(3, 20) 3.098, chi square of three degrees 7.815.
+    #[test]
+    fn chances_are_those_of_the_tables() {
+        let chance = |f, freedom, dof| probability_of_noise(f, freedom, dof).expect("a law");
+        near(chance(4.965, 1.0, Some(10)), 0.05, 1e-4);
+        near(chance(3.098, 3.0, Some(20)), 0.05, 1e-4);
+        near(chance(7.815 / 3.0, 3.0, None), 0.05, 1e-4);
+        assert_eq!(probability_of_noise(1.0, 0.0, Some(3)), None);
+    }
+
+    #[test]
+    fn polynomials_are_found_in_their_own_powers() {
+        let x = [-2.0, 0.5, 1.0, 4.0];
+        let y = x.map(|x| 3.0 - 2.0 * x + 0.25 * x * x);
+        let (residuals, coefficients) = polynomial_residuals(&x, &y, 2);
+        assert!(residuals.iter().all(|r| r.abs() < 1e-12), "{residuals:?}");
+        coefficients.iter().zip([3.0, -2.0, 0.25]).for_each(|(a, b)| near(*a, b, 1e-12));
+        // a line through 0, 0, 3 at -1, 0, 1 has the slope 1.5
+        let (residuals, coefficients) = polynomial_residuals(&[-1.0, 0.0, 1.0], &[0.0, 0.0, 3.0], 1);
+        coefficients.iter().zip([1.0, 1.5]).for_each(|(a, b)| near(*a, b, 1e-12));
+        residuals.iter().zip([0.5, -1.0, 0.5]).for_each(|(a, b)| near(*a, b, 1e-12));
+        assert_eq!(polynomial_residuals(&x[..2], &y[..2], 2), (vec![0.0; 2], vec![]));
+        assert_eq!(polynomial_residuals(&x[..3], &y[..3], 2).1.len(), 3);
+    }
+}

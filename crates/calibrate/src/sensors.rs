@@ -260,3 +260,6 @@ pub(crate) fn check_weights(
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests;

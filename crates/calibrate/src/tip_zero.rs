@@ -58,3 +58,36 @@ impl TipZero {
         if self.free { self.blocks } else { 0 }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_free_zero_is_the_mean_of_its_block_and_a_known_one_is_none() {
+        let values = [1.0, 5.0, 3.0, 10.0];
+        let free = TipZero::new(vec![0, 2, 0, 2], true);
+        assert_eq!(free.means(|row| values[row]), [2.0, 0.0, 7.5]);
+        let mut centred = values;
+        free.centre(&mut centred);
+        assert_eq!(centred, [-1.0, -2.5, 1.0, 2.5]);
+        assert_eq!(free.count(), 3);
+        let known = TipZero::new(vec![0, 2, 0, 2], false);
+        assert_eq!(known.means(|row| values[row]), [0.0; 3]);
+        let mut left = values;
+        known.centre(&mut left);
+        assert_eq!((left, known.count()), (values, 0));
+    }
+
+    /// Var(mean) = sum of variances over the square of their number.
+    #[test]
+    fn the_mean_of_a_block_is_as_uncertain_as_its_rows_say() {
+        let zero = TipZero::new(vec![0, 0, 0, 1], true);
+        let variances = zero.means_of_inverse([1.0, 2.0, 4.0, 5.0].into_iter());
+        assert!(
+            (variances[0] - 1.75 / 9.0).abs() < 1e-15 && (variances[1] - 0.2).abs() < 1e-15,
+            "{variances:?}"
+        );
+        assert_eq!(TipZero::new(vec![1, 1], true).means_of_inverse([2.0, 2.0].into_iter()), [0.0, 0.25]);
+    }
+}

@@ -216,3 +216,19 @@ fn a_weight_that_cannot_be_is_refused_with_its_place() {
         assert!(error.contains(words), "{words}: {error}");
     }
 }
+
+/// A column whose rows scatter by far more than its noise is named, and only that one.
+#[test]
+fn readings_under_a_weight_that_scatter_are_named_by_their_own_column() {
+    let (mut campaign, _) = measured(true);
+    let hung = campaign.points.pop().unwrap();
+    for off_deg in [0.2, -0.2, 0.2, -0.2, 0.2, -0.2] {
+        let mut point = hung.clone();
+        point.sensors[1] = point.sensors[1].map(|turned_deg| turned_deg + off_deg);
+        campaign.points.push(point);
+    }
+    let beyond = known(&campaign).beyond;
+    assert_eq!(beyond.iter().map(|(column, _)| column.as_str()).collect::<Vec<_>>(), ["turned_deg"]);
+    // six squares of 40 standard deviations over four degrees of freedom
+    assert!((beyond[0].1 / (40.0 * 1.5_f64.sqrt()) - 1.0).abs() < 0.05, "{beyond:?}");
+}

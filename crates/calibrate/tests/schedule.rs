@@ -76,3 +76,71 @@ fn corrections_of_a_fit_that_stalled_are_refused_unless_told() {
     assert_eq!(Schedule::read_unconverged(&path), Ok(stalled));
     std::fs::remove_dir_all(&folder).expect("a folder of our own");
 }
+
+#[test]
+fn a_file_that_says_what_no_corrections_are_is_refused() {
+    let folder = std::env::temp_dir().join(format!("wingroot-no-schedule-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder of our own");
+    let path = folder.join("corrections.ron");
+    let read = |sets: Vec<CorrectionSet>| {
+        std::fs::write(&path, Schedule { sets, ..schedule() }.to_ron()).expect("a file");
+        Schedule::read(&path).map_err(|error| error.to_string())
+    };
+    for v_m_s in [0.1, 340.0] {
+        assert!(read(vec![set(v_m_s, 1000.0)]).is_ok(), "{v_m_s}");
+    }
+    let of = |family: usize, value: f64| {
+        let mut set = set(20.0, 1.0);
+        let Corrections { force, moment, pressure_offset } = &mut set.corrections;
+        [force, moment, pressure_offset][family][1] = value;
+        vec![set]
+    };
+    let mut cases = vec![
+        (vec![], "no set"),
+        (vec![set(0.09, 1.0)], "0.09 m/s"),
+        (vec![set(340.5, 1.0)], "340.5 m/s"),
+        (vec![set(20.0, 1.0), set(20.0, 1.0)], "must ascend"),
+        (vec![set(20.0, 1.0), set(30.0, 1.0), set(25.0, 1.0)], "must ascend"),
+    ];
+    for family in 0..3 {
+        assert!(read(of(family, -1000.0)).is_ok());
+        cases.extend([1000.5, -1000.5].map(|value| (of(family, value), "beyond 1000")));
+        let mut long = set(20.0, 1.0);
+        let Corrections { force, moment, pressure_offset } = &mut long.corrections;
+        [force, moment, pressure_offset][family].push(1.0);
+        cases.push((vec![long], "differ in length"));
+    }
+    for (sets, words) in cases {
+        let refused = read(sets).expect_err(words);
+        assert!(refused.contains(words), "{words}: {refused}");
+    }
+    std::fs::remove_dir_all(&folder).expect("a folder of our own");
+}
+
+#[test]
+fn three_sets_are_mixed_in_all_families_by_the_two_beside() {
+    let third = CorrectionSet {
+        v_m_s: 50.0,
+        corrections: Corrections {
+            force: vec![2.0, 1.0],
+            moment: vec![3.0, 0.9],
+            pressure_offset: vec![-0.3, 0.2],
+        },
+    };
+    let mut schedule = schedule();
+    schedule.sets.push(third);
+    // 1600, 2050, 2500: half of the way
+    let found = schedule.at(2050.0_f64.sqrt()).expect("inside");
+    let near =
+        |a: &[f64], b: [f64; 2]| assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-12), "{a:?} {b:?}");
+    near(&found.force, [1.5, 1.0]);
+    near(&found.moment, [2.0, 0.9]);
+    near(&found.pressure_offset, [-0.1, 0.0]);
+    near(&schedule.at(30.0).expect("inside").force, [1.4 - 0.4 * 5.0 / 12.0, 1.0]);
+    assert_eq!(
+        [19.0, 29.9, 30.1, 44.9, 45.1, 90.0].map(|v| schedule.nearest(v).v_m_s),
+        [20.0, 20.0, 40.0, 40.0, 50.0, 50.0]
+    );
+    let one = Schedule { sets: vec![set(20.0, 1.4)], ..schedule };
+    assert_eq!(one.at(20.0).expect("the one").force[0], 1.4);
+}

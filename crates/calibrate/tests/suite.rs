@@ -1,6 +1,7 @@
 //! The tests of `calibrate` that need no process of their own, as one program: linked once, and both cores busy to the end.
 
 mod bent_wing;
+mod centres;
 mod checks;
 mod common;
 mod dead_weights;

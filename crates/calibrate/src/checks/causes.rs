@@ -328,3 +328,6 @@ fn columns(lines: &[Lines], scale: f64) -> Vec<Vec<ByLoad<Line>>> {
     }
     all
 }
+
+#[cfg(test)]
+mod tests;

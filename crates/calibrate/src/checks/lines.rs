@@ -121,3 +121,6 @@ fn measured_line(data: &StaticData, airspeed: &AirspeedData, load: Load) -> (Lin
     };
     (Line { slope: coefficient(1), at_zero: coefficient(0) }, noise)
 }
+
+#[cfg(test)]
+mod tests;

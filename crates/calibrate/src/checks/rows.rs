@@ -359,3 +359,6 @@ fn about_a_curve(group: &Group, channel: usize) -> (f64, usize) {
     let (residuals, _) = polynomial_residuals(&group.alphas_rad, &group.loads[channel], order);
     (residuals.iter().map(|r| r * r).sum(), group.rows.len() - order - 1)
 }
+
+#[cfg(test)]
+mod tests;

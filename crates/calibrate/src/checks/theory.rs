@@ -103,3 +103,6 @@ pub(super) fn not_told(campaign: &Campaign) -> Vec<Finding> {
     }
     found
 }
+
+#[cfg(test)]
+mod tests;

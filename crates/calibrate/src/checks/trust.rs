@@ -93,3 +93,32 @@ pub(crate) fn deflections<M: SteadyModel>(
         ))
     }))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::finding::Weight;
+
+    #[test]
+    fn force_factors_are_judged_by_their_least_and_most() {
+        let judged = |force: [f64; 3]| {
+            let corrections =
+                Corrections { force: force.to_vec(), moment: vec![9.0; 3], pressure_offset: vec![9.0; 3] };
+            factors(&corrections, "at 30 m/s", 0.1).map(|found| (found.weight, found.sentence))
+        };
+        for good in [[1.0, 0.3, 1.9], [1.99, 1.0, 1.0]] {
+            assert_eq!(judged(good), None, "{good:?}");
+        }
+        for odd in [[1.0, 0.29, 1.0], [1.0, 2.0, 1.0], [0.151, 1.0, 2.5]] {
+            let (weight, said) = judged(odd).expect("odd");
+            let [least, most] = [odd.into_iter().fold(9.0, f64::min), odd.into_iter().fold(0.0, f64::max)];
+            assert_eq!(weight, Weight::Suspicion);
+            assert!(said.contains(&format!("at 30 m/s are between {least:.2} and {most:.2}")), "{said}");
+        }
+        for least in [0.149, 0.1] {
+            let (weight, said) = judged([1.0, 1.0, least]).expect("held by the least");
+            assert_eq!(weight, Weight::Defect);
+            assert!(said.contains(&format!("at 30 m/s fall to {least:.2}, the least")), "{said}");
+        }
+    }
+}

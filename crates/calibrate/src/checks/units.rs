@@ -155,3 +155,6 @@ fn clear_slope(airspeed: &AirspeedData, channel: usize) -> Option<f64> {
     let scatter = points.iter().map(|(x, y)| (y - y_mean - slope * (x - x_mean)).powi(2)).sum::<f64>();
     (slope * slope * sxx > CLEAR * CLEAR * scatter).then_some(slope)
 }
+
+#[cfg(test)]
+mod tests;

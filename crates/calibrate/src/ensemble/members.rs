@@ -128,3 +128,91 @@ fn gaussians(directions: &Mat<f64>) -> Vec<Vec<f64>> {
     }
     drawn
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::posterior::Prediction;
+    use aero::Corrections;
+
+    /// Columns of a Hadamard matrix are at right angles to each other and to ones.
+    #[test]
+    fn signs_are_those_of_hadamards_matrix() {
+        let column = |k: usize| (0..MEMBERS).map(move |member| sign(member, k));
+        for k in 0..EXACT {
+            assert_eq!(column(k).sum::<f64>(), 0.0);
+            for l in 0..EXACT {
+                let product: f64 = column(k).zip(column(l)).map(|(a, b)| a * b).sum();
+                assert_eq!(product, if k == l { 8.0 } else { 0.0 }, "{k} {l}");
+            }
+        }
+        assert_eq!([0, 1, 2, 3].map(|member| sign(member, 0)), [1.0, -1.0, 1.0, -1.0]);
+    }
+
+    #[test]
+    fn along_exact_directions_wings_take_signs_and_elsewhere_they_are_opposite_in_pairs() {
+        let (c, s) = (0.6, 0.8);
+        let directions = Mat::from_fn(4, 2, |i, k| [[c, -s], [s, c], [0.0, 0.0], [0.0, 0.0]][i][k]);
+        let drawn = gaussians(&directions);
+        assert_eq!(drawn.len(), MEMBERS);
+        for (member, z) in drawn.iter().enumerate() {
+            for k in 0..2 {
+                let along: f64 = (0..4).map(|i| directions[(i, k)] * z[i]).sum();
+                assert!((along - sign(member, k)).abs() < 1e-12, "{member} {k}: {along}");
+            }
+            let opposite = &drawn[(member + MEMBERS / 2) % MEMBERS];
+            assert!((2..4).all(|i| z[i] == -opposite[i] && z[i] != 0.0), "{z:?} {opposite:?}");
+        }
+        assert!(drawn[0][2] != drawn[1][2]);
+        assert_eq!(gaussians(&directions), drawn, "the same at every run");
+    }
+
+    fn known(gradients: Vec<Vec<f64>>, is_strip: &[bool], root: Mat<f64>) -> AirspeedPosterior {
+        let predictions = is_strip.iter().map(|&is_strip| Prediction {
+            quantity: if is_strip {
+                Quantity::Reading(Reading::StripLift { y_over_span: 0.5 })
+            } else {
+                Quantity::TipHeight
+            },
+            theory: 0.0,
+            value: 0.0,
+            prior_sigma: 1.0,
+            sigma: 1.0,
+        });
+        AirspeedPosterior {
+            v_m_s: 10.0,
+            alpha_rad: 0.0,
+            mean: None,
+            corrections: Corrections::neutral(1),
+            beyond: vec![],
+            predictions: predictions.collect(),
+            spread: Spread { root, gradients },
+        }
+    }
+
+    /// Each prediction counts alike whatever its size, strips as one together: the first direction is the one that
+    /// more of them lie in.
+    #[test]
+    fn directions_are_those_of_most_of_the_predictions_variance() {
+        let unit =
+            |i: usize, size: f64| -> Vec<f64> { (0..3).map(|k| if k == i { size } else { 0.0 }).collect() };
+        let first = |gradients: Vec<Vec<f64>>, is_strip: &[bool]| {
+            let found = directions(&[known(gradients, is_strip, Mat::identity(3, 3))], 3);
+            assert_eq!((found.nrows(), found.ncols()), (3, 3));
+            [0, 1, 2].map(|k| (0..3).position(|i| found[(i, k)].abs() > 0.999).expect("an axis"))
+        };
+        let gradients =
+            || vec![unit(0, 100.0), unit(1, 0.1), unit(1, 0.1), unit(2, 5.0), unit(2, 1.0), unit(2, 3.0)];
+        assert_eq!(first(gradients(), &[false; 6]), [2, 1, 0]);
+        // three strips are one prediction, as the first is; of two airspeeds each counts
+        assert_eq!(first(gradients(), &[false, false, false, true, true, true])[0], 1);
+        let mut more = gradients();
+        more.push(unit(0, 1.0));
+        more.push(unit(0, 7.0));
+        assert_eq!(first(more, &[false, false, false, true, true, true, false, false]), [0, 1, 2]);
+        // what is seen through the root of the covariance
+        let swap = Mat::from_fn(3, 3, |i, k| if (i + 1) % 3 == k { 1.0 } else { 0.0 });
+        let found = directions(&[known(vec![unit(0, 2.0)], &[false], swap)], 3);
+        assert!(found[(1, 0)].abs() > 0.999);
+    }
+}

@@ -137,3 +137,28 @@ pub fn posterior(
     };
     known.into_iter().enumerate().map(of).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_interval_is_1645_standard_deviations_on_both_sides() {
+        let one = Prediction {
+            quantity: Quantity::TipHeight,
+            theory: 9.0,
+            value: 2.0,
+            prior_sigma: 1.0,
+            sigma: 0.1,
+        };
+        let half = 1.644_853_627;
+        let near = |found: [f64; 2], low: f64, high: f64| {
+            assert!((found[0] - low).abs() < 1e-12 && (found[1] - high).abs() < 1e-12, "{found:?}");
+        };
+        near(one.interval(), 2.0 - 0.1 * half, 2.0 + 0.1 * half);
+        near(one.interval_before(), 2.0 - half, 2.0 + half);
+        assert!((one.decided() - 0.99).abs() < 1e-12);
+        let half_as_wide = Prediction { prior_sigma: 4.0, sigma: 2.0, ..one };
+        assert!((half_as_wide.decided() - 0.75).abs() < 1e-12);
+    }
+}

@@ -70,3 +70,41 @@ pub(super) fn cells<'a>(rows: &[&'a StaticPoint]) -> Vec<Cell<'a>> {
     }
     cells
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tests::point;
+
+    #[test]
+    fn rows_of_one_airspeed_and_angle_are_a_cell_and_blocks_split_it() {
+        let mut points: Vec<StaticPoint> =
+            [(20.0, 0.1), (10.0, 0.2), (20.02, 0.1), (10.0, -0.1), (10.0, 0.2005), (20.0, 0.2)]
+                .iter()
+                .enumerate()
+                .map(|(i, &(v_m_s, alpha_rad))| point(i + 2, v_m_s, alpha_rad, [0.0; 4]))
+                .collect();
+        points[2].block = Some("B".into());
+        let rows: Vec<&StaticPoint> = points.iter().collect();
+        let cells = cells(&rows);
+        let of = |cells: &[Cell<'_>]| -> Vec<(f64, f64, Vec<usize>)> {
+            let lines = |cell: &Cell<'_>| cell.rows.iter().map(|row| row.span.line).collect();
+            cells.iter().map(|cell| (cell.v_m_s, cell.alpha_rad, lines(cell))).collect()
+        };
+        let found = of(&cells);
+        let expected = [
+            (10.0, -0.1, vec![5]),
+            (10.0, 0.200_25, vec![3, 6]),
+            (20.01, 0.1, vec![2, 4]),
+            (20.0, 0.2, vec![7]),
+        ];
+        assert_eq!(found.len(), expected.len(), "{found:?}");
+        for (a, b) in found.iter().zip(&expected) {
+            assert!((a.0 - b.0).abs() < 1e-12 && (a.1 - b.1).abs() < 1e-12 && a.2 == b.2, "{a:?} {b:?}");
+        }
+        let split = of(&split_by_block(&cells, &["", "B"]));
+        assert_eq!(split.len(), 5);
+        assert_eq!((split[2].0, &split[2].2, split[3].0, &split[3].2), (20.0, &vec![2], 20.02, &vec![4]));
+        assert_eq!((block_name(&points[2]), block_name(&points[0])), ("B", ""));
+    }
+}

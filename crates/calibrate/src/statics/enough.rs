@@ -78,3 +78,70 @@ pub(super) fn check_angles(campaign: &Campaign, cells: &[Cell<'_>]) -> Result<()
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::statics::cells::cells;
+    use crate::tests::{campaign, point};
+
+    fn rows(all: &[(f64, f64)]) -> Campaign {
+        campaign(
+            all.iter().enumerate().map(|(i, &(v, alpha))| point(i + 2, v, alpha, [0.0; 4])).collect(),
+            None,
+        )
+    }
+
+    #[test]
+    fn blocks_are_two_hundred_at_most() {
+        let of = |count: usize| {
+            let mut all = rows(&vec![(10.0, 0.0); 2 * count]);
+            for (i, point) in all.points.iter_mut().enumerate() {
+                point.block = Some(format!("day {}", i / 2));
+            }
+            check_blocks(&all.points.iter().collect::<Vec<_>>())
+        };
+        assert!(of(200).is_ok());
+        let refused = of(201).expect_err("one too many");
+        assert!(refused.to_string().contains("more than 200 blocks"), "{refused}");
+        assert_eq!(refused.span.map(|span| span.line), Some(402));
+    }
+
+    #[test]
+    fn a_common_set_needs_three_rows() {
+        let all = rows(&[(10.0, 0.0); 3]);
+        assert!(check_rows(&all, 3).is_ok() && check_rows(&all, 4).is_ok());
+        let refused = check_rows(&all, 2).expect_err("two");
+        assert!(refused.to_string().contains("2 static cases"), "{refused}");
+        assert!(check_rows(&rows(&[]), 0).is_err());
+    }
+
+    fn checked(all: &[(f64, f64)]) -> Result<(), InputError> {
+        let campaign = rows(all);
+        check_angles(&campaign, &cells(&campaign.points.iter().collect::<Vec<_>>()))
+    }
+
+    #[test]
+    fn every_airspeed_needs_three_angles() {
+        let three = |v: f64| [(v, 0.0), (v, 0.1), (v, 0.2)];
+        assert!(checked(&[three(10.0), three(20.0)].concat()).is_ok());
+        let refused =
+            checked(&[&three(10.0)[..], &three(20.0)[..2], &three(30.0)].concat()).expect_err("two");
+        assert!(refused.to_string().contains("20 m/s has 2 different angle(s)"), "{refused}");
+        assert_eq!(refused.span.as_ref().map(|span| span.line), Some(5));
+        assert!(format!("{refused:?}").contains("sets: Common"), "{refused:?}");
+        // an angle twice is one
+        assert!(checked(&[(10.0, 0.0), (10.0, 0.0), (10.0, 0.1)]).is_err());
+        assert!(checked(&[]).expect_err("none").to_string().contains("no static case with wind on"));
+    }
+
+    #[test]
+    fn angles_that_differ_within_six_tenths_of_a_degree_may_be_radians() {
+        let hint = |alphas_deg: [f64; 2]| {
+            let refused =
+                checked(&alphas_deg.map(|alpha_deg| (10.0, alpha_deg.to_radians()))).expect_err("two");
+            format!("{refused:?}").contains("in radians instead of degrees")
+        };
+        assert!(hint([-0.1, 0.5]) && !hint([0.1, 0.61]) && !hint([-0.61, 0.1]) && !hint([0.3, 0.3]));
+    }
+}

@@ -268,3 +268,6 @@ fn rows(campaign: &Campaign) -> Vec<&StaticPoint> {
     let fitted = |point: &&StaticPoint| point.v_m_s > 0.0 && point.controls_rad.is_empty();
     campaign.points.iter().filter(fitted).collect()
 }
+
+#[cfg(test)]
+mod tests;

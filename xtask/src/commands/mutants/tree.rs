@@ -144,6 +144,7 @@ fn refused(message: &Value) -> Vec<Refused> {
     let line = |span: &Value, key: &str| span[key].as_u64().map(|line| usize::try_from(line).unwrap_or(0));
     let spans = message["spans"].as_array().into_iter().flatten().filter(|span| span["is_primary"] == true);
     spans
+        .map(written_at)
         .filter_map(|span| {
             Some(Refused {
                 file: span["file_name"].as_str()?.to_owned(),
@@ -154,6 +155,34 @@ fn refused(message: &Value) -> Vec<Refused> {
         .collect()
 }
 
+/// Where the source says what a compiler's span is about: the call of a macro, not what it stands for.
+fn written_at(span: &Value) -> &Value {
+    let call = &span["expansion"]["span"];
+    if call.is_null() { span } else { written_at(call) }
+}
+
 fn text_of(error: impl std::fmt::Display) -> Failure {
     Failure::Computation(error.to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn an_error_in_a_macro_is_where_the_macro_is_called() {
+        let place =
+            |file: &str, line: u32| json!({ "file_name": file, "line_start": line, "line_end": line });
+        let mut inside = place("library/alloc/src/macros.rs", 40);
+        inside["is_primary"] = json!(true);
+        inside["expansion"] = json!({ "span": place("crates/coupling/src/readings.rs", 92) });
+        let message = json!({ "message": { "level": "error", "rendered": "not Copy", "spans": [inside] } });
+        let found = refused(&message);
+        assert_eq!(found.len(), 1);
+        assert_eq!(
+            (found[0].file.as_str(), found[0].lines.clone()),
+            ("crates/coupling/src/readings.rs", 91..92)
+        );
+    }
 }
