@@ -170,3 +170,19 @@ impl Profile {
 fn stiff() -> (f64, f64, f64, f64, f64, f64) {
     (1e8, 1e8, 1e8, 1e7, 1e7, 1e7)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_balance_that_nobody_described_holds_the_wing_in_all_six_motions() {
+        let (x, y, z, roll, pitch, yaw) = stiff();
+        // A wing of 10 kN m2 and a metre gives way by 3e4 N/m and 1e4 N m/rad: the balance shall be a hundred times as stiff and more.
+        assert!([x, y, z].iter().all(|force| *force >= 3e6), "forces: {x}, {y}, {z} N/m");
+        assert!(
+            [roll, pitch, yaw].iter().all(|moment| *moment >= 1e6),
+            "moments: {roll}, {pitch}, {yaw} N m/rad"
+        );
+    }
+}
