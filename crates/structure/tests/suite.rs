@@ -21,6 +21,7 @@ mod large_limits;
 mod large_modes;
 mod large_pazy;
 mod large_shells;
+mod laws_of_matrices;
 mod load_cards;
 mod membrane_with_drilling;
 mod meshed;
