@@ -382,3 +382,55 @@ fn a_softer_wing_at_less_dynamic_pressure_has_the_coefficients_of_the_drawn_one(
         );
     }
 }
+
+#[test]
+fn tips_of_cases_are_those_of_their_states_in_their_order() {
+    let (_, wing) = wing(|_| ());
+    let corrections = Corrections::neutral(wing.correctable.len());
+    let cases =
+        [0.02, -0.01].map(|alpha_rad| SteadyCase { alpha_rad, controls_rad: Vec::new(), flow: flow(25.0) });
+    let tips = wing.tip_deflections(&cases, &corrections).unwrap();
+    assert_eq!(tips.len(), 2);
+    for (tip, case) in tips.iter().zip(&cases) {
+        let alone = wing.sensitivities(std::slice::from_ref(case), &corrections).unwrap();
+        assert!((tip - alone[0].tip_z_m).abs() <= 1e-12 * tip.abs(), "{tip} for {}", alone[0].tip_z_m);
+    }
+    assert!(tips[0] > tips[1] + 0.01, "more incidence, more deflection");
+}
+
+#[test]
+fn servos_are_known_to_shares_of_their_period_and_damping() {
+    let [period, damping] = coupling::wing_file::Servos::default().relative_sd();
+    // 15 Hz +- 1, .8 +- .05
+    assert!((period - 1.0 / 15.0).abs() < 1e-15 && (damping - 0.0625).abs() < 1e-15);
+    assert_eq!(coupling::wing_file::Servos::None.relative_sd(), [0.0; 2]);
+}
+
+#[test]
+fn beyond_divergence_and_bent_too_far_are_without_equilibrium_and_other_faults_are_not() {
+    use coupling::CouplingError;
+    let why = String::new();
+    let bent = CouplingError::NotInEquilibrium {
+        v_m_s: 60.0,
+        alpha_deg: 5.0,
+        reached_m_s: 50.0,
+        reached_deg: 5.0,
+        why,
+    };
+    let diverged = CouplingError::Diverged { q_pa: 1e4, divergence_pa: None };
+    assert!(bent.is_without_equilibrium() && diverged.is_without_equilibrium());
+    assert!(!CouplingError::SplineOutsideStructure { dof: 3 }.is_without_equilibrium());
+}
+
+#[test]
+fn a_wing_built_off_its_drawing_has_controls_of_that_effectiveness() {
+    let mut file = WingFile::read(&wing_path()).unwrap();
+    let drawn = file.bulk(Mount::Tunnel).unwrap();
+    let label = drawn.surfaces.values().next().expect("a control").label.clone();
+    file.departure = Departure { controls: vec![(label.clone(), 0.8)], ..Departure::default() };
+    let built = file.bulk(Mount::Tunnel).unwrap();
+    for (id, surface) in &drawn.surfaces {
+        let factor = if surface.label == label { 0.8 } else { 1.0 };
+        assert!((built.surfaces[id].effectiveness - factor * surface.effectiveness).abs() < 1e-15);
+    }
+}

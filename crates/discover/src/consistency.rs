@@ -152,27 +152,4 @@ fn groups(setting: &Setting<'_>, problem: &Problem<'_>) -> BTreeMap<(usize, Move
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn share(share: f64, sigma: f64) -> Share {
-        Share { v_m_s: 30.0, moved: Moved::Pitch, share, sigma }
-    }
-
-    #[test]
-    fn equal_shares_do_not_scatter_and_opposite_ones_do() {
-        assert_eq!(spread(&[&share(1.0, 0.1), &share(1.0, 0.2)], 0.15), Some(0.0));
-        assert_eq!(spread(&[&share(1.0, 0.1)], 0.15), None);
-        // (1.5 - 0.5)² / (2 (0.1² + 0.15²)) by hand
-        let apart = spread(&[&share(1.5, 0.1), &share(0.5, 0.1)], 0.15).expect("two shares");
-        assert!((apart - 1.0 / (2.0 * 0.0325)).abs() < 1e-9, "{apart}");
-    }
-
-    #[test]
-    fn shares_that_agree_with_each_other_and_not_with_the_size_found_are_no_size_of_it() {
-        let same = [-0.81, -0.83, -0.75, -0.69].map(|value| share(value, 0.1));
-        let off = spread(&same.iter().collect::<Vec<_>>(), 0.15).expect("shares");
-        // (1 + 0.77)² / (0.1²/4 + 0.15²) by hand
-        assert!((off - 1.77_f64.powi(2) / 0.025).abs() < 1e-9, "{off}");
-    }
-}
+mod tests;

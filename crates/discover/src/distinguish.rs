@@ -95,3 +95,6 @@ pub(crate) fn distinguish(
     let with_rivals = if plausible > 0.0 { (own + rivals) / plausible } else { 0.0 };
     Draws { own, with_rivals, confused_with: set }
 }
+
+#[cfg(test)]
+mod tests;

@@ -3,6 +3,8 @@
 pub mod analysis;
 mod backward_step;
 pub mod bands;
+#[cfg(test)]
+mod by_hand;
 pub mod candidate;
 mod channels;
 mod conditions;

@@ -113,3 +113,6 @@ pub(crate) fn rank_some(
     candidates.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
     candidates
 }
+
+#[cfg(test)]
+mod tests;

@@ -89,3 +89,6 @@ fn product(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
     matmul(product.as_mut(), Accum::Replace, a.transpose(), b, 1.0, Par::Seq);
     product
 }
+
+#[cfg(test)]
+mod tests;
