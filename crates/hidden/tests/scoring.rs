@@ -206,8 +206,8 @@ fn answers_and_metrics_survive_their_files() {
 }
 
 /// A list's metrics by name.
-fn scored(cases: Vec<(Answer, DiscoverResult)>) -> impl Fn(&str) -> Option<f64> {
-    let scored = score(&cases, &families());
+fn scored(cases: &[(Answer, DiscoverResult)]) -> impl Fn(&str) -> Option<f64> + use<> {
+    let scored = score(cases, &families());
     move |name| scored.metrics[name].value
 }
 
@@ -227,7 +227,7 @@ fn gaps_count_where_what_was_named_rightly_can_be_seen() {
         (answer(class, hidden), said)
     };
     let (stall, gain) = (("stall", 5000.0), ("gain", 5000.0));
-    let value = scored(vec![
+    let value = scored(&[
         with_gap(Single, &[stall], &[("stall", 0.9)], [10.0, 3.0, 2.0]),
         with_gap(Single, &[gain], &[("gain", 0.9)], [10.0, 5.0, 1.0]),
         // a fifth above the floor is not seen, a wrong name closes nothing
@@ -283,7 +283,7 @@ fn each_verdict_is_counted_where_it_belongs() {
         faulty(verdict(DataDefect, &[])),
         faulty(verdict(Effects, &[("stall", 0.9)])),
     ];
-    let value = scored(cases.clone());
+    let value = scored(&cases);
     let third = 1.0 / 3.0;
     for (name, expected) in [
         ("null_unknown", third),
@@ -319,7 +319,10 @@ fn confidences_are_those_of_names_that_are_claimed_in_the_mix() {
     let cases = vec![
         (answer(Single, &[("stall", 5000.0)]), verdict(Effects, &[("stall", 0.9)])),
         (answer(Null, &[]), verdict(Effects, &[("stall", 0.6)])),
-        (answer(Pair, &[("stall", 900.0), ("gain", 800.0)]), verdict(Effects, &[("gain", 0.8), ("camber", 0.5)])),
+        (
+            answer(Pair, &[("stall", 900.0), ("gain", 800.0)]),
+            verdict(Effects, &[("gain", 0.8), ("camber", 0.5)]),
+        ),
         (left_out, verdict(Effects, &[("daq_filter", 0.3)])),
         // listed, but not claimed
         (answer(Single, &[("stall", 5000.0)]), verdict(Unknown, &[("stall", 0.2)])),

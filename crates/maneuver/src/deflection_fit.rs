@@ -332,3 +332,6 @@ pub fn noise_gap(time_step_s: f64, cutoff_hz: f64) -> f64 {
     let answer = zero_phase(&impulse, time_step_s, cutoff_hz);
     dot(&answer, &answer).sqrt()
 }
+
+#[cfg(test)]
+mod tests;

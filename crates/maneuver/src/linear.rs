@@ -117,3 +117,6 @@ impl Linear {
         self
     }
 }
+
+#[cfg(test)]
+mod tests;

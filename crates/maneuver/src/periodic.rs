@@ -75,3 +75,6 @@ pub(crate) fn continued(values: &[f64], length: usize, time_step_s: f64) -> Vec<
         })
         .collect()
 }
+
+#[cfg(test)]
+mod tests;

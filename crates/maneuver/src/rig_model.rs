@@ -188,3 +188,6 @@ impl RigModel {
         history
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -107,3 +107,6 @@ fn whittaker(values: &[f64], lambda: f64, from_rest: bool) -> Vec<f64> {
     }
     solution
 }
+
+#[cfg(test)]
+mod tests;

@@ -23,5 +23,6 @@ mod parts;
 mod rig;
 mod rom;
 mod runs;
+mod small_laws;
 mod stations;
 mod unsteady;

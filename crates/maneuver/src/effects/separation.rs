@@ -17,3 +17,6 @@ pub(super) fn stalled(lift_n: f64, by_angle: f64, limit_rad: f64, k: f64) -> f64
 pub(super) fn lift_by_angle(place: &Place<'_>, zone: usize) -> f64 {
     std::f64::consts::TAU * place.q_pa() * place.zones.area_m2[zone]
 }
+
+#[cfg(test)]
+mod tests;

@@ -99,6 +99,9 @@ pub(super) fn freeplay(values: &[f64], gap: f64) -> Vec<f64> {
 }
 
 #[cfg(test)]
+mod laws;
+
+#[cfg(test)]
 mod tests {
     use super::*;
 

@@ -252,6 +252,9 @@ fn matched(count: usize, mut pairs: Vec<(f64, usize, usize)>, limit: f64) -> Vec
 }
 
 #[cfg(test)]
+mod laws;
+
+#[cfg(test)]
 mod tests {
     use super::*;
 

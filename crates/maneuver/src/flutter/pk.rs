@@ -271,6 +271,9 @@ pub(super) fn root_of(state: &State) -> Root {
 }
 
 #[cfg(test)]
+mod laws;
+
+#[cfg(test)]
 mod tests {
     use super::super::FormulaForces;
     use super::*;

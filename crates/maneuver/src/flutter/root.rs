@@ -169,3 +169,6 @@ fn bordered(point: &Point, u: &[c64]) -> (Mat<c64>, [c64; 2]) {
     let dp = [0, 1].map(|column| steps[(n, column)] * (size / slope_size));
     (steps, dp)
 }
+
+#[cfg(test)]
+mod tests;

@@ -197,3 +197,6 @@ fn brackets(before: &(f64, Vec<f64>), after: &(f64, Vec<f64>), v_m_s: f64) -> Ve
     });
     ranks.collect()
 }
+
+#[cfg(test)]
+mod tests;

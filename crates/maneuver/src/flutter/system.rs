@@ -140,3 +140,6 @@ impl<'a> Aeroelastic<'a> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -272,3 +272,6 @@ impl SteadyLoads {
         Self { unit_lift, unit_moment, upwash }
     }
 }
+
+#[cfg(test)]
+mod tests;

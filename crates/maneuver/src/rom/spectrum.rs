@@ -198,3 +198,6 @@ fn parted(both: &[c64], count: usize) -> Vec<Vec<c64>> {
         _ => vec![bins.clone().map(first).collect(), bins.map(second).collect()],
     }
 }
+
+#[cfg(test)]
+mod tests;
