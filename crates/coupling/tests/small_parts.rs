@@ -299,3 +299,44 @@ fn a_twist_that_is_linear_along_each_piece_is_splined_at_the_foot() {
         assert!(nearest.rows()[2 * j].iter().all(|(dof, _)| dof / 6 == node), "box {j}");
     }
 }
+
+#[test]
+fn servos_are_known_to_shares_of_their_period_and_damping() {
+    let [period, damping] = coupling::wing_file::Servos::default().relative_sd();
+    // 15 Hz +- 1, .8 +- .05
+    assert!((period - 1.0 / 15.0).abs() < 1e-15 && (damping - 0.0625).abs() < 1e-15);
+    assert_eq!(coupling::wing_file::Servos::None.relative_sd(), [0.0; 2]);
+}
+
+#[test]
+fn beyond_divergence_and_bent_too_far_are_without_equilibrium_and_other_faults_are_not() {
+    use coupling::CouplingError;
+    let why = String::new();
+    let bent = CouplingError::NotInEquilibrium {
+        v_m_s: 60.0,
+        alpha_deg: 5.0,
+        reached_m_s: 50.0,
+        reached_deg: 5.0,
+        why,
+    };
+    let diverged = CouplingError::Diverged { q_pa: 1e4, divergence_pa: None };
+    assert!(bent.is_without_equilibrium() && diverged.is_without_equilibrium());
+    assert!(!CouplingError::SplineOutsideStructure { dof: 3 }.is_without_equilibrium());
+}
+
+#[test]
+fn a_wing_built_off_its_drawing_has_controls_of_that_effectiveness() {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/tuflex/wing_beam.ron");
+    let mut file = coupling::WingFile::read(&path).expect("the shipped wing");
+    let drawn = file.bulk(coupling::Mount::Tunnel).expect("cards");
+    let label = drawn.surfaces.values().next().expect("a control").label.clone();
+    file.departure = coupling::wing_file::Departure {
+        controls: vec![(label.clone(), 0.8)],
+        ..coupling::wing_file::Departure::default()
+    };
+    let built = file.bulk(coupling::Mount::Tunnel).expect("cards");
+    for (id, surface) in &drawn.surfaces {
+        let factor = if surface.label == label { 0.8 } else { 1.0 };
+        assert!((built.surfaces[id].effectiveness - factor * surface.effectiveness).abs() < 1e-15);
+    }
+}

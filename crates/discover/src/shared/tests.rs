@@ -19,7 +19,9 @@ fn jacobian() -> Mat<f64> {
     Mat::from_fn(5, 2, |i, j| rows[i][j])
 }
 
-const RESIDUAL: [f64; 5] = [3.0, -1.0, 2.5, 0.7, -2.0];
+fn residual() -> [f64; 5] {
+    [3.0, -1.0, 2.5, 0.7, -2.0]
+}
 
 #[test]
 fn the_inner_product_is_that_of_the_inverse_covariance() {
@@ -28,13 +30,13 @@ fn the_inner_product_is_that_of_the_inverse_covariance() {
     let expected = x.transpose() * &w * &x;
     let gram = shared.gram(x.as_ref());
     assert_eq!((gram.nrows(), gram.ncols()), (2, 2));
-    let r = Mat::from_fn(5, 1, |i, _| RESIDUAL[i]);
-    let weighted = shared.weighted(&RESIDUAL);
+    let r = Mat::from_fn(5, 1, |i, _| residual()[i]);
+    let weighted = shared.weighted(&residual());
     let by_elimination = &w * &r;
     assert_eq!(weighted.len(), 5);
     assert!((0..5).all(|i| (weighted[i] - by_elimination[(i, 0)]).abs() < 1e-12), "{weighted:?}");
     let square = (r.transpose() * &w * &r)[(0, 0)];
-    assert!((shared.norm(&RESIDUAL) - square).abs() < 1e-12);
+    assert!((shared.norm(&residual()) - square).abs() < 1e-12);
     for (i, j) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
         assert!((gram[(i, j)] - expected[(i, j)]).abs() < 1e-12, "{i} {j}");
     }
@@ -50,9 +52,9 @@ fn the_inner_product_is_that_of_the_inverse_covariance() {
 fn a_step_solves_the_normal_equations_with_the_prior() {
     let shared = Shared::new(&columns(), 5);
     let (w, j) = (whole(), jacobian());
-    let r = Mat::from_fn(5, 1, |i, _| RESIDUAL[i]);
+    let r = Mat::from_fn(5, 1, |i, _| residual()[i]);
     let sizes = [0.6, -0.9];
-    let LinearStep { step, gain, square } = shared.step(&j, &RESIDUAL, &sizes);
+    let LinearStep { step, gain, square } = shared.step(&j, &residual(), &sizes);
     let normal = j.transpose() * &w * &j + Mat::<f64>::identity(2, 2);
     let right = j.transpose() * &w * &r - Mat::from_fn(2, 1, |i, _| sizes[i]);
     let taken = Mat::from_fn(2, 1, |i, _| step[i]);
@@ -60,12 +62,12 @@ fn a_step_solves_the_normal_equations_with_the_prior() {
     assert_eq!(step.len(), 2);
     assert!(left[(0, 0)].abs() < 1e-12 && left[(1, 0)].abs() < 1e-12, "{step:?}");
     assert!((gain - (taken.transpose() * &right)[(0, 0)]).abs() < 1e-12);
-    assert!((square - shared.norm(&RESIDUAL)).abs() < 1e-12);
+    assert!((square - shared.norm(&residual())).abs() < 1e-12);
     // what chi square and prior of the linear model fall by
     let after: Vec<f64> =
-        (0..5).map(|i| RESIDUAL[i] - (0..2).map(|k| j[(i, k)] * step[k]).sum::<f64>()).collect();
+        (0..5).map(|i| residual()[i] - (0..2).map(|k| j[(i, k)] * step[k]).sum::<f64>()).collect();
     let prior = |at: [f64; 2]| at[0] * at[0] + at[1] * at[1];
-    let fallen = shared.norm(&RESIDUAL) + prior(sizes)
+    let fallen = shared.norm(&residual()) + prior(sizes)
         - shared.norm(&after)
         - prior([sizes[0] + step[0], sizes[1] + step[1]]);
     assert!((gain - fallen).abs() < 1e-12, "{gain} {fallen}");

@@ -303,7 +303,7 @@ fn stiffness_damping_and_mass_change_by_their_shares() {
     assert_change(&parted, "parts", &Change { bending: 0.2, torsion: -0.3, ..none() }, |_, p| {
         p.stiffness += &split.bending * faer::Scale(0.2) + &split.torsion * faer::Scale(-0.3);
     });
-    assert_change(&rom, "damping", &Change { damping: 0.5, ..none() }, |_, p| {
+    assert_change(&rom, "more damping", &Change { damping: 0.5, ..none() }, |_, p| {
         p.damping = &p.damping * faer::Scale(1.5);
     });
     assert_change(&rom, "mass", &Change { mass: 0.25, ..none() }, |_, p| {
