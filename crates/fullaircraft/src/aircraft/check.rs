@@ -171,3 +171,6 @@ impl TailSurface {
         self.beam.check(part)
     }
 }
+
+#[cfg(test)]
+mod tests;

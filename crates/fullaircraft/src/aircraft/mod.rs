@@ -4,3 +4,5 @@ pub mod assembly;
 mod check;
 pub mod file;
 pub mod lift_limits;
+#[cfg(test)]
+pub(crate) mod small;

@@ -188,3 +188,6 @@ impl CaseColumns {
         text
     }
 }
+
+#[cfg(test)]
+mod tests;

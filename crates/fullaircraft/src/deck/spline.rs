@@ -255,4 +255,6 @@ fn row(attached: &[Attachment], axes: &Matrix3<f64>, weights: &Mat<f64>, column:
 }
 
 #[cfg(test)]
+mod laws;
+#[cfg(test)]
 mod tests;

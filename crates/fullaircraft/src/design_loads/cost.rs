@@ -33,3 +33,6 @@ pub fn cost(case: &Case, maneuvers: &[Own]) -> u64 {
         Action::Turbulence { .. } => TURBULENCE,
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -390,3 +390,6 @@ impl InGusts<'_> {
         FlownCase { number, model: self.which, instants, ..FlownCase::default() }.if_finite()
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -139,3 +139,6 @@ impl FlownInstant {
         self.loads.iter().map(|components| components[Component::ALL.len() - 1]).collect()
     }
 }
+
+#[cfg(test)]
+mod tests;

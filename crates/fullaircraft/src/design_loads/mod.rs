@@ -11,4 +11,6 @@ pub mod in_time;
 pub mod instants;
 mod search;
 mod slowest;
+#[cfg(test)]
+mod small;
 mod turbulence;

@@ -144,3 +144,6 @@ fn value(instant: &FlownInstant, (station, load, sign): End) -> f64 {
 fn largest(instants: &[FlownInstant], end: End) -> f64 {
     instants.iter().map(|instant| value(instant, end)).fold(f64::NEG_INFINITY, f64::max)
 }
+
+#[cfg(test)]
+pub(crate) mod tests;

@@ -20,3 +20,6 @@ pub(super) fn slowest_words(roots: &[c64]) -> String {
         None => "no motion decays".to_owned(),
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -343,3 +343,6 @@ fn between(stations: &[f64], x_m: f64) -> (usize, f64) {
     let before = stations.partition_point(|station| *station <= x_m).clamp(1, stations.len() - 1) - 1;
     (before, (x_m - stations[before]) / (stations[before + 1] - stations[before]))
 }
+
+#[cfg(test)]
+mod tests;

@@ -302,3 +302,6 @@ impl Equations {
         })
     }
 }
+
+#[cfg(test)]
+pub(crate) mod tests;

@@ -15,6 +15,8 @@ pub mod nonlinear;
 mod point_mass;
 mod rows;
 mod sensors;
+#[cfg(test)]
+mod small;
 pub mod small_motions;
 mod solved_air;
 mod state;

@@ -47,3 +47,6 @@ impl SolvedAir {
         is_right.then_some(Self { modes: FreeModes { omega_rad_s, shapes, boxes }, steady, cp })
     }
 }
+
+#[cfg(test)]
+mod tests;

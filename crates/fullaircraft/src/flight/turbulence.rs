@@ -174,3 +174,6 @@ impl<'a> TurbulentLoads<'a> {
         self.flight.flown(vec![0.0; limits.len()], goes(&self.states), goes(&self.inputs))
     }
 }
+
+#[cfg(test)]
+mod tests;

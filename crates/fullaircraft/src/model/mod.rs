@@ -5,4 +5,6 @@ pub mod cards;
 pub(crate) mod closing;
 pub(crate) mod fuselage;
 pub mod mirror;
+#[cfg(test)]
+mod small;
 pub(crate) mod tail;

@@ -252,3 +252,6 @@ pub fn index_of(
 fn clipped(words: &str) -> String {
     words.chars().filter(|c| !c.is_control()).take(SUBTITLE).collect()
 }
+
+#[cfg(test)]
+mod tests;

@@ -148,3 +148,6 @@ pub fn round_trip_csv(rows: &[Row]) -> String {
     }
     text
 }
+
+#[cfg(test)]
+mod tests;

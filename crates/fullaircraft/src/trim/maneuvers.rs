@@ -155,3 +155,6 @@ impl Steady {
         case
     }
 }
+
+#[cfg(test)]
+mod tests;

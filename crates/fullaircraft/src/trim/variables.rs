@@ -154,3 +154,6 @@ fn controls(aircraft: &Aircraft) -> Vec<(String, Vec<(usize, f64)>)> {
     }
     groups
 }
+
+#[cfg(test)]
+mod tests;

@@ -36,7 +36,7 @@ pub(crate) struct MutantsArgs {
     #[arg(long, value_name = "N", default_value_t = 225)]
     pub(crate) sample: usize,
     /// A mutant is missed if the quickest tests that reach it, of so many seconds together, all pass
-    #[arg(long, value_name = "N", default_value_t = 20)]
+    #[arg(long, value_name = "N", default_value_t = 10)]
     pub(crate) seconds: u64,
     /// Put the rows into docs/testing.md, in place of earlier ones of these crates
     #[arg(long)]

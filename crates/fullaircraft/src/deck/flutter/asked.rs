@@ -155,3 +155,6 @@ fn matched(
         })
         .collect())
 }
+
+#[cfg(test)]
+mod tests;

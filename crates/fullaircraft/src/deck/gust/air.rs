@@ -162,3 +162,6 @@ impl<'a> Solver<'a> {
         ])
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -150,3 +150,6 @@ fn frequencies(bulk: &BulkData, case: &Subcase) -> Result<Vec<f64>, InputError> 
     hz.dedup_by(|b, a| (*b - *a).abs() <= 1e-9 * a.abs());
     Ok(hz)
 }
+
+#[cfg(test)]
+mod tests;

@@ -166,3 +166,6 @@ fn density(bulk: &BulkData, card: &Randps, hz: f64) -> Result<f64, InputError> {
         }
     })
 }
+
+#[cfg(test)]
+mod tests;

@@ -229,3 +229,6 @@ fn by_rule(f: &dyn Fn(f64) -> f64, length: f64, rate: f64, omega: f64) -> c64 {
     };
     (0..panels).map(panel).sum()
 }
+
+#[cfg(test)]
+mod tests;

@@ -173,3 +173,6 @@ fn remarks(hz: &[f64], transform: &[c64], times_s: &[f64], value: &dyn Fn(f64) -
     }
     remarks
 }
+
+#[cfg(test)]
+mod tests;
