@@ -170,7 +170,7 @@ pub(crate) fn peak_bytes(mut child: Child) -> f64 {
 fn parts_killed_at_random_moments_lose_what_was_in_the_air_only() {
     let slow = std::env::var_os("RUN_SLOW_TESTS").is_some();
     // two models, twenty airspeeds, so many rates of roll
-    let (kills, parts, rates, within_s) = if slow { (100, 16, 2500, 4.0) } else { (5, 4, 10, 2.5) };
+    let (kills, parts, rates, within_s) = if slow { (100, 16, 2500, 1.8) } else { (5, 4, 10, 2.5) };
     if !slow {
         eprintln!(
             "{} trims, {kills} kills: RUN_SLOW_TESTS=1 has a hundred thousand and a hundred",

@@ -75,9 +75,9 @@ struct Row {
     name: String,
     /// All that cargo-mutants lists.
     mutants: usize,
-    /// Every so many of them was taken, from this one on.
+    /// Every so many of them was taken, from that of the seed on.
     every: usize,
-    from: usize,
+    seed: u64,
     caught: usize,
     missed: Vec<String>,
     /// Taken, but what stands there then does not compile.
@@ -130,20 +130,20 @@ fn row(args: &MutantsArgs, seed: u64, name: &str, files: &[&str]) -> Result<Row,
         name: name.to_owned(),
         mutants: all.len(),
         every,
-        from,
+        seed,
         caught: built.inside.len() - missed.len(),
         missed: missed.iter().map(|&number| taken[number].name.clone()).collect(),
         unviable: taken.len() - built.inside.len(),
     })
 }
 
-/// `| crate | caught | of | share | 95 % from | every |`
+/// `| crate | caught of tried | share | 95 % from | one in every of all, seed |`
 fn line(row: &Row) -> String {
-    let Row { name, mutants, every, caught, missed, .. } = row;
+    let Row { name, mutants, every, seed, caught, missed, .. } = row;
     let tried = caught + missed.len();
     let share = wilson(*caught, tried);
     format!(
-        "| {name} | {caught} of {tried} | {:.2} | {:.2} | one in {every} of {mutants} |",
+        "| {name} | {caught} of {tried} | {:.2} | {:.2} | one in {every} of {mutants}, seed {seed} |",
         share.value, share.low
     )
 }
@@ -169,13 +169,13 @@ mod tests {
     /// Caught, missed and not compiled: 2, 1, 1.
     fn example() -> Row {
         let missed = vec!["replace * with / in b".to_owned()];
-        Row { name: "aero".into(), mutants: 400, every: 100, from: 1, caught: 2, missed, unviable: 1 }
+        Row { name: "aero".into(), mutants: 400, every: 100, seed: 1, caught: 2, missed, unviable: 1 }
     }
 
     #[test]
     fn what_does_not_compile_does_not_count() {
         // Wilson's interval of 2 of 3: Newcombe (1998), method 3
-        assert_eq!(line(&example()), "| aero | 2 of 3 | 0.67 | 0.21 | one in 100 of 400 |");
+        assert_eq!(line(&example()), "| aero | 2 of 3 | 0.67 | 0.21 | one in 100 of 400, seed 1 |");
     }
 
     #[test]

@@ -2,9 +2,9 @@
 
 use super::{cost, is_in_time};
 use crate::cases::file::Action as Own;
-use crate::design_loads::search::tests::{case, discrete};
+use crate::design_loads::search::tests::{case, discrete, turbulence};
 use crate::trim::maneuvers::Steady;
-use loads::design::{Attitude, Direction, Spectrum};
+use loads::design::Direction;
 use loads::matrix::Action;
 use maneuver::motion::{Doublet, MotionSpec};
 
@@ -16,15 +16,6 @@ fn motion(duration_s: f64) -> Own {
 #[test]
 fn a_case_costs_its_time_and_a_search_twice_as_much() {
     let own = [Own::Steady(Steady::Level), motion(1.2)];
-    let turbulence = Action::Turbulence {
-        direction: Direction::Up,
-        u_sigma_m_s: 1.0,
-        scale_m: 762.0,
-        cut_off_hz: 20.0,
-        spectrum: Spectrum::Karman,
-        attitude: Attitude::Stable,
-        longest_gradient_m: 107.0,
-    };
     // two gradients of 15 m at 50 m/s are 0.6 s, and 0.8 s follow
     let searched = discrete(1, 15.0, Direction::Up);
     let mut once = searched.clone();
@@ -37,7 +28,7 @@ fn a_case_costs_its_time_and_a_search_twice_as_much() {
         (case(1, Action::Condition(1)), 20 + 200, true),
         (once, 20 + 140, true),
         (searched, 2 * (20 + 140), true),
-        (case(1, turbulence), 600, true),
+        (turbulence(1), 600, true),
     ];
     for (case, law, in_time) in all {
         assert_eq!((cost(&case, &own), is_in_time(&case, &own)), (law, in_time), "{:?}", case.action);

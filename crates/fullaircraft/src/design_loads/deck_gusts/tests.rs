@@ -1,9 +1,9 @@
 //! What gusts on a deck are made with: frequencies of the air, modes among roots, the highest frequency of a case.
 
 use super::{FREQUENCIES, frequencies_of_air, highest_rad_s, stable};
-use crate::design_loads::search::tests::{case, discrete};
+use crate::design_loads::search::tests::{case, discrete, turbulence};
 use faer::c64;
-use loads::design::{Attitude, Direction, Spectrum};
+use loads::design::Direction;
 use loads::matrix::Action;
 use std::f64::consts::{LN_2, PI};
 
@@ -43,15 +43,6 @@ fn a_case_needs_eight_harmonics_of_its_gust_or_turbulence_up_to_its_cut_off() {
     // of a gust of 2 H: 2 pi V/(2 H) a harmonic
     let law = 8.0 * 2.0 * PI * 50.0 / 30.0;
     assert!((highest_rad_s(&discrete(1, 15.0, Direction::Up)) - law).abs() < 1e-12);
-    let turbulence = Action::Turbulence {
-        direction: Direction::Up,
-        u_sigma_m_s: 1.0,
-        scale_m: 762.0,
-        cut_off_hz: 20.0,
-        spectrum: Spectrum::Karman,
-        attitude: Attitude::Stable,
-        longest_gradient_m: 107.0,
-    };
-    assert!((highest_rad_s(&case(1, turbulence)) - 40.0 * PI).abs() < 1e-12);
+    assert!((highest_rad_s(&turbulence(1)) - 40.0 * PI).abs() < 1e-12);
     assert_eq!(highest_rad_s(&case(1, Action::Trim)), 0.0);
 }

@@ -3,7 +3,7 @@
 use super::{Family, gust, searched};
 use crate::design_loads::instants::{FlownCase, FlownInstant};
 use crate::flight::gust::{Gust, GustAxis};
-use loads::design::{Direction, Rules};
+use loads::design::{Attitude, Direction, Rules, Spectrum};
 use loads::matrix::{Action, Case, Status};
 
 pub(crate) fn case(number: usize, action: Action) -> Case {
@@ -26,6 +26,20 @@ pub(crate) fn case(number: usize, action: Action) -> Case {
 
 pub(crate) fn discrete(number: usize, gradient_m: f64, direction: Direction) -> Case {
     case(number, Action::Discrete { gradient_m, direction, u_ds_m_s: 8.0, refine: true })
+}
+
+/// Turbulence up to 20 Hz.
+pub(crate) fn turbulence(number: usize) -> Case {
+    let turbulence = Action::Turbulence {
+        direction: Direction::Up,
+        u_sigma_m_s: 1.0,
+        scale_m: 762.0,
+        cut_off_hz: 20.0,
+        spectrum: Spectrum::Karman,
+        attitude: Attitude::Stable,
+        longest_gradient_m: 107.0,
+    };
+    case(number, turbulence)
 }
 
 /// An instant with net loads of one station.
