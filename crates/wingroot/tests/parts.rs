@@ -84,6 +84,14 @@ impl Sweep {
         String::from_utf8_lossy(&output.stderr).into_owned()
     }
 
+    /// What one of so many parts takes here if nobody kills it, s.
+    fn part_s(&self, of: i32) -> f64 {
+        self.finishes(&["prepare"], "timed", &[]);
+        let start = Instant::now();
+        self.finishes(&[], "timed", &["--part", &format!("1/{of}"), "--threads", "1"]);
+        start.elapsed().as_secs_f64()
+    }
+
     /// What one process writes; its page names the file of the cases, which is another in each test.
     fn whole(&self) -> BTreeMap<String, Vec<u8>> {
         self.finishes(&[], "whole", &[]);
@@ -186,11 +194,8 @@ fn parts_killed_at_random_moments_lose_what_was_in_the_air_only() {
     );
     let sweep = Sweep::of("kills", &cases);
     let expected = sweep.whole();
-    // so long does a part take here that nobody kills; kills come before, or most would find nothing in the air
-    sweep.finishes(&["prepare"], "timed", &[]);
-    let start = Instant::now();
-    sweep.finishes(&[], "timed", &["--part", &format!("1/{parts}"), "--threads", "1"]);
-    let within_s = 0.7 * start.elapsed().as_secs_f64();
+    // later ones would mostly find nothing in the air
+    let within_s = 0.7 * sweep.part_s(parts);
     sweep.finishes(&["prepare"], "killed", &[]);
     let (mut kept, mut went_on) = (BTreeMap::new(), 0);
     for kill in 0..kills {
