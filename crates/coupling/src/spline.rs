@@ -243,3 +243,6 @@ fn push(entries: &mut Vec<(usize, f64)>, dof: usize, value: f64) {
         entries.push((dof, value));
     }
 }
+
+#[cfg(test)]
+mod tests;

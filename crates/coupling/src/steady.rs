@@ -296,3 +296,6 @@ fn permutation_is_odd(permutation: &[usize]) -> bool {
     }
     odd
 }
+
+#[cfg(test)]
+mod tests;

@@ -91,3 +91,6 @@ fn materials(bulk: &BulkData) -> Vec<String> {
     }
     found
 }
+
+#[cfg(test)]
+mod tests;

@@ -342,3 +342,6 @@ impl WingFile {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests;

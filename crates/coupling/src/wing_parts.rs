@@ -151,3 +151,6 @@ pub(crate) fn correctable_boxes(lattice: &Lattice, fairing: &[u32]) -> Correctab
     (boxes.area_m2, boxes.ends_m) = (total, [low, high]);
     boxes
 }
+
+#[cfg(test)]
+mod tests;

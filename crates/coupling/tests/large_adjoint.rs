@@ -74,7 +74,9 @@ fn off(wing: &LargeWing, case: &SteadyCase) -> f64 {
                 let gradient = derivative(&own);
                 let sum: f64 = (0..count).map(|b| gradient[(reading, b)] * along(b)).sum();
                 let size: f64 = (0..count).map(|b| (gradient[(reading, b)] * along(b)).abs()).sum();
-                worst = worst.max((sum - difference).abs() / size);
+                let share = (sum - difference).abs() / size;
+                assert!(share.is_finite(), "{name} {reading}: {sum}, {difference} by differences");
+                worst = worst.max(share);
             }
         }
     }

@@ -67,6 +67,7 @@ fn small_loads_give_what_the_linear_wing_gives_and_the_difference_falls_with_the
             all.iter().zip(whole).map(|(all, camber)| all - (1.0 - size) * camber).collect();
         let [fz, mx, my] = large.root.to_array();
         let own = [fz, mx, my, large.tip_m.z];
+        assert!(own.iter().chain(&linear).all(|value| value.is_finite()), "{own:?} {linear:?}");
         shares.push(own.iter().zip(&linear).map(|(own, of)| (own / of - 1.0).abs()).fold(0.0, f64::max));
     }
     println!("largest share by which large deflections differ: {shares:?}");

@@ -68,3 +68,6 @@ pub(crate) fn backward_step<'a>(
     *current = current.with(setting, &others(found, &[]));
     more
 }
+
+#[cfg(test)]
+mod tests;

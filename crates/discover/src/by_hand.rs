@@ -4,6 +4,7 @@
 use crate::candidate::Refit;
 use crate::current_model::CurrentModel;
 use crate::data::{Dataset, StaticGroup};
+use crate::found::Found;
 use crate::load_model::{LoadModel, Models};
 use crate::noise::Noise;
 use crate::null_distribution::{NullDistribution, label};
@@ -15,6 +16,7 @@ use calibrate::Use;
 use coupling::ByLoad;
 use maneuver::Smooth;
 use maneuver::effects::{Active, Effect, Flown, Inputs, Parameter, Side, Spec, Stimulus};
+use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -273,4 +275,28 @@ pub(crate) fn ranked(active: &Active, evidence: f64, residual: &[f64]) -> Ranked
         eigenvalues: vec![0.0; active.values.len()],
     };
     Ranked { refit, evidence, threshold: 0.0 }
+}
+
+/// An effect that is said to have been found with some evidence, among those considered.
+pub(crate) fn found(active: &Active, named_at: f64, considered: &[&'static str]) -> Found {
+    Found {
+        active: active.clone(),
+        sigma: vec![0.1; active.values.len()],
+        evidence: named_at,
+        named_at,
+        confidence: 0.5,
+        confused_with: Vec::new(),
+        rivals: Vec::new(),
+        considered: considered.to_vec(),
+        shares: Vec::new(),
+    }
+}
+
+/// 32 points with a value on some of them.
+pub(crate) fn steps(parts: &[(Range<usize>, f64)]) -> Vec<f64> {
+    let mut all = vec![0.0; 32];
+    for (points, value) in parts {
+        all[points.clone()].fill(*value);
+    }
+    all
 }

@@ -189,3 +189,6 @@ impl SoFar<'_, '_> {
 fn fitted(ranked: &[Ranked], name: &str) -> Option<Refit> {
     ranked.iter().find(|w| w.name() == name).map(|w| w.refit.clone())
 }
+
+#[cfg(test)]
+mod tests;

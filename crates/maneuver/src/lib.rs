@@ -21,6 +21,8 @@ pub mod rig_model;
 pub mod rom;
 pub mod run;
 pub mod simulate;
+#[cfg(test)]
+mod small;
 pub mod smoothing;
 mod state_space;
 pub mod step;

@@ -123,3 +123,6 @@ impl LoadRows {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -89,3 +89,6 @@ impl Simulated {
 fn root_mean_square(values: &[f64]) -> f64 {
     (values.iter().map(|value| value * value).sum::<f64>() / values.len() as f64).sqrt()
 }
+
+#[cfg(test)]
+mod tests;

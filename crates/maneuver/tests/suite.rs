@@ -22,6 +22,7 @@ mod motion_kinds;
 mod parts;
 mod rig;
 mod rom;
+mod roots_that_begin;
 mod runs;
 mod small_laws;
 mod stations;

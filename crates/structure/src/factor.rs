@@ -356,3 +356,6 @@ fn scaled(a: SparseColMatRef<'_, usize, f64>, scale: &[f64], springs: &[usize]) 
     }
     Sparse::new(a.symbolic().to_owned().expect("memory for a copy of the pattern"), values)
 }
+
+#[cfg(test)]
+mod tests;

@@ -6,6 +6,9 @@
 use crate::plane_material::{PlaneMaterial, strain_rotation};
 use nalgebra::{Matrix2, Matrix3, Matrix6, Vector6};
 
+/// Coupling of membrane and bending below which it is rounding, over the geometric mean of both.
+const COUPLED: f64 = 1e-9;
+
 /// How transverse shear stiffness follows from the plies.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ShearModel {
@@ -55,6 +58,11 @@ pub struct ShellSection {
 const RIGID: f64 = 1e3;
 
 impl ShellSection {
+    /// Whether membrane and bending are coupled beyond rounding: a symmetric laminate of several plies sums to 1e-16 of its parts.
+    pub fn is_coupled(&self) -> bool {
+        self.coupling.amax() > COUPLED * (self.membrane.amax() * self.bending.amax()).sqrt()
+    }
+
     /// Of plies from bottom to top; `nsm_kg_m2` is non-structural mass on the reference surface.
     pub fn laminate(plies: &[PlacedPly], nsm_kg_m2: f64, shear: ShearModel) -> Self {
         let mut section = Self {

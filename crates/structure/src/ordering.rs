@@ -76,3 +76,6 @@ fn levels(
         depth += 1;
     }
 }
+
+#[cfg(test)]
+mod tests;

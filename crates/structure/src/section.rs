@@ -162,3 +162,6 @@ impl Section<'_> {
 fn between(ends: &[[f64; 2]; 2], x: f64) -> Vector2<f64> {
     Vector2::from(ends[0]) * (1.0 - x) + Vector2::from(ends[1]) * x
 }
+
+#[cfg(test)]
+mod tests;

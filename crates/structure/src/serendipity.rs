@@ -147,31 +147,4 @@ pub(crate) fn lumped(consistent: &[f64], total: f64) -> Vec<f64> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Each function is one at its grid and zero at the others, and together they are one.
-    #[test]
-    fn functions_belong_to_their_grids() {
-        let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
-        let triangles = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
-        let check = |corners: &[[f64; 2]], edges: &[Edge], linear: fn([f64; 2]) -> Functions| {
-            let middle = |edge: &Edge| {
-                let [a, b] = edge.ends().map(|end| corners[end]);
-                [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])]
-            };
-            let places: Vec<[f64; 2]> = corners.iter().copied().chain(edges.iter().map(middle)).collect();
-            for (own, [x, y]) in places.iter().enumerate() {
-                let functions = with_midsides(linear([*x, *y]), edges.iter().copied(), [*x, *y, 0.0]);
-                for (other, value) in functions.values.iter().enumerate() {
-                    assert_eq!(*value, f64::from(u8::from(own == other)), "{other} at grid {own}");
-                }
-            }
-            let functions = with_midsides(linear([0.3, 0.2]), edges.iter().copied().skip(1), [0.3, 0.2, 0.0]);
-            assert!((functions.values.iter().sum::<f64>() - 1.0).abs() < 1e-15, "one grid is left out");
-            assert!(functions.slopes.iter().sum::<Vector3<f64>>().norm() < 1e-15);
-        };
-        check(&corners, &QUADRILATERAL, quadrilateral);
-        check(&triangles, &TRIANGLE, triangle);
-    }
-}
+mod tests;

@@ -254,3 +254,6 @@ pub(crate) fn diagonal(a: SparseColMatRef<'_, usize, f64>) -> Vec<f64> {
         .map(|j| a.row_idx_of_col(j).zip(a.val_of_col(j)).filter(|(row, _)| *row == j).map(|(_, v)| *v).sum())
         .collect()
 }
+
+#[cfg(test)]
+mod tests;

@@ -196,3 +196,6 @@ pub(crate) fn line_axes(along: &Vector3<f64>, orientation: Option<&Vector3<f64>>
     let z = x.cross(orientation.unwrap_or(&any)).try_normalize(1e-9)?;
     Some(Matrix3::from_columns(&[x, z.cross(&x), z]))
 }
+
+#[cfg(test)]
+mod tests;

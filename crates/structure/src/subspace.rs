@@ -205,3 +205,6 @@ pub(crate) fn residuals(m: SparseRef<'_>, inverse: &Inverse<'_>, ritz: &Ritz, co
     let squares = squares(error.as_ref(), sparse::multiply(m, error.as_ref()).as_ref());
     squares.into_iter().map(|square| square.max(0.0).sqrt()).collect()
 }
+
+#[cfg(test)]
+mod tests;

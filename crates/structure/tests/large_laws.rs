@@ -48,7 +48,7 @@ fn zoo() -> String {
 }
 
 /// A state far off the undeformed one, and strained.
-fn shaken(wing: &LargeDeflection, strain: f64) -> State {
+pub(crate) fn shaken(wing: &LargeDeflection, strain: f64) -> State {
     let mut seed = 1_u64;
     let mut noise = || {
         seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -59,7 +59,7 @@ fn shaken(wing: &LargeDeflection, strain: f64) -> State {
 }
 
 /// Largest difference between the tangent and central differences of the residual, over the tangent's largest entry.
-fn tangent_error(wing: &LargeDeflection, state: &State, loads: &Loads) -> f64 {
+pub(crate) fn tangent_error(wing: &LargeDeflection, state: &State, loads: &Loads) -> f64 {
     let (n, step) = (wing.free_count(), 1e-6);
     let k = wing.stiffness(state, loads);
     let mut dense = vec![vec![0.0; n]; n];
@@ -183,7 +183,7 @@ fn clamps_give_what_all_loads_ask_for_at_the_places_of_now() {
 }
 
 /// The equilibrium next to a state: many steps with one tangent, where Newton's method stops at a ten-millionth of a radian.
-fn to_the_last_digit(wing: &LargeDeflection, start: &State, loads: &Loads) -> State {
+pub(crate) fn to_the_last_digit(wing: &LargeDeflection, start: &State, loads: &Loads) -> State {
     let (n, k) = (wing.free_count(), wing.stiffness(start, loads));
     let mut dense = DMatrix::zeros(n, n);
     for j in 0..n {

@@ -321,3 +321,6 @@ impl Near for Balancing<'_> {
         air.iter().zip(&inertia).map(|(air, inertia)| air + inertia).collect()
     }
 }
+
+#[cfg(test)]
+mod tests;

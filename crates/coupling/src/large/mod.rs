@@ -17,6 +17,8 @@ mod boxes;
 mod free;
 mod model;
 mod motion;
+#[cfg(test)]
+mod samples;
 mod wake;
 mod wing;
 
@@ -26,3 +28,6 @@ pub use model::LargeModel;
 pub use motion::{BentMotion, BentMotionError};
 pub use wake::Wake;
 pub use wing::{LargeState, LargeWing};
+
+#[cfg(test)]
+mod tests;

@@ -125,3 +125,6 @@ fn unions(bulk: &BulkData) -> String {
     }
     text
 }
+
+#[cfg(test)]
+mod tests;

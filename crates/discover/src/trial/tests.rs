@@ -174,6 +174,25 @@ fn a_step_that_leads_too_far_is_halved_twice() {
     assert!([Some(1.0), Some(0.5), Some(0.25)].iter().all(|share| shares.contains(share)), "{shares:?}");
 }
 
+/// Three points that measure |x|, the first of them off by seven: from one the straight line leads to minus one, where
+/// all is as it was.
+#[test]
+fn a_step_to_what_is_as_bad_is_halved() {
+    let known = ByHand::new(&[&[-6.0, 1.0, 1.0]])
+        .ruled(|rules| {
+            rules.fit.last_steps = 1;
+            rules.fit.last_secant_share = 0.25;
+        })
+        .with(made("even", &[], size()), |v| vec![v[0].abs(); 3]);
+    tried(&known, "even", |trial| {
+        close(&[trial.point(&[1.0]).score, trial.point(&[-1.0]).score], &[50.0, 50.0]);
+        // (3 + 1) step = 1·(-7) - 1
+        let (point, _) = trial.least_squares(&[1.0]);
+        close(&point.sizes, &[0.0]);
+        assert!((point.score - 38.0).abs() < 1e-9);
+    });
+}
+
 #[test]
 fn steps_end_with_one_that_gains_less_than_is_worth_it() {
     let steps = |near: f64, y: f64, most: usize, least_gain: f64| {

@@ -181,3 +181,6 @@ fn mean_chord_m(lattice: &Lattice) -> f64 {
     };
     area / lattice.surfaces.iter().map(strips).sum::<f64>()
 }
+
+#[cfg(test)]
+mod tests;

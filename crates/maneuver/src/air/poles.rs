@@ -127,3 +127,6 @@ fn search(entries: &Entries, kappa: &[f64], highest: f64, mut logarithms: Vec<f6
     }
     (best, logarithms)
 }
+
+#[cfg(test)]
+mod tests;

@@ -161,3 +161,6 @@ impl Effect for Declared {
         (self.declaration.correct)(p, air);
     }
 }
+
+#[cfg(test)]
+mod tests;

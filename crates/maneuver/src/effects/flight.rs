@@ -221,3 +221,6 @@ impl<'a> Split<'a> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -89,3 +89,6 @@ impl FlightAir<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

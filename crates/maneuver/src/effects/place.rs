@@ -153,3 +153,6 @@ impl Loads {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -143,3 +143,6 @@ impl Spec {
         self.rivals.contains(&other.name) || other.rivals.contains(&self.name)
     }
 }
+
+#[cfg(test)]
+mod tests;

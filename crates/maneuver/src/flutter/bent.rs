@@ -95,3 +95,6 @@ fn table(wing: &LargeWing, motion: &BentMotion, case: &SteadyCase) -> Result<Gaf
     }
     Ok(GafTable::new(frequencies, matrices)?)
 }
+
+#[cfg(test)]
+pub(super) mod laws;

@@ -74,7 +74,7 @@ impl Aeroelastic<'_> {
             let known: Vec<&State> = live.iter().map(|(_, track)| &track.state).collect();
             for state in self.all_roots(here, &known)? {
                 let is_same = |other: &State| {
-                    let near = (other.p - state.p).norm() <= SAME * state.p.norm();
+                    let near = (other.p - state.p).norm() <= SAME * self.modulus(state.p);
                     near && self.likeness(&other.u, &state.u) > 0.5
                 };
                 if live.iter().any(|(_, track)| is_same(&track.state)) {
@@ -114,7 +114,7 @@ impl Aeroelastic<'_> {
             };
             // Two that arrive at one root: one of them has lost its way.
             let is_there = |(_, other): &(usize, Track)| {
-                (other.state.p - next.state.p).norm() <= SAME * next.state.p.norm()
+                (other.state.p - next.state.p).norm() <= SAME * self.modulus(next.state.p)
                     && self.likeness(&other.state.u, &next.state.u) > 1.0 - SAME
             };
             if !arrived.iter().any(is_there) {

@@ -80,3 +80,6 @@ impl FlutterCurves {
         });
     }
 }
+
+#[cfg(test)]
+mod tests;

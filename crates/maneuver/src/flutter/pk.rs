@@ -183,7 +183,7 @@ impl Aeroelastic<'_> {
         }
         match self.root(&guess, place) {
             Ok(state) => {
-                let near = (state.p - guess.p).norm() <= NEAR * state.p.norm().max(guess.p.norm());
+                let near = (state.p - guess.p).norm() <= NEAR * self.modulus(state.p).max(guess.p.norm());
                 let same = self.likeness(&state.u, &track.state.u) > SAME_SHAPE;
                 let before = Some((state.p - track.state.p, length));
                 Ok((near && same).then_some(Track { state, before }))

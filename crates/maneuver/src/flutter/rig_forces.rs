@@ -68,3 +68,6 @@ impl Rig<'_> {
         GafTable::new(pressures.omega_over_v.clone(), q.collect())
     }
 }
+
+#[cfg(test)]
+mod tests;

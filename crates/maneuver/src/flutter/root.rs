@@ -12,9 +12,9 @@ use faer::{Mat, c64};
 
 /// Newton steps at most; a root that needs more is not near.
 const STEPS: usize = 12;
-/// Step of p over |p| at which a root is found.
+/// Step of p over its modulus at which a root is found.
 const CLOSE: f64 = 1e-12;
-/// A step no smaller than the one before is round-off below this share of |p|.
+/// A step no smaller than the one before is round-off below this share of the modulus.
 const ROUND_OFF: f64 = 1e-8;
 /// Share of kappa by which it is moved for derivatives.
 const NUDGE: f64 = 1e-5;
@@ -113,7 +113,7 @@ impl Aeroelastic<'_> {
                 state.p.im = kappa * v;
             }
             self.normalise(&mut state.u);
-            let size = step.norm() / state.p.norm().max(f64::MIN_POSITIVE);
+            let size = step.norm() / self.modulus(state.p);
             if size < CLOSE || (size < ROUND_OFF && size >= last) {
                 return if state.real || kappa > 0.0 { Ok(state) } else { Err(Missed::Collapsed) };
             }

@@ -200,3 +200,6 @@ fn changes<E: From<FlutterError>>(
     curves.crossings.push(Crossing { branch, flow: high, omega_rad_s, unstable, beyond_table: false });
     Ok(())
 }
+
+#[cfg(test)]
+mod tests;

@@ -19,8 +19,6 @@ const BEYOND: f64 = 1.5;
 const HALVINGS: usize = 45;
 /// An oscillation slower than this share of the fastest motion is a real root.
 const NOT_AT_REST: f64 = 1e-9;
-/// A root slower than this share of the slowest mode with a stiffness is taken for a rigid motion on which no air acts.
-const AT_REST: f64 = 1e-3;
 
 /// A frequency less kappa V that changes its sign between two values of kappa.
 #[derive(Debug, Clone, Copy)]
@@ -62,12 +60,12 @@ impl Aeroelastic<'_> {
         Some(states.collect())
     }
 
-    /// All roots at a place but those of rigid motions on which no air acts: real ones first, then by rising frequency. Between two
-    /// values of kappa that have as many known roots as there are, these are taken for them.
+    /// All roots at a place but those at rest, which are taken for rigid motions on which no air acts: real ones first, then by
+    /// rising frequency. Between two values of kappa that have as many known roots as there are, these are taken for them.
     pub(super) fn all_roots(&self, place: Place, known: &[&State]) -> Result<Vec<State>, FlutterError> {
         let v = place.flow.v_m_s;
-        let slowest = self.slowest_rad_s()?;
-        let is_moving = |state: &State| state.p.norm() > AT_REST * slowest;
+        let slowest = self.slowest_rad_s();
+        let is_moving = |state: &State| state.p.norm() > self.at_rest_rad_s();
         let still = self.held_at(0.0, place)?;
         let fastest = still.first().map_or(0.0, |state| state.p.im).max(slowest);
         let mut roots: Vec<State> =
@@ -102,22 +100,6 @@ impl Aeroelastic<'_> {
         oscillating.sort_by(|a, b| a.p.im.total_cmp(&b.p.im));
         roots.extend(oscillating);
         Ok(roots)
-    }
-
-    /// Frequency of the slowest mode that has a stiffness, rad/s; one if there is none.
-    fn slowest_rad_s(&self) -> Result<f64, FlutterError> {
-        let mass = self.mass().to_owned().partial_piv_lu();
-        let squares = mass
-            .solve(self.stiffness().to_owned())
-            .eigenvalues()
-            .map_err(|_| FlutterError::Eigenvalues("the structure"))?;
-        let largest = squares.iter().map(|square| square.re).fold(0.0, f64::max);
-        let slowest = squares
-            .iter()
-            .map(|square| square.re)
-            .filter(|s| *s > 1e-9 * largest)
-            .fold(f64::INFINITY, f64::min);
-        Ok(if slowest.is_finite() { slowest.sqrt() } else { 1.0 })
     }
 
     /// Frequencies with the forces at kappa, rad/s, the fastest first; zero for motions that do not oscillate.
@@ -198,5 +180,7 @@ fn brackets(before: &(f64, Vec<f64>), after: &(f64, Vec<f64>), v_m_s: f64) -> Ve
     ranks.collect()
 }
 
+#[cfg(test)]
+mod laws;
 #[cfg(test)]
 mod tests;

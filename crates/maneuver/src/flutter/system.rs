@@ -9,8 +9,11 @@
 
 use super::{FlutterError, GeneralisedForces};
 use aero::Flow;
+use faer::linalg::solvers::Solve;
 use faer::{Mat, MatRef, c64};
 
+/// A root slower than this share of the slowest mode with a stiffness is as good as at rest.
+const AT_REST: f64 = 1e-3;
 /// Im Q/kappa at rest is taken at this share of the table's largest frequency.
 const NEARLY_AT_REST: f64 = 1e-6;
 
@@ -20,6 +23,7 @@ pub struct Aeroelastic<'a> {
     damping: Mat<f64>,
     stiffness: Mat<f64>,
     forces: &'a dyn GeneralisedForces,
+    slowest_rad_s: f64,
 }
 
 /// Forces split as the equation needs them.
@@ -37,7 +41,7 @@ impl<'a> Aeroelastic<'a> {
     /// From square matrices of one size; the damping is that of the structure (zero matrix for none).
     ///
     /// # Errors
-    /// If sizes differ or a number is not finite.
+    /// If sizes differ, a number is not finite, or natural frequencies cannot be computed.
     pub fn new(
         mass: Mat<f64>,
         damping: Mat<f64>,
@@ -55,7 +59,8 @@ impl<'a> Aeroelastic<'a> {
                 return Err(FlutterError::Number { what, value, expected: "finite" });
             }
         }
-        Ok(Self { mass, damping, stiffness, forces })
+        let slowest_rad_s = slowest_rad_s(mass.as_ref(), stiffness.as_ref())?;
+        Ok(Self { mass, damping, stiffness, forces, slowest_rad_s })
     }
 
     /// Modes of mass one: natural frequencies in rad/s and one damping ratio for all.
@@ -97,6 +102,22 @@ impl<'a> Aeroelastic<'a> {
     /// Stiffness.
     pub fn stiffness(&self) -> MatRef<'_, f64> {
         self.stiffness.as_ref()
+    }
+
+    /// Frequency of the slowest mode in a vacuum that has a stiffness, rad/s; one if there is none.
+    pub(super) fn slowest_rad_s(&self) -> f64 {
+        self.slowest_rad_s
+    }
+
+    /// Modulus below which a root is as good as at rest, 1/s.
+    pub(super) fn at_rest_rad_s(&self) -> f64 {
+        AT_REST * self.slowest_rad_s
+    }
+
+    /// What a distance from a root is measured by, 1/s: its modulus, but no less than that of a root at rest, since a real root
+    /// goes through zero at divergence.
+    pub(super) fn modulus(&self, p: c64) -> f64 {
+        p.norm().max(self.at_rest_rad_s())
     }
 
     /// The air forces.
@@ -141,5 +162,20 @@ impl<'a> Aeroelastic<'a> {
     }
 }
 
+/// Frequency of the slowest mode that has a stiffness, rad/s; one if there is none.
+fn slowest_rad_s(mass: MatRef<'_, f64>, stiffness: MatRef<'_, f64>) -> Result<f64, FlutterError> {
+    let squares = mass
+        .partial_piv_lu()
+        .solve(stiffness)
+        .eigenvalues()
+        .map_err(|_| FlutterError::Eigenvalues("the structure"))?;
+    let largest = squares.iter().map(|square| square.re).fold(0.0, f64::max);
+    let slowest =
+        squares.iter().map(|square| square.re).filter(|s| *s > 1e-9 * largest).fold(f64::INFINITY, f64::min);
+    Ok(if slowest.is_finite() { slowest.sqrt() } else { 1.0 })
+}
+
+#[cfg(test)]
+mod laws;
 #[cfg(test)]
 mod tests;

@@ -62,3 +62,6 @@ impl FrequencyTable {
         Ok(answers * faer::Scale(c64::new(phase.cos(), -phase.sin())))
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -198,3 +198,6 @@ fn known(name: &str, controls: &[String]) -> Result<(), (String, String)> {
     };
     Err((format!("the maneuver moves \"{name}\", which the wing does not have"), help))
 }
+
+#[cfg(test)]
+mod tests;

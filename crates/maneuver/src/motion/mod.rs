@@ -299,3 +299,6 @@ impl<'de, T: Others + Deserialize<'de>> Visitor<'de> for MotionVisitor<T> {
         Err(A::Error::unknown_variant(&name, [T::NAMES, KINDS].concat().leak()))
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -274,4 +274,4 @@ impl SteadyLoads {
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

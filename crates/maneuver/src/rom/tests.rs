@@ -35,7 +35,7 @@ fn numbers(rows: usize, columns: usize, seed: usize, size: f64) -> Mat<f64> {
 }
 
 /// Arbitrary numbers throughout.
-pub(super) fn small(v_m_s: f64) -> ReducedOrderModel {
+pub(crate) fn small(v_m_s: f64) -> ReducedOrderModel {
     let layout = Layout { modes: MODES, slow_modes: 2, controls: 2, poles: [2, 1], fields: 3 };
     let (rows, columns) = (MODES + BALANCE, layout.len());
     let zones = Zones {

@@ -333,3 +333,6 @@ fn turn(a: &mut DMatrix<f64>, q: &Matrix3<f64>) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

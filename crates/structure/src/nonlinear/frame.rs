@@ -161,19 +161,4 @@ fn best_rotation(m: &Matrix3<f64>) -> Matrix3<f64> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_rigid_rotation_is_found_to_round_off_for_lines_planes_bodies_and_points() {
-        let turned = Rotation3::from_scaled_axis(Vector3::new(1.9, -1.2, 2.0));
-        let all = [[0.0, 0.0, 0.0], [2.0, 0.1, 0.0], [2.2, 1.0, 0.0], [0.1, 1.1, 0.0], [0.3, 0.4, 1.0]];
-        let all: Vec<Vector3<f64>> = all.iter().map(|p| Vector3::from(*p)).collect();
-        for count in 1..=5 {
-            let group = Group::of(&all[..count], true);
-            let arms: Vec<_> = group.arms.iter().map(|arm| turned * arm).collect();
-            let fit = group.fit(&arms, &vec![turned; count]);
-            assert!((fit.q - turned.matrix()).amax() < 1e-14, "{count} nodes: {}", fit.q - turned.matrix());
-        }
-    }
-}
+mod tests;

@@ -318,3 +318,6 @@ fn sum<'a>(parts: impl Iterator<Item = (f64, &'a Row)>) -> Row {
     }
     sum.into_iter().collect()
 }
+
+#[cfg(test)]
+mod tests;

@@ -165,3 +165,6 @@ fn extent(state: &State) -> f64 {
     }
     f64::sqrt(square)
 }
+
+#[cfg(test)]
+mod tests;

@@ -120,9 +120,7 @@ impl Shell {
         }
         let triangles: Option<Vec<_>> = CUTS.iter().map(|corners| self.membrane_of(*corners)).collect();
         match triangles {
-            Some(triangles) if self.section.coupling.amax() == 0.0 => {
-                Self { drills: true, triangles, ..self }
-            }
+            Some(triangles) if !self.section.is_coupled() => Self { drills: true, triangles, ..self },
             _ => self,
         }
     }

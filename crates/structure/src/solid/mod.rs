@@ -301,3 +301,6 @@ fn strain_transformation(g: &Matrix3<f64>) -> Matrix6<f64> {
     }
     t
 }
+
+#[cfg(test)]
+mod tests;

@@ -84,30 +84,4 @@ impl Determination {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_difference_nothing_is_known_of_is_the_undetermined_direction() {
-        // Two measurements of the sum of two factors with a standard deviation of 0.01, one of the third.
-        let j = [vec![100.0, 100.0, 0.0], vec![100.0, 100.0, 0.0], vec![0.0, 0.0, 50.0]];
-        let (found, step) = Determination::of(&j, &[2.0, 2.0, 1.0], 3, 0.5);
-        assert_eq!(found.determined, 2);
-        assert!(!found.is_determined(0) && !found.is_determined(1) && found.is_determined(2));
-        let open = &found.undetermined_directions()[0];
-        assert!((open[0].1 + open[1].1).abs() < 1e-12 && (open[0].1.abs() - 0.5_f64.sqrt()).abs() < 1e-12);
-        // The step is the smallest that explains the sum, and the third factor's.
-        for (got, want) in step.iter().zip([0.01, 0.01, 0.02]) {
-            assert!((got - want).abs() < 1e-12, "{step:?}");
-        }
-        assert!((found.covariance()[2][2].sqrt() - 0.02).abs() < 1e-12);
-    }
-
-    #[test]
-    fn without_data_nothing_is_determined() {
-        let (found, step) = Determination::of(&[], &[], 2, 0.5);
-        assert_eq!((found.determined, step), (0, vec![0.0, 0.0]));
-        assert!(found.sigma.iter().all(|sigma| sigma.is_infinite()));
-        assert_eq!(Determination::of(&[vec![]], &[1.0], 0, 0.5).0.determined, 0);
-    }
-}
+mod tests;

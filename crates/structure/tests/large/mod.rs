@@ -8,7 +8,7 @@
 )]
 #![allow(dead_code, reason = "not every test file uses every helper")]
 
-use nalgebra::Vector3;
+use nalgebra::{Rotation3, Vector3};
 use nastran::parse_deck;
 use serde_json::Value;
 use structure::Model;
@@ -37,6 +37,15 @@ pub fn force(node: usize, newton: [f64; 3]) -> NodeLoad {
 /// A moment at the node at a position.
 pub fn moment(node: usize, newton_m: [f64; 3]) -> NodeLoad {
     NodeLoad { node, force: Vector3::zeros(), moment: Vector3::from(newton_m) }
+}
+
+/// The rotation vector of a small rotation, to its third power.
+pub fn spin(rotation: &Rotation3<f64>) -> Vector3<f64> {
+    Vector3::new(
+        rotation[(2, 1)] - rotation[(1, 2)],
+        rotation[(0, 2)] - rotation[(2, 0)],
+        rotation[(1, 0)] - rotation[(0, 1)],
+    ) * 0.5
 }
 
 /// A line of `count` bars along x from the origin, grids from 1, a rectangular section (height along z, breadth along

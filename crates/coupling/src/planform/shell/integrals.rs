@@ -236,3 +236,6 @@ fn surface(side: Side) -> Surface {
         Side::Upper => Surface::Upper,
     }
 }
+
+#[cfg(test)]
+mod tests;

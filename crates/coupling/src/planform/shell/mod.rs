@@ -16,6 +16,8 @@ mod integrals;
 mod laminates;
 mod layup;
 mod mesh;
+#[cfg(test)]
+mod samples;
 mod settings;
 mod skin;
 mod ties;
@@ -66,3 +68,6 @@ impl ShellSolid {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests;

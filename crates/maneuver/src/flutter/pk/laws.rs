@@ -1,6 +1,7 @@
 //! One coordinate: its root is that of a parabola.
 
 use super::super::FormulaForces;
+use super::super::complete::Branch;
 use super::*;
 use faer::Mat;
 
@@ -48,6 +49,40 @@ fn an_oscillation_that_stops_becomes_the_less_stable_real_root() {
     }
     assert!(curves.crossings.is_empty() && curves.branches[0].len() == 4);
     assert!(curves.flutter().is_none());
+}
+
+/// omega = 10, zeta = .02 and Q = 1 - 1.5 i kappa: the real root is zero where q = 100, which is 10 m/s.
+fn assert_divergence(speeds: &[f64]) {
+    let air = forces(-1.5);
+    let system = Aeroelastic::of_modes(&[10.0], 0.02, &air).expect("one mode");
+    let flows = flows(speeds);
+    let curves = system.pk(&flows).expect("flows");
+    assert!(curves.lost.is_empty(), "{speeds:?}: {:?}", curves.lost);
+    let complete = system.pk_complete(&flows).expect("flows");
+    for (found, flow) in curves.branches[0].iter().zip(&flows) {
+        let wanted = root(*flow, 0.02, -1.5);
+        assert!((found.p - wanted).norm() < 1e-8, "{} m/s: {} {wanted}", flow.v_m_s, found.p);
+    }
+    let there = curves.branches[0][flows.len() - 1].p;
+    let is_there =
+        |branch: &Branch| branch.at(flows.len() - 1).is_some_and(|root| (root.p - there).norm() < 1e-8);
+    assert!(complete.branches.iter().any(is_there), "{there} {:?}", complete.branches);
+    for crossings in [&curves.crossings, &complete.crossings] {
+        let [found] = crossings[..] else { panic!("{speeds:?}: {crossings:?}") };
+        assert!((found.flow.v_m_s - 10.0).abs() < 1e-9 && found.omega_rad_s == 0.0, "{found:?}");
+        assert_eq!(found.unstable, speeds[0] < 10.0);
+    }
+    assert_eq!(complete.divergence().is_some(), speeds[0] < 10.0);
+    assert!(curves.flutter().is_none() && complete.flutter().is_none());
+}
+
+#[test]
+fn a_real_root_is_followed_through_zero_and_divergence_is_where_it_is() {
+    assert_divergence(&[2.0, 5.0, 8.0, 9.5, 11.0, 13.0]);
+    assert_divergence(&[9.0, 10.5]);
+    // on the way back, and with a flow on either side of it that is as near as numbers are
+    assert_divergence(&[12.0, 9.7]);
+    assert_divergence(&[9.0, 10.0 - 1e-12, 10.0 + 1e-12, 10.5]);
 }
 
 #[test]

@@ -369,3 +369,6 @@ impl Element for CurvedShell {
         Some(DMatrix::from_diagonal(&DVector::from_fn(6 * masses.len(), entry)))
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,113 @@
+//! Sparse sums and products beside dense ones.
+
+use super::*;
+
+const N: usize = 6;
+
+/// Motions that elements join: 3 stands alone, 0 and 5 are apart.
+fn lists() -> Vec<Vec<usize>> {
+    vec![vec![2, 0], vec![4, 1, 2], vec![5, 4], vec![3]]
+}
+
+/// A symmetric matrix of an element.
+fn own(n: usize, seed: usize) -> DMatrix<f64> {
+    DMatrix::from_fn(n, n, |i, j| {
+        ((i.min(j) + 3 * i.max(j) + seed) as f64 + 0.3).sin() + if i == j { 4.0 } else { 0.0 }
+    })
+}
+
+fn dense(a: &Sparse) -> DMatrix<f64> {
+    let mut all = DMatrix::zeros(a.nrows(), a.ncols());
+    for j in 0..a.ncols() {
+        let rows: Vec<usize> = a.row_idx_of_col(j).collect();
+        assert!(rows.windows(2).all(|pair| pair[0] < pair[1]), "rows ascend");
+        rows.iter().zip(a.val_of_col(j)).for_each(|(i, value)| all[(*i, j)] = *value);
+    }
+    all
+}
+
+/// Stiffness and mass of all lists, and the same added up one by one.
+fn summed() -> ([Sparse; 2], [DMatrix<f64>; 2]) {
+    let mut values = Pattern::of(N, &lists()).values();
+    let mut all = [DMatrix::zeros(N, N), DMatrix::zeros(N, N)];
+    for (at, dofs) in lists().iter().enumerate() {
+        let (k, m) = (own(dofs.len(), at), own(dofs.len(), at + 10));
+        values.add(dofs, Some(&k), if at == 1 { None } else { Some(&m) });
+        for (i, row) in dofs.iter().enumerate() {
+            for (j, column) in dofs.iter().enumerate() {
+                all[0][(*row, *column)] += k[(i, j)];
+                all[1][(*row, *column)] += if at == 1 { 0.0 } else { m[(i, j)] };
+            }
+        }
+    }
+    // Of a list without a place for one motion.
+    let k = own(3, 20);
+    values.add_where(&[Some(4), None, Some(2)], Some(&k), None);
+    for (i, row) in [(0, 4), (2, 2)] {
+        for (j, column) in [(0, 4), (2, 2)] {
+            all[0][(row, column)] += k[(i, j)];
+        }
+    }
+    values.add_entry(4, 1, [0.5, 0.25]);
+    values.add_entry(3, 3, [0.5, 0.25]);
+    for (i, j) in [(4, 1), (1, 4), (3, 3)] {
+        all[0][(i, j)] += 0.5;
+        all[1][(i, j)] += 0.25;
+    }
+    let (k, m) = values.symmetric();
+    ([k, m], all)
+}
+
+#[test]
+fn entries_are_summed_and_stand_in_both_triangles() {
+    let (sparse, expected) = summed();
+    for (own, expected) in sparse.iter().zip(&expected) {
+        let own = dense(own);
+        assert!((&own - expected).amax() < 1e-14, "{own} {expected}");
+        assert_eq!(own, own.transpose());
+    }
+    // 6 on the diagonal, 1, 3 and 1 pairs.
+    assert_eq!(sparse[0].val().len(), 6 + 2 * 5);
+}
+
+#[test]
+fn a_change_is_added_where_all_its_entries_are() {
+    let ([k, _], [expected, _]) = summed();
+    let (dofs, change) = ([4, 2, 1], own(3, 40));
+    let changed = dense(&with_sum(&k, &dofs, &change).expect("one element joins them"));
+    let mut expected = expected;
+    for (i, j) in (0..9).map(|at| (at / 3, at % 3)) {
+        expected[(dofs[i], dofs[j])] += change[(i, j)];
+    }
+    assert!((changed - expected).amax() < 1e-14);
+    assert!(with_sum(&k, &[0, 4], &own(2, 1)).is_none(), "no element joins them");
+}
+
+#[test]
+fn sums_products_and_parts_are_those_of_the_whole_matrices() {
+    let ([k, m], [k_all, m_all]) = summed();
+    let sum = dense(&combine(k.as_ref(), -2.5, m.as_ref()));
+    assert!((sum - (&k_all - &m_all * 2.5)).amax() < 1e-14);
+    let kept = [1, 2, 4];
+    let part = k_all.select_rows(&kept).select_columns(&kept);
+    assert!((dense(&block(k.as_ref(), &kept)) - part).amax() < 1e-14);
+    assert!(diagonal(k.as_ref()).iter().enumerate().all(|(at, d)| (d - k_all[(at, at)]).abs() < 1e-14));
+    for columns in [1, 4, 7] {
+        let entry = |i: usize, j: usize| if i == 2 { 0.0 } else { (1.3 * i as f64 - 0.7 * j as f64).cos() };
+        let x = Mat::from_fn(N, columns, |i, j| if j == 3 && i > 3 { 0.0 } else { entry(i, j) });
+        let (own, all) = (multiply(k.as_ref(), x.as_ref()), DMatrix::from_fn(N, columns, |i, j| x[(i, j)]));
+        let expected = &k_all * all;
+        assert_eq!((own.nrows(), own.ncols()), (N, columns));
+        for (i, j) in (0..N).flat_map(|i| (0..columns).map(move |j| (i, j))) {
+            assert!((own[(i, j)] - expected[(i, j)]).abs() < 1e-13, "{i} {j} of {columns}");
+        }
+    }
+}
+
+#[test]
+fn what_hangs_together_is_listed_together() {
+    let pattern = |lists: &[Vec<usize>]| Pattern::of(N, lists).values().symmetric().0;
+    assert_eq!(components(pattern(&lists()).symbolic()), [vec![0, 1, 2, 4, 5], vec![3]]);
+    let two = pattern(&[vec![5, 0], vec![1, 3], vec![3, 4]]);
+    assert_eq!(components(two.symbolic()), [vec![0, 5], vec![1, 3, 4], vec![2]]);
+}

@@ -1,0 +1,182 @@
+//! Which ties hold at finite rotations, and rigid bars whose independent motions are spread over both ends.
+
+use nalgebra::Point3;
+use nastran::parse_deck;
+use structure::{Joint, Model};
+
+const GRIDS: &str = "CORD2R,5,,0.,0.,0.,1.,2.,2.,\n,1.,0.,0.\nGRID,1,,.5,.2,-.3\nGRID,2,,2.,.4,.3\nGRID,3,,1.,1.5,.2\n\
+    GRID,4,,1.,1.,2.,5\nGRID,9,,1.,.7,.4\n";
+
+fn read(cards: &str) -> Result<Model, String> {
+    let bulk = parse_deck("test.bdf", &format!("{GRIDS}{cards}")).map_err(|error| error.to_string())?;
+    Model::from_bulk(&bulk).map_err(|error| error.to_string())
+}
+
+fn joint(cards: &str) -> Joint {
+    let model = read(cards).expect(cards);
+    assert_eq!(model.ties.len(), 1, "{cards}");
+    assert_eq!(model.ties[0].rows, 0..model.dependents.len(), "{cards}");
+    model.ties[0].joint.clone()
+}
+
+#[test]
+fn rigid_elements_with_all_displacements_turn_and_others_are_linear() {
+    let rigid = |from: usize, to: &[usize], turns: bool| Joint::Rigid { from, to: to.into(), turns };
+    for (cards, expected) in [
+        ("RBE2,7,2,123456,1,3\n", rigid(1, &[0, 2], true)),
+        ("RBE2,7,2,123,1\n", rigid(1, &[0], false)),
+        ("RBE2,7,2,1234,1\n", Joint::Linear),
+        ("RBE2,7,2,12456,1\n", Joint::Linear),
+        ("RBE2,7,2,456,1\n", Joint::Linear),
+        // The other end follows in all that is not named, or in what is.
+        ("RBAR,7,1,3,123456\n", rigid(0, &[2], true)),
+        ("RBAR,7,1,3,,123456\n", rigid(2, &[0], true)),
+        ("RBAR,7,1,3,123456,,,123\n", rigid(0, &[2], false)),
+        ("RBAR,7,1,3,,123456,123456\n", rigid(2, &[0], true)),
+        ("RBAR,7,1,3,123456,,,12\n", Joint::Linear),
+        ("RBAR,7,1,3,,123456,1234\n", Joint::Linear),
+        ("RBAR,7,1,3,1234,23\n", Joint::Linear),
+    ] {
+        assert_eq!(joint(cards), expected, "{cards}");
+    }
+}
+
+#[test]
+fn equations_are_exact_as_differences_of_one_displacement_alone() {
+    for (cards, is_difference) in [
+        ("MPC,1,9,2,1.,1,2,-1.\n", true),
+        ("MPC,1,9,2,2.,1,2,-.5,,\n,,3,2,-1.5\n", true),
+        ("MPC,1,9,2,1.,1,2,-.9\n", false),
+        ("MPC,1,9,2,1.,1,2,1.\n", false),
+        ("MPC,1,9,2,1.,1,3,-1.\n", false),
+        ("MPC,1,9,5,1.,1,5,-1.\n", false),
+        // Other axes.
+        ("MPC,1,9,2,1.,4,2,-1.\n", false),
+    ] {
+        let expected = if is_difference { Joint::Difference } else { Joint::Linear };
+        assert_eq!(joint(cards), expected, "{cards}");
+    }
+}
+
+/// Weights of rotations count with the square of the group's mean distance from the reference.
+#[test]
+fn means_turn_with_groups_of_whole_displacements() {
+    let model = read("").expect("grids");
+    let about = model.nodes[4].point;
+    let far = |node: usize| (model.nodes[node].point - about).norm();
+    let square =
+        |nodes: &[usize]| (nodes.iter().map(|node| far(*node)).sum::<f64>() / nodes.len() as f64).powi(2);
+    let Joint::Mean { reference, turns, members } = joint("RBE3,7,,9,123456,2.,123,1,2\n,3.,123456,3\n")
+    else {
+        panic!("a mean")
+    };
+    assert_eq!((reference, turns), (4, true));
+    for (own, (node, place, rotation)) in
+        members.iter().zip([(0, 2.0, 0.0), (1, 2.0, 0.0), (2, 3.0, 3.0 * square(&[0, 1, 2]))])
+    {
+        assert_eq!((own.0, own.1), (node, place));
+        assert!((own.2 - rotation).abs() < 1e-14, "{own:?}");
+    }
+    assert!(matches!(joint("RBE3,7,,9,123,1.,123,1,2\n,3\n"), Joint::Mean { turns: false, .. }));
+    for cards in [
+        "RBE3,7,,9,1234,1.,123,1,2\n,3\n",
+        "RBE3,7,,9,123456,1.,1234,1,2\n,3\n",
+        "RBE3,7,,9,123,1.,123,1,2\n,3,UM,1,123\n",
+    ] {
+        assert_eq!(joint(cards), Joint::Linear, "{cards}");
+    }
+    let cards = format!("{GRIDS}RBE3,7,,9,123456,1.,123,1,2\n,3\n");
+    for weight in [0.0, -1.0, f64::INFINITY, f64::NAN] {
+        let mut bulk = parse_deck("test.bdf", &cards).expect("a deck");
+        bulk.averages.get_mut(&7).expect("a mean").groups[0].weight = weight;
+        let error = Model::from_bulk(&bulk).expect_err("refused").to_string();
+        assert!(error.contains("RBE3 7 has a group of weight"), "{error}");
+    }
+}
+
+/// Motions of a node in its own axes under the six rigid motions about the origin.
+fn rigid(model: &Model, dof: usize) -> [f64; 6] {
+    let (node, component) = (&model.nodes[dof / 6], dof % 6);
+    let axis: nalgebra::Vector3<f64> = node.axes.column(component % 3).into();
+    let arm = (node.point - Point3::origin()).cross(&axis);
+    if component < 3 {
+        [axis.x, axis.y, axis.z, arm.x, arm.y, arm.z]
+    } else {
+        [0.0, 0.0, 0.0, axis.x, axis.y, axis.z]
+    }
+}
+
+/// Every row of a rigid bar, and of other ties, is true of all rigid motions; and the rows are those of the motions
+/// named.
+#[test]
+fn rows_of_ties_hold_under_every_rigid_motion() {
+    let all = |node: usize| (6 * node..6 * node + 6).collect::<Vec<usize>>();
+    let of = |node: usize, components: &[usize]| {
+        components.iter().map(|c| 6 * node + c - 1).collect::<Vec<usize>>()
+    };
+    for (cards, dependent, sources) in [
+        ("RBAR,7,1,4,123456\n", all(3), all(0)),
+        ("RBAR,7,4,1,,123456\n", all(3), all(0)),
+        (
+            "RBAR,7,1,4,1234,23\n",
+            [of(0, &[5, 6]), of(3, &[1, 4, 5, 6])].concat(),
+            [of(0, &[1, 2, 3, 4]), of(3, &[2, 3])].concat(),
+        ),
+        (
+            "RBAR,7,1,4,1234,23,5,16\n",
+            [of(0, &[5]), of(3, &[1, 6])].concat(),
+            [of(0, &[1, 2, 3, 4]), of(3, &[2, 3])].concat(),
+        ),
+        ("RBE2,7,4,135,2,1\n", [of(0, &[1, 3, 5]), of(1, &[1, 3, 5])].concat(), all(3)),
+        ("RBE3,7,,9,26,1.,123,1,2\n,2.,13,4,3\n", of(4, &[2, 6]), [all(0), all(1), all(2), all(3)].concat()),
+        (
+            "RBE3,7,,4,123456,1.,123456,1,2\n,3,UM,1,123,2,456\n",
+            [of(0, &[1, 2, 3]), of(1, &[4, 5, 6])].concat(),
+            [all(0), all(1), all(2), all(3)].concat(),
+        ),
+    ] {
+        let model = read(cards).expect(cards);
+        let mut own: Vec<usize> = model.dependents.iter().map(|row| row.dof).collect();
+        own.sort_unstable();
+        assert_eq!(own, dependent, "{cards}");
+        for row in &model.dependents {
+            assert!(row.row.iter().all(|(dof, _)| sources.contains(dof)), "{cards}: {:?}", row.row);
+            let mut follows = [0.0; 6];
+            for (dof, factor) in &row.row {
+                follows.iter_mut().zip(rigid(&model, *dof)).for_each(|(sum, part)| *sum += factor * part);
+            }
+            for (motion, (follows, own)) in follows.iter().zip(rigid(&model, row.dof)).enumerate() {
+                assert!((follows - own).abs() < 1e-10, "{cards}: {} in motion {motion}", row.dof);
+            }
+        }
+    }
+}
+
+#[test]
+fn motions_that_do_not_hold_a_bar_are_refused() {
+    let flat = "GRID,11,,0.,0.,0.\nGRID,12,,2.,0.,0.\n";
+    // Nothing holds the turn about the bar; or x is held twice.
+    for cards in ["RBAR,7,11,12,123,123\n", "RBAR,7,11,12,1235,16\n"] {
+        let error = read(&format!("{flat}{cards}")).expect_err("refused");
+        assert!(
+            error.contains("RBAR 7: its independent motions do not determine the motion of the bar"),
+            "{error}"
+        );
+    }
+    assert!(read(&format!("{flat}RBAR,7,11,12,1234,23\n")).is_ok());
+}
+
+/// Equations solved for their first motion: x = -(sum of the others) / its own factor.
+#[test]
+fn an_equation_gives_its_first_motion() {
+    let model = read("MPC,1,9,2,4.,1,1,-2.,,\n,,3,6,6.\n").expect("an equation");
+    let row = &model.dependents[0];
+    assert_eq!((row.dof, model.dependents.len()), (6 * 4 + 1, 1));
+    let mut own = row.row.clone();
+    own.sort_by_key(|(dof, _)| *dof);
+    assert_eq!(own, [(0, 0.5), (6 * 2 + 5, -1.5)]);
+    let mut bulk = parse_deck("test.bdf", &format!("{GRIDS}MPC,1,9,2,4.,1,1,-2.\n")).expect("a deck");
+    bulk.equations[0].terms[0].1 = 0.0;
+    let error = Model::from_bulk(&bulk).expect_err("refused").to_string();
+    assert!(error.contains("the dependent motions it names are not determined by the others"), "{error}");
+}
