@@ -10,6 +10,7 @@ pub mod model;
 pub mod package;
 pub mod results;
 pub mod stations;
+pub mod study;
 pub mod trim;
 
 pub use aircraft::assembly::{Aircraft, WingPlaces};

@@ -24,6 +24,7 @@ mod package;
 mod pratt;
 mod rectangular_wing;
 mod stations;
+mod study;
 mod trim;
 mod turbulence;
 mod unstable;

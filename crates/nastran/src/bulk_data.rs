@@ -11,7 +11,7 @@ use crate::cards::{
     Set1, SetUnion, ShellElement, SolidElement, Spc1, Spcd, SpectrumTable, Spin, SplineCard, Spoint, Suport,
     Tabdmp1, Temperature, TimeSteps, Trim,
 };
-use crate::deck::case_control::Subcase;
+use crate::deck::case_control::{AddedMatrix, Subcase};
 use crate::dmi::Dmi;
 use crate::source::{InputError, Span};
 use std::collections::{BTreeMap, BTreeSet};
@@ -32,6 +32,7 @@ pub(crate) struct Rest {
     pub(crate) parameters: BTreeMap<String, f64>,
     pub(crate) matrices: BTreeMap<String, Dmi>,
     pub(crate) subcases: Vec<Subcase>,
+    pub(crate) added: Vec<AddedMatrix>,
     pub(crate) air_errors: Vec<InputError>,
     pub(crate) unknown: BTreeMap<String, Unread>,
 }
@@ -40,7 +41,8 @@ impl Rest {
     /// Puts it into a deck as it is.
     pub(crate) fn put(self, deck: &mut BulkData) {
         (deck.parameters, deck.matrices) = (self.parameters, self.matrices);
-        (deck.subcases, deck.air_errors, deck.unknown) = (self.subcases, self.air_errors, self.unknown);
+        (deck.subcases, deck.added) = (self.subcases, self.added);
+        (deck.air_errors, deck.unknown) = (self.air_errors, self.unknown);
     }
 }
 
@@ -71,6 +73,8 @@ macro_rules! kinds {
             pub matrices: BTreeMap<String, Dmi>,
             /// Subcases of the case control.
             pub subcases: Vec<Subcase>,
+            /// Matrices (DMIG) that the subcase in whose eyes the deck is seen adds to the structure's ([`BulkData::in_subcase`]).
+            pub added: Vec<AddedMatrix>,
             /// What is wrong with cards of the air, which a structure does without ([`BulkData::refuse_unread_air`]).
             pub air_errors: Vec<InputError>,
             /// Cards that are not read, by name.
@@ -84,7 +88,7 @@ macro_rules! kinds {
         impl BulkData {
             /// Shows all cards to a visitor.
             pub(crate) fn visit(&self, visitor: &mut impl Visitor) {
-                let Self { $($field,)* parameters: _, matrices: _, subcases: _, air_errors: _, unknown: _ } = self;
+                let Self { $($field,)* parameters: _, matrices: _, subcases: _, added: _, air_errors: _, unknown: _ } = self;
                 $(visitor.cards(kind_of(stringify!($field)), $field);)*
             }
 
@@ -93,9 +97,9 @@ macro_rules! kinds {
             /// # Errors
             /// If a change fails, or the other deck has a card with the same number.
             pub(crate) fn pour(self, into: &mut Self, change: &mut impl Change) -> Result<Rest, InputError> {
-                let Self { $($field,)* parameters, matrices, subcases, air_errors, unknown } = self;
+                let Self { $($field,)* parameters, matrices, subcases, added, air_errors, unknown } = self;
                 $(pour_kind(kind_of(stringify!($field)), $field, &mut into.$field, change)?;)*
-                Ok(Rest { parameters, matrices, subcases, air_errors, unknown })
+                Ok(Rest { parameters, matrices, subcases, added, air_errors, unknown })
             }
 
             /// Keeps what a card says; false if cards of its name are not read.

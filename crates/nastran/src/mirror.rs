@@ -28,12 +28,13 @@ impl BulkData {
     /// If a grid's displacement system or a mass's system is not basic, an AEFACT divides both span and chord, a card
     /// has no image (GENEL, some scalar elements), or a reference leads nowhere; the card is blamed.
     pub fn mirrored(&self, boxes: &BTreeMap<u32, u32>) -> Result<Self, InputError> {
+        self.refuse_added("mirrored")?;
         let frames = Frames::resolve(self)?;
         let to_basic = |system, xyz, span: &_| frames.point(system, xyz, span);
         let mut mirror = Mirror { to_basic: &to_basic, boxes, strips: self.strips()? };
         let mut image = Self::default();
         let rest = self.clone().pour(&mut image, &mut mirror)?;
-        let Rest { parameters, mut matrices, subcases: _, air_errors, unknown } = rest;
+        let Rest { parameters, mut matrices, subcases: _, added: _, air_errors, unknown } = rest;
         let incidence = matrices.remove("W2GJ").map(|matrix| carried(boxes, matrix));
         image.matrices.extend(incidence.map(|matrix| (matrix.name.clone(), matrix)));
         (image.parameters, image.air_errors, image.unknown) = (parameters, air_errors, unknown);

@@ -101,7 +101,8 @@ impl BulkData {
     /// # Errors
     /// If both use a number for the same kind of card, or measure mass in different units (PARAM WTMASS).
     pub fn join(&mut self, other: Self) -> Result<(), InputError> {
-        let Rest { parameters, matrices, subcases: _, air_errors, unknown: _ } =
+        other.refuse_added("joined to another model")?;
+        let Rest { parameters, matrices, subcases: _, added: _, air_errors, unknown: _ } =
             other.pour(self, &mut Keep)?;
         self.air_errors.extend(air_errors);
         for (name, value) in parameters {

@@ -67,8 +67,12 @@ impl BulkData {
             return Err(InputError::at(span, message)
                 .with_help("take it out, or write what it adds as elements and masses"));
         }
+        if !subcase.matrices.is_empty() {
+            self.refuse_unread_air()?;
+        }
         let mut bulk = self.clone();
         bulk.subcases.clear();
+        bulk.added.clone_from(&subcase.matrices);
         if let Some(is_on) = subcase.auto_spc {
             bulk.parameters.insert("AUTOSPC".to_owned(), f64::from(u8::from(is_on)));
         }
@@ -90,6 +94,14 @@ impl BulkData {
             aeros.symmetry = symmetry;
         }
         Ok(bulk)
+    }
+
+    /// Refuses what would leave a matrix of K2GG or M2GG behind.
+    pub(crate) fn refuse_added(&self, what: &str) -> Result<(), InputError> {
+        self.added.first().map_or(Ok(()), |matrix| {
+            let message = format!("a deck with the matrix {} (DMIG) cannot be {what}", matrix.name);
+            Err(InputError::at(&matrix.span, message).with_help("give what it adds as elements and masses"))
+        })
     }
 
     /// Names of the monitoring stations in the deck's order, each once: Nastran prints several of one name one after the other, here

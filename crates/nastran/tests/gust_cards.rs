@@ -98,7 +98,7 @@ fn the_case_control_selects_gusts_and_points_by_sets_over_several_lines() {
     );
     let more = Asked::Of(set.into_iter().chain([9]).collect());
     assert_eq!((random.frequencies, random.random, &random.responses), (Some(41), Some(6), &more));
-    let points: Vec<u32> = deck.direct_matrices.iter().flat_map(|card| card.points.clone()).collect();
+    let points: Vec<u32> = deck.direct_matrices.iter().flat_map(nastran::Dmig::points).collect();
     assert_eq!(points, [1000, 1001, 1002]);
 }
 

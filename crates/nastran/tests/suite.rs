@@ -3,6 +3,7 @@
 mod broken_decks;
 mod cards;
 mod common;
+mod direct_matrices;
 mod dmi;
 mod every_kind;
 mod fe_cards;

@@ -33,8 +33,8 @@ fn what_is_left_open_is_refused_with_what_there_is() {
     assert_eq!(held(two, Some(3)).unwrap_err(), "the deck has no subcase 3 (hint: there are: 1, 2)");
     let open = held("", None).unwrap_err();
     assert!(open.starts_with("the deck has SPC sets 1, 2, 3 and no case control that selects one"), "{open}");
-    let changed = held("CEND\nSPC=1\nK2GG = STIFF\nBEGIN BULK\n", None).unwrap_err();
-    assert!(changed.starts_with("t.bdf:3:1: `K2GG = STIFF` changes stiffness or mass"), "{changed}");
+    let changed = held("CEND\nSPC=1\nNSM = 5\nBEGIN BULK\n", None).unwrap_err();
+    assert!(changed.starts_with("t.bdf:3:1: `NSM = 5` changes stiffness or mass"), "{changed}");
     let again = held("CEND\nBEGIN BULK\nGRID,7\nBEGIN SUPER=1\n", None).unwrap_err();
     assert!(again.contains("superelements and parts are not read"), "{again}");
     assert!(held("CEND\nSPC=1\nBEGIN BULK\nBEGIN BULK\n", None).is_ok(), "nothing stands between the two");

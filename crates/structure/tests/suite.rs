@@ -1,5 +1,6 @@
 //! The tests of `structure` that need no process of their own, as one program: linked once, and both cores busy to the end.
 
+mod added_matrices;
 mod averages;
 mod beam_loads;
 mod beams_by_integrals;

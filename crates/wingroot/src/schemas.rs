@@ -76,6 +76,10 @@ fn inputs() -> Vec<Named> {
         input::<maneuver::ManeuverFile>("maneuver", "simulate --maneuver"),
         input::<structure::update::MeasuredFile>("measured", "modes --measured"),
         input::<fullaircraft::AircraftFile>("aircraft", "aircraft.ron"),
+        input::<fullaircraft::study::Study>(
+            "study",
+            "fullaircraft --deck study.ron: what decks lack for trims",
+        ),
         input::<fullaircraft::CasesFile>("cases", "fullaircraft --cases"),
         input::<loads::SelectFile>("select", "select.ron: which cases go to stress"),
         input::<loads::FlightFile>("flight", "flight.ron: measured loads, for flightloads"),

@@ -10,8 +10,7 @@ use super::parsed::{Source, about, strings};
 const MAY: [&str; 4] =
     ["crates/maneuver/src/effects/library/", "crates/hidden/", "crates/truth/", "crates/discover/src/rules"];
 /// Texts that mean something else than the effect of the same name.
-const OTHER_MEANING: &[(&str, &str, &str)] =
-    &[("crates/coupling/src/wing_file/tests.rs", "damping", "a field of the wing's file")];
+const OTHER_MEANING: &[(&str, &str, &str)] = &[];
 
 /// Names of all effects of the library.
 pub fn names() -> BTreeSet<&'static str> {

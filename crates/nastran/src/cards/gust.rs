@@ -222,36 +222,3 @@ impl DeckCard for Darea {
 
     no_image!();
 }
-
-/// A matrix by points and components (DMIG), of which only its name and the points that it joins are read.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Dmig {
-    /// NAME.
-    pub name: String,
-    /// Points of a column and its rows.
-    pub points: Vec<u32>,
-    /// Where the card stands.
-    pub span: Span,
-}
-
-impl DeckCard for Dmig {
-    keyed!(String, name);
-    /// DMIG: NAME 0 IFO TIN TOUT ..., then NAME GJ CJ / G1 C1 A1 B1 / ...: a point at every fourth field.
-    fn read(card: &Card) -> Result<Vec<Self>, InputError> {
-        let points = (1..card.len())
-            .filter(|at| *at == 1 || at % 4 == 0)
-            .filter_map(|at| card.text(at).parse().ok().filter(|id| *id > 0));
-        let is_header = card.text(1) == "0";
-        Ok(vec![Self {
-            name: card.name_at(0, "NAME")?,
-            points: if is_header { Vec::new() } else { points.collect() },
-            span: card.span.clone(),
-        }])
-    }
-
-    not_written!();
-
-    raises!(cards: points);
-
-    no_image!();
-}

@@ -51,14 +51,36 @@ pub struct Subcase {
     pub time_steps: Option<u32>,
     /// RANDOM: RANDPS.
     pub random: Option<u32>,
+    /// K2GG and M2GG: matrices (DMIG) that the structure has beside its elements.
+    pub matrices: Vec<AddedMatrix>,
     /// K2PP, M2PP, B2PP: matrices (DMIG) beside the structure's; TFL: transfer functions.
     pub direct: Vec<String>,
     /// Grids of DISPLACEMENT, VELOCITY and ACCELERATION.
     pub responses: Asked,
     /// A command for what no program of wingroot computes, such as `ADAPT = 101`.
     pub foreign: Option<(String, Span)>,
-    /// Selections that change stiffness or mass and are not read, such as `K2GG = STIFF`.
+    /// Selections that change stiffness or mass and are not read, such as `NSM = 5`.
     pub unread: Vec<(String, Span)>,
+}
+
+/// A matrix that a subcase adds to the structure's.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct AddedMatrix {
+    /// To which.
+    pub to: Added,
+    /// Name of its DMIG cards.
+    pub name: String,
+    /// Where it is selected.
+    pub span: Span,
+}
+
+/// What a matrix is added to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Added {
+    /// K2GG: to the stiffness.
+    Stiffness,
+    /// M2GG: to the mass, which PARAM WTMASS does not change.
+    Mass,
 }
 
 /// Points that answers are asked for at.
@@ -74,7 +96,7 @@ pub enum Asked {
 }
 
 /// Commands that change stiffness or mass of the structure and are not read.
-const CHANGING: [&str; 5] = ["K2GG", "M2GG", "NSM", "STATSUB", "DEFORM"];
+const CHANGING: [&str; 3] = ["NSM", "STATSUB", "DEFORM"];
 
 /// Commands that ask for what wingroot is not for, and what that is.
 const FOREIGN: [(&str, &str); 4] = [
@@ -142,7 +164,21 @@ pub(super) fn read(path: &Path, lines: &[&str]) -> Result<Vec<Subcase>, InputErr
     if subcases.is_empty() && (end.is_some() || common != Subcase::default()) {
         subcases.push(common);
     }
+    refuse_unlike_matrices(&subcases)?;
     Ok(subcases)
+}
+
+/// One structure serves all subcases.
+fn refuse_unlike_matrices(subcases: &[Subcase]) -> Result<(), InputError> {
+    let Some(most) = subcases.iter().map(|case| &case.matrices).max_by_key(|matrices| matrices.len()) else {
+        return Ok(());
+    };
+    if subcases.iter().all(|case| case.matrices == *most) {
+        return Ok(());
+    }
+    let message = format!("the matrix {} is not selected for all subcases alike", most[most.len() - 1].name);
+    Err(InputError::at(&most[most.len() - 1].span, message)
+        .with_help("K2GG and M2GG belong above the first SUBCASE"))
 }
 
 /// The lines from one on, with those of included files in their place.
@@ -270,6 +306,19 @@ fn ask(case: &mut Subcase, value: Option<&str>, sets: &BTreeMap<u32, BTreeSet<u3
     }
 }
 
+/// Adds a matrix of K2GG or M2GG; several in one command, or with factors, are not read.
+fn add(case: &mut Subcase, command: &Command, name: &str, value: Option<&str>) {
+    let span = command.span.clone();
+    match value.filter(|_| !command.text.contains([',', '*', '('])) {
+        Some(value) => case.matrices.push(AddedMatrix {
+            to: if name == "K2GG" { Added::Stiffness } else { Added::Mass },
+            name: value.to_ascii_uppercase(),
+            span,
+        }),
+        None => case.unread.push((command.text.clone(), span)),
+    }
+}
+
 /// The number of AESYMXZ's word.
 fn symmetry(command: &Command, value: Option<&str>) -> Result<i32, InputError> {
     match value.unwrap_or_default().to_ascii_uppercase().get(..4) {
@@ -317,6 +366,7 @@ fn select(
         "FREQUENCY" => case.frequencies = one()?,
         "TSTEP" => case.time_steps = one()?,
         "RANDOM" => case.random = one()?,
+        "K2GG" | "M2GG" => add(case, command, name, value),
         "K2PP" | "M2PP" | "B2PP" | "TFL" => {
             case.direct.push(format!("{name} {}", value.unwrap_or_default().to_ascii_uppercase()));
         }

@@ -5,6 +5,7 @@
 
 mod build;
 mod conrod;
+mod direct;
 mod elements;
 mod enforced;
 mod heat;
@@ -107,7 +108,7 @@ impl Model {
         builder.hold(&clamps);
         let mut read = Reading { builder, elements: Vec::new(), dependents: Vec::new(), ties: Vec::new() };
         registry::visit(bulk, &mut read)?;
-        let Reading { builder, elements, dependents, ties } = read;
+        let Reading { builder, mut elements, dependents, ties } = read;
         let parameter = |name: &str| bulk.parameters.get(name).copied();
         let mass_form = if parameter("COUPMASS").is_some_and(|v| v < 0.0) {
             MassForm::Lumped
@@ -118,6 +119,9 @@ impl Model {
         if !(mass_factor > 0.0 && mass_factor.is_finite()) {
             let message = format!("PARAM WTMASS {mass_factor} is not a positive number");
             return Err(InputError::general(message).with_help("it turns the deck's weights into masses"));
+        }
+        for matrix in &bulk.added {
+            elements.extend(direct::elements(&builder, &bulk.direct_matrices, matrix, mass_factor)?);
         }
         Ok(Self {
             nodes: builder.nodes,

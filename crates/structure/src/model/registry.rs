@@ -56,6 +56,8 @@ pub(crate) fn visit(bulk: &BulkData, visitor: &mut impl Visitor) -> Result<(), I
         coords: _, grids: _, scalar_points: _, beam_properties: _, rod_properties: _, tube_properties: _, panel_sections: _, shell_properties: _, laminates: _,
         solid_properties: _, bush_properties: _, spring_properties: _, mass_properties: _, materials: _,
         plane_materials: _, ply_materials: _, solid_materials: _, constraints: _, parameters: _,
+        // Read as a whole, once all nodes are there.
+        direct_matrices: _, added: _,
         // Taken by the load set that is asked for.
         point_loads: _, line_loads: _, cross_loads: _, beam_loads: _, pressures: _, gravities: _, spins: _, load_sums: _, enforced: _, temperatures: _,
         // Of the air and of the case control.
@@ -64,7 +66,7 @@ pub(crate) fn visit(bulk: &BulkData, visitor: &mut impl Visitor) -> Result<(), I
         constraint_unions: _, equation_unions: _, subcases: _, unsteady_reference: _, flutters: _, flutter_factors: _,
         reduced_frequencies: _, damping_tables: _,
         // Refused where a structure cannot be without them.
-        unknown: _, air_errors: _, gusts: _, dynamic_loads: _, dynamic_sums: _, load_areas: _, extra_points: _, direct_matrices: _,
+        unknown: _, air_errors: _, gusts: _, dynamic_loads: _, dynamic_sums: _, load_areas: _, extra_points: _,
             frequencies: _, time_steps: _, function_tables: _, spectrum_tables: _, spectra: _,
     } = bulk;
     visitor.elements(beams)?;

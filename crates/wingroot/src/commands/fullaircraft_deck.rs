@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::time::Instant;
 
+use fullaircraft::study::{Deck, MassTerms, Masses, Study, read_terms};
 use fullaircraft::{DeckCase, Elastic, TrimDeck, TrimmedDeck, deck_cases};
 use nastran::BulkData;
 use schemars::JsonSchema;
@@ -13,7 +14,7 @@ use serde::Serialize;
 use crate::args::Common;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
-use crate::{progress, show};
+use crate::{hdf5, progress, show};
 
 /// Names of the coefficients in the order of the library.
 const COEFFICIENTS: [&str; 6] = ["CX", "CY", "CZ", "Cl", "Cm", "Cn"];
@@ -82,7 +83,7 @@ struct Derivative {
 /// Runs the command.
 pub(crate) fn run(path: &Path, common: &Common) -> Result<(), Failure> {
     let start = Instant::now();
-    let bulk = nastran::read_deck(path)?;
+    let (bulk, study) = read(path)?;
     let cases = deck_cases(&bulk).map_err(|error| error.or_in(path))?;
     if let Some(cards) = bulk.unread_cards().filter(|_| !common.quiet) {
         show::note(&format!("these cards are not read: {cards}"));
@@ -117,14 +118,12 @@ pub(crate) fn run(path: &Path, common: &Common) -> Result<(), Failure> {
         known.map_or_else(Default::default, |(_, deck)| (deck.skipped_monitors, deck.loose_boxes));
     if !common.quiet {
         say_of_splines(&bulk, &loose);
-    }
-    if !skipped.is_empty() && !common.quiet {
-        show::note(&format!(
-            "stations left out (MONPNT3 of a group, MONPNT1 of components made of grids or not there): {}",
-            skipped.join(", ")
-        ));
+        say_of_stations(&skipped);
     }
     summary.seconds = start.elapsed().as_secs_f64();
+    if let Some(text) = &study {
+        folder.write_text("study.bdf", text)?;
+    }
     folder.input("deck", path)?;
     folder.write_json("result.json", &summary)?;
     let refused = summary.subcases.iter().find_map(|case| case.refused.clone());
@@ -140,6 +139,35 @@ pub(crate) fn run(path: &Path, common: &Common) -> Result<(), Failure> {
     show::summary(common, &text);
     show::json(common, &summary)?;
     refused.map_or(Ok(()), |why| Err(Failure::Computation(why)))
+}
+
+fn say_of_stations(skipped: &[String]) {
+    if !skipped.is_empty() {
+        show::note(&format!(
+            "stations left out (MONPNT3 of a group, MONPNT1 of components made of grids or not there): {}",
+            skipped.join(", ")
+        ));
+    }
+}
+
+/// A deck, or what a study (`.ron`, `.json`) stands for and its text.
+fn read(path: &Path) -> Result<(BulkData, Option<String>), Failure> {
+    if !Study::is_study(path) {
+        return Ok((nastran::read_deck(path)?, None));
+    }
+    let study = Study::read(path)?;
+    let terms = match &study.masses {
+        Masses::OfDecks => None,
+        Masses::Matrix(file) => Some(mass_terms(&path.parent().unwrap_or(Path::new("")).join(file))?),
+    };
+    let Deck { text, bulk } = study.deck(path, terms.as_ref())?;
+    Ok((bulk, Some(text)))
+}
+
+/// A mass matrix by the ending of its name.
+fn mass_terms(path: &Path) -> Result<MassTerms, Failure> {
+    let is_hdf5 = path.extension().is_some_and(|ending| ending == "h5" || ending == "hdf5");
+    Ok(if is_hdf5 { hdf5::mass_matrix(path)? } else { read_terms(path)? })
 }
 
 /// What of the splines is not as the deck might expect.

@@ -40,8 +40,8 @@ pub struct FullaircraftArgs {
     /// Which of the cases
     #[command(flatten)]
     pub(crate) sweep: SweepArgs,
-    /// The trims of a whole-aircraft Nastran deck (SOL 144) instead of the aircraft
-    #[arg(long, value_name = "FILE.bdf", conflicts_with_all = ["cases", "aircraft", "wing", "campaign", "corrections"])]
+    /// The trims of a whole-aircraft Nastran deck (SOL 144), or of a study (.ron) of decks that lack something for them
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["cases", "aircraft", "wing", "campaign", "corrections"])]
     pub(crate) deck: Option<PathBuf>,
     /// Trim, pull-up and push-down of the aircraft that really bends, too [default: as the wing's `geometry` says]
     #[arg(long, conflicts_with_all = ["cases", "deck"])]

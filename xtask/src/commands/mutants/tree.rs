@@ -58,9 +58,29 @@ fn copied(tree: &Path) -> Result<(), Failure> {
         .args(["ls-files", "-z", "--cached", "--others", "--exclude-standard"])
         .output()
         .map_err(text_of)?;
-    for name in String::from_utf8_lossy(&listed.stdout).split_terminator('\0') {
+    let listed = String::from_utf8_lossy(&listed.stdout);
+    let there: BTreeSet<PathBuf> = listed
+        .split_terminator('\0')
+        .filter(|name| repository::path(name).is_file())
+        .map(|name| tree.join(name))
+        .collect();
+    remove_others(&tree.join("crates"), &there)?;
+    for name in listed.split_terminator('\0') {
         if let Ok(bytes) = std::fs::read(repository::path(name)) {
             write(&tree.join(name), &bytes)?;
+        }
+    }
+    Ok(())
+}
+
+/// Removes sources of an earlier copy that are gone: a module found in two places does not compile.
+fn remove_others(folder: &Path, there: &BTreeSet<PathBuf>) -> Result<(), Failure> {
+    for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
+        let path = entry.path();
+        if path.is_dir() {
+            remove_others(&path, there)?;
+        } else if path.extension().is_some_and(|ending| ending == "rs") && !there.contains(&path) {
+            std::fs::remove_file(&path).map_err(text_of)?;
         }
     }
     Ok(())

@@ -2,7 +2,7 @@
 
 use super::signal::Signal;
 use aero::Flow;
-use nastran::{BulkData, Gust, InputError, Subcase};
+use nastran::{BulkData, Dmig, Gust, InputError, Subcase};
 
 /// A subcase that a gust or loads excite.
 #[derive(Debug, Clone, PartialEq)]
@@ -86,7 +86,7 @@ fn refuse_direct(bulk: &BulkData, case: &Subcase) -> Result<(), InputError> {
     for selection in &case.direct {
         let (command, name) = selection.split_once(' ').unwrap_or((selection, ""));
         let of_name = bulk.direct_matrices.iter().filter(|card| card.name == name);
-        let joined = of_name.flat_map(|card| &card.points).find(|id| !bulk.extra_points.contains_key(id));
+        let joined = of_name.flat_map(Dmig::points).find(|id| !bulk.extra_points.contains_key(id));
         if let (Some(_), _) | (None, "TFL") = (joined, command) {
             let message = format!("`{command} = {name}` changes the equations of motion and is not read");
             return Err(InputError::general(message)
