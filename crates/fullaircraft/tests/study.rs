@@ -108,10 +108,14 @@ fn a_mass_matrix_stands_in_the_place_of_the_decks_masses() {
     let terms = MassTerms::Motions(terms.collect());
     // other masses of the deck count for nothing
     let folder = Folder::new("matrix", &[(",0,1500.", ",0,99."), ("PARAM,WTMASS,.031081\n", "")]);
-    let study =
-        folder.study(&STUDY.replace("spc: 1", "spc: 1, masses: Matrix(\"mass.csv\")")).expect("a study");
+    let text = STUDY.replace("spc: 1", "spc: 1, masses: Matrix(\"mass.csv\")");
+    let study = folder.study(&text).expect("a study");
     assert_eq!(study.masses, Masses::Matrix("mass.csv".into()));
     assert_published(&folder.trims(&study, Some(&terms)), 2e-6);
+    let weighed = Folder::new("weighed", &[]);
+    let study = weighed.study(&text).expect("a study");
+    let error = study.deck(&weighed.path(), Some(&terms)).expect_err("weights").to_string();
+    assert!(error.contains("PARAM WTMASS") && error.contains("study.ron:3:"), "{error}");
 }
 
 #[test]

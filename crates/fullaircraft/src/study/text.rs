@@ -35,10 +35,11 @@ impl Study {
     /// The study as a deck; `terms` are those of [`Masses::Matrix`].
     ///
     /// # Errors
-    /// If a deck cannot be read or has a case control, the support's grid, a control surface or a set is not there, or the matrix is
-    /// of another structure.
+    /// If a deck cannot be read or has a case control, the support's grid, a control surface or a set is not there, the matrix is
+    /// of another structure, or the decks weigh in other units than mass (PARAM WTMASS) beside it.
     pub fn deck(&self, path: &Path, terms: Option<&MassTerms>) -> Result<Deck, InputError> {
-        let name = path.display().to_string();
+        // Places in what is made here are none of the study's file.
+        let name = format!("{} as a deck", path.display());
         let includes = self.includes(path)?;
         let decks = parse_deck(&name, &includes)?;
         if !decks.grids.contains_key(&self.support) {
@@ -60,6 +61,12 @@ impl Study {
                 )
                 .with_help(format!("there are {}", there.join(", "))));
             }
+        }
+        if terms.is_some() && decks.parameters.contains_key("WTMASS") {
+            let message =
+                "the decks have PARAM WTMASS, which a mass matrix in their masses' place leaves no use for";
+            return Err(InputError::in_field(path, "masses", message)
+                .with_help("take it out of the decks: the matrix is in units of mass"));
         }
         let mut text = "SOL 144\nCEND\n".to_owned();
         let _ = writeln!(text, "SPC = {}", if self.spc.is_some() { UNION } else { OWN_SET });
