@@ -42,32 +42,7 @@ impl Study {
         let name = format!("{} as a deck", path.display());
         let includes = self.includes(path)?;
         let decks = parse_deck(&name, &includes)?;
-        if !decks.grids.contains_key(&self.support) {
-            return Err(InputError::in_field(
-                path,
-                "support",
-                format!("GRID {} is not in the decks", self.support),
-            ));
-        }
-        for surface in
-            self.controls.iter().flat_map(|control| control.moves.iter().map(|(surface, _)| surface))
-        {
-            if decks.surfaces.values().all(|card| card.label != *surface) {
-                let there: Vec<&str> = decks.surfaces.values().map(|card| card.label.as_str()).collect();
-                return Err(InputError::in_field(
-                    path,
-                    "controls",
-                    format!("AESURF {surface} is not in the decks"),
-                )
-                .with_help(format!("there are {}", there.join(", "))));
-            }
-        }
-        if terms.is_some() && decks.parameters.contains_key("WTMASS") {
-            let message =
-                "the decks have PARAM WTMASS, which a mass matrix in their masses' place leaves no use for";
-            return Err(InputError::in_field(path, "masses", message)
-                .with_help("take it out of the decks: the matrix is in units of mass"));
-        }
+        self.check(path, &decks, terms.is_some())?;
         let mut text = "SOL 144\nCEND\n".to_owned();
         let _ = writeln!(text, "SPC = {}", if self.spc.is_some() { UNION } else { OWN_SET });
         if let Some(set) = self.mpc {
@@ -101,6 +76,37 @@ impl Study {
         text += "ENDDATA\n";
         let bulk = parse_deck(&name, &text)?;
         Ok(Deck { text, bulk })
+    }
+
+    /// Whether what the study names is in its decks.
+    fn check(&self, path: &Path, decks: &BulkData, is_by_matrix: bool) -> Result<(), InputError> {
+        if !decks.grids.contains_key(&self.support) {
+            return Err(InputError::in_field(
+                path,
+                "support",
+                format!("GRID {} is not in the decks", self.support),
+            ));
+        }
+        for surface in
+            self.controls.iter().flat_map(|control| control.moves.iter().map(|(surface, _)| surface))
+        {
+            if decks.surfaces.values().all(|card| card.label != *surface) {
+                let there: Vec<&str> = decks.surfaces.values().map(|card| card.label.as_str()).collect();
+                return Err(InputError::in_field(
+                    path,
+                    "controls",
+                    format!("AESURF {surface} is not in the decks"),
+                )
+                .with_help(format!("there are {}", there.join(", "))));
+            }
+        }
+        if is_by_matrix && decks.parameters.contains_key("WTMASS") {
+            let message =
+                "the decks have PARAM WTMASS, which a mass matrix in their masses' place leaves no use for";
+            return Err(InputError::in_field(path, "masses", message)
+                .with_help("take it out of the decks: the matrix is in units of mass"));
+        }
+        Ok(())
     }
 
     /// INCLUDE of each deck, by its whole path.
