@@ -184,6 +184,9 @@ fn what_is_not_there_is_said_where_it_stands() {
         ("rho: 8e-5", "rho: 0.0", "above zero is expected"),
         ("(\"ELEV\", 1.0)", "(\"ELEV\", 0.0)", "moves no surface at first"),
         ("support:", "suport:", "suport"),
+        ("gravity: 1.0,", "", "gravity"),
+        ("free: [\"canard\"]", "free: [\"canard\"], held_deg: {\"canard\": 1.0}", "or is held as well"),
+        ("free: [\"canard\"]", "balance: AllAxes, free: [\"canard\"]", "neither rolls nor yaws"),
     ] {
         let error = of_study(from, to).expect_err(said);
         assert!(error.contains(said) && error.contains("study.ron"), "{error}");
@@ -197,6 +200,13 @@ fn what_is_not_there_is_said_where_it_stands() {
         let error = study.deck(&folder.path(), None).expect_err(said).to_string();
         assert!(error.contains(said), "{error}");
     }
+    let own = Folder::new("own", &[]);
+    let deck = own.0.join("aircraft.bdf");
+    let cards = std::fs::read_to_string(&deck).expect("the deck") + "SUPORT,90,35\n";
+    std::fs::write(&deck, cards).expect("a deck");
+    let error =
+        own.study(STUDY).expect("a study").deck(&own.path(), None).expect_err("two supports").to_string();
+    assert!(error.contains("a SUPORT of their own, at grid 90"), "{error}");
     std::fs::write(folder.0.join("whole.bdf"), "CEND\nBEGIN BULK\nGRID,90\n").expect("a deck");
     let whole = of_study("aircraft.bdf", "whole.bdf").expect("well written");
     let error = whole.deck(&folder.path(), None).expect_err("a case control").to_string();

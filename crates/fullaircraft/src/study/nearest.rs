@@ -36,22 +36,8 @@ pub(super) fn cards(
             groups.entry((surface.id, *grid)).or_insert((Vec::new(), is_upright)).0.push(one.id);
         }
     }
-    let mut text = card(
-        "CORD2R",
-        &[
-            upright.to_string(),
-            "0".to_owned(),
-            "0.".to_owned(),
-            "0.".to_owned(),
-            "0.".to_owned(),
-            "0.".to_owned(),
-            "-1.".to_owned(),
-            "0.".to_owned(),
-            "1.".to_owned(),
-            "0.".to_owned(),
-            "0.".to_owned(),
-        ],
-    );
+    let axes = ["0", "0.", "0.", "0.", "0.", "-1.", "0.", "1.", "0.", "0."].map(str::to_owned);
+    let mut text = card("CORD2R", &[&[upright.to_string()], &axes[..]].concat());
     for (number, ((panel, grid), (boxes, is_upright))) in (first..).zip(groups) {
         let id = number.to_string();
         text += &card("SET1", &[id.clone(), grid.to_string()]);

@@ -1,8 +1,9 @@
 //! A study as the text of a deck.
 
 use super::cards::{card, real};
+use super::file::{Balance, Control, Masses, Point, Splines, Study};
 use super::matrix::MassTerms;
-use super::{Balance, Control, Masses, Point, Splines, Study, nearest};
+use super::nearest;
 use nastran::{BulkData, InputError, parse_deck, read_text};
 use std::fmt::Write as _;
 use std::path::Path;
@@ -58,7 +59,7 @@ impl Study {
         }
         text += "BEGIN BULK\n";
         text += &includes;
-        text += &self.held(decks.supports.is_empty());
+        text += &self.held();
         text += &panel_properties(&decks);
         text += &self.variables(&decks);
         if let Some(terms) = terms {
@@ -86,6 +87,11 @@ impl Study {
                 "support",
                 format!("GRID {} is not in the decks", self.support),
             ));
+        }
+        if let Some(card) = decks.supports.first() {
+            let message = format!("the decks have a SUPORT of their own, at grid {}", card.grid);
+            return Err(InputError::in_field(path, "support", message)
+                .with_help("take it out of the decks: the study supports the aircraft"));
         }
         for surface in
             self.controls.iter().flat_map(|control| control.moves.iter().map(|(surface, _)| surface))
@@ -134,17 +140,14 @@ impl Study {
     }
 
     /// The support, and what is held of it.
-    fn held(&self, is_free: bool) -> String {
+    fn held(&self) -> String {
         let (held, free) = if self.is_in_all_axes() { ("1", "23456") } else { ("1246", "35") };
         let grid = self.support.to_string();
         let mut text = card("SPC1", &[OWN_SET.to_string(), held.to_owned(), grid.clone()]);
         if let Some(set) = self.spc {
             text += &card("SPCADD", &[UNION.to_string(), OWN_SET.to_string(), set.to_string()]);
         }
-        if is_free {
-            text += &card("SUPORT", &[grid, free.to_owned()]);
-        }
-        text
+        text + &card("SUPORT", &[grid, free.to_owned()])
     }
 
     /// References, variables, links and trims.
