@@ -48,6 +48,7 @@ fn torsion_falls_as_the_wing_bends() {
         let mut row = vec![100.0 * state.tip_m.z / SEMISPAN_M];
         row.extend(order.iter().map(|mode| modes.omega_rad_s[*mode] / TAU));
         println!("{row:.3?}");
+        assert!(row.iter().all(|value| value.is_finite()), "tip and frequencies {row:?}");
         before = Some((shapes, order));
         curve.push(row);
     }

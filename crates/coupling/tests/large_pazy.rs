@@ -72,7 +72,11 @@ fn without_skin_the_tip_rises_as_the_codes_say() {
             state.iterations,
             state.gain
         );
-        let off = |own: f64, of: f64| (own / of - 1.0).abs();
+        let off = |own: f64, of: f64| {
+            let off = (own / of - 1.0).abs();
+            assert!(off.is_finite(), "{} m/s: {own} for {of}", reference[*at][0]);
+            off
+        };
         z = z.max(off(percent.z, reference[*at][1]));
         sol400 = sol400.max(off(percent.z, shells[*at][1]));
         y = y.max(off(percent.y, reference[*at][2]));

@@ -9,6 +9,9 @@ use nalgebra::Matrix3;
 use nastran::InputError;
 use std::collections::BTreeMap;
 
+/// Cosines of displacement axes and basic ones below this are round-off.
+const ROUND_OFF: f64 = 1e-12;
+
 /// The sets of a structure and the transformation T.
 #[derive(Debug, Clone)]
 pub(crate) struct DofMap {
@@ -71,13 +74,15 @@ impl Sets {
     }
 
     /// Holds motions that nothing touches: `is_touched` tells of a degree of freedom of the g-set (basic axes)
-    /// whether an element has stiffness or mass there. A motion that another one follows counts as touched. Gives for each
-    /// motion whether it is touched or follows others.
+    /// whether an element has stiffness or mass there; along turned axes a motion is touched that has a part of a touched one. A
+    /// motion that another one follows counts as touched. Gives for each motion whether it is touched or follows others.
     fn hold_untouched(&mut self, is_touched: impl Fn(usize) -> bool) -> Vec<bool> {
         let mut touched = vec![false; self.clamped.len()];
         for (dof, mark) in touched.iter_mut().enumerate() {
-            *mark = match self.axes[dof / 6] {
-                Some(_) => (0..3).any(|axis| is_touched(dof - dof % 3 + axis)),
+            *mark = match &self.axes[dof / 6] {
+                Some(axes) => (0..3).any(|basic| {
+                    axes[(basic, dof % 3)].abs() > ROUND_OFF && is_touched(dof - dof % 3 + basic)
+                }),
                 None => is_touched(dof),
             };
         }

@@ -3,7 +3,7 @@
 #![expect(clippy::format_push_string, reason = "decks written card by card")]
 
 use crate::common::system;
-use crate::large::{beam_along_x, elastica, force, large, moment, numbers, path, published};
+use crate::large::{beam_along_x, elastica, force, large, moment, numbers, path, published, share_off};
 use nalgebra::Vector3;
 use structure::nonlinear::{Controls, Loads};
 
@@ -24,7 +24,7 @@ fn sixteen_beams_bend_as_the_elastica_and_the_error_falls_with_the_square() {
             let place = path.at(alpha / 10.0).unwrap().state.places[count];
             let (own_u, own_w) = (1.0 - place.x / 10.0, place.z / 10.0);
             println!("{count} beams, alpha {alpha}: {own_u:.6} {:.6}, {own_w:.6} {:.6}", u[at], w[at]);
-            largest = largest.max((own_w / w[at] - 1.0).abs()).max((own_u / u[at] - 1.0).abs());
+            largest = largest.max(share_off(own_w, w[at])).max(share_off(own_u, u[at]));
         }
         println!("iterations {}", path.points.iter().map(|p| p.iterations).sum::<usize>());
         largest

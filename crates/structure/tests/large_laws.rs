@@ -82,6 +82,11 @@ pub(crate) fn tangent_error(wing: &LargeDeflection, state: &State, loads: &Loads
     for i in 0..n {
         for j in 0..n {
             let symmetric = 0.5 * (differences[j][i] + differences[i][j]);
+            assert!(
+                symmetric.is_finite() && dense[i][j].is_finite(),
+                "{i} {j}: {symmetric}, {}",
+                dense[i][j]
+            );
             error = error.max((dense[i][j] - symmetric).abs());
             size = size.max(dense[i][j].abs());
         }

@@ -1,7 +1,7 @@
 //! The Pazy wing under a weight on its tip: the equivalent beams of Riso and Cesnik beside their program (UM/NAST, a geometrically
 //! exact beam).
 
-use crate::large::{numbers, published};
+use crate::large::{numbers, published, share_off};
 use crate::pazy_beam::{AXIS_M, CHORD_M};
 use nalgebra::Vector3;
 use structure::nonlinear::{LargeDeflection, Loads, NodeLoad, State};
@@ -52,8 +52,8 @@ fn the_wing_without_skin_bends_and_twists_under_a_weight_behind_its_tip() {
             place[3],
             turned[1]
         );
-        worst_z = worst_z.max((moved.z / place[1] - 1.0).abs());
-        worst_twist = worst_twist.max((angle / turned[1] - 1.0).abs());
+        worst_z = worst_z.max(share_off(moved.z, place[1]));
+        worst_twist = worst_twist.max(share_off(angle, turned[1]));
     }
     println!("largest differences from UM/NAST: z {worst_z:.4}, twist {worst_twist:.4}");
     assert!(worst_z < 0.005 && worst_twist < 0.02, "z {worst_z}, twist {worst_twist}");
@@ -77,9 +77,9 @@ fn the_wing_with_skin_bends_under_a_weight_on_its_tip() {
             wing.under(&Loads { dead: vec![load], ..weight.clone() }).expect("carried").end().state.clone();
         let moved = (end.places[15] - sag.places[15]) * (100.0 / SEMISPAN_M);
         println!("{mass_kg} kg: z {:.3} for {z}, y {:.3} for {y}", moved.z, moved.y);
-        worst_z = worst_z.max((moved.z / z - 1.0).abs());
+        worst_z = worst_z.max(share_off(moved.z, z));
         if mass_kg >= 1.0 {
-            worst_y = worst_y.max((moved.y / y - 1.0).abs());
+            worst_y = worst_y.max(share_off(moved.y, y));
         }
     }
     println!("largest differences from UM/NAST: z {worst_z:.4}, y from 1 kg on {worst_y:.4}");

@@ -73,6 +73,7 @@ fn an_end_moment_rolls_a_shell_up_to_a_circle() {
     let mut largest: f64 = 0.0;
     for (at, fraction) in fractions.iter().enumerate() {
         let moved = path.at(*fraction).unwrap().state.places[32] - Vector3::new(12.0, 0.0, 0.0);
+        assert!(moved.norm().is_finite(), "{moved}");
         largest = largest.max((moved.z - w[at]).abs()).max((-moved.x - u[at]).abs());
     }
     println!("rolled up: largest error {:.1e} of the length", largest / 12.0);
@@ -118,6 +119,7 @@ fn annulus_errors(radial: usize, around: usize) -> [f64; 2] {
         let last = expected[expected.len() - 1];
         for (fraction, w) in fractions.iter().zip(&expected).filter(|(fraction, _)| **fraction > 0.0) {
             let own = path.at(*fraction).unwrap().state.places[node].z;
+            assert!(own.is_finite(), "{name}: {own} at {fraction}");
             way = way.max((own - w).abs() / last);
             if *fraction == 1.0 {
                 println!("{radial} x {around} {name}: {own:.3} for {w}");

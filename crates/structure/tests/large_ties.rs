@@ -184,11 +184,13 @@ fn small_readings_of_followers_follow_from_the_adjoint() {
     }
 }
 
-/// Weight of bodies with arms and of beams: the slope of the work of all loads in a virtual motion.
+/// Weight of bodies with arms, of masses that differ along their axes (with inertia and without) and of beams: the slope of the work
+/// of all loads in a virtual motion.
 #[test]
 fn the_change_of_weight_is_that_of_differences() {
     let wing = large(&format!(
-        "{TIED}CONM2,50,3,,2.,.1,.2,-.1\nCONM2,51,4,,3.\nCONM1,52,2,,4.,.1,5.,.2,.3\n,6.,,,,.2,,,\n,,.3,,,,,,.4\n"
+        "{TIED}CONM2,50,3,,2.,.1,.2,-.1\nCONM2,51,4,,3.\nCONM1,52,2,,4.,.1,5.,.2,.3\n,6.,,,,.2,,,\n,,.3,,,,,,.4\n\
+         CONM1,53,10,5,2.,,7.,.5\n,9.\n"
     ));
     let (mut loads, step) = (Loads { dead: vec![force(1, [1.0, 2.0, 3.0])], ..Loads::default() }, 1e-6);
     loads.gravity_m_s2 = Vector3::new(2.0, -3.0, 9.0);

@@ -44,7 +44,7 @@ fn a_group_determines_the_same_motions_at_any_size() {
 #[test]
 fn motions_that_nothing_touches_are_held_along_the_axes_of_their_grid() {
     // A rod along x: of a grid with basic axes x alone, of one with oblique axes all three of its own.
-    let deck = "CORD2R,5,,0.,0.,0.,1.,2.,2.,\n,1.,0.,0.\nGRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.,5\nGRID,3,,2.,0.,0.\n\
+    let deck = "CORD2R,5,,0.,0.,0.,1.,2.,2.,\n,0.,1.,0.\nGRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.,5\nGRID,3,,2.,0.,0.\n\
         GRID,4,,9.,9.,9.\n\
         CROD,1,1,1,2\nCROD,2,1,2,3\nPROD,1,1,.1\nMAT1,1,7.+10,,.3\n";
     assert_eq!(system(deck).free_dofs(), [0, 6, 7, 8, 12]);
@@ -54,6 +54,15 @@ fn motions_that_nothing_touches_are_held_along_the_axes_of_their_grid() {
     assert!(own.is_attached(3) && !system(deck).is_attached(3));
     let clamped = system(&format!("{deck}SPC1,1,1,2,3\n"));
     assert_eq!(clamped.free_dofs(), [0, 7, 8]);
+    // About the rod and about z (turned by 45 degrees, and by a right angle, whose cosine rounds): what has no part of x is held.
+    for (axes, own) in [
+        ("0.,1.,1.,\n,1.,0.,0.", &[6][..]),
+        ("0.,0.,1.,\n,1.,1.,0.", &[6, 7]),
+        ("0.,0.,1.,\n,1.-17,1.,0.", &[7]),
+    ] {
+        let turned = system(&deck.replace("1.,2.,2.,\n,0.,1.,0.", axes));
+        assert_eq!(turned.free_dofs(), [&[0][..], own, &[12]].concat(), "{axes}");
+    }
 }
 
 /// A load on one of three parts bends that part alone, whatever the other columns.

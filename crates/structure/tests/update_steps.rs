@@ -151,6 +151,35 @@ fn as_many_modes_are_computed_as_may_be_asked_for() {
     assert_eq!(count(vec![shaped(1.0, 1.0)]).pairs, [None]);
 }
 
+/// 2 kg on springs of 50 N/m along x (5 rad/s) and 200 N/m along z (10 rad/s), and 1 kg m^2 on 125 Nm/rad about y (11.2 rad/s), 4 m from a
+/// clamped grid. A spring of stiffness e between x and z lets the mode along x move z by e / (200 - 50), one between x and the
+/// rotation by e / (125 - 25); in one place every motion has the shape that was measured.
+#[test]
+fn a_mode_that_leaves_the_measured_places_still_is_not_paired_by_its_rounding() {
+    let found = |component: u32, coupling: &str, motion: usize| {
+        let deck = format!(
+            "GRID,1\nGRID,2,,4.,0.,0.\nSPC1,1,123456,2\nSPC1,1,246,1\nCELAS2,1,50.,1,1\nCELAS2,2,200.,1,3\nCELAS2,3,125.,1,5\n\
+             CELAS2,4,{coupling},1,1,1,{component}\nCONM2,9,1,,2.\n,0.,0.,1.\n"
+        );
+        let model = Model::from_bulk(&parse_deck("test.bdf", &deck).expect("a deck")).expect("a model");
+        let shaped = MeasuredMode { shape: vec![(motion, 0.3)], mode: None, ..mode(1.0, 0.1, 0) };
+        let measurements = Measurements { modes: vec![shaped], ..Measurements::default() };
+        evaluate(&model, &[], &[], &measurements, &Settings::default()).expect("sound")
+    };
+    // Shares of 6.7e-8 and 6.7e-6.
+    let still = found(3, "1.-5", 2);
+    assert_eq!((still.pairs[0], still.assurance[0][0]), (Some(1), 0.0));
+    assert!((still.frequencies_hz[1] * TAU - 10.0).abs() < 1e-6, "{}", still.frequencies_hz[1]);
+    assert!((still.assurance[0][1] - 1.0).abs() < 1e-12);
+    let moved = found(3, "1.-3", 2);
+    assert!((moved.assurance[0][0] - 1.0).abs() < 1e-12, "{:?}", moved.assurance);
+    // Rotations with an arm of 4 m: 4e-7 and 2e-6.
+    let still = found(5, "1.-5", 4);
+    assert_eq!((still.pairs[0], still.assurance[0][0]), (Some(2), 0.0));
+    let moved = found(5, "5.-5", 4);
+    assert!((moved.assurance[0][0] - 1.0).abs() < 1e-12, "{:?}", moved.assurance);
+}
+
 /// One spring, one deflection u = F / (f k): Gauss and Newton's step is f (1 - f / f') to the factor f' that was
 /// measured.
 #[test]

@@ -120,8 +120,13 @@ fn mistaken(lines: &[Lines]) -> Vec<Cause> {
     one(my, Undone::scales("My_Nm has the other sign (nose up is positive)", [1.0, 1.0, -1.0]));
     one(mx, Undone::scales("Mx_Nm has the other sign (tip up is positive)", [1.0, -1.0, 1.0]));
     let swapped = |sign: f64| [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, sign, 0.0]];
-    one(mx && my, Undone::linear("Mx_Nm and My_Nm are swapped", swapped(1.0)));
-    one(mx && my, Undone::linear("Mx_Nm and My_Nm are swapped and My_Nm has the other sign", swapped(-1.0)));
+    for (sign, nose) in [(1.0, "up"), (-1.0, "down")] {
+        let words = format!(
+            "Mx_Nm and My_Nm are swapped (column My_Nm holds the bending moment Mx, tip up positive; column Mx_Nm holds the pitching \
+             moment My, nose {nose} positive)"
+        );
+        one(mx && my, Undone::linear(&words, swapped(sign)));
+    }
     let (lbf_n, ft_m, in_m, kgf_n) = (4.448_221_615, 0.3048, 0.0254, 9.806_65);
     one(
         true,

@@ -28,6 +28,8 @@ const BALANCED: f64 = 1e-12;
 const ROUNDS: usize = 12;
 /// Differences for its matrix, rad.
 const STEP: f64 = 1e-3;
+/// What a step may leave of the one before: a matrix that leaves more is that of other angles (lift is by a sine) and is made again.
+const LEFT: f64 = 0.1;
 
 /// A body in free flight.
 #[derive(Debug)]
@@ -213,6 +215,7 @@ impl Flying<'_> {
         let mut balancing = Balancing { flying: self, solved, fields, inverse: [[0.0; 2]; 2], trim: start };
         balancing.inverse = balancing.differences(state, start)?;
         balancing.trim = balancing.balance(state, start)?;
+        balancing.inverse = balancing.differences(state, balancing.trim)?;
         *self.known.lock().unwrap_or_else(PoisonError::into_inner) = balancing.trim;
         Some(balancing)
     }
@@ -257,7 +260,7 @@ impl Balancing<'_> {
     fn balance(&self, state: &State, start: [f64; 2]) -> Option<[f64; 2]> {
         let body = self.flying.body;
         let scale = [body.weight_n, body.weight_n * body.elastic.correctable.mean_chord_m()];
-        let (mut trim, mut least) = (start, f64::INFINITY);
+        let (mut trim, mut inverse, mut least) = (start, self.inverse, f64::INFINITY);
         for _ in 0..ROUNDS {
             let short = self.unbalanced(state, trim);
             let size = if self.flying.flight.control.is_some() {
@@ -269,8 +272,11 @@ impl Balancing<'_> {
             if size < BALANCED || (size < 1e-9 && size > 0.5 * least) {
                 return Some(trim);
             }
+            if size > LEFT * least {
+                inverse = self.differences(state, trim)?;
+            }
             least = size;
-            for (trim, row) in trim.iter_mut().zip(&self.inverse) {
+            for (trim, row) in trim.iter_mut().zip(&inverse) {
                 *trim -= row[0] * short[0] + row[1] * short[1];
             }
             if !trim.iter().all(|angle| angle.abs() < 1.0) {

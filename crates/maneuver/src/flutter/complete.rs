@@ -1,7 +1,7 @@
 //! All p-k roots through a list of flows: those of the first flow are followed, and at every flow the list is compared with a
 //! sweep, so that roots of rigid motions, roots that begin in the air and roots that were lost on the way are there too.
 
-use super::curves::{Crossing, Root};
+use super::curves::{Crossing, Root, share};
 use super::pk::{Leg, Track, checked, root_of};
 use super::root::{Place, State};
 use super::{Aeroelastic, FlutterError};
@@ -33,7 +33,7 @@ pub struct CompleteCurves {
     pub flows: Vec<Flow>,
     /// The roots: of the first flow real ones, then by rising frequency; then those that begin later.
     pub branches: Vec<Branch>,
-    /// Changes of stability by rising place of the flow.
+    /// Changes of stability, in the order of the flows and of the way between two.
     pub crossings: Vec<Crossing>,
     /// Branches that are unstable where they begin, behind the first flow: they became so on the way there.
     pub begun_unstable: Vec<usize>,
@@ -122,7 +122,8 @@ impl Aeroelastic<'_> {
                 arrived.push((branch, next));
             }
         }
-        found.sort_by(|a, b| a.flow.dynamic_pressure_pa().total_cmp(&b.flow.dynamic_pressure_pa()));
+        let share = |crossing: &Crossing| share(&leg.from.flow, &leg.to.flow, &crossing.flow);
+        found.sort_by(|a, b| share(a).total_cmp(&share(b)));
         curves.crossings.extend(found);
         Ok(arrived)
     }

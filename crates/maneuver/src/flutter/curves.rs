@@ -62,23 +62,25 @@ impl FlutterCurves {
         self.crossings.iter().find(|crossing| crossing.unstable && crossing.omega_rad_s > 0.0)
     }
 
-    /// Sorts the crossings along the flows.
-    pub(super) fn sort(&mut self) {
-        let flows = &self.flows;
-        let leg = |crossing: &Crossing| {
-            flows.windows(2).position(|pair| {
-                let inside = |of: fn(&Flow) -> f64| {
-                    let (a, b, x) = (of(&pair[0]), of(&pair[1]), of(&crossing.flow));
-                    a.min(b) <= x && x <= a.max(b)
-                };
-                inside(|flow| flow.v_m_s) && inside(|flow| flow.rho_kg_m3)
-            })
+    /// Takes what was found, each with its leg (the place of the flow before it), in the order of the way.
+    pub(super) fn take(&mut self, mut found: Vec<(usize, Crossing)>) {
+        let share = |(leg, crossing): &(usize, Crossing)| {
+            share(&self.flows[*leg], &self.flows[*leg + 1], &crossing.flow)
         };
-        self.crossings.sort_by(|a, b| {
-            let same_leg = leg(a).cmp(&leg(b));
-            same_leg.then(a.flow.dynamic_pressure_pa().total_cmp(&b.flow.dynamic_pressure_pa()))
-        });
+        found.sort_by(|a, b| a.0.cmp(&b.0).then(share(a).total_cmp(&share(b))));
+        self.crossings = found.into_iter().map(|(_, crossing)| crossing).collect();
     }
+}
+
+/// How far along the way between two flows, along which airspeed and density change in proportion, a flow of it stands: from 0 to 1.
+pub(super) fn share(from: &Flow, to: &Flow, flow: &Flow) -> f64 {
+    let along = |of: fn(&Flow) -> f64| {
+        let (a, b, x) = (of(from), of(to), of(flow));
+        let size = a.max(b);
+        [(b - a) / size, (x - a) / size]
+    };
+    let [v, rho] = [along(|flow| flow.v_m_s), along(|flow| flow.rho_kg_m3)];
+    (v[0] * v[1] + rho[0] * rho[1]) / (v[0] * v[0] + rho[0] * rho[0])
 }
 
 #[cfg(test)]

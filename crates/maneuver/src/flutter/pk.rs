@@ -20,6 +20,9 @@ const SHORTEST: f64 = 1e-6;
 /// Accuracy of a crossing, as a share of the way between two flows.
 const CROSSING: f64 = 1e-12;
 
+/// Crossings, each with the place of the flow before it.
+type OnLegs = Vec<(usize, Crossing)>;
+
 /// A branch on its way.
 #[derive(Debug, Clone)]
 pub(super) struct Track {
@@ -65,19 +68,20 @@ impl Aeroelastic<'_> {
             crossings: Vec::new(),
             lost: Vec::new(),
         };
+        let mut found = Vec::new();
         for (branch, state) in self.modes()?.into_iter().enumerate() {
             let mut roots = Vec::with_capacity(flows.len());
             match self.follow(Track { state, before: None }, &curves.flows, branch, &mut roots) {
-                Ok(crossings) => curves.crossings.extend(crossings),
+                Ok(crossings) => found.extend(crossings),
                 Err((crossings, error @ FlutterError::Lost { .. })) => {
-                    curves.crossings.extend(crossings);
+                    found.extend(crossings);
                     curves.lost.push(error);
                 }
                 Err((_, error)) => return Err(error),
             }
             curves.branches.push(roots);
         }
-        curves.sort();
+        curves.take(found);
         Ok(curves)
     }
 
@@ -88,7 +92,7 @@ impl Aeroelastic<'_> {
         flows: &[Flow],
         branch: usize,
         roots: &mut Vec<Root>,
-    ) -> Result<Vec<Crossing>, (Vec<Crossing>, FlutterError)> {
+    ) -> Result<OnLegs, (OnLegs, FlutterError)> {
         let mut crossings = Vec::new();
         let still = |share: f64| Place { flow: flows[0], share };
         let vacuum = Leg { from: still(0.0), to: still(1.0) };
@@ -96,7 +100,7 @@ impl Aeroelastic<'_> {
         let mut track = self.march(start, vacuum, 1.0, branch).map_err(fail)?;
         track.before = None;
         roots.push(root_of(&track.state));
-        for pair in flows.windows(2) {
+        for (at, pair) in flows.windows(2).enumerate() {
             let [from, to] = [pair[0], pair[1]].map(|flow| Place { flow, share: 1.0 });
             let leg = Leg { from, to };
             let next = match self.march(track.clone(), leg, 1.0, branch) {
@@ -104,7 +108,7 @@ impl Aeroelastic<'_> {
                 Err(error) => return Err((crossings, error)),
             };
             match self.crossing(&track, &next, leg, branch) {
-                Ok(found) => crossings.extend(found),
+                Ok(found) => crossings.extend(found.map(|crossing| (at, crossing))),
                 Err(error) => return Err((crossings, error)),
             }
             roots.push(root_of(&next.state));

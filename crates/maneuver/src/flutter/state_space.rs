@@ -21,6 +21,8 @@ const MODE: f64 = 0.5;
 const HALVINGS: u32 = 6;
 /// Likeness of shapes below which steps are halved.
 const SAME_SHAPE: f64 = 0.8;
+/// Eigenvalues nearer to each other than this share are at one place of a curve: their shapes alone tell them apart.
+const CLOSE: f64 = 1e-3;
 
 /// Eigenvalues and eigenvectors at a flow.
 struct Spectrum {
@@ -84,7 +86,8 @@ pub fn flutter_of_state_space<E: From<FlutterError>>(
         lost: Vec::new(),
     };
     let mut alive: Vec<Option<usize>> = places.into_iter().map(Some).collect();
-    for pair in flows.windows(2) {
+    let mut found = Vec::new();
+    for (leg, pair) in flows.windows(2).enumerate() {
         let there = at(pair[1])?;
         let ends = [SpectrumAt { flow: pair[0], is: &here }, SpectrumAt { flow: pair[1], is: &there }];
         alive = follow(ends[0], ends[1], alive, HALVINGS, &mut at)?;
@@ -92,11 +95,13 @@ pub fn flutter_of_state_space<E: From<FlutterError>>(
             branch.extend(place.map(|i| root(there.values[i])));
         }
         for kind in 0..2 {
-            changes(ends[0], ends[1], kind, &mut at, &mut curves)?;
+            if let Some(crossing) = change(ends[0], ends[1], kind, &mut at)? {
+                found.push((leg, Crossing { branch: curves.beside(&crossing, leg + 1), ..crossing }));
+            }
         }
         here = there;
     }
-    curves.sort();
+    curves.take(found);
     Ok(curves)
 }
 
@@ -134,7 +139,8 @@ fn follow<E: From<FlutterError>>(
     follow(between, to, alive, halvings - 1, at)
 }
 
-/// The best pairs first; whether all are plain.
+/// The best pairs first; whether all are plain: like in shape, and no two nearer to each other's eigenvalues than to their own.
+/// Branches that cross are, and so are branches that stay apart and exchange their shapes: steps between tell one from the other.
 fn matched(from: &Spectrum, to: &Spectrum, alive: &[Option<usize>]) -> (Vec<Option<usize>>, bool) {
     let mut pairs = Vec::new();
     for (branch, place) in alive.iter().enumerate() {
@@ -156,21 +162,32 @@ fn matched(from: &Spectrum, to: &Spectrum, alive: &[Option<usize>]) -> (Vec<Opti
             plain &= like > SAME_SHAPE;
         }
     }
+    let ends: Vec<[c64; 2]> = alive
+        .iter()
+        .zip(&found)
+        .filter_map(|(before, after)| Some([from.values[(*before)?], to.values[(*after)?]]))
+        .collect();
+    let crossed = |a: &[c64; 2], b: &[c64; 2]| {
+        let own = (a[1] - a[0]).norm() + (b[1] - b[0]).norm();
+        let exchanged = (a[1] - b[0]).norm() + (b[1] - a[0]).norm();
+        own - exchanged > CLOSE * a[0].norm().max(b[0].norm())
+    };
+    plain &= !ends.iter().enumerate().any(|(at, a)| ends[..at].iter().any(|b| crossed(a, b)));
     let kept = alive.iter().zip(&found).all(|(before, after)| before.is_some() == after.is_some());
     (found, plain && kept)
 }
 
-/// Changes of the number of unstable eigenvalues that oscillate (`kind` 0) or do not (1) between two flows: one that is net.
-fn changes<E: From<FlutterError>>(
+/// A change of the number of unstable eigenvalues that oscillate (`kind` 0) or do not (1) between two flows: one that is net. Its branch
+/// is left open.
+fn change<E: From<FlutterError>>(
     from: SpectrumAt<'_>,
     to: SpectrumAt<'_>,
     kind: usize,
     at: &mut impl FnMut(Flow) -> Result<Spectrum, E>,
-    curves: &mut FlutterCurves,
-) -> Result<(), E> {
+) -> Result<Option<Crossing>, E> {
     let before = from.is.unstable()[kind];
     if before == to.is.unstable()[kind] {
-        return Ok(());
+        return Ok(None);
     }
     let unstable = to.is.unstable()[kind] > before;
     let (mut low, mut high) = (from.flow, to.flow);
@@ -191,14 +208,19 @@ fn changes<E: From<FlutterError>>(
     let wanted = |value: &&c64| if kind == 0 { Spectrum::oscillates(**value) } else { value.im == 0.0 };
     let nearest = spectrum.values.iter().filter(wanted).min_by(|a, b| a.re.abs().total_cmp(&b.re.abs()));
     let omega_rad_s = nearest.map_or(0.0, |value| value.im);
-    let place = curves.flows.iter().position(|flow| *flow == to.flow).unwrap_or(0);
-    let distance =
-        |branch: &[Root]| branch.get(place).map_or(f64::INFINITY, |r| (r.p.im - omega_rad_s).abs());
-    let branch = (0..curves.branches.len())
-        .min_by(|a, b| distance(&curves.branches[*a]).total_cmp(&distance(&curves.branches[*b])))
-        .unwrap_or(0);
-    curves.crossings.push(Crossing { branch, flow: high, omega_rad_s, unstable, beyond_table: false });
-    Ok(())
+    Ok(Some(Crossing { branch: 0, flow: high, omega_rad_s, unstable, beyond_table: false }))
+}
+
+impl FlutterCurves {
+    /// The branch that is nearest in frequency to a change of stability at the flow behind it.
+    fn beside(&self, change: &Crossing, place: usize) -> usize {
+        let distance = |branch: &[Root]| {
+            branch.get(place).map_or(f64::INFINITY, |root| (root.p.im - change.omega_rad_s).abs())
+        };
+        (0..self.branches.len())
+            .min_by(|a, b| distance(&self.branches[*a]).total_cmp(&distance(&self.branches[*b])))
+            .unwrap_or(0)
+    }
 }
 
 #[cfg(test)]

@@ -34,7 +34,7 @@ const SMALL_TURN: f64 = 5.0 * std::f64::consts::PI / 180.0;
 /// Rotations that an element on the ground may see: their vector ends at half a turn, rad.
 const HALF_TURN: f64 = 170.0 * std::f64::consts::PI / 180.0;
 
-/// An element with its matrices over all motions of its nodes: three a node if it has no rotations, else six.
+/// An element with its matrices over all motions of its nodes: three a node if rotations have no part in it, else six.
 #[derive(Debug, Clone)]
 pub(crate) struct Corotated {
     pub(crate) id: u32,
@@ -68,7 +68,9 @@ impl Corotated {
             return Ok(None);
         }
         let points: Vec<Vector3<f64>> = nodes.iter().map(|node| model.nodes[*node].point.coords).collect();
-        let per_node = if dofs.iter().any(|dof| dof % 6 > 2) { 6 } else { 3 };
+        // What turns with a node hangs on its rotation, though its matrices may be over displacements alone.
+        let turns_with_node = matches!(element.corotation(), Corotation::Node(_));
+        let per_node = if turns_with_node || dofs.iter().any(|dof| dof % 6 > 2) { 6 } else { 3 };
         let frame = match element.corotation() {
             Corotation::Fit => Frame::Moving(Group::of(&points, per_node == 6)),
             Corotation::Node(node) => Frame::Moving(Group::with_node(&points, node)),
@@ -298,9 +300,13 @@ impl Corotated {
         turned
     }
 
-    /// The largest rotation of a node against the frame, rad.
+    /// The largest rotation of a node against the frame that meets stiffness, rad.
     pub(crate) fn largest_turn(&self, state: &State) -> f64 {
-        self.placed(state).turns.iter().map(|(_, theta)| theta.norm()).fold(0.0, f64::max)
+        let Some(k) = &self.k else { return 0.0 };
+        let is_met = |node: usize| k.fixed_rows::<3>(6 * node + 3).amax() > 0.0;
+        let turns = self.placed(state).turns;
+        let met = turns.iter().enumerate().filter(|(node, _)| is_met(*node));
+        met.map(|(_, (_, theta))| theta.norm()).fold(0.0, f64::max)
     }
 
     /// In fixed axes with rotations: how far these go, and how far they may, rad.

@@ -150,7 +150,8 @@ fn unsymmetric_step(
 fn largest(motion: &[f64]) -> (f64, f64) {
     let most = |first: usize| {
         let parts = motion.chunks_exact(6).map(|m| m[first].hypot(m[first + 1]).hypot(m[first + 2]));
-        parts.fold(0.0, |most: f64, own| if own.is_nan() { own } else { most.max(own) })
+        // What is no number stays so.
+        parts.fold(0.0, |most: f64, own| if most.is_nan() || own <= most { most } else { own })
     };
     (most(0), most(3))
 }

@@ -2,13 +2,17 @@
 
 use super::forms::forms;
 use super::mac::{modal_assurance, pair};
-use super::measurements::{AtMotion, Measurements, Parameter, Quantity, Settings, UpdateError};
+use super::measurements::{AtMotion, MeasuredMode, Measurements, Parameter, Quantity, Settings, UpdateError};
 use crate::flexibility::Flexibility;
 use crate::model::Model;
 use crate::modes::{Modes, ModesError, normal_modes};
 use crate::system::System;
 use faer::Mat;
 use std::f64::consts::TAU;
+
+/// Motions of a mode below this share of its largest are rounding, whatever their shape: modes are computed to a residual of
+/// 1e-9, those of large structures to 1e-7.
+const STILL: f64 = 1e-6;
 
 /// A measured number and what the model says.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,7 +43,8 @@ pub struct State {
     pub factors: Vec<f64>,
     /// Natural frequencies of the model, Hz.
     pub frequencies_hz: Vec<f64>,
-    /// Modal assurance of each measured mode with each of the model; empty for one without a measured shape.
+    /// Modal assurance of each measured mode with each of the model, zero where that one does not move what was measured by a
+    /// millionth of its largest motion; empty for one without a measured shape.
     pub assurance: Vec<Vec<f64>>,
     /// The model's mode for each measured one.
     pub pairs: Vec<Option<usize>>,
@@ -112,15 +117,7 @@ impl Step<'_> {
         let shapes = self.system.expand(modes.shapes.as_ref());
         state.frequencies_hz = modes.omega_rad_s.iter().map(|omega| omega / TAU).collect();
         let count = state.frequencies_hz.len();
-        for mode in measured {
-            let places: Vec<usize> = mode.shape.iter().map(|(dof, _)| *dof).collect();
-            let values: Vec<f64> = mode.shape.iter().map(|(_, value)| *value).collect();
-            let of = |column: usize| {
-                let model: Vec<f64> = places.iter().map(|dof| shapes[(*dof, column)]).collect();
-                modal_assurance(&values, &model)
-            };
-            state.assurance.push(if values.is_empty() { Vec::new() } else { (0..count).map(of).collect() });
-        }
+        state.assurance = self.assurances(&shapes);
         let fixed: Vec<Option<usize>> =
             measured.iter().map(|mode| mode.mode.filter(|at| *at < count && mode.shape.is_empty())).collect();
         state.pairs = pair(&state.assurance, &fixed, settings.least_assurance);
@@ -151,6 +148,34 @@ impl Step<'_> {
             state.sensitivities.push(row);
         }
         Ok(())
+    }
+
+    /// Modal assurance of each measured mode with each of the model (`shapes`, g-set); zero where the model's mode leaves the measured
+    /// places still. Rotations count with the structure's size, which makes displacements of them.
+    fn assurances(&self, shapes: &Mat<f64>) -> Vec<Vec<f64>> {
+        let points = self.system.points();
+        let size_m = points.iter().map(|point| (point - points[0]).norm()).fold(0.0, f64::max);
+        let arm_m = if size_m > 0.0 { size_m } else { 1.0 };
+        let motion_m =
+            |dof: usize, column: usize| shapes[(dof, column)].abs() * if dof % 6 < 3 { 1.0 } else { arm_m };
+        let most = |dofs: &mut dyn Iterator<Item = usize>, column: usize| {
+            dofs.map(|dof| motion_m(dof, column)).fold(0.0, f64::max)
+        };
+        let largest: Vec<f64> =
+            (0..shapes.ncols()).map(|column| most(&mut (0..shapes.nrows()), column)).collect();
+        let of = |measured: &MeasuredMode, column: usize| {
+            let (places, values): (Vec<usize>, Vec<f64>) = measured.shape.iter().copied().unzip();
+            if most(&mut places.iter().copied(), column) <= STILL * largest[column] {
+                return 0.0;
+            }
+            let model: Vec<f64> = places.iter().map(|dof| shapes[(*dof, column)]).collect();
+            modal_assurance(&values, &model)
+        };
+        let row = |measured: &MeasuredMode| {
+            let columns = if measured.shape.is_empty() { 0 } else { shapes.ncols() };
+            (0..columns).map(|column| of(measured, column)).collect()
+        };
+        self.measurements.modes.iter().map(row).collect()
     }
 
     fn add_deflections(&self, state: &mut State) -> Result<(), UpdateError> {

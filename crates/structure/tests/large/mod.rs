@@ -63,6 +63,15 @@ pub fn beam_along_x(count: usize, length: f64, e: f64, [height, breadth]: [f64; 
     deck
 }
 
+/// By what share a number is off another.
+#[track_caller]
+pub fn share_off(own: f64, of: f64) -> f64 {
+    let off = (own / of - 1.0).abs();
+    // A largest one of several does not see what is no number.
+    assert!(off.is_finite(), "{own} for {of}");
+    off
+}
+
 /// A case of `data/published`.
 pub fn published(name: &str) -> Value {
     let path = format!("{}/../../data/published/{name}.json", env!("CARGO_MANIFEST_DIR"));

@@ -205,8 +205,9 @@ fn causes_undo_their_mistakes() {
     let cases: [(&str, [f64; 3]); 10] = [
         ("My_Nm has the other sign", [8.0, 6.0, -3.0]),
         ("Mx_Nm has the other sign", [8.0, -6.0, 3.0]),
-        ("swapped", [8.0, 3.0, 6.0]),
-        ("swapped and My_Nm has the other sign", [8.0, -3.0, 6.0]),
+        // the column Mx_Nm reads 3 and -3 where the nose is turned up by 3
+        ("column Mx_Nm holds the pitching moment My, nose up positive", [8.0, 3.0, 6.0]),
+        ("column Mx_Nm holds the pitching moment My, nose down positive", [8.0, -3.0, 6.0]),
         ("lbf ft", [8.0 / pound_n, 6.0 / (pound_n * foot_m), 3.0 / (pound_n * foot_m)]),
         ("lbf in", [8.0 / pound_n, 12.0 * 6.0 / (pound_n * foot_m), 12.0 * 3.0 / (pound_n * foot_m)]),
         ("kgf", [8.0, 6.0, 3.0].map(|load: f64| load / 9.806_65)),

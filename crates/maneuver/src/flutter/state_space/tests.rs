@@ -62,8 +62,17 @@ fn a_branch_goes_where_likeness_less_the_relative_distance_is_largest() {
     assert_eq!(matched(&from, &to(&[100.0, 70.0], [0.85, 0.1]), &first), (vec![Some(0)], true));
     // what swings backwards or not at all is none
     assert_eq!(matched(&from, &to(&[-100.0, 0.0], [1.0, 1.0]), &first), (vec![None], false));
-    // the best pair first; the other takes what is left, which is not plain
+    // two that would be nearer to each other's eigenvalue: by 2 x 50, by 2 x 0.06 and 2 x 0.04 for a limit of 0.1
     let both = [Some(0), Some(1)];
+    assert_eq!(matched(&from, &to(&[50.0, 100.0], [0.9, 0.1]), &both), (vec![Some(0), Some(1)], false));
+    let close = |apart: f64, plain: bool| {
+        let from = spectrum(&imaginary(&[100.0, 100.0 - apart]), &[&like(1.0), &like(0.0)]);
+        let exchanged = to(&[100.0 - apart, 100.0], [0.9, 0.1]);
+        assert_eq!(matched(&from, &exchanged, &both), (vec![Some(0), Some(1)], plain));
+    };
+    close(0.06, false);
+    close(0.04, true);
+    // the best pair first; the other takes what is left, which is not plain
     assert_eq!(matched(&from, &to(&[100.0, 50.0], [0.9, 0.6]), &both), (vec![Some(0), Some(1)], false));
     assert_eq!(matched(&from, &to(&[50.0, 100.0], [0.05, 0.9]), &both), (vec![Some(1), Some(0)], true));
     // a branch that has ended stays ended
@@ -177,6 +186,43 @@ fn shapes_that_turn_are_followed_in_steps_that_are_halved() {
     for (branch, squared) in curves.branches.iter().zip([25.0, 36.0]) {
         assert!(branch.iter().all(|root| (root.p.norm_sqr() - squared).abs() < 1e-9), "{branch:?}");
     }
+}
+
+/// Oscillators that pass each other keep their shapes, those that only exchange them keep their eigenvalues; both look alike at the
+/// ends of a step.
+#[test]
+fn branches_that_exchange_their_shapes_are_told_from_branches_that_cross() {
+    // a quarter turn, then on by another and back by a whole half
+    let flows = [10.0, 20.0, 30.0, 10.0].map(flow);
+    let curves: Curves = flutter_of_state_space(&flows, |flow: Flow| {
+        Ok(turned(std::f64::consts::FRAC_PI_2 * 0.1 * (flow.v_m_s - 10.0)))
+    });
+    for (branch, squared) in curves.expect("eigenvalues").branches.iter().zip([25.0, 36.0]) {
+        assert!(branch.len() == 4 && branch.iter().all(|root| (root.p.norm_sqr() - squared).abs() < 1e-9));
+    }
+    let crossing = |flow: Flow| Ok(blocks(&[(-0.1, 0.5 * flow.v_m_s), (-0.2, 15.0 - 0.5 * flow.v_m_s)], &[]));
+    let curves: Curves = flutter_of_state_space(&[flow(10.0), flow(20.0)], crossing);
+    for (branch, ends) in curves.expect("eigenvalues").branches.iter().zip([[5.0, 10.0], [10.0, 5.0]]) {
+        assert!(branch.iter().zip(ends).all(|(root, im)| (root.p.im - im).abs() < 1e-9), "{branch:?}");
+    }
+}
+
+#[test]
+fn changes_there_and_back_stand_in_the_order_of_the_way() {
+    // 5 and 9 rad/s at 10 m/s, 9 and 5 at 20; the one that rises grows between 14 and 22 m/s
+    let matrix = |flow: Flow| {
+        let v = flow.v_m_s;
+        Ok(blocks(
+            &[(0.1 * (4.0 - (v - 18.0).abs()), 5.0 + 0.4 * (v - 10.0)), (-1.0, 9.0 - 0.4 * (v - 10.0))],
+            &[],
+        ))
+    };
+    let curves: Curves = flutter_of_state_space(&[10.0, 20.0, 10.0].map(flow), matrix);
+    let curves = curves.expect("eigenvalues");
+    let said: Vec<(usize, f64, bool)> =
+        curves.crossings.iter().map(|c| (c.branch, c.flow.v_m_s.round(), c.unstable)).collect();
+    // at 14 m/s it has 6.6 rad/s; at 20 the falling one (5) is nearer to that than itself (9), at 10 itself (5)
+    assert_eq!(said, [(1, 14.0, true), (0, 14.0, false)]);
 }
 
 #[test]

@@ -3,7 +3,8 @@
 use super::*;
 use nalgebra::Rotation3;
 
-/// Beam, rod, two shells, a solid, bushes between two grids and to the ground, a spring, a body beside its grid.
+/// Beam, rod, two shells, a solid, bushes between two grids, to the ground and without a say about rotations, a spring, a body beside
+/// its grid.
 fn elements() -> Vec<Corotated> {
     let deck = "MAT1,1,7.+5,,.3,2.7\nPBAR,1,1,.01,2.-3,3.-3,4.-3\nPROD,2,1,.01,1.-3\nPSHELL,3,1,.05,1,,1\nPSOLID,5,1\n\
         PBUSH,6,K,4.+3,3.+3,2.+3,1.+3,2.+3,3.+3\nGRID,1,,0.,0.,0.\nGRID,2,,1.,.1,.1\nGRID,3,,1.1,1.2,0.\n\
@@ -11,7 +12,7 @@ fn elements() -> Vec<Corotated> {
         GRID,5,,.3,.4,1.\nCBAR,1,1,1,3,0.,0.,1.\n,,,.1,0.,.2,0.,.1,0.\nCROD,2,2,1,2\nCQUAD4,3,3,1,2,3,4\n\
         CTRIA3,4,3,1,2,5\n\
         CTETRA,5,5,1,2,3,5\nCBUSH,6,6,4,1,,,,0\nCBUSH,7,6,5,,,,,0\nCELAS2,8,50.,2,5,3,6\nCONM2,9,2,,3.,.2,.1,.3\n\
-        ,.5,.1,.6,0.,.2,.7\n";
+        ,.5,.1,.6,0.,.2,.7\nGRID,6,,.3,.4,1.\nPBUSH,10,K,4.+3,3.+3,2.+3\nCBUSH,10,10,6,5,,,,0\n";
     let bulk = nastran::parse_deck("test.bdf", deck).expect("a deck");
     let model = Model::from_bulk(&bulk).expect("a model");
     let of = |element| Corotated::of(&model, element).expect("it turns").expect("it has matrices");
@@ -27,20 +28,27 @@ fn noise(at: usize) -> Vector3<f64> {
     Vector3::new((1.3 * at + 0.4).sin(), (2.1 * at).cos(), (0.7 * at - 1.0).sin())
 }
 
-/// Five nodes turned by a rotation and strained.
+/// Six nodes turned by a rotation and strained; the last two are at one place before.
 fn state(turn: &Rotation3<f64>, strain: f64) -> State {
-    let points = [[0.0, 0.0, 0.0], [1.0, 0.1, 0.1], [1.1, 1.2, 0.0], [0.0, 1.0, 0.2], [0.3, 0.4, 1.0]];
+    let points = [
+        [0.0, 0.0, 0.0],
+        [1.0, 0.1, 0.1],
+        [1.1, 1.2, 0.0],
+        [0.0, 1.0, 0.2],
+        [0.3, 0.4, 1.0],
+        [0.3, 0.4, 1.0],
+    ];
     let place = |(at, point): (usize, &[f64; 3])| turn * Vector3::from(*point) + noise(at) * strain;
     let places = points.iter().enumerate().map(place).collect();
     let rotations =
-        (0..5).map(|at| Rotation3::from_scaled_axis(noise(at + 7) * 2.0 * strain) * turn).collect();
+        (0..6).map(|at| Rotation3::from_scaled_axis(noise(at + 7) * 2.0 * strain) * turn).collect();
     State { places, rotations }
 }
 
 /// Unit motions of an element's nodes, and the states a step to both sides.
 fn steps(element: &Corotated, state: &State, step: f64) -> Vec<[State; 2]> {
     let moved = |dof: usize, step: f64| {
-        let mut motion = vec![0.0; 30];
+        let mut motion = vec![0.0; 36];
         motion[dof] = step;
         state.moved_by(&motion)
     };
@@ -70,6 +78,29 @@ fn forces_are_the_slopes_of_the_energy() {
                 let slope = (energy(up) - energy(down)) / (2.0 * step);
                 assert!((force[at] - slope).abs() < 1e-7 * force.amax(), "element {}, {at}", element.id);
             }
+        }
+    }
+}
+
+/// Also where a bush turns with a grid by springs that meet no rotation: their forces, once apart, turn the grid.
+#[test]
+fn forces_between_grids_have_no_resultant() {
+    for turn in turns() {
+        let state = state(&turn, 0.1);
+        // A bush to the ground and a spring in fixed axes lean on something.
+        for element in elements().iter().filter(|own| own.is_elastic() && ![7, 8].contains(&own.id)) {
+            let given = force_at(element, &state);
+            let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
+            for (node, own) in element.nodes.iter().zip(given.as_slice().chunks_exact(element.per_node)) {
+                let own_force = Vector3::from_column_slice(&own[..3]);
+                force += own_force;
+                moment += state.places[*node].cross(&own_force);
+                if own.len() == 6 {
+                    moment += Vector3::from_column_slice(&own[3..]);
+                }
+            }
+            let most = force.amax().max(moment.amax());
+            assert!(most < 1e-11 * given.amax(), "element {}: {most:e}", element.id);
         }
     }
 }
@@ -134,6 +165,7 @@ fn elements_join_three_motions_a_node_or_six() {
     assert_eq!(of(8).dofs(), six(&[1, 2]), "a spring between rotations");
     let solid: Vec<usize> = [0, 1, 2, 4].iter().flat_map(|node| (0..3).map(move |c| 6 * node + c)).collect();
     assert_eq!(of(5).dofs(), solid);
+    assert_eq!(of(10).dofs(), six(&[4, 5]), "it turns with a grid");
     assert!(of(1).is_elastic() && !of(9).is_elastic());
     // Alone it is the same on a state of its own nodes.
     let (beam, turned) = (of(1), state(&turns()[1], 0.1));
@@ -164,4 +196,6 @@ fn elements_in_fixed_axes_say_when_they_have_turned_too_far_and_others_never() {
     assert_eq!(beam.beyond_limit(&turned(2, 179.0)), None);
     // A bush turns with its first grid: what is left is the other's.
     assert!((of(6).largest_turn(&turned(0, 30.0)).to_degrees() - 30.0).abs() < 1e-9);
+    // One without rotational stiffness is a ball joint: it may turn as far as it likes.
+    assert_eq!(of(10).largest_turn(&turned(4, 60.0)), 0.0);
 }

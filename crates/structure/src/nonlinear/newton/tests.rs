@@ -96,6 +96,11 @@ fn sizes_of_motions_and_structures_are_lengths_of_vectors() {
     assert_eq!(largest(&motion), (5.0, 0.2_f64.hypot(0.2).hypot(0.1)));
     assert_eq!(largest(&[0.0; 6]), (0.0, 0.0));
     assert!(largest(&[f64::NAN; 6]).0.is_nan());
+    let torn = [[f64::NAN; 6], [1.0; 6]];
+    for motion in [torn.concat(), [torn[1], torn[0]].concat()] {
+        let (shift, spin) = largest(&motion);
+        assert!(shift.is_nan() && spin.is_nan(), "{motion:?}: {shift}, {spin}");
+    }
     let places =
         vec![Vector3::new(1.0, 2.0, -1.0), Vector3::new(4.0, 2.0, 3.0), Vector3::new(2.0, 14.0, 0.0)];
     let state = State { rotations: vec![Rotation3::identity(); 3], places };
