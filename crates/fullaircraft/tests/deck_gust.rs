@@ -8,7 +8,7 @@ use std::f64::consts::{PI, TAU};
 use std::fmt::Write as _;
 
 /// Steady slope of the rectangle's lattice, per rad (`data/rectangular_wing_turbulence.json`).
-const SLOPE: f64 = 4.298_809_448;
+pub(crate) const SLOPE: f64 = 4.298_809_448;
 const MU: f64 = 20.0;
 
 fn number(value: &Value) -> f64 {
@@ -23,6 +23,14 @@ fn reference(text: &str, of: &str) -> Vec<Value> {
 /// The rigid rectangle of `rectangular_wing.rs` as a half model: chord, airspeed and density one, free in plunge, half of its mass on
 /// the centreline and half amid the wing. It stands in system 9, which is turned by `turn`; the stream flows along its x.
 fn rectangle(mu: f64, turn: &Rotation3<f64>, control: &str, cards: &str) -> BulkData {
+    let bulk = parse_deck("wing", &rectangle_text(mu, turn, control, cards));
+    let bulk = bulk.unwrap_or_else(|error| panic!("{error}"));
+    assert!(bulk.air_errors.is_empty(), "{:?}", bulk.air_errors);
+    bulk
+}
+
+/// The text of [`rectangle`].
+pub(crate) fn rectangle_text(mu: f64, turn: &Rotation3<f64>, control: &str, cards: &str) -> String {
     let origin = if turn.angle() == 0.0 { Vector3::zeros() } else { Vector3::new(3.0, -2.0, 0.5) };
     let [up, along] = [Vector3::z(), Vector3::x()].map(|axis| origin + turn * axis);
     let list = |v: &Vector3<f64>| format!("{:.12},{:.12},{:.12}", v.x, v.y, v.z);
@@ -42,25 +50,23 @@ fn rectangle(mu: f64, turn: &Rotation3<f64>, control: &str, cards: &str) -> Bulk
          AECOMP,ALL,CAERO,1001\nMONPNT1,AIR,air\n,34,ALL,9,0.,0.,0.,9\nSET1,31,2,THRU,6\nMONPNT3,NET,net\n,34,31,,9,0.,0.,0.\n",
     );
     deck += cards;
-    let bulk = parse_deck("wing", &deck).unwrap_or_else(|error| panic!("{error}"));
-    assert!(bulk.air_errors.is_empty(), "{:?}", bulk.air_errors);
-    bulk
+    deck
 }
 
 /// The only case of a deck, its structure and air, and its answer.
-fn solved(bulk: &BulkData) -> (GustCase, GustDeck, DynamicAnswer) {
+pub(crate) fn solved(bulk: &BulkData) -> (GustCase, GustDeck, DynamicAnswer) {
     let case = gust_cases(bulk).unwrap_or_else(|error| panic!("{error}")).remove(0);
     let deck = GustDeck::new(bulk, &case.subcase, &[&case]).unwrap_or_else(|error| panic!("{error}"));
     let answer = deck.answer(&case).unwrap_or_else(|error| panic!("{error}"));
     (case, deck, answer)
 }
 
-fn station(deck: &GustDeck, name: &str) -> usize {
+pub(crate) fn station(deck: &GustDeck, name: &str) -> usize {
     deck.stations().position(|station| station.0 == name).expect("a station")
 }
 
 /// One wave of one minus cosine, of amplitude one and 2 H chords, at the frequencies of the reference.
-fn wave(h: f64) -> String {
+pub(crate) fn wave(h: f64) -> String {
     format!(
         "GUST,7,8,1.,0.,1.\nDLOAD,8,.5,1.,81,-1.,82\nTLOAD2,81,9,,,0.,{t:?},0.\nTLOAD2,82,9,,,0.,{t:?},{f:?}\n\
          FREQ1,10,2.5-4,2.5-4,2545\nTSTEP,11,400,.1\n",
@@ -68,7 +74,7 @@ fn wave(h: f64) -> String {
         f = 0.5 / h
     )
 }
-const IN_TIME: &str = "GUST = 7\nFREQ = 10\nTSTEP = 11\n";
+pub(crate) const IN_TIME: &str = "GUST = 7\nFREQ = 10\nTSTEP = 11\n";
 
 #[test]
 fn a_deck_free_in_plunge_peaks_in_discrete_gusts_as_by_another_doublet_lattice() {

@@ -1,6 +1,6 @@
 //! What a study adds to decks: the published aircraft without the cards of its trim, trimmed by a study, has the published angles.
 
-use fullaircraft::study::{MassTerms, Masses, Splines, Study};
+use fullaircraft::study::{Aim, MassTerms, Masses, Splines, Study};
 use fullaircraft::{TrimDeck, TrimmedDeck, deck_cases};
 use std::path::{Path, PathBuf};
 
@@ -37,7 +37,7 @@ impl Folder {
     }
 
     fn trims(&self, study: &Study, terms: Option<&MassTerms>) -> Vec<TrimmedDeck> {
-        let deck = study.deck(&self.path(), terms).expect("a deck");
+        let deck = study.deck(&self.path(), Aim::Trims, terms).expect("a deck");
         let cases = deck_cases(&deck.bulk).expect("trims");
         let trim = |case: &fullaircraft::DeckCase| {
             let bulk = deck.bulk.in_subcase(&case.subcase).expect("a subcase");
@@ -114,7 +114,7 @@ fn a_mass_matrix_stands_in_the_place_of_the_decks_masses() {
     assert_published(&folder.trims(&study, Some(&terms)), 2e-6);
     let weighed = Folder::new("weighed", &[]);
     let study = weighed.study(&text).expect("a study");
-    let error = study.deck(&weighed.path(), Some(&terms)).expect_err("weights").to_string();
+    let error = study.deck(&weighed.path(), Aim::Trims, Some(&terms)).expect_err("weights").to_string();
     assert!(error.contains("PARAM WTMASS") && error.contains("study.ron:3:"), "{error}");
 }
 
@@ -138,7 +138,7 @@ fn boxes_that_follow_their_nearest_grid_move_as_on_a_rigid_arm() {
     }
     // and sets leave out grids
     let of_canard = Study { splines: Splines::NearestOf(vec![1000]), ..by_splines.clone() };
-    let deck = of_canard.deck(&bare.path(), None).expect("a deck");
+    let deck = of_canard.deck(&bare.path(), Aim::Trims, None).expect("a deck");
     let grids: Vec<u32> =
         deck.bulk.splines.values().flat_map(|card| deck.bulk.sets[&card.set].ids.clone()).collect();
     assert_eq!(deck.bulk.splines.len(), 2 + usize::from(grids.len() > 2), "{grids:?}");
@@ -184,7 +184,9 @@ fn what_is_not_there_is_said_where_it_stands() {
         ("rho: 8e-5", "rho: 0.0", "above zero is expected"),
         ("(\"ELEV\", 1.0)", "(\"ELEV\", 0.0)", "moves no surface at first"),
         ("support:", "suport:", "suport"),
-        ("gravity: 1.0,", "", "gravity"),
+        ("gravity: 1.0,", "", "trims need `gravity`"),
+        ("support: 90,", "", "trims need `support`"),
+        ("span: 40.0, ", "", "trims need `reference: (area"),
         ("free: [\"canard\"]", "free: [\"canard\"], held_deg: {\"canard\": 1.0}", "or is held as well"),
         ("free: [\"canard\"]", "balance: AllAxes, free: [\"canard\"]", "neither rolls nor yaws"),
     ] {
@@ -197,18 +199,18 @@ fn what_is_not_there_is_said_where_it_stands() {
         ("aircraft.bdf", "gone.bdf", "gone.bdf"),
     ] {
         let study = of_study(from, to).expect("well written");
-        let error = study.deck(&folder.path(), None).expect_err(said).to_string();
+        let error = study.deck(&folder.path(), Aim::Trims, None).expect_err(said).to_string();
         assert!(error.contains(said), "{error}");
     }
     let own = Folder::new("own", &[]);
     let deck = own.0.join("aircraft.bdf");
     let cards = std::fs::read_to_string(&deck).expect("the deck") + "SUPORT,90,35\n";
     std::fs::write(&deck, cards).expect("a deck");
-    let error =
-        own.study(STUDY).expect("a study").deck(&own.path(), None).expect_err("two supports").to_string();
+    let study = own.study(STUDY).expect("a study");
+    let error = study.deck(&own.path(), Aim::Trims, None).expect_err("two supports").to_string();
     assert!(error.contains("a SUPORT of their own, at grid 90"), "{error}");
     std::fs::write(folder.0.join("whole.bdf"), "CEND\nBEGIN BULK\nGRID,90\n").expect("a deck");
     let whole = of_study("aircraft.bdf", "whole.bdf").expect("well written");
-    let error = whole.deck(&folder.path(), None).expect_err("a case control").to_string();
+    let error = whole.deck(&folder.path(), Aim::Trims, None).expect_err("a case control").to_string();
     assert!(error.contains("no case control of its own"), "{error}");
 }

@@ -1,5 +1,6 @@
 //! The tests of `fullaircraft` that need no process of their own, as one program: linked once, and both cores busy to the end.
 
+mod apart;
 mod assembly;
 mod bah_gust;
 mod cases;
@@ -17,6 +18,7 @@ mod flight;
 mod flight_nonlinear;
 mod general_trim;
 mod gust_signals;
+mod handbook;
 mod large_trim;
 mod mirror;
 mod net_monitors;
@@ -25,6 +27,9 @@ mod pratt;
 mod rectangular_wing;
 mod stations;
 mod study;
+mod study_flutter;
+mod study_gusts;
+mod study_op4;
 mod trim;
 mod turbulence;
 mod unstable;

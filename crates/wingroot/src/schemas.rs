@@ -78,7 +78,7 @@ fn inputs() -> Vec<Named> {
         input::<fullaircraft::AircraftFile>("aircraft", "aircraft.ron"),
         input::<fullaircraft::study::Study>(
             "study",
-            "fullaircraft --deck study.ron: what decks lack for trims",
+            "study.ron (fullaircraft, flutter, gust or loads --deck): what decks lack for trims, flutter and gusts",
         ),
         input::<fullaircraft::CasesFile>("cases", "fullaircraft --cases"),
         input::<loads::SelectFile>("select", "select.ron: which cases go to stress"),

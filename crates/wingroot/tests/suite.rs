@@ -48,6 +48,7 @@ mod statics_limits;
 mod stations;
 mod strips;
 mod structure_commands;
+mod studies;
 mod tables;
 mod terminal;
 mod units;

@@ -126,8 +126,9 @@ impl TrimDeck {
             spline::splines(bulk, &lattice, free.node_ids(), free.points(), &stream)?;
         let axes = frames.axes_at(aeros.rcsid, &aeros.span)?;
         let origin = frames.origin(aeros.rcsid, &aeros.span)?;
+        let (seen, turned) = (stream.seen(&origin), stream.axes.transpose() * axes);
         let (variables, incidence, accelerations) =
-            variables(bulk, &lattice, &aeros, &stream.seen(&origin), &stream)?;
+            variables(bulk, &lattice, &aeros, &seen, &turned, &stream)?;
         let integration = Integration::new(&lattice);
         let s_dofs = spline.used_dofs();
         let d = support_motions(bulk, &free)?;

@@ -2,7 +2,7 @@
 
 use aero::{ControlSurface, Lattice, StreamAxes, camber_and_twist, incidence};
 use faer::Mat;
-use nalgebra::{Point3, Vector3};
+use nalgebra::{Matrix3, Point3, Vector3};
 use nastran::{Aeros, BulkData, InputError};
 
 /// SYMXZ of an antisymmetric flow.
@@ -11,12 +11,15 @@ pub(crate) const ANTISYMMETRIC: i32 = -1;
 /// Names, incidence, and which acceleration each variable is.
 pub(crate) type Variables = (Vec<String>, Mat<f64>, Vec<Option<usize>>);
 
-/// Names, incidence, and which acceleration each variable is; boxes and `origin` (of rates) are seen in the axes of the stream.
+/// Names, incidence, and which acceleration each variable is; boxes, and `origin` and `axes` of the reference system (RCSID, x, y and
+/// z as columns), are seen in the axes of the stream. Rolling and yawing are about the reference axes, whichever way they point: with
+/// x forward and z down as in flight mechanics, with x aft and z up against it (so Simcenter Nastran prints HA144B).
 pub(crate) fn variables(
     bulk: &BulkData,
     lattice: &Lattice,
     aeros: &Aeros,
     origin: &Point3<f64>,
+    axes: &Matrix3<f64>,
     stream: &StreamAxes,
 ) -> Result<Variables, InputError> {
     let n = lattice.len();
@@ -33,9 +36,9 @@ pub(crate) fn variables(
         let (column, acceleration) = match label.as_str() {
             "ANGLEA" => (incidence::angle_of_attack(lattice), None),
             "SIDES" => (incidence::sideslip(lattice), None),
-            "ROLL" => (rate(-Vector3::x(), aeros.span_length), None),
+            "ROLL" => (rate(axes.column(0).into_owned(), aeros.span_length), None),
             "PITCH" => (rate(Vector3::y(), aeros.chord), None),
-            "YAW" => (rate(-Vector3::z(), aeros.span_length), None),
+            "YAW" => (rate(axes.column(2).into_owned(), aeros.span_length), None),
             "URDD1" | "URDD2" | "URDD3" | "URDD4" | "URDD5" | "URDD6" => {
                 (vec![0.0; n], label.bytes().last().map(|digit| usize::from(digit - b'1')))
             }

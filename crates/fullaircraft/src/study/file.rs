@@ -1,12 +1,16 @@
 //! The file of a study.
 
-use nastran::{InputError, ron_file};
+use super::fault::{Fault, is_above_zero};
+use super::flutter::Flutter;
+use super::gusts::Gusts;
+use super::trims::{self, Control, Point};
+use super::unsteady::Unsteady;
+use nastran::{BulkData, InputError, ron_file};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
 use std::path::Path;
 
-/// A study of trims; lengths, masses and forces in the units of the decks, angles in degrees.
+/// A study of trims, flutter or gusts; lengths, masses and forces in the units of the decks, angles in degrees.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Study {
@@ -24,19 +28,31 @@ pub struct Study {
     /// Set of equations (MPC, MPCADD) of the decks that applies.
     #[serde(default)]
     pub mpc: Option<u32>,
-    /// References of the coefficients; none where the decks have AEROS.
+    /// References of the coefficients; none where the decks have AEROS (of flutter and gusts: AERO or AEROS).
     #[serde(default)]
     pub reference: Option<Reference>,
-    /// Grid that the aircraft is held at (SUPORT); angles of trim are its own.
-    pub support: u32,
-    /// Controls of the pilot.
+    /// Grid that the aircraft is held at in trims (SUPORT); angles of trim are its own.
+    #[serde(default)]
+    pub support: Option<u32>,
+    /// Controls of the pilot, in trims.
     #[serde(default)]
     pub controls: Vec<Control>,
-    /// The trims.
+    /// The trims (`fullaircraft --deck`, `loads --deck`).
+    #[serde(default)]
     pub trims: Vec<Point>,
-    /// Acceleration of a load factor of one: 9.80665 where the decks have metres; 1 where their PARAM AUNITS turns multiples of gravity
-    /// into accelerations.
-    pub gravity: f64,
+    /// Acceleration of a load factor of one in trims: 9.80665 where the decks have metres; 1 where their PARAM AUNITS turns multiples
+    /// of gravity into accelerations.
+    #[serde(default)]
+    pub gravity: Option<f64>,
+    /// Modes and unsteady air of flutter and gusts.
+    #[serde(default)]
+    pub unsteady: Unsteady,
+    /// Flutter (`flutter --deck`).
+    #[serde(default)]
+    pub flutter: Option<Flutter>,
+    /// Discrete gusts (`gust --deck`).
+    #[serde(default)]
+    pub gusts: Option<Gusts>,
 }
 
 /// Where the mass comes from.
@@ -45,8 +61,8 @@ pub enum Masses {
     /// The decks' elements and mass elements.
     #[default]
     OfDecks,
-    /// A matrix in a file, in the place of all masses of the decks: `.h5` (Nastran's HDF5), `.mtx` (MatrixMarket), six rows a grid in
-    /// rising number and one a scalar point, along the grids' displacement systems; or `.csv` by motions.
+    /// A matrix in a file, in the place of all masses of the decks: `.h5` (Nastran's HDF5), `.op4` (OUTPUT4), `.mtx` (MatrixMarket), six
+    /// rows a grid in rising number and one a scalar point, along the grids' displacement systems; or `.csv` by motions.
     Matrix(String),
 }
 
@@ -66,70 +82,43 @@ pub enum Splines {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Reference {
-    /// Area.
-    pub area: f64,
     /// Chord.
     pub chord: f64,
-    /// Span.
-    pub span: f64,
-    /// Point that moments and rates of turn are about, basic axes.
-    pub point: [f64; 3],
+    /// Area; only trims need it.
+    #[serde(default)]
+    pub area: Option<f64>,
+    /// Span; only trims need it.
+    #[serde(default)]
+    pub span: Option<f64>,
+    /// Point that moments and rates of turn are about, basic axes; only trims need it.
+    #[serde(default)]
+    pub point: Option<[f64; 3]>,
     /// Whether the decks are the half of an aircraft at y > 0 or y < 0.
     #[serde(default)]
     pub is_half: bool,
-}
-
-/// A control of the pilot.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Control {
-    /// Its name.
-    pub name: String,
-    /// Control surfaces (AESURF) and how far each goes by a unit of the control; the value of the first is what trims give.
-    pub moves: Vec<(String, f64)>,
-}
-
-/// What is balanced.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-pub enum Balance {
-    /// Heave and pitch, with the angle of attack and one control.
-    #[default]
-    Pitch,
-    /// Heave, pitch, roll and yaw, with the angle of attack and three controls; to the side the aircraft may accelerate.
-    /// Where a study has such a trim, its trims in pitch may accelerate to the side, in roll and in yaw.
-    AllAxes,
-}
-
-/// One trim.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Point {
-    /// Its name.
-    pub name: String,
-    /// Mach number of the air forces.
-    pub mach: f64,
-    /// Airspeed.
-    pub v: f64,
-    /// Density.
-    pub rho: f64,
-    /// Load factor.
-    #[serde(default = "one")]
-    pub load_factor: f64,
-    /// Pitch rate, degrees per unit of time.
+    /// System of the decks whose x lies along the stream and whose z points up (ACSID); the basic one without it.
     #[serde(default)]
-    pub pitch_rate_deg: f64,
-    /// What is balanced.
-    #[serde(default)]
-    pub balance: Balance,
-    /// Controls that balance it.
-    pub free: Vec<String>,
-    /// Controls with a deflection, degrees of their first surface; all others are at zero.
-    #[serde(default)]
-    pub held_deg: BTreeMap<String, f64>,
+    pub stream: Option<u32>,
 }
 
-const fn one() -> f64 {
-    1.0
+/// What a deck is made for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Aim {
+    /// Trims (SOL 144).
+    Trims,
+    /// Flutter (SOL 145).
+    Flutter,
+    /// Gusts (SOL 146).
+    Gusts,
+}
+
+impl Aim {
+    /// All of them, the section of a study that each is made of, and the command that runs it.
+    const ALL: [(Self, &'static str, &'static str); 3] = [
+        (Self::Trims, "trims", "fullaircraft"),
+        (Self::Flutter, "flutter", "flutter"),
+        (Self::Gusts, "gusts", "gust"),
+    ];
 }
 
 impl Study {
@@ -142,70 +131,84 @@ impl Study {
     /// Reads a study.
     ///
     /// # Errors
-    /// If the file cannot be read, a field is missing, misspelt or out of its range, or a trim has not as many free controls as
-    /// what it balances asks for.
+    /// If the file cannot be read, a field is missing, misspelt or out of its range, a trim has not as many free controls as what it
+    /// balances asks for, or a section lacks what it needs.
     pub fn read(path: &Path) -> Result<Self, InputError> {
         let study: Self = ron_file::read(path)?;
-        let refuse = |field: &str, message: String| Err(InputError::in_field(path, field, message));
-        if study.decks.is_empty() {
-            return refuse("decks", "a study without decks has no aircraft".to_owned());
-        }
-        if study.trims.is_empty() {
-            return refuse("trims", "a study without trims asks for nothing".to_owned());
-        }
-        let positive = study.reference.iter().flat_map(|of| [of.area, of.chord, of.span]);
-        let points = study.trims.iter().flat_map(|trim| [trim.v, trim.rho]);
-        if let Some(value) =
-            positive.chain(points).chain([study.gravity]).find(|value| !(*value > 0.0 && value.is_finite()))
-        {
-            return refuse(
-                "decks",
-                format!("{value} where a reference, airspeed, density or gravity above zero is expected"),
-            );
-        }
-        let is_half = study.reference.is_some_and(|of| of.is_half);
-        if is_half && study.trims.iter().any(|trim| trim.balance == Balance::AllAxes) {
-            return refuse(
-                "balance",
-                "half an aircraft neither rolls nor yaws: AllAxes needs a whole one".to_owned(),
-            );
-        }
-        for control in &study.controls {
-            if control.moves.first().is_none_or(|(_, factor)| *factor == 0.0) {
-                return refuse("controls", format!("the control {} moves no surface at first", control.name));
-            }
-        }
-        study.trims.iter().try_for_each(|trim| study.check_controls(path, trim))?;
-        Ok(study)
+        study.fault().map_or(Ok(study), |fault| Err(fault.of_file(path)))
     }
 
-    /// Whether a trim has as many free controls as it needs, each there and once.
-    fn check_controls(&self, path: &Path, trim: &Point) -> Result<(), InputError> {
-        let refuse = |field: &str, message: String| Err(InputError::in_field(path, field, message));
-        let wanted = match trim.balance {
-            Balance::Pitch => 1,
-            Balance::AllAxes => 3,
+    /// Refuses a study without the section that an aim is made of, and names those that there are.
+    pub(super) fn demand(&self, path: &Path, aim: Aim) -> Result<(), InputError> {
+        if self.has(aim) {
+            return Ok(());
+        }
+        let section =
+            Aim::ALL.iter().find(|(other, _, _)| *other == aim).map_or("", |(_, section, _)| section);
+        let there = Aim::ALL.iter().filter(|(other, _, _)| self.has(*other));
+        let there: Vec<String> =
+            there.map(|(_, section, command)| format!("`{section}` (`{command} --deck`)")).collect();
+        Err(InputError::in_file(
+            path,
+            format!("the study has no section `{section}`, which this command runs"),
+        )
+        .with_help(format!("it has {}", there.join(" and "))))
+    }
+
+    fn has(&self, aim: Aim) -> bool {
+        match aim {
+            Aim::Trims => !self.trims.is_empty(),
+            Aim::Flutter => self.flutter.is_some(),
+            Aim::Gusts => self.gusts.is_some(),
+        }
+    }
+
+    /// The system whose x lies along the stream, by its own words or those of its decks.
+    pub(super) fn stream(&self, decks: &BulkData) -> u32 {
+        let of_decks = decks.aero_reference.as_ref().map(|aeros| aeros.acsid);
+        let of_unsteady = decks.unsteady_reference.as_ref().map(|aero| aero.acsid);
+        self.reference.and_then(|of| of.stream).or(of_decks).or(of_unsteady).unwrap_or(0)
+    }
+
+    /// Whether its decks are half of an aircraft, by its own words.
+    pub(super) fn is_half(&self) -> bool {
+        self.reference.is_some_and(|of| of.is_half)
+    }
+
+    /// What is wrong with it, if anything is.
+    fn fault(&self) -> Option<Fault> {
+        if self.decks.is_empty() {
+            return Some(Fault::new("decks", "a study without decks has no aircraft"));
+        }
+        if Aim::ALL.iter().all(|(aim, _, _)| !self.has(*aim)) {
+            return Some(Fault::new("decks", "a study without trims, flutter or gusts asks for nothing"));
+        }
+        let lengths = self.reference.iter().flat_map(|of| [Some(of.chord), of.area, of.span]).flatten();
+        if let Some(value) = lengths.chain(self.gravity).find(|value| !is_above_zero(*value)) {
+            let message = format!("{value} where a reference or gravity above zero is expected");
+            return Some(Fault::new("decks", message));
+        }
+        let trims = if self.has(Aim::Trims) { self.fault_of_trims() } else { None };
+        trims
+            .or_else(|| self.unsteady.fault())
+            .or_else(|| self.flutter.as_ref()?.fault())
+            .or_else(|| self.gusts.as_ref()?.fault())
+    }
+
+    fn fault_of_trims(&self) -> Option<Fault> {
+        let lacks = |field: &str, what: &str| {
+            let help = format!("add `{field}`: {what}");
+            Some(Fault::new("trims", format!("trims need `{field}`")).with_help(help))
         };
-        if trim.free.len() != wanted {
-            let message = format!("{} has {} free controls, {wanted} balance it", trim.name, trim.free.len());
-            return refuse("free", message);
+        if self.support.is_none() {
+            return lacks("support", "the grid that the aircraft is held at");
         }
-        let twice = |(at, name): &(usize, &String)| {
-            trim.held_deg.contains_key(*name) || trim.free[..*at].contains(name)
-        };
-        if let Some((_, name)) = trim.free.iter().enumerate().find(twice) {
-            return refuse("free", format!("{}: {name} balances it twice, or is held as well", trim.name));
+        if self.gravity.is_none() {
+            return lacks("gravity", "the acceleration of a load factor of one, 9.80665 in metres");
         }
-        let known = |name: &&String| self.controls.iter().all(|control| control.name != **name);
-        if let Some(name) = trim.free.iter().chain(trim.held_deg.keys()).find(known) {
-            let there: Vec<&str> = self.controls.iter().map(|control| control.name.as_str()).collect();
-            return Err(InputError::in_field(
-                path,
-                "free",
-                format!("{}: there is no control {name}", trim.name),
-            )
-            .with_help(format!("there are {}", there.join(", "))));
+        if self.reference.is_some_and(|of| of.area.is_none() || of.span.is_none() || of.point.is_none()) {
+            return lacks("reference: (area: ..., span: ..., point: (...))", "all of it, beside the chord");
         }
-        Ok(())
+        trims::fault(&self.trims, &self.controls, self.is_half())
     }
 }

@@ -1,26 +1,28 @@
 //! Boxes that follow their nearest grid as on a rigid arm: a beam spline (SPLINE5) of one grid whose rotations are attached too.
 
 use super::cards::card;
-use aero::Lattice;
+use aero::{Lattice, StreamAxes};
 use nalgebra::Point3;
-use nastran::{BulkData, Frames, InputError};
+use nastran::{BulkData, Frames, Grid, InputError, Span};
 use std::collections::BTreeMap;
 
 /// Cosine between a panel's normal and y beyond which the axis of its splines is z: a beam spline's axis lies in the panel.
 const UPRIGHT: f64 = 0.7;
 
-/// The cards, by number from `first` on, with `upright` as the number of the system of upright panels.
+/// The cards, by number from `first` on, with `upright` as the number of the system of upright panels; `acsid` is that of the stream.
 ///
 /// # Errors
 /// If there are no boxes or no grids, or a set is not there.
 pub(super) fn cards(
     bulk: &BulkData,
     sets: Option<&[u32]>,
-    first: u32,
-    upright: u32,
+    [first, upright]: [u32; 2],
+    acsid: u32,
 ) -> Result<String, InputError> {
-    let lattice = Lattice::from_bulk(bulk)?;
-    let grids = grids(bulk, sets)?;
+    let frames = Frames::resolve(bulk)?;
+    let stream = StreamAxes::of_deck(&frames, acsid, &Span::generated("the study"))?;
+    let lattice = Lattice::in_axes(bulk, &stream)?;
+    let grids = grids(bulk, sets, &|grid| Ok(stream.seen(&frames.grid_point(grid)?)))?;
     if grids.is_empty() || lattice.is_empty() {
         return Err(InputError::general("the decks have no boxes or no grids that could be joined"));
     }
@@ -36,14 +38,14 @@ pub(super) fn cards(
             groups.entry((surface.id, *grid)).or_insert((Vec::new(), is_upright)).0.push(one.id);
         }
     }
-    let axes = ["0", "0.", "0.", "0.", "0.", "-1.", "0.", "1.", "0.", "0."].map(str::to_owned);
-    let mut text = card("CORD2R", &[&[upright.to_string()], &axes[..]].concat());
+    let axes = ["0.", "0.", "0.", "0.", "-1.", "0.", "1.", "0.", "0."].map(str::to_owned);
+    let mut text = card("CORD2R", &[&[upright, acsid].map(|id| id.to_string())[..], &axes].concat());
     for (number, ((panel, grid), (boxes, is_upright))) in (first..).zip(groups) {
         let id = number.to_string();
         text += &card("SET1", &[id.clone(), grid.to_string()]);
         let listed = std::iter::once(id.clone()).chain(boxes.iter().map(ToString::to_string));
         text += &card("AELIST", &listed.collect::<Vec<_>>());
-        let system = if is_upright { upright.to_string() } else { "0".to_owned() };
+        let system = if is_upright { upright } else { acsid }.to_string();
         let [blank, rigid] = [String::new(), "0.".to_owned()];
         text += &card(
             "SPLINE5",
@@ -65,8 +67,11 @@ pub(super) fn cards(
 }
 
 /// Numbers and places of the grids that boxes may follow.
-fn grids(bulk: &BulkData, sets: Option<&[u32]>) -> Result<Vec<(u32, Point3<f64>)>, InputError> {
-    let frames = Frames::resolve(bulk)?;
+fn grids(
+    bulk: &BulkData,
+    sets: Option<&[u32]>,
+    place: &dyn Fn(&Grid) -> Result<Point3<f64>, InputError>,
+) -> Result<Vec<(u32, Point3<f64>)>, InputError> {
     let mut wanted = Vec::new();
     for id in sets.unwrap_or_default() {
         let set = bulk.sets.get(id);
@@ -76,5 +81,5 @@ fn grids(bulk: &BulkData, sets: Option<&[u32]>) -> Result<Vec<(u32, Point3<f64>)
     }
     let is_wanted = |id: u32| sets.is_none() || wanted.contains(&id);
     let all = bulk.grids.values().filter(|grid| is_wanted(grid.id));
-    all.map(|grid| Ok((grid.id, frames.grid_point(grid)?))).collect()
+    all.map(|grid| Ok((grid.id, place(grid)?))).collect()
 }

@@ -1,20 +1,19 @@
 //! A study as the text of a deck.
 
-use super::cards::{card, real};
-use super::file::{Balance, Control, Masses, Point, Splines, Study};
+use super::cards::{Asked, FIRST, card};
+use super::fault::Fault;
+use super::file::{Aim, Masses, Splines, Study};
+use super::flutter::Flutter;
+use super::gusts::Gusts;
 use super::matrix::MassTerms;
 use super::nearest;
-use nastran::{BulkData, InputError, parse_deck, read_text};
+use super::unsteady::Motion;
+use aero::{Lattice, StreamAxes};
+use nastran::{BulkData, Frames, InputError, Span, memory, parse_deck, read_text};
 use std::fmt::Write as _;
 use std::path::Path;
 
-/// Numbers of what a study adds begin here.
-const FIRST: u32 = 90_000_000;
-/// Its constraint sets: its own, and the union with the decks' set.
-const OWN_SET: u32 = FIRST;
-const UNION: u32 = FIRST + 1;
-/// Its system of reference, and that of upright panels.
-const REFERENCE: u32 = FIRST + 2;
+/// The system of upright panels.
 const UPRIGHT: u32 = FIRST + 3;
 /// First number of its splines, with their sets and lists.
 const SPLINES: u32 = FIRST + 1000;
@@ -33,86 +32,97 @@ pub struct Deck {
 }
 
 impl Study {
-    /// The study as a deck; `terms` are those of [`Masses::Matrix`].
+    /// The study as a deck of one of its sections; `terms` are those of [`Masses::Matrix`].
     ///
     /// # Errors
-    /// If a deck cannot be read or has a case control, the support's grid, a control surface or a set is not there, the matrix is
-    /// of another structure, or the decks weigh in other units than mass (PARAM WTMASS) beside it.
-    pub fn deck(&self, path: &Path, terms: Option<&MassTerms>) -> Result<Deck, InputError> {
+    /// If the study has no such section or lacks what that needs, a deck cannot be read or has a case control, what the section names is
+    /// not there or given by the decks as well, the matrix is of another structure, or the decks weigh in other units than mass (PARAM
+    /// WTMASS) beside it.
+    pub fn deck(&self, path: &Path, aim: Aim, terms: Option<&MassTerms>) -> Result<Deck, InputError> {
+        self.demand(path, aim)?;
         // Places in what is made here are none of the study's file.
         let name = format!("{} as a deck", path.display());
         let includes = self.includes(path)?;
         let decks = parse_deck(&name, &includes)?;
-        self.check(path, &decks, terms.is_some())?;
-        let mut text = "SOL 144\nCEND\n".to_owned();
-        let _ = writeln!(text, "SPC = {}", if self.spc.is_some() { UNION } else { OWN_SET });
-        if let Some(set) = self.mpc {
-            let _ = writeln!(text, "MPC = {set}");
+        let asked = self.asked(path, aim, &decks)?;
+        let mut text = match aim {
+            Aim::Trims => "SOL 144\nCEND\n",
+            Aim::Flutter => "SOL 145\nCEND\n",
+            Aim::Gusts => "SOL 146\nCEND\n",
         }
+        .to_owned();
         if self.masses != Masses::OfDecks {
             let _ = writeln!(text, "M2GG = {MASS}");
         }
-        for (number, trim) in (1..).zip(&self.trims) {
-            let is_plain = |c: &char| c.is_alphanumeric() || " ._-+".contains(*c);
-            let label: String = trim.name.chars().filter(is_plain).collect();
-            let _ = writeln!(text, "SUBCASE {number}\n  LABEL = {label}\n  TRIM = {number}");
+        if let Some(set) = self.mpc {
+            let _ = writeln!(text, "MPC = {set}");
         }
-        text += "BEGIN BULK\n";
-        text += &includes;
-        text += &self.held();
-        text += &panel_properties(&decks);
-        text += &self.variables(&decks);
-        if let Some(terms) = terms {
-            text += &card("PARAM", &["WTMASS".to_owned(), NOTHING.to_owned()]);
-            text += &terms.cards(MASS, &decks).map_err(|error| error.or_in(path))?;
-        }
+        text = text + &asked.control + "BEGIN BULK\n" + &includes + &asked.cards + &panel_properties(&decks);
+        text += &mass_cards(path, &decks, terms)?;
         let sets = match &self.splines {
             Splines::OfDecks => None,
             Splines::Nearest => Some(None),
             Splines::NearestOf(sets) => Some(Some(sets.as_slice())),
         };
         if let Some(sets) = sets {
-            text += &nearest::cards(&decks, sets, SPLINES, UPRIGHT).map_err(|error| error.or_in(path))?;
+            let cards = nearest::cards(&decks, sets, [SPLINES, UPRIGHT], self.stream(&decks));
+            text += &cards.map_err(|error| error.or_in(path))?;
         }
         text += "ENDDATA\n";
         let bulk = parse_deck(&name, &text)?;
         Ok(Deck { text, bulk })
     }
 
-    /// Whether what the study names is in its decks.
-    fn check(&self, path: &Path, decks: &BulkData, is_by_matrix: bool) -> Result<(), InputError> {
-        if !decks.grids.contains_key(&self.support) {
-            return Err(InputError::in_field(
-                path,
-                "support",
-                format!("GRID {} is not in the decks", self.support),
-            ));
+    /// What the section of an aim asks for.
+    fn asked(&self, path: &Path, aim: Aim, decks: &BulkData) -> Result<Asked, InputError> {
+        let mut asked = Asked::default();
+        let set = if aim == Aim::Trims { Some(self.set_of_trims()) } else { self.spc };
+        if let Some(set) = set {
+            asked.select("SPC", set);
         }
-        if let Some(card) = decks.supports.first() {
-            let message = format!("the decks have a SUPORT of their own, at grid {}", card.grid);
-            return Err(InputError::in_field(path, "support", message)
-                .with_help("take it out of the decks: the study supports the aircraft"));
-        }
-        for surface in
-            self.controls.iter().flat_map(|control| control.moves.iter().map(|(surface, _)| surface))
-        {
-            if decks.surfaces.values().all(|card| card.label != *surface) {
-                let there: Vec<&str> = decks.surfaces.values().map(|card| card.label.as_str()).collect();
-                return Err(InputError::in_field(
-                    path,
-                    "controls",
-                    format!("AESURF {surface} is not in the decks"),
-                )
-                .with_help(format!("there are {}", there.join(", "))));
+        let of_file = |fault: Fault| fault.of_file(path);
+        match (aim, &self.flutter, &self.gusts) {
+            (Aim::Flutter, Some(flutter), _) => {
+                asked.join(&self.flutter_asked(flutter, decks).map_err(of_file)?);
+            }
+            (Aim::Gusts, _, Some(gusts)) => asked.join(&self.gusts_asked(path, gusts, decks)?),
+            _ => {
+                self.check_trims(path, decks)?;
+                asked.join(&self.unsteady.said());
+                asked.control += &self.subcases_of_trims();
+                asked.cards += &self.cards_of_trims(decks);
             }
         }
-        if is_by_matrix && decks.parameters.contains_key("WTMASS") {
-            let message =
-                "the decks have PARAM WTMASS, which a mass matrix in their masses' place leaves no use for";
-            return Err(InputError::in_field(path, "masses", message)
-                .with_help("take it out of the decks: the matrix is in units of mass"));
+        Ok(asked)
+    }
+
+    fn flutter_asked(&self, flutter: &Flutter, decks: &BulkData) -> Result<Asked, Fault> {
+        let mut asked = self.unsteady.asked(decks)?;
+        let air = self.air(decks, flutter.densities.ratios().0, None, 0.0)?;
+        asked.cards += &air.cards;
+        asked.cards += &self.unsteady.pairs(decks, &flutter.machs)?;
+        asked.join(&flutter.asked(air.density));
+        Ok(asked)
+    }
+
+    fn gusts_asked(&self, path: &Path, gusts: &Gusts, decks: &BulkData) -> Result<Asked, InputError> {
+        let of_file = |fault: Fault| fault.of_file(path);
+        if self.unsteady.motion == Motion::Antisymmetric {
+            return Err(of_file(Fault::new("motion", "a gust moves both halves of an aircraft alike")));
         }
-        Ok(())
+        // The answer in time is a sum of waves: a complex number for each frequency at each time.
+        let waves = 16.0 * (gusts.frequencies.steps() + 1.0) * (gusts.times.steps() + 1.0);
+        memory::demand("the frequencies at the times", waves).map_err(|error| error.or_in(path))?;
+        let mut asked = self.unsteady.asked(decks).map_err(of_file)?;
+        let air = self.air(decks, gusts.rho, Some(gusts.v), gusts.direction_deg).map_err(of_file)?;
+        asked.cards += &air.cards;
+        asked.cards += &self.unsteady.pairs(decks, &[gusts.mach]).map_err(of_file)?;
+        let front_x = match gusts.front_x {
+            Some(x) => x,
+            None => foremost(decks, air.acsid).map_err(|error| error.or_in(path))?,
+        };
+        asked.join(&gusts.asked(decks, front_x).map_err(of_file)?);
+        Ok(asked)
     }
 
     /// INCLUDE of each deck, by its whole path.
@@ -133,104 +143,31 @@ impl Study {
         }
         Ok(text)
     }
+}
 
-    /// Whether a trim of it balances all axes, so that the support leaves all of them free.
-    fn is_in_all_axes(&self) -> bool {
-        self.trims.iter().any(|trim| trim.balance == Balance::AllAxes)
+/// The matrix in the place of the decks' masses, if there is one.
+fn mass_cards(path: &Path, decks: &BulkData, terms: Option<&MassTerms>) -> Result<String, InputError> {
+    let Some(terms) = terms else { return Ok(String::new()) };
+    if decks.parameters.contains_key("WTMASS") {
+        let message =
+            "the decks have PARAM WTMASS, which a mass matrix in their masses' place leaves no use for";
+        return Err(InputError::in_field(path, "masses", message)
+            .with_help("take it out of the decks: the matrix is in units of mass"));
     }
+    let weight = card("PARAM", &["WTMASS".to_owned(), NOTHING.to_owned()]);
+    Ok(weight + &terms.cards(MASS, decks).map_err(|error| error.or_in(path))?)
+}
 
-    /// The support, and what is held of it.
-    fn held(&self) -> String {
-        let (held, free) = if self.is_in_all_axes() { ("1", "23456") } else { ("1246", "35") };
-        let grid = self.support.to_string();
-        let mut text = card("SPC1", &[OWN_SET.to_string(), held.to_owned(), grid.clone()]);
-        if let Some(set) = self.spc {
-            text += &card("SPCADD", &[UNION.to_string(), OWN_SET.to_string(), set.to_string()]);
-        }
-        text + &card("SUPORT", &[grid, free.to_owned()])
-    }
-
-    /// References, variables, links and trims.
-    fn variables(&self, decks: &BulkData) -> String {
-        let mut text = String::new();
-        let zero = || "0.".to_owned();
-        if let Some(of) = &self.reference {
-            let [x, y, z] = of.point;
-            let point = [[x, y, z], [x, y, z + 1.0], [x + 1.0, y, z]].concat();
-            let head = [REFERENCE.to_string(), "0".to_owned()];
-            text += &card("CORD2R", &head.into_iter().chain(point.into_iter().map(real)).collect::<Vec<_>>());
-            text += &card(
-                "AEROS",
-                &[
-                    "0".to_owned(),
-                    REFERENCE.to_string(),
-                    real(of.chord),
-                    real(of.span),
-                    real(of.area),
-                    u8::from(of.is_half).to_string(),
-                    "0".to_owned(),
-                ],
-            );
-        }
-        let rigid = ["ANGLEA", "SIDES", "ROLL", "PITCH", "YAW", "URDD2", "URDD3", "URDD4", "URDD5", "URDD6"];
-        if decks.trim_variables.is_empty() {
-            for (number, label) in (FIRST..).zip(rigid) {
-                text += &card("AESTAT", &[number.to_string(), label.to_owned()]);
-            }
-        }
-        for control in &self.controls {
-            let Some(((leader, unit), others)) = control.moves.split_first() else { continue };
-            for (other, factor) in others {
-                let ratio = -factor / unit;
-                text += &card("AELINK", &["ALWAYS".to_owned(), other.clone(), leader.clone(), real(ratio)]);
-            }
-        }
-        for (number, trim) in (1..).zip(&self.trims) {
-            let mut fixed: Vec<(String, String)> =
-                ["SIDES", "ROLL", "YAW", "URDD5"].map(|label| (label.to_owned(), zero())).to_vec();
-            let q = 0.5 * trim.rho * trim.v * trim.v;
-            let chord =
-                self.reference.map(|of| of.chord).or(decks.aero_reference.as_ref().map(|aeros| aeros.chord));
-            let pitch = trim.pitch_rate_deg.to_radians() * chord.unwrap_or(0.0) / (2.0 * trim.v);
-            fixed.push(("PITCH".to_owned(), real(pitch)));
-            fixed.push(("URDD3".to_owned(), real(trim.load_factor * self.gravity)));
-            // Accelerations that nothing balances are free where the support is.
-            let still: &[&str] = match (trim.balance, self.is_in_all_axes()) {
-                (Balance::AllAxes, _) => &["URDD4", "URDD6"],
-                (Balance::Pitch, true) => &[],
-                (Balance::Pitch, false) => &["URDD2", "URDD4", "URDD6"],
-            };
-            fixed.extend(still.iter().map(|label| ((*label).to_owned(), zero())));
-            fixed.extend(self.surfaces_of(trim, decks));
-            let mut fields = vec![number.to_string(), real(trim.mach), real(q)];
-            for (place, (label, value)) in fixed.into_iter().enumerate() {
-                if place == 2 {
-                    // AEQR, which the first line has behind two variables
-                    fields.push("1.0".to_owned());
-                }
-                fields.extend([label, value]);
-            }
-            text += &card("TRIM", &fields);
-        }
-        text
-    }
-
-    /// Values of the surfaces that do not balance a trim and follow no other.
-    fn surfaces_of(&self, trim: &Point, decks: &BulkData) -> Vec<(String, String)> {
-        let leads = |control: &Control, label: &str| control.moves[0].0 == label;
-        let follows = |label: &str| {
-            self.controls.iter().any(|control| control.moves[1..].iter().any(|(other, _)| other == label))
-        };
-        let is_free = |label: &str| {
-            self.controls.iter().any(|control| leads(control, label) && trim.free.contains(&control.name))
-        };
-        let value = |label: &str| {
-            let control = self.controls.iter().find(|control| leads(control, label));
-            control.and_then(|control| trim.held_deg.get(&control.name)).copied().unwrap_or(0.0).to_radians()
-        };
-        let labels = decks.surfaces.values().map(|card| card.label.as_str());
-        let fixed = labels.filter(|label| !follows(label) && !is_free(label));
-        fixed.map(|label| (label.to_owned(), real(value(label)))).collect()
+/// The foremost corner of the boxes along the stream.
+fn foremost(decks: &BulkData, acsid: u32) -> Result<f64, InputError> {
+    let stream = StreamAxes::of_deck(&Frames::resolve(decks)?, acsid, &Span::generated("the study"))?;
+    let lattice = Lattice::in_axes(decks, &stream)?;
+    let corners = lattice.boxes.iter().flat_map(|one| one.corners);
+    let x = corners.map(|corner| corner.x).fold(f64::INFINITY, f64::min);
+    if x.is_finite() {
+        Ok(x)
+    } else {
+        Err(InputError::general("the decks have no boxes (CAERO1) that feel a gust"))
     }
 }
 

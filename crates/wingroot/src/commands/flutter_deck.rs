@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::time::Instant;
 
+use fullaircraft::study::Aim;
 use fullaircraft::{FlutterDeck, FlutterPoints, FlutterRoots, flutter_cases};
 use maneuver::flutter::{CompleteCurves, Crossing, GafTable};
 use nastran::{BulkData, Flutter, Subcase};
@@ -12,6 +13,7 @@ use std::f64::consts::TAU;
 
 use super::flutter_deck_result::{Change, Condition, DeckFlutter, SubcaseFlutter};
 use super::fullaircraft_deck::say_of_splines;
+use super::given_deck::GivenDeck;
 use super::result_parts::as_json;
 use crate::args::Common;
 use crate::failure::Failure;
@@ -26,11 +28,12 @@ const LEAST: f64 = -0.5;
 const CAPTION: &str = "Damping g and frequency over airspeed, in the deck's units; flutter is where a damping g goes above zero. \
     The twelve slowest oscillations; dampings below -0.5 are drawn there. The table has all roots, those without oscillation too.";
 
-/// Runs the command on a deck, or on one subcase of it.
+/// Runs the command on a deck or a study, or on one subcase of it.
 pub(super) fn run(path: &Path, subcase: Option<u32>, common: &Common) -> Result<(), Failure> {
     let start = Instant::now();
-    let bulk = nastran::read_deck(path)?;
-    let mut cases = flutter_cases(&bulk).map_err(|error| error.or_in(path))?;
+    let given = GivenDeck::read(path, Aim::Flutter)?;
+    let bulk = &given.bulk;
+    let mut cases = flutter_cases(bulk).map_err(|error| error.or_in(path))?;
     if let Some(id) = subcase {
         cases.retain(|(case, _)| case.id == id);
         if cases.is_empty() {
@@ -42,7 +45,7 @@ pub(super) fn run(path: &Path, subcase: Option<u32>, common: &Common) -> Result<
         show::note(&format!("these cards are not read: {cards}"));
     }
     let folder = ResultFolder::begin(&common.out("flutter_deck"))?;
-    folder.input("deck", path)?;
+    given.enter(&folder)?;
     let mut result = DeckFlutter {
         command: "flutter --deck",
         deck: path.display().to_string(),
@@ -56,18 +59,13 @@ pub(super) fn run(path: &Path, subcase: Option<u32>, common: &Common) -> Result<
         let deck = if let Some((_, deck)) = same {
             deck
         } else {
-            let deck = FlutterDeck::new(&bulk, case)?;
+            let deck = FlutterDeck::new(bulk, case)?;
             if !common.quiet {
-                say_of_splines(&bulk, &deck.modal.loose_boxes);
+                say_of_splines(bulk, &deck.modal.loose_boxes);
             }
             deck
         };
-        result.subcases.push(solved(
-            &Task { bulk: &bulk, deck: &deck, case, card },
-            common,
-            &folder,
-            &mut table,
-        )?);
+        result.subcases.push(solved(&Task { bulk, deck: &deck, case, card }, common, &folder, &mut table)?);
         known = Some((case.clone(), deck));
     }
     folder.write_text("roots.csv", &table)?;

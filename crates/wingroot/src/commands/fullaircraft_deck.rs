@@ -5,16 +5,17 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::time::Instant;
 
-use fullaircraft::study::{Deck, MassTerms, Masses, Study, read_terms};
+use fullaircraft::study::Aim;
 use fullaircraft::{DeckCase, Elastic, TrimDeck, TrimmedDeck, deck_cases};
 use nastran::BulkData;
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use super::given_deck::GivenDeck;
 use crate::args::Common;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
-use crate::{hdf5, progress, show};
+use crate::{progress, show};
 
 /// Names of the coefficients in the order of the library.
 const COEFFICIENTS: [&str; 6] = ["CX", "CY", "CZ", "Cl", "Cm", "Cn"];
@@ -83,8 +84,9 @@ struct Derivative {
 /// Runs the command.
 pub(crate) fn run(path: &Path, common: &Common) -> Result<(), Failure> {
     let start = Instant::now();
-    let (bulk, study) = read(path)?;
-    let cases = deck_cases(&bulk).map_err(|error| error.or_in(path))?;
+    let given = GivenDeck::read(path, Aim::Trims)?;
+    let bulk = &given.bulk;
+    let cases = deck_cases(bulk).map_err(|error| error.or_in(path))?;
     if let Some(cards) = bulk.unread_cards().filter(|_| !common.quiet) {
         show::note(&format!("these cards are not read: {cards}"));
     }
@@ -102,7 +104,7 @@ pub(crate) fn run(path: &Path, common: &Common) -> Result<(), Failure> {
     for case in &cases {
         let deck = match known.take().filter(|(before, _)| is_same(before, case)) {
             Some((_, deck)) => deck,
-            None => assembled(&bulk, case)?,
+            None => assembled(bulk, case)?,
         };
         summary.boxes = deck.lattice.len();
         let found = deck.trim_card(&case.trim);
@@ -117,14 +119,11 @@ pub(crate) fn run(path: &Path, common: &Common) -> Result<(), Failure> {
     let (skipped, loose) =
         known.map_or_else(Default::default, |(_, deck)| (deck.skipped_monitors, deck.loose_boxes));
     if !common.quiet {
-        say_of_splines(&bulk, &loose);
+        say_of_splines(bulk, &loose);
         say_of_stations(&skipped);
     }
     summary.seconds = start.elapsed().as_secs_f64();
-    if let Some(text) = &study {
-        folder.write_text("study.bdf", text)?;
-    }
-    folder.input("deck", path)?;
+    given.enter(&folder)?;
     folder.write_json("result.json", &summary)?;
     let refused = summary.subcases.iter().find_map(|case| case.refused.clone());
     let refused = refused.filter(|_| summary.subcases.iter().all(|case| case.refused.is_some()));
@@ -148,26 +147,6 @@ fn say_of_stations(skipped: &[String]) {
             skipped.join(", ")
         ));
     }
-}
-
-/// A deck, or what a study (`.ron`, `.json`) stands for and its text.
-fn read(path: &Path) -> Result<(BulkData, Option<String>), Failure> {
-    if !Study::is_study(path) {
-        return Ok((nastran::read_deck(path)?, None));
-    }
-    let study = Study::read(path)?;
-    let terms = match &study.masses {
-        Masses::OfDecks => None,
-        Masses::Matrix(file) => Some(mass_terms(&path.parent().unwrap_or(Path::new("")).join(file))?),
-    };
-    let Deck { text, bulk } = study.deck(path, terms.as_ref())?;
-    Ok((bulk, Some(text)))
-}
-
-/// A mass matrix by the ending of its name.
-fn mass_terms(path: &Path) -> Result<MassTerms, Failure> {
-    let is_hdf5 = path.extension().is_some_and(|ending| ending == "h5" || ending == "hdf5");
-    Ok(if is_hdf5 { hdf5::mass_matrix(path)? } else { read_terms(path)? })
 }
 
 /// What of the splines is not as the deck might expect.

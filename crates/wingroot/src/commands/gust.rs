@@ -6,11 +6,13 @@ use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::time::Instant;
 
+use fullaircraft::study::Aim;
 use fullaircraft::{DeckGust, DynamicAnswer, GustCase, GustDeck, TimeAnswer, gust_cases};
 use nastran::{BulkData, InputError};
 use std::f64::consts::TAU;
 
 use super::fullaircraft_deck::say_of_splines;
+use super::given_deck::GivenDeck;
 use super::gust_files::{self, Quantity, Tables};
 use super::gust_result::{Extreme, GustResult, RandomQuantity, SubcaseGust};
 use super::gust_text::text;
@@ -26,7 +28,8 @@ use crate::{progress, show};
   wingroot gust --deck my_aircraft.bdf
   wingroot gust --deck my_aircraft.bdf --subcase 20 --grids 101,116")]
 pub struct GustArgs {
-    /// A Nastran deck: discrete and random gusts as SOL 146 of it asks (GUST, TLOAD, RLOAD, FREQ, TSTEP, RANDPS), in its own units
+    /// A Nastran deck: discrete and random gusts as SOL 146 of it asks (GUST, TLOAD, RLOAD, FREQ, TSTEP, RANDPS), in its own units; or a
+    /// study (.ron) of decks that lack something for discrete ones
     #[arg(long, value_name = "FILE")]
     pub(crate) deck: PathBuf,
     /// The subcase of the deck [default: all that select a GUST or a DLOAD]
@@ -49,8 +52,9 @@ struct Solved {
 /// Runs the command.
 pub(crate) fn run(args: &GustArgs, common: &Common) -> Result<(), Failure> {
     let start = Instant::now();
-    let bulk = nastran::read_deck(&args.deck)?;
-    let mut cases = gust_cases(&bulk).map_err(|error| error.or_in(&args.deck))?;
+    let given = GivenDeck::read(&args.deck, Aim::Gusts)?;
+    let bulk = &given.bulk;
+    let mut cases = gust_cases(bulk).map_err(|error| error.or_in(&args.deck))?;
     if let Some(id) = args.subcase {
         cases.retain(|case| case.subcase.id == id);
         if cases.is_empty() {
@@ -62,8 +66,8 @@ pub(crate) fn run(args: &GustArgs, common: &Common) -> Result<(), Failure> {
         show::note(&format!("these cards are not read: {cards}"));
     }
     let folder = ResultFolder::begin(&common.out("gust"))?;
-    folder.input("deck", &args.deck)?;
-    let decks = assembled(&bulk, &cases, common)?;
+    given.enter(&folder)?;
+    let decks = assembled(bulk, &cases, common)?;
     let bar = progress::bar(common, cases.len(), "gusts");
     let mut solved = Vec::new();
     for case in cases {
@@ -86,7 +90,7 @@ pub(crate) fn run(args: &GustArgs, common: &Common) -> Result<(), Failure> {
     for one in &solved {
         result.subcases.push(written(&decks[one.deck].1, one, &folder, &mut tables)?);
     }
-    result.random = random(&bulk, &decks, &solved, &mut tables)?;
+    result.random = random(bulk, &decks, &solved, &mut tables)?;
     tables.write(&folder)?;
     if !result.random.is_empty() {
         gust_files::draw_densities(&folder, &tables)?;

@@ -55,7 +55,8 @@ pub struct LoadsArgs {
     /// The plan of design loads [default: loads.ron beside the aircraft]
     #[arg(long, value_name = "FILE.ron")]
     pub(crate) plan: Option<PathBuf>,
-    /// A whole-aircraft Nastran deck (SOL 144) in place of the aircraft: its trims, with the plan's `deck` for its units
+    /// A whole-aircraft Nastran deck (SOL 144), or a study (.ron) of decks that lack something for it, in place of the aircraft: its
+    /// trims, with the plan's `deck` for its units
     #[arg(long, value_name = "FILE.bdf", requires = "plan",
         conflicts_with_all = ["aircraft", "wing", "campaign", "corrections", "from", "part", "case"])]
     pub(crate) deck: Option<PathBuf>,

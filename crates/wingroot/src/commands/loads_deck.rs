@@ -26,7 +26,7 @@ use crate::output::ResultFolder;
 
 /// What is asked for.
 pub(super) struct Asked<'a> {
-    /// The deck.
+    /// The deck, or a study.
     pub(super) deck: &'a Path,
     /// The plan.
     pub(super) plan: &'a Path,
@@ -55,6 +55,7 @@ pub(super) fn run(asked: &Asked<'_>, target: &Path, common: &Common) -> Result<(
 /// The folder of results with the matrix in it.
 fn begun(on: &OnDeck, target: &Path) -> Result<ResultFolder, Failure> {
     let folder = ResultFolder::begin(target)?;
+    on.given.leave_study(&folder)?;
     on.inputs.iter().try_for_each(|(what, path)| folder.input(what, path))?;
     write_matrix(&folder, &on.design, &on.matrix)?;
     Ok(folder)

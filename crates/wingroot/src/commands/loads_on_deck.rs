@@ -10,6 +10,7 @@ use fullaircraft::design_loads::deck::{DeckFlown, DeckPlan};
 use fullaircraft::design_loads::deck_gusts::DeckFlight;
 use fullaircraft::design_loads::fly::Nodal;
 use fullaircraft::design_loads::instants::FlownCase;
+use fullaircraft::study::Aim;
 use fullaircraft::{AircraftError, CasesFile, Station, TrimDeck};
 use loads::matrix::{Case, Status};
 use loads::{Air, Design, Matrix, matrix};
@@ -18,6 +19,7 @@ use rayon::prelude::*;
 
 use crate::args::Common;
 use crate::commands::fullaircraft_deck::say_of_splines;
+use crate::commands::given_deck::GivenDeck;
 use crate::commands::loads_flights::{FlownAgain, Wanted};
 use crate::commands::loads_package::lost;
 use crate::commands::loads_plan::design;
@@ -45,6 +47,8 @@ pub(super) struct OnDeck {
     pub(super) stations: Vec<Station>,
     /// Cases.
     pub(super) matrix: Matrix,
+    /// The deck or study as it was given.
+    pub(super) given: GivenDeck,
     /// What was read.
     pub(super) inputs: Vec<(&'static str, PathBuf)>,
 }
@@ -57,8 +61,9 @@ impl OnDeck {
     pub(super) fn read(path: &Path, plan: &Path, common: &Common) -> Result<Self, Failure> {
         let file = CasesFile::read(plan)?;
         let design = design(&file)?;
-        let bulk = nastran::read_deck(path)?;
-        let plan = DeckPlan::new(&bulk, file.deck.unwrap_or_default()).map_err(|error| error.or_in(path))?;
+        let given = GivenDeck::read(path, Aim::Trims)?;
+        let plan =
+            DeckPlan::new(&given.bulk, file.deck.unwrap_or_default()).map_err(|error| error.or_in(path))?;
         let air = Air::at(design.altitudes_m[0]);
         let v_m_s = design.speeds.vc * air.true_over_equivalent();
         let deck = plan.at(MODELS.len() - 1, v_m_s / air.sound_m_s).map_err(|error| match error {
@@ -66,7 +71,7 @@ impl OnDeck {
             other => other.into(),
         })?;
         if !common.quiet {
-            say(&bulk, &deck);
+            say(&given.bulk, &deck);
         }
         check_mass(&design, plan.mass_kg(&deck))?;
         let stations = plan.stations(&deck, &file)?;
@@ -82,7 +87,7 @@ impl OnDeck {
             plan.check_modes().map_err(|error| error.or_in(path))?;
         }
         let inputs = vec![("deck", path.to_path_buf()), ("plan", file.path.clone())];
-        Ok(Self { file, design, plan, deck, stations, matrix, inputs })
+        Ok(Self { file, design, plan, deck, stations, matrix, given, inputs })
     }
 
     /// All cases with both models, in the order of models and numbers; each Mach number is assembled once. Of a deck without corrections

@@ -158,6 +158,7 @@ mod fullaircraft_draws;
 mod fullaircraft_effects;
 mod fullaircraft_figures;
 mod fullaircraft_prepared;
+mod given_deck;
 mod gust_files;
 pub(crate) mod gust_result;
 mod gust_text;
