@@ -9,6 +9,7 @@ use crate::fit::{Ending, Fit, FlowGroup, Problem};
 use crate::identifiability::{Identifiability, Inputs, identifiability};
 use crate::left_out::{LeftOut, LeftOutAirspeed, left_out_airspeeds, left_out_angles};
 use crate::lift_factor::{LiftFactor, lift_factor};
+use crate::member::Member;
 use crate::objective::{LineFit, line_fit, objective};
 use crate::settings::Settings;
 use crate::statics::{AirspeedData, StaticData};
@@ -77,6 +78,8 @@ pub struct Calibration {
     pub findings: Vec<Finding>,
     /// Lines of rows that no others bear out, which were not fitted.
     pub set_aside: Vec<usize>,
+    /// The wing with the structure and surfaces that were found, and its corrections; none before [`Calibration::with_means`], or from root loads alone.
+    pub found: Option<Member>,
 }
 
 /// Finds corrections for every airspeed of a campaign.
@@ -134,6 +137,7 @@ pub fn calibrate<M: SteadyModel>(
         weight_tare: weight_tare(model, campaign.rho_kg_m3, &data)?,
         findings,
         set_aside,
+        found: None,
         nonlinearity_level: settings.significance / tests as f64,
         airspeeds,
         common,

@@ -5,8 +5,9 @@
 
 use crate::calibration::{AirspeedCalibration, Context};
 use crate::campaign::{Campaign, TIP, TipReading};
+use crate::member::CorrectionSet;
 use crate::objective::{LineFit, objective, rmse};
-use crate::schedule::{CorrectionSet, Schedule};
+use crate::schedule::Schedule;
 use crate::statics::Angle;
 use aero::{Corrections, Flow};
 use coupling::{CouplingError, SteadyCase, SteadyModel};
@@ -104,8 +105,13 @@ pub(crate) fn left_out_airspeeds<M: SteadyModel>(
             Some(corrections.map(|corrections| CorrectionSet { v_m_s: kept.v_m_s, corrections }))
         };
         let sets = neighbours.filter_map(set).collect::<Result<Vec<_>, CouplingError>>()?;
-        let schedule =
-            Schedule { wing: String::new(), wing_hash: String::new(), sets, unconverged: Vec::new() };
+        let schedule = Schedule {
+            wing: String::new(),
+            wing_hash: String::new(),
+            sets,
+            found: None,
+            unconverged: Vec::new(),
+        };
         // the slowest and the fastest airspeed lie outside of the others: the nearest set is what a user would take
         let (corrections, _) = schedule.at_or_nearest(unseen.v_m_s);
         let flow = Flow { v_m_s: unseen.v_m_s, rho_kg_m3: context.rho_kg_m3 };

@@ -72,9 +72,15 @@ fn the_middle_of_an_ensemble_is_the_mean() {
     let known = posterior(&WING, &calibration, &prior).unwrap();
     let mean = known[0].mean.as_ref().unwrap();
     assert!(mean.controls.iter().all(|factor| (factor - 0.9).abs() < 0.03), "{:?}", mean.controls);
+    let calibration = calibration.with_means(&WING, &known).unwrap();
     let set = CorrectionSet { v_m_s: V_M_S, corrections: calibration.airspeeds[0].corrections.clone() };
-    let schedule =
-        Schedule { wing: String::new(), wing_hash: String::new(), sets: vec![set], unconverged: Vec::new() };
+    let schedule = Schedule {
+        wing: String::new(),
+        wing_hash: String::new(),
+        sets: vec![set],
+        found: calibration.found.clone(),
+        unconverged: Vec::new(),
+    };
     let members = ensemble(&WING, &prior, &schedule, &known).unwrap().members;
     let middle = |of: &dyn Fn(usize) -> f64| (0..members.len()).map(of).sum::<f64>() / members.len() as f64;
     let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-6, "{a} beside {b}");

@@ -170,10 +170,13 @@ fn wings_of_the_ensemble_are_about_the_stiffness_that_was_found() {
         wing: FILE.name.clone(),
         wing_hash: FILE.hash.clone(),
         sets: vec![CorrectionSet { v_m_s: V_M_S, corrections }],
+        found: calibration.found.clone(),
         unconverged: Vec::new(),
     };
     let members = ensemble(&WING, &prior, &schedule, &known).unwrap().members;
     let mean = known[0].mean.as_ref().unwrap();
+    let found = calibration.found.as_ref().unwrap();
+    assert!((0..2).all(|i| (found.log_flexibility[i] - mean.log_flexibility[i]).abs() < 1e-7));
     for i in 0..2 {
         let all: f64 = members.iter().map(|member| member.log_flexibility[i]).sum();
         assert!((all / members.len() as f64 - mean.log_flexibility[i]).abs() < 1e-6);

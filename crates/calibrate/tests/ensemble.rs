@@ -79,6 +79,7 @@ fn wings_of_an_ensemble_spread_as_far_as_the_posterior_says_and_keep_the_measure
         wing: file.name.clone(),
         wing_hash: file.hash.clone(),
         sets: vec![CorrectionSet { v_m_s: V_M_S, corrections: corrections.clone() }],
+        found: None,
         unconverged: Vec::new(),
     };
     let ensemble = ensemble(&wing, &prior, &schedule, &known).unwrap();
@@ -141,9 +142,10 @@ fn an_ensemble_is_read_as_it_was_written_and_refused_for_other_corrections() {
         wing: "w".into(),
         wing_hash: "h".into(),
         sets: airspeeds.iter().map(|&v_m_s| set(v_m_s, 1.0)).collect(),
+        found: None,
         unconverged: Vec::new(),
     };
-    let member = calibrate::ensemble::Member {
+    let member = calibrate::Member {
         log_flexibility: [0.01, -0.02],
         controls: vec![1.05],
         stream: 1.01,

@@ -1,7 +1,7 @@
 //! The rule between airspeeds and the file the sets are kept in.
 
 use aero::Corrections;
-use calibrate::{CorrectionSet, Schedule};
+use calibrate::{CorrectionSet, Member, Schedule};
 
 fn set(v_m_s: f64, force: f64) -> CorrectionSet {
     let corrections =
@@ -11,7 +11,7 @@ fn set(v_m_s: f64, force: f64) -> CorrectionSet {
 
 fn schedule() -> Schedule {
     let sets = vec![set(20.0, 1.4), set(40.0, 1.0)];
-    Schedule { wing: "a wing".into(), wing_hash: "0123".into(), sets, unconverged: Vec::new() }
+    Schedule { wing: "a wing".into(), wing_hash: "0123".into(), sets, found: None, unconverged: Vec::new() }
 }
 
 #[test]
@@ -115,6 +115,63 @@ fn a_file_that_says_what_no_corrections_are_is_refused() {
         assert!(refused.contains(words), "{words}: {refused}");
     }
     std::fs::remove_dir_all(&folder).expect("a folder of our own");
+}
+
+/// A wing that was found beside the sets of [`schedule`].
+fn found() -> Member {
+    let sets = vec![set(20.0, 1.3), set(40.0, 0.9)];
+    Member { log_flexibility: [0.125, -0.03], controls: vec![0.75, 1.5], stream: 1.0, sets }
+}
+
+#[test]
+fn a_wing_that_was_found_is_written_and_read_with_the_corrections() {
+    let folder = std::env::temp_dir().join(format!("wingroot-found-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder of our own");
+    let path = folder.join("corrections.ron");
+    let read = |found: Member| {
+        std::fs::write(&path, Schedule { found: Some(found), ..schedule() }.to_ron()).expect("a file");
+        Schedule::read(&path).map_err(|error| error.to_string())
+    };
+    assert_eq!(read(found()), Ok(Schedule { found: Some(found()), ..schedule() }));
+    let mut other_boxes = found();
+    other_boxes.sets[1].corrections.moment.push(1.0);
+    let mut short = found();
+    for values in short.sets.iter_mut().map(|set| &mut set.corrections) {
+        *values = Corrections { force: vec![1.0], moment: vec![1.0], pressure_offset: vec![0.0] };
+    }
+    let cases = [
+        (Member { sets: vec![set(20.0, 1.3)], ..found() }, "other airspeeds or boxes"),
+        (Member { sets: vec![set(20.0, 1.3), set(41.0, 0.9)], ..found() }, "other airspeeds or boxes"),
+        (other_boxes, "differ in length"),
+        (short, "other airspeeds or boxes"),
+        (Member { log_flexibility: [0.0, 2.4], ..found() }, "log_flexibility 2.4"),
+        (Member { controls: vec![1.0, 1001.0], ..found() }, "1001.0 on a control surface"),
+    ];
+    for (found, words) in cases {
+        let refused = read(found).expect_err(words);
+        assert!(refused.contains(words) && refused.contains("corrections.ron"), "{words}: {refused}");
+    }
+    // the stream is not written; who writes it by hand is told
+    let text = Schedule { found: Some(found()), ..schedule() }.to_ron();
+    std::fs::write(&path, text.replace("controls: [", "stream: 1.1, controls: [")).expect("a file");
+    assert!(Schedule::read(&path).expect_err("a stream").to_string().contains("stream 1.1"));
+    std::fs::remove_dir_all(&folder).expect("a folder of our own");
+}
+
+/// What was found goes along with corrections that are moved, as wings of an ensemble do, and is left where airspeeds are others.
+#[test]
+fn a_wing_that_was_found_goes_along_with_other_corrections_of_the_same_airspeeds() {
+    let from = Schedule { found: Some(found()), ..schedule() };
+    let mut to = Schedule { wing: "another".into(), ..schedule() };
+    to.sets[0].corrections.force[0] += 0.25;
+    let moved = to.clone().with_found_of(&from, &[1, 7]);
+    assert_eq!((moved.wing.as_str(), &moved.sets), ("another", &to.sets));
+    let wing = moved.found.expect("the same airspeeds");
+    assert_eq!((wing.log_flexibility, wing.controls), ([0.125, -0.03], vec![0.75, 1.0]));
+    assert_eq!(wing.sets[0].corrections.force, [1.55, 1.0]);
+    assert_eq!(wing.sets[1], set(40.0, 0.9));
+    to.sets.pop();
+    assert_eq!(to.with_found_of(&from, &[]).found, None);
 }
 
 #[test]

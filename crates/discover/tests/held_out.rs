@@ -114,8 +114,13 @@ fn changing_every_held_out_number_moves_no_bit_of_training_data_their_simulation
     let rig = SplitRig::new(&file, &wing, AirModel::default(), &VariantRules::default()).expect("a rig");
     let corrections = || Corrections::neutral(wing.correctable.len());
     let sets = [17.0, 41.0].map(|v_m_s| CorrectionSet { v_m_s, corrections: corrections() }).to_vec();
-    let schedule =
-        Schedule { wing: file.name.clone(), wing_hash: file.hash.clone(), sets, unconverged: Vec::new() };
+    let schedule = Schedule {
+        wing: file.name.clone(),
+        wing_hash: file.hash.clone(),
+        sets,
+        found: None,
+        unconverged: Vec::new(),
+    };
     let scratch = Path::new(env!("CARGO_TARGET_TMPDIR")).join("held_out");
     std::fs::create_dir_all(&scratch).expect("a folder for the changed runs");
     let campaign = campaign();

@@ -51,7 +51,13 @@ fn a_null_distribution_is_another_s_where_anything_but_a_measured_load_differs()
         let corrections =
             aero::Corrections { force: vec![force; boxes], ..aero::Corrections::neutral(boxes) };
         let sets = vec![CorrectionSet { v_m_s: 30.0, corrections }];
-        Schedule { wing: file.name.clone(), wing_hash: file.hash.clone(), sets, unconverged: Vec::new() }
+        Schedule {
+            wing: file.name.clone(),
+            wing_hash: file.hash.clone(),
+            sets,
+            found: None,
+            unconverged: Vec::new(),
+        }
     };
     let key = |data: &Dataset| NullKey::new(&file.hash, &schedule(1.0), 1.0, &effects, data);
     let own = key(&data);

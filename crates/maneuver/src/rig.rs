@@ -149,6 +149,11 @@ impl<'a> Rig<'a> {
         Ok(Self { wing, settings, operators })
     }
 
+    /// The wing.
+    pub fn wing(&self) -> &'a ElasticWing {
+        self.wing
+    }
+
     /// Natural frequencies of the kept modes, rad/s.
     pub fn omega_rad_s(&self) -> &[f64] {
         &self.operators.omega_rad_s

@@ -115,7 +115,7 @@ pub(crate) fn write_corrections(
     };
     let sets = v_m_s.as_array().iter().enumerate().map(set).collect();
     let (wing, wing_hash) = wing;
-    let schedule = Schedule { wing, wing_hash, sets, unconverged: Vec::new() };
+    let schedule = Schedule { wing, wing_hash, sets, found: None, unconverged: Vec::new() };
     checked(py, write(&path, &schedule.to_ron()).and_then(|()| Schedule::read(&path).map(drop)))
 }
 

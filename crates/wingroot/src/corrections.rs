@@ -115,7 +115,8 @@ pub(crate) fn corrected_wing_shared(given: &Given, shared: &Shared) -> Result<Co
 pub(crate) fn wing_without_corrections(given: &Given) -> Result<CorrectedWing, Failure> {
     let (file, wing) = ElasticWing::read(&given.measured.wing_path()?)?;
     let (name, hash) = (file.name.clone(), file.hash.clone());
-    let schedule = Schedule { wing: name, wing_hash: hash, sets: Vec::new(), unconverged: Vec::new() };
+    let schedule =
+        Schedule { wing: name, wing_hash: hash, sets: Vec::new(), found: None, unconverged: Vec::new() };
     Ok(CorrectedWing { file, wing, schedule, origin: String::new(), ensemble: None })
 }
 
@@ -230,6 +231,15 @@ impl Given {
     }
 }
 
+/// Says that what is computed with corrections has the structure of the wing's file, if they have found another.
+pub(crate) fn as_given(schedule: &Schedule) {
+    if schedule.found.is_some() {
+        crate::show::note(
+            "these corrections have found another structure; here it is as the wing's file gives it",
+        );
+    }
+}
+
 /// A calibration as `calibrate` does it: with the mean of what is known where more than root loads was measured.
 ///
 /// # Errors
@@ -261,11 +271,19 @@ pub(crate) fn schedule(file: &WingFile, calibration: &Calibration) -> Schedule {
         sets.extend(ends.into_iter().map(at));
     }
     let unconverged = calibration.faults();
-    Schedule { wing: file.name.clone(), wing_hash: file.hash.clone(), sets, unconverged }
+    let found = calibration.found.clone();
+    Schedule { wing: file.name.clone(), wing_hash: file.hash.clone(), sets, found, unconverged }
 }
 
 fn check_boxes(schedule: &Schedule, wing: &ElasticWing, path: &Path) -> Result<(), Failure> {
     let (got, expected) = (schedule.sets[0].corrections.len(), wing.correctable.len());
+    if let Some(found) = schedule.found.as_ref().filter(|found| found.controls.len() != wing.controls.len()) {
+        let (got, expected) = (found.controls.len(), wing.controls.len());
+        let message = format!("factors of {got} control surfaces, but the wing has {expected}");
+        return Err(InputError::in_field(path, "found", message)
+            .with_help("calibrate again: the wing's control surfaces have changed")
+            .into());
+    }
     if got == expected {
         return Ok(());
     }

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use calibrate::Schedule;
-use calibrate::ensemble::{Member, interval_of};
+use calibrate::ensemble::interval_of;
+use calibrate::{Member, Schedule};
 use coupling::wing_file::{Departure, Mount};
 use coupling::{ElasticWing, WingFile};
 use rayon::prelude::*;
@@ -29,6 +29,26 @@ impl CorrectedWing {
     pub(crate) fn intervals_from(&self) -> Option<String> {
         let wings = self.ensemble.as_ref()?.members.len();
         Some(format!("{wings} wings of {}", Path::new(&self.origin).with_file_name(ENSEMBLE).display()))
+    }
+
+    /// The wing with the structure and surfaces that were found, which is what flies as the updated model, and says so; none where root loads alone
+    /// were measured, so that the structure is as given.
+    ///
+    /// # Errors
+    /// If it cannot be assembled.
+    pub(crate) fn found(&self) -> Result<Option<Self>, Failure> {
+        let Some(found) = &self.schedule.found else { return Ok(None) };
+        let percent = found.log_flexibility.map(|log| 100.0 * log.exp_m1());
+        let names = self.wing.control_names();
+        let controls =
+            names.iter().zip(&found.controls).map(|(name, factor)| format!(", {name} {factor:.3}"));
+        crate::show::note(&format!(
+            "the updated model has the structure and surfaces that were found: flexibility in bending {:+.1} %, in torsion {:+.1} %{}",
+            percent[0],
+            percent[1],
+            controls.collect::<String>()
+        ));
+        self.member(found).map(Some)
     }
 
     /// Computes the same with every wing of the ensemble, in their order; empty without one.
@@ -83,22 +103,26 @@ impl CorrectedWing {
             log_flexibility: member.log_flexibility,
             controls: names.into_iter().zip(member.controls.iter().copied()).collect(),
         };
-        (file, Schedule { sets: member.sets.clone(), ..self.schedule.clone() })
+        (file, Schedule { sets: member.sets.clone(), found: None, ..self.schedule.clone() })
     }
 }
 
-/// Writes corrections that were found from those of `corrected`, and the ensemble about them; control surfaces that were `known` by a
-/// measurement since are as certain as it.
+/// Writes corrections that were made from those of `corrected`, and the ensemble about them; control surfaces that were `known` by a measurement
+/// since are as certain as it, in these and in the wing that was found, if `schedule` goes on with one.
 pub(crate) fn write_corrections(
     folder: &ResultFolder,
     corrected: &CorrectedWing,
-    schedule: &Schedule,
+    schedule: Schedule,
     known: &[String],
 ) -> Result<(), Failure> {
-    folder.write_text("corrections.ron", &schedule.to_ron())?;
     let names = corrected.wing.control_names();
     let known: Vec<usize> = (0..names.len()).filter(|&i| known.contains(&names[i])).collect();
-    let about = corrected.ensemble.clone().and_then(|e| e.about(&corrected.schedule, schedule, &known));
+    let schedule = match schedule.found {
+        Some(_) => schedule.with_found_of(&corrected.schedule, &known),
+        None => schedule,
+    };
+    folder.write_text("corrections.ron", &schedule.to_ron())?;
+    let about = corrected.ensemble.clone().and_then(|e| e.about(&corrected.schedule, &schedule, &known));
     about.map_or(Ok(()), |ensemble| folder.write_text(ENSEMBLE, &ensemble.to_ron()?))
 }
 

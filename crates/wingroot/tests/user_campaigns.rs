@@ -104,6 +104,7 @@ fn null_distribution(campaign: &Path) -> PathBuf {
         wing: String::new(),
         wing_hash: String::new(),
         sets: sets.collect(),
+        found: None,
         unconverged: Vec::new(),
     };
     let library = maneuver::effects::library(&wing.control_names());

@@ -112,7 +112,8 @@ impl Judge<'_> {
             .iter()
             .map(|at| CorrectionSet { v_m_s: at.data.v_m_s, corrections: at.corrections.clone() });
         let (wing, wing_hash) = (self.file.name.clone(), self.file.hash.clone());
-        let schedule = Schedule { wing, wing_hash, sets: sets.collect(), unconverged: Vec::new() };
+        let found = calibration.found.clone();
+        let schedule = Schedule { wing, wing_hash, sets: sets.collect(), found, unconverged: Vec::new() };
         Ok(Calibrated { schedule, calibration, known: known.swap_remove(0) })
     }
 
@@ -161,7 +162,7 @@ impl Judge<'_> {
             let missing = || Failure::Computation("a calibration without an ensemble".into());
             let members =
                 ensemble(self.wing, prior, &schedule, std::slice::from_ref(&known)).ok_or_else(missing)?;
-            let in_flight = self.flights.predict(&schedule.sets[0].corrections, &members)?;
+            let in_flight = self.flights.predict(&schedule, &members)?;
             let by_generator = generator.intervals(&measurements(&self.stand.campaign(&flown, sensors)));
             let judged = judge(&truths, &predicted(&known.predictions, &in_flight), &by_generator);
             Ok(Outcome { kind, sensors, judged, flagged: flagged(&calibration) })

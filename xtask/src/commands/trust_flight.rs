@@ -3,6 +3,7 @@
 
 use aero::{Corrections, Flow};
 use calibrate::ensemble::{Ensemble, interval};
+use calibrate::{Member, Schedule};
 use coupling::wing_file::{Departure, Source};
 use coupling::{CouplingError, ElasticWing, GRAVITY_M_S2, Mount, RootPlane, SteadyCase, WingFile};
 use fullaircraft::AircraftFile;
@@ -114,31 +115,30 @@ impl Flights {
         points.iter().map(flight).collect::<Result<_, _>>().map(Self)
     }
 
-    /// What a calibrated wing does, between what the wings of its ensemble do.
+    /// What a calibrated wing does with the structure that was found, between what the wings of its ensemble do.
     pub(super) fn predict(
         &self,
-        corrections: &Corrections,
+        schedule: &Schedule,
         ensemble: &Ensemble,
     ) -> Result<Vec<InFlight>, CouplingError> {
         let one = |flight: &Flight| {
-            let with = |corrections: &Corrections| {
-                Ok::<_, CouplingError>(flight.point.asked.of(steady(
-                    &flight.wing,
-                    &flight.point,
-                    corrections,
-                )?))
-            };
-            let value = with(corrections)?;
-            let mut members = Vec::with_capacity(ensemble.members.len());
-            for member in &ensemble.members {
-                let [bending, torsion] = member.log_flexibility;
+            let with = |corrections: &Corrections, [bending, torsion]: [f64; 2]| {
+                let value = flight.point.asked.of(steady(&flight.wing, &flight.point, corrections)?);
                 let [by_bending, by_torsion] = flight.by_flexibility;
-                members.push(
-                    with(&member.sets_in_flight()[0].corrections)?
-                        + by_bending * bending
-                        + by_torsion * torsion,
-                );
-            }
+                let softer = by_bending * bending + by_torsion * torsion;
+                Ok::<_, CouplingError>(match flight.point.asked {
+                    Asked::Incidence(_) => value + softer,
+                    // under a given lift the tip goes with the flexibility
+                    Asked::Tip(_) => value * (softer / flight.theory).exp(),
+                })
+            };
+            let value = match &schedule.found {
+                Some(found) => with(&found.sets[0].corrections, found.log_flexibility)?,
+                None => with(&schedule.sets[0].corrections, [0.0; 2])?,
+            };
+            let member =
+                |member: &Member| with(&member.sets_in_flight()[0].corrections, member.log_flexibility);
+            let members = ensemble.members.iter().map(member).collect::<Result<Vec<_>, _>>()?;
             Ok(InFlight { value, theory: flight.theory, interval: interval(value, &members) })
         };
         self.0.iter().map(one).collect()

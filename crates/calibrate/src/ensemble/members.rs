@@ -5,11 +5,11 @@
 //! exact with eight wings. The tunnel's stream, which no load in it tells, has the signs of the last of them. What is left is random, in
 //! pairs of opposite sign. The same Gaussians serve all airspeeds, as one wing is off alike at all of them.
 
-use super::file::{Ensemble, Member};
-use super::moved::{moved, short};
+use super::file::Ensemble;
+use crate::member::{CorrectionSet, Member, moved, short};
 use crate::posterior::predictions::Quantity;
 use crate::posterior::{AirspeedPosterior, Spread, Unknowns};
-use crate::schedule::{CorrectionSet, Schedule};
+use crate::schedule::Schedule;
 use crate::sensors::Reading;
 use coupling::wing_file::CorrectionPrior;
 use coupling::{ElasticWing, wing_file};
@@ -25,11 +25,13 @@ const EXACT: usize = MEMBERS - 1;
 /// The direction whose signs the tunnel's stream shares, the least important: what hangs on the stream (all of the lift at an angle) was
 /// measured in the tunnel and knows next to nothing of it.
 const STREAM: usize = EXACT - 1;
+/// The direction whose signs the share has that any deflection is off by, whatever is measured: the next to it.
+const READING: usize = EXACT - 2;
 /// Seed of the random part.
 const SEED: u64 = 1;
 
-/// The wings that `known` leaves as likely, about its means, or the corrections of `schedule` where it has none; none where one set serves all airspeeds or
-/// nothing is known.
+/// The wings that `known` leaves as likely, about the wing that `schedule` says was found, or about its corrections where there is none; none where one
+/// set serves all airspeeds or nothing is known.
 pub fn ensemble(
     wing: &ElasticWing,
     prior: &CorrectionPrior,
@@ -48,26 +50,26 @@ pub fn ensemble(
                 .collect();
             unknowns.wing(&z)
         };
-        // about the mean where there is one: corrections of the schedule are for the structure as given, which the mean's is not
+        // corrections of the schedule are for the structure as given, which that of a wing that was found is not
+        let found = schedule.found.as_ref();
         let set = |(known, centre): (&AirspeedPosterior, &CorrectionSet)| CorrectionSet {
             v_m_s: centre.v_m_s,
-            corrections: moved(
-                known.mean.as_ref().map_or(&centre.corrections, |mean| &mean.corrections),
-                &off(&known.spread).corrections,
-                &theory,
-            ),
+            corrections: moved(&centre.corrections, &off(&known.spread).corrections, &theory),
         };
+        let centres = found.map_or(&schedule.sets, |found| &found.sets);
         // what the structure and its surfaces are does not depend on the airspeed: dynamic pressure tells most at the highest
         let at_last = off(&last.spread);
-        let mean = last.mean.as_ref();
-        let softer = mean.map_or([0.0; 2], |mean| mean.log_flexibility);
+        let softer = found.map_or([0.0; 2], |found| found.log_flexibility);
         let control =
-            |(c, factor): (usize, f64)| short(factor + mean.map_or(0.0, |mean| mean.controls[c] - 1.0));
+            |(c, factor): (usize, f64)| short(factor + found.map_or(0.0, |found| found.controls[c] - 1.0));
         Member {
-            log_flexibility: [0, 1].map(|i| short(softer[i] + at_last.log_flexibility[i])),
+            log_flexibility: [
+                short(softer[0] + at_last.log_flexibility[0] + prior.reading * sign(number, READING)),
+                short(softer[1] + at_last.log_flexibility[1]),
+            ],
             controls: at_last.controls.into_iter().enumerate().map(control).collect(),
             stream: 1.0 + prior.stream * sign(number, STREAM),
-            sets: known.iter().zip(&schedule.sets).map(set).collect(),
+            sets: known.iter().zip(centres).map(set).collect(),
         }
     };
     Some(Ensemble {

@@ -5,9 +5,8 @@
 
 mod file;
 mod members;
-mod moved;
 
-pub use file::{Ensemble, Member};
+pub use file::Ensemble;
 pub use members::ensemble;
 
 use crate::HALF_90;
@@ -30,7 +29,8 @@ pub fn interval_of(value: f64, sources: &[Vec<f64>]) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::schedule::{CorrectionSet, Schedule};
+    use crate::member::{CorrectionSet, Member, moved};
+    use crate::schedule::Schedule;
     use aero::Corrections;
 
     #[track_caller]
@@ -62,6 +62,7 @@ mod tests {
             wing: wing.into(),
             wing_hash: format!("hash of {wing}"),
             sets: speeds.map(set).to_vec(),
+            found: None,
             unconverged: vec![],
         }
     }
@@ -84,25 +85,18 @@ mod tests {
     /// Seven decimals are kept; a force factor does not fall below 0.05, or below where it was.
     #[test]
     fn corrections_move_by_as_much_as_others_differ() {
-        let found = moved::moved(
-            &corrections(1.2, -0.5, 0.3),
-            &corrections(1.1, 1.4, -1.0),
-            &corrections(0.8, 2.0, 0.25),
-        );
+        let found =
+            moved(&corrections(1.2, -0.5, 0.3), &corrections(1.1, 1.4, -1.0), &corrections(0.8, 2.0, 0.25));
         assert_eq!(found, corrections(1.5, -1.1, -0.95));
         let least = |centre: f64, to: f64| {
-            moved::moved(
-                &corrections(centre, 1.0, 0.0),
-                &corrections(to, 1.0, 0.0),
-                &corrections(1.0, 1.0, 0.0),
-            )
-            .force[0]
+            moved(&corrections(centre, 1.0, 0.0), &corrections(to, 1.0, 0.0), &corrections(1.0, 1.0, 0.0))
+                .force[0]
         };
         assert_eq!(
             [least(0.3, 0.1), least(0.04, 0.1), least(0.04, 1.2), least(-0.2, 0.9)],
             [0.05, 0.04, 0.24, -0.2]
         );
-        assert_eq!(moved::short(0.123_456_78), 0.123_456_8);
+        assert_eq!(crate::member::short(0.123_456_78), 0.123_456_8);
     }
 
     #[test]

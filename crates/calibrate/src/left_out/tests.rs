@@ -123,7 +123,13 @@ fn an_airspeed_left_out_has_what_the_schedule_of_the_others_gives_there() {
         let sets = others
             .map(|(_, at)| CorrectionSet { v_m_s: at.data.v_m_s, corrections: at.corrections.clone() })
             .collect();
-        let schedule = Schedule { wing: String::new(), wing_hash: String::new(), sets, unconverged: vec![] };
+        let schedule = Schedule {
+            wing: String::new(),
+            wing_hash: String::new(),
+            sets,
+            found: None,
+            unconverged: vec![],
+        };
         let left_out = at.left_out_airspeed.as_ref().expect("three airspeeds");
         let expected = schedule.at_or_nearest(speeds[index]).0;
         let apart = left_out.corrections.force.iter().zip(&expected.force).map(|(a, b)| (a - b).abs());

@@ -40,7 +40,11 @@ impl Joint {
     pub(super) fn new(of: &[OfAirspeed<'_>], [corrections, count]: [usize; 2], alike: f64) -> Self {
         let between = |k: usize, l: usize| {
             let apart = (of[k].v_m_s / of[l].v_m_s).ln().abs();
-            if k == l { 1.0 } else { (-apart / alike).exp() }
+            match alike {
+                _ if k == l => 1.0,
+                0.0 => 0.0,
+                _ => (-apart / alike).exp(),
+            }
         };
         let each = of.iter().enumerate().flat_map(|(k, at)| {
             // the same dead weight says nothing new at another airspeed, unless no airspeed knows of another

@@ -1,17 +1,18 @@
 //! A calibration with what is known in the place of its own corrections.
 
-use super::AirspeedPosterior;
+use super::{AirspeedPosterior, WingOff};
 use crate::calibration::Calibration;
 use crate::campaign::{TIP, TipReading};
 use crate::checks::Finding;
 use crate::fit::Ending;
+use crate::member::{CorrectionSet, Member, short};
 use crate::objective::{objective, rmse};
-use aero::Flow;
+use aero::{Corrections, Flow};
 use coupling::{CouplingError, ElasticWing, SteadyCase, SteadyModel};
 
 impl Calibration {
-    /// The calibration with the means in the place of its corrections, where there are means, and with what was found
-    /// on the way.
+    /// The calibration with the means in the place of its corrections, where there are means, with the wing that they are, and with what
+    /// was found on the way.
     ///
     /// # Errors
     /// If the wing cannot be solved.
@@ -20,6 +21,7 @@ impl Calibration {
         wing: &ElasticWing,
         known: &[AirspeedPosterior],
     ) -> Result<Self, CouplingError> {
+        self.found = found(known);
         for (at, known) in self.airspeeds.iter_mut().zip(known) {
             for (column, times) in &known.beyond {
                 self.findings.push(Finding::suspicion(format!(
@@ -55,4 +57,32 @@ impl Calibration {
         }
         Ok(self)
     }
+}
+
+/// Most that logarithms of one structure's flexibility differ by between airspeeds, which round.
+const SAME_STRUCTURE: f64 = 1e-3;
+
+/// The wing of the means; none where airspeeds that know nothing of each other found different structures, of which no wing can have more than one.
+fn found(known: &[AirspeedPosterior]) -> Option<Member> {
+    let means = known.iter().map(|at| at.mean.as_ref()).collect::<Option<Vec<_>>>()?;
+    let last = means.last()?;
+    let is_last = |log: &[f64; 2]| (0..2).all(|i| (log[i] - last.log_flexibility[i]).abs() < SAME_STRUCTURE);
+    if !means.iter().all(|mean| is_last(&mean.log_flexibility)) {
+        return None;
+    }
+    let all = |values: &[f64]| values.iter().map(|value| short(*value)).collect::<Vec<f64>>();
+    let set = |(at, mean): (&AirspeedPosterior, &&WingOff)| CorrectionSet {
+        v_m_s: at.v_m_s,
+        corrections: Corrections {
+            force: all(&mean.corrections.force),
+            moment: all(&mean.corrections.moment),
+            pressure_offset: all(&mean.corrections.pressure_offset),
+        },
+    };
+    Some(Member {
+        log_flexibility: last.log_flexibility.map(short),
+        controls: all(&last.controls),
+        stream: 1.0,
+        sets: known.iter().zip(&means).map(set).collect(),
+    })
 }

@@ -5,22 +5,32 @@ use crate::case::{CorrectableBoxes, RootSensitivity, SteadyCase, SteadyModel};
 use crate::error::CouplingError;
 use crate::root_loads::RootLoads;
 use aero::Corrections;
+use rayon::prelude::*;
 use std::collections::BTreeMap;
-use std::sync::Mutex;
+use std::sync::{Arc, Mutex};
 
-/// A bent wing in many cases with many corrections: each is continued from the case without corrections, whose equilibrium is
-/// found once. So a result does not depend on what was asked before it.
+/// A bent wing in many cases with many corrections: each is continued from the same case with the corrections that were asked for before,
+/// first from theory, whose equilibrium is found once. Equilibria that are found on another way differ by what Newton's steps leave.
 #[derive(Debug)]
 pub struct LargeModel<'a> {
     wing: &'a LargeWing,
-    /// Equilibria of theory by the numbers of the case; nothing where there is none.
-    theory: Mutex<BTreeMap<Vec<u64>, Option<LargeState>>>,
+    /// What is known of cases by their numbers.
+    known: Mutex<BTreeMap<Vec<u64>, Known>>,
+}
+
+/// Equilibria of a case.
+#[derive(Debug, Clone)]
+struct Known {
+    /// By theory; nothing where there is none.
+    theory: Option<Arc<LargeState>>,
+    /// The last that was found, with its corrections.
+    last: Option<(Corrections, Arc<LargeState>)>,
 }
 
 impl LargeWing {
     /// The wing for a calibration.
     pub fn model(&self) -> LargeModel<'_> {
-        LargeModel { wing: self, theory: Mutex::new(BTreeMap::new()) }
+        LargeModel { wing: self, known: Mutex::new(BTreeMap::new()) }
     }
 }
 
@@ -33,41 +43,58 @@ impl LargeModel<'_> {
         &self,
         case: &SteadyCase,
         corrections: &Corrections,
-    ) -> Result<LargeState, CouplingError> {
-        if let Some(start) = self.theory_of(case) {
-            let theory = Corrections::neutral(self.wing.elastic.correctable.len());
-            if *corrections == theory {
-                return Ok(start);
-            }
-            let (from, to) = (self.wing.air(case, &theory)?, self.wing.air(case, corrections)?);
-            if let Ok(found) = self.wing.continued(&start.state, &from, &to, case) {
-                return Ok(found);
-            }
-        }
-        Ok(self.wing.solve(std::slice::from_ref(case), corrections)?.remove(0))
-    }
-
-    fn theory_of(&self, case: &SteadyCase) -> Option<LargeState> {
+    ) -> Result<Arc<LargeState>, CouplingError> {
         let numbers = [case.flow.v_m_s, case.flow.rho_kg_m3, case.alpha_rad];
         let key: Vec<u64> = numbers.iter().chain(&case.controls_rad).map(|v| v.to_bits()).collect();
-        let known = self.theory.lock().ok()?.get(&key).cloned();
-        if let Some(known) = known {
-            return known;
-        }
         let theory = Corrections::neutral(self.wing.elastic.correctable.len());
-        let found =
-            self.wing.solve(std::slice::from_ref(case), &theory).ok().and_then(|mut found| found.pop());
-        self.theory.lock().ok()?.insert(key, found.clone());
+        let Known { theory: by_theory, last } = self.known(&key, case, &theory);
+        if let Some(start) = by_theory.as_ref().filter(|_| *corrections == theory) {
+            return Ok(Arc::clone(start));
+        }
+        let starts = last.into_iter().chain(by_theory.map(|start| (theory, start)));
+        for (of, start) in starts {
+            if of == *corrections {
+                return Ok(start);
+            }
+            let (from, to) = (self.wing.air(case, &of)?, self.wing.air(case, corrections)?);
+            if let Ok(found) = self.wing.continued(&start.state, &from, &to, case) {
+                return Ok(self.keep(&key, corrections, found));
+            }
+        }
+        let found = self.wing.solve(std::slice::from_ref(case), corrections)?.remove(0);
+        Ok(self.keep(&key, corrections, found))
+    }
+
+    fn known(&self, key: &[u64], case: &SteadyCase, theory: &Corrections) -> Known {
+        let known = self.known.lock().ok().and_then(|all| all.get(key).cloned());
+        known.unwrap_or_else(|| {
+            let found = self.wing.solve(std::slice::from_ref(case), theory).ok();
+            let theory = found.and_then(|mut found| found.pop()).map(Arc::new);
+            let known = Known { theory, last: None };
+            if let Ok(mut all) = self.known.lock() {
+                all.insert(key.to_vec(), known.clone());
+            }
+            known
+        })
+    }
+
+    fn keep(&self, key: &[u64], corrections: &Corrections, found: LargeState) -> Arc<LargeState> {
+        let found = Arc::new(found);
+        if let Ok(mut all) = self.known.lock()
+            && let Some(known) = all.get_mut(key)
+        {
+            known.last = Some((corrections.clone(), Arc::clone(&found)));
+        }
         found
     }
 
-    fn each<T>(
+    fn each<T: Send>(
         &self,
         cases: &[SteadyCase],
         corrections: &Corrections,
-        of: impl Fn(&SteadyCase, LargeState) -> Result<T, CouplingError>,
+        of: impl Fn(&SteadyCase, &LargeState) -> Result<T, CouplingError> + Sync,
     ) -> Result<Vec<T>, CouplingError> {
-        cases.iter().map(|case| of(case, self.equilibrium(case, corrections)?)).collect()
+        cases.par_iter().map(|case| of(case, &*self.equilibrium(case, corrections)?)).collect()
     }
 }
 
@@ -101,7 +128,7 @@ impl SteadyModel for LargeModel<'_> {
         cases: &[SteadyCase],
         corrections: &Corrections,
     ) -> Result<Vec<RootSensitivity>, CouplingError> {
-        self.each(cases, corrections, |case, state| self.wing.sensitivity(case, corrections, &state))
+        self.each(cases, corrections, |case, state| self.wing.sensitivity(case, corrections, state))
     }
 
     fn pressure_coefficients(&self, case: &SteadyCase) -> Result<Vec<f64>, CouplingError> {

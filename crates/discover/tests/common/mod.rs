@@ -90,8 +90,13 @@ pub(crate) fn shipped() -> &'static Flight {
             .iter()
             .map(|a| CorrectionSet { v_m_s: a.data.v_m_s, corrections: a.corrections.clone() })
             .collect();
-        let schedule =
-            Schedule { wing: file.name.clone(), wing_hash: file.hash.clone(), sets, unconverged: Vec::new() };
+        let schedule = Schedule {
+            wing: file.name.clone(),
+            wing_hash: file.hash.clone(),
+            sets,
+            found: None,
+            unconverged: Vec::new(),
+        };
         let data = Dataset::read(&campaign, &wing, &Arc::default()).expect("its runs");
         let simulator = {
             let rig = SplitRig::new(&file, &wing, AirModel::default(), &data.rules.variants).expect("a rig");

@@ -43,7 +43,7 @@ pub struct Comparison {
     pub initial: Flown,
     /// With corrections.
     pub updated: Flown,
-    /// Natural frequencies of the free aircraft, Hz; the first six are zero.
+    /// Natural frequencies of the free aircraft with its structure as given, Hz; the first six are zero.
     pub frequencies_hz: Vec<f64>,
     /// What to be wary of.
     pub warnings: Vec<String>,
@@ -147,30 +147,34 @@ impl Aircraft {
     /// # Errors
     /// If a point cannot be trimmed, a control is not there, or the corrections have the wrong length.
     pub fn compare(&self, wing: &Corrections) -> Result<Comparison, AircraftError> {
-        self.compare_acting(wing, &self.file.doublet, &self.file.chirp)
+        self.compare_acting(None, wing, [&self.file.doublet, &self.file.chirp])
     }
 
-    /// As [`Aircraft::compare`], the updated model with a doublet and a chirp of its own: what its surfaces make of the
-    /// commanded ones.
+    /// As [`Aircraft::compare`], the updated model with a doublet and a chirp of its own, what its surfaces make of the commanded ones, and
+    /// with the aircraft whose structure was `found`, if that is another.
     ///
     /// # Errors
     /// As [`Aircraft::compare`].
     pub fn compare_acting(
         &self,
+        found: Option<&Self>,
         wing: &Corrections,
-        doublet: &MotionSpec,
-        chirp: &MotionSpec,
+        [doublet, chirp]: [&MotionSpec; 2],
     ) -> Result<Comparison, AircraftError> {
         let air = FlightAir::new(self)?;
         let initial = self.uncorrected().fly_all(&air, &self.file.doublet, &self.file.chirp)?;
-        let updated = self.with_corrections(wing)?.fly_all(&air, doublet, chirp)?;
+        let updated = match found {
+            Some(found) => found.fly_acting(wing, doublet, chirp)?,
+            None => self.with_corrections(wing)?.fly_all(&air, doublet, chirp)?,
+        };
         let limits = self.file.lift_limits()?;
         let mut warnings = self.warnings();
-        for (model, flown) in [("initial", &initial), ("updated", &updated)] {
+        let models = [("initial", &initial, self), ("updated", &updated, found.unwrap_or(self))];
+        for (model, flown, aircraft) in models {
             for (name, trimmed) in
                 [("trim", &flown.trim), ("pull_up", &flown.pull_up), ("push_down", &flown.push_down)]
             {
-                warnings.extend(self.validity(&format!("{model}, {name}"), trimmed, limits.as_deref()));
+                warnings.extend(aircraft.validity(&format!("{model}, {name}"), trimmed, limits.as_deref()));
             }
             warnings.extend(flown.warnings.iter().map(|warning| format!("{model}, {warning}")));
         }

@@ -57,21 +57,23 @@ pub struct BentNumbers {
 }
 
 impl Aircraft {
-    /// The steady points of a comparison with large deflections; `wing` are the corrections it was made with.
+    /// The steady points of a comparison with large deflections; `wing` are the corrections it was made with, `found` the aircraft whose
+    /// structure was found, if the updated model has another.
     ///
     /// # Errors
     /// If something in the structure cannot turn far, or a point has no balanced equilibrium.
     pub fn large_flight(
         &self,
+        found: Option<&Self>,
         wing: &Corrections,
         linear: &Comparison,
     ) -> Result<LargeFlight, AircraftError> {
         let body = self.large()?;
-        let of = |model: &FlightModel<'_>, flown: &Flown| self.large_points(&body, model, flown);
-        Ok(LargeFlight {
-            initial: of(&self.uncorrected(), &linear.initial)?,
-            updated: of(&self.with_corrections(wing)?, &linear.updated)?,
-        })
+        let initial = self.large_points(&body, &self.uncorrected(), &linear.initial)?;
+        let body = if let Some(found) = found { found.large()? } else { body };
+        let own = found.unwrap_or(self);
+        let updated = own.large_points(&body, &own.with_corrections(wing)?, &linear.updated)?;
+        Ok(LargeFlight { initial, updated })
     }
 
     fn large_points(

@@ -1,5 +1,7 @@
 //! The wing that `calibrate` fits: with small deflections, or the one that really bends, as its file asks for.
 
+use std::sync::Arc;
+
 use aero::{BoxLoads, Corrections};
 use calibrate::{Calibration, LiftFactor};
 use coupling::{
@@ -21,7 +23,7 @@ pub(crate) enum Seen {
     /// Of the linear wing.
     Small(SteadyState),
     /// Of the bent wing.
-    Large(Box<LargeState>),
+    Large(Arc<LargeState>),
 }
 
 impl<'a> Fitted<'a> {
@@ -60,7 +62,7 @@ impl<'a> Fitted<'a> {
                 Ok(states.into_iter().map(Seen::Small).collect())
             }
             (Self::Large(_, model), _) => {
-                let one = |case| Ok(Seen::Large(Box::new(model.equilibrium(case, corrections)?)));
+                let one = |case| Ok(Seen::Large(model.equilibrium(case, corrections)?));
                 cases.iter().map(one).collect()
             }
         }

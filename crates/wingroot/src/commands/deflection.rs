@@ -21,7 +21,7 @@ use crate::commands::deflection_results::{Found, Judged, Measured};
 use crate::commands::result_parts::as_json;
 use crate::commands::simulate::settings;
 use crate::commands::{deflection_figures, deflection_results};
-use crate::corrections::{CorrectedWing, corrected_wing};
+use crate::corrections::{CorrectedWing, as_given, corrected_wing};
 use crate::ensemble::write_corrections;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
@@ -51,6 +51,7 @@ pub(crate) fn run(args: &DeflectionArgs, common: &Common) -> Result<(), Failure>
     let folder = args.given.measured.campaign_path()?;
     let campaign = Campaign::read(&folder)?;
     let corrected = corrected_wing(&args.given)?;
+    as_given(&corrected.schedule);
     let settings = settings(&corrected);
     let (doublets, models) = doublets(&campaign, &settings, &corrected)?;
     let sigma = campaign.noise.and_then(|noise| {
@@ -171,7 +172,7 @@ fn write(out: &Path, found: &Found<'_>, seconds: f64) -> Result<PathBuf, Failure
     let wing_hash = rewritten.hash;
     let schedule = calibrate::Schedule { wing_hash, ..found.corrected.schedule.clone() };
     let measured: Vec<String> = found.tables.iter().map(|table| table.control.clone()).collect();
-    write_corrections(&folder, found.corrected, &schedule, &measured)?;
+    write_corrections(&folder, found.corrected, schedule, &measured)?;
     folder.write_text("deflection.csv", &deflection_results::csv(&found.factors))?;
     for (name, caption, figure) in [
         ("equivalent", "Figure 15 of the paper.", deflection_figures::equivalents(&found.factors)),

@@ -18,7 +18,7 @@ use crate::commands::discover_nulls::Asked;
 use crate::commands::discover_search::{
     Searched, check_without_effects, refuse, seed, without_held_out_airspeeds,
 };
-use crate::corrections::{CorrectedWing, corrected_wing};
+use crate::corrections::{CorrectedWing, as_given, corrected_wing};
 use crate::failure::Failure;
 use crate::show;
 use crate::sweep::{SweepArgs, Task};
@@ -83,6 +83,7 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
     let folder = args.given.measured.campaign_path()?;
     let campaign = Campaign::read(&folder)?;
     let corrected = corrected_wing(&args.given)?;
+    as_given(&corrected.schedule);
     check_without_effects(&corrected.file)?;
     let own = args.given.corrections.is_none() || args.own_corrections;
     let rules = Rules::default();

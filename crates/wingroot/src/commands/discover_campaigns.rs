@@ -23,7 +23,7 @@ use crate::commands::discover_nulls::{beside_or_last, made_now};
 use crate::commands::discover_search::{
     Searched, check_without_effects, refuse, seed, without_held_out_airspeeds,
 };
-use crate::corrections::{CorrectedWing, corrected_wing, wing_without_corrections};
+use crate::corrections::{CorrectedWing, as_given, corrected_wing, wing_without_corrections};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
@@ -41,6 +41,7 @@ pub(crate) fn run(given: &Given, folder: &Path, common: &Common) -> Result<(), F
     let campaigns = campaigns_in(folder)?;
     let own = given.corrections.is_none();
     let mut corrected = if own { wing_without_corrections(given)? } else { corrected_wing(given)? };
+    as_given(&corrected.schedule);
     check_without_effects(&corrected.file)?;
     let rules = Rules::default();
     let lattice = LatticeVariant::of(&corrected.file, &corrected.wing, &rules.variants);

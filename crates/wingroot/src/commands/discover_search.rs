@@ -120,8 +120,9 @@ fn write_wing(
     let wing = WingFile::read(&results.path().join(name))?;
     let again = finding.recalibrated.as_ref().map(|again| &again.schedule);
     let Schedule { sets, unconverged, .. } = again.unwrap_or(&corrected.schedule).clone();
-    let schedule = Schedule { wing: wing.name, wing_hash: wing.hash, sets, unconverged };
-    write_corrections(results, corrected, &schedule, &[])
+    // effects may be of the structure and its surfaces, and were found with those as given
+    let schedule = Schedule { wing: wing.name, wing_hash: wing.hash, sets, found: None, unconverged };
+    write_corrections(results, corrected, schedule, &[])
 }
 
 fn data_hash(campaign: &Campaign) -> Result<String, InputError> {

@@ -57,13 +57,15 @@ impl FlownAircraft {
         self.refuse_rolls(file, condition)?;
         let places: Vec<(usize, usize)> =
             channels.iter().map(|channel| self.place(file, channel)).collect::<Result<_, _>>()?;
-        let aircraft = &self.prepared.aircraft;
-        let tools = TrimTools::new(aircraft, &[])?;
         let mut models: [Option<Vec<Calculated>>; 2] = [None, None];
         for (model, calculated) in models.iter_mut().enumerate() {
-            let flown = match MODELS[model] {
-                "initial" => aircraft.uncorrected(),
-                _ => aircraft.with_corrections(&self.prepared.corrections)?,
+            let is_initial = MODELS[model] == "initial";
+            let aircraft = if is_initial { &self.prepared.aircraft } else { self.prepared.updated() };
+            let tools = TrimTools::new(aircraft, &[])?;
+            let flown = if is_initial {
+                aircraft.uncorrected()
+            } else {
+                aircraft.with_corrections(&self.prepared.corrections)?
             };
             let flown = flown.in_air(self.rho_kg_m3);
             let one = |reading: &Reading| self.one(&tools, &flown, reading, file.state_sigma.v_m_s, &places);

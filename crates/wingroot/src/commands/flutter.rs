@@ -41,7 +41,8 @@ pub struct FlutterArgs {
     /// Wing, measurements, corrections.
     #[command(flatten)]
     pub(crate) given: Given,
-    /// A Nastran deck instead of a wing: flutter as SOL 145 of it asks (FLUTTER, FLFACT, MKAERO1, MKAERO2), in its own units
+    /// A Nastran deck instead of a wing: flutter as SOL 145 of it asks (FLUTTER, FLFACT, MKAERO1, MKAERO2), in its own units; or a study
+    /// (.ron) of decks that lack something for it
     #[arg(long, value_name = "FILE", conflicts_with_all = ["wing", "campaign", "corrections", "accept_unconverged", "no_intervals", "to",
         "nonlinear", "alpha", "step", "density"])]
     pub(crate) deck: Option<PathBuf>,
@@ -99,15 +100,19 @@ pub(crate) fn run(args: &FlutterArgs, common: &Common) -> Result<(), Failure> {
     let speeds: Vec<f64> = (1..=SPEEDS).map(|i| highest * f64::from(i) / f64::from(SPEEDS)).collect();
     let task = Task::new(&corrected, &doublets, campaign.rho_kg_m3, speeds)?;
     let neutral = Corrections::neutral(corrected.wing.correctable.len());
+    let found = corrected.found()?;
+    let of = |found| Task::new(found, &doublets, task.rho_kg_m3, task.speeds.clone());
+    let of_found = found.as_ref().map(of).transpose()?;
+    let updated = of_found.as_ref().unwrap_or(&task);
     let models =
-        [task.stability("initial", &|_| neutral.clone(), &[(0.0, neutral.clone())])?, task.updated(1.0)?];
+        [task.stability("initial", &|_| neutral.clone(), &[(0.0, neutral.clone())])?, updated.updated(1.0)?];
     let members = corrected.with_each(|member| {
         let task = Task::new(member, &doublets, task.rho_kg_m3, task.speeds.clone())?;
         as_json(&task.of_model(&task.updated(1.0)?))
     })?;
     let off = corrected.file.correction.prior.unsteady;
     let unsteady = if members.is_empty() { &[][..] } else { &[1.0 - off, 1.0 + off] };
-    let unsteady = unsteady.iter().map(|factor| as_json(&task.of_model(&task.updated(*factor)?)));
+    let unsteady = unsteady.iter().map(|factor| as_json(&updated.of_model(&updated.updated(*factor)?)));
     let sources = [members, unsteady.collect::<Result<_, Failure>>()?];
     let spread = intervals_of(&as_json(&task.of_model(&models[1]))?, &sources);
     let result = FlutterResult {

@@ -21,6 +21,7 @@ use super::flutter_common::{HIGHEST, REDUCED, method};
 use super::flutter_result::MethodResult;
 use super::result_parts::as_json;
 use crate::args::{Common, Given, airspeed};
+use crate::corrections::as_given;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
@@ -164,6 +165,7 @@ impl Task {
             Some(path) => Some(args.given.schedule_of(path, &file, &wing.elastic)?),
             None => None,
         };
+        schedule.iter().for_each(as_given);
         let boxes = wing.elastic.correctable.len();
         let sets = match &schedule {
             Some(schedule) => schedule.sets.iter().map(|set| (set.v_m_s, set.corrections.clone())).collect(),

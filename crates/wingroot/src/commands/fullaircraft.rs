@@ -65,13 +65,14 @@ pub(crate) fn run(args: &FullaircraftArgs, common: &Common) -> Result<(), Failur
         return fullaircraft_deck::run(deck, common);
     }
     let start = Instant::now();
-    let Prepared { aircraft, corrections, effects, wing, inputs } = prepared(args, common)?;
+    let Prepared { aircraft, found, corrections, effects, wing, inputs } = prepared(args, common)?;
     for remark in effects.remarks(&aircraft.file).iter().filter(|_| !common.quiet) {
         show::note(remark);
     }
-    let comparison = effects.compare(&aircraft, &corrections)?;
+    let comparison = effects.compare(&aircraft, found.as_ref(), &corrections)?;
     let is_large = args.nonlinear || wing.file.geometry == Geometry::Nonlinear;
-    let large = is_large.then(|| aircraft.large_flight(&corrections, &comparison)).transpose()?;
+    let large = || aircraft.large_flight(found.as_ref(), &corrections, &comparison);
+    let large = is_large.then(large).transpose()?;
     let members = wing.with_each_in_flight(|member| {
         let Assembled { aircraft, corrections, effects } =
             assembled(aircraft.file.clone(), member, &Shared::default())?;

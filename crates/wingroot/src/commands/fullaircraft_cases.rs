@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use aero::Corrections;
 use fullaircraft::{Aircraft, CaseResult, CasesFile, TrimTools};
 use nastran::InputError;
 
@@ -40,7 +41,7 @@ pub(crate) fn run(path: &Path, args: &FullaircraftArgs, common: &Common) -> Resu
     let file = CasesFile::read(path)?;
     let keeps = matches!(task, Task::Prepare | Task::Part(_));
     let shared = Shared::new(&Store::folder_beside(&target)?, keeps);
-    let PreparedCases { mut aircraft, corrections, origin, ensemble, mut inputs } =
+    let PreparedCases { mut aircraft, mut found, corrections, origin, ensemble, mut inputs } =
         prepared_cases(args, common, &shared)?;
     inputs.push(("cases", file.path.clone()));
     if !aircraft.wing.deflection.is_empty() && !common.quiet {
@@ -49,18 +50,22 @@ pub(crate) fn run(path: &Path, args: &FullaircraftArgs, common: &Common) -> Resu
         );
     }
     // maneuvers in time know the wing's stations only
-    aircraft.wing.stations.extend(file.stations.iter().cloned());
+    for aircraft in std::iter::once(&mut aircraft).chain(&mut found) {
+        aircraft.wing.stations.extend(file.stations.iter().cloned());
+    }
+    let of_found = found.as_ref().map(|found| tools(found, &file)).transpose()?;
     let tools = tools(&aircraft, &file)?;
-    let models = [aircraft.uncorrected(), aircraft.with_corrections(&corrections)?];
+    let updated = found.as_ref().unwrap_or(&aircraft).with_corrections(&corrections)?;
+    let models = [aircraft.uncorrected(), updated];
     let limits = aircraft.file.lift_limits()?;
-    let depends = aircraft.inputs_of_cases(&corrections, &file);
-    let depends = depends.iter().fold(Inputs::default(), |all, (name, text)| all.with(name, text));
+    let depends = inputs_of(&aircraft, found.as_ref(), &corrections, &file);
     let draws = Draws::new(ensemble.as_ref(), &aircraft.file, &shared);
     let depends = draws.inputs().iter().fold(depends, |all, text| all.with("ensemble", text));
     let flying = Flying {
         grid: file.grid(),
         tools: &tools,
         models: [&models[0], &models[1]],
+        found: of_found.as_ref(),
         limits: limits.as_deref(),
         store: Store::beside(&target, depends)?.labelled(task.label()),
         shared: &shared,
@@ -81,6 +86,19 @@ pub(crate) fn run(path: &Path, args: &FullaircraftArgs, common: &Common) -> Resu
         }
     };
     done.map_err(|failure| in_file(failure, &file))
+}
+
+/// What finished cases depend on.
+fn inputs_of(
+    aircraft: &Aircraft,
+    found: Option<&Aircraft>,
+    corrections: &Corrections,
+    file: &CasesFile,
+) -> Inputs {
+    let depends = aircraft.inputs_of_cases(corrections, file);
+    let depends = depends.iter().fold(Inputs::default(), |all, (name, text)| all.with(name, text));
+    let found = found.map(|found| format!("{:?}", found.wing.departure));
+    found.iter().fold(depends, |all, text| all.with("found", text))
 }
 
 /// All cases and their results; the store goes when these are in place.

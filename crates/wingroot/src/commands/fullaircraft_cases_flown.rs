@@ -10,7 +10,7 @@ use indicatif::ProgressBar;
 use rayon::prelude::*;
 
 use crate::args::Common;
-use crate::commands::fullaircraft_draws::{Draw, Draws};
+use crate::commands::fullaircraft_draws::{Draw, Draws, Flies};
 use crate::failure::Failure;
 use crate::fingerprint::Fingerprint;
 use crate::progress;
@@ -30,6 +30,8 @@ pub(crate) struct Flying<'a> {
     pub(crate) tools: &'a TrimTools<'a>,
     /// Initial and updated model.
     pub(crate) models: [&'a FlightModel<'a>; 2],
+    /// Trims of the updated model's own aircraft, if another structure was found than that as given.
+    pub(crate) found: Option<&'a TrimTools<'a>>,
     /// Lift limits of the section, for warnings.
     pub(crate) limits: Option<&'a [LiftLimits]>,
     /// What is finished.
@@ -92,6 +94,15 @@ impl Flying<'_> {
         }
     }
 
+    /// Whose aircraft flies a case.
+    fn flies(&self, draw: Option<usize>, case: &Case) -> Flies {
+        match draw {
+            Some(draw) => Flies::Draw(draw),
+            None if case.model > 0 && self.found.is_some() => Flies::Found,
+            None => Flies::Given,
+        }
+    }
+
     fn part(&self, number: usize) -> String {
         let (draw, case) = self.case(number);
         part(draw, &case)
@@ -104,7 +115,11 @@ impl Flying<'_> {
             let hash = Store::hash(&part(draw, &case));
             let frame = Fingerprint::default();
             Weighed {
-                frame: draw.map_or(frame, |draw| frame.with(&draw.to_le_bytes())),
+                frame: match self.flies(draw, &case) {
+                    Flies::Given => frame,
+                    Flies::Found => frame.with(b"found"),
+                    Flies::Draw(draw) => frame.with(&draw.to_le_bytes()),
+                },
                 is_late: case.is_dynamic(),
                 group: frame.with(&[u8::from(case.model > 0)]).with(&case.v_m_s.to_le_bytes()),
                 unit: hash,
@@ -140,20 +155,23 @@ impl Flying<'_> {
         let refused = AtomicUsize::new(0);
         let counted = Counted { bar: &bar, refused: &refused };
         for own in missing.chunk_by(|a, b| a.frame == b.frame) {
-            self.with_frame(self.case(own[0].number).0, |frame| self.fly_frame(frame, own, &counted))?;
+            let (draw, case) = self.case(own[0].number);
+            self.with_frame(self.flies(draw, &case), |frame| self.fly_frame(frame, own, &counted))?;
         }
         progress::end(&bar);
         Ok(Flown { before: row.len() - missing.len(), refused: refused.into_inner() })
     }
 
-    /// Works with the aircraft of a draw, or with that of the models.
+    /// Works with an aircraft.
     fn with_frame<T>(
         &self,
-        draw: Option<usize>,
+        flies: Flies,
         work: impl FnOnce(&Frame<'_>) -> Result<T, Failure>,
     ) -> Result<T, Failure> {
-        let Some(draw) = draw else {
-            return work(&Frame { tools: self.tools, models: self.models });
+        let draw = match (flies, self.found) {
+            (Flies::Draw(draw), _) => draw,
+            (Flies::Found, Some(tools)) => return work(&Frame { tools, models: self.models }),
+            _ => return work(&Frame { tools: self.tools, models: self.models }),
         };
         let Draw { mut aircraft, corrections } = self.draws.aircraft(draw)?;
         aircraft.wing.stations.clone_from(&self.tools.aircraft.wing.stations);
@@ -177,7 +195,7 @@ impl Flying<'_> {
     /// Flies a case whether it is finished or not; it is kept if it was not.
     pub(crate) fn fly_one(&self, number: usize) -> Result<CaseResult, Failure> {
         let (draw, case) = self.case(number);
-        self.with_frame(draw, |frame| {
+        self.with_frame(self.flies(draw, &case), |frame| {
             let air = if case.is_dynamic() { Some(self.air(frame.tools.aircraft)?) } else { None };
             let flight = self.flight(frame, air.as_ref());
             let start = Instant::now();
@@ -191,9 +209,10 @@ impl Flying<'_> {
 
     /// What cases share of all aircraft, made and kept for other processes; `moves` if a case needs unsteady air.
     pub(crate) fn leave(&self, moves: bool) -> Result<(), Failure> {
-        for draw in std::iter::once(None).chain((0..self.draws.count()).map(Some)) {
+        let both = [Some(Flies::Given), self.found.map(|_| Flies::Found)];
+        for flies in both.into_iter().flatten().chain((0..self.draws.count()).map(Flies::Draw)) {
             self.with_frame(
-                draw,
+                flies,
                 |frame| {
                     if moves { self.air(frame.tools.aircraft).map(drop) } else { Ok(()) }
                 },

@@ -2,7 +2,8 @@
 //! envelopes taken draw by draw.
 
 use aero::Corrections;
-use calibrate::ensemble::{Member, interval};
+use calibrate::Member;
+use calibrate::ensemble::interval;
 use fullaircraft::cases::envelope::Extreme;
 use fullaircraft::cases::list::MODELS;
 use fullaircraft::{Aircraft, AircraftFile};
@@ -11,6 +12,17 @@ use crate::commands::fullaircraft_prepared::{Assembled, assembled};
 use crate::corrections::CorrectedWing;
 use crate::failure::Failure;
 use crate::store::Shared;
+
+/// Whose structure and surfaces an aircraft flies with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Flies {
+    /// The wing as given: the initial model, and the updated one where no other structure was found.
+    Given,
+    /// The wing that was found: the updated model.
+    Found,
+    /// A wing of the ensemble.
+    Draw(usize),
+}
 
 /// The ensemble of a wing and the aircraft that its wings are set into.
 pub(crate) struct Draws<'a> {

@@ -90,14 +90,15 @@ impl Travelling {
         })
     }
 
-    /// Flies both models.
+    /// Flies both models, the updated one with the aircraft whose structure was `found`, if that is another.
     pub(crate) fn compare(
         &self,
         aircraft: &Aircraft,
+        found: Option<&Aircraft>,
         corrections: &Corrections,
     ) -> Result<Comparison, AircraftError> {
         let [doublet, chirp] = self.acting(aircraft);
-        aircraft.compare_acting(corrections, &doublet, &chirp)
+        aircraft.compare_acting(found, corrections, [&doublet, &chirp])
     }
 
     /// Flies the updated model alone.

@@ -61,9 +61,11 @@ impl FullaircraftArgs {
 
 /// An aircraft and the corrections it flies with.
 pub(crate) struct Prepared {
-    /// The aircraft.
+    /// The aircraft, its structure as given.
     pub(crate) aircraft: Aircraft,
-    /// Corrections of one wing's boxes.
+    /// The same with the structure and surfaces that were found, which flies as the updated model; none if they are as given.
+    pub(crate) found: Option<Aircraft>,
+    /// Corrections of one wing's boxes, of the updated model.
     pub(crate) corrections: Corrections,
     /// Effects of the wing that fly with it.
     pub(crate) effects: fullaircraft_effects::Travelling,
@@ -71,6 +73,13 @@ pub(crate) struct Prepared {
     pub(crate) wing: CorrectedWing,
     /// What was read, for the report.
     pub(crate) inputs: Vec<(&'static str, PathBuf)>,
+}
+
+impl Prepared {
+    /// The aircraft that flies as the updated model.
+    pub(crate) fn updated(&self) -> &Aircraft {
+        self.found.as_ref().unwrap_or(&self.aircraft)
+    }
 }
 
 /// Reads and assembles the aircraft with the corrections of its wing.
@@ -89,9 +98,11 @@ pub(crate) fn prepared_for_parts(
 
 /// What grids of cases are flown with: no effects but those that are in the corrections.
 pub(crate) struct PreparedCases {
-    /// The aircraft.
+    /// The aircraft, its structure as given.
     pub(crate) aircraft: Aircraft,
-    /// Corrections of one wing's boxes.
+    /// The same with the structure and surfaces that were found, which flies as the updated model; none if they are as given.
+    pub(crate) found: Option<Aircraft>,
+    /// Corrections of one wing's boxes, of the updated model.
     pub(crate) corrections: Corrections,
     /// Where they come from, in words.
     pub(crate) origin: String,
@@ -109,19 +120,21 @@ pub(crate) fn prepared_cases(
 ) -> Result<PreparedCases, Failure> {
     let asked = asked(args)?;
     // effects join the corrections by the wing as it stands in the tunnel
-    let left = left_by_another(&asked.given, shared)?.filter(|left| left.file.effects.is_empty());
+    let plain = |left: &Left| left.file.effects.is_empty() && left.schedule.found.is_none();
+    let left = left_by_another(&asked.given, shared)?.filter(plain);
     let Some(Left { file: wing, schedule, origin }) = left else {
-        let Prepared { aircraft, corrections, wing, inputs, .. } = prepared_shared(asked, common, shared)?;
+        let Prepared { aircraft, found, corrections, wing, inputs, .. } =
+            prepared_shared(asked, common, shared)?;
         let origin = wing.origin.clone();
         let ensemble = Some(wing).filter(|wing| wing.ensemble.is_some());
-        return Ok(PreparedCases { aircraft, corrections, origin, ensemble, inputs });
+        return Ok(PreparedCases { aircraft, found, corrections, origin, ensemble, inputs });
     };
     let Asked { file, wing_path, .. } = asked;
     check_airspeed(&schedule, &file, common)?;
     let inputs = vec![("aircraft", file.path.clone()), ("wing", wing_path)];
     let corrections = schedule.nearest(file.correction_airspeed_m_s).corrections.clone();
     let aircraft = Aircraft::kept(file, wing, shared)?;
-    Ok(PreparedCases { aircraft, corrections, origin, ensemble: None, inputs })
+    Ok(PreparedCases { aircraft, found: None, corrections, origin, ensemble: None, inputs })
 }
 
 /// What options ask for.
@@ -145,8 +158,13 @@ fn prepared_shared(asked: Asked, common: &Common, shared: &Shared) -> Result<Pre
     check_airspeed(&wing.schedule, &file, common)?;
     let mut inputs = vec![("aircraft", file.path.clone()), ("wing", wing_path)];
     inputs.extend(Some(("corrections", PathBuf::from(&wing.origin))).filter(|(_, path)| path.is_file()));
-    let Assembled { aircraft, corrections, effects } = assembled(file, &wing, shared)?;
-    Ok(Prepared { aircraft, corrections, effects, wing, inputs })
+    let Some(as_found) = wing.found()? else {
+        let Assembled { aircraft, corrections, effects } = assembled(file, &wing, shared)?;
+        return Ok(Prepared { aircraft, found: None, corrections, effects, wing, inputs });
+    };
+    let aircraft = Aircraft::kept(file.clone(), wing.file.clone(), shared)?;
+    let Assembled { aircraft: found, corrections, effects } = assembled(file, &as_found, shared)?;
+    Ok(Prepared { aircraft, found: Some(found), corrections, effects, wing, inputs })
 }
 
 /// Refuses an airspeed of corrections that was not calibrated; says which set stands for one between those that were.

@@ -19,7 +19,7 @@ use loads::{Air, Design, Matrix};
 use rayon::prelude::*;
 
 use crate::args::Common;
-use crate::commands::fullaircraft_draws::Draws;
+use crate::commands::fullaircraft_draws::{Draws, Flies};
 use crate::commands::fullaircraft_prepared::Prepared;
 use crate::commands::loads_states::{Frame, Loaded, States};
 use crate::failure::Failure;
@@ -99,9 +99,11 @@ impl<'a> Flights<'a> {
         let ensemble = Some(&prepared.wing).filter(|wing| wing.ensemble.is_some());
         let draws = Draws::new(ensemble, &base.file, shared);
         let depends = draws.inputs().iter().fold(depends, |all, text| all.with("ensemble", text));
+        let found = prepared.wing.schedule.found.as_ref().map(|found| format!("{found:?}"));
+        let depends = found.iter().fold(depends, |all, text| all.with("found", text));
         let inputs = depends.with("design", &format!("{design:?} {maneuvers:?}"));
         let store = Store::beside(target, inputs)?;
-        let states = States::new(base, &prepared.corrections, &design.masses, draws, shared);
+        let states = States::new(prepared, &design.masses, draws, shared);
         let grids = base.free.node_ids().to_vec();
         Ok(Self { plan, design, matrix, stations, grids, maneuvers, store, states, shared })
     }
@@ -124,7 +126,17 @@ impl<'a> Flights<'a> {
     /// The aircraft that flies a case.
     pub(crate) fn frame(&self, number: usize) -> Frame {
         let (version, case) = self.case(number);
-        frame(version, case)
+        self.frame_of(version, case)
+    }
+
+    /// The aircraft that flies a case of a version: of both models that as given and as found, beyond them one of the ensemble.
+    fn frame_of(&self, version: usize, case: &Case) -> Frame {
+        let flies = match version.checked_sub(MODELS.len()) {
+            Some(draw) => Flies::Draw(draw),
+            None if version > 0 && self.states.found.is_some() => Flies::Found,
+            None => Flies::Given,
+        };
+        Frame { flies, mass: case.mass }
     }
 
     /// What a case is called in the store: in words, and all that is flown.
@@ -144,7 +156,7 @@ impl<'a> Flights<'a> {
             let (model, case) = self.case(number);
             let Case { h_m, v_m_s, mass, action, .. } = case;
             let hash = Store::hash(&self.part(number));
-            let frame = print(format!("{:?} {:?}", self.frame(number).draw, self.design.masses[*mass]));
+            let frame = print(format!("{:?} {:?}", self.frame(number).flies, self.design.masses[*mass]));
             let group = print(format!("{frame} {model} {h_m:?} {v_m_s:?}"));
             let unit = match action {
                 Planned::Discrete { direction, .. } => print(format!("{group} {direction:?}")),
@@ -205,7 +217,7 @@ impl<'a> Flights<'a> {
 
     /// All cases of a wing of the ensemble as if they were the updated model's, once they are finished.
     pub(crate) fn of_draw(&self, draw: usize) -> Result<Flown, Failure> {
-        let own = |number: &usize| self.frame(*number).draw == Some(draw);
+        let own = |number: &usize| self.frame(*number).flies == Flies::Draw(draw);
         let as_updated = |case: FlownCase| FlownCase { model: MODELS.len() - 1, ..case };
         let cases = self.numbers().filter(own).map(|number| self.read(number).map(as_updated));
         Ok(Flown { cases: cases.collect::<Result<Vec<FlownCase>, Failure>>()? })
@@ -258,7 +270,7 @@ impl<'a> Flights<'a> {
                 let first = group.1[0];
                 group.0 == *version && (first.h_m, first.v_m_s) == (case.h_m, case.v_m_s)
             };
-            let groups = frames.entry(frame(*version, case)).or_default();
+            let groups = frames.entry(self.frame_of(*version, case)).or_default();
             match groups.iter_mut().find(same) {
                 Some(group) => group.1.push(case),
                 None => groups.push((*version, vec![case])),
@@ -297,11 +309,6 @@ impl<'a> Flights<'a> {
             Ok(())
         })
     }
-}
-
-/// The aircraft that flies a case of a version: of both models the calibrated one, beyond them one of the ensemble.
-fn frame(version: usize, case: &Case) -> Frame {
-    Frame { draw: version.checked_sub(MODELS.len()), mass: case.mass }
 }
 
 fn unknown(number: usize) -> Failure {

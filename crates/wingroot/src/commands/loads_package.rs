@@ -41,7 +41,8 @@ pub(crate) fn package(
     selection: &Selection,
 ) -> Result<Packed, Failure> {
     refuse_unwritten(select)?;
-    let aircraft = &prepared.aircraft;
+    // stress works on the structure that was found, if that is another than the drawing's
+    let aircraft = prepared.updated();
     let common = origin(prepared, flights)?;
     let wanted = wanted(flown, selection)?;
     let read_back = || -> Result<_, Failure> {
@@ -134,6 +135,12 @@ fn origin(prepared: &Prepared, flights: &Flights<'_>) -> Result<Vec<String>, Fai
     lines.push(format!("wing with all its files {}", prepared.aircraft.wing.hash));
     let corrections = format!("{:?}", prepared.corrections);
     lines.push(format!("corrections of boxes {}", Fingerprint::default().with(corrections.as_bytes())));
+    if let Some(found) = &prepared.wing.schedule.found {
+        let [bending, torsion] = found.log_flexibility.map(f64::exp);
+        lines.push(format!(
+            "structure as found by the calibration: flexibility in bending times {bending:.4}, in torsion {torsion:.4}"
+        ));
+    }
     lines.push("N, N m, m; basic axes x aft, y right, z up".to_owned());
     Ok(lines)
 }
@@ -180,7 +187,9 @@ fn card(
     let does = |side: usize| net.iter().enumerate().map(move |(dof, load)| tips[(dof, side)] * load);
     let tips_m = [0, 1].map(|side| does(side).sum::<f64>());
     let off = |side: usize| (flown.tips_m[side] - tips_m[side]).abs() / does(side).map(f64::abs).sum::<f64>();
-    let trim_tip = if is_in_time(case, &flights.maneuvers) { 0.0 } else { off(0).max(off(1)) };
+    // in time the tip flies with inertia; and the initial model's stiffness is not the package's where another was found
+    let is_other = flights.states.found.is_some() && one.model == Model::Initial;
+    let trim_tip = if is_in_time(case, &flights.maneuvers) || is_other { 0.0 } else { off(0).max(off(1)) };
     let title = format!("case {number} {}, {:.1} m/s, n {:.2}, {mass}", case.condition, case.v_m_s, case.n_z);
     let names: Vec<String> = flights.stations.iter().map(|station| station.name.clone()).collect();
     let mut origin = common.to_vec();

@@ -1,19 +1,20 @@
-//! The aircraft of a plan in its states of loading, with the calibrated wing or another of its ensemble: one after the other, each made
+//! The aircraft of a plan in its states of loading, with the wing as given, as found, or another of its ensemble: one after the other, each made
 //! when its cases come and dropped behind them.
 
 use aero::Corrections;
 use fullaircraft::{Aircraft, FlightAir, TrimTools};
 use loads::design::MassCase;
 
-use crate::commands::fullaircraft_draws::{Draw, Draws};
+use crate::commands::fullaircraft_draws::{Draw, Draws, Flies};
+use crate::commands::fullaircraft_prepared::Prepared;
 use crate::failure::Failure;
 use crate::store::Shared;
 
 /// An aircraft of a plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Frame {
-    /// The wing of the ensemble; none is the calibrated one.
-    pub(crate) draw: Option<usize>,
+    /// Its wing.
+    pub(crate) flies: Flies,
     /// The state of loading.
     pub(crate) mass: usize,
 }
@@ -21,6 +22,8 @@ pub(crate) struct Frame {
 /// See the module.
 pub(crate) struct States<'a> {
     base: &'a Aircraft,
+    /// With the structure that was found, if that is another.
+    pub(crate) found: Option<&'a Aircraft>,
     corrections: &'a Corrections,
     masses: &'a [MassCase],
     /// The ensemble.
@@ -41,13 +44,13 @@ pub(crate) struct Loaded<'b> {
 impl<'a> States<'a> {
     /// States of loading of an aircraft; what takes long is taken from what processes share, or left there.
     pub(crate) fn new(
-        base: &'a Aircraft,
-        corrections: &'a Corrections,
+        prepared: &'a Prepared,
         masses: &'a [MassCase],
         draws: Draws<'a>,
         shared: &'a Shared,
     ) -> Self {
-        Self { base, corrections, masses, draws, shared }
+        let Prepared { aircraft: base, found, corrections, .. } = prepared;
+        Self { base, found: found.as_ref(), corrections, masses, draws, shared }
     }
 
     /// Works with an aircraft; `moves` if its unsteady air is needed.
@@ -61,10 +64,14 @@ impl<'a> States<'a> {
         work: impl FnOnce(&Loaded<'_>) -> Result<T, Failure>,
     ) -> Result<T, Failure> {
         let mass = &self.masses[frame.mass];
-        let drawn = frame.draw.map(|draw| self.draws.aircraft(draw)).transpose()?;
-        let (base, corrections) = match &drawn {
-            Some(Draw { aircraft, corrections }) => (aircraft, corrections),
-            None => (self.base, self.corrections),
+        let drawn = match frame.flies {
+            Flies::Draw(draw) => Some(self.draws.aircraft(draw)?),
+            Flies::Given | Flies::Found => None,
+        };
+        let (base, corrections) = match (&drawn, self.found) {
+            (Some(Draw { aircraft, corrections }), _) => (aircraft, corrections),
+            (None, Some(found)) if frame.flies == Flies::Found => (found, self.corrections),
+            _ => (self.base, self.corrections),
         };
         let aircraft = base.loaded_kept(mass, self.shared)?;
         let air = if moves { Some(FlightAir::kept(&aircraft, self.shared)?) } else { None };

@@ -85,32 +85,31 @@ pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
         .map(|file| Ok((file, Run::read_named(file, &columns)?)))
         .collect::<Result<Vec<_>, InputError>>()?;
     let corrected = corrected_wing(&args.given)?;
-    let effects = simulate_effects::of(&corrected, &args.without)?;
+    let found = corrected.found()?;
+    let updated = found.as_ref().unwrap_or(&corrected);
+    let effects = simulate_effects::of(updated, &args.without)?;
     let maneuvers = simulate_maneuvers::read(&args.maneuver, &corrected)?;
     let settings = RigSettings { strip_loads: args.strips, ..settings(&corrected) };
     let rig = Rig::new(&corrected.wing, settings.clone())?;
+    let of_found = found.as_ref().map(|found| Rig::new(&found.wing, settings.clone())).transpose()?;
+    let rigs = [&rig, of_found.as_ref().unwrap_or(&rig)];
     let bar = progress::bar(common, runs.len(), "flying runs");
     let sortie = Sortie { runs: &runs, maneuvers: &maneuvers, rho_kg_m3, settings: &settings };
-    let mut flown = sortie.fly(&rig, &corrected, &effects, &|| bar.inc(1))?;
+    let mut flown = sortie.fly(rigs, updated, &effects, &|| bar.inc(1))?;
     progress::end(&bar);
     let members = corrected.with_each(|member| {
         let rig = Rig::new(&member.wing, settings.clone())?;
         let effects = simulate_effects::of(member, &args.without)?;
-        let flown = sortie.fly(&rig, member, &effects, &|| ())?;
+        let flown = sortie.fly([&rig; 2], member, &effects, &|| ())?;
         Ok(flown.iter().map(|flown| loads_of(&flown.updated)).collect::<Vec<_>>())
     })?;
     for (index, flown) in flown.iter_mut().enumerate() {
         flown.spread =
             spread(&flown.updated, &members.iter().map(|member| &member[index]).collect::<Vec<_>>());
     }
-    for remark in effects.remarks() {
-        show::note(&remark);
-    }
-    for remark in
-        flown.iter().flat_map(|flown| flown.remarks.iter().map(move |r| format!("{}: {r}", flown.run.name)))
-    {
-        show::note(&remark);
-    }
+    let of_runs =
+        flown.iter().flat_map(|flown| flown.remarks.iter().map(move |r| format!("{}: {r}", flown.run.name)));
+    effects.remarks().into_iter().chain(of_runs).for_each(|remark| show::note(&remark));
     let seconds = start.elapsed().as_secs_f64();
     let (effects, without) = effects.result().unzip();
     let result = as_json(&SimulateResult {
@@ -139,22 +138,22 @@ struct Sortie<'a> {
 }
 
 impl Sortie<'_> {
-    /// Flies runs, then maneuvers.
+    /// Flies runs, then maneuvers, with the rigs of the initial and of the updated model.
     fn fly(
         &self,
-        rig: &Rig<'_>,
+        rigs: [&Rig<'_>; 2],
         corrected: &CorrectedWing,
         effects: &WingEffects,
         done: &(dyn Fn() + Sync),
     ) -> Result<Vec<Flown>, Failure> {
-        let models = models(self.runs, rig, corrected, effects, self.rho_kg_m3)?;
+        let models = models(self.runs, rigs, corrected, effects, self.rho_kg_m3)?;
         let one = |(file, run): &(&PathBuf, Run)| {
             let flown = fly(file, run.clone(), &models, corrected);
             done();
             flown
         };
         let mut flown = self.runs.par_iter().map(one).collect::<Result<Vec<_>, Failure>>()?;
-        flown.extend(simulate_maneuvers::fly(self.maneuvers, rig, self.settings, corrected, effects)?);
+        flown.extend(simulate_maneuvers::fly(self.maneuvers, rigs, self.settings, corrected, effects)?);
         Ok(flown)
     }
 }
@@ -222,7 +221,7 @@ struct Models {
 /// Initial and updated model at every airspeed of the runs.
 fn models(
     runs: &[(&PathBuf, Run)],
-    rig: &Rig<'_>,
+    [given, rig]: [&Rig<'_>; 2],
     corrected: &CorrectedWing,
     effects: &WingEffects,
     rho_kg_m3: f64,
@@ -239,7 +238,7 @@ fn models(
         let (corrections, _) = at_airspeed(file, v_m_s, corrected)?;
         Ok(Models {
             v_m_s,
-            initial: rig.at(flow, &neutral)?,
+            initial: given.at(flow, &neutral)?,
             updated: rig.at(flow, &corrections)?,
             effects: effects.at(rig, flow, &corrections)?,
         })

@@ -27,25 +27,29 @@ pub(crate) fn read(
     files.iter().map(checked).collect::<Result<_, InputError>>().map_err(Failure::from)
 }
 
-/// Flies them: one rig for each actuator.
+/// Flies them with the rigs of the initial and of the updated model: one of each for each actuator.
 pub(crate) fn fly(
     maneuvers: &[(ManeuverFile, Vec<String>)],
-    base: &Rig<'_>,
+    bases: [&Rig<'_>; 2],
     settings: &RigSettings,
     corrected: &CorrectedWing,
     effects: &WingEffects,
 ) -> Result<Vec<Flown>, Failure> {
-    let mut rigs: Vec<(RigSettings, Rig<'_>)> = Vec::new();
+    let [given, updated] = bases;
+    let mut rigs: Vec<(RigSettings, Rig<'_>, Option<Rig<'_>>)> = Vec::new();
     for (file, _) in maneuvers {
         let own = file.settings(settings);
-        if own != *settings && !rigs.iter().any(|(known, _)| *known == own) {
-            rigs.push((own.clone(), Rig::new(&corrected.wing, own)?));
+        if own != *settings && !rigs.iter().any(|(known, ..)| *known == own) {
+            let is_other = !std::ptr::eq(given, updated);
+            let found = is_other.then(|| Rig::new(updated.wing(), own.clone())).transpose()?;
+            rigs.push((own.clone(), Rig::new(given.wing(), own)?, found));
         }
     }
     let flown = |(file, remarks): &(ManeuverFile, Vec<String>)| {
         let own = file.settings(settings);
-        let rig = rigs.iter().find(|(known, _)| *known == own).map_or(base, |(_, rig)| rig);
-        fly_one(file, remarks.clone(), rig, corrected, effects)
+        let known = rigs.iter().find(|(known, ..)| *known == own);
+        let rigs = known.map_or(bases, |(_, given, found)| [given, found.as_ref().unwrap_or(given)]);
+        fly_one(file, remarks.clone(), rigs, corrected, effects)
     };
     maneuvers.par_iter().map(flown).collect()
 }
@@ -53,14 +57,14 @@ pub(crate) fn fly(
 fn fly_one(
     file: &ManeuverFile,
     mut remarks: Vec<String>,
-    rig: &Rig<'_>,
+    [given, rig]: [&Rig<'_>; 2],
     corrected: &CorrectedWing,
     effects: &WingEffects,
 ) -> Result<Flown, Failure> {
     let flow = Flow { v_m_s: file.v_m_s, rho_kg_m3: file.rho_kg_m3 };
     let (corrections, deflection) = at_airspeed(&file.path, file.v_m_s, corrected)?;
     let neutral = Corrections::neutral(corrected.wing.correctable.len());
-    let initial = rig.at(flow, &neutral)?;
+    let initial = given.at(flow, &neutral)?;
     let updated = rig.at(flow, &corrections)?;
     for (model, name) in [(&initial, "initial"), (&updated, "updated")] {
         remarks.extend(growing(model).map(|growing| format!("{name} model at {} m/s {growing}", file.v_m_s)));

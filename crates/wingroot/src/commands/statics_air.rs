@@ -14,6 +14,7 @@ use report::{Figure, Panel, Series, Style, Table};
 use crate::args::{Common, airspeed};
 use crate::commands::result_parts::as_json;
 use crate::commands::statics_air_result::{AirPoint, Bent, StaticsAirResult};
+use crate::corrections::as_given;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
 use crate::show;
@@ -128,6 +129,7 @@ impl Task {
                     let help = "corrections hold for the wing they were found with";
                     return Err(InputError::in_file(path, message).with_help(help).into());
                 }
+                as_given(&schedule);
                 airspeeds.iter().map(|v| schedule.at(*v)).collect::<Result<_, _>>()?
             }
         };

@@ -6,7 +6,7 @@ use aero::Corrections;
 const LEAST_FORCE: f64 = 0.05;
 
 /// Corrections moved by as much as others differ.
-pub(super) fn moved(centre: &Corrections, to: &Corrections, from: &Corrections) -> Corrections {
+pub(crate) fn moved(centre: &Corrections, to: &Corrections, from: &Corrections) -> Corrections {
     let family = |of: fn(&Corrections) -> &Vec<f64>, least: f64| {
         of(centre)
             .iter()
@@ -22,6 +22,6 @@ pub(super) fn moved(centre: &Corrections, to: &Corrections, from: &Corrections) 
 }
 
 /// Seven decimals: no spread is known better, and the file stays small.
-pub(super) fn short(value: f64) -> f64 {
+pub(crate) fn short(value: f64) -> f64 {
     (value * 1e7).round() / 1e7
 }
