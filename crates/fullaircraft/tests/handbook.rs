@@ -87,7 +87,7 @@ fn met(curves: &CompleteCurves, v: f64, [g, hz]: [f64; 2], [share_hz, off_g]: [f
         is_near && root.damping_g().is_some_and(|own| (own - g).abs() < off_g)
     };
     let all = || roots.iter().map(|root| (root.frequency_hz(), root.damping_g())).collect::<Vec<_>>();
-    assert!(roots.iter().any(|root| is_met(root)), "{v}: {hz} Hz, g {g}: {:?}", all());
+    assert!(roots.iter().any(is_met), "{v}: {hz} Hz, g {g}: {:?}", all());
 }
 
 /// Demands that one of some airspeeds and dampings is the printed one.

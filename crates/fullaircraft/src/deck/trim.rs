@@ -130,8 +130,7 @@ impl TrimDeck {
         let (variables, incidence, accelerations) =
             variables(bulk, &lattice, &aeros, &seen, &turned, &stream)?;
         let integration = Integration::new(&lattice);
-        let s_dofs = spline.used_dofs();
-        let d = support_motions(bulk, &free)?;
+        let (s_dofs, d) = (spline.used_dofs(), support_motions(bulk, &free)?);
         let d6 = reference_motions(&free, &origin, &axes);
         let a = accelerations_by(bulk, &d6, &accelerations);
         let structure = Reduced::new(&free, &held, &d, &a, &s_dofs)?;

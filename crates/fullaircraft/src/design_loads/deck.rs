@@ -68,7 +68,7 @@ impl DeckPlan {
             InputError::general("the deck has no TRIM of the number that the plan calls level flight")
                 .with_help(format!("there are {}", numbers.join(", ")))
         })?;
-        let bulk = deck.in_subcase(&subcase)?;
+        let bulk = in_one_set(deck.in_subcase(&subcase)?);
         let a_units = bulk.parameters.get("AUNITS").copied().unwrap_or(1.0);
         let given =
             level.fixed.iter().find(|(name, _)| name == ACCELERATION).map(|(_, value)| value / a_units);
@@ -307,6 +307,17 @@ impl DeckPlan {
         let case = FlownCase { number, model, instants: vec![instant], ..FlownCase::default() };
         DeckFlown { case, nodal: Some(nodal), air, values: trimmed.values.clone() }
     }
+}
+
+/// The sets that an SPCADD or MPCADD unites as one of its number: structures are written without the cards that unite.
+fn in_one_set(mut bulk: BulkData) -> BulkData {
+    if let Some((united, _)) = bulk.constraint_unions.pop_first() {
+        bulk.constraints.iter_mut().for_each(|card| card.set = united);
+    }
+    if let Some((united, _)) = bulk.equation_unions.pop_first() {
+        bulk.equations.iter_mut().for_each(|card| card.set = united);
+    }
+    bulk
 }
 
 fn station(name: &str, point: Point3<f64>, nodes: Vec<usize>) -> Station {
