@@ -22,7 +22,7 @@ pub(super) fn cards(
     let frames = Frames::resolve(bulk)?;
     let stream = StreamAxes::of_deck(&frames, acsid, &Span::generated("the study"))?;
     let lattice = Lattice::in_axes(bulk, &stream)?;
-    let grids = grids(bulk, sets, &|grid| frames.grid_point(grid))?;
+    let grids = grids(bulk, sets, &|grid| Ok(stream.seen(&frames.grid_point(grid)?)))?;
     if grids.is_empty() || lattice.is_empty() {
         return Err(InputError::general("the decks have no boxes or no grids that could be joined"));
     }
