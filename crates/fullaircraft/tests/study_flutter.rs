@@ -4,7 +4,7 @@ use crate::apart::Apart;
 use crate::deck_flutter::{PK, assert_printed, curves, plate, printed, wing_text};
 use fullaircraft::study::{Aim, read_terms};
 use maneuver::flutter::CompleteCurves;
-use nalgebra::Rotation3;
+use nalgebra::{Rotation3, Vector3};
 use nastran::{BulkData, op4_text, parse_deck};
 
 /// Cards of a deck's flutter that a study gives.
@@ -114,6 +114,30 @@ fn what_the_decks_give_of_it_is_taken_from_them() {
         airspeeds: [5.0, 10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 50.0, 55.0, 60.0]))";
     let even = whole(1).replace(",100.,.06,", ",100.,.02,");
     assert_same(&curves(&of(&even)), &curves(&apart.bulk(study, Aim::Flutter, None)));
+}
+
+#[test]
+fn boxes_follow_their_nearest_grids_in_a_turned_stream_as_in_a_straight_one() {
+    let given = [&GIVEN[..], &["SPLINE2,", "SET1,"]].concat();
+    let roots = |name: &str, turn: &Rotation3<f64>| {
+        // five strips, whose middles are nowhere between two grids
+        let deck = wing_text(turn, 9, PK).replace("CAERO1,1001,1,9,8,4,", "CAERO1,1001,1,9,5,4,");
+        let apart = Apart::new(name, &deck, &given);
+        let study = CANTILEVER
+            .replace("spc: 1,", "spc: 1, splines: Nearest,")
+            .replace("is_half: true", "is_half: true, stream: 9");
+        curves(&apart.bulk(&study, Aim::Flutter, None))
+    };
+    // real roots come and go by rounding where two meet: what flutters, and at which frequency, does not
+    let flutter = |name: &str, turn: &Rotation3<f64>| {
+        let curves = roots(name, turn);
+        let crossing = curves.flutter().expect("it flutters");
+        (crossing.flow.v_m_s, crossing.omega_rad_s)
+    };
+    let straight = flutter("straight", &Rotation3::identity());
+    let turned = flutter("turned", &Rotation3::new(Vector3::new(0.3, -0.7, 2.0)));
+    assert!((straight.0 / turned.0 - 1.0).abs() < 1e-6, "{straight:?} {turned:?}");
+    assert!((straight.1 / turned.1 - 1.0).abs() < 1e-6, "{straight:?} {turned:?}");
 }
 
 #[test]
