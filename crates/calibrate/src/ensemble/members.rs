@@ -25,7 +25,8 @@ const EXACT: usize = MEMBERS - 1;
 /// The direction whose signs the tunnel's stream shares, the least important: what hangs on the stream (all of the lift at an angle) was
 /// measured in the tunnel and knows next to nothing of it.
 const STREAM: usize = EXACT - 1;
-/// The direction whose signs the share has that any deflection is off by, whatever is measured: the next to it.
+/// The direction whose signs the share has that any deflection is off by, whatever is measured: the next to it, on which deflections
+/// hang little, so that the two add as squares.
 const READING: usize = EXACT - 2;
 /// Seed of the random part.
 const SEED: u64 = 1;

@@ -105,7 +105,7 @@ fn fit(args: &CalibrateArgs, common: &Common, file: &WingFile, fitted: &Fitted<'
     let out = folder.commit_if(faults.is_empty())?;
     let both = small.as_ref().map(|small| calibrate_model::told(&calibration, small)).unwrap_or_default();
     let told = both
-        + &calibrate_predictions::summary(wing, &predictions)
+        + &calibrate_predictions::summary(wing, &predictions, calibration.found.is_some())
         + &calibrate_predictions::next_table(&next);
     show::summary(common, &summary(&calibration, &told, &out, seconds));
     show::json(common, &result)?;

@@ -130,8 +130,9 @@ fn lift(all: &[AirspeedPosterior]) -> Figure {
     Figure::new("Spanwise lift: what the data decide", all.iter().map(panel).collect(), columns)
 }
 
-/// Lines for the console: what root loads leave open, at the highest airspeed.
-pub(crate) fn summary(wing: &ElasticWing, all: &[AirspeedPosterior]) -> String {
+/// Lines for the console: what root loads leave open, at the highest airspeed; `is_flown` if the structure that was found stands in
+/// corrections.ron.
+pub(crate) fn summary(wing: &ElasticWing, all: &[AirspeedPosterior], is_flown: bool) -> String {
     let Some(at) = all.last() else { return String::new() };
     let line = |p: &Prediction| {
         let (_, unit, y_norm, control) = named(&p.quantity);
@@ -157,7 +158,12 @@ pub(crate) fn summary(wing: &ElasticWing, all: &[AirspeedPosterior]) -> String {
         let _ = writeln!(
             text,
             "note: more than root loads was measured: corrections are next to what all of it and the prior leave most likely, with the \
-             root loads met by the structure as given. Intervals have beside them, and corrections.ron has not, {}",
+             root loads met by the structure as given. Found beside them, {}: {}",
+            if is_flown {
+                "in `found` of corrections.ron and flown by the updated model"
+            } else {
+                "other at each airspeed, so that the updated model flies the structure as given"
+            },
             beside.join("; ")
         );
     }

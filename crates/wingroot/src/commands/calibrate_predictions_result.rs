@@ -17,7 +17,7 @@ pub(crate) struct AirspeedPredictionsResult {
     pub(crate) v_m_s: f64,
     /// Angle of attack.
     pub(crate) alpha_deg: f64,
-    /// What goes with the corrections where more than root loads was measured; not in `corrections.ron`.
+    /// What goes with the corrections where more than root loads was measured; `found` of `corrections.ron` has it, if airspeeds agree.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) beside_corrections: Option<BesideResult>,
     /// By quantity.
