@@ -127,6 +127,16 @@ pub const LISTED: &[(&str, &str)] = &[
         "flutter_measured__agard445_low",
         "neither mode shapes nor a structure are in the file, only frequencies",
     ),
+    (
+        "flutter__ha145b",
+        "compared in crates/fullaircraft/tests/handbook.rs: modes, air forces, speeds of flutter",
+    ),
+    ("flutter__ha145e_k", "compared in crates/fullaircraft/tests/handbook.rs: K-method curves of the plate"),
+    (
+        "gust__bah_aileron_response",
+        "compared in crates/fullaircraft/tests/handbook.rs: motions over frequency",
+    ),
+    ("trim__ha144b_roll", "compared in crates/fullaircraft/tests/handbook.rs: rate of roll and derivatives"),
     ("gust__fmondsp_gust", "the glider's deck is not in the file, only its name"),
     ("fem__ha144ds_modes", "the deck of the half model is not in the file, only its frequencies"),
     (

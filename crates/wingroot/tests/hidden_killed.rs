@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 
 use crate::segments::finished;
@@ -30,27 +31,39 @@ fn verdicts(folder: &Path) -> BTreeMap<String, Value> {
     finished(folder).into_iter().map(timeless).collect()
 }
 
+/// Where this file's results stand.
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join("hidden-killed")
+}
+
+/// The results of a run that is left alone, once for all tests.
+pub(crate) fn whole() -> &'static Path {
+    static WHOLE: OnceLock<PathBuf> = OnceLock::new();
+    WHOLE.get_or_init(|| {
+        let _ = std::fs::remove_dir_all(folder());
+        std::fs::create_dir_all(folder()).expect("a folder of our own");
+        let whole = folder().join("whole");
+        let output = command(&whole).output().expect("the command starts");
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        whole
+    })
+}
+
 #[test]
 fn a_killed_benchmark_goes_on_and_ends_with_the_same_verdicts() {
     if std::env::var_os("RUN_SLOW_TESTS").is_none() {
         eprintln!("skipped: set RUN_SLOW_TESTS=1 to run the blind benchmark twice, once killed");
         return;
     }
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("hidden-killed");
-    let _ = std::fs::remove_dir_all(&folder);
-    std::fs::create_dir_all(&folder).expect("a folder of our own");
-    let (whole, stopped) = (folder.join("whole"), folder.join("stopped"));
+    let (whole, stopped) = (whole(), folder().join("stopped"));
     let of = |out: &Path, ending: &str| out.with_extension(ending);
-
-    let output = command(&whole).output().expect("the command starts");
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let expected = verdicts(&of(&whole, "cases").join("verdicts"));
+    let expected = verdicts(&of(whole, "cases").join("verdicts"));
     assert_eq!(expected.len(), CASES);
 
     // the bank's minute is not what is tested here
     let store: PathBuf = of(&stopped, "cases");
     std::fs::create_dir_all(&store).expect("a folder of our own");
-    std::fs::copy(of(&whole, "cases").join("null_distribution.ron"), store.join("null_distribution.ron"))
+    std::fs::copy(of(whole, "cases").join("null_distribution.ron"), store.join("null_distribution.ron"))
         .expect("a bank");
     let kept = store.join("verdicts");
     let mut child =
@@ -71,10 +84,10 @@ fn a_killed_benchmark_goes_on_and_ends_with_the_same_verdicts() {
     let output = command(&stopped).output().expect("the command starts");
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     assert_eq!(verdicts(&kept), expected);
-    assert_eq!(verdicts(&of(&stopped, "sealed")), verdicts(&of(&whole, "sealed")));
+    assert_eq!(verdicts(&of(&stopped, "sealed")), verdicts(&of(whole, "sealed")));
     let metrics = |out: &Path| {
         let text = std::fs::read_to_string(out.join("result.json")).expect("a result");
         serde_json::from_str::<Value>(&text).expect("JSON")["confusion"].clone()
     };
-    assert_eq!(metrics(&stopped), metrics(&whole));
+    assert_eq!(metrics(&stopped), metrics(whole));
 }

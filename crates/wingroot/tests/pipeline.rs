@@ -29,7 +29,7 @@ fn json(path: &Path) -> Value {
 }
 
 /// The folder of all results: one run, over earlier ones.
-fn out() -> &'static Path {
+pub(crate) fn out() -> &'static Path {
     static OUT: OnceLock<PathBuf> = OnceLock::new();
     OUT.get_or_init(|| {
         let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pipeline");
