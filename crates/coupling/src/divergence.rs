@@ -4,6 +4,7 @@ use crate::error::CouplingError;
 use crate::wing::ElasticWing;
 use aero::Corrections;
 use faer::c64;
+use structure::unsymmetric::eigenvalues;
 
 impl ElasticWing {
     /// Lowest divergence pressure of the wing with corrections of the whole lattice, Pa; `None` if no positive
@@ -16,9 +17,8 @@ impl ElasticWing {
     pub fn divergence_pressure(&self, corrections: &Corrections) -> Result<Option<f64>, CouplingError> {
         let Some(structure) = &self.supported else { return Ok(None) };
         let loop_gain = &structure.flexibility * &self.aerodynamic_stiffness(structure, corrections);
-        let values = loop_gain
-            .eigenvalues()
-            .map_err(|_| CouplingError::Diverged { q_pa: 0.0, divergence_pa: None })?;
+        let values = eigenvalues(loop_gain.as_ref())
+            .ok_or(CouplingError::Diverged { q_pa: 0.0, divergence_pa: None })?;
         Ok(lowest_pressure(&values))
     }
 

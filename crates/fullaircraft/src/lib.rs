@@ -19,7 +19,7 @@ pub use aircraft::lift_limits::LiftLimits;
 pub use cases::file::CasesFile;
 pub use cases::grid::{CaseFlight, CaseResult};
 pub use cases::list::Case;
-pub use deck::cases::{DeckCase, deck_cases};
+pub use deck::cases::{DeckCase, DivergenceCase, deck_cases, deck_cases_beside_divergence, divergence_cases};
 pub use deck::flutter::{FlutterDeck, FlutterPoints, FlutterRoots, flutter_cases};
 pub use deck::gust::{
     DeckGust, DynamicAnswer, GustCase, GustDeck, GustLoads, MonitorAnswer, RandomAnswer, RandomSet,

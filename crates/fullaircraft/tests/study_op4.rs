@@ -233,6 +233,9 @@ fn mgg_is_taken_among_several_and_others_are_passed_over() {
     assert_eq!(read("binaries", &binary), Ok(expected()));
     let none = read("none", [dense("KGG"), dense("BGG")].concat().as_bytes()).expect_err("no MGG");
     assert!(none.contains("2 matrices, KGG, BGG, and none is called MGG"), "{none}");
+    let twice =
+        read("twice", [dense("MGG"), dense("KGG"), dense("MGG")].concat().as_bytes()).expect_err("two");
+    assert!(twice.contains("several matrices called MGG: MGG, KGG, MGG"), "{twice}");
     let alone = read("alone", [complex, END].concat().as_bytes()).expect_err("complex");
     assert!(alone.contains("C is complex (type 4), which is no mass matrix"), "{alone}");
 }

@@ -1,6 +1,7 @@
 //! Whether a model's motion grows by itself: above the flutter speed no time history means anything.
 
 use crate::rig_model::RigModel;
+use structure::unsymmetric::eigenvalues;
 
 /// Real part over modulus of an eigenvalue that is called unstable: rounding is far below.
 const GROWTH: f64 = 1e-6;
@@ -26,7 +27,7 @@ impl std::fmt::Display for Growing {
 
 /// The fastest growing motion of a model; none below flutter.
 pub fn growing(model: &RigModel) -> Option<Growing> {
-    let values = model.a.eigenvalues().ok()?;
+    let values = eigenvalues(model.a.as_ref())?;
     let fastest = values.into_iter().max_by(|a, b| a.re.total_cmp(&b.re))?;
     (fastest.re > GROWTH * fastest.re.hypot(fastest.im))
         .then(|| Growing { frequency_hz: fastest.im.abs() / std::f64::consts::TAU, growth_per_s: fastest.re })

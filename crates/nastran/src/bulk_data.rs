@@ -4,12 +4,12 @@ use crate::card::Card;
 use crate::cards::kind::{CardKind, Cards, DeckCard, Family};
 use crate::cards::{
     Aecomp, Aecompl, Aefact, Aelink, Aelist, Aero, Aeros, Aestat, Aesurf, BeamElement, BeamLoad,
-    BeamProperty, Caero1, Cbush, Conm1, Conm2, Conrod, Coord, Crod, CrossLoad, Cshear, Ctube, Darea, Dmig,
-    DynamicLoad, EigenMethod, Flfact, Flutter, FrequencyList, FunctionTable, Genel, Gravity, Grid, Gust,
-    LineLoad, LoadSum, Mat1, Mat2, Mat8, Mat9, Mkaero, MonitorPoint, Mpc, Paero1, Pbush, Pcomp, PointLoad,
-    Pressure, Prod, Pshear, Pshell, Psolid, Ptube, Randps, Rbar, Rbe2, Rbe3, ScalarElement, ScalarProperty,
-    Set1, SetUnion, ShellElement, SolidElement, Spc1, Spcd, SpectrumTable, Spin, SplineCard, Spoint, Suport,
-    Tabdmp1, Temperature, TimeSteps, Trim,
+    BeamProperty, Caero1, Cbush, Conm1, Conm2, Conrod, Coord, Crod, CrossLoad, Cshear, Ctube, Darea, Diverg,
+    Dmig, DynamicLoad, EigenMethod, Flfact, Flutter, FrequencyList, FunctionTable, Genel, Gravity, Grid,
+    Gust, LineLoad, LoadSum, Mat1, Mat2, Mat8, Mat9, Mkaero, MonitorPoint, Mpc, Paero1, Pbush, Pcomp,
+    PointLoad, Pressure, Prod, Pshear, Pshell, Psolid, Ptube, Randps, Rbar, Rbe2, Rbe3, ScalarElement,
+    ScalarProperty, Set1, SetUnion, ShellElement, SolidElement, Spc1, Spcd, SpectrumTable, Spin, SplineCard,
+    Spoint, Suport, Tabdmp1, Temperature, TimeSteps, Trim,
 };
 use crate::deck::case_control::{AddedMatrix, Subcase};
 use crate::dmi::Dmi;
@@ -175,6 +175,7 @@ kinds! {
     aero_reference: Option<Aeros>, Own, ["AEROS"];
     trim_variables: BTreeMap<u32, Aestat>, Own, ["AESTAT"];
     trims: BTreeMap<u32, Trim>, Own, ["TRIM"];
+    divergences: BTreeMap<u32, Diverg>, Own, ["DIVERG"];
     aero_links: Vec<Aelink>, Own, ["AELINK"];
     aero_components: BTreeMap<String, Aecomp>, Own, ["AECOMP"];
     component_lists: BTreeMap<String, Aecompl>, Own, ["AECOMPL"];

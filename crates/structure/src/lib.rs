@@ -35,6 +35,7 @@ mod springs;
 pub mod sturm;
 mod subspace;
 pub mod system;
+pub mod unsymmetric;
 pub mod update;
 
 pub use beam::{Beam, BeamPlacement};

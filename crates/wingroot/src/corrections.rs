@@ -258,7 +258,7 @@ pub(crate) fn calibrated(
 }
 
 /// The corrections of a calibration as a schedule; one set for all airspeeds stands at both ends of their range.
-pub(crate) fn schedule(file: &WingFile, calibration: &Calibration) -> Schedule {
+pub fn schedule(file: &WingFile, calibration: &Calibration) -> Schedule {
     let set = |a: &calibrate::AirspeedCalibration| CorrectionSet {
         v_m_s: a.data.v_m_s,
         corrections: a.corrections.clone(),

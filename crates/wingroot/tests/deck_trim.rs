@@ -34,3 +34,51 @@ fn the_deck_s_subcases_are_trimmed_as_published() {
     let output = wingroot(&["fullaircraft", "--deck", "data/tuflex/cases.ron", "--out", &folder]);
     assert_eq!(output.status.code(), Some(2), "{}", String::from_utf8_lossy(&output.stderr));
 }
+
+/// MSC's HA144B: dynamic pressures of antisymmetric divergence (psi) at Mach 0, asked for without a trim.
+#[test]
+fn a_deck_that_asks_for_divergence_alone_has_its_dynamic_pressures_as_printed() {
+    let base = std::env::temp_dir().join(format!("wingroot-deck-diverg-{}", std::process::id()));
+    std::fs::create_dir_all(&base).expect("a temporary folder");
+    let decks = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/published/decks");
+    std::fs::copy(decks.join("bah_wing.inc"), base.join("bah_wing.inc")).expect("a deck of ours");
+    let deck = std::fs::read_to_string(decks.join("ha144b_bah_roll.bdf")).expect("a deck of ours");
+    let run = |text: &str| {
+        let path = base.join("diverg.bdf");
+        std::fs::write(&path, text).expect("a temporary file");
+        let out = base.join("out");
+        wingroot(&[
+            "fullaircraft",
+            "--deck",
+            &path.to_string_lossy(),
+            "--out",
+            &out.to_string_lossy(),
+            "--json",
+        ])
+    };
+    let asks = deck.replace("TRIM = 1", "DIVERG = 9").replace("TRIM = 2", "DIVERG = 10");
+    let cards = "DIVERG,9,5,0.\nDIVERG,10,,0.,.5\nENDDATA";
+    let output = run(&asks.replace("ENDDATA", cards));
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let result: Value = serde_json::from_slice(&output.stdout).expect("nothing but JSON");
+    assert_eq!(result["subcases"], serde_json::json!([]));
+    let q = |at: usize| -> Vec<f64> {
+        serde_json::from_value(result["divergences"][at]["q"].clone()).expect("pressures")
+    };
+    for (ours, printed) in q(0).into_iter().zip([23.7347, 111.8315, 367.5739, 874.0095, 3028.89]) {
+        assert!((ours / printed - 1.0).abs() < 3e-6, "{ours} {printed}");
+    }
+    assert_eq!((q(0).len(), q(1)), (5, vec![q(0)[0]]));
+    // air that is compressed lifts more
+    let compressed = &result["divergences"][2];
+    assert_eq!((compressed["subcase"].as_u64(), compressed["mach"].as_f64()), (Some(2), Some(0.5)));
+    assert!(q(2)[0] < q(1)[0], "{} {}", q(2)[0], q(1)[0]);
+    let html = std::fs::read_to_string(base.join("out/report.html")).expect("a page");
+    assert!(html.contains("What DIVERG asks for."));
+    let refused = run(&asks);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(
+        String::from_utf8_lossy(&refused.stderr).contains("SUBCASE 1 selects DIVERG 9, which is not there")
+    );
+    std::fs::remove_dir_all(&base).expect("our own folder");
+}

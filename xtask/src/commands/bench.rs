@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use aero::{Lattice, MirrorPlane, SteadyAero};
+use calibrate::ensemble::ensemble;
 use calibrate::posterior::posterior;
 use calibrate::{Calibration, Campaign, Settings, calibrate};
 use coupling::{ElasticWing, WingFile};
@@ -16,6 +17,7 @@ use crate::commands::{
 };
 use crate::repository;
 use wingroot::args::Common;
+use wingroot::corrections::schedule;
 use wingroot::failure::Failure;
 use wingroot::output::ResultFolder;
 use wingroot::show;
@@ -40,6 +42,7 @@ pub(crate) fn run(args: &BenchArgs, common: &Common) -> Result<(), Failure> {
     let mut rows = vec![doublets(&bench_dlm::aircraft()?, args)?];
     rows.extend(bench_aircraft::rows()?);
     rows.extend(bench_structure::rows(&WingFile::read(&repository::path("data/tuflex/wing.ron"))?)?);
+    rows.push(bench_structure::reading()?);
     let (file, wing) = ElasticWing::read(&repository::path("data/tuflex/wing.ron"))?;
     let campaign = Campaign::read(&repository::path("data/tuflex/measured"))?;
     let settings = Settings::of_wing(&file.correction);
@@ -68,8 +71,10 @@ pub(crate) fn run(args: &BenchArgs, common: &Common) -> Result<(), Failure> {
     let with_intervals = median(|| {
         let (file, wing) = ElasticWing::read(&repository::path("data/tuflex/wing.ron"))?;
         let calibration = calibrate(&wing, &campaign, &Settings::of_wing(&file.correction))?;
-        let predictions = posterior(&wing, &calibration, &file.correction.prior)?;
-        calibration.with_means(&wing, &predictions)?;
+        let prior = &file.correction.prior;
+        let known = posterior(&wing, &calibration, prior)?;
+        let calibration = calibration.with_means(&wing, &known)?;
+        ensemble(&wing, prior, &schedule(&file, &calibration), &known);
         Ok(())
     })?;
     rows.push(json!({

@@ -14,11 +14,12 @@ use crate::repository;
 use calibrate::ensemble::ensemble;
 use calibrate::posterior::predictions::Quantity;
 use calibrate::posterior::{AirspeedPosterior, posterior};
-use calibrate::{Calibration, CorrectionSet, Schedule, Settings, Weight};
+use calibrate::{Calibration, Schedule, Settings, Weight};
 use coupling::{ElasticWing, WingFile};
 use fullaircraft::AircraftFile;
 use truth::lift::Kind;
 use wingroot::args::Common;
+use wingroot::corrections::schedule;
 use wingroot::failure::Failure;
 use wingroot::output::ResultFolder;
 use wingroot::{progress, show};
@@ -107,13 +108,7 @@ impl Judge<'_> {
         let calibration = calibrate::calibrate(self.wing, &campaign, &self.settings)?;
         let mut known = posterior(self.wing, &calibration, &self.file.correction.prior)?;
         let calibration = calibration.with_means(self.wing, &known)?;
-        let sets = calibration
-            .airspeeds
-            .iter()
-            .map(|at| CorrectionSet { v_m_s: at.data.v_m_s, corrections: at.corrections.clone() });
-        let (wing, wing_hash) = (self.file.name.clone(), self.file.hash.clone());
-        let found = calibration.found.clone();
-        let schedule = Schedule { wing, wing_hash, sets: sets.collect(), found, unconverged: Vec::new() };
+        let schedule = schedule(self.file, &calibration);
         Ok(Calibrated { schedule, calibration, known: known.swap_remove(0) })
     }
 

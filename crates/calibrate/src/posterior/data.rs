@@ -1,5 +1,6 @@
 //! What was measured at an airspeed, row by row, and what stands between a reading and the wing: offsets, zeros, scales.
 
+use super::predictions::{MX, Quantity};
 use crate::calibration::{AirspeedCalibration, Calibration};
 use crate::campaign::{CHANNELS, StaticPoint, TIP, TipReading};
 use crate::objective::{LineFit, probability_of_noise};
@@ -25,7 +26,7 @@ pub(super) struct Datum {
     pub(super) value: f64,
     /// Standard deviation of its noise.
     pub(super) sigma: f64,
-    /// Unknowns of the sensor it hangs on as well, standard Gaussians, and its derivative by each.
+    /// Unknowns of its reading and sensor that it hangs on as well, standard Gaussians, and its derivative by each.
     pub(super) nuisances: Vec<(usize, f64)>,
     /// What the structure as given reads, if it was read under a dead weight with wind off and not in the case.
     pub(super) hung: Option<Hung>,
@@ -51,8 +52,10 @@ pub(super) struct Data {
     pub(super) cases: Vec<SteadyCase>,
     pub(super) together: Together,
     pub(super) measured: Vec<Datum>,
-    /// Number of unknowns of sensors.
+    /// Number of unknowns beside the wing's: first one of each reading, then of channels and sensors.
     pub(super) nuisances: usize,
+    /// What any reading is off by, as a share of it: one unknown for all rows of a reading, as the same lattice reads them.
+    reading: f64,
     /// Names of the readings' columns.
     pub(super) names: Vec<String>,
     /// How many times the stated noise is taken, by reading.
@@ -64,6 +67,7 @@ impl Data {
         wing: &ElasticWing,
         calibration: &Calibration,
         at: &AirspeedCalibration,
+        reading: f64,
     ) -> Result<Self, InputError> {
         let statics = &calibration.data;
         let sensors = statics.sensors.iter().map(|sensor| sensor.reads.row(wing));
@@ -76,7 +80,8 @@ impl Data {
         }
         let raised = vec![1.0; names.len()];
         let (cases, measured) = (Vec::new(), Vec::new());
-        let mut found = Self { cases, together, measured, nuisances: CHANNELS.len(), names, raised };
+        let nuisances = names.len() + CHANNELS.len();
+        let mut found = Self { cases, together, measured, nuisances, reading, names, raised };
         let flow = Flow { v_m_s: at.data.v_m_s, rho_kg_m3: calibration.rho_kg_m3 };
         let channels = found.channels(calibration, at);
         for angle in &at.data.angles {
@@ -141,15 +146,10 @@ impl Data {
     }
 
     /// Adds a number of a column: of the channels, then of the sensors.
-    fn add(&mut self, case: usize, column: usize, value: f64, sigma: f64, nuisances: Vec<(usize, f64)>) {
-        self.measured.push(Datum {
-            case,
-            row: self.together.places[column],
-            value,
-            sigma,
-            nuisances,
-            hung: None,
-        });
+    fn add(&mut self, case: usize, column: usize, value: f64, sigma: f64, mut nuisances: Vec<(usize, f64)>) {
+        let row = self.together.places[column];
+        nuisances.push((row, self.reading * value));
+        self.measured.push(Datum { case, row, value, sigma, nuisances, hung: None });
     }
 
     /// Noise of the channels and what moves all rows of one together: the offset common to all blocks, a tip's zero.
@@ -162,7 +162,7 @@ impl Data {
             let zero = tip_zero.filter(|_| channel == TIP).map(|zero| (zero, LOOSE * farthest_m));
             ChannelKnown {
                 sigma: sigma[channel],
-                offsets: std::iter::once((channel, common[channel])).chain(zero).collect(),
+                offsets: std::iter::once((self.names.len() + channel, common[channel])).chain(zero).collect(),
             }
         })
     }
@@ -223,6 +223,18 @@ impl Data {
     pub(super) fn beyond(&self) -> Vec<(String, f64)> {
         let all = self.names.iter().cloned().zip(self.raised.iter().copied());
         all.filter(|(_, raised)| *raised > 1.0).collect()
+    }
+
+    /// Place of the reading that a quantity is of, if it is a column's.
+    pub(super) fn place(&self, quantity: &Quantity, sensors: &[Sensor]) -> Option<usize> {
+        let column = match quantity {
+            Quantity::TipHeight => TIP,
+            Quantity::ControlMx { .. } => MX,
+            Quantity::Reading(reading) => {
+                CHANNELS.len() + sensors.iter().position(|sensor| sensor.reads == *reading)?
+            }
+        };
+        Some(self.together.places[column])
     }
 
     fn further_nuisance(&mut self) -> usize {

@@ -1,8 +1,8 @@
 //! Airspeeds together: corrections of one are like those of another, and the structure, what surfaces do and dead weights are the same.
 //!
 //! The unknowns `z_k` of airspeed `k` are standard Gaussians before the data, with the correlation `R_kl` between airspeeds: one of structure
-//! and surfaces, `exp(-|ln V_k/V_l| / alike)` of corrections (a process without memory in the logarithm of the airspeed), none of sensors'
-//! own unknowns. With all rows `J` over their noise and what they ask for `d`, `w = (J R J' + I)⁻¹ d`:
+//! and surfaces and of what readings are off by, `exp(-|ln V_k/V_l| / alike)` of corrections (a process without memory in the logarithm of the
+//! airspeed), none of sensors' own unknowns. With all rows `J` over their noise and what they ask for `d`, `w = (J R J' + I)⁻¹ d`:
 //!
 //! ```text
 //! mean z_k = sum_l R_kl J_l' w_l,   cov z_k = I - S' (J R J' + I)⁻¹ S,   S_l = J_l R_lk
@@ -26,9 +26,10 @@ pub(super) struct Joint {
     rows: Vec<(usize, usize, Vec<f64>)>,
     /// Correlation of corrections between airspeeds; of the rest of a wing it is one where this is not zero.
     alike: Mat<f64>,
-    /// Unknowns of corrections, and of a wing in all.
+    /// Unknowns of corrections, of a wing in all, and with those of readings.
     corrections: usize,
     count: usize,
+    shared: usize,
     /// With those of sensors, by airspeed.
     unknowns: Vec<usize>,
     /// Of `J R J' + I`.
@@ -36,8 +37,9 @@ pub(super) struct Joint {
 }
 
 impl Joint {
-    /// Of airspeeds that are alike over so much in their logarithm (0: each for itself), with so many unknowns of corrections and of a wing in all.
-    pub(super) fn new(of: &[OfAirspeed<'_>], [corrections, count]: [usize; 2], alike: f64) -> Self {
+    /// Of airspeeds that are alike over so much in their logarithm (0: each for itself), with so many unknowns of corrections, of a wing in
+    /// all, and with those of readings.
+    pub(super) fn new(of: &[OfAirspeed<'_>], [corrections, count, shared]: [usize; 3], alike: f64) -> Self {
         let between = |k: usize, l: usize| {
             let apart = (of[k].v_m_s / of[l].v_m_s).ln().abs();
             match alike {
@@ -56,6 +58,7 @@ impl Joint {
             alike: Mat::from_fn(of.len(), of.len(), between),
             corrections,
             count,
+            shared,
             unknowns: of.iter().map(|at| at.rows.first().map_or(count, Vec::len)).collect(),
             factor: None,
         };
@@ -86,8 +89,9 @@ impl Joint {
         if alike == 0.0 {
             return 0.0;
         }
-        let part = |from: usize, to: usize| product(&a[from..to], &b[from..to]);
-        alike * part(0, self.corrections) + part(self.corrections, self.count)
+        let part =
+            |from: usize, to: usize| -> f64 { a.iter().zip(b).take(to).skip(from).map(|(a, b)| a * b).sum() };
+        alike * part(0, self.corrections) + part(self.corrections, self.shared)
     }
 
     /// The unknowns of every airspeed that the data and the prior leave most likely; `asked` is what a row of an airspeed's data asks for.
@@ -110,7 +114,7 @@ impl Joint {
         match self.alike[(k, l)] {
             _ if k == l => 1.0,
             alike if unknown < self.corrections => alike,
-            alike => f64::from(u8::from(unknown < self.count && alike > 0.0)),
+            alike => f64::from(u8::from(unknown < self.shared && alike > 0.0)),
         }
     }
 

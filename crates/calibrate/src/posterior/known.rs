@@ -3,9 +3,11 @@
 use super::data::{Data, Datum};
 use super::joint::{Joint, OfAirspeed, product};
 use super::off::WingOff;
+use super::predictions::Quantity;
 use super::prior::Unknowns;
 use super::read::{CaseRead, read_case};
 use crate::calibration::{AirspeedCalibration, Calibration};
+use crate::sensors::Sensor;
 use aero::{Corrections, Flow};
 use coupling::wing_file::CorrectionPrior;
 use coupling::{CouplingError, ElasticWing, SteadyCase, SteadyOperator};
@@ -71,7 +73,7 @@ impl<'a> Known<'a> {
     ) -> Result<Self, CouplingError> {
         let flow = Flow { v_m_s: at.data.v_m_s, rho_kg_m3: calibration.rho_kg_m3 };
         let unknowns = Unknowns::new(wing, prior);
-        let mut data = Data::of(wing, calibration, at)?;
+        let mut data = Data::of(wing, calibration, at, prior.reading)?;
         let more = calibration.data.is_more_than_root_loads();
         // root loads alone: the least change of pressures that reaches them, as paper 1 has it
         let least_change = WingOff { corrections: at.corrections.clone(), ..WingOff::theory(wing) };
@@ -163,7 +165,10 @@ impl<'a> Known<'a> {
     }
 
     fn joint(known: &[Self], alike: f64) -> Joint {
-        let counts = known.first().map_or([0; 2], |at| [at.unknowns.of_corrections(), at.unknowns.count()]);
+        let counts = known.first().map_or([0; 3], |at| {
+            let count = at.unknowns.count();
+            [at.unknowns.of_corrections(), count, count + at.data.names.len()]
+        });
         let of = known.iter().map(|at| OfAirspeed {
             v_m_s: at.flow.v_m_s,
             rows: &at.rows,
@@ -174,6 +179,23 @@ impl<'a> Known<'a> {
 
     pub(super) fn case(&self, alpha_rad: f64) -> SteadyCase {
         SteadyCase::new(self.flow, alpha_rad)
+    }
+
+    /// The unknown of what a quantity's reading is off by: the data's, if they have that reading, else the first that they know nothing of.
+    pub(super) fn reading_of(&self, quantity: &Quantity, sensors: &[Sensor]) -> usize {
+        self.data.place(quantity, sensors).map_or(self.z.len(), |place| self.unknowns.count() + place)
+    }
+
+    /// The same of a channel of the balance.
+    pub(super) fn reading_of_channel(&self, channel: usize) -> usize {
+        self.unknowns.count() + self.data.together.places[channel]
+    }
+
+    /// A gradient by the unknowns of the wing and by that of the reading of a value.
+    pub(super) fn with_reading(&self, mut gradient: Vec<f64>, unknown: usize, value: f64) -> Vec<f64> {
+        gradient.resize(unknown + 1, 0.0);
+        gradient[unknown] = self.unknowns.reading * value;
+        gradient
     }
 
     /// The case with the largest angle that was measured.

@@ -112,17 +112,17 @@ pub fn posterior(
         let predicted = predict(wing, &known.corrected, &known.off, &case, &listed)?;
         let gradients: Vec<Vec<f64>> = predicted.iter().map(|at| at.gradient(&known.unknowns)).collect();
         let each = listed.iter().zip(by_theory).zip(predicted.iter().zip(&gradients));
-        let predictions = each.map(|((quantity, theory), (at, gradient))| Prediction {
-            quantity: quantity.clone(),
-            theory: theory.value(),
-            value: at.value(),
-            prior_sigma: gradient
-                .iter()
-                .map(|x| x * x)
-                .sum::<f64>()
-                .sqrt()
-                .hypot(known.unknowns.reading * at.value()),
-            sigma: joint.sigma(k, gradient).hypot(known.unknowns.reading * at.value()),
+        let predictions = each.map(|((quantity, theory), (at, gradient))| {
+            let sensors = &calibration.data.sensors;
+            let reading = known.reading_of(quantity, sensors);
+            let by_all = known.with_reading(gradient.clone(), reading, at.value());
+            Prediction {
+                quantity: quantity.clone(),
+                theory: theory.value(),
+                value: at.value(),
+                prior_sigma: by_all.iter().map(|x| x * x).sum::<f64>().sqrt(),
+                sigma: joint.sigma(k, &by_all),
+            }
         });
         let predictions = predictions.collect();
         Ok(AirspeedPosterior {

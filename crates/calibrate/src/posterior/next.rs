@@ -53,15 +53,24 @@ pub fn rank(
             .map(|&alpha| in_case(&known.case(alpha), quantity))
             .collect::<Result<Vec<_>, _>>()
     };
-    let gradient = in_case(&known.largest(), wanted)?.gradient(&known.unknowns);
-    let sigma = joint.sigma(last, &gradient);
     let data = &calibration.data;
+    let gradient = |reading: usize, read: &Predicted| {
+        known.with_reading(read.gradient(&known.unknowns), reading, read.value())
+    };
+    let reading_of_wanted = known.reading_of(wanted, &data.sensors);
+    // a reading that the data have not is off by something of its own
+    let reading_of = |quantity: &Quantity| match known.reading_of(quantity, &data.sensors) {
+        reading if reading == reading_of_wanted && quantity != wanted => reading + 1,
+        reading => reading,
+    };
+    let asked = gradient(reading_of_wanted, &in_case(&known.largest(), wanted)?);
+    let sigma = joint.sigma(last, &asked);
     let mut found = Vec::new();
     let mut suggest = |measure: String, rows: Vec<Vec<f64>>| {
-        found.push(Suggestion { measure, sigma, sigma_then: joint.sigma_with(last, &rows, &gradient) });
+        found.push(Suggestion { measure, sigma, sigma_then: joint.sigma_with(last, &rows, &asked) });
     };
-    let rows = |readings: &[Predicted], sigma: f64| {
-        readings.iter().map(|read| over(read.gradient(&known.unknowns), sigma)).collect()
+    let rows = |quantity: &Quantity, readings: &[Predicted], sigma: f64| {
+        readings.iter().map(|read| over(gradient(reading_of(quantity), read), sigma)).collect()
     };
     if !data.channels[TIP] {
         let tip_m = if known.sigma[TIP] > 0.0 { known.sigma[TIP] } else { TIP_M };
@@ -69,31 +78,44 @@ pub fn rank(
             "the tip's height (to {:.1} mm, its wind-off zero known) at the angles measured",
             1e3 * tip_m
         );
-        suggest(measure, rows(&at_angles(&Quantity::TipHeight)?, tip_m));
+        suggest(measure, rows(&Quantity::TipHeight, &at_angles(&Quantity::TipHeight)?, tip_m));
     }
     for y_over_span in BRIDGES {
-        let readings = at_angles(&Quantity::Reading(Reading::Bending { y_over_span }))?;
+        let bending = Quantity::Reading(Reading::Bending { y_over_span });
+        let readings = at_angles(&bending)?;
         let most = readings.iter().map(|read| read.value().abs()).fold(f64::MIN_POSITIVE, f64::max);
         let measure =
             format!("bending by strain (to 1 %) at {y_over_span:.1} of the span, at the angles measured");
-        suggest(measure, rows(&readings, BRIDGE_SHARE * most));
+        suggest(measure, rows(&bending, &readings, BRIDGE_SHARE * most));
     }
-    let middle = known.case(known.alphas_rad[known.alphas_rad.len() / 2]);
-    let balance = Together::new(wing, (0..3).map(Row::Balance).collect());
     for (c, control) in wing.control_names().into_iter().enumerate() {
-        let mut deflected_rows = Vec::new();
-        for deflection_deg in DEFLECTED_DEG {
-            let mut deflected = middle.clone();
-            deflected.controls_rad = vec![0.0; wing.controls.len()];
-            deflected.controls_rad[c] = f64::to_radians(deflection_deg);
-            let loads = read_case(&known.corrected, &known.off, &deflected, &balance);
-            let channels = (0..3).filter(|&channel| data.channels[channel]);
-            deflected_rows.extend(
-                channels.map(|channel| over(known.unknowns.gradient(&loads, channel), known.sigma[channel])),
-            );
-        }
-        suggest(format!("root loads with {control} at -10 and 10 degrees"), deflected_rows);
+        let measure = format!("root loads with {control} at -10 and 10 degrees");
+        suggest(measure, deflected_rows(wing, known, c, data.channels));
     }
     found.sort_by(|a, b| a.sigma_then.total_cmp(&b.sigma_then));
     Ok(found)
+}
+
+/// Rows of root loads with a control deflected, at the middle of the angles measured.
+fn deflected_rows(
+    wing: &ElasticWing,
+    known: &Known<'_>,
+    control: usize,
+    channels: [bool; 4],
+) -> Vec<Vec<f64>> {
+    let middle = known.case(known.alphas_rad[known.alphas_rad.len() / 2]);
+    let balance = Together::new(wing, (0..3).map(Row::Balance).collect());
+    let mut rows = Vec::new();
+    for deflection_deg in DEFLECTED_DEG {
+        let mut deflected = middle.clone();
+        deflected.controls_rad = vec![0.0; wing.controls.len()];
+        deflected.controls_rad[control] = f64::to_radians(deflection_deg);
+        let loads = read_case(&known.corrected, &known.off, &deflected, &balance);
+        rows.extend((0..3).filter(|&channel| channels[channel]).map(|channel| {
+            let by_wing = known.unknowns.gradient(&loads, channel);
+            let reading = known.reading_of_channel(channel);
+            over(known.with_reading(by_wing, reading, loads.values[channel]), known.sigma[channel])
+        }));
+    }
+    rows
 }

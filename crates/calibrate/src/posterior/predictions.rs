@@ -11,6 +11,9 @@ use std::rc::Rc;
 /// Places of sections along the span, as shares of it.
 const SECTIONS: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
 
+/// The balance's channel that bending at the root is.
+pub(super) const MX: usize = 1;
+
 /// What is predicted.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Quantity {
@@ -42,7 +45,7 @@ fn row_of(wing: &ElasticWing, quantity: &Quantity) -> Row {
     match quantity {
         Quantity::Reading(reading) => reading.row(wing),
         Quantity::TipHeight => Row::OnStructure(wing.tip_row()),
-        Quantity::ControlMx { .. } => Row::Balance(1),
+        Quantity::ControlMx { .. } => Row::Balance(MX),
     }
 }
 

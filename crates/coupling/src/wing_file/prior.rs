@@ -11,7 +11,8 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct CorrectionPrior {
-    /// Of the force factor: common to the whole span, smooth along it, local.
+    /// Of the force factor: common to the whole span, smooth along it, local. The default along the span is somewhat more than the 4 % of the
+    /// one wing whose lift along it was measured (Weber and Brebner).
     pub force: [f64; 3],
     /// Of the force factor's growth from leading to trailing edge, smooth along the span.
     pub force_along_chord: f64,
@@ -48,9 +49,9 @@ pub struct CorrectionPrior {
 impl Default for CorrectionPrior {
     fn default() -> Self {
         Self {
-            force: [0.08, 0.06, 0.06],
+            force: [0.08, 0.035, 0.045],
             force_along_chord: 0.2,
-            zero_lift_deg: [0.8, 0.5, 0.4],
+            zero_lift_deg: [0.8, 0.4, 0.35],
             moment_offset_cp: 0.05,
             moment: 0.2,
             control: [0.05, 0.03, 0.03],

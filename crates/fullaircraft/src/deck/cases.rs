@@ -1,6 +1,6 @@
-//! The trims a deck asks for: its subcases, or every TRIM card if none is selected.
+//! The trims a deck asks for: its subcases, or every TRIM card if none is selected; and what divergence it asks for.
 
-use nastran::{BulkData, InputError, Subcase, Trim};
+use nastran::{BulkData, Diverg, InputError, Subcase, Trim};
 
 /// One trim of a deck.
 #[derive(Debug, Clone, PartialEq)]
@@ -11,11 +11,51 @@ pub struct DeckCase {
     pub trim: Trim,
 }
 
+/// A subcase that asks for divergence.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DivergenceCase {
+    /// What selects it.
+    pub subcase: Subcase,
+    /// Its DIVERG card.
+    pub diverg: Diverg,
+}
+
+/// The subcases of a deck that ask for divergence, in its order.
+///
+/// # Errors
+/// If a subcase selects a DIVERG that is not there.
+pub fn divergence_cases(bulk: &BulkData) -> Result<Vec<DivergenceCase>, InputError> {
+    let of = |subcase: &Subcase, id: u32| {
+        let diverg = bulk.divergences.get(&id).ok_or_else(|| {
+            InputError::general(format!("SUBCASE {} selects DIVERG {id}, which is not there", subcase.id))
+        })?;
+        Ok(DivergenceCase { subcase: subcase.clone(), diverg: diverg.clone() })
+    };
+    bulk.subcases.iter().filter_map(|subcase| subcase.divergence.map(|id| of(subcase, id))).collect()
+}
+
 /// The trims of a deck in its order.
 ///
 /// # Errors
 /// If a subcase selects a TRIM that is not there, or the deck has none.
 pub fn deck_cases(bulk: &BulkData) -> Result<Vec<DeckCase>, InputError> {
+    let cases = trims_or_none(bulk)?;
+    if cases.is_empty() {
+        return Err(InputError::general("the deck asks for no trim")
+            .with_help("add a TRIM card and select it in a SUBCASE, or leave out the case control"));
+    }
+    Ok(cases)
+}
+
+/// As [`deck_cases`]; a deck that asks for divergence alone has none.
+///
+/// # Errors
+/// As [`deck_cases`], if the deck asks for no divergence either.
+pub fn deck_cases_beside_divergence(bulk: &BulkData) -> Result<Vec<DeckCase>, InputError> {
+    if divergence_cases(bulk)?.is_empty() { deck_cases(bulk) } else { trims_or_none(bulk) }
+}
+
+fn trims_or_none(bulk: &BulkData) -> Result<Vec<DeckCase>, InputError> {
     bulk.refuse_unread_air()?;
     let mut cases = Vec::new();
     for subcase in &bulk.subcases {
@@ -25,15 +65,12 @@ pub fn deck_cases(bulk: &BulkData) -> Result<Vec<DeckCase>, InputError> {
         })?;
         cases.push(DeckCase { subcase: subcase.clone(), trim: trim.clone() });
     }
-    if let ([] | [_], true) = (bulk.subcases.as_slice(), cases.is_empty()) {
+    let asks_otherwise = bulk.subcases.iter().any(|subcase| subcase.divergence.is_some());
+    if let ([] | [_], true) = (bulk.subcases.as_slice(), cases.is_empty() && !asks_otherwise) {
         let subcase = bulk.subcases.first().cloned().unwrap_or_default();
         cases.extend(
             bulk.trims.values().map(|trim| DeckCase { subcase: subcase.clone(), trim: trim.clone() }),
         );
-    }
-    if cases.is_empty() {
-        return Err(InputError::general("the deck asks for no trim")
-            .with_help("add a TRIM card and select it in a SUBCASE, or leave out the case control"));
     }
     Ok(cases)
 }

@@ -31,6 +31,7 @@ use faer::{Mat, c64};
 use nalgebra::{Matrix3, Point3};
 use nastran::{Aeros, BulkData, Frames, InputError, Trim};
 use std::collections::BTreeMap;
+use structure::unsymmetric::eigenvalues;
 
 /// How the elastic aircraft is held when a derivative is taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -346,9 +347,8 @@ fn stream_axes(frames: &Frames, aeros: &Aeros) -> Result<StreamAxes, InputError>
 
 /// One over the positive real eigenvalues of `F H`, ascending.
 fn divergence(flexibility: &Mat<f64>, stiffness: &Mat<f64>) -> Result<Vec<f64>, AircraftError> {
-    let gains: Vec<c64> = (flexibility * stiffness)
-        .eigenvalues()
-        .map_err(|_| CouplingError::Diverged { q_pa: 0.0, divergence_pa: None })?;
+    let gains: Vec<c64> = eigenvalues((flexibility * stiffness).as_ref())
+        .ok_or(CouplingError::Diverged { q_pa: 0.0, divergence_pa: None })?;
     let scale = gains.iter().map(|gain| gain.norm()).fold(0.0, f64::max);
     let real = |gain: &&c64| gain.im.abs() <= 1e-9 * gain.re.abs() && gain.re > 1e-9 * scale;
     let mut pressures: Vec<f64> = gains.iter().filter(real).map(|gain| 1.0 / gain.re).collect();

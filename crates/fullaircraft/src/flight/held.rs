@@ -16,6 +16,7 @@ use crate::flight::state::mode_state;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, c64};
 use loads::turbulence::Mode;
+use structure::unsymmetric::eigenvalues;
 
 /// Place of the lags' first state in small motions, and of the first mode's: one before the full state's.
 const LESS: usize = 1;
@@ -84,7 +85,7 @@ impl<'a> Held<'a> {
         let mut chosen = Mat::zeros(n, first + lags);
         chosen.as_mut().subcols_mut(0, first).copy_from(&self.kept);
         (0..lags).for_each(|at| chosen[(place(at), first + at)] = 1.0);
-        (chosen.transpose() * &self.free.a * &chosen).eigenvalues().ok()
+        eigenvalues((chosen.transpose() * &self.free.a * &chosen).as_ref())
     }
 
     /// Its modes that are narrow, or how long the fastest growing motion takes to double, s.

@@ -17,6 +17,7 @@ use faer::Mat;
 use maneuver::motion::{MotionSpec, sampled};
 use maneuver::{ExactStep, Signal};
 use nalgebra::Vector3;
+use structure::unsymmetric::eigenvalues;
 
 /// Time step of commands and histories, s: a peak at 13 Hz is then seen within 0.1 %.
 pub const TIME_STEP_S: f64 = 0.001;
@@ -95,13 +96,13 @@ impl FreeFlight {
     /// `None` if they do not converge. Motions that neither grow nor decay count as zero, and come out as
     /// a little more than that because their eigenvalue is a multiple one.
     pub fn growth_rate_per_s(&self) -> Option<f64> {
-        let values = self.a.eigenvalues().ok()?;
+        let values = eigenvalues(self.a.as_ref())?;
         Some(values.iter().map(|value| value.re).fold(f64::NEG_INFINITY, f64::max))
     }
 
     /// Eigenvalues of small motions, 1/s (real and imaginary part); `None` if they do not converge.
     pub fn eigenvalues(&self) -> Option<Vec<[f64; 2]>> {
-        Some(self.a.eigenvalues().ok()?.iter().map(|value| [value.re, value.im]).collect())
+        Some(eigenvalues(self.a.as_ref())?.iter().map(|value| [value.re, value.im]).collect())
     }
 
     /// Number of states.

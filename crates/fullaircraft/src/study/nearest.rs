@@ -9,6 +9,9 @@ use std::collections::BTreeMap;
 /// Cosine between a panel's normal and y beyond which the axis of its splines is z: a beam spline's axis lies in the panel.
 const UPRIGHT: f64 = 0.7;
 
+/// Share by which distances of grids that are as near may differ.
+const ALIKE: f64 = 1e-9;
+
 /// The cards, by number from `first` on, with `upright` as the number of the system of upright panels; `acsid` is that of the stream.
 ///
 /// # Errors
@@ -31,11 +34,9 @@ pub(super) fn cards(
         let end = surface.first_box + surface.chordwise * surface.spanwise;
         for one in &lattice.boxes[surface.first_box..end] {
             let middle = one.mid_point();
-            let far = |(_, point): &&(u32, Point3<f64>)| (point - middle).norm_squared();
-            let nearest = grids.iter().min_by(|a, b| far(a).total_cmp(&far(b)));
-            let Some((grid, _)) = nearest else { continue };
+            let Some(grid) = nearest(&grids, &middle) else { continue };
             let is_upright = one.normal().y.abs() > UPRIGHT;
-            groups.entry((surface.id, *grid)).or_insert((Vec::new(), is_upright)).0.push(one.id);
+            groups.entry((surface.id, grid)).or_insert((Vec::new(), is_upright)).0.push(one.id);
         }
     }
     let axes = ["0.", "0.", "0.", "0.", "-1.", "0.", "1.", "0.", "0."].map(str::to_owned);
@@ -66,7 +67,14 @@ pub(super) fn cards(
     Ok(text)
 }
 
-/// Numbers and places of the grids that boxes may follow.
+/// The nearest grid; of several as near, which rounding must not choose among, that with the lowest number.
+fn nearest(grids: &[(u32, Point3<f64>)], point: &Point3<f64>) -> Option<u32> {
+    let far = |grid: &(u32, Point3<f64>)| (grid.1 - point).norm();
+    let least = grids.iter().map(far).fold(f64::INFINITY, f64::min);
+    grids.iter().find(|grid| far(grid) <= least * (1.0 + ALIKE)).map(|(id, _)| *id)
+}
+
+/// Numbers and places of the grids that boxes may follow, by rising numbers.
 fn grids(
     bulk: &BulkData,
     sets: Option<&[u32]>,

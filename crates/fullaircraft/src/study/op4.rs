@@ -58,6 +58,10 @@ fn chosen(path: &Path, records: &mut dyn Records) -> Result<MassTerms, InputErro
     let Some((head, terms)) = found else {
         return Err(InputError::in_file(path, "there is no matrix in this OP4 file"));
     };
+    if names.iter().filter(|name| *name == MASS).count() > 1 {
+        let message = format!("there are several matrices called {MASS}: {}", names.join(", "));
+        return Err(InputError::in_file(path, message).with_help("keep the mass matrix alone in the file"));
+    }
     if names.len() > 1 && head.name != MASS {
         let message =
             format!("there are {} matrices, {}, and none is called {MASS}", names.len(), names.join(", "));

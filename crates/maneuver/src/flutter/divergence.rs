@@ -4,6 +4,7 @@ use super::{Aeroelastic, FlutterError};
 use coupling::divergence::lowest_pressure;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
+use structure::unsymmetric::eigenvalues;
 
 impl Aeroelastic<'_> {
     /// Lowest divergence pressure, Pa, with the forces of an airspeed (which matters where corrections depend on it);
@@ -16,7 +17,7 @@ impl Aeroelastic<'_> {
         let q = self.forces().at(0.0, v_m_s)?;
         let real = Mat::from_fn(n, n, |i, j| q[(i, j)].re);
         let gain = self.stiffness().to_owned().partial_piv_lu().solve(&real);
-        let values = gain.eigenvalues().map_err(|_| FlutterError::Eigenvalues("the steady air forces"))?;
+        let values = eigenvalues(gain.as_ref()).ok_or(FlutterError::Eigenvalues("the steady air forces"))?;
         Ok(lowest_pressure(&values))
     }
 

@@ -10,6 +10,7 @@ use super::{Aeroelastic, FlutterError};
 use aero::Flow;
 use faer::c64;
 use std::f64::consts::TAU;
+use structure::unsymmetric;
 
 /// Likeness of shapes below which a step is too long.
 const SAME_SHAPE: f64 = 0.9;
@@ -122,10 +123,11 @@ impl Aeroelastic<'_> {
         let n = self.size();
         let undamped = self.mass().to_owned().partial_piv_lu();
         let matrix = faer::linalg::solvers::Solve::solve(&undamped, self.stiffness().to_owned());
-        let eigen = matrix.eigen().map_err(|_| FlutterError::Eigenvalues("the structure"))?;
+        let (values, vectors) =
+            unsymmetric::eigen(matrix.as_ref()).ok_or(FlutterError::Eigenvalues("the structure"))?;
         let mut states = Vec::with_capacity(n);
         for i in 0..n {
-            let value = eigen.S()[i];
+            let value = values[i];
             if !(value.re > 0.0 && value.im.abs() <= 1e-9 * value.re) {
                 let expected = "positive (a coordinate without stiffness cannot be followed from rest)";
                 return Err(FlutterError::Number {
@@ -134,7 +136,7 @@ impl Aeroelastic<'_> {
                     expected,
                 });
             }
-            let u = (0..n).map(|row| eigen.U()[(row, i)]).collect();
+            let u = (0..n).map(|row| vectors[(row, i)]).collect();
             states.push(State { p: c64::new(0.0, value.re.sqrt()), u, real: false, beyond: false });
         }
         states.sort_by(|a, b| a.p.im.total_cmp(&b.p.im));

@@ -8,6 +8,7 @@ use super::FlutterError;
 use super::curves::{Crossing, FlutterCurves, Root};
 use aero::Flow;
 use faer::{Mat, c64};
+use structure::unsymmetric::eigen;
 
 /// Real parts below this share of the largest eigenvalue are round-off.
 const ROUND_OFF: f64 = 1e-12;
@@ -32,9 +33,8 @@ struct Spectrum {
 
 impl Spectrum {
     fn new(a: &Mat<f64>) -> Result<Self, FlutterError> {
-        let eigen = a.eigen().map_err(|_| FlutterError::Eigenvalues("the system"))?;
-        let values: Vec<c64> = (0..a.nrows()).map(|i| eigen.S()[i]).collect();
-        Ok(Self { values, vectors: eigen.U().to_owned() })
+        let (values, vectors) = eigen(a.as_ref()).ok_or(FlutterError::Eigenvalues("the system"))?;
+        Ok(Self { values, vectors })
     }
 
     fn oscillates(value: c64) -> bool {

@@ -10,6 +10,7 @@ use super::system::SplitForces;
 use super::{Aeroelastic, FlutterError};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, c64};
+use structure::unsymmetric;
 
 /// Values of kappa that are looked at, from zero to beyond the fastest motion.
 const LOOKS: u32 = 32;
@@ -49,11 +50,11 @@ impl Aeroelastic<'_> {
     /// Eigenvalues that do not swing backwards, with shapes, the forces held as given.
     pub(super) fn with_forces_held(&self, forces: &SplitForces, place: Place) -> Option<Vec<State>> {
         let n = self.size();
-        let eigen = self.state_matrix(forces, place).eigen().ok()?;
+        let (values, vectors) = unsymmetric::eigen(self.state_matrix(forces, place).as_ref())?;
         let states = (0..2 * n).filter_map(|k| {
-            let p = eigen.S()[k];
+            let p = values[k];
             let real = is_real(p);
-            let u = (0..n).map(|i| eigen.U()[(i, k)]).collect();
+            let u = (0..n).map(|i| vectors[(i, k)]).collect();
             let p = if real { c64::from(p.re) } else { p };
             (p.im >= 0.0).then_some(State { p, u, real, beyond: forces.beyond })
         });
@@ -105,8 +106,8 @@ impl Aeroelastic<'_> {
     /// Frequencies with the forces at kappa, rad/s, the fastest first; zero for motions that do not oscillate.
     fn frequencies_at(&self, kappa: f64, place: Place) -> Result<Vec<f64>, FlutterError> {
         let forces = self.split(kappa, place.flow.v_m_s)?;
-        let values = self.state_matrix(&forces, place).eigenvalues();
-        let values = values.map_err(|_| FlutterError::Eigenvalues("the structure in the air"))?;
+        let values = unsymmetric::eigenvalues(self.state_matrix(&forces, place).as_ref())
+            .ok_or(FlutterError::Eigenvalues("the structure in the air"))?;
         let mut all: Vec<f64> = values
             .into_iter()
             .filter(|p| p.im >= 0.0 || is_real(*p))

@@ -11,6 +11,7 @@ use super::{FlutterError, GeneralisedForces};
 use aero::Flow;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, MatRef, c64};
+use structure::unsymmetric::eigenvalues;
 
 /// A root slower than this share of the slowest mode with a stiffness is as good as at rest.
 const AT_REST: f64 = 1e-3;
@@ -164,11 +165,8 @@ impl<'a> Aeroelastic<'a> {
 
 /// Frequency of the slowest mode that has a stiffness, rad/s; one if there is none.
 fn slowest_rad_s(mass: MatRef<'_, f64>, stiffness: MatRef<'_, f64>) -> Result<f64, FlutterError> {
-    let squares = mass
-        .partial_piv_lu()
-        .solve(stiffness)
-        .eigenvalues()
-        .map_err(|_| FlutterError::Eigenvalues("the structure"))?;
+    let squares = eigenvalues(mass.partial_piv_lu().solve(stiffness).as_ref())
+        .ok_or(FlutterError::Eigenvalues("the structure"))?;
     let largest = squares.iter().map(|square| square.re).fold(0.0, f64::max);
     let slowest =
         squares.iter().map(|square| square.re).filter(|s| *s > 1e-9 * largest).fold(f64::INFINITY, f64::min);

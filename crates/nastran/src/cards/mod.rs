@@ -80,5 +80,5 @@ pub use spline::{SplineCard, SplineKind};
 pub use surface::{Aelist, Aesurf};
 pub use system::{Coord, CoordDefinition, CoordKind};
 pub use temperature::{Temperature, TemperatureOf};
-pub use trim::{Aecomp, Aecompl, Aelink, Aeros, Aestat, ComponentOf, Suport, Trim};
+pub use trim::{Aecomp, Aecompl, Aelink, Aeros, Aestat, ComponentOf, Diverg, Suport, Trim};
 pub use tube::{Ctube, Ptube};

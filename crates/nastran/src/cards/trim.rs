@@ -126,6 +126,40 @@ impl DeckCard for Trim {
     no_image!();
 }
 
+/// What divergence is looked for (DIVERG).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Diverg {
+    /// Identification number.
+    pub id: u32,
+    /// How many dynamic pressures of divergence, the lowest.
+    pub roots: u32,
+    /// Mach numbers.
+    pub machs: Vec<f64>,
+    /// Where the card stands.
+    pub span: Span,
+}
+
+impl DeckCard for Diverg {
+    numbered!();
+    /// DIVERG: SID NROOT M1 M2 ...
+    fn read(card: &Card) -> Result<Vec<Self>, InputError> {
+        let given = (2..card.len()).filter(|at| !card.text(*at).is_empty());
+        let machs: Vec<f64> = given.map(|at| card.not_negative(at, "M", 0.0)).collect::<Result<_, _>>()?;
+        if machs.is_empty() {
+            return Err(card.empty(2, "M1", "a Mach number"));
+        }
+        let roots = if card.text(1).is_empty() { 1 } else { card.id(1, "NROOT")? };
+        Ok(vec![Diverg { id: card.id(0, "SID")?, roots, machs, span: card.span.clone() }])
+    }
+
+    not_written!();
+
+    // A set keeps its number.
+    keeps_numbers!();
+
+    no_image!();
+}
+
 /// Fictitious supports of one grid (SUPORT, and SUPORT1, which a subcase selects).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Suport {

@@ -19,6 +19,8 @@ pub struct Subcase {
     pub label: String,
     /// TRIM.
     pub trim: Option<u32>,
+    /// DIVERG.
+    pub divergence: Option<u32>,
     /// SPC.
     pub spc: Option<u32>,
     /// MPC.
@@ -340,6 +342,7 @@ fn select(
     let one = || number(command, value).map(Some);
     match unabbreviated(name) {
         "TRIM" => case.trim = one()?,
+        "DIVERG" => case.divergence = one()?,
         "SPC" => case.spc = one()?,
         "MPC" => case.mpc = one()?,
         "AUTOSPC" => {

@@ -31,11 +31,11 @@ use taken::Numbers;
 const MOST_IN_RANGES: usize = 10_000_000;
 
 /// Cards of the air: one that is wrong or not read as it stands does not stop who asks for the structure alone.
-const AIR: [&str; 42] = [
+const AIR: [&str; 43] = [
     "CAERO1", "PAERO1", "AEFACT", "AESURF", "AELIST", "SPLINE1", "SPLINE2", "SPLINE4", "SPLINE5", "MONPNT1",
-    "MONPNT3", "AEROS", "AESTAT", "TRIM", "AELINK", "AECOMP", "AECOMPL", "AERO", "FLUTTER", "FLFACT",
-    "MKAERO1", "MKAERO2", "TABDMP1", "GUST", "TLOAD1", "TLOAD2", "RLOAD1", "RLOAD2", "DLOAD", "DAREA",
-    "EPOINT", "DMIG", "FREQ", "FREQ1", "FREQ2", "TSTEP", "TABLED1", "TABLED2", "TABLED3", "TABRND1",
+    "MONPNT3", "AEROS", "AESTAT", "TRIM", "DIVERG", "AELINK", "AECOMP", "AECOMPL", "AERO", "FLUTTER",
+    "FLFACT", "MKAERO1", "MKAERO2", "TABDMP1", "GUST", "TLOAD1", "TLOAD2", "RLOAD1", "RLOAD2", "DLOAD",
+    "DAREA", "EPOINT", "DMIG", "FREQ", "FREQ1", "FREQ2", "TSTEP", "TABLED1", "TABLED2", "TABLED3", "TABRND1",
     "TABRNDG", "RANDPS",
 ];
 

@@ -6,6 +6,7 @@ use super::structure::LargeDeflection;
 use crate::blocks::Noise;
 use crate::factor::Factor;
 use crate::sparse;
+use crate::unsymmetric::eigenvalues;
 use faer::Mat;
 
 /// Steps of Arnoldi's method: loads that follow have few eigenvalues that are not small.
@@ -66,7 +67,7 @@ fn largest_real(start: &[f64], product: impl Fn(&[f64]) -> Vec<f64>) -> Option<f
     }
     let count = columns.len();
     let small = Mat::from_fn(count, count, |i, j| columns[j].get(i).copied().unwrap_or(0.0));
-    let values = small.eigenvalues().ok()?;
+    let values = eigenvalues(small.as_ref())?;
     let real = values.iter().filter(|value| value.im.abs() <= 1e-6 * value.norm());
     Some(real.map(|value| value.re).fold(0.0, f64::max))
 }

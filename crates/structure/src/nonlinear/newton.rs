@@ -5,6 +5,7 @@
 //! prediction of bending, which takes a tenth to a half of the iterations.
 
 use super::acting::Acting;
+use super::corotated::Placed;
 use super::krylov;
 use super::near::Near;
 use super::state::State;
@@ -28,6 +29,10 @@ const STEP: f64 = 1e-7;
 
 /// Spin of one iteration beyond which a linear prediction means nothing, rad.
 const SPIN: f64 = 1.5;
+
+/// Spin of the last iteration, rad, below which the tangent of a structure under loads that follow is the same still. (Thin shells turned by
+/// a thousandth would stretch to the size of their bending; without such loads the tangent's signs are judged, so it is always that of now.)
+const SAME_TANGENT: f64 = 1e-4;
 
 /// Residual of the linear equations of a step under loads that follow, relative.
 const RESIDUAL: f64 = 1e-8;
@@ -66,27 +71,22 @@ pub(super) fn converge(
     let mut promised: Option<Vec<DVector<f64>>> = None;
     let (mut added, mut way, mut first_work): (Vec<f64>, Vec<f64>, f64) = (Vec::new(), Vec::new(), 0.0);
     let (mut negative, mut on_the_way, size) = (0, 0, extent(start));
+    let (mut kept, mut last_spin): (Option<Factor>, f64) = (None, f64::INFINITY);
     for iteration in 1..=ITERATIONS {
         let map = structure.map(&state);
         let inner = structure.inner(&state);
         let failed = |negative| Failed { negative, iterations: iteration };
         let Some(near) = acting.at(structure, &state) else { return Err(failed(negative)) };
         let short: Vec<f64> = inner.forces.iter().zip(near.forces()).map(|(i, o)| i - o).collect();
+        let same = kept.take().filter(|_| acting.follows() && last_spin < SAME_TANGENT);
         let local = promised.as_ref().unwrap_or(&inner.local);
-        let k = structure.tangent(&state, &map, &inner.placed, local, &short);
-        let scale: Vec<f64> = sparse::diagonal(k.as_ref()).iter().map(|d| d.abs()).collect();
-        let Some(factor) = Factor::indefinite(&structure.analysis, k.as_ref(), &scale) else {
-            return Err(failed(negative));
-        };
+        let factored = || factored_tangent(structure, &state, &map, (&inner.placed[..], &local[..]), &short);
+        let Some(factor) = same.or_else(factored) else { return Err(failed(negative)) };
         negative = factor.pivots().iter().filter(|(_, pivot)| *pivot < 0.0).count();
         on_the_way = on_the_way.max(negative);
         let r = LargeDeflection::reduced(&map, &short);
-        let du = if acting.follows() || structure.joints.has_means() {
-            let following = acting.follows().then_some(near.as_ref());
-            unsymmetric_step(structure, &state, &map, following, &short, &factor)
-        } else {
-            symmetric_step(&factor, &r)
-        };
+        let following = acting.follows().then_some(near.as_ref());
+        let du = linear_step(structure, &state, &map, following, &short, &factor);
         let moved = structure.move_on(&mut state, &map, &du);
         let (shift, spin) = largest(&moved);
         if !(shift.is_finite() && spin.is_finite()) || spin > SPIN {
@@ -115,8 +115,22 @@ pub(super) fn converge(
             &inner.local[at] + change
         };
         promised = Some((0..inner.local.len()).into_par_iter().map(one).collect());
+        (kept, last_spin) = (Some(factor), spin);
     }
     Err(Failed { negative, iterations: ITERATIONS })
+}
+
+/// The tangent's factor, its geometric terms by the forces of `local`; `short` is what the nodes are short of equilibrium by.
+fn factored_tangent(
+    structure: &LargeDeflection,
+    state: &State,
+    map: &DofMap,
+    (placed, local): (&[Placed], &[DVector<f64>]),
+    short: &[f64],
+) -> Option<Factor> {
+    let k = structure.tangent(state, map, placed, local, short);
+    let scale: Vec<f64> = sparse::diagonal(k.as_ref()).iter().map(|d| d.abs()).collect();
+    Factor::indefinite(&structure.analysis, k.as_ref(), &scale)
 }
 
 /// -K^-1 r.
@@ -124,9 +138,8 @@ fn symmetric_step(factor: &Factor, r: &[f64]) -> Vec<f64> {
     factor.solve(Mat::from_fn(r.len(), 1, |i, _| -r[i]).as_ref()).col(0).iter().copied().collect()
 }
 
-/// The same with what is not in the tangent: means that turn, and loads that follow. `short` is what the nodes are short of
-/// equilibrium by.
-fn unsymmetric_step(
+/// The same of what the nodes are `short` of equilibrium by, with what is not in the tangent: means that turn, and loads that follow.
+fn linear_step(
     structure: &LargeDeflection,
     state: &State,
     map: &DofMap,
@@ -134,6 +147,10 @@ fn unsymmetric_step(
     short: &[f64],
     factor: &Factor,
 ) -> Vec<f64> {
+    let r = LargeDeflection::reduced(map, short);
+    if following.is_none() && !structure.joints.has_means() {
+        return symmetric_step(factor, &r);
+    }
     let product = |v: &[f64]| {
         let mut all = structure.turning_means(state, map, short, v);
         if let Some(near) = following {
@@ -142,7 +159,6 @@ fn unsymmetric_step(
         }
         all
     };
-    let r = LargeDeflection::reduced(map, short);
     krylov::solve(&r, &|b: &[f64]| symmetric_step(factor, b), product, RESIDUAL)
 }
 

@@ -14,7 +14,7 @@ use crate::sparse::{Pattern, Sparse};
 use nalgebra::{DMatrix, DVector};
 use nastran::InputError;
 use rayon::prelude::*;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// Elements whose matrices are in memory at a time.
 const BATCH: usize = 256;
@@ -34,6 +34,8 @@ pub struct LargeDeflection {
     pub(super) joints: Joints,
     pub(super) pattern: Pattern,
     pub(super) analysis: Arc<Analysis>,
+    /// Whether the undeformed structure is held, once it was asked.
+    held: OnceLock<Result<(), SingularStructure>>,
 }
 
 /// Inner forces at a state.
@@ -70,7 +72,8 @@ impl LargeDeflection {
         let symbolic = pattern.clone().values().symmetric().0;
         let analysis = Arc::new(factor::analysed(symbolic.symbolic()));
         let nodes = model.nodes.clone();
-        Ok(Self { nodes, elements, elastic, massive, joints, pattern, analysis })
+        let held = OnceLock::new();
+        Ok(Self { nodes, elements, elastic, massive, joints, pattern, analysis, held })
     }
 
     /// The undeformed state.
@@ -268,6 +271,10 @@ impl LargeDeflection {
 
     /// Grid and component of each motion that no stiffness holds in the undeformed place.
     pub(super) fn check_held(&self) -> Result<(), SingularStructure> {
+        self.held.get_or_init(|| self.looked_at_held()).clone()
+    }
+
+    fn looked_at_held(&self) -> Result<(), SingularStructure> {
         let state = self.undeformed();
         let inner = self.inner(&state);
         let k = self.tangent(&state, &self.map(&state), &inner.placed, &inner.local, &inner.forces);

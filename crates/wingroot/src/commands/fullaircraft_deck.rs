@@ -6,8 +6,10 @@ use std::path::Path;
 use std::time::Instant;
 
 use fullaircraft::study::Aim;
-use fullaircraft::{DeckCase, Elastic, TrimDeck, TrimmedDeck, deck_cases};
-use nastran::BulkData;
+use fullaircraft::{
+    DeckCase, DivergenceCase, Elastic, TrimDeck, TrimmedDeck, deck_cases_beside_divergence, divergence_cases,
+};
+use nastran::{BulkData, Subcase};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -33,10 +35,27 @@ pub(crate) struct Summary {
     boxes: usize,
     /// Cards that are not read, by name.
     cards_not_read: BTreeMap<String, usize>,
-    /// Subcases in the deck's order.
+    /// Subcases that ask for a trim, in the deck's order.
     subcases: Vec<Trimmed>,
+    /// What subcases ask of divergence, Mach number by Mach number.
+    divergences: Vec<Divergence>,
     /// Wall clock.
     seconds: f64,
+}
+
+/// Divergence at a Mach number, held at the SUPORT motions.
+#[derive(Debug, Serialize, JsonSchema)]
+struct Divergence {
+    /// Number of the subcase.
+    subcase: u32,
+    /// Its label.
+    label: String,
+    /// Its DIVERG card.
+    diverg: u32,
+    /// Mach number.
+    mach: f64,
+    /// Dynamic pressures, the lowest first, as many as the card asks for and there are.
+    q: Vec<f64>,
 }
 
 /// One subcase.
@@ -86,7 +105,8 @@ pub(crate) fn run(path: &Path, common: &Common) -> Result<(), Failure> {
     let start = Instant::now();
     let given = GivenDeck::read(path, Aim::Trims)?;
     let bulk = &given.bulk;
-    let cases = deck_cases(bulk).map_err(|error| error.or_in(path))?;
+    let cases = deck_cases_beside_divergence(bulk).map_err(|error| error.or_in(path))?;
+    let asked = divergence_cases(bulk).map_err(|error| error.or_in(path))?;
     if let Some(cards) = bulk.unread_cards().filter(|_| !common.quiet) {
         show::note(&format!("these cards are not read: {cards}"));
     }
@@ -97,25 +117,10 @@ pub(crate) fn run(path: &Path, common: &Common) -> Result<(), Failure> {
         boxes: 0,
         cards_not_read: bulk.unknown.iter().map(|(card, unread)| (card.clone(), unread.count)).collect(),
         subcases: Vec::new(),
+        divergences: Vec::new(),
         seconds: 0.0,
     };
-    let bar = progress::bar(common, cases.len(), "subcases");
-    let mut known: Option<(DeckCase, TrimDeck)> = None;
-    for case in &cases {
-        let deck = match known.take().filter(|(before, _)| is_same(before, case)) {
-            Some((_, deck)) => deck,
-            None => assembled(bulk, case)?,
-        };
-        summary.boxes = deck.lattice.len();
-        let found = deck.trim_card(&case.trim);
-        if let Ok(trimmed) = &found {
-            folder.write_text(&format!("boxes_trim_{}.csv", case.trim.id), &boxes(&deck, trimmed))?;
-        }
-        summary.subcases.push(numbers(case, &deck, found.map_err(|error| error.to_string())));
-        known = Some((case.clone(), deck));
-        bar.inc(1);
-    }
-    progress::end(&bar);
+    let known = answered(bulk, &cases, &asked, &folder, common, &mut summary)?;
     let (skipped, loose) =
         known.map_or_else(Default::default, |(_, deck)| (deck.skipped_monitors, deck.loose_boxes));
     if !common.quiet {
@@ -126,7 +131,9 @@ pub(crate) fn run(path: &Path, common: &Common) -> Result<(), Failure> {
     given.enter(&folder)?;
     folder.write_json("result.json", &summary)?;
     let refused = summary.subcases.iter().find_map(|case| case.refused.clone());
-    let refused = refused.filter(|_| summary.subcases.iter().all(|case| case.refused.is_some()));
+    let refused = refused.filter(|_| {
+        summary.divergences.is_empty() && summary.subcases.iter().all(|case| case.refused.is_some())
+    });
     let out = folder.commit_if(refused.is_none())?;
     let text = format!(
         "{}\n{} boxes, {:.2} s; results in {}",
@@ -138,6 +145,39 @@ pub(crate) fn run(path: &Path, common: &Common) -> Result<(), Failure> {
     show::summary(common, &text);
     show::json(common, &summary)?;
     refused.map_or(Ok(()), |why| Err(Failure::Computation(why)))
+}
+
+/// Fills in the subcases' answers; gives the deck of the last.
+fn answered(
+    bulk: &BulkData,
+    cases: &[DeckCase],
+    asked: &[DivergenceCase],
+    folder: &ResultFolder,
+    common: &Common,
+    summary: &mut Summary,
+) -> Result<Option<(Conditions, TrimDeck)>, Failure> {
+    let bar = progress::bar(common, cases.len() + asked.len(), "subcases");
+    let mut known: Option<(Conditions, TrimDeck)> = None;
+    for case in cases {
+        let deck = assembled(bulk, &case.subcase, case.trim.mach, &mut known)?;
+        summary.boxes = deck.lattice.len();
+        let found = deck.trim_card(&case.trim);
+        if let Ok(trimmed) = &found {
+            folder.write_text(&format!("boxes_trim_{}.csv", case.trim.id), &boxes(deck, trimmed))?;
+        }
+        summary.subcases.push(numbers(case, deck, found.map_err(|error| error.to_string())));
+        bar.inc(1);
+    }
+    for case in asked {
+        for mach in &case.diverg.machs {
+            let deck = assembled(bulk, &case.subcase, *mach, &mut known)?;
+            summary.boxes = deck.lattice.len();
+            summary.divergences.push(divergence(case, *mach, deck));
+        }
+        bar.inc(1);
+    }
+    progress::end(&bar);
+    Ok(known)
 }
 
 fn say_of_stations(skipped: &[String]) {
@@ -160,14 +200,32 @@ pub(crate) fn say_of_splines(bulk: &BulkData, loose: &[u32]) {
     }
 }
 
-/// Whether two subcases have the same boundary conditions and air.
-fn is_same(a: &DeckCase, b: &DeckCase) -> bool {
-    let of = |case: &DeckCase| (case.subcase.spc, case.subcase.mpc, case.subcase.symmetry, case.trim.mach);
-    of(a) == of(b)
+/// What a deck is assembled for: sets of SPC and MPC, symmetry, Mach number.
+type Conditions = (Option<u32>, Option<u32>, Option<i32>, f64);
+
+/// The deck in a subcase's conditions; `known` is that of the subcase before.
+fn assembled<'a>(
+    bulk: &BulkData,
+    subcase: &Subcase,
+    mach: f64,
+    known: &'a mut Option<(Conditions, TrimDeck)>,
+) -> Result<&'a TrimDeck, Failure> {
+    let asked = (subcase.spc, subcase.mpc, subcase.symmetry, mach);
+    let deck = match known.take().filter(|(before, _)| *before == asked) {
+        Some((_, deck)) => deck,
+        None => TrimDeck::new(&bulk.in_subcase(subcase)?, mach)?,
+    };
+    Ok(&known.insert((asked, deck)).1)
 }
 
-fn assembled(bulk: &BulkData, case: &DeckCase) -> Result<TrimDeck, Failure> {
-    Ok(TrimDeck::new(&bulk.in_subcase(&case.subcase)?, case.trim.mach)?)
+fn divergence(case: &DivergenceCase, mach: f64, deck: &TrimDeck) -> Divergence {
+    Divergence {
+        subcase: case.subcase.id,
+        label: case.subcase.label.clone(),
+        diverg: case.diverg.id,
+        mach,
+        q: deck.divergence_pressures().iter().copied().take(case.diverg.roots as usize).collect(),
+    }
 }
 
 fn numbers(case: &DeckCase, deck: &TrimDeck, found: Result<TrimmedDeck, String>) -> Trimmed {
@@ -237,6 +295,12 @@ fn text(summary: &Summary) -> String {
             let loads: Vec<String> = loads.iter().map(|load| format!("{load:.4e}")).collect();
             let _ = writeln!(text, "  MONPNT1 {name}: {}", loads.join(" "));
         }
+    }
+    for case in &summary.divergences {
+        let q: Vec<String> = case.q.iter().map(|q| format!("{q:.6}")).collect();
+        let at = if q.is_empty() { "none".to_owned() } else { format!("at q {}", q.join(", ")) };
+        let head = format!("DIVERG {}, Mach {}", case.diverg, case.mach);
+        let _ = writeln!(text, "SUBCASE {} {}: {head}; divergence {at}", case.subcase, case.label);
     }
     text
 }

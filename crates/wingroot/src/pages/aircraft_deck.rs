@@ -19,6 +19,10 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
             KeyNumber::new(name.clone(), digits(value, 5), "first subcase, the deck's units")
         })
         .collect();
+    let asked = list(result, "divergences");
+    if let Some(q) = asked.first().and_then(|one| at(one, "q/0")) {
+        numbers.push(KeyNumber::new("divergence q", digits(q, 5), "first DIVERG, the deck's units"));
+    }
     numbers.push(KeyNumber::new("refused subcases", refused.to_string(), "").judged(refused == 0));
     let mut lead = vec![format!(
         "{} with {} boxes; forces, lengths and pressures in the deck's units, angles in radians.",
@@ -35,6 +39,7 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
         lead.push(format!("Cards that were not read: {}.", skipped.join(", ")));
     }
     let mut sections: Vec<Section> = cases.iter().map(subcase).collect();
+    sections.extend(divergences(list(result, "divergences")));
     sections.push(figures("Figures", std::mem::take(plates)));
     sections.retain(|section| !section.blocks.is_empty());
     Page { title: format!("Trims of {}", text(result, "deck")), lead, numbers, sections, ..Page::default() }
@@ -83,6 +88,17 @@ fn subcase(case: &Value) -> Section {
     }
     blocks.extend(derivatives(case).map(Block::Table));
     Section::new(title, blocks)
+}
+
+fn divergences(all: &[Value]) -> Option<Section> {
+    let mut table = PageTable::new("What DIVERG asks for.", &["subcase", "Mach", "dynamic pressures"]);
+    for one in all {
+        let q: Vec<String> = list(one, "q").iter().filter_map(Value::as_f64).map(|q| digits(q, 5)).collect();
+        let q = if q.is_empty() { "none".to_owned() } else { q.join(", ") };
+        let name = format!("{} {}", short_at(one, "subcase"), text(one, "label"));
+        table.row([name.trim_end().to_owned(), short_at(one, "mach"), q]);
+    }
+    (!all.is_empty()).then(|| Section::new("Divergence", vec![Block::Table(table)]))
 }
 
 fn monitors(case: &Value) -> PageTable {

@@ -8,7 +8,7 @@ type At = (f64, Vec<Vec<f64>>, Vec<bool>);
 fn joint(at: &[At], counts: [usize; 2], alike: f64) -> Joint {
     let of: Vec<OfAirspeed<'_>> =
         at.iter().map(|(v_m_s, rows, hung)| OfAirspeed { v_m_s: *v_m_s, rows, hung: hung.clone() }).collect();
-    Joint::new(&of, counts, alike)
+    Joint::new(&of, [counts[0], counts[1], counts[1]], alike)
 }
 
 #[track_caller]
@@ -91,6 +91,19 @@ fn airspeeds_that_are_not_alike_know_nothing_of_each_other() {
     assert_eq!(joint.sigma(1, &[3.0, 4.0]), 5.0);
     let means = joint.means(&|_, _| 1.0).expect("it is finite");
     assert_eq!(means[1], [0.0; 3]);
+}
+
+/// What a reading is off by is the same at both airspeeds and no part of the wing: read as twice it at one, a fifth of its variance is left.
+#[test]
+fn what_a_reading_is_off_by_is_shared_and_no_part_of_the_wing() {
+    let rows = [vec![vec![0.0, 0.0, 2.0]], vec![vec![0.0; 3]]];
+    let at = |k: usize| OfAirspeed { v_m_s: 20.0 + 20.0 * k as f64, rows: &rows[k], hung: vec![false] };
+    let joint = Joint::new(&[at(0), at(1)], [1, 2, 3], 0.8);
+    for k in [0, 1] {
+        close(joint.sigma(k, &[0.0, 0.0, 1.0]), 0.2_f64.sqrt());
+        close(joint.sigma(k, &[3.0, 0.0, 1.0]), 9.2_f64.sqrt());
+        assert_eq!((joint.root(k).nrows(), joint.root(k).ncols()), (2, 2));
+    }
 }
 
 /// The same weight was read by both; it is one reading, unless no airspeed knows of another.
