@@ -63,9 +63,11 @@ fn rough_truth(seed: usize, rough: f64) -> Corrections {
     }
 }
 
-/// As rough as the roughest wings of `crates/truth`.
+/// Half again as rough as the wing whose lift along the span was measured (4 %, `data/weber_brebner`).
+const ROUGH: f64 = 0.06;
+
 fn truth(seed: usize) -> Corrections {
-    rough_truth(seed, 0.08)
+    rough_truth(seed, ROUGH)
 }
 
 /// Static points of a truth, with the tip's height where it is fitted.
@@ -114,8 +116,8 @@ fn kind(quantity: &Quantity) -> &'static str {
     }
 }
 
-/// Intervals of truths that are so rough hold four fifths of what is predicted of them, and are no further off than theory.
-fn hold(rough: f64, prior: &CorrectionPrior) {
+/// Intervals of truths that are so rough hold four fifths of what is predicted of them; gives by what share of theory's error they are off.
+fn hold(rough: f64, prior: &CorrectionPrior) -> BTreeMap<&'static str, f64> {
     let mut held: BTreeMap<&str, [f64; 4]> = BTreeMap::new();
     for seed in 0..60 {
         let truth = rough_truth(seed, rough);
@@ -130,24 +132,23 @@ fn hold(rough: f64, prior: &CorrectionPrior) {
             cell[3] += (prediction.theory - value).powi(2);
         }
     }
-    for (kind, [inside, all, squares, of_theory]) in &held {
-        let (share, better) = (inside / all, (squares / of_theory).sqrt());
-        println!("{kind}: {:.1} % of {all} held, error {better:.3} of theory's", 100.0 * share);
-    }
-    for (kind, [inside, all, squares, of_theory]) in held {
-        let share = inside / all;
+    let errors = held.iter().map(|(kind, [inside, all, squares, of_theory])| {
+        let (share, error) = (inside / all, (squares / of_theory).sqrt());
         // root loads are fitted; what they do not determine is as uncertain as the prior says
-        assert!(share > 0.8, "{kind}: {share}");
-        assert!(squares <= of_theory, "{kind}: {squares} {of_theory}");
-    }
+        assert!(share > 0.8, "{kind}: {share} of {all} held, error {error} of theory's");
+        (*kind, error)
+    });
+    errors.collect()
 }
 
 #[test]
 fn intervals_hold_truths_of_other_forms_and_are_narrow_where_the_data_decide() {
-    hold(0.08, &CorrectionPrior::default());
+    let errors = hold(ROUGH, &CorrectionPrior::default());
+    // Root loads do not tell how rough the lift is along the span: of strips as rough as theory is wrong their centre knows nothing more.
+    assert!(errors.iter().all(|(kind, error)| *kind == "strip lift" || *error < 0.8), "{errors:?}");
 }
 
-/// A tenth of lift more or less in every strip is more than any wing in `data/` shows (4 % at `weber_brebner`): a prior that says so holds it.
+/// A tenth of lift more or less in every strip is more than any wing in `data/` shows: a prior that says so holds it.
 #[test]
 fn intervals_hold_rougher_truths_if_the_prior_says_so() {
     let prior = CorrectionPrior {
@@ -155,7 +156,8 @@ fn intervals_hold_rougher_truths_if_the_prior_says_so() {
         zero_lift_deg: [0.8, 0.5, 0.4],
         ..CorrectionPrior::default()
     };
-    hold(0.1, &prior);
+    let errors = hold(0.1, &prior);
+    assert!(errors.values().all(|error| *error <= 1.0), "{errors:?}");
 }
 
 #[test]

@@ -187,13 +187,13 @@ fn box_images() -> BTreeMap<u32, u32> {
 /// Kinds that an image has no cards of, said beside their types.
 const NO_IMAGE: &str = "\
     splines monitors constraint_unions equation_unions point_loads line_loads cross_loads beam_loads pressures \
-     gravities spins load_sums enforced temperatures aero_reference trim_variables trims aero_links aero_components \
+     gravities spins load_sums enforced temperatures aero_reference trim_variables trims divergences aero_links aero_components \
      component_lists supports eigen_methods unsteady_reference flutters flutter_factors reduced_frequencies \
      damping_tables gusts dynamic_loads dynamic_sums load_areas direct_matrices frequencies time_steps \
      function_tables spectrum_tables spectra";
 /// Kinds that are read only.
 const NOT_WRITTEN: &str = "\
-    constraint_unions equation_unions aero_reference trim_variables trims aero_links aero_components \
+    constraint_unions equation_unions aero_reference trim_variables trims divergences aero_links aero_components \
      component_lists supports eigen_methods unsteady_reference flutters flutter_factors reduced_frequencies \
      damping_tables gusts dynamic_loads load_areas direct_matrices frequencies time_steps function_tables \
      spectrum_tables spectra";
@@ -290,6 +290,7 @@ fn every_number_is_raised_and_nothing_else() {
         "constraint_unions",
         "load_sums",
         "trims",
+        "divergences",
         "aero_links",
         "component_lists",
         "aero_reference",
@@ -314,6 +315,7 @@ fn every_number_is_raised_and_nothing_else() {
     assert_eq!(fields(&same), before);
     let mut both =
         BulkData { aero_reference: None, unsteady_reference: None, trims: BTreeMap::new(), ..deck };
+    both.divergences.clear();
     (both.flutters, both.flutter_factors, both.damping_tables) = Default::default();
     (both.constraint_unions, both.equation_unions, both.load_sums) = Default::default();
     (both.gusts, both.dynamic_loads, both.dynamic_sums, both.time_steps) = Default::default();

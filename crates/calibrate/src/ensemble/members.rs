@@ -39,7 +39,7 @@ pub fn ensemble(
     let last = known.last().filter(|_| known.len() == schedule.sets.len())?;
     let unknowns = Unknowns::new(wing, prior);
     let theory = unknowns.wing(&vec![0.0; unknowns.count()]).corrections;
-    let directions = directions(known, unknowns.count(), &[unknowns.of_bending()]);
+    let directions = directions(known, unknowns.count());
     let gaussians = gaussians(&directions);
     let member = |(number, gaussians): (usize, &Vec<f64>)| {
         let off = |spread: &Spread| {
@@ -79,8 +79,8 @@ pub fn ensemble(
 }
 
 /// Orthonormal directions of the Gaussians, `count` by at most [`EXACT`], in which predictions have most of their variance. Each
-/// prediction counts by its own standard deviation; strips count as one together. `further` unknowns count as predictions of their own.
-fn directions(known: &[AirspeedPosterior], count: usize, further: &[usize]) -> Mat<f64> {
+/// prediction counts by its own standard deviation; strips count as one together.
+fn directions(known: &[AirspeedPosterior], count: usize) -> Mat<f64> {
     let mut moments = Mat::<f64>::zeros(count, count);
     for at in known {
         let is_strip = |quantity: &Quantity| matches!(quantity, Quantity::Reading(Reading::StripLift { .. }));
@@ -91,8 +91,7 @@ fn directions(known: &[AirspeedPosterior], count: usize, further: &[usize]) -> M
             let weight = if is_strip(&prediction.quantity) { 1.0 / strips as f64 } else { 1.0 };
             ((0..count).map(seen).collect::<Vec<f64>>(), weight)
         });
-        let alone = further.iter().map(|&i| ((0..count).map(|k| root[(i, k)]).collect::<Vec<f64>>(), 1.0));
-        for (seen, weight) in predicted.chain(alone) {
+        for (seen, weight) in predicted {
             let variance: f64 = seen.iter().map(|x| x * x).sum();
             let scale = weight / variance.max(f64::MIN_POSITIVE);
             for i in 0..count {
@@ -201,7 +200,7 @@ mod tests {
         let unit =
             |i: usize, size: f64| -> Vec<f64> { (0..3).map(|k| if k == i { size } else { 0.0 }).collect() };
         let first = |gradients: Vec<Vec<f64>>, is_strip: &[bool]| {
-            let found = directions(&[known(gradients, is_strip, Mat::identity(3, 3))], 3, &[]);
+            let found = directions(&[known(gradients, is_strip, Mat::identity(3, 3))], 3);
             assert_eq!((found.nrows(), found.ncols()), (3, 3));
             [0, 1, 2].map(|k| (0..3).position(|i| found[(i, k)].abs() > 0.999).expect("an axis"))
         };
@@ -216,10 +215,7 @@ mod tests {
         assert_eq!(first(more, &[false, false, false, true, true, true, false, false]), [0, 1, 2]);
         // what is seen through the root of the covariance
         let swap = Mat::from_fn(3, 3, |i, k| if (i + 1) % 3 == k { 1.0 } else { 0.0 });
-        let found = directions(&[known(vec![unit(0, 2.0)], &[false], swap.clone())], 3, &[]);
+        let found = directions(&[known(vec![unit(0, 2.0)], &[false], swap)], 3);
         assert!(found[(1, 0)].abs() > 0.999);
-        // an unknown that counts as a prediction twice is the first direction
-        let found = directions(&[known(vec![unit(0, 2.0)], &[false], swap)], 3, &[1, 1]);
-        assert!(found[(2, 0)].abs() > 0.999);
     }
 }

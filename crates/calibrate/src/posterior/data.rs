@@ -1,6 +1,5 @@
 //! What was measured at an airspeed, row by row, and what stands between a reading and the wing: offsets, zeros, scales.
 
-use super::predictions::{MX, Quantity};
 use crate::calibration::{AirspeedCalibration, Calibration};
 use crate::campaign::{CHANNELS, StaticPoint, TIP, TipReading};
 use crate::objective::{LineFit, probability_of_noise};
@@ -223,18 +222,6 @@ impl Data {
     pub(super) fn beyond(&self) -> Vec<(String, f64)> {
         let all = self.names.iter().cloned().zip(self.raised.iter().copied());
         all.filter(|(_, raised)| *raised > 1.0).collect()
-    }
-
-    /// Place of the reading that a quantity is of, if it is a column's.
-    pub(super) fn place(&self, quantity: &Quantity, sensors: &[Sensor]) -> Option<usize> {
-        let column = match quantity {
-            Quantity::TipHeight => TIP,
-            Quantity::ControlMx { .. } => MX,
-            Quantity::Reading(reading) => {
-                CHANNELS.len() + sensors.iter().position(|sensor| sensor.reads == *reading)?
-            }
-        };
-        Some(self.together.places[column])
     }
 
     fn further_nuisance(&mut self) -> usize {

@@ -3,11 +3,12 @@
 use super::data::{Data, Datum};
 use super::joint::{Joint, OfAirspeed, product};
 use super::off::WingOff;
-use super::predictions::Quantity;
+use super::predictions::{MX, Quantity};
 use super::prior::Unknowns;
 use super::read::{CaseRead, read_case};
 use crate::calibration::{AirspeedCalibration, Calibration};
-use crate::sensors::Sensor;
+use crate::campaign::{CHANNELS, TIP};
+use crate::sensors::{Reading, Sensor};
 use aero::{Corrections, Flow};
 use coupling::wing_file::CorrectionPrior;
 use coupling::{CouplingError, ElasticWing, SteadyCase, SteadyOperator};
@@ -183,12 +184,21 @@ impl<'a> Known<'a> {
 
     /// The unknown of what a quantity's reading is off by: the data's, if they have that reading, else the first that they know nothing of.
     pub(super) fn reading_of(&self, quantity: &Quantity, sensors: &[Sensor]) -> usize {
-        self.data.place(quantity, sensors).map_or(self.z.len(), |place| self.unknowns.count() + place)
+        let sensor = |reading: &Reading| {
+            let found = sensors.iter().position(|sensor| sensor.reads == *reading);
+            found.map(|sensor| CHANNELS.len() + sensor)
+        };
+        let column = match quantity {
+            Quantity::TipHeight => Some(TIP),
+            Quantity::ControlMx { .. } => Some(MX),
+            Quantity::Reading(reading) => sensor(reading),
+        };
+        column.map_or(self.z.len(), |column| self.reading_of_channel(column))
     }
 
-    /// The same of a channel of the balance.
-    pub(super) fn reading_of_channel(&self, channel: usize) -> usize {
-        self.unknowns.count() + self.data.together.places[channel]
+    /// The same of a column: of the balance's channels, the tip, or a sensor.
+    pub(super) fn reading_of_channel(&self, column: usize) -> usize {
+        self.unknowns.count() + self.data.together.places[column]
     }
 
     /// A gradient by the unknowns of the wing and by that of the reading of a value.

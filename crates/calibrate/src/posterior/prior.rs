@@ -78,11 +78,6 @@ impl Unknowns {
         self.of_corrections() + 1 + self.controls + 3 * control + channel
     }
 
-    /// The unknown of the flexibility in bending.
-    pub(crate) fn of_bending(&self) -> usize {
-        self.count() - 2
-    }
-
     /// Number of unknowns.
     pub(crate) fn count(&self) -> usize {
         self.of_corrections() + 1 + 4 * self.controls + 2

@@ -5,11 +5,10 @@
 //! prediction of bending, which takes a tenth to a half of the iterations.
 
 use super::acting::Acting;
-use super::corotated::Placed;
 use super::krylov;
 use super::near::Near;
 use super::state::State;
-use super::structure::LargeDeflection;
+use super::structure::{Inner, LargeDeflection};
 use crate::dofs::DofMap;
 use crate::factor::Factor;
 use crate::sparse;
@@ -80,7 +79,7 @@ pub(super) fn converge(
         let short: Vec<f64> = inner.forces.iter().zip(near.forces()).map(|(i, o)| i - o).collect();
         let same = kept.take().filter(|_| acting.follows() && last_spin < SAME_TANGENT);
         let local = promised.as_ref().unwrap_or(&inner.local);
-        let factored = || factored_tangent(structure, &state, &map, (&inner.placed[..], &local[..]), &short);
+        let factored = || factored_tangent(structure, &state, &map, &inner, local, &short);
         let Some(factor) = same.or_else(factored) else { return Err(failed(negative)) };
         negative = factor.pivots().iter().filter(|(_, pivot)| *pivot < 0.0).count();
         on_the_way = on_the_way.max(negative);
@@ -125,10 +124,11 @@ fn factored_tangent(
     structure: &LargeDeflection,
     state: &State,
     map: &DofMap,
-    (placed, local): (&[Placed], &[DVector<f64>]),
+    inner: &Inner,
+    local: &[DVector<f64>],
     short: &[f64],
 ) -> Option<Factor> {
-    let k = structure.tangent(state, map, placed, local, short);
+    let k = structure.tangent(state, map, &inner.placed, local, short);
     let scale: Vec<f64> = sparse::diagonal(k.as_ref()).iter().map(|d| d.abs()).collect();
     Factor::indefinite(&structure.analysis, k.as_ref(), &scale)
 }
