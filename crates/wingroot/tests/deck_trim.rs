@@ -82,3 +82,37 @@ fn a_deck_that_asks_for_divergence_alone_has_its_dynamic_pressures_as_printed() 
     );
     std::fs::remove_dir_all(&base).expect("our own folder");
 }
+
+/// Each subcase has the support it names: the angle of the grid that is supported, as alone in the deck.
+#[test]
+fn subcases_that_differ_in_the_supported_grid_alone_are_trimmed_each_with_its_own() {
+    let base = std::env::temp_dir().join(format!("wingroot-deck-suport1-{}", std::process::id()));
+    std::fs::create_dir_all(&base).expect("a temporary folder");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/published/decks/ha144a_fsw.bdf");
+    let deck = std::fs::read_to_string(path).expect("a deck of ours");
+    let deck = deck.replace("SUPORT,90,35", "SUPORT1,1,90,35\nSUPORT1,2,99,35");
+    let angles = |subcases: &str| -> Vec<f64> {
+        let path = base.join("two.bdf");
+        let text = deck.replace("SUBCASE 1\n  TRIM = 1\nSUBCASE 2\n  TRIM = 2\n", subcases);
+        assert_ne!(text, deck);
+        std::fs::write(&path, text).expect("a temporary file");
+        let out = base.join("out");
+        let output = wingroot(&[
+            "fullaircraft",
+            "--deck",
+            &path.to_string_lossy(),
+            "--out",
+            &out.to_string_lossy(),
+            "--json",
+        ]);
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let result: Value = serde_json::from_slice(&output.stdout).expect("nothing but JSON");
+        let all = result["subcases"].as_array().expect("subcases");
+        all.iter().map(|case| case["values"]["ANGLEA"].as_f64().expect("an angle")).collect()
+    };
+    let subcase = |support: u32| format!("SUBCASE {support}\n  TRIM = 2\n  SUPORT1 = {support}\n");
+    let [first, second] = [1, 2].map(|support| angles(&subcase(support))[0]);
+    assert!((first - second).abs() > 1e-3 * first.abs(), "{first} {second}");
+    assert_eq!(angles(&(subcase(1) + &subcase(2))), [first, second]);
+    std::fs::remove_dir_all(&base).expect("our own folder");
+}

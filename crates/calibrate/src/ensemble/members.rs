@@ -85,14 +85,11 @@ fn directions(known: &[AirspeedPosterior], count: usize) -> Mat<f64> {
     for at in known {
         let is_strip = |quantity: &Quantity| matches!(quantity, Quantity::Reading(Reading::StripLift { .. }));
         let strips = at.predictions.iter().filter(|p| is_strip(&p.quantity)).count();
-        let root = &at.spread.root;
-        let predicted = at.predictions.iter().zip(&at.spread.gradients).map(|(prediction, gradient)| {
-            let seen = |k: usize| (0..count).map(|i| gradient[i] * root[(i, k)]).sum();
-            let weight = if is_strip(&prediction.quantity) { 1.0 / strips as f64 } else { 1.0 };
-            ((0..count).map(seen).collect::<Vec<f64>>(), weight)
-        });
-        for (seen, weight) in predicted {
+        for (prediction, gradient) in at.predictions.iter().zip(&at.spread.gradients) {
+            let seen: Vec<f64> =
+                (0..count).map(|k| (0..count).map(|i| gradient[i] * at.spread.root[(i, k)]).sum()).collect();
             let variance: f64 = seen.iter().map(|x| x * x).sum();
+            let weight = if is_strip(&prediction.quantity) { 1.0 / strips as f64 } else { 1.0 };
             let scale = weight / variance.max(f64::MIN_POSITIVE);
             for i in 0..count {
                 for j in 0..count {

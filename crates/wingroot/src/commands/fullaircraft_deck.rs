@@ -200,8 +200,8 @@ pub(crate) fn say_of_splines(bulk: &BulkData, loose: &[u32]) {
     }
 }
 
-/// What a deck is assembled for: sets of SPC and MPC, symmetry, Mach number.
-type Conditions = (Option<u32>, Option<u32>, Option<i32>, f64);
+/// What a deck is assembled for: what a subcase makes of the cards (SPC, MPC, SUPORT1, symmetry, added matrices), and the Mach number.
+type Conditions = (BulkData, f64);
 
 /// The deck in a subcase's conditions; `known` is that of the subcase before.
 fn assembled<'a>(
@@ -210,10 +210,10 @@ fn assembled<'a>(
     mach: f64,
     known: &'a mut Option<(Conditions, TrimDeck)>,
 ) -> Result<&'a TrimDeck, Failure> {
-    let asked = (subcase.spc, subcase.mpc, subcase.symmetry, mach);
+    let asked = (bulk.in_subcase(subcase)?, mach);
     let deck = match known.take().filter(|(before, _)| *before == asked) {
         Some((_, deck)) => deck,
-        None => TrimDeck::new(&bulk.in_subcase(subcase)?, mach)?,
+        None => TrimDeck::new(&asked.0, mach)?,
     };
     Ok(&known.insert((asked, deck)).1)
 }
