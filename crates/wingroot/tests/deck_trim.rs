@@ -75,6 +75,10 @@ fn a_deck_that_asks_for_divergence_alone_has_its_dynamic_pressures_as_printed() 
     assert!(q(2)[0] < q(1)[0], "{} {}", q(2)[0], q(1)[0]);
     let html = std::fs::read_to_string(base.join("out/report.html")).expect("a page");
     assert!(html.contains("What DIVERG asks for."));
+    let refused = run(&asks.replace("ENDDATA", "DIVERG,9,many,0.\nENDDATA"));
+    assert_eq!(refused.status.code(), Some(2));
+    let said = String::from_utf8_lossy(&refused.stderr);
+    assert!(said.contains("NROOT") && said.contains("diverg.bdf:"), "{said}");
     let refused = run(&asks);
     assert_eq!(refused.status.code(), Some(2));
     assert!(

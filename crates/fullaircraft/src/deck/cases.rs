@@ -23,8 +23,9 @@ pub struct DivergenceCase {
 /// The subcases of a deck that ask for divergence, in its order.
 ///
 /// # Errors
-/// If a subcase selects a DIVERG that is not there.
+/// If a card of the air is wrong, or a subcase selects a DIVERG that is not there.
 pub fn divergence_cases(bulk: &BulkData) -> Result<Vec<DivergenceCase>, InputError> {
+    bulk.refuse_unread_air()?;
     let of = |subcase: &Subcase, id: u32| {
         let diverg = bulk.divergences.get(&id).ok_or_else(|| {
             InputError::general(format!("SUBCASE {} selects DIVERG {id}, which is not there", subcase.id))
