@@ -64,7 +64,7 @@ def block(count):
 
 
 def taken(command, folder):
-    """Processor seconds and peak megabytes of a process; none if it fails or takes more than a quarter of an hour."""
+    """Processor seconds and peak megabytes of a process; none if it fails."""
     process = subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     _, status, usage = os.wait4(process.pid, 0)
     return None if status else (usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024.0)

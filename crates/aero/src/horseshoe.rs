@@ -12,9 +12,12 @@
 //! points of a panel are half a box from every vortex of it, so cores act only between surfaces, as when a tail
 //! stands in line with the strip edges of a wing.
 
+#![expect(clippy::inline_always, reason = "a call would leave the vector instructions of the loop around it")]
+
 use crate::geometry::AeroBox;
 use crate::lattice::Lattice;
 use nalgebra::{Point3, Vector3};
+use pulp::Arch;
 use std::f64::consts::PI;
 
 /// Radius of a vortex core over the size (smaller of chord and width) of the smaller of the two boxes involved.
@@ -25,8 +28,8 @@ pub const CORE: f64 = 0.01;
 /// One horseshoe of unit strength in `cp`: circulation `V chord/2`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Horseshoe {
-    /// Ends of its legs on the surface, where these do not run along x from the bound segment on.
-    pub(crate) edges: Option<[Vector3<f64>; 2]>,
+    /// Ends of its legs on the surface, where these do not run along x from the bound segment on, and the squares of their lengths there.
+    pub(crate) edges: Option<[(Vector3<f64>, f64); 2]>,
     pub(crate) from: Vector3<f64>,
     pub(crate) to: Vector3<f64>,
     length_2: f64,
@@ -90,14 +93,28 @@ impl Receivers {
         // Equal lengths known to the compiler: no bounds checks inside.
         let (px, py, pz, core) = (&px[..count], &py[..count], &pz[..count], &self.core[..count]);
         let (nx, ny, nz) = (&nx[..count], &ny[..count], &nz[..count]);
-        for i in 0..count {
-            let v = velocity(vortex, [px[i], py[i], pz[i]], core[i].min(vortex.core));
-            out[i] += scale * (v[0] * nx[i] + v[1] * ny[i] + v[2] * nz[i]);
-        }
-        let Some(edges) = &vortex.edges else { return };
-        for i in 0..count {
-            let v = by_the_surface(vortex, edges, [px[i], py[i], pz[i]], core[i].min(vortex.core));
-            out[i] += scale * (v[0] * nx[i] + v[1] * ny[i] + v[2] * nz[i]);
+        let points = move |i: usize| ([px[i], py[i], pz[i]], core[i].min(vortex.core));
+        let along = move |i: usize, v: [f64; 3]| scale * (v[0] * nx[i] + v[1] * ny[i] + v[2] * nz[i]);
+        let arch = Arch::new();
+        match &vortex.edges {
+            None => arch.dispatch(
+                #[inline(always)]
+                || {
+                    for (i, out) in out.iter_mut().enumerate() {
+                        let (point, core) = points(i);
+                        *out += along(i, velocity(vortex, point, core));
+                    }
+                },
+            ),
+            Some(edges) => arch.dispatch(
+                #[inline(always)]
+                || {
+                    for (i, out) in out.iter_mut().enumerate() {
+                        let (point, core) = points(i);
+                        *out += along(i, velocity_on_surface(vortex, edges, point, core));
+                    }
+                },
+            ),
         }
     }
 }
@@ -116,7 +133,10 @@ pub(crate) fn horseshoes_on_surfaces(lattice: &Lattice, closed: &Lattice, beta: 
         for at in 0..surface.spanwise * surface.chordwise {
             let last = surface.first_box + at - at % surface.chordwise + surface.chordwise - 1;
             let [_, side_1, side_2, _] = &closed.boxes[last].corners;
-            all[surface.first_box + at].edges = Some([side_1, side_2].map(|corner| stretched(corner, beta)));
+            let vortex = &mut all[surface.first_box + at];
+            let (edge_1, edge_2) = (stretched(side_1, beta), stretched(side_2, beta));
+            let lengths_2 = [(vortex.from - edge_1).norm_squared(), (edge_2 - vortex.to).norm_squared()];
+            vortex.edges = Some([(edge_1, lengths_2[0]), (edge_2, lengths_2[1])]);
         }
     }
     all
@@ -131,49 +151,62 @@ pub(crate) fn core(panel: &AeroBox) -> f64 {
     CORE * panel.chord_m().min(panel.width_m())
 }
 
-/// 4 pi times the velocity of a horseshoe of circulation 1 at a point.
-#[inline]
-fn velocity(vortex: &Horseshoe, point: [f64; 3], core: f64) -> [f64; 3] {
-    let [x1, y1, z1] = [point[0] - vortex.from.x, point[1] - vortex.from.y, point[2] - vortex.from.z];
-    let [x2, y2, z2] = [point[0] - vortex.to.x, point[1] - vortex.to.y, point[2] - vortex.to.z];
-    let r1 = (x1 * x1 + y1 * y1 + z1 * z1).sqrt().max(core);
-    let r2 = (x2 * x2 + y2 * y2 + z2 * z2).sqrt().max(core);
-    let core_2 = core * core;
-    let cross = [y1 * z2 - z1 * y2, z1 * x2 - x1 * z2, x1 * y2 - y1 * x2];
-    let cross_2 = cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2];
-    let (product, dot) = (r1 * r2, x1 * x2 + y1 * y2 + z1 * z2);
-    let sum = if dot < 0.0 { cross_2.max(core_2 * vortex.length_2) / (product - dot) } else { product + dot };
-    let bound = (r1 + r2) / (product * sum);
-    let (leg_1, leg_2) = (leg(x1, y1 * y1 + z1 * z1, r1, core_2), leg(x2, y2 * y2 + z2 * z2, r2, core_2));
-    [bound * cross[0], bound * cross[1] - leg_2 * z2 + leg_1 * z1, bound * cross[2] + leg_2 * y2 - leg_1 * y1]
+/// From an end of a segment to a point, and its length, at least that of the core.
+#[inline(always)]
+fn seen_from(end: &Vector3<f64>, point: [f64; 3], core: f64) -> ([f64; 3], f64) {
+    let r = [point[0] - end.x, point[1] - end.y, point[2] - end.z];
+    (r, (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]).sqrt().max(core))
 }
 
-/// What legs along the surface add to [`velocity`]: segments from the bound one to the edge and legs from there, less the legs
-/// that began at the bound segment.
-fn by_the_surface(vortex: &Horseshoe, edges: &[Vector3<f64>; 2], point: [f64; 3], core: f64) -> [f64; 3] {
-    let point = Vector3::from(point);
+/// 4 pi times the velocity of a segment of circulation 1, seen from its ends.
+#[inline(always)]
+fn segment((r1, l1): ([f64; 3], f64), (r2, l2): ([f64; 3], f64), length_2: f64, core_2: f64) -> [f64; 3] {
+    let cross = [r1[1] * r2[2] - r1[2] * r2[1], r1[2] * r2[0] - r1[0] * r2[2], r1[0] * r2[1] - r1[1] * r2[0]];
+    let cross_2 = cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2];
+    let (product, dot) = (l1 * l2, r1[0] * r2[0] + r1[1] * r2[1] + r1[2] * r2[2]);
+    let sum = if dot < 0.0 { cross_2.max(core_2 * length_2) / (product - dot) } else { product + dot };
+    cross.map(|component| component * ((l1 + l2) / (product * sum)))
+}
+
+/// 4 pi times the velocity of a horseshoe of circulation 1 at a point.
+#[inline(always)]
+fn velocity(vortex: &Horseshoe, point: [f64; 3], core: f64) -> [f64; 3] {
+    let (from, to) = (seen_from(&vortex.from, point, core), seen_from(&vortex.to, point, core));
+    let bound = segment(from, to, vortex.length_2, core * core);
+    with_legs(bound, from, to, core)
+}
+
+/// The same of one whose legs run along the surface to its edge before they leave.
+#[inline(always)]
+fn velocity_on_surface(
+    vortex: &Horseshoe,
+    edges: &[(Vector3<f64>, f64); 2],
+    point: [f64; 3],
+    core: f64,
+) -> [f64; 3] {
+    let [(edge_1, length_1_2), (edge_2, length_2_2)] = edges;
+    let (from, to) = (seen_from(&vortex.from, point, core), seen_from(&vortex.to, point, core));
+    let (in_at, out_at) = (seen_from(edge_1, point, core), seen_from(edge_2, point, core));
     let core_2 = core * core;
-    let from_x = |end: &Vector3<f64>| {
-        let r = point - end;
-        Vector3::new(0.0, -r.z, r.y) * leg(r.x, r.y * r.y + r.z * r.z, r.norm().max(core), core_2)
-    };
-    let segment = |a: &Vector3<f64>, b: &Vector3<f64>| {
-        let (r1, r2) = (point - a, point - b);
-        let (l1, l2) = (r1.norm().max(core), r2.norm().max(core));
-        let (cross, product, dot) = (r1.cross(&r2), l1 * l2, r1.dot(&r2));
-        let least = core_2 * (b - a).norm_squared();
-        let sum = if dot < 0.0 { cross.norm_squared().max(least) / (product - dot) } else { product + dot };
-        cross * ((l1 + l2) / (product * sum))
-    };
-    let [edge_1, edge_2] = edges;
     // Circulation runs in along side 1, out along side 2.
-    let side_1 = segment(edge_1, &vortex.from) - from_x(edge_1) + from_x(&vortex.from);
-    let side_2 = segment(&vortex.to, edge_2) + from_x(edge_2) - from_x(&vortex.to);
-    (side_1 + side_2).into()
+    let side_1 = segment(in_at, from, *length_1_2, core_2);
+    let bound = segment(from, to, vortex.length_2, core_2);
+    let side_2 = segment(to, out_at, *length_2_2, core_2);
+    let sum = [0, 1, 2].map(|axis| side_1[axis] + bound[axis] + side_2[axis]);
+    with_legs(sum, in_at, out_at, core)
+}
+
+/// With what legs along +x add that come in at one end and leave at the other.
+#[inline(always)]
+fn with_legs(v: [f64; 3], (r1, l1): ([f64; 3], f64), (r2, l2): ([f64; 3], f64), core: f64) -> [f64; 3] {
+    let core_2 = core * core;
+    let leg_1 = leg(r1[0], r1[1] * r1[1] + r1[2] * r1[2], l1, core_2);
+    let leg_2 = leg(r2[0], r2[1] * r2[1] + r2[2] * r2[2], l2, core_2);
+    [v[0], v[1] - leg_2 * r2[2] + leg_1 * r1[2], v[2] + leg_2 * r2[1] - leg_1 * r1[1]]
 }
 
 /// Factor of `x_hat x r` for a leg along +x: `1/(r (r - x))`.
-#[inline]
+#[inline(always)]
 fn leg(x: f64, rho_2: f64, r: f64, core_2: f64) -> f64 {
     // Multiplying by 1 = (r + x)/(r + x) downstream avoids the difference r - x.
     let (top, bottom) = if x > 0.0 { (r + x, rho_2.max(core_2)) } else { (1.0, r - x) };
@@ -187,6 +220,11 @@ mod tests {
     fn vortex(from: [f64; 3], to: [f64; 3]) -> Horseshoe {
         let (from, to) = (Vector3::from(from), Vector3::from(to));
         Horseshoe { edges: None, from, to, length_2: (to - from).norm_squared(), core: 1.0, circulation: 1.0 }
+    }
+
+    fn on_surface(vortex: &Horseshoe, edges: &[Vector3<f64>; 2], point: [f64; 3], core: f64) -> [f64; 3] {
+        let [side_1, side_2] = [vortex.from - edges[0], edges[1] - vortex.to].map(|side| side.norm_squared());
+        velocity_on_surface(vortex, &[(edges[0], side_1), (edges[1], side_2)], point, core)
     }
 
     /// Far downstream a leg is a straight vortex: 4 pi v = 2/rho outside of the core, and 2 rho/core² in it (Rankine).
@@ -300,9 +338,9 @@ mod tests {
             let plain = Vector3::from(velocity(&own, at, 1e-6));
             let want = biot_savart(&line(&own, straight), &point);
             assert!((plain - want).norm() < 1e-6 * (1e-3 + want.norm()), "{point}: {plain} {want}");
-            let same = Vector3::from(by_the_surface(&own, &straight, at, 1e-6));
+            let same = Vector3::from(on_surface(&own, &straight, at, 1e-6)) - plain;
             assert!(same.norm() < 1e-10 * plain.norm(), "{point}: {same}");
-            let bent = plain + Vector3::from(by_the_surface(&own, &edges, at, 1e-6));
+            let bent = Vector3::from(on_surface(&own, &edges, at, 1e-6));
             let want = biot_savart(&line(&own, edges), &point);
             assert!((bent - want).norm() < 1e-6 * (1e-3 + want.norm()), "{point}: {bent} {want}");
         }
@@ -324,8 +362,7 @@ mod tests {
             for rho in [1e-4, 0.002, 0.0099, 0.0101, 0.02, 1.0] {
                 for away in [Vector3::y(), direction.cross(&Vector3::y())] {
                     let r = away * rho;
-                    let got = Vector3::from(velocity(&own, r.into(), core))
-                        + Vector3::from(by_the_surface(&own, &edges, r.into(), core));
+                    let got = Vector3::from(on_surface(&own, &edges, r.into(), core));
                     let want = along.cross(&r) * 2.0 / f64::max(rho * rho, core * core);
                     assert!((got - want).norm() < 1e-3 * want.norm(), "side {side} at {rho}: {got} {want}");
                 }

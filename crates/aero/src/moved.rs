@@ -89,7 +89,8 @@ fn sources(lattice: &Lattice, seams: &Seams, beta: f64, cp: &[f64]) -> Vec<Sourc
             let [_, edge_1, edge_2, _] = seams.corners[last[j]];
             (shares[0], shares[3]) = ([(edge_1, 1.0), (edge_1, 0.0)], [(edge_2, 1.0), (edge_2, 0.0)]);
         }
-        let [edge_1, edge_2] = vortex.edges.unwrap_or([vortex.from, vortex.to]);
+        let [edge_1, edge_2] =
+            vortex.edges.map_or([vortex.from, vortex.to], |edges| edges.map(|(corner, _)| corner));
         Source {
             points: [edge_1, vortex.from, vortex.to, edge_2],
             shares,

@@ -2,7 +2,7 @@
 
 use crate::large::{beam_along_x, force, large, moment};
 use structure::nonlinear::{
-    Controls, Following, LargeDeflection, Loads, NonlinearError, Path, differenced, moments_across,
+    Acting, Controls, Following, LargeDeflection, Loads, NonlinearError, Path, differenced, moments_across,
 };
 
 /// A cantilever of four bars, 10 m long, E I = 100 N m^2 about y and 10 000 about z.
@@ -225,7 +225,8 @@ fn what_loads_give_back_of_a_motion_is_their_moment_over_the_stiffness() {
     };
     let gain = |deck: &str, following: Vec<Following>| {
         let wing = large(deck);
-        wing.following_gain(&wing.undeformed(), &Loads { following, ..Loads::default() })
+        let (state, loads) = (wing.undeformed(), Loads { following, ..Loads::default() });
+        wing.following_gain(&state, loads.at(&wing, &state)?.as_ref())
     };
     let [one, other, third] = [(1, 50.0, 2.0, 0.5), (11, 80.0, 1.5, 0.25), (21, 60.0, 1.0, 0.5)]
         .map(|(first, k, a, h)| pendulum(first, k, a, h));

@@ -212,6 +212,11 @@ impl<'a> Known<'a> {
     pub(super) fn largest(&self) -> SteadyCase {
         self.case(self.alphas_rad.iter().copied().fold(f64::NEG_INFINITY, f64::max))
     }
+
+    /// The case with the least angle that was measured.
+    pub(super) fn least(&self) -> SteadyCase {
+        self.case(self.alphas_rad.iter().copied().fold(f64::INFINITY, f64::min))
+    }
 }
 
 /// Corrections next to the mean with which the wing of the file, its structure as given, has the measured root loads.

@@ -31,7 +31,7 @@ use coupling::wing_file::CorrectionPrior;
 use coupling::{CouplingError, ElasticWing};
 use faer::Mat;
 use known::Known;
-use predictions::{Quantity, predict, quantities};
+use predictions::{Predicted, Quantity, predict, quantities};
 
 /// A prediction with its interval.
 #[derive(Debug, Clone, PartialEq)]
@@ -91,6 +91,9 @@ pub(crate) struct Spread {
     pub(crate) root: Mat<f64>,
     /// Derivatives of each prediction by the unknowns.
     pub(crate) gradients: Vec<Vec<f64>>,
+    /// The same of sections and the tip at the least angle that was measured: with those at the largest they are what any load
+    /// factor's loads and shape are made of.
+    pub(crate) at_least: Vec<Vec<f64>>,
 }
 
 /// What is known at every calibrated airspeed.
@@ -103,6 +106,8 @@ pub fn posterior(
     prior: &CorrectionPrior,
 ) -> Result<Vec<AirspeedPosterior>, CouplingError> {
     let listed = quantities(wing);
+    let of_the_whole_wing: Vec<Quantity> =
+        listed.iter().filter(|quantity| quantity.is_of_the_whole_wing()).cloned().collect();
     let (known, joint) = Known::all(wing, calibration, prior)?;
     let of = |(k, known): (usize, Known<'_>)| {
         let theory = WingOff::theory(wing);
@@ -110,7 +115,11 @@ pub fn posterior(
         let case = known.largest();
         let by_theory = predict(wing, &uncorrected, &theory, &case, &listed)?;
         let predicted = predict(wing, &known.corrected, &known.off, &case, &listed)?;
-        let gradients: Vec<Vec<f64>> = predicted.iter().map(|at| at.gradient(&known.unknowns)).collect();
+        let gradients_of = |predicted: &[Predicted]| -> Vec<Vec<f64>> {
+            predicted.iter().map(|at| at.gradient(&known.unknowns)).collect()
+        };
+        let gradients = gradients_of(&predicted);
+        let at_least = predict(wing, &known.corrected, &known.off, &known.least(), &of_the_whole_wing)?;
         let each = listed.iter().zip(by_theory).zip(predicted.iter().zip(&gradients));
         let predictions = each.map(|((quantity, theory), (at, gradient))| {
             let sensors = &calibration.data.sensors;
@@ -126,7 +135,7 @@ pub fn posterior(
         });
         let predictions = predictions.collect();
         Ok(AirspeedPosterior {
-            spread: Spread { root: joint.root(k), gradients },
+            spread: Spread { root: joint.root(k), gradients, at_least: gradients_of(&at_least) },
             v_m_s: known.flow.v_m_s,
             alpha_rad: case.alpha_rad,
             mean: known.is_mean.then_some(known.off),

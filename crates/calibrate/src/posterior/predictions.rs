@@ -28,6 +28,17 @@ pub enum Quantity {
     },
 }
 
+impl Quantity {
+    /// Whether it is of the wing with its controls at rest, more than a strip: a section's load, or the tip.
+    pub(super) fn is_of_the_whole_wing(&self) -> bool {
+        match self {
+            Self::Reading(reading) => !matches!(reading, Reading::StripLift { .. }),
+            Self::TipHeight => true,
+            Self::ControlMx { .. } => false,
+        }
+    }
+}
+
 /// What is predicted of a wing: strips, sections, tip, controls.
 pub(super) fn quantities(wing: &ElasticWing) -> Vec<Quantity> {
     let boxes = &wing.correctable;

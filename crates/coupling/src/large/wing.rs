@@ -253,7 +253,11 @@ impl LargeWing {
         };
         let path = path.map_err(|error| failed(error.reached(), error.to_string()))?;
         let end = path.end();
-        let gain = if to.q_pa == 0.0 { Some(0.0) } else { self.structure.following_gain(&end.state, to) };
+        let Some(solved) = to.solved(&end.state) else {
+            return Err(failed(0.0, "the lattice of the bent wing cannot be solved".to_owned()));
+        };
+        let gain =
+            if to.q_pa == 0.0 { Some(0.0) } else { self.structure.following_gain(&end.state, &solved) };
         let Some(gain) = gain.filter(|gain| *gain < 1.0) else {
             return Err(failed(
                 0.0,
@@ -261,9 +265,6 @@ impl LargeWing {
             ));
         };
         let iterations = path.points.iter().map(|point| point.iterations).sum();
-        let Some(solved) = to.solved(&end.state) else {
-            return Err(failed(0.0, "the lattice of the bent wing cannot be solved".to_owned()));
-        };
         let reported = self.reported(to, solved.loaded(&end.state), &end.state);
         Ok(LargeState { forces: solved.forces(), iterations, gain, ..reported })
     }

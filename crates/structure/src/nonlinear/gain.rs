@@ -1,6 +1,6 @@
 //! Stability under loads that follow the structure: what the answer to a small motion gives back of that motion.
 
-use super::acting::Acting;
+use super::near::Near;
 use super::state::State;
 use super::structure::LargeDeflection;
 use crate::blocks::Noise;
@@ -15,10 +15,9 @@ const STEPS: usize = 20;
 impl LargeDeflection {
     /// The largest real eigenvalue of K^-1 A at an equilibrium, K the (symmetric) tangent stiffness and A the change of
     /// the loads by the motion: from one on, the loads push on faster than the structure holds back (divergence). Nothing
-    /// if the state is no equilibrium of a stable structure.
-    pub fn following_gain(&self, state: &State, acting: &dyn Acting) -> Option<f64> {
+    /// if the state is no equilibrium of a stable structure. `near` are the loads about it.
+    pub fn following_gain(&self, state: &State, near: &dyn Near) -> Option<f64> {
         let (map, inner) = (self.map(state), self.inner(state));
-        let near = acting.at(self, state)?;
         let short: Vec<f64> = inner.forces.iter().zip(near.forces()).map(|(i, o)| i - o).collect();
         let k = self.tangent(state, &map, &inner.placed, &inner.local, &short);
         let scale: Vec<f64> = sparse::diagonal(k.as_ref()).iter().map(|d| d.abs()).collect();
@@ -27,7 +26,7 @@ impl LargeDeflection {
             return None;
         }
         let answer = |v: &[f64]| -> Vec<f64> {
-            let pulled = self.following_stiffness(state, &map, near.as_ref(), v);
+            let pulled = self.following_stiffness(state, &map, near, v);
             let right = Mat::from_fn(v.len(), 1, |i, _| -pulled[i]);
             factor.solve(right.as_ref()).col(0).iter().copied().collect()
         };
