@@ -29,7 +29,7 @@ if not MYSTRAN:
 
 
 def grids(places):
-    return [f"GRID,{i},,{x:.6g},{y:.6g},{z:.6g}" for i, (x, y, z) in enumerate(places, 1)]
+    return [f"GRID,{i},,{x:.5f},{y:.5f},{z:.5f}" for i, (x, y, z) in enumerate(places, 1)]
 
 
 def plate(count):
@@ -89,7 +89,7 @@ for name, mesh in (("shells", plate), ("solids", block)):
         if ours is None or peer is None:
             print(f"{name:<8}{count:>8}  failed: {'ours' if ours is None else 'MYSTRAN'}; {folder}")
             continue
-        hz = [mode["frequency_hz"] for mode in json.loads((out / "result.json").read_text())["modes"]][:5]
+        hz = json.loads((out / "result.json").read_text())["frequencies_hz"][:5]
         theirs = peer_hz(deck.with_suffix(".F06").read_text(errors="replace"))[:5]
         apart = max((abs(a / b - 1.0) for a, b in zip(hz, theirs)), default=float("nan"))
         print(
