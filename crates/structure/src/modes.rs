@@ -17,6 +17,7 @@ use crate::sparse;
 use crate::sturm;
 use crate::subspace::{self, Inverse, Rigid, Ritz};
 use crate::system::System;
+use faer::sparse::SparseColMatRef;
 use faer::{Mat, MatRef};
 use nalgebra::Point3;
 
@@ -149,15 +150,17 @@ fn held(system: &System) -> Factor {
 /// Modes from the held stiffness; where rounding leaves open which motions have no stiffness, from a shifted one.
 fn found(system: &System, factor: Factor, count: usize, known: Option<Count>) -> Result<Modes, ModesError> {
     let rigid = factor.loose.len();
-    let Some(motions) = Rigid::of(system.mass(), &factor) else {
+    let mass = sparse::without_zeros(system.mass());
+    let mass = mass.as_ref();
+    let Some(motions) = Rigid::of(mass, &factor) else {
         let shift = first_shift(system);
-        return Search::new(system, count, known, rigid, shift, shifted(system, shift)?).run();
+        return Search::new(system, mass, count, known, rigid, shift, shifted(system, shift)?).run();
     };
-    match (Search { motions, ..Search::new(system, count, known, rigid, 0.0, factor) }).run() {
+    match (Search { motions, ..Search::new(system, mass, count, known, rigid, 0.0, factor) }).run() {
         Err(error) if rigid > 0 => {
             tracing::debug!(%error, "modes of a free-free structure with a shift");
             let shift = first_shift(system);
-            Search::new(system, count, known, rigid, shift, shifted(system, shift)?).run()
+            Search::new(system, mass, count, known, rigid, shift, shifted(system, shift)?).run()
         }
         done => done,
     }
@@ -165,6 +168,8 @@ fn found(system: &System, factor: Factor, count: usize, known: Option<Count>) ->
 
 struct Search<'a> {
     system: &'a System,
+    /// Its mass without zeros.
+    mass: SparseColMatRef<'a, usize, f64>,
     count: usize,
     /// A count of eigenvalues that is there already.
     known: Option<Count>,
@@ -182,6 +187,7 @@ struct Search<'a> {
 impl<'a> Search<'a> {
     fn new(
         system: &'a System,
+        mass: SparseColMatRef<'a, usize, f64>,
         count: usize,
         known: Option<Count>,
         rigid: usize,
@@ -193,7 +199,7 @@ impl<'a> Search<'a> {
         let mut noise = Noise::new();
         let block = noise.extend(Mat::zeros(n, 0).as_ref(), size);
         let ritz = Ritz { values: Vec::new(), vectors: Mat::zeros(n, 0) };
-        Self { system, count, known, rigid, motions: Rigid::none(n), shift, factor, noise, block, ritz }
+        Self { system, mass, count, known, rigid, motions: Rigid::none(n), shift, factor, noise, block, ritz }
     }
 
     fn run(mut self) -> Result<Modes, ModesError> {
@@ -223,7 +229,7 @@ impl<'a> Search<'a> {
     }
 
     fn converge(&mut self) -> Result<(), ModesError> {
-        let (k, m) = (self.system.stiffness(), self.system.mass());
+        let (k, m) = (self.system.stiffness(), self.mass);
         let enough = if self.system.free_count() > LARGE { CONVERGED_LARGE } else { CONVERGED };
         let mut worst = f64::INFINITY;
         let mut best = f64::INFINITY;

@@ -173,6 +173,20 @@ pub(crate) fn combine(
     Sparse::new(a.symbolic().to_owned().expect("memory for a copy of the pattern"), values)
 }
 
+/// Without entries that are zero: a lumped mass has a few in each column where the stiffness has dozens, and products with it are
+/// as much shorter.
+pub(crate) fn without_zeros(a: SparseColMatRef<'_, usize, f64>) -> Sparse {
+    let (mut columns, mut rows, mut values) = (vec![0], Vec::new(), Vec::new());
+    for j in 0..a.ncols() {
+        for (row, value) in a.row_idx_of_col(j).zip(a.val_of_col(j)).filter(|(_, value)| **value != 0.0) {
+            rows.push(row);
+            values.push(*value);
+        }
+        columns.push(rows.len());
+    }
+    Sparse::new(SymbolicSparseColMat::new_checked(a.nrows(), a.ncols(), columns, None, rows), values)
+}
+
 /// Rows that hang together through entries: lists of ascending rows, in the order of their first ones.
 pub(crate) fn components(pattern: SymbolicSparseColMatRef<'_, usize>) -> Vec<Vec<usize>> {
     let n = pattern.ncols();

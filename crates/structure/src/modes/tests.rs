@@ -22,7 +22,7 @@ fn two_wings() -> System {
 
 /// A search that starts without any motion of the second wing, which no iteration then gives it.
 fn half_blind(system: &System, count: usize, known: Option<Count>) -> Search<'_> {
-    let mut search = Search::new(system, count, known, 0, 0.0, held(system));
+    let mut search = Search::new(system, system.mass(), count, known, 0, 0.0, held(system));
     let of_second = |i: usize| system.name(i).0 > 100;
     for j in 0..search.block.ncols() {
         for i in (0..search.block.nrows()).filter(|i| of_second(*i)) {
@@ -74,7 +74,7 @@ fn row(is_held: bool) -> System {
 /// A search that has come to some values.
 fn come_to<'a>(system: &'a System, values: &[f64], rigid: usize, shift: f64) -> Search<'a> {
     let n = system.free_count();
-    let mut search = Search::new(system, values.len().max(1), None, rigid, shift, held(system));
+    let mut search = Search::new(system, system.mass(), values.len().max(1), None, rigid, shift, held(system));
     let vectors = Mat::from_fn(n, values.len(), |i, j| f64::from(u8::from(i == j)) - 0.1);
     search.ritz = Ritz { values: values.to_vec(), vectors };
     search
@@ -131,11 +131,11 @@ fn a_block_is_exhausted_where_fewer_values_are_left_than_it_has_columns() {
     let filled = search.keep_size(Mat::from_fn(4, 2, |i, j| (1 + i + j) as f64).as_ref());
     assert_eq!((filled.ncols(), filled[(3, 1)], filled[(3, 2)]), (3, 5.0, 0.0));
     for (count, rigid, columns) in [(1, 0, 2), (2, 0, 4), (1, 2, 4), (3, 0, 4)] {
-        let search = Search::new(&system, count, None, rigid, 0.0, held(&system));
+        let search = Search::new(&system, system.mass(), count, None, rigid, 0.0, held(&system));
         assert_eq!(search.block.ncols(), columns, "twice as many, eight more, or all");
     }
     let wings = two_wings();
-    assert_eq!(Search::new(&wings, 12, None, 0, 0.0, held(&wings)).block.ncols(), 20);
+    assert_eq!(Search::new(&wings, wings.mass(), 12, None, 0, 0.0, held(&wings)).block.ncols(), 20);
 }
 
 #[test]

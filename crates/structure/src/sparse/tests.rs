@@ -111,3 +111,14 @@ fn what_hangs_together_is_listed_together() {
     let two = pattern(&[vec![5, 0], vec![1, 3], vec![3, 4]]);
     assert_eq!(components(two.symbolic()), [vec![0, 5], vec![1, 3, 4], vec![2]]);
 }
+
+#[test]
+fn without_its_zeros_a_matrix_is_the_same() {
+    let pattern = Pattern::of(N, &lists());
+    let mut values = pattern.values();
+    values.add(&[4, 1, 2], Some(&own(3, 0)), Some(&DMatrix::from_diagonal_element(3, 3, 2.0)));
+    let (k, m) = values.symmetric();
+    let (kept, lumped) = (without_zeros(k.as_ref()), without_zeros(m.as_ref()));
+    assert_eq!((dense(&kept), dense(&lumped)), (dense(&k), dense(&m)));
+    assert_eq!((m.val().len() > 10, kept.val().len(), lumped.val().len()), (true, 9, 3));
+}
