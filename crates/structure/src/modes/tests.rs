@@ -74,7 +74,8 @@ fn row(is_held: bool) -> System {
 /// A search that has come to some values.
 fn come_to<'a>(system: &'a System, values: &[f64], rigid: usize, shift: f64) -> Search<'a> {
     let n = system.free_count();
-    let mut search = Search::new(system, system.mass(), values.len().max(1), None, rigid, shift, held(system));
+    let mut search =
+        Search::new(system, system.mass(), values.len().max(1), None, rigid, shift, held(system));
     let vectors = Mat::from_fn(n, values.len(), |i, j| f64::from(u8::from(i == j)) - 0.1);
     search.ritz = Ritz { values: values.to_vec(), vectors };
     search
