@@ -9,7 +9,7 @@ use crate::structures::Structure;
 /// Shapes in the figure.
 const SHAPES: usize = 6;
 /// Grids at most that a panel draws, evenly taken from all: more make the report heavy, not the picture clearer.
-const GRIDS: usize = 3000;
+pub(super) const GRIDS: usize = 3000;
 
 /// Frequencies in Hz.
 pub(crate) fn hertz(modes: &Modes) -> Vec<f64> {
