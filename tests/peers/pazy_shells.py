@@ -96,7 +96,7 @@ def table(name, behind_m, case, columns):
     def twist_deg(values):
         # of the spar's plate: the rod that carries the weight bends for itself
         ends = [(x, between(places, values, x, SEMISPAN_M)) for x in (0.03, 0.07)]
-        nose, tail = ((x + moved[0], moved[1], moved[2]) for x, moved in ends)
+        nose, tail = ((x + by[0], by[1], by[2]) for x, by in ends)
         return math.degrees(math.asin((nose[2] - tail[2]) / math.dist(nose, tail)))
 
     print(f"{name}, a weight at x = {places[at][0]:.4f} m of the tip (grid {at}); z, y in % of the semispan, twist in degrees")

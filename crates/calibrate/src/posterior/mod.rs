@@ -150,6 +150,7 @@ pub fn posterior(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use coupling::{SteadyCase, SteadyModel};
 
     #[test]
     fn an_interval_is_1645_standard_deviations_on_both_sides() {
@@ -169,5 +170,36 @@ mod tests {
         assert!((one.decided() - 0.99).abs() < 1e-12);
         let half_as_wide = Prediction { prior_sigma: 4.0, sigma: 2.0, ..one };
         assert!((half_as_wide.decided() - 0.75).abs() < 1e-12);
+    }
+    /// Readings of the shipped wing itself, so that its posterior is linearised at theory: what the ensemble is told of the least angle
+    /// is how the wing reads there when a part of its lift changes.
+    #[test]
+    fn at_the_least_angle_derivatives_are_those_of_differences() {
+        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/tuflex/wing_beam.ron");
+        let (_, wing) = coupling::ElasticWing::read(&path).expect("a wing that is shipped");
+        let neutral = Corrections::neutral(wing.correctable.len());
+        let flow = aero::Flow { v_m_s: 26.0, rho_kg_m3: crate::tests::RHO };
+        let case = |alpha_rad: f64| SteadyCase::new(flow, alpha_rad);
+        let alphas_rad = [0.02, -0.07, 0.06, -0.03, 0.1];
+        let loads = wing.root_loads(&alphas_rad.map(case), &neutral).expect("it does not diverge");
+        let points = alphas_rad.iter().zip(loads).enumerate().map(|(i, (alpha_rad, load))| {
+            let [fz, mx, my] = load.to_array();
+            crate::tests::point(i + 2, flow.v_m_s, *alpha_rad, [fz, mx, my, 0.0])
+        });
+        let campaign = crate::tests::campaign(points.collect(), Some([0.05, 0.03, 0.02, 0.001]));
+        let found = crate::calibrate(&wing, &campaign, &crate::tests::settings(2)).expect("sound data");
+        let prior = CorrectionPrior::default();
+        let known = posterior(&wing, &found, &prior).expect("one airspeed");
+        let unknowns = Unknowns::new(&wing, &prior);
+        let by_tip = known[0].spread.at_least.last().expect("the tip is the last");
+        for unknown in [3, 40] {
+            let tip_m = |step: f64| {
+                let mut z = vec![0.0; unknowns.count()];
+                z[unknown] = step;
+                wing.tip_deflections(&[case(-0.07)], &unknowns.wing(&z).corrections).expect("a tip")[0]
+            };
+            let by = (tip_m(1e-3) - tip_m(-1e-3)) / 2e-3;
+            assert!((by_tip[unknown] / by - 1.0).abs() < 1e-5, "{unknown}: {} {by}", by_tip[unknown]);
+        }
     }
 }
