@@ -69,9 +69,8 @@ pub(crate) fn run(args: &ModesArgs, common: &Common) -> Result<(), Failure> {
     }
     modes_shapes::write(&folder, &structure.name, &structure.system, &cells, &modes, &files)?;
     if let Some(figure) = modes_pictures::figure(&structure, &modes) {
-        let most = modes_pictures::GRIDS;
-        let caption = format!("Displacements of nodes ({most} at most), scaled to the largest of a mode.");
-        folder.write_figure("shapes", &caption, figure)?;
+        let caption = "Displacements of all nodes, scaled to the largest of a mode.";
+        folder.write_figure("shapes", caption, figure)?;
     }
     let result = as_json(&result(&structure, &modes, start.elapsed().as_secs_f64()))?;
     folder.write_json("result.json", &result)?;

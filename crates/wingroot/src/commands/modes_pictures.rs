@@ -8,8 +8,6 @@ use crate::structures::Structure;
 
 /// Shapes in the figure.
 const SHAPES: usize = 6;
-/// Grids at most that a panel draws, evenly taken from all: more make the report heavy, not the picture clearer.
-pub(super) const GRIDS: usize = 3000;
 
 /// Frequencies in Hz.
 pub(crate) fn hertz(modes: &Modes) -> Vec<f64> {
@@ -68,7 +66,7 @@ pub(super) fn vtu_of(system: &System, cells: &[MeshCell], nodes: &[[f64; 6]]) ->
     mesh.vtu()
 }
 
-/// Displacements of nodes (of all, up to [`GRIDS`]) along the longest extent of the structure, a panel a mode; none for a structure that is
+/// Displacements of all nodes along the longest extent of the structure, a panel a mode; none for a structure that is
 /// a point.
 pub(super) fn figure(structure: &Structure, modes: &Modes) -> Option<Figure> {
     let points = structure.system.points();
@@ -81,13 +79,12 @@ pub(super) fn figure(structure: &Structure, modes: &Modes) -> Option<Figure> {
         return None;
     }
     let names = ["x", "y", "z"];
-    let every = points.len().div_ceil(GRIDS);
-    let along: Vec<f64> = points.iter().step_by(every).map(|point| point[axis]).collect();
+    let along: Vec<f64> = points.iter().map(|point| point[axis]).collect();
     let hertz = hertz(modes);
     let panel = |mode: usize| {
         let nodes = scaled(&structure.system, modes, mode);
         let series = |component: usize| {
-            let values = nodes.iter().step_by(every).map(|six| six[component]).collect();
+            let values = nodes.iter().map(|six| six[component]).collect();
             Series::new(format!("along {}", names[component]), along.clone(), values, Style::Points)
         };
         Panel::new(
