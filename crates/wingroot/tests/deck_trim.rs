@@ -5,9 +5,13 @@ use std::process::{Command, Output};
 
 use serde_json::Value;
 
-fn wingroot(arguments: &[&str]) -> Output {
+/// `fullaircraft --deck`, from the root of the repository.
+fn trimmed(deck: &Path, out: &Path) -> Output {
     Command::new(env!("CARGO_BIN_EXE_wingroot"))
-        .args(arguments)
+        .args(["fullaircraft", "--json", "--deck"])
+        .arg(deck)
+        .arg("--out")
+        .arg(out)
         .current_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("../.."))
         .output()
         .expect("the command starts")
@@ -16,9 +20,7 @@ fn wingroot(arguments: &[&str]) -> Output {
 #[test]
 fn the_deck_s_subcases_are_trimmed_as_published() {
     let out = std::env::temp_dir().join(format!("wingroot-deck-trim-{}", std::process::id()));
-    let folder = out.to_string_lossy().into_owned();
-    let deck = "data/published/decks/ha144a_fsw.bdf";
-    let output = wingroot(&["fullaircraft", "--deck", deck, "--out", &folder, "--json"]);
+    let output = trimmed(Path::new("data/published/decks/ha144a_fsw.bdf"), &out);
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let result: Value = serde_json::from_slice(&output.stdout).expect("nothing but JSON");
     // MSC.Nastran Aeroelastic Analysis User's Guide, HA144A: angles of trim at 40 and 1200 psf
@@ -31,7 +33,7 @@ fn the_deck_s_subcases_are_trimmed_as_published() {
     }
     assert!(out.join("boxes_trim_1.csv").is_file() && out.join("boxes_trim_2.csv").is_file());
     std::fs::remove_dir_all(&out).expect("our own folder");
-    let output = wingroot(&["fullaircraft", "--deck", "data/tuflex/cases.ron", "--out", &folder]);
+    let output = trimmed(Path::new("data/tuflex/cases.ron"), &out);
     assert_eq!(output.status.code(), Some(2), "{}", String::from_utf8_lossy(&output.stderr));
 }
 
@@ -46,15 +48,7 @@ fn a_deck_that_asks_for_divergence_alone_has_its_dynamic_pressures_as_printed() 
     let run = |text: &str| {
         let path = base.join("diverg.bdf");
         std::fs::write(&path, text).expect("a temporary file");
-        let out = base.join("out");
-        wingroot(&[
-            "fullaircraft",
-            "--deck",
-            &path.to_string_lossy(),
-            "--out",
-            &out.to_string_lossy(),
-            "--json",
-        ])
+        trimmed(&path, &base.join("out"))
     };
     let asks = deck.replace("TRIM = 1", "DIVERG = 9").replace("TRIM = 2", "DIVERG = 10");
     let cards = "DIVERG,9,5,0.\nDIVERG,10,,0.,.5\nENDDATA";
@@ -100,15 +94,7 @@ fn subcases_that_differ_in_the_supported_grid_alone_are_trimmed_each_with_its_ow
         let text = deck.replace("SUBCASE 1\n  TRIM = 1\nSUBCASE 2\n  TRIM = 2\n", subcases);
         assert_ne!(text, deck);
         std::fs::write(&path, text).expect("a temporary file");
-        let out = base.join("out");
-        let output = wingroot(&[
-            "fullaircraft",
-            "--deck",
-            &path.to_string_lossy(),
-            "--out",
-            &out.to_string_lossy(),
-            "--json",
-        ]);
+        let output = trimmed(&path, &base.join("out"));
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
         let result: Value = serde_json::from_slice(&output.stdout).expect("nothing but JSON");
         let all = result["subcases"].as_array().expect("subcases");
