@@ -17,7 +17,7 @@
 use crate::geometry::AeroBox;
 use crate::lattice::Lattice;
 use nalgebra::{Point3, Vector3};
-use pulp::Arch;
+use pulp::{Arch, Simd, WithSimd};
 use std::f64::consts::PI;
 
 /// Radius of a vortex core over the size (smaller of chord and width) of the smaller of the two boxes involved.
@@ -86,35 +86,60 @@ impl Receivers {
 
     /// Adds `factor` times the incidence that each receiver's flow lacks for a unit `cp` of one box: -v.n/V.
     pub(crate) fn add_incidence(&self, vortex: &Horseshoe, factor: f64, out: &mut [f64]) {
-        let [px, py, pz] = &self.point;
-        let [nx, ny, nz] = &self.normal;
-        let scale = -factor * vortex.circulation / (4.0 * PI);
-        let count = out.len();
-        // Equal lengths known to the compiler: no bounds checks inside.
-        let (px, py, pz, core) = (&px[..count], &py[..count], &pz[..count], &self.core[..count]);
-        let (nx, ny, nz) = (&nx[..count], &ny[..count], &nz[..count]);
-        let points = move |i: usize| ([px[i], py[i], pz[i]], core[i].min(vortex.core));
-        let along = move |i: usize, v: [f64; 3]| scale * (v[0] * nx[i] + v[1] * ny[i] + v[2] * nz[i]);
-        let arch = Arch::new();
+        let sum = Sum { to: self, of: vortex, scale: -factor * vortex.circulation / (4.0 * PI), out };
         match &vortex.edges {
-            None => arch.dispatch(
-                #[inline(always)]
-                || {
-                    for (i, out) in out.iter_mut().enumerate() {
-                        let (point, core) = points(i);
-                        *out += along(i, velocity(vortex, point, core));
-                    }
-                },
-            ),
-            Some(edges) => arch.dispatch(
-                #[inline(always)]
-                || {
-                    for (i, out) in out.iter_mut().enumerate() {
-                        let (point, core) = points(i);
-                        *out += along(i, velocity_on_surface(vortex, edges, point, core));
-                    }
-                },
-            ),
+            None => Arch::new().dispatch(Along(sum)),
+            Some(edges) => Arch::new().dispatch(OnSurface(sum, edges)),
+        }
+    }
+}
+
+/// A sum over receivers. No closure: the compiler puts a call around one, which is not compiled for the vector instructions found.
+struct Sum<'a> {
+    to: &'a Receivers,
+    of: &'a Horseshoe,
+    scale: f64,
+    out: &'a mut [f64],
+}
+
+/// Of a horseshoe whose legs run along the stream.
+struct Along<'a>(Sum<'a>);
+
+/// Of one whose legs run along the surface to edges.
+struct OnSurface<'a>(Sum<'a>, &'a [(Vector3<f64>, f64); 2]);
+
+impl WithSimd for Along<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let vortex = *self.0.of;
+        self.0.add(|point, core| velocity(&vortex, point, core));
+    }
+}
+
+impl WithSimd for OnSurface<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let (vortex, edges) = (*self.0.of, *self.1);
+        self.0.add(|point, core| velocity_on_surface(&vortex, &edges, point, core));
+    }
+}
+
+impl Sum<'_> {
+    /// With velocities at points whose vortices have a core.
+    #[inline(always)]
+    fn add(self, velocity: impl Fn([f64; 3], f64) -> [f64; 3]) {
+        // Equal lengths known to the compiler: no bounds checks inside.
+        let (count, Self { to, of, scale, out }) = (self.out.len(), self);
+        let [px, py, pz] = to.point.each_ref().map(|values| &values[..count]);
+        let [nx, ny, nz] = to.normal.each_ref().map(|values| &values[..count]);
+        let (cores, own_core) = (&to.core[..count], of.core);
+        for i in 0..count {
+            let v = velocity([px[i], py[i], pz[i]], cores[i].min(own_core));
+            out[i] += scale * (v[0] * nx[i] + v[1] * ny[i] + v[2] * nz[i]);
         }
     }
 }
@@ -164,8 +189,11 @@ fn segment((r1, l1): ([f64; 3], f64), (r2, l2): ([f64; 3], f64), length_2: f64, 
     let cross = [r1[1] * r2[2] - r1[2] * r2[1], r1[2] * r2[0] - r1[0] * r2[2], r1[0] * r2[1] - r1[1] * r2[0]];
     let cross_2 = cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2];
     let (product, dot) = (l1 * l2, r1[0] * r2[0] + r1[1] * r2[1] + r1[2] * r2[2]);
-    let sum = if dot < 0.0 { cross_2.max(core_2 * length_2) / (product - dot) } else { product + dot };
-    cross.map(|component| component * ((l1 + l2) / (product * sum)))
+    // One division: they are what takes the time here.
+    let (top, bottom) =
+        if dot < 0.0 { (product - dot, cross_2.max(core_2 * length_2)) } else { (1.0, product + dot) };
+    let size = (l1 + l2) * top / (product * bottom);
+    cross.map(|component| component * size)
 }
 
 /// 4 pi times the velocity of a horseshoe of circulation 1 at a point.
