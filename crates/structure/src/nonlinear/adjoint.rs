@@ -18,10 +18,7 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 
 /// Residual of the transposed equations, relative.
-const RESIDUAL: f64 = 1e-11;
-
-/// Largest entry (m, rad) of the motions of differences.
-const STEP: f64 = 1e-5;
+const RESIDUAL: f64 = 1e-9;
 
 /// The change of what acts by motions of the nodes, seen from the other side: a virtual motion of all nodes in (m, rad; g-set, basic
 /// axes), the derivative of its work by displacements and spins out (N, Nm), in the symmetric form of the module.
@@ -70,11 +67,7 @@ impl LargeDeflection {
             return vec![0.0; v.len()];
         }
         let motion = expanded(map, v);
-        let all = differenced(v, |v| {
-            let mut moved = state.clone();
-            self.move_on(&mut moved, map, v);
-            Self::reduced(&self.map(&moved), unbalanced)
-        });
+        let all = self.joints.change_of_carried(state, unbalanced, &motion);
         let mut taken: Vec<f64> =
             moments_across(unbalanced, &motion).iter().map(|moment| 0.5 * moment).collect();
         for (dofs, term) in self.joints.turning_arms(state, unbalanced) {
@@ -95,14 +88,6 @@ pub fn moments_across(forces: &[f64], motion: &[f64]) -> Vec<f64> {
         [0.0, 0.0, 0.0, moment.x, moment.y, moment.z]
     };
     forces.chunks_exact(6).zip(motion.chunks_exact(6)).flat_map(across).collect()
-}
-
-/// The change of something by a motion, by central differences.
-pub fn differenced(motion: &[f64], of: impl Fn(&[f64]) -> Vec<f64>) -> Vec<f64> {
-    let size = motion.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
-    let step = if size == 0.0 { 1.0 } else { STEP / size };
-    let [up, down] = [step, -step].map(|step| of(&motion.iter().map(|v| v * step).collect::<Vec<f64>>()));
-    up.iter().zip(&down).map(|(up, down)| (up - down) / (2.0 * step)).collect()
 }
 
 /// The motion of all nodes by that of the free ones.

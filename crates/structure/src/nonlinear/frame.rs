@@ -19,6 +19,8 @@ pub(crate) struct Group {
     pub(crate) fits_places: bool,
     /// Weight of each rotation, m^2.
     pub(crate) rotations: Vec<f64>,
+    /// Whether the places alone do not determine a rotation.
+    is_line: bool,
 }
 
 /// Rotation weight of nodes in one line, in units of the squared length: small, so that the line points from end to end, and only
@@ -42,9 +44,10 @@ impl Group {
 
     /// With weights of places and of rotations.
     pub(crate) fn weighted(points: &[Vector3<f64>], places: Vec<f64>, rotations: Vec<f64>) -> Self {
-        let mut group = Self { arms: points.to_vec(), places, fits_places: true, rotations };
+        let mut group = Self { arms: points.to_vec(), places, fits_places: true, rotations, is_line: false };
         let middle = group.middle(points);
         group.arms.iter_mut().for_each(|arm| *arm -= middle);
+        group.is_line = are_in_line(&group.arms, &group.places);
         group
     }
 
@@ -63,11 +66,7 @@ impl Group {
 
     /// Whether the places alone do not determine a rotation.
     pub(crate) fn is_line(&self) -> bool {
-        let inertia: Matrix3<f64> =
-            self.arms.iter().zip(&self.places).map(|(arm, weight)| arm * arm.transpose() * *weight).sum();
-        let mut squares: Vec<f64> = inertia.symmetric_eigenvalues().iter().copied().collect();
-        squares.sort_by(f64::total_cmp);
-        squares[1] <= BREADTH * BREADTH * squares[2]
+        self.is_line
     }
 
     /// Share of a place in the fit.
@@ -111,6 +110,15 @@ impl Group {
         fit = Fit::of(&m, &q);
         fit
     }
+}
+
+/// Whether weighted arms from their middle do not determine a rotation.
+fn are_in_line(arms: &[Vector3<f64>], weights: &[f64]) -> bool {
+    let inertia: Matrix3<f64> =
+        arms.iter().zip(weights).map(|(arm, weight)| arm * arm.transpose() * *weight).sum();
+    let mut squares: Vec<f64> = inertia.symmetric_eigenvalues().iter().copied().collect();
+    squares.sort_by(f64::total_cmp);
+    squares[1] <= BREADTH * BREADTH * squares[2]
 }
 
 /// A fitted rotation with what its spin is computed from.

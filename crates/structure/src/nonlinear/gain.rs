@@ -9,8 +9,14 @@ use crate::sparse;
 use crate::unsymmetric::eigenvalues;
 use faer::Mat;
 
-/// Steps of Arnoldi's method: loads that follow have few eigenvalues that are not small.
+/// Steps of Arnoldi's method at most: loads that follow have few eigenvalues that are not small.
 const STEPS: usize = 20;
+
+/// Steps before which its answer is not believed.
+const LEAST_STEPS: usize = 5;
+
+/// Change of the answer by a step, twice in a row, that is none any more.
+const SETTLED: f64 = 1e-7;
 
 impl LargeDeflection {
     /// The largest real eigenvalue of K^-1 A at an equilibrium, K the (symmetric) tangent stiffness and A the change of
@@ -44,6 +50,7 @@ fn largest_real(start: &[f64], product: impl Fn(&[f64]) -> Vec<f64>) -> Option<f
     }
     let mut basis = vec![start.iter().map(|v| v / size).collect::<Vec<f64>>()];
     let mut columns: Vec<Vec<f64>> = Vec::new();
+    let (mut answer, mut settled) = (0.0, 0);
     for step in 0..STEPS.min(start.len()) {
         let mut next = product(&basis[step]);
         let before = norm(&next);
@@ -59,11 +66,18 @@ fn largest_real(start: &[f64], product: impl Fn(&[f64]) -> Vec<f64>) -> Option<f
         let rest = norm(&next);
         column.push(rest);
         columns.push(column);
-        if rest <= 1e-10 * before {
+        let last = std::mem::replace(&mut answer, largest_of(&columns)?);
+        settled = if (answer - last).abs() <= SETTLED { settled + 1 } else { 0 };
+        if rest <= 1e-10 * before || (settled >= 2 && step + 1 >= LEAST_STEPS) {
             break;
         }
         basis.push(next.iter().map(|v| v / rest).collect());
     }
+    Some(answer)
+}
+
+/// That of a Hessenberg matrix by columns.
+fn largest_of(columns: &[Vec<f64>]) -> Option<f64> {
     let count = columns.len();
     let small = Mat::from_fn(count, count, |i, j| columns[j].get(i).copied().unwrap_or(0.0));
     let values = eigenvalues(small.as_ref())?;

@@ -5,11 +5,15 @@
 //! and where a rigid arm carries the force f from its independent node, turning the arm changes its moment: [f][a] is
 //! added to the tangent. The like term of a mean would fill the tangent: its products are differences (`super::adjoint`).
 
-use super::frame::{Group, spin_of_rotation};
+mod carried;
+mod mean;
+
+use super::frame::Group;
 use super::state::State;
 use crate::constraints::joint::Joint;
 use crate::dofs::{DofMap, Sets};
 use crate::model::Model;
+use mean::blocks;
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use nastran::InputError;
 use std::collections::{BTreeMap, BTreeSet};
@@ -212,20 +216,10 @@ impl Joints {
     ) -> Vec<Row> {
         let places: Vec<_> = members.iter().map(|node| state.places[*node]).collect();
         let rotations: Vec<_> = members.iter().map(|node| state.rotations[*node]).collect();
-        let middle = group.middle(&places);
-        let arms: Vec<_> = places.iter().map(|place| place - middle).collect();
-        let fit = group.fit(&arms, &rotations);
-        let total: f64 = group.places.iter().sum();
-        let lever = (state.places[reference] - middle).cross_matrix();
         let mut parts: Vec<Vec<(f64, Row)>> = vec![Vec::new(); 6];
-        for (at, node) in members.iter().enumerate() {
-            let spins = |block: Matrix3<f64>| fit.q * fit.inverse * block * fit.q.transpose();
-            let by_place = spins(group.arms[at].cross_matrix() * group.weight(at));
-            let moved = Matrix3::identity() * (group.places[at] / total) - lever * by_place;
-            let weight = group.rotations[at];
-            let turn = spins(spin_of_rotation(&(fit.q.transpose() * state.rotation(*node))) * weight);
-            let blocks = [Some([moved, by_place]), (weight > 0.0).then(|| [-lever * turn, turn])];
-            for (first, block) in [0, 3].into_iter().zip(blocks) {
+        for (node, blocks) in members.iter().zip(blocks(group, &places, &rotations, &state.places[reference]))
+        {
+            for (first, block) in [0, 3].into_iter().zip([Some(blocks.by_place), blocks.by_spin]) {
                 let Some([moved, spun]) = block else { continue };
                 for j in 0..3 {
                     let row = self.basic(own, 6 * node + first + j);

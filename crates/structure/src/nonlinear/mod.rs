@@ -13,6 +13,7 @@ mod acting;
 mod adjoint;
 mod carried;
 mod corotated;
+mod differences;
 mod error;
 mod frame;
 mod gain;
@@ -30,8 +31,9 @@ mod tangent;
 mod weight;
 
 pub use acting::Acting;
-pub use adjoint::{Transposed, differenced, moments_across};
+pub use adjoint::{Transposed, moments_across};
 pub use carried::{Carried, CarriedPoint, PlacedCarriers};
+pub use differences::differenced;
 pub use error::NonlinearError;
 pub use joints::reactions_of;
 pub(crate) use loads::pressure_shares;

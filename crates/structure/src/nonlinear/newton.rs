@@ -33,8 +33,12 @@ const SPIN: f64 = 1.5;
 /// a thousandth would stretch to the size of their bending; without such loads the tangent's signs are judged, so it is always that of now.)
 const SAME_TANGENT: f64 = 1e-4;
 
-/// Residual of the linear equations of a step under loads that follow, relative.
-const RESIDUAL: f64 = 1e-8;
+/// Residuals of the linear equations of a step that is not solved directly, relative: the least, and the most. A step is not solved
+/// better than it can predict, which its last spin (rad) times [`FORCING`] says (Eisenstat and Walker, SIAM J. Sci. Comput. 17, 1996).
+const RESIDUALS: [f64; 2] = [1e-8, 1e-4];
+
+/// See there, 1/rad.
+const FORCING: f64 = 1e-2;
 
 /// A way that grows by more than this over the mean of the stiffnesses at its ends went across a limit of the load.
 pub(super) const JUMP: f64 = 1.5;
@@ -85,7 +89,8 @@ pub(super) fn converge(
         on_the_way = on_the_way.max(negative);
         let r = LargeDeflection::reduced(&map, &short);
         let following = acting.follows().then_some(near.as_ref());
-        let du = linear_step(structure, &state, &map, following, &short, &factor);
+        let residual = (FORCING * last_spin).clamp(RESIDUALS[0], RESIDUALS[1]);
+        let du = linear_step(structure, &state, &map, following, &short, &factor, residual);
         let moved = structure.move_on(&mut state, &map, &du);
         let (shift, spin) = largest(&moved);
         if !(shift.is_finite() && spin.is_finite()) || spin > SPIN {
@@ -146,6 +151,7 @@ fn linear_step(
     following: Option<&dyn Near>,
     short: &[f64],
     factor: &Factor,
+    residual: f64,
 ) -> Vec<f64> {
     let r = LargeDeflection::reduced(map, short);
     if following.is_none() && !structure.joints.has_means() {
@@ -159,7 +165,7 @@ fn linear_step(
         }
         all
     };
-    krylov::solve(&r, &|b: &[f64]| symmetric_step(factor, b), product, RESIDUAL)
+    krylov::solve(&r, &|b: &[f64]| symmetric_step(factor, b), product, residual)
 }
 
 /// Largest displacement and spin of a motion of the g-set.

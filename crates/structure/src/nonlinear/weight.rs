@@ -1,7 +1,8 @@
 //! Weight and loads fixed in space: how they change as the nodes move, seen from the other side.
 
-use super::adjoint::{differenced, moments_across};
+use super::adjoint::moments_across;
 use super::corotated::Corotated;
+use super::differences::differenced;
 use super::loads::Loads;
 use super::state::State;
 use super::structure::LargeDeflection;
