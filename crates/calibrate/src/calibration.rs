@@ -5,12 +5,12 @@ use crate::bounds::{Bounds, bounds};
 use crate::campaign::{Campaign, Sets, TIP, TipReading};
 use crate::checks::{self, Checked, Finding, Weight, trust};
 use crate::common::CommonCalibration;
-use crate::fit::{Ending, Fit, FlowGroup, Problem};
+use crate::fit::{Ending, Fit, Floor, FlowGroup, Problem};
 use crate::identifiability::{Identifiability, Inputs, identifiability};
 use crate::left_out::{LeftOut, LeftOutAirspeed, left_out_airspeeds, left_out_angles};
 use crate::lift_factor::{LiftFactor, lift_factor};
 use crate::member::Member;
-use crate::objective::{LineFit, line_fit, objective};
+use crate::objective::{LineFit, line_fit, line_fit_of, objective};
 use crate::settings::Settings;
 use crate::statics::{AirspeedData, StaticData};
 use crate::tip_zero::TipZero;
@@ -30,11 +30,11 @@ pub struct AirspeedCalibration {
     pub corrections: Corrections,
     /// The sequence of cone programs.
     pub fit: Fit,
-    /// Straight lines through the data, their error, tests for nonlinearity.
+    /// Straight lines through the data (of a wing that bends far: through what it misses), their error, tests for nonlinearity.
     pub line: LineFit,
     /// Weights of paper 1, Eq. 8: the settings', and the tip's in N m/m (zero if it is not fitted).
     pub weights: [f64; 4],
-    /// Paper 1, Eq. 8 of the straight lines.
+    /// Paper 1, Eq. 8 of the straight lines; of a wing that bends far, those through what it misses: it has a curvature of its own.
     pub line_floor: f64,
     /// Eq. 8 of paper 1 that noise alone gives; none if noise is not known.
     pub noise_floor: Option<f64>,
@@ -153,9 +153,13 @@ fn check_divergence<M: SteadyModel>(
     data: &StaticData,
 ) -> Result<(), CouplingError> {
     let neutral = Corrections::neutral(model.correctable().len());
-    for airspeed in &data.airspeeds {
+    let loads = |airspeed: &AirspeedData| {
         let case = SteadyCase::new(Flow { v_m_s: airspeed.v_m_s, rho_kg_m3 }, 0.0);
-        match model.root_loads(&[case], &neutral) {
+        model.root_loads(&[case], &neutral)
+    };
+    let all: Vec<_> = data.airspeeds.par_iter().map(loads).collect();
+    for (airspeed, loads) in data.airspeeds.iter().zip(all) {
+        match loads {
             Err(CouplingError::Diverged { divergence_pa, .. }) => {
                 let speed = divergence_pa.map_or_else(String::new, |q_pa| {
                     format!(", its divergence speed is {:.2} m/s", (2.0 * q_pa / rho_kg_m3).sqrt())
@@ -235,7 +239,11 @@ impl<'a, M: SteadyModel> Context<'a, M> {
             bounds: &self.bounds,
             metric,
             settings: self.settings,
-            line_floor: objective(line.rmse, weights),
+            floor: if self.model.bends_far() {
+                Floor::OfMisses
+            } else {
+                Floor::Known(objective(line.rmse, weights))
+            },
             noise_floor: self.data.noise_floor(airspeed, weights).unwrap_or(0.0),
             start: 1.0,
             slack: 1.0,
@@ -255,6 +263,11 @@ impl<'a, M: SteadyModel> Context<'a, M> {
         let problem = self.problem(airspeed, &line, &metric)?;
         let fit = problem.fit()?;
         let solution = problem.linearise(&fit.x)?;
+        let line = if self.model.bends_far() {
+            line_fit_of(self.data, airspeed, &problem.misses(&solution.sensitivities))
+        } else {
+            line
+        };
         let point_sigma = self.data.point_sigma.unwrap_or(line.rmse);
         Ok(AirspeedCalibration {
             corrections: self.basis.corrections(&fit.x),
@@ -276,9 +289,9 @@ impl<'a, M: SteadyModel> Context<'a, M> {
             left_out: None,
             left_out_airspeed: None,
             data: airspeed.clone(),
+            line_floor: fit.floor,
             fit,
             weights: problem.weights,
-            line_floor: problem.line_floor,
             noise_floor: self.data.noise_floor(airspeed, problem.weights),
             line,
         })

@@ -12,7 +12,7 @@
 
 use crate::calibration::Context;
 use crate::campaign::TipReading;
-use crate::fit::{Fit, FlowGroup, Problem};
+use crate::fit::{Fit, Floor, FlowGroup, Problem};
 use crate::identifiability::{Identifiability, Inputs, identifiability};
 use crate::lift_factor::{LiftFactor, lift_factor};
 use crate::objective::{objective, polynomial_residuals, rmse};
@@ -106,7 +106,7 @@ impl<M: SteadyModel> Context<'_, M> {
             bounds: &self.bounds,
             metric,
             settings: self.settings,
-            line_floor: curve_floor,
+            floor: Floor::Known(curve_floor),
             // what scatters about the parabolas is the noise, unless it is known
             noise_floor: objective(rmse_of(point_sigma, data.channels), weights),
             start: 1.0,
@@ -146,10 +146,10 @@ impl<M: SteadyModel> Context<'_, M> {
             mean_force_factor: corrections.force.iter().zip(area_share).map(|(w, share)| w * share).sum(),
             identifiability: identifiability(&problem.linearise(&fit.x)?, &inputs),
             corrections,
+            curve_floor: fit.floor,
             fit,
             weights: problem.weights,
             curve_rmse,
-            curve_floor: problem.line_floor,
             point_sigma,
             lift,
         })

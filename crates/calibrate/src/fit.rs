@@ -1,16 +1,19 @@
 //! One airspeed, or all with one set: a sequence of cone programs with steps halved on the true objective.
 
+mod nearby;
+
 use crate::basis::Basis;
 use crate::bounds::{BoundRow, Bounds, active_neighbours};
 use crate::campaign::TIP;
 use crate::cone_program::{ConeProgram, NoSolution};
-use crate::objective::{objective, rmse};
+use crate::objective::{objective, polynomial_residuals, rmse};
 use crate::settings::Settings;
 use crate::statics::Angle;
 use crate::tip_zero::TipZero;
 use aero::{Corrections, Flow};
 use coupling::{CouplingError, RootSensitivity, SteadyCase, SteadyModel};
 use faer::Mat;
+use nearby::Nearby;
 use rayon::prelude::*;
 
 /// The weight of the change never falls below that of this share of the objective at the start.
@@ -35,7 +38,18 @@ pub enum Ending {
     PosteriorMean,
 }
 
+/// What an objective can come down to.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Floor {
+    /// That of curves through the readings, of a form that every set of corrections gives (straight lines in the angle: paper 1, Eq. 8).
+    Known(f64),
+    /// That of straight lines in the angle through what the model misses: it has a curvature of its own, and corrections shift and
+    /// tilt it.
+    OfMisses,
+}
+
 /// Rows that share a flow.
+#[derive(Clone)]
 pub(crate) struct FlowGroup<'a> {
     pub(crate) flow: Flow,
     pub(crate) angles: &'a [Angle],
@@ -54,8 +68,7 @@ pub(crate) struct Problem<'a, M: SteadyModel> {
     pub(crate) bounds: &'a Bounds,
     pub(crate) metric: &'a Mat<f64>,
     pub(crate) settings: &'a Settings,
-    /// The straight-line floor of paper 1, Eq. 8.
-    pub(crate) line_floor: f64,
+    pub(crate) floor: Floor,
     /// The noise floor of paper 1, Eq. 8; zero if noise is unknown.
     pub(crate) noise_floor: f64,
     /// Force and moment factor of every box that the sequence starts from and change is measured from: one is theory.
@@ -75,6 +88,8 @@ pub struct Fit {
     pub objective: [f64; 2],
     /// Eq. 8 of paper 1 after each accepted step.
     pub history: Vec<f64>,
+    /// What the objective could come down to.
+    pub floor: f64,
     /// Cone programs solved.
     pub cone_programs: usize,
     /// How it ended.
@@ -92,36 +107,42 @@ impl FlowGroup<'_> {
 impl<M: SteadyModel> Problem<'_, M> {
     /// Runs the sequence from the start.
     pub(crate) fn fit(&self) -> Result<Fit, CouplingError> {
-        let mut x = self.start();
-        let mut at = self.linearise(&x)?;
+        let x = self.start();
+        let at = self.linearise(&x)?;
         let before =
             if x == self.basis.neutral() { at.rmse } else { self.linearise(&self.basis.neutral())?.rmse };
-        let target = self.slack * (1.02 * self.line_floor + 0.02 * self.noise_floor);
+        self.sequence(x, at, before)
+    }
+
+    /// Runs it from unknowns and the model around them; `before` are theory's errors.
+    fn sequence(&self, mut x: Vec<f64>, mut at: Linearised, before: [f64; 4]) -> Result<Fit, CouplingError> {
         let mut history = vec![self.objective(at.rmse)];
         let mut ending = Ending::Stalled;
-        let mut cone_programs = 0;
+        let (mut rounds, mut cone_programs) = (0, 0);
         let mut working = self.bounds.first.clone();
         loop {
-            if self.objective(at.rmse) <= target {
+            if self.objective(at.rmse) <= self.target(&at) {
                 ending = Ending::Converged;
                 break;
             }
-            if cone_programs == self.settings.most_cone_programs {
+            if rounds == self.settings.most_cone_programs {
                 break;
             }
-            cone_programs += 1;
+            rounds += 1;
             let weight = self.change_weight(&at, before);
-            match self.program(&at, &x, weight, &working) {
-                Ok(goal) => {
-                    let goal = self.within_bounds(&x, goal, &mut working);
-                    match self.step(&x, &goal, weight, &at)? {
-                        Step::Taken(next, linearised) => (x, at) = (next, linearised),
-                        Step::Refused(why) => {
-                            ending = why;
-                            break;
-                        }
+            let goal = match self.model.nearby() {
+                Some(near) => self.goal_by(near, &x, &at, before)?,
+                None => self.goal(&x, &at, weight, &mut working),
+            };
+            cone_programs += goal.cone_programs;
+            match goal.found.map(|goal| self.step(&x, &goal, weight, &at)) {
+                Ok(step) => match step? {
+                    Step::Taken(next, linearised) => (x, at) = (next, linearised),
+                    Step::Refused(why) => {
+                        ending = why;
+                        break;
                     }
-                }
+                },
                 Err(NoSolution::Infeasible) => {
                     ending = Ending::InfeasibleBounds;
                     break;
@@ -136,12 +157,73 @@ impl<M: SteadyModel> Problem<'_, M> {
         Ok(Fit {
             objective: [self.objective(before), self.objective(at.rmse)],
             rmse: [before, at.rmse],
+            floor: self.floor_at(&at),
             neighbour_bound_active: active_neighbours(&self.bounds.rows, &x),
             x,
             history,
             cone_programs,
             ending,
         })
+    }
+
+    /// Where the objective is as low as it can be: the floor and a share of the noise.
+    fn target(&self, at: &Linearised) -> f64 {
+        self.slack * (1.02 * self.floor_at(at) + 0.02 * self.noise_floor)
+    }
+
+    fn floor_at(&self, at: &Linearised) -> f64 {
+        if let Floor::Known(floor) = self.floor {
+            return floor;
+        }
+        let mut left = Vec::with_capacity(at.residuals.len());
+        for group in &self.groups {
+            let misses = &at.residuals[left.len()..][..group.angles.len()];
+            let alphas: Vec<f64> = group.angles.iter().map(|angle| angle.alpha_rad).collect();
+            let of_channel = |c: usize| {
+                let values: Vec<f64> = misses.iter().map(|row| row[c]).collect();
+                polynomial_residuals(&alphas, &values, 1).0
+            };
+            let channels: [Vec<f64>; 4] = std::array::from_fn(of_channel);
+            left.extend((0..misses.len()).map(|row| std::array::from_fn(|c| channels[c][row])));
+        }
+        self.objective(rmse(&left, self.channels))
+    }
+
+    /// Where the next step goes by one cone program.
+    fn goal(&self, x: &[f64], at: &Linearised, weight: f64, working: &mut Vec<usize>) -> Goal {
+        let found = self.program(at, x, weight, working);
+        Goal { cone_programs: 1, found: found.map(|goal| self.within_bounds(x, goal, working)) }
+    }
+
+    /// Where it goes by a whole sequence on a cheaper model that is put right about x.
+    fn goal_by(
+        &self,
+        near: &dyn SteadyModel,
+        x: &[f64],
+        at: &Linearised,
+        before: [f64; 4],
+    ) -> Result<Goal, CouplingError> {
+        let groups: Vec<_> = self.groups.iter().map(FlowGroup::cases).collect();
+        let model = Nearby::new(near, self.basis.corrections(x), &groups, &at.sensitivities)?;
+        let problem = Problem {
+            model: &model,
+            groups: self.groups.clone(),
+            channels: self.channels,
+            weights: self.weights,
+            zero: self.zero.clone(),
+            basis: self.basis,
+            bounds: self.bounds,
+            metric: self.metric,
+            settings: self.settings,
+            floor: self.floor,
+            noise_floor: self.noise_floor,
+            start: self.start,
+            slack: self.slack,
+        };
+        let fit = problem.sequence(x.to_vec(), at.clone(), before)?;
+        let found =
+            if fit.ending == Ending::InfeasibleBounds { Err(NoSolution::Infeasible) } else { Ok(fit.x) };
+        Ok(Goal { cone_programs: fit.cone_programs, found })
     }
 
     /// Paper 1, Eq. 8 of channel errors.
@@ -256,6 +338,9 @@ impl<M: SteadyModel> Problem<'_, M> {
         let merit = |x: &[f64], rmse: [f64; 4]| self.objective(rmse) + weight * self.change(x);
         let now = merit(x, at.rmse);
         let mut share = 1.0;
+        if x == goal {
+            return Ok(Step::Refused(Ending::Stalled));
+        }
         let mut why = Ending::Diverged;
         for _ in 0..self.settings.most_halvings {
             let next: Vec<f64> = x.iter().zip(goal).map(|(a, b)| a + share * (b - a)).collect();
@@ -284,6 +369,13 @@ impl<M: SteadyModel> Problem<'_, M> {
     }
 }
 
+/// Where a step goes.
+struct Goal {
+    /// Cone programs that it took.
+    cone_programs: usize,
+    found: Result<Vec<f64>, NoSolution>,
+}
+
 /// A step towards the solution of a cone program.
 enum Step {
     /// It lowers the true objective: the new unknowns and the model around them.
@@ -293,6 +385,7 @@ enum Step {
 }
 
 /// The model around one set of corrections.
+#[derive(Clone)]
 pub(crate) struct Linearised {
     pub(crate) rmse: [f64; 4],
     /// By row and channel, the tip's about its zero.

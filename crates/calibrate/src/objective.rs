@@ -1,6 +1,6 @@
 //! The objective of paper 1, Eq. 8, the straight-line floor under it, and the test for what no line can follow.
 
-use crate::statics::{AirspeedData, StaticData};
+use crate::statics::{AirspeedData, Angle, StaticData};
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
 /// Root mean square error a channel (zero for a channel that is not measured).
@@ -32,7 +32,7 @@ pub struct Nonlinearity {
     pub p_value: f64,
 }
 
-/// Straight lines through the means of one airspeed.
+/// Straight lines through the means of one airspeed, or through what a wing that bends far misses of them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LineFit {
     /// RMSE of the least-squares straight line in alpha, by channel.
@@ -49,11 +49,17 @@ pub struct LineFit {
 /// with means weighted by their replicates. Without, the noise is the scatter about a parabola, and the test is of
 /// the curvature alone.
 pub fn line_fit(data: &StaticData, airspeed: &AirspeedData) -> LineFit {
+    let readings: Vec<[f64; 4]> = airspeed.angles.iter().map(Angle::readings).collect();
+    line_fit_of(data, airspeed, &readings)
+}
+
+/// The same of other values at its angles, as of what a model misses.
+pub(crate) fn line_fit_of(data: &StaticData, airspeed: &AirspeedData, values: &[[f64; 4]]) -> LineFit {
     let alphas: Vec<f64> = airspeed.angles.iter().map(|angle| angle.alpha_rad).collect();
     let mut residuals = vec![[0.0; 4]; alphas.len()];
     let mut nonlinearity = [None; 4];
     for channel in (0..4).filter(|&c| data.channels[c]) {
-        let loads: Vec<f64> = airspeed.angles.iter().map(|angle| angle.readings()[channel]).collect();
+        let loads: Vec<f64> = values.iter().map(|row| row[channel]).collect();
         let (line, _) = polynomial_residuals(&alphas, &loads, 1);
         for (row, value) in residuals.iter_mut().zip(&line) {
             row[channel] = *value;

@@ -140,6 +140,12 @@ pub trait SteadyModel: Sync {
         false
     }
 
+    /// A cheaper model that answers corrections nearly as this one does, if there is one: fits search on it, about readings and
+    /// derivatives of this one.
+    fn nearby(&self) -> Option<&dyn SteadyModel> {
+        None
+    }
+
     /// Root loads, tip deflection and derivatives of cases that share a flow, in their order.
     ///
     /// # Errors

@@ -7,7 +7,9 @@ use crate::structure::change_beam;
 use aero::{Corrections, Flow};
 use coupling::planform::Structure;
 use coupling::wing_file::Source;
-use coupling::{CouplingError, ElasticWing, Mount, RootLoads, SteadyCase, WingFile};
+use coupling::{
+    CouplingError, ElasticWing, Geometry, LargeState, LargeWing, Mount, RootLoads, SteadyCase, WingFile,
+};
 use nastran::InputError;
 
 /// Why the tunnel could not measure.
@@ -58,6 +60,8 @@ pub struct Truth {
     pub rho_kg_m3: f64,
     sections: Option<SectionModel>,
     curvature: bool,
+    /// The wing that bends far, where the wing file asks for it: its static cases are measured on it.
+    bent: Option<LargeWing>,
 }
 
 impl Truth {
@@ -90,11 +94,20 @@ impl Truth {
             file.damping_ratio = beam.damping_ratio;
         }
         planform.checked(&tunnel.path)?;
+        let is_bent = file.geometry == Geometry::Nonlinear;
+        if is_bent && (tunnel.curvature || !tunnel.runs.is_empty()) {
+            let message =
+                "curved polars and runs in time are of small deflections, and the wing is Nonlinear";
+            return Err(InputError::in_file(&tunnel.path, message)
+                .with_help("set `curvature: false` and leave `runs` out, or take `geometry` out of the wing")
+                .into());
+        }
         let mut bulk = file.bulk(Mount::Tunnel)?;
         if let (Some(planform), Some(beam)) = (file.planform(), &tunnel.truth.beam) {
             change_beam(&mut bulk, planform, beam);
         }
         let wing = ElasticWing::from_bulk(&file, &bulk)?;
+        let bent = if is_bent { Some(LargeWing::from_bulk(&file, &bulk)?) } else { None };
         let sections = match (&tunnel.truth.sections, file.planform()) {
             (Some(sections), Some(planform)) => Some(SectionModel::new(
                 sections,
@@ -111,6 +124,7 @@ impl Truth {
             rho_kg_m3: tunnel.rho_kg_m3,
             sections,
             curvature: tunnel.curvature,
+            bent,
         })
     }
 
@@ -134,6 +148,11 @@ impl Truth {
         if let (true, true, Some(sections)) = (self.curvature, v_m_s > 0.0, &self.sections) {
             let solve = |case| curvature::solve(&self.wing, sections, &corrections, case);
             return cases.iter().map(solve).collect();
+        }
+        if let Some(bent) = &self.bent {
+            let states = bent.solve(&cases, &corrections)?;
+            let shown = |state: &LargeState| TrueState { loads: state.root, tip_z_m: state.tip_m.z };
+            return Ok(states.iter().map(shown).collect());
         }
         let states = self.wing.at(flow, &corrections)?.solve(&cases);
         Ok(states.iter().map(|state| TrueState { loads: state.root, tip_z_m: state.tip_z_m }).collect())

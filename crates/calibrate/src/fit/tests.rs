@@ -31,7 +31,8 @@ fn a_fit_ends_at_its_floor_which_is_the_lines_and_a_share_of_the_noise() {
     with_problem(1.2, &settings(2), |problem| {
         let start = of_theory(problem);
         let mut programs = |line_floor: f64, noise_floor: f64, slack: f64| {
-            (problem.line_floor, problem.noise_floor, problem.slack) = (line_floor, noise_floor, slack);
+            (problem.floor, problem.noise_floor, problem.slack) =
+                (Floor::Known(line_floor), noise_floor, slack);
             let fit = problem.fit().expect("it is linear");
             assert_eq!((fit.objective[0], fit.history[0], fit.ending), (start, start, Ending::Converged));
             assert_eq!(fit.history.len(), fit.cone_programs + 1);
@@ -56,7 +57,7 @@ fn a_fit_that_may_not_go_on_is_at_the_noise_up_to_half_more_than_it() {
             [(1.001 * start / 1.5, Ending::AtNoiseFloor), (0.999 * start / 1.5, Ending::Stalled)]
         {
             problem.noise_floor = noise_floor;
-            problem.line_floor = 0.0;
+            problem.floor = Floor::Known(0.0);
             let fit = problem.fit().expect("it is linear");
             assert_eq!((fit.ending, fit.cone_programs, &fit.x), (ending, 0, &problem.basis.neutral()));
         }

@@ -383,7 +383,10 @@ fn without_wind_no_correction_is_felt_and_a_model_is_its_wing() {
         }
     }
     let cp = model.pressure_coefficients(&cases[0]).expect("pressures");
-    assert_eq!(cp, solved(&wing, &cases[0], &neutral(&wing)).cp);
+    // Found on another way: what Newton's steps leave apart.
+    cp.iter()
+        .zip(solved(&wing, &cases[0], &neutral(&wing)).cp)
+        .for_each(|(a, b)| near(*a, b, 1e-9, "pressure"));
     assert!(model.bends_far() && model.has_tip() && model.correctable().len() == 8);
 }
 

@@ -9,7 +9,7 @@ pub enum Geometry {
     /// The undeformed wing: deflections are small.
     #[default]
     Linear,
-    /// The bent wing, in the commands that can (`statics`, `flutter`, `calibrate`, steady points of `fullaircraft`); the others say that they take deflections as small.
+    /// The bent wing, in the commands that can (`statics`, `flutter`, `calibrate`, static cases of `tunnel`, steady points of `fullaircraft`); the others say that they take deflections as small.
     Nonlinear,
 }
 

@@ -10,7 +10,7 @@ use calibrate::ensemble::ensemble;
 use calibrate::posterior::AirspeedPosterior;
 use calibrate::posterior::next::Suggestion;
 use calibrate::{AirspeedCalibration, Calibration, Campaign, Settings, Weight};
-use coupling::{ElasticWing, Geometry, LargeWing, SteadyCase, WingFile};
+use coupling::{ElasticWing, Geometry, LargeWing, SteadyCase, SteadyModel, WingFile};
 use nastran::InputError;
 
 use crate::args::{Common, Measured};
@@ -107,7 +107,7 @@ fn fit(args: &CalibrateArgs, common: &Common, file: &WingFile, fitted: &Fitted<'
     let told = both
         + &calibrate_predictions::summary(wing, &predictions, calibration.found.is_some())
         + &calibrate_predictions::next_table(&next);
-    show::summary(common, &summary(&calibration, &told, &out, seconds));
+    show::summary(common, &summary(&calibration, fitted.bends_far(), &told, &out, seconds));
     show::json(common, &result)?;
     if faults.is_empty() { Ok(()) } else { Err(Failure::Computation(faults.join("; "))) }
 }
@@ -349,7 +349,13 @@ fn root_plane(
     })
 }
 
-fn summary(calibration: &Calibration, predictions: &str, out: &Path, seconds: f64) -> String {
+fn summary(
+    calibration: &Calibration,
+    bends_far: bool,
+    predictions: &str,
+    out: &Path,
+    seconds: f64,
+) -> String {
     let number = |value: f64| format!("{value:.4}");
     let optional = |value: Option<f64>| value.map_or_else(|| "-".into(), number);
     let columns: [report::Column<'_, &AirspeedCalibration>; 9] = [
@@ -377,9 +383,10 @@ fn summary(calibration: &Calibration, predictions: &str, out: &Path, seconds: f6
             .collect();
         if !bent.is_empty() {
             let v = speed_name(a.data.v_m_s);
+            let of = if bends_far { ", as far as the bent wing misses them," } else { "" };
             let _ = writeln!(
                 text,
-                "{v} m/s: {} cannot be followed by a straight line; reported, not fitted",
+                "{v} m/s: {}{of} cannot be followed by a straight line; reported, not fitted",
                 bent.join(", ")
             );
         }

@@ -1,7 +1,5 @@
 //! The wing that `calibrate` fits: with small deflections, or the one that really bends, as its file asks for.
 
-use std::sync::Arc;
-
 use aero::{BoxLoads, Corrections};
 use calibrate::{Calibration, LiftFactor};
 use coupling::{
@@ -23,7 +21,7 @@ pub(crate) enum Seen {
     /// Of the linear wing.
     Small(SteadyState),
     /// Of the bent wing.
-    Large(Arc<LargeState>),
+    Large(Box<LargeState>),
 }
 
 impl<'a> Fitted<'a> {
@@ -62,7 +60,7 @@ impl<'a> Fitted<'a> {
                 Ok(states.into_iter().map(Seen::Small).collect())
             }
             (Self::Large(_, model), _) => {
-                let one = |case| Ok(Seen::Large(model.equilibrium(case, corrections)?));
+                let one = |case| Ok(Seen::Large(Box::new(model.equilibrium(case, corrections)?)));
                 cases.iter().map(one).collect()
             }
         }
@@ -116,6 +114,10 @@ impl SteadyModel for Fitted<'_> {
 
     fn bends_far(&self) -> bool {
         self.model().bends_far()
+    }
+
+    fn nearby(&self) -> Option<&dyn SteadyModel> {
+        self.model().nearby()
     }
 
     fn sensitivities(

@@ -142,7 +142,7 @@ fn both_geometries(result: &Value) -> Option<KeyNumber> {
 
 fn fits(airspeeds: &[Value]) -> PageTable {
     let caption = "F: root mean square misfit over the measured loads, weighted (N). Line floor: misfit of the best \
-                   straight line over the angle. Noise floor: what noise alone gives.";
+                   straight line over the angle (of a wing that bends far: through what it misses). Noise floor: what noise alone gives.";
     let columns: [Column; 11] = [
         ("V (m/s)", "V_m_s", short_at),
         ("F before", "objective_before", short_at),
