@@ -7,6 +7,7 @@ use faer::sparse::{SparseColMat, SparseColMatRef, SymbolicSparseColMat, Symbolic
 use faer::{Mat, MatRef};
 use nalgebra::DMatrix;
 use rayon::prelude::*;
+use std::sync::Arc;
 
 /// Sparse matrix of this crate.
 pub(crate) type Sparse = SparseColMat<usize, f64>;
@@ -14,8 +15,8 @@ pub(crate) type Sparse = SparseColMat<usize, f64>;
 /// Where entries can stand in a symmetric matrix: the lower triangle, column by column, rows ascending.
 #[derive(Debug, Clone)]
 pub(crate) struct Pattern {
-    columns: Vec<usize>,
-    rows: Vec<usize>,
+    columns: Arc<[usize]>,
+    rows: Arc<[usize]>,
 }
 
 impl Pattern {
@@ -41,7 +42,7 @@ impl Pattern {
         for (j, rows) in filled.iter().enumerate() {
             columns[j + 1] = columns[j] + rows.len();
         }
-        Self { columns, rows: filled.concat() }
+        Self { columns: columns.into(), rows: filled.concat().into() }
     }
 
     /// The matrices with this pattern, zero so far.
@@ -110,7 +111,26 @@ impl Values {
 
     /// Both matrices with both triangles.
     pub(crate) fn symmetric(self) -> (Sparse, Sparse) {
-        let Pattern { columns, rows } = self.pattern;
+        let both = Mirrored::of(&self.pattern);
+        (both.matrix(&self.k), both.matrix(&self.m))
+    }
+
+    /// The stiffness alone, for which both triangles are known already.
+    pub(crate) fn stiffness(self, both: &Mirrored) -> Sparse {
+        both.matrix(&self.k)
+    }
+}
+
+/// Both triangles of a pattern, and where in it their values stand.
+#[derive(Debug, Clone)]
+pub(crate) struct Mirrored {
+    symbolic: SymbolicSparseColMat<usize>,
+    source: Vec<usize>,
+}
+
+impl Mirrored {
+    pub(crate) fn of(pattern: &Pattern) -> Self {
+        let Pattern { columns, rows } = pattern;
         let n = columns.len() - 1;
         let mut counts = vec![0; n + 1];
         for j in 0..n {
@@ -142,11 +162,18 @@ impl Values {
                 }
             }
         }
-        let symbolic = SymbolicSparseColMat::new_checked(n, n, counts, None, full);
-        let of = |values: &[f64]| {
-            Sparse::new(symbolic.clone(), source.iter().map(|entry| values[*entry]).collect::<Vec<f64>>())
-        };
-        (of(&self.k), of(&self.m))
+        Self { symbolic: SymbolicSparseColMat::new_checked(n, n, counts, None, full), source }
+    }
+
+    /// Of the matrix alone.
+    pub(crate) fn symbolic(&self) -> SymbolicSparseColMatRef<'_, usize> {
+        self.symbolic.as_ref()
+    }
+
+    /// The matrix of the pattern's values.
+    fn matrix(&self, values: &[f64]) -> Sparse {
+        let all: Vec<f64> = self.source.iter().map(|entry| values[*entry]).collect();
+        Sparse::new(self.symbolic.clone(), all)
     }
 }
 

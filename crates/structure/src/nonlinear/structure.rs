@@ -10,7 +10,7 @@ use crate::dofs::{DofMap, Sets};
 use crate::factor::{self, Analysis, Factor};
 use crate::flexibility::SingularStructure;
 use crate::model::{Model, Node};
-use crate::sparse::{Pattern, Sparse};
+use crate::sparse::{Mirrored, Pattern, Sparse};
 use nalgebra::{DMatrix, DVector};
 use nastran::InputError;
 use rayon::prelude::*;
@@ -33,6 +33,8 @@ pub struct LargeDeflection {
     massive: Vec<usize>,
     pub(super) joints: Joints,
     pub(super) pattern: Pattern,
+    /// Its both triangles.
+    both: Arc<Mirrored>,
     pub(super) analysis: Arc<Analysis>,
     /// Whether the undeformed structure is held, once it was asked.
     held: OnceLock<Result<(), SingularStructure>>,
@@ -69,11 +71,11 @@ impl LargeDeflection {
             elements.iter().map(|element| free_motions(&element.dofs(), &map).list()).collect();
         lists.extend(joints.arm_dofs().iter().map(|dofs| free_motions(dofs, &map).list()));
         let pattern = Pattern::of(map.free.len(), &lists);
-        let symbolic = pattern.clone().values().symmetric().0;
-        let analysis = Arc::new(factor::analysed(symbolic.symbolic()));
+        let both = Arc::new(Mirrored::of(&pattern));
+        let analysis = Arc::new(factor::analysed(both.symbolic()));
         let nodes = model.nodes.clone();
         let held = OnceLock::new();
-        Ok(Self { nodes, elements, elastic, massive, joints, pattern, analysis, held })
+        Ok(Self { nodes, elements, elastic, massive, joints, pattern, both, analysis, held })
     }
 
     /// The undeformed state.
@@ -236,7 +238,7 @@ impl LargeDeflection {
             let reduced = free.reduce(Some(&term));
             add(&free, &term, reduced.as_ref());
         }
-        values.symmetric().0
+        values.stiffness(&self.both)
     }
 
     /// What the free motions are short of equilibrium by (N, Nm, own axes of the grids): elastic forces less loads.
