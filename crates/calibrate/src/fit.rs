@@ -338,6 +338,7 @@ impl<M: SteadyModel> Problem<'_, M> {
         let merit = |x: &[f64], rmse: [f64; 4]| self.objective(rmse) + weight * self.change(x);
         let now = merit(x, at.rmse);
         let mut share = 1.0;
+        // A search that did not move found nothing better: the model need not be asked.
         if x == goal {
             return Ok(Step::Refused(Ending::Stalled));
         }

@@ -116,7 +116,9 @@ pub trait SteadyModel: Sync {
         &self,
         cases: &[SteadyCase],
         corrections: &Corrections,
-    ) -> Result<Vec<RootLoads>, CouplingError>;
+    ) -> Result<Vec<RootLoads>, CouplingError> {
+        Ok(self.sensitivities(cases, corrections)?.iter().map(|case| case.loads).collect())
+    }
 
     /// Height of the tip above its wind-off place at alpha = 0 in cases that share a flow, m, in their order.
     ///

@@ -168,7 +168,7 @@ impl ElasticWing {
         let (file, wing) = read_wing(path, Self::from_bulk)?;
         if file.geometry == Geometry::Nonlinear {
             tracing::warn!(
-                "{}: geometry is Nonlinear, but deflections are taken as small here; `wingroot statics --wing`, `flutter`, `calibrate` and the steady points of `fullaircraft` have them large",
+                "{}: geometry is Nonlinear, but deflections are taken as small here; `wingroot statics --wing`, `flutter`, `calibrate`, static cases of `tunnel` and the steady points of `fullaircraft` have them large",
                 file.path.display()
             );
         }

@@ -41,6 +41,8 @@ pub struct Story<'a> {
     pub file_name: String,
     /// Seed of this campaign.
     pub seed: u64,
+    /// Whether the truth bends far; the model beside it does not.
+    pub is_bent: bool,
     /// Truth against uncorrected model.
     pub comparison: &'a [AirspeedComparison],
     /// What calibration finds.
@@ -64,6 +66,12 @@ pub fn readme(story: &Story<'_>) -> String {
     } else {
         "The sections follow straight lines through their viscous polars; curvature is left out here.\n\n"
     });
+    if story.is_bent {
+        text.push_str(
+            "The static cases are those of the wing that bends far (`geometry: Nonlinear`). The model beside them below, what\n\
+             `calibrate` finds and the half wing in flight have small deflections.\n\n",
+        );
+    }
     text.push_str(
         "The truth's numbers were chosen by trial until calibration and flight came out near what the paper prints. So the\n\
          agreement below was put in; it confirms neither the paper nor this program. What does not agree is left to be seen.\n\n",

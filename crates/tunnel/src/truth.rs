@@ -128,6 +128,11 @@ impl Truth {
         })
     }
 
+    /// Whether the static cases are those of the wing that bends far.
+    pub fn is_bent(&self) -> bool {
+        self.bent.is_some()
+    }
+
     /// What the sections do at an airspeed, as factors and offsets of the true lattice's own boxes (curvature not
     /// included: it is no property of an airspeed alone).
     pub fn corrections(&self, v_m_s: f64) -> Corrections {

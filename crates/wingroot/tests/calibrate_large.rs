@@ -112,6 +112,8 @@ fn loads_that_bend_over_the_angle_are_met_to_their_noise_by_the_bent_wing_alone(
     std::fs::write(folder.join("tunnel.ron"), TUNNEL).expect("a file");
     let made = wingroot(&folder, &["tunnel", "--out", "campaign"]);
     assert!(made.status.success(), "{}", String::from_utf8_lossy(&made.stderr));
+    let readme = std::fs::read_to_string(folder.join("campaign/README.md")).expect("a README");
+    assert!(readme.contains("have small deflections"), "the tables of a bent truth say what is beside it");
     let path = folder.join("campaign/campaign.ron");
     let campaign = std::fs::read_to_string(&path).expect("a campaign");
     let with_tip = campaign

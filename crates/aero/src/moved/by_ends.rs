@@ -18,7 +18,7 @@ pub(super) struct Block {
     points: [[[f64; BLOCK]; 3]; ENDS],
     core: [f64; BLOCK],
     /// Circulation over -4 pi.
-    pub(super) strength: [f64; BLOCK],
+    strength: [f64; BLOCK],
 }
 
 /// A point and what it receives of all vortices, in as many sums as a block has vortices.

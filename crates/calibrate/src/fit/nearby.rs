@@ -76,14 +76,6 @@ impl SteadyModel for Nearby<'_> {
         self.near.correctable()
     }
 
-    fn root_loads(
-        &self,
-        cases: &[SteadyCase],
-        corrections: &Corrections,
-    ) -> Result<Vec<RootLoads>, CouplingError> {
-        Ok(self.sensitivities(cases, corrections)?.iter().map(|case| case.loads).collect())
-    }
-
     fn bends_far(&self) -> bool {
         true
     }

@@ -73,7 +73,7 @@ pub(crate) struct AirspeedResult {
     pub(crate) objective_before: f64,
     /// Objective with corrections.
     pub(crate) objective_after: f64,
-    /// Objective of straight lines through the data.
+    /// Objective of straight lines through the data; of a wing that bends far, through what it misses.
     pub(crate) line_floor: f64,
     /// Objective that noise alone gives; null if the noise is not known.
     pub(crate) noise_floor: Option<f64>,

@@ -45,14 +45,6 @@ impl SteadyModel for Bent {
         self.toy.correctable()
     }
 
-    fn root_loads(
-        &self,
-        cases: &[SteadyCase],
-        corrections: &Corrections,
-    ) -> Result<Vec<RootLoads>, CouplingError> {
-        Ok(self.sensitivities(cases, corrections)?.iter().map(|case| case.loads).collect())
-    }
-
     fn bends_far(&self) -> bool {
         true
     }

@@ -6,6 +6,7 @@
 use super::mean::{Blocks, blocks};
 use super::{Joints, Step};
 use crate::nonlinear::differences::differenced;
+use crate::nonlinear::frame::Group;
 use crate::nonlinear::state::State;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
@@ -38,9 +39,10 @@ impl Joints {
                     let turned = moved.cross(&force[0]) + arm.cross(&change[0]) + change[1];
                     all.give(*from, [force[0], force[1] + arm.cross(&force[0])], [change[0], turned]);
                 }
-                Step::Mean { reference, turns, .. } => {
-                    let (force, change) = all.take(*reference, *turns);
-                    all.by_mean(step, *reference, state, motion, [force, change]);
+                Step::Mean { reference, turns, members, group, .. } => {
+                    let nodes: Vec<usize> = members.iter().copied().chain([*reference]).collect();
+                    let taken = all.take(*reference, *turns);
+                    all.by_mean(group, &nodes, state, motion, taken);
                 }
             }
         }
@@ -82,17 +84,16 @@ impl Carried<'_> {
         }
     }
 
-    /// To the group of a mean what acts on its reference.
+    /// To the group of a mean (its nodes, the reference last) what acts on its reference: a force and its change.
     fn by_mean(
         &mut self,
-        step: &Step,
-        reference: usize,
+        group: &Group,
+        nodes: &[usize],
         state: &State,
         motion: &[f64],
-        [force, change]: [Wrench; 2],
+        (force, change): (Wrench, Wrench),
     ) {
-        let Step::Mean { members, group, .. } = step else { return };
-        let nodes: Vec<usize> = members.iter().copied().chain([reference]).collect();
+        let members = &nodes[..nodes.len() - 1];
         let places: Vec<_> = nodes.iter().map(|node| state.places[*node]).collect();
         let rotations: Vec<_> = members.iter().map(|node| state.rotations[*node]).collect();
         let of = |places: &[Vector3<f64>], rotations: &[Rotation3<f64>]| {
