@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+pub mod coarse;
 mod curves_csv;
 pub mod deformed;
 pub mod drawing;

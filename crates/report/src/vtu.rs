@@ -1,5 +1,7 @@
 //! VTK unstructured grids (`.vtu`, XML, ASCII) for ParaView, from plain numbers.
 
+use std::fmt::Write as _;
+
 use crate::escape::for_xml;
 
 /// The shape of a cell, with VTK's number for it; nodes in VTK's order.
@@ -46,13 +48,18 @@ pub struct Mesh {
 impl Mesh {
     /// The mesh as a file's text.
     pub fn vtu(&self) -> String {
-        let points = lines(self.points.iter().map(|[x, y, z]| format!("{x:.9e} {y:.9e} {z:.9e}")));
-        let nodes = lines(self.cells.iter().map(|(_, cell)| joined(cell.iter().map(usize::to_string))));
-        let ends = lines(self.cells.iter().scan(0, |end, (_, cell)| {
-            *end += cell.len();
-            Some(end.to_string())
-        }));
-        let types = lines(self.cells.iter().map(|(kind, _)| (*kind as u8).to_string()));
+        let mut points = String::new();
+        for [x, y, z] in &self.points {
+            let _ = writeln!(points, "{x:.9e} {y:.9e} {z:.9e}");
+        }
+        let (mut nodes, mut ends, mut types) = (String::new(), String::new(), String::new());
+        let mut end = 0;
+        for (kind, cell) in &self.cells {
+            line(&mut nodes, cell.iter(), |text, node| write!(text, "{node}"));
+            end += cell.len();
+            let _ = writeln!(ends, "{end}");
+            let _ = writeln!(types, "{}", *kind as u8);
+        }
         let fields = |fields: &[Field]| fields.iter().map(field).collect::<String>();
         format!(
             "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n\
@@ -72,17 +79,27 @@ impl Mesh {
 }
 
 fn field(field: &Field) -> String {
-    let items = field.values.chunks(field.components.max(1));
-    let text = lines(items.map(|item| joined(item.iter().map(|value| format!("{value:.6e}")))));
+    let mut text = String::new();
+    for item in field.values.chunks(field.components.max(1)) {
+        line(&mut text, item.iter(), |text, value| write!(text, "{value:.6e}"));
+    }
     array("Float64", &for_xml(&field.name), field.components, &text)
 }
 
-fn lines(lines: impl Iterator<Item = String>) -> String {
-    lines.map(|line| line + "\n").collect()
-}
-
-fn joined(words: impl Iterator<Item = String>) -> String {
-    words.collect::<Vec<_>>().join(" ")
+/// Puts a line of items behind a text, with blanks between them.
+fn line<T>(
+    text: &mut String,
+    items: impl Iterator<Item = T>,
+    write: impl Fn(&mut String, T) -> std::fmt::Result,
+) {
+    for (at, item) in items.enumerate() {
+        if at > 0 {
+            text.push(' ');
+        }
+        // A text takes whatever is written to it.
+        let _ = write(text, item);
+    }
+    text.push('\n');
 }
 
 fn array(kind: &str, name: &str, components: usize, text: &str) -> String {

@@ -29,7 +29,7 @@ pub(crate) fn factors(corrections: &Corrections, at: &str, least_factor: f64) ->
     if least <= AT_BOUND * least_factor {
         return Some(Finding::defect(format!(
             "force factors {at} fall to {least:.2}, the least that is allowed: no wing loses so much lift there, so the data are not \
-             of this wing as the linear model has it, or do not determine where the lift acts",
+             of this wing as the model has it, or do not determine where the lift acts",
         )));
     }
     let is_plausible = PLAUSIBLE.contains(&least) && PLAUSIBLE.contains(&most);

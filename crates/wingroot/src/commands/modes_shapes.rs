@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use report::coarse::coarse;
 use report::deformed::{Quad, View};
 use structure::{CellShape, MeshCell, Modes, System};
 
@@ -33,17 +34,23 @@ pub(super) fn write(
     modes: &Modes,
     files: &[String],
 ) -> Result<(), Failure> {
-    let views = views(system, cells, modes);
+    let (views, drawn) = views(system, cells, modes);
     if views.is_empty() {
         return Ok(());
     }
     let files = &files[..files.len().min(views.len() - 1)];
-    folder.write_shapes("shapes_in_space", &format!("Shapes of {name}"), CAPTION, views, files)
+    folder.write_shapes(
+        "shapes_in_space",
+        &format!("Shapes of {name}"),
+        &format!("{CAPTION}{drawn}"),
+        views,
+        files,
+    )
 }
 
 /// The structure undeformed and in its first modes, these to be asked for one by one but the first; none for a structure
-/// without an extent.
-fn views(system: &System, cells: &[MeshCell], modes: &Modes) -> Vec<View> {
+/// without an extent. With them what the caption says of the faces drawn.
+fn views(system: &System, cells: &[MeshCell], modes: &Modes) -> (Vec<View>, String) {
     let points = system.points();
     let extent = |axis: usize| {
         let values = || points.iter().map(|point| point[axis]);
@@ -55,16 +62,28 @@ fn views(system: &System, cells: &[MeshCell], modes: &Modes) -> Vec<View> {
         let moved = scaled(system, modes, mode).iter().flatten().map(|value| reach * value).collect();
         states.push((format!("mode {}: {hertz:.2} Hz", mode + 1), moved));
     }
-    if reach > 0.0 { in_space(system, cells, &states, 1) } else { Vec::new() }
+    if reach > 0.0 { in_space(system, cells, &states, 1) } else { Default::default() }
 }
 
 /// Views of states of a structure (name, displacements six a node), those after the first but number `shown` to be asked
-/// for; none for a structure without an extent.
-fn in_space(system: &System, cells: &[MeshCell], states: &[(String, Vec<f64>)], shown: usize) -> Vec<View> {
-    let (faces, lines) = (surface(cells), lines(cells));
+/// for; none for a structure without an extent. With them what the caption says of the faces drawn.
+fn in_space(
+    system: &System,
+    cells: &[MeshCell],
+    states: &[(String, Vec<f64>)],
+    shown: usize,
+) -> (Vec<View>, String) {
+    let (all, lines) = (surface(cells), lines(cells));
+    let count = all.len();
+    let faces = coarse(system.points(), all);
     if faces.is_empty() && lines.is_empty() {
-        return Vec::new();
+        return Default::default();
     }
+    let drawn = if faces.len() < count {
+        format!(" Of the mesh's {count} faces neighbours are drawn together, to {}.", faces.len())
+    } else {
+        String::new()
+    };
     let view = |(number, (title, displacements)): (usize, &(String, Vec<f64>))| {
         let mut at = system.points().to_vec();
         for (point, six) in at.iter_mut().zip(displacements.chunks_exact(6)) {
@@ -78,7 +97,7 @@ fn in_space(system: &System, cells: &[MeshCell], states: &[(String, Vec<f64>)], 
             waits: number != 0 && number != shown,
         }
     };
-    states.iter().enumerate().map(view).collect()
+    (states.iter().enumerate().map(view).collect(), drawn)
 }
 
 /// Writes states of a structure to scale, the last one shown; nothing for a structure without an extent.
@@ -91,11 +110,17 @@ pub(super) fn write_states(
     states: &[(String, Vec<f64>)],
     files: &[String],
 ) -> Result<(), Failure> {
-    let views = in_space(system, cells, states, states.len() - 1);
+    let (views, drawn) = in_space(system, cells, states, states.len() - 1);
     if views.is_empty() {
         return Ok(());
     }
-    folder.write_shapes("shapes_in_space", &format!("Shapes of {name}"), caption, views, files)
+    folder.write_shapes(
+        "shapes_in_space",
+        &format!("Shapes of {name}"),
+        &format!("{caption}{drawn}"),
+        views,
+        files,
+    )
 }
 
 /// Beams, rods, bushes and springs; arms of rigid elements are no structure to look at.

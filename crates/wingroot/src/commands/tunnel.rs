@@ -59,7 +59,8 @@ pub(crate) fn run(args: &TunnelArgs, common: &Common) -> Result<(), Failure> {
     let flight = flight(&truth, &calibration)?;
     let file_name = shown(&path);
     let is_bent = truth.is_bent();
-    let story = Story { tunnel: &file, file_name, seed, is_bent, comparison: &comparison, found: &found, flight };
+    let story =
+        Story { tunnel: &file, file_name, seed, is_bent, comparison: &comparison, found: &found, flight };
     folder.write_text("README.md", &tunnel::readme(&story))?;
     folder.input("what it measures and hides", &path)?;
     let result = as_json(&result(&story, campaign.rows.len()))?;
@@ -157,7 +158,9 @@ fn result(story: &Story<'_>, rows: usize) -> TunnelResult {
 fn summary(story: &Story<'_>, out: &Path, seconds: f64) -> String {
     let mut text = format!("{} (seed {}; not measurements)\n", story.tunnel.name, story.seed);
     if story.is_bent {
-        text.push_str("  the static cases are of the bent wing; the model beside them here has small deflections\n");
+        text.push_str(
+            "  the static cases are of the bent wing; the model beside them here has small deflections\n",
+        );
     }
     text.push_str(
         "  V m/s   error of the uncorrected model: Fz    Mx    My      Eq. 8 before    after    line\n",
