@@ -108,7 +108,8 @@ pub trait SteadyModel: Sync {
     /// The boxes corrections are found for.
     fn correctable(&self) -> &CorrectableBoxes;
 
-    /// Root loads of cases that share a flow, in their order.
+    /// Root loads of cases that share a flow, in their order; by default taken from [`SteadyModel::sensitivities`], for models that have
+    /// no cheaper way.
     ///
     /// # Errors
     /// If the flow is beyond divergence.

@@ -10,7 +10,7 @@ const FACES: usize = 6000;
 const CELLS: f64 = 128.0;
 const FEWER: f64 = 0.8;
 
-/// The faces, or, of too many, as few as a picture takes: their corners drawn together in cubes, each at the node that is nearest to the
+/// The faces (corners are positions in `points`, m), or, of too many, as few as a picture takes: their corners drawn together in cubes, each at the node that is nearest to the
 /// middle of its nodes (Rossignac and Borrel, *Multi-resolution 3D approximations for rendering complex scenes*, 1993). What then has no
 /// area, or is there already, is left out.
 pub fn coarse(points: &[Point3<f64>], faces: Vec<[usize; 4]>) -> Vec<[usize; 4]> {
