@@ -7,7 +7,7 @@
 use crate::dofs::DofMap;
 use crate::element::Element;
 use crate::model::{MassForm, Model};
-use crate::sparse::{Pattern, Sparse};
+use crate::sparse::{self, Pattern, Sparse, Values};
 use nalgebra::DMatrix;
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -37,31 +37,47 @@ pub(crate) fn assembled(
     factors: impl Fn(usize) -> [f64; 2] + Sync,
 ) -> Assembled {
     let dofs: Vec<Vec<usize>> = model.elements.iter().map(|element| element.dofs()).collect();
-    let free: Vec<Free> = dofs.iter().map(|dofs| free_motions(dofs, map)).collect();
-    let free_lists: Vec<Vec<usize>> = free.iter().map(Free::list).collect();
     let mut all = Pattern::of(6 * model.nodes.len(), &dofs).values();
-    let mut own = Pattern::of(map.free.len(), &free_lists).values();
+    // Where no motion follows others, the free ones are rows and columns of the whole.
+    let mut own = (!map.only_clamps()).then(|| Own::of(&dofs, map));
     for batch in (0..model.elements.len()).step_by(BATCH) {
         let range = batch..(batch + BATCH).min(model.elements.len());
         let one = |at: usize| {
             let [k, m] = matrices(model, &model.elements[at], &dofs[at]);
             let [stiffer, heavier] = factors(at);
             let (k, m) = (k.map(|k| k * stiffer), m.map(|m| m * heavier));
-            let reduced = [free[at].reduce(k.as_ref()), free[at].reduce(m.as_ref())];
-            ([k, m], reduced)
+            let free = own.as_ref().map(|own| &own.free[at]);
+            let reduced = free.map(|free| [free.reduce(k.as_ref()), free.reduce(m.as_ref())]);
+            ([k, m], reduced.unwrap_or_default())
         };
         let computed: Vec<_> = range.clone().into_par_iter().map(one).collect();
         for (at, ([k, m], [k_f, m_f])) in range.zip(computed) {
             all.add(&dofs[at], k.as_ref(), m.as_ref());
+            let Some(Own { free, sums }) = &mut own else { continue };
             match &free[at] {
-                Free::Places(places) => own.add_where(places, k.as_ref(), m.as_ref()),
-                Free::Combined { dofs, .. } => own.add(dofs, k_f.as_ref(), m_f.as_ref()),
+                Free::Places(places) => sums.add_where(places, k.as_ref(), m.as_ref()),
+                Free::Combined { dofs, .. } => sums.add(dofs, k_f.as_ref(), m_f.as_ref()),
             }
         }
     }
     let (k_gg, m_gg) = all.symmetric();
-    let (k_ff, m_ff) = own.symmetric();
+    let part = |a: &Sparse| sparse::block(a.as_ref(), &map.free);
+    let (k_ff, m_ff) = own.map_or_else(|| (part(&k_gg), part(&m_gg)), |own| own.sums.symmetric());
     Assembled { k_gg, m_gg, k_ff, m_ff }
+}
+
+/// The sums of the free motions, where some motions follow others.
+struct Own {
+    free: Vec<Free>,
+    sums: Values,
+}
+
+impl Own {
+    fn of(dofs: &[Vec<usize>], map: &DofMap) -> Self {
+        let free: Vec<Free> = dofs.iter().map(|dofs| free_motions(dofs, map)).collect();
+        let lists: Vec<Vec<usize>> = free.iter().map(Free::list).collect();
+        Self { free, sums: Pattern::of(map.free.len(), &lists).values() }
+    }
 }
 
 /// Stiffness and mass of an element, the mass in the form and unit the model asks for.

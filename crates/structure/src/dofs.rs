@@ -21,6 +21,18 @@ pub(crate) struct DofMap {
     pub(crate) rows: Vec<Combination>,
 }
 
+impl DofMap {
+    /// Whether every motion is either free or clamped: none follows others.
+    pub(crate) fn only_clamps(&self) -> bool {
+        let is_own = |(dof, row): (usize, &Combination)| match row.as_slice() {
+            [] => true,
+            [(at, factor)] => self.free[*at] == dof && *factor == 1.0,
+            _ => false,
+        };
+        self.rows.iter().enumerate().all(is_own)
+    }
+}
+
 /// What a model says about its motions, before anything is known about stiffness.
 #[derive(Debug, Clone)]
 pub(crate) struct Sets {

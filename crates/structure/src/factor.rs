@@ -8,21 +8,23 @@
 //!
 //! This file is the seam to faer's sparse factorisation.
 
+mod panels;
+
+use self::panels::{Panels, Row, TOGETHER};
 use crate::blocks::{Noise, inner};
-use crate::ordering::reverse_cuthill_mckee;
-use crate::sparse::{self, Sparse};
+use crate::ordering::{self, levels::reverse_cuthill_mckee};
+use crate::sparse;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::ldlt::factor::LdltRegularization;
 use faer::perm::PermRef;
+use faer::reborrow::{Reborrow as _, ReborrowMut as _};
 use faer::sparse::linalg::SupernodalThreshold;
-use faer::sparse::linalg::cholesky::supernodal::SupernodalLdltRef;
 use faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, LdltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
-    factorize_symbolic_cholesky,
+    CholeskySymbolicParams, LdltRef, SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky,
 };
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, Mat, MatMut, MatRef, Par, Side, Spec};
-use rayon::iter::ParallelIterator;
+use rayon::iter::ParallelIterator as _;
 use std::sync::Arc;
 
 /// Scaled pivots up to this one are held at once.
@@ -40,8 +42,9 @@ const WEAKEST: usize = 8;
 /// Inverse iterations on them. A motion that meets no stiffness stands out after the first.
 const ITERATIONS: usize = 3;
 
-/// Columns that are solved together.
-const TOGETHER: usize = 8;
+/// Structures of more motions are ordered grid by grid, and their right-hand sides go through the factor side by side. For smaller
+/// ones neither is worth it.
+const SMALL: usize = 1000;
 
 /// The pattern of a factor in its order of elimination; the same for every matrix of one pattern.
 pub(crate) type Analysis = SymbolicCholesky<usize>;
@@ -52,9 +55,24 @@ pub(crate) struct Factor {
     symbolic: Arc<Analysis>,
     values: Vec<f64>,
     scale: Vec<f64>,
-    scaled: Sparse,
     /// Degrees of freedom at which loose motions were held ([`Factor::held`] only).
     pub(crate) loose: Vec<usize>,
+    /// Motions that meet little stiffness, whether loose or not, from which to search for modes ([`Factor::held`] only).
+    pub(crate) weak: Mat<f64>,
+    /// Whether the signs of the pivots are those of the matrix ([`Factor::indefinite`] only).
+    pub(crate) is_certain: bool,
+}
+
+/// The matrix that is factorised: S A S, with springs.
+struct Scaled<'a> {
+    pattern: SymbolicSparseColMatRef<'a, usize>,
+    values: Vec<f64>,
+}
+
+impl Scaled<'_> {
+    fn matrix(&self) -> SparseColMatRef<'_, usize, f64> {
+        SparseColMatRef::new(self.pattern, &self.values)
+    }
 }
 
 impl Factor {
@@ -72,8 +90,9 @@ impl Factor {
     ) -> Self {
         let mut springs = loose_among(a, expected);
         loop {
-            let mut factor = Self::with_springs(analysis, a, &springs);
-            let found = if factor.loose.is_empty() { factor.loose_motions() } else { factor.loose.clone() };
+            let (mut factor, scaled) = Self::with_springs(analysis, a, &springs);
+            let found =
+                if factor.loose.is_empty() { factor.loose_motions(&scaled) } else { factor.loose.clone() };
             let new: Vec<usize> = found.into_iter().filter(|dof| !springs.contains(dof)).collect();
             if new.is_empty() {
                 factor.loose = springs;
@@ -84,17 +103,21 @@ impl Factor {
     }
 
     /// With springs to the ground at some degrees of freedom, as stiff as what they hold.
-    fn with_springs(analysis: &Arc<Analysis>, a: SparseColMatRef<'_, usize, f64>, springs: &[usize]) -> Self {
+    fn with_springs<'a>(
+        analysis: &Arc<Analysis>,
+        a: SparseColMatRef<'a, usize, f64>,
+        springs: &[usize],
+    ) -> (Self, Scaled<'a>) {
         let regularization = LdltRegularization {
             dynamic_regularization_signs: Some(&vec![1; a.ncols()]),
             dynamic_regularization_delta: HELD,
             dynamic_regularization_epsilon: LOOSE,
         };
-        let mut factor = Self::new(analysis, a, &sparse::diagonal(a), springs, regularization)
+        let (mut factor, scaled) = Self::new(analysis, a, &sparse::diagonal(a), springs, regularization)
             .expect("a positive pivot is put in the place of every other, and entries are finite");
         let loose = factor.pivots().into_iter().filter(|(_, pivot)| *pivot == HELD).map(|(dof, _)| dof);
         factor.loose = loose.collect();
-        factor
+        (factor, scaled)
     }
 
     /// Of an indefinite matrix, without pivoting; `None` if a pivot is exactly zero. `size` gives the scale of
@@ -104,16 +127,18 @@ impl Factor {
         a: SparseColMatRef<'_, usize, f64>,
         size: &[f64],
     ) -> Option<Self> {
-        Self::new(analysis, a, size, &[], LdltRegularization::default())
+        let (mut factor, scaled) = Self::new(analysis, a, size, &[], LdltRegularization::default())?;
+        factor.is_certain = factor.has_certain_signs(&scaled);
+        Some(factor)
     }
 
-    fn new(
+    fn new<'a>(
         analysis: &Arc<Analysis>,
-        a: SparseColMatRef<'_, usize, f64>,
+        a: SparseColMatRef<'a, usize, f64>,
         size: &[f64],
         springs: &[usize],
         regularization: LdltRegularization<'_, f64>,
-    ) -> Option<Self> {
+    ) -> Option<(Self, Scaled<'a>)> {
         let scale: Vec<f64> = size.iter().map(|d| if *d > 0.0 { 1.0 / d.sqrt() } else { 1.0 }).collect();
         let scaled = scaled(a, &scale, springs);
         let symbolic = Arc::clone(analysis);
@@ -123,7 +148,7 @@ impl Factor {
         symbolic
             .factorize_numeric_ldlt(
                 &mut values,
-                scaled.as_ref(),
+                scaled.matrix(),
                 Side::Lower,
                 regularization,
                 Par::Seq,
@@ -131,53 +156,41 @@ impl Factor {
                 Spec::default(),
             )
             .ok()?;
-        Some(Self { symbolic, values, scale, scaled, loose: Vec::new() })
+        Some((
+            Self { symbolic, values, scale, loose: Vec::new(), weak: Mat::new(), is_certain: false },
+            scaled,
+        ))
     }
 
     /// Calls `see` for each column of L in the order of elimination: its number, pivot, and the entries below it (row in
     /// the order of elimination, value).
     fn columns(&self, mut see: impl FnMut(usize, f64, &mut dyn Iterator<Item = (usize, f64)>)) {
-        match self.symbolic.raw() {
-            SymbolicCholeskyRaw::Supernodal(pattern) => {
-                let blocks = SupernodalLdltRef::new(pattern, &self.values);
-                for block in (0..pattern.n_supernodes()).map(|block| blocks.supernode(block)) {
-                    let (values, start, width) = (block.val(), block.start(), block.val().ncols());
-                    // The diagonal holds the pivots in the place of the ones of L.
-                    for column in 0..width {
-                        let inside = (column + 1..width).map(|row| (start + row, values[(row, column)]));
-                        let below = block.pattern().iter().enumerate();
-                        let below = below.map(|(at, row)| (*row, values[(width + at, column)]));
-                        see(start + column, values[(column, column)], &mut inside.chain(below));
-                    }
-                }
-            }
-            // What faer takes for a diagonal matrix.
-            SymbolicCholeskyRaw::Simplicial(pattern) => {
-                let (columns, rows) = (pattern.col_ptr(), pattern.row_idx());
-                for column in 0..pattern.ncols() {
-                    let below = columns[column] + 1..columns[column + 1];
-                    let mut entries = below.map(|at| (rows[at], self.values[at]));
-                    see(column, self.values[columns[column]], &mut entries);
-                }
+        let panels = Panels::of(&self.symbolic, &self.values);
+        for panel in (0..panels.count()).map(|at| panels.panel(at)) {
+            for at in 0..panel.width {
+                let [pivot, below @ ..] = panel.column(at) else { continue };
+                let inside = panel.start + at + 1..panel.start + panel.width;
+                let rows = inside.chain(panel.rows.iter().copied());
+                see(panel.start + at, *pivot, &mut rows.zip(below.iter().copied()));
             }
         }
     }
 
     /// Degree of freedom and scaled pivot, in the order of elimination.
     pub(crate) fn pivots(&self) -> Vec<(usize, f64)> {
-        let order = self.symbolic.perm().map(|perm| perm.arrays().0);
         let mut pivots = Vec::with_capacity(self.scale.len());
-        self.columns(|at, pivot, _| pivots.push((order.map_or(at, |order| order[at]), pivot)));
+        self.columns(|at, pivot, _| pivots.push((self.dof_at(at), pivot)));
         pivots
     }
 
     /// One degree of freedom of each motion among the weakest that cannot be told from a loose one.
-    fn loose_motions(&self) -> Vec<usize> {
-        let (vectors, energies) = self.weakest();
+    fn loose_motions(&mut self, scaled: &Scaled<'_>) -> Vec<usize> {
+        let (vectors, energies) = self.weakest(scaled);
+        self.weak = Mat::from_fn(vectors.nrows(), vectors.ncols(), |i, j| self.scale[i] * vectors[(i, j)]);
         let mut loose: Vec<Vec<f64>> = Vec::new();
         for (at, energy) in energies.iter().enumerate() {
             let x: Vec<f64> = vectors.col(at).iter().copied().collect();
-            if *energy <= MARGIN * f64::EPSILON * self.absolute_energy(&x) {
+            if *energy <= MARGIN * f64::EPSILON * absolute_energy(scaled.matrix(), &x) {
                 loose.push(x);
             }
         }
@@ -186,81 +199,89 @@ impl Factor {
 
     /// Whether the signs of the pivots are those of the matrix: rounding in the elimination changes the energy of the
     /// weakest motions by less than that energy.
-    pub(crate) fn is_certain(&self) -> bool {
-        let (vectors, energies) = self.weakest();
-        energies.iter().enumerate().all(|(at, energy)| {
-            let x: Vec<f64> = vectors.col(at).iter().copied().collect();
-            energy.abs() > MARGIN * f64::EPSILON * self.factor_energy(&x)
-        })
+    fn has_certain_signs(&self, scaled: &Scaled<'_>) -> bool {
+        let (vectors, energies) = self.weakest(scaled);
+        let rounded = self.factor_energies(vectors.as_ref());
+        energies.iter().zip(rounded).all(|(energy, rounded)| energy.abs() > MARGIN * f64::EPSILON * rounded)
     }
 
     /// The weakest motions of the scaled matrix, orthonormal, and their energies (of either sign).
-    fn weakest(&self) -> (Mat<f64>, Vec<f64>) {
+    fn weakest(&self, scaled: &Scaled<'_>) -> (Mat<f64>, Vec<f64>) {
         let n = self.scale.len();
         let mut x = Noise::new().extend(Mat::zeros(n, 0).as_ref(), WEAKEST.min(n));
         for _ in 0..ITERATIONS {
             orthonormalise(&mut x);
-            x = self.solve_scaled(x);
+            x = self.solve_scaled(x.as_ref(), |_| 1.0);
         }
         orthonormalise(&mut x);
-        let projected = inner(x.as_ref(), sparse::multiply(self.scaled.as_ref(), x.as_ref()).as_ref());
+        let projected = inner(x.as_ref(), sparse::multiply(scaled.matrix(), x.as_ref()).as_ref());
         let Ok(eigen) = projected.self_adjoint_eigen(Side::Lower) else {
             return (x, vec![0.0; WEAKEST.min(n)]);
         };
         (&x * eigen.U(), eigen.S().column_vector().iter().copied().collect())
     }
 
-    /// |x|^T |A| |x|.
-    fn absolute_energy(&self, x: &[f64]) -> f64 {
-        let mut energy = 0.0;
-        for (j, value) in x.iter().enumerate() {
-            let column = self.scaled.row_idx_of_col(j).zip(self.scaled.val_of_col(j));
-            energy += value.abs() * column.map(|(i, a)| x[i].abs() * a.abs()).sum::<f64>();
-        }
-        energy
-    }
-
-    /// |x|^T |L| |D| |L|^T |x|: what the elimination's rounding is measured by.
-    fn factor_energy(&self, x: &[f64]) -> f64 {
-        let order = self.symbolic.perm().map(|perm| perm.arrays().0);
-        let size = |at: usize| x[order.map_or(at, |order| order[at])].abs();
-        let mut energy = 0.0;
+    /// |x|^T |L| |D| |L|^T |x| of each column: what the elimination's rounding is measured by.
+    fn factor_energies(&self, x: MatRef<'_, f64>) -> Vec<f64> {
+        // All at one place of the structure stand together: the factor is read once.
+        let sizes = Mat::from_fn(x.ncols(), x.nrows(), |j, i| x[(i, j)].abs());
+        let at_place = |at: usize| sizes.col(self.dof_at(at)).iter();
+        let mut energies = vec![0.0; x.ncols()];
+        let mut sums = vec![0.0; x.ncols()];
         self.columns(|at, pivot, below| {
-            let sum = size(at) + below.map(|(row, value)| value.abs() * size(row)).sum::<f64>();
-            energy += pivot.abs() * sum * sum;
+            sums.iter_mut().zip(at_place(at)).for_each(|(sum, x)| *sum = *x);
+            for (place, value) in below {
+                sums.iter_mut().zip(at_place(place)).for_each(|(sum, x)| *sum += value.abs() * x);
+            }
+            energies.iter_mut().zip(&sums).for_each(|(energy, sum)| *energy += pivot.abs() * sum * sum);
         });
-        energy
+        energies
     }
 
     /// A^-1 b.
     pub(crate) fn solve(&self, b: MatRef<'_, f64>) -> Mat<f64> {
-        let mut x = self.solve_scaled(Mat::from_fn(b.nrows(), b.ncols(), |i, j| self.scale[i] * b[(i, j)]));
+        self.solve_scaled(b, |dof| self.scale[dof])
+    }
+
+    /// S (L D L^T)^-1 S b for a scale S of each degree of freedom. Columns go in groups of a fixed size: the result is the same on any
+    /// number of threads.
+    fn solve_scaled(&self, b: MatRef<'_, f64>, scale: impl Fn(usize) -> f64 + Sync) -> Mat<f64> {
+        let mut x = Mat::from_fn(b.nrows(), b.ncols(), |i, j| scale(i) * b[(i, j)]);
+        let is_small = b.nrows() <= SMALL;
+        let one_group = |group| if is_small { self.solve_few(group) } else { self.solve_side_by_side(group) };
+        x.par_col_chunks_mut(TOGETHER).for_each(one_group);
         for j in 0..x.ncols() {
-            for (i, scale) in self.scale.iter().enumerate() {
-                x[(i, j)] *= scale;
+            for i in 0..x.nrows() {
+                x[(i, j)] *= scale(i);
             }
         }
         x
     }
 
-    /// Columns are solved in groups of a fixed size, so the result is the same on any number of threads.
-    fn solve_scaled(&self, mut x: Mat<f64>) -> Mat<f64> {
-        let solve = |mut group: MatMut<'_, f64>| {
-            let scratch = self.symbolic.solve_in_place_scratch::<f64>(group.ncols(), Par::Seq);
-            let mut memory = MemBuffer::new(scratch);
-            LdltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
-                Conj::No,
-                group.as_mut(),
-                Par::Seq,
-                MemStack::new(&mut memory),
-            );
-        };
-        x.par_col_chunks_mut(TOGETHER).for_each(solve);
-        x
+    fn solve_few(&self, x: MatMut<'_, f64>) {
+        let mut memory = MemBuffer::new(self.symbolic.solve_in_place_scratch::<f64>(x.ncols(), Par::Seq));
+        let factor = LdltRef::new(&self.symbolic, &self.values);
+        factor.solve_in_place_with_conj(Conj::No, x, Par::Seq, MemStack::new(&mut memory));
+    }
+
+    fn solve_side_by_side(&self, mut x: MatMut<'_, f64>) {
+        let mut rows: Vec<Row> = vec![[0.0; TOGETHER]; x.nrows()];
+        for (place, row) in rows.iter_mut().enumerate() {
+            row.iter_mut().zip(x.rb().row(self.dof_at(place)).iter()).for_each(|(own, x)| *own = *x);
+        }
+        Panels::of(&self.symbolic, &self.values).solve(&mut rows);
+        for (place, row) in rows.iter().enumerate() {
+            x.rb_mut().row_mut(self.dof_at(place)).iter_mut().zip(row).for_each(|(x, own)| *x = *own);
+        }
+    }
+
+    /// The degree of freedom at a place in the order of elimination.
+    fn dof_at(&self, place: usize) -> usize {
+        self.symbolic.perm().map_or(place, |perm| perm.arrays().0[place])
     }
 }
 
-/// The pattern of the factor in the order that fills in less.
+/// The pattern of the factor in the order that fills in least.
 pub(crate) fn analysed(pattern: SymbolicSparseColMatRef<'_, usize>) -> SymbolicCholesky<usize> {
     let analyse = |order: SymmetricOrdering<'_, usize>| {
         let params = CholeskySymbolicParams {
@@ -270,12 +291,14 @@ pub(crate) fn analysed(pattern: SymbolicSparseColMatRef<'_, usize>) -> SymbolicC
         factorize_symbolic_cholesky(pattern, Side::Lower, order, params)
             .expect("memory for the pattern of the factor")
     };
-    let by_degree = analyse(SymmetricOrdering::Amd);
-    let order = reverse_cuthill_mckee(pattern);
-    let mut inverse = vec![0; order.len()];
-    order.iter().enumerate().for_each(|(place, dof)| inverse[*dof] = place);
-    let by_level = analyse(SymmetricOrdering::Custom(PermRef::new_checked(&order, &inverse, order.len())));
-    tracing::debug!(by_degree = by_degree.len_val(), by_level = by_level.len_val(), "entries of the factor");
+    let by = |order: &[usize]| {
+        let inverse = ordering::inverse(order);
+        analyse(SymmetricOrdering::Custom(PermRef::new_checked(order, &inverse, order.len())))
+    };
+    if pattern.ncols() > SMALL {
+        return by(&ordering::of_least_fill(pattern));
+    }
+    let (by_degree, by_level) = (analyse(SymmetricOrdering::Amd), by(&reverse_cuthill_mckee(pattern)));
     if by_level.len_val() < by_degree.len_val() { by_level } else { by_degree }
 }
 
@@ -287,16 +310,22 @@ fn loose_among(a: SparseColMatRef<'_, usize, f64>, motions: &Mat<f64>) -> Vec<us
     for j in 0..motions.ncols() {
         let x: Vec<f64> = motions.col(j).iter().copied().collect();
         let energy: f64 = x.iter().zip(forces.col(j).iter()).map(|(x, f)| x * f).sum();
-        let mut size = 0.0;
-        for (column, value) in x.iter().enumerate() {
-            let entries = a.row_idx_of_col(column).zip(a.val_of_col(column));
-            size += value.abs() * entries.map(|(i, a)| x[i].abs() * a.abs()).sum::<f64>();
-        }
+        let size = absolute_energy(a, &x);
         if size > 0.0 && energy.abs() <= MARGIN * f64::EPSILON * size {
             loose.push(x.iter().zip(&diagonal).map(|(x, d)| x * d.max(0.0).sqrt()).collect());
         }
     }
     pivots_of(loose)
+}
+
+/// |x|^T |A| |x|.
+fn absolute_energy(a: SparseColMatRef<'_, usize, f64>, x: &[f64]) -> f64 {
+    let mut energy = 0.0;
+    for (j, value) in x.iter().enumerate() {
+        let column = a.row_idx_of_col(j).zip(a.val_of_col(j));
+        energy += value.abs() * column.map(|(i, a)| x[i].abs() * a.abs()).sum::<f64>();
+    }
+    energy
 }
 
 /// Gram-Schmidt, twice for each column; a column that vanishes stays zero.
@@ -346,7 +375,7 @@ fn pivots_of(mut motions: Vec<Vec<f64>>) -> Vec<usize> {
     places
 }
 
-fn scaled(a: SparseColMatRef<'_, usize, f64>, scale: &[f64], springs: &[usize]) -> Sparse {
+fn scaled<'a>(a: SparseColMatRef<'a, usize, f64>, scale: &[f64], springs: &[usize]) -> Scaled<'a> {
     let mut values = Vec::with_capacity(a.val().len());
     for j in 0..a.ncols() {
         for (i, value) in a.row_idx_of_col(j).zip(a.val_of_col(j)) {
@@ -354,7 +383,7 @@ fn scaled(a: SparseColMatRef<'_, usize, f64>, scale: &[f64], springs: &[usize]) 
             values.push(scale[i] * value * scale[j] + spring);
         }
     }
-    Sparse::new(a.symbolic().to_owned().expect("memory for a copy of the pattern"), values)
+    Scaled { pattern: a.symbolic(), values }
 }
 
 #[cfg(test)]

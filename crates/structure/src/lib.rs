@@ -15,6 +15,7 @@ pub mod element;
 mod factor;
 pub mod flexibility;
 pub mod laminate;
+mod lanczos;
 pub mod mass_properties;
 pub mod masses;
 pub mod matrix_element;

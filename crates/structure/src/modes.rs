@@ -1,18 +1,24 @@
-//! Natural modes: K x = omega^2 M x by block subspace iteration, proven complete by a pivot count.
+//! Natural modes: K x = omega^2 M x, proven complete by a pivot count.
 //!
-//! Bathe's subspace iteration (*Finite Element Procedures*, ch. 11), each sweep over a short block Krylov space
-//! (`subspace.rs`), with a fixed start block without symmetry. A
-//! structure that can move freely is held where its rigid motions move, which does nothing to loads without a resultant, and
-//! everything is kept orthogonal to those motions; should that not converge, it is factorised as K + s M, where s goes down to
-//! the first elastic eigenvalue as soon as that shows. After convergence the number of eigenvalues below a shift just above the last mode
-//! ([`crate::sturm`]) must be the number found; if not, the block grows and the iteration goes on. A single-vector
-//! method would miss the copies of repeated frequencies (two equal wings) without noticing.
+//! A few modes of a large structure by block Lanczos (`lanczos.rs`); else by Bathe's subspace iteration (*Finite Element
+//! Procedures*, ch. 11), each sweep over a short block Krylov space (`subspace.rs`). The start has no symmetry: fixed noise, or
+//! the motions of least stiffness that the factor found from it. A structure that can move freely is held where its rigid motions
+//! move, which does nothing to loads without a resultant, and everything is kept orthogonal to those motions; should that not
+//! converge, it is factorised as K + s M, where s goes down to the first elastic eigenvalue as soon as that shows. After convergence
+//! the number of eigenvalues below a shift just above the last mode ([`crate::sturm`]) must be the number found; if not, the
+//! search goes on for more. A single-vector method would miss the copies of repeated frequencies (two equal wings) without
+//! noticing.
 //!
 //! Motions without mass have no frequency and are not counted among the modes.
+
+mod error;
+
+pub use error::ModesError;
 
 use crate::blocks::Noise;
 use crate::factor::Factor;
 use crate::flexibility::SingularStructure;
+use crate::lanczos::{self, Asked};
 use crate::sparse;
 use crate::sturm;
 use crate::subspace::{self, Inverse, Rigid, Ritz};
@@ -29,6 +35,12 @@ const CONVERGED_LARGE: f64 = 1e-7;
 
 /// Number of motions of a large structure.
 const LARGE: usize = 3000;
+
+/// Structures of more motions are searched by block Lanczos, if no more than a [`FEW`]th of the modes is asked for.
+const SMALL: usize = 1000;
+
+/// See [`SMALL`].
+const FEW: usize = 8;
 
 /// Residual that is accepted when round-off prevents a smaller one (a thousand elements in a row): frequencies are
 /// then good to about six digits.
@@ -51,54 +63,6 @@ pub struct Modes {
     /// Shapes, f-set x modes: X^T M X = E. The largest displacement along z is positive; of a mode that hardly
     /// moves along z, the largest component.
     pub shapes: Mat<f64>,
-}
-
-/// Why modes could not be computed.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum ModesError {
-    /// More modes were asked for than there are motions with mass.
-    #[error(
-        "{asked} modes were asked for, but the masses allow only {available} (hint: ask for fewer, or give the material a density)"
-    )]
-    TooMany {
-        /// Number asked for.
-        asked: usize,
-        /// Number of motions with mass.
-        available: usize,
-    },
-    /// A motion has neither stiffness nor mass.
-    #[error("a motion has neither stiffness nor mass: {0}")]
-    Massless(SingularStructure),
-    /// The pivots near this frequency have no certain sign.
-    #[error(
-        "the modes below {omega_rad_s} rad/s cannot be counted, pivots stay too small (hint: look for motions without stiffness and mass)"
-    )]
-    Uncountable {
-        /// The frequency.
-        omega_rad_s: f64,
-    },
-    /// The iteration did not converge.
-    #[error(
-        "{asked} modes did not converge, the largest residual is {residual:.1e} (hint: look for stiffnesses or masses many orders of magnitude off)"
-    )]
-    NotConverged {
-        /// Number asked for.
-        asked: usize,
-        /// Largest residual of the modes asked for.
-        residual: f64,
-    },
-    /// The count of eigenvalues contradicts the modes found, whatever the size of the block.
-    #[error(
-        "{found} modes were found, but {counted} lie below {omega_rad_s} rad/s (hint: look for stiffnesses or masses many orders of magnitude off)"
-    )]
-    Incomplete {
-        /// Modes found below the frequency.
-        found: usize,
-        /// Modes counted below it.
-        counted: usize,
-        /// The frequency.
-        omega_rad_s: f64,
-    },
 }
 
 /// The `count` lowest natural modes.
@@ -150,8 +114,7 @@ fn held(system: &System) -> Factor {
 /// Modes from the held stiffness; where rounding leaves open which motions have no stiffness, from a shifted one.
 fn found(system: &System, factor: Factor, count: usize, known: Option<Count>) -> Result<Modes, ModesError> {
     let rigid = factor.loose.len();
-    let mass = sparse::without_zeros(system.mass());
-    let mass = mass.as_ref();
+    let mass = system.mass();
     let Some(motions) = Rigid::of(mass, &factor) else {
         let shift = first_shift(system);
         return Search::new(system, mass, count, known, rigid, shift, shifted(system, shift)?).run();
@@ -178,10 +141,16 @@ struct Search<'a> {
     /// What they are, if springs hold them and not a shift.
     motions: Rigid,
     shift: f64,
-    factor: Factor,
+    /// None while it is not needed, since a count has one of its own.
+    factor: Option<Factor>,
+    /// Whether block Lanczos searches.
+    is_large: bool,
     noise: Noise,
+    /// What sweeps start from.
     block: Mat<f64>,
     ritz: Ritz,
+    /// True if every motion with mass was looked at.
+    is_exhausted: bool,
 }
 
 impl<'a> Search<'a> {
@@ -195,40 +164,87 @@ impl<'a> Search<'a> {
         factor: Factor,
     ) -> Self {
         let n = system.free_count();
+        let is_large = n > SMALL && FEW * count <= n && shift == 0.0;
         let size = (2 * count.max(rigid)).min(count.max(rigid) + 8).min(n);
         let mut noise = Noise::new();
-        let block = noise.extend(Mat::zeros(n, 0).as_ref(), size);
-        let ritz = Ritz { values: Vec::new(), vectors: Mat::zeros(n, 0) };
-        Self { system, mass, count, known, rigid, motions: Rigid::none(n), shift, factor, noise, block, ritz }
-    }
-
-    fn run(mut self) -> Result<Modes, ModesError> {
-        let n = self.system.free_count();
-        loop {
-            self.converge()?;
-            match self.check()? {
-                None => return Ok(self.modes()),
-                Some(difference) if self.block.ncols() >= n || self.exhausted() => {
-                    return Err(difference);
-                }
-                Some(_) => {}
-            }
-            let more = (self.block.ncols() / 2).max(4).min(n - self.block.ncols());
-            tracing::debug!(more, "the count of eigenvalues asks for a larger block");
-            self.block = self.noise.extend(self.block.as_ref(), more);
+        let block = noise.extend(Mat::zeros(n, 0).as_ref(), if is_large { 0 } else { size });
+        Self {
+            system,
+            mass,
+            count,
+            known,
+            rigid,
+            motions: Rigid::none(n),
+            shift,
+            factor: Some(factor),
+            is_large,
+            noise,
+            block,
+            ritz: Ritz { values: Vec::new(), vectors: Mat::zeros(n, 0) },
+            is_exhausted: false,
         }
     }
 
-    /// True if the block holds every motion with mass.
-    fn exhausted(&self) -> bool {
-        self.ritz.values.len() < self.block.ncols()
+    fn run(mut self) -> Result<Modes, ModesError> {
+        let mut asked = self.count;
+        loop {
+            let factor = match self.factor.take() {
+                Some(factor) => factor,
+                None if self.shift > 0.0 => shifted(self.system, self.shift)?,
+                None => held(self.system),
+            };
+            if self.is_large {
+                self.by_lanczos(&factor, asked)?;
+                // The count has one of its own.
+                drop(factor);
+            } else {
+                self.by_sweeps(factor)?;
+            }
+            match self.check()? {
+                None => return Ok(self.modes()),
+                Some(difference) if self.is_exhausted => return Err(difference),
+                Some(_) => {}
+            }
+            if self.is_large {
+                asked += (asked / 2).max(4);
+            } else {
+                let size = self.block.ncols();
+                let more = (size / 2).max(4).min(self.system.free_count() - size);
+                self.block = self.noise.extend(self.block.as_ref(), more);
+            }
+            tracing::debug!(asked, size = self.block.ncols(), "the count of eigenvalues asks for more");
+        }
     }
 
-    fn inverse(&self) -> Inverse<'_> {
-        Inverse { factor: &self.factor, shift: self.shift, rigid: &self.motions }
+    fn inverse<'f>(&'f self, factor: &'f Factor) -> Inverse<'f> {
+        Inverse { factor, shift: self.shift, rigid: &self.motions }
     }
 
-    fn converge(&mut self) -> Result<(), ModesError> {
+    /// The `asked` lowest modes beside those that are there already.
+    fn by_lanczos(&mut self, factor: &Factor, asked: usize) -> Result<(), ModesError> {
+        let not_converged = |residual| ModesError::NotConverged { asked: self.count, residual };
+        let first = self.motions.count();
+        let known = self.ritz.after(first);
+        let asked = Asked { elastic: asked.max(first + 1) - first, miss: CONVERGED_LARGE, known: &known };
+        let inverse = Inverse { factor, shift: self.shift, rigid: &self.motions };
+        let found = lanczos::lowest(self.mass, &inverse, &mut self.noise, asked)
+            .ok_or_else(|| not_converged(f64::INFINITY))?;
+        let available = found.ritz.values.len();
+        if available < self.count {
+            return Err(ModesError::TooMany { asked: self.count, available });
+        }
+        (self.ritz, self.is_exhausted) = (found.ritz, found.is_complete);
+        if let Some((refined, misses)) = subspace::refined(self.mass, &inverse, &self.ritz, available) {
+            let worst = misses.into_iter().take(self.count.saturating_sub(first)).fold(0.0, f64::max);
+            if worst > STAGNANT {
+                return Err(not_converged(worst));
+            }
+            self.ritz = refined;
+        }
+        Ok(())
+    }
+
+    fn by_sweeps(&mut self, mut factor: Factor) -> Result<(), ModesError> {
         let (k, m) = (self.system.stiffness(), self.mass);
         let enough = if self.system.free_count() > LARGE { CONVERGED_LARGE } else { CONVERGED };
         let mut worst = f64::INFINITY;
@@ -236,7 +252,7 @@ impl<'a> Search<'a> {
         let mut idle = 0;
         let mut x = self.block.clone();
         for _ in 0..SWEEPS {
-            self.ritz = subspace::sweep(k, m, &self.inverse(), x.as_ref())
+            self.ritz = subspace::sweep(k, m, &self.inverse(&factor), x.as_ref())
                 .ok_or(ModesError::NotConverged { asked: self.count, residual: worst })?;
             let available = self.ritz.values.len();
             if available < self.count {
@@ -244,16 +260,18 @@ impl<'a> Search<'a> {
             }
             let kept = self.block.ncols().min(available);
             x = self.ritz.vectors.subcols(0, kept).to_owned();
-            if self.lower_shift()? {
+            if self.lowers_shift() {
+                factor = shifted(self.system, self.shift)?;
                 continue;
             }
-            let residuals = subspace::residuals(m, &self.inverse(), &self.ritz, self.count);
+            let residuals = subspace::residuals(m, &self.inverse(&factor), &self.ritz, self.count);
             worst = residuals.into_iter().fold(0.0, f64::max);
             idle = if worst < 0.5 * best { 0 } else { idle + 1 };
             best = best.min(worst);
             if worst < enough || (worst < STAGNANT && idle > 8) {
                 self.block = self.keep_size(x.as_ref());
-                if let Some(refined) = subspace::refined(m, &self.inverse(), &self.ritz, kept) {
+                self.is_exhausted = available < self.block.ncols() || self.block.ncols() >= x.nrows();
+                if let Some((refined, _)) = subspace::refined(m, &self.inverse(&factor), &self.ritz, kept) {
                     self.ritz = refined;
                 }
                 return Ok(());
@@ -262,22 +280,17 @@ impl<'a> Search<'a> {
         Err(ModesError::NotConverged { asked: self.count, residual: worst })
     }
 
-    /// The vectors found, filled with zeros to the block's size so that [`Search::exhausted`] still tells.
+    /// The vectors found, filled with zeros to the block's size so that more columns come after it.
     fn keep_size(&self, x: MatRef<'_, f64>) -> Mat<f64> {
         Mat::from_fn(x.nrows(), self.block.ncols(), |i, j| if j < x.ncols() { x[(i, j)] } else { 0.0 })
     }
 
-    /// Brings the shift of a free-free structure down to its first elastic eigenvalue.
-    fn lower_shift(&mut self) -> Result<bool, ModesError> {
-        let Some(first) = self.ritz.values.get(self.rigid).copied().filter(|_| self.shift > 0.0) else {
-            return Ok(false);
-        };
-        if first <= 0.0 || first > 0.1 * self.shift {
-            return Ok(false);
-        }
-        self.shift = first;
-        self.factor = shifted(self.system, first)?;
-        Ok(true)
+    /// Brings the shift of a free-free structure down to its first elastic eigenvalue; true if that asks for another factor.
+    fn lowers_shift(&mut self) -> bool {
+        let first = self.ritz.values.get(self.rigid).copied();
+        let lower = first.filter(|first| *first > 0.0 && *first <= 0.1 * self.shift);
+        self.shift = lower.unwrap_or(self.shift);
+        lower.is_some()
     }
 
     /// Compares the modes found with the count of eigenvalues that is known, or else just above the last one.
@@ -333,8 +346,9 @@ fn first_shift(system: &System) -> f64 {
 }
 
 fn shifted(system: &System, shift: f64) -> Result<Factor, ModesError> {
-    let factor =
-        Factor::held(system.analysis(), sparse::combine(system.stiffness(), shift, system.mass()).as_ref());
+    let k = system.stiffness();
+    let values = sparse::combine(k, shift, system.mass());
+    let factor = Factor::held(system.analysis(), SparseColMatRef::new(k.symbolic(), &values));
     if factor.loose.is_empty() {
         return Ok(factor);
     }

@@ -3,8 +3,9 @@
 //! Entries are summed in the order of the elements, whatever the number of threads, and only once for both
 //! triangles: the matrices are the same on every run and exactly symmetric.
 
+use faer::reborrow::ReborrowMut as _;
 use faer::sparse::{SparseColMat, SparseColMatRef, SymbolicSparseColMat, SymbolicSparseColMatRef};
-use faer::{Mat, MatRef};
+use faer::{Mat, MatMut, MatRef};
 use nalgebra::DMatrix;
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -109,10 +110,12 @@ impl Values {
         }
     }
 
-    /// Both matrices with both triangles.
+    /// Both matrices with both triangles, the mass without entries that are zero: a lumped mass has a few in each column where
+    /// the stiffness has dozens.
     pub(crate) fn symmetric(self) -> (Sparse, Sparse) {
         let both = Mirrored::of(&self.pattern);
-        (both.matrix(&self.k), both.matrix(&self.m))
+        let m = without_zeros(both.symbolic(), |at| self.m[both.source[at]]);
+        (both.matrix(&self.k), m)
     }
 
     /// The stiffness alone, for which both triangles are known already.
@@ -177,41 +180,68 @@ impl Mirrored {
     }
 }
 
-/// A matrix with another added over some motions; `None` where it has no entry for one.
-pub(crate) fn with_sum(a: &Sparse, dofs: &[usize], change: &DMatrix<f64>) -> Option<Sparse> {
-    let mut values = a.val().to_vec();
+/// A mass with another added over some motions; `None` where the stiffness `k` has no entry for one.
+pub(crate) fn with_sum(m: &Sparse, dofs: &[usize], change: &DMatrix<f64>, k: &Sparse) -> Option<Sparse> {
+    let mut values = vec![0.0; k.val().len()];
+    add(&mut values, k.symbolic(), 1.0, m.as_ref());
     for (j, column) in dofs.iter().enumerate() {
-        let range = a.symbolic().col_range(*column);
-        let rows = a.symbolic().row_idx_of_col_raw(*column);
+        let range = k.symbolic().col_range(*column);
+        let rows = k.symbolic().row_idx_of_col_raw(*column);
         for (i, row) in dofs.iter().enumerate() {
             values[range.start + rows.binary_search(row).ok()?] += change[(i, j)];
         }
     }
-    Some(Sparse::new(a.symbolic().to_owned().expect("memory for a copy of the pattern"), values))
+    Some(without_zeros(k.symbolic(), |at| values[at]))
 }
 
-/// `a + factor b` for matrices of one pattern.
+/// The values of `k + factor m` in the pattern of `k`.
+///
+/// # Panics
+/// If `m` has an entry where `k` has none.
 pub(crate) fn combine(
-    a: SparseColMatRef<'_, usize, f64>,
+    k: SparseColMatRef<'_, usize, f64>,
     factor: f64,
-    b: SparseColMatRef<'_, usize, f64>,
-) -> Sparse {
-    let values = a.val().iter().zip(b.val()).map(|(a, b)| a + factor * b).collect();
-    Sparse::new(a.symbolic().to_owned().expect("memory for a copy of the pattern"), values)
+    m: SparseColMatRef<'_, usize, f64>,
+) -> Vec<f64> {
+    let mut values = k.val().to_vec();
+    add(&mut values, k.symbolic(), factor, m);
+    values
 }
 
-/// Without entries that are zero: a lumped mass has a few in each column where the stiffness has dozens, and products with it are
-/// as much shorter.
-pub(crate) fn without_zeros(a: SparseColMatRef<'_, usize, f64>) -> Sparse {
+/// Adds `factor m` to the values of a pattern that has all of its entries.
+fn add(
+    values: &mut [f64],
+    pattern: SymbolicSparseColMatRef<'_, usize>,
+    factor: f64,
+    m: SparseColMatRef<'_, usize, f64>,
+) {
+    for j in 0..m.ncols() {
+        let mut places = pattern.col_range(j).zip(pattern.row_idx_of_col_raw(j));
+        for (row, value) in m.row_idx_of_col(j).zip(m.val_of_col(j)) {
+            let (place, _) =
+                places.find(|(_, own)| **own == row).expect("the pattern has every entry of the mass");
+            values[place] += factor * value;
+        }
+    }
+}
+
+/// The entries of a pattern whose value, by their place in it, is not zero.
+fn without_zeros(pattern: SymbolicSparseColMatRef<'_, usize>, value: impl Fn(usize) -> f64) -> Sparse {
     let (mut columns, mut rows, mut values) = (vec![0], Vec::new(), Vec::new());
-    for j in 0..a.ncols() {
-        for (row, value) in a.row_idx_of_col(j).zip(a.val_of_col(j)).filter(|(_, value)| **value != 0.0) {
-            rows.push(row);
-            values.push(*value);
+    for j in 0..pattern.ncols() {
+        for (at, row) in pattern.col_range(j).zip(pattern.row_idx_of_col_raw(j)) {
+            let value = value(at);
+            if value != 0.0 {
+                rows.push(*row);
+                values.push(value);
+            }
         }
         columns.push(rows.len());
     }
-    Sparse::new(SymbolicSparseColMat::new_checked(a.nrows(), a.ncols(), columns, None, rows), values)
+    Sparse::new(
+        SymbolicSparseColMat::new_checked(pattern.nrows(), pattern.ncols(), columns, None, rows),
+        values,
+    )
 }
 
 /// Rows that hang together through entries: lists of ascending rows, in the order of their first ones.
@@ -262,31 +292,28 @@ const TOGETHER: usize = 4;
 
 /// `a x`; each column of the result is summed in the same order on any number of threads.
 pub(crate) fn multiply(a: SparseColMatRef<'_, usize, f64>, x: MatRef<'_, f64>) -> Mat<f64> {
-    let groups = x.ncols().div_ceil(TOGETHER);
-    let products: Vec<Vec<[f64; TOGETHER]>> = (0..groups)
-        .into_par_iter()
-        .map(|group| {
-            let first = group * TOGETHER;
-            let width = TOGETHER.min(x.ncols() - first);
-            let mut product = vec![[0.0; TOGETHER]; a.nrows()];
-            for j in 0..a.ncols() {
-                let mut factor = [0.0; TOGETHER];
-                for (column, factor) in factor.iter_mut().enumerate().take(width) {
-                    *factor = x[(j, first + column)];
-                }
-                if factor == [0.0; TOGETHER] {
-                    continue;
-                }
-                for (row, value) in a.row_idx_of_col(j).zip(a.val_of_col(j)) {
-                    for (sum, factor) in product[row].iter_mut().zip(factor) {
-                        *sum += value * factor;
-                    }
+    let mut products = Mat::zeros(a.nrows(), x.ncols());
+    let one_group = |(group, mut columns): (usize, MatMut<'_, f64>)| {
+        let x = x.subcols(group * TOGETHER, columns.ncols());
+        let mut sums = vec![[0.0; TOGETHER]; a.nrows()];
+        for j in 0..a.ncols() {
+            let mut factor = [0.0; TOGETHER];
+            factor.iter_mut().zip(x.row(j).iter()).for_each(|(factor, x)| *factor = *x);
+            if factor == [0.0; TOGETHER] {
+                continue;
+            }
+            for (row, value) in a.row_idx_of_col(j).zip(a.val_of_col(j)) {
+                for (sum, factor) in sums[row].iter_mut().zip(factor) {
+                    *sum += value * factor;
                 }
             }
-            product
-        })
-        .collect();
-    Mat::from_fn(a.nrows(), x.ncols(), |i, j| products[j / TOGETHER][i][j % TOGETHER])
+        }
+        for column in 0..columns.ncols() {
+            columns.rb_mut().col_mut(column).iter_mut().zip(&sums).for_each(|(own, sum)| *own = sum[column]);
+        }
+    };
+    products.par_col_chunks_mut(TOGETHER).enumerate().for_each(one_group);
+    products
 }
 
 /// The diagonal.

@@ -9,6 +9,7 @@ use crate::factor::Factor;
 use crate::modes::ModesError;
 use crate::sparse;
 use crate::system::System;
+use faer::sparse::SparseColMatRef;
 
 /// Relative changes of the shift that are tried, one after the other.
 const NUDGES: [f64; 5] = [0.0, 1e-6, -1e-6, 3e-6, -3e-6];
@@ -34,12 +35,12 @@ pub(crate) fn count_below_square(system: &System, shift: f64) -> Result<usize, M
         let shift = shift * (1.0 + nudge);
         let size: Vec<f64> =
             sparse::diagonal(k).iter().zip(&mass).map(|(k, m)| k.abs() + shift * m).collect();
-        let Some(factor) =
-            Factor::indefinite(system.analysis(), sparse::combine(k, -shift, m).as_ref(), &size)
-        else {
+        let values = sparse::combine(k, -shift, m);
+        let shifted = SparseColMatRef::new(k.symbolic(), &values);
+        let Some(factor) = Factor::indefinite(system.analysis(), shifted, &size) else {
             continue;
         };
-        if factor.is_certain() {
+        if factor.is_certain {
             return Ok(factor.pivots().iter().filter(|(_, pivot)| *pivot < 0.0).count());
         }
     }

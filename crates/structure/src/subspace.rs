@@ -22,6 +22,15 @@ pub(crate) struct Ritz {
     pub(crate) vectors: Mat<f64>,
 }
 
+impl Ritz {
+    /// All after the first ones.
+    pub(crate) fn after(&self, first: usize) -> Self {
+        let first = first.min(self.values.len());
+        let vectors = self.vectors.subcols(first, self.values.len() - first).to_owned();
+        Self { values: self.values[first..].to_vec(), vectors }
+    }
+}
+
 /// (K + s M)^-1 on momenta. Without a shift a free-free structure is held by springs where its rigid motions move: momenta without
 /// a resultant leave the springs without force, so that the answer is exact up to a rigid motion, which is taken out.
 pub(crate) struct Inverse<'a> {
@@ -47,7 +56,7 @@ impl Rigid {
     pub(crate) fn of(m: SparseRef<'_>, factor: &Factor) -> Option<Self> {
         let mut forces = Mat::zeros(m.ncols(), factor.loose.len());
         factor.loose.iter().enumerate().for_each(|(j, dof)| forces[(*dof, j)] = 1.0);
-        let mut space = Space { m, basis: Mat::zeros(m.ncols(), 0), momenta: Mat::zeros(m.ncols(), 0) };
+        let mut space = Space::new(m, &Self::none(m.ncols()), factor.loose.len());
         let found = space.extend(factor.solve(forces.as_ref()))?;
         (found.len() == factor.loose.len()).then_some(Self { motions: space.basis, momenta: space.momenta })
     }
@@ -59,7 +68,7 @@ impl Rigid {
 }
 
 impl Inverse<'_> {
-    fn solve(&self, momenta: Mat<f64>) -> Mat<f64> {
+    pub(crate) fn solve(&self, momenta: Mat<f64>) -> Mat<f64> {
         if self.rigid.count() == 0 {
             return self.factor.solve(momenta.as_ref());
         }
@@ -86,10 +95,9 @@ pub(crate) fn sweep(
     inverse: &Inverse<'_>,
     x: MatRef<'_, f64>,
 ) -> Option<Ritz> {
-    let Rigid { motions, momenta } = inverse.rigid;
-    let first = motions.ncols();
-    let mut space = Space { m, basis: motions.clone(), momenta: momenta.clone() };
+    let first = inverse.rigid.count();
     let x = x.subcols(first, x.ncols() - first);
+    let mut space = Space::new(m, inverse.rigid, first + (1 + DEPTH) * x.ncols());
     // The start itself may have parts without mass; what the factor makes of it has not.
     let mut last = space.extend(inverse.solve(sparse::multiply(m, x)))?;
     for _ in 0..DEPTH {
@@ -103,8 +111,14 @@ pub(crate) fn sweep(
 }
 
 /// One more step with a converged block, its values from the projected (K + s M) Y = M X as Bathe takes them: K itself, whose
-/// entries are many orders of magnitude above the lowest modes' energy, does not enter. Rigid motions stay as they are.
-pub(crate) fn refined(m: SparseRef<'_>, inverse: &Inverse<'_>, ritz: &Ritz, count: usize) -> Option<Ritz> {
+/// entries are many orders of magnitude above the lowest modes' energy, does not enter. Rigid motions stay as they are. Beside it
+/// how far each elastic pair of the block was from a mode, as [`residuals`] has it but for eight digits of one.
+pub(crate) fn refined(
+    m: SparseRef<'_>,
+    inverse: &Inverse<'_>,
+    ritz: &Ritz,
+    count: usize,
+) -> Option<(Ritz, Vec<f64>)> {
     let n = ritz.vectors.nrows();
     let (first, shift) = (inverse.rigid.count(), inverse.shift);
     let count = count.checked_sub(first).filter(|count| *count > 0)?;
@@ -127,20 +141,49 @@ pub(crate) fn refined(m: SparseRef<'_>, inverse: &Inverse<'_>, ritz: &Ritz, coun
     let elastic = eigen.S().column_vector().iter().map(|value| value - shift).collect::<Vec<f64>>();
     let values = [&ritz.values[..first], &elastic].concat();
     let shapes = product(y.as_ref(), product(w.as_ref(), eigen.U()).as_ref());
-    Some(Ritz { values, vectors: beside(inverse.rigid.motions.as_ref(), shapes.as_ref()) })
+    // |y - x|^2 with M x as above and |x| = 1.
+    let square = |j: usize| mass[(j, j)] - 2.0 * stiffness[(j, j)] / (ritz.values[first + j] + shift) + 1.0;
+    let misses = (0..count).map(|j| square(j).max(0.0).sqrt()).collect();
+    let refined = Ritz { values, vectors: beside(inverse.rigid.motions.as_ref(), shapes.as_ref()) };
+    Some((refined, misses))
 }
 
 /// An M-orthonormal basis with its momenta M x.
-struct Space<'a> {
-    m: SparseRef<'a>,
-    basis: Mat<f64>,
-    momenta: Mat<f64>,
+pub(crate) struct Space<'a> {
+    pub(crate) m: SparseRef<'a>,
+    pub(crate) basis: Mat<f64>,
+    pub(crate) momenta: Mat<f64>,
 }
 
-impl Space<'_> {
+impl<'a> Space<'a> {
+    /// The rigid motions, with room for `columns` directions in all.
+    pub(crate) fn new(m: SparseRef<'a>, rigid: &Rigid, columns: usize) -> Self {
+        let mut space = Self { m, basis: Mat::new(), momenta: Mat::new() };
+        space.clear(rigid, columns);
+        space
+    }
+
+    /// The rigid motions alone again.
+    pub(crate) fn clear(&mut self, rigid: &Rigid, columns: usize) {
+        let n = self.m.ncols();
+        for own in [&mut self.basis, &mut self.momenta] {
+            own.reserve(n, columns);
+            own.resize_with(n, 0, |_, _| 0.0);
+        }
+        self.append(rigid.motions.as_ref(), rigid.momenta.as_ref());
+    }
+
+    /// Adds directions that are M-orthonormal with all before them, with their momenta.
+    pub(crate) fn append(&mut self, x: MatRef<'_, f64>, momenta: MatRef<'_, f64>) {
+        let start = self.basis.ncols();
+        for (own, new) in [(&mut self.basis, x), (&mut self.momenta, momenta)] {
+            own.resize_with(new.nrows(), start + new.ncols(), |i, j| new[(i, j - start)]);
+        }
+    }
+
     /// Adds the directions of `x` that are new, and says where they stand. Twice, as Gram-Schmidt needs; within the block by
     /// the eigenvectors of its own inner products (SVQB), dependent and massless directions left out.
-    fn extend(&mut self, mut x: Mat<f64>) -> Option<std::ops::Range<usize>> {
+    pub(crate) fn extend(&mut self, mut x: Mat<f64>) -> Option<std::ops::Range<usize>> {
         let mut momenta = sparse::multiply(self.m, x.as_ref());
         let before = squares(x.as_ref(), momenta.as_ref());
         for _ in 0..2 {
@@ -169,8 +212,7 @@ impl Space<'_> {
             least = 0.25;
         }
         let start = self.basis.ncols();
-        self.basis = beside(self.basis.as_ref(), x.as_ref());
-        self.momenta = beside(self.momenta.as_ref(), momenta.as_ref());
+        self.append(x.as_ref(), momenta.as_ref());
         Some(start..self.basis.ncols())
     }
 
@@ -188,7 +230,7 @@ fn squares(x: MatRef<'_, f64>, y: MatRef<'_, f64>) -> Vec<f64> {
 }
 
 /// Columns of `x`, then those of `y`.
-fn beside(x: MatRef<'_, f64>, y: MatRef<'_, f64>) -> Mat<f64> {
+pub(crate) fn beside(x: MatRef<'_, f64>, y: MatRef<'_, f64>) -> Mat<f64> {
     let (n, first) = (y.nrows(), x.ncols());
     Mat::from_fn(n, first + y.ncols(), |i, j| if j < first { x[(i, j)] } else { y[(i, j - first)] })
 }

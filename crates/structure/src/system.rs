@@ -175,13 +175,16 @@ impl System {
     /// If there are not as many rows as motions.
     pub fn with_mass_change(&self, dofs: &[usize], change: &DMatrix<f64>) -> Option<Self> {
         assert_eq!(change.nrows(), dofs.len(), "one row a motion");
-        let m_gg = sparse::with_sum(&self.m_gg, dofs, change)?;
+        let m_gg = sparse::with_sum(&self.m_gg, dofs, change, &self.k_gg)?;
         let m_ff = match assemble::free_motions(dofs, &self.dofs) {
-            Free::Combined { dofs, t } => sparse::with_sum(&self.m_ff, &dofs, &(t.transpose() * change * t))?,
+            Free::Combined { dofs, t } => {
+                sparse::with_sum(&self.m_ff, &dofs, &(t.transpose() * change * t), &self.k_ff)?
+            }
             Free::Places(places) => {
                 let free: Vec<usize> = (0..dofs.len()).filter(|at| places[*at].is_some()).collect();
                 let own = change.select_rows(&free).select_columns(&free);
-                sparse::with_sum(&self.m_ff, &places.into_iter().flatten().collect::<Vec<_>>(), &own)?
+                let places: Vec<usize> = places.into_iter().flatten().collect();
+                sparse::with_sum(&self.m_ff, &places, &own, &self.k_ff)?
             }
         };
         Some(Self { m_gg: Arc::new(m_gg), m_ff, ..self.clone() })
@@ -328,7 +331,7 @@ impl System {
         self.k_ff.as_ref()
     }
 
-    /// Mass of the f-set, with the pattern of the stiffness.
+    /// Mass of the f-set; the stiffness has an entry, if only of zero, where it has one.
     pub fn mass(&self) -> SparseColMatRef<'_, usize, f64> {
         self.m_ff.as_ref()
     }

@@ -241,3 +241,15 @@ fn factors_of_a_panel_are_rods_along_its_sides() {
     close(trace("5.,0.") - plain, rods(0, &thick), 1e-6, "F1 as a width in thicknesses");
     close(trace("0.8,5.") - plain, rods(0, &share) + rods(1, &thick), 1e-8, "both");
 }
+
+/// Masses of 1 and 2 kg on springs of 3 and 5 N/m to the ground, made to move as one: omega^2 = 8 / 3.
+#[test]
+fn a_motion_that_follows_another_one_to_one_brings_its_spring_and_its_mass() {
+    let tied = system(
+        "GRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\nSPC1,1,12456,1,2\nCELAS2,1,3.,1,3\nCELAS2,2,5.,2,3\n\
+         CONM2,3,1,,1.\nCONM2,4,2,,2.\nMPC,1,2,3,1.,1,3,-1.\n",
+    );
+    assert_eq!(tied.free_count(), 1);
+    let omega = normal_modes(&tied, 1).expect("one mode").omega_rad_s[0];
+    assert!((omega.powi(2) - 8.0 / 3.0).abs() < 1e-14, "{omega}");
+}

@@ -1,7 +1,7 @@
 //! Factors and what a structure leaves loose.
 
 use super::*;
-use crate::sparse::Pattern;
+use crate::sparse::{Pattern, Sparse};
 use nalgebra::DMatrix;
 
 /// A matrix with entries below the diagonal as given.
@@ -15,6 +15,10 @@ fn matrix(n: usize, entries: &[(usize, usize, f64)]) -> Sparse {
 }
 
 fn dense(a: &Sparse) -> DMatrix<f64> {
+    dense_of(a.as_ref())
+}
+
+fn dense_of(a: SparseColMatRef<'_, usize, f64>) -> DMatrix<f64> {
     let mut all = DMatrix::zeros(a.nrows(), a.ncols());
     for j in 0..a.ncols() {
         a.row_idx_of_col(j).zip(a.val_of_col(j)).for_each(|(i, value)| all[(i, j)] = *value);
@@ -52,18 +56,52 @@ fn sizes(a: &Sparse) -> Vec<f64> {
     sparse::diagonal(a.as_ref()).iter().map(|d| d.abs()).collect()
 }
 
-#[test]
-fn solutions_are_those_of_the_whole_matrix_however_many_columns() {
-    for sign in [1.0, -1.0] {
-        let a = ring(sign);
-        let factor = Factor::indefinite(&analysis(&a), a.as_ref(), &sizes(&a)).expect("regular");
-        let b = Mat::from_fn(9, 11, |i, j| (1.1 * i as f64 + 0.7 * j as f64).sin());
-        let expected = dense(&a).lu().solve(&DMatrix::from_fn(9, 11, |i, j| b[(i, j)])).expect("regular");
-        let x = factor.solve(b.as_ref());
-        for (i, j) in (0..9).flat_map(|i| (0..11).map(move |j| (i, j))) {
-            assert!((x[(i, j)] - expected[(i, j)]).abs() < 1e-13, "{i} {j}: {}", x[(i, j)]);
+/// A plate of grids with three motions each, stiffer from one end to the other: panels of many widths, with rows below.
+fn plate(long: usize, wide: usize) -> Sparse {
+    let mut entries = Vec::new();
+    for grid in 0..long * wide {
+        let neighbours = [(grid % wide + 1 < wide, grid + 1), (grid + wide < long * wide, grid + wide)];
+        for at in 3 * grid..3 * grid + 3 {
+            entries.push((at, at, 9.0 + at as f64 * 0.1));
+            entries.extend((3 * grid..at).map(|other| (at, other, 0.7)));
+            for (_, other) in neighbours.iter().filter(|(is_there, _)| *is_there) {
+                entries.extend((3 * other..3 * other + 3).map(|other| (other, at, 0.3 - 0.01 * at as f64)));
+            }
         }
     }
+    matrix(3 * long * wide, &entries)
+}
+
+#[test]
+fn solutions_are_those_of_the_whole_matrix_however_many_columns() {
+    let diagonal = matrix(3, &[(0, 0, 2.0), (1, 1, -3.0), (2, 2, 0.5)]);
+    for (a, columns) in [(ring(1.0), 11), (ring(-1.0), 11), (plate(9, 5), 1), (plate(9, 5), 8), (diagonal, 9)]
+    {
+        let n = a.ncols();
+        let factor = Factor::indefinite(&analysis(&a), a.as_ref(), &sizes(&a)).expect("regular");
+        let b = Mat::from_fn(n, columns, |i, j| (1.1 * i as f64 + 0.7 * j as f64).sin());
+        let all = DMatrix::from_fn(n, columns, |i, j| b[(i, j)]);
+        let expected = dense(&a).lu().solve(&all).expect("regular");
+        let x = factor.solve(b.as_ref());
+        let few = columns.min(TOGETHER);
+        let mut beside = Mat::from_fn(n, few, |i, j| factor.scale[i] * b[(i, j)]);
+        factor.solve_side_by_side(beside.as_mut());
+        for (i, j) in (0..n).flat_map(|i| (0..columns).map(move |j| (i, j))) {
+            assert!((x[(i, j)] - expected[(i, j)]).abs() < 1e-13, "{i} {j} of {n}: {}", x[(i, j)]);
+            let side = if j < few { factor.scale[i] * beside[(i, j)] } else { x[(i, j)] };
+            assert!((side - expected[(i, j)]).abs() < 1e-13, "side by side, {i} {j} of {n}: {side}");
+        }
+    }
+    let panels = |a: &Sparse| {
+        let factor = Factor::indefinite(&analysis(a), a.as_ref(), &sizes(a)).expect("regular");
+        let panels = Panels::of(&factor.symbolic, &factor.values);
+        (0..panels.count())
+            .map(|at| (panels.panel(at).width, panels.panel(at).rows.len()))
+            .collect::<Vec<_>>()
+    };
+    let widths = panels(&plate(9, 5));
+    assert!(widths.iter().any(|(width, rows)| *width > 4 && width % 4 > 0 && *rows > 0), "{widths:?}");
+    assert!(widths.len() > 4);
 }
 
 #[test]
@@ -116,13 +154,17 @@ fn energies_of_rounding_are_those_of_absolute_values() {
         let x: Vec<f64> = (0..n).map(|i| (2.3 * i as f64 + 0.4).sin()).collect();
         let absolute: f64 =
             (0..n * n).map(|at| (x[at / n] * scaled[(at / n, at % n)] * x[at % n]).abs()).sum();
-        assert!((factor.absolute_energy(&x) / absolute - 1.0).abs() < 1e-13);
+        let scaled = super::scaled(a.as_ref(), &scale, &[]);
+        assert!((absolute_energy(scaled.matrix(), &x) / absolute - 1.0).abs() < 1e-13);
         let of_column = |column: usize| -> f64 {
             let sum: f64 = (column..n).map(|row| (lower[(row, column)] * x[order[row]]).abs()).sum();
             rest[(column, column)].abs() * sum * sum
         };
         let expected: f64 = (0..n).map(of_column).sum();
-        assert!((factor.factor_energy(&x) / expected - 1.0).abs() < 1e-12, "{expected}");
+        let both = Mat::from_fn(n, 2, |i, j| if j == 0 { -3.0 * x[i] } else { x[i] });
+        let [tripled, own] = factor.factor_energies(both.as_ref())[..] else { panic!("two columns") };
+        assert!((own / expected - 1.0).abs() < 1e-12, "{expected}");
+        assert!((tripled / (9.0 * expected) - 1.0).abs() < 1e-12, "{expected}");
     }
 }
 
@@ -132,7 +174,7 @@ fn energies_of_rounding_are_those_of_absolute_values() {
 fn signs_are_certain_where_energies_exceed_rounding() {
     let of = |weak: f64| {
         let a = matrix(2, &[(0, 0, 1.0), (1, 1, 1.0 + weak), (1, 0, -1.0)]);
-        Factor::indefinite(&analysis(&a), a.as_ref(), &sizes(&a)).is_some_and(|factor| factor.is_certain())
+        Factor::indefinite(&analysis(&a), a.as_ref(), &sizes(&a)).is_some_and(|factor| factor.is_certain)
     };
     assert!(of(1e-12) && of(-1e-12) && of(0.5));
     assert!(!of(2.0 * f64::EPSILON) && !of(-2.0 * f64::EPSILON));
@@ -221,7 +263,7 @@ fn columns_are_made_orthonormal_and_a_zero_stays() {
 #[test]
 fn springs_stand_on_the_diagonal_of_the_scaled_matrix_alone() {
     let a = chain(&[1.0, 3.0]);
-    let own = dense(&scaled(a.as_ref(), &[1.0, 0.5, 2.0], &[1]));
+    let own = dense_of(scaled(a.as_ref(), &[1.0, 0.5, 2.0], &[1]).matrix());
     let expected = DMatrix::from_row_slice(3, 3, &[1.0, -0.5, 0.0, -0.5, 1.0 + 1.0, -3.0, 0.0, -3.0, 12.0]);
     assert!((&own - &expected).amax() < 1e-14, "{own} {expected}");
 }

@@ -1,75 +1,72 @@
-//! Orders of elimination.
+//! Orders of elimination beside each other.
 
 use super::*;
-use faer::sparse::SymbolicSparseColMat;
 
-/// The pattern of a graph with both triangles.
-fn pattern(n: usize, edges: &[[usize; 2]]) -> SymbolicSparseColMat<usize> {
-    let mut columns = vec![Vec::new(); n];
-    (0..n).for_each(|at| columns[at].push(at));
-    for [a, b] in edges {
-        columns[*a].push(*b);
-        columns[*b].push(*a);
+/// Grids in a block with some motions each, joined to their neighbours along edges and diagonals.
+fn block([long, wide, high]: [usize; 3], motions: usize) -> SymbolicSparseColMat<usize> {
+    let near = |a: usize, end: usize| (a.saturating_sub(1)..=a + 1).filter(move |a| *a < end);
+    let (mut columns, mut rows) = (vec![0], Vec::new());
+    for grid in 0..long * wide * high {
+        let (i, j, k) = (grid / (wide * high), grid / high % wide, grid % high);
+        let around: Vec<usize> = near(i, long)
+            .flat_map(|i| {
+                near(j, wide).flat_map(move |j| near(k, high).map(move |k| (i * wide + j) * high + k))
+            })
+            .flat_map(|grid| motions * grid..motions * (grid + 1))
+            .collect();
+        for _ in 0..motions {
+            rows.extend(&around);
+            columns.push(rows.len());
+        }
     }
-    for rows in &mut columns {
-        rows.sort_unstable();
-    }
-    let mut starts = vec![0];
-    for rows in &columns {
-        starts.push(starts[starts.len() - 1] + rows.len());
-    }
-    SymbolicSparseColMat::new_checked(n, n, starts, None, columns.concat())
+    let n = long * wide * high * motions;
+    SymbolicSparseColMat::new_checked(n, n, columns, None, rows)
 }
 
-/// How far apart in the order the ends of edges stand at most.
-fn band(order: &[usize], edges: &[[usize; 2]]) -> usize {
-    let place = |dof: usize| order.iter().position(|own| *own == dof).expect("every motion is in the order");
-    edges.iter().map(|[a, b]| place(*a).abs_diff(place(*b))).max().unwrap_or(0)
-}
-
-#[test]
-fn chains_are_ordered_from_end_to_end_whatever_their_numbers() {
-    // Two chains and a loose one: 3-7-0-5-1 and 2-6-4; 8.
-    let edges = [[3, 7], [7, 0], [0, 5], [5, 1], [2, 6], [6, 4]];
-    let pattern = pattern(9, &edges);
-    let order = reverse_cuthill_mckee(pattern.as_ref());
-    let mut all = order.clone();
-    all.sort_unstable();
-    assert_eq!(all, (0..9).collect::<Vec<_>>());
-    assert_eq!(band(&order, &edges), 1, "{order:?}");
-    // Reversed: the part of the highest first number comes first.
-    assert_eq!(order[0], 8);
-}
-
-/// A ladder of rungs of two in a row: a band of two, from one end to the other (Cuthill and McKee 1969).
-#[test]
-fn a_ladder_has_a_band_of_two_and_starts_at_an_end() {
-    let number = |at: usize| (5 * at + 3) % 16;
-    let rung = |at: usize| [number(2 * at), number(2 * at + 1)];
-    let mut edges: Vec<[usize; 2]> = (0..8).map(rung).collect();
-    for at in 0..7 {
-        let ([a, b], [c, d]) = (rung(at), rung(at + 1));
-        edges.extend([[a, c], [b, d]]);
-    }
-    let pattern = pattern(16, &edges);
-    let order = reverse_cuthill_mckee(pattern.as_ref());
-    assert_eq!(band(&order, &edges), 2, "{order:?}");
-    let ends = [rung(0), rung(7)].concat();
-    assert!(ends.contains(&order[0]) && ends.contains(&order[15]), "{order:?}");
+fn fill(pattern: PatternRef<'_>, order: &[usize]) -> usize {
+    let place = inverse(order);
+    counted(pattern, SymmetricOrdering::Custom(PermRef::new_checked(order, &place, order.len()))).len_val()
 }
 
 #[test]
-fn levels_are_those_of_a_walk_outwards() {
-    // 0 in the middle of 1, 2 and 3; 4 and 5 beyond 3.
-    let pattern = pattern(6, &[[0, 1], [0, 2], [0, 3], [3, 4], [3, 5]]);
-    let degree = [4, 2, 2, 4, 2, 2];
-    let (order, last, depth) = levels(pattern.as_ref(), &degree, 0);
-    assert_eq!((order, last, depth), (vec![0, 1, 2, 3, 4, 5], 4, 2));
-    let (order, last, depth) = levels(pattern.as_ref(), &degree, 1);
-    assert_eq!((order, last, depth), (vec![1, 0, 2, 3, 4, 5], 4, 3));
+fn motions_of_a_grid_are_one_node_and_stay_together() {
+    let pattern = block([5, 4, 1], 3);
+    let groups = alike(pattern.as_ref());
+    assert_eq!(groups, (0..20).map(|grid| 3 * grid..3 * grid + 3).collect::<Vec<_>>());
+    let of_grids = graph(pattern.as_ref(), &groups);
+    let expected = block([5, 4, 1], 1);
     assert_eq!(
-        far_end(pattern.as_ref(), &degree, 0),
-        1,
-        "three steps away from 4, and one of the least joined"
+        (of_grids.col_ptr(), of_grids.row_idx()),
+        (expected.col_ptr(), expected.row_idx()),
+        "as with one motion a grid"
     );
+    let order = of_least_fill(pattern.as_ref());
+    for grid in order.chunks(3) {
+        assert_eq!(*grid, [grid[0], grid[0] + 1, grid[0] + 2]);
+    }
+    let mut all = order;
+    all.sort_unstable();
+    assert_eq!(all, (0..60).collect::<Vec<_>>());
+}
+
+#[test]
+fn the_order_that_fills_in_least_is_taken() {
+    for (shape, best) in [([100, 5, 1], "levels"), ([70, 70, 1], "degree"), ([20, 16, 12], "dissection")] {
+        let pattern = block(shape, 1);
+        let pattern = pattern.as_ref();
+        let fills = [
+            ("degree", counted(pattern, SymmetricOrdering::Amd).len_val()),
+            ("levels", fill(pattern, &levels::reverse_cuthill_mckee(pattern))),
+            ("dissection", fill(pattern, &dissection(pattern))),
+        ];
+        let least = fills.iter().min_by_key(|(_, fill)| *fill).expect("three");
+        assert_eq!(least.0, best, "{shape:?}: {fills:?}");
+        assert_eq!(fill(pattern, &of_least_fill(pattern)), least.1, "{shape:?}: {fills:?}");
+    }
+}
+
+#[test]
+fn levels_of_a_chain_fill_nothing() {
+    let pattern = block([50, 1, 1], 1);
+    assert_eq!(fill(pattern.as_ref(), &of_least_fill(pattern.as_ref())), 50 + 49);
 }

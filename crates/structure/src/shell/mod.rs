@@ -28,7 +28,7 @@ pub use strains::ShellStrains;
 
 use crate::element::Element;
 use crate::laminate::ShellSection;
-use nalgebra::{DMatrix, DVector, Matrix3, Point3, SMatrix, SVector, Vector3};
+use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Point3, SMatrix, SVector, Vector3, Vector6};
 use nastran::{InputError, Span};
 use point::{Point, mass, modes_of, stiffness, strains_at};
 use std::borrow::Cow;
@@ -211,7 +211,11 @@ impl Shell {
     /// If there are not six displacements a node.
     pub fn strains(&self, displacements: &[f64], at: [f64; 2]) -> ShellStrains {
         assert_eq!(displacements.len(), 6 * self.nodes.len(), "six displacements a node");
-        let local = self.transformation() * DVector::from_column_slice(displacements);
+        let (turn, grids) = (self.turn(), displacements.chunks_exact(6));
+        let local = DVector::from_iterator(
+            displacements.len(),
+            grids.flat_map(|grid| (turn * Vector6::from_column_slice(grid)).data.0[0]),
+        );
         let section = self.section();
         if self.corners.len() == 4 {
             let local = SVector::<f64, 24>::from_column_slice(local.as_slice());
@@ -264,26 +268,32 @@ impl Shell {
         points
     }
 
-    /// Motions of the reference surface in the element's axes by those of the grids in basic axes.
-    fn transformation(&self) -> DMatrix<f64> {
-        let n = self.nodes.len();
-        let mut t = DMatrix::zeros(6 * n, 6 * n);
+    /// Six motions of the reference surface at a grid, in the element's axes, by those of the grid in basic axes.
+    fn turn(&self) -> Matrix6<f64> {
         let normal: Vector3<f64> = self.axes.row(2).transpose();
+        let mut turn = Matrix6::zeros();
+        turn.fixed_view_mut::<3, 3>(0, 0).copy_from(&self.axes);
+        turn.fixed_view_mut::<3, 3>(3, 3).copy_from(&self.axes);
         // theta x r = -[r] theta
         let lever = -(self.axes * (normal * self.offset_m).cross_matrix());
-        for at in (0..6 * n).step_by(6) {
-            t.view_mut((at, at), (3, 3)).copy_from(&self.axes);
-            t.view_mut((at + 3, at + 3), (3, 3)).copy_from(&self.axes);
-            t.view_mut((at, at + 3), (3, 3)).copy_from(&lever);
-        }
-        t
+        turn.fixed_view_mut::<3, 3>(0, 3).copy_from(&lever);
+        turn
     }
 
-    /// A matrix over the reference surface's motions as one over the grids', basic axes.
+    /// A symmetric matrix over the reference surface's motions as one over the grids', basic axes.
     fn basic<const D: usize>(&self, local: &SMatrix<f64, D, D>) -> DMatrix<f64> {
-        let t = self.transformation();
-        let matrix = t.transpose() * DMatrix::from_column_slice(D, D, local.as_slice()) * &t;
-        0.5 * (&matrix + matrix.transpose())
+        let turn = self.turn();
+        let mut matrix = DMatrix::zeros(D, D);
+        for (i, j) in (0..D).step_by(6).flat_map(|i| (0..=i).step_by(6).map(move |j| (i, j))) {
+            let symmetric =
+                0.5 * (local.fixed_view::<6, 6>(i, j) + local.fixed_view::<6, 6>(j, i).transpose());
+            let block = turn.transpose() * symmetric * turn;
+            matrix.fixed_view_mut::<6, 6>(j, i).copy_from(&block.transpose());
+            matrix.fixed_view_mut::<6, 6>(i, j).copy_from(&block);
+        }
+        // What rounding leaves of the blocks on the diagonal.
+        matrix.fill_upper_triangle_with_lower_triangle();
+        matrix
     }
 }
 
