@@ -44,7 +44,7 @@ const ITERATIONS: usize = 3;
 
 /// Structures of more motions are ordered grid by grid, and their right-hand sides go through the factor side by side. In smaller
 /// ones there is little to be won, and all modes of a slender wing, which range over twelve decimals, hang on the rounding.
-const SMALL: usize = 1000;
+pub(crate) const SMALL: usize = 1000;
 
 /// The pattern of a factor in its order of elimination; the same for every matrix of one pattern.
 pub(crate) type Analysis = SymbolicCholesky<usize>;

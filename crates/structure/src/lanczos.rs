@@ -3,8 +3,8 @@
 //! blocks and full orthogonalisation: Grimes, Lewis and Simon, SIAM J. Matrix Anal. Appl. 15, 1994).
 //!
 //! A direction costs one solve, where a sweep of subspace iteration costs one for every direction that it keeps. The operator's
-//! small matrix has its eigenvalues to the round-off of the largest, the lowest mode's: all modes of a structure whose frequencies
-//! range widely are better found by sweeps.
+//! small matrix has its eigenvalues to the round-off of the largest, the lowest mode's: this is not for all modes of a structure
+//! whose frequencies range widely.
 
 use crate::blocks::{Noise, inner, product};
 use crate::sparse;
@@ -122,8 +122,8 @@ impl<'a> Lanczos<'a> {
         self.inverse.rigid.count()
     }
 
-    /// Begins anew beside what is there, from noise; false if that has nothing new. The noise itself may have parts without mass; what
-    /// the factor makes of it has not.
+    /// Begins with the motions of least stiffness, or anew beside what is there from noise; false if that has nothing new. The start
+    /// itself may have parts without mass; what the factor makes of it has not.
     fn begins(&mut self, noise: &mut Noise) -> Option<bool> {
         let weak = self.inverse.factor.weak.as_ref();
         let start = if self.small.ncols() == 0 && weak.ncols() > 0 {

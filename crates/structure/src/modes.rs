@@ -16,7 +16,7 @@ mod error;
 pub use error::ModesError;
 
 use crate::blocks::Noise;
-use crate::factor::Factor;
+use crate::factor::{self, Factor};
 use crate::flexibility::SingularStructure;
 use crate::lanczos::{self, Asked};
 use crate::sparse;
@@ -36,10 +36,7 @@ const CONVERGED_LARGE: f64 = 1e-7;
 /// Number of motions of a large structure.
 const LARGE: usize = 3000;
 
-/// Structures of more motions are searched by block Lanczos, if no more than a [`FEW`]th of the modes is asked for.
-const SMALL: usize = 1000;
-
-/// See [`SMALL`].
+/// Structures of more than [`factor::SMALL`] motions are searched by block Lanczos, if no more than this part of the modes is asked for.
 const FEW: usize = 8;
 
 /// Residual that is accepted when round-off prevents a smaller one (a thousand elements in a row): frequencies are
@@ -164,7 +161,7 @@ impl<'a> Search<'a> {
         factor: Factor,
     ) -> Self {
         let n = system.free_count();
-        let is_large = n > SMALL && FEW * count <= n && shift == 0.0;
+        let is_large = n > factor::SMALL && FEW * count <= n && shift == 0.0;
         let size = (2 * count.max(rigid)).min(count.max(rigid) + 8).min(n);
         let mut noise = Noise::new();
         let block = noise.extend(Mat::zeros(n, 0).as_ref(), if is_large { 0 } else { size });
@@ -230,13 +227,16 @@ impl<'a> Search<'a> {
         let found = lanczos::lowest(self.mass, &inverse, &mut self.noise, asked)
             .ok_or_else(|| not_converged(f64::INFINITY))?;
         let available = found.ritz.values.len();
-        if available < self.count {
+        if available < self.count && found.is_complete {
             return Err(ModesError::TooMany { asked: self.count, available });
         }
         (self.ritz, self.is_exhausted) = (found.ritz, found.is_complete);
-        if let Some((refined, misses)) = subspace::refined(self.mass, &inverse, &self.ritz, available) {
+        // Rigid motions alone are exact.
+        if available > first {
+            let (refined, misses) = subspace::refined(self.mass, &inverse, &self.ritz, available)
+                .ok_or_else(|| not_converged(f64::INFINITY))?;
             let worst = misses.into_iter().take(self.count.saturating_sub(first)).fold(0.0, f64::max);
-            if worst > STAGNANT {
+            if worst > STAGNANT || available < self.count {
                 return Err(not_converged(worst));
             }
             self.ritz = refined;

@@ -1,8 +1,8 @@
 //! The order of elimination that fills in least, of three.
 //!
 //! A wing is long: from station to station it couples to its neighbours only, and a band as wide as one station fills in
-//! less than what minimum degree (AMD) finds (5 million entries instead of 14 for 3000 grids). Large plates and bodies fill in
-//! least by nested dissection (METIS), small ones by minimum degree. Which it is for a structure is counted.
+//! less than what minimum degree (AMD) finds (5 million entries instead of 14 for 3000 grids). Large solid bodies fill in
+//! least by nested dissection (METIS), plates by minimum degree. Which it is for a structure is counted.
 //!
 //! Motions with the same neighbours, as those of a grid, are eliminated one after the other in each of these orders; the graph has
 //! one node for all of them.
