@@ -8,61 +8,74 @@ use crate::distinguish::{Best, Draws, distinguish};
 use crate::found::{Found, Outcome, others};
 use crate::null_distribution::NullDistribution;
 use crate::problem::Problem;
-use crate::rank::{Ranked, rank};
+use crate::rank::{Ranked, rank_some};
 use crate::rules::Rules;
 use crate::setting::Setting;
 use crate::settle::settle;
 
-/// Searches a training problem.
+/// Searches a training problem. Where more is missing than may be, and parts of the data refute what was found first, it is
+/// searched again without it: one of its rivals may be what it resembles.
 pub fn search<'a>(
     setting: &Setting<'_>,
     problem: Problem<'a>,
     nulls: &NullDistribution,
     seed: u64,
 ) -> (Outcome, CurrentModel<'a>) {
-    let rules = setting.rules();
-    let rows = problem.len() as f64;
     let bare = CurrentModel::bare(setting, problem);
-    let start = bare.chi2;
-    let outcome = Outcome::default();
-    let mut so_far =
-        SoFar { current: bare.clone(), bare, outcome, first_evidence: None, undecided: false, nulls, seed };
-    let most = rules.naming.most_effects;
-    // what a step takes back a later one may find again: steps end, whatever they do
-    for _ in 0..2 * most {
-        if so_far.outcome.found.len() == most || !so_far.step(setting) {
+    let without = |refuted: &[&'static str]| {
+        let (bare, current, outcome) = (bare.clone(), bare.clone(), Outcome::default());
+        SoFar { current, bare, outcome, undecided: false, nulls, seed, refuted }.whole(setting)
+    };
+    let mut first = without(&[]);
+    let rows = bare.problem.len() as f64;
+    let mut refuted = Vec::new();
+    let mut next = first.refuted.clone().filter(|_| bare.chi2 > rows * nulls.misfit_limit);
+    while let Some(one) = next.take_if(|one| is_close(setting.rules(), &first.outcome.first_ranking, one)) {
+        refuted.push(one.name());
+        let again = without(&refuted);
+        let Outcome { trace, first_ranking, .. } = &mut first.outcome;
+        trace.push(format!("searched again without {}", refuted.join(", ")));
+        trace.extend_from_slice(&again.outcome.trace);
+        if again.outcome.found.first().is_some_and(|found| is_close(setting.rules(), first_ranking, found)) {
+            let (first_ranking, trace) = (std::mem::take(first_ranking), std::mem::take(trace));
+            first = Searched { outcome: Outcome { first_ranking, trace, ..again.outcome }, ..again };
             break;
         }
+        next = again.refuted;
     }
-    let SoFar { mut current, mut outcome, undecided, .. } = so_far;
-    // what was found beside an effect is no rival of it
-    let names = outcome.names();
-    for effect in &mut outcome.found {
-        effect.confused_with.retain(|rival| !names.contains(rival));
-        effect.rivals.retain(|rival| !names.contains(&rival.active.effect.spec().name));
-    }
-    let is_too_much = |current: &CurrentModel<'_>| current.chi2 > rows * nulls.misfit_limit;
-    let explained = (start - current.chi2) / (start - rows * nulls.misfit).max(f64::MIN_POSITIVE);
-    if is_too_much(&current) && explained < rules.naming.explained_by_all && !outcome.found.is_empty() {
-        outcome.trace.push(format!("all of it explains {explained:.2} of the misfit: none is named"));
-        outcome.found.clear();
-        current = current.with(setting, &[]);
-    }
-    let limits = &rules.consistency;
-    let limit = if is_too_much(&current) { limits.scatter_unexplained } else { limits.scatter };
-    let undecided = judge_parts(setting, &current, limit, &mut outcome) || undecided;
-    if outcome.found.len() != current.effects.len() {
-        current = current.with(setting, &others(&outcome.found, &[]));
-    }
-    current = settle(setting, current, &mut outcome.found);
-    outcome.misfit = [start / rows, current.chi2 / rows];
+    let Searched { mut outcome, current, undecided, .. } = first;
+    let current = settle(setting, current, &mut outcome.found);
+    outcome.misfit = [bare.chi2 / rows, current.chi2 / rows];
     outcome.unexplained = outcome.misfit[1] > nulls.misfit_limit || undecided && outcome.found.is_empty();
     (outcome, current)
 }
 
+/// Whether an effect had nearly as much evidence as the best when it was first ranked.
+fn is_close(rules: &Rules, ranking: &[Ranked], found: &Found) -> bool {
+    let own = ranking.iter().find(|w| w.name() == found.name());
+    own.zip(ranking.first())
+        .is_some_and(|(own, best)| own.evidence > rules.rivals.rival_share * best.evidence)
+}
+
+/// A search from its beginning to its end, before values are settled.
+struct Searched<'a> {
+    outcome: Outcome,
+    /// The model with what was found.
+    current: CurrentModel<'a>,
+    /// Whether something was left out that may be there.
+    undecided: bool,
+    /// What was found first and is refuted by parts of the data.
+    refuted: Option<Found>,
+}
+
 /// Judges every effect from parts of the data, and drops those whose parts disagree (all, if the first is one: what was
-/// found beside a wrong effect is not to be believed). Whether any was dropped.
-fn judge_parts(setting: &Setting<'_>, current: &CurrentModel<'_>, limit: f64, outcome: &mut Outcome) -> bool {
+/// found beside a wrong effect is not to be believed). Whether any was dropped, and the first if it was.
+fn judge_parts(
+    setting: &Setting<'_>,
+    current: &CurrentModel<'_>,
+    limit: f64,
+    outcome: &mut Outcome,
+) -> (bool, Option<Found>) {
     for (which, found) in outcome.found.iter_mut().enumerate() {
         found.shares = shares(setting, &current.strict(which), which);
     }
@@ -75,11 +88,9 @@ fn judge_parts(setting: &Setting<'_>, current: &CurrentModel<'_>, limit: f64, ou
         outcome.trace.push(format!("{name} has no size of its own ({}): it only resembles", each.join(", ")));
     }
     let before = outcome.found.len();
-    if outcome.found.first().is_some_and(disagree) {
-        outcome.found.clear();
-    }
-    outcome.found.retain(|found| !disagree(found));
-    outcome.found.len() < before
+    let first = outcome.found.first().filter(|first| disagree(first)).cloned();
+    outcome.found.retain(|found| first.is_none() && !disagree(found));
+    (outcome.found.len() < before, first)
 }
 
 /// A search on its way.
@@ -91,17 +102,52 @@ struct SoFar<'a, 'n> {
     nulls: &'n NullDistribution,
     seed: u64,
     outcome: Outcome,
-    first_evidence: Option<f64>,
     undecided: bool,
+    /// Effects that parts of the data refuted in an earlier search.
+    refuted: &'n [&'static str],
 }
 
-impl SoFar<'_, '_> {
+impl<'a> SoFar<'a, '_> {
+    /// All steps, and the judgement of what they found.
+    fn whole(mut self, setting: &Setting<'_>) -> Searched<'a> {
+        let rules = setting.rules();
+        let most = rules.naming.most_effects;
+        // what a step takes back a later one may find again: steps end, whatever they do
+        for _ in 0..2 * most {
+            if self.outcome.found.len() == most || !self.step(setting) {
+                break;
+            }
+        }
+        let Self { bare, mut current, mut outcome, undecided, nulls, .. } = self;
+        // what was found beside an effect is no rival of it
+        let names = outcome.names();
+        for effect in &mut outcome.found {
+            effect.confused_with.retain(|rival| !names.contains(rival));
+            effect.rivals.retain(|rival| !names.contains(&rival.active.effect.spec().name));
+        }
+        let (rows, start) = (current.problem.len() as f64, bare.chi2);
+        let is_too_much = |current: &CurrentModel<'_>| current.chi2 > rows * nulls.misfit_limit;
+        let explained = (start - current.chi2) / (start - rows * nulls.misfit).max(f64::MIN_POSITIVE);
+        if is_too_much(&current) && explained < rules.naming.explained_by_all && !outcome.found.is_empty() {
+            outcome.trace.push(format!("all of it explains {explained:.2} of the misfit: none is named"));
+            outcome.found.clear();
+            current = current.with(setting, &[]);
+        }
+        let limits = &rules.consistency;
+        let limit = if is_too_much(&current) { limits.scatter_unexplained } else { limits.scatter };
+        let (dropped, refuted) = judge_parts(setting, &current, limit, &mut outcome);
+        if outcome.found.len() != current.effects.len() {
+            current = current.with(setting, &others(&outcome.found, &[]));
+        }
+        Searched { outcome, current, undecided: undecided || dropped, refuted }
+    }
+
     /// Names one more effect, if there is one to name; whether there may be more.
     fn step(&mut self, setting: &Setting<'_>) -> bool {
         let (rules, nulls) = (setting.rules(), self.nulls);
         let naming = &rules.naming;
-        let ranked = rank(setting, &self.current, nulls);
-        if self.first_evidence.is_none() {
+        let ranked = rank_some(setting, &self.current, nulls, &|name| !self.refuted.contains(&name), &[]);
+        if self.outcome.found.is_empty() {
             self.outcome.first_ranking.clone_from(&ranked);
         }
         let Some(chosen) = self.best(&ranked, rules) else {
@@ -124,7 +170,6 @@ impl SoFar<'_, '_> {
             self.outcome.next_best = Some(best.clone());
             return false;
         }
-        self.first_evidence.get_or_insert(best.evidence);
         let considered = |w: &&Ranked| w.evidence > naming.considered * best.evidence;
         self.outcome.trace.push(format!(
             "{} named at a log Bayes factor of {:.0}, {needed:.0} needed",
@@ -139,7 +184,7 @@ impl SoFar<'_, '_> {
             confidence: if instead.is_some() {
                 naming.odds
             } else {
-                naming.confidence(share, !confused_with.is_empty())
+                naming.confidence(share, !confused_with.is_empty(), !self.outcome.found.is_empty())
             },
             rivals: confused_with.iter().filter_map(|name| fitted(&ranked, name)).collect(),
             confused_with,
@@ -162,7 +207,7 @@ impl SoFar<'_, '_> {
     /// before by its odds.
     fn best<'r>(&self, ranked: &'r [Ranked], rules: &Rules) -> Option<Best<'r>> {
         let naming = &rules.naming;
-        let least = naming.no_repair_of(self.first_evidence.unwrap_or(0.0));
+        let least = if self.outcome.found.is_empty() { 0.0 } else { naming.beside_others };
         let rivals = |w: &Ranked| {
             let found = self.outcome.found.iter();
             let rivals = found.filter(|f| f.active.effect.spec().is_rival_of(w.refit.active.effect.spec()));

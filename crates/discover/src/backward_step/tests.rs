@@ -219,15 +219,12 @@ fn one_of_two_that_say_the_same_is_enough() {
     assert_eq!(of(14, 15, 101.0), (false, vec!["a"]));
 }
 
-/// Each has ten rows of its own: the first needs its threshold alone, the second what is no repair of the first.
+/// Each has ten rows of its own: the first needs its threshold alone, the others what is needed beside others.
 #[test]
-fn later_effects_need_what_is_no_repair_of_the_first() {
-    let of = |repair_share: f64, no_repair: f64, third: f64| {
+fn later_effects_need_what_is_needed_beside_others() {
+    let of = |beside_others: f64, third: f64| {
         let known = known(
-            |rules| {
-                rules.naming.repair_share = repair_share;
-                rules.naming.no_repair = no_repair;
-            },
+            |rules| rules.naming.beside_others = beside_others,
             &[(0..10, 2.0), (10..20, 2.5), (20..30, third)],
             &[("a", 0..10, 1.0), ("b", 10..20, 1.0), ("c", 20..30, 1.0)],
         );
@@ -238,19 +235,16 @@ fn later_effects_need_what_is_no_repair_of_the_first() {
     };
     let (a, b) = (fit(10.0, 1.0, 2.0).0, fit(10.0, 1.0, 2.5).0);
     assert!(5.0 < a && a < 20.0 && 20.0 < b && b < 30.0);
-    // 20 of the first one's thousand
-    let (more, all) = of(0.02, 100.0, 4.0);
+    let (more, all) = of(20.0, 4.0);
     assert!(more && names(&all) == ["a", "b", "c"]);
     is(&all[0], "a", 10.0, 1.0, 2.0);
     is(&all[1], "b", 10.0, 1.0, 2.5);
-    // 30, but no more than 20
-    assert_eq!(names(&of(0.03, 20.0, 4.0).1), ["a", "b", "c"]);
     // b has less: it goes, as c has more, and a is fitted again beside c
-    let (more, two) = of(0.03, 100.0, 4.0);
+    let (more, two) = of(30.0, 4.0);
     assert!(more && names(&two) == ["a", "c"]);
     close(two[0].active.values[0], fit(10.0, 1.0, 2.0).1);
     // c has less than b: it goes, and nothing more is judged
-    let (more, two) = of(0.03, 100.0, 2.2);
+    let (more, two) = of(30.0, 2.2);
     assert!(!more && names(&two) == ["a", "b"]);
     assert_eq!((&two[0].active.values[..], &two[1].active.values[..]), (&[1.5][..], &[1.5][..]));
 }

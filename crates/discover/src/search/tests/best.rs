@@ -22,13 +22,12 @@ fn candidate(name: &'static str, parameters: Vec<Parameter>, evidence: f64, thre
 /// each a rival of the names beside it.
 fn chosen(
     rules: &Rules,
-    first_evidence: Option<f64>,
     before: &[(f64, &'static [&'static str])],
     ranked: &[Ranked],
 ) -> Option<(&'static str, Option<&'static str>, f64)> {
     let known = ByHand::new(&[&[0.0]]);
     let nulls = known.nulls(1.0, 1.0);
-    let mut so_far = SoFar { first_evidence, ..so_far(&known, &nulls) };
+    let mut so_far = so_far(&known, &nulls);
     for (named_at, rivals) in before {
         so_far.outcome.found.push(found(&made("found", rivals, size()).active(&[1.0]), *named_at, &[]));
     }
@@ -39,28 +38,24 @@ fn chosen(
 #[test]
 fn the_first_with_what_it_needs_is_best() {
     let mut rules = Rules::default();
-    rules.naming.repair_share = 0.05;
-    rules.naming.no_repair = 40.0;
+    rules.naming.beside_others = 40.0;
     rules.naming.repair_share_of_rival = 0.25;
     let three = [("x", 90.0, 95.0), ("y", 60.0, 25.0), ("z", 50.0, 10.0)]
         .map(|(name, evidence, threshold)| candidate(name, vec![both()], evidence, threshold));
-    let of =
-        |first: Option<f64>, before: &[(f64, &'static [&'static str])]| chosen(&rules, first, before, &three);
-    assert_eq!(of(None, &[]), Some(("y", None, 25.0)));
-    // a twentieth of what the first one has, up to forty
-    assert_eq!(of(Some(400.0), &[]), Some(("y", None, 25.0)));
-    assert_eq!(of(Some(700.0), &[]), Some(("y", None, 35.0)));
-    assert_eq!(of(Some(9000.0), &[]), Some(("y", None, 40.0)));
+    let of = |before: &[(f64, &'static [&'static str])]| chosen(&rules, before, &three);
+    assert_eq!(of(&[]), Some(("y", None, 25.0)));
+    // more beside others
+    assert_eq!(of(&[(400.0, &[])]), Some(("y", None, 40.0)));
     // a quarter of what its rival was named at, the larger of two; others have no say
-    assert_eq!(of(None, &[(160.0, &["y"])]), Some(("y", None, 40.0)));
-    assert_eq!(of(None, &[(160.0, &["y"]), (200.0, &["y", "x"])]), Some(("y", None, 50.0)));
-    assert_eq!(of(None, &[(200.0, &["y"]), (160.0, &["y"])]), Some(("y", None, 50.0)));
-    assert_eq!(of(None, &[(160.0, &["z"])]), Some(("y", None, 25.0)));
-    assert_eq!(of(Some(700.0), &[(100.0, &["y"])]), Some(("y", None, 35.0)));
+    assert_eq!(of(&[(200.0, &["y"])]), Some(("y", None, 50.0)));
+    assert_eq!(of(&[(160.0, &["y"]), (200.0, &["y", "x"])]), Some(("y", None, 50.0)));
+    assert_eq!(of(&[(200.0, &["y"]), (160.0, &["y"])]), Some(("y", None, 50.0)));
+    assert_eq!(of(&[(200.0, &["z"])]), Some(("y", None, 40.0)));
+    assert_eq!(of(&[(120.0, &["y"])]), Some(("y", None, 40.0)));
     // as much as is needed is not enough
-    assert_eq!(of(None, &[(240.0, &["y"])]), Some(("z", None, 10.0)));
-    assert_eq!(of(Some(100.0), &[(240.0, &["y"]), (200.0, &["z"])]), None);
-    assert_eq!(chosen(&rules, None, &[], &three[..1]), None);
+    assert_eq!(of(&[(240.0, &["y"])]), Some(("z", None, 40.0)));
+    assert_eq!(of(&[(240.0, &["y"]), (200.0, &["z"])]), None);
+    assert_eq!(chosen(&rules, &[], &three[..1]), None);
 }
 
 /// What has one sign only goes before what may have either, where neither model form nor a share of the evidence
@@ -75,7 +70,7 @@ fn what_has_one_side_goes_before_what_has_two_by_its_odds() {
         for (name, (parameters, evidence, threshold)) in ["second", "third"].into_iter().zip(others) {
             all.push(candidate(name, parameters, evidence, threshold));
         }
-        chosen(&rules, None, &[], &all).expect("the first has what it needs")
+        chosen(&rules, &[], &all).expect("the first has what it needs")
     };
     let (preferred, first) = (("second", Some("first"), 30.0), ("first", None, 20.0));
     let one = |evidence: f64| vec![(vec![up()], evidence, 30.0)];
@@ -110,7 +105,7 @@ fn fewer_parameters_go_before_more_that_say_hardly_more() {
         for (name, (count, evidence, threshold)) in ["first", "second", "third"].into_iter().zip(counts) {
             all.push(candidate(name, vec![both(); *count], *evidence, *threshold));
         }
-        chosen(&rules, None, &[], &all).expect("the first has what it needs")
+        chosen(&rules, &[], &all).expect("the first has what it needs")
     };
     let (simpler, first) = (("second", Some("first"), 30.0), ("first", None, 20.0));
     assert_eq!(of(&[(2, 100.0, 20.0), (1, 96.0, 30.0)]), simpler);
@@ -126,5 +121,5 @@ fn fewer_parameters_go_before_more_that_say_hardly_more() {
         candidate("simple", vec![both()], 98.0, 20.0),
         candidate("odd", vec![up()], 97.0, 25.0),
     ];
-    assert_eq!(chosen(&rules, None, &[], &all), Some(("odd", Some("first"), 25.0)));
+    assert_eq!(chosen(&rules, &[], &all), Some(("odd", Some("first"), 25.0)));
 }
