@@ -14,6 +14,7 @@ pub mod effective_mass;
 pub mod element;
 mod factor;
 pub mod flexibility;
+mod jacobi;
 pub mod laminate;
 mod lanczos;
 pub mod mass_properties;

@@ -1,6 +1,6 @@
 //! Natural modes: K x = omega^2 M x, proven complete by a pivot count.
 //!
-//! A few modes of a large structure by block Lanczos (`lanczos.rs`); else by Bathe's subspace iteration (*Finite Element
+//! A few modes of a large structure by block Lanczos (`lanczos.rs`), many of a small one by Jacobi rotations (`jacobi.rs`); else by Bathe's subspace iteration (*Finite Element
 //! Procedures*, ch. 11), each sweep over a short block Krylov space (`subspace.rs`). The start has no symmetry: fixed noise, or
 //! the motions of least stiffness that the factor found from it. A structure that can move freely is held where its rigid motions
 //! move, which does nothing to loads without a resultant, and everything is kept orthogonal to those motions; should that not
@@ -12,12 +12,14 @@
 //! Motions without mass have no frequency and are not counted among the modes.
 
 mod error;
+mod way;
 
 pub use error::ModesError;
 
 use crate::blocks::Noise;
-use crate::factor::{self, Factor};
+use crate::factor::Factor;
 use crate::flexibility::SingularStructure;
+use crate::jacobi;
 use crate::lanczos::{self, Asked};
 use crate::sparse;
 use crate::sturm;
@@ -26,6 +28,7 @@ use crate::system::System;
 use faer::sparse::SparseColMatRef;
 use faer::{Mat, MatRef};
 use nalgebra::Point3;
+use way::Way;
 
 /// Residual at which a mode is converged; its eigenvalue's relative error is about the square of it, or round-off.
 const CONVERGED: f64 = 1e-9;
@@ -35,9 +38,6 @@ const CONVERGED_LARGE: f64 = 1e-7;
 
 /// Number of motions of a large structure.
 const LARGE: usize = 3000;
-
-/// Structures of more than [`factor::SMALL`] motions are searched by block Lanczos, if no more than this part of the modes is asked for.
-const FEW: usize = 8;
 
 /// Residual that is accepted when round-off prevents a smaller one (a thousand elements in a row): frequencies are
 /// then good to about six digits.
@@ -140,8 +140,7 @@ struct Search<'a> {
     shift: f64,
     /// None while it is not needed, since a count has one of its own.
     factor: Option<Factor>,
-    /// Whether block Lanczos searches.
-    is_large: bool,
+    way: Way,
     noise: Noise,
     /// What sweeps start from.
     block: Mat<f64>,
@@ -161,10 +160,10 @@ impl<'a> Search<'a> {
         factor: Factor,
     ) -> Self {
         let n = system.free_count();
-        let is_large = n > factor::SMALL && FEW * count <= n && shift == 0.0;
+        let way = Way::of(n, count, shift, factor.loose.is_empty());
         let size = (2 * count.max(rigid)).min(count.max(rigid) + 8).min(n);
         let mut noise = Noise::new();
-        let block = noise.extend(Mat::zeros(n, 0).as_ref(), if is_large { 0 } else { size });
+        let block = noise.extend(Mat::zeros(n, 0).as_ref(), if way == Way::Lanczos { 0 } else { size });
         Self {
             system,
             mass,
@@ -174,7 +173,7 @@ impl<'a> Search<'a> {
             motions: Rigid::none(n),
             shift,
             factor: Some(factor),
-            is_large,
+            way,
             noise,
             block,
             ritz: Ritz { values: Vec::new(), vectors: Mat::zeros(n, 0) },
@@ -190,19 +189,21 @@ impl<'a> Search<'a> {
                 None if self.shift > 0.0 => shifted(self.system, self.shift)?,
                 None => held(self.system),
             };
-            if self.is_large {
-                self.by_lanczos(&factor, asked)?;
-                // The count has one of its own.
-                drop(factor);
-            } else {
-                self.by_sweeps(factor)?;
+            match self.way {
+                Way::Lanczos => {
+                    self.by_lanczos(&factor, asked)?;
+                    // The count has one of its own.
+                    drop(factor);
+                }
+                Way::Rotations => self.by_rotations(factor)?,
+                Way::Sweeps => self.by_sweeps(factor)?,
             }
             match self.check()? {
                 None => return Ok(self.modes()),
                 Some(difference) if self.is_exhausted => return Err(difference),
                 Some(_) => {}
             }
-            if self.is_large {
+            if self.way == Way::Lanczos {
                 asked += (asked / 2).max(4);
             } else {
                 let size = self.block.ncols();
@@ -241,6 +242,19 @@ impl<'a> Search<'a> {
             }
             self.ritz = refined;
         }
+        Ok(())
+    }
+
+    /// All modes; a stiffness that is not positive, if only by rounding, is left to sweeps.
+    fn by_rotations(&mut self, factor: Factor) -> Result<(), ModesError> {
+        let Some(all) = jacobi::all_modes(self.system.stiffness(), self.mass) else {
+            return self.by_sweeps(factor);
+        };
+        let available = all.values.len();
+        if available < self.count {
+            return Err(ModesError::TooMany { asked: self.count, available });
+        }
+        (self.ritz, self.is_exhausted) = (all, true);
         Ok(())
     }
 

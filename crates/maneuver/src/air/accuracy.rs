@@ -31,7 +31,10 @@ impl Accuracy {
     }
 }
 
-/// The largest modulus of each entry of `rows` times the pressures, over all samples.
+/// Entries of a smaller share of their row's largest are rounding: loads that symmetry or a rigid part keeps at zero.
+const ROUNDING: f64 = 1e-9;
+
+/// The largest modulus of each entry of `rows` times the pressures, over all samples; zero for rounding.
 pub fn largest<'a>(rows: MatRef<'_, f64>, samples: impl Iterator<Item = &'a Mat<c64>>) -> Mat<f64> {
     let mut size = Mat::zeros(0, 0);
     for cp in samples {
@@ -40,6 +43,12 @@ pub fn largest<'a>(rows: MatRef<'_, f64>, samples: impl Iterator<Item = &'a Mat<
             size = Mat::zeros(value.nrows(), value.ncols());
         }
         grow(&mut size, &value);
+    }
+    for i in 0..size.nrows() {
+        let least = ROUNDING * size.row(i).iter().copied().fold(0.0, f64::max);
+        for entry in size.row_mut(i).iter_mut().filter(|entry| **entry < least) {
+            *entry = 0.0;
+        }
     }
     size
 }

@@ -248,15 +248,30 @@ fn a_large_structure_with_many_copies_of_a_frequency_has_them_all() {
     let (k, m) = (diagonal(&|dof| 2.0 * square(dof)), diagonal(&|_| 2.0));
     let ids = (1..=190).collect();
     let system = System::from_matrices(ids, vec![Point3::origin(); nodes], k.as_ref(), m.as_ref(), &[]);
-    assert!(Search::new(&system, system.mass(), 10, None, 0, 0.0, held(&system)).is_large);
+    let way = |count| Search::new(&system, system.mass(), count, None, 0, 0.0, held(&system)).way;
+    assert_eq!(way(10), Way::Lanczos);
     for count in [10, 14] {
         let modes = normal_modes(&system, count).expect("modes");
         for (at, omega) in modes.omega_rad_s.iter().enumerate() {
             assert!((omega.powi(2) / square(at) - 1.0).abs() < 1e-10, "{count}: {at} {omega}");
         }
     }
-    assert!(
-        !Search::new(&system, system.mass(), 200, None, 0, 0.0, held(&system)).is_large,
-        "many are swept"
-    );
+    assert_eq!(way(200), Way::Rotations);
+}
+
+#[test]
+fn many_modes_of_a_small_structure_that_is_held_come_from_rotations() {
+    let cases = [
+        (Way::of(1500, 188, 0.0, true), Way::Rotations),
+        (Way::of(1501, 188, 0.0, true), Way::Sweeps),
+        (Way::of(1500, 188, 0.0, false), Way::Sweeps),
+        (Way::of(1500, 188, 1.0, true), Way::Sweeps),
+        (Way::of(1500, 187, 0.0, true), Way::Lanczos),
+        (Way::of(1500, 187, 1.0, true), Way::Sweeps),
+        (Way::of(1000, 125, 0.0, true), Way::Sweeps),
+        (Way::of(1000, 126, 0.0, true), Way::Rotations),
+    ];
+    for (at, (way, expected)) in cases.into_iter().enumerate() {
+        assert_eq!(way, expected, "{at}");
+    }
 }

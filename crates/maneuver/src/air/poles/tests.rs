@@ -51,6 +51,18 @@ fn entries_are_what_is_beyond_the_steady_answer_over_its_largest_modulus() {
     }
 }
 
+/// A row that symmetry keeps at zero for the second motion has a trillionth of its first one's load there, of any phase.
+#[test]
+fn rounding_chooses_no_poles() {
+    let data = |second: f64| {
+        let cp = |k: f64| Mat::from_fn(1, 2, |_, j| c64::new(1.0, k) * if j == 0 { 1.0 } else { second });
+        let table = AirTable { omega_over_v_per_m: vec![0.5, 1.0], cp: vec![cp(0.3), cp(0.7)] };
+        Entries::new(&table, Mat::zeros(1, 2).as_ref(), Mat::full(1, 1, 1.0).as_ref()).data
+    };
+    let is_there = |second: f64| data(second).col(1).iter().any(|value| *value != 0.0);
+    assert!(is_there(1e-8) && !is_there(1e-12) && !is_there(0.0));
+}
+
 /// Weights at frequencies 1 and 2 are 1/.9 and 1/1.4: what is at right angles to p and p² is all misfit.
 #[test]
 fn a_misfit_is_the_sum_of_sixth_powers_of_the_largest_differences() {
