@@ -176,16 +176,16 @@ impl<'a> SoFar<'a, '_> {
             best.name(),
             best.evidence
         ));
+        let right = match instead {
+            Some(_) => naming.odds,
+            None => naming.confidence(share, !confused_with.is_empty()),
+        };
         self.outcome.found.push(Found {
             active: best.refit.active.clone(),
             sigma: best.refit.sigma_with_form(naming),
             evidence: best.evidence,
             named_at: best.evidence,
-            confidence: if instead.is_some() {
-                naming.odds
-            } else {
-                naming.confidence(share, !confused_with.is_empty(), !self.outcome.found.is_empty())
-            },
+            confidence: if self.outcome.found.is_empty() { right } else { naming.right_beside * right },
             rivals: confused_with.iter().filter_map(|name| fitted(&ranked, name)).collect(),
             confused_with,
             considered: ranked.iter().filter(considered).map(Ranked::name).collect(),

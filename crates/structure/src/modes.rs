@@ -1,7 +1,7 @@
 //! Natural modes: K x = omega^2 M x, proven complete by a pivot count.
 //!
-//! A few modes of a large structure by block Lanczos (`lanczos.rs`), many of a small one by Jacobi rotations (`jacobi.rs`); else by Bathe's subspace iteration (*Finite Element
-//! Procedures*, ch. 11), each sweep over a short block Krylov space (`subspace.rs`). The start has no symmetry: fixed noise, or
+//! A few modes of a large structure by block Lanczos (`lanczos.rs`), many of a small one by Jacobi rotations (`jacobi.rs`); else
+//! by Bathe's subspace iteration (*Finite Element Procedures*, ch. 11), each sweep over a short block Krylov space (`subspace.rs`). The start has no symmetry: fixed noise, or
 //! the motions of least stiffness that the factor found from it. A structure that can move freely is held where its rigid motions
 //! move, which does nothing to loads without a resultant, and everything is kept orthogonal to those motions; should that not
 //! converge, it is factorised as K + s M, where s goes down to the first elastic eigenvalue as soon as that shows. After convergence

@@ -100,13 +100,12 @@ rules! {
 }
 
 impl NamingRules {
-    /// How often a name with this share of draws was right, the only one or beside others.
-    pub fn confidence(&self, share: f64, has_rivals: bool, is_beside: bool) -> f64 {
+    /// How often a name with this share of draws was right.
+    pub fn confidence(&self, share: f64, has_rivals: bool) -> f64 {
         let table = if has_rivals { &self.right_with_rivals } else { &self.right_alone };
         let above = table.partition_point(|(x, _)| *x < share).clamp(1, table.len() - 1);
         let ((x0, y0), (x1, y1)) = (table[above - 1], table[above]);
-        let right = y0 + (y1 - y0) * (share - x0) / (x1 - x0);
-        if is_beside { self.right_beside * right } else { right }
+        y0 + (y1 - y0) * (share - x0) / (x1 - x0)
     }
 }
 

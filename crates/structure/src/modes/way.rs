@@ -2,10 +2,12 @@
 
 use crate::factor;
 
-/// Structures of more than [`factor::SMALL`] motions are searched by block Lanczos, if no more than this part of the modes is asked for.
+/// Structures of more than [`factor::SMALL`] motions are searched by block Lanczos, if no more than this part of the modes
+/// is asked for.
 const FEW: usize = 8;
 
-/// Structures of no more motions that are held have all their modes computed at once, if more than that part is asked for: a second for 600, a quarter of a minute for the most.
+/// Structures of no more motions that are held have all their modes computed at once, if more than that part is asked for:
+/// a second for 600 motions, half a minute for the most.
 const ALL: usize = 1500;
 
 /// How modes are computed.
