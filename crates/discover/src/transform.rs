@@ -3,14 +3,6 @@
 //! The orthonormal DCT-II of N samples; coefficient k belongs to the frequency k/(2 N dt). White noise of standard
 //! deviation sigma gives coefficients of standard deviation sigma.
 
-use rustdct::DctPlanner;
-use std::cell::RefCell;
-
-thread_local! {
-    /// Plans are made once a length.
-    static PLANNER: RefCell<DctPlanner<f64>> = RefCell::new(DctPlanner::new());
-}
-
 /// Coefficients up to a frequency, Hz.
 pub fn cosines(values: &[f64], time_step_s: f64, highest_hz: f64) -> Vec<f64> {
     let mut all = every_cosine(values);
@@ -27,7 +19,7 @@ pub fn every_cosine(values: &[f64]) -> Vec<f64> {
         return Vec::new();
     }
     let mut all = values.to_vec();
-    PLANNER.with_borrow_mut(|planner| planner.plan_dct2(n)).process_dct2(&mut all);
+    fourier::cosines(&mut all);
     let (first, others) = ((1.0 / n as f64).sqrt(), (2.0 / n as f64).sqrt());
     all.iter_mut().enumerate().for_each(|(k, value)| *value *= if k == 0 { first } else { others });
     all

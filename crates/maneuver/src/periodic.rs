@@ -1,14 +1,7 @@
 //! Records as one period of a periodic signal: continued beyond their end until all is at rest again, and filtered.
 
 use faer::c64;
-use rustfft::FftPlanner;
-use std::cell::RefCell;
 use std::f64::consts::{PI, TAU};
-
-thread_local! {
-    /// Plans are made once a length.
-    pub(crate) static PLANNER: RefCell<FftPlanner<f64>> = RefCell::new(FftPlanner::new());
-}
 
 /// How long a signal that was filtered has to come to rest, s.
 const FILTERED_REST_S: f64 = 1.0;
@@ -21,10 +14,8 @@ pub(crate) fn filtered(values: &[f64], time_step_s: f64, response: impl Fn(f64) 
         return values.to_vec();
     }
     let length = fast_length(values.len() + steps(RETURN_S + FILTERED_REST_S, time_step_s));
-    let (forward, backward) = PLANNER
-        .with_borrow_mut(|planner| (planner.plan_fft_forward(length), planner.plan_fft_inverse(length)));
     let mut spectrum: Vec<c64> = continued(values, length, time_step_s).into_iter().map(c64::from).collect();
-    forward.process(&mut spectrum);
+    fourier::forward(&mut spectrum);
     let step_rad_s = TAU / (length as f64 * time_step_s);
     for bin in 0..=length / 2 {
         let factor = response(bin as f64 * step_rad_s);
@@ -37,7 +28,7 @@ pub(crate) fn filtered(values: &[f64], time_step_s: f64, response: impl Fn(f64) 
             }
         }
     }
-    backward.process(&mut spectrum);
+    fourier::backward(&mut spectrum);
     let scale = 1.0 / length as f64;
     spectrum[..values.len()].iter().map(|value| values[0] + scale * value.re).collect()
 }

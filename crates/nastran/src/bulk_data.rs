@@ -63,7 +63,7 @@ pub(crate) trait Change {
 macro_rules! kinds {
     ($($field:ident: $cards:ty, $family:ident, [$($name:literal),*];)*) => {
         /// What a deck says. Maps are in ascending identification numbers, which is Nastran's own order.
-        #[derive(Debug, Clone, Default, PartialEq)]
+        #[derive(Debug, Default, PartialEq)]
         pub struct BulkData {
             $(#[doc = concat!($($name, ", "),*, "in file order or by number or name.")]
             pub $field: $cards,)*
@@ -79,6 +79,21 @@ macro_rules! kinds {
             pub air_errors: Vec<InputError>,
             /// Cards that are not read, by name.
             pub unknown: BTreeMap<String, Unread>,
+        }
+
+        // Derived code would be compiled again, with the maps of all kinds, in every crate that copies a deck.
+        impl Clone for BulkData {
+            fn clone(&self) -> Self {
+                Self {
+                    $($field: self.$field.clone(),)*
+                    parameters: self.parameters.clone(),
+                    matrices: self.matrices.clone(),
+                    subcases: self.subcases.clone(),
+                    added: self.added.clone(),
+                    air_errors: self.air_errors.clone(),
+                    unknown: self.unknown.clone(),
+                }
+            }
         }
 
         /// Every kind of cards.

@@ -12,6 +12,7 @@ use wingroot::failure::Failure;
 /// Every package of ours and the packages of ours it may depend on, in code and tests.
 const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("nastran", &[]),
+    ("fourier", &[]),
     ("report", &[]),
     ("shipped", &[]),
     ("truth", &[]),
@@ -21,10 +22,10 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("aero", &["nastran"]),
     ("coupling", &["nastran", "structure", "aero"]),
     ("calibrate", &["nastran", "structure", "aero", "coupling"]),
-    ("maneuver", &["nastran", "structure", "aero", "coupling"]),
+    ("maneuver", &["nastran", "fourier", "structure", "aero", "coupling"]),
     ("fullaircraft", &["nastran", "loads", "structure", "aero", "coupling", "maneuver"]),
     ("free", &["nastran", "response"]),
-    ("discover", &["nastran", "aero", "coupling", "calibrate", "maneuver", "response"]),
+    ("discover", &["nastran", "fourier", "aero", "coupling", "calibrate", "maneuver", "response"]),
     ("tunnel", &["nastran", "structure", "aero", "coupling", "calibrate", "maneuver"]),
     ("hidden", &["nastran", "structure", "aero", "coupling", "maneuver", "tunnel", "discover", "truth"]),
     (
@@ -85,6 +86,8 @@ const ONLY_IN: &[(&str, &[&str])] = &[
         &["calibrate", "tunnel", "loads", "response", "discover", "free", "hidden", "truth", "xtask"],
     ),
     ("rand_distr", &["calibrate", "tunnel", "loads", "response", "discover", "hidden", "truth", "xtask"]),
+    ("rustfft", &["fourier"]),
+    ("rustdct", &["fourier"]),
     ("flate2", &["shipped"]),
     ("tar", &["shipped"]),
     ("ode_solvers", &["fullaircraft"]),

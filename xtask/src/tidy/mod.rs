@@ -1,6 +1,7 @@
 //! The house rules that no compiler checks; `cargo xtask tidy` and a test in `xtask/tests` run them.
 //!
 //! - [`imports`]: a crate imports only what the table of the architecture allows.
+//! - [`features`]: what is built alone is compiled as with all tests.
 //! - [`sources`]: every source file says what it is, stays short, prints nothing and skips no test.
 //! - [`parameters`]: no parameter is a tuple of references.
 //! - [`effect_names`]: an effect is asked for by name in its own file only.
@@ -18,6 +19,7 @@ mod complaint;
 pub mod decisions;
 pub mod documents;
 pub mod effect_names;
+pub mod features;
 pub mod imports;
 pub mod lines;
 pub mod modules;
@@ -31,10 +33,11 @@ pub use complaint::Complaint;
 /// All complaints about the repository at `root`, sorted by place.
 ///
 /// # Errors
-/// If `cargo metadata` does not run or a file cannot be read.
+/// If cargo does not run or a file cannot be read.
 pub fn check(root: &Path) -> Result<Vec<Complaint>, Failure> {
     let packages = imports::packages(root)?;
     let mut complaints = imports::check(&packages);
+    complaints.extend(features::check(root)?);
     complaints.extend(sources::check(root)?);
     complaints.extend(suites::check(root)?);
     let sources = parsed::sources(root)?;

@@ -6,7 +6,7 @@
 //! answer from rest. Drives are band limited between samples (their continuation is smooth).
 
 use super::{Constants, ReducedOrderModel};
-use crate::periodic::{PLANNER, RETURN_S, continued, fast_length, steps};
+use crate::periodic::{RETURN_S, continued, fast_length, steps};
 use faer::{Mat, c64};
 use std::f64::consts::{PI, TAU};
 
@@ -72,8 +72,6 @@ impl ResponseTable {
             return self.rest.iter().map(|_| Vec::new()).collect();
         };
         let length = fast_length(samples + steps(RETURN_S + self.rest_s, time_step_s));
-        let (forward, backward) = PLANNER
-            .with_borrow_mut(|planner| (planner.plan_fft_forward(length), planner.plan_fft_inverse(length)));
         let moving: Vec<&(usize, &[f64])> =
             drives.iter().filter(|(_, values)| values.iter().any(|value| *value != values[0])).collect();
         let spectra: Vec<Vec<c64>> = moving
@@ -84,14 +82,14 @@ impl ResponseTable {
                     let values = continued(values, length, time_step_s);
                     both.iter_mut().zip(values).for_each(|(both, value)| *both += one * value);
                 }
-                forward.process(&mut both);
+                fourier::forward(&mut both);
                 parted(&both, pair.len())
             })
             .collect();
         let columns: Vec<usize> = moving.iter().map(|(column, _)| *column).collect();
         let mut outputs = self.answered(&columns, &spectra, length, time_step_s);
         for both in &mut outputs {
-            backward.process(both);
+            fourier::backward(both);
         }
         let scale = 1.0 / length as f64;
         let first = &self.responses[0];
