@@ -180,12 +180,13 @@ impl<'a> SoFar<'a, '_> {
             Some(_) => naming.odds,
             None => naming.confidence(share, !confused_with.is_empty()),
         };
+        let is_first = self.outcome.found.is_empty();
         self.outcome.found.push(Found {
             active: best.refit.active.clone(),
             sigma: best.refit.sigma_with_form(naming),
             evidence: best.evidence,
             named_at: best.evidence,
-            confidence: if self.outcome.found.is_empty() { right } else { naming.right_beside * right },
+            confidence: right * if is_first { 1.0 } else { naming.share_beside(best.evidence) },
             rivals: confused_with.iter().filter_map(|name| fitted(&ranked, name)).collect(),
             confused_with,
             considered: ranked.iter().filter(considered).map(Ranked::name).collect(),

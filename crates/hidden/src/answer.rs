@@ -1,7 +1,8 @@
 //! The answer of a case, kept apart from its campaign and read by the scorer alone.
 
+use crate::class::Class;
 use crate::effects::{Role, kind};
-use crate::plan::{CasePlan, Class, Defect};
+use crate::plan::{CasePlan, Defect};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

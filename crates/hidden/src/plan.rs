@@ -1,76 +1,10 @@
 //! What is hidden in which case: a list that follows from a seed and a mix alone.
 
+use crate::class::{Class, Mix};
 use crate::effects::{KINDS, Kind, Parameter, Role, Sign, kind};
 use crate::random::{Random, Stream};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-
-/// What kind of case.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Class {
-    /// Nothing hidden.
-    Null,
-    /// One effect of any size.
-    Single,
-    /// One effect, scaled to a small detectability.
-    Weak,
-    /// Two effects.
-    Pair,
-    /// An effect that no library has.
-    OutOfLibrary,
-    /// An effect that is to be removed from the library.
-    LeftOut,
-    /// One of two that are easily taken for each other.
-    LookAlike,
-    /// Data at fault.
-    Defect,
-    /// Joiner and ailerons, as measured wings have them.
-    Paper,
-}
-
-/// Shares of the classes.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Mix(pub Vec<(Class, f64)>);
-
-impl Default for Mix {
-    /// A third nulls.
-    fn default() -> Self {
-        Self(vec![
-            (Class::Null, 34.0),
-            (Class::Single, 30.0),
-            (Class::Weak, 9.0),
-            (Class::Pair, 8.0),
-            (Class::LeftOut, 6.0),
-            (Class::OutOfLibrary, 4.0),
-            (Class::LookAlike, 4.0),
-            (Class::Defect, 3.0),
-            (Class::Paper, 2.0),
-        ])
-    }
-}
-
-impl Mix {
-    /// One class alone.
-    pub fn only(class: Class) -> Self {
-        Self(vec![(class, 1.0)])
-    }
-
-    /// Classes of the first `count` cases, each with its number within the class: always the class that is furthest behind
-    /// its share, so that a shorter list is the beginning of a longer one.
-    fn classes(&self, count: usize) -> Vec<(Class, usize)> {
-        let whole: f64 = self.0.iter().map(|(_, share)| share).sum();
-        let mut given = vec![0_usize; self.0.len()];
-        (1..=count)
-            .filter_map(|so_far| {
-                let behind = |i: usize| self.0[i].1 / whole * so_far as f64 - given[i] as f64;
-                let next = (0..self.0.len()).reduce(|a, b| if behind(b) > behind(a) { b } else { a })?;
-                given[next] += 1;
-                Some((self.0[next].0, given[next] - 1))
-            })
-            .collect()
-    }
-}
 
 /// A fault of the data.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -251,6 +185,8 @@ const SINGLES: [&str; 29] = [
     "inplane_force",
     "large_deflection",
 ];
+/// The paper's effects.
+const PAPER: [&[&str]; 3] = [&["joiner_inertia"], &["ctl_saturation"], &["joiner_inertia", "ctl_saturation"]];
 /// What no library has; the second is removed from it.
 const OUTSIDE: [&str; 4] = ["mx_alpha_squared", "ctl_asym", "shedding_tone", "balance_creep"];
 
@@ -281,9 +217,8 @@ fn draw(list_seed: u64, index: usize, class: Class, number: usize) -> CasePlan {
         }
         Class::OutOfLibrary => vec![in_turn(&OUTSIDE)],
         Class::LookAlike => LOOK_ALIKES[number % LOOK_ALIKES.len()].to_vec(),
-        Class::Paper => [&["joiner_inertia"][..], &["ctl_saturation"], &["joiner_inertia", "ctl_saturation"]]
-            [number % 3]
-            .to_vec(),
+        Class::Paper => PAPER[number % 3].to_vec(),
+        Class::PaperPair => PAPER[2].to_vec(),
     };
     let effects = names.iter().filter_map(|name| kind(name)).map(|kind| hide(kind, class, &mut random));
     CasePlan {
@@ -305,12 +240,12 @@ fn draw(list_seed: u64, index: usize, class: Class, number: usize) -> CasePlan {
 }
 
 fn hide(kind: &Kind, class: Class, random: &mut Random) -> Hidden {
-    let value = |(place, parameter): (usize, &Parameter)| match (class, kind.name, place) {
+    let value = |(place, parameter): (usize, &Parameter)| match (class.is_of_paper(), kind.name, place) {
         // a joiner of .15 kg m2, a little ahead of the axis and above it; ailerons that lose a quarter at 25 degrees
-        (Class::Paper, "joiner_inertia", 0) => 0.15 * random.log_uniform(0.9, 1.1),
-        (Class::Paper, "joiner_inertia", 1) => -0.115 * random.log_uniform(0.8, 1.25),
-        (Class::Paper, "joiner_inertia", _) => 0.1 * random.log_uniform(0.8, 1.25),
-        (Class::Paper, "ctl_saturation", 0) => 2.5 * random.log_uniform(0.8, 1.25),
+        (true, "joiner_inertia", 0) => 0.15 * random.log_uniform(0.9, 1.1),
+        (true, "joiner_inertia", 1) => -0.115 * random.log_uniform(0.8, 1.25),
+        (true, "joiner_inertia", _) => 0.1 * random.log_uniform(0.8, 1.25),
+        (true, "ctl_saturation", 0) => 2.5 * random.log_uniform(0.8, 1.25),
         _ => draw_value(parameter, class, random),
     };
     Hidden { name: kind.name.to_owned(), values: kind.parameters.iter().enumerate().map(value).collect() }
@@ -382,6 +317,20 @@ mod tests {
             assert!(singles.filter(|case| case.effects[0].name == name).count() >= 5, "{name}");
         }
         assert!(OUTSIDE.iter().chain(LOOK_ALIKES.iter().copied().flatten()).all(|name| kind(name).is_some()));
+    }
+
+    #[test]
+    fn a_list_of_one_class_has_that_class_alone_and_is_named_as_in_results() {
+        let class: Class = "paper_pair".parse().unwrap_or_else(|error: String| panic!("{error}"));
+        let pairs = cases(3, 4, &Mix::only(class));
+        for pair in &pairs {
+            assert_eq!(pair.class, Class::PaperPair);
+            let names: Vec<&str> = pair.effects.iter().map(|hidden| hidden.name.as_str()).collect();
+            assert_eq!(names, ["joiner_inertia", "ctl_saturation"]);
+        }
+        assert_ne!(pairs[0].effects, pairs[1].effects);
+        let refused = "pairs".parse::<Class>().map_err(|error| error.contains("`pair`"));
+        assert_eq!(refused, Err(true));
     }
 
     #[test]

@@ -86,8 +86,8 @@ rules! {
         right_alone: [(f64, f64); 5] = [(0.0, 0.4), (0.45, 0.85), (0.7, 0.95), (0.9, 0.97), (1.0, 0.985)], "", Measured("development cases of the blind benchmark, corrections from other static points");
         /// The same where rivals are close.
         right_with_rivals: [(f64, f64); 5] = [(0.0, 0.3), (0.5, 0.58), (0.7, 0.6), (0.85, 0.85), (1.0, 0.97)], "", Measured("as `right_alone`");
-        /// Of that, how much holds of an effect that is named beside others: what it is ranked by may be what the form of the others lacks.
-        right_beside: f64 = 0.7, "", Measured("development cases of both truths of the blind benchmark, seed 430000");
+        /// Log Bayes factor of an effect beside others, and how much of that confidence holds of it: straight in the logarithm between. With little it may be what the form of the others lacks.
+        right_beside: [(f64, f64); 2] = [(100.0, 0.5), (500.0, 1.0)], "log Bayes factor, share", Measured("development cases of both truths of the blind benchmark, seeds 430000 and 440000");
         /// The best effect is not named if it explains less than this share of the misfit that is too much.
         explained: f64 = 0.1, "", Unknown;
         /// None is named if all that were found explain less than this share of it.
@@ -106,6 +106,29 @@ impl NamingRules {
         let above = table.partition_point(|(x, _)| *x < share).clamp(1, table.len() - 1);
         let ((x0, y0), (x1, y1)) = (table[above - 1], table[above]);
         y0 + (y1 - y0) * (share - x0) / (x1 - x0)
+    }
+
+    /// How much of that holds of an effect that is named beside others with this log Bayes factor.
+    pub fn share_beside(&self, evidence: f64) -> f64 {
+        let [(least, low), (sure, high)] = self.right_beside;
+        let part = (evidence.max(least) / least).ln() / (sure / least).ln();
+        low + (high - low) * part.min(1.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_named_beside_others_is_believed_by_its_evidence() {
+        let rules = NamingRules::default();
+        let [(least, low), (sure, high)] = rules.right_beside;
+        assert_eq!([least, low, high], [rules.beside_others, 0.5, 1.0]);
+        let shares = [0.1, least, (least * sure).sqrt(), sure, 1e6].map(|e| rules.share_beside(e));
+        for (share, expected) in shares.into_iter().zip([low, low, 0.75, high, high]) {
+            assert!((share - expected).abs() < 1e-12, "{shares:?}");
+        }
     }
 }
 

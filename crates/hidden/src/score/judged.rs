@@ -2,8 +2,8 @@
 
 use super::families::Families;
 use crate::answer::Answer;
+use crate::class::Class;
 use crate::effects::kind;
-use crate::plan::Class;
 use discover::result::{DiscoverResult, NamedEffect};
 use discover::verdict::VerdictKind;
 

@@ -15,6 +15,7 @@ pub use metric::{Metric, Metrics};
 pub use wilson::wilson;
 
 use crate::answer::Answer;
+use crate::class::Class;
 use discover::result::DiscoverResult;
 use judged::Judged;
 use schemars::JsonSchema;
@@ -28,6 +29,9 @@ pub struct BenchmarkResult {
     pub command: String,
     /// Seed of the list of cases.
     pub seed: u64,
+    /// The one class of all cases, if they are of one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub class: Option<Class>,
     /// A: corrections from static points without the effects; B: from each case's own.
     pub track: String,
     /// Which program made the campaigns: `doublet`, the model's library with another mesh, or `vortex`, one of its own.

@@ -2,7 +2,7 @@
 
 use super::judged::Judged;
 use super::metric::Metric;
-use crate::plan::Class;
+use crate::class::Class;
 use discover::verdict::VerdictKind;
 use std::collections::BTreeMap;
 
@@ -76,7 +76,7 @@ fn singles(cases: &[Judged<'_>], put: &mut impl FnMut(&str, Metric) -> Option<Me
             as f64
     };
     put("extra_names", Metric::mean(&all.iter().map(extra).collect::<Vec<f64>>()));
-    let paper = |case: &Judged<'_>| case.answer.class == Class::Paper;
+    let paper = |case: &Judged<'_>| case.answer.class.is_of_paper();
     let paper = chosen(cases, paper);
     put("paper_exact", Metric::share_of(&paper, |case| case.is_exact()));
 }

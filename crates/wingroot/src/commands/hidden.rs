@@ -30,6 +30,7 @@ use crate::{progress, show};
   wingroot hidden --cases 20
   wingroot hidden --cases 600 --seed 2000000
   wingroot hidden --truth vortex --cases 40
+  wingroot hidden --class paper_pair --cases 40
 
 Seeds below 1000000 are for development, below 2000000 for thresholds, from there for tests. Verdicts are
 kept in out/hidden.cases and answers in out/hidden.sealed (of vortices in out/hidden_vortex.*), so that a run that was
@@ -44,6 +45,9 @@ pub struct HiddenArgs {
     /// Which program makes the campaigns
     #[arg(long, value_enum, default_value_t = Truth::DoubletLattice)]
     pub(crate) truth: Truth,
+    /// Cases of one class alone, such as null, single, paper_pair or out_of_library; the first N of all classes otherwise
+    #[arg(long, value_name = "CLASS")]
+    pub(crate) class: Option<Class>,
     /// Judge no case, score those that were judged before
     #[arg(long)]
     pub(crate) finished: bool,
@@ -83,7 +87,7 @@ pub fn timed_case(folder: &Path) -> Result<Timed, Failure> {
         HiddenArgs::default().setting("bench".to_owned()),
         &Common { quiet: true, ..Common::default() },
         |judge, bench| {
-            let plan = cases(FIRST_SEED, 3, &Mix::only(Class::Paper)).remove(2);
+            let plan = cases(FIRST_SEED, 1, &Mix::only(Class::PaperPair)).remove(0);
             let case = judge.written(&bench.case(&plan), "case")?;
             let start = Instant::now();
             let prepared = judge.read(&case, &plan)?;
@@ -128,6 +132,7 @@ pub(crate) fn run(args: &HiddenArgs, common: &Common) -> Result<(), Failure> {
     let result = BenchmarkResult {
         command: "hidden".to_owned(),
         seed,
+        class: args.class,
         track: if args.own_static_points { "B" } else { "A" }.to_owned(),
         truth: args.truth.name().to_owned(),
         gates: gates(&metrics),
@@ -205,12 +210,13 @@ impl Session<'_> {
     }
 
     fn plans(&self) -> Vec<CasePlan> {
-        cases(self.seed, self.args.cases, &Mix::default())
+        cases(self.seed, self.args.cases, &self.args.class.map_or_else(Mix::default, Mix::only))
     }
 
     /// What a case is called in the stores.
     fn name(&self, index: usize) -> String {
-        format!("{}_{index:05}", self.seed)
+        let class = self.args.class.map_or_else(String::new, |class| format!("_{class:?}"));
+        format!("{}{class}_{index:05}", self.seed)
     }
 
     /// All cases; what one costs is not known before it is judged.
@@ -269,7 +275,8 @@ impl Session<'_> {
 fn summary(result: &BenchmarkResult, out: &Path) -> String {
     let BenchmarkResult { scored, seconds, .. } = result;
     let mut table = report::Table::new(&["gate", "limit", "value", "95 %", "n", "reached"]);
-    for gate in &result.gates {
+    // of one class alone most have no cases
+    for gate in result.gates.iter().filter(|gate| gate.value.is_some()) {
         let metric = scored.metrics.get(&gate.metric);
         let number = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| format!("{value:.3}"));
         table.row([

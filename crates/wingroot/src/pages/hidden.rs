@@ -36,8 +36,9 @@ fn page_of(result: &BenchmarkResult) -> Page {
         title: "The blind benchmark of discover".into(),
         lead: vec![
             format!(
-                "{} campaigns of {} and other forms of every effect, each with a known effect hidden or none, track {}, seed {}.",
+                "{} campaigns{} of {} and other forms of every effect, each with a known effect hidden or none, track {}, seed {}.",
                 scored.cases,
+                result.class.map_or_else(String::new, |class| format!(" of the class {class:?}")),
                 made_by(&result.truth),
                 result.track,
                 result.seed

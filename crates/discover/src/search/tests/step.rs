@@ -73,7 +73,7 @@ fn effects_that_are_close_are_listed_beside_it_as_they_were_fitted() {
     let [one, two] = &so_far.outcome.found[..] else { panic!("two effects") };
     close(two.named_at, evidence(3.9, 1.0));
     let naming = known.setting().rules().naming.clone();
-    close(two.confidence, naming.right_beside * naming.right_alone[4].1);
+    close(two.confidence, naming.share_beside(two.named_at) * naming.right_alone[4].1);
     close(one.named_at, at);
     close(one.evidence, evidence(4.0, 1.0));
     assert_eq!(so_far.outcome.first_ranking.len(), 2);
