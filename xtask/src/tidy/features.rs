@@ -3,8 +3,8 @@
 
 use std::collections::BTreeSet;
 use std::path::Path;
-use std::process::Command;
 
+use super::cargo;
 use super::complaint::Complaint;
 use wingroot::failure::Failure;
 
@@ -36,21 +36,9 @@ fn apart(package: &str, alone: &BTreeSet<String>, together: &BTreeSet<String>) -
 
 /// Every library with its version and features.
 fn libraries(root: &Path, which: &[&str]) -> Result<BTreeSet<String>, Failure> {
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let output = Command::new(cargo)
-        .args(["tree", "--offline", "--prefix", "none", "--format", "{p} [{f}]"])
-        .args(which)
-        .current_dir(root)
-        .output()
-        .map_err(|error| Failure::Computation(format!("cargo tree does not run: {error}")))?;
-    if !output.status.success() {
-        let complaint = String::from_utf8_lossy(&output.stderr).into_owned();
-        return Err(Failure::Computation(format!("cargo tree failed: {complaint}")));
-    }
-    Ok(String::from_utf8_lossy(&output.stdout)
-        .lines()
-        .map(|line| line.trim_end_matches(" (*)").to_owned())
-        .collect())
+    let every = ["tree", "--offline", "--prefix", "none", "--format", "{p} [{f}]"];
+    let said = cargo::said(root, &[&every[..], which].concat())?;
+    Ok(String::from_utf8_lossy(&said).lines().map(|line| line.trim_end_matches(" (*)").to_owned()).collect())
 }
 
 #[cfg(test)]

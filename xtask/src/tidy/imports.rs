@@ -2,10 +2,10 @@
 //! optimiser, nor any analysis of the virtual wind tunnel's answers, if their manifests do not list them.
 
 use std::path::Path;
-use std::process::Command;
 
 use serde_json::Value;
 
+use super::cargo;
 use super::complaint::Complaint;
 use wingroot::failure::Failure;
 
@@ -118,17 +118,8 @@ pub struct Package {
 /// # Errors
 /// If cargo does not run or answers something unexpected.
 pub fn packages(root: &Path) -> Result<Vec<Package>, Failure> {
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let output = Command::new(cargo)
-        .args(["metadata", "--no-deps", "--offline", "--format-version", "1"])
-        .current_dir(root)
-        .output()
-        .map_err(|error| Failure::Computation(format!("cargo metadata does not run: {error}")))?;
-    if !output.status.success() {
-        let complaint = String::from_utf8_lossy(&output.stderr).into_owned();
-        return Err(Failure::Computation(format!("cargo metadata failed: {complaint}")));
-    }
-    let metadata: Value = serde_json::from_slice(&output.stdout).map_err(Failure::computation)?;
+    let said = cargo::said(root, &["metadata", "--no-deps", "--offline", "--format-version", "1"])?;
+    let metadata: Value = serde_json::from_slice(&said).map_err(Failure::computation)?;
     let list = metadata["packages"]
         .as_array()
         .ok_or_else(|| Failure::computation("cargo metadata lists no packages"))?;

@@ -14,6 +14,7 @@ use std::path::Path;
 
 use wingroot::failure::Failure;
 
+mod cargo;
 pub mod circles;
 mod complaint;
 pub mod decisions;

@@ -87,7 +87,7 @@ pub fn timed_case(folder: &Path) -> Result<Timed, Failure> {
         HiddenArgs::default().setting("bench".to_owned()),
         &Common { quiet: true, ..Common::default() },
         |judge, bench| {
-            let plan = cases(FIRST_SEED, 1, &Mix::only(Class::PaperPair)).remove(0);
+            let plan = cases(FIRST_SEED, 3, &Mix::only(Class::Paper)).remove(2);
             let case = judge.written(&bench.case(&plan), "case")?;
             let start = Instant::now();
             let prepared = judge.read(&case, &plan)?;
