@@ -6,6 +6,7 @@ use aero::{AeroBox, AeroError, DlmSettings, DoubletLattice, KernelIntegral, Latt
 use aero::{influence, oscillatory};
 use faer::{Mat, c64};
 use nalgebra::Point3;
+use std::sync::Arc;
 
 const NONE: MirrorPlane = MirrorPlane::None;
 const WALL: MirrorPlane = MirrorPlane::Symmetric { y_m: 0.0 };
@@ -195,6 +196,22 @@ fn better_integrals_and_fits_agree_where_all_are_good() {
         });
     assert_same(&matrices[0], &matrices[1], 1e-4);
     assert_same(&matrices[2], &matrices[1], 5e-3);
+}
+
+#[test]
+fn factors_that_are_kept_are_solved_once_and_change_no_bit() {
+    let fresh = DoubletLattice::new(&swept(), WALL, MACH, &DlmSettings::default()).unwrap();
+    let keeping = fresh.clone().keeping_factors();
+    let first = keeping.at(KAPPA).unwrap();
+    assert!(Arc::ptr_eq(&first, &keeping.clone().at(KAPPA).unwrap()), "a copy knows them");
+    assert!(!Arc::ptr_eq(&first, &keeping.clone().without_kept_factors().at(KAPPA).unwrap()));
+    for kappa in [KAPPA, 0.5 * KAPPA] {
+        let w = incidences(&swept(), kappa);
+        let [kept, solved] =
+            [&keeping, &fresh].map(|lattice| lattice.at(kappa).unwrap().pressures(w.as_ref()));
+        assert_eq!(kept, solved, "{kappa}");
+    }
+    assert!(keeping.at(-1.0).is_err() && keeping.at(f64::NAN).is_err());
 }
 
 #[test]

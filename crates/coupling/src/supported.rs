@@ -149,10 +149,11 @@ impl SupportedStructure {
     /// `Gᵀ P`: loads on the s-set of box loads (two rows a box), column by column.
     pub fn gather(&self, p_k: MatRef<'_, f64>) -> Mat<f64> {
         let mut loads = Mat::zeros(self.size(), p_k.ncols());
-        for column in 0..p_k.ncols() {
-            for (row, entries) in self.spline_rows.iter().enumerate() {
+        for (column, p_k) in p_k.col_iter().enumerate() {
+            let loads = loads.col_as_slice_mut(column);
+            for (entries, p_k) in self.spline_rows.iter().zip(p_k.iter()) {
                 for &(dof, value) in entries {
-                    loads[(dof, column)] += value * p_k[(row, column)];
+                    loads[dof] += value * p_k;
                 }
             }
         }

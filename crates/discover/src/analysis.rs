@@ -21,9 +21,9 @@ use crate::spectral_lines::{SpectralLine, sentence, spectral_lines};
 use crate::stated_noise::{self, NoiseBand, beyond_stated};
 use crate::uncertain::uncertain;
 use calibrate::{Campaign, Schedule, Use};
-use coupling::{ByLoad, ElasticWing, WingFile};
-use maneuver::AirModel;
+use coupling::{ByLoad, CouplingError, ElasticWing, WingFile};
 use maneuver::effects::{Active, Effect, library_with};
+use maneuver::{AirModel, SharedAir};
 use std::sync::Arc;
 
 /// Why a campaign cannot be searched.
@@ -63,8 +63,10 @@ impl<'a> Rigs<'a> {
         rules: Rules,
     ) -> Result<Self, DiscoverError> {
         let how = &rules.variants;
-        let own = SplitRig::new(file, wing, AirModel::default(), how)?;
-        let mut variants = vec![SplitRig::new(file, wing, lag_variant(how), how)?];
+        let shared = SharedAir::of(wing, AirModel::default()).map_err(CouplingError::from);
+        let shared = shared.map_err(SimulatorError::from)?;
+        let own = SplitRig::in_air(file, wing, AirModel::default(), how, shared.as_ref())?;
+        let mut variants = vec![SplitRig::in_air(file, wing, lag_variant(how), how, shared.as_ref())?];
         variants.push(match lattice {
             Some(lattice) => SplitRig::on_lattice(lattice, kernel_variant(), how)?,
             None => SplitRig::new(file, wing, kernel_variant(), how)?,

@@ -10,7 +10,7 @@ use crate::data::Dataset;
 use crate::noise::Noise;
 use crate::rules::Rules;
 use crate::tolerance::Tolerance;
-use crate::transform::{count, every_cosine, frequency_hz};
+use crate::transform::{count, first_cosines, frequency_hz};
 use calibrate::Use;
 use coupling::{ByLoad, Load};
 use maneuver::effects::{Flown, Stimulus};
@@ -237,13 +237,12 @@ impl Kind {
 
     pub(crate) fn whitened(&self, loads: &[Vec<f64>; 3]) -> Vec<f64> {
         match self {
-            Self::Run { channels, sigma, .. } => channels
-                .iter()
-                .flat_map(|&c| {
-                    let all = every_cosine(&loads[c]);
-                    all.into_iter().zip(&sigma[c]).map(|(value, sigma)| value / sigma).collect::<Vec<f64>>()
-                })
-                .collect(),
+            Self::Run { channels, sigma, coefficients, .. } => {
+                let records: Vec<&[f64]> = channels.iter().map(|&c| loads[c].as_slice()).collect();
+                let all = first_cosines(&records, *coefficients);
+                let sigmas = channels.iter().flat_map(|&c| &sigma[c]);
+                all.into_iter().flatten().zip(sigmas).map(|(value, sigma)| value / sigma).collect()
+            }
             Self::Static { rows, sigma } => {
                 rows.iter().map(|&(c, i)| loads[c][i] / sigma[Load::ALL[c]]).collect()
             }
@@ -268,7 +267,7 @@ impl Kind {
                         (0..*samples).map(|i| by_s * slope(i) / (2.0 * time_step_s)).collect()
                     };
                     let whitened = |column: &[f64]| -> Vec<f64> {
-                        let all = every_cosine(column);
+                        let all = first_cosines(&[column], *coefficients).remove(0);
                         all.into_iter().zip(&sigma[c]).map(|(value, sigma)| value / sigma).collect()
                     };
                     let still = whitened(&vec![

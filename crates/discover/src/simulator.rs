@@ -9,7 +9,7 @@ use calibrate::Schedule;
 use coupling::{CouplingError, ElasticWing, Mount, WingFile};
 use maneuver::effects::{Active, Flown, Model, Stimulus, fly};
 use maneuver::rom::{ReducedOrderModel, StiffnessParts};
-use maneuver::{AirModel, DeflectionCorrection, Rig, RigError, RigSettings};
+use maneuver::{AirModel, DeflectionCorrection, Rig, RigError, RigSettings, SharedAir};
 use nastran::InputError;
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -63,8 +63,22 @@ impl<'a> SplitRig<'a> {
         air: AirModel,
         rules: &VariantRules,
     ) -> Result<Self, SimulatorError> {
+        Self::in_air(file, wing, air, rules, None)
+    }
+
+    /// The same with a doublet lattice that other rigs use, too, if it is the wing's own.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn in_air(
+        file: &'a WingFile,
+        wing: &'a ElasticWing,
+        air: AirModel,
+        rules: &VariantRules,
+        shared: Option<&SharedAir>,
+    ) -> Result<Self, SimulatorError> {
         let settings = RigSettings { modes: rules.modes, air, ..RigSettings::of_wing(file) };
-        let rig = Rig::new(wing, settings)?;
+        let rig = Rig::in_air(wing, settings, shared)?;
         let parts = StiffnessParts::new(&rig, &file.bulk(Mount::Tunnel)?)?;
         Ok(Self { file, wing, rig, parts, boxes: None })
     }

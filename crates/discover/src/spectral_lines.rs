@@ -10,7 +10,7 @@ use crate::channels::LOADS;
 use crate::data::Dataset;
 use crate::noise::pairs;
 use crate::rules::SpectralLineRules;
-use crate::transform::{every_cosine, frequency_hz};
+use crate::transform::{first_cosines, frequency_hz};
 use maneuver::effects::Flown;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -73,7 +73,7 @@ pub fn spectral_lines(data: &Dataset, simulated: &[Flown]) -> Vec<SpectralLine> 
 
 /// Adds the squares of a record's coefficients to their bins.
 fn pool(rules: &SpectralLineRules, bins: &mut Vec<(f64, usize)>, record: &[f64], time_step_s: f64) {
-    for (k, value) in every_cosine(record).into_iter().enumerate() {
+    for (k, value) in first_cosines(&[record], record.len()).remove(0).into_iter().enumerate() {
         let f_hz = frequency_hz(k, record.len(), time_step_s);
         if (rules.slowest_hz..rules.fastest * 0.5 / time_step_s).contains(&f_hz) {
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "not negative")]

@@ -5,23 +5,25 @@
 
 /// Coefficients up to a frequency, Hz.
 pub fn cosines(values: &[f64], time_step_s: f64, highest_hz: f64) -> Vec<f64> {
-    let mut all = every_cosine(values);
-    if !all.is_empty() {
-        all.truncate(count(values.len(), time_step_s, highest_hz));
-    }
-    all
+    first_cosines(&[values], count(values.len(), time_step_s, highest_hz)).remove(0)
 }
 
-/// All coefficients.
-pub fn every_cosine(values: &[f64]) -> Vec<f64> {
-    let n = values.len();
-    if n == 0 {
-        return Vec::new();
+/// The first `count` coefficients of records of one length, two of which are transformed in one; none of empty records.
+pub fn first_cosines(records: &[&[f64]], count: usize) -> Vec<Vec<f64>> {
+    let n = records.first().map_or(0, |record| record.len());
+    if n == 0 || count == 0 {
+        return vec![Vec::new(); records.len()];
     }
-    let mut all = values.to_vec();
-    fourier::cosines(&mut all);
-    let (first, others) = ((1.0 / n as f64).sqrt(), (2.0 / n as f64).sqrt());
-    all.iter_mut().enumerate().for_each(|(k, value)| *value *= if k == 0 { first } else { others });
+    let (mean, others) = ((1.0 / n as f64).sqrt(), (2.0 / n as f64).sqrt());
+    let nothing = vec![0.0; n];
+    let of_pair = |pair: &[&[f64]]| {
+        let both = fourier::cosines([pair[0], pair.get(1).copied().unwrap_or(&nothing)], count);
+        both.into_iter().take(pair.len()).collect::<Vec<_>>()
+    };
+    let mut all: Vec<Vec<f64>> = records.chunks(2).flat_map(of_pair).collect();
+    for record in &mut all {
+        record.iter_mut().enumerate().for_each(|(k, value)| *value *= if k == 0 { mean } else { others });
+    }
     all
 }
 

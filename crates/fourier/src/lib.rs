@@ -1,27 +1,38 @@
 #![doc = include_str!("../README.md")]
 
+mod chirp;
+
 use num_complex::Complex;
-use rustdct::DctPlanner;
 use rustfft::FftPlanner;
 use std::cell::RefCell;
 
+pub use chirp::cosines;
+
 thread_local! {
     /// Plans are made once a length.
-    static FOURIER: RefCell<FftPlanner<f64>> = RefCell::new(FftPlanner::new());
-    static COSINES: RefCell<DctPlanner<f64>> = RefCell::new(DctPlanner::new());
+    static PLANNER: RefCell<FftPlanner<f64>> = RefCell::new(FftPlanner::new());
 }
 
 /// The sums over n of `values[n] exp(-2 pi i k n / N)`, in place.
 pub fn forward(values: &mut [Complex<f64>]) {
-    FOURIER.with_borrow_mut(|planner| planner.plan_fft_forward(values.len())).process(values);
+    PLANNER.with_borrow_mut(|planner| planner.plan_fft_forward(values.len())).process(values);
 }
 
 /// The sums over n of `values[n] exp(2 pi i k n / N)`, in place: N times the inverse of [`forward`].
 pub fn backward(values: &mut [Complex<f64>]) {
-    FOURIER.with_borrow_mut(|planner| planner.plan_fft_inverse(values.len())).process(values);
+    PLANNER.with_borrow_mut(|planner| planner.plan_fft_inverse(values.len())).process(values);
 }
 
-/// The sums over n of `values[n] cos(pi k (n + 1/2) / N)` (DCT-II), in place.
-pub fn cosines(values: &mut [f64]) {
-    COSINES.with_borrow_mut(|planner| planner.plan_dct2(values.len())).process_dct2(values);
+/// The next even length that is a product of 2, 3 and 5.
+pub fn fast_length(least: usize) -> usize {
+    let smooth = |mut n: usize| {
+        for p in [2, 3, 5] {
+            while n.is_multiple_of(p) {
+                n /= p;
+            }
+        }
+        n == 1
+    };
+    // a power of two lies between any number and its double
+    (least..=2 * least).find(|n| n.is_multiple_of(2) && smooth(*n)).unwrap_or(least)
 }

@@ -28,7 +28,7 @@ mod state_space;
 pub mod step;
 pub mod suspicion;
 
-pub use air::AirModel;
+pub use air::{AirModel, SharedAir};
 pub use air_fit::AirFit;
 pub use deflection::{DeflectionAt, DeflectionCorrection, fly_commanded, simulate_commanded};
 pub use history::{Channel, TimeHistory};

@@ -1,6 +1,6 @@
 //! What a rig needs at every airspeed, computed once: modes on the s-set, static residuals, pressures of motion.
 
-use crate::air::{MotionColumns, UnsteadyAir};
+use crate::air::{MotionColumns, SharedAir, UnsteadyAir};
 use crate::load_rows::{LoadRows, Momentum};
 use crate::rig::{RigError, RigSettings};
 use coupling::supported::restrict;
@@ -51,7 +51,11 @@ struct Structural {
 }
 
 impl RigOperators {
-    pub(crate) fn new(wing: &ElasticWing, settings: &RigSettings) -> Result<Self, RigError> {
+    pub(crate) fn new(
+        wing: &ElasticWing,
+        settings: &RigSettings,
+        shared: Option<&SharedAir>,
+    ) -> Result<Self, RigError> {
         let parts = match (&wing.supported, &wing.structure) {
             (Some(supported), Some((system, _))) => structural(wing, supported, system, settings)?,
             _ => rigid(wing, settings),
@@ -67,7 +71,7 @@ impl RigOperators {
         });
         let rate = wing.pressures(columns.moving.as_ref());
         let rows = looked_at(wing, motion.as_ref());
-        let air = UnsteadyAir::new(settings.air, wing, columns, steady, rate, rows)
+        let air = UnsteadyAir::new(settings.air, wing, columns, steady, rate, rows, shared)
             .map_err(coupling::CouplingError::from)?;
         Ok(Self {
             omega_rad_s: parts.omega_rad_s,

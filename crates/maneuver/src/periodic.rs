@@ -1,6 +1,7 @@
 //! Records as one period of a periodic signal: continued beyond their end until all is at rest again, and filtered.
 
 use faer::c64;
+use fourier::fast_length;
 use std::f64::consts::{PI, TAU};
 
 /// How long a signal that was filtered has to come to rest, s.
@@ -36,20 +37,6 @@ pub(crate) fn filtered(values: &[f64], time_step_s: f64, response: impl Fn(f64) 
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a positive number of steps")]
 pub(crate) fn steps(length: f64, step: f64) -> usize {
     (length / step).round() as usize
-}
-
-/// The next length that is a product of 2, 3 and 5.
-pub(crate) fn fast_length(least: usize) -> usize {
-    let smooth = |mut n: usize| {
-        for p in [2, 3, 5] {
-            while n.is_multiple_of(p) {
-                n /= p;
-            }
-        }
-        n == 1
-    };
-    // a power of two lies between any number and its double
-    (least..=2 * least).find(|n| n.is_multiple_of(2) && smooth(*n)).unwrap_or(least)
 }
 
 /// The change from the first sample, brought back to zero after the last.

@@ -11,7 +11,7 @@
 //! In steady state nothing depends on the number of modes. Thin here: the air has no memory (its unsteady successor
 //! keeps this interface), and the truncated modes have no inertia of their own.
 
-use crate::air::{AirModel, AirParts, RationalAir, UnsteadyAir};
+use crate::air::{AirModel, AirParts, RationalAir, SharedAir, UnsteadyAir};
 use crate::assemble::assemble;
 use crate::load_rows::Station;
 use crate::operators::{FIELDS, RigOperators};
@@ -145,7 +145,19 @@ impl<'a> Rig<'a> {
     /// # Errors
     /// If the modes do not converge.
     pub fn new(wing: &'a ElasticWing, settings: RigSettings) -> Result<Self, RigError> {
-        let operators = RigOperators::new(wing, &settings)?;
+        Self::in_air(wing, settings, None)
+    }
+
+    /// The same with a doublet lattice that other wings use, too, if it is this wing's own.
+    ///
+    /// # Errors
+    /// If the modes do not converge.
+    pub fn in_air(
+        wing: &'a ElasticWing,
+        settings: RigSettings,
+        shared: Option<&SharedAir>,
+    ) -> Result<Self, RigError> {
+        let operators = RigOperators::new(wing, &settings, shared)?;
         Ok(Self { wing, settings, operators })
     }
 

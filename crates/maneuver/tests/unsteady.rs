@@ -13,7 +13,7 @@ use maneuver::air::{
     Accuracy, REDUCED_FREQUENCIES, RationalAir, UnsteadyAir, Weighting, accuracy, worst_by_row,
 };
 use maneuver::motion::{About, OneMinusCosine, Step};
-use maneuver::{Motion, Rig, RigModel, RigSettings, Signal, Smooth};
+use maneuver::{AirModel, Motion, Rig, RigModel, RigSettings, SharedAir, Signal, Smooth};
 use std::f64::consts::TAU;
 use structure::normal_modes;
 use structure::unsymmetric::eigenvalues;
@@ -253,6 +253,22 @@ fn a_run_begins_with_the_static_loads() {
             assert!((value - steady).abs() < 1e-9 * steady.abs().max(1.0), "{name}: {value} {steady}");
         }
     }
+}
+
+#[test]
+fn a_shared_lattice_changes_no_bit_and_is_not_asked_for_a_wing_on_another() {
+    let (file, wing) = wing_with(fine);
+    let (_, coarser) = wing_with(|_| ());
+    assert_ne!(wing.lattice, coarser.lattice);
+    let settings = RigSettings::new(file.damping_ratio, file.pitch_axis_x());
+    let shared = SharedAir::of(&wing, settings.air).unwrap().expect("doublets");
+    for wing in [&wing, &coarser] {
+        let [alone, sharing] =
+            [None, Some(&shared)].map(|shared| Rig::in_air(wing, settings.clone(), shared).unwrap());
+        let [alone, sharing] = [&alone, &sharing].map(|rig| &rig.air().table.as_ref().unwrap().cp);
+        assert_eq!(alone, sharing);
+    }
+    assert!(SharedAir::of(&wing, AirModel::QuasiSteady).unwrap().is_none());
 }
 
 #[test]

@@ -1,11 +1,13 @@
 //! Intervals of what is computed with a calibrated wing: the same again with every wing of its ensemble.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use calibrate::ensemble::interval_of;
 use calibrate::{Member, Schedule};
 use coupling::wing_file::{Departure, Mount};
 use coupling::{ElasticWing, WingFile};
+use maneuver::{AirModel, Rig, RigError, RigSettings, SharedAir};
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -49,6 +51,28 @@ impl CorrectedWing {
             controls.collect::<String>()
         ));
         self.member(found).map(Some)
+    }
+
+    /// The doublet lattice that all wings of the ensemble have in common with `wing`, this one or the aircraft's, so that it is solved once for
+    /// them; none without an ensemble.
+    ///
+    /// # Errors
+    /// If it cannot be solved.
+    pub(crate) fn shared_air(
+        &self,
+        wing: &ElasticWing,
+        model: AirModel,
+    ) -> Result<Option<Arc<SharedAir>>, Failure> {
+        let shared = self.ensemble.as_ref().map(|_| SharedAir::of(wing, model)).transpose();
+        Ok(shared.map_err(|error| RigError::Coupling(error.into()))?.flatten().map(Arc::new))
+    }
+
+    /// The wing on its balance, in the air that all wings of the ensemble have in common, if that was solved.
+    ///
+    /// # Errors
+    /// As [`Rig::in_air`].
+    pub(crate) fn rig(&self, settings: &RigSettings, shared: Option<&SharedAir>) -> Result<Rig<'_>, Failure> {
+        Ok(Rig::in_air(&self.wing, settings.clone(), shared)?)
     }
 
     /// Computes the same with every wing of the ensemble, in their order; empty without one.

@@ -87,7 +87,6 @@ const ONLY_IN: &[(&str, &[&str])] = &[
     ),
     ("rand_distr", &["calibrate", "tunnel", "loads", "response", "discover", "hidden", "truth", "xtask"]),
     ("rustfft", &["fourier"]),
-    ("rustdct", &["fourier"]),
     ("flate2", &["shipped"]),
     ("tar", &["shipped"]),
     ("ode_solvers", &["fullaircraft"]),

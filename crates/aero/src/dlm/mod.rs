@@ -7,6 +7,7 @@
 mod exponentials;
 mod halves;
 mod increment;
+mod kept;
 pub mod kernel;
 mod ladder;
 mod lanes;

@@ -3,6 +3,7 @@
 use crate::dlm::exponentials::KernelIntegral;
 use crate::dlm::halves::Halves;
 use crate::dlm::increment::Increment;
+use crate::dlm::kept::Kept;
 use crate::dlm::numerators::Stream;
 use crate::dlm::span_fit::SpanFit;
 use crate::dlm::strips::Strip;
@@ -13,6 +14,7 @@ use crate::vlm::{influence_of_image, influence_of_own, lost_pivot};
 use faer::linalg::solvers::{PartialPivLu, Solve};
 use faer::{Mat, MatRef, Scale, c64};
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// How the doublets' incidence is integrated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -68,6 +70,7 @@ pub struct DoubletLattice {
     integral: KernelIntegral,
     /// Numbers of the boxes of `own`.
     ids: Vec<u32>,
+    kept: Option<Arc<Kept>>,
 }
 
 impl DoubletLattice {
@@ -100,7 +103,20 @@ impl DoubletLattice {
             (None, None) => Image::None,
         };
         let ids = kept.boxes.iter().map(|panel| panel.id).collect();
-        Ok(Self { own, image, mach, integral: settings.integral, ids })
+        Ok(Self { own, image, mach, integral: settings.integral, ids, kept: None })
+    }
+
+    /// The same, but what is factorised is kept for the next who asks for it, here and in copies of it: for wings that share the
+    /// lattice. A quarter of a gigabyte at most.
+    #[must_use]
+    pub fn keeping_factors(self) -> Self {
+        Self { kept: Some(Arc::default()), ..self }
+    }
+
+    /// The same without what was kept.
+    #[must_use]
+    pub fn without_kept_factors(self) -> Self {
+        Self { kept: None, ..self }
     }
 
     /// The influence matrix A, n by n, at `omega_over_v` in 1/m: incidence `w_i` that box i needs for the pressure
@@ -122,7 +138,20 @@ impl DoubletLattice {
     ///
     /// # Errors
     /// As [`DoubletLattice::influence`], and if the matrix is singular.
-    pub fn at(&self, omega_over_v: f64) -> Result<OscillatoryAero, AeroError> {
+    pub fn at(&self, omega_over_v: f64) -> Result<Arc<OscillatoryAero>, AeroError> {
+        match &self.kept {
+            Some(kept) => kept.at(omega_over_v, self.factored(), || self.solved(omega_over_v)),
+            None => self.solved(omega_over_v).map(Arc::new),
+        }
+    }
+
+    /// How many numbers factors have.
+    fn factored(&self) -> usize {
+        let symmetric = if let Image::Left(_, halves) = &self.image { halves.pairs() } else { 0 };
+        symmetric.pow(2) + self.ids.len().pow(2)
+    }
+
+    fn solved(&self, omega_over_v: f64) -> Result<OscillatoryAero, AeroError> {
         let Image::Left(image, halves) = &self.image else {
             let factors = self.factorised(&self.influence(omega_over_v)?)?;
             return Ok(OscillatoryAero { factors: Factors::Whole(factors) });

@@ -3,7 +3,7 @@
 use super::maneuver::Maneuver;
 use crate::data::Dataset;
 use crate::rules::Rules;
-use crate::transform::{every_cosine, frequency_hz};
+use crate::transform::{count, first_cosines, frequency_hz};
 use calibrate::Use;
 use coupling::{ByLoad, Load};
 use maneuver::effects::{Flown, Stimulus};
@@ -49,8 +49,10 @@ pub struct Unit {
 impl Unit {
     /// A series of the unit as weighted rows of a channel.
     pub fn weighted(&self, values: &[f64], channel: usize) -> Vec<f64> {
-        let rows = if self.stimulus.steady { values.to_vec() } else { every_cosine(values) };
-        rows.iter().zip(&self.weight[channel]).map(|(row, weight)| row * weight).collect()
+        let weight = &self.weight[channel];
+        let coefficients = || first_cosines(&[values], weight.len()).remove(0);
+        let rows = if self.stimulus.steady { values.to_vec() } else { coefficients() };
+        rows.iter().zip(weight).map(|(row, weight)| row * weight).collect()
     }
 }
 
@@ -103,11 +105,9 @@ fn of_run(data: &Dataset, i: usize, simulated: &Flown, error: &PureError<'_>) ->
         let difference = run.measured[c].iter().zip(&simulated.loads[c]).map(|(m, s)| m - s);
         if data.run_loads[c] { difference.collect() } else { Vec::new() }
     });
-    let coefficients =
-        residual.each_ref().map(|values| if values.is_empty() { Vec::new() } else { every_cosine(values) });
-    let hz: Vec<f64> = (0..crate::transform::count(samples, dt, data.rules.data.highest_hz))
-        .map(|k| frequency_hz(k, samples, dt))
-        .collect();
+    let hz: Vec<f64> =
+        (0..count(samples, dt, data.rules.data.highest_hz)).map(|k| frequency_hz(k, samples, dt)).collect();
+    let coefficients = residual.each_ref().map(|values| first_cosines(&[values], hz.len()).remove(0));
     let weight: [Vec<f64>; 3] = std::array::from_fn(|c| {
         let of = |(k, hz): (usize, &f64)| {
             let one = (error.coefficient)(run.airspeed, c, *hz).recip();

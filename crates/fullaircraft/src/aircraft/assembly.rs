@@ -14,9 +14,11 @@ use coupling::{
     Balance, CarriedPart, ElasticWing, Keep, RigidInertia, Spline, SplineKind, SupportedStructure, WingFile,
     WingParts,
 };
+use maneuver::SharedAir;
 use nalgebra::Point3;
 use nastran::{BulkData, Frames, InputError};
 use std::path::Path;
+use std::sync::Arc;
 use structure::{MassProperties, Model, System};
 
 /// Nodes and boxes of a wing.
@@ -67,9 +69,17 @@ pub struct Aircraft {
     /// Mass properties of all but the body that closes the totals, and that body's number.
     rest: MassProperties,
     closing: u32,
+    /// Doublets that other aircraft use, too.
+    pub(crate) shared: Option<Arc<SharedAir>>,
 }
 
 impl Aircraft {
+    /// The same with doublets that other aircraft use, too, wherever they are its own.
+    #[must_use]
+    pub fn in_air(self, shared: Option<Arc<SharedAir>>) -> Self {
+        Self { shared, ..self }
+    }
+
     /// Reads an aircraft's file and everything it names; `wing` takes the place of the wing it names.
     ///
     /// # Errors
@@ -119,17 +129,13 @@ impl Aircraft {
         let centre_of_gravity = Point3::new(file.total.x_cg_m, 0.0, 0.0);
         let place = Held { inputs: inputs(&file, &wing), keep, centre, tip: right.tip };
         let (supported, inertia) = place.reduced(&free, &spline, &centre_of_gravity)?;
+        let is_fairing = |id: &u32| !cards.is_wing_panel(*id);
         let parts = WingParts {
             controls: ControlSurface::all_from_bulk(&in_flow, &lattice)?,
             balance: Balance { point: centre_of_gravity, metric: vec![true; lattice.len()] },
             plane: MirrorPlane::None,
             mach: 0.0,
-            fairing_surfaces: lattice
-                .surfaces
-                .iter()
-                .map(|s| s.id)
-                .filter(|id| !cards.is_wing_panel(*id))
-                .collect(),
+            fairing_surfaces: lattice.surfaces.iter().map(|s| s.id).filter(is_fairing).collect(),
             camber: camber_and_twist(&in_flow, &lattice)?,
             supported: Some(supported),
             structure: None,
@@ -153,6 +159,7 @@ impl Aircraft {
             inertia,
             rest,
             closing,
+            shared: None,
         })
     }
 
@@ -196,6 +203,7 @@ impl Aircraft {
             inertia,
             rest: self.rest.clone(),
             closing: self.closing,
+            shared: self.shared.clone(),
         })
     }
 

@@ -236,8 +236,11 @@ impl FlightAir {
 
 /// The doublets of all boxes.
 fn lattice(aircraft: &Aircraft) -> Result<DoubletLattice, AircraftError> {
-    let wing = &aircraft.flow;
-    Ok(DoubletLattice::new(&wing.lattice, wing.plane, wing.mach, &DlmSettings::default())?)
+    let (wing, settings) = (&aircraft.flow, DlmSettings::default());
+    match aircraft.shared.as_ref().and_then(|shared| shared.doublets_of(wing, settings)) {
+        Some(doublets) => Ok(doublets.clone()),
+        None => Ok(DoubletLattice::new(&wing.lattice, wing.plane, wing.mach, &settings)?),
+    }
 }
 
 /// An entry less than this beside the largest of its row and column (both scaled to one) is left out of account: zero by

@@ -8,10 +8,12 @@ pub mod accuracy;
 mod basis;
 mod poles;
 pub mod rational;
+mod shared;
 pub mod table;
 
 pub use accuracy::{Accuracy, worst_by_column, worst_by_row};
 pub use rational::{RationalAir, Weighting};
+pub use shared::SharedAir;
 pub use table::{AirTable, MotionColumns};
 
 use aero::{AeroError, DlmSettings, DoubletLattice, Lattice};
@@ -87,7 +89,8 @@ impl UnsteadyAir {
     /// Solves the doublet lattice at the table's frequencies and lays a rational function through the pressures.
     ///
     /// `steady` are the pressures of `columns.still` at rest, boxes by columns; `rate` those of `columns.moving`.
-    /// `looked_at` are the rows by which the poles are chosen: rows by boxes, loads per unit pressure coefficient.
+    /// `looked_at` are the rows by which the poles are chosen: rows by boxes, loads per unit pressure coefficient. A `shared` lattice
+    /// is asked if it is the wing's own.
     ///
     /// # Errors
     /// As [`DoubletLattice::new`] and [`DoubletLattice::at`].
@@ -98,6 +101,7 @@ impl UnsteadyAir {
         steady: Mat<f64>,
         rate: Mat<f64>,
         looked_at: Mat<f64>,
+        shared: Option<&SharedAir>,
     ) -> Result<Self, AeroError> {
         let chord_m = mean_chord_m(&wing.lattice);
         let quasi_steady = RationalAir::quasi_steady(steady.clone(), rate);
@@ -115,7 +119,10 @@ impl UnsteadyAir {
                 lattice: None,
             });
         };
-        let solver = DoubletLattice::new(&wing.lattice, wing.plane, wing.mach, &dlm)?;
+        let solver = match shared.and_then(|shared| shared.doublets_of(wing, dlm)) {
+            Some(doublets) => doublets.clone(),
+            None => DoubletLattice::new(&wing.lattice, wing.plane, wing.mach, &dlm)?,
+        };
         let kappa: Vec<f64> = REDUCED_FREQUENCIES.iter().map(|k| 2.0 * k / chord_m).collect();
         let table = AirTable::new(&solver, &columns, &kappa)?;
         let poles = poles::choose(&table, steady.as_ref(), looked_at.as_ref(), lags);
@@ -133,7 +140,7 @@ impl UnsteadyAir {
             beyond,
             instant,
             quasi_steady,
-            lattice: Some(solver),
+            lattice: Some(solver.without_kept_factors()),
         })
     }
 

@@ -42,6 +42,13 @@ pub struct Crossing {
     pub beyond_table: bool,
 }
 
+impl Crossing {
+    /// Frequency, Hz; zero for divergence.
+    pub fn frequency_hz(&self) -> f64 {
+        self.omega_rad_s / TAU
+    }
+}
+
 /// Roots of each mode over the flows asked for.
 #[derive(Debug, Clone)]
 pub struct FlutterCurves {
@@ -59,17 +66,20 @@ pub struct FlutterCurves {
 impl FlutterCurves {
     /// The first oscillation that becomes unstable.
     pub fn flutter(&self) -> Option<&Crossing> {
-        self.crossings.iter().find(|crossing| crossing.unstable && crossing.omega_rad_s > 0.0)
+        first_flutter(&self.crossings)
     }
+}
 
-    /// Takes what was found, each with its leg (the place of the flow before it), in the order of the way.
-    pub(super) fn take(&mut self, mut found: Vec<(usize, Crossing)>) {
-        let share = |(leg, crossing): &(usize, Crossing)| {
-            share(&self.flows[*leg], &self.flows[*leg + 1], &crossing.flow)
-        };
-        found.sort_by(|a, b| a.0.cmp(&b.0).then(share(a).total_cmp(&share(b))));
-        self.crossings = found.into_iter().map(|(_, crossing)| crossing).collect();
-    }
+/// The first of changes of stability at which an oscillation becomes unstable.
+pub fn first_flutter(changes: &[Crossing]) -> Option<&Crossing> {
+    changes.iter().find(|crossing| crossing.unstable && crossing.omega_rad_s > 0.0)
+}
+
+/// What was found, each with its leg (the place of the flow before it), in the order of the way.
+pub(super) fn in_order(flows: &[Flow], mut found: Vec<(usize, Crossing)>) -> Vec<Crossing> {
+    let share = |(leg, crossing): &(usize, Crossing)| share(&flows[*leg], &flows[*leg + 1], &crossing.flow);
+    found.sort_by(|a, b| a.0.cmp(&b.0).then(share(a).total_cmp(&share(b))));
+    found.into_iter().map(|(_, crossing)| crossing).collect()
 }
 
 /// How far along the way between two flows, along which airspeed and density change in proportion, a flow of it stands: from 0 to 1.

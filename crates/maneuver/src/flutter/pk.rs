@@ -4,7 +4,7 @@
 //! the step before. So branches that pass each other closely keep their identity. A root whose frequency goes to zero becomes
 //! two real ones, of which the less stable one is followed; real roots that meet oscillate again.
 
-use super::curves::{Crossing, FlutterCurves, Root};
+use super::curves::{Crossing, FlutterCurves, Root, in_order};
 use super::root::{Missed, Place, State};
 use super::{Aeroelastic, FlutterError};
 use aero::Flow;
@@ -82,7 +82,7 @@ impl Aeroelastic<'_> {
             }
             curves.branches.push(roots);
         }
-        curves.take(found);
+        curves.crossings = in_order(&curves.flows, found);
         Ok(curves)
     }
 

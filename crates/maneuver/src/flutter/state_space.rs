@@ -5,10 +5,10 @@
 //! distance, in steps that are halved while it is not plain which is which.
 
 use super::FlutterError;
-use super::curves::{Crossing, FlutterCurves, Root};
+use super::curves::{Crossing, FlutterCurves, Root, in_order};
 use aero::Flow;
 use faer::{Mat, c64};
-use structure::unsymmetric::eigen;
+use structure::unsymmetric::{eigen, eigenvalues};
 
 /// Real parts below this share of the largest eigenvalue are round-off.
 const ROUND_OFF: f64 = 1e-12;
@@ -37,20 +37,6 @@ impl Spectrum {
         Ok(Self { values, vectors })
     }
 
-    fn oscillates(value: c64) -> bool {
-        value.im > REAL * value.norm()
-    }
-
-    /// Unstable eigenvalues that oscillate (pairs counted once), and that do not.
-    fn unstable(&self) -> [usize; 2] {
-        let size = self.values.iter().map(|value| value.norm()).fold(0.0, f64::max);
-        let growing = |value: &&c64| value.re > ROUND_OFF * size;
-        let oscillating =
-            self.values.iter().filter(growing).filter(|value| Self::oscillates(**value)).count();
-        let all = self.values.iter().filter(growing).count();
-        [oscillating, all - 2 * oscillating]
-    }
-
     fn likeness(&self, i: usize, other: &Self, j: usize) -> f64 {
         let n = self.values.len();
         let product: c64 = (0..n).map(|row| self.vectors[(row, i)].conj() * other.vectors[(row, j)]).sum();
@@ -59,6 +45,47 @@ impl Spectrum {
         };
         product.norm_sqr() / (size(self, i) * size(other, j)).max(f64::MIN_POSITIVE)
     }
+}
+
+fn oscillates(value: c64) -> bool {
+    value.im > REAL * value.norm()
+}
+
+/// Unstable eigenvalues that oscillate (pairs counted once), and that do not.
+fn unstable(values: &[c64]) -> [usize; 2] {
+    let size = values.iter().map(|value| value.norm()).fold(0.0, f64::max);
+    let growing = |value: &&c64| value.re > ROUND_OFF * size;
+    let oscillating = values.iter().filter(growing).filter(|value| oscillates(**value)).count();
+    let all = values.iter().filter(growing).count();
+    [oscillating, all - 2 * oscillating]
+}
+
+fn values_of(a: &Mat<f64>) -> Result<Vec<c64>, FlutterError> {
+    eigenvalues(a.as_ref()).ok_or(FlutterError::Eigenvalues("the system"))
+}
+
+/// Every change of stability over the flows, without curves: what [`flutter_of_state_space`] finds, in a third of its time. The branch of
+/// each is left open (0).
+///
+/// # Errors
+/// As [`flutter_of_state_space`].
+pub fn changes_of_stability<E: From<FlutterError>>(
+    flows: &[Flow],
+    mut matrix: impl FnMut(Flow) -> Result<Mat<f64>, E>,
+) -> Result<Vec<Crossing>, E> {
+    let mut at = |flow: Flow| -> Result<Vec<c64>, E> { Ok(values_of(&matrix(flow)?)?) };
+    let Some(&first) = flows.first() else { return Err(FlutterError::Empty("the list of flows").into()) };
+    let mut here = at(first)?;
+    let mut found = Vec::new();
+    for (leg, pair) in flows.windows(2).enumerate() {
+        let there = at(pair[1])?;
+        let ends = [ValuesAt { flow: pair[0], are: &here }, ValuesAt { flow: pair[1], are: &there }];
+        for kind in 0..2 {
+            found.extend(change(ends, kind, &mut at)?.map(|crossing| (leg, crossing)));
+        }
+        here = there;
+    }
+    Ok(in_order(flows, found))
 }
 
 /// Eigenvalues that oscillate at the first flow with less than half the critical damping, followed through the list, and every
@@ -73,10 +100,9 @@ pub fn flutter_of_state_space<E: From<FlutterError>>(
     flows: &[Flow],
     mut matrix: impl FnMut(Flow) -> Result<Mat<f64>, E>,
 ) -> Result<FlutterCurves, E> {
-    let mut at = |flow: Flow| -> Result<Spectrum, E> { Ok(Spectrum::new(&matrix(flow)?)?) };
     let Some(&first) = flows.first() else { return Err(FlutterError::Empty("the list of flows").into()) };
-    let mut here = at(first)?;
-    let mode = |value: c64| Spectrum::oscillates(value) && value.re.abs() < MODE * value.norm();
+    let mut here = Spectrum::new(&matrix(first)?)?;
+    let mode = |value: c64| oscillates(value) && value.re.abs() < MODE * value.norm();
     let mut places: Vec<usize> = (0..here.values.len()).filter(|i| mode(here.values[*i])).collect();
     places.sort_by(|a, b| here.values[*a].im.total_cmp(&here.values[*b].im));
     let mut curves = FlutterCurves {
@@ -88,20 +114,22 @@ pub fn flutter_of_state_space<E: From<FlutterError>>(
     let mut alive: Vec<Option<usize>> = places.into_iter().map(Some).collect();
     let mut found = Vec::new();
     for (leg, pair) in flows.windows(2).enumerate() {
-        let there = at(pair[1])?;
+        let there = Spectrum::new(&matrix(pair[1])?)?;
         let ends = [SpectrumAt { flow: pair[0], is: &here }, SpectrumAt { flow: pair[1], is: &there }];
-        alive = follow(ends[0], ends[1], alive, HALVINGS, &mut at)?;
+        let mut between = |flow: Flow| -> Result<Spectrum, E> { Ok(Spectrum::new(&matrix(flow)?)?) };
+        alive = follow(ends[0], ends[1], alive, HALVINGS, &mut between)?;
         for (branch, place) in curves.branches.iter_mut().zip(&alive) {
             branch.extend(place.map(|i| root(there.values[i])));
         }
         for kind in 0..2 {
-            if let Some(crossing) = change(ends[0], ends[1], kind, &mut at)? {
+            let mut at = |flow: Flow| -> Result<Vec<c64>, E> { Ok(values_of(&matrix(flow)?)?) };
+            if let Some(crossing) = change(ends.map(SpectrumAt::values), kind, &mut at)? {
                 found.push((leg, Crossing { branch: curves.beside(&crossing, leg + 1), ..crossing }));
             }
         }
         here = there;
     }
-    curves.take(found);
+    curves.crossings = in_order(&curves.flows, found);
     Ok(curves)
 }
 
@@ -113,11 +141,24 @@ fn middle(a: Flow, b: Flow) -> Flow {
     Flow { v_m_s: f64::midpoint(a.v_m_s, b.v_m_s), rho_kg_m3: f64::midpoint(a.rho_kg_m3, b.rho_kg_m3) }
 }
 
-/// The eigenvalues at a flow.
+/// Eigenvalues and eigenvectors, and the flow that they are of.
 #[derive(Clone, Copy)]
 struct SpectrumAt<'a> {
     flow: Flow,
     is: &'a Spectrum,
+}
+
+impl<'a> SpectrumAt<'a> {
+    fn values(self) -> ValuesAt<'a> {
+        ValuesAt { flow: self.flow, are: &self.is.values }
+    }
+}
+
+/// The eigenvalues alone.
+#[derive(Clone, Copy)]
+struct ValuesAt<'a> {
+    flow: Flow,
+    are: &'a [c64],
 }
 
 /// Which eigenvalue of the second spectrum each living branch of the first becomes.
@@ -145,7 +186,7 @@ fn matched(from: &Spectrum, to: &Spectrum, alive: &[Option<usize>]) -> (Vec<Opti
     let mut pairs = Vec::new();
     for (branch, place) in alive.iter().enumerate() {
         let Some(i) = *place else { continue };
-        for (j, value) in to.values.iter().enumerate().filter(|(_, value)| Spectrum::oscillates(**value)) {
+        for (j, value) in to.values.iter().enumerate().filter(|(_, value)| oscillates(**value)) {
             let near = (value - from.values[i]).norm() / from.values[i].norm();
             let like = from.likeness(i, to, j);
             pairs.push((like - near, like, branch, j));
@@ -180,35 +221,34 @@ fn matched(from: &Spectrum, to: &Spectrum, alive: &[Option<usize>]) -> (Vec<Opti
 /// A change of the number of unstable eigenvalues that oscillate (`kind` 0) or do not (1) between two flows: one that is net. Its branch
 /// is left open.
 fn change<E: From<FlutterError>>(
-    from: SpectrumAt<'_>,
-    to: SpectrumAt<'_>,
+    [from, to]: [ValuesAt<'_>; 2],
     kind: usize,
-    at: &mut impl FnMut(Flow) -> Result<Spectrum, E>,
+    at: &mut impl FnMut(Flow) -> Result<Vec<c64>, E>,
 ) -> Result<Option<Crossing>, E> {
-    let before = from.is.unstable()[kind];
-    if before == to.is.unstable()[kind] {
+    let before = unstable(from.are)[kind];
+    let after = unstable(to.are)[kind];
+    if before == after {
         return Ok(None);
     }
-    let unstable = to.is.unstable()[kind] > before;
     let (mut low, mut high) = (from.flow, to.flow);
     let mut last = None;
     while (high.v_m_s - low.v_m_s).abs() > ACCURACY * high.v_m_s
         || (high.rho_kg_m3 - low.rho_kg_m3).abs() > ACCURACY * high.rho_kg_m3
     {
         let flow = middle(low, high);
-        let spectrum = at(flow)?;
-        if spectrum.unstable()[kind] == before {
+        let values = at(flow)?;
+        if unstable(&values)[kind] == before {
             low = flow;
         } else {
             high = flow;
         }
-        last = Some(spectrum);
+        last = Some(values);
     }
-    let spectrum = last.as_ref().unwrap_or(to.is);
-    let wanted = |value: &&c64| if kind == 0 { Spectrum::oscillates(**value) } else { value.im == 0.0 };
-    let nearest = spectrum.values.iter().filter(wanted).min_by(|a, b| a.re.abs().total_cmp(&b.re.abs()));
+    let values = last.as_deref().unwrap_or(to.are);
+    let wanted = |value: &&c64| if kind == 0 { oscillates(**value) } else { value.im == 0.0 };
+    let nearest = values.iter().filter(wanted).min_by(|a, b| a.re.abs().total_cmp(&b.re.abs()));
     let omega_rad_s = nearest.map_or(0.0, |value| value.im);
-    Ok(Some(Crossing { branch: 0, flow: high, omega_rad_s, unstable, beyond_table: false }))
+    Ok(Some(Crossing { branch: 0, flow: high, omega_rad_s, unstable: after > before, beyond_table: false }))
 }
 
 impl FlutterCurves {

@@ -6,9 +6,13 @@
 //! answer from rest. Drives are band limited between samples (their continuation is smooth).
 
 use super::{Constants, ReducedOrderModel};
-use crate::periodic::{RETURN_S, continued, fast_length, steps};
+use crate::periodic::{RETURN_S, continued, steps};
 use faer::{Mat, c64};
+use fourier::fast_length;
+use std::cell::RefCell;
+use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
+use std::rc::Rc;
 
 use super::change::Change;
 
@@ -18,6 +22,17 @@ const HIGHEST_HZ: f64 = 25.0;
 const FADE: f64 = 0.2;
 /// How long the wing then has to come to rest, s: with and without a stream, which damps it.
 const REST_S: [f64; 2] = [5.0, 20.0];
+
+/// Places in the table and their weights at the frequency of a bin.
+type Weights = [(usize, f64); 4];
+
+/// Length, time step and grid of frequencies, the last two by their bits.
+type BinsOf = (usize, u64, Vec<u64>);
+
+thread_local! {
+    /// Weights of all bins: runs of a campaign share few of them.
+    static WEIGHTS: RefCell<HashMap<BinsOf, Rc<[Weights]>>> = RefCell::new(HashMap::new());
+}
 
 /// Responses of a rig at the frequencies of the grid, and at rest.
 #[derive(Debug, Clone)]
@@ -115,16 +130,17 @@ impl ResponseTable {
     ) -> Vec<Vec<c64>> {
         let zero = c64::new(0.0, 0.0);
         let mut outputs = vec![vec![zero; length]; self.outputs().div_ceil(2)];
-        let mut sums = vec![zero; self.outputs()];
-        for bin in 0..=length / 2 {
-            let Some(weights) = self.weights(bin as f64 / (length as f64 * time_step_s)) else { break };
+        let (mut sums, mut between) = (vec![zero; self.outputs()], vec![zero; self.outputs()]);
+        for (bin, weights) in self.weights_of_bins(length, time_step_s).iter().enumerate() {
             sums.fill(zero);
             for (column, spectrum) in columns.iter().zip(spectra) {
-                for (k, weight) in weights {
-                    let drive = spectrum[bin] * weight;
+                between.fill(zero);
+                for &(k, weight) in weights {
                     let responses = self.responses[k].col_as_slice(*column);
-                    sums.iter_mut().zip(responses).for_each(|(sum, h)| *sum += h * drive);
+                    between.iter_mut().zip(responses).for_each(|(sum, h)| *sum += h * weight);
                 }
+                let drive = spectrum[bin];
+                sums.iter_mut().zip(&between).for_each(|(sum, h)| *sum += h * drive);
             }
             for (pair, both) in sums.chunks(2).zip(&mut outputs) {
                 let (a, b) = (pair[0], pair.get(1).copied().unwrap_or(zero));
@@ -139,8 +155,19 @@ impl ResponseTable {
         outputs
     }
 
-    /// Places in the table and their weights at a frequency; none above the grid.
-    fn weights(&self, frequency_hz: f64) -> Option<[(usize, f64); 4]> {
+    /// Weights by bin of a spectrum, to the end of the grid or of the spectrum's first half.
+    fn weights_of_bins(&self, length: usize, time_step_s: f64) -> Rc<[Weights]> {
+        let all = || {
+            let at = |bin: usize| self.weights(bin as f64 / (length as f64 * time_step_s));
+            (0..=length / 2).map_while(at).collect()
+        };
+        let grid = self.frequencies_hz.iter().map(|f| f.to_bits()).collect();
+        let key = (length, time_step_s.to_bits(), grid);
+        WEIGHTS.with_borrow_mut(|known| Rc::clone(known.entry(key).or_insert_with(all)))
+    }
+
+    /// Those at a frequency; none above the grid.
+    fn weights(&self, frequency_hz: f64) -> Option<Weights> {
         let f = &self.frequencies_hz;
         let last = f.len() - 1;
         let over = (frequency_hz / f[last] - 1.0) / FADE;

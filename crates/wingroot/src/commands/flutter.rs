@@ -4,25 +4,28 @@
 use clap::Args;
 use std::fmt::Write as _;
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::time::Instant;
 
 use aero::{Corrections, DlmSettings, DoubletLattice, Flow};
 use calibrate::{Campaign, Schedule};
 use coupling::{Geometry, WingFile};
+use faer::Mat;
 use maneuver::flutter::{
-    Aeroelastic, FlutterError, ModePressures, ScheduledForces, first_divergence, flutter_of_state_space,
+    Aeroelastic, Crossing, FlutterCurves, FlutterError, ModePressures, ScheduledForces, changes_of_stability,
+    first_divergence, flutter_of_state_space,
 };
-use maneuver::{Rig, RigSettings};
+use maneuver::{AirModel, Rig, RigSettings, SharedAir};
 use nastran::InputError;
 use report::Table;
 use serde_json::Value;
 
 use super::flutter_bent::{self, Asked, BentArgs};
-use super::flutter_common::{HIGHEST, REDUCED, hertz, method};
+use super::flutter_common::{HIGHEST, REDUCED, method};
 use super::flutter_deck;
 use super::flutter_figures::{self, Stability};
 use crate::args::{Common, Given, airspeed};
-use crate::commands::flutter_result::{FlutterResult, StabilityResult};
+use crate::commands::flutter_result::{FlutterResult, MethodSpeeds, StabilityResult, StabilitySpeeds};
 use crate::commands::result_parts::as_json;
 use crate::corrections::{CorrectedWing, corrected_wing};
 use crate::ensemble::{Intervals, intervals_of};
@@ -65,6 +68,24 @@ impl From<FlutterError> for Failure {
     }
 }
 
+/// What no structure or correction changes.
+struct Air {
+    /// Of p-k.
+    doublets: DoubletLattice,
+    /// Of the rigs' state matrices.
+    of_rigs: Option<Arc<SharedAir>>,
+}
+
+impl Air {
+    fn of(corrected: &CorrectedWing) -> Result<Self, Failure> {
+        let CorrectedWing { wing, ensemble, .. } = corrected;
+        let doublets = DoubletLattice::new(&wing.lattice, wing.plane, 0.0, &DlmSettings::default())
+            .map_err(Failure::computation)?;
+        let doublets = if ensemble.is_some() { doublets.keeping_factors() } else { doublets };
+        Ok(Self { doublets, of_rigs: corrected.shared_air(wing, AirModel::default())? })
+    }
+}
+
 /// Everything both models share.
 struct Task<'a> {
     corrected: &'a CorrectedWing,
@@ -94,27 +115,18 @@ pub(crate) fn run(args: &FlutterArgs, common: &Common) -> Result<(), Failure> {
             .into());
     }
     let highest = args.to.unwrap_or(HIGHEST);
-    let doublets =
-        DoubletLattice::new(&corrected.wing.lattice, corrected.wing.plane, 0.0, &DlmSettings::default())
-            .map_err(Failure::computation)?;
+    let air = Air::of(&corrected)?;
     let speeds: Vec<f64> = (1..=SPEEDS).map(|i| highest * f64::from(i) / f64::from(SPEEDS)).collect();
-    let task = Task::new(&corrected, &doublets, campaign.rho_kg_m3, speeds)?;
+    let task = Task::new(&corrected, &air, campaign.rho_kg_m3, speeds)?;
     let neutral = Corrections::neutral(corrected.wing.correctable.len());
     let found = corrected.found()?;
-    let of = |found| Task::new(found, &doublets, task.rho_kg_m3, task.speeds.clone());
+    let of = |found| Task::new(found, &air, task.rho_kg_m3, task.speeds.clone());
     let of_found = found.as_ref().map(of).transpose()?;
     let updated = of_found.as_ref().unwrap_or(&task);
-    let models =
-        [task.stability("initial", &|_| neutral.clone(), &[(0.0, neutral.clone())])?, updated.updated(1.0)?];
-    let members = corrected.with_each(|member| {
-        let task = Task::new(member, &doublets, task.rho_kg_m3, task.speeds.clone())?;
-        as_json(&task.of_model(&task.updated(1.0)?))
-    })?;
+    let initial = task.stability("initial", &|_| neutral.clone(), &[(0.0, neutral.clone())])?;
+    let models = [initial, updated.updated()?];
     let off = corrected.file.correction.prior.unsteady;
-    let unsteady = if members.is_empty() { &[][..] } else { &[1.0 - off, 1.0 + off] };
-    let unsteady = unsteady.iter().map(|factor| as_json(&updated.of_model(&updated.updated(*factor)?)));
-    let sources = [members, unsteady.collect::<Result<_, Failure>>()?];
-    let spread = intervals_of(&as_json(&task.of_model(&models[1]))?, &sources);
+    let spread = updated.spread(&corrected, &air, &models[1], off)?;
     let result = FlutterResult {
         intervals_90: corrected.intervals_from().map(|from| Intervals { from, of_updated: spread }),
         ..task.result(&models, start.elapsed().as_secs_f64())
@@ -154,8 +166,8 @@ fn intervals_told(result: &FlutterResult, unsteady: f64) -> String {
     };
     let p_k = &result.updated.p_k;
     let each = [
-        ("flutter", "/p_k/flutter_speed_m_s", p_k.flutter_speed_m_s),
-        ("divergence", "/p_k/divergence_speed_m_s", p_k.divergence_speed_m_s),
+        ("flutter", "/p_k/flutter_speed_m_s", p_k.speeds.flutter_speed_m_s),
+        ("divergence", "/p_k/divergence_speed_m_s", p_k.speeds.divergence_speed_m_s),
     ];
     let told: Vec<String> = each.into_iter().filter_map(of).collect();
     if told.is_empty() {
@@ -184,30 +196,65 @@ impl<'a> Task<'a> {
     /// A wing's modes, and the pressures of them.
     fn new(
         corrected: &'a CorrectedWing,
-        doublets: &DoubletLattice,
+        air: &Air,
         rho_kg_m3: f64,
         speeds: Vec<f64>,
     ) -> Result<Self, Failure> {
-        let rig = Rig::new(&corrected.wing, RigSettings::of_wing(&corrected.file))?;
+        let rig = corrected.rig(&RigSettings::of_wing(&corrected.file), air.of_rigs.as_deref())?;
         let kappa = REDUCED.map(|k| 2.0 * k / mean_chord_m(corrected));
-        Ok(Self { pressures: rig.mode_pressures(doublets, &kappa)?, corrected, rig, rho_kg_m3, speeds })
+        Ok(Self { pressures: rig.mode_pressures(&air.doublets, &kappa)?, corrected, rig, rho_kg_m3, speeds })
     }
 
-    /// The wing with its corrections, and with a factor on the unsteady part of the air in p-k; the state matrix has its rational
-    /// function as it was fitted.
-    fn updated(&self, unsteady: f64) -> Result<Stability, Failure> {
+    /// The wing with its corrections.
+    fn updated(&self) -> Result<Stability, Failure> {
         let schedule = &self.corrected.schedule;
-        let pressures = self.pressures.with_unsteady(unsteady);
-        self.stability_in("updated", &|v| schedule.at_or_nearest(v).0, &sets(schedule), &pressures)
+        self.stability("updated", &|v| schedule.at_or_nearest(v).0, &sets(schedule))
+    }
+
+    /// Speeds of the wing with its corrections, without curves of the state matrix.
+    fn speeds(&self) -> Result<StabilitySpeeds, Failure> {
+        let schedule = &self.corrected.schedule;
+        let at = |v: f64| schedule.at_or_nearest(v).0;
+        let (elastic, below) = self.below_divergence(&at)?;
+        let changes = changes_of_stability(&below, |flow| self.state_matrix(flow, &at))?;
+        let (p_k, modal) = self.p_k(&sets(schedule), &self.pressures)?;
+        Ok(StabilitySpeeds::new(
+            MethodSpeeds::new(&changes, elastic),
+            MethodSpeeds::new(&p_k.crossings, modal),
+        ))
+    }
+
+    /// Intervals of `updated`, the stability of this wing: from every wing of the ensemble of `corrected`, and from the air's unsteady part, which
+    /// may be `off` by a share of it in p-k; the state matrix has its rational function as it was fitted.
+    fn spread(
+        &self,
+        corrected: &CorrectedWing,
+        air: &Air,
+        updated: &Stability,
+        off: f64,
+    ) -> Result<Value, Failure> {
+        let members = corrected.with_each(|member| {
+            let task = Task::new(member, air, self.rho_kg_m3, self.speeds.clone())?;
+            as_json(&task.speeds()?)
+        })?;
+        let StabilityResult { state_matrix, p_k, .. } = self.of_model(updated);
+        let factors = if members.is_empty() { &[][..] } else { &[1.0 - off, 1.0 + off] };
+        let of_factor = |factor: &f64| {
+            let pressures = self.pressures.with_unsteady(*factor);
+            let (p_k, modal) = self.p_k(&sets(&self.corrected.schedule), &pressures)?;
+            as_json(&StabilitySpeeds::new(state_matrix.speeds, MethodSpeeds::new(&p_k.crossings, modal)))
+        };
+        let unsteady = factors.iter().map(of_factor).collect::<Result<_, Failure>>()?;
+        let value = as_json(&StabilitySpeeds::new(state_matrix.speeds, p_k.speeds))?;
+        Ok(intervals_of(&value, &[members, unsteady]))
     }
 
     /// The numbers of a model.
     fn of_model(&self, model: &Stability) -> StabilityResult {
-        StabilityResult {
-            state_matrix: method(&model.state_matrix, model.divergence[0], self.highest()),
-            p_k: method(&model.p_k, model.divergence[1], self.highest()),
-            p_k_over_state_matrix: model.ratio(),
-        }
+        let state_matrix = method(&model.state_matrix, model.divergence[0], self.highest());
+        let p_k = method(&model.p_k, model.divergence[1], self.highest());
+        let speeds = StabilitySpeeds::new(state_matrix.speeds, p_k.speeds);
+        StabilityResult { state_matrix, p_k, p_k_over_state_matrix: speeds.p_k_over_state_matrix }
     }
 
     fn flow(&self, v_m_s: f64) -> Flow {
@@ -221,32 +268,39 @@ impl<'a> Task<'a> {
         at: &dyn Fn(f64) -> Corrections,
         sets: &[(f64, Corrections)],
     ) -> Result<Stability, Failure> {
-        self.stability_in(name, at, sets, &self.pressures)
+        let (elastic, below) = self.below_divergence(at)?;
+        let state_matrix = flutter_of_state_space(&below, |flow| self.state_matrix(flow, at))?;
+        let (p_k, modal) = self.p_k(sets, &self.pressures)?;
+        Ok(Stability { name, state_matrix, p_k, divergence: [elastic, modal] })
     }
 
-    fn stability_in(
-        &self,
-        name: &'static str,
-        at: &dyn Fn(f64) -> Corrections,
-        sets: &[(f64, Corrections)],
-        pressures: &ModePressures,
-    ) -> Result<Stability, Failure> {
+    /// Divergence speed of the flexible wing, and the flows below it: the rig refuses those beyond.
+    fn below_divergence(&self, at: &dyn Fn(f64) -> Corrections) -> Result<(Option<f64>, Vec<Flow>), Failure> {
         let wing = &self.corrected.wing;
         let elastic = first_divergence(&self.speeds, |v| wing.divergence_speed(self.rho_kg_m3, &at(v)))?;
-        // the rig refuses airspeeds beyond divergence
         let below = |v: &&f64| elastic.is_none_or(|limit| **v < limit);
-        let flows: Vec<Flow> = self.speeds.iter().filter(below).map(|v| self.flow(*v)).collect();
-        let state_matrix =
-            flutter_of_state_space::<Failure>(&flows, |flow| Ok(self.rig.at(flow, &at(flow.v_m_s))?.a))?;
+        Ok((elastic, self.speeds.iter().filter(below).map(|v| self.flow(*v)).collect()))
+    }
+
+    fn state_matrix(&self, flow: Flow, at: &dyn Fn(f64) -> Corrections) -> Result<Mat<f64>, Failure> {
+        Ok(self.rig.at(flow, &at(flow.v_m_s))?.a)
+    }
+
+    /// p-k with corrections by airspeed, and the divergence speed of the kept modes.
+    fn p_k(
+        &self,
+        sets: &[(f64, Corrections)],
+        pressures: &ModePressures,
+    ) -> Result<(FlutterCurves, Option<f64>), Failure> {
         let table = |(v_m_s, corrections): &(f64, Corrections)| -> Result<_, Failure> {
-            Ok((*v_m_s, self.rig.gaf_table(pressures, &wing.padded(corrections)?)?))
+            let padded = self.corrected.wing.padded(corrections)?;
+            Ok((*v_m_s, self.rig.gaf_table(pressures, &padded)?))
         };
         let forces = ScheduledForces::new(sets.iter().map(table).collect::<Result<_, _>>()?)?;
         let damping = self.corrected.file.damping_ratio;
         let system = Aeroelastic::of_modes(self.rig.omega_rad_s(), damping, &forces)?;
         let all: Vec<Flow> = self.speeds.iter().map(|v| self.flow(*v)).collect();
-        let modal = system.divergence_speed(self.rho_kg_m3, &self.speeds)?;
-        Ok(Stability { name, state_matrix, p_k: system.pk(&all)?, divergence: [elastic, modal] })
+        Ok((system.pk(&all)?, system.divergence_speed(self.rho_kg_m3, &self.speeds)?))
     }
 
     fn highest(&self) -> f64 {
@@ -287,14 +341,14 @@ impl<'a> Task<'a> {
                     model.name.to_string(),
                     method.to_string(),
                     number(flutter.map(|crossing| crossing.flow.v_m_s)),
-                    number(flutter.map(hertz)),
+                    number(flutter.map(Crossing::frequency_hz)),
                     number(divergence),
                 ]);
             }
         }
         let mut text = format!("{table}up to {} m/s at {} kg/m3\n", self.highest(), self.rho_kg_m3);
         for model in models {
-            if let Some(ratio) = model.ratio() {
+            if let Some(ratio) = self.of_model(model).p_k_over_state_matrix {
                 let _ = writeln!(
                     text,
                     "{}: p-k flutters {:+.2} % from the state matrix",
@@ -314,12 +368,5 @@ impl<'a> Task<'a> {
             );
         }
         text
-    }
-}
-
-impl Stability {
-    /// Flutter speed of p-k over that of the state matrix.
-    fn ratio(&self) -> Option<f64> {
-        Some(self.p_k.flutter()?.flow.v_m_s / self.state_matrix.flutter()?.flow.v_m_s)
     }
 }

@@ -280,8 +280,8 @@ fn summary(result: &BentFlutterResult) -> String {
     let _ = writeln!(
         text,
         "undeformed: flutter {}, divergence {}",
-        number(result.linear.flutter_speed_m_s),
-        number(result.linear.divergence_speed_m_s)
+        number(result.linear.speeds.flutter_speed_m_s),
+        number(result.linear.speeds.divergence_speed_m_s)
     );
     let corrections = result.corrections.as_deref().map_or_else(
         || "none: the wing as theory has it; --corrections names those of a calibration".to_owned(),

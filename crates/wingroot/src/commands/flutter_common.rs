@@ -2,7 +2,7 @@
 
 use maneuver::flutter::{Crossing, FlutterCurves};
 
-use super::flutter_result::{MethodResult, StabilityChange};
+use super::flutter_result::{MethodResult, MethodSpeeds, StabilityChange};
 
 /// Highest airspeed if nothing is said, m/s.
 pub(super) const HIGHEST: f64 = 100.0;
@@ -27,19 +27,13 @@ pub(super) fn method(curves: &FlutterCurves, divergence: Option<f64>, highest: f
     }
     let change = |crossing: &Crossing| StabilityChange {
         v_m_s: crossing.flow.v_m_s,
-        frequency_hz: hertz(crossing),
+        frequency_hz: crossing.frequency_hz(),
         mode: crossing.branch + 1,
         becomes: if crossing.unstable { "unstable" } else { "stable" },
     };
     MethodResult {
-        flutter_speed_m_s: flutter.map(|crossing| crossing.flow.v_m_s),
-        flutter_frequency_hz: flutter.map(hertz),
-        divergence_speed_m_s: divergence,
+        speeds: MethodSpeeds::new(&curves.crossings, divergence),
         changes_of_stability: curves.crossings.iter().map(change).collect(),
         remarks,
     }
-}
-
-pub(super) fn hertz(crossing: &Crossing) -> f64 {
-    crossing.omega_rad_s / std::f64::consts::TAU
 }

@@ -7,6 +7,7 @@ use coupling::Geometry;
 use fullaircraft::{
     Aircraft, AircraftError, BentNumbers, Comparison, Derivatives, LargeFlight, ModelNumbers, Summary,
 };
+use maneuver::AirModel;
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::Value;
@@ -69,6 +70,9 @@ pub(crate) fn run(args: &FullaircraftArgs, common: &Common) -> Result<(), Failur
     for remark in effects.remarks(&aircraft.file).iter().filter(|_| !common.quiet) {
         show::note(remark);
     }
+    let air = wing.shared_air(&aircraft.flow, AirModel::default())?;
+    let aircraft = aircraft.in_air(air.clone());
+    let found = found.map(|found| found.in_air(air.clone()));
     let comparison = effects.compare(&aircraft, found.as_ref(), &corrections)?;
     let is_large = args.nonlinear || wing.file.geometry == Geometry::Nonlinear;
     let large = || aircraft.large_flight(found.as_ref(), &corrections, &comparison);
@@ -76,7 +80,7 @@ pub(crate) fn run(args: &FullaircraftArgs, common: &Common) -> Result<(), Failur
     let members = wing.with_each_in_flight(|member| {
         let Assembled { aircraft, corrections, effects } =
             assembled(aircraft.file.clone(), member, &Shared::default())?;
-        let flown = effects.fly(&aircraft, &corrections)?;
+        let flown = effects.fly(&aircraft.in_air(air.clone()), &corrections)?;
         as_json(&Updated { model: flown.numbers(), derivatives: &flown.derivatives })
     })?;
     let updated = &comparison.updated;

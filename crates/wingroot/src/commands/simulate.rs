@@ -90,15 +90,16 @@ pub(crate) fn run(args: &SimulateArgs, common: &Common) -> Result<(), Failure> {
     let effects = simulate_effects::of(updated, &args.without)?;
     let maneuvers = simulate_maneuvers::read(&args.maneuver, &corrected)?;
     let settings = RigSettings { strip_loads: args.strips, ..settings(&corrected) };
-    let rig = Rig::new(&corrected.wing, settings.clone())?;
-    let of_found = found.as_ref().map(|found| Rig::new(&found.wing, settings.clone())).transpose()?;
+    let shared = corrected.shared_air(&corrected.wing, settings.air)?;
+    let rig = corrected.rig(&settings, shared.as_deref())?;
+    let of_found = found.as_ref().map(|found| found.rig(&settings, shared.as_deref())).transpose()?;
     let rigs = [&rig, of_found.as_ref().unwrap_or(&rig)];
     let bar = progress::bar(common, runs.len(), "flying runs");
     let sortie = Sortie { runs: &runs, maneuvers: &maneuvers, rho_kg_m3, settings: &settings };
     let mut flown = sortie.fly(rigs, updated, &effects, &|| bar.inc(1))?;
     progress::end(&bar);
     let members = corrected.with_each(|member| {
-        let rig = Rig::new(&member.wing, settings.clone())?;
+        let rig = member.rig(&settings, shared.as_deref())?;
         let effects = simulate_effects::of(member, &args.without)?;
         let flown = sortie.fly([&rig; 2], member, &effects, &|| ())?;
         Ok(flown.iter().map(|flown| loads_of(&flown.updated)).collect::<Vec<_>>())

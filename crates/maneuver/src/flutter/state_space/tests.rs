@@ -14,7 +14,7 @@ fn imaginary(values: &[f64]) -> Vec<c64> {
 
 #[test]
 fn what_grows_is_counted_beyond_round_off_and_pairs_once() {
-    let count = |values: &[c64]| spectrum(values, &[]).unstable();
+    let count = unstable;
     // beside an eigenvalue of 100 what grows by 1e-10 is round-off
     let large = c64::new(-100.0, 0.0);
     assert_eq!(count(&[large, c64::new(5e-11, 3.0), c64::new(5e-11, -3.0)]), [0, 0]);
@@ -25,8 +25,8 @@ fn what_grows_is_counted_beyond_round_off_and_pairs_once() {
     // as good as real
     assert_eq!(count(&[c64::new(100.0, 5e-8), c64::new(100.0, -5e-8)]), [0, 2]);
     assert_eq!(count(&[c64::new(100.0, 2e-7), c64::new(100.0, -2e-7)]), [1, 0]);
-    assert!(!Spectrum::oscillates(c64::default()) && Spectrum::oscillates(c64::new(0.0, 1.0)));
-    assert!(!Spectrum::oscillates(c64::new(0.0, -1.0)));
+    assert!(!oscillates(c64::default()) && oscillates(c64::new(0.0, 1.0)));
+    assert!(!oscillates(c64::new(0.0, -1.0)));
 }
 
 #[test]
@@ -110,6 +110,10 @@ fn flutter_and_divergence_are_found_where_they_are_and_ascribed_to_the_branch_be
     };
     let curves: Curves = flutter_of_state_space(&[flow(10.0), flow(20.0)], matrix);
     let curves = curves.expect("eigenvalues");
+    let alone: Result<Vec<Crossing>, FlutterError> = changes_of_stability(&[flow(10.0), flow(20.0)], matrix);
+    let beside = alone.expect("eigenvalues").into_iter().zip(&curves.crossings);
+    let beside: Vec<Crossing> = beside.map(|(alone, of)| Crossing { branch: of.branch, ..alone }).collect();
+    assert_eq!(beside, curves.crossings, "changes without curves");
     let [divergence, flutter] = curves.crossings[..] else { panic!("{:?}", curves.crossings) };
     assert!((divergence.flow.v_m_s - 13.0).abs() < 1e-8 && divergence.omega_rad_s == 0.0, "{divergence:?}");
     assert!((flutter.flow.v_m_s - 19.0).abs() < 1e-8 && (flutter.omega_rad_s - 18.5).abs() < 1e-7);
