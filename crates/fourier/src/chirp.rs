@@ -10,9 +10,12 @@ use std::f64::consts::PI;
 use std::rc::Rc;
 
 thread_local! {
-    /// Chirps by the number of samples and of coefficients; a campaign has few of them.
+    /// Chirps by the number of samples and of coefficients.
     static CHIRPS: RefCell<HashMap<[usize; 2], Rc<Chirp>>> = RefCell::new(HashMap::new());
 }
+
+/// As many chirps are kept: the runs of a campaign have few lengths, and where each has its own, memory does not grow with them.
+const MOST_KEPT: usize = 32;
 
 /// What does not depend on the records.
 struct Chirp {
@@ -57,9 +60,13 @@ pub fn cosines(records: [&[f64]; 2], count: usize) -> [Vec<f64>; 2] {
     if first.iter().chain(second).all(|value| *value == 0.0) {
         return [vec![0.0; count], vec![0.0; count]];
     }
-    let new = || Rc::new(Chirp::new(first.len(), count));
-    let chirp =
-        CHIRPS.with_borrow_mut(|known| Rc::clone(known.entry([first.len(), count]).or_insert_with(new)));
+    let chirp = CHIRPS.with_borrow_mut(|known| {
+        let key = [first.len(), count];
+        if known.len() == MOST_KEPT && !known.contains_key(&key) {
+            known.clear();
+        }
+        Rc::clone(known.entry(key).or_insert_with(|| Rc::new(Chirp::new(first.len(), count))))
+    });
     let mut folded = vec![Complex::default(); chirp.kernel.len()];
     for (((to, a), b), turn) in folded.iter_mut().zip(first).zip(second).zip(&chirp.turns) {
         *to = Complex::new(*a, *b) * turn;

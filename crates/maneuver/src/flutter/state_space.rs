@@ -64,8 +64,8 @@ fn values_of(a: &Mat<f64>) -> Result<Vec<c64>, FlutterError> {
     eigenvalues(a.as_ref()).ok_or(FlutterError::Eigenvalues("the system"))
 }
 
-/// Every change of stability over the flows, without curves: what [`flutter_of_state_space`] finds, in a third of its time. The branch of
-/// each is left open (0).
+/// Every change of stability over the flows as [`flutter_of_state_space`] finds them, by eigenvalues alone: there are no curves, and the
+/// branch of each change is left open (0).
 ///
 /// # Errors
 /// As [`flutter_of_state_space`].

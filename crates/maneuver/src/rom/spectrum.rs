@@ -26,11 +26,14 @@ const REST_S: [f64; 2] = [5.0, 20.0];
 /// Places in the table and their weights at the frequency of a bin.
 type Weights = [(usize, f64); 4];
 
+/// As many weights are kept: the runs of a campaign have few lengths, and where each has its own, memory does not grow with them.
+const MOST_KEPT: usize = 64;
+
 /// Length, time step and grid of frequencies, the last two by their bits.
 type BinsOf = (usize, u64, Vec<u64>);
 
 thread_local! {
-    /// Weights of all bins: runs of a campaign share few of them.
+    /// Weights of all bins.
     static WEIGHTS: RefCell<HashMap<BinsOf, Rc<[Weights]>>> = RefCell::new(HashMap::new());
 }
 
@@ -163,7 +166,12 @@ impl ResponseTable {
         };
         let grid = self.frequencies_hz.iter().map(|f| f.to_bits()).collect();
         let key = (length, time_step_s.to_bits(), grid);
-        WEIGHTS.with_borrow_mut(|known| Rc::clone(known.entry(key).or_insert_with(all)))
+        WEIGHTS.with_borrow_mut(|known| {
+            if known.len() == MOST_KEPT && !known.contains_key(&key) {
+                known.clear();
+            }
+            Rc::clone(known.entry(key).or_insert_with(all))
+        })
     }
 
     /// Those at a frequency; none above the grid.
