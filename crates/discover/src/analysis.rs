@@ -63,8 +63,9 @@ impl<'a> Rigs<'a> {
         rules: Rules,
     ) -> Result<Self, DiscoverError> {
         let how = &rules.variants;
-        let shared = SharedAir::of(wing, AirModel::default()).map_err(CouplingError::from);
-        let shared = shared.map_err(SimulatorError::from)?;
+        let settings = AirModel::default().doublets();
+        let shared = settings.map(|settings| SharedAir::of(wing, settings)).transpose();
+        let shared = shared.map_err(CouplingError::from).map_err(SimulatorError::from)?;
         let own = SplitRig::in_air(file, wing, AirModel::default(), how, shared.as_ref())?;
         let mut variants = vec![SplitRig::in_air(file, wing, lag_variant(how), how, shared.as_ref())?];
         variants.push(match lattice {

@@ -261,14 +261,14 @@ fn a_shared_lattice_changes_no_bit_and_is_not_asked_for_a_wing_on_another() {
     let (_, coarser) = wing_with(|_| ());
     assert_ne!(wing.lattice, coarser.lattice);
     let settings = RigSettings::new(file.damping_ratio, file.pitch_axis_x());
-    let shared = SharedAir::of(&wing, settings.air).unwrap().expect("doublets");
+    let shared = SharedAir::of(&wing, settings.air.doublets().expect("doublets")).unwrap();
     for wing in [&wing, &coarser] {
         let [alone, sharing] =
             [None, Some(&shared)].map(|shared| Rig::in_air(wing, settings.clone(), shared).unwrap());
         let [alone, sharing] = [&alone, &sharing].map(|rig| &rig.air().table.as_ref().unwrap().cp);
         assert_eq!(alone, sharing);
     }
-    assert!(SharedAir::of(&wing, AirModel::QuasiSteady).unwrap().is_none());
+    assert_eq!(AirModel::QuasiSteady.doublets(), None);
 }
 
 #[test]

@@ -63,8 +63,9 @@ impl CorrectedWing {
         wing: &ElasticWing,
         model: AirModel,
     ) -> Result<Option<Arc<SharedAir>>, Failure> {
-        let shared = self.ensemble.as_ref().map(|_| SharedAir::of(wing, model)).transpose();
-        Ok(shared.map_err(|error| RigError::Coupling(error.into()))?.flatten().map(Arc::new))
+        let settings = model.doublets().filter(|_| self.ensemble.is_some());
+        let shared = settings.map(|settings| SharedAir::of(wing, settings)).transpose();
+        Ok(shared.map_err(|error| RigError::Coupling(error.into()))?.map(Arc::new))
     }
 
     /// The wing on its balance, in the air that all wings of the ensemble have in common, if that was solved.

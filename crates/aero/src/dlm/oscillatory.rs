@@ -70,7 +70,7 @@ pub struct DoubletLattice {
     integral: KernelIntegral,
     /// Numbers of the boxes of `own`.
     ids: Vec<u32>,
-    kept: Option<Arc<Kept>>,
+    kept: Option<Arc<Kept<OscillatoryAero>>>,
 }
 
 impl DoubletLattice {
@@ -110,7 +110,7 @@ impl DoubletLattice {
     /// lattice. A quarter of a gigabyte at most.
     #[must_use]
     pub fn keeping_factors(self) -> Self {
-        Self { kept: Some(Arc::default()), ..self }
+        Self { kept: Some(Arc::new(Kept::new())), ..self }
     }
 
     /// The same without what was kept.

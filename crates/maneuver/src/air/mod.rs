@@ -47,6 +47,16 @@ pub enum AirModel {
     },
 }
 
+impl AirModel {
+    /// How doublets are integrated; none where air answers at once.
+    pub fn doublets(self) -> Option<DlmSettings> {
+        match self {
+            Self::QuasiSteady => None,
+            Self::Unsteady { dlm, .. } => Some(dlm),
+        }
+    }
+}
+
 impl Default for AirModel {
     fn default() -> Self {
         Self::Unsteady { lags: 7, dlm: DlmSettings::default() }

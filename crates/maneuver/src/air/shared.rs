@@ -1,6 +1,5 @@
 //! One doublet lattice for wings that differ in anything but it: those of an ensemble, or one wing by several models.
 
-use super::AirModel;
 use aero::{AeroError, DlmSettings, DoubletLattice, Lattice, MirrorPlane};
 use coupling::ElasticWing;
 
@@ -15,21 +14,14 @@ pub struct SharedAir {
 }
 
 impl SharedAir {
-    /// That of a wing; none where air answers at once.
+    /// That of a wing, its doublets integrated as `settings` say.
     ///
     /// # Errors
     /// As [`DoubletLattice::new`].
-    pub fn of(wing: &ElasticWing, model: AirModel) -> Result<Option<Self>, AeroError> {
-        let AirModel::Unsteady { dlm: settings, .. } = model else { return Ok(None) };
+    pub fn of(wing: &ElasticWing, settings: DlmSettings) -> Result<Self, AeroError> {
         let doublets =
             DoubletLattice::new(&wing.lattice, wing.plane, wing.mach, &settings)?.keeping_factors();
-        Ok(Some(Self {
-            lattice: wing.lattice.clone(),
-            plane: wing.plane,
-            mach: wing.mach,
-            settings,
-            doublets,
-        }))
+        Ok(Self { lattice: wing.lattice.clone(), plane: wing.plane, mach: wing.mach, settings, doublets })
     }
 
     /// The doublets, if they are a wing's own.
