@@ -1,12 +1,12 @@
 #![doc = include_str!("../README.md")]
 
-mod chirp;
+mod bluestein;
 
 use num_complex::Complex;
 use rustfft::FftPlanner;
 use std::cell::RefCell;
 
-pub use chirp::cosines;
+pub use bluestein::cosines;
 
 thread_local! {
     /// Plans are made once a length.

@@ -38,7 +38,7 @@ fn cosine_coefficients_are_the_sums_that_define_them() {
         let length = f64::from(n);
         let records = [samples(n), (0..n).map(|i| f64::from(i * i % 11) - 3.0).collect()];
         let nothing = vec![0.0; records[0].len()];
-        // as many counts as chirps are kept, and the same again
+        // as many counts as transforms are kept, and the same again
         for count in (1..40).chain([7, records[0].len(), 2 * records[0].len()]) {
             let [first, second] = cosines([&records[0], &records[1]], count);
             let [alone, of_nothing] = cosines([&records[0], &nothing], count);

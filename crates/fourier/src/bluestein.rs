@@ -10,15 +10,15 @@ use std::f64::consts::PI;
 use std::rc::Rc;
 
 thread_local! {
-    /// Chirps by the number of samples and of coefficients.
-    static CHIRPS: RefCell<HashMap<[usize; 2], Rc<Chirp>>> = RefCell::new(HashMap::new());
+    /// Transforms by the number of samples and of coefficients.
+    static KNOWN: RefCell<HashMap<[usize; 2], Rc<Bluestein>>> = RefCell::new(HashMap::new());
 }
 
-/// As many chirps are kept: the runs of a campaign have few lengths, and where each has its own, memory does not grow with them.
+/// As many are kept: the runs of a campaign have few lengths, and where each has its own, memory does not grow with them.
 const MOST_KEPT: usize = 32;
 
 /// What does not depend on the records.
-struct Chirp {
+struct Bluestein {
     /// `exp(-i pi n² / 2N)`, as long as the longer of record and coefficients.
     turns: Vec<Complex<f64>>,
     /// `exp(-i pi k / 2N)` by coefficient.
@@ -27,7 +27,7 @@ struct Chirp {
     kernel: Vec<Complex<f64>>,
 }
 
-impl Chirp {
+impl Bluestein {
     fn new(samples: usize, count: usize) -> Self {
         // n² modulo the period of the exponential, so that its angle is as exact for the last sample as for the first
         let angle = |n: usize| 0.5 * PI * ((n * n) % (4 * samples)) as f64 / samples as f64;
@@ -60,26 +60,27 @@ pub fn cosines(records: [&[f64]; 2], count: usize) -> [Vec<f64>; 2] {
     if first.iter().chain(second).all(|value| *value == 0.0) {
         return [vec![0.0; count], vec![0.0; count]];
     }
-    let chirp = CHIRPS.with_borrow_mut(|known| {
+    let transform = KNOWN.with_borrow_mut(|known| {
         let key = [first.len(), count];
         if known.len() == MOST_KEPT && !known.contains_key(&key) {
             known.clear();
         }
-        Rc::clone(known.entry(key).or_insert_with(|| Rc::new(Chirp::new(first.len(), count))))
+        Rc::clone(known.entry(key).or_insert_with(|| Rc::new(Bluestein::new(first.len(), count))))
     });
-    let mut folded = vec![Complex::default(); chirp.kernel.len()];
-    for (((to, a), b), turn) in folded.iter_mut().zip(first).zip(second).zip(&chirp.turns) {
+    let mut folded = vec![Complex::default(); transform.kernel.len()];
+    for (((to, a), b), turn) in folded.iter_mut().zip(first).zip(second).zip(&transform.turns) {
         *to = Complex::new(*a, *b) * turn;
     }
     forward(&mut folded);
-    for (value, kernel) in folded.iter_mut().zip(&chirp.kernel) {
+    for (value, kernel) in folded.iter_mut().zip(&transform.kernel) {
         *value *= kernel;
     }
     backward(&mut folded);
     // the sums of a real record at -k are the conjugates of those at k, which parts the two
     let at = |k: usize| {
-        let forth = folded[k] * chirp.turns[k] * chirp.half_samples[k];
-        let back = folded[(folded.len() - k) % folded.len()] * chirp.turns[k] * chirp.half_samples[k].conj();
+        let forth = folded[k] * transform.turns[k] * transform.half_samples[k];
+        let back =
+            folded[(folded.len() - k) % folded.len()] * transform.turns[k] * transform.half_samples[k].conj();
         0.5 * (forth + back)
     };
     let both: Vec<Complex<f64>> = (0..count).map(at).collect();
