@@ -72,7 +72,7 @@ pub struct Given {
     /// Take corrections of a fit that stalled or diverged all the same
     #[arg(long)]
     pub accept_unconverged: bool,
-    /// Compute with the calibrated wing alone, not with those of ensemble.ron beside the corrections: a third to a half of the time
+    /// Compute with the calibrated wing alone, not with those of ensemble.ron beside the corrections: a third to two thirds of the time
     #[arg(long)]
     pub no_intervals: bool,
 }
