@@ -69,12 +69,12 @@ impl Tunnel {
             speeds.par_iter().map(|v_m_s| (*v_m_s, at(effects, *v_m_s))).collect()
         };
         let wings = tested(&order.effects);
-        let plain = tested(&[]);
+        let plain = (!order.effects.is_empty()).then(|| tested(&[]));
         let flown: Vec<Flown> = planned.par_iter().map(|run| self.fly(order, &wings, run)).collect();
         Measured {
             records: records(order, &planned, &flown, &self.rig.lattice.strips),
             statics: self.statics(order, &wings, &order.effects, Purpose::Statics),
-            reference: self.statics(order, &plain, &[], Purpose::Reference),
+            reference: self.statics(order, plain.as_ref().unwrap_or(&wings), &[], Purpose::Reference),
         }
     }
 

@@ -54,8 +54,8 @@ pub struct Lattice {
     pub rows: Rows,
     /// Points at which the flow must not cross, m, by ring.
     pub(crate) points_x_m: Vec<f64>,
-    /// Downwash at the points by the rings.
-    pub(crate) bound: DMatrix<f64>,
+    /// What readers read, by downwash at the points, where nothing is shed.
+    read: DMatrix<f64>,
     /// Downwash at the points by what is just leaving the strips.
     pub(crate) present: DMatrix<f64>,
     /// Downwash at the points by the strips of every part of the wake's memory.
@@ -159,8 +159,9 @@ impl Lattice {
             Part::Mean(from, to) => blown(&drawn.behind(*from as f64, *to as f64)),
             Part::Endless(from) => blown(&drawn.behind(*from as f64, f64::INFINITY)),
         };
+        let bound = blown(&drawn.rings());
         Self {
-            bound: blown(&drawn.rings()),
+            read: solved_from_left(&bound, &readers(&strips, n)),
             present: node(0),
             wake: rows.parts().par_iter().map(part).collect(),
             points_x_m: points.iter().map(|point| point[0]).collect(),
@@ -176,34 +177,47 @@ impl Lattice {
         ((ring % self.chordwise) as f64 + 0.75) / self.chordwise as f64
     }
 
-    /// Last ring of a strip, whose strength is the strip's circulation.
-    pub(crate) fn last(&self, strip: usize) -> usize {
-        (strip + 1) * self.chordwise - 1
+    /// What readers read, by downwash at the points, if the downwash by the strips' last rings is another by `more`: columns
+    /// of a matrix that are changed (Woodbury 1950). The readers' first rows are those last rings.
+    pub(crate) fn read_with(&self, more: &DMatrix<f64>) -> DMatrix<f64> {
+        let count = self.strips.len();
+        let last = self.read.rows(0, count);
+        let own = DMatrix::identity(count, count) + last * more;
+        let changed = own.lu().solve(&last.into_owned());
+        let changed = changed.unwrap_or_else(|| DMatrix::from_element(count, self.read.ncols(), f64::NAN));
+        &self.read - (&self.read * more) * changed
     }
+}
 
-    /// Rows that read the strips' circulation from the rings, then the integrals over the chord of the strength, and of the
-    /// strength times the distance from the leading edge. The strength jumps at the quarter of every ring's panel.
-    pub(crate) fn readers(&self) -> DMatrix<f64> {
-        let (count, n) = (self.strips.len(), self.chordwise);
-        let mut rows = DMatrix::zeros(3 * count, count * n);
-        for (s, strip) in self.strips.iter().enumerate() {
-            let panel_m = strip.chord_m / n as f64;
-            rows[(s, self.last(s))] = 1.0;
-            for i in 0..n {
-                let ring = s * n + i;
-                // behind its own quarter point, and ahead of the next one's
-                let own = (0.75 * panel_m, (i as f64 + 0.625) * panel_m);
-                rows[(count + s, ring)] += own.0;
-                rows[(2 * count + s, ring)] += own.0 * own.1;
-                if i + 1 < n {
-                    let next = (0.25 * panel_m, (i as f64 + 1.125) * panel_m);
-                    rows[(count + s, ring)] += next.0;
-                    rows[(2 * count + s, ring)] += next.0 * next.1;
-                }
+/// Rows that read the strips' circulation from the rings, which is the strength of their last ones, then the integrals over
+/// the chord of the strength, and of the strength times the distance from the leading edge. The strength jumps at the quarter
+/// of every ring's panel.
+fn readers(strips: &[Strip], n: usize) -> DMatrix<f64> {
+    let count = strips.len();
+    let mut rows = DMatrix::zeros(3 * count, count * n);
+    for (s, strip) in strips.iter().enumerate() {
+        let panel_m = strip.chord_m / n as f64;
+        rows[(s, s * n + n - 1)] = 1.0;
+        for i in 0..n {
+            let ring = s * n + i;
+            // behind its own quarter point, and ahead of the next one's
+            let own = (0.75 * panel_m, (i as f64 + 0.625) * panel_m);
+            rows[(count + s, ring)] += own.0;
+            rows[(2 * count + s, ring)] += own.0 * own.1;
+            if i + 1 < n {
+                let next = (0.25 * panel_m, (i as f64 + 1.125) * panel_m);
+                rows[(count + s, ring)] += next.0;
+                rows[(2 * count + s, ring)] += next.0 * next.1;
             }
         }
-        rows
     }
+    rows
+}
+
+/// `R A⁻¹`
+fn solved_from_left(a: &DMatrix<f64>, r: &DMatrix<f64>) -> DMatrix<f64> {
+    let solved = a.transpose().lu().solve(&r.transpose());
+    solved.map_or_else(|| DMatrix::from_element(r.nrows(), a.nrows(), f64::NAN), |x| x.transpose())
 }
 
 /// Downwash at points by rings and by their images behind the wall.

@@ -6,7 +6,7 @@ use crate::wing::Section;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
 
-/// Rows of all matrices: circulation of the strips, then the two integrals of [`Lattice`]'s readers. Motions are multiplied by
+/// Rows of all matrices: circulation of the strips, then the two integrals over their chords. Motions are multiplied by
 /// the airspeed, rates by one.
 #[derive(Debug, Clone)]
 pub struct Operator {
@@ -33,28 +33,21 @@ impl Operator {
     /// `wake`: whether there is one, as in a stream.
     pub fn new(lattice: &Lattice, sections: &[Section], motions: &Motions, wake: bool) -> Self {
         let (count, n) = (lattice.strips.len(), lattice.chordwise);
-        let mut moving = lattice.bound.clone();
+        // downwash by the strips' last rings, beside that of the rings alone
+        let mut moving = DMatrix::zeros(count * n, count);
         for (s, section) in sections.iter().enumerate() {
             let lacks = 1.0 / TAU - 1.0 / section.slope_per_rad;
-            for i in 0..n {
-                moving[(s * n + i, lattice.last(s))] -= 2.0 * lacks / lattice.strips[s].chord_m;
-            }
+            moving.view_mut((s * n, s), (n, 1)).fill(-2.0 * lacks / lattice.strips[s].chord_m);
         }
         let mut steady = moving.clone();
         if wake {
-            for s in 0..count {
-                let mut column = moving.column_mut(lattice.last(s));
-                column += lattice.present.column(s);
-                for part in [&lattice.present].into_iter().chain(&lattice.wake) {
-                    let mut column = steady.column_mut(lattice.last(s));
-                    column += part.column(s);
-                }
-            }
+            moving += &lattice.present;
+            steady += &lattice.present;
+            lattice.wake.iter().for_each(|part| steady += part);
         }
-        let (readers, columns) = (lattice.readers(), motions.columns());
+        let columns = motions.columns();
         let of_strips = DMatrix::from_fn(count * n, count, |i, s| f64::from(u8::from(i / n == s)));
-        let read = solved_from_left(&moving, &readers);
-        let at_rest = solved_from_left(&steady, &readers);
+        let [read, at_rest] = [moving, steady].map(|more| lattice.read_with(&more));
         let rows = if wake { lattice.wake.len() } else { 0 };
         let mut by_wake = DMatrix::zeros(3 * count, count * rows);
         for row in 0..rows {
@@ -82,12 +75,6 @@ impl Operator {
     pub fn at_rest(&self, motion: usize, position_v_m_s: f64) -> DVector<f64> {
         self.steady.column(motion) * position_v_m_s
     }
-}
-
-/// `R A⁻¹`
-fn solved_from_left(a: &DMatrix<f64>, r: &DMatrix<f64>) -> DMatrix<f64> {
-    let solved = a.transpose().lu().solve(&r.transpose());
-    solved.map_or_else(|| DMatrix::from_element(r.nrows(), a.nrows(), f64::NAN), |x| x.transpose())
 }
 
 /// Lift and nose-up moment about the quarter point of every strip, N and N m.

@@ -18,7 +18,7 @@ pub enum Part {
 }
 
 /// Number of nodes behind the trailing edge; the one at the edge is the present.
-const NODES: usize = 6;
+pub(crate) const NODES: usize = 6;
 /// Pieces of a step between two nodes: the edge is near, so the first ones are short.
 const PIECES: u32 = 10;
 

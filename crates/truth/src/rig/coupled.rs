@@ -158,6 +158,12 @@ impl<'a> Coupled<'a> {
         self.setting.wall_rad * lift_n / (q_pa * planform.area_m2()) * (0.8 + 0.4 * eta)
     }
 
+    /// Whether strips have an incidence of their own, beside motions: by stall, play or walls.
+    pub(crate) fn strips_turn(&self) -> bool {
+        let setting = &self.setting;
+        self.v_m_s > 0.0 && (setting.stall.is_some() || setting.slack_rad != 0.0 || setting.wall_rad != 0.0)
+    }
+
     /// The state at an angle of attack and deflections that stay.
     pub fn at_rest(&self, alpha_rad: f64, controls_rad: &[f64]) -> Rest {
         self.pulled(alpha_rad, controls_rad, GRAVITY_M_S2 * alpha_rad.cos())
@@ -177,9 +183,7 @@ impl<'a> Coupled<'a> {
         let mut extra: DVector<f64> = DVector::zeros(self.operator.strips);
         let mut lost = extra.clone();
         let mut rest = None;
-        let nonlinear =
-            self.setting.stall.is_some() || self.setting.slack_rad != 0.0 || self.setting.wall_rad != 0.0;
-        for _ in 0..if nonlinear && self.v_m_s > 0.0 { REST_STEPS } else { 1 } {
+        for _ in 0..if self.strips_turn() { REST_STEPS } else { 1 } {
             let mut state = steady.column(modes) * alpha_rad
                 + &self.operator.steady_by_strip * (&self.incidence + &extra) * self.v_m_s;
             for (control, delta) in controls_rad.iter().enumerate() {

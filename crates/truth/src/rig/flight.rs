@@ -37,6 +37,8 @@ struct Step {
     by_velocity: DMatrix<f64>,
     /// Generalised forces by circulations and integrals, and by the integrals' rates.
     forces: [DMatrix<f64>; 2],
+    /// Balance loads likewise.
+    loads: [DMatrix<f64>; 2],
     /// Columns of the operator: positions times the airspeed, rates.
     positions: DMatrix<f64>,
     rates: DMatrix<f64>,
@@ -53,6 +55,7 @@ impl Coupled<'_> {
         let positions = self.operator.by_motion.columns(0, motions) * self.v_m_s;
         let rates = self.operator.by_motion.columns(motions, motions).into_owned();
         let forces = [&self.generalised * &self.by_state, &self.generalised * &self.by_rate];
+        let loads = [&self.balance * &self.by_state, &self.balance * &self.by_rate];
         let by_position = &forces[0] * positions.columns(0, modes);
         let by_velocity = &forces[0] * rates.columns(0, modes) + &forces[1] * positions.columns(0, modes);
         let strips = &self.rig.lattice.strips;
@@ -71,19 +74,29 @@ impl Coupled<'_> {
                 - 0.25 * dt * dt * by_position[(i, j)]
         });
         let strips = &self.operator.by_strip * self.v_m_s;
-        Step { solver: effective.lu(), by_position, by_velocity, forces, positions, rates, strips, apparent }
+        Step {
+            solver: effective.lu(),
+            by_position,
+            by_velocity,
+            forces,
+            loads,
+            positions,
+            rates,
+            strips,
+            apparent,
+        }
     }
 
     /// Flies from rest in the inputs' first step.
     pub fn fly(&self, inputs: &Inputs, strips_too: bool) -> Flight {
         let deltas: Vec<f64> = inputs.controls.iter().map(|control| control[0][0]).collect();
         let rest = self.at_rest(inputs.alpha[0][0], &deltas);
-        let mut march = March::new(self, &rest);
+        let mut march = March::new(self, &rest, strips_too);
         let mut flight = Flight::default();
-        march.record(strips_too, &mut flight);
+        march.record(&mut flight);
         for i in 1..inputs.alpha[0].len() {
             march.advance(inputs, i);
-            march.record(strips_too, &mut flight);
+            march.record(&mut flight);
         }
         flight
     }
@@ -101,12 +114,14 @@ struct March<'a> {
     lost: DVector<f64>,
     loads: [f64; 3],
     lift_n: DVector<f64>,
+    /// Whether the strips' lift is asked for.
+    strips_too: bool,
     /// Amplitude of modes that is one for the growth of damping.
     amplitude: Vec<f64>,
 }
 
 impl<'a> March<'a> {
-    fn new(coupled: &'a Coupled<'a>, rest: &'a Rest) -> Self {
+    fn new(coupled: &'a Coupled<'a>, rest: &'a Rest, strips_too: bool) -> Self {
         let modes = coupled.structure.omega_rad_s.len();
         let hundredth_m = 0.01 * coupled.rig.wing.planform.semispan_m;
         let none = DVector::zeros(modes);
@@ -121,6 +136,7 @@ impl<'a> March<'a> {
             amplitude: coupled.structure.tip.iter().map(|tip| hundredth_m / tip.abs().max(1e-9)).collect(),
             coupled,
             rest,
+            strips_too,
         }
     }
 
@@ -140,21 +156,19 @@ impl<'a> March<'a> {
         let coupled = self.coupled;
         let before = self.own.clone();
         let (setting, dt) = (&coupled.setting, coupled.time_step_s);
-        if coupled.v_m_s > 0.0 {
-            if let Some(stall) = setting.stall {
-                let modal = &self.rest.modal + &self.modal[0];
-                let angles = coupled.angles(alpha_rad, &modal, &self.modal[1]);
-                for (s, angle) in angles.iter().enumerate() {
-                    let chord_m = coupled.rig.lattice.strips[s].chord_m;
-                    let share = 1.0 - (-dt * coupled.v_m_s / (stall.chords * chord_m)).exp();
-                    self.lost[s] += share * (coupled.lost(*angle) - self.lost[s]);
-                }
+        if let Some(stall) = setting.stall {
+            let modal = &self.rest.modal + &self.modal[0];
+            let angles = coupled.angles(alpha_rad, &modal, &self.modal[1]);
+            for (s, angle) in angles.iter().enumerate() {
+                let chord_m = coupled.rig.lattice.strips[s].chord_m;
+                let share = 1.0 - (-dt * coupled.v_m_s / (stall.chords * chord_m)).exp();
+                self.lost[s] += share * (coupled.lost(*angle) - self.lost[s]);
             }
-            let play = coupled.play(self.loads[2]) - coupled.play(self.rest.loads[2]);
-            for s in 0..self.own.len() {
-                let wall = coupled.wall(self.loads[0] - self.rest.loads[0], s);
-                self.own[s] = self.lost[s] - self.rest.lost[s] + play + wall;
-            }
+        }
+        let play = coupled.play(self.loads[2]) - coupled.play(self.rest.loads[2]);
+        for s in 0..self.own.len() {
+            let wall = coupled.wall(self.loads[0] - self.rest.loads[0], s);
+            self.own[s] = self.lost[s] - self.rest.lost[s] + play + wall;
         }
         let rate = (&self.own - before) / dt;
         (self.own.clone(), rate)
@@ -163,7 +177,7 @@ impl<'a> March<'a> {
     fn advance(&mut self, inputs: &Inputs, i: usize) {
         let (coupled, dt) = (self.coupled, self.coupled.time_step_s);
         let modes = self.modal[0].len();
-        let (own, own_rate) = self.strips(inputs.alpha[0][i]);
+        let own = coupled.strips_turn().then(|| self.strips(inputs.alpha[0][i]));
         let rigid = Self::moved(inputs, i);
         let step = &self.step;
         let (wake, wake_rate) = self.memory.begin(dt);
@@ -172,7 +186,7 @@ impl<'a> March<'a> {
         let mut state = wake + columns(&step.positions, &rigid[0]) + columns(&step.rates, &rigid[1]);
         let mut rate = wake_rate + columns(&step.positions, &rigid[1]);
         let carried = columns(&step.rates, &rigid[2]);
-        if coupled.v_m_s > 0.0 {
+        if let Some((own, own_rate)) = own {
             state += &step.strips * own;
             rate += &step.strips * own_rate;
         }
@@ -207,25 +221,28 @@ impl<'a> March<'a> {
         let carried = flexible(&step.rates, &self.modal[2]);
         rate += &carried + carried.component_mul(&step.apparent);
         self.memory.end(&state.as_slice()[..coupled.operator.strips]);
-        let strip = &coupled.by_state * state + &coupled.by_rate * rate;
         let inertia = &coupled.structure.balance * &self.modal[2];
-        let air = &coupled.balance * &strip;
+        let air = &step.loads[0] * &state + &step.loads[1] * &rate;
         for channel in 0..3 {
             let [pulled, turned] = [0, 1].map(|of| coupled.structure.rigid[of][channel]);
             self.loads[channel] = self.rest.loads[channel] + air[channel] - inertia[channel]
                 + pulled * pull
                 + turned * inputs.alpha[2][i];
         }
-        self.lift_n = &self.rest.lift_n + strip.rows(0, coupled.operator.strips);
+        if self.strips_too {
+            let count = coupled.operator.strips;
+            let lift = coupled.by_state.rows(0, count) * state + coupled.by_rate.rows(0, count) * rate;
+            self.lift_n = &self.rest.lift_n + lift;
+        }
     }
 
-    fn record(&self, strips_too: bool, flight: &mut Flight) {
+    fn record(&self, flight: &mut Flight) {
         for (record, load) in flight.loads.iter_mut().zip(self.loads) {
             record.push(load);
         }
         let structure = &self.coupled.structure;
         flight.tip_z_m.push(self.rest.tip_z_m + structure.tip.dot(&self.modal[0]));
-        if strips_too {
+        if self.strips_too {
             let modal = &self.rest.modal + &self.modal[0] - &structure.sag;
             flight.lift_n.push(self.lift_n.iter().copied().collect());
             flight.height_m.push((&structure.height * modal).iter().copied().collect());
