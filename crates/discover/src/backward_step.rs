@@ -25,8 +25,7 @@ pub(crate) fn backward_step<'a>(
         let ranked = rank_some(setting, &without, nulls, &|name| names.contains(&name), &own);
         let last = found.len() - 1;
         let firm = found[index].named_at > naming.firm * found[last].named_at;
-        let least = if index == 0 { 0.0 } else { naming.beside_others };
-        let counts = |w: &&Ranked| w.counts(w.threshold.max(least), &rules.shared);
+        let counts = |w: &&Ranked| w.counts(w.threshold, &rules.shared);
         if let Some(best) = ranked.iter().find(counts) {
             let own = ranked.iter().find(|w| w.name() == found[index].name());
             // the earlier name stays unless another is clearly better, and neither name nor values change unless all fits

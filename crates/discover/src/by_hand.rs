@@ -261,8 +261,6 @@ fn exact() -> Rules {
     rules.tolerance.found_gain = 0.0;
     rules.shared.found_values_freed = 0;
     rules.naming.value_form = 0.0;
-    // a few dozen points have less evidence than a campaign
-    rules.naming.beside_others = 0.0;
     rules
 }
 

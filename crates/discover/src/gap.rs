@@ -1,6 +1,6 @@
 //! The gap between simulation and measurements, and problems with a simulation in place of the measurements.
 
-use crate::problem::{Kind, Problem};
+use crate::problem::{Kind, Problem, Segment};
 use coupling::{ByLoad, Load};
 use maneuver::effects::Flown;
 
@@ -49,6 +49,29 @@ impl Problem<'_> {
         }
     }
 
+    /// Sum of squares of how measured loads vary within a run or a group of static points, in standard deviations of their noise.
+    pub fn variation(&self) -> f64 {
+        let of_segment = |segment: &Segment| {
+            let measured = &self.measured[segment.rows.clone()];
+            let (mut sums, mut squares, mut counts) = ([0.0; 3], [0.0; 3], [0.0; 3]);
+            for (i, m) in measured.iter().enumerate() {
+                let (c, _, first) = segment.kind.row(i);
+                if !first {
+                    sums[c] += m;
+                    squares[c] += m * m;
+                    counts[c] += 1.0;
+                }
+            }
+            // the first coefficient of a run is its mean, which static points have in every row
+            let mean = |c: usize| match segment.kind {
+                Kind::Run { .. } => 0.0,
+                Kind::Static { .. } => sums[c] * sums[c] / f64::max(counts[c], 1.0),
+            };
+            (0..3).map(|c| squares[c] - mean(c)).sum::<f64>()
+        };
+        self.segments.iter().map(of_segment).sum()
+    }
+
     /// The same problem with loads of a simulation and noise in place of the measurements.
     #[must_use]
     pub fn pretending(&self, simulated: &[Flown], mut normal: impl FnMut() -> f64) -> Self {
@@ -70,5 +93,16 @@ impl Kind {
             }
             Self::Static { rows, sigma } => (rows[i].0, sigma[Load::ALL[rows[i].0]], false),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::by_hand::ByHand;
+
+    #[test]
+    fn loads_vary_about_the_mean_of_their_group() {
+        let known = ByHand::new(&[&[1.0, 2.0, 3.0], &[4.0, 4.0], &[1.0, -1.0]]);
+        assert!((known.problem().variation() - (2.0 + 0.0 + 2.0)).abs() < 1e-12);
     }
 }

@@ -25,6 +25,8 @@ pub struct NullCampaign {
     misfit: f64,
     /// Gaps of training and held-out runs.
     gap: [f64; 2],
+    /// Sum of squares of how the training loads vary, over the noise.
+    variation: f64,
 }
 
 /// Keeps campaigns when they are finished, and may have some from a run that was stopped.
@@ -86,7 +88,9 @@ pub fn from_null_campaigns(
 
 /// What these campaigns say together.
 fn distribution(setting: &Setting<'_>, nulls: &[NullCampaign]) -> NullDistribution {
-    let rules = &setting.rules().nulls;
+    let (rules, naming) = (&setting.rules().nulls, &setting.rules().naming);
+    let variations: Vec<f64> = nulls.iter().map(|null| null.variation).collect();
+    let model_form = 0.5 * naming.model_form.powi(2) * mean_and_deviation(&variations).0;
     let threshold = |effect: &Arc<dyn Effect>| {
         let label = label(effect);
         let found =
@@ -95,8 +99,7 @@ fn distribution(setting: &Setting<'_>, nulls: &[NullCampaign]) -> NullDistributi
         let mut values: Vec<f64> = nulls.iter().filter_map(found).map(|value| value.max(0.0)).collect();
         values.resize(nulls.len(), 0.0);
         let (mean, sd) = mean_and_deviation(&values);
-        let margin = setting.rules().effects.of(effect.spec().name).margin;
-        (label, mean + rules.sigmas * sd + margin)
+        (label, (mean + rules.sigmas * sd + model_form).max(naming.least))
     };
     let misfits: Vec<f64> = nulls.iter().map(|null| null.misfit).collect();
     let (misfit, sd) = mean_and_deviation(&misfits);
@@ -104,6 +107,7 @@ fn distribution(setting: &Setting<'_>, nulls: &[NullCampaign]) -> NullDistributi
     NullDistribution {
         key: NullKey::default(),
         evidence: setting.library.iter().map(threshold).collect(),
+        model_form,
         misfit,
         misfit_limit: misfit + rules.sigmas * sd + rules.misfit_margin,
         floor: [floor(0), floor(1)],
@@ -136,6 +140,7 @@ fn null(
     let judged = judged
         .each_ref()
         .map(|problem| pretend(problem, &|places| truth.fly(&models, &effects, places), random));
+    let variation = train.variation();
     let current = current.measuring(train);
     let ranked = rank(setting, &current, &NullDistribution::default());
     let gap =
@@ -144,6 +149,7 @@ fn null(
         evidence: ranked.iter().map(|w| (w.label(), w.evidence)).collect(),
         misfit: current.chi2 / current.problem.len() as f64,
         gap: judged.each_ref().map(gap),
+        variation,
     }
 }
 

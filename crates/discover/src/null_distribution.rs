@@ -1,7 +1,6 @@
 //! What the search finds where nothing is missing, on campaigns without effect ([`crate::null_campaigns`]): thresholds and floors.
 
 use crate::null_key::NullKey;
-use crate::rules::EffectRules;
 use maneuver::effects::Effect;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -16,6 +15,8 @@ pub struct NullDistribution {
     pub key: NullKey,
     /// By `name form`.
     pub evidence: BTreeMap<String, f64>,
+    /// The part of them that differences in model form may account for.
+    pub model_form: f64,
     /// Chi square a row where nothing is missing, mean.
     pub misfit: f64,
     /// Above this something is missing.
@@ -29,6 +30,7 @@ impl Default for NullDistribution {
         Self {
             key: NullKey::default(),
             evidence: BTreeMap::new(),
+            model_form: 0.0,
             misfit: 1.0,
             misfit_limit: 1.5,
             floor: [1.0; 2],
@@ -42,10 +44,10 @@ pub(crate) fn label(effect: &Arc<dyn Effect>) -> String {
 }
 
 impl NullDistribution {
-    /// Thresholds of bare margins: as if null campaigns had found nothing at all.
-    pub fn of_margins(library: &[Arc<dyn Effect>], rules: &EffectRules) -> Self {
-        let margin = |effect: &Arc<dyn Effect>| (label(effect), rules.of(effect.spec().name).margin);
-        Self { evidence: library.iter().map(margin).collect(), ..Self::default() }
+    /// Thresholds as if null campaigns had found nothing at all, where differences in model form account for so much.
+    pub fn bare(library: &[Arc<dyn Effect>], model_form: f64) -> Self {
+        let evidence = library.iter().map(|effect| (label(effect), model_form)).collect();
+        Self { evidence, model_form, ..Self::default() }
     }
 
     /// Threshold of an effect in a form; none is high enough for one that no null campaign was searched for.

@@ -186,7 +186,7 @@ impl<'a> SoFar<'a, '_> {
             sigma: best.refit.sigma_with_form(naming),
             evidence: best.evidence,
             named_at: best.evidence,
-            confidence: right * if is_first { 1.0 } else { naming.share_beside(best.evidence) },
+            confidence: right * if is_first { 1.0 } else { naming.share_beside(best.evidence / needed) },
             rivals: confused_with.iter().filter_map(|name| fitted(&ranked, name)).collect(),
             confused_with,
             considered: ranked.iter().filter(considered).map(Ranked::name).collect(),
@@ -208,16 +208,15 @@ impl<'a> SoFar<'a, '_> {
     /// before by its odds.
     fn best<'r>(&self, ranked: &'r [Ranked], rules: &Rules) -> Option<Best<'r>> {
         let naming = &rules.naming;
-        let least = if self.outcome.found.is_empty() { 0.0 } else { naming.beside_others };
         let rivals = |w: &Ranked| {
             let found = self.outcome.found.iter();
             let rivals = found.filter(|f| f.active.effect.spec().is_rival_of(w.refit.active.effect.spec()));
             rivals.map(|rival| naming.repair_share_of_rival * rival.named_at).fold(0.0, f64::max)
         };
-        let needed = |w: &Ranked| w.threshold.max(least).max(rivals(w));
+        let needed = |w: &Ranked| w.threshold.max(rivals(w));
         let counts = |w: &&Ranked| w.counts(needed(w), &rules.shared);
         let first = ranked.iter().find(counts)?;
-        let close = naming.model_form.min(rules.rivals.close_share * first.evidence);
+        let close = self.nulls.model_form.min(rules.rivals.close_share * first.evidence);
         let odd = |w: &&Ranked| counts(w) && w.has_one_side() && first.evidence - w.evidence < close;
         let simpler = |w: &&Ranked| {
             counts(w)

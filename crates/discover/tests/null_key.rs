@@ -86,7 +86,7 @@ fn a_null_distribution_is_another_s_where_anything_but_a_measured_load_differs()
         differs(&|data| data.rules = Arc::new(rules.clone()))
     };
     assert_eq!(rules(&|rules| rules.nulls.sigmas = 2.9), ["rules"]);
-    assert_eq!(rules(&|rules| rules.effects.own.get_mut("tip_mass").unwrap().margin = 76.0), ["rules"]);
+    assert_eq!(rules(&|rules| rules.effects.own.get_mut("tip_mass").unwrap().form = 0.25), ["rules"]);
     let with = |effects: &[Arc<dyn Effect>]| {
         NullKey::new(&file.hash, &schedule(1.0), 1.0, effects, &data).differs_in(&own)
     };
@@ -140,7 +140,7 @@ fn other_use(usage: calibrate::Use) -> calibrate::Use {
 fn an_effect_that_no_null_campaign_was_searched_for_is_never_named_and_makes_a_new_distribution() {
     let effects = library(&["any".to_owned()]);
     let (first, others) = effects.split_first().unwrap();
-    let without = NullDistribution::of_margins(others, &Rules::default().effects);
+    let without = NullDistribution::bare(others, 85.0);
     assert!(without.serves(&NullKey::default(), others) && !without.serves(&NullKey::default(), &effects));
     assert!(without.threshold(first) == f64::INFINITY && without.threshold(&others[0]).is_finite());
 }

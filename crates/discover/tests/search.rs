@@ -193,7 +193,7 @@ fn the_detection_limit_is_where_the_evidence_is_the_threshold() {
 }
 
 #[test]
-fn null_campaigns_have_a_misfit_of_one_and_thresholds_above_the_margin() {
+fn null_campaigns_have_a_misfit_of_one_and_thresholds_above_model_form() {
     let known = Known::new(exact(), &["pitch", "slope"], &[("pitch", [5.0, 5.0])]);
     let judged = [known.problem(), known.problem()];
     let made = |seed: u64| from_null_campaigns(&known.setting(), known.problem(), &judged, seed, &());
@@ -201,9 +201,29 @@ fn null_campaigns_have_a_misfit_of_one_and_thresholds_above_the_margin() {
     // 20 campaigns of 400 rows of unit noise, whatever was measured
     assert!((nulls.misfit - 1.0).abs() < 0.05 && nulls.misfit_limit > nulls.misfit + 0.15, "{nulls:?}");
     assert!(nulls.floor.iter().all(|floor| (floor - 1.0).abs() < 0.03), "{:?}", nulls.floor);
-    let margin = known.setting().rules().effects.usual.margin;
-    assert!(nulls.evidence.values().all(|needed| (margin..margin + 5.0).contains(needed)), "{nulls:?}");
+    // noise alone varies hardly enough for model form to account for anything
+    let least = known.setting().rules().naming.least;
+    assert!(nulls.model_form < 0.1 && nulls.evidence.values().all(|needed| *needed == least), "{nulls:?}");
     assert!(made(1) == nulls && made(2) != nulls);
+}
+
+#[test]
+fn what_model_form_accounts_for_goes_with_the_square_of_how_loads_vary_over_the_noise() {
+    let made = |share: f64| {
+        let mut rules = exact();
+        rules.naming.model_form = share;
+        let known = Known::new(rules, &["pitch", "slope"], &[("pitch", [5.0, 5.0])]);
+        let judged = [known.problem(), known.problem()];
+        from_null_campaigns(&known.setting(), known.problem(), &judged, 1, &())
+    };
+    // 400 rows of unit noise
+    let (half, whole) = (made(0.5), made(1.0));
+    assert!((half.model_form / (0.5 * 0.25 * 400.0) - 1.0).abs() < 0.05, "{}", half.model_form);
+    assert!((whole.model_form / half.model_form - 4.0).abs() < 1e-9);
+    for (label, needed) in &whole.evidence {
+        let more = needed - half.evidence[label];
+        assert!((more - (whole.model_form - half.model_form)).abs() < 1e-9, "{label}: {more}");
+    }
 }
 
 /// Campaigns of a run that was stopped.

@@ -10,12 +10,12 @@ use nalgebra::{Complex, Matrix4, Vector4};
 use std::f64::consts::TAU;
 use std::sync::LazyLock;
 
-/// Instants of a cycle at which effects are evaluated.
 /// Turned by so much at each instant.
 static TURNS: LazyLock<[Complex<f64>; INSTANTS]> =
     LazyLock::new(|| std::array::from_fn(|k| Complex::from_polar(1.0, TAU * k as f64 / INSTANTS as f64)));
 /// Relative step of a difference quotient along the Laplace variable.
 const QUOTIENT: f64 = 1e-6;
+/// Instants of a cycle at which effects are evaluated.
 const INSTANTS: usize = 32;
 /// Steps of Newton's method at most.
 const MOST_STEPS: usize = 30;

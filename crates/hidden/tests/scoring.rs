@@ -232,7 +232,8 @@ fn gaps_count_where_what_was_named_rightly_can_be_seen() {
         with_gap(Single, &[gain], &[("gain", 0.9)], [10.0, 5.0, 1.0]),
         // a fifth above the floor is not seen, a wrong name closes nothing
         with_gap(Single, &[gain], &[("gain", 0.9)], [1.2, 1.0, 1.0]),
-        with_gap(Single, &[gain], &[("stall", 0.9)], [30.0, 1.0, 1.0]),
+        with_gap(Single, &[gain], &[("stall", 0.9)], [30.0, 31.0, 1.0]),
+        with_gap(Single, &[gain], &[("gain", 0.9)], [1.1, 1.3, 1.0]),
         with_gap(Null, &[], &[], [3.0, 3.0, 2.0]),
         with_gap(Null, &[], &[], [2.0, 2.0, 1.0]),
         with_gap(Null, &[], &[], [1.0, 1.0, 0.0]),
@@ -240,6 +241,8 @@ fn gaps_count_where_what_was_named_rightly_can_be_seen() {
     assert!(is_close(value("gap_share_removed_median"), 0.5 * (7.0 / 8.0 + 5.0 / 9.0)));
     assert!(is_close(value("gap_ratio_median"), 0.5 * (0.3 + 0.5)));
     assert!(is_close(value("gap_within_twice_the_floor"), 0.5));
+    assert!(is_close(value("gap_shrinks"), 2.0 / 3.0));
+    assert!(is_close(value("gap_of_invisible_stays"), 0.5));
     assert!(is_close(value("gap_of_nulls_over_floor_median"), 0.5 * (3.0 / 2.0 + 2.0 / 1.0)));
 }
 
@@ -332,6 +335,10 @@ fn confidences_are_those_of_names_that_are_claimed_in_the_mix() {
     assert_eq!((brier.n, scored.metrics["confidence_ece"].n), (4, 4));
     assert!(is_close(brier.value, (0.01 + 0.36 + 0.04 + 0.25) / 4.0));
     assert!(is_close(scored.metrics["confidence_ece"].value, (0.1 + 0.6 + 0.2 + 0.5) / 4.0));
+    assert!(is_close(scored.metrics["overconfidence"].value, (-0.1 + 0.6 - 0.2 + 0.5) / 4.0));
+    let (stated, right) =
+        (scored.metrics["confidence_stated_bin_6"], scored.metrics["confidence_right_bin_6"]);
+    assert!(is_close(stated.value, 0.6) && right.value == Some(0.0) && right.n == 1);
 }
 
 #[test]

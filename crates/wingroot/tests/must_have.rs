@@ -1,5 +1,5 @@
 //! A small fixed set of blind cases, of development seeds: effects hidden by another discretisation in the wing's campaign, and
-//! what `discover` must say of each. Thresholds are bare margins, as if null campaigns had found nothing.
+//! what `discover` must say of each. Thresholds are as if null campaigns had found nothing.
 
 use std::path::Path;
 use std::sync::OnceLock;
@@ -12,7 +12,7 @@ use discover::load_model::LoadModel;
 use discover::model_form::LatticeVariant;
 use discover::next::advise;
 use discover::null_distribution::NullDistribution;
-use discover::rules::{EffectRules, Rules};
+use discover::rules::Rules;
 use hidden::plan::Hidden;
 use hidden::{Bench, CasePlan, Class, Fineness, Mix, cases};
 use wingroot::blind::read;
@@ -50,11 +50,11 @@ fn rigs() -> &'static Rigs<'static> {
     })
 }
 
-/// Bare margins; where nothing is missing, the benchmark's misfit is 0.96 and its floor 2.2 and 2.4.
+/// Thresholds as if null campaigns had found nothing; where nothing is missing, the benchmark's misfit is 0.96 and its floor 2.2 and 2.4.
 fn limits() -> NullDistribution {
     let library = maneuver::effects::library(&["any".to_owned()]);
-    let margins = NullDistribution::of_margins(&library, &EffectRules::default());
-    NullDistribution { misfit: 0.96, misfit_limit: 1.16, floor: [2.2, 2.4], ..margins }
+    let bare = NullDistribution::bare(&library, 85.0);
+    NullDistribution { misfit: 0.96, misfit_limit: 1.16, floor: [2.2, 2.4], ..bare }
 }
 
 /// A plan with chosen effects in place of its own.

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::by_hand::{ByHand, found, made, ranked, size, steps};
+use crate::null_distribution::label;
 use crate::rules::Rules;
 use maneuver::effects::Active;
 use std::ops::Range;
@@ -30,10 +31,15 @@ fn as_found(known: &ByHand, effects: &[(&str, f64, f64)], considered: &[&'static
 }
 
 /// Whether there may be more, and what is left, with thresholds of five; the model is the one with it.
-fn stepped(known: &ByHand, mut found: Vec<Found>) -> (bool, Vec<Found>) {
-    let (setting, bare, nulls) = (known.setting(), known.bare(), known.nulls(5.0, 1.5));
+fn stepped(known: &ByHand, found: Vec<Found>) -> (bool, Vec<Found>) {
+    stepped_by(known, &known.nulls(5.0, 1.5), found)
+}
+
+/// The same with thresholds of null campaigns.
+fn stepped_by(known: &ByHand, nulls: &NullDistribution, mut found: Vec<Found>) -> (bool, Vec<Found>) {
+    let (setting, bare) = (known.setting(), known.bare());
     let mut current = known.model(&others(&found, &[]));
-    let more = backward_step(&setting, &nulls, &bare, &mut found, &mut current);
+    let more = backward_step(&setting, nulls, &bare, &mut found, &mut current);
     assert_eq!(current.effects.len(), found.len());
     for (active, found) in current.effects.iter().zip(&found) {
         assert_eq!((active.effect.spec().name, &active.values), (found.name(), &found.active.values));
@@ -219,19 +225,21 @@ fn one_of_two_that_say_the_same_is_enough() {
     assert_eq!(of(14, 15, 101.0), (false, vec!["a"]));
 }
 
-/// Each has ten rows of its own: the first needs its threshold alone, the others what is needed beside others.
+/// Each has ten rows of its own.
 #[test]
-fn later_effects_need_what_is_needed_beside_others() {
-    let of = |beside_others: f64, third: f64| {
+fn every_effect_needs_its_threshold_beside_the_others() {
+    let of = |threshold: f64, third: f64| {
         let known = known(
-            |rules| rules.naming.beside_others = beside_others,
+            |_| (),
             &[(0..10, 2.0), (10..20, 2.5), (20..30, third)],
             &[("a", 0..10, 1.0), ("b", 10..20, 1.0), ("c", 20..30, 1.0)],
         );
         let effects = [("a", 1.5, 1000.0), ("b", 1.5, 400.0), ("c", third, 200.0)];
         let mut found = as_found(&known, &effects, &["a", "b", "c"]);
         found[0].considered = vec!["a"];
-        stepped(&known, found)
+        let mut nulls = known.nulls(threshold, 1.5);
+        nulls.evidence.insert(label(known.effect("a")), 5.0);
+        stepped_by(&known, &nulls, found)
     };
     let (a, b) = (fit(10.0, 1.0, 2.0).0, fit(10.0, 1.0, 2.5).0);
     assert!(5.0 < a && a < 20.0 && 20.0 < b && b < 30.0);

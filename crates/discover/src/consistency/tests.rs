@@ -57,9 +57,9 @@ fn the_form_is_that_of_the_effect_and_of_the_variants() {
     let open = made("open", &[], size()).active(&[0.5]);
     let known = made("known", &[], vec![one]).active(&[-0.5]);
     let mut rules = Rules::default();
-    let sized = EffectRule { form: 0.3, off_by_variants: OffByVariants::Size(0.02), margin: 1.0 };
+    let sized = EffectRule { form: 0.3, off_by_variants: OffByVariants::Size(0.02) };
     rules.effects.own.insert("sized".to_owned(), sized);
-    let free = EffectRule { form: 0.1, off_by_variants: OffByVariants::Nothing, margin: 1.0 };
+    let free = EffectRule { form: 0.1, off_by_variants: OffByVariants::Nothing };
     rules.effects.own.insert("free".to_owned(), free);
     let two = [share(1.5, 0.1), share(0.5, 0.1)];
     // (1.5 - 0.5)² / (2 (σ² + form²)), form with 2.5 standard deviations over the size beside it

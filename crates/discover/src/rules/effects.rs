@@ -19,9 +19,6 @@ pub enum OffByVariants {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct EffectRule {
-    /// Log Bayes factor that it needs on top of what null campaigns show: they are made with the model's own form, or close to
-    /// it, and real wings are not.
-    pub margin: f64,
     /// Share by which its size may differ between parts of the data, as no form is exact.
     pub form: f64,
     /// What is added to that share.
@@ -29,10 +26,9 @@ pub struct EffectRule {
 }
 
 impl Default for EffectRule {
-    /// Of effects that have none of their own. On 539 null cases of the blind benchmark (seeds 2100000, 2200000 and 2300000)
-    /// none of these was found with a log Bayes factor of more than 18.
+    /// Of effects that have none of their own.
     fn default() -> Self {
-        Self { margin: 25.0, form: 0.15, off_by_variants: OffByVariants::AsCalibrated }
+        Self { form: 0.15, off_by_variants: OffByVariants::AsCalibrated }
     }
 }
 
@@ -55,13 +51,12 @@ impl EffectRules {
     /// As a table in Markdown.
     pub(super) fn table(&self) -> String {
         let mut text = String::from(
-            "| effect | `margin`: log Bayes factor on top of what null campaigns show | `form`: share by which its size may differ \
-             between parts of the data | `off_by_variants`: size added to that share |\n| --- | --- | --- | --- |\n",
+            "| effect | `form`: share by which its size may differ between parts of the data | `off_by_variants`: size added to \
+             that share |\n| --- | --- | --- |\n",
         );
         let own = self.own.iter().map(|(name, rule)| (format!("`{name}`"), rule));
         for (name, rule) in own.chain([("all others".to_owned(), &self.usual)]) {
-            let _ =
-                writeln!(text, "| {name} | {} | {} | {:?} |", rule.margin, rule.form, rule.off_by_variants);
+            let _ = writeln!(text, "| {name} | {} | {:?} |", rule.form, rule.off_by_variants);
         }
         text
     }
@@ -70,33 +65,16 @@ impl EffectRules {
 impl Default for EffectRules {
     fn default() -> Self {
         let usual = EffectRule::default;
-        let margin = |margin| EffectRule { margin, ..usual() };
         // flow that separates: where, how suddenly and with what delay it does so no one formula says; the slope by Reynolds
         // number, whose parts of the data are the airspeeds; and lags of servos, which may be of any order
         let rough = || EffectRule { form: 0.4, ..usual() };
         // what scales all loads
         let level = || EffectRule { off_by_variants: OffByVariants::Size(0.01), ..usual() };
         let own = [
-            // what differences in model form look like: most of all a small mass on the outer wing, another stream between walls,
-            // another lag of the air, and a wing stiffer in torsion where corrections come from the campaign's own points; less so
-            // what is a little of everything
-            ("wall_correction", margin(65.0)),
-            ("aero_lag", margin(65.0)),
-            ("tors_stiff", margin(85.0)),
-            ("tip_loss", margin(50.0)),
-            ("crosstalk", margin(40.0)),
-            ("ac_shift", margin(40.0)),
-            ("ctl_scale", margin(40.0)),
-            ("alpha_encoder", margin(40.0)),
-            ("added_mass", margin(40.0)),
-            ("ctl_alpha_interaction", margin(40.0)),
             // a mass on the outer wing is not at one point, and what it does near a resonance grows with the airspeed as damping does
-            ("tip_mass", EffectRule { form: 0.2, ..margin(75.0) }),
+            ("tip_mass", EffectRule { form: 0.2, ..usual() }),
             // a wing that is heavier everywhere alike has no other form
-            (
-                "wing_mass_error",
-                EffectRule { form: 0.08, off_by_variants: OffByVariants::Nothing, ..margin(40.0) },
-            ),
+            ("wing_mass_error", EffectRule { form: 0.08, off_by_variants: OffByVariants::Nothing }),
             ("act_lag", rough()),
             ("stall", rough()),
             ("dynamic_stall", rough()),

@@ -24,6 +24,16 @@ pub(super) fn add(cases: &[Judged<'_>], metrics: &mut BTreeMap<String, Metric>) 
         "gap_within_twice_the_floor".to_owned(),
         Metric::share_of(&gaps, |gap| gap.after <= 2.0 * gap.floor),
     );
+    let named = |case: &&Judged<'_>| case.is_plain() && !case.verdict.names().is_empty();
+    let of_named: Vec<StatedGap> =
+        cases.iter().filter(named).filter_map(|case| Some(case.verdict.gap()?.holdout)).collect();
+    let (visible, others): (Vec<StatedGap>, Vec<StatedGap>) =
+        of_named.into_iter().partition(|gap| gap.before > VISIBLE * gap.floor);
+    metrics.insert("gap_shrinks".to_owned(), Metric::share_of(&visible, |gap| gap.after < gap.before));
+    metrics.insert(
+        "gap_of_invisible_stays".to_owned(),
+        Metric::share_of(&others, |gap| gap.after <= VISIBLE * gap.floor),
+    );
     metrics.insert(
         "gap_of_nulls_over_floor_median".to_owned(),
         Metric::median(

@@ -18,6 +18,16 @@ pub(super) fn add(cases: &[Judged<'_>], metrics: &mut BTreeMap<String, Metric>) 
         stated.iter().map(|(p, right)| (p - f64::from(u8::from(*right))).powi(2)).collect();
     metrics.insert("confidence_brier".to_owned(), Metric::mean(&squares));
     metrics.insert("confidence_ece".to_owned(), Metric::number(calibration_error(&stated), stated.len()));
+    let n = stated.len();
+    let too_high = stated.iter().map(|(p, right)| p - f64::from(u8::from(*right))).sum::<f64>();
+    metrics.insert("overconfidence".to_owned(), Metric::number((n > 0).then(|| too_high / n as f64), n));
+    for (bin, Bin { stated, hits, names }) in
+        bins(&stated).into_iter().enumerate().filter(|(_, bin)| bin.names > 0)
+    {
+        let mean = Metric::number(Some(stated / names as f64), names);
+        metrics.insert(format!("confidence_stated_bin_{bin}"), mean);
+        metrics.insert(format!("confidence_right_bin_{bin}"), Metric::share(hits, names));
+    }
     let mut errors: BTreeMap<&str, Vec<f64>> = BTreeMap::new();
     let (mut inside, mut with_sigma) = (0, 0);
     let finite = |(_, _, estimate): &(&str, &TrueParameter, Estimate)| estimate.value.is_finite();
@@ -49,22 +59,32 @@ fn confidences(cases: &[Judged<'_>]) -> Vec<(f64, bool)> {
     cases.iter().flat_map(of).collect()
 }
 
+/// Names whose stated confidence lies within a tenth.
+#[derive(Debug, Clone, Copy, Default)]
+struct Bin {
+    /// Sum of what was stated.
+    stated: f64,
+    hits: usize,
+    names: usize,
+}
+
+/// Stated confidences by tenths; one belongs to the last.
+fn bins(stated: &[(f64, bool)]) -> [Bin; BINS] {
+    let mut bins = [Bin::default(); BINS];
+    for (p, right) in stated {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to the bins")]
+        let bin = &mut bins[((p.clamp(0.0, 1.0) * BINS as f64) as usize).min(BINS - 1)];
+        bin.stated += p;
+        bin.hits += usize::from(*right);
+        bin.names += 1;
+    }
+    bins
+}
+
 /// Expected calibration error: mean over bins of |hits - confidence|, weighted by their numbers.
 fn calibration_error(stated: &[(f64, bool)]) -> Option<f64> {
-    if stated.is_empty() {
-        return None;
-    }
-    let bin_of = |p: f64| {
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to the bins")]
-        let bin = (p.clamp(0.0, 1.0) * BINS as f64) as usize;
-        bin.min(BINS - 1)
-    };
-    let apart = |bin: usize| {
-        let inside: Vec<&(f64, bool)> = stated.iter().filter(|(p, _)| bin_of(*p) == bin).collect();
-        let hits = inside.iter().filter(|(_, right)| *right).count() as f64;
-        (hits - inside.iter().map(|(p, _)| p).sum::<f64>()).abs()
-    };
-    Some((0..BINS).map(apart).sum::<f64>() / stated.len() as f64)
+    let apart = |bin: &Bin| (bin.hits as f64 - bin.stated).abs();
+    (!stated.is_empty()).then(|| bins(stated).iter().map(apart).sum::<f64>() / stated.len() as f64)
 }
 
 /// Estimated sizes of rightly named effects.

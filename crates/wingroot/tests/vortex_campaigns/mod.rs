@@ -8,7 +8,7 @@ use discover::analysis::{Prepared, Rigs};
 use discover::finding::Finding;
 use discover::null_distribution::NullDistribution;
 use discover::result::DiscoverResult;
-use discover::rules::{EffectRules, Rules};
+use discover::rules::Rules;
 use hidden::plan::Hidden;
 use hidden::{Bench, CasePlan, Class, Fineness, Mix, TrueServos, cases};
 use wingroot::blind::read;
@@ -28,7 +28,7 @@ fn bench() -> &'static Bench {
 /// Gaps of training and held-out runs of such campaigns where nothing is missing.
 pub(crate) const FLOORS: [f64; 2] = [2.2, 2.4];
 
-/// Searches a campaign of a wing with these servos, and with what else is hidden. Thresholds are bare margins; where nothing is
+/// Searches a campaign of a wing with these servos, and with what else is hidden. Thresholds are as if null campaigns had found nothing; where nothing is
 /// missing, campaigns of the vortex lattice have a misfit of about one and gaps of [`FLOORS`].
 pub(crate) fn searched(
     name: &str,
@@ -43,8 +43,8 @@ pub(crate) fn searched(
     let rigs = Rigs::new(&file, &elastic, None, Rules::default()).expect("the shipped wing");
     let prepared: Prepared = read(&rigs, &folder, false, None).expect("a generated case").prepared;
     let library = maneuver::effects::library(&["any".to_owned()]);
-    let margins = NullDistribution::of_margins(&library, &EffectRules::default());
-    let nulls = NullDistribution { misfit: 1.0, misfit_limit: 1.4, floor: FLOORS, ..margins };
+    let bare = NullDistribution::bare(&library, 85.0);
+    let nulls = NullDistribution { misfit: 1.0, misfit_limit: 1.4, floor: FLOORS, ..bare };
     let finding = Finding::search(&prepared, &nulls, plan.seed);
     let result = finding.result(&discover::finding::Sources::default(), false, 0.0);
     let mut trace = finding.report.outcome.trace.clone();

@@ -26,7 +26,7 @@ fn chosen(
     ranked: &[Ranked],
 ) -> Option<(&'static str, Option<&'static str>, f64)> {
     let known = ByHand::new(&[&[0.0]]);
-    let nulls = known.nulls(1.0, 1.0);
+    let nulls = NullDistribution { model_form: 45.0, ..known.nulls(1.0, 1.0) };
     let mut so_far = so_far(&known, &nulls);
     for (named_at, rivals) in before {
         so_far.outcome.found.push(found(&made("found", rivals, size()).active(&[1.0]), *named_at, &[]));
@@ -38,22 +38,20 @@ fn chosen(
 #[test]
 fn the_first_with_what_it_needs_is_best() {
     let mut rules = Rules::default();
-    rules.naming.beside_others = 40.0;
     rules.naming.repair_share_of_rival = 0.25;
     let three = [("x", 90.0, 95.0), ("y", 60.0, 25.0), ("z", 50.0, 10.0)]
         .map(|(name, evidence, threshold)| candidate(name, vec![both()], evidence, threshold));
     let of = |before: &[(f64, &'static [&'static str])]| chosen(&rules, before, &three);
     assert_eq!(of(&[]), Some(("y", None, 25.0)));
-    // more beside others
-    assert_eq!(of(&[(400.0, &[])]), Some(("y", None, 40.0)));
+    assert_eq!(of(&[(400.0, &[])]), Some(("y", None, 25.0)));
     // a quarter of what its rival was named at, the larger of two; others have no say
     assert_eq!(of(&[(200.0, &["y"])]), Some(("y", None, 50.0)));
     assert_eq!(of(&[(160.0, &["y"]), (200.0, &["y", "x"])]), Some(("y", None, 50.0)));
     assert_eq!(of(&[(200.0, &["y"]), (160.0, &["y"])]), Some(("y", None, 50.0)));
-    assert_eq!(of(&[(200.0, &["z"])]), Some(("y", None, 40.0)));
-    assert_eq!(of(&[(120.0, &["y"])]), Some(("y", None, 40.0)));
+    assert_eq!(of(&[(200.0, &["z"])]), Some(("y", None, 25.0)));
+    assert_eq!(of(&[(120.0, &["y"])]), Some(("y", None, 30.0)));
     // as much as is needed is not enough
-    assert_eq!(of(&[(240.0, &["y"])]), Some(("z", None, 40.0)));
+    assert_eq!(of(&[(240.0, &["y"])]), Some(("z", None, 10.0)));
     assert_eq!(of(&[(240.0, &["y"]), (200.0, &["z"])]), None);
     assert_eq!(chosen(&rules, &[], &three[..1]), None);
 }
@@ -63,7 +61,6 @@ fn the_first_with_what_it_needs_is_best() {
 #[test]
 fn what_has_one_side_goes_before_what_has_two_by_its_odds() {
     let mut rules = Rules::default();
-    rules.naming.model_form = 45.0;
     rules.rivals.close_share = 0.25;
     let of = |first: Vec<Parameter>, evidence: f64, others: Vec<(Vec<Parameter>, f64, f64)>| {
         let mut all = vec![candidate("first", first, evidence, 20.0)];

@@ -55,7 +55,8 @@ fn what_has_a_share_of_the_evidence_is_considered() {
 
 #[test]
 fn effects_that_are_close_are_listed_beside_it_as_they_were_fitted() {
-    let known = columns(4.0, 3.9, 1.0);
+    // sure of what is beside others at sixty times what is needed: the second has twenty times that
+    let known = columns(4.0, 3.9, 1.0).ruled(|rules| rules.naming.right_beside[1].0 = 60.0);
     let nulls = known.nulls(5.0, 1.5);
     let mut so_far = so_far(&known, &nulls);
     assert!(so_far.step(&known.setting()));
@@ -73,7 +74,7 @@ fn effects_that_are_close_are_listed_beside_it_as_they_were_fitted() {
     let [one, two] = &so_far.outcome.found[..] else { panic!("two effects") };
     close(two.named_at, evidence(3.9, 1.0));
     let naming = known.setting().rules().naming.clone();
-    close(two.confidence, naming.share_beside(two.named_at) * naming.right_alone[4].1);
+    close(two.confidence, naming.share_beside(two.named_at / 5.0) * naming.right_alone[4].1);
     close(one.named_at, at);
     close(one.evidence, evidence(4.0, 1.0));
     assert_eq!(so_far.outcome.first_ranking.len(), 2);
@@ -90,7 +91,7 @@ fn confidence_in_what_goes_first_by_its_odds_is_theirs() {
     let known = ByHand::new(&[&steps(&[(0..15, 2.0)])])
         .column(made("both", &[], size()), &steps(&[(0..15, 1.0)]))
         .column(made("up", &[], up), &steps(&[(0..14, 1.0)]));
-    let nulls = known.nulls(5.0, 1.5);
+    let nulls = NullDistribution { model_form: 45.0, ..known.nulls(5.0, 1.5) };
     let mut so_far = so_far(&known, &nulls);
     assert!(so_far.step(&known.setting()));
     let one = &so_far.outcome.found[0];
