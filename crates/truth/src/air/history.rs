@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 
 /// The wake's memory in time, of changes from a state at rest.
 ///
-/// Rows behind the nodes hold what left the edge at least [`NODES`] steps ago, so what they do in so many steps is known at
+/// Rows behind the nodes hold what left the edge at least as many steps ago as there are nodes: what they do in so many steps is known at
 /// the first of them and is one product of matrices.
 #[derive(Debug, Clone)]
 pub struct Memory<'a> {
