@@ -15,7 +15,9 @@ pub struct NullDistribution {
     pub key: NullKey,
     /// By `name form`.
     pub evidence: BTreeMap<String, f64>,
-    /// The part of them that differences in model form may account for.
+    /// The part of them that differences in model form may account for. Files of earlier versions have none; their key says that
+    /// they were made by other rules.
+    #[serde(default)]
     pub model_form: f64,
     /// Chi square a row where nothing is missing, mean.
     pub misfit: f64,
