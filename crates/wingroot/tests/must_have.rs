@@ -50,7 +50,8 @@ fn rigs() -> &'static Rigs<'static> {
     })
 }
 
-/// Thresholds as if null campaigns had found nothing; where nothing is missing, the benchmark's misfit is 0.96 and its floor 2.2 and 2.4.
+/// Thresholds as if null campaigns had found nothing, where model form accounts for what it does in the benchmark; where nothing is
+/// missing, its misfit is 0.96 and its floor 2.2 and 2.4.
 fn limits() -> NullDistribution {
     let library = maneuver::effects::library(&["any".to_owned()]);
     let bare = NullDistribution::bare(&library, 85.0);

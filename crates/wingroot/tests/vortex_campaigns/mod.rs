@@ -28,8 +28,9 @@ fn bench() -> &'static Bench {
 /// Gaps of training and held-out runs of such campaigns where nothing is missing.
 pub(crate) const FLOORS: [f64; 2] = [2.2, 2.4];
 
-/// Searches a campaign of a wing with these servos, and with what else is hidden. Thresholds are as if null campaigns had found nothing; where nothing is
-/// missing, campaigns of the vortex lattice have a misfit of about one and gaps of [`FLOORS`].
+/// Searches a campaign of a wing with these servos, and with what else is hidden. Thresholds are as if null campaigns had found
+/// nothing, where model form accounts for what it does in the blind benchmark; where nothing is missing, campaigns of the vortex
+/// lattice have a misfit of about one and gaps of [`FLOORS`].
 pub(crate) fn searched(
     name: &str,
     servos: TrueServos,
