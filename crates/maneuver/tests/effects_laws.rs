@@ -4,6 +4,7 @@
 
 use crate::common::wing_with;
 use aero::{Corrections, Flow};
+use faer::c64;
 use maneuver::effects::{
     Active, Effect, Forces, Inputs, Loads, Place, WingState, acting_deflection, library,
 };
@@ -217,9 +218,46 @@ fn control_surfaces_saturate_more_by_the_power_of_airspeed() {
     }
 }
 
+/// R = steady + rate + wake; only the wake's memory of an incidence changes, to that of an oscillation (1 + dlag) times as fast. Two incidences
+/// are tried. Pitch about two axes differs by heave, whose rate h' is an incidence of -h'/V everywhere, like that of pitch at rest; what
+/// the rate of pitch does beside that is the other one.
 #[test]
-fn a_wake_that_remembers_longer_answers_as_the_wake_does_to_faster_motion() {
-    // R = steady + rate + wake; only the wake changes, to that of an oscillation (1 + dlag) times as fast
+fn a_wake_that_remembers_longer_answers_an_incidence_as_the_wake_does_to_a_faster_one() {
+    let (file, wing) = wing_with(|planform| planform.structure = None);
+    let effect = forms("aero_lag").remove(0);
+    let axes_m = [0.05, 0.15];
+    let roms = axes_m.map(|axis_x_m| {
+        let rig = Rig::new(&wing, RigSettings::new(file.damping_ratio, axis_x_m)).unwrap();
+        ReducedOrderModel::new(&rig, FLOW, &Corrections::neutral(wing.correctable.len()), None).unwrap()
+    });
+    let added = |dlag: f64, omega: f64| {
+        let [first, second] = roms.each_ref().map(|rom| {
+            let [later, plain] = [dlag, 0.0].map(|dlag| {
+                let mut change = Change::none(rom.zones.len());
+                effect.change(&[dlag], &place(&rom.zones, 0.01, false, 0.0), &mut change);
+                rom.responses(&change, &[omega], false)[0][(0, Drive::PITCH)]
+            });
+            later - plain
+        });
+        let p = c64::new(0.0, omega / FLOW.v_m_s);
+        let everywhere = (first - second) / (p * (axes_m[1] - axes_m[0]));
+        [everywhere, (first - everywhere) / p]
+    };
+    for omega in [1.0, 5.0, 20.0] {
+        for (one, other) in [(0.5, 1.0), (1.0, -0.25), (-0.5, 0.4)] {
+            let both = (1.0 + one) * (1.0 + other) - 1.0;
+            let (first, then) = (added(one, omega), added(other, (1.0 + one) * omega));
+            for (incidence, found) in added(both, omega).into_iter().enumerate() {
+                let (law, size) = (first[incidence] + then[incidence], first[incidence].norm());
+                let at = format!("incidence {incidence}, {omega} rad/s, {one} and {other}");
+                assert!((found - law).norm() < 1e-7 * size, "{at}: {found} for {law}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_gain_multiplies_all_that_is_unsteady_with_the_lags_of_the_wake_as_changed() {
     let (file, wing) = wing_with(|planform| planform.structure = None);
     let rig = Rig::new(&wing, RigSettings::new(file.damping_ratio, file.pitch_axis_x())).unwrap();
     let neutral = Corrections::neutral(wing.correctable.len());
@@ -231,18 +269,7 @@ fn a_wake_that_remembers_longer_answers_as_the_wake_does_to_faster_motion() {
         rom.responses(&change, &[omega], false)[0][(0, Drive::INCIDENCE)]
     };
     let added = |dlag: f64, omega: f64| lift(dlag, omega) - lift(0.0, omega);
-    for omega in [1.0, 5.0, 20.0] {
-        for (one, other) in [(0.5, 1.0), (1.0, -0.25), (-0.5, 0.4)] {
-            let both = (1.0 + one) * (1.0 + other) - 1.0;
-            let (law, found) = (added(one, omega) + added(other, (1.0 + one) * omega), added(both, omega));
-            let size = added(one, omega).norm();
-            assert!(
-                (found - law).norm() < 1e-9 * size,
-                "{omega} rad/s, {one} and {other}: {found} for {law}"
-            );
-        }
-    }
-    // a gain multiplies all that is unsteady, with the wake's lags as changed; all that is unsteady is what air without memory lacks
+    // all that is unsteady is what air without memory lacks
     let with_gain = &forms("aero_lag")[1];
     let changed = |p: [f64; 2], omega: f64| {
         let mut change = Change::none(rom.zones.len());

@@ -82,9 +82,24 @@ pub struct UnsteadyAir {
     pub beyond: RationalAir,
     /// What [`UnsteadyAir::beyond`] tends to: air without lags.
     pub instant: RationalAir,
+    /// The wake's memory alone.
+    pub wake: Wake,
     /// What air without memory would give: steady answers to momentary incidences.
     pub quasi_steady: RationalAir,
     lattice: Option<DoubletLattice>,
+}
+
+/// What the wake remembers of an incidence: pressures `M(p) w(p)` with `M(p) = sum_j D_j p/(p + g_j)`, the lags of rational functions
+/// with the poles of [`UnsteadyAir::beyond`]. A motion has `D_j (w_0 + p w_1)`; in a function of the motion itself, where `p` times a lag
+/// is again a lag and a rate, the two are not to be told apart any more.
+#[derive(Debug, Clone, Default)]
+pub struct Wake {
+    /// g, 1/m.
+    pub poles_per_m: Vec<f64>,
+    /// `D_j w_0`, boxes by motions, one matrix a pole.
+    pub still: Vec<Mat<f64>>,
+    /// `D_j w_1`, m.
+    pub moving: Vec<Mat<f64>>,
 }
 
 /// The air that the parts of a rig move through.
@@ -125,6 +140,7 @@ impl UnsteadyAir {
                 rational,
                 beyond,
                 instant,
+                wake: Wake::default(),
                 quasi_steady,
                 lattice: None,
             });
@@ -134,12 +150,21 @@ impl UnsteadyAir {
             None => DoubletLattice::new(&wing.lattice, wing.plane, wing.mach, &dlm)?,
         };
         let kappa: Vec<f64> = REDUCED_FREQUENCIES.iter().map(|k| 2.0 * k / chord_m).collect();
-        let table = AirTable::new(&solver, &columns, &kappa)?;
+        let parts = AirTable::of_parts(&solver, &columns, &kappa)?;
+        let table = AirTable::of_motions(&parts);
         let poles = poles::choose(&table, steady.as_ref(), looked_at.as_ref(), lags);
         let slow_poles: Vec<f64> = SLOW_POLES.iter().map(|k| 2.0 * k / chord_m).collect();
         let every_mode = |_| false;
         let beyond = RationalAir::fit(&table, steady.clone(), &slow_poles, Weighting::RIG, every_mode);
         let instant = beyond.clone().without_lags();
+        let lags = |part: &AirTable, steady: &Mat<f64>| {
+            RationalAir::fit(part, steady.clone(), &slow_poles, Weighting::RIG, every_mode).lags
+        };
+        let wake = Wake {
+            still: lags(&parts[0], &steady),
+            moving: lags(&parts[1], &quasi_steady.rate),
+            poles_per_m: slow_poles.clone(),
+        };
         let rational = RationalAir::fit(&table, steady, &poles, Weighting::RIG, every_mode);
         Ok(Self {
             columns,
@@ -149,6 +174,7 @@ impl UnsteadyAir {
             rational,
             beyond,
             instant,
+            wake,
             quasi_steady,
             lattice: Some(solver.without_kept_factors()),
         })

@@ -23,6 +23,7 @@ fn air(table: Option<(Vec<f64>, Vec<f64>)>) -> UnsteadyAir {
         rational: constant(1.0),
         beyond: constant(2.0),
         instant: constant(3.0),
+        wake: Wake::default(),
         quasi_steady: constant(4.0),
         lattice: None,
     }

@@ -54,8 +54,9 @@ pub struct ReducedOrderModel {
     pub(crate) apparent: Mat<f64>,
     /// What air without memory gives by rates: modes and balance by motions, times s.
     pub(crate) quasi_steady_rate: Mat<f64>,
-    /// The wake's part in a rational function with few poles: modes and balance by motions, one a pole, times s/(s + g V).
-    pub(crate) wake: Vec<Mat<f64>>,
+    /// The wake's memory ([`crate::air::Wake`]): modes and balance by motions, of incidence at rest and of that by rates (times V/s), one
+    /// pair a pole, times s/(s + g V).
+    pub(crate) wake: Vec<[Mat<f64>; 2]>,
     pub(crate) wake_poles_per_m: Vec<f64>,
     /// Lift of each zone by the layout's columns, N.
     pub(crate) lift: Mat<f64>,
@@ -118,14 +119,12 @@ impl ReducedOrderModel {
                 &corrections,
                 &o.air.quasi_steady.rate,
             ),
-            wake: o
-                .air
-                .beyond
-                .lags
-                .iter()
-                .map(|lag| rows.of_pressures(wing, q_pa, &corrections, lag))
+            wake: (o.air.wake.still.iter().zip(&o.air.wake.moving))
+                .map(|(still, moving)| {
+                    [still, moving].map(|lag| rows.of_pressures(wing, q_pa, &corrections, lag))
+                })
                 .collect(),
-            wake_poles_per_m: o.air.beyond.poles_per_m.clone(),
+            wake_poles_per_m: o.air.wake.poles_per_m.clone(),
             lift: zones.lift(wing, box_loads),
             zone_drive: rows.all.as_ref() * &steady.unit_lift,
             unit_moment: rows.all.as_ref() * &steady.unit_moment,

@@ -108,8 +108,8 @@ impl ReducedOrderModel {
         }
     }
 
-    /// Apparent mass and a wake with another memory: the difference of the few poles' functions is added, as the many poles
-    /// of the approximation are no lags of their own.
+    /// Apparent mass and a wake with another memory of the same incidence: the difference of the few poles' functions is added, as the
+    /// many poles of the approximation are no lags of their own.
     fn add_memory(&self, z: &mut Mat<c64>, change: &Change, omega: f64) {
         let mut add = |factor: c64, by: &Mat<f64>| {
             for motion in 0..z.ncols() {
@@ -124,8 +124,10 @@ impl ReducedOrderModel {
         if change.lag != 0.0 && self.flow.v_m_s > 0.0 {
             let s = c64::new(0.0, omega);
             let lag = |g: f64| s / (s + c64::from(g * self.flow.v_m_s));
-            for (by, &g) in self.wake.iter().zip(&self.wake_poles_per_m) {
-                add((1.0 + change.unsteady) * (lag(g / (1.0 + change.lag)) - lag(g)), by);
+            for ([still, moving], &g) in self.wake.iter().zip(&self.wake_poles_per_m) {
+                let later = (1.0 + change.unsteady) * (lag(g / (1.0 + change.lag)) - lag(g));
+                add(later, still);
+                add(later * s / c64::from(self.flow.v_m_s), moving);
             }
         }
     }

@@ -58,7 +58,9 @@ pub(crate) fn small(v_m_s: f64) -> ReducedOrderModel {
         zone_moment: (0..3).map(|z| numbers(rows, columns, 5 + z, 0.2)).collect(),
         apparent: numbers(rows, MOTIONS, 8, 0.1),
         quasi_steady_rate: numbers(rows, MOTIONS, 9, 0.3),
-        wake: (0..2).map(|k| numbers(rows, MOTIONS, 10 + k, 3.0)).collect(),
+        wake: (0..2)
+            .map(|k| [(10, 3.0), (19, 0.6)].map(|(seed, size)| numbers(rows, MOTIONS, seed + k, size)))
+            .collect(),
         wake_poles_per_m: vec![0.4, 1.1],
         lift: numbers(3, columns, 12, 0.5),
         zone_drive: numbers(rows, 3, 13, 1.0),
@@ -273,7 +275,8 @@ fn the_unsteady_part_is_all_beyond_the_steady_answer_and_a_longer_memory_moves_t
         let part = |k: usize| {
             lag(s, rom.wake_poles_per_m[k] * 25.0 / lag_factor) - lag(s, rom.wake_poles_per_m[k] * 25.0)
         };
-        Mat::from_fn(6, MOTIONS, |i, j| (0..2).map(|k| part(k) * rom.wake[k][(i, j)]).sum::<c64>())
+        let of = |k: usize, i, j| rom.wake[k][0][(i, j)] + s / c64::from(25.0) * rom.wake[k][1][(i, j)];
+        Mat::from_fn(6, MOTIONS, |i, j| (0..2).map(|k| part(k) * of(k, i, j)).sum::<c64>())
     };
     for omega in OMEGAS {
         let s = c64::new(0.0, omega);
