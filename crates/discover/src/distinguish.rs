@@ -6,16 +6,6 @@ use crate::rules::RivalRules;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{RngCore, SeedableRng};
 
-/// A candidate that is to be named.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Best<'a> {
-    pub(crate) candidate: &'a Ranked,
-    /// What has more evidence, though less than the model's form may make of it, and lesser odds.
-    pub(crate) instead: Option<&'a Ranked>,
-    /// Log Bayes factor that it needed.
-    pub(crate) needed: f64,
-}
-
 /// What the draws say of a candidate.
 #[derive(Debug)]
 pub(crate) struct Draws {
@@ -28,16 +18,14 @@ pub(crate) struct Draws {
     pub(crate) confused_with: Vec<&'static str>,
 }
 
-/// Bootstrap over segments: how often a candidate would have won, and which others would have. Draws that `instead` wins
-/// count for the best one: that it was preferred to it is not the data's doing.
+/// Bootstrap over segments: how often a candidate would have won, and which others would have.
 pub(crate) fn distinguish(
     rules: &RivalRules,
     current: &CurrentModel<'_>,
     ranked: &[Ranked],
-    best: Best<'_>,
+    best: &Ranked,
     seed: u64,
 ) -> Draws {
-    let Best { candidate: best, instead, .. } = best;
     let problem = &current.problem;
     let rows = problem.len() as f64;
     let phi = (best.refit.chi2 / rows).max(1.0);
@@ -80,15 +68,14 @@ pub(crate) fn distinguish(
             set.push(rival.name());
         }
     }
-    let own = share(best.name()) + instead.map_or(0.0, |other| share(other.name()));
-    let counted = |name: &str| name == best.name() || instead.is_some_and(|other| other.name() == name);
+    let own = share(best.name());
     let spec = best.refit.active.effect.spec();
     let rival = |name: &&'static str| {
         let of = ranked.iter().find(|w| w.name() == *name);
-        !counted(name) && of.is_some_and(|w| w.refit.active.effect.spec().is_rival_of(spec))
+        of.is_some_and(|w| w.refit.active.effect.spec().is_rival_of(spec))
     };
     let rivals: f64 = set.iter().filter(|name| rival(name)).map(|name| share(name)).sum();
-    let plausible = |w: &Ranked| counted(w.name()) || w.evidence > rules.rival_share * best.evidence;
+    let plausible = |w: &Ranked| w.name() == best.name() || w.evidence > rules.rival_share * best.evidence;
     let plausible =
         ranked.iter().zip(&wins).filter(|(w, _)| plausible(w)).map(|(_, wins)| *wins).sum::<usize>();
     let plausible = plausible as f64 / rules.draws as f64;

@@ -41,16 +41,6 @@ impl Ranked {
     pub(crate) fn parameters(&self) -> usize {
         self.refit.active.values.len()
     }
-
-    /// Whether all its parameters may have either sign.
-    pub(crate) fn has_two_sides(&self) -> bool {
-        self.refit.active.parameters().iter().all(|one| one.lower < 0.0)
-    }
-
-    /// Whether it has one parameter, of one sign.
-    pub(crate) fn has_one_side(&self) -> bool {
-        matches!(&self.refit.active.parameters()[..], [one] if one.lower >= 0.0)
-    }
 }
 
 /// All candidates beside the effects of the current model, by falling evidence.

@@ -4,17 +4,16 @@ use crate::backward_step::backward_step;
 use crate::candidate::Refit;
 use crate::consistency::{scatter, shares};
 use crate::current_model::CurrentModel;
-use crate::distinguish::{Best, Draws, distinguish};
+use crate::distinguish::{Draws, distinguish};
 use crate::found::{Found, Outcome, others};
 use crate::null_distribution::NullDistribution;
 use crate::problem::Problem;
-use crate::rank::{Ranked, rank_some};
+use crate::rank::{Ranked, rank};
 use crate::rules::Rules;
 use crate::setting::Setting;
 use crate::settle::settle;
 
-/// Searches a training problem. Where more is missing than may be, and parts of the data refute what was found first, it is
-/// searched again without it: one of its rivals may be what it resembles.
+/// Searches a training problem.
 pub fn search<'a>(
     setting: &Setting<'_>,
     problem: Problem<'a>,
@@ -22,39 +21,14 @@ pub fn search<'a>(
     seed: u64,
 ) -> (Outcome, CurrentModel<'a>) {
     let bare = CurrentModel::bare(setting, problem);
-    let without = |refuted: &[&'static str]| {
-        let (bare, current, outcome) = (bare.clone(), bare.clone(), Outcome::default());
-        SoFar { current, bare, outcome, undecided: false, nulls, seed, refuted }.whole(setting)
-    };
-    let mut first = without(&[]);
-    let rows = bare.problem.len() as f64;
-    let mut refuted = Vec::new();
-    let mut next = first.refuted.clone().filter(|_| bare.chi2 > rows * nulls.misfit_limit);
-    while let Some(one) = next.take_if(|one| is_close(setting.rules(), &first.outcome.first_ranking, one)) {
-        refuted.push(one.name());
-        let again = without(&refuted);
-        let Outcome { trace, first_ranking, .. } = &mut first.outcome;
-        trace.push(format!("searched again without {}", refuted.join(", ")));
-        trace.extend_from_slice(&again.outcome.trace);
-        if again.outcome.found.first().is_some_and(|found| is_close(setting.rules(), first_ranking, found)) {
-            let (first_ranking, trace) = (std::mem::take(first_ranking), std::mem::take(trace));
-            first = Searched { outcome: Outcome { first_ranking, trace, ..again.outcome }, ..again };
-            break;
-        }
-        next = again.refuted;
-    }
-    let Searched { mut outcome, current, undecided, .. } = first;
+    let (current, outcome) = (bare.clone(), Outcome::default());
+    let (start, rows) = (bare.chi2, bare.problem.len() as f64);
+    let so_far = SoFar { current, bare, outcome, undecided: false, nulls, seed };
+    let Searched { mut outcome, current, undecided } = so_far.whole(setting);
     let current = settle(setting, current, &mut outcome.found);
-    outcome.misfit = [bare.chi2 / rows, current.chi2 / rows];
+    outcome.misfit = [start / rows, current.chi2 / rows];
     outcome.unexplained = outcome.misfit[1] > nulls.misfit_limit || undecided && outcome.found.is_empty();
     (outcome, current)
-}
-
-/// Whether an effect had nearly as much evidence as the best when it was first ranked.
-fn is_close(rules: &Rules, ranking: &[Ranked], found: &Found) -> bool {
-    let own = ranking.iter().find(|w| w.name() == found.name());
-    own.zip(ranking.first())
-        .is_some_and(|(own, best)| own.evidence > rules.rivals.rival_share * best.evidence)
 }
 
 /// A search from its beginning to its end, before values are settled.
@@ -64,18 +38,11 @@ struct Searched<'a> {
     current: CurrentModel<'a>,
     /// Whether something was left out that may be there.
     undecided: bool,
-    /// What was found first and is refuted by parts of the data.
-    refuted: Option<Found>,
 }
 
 /// Judges every effect from parts of the data, and drops those whose parts disagree (all, if the first is one: what was
-/// found beside a wrong effect is not to be believed). Whether any was dropped, and the first if it was.
-fn judge_parts(
-    setting: &Setting<'_>,
-    current: &CurrentModel<'_>,
-    limit: f64,
-    outcome: &mut Outcome,
-) -> (bool, Option<Found>) {
+/// found beside a wrong effect is not to be believed). Whether any was dropped.
+fn judge_parts(setting: &Setting<'_>, current: &CurrentModel<'_>, limit: f64, outcome: &mut Outcome) -> bool {
     for (which, found) in outcome.found.iter_mut().enumerate() {
         found.shares = shares(setting, &current.strict(which), which);
     }
@@ -88,9 +55,9 @@ fn judge_parts(
         outcome.trace.push(format!("{name} has no size of its own ({}): it only resembles", each.join(", ")));
     }
     let before = outcome.found.len();
-    let first = outcome.found.first().filter(|first| disagree(first)).cloned();
-    outcome.found.retain(|found| first.is_none() && !disagree(found));
-    (outcome.found.len() < before, first)
+    let is_first = outcome.found.first().is_some_and(disagree);
+    outcome.found.retain(|found| !is_first && !disagree(found));
+    outcome.found.len() < before
 }
 
 /// A search on its way.
@@ -103,8 +70,6 @@ struct SoFar<'a, 'n> {
     seed: u64,
     outcome: Outcome,
     undecided: bool,
-    /// Effects that parts of the data refuted in an earlier search.
-    refuted: &'n [&'static str],
 }
 
 impl<'a> SoFar<'a, '_> {
@@ -135,30 +100,29 @@ impl<'a> SoFar<'a, '_> {
         }
         let limits = &rules.consistency;
         let limit = if is_too_much(&current) { limits.scatter_unexplained } else { limits.scatter };
-        let (dropped, refuted) = judge_parts(setting, &current, limit, &mut outcome);
+        let dropped = judge_parts(setting, &current, limit, &mut outcome);
         if outcome.found.len() != current.effects.len() {
             current = current.with(setting, &others(&outcome.found, &[]));
         }
-        Searched { outcome, current, undecided: undecided || dropped, refuted }
+        Searched { outcome, current, undecided: undecided || dropped }
     }
 
     /// Names one more effect, if there is one to name; whether there may be more.
     fn step(&mut self, setting: &Setting<'_>) -> bool {
         let (rules, nulls) = (setting.rules(), self.nulls);
         let naming = &rules.naming;
-        let ranked = rank_some(setting, &self.current, nulls, &|name| !self.refuted.contains(&name), &[]);
+        let ranked = rank(setting, &self.current, nulls);
         if self.outcome.found.is_empty() {
             self.outcome.first_ranking.clone_from(&ranked);
         }
-        let Some(chosen) = self.best(&ranked, rules) else {
+        let Some((best, needed)) = self.best(&ranked, rules) else {
             self.outcome.next_best = ranked.into_iter().next();
             return false;
         };
-        let Best { candidate: best, instead, needed } = chosen;
         let (rows, chi2) = (self.current.problem.len() as f64, self.current.chi2);
         let explained = (chi2 - best.refit.chi2) / (chi2 - rows * nulls.misfit).max(f64::MIN_POSITIVE);
         let Draws { own: share, with_rivals, confused_with } =
-            distinguish(&rules.rivals, &self.current, &ranked, chosen, self.seed);
+            distinguish(&rules.rivals, &self.current, &ranked, best, self.seed);
         let explains = chi2 <= rows * nulls.misfit_limit || explained >= naming.explained;
         if with_rivals < naming.wins || !explains {
             self.undecided = with_rivals < naming.wins;
@@ -176,10 +140,7 @@ impl<'a> SoFar<'a, '_> {
             best.name(),
             best.evidence
         ));
-        let right = match instead {
-            Some(_) => naming.odds,
-            None => naming.confidence(share, !confused_with.is_empty()),
-        };
+        let right = naming.confidence(share, !confused_with.is_empty());
         let is_first = self.outcome.found.is_empty();
         self.outcome.found.push(Found {
             active: best.refit.active.clone(),
@@ -204,29 +165,25 @@ impl<'a> SoFar<'a, '_> {
         more
     }
 
-    /// The best candidate that has the evidence it needs, and how much that is; and the one with more evidence that it goes
-    /// before by its odds.
-    fn best<'r>(&self, ranked: &'r [Ranked], rules: &Rules) -> Option<Best<'r>> {
-        let naming = &rules.naming;
+    /// The best candidate that has the evidence it needs, and how much that is; a simpler one goes before it, where the form of the model
+    /// may make the difference.
+    fn best<'r>(&self, ranked: &'r [Ranked], rules: &Rules) -> Option<(&'r Ranked, f64)> {
         let rivals = |w: &Ranked| {
             let found = self.outcome.found.iter();
             let rivals = found.filter(|f| f.active.effect.spec().is_rival_of(w.refit.active.effect.spec()));
-            rivals.map(|rival| naming.repair_share_of_rival * rival.named_at).fold(0.0, f64::max)
+            let share = rules.naming.repair_share_of_rival;
+            rivals.map(|rival| share * rival.named_at).fold(0.0, f64::max)
         };
         let needed = |w: &Ranked| w.threshold.max(rivals(w));
         let counts = |w: &&Ranked| w.counts(needed(w), &rules.shared);
         let first = ranked.iter().find(counts)?;
-        let close = self.nulls.model_form.min(rules.rivals.close_share * first.evidence);
-        let odd = |w: &&Ranked| counts(w) && w.has_one_side() && first.evidence - w.evidence < close;
+        let form = self.nulls.model_form.min(rules.rivals.close_share * first.evidence);
         let simpler = |w: &&Ranked| {
-            counts(w)
-                && w.parameters() < first.parameters()
-                && first.evidence - w.evidence < rules.rivals.close
+            let close = if w.name() == first.name() { rules.rivals.close } else { form };
+            counts(w) && w.parameters() < first.parameters() && first.evidence - w.evidence < close
         };
-        let preferred = ranked.iter().find(odd).filter(|_| first.has_two_sides());
-        let preferred = preferred.or_else(|| ranked.iter().find(simpler));
-        let best = preferred.unwrap_or(first);
-        Some(Best { candidate: best, instead: preferred.map(|_| first), needed: needed(best) })
+        let best = ranked.iter().find(simpler).unwrap_or(first);
+        Some((best, needed(best)))
     }
 }
 

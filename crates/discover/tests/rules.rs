@@ -1,21 +1,22 @@
-//! The rules on one page.
+//! The rules on their pages.
 
 use discover::rules::{Origin, Rules};
 use std::collections::BTreeSet;
 use std::path::Path;
 
 #[test]
-fn the_page_of_the_documents_is_the_one_of_the_rules() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/discover_rules.md");
-    let page = Rules::default().page();
-    if std::env::var_os("WRITE_RULES").is_some() {
-        std::fs::write(&path, &page).expect("the page is written");
+fn the_pages_of_the_documents_are_those_of_the_rules() {
+    let rules = Rules::default();
+    for (name, page) in [("discover_rules.md", rules.page()), ("discover_settings.md", rules.settings_page())]
+    {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs").join(name);
+        if std::env::var_os("WRITE_RULES").is_some() {
+            std::fs::write(&path, &page).expect("the page is written");
+        }
+        let text = std::fs::read_to_string(&path).unwrap_or_default();
+        let again = "WRITE_RULES=1 cargo test --workspace --test discover rules";
+        assert!(text == page, "docs/{name} is not what the rules are: {again}");
     }
-    let text = std::fs::read_to_string(&path).unwrap_or_default();
-    assert!(
-        text == page,
-        "docs/discover_rules.md is not what the rules are: WRITE_RULES=1 cargo test -p wingroot-discover --test discover rules"
-    );
 }
 
 #[test]

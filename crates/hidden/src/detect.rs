@@ -1,8 +1,9 @@
 //! How well a hidden effect can be seen: the squared distance between the training data with and without it.
 //!
 //! `d2 = dᵀ (N + T + J Jᵀ)⁻¹ d` with d the difference of the noise-free loads of one replicate's length, N the noise of
-//! the mean of all replicates, T the run tolerance (1 % of the mean, 3 % of what varies, 4 ms, an offset) and J what each jittered
-//! parameter changes by one standard deviation. So a difference that the tolerances or the jitter explain does not count.
+//! the mean of all replicates, T the run tolerance (1 % of the mean, 3 % of what varies, 4 ms, an offset) and J what each nuisance
+//! changes by one standard deviation: what true wings are off by, and what the wing's file leaves open. So a difference that the
+//! tolerances or the nuisances explain does not count: a lag that a servo within the file's two standard deviations has is none.
 
 use crate::at_speed::AtSpeed;
 use crate::campaign::BLOCKS;
@@ -116,8 +117,8 @@ fn product(a: &Loads, b: &Loads) -> f64 {
 }
 
 impl Metric {
-    /// From the loads of the wing in the middle, and with every jittered parameter one standard deviation off.
-    pub(crate) fn new(middle: &Loads, jittered: &[Loads], controls: &[String]) -> Self {
+    /// From the loads of the wing in the middle, and with every nuisance one standard deviation off.
+    pub(crate) fn new(middle: &Loads, off: &[Loads], controls: &[String]) -> Self {
         let planned = runs(controls);
         let speeds: Vec<f64> = planned.iter().filter(|run| run.train).map(|run| run.v_m_s).collect();
         let piece = |(number, values): (usize, &Vec<f64>)| {
@@ -136,7 +137,7 @@ impl Metric {
         let direction = |loads: &Loads| -> Loads {
             loads.iter().zip(middle).map(|(with, without)| difference(with, without)).collect()
         };
-        let directions: Vec<Loads> = jittered.iter().map(direction).collect();
+        let directions: Vec<Loads> = off.iter().map(direction).collect();
         let weigh = |loads: &Loads| -> Loads {
             pieces.iter().zip(loads).map(|(piece, values)| piece.weighted(values)).collect()
         };

@@ -8,6 +8,7 @@ use crate::physics::{Ends, Physics};
 use crate::random::{Random, Stream};
 use crate::servo::Servo;
 use crate::strips::Strips;
+use coupling::wing_file::{KnownTo, Servos};
 use std::f64::consts::PI;
 
 /// Relative standard deviations: bending and torsion stiffness, mass, lift slope, damping, apparent mass, rates and amplitudes
@@ -34,7 +35,9 @@ const LIFT_OFFSET: f64 = 0.002;
 const MOMENT_OFFSET: f64 = 0.0005;
 
 /// Number of jittered parameters.
-pub(crate) const COUNT: usize = 30;
+const COUNT: usize = 30;
+/// Place of the servo's frequency among them.
+const SERVO_AT: usize = COUNT - 1;
 /// Controls with jitter of their own.
 const CONTROLS: usize = 3;
 
@@ -54,9 +57,34 @@ impl Jitter {
         Self(std::array::from_fn(|_| random.normal(1.0).clamp(-2.5, 2.5)))
     }
 
-    /// One parameter off by one standard deviation.
-    pub(crate) fn unit(parameter: usize) -> Self {
-        Self(std::array::from_fn(|i| if i == parameter { 1.0 } else { 0.0 }))
+    /// What who analyses a campaign cannot know better, each off by one standard deviation: the jitter's, or the one that the wing's file
+    /// states where that is more; and the servo's damping ratio, which only the file leaves open.
+    pub(crate) fn nuisances(known_to: &KnownTo, servos: &Servos) -> Vec<(Self, Servo)> {
+        let (frequency, damping_ratio_sd) = match *servos {
+            Servos::SecondOrder { frequency_hz, frequency_sd_hz, damping_ratio_sd, .. } => {
+                (frequency_sd_hz / frequency_hz, damping_ratio_sd)
+            }
+            Servos::None => (0.0, 0.0),
+        };
+        let stated = |parameter: usize| match parameter {
+            0 => known_to.bending / BENDING,
+            2 => known_to.torsion / TORSION,
+            4 => known_to.mass / MASS,
+            6 => known_to.damping / DAMPING,
+            12 => known_to.apparent_mass / APPARENT_MASS,
+            13 => known_to.wake_lag / LAG_RATE,
+            14..17 => known_to.surfaces / FLAP,
+            SERVO_AT => frequency / SERVO,
+            _ => 1.0,
+        };
+        let off = |parameter: usize| {
+            let mut jitter = Self::none();
+            jitter.0[parameter] = stated(parameter).max(1.0);
+            (jitter, jitter.servo())
+        };
+        let servo = Self::none().servo();
+        let damped = Servo { damping_ratio: servo.damping_ratio + damping_ratio_sd, ..servo };
+        (0..COUNT).map(off).chain([(Self::none(), damped)]).collect()
     }
 
     /// Changes a neutral wing: sections first, then jitter.
@@ -106,7 +134,7 @@ impl Jitter {
 
     /// The servo: about as late as the assumed one of 15 Hz and 0.8, with another shape.
     pub(crate) fn servo(&self) -> Servo {
-        Servo { frequency_hz: 14.2 * (1.0 + SERVO * self.0[29]), damping_ratio: 0.76 }
+        Servo { frequency_hz: 14.2 * (1.0 + SERVO * self.0[SERVO_AT]), damping_ratio: 0.76 }
     }
 }
 

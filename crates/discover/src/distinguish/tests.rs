@@ -37,17 +37,14 @@ fn rules() -> RivalRules {
     RivalRules { draws: 4000, in_set: 0.05, close: 0.5, close_share: 0.0, rival_share: 0.5 }
 }
 
-fn drawn(rules: &RivalRules, ranked: &[Ranked], best: usize, instead: Option<usize>) -> Draws {
-    let known = segments();
-    let instead = instead.map(|which| &ranked[which]);
-    let best = Best { candidate: &ranked[best], instead, needed: 0.0 };
-    distinguish(rules, &known.bare(), ranked, best, 7)
+fn drawn(rules: &RivalRules, ranked: &[Ranked], best: usize) -> Draws {
+    distinguish(rules, &segments().bare(), ranked, &ranked[best], 7)
 }
 
 /// Of the 27 ways to draw three of three segments, 7 draw a given one at least twice, and 6 draw each once.
 #[test]
 fn candidates_win_as_often_as_their_segments_are_drawn() {
-    let own = |scale: f64, which: usize| drawn(&rules(), &four(scale), which, None).own;
+    let own = |scale: f64, which: usize| drawn(&rules(), &four(scale), which).own;
     let shares = [0, 1, 2, 3].map(|which| own(1.0, which));
     for (share, ways) in shares.into_iter().zip([6.0, 7.0, 7.0, 7.0]) {
         assert!((share - ways / 27.0).abs() < 0.035, "{shares:?}");
@@ -56,7 +53,7 @@ fn candidates_win_as_often_as_their_segments_are_drawn() {
     // with a chi square a row of 2.5 squares count less by as much
     let ranked: Vec<Ranked> = four(2.5);
     assert!((ranked[0].refit.chi2 - 150.0).abs() < 1e-9);
-    let a = drawn(&rules(), &ranked, 0, None).own;
+    let a = drawn(&rules(), &ranked, 0).own;
     assert!((a - 6.0 / 27.0).abs() < 0.035, "{a}");
     // with a fifth less they win where a segment is drawn three times only
     let weak = four(2.0).into_iter().enumerate().map(|(which, mut one)| {
@@ -74,7 +71,7 @@ fn candidates_win_as_often_as_their_segments_are_drawn() {
         one
     });
     let weak: Vec<Ranked> = weak.collect();
-    let a = drawn(&rules(), &weak, 0, None).own;
+    let a = drawn(&rules(), &weak, 0).own;
     assert!((a - 24.0 / 27.0).abs() < 0.035, "{a}");
 }
 
@@ -84,7 +81,7 @@ fn close_and_winning_rivals_are_in_the_set() {
     let set = |change: &dyn Fn(&mut RivalRules)| {
         let mut rules = rules();
         change(&mut rules);
-        drawn(&rules, &ranked, 0, None).confused_with
+        drawn(&rules, &ranked, 0).confused_with
     };
     // those that win and have half of the best one's evidence
     assert_eq!(set(&|_| ()), ["b", "c"]);
@@ -107,38 +104,35 @@ fn close_and_winning_rivals_are_in_the_set() {
 }
 
 #[test]
-fn what_was_passed_over_counts_for_the_best_and_rivals_beside_it() {
+fn rivals_of_the_library_count_beside_the_best() {
     let ranked = four(1.0);
     let rules = rules();
-    let [a, b, c, d] = [0, 1, 2, 3].map(|which| drawn(&rules, &ranked, which, None).own);
+    let [a, b, c, d] = [0, 1, 2, 3].map(|which| drawn(&rules, &ranked, which).own);
     let plausible = a + b + c;
-    let is = |best: usize, instead: Option<usize>, own: f64, with_rivals: f64| {
-        let draws = drawn(&rules, &ranked, best, instead);
+    let is = |best: usize, own: f64, with_rivals: f64| {
+        let draws = drawn(&rules, &ranked, best);
         assert!((draws.own - own).abs() < 1e-12, "{draws:?} {own}");
         assert!((draws.with_rivals - with_rivals).abs() < 1e-12, "{draws:?} {with_rivals}");
     };
-    // b is a rival of a; c is none; d has too little to be anything
-    is(0, None, a, (a + b) / plausible);
-    is(1, None, b, (a + b) / plausible);
-    is(2, None, c, c / plausible);
-    // once, though it is both a rival and what was passed over
-    is(0, Some(1), a + b, (a + b) / plausible);
-    is(0, Some(2), a + c, 1.0);
-    // what is named or passed over counts however little it has
-    is(0, Some(3), a + d, (a + d + b) / (plausible + d));
+    // b is a rival of a; c is none; d has too little to be anything beside another
+    is(0, a, (a + b) / plausible);
+    is(1, b, (a + b) / plausible);
+    is(2, c, c / plausible);
+    // what is named counts however little it has, and so does all that has more than half of that
+    is(3, d, d);
 }
 
 #[test]
 fn forms_of_one_effect_are_one_name() {
     let mut ranked = four(1.0);
-    let [a, b, c] = [0, 1, 2].map(|which| drawn(&rules(), &ranked, which, None).own);
+    let [a, b, c] = [0, 1, 2].map(|which| drawn(&rules(), &ranked, which).own);
     // c is another form of b
     let form = fit(&made("b", &["a"], size()).formed("other"), 7.0, [20.0, 13.6, 20.0]);
     ranked[2] = form;
-    let draws = drawn(&rules(), &ranked, 0, None);
+    let draws = drawn(&rules(), &ranked, 0);
     assert_eq!(draws.confused_with, ["b"]);
     assert!((draws.own - a).abs() < 1e-12 && (draws.with_rivals - 1.0).abs() < 1e-12, "{draws:?}");
-    assert!((drawn(&rules(), &ranked, 1, None).own - b - c).abs() < 1e-12);
+    assert!((drawn(&rules(), &ranked, 1).own - b - c).abs() < 1e-12);
 }
 
 #[test]
@@ -146,8 +140,8 @@ fn evidence_of_the_share_exactly_is_not_enough() {
     // half of the best one's is five: d has it, and wins
     let mut ranked = four(1.0);
     ranked[3] = fit(&made("d", &[], size()), 5.0, [20.0, 20.0, 5.6]);
-    let [a, b, c] = [0, 1, 2].map(|which| drawn(&rules(), &ranked, which, None).own);
-    let draws = drawn(&rules(), &ranked, 0, None);
+    let [a, b, c] = [0, 1, 2].map(|which| drawn(&rules(), &ranked, which).own);
+    let draws = drawn(&rules(), &ranked, 0);
     assert_eq!(draws.confused_with, ["b", "c"]);
     assert!((draws.with_rivals - (a + b) / (a + b + c)).abs() < 1e-12, "{draws:?}");
 }
@@ -157,6 +151,6 @@ fn where_nothing_plausible_wins_no_share_is_left() {
     let winner = fit(&made("a", &[], size()), 10.0, [1.0; 3]);
     let second = fit(&made("b", &[], size()), 9.0, [1.0; 3]);
     let rules = RivalRules { rival_share: 2.0, ..rules() };
-    let draws = drawn(&rules, &[winner, second], 1, None);
+    let draws = drawn(&rules, &[winner, second], 1);
     assert!(draws.own.abs() < 1e-12 && draws.with_rivals.abs() < 1e-12, "{draws:?}");
 }

@@ -5,25 +5,12 @@ use crate::by_hand::{ByHand, Made, made, ranked, size};
 use crate::rules::RankRules;
 use maneuver::effects::Parameter;
 
-fn parameter(lower: f64, upper: f64) -> Parameter {
-    Parameter::new("one", lower..=upper, 1.0)
-}
-
 #[test]
-fn what_is_ranked_goes_by_name_form_and_sides() {
-    let of = |parameters: Vec<Parameter>| {
-        let values = vec![1.0; parameters.len()];
-        ranked(&made("lag", &[], parameters).formed("late").active(&values), 30.0, &[])
-    };
-    let (both, up) = (parameter(-1.0, 1.0), parameter(0.0, 1.0));
-    let pair = of(vec![both.clone(), up.clone()]);
+fn what_is_ranked_goes_by_name_form_and_number_of_parameters() {
+    let one = || Parameter::new("one", -1.0..=1.0, 1.0);
+    let values = [1.0; 2];
+    let pair = ranked(&made("lag", &[], vec![one(), one()]).formed("late").active(&values), 30.0, &[]);
     assert_eq!((pair.name(), pair.label(), pair.parameters()), ("lag", "lag late".to_owned(), 2));
-    assert!(!pair.has_two_sides() && !pair.has_one_side());
-    let sides = |one: &Ranked| (one.has_two_sides(), one.has_one_side(), one.parameters());
-    assert_eq!(sides(&of(vec![both.clone()])), (true, false, 1));
-    assert_eq!(sides(&of(vec![up.clone()])), (false, true, 1));
-    assert_eq!(sides(&of(vec![both.clone(), both.clone(), both])), (true, false, 3));
-    assert_eq!(sides(&of(vec![up.clone(), up])), (false, false, 2));
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Everything that `discover` decides by: each number with its unit, its meaning and where it comes from.
 //!
-//! `Rules::default()` is what the command decides by; a caller may try others. [`Rules::page`] writes them all on one page,
-//! `docs/discover_rules.md`.
+//! `Rules::default()` is what the command decides by; a caller may try others. [`Rules::page`] writes those of the decision on one page,
+//! `docs/discover_rules.md`, [`Rules::settings_page`] all others, `docs/discover_settings.md`.
 
 mod checks;
 mod data;
@@ -90,20 +90,49 @@ themes! {
     locate: LocateRules, "Where the residual sits";
 }
 
+/// Themes that decide on names. With the others a campaign is read, checked, fitted and shown.
+const DECISION: [&str; 4] = ["nulls", "naming", "rivals", "consistency"];
+
+const HEAD: &str = "| rule | default | unit | meaning | origin |\n| --- | --- | --- | --- | --- |";
+
 impl Rules {
-    /// All of them on one page, in Markdown.
+    /// The rules of the decision on one page, in Markdown.
     pub fn page(&self) -> String {
-        let mut text = String::from(
-            "# The rules of `discover`\n\nWritten by `Rules::page`; a test keeps it. Every number that a decision of `discover` depends on, \
-             with its default, unit, meaning and origin.\n",
+        let mut text = format!(
+            "# By which rules `discover` names an effect\n\nWritten by `Rules::page`; a test keeps it. How a campaign is read, checked and fitted: \
+             `discover_settings.md`.\n\n1. *Is it needed?* Its log Bayes factor exceeds one threshold (`nulls`, `naming`).\n\
+             2. *Is it told apart?* It wins a bootstrap over runs; what comes close is said as its rivals (`rivals`).\n\
+             3. *Does it predict?* Parts of the data that each know its size ask for one size (`consistency`).\n\n{HEAD}\n"
         );
-        for (theme, title, rules) in self.themes() {
-            let head = "| rule | default | unit | meaning | origin |\n| --- | --- | --- | --- | --- |";
-            let _ = writeln!(text, "\n## {title} (`{theme}`)\n\n{head}");
-            for Rule { name, value, unit, meaning, origin } in rules {
-                let _ = writeln!(text, "| `{name}` | {value} | {unit} | {meaning} | {origin} |");
-            }
+        for (theme, _, rules) in self.themes_of(true) {
+            push(&mut text, Some(theme), &rules);
         }
-        text + "\n## By an effect's name (`effects`)\n\n" + &self.effects.table()
+        text + "\nShare by which the size of an effect may differ between parts of the data:\n\n"
+            + &self.effects.table()
+    }
+
+    /// All other numbers, in Markdown.
+    pub fn settings_page(&self) -> String {
+        let mut text = String::from(
+            "# How `discover` reads, checks and fits\n\nWritten by `Rules::settings_page`; a test keeps it. Every number beside those of \
+             the decision (`discover_rules.md`), with its default, unit, meaning and origin.\n",
+        );
+        for (theme, title, rules) in self.themes_of(false) {
+            let _ = writeln!(text, "\n## {title} (`{theme}`)\n\n{HEAD}");
+            push(&mut text, None, &rules);
+        }
+        text
+    }
+
+    fn themes_of(&self, decision: bool) -> impl Iterator<Item = (&'static str, &'static str, Vec<Rule>)> {
+        self.themes().into_iter().filter(move |(theme, ..)| DECISION.contains(theme) == decision)
+    }
+}
+
+/// Rows of rules, with the name of their theme before their own.
+fn push(text: &mut String, theme: Option<&str>, rules: &[Rule]) {
+    let theme = theme.map(|theme| format!("{theme}.")).unwrap_or_default();
+    for Rule { name, value, unit, meaning, origin } in rules {
+        let _ = writeln!(text, "| `{theme}{name}` | {value} | {unit} | {meaning} | {origin} |");
     }
 }

@@ -74,8 +74,6 @@ rules! {
         least: f64 = 25.0, "log Bayes factor", Measured("539 nulls of the blind benchmark flown by the model's own library on another mesh: most effects never had more than 18");
         /// ... and a rival of one of those that were found this share of that one's.
         repair_share_of_rival: f64 = 0.2, "", Measured("development cases of the blind benchmark");
-        /// Confidence in what goes first by its odds, not by the data.
-        odds: f64 = 2.0 / 3.0, "", Formula("of two lags that are late, one is of a kind that is early as often: odds of two to one");
         /// What had less than this share of an effect's log Bayes factor is not ranked in its place again when more was found.
         considered: f64 = 0.2, "", Unknown;
         /// An effect named with so many times the log Bayes factor of a later one is not replaced because of it.

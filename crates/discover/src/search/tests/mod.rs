@@ -12,7 +12,7 @@ use crate::by_hand::{ByHand, made, size, steps};
 fn so_far<'a, 'n>(known: &'a ByHand, nulls: &'n NullDistribution) -> SoFar<'a, 'n> {
     let bare = known.bare();
     let (current, outcome) = (bare.clone(), Outcome::default());
-    SoFar { bare, current, nulls, seed: 1, outcome, undecided: false, refuted: &[] }
+    SoFar { bare, current, nulls, seed: 1, outcome, undecided: false }
 }
 
 /// Columns of ones: a and b on fifteen rows each. A measured m is fitted by 15/16 of it, and 15 m²/256 are left; on one

@@ -117,39 +117,6 @@ fn what_only_resembles_is_left_out_of_the_model() {
     assert!(!of(7.0, 4.0).unexplained);
 }
 
-/// At two airspeeds b measures 4; "like b" has .6 of its column at the second, and a rest at the first that nobody else has:
-/// it explains more and has two sizes, 4.2 being found.
-#[test]
-fn where_parts_refute_the_first_its_rival_is_named() {
-    let of = |rival_share: f64, b_itself: bool| {
-        let mut b = made("b", &[], size());
-        b.itself = b_itself;
-        let all = steps(&[(0..8, 4.0), (8..12, 4.0), (16..24, 4.0)]);
-        let (one, two) = all.split_at(16);
-        let known = ByHand::new(&[one, two])
-            .column(made("like b", &[], size()), &steps(&[(0..12, 1.0), (16..24, 0.6)]))
-            .column(b, &steps(&[(0..8, 1.0), (16..24, 1.0)]))
-            .ruled(|rules| {
-                rules.rivals.rival_share = rival_share;
-                rules.consistency.scatter = 2.0;
-            });
-        searched(&known, &known.nulls(5.0, 3.0)).0
-    };
-    // gains are 67.2²/15.88 = 284 and 64²/17 = 241
-    let rival = of(0.6, true);
-    assert_eq!(rival.names(), ["b"], "{:?}", rival.trace);
-    close(rival.found[0].active.values[0], 64.0 / 17.0);
-    close(rival.misfit[0], 320.0 / 32.0);
-    assert!(!rival.unexplained);
-    assert_eq!(rival.first_ranking[0].name(), "like b");
-    assert!(rival.trace.iter().any(|line| line == "searched again without like b"), "{:?}", rival.trace);
-    // less than a rival has, or not what its name says: nothing is named, and it is said that something is there
-    for none in [of(0.95, true), of(0.6, false)] {
-        assert!(none.found.is_empty() && none.unexplained, "{:?}", none.trace);
-        close(none.misfit[1], 320.0 / 32.0);
-    }
-}
-
 /// A size of 6 and of 4 at two airspeeds scatters by more than three.
 #[test]
 fn parts_must_agree_better_where_something_is_left() {
