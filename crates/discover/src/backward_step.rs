@@ -44,24 +44,26 @@ pub(crate) fn backward_step<'a>(
                 found[index].confused_with.clear();
                 found[index].rivals.clear();
             }
-            found[index].active = chosen.refit.active.clone();
-            found[index].sigma = chosen.refit.sigma_with_form(naming);
-            found[index].evidence = chosen.evidence;
+            found[index].take(chosen, naming);
         } else {
             // one of the two is enough: the one that says more without the other
             let neither = current.beside(setting, &others(found, &[index, last]));
             let names = [found[index].name(), found[last].name()];
             let both = [&found[index].active, &found[last].active];
             let alone = rank_some(setting, &neither, nulls, &|name| names.contains(&name), &both);
-            let evidence = |of: &Found| {
-                alone.iter().find(|w| w.name() == of.name()).map_or(f64::NEG_INFINITY, |w| w.evidence)
-            };
-            if firm || evidence(&found[index]) >= evidence(&found[last]) {
-                found.remove(last);
+            let of = |of: &Found| alone.iter().find(|w| w.name() == of.name());
+            let evidence = |found: &Found| of(found).map_or(f64::NEG_INFINITY, |w| w.evidence);
+            let stays = firm || evidence(&found[index]) >= evidence(&found[last]);
+            let (left, kept) = if stays { (last, index) } else { (index, last) };
+            // its values were those beside the other
+            if let Some(alone) = of(&found[kept]) {
+                found[kept].take(alone, naming);
+            }
+            found.remove(left);
+            if stays {
                 more = false;
                 break;
             }
-            found.remove(index);
         }
     }
     *current = current.with(setting, &others(found, &[]));

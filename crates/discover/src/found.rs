@@ -3,6 +3,7 @@
 use crate::candidate::Refit;
 use crate::consistency::Share;
 use crate::rank::Ranked;
+use crate::rules::NamingRules;
 use maneuver::effects::Active;
 
 /// An effect that was found.
@@ -32,6 +33,13 @@ impl Found {
     /// Name of the effect.
     pub fn name(&self) -> &'static str {
         self.active.effect.spec().name
+    }
+
+    /// Takes effect, values and evidence of another fit.
+    pub(crate) fn take(&mut self, fit: &Ranked, naming: &NamingRules) {
+        self.active = fit.refit.active.clone();
+        self.sigma = fit.refit.sigma_with_form(naming);
+        self.evidence = fit.evidence;
     }
 }
 

@@ -63,6 +63,41 @@ fn a_lagging_servo_of_any_form_follows_a_ramp_its_time_constant_later() {
     }
 }
 
+/// A low pass of two poles of Butterworth with the corner `1/p` is late by `sqrt 2 p/(2 pi)`, and all forms alike, however fast
+/// they are beside the sample rate.
+#[test]
+fn a_filter_of_any_form_follows_a_ramp_the_same_delay_later() {
+    let zones = Zones::default();
+    let forms = forms("daq_filter");
+    assert_eq!(
+        forms.iter().map(|effect| effect.form()).collect::<Vec<_>>(),
+        ["two poles", "four poles", "Bessel"]
+    );
+    for (p, time_step_s) in [(0.01, 0.01), (0.03, 0.01), (0.1, 0.01), (0.3, 0.01), (0.1, 0.002)] {
+        let ramp: Vec<f64> = (0..3000).map(|i| f64::from(i) * time_step_s).collect();
+        for effect in &forms {
+            let driven = inputs(3000, Vec::new());
+            let channels = [ramp.clone(), ramp.clone(), ramp.clone()];
+            let state = WingState {
+                inputs: &driven,
+                loads: &channels,
+                tip_m: &[],
+                lift_n: &[],
+                height_m: &[],
+                twist_rad: &[],
+            };
+            let mut loads = Loads { balance: channels.clone(), tip_m: Vec::new() };
+            effect.loads(&[p], &place(&zones, time_step_s, false, 0.0), &state, &mut loads);
+            let (behind_s, delay_s) = (ramp[2999] - loads.balance[1][2999], 2.0_f64.sqrt() * p / TAU);
+            assert!(
+                (behind_s / delay_s - 1.0).abs() < 1e-5,
+                "{} {p}: {behind_s} for {delay_s}",
+                effect.form()
+            );
+        }
+    }
+}
+
 /// A servo of second order follows a ramp `2 zeta / w` later; one without a period follows at once.
 #[test]
 fn another_servo_follows_a_ramp_as_late_as_its_period_and_damping_say() {

@@ -66,7 +66,7 @@ impl Default for EffectRules {
     fn default() -> Self {
         let usual = EffectRule::default;
         // flow that separates: where, how suddenly and with what delay it does so no one formula says; the slope by Reynolds
-        // number, whose parts of the data are the airspeeds; and lags of servos and filters, which may be of any order
+        // number, whose parts of the data are the airspeeds; what the wake remembers; and lags of servos and filters, which may be of any order
         let rough = || EffectRule { form: 0.4, ..usual() };
         // what scales all loads
         let level = || EffectRule { off_by_variants: OffByVariants::Size(0.01), ..usual() };
@@ -76,6 +76,7 @@ impl Default for EffectRules {
             // a wing that is heavier everywhere alike has no other form
             ("wing_mass_error", EffectRule { form: 0.08, off_by_variants: OffByVariants::Nothing }),
             ("act_lag", rough()),
+            ("aero_lag", rough()),
             ("daq_filter", rough()),
             ("stall", rough()),
             ("dynamic_stall", rough()),
