@@ -266,10 +266,10 @@ impl Parts {
                     let at = layout.lag(pole, place);
                     for row in 0..2 * count {
                         let amplitude = q_pa * flap * physics.unsteady * physics.lag_amplitude[row % count];
-                        let moved =
-                            if row < count { 0.0 } else { flap_aft * air.lags[pole][(row - count, motion)] };
+                        let lag = |row: usize| self.air.lag(pole, physics.lag_rate[pole], row, motion);
+                        let moved = if row < count { 0.0 } else { flap_aft * lag(row - count) };
                         let aft_m = self.strips.chord_m[row % count];
-                        rows.state[(row, at)] += amplitude * (air.lags[pole][(row, motion)] - aft_m * moved);
+                        rows.state[(row, at)] += amplitude * (lag(row) - aft_m * moved);
                     }
                 }
             }

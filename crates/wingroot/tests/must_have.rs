@@ -194,7 +194,17 @@ fn the_gain_and_lag_of_the_wake_are_found_and_a_delay_is_not_called_one() {
     let delayed = self::plan(Class::Null, &[("delay", &[0.025])]);
     let (prepared, _) = self::prepared(&delayed, "delayed");
     let report = prepared.search(&limits(), delayed.seed);
-    assert_eq!(names(&report), ["delay"], "{:?}", report.outcome.trace);
+    // a filter of Bessel is nearly a delay, and the true one is not the same in all channels: the data tell them apart by 4 of 4900
+    let [found] = &report.outcome.found[..] else { panic!("{:?}", report.outcome.trace) };
+    let either = ["delay", "daq_filter"];
+    let other = |name: &&&str| **name != found.name();
+    assert!(either.contains(&found.name()), "{:?}", report.outcome.trace);
+    assert!(
+        either.iter().filter(other).all(|name| found.confused_with.contains(name)),
+        "{:?}",
+        found.confused_with
+    );
+    assert!(!found.confused_with.contains(&"aero_lag"));
 }
 
 #[test]
