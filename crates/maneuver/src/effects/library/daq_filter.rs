@@ -47,7 +47,8 @@ fn bessel(p: &[f64], place: &Place<'_>, _: &WingState<'_>, loads: &mut Loads) {
         for channel in &mut loads.balance {
             for (omega, damping_ratio) in PAIRS {
                 let frequency_hz = omega / (std::f64::consts::TAU * delay_s);
-                *channel = signal::damped(channel, place.time_step_s, Actuator { frequency_hz, damping_ratio });
+                *channel =
+                    signal::damped(channel, place.time_step_s, Actuator { frequency_hz, damping_ratio });
             }
         }
     }
