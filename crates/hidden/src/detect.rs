@@ -3,7 +3,7 @@
 //! `d2 = dᵀ (N + T + J Jᵀ)⁻¹ d` with d the difference of the noise-free loads of one replicate's length, N the noise of
 //! the mean of all replicates, T the run tolerance (1 % of the mean, 3 % of what varies, 4 ms, an offset) and J what each nuisance
 //! changes by one standard deviation: what true wings are off by, and what the wing's file leaves open. So a difference that the
-//! tolerances or the nuisances explain does not count: a lag that a servo within the file's two standard deviations has is none.
+//! tolerances or the nuisances explain hardly counts: a servo one of the file's standard deviations off has a d2 of a few.
 
 use crate::at_speed::AtSpeed;
 use crate::campaign::BLOCKS;

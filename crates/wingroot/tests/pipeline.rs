@@ -130,7 +130,8 @@ fn the_joiner_s_inertia_and_first_moment_are_the_planted_ones() {
     // planted: 5 kg, .02 m forward, .15 kg m2 about the pitch axis
     let (inertia, moment) = (value("Iyy_kg_m2"), value("mx_kg_m"));
     assert!((inertia / 0.15 - 1.0).abs() < 0.03, "{inertia}");
-    // to half of the standard deviation that is stated, a tenth of it
+    // to half of the standard deviation that is stated, a tenth of it. It was 3 %: the value is .1031 where the wing's file leaves nothing of
+    // the wake open, .1044 as it stands, and was .1027 while that nuisance had the wrong shape
     let sigma = joiner["parameters"]["mx_kg_m"]["sigma"].as_f64().unwrap();
     assert!(sigma < 0.011 && (moment + 0.1).abs() < 0.5 * sigma, "{moment} +- {sigma}");
 }
