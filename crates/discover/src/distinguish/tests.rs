@@ -34,7 +34,7 @@ fn four(scale: f64) -> Vec<Ranked> {
 }
 
 fn rules() -> RivalRules {
-    RivalRules { draws: 4000, in_set: 0.05, close: 0.5, close_share: 0.0, rival_share: 0.5 }
+    RivalRules { draws: 4000, in_set: 0.05, close: 0.5, close_share: 0.0, form_share: 0.0, rival_share: 0.5 }
 }
 
 fn drawn(rules: &RivalRules, ranked: &[Ranked], best: usize) -> Draws {

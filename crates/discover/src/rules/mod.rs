@@ -101,7 +101,7 @@ impl Rules {
         let mut text = format!(
             "# By which rules `discover` names an effect\n\nWritten by `Rules::page`; a test keeps it. How a campaign is read, checked and fitted: \
              `discover_settings.md`.\n\n1. *Is it needed?* Its log Bayes factor exceeds one threshold (`nulls`, `naming`).\n\
-             2. *Is it told apart?* It wins a bootstrap over runs; what comes close is said as its rivals (`rivals`).\n\
+             2. *Is it told apart?* It wins a bootstrap over runs; of what comes close the simplest is named, and the others are said as its rivals (`rivals`).\n\
              3. *Does it predict?* Parts of the data that each know its size ask for one size (`consistency`).\n\n{HEAD}\n"
         );
         for (theme, _, rules) in self.themes_of(true) {

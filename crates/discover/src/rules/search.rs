@@ -58,6 +58,8 @@ rules! {
         close: f64 = 5.0, "log Bayes factor", Formula("odds of 150 to one");
         /// ... nor one within this share of it.
         close_share: f64 = 0.15, "", Measured("the method's prototype");
+        /// One effect of fewer parameters goes before another that is better by less than this share of what model form may account for.
+        form_share: f64 = 0.25, "", Formula("what model form may account for is the largest of about a dozen directions in 139 campaigns, 3.4 standard deviations; in the one direction in which two effects differ nine campaigns of ten have less than 1.6, and the square of 1.6 is a quarter of that of 3.4");
         /// No rival has less than this share of the best log Bayes factor.
         rival_share: f64 = 0.6, "", Unknown;
     }

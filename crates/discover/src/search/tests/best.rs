@@ -50,12 +50,12 @@ fn the_first_with_what_it_needs_is_best() {
     assert_eq!(chosen(&rules, &[], &three[..1]), None);
 }
 
-/// Where neither model form nor a share of the evidence tells other names apart; what its own form says more is a matter of size, and
-/// decided by less.
+/// Where a share of what model form accounts for (45) may be all that they differ by; what its own form says more is a matter of size,
+/// and decided by less.
 #[test]
 fn fewer_parameters_go_before_more_that_say_hardly_more() {
     let mut rules = Rules::default();
-    (rules.rivals.close, rules.rivals.close_share) = (5.0, 0.1);
+    (rules.rivals.close, rules.rivals.form_share) = (5.0, 0.2);
     let of = |names: [&'static str; 3], counts: &[(usize, f64, f64)]| {
         let mut all = Vec::new();
         for (name, (count, evidence, threshold)) in names.into_iter().zip(counts) {
@@ -65,18 +65,26 @@ fn fewer_parameters_go_before_more_that_say_hardly_more() {
     };
     let (simpler, first) = (("second", 30.0), ("first", 20.0));
     let three = ["first", "second", "third"];
-    assert_eq!(of(three, &[(2, 100.0, 20.0), (1, 91.0, 30.0)]), simpler);
+    assert_eq!(of(three, &[(2, 100.0, 20.0), (1, 91.5, 30.0)]), simpler);
     assert_eq!(of(three, &[(3, 100.0, 20.0), (2, 96.0, 30.0), (1, 95.5, 40.0)]), simpler);
-    assert_eq!(of(three, &[(2, 100.0, 20.0), (1, 90.0, 30.0)]), first);
+    assert_eq!(of(three, &[(2, 100.0, 20.0), (1, 90.5, 30.0)]), first);
     assert_eq!(of(three, &[(2, 100.0, 20.0), (2, 99.0, 30.0)]), first);
     assert_eq!(of(three, &[(1, 100.0, 20.0), (2, 99.0, 30.0)]), first);
     assert_eq!(of(three, &[(2, 100.0, 20.0), (1, 96.0, 97.0)]), first);
     assert_eq!(of(three, &[(2, 100.0, 20.0), (3, 98.0, 30.0), (1, 97.0, 40.0)]), ("third", 40.0));
-    // no more than the model's form makes of it
-    assert_eq!(of(three, &[(2, 800.0, 20.0), (1, 756.0, 30.0)]), simpler);
-    assert_eq!(of(three, &[(2, 800.0, 20.0), (1, 755.0, 30.0)]), first);
+    // however much there is of both
+    assert_eq!(of(three, &[(2, 800.0, 20.0), (1, 791.5, 30.0)]), simpler);
+    assert_eq!(of(three, &[(2, 800.0, 20.0), (1, 790.5, 30.0)]), first);
     // forms of one effect: its name is not in question
     let forms = ["first", "first", "third"];
     assert_eq!(of(forms, &[(2, 100.0, 20.0), (1, 95.5, 30.0)]), ("first", 30.0));
     assert_eq!(of(forms, &[(2, 100.0, 20.0), (1, 95.0, 30.0)]), first);
+    // and so are other names where nulls show nothing of model form
+    rules.rivals.form_share = 0.01;
+    let of = |less: f64| {
+        let two = [("first", 2, 100.0), ("second", 1, 100.0 - less)]
+            .map(|(name, count, evidence)| candidate(name, vec![both(); count], evidence, 20.0));
+        chosen(&rules, &[], &two).expect("the first has what it needs").0
+    };
+    assert_eq!((of(4.5), of(5.5)), ("second", "first"));
 }
