@@ -17,6 +17,9 @@ pub struct Common {
     /// No progress and no summary
     #[arg(long, global = true)]
     pub quiet: bool,
+    /// No pictures and no report.html: result.json, tables and files for other programs alone (for many small runs)
+    #[arg(long, global = true)]
+    pub numbers_only: bool,
     /// Number of threads [default: all processors]
     #[arg(long, global = true, value_name = "N", value_parser = threads)]
     pub threads: Option<usize>,

@@ -28,6 +28,7 @@ pub fn run(words: &[String]) -> (Result<(), Failure>, Said) {
     paths::forget();
     said::collect();
     show::start(&cli.common);
+    output::start(&cli.common);
     progress::watched(cli.command.name());
     let replaceable = |results| output::check_replaceable(&cli.common.out(results));
     let checked = cli.command.results().map_or(Ok(()), replaceable);

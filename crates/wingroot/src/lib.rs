@@ -58,6 +58,7 @@ pub fn ended(
     run: impl FnOnce() -> Result<(), Failure>,
 ) -> ExitCode {
     show::start(common);
+    output::start(common);
     let result = set_threads(common).and_then(|()| {
         if let Some(results) = results {
             // Before the work, not after it.

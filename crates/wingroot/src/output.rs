@@ -5,10 +5,12 @@
 //! replaced ([`MARKER`]): a folder with any other file in it stops the command.
 //!
 //! What is written is remembered: figures become PNG and CSV beside their SVG, and all of it with `result.json` and the
-//! inputs becomes `report.html`, without a command having to know how a page is made.
+//! inputs becomes `report.html`, without a command having to know how a page is made. With `--numbers-only` nothing is drawn:
+//! of figures their CSV stays.
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use nastran::InputError;
@@ -23,12 +25,33 @@ mod marker;
 use marker::refused;
 pub use marker::{MARKER, check_replaceable};
 
+use crate::common::Common;
 use crate::failure::Failure;
 use crate::nulls;
 use crate::pages::{self, Written};
 
 /// The file with a command's numbers.
 const RESULT: &str = "result.json";
+
+/// Whether nothing is drawn.
+static NUMBERS_ONLY: AtomicBool = AtomicBool::new(false);
+
+/// Takes `--numbers-only` for all results of this process.
+pub fn start(common: &Common) {
+    NUMBERS_ONLY.store(common.numbers_only, Ordering::Relaxed);
+}
+
+/// Refuses `--numbers-only` for a command whose results are pages.
+///
+/// # Errors
+/// If it is given.
+pub fn needs_pages(common: &Common, command: &str) -> Result<(), Failure> {
+    if !common.numbers_only {
+        return Ok(());
+    }
+    let message = format!("the results of `{command}` are pages: there is nothing left with --numbers-only");
+    Err(InputError::general(message).with_help("leave --numbers-only out").into())
+}
 
 /// Results in the making. Dropped without [`commit`](Self::commit) it leaves nothing behind.
 #[derive(Debug)]
@@ -150,6 +173,9 @@ impl ResultFolder {
         figure: Figure,
         curves: &str,
     ) -> Result<(), Failure> {
+        if NUMBERS_ONLY.load(Ordering::Relaxed) {
+            return Ok(());
+        }
         let drawing = figure.draw().map_err(Failure::computation)?;
         let title = figure.title.clone();
         self.write_plate(name, &title, caption, Content::Curves(figure), drawing, &[curves.to_owned()])
@@ -167,6 +193,9 @@ impl ResultFolder {
         caption: &str,
         views: &[PlanformView],
     ) -> Result<(), Failure> {
+        if NUMBERS_ONLY.load(Ordering::Relaxed) {
+            return Ok(());
+        }
         let drawing = heatmap::draw(title, views).map_err(Failure::computation)?;
         let alone = |view| heatmap::draw("", std::slice::from_ref(view));
         let each = views.iter().map(alone).collect::<Result<_, _>>().map_err(Failure::computation)?;
@@ -186,6 +215,9 @@ impl ResultFolder {
         views: Vec<View>,
         files: &[String],
     ) -> Result<(), Failure> {
+        if NUMBERS_ONLY.load(Ordering::Relaxed) {
+            return Ok(());
+        }
         let drawing = deformed::draw(title, &views).map_err(Failure::computation)?;
         self.write_plate(name, title, caption, Content::Shapes(views, drawing.clone()), drawing, files)
     }
@@ -226,6 +258,9 @@ impl ResultFolder {
 
     /// PNG files of all figures, and the page.
     fn finish(&self) -> Result<(), Failure> {
+        if NUMBERS_ONLY.load(Ordering::Relaxed) {
+            return Ok(());
+        }
         let written = std::mem::take(&mut *self.written.lock().unwrap_or_else(PoisonError::into_inner));
         written.drawings.par_iter().try_for_each(|(name, drawing)| {
             let path = self.partial.join(format!("{name}.png"));

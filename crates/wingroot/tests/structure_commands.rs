@@ -1,5 +1,6 @@
 //! `modes`, `modes --measured`, `deck` and `validate` as a user runs them.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -52,6 +53,32 @@ fn modes_writes_frequencies_and_a_picture_of_each_shape() {
         let text = std::fs::read_to_string(folder.join(format!("out/mode_{mode:02}.vtu"))).expect("a shape");
         assert!(text.contains(&format!("NumberOfPoints=\"{}\"", result["grids"])));
     }
+    std::fs::remove_dir_all(folder).expect("it was made above");
+}
+
+#[test]
+fn numbers_alone_are_the_same_numbers() {
+    let folder = folder("numbers-only");
+    wing(&folder);
+    let files = || -> BTreeSet<String> {
+        let entries = std::fs::read_dir(folder.join("out")).expect("results").flatten();
+        entries.map(|entry| entry.file_name().to_string_lossy().into_owned()).collect()
+    };
+    let modes = ["modes", "--wing", "wing.ron", "--count", "2"];
+    let (with_pages, all) = (result(&folder, &modes), files());
+    let (alone, left) = (result(&folder, &[&modes[..], &["--numbers-only"]].concat()), files());
+    assert_eq!(alone["frequencies_hz"], with_pages["frequencies_hz"]);
+    let gone: Vec<&str> = all.difference(&left).map(String::as_str).collect();
+    assert_eq!(
+        gone,
+        ["report.html", "shapes.png", "shapes.svg", "shapes_in_space.png", "shapes_in_space.svg"]
+    );
+    assert!(left.is_subset(&all) && left.contains("mode_02.vtu") && left.contains("shapes_curves.csv"));
+    // a command whose results are pages
+    let refused = run(&folder, &["docs", "--numbers-only"]);
+    let said = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert!(refused.status.code() == Some(2) && said.contains("`docs` are pages"), "{said}");
+    assert_eq!(files(), left);
     std::fs::remove_dir_all(folder).expect("it was made above");
 }
 

@@ -11,7 +11,7 @@ use serde_json::json;
 
 use crate::args::Common;
 use crate::failure::Failure;
-use crate::output::ResultFolder;
+use crate::output::{ResultFolder, needs_pages};
 use crate::show;
 
 /// Options of `docs`.
@@ -35,6 +35,7 @@ const LIST: &str = "report.html";
 
 /// Runs the command.
 pub(crate) fn run(args: &DocsArgs, common: &Common) -> Result<(), Failure> {
+    needs_pages(common, "docs")?;
     let files = shipped::documents().map_err(Failure::computation)?;
     let page = args.name.as_ref().map_or(Ok(PathBuf::from(LIST)), |name| page_named(name, &files))?;
     let folder = ResultFolder::begin(&common.out("docs"))?;

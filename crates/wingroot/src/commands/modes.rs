@@ -64,8 +64,10 @@ pub(crate) fn run(args: &ModesArgs, common: &Common) -> Result<(), Failure> {
     let cells = structure::mesh::cells(&structure.bulk, &structure.system);
     let files: Vec<String> =
         (1..=modes.omega_rad_s.len()).map(|mode| format!("mode_{mode:02}.vtu")).collect();
+    let frame = modes_pictures::frame(&structure.system, &cells);
     for (mode, file) in files.iter().enumerate() {
-        folder.write_text(file, &modes_pictures::vtu(&structure.system, &cells, &modes, mode))?;
+        let moved = modes_pictures::moved(&modes_pictures::scaled(&structure.system, &modes, mode));
+        folder.write_text(file, &frame.with(&moved))?;
     }
     modes_shapes::write(&folder, &structure.name, &structure.system, &cells, &modes, &files)?;
     if let Some(figure) = modes_pictures::figure(&structure, &modes) {

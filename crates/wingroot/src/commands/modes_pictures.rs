@@ -1,6 +1,6 @@
 //! Pictures of natural modes: `.vtu` files for ParaView and one figure of the first shapes.
 
-use report::vtu::{CellType, Field, Mesh};
+use report::vtu::{CellType, Field, Frame, Mesh};
 use report::{Figure, Panel, Series, Style};
 use structure::{CellShape, MeshCell, Modes, System};
 
@@ -29,18 +29,22 @@ pub(super) fn scaled(system: &System, modes: &Modes, mode: usize) -> Vec<[f64; 6
     nodes
 }
 
-/// The undeformed mesh with a mode's displacement and rotation as point fields ("Warp By Vector" in ParaView).
-pub(super) fn vtu(system: &System, cells: &[MeshCell], modes: &Modes, mode: usize) -> String {
-    vtu_of(system, cells, &scaled(system, modes, mode))
+/// The undeformed mesh with displacement and rotation of the nodes, six a node, as point fields.
+pub(super) fn vtu(system: &System, cells: &[MeshCell], nodes: &[[f64; 6]]) -> String {
+    frame(system, cells).with(&moved(nodes))
 }
 
-/// The undeformed mesh with displacement and rotation of the nodes, six a node, as point fields.
-pub(super) fn vtu_of(system: &System, cells: &[MeshCell], nodes: &[[f64; 6]]) -> String {
-    let field = |name: &str, from: usize| Field {
+/// Displacement and rotation of the nodes as point fields ("Warp By Vector" in ParaView).
+pub(super) fn moved(nodes: &[[f64; 6]]) -> [Field; 2] {
+    [("displacement", 0), ("rotation", 3)].map(|(name, from)| Field {
         name: name.into(),
         components: 3,
-        values: nodes.iter().flat_map(|six| six[from..from + 3].to_vec()).collect(),
-    };
+        values: nodes.iter().flat_map(|six| &six[from..from + 3]).copied().collect(),
+    })
+}
+
+/// The undeformed mesh.
+pub(super) fn frame(system: &System, cells: &[MeshCell]) -> Frame {
     let kind = |shape: CellShape| match shape {
         CellShape::Line => CellType::Line,
         CellShape::Triangle => CellType::Triangle,
@@ -57,13 +61,13 @@ pub(super) fn vtu_of(system: &System, cells: &[MeshCell], nodes: &[[f64; 6]]) ->
     let mesh = Mesh {
         points: system.points().iter().map(|point| [point.x, point.y, point.z]).collect(),
         cells: cells.iter().map(|cell| (kind(cell.shape), cell.nodes.clone())).collect(),
-        point_fields: vec![field("displacement", 0), field("rotation", 3)],
+        point_fields: Vec::new(),
         cell_fields: vec![
             of_cells("element", &|cell| f64::from(cell.id)),
             of_cells("rigid_element", &|cell| f64::from(u8::from(cell.is_rigid))),
         ],
     };
-    mesh.vtu()
+    mesh.frame()
 }
 
 /// Displacements of all nodes along the longest extent of the structure, a panel a mode; none for a structure that is

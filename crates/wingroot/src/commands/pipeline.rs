@@ -19,7 +19,7 @@ use crate::commands::result_parts::as_json;
 use crate::commands::simulate::SimulateArgs;
 use crate::commands::{calibrate, deflection, discover, fullaircraft, pipeline_figures, simulate};
 use crate::failure::Failure;
-use crate::output::{ResultFolder, check_replaceable};
+use crate::output::{ResultFolder, check_replaceable, needs_pages};
 use crate::{paths, show};
 
 /// Options of `pipeline`.
@@ -47,6 +47,7 @@ pub(crate) fn run(args: &PipelineArgs, common: &Common) -> Result<(), Failure> {
     let start = Instant::now();
     let base = common.out.clone().unwrap_or_else(|| crate::common::results(""));
     // Before the work, not after it.
+    needs_pages(common, "pipeline")?;
     STEPS.iter().chain(&["pipeline"]).try_for_each(|step| check_replaceable(&base.join(step)))?;
     let seconds = steps(args, common, &base)?;
     let total = start.elapsed().as_secs_f64();

@@ -78,7 +78,7 @@ impl Answer<'_> {
         )?;
         folder.write_text(&own("reactions.csv"), &self.table(&end.reactions, REACTIONS, held))?;
         let nodes: Vec<[f64; 6]> = end.displacements.chunks_exact(6).map(six).collect();
-        folder.write_text(&own("shape.vtu"), &modes_pictures::vtu_of(system, cells, &nodes))
+        folder.write_text(&own("shape.vtu"), &modes_pictures::vtu(system, cells, &nodes))
     }
 
     /// Writes all files and figures; of a further subcase tables and the shape.
@@ -95,7 +95,7 @@ impl Answer<'_> {
         let mut files = Vec::new();
         let mut shape = |name: String, file: String, displacements: &[f64]| -> Result<(), Failure> {
             let nodes: Vec<[f64; 6]> = displacements.chunks_exact(6).map(six).collect();
-            folder.write_text(&file, &modes_pictures::vtu_of(&structure.system, &cells, &nodes))?;
+            folder.write_text(&file, &modes_pictures::vtu(&structure.system, &cells, &nodes))?;
             files.push(file);
             views.push((name, displacements.to_vec()));
             Ok(())
