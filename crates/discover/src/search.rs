@@ -177,7 +177,7 @@ impl<'a> SoFar<'a, '_> {
         let needed = |w: &Ranked| w.threshold.max(rivals(w));
         let counts = |w: &&Ranked| w.counts(needed(w), &rules.shared);
         let first = ranked.iter().find(counts)?;
-        let form = rules.rivals.close.max(rules.rivals.form_share * self.nulls.model_form);
+        let form = rules.rivals.form_share * self.nulls.model_form;
         let simpler = |w: &&Ranked| {
             let close = if w.name() == first.name() { rules.rivals.close } else { form };
             counts(w) && w.parameters() < first.parameters() && first.evidence - w.evidence < close
