@@ -8,7 +8,7 @@ use crate::data::Dataset;
 use aero::Corrections;
 use calibrate::{CorrectionSet, Schedule};
 use coupling::wing_file::fingerprint;
-use maneuver::effects::{Effect, Stimulus};
+use maneuver::effects::{Effect, Needs, Stimulus};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::fmt::Write as _;
@@ -90,7 +90,7 @@ fn declared(effect: &Arc<dyn Effect>) -> String {
         effect.parameters(),
         effect.starts(),
         effect.stage(),
-        effect.needs_zones(),
+        effect.needs() != Needs::NONE,
         effect.splits_stiffness(),
         effect.holds_at_rest_only(),
         effect.excludes_deflection_correction(),

@@ -312,6 +312,7 @@ fn an_arc_under_a_load_at_its_end_has_the_moment_of_the_circle() {
         tip_m: &[0.0],
         lift_n: &lift_n,
         height_m: &height_m,
+        outer_height_m: &[],
         twist_rad: &[],
     };
     let mut loads = Loads { balance: balance.clone(), tip_m: still() };

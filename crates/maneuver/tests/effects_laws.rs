@@ -84,6 +84,7 @@ fn a_filter_of_any_form_follows_a_ramp_the_same_delay_later() {
                 tip_m: &[],
                 lift_n: &[],
                 height_m: &[],
+                outer_height_m: &[],
                 twist_rad: &[],
             };
             let mut loads = Loads { balance: channels.clone(), tip_m: Vec::new() };
@@ -182,6 +183,7 @@ fn hysteresis_remembers_whether_the_flow_was_separated() {
         tip_m: &still,
         lift_n: &lift_n,
         height_m: &[],
+        outer_height_m: &[],
         twist_rad: &[],
     };
     let effect = forms("static_hysteresis").remove(0);
@@ -215,6 +217,7 @@ fn zeros_drift_by_their_rate_times_the_clock() {
         tip_m: &still,
         lift_n: &[],
         height_m: &[],
+        outer_height_m: &[],
         twist_rad: &[],
     };
     let mut loads = Loads { balance: reading.clone(), tip_m: still.clone() };

@@ -164,7 +164,10 @@ fn a_history_by_fourier_transform_is_the_one_stepped_in_time() {
             coarse.controls_rad.iter().map(|command| servo.follow(command, 0.01)).collect();
         let controls = turned.iter().enumerate();
         drives.extend(controls.map(|(c, values)| (Drive::CONTROLS + c, values.as_slice())));
-        let ours = table.fly(&drives, 0.01);
+        let rows: Vec<usize> = (0..table.rest.len()).collect();
+        let mut ours: Vec<Vec<f64>> =
+            table.rest.iter().map(|rest| vec![*rest; coarse.alpha.value.len()]).collect();
+        table.add_flown(&drives, 0.01, &rows, &mut ours);
         let theirs = model.fly(&fine);
         for (row, name) in ["Fz_N", "Mx_Nm", "My_Nm", "tip_z_m"].into_iter().enumerate() {
             let theirs: Vec<f64> = theirs.get(name).unwrap().iter().step_by(10).copied().collect();

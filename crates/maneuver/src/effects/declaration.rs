@@ -2,7 +2,7 @@
 
 use super::effect::Effect;
 use super::flight_air::{Flight, FlightAir};
-use super::place::{Forces, Inputs, Loads, Place, WingState};
+use super::place::{Forces, Inputs, Loads, Needs, Place, WingState};
 use super::spec::{Known, Parameter, Spec, Stage};
 use crate::rig::Actuator;
 use crate::rom::{Change, Constants};
@@ -10,7 +10,6 @@ use crate::rom::{Change, Constants};
 /// One form of an effect. Its fields are the methods of [`Effect`]; those that [`Declaration::NONE`] is left to fill in do
 /// nothing.
 #[derive(Debug, Clone, Copy)]
-#[expect(clippy::struct_excessive_bools, reason = "each says yes or no to a question of its own")]
 pub(super) struct Declaration {
     pub(super) spec: Spec,
     pub(super) form: &'static str,
@@ -26,7 +25,7 @@ pub(super) struct Declaration {
     pub(super) surfaces: fn(&[f64], &Place<'_>, &mut Inputs),
     pub(super) change: fn(&[f64], &Place<'_>, &mut Change),
     pub(super) constants: fn(&[f64], &Place<'_>, &mut Constants),
-    pub(super) needs_zones: bool,
+    pub(super) needs: Needs,
     pub(super) forces: fn(&[f64], &Place<'_>, &WingState<'_>, &mut Forces),
     pub(super) loads: fn(&[f64], &Place<'_>, &WingState<'_>, &mut Loads),
     pub(super) stage: Stage,
@@ -52,7 +51,7 @@ impl Declaration {
         surfaces: |_, _, _| (),
         change: |_, _, _| (),
         constants: |_, _, _| (),
-        needs_zones: false,
+        needs: Needs::NONE,
         forces: |_, _, _, _| (),
         loads: |_, _, _, _| (),
         stage: Stage::Load,
@@ -125,8 +124,8 @@ impl Effect for Declared {
         (self.declaration.constants)(p, place, constants);
     }
 
-    fn needs_zones(&self) -> bool {
-        self.declaration.needs_zones
+    fn needs(&self) -> Needs {
+        self.declaration.needs
     }
 
     fn forces(&self, p: &[f64], place: &Place<'_>, state: &WingState<'_>, forces: &mut Forces) {

@@ -1,7 +1,7 @@
 //! What an effect is to whoever simulates, fits or flies it.
 
 use super::flight_air::{Flight, FlightAir};
-use super::place::{Forces, Inputs, Loads, Place, WingState};
+use super::place::{Forces, Inputs, Loads, Needs, Place, WingState};
 use super::spec::{Parameter, Spec, Stage};
 use crate::rig::Actuator;
 use crate::rom::{Change, Constants};
@@ -48,9 +48,9 @@ pub trait Effect: std::fmt::Debug + Send + Sync {
     /// Adds what acts on the wing at rest.
     fn constants(&self, _p: &[f64], _place: &Place<'_>, _constants: &mut Constants) {}
 
-    /// Whether lifts and heights of zones are needed in [`Effect::forces`] or [`Effect::loads`].
-    fn needs_zones(&self) -> bool {
-        false
+    /// What of the zones [`Effect::forces`] or [`Effect::loads`] look at.
+    fn needs(&self) -> Needs {
+        Needs::NONE
     }
 
     /// Adds forces that depend on the wing's state; they are iterated with its answer.

@@ -1,7 +1,7 @@
 //! Static points and runs of a reduced-order model with effects.
 
 use super::active::Active;
-use super::place::{Forces, Inputs, Loads, Place, WingState};
+use super::place::{Forces, Inputs, Loads, Needs, Place, WingState};
 use super::spec::Stage;
 use crate::rom::{Change, Constants, Drive, Outputs, ReducedOrderModel, ResponseTable};
 
@@ -68,7 +68,11 @@ fn asked(rig: &ReducedOrderModel, effects: &[Active]) -> (Change, Constants, boo
         active.effect.change(&active.values, &place, &mut change);
         active.effect.constants(&active.values, &place, &mut constants);
     }
-    (change, constants, effects.iter().any(|active| active.effect.needs_zones()))
+    (change, constants, needs(effects) != Needs::NONE)
+}
+
+fn needs(effects: &[Active]) -> Needs {
+    effects.iter().fold(Needs::NONE, |needs, active| needs.with(active.effect.needs()))
 }
 
 fn place<'a>(
@@ -115,33 +119,39 @@ pub fn fly(rig: &ReducedOrderModel, model: &Model, effects: &[Active], stimulus:
     let controls = inputs.controls_rad.iter().enumerate();
     drives.extend(controls.map(|(c, values)| (Drive::CONTROLS + c, values.as_slice())));
     drives.retain(|(_, values)| values.iter().any(|value| *value != 0.0));
-    let outputs = |drives: &[(usize, &[f64])]| {
-        if stimulus.steady || drives.is_empty() {
-            model.table.steady(drives, samples)
+    let needs = needs(effects);
+    let rows = rows(rig.outputs(), needs, rig.zones.len());
+    let add = |drives: &[(usize, &[f64])], sums: &mut [Vec<f64>]| {
+        if stimulus.steady {
+            model.table.add_steady(drives, &rows, sums);
         } else {
-            model.table.fly(drives, stimulus.time_step_s)
+            model.table.add_flown(drives, stimulus.time_step_s, &rows, sums);
         }
     };
-    let mut answer = outputs(&drives);
-    if model.everything {
+    let mut linear: Vec<Vec<f64>> = rows.iter().map(|row| vec![model.table.rest[*row]; samples]).collect();
+    add(&drives, &mut linear);
+    let mut answer = linear.clone();
+    if needs != Needs::NONE {
         let mut forces = Forces::none(rig.zones.len(), samples);
         for _ in 0..ROUNDS {
-            let split = Split::new(rig, &answer);
+            let split = Split::new(needs, rig.zones.len(), &answer);
             let wanted = forces_at(&place, effects, split.state(&inputs), &forces);
             let settled = settled(&forces, &wanted);
             forces = wanted;
             if settled {
                 break;
             }
-            let mut all = drives.clone();
             let lifts =
                 forces.lift_n.iter().enumerate().map(|(z, v)| (rig.drive().lifts() + z, v.as_slice()));
             let modal = forces.modal.iter().enumerate().map(|(m, v)| (rig.drive().modal() + m, v.as_slice()));
-            all.extend(lifts.chain(modal).filter(|(_, v)| v.iter().any(|value| *value != 0.0)));
-            answer = outputs(&all);
+            let mut drives: Vec<(usize, &[f64])> = lifts.chain(modal).collect();
+            drives.retain(|(_, values)| values.iter().any(|value| *value != 0.0));
+            // the wing is linear: what drives it answers as before
+            answer.clone_from(&linear);
+            add(&drives, &mut answer);
         }
     }
-    let split = Split::new(rig, &answer);
+    let split = Split::new(needs, rig.zones.len(), &answer);
     let state = split.state(&inputs);
     let mut loads = Loads { balance: split.loads.clone(), tip_m: split.tip_m.to_vec() };
     for stage in Stage::ALL {
@@ -182,31 +192,48 @@ fn forces_at(place: &Place<'_>, effects: &[Active], state: WingState<'_>, before
 }
 
 fn settled(before: &Forces, after: &Forces) -> bool {
-    let each = |f: &Forces| f.lift_n.iter().chain(&f.modal).flatten().copied().collect::<Vec<f64>>();
-    let (before, after) = (each(before), each(after));
-    let largest = after.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
-    before.iter().zip(&after).all(|(a, b)| (a - b).abs() <= SETTLED * largest)
+    let largest = after.values().fold(0.0, |largest: f64, value| largest.max(value.abs()));
+    before.values().zip(after.values()).all(|(a, b)| (a - b).abs() <= SETTLED * largest)
 }
 
-/// Outputs by their kind.
+/// Rows of the response that are needed: the balance, the tip, and of the zones what effects look at.
+fn rows(outputs: Outputs, needs: Needs, zones: usize) -> Vec<usize> {
+    let of = |first: usize, is_needed: bool| (first..first + zones).filter(move |_| is_needed);
+    let outer = (outputs.heights()..outputs.twists()).next_back().filter(|_| needs.outer_height);
+    (0..outputs.lifts())
+        .chain(of(outputs.lifts(), needs.lift))
+        .chain(of(outputs.heights(), needs.height))
+        .chain(of(outputs.twists(), needs.twist))
+        .chain(outer)
+        .collect()
+}
+
+/// Those rows by their kind.
 struct Split<'a> {
     loads: [Vec<f64>; 3],
     tip_m: &'a [f64],
     lift_n: &'a [Vec<f64>],
     height_m: &'a [Vec<f64>],
     twist_rad: &'a [Vec<f64>],
+    outer_height_m: &'a [f64],
 }
 
 impl<'a> Split<'a> {
-    fn new(rig: &ReducedOrderModel, answer: &'a [Vec<f64>]) -> Self {
-        let outputs = rig.outputs();
-        let zones = if answer.len() > outputs.lifts() { rig.zones.len() } else { 0 };
+    fn new(needs: Needs, zones: usize, answer: &'a [Vec<f64>]) -> Self {
+        let mut left = &answer[Outputs::TIP + 1..];
+        let mut next = |is_needed: bool| {
+            let (own, after) = left.split_at(if is_needed { zones } else { 0 });
+            left = after;
+            own
+        };
+        let [lift_n, height_m, twist_rad] = [needs.lift, needs.height, needs.twist].map(&mut next);
         Self {
             loads: std::array::from_fn(|c| answer[c].clone()),
             tip_m: &answer[Outputs::TIP],
-            lift_n: &answer[answer.len() - 3 * zones..answer.len() - 2 * zones],
-            height_m: &answer[answer.len() - 2 * zones..answer.len() - zones],
-            twist_rad: &answer[answer.len() - zones..],
+            lift_n,
+            height_m,
+            twist_rad,
+            outer_height_m: left.first().map_or(&[], Vec::as_slice),
         }
     }
 
@@ -217,6 +244,7 @@ impl<'a> Split<'a> {
             tip_m: self.tip_m,
             lift_n: self.lift_n,
             height_m: self.height_m,
+            outer_height_m: self.outer_height_m,
             twist_rad: self.twist_rad,
         }
     }

@@ -36,6 +36,6 @@ pub use flight::{Flown, Model, Stimulus, fly};
 pub use flight_air::{Flight, FlightAir};
 pub use library::{library, library_with};
 pub use of_wing::{of_wing, without};
-pub use place::{Forces, Inputs, Loads, Place, WingState};
+pub use place::{Forces, Inputs, Loads, Needs, Place, WingState};
 pub use spec::{Calibrated, Calibration, Known, Parameter, Side, Spec, Stage};
 pub use travel::{Carried, acting_deflection, carry};

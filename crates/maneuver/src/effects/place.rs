@@ -72,6 +72,40 @@ impl Inputs {
     }
 }
 
+/// What an effect looks at of the zones: each output of a run that is asked for takes a transform of its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[expect(clippy::struct_excessive_bools, reason = "each asks for one of a state's fields")]
+pub struct Needs {
+    /// [`WingState::lift_n`].
+    pub lift: bool,
+    /// [`WingState::height_m`].
+    pub height: bool,
+    /// [`WingState::outer_height_m`].
+    pub outer_height: bool,
+    /// [`WingState::twist_rad`].
+    pub twist: bool,
+}
+
+impl Needs {
+    /// Nothing.
+    pub const NONE: Self = Self { lift: false, height: false, outer_height: false, twist: false };
+    /// The lift of every zone.
+    pub const LIFT: Self = Self { lift: true, ..Self::NONE };
+    /// The height of the outermost zone.
+    pub const OUTER_HEIGHT: Self = Self { outer_height: true, ..Self::NONE };
+
+    /// What both look at.
+    #[must_use]
+    pub fn with(self, other: Self) -> Self {
+        Self {
+            lift: self.lift || other.lift,
+            height: self.height || other.height,
+            outer_height: self.outer_height || other.outer_height,
+            twist: self.twist || other.twist,
+        }
+    }
+}
+
 /// What the wing did.
 #[derive(Debug, Clone, Copy)]
 pub struct WingState<'a> {
@@ -85,6 +119,8 @@ pub struct WingState<'a> {
     pub lift_n: &'a [Vec<f64>],
     /// Height of every zone above its wind-off place at alpha = 0, m; empty unless asked for.
     pub height_m: &'a [Vec<f64>],
+    /// That of the outermost zone, m; empty unless asked for.
+    pub outer_height_m: &'a [f64],
     /// Elastic twist of every zone, nose up, rad; empty unless asked for.
     pub twist_rad: &'a [Vec<f64>],
 }
@@ -119,6 +155,11 @@ impl Forces {
         }
     }
 
+    /// All of them, sample by sample.
+    pub(super) fn values(&self) -> impl Iterator<Item = f64> {
+        self.lift_n.iter().chain(&self.modal).flatten().copied()
+    }
+
     /// Adds to the force on the first mode by the height of the outermost zone (m), which stands for the tip: `force` gives
     /// from it a height (m) times the mode's stiffness. Nothing for a rigid wing.
     pub(super) fn push_first_mode(
@@ -127,8 +168,10 @@ impl Forces {
         state: &WingState<'_>,
         force: impl Fn(f64) -> f64,
     ) {
-        let Some(outer) = state.height_m.last().filter(|_| place.outer_shape != 0.0) else { return };
-        for (modal, z) in self.modal[0].iter_mut().zip(outer) {
+        if place.outer_shape == 0.0 {
+            return;
+        }
+        for (modal, z) in self.modal[0].iter_mut().zip(state.outer_height_m) {
             *modal += force(*z) / place.outer_shape;
         }
     }

@@ -13,6 +13,7 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
 use std::rc::Rc;
+use std::sync::Arc;
 
 use super::change::Change;
 
@@ -43,7 +44,7 @@ pub struct ResponseTable {
     /// Frequencies, Hz, ascending from zero.
     pub frequencies_hz: Vec<f64>,
     /// Outputs by drives.
-    pub responses: Vec<Mat<c64>>,
+    pub responses: Arc<[Mat<c64>]>,
     /// Outputs by the constants of the wing itself.
     pub rest: Vec<f64>,
     rest_s: f64,
@@ -56,39 +57,32 @@ impl ResponseTable {
         let frequencies_hz = grid(wind);
         let omegas: Vec<f64> = frequencies_hz.iter().map(|f| TAU * f).collect();
         Self {
-            responses: rig.responses(change, &omegas, everything),
+            responses: rig.responses(change, &omegas, everything).into(),
             rest: rig.at_rest(change, constants, everything),
             rest_s: REST_S[usize::from(!wind)],
             frequencies_hz,
         }
     }
 
-    /// Number of outputs.
-    pub fn outputs(&self) -> usize {
-        self.rest.len()
+    /// Adds what steady drives (column of the response, values) make of some outputs (rows of it), sample by sample.
+    pub fn add_steady(&self, drives: &[(usize, &[f64])], rows: &[usize], sums: &mut [Vec<f64>]) {
+        for (row, sums) in rows.iter().zip(sums) {
+            for (column, values) in drives {
+                let response = self.responses[0][(*row, *column)].re;
+                sums.iter_mut().zip(*values).for_each(|(sum, value)| *sum += response * value);
+            }
+        }
     }
 
-    /// Steady outputs for every sample of steady drives (column of the response, values).
-    pub fn steady(&self, drives: &[(usize, &[f64])], samples: usize) -> Vec<Vec<f64>> {
-        let response = &self.responses[0];
-        let output = |row: usize| {
-            let at = |i: usize| {
-                self.rest[row]
-                    + drives
-                        .iter()
-                        .map(|(column, values)| response[(row, *column)].re * values[i])
-                        .sum::<f64>()
-            };
-            (0..samples).map(at).collect()
-        };
-        (0..self.outputs()).map(output).collect()
-    }
-
-    /// Outputs of drives that begin at rest: (column of the response, samples), all of one length and time step.
-    pub fn fly(&self, drives: &[(usize, &[f64])], time_step_s: f64) -> Vec<Vec<f64>> {
-        let Some(samples) = drives.iter().map(|(_, values)| values.len()).max() else {
-            return self.rest.iter().map(|_| Vec::new()).collect();
-        };
+    /// The same of drives that begin at rest, all of one length and time step.
+    pub fn add_flown(
+        &self,
+        drives: &[(usize, &[f64])],
+        time_step_s: f64,
+        rows: &[usize],
+        sums: &mut [Vec<f64>],
+    ) {
+        let Some(samples) = drives.iter().map(|(_, values)| values.len()).max() else { return };
         let length = fast_length(samples + steps(RETURN_S + self.rest_s, time_step_s));
         let moving: Vec<&(usize, &[f64])> =
             drives.iter().filter(|(_, values)| values.iter().any(|value| *value != values[0])).collect();
@@ -105,42 +99,41 @@ impl ResponseTable {
             })
             .collect();
         let columns: Vec<usize> = moving.iter().map(|(column, _)| *column).collect();
-        let mut outputs = self.answered(&columns, &spectra, length, time_step_s);
+        let mut outputs = self.answered(&columns, &spectra, rows, length, time_step_s);
         for both in &mut outputs {
             fourier::backward(both);
         }
         let scale = 1.0 / length as f64;
         let first = &self.responses[0];
-        (0..self.outputs())
-            .map(|row| {
-                let start = self.rest[row]
-                    + drives.iter().map(|(column, v)| first[(row, *column)].re * v[0]).sum::<f64>();
-                let (both, second) = (&outputs[row / 2], row % 2 == 1);
-                let of = |value: &c64| start + scale * if second { value.im } else { value.re };
+        for (k, (row, sums)) in rows.iter().zip(sums).enumerate() {
+            let start: f64 = drives.iter().map(|(column, v)| first[(*row, *column)].re * v[0]).sum();
+            let is_second = k % 2 == 1;
+            for (sum, both) in sums.iter_mut().zip(&outputs[k / 2]) {
                 // what differs from the first sample, as the record begins at rest
-                both[..samples].iter().map(of).collect()
-            })
-            .collect()
+                *sum += start + scale * if is_second { both.im } else { both.re };
+            }
+        }
     }
 
-    /// Spectra of the outputs, two real outputs in one: the second is the imaginary part.
+    /// Spectra of outputs, two real ones in one: the second is the imaginary part.
     fn answered(
         &self,
         columns: &[usize],
         spectra: &[Vec<c64>],
+        rows: &[usize],
         length: usize,
         time_step_s: f64,
     ) -> Vec<Vec<c64>> {
         let zero = c64::new(0.0, 0.0);
-        let mut outputs = vec![vec![zero; length]; self.outputs().div_ceil(2)];
-        let (mut sums, mut between) = (vec![zero; self.outputs()], vec![zero; self.outputs()]);
+        let mut outputs = vec![vec![zero; length]; rows.len().div_ceil(2)];
+        let (mut sums, mut between) = (vec![zero; rows.len()], vec![zero; rows.len()]);
         for (bin, weights) in self.weights_of_bins(length, time_step_s).iter().enumerate() {
             sums.fill(zero);
             for (column, spectrum) in columns.iter().zip(spectra) {
                 between.fill(zero);
                 for &(k, weight) in weights {
                     let responses = self.responses[k].col_as_slice(*column);
-                    between.iter_mut().zip(responses).for_each(|(sum, h)| *sum += h * weight);
+                    between.iter_mut().zip(rows).for_each(|(sum, row)| *sum += responses[*row] * weight);
                 }
                 let drive = spectrum[bin];
                 sums.iter_mut().zip(&between).for_each(|(sum, h)| *sum += h * drive);

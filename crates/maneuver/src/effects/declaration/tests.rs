@@ -32,7 +32,7 @@ const EVERYTHING: Declaration = Declaration {
     surfaces: |p, place, inputs| inputs.alpha.value[0] += p[0] * place.clock_h,
     change: |p, place, change| change.mass += p[0] * place.clock_h,
     constants: |p, place, constants| constants.upwash_rad_m += p[0] * place.clock_h,
-    needs_zones: true,
+    needs: Needs::LIFT,
     forces: |p, place, state, forces| forces.modal[0][0] += p[0] * place.clock_h * state.tip_m[0],
     loads: |p, place, state, loads| loads.tip_m[0] += p[0] * place.clock_h * state.tip_m[0],
     stage: Stage::Record,
@@ -87,6 +87,7 @@ fn changes(effect: &dyn Effect) -> [f64; 9] {
         tip_m: &tip_m,
         lift_n: &[],
         height_m: &[],
+        outer_height_m: &[],
         twist_rad: &[],
     };
     let (mut forces, mut shown) = (Forces::none(0, 1), Loads { balance: loads.clone(), tip_m: vec![0.0] });
@@ -111,7 +112,7 @@ fn changes(effect: &dyn Effect) -> [f64; 9] {
 /// What an effect says of itself with yes or no.
 fn says(effect: &dyn Effect) -> [bool; 4] {
     [
-        effect.needs_zones(),
+        effect.needs() != Needs::NONE,
         effect.splits_stiffness(),
         effect.holds_at_rest_only(),
         effect.excludes_deflection_correction(),

@@ -64,8 +64,8 @@ impl Effect for Act {
         }
     }
 
-    fn needs_zones(&self) -> bool {
-        matches!(self, Self::Lift | Self::Modal | Self::LiftByLift)
+    fn needs(&self) -> Needs {
+        if matches!(self, Self::Lift | Self::Modal | Self::LiftByLift) { Needs::LIFT } else { Needs::NONE }
     }
 
     fn forces(&self, p: &[f64], _place: &Place<'_>, state: &WingState<'_>, forces: &mut Forces) {
@@ -210,6 +210,7 @@ fn the_lift_that_effects_see_is_without_the_forces_of_the_round_before() {
         tip_m: &still,
         lift_n: &lift_n,
         height_m: &[],
+        outer_height_m: &[],
         twist_rad: &[],
     };
     let mut before = Forces::none(3, 2);

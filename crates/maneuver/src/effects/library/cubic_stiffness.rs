@@ -12,7 +12,7 @@ pub(super) const FORMS: &[Declaration] = &[Declaration {
         experiment: "amplitudes at resonance, without wind",
     },
     parameters: |_| vec![Parameter::new("k3_per_m2", 0.0..=20.0, 3.0)],
-    needs_zones: true,
+    needs: Needs::OUTER_HEIGHT,
     forces: |p, place, state, forces| {
         forces.push_first_mode(place, state, |z| -(p[0] * z * z * place.first_stiffness * z));
     },

@@ -21,7 +21,7 @@ pub(super) const FORMS: &[Declaration] = &[Declaration {
     },
     // stall from 3, 5 and 8 degrees on
     starts: &[&[13.0, 0.3, 5.0], &[11.0, 0.3, 5.0], &[8.0, 0.3, 5.0]],
-    needs_zones: true,
+    needs: Needs::LIFT,
     forces,
     holds_at_rest_only: true,
     ..Declaration::NONE

@@ -13,7 +13,7 @@ pub(super) const FORMS: &[Declaration] = &[Declaration {
         experiment: "an airspeed sweep at one angle; the tip's deflection",
     },
     parameters: |_| vec![Parameter::new("k_s", 0.0..=1.2, 0.3), Parameter::new("cd0", 0.0..=0.03, 0.01)],
-    needs_zones: true,
+    needs: Needs { lift: true, height: true, ..Needs::NONE },
     loads,
     ..Declaration::NONE
 }];

@@ -16,7 +16,7 @@ pub(super) const FORMS: &[Declaration] = &[Declaration {
         experiment: "the tip's deflection measured; wide angles at high q",
     },
     parameters: |_| vec![Parameter::new("scale", 0.0..=2.0, 0.5)],
-    needs_zones: true,
+    needs: Needs { lift: true, height: true, ..Needs::NONE },
     loads,
     holds_at_rest_only: true,
     ..Declaration::NONE

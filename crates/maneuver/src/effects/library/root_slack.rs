@@ -29,7 +29,7 @@ const EDGED: Declaration = Declaration {
         experiment: "small amplitudes without wind",
     },
     parameters: |_| vec![Parameter::new("gap_m", 0.0..=0.05, 0.01)],
-    needs_zones: true,
+    needs: Needs::OUTER_HEIGHT,
     forces: |p, place, state, forces| {
         // inside the gap all of the force is missing, outside what the gap takes off
         slacken(place, state, forces, |z| z.clamp(-0.5 * p[0], 0.5 * p[0]));

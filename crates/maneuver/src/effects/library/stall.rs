@@ -13,6 +13,7 @@ pub(super) const FORMS: &[Declaration] = &[
         form: "angle",
         // the angle of the stream is smaller than that of a cambered strip's lift: this form sets in lower
         parameters: |_| parameters(12.0),
+        needs: Needs { height: true, twist: true, ..Needs::NONE },
         forces: |p, place, state, forces| {
             lose(p, place, forces, |zone, i, by_angle| stream_angle(place, state, zone, i) * by_angle);
         },
@@ -31,7 +32,7 @@ const BY_LIFT: Declaration = Declaration {
     parameters: |_| parameters(8.0),
     // stall from 3, 5 and 8 degrees on, and a little loss late: from the others the way there leads over more than all lift
     starts: &[&[13.0, 0.3], &[11.0, 0.3], &[8.0, 0.3], &[10.5, 0.07]],
-    needs_zones: true,
+    needs: Needs::LIFT,
     forces: |p, place, state, forces| lose(p, place, forces, |zone, i, _| state.lift_n[zone][i]),
     holds_at_rest_only: true,
     ..Declaration::NONE

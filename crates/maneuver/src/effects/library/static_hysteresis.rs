@@ -18,7 +18,7 @@ pub(super) const FORMS: &[Declaration] = &[Declaration {
         experiment: "slow sweeps up and down at two rates",
     },
     parameters: |_| vec![Parameter::new("dC_lost", 0.0..=0.5, 0.1)],
-    needs_zones: true,
+    needs: Needs::LIFT,
     forces,
     ..Declaration::NONE
 }];

@@ -54,13 +54,14 @@ fn a_force_on_the_first_mode_is_by_the_outermost_height_over_its_shape() {
     let zones = Zones::default();
     let (driven, still) = (inputs(2), vec![0.0; 2]);
     let loads = [still.clone(), still.clone(), still.clone()];
-    let heights = [vec![9.0; 2], vec![0.2, -0.4]];
+    let outer = [0.2, -0.4];
     let state = WingState {
         inputs: &driven,
         loads: &loads,
         tip_m: &still,
         lift_n: &[],
-        height_m: &heights,
+        height_m: &[],
+        outer_height_m: &outer,
         twist_rad: &[],
     };
     assert_eq!((state.len(), state.is_empty()), (2, false));
@@ -74,7 +75,8 @@ fn a_force_on_the_first_mode_is_by_the_outermost_height_over_its_shape() {
     // a rigid wing has no mode, and without heights there is nothing to go by
     let before = forces.clone();
     forces.push_first_mode(&place(&zones, 30.0, 0.0), &state, |z| 3.0 * z);
-    forces.push_first_mode(&place(&zones, 30.0, 1.0), &WingState { height_m: &[], ..state }, |z| 3.0 * z);
+    forces
+        .push_first_mode(&place(&zones, 30.0, 1.0), &WingState { outer_height_m: &[], ..state }, |z| 3.0 * z);
     assert_eq!(forces, before);
     let nobody = inputs(0);
     assert!(WingState { inputs: &nobody, ..state }.is_empty());

@@ -25,10 +25,38 @@ fn table(outputs: usize, drives: usize, of: impl Fn(c64, usize, usize) -> c64) -
     let frequencies_hz = grid(true);
     let at = |f: &f64| Mat::from_fn(outputs, drives, |i, j| of(c64::new(0.0, TAU * f), i, j));
     ResponseTable {
-        responses: frequencies_hz.iter().map(at).collect(),
+        responses: frequencies_hz.iter().map(at).collect::<Vec<_>>().into(),
         rest: (0..outputs).map(|i| 0.5 + i as f64).collect(),
         rest_s: 5.0,
         frequencies_hz,
+    }
+}
+
+fn rows(table: &ResponseTable) -> Vec<usize> {
+    (0..table.rest.len()).collect()
+}
+
+fn at_rest(table: &ResponseTable, samples: usize) -> Vec<Vec<f64>> {
+    table.rest.iter().map(|rest| vec![*rest; samples]).collect()
+}
+
+/// All outputs, from rest on.
+fn flown(table: &ResponseTable, drives: &[(usize, &[f64])], dt: f64) -> Vec<Vec<f64>> {
+    let mut outputs = at_rest(table, drives.first().map_or(0, |(_, values)| values.len()));
+    table.add_flown(drives, dt, &rows(table), &mut outputs);
+    outputs
+}
+
+#[test]
+fn some_outputs_in_any_order_are_added_to_what_is_there() {
+    let table = table(3, 2, |s, i, j| c64::from((i + 2 * j) as f64) + s * (0.01 * i as f64));
+    let drive: Vec<f64> = (0..100).map(|k| bell(f64::from(k) * 0.01, 0.3, 1.0, 0.5)[0]).collect();
+    let all = flown(&table, &[(1, &drive)], 0.01);
+    let mut some = vec![vec![7.0; 100], vec![-7.0; 100]];
+    table.add_flown(&[(1, &drive)], 0.01, &[2, 1], &mut some);
+    for (row, level, some) in [(2, 7.0, &some[0]), (1, -7.0, &some[1])] {
+        let off = some.iter().zip(&all[row]).map(|(some, all)| some - level - (all - table.rest[row]));
+        assert!(off.map(f64::abs).fold(0.0, f64::max) < 1e-12, "{row}");
     }
 }
 
@@ -105,7 +133,6 @@ fn what_answers_value_rate_and_acceleration_gives_these_of_every_drive() {
     for (outputs, moving) in [(3, 3), (2, 2), (4, 1)] {
         let table =
             table(outputs, 5, |s, i, j| c64::from(gain(i, j, 0)) + s * gain(i, j, 1) + s * s * gain(i, j, 2));
-        assert_eq!(table.outputs(), outputs);
         let places = [(0.3, 1.0, 0.45), (-0.2, 0.7, 0.6), (0.0, -1.4, 0.5)];
         let records: Vec<Vec<[f64; 3]>> = places[..moving]
             .iter()
@@ -117,7 +144,7 @@ fn what_answers_value_rate_and_acceleration_gives_these_of_every_drive() {
         let still = vec![0.4; COUNT];
         let mut drives: Vec<(usize, &[f64])> = vec![(4, &still)];
         drives.extend(values.iter().enumerate().map(|(j, v)| (j, v.as_slice())));
-        let answer = table.fly(&drives, dt);
+        let answer = flown(&table, &drives, dt);
         assert_eq!((answer.len(), answer[0].len()), (outputs, COUNT));
         for (i, answer) in answer.iter().enumerate() {
             for (k, ours) in answer.iter().enumerate() {
@@ -127,7 +154,8 @@ fn what_answers_value_rate_and_acceleration_gives_these_of_every_drive() {
                 assert!((ours - wanted).abs() < 2e-5, "{i} at {k}: {ours} {wanted}");
             }
         }
-        let steady = table.steady(&drives, COUNT);
+        let mut steady = at_rest(&table, COUNT);
+        table.add_steady(&drives, &rows(&table), &mut steady);
         for (i, steady) in steady.iter().enumerate() {
             let wanted: f64 = drives.iter().map(|(j, v)| gain(i, *j, 0) * v[90]).sum();
             assert!((steady[90] - wanted - 0.5 - i as f64).abs() < 1e-12 && steady.len() == COUNT);
@@ -138,15 +166,17 @@ fn what_answers_value_rate_and_acceleration_gives_these_of_every_drive() {
 #[test]
 fn without_drives_there_is_no_history_and_drives_that_rest_leave_the_wing_at_rest() {
     let table = table(3, 2, |s, i, j| c64::from((i + 2 * j) as f64) + s);
-    assert_eq!(table.fly(&[], 0.01), vec![Vec::<f64>::new(); 3]);
-    let answer = table.fly(&[(1, &[0.2; 5])], 0.01);
+    assert_eq!(flown(&table, &[], 0.01), at_rest(&table, 0));
+    let answer = flown(&table, &[(1, &[0.2; 5])], 0.01);
     for (i, answer) in answer.iter().enumerate() {
         assert!(
             answer.iter().all(|x| (x - 0.5 - i as f64 - 0.2 * (i + 2) as f64).abs() < 1e-12),
             "{answer:?}"
         );
     }
-    assert!(table.steady(&[], 2).iter().enumerate().all(|(i, v)| *v == [0.5 + i as f64; 2]));
+    let mut steady = at_rest(&table, 2);
+    table.add_steady(&[], &rows(&table), &mut steady);
+    assert!(steady.iter().enumerate().all(|(i, v)| *v == [0.5 + i as f64; 2]));
 }
 
 #[test]
@@ -175,9 +205,9 @@ fn a_record_is_long_enough_for_the_wing_to_come_to_rest_behind_it() {
     let table = table(1, 1, |s, _, _| c64::from(w * w) / (s * s + s * 5.0 + w * w));
     let dt = 0.01;
     let drive: Vec<f64> = (0..60).map(|k| bell(f64::from(k) * dt, 0.0, 1.0, 0.3)[0]).collect();
-    let short = table.fly(&[(0, &drive)], dt);
+    let short = flown(&table, &[(0, &drive)], dt);
     let long: Vec<f64> = drive.iter().copied().chain(vec![0.0; 900]).collect();
-    let long = table.fly(&[(0, &long)], dt);
+    let long = flown(&table, &[(0, &long)], dt);
     for k in 0..60 {
         assert!((short[0][k] - long[0][k]).abs() < 1e-3, "{k}");
         assert!(k > 5 || (short[0][k] - 0.5).abs() < 1e-3, "at rest before it moves: {}", short[0][k]);
