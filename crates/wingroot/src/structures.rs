@@ -84,6 +84,16 @@ impl Structure {
     }
 }
 
+/// What is made of PARAM K6ROT, if a deck with flat shells has it.
+pub(crate) fn drilling_remark(bulk: &BulkData) -> Option<String> {
+    let k6rot = bulk.parameters.get("K6ROT").filter(|_| !bulk.shells.is_empty())?;
+    Some(format!(
+        "PARAM K6ROT {k6rot} is not followed: rotations of flat shells about their normals are tied by a tenth of the membrane's shear \
+         stiffness (Nastran: {} of it), which what hangs on single grids of thin shells may feel",
+        1e-6 * k6rot
+    ))
+}
+
 /// What a deck leaves to its reader, as it was read.
 fn say_what_was_assumed(bulk: &BulkData, model: &Model, system: &System) {
     /// How many motions are named.
@@ -94,7 +104,7 @@ fn say_what_was_assumed(bulk: &BulkData, model: &Model, system: &System) {
         }
         MassForm::Consistent => "masses of elements are consistent, as PARAM COUPMASS says",
     });
-    bulk.remarks().iter().for_each(|remark| show::note(remark));
+    bulk.remarks().iter().chain(&drilling_remark(bulk)).for_each(|remark| show::note(remark));
     if let Some(first) = bulk.air_errors.first() {
         show::note(&format!(
             "cards of the air are left aside, {} of them not read as they stand, the first: {first}",

@@ -12,7 +12,7 @@ use report::{Figure, Panel, Series, Style, Table};
 use std::f64::consts::TAU;
 
 use super::flutter_deck_result::{Change, Condition, DeckFlutter, SubcaseFlutter};
-use super::fullaircraft_deck::say_of_splines;
+use super::fullaircraft_deck::say_what_is_assumed;
 use super::given_deck::GivenDeck;
 use super::result_parts::as_json;
 use crate::args::Common;
@@ -61,7 +61,7 @@ pub(super) fn run(path: &Path, subcase: Option<u32>, common: &Common) -> Result<
         } else {
             let deck = FlutterDeck::new(bulk, case)?;
             if !common.quiet {
-                say_of_splines(bulk, &deck.modal.loose_boxes);
+                say_what_is_assumed(bulk, &deck.modal.loose_boxes);
             }
             deck
         };

@@ -17,6 +17,7 @@ use super::given_deck::GivenDeck;
 use crate::args::Common;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
+use crate::structures::drilling_remark;
 use crate::{progress, show};
 
 /// Names of the coefficients in the order of the library.
@@ -124,7 +125,7 @@ pub(crate) fn run(path: &Path, common: &Common) -> Result<(), Failure> {
     let (skipped, loose) =
         known.map_or_else(Default::default, |(_, deck)| (deck.skipped_monitors, deck.loose_boxes));
     if !common.quiet {
-        say_of_splines(bulk, &loose);
+        say_what_is_assumed(bulk, &loose);
         say_of_stations(&skipped);
     }
     summary.seconds = start.elapsed().as_secs_f64();
@@ -189,9 +190,10 @@ fn say_of_stations(skipped: &[String]) {
     }
 }
 
-/// What of the splines is not as the deck might expect.
-pub(crate) fn say_of_splines(bulk: &BulkData, loose: &[u32]) {
-    bulk.division_remark().iter().chain(&bulk.spline_remark()).for_each(|remark| show::note(remark));
+/// What of splines, divisions and shells is not as the deck might expect.
+pub(crate) fn say_what_is_assumed(bulk: &BulkData, loose: &[u32]) {
+    let remarks = [bulk.division_remark(), bulk.spline_remark(), drilling_remark(bulk)];
+    remarks.iter().flatten().for_each(|remark| show::note(remark));
     if let Some(first) = loose.first() {
         show::note(&format!(
             "{} boxes have no spline, the first {first}: they neither move nor load the structure",

@@ -11,7 +11,7 @@ use fullaircraft::{DeckGust, DynamicAnswer, GustCase, GustDeck, TimeAnswer, gust
 use nastran::{BulkData, InputError};
 use std::f64::consts::TAU;
 
-use super::fullaircraft_deck::say_of_splines;
+use super::fullaircraft_deck::say_what_is_assumed;
 use super::given_deck::GivenDeck;
 use super::gust_files::{self, Quantity, Tables};
 use super::gust_result::{Extreme, GustResult, RandomQuantity, SubcaseGust};
@@ -119,7 +119,7 @@ fn assembled(
         let alike: Vec<&GustCase> = cases.iter().filter(|other| is_same(other, case)).collect();
         let deck = GustDeck::new(bulk, &case.subcase, &alike)?;
         if !common.quiet {
-            say_of_splines(bulk, &deck.modal.loose_boxes);
+            say_what_is_assumed(bulk, &deck.modal.loose_boxes);
         }
         decks.push((case.clone(), deck));
     }

@@ -18,7 +18,7 @@ use nastran::{BulkData, InputError};
 use rayon::prelude::*;
 
 use crate::args::Common;
-use crate::commands::fullaircraft_deck::say_of_splines;
+use crate::commands::fullaircraft_deck::say_what_is_assumed;
 use crate::commands::given_deck::GivenDeck;
 use crate::commands::loads_flights::{FlownAgain, Wanted};
 use crate::commands::loads_package::lost;
@@ -202,7 +202,7 @@ fn say(bulk: &BulkData, deck: &TrimDeck) {
     if let Some(cards) = bulk.unread_cards() {
         show::note(&format!("these cards are not read, and not in the package's structure: {cards}"));
     }
-    say_of_splines(bulk, &deck.loose_boxes);
+    say_what_is_assumed(bulk, &deck.loose_boxes);
     if !deck.skipped_monitors.is_empty() {
         show::note(&format!(
             "stations left out (MONPNT3 of a group that is no SET1, MONPNT1 of components made of grids): {}",
