@@ -29,7 +29,7 @@ impl Case {
                 .expect("a shipped file");
         }
         let modes = Command::new(env!("CARGO_BIN_EXE_wingroot"))
-            .args(["modes", "--out", "results/out", "--quiet"])
+            .args(["modes", "--out", "results/out", "--quiet", "--numbers-only"])
             .current_dir(&folder)
             .status();
         assert!(modes.expect("the command starts").success());

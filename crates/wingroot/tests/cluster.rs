@@ -82,8 +82,7 @@ fn a_containerfile_builds_the_program() {
 
 #[test]
 fn a_sweep_on_slurm_with_a_part_killed_and_queued_again_gives_the_bytes_of_one_process() {
-    if std::env::var_os("RUN_SLOW_TESTS").is_none() {
-        eprintln!("skipped: RUN_SLOW_TESTS=1 runs a sweep on a Slurm of one node");
+    if !crate::slow::runs("runs a sweep on a Slurm of one node") {
         return;
     }
     let daemons = ["munged", "slurmctld", "slurmd"];

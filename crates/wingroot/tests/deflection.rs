@@ -48,7 +48,7 @@ fn outcome() -> &'static Outcome {
 /// Runs the command in a folder and reads its result.
 fn deflection(folder: &Path, campaign: &str, out: &str) -> Value {
     let output = Command::new(env!("CARGO_BIN_EXE_wingroot"))
-        .args(["deflection", "--json", "--quiet", "--campaign", campaign, "--out", out])
+        .args(["deflection", "--json", "--numbers-only", "--quiet", "--campaign", campaign, "--out", out])
         .args(["--wing".as_ref(), data("wing_beam.ron").as_os_str()])
         .current_dir(folder)
         .output()

@@ -15,7 +15,7 @@ fn root() -> PathBuf {
 fn discover(name: &str, more: &[&str]) -> (Option<i32>, String, PathBuf) {
     let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     let output = Command::new(env!("CARGO_BIN_EXE_wingroot"))
-        .args(["discover", "--quiet", "--out"])
+        .args(["discover", "--quiet", "--numbers-only", "--out"])
         .arg(&out)
         .args(["--wing", "data/tuflex/wing.ron"])
         .args(more)

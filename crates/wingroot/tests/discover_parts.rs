@@ -5,8 +5,7 @@ use crate::result_files::files;
 
 #[test]
 fn null_campaigns_in_parts_give_the_null_distribution_of_one_process() {
-    if std::env::var_os("RUN_SLOW_TESTS").is_none() {
-        eprintln!("skipped: RUN_SLOW_TESTS=1 makes two null distributions");
+    if !crate::slow::runs("makes two null distributions") {
         return;
     }
     let own = OwnWing::new("discover-parts");

@@ -83,8 +83,7 @@ fn intervals_of_the_envelope_are_of_envelopes_taken_draw_by_draw() {
 
 #[test]
 fn draws_in_parts_give_the_bytes_of_one_process_and_leave_the_envelope_itself_as_it_is() {
-    if std::env::var_os("RUN_SLOW_TESTS").is_none() {
-        eprintln!("skipped: RUN_SLOW_TESTS=1 flies a grid with nine wings, in one process and in parts");
+    if !crate::slow::runs("flies a grid with nine wings, in one process and in parts") {
         return;
     }
     let own = own_wing("bytes");
@@ -110,8 +109,7 @@ fn draws_in_parts_give_the_bytes_of_one_process_and_leave_the_envelope_itself_as
 
 #[test]
 fn a_draw_in_a_grid_of_cases_is_trimmed_as_the_same_wing_in_the_maneuvers_of_the_aircraft() {
-    if std::env::var_os("RUN_SLOW_TESTS").is_none() {
-        eprintln!("skipped: RUN_SLOW_TESTS=1 flies all maneuvers with the nine wings");
+    if !crate::slow::runs("flies all maneuvers with the nine wings") {
         return;
     }
     let own = own_wing("trim");

@@ -19,7 +19,7 @@ fn wingroot(command: &str, wing: &Path, more: &[&str], out: &Path) -> Output {
     } else {
         line.arg(command);
     }
-    line.args(["--json", "--wing"])
+    line.args(["--json", "--numbers-only", "--wing"])
         .arg(wing)
         .arg("--campaign")
         .arg(data().join("measured"))

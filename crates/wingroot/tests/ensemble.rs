@@ -24,8 +24,13 @@ const WING: [&str; 4] = ["--wing", "data/tuflex/wing_beam.ron", "--campaign", "d
 fn flown(folder: &Path, command: &[&str]) -> (Value, String) {
     let corrections = folder.join("calibrate/corrections.ron").display().to_string();
     let out = folder.join(command[0]).display().to_string();
-    let arguments =
-        [&command[..1], &WING, &["--corrections", &corrections, "--out", &out], &command[1..]].concat();
+    let arguments = [
+        &command[..1],
+        &WING,
+        &["--corrections", &corrections, "--numbers-only", "--out", &out],
+        &command[1..],
+    ]
+    .concat();
     let (status, said) = run(&arguments);
     assert_eq!(status, Some(0), "{said}");
     let result = std::fs::read_to_string(folder.join(command[0]).join("result.json")).unwrap();
@@ -39,7 +44,7 @@ fn calibrated(name: &str) -> PathBuf {
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("ensemble");
         std::fs::remove_dir_all(&folder).ok();
         let out = folder.display().to_string();
-        let (status, said) = run(&[&["calibrate"], &WING[..], &["--out", &out]].concat());
+        let (status, said) = run(&[&["calibrate", "--numbers-only"], &WING[..], &["--out", &out]].concat());
         assert_eq!(status, Some(0), "{said}");
         folder
     });

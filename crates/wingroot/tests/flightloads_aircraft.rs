@@ -33,7 +33,7 @@ impl Folder {
 
     fn run(&self, words: &[&str]) -> Output {
         let mut command = Command::new(env!("CARGO_BIN_EXE_wingroot"));
-        command.args(words).args(["--quiet", "--json"]).current_dir(&self.0);
+        command.args(words).args(["--quiet", "--numbers-only", "--json"]).current_dir(&self.0);
         command.output().expect("the command starts")
     }
 

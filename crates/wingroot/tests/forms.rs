@@ -8,15 +8,6 @@ use discover::verdict::VerdictKind;
 use hidden::TrueServos;
 use hidden::plan::Hidden;
 
-/// Whether minutes may be taken.
-fn is_slow(what: &str) -> bool {
-    let slow = std::env::var_os("RUN_SLOW_TESTS").is_some();
-    if !slow {
-        let _ = writeln!(std::io::stderr(), "skipped: RUN_SLOW_TESTS=1 searches {what}");
-    }
-    slow
-}
-
 /// Names that are given where one effect is hidden, what it did to the gap, and the search's steps.
 fn named(name: &str, values: &[f64]) -> (Vec<String>, [f64; 2], Vec<String>) {
     let hidden = Hidden { name: name.to_owned(), values: values.to_vec() };
@@ -29,7 +20,7 @@ fn named(name: &str, values: &[f64]) -> (Vec<String>, [f64; 2], Vec<String>) {
 /// Friction that grows with the rate as `x / sqrt(1 + x²)`, a rate limit whose edge is round, freeplay of three widths.
 #[test]
 fn friction_rate_limit_and_freeplay_of_other_forms_have_their_names() {
-    if !is_slow("friction, a rate limit and freeplay of another program") {
+    if !crate::slow::runs("searches friction, a rate limit and freeplay of another program") {
         return;
     }
     for (name, values) in [("friction", -0.7), ("act_rate", 0.6), ("backlash", 2.0)] {
@@ -45,7 +36,7 @@ fn friction_rate_limit_and_freeplay_of_other_forms_have_their_names() {
 /// All surfaces do 15 % less than the model says: whatever its name, the verdict is not that nothing is missing.
 #[test]
 fn a_common_shortage_of_all_surfaces_is_not_passed_over() {
-    if !is_slow("a common shortage of all surfaces") {
+    if !crate::slow::runs("searches a common shortage of all surfaces") {
         return;
     }
     let hidden = Hidden { name: "ctl_scale".to_owned(), values: vec![-0.15] };

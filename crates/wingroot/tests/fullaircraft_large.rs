@@ -5,8 +5,7 @@ use serde_json::Value;
 
 #[test]
 fn steady_points_of_the_bent_aircraft_stand_beside_those_of_small_deflections() {
-    if std::env::var_os("RUN_SLOW_TESTS").is_none() {
-        eprintln!("skipped: RUN_SLOW_TESTS=1 flies all maneuvers and trims the bent aircraft of both models");
+    if !crate::slow::runs("flies all maneuvers and trims the bent aircraft of both models") {
         return;
     }
     let own = OwnWing::calibrated_with("large", "empty.ron", "");

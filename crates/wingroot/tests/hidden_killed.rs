@@ -51,8 +51,7 @@ pub(crate) fn whole() -> &'static Path {
 
 #[test]
 fn a_killed_benchmark_goes_on_and_ends_with_the_same_verdicts() {
-    if std::env::var_os("RUN_SLOW_TESTS").is_none() {
-        eprintln!("skipped: set RUN_SLOW_TESTS=1 to run the blind benchmark twice, once killed");
+    if !crate::slow::runs("runs the blind benchmark twice, once killed") {
         return;
     }
     let (whole, stopped) = (whole(), folder().join("stopped"));

@@ -210,17 +210,13 @@ fn a_file_in_the_result_folder_stops_every_command_and_stays() {
 
 #[test]
 fn nothing_is_lost_at_any_moment() {
-    let slow = std::env::var_os("RUN_SLOW_TESTS").is_some();
-    if !slow {
-        eprintln!("discover and hidden are skipped: RUN_SLOW_TESTS=1 kills a hundred commands");
-    }
+    let slow = crate::slow::runs("kills a hundred commands, discover and hidden among them");
     survive("all", &VICTIMS, |victim| victim.kills[usize::from(!slow)]);
 }
 
 #[test]
 fn a_plan_of_design_loads_killed_at_twenty_moments_goes_on_from_its_finished_cases_to_the_same_end() {
-    if std::env::var_os("RUN_SLOW_TESTS").is_none() {
-        eprintln!("skipped: RUN_SLOW_TESTS=1 kills a plan of design loads twenty times");
+    if !crate::slow::runs("kills a plan of design loads twenty times") {
         return;
     }
     survive("plan", &[PLAN], |victim| victim.kills[0]);

@@ -145,8 +145,7 @@ fn parts_of_a_plan_have_each_case_once_and_a_merge_names_those_that_are_missing(
 
 #[test]
 fn parts_of_a_plan_with_all_wings_of_the_ensemble_merge_to_the_bytes_of_one_process() {
-    if std::env::var_os("RUN_SLOW_TESTS").is_none() {
-        eprintln!("skipped: RUN_SLOW_TESTS=1 flies a plan with nine wings, in one process and in parts");
+    if !crate::slow::runs("flies a plan with nine wings, in one process and in parts") {
         return;
     }
     let sweep = Sweep::new("wings", TRIMS);
@@ -167,10 +166,7 @@ fn parts_of_a_plan_with_all_wings_of_the_ensemble_merge_to_the_bytes_of_one_proc
 
 #[test]
 fn parts_with_gusts_and_turbulence_that_are_killed_merge_to_the_bytes_of_one_process() {
-    if std::env::var_os("RUN_SLOW_TESTS").is_none() {
-        eprintln!(
-            "skipped: RUN_SLOW_TESTS=1 flies a plan with gusts and turbulence in five parts, killed twenty times"
-        );
+    if !crate::slow::runs("flies a plan with gusts and turbulence in five parts, killed twenty times") {
         return;
     }
     let sweep = Sweep::new("moving", MOVING);

@@ -1,5 +1,5 @@
 //! A small fixed set of blind cases, of development seeds: effects hidden by another discretisation in the wing's campaign, and
-//! what `discover` must say of each. Thresholds are as if null campaigns had found nothing.
+//! what `discover` must say of each. Thresholds are as if null campaigns had found nothing. Half of them with RUN_SLOW_TESTS=1 only.
 
 use std::path::Path;
 use std::sync::OnceLock;
@@ -95,7 +95,7 @@ const JOINER: (&str, &[f64]) = ("joiner_inertia", &[0.15, -0.115, 0.1]);
 
 #[test]
 fn wings_without_any_effect_lack_none() {
-    let count = if std::env::var_os("RUN_SLOW_TESTS").is_some() { 20 } else { 2 };
+    let count = if crate::slow::runs("searches twenty campaigns without an effect") { 20 } else { 2 };
     let mut named = Vec::new();
     for plan in cases(SEED, count, &Mix::only(Class::Null)) {
         let (prepared, _) = prepared(&plan, &format!("null_{}", plan.index));
@@ -132,6 +132,9 @@ fn the_joiner_is_named_with_its_inertia_and_the_pitching_moment_gap_shrinks() {
 
 #[test]
 fn pitch_without_wind_tells_the_joiner_better_from_its_rivals() {
+    if !crate::slow::runs("searches the joiner's campaign with pitch in still air") {
+        return;
+    }
     let margin = |wind_off: bool| {
         let plan = CasePlan { wind_off, ..plan(Class::Null, &[JOINER]) };
         let (prepared, _) = prepared(&plan, if wind_off { "wind_off" } else { "wind_on" });
@@ -154,6 +157,9 @@ fn ailerons_that_lose_effectiveness_are_named_and_not_slow_ones() {
 
 #[test]
 fn an_effect_that_the_library_lacks_gets_its_twins_name_or_none() {
+    if !crate::slow::runs("searches a campaign whose effect the library lacks") {
+        return;
+    }
     let hidden = ("gain", &[0.037, 0.0][..]);
     let plan = CasePlan { leave_out: Some("gain".into()), ..plan(Class::Null, &[hidden]) };
     let (prepared, _) = prepared(&plan, "left_out");
@@ -165,17 +171,21 @@ fn an_effect_that_the_library_lacks_gets_its_twins_name_or_none() {
 /// beside a rate limit that explains ten times as much must be larger than the 0.045 s of that case.
 #[test]
 fn a_servos_lag_shows_beside_its_much_larger_rate_limit() {
+    if !crate::slow::runs("searches a campaign with a rate limit and a lag") {
+        return;
+    }
     let plan = plan(Class::Null, &[("act_rate", &[0.69]), ("act_lag", &[0.09])]);
     let (prepared, _) = prepared(&plan, "rate_and_lag");
     let report = prepared.search(&limits(), plan.seed);
     assert_eq!(names(&report), ["act_rate", "act_lag"], "{:?}", report.outcome.trace);
 }
 
-/// Of surfaces that are weaker at all deflections, where the library has no scale for them; both may be taken away, as each
-/// is the other's twin.
 /// What depends on frequency alone: the steady limit is that of the corrections.
 #[test]
 fn the_gain_and_lag_of_the_wake_are_found_and_a_delay_is_not_called_one() {
+    if !crate::slow::runs("searches campaigns with a wake's lag and with a delay") {
+        return;
+    }
     let (lag, gain) = (0.6, -0.4);
     let plan = plan(Class::Null, &[("aero_lag", &[lag, gain])]);
     let (prepared, _) = prepared(&plan, "wake");
@@ -207,8 +217,12 @@ fn the_gain_and_lag_of_the_wake_are_found_and_a_delay_is_not_called_one() {
     assert!(!found.confused_with.contains(&"aero_lag"));
 }
 
+/// Where the library has no scale for them; both may be taken away, as each is the other's twin.
 #[test]
 fn surfaces_weaker_at_all_deflections_do_not_saturate() {
+    if !crate::slow::runs("searches a campaign with weaker surfaces") {
+        return;
+    }
     let hidden = ("ctl_scale", &[-0.337][..]);
     let plan = CasePlan { leave_out: Some("ctl_scale".into()), ..plan(Class::Null, &[hidden]) };
     let (mut prepared, _) = prepared(&plan, "scale");
@@ -254,6 +268,9 @@ fn exchanged_channels_are_a_defect_of_the_data() {
 
 #[test]
 fn static_points_alone_name_what_they_can_tell_or_a_set_with_it() {
+    if !crate::slow::runs("searches campaigns of static points alone") {
+        return;
+    }
     // corrections from other static points, so that none of it is calibrated away
     for (name, values) in [("crosstalk", &[0.05][..]), ("camber", &[1.0, 0.015][..])] {
         let plan = plan(Class::Null, &[(name, values)]);

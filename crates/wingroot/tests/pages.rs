@@ -137,8 +137,7 @@ fn figures_that_are_folded_up_are_printed_and_every_style_is_seen_in_the_dark() 
 /// Those that no other test makes: the steps of the pipeline are opened where they are made (`pipeline.rs`).
 #[test]
 fn pages_of_every_other_command_do_so_too() {
-    if std::env::var_os("RUN_SLOW_TESTS").is_none() {
-        eprintln!("skipped: RUN_SLOW_TESTS=1 makes and opens the pages of every command");
+    if !crate::slow::runs("makes and opens the pages of every command") {
         return;
     }
     let scratch = scratch("all-pages");

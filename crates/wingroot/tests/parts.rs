@@ -176,15 +176,9 @@ pub(crate) fn peak_bytes(mut child: Child) -> f64 {
 
 #[test]
 fn parts_killed_at_random_moments_lose_what_was_in_the_air_only() {
-    let slow = std::env::var_os("RUN_SLOW_TESTS").is_some();
+    let slow = crate::slow::runs("has a hundred thousand trims and a hundred kills");
     // two models, twenty airspeeds, so many rates of roll
     let (kills, parts, rates) = if slow { (100, 16, 2500) } else { (5, 4, 10) };
-    if !slow {
-        eprintln!(
-            "{} trims, {kills} kills: RUN_SLOW_TESTS=1 has a hundred thousand and a hundred",
-            40 * rates
-        );
-    }
     let list = |values: Vec<f64>| values.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
     let airspeeds = list((0..20).map(|i| 22.0 + 0.9 * f64::from(i)).collect());
     let rates_deg_s = list((1..=rates).map(|i| 90.0 * f64::from(i) / f64::from(rates)).collect());

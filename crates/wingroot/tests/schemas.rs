@@ -181,7 +181,7 @@ fn a_wing_in_json_gives_the_bits_of_the_same_in_ron() {
     let at = |name: &str| folder.join(name).to_string_lossy().into_owned();
     let ron = data("own_wing/wing.ron").to_string_lossy().into_owned();
     let calibrate = |wing: &str, out: &str| {
-        let result = run(&["calibrate", "--wing", wing, "--json", "--quiet", "--out", out]);
+        let result = run(&["calibrate", "--wing", wing, "--json", "--numbers-only", "--quiet", "--out", out]);
         lasting(serde_json::from_str(&result).expect("JSON"))
     };
     let result = calibrate(&at("wing.json"), &at("out_json"));
@@ -209,7 +209,7 @@ fn a_wing_in_json_gives_the_bits_of_the_same_in_ron() {
 /// Runs a command into a folder below `folder`; what is wrong with its result.
 fn faults_of_result(folder: &Path, schema: &str, arguments: &[&str]) -> Vec<String> {
     let out = folder.join(schema);
-    run(&[arguments, &["--quiet", "--out", &out.to_string_lossy()]].concat());
+    run(&[arguments, &["--quiet", "--numbers-only", "--out", &out.to_string_lossy()]].concat());
     faults_in(&out, schema)
 }
 
@@ -293,8 +293,7 @@ fn results_of_the_pipeline_fit_their_schemas() {
 /// The blind benchmark takes minutes; that which its own test runs is read.
 #[test]
 fn the_result_of_the_blind_benchmark_fits_its_schema() {
-    if std::env::var_os("RUN_SLOW_TESTS").is_none() {
-        eprintln!("skipped: RUN_SLOW_TESTS=1 reads what the blind benchmark writes");
+    if !crate::slow::runs("reads what the blind benchmark writes") {
         return;
     }
     assert_eq!(faults_in(crate::hidden_killed::whole(), "hidden_result"), Vec::<String>::new());

@@ -43,7 +43,7 @@ const CAMPAIGN: [&str; 4] = ["--wing", "my_wing/wing.ron", "--campaign", "my_win
 fn a_campaign_with_the_tip_has_the_same_corrections_in_every_command_and_says_where_they_come_from() {
     let folder = with_tip("sensors-tip");
     // first without corrections in the folder
-    let (status, said) = run(&folder, &[&["flutter"], &CAMPAIGN[..]].concat());
+    let (status, said) = run(&folder, &[&["flutter", "--numbers-only"], &CAMPAIGN[..]].concat());
     assert_eq!(status, Some(0), "{said}");
     let found_now = result(&folder, "flutter");
     let (status, said) = run(&folder, &[&["calibrate"], &CAMPAIGN[..]].concat());
@@ -56,7 +56,7 @@ fn a_campaign_with_the_tip_has_the_same_corrections_in_every_command_and_says_wh
         "the page's lead"
     );
     assert!(!page.contains("as closely as a straight line"), "the page's lead");
-    let (status, said) = run(&folder, &[&["flutter"], &CAMPAIGN[..]].concat());
+    let (status, said) = run(&folder, &[&["flutter", "--numbers-only"], &CAMPAIGN[..]].concat());
     assert_eq!(status, Some(0), "{said}");
     for key in ["initial", "updated"] {
         let again = result(&folder, "flutter");
@@ -114,8 +114,15 @@ fn the_updated_aircraft_has_the_structure_that_was_found() {
     assert!(found.controls.iter().all(|factor| *factor == 1.0), "no control was deflected");
     let flown = |wing: &str, corrections: &str| -> (Value, String) {
         let aircraft = format!("{wing}/aircraft.ron");
-        let arguments =
-            ["fullaircraft", "--no-intervals", "--aircraft", &aircraft, "--corrections", corrections];
+        let arguments = [
+            "fullaircraft",
+            "--no-intervals",
+            "--numbers-only",
+            "--aircraft",
+            &aircraft,
+            "--corrections",
+            corrections,
+        ];
         let (status, said) = run(&folder, &arguments);
         assert_eq!(status, Some(0), "{said}");
         (result(&folder, "fullaircraft")["models"].take(), said)

@@ -1,8 +1,6 @@
 //! Servos that are not those of the wing's file, in campaigns of the vortex lattice, which shares no line with what judges them:
 //! within what the file knows of its servos they are no finding, beyond it they are named as what they are, quicker or slower.
 
-use std::io::Write as _;
-
 use crate::vortex_campaigns::searched;
 use discover::verdict::VerdictKind;
 use hidden::TrueServos;
@@ -10,11 +8,7 @@ use hidden::plan::Hidden;
 
 /// Both campaigns of a test with RUN_SLOW_TESTS=1, else the first; `other` is the one that is left out.
 fn campaigns(other: &str) -> usize {
-    if std::env::var_os("RUN_SLOW_TESTS").is_some() {
-        return 2;
-    }
-    let _ = writeln!(std::io::stderr(), "skipped: RUN_SLOW_TESTS=1 searches the campaign with {other}, too");
-    1
+    if crate::slow::runs(&format!("searches the campaign with {other}, too")) { 2 } else { 1 }
 }
 
 #[test]

@@ -43,6 +43,7 @@ mod schemas;
 mod segments;
 mod sensors;
 mod servos;
+mod slow;
 mod statics_command;
 mod statics_limits;
 mod stations;

@@ -40,7 +40,16 @@ impl Case {
 
     fn calibrate(&self) -> Output {
         Command::new(env!("CARGO_BIN_EXE_wingroot"))
-            .args(["calibrate", "--wing", "w/wing.ron", "--campaign", "w/campaign", "--out", "out"])
+            .args([
+                "calibrate",
+                "--wing",
+                "w/wing.ron",
+                "--campaign",
+                "w/campaign",
+                "--numbers-only",
+                "--out",
+                "out",
+            ])
             .current_dir(&self.0)
             .output()
             .expect("it starts")

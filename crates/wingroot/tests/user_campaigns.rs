@@ -4,7 +4,6 @@
 
 #![expect(clippy::unwrap_used, reason = "a helper of tests may fail the test where it stands")]
 
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -263,8 +262,7 @@ fn the_example_wing_s_gap_above_the_floor_does_not_read_as_if_nothing_were_missi
 
 #[test]
 fn one_thread_and_two_give_the_same_bytes() {
-    if std::env::var_os("RUN_SLOW_TESTS").is_none() {
-        eprintln!("skipped: set RUN_SLOW_TESTS=1 to search a campaign twice");
+    if !crate::slow::runs("searches a campaign twice") {
         return;
     }
     let folder = campaign("user-threads", &AS_IT_IS);
@@ -309,8 +307,7 @@ fn a_folder_without_campaigns_is_refused_and_so_is_one_beside_a_single_campaign(
 /// neither, and each verdict is that of the campaign searched alone.
 #[test]
 fn campaigns_of_a_folder_are_searched_with_one_set_up_and_a_fault_in_one_stops_no_other() {
-    if std::env::var_os("RUN_SLOW_TESTS").is_none() {
-        let _ = writeln!(std::io::stderr(), "skipped: RUN_SLOW_TESTS=1 searches three campaigns of a folder");
+    if !crate::slow::runs("searches three campaigns of a folder") {
         return;
     }
     let folder = scratch("user-campaigns");

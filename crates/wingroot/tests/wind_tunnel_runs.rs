@@ -42,7 +42,7 @@ fn outcome() -> &'static (PathBuf, Value) {
 fn run(folder: &Path, arguments: &[&str]) -> Value {
     let output = Command::new(env!("CARGO_BIN_EXE_wingroot"))
         .args(arguments)
-        .args(["--json", "--quiet", "--campaign", "campaign"])
+        .args(["--json", "--numbers-only", "--quiet", "--campaign", "campaign"])
         .current_dir(folder)
         .output()
         .expect("the command starts");
