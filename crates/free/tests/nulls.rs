@@ -1,5 +1,5 @@
 //! How often a wrong name is given: campaigns of the tests' own integrator, each with other sizes, airspeeds and scatter.
-//! Minutes, so with `RUN_SLOW_TESTS=1` only, and `FREE_CAMPAIGNS=300` for as many of each kind (an hour); the numbers stand in docs/benchmarks.md.
+//! Minutes, so with `RUN_SLOW_TESTS=1` only, and `FREE_CAMPAIGNS=300` for as many of each kind (38 minutes); the numbers stand in docs/benchmarks.md.
 
 use std::io::Write as _;
 use std::path::Path;
