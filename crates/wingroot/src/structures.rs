@@ -89,8 +89,8 @@ pub(crate) fn drilling_remark(bulk: &BulkData) -> Option<String> {
     let k6rot = bulk.parameters.get("K6ROT").filter(|_| !bulk.shells.is_empty())?;
     Some(format!(
         "PARAM K6ROT {k6rot} is not followed: rotations of flat shells about their normals are tied by a tenth of the membrane's shear \
-         stiffness (Nastran: {} of it), which what hangs on single grids of thin shells may feel",
-        1e-6 * k6rot
+         stiffness (Nastran: {:e} of it), which what hangs on single grids of thin shells may feel",
+        k6rot / 1e6
     ))
 }
 

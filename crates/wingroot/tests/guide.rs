@@ -47,7 +47,7 @@ fn every_command_of_the_guide_runs() {
     assert!(all.len() >= 6, "the guide has {} blocks of commands", all.len());
     let folder = std::env::temp_dir().join(format!("wingroot-guide-{}", std::process::id()));
     std::fs::create_dir_all(&folder).expect("a temporary folder");
-    let with_slow = crate::slow::runs("runs those that take minutes");
+    let with_slow = crate::slow::runs("runs the commands of the guide that take minutes");
     for block in all.iter().filter(|block| with_slow || !block.slow) {
         // `wingroot` is the program that was built with this test.
         let script = format!("set -eu\nwingroot() {{ \"$WINGROOT\" \"$@\"; }}\n{}", block.text);

@@ -155,6 +155,7 @@ fn what_is_not_made_of_k6rot_is_said() {
         let said = String::from_utf8_lossy(&output.stderr);
         assert!(output.status.success(), "{said}");
         assert_eq!(said.contains("PARAM K6ROT 100 is not followed"), is_said, "{said}");
+        assert_eq!(said.contains("(Nastran: 1e-4 of it)"), is_said, "{said}");
     }
     std::fs::remove_dir_all(folder).expect("it was made above");
 }
