@@ -1,5 +1,5 @@
 //! A small fixed set of blind cases, of development seeds: effects hidden by another discretisation in the wing's campaign, and
-//! what `discover` must say of each. Thresholds are as if null campaigns had found nothing. Half of them with RUN_SLOW_TESTS=1 only.
+//! what `discover` must say of each. Thresholds are as if null campaigns had found nothing. Six of the tests with RUN_SLOW_TESTS=1 only.
 
 use std::path::Path;
 use std::sync::OnceLock;
