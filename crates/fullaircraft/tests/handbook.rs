@@ -213,7 +213,7 @@ fn the_swept_plate_flutters_near_zaero() {
     for (ours, expected) in plate.hz().iter().zip(hz) {
         // 28 elements on two point supports: twice as many each way lower the first mode by 5 %, so elements of other kinds differ.
         println!("mode: {ours} Hz beside {expected}");
-        near("mode", *ours, expected, 0.035);
+        near("mode", *ours, expected, 0.022);
     }
     let rows: Vec<[f64; 5]> = numbers(&printed["k_method"]["rows"]);
     for [_, k, v, g, _] in rows {
@@ -224,7 +224,9 @@ fn the_swept_plate_flutters_near_zaero() {
     let ours = plate.curves(1).flutter().expect("it flutters");
     println!("flutter at {} in/s, {} Hz", ours.flow.v_m_s, ours.omega_rad_s / TAU);
     near("flutter", ours.flow.v_m_s, v, 0.03);
-    near("flutter", ours.omega_rad_s / TAU, hz, 0.04);
+    // ZONA6 flutters slower than doublets do on the same shapes, and NASA's theory (D10-02) says 121 Hz.
+    let found = ours.omega_rad_s / TAU;
+    assert!(hz < found && found < 121.0, "{found} Hz is not between ZAERO's {hz} and NASA's 121");
     let denser = plate.curves(2).flutter().expect("it flutters");
     println!("in the denser air at {} in/s, {} Hz", denser.flow.v_m_s, denser.omega_rad_s / TAU);
     // Theory of NASA TN D-1824 by NASA's problem D10-02: 5980 in/s; the plate of 28 elements is less stiff in torsion.

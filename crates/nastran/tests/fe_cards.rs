@@ -174,6 +174,22 @@ fn materials() {
 }
 
 #[test]
+fn parameters_of_shells_are_looked_at() {
+    let shell = "GRID,1\nGRID,2,,1.\nGRID,3,,0.,1.\nCTRIA3,1,1,1,2,3\n";
+    let given = |parameters: &str| {
+        let deck = parse(&format!("{parameters}{shell}"));
+        let found = deck.shell_parameters().map(|found| (found.k6rot, found.snorm_deg));
+        (found.map_err(|error| error.to_string()), deck.shell_remark().is_some())
+    };
+    assert_eq!(given(""), (Ok((100.0, 20.0)), true));
+    assert_eq!(given("PARAM,K6ROT,1.\nPARAM,SNORM,-1.\n"), (Ok((1.0, -1.0)), false));
+    assert!(parse("GRID,1\n").shell_remark().is_none(), "there is no shell");
+    for (bad, what) in [("PARAM,K6ROT,-1.\n", "K6ROT is -1"), ("PARAM,SNORM,90.\n", "SNORM is 90")] {
+        assert!(given(bad).0.unwrap_err().contains(what));
+    }
+}
+
+#[test]
 fn splines_and_parameters() {
     let deck = parse(concat!(
         "SPLINE1,1,1001,1001,1020,5\nSPLINE2,2,1001,1021,1040,6,0.,,9\n",

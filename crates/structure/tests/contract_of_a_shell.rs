@@ -1,10 +1,10 @@
 //! The contract of an element, run for shells; patch tests of a section with membrane, bending and coupling.
 
 use crate::contract::{Specimen, contract};
-use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
+use nalgebra::{DVector, Matrix3, Point3, Rotation3, Vector3};
 use nastran::{Mat8, Span};
 use std::sync::Arc;
-use structure::{PlacedPly, PlaneMaterial, ShearModel, Shell, ShellSection};
+use structure::{Element, PlacedPly, PlaneMaterial, ShearModel, Shell, ShellSection};
 
 /// An unsymmetric laminate of two plies with non-structural mass.
 fn section() -> Arc<ShellSection> {
@@ -84,6 +84,49 @@ fn a_triangle_with_drilling_keeps_the_contract() {
         mass_kg: PER_AREA * area,
         inertia: None,
     });
+}
+
+/// As Nastran's, with a grid's normal 10 degrees off at each corner but one: no force for rigid motions, whichever way it is turned; and no
+/// moment about the normal of a grid but the tie's.
+#[test]
+fn shells_with_normals_of_their_grids_keep_the_contract() {
+    let triangle = [[0.1, 0.2, 0.3], [1.3, 0.1, 0.1], [0.4, 0.9, 0.5]].map(Point3::from);
+    let warped = [[0.1, 0.2, 0.1], [1.3, 0.1, -0.1], [1.1, 0.9, 0.2], [0.0, 0.7, -0.1]].map(Point3::from);
+    for points in [&triangle[..], &warped] {
+        let flat = shell(&Rotation3::identity(), points, 0.02);
+        let normal = flat.axes().row(2).transpose();
+        let leaning = |at: usize| {
+            let axis = nalgebra::Unit::new_normalize(points[(at + 1) % points.len()] - points[at]);
+            Rotation3::from_axis_angle(&axis, 10_f64.to_radians()) * normal
+        };
+        let normals: Vec<_> = (0..points.len()).map(|at| (at != 1).then(|| leaning(at))).collect();
+        let made = |rotation: &Rotation3<f64>, tie: f64| {
+            let normals = normals.iter().map(|normal| normal.map(|normal| rotation * normal));
+            shell(rotation, points, 0.02)
+                .with_residual_bending()
+                .with_drilling_tie(tie)
+                .with_grid_normals(normals.collect::<Vec<_>>())
+        };
+        let free = made(&Rotation3::identity(), 0.0).stiffness().expect("a shell").into_owned();
+        let mut turned = DVector::zeros(free.nrows());
+        turned.fixed_rows_mut::<3>(3).copy_from(&normals[0].expect("the first corner has one"));
+        // The offset's arm moves the membrane where the grid turns about another axis than the element's normal: without it.
+        let level = shell(&Rotation3::identity(), points, 0.0).with_residual_bending().with_drilling_tie(0.0);
+        let k = level.clone().with_grid_normals(normals.clone()).stiffness().expect("a shell").into_owned();
+        assert!(
+            (&k * &turned).norm() < 1e-9 * k.norm(),
+            "turning about the grid's normal: {}",
+            (&k * &turned).norm()
+        );
+        let own = level.stiffness().expect("a shell").into_owned();
+        assert!((own * &turned).norm() > 1e-6 * k.norm(), "the element's own normal is another");
+        contract(|rotation| Specimen {
+            element: made(rotation, 1e-4),
+            points: points.to_vec(),
+            mass_kg: PER_AREA * flat.area_m2(),
+            inertia: None,
+        });
+    }
 }
 
 #[test]

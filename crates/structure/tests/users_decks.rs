@@ -251,3 +251,67 @@ fn a_stiffened_strip_bends_as_its_beams_do_however_few_the_elements() {
         assert_near(&[rise], &[expected], within, &format!("{count} {shells}, bars {bars}"));
     }
 }
+
+/// A square of one element, its corners' moments as case control selects them.
+fn plate(parameters: &str, constraint: &str, loads: &str) -> String {
+    format!(
+        "CEND\nSPC = 1\nBEGIN BULK\n{parameters}GRID,1\nGRID,2,,2.\nGRID,3,,2.,2.\nGRID,4,,0.,2.\nCQUAD4,1,1,1,2,3,4\nPSHELL,1,1,.01,1\n\
+         MAT1,1,7.+10,3.5+10,,2700.\n{constraint}{loads}"
+    )
+}
+
+fn displaced(deck: &str) -> impl Fn(u32, usize) -> f64 + use<> {
+    let bulk = parse_deck("deck.bdf", deck).expect("a deck");
+    let system = deck_system(deck, None);
+    let loads = system.forces_of(&structure::loads_of(&bulk, 1).expect("loads"));
+    let flexibility = structure::Flexibility::new(&system).expect("held");
+    let u = system.expand(flexibility.displacements(system.reduce(loads.as_ref()).as_ref()).as_ref());
+    move |grid, component| u[(6 * system.node_index(grid).expect("a grid") + component - 1, 0)]
+}
+
+/// MSC Nastran Quick Reference Guide, PARAM K6ROT: the energy of rotations about the normal beyond the membrane's own is
+/// K6ROT / 2e6 of G t times their square, summed over the area.
+#[test]
+fn rotations_about_the_normal_of_a_shell_have_the_stiffness_of_k6rot() {
+    let moments = cards(1..=4, |grid| format!("MOMENT,1,{grid},,5.,0.,0.,1.\n"));
+    let turned = |parameters: &str| displaced(&plate(parameters, "SPC1,1,12345,1,THRU,4\n", &moments))(1, 6);
+    for (parameters, k6rot) in [("", 100.0), ("PARAM,K6ROT,100.\n", 100.0), ("PARAM,K6ROT,7.\n", 7.0)] {
+        let expected = 20.0 / (k6rot * 1e-6 * 3.5e10 * 0.01 * 4.0);
+        assert!((turned(parameters) / expected - 1.0).abs() < 1e-9, "{parameters}: {}", turned(parameters));
+    }
+    let held = deck_system(&plate("PARAM,K6ROT,0.\n", "SPC1,1,12345,1,THRU,4\n", ""), None);
+    assert_eq!(held.auto_held(), [(1, 6), (2, 6), (3, 6), (4, 6)], "without it AUTOSPC holds them");
+}
+
+/// One element is a cantilever: P L^3 / 3 E I, without shear flexibility as MID3 is empty (linear rotations alone have a quarter for a third).
+#[test]
+fn a_strip_of_one_shell_bends_as_a_beam() {
+    let tip =
+        displaced(&plate("", "SPC1,1,123456,1,4\n", "FORCE,1,2,,1.,0.,0.,1.\nFORCE,1,3,,1.,0.,0.,1.\n"));
+    let expected = 2.0 * 8.0 / (3.0 * 7e10 * 2.0 * 1e-6 / 12.0);
+    assert!((tip(2, 3) / expected - 1.0).abs() < 1e-4, "{} beside {expected}", tip(2, 3));
+}
+
+/// Two shells that meet at a fold of less than SNORM share a normal there, about which turning costs only the tie; with SNORM of less than the fold each
+/// resists by its own.
+#[test]
+fn shells_share_the_normal_of_a_grid_up_to_the_angle_of_snorm() {
+    // Each stands off the plane by 5 degrees, 5 of them from the mean.
+    let folded = |parameters: &str, reversed: &str| {
+        let deck = format!(
+            "CEND\nSPC = 1\nBEGIN BULK\nPARAM,K6ROT,.01\n{parameters}GRID,1,,-1.,0.,-.0874887\nGRID,2\nGRID,3,,1.,0.,-.0874887\n\
+             GRID,4,,-1.,1.,-.0874887\nGRID,5,,0.,1.\nGRID,6,,1.,1.,-.0874887\nCQUAD4,1,1,1,2,5,4\n{reversed}PSHELL,1,1,.01,1\n\
+             MAT1,1,7.+10,3.5+10,,2700.\nSPC1,1,123456,1,3,4,6\nSPC1,1,12345,5\nSPC1,1,12345,2\nMOMENT,1,2,,1.,0.,0.,1.\n"
+        );
+        displaced(&deck)(2, 6)
+    };
+    for second in ["CQUAD4,2,1,2,3,6,5\n", "CQUAD4,2,1,5,6,3,2\n"] {
+        let (shared, own) = (folded("", second), folded("PARAM,SNORM,4.\n", second));
+        assert!(shared > 100.0 * own, "{shared} {own}");
+        assert!(
+            (folded("PARAM,SNORM,6.\n", second) / shared - 1.0).abs() < 1e-9,
+            "20 degrees is the default"
+        );
+        assert!((folded("PARAM,SNORM,0.\n", second) / own - 1.0).abs() < 1e-9, "zero: no shared normals");
+    }
+}

@@ -84,44 +84,36 @@ impl Structure {
     }
 }
 
-/// What is made of PARAM K6ROT, if a deck with flat shells has it.
-pub(crate) fn drilling_remark(bulk: &BulkData) -> Option<String> {
-    let k6rot = bulk.parameters.get("K6ROT").filter(|_| !bulk.shells.is_empty())?;
-    Some(format!(
-        "PARAM K6ROT {k6rot} is not followed: rotations of flat shells about their normals are tied by a tenth of the membrane's shear \
-         stiffness (Nastran: {:e} of it), which what hangs on single grids of thin shells may feel",
-        k6rot / 1e6
-    ))
+/// Which motions AUTOSPC holds.
+pub(crate) fn held_remark(held: &[(u32, u8)]) -> Option<String> {
+    /// How many motions are named.
+    const SHOWN: usize = 8;
+    let named = held.iter().take(SHOWN).map(|(grid, component)| format!("GRID {grid} component {component}"));
+    let named = named.collect::<Vec<_>>().join(", ");
+    let (count, more) = (held.len(), held.len().saturating_sub(SHOWN));
+    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+    (count > 0).then(|| {
+        format!("AUTOSPC holds {count} motion(s) without stiffness, and their masses and loads with them: {named}{more}")
+    })
 }
 
 /// What a deck leaves to its reader, as it was read.
 fn say_what_was_assumed(bulk: &BulkData, model: &Model, system: &System) {
-    /// How many motions are named.
-    const SHOWN: usize = 8;
     show::note(match model.mass_form {
         MassForm::Lumped => {
             "masses of elements are lumped, Nastran's default (PARAM,COUPMASS,1 makes them consistent)"
         }
         MassForm::Consistent => "masses of elements are consistent, as PARAM COUPMASS says",
     });
-    bulk.remarks().iter().chain(&drilling_remark(bulk)).for_each(|remark| show::note(remark));
+    bulk.remarks().iter().chain(&bulk.shell_remark()).for_each(|remark| show::note(remark));
     if let Some(first) = bulk.air_errors.first() {
         show::note(&format!(
             "cards of the air are left aside, {} of them not read as they stand, the first: {first}",
             bulk.air_errors.len()
         ));
     }
-    let held = system.auto_held();
-    if !held.is_empty() {
-        let named: Vec<String> = held
-            .iter()
-            .take(SHOWN)
-            .map(|(grid, component)| format!("GRID {grid} component {component}"))
-            .collect();
-        let more = held.len().saturating_sub(SHOWN);
-        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-        let (count, named) = (held.len(), named.join(", "));
-        show::note(&format!("AUTOSPC holds {count} motion(s) without stiffness: {named}{more}"));
+    if let Some(remark) = held_remark(system.auto_held()) {
+        show::note(&remark);
     }
     let reduced: Vec<&str> = ["ASET", "ASET1", "OMIT", "OMIT1"]
         .into_iter()

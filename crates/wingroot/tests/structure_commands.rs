@@ -137,25 +137,27 @@ fn the_deck_has_the_modes_of_the_wing() {
     std::fs::remove_dir_all(folder).expect("it was made above");
 }
 
-/// A parameter that Nastran follows and we do not is told, of shells only.
+/// What a deck leaves open is told: K6ROT of shells, and what AUTOSPC holds.
 #[test]
-fn what_is_not_made_of_k6rot_is_said() {
+fn what_is_assumed_of_a_deck_s_shells_is_said() {
     let folder = folder("k6rot");
-    let head = "SOL 103\nCEND\nSPC = 1\nBEGIN BULK\nPARAM,K6ROT,100.\nMAT1,1,7.+10,,.3,2700.\nSPC1,1,123456,1,4\n\
-                GRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\nGRID,3,,1.,1.,0.\nGRID,4,,0.,1.,0.\n";
-    let shell = "PSHELL,1,1,.01,1,,1\nCQUAD4,1,1,1,2,3,4\n";
-    let bars = "PBAR,1,1,.01,1.-5,1.-5,1.-5\nCBAR,1,1,1,2,0.,0.,1.\nCBAR,2,1,4,3,0.,0.,1.\n";
-    for (elements, is_said) in [(shell, true), (bars, false)] {
-        std::fs::write(folder.join("deck.bdf"), format!("{head}{elements}ENDDATA\n")).expect("a deck");
+    let head = "SOL 103\nCEND\nSPC = 1\nBEGIN BULK\nMAT1,1,7.+10,,.3,2700.\nSPC1,1,123456,1,4\n\
+                GRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\nGRID,3,,1.,1.,0.\nGRID,4,,0.,1.,0.\nPSHELL,1,1,.01,1,,1\nCQUAD4,1,1,1,2,3,4\n";
+    let open = "rotations of flat shells about their normals get 100";
+    for (parameter, said, unsaid) in [
+        ("", open, "AUTOSPC holds"),
+        ("PARAM,K6ROT,0.\n", "AUTOSPC holds 2 motion(s) without stiffness", open),
+        ("PARAM,K6ROT,-1.\n", "PARAM K6ROT is -1", open),
+    ] {
+        std::fs::write(folder.join("deck.bdf"), format!("{head}{parameter}ENDDATA\n")).expect("a deck");
         let output = Command::new(env!("CARGO_BIN_EXE_wingroot"))
             .args(["modes", "--deck", "deck.bdf", "--count", "1", "--numbers-only", "--out", "out"])
             .current_dir(&folder)
             .output()
             .expect("the command starts");
-        let said = String::from_utf8_lossy(&output.stderr);
-        assert!(output.status.success(), "{said}");
-        assert_eq!(said.contains("PARAM K6ROT 100 is not followed"), is_said, "{said}");
-        assert_eq!(said.contains("(Nastran: 1e-4 of it)"), is_said, "{said}");
+        let text = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(if parameter.contains("-1") { 2 } else { 0 }), "{text}");
+        assert!(text.contains(said) && !text.contains(unsaid), "{text}");
     }
     std::fs::remove_dir_all(folder).expect("it was made above");
 }

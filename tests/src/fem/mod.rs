@@ -49,12 +49,14 @@ pub struct Mesh {
     pub nx: usize,
     /// Quadrilaterals along the second.
     pub ny: usize,
+    /// Whether it is a user's deck, read as Nastran does ([`Model::from_deck`]).
+    pub as_deck: bool,
 }
 
 impl Mesh {
     /// Nodes at `map(s, t)`, s and t from 0 to 1.
     pub fn mapped(nx: usize, ny: usize, map: impl Fn(f64, f64) -> [f64; 3]) -> Self {
-        let mut mesh = Self { bulk: BulkData::default(), nx, ny };
+        let mut mesh = Self { bulk: BulkData::default(), nx, ny, as_deck: false };
         for i in 0..=nx {
             for j in 0..=ny {
                 mesh.add_grid(mesh.id(i, j), map(i as f64 / nx as f64, j as f64 / ny as f64));
@@ -67,6 +69,12 @@ impl Mesh {
             }
         }
         mesh
+    }
+
+    /// As a user's deck, read as Nastran does.
+    #[must_use]
+    pub fn as_deck(self) -> Self {
+        Self { as_deck: true, ..self }
     }
 
     /// Adds a grid.
@@ -160,8 +168,12 @@ impl Mesh {
 
     /// Assembles with another rule for transverse shear of laminates.
     pub fn system_with(&self, shear: ShearModel) -> System {
-        let model =
-            Model::from_bulk_with(&self.bulk, shear).expect("the case describes a possible structure");
+        let model = if self.as_deck {
+            Model::from_deck(&self.bulk, None)
+        } else {
+            Model::from_bulk_with(&self.bulk, shear)
+        };
+        let model = model.expect("the case describes a possible structure");
         System::assemble(&model).expect("the case can be assembled")
     }
 

@@ -2,6 +2,7 @@
 //! system.
 
 use crate::deck::net_monitors::loaded_grids;
+use crate::deck::structure::carried;
 use crate::package::rows::Balanced;
 use crate::stations::places::Station;
 use faer::Mat;
@@ -24,25 +25,31 @@ pub struct DeckGrids {
     pub(crate) s_dofs: Vec<usize>,
     /// Mass times the acceleration of each variable, g-set by variables.
     pub(crate) mass_times: Mat<f64>,
+    /// The whole deck's mass as its plunge carries it, without what AUTOSPC holds, in the deck's unit; of a half model, that half's.
+    pub mass: f64,
 }
 
 impl DeckGrids {
     /// Of a deck's structure, free and held; `motions` are those of the SUPORT, g-set by components in the order of the cards.
+    ///
+    /// # Errors
+    /// If the displacement system of a grid is not there.
     pub(crate) fn new(
         bulk: &BulkData,
         [free, held]: [System; 2],
         s_dofs: Vec<usize>,
         [motions, mass_times]: [Mat<f64>; 2],
-    ) -> Self {
+    ) -> Result<Self, InputError> {
         let balanced = balanced(bulk, &free, &motions);
-        Self { support: support_of(bulk), balanced, free, held, s_dofs, mass_times }
+        let up = carried(bulk, &free, free.rigid_body(&Point3::origin()).subcols(2, 1).to_owned())?;
+        let moved = free.inertia_loads(up.as_ref());
+        let mass = (0..up.nrows()).map(|dof| up[(dof, 0)] * moved[(dof, 0)]).sum();
+        Ok(Self { support: support_of(bulk), balanced, free, held, s_dofs, mass_times, mass })
     }
 
-    /// The whole deck's mass as its plunge knows it, in the deck's unit; of a half model, that half's.
-    pub fn mass(&self) -> f64 {
-        let up = self.free.rigid_body(&Point3::origin());
-        let moved = self.free.inertia_loads(up.as_ref());
-        (0..up.nrows()).map(|dof| up[(dof, 2)] * moved[(dof, 2)]).sum()
+    /// Grid and component of the motions that AUTOSPC holds.
+    pub(crate) fn auto_held(&self) -> &[(u32, u8)] {
+        self.free.auto_held()
     }
 
     /// The MONPNT3 of a deck whose GRIDSET is a SET1.

@@ -100,6 +100,11 @@ impl ModalDeck {
         })
     }
 
+    /// Grid and component of the motions that AUTOSPC holds; their masses and loads act on nothing.
+    pub fn auto_held(&self) -> &[(u32, u8)] {
+        self.system.auto_held()
+    }
+
     /// Mach number of MKAERO1 and MKAERO2 that is nearest.
     pub fn nearest_mach(&self, mach: f64) -> f64 {
         let machs = self.pairs.iter().map(|pair| pair.0);

@@ -148,6 +148,26 @@ pub(crate) fn reference_motions(free: &System, origin: &Point3<f64>, axes: &Matr
     })
 }
 
+/// Motions of the g-set with those at rest that AUTOSPC holds: Nastran's inertia is that of the free motions, so a mass there is not accelerated.
+///
+/// # Errors
+/// If the displacement system of a grid is not there.
+pub(crate) fn carried(bulk: &BulkData, free: &System, mut motions: Mat<f64>) -> Result<Mat<f64>, InputError> {
+    let frames = Frames::resolve(bulk)?;
+    for (grid, component) in free.auto_held() {
+        let (Some(card), Some(node)) = (bulk.grids.get(grid), free.node_index(*grid)) else { continue };
+        let axes = frames.axes_at_point(card.cd, &free.points()[node], &card.span)?;
+        let (kind, axis) = (usize::from(*component - 1) / 3, axes.column(usize::from(*component - 1) % 3));
+        for mut column in motions.col_iter_mut() {
+            let along: f64 = (0..3).map(|k| axis[k] * column[6 * node + 3 * kind + k]).sum();
+            for k in 0..3 {
+                column[6 * node + 3 * kind + k] -= along * axis[k];
+            }
+        }
+    }
+    Ok(motions)
+}
+
 /// Displacements of the boxes (two rows a box) by those of the s-set.
 pub(crate) fn box_displacements(spline: &Spline, s_dofs: &[usize]) -> Mat<f64> {
     let mut rows = Mat::zeros(spline.rows().len(), s_dofs.len());

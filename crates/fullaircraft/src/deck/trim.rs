@@ -18,7 +18,7 @@ use crate::deck::monitors::{Monitor, monitors};
 use crate::deck::net_monitors::{NetMonitor, net_monitors};
 use crate::deck::spline::{self, Splined};
 use crate::deck::structure::{
-    Reduced, assembled, box_displacements, corrections, held, reference_motions, support_motions,
+    Reduced, assembled, box_displacements, carried, corrections, held, reference_motions, support_motions,
     support_rotations,
 };
 use crate::deck::variables::{ANTISYMMETRIC, Links, variables};
@@ -110,6 +110,11 @@ pub struct TrimmedDeck {
 }
 
 impl TrimDeck {
+    /// Grid and component of the motions that AUTOSPC holds; their masses and loads act on nothing.
+    pub fn auto_held(&self) -> &[(u32, u8)] {
+        self.grids.auto_held()
+    }
+
     /// Assembles a deck for one Mach number.
     ///
     /// # Errors
@@ -131,12 +136,11 @@ impl TrimDeck {
         let (variables, incidence, accelerations) =
             variables(bulk, &lattice, &aeros, &seen, &turned, &stream)?;
         let integration = Integration::new(&lattice);
-        let (s_dofs, d) = (spline.used_dofs(), support_motions(bulk, &free)?);
+        let (s_dofs, d) = (spline.used_dofs(), carried(bulk, &free, support_motions(bulk, &free)?)?);
         let d6 = reference_motions(&free, &origin, &axes);
-        let a = accelerations_by(bulk, &d6, &accelerations);
+        let a = carried(bulk, &free, accelerations_by(bulk, &d6, &accelerations))?;
         let structure = Reduced::new(&free, &held, &d, &a, &s_dofs)?;
-        let corrections = corrections(bulk, lattice.len())?;
-        let motion = box_displacements(&spline, &s_dofs);
+        let (corrections, motion) = (corrections(bulk, lattice.len())?, box_displacements(&spline, &s_dofs));
         let theta = Mat::from_fn(lattice.len(), s_dofs.len(), |j, dof| motion[(2 * j + 1, dof)]);
         let loads = integration.corrected(&corrections);
         let gather = loads.rows_by_pressure(motion.transpose());
@@ -175,7 +179,7 @@ impl TrimDeck {
             variables,
             aeros,
             origin: stream.seen(&origin),
-            grids: DeckGrids::new(bulk, [free, held], s_dofs, [d, accelerated]),
+            grids: DeckGrids::new(bulk, [free, held], s_dofs, [d, accelerated])?,
         })
     }
 

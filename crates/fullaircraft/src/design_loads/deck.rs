@@ -160,7 +160,7 @@ impl DeckPlan {
     /// Mass of the whole aircraft, kg.
     pub fn mass_kg(&self, deck: &TrimDeck) -> f64 {
         // a force by a length over a time squared; seconds are seconds
-        self.times() * deck.grids.mass() * self.units.force_n / self.units.length_m
+        self.times() * deck.grids.mass * self.units.force_n / self.units.length_m
     }
 
     /// What rules know of it: area, reference chord, and the rigid deck's slope of lift.

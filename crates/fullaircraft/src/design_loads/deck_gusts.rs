@@ -179,7 +179,7 @@ impl DeckPlan {
         let modes = stable(&roots).map_err(unstable_words)?;
         let slowest = waves.modal.omega_rad_s.iter().copied().filter(|omega| *omega > 0.0);
         let after_s = (2.0 * TAU / slowest.fold(f64::INFINITY, f64::min)).clamp(AFTER_S, LONGEST_AFTER_S);
-        let weight_n = flight.deck.grids.mass() * self.units.force_n / length_m * GRAVITY_M_S2;
+        let weight_n = flight.deck.grids.mass * self.units.force_n / length_m * GRAVITY_M_S2;
         let level = (instant.loads.clone(), nodal);
         let motion = DeckMotion::new(waves, flight.stations, s_dofs, self.unit_loads(), level);
         Ok(InGusts {

@@ -1,5 +1,6 @@
 //! What the readers of all kinds of cards share: the deck, its frames, and where each grid stands.
 
+use super::nastran_shells::NastranShells;
 use super::node::{Clamp, Node};
 use crate::laminate::{ShearModel, ShellSection};
 use crate::solid_material::SolidMaterial;
@@ -20,8 +21,8 @@ pub(crate) struct Builder<'a> {
     pub(super) sections: BTreeMap<u32, Arc<ShellSection>>,
     /// Materials of solids by their property, unless its axes turn with the place.
     pub(super) solid_materials: BTreeMap<u32, Arc<SolidMaterial>>,
-    /// Shells are Nastran's ([`crate::shell::Shell::with_residual_bending`]).
-    pub(super) as_nastran: bool,
+    /// What makes flat shells those of Nastran, if they are to be.
+    pub(super) nastran: Option<NastranShells>,
     /// Which rotations of each node clamps hold, about the axes of its displacement system; empty before [`Self::hold`].
     held: Vec<[bool; 3]>,
     places: BTreeMap<u32, usize>,
@@ -56,7 +57,7 @@ impl<'a> Builder<'a> {
             shear,
             sections,
             solid_materials,
-            as_nastran: false,
+            nastran: None,
             held: Vec::new(),
             places,
         })

@@ -11,6 +11,7 @@ mod enforced;
 mod heat;
 mod links;
 mod loads;
+mod nastran_shells;
 mod node;
 pub(crate) mod registry;
 mod shear;
@@ -30,6 +31,7 @@ use crate::constraints::joint::Tie;
 use crate::element::Element;
 use crate::laminate::ShearModel;
 use nastran::{BulkData, InputError};
+use nastran_shells::NastranShells;
 use registry::{ElementCard, TieCard};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -77,7 +79,7 @@ impl Model {
     }
 
     /// Reads the structure of a user's deck as Nastran does: lumped mass unless PARAM COUPMASS is above zero, motions
-    /// without stiffness held unless PARAM AUTOSPC is NO, flat shells with residual bending flexibility ([`crate::Shell::with_residual_bending`]), under the boundary conditions of a subcase ([`BulkData::bounded`]).
+    /// without stiffness held unless PARAM AUTOSPC is NO, flat shells with residual bending flexibility and normals of their grids ([`crate::Shell::with_residual_bending`], [`crate::Shell::with_grid_normals`]), under the boundary conditions of a subcase ([`BulkData::bounded`]).
     ///
     /// # Errors
     /// As [`Model::from_bulk`].
@@ -103,7 +105,7 @@ impl Model {
     /// Reads what is there, under the constraints that are there.
     fn read(bulk: &BulkData, shear: ShearModel, as_nastran: bool) -> Result<Self, InputError> {
         let mut builder = build::Builder::new(bulk, shear)?;
-        builder.as_nastran = as_nastran;
+        builder.nastran = as_nastran.then(|| NastranShells::new(bulk, &builder.nodes)).transpose()?;
         let clamps = builder.clamps()?;
         builder.hold(&clamps);
         let mut read = Reading { builder, elements: Vec::new(), dependents: Vec::new(), ties: Vec::new() };

@@ -41,12 +41,12 @@ impl ElementCard for ShellElement {
         if let Some(ratios) = ratios {
             shell = shell.with_thickness(ratios);
         }
+        if let Some(nastran) = &builder.nastran {
+            shell = nastran.shell(shell);
+        }
         let normal = shell.axes().row(2).transpose();
         if shell.nodes().iter().all(|node| builder.is_held(*node, &normal)) {
-            shell = shell.without_drilling_tie();
-        }
-        if builder.as_nastran {
-            shell = shell.with_residual_bending();
+            shell = shell.with_drilling_tie(0.0);
         }
         Ok(Arc::new(if self.is_r { shell.with_drilling() } else { shell }))
     }

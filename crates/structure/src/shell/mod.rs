@@ -18,8 +18,10 @@
 
 mod andes;
 mod curved;
+mod grid_normals;
 mod point;
 mod quad;
+mod residual;
 mod strains;
 mod triangle;
 
@@ -28,9 +30,11 @@ pub use strains::ShellStrains;
 
 use crate::element::Element;
 use crate::laminate::ShellSection;
+use grid_normals::bending_motions;
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Point3, SMatrix, SVector, Vector3, Vector6};
 use nastran::{InputError, Span};
-use point::{Point, mass, modes_of, stiffness, strains_at};
+use point::{Point, mass, modes_of, stiffness, strains_at, tie_stiffness};
+use residual::Residual;
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -42,6 +46,9 @@ const DRILLING: f64 = 0.1;
 
 /// Of three or four corners, an element's sine of the smallest angle below which it is degenerate.
 const DEGENERATE: f64 = 1e-4;
+
+/// The part in the element's plane below which a grid's normal is the element's own.
+const UPRIGHT: f64 = 1e-12;
 
 /// A shell element.
 #[derive(Debug, Clone)]
@@ -65,6 +72,8 @@ pub struct Shell {
     relaxes: bool,
     /// Thickness at the corners in units of the section's; empty if it is the section's everywhere.
     thickness: Vec<f64>,
+    /// Of the corners' grids ([`Self::with_grid_normals`]), in the element's axes; empty if none has one.
+    normals: Vec<Option<Vector3<f64>>>,
     /// The membranes of a quadrilateral that drills, by [`CUTS`]; else none.
     triangles: Vec<Shell>,
 }
@@ -106,21 +115,24 @@ impl Shell {
             tie: DRILLING,
             relaxes: false,
             thickness: Vec::new(),
+            normals: Vec::new(),
             triangles: Vec::new(),
         })
     }
 
     /// With the corners' rotations about the normal as motions of the membrane (CTRIAR, CQUADR), which then bends in its plane: a triangle's own,
     /// a quadrilateral's as the mean of its two cuts into triangles. A quadrilateral whose section couples membrane and bending, or one of whose
-    /// triangles is degenerate, stays as it is.
+    /// triangles is degenerate, stays as it is. Its rotations about the normal being its own, it has no use for normals of its grids.
     #[must_use]
     pub fn with_drilling(self) -> Self {
         if self.corners.len() == 3 {
-            return Self { drills: true, ..self };
+            return Self { drills: true, normals: Vec::new(), ..self };
         }
         let triangles: Option<Vec<_>> = CUTS.iter().map(|corners| self.membrane_of(*corners)).collect();
         match triangles {
-            Some(triangles) if !self.section.is_coupled() => Self { drills: true, triangles, ..self },
+            Some(triangles) if !self.section.is_coupled() => {
+                Self { drills: true, triangles, normals: Vec::new(), ..self }
+            }
             _ => self,
         }
     }
@@ -140,6 +152,7 @@ impl Shell {
             angle_rad: along.y.atan2(along.x),
             drills: true,
             thickness: corners.iter().filter_map(|at| of_corner(*at)).collect(),
+            normals: Vec::new(),
             triangles: Vec::new(),
             ..*self
         })
@@ -147,8 +160,9 @@ impl Shell {
 
     /// A quadrilateral's stiffness with drilling: its own in bending and shear, half of each triangle's membrane.
     fn drilled_stiffness(&self) -> DMatrix<f64> {
-        let bending = ShellSection { membrane: Matrix3::zeros(), ..self.relaxed(self.section()) };
-        let mut k = self.basic(&stiffness(&self.quad_points(), &bending, 0.0));
+        let bending = ShellSection { membrane: Matrix3::zeros(), ..self.section() };
+        let residual = self.residual(&bending);
+        let mut k = self.basic(&stiffness(&self.quad_points(), &bending, residual, 0.0));
         for (triangle, corners) in self.triangles.iter().zip(CUTS) {
             let own = triangle.stiffness().unwrap_or_default();
             let place = |index: usize| 6 * corners[index / 6] + index % 6;
@@ -159,16 +173,25 @@ impl Shell {
         k
     }
 
-    /// Without the stiffness that ties the corners' rotations about the normal to the membrane's own: for an element all of whose
-    /// rotations about the normal are held, whose membrane they would hold as well.
+    /// With another stiffness that ties the corners' rotations about the normal to the membrane's own, in units of the membrane's shear stiffness: none
+    /// for an element all of whose rotations about the normal are held, whose membrane they would hold as well.
     #[must_use]
-    pub fn without_drilling_tie(self) -> Self {
-        Self { tie: 0.0, ..self }
+    pub fn with_drilling_tie(self, tie: f64) -> Self {
+        Self { tie, ..self }
     }
 
-    /// With the shear flexibility that makes up for the linear rotations' lack of bending (MacNeal, A simple quadrilateral shell element, Computers
-    /// and Structures 8, 1978), as Nastran's CQUAD4 and CTRIA3 have it: strips bend as beams do, whatever their number, and bars along their sides with
-    /// them. Without it thin shells hold bars to straight rotations.
+    /// With the normals that the shells at its corners' grids share, where they do; unit vectors in basic axes. Rotations about them bend nothing.
+    #[must_use]
+    pub fn with_grid_normals(self, normals: impl IntoIterator<Item = Option<Vector3<f64>>>) -> Self {
+        // The element's own normal changes nothing.
+        let turned =
+            |normal: Vector3<f64>| Some(self.axes * normal).filter(|normal| normal.xy().norm() > UPRIGHT);
+        let own = normals.into_iter().map(|normal| normal.and_then(turned)).collect();
+        Self { normals: own, ..self }
+    }
+
+    /// With the shear flexibility that makes up for the linear rotations' lack of bending, as Nastran's CQUAD4 and CTRIA3 have it: strips bend as
+    /// beams do, whatever their number, and bars along their sides with them. Without it thin shells hold bars to straight rotations.
     #[must_use]
     pub fn with_residual_bending(self) -> Self {
         Self { relaxes: true, ..self }
@@ -219,10 +242,12 @@ impl Shell {
         let section = self.section();
         if self.corners.len() == 4 {
             let local = SVector::<f64, 24>::from_column_slice(local.as_slice());
+            let local = self.quad_motions().map_or(local, |motions| motions * local);
             let modes = modes_of(&self.quad_points(), &section, self.tie, &local);
             strains_at(&quad::point(&self.corners, at, 0.0), &local, &modes)
         } else {
             let local = SVector::<f64, 18>::from_column_slice(local.as_slice());
+            let local = self.triangle_motions().map_or(local, |motions| motions * local);
             let point = if self.drills {
                 andes::point(&self.corners, at, 0.0, &section.membrane)
             } else {
@@ -232,24 +257,9 @@ impl Shell {
         }
     }
 
-    /// The section with the residual bending flexibility of [`Self::with_residual_bending`]: for each side d, `d dT / 24 D(d)`, D(d) the stiffness of
-    /// bending along it; of a rectangle a by b that is a^2 / 12 D11 and b^2 / 12 D22.
-    fn relaxed(&self, mut section: ShellSection) -> ShellSection {
-        let Some(mut flexibility) = section.shear.try_inverse().filter(|_| self.relaxes) else {
-            return section;
-        };
-        let n = self.corners.len();
-        for at in 0..n {
-            let side = (self.corners[(at + 1) % n] - self.corners[at]).xy();
-            let (x, y) = (side.x, side.y);
-            let curvature = Vector3::new(x * x, y * y, 2.0 * x * y) / side.norm_squared();
-            let stiffness = curvature.dot(&(section.bending * curvature));
-            if stiffness > 0.0 {
-                flexibility += side * side.transpose() / (24.0 * stiffness);
-            }
-        }
-        section.shear = flexibility.try_inverse().unwrap_or(section.shear);
-        section
+    /// That of [`Self::with_residual_bending`].
+    fn residual(&self, section: &ShellSection) -> Option<Residual> {
+        self.relaxes.then(|| Residual::of(&self.corners, section))
     }
 
     fn quad_points(&self) -> Vec<Point<24>> {
@@ -258,6 +268,32 @@ impl Shell {
 
     fn triangle_points(&self) -> Vec<Point<18>> {
         self.thickened(triangle::points(&self.corners))
+    }
+
+    /// What bends a quadrilateral, by the motions of its corners ([`Self::with_grid_normals`]).
+    fn quad_motions(&self) -> Option<SMatrix<f64, 24, 24>> {
+        bending_motions(&self.normals, |corner| {
+            quad::point(&self.corners, quad::CORNERS[corner], 0.0).drilling
+        })
+    }
+
+    /// As [`Self::quad_motions`], of a triangle.
+    fn triangle_motions(&self) -> Option<SMatrix<f64, 18, 18>> {
+        let at = |corner| triangle::point(&self.corners, triangle::CORNERS[corner], 0.0).drilling;
+        bending_motions(&self.normals, at)
+    }
+
+    /// The points' stiffness, bent by `motions` if these are not the corners' own.
+    fn bent<const D: usize>(&self, points: &[Point<D>], motions: Option<SMatrix<f64, D, D>>) -> DMatrix<f64> {
+        let section = self.section();
+        let residual = self.residual(&section);
+        self.basic(&match motions {
+            Some(motions) => {
+                let bent = motions.transpose() * stiffness(points, &section, residual, 0.0) * motions;
+                bent + tie_stiffness(points, &section, self.tie)
+            }
+            None => stiffness(points, &section, residual, self.tie),
+        })
     }
 
     /// The points with their thickness.
@@ -305,16 +341,15 @@ impl Element for Shell {
         &self.nodes
     }
     fn stiffness(&self) -> Option<Cow<'_, DMatrix<f64>>> {
-        let section = self.relaxed(self.section());
         Some(Cow::Owned(if !self.triangles.is_empty() {
             self.drilled_stiffness()
         } else if self.corners.len() == 4 {
-            self.basic(&stiffness(&self.quad_points(), &section, self.tie))
+            self.bent(&self.quad_points(), self.quad_motions())
         } else if self.drills {
-            let points = self.thickened(andes::points(&self.corners, &section.membrane));
-            self.basic(&stiffness(&points, &section, self.tie))
+            let points = andes::points(&self.corners, &self.section().membrane);
+            self.bent(&self.thickened(points), None)
         } else {
-            self.basic(&stiffness(&self.triangle_points(), &section, self.tie))
+            self.bent(&self.triangle_points(), self.triangle_motions())
         }))
     }
     fn mass(&self) -> Option<Cow<'_, DMatrix<f64>>> {

@@ -1,5 +1,6 @@
 //! What quadrilateral and triangle have in common: sums over integration points, the condensed incompatible modes.
 
+use super::residual::Residual;
 use super::strains::ShellStrains;
 use crate::laminate::ShellSection;
 use nalgebra::{Matrix3, Matrix4, Matrix6, RowSVector, SMatrix, SVector};
@@ -30,18 +31,33 @@ struct Parts<const D: usize> {
     aa: Matrix4<f64>,
 }
 
-fn parts<const D: usize>(points: &[Point<D>], section: &ShellSection, drilling: f64) -> Parts<D> {
+fn parts<const D: usize>(
+    points: &[Point<D>],
+    section: &ShellSection,
+    residual: Option<Residual>,
+    drilling: f64,
+) -> Parts<D> {
+    // Without residual flexibility the whole shear is one.
+    let area: f64 = points.iter().map(|point| point.area_m2).sum();
+    let mean_shear = match residual {
+        Some(_) => points.iter().map(|point| point.shear * (point.area_m2 / area)).sum(),
+        None => SMatrix::<f64, 2, D>::zeros(),
+    };
     let mut sum = Parts { uu: SMatrix::zeros(), ua: SMatrix::zeros(), aa: Matrix4::zeros() };
     for point in points {
         let da = point.area_m2;
         let section = section.thickened(point.thickness);
         let (a, b, d) = (&section.membrane, &section.coupling, &section.bending);
-        let turn = drilling * a[(2, 2)].max(section.shear[(0, 0)] * 1e-3);
+        let turn = drilling * turned(&section);
         let (m, k) = (&point.membrane, &point.bending);
         let force = (a * m + b * k) * da;
         let moment = (b * m + d * k) * da;
         sum.uu += m.transpose() * force + k.transpose() * moment;
-        sum.uu += point.shear.transpose() * (section.shear * point.shear) * da;
+        let [uniform, varying] =
+            residual.map_or([section.shear; 2], |residual| residual.stiffness(&section, point.thickness));
+        let rest = point.shear - mean_shear;
+        sum.uu += mean_shear.transpose() * (uniform * mean_shear) * da;
+        sum.uu += rest.transpose() * (varying * rest) * da;
         sum.uu += point.drilling.transpose() * point.drilling * (turn * da);
         sum.ua += force.transpose() * point.modes;
         sum.ua += point.drilling.transpose() * point.mode_drilling * (turn * da);
@@ -51,13 +67,33 @@ fn parts<const D: usize>(points: &[Point<D>], section: &ShellSection, drilling: 
     sum
 }
 
-/// Stiffness, the modes condensed.
-pub(super) fn stiffness<const D: usize>(
+/// What stiffness of rotations about the normal is measured in: the membrane's shear stiffness, or a thousandth of that across a shell without
+/// a membrane.
+fn turned(section: &ShellSection) -> f64 {
+    section.membrane[(2, 2)].max(section.shear[(0, 0)] * 1e-3)
+}
+
+/// The part of rotations about the normal that [`stiffness`] has, alone.
+pub(super) fn tie_stiffness<const D: usize>(
     points: &[Point<D>],
     section: &ShellSection,
     drilling: f64,
 ) -> SMatrix<f64, D, D> {
-    let Parts { uu, ua, aa } = parts(points, section, drilling);
+    let of_point = |point: &Point<D>| {
+        let turn = drilling * turned(&section.thickened(point.thickness));
+        point.drilling.transpose() * point.drilling * (turn * point.area_m2)
+    };
+    points.iter().map(of_point).sum()
+}
+
+/// Stiffness, the modes condensed.
+pub(super) fn stiffness<const D: usize>(
+    points: &[Point<D>],
+    section: &ShellSection,
+    residual: Option<Residual>,
+    drilling: f64,
+) -> SMatrix<f64, D, D> {
+    let Parts { uu, ua, aa } = parts(points, section, residual, drilling);
     aa.cholesky().map_or(uu, |factor| uu - ua * factor.solve(&ua.transpose()))
 }
 
@@ -68,7 +104,7 @@ pub(super) fn modes_of<const D: usize>(
     drilling: f64,
     u: &SVector<f64, D>,
 ) -> SVector<f64, 4> {
-    let Parts { ua, aa, .. } = parts(points, section, drilling);
+    let Parts { ua, aa, .. } = parts(points, section, None, drilling);
     aa.cholesky().map_or_else(SVector::zeros, |factor| -factor.solve(&(ua.transpose() * u)))
 }
 

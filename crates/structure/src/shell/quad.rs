@@ -7,7 +7,7 @@ use super::point::Point;
 use nalgebra::{Matrix2, Point3, RowSVector, SMatrix, Vector2};
 
 /// Natural coordinates of the corners.
-const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+pub(super) const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
 
 /// The 2 x 2 Gauss points.
 pub(super) fn points(corners: &[Point3<f64>]) -> Vec<Point<24>> {

@@ -6,6 +6,9 @@ use nalgebra::{Matrix2, Point3, RowSVector, SMatrix, Vector2};
 /// Derivatives of the shape functions 1 - r - s, r, s by r and s.
 const NATURAL: [[f64; 2]; 3] = [[-1.0, -1.0], [1.0, 0.0], [0.0, 1.0]];
 
+/// Natural coordinates of the corners.
+pub(super) const CORNERS: [[f64; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+
 /// Three points inside, exact to second degree, each of [`WEIGHT`].
 pub(super) const PLACES: [[f64; 2]; 3] =
     [[1.0 / 6.0, 1.0 / 6.0], [2.0 / 3.0, 1.0 / 6.0], [1.0 / 6.0, 2.0 / 3.0]];

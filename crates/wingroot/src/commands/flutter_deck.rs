@@ -61,7 +61,7 @@ pub(super) fn run(path: &Path, subcase: Option<u32>, common: &Common) -> Result<
         } else {
             let deck = FlutterDeck::new(bulk, case)?;
             if !common.quiet {
-                say_what_is_assumed(bulk, &deck.modal.loose_boxes);
+                say_what_is_assumed(bulk, &deck.modal.loose_boxes, deck.modal.auto_held());
             }
             deck
         };

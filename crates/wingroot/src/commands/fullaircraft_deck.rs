@@ -17,7 +17,7 @@ use super::given_deck::GivenDeck;
 use crate::args::Common;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
-use crate::structures::drilling_remark;
+use crate::structures::held_remark;
 use crate::{progress, show};
 
 /// Names of the coefficients in the order of the library.
@@ -122,11 +122,9 @@ pub(crate) fn run(path: &Path, common: &Common) -> Result<(), Failure> {
         seconds: 0.0,
     };
     let known = answered(bulk, &cases, &asked, &folder, common, &mut summary)?;
-    let (skipped, loose) =
-        known.map_or_else(Default::default, |(_, deck)| (deck.skipped_monitors, deck.loose_boxes));
-    if !common.quiet {
-        say_what_is_assumed(bulk, &loose);
-        say_of_stations(&skipped);
+    if let Some((_, deck)) = known.filter(|_| !common.quiet) {
+        say_what_is_assumed(bulk, &deck.loose_boxes, deck.auto_held());
+        say_of_stations(&deck.skipped_monitors);
     }
     summary.seconds = start.elapsed().as_secs_f64();
     given.enter(&folder)?;
@@ -190,9 +188,9 @@ fn say_of_stations(skipped: &[String]) {
     }
 }
 
-/// What of splines, divisions and shells is not as the deck might expect.
-pub(crate) fn say_what_is_assumed(bulk: &BulkData, loose: &[u32]) {
-    let remarks = [bulk.division_remark(), bulk.spline_remark(), drilling_remark(bulk)];
+/// What of splines, divisions and shells is not as the deck might expect; `held` are the motions that AUTOSPC holds.
+pub(crate) fn say_what_is_assumed(bulk: &BulkData, loose: &[u32], held: &[(u32, u8)]) {
+    let remarks = [bulk.division_remark(), bulk.spline_remark(), bulk.shell_remark(), held_remark(held)];
     remarks.iter().flatten().for_each(|remark| show::note(remark));
     if let Some(first) = loose.first() {
         show::note(&format!(

@@ -119,7 +119,7 @@ fn assembled(
         let alike: Vec<&GustCase> = cases.iter().filter(|other| is_same(other, case)).collect();
         let deck = GustDeck::new(bulk, &case.subcase, &alike)?;
         if !common.quiet {
-            say_what_is_assumed(bulk, &deck.modal.loose_boxes);
+            say_what_is_assumed(bulk, &deck.modal.loose_boxes, deck.modal.auto_held());
         }
         decks.push((case.clone(), deck));
     }

@@ -202,7 +202,7 @@ fn say(bulk: &BulkData, deck: &TrimDeck) {
     if let Some(cards) = bulk.unread_cards() {
         show::note(&format!("these cards are not read, and not in the package's structure: {cards}"));
     }
-    say_what_is_assumed(bulk, &deck.loose_boxes);
+    say_what_is_assumed(bulk, &deck.loose_boxes, deck.auto_held());
     if !deck.skipped_monitors.is_empty() {
         show::note(&format!(
             "stations left out (MONPNT3 of a group that is no SET1, MONPNT1 of components made of grids): {}",

@@ -144,7 +144,7 @@ impl CurvedShell {
         Ok(shell)
     }
 
-    /// Without the stiffness that ties rotations about the normal to the membrane's own ([`super::Shell::without_drilling_tie`]).
+    /// Without the stiffness that ties rotations about the normal to the membrane's own (as [`super::Shell::with_drilling_tie`] of zero).
     #[must_use]
     pub fn without_drilling_tie(self) -> Self {
         Self { tie: 0.0, ..self }
@@ -343,7 +343,7 @@ impl Element for CurvedShell {
     }
 
     fn stiffness(&self) -> Option<Cow<'_, DMatrix<f64>>> {
-        let k = stiffness(&self.stiffness_points(), &self.section, self.tie);
+        let k = stiffness(&self.stiffness_points(), &self.section, None, self.tie);
         let order = 6 * self.nodes.len();
         Some(Cow::Owned(DMatrix::from_fn(order, order, |i, j| 0.5 * (k[(i, j)] + k[(j, i)]))))
     }
