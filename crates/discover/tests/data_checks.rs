@@ -36,12 +36,14 @@ fn the_shipped_campaign_passes() {
     assert!(found.is_empty(), "{found:#?}");
 }
 
+/// At its upper and lower bounds with RUN_SLOW_TESTS=1, else at one of them in turn.
 #[test]
 fn every_effect_at_its_bounds_passes() {
     let flight = shipped();
+    let all = std::env::var_os("RUN_SLOW_TESTS").is_some();
     let mut fired = Vec::new();
-    for effect in library(&flight.controls) {
-        for upper in [false, true] {
+    for (number, effect) in library(&flight.controls).into_iter().enumerate() {
+        for upper in [false, true].into_iter().filter(|upper| all || *upper == (number % 2 == 0)) {
             let bound = |p: maneuver::effects::Parameter| if upper { p.upper } else { p.lower };
             let values: Vec<f64> = effect.parameters().into_iter().map(bound).collect();
             let active = Active::new(effect.clone(), &values);

@@ -84,6 +84,7 @@ fn flights_carry_what_the_calibration_leaves_open() {
 fn speeds_of_flutter_and_divergence_have_intervals_where_all_wings_have_them() {
     let folder = calibrated("flutter_intervals");
     let (result, said) = flown(&folder, &["flutter", "--to", "120"]);
+    assert_eq!(crate::schemas::faults_in(&folder.join("flutter"), "flutter_result"), Vec::<String>::new());
     for speed in ["flutter_speed_m_s", "divergence_speed_m_s"] {
         let Some(value) = result["updated"]["p_k"][speed].as_f64() else { continue };
         let interval = &result["intervals_90"]["of_updated"]["p_k"][speed];

@@ -214,7 +214,7 @@ fn faults_of_result(folder: &Path, schema: &str, arguments: &[&str]) -> Vec<Stri
 }
 
 /// What is wrong with the result of a folder; one with a key too many must be refused.
-fn faults_in(out: &Path, schema: &str) -> Vec<String> {
+pub(crate) fn faults_in(out: &Path, schema: &str) -> Vec<String> {
     let text = std::fs::read_to_string(out.join("result.json")).expect("a result");
     let result: Value = serde_json::from_str(&text).expect("JSON");
     let schema = validator(schema);
@@ -250,7 +250,8 @@ fn every_result_fits_its_schema() {
         ("simulate_result", [&["simulate"], &with[..]].concat()),
         ("deflection_result", [&["deflection"], &with[..]].concat()),
         ("flightloads_result", vec!["flightloads", "--measured", &flight]),
-        ("flutter_result", [&["flutter"], &with[..]].concat()),
+        // with intervals: `ensemble.rs`
+        ("flutter_result", [&["flutter", "--no-intervals", "--to", "20"], &with[..]].concat()),
         ("modes_result", vec!["modes", "--wing", &wing]),
         ("modes_measured_result", vec!["modes", "--wing", &wing, "--measured", "measured.ron"]),
         ("deck_result", [&["deck"], &with[..]].concat()),

@@ -51,7 +51,7 @@ fn of_file(command: &str, file: &str, all: bool) -> Vec<Row> {
         let none = NOT_FINITE.map(|word| refused(with(word), &[file, word]));
         let word = refused(with("\"a word\""), &[file]);
         let ways: Vec<Row> = none.into_iter().chain([word, gone]).chain(odd).collect();
-        let in_turn = |way: usize| all || way % 4 == number % 4;
+        let in_turn = |way: usize| all || way % 8 == number % 8;
         rows.extend(ways.into_iter().enumerate().filter(|(way, _)| in_turn(*way)).map(|(_, row)| row));
     }
     rows
