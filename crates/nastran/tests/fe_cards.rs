@@ -173,6 +173,33 @@ fn materials() {
     assert_eq!((solid.g[5], solid.g[6], solid.g[15], solid.g[20], solid.rho), (16.0, 22.0, 44.0, 66.0, 0.5));
 }
 
+/// As in pyNastran's `shock_analysis` (free fields behind a blank) and `thcylq4` (fields of eight).
+#[test]
+fn parameters_of_the_case_control_hold_and_contradictions_are_refused() {
+    let deck = |parameter: &str, bulk: &str| {
+        parse_deck(
+            "t.bdf",
+            &format!("SOL 103\nCEND\nSPC = 1\n{parameter}METHOD = 2\nBEGIN BULK\n{bulk}GRID,1\n"),
+        )
+    };
+    for (parameter, name, value) in [
+        (" PARAM,K6ROT,7.\n", "K6ROT", 7.0),
+        ("PARAM   K6ROT   7.\n", "K6ROT", 7.0),
+        ("param, coupmass, 1\n", "COUPMASS", 1.0),
+        ("PARAM,AUTOSPC,NO\n", "AUTOSPC", 0.0),
+    ] {
+        let deck = deck(parameter, "").unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!(deck.parameters.get(name), Some(&value), "{parameter}");
+        assert_eq!((deck.subcases.len(), deck.subcases[0].method), (1, Some(2)), "{parameter}");
+    }
+    assert!(deck("PARAMETER = 5\n", "").expect("another command").parameters.is_empty());
+    assert!(deck("PARAM,K6ROT,7.\n", "PARAM,K6ROT,7.\n").is_ok(), "the same twice");
+    let refused = deck("PARAM,K6ROT,7.\n", "PARAM,K6ROT,1.\n").unwrap_err().to_string();
+    assert!(refused.contains("t.bdf:7") && refused.contains("K6ROT is 1 here and 7 before"), "{refused}");
+    let refused = deck("PARAM,WTMASS,-1.\n", "").unwrap_err().to_string();
+    assert!(refused.contains("t.bdf:4"), "{refused}");
+}
+
 #[test]
 fn parameters_of_shells_are_looked_at() {
     let shell = "GRID,1\nGRID,2,,1.\nGRID,3,,0.,1.\nCTRIA3,1,1,1,2,3\n";

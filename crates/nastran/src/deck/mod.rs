@@ -68,8 +68,21 @@ fn parse_at(path: &Path, text: &str) -> Result<BulkData, InputError> {
         reader.deck.subcases = case_control::read(path, &lines[..bulk - 1])?;
     }
     reader.files.insert(include::identity(path), Span::whole_file(path));
+    // PARAM may stand in the case control, too. One that differs between subcases, or from the bulk data, is refused as given twice.
+    let parameters: Vec<&str> = lines[..bulk].iter().map(|line| parameter_in(line)).collect();
+    reader.lines(path, &parameters, 0)?;
     reader.lines(path, &lines, bulk)?;
     reader.finish()
+}
+
+/// A line of the case control if it is a PARAM, else an empty one.
+fn parameter_in(line: &str) -> &str {
+    let text = line.trim_start();
+    let is_parameter = text.get(..5).is_some_and(|word| word.eq_ignore_ascii_case("PARAM"))
+        && text[5..].starts_with([',', ' ', '\t', '*']);
+    // Only fixed fields stand where they stand.
+    let line = if text.contains(',') { text } else { line };
+    if is_parameter { line } else { "" }
 }
 
 fn is_begin_bulk(line: &str) -> bool {
