@@ -33,9 +33,9 @@ impl BulkData {
         Ok(ShellParameters { k6rot, snorm_deg })
     }
 
-    /// What is taken where a deck with flat shells leaves K6ROT open: said to the user.
+    /// What is taken where a deck with flat shells (other than CQUADR and CTRIAR) leaves K6ROT open: said to the user.
     pub fn shell_remark(&self) -> Option<String> {
-        let is_flat = self.shells.values().any(|card| card.midsides.is_empty());
+        let is_flat = self.shells.values().any(|card| card.midsides.is_empty() && !card.is_r);
         (is_flat && !self.parameters.contains_key("K6ROT")).then(|| {
             "the deck has no PARAM K6ROT: rotations of flat shells about their normals get 100, MSC Nastran's default (Simcenter's is 0)".to_owned()
         })

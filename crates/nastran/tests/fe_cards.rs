@@ -211,6 +211,10 @@ fn parameters_of_shells_are_looked_at() {
     assert_eq!(given(""), (Ok((100.0, 20.0)), true));
     assert_eq!(given("PARAM,K6ROT,1.\nPARAM,SNORM,-1.\n"), (Ok((1.0, -1.0)), false));
     assert!(parse("GRID,1\n").shell_remark().is_none(), "there is no shell");
+    assert!(
+        parse(&shell.replace("CTRIA3", "CTRIAR")).shell_remark().is_none(),
+        "it has rotations of its own"
+    );
     for (bad, what) in [("PARAM,K6ROT,-1.\n", "K6ROT is -1"), ("PARAM,SNORM,90.\n", "SNORM is 90")] {
         assert!(given(bad).0.unwrap_err().contains(what));
     }

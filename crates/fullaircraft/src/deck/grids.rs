@@ -47,11 +47,6 @@ impl DeckGrids {
         Ok(Self { support: support_of(bulk), balanced, free, held, s_dofs, mass_times, mass })
     }
 
-    /// Grid and component of the motions that AUTOSPC holds.
-    pub(crate) fn auto_held(&self) -> &[(u32, u8)] {
-        self.free.auto_held()
-    }
-
     /// The MONPNT3 of a deck whose GRIDSET is a SET1.
     ///
     /// # Errors

@@ -112,7 +112,7 @@ pub struct TrimmedDeck {
 impl TrimDeck {
     /// Grid and component of the motions that AUTOSPC holds; their masses and loads act on nothing.
     pub fn auto_held(&self) -> &[(u32, u8)] {
-        self.grids.auto_held()
+        self.grids.free.auto_held()
     }
 
     /// Assembles a deck for one Mach number.

@@ -34,7 +34,7 @@ fn text_of(file: &str) -> String {
     std::fs::read_to_string(data).expect("a shipped file")
 }
 
-/// Each key misspelt, and each number spoilt in all ways, or in some of them in turn, so that every way meets every file.
+/// Each key misspelt, and each number spoilt in all ways, or in some of them in turn, so that every way meets every file of some size.
 fn of_file(command: &str, file: &str, all: bool) -> Vec<Row> {
     let text = text_of(file);
     let mut rows = Vec::new();
