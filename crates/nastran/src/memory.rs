@@ -45,22 +45,3 @@ pub(crate) fn words(bytes: f64) -> String {
         [(1e12, "TB"), (1e9, "GB")].into_iter().find(|(unit, _)| bytes >= *unit).unwrap_or((1e6, "MB"));
     format!("{:.1} {name}", bytes / unit)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_least_of_what_there_is_counts() {
-        assert_eq!(after("MemFree: 1 kB\nMemAvailable:   42 kB\n", "MemAvailable:"), Some(42));
-        assert_eq!(after("Max address space         unlimited  bytes\n", "Max address space"), None);
-        assert!(available() > 1_000_000);
-    }
-
-    #[test]
-    fn more_than_there_is_is_refused_with_both_numbers() {
-        demand("one number", 8.0).unwrap();
-        let error = demand("20000 boxes", 1e18).unwrap_err();
-        assert!(error.message.starts_with("20000 boxes take about 1000000.0 TB of memory, and "), "{error}");
-    }
-}

@@ -156,34 +156,3 @@ fn unknown(span: &Span, kind: &str, found: &str, expected: &[&str]) -> InputErro
         None => error,
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use serde::Deserialize;
-
-    #[derive(Debug, Deserialize)]
-    #[serde(deny_unknown_fields)]
-    struct Numbers {
-        name: String,
-        values: Vec<f64>,
-    }
-
-    #[test]
-    fn numbers_that_are_not_finite_are_refused_where_they_stand() {
-        for (word, line, column) in [("NaN", 3, 18), ("-inf", 3, 18), ("1e400", 3, 18), ("-1_0e999", 3, 18)] {
-            let text = format!("// NaN\n(name: \"inf, \\\"NaN\", /* NaN\n inf */ values: [{word}, 1.0])");
-            let error = parse::<Numbers>("a.ron", &text).unwrap_err();
-            assert!(error.message.contains(word), "{error}");
-            let span = error.span.unwrap();
-            assert_eq!((span.line, span.column), (line, column), "{word}");
-        }
-    }
-
-    #[test]
-    fn what_only_looks_so_is_taken() {
-        let text = "(name: \"NaN and inf, 1e400 // no comment\", values: [1e300, 0.1, -2]) // inf";
-        let numbers: Numbers = parse("a.ron", text).unwrap();
-        assert!(numbers.name.starts_with("NaN") && numbers.values == [1e300, 0.1, -2.0]);
-    }
-}

@@ -131,17 +131,3 @@ fn cut(text: &str, most: usize) -> String {
     let (start, end) = (text.chars().take(most / 2), text.chars().skip(count - most / 2));
     start.chain("...".chars()).chain(end).collect()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_long_quotation_is_cut_in_its_middle() {
-        let error = InputError::general(format!("`{}` is no number", "9".repeat(200_000)));
-        assert!(error.message.len() < 150 && error.message.contains("99...99"), "{error}");
-        assert!(error.message.ends_with("` is no number"), "{error}");
-        let error = error.with_help("ä ".repeat(100_000));
-        assert!(error.help.is_some_and(|help| help.chars().count() <= 703));
-    }
-}

@@ -121,32 +121,3 @@ fn end_of(path: &Path, before: &str) -> Span {
     let column = before.rsplit('\n').next().unwrap_or("").chars().count() + 1;
     Span::new(&Arc::new(path.to_path_buf()), line, column, column + 1)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn in_units(text: &str, bytes: fn(u16) -> [u8; 2]) -> Vec<u8> {
-        std::iter::once(0xFEFF).chain(text.encode_utf16()).flat_map(bytes).collect()
-    }
-
-    #[test]
-    fn utf_16_is_read_in_both_byte_orders() {
-        let path = Path::new("a.csv");
-        for bytes in [u16::to_le_bytes as fn(u16) -> [u8; 2], u16::to_be_bytes] {
-            let mut written = in_units("α;1,5\r\n𝄞", bytes);
-            assert_eq!(decode(path, written.clone()).unwrap(), "α;1,5\r\n𝄞");
-            written.push(0);
-            assert_eq!(decode(path, written).unwrap_err().span.unwrap().line, 2);
-        }
-    }
-
-    #[cfg(unix)]
-    #[test]
-    fn devices_and_folders_are_refused_by_name_and_not_read() {
-        let said = |path: &str| read_text(Path::new(path)).unwrap_err().to_string();
-        assert!(said("/dev/zero").starts_with("/dev/zero: this is a device or a pipe"));
-        assert!(said("/").starts_with("/: this is a folder"));
-        assert!(said("/dev/null/x").contains("part of its path is no folder"));
-    }
-}

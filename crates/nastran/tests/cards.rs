@@ -182,6 +182,15 @@ fn monitoring_stations_keep_their_labels() {
 }
 
 #[test]
+fn elements_are_counted_by_the_name_of_their_card() {
+    let deck = "GRID,1\nGRID,2,,1.\nCBAR,1,1,1,2,0.,0.,1.\nCBEAM,2,1,1,2,0.,0.,1.\nCBEAM,3,1,1,2,0.,0.,1.\n\
+                CONM2,1,2,,1.\nRBE2,9,1,123456,2\n";
+    let counts = parse(deck).element_counts();
+    let expected = [("CBAR", 1), ("CBEAM", 2), ("CONM2", 1), ("RBE2", 1)];
+    assert_eq!(counts.into_iter().collect::<Vec<_>>(), expected);
+}
+
+#[test]
 fn unknown_cards_are_counted() {
     let deck = parse("CSEAM,1,2,3,4,5,6\nCSEAM,2,2,3,4,5,6\nPLOTEL,1,1,2\n");
     assert_eq!(deck.unread_cards().expect("two kinds"), "2 CSEAM, 1 PLOTEL");

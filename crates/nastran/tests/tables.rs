@@ -1,7 +1,6 @@
-//! CSV and RON files, and the names somebody probably meant.
+//! CSV tables, and the names somebody probably meant.
 
-use nastran::{Table, ron_file};
-use serde::Deserialize;
+use nastran::Table;
 
 const TABLE: &str =
     "# measured\nV_m_s, alpha_deg,note\n\n18,  1.5,\"a, \"\"b\"\"\"\n# between\n22,,none\nnan,x1,\n";
@@ -59,6 +58,49 @@ fn misspelt_columns_are_named_with_what_was_meant() {
         message(&table.allow_only(known, "`V_m_s`, `alpha_deg`").unwrap_err()),
         "t.csv:1:1: unknown column `V_ms`; expected `V_m_s`, `alpha_deg` (hint: did you mean `V_m_s`?)"
     );
+}
+
+const OURS: [&str; 7] = ["V_m_s", "alpha_deg", "Fz_N", "Mx_Nm", "tip_z_m", "t_s", "delta_NAME_deg"];
+
+/// What is said of a column of this name where only [`OURS`] may stand.
+fn hint(header: &str) -> String {
+    let table = Table::parse("t.csv", &format!("{header}\n")).expect("a header");
+    let error = table.allow_only(|name| OURS.contains(&name), &OURS.join(", ")).expect_err(header);
+    assert!(error.message.starts_with(&format!("unknown column `{header}`; expected V_m_s, ")), "{error}");
+    error.help.expect("a hint")
+}
+
+#[test]
+fn spellings_of_a_column_lead_to_it() {
+    for (header, name) in [
+        ("V [m/s]", "V_m_s"),
+        ("v_M_S", "V_m_s"),
+        ("Vms", "V_m_s"),
+        ("alpha (°)", "alpha_deg"),
+        ("Alpha deg", "alpha_deg"),
+        ("Mx [N m]", "Mx_Nm"),
+        ("MX (Nm)", "Mx_Nm"),
+        ("tip z / m", "tip_z_m"),
+        ("t(s)", "t_s"),
+        ("alhpa_deg", "alpha_deg"),
+    ] {
+        assert_eq!(hint(header), format!("did you mean `{name}`?"), "{header}");
+    }
+}
+
+#[test]
+fn another_unit_is_no_spelling() {
+    for (header, name) in [
+        ("V [km/h]", "V_m_s"),
+        ("alpha_rad", "alpha_deg"),
+        ("tip z (mm)", "tip_z_m"),
+        ("t_ms", "t_s"),
+        ("Mx_N", "Mx_Nm"),
+    ] {
+        let hint = hint(header);
+        assert!(hint.starts_with(&format!("did you mean `{name}`?")) && hint.contains("convert"), "{hint}");
+    }
+    assert_eq!(hint("temperature"), "take the column out, or give it the name of what it holds");
 }
 
 #[test]
@@ -121,28 +163,6 @@ fn columns_of_other_names_are_taken_and_named_both_ways() {
     let said = message(&table.require(&["V_m_s"]).unwrap_err());
     assert!(said.contains("the column `V_m_s` (here `speed`) is missing"), "{said}");
     std::fs::remove_dir_all(&folder).expect("the temporary folder");
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Wing {
-    span_m: f64,
-    taper: Option<f64>,
-}
-
-#[test]
-fn ron_files_name_line_and_column_and_the_field_that_was_meant() {
-    let wing: Wing = ron_file::parse("w.ron", "(span_m: 1.8, taper: 0.5)").expect("a good file");
-    assert_eq!((wing.span_m, wing.taper), (1.8, Some(0.5)), "options need no Some");
-    let error = |text: &str| ron_file::parse::<Wing>("w.ron", text).expect_err("must be refused");
-    let misspelt = error("(\n    spam_m: 1.8,\n)");
-    assert_eq!(misspelt.message, "there is no field `spam_m` here; expected one of `span_m`, `taper`");
-    assert_eq!(misspelt.help.as_deref(), Some("did you mean `span_m`?"));
-    assert_eq!(misspelt.span.map(|span| span.line), Some(2));
-    let missing = error("(\n    taper: 0.5,\n)");
-    assert_eq!(missing.message, "the field `span_m` of Wing is missing");
-    let syntax = error("(\n    span_m: abc,\n)");
-    assert_eq!(syntax.span.map(|span| (span.line, span.column)), Some((2, 13)));
 }
 
 #[test]

@@ -1,6 +1,6 @@
-//! Decks out and in again.
+//! Decks and loads at grids out and in again.
 
-use nastran::{parse_deck, write_deck};
+use nastran::{load_cards, parse_deck, write_deck};
 use proptest::prelude::*;
 
 /// Every card that is read, with values that need more than 8 characters.
@@ -68,6 +68,39 @@ fn eight_characters_are_used_where_they_are_enough() {
         "ENDDATA\n"
     );
     assert_eq!(written, expected);
+}
+
+#[test]
+fn numbers_of_any_size_keep_ten_digits_and_nothing_is_nothing() {
+    // near powers of ten, very large, very small beside others of their kind
+    let forces = [-1.5e10, 999.999_999_949_9, 0.1, 1.000_000_000_1, -0.099_999_999_99, 123.456_789_012_3];
+    for (place, &force) in forces.iter().enumerate() {
+        for scale in [1.0, 1e-12, 1e-5, 1e7] {
+            let mut loads = vec![0.0; 12];
+            (loads[place % 3], loads[6 + 3 + place % 3]) = (force * scale, -force * scale);
+            let deck = parse_deck("cards", &load_cards(7, &[11, 12], &loads)).unwrap();
+            assert_eq!(deck.point_loads.len(), 2, "one force, one moment");
+            for card in &deck.point_loads {
+                assert_eq!((card.set, card.grid, card.cid), (7, if card.is_moment { 12 } else { 11 }, 0));
+                let sign = if card.is_moment { -1.0 } else { 1.0 };
+                let (read, written) = (card.vector[place % 3], sign * force * scale);
+                assert!((read - written).abs() <= 5e-11 * written.abs(), "{read} for {written}");
+            }
+        }
+    }
+    let text = load_cards(1, &[1, 2], &[1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1e-13, 0.0, 0.0, 0.0, 0.0, 0.0]);
+    assert_eq!(text.matches("FORCE*").count(), 1, "beside 1 N, 1e-13 N is nothing: {text}");
+}
+
+#[test]
+fn cards_are_in_fields_of_sixteen_characters() {
+    let text =
+        load_cards(99_999_999, &[12_345_678], &[-1.0 / 3.0, 2.0e-4 / 3.0, 0.0, 0.0, 0.0, 1.0e11 / 3.0]);
+    for line in text.lines() {
+        assert!(line.len() <= 72 && line.is_char_boundary(8), "{line}");
+        assert_eq!((line.len() - 8) % 16, 0, "{line}");
+    }
+    assert!(text.starts_with("FORCE*          99999999        12345678"), "{text}");
 }
 
 proptest! {
