@@ -46,7 +46,7 @@ pub(crate) fn wing_text(turn: &Rotation3<f64>, acsid: u32, flutter: &str) -> Str
 
 pub(crate) const PK: &str = "FLUTTER,6,PK,1,2,3\nFLFACT,3,5.,10.,15.,20.,25.,30.\n,35.,40.,45.,50.,55.,60.";
 
-fn assembled(bulk: &BulkData) -> (FlutterDeck, Vec<FlutterPoints>, Vec<(f64, GafTable)>) {
+pub(crate) fn assembled(bulk: &BulkData) -> (FlutterDeck, Vec<FlutterPoints>, Vec<(f64, GafTable)>) {
     let (case, card) = flutter_cases(bulk).unwrap_or_else(|error| panic!("{error}")).remove(0);
     let deck = FlutterDeck::new(bulk, &case).unwrap_or_else(|error| panic!("{error}"));
     let points = deck.points(bulk, &card).unwrap_or_else(|error| panic!("{error}"));

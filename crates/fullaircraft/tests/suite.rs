@@ -5,6 +5,7 @@ mod assembly;
 mod bah_gust;
 mod cases;
 mod common;
+mod deck_beyond;
 mod deck_cards;
 mod deck_flutter;
 mod deck_gust;

@@ -145,6 +145,65 @@ fn tables_do_not_extrapolate_and_frequencies_beyond_them_are_marked() {
     assert!(!curves.branches[0][0].beyond_table);
 }
 
+/// Two modes that nothing damps but the air: on the first that is round-off, which changes its sign with the airspeed.
+#[test]
+fn a_mode_on_which_no_air_acts_does_not_flutter_by_round_off() {
+    let formula = |kappa: f64| {
+        let noise = 1e-22 * (40.0 * kappa).sin();
+        Mat::from_fn(2, 2, |i, j| match (i, j) {
+            (0, 0) => c64::new(0.0, noise * kappa),
+            (1, 1) => c64::new(0.0, 1e-3 * (kappa - 2.0) * kappa),
+            _ => c64::default(),
+        })
+    };
+    let forces = FormulaForces { size: 2, range: (0.0, 1e4), formula };
+    let system = Aeroelastic::of_modes(&[10.0, 30.0], 0.0, &forces).unwrap();
+    let flows = speeds(5.0, 25.0, 41);
+    let (pk, complete) = (system.pk(&flows).unwrap(), system.pk_complete(&flows).unwrap());
+    let signs = pk.branches[0].iter().map(|root| root.p.re > 0.0);
+    assert!(signs.clone().any(|grows| grows) && signs.clone().any(|grows| !grows), "no round-off to be told");
+    // the second grows above kappa = 2, that is below 15 m/s
+    for (crossings, branches) in [(&pk.crossings, 2), (&complete.crossings, complete.branches.len())] {
+        let [one] = crossings[..] else { panic!("{crossings:?}") };
+        assert!((one.flow.v_m_s - 15.0).abs() < 1e-5 && !one.unstable && branches == 2, "{one:?}");
+    }
+    assert!(pk.branches[0].iter().all(|root| !root.is_growing()) && pk.branches[1][0].is_growing());
+}
+
+/// Matched points have a table for each airspeed, with frequencies of its own.
+#[test]
+fn tables_of_a_schedule_hold_their_own_ends() {
+    let table = |kappa: &[f64]| {
+        let q = |k: &f64| quasi_steady(*k) * Scale(c64::from(1.0 + k * k));
+        GafTable::new(kappa.to_vec(), kappa.iter().map(q).collect()).unwrap()
+    };
+    let (long, short) = (table(&[0.0, 1.0, 4.0]), table(&[0.0, 2.0]));
+    let forces = ScheduledForces::new(vec![(10.0, long.clone()), (20.0, short.clone())]).unwrap();
+    assert_eq!(forces.range(), (0.0, 2.0));
+    let near = |v: f64, kappa: f64, beyond: bool, wanted: &dyn Fn(usize, usize) -> c64| {
+        let split = forces.split(kappa, v).unwrap();
+        assert_eq!(split.beyond, beyond, "{v} m/s, {kappa}");
+        for (i, j) in (0..3).flat_map(|i| (0..3).map(move |j| (i, j))) {
+            let found = c64::new(split.real[(i, j)], split.damping[(i, j)]);
+            assert!((found - wanted(i, j)).norm() < 1e-9, "{v} m/s, {kappa}: {found}");
+        }
+    };
+    let of = |table: &GafTable, kappa: f64| {
+        let q = table.at(kappa, 0.0).unwrap();
+        move |i: usize, j: usize| c64::new(q[(i, j)].re, q[(i, j)].im / kappa)
+    };
+    near(5.0, 3.0, false, &of(&long, 3.0));
+    near(10.0, 3.0, false, &of(&long, 3.0));
+    near(20.0, 3.0, true, &of(&short, 2.0));
+    near(25.0, 5.0, true, &of(&short, 2.0));
+    near(10.0, 5.0, true, &of(&long, 4.0));
+    let (one, other) = (of(&long, 3.0), of(&short, 2.0));
+    near(250_f64.sqrt(), 3.0, true, &|i, j| 0.5 * (one(i, j) + other(i, j)));
+    let roots =
+        Aeroelastic::of_modes(&OMEGA, 0.01, &forces).unwrap().pk_complete(&speeds(6.0, 24.0, 7)).unwrap();
+    assert!(roots.branches.iter().any(|branch| branch.roots.iter().any(|root| root.beyond_table)));
+}
+
 #[test]
 fn bad_input_is_refused_with_a_sentence() {
     let forces = formula();

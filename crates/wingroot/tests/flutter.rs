@@ -99,6 +99,48 @@ fn a_deck_is_run_as_it_stands_and_what_it_lacks_is_said() {
     std::fs::remove_dir_all(&folder).expect("our own folder");
 }
 
+#[test]
+fn roots_beyond_the_deck_s_frequencies_are_said_and_matched_points_have_their_mach_number() {
+    let folder = std::env::temp_dir().join(format!("wingroot-flutter-beyond-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a temporary folder");
+    let run = |deck: &str, more: &[&str]| {
+        std::fs::write(folder.join("section.bdf"), deck).expect("a deck");
+        let mut command = Command::new(env!("CARGO_BIN_EXE_wingroot"));
+        command.args(["flutter", "--deck", "section.bdf", "--out", "out", "--numbers-only"]).args(more);
+        let output = command.current_dir(&folder).output().expect("the command starts");
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr)
+    };
+    let beyond = "beyond the reduced frequencies of MKAERO1 and MKAERO2";
+    assert!(!run(SECTION, &[]).contains(beyond));
+    let short = SECTION.replace(",.01,.05,.1,.2,.5,1.,2.\n", ",.01,.05\n");
+    let said = run(&short, &[]);
+    for words in [beyond, "(highest k: 0.05), up to k = ", "rests on it: list higher k in MKAERO1 or MKAERO2"]
+    {
+        assert!(said.contains(words), "{words}: {said}");
+    }
+    // the same air at eight matched points, whose Mach numbers rise by .02 from 5 m/s on
+    let matched = SECTION
+        .replace("MKAERO1,0.\n", "MKAERO1,0.,.14\n")
+        .replace(
+            "PK,1,2,3\nFLFACT,1,1.\nFLFACT,2,0.\n",
+            "PKNL,1,2,3\nFLFACT,1,1.,1.,1.,1.,1.,1.,1.\n,1.\nFLFACT,2,0.,.02,.04,.06,.08,.1,.12\n,.14\n",
+        )
+        .replace(",30.\n,35.,40.\n", ",30.,35.\n,40.\n");
+    let result: Value =
+        serde_json::from_str(&run(&matched, &["--json", "--quiet"])).expect("nothing but JSON");
+    let condition = &result["subcases"][0]["conditions"][0];
+    assert_eq!(condition["machs"], serde_json::json!([0.0, 0.14]));
+    let changes = condition["changes_of_stability"].as_array().expect("a list");
+    assert!(!changes.is_empty());
+    for change in changes {
+        let [v, mach] = ["velocity", "mach"].map(|key| change[key].as_f64().expect("a number"));
+        assert!((mach - 0.004 * (v - 5.0)).abs() < 1e-12, "{change}");
+    }
+    assert!(run(&matched, &[]).contains(&format!("{:.4}", changes[0]["mach"].as_f64().expect("a number"))));
+    std::fs::remove_dir_all(&folder).expect("our own folder");
+}
+
 /// The wing of `data/pazy` on few boxes.
 fn few_boxes(folder: &Path, more: &str) {
     let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/pazy");

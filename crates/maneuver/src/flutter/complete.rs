@@ -80,7 +80,7 @@ impl Aeroelastic<'_> {
                 if live.iter().any(|(_, track)| is_same(&track.state)) {
                     continue;
                 }
-                if place > 0 && state.p.re > 0.0 {
+                if place > 0 && root_of(&state).is_growing() {
                     curves.begun_unstable.push(curves.branches.len());
                 }
                 live.push((curves.branches.len(), Track { state, before: None }));

@@ -5,19 +5,33 @@ use aero::Flow;
 use faer::c64;
 use std::f64::consts::TAU;
 
+/// Growth over the modulus of a root up to which it is round-off: a mode on which no air acts and that nothing damps has that of
+/// its computation, of either sign, and would flutter wherever it changes.
+const ROUND_OFF: f64 = 1e-11;
+
 /// A root at one flow.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Root {
     /// Root, 1/s: growth rate and frequency in rad/s (zero for one that does not oscillate).
     pub p: c64,
-    /// Whether its frequency is beyond the table of forces, so that apparent mass and damping of the table's end are held.
+    /// Whether its frequency is beyond the table of forces, so that Re Q and Im Q/kappa of the table's end are held.
     pub beyond_table: bool,
+}
+
+/// How fast a root grows, 1/s, above what is round-off; below zero if it does not.
+pub(super) fn growth(p: c64) -> f64 {
+    p.re - ROUND_OFF * p.norm()
 }
 
 impl Root {
     /// Frequency, Hz.
     pub fn frequency_hz(&self) -> f64 {
         self.p.im / TAU
+    }
+
+    /// Whether it grows, by more than round-off.
+    pub fn is_growing(&self) -> bool {
+        growth(self.p) > 0.0
     }
 
     /// Damping g as in V-g diagrams: twice the growth rate over the frequency, negative if stable; `None` without

@@ -24,7 +24,7 @@ pub use complete::{Branch, CompleteCurves};
 pub use curves::{Crossing, FlutterCurves, Root, first_flutter};
 pub use divergence::first_divergence;
 pub use error::FlutterError;
-pub use forces::{FormulaForces, GafTable, GeneralisedForces};
+pub use forces::{FormulaForces, GafTable, GeneralisedForces, SplitForces};
 pub use k_method::KRoot;
 pub use modal_air::{gaf_table, incidence_of_motion};
 pub use rig_forces::ModePressures;

@@ -4,7 +4,7 @@
 //! the step before. So branches that pass each other closely keep their identity. A root whose frequency goes to zero becomes
 //! two real ones, of which the less stable one is followed; real roots that meet oscillate again.
 
-use super::curves::{Crossing, FlutterCurves, Root, in_order};
+use super::curves::{Crossing, FlutterCurves, Root, growth, in_order};
 use super::root::{Missed, Place, State};
 use super::{Aeroelastic, FlutterError};
 use aero::Flow;
@@ -227,7 +227,7 @@ impl Aeroelastic<'_> {
         leg: Leg,
         branch: usize,
     ) -> Result<Option<Crossing>, FlutterError> {
-        let (mut low, mut high) = ((0.0, from.state.p.re), (1.0, to.state.p.re));
+        let (mut low, mut high) = ((0.0, growth(from.state.p)), (1.0, growth(to.state.p)));
         if (low.1 > 0.0) == (high.1 > 0.0) {
             return Ok(None);
         }
@@ -242,7 +242,7 @@ impl Aeroelastic<'_> {
             let share = if round % 4 == 3 { 0.5 } else { weights.0 / (weights.0 - weights.1) };
             let t = low.0 + share.clamp(1e-3, 1.0 - 1e-3) * (high.0 - low.0);
             at = self.march(from.clone(), leg, t, branch)?;
-            let rate = at.state.p.re;
+            let rate = growth(at.state.p);
             if (rate > 0.0) == (low.1 > 0.0) {
                 (low, weights) = ((t, rate), (rate, 0.5 * weights.1));
             } else {

@@ -6,8 +6,7 @@
 //! kappa = 0.
 
 use super::root::{Place, State};
-use super::system::SplitForces;
-use super::{Aeroelastic, FlutterError};
+use super::{Aeroelastic, FlutterError, SplitForces};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, c64};
 use structure::unsymmetric;

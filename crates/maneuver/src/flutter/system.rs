@@ -5,9 +5,10 @@
 //! F(p, kappa) u = [M p² + C p + K - q (Re Q(kappa) + p/(kappa V) Im Q(kappa))] u = 0,   Im p = kappa V
 //! ```
 //! p in 1/s, kappa = omega/V in 1/m. On the imaginary axis this is the exact equation of oscillation; away from it the
-//! imaginary part of Q damps in proportion to p, as in Nastran. A steady root (kappa = 0) takes the limit of Im Q/kappa.
+//! imaginary part of Q damps in proportion to p, as in Nastran. A steady root (kappa = 0) takes the limit of Im Q/kappa, and beyond the
+//! forces' range those of its end are held ([`GeneralisedForces::split`]).
 
-use super::{FlutterError, GeneralisedForces};
+use super::{FlutterError, GeneralisedForces, SplitForces};
 use aero::Flow;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, MatRef, c64};
@@ -15,8 +16,6 @@ use structure::unsymmetric::eigenvalues;
 
 /// A root slower than this share of the slowest mode with a stiffness is as good as at rest.
 const AT_REST: f64 = 1e-3;
-/// Im Q/kappa at rest is taken at this share of the table's largest frequency.
-const NEARLY_AT_REST: f64 = 1e-6;
 
 /// Mass, damping, stiffness and air forces of a structure in generalised coordinates, any consistent units.
 pub struct Aeroelastic<'a> {
@@ -25,17 +24,6 @@ pub struct Aeroelastic<'a> {
     stiffness: Mat<f64>,
     forces: &'a dyn GeneralisedForces,
     slowest_rad_s: f64,
-}
-
-/// Forces split as the equation needs them.
-#[derive(Debug, Clone)]
-pub(super) struct SplitForces {
-    /// Re Q.
-    pub(super) real: Mat<f64>,
-    /// Im Q/kappa, m.
-    pub(super) damping: Mat<f64>,
-    /// Whether kappa is beyond the table, so that the apparent mass Re Q/kappa² and the damping Im Q/kappa of its end are held.
-    pub(super) beyond: bool,
 }
 
 impl<'a> Aeroelastic<'a> {
@@ -126,22 +114,9 @@ impl<'a> Aeroelastic<'a> {
         self.forces
     }
 
-    /// The forces at kappa; beyond the table its end is held (see [`SplitForces::beyond`]).
+    /// The forces at kappa, any.
     pub(super) fn split(&self, kappa: f64, v_m_s: f64) -> Result<SplitForces, FlutterError> {
-        let (_, high) = self.forces.range();
-        let n = self.size();
-        let place = kappa.min(high);
-        let real_at = if place < NEARLY_AT_REST * high { 0.0 } else { place };
-        let damping_at = place.max(NEARLY_AT_REST * high);
-        let q = self.forces.at(real_at, v_m_s)?;
-        let slow = if damping_at == real_at { q.clone() } else { self.forces.at(damping_at, v_m_s)? };
-        let grown = (kappa / place.max(f64::MIN_POSITIVE)).powi(2);
-        let factor = if kappa > high { grown } else { 1.0 };
-        Ok(SplitForces {
-            real: Mat::from_fn(n, n, |i, j| factor * q[(i, j)].re),
-            damping: Mat::from_fn(n, n, |i, j| slow[(i, j)].im / damping_at),
-            beyond: kappa > high,
-        })
+        self.forces.split(kappa, v_m_s)
     }
 
     /// F(p, kappa) with the air forces multiplied by `share`.

@@ -6,11 +6,12 @@ use std::time::Instant;
 
 use fullaircraft::study::Aim;
 use fullaircraft::{FlutterDeck, FlutterPoints, FlutterRoots, flutter_cases};
-use maneuver::flutter::{CompleteCurves, Crossing, GafTable};
+use maneuver::flutter::{CompleteCurves, Crossing, GafTable, Root};
 use nastran::{BulkData, Flutter, Subcase};
 use report::{Figure, Panel, Series, Style, Table};
 use std::f64::consts::TAU;
 
+use super::flutter_deck_beyond as beyond;
 use super::flutter_deck_result::{Change, Condition, DeckFlutter, SubcaseFlutter};
 use super::fullaircraft_deck::say_what_is_assumed;
 use super::given_deck::GivenDeck;
@@ -173,10 +174,7 @@ fn rows(deck: &FlutterDeck, group: &FlutterPoints, curves: &CompleteCurves, lead
     for (number, branch) in curves.branches.iter().enumerate() {
         for (place, root) in (branch.first..).zip(&branch.roots) {
             let flow = curves.flows[place];
-            let mach = match group {
-                FlutterPoints::Matched { machs, .. } => machs[place],
-                _ => first(group).0,
-            };
+            let mach = group.mach_at(flow.v_m_s);
             let k = root.p.im / flow.v_m_s / deck.modal.kappa(1.0);
             let g = root.damping_g().map_or_else(String::new, |g| g.to_string());
             let (density, v) = (flow.rho_kg_m3, flow.v_m_s);
@@ -210,7 +208,8 @@ fn condition(deck: &FlutterDeck, group: &FlutterPoints, roots: &FlutterRoots) ->
     match roots {
         FlutterRoots::Curves(curves) => {
             curves.flows.iter().for_each(|flow| reach(flow.v_m_s));
-            changes.extend(curves.crossings.iter().map(change));
+            changes.extend(curves.crossings.iter().map(|crossing| change(group, crossing)));
+            remarks.extend(beyond::remark(deck, group, curves));
             for branch in &curves.begun_unstable {
                 let before = curves.flows[curves.branches[*branch].first - 1].v_m_s;
                 let first = curves.flows[curves.branches[*branch].first].v_m_s;
@@ -219,8 +218,7 @@ fn condition(deck: &FlutterDeck, group: &FlutterPoints, roots: &FlutterRoots) ->
                     branch + 1
                 ));
             }
-            let unstable =
-                curves.branches.iter().filter(|branch| branch.at(0).is_some_and(|root| root.p.re > 0.0));
+            let unstable = curves.branches.iter().filter(|branch| branch.at(0).is_some_and(Root::is_growing));
             let count = unstable.count();
             if count > 0 {
                 remarks.push(format!("{count} roots are unstable at the lowest airspeed already"));
@@ -231,12 +229,16 @@ fn condition(deck: &FlutterDeck, group: &FlutterPoints, roots: &FlutterRoots) ->
             remarks.push("the K method gives the damping that keeps an oscillation; see roots.csv".into());
         }
     }
-    Condition { mach, density, speeds, changes_of_stability: changes, remarks }
+    let machs = asked.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], mach| {
+        [f64::min(low, *mach), f64::max(high, *mach)]
+    });
+    Condition { mach, machs, density, speeds, changes_of_stability: changes, remarks }
 }
 
-fn change(crossing: &Crossing) -> Change {
+fn change(group: &FlutterPoints, crossing: &Crossing) -> Change {
     Change {
         velocity: crossing.flow.v_m_s,
+        mach: group.mach_at(crossing.flow.v_m_s),
         density: crossing.flow.rho_kg_m3,
         frequency_hz: crossing.omega_rad_s / TAU,
         branch: crossing.branch + 1,
@@ -250,7 +252,7 @@ fn figure(curves: &CompleteCurves, name: &str) -> Figure {
         let all = curves.branches.iter().enumerate();
         all.filter(|(_, branch)| branch.roots.iter().any(|root| root.p.im > 0.0)).take(DRAWN)
     };
-    let panel = |label: &str, value: &dyn Fn(&maneuver::flutter::Root) -> f64| {
+    let panel = |label: &str, value: &dyn Fn(&Root) -> f64| {
         let series = moving().map(|(number, branch)| {
             let x =
                 branch.roots.iter().enumerate().map(|(i, _)| curves.flows[branch.first + i].v_m_s).collect();
@@ -264,6 +266,12 @@ fn figure(curves: &CompleteCurves, name: &str) -> Figure {
         panel("frequency (Hz)", &|root| if root.p.im > 0.0 { root.frequency_hz() } else { f64::NAN }),
     ];
     Figure::new(name.replace('_', " "), panels, 2)
+}
+
+/// The Mach number of a condition, or from which to which.
+fn machs(condition: &Condition) -> String {
+    let [low, high] = condition.machs;
+    if low == high { format!("{low:.4}") } else { format!("{low:.4} to {high:.4}") }
 }
 
 fn text(result: &DeckFlutter) -> String {
@@ -281,10 +289,9 @@ fn text(result: &DeckFlutter) -> String {
         );
         let mut table = Table::new(&["Mach", "density", "velocity", "frequency (Hz)", "branch", "becomes"]);
         for condition in &case.conditions {
-            let mach = format!("{:.4}", condition.mach);
             for change in &condition.changes_of_stability {
                 table.row([
-                    mach.clone(),
+                    format!("{:.4}", change.mach),
                     format!("{:.5e}", change.density),
                     format!("{:.4}", change.velocity),
                     format!("{:.4}", change.frequency_hz),
@@ -296,7 +303,7 @@ fn text(result: &DeckFlutter) -> String {
                 let density = format!("{:.5e}", condition.density);
                 let [low, high] = condition.speeds;
                 table.row([
-                    mach,
+                    machs(condition),
                     density,
                     format!("{low:.4} to {high:.4}"),
                     "-".into(),
@@ -308,8 +315,8 @@ fn text(result: &DeckFlutter) -> String {
         let _ = write!(text, "{table}");
         for condition in &case.conditions {
             for remark in &condition.remarks {
-                let _ =
-                    writeln!(text, "Mach {:.4}, density {:.5e}: {remark}", condition.mach, condition.density);
+                let (machs, density) = (machs(condition), condition.density);
+                let _ = writeln!(text, "Mach {machs}, density {density:.5e}: {remark}");
             }
         }
     }

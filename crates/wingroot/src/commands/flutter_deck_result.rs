@@ -35,12 +35,14 @@ pub(crate) struct SubcaseFlutter {
     pub(crate) conditions: Vec<Condition>,
 }
 
-/// One density and Mach number (the first of matched points).
+/// One density and Mach number, or a list of matched points.
 #[derive(Debug, Serialize, JsonSchema)]
 pub(crate) struct Condition {
-    /// Mach number.
+    /// Mach number; the first of matched points.
     pub(crate) mach: f64,
-    /// Density.
+    /// Lowest and highest Mach number.
+    pub(crate) machs: [f64; 2],
+    /// Density; the first of matched points.
     pub(crate) density: f64,
     /// Lowest and highest airspeed.
     pub(crate) speeds: [f64; 2],
@@ -55,6 +57,8 @@ pub(crate) struct Condition {
 pub(crate) struct Change {
     /// Airspeed.
     pub(crate) velocity: f64,
+    /// Mach number; between two matched points in proportion to the airspeed.
+    pub(crate) mach: f64,
     /// Density.
     pub(crate) density: f64,
     /// Frequency; zero for divergence.
@@ -63,6 +67,6 @@ pub(crate) struct Change {
     pub(crate) branch: usize,
     /// `unstable` or `stable`.
     pub(crate) becomes: &'static str,
-    /// Whether the frequency is beyond those of MKAERO1 and MKAERO2: a hint only.
+    /// Whether the reduced frequency is beyond those of MKAERO1 and MKAERO2, whose last Re Q and Im Q/k are held: a hint only.
     pub(crate) beyond_table: bool,
 }

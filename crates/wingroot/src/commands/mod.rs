@@ -142,6 +142,7 @@ mod flutter_bent_figures;
 pub(crate) mod flutter_bent_result;
 mod flutter_common;
 mod flutter_deck;
+mod flutter_deck_beyond;
 pub(crate) mod flutter_deck_result;
 mod flutter_figures;
 pub(crate) mod flutter_result;

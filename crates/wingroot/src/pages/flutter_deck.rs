@@ -24,8 +24,9 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
                 let speeds =
                     format!("{} to {}", short_at(condition, "speeds/0"), short_at(condition, "speeds/1"));
                 let none = "-".to_owned();
+                let [low, high] = [0, 1].map(|place| short_at(condition, &format!("machs/{place}")));
                 table.row([
-                    short_at(condition, "mach"),
+                    if low == high { low } else { format!("{low} to {high}") },
                     short_at(condition, "density"),
                     speeds,
                     none.clone(),
@@ -36,7 +37,7 @@ pub(super) fn page(result: &Value, plates: &mut Vec<Plate>) -> Page {
             }
             for change in changes {
                 table.row([
-                    short_at(condition, "mach"),
+                    short_at(change, "mach"),
                     short_at(change, "density"),
                     short_at(change, "velocity"),
                     short_at(change, "frequency_hz"),

@@ -41,6 +41,22 @@ impl FlutterPoints {
             Self::Matched { machs, .. } => machs.clone(),
         }
     }
+
+    /// Mach number at an airspeed (the deck's unit): that of the points, between two matched ones in proportion.
+    pub fn mach_at(&self, v_m_s: f64) -> f64 {
+        match self {
+            Self::Speeds { mach, .. } | Self::Frequencies { mach, .. } => *mach,
+            Self::Matched { machs, flows } => {
+                let above = flows.partition_point(|flow| flow.v_m_s < v_m_s);
+                if above == 0 || above == flows.len() {
+                    return machs[above.min(flows.len() - 1)];
+                }
+                let [low, high] = [above - 1, above].map(|place| flows[place].v_m_s);
+                let share = (v_m_s - low) / (high - low);
+                (1.0 - share) * machs[above - 1] + share * machs[above]
+            }
+        }
+    }
 }
 
 /// The subcases of a deck that select a FLUTTER, with it; of a deck without case control its only FLUTTER.

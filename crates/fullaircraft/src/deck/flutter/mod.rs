@@ -6,6 +6,7 @@
 //! in the deck's own units. C is the structural damping of TABDMP1 as viscous damping, g times the mode's frequency, which is
 //! what Nastran does unless PARAM KDAMP is negative. Beside the frequencies of the deck the steady air (k = 0) is a row of the
 //! table of forces, and the doublet lattice has Nastran's approximations, so that its prints are met; roots without oscillation are of the air at rest.
+//! Beyond the deck's highest k, Re Q and Im Q/k are held ([`maneuver::flutter::GeneralisedForces::split`]).
 
 mod asked;
 
@@ -49,8 +50,8 @@ impl FlutterDeck {
     /// The points that a FLUTTER card of the deck asks for.
     ///
     /// # Errors
-    /// If a list is not there, airspeeds or densities are not positive, a Mach number is not below 1, or lists of matched points
-    /// differ in length.
+    /// If a list is not there, airspeeds or densities are not positive, a Mach number is not below 1, lists of matched points
+    /// differ in length, or the K method is asked for reduced frequencies beyond those of MKAERO1 and MKAERO2.
     pub fn points(&self, bulk: &BulkData, card: &Flutter) -> Result<Vec<FlutterPoints>, InputError> {
         let points = asked::points(bulk, card, &self.modal.aero)?;
         let machs = points.iter().flat_map(FlutterPoints::machs).map(|mach| self.modal.nearest_mach(mach));
@@ -59,7 +60,24 @@ impl FlutterDeck {
                 format!("FLUTTER {} asks for Mach {mach}: the doublet lattice is subsonic", card.id);
             return Err(InputError::at(&card.span, message).with_help("give Mach numbers below 1"));
         }
+        for group in &points {
+            let FlutterPoints::Frequencies { mach, ks, .. } = group else { continue };
+            let highest = self.highest_k(*mach);
+            if let Some(k) = ks.iter().copied().filter(|k| *k > highest).reduce(f64::max) {
+                let message = format!(
+                    "FLUTTER {} asks for k = {k} at Mach {mach}, beyond those of MKAERO1 and MKAERO2 (up to {highest})",
+                    card.id
+                );
+                let error = InputError::at(&card.span, message);
+                return Err(error.with_help(format!("list k up to {k} in MKAERO1 or MKAERO2")));
+            }
+        }
         Ok(points)
+    }
+
+    /// The highest reduced frequency that MKAERO1 and MKAERO2 have at the Mach number of theirs that is nearest.
+    pub fn highest_k(&self, mach: f64) -> f64 {
+        self.modal.reduced_frequencies(self.modal.nearest_mach(mach)).last().copied().unwrap_or(0.0)
     }
 
     /// Generalised forces at a Mach number of MKAERO1 and MKAERO2, at rest and at its reduced frequencies.
@@ -77,7 +95,7 @@ impl FlutterDeck {
     /// The roots at a list of points, `forces` from [`FlutterDeck::forces`] for the Mach number, or by airspeed for several.
     ///
     /// # Errors
-    /// If eigenvalues do not converge or a reduced frequency is beyond the table.
+    /// If eigenvalues do not converge.
     pub fn roots(
         &self,
         points: &FlutterPoints,
