@@ -131,6 +131,10 @@ pub const LISTED: &[(&str, &str)] = &[
         "flutter__ha145b",
         "compared in crates/fullaircraft/tests/handbook.rs: modes, air forces, speeds of flutter",
     ),
+    (
+        "flutter__goland_pknl",
+        "compared in crates/fullaircraft/tests/deck_beyond.rs: every printed root, most of them beyond the deck's frequencies",
+    ),
     ("flutter__ha145e_k", "compared in crates/fullaircraft/tests/handbook.rs: K-method curves of the plate"),
     (
         "gust__bah_aileron_response",

@@ -25,7 +25,9 @@ pub use deck::gust::{
     DeckGust, DynamicAnswer, GustCase, GustDeck, GustLoads, MonitorAnswer, RandomAnswer, RandomSet,
     TimeAnswer, gust_cases,
 };
+pub use deck::inertia_relief::InertiaRelief;
 pub use deck::modal::ModalDeck;
+pub use deck::structure::clamped;
 pub use deck::trim::{Elastic, TrimDeck, TrimmedDeck};
 pub use error::AircraftError;
 pub use flight::air::FlightAir;

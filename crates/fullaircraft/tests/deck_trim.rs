@@ -336,3 +336,47 @@ fn a_clamp_beside_the_supported_grid_is_left_where_it_is() {
     near(below[4], heavy[4], 1e-5);
     assert!((below[2] / plain[2] - 1.0).abs() > 2e-4, "{} is not {}", below[2], plain[2]);
 }
+
+/// MSC.Nastran Quick Reference Guide, TRIM: AEQR = 0 asks for a rigid trim. Forces balance by the rigid derivatives alone.
+#[test]
+fn a_rigid_trim_balances_by_rigid_derivatives() {
+    let bulk = deck("", &[]);
+    let aircraft = TrimDeck::new(&bulk, 0.9).unwrap();
+    let mut card = bulk.trims[&1].clone();
+    let elastic = aircraft.trim_card(&card).unwrap();
+    card.elastic_share = 0.0;
+    let rigid = aircraft.trim_card(&card).unwrap();
+    let sum = |at: usize| -> f64 {
+        let all = aircraft.derivatives(card.q, fullaircraft::Elastic::Rigid);
+        all.iter().map(|(name, coefficients)| coefficients[at] * rigid.values[name]).sum()
+    };
+    // level flight of half the aircraft, 8000 lbf; z of the reference axes is down, and so is that of its coefficients
+    let aeros = aircraft.aeros();
+    near(-sum(2) * card.q * aeros.area, 8000.0, 1e-6);
+    assert!((rigid.values["ANGLEA"] - elastic.values["ANGLEA"]).abs() > 1e-4, "the wing bends");
+    card.elastic_share = 1e-9;
+    near(aircraft.trim_card(&card).unwrap().values["ELEV"], rigid.values["ELEV"], 1e-6);
+    card.elastic_share = 1.0;
+    assert_eq!(aircraft.trim_card(&card).unwrap().values, elastic.values);
+}
+
+/// Nastran's mass is that of the free motions: a mass on a grid that is held, whoever holds it, is not accelerated.
+#[test]
+fn a_mass_on_a_held_grid_does_not_fly() {
+    let trimmed = |more: &str| {
+        let bulk = deck(more, &[]);
+        TrimDeck::new(&bulk, 0.9).unwrap().trim_card(&bulk.trims[&1]).unwrap().values
+    };
+    let plain = trimmed("");
+    for held in ["GRID,900,,10.,0.,0.,,123456\n", "GRID,900,,10.,0.,0.\nSPC1,1,123456,900\n"] {
+        let with = trimmed(&format!("{held}CONM2,9000,900,,100.\n"));
+        for label in ["ANGLEA", "ELEV"] {
+            near(with[label], plain[label], 1e-9);
+        }
+    }
+    let flying = trimmed("GRID,900,,10.,0.,0.\nRBAR,9001,90,900,123456\nCONM2,9000,900,,100.\n");
+    assert!(
+        (flying["ANGLEA"] - plain["ANGLEA"]).abs() > 1e-3 * plain["ANGLEA"].abs(),
+        "a mass that flies counts"
+    );
+}

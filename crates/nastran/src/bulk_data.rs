@@ -25,6 +25,15 @@ pub struct Unread {
     pub first: Span,
     /// The whole numbers in their first fields: sets of loads, numbers of elements.
     pub numbers: BTreeSet<u32>,
+    /// Names of parameters (PARAM whose value is a word or complex), in capitals.
+    pub parameters: BTreeSet<String>,
+}
+
+impl Unread {
+    /// Of a name that has not occurred yet, where it first does.
+    pub(crate) fn first(span: Span) -> Self {
+        Self { count: 0, first: span, numbers: BTreeSet::new(), parameters: BTreeSet::new() }
+    }
 }
 
 /// What a deck has beside cards that stand for themselves.

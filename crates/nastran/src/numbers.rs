@@ -3,7 +3,7 @@
 use crate::bulk_data::{BulkData, Change, Rest, Visitor};
 use crate::cards::kind::{CardKind, Cards, DeckCard, Family, Step};
 use crate::source::InputError;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The numbers of the cards of some families.
 struct Numbers<'a> {
@@ -15,6 +15,22 @@ impl Visitor for Numbers<'_> {
     fn cards(&mut self, kind: &CardKind, cards: &impl Cards) {
         if self.of.contains(&kind.family) {
             self.found.extend(cards.each().filter_map(DeckCard::number));
+        }
+    }
+}
+
+/// Elements with stiffness, by name, of each number.
+#[derive(Default)]
+struct Elements(BTreeMap<u32, Vec<String>>);
+
+impl Visitor for Elements {
+    fn cards(&mut self, kind: &CardKind, cards: &impl Cards) {
+        for card in cards.each().filter(|_| kind.family == Family::Element) {
+            self.0.entry(card.number().unwrap_or(0)).or_default().push(format!(
+                "{} {}",
+                kind.name(card),
+                card.key()
+            ));
         }
     }
 }
@@ -75,6 +91,27 @@ impl Step {
 }
 
 impl BulkData {
+    /// Which elements of different kinds have one number: said to the user.
+    pub(crate) fn shared_numbers(&self) -> Option<String> {
+        /// How many numbers are named.
+        const SHOWN: usize = 4;
+        let mut elements = Elements::default();
+        self.visit(&mut elements);
+        let shared: Vec<String> = elements
+            .0
+            .into_values()
+            .filter(|names| names.len() > 1)
+            .map(|names| names.join(" and "))
+            .collect();
+        let more = match shared.len().saturating_sub(SHOWN) {
+            0 => String::new(),
+            more => format!(" and {more} more"),
+        };
+        let named = shared.iter().take(SHOWN).cloned().collect::<Vec<_>>().join(", ");
+        (!shared.is_empty())
+            .then(|| format!("elements of different kinds have one number, and each is kept: {named}{more}"))
+    }
+
     fn numbers_of(&self, families: &[Family]) -> BTreeSet<u32> {
         let mut numbers = Numbers { of: families, found: BTreeSet::new() };
         self.visit(&mut numbers);

@@ -163,7 +163,7 @@ impl BulkData {
         })
     }
 
-    /// What of the deck's constraints its case control leaves out or selects in vain: said to the user.
+    /// What of the deck's constraints its case control leaves out or selects in vain, and elements that share a number: said to the user.
     pub fn remarks(&self) -> Vec<String> {
         let selects =
             |of: &dyn Fn(&Subcase) -> Option<u32>| self.subcases.iter().any(|case| of(case).is_some());
@@ -181,6 +181,7 @@ impl BulkData {
         let sets: BTreeSet<u32> = self.subcases.iter().filter_map(|case| case.mpc).filter(missing).collect();
         remarks
             .extend(sets.iter().map(|set| format!("the case control selects MPC {set}, which is not there")));
+        remarks.extend(self.shared_numbers());
         remarks
     }
 }

@@ -39,10 +39,14 @@ const ELEMENTS: &[(&str, &str)] = &[
 const DAMPERS: &str = "CDAMP1 CDAMP2 CDAMP3 CDAMP4 CDAMP5 CVISC";
 
 impl BulkData {
-    /// How many cards of which names are not read; nothing if all are.
+    /// How many cards of which names are not read, parameters with theirs (`1 EIGC, 2 PARAM (OGEOM, PRGPST)`); nothing if all are.
     pub fn unread_cards(&self) -> Option<String> {
-        let list: Vec<String> =
-            self.unknown.iter().map(|(card, unread)| format!("{} {card}", unread.count)).collect();
+        let counted = |(card, unread): (&String, &Unread)| {
+            let names: Vec<&str> = unread.parameters.iter().map(String::as_str).collect();
+            let names = if names.is_empty() { String::new() } else { format!(" ({})", names.join(", ")) };
+            format!("{} {card}{names}", unread.count)
+        };
+        let list: Vec<String> = self.unknown.iter().map(counted).collect();
         (!list.is_empty()).then(|| list.join(", "))
     }
 

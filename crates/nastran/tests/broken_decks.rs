@@ -27,7 +27,9 @@ const BREAKS: &[(&str, &str, &str, usize)] = &[
     ("GRID,2,,1.,", "2,GRID,,1.,", "`2` is not the name of a card", 8),
     ("GRID,2,,1.,0.,0.\n", "GRID    2          1.0    0.0    0.0\n", "in field", 8),
     ("BEGIN BULK\n", "BEGIN BULK\n+,1.,2.\n", "a continuation without a card before it", 5),
-    ("BEGIN BULK\n", "", "is not the name of a card", 1),
+    ("BEGIN BULK\n", "", "the deck has an executive or case control, but no BEGIN BULK", 2),
+    ("BEGIN BULK\n", "BEGING BULK\n", "`BEGING BULK` is not BEGIN BULK, which the deck has nowhere", 4),
+    ("BEGIN BULK\n", "BEGINBULK $ cards\n", "`BEGINBULK` is not BEGIN BULK", 4),
     // Shells and their properties.
     ("CQUAD4,1,1,1,2,3,4", "CQUAD4,1,1,1,2,3", "field G4 of CQUAD4 is empty", 15),
     ("CQUAD4,1,1,1,2,3,4", "CQUAD4,1,1,1,2,3,3", "grid 3 stands twice in CQUAD4 1", 15),
@@ -75,6 +77,18 @@ const BREAKS: &[(&str, &str, &str, usize)] = &[
     ),
     ("PSOLID,4,3", "PSOLID,4,3,-2", "`-2` in field CORDM of PSOLID is not -1, 0 or", 32),
     ("PSOLID,4,3", "PSOLID,4,3,-1", "a MAT9 in element axes", 32),
+    (
+        "PSOLID,4,3",
+        "PSOLID,4,3,,GARBAGE",
+        "`GARBAGE` in field IN of PSOLID is not empty or one of 0 (BUBBLE), 1 (ONE), 2 (TWO), 3 (THREE)",
+        32,
+    ),
+    (
+        "PSOLID,4,3",
+        "PSOLID,4,3,,,,2",
+        "`2` in field ISOP of PSOLID is not empty or one of 0 (REDUCED), 1 (FULL)",
+        32,
+    ),
     ("PSOLID,4,3", "PSOLID,4,3,,,,,PFLUID", "`PFLUID` in field FCTN of PSOLID", 32),
     // Springs and masses.
     ("CBUSH,20,5,1,2", "CBUSH,20,5,1,1", "grid 1 stands twice in CBUSH 20", 33),
@@ -92,7 +106,7 @@ const BREAKS: &[(&str, &str, &str, usize)] = &[
     ("CELAS2,21,100.,1,3", "CELAS2,21,100.", "no grid at either end", 36),
     ("CELAS2,21,100.,1,3", "CELAS2,21,100.,1,3,1,3", "both ends of CELAS2 21 are the same motion", 36),
     ("CMASS2,50,", "CMASS2,40,", "CONM2 40 has the number of another mass element, CMASS2 40", 38),
-    ("CONM2,40,2,,1.5", "CONM2,40,2,,", "field M of CONM2 is empty", 38),
+    ("CONM2,40,2,,1.5", "CONM2,40,2,,ton", "`ton` in field M of CONM2 is not a real number", 38),
     ("\n,Z,1.,.1,1.\n", "\n,Z,1.,.1\n", "list Z of GENEL 22 has 2 numbers; expected 3", 42),
     ("\n,Z,1.,.1,1.\n", "\n", "has neither K nor Z", 39),
     ("\n,UD,,1,1,", "\n,UD,,3,3,", "stands in both lists, UI and UD", 39),

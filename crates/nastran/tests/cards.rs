@@ -219,6 +219,30 @@ fn defaults_fill_blanks_wherever_they_stand_and_never_a_zero_that_is_written() {
 }
 
 #[test]
+fn elements_of_two_kinds_with_one_number_are_kept_and_said() {
+    let grids = "GRID,1\nGRID,2,,1.\n";
+    let bars = [1, 2, 3, 4, 5, 6].map(|id| format!("CBAR,{id},1,1,2,0.,0.,1.\nCROD,{id},2,1,2\n")).concat();
+    let deck = parse(&format!("{grids}{bars}CROD,9,2,1,2\n"));
+    assert_eq!((deck.beams.len(), deck.rods.len()), (6, 7));
+    assert_eq!(
+        deck.remarks(),
+        [
+            "elements of different kinds have one number, and each is kept: CBAR 1 and CROD 1, CBAR 2 and CROD 2, CBAR 3 and CROD 3, \
+             CBAR 4 and CROD 4 and 2 more"
+        ]
+    );
+    assert!(parse(&format!("{grids}CBAR,1,1,1,2,0.,0.,1.\nCROD,2,2,1,2\n")).remarks().is_empty());
+    let twice = error(&format!("{grids}CROD,1,2,1,2\nCROD,1,2,1,2\n"));
+    assert!(twice.contains("CROD 1 is given twice"), "{twice}");
+}
+
+#[test]
+fn a_concentrated_mass_may_be_inertia_alone() {
+    let deck = parse("CONM2    10001   1       0               0.      0.      0.\n+       4.\n");
+    assert_eq!((deck.masses[&10001].mass, deck.masses[&10001].inertia[0]), (0.0, 4.0));
+}
+
+#[test]
 fn a_number_given_twice_is_refused_with_both_places() {
     assert_eq!(
         error("GRID,1\n$\nGRID,2\nGRID,1\n"),

@@ -1,6 +1,9 @@
 //! Cards of general finite elements: fields, Nastran's defaults, and what is refused.
 
-use nastran::{BulkData, BushAxes, MaterialDirection, Orientation, ScalarValue, SplineKind, parse_deck};
+use nastran::{
+    BulkData, BushAxes, MaterialDirection, Orientation, ScalarValue, SolidPoints, SolidShear, SplineKind,
+    parse_deck,
+};
 
 fn parse(text: &str) -> BulkData {
     parse_deck("t.bdf", text).unwrap_or_else(|error| panic!("{error}"))
@@ -77,6 +80,21 @@ fn solids_and_rods() {
     assert_eq!((deck.rods[&5].property, deck.rods[&5].grids), (5, [1, 2]));
     let rod = &deck.rod_properties[&5];
     assert_eq!((rod.material, rod.area, rod.j, rod.nsm), (9, 0.1, 0.2, 0.4));
+}
+
+#[test]
+fn integration_of_solids_is_said_by_number_or_by_word() {
+    let said = |fields: &str| {
+        let deck = parse(&format!("PSOLID,2,9,,{fields}\n"));
+        (deck.solid_properties[&2].points, deck.solid_properties[&2].shear)
+    };
+    for fields in ["", "0,,0", "bubble,GRID,Reduced"] {
+        assert_eq!(said(fields), (SolidPoints::Usual, SolidShear::Reduced), "{fields}");
+    }
+    assert_eq!(said("2,,1"), (SolidPoints::Two, SolidShear::Full));
+    assert_eq!(said("TWO,GAUSS,FULL"), (SolidPoints::Two, SolidShear::Full));
+    assert_eq!(said("THREE"), (SolidPoints::Three, SolidShear::Reduced));
+    assert_eq!((said("3").0, said("1").0), (SolidPoints::Three, SolidPoints::One));
 }
 
 #[test]

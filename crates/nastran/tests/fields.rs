@@ -47,6 +47,48 @@ fn a_continuation_needs_no_mark_but_may_have_one() {
 }
 
 #[test]
+fn names_of_continuations_are_compared_without_what_stands_before_them() {
+    let first = "AEFACT  3       0.      .1      .2      .3      .4      .5      .6      ";
+    // Nastran compares columns 74 to 80 with columns 2 to 8.
+    for (end, start) in [
+        (" +000003", "++000003"),
+        (" +000003", "+ 000003"),
+        (" +000003", "+000003"),
+        ("+ 000003", "+ 000003"),
+        ("+000003", "++000003"),
+        ("*+000003", "++000003"),
+        ("QED12", "+ED12"),
+    ] {
+        let deck = parse(&format!("{first:72}{end}\n{start:8}.7      1.\n"));
+        assert_eq!(deck.factors[&3].values.len(), 9, "`{end}` `{start}`");
+    }
+    let large = "GRID*                  7                             1.5             -2. +G1";
+    assert_eq!(parse(&format!("{large}\n*+G1    .25\n")).grids[&7].xyz.z, 0.25);
+    assert_eq!(
+        error(&format!("{first:72} +000003\n++000004.7\n")),
+        "t.bdf:2:1: continuation `000004` follows a line that announces `000003`"
+    );
+}
+
+#[test]
+fn a_long_free_line_goes_on_as_its_continuations_would() {
+    // The example of MSC's Quick Reference Guide, "Format of Bulk Data Entries".
+    let long = parse("SPC1,100,12456,1,2,3,4,5,6,7,8,9,10\n");
+    assert_eq!(long.constraints[0].grids, [1, 2, 3, 4, 5, 6, 7, 8, 9, 10]);
+    let factors = |text: &str| parse(text).factors[&3].values.len();
+    assert_eq!(factors("AEFACT,3,0.,.1,.2,.3,.4,.5,.6,.7,.8\n"), 9);
+    assert_eq!(factors("AEFACT,3,0.,.1,.2,.3,.4,.5,.6,.7,.71,.72,.73,.74,.75,.76,.77,+A\n+A,.8\n"), 16);
+    assert_eq!(factors("AEFACT,3,0.,.1,.2,.3,.4,.5,.6\n,.7,.71,.72,.73,.74,.75,.76,.77,.8\n"), 16);
+    let material = parse("MAT1,10,1.76+6,,.3,5.435-5,3.0-6,72.,.02,1900.,1900.\n");
+    assert_eq!(material.materials[&10].rho, 5.435e-5);
+    assert_eq!(error("PSOLID,2,9,,,,,,,5\n"), "t.bdf:1:18: `5` stands behind the last field of PSOLID");
+    assert_eq!(
+        error("AEFACT,3,0.,.1,.2,.3,.4,.5,.6,+A,.8\n"),
+        "t.bdf:1:34: a free-field line has at most 8 fields between its name and that of its continuation"
+    );
+}
+
+#[test]
 fn a_small_continuation_after_one_large_line_starts_a_new_line() {
     let deck = parse(
         "CONM2*                 1               2                              3.\n+       1.      2.      3.\n",
@@ -115,7 +157,7 @@ fn errors_name_line_and_columns() {
         (1, 70, 73)
     );
     assert_eq!(column("AEFACT,3,0.,.1,.2,.3,.4,.5,.6,+\n+,.7,one\n"), (2, 6, 9));
-    assert_eq!(column("CONM2,1,2\n"), (1, 10, 11), "an empty field after the end of the line");
+    assert_eq!(column("CONM2,1\n"), (1, 8, 9), "an empty field after the end of the line");
 }
 
 #[test]
@@ -127,7 +169,7 @@ fn lines_that_are_no_cards_are_refused() {
         "t.bdf:2:1: continuation `B` follows a line that announces `A`"
     );
     assert_eq!(
-        error("AEFACT,3,0.,.1,.2,.3,.4,.5,.6,.7,.8\n"),
-        "t.bdf:1:31: a free-field line has at most 8 fields after its name"
+        error("GRID*,3,,0.,0.,0.\n"),
+        "t.bdf:1:16: a free-field line has at most 4 fields between its name and that of its continuation"
     );
 }

@@ -5,7 +5,7 @@ use nastran::{
     BulkData, BushAxes, Cbush, Conm1, Coord, CoordDefinition, CoordKind, CornerThickness, Crod, Expansion,
     Genel, Mat2, Mat8, Mat9, MaterialDirection, Motion, Mpc, Orientation, Pbush, Pcomp, Ply, Prod, Pshell,
     Psolid, Rbar, Rbe3, Rbe3Group, ScalarElement, ScalarProperty, ScalarValue, ShellElement, SolidElement,
-    Span, SplineCard, SplineKind, parse_deck, real, write_deck,
+    SolidPoints, SolidShear, Span, SplineCard, SplineKind, parse_deck, real, write_deck,
 };
 use proptest::prelude::*;
 
@@ -238,7 +238,9 @@ fn properties(dice: &mut Dice, deck: &mut BulkData) {
             .insert(id, Pcomp { id, z0, nsm, reference: 0.0, plies, is_symmetric, is_global, span: span() });
     }
     let (id, material, cordm) = (dice.id(), dice.id(), i32::try_from(dice.up_to(9)).expect("small") - 1);
-    deck.solid_properties.insert(id, Psolid { id, material, cordm, span: span() });
+    let points = [SolidPoints::Usual, SolidPoints::One, SolidPoints::Two, SolidPoints::Three][dice.up_to(4)];
+    let shear = if dice.yes() { SolidShear::Full } else { SolidShear::Reduced };
+    deck.solid_properties.insert(id, Psolid { id, material, cordm, points, shear, span: span() });
     let (id, material, area, j, nsm) = (dice.id(), dice.id(), dice.positive(), dice.positive(), dice.real());
     deck.rod_properties.insert(id, Prod { id, material, area, j, nsm, span: span() });
     let (id, stiffness) = (dice.id(), std::array::from_fn(|_| dice.positive()));

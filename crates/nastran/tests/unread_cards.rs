@@ -29,9 +29,17 @@ fn what_has_no_stiffness_mass_or_load_is_left_alone() {
     assert_eq!(parse_deck("wing.bdf", deck).expect("a deck").refuse_unread_elements(), Ok(()));
 }
 
+#[test]
+fn parameters_that_are_not_read_are_named_each_once() {
+    let deck = "PARAM,PRGPST,NO\nPARAM,POST,-1\nPARAM,ogeom,NO\nPARAM,PRGPST,NO\nEIGC,1,HESS\n";
+    let unread = parse_deck("wing.bdf", deck).expect("a deck").unread_cards();
+    assert_eq!(unread.as_deref(), Some("1 EIGC, 3 PARAM (OGEOM, PRGPST)"));
+}
+
 /// Whether a deck with a card of this name that is not read is refused.
 fn is_refused(name: &str) -> bool {
-    let unread = Unread { count: 1, first: Span::generated("test"), numbers: BTreeSet::new() };
+    let first = Span::generated("test");
+    let unread = Unread { count: 1, first, numbers: BTreeSet::new(), parameters: BTreeSet::new() };
     let deck = BulkData { unknown: [(name.to_owned(), unread)].into(), ..BulkData::default() };
     deck.refuse_unread_elements().is_err()
 }

@@ -70,6 +70,78 @@ fn replication_gives_the_cards_it_stands_for() {
 }
 
 #[test]
+fn a_card_with_its_name_takes_over_fields_of_the_one_before() {
+    let text = |deck: &str| nastran::write_deck(&parse_deck("t.bdf", deck).unwrap());
+    let written_out = text("PBAR,101,300,12.5,12.,13.,25.\nPBAR,102,300,12.5,12.,13.,25.\n");
+    for short in [
+        "PBAR,101,300,12.5,12.,13.,25.\nPBAR,102,300,== $ the same\n",
+        "PBAR,101,300,12.5,12.,13.,25.\nPBAR,*1,=,==\n",
+        "PBAR,101,300,12.5,12.,13.,25.\nPBAR    *(1)    ==\n",
+        "PBAR    101     300     12.5    12.     13.     25.\nPBAR    102     =       =       12.     ==\n",
+    ] {
+        assert_eq!(text(short), written_out, "{short}");
+    }
+    let rest = "GRID,1,,0.,1.\nGRID,*10,,*.5,==\n=2\nGRID,50,=,=,*2.\n";
+    let grids: String =
+        [(1, 0.0), (11, 0.5), (21, 1.0), (31, 1.5)].map(|(id, x)| format!("GRID,{id},,{x:?},1.\n")).concat();
+    assert_eq!(text(rest), text(&format!("{grids}GRID,50,,1.5,3.\n")));
+}
+
+#[test]
+fn replications_that_are_not_read_are_named() {
+    let error = |deck: &str| parse_deck("t.bdf", deck).unwrap_err().to_string();
+    let other = error("CROD,1,1,1,2\nCONROD,2,==\n");
+    assert!(
+        other.starts_with("t.bdf:2:1: CONROD takes over fields of the card before it, which is a CROD"),
+        "{other}"
+    );
+    let first = error("PBAR,102,300,==\n");
+    assert!(first.starts_with("t.bdf:1:1: a replication (`=`) has no card of one line before it"), "{first}");
+    let long = error("PBAR,1,3,1.,1.,1.\n,0.,0.\nPBAR,2,3,1.,1.,1.\n,==\n");
+    assert!(long.starts_with("t.bdf:4:2: `==` in a continuation of PBAR"), "{long}");
+    let end = error("GRID,9,,.02\n=(8),*(2),,%(.10)\n");
+    assert!(end.starts_with("t.bdf:2:1: `%(.10)` in a replication is a form of NASTRAN-95"), "{end}");
+    // NASTRAN-95 has the steps beside the number of cards.
+    let grids = parse_deck("t.bdf", "GRID,1,,.0\n=(3),*(2),,*(.005)\n").unwrap().grids;
+    assert_eq!(grids.keys().copied().collect::<Vec<_>>(), [1, 3, 5, 7]);
+    assert!((grids[&7].xyz.x - 0.015).abs() < 1e-15);
+    // In text the signs are letters.
+    let text = "GRID,1\nDEQATN  1       F(A,B)  =       A*B\nMONPNT1,TIP,=\n,3,WING\n";
+    assert_eq!(parse_deck("t.bdf", text).unwrap().monitors[0].label, "=");
+}
+
+#[test]
+fn decks_of_superelements_are_refused_as_such_whatever_else_is_wrong_with_them() {
+    let error = |deck: &str| parse_deck("t.bdf", deck).unwrap_err().to_string();
+    for card in
+        ["SESET,101,1", "CSUPER,101,,1,2", "SEBULK  101     EXTERNAL", "seconct*,101,0", "RELEASE,1,C,1"]
+    {
+        let name = card.split(|c: char| ", *".contains(c)).next().unwrap_or_default().to_uppercase();
+        let expected = format!(
+            "t.bdf:2:1: {name} makes this a deck of superelements; superelements and parts are not read (hint: give the whole \
+             model as one bulk data section)"
+        );
+        assert_eq!(error(&format!("GRID,1\n{card}\n")), expected);
+    }
+    // Parts share numbers, and refer to points that only Nastran makes.
+    let twice = error("GRID,1\nGRID,1\nSEBULK,101\n");
+    assert!(twice.starts_with("t.bdf:3:1: SEBULK makes this a deck of superelements"), "{twice}");
+    let first = error("GRID,1\nBEGIN SUPER=1\nEXTRN,1,123\n");
+    assert!(first.starts_with("t.bdf:2:1: `BEGIN SUPER=1` begins another part of the deck"), "{first}");
+    let part = error("GRID,1\nGRID,1\nBEGIN SUPER=1\n");
+    assert!(part.starts_with("t.bdf:2:6: GRID 1 is given twice"), "{part}");
+}
+
+#[test]
+fn parameters_that_are_whole_numbers_are_those_of_the_deck() {
+    let deck =
+        parse_deck("t.bdf", "CEND\nPARAM,INREL,-2\nBEGIN BULK\nPARAM,LGDISP,1\nPARAM,AUTOSPC,NO\n").unwrap();
+    let value = |name: &str| deck.parameters.get(name).copied();
+    assert_eq!((value("INREL"), value("LGDISP"), value("AUTOSPC")), (Some(-2.0), Some(1.0), Some(0.0)));
+    assert_eq!(deck.bounded(None).unwrap().parameters, deck.parameters);
+}
+
+#[test]
 fn blanks_inside_component_fields_and_continuation_names_say_nothing() {
     let deck = "GRDSET                                                  12 4 6\n\
                 GRID    1               0.      0.      0.\n\

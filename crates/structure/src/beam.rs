@@ -78,6 +78,18 @@ impl Beam {
         })
     }
 
+    /// The same without the twisting inertia of its consistent mass, which Nastran's bars do not have.
+    pub(crate) fn without_twisting_inertia(
+        self,
+        placement: &BeamPlacement,
+        property: &BeamProperty,
+        material: &Mat1,
+    ) -> Self {
+        let to_local = grid_to_element(&self.axes, &placement.offsets);
+        let mass = beam_mass::of_lines(Section { property, material }, self.length_m);
+        Self { mass: at_grids(&mass, &to_local), ..self }
+    }
+
     /// Length between the element's ends, m.
     pub fn length_m(&self) -> f64 {
         self.length_m

@@ -15,21 +15,29 @@ type Row = SMatrix<f64, 1, 12>;
 
 /// Mass in element axes about the element's ends.
 pub(crate) fn consistent(section: Section, length: f64) -> Matrix12 {
+    let mut mass = of_lines(section, length);
+    for (x, weight) in section.quadrature() {
+        let station = section.at(x);
+        let twist = Shape::at(x, length).twist;
+        let twisting = section.material.rho * (station.i1 + station.i2) + section.nsi(x);
+        mass += twist.transpose() * twist * (twisting * weight * length);
+    }
+    mass
+}
+
+/// The same without twisting inertia, as CBAR of a deck: Nastran's bars have none unless the NASTRAN statement says BARMASS=1.
+pub(crate) fn of_lines(section: Section, length: f64) -> Matrix12 {
     let mut mass = Matrix12::zeros();
     for (x, weight) in section.quadrature() {
         let station = section.at(x);
-        let rho = section.material.rho;
         let shape = Shape::at(x, length);
         let dx = weight * length;
-        for (per_length, offset) in
-            [(rho * station.area, section.neutral_axis(x)), (station.nsm, section.nsm_offset(x))]
-        {
+        let material = (section.material.rho * station.area, section.neutral_axis(x));
+        for (per_length, offset) in [material, (station.nsm, section.nsm_offset(x))] {
             for row in shape.displacement(offset) {
                 mass += row.transpose() * row * (per_length * dx);
             }
         }
-        let twisting = rho * (station.i1 + station.i2) + section.nsi(x);
-        mass += shape.twist.transpose() * shape.twist * (twisting * dx);
     }
     mass
 }

@@ -106,10 +106,10 @@ pub(crate) fn rod(
 }
 
 /// A general element: K over (ui, ud) = `[k, -k S; -S^T k, S^T k S]`, k the given stiffness or the inverse of the given
-/// flexibility; without S, k over ui alone.
+/// flexibility. Without S it follows from the rigid motions that the six ud determine; without ud, k is over ui alone.
 ///
 /// # Errors
-/// If the flexibility cannot be inverted.
+/// If the flexibility cannot be inverted, or S is left to ud that do not determine a rigid motion.
 pub(crate) fn general(
     card: &Genel,
     nodes: &[Node],
@@ -125,15 +125,22 @@ pub(crate) fn general(
             InputError::at(&card.span, message).with_help("a force must move its own point along itself")
         );
     };
-    let count = if card.s.is_empty() { 0 } else { ud.len() };
+    let motions = |of: &[(usize, usize)]| -> Vec<[(usize, f64); 3]> {
+        of.iter().map(|(node, component)| motion(nodes, *node, *component)).collect()
+    };
+    let (ui, ud) = (motions(ui), motions(ud));
+    let s = match (card.s.is_empty(), ud.is_empty()) {
+        (false, _) => DMatrix::from_fn(n, ud.len(), |i, j| card.s[i][j]),
+        (true, true) => DMatrix::zeros(n, 0),
+        (true, false) => carried_along(card, nodes, &ui, &ud)?,
+    };
     // Elastic motion: ui less what the support's motion carries along.
-    let elastic = DMatrix::from_fn(n, n + count, |i, j| match j.checked_sub(n) {
+    let elastic = DMatrix::from_fn(n, n + ud.len(), |i, j| match j.checked_sub(n) {
         None => f64::from(u8::from(i == j)),
-        Some(j) => -card.s[i][j],
+        Some(j) => -s[(i, j)],
     });
     let local = elastic.transpose() * k * &elastic;
-    let motions: Vec<[(usize, f64); 3]> =
-        ui.iter().chain(&ud[..count]).map(|(node, component)| motion(nodes, *node, *component)).collect();
+    let motions = [ui, ud].concat();
     let mut dofs: Vec<usize> =
         motions.iter().flatten().filter(|(_, f)| *f != 0.0).map(|(dof, _)| *dof).collect();
     dofs.sort_unstable();
@@ -153,6 +160,48 @@ pub(crate) fn general(
     })
 }
 
+/// S of a general element that leaves it out: how ui move where the six ud determine a rigid motion (QRG, GENEL).
+fn carried_along(
+    card: &Genel,
+    nodes: &[Node],
+    ui: &[[(usize, f64); 3]],
+    ud: &[[(usize, f64); 3]],
+) -> Result<DMatrix<f64>, InputError> {
+    let points = || ui.iter().chain(ud).map(|parts| nodes[parts[0].0 / 6].point);
+    let about = points().next().unwrap_or_else(Point3::origin);
+    let size = points().map(|point| (point - about).norm()).fold(0.0, f64::max).max(f64::MIN_POSITIVE);
+    let rigid = |of: &[[(usize, f64); 3]]| -> DMatrix<f64> {
+        DMatrix::from_fn(of.len(), 6, |i, rigid| {
+            of[i]
+                .iter()
+                .map(|(dof, factor)| factor * rigid_motion(nodes, *dof, rigid, &about, size))
+                .sum::<f64>()
+        })
+    };
+    let inverse = (ud.len() == 6).then(|| rigid(ud)).and_then(|ud| {
+        let singular = ud.singular_values();
+        (singular.min() > 1e-9 * singular.max()).then(|| ud.try_inverse()).flatten()
+    });
+    inverse.map(|inverse| rigid(ui) * inverse).ok_or_else(|| {
+        let message = format!("GENEL {}: without S, UD has six motions that determine a rigid one", card.id);
+        InputError::at(&card.span, message)
+            .with_help("give S, or six motions of UD, such as 1 to 6 of one grid")
+    })
+}
+
+/// What a rigid motion (three displacements, then three rotations about `about` in units of `size`) is in a degree of freedom of
+/// the g-set.
+fn rigid_motion(nodes: &[Node], dof: usize, rigid: usize, about: &Point3<f64>, size: f64) -> f64 {
+    let component = dof % 6;
+    let unit = Vector3::ith(rigid % 3, 1.0);
+    match (component < 3, rigid < 3) {
+        (true, true) => unit[component],
+        (true, false) => unit.cross(&(nodes[dof / 6].point - about))[component] / size,
+        (false, false) => unit[component - 3] / size,
+        (false, true) => 0.0,
+    }
+}
+
 /// Whether the grids of an element are not in one line and a rigid motion of theirs meets no force.
 fn turns_with_its_grids(element: &MatrixElement, nodes: &[Node]) -> bool {
     let (Some(k), dofs) = (element.stiffness(), element.dofs()) else { return false };
@@ -165,15 +214,8 @@ fn turns_with_its_grids(element: &MatrixElement, nodes: &[Node]) -> bool {
     // Rotations in units of the size: one unit for the whole matrix.
     let scale: Vec<f64> = dofs.iter().map(|dof| if dof % 6 < 3 { 1.0 } else { 1.0 / size }).collect();
     let scaled = DMatrix::from_fn(dofs.len(), dofs.len(), |i, j| scale[i] * k[(i, j)] * scale[j]);
-    let rigid = DMatrix::from_fn(dofs.len(), 6, |i, motion| {
-        let (arm, component) = (nodes[dofs[i] / 6].point - about, dofs[i] % 6);
-        let unit = Vector3::ith(motion % 3, 1.0);
-        match (component < 3, motion < 3) {
-            (true, true) => unit[component],
-            (true, false) => unit.cross(&arm)[component] / size,
-            (false, false) => unit[component - 3],
-            (false, true) => 0.0,
-        }
+    let rigid = DMatrix::from_fn(dofs.len(), 6, |i, rigid| {
+        rigid_motion(nodes, dofs[i], rigid, &about, size) / scale[i]
     });
     squares[1] > 1e-6 * squares[2] && (&scaled * rigid).amax() <= 1e-6 * scaled.amax()
 }

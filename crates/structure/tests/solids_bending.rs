@@ -67,6 +67,41 @@ fn bends_exactly(
     }
 }
 
+/// PSOLID with IN = THREE and ISOP = FULL is the standard trilinear element. Displaced as in bending its corners give shear x beside
+/// E z, so without Poisson's ratio it is 1 + (L/h)^2 / 2 times too stiff (G = E/2: the energies are E h^2 and G L^2, over twelve).
+#[test]
+fn the_standard_element_of_psolid_is_too_stiff_in_bending_by_its_slenderness() {
+    let stiffness = |psolid: &str, length: f64| {
+        let deck = format!(
+            "GRID,1,,0.,0.,0.\nGRID,2,,{length:?},0.,0.\nGRID,3,,{length:?},1.,0.\nGRID,4,,0.,1.,0.\n\
+             GRID,5,,0.,0.,1.\nGRID,6,,{length:?},0.,1.\nGRID,7,,{length:?},1.,1.\nGRID,8,,0.,1.,1.\n\
+             CHEXA,1,1,1,2,3,4,5,6\n,7,8\n{psolid}\nMAT1,1,1.,,0.\n"
+        );
+        let bulk = nastran::parse_deck("box.bdf", &deck).unwrap();
+        let model = structure::Model::from_deck(&bulk, None).unwrap();
+        let element = model.elements().next().unwrap();
+        // opposite rotations of the ends about y
+        let turned = |i: usize| {
+            let (x, z) = ([-1.0, 1.0, 1.0, -1.0][i % 4], if i < 4 { -0.5 } else { 0.5 });
+            [x * z, 0.0, 0.0]
+        };
+        let u = DVector::from_iterator(24, (0..8).flat_map(turned));
+        (u.transpose() * element.stiffness().unwrap().as_ref() * &u)[(0, 0)]
+    };
+    for length in [0.5, 1.0, 4.0] {
+        let exact = stiffness("PSOLID,1,1", length);
+        let expected = 1.0 + 0.5 * length * length;
+        for standard in ["PSOLID,1,1,,3,,1", "PSOLID,1,1,,TWO,,FULL"] {
+            let ratio = stiffness(standard, length) / exact;
+            assert!(
+                (ratio - expected).abs() < 1e-9 * expected,
+                "{standard}, {length}: {ratio} for {expected}"
+            );
+        }
+        assert!((stiffness("PSOLID,1,1,,3", length) - exact).abs() < 1e-12 * exact, "reduced shear");
+    }
+}
+
 #[test]
 fn a_box_bends_exactly_at_any_slenderness() {
     for length in [0.5, 20.0, 50.0, 200.0] {

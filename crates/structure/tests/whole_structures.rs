@@ -131,6 +131,29 @@ fn forms_of_mass_are_those_that_parameters_name() {
     assert_eq!(form("PARAM,AUTOSPC,NO\n", true), (MassForm::Lumped, false));
 }
 
+/// Nastran's bars have no twisting inertia, its beams have (MSC.Nastran Quick Reference Guide, NASTRAN statement, BARMASS = 0; a modes deck of
+/// pyYeti with the print of NX Nastran has its four digits only without).
+#[test]
+fn a_bar_of_a_deck_has_no_twisting_inertia() {
+    let twisting = |cards: &str, as_nastran: bool| {
+        let deck =
+            format!("PARAM,COUPMASS,1\nGRID,1,,0.,0.,0.\nGRID,2,,3.,0.,0.\nMAT1,1,7.+10,,.3,2700.\n{cards}");
+        let bulk = parse_deck("t.bdf", &deck).expect("a deck");
+        let model = if as_nastran { Model::from_deck(&bulk, None) } else { Model::from_bulk(&bulk) };
+        let mass =
+            model.expect("a model").elements().next().expect("a bar").mass().expect("mass").into_owned();
+        mass[(3, 3)]
+    };
+    let bar = "CBAR,1,1,1,2,0.,0.,1.\nPBAR,1,1,.01,2.-5,1.-5,1.-5\n";
+    let beam = "CBEAM,1,1,1,2,0.,0.,1.\nPBEAM,1,1,.01,2.-5,1.-5,,1.-5\n";
+    // rho (I1 + I2) L / 3
+    let own = 2700.0 * 3e-5;
+    assert_eq!(twisting(bar, true), 0.0);
+    for (cards, as_nastran) in [(bar, false), (beam, true), (beam, false)] {
+        assert!((twisting(cards, as_nastran) - own).abs() < 1e-9 * own, "{cards}");
+    }
+}
+
 /// Lumped, a rod has half of its mass at each end and a plate a quarter at each corner; rotations have none.
 #[test]
 fn lumped_masses_are_the_sums_of_rows_of_displacements() {

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use coupling::{Mount, WingFile};
-use nastran::{BulkData, InputError};
+use nastran::{BulkData, InputError, Psolid, SolidPoints, SolidShear};
 use structure::{MassForm, Model, System};
 
 use crate::failure::Failure;
@@ -97,6 +97,26 @@ pub(crate) fn held_remark(held: &[(u32, u8)]) -> Option<String> {
     })
 }
 
+/// Which solids have bubble functions although their PSOLID asks for reduced shear without them.
+pub(crate) fn solid_remark(bulk: &BulkData) -> Option<String> {
+    let asks = |solid: &&Psolid| {
+        solid.shear == SolidShear::Reduced && matches!(solid.points, SolidPoints::Two | SolidPoints::Three)
+    };
+    let has_bubbles = |solid: &Psolid| {
+        let mut elements = bulk.solids.values().filter(|element| element.property == solid.id);
+        elements.any(|element| element.grids.len() > 4 && element.midsides.iter().all(Option::is_none))
+    };
+    let asking = bulk.solid_properties.values().filter(asks).filter(|solid| has_bubbles(solid));
+    let ids: Vec<String> = asking.map(|solid| solid.id.to_string()).collect();
+    (!ids.is_empty()).then(|| {
+        format!(
+            "PSOLID {}: reduced shear without bubble functions (IN = TWO or THREE) is not there; CHEXA and CPENTA have them, as by \
+             default, and bend more easily than Nastran's",
+            ids.join(", ")
+        )
+    })
+}
+
 /// What a deck leaves to its reader, as it was read.
 fn say_what_was_assumed(bulk: &BulkData, model: &Model, system: &System) {
     show::note(match model.mass_form {
@@ -105,7 +125,8 @@ fn say_what_was_assumed(bulk: &BulkData, model: &Model, system: &System) {
         }
         MassForm::Consistent => "masses of elements are consistent, as PARAM COUPMASS says",
     });
-    bulk.remarks().iter().chain(&bulk.shell_remark()).for_each(|remark| show::note(remark));
+    let (shells, solids) = (bulk.shell_remark(), solid_remark(bulk));
+    bulk.remarks().iter().chain(&shells).chain(&solids).for_each(|remark| show::note(remark));
     if let Some(first) = bulk.air_errors.first() {
         show::note(&format!(
             "cards of the air are left aside, {} of them not read as they stand, the first: {first}",
@@ -115,10 +136,11 @@ fn say_what_was_assumed(bulk: &BulkData, model: &Model, system: &System) {
     if let Some(remark) = held_remark(system.auto_held()) {
         show::note(&remark);
     }
-    let reduced: Vec<&str> = ["ASET", "ASET1", "OMIT", "OMIT1"]
-        .into_iter()
-        .filter(|name| bulk.unknown.contains_key(*name))
-        .collect();
+    let reduced: Vec<&str> =
+        ["ASET", "ASET1", "BSET", "BSET1", "CSET", "CSET1", "OMIT", "OMIT1", "QSET", "QSET1"]
+            .into_iter()
+            .filter(|name| bulk.unknown.contains_key(*name))
+            .collect();
     if !reduced.is_empty() {
         show::note(&format!(
             "{} are not followed: modes are those of all motions, without reduction",

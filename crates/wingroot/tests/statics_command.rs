@@ -219,3 +219,56 @@ fn the_load_of_the_case_control_is_taken_unless_another_is_named() {
     assert!((tip(&["--subcase", "7"]) - 1.0 / 3.0).abs() < 1e-6, "LOAD of subcase 7");
     std::fs::remove_dir_all(&folder).expect("it was made above");
 }
+
+/// Two masses of 2 and 1 kg on a spring of 1000 N/m, pulled apart by 3 N at the second.
+fn pulled(folder: &Path, more: &str) {
+    let deck = format!(
+        "SOL 101\nCEND\nLOAD = 1\nSPC = 1\nBEGIN BULK\n{more}GRID,1,,0.,0.,0.\nGRID,2,,0.,0.,0.\nCELAS2,1,1000.,1,3,2,3\n\
+         CONM2,1,1,,2.\nCONM2,2,2,,1.\nSPC1,1,12456,1,2\nSUPORT,1,3\nFORCE,1,2,,3.,0.,0.,1.\nENDDATA\n"
+    );
+    std::fs::write(folder.join("wing.bdf"), deck).expect("a deck");
+}
+
+#[test]
+fn a_supported_structure_is_held_or_accelerates_under_its_loads() {
+    let folder = folder("relief");
+    let moved = || {
+        let result = result(&folder, &["--deck", "wing.bdf"]);
+        result["displacement_m"][2].as_f64().expect("a number")
+    };
+    pulled(&folder, "");
+    assert!((moved() - 3e-3).abs() < 1e-12, "the SUPORT holds grid 1: 3 N / 1000 N/m");
+    pulled(&folder, "PARAM,INREL,-1\n");
+    assert!(
+        (moved() - 2e-3).abs() < 1e-12,
+        "1 m/s^2: 2 N of the 3 go through the spring to the mass of 2 kg"
+    );
+    let reactions = std::fs::read_to_string(folder.join("out/reactions.csv")).expect("reactions");
+    let held: f64 = reactions
+        .lines()
+        .skip(1)
+        .filter_map(|line| line.split(',').nth(3)?.parse::<f64>().ok())
+        .map(f64::abs)
+        .sum();
+    assert!(held < 1e-12, "nothing is left for the SUPORT: {reactions}");
+    pulled(&folder, "PARAM,INREL,-2\n");
+    let output = run(&folder, &["--deck", "wing.bdf"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("PARAM INREL is -2; 0 and -1 are read"));
+    std::fs::remove_dir_all(&folder).expect("it was made above");
+}
+
+/// MSC.Nastran Quick Reference Guide, PARAM LGDISP: for SOL 106, 129 and 400.
+#[test]
+fn large_displacements_of_a_linear_solution_are_small() {
+    let folder = folder("lgdisp");
+    let is_large = |solution: &str| {
+        cantilever(&folder, "LOAD = 30\n");
+        let deck = std::fs::read_to_string(folder.join("wing.bdf")).expect("a deck");
+        let deck = deck.replace("SOL 106", solution).replace("BEGIN BULK\n", "BEGIN BULK\nPARAM,LGDISP,1\n");
+        std::fs::write(folder.join("wing.bdf"), deck).expect("a deck");
+        result(&folder, &["--deck", "wing.bdf"])["large_deflections"].as_bool().expect("a flag")
+    };
+    assert_eq!(["SOL 101", "SOL 106"].map(is_large), [false, true]);
+    std::fs::remove_dir_all(&folder).expect("it was made above");
+}

@@ -41,7 +41,7 @@ impl DeckGrids {
         [motions, mass_times]: [Mat<f64>; 2],
     ) -> Result<Self, InputError> {
         let balanced = balanced(bulk, &free, &motions);
-        let up = carried(bulk, &free, free.rigid_body(&Point3::origin()).subcols(2, 1).to_owned())?;
+        let up = carried(bulk, &free, &free.rigid_body(&Point3::origin()).subcols(2, 1).to_owned())?;
         let moved = free.inertia_loads(up.as_ref());
         let mass = (0..up.nrows()).map(|dof| up[(dof, 0)] * moved[(dof, 0)]).sum();
         Ok(Self { support: support_of(bulk), balanced, free, held, s_dofs, mass_times, mass })

@@ -5,6 +5,7 @@ pub mod cases;
 pub mod flutter;
 pub mod grids;
 pub mod gust;
+pub mod inertia_relief;
 mod mean_pitch;
 pub mod modal;
 mod monitors;

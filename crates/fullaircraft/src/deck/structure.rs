@@ -19,7 +19,12 @@ pub(crate) fn assembled(bulk: &BulkData) -> Result<System, InputError> {
 
 /// The structure clamped at its SUPORT motions.
 pub(crate) fn held(bulk: &BulkData) -> Result<System, InputError> {
-    let mut bulk = bulk.clone();
+    assembled(&clamped(bulk.clone()))
+}
+
+/// The deck with its SUPORT motions clamped.
+#[must_use]
+pub fn clamped(mut bulk: BulkData) -> BulkData {
     // One more card of a set that applies.
     let set = bulk.constraints.first().map_or(1, |card| card.set);
     for support in &bulk.supports {
@@ -32,7 +37,7 @@ pub(crate) fn held(bulk: &BulkData) -> Result<System, InputError> {
         };
         bulk.constraints.push(clamp);
     }
-    assembled(&bulk)
+    bulk
 }
 
 /// The rigid motions of the SUPORT components, each of unit size with the others at rest, g-set by motions; none for a deck without
@@ -148,24 +153,24 @@ pub(crate) fn reference_motions(free: &System, origin: &Point3<f64>, axes: &Matr
     })
 }
 
-/// Motions of the g-set with those at rest that AUTOSPC holds: Nastran's inertia is that of the free motions, so a mass there is not accelerated.
+/// Motions of the g-set as the free motions carry them: those that SPC, GRID or AUTOSPC holds are at rest, and so is what follows them alone. Nastran's
+/// inertia and air are those of the free motions: a mass on a motion that is held is not accelerated, and a load there is the ground's.
 ///
 /// # Errors
 /// If the displacement system of a grid is not there.
-pub(crate) fn carried(bulk: &BulkData, free: &System, mut motions: Mat<f64>) -> Result<Mat<f64>, InputError> {
+pub(crate) fn carried(bulk: &BulkData, free: &System, motions: &Mat<f64>) -> Result<Mat<f64>, InputError> {
     let frames = Frames::resolve(bulk)?;
-    for (grid, component) in free.auto_held() {
-        let (Some(card), Some(node)) = (bulk.grids.get(grid), free.node_index(*grid)) else { continue };
+    let mut own = Mat::zeros(free.free_count(), motions.ncols());
+    for i in 0..free.free_count() {
+        let (grid, component) = free.name(i);
+        let (Some(card), Some(node)) = (bulk.grids.get(&grid), free.node_index(grid)) else { continue };
         let axes = frames.axes_at_point(card.cd, &free.points()[node], &card.span)?;
-        let (kind, axis) = (usize::from(*component - 1) / 3, axes.column(usize::from(*component - 1) % 3));
-        for mut column in motions.col_iter_mut() {
-            let along: f64 = (0..3).map(|k| axis[k] * column[6 * node + 3 * kind + k]).sum();
-            for k in 0..3 {
-                column[6 * node + 3 * kind + k] -= along * axis[k];
-            }
+        let (kind, axis) = (usize::from(component - 1) / 3, axes.column(usize::from(component - 1) % 3));
+        for j in 0..motions.ncols() {
+            own[(i, j)] = (0..3).map(|k| axis[k] * motions[(6 * node + 3 * kind + k, j)]).sum::<f64>();
         }
     }
-    Ok(motions)
+    Ok(free.expand(own.as_ref()))
 }
 
 /// Displacements of the boxes (two rows a box) by those of the s-set.

@@ -136,9 +136,11 @@ impl TrimDeck {
         let (variables, incidence, accelerations) =
             variables(bulk, &lattice, &aeros, &seen, &turned, &stream)?;
         let integration = Integration::new(&lattice);
-        let (s_dofs, d) = (spline.used_dofs(), carried(bulk, &free, support_motions(bulk, &free)?)?);
+        let (s_dofs, d) = (spline.used_dofs(), carried(bulk, &free, &support_motions(bulk, &free)?)?);
         let d6 = reference_motions(&free, &origin, &axes);
-        let a = carried(bulk, &free, accelerations_by(bulk, &d6, &accelerations))?;
+        let a = accelerations_by(bulk, &d6, &accelerations);
+        // All weight of a wing that is clamped and does not fly hangs on its clamps.
+        let a = if bulk.supports.is_empty() { a } else { carried(bulk, &free, &a)? };
         let structure = Reduced::new(&free, &held, &d, &a, &s_dofs)?;
         let (corrections, motion) = (corrections(bulk, lattice.len())?, box_displacements(&spline, &s_dofs));
         let theta = Mat::from_fn(lattice.len(), s_dofs.len(), |j, dof| motion[(2 * j + 1, dof)]);
@@ -216,8 +218,9 @@ impl TrimDeck {
         loads
     }
 
-    /// Pressures of each variable (boxes by variables); with `inertia`, accelerations bend the structure.
-    fn pressures(&self, q: f64, elastic: Elastic, inertia: bool) -> Mat<f64> {
+    /// Pressures of each variable (boxes by variables); with `inertia`, accelerations bend the structure. Deformations count by `share`
+    /// (AEQR of TRIM).
+    fn pressures(&self, q: f64, elastic: Elastic, inertia: bool, share: f64) -> Mat<f64> {
         let flexibility = match elastic {
             Elastic::Rigid => return self.cp_variables.clone(),
             Elastic::Restrained => &self.restrained,
@@ -228,13 +231,13 @@ impl TrimDeck {
             u -= &self.sag;
         }
         let s = u.nrows();
-        let system = Mat::<f64>::identity(s, s) - flexibility * &self.stiffness * faer::Scale(q);
-        &self.cp_variables + &self.cp_displacement * system.partial_piv_lu().solve(&u)
+        let system = Mat::<f64>::identity(s, s) - flexibility * &self.stiffness * faer::Scale(share * q);
+        &self.cp_variables + &self.cp_displacement * system.partial_piv_lu().solve(&u) * faer::Scale(share)
     }
 
     /// Force and moment coefficients (`CX`, `CY`, `CZ`, `Cl`, `Cm`, `Cn` in the reference axes, about their origin) per unit of each variable.
     pub fn derivatives(&self, q: f64, elastic: Elastic) -> BTreeMap<String, [f64; 6]> {
-        let cp = self.pressures(q, elastic, elastic == Elastic::Restrained);
+        let cp = self.pressures(q, elastic, elastic == Elastic::Restrained, 1.0);
         let sums = self.axes.transpose() * self.loads(&cp);
         let (b, c) = (self.aeros.span_length, self.aeros.chord);
         let lengths = [1.0, 1.0, 1.0, b, c, b].map(|length| length * self.aeros.area);
@@ -256,7 +259,7 @@ impl TrimDeck {
     /// Where the aircraft diverges both held at the SUPORT motions and free (what diverges held alone says little of flight); if a fixed variable is unknown, there are not as many free variables as SUPORT motions, or free
     /// variables cannot be determined; they are named.
     pub fn trim(&self, q: f64, fixed: &[(String, f64)]) -> Result<TrimmedDeck, AircraftError> {
-        self.balanced(q, fixed, None)
+        self.balanced((q, 1.0), fixed, None)
     }
 
     /// As [`TrimDeck::trim`], for a TRIM card and its AELINK; the deck must have been built with its Mach number.
@@ -264,17 +267,18 @@ impl TrimDeck {
     /// # Errors
     /// As [`TrimDeck::trim`].
     pub fn trim_card(&self, card: &Trim) -> Result<TrimmedDeck, AircraftError> {
-        self.balanced(card.q, &card.fixed, Some(card.id))
+        self.balanced((card.q, card.elastic_share), &card.fixed, Some(card.id))
     }
 
+    /// `share`: what deformations count.
     fn balanced(
         &self,
-        q: f64,
+        (q, share): (f64, f64),
         fixed: &[(String, f64)],
         trim: Option<u32>,
     ) -> Result<TrimmedDeck, AircraftError> {
-        if self.divergence.first().is_some_and(|first| q >= *first)
-            && let Some(first) = self.free_divergence()?.filter(|first| q >= *first)
+        if self.divergence.first().is_some_and(|first| share * q >= *first)
+            && let Some(first) = self.free_divergence()?.filter(|first| share * q >= *first)
         {
             return Err(CouplingError::Diverged { q_pa: q, divergence_pa: Some(first) }.into());
         }
@@ -287,7 +291,7 @@ impl TrimDeck {
             })?;
             x[at] = Some(*value);
         }
-        let cp = self.pressures(q, Elastic::Restrained, true);
+        let cp = self.pressures(q, Elastic::Restrained, true, share);
         let air = (self.motions.transpose() * self.loads(&cp)) * faer::Scale(q);
         let balance = self.links.folded(&(air - &self.inertia), trim, &mut x)?;
         let rows: Vec<usize> = (0..balance.nrows()).collect();
@@ -309,7 +313,7 @@ impl TrimDeck {
             .collect();
         let net = self.net_monitors.iter().map(|one| (one.name.clone(), one.loads(&on_grids, &values)));
         let alpha = self.variables.iter().position(|name| name == "ANGLEA").map(|at| values[at]);
-        let mean = self.mean_pitch.as_ref().map(|pitch| pitch.angle_rad(&on_grids, &values));
+        let mean = self.mean_pitch.as_ref().map(|pitch| share * pitch.angle_rad(&on_grids, &values));
         Ok(TrimmedDeck {
             mean_angle_of_attack_rad: alpha.zip(mean).map(|(alpha, mean)| alpha + mean),
             lift: loads.values.iter().copied().step_by(2).collect(),

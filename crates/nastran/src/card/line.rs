@@ -2,7 +2,8 @@
 //! comments and continuations. Every field keeps its line and columns.
 //!
 //! A line is free if a comma stands in its first ten columns, or right after a whole number that begins in the ninth. Its fields are separated by
-//! commas, numbers by blanks, too. A continuation starts with `+`, `*`, a blank or
+//! commas, numbers by blanks, too; those beyond the eighth are those of continuations (MSC Nastran's automatic continuation), unless the
+//! ninth names one. A continuation starts with `+`, `*`, a blank or
 //! a comma and continues the card before it; if both ends carry a continuation name, the names must agree,
 //! because sorted continuations are not supported. `$` starts a comment anywhere.
 
@@ -11,9 +12,6 @@ use crate::source::{InputError, Span};
 use std::ops::Range;
 use std::path::PathBuf;
 use std::sync::Arc;
-
-/// Cards whose fields may all stand in one free line.
-const SYSTEMS: [&str; 3] = ["CORD2R", "CORD2C", "CORD2S"];
 
 /// The data fields of one whole line; a large line has half of them.
 pub(crate) const FIELDS_PER_LINE: usize = 8;
@@ -38,9 +36,9 @@ impl Field {
 pub(crate) struct Line {
     /// The card's name, or the continuation mark.
     pub(crate) head: Field,
-    /// Eight data fields, four on a large line.
+    /// Eight data fields, four on a large line, eight for each line that a long free one stands for.
     pub(crate) data: Vec<Field>,
-    /// The name of the continuation that follows, without its `+`; often empty.
+    /// The name of the continuation that follows ([`continuation_name`]); often empty.
     pub(crate) tail: String,
     /// True for comma-separated lines.
     pub(crate) is_free: bool,
@@ -63,6 +61,14 @@ impl Line {
             || source.counts_with_comma();
         if is_free { source.free().map(Some) } else { Ok(Some(source.fixed())) }
     }
+}
+
+/// The name of a continuation, as the line before announces it and the continuation itself begins with it.
+///
+/// Nastran compares columns 74 to 80 with columns 2 to 8, so that `+000003` in column 74 goes with `++000003`; but decks shift names
+/// within their fields, so signs and blanks before a name say nothing here.
+pub(crate) fn continuation_name(text: &str) -> &str {
+    text.trim_start_matches(|c: char| c.is_whitespace() || "+*".contains(c)).trim_end()
 }
 
 /// A line's characters, comment removed and tabs expanded, each with its column in the file.
@@ -115,8 +121,9 @@ impl<'a> Columns<'a> {
         let head = self.field(0..8);
         let width = if head.text().contains('*') { 16 } else { 8 };
         let data = (8..72).step_by(width).map(|start| self.field(start..start + width)).collect();
-        let tail = self.field(72..80).text().to_owned();
-        let tail = tail.strip_prefix(['+', '*']).unwrap_or("").trim().to_owned();
+        let tail = self.field(72..80);
+        let is_named = tail.text().starts_with(['+', '*']);
+        let tail = if is_named { continuation_name(tail.text()).to_owned() } else { String::new() };
         Line { head, data, tail, is_free: false }
     }
 
@@ -157,27 +164,28 @@ impl<'a> Columns<'a> {
         let mut data = pieces.split_off(1);
         let head = pieces.remove(0);
         let count = if head.text().contains('*') { FIELDS_PER_LINE / 2 } else { FIELDS_PER_LINE };
-        // As Nastran goes on by itself where the eleven fields of a coordinate system stand in one line.
-        let goes_on = SYSTEMS.iter().any(|name| head.text().eq_ignore_ascii_case(name));
-        let mark = data.get(count).map_or("", Field::text);
-        if goes_on && data.len() > count && !mark.is_empty() && !mark.starts_with(['+', '*']) {
-            let beyond = self.characters.len();
-            data.resize_with(2 * FIELDS_PER_LINE, || self.field(beyond..beyond));
-            return Ok(Line { head, data, tail: String::new(), is_free: true });
-        }
-        let rest = if data.len() > count { data.split_off(count) } else { Vec::new() };
-        let tail = rest.first().map_or("", Field::text);
-        let is_mark = tail.is_empty() || tail.starts_with(['+', '*']);
-        let surplus = rest.iter().skip(usize::from(is_mark)).find(|field| !field.text().is_empty());
-        if let Some(surplus) = surplus {
-            let message = format!("a free-field line has at most {count} fields after its name");
+        data.truncate(data.iter().rposition(|field| !field.text().is_empty()).map_or(0, |last| last + 1));
+        let replicates = head.text().starts_with('=');
+        let is_mark =
+            |field: &Field| field.text().starts_with('+') || (field.text().starts_with('*') && !replicates);
+        // An empty ninth field may be data or a continuation without a name; so what follows it is no long line.
+        let goes_on = |field: &Field| !field.text().is_empty() && !is_mark(field);
+        let is_long = count == FIELDS_PER_LINE && data.get(count).is_some_and(goes_on);
+        let is_named = data.len() > count && data.len() % count == 1;
+        let tail = data.pop_if(|last| is_named && is_mark(last));
+        if data.len() > count && !is_long {
+            let surplus = data[count..].iter().find(|field| goes_on(field)).unwrap_or(&data[count]);
+            let message = format!(
+                "a free-field line has at most {count} fields between its name and that of its continuation"
+            );
             return Err(
                 InputError::at(&surplus.span, message).with_help("go on in a line that starts with a comma")
             );
         }
-        let tail = tail.get(1..).unwrap_or("").trim().to_owned();
         let beyond = self.characters.len();
-        data.resize_with(count, || self.field(beyond..beyond));
+        let whole = data.len().max(1).next_multiple_of(count);
+        data.resize_with(whole, || self.field(beyond..beyond));
+        let tail = tail.map_or_else(String::new, |mark| continuation_name(mark.text()).to_owned());
         Ok(Line { head, data, tail, is_free: true })
     }
 }

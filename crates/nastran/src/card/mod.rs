@@ -7,7 +7,7 @@ mod values;
 
 use crate::source::{InputError, Span};
 pub(crate) use line::FIELDS_PER_LINE;
-use line::{Field, Line};
+use line::{Field, Line, continuation_name};
 
 /// A card with the data fields of all its lines; index 0 is the first field after the name.
 #[derive(Debug)]
@@ -39,14 +39,14 @@ impl Card {
 
     /// Adds a continuation line.
     pub(crate) fn extend(&mut self, line: Line) -> Result<(), InputError> {
-        let mark = line.head.text().get(1..).unwrap_or("").trim();
+        let mark = continuation_name(line.head.text());
         if !mark.is_empty() && !self.tail.is_empty() && mark != self.tail {
             let message = format!("continuation `{mark}` follows a line that announces `{}`", self.tail);
             return Err(InputError::at(&line.head.span, message)
                 .with_help("put continuations right after the line they continue"));
         }
         let half_line = !self.fields.len().is_multiple_of(FIELDS_PER_LINE);
-        if half_line && line.data.len() == FIELDS_PER_LINE {
+        if half_line && line.data.len() >= FIELDS_PER_LINE {
             let span = line.head.span.clone();
             let blank = || Field { raw: String::new(), span: span.clone() };
             self.fields.resize_with(self.fields.len().next_multiple_of(FIELDS_PER_LINE), blank);

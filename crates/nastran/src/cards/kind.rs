@@ -125,7 +125,7 @@ pub(super) use {keeps_numbers, keyed, no_image, not_written, numbered, own_image
 /// Which cards must not share a number with each other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Family {
-    /// Elements with stiffness.
+    /// Elements with stiffness; those of two kinds may share a number, which is said ([`crate::BulkData::remarks`]).
     Element,
     /// Masses.
     MassElement,

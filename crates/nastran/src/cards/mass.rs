@@ -24,7 +24,7 @@ pub struct Conm2 {
 
 impl DeckCard for Conm2 {
     numbered!();
-    /// CONM2: EID G CID M X1 X2 X3 blank / I11 I21 I22 I31 I32 I33.
+    /// CONM2: EID G CID M X1 X2 X3 blank / I11 I21 I22 I31 I32 I33. What is blank is zero, the mass too (inertia alone).
     fn read(card: &Card) -> Result<Vec<Self>, InputError> {
         let cid = card.integer_or(2, "CID", 0)?;
         if cid < -1 {
@@ -38,7 +38,7 @@ impl DeckCard for Conm2 {
             id: card.id(0, "EID")?,
             grid: card.id(1, "G")?,
             cid,
-            mass: card.real(3, "M")?,
+            mass: card.real_or(3, "M", 0.0)?,
             offset: card.vector(4, ["X1", "X2", "X3"])?,
             inertia,
             span: card.span.clone(),

@@ -73,7 +73,7 @@ pub use scalar::{ScalarElement, ScalarProperty, ScalarValue};
 pub use scalar_point::Spoint;
 pub use shear::{Cshear, Pshear};
 pub use shell::{CornerThickness, MaterialDirection, Pshell, ShellElement};
-pub use solid::{Psolid, SolidElement};
+pub use solid::{Psolid, SolidElement, SolidPoints, SolidShear};
 pub use spectral::{FrequencyList, FunctionTable, Randps, SpectrumShape, SpectrumTable, TimeSteps};
 pub use spin::Spin;
 pub use spline::{SplineCard, SplineKind};

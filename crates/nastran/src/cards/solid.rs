@@ -102,6 +102,67 @@ impl DeckCard for SolidElement {
     }
 }
 
+/// IN of PSOLID: the network of integration points.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum SolidPoints {
+    /// Blank, 0 or BUBBLE: Nastran's default, of CHEXA and CPENTA without grids on edges two points each way and bubble functions, of
+    /// those with grids on edges three points each way.
+    #[default]
+    Usual,
+    /// 1 or ONE: one point.
+    One,
+    /// 2 or TWO: two points each way, without bubble functions.
+    Two,
+    /// 3 or THREE: three points each way, without bubble functions.
+    Three,
+}
+
+/// ISOP of PSOLID: how shear strains are integrated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum SolidShear {
+    /// Blank, 0 or REDUCED: reduced shear, Nastran's default.
+    #[default]
+    Reduced,
+    /// 1 or FULL: the standard isoparametric element.
+    Full,
+}
+
+/// What stands in IN, in its two spellings.
+const POINTS: [(SolidPoints, [&str; 2]); 4] = [
+    (SolidPoints::Usual, ["0", "BUBBLE"]),
+    (SolidPoints::One, ["1", "ONE"]),
+    (SolidPoints::Two, ["2", "TWO"]),
+    (SolidPoints::Three, ["3", "THREE"]),
+];
+/// What stands in ISOP.
+const SHEAR: [(SolidShear, [&str; 2]); 2] =
+    [(SolidShear::Reduced, ["0", "REDUCED"]), (SolidShear::Full, ["1", "FULL"])];
+
+/// A choice that has a number and a word; an empty field is the default.
+fn choice<T: Copy + Default>(
+    card: &Card,
+    index: usize,
+    what: &str,
+    choices: &[(T, [&str; 2])],
+) -> Result<T, InputError> {
+    let text = card.text(index);
+    if text.is_empty() {
+        return Ok(T::default());
+    }
+    let is_said = |words: &[&str; 2]| words.iter().any(|word| text.eq_ignore_ascii_case(word));
+    choices.iter().find(|(_, words)| is_said(words)).map(|(chosen, _)| *chosen).ok_or_else(|| {
+        let list: Vec<String> =
+            choices.iter().map(|(_, [digit, word])| format!("{digit} ({word})")).collect();
+        card.wrong(index, what, &format!("empty or one of {}", list.join(", ")))
+    })
+}
+
+/// A choice as it is written: its number, or nothing for the default.
+fn number_of<T: PartialEq + Default>(choice: &T, choices: &[(T, [&'static str; 2])]) -> &'static str {
+    let chosen = choices.iter().find(|(one, _)| one == choice && *choice != T::default());
+    chosen.map_or("", |(_, [digit, _])| digit)
+}
+
 /// A solid's property (PSOLID).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Psolid {
@@ -112,13 +173,17 @@ pub struct Psolid {
     /// CORDM: material axes; 0 is basic, a positive number a coordinate system. (-1, element axes, is refused for
     /// materials that are not isotropic.)
     pub cordm: i32,
+    /// IN: the network of integration points.
+    pub points: SolidPoints,
+    /// ISOP: reduced shear, or the standard isoparametric element.
+    pub shear: SolidShear,
     /// Where the card stands.
     pub span: Span,
 }
 
 impl DeckCard for Psolid {
     numbered!();
-    /// PSOLID: PID MID CORDM IN STRESS ISOP FCTN; IN, STRESS and ISOP choose integration points and are skipped.
+    /// PSOLID: PID MID CORDM IN STRESS ISOP FCTN; STRESS is skipped, it says where stresses are printed.
     fn read(card: &Card) -> Result<Vec<Self>, InputError> {
         card.ends_after(7)?;
         card.word(6, "FCTN", &["SMECH"])?;
@@ -130,12 +195,18 @@ impl DeckCard for Psolid {
             id: card.id(0, "PID")?,
             material: card.id(1, "MID")?,
             cordm,
+            points: choice(card, 3, "IN", &POINTS)?,
+            shear: choice(card, 5, "ISOP", &SHEAR)?,
             span: card.span.clone(),
         }])
     }
 
     fn write(&self, card: Fields) -> Fields {
-        card.ints([self.id, self.material]).text(self.cordm.to_string())
+        card.ints([self.id, self.material])
+            .text(self.cordm.to_string())
+            .text(number_of(&self.points, &POINTS))
+            .blanks(1)
+            .text(number_of(&self.shear, &SHEAR))
     }
 
     raises!(cards: id, material; systems: cordm);

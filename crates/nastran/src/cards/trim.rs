@@ -89,6 +89,8 @@ pub struct Trim {
     pub mach: f64,
     /// Dynamic pressure.
     pub q: f64,
+    /// AEQR: what the deformation counts for in the air's loads, from zero (a rigid trim) to one.
+    pub elastic_share: f64,
     /// Variables with given values.
     pub fixed: Vec<(String, f64)>,
     /// Where the card stands.
@@ -99,8 +101,9 @@ impl DeckCard for Trim {
     numbered!();
     /// TRIM: ID MACH Q LABEL1 UX1 LABEL2 UX2 AEQR / LABEL3 UX3 ...
     fn read(card: &Card) -> Result<Vec<Self>, InputError> {
-        if !card.text(7).is_empty() && card.real(7, "AEQR")? != 1.0 {
-            return Err(card.wrong(7, "AEQR", "empty or 1., the elastic aircraft"));
+        let elastic_share = if card.text(7).is_empty() { 1.0 } else { card.real(7, "AEQR")? };
+        if !(0.0..=1.0).contains(&elastic_share) {
+            return Err(card.wrong(7, "AEQR", "from 0., the rigid aircraft, to 1., the elastic one"));
         }
         let mut fixed = Vec::new();
         for at in [3, 5].into_iter().chain((8..card.len()).step_by(2)) {
@@ -113,6 +116,7 @@ impl DeckCard for Trim {
             id: card.id(0, "ID")?,
             mach,
             q: card.positive(2, "Q")?,
+            elastic_share,
             fixed,
             span: card.span.clone(),
         }])

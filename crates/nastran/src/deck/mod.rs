@@ -10,6 +10,8 @@ mod dmi_cards;
 pub mod executive;
 mod include;
 mod replication;
+mod sections;
+mod superelements;
 mod taken;
 
 use crate::bulk_data::{BulkData, Unread};
@@ -21,8 +23,8 @@ use crate::source::{InputError, Span};
 use crate::text_file::{no_file, read_text};
 use defaults::Defaults;
 use dmi_cards::DmiCards;
-use replication::{Replication, is_replication};
-use std::collections::{BTreeMap, BTreeSet};
+use replication::{Replication, is_replication, refuse_in_continuation};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use taken::Numbers;
@@ -63,32 +65,16 @@ pub fn parse_deck(name: &str, text: &str) -> Result<BulkData, InputError> {
 fn parse_at(path: &Path, text: &str) -> Result<BulkData, InputError> {
     let mut reader = Reader::default();
     let lines: Vec<&str> = text.lines().collect();
-    let bulk = lines.iter().position(|line| is_begin_bulk(line)).map_or(0, |index| index + 1);
+    let bulk = sections::start_of_bulk(path, &lines)?;
     if bulk > 0 {
         reader.deck.subcases = case_control::read(path, &lines[..bulk - 1])?;
     }
     reader.files.insert(include::identity(path), Span::whole_file(path));
     // PARAM may stand in the case control, too. One that differs between subcases, or from the bulk data, is refused as given twice.
-    let parameters: Vec<&str> = lines[..bulk].iter().map(|line| parameter_in(line)).collect();
+    let parameters: Vec<&str> = lines[..bulk].iter().map(|line| sections::parameter_in(line)).collect();
     reader.lines(path, &parameters, 0)?;
-    reader.lines(path, &lines, bulk)?;
-    reader.finish()
-}
-
-/// A line of the case control if it is a PARAM, else an empty one.
-fn parameter_in(line: &str) -> &str {
-    let text = line.trim_start();
-    let is_parameter = text.get(..5).is_some_and(|word| word.eq_ignore_ascii_case("PARAM"))
-        && text[5..].starts_with([',', ' ', '\t', '*']);
-    // Only fixed fields stand where they stand.
-    let line = if text.contains(',') { text } else { line };
-    if is_parameter { line } else { "" }
-}
-
-fn is_begin_bulk(line: &str) -> bool {
-    let mut words = line.split('$').next().unwrap_or("").split_whitespace();
-    words.next().is_some_and(|word| word.eq_ignore_ascii_case("BEGIN"))
-        && words.next().is_some_and(|word| word.eq_ignore_ascii_case("BULK"))
+    let read = reader.lines(path, &lines, bulk).and_then(|()| reader.finish());
+    read.map_err(|error| superelements::explain(error, path, &lines, bulk))
 }
 
 #[derive(Default)]
@@ -145,6 +131,7 @@ impl Reader {
                     let error = InputError::at(&line.head.span, "a continuation without a card before it");
                     return Err(error.with_help("a card's name starts in the first column"));
                 };
+                refuse_in_continuation(&card.name, &line)?;
                 card.extend(line)?;
             } else {
                 self.flush()?;
@@ -170,12 +157,8 @@ impl Reader {
         if words.all(|word| word.is_empty() || word.eq_ignore_ascii_case("BULK")) && self.is_empty() {
             return Ok(true);
         }
-        let message = format!(
-            "`{}` begins another part of the deck; superelements and parts are not read",
-            text.trim()
-        );
-        Err(InputError::at(&line.head.span, message)
-            .with_help("give the whole model as one bulk data section"))
+        let what = format!("`{}` begins another part of the deck", text.trim());
+        Err(superelements::refusal(&line.head.span, &what))
     }
 
     /// Whether no card has been read.
@@ -209,6 +192,7 @@ impl Reader {
     /// Turns the card that is complete now into its struct.
     fn flush(&mut self) -> Result<(), InputError> {
         let Some(card) = self.card.take() else { return Ok(()) };
+        superelements::refuse(&card.name, &card.span)?;
         if card.name == "DMI" {
             return self.matrices.add(card);
         }
@@ -244,10 +228,11 @@ impl Reader {
         }
         if !self.deck.keep(&card)? && !self.parameter(&card)? {
             let number: Option<u32> = card.text(0).parse().ok();
-            let unread = self.deck.unknown.entry(card.name);
-            let unread = unread.or_insert(Unread { count: 0, first: card.span, numbers: BTreeSet::new() });
+            let parameter = (card.name == "PARAM").then(|| card.text(0).to_uppercase());
+            let unread = self.deck.unknown.entry(card.name).or_insert_with(|| Unread::first(card.span));
             unread.count += 1;
             unread.numbers.extend(number);
+            unread.parameters.extend(parameter);
         }
         Ok(())
     }

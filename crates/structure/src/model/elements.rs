@@ -52,7 +52,13 @@ pub(super) fn beam_parts<'a>(card: &BeamElement, builder: &Builder<'a>) -> Resul
 impl ElementCard for BeamElement {
     fn element(&self, builder: &mut Builder) -> Result<Arc<dyn Element>, InputError> {
         let BeamParts { nodes, placement, property, material } = beam_parts(self, builder)?;
-        Ok(Arc::new(Beam::new(self.id, nodes, &placement, property, material, &self.span)?))
+        let beam = Beam::new(self.id, nodes, &placement, property, material, &self.span)?;
+        let is_bar_of_deck = builder.nastran.is_some() && !property.is_beam;
+        Ok(Arc::new(if is_bar_of_deck {
+            beam.without_twisting_inertia(&placement, property, material)
+        } else {
+            beam
+        }))
     }
 
     fn property(&self) -> Option<u32> {

@@ -7,7 +7,7 @@ use crate::element::Element;
 use crate::solid::{QuadraticSolid, Solid};
 use crate::solid_material::SolidMaterial;
 use nalgebra::{Matrix3, Point3, Vector3, Vector6};
-use nastran::{InputError, Psolid, SolidElement};
+use nastran::{InputError, Psolid, SolidElement, SolidPoints, SolidShear};
 use std::sync::Arc;
 
 /// A solid of either kind.
@@ -66,7 +66,10 @@ impl Builder<'_> {
             let solid = QuadraticSolid::new(card.id, nodes, &points, &edges, &material, &card.span)?;
             return Ok(AnySolid::WithEdges(solid));
         }
-        Ok(AnySolid::Plain(Solid::new(card.id, nodes, &points, &material, &card.span)?))
+        let solid = Solid::new(card.id, nodes, &points, &material, &card.span)?;
+        let has_bubbles = matches!(property.points, SolidPoints::Usual);
+        let is_standard = property.shear == SolidShear::Full && !has_bubbles;
+        Ok(AnySolid::Plain(if is_standard { solid.standard() } else { solid }))
     }
 
     /// Forces (N) by degree of freedom of the g-set that hold a solid whose grids are warmer by `rises`; `strain` is its free strain a degree.

@@ -58,6 +58,8 @@ pub struct Solid {
     material: Arc<SolidMaterial>,
     shape: &'static dyn Shape,
     is_lumped: bool,
+    /// Without strain modes.
+    is_standard: bool,
 }
 
 impl Solid {
@@ -83,7 +85,8 @@ impl Solid {
         for (i, point) in points.iter().enumerate() {
             corners.set_column(i, &(point - points[0]));
         }
-        let solid = Self { id, nodes, corners, material: Arc::clone(material), shape, is_lumped: false };
+        let material = Arc::clone(material);
+        let solid = Self { id, nodes, corners, material, shape, is_lumped: false, is_standard: false };
         solid.check(span)?;
         Ok(solid)
     }
@@ -93,6 +96,17 @@ impl Solid {
     #[must_use]
     pub fn with_lumped_mass(self) -> Self {
         Self { is_lumped: true, ..self }
+    }
+
+    /// The same element without strain modes: the isoparametric one, which is too stiff in bending (PSOLID with ISOP = FULL).
+    #[must_use]
+    pub fn standard(self) -> Self {
+        Self { is_standard: true, ..self }
+    }
+
+    /// Number of strain modes.
+    fn mode_count(&self) -> usize {
+        if self.is_standard { 0 } else { self.shape.mode_count() }
     }
 
     /// Volume, m^3.
@@ -109,7 +123,7 @@ impl Solid {
     pub fn stress(&self, displacements: &DVector<f64>, at: [f64; 3]) -> [f64; 6] {
         let own = 3 * self.nodes.len();
         assert_eq!(displacements.len(), own, "three displacements a corner");
-        let mut motion = displacements.clone().resize_vertically(own + self.shape.mode_count(), 0.0);
+        let mut motion = displacements.clone().resize_vertically(own + self.mode_count(), 0.0);
         if let Some(modes) = self.modes_by_corners(&self.with_modes()) {
             motion.rows_mut(own, modes.nrows()).copy_from(&(modes * displacements));
         }
@@ -149,9 +163,7 @@ impl Solid {
             sense = volume;
         }
         let modes = self.modes_by_corners(&self.with_modes());
-        if self.shape.mode_count() > 0
-            && modes.is_none_or(|modes| !modes.iter().all(|value| value.is_finite()))
-        {
+        if self.mode_count() > 0 && modes.is_none_or(|modes| !modes.iter().all(|value| value.is_finite())) {
             let what = "its stiffness cannot be computed".to_string();
             return bad(what, "look for lengths or moduli many orders of magnitude off");
         }
@@ -180,7 +192,7 @@ impl Solid {
         let gradients: Gradients = inverse(jacobian) * self.shape.gradients(at);
         let modes: ModeStrains =
             strain_transformation(&inverse(middle)) * self.shape.mode_strains(at) * (volume_middle / volume);
-        let (own, count) = (3 * self.nodes.len(), self.shape.mode_count());
+        let (own, count) = (3 * self.nodes.len(), self.mode_count());
         let mut strains = Matrix6xX::zeros(own + count);
         for i in 0..self.nodes.len() {
             write_strains(&mut strains, 3 * i, &gradients.column(i).into_owned());
@@ -191,7 +203,7 @@ impl Solid {
 
     /// Stiffness over the corners' displacements and the modes.
     fn with_modes(&self) -> DMatrix<f64> {
-        let order = 3 * self.nodes.len() + self.shape.mode_count();
+        let order = 3 * self.nodes.len() + self.mode_count();
         let points = self.shape.stiffness_points();
         // All points in one product: faster than one product a point.
         let mut strains_t = DMatrix::zeros(order, 6 * points.len());
@@ -209,7 +221,7 @@ impl Solid {
     /// functions; `strain` is the free strain a degree (basic axes). What the modes take is condensed with them.
     pub(crate) fn thermal_forces(&self, strain: &Vector6<f64>, rises: &[f64]) -> DVector<f64> {
         let own = 3 * self.nodes.len();
-        let mut all = DVector::zeros(own + self.shape.mode_count());
+        let mut all = DVector::zeros(own + self.mode_count());
         for point in self.shape.stiffness_points() {
             let (strains, volume) = self.strains(point.at);
             let rise: f64 = self.shape.values(point.at).iter().zip(rises).map(|(n, rise)| n * rise).sum();
@@ -224,7 +236,7 @@ impl Solid {
 
     /// -K_aa^-1 K_au: the modes from the corners' displacements; `None` without modes, or if they cannot be found.
     fn modes_by_corners(&self, k: &DMatrix<f64>) -> Option<DMatrix<f64>> {
-        let (own, modes) = (3 * self.nodes.len(), self.shape.mode_count());
+        let (own, modes) = (3 * self.nodes.len(), self.mode_count());
         let factor = (modes > 0).then(|| k.view((own, own), (modes, modes)).into_owned().cholesky())??;
         Some(-factor.solve(&k.view((own, 0), (modes, own))))
     }
@@ -245,7 +257,7 @@ impl Element for Solid {
     }
 
     fn stiffness(&self) -> Option<Cow<'_, DMatrix<f64>>> {
-        let (own, modes) = (3 * self.nodes.len(), self.shape.mode_count());
+        let (own, modes) = (3 * self.nodes.len(), self.mode_count());
         let full = self.with_modes();
         let mut k = full.view((0, 0), (own, own)).into_owned();
         if let Some(by_corners) = self.modes_by_corners(&full) {

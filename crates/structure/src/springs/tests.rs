@@ -277,17 +277,22 @@ fn a_general_element_with_a_beams_flexibility_is_the_beam() {
         };
         let all = |end: usize| -> Vec<(usize, usize)> { (0..6).map(|component| (end, component)).collect() };
         for (matrix, is_flexibility) in [(rows(&z), true), (rows(&between(&b, &b)), false)] {
-            let made =
-                general(&card(rows(&s), matrix.clone(), is_flexibility), &model.nodes, &all(1), &all(0));
-            let made = made.expect("sound");
-            let k = made.stiffness().expect("stiff");
-            assert_eq!(made.dofs(), (0..12).collect::<Vec<_>>());
-            assert!((&*k - &beam).amax() < 1e-10 * beam.amax(), "{axes}: {}", &*k - &beam);
-            // Two grids are in one line.
-            assert!(matches!(made.corotation(), Corotation::Refused(why) if why.contains("GENEL 9")));
-            // Without S the support has no say.
-            let held = general(&card(Vec::new(), matrix, is_flexibility), &model.nodes, &all(1), &all(0));
-            let held = held.expect("sound");
+            let made = |s: Vec<Vec<f64>>, ud: &[(usize, usize)]| {
+                general(&card(s, matrix.clone(), is_flexibility), &model.nodes, &all(1), ud)
+            };
+            // Without S the rigid motions of the support are carried along, and a beam has no other S.
+            for s in [rows(&s), Vec::new()] {
+                let made = made(s, &all(0)).expect("sound");
+                let k = made.stiffness().expect("stiff");
+                assert_eq!(made.dofs(), (0..12).collect::<Vec<_>>());
+                assert!((&*k - &beam).amax() < 1e-10 * beam.amax(), "{axes}: {}", &*k - &beam);
+                // Two grids are in one line.
+                assert!(matches!(made.corotation(), Corotation::Refused(why) if why.contains("GENEL 9")));
+            }
+            let said = made(Vec::new(), &all(0)[1..]).expect_err("five motions").to_string();
+            assert!(said.contains("GENEL 9: without S, UD has six motions"), "{said}");
+            // Without a support k is over ui alone.
+            let held = made(Vec::new(), &[]).expect("sound");
             assert_eq!(held.dofs(), (6..12).collect::<Vec<_>>());
             let end = beam.view((6, 6), (6, 6));
             assert!((&*held.stiffness().expect("stiff") - end).amax() < 1e-10 * beam.amax());

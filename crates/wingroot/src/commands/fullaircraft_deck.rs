@@ -17,7 +17,7 @@ use super::given_deck::GivenDeck;
 use crate::args::Common;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
-use crate::structures::held_remark;
+use crate::structures::{held_remark, solid_remark};
 use crate::{progress, show};
 
 /// Names of the coefficients in the order of the library.
@@ -188,10 +188,12 @@ fn say_of_stations(skipped: &[String]) {
     }
 }
 
-/// What of splines, divisions and shells is not as the deck might expect; `held` are the motions that AUTOSPC holds.
+/// What of splines, divisions, constraints, shells and solids is not as the deck might expect; `held` are the motions that AUTOSPC holds.
 pub(crate) fn say_what_is_assumed(bulk: &BulkData, loose: &[u32], held: &[(u32, u8)]) {
-    let remarks = [bulk.division_remark(), bulk.spline_remark(), bulk.shell_remark(), held_remark(held)];
-    remarks.iter().flatten().for_each(|remark| show::note(remark));
+    let (divisions, splines) = (bulk.division_remark(), bulk.spline_remark());
+    let (shells, solids) = (bulk.shell_remark(), solid_remark(bulk));
+    let all = [divisions, splines, shells, solids, held_remark(held)];
+    bulk.remarks().iter().chain(all.iter().flatten()).for_each(|remark| show::note(remark));
     if let Some(first) = loose.first() {
         show::note(&format!(
             "{} boxes have no spline, the first {first}: they neither move nor load the structure",

@@ -7,6 +7,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use faer::Mat;
+use fullaircraft::{InertiaRelief, clamped};
 use nastran::{BulkData, InputError};
 use report::Table;
 use structure::nonlinear::{Controls, LargeDeflection, Loads, Path, reactions_of};
@@ -44,7 +45,7 @@ pub struct StaticsArgs {
     #[arg(long, value_name = "N", conflicts_with = "wing")]
     pub(crate) subcase: Option<u32>,
     /// Large deflections: every element turns with the structure, and so do pressures, FORCE1 and the air [default: as PARAM
-    /// LGDISP or the wing's `geometry` says]
+    /// LGDISP of a nonlinear solution (SOL 106, 400) or the wing's `geometry` says]
     #[arg(long)]
     pub(crate) nonlinear: bool,
     /// Equal shares of the load at which large deflections are written
@@ -56,8 +57,9 @@ pub struct StaticsArgs {
 pub(crate) fn run(args: &StaticsArgs, common: &Common) -> Result<(), Failure> {
     let Some(deck) = &args.deck else { return statics_air::run(&args.air, args.nonlinear, common) };
     let start = Instant::now();
-    let bulk = nastran::read_deck(deck)?;
+    let mut bulk = nastran::read_deck(deck)?;
     statics_cases::refuse_nonlinear_materials(&bulk, deck)?;
+    statics_cases::set_aside_lgdisp(&mut bulk, deck)?;
     let wanted = |value: Option<usize>| value.and_then(|value| u32::try_from(value).ok());
     let cases =
         statics_cases::asked(&bulk, wanted(args.load), args.subcase).map_err(|error| error.or_in(deck))?;
@@ -107,15 +109,30 @@ struct Bounded {
     flexibility: Flexibility,
     /// The deck under these conditions.
     bulk: BulkData,
+    /// Where the deck asks for inertia relief.
+    relief: Option<InertiaRelief>,
 }
 
 impl Bounded {
     fn new(deck: &std::path::Path, bulk: &BulkData, case: &Asked) -> Result<Self, Failure> {
         let name = deck.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-        let structure = Structure::of_cards(name, deck.to_path_buf(), bulk.clone(), Some(case.subcase))?;
-        let bulk = bulk.bounded(case.subcase).map_err(|error| error.or_in(deck))?.into_owned();
+        let mut bulk = bulk.bounded(case.subcase).map_err(|error| error.or_in(deck))?.into_owned();
+        // SUPORT1 holds where a subcase selects it.
+        bulk.supports.retain(|card| card.set.is_none() || case.subcase.is_some());
+        let relief = if statics_cases::asks_for_inertia_relief(&bulk).map_err(|error| error.or_in(deck))? {
+            Some(InertiaRelief::new(&bulk).map_err(|error| error.or_in(deck))?)
+        } else {
+            None
+        };
+        if relief.is_none() && !bulk.supports.is_empty() {
+            show::note(
+                "the motions of SUPORT are clamped (PARAM,INREL,-1 lets the structure accelerate in them)",
+            );
+        }
+        let bulk = clamped(bulk);
+        let structure = Structure::of_cards(name, deck.to_path_buf(), bulk.clone(), Some(None))?;
         let flexibility = Flexibility::new(&structure.system).map_err(Failure::computation)?;
-        Ok(Self { case: case.clone(), structure, flexibility, bulk })
+        Ok(Self { case: case.clone(), structure, flexibility, bulk, relief })
     }
 
     /// Motions that SPC and the SPCD of a load set enforce, six a node.
@@ -134,6 +151,10 @@ impl Bounded {
         let refused = |message: &str, help: &str| {
             Err(InputError::in_file(&self.structure.path, message).with_help(help).into())
         };
+        if self.relief.is_some() {
+            let message = "large deflections know no inertia relief";
+            return refused(message, "leave out --nonlinear and PARAM LGDISP, or PARAM INREL and SUPORT");
+        }
         if case.temperatures[0].is_some() || self.enforced(case.load)?.is_some() {
             let message = "large deflections know no motions that SPC or SPCD enforces, and no temperatures";
             return refused(message, "leave out --nonlinear and PARAM LGDISP, or press by forces");
@@ -158,6 +179,13 @@ impl Bounded {
         }
         let enforced = self.enforced(case.load)?;
         let mut pushing = forces.clone();
+        if let Some(relief) = &self.relief {
+            let (inertia, accelerations) =
+                relief.inertia(forces.as_ref()).map_err(|error| error.or_in(&self.structure.path))?;
+            pushing += inertia;
+            statics_cases::say_accelerations(&accelerations);
+        }
+        let pushed = pushing.clone();
         if let Some(enforced) = &enforced {
             pushing -= system.elastic_loads(enforced.as_ref());
         }
@@ -166,7 +194,7 @@ impl Bounded {
         if let Some(enforced) = &enforced {
             u_g += enforced;
         }
-        let unbalanced = system.elastic_loads(u_g.as_ref()) - &forces;
+        let unbalanced = system.elastic_loads(u_g.as_ref()) - pushed;
         let unbalanced: Vec<f64> = unbalanced.col(0).iter().copied().collect();
         Ok(statics_files::State {
             displacements: u_g.col(0).iter().copied().collect(),

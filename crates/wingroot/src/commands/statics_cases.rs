@@ -102,6 +102,43 @@ pub(super) fn refuse_nonlinear_materials(bulk: &BulkData, deck: &Path) -> Result
     Err(InputError::at(&unread.first, message).with_help("take it out to compute with the elastic material"))
 }
 
+/// Takes PARAM LGDISP out of a deck whose solution is linear: Nastran follows it in SOL 106 and 400.
+///
+/// # Errors
+/// If the deck cannot be read.
+pub(super) fn set_aside_lgdisp(bulk: &mut BulkData, deck: &Path) -> Result<(), InputError> {
+    let is_linear = Solution::of_file(deck)?.is_some_and(|asked| asked.analysis == Analysis::Statics);
+    if is_linear && bulk.parameters.remove("LGDISP").is_some_and(|value| value > 0.0) {
+        show::note(
+            "PARAM LGDISP acts in SOL 106 and 400, not in SOL 101: deflections are small (--nonlinear makes them large)",
+        );
+    }
+    Ok(())
+}
+
+/// Whether PARAM INREL asks for inertia relief about the SUPORT.
+///
+/// # Errors
+/// If it asks for it without a SUPORT (-2), or is no option.
+pub(super) fn asks_for_inertia_relief(bulk: &BulkData) -> Result<bool, InputError> {
+    match bulk.parameters.get("INREL").copied().unwrap_or(0.0) {
+        0.0 => Ok(false),
+        -1.0 => Ok(true),
+        other => Err(InputError::general(format!("PARAM INREL is {other}; 0 and -1 are read"))
+            .with_help("name the motions in which the structure is free by SUPORT, and give -1")),
+    }
+}
+
+/// Says how a structure accelerates under its loads.
+pub(super) fn say_accelerations(accelerations: &[(u32, u8, f64)]) {
+    let of = |(grid, component, value): &(u32, u8, f64)| {
+        let unit = if *component <= 3 { "m/s^2" } else { "rad/s^2" };
+        format!("GRID {grid} component {component} {value:.6} {unit}")
+    };
+    let list: Vec<String> = accelerations.iter().map(of).collect();
+    show::note(&format!("inertia relief (PARAM INREL): the structure accelerates by {}", list.join(", ")));
+}
+
 /// The load set that there can be no doubt about: the only one, the only LOAD, or none where motions are enforced.
 fn alone(bulk: &BulkData) -> Result<Option<u32>, InputError> {
     let all = load_sets(bulk);

@@ -7,7 +7,10 @@ use crate::planform::Planform;
 use crate::planform::cards::add_grid;
 use crate::planform::panels::card_number;
 use nalgebra::{Point3, Unit, Vector3};
-use nastran::{BulkData, Coord, CoordDefinition, Expansion, InputError, Mat1, Psolid, SolidElement, Span};
+use nastran::{
+    BulkData, Coord, CoordDefinition, Expansion, InputError, Mat1, Psolid, SolidElement, SolidPoints,
+    SolidShear, Span,
+};
 
 const FIRST_SOLID: u32 = 1_000_001;
 /// PSOLID and MAT1 of the core.
@@ -118,7 +121,17 @@ impl<'wing> Mesh<'wing> {
                 span: span.clone(),
             },
         );
-        bulk.solid_properties.insert(CORE, Psolid { id: CORE, material: CORE, cordm: 0, span: span.clone() });
+        bulk.solid_properties.insert(
+            CORE,
+            Psolid {
+                id: CORE,
+                material: CORE,
+                cordm: 0,
+                points: SolidPoints::Usual,
+                shear: SolidShear::Reduced,
+                span: span.clone(),
+            },
+        );
         let cells =
             (0..self.spanwise()).flat_map(|station| (0..self.chordwise()).map(move |line| (station, line)));
         let mut id = FIRST_SOLID;
