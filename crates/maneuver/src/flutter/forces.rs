@@ -40,7 +40,8 @@ pub trait GeneralisedForces {
     /// So does Nastran where a deck has one frequency. With several its spline goes on along a straight line, on which air soon
     /// drives what it damps at the table's end: where the table ends at k = 10, MSC's print of mAEWing2 has g of a mode at 128 Hz from
     /// -2.7e-4 at k = 12 to 2.3e-4 at 47, and NASTRAN-95 has .12 for the Goland wing at 10 m/s with k up to .3, but -.008 with k up to 80.
-    /// What is held leaves out that apparent mass grows with the square of the frequency: 5 % of the Goland wing's frequencies.
+    /// What is held leaves out that apparent mass grows with the square of the frequency (5 % of the Goland wing's frequencies), and what
+    /// is beyond the range may flutter late or not at all: a light section that does at 21 m/s does at 31 with k up to half of flutter's.
     ///
     /// # Errors
     /// As [`GeneralisedForces::at`] within the range.

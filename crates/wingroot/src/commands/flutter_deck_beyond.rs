@@ -37,19 +37,15 @@ pub(super) fn remark(deck: &FlutterDeck, group: &FlutterPoints, curves: &Complet
         format!("{v:.4} (branch {branch}, k = {:.3})", k(crossing.omega_rad_s, v))
     };
     let rests = changes.iter().map(one).collect::<Vec<_>>().join(" and at ");
-    let advice = match (changes.is_empty(), curves.crossings.is_empty()) {
-        (false, _) => {
-            format!("; the change of stability at {rests} rests on it: list higher k in MKAERO1 or MKAERO2")
-        }
-        (true, false) => {
-            "; no change of stability is among them: list higher k in MKAERO1 or MKAERO2 if they matter"
-                .to_owned()
-        }
-        (true, true) => "; list higher k in MKAERO1 or MKAERO2 if they matter".to_owned(),
+    // few and low k may hide a flutter as well as move it: what was not found is no comfort
+    let advice = if changes.is_empty() {
+        "a flutter among them may be missed: list higher k in MKAERO1 or MKAERO2".to_owned()
+    } else {
+        format!("the change of stability at {rests} rests on it: list higher k in MKAERO1 or MKAERO2")
     };
     Some(format!(
         "{} beyond the reduced frequencies of MKAERO1 and MKAERO2 (highest k: {}), up to k = {:.3}, at velocities {}: the air there is \
-         assumed to have Re Q and Im Q/k of the last k, and roots are a hint only{advice}",
+         assumed to have Re Q and Im Q/k of the last k, and roots are a hint only; {advice}",
         named(&branches),
         listed.text(),
         ks.high,
