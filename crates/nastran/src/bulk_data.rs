@@ -3,7 +3,7 @@
 use crate::card::Card;
 use crate::cards::kind::{CardKind, Cards, DeckCard, Family};
 use crate::cards::{
-    Aecomp, Aecompl, Aefact, Aelink, Aelist, Aero, Aeros, Aestat, Aesurf, BeamElement, BeamLoad,
+    Aecomp, Aecompl, Aefact, Aelink, Aelist, Aero, Aeros, Aestat, Aesurf, AnalysisSet, BeamElement, BeamLoad,
     BeamProperty, Caero1, Cbush, Conm1, Conm2, Conrod, Coord, Crod, CrossLoad, Cshear, Ctube, Darea, Diverg,
     Dmig, DynamicLoad, EigenMethod, Flfact, Flutter, FrequencyList, FunctionTable, Genel, Gravity, Grid,
     Gust, LineLoad, LoadSum, Mat1, Mat2, Mat8, Mat9, Mkaero, MonitorPoint, Mpc, Paero1, Pbush, Pcomp,
@@ -205,6 +205,8 @@ kinds! {
     component_lists: BTreeMap<String, Aecompl>, Own, ["AECOMPL"];
     eigen_methods: BTreeMap<u32, EigenMethod>, Own, ["EIGRL", "EIGR"];
     supports: Vec<Suport>, Own, ["SUPORT", "SUPORT1"];
+    analysis_sets: Vec<AnalysisSet>, Own,
+        ["ASET1", "OMIT1", "QSET1", "ASET", "BSET", "BSET1", "CSET", "CSET1", "OMIT", "QSET"];
     unsteady_reference: Option<Aero>, Own, ["AERO"];
     flutters: BTreeMap<u32, Flutter>, Own, ["FLUTTER"];
     flutter_factors: BTreeMap<u32, Flfact>, Own, ["FLFACT"];

@@ -15,3 +15,11 @@ pub fn effective_masses(system: &System, modes: &Modes, about: &Point3<f64>) -> 
     let row = |mode: usize| std::array::from_fn(|axis| factors[(mode, axis)].powi(2));
     (0..modes.omega_rad_s.len()).map(row).collect()
 }
+
+/// The mass (kg) that moves with the whole along x, y, z, of which the translational effective masses are parts; concentrated masses of single
+/// components (CMASS2, CONM1) make it differ by axis.
+pub fn masses_along(system: &System) -> [f64; 3] {
+    let rigid = system.rigid_body(&Point3::origin());
+    let momentum = system.inertia_loads(rigid.subcols(0, 3));
+    std::array::from_fn(|axis| (0..rigid.nrows()).map(|dof| rigid[(dof, axis)] * momentum[(dof, axis)]).sum())
+}

@@ -245,11 +245,14 @@ impl<'a> Search<'a> {
         Ok(())
     }
 
-    /// All modes; a stiffness that is not positive, if only by rounding, is left to sweeps.
+    /// All modes, of the shifted stiffness where there is a shift; one that is not positive, if only by rounding, is left to sweeps.
     fn by_rotations(&mut self, factor: Factor) -> Result<(), ModesError> {
-        let Some(all) = jacobi::all_modes(self.system.stiffness(), self.mass) else {
+        let k = self.system.stiffness();
+        let shifted = sparse::combine(k, self.shift, self.system.mass());
+        let Some(mut all) = jacobi::all_modes(SparseColMatRef::new(k.symbolic(), &shifted), self.mass) else {
             return self.by_sweeps(factor);
         };
+        all.values.iter_mut().for_each(|value| *value -= self.shift);
         let available = all.values.len();
         if available < self.count {
             return Err(ModesError::TooMany { asked: self.count, available });

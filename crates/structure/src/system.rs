@@ -202,7 +202,7 @@ impl System {
     }
 
     /// The same structure with only some of its free motions, ascending.
-    fn restricted(&self, kept: &[usize]) -> Self {
+    pub(crate) fn restricted(&self, kept: &[usize]) -> Self {
         let mut place = vec![None; self.free_count()];
         kept.iter().enumerate().for_each(|(new, old)| place[*old] = Some(new));
         let row = |row: &Vec<(usize, f64)>| {
@@ -212,6 +212,12 @@ impl System {
             free: kept.iter().map(|at| self.dofs.free[*at]).collect(),
             rows: self.dofs.rows.iter().map(row).collect(),
         };
+        let block = |a: &Sparse| sparse::block(a.as_ref(), kept);
+        self.with_free(dofs, [block(&self.k_ff), block(&self.m_ff)])
+    }
+
+    /// The same structure with other free motions, and stiffness and mass of these.
+    pub(crate) fn with_free(&self, dofs: DofMap, [k_ff, m_ff]: [Sparse; 2]) -> Self {
         Self {
             ids: self.ids.clone(),
             points: self.points.clone(),
@@ -219,12 +225,17 @@ impl System {
             dofs,
             k_gg: Arc::clone(&self.k_gg),
             m_gg: Arc::clone(&self.m_gg),
-            k_ff: sparse::block(self.k_ff.as_ref(), kept),
-            m_ff: sparse::block(self.m_ff.as_ref(), kept),
+            k_ff,
+            m_ff,
             unattached: self.unattached.clone(),
             auto_held: self.auto_held.clone(),
             analysis: OnceLock::new(),
         }
+    }
+
+    /// The free motions and how all others follow them.
+    pub(crate) fn motions(&self) -> &DofMap {
+        &self.dofs
     }
 
     fn is_finite(&self) -> bool {

@@ -39,6 +39,7 @@ mod parts;
 mod pazy_beam;
 mod properties;
 mod quadratic_solids;
+mod reductions;
 mod refused;
 mod scales_and_refusals;
 mod sizes_and_sets;

@@ -4,8 +4,9 @@ use crate::common::{beam, close, section, system};
 use faer::Mat;
 use nalgebra::DMatrix;
 use nastran::parse_deck;
+use std::fmt::Write as _;
 use structure::mesh::{CellShape, cells};
-use structure::{MassForm, Model, System, normal_modes};
+use structure::{MassForm, Model, ModesError, System, normal_modes};
 
 /// A beam with a body on an arm, a turned grid among its own.
 fn winged(mass: &str) -> String {
@@ -151,6 +152,43 @@ fn a_bar_of_a_deck_has_no_twisting_inertia() {
     assert_eq!(twisting(bar, true), 0.0);
     for (cards, as_nastran) in [(bar, false), (beam, true), (beam, false)] {
         assert!((twisting(cards, as_nastran) - own).abs() < 1e-9 * own, "{cards}");
+    }
+}
+
+/// Eight straight legs of five bars, free, bars of a tenth beside others: grids whose bars lie in one line have no mass in twisting. There are as
+/// many modes as the mass has rank, six of them rigid, and the lowest twenty are those of another way to compute them.
+#[test]
+fn all_modes_of_a_free_frame_of_bars_are_found() {
+    const LEGS: usize = 8;
+    const BARS: usize = 5;
+    let mut deck = "PARAM,COUPMASS,1\nMAT1,1,7.+10,,.3,2700.\nGRID,1,,0.,0.,0.\n".to_owned();
+    let (mut place, mut grid) = ([0.0; 3], 1);
+    for leg in 0..LEGS {
+        let along = [[0.6, 0.5, 0.3], [-0.2, 0.7, 0.5], [0.5, -0.3, 0.8]][leg % 3];
+        let [area, inertia] = [[0.01, 2e-5], [1e-3, 2e-7], [1e-4, 2e-9], [1e-5, 2e-11]][leg % 4];
+        let section = leg + 1;
+        let _ = writeln!(deck, "PBAR,{section},1,{area:?},{inertia:?},{inertia:?},{inertia:?}");
+        for _ in 0..BARS {
+            (0..3).for_each(|axis| place[axis] += along[axis]);
+            let ([x, y, z], next) = (place, grid + 1);
+            let _ = writeln!(deck, "GRID,{next},,{x:.6},{y:.6},{z:.6}");
+            let _ = writeln!(deck, "CBAR,{grid},{section},{grid},{next},.3,-.4,.5");
+            grid = next;
+        }
+    }
+    let bulk = parse_deck("t.bdf", &deck).expect("a deck");
+    let system = System::assemble(&Model::from_deck(&bulk, None).expect("a model")).expect("a system");
+    // the two ends, and the grids within a leg
+    let rank = 6 * grid - 2 - LEGS * (BARS - 1);
+    let too_many = normal_modes(&system, 6 * grid).expect_err("too many");
+    assert_eq!(too_many, ModesError::TooMany { asked: 6 * grid, available: rank });
+    let modes = normal_modes(&system, rank).expect("all");
+    assert_eq!(modes.omega_rad_s.iter().filter(|omega| **omega == 0.0).count(), 6);
+    let few = normal_modes(&system, 20).expect("twenty");
+    // Rounding the entries of the stiffness alone moves each eigenvalue by so much.
+    let rounding = f64::EPSILON * modes.omega_rad_s[rank - 1].powi(2);
+    for (all, few) in modes.omega_rad_s.iter().zip(&few.omega_rad_s) {
+        assert!((all * all - few * few).abs() <= rounding.max(1e-6 * few * few), "{all} {few}");
     }
 }
 

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use coupling::{Mount, WingFile};
 use nastran::{BulkData, InputError, Psolid, SolidPoints, SolidShear};
-use structure::{MassForm, Model, System};
+use structure::{MassForm, Model, Reduced, System};
 
 use crate::failure::Failure;
 use crate::{paths, show};
@@ -82,6 +82,25 @@ impl Structure {
         }
         Ok(Self { name, path, bulk, model, system })
     }
+
+    /// The structure as a deck wants its modes computed: reduced as ASET and OMIT say, which is said.
+    ///
+    /// # Errors
+    /// If motions that are left out meet no stiffness.
+    pub(crate) fn reduced(self, subcase: Option<u32>) -> Result<Self, Failure> {
+        let Reduced { system, remark } =
+            structure::reduced(&*self.bulk.bounded(subcase)?, self.system).map_err(Failure::computation)?;
+        if let Some(remark) = remark {
+            show::note(&remark);
+        }
+        Ok(Self { system, ..self })
+    }
+}
+
+/// That a trim, whose loads act on all motions, follows no ASET and OMIT.
+pub(crate) fn unreduced_remark(bulk: &BulkData) -> Option<String> {
+    (!bulk.analysis_sets.is_empty())
+        .then(|| "trims do not follow ASET, OMIT and QSET: weight and air act on all motions".to_owned())
 }
 
 /// Which motions AUTOSPC holds.
@@ -135,16 +154,5 @@ fn say_what_was_assumed(bulk: &BulkData, model: &Model, system: &System) {
     }
     if let Some(remark) = held_remark(system.auto_held()) {
         show::note(&remark);
-    }
-    let reduced: Vec<&str> =
-        ["ASET", "ASET1", "BSET", "BSET1", "CSET", "CSET1", "OMIT", "OMIT1", "QSET", "QSET1"]
-            .into_iter()
-            .filter(|name| bulk.unknown.contains_key(*name))
-            .collect();
-    if !reduced.is_empty() {
-        show::note(&format!(
-            "{} are not followed: modes are those of all motions, without reduction",
-            reduced.join(", ")
-        ));
     }
 }

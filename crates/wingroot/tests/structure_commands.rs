@@ -161,3 +161,39 @@ fn what_is_assumed_of_a_deck_s_shells_is_said() {
     }
     std::fs::remove_dir_all(folder).expect("it was made above");
 }
+
+/// Two masses on springs in a row (k 50, m 2): with the outer one alone kept, omega^2 = .4 k/m, in `modes` as in the modes of flutter.
+#[test]
+fn the_motions_that_a_deck_keeps_are_followed_and_said() {
+    let folder = folder("reduction");
+    let deck = "GRID,1,,.5,0.,0.\nGRID,2,,.5,1.,0.\nCELAS2,1,50.,1,3\nCELAS2,2,50.,1,3,2,3\nCMASS2,3,2.,1,3\nCMASS2,4,2.,2,3\nASET,2,3\n\
+        AERO,,1.,1.,1.225\nCAERO1,101,9,,1,1,,,1\n,0.,0.,0.,1.,0.,1.,0.,1.\nPAERO1,9\nSPLINE2,5,101,101,101,7\nSET1,7,1,2\nMKAERO1,.0\n,.1,.5\n\
+        FLUTTER,8,PK,11,12,13,L\nFLFACT,11,1.\nFLFACT,12,0.\nFLFACT,13,1.,2.\nEIGRL,6,,,1\n";
+    std::fs::write(folder.join("modes.bdf"), deck).expect("a file");
+    let solution = format!("SOL 145\nCEND\nMETHOD = 6\nFMETHOD = 8\nBEGIN BULK\n{deck}");
+    std::fs::write(folder.join("flutter.bdf"), solution).expect("a file");
+    let said = |arguments: &[&str]| {
+        let output = Command::new(env!("CARGO_BIN_EXE_wingroot"))
+            .args(arguments)
+            .args(["--numbers-only", "--out", "out"])
+            .current_dir(&folder)
+            .output();
+        let output = output.expect("the command starts");
+        let text = String::from_utf8_lossy(&output.stderr).into_owned();
+        let table = String::from_utf8_lossy(&output.stdout).into_owned();
+        assert!(output.status.success(), "{text}");
+        assert!(text.contains("modes are those of 1 of 2 motions, as ASET and OMIT say"), "{text}");
+        let text = std::fs::read_to_string(folder.join("out/result.json")).expect("a result");
+        (serde_json::from_str::<Value>(&text).expect("JSON"), table)
+    };
+    let hz = (0.4_f64 * 25.0).sqrt() / std::f64::consts::TAU;
+    let (modes, table) = said(&["modes", "--deck", "modes.bdf"]);
+    // (m + m/2)^2 / (m + m/4) of 2 m, all of them along z.
+    assert!(table.lines().any(|row| row.split_whitespace().last() == Some("90.0")), "{table}");
+    let found = modes["frequencies_hz"].as_array().expect("a list");
+    assert_eq!(found.len(), 1);
+    assert!((found[0].as_f64().expect("a number") / hz - 1.0).abs() < 1e-9, "{found:?}");
+    let (flutter, _) = said(&["flutter", "--deck", "flutter.bdf"]);
+    assert_eq!(flutter["subcases"][0]["frequencies_hz"], modes["frequencies_hz"]);
+    std::fs::remove_dir_all(folder).expect("it was made above");
+}

@@ -10,7 +10,7 @@ use coupling::Spline;
 use faer::Mat;
 use nastran::{Aero, BulkData, EigenMethod, Frames, InputError, Subcase};
 use std::f64::consts::TAU;
-use structure::{Modes, ModesError, System, count_below, normal_modes};
+use structure::{Modes, ModesError, Reduced, System, count_below, normal_modes, reduced};
 
 /// Modes of a deck that asks for none in particular.
 const MODES: usize = 10;
@@ -30,6 +30,8 @@ pub struct ModalDeck {
     pub aero: Aero,
     /// Boxes without a spline, which neither move nor load the structure.
     pub loose_boxes: Vec<u32>,
+    /// Which motions the modes are computed of, or why ASET and OMIT are not followed; nothing of a deck without them.
+    pub reduction: Option<String>,
     /// The deck as the subcase sees it.
     pub(crate) bulk: BulkData,
     /// Its structure.
@@ -72,7 +74,7 @@ impl ModalDeck {
         if lattice.is_empty() {
             return Err(InputError::general(format!("the deck has no CAERO1, which {of} needs")).into());
         }
-        let system = assembled(&bulk)?;
+        let Reduced { system, remark: reduction } = reduced(&bulk, assembled(&bulk)?)?;
         let modes = modes(&bulk, subcase, &system)?;
         let Splined { spline, loose } =
             spline::splines(&bulk, &lattice, system.node_ids(), system.points(), &stream)?;
@@ -91,6 +93,7 @@ impl ModalDeck {
             lattice,
             aero,
             loose_boxes: loose,
+            reduction,
             bulk,
             system,
             shapes,

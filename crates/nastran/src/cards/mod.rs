@@ -4,6 +4,7 @@
 //! Numbers are in the deck's own units (SI for wingroot's wings) and, for points, in the coordinate system the
 //! card names; [`crate::geometry`] resolves them to the basic system.
 
+mod analysis_set;
 mod beam;
 mod beam_load;
 mod beam_property;
@@ -45,6 +46,7 @@ mod temperature;
 mod trim;
 mod tube;
 
+pub use analysis_set::{AnalysisSet, Reduction};
 pub use beam::{BeamElement, Offt, Orientation};
 pub use beam_load::BeamLoad;
 pub use beam_property::{BeamProperty, BeamStation};

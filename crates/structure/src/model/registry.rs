@@ -62,7 +62,7 @@ pub(crate) fn visit(bulk: &BulkData, visitor: &mut impl Visitor) -> Result<(), I
         point_loads: _, line_loads: _, cross_loads: _, beam_loads: _, pressures: _, gravities: _, spins: _, load_sums: _, enforced: _, temperatures: _,
         // Of the air and of the case control.
         sets: _, panels: _, panel_properties: _, factors: _, surfaces: _, box_lists: _, splines: _, monitors: _,
-        matrices: _, aero_reference: _, trim_variables: _, trims: _, divergences: _, aero_links: _, aero_components: _, component_lists: _, supports: _, eigen_methods: _,
+        matrices: _, aero_reference: _, trim_variables: _, trims: _, divergences: _, aero_links: _, aero_components: _, component_lists: _, supports: _, analysis_sets: _, eigen_methods: _,
         constraint_unions: _, equation_unions: _, subcases: _, unsteady_reference: _, flutters: _, flutter_factors: _,
         reduced_frequencies: _, damping_tables: _,
         // Refused where a structure cannot be without them.

@@ -265,7 +265,7 @@ fn many_modes_of_a_small_structure_that_is_held_come_from_rotations() {
         (Way::of(1500, 188, 0.0, true), Way::Rotations),
         (Way::of(1501, 188, 0.0, true), Way::Sweeps),
         (Way::of(1500, 188, 0.0, false), Way::Sweeps),
-        (Way::of(1500, 188, 1.0, true), Way::Sweeps),
+        (Way::of(1500, 188, 1.0, true), Way::Rotations),
         (Way::of(1500, 187, 0.0, true), Way::Lanczos),
         (Way::of(1500, 187, 1.0, true), Way::Sweeps),
         (Way::of(1000, 125, 0.0, true), Way::Sweeps),

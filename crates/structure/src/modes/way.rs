@@ -6,7 +6,7 @@ use crate::factor;
 /// is asked for.
 const FEW: usize = 8;
 
-/// Structures of no more motions that are held have all their modes computed at once, if more than that part is asked for:
+/// Structures of no more motions that are held, if only by a shift, have all their modes computed at once, if more than that part is asked for:
 /// a second for 600 motions, half a minute for the most.
 const ALL: usize = 1500;
 
@@ -22,11 +22,11 @@ pub(super) enum Way {
 }
 
 impl Way {
-    /// For `count` modes of `n` motions; `is_held` by the structure itself, not by a shift or by springs of ours.
+    /// For `count` modes of `n` motions; `is_held` by the structure itself or by a shift, not by springs of ours.
     pub(super) fn of(n: usize, count: usize, shift: f64, is_held: bool) -> Self {
         match FEW * count <= n {
             true if n > factor::SMALL && shift == 0.0 => Self::Lanczos,
-            false if n <= ALL && shift == 0.0 && is_held => Self::Rotations,
+            false if n <= ALL && is_held => Self::Rotations,
             _ => Self::Sweeps,
         }
     }

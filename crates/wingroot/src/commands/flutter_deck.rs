@@ -62,7 +62,8 @@ pub(super) fn run(path: &Path, subcase: Option<u32>, common: &Common) -> Result<
         } else {
             let deck = FlutterDeck::new(bulk, case)?;
             if !common.quiet {
-                say_what_is_assumed(bulk, &deck.modal.loose_boxes, deck.modal.auto_held());
+                let modal = &deck.modal;
+                say_what_is_assumed(bulk, &modal.loose_boxes, modal.auto_held(), modal.reduction.clone());
             }
             deck
         };

@@ -17,7 +17,7 @@ use super::given_deck::GivenDeck;
 use crate::args::Common;
 use crate::failure::Failure;
 use crate::output::ResultFolder;
-use crate::structures::{held_remark, solid_remark};
+use crate::structures::{held_remark, solid_remark, unreduced_remark};
 use crate::{progress, show};
 
 /// Names of the coefficients in the order of the library.
@@ -123,7 +123,7 @@ pub(crate) fn run(path: &Path, common: &Common) -> Result<(), Failure> {
     };
     let known = answered(bulk, &cases, &asked, &folder, common, &mut summary)?;
     if let Some((_, deck)) = known.filter(|_| !common.quiet) {
-        say_what_is_assumed(bulk, &deck.loose_boxes, deck.auto_held());
+        say_what_is_assumed(bulk, &deck.loose_boxes, deck.auto_held(), unreduced_remark(bulk));
         say_of_stations(&deck.skipped_monitors);
     }
     summary.seconds = start.elapsed().as_secs_f64();
@@ -188,11 +188,17 @@ fn say_of_stations(skipped: &[String]) {
     }
 }
 
-/// What of splines, divisions, constraints, shells and solids is not as the deck might expect; `held` are the motions that AUTOSPC holds.
-pub(crate) fn say_what_is_assumed(bulk: &BulkData, loose: &[u32], held: &[(u32, u8)]) {
+/// What of splines, divisions, constraints, shells and solids is not as the deck might expect; `held` are the motions that AUTOSPC holds,
+/// `reduction` is what became of ASET and OMIT.
+pub(crate) fn say_what_is_assumed(
+    bulk: &BulkData,
+    loose: &[u32],
+    held: &[(u32, u8)],
+    reduction: Option<String>,
+) {
     let (divisions, splines) = (bulk.division_remark(), bulk.spline_remark());
     let (shells, solids) = (bulk.shell_remark(), solid_remark(bulk));
-    let all = [divisions, splines, shells, solids, held_remark(held)];
+    let all = [divisions, splines, shells, solids, held_remark(held), reduction];
     bulk.remarks().iter().chain(all.iter().flatten()).for_each(|remark| show::note(remark));
     if let Some(first) = loose.first() {
         show::note(&format!(

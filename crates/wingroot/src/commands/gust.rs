@@ -119,7 +119,8 @@ fn assembled(
         let alike: Vec<&GustCase> = cases.iter().filter(|other| is_same(other, case)).collect();
         let deck = GustDeck::new(bulk, &case.subcase, &alike)?;
         if !common.quiet {
-            say_what_is_assumed(bulk, &deck.modal.loose_boxes, deck.modal.auto_held());
+            let modal = &deck.modal;
+                say_what_is_assumed(bulk, &modal.loose_boxes, modal.auto_held(), modal.reduction.clone());
         }
         decks.push((case.clone(), deck));
     }

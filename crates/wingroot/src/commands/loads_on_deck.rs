@@ -25,6 +25,7 @@ use crate::commands::loads_package::lost;
 use crate::commands::loads_plan::design;
 use crate::commands::loads_tables::case_of;
 use crate::failure::Failure;
+use crate::structures::unreduced_remark;
 use crate::{progress, show};
 
 /// Share by which the plan's mass may differ from the deck's.
@@ -202,7 +203,7 @@ fn say(bulk: &BulkData, deck: &TrimDeck) {
     if let Some(cards) = bulk.unread_cards() {
         show::note(&format!("these cards are not read, and not in the package's structure: {cards}"));
     }
-    say_what_is_assumed(bulk, &deck.loose_boxes, deck.auto_held());
+    say_what_is_assumed(bulk, &deck.loose_boxes, deck.auto_held(), unreduced_remark(bulk));
     if !deck.skipped_monitors.is_empty() {
         show::note(&format!(
             "stations left out (MONPNT3 of a group that is no SET1, MONPNT1 of components made of grids): {}",

@@ -8,7 +8,7 @@ use std::time::Instant;
 
 use nastran::EigenMethod;
 use report::Table;
-use structure::{Modes, ModesError, count_below, effective_masses, normal_modes};
+use structure::{Modes, ModesError, count_below, effective_masses, masses_along, normal_modes};
 
 use super::modes_pictures::hertz;
 use super::{modes_pictures, modes_shapes, modes_update};
@@ -53,7 +53,10 @@ pub(crate) fn run(args: &ModesArgs, common: &Common) -> Result<(), Failure> {
         return modes_update::run(args.wing.as_deref(), args.deck.as_deref(), measured, common);
     }
     let start = Instant::now();
-    let structure = Structure::read_in(args.wing.as_deref(), args.deck.as_deref(), args.subcase)?;
+    let mut structure = Structure::read_in(args.wing.as_deref(), args.deck.as_deref(), args.subcase)?;
+    if args.deck.is_some() {
+        structure = structure.reduced(args.subcase)?;
+    }
     let modes = match asked(&structure, args.subcase).filter(|_| args.count.is_none() && args.deck.is_some())
     {
         Some(method) => solve_as(&structure, method)?,
@@ -152,13 +155,12 @@ fn summary(structure: &Structure, modes: &Modes) -> String {
         elements.join(", ")
     );
     let mut table = Table::new(&["mode", "Hz", "rad/s", "mass x (%)", "y (%)", "z (%)"]);
-    let effective = effective_masses(system, modes, &mass.centre);
+    let (effective, along) = (effective_masses(system, modes, &mass.centre), masses_along(system));
     for (mode, (hz, share)) in hertz(modes).iter().zip(&effective).enumerate() {
         let mut row =
             vec![(mode + 1).to_string(), format!("{hz:.4}"), format!("{:.3}", modes.omega_rad_s[mode])];
-        row.extend(
-            share[..3].iter().map(|kg| format!("{:.1}", 100.0 * kg / mass.mass_kg.max(f64::MIN_POSITIVE))),
-        );
+        let share = share.iter().zip(along);
+        row.extend(share.map(|(kg, whole)| format!("{:.1}", 100.0 * kg / whole.max(f64::MIN_POSITIVE))));
         table.row(row);
     }
     let _ = writeln!(text, "{table}");
