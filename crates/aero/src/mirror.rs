@@ -33,7 +33,8 @@ impl MirrorPlane {
         }
     }
 
-    /// Refuses boxes that cross the plane, lie in it, or stand on both sides of it.
+    /// Refuses boxes that cross the plane or stand on both sides of it. A fin in the plane is its own image: in symmetric flow it carries
+    /// nothing ([`Self::silent`]), in antisymmetric flow it and its image half of the load each.
     ///
     /// A box may overlap the plane by a millionth of its size, which is what rounded decks need.
     ///
@@ -43,7 +44,8 @@ impl MirrorPlane {
         let Some((y_m, _)) = self.image() else { return Ok(()) };
         let mut first: Option<(u32, f64)> = None;
         for panel in &lattice.boxes {
-            let (id, side) = (panel.id, side_of_plane(panel, y_m)?);
+            let Some(side) = side_of_plane(panel, y_m)? else { continue };
+            let id = panel.id;
             match first {
                 None => first = Some((id, side)),
                 Some((other, there)) if there != side => return Err(AeroError::BothSides { id, other, y_m }),
@@ -52,19 +54,45 @@ impl MirrorPlane {
         }
         Ok(())
     }
+
+    /// Refuses boxes in the plane.
+    ///
+    /// # Errors
+    /// Names the first such box.
+    pub fn refuse_within(self, lattice: &Lattice) -> Result<(), AeroError> {
+        let Some((y_m, _)) = self.image() else { return Ok(()) };
+        let within = lattice.boxes.iter().find(|panel| matches!(side_of_plane(panel, y_m), Ok(None)));
+        within.map_or(Ok(()), |panel| Err(AeroError::InPlane { id: panel.id, y_m }))
+    }
+
+    /// Places of the boxes that carry nothing: those in a plane of symmetric flow.
+    pub(crate) fn silent(self, lattice: &Lattice) -> Vec<usize> {
+        let Self::Symmetric { y_m } = self else { return Vec::new() };
+        let is_within = |at: &usize| matches!(side_of_plane(&lattice.boxes[*at], y_m), Ok(None));
+        (0..lattice.len()).filter(is_within).collect()
+    }
 }
 
-/// +1 or -1: on which side of the plane the box lies.
-fn side_of_plane(panel: &AeroBox, y_m: f64) -> Result<f64, AeroError> {
+/// Takes boxes out of an influence matrix: each needs the incidence that it has a pressure.
+pub(crate) fn silence<T: faer::traits::ComplexField>(matrix: &mut faer::Mat<T>, silent: &[usize]) {
+    for box_ in silent {
+        matrix.row_mut(*box_).fill(T::zero_impl());
+        matrix.col_mut(*box_).fill(T::zero_impl());
+        matrix[(*box_, *box_)] = T::one_impl();
+    }
+}
+
+/// +1 or -1: on which side of the plane the box lies; nothing of one in it.
+fn side_of_plane(panel: &AeroBox, y_m: f64) -> Result<Option<f64>, AeroError> {
     let tolerance = 1e-6 * panel.area_m2().sqrt();
     let (low, high) = panel.corners.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), corner| {
         (low.min(corner.y - y_m), high.max(corner.y - y_m))
     });
     match (low < -tolerance, high > tolerance) {
         (true, true) => Err(AeroError::CrossesPlane { id: panel.id, y_m }),
-        (false, false) => Err(AeroError::InPlane { id: panel.id, y_m }),
-        (true, false) => Ok(-1.0),
-        (false, true) => Ok(1.0),
+        (false, false) => Ok(None),
+        (true, false) => Ok(Some(-1.0)),
+        (false, true) => Ok(Some(1.0)),
     }
 }
 

@@ -7,7 +7,7 @@
 use crate::error::AeroError;
 use crate::horseshoe::{Horseshoe, Receivers, horseshoes, horseshoes_on_surfaces};
 use crate::lattice::Lattice;
-use crate::mirror::MirrorPlane;
+use crate::mirror::{MirrorPlane, silence};
 use crate::seams::Seams;
 use faer::linalg::solvers::{PartialPivLu, Solve};
 use faer::{Mat, MatRef};
@@ -24,6 +24,7 @@ pub fn influence(lattice: &Lattice, plane: MirrorPlane, mach: f64) -> Result<Mat
     if let Some((y_m, sign)) = plane.image() {
         add(&mut matrix, lattice, mach, Some(y_m), sign);
     }
+    silence(&mut matrix, &plane.silent(lattice));
     Ok(matrix)
 }
 
@@ -109,6 +110,8 @@ pub(crate) fn lost_pivot(sizes: &[f64]) -> Option<usize> {
 #[derive(Debug, Clone)]
 pub struct SteadyAero {
     factors: PartialPivLu<f64>,
+    /// Boxes that carry nothing.
+    silent: Vec<usize>,
 }
 
 impl SteadyAero {
@@ -117,7 +120,7 @@ impl SteadyAero {
     /// # Errors
     /// As [`influence`], and if the matrix is singular.
     pub fn new(lattice: &Lattice, plane: MirrorPlane, mach: f64) -> Result<Self, AeroError> {
-        Self::factorised(lattice, &influence(lattice, plane, mach)?)
+        Self::factorised(lattice, &influence(lattice, plane, mach)?, plane.silent(lattice))
     }
 
     /// The same by [`influence_of_moved`].
@@ -125,15 +128,15 @@ impl SteadyAero {
     /// # Errors
     /// As that, and if the matrix is singular.
     pub fn moved(lattice: &Lattice, seams: &Seams, plane: MirrorPlane, mach: f64) -> Result<Self, AeroError> {
-        Self::factorised(lattice, &influence_of_moved(lattice, seams, plane, mach)?)
+        Self::factorised(lattice, &influence_of_moved(lattice, seams, plane, mach)?, Vec::new())
     }
 
-    fn factorised(lattice: &Lattice, influence: &Mat<f64>) -> Result<Self, AeroError> {
+    fn factorised(lattice: &Lattice, influence: &Mat<f64>, silent: Vec<usize>) -> Result<Self, AeroError> {
         let factors = influence.partial_piv_lu();
         let pivots: Vec<f64> = factors.U().diagonal().column_vector().iter().map(|p| p.abs()).collect();
         match lost_pivot(&pivots) {
             Some(i) => Err(AeroError::Singular { id: lattice.boxes[i].id }),
-            None => Ok(Self { factors }),
+            None => Ok(Self { factors, silent }),
         }
     }
 
@@ -142,7 +145,9 @@ impl SteadyAero {
     /// # Panics
     /// If `w` has not one row per box.
     pub fn pressures(&self, w: MatRef<'_, f64>) -> Mat<f64> {
-        self.factors.solve(w)
+        let mut pressures = self.factors.solve(w);
+        self.silent.iter().for_each(|at| pressures.row_mut(*at).fill(0.0));
+        pressures
     }
 
     /// What a weighted sum of pressures weighs incidences by, A^-T c: one weight a box, of cp in, of rad out.
@@ -150,7 +155,9 @@ impl SteadyAero {
     /// # Panics
     /// If there is not one weight a box.
     pub fn weights_of_incidences(&self, weights: &[f64]) -> Vec<f64> {
-        let column = MatRef::from_column_major_slice(weights, weights.len(), 1);
+        let mut weights = weights.to_vec();
+        self.silent.iter().for_each(|at| weights[*at] = 0.0);
+        let column = MatRef::from_column_major_slice(&weights, weights.len(), 1);
         self.factors.solve_transpose(column).col(0).iter().copied().collect()
     }
 

@@ -141,7 +141,10 @@ fn the_side_of_the_plane_is_told_to_a_millionth_of_a_box() {
             let crosses = AeroError::CrossesPlane { id: 1, y_m };
             assert_eq!(plane.check(&from_to(-3e-6, 1.0, 0.0)), Err(crosses), "size {size} at {y_m}");
             let within = AeroError::InPlane { id: 1, y_m };
-            assert_eq!(plane.check(&from_to(-0.4e-6, 0.4e-6, 1.0)), Err(within), "size {size} at {y_m}");
+            let fin = from_to(-0.4e-6, 0.4e-6, 1.0);
+            assert_eq!(plane.refuse_within(&fin), Err(within), "size {size} at {y_m}");
+            assert_eq!(plane.check(&fin), Ok(()), "it may stand there");
+            assert_eq!(plane.refuse_within(&from_to(0.0, 1.0, 0.0)), Ok(()));
             assert_eq!(plane.check(&from_to(0.0, 3e-6, 1.0)), Ok(()), "size {size} at {y_m}");
             // Two boxes of one half are on one side; without a plane there are no sides.
             let two = from_to(0.0, 1.0, 0.0).joined(&from_to(1.0, 2.0, 0.0).renumbered(5).unwrap()).unwrap();

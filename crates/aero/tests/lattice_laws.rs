@@ -2,7 +2,10 @@
 
 #![expect(clippy::unwrap_used, reason = "a helper of tests may fail the test where it stands")]
 
-use aero::{AeroBox, AeroError, Lattice, MirrorPlane, SteadyAero, incidence, influence};
+use aero::{
+    AeroBox, AeroError, DlmSettings, DoubletLattice, Lattice, MirrorPlane, SteadyAero, incidence, influence,
+};
+use faer::{Mat, c64};
 use nalgebra::{Point3, Vector3};
 
 const NONE: MirrorPlane = MirrorPlane::None;
@@ -121,8 +124,55 @@ fn a_box_that_meets_the_plane_is_refused_by_its_number() {
     assert_eq!(refusal(0.2), AeroError::CrossesPlane { id: 7002, y_m: 0.2 });
     assert!(matches!(refusal(0.5), AeroError::BothSides { id: 7003, other: 7001, .. }));
     let fin = Lattice::trapezoid(1, [0.0, 0.0, 0.0], 1.0, [0.0, 0.0, 1.0], 1.0, [1, 2]).unwrap();
-    let in_plane = influence(&fin, MirrorPlane::Antisymmetric { y_m: 0.0 }, 0.0).unwrap_err();
-    assert_eq!(in_plane, AeroError::InPlane { id: 1, y_m: 0.0 });
+    let within = MirrorPlane::Antisymmetric { y_m: 0.0 }.refuse_within(&fin).unwrap_err();
+    assert_eq!(within, AeroError::InPlane { id: 1, y_m: 0.0 });
+}
+
+/// A half with a fin in its plane is the whole aircraft: symmetric flow does not press the fin, whatever its incidence, and of antisymmetric flow it and
+/// its image carry half each.
+#[test]
+fn a_fin_in_the_plane_of_a_half_is_that_of_the_whole() {
+    let wing = Lattice::trapezoid(101, [0.0, 0.3, 0.1], 1.0, [0.6, 2.5, 0.4], 0.5, [2, 3]).unwrap();
+    let fin = Lattice::trapezoid(1, [0.2, 0.0, 0.2], 1.0, [0.5, 0.0, 1.2], 0.6, [2, 2]).unwrap();
+    let half = fin.joined(&wing).unwrap();
+    let whole = half.joined(&wing.mirrored(0.0).0.renumbered(1000).unwrap()).unwrap();
+    let (fins, wings) = (fin.len(), wing.len());
+    for (plane, sign) in
+        [(MirrorPlane::Symmetric { y_m: 0.0 }, 1.0), (MirrorPlane::Antisymmetric { y_m: 0.0 }, -1.0)]
+    {
+        let of_wing = |at: usize| 0.1 + 0.02 * at as f64;
+        let of_fin = |at: usize| 0.05 - 0.01 * at as f64;
+        let w_half: Vec<f64> = (0..fins).map(of_fin).chain((0..wings).map(of_wing)).collect();
+        // The whole's fin sees the antisymmetric part of its incidence alone.
+        let seen = (0..fins).map(|at| if sign < 0.0 { of_fin(at) } else { 0.0 });
+        let w_whole: Vec<f64> =
+            seen.chain((0..wings).map(of_wing)).chain((0..wings).map(|at| sign * of_wing(at))).collect();
+        let of_half = SteadyAero::new(&half, plane, 0.3).unwrap().pressures_of(&w_half);
+        let of_whole = SteadyAero::new(&whole, NONE, 0.3).unwrap().pressures_of(&w_whole);
+        for at in 0..fins + wings {
+            let share = if at < fins { 0.5 } else { 1.0 };
+            assert!(
+                (of_half[at] - share * of_whole[at]).abs() < 1e-10,
+                "{at}: {} {}",
+                of_half[at],
+                of_whole[at]
+            );
+        }
+        let settings = DlmSettings::default();
+        let at = |lattice: &Lattice, plane, w: &[f64]| {
+            let w = Mat::from_fn(w.len(), 1, |i, _| c64::from(w[i]));
+            DoubletLattice::new(lattice, plane, 0.3, &settings)
+                .unwrap()
+                .at(0.8)
+                .unwrap()
+                .pressures(w.as_ref())
+        };
+        let (of_half, of_whole) = (at(&half, plane, &w_half), at(&whole, NONE, &w_whole));
+        for at in 0..fins + wings {
+            let share = if at < fins { 0.5 } else { 1.0 };
+            assert!((of_half[(at, 0)] - of_whole[(at, 0)] * share).norm() < 1e-9, "{at}");
+        }
+    }
 }
 
 #[test]

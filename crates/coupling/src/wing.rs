@@ -97,6 +97,8 @@ impl ElasticWing {
                 return Err(CouplingError::Size { what, got, expected: boxes });
             }
         }
+        // A wing of ours has no fin in the plane of its root.
+        parts.plane.refuse_within(&parts.lattice)?;
         let aero = SteadyAero::new(&parts.lattice, parts.plane, parts.mach)?;
         let s_size = parts.supported.as_ref().map_or(0, SupportedStructure::size);
         let controls = parts.controls.len();

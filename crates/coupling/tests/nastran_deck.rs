@@ -112,11 +112,11 @@ fn corrections_are_written_for_every_box_and_come_back() {
     assert_eq!(Corrections::from_dmi(&read.matrices["WKK"], &read.matrices["FA2J"]).unwrap(), corrections);
 }
 
-/// A bar's card has no taper, no rotary inertia and no offsets of mass or neutral axis: with any of these a beam stays one,
+/// A bar's card has no taper, no rotary inertia, no shear with I12 and no offsets of mass or neutral axis: with any of these a beam stays one,
 /// and what is written and read again has the same mass, inertia and frequencies.
 #[test]
 fn only_beams_that_say_no_more_than_a_bar_are_written_as_bars() {
-    let section = "1.-4,4.-9,1.-9,1.-10,2.-9,.2";
+    let section = "1.-4,4.-9,1.-9,0.,2.-9,.2";
     let end = |fields: &str| format!("PBEAM,1,1,{section}\n,,,,,,,,\n{fields}\n");
     let taper =
         format!("PBEAM,1,1,{section}\n,,,,,,,,\n,YES,1.,.5-4,3.-9,1.-9,1.-10,2.-9,.1\n,,,,,,,,\n,.8,.7\n");
@@ -126,6 +126,11 @@ fn only_beams_that_say_no_more_than_a_bar_are_written_as_bars() {
         ("rotary inertia of end B", end(",.8,.7,,,0.,.03"), 1),
         ("mass beside the axis", end(",.8,.7\n,.1,0.,.1,0."), 1),
         ("neutral axis beside the axis", end(",.8,.7\n,,,,,0.,.01,0.,.01"), 1),
+        (
+            "shear with I12, which a bar's card cannot have",
+            end(",.8,.7").replace(",0.,2.-9", ",1.-10,2.-9"),
+            1,
+        ),
         ("taper", taper, 1),
     ];
     for (what, property, kept) in cases {

@@ -211,9 +211,11 @@ fn the_swept_plate_flutters_near_zaero() {
     let plate = Flown::new("ha145e_plate");
     let hz: Vec<f64> = numbers(&printed["modes_hz"]);
     for (ours, expected) in plate.hz().iter().zip(hz) {
-        // 28 elements on two point supports: twice as many each way lower the first mode by 5 %, so elements of other kinds differ.
-        println!("mode: {ours} Hz beside {expected}");
-        near("mode", *ours, expected, 0.022);
+        // The print is of 1998, when MSC's CQUAD4 had another bending (full Poisson effect, twist of its middle); that of today, which
+        // structure's `prints_of_nastran.rs` holds to MSC's digits, is softer on 28 elements at two point supports.
+        let below = 1.0 - ours / expected;
+        println!("mode: {ours} Hz, {below} below {expected}");
+        assert!((0.013..0.025).contains(&below), "{below} below MSC's {expected} Hz of 1998");
     }
     let rows: Vec<[f64; 5]> = numbers(&printed["k_method"]["rows"]);
     for [_, k, v, g, _] in rows {
@@ -224,10 +226,8 @@ fn the_swept_plate_flutters_near_zaero() {
     let ours = plate.curves(1).flutter().expect("it flutters");
     println!("flutter at {} in/s, {} Hz", ours.flow.v_m_s, ours.omega_rad_s / TAU);
     near("flutter", ours.flow.v_m_s, v, 0.03);
-    // Not met: 4 % of ZAERO's frequency was wanted. It is 4.2 % above since the modes are nearer to MSC's (3.3 % before), and held there. ZONA6 itself
-    // is 8 % below the 120 Hz that the tunnel had (flutter__ha145e_modes.json).
-    let above = ours.omega_rad_s / TAU / hz - 1.0;
-    assert!((0.04..0.045).contains(&above), "{above} above ZAERO's {hz} Hz");
+    // ZONA6 itself is 8 % below the 120 Hz that the tunnel had (flutter__ha145e_modes.json).
+    near("frequency", ours.omega_rad_s / TAU, hz, 0.04);
     let denser = plate.curves(2).flutter().expect("it flutters");
     println!("in the denser air at {} in/s, {} Hz", denser.flow.v_m_s, denser.omega_rad_s / TAU);
     // Theory of NASA TN D-1824 by NASA's problem D10-02: 5980 in/s; the plate of 28 elements is less stiff in torsion.

@@ -32,5 +32,6 @@ mod study_flutter;
 mod study_gusts;
 mod study_op4;
 mod trim;
+mod trim_loads;
 mod turbulence;
 mod unstable;

@@ -10,6 +10,9 @@ use crate::source::InputError;
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
+/// Materials whose constants change with the temperature.
+const WARM_MATERIALS: &[&str] = &["MATT1", "MATT2", "MATT3", "MATT8", "MATT9", "MATT11"];
+
 impl BulkData {
     /// The deck under its boundary conditions: those of a subcase, of the only ones there are, or of a deck without case
     /// control. The case control is gone from it.
@@ -63,9 +66,12 @@ impl BulkData {
                 .with_help("take the command out if the model shall be run without"));
         }
         if let Some((text, span)) = subcase.unread.first() {
-            let message = format!("`{text}` changes stiffness or mass of the structure and is not read");
+            let message = format!("`{text}` changes the structure, its loads or its modes and is not read");
             return Err(InputError::at(span, message)
-                .with_help("take it out, or write what it adds as elements and masses"));
+                .with_help("take it out, or write what it adds as elements, masses and loads"));
+        }
+        if subcase.material_temperature.or(subcase.initial_temperature).or(subcase.temperature).is_some() {
+            self.refuse_warm_materials()?;
         }
         if !subcase.matrices.is_empty() {
             self.refuse_unread_air()?;
@@ -94,6 +100,19 @@ impl BulkData {
             aeros.symmetry = symmetry;
         }
         Ok(bulk)
+    }
+
+    /// Refuses materials whose constants depend on a temperature that is selected.
+    ///
+    /// # Errors
+    /// If there is one.
+    pub fn refuse_warm_materials(&self) -> Result<(), InputError> {
+        let warm = self.unknown.iter().find(|(name, _)| WARM_MATERIALS.contains(&name.as_str()));
+        warm.map_or(Ok(()), |(name, unread)| {
+            let message = format!("{name} makes a material change with the temperature, which is not read");
+            Err(InputError::at(&unread.first, message)
+                .with_help("give the constants at the temperature, or take it out"))
+        })
     }
 
     /// Refuses what would leave a matrix of K2GG or M2GG behind.
@@ -181,6 +200,11 @@ impl BulkData {
         let sets: BTreeSet<u32> = self.subcases.iter().filter_map(|case| case.mpc).filter(missing).collect();
         remarks
             .extend(sets.iter().map(|set| format!("the case control selects MPC {set}, which is not there")));
+        let combinations = self.subcases.iter().flat_map(|case| &case.combinations);
+        remarks.extend(
+            combinations
+                .map(|text| format!("`{text}` is not computed: it combines the answers of other subcases")),
+        );
         remarks.extend(self.shared_numbers());
         remarks
     }

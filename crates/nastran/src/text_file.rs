@@ -20,6 +20,32 @@ const MEMORY_A_BYTE: f64 = 4.0;
 /// # Errors
 /// If it is missing, no file, unreadable, larger than [`LARGEST_FILE`] or the memory, or no text; the latter with the line.
 pub fn read_text(path: &Path) -> Result<String, InputError> {
+    let bytes = read_bytes(path)?;
+    decode(path, bytes)
+}
+
+/// As [`read_text`], of a deck: its comments and titles (what follows `$` or `=` in a line) may be in an older encoding with a byte a letter,
+/// which says nothing to Nastran.
+///
+/// # Errors
+/// As [`read_text`], but for letters that are not UTF-8.
+pub(crate) fn read_deck_text(path: &Path) -> Result<String, InputError> {
+    let bytes = read_bytes(path)?;
+    let is_utf_16 = bytes.starts_with(&[0xFF, 0xFE]) || bytes.starts_with(&[0xFE, 0xFF]);
+    let says_nothing = |line: &[u8]| {
+        let words = line.iter().position(|byte| [b'$', b'='].contains(byte)).unwrap_or(line.len());
+        line[..words].is_ascii()
+    };
+    if is_utf_16
+        || std::str::from_utf8(&bytes).is_ok()
+        || !bytes.split(|byte| *byte == b'\n').all(says_nothing)
+    {
+        return decode(path, bytes);
+    }
+    decode(path, bytes.into_iter().map(char::from).collect::<String>().into_bytes())
+}
+
+fn read_bytes(path: &Path) -> Result<Vec<u8>, InputError> {
     let about = std::fs::metadata(path).map_err(|error| unreadable(path, &error))?;
     if let Some((what, help)) = no_file(&about) {
         return Err(
@@ -44,7 +70,7 @@ pub fn read_text(path: &Path) -> Result<String, InputError> {
     if bytes.len() as u64 > LARGEST_FILE {
         return Err(too_large(most));
     }
-    decode(path, bytes)
+    Ok(bytes)
 }
 
 /// What something is that is no file, and what to do; none for a file.

@@ -5,6 +5,7 @@
 //! is what counts only if the case control selects it (loads, `NSM`, `DMIG`).
 
 use crate::bulk_data::{BulkData, Unread};
+use crate::deck::damping;
 use crate::source::InputError;
 
 /// Elements, masses and rigid elements of the Quick Reference Guides of MSC, NX and NASTRAN-95 that are not read, and
@@ -46,8 +47,21 @@ impl BulkData {
             let names = if names.is_empty() { String::new() } else { format!(" ({})", names.join(", ")) };
             format!("{} {card}{names}", unread.count)
         };
-        let list: Vec<String> = self.unknown.iter().map(counted).collect();
+        let cards = self.unknown.iter().filter(|(name, _)| !name.starts_with(damping::PREFIX));
+        let list: Vec<String> = cards.map(counted).collect();
         (!list.is_empty()).then(|| list.join(", "))
+    }
+
+    /// Which damping of materials and elements is not computed with: said where damping counts.
+    pub fn damping_remark(&self) -> Option<String> {
+        let damped = self.unknown.iter().filter(|(name, _)| name.starts_with(damping::PREFIX));
+        let list: Vec<String> = damped.map(|(name, unread)| format!("{name} ({})", unread.count)).collect();
+        (!list.is_empty()).then(|| {
+            format!(
+                "damping on cards is not computed with: {}; give it by frequency (SDAMPING and TABDMP1), or as a whole (PARAM G, gusts)",
+                list.join(", ")
+            )
+        })
     }
 
     /// Refuses a deck whose cards of the air are wrong or not read as they stand.

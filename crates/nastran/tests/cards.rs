@@ -60,7 +60,9 @@ fn pbar_puts_i12_and_shear_factors_on_its_third_line() {
         (station.area, station.i1, station.i2, station.i12, station.j, station.nsm),
         (0.1, 0.2, 0.3, 0.05, 0.4, 0.5)
     );
-    assert_eq!(property.shear_factors, [0.8, 0.9]);
+    assert_eq!(property.shear_factors, [0.0; 2], "with I12 a bar has none");
+    let straight = parse("PBAR,1,2,.1,.2,.3,.4,.5\n,1.,1.,1.,1.\n,.8,.9\n");
+    assert_eq!(straight.beam_properties[&1].shear_factors, [0.8, 0.9]);
     assert_eq!(parse("PBAR,1,2,.1,.2,.3,.4\n").beam_properties[&1].shear_factors, [0.0, 0.0]);
 }
 

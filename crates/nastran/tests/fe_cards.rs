@@ -46,7 +46,7 @@ fn pshell_has_nastran_s_defaults() {
         (full.membrane, full.bending, full.shear, full.coupling),
         (Some(5), Some(5), Some(5), Some(6))
     );
-    assert_eq!((full.thickness, full.bending_ratio, full.shear_ratio, full.nsm), (0.02, 1.0, 0.833_333, 0.3));
+    assert_eq!((full.thickness, full.bending_ratio, full.shear_ratio, full.nsm), (0.02, 1.0, 5.0 / 6.0, 0.3));
     let membrane = &deck.shell_properties[&2];
     assert_eq!((membrane.membrane, membrane.bending, membrane.shear), (Some(5), None, None));
 }

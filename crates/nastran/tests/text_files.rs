@@ -27,6 +27,13 @@ fn utf_16_is_read_in_both_byte_orders() {
     }
 }
 
+#[test]
+fn letters_of_an_older_encoding_are_refused_with_their_place() {
+    let error = read_bytes("latin-1.csv", b"a\nFl\xFCgel\n").unwrap_err();
+    assert!(error.message.contains("byte 0xFC is not UTF-8"), "{error}");
+    assert_eq!(error.span.unwrap().line, 2);
+}
+
 #[cfg(unix)]
 #[test]
 fn devices_and_folders_are_refused_by_name_and_not_read() {

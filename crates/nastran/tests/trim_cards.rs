@@ -13,7 +13,7 @@ fn subcases_select_and_inherit() {
     assert_eq!(selected(1), (2, Some(4), Some(8), Some(-1)));
     assert_eq!(cases[0].label, "level, 1 g");
     let alone = parse_deck("deck", "CEND\nTRIM = 5\nBEGIN BULK\n").unwrap().subcases;
-    assert_eq!((alone.len(), alone[0].id, alone[0].trim), (1, 0, Some(5)));
+    assert_eq!((alone.len(), alone[0].id, alone[0].trim), (1, 1, Some(5)));
     assert!(parse_deck("deck", "TRIM,1,0.5,100.,ANGLEA,0.1\n").unwrap().subcases.is_empty());
 }
 

@@ -34,7 +34,10 @@ fn what_is_left_open_is_refused_with_what_there_is() {
     let open = held("", None).unwrap_err();
     assert!(open.starts_with("the deck has SPC sets 1, 2, 3 and no case control that selects one"), "{open}");
     let changed = held("CEND\nSPC=1\nNSM = 5\nBEGIN BULK\n", None).unwrap_err();
-    assert!(changed.starts_with("t.bdf:3:1: `NSM = 5` changes stiffness or mass"), "{changed}");
+    assert!(
+        changed.starts_with("t.bdf:3:1: `NSM = 5` changes the structure, its loads or its modes"),
+        "{changed}"
+    );
     let again = held("CEND\nBEGIN BULK\nGRID,7\nBEGIN SUPER=1\n", None).unwrap_err();
     assert!(again.contains("superelements and parts are not read"), "{again}");
     assert!(held("CEND\nSPC=1\nBEGIN BULK\nBEGIN BULK\n", None).is_ok(), "nothing stands between the two");
@@ -275,5 +278,87 @@ fn what_wingroot_is_not_for_is_refused_by_what_it_is() {
         let error = deck.bounded(None).unwrap_err().to_string();
         let expected = format!("t.bdf:2:1: `{command}` asks for {what}");
         assert!(error.starts_with(&expected) && error.contains("which wingroot is not for"), "{error}");
+    }
+}
+
+const BAR: &str = "CBAR,1,1,1,2,0.,1.,0.\nGRID,1\nGRID,2,,1.\n";
+
+/// As Nastran sorts cards: a continuation goes to the card that announces its name, wherever it stands after it.
+#[test]
+fn a_named_continuation_goes_to_the_card_that_announces_it() {
+    let cards = |text: &str| parse_deck("t.bdf", &format!("{BAR}{text}"));
+    let near = cards("PBAR,1,1,.01,1.-4,1.-4,1.-4,,,+PB\n+PB,,,,,,,,,+P2\n+P2,.5,.25\nMAT1,1,7.+10,,.3\n")
+        .expect("a deck");
+    let far = cards("PBAR,1,1,.01,1.-4,1.-4,1.-4,,,+PB\nMAT1,1,7.+10,,.3\n+PB,,,,,,,,,+P2\n+P2,.5,.25\n")
+        .expect("a deck");
+    assert_eq!(far.beam_properties[&1].shear_factors, [0.5, 0.25]);
+    assert_eq!(far.beam_properties[&1].shear_factors, near.beam_properties[&1].shear_factors);
+    assert_eq!((far.materials[&1].e, far.materials[&1].rho), (7e10, 0.0));
+    let before = cards("MAT1,1,7.+10,,.3\n+PB,,,,,,,,,+P2\n+P2,.5,.25\nPBAR,1,1,.01,1.-4,1.-4,1.-4,,,+PB\n")
+        .unwrap_err();
+    assert!(
+        before
+            .to_string()
+            .starts_with("t.bdf:5:1: continuation `PB` stands before the card that announces it (t.bdf:7:1)"),
+        "{before}"
+    );
+    // A name that nothing continues is a remark.
+    assert!(cards("MAT1,1,7.+10,,.3,,,,+ALU\nPBAR,1,1,.01,1.-4,1.-4,1.-4\n").is_ok());
+}
+
+#[test]
+fn the_name_of_a_continuation_may_stand_before_the_ninth_field_of_a_free_line() {
+    let far = parse_deck("t.bdf", "MKAERO1,0., , , , , , ,+MK\n+MK,.1,.2\n").expect("a deck");
+    let near = parse_deck("t.bdf", "MKAERO1,0.\n,.1,.2\n").expect("a deck");
+    assert_eq!(far.reduced_frequencies[0].pairs, near.reduced_frequencies[0].pairs);
+    assert!(far.air_errors.is_empty(), "{:?}", far.air_errors);
+    let short = parse_deck("t.bdf", "GRID,5\nCONM2,5,5,,2.,+\n,1.\n").expect("a deck");
+    assert_eq!(short.masses[&5].mass, 2.0);
+    let signed = parse_deck("t.bdf", "GRID,5,,+1.,+.5\n").expect("a deck");
+    assert_eq!(signed.grids[&5].xyz, [1.0, 0.5, 0.0].into(), "numbers may have a sign");
+}
+
+/// MSC Nastran Quick Reference Guide, PBAR: K1 and K2 are ignored if I12 is not zero.
+#[test]
+fn a_bar_with_i12_has_no_shear_flexibility() {
+    let factors = |i12: &str| {
+        let deck = format!("{BAR}PBAR,1,1,.01,1.-4,1.-4,1.-4\n,\n,.5,.25,{i12}\n");
+        parse_deck("t.bdf", &deck).expect("a deck").beam_properties[&1].shear_factors
+    };
+    assert_eq!((factors(""), factors("1.-5")), ([0.5, 0.25], [0.0; 2]));
+}
+
+/// MSC Nastran's print of pyNastran's `pt145` (EIGR 10 GIV 0. .1, ND 6) has six modes above .1 Hz.
+#[test]
+fn a_number_of_modes_counts_more_than_the_range_of_a_transformation() {
+    let method = |card: &str| {
+        let deck = parse_deck("t.bdf", card).expect("a deck");
+        deck.eigen_methods.values().next().map(|method| (method.highest_hz, method.count)).expect("a method")
+    };
+    assert_eq!(method("EIGR,10,GIV,0.,.1,,6\n"), (None, Some(6)));
+    assert_eq!(method("EIGR,10,mgiv,0.,.1\n"), (Some(0.1), None));
+    assert_eq!(method("EIGR,10,SINV,0.,.1,,6\n"), (Some(0.1), Some(6)));
+    assert_eq!(method("EIGRL,10,,.1,6\n"), (Some(0.1), Some(6)));
+}
+
+#[test]
+fn commands_that_would_change_the_answer_are_refused_or_said() {
+    for command in ["P2G = LOADS", "A2GG = AIR", "MFLUID = 3", "MODESELECT = 4"] {
+        let said = held(&format!("CEND\nSPC=1\n{command}\nBEGIN BULK\n"), None).unwrap_err();
+        assert!(said.starts_with(&format!("t.bdf:3:1: `{command}` changes the structure")), "{said}");
+    }
+    let deck = |control: &str, cards: &str| {
+        parse_deck("t.bdf", &format!("{control}{CLAMPS}{cards}")).expect("a deck")
+    };
+    let combined = deck("CEND\nSPC=1\nSUBCASE 1\nSUBCASE 2\nSUBCOM 3\nSUBSEQ=1.,1.\nBEGIN BULK\n", "");
+    let remarks = combined.remarks();
+    assert!(remarks.iter().any(|remark| remark.starts_with("`SUBCOM 3` is not computed")), "{remarks:?}");
+    let damped = deck("CEND\nSPC=1\nB2GG = DAMP\nBEGIN BULK\n", "");
+    assert_eq!(damped.subcases[0].direct, ["B2GG DAMP"]);
+    assert_eq!(damped.subcases[0].id, 1, "Nastran's number of a case control without SUBCASE");
+    for command in ["TEMP(MATERIAL) = 5", "TEMP(INIT) = 5"] {
+        let warm = deck(&format!("CEND\nSPC=1\n{command}\nBEGIN BULK\n"), "MAT1,1,7.+10,,.3\nMATT1,1,8\n");
+        let said = warm.bounded(None).unwrap_err().to_string();
+        assert!(said.contains("MATT1 makes a material change with the temperature"), "{said}");
     }
 }

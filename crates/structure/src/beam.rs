@@ -78,15 +78,15 @@ impl Beam {
         })
     }
 
-    /// The same without the twisting inertia of its consistent mass, which Nastran's bars do not have.
-    pub(crate) fn without_twisting_inertia(
+    /// The same with the consistent mass of Nastran's bars.
+    pub(crate) fn with_mass_of_bars(
         self,
         placement: &BeamPlacement,
         property: &BeamProperty,
         material: &Mat1,
     ) -> Self {
         let to_local = grid_to_element(&self.axes, &placement.offsets);
-        let mass = beam_mass::of_lines(Section { property, material }, self.length_m);
+        let mass = beam_mass::of_bar(Section { property, material }, self.length_m);
         Self { mass: at_grids(&mass, &to_local), ..self }
     }
 

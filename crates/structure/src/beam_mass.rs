@@ -25,8 +25,21 @@ pub(crate) fn consistent(section: Section, length: f64) -> Matrix12 {
     mass
 }
 
-/// The same without twisting inertia, as CBAR of a deck: Nastran's bars have none unless the NASTRAN statement says BARMASS=1.
-pub(crate) fn of_lines(section: Section, length: f64) -> Matrix12 {
+/// As CBAR of a deck, whose mass in Nastran has no twisting inertia (unless the NASTRAN statement says BARMASS=1) and along the bar is the mean of the
+/// lumped and the consistent one: 5/12 and 1/12 of it for 1/3 and 1/6.
+pub(crate) fn of_bar(section: Section, length: f64) -> Matrix12 {
+    let mut mass = of_lines(section, length);
+    let stretch = row(&[(0, -1.0), (6, 1.0)]);
+    for (x, weight) in section.quadrature() {
+        let station = section.at(x);
+        let per_length = section.material.rho * station.area + station.nsm;
+        mass += stretch.transpose() * stretch * (per_length * weight * length / 12.0);
+    }
+    mass
+}
+
+/// Of the lines on which the mass stands, without twisting inertia.
+fn of_lines(section: Section, length: f64) -> Matrix12 {
     let mut mass = Matrix12::zeros();
     for (x, weight) in section.quadrature() {
         let station = section.at(x);

@@ -18,17 +18,20 @@ pub struct PlaneMaterial {
 }
 
 impl PlaneMaterial {
-    /// An isotropic material (MAT1).
+    /// An isotropic material (MAT1). In its plane E and NU decide, across it G, where a card gives all three and they differ: so Simcenter Nastran's
+    /// print of pyNastran's `static_solid_shell_bar`.
     ///
     /// # Errors
     /// If its constants are not those of a material that stores energy.
     pub fn isotropic(card: &Mat1) -> Result<Self, InputError> {
         let g = card.g;
         let share = card.e / (1.0 - card.nu * card.nu);
-        let stiffness = Matrix3::new(share, card.nu * share, 0.0, card.nu * share, share, 0.0, 0.0, 0.0, g);
+        let in_plane = 0.5 * card.e / (1.0 + card.nu);
+        let stiffness =
+            Matrix3::new(share, card.nu * share, 0.0, card.nu * share, share, 0.0, 0.0, 0.0, in_plane);
         let material = Self { stiffness, shear: [g, g], density: card.rho };
-        if card.e > 0.0 && card.nu.abs() < 1.0 && g > 0.0 && material.stiffness.iter().all(|v| v.is_finite())
-        {
+        let is_sound = card.e > 0.0 && card.nu.abs() < 1.0 && g > 0.0 && g.is_finite();
+        if is_sound && material.stiffness.iter().all(|v| v.is_finite()) {
             return Ok(material);
         }
         let message = format!(

@@ -103,7 +103,7 @@ fn shells_with_normals_of_their_grids_keep_the_contract() {
         let made = |rotation: &Rotation3<f64>, tie: f64| {
             let normals = normals.iter().map(|normal| normal.map(|normal| rotation * normal));
             shell(rotation, points, 0.02)
-                .with_residual_bending()
+                .as_nastran()
                 .with_drilling_tie(tie)
                 .with_grid_normals(normals.collect::<Vec<_>>())
         };
@@ -111,7 +111,7 @@ fn shells_with_normals_of_their_grids_keep_the_contract() {
         let mut turned = DVector::zeros(free.nrows());
         turned.fixed_rows_mut::<3>(3).copy_from(&normals[0].expect("the first corner has one"));
         // The offset's arm moves the membrane where the grid turns about another axis than the element's normal: without it.
-        let level = shell(&Rotation3::identity(), points, 0.0).with_residual_bending().with_drilling_tie(0.0);
+        let level = shell(&Rotation3::identity(), points, 0.0).as_nastran().with_drilling_tie(0.0);
         let k = level.clone().with_grid_normals(normals.clone()).stiffness().expect("a shell").into_owned();
         assert!(
             (&k * &turned).norm() < 1e-9 * k.norm(),

@@ -37,6 +37,7 @@ mod panels_and_tubes;
 mod parts;
 #[path = "large/pazy_beam.rs"]
 mod pazy_beam;
+mod prints_of_nastran;
 mod properties;
 mod quadratic_solids;
 mod reductions;

@@ -9,7 +9,7 @@ use crate::dlm::span_fit::SpanFit;
 use crate::dlm::strips::Strip;
 use crate::error::AeroError;
 use crate::lattice::Lattice;
-use crate::mirror::MirrorPlane;
+use crate::mirror::{MirrorPlane, silence};
 use crate::vlm::{influence_of_image, influence_of_own, lost_pivot};
 use faer::linalg::solvers::{PartialPivLu, Solve};
 use faer::{Mat, MatRef, Scale, c64};
@@ -70,6 +70,8 @@ pub struct DoubletLattice {
     integral: KernelIntegral,
     /// Numbers of the boxes of `own`.
     ids: Vec<u32>,
+    /// Boxes that carry nothing, in the plane of symmetric flow.
+    silent: Vec<usize>,
     kept: Option<Arc<Kept<OscillatoryAero>>>,
 }
 
@@ -103,7 +105,8 @@ impl DoubletLattice {
             (None, None) => Image::None,
         };
         let ids = kept.boxes.iter().map(|panel| panel.id).collect();
-        Ok(Self { own, image, mach, integral: settings.integral, ids, kept: None })
+        let silent = plane.silent(lattice);
+        Ok(Self { own, image, mach, integral: settings.integral, ids, silent, kept: None })
     }
 
     /// The same, but what is factorised is kept for the next who asks for it, here and in copies of it: for wings that share the
@@ -129,7 +132,11 @@ impl DoubletLattice {
         let own = self.own.at(&stream);
         Ok(match &self.image {
             Image::None => own,
-            Image::Plane(image, sign) => own + image.at(&stream) * Scale(c64::from(*sign)),
+            Image::Plane(image, sign) => {
+                let mut whole = own + image.at(&stream) * Scale(c64::from(*sign));
+                silence(&mut whole, &self.silent);
+                whole
+            }
             Image::Left(image, halves) => halves.unfolded(&own, &image.at(&stream)),
         })
     }
@@ -154,7 +161,7 @@ impl DoubletLattice {
     fn solved(&self, omega_over_v: f64) -> Result<OscillatoryAero, AeroError> {
         let Image::Left(image, halves) = &self.image else {
             let factors = self.factorised(&self.influence(omega_over_v)?)?;
-            return Ok(OscillatoryAero { factors: Factors::Whole(factors) });
+            return Ok(OscillatoryAero { factors: Factors::Whole(factors, self.silent.clone()) });
         };
         let stream = self.stream(omega_over_v)?;
         let (mut own, image) = (self.own.at(&stream), image.at(&stream));
@@ -200,7 +207,8 @@ pub fn oscillatory(
 
 #[derive(Debug, Clone)]
 enum Factors {
-    Whole(PartialPivLu<c64>),
+    /// With the boxes that carry nothing.
+    Whole(PartialPivLu<c64>, Vec<usize>),
     /// Symmetric and antisymmetric.
     Halves([PartialPivLu<c64>; 2], Halves),
 }
@@ -218,7 +226,13 @@ impl OscillatoryAero {
     /// If `w` has not one row per box.
     pub fn pressures(&self, w: MatRef<'_, c64>) -> Mat<c64> {
         match &self.factors {
-            Factors::Whole(factors) => factors.solve(w),
+            Factors::Whole(factors, silent) => {
+                let mut pressures = factors.solve(w);
+                for at in silent {
+                    pressures.row_mut(*at).fill(c64::ZERO);
+                }
+                pressures
+            }
             Factors::Halves([symmetric, antisymmetric], halves) => {
                 let [same, other] = halves.split(w);
                 halves.join([symmetric.solve(same), antisymmetric.solve(other)])

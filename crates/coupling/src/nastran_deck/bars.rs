@@ -3,8 +3,8 @@
 use nastran::{BeamProperty, BulkData};
 use std::collections::BTreeSet;
 
-/// Turns uniform beams into bars and returns how many beams had to stay: tapered ones, and ones with mass or neutral
-/// axis off the shear centre or with rotary inertia.
+/// Turns uniform beams into bars and returns how many beams had to stay: tapered ones, ones with mass or neutral
+/// axis off the shear centre or with rotary inertia, and ones that shear with I12.
 pub fn bars_for_beams(bulk: &mut BulkData) -> usize {
     let uniform: BTreeSet<u32> = bulk
         .beam_properties
@@ -37,5 +37,10 @@ fn is_uniform(property: &BeamProperty) -> bool {
         other == *first
     });
     let offsets = [property.nsm_offset, property.neutral_axis];
-    alike && property.nsi == [0.0; 2] && offsets.iter().flatten().flatten().all(|value| *value == 0.0)
+    // A PBAR with I12 has no shear flexibility.
+    let is_sheared = first.i12 != 0.0 && property.shear_factors != [0.0; 2];
+    alike
+        && !is_sheared
+        && property.nsi == [0.0; 2]
+        && offsets.iter().flatten().flatten().all(|value| *value == 0.0)
 }

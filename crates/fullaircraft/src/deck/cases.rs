@@ -64,6 +64,13 @@ fn trims_or_none(bulk: &BulkData) -> Result<Vec<DeckCase>, InputError> {
         let trim = bulk.trims.get(&id).ok_or_else(|| {
             InputError::general(format!("SUBCASE {} selects TRIM {id}, which is not there", subcase.id))
         })?;
+        if subcase.temperature.is_some() {
+            let message = format!(
+                "SUBCASE {} heats the structure (TEMPERATURE), which a trim does not know",
+                subcase.id
+            );
+            return Err(InputError::at(&trim.span, message).with_help("leave TEMPERATURE out of the subcase"));
+        }
         cases.push(DeckCase { subcase: subcase.clone(), trim: trim.clone() });
     }
     let asks_otherwise = bulk.subcases.iter().any(|subcase| subcase.divergence.is_some());

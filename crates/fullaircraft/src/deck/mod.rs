@@ -3,6 +3,7 @@
 mod box_rows;
 pub mod cases;
 pub mod flutter;
+mod given_load;
 pub mod grids;
 pub mod gust;
 pub mod inertia_relief;

@@ -8,7 +8,7 @@ use crate::error::AircraftError;
 use aero::{Corrections, Lattice, StreamAxes};
 use coupling::Spline;
 use faer::Mat;
-use nastran::{Aero, BulkData, EigenMethod, Frames, InputError, Subcase};
+use nastran::{Aero, BulkData, Dmig, EigenMethod, Frames, InputError, Subcase};
 use std::f64::consts::TAU;
 use structure::{Modes, ModesError, Reduced, System, count_below, normal_modes, reduced};
 
@@ -54,7 +54,9 @@ impl ModalDeck {
     /// # Errors
     /// If a card that is needed is not there, not read or wrong, no box has a spline, or the modes cannot be found.
     pub fn new(bulk: &BulkData, subcase: &Subcase, of: &str) -> Result<Self, AircraftError> {
+        refuse_direct(bulk, subcase)?;
         let bulk = bulk.in_subcase(subcase)?;
+        bulk.refuse_unread_elements()?;
         let unread = unread_cards(&bulk, NEEDED);
         if !unread.is_empty() {
             let message = format!(
@@ -188,4 +190,19 @@ fn damping(bulk: &BulkData, subcase: &Subcase, modes: &Modes) -> Result<Vec<f64>
             .with_help("leave out PARAM KDAMP: then g times a mode's frequency is its viscous damping"));
     }
     Ok(all)
+}
+
+/// Refuses direct matrices that join points of the structure, and transfer functions; those of extra points alone change nothing.
+fn refuse_direct(bulk: &BulkData, case: &Subcase) -> Result<(), InputError> {
+    for selection in &case.direct {
+        let (command, name) = selection.split_once(' ').unwrap_or((selection, ""));
+        let of_name = bulk.direct_matrices.iter().filter(|card| card.name == name);
+        let joined = of_name.flat_map(Dmig::points).find(|id| !bulk.extra_points.contains_key(id));
+        if let (Some(_), _) | (None, "TFL") = (joined, command) {
+            let message = format!("`{command} = {name}` changes the equations of motion and is not read");
+            return Err(InputError::general(message)
+                .with_help("take it out, or write what it adds as elements and masses"));
+        }
+    }
+    Ok(())
 }

@@ -153,6 +153,19 @@ pub(crate) fn reference_motions(free: &System, origin: &Point3<f64>, axes: &Matr
     })
 }
 
+/// Accelerations of the g-set by each variable: those of the reference axes in units of gravity (PARAM AUNITS), none of the others; of what flies,
+/// as the free motions carry them. All weight of a wing that is clamped and does not fly hangs on its clamps.
+pub(crate) fn accelerations_by(
+    bulk: &BulkData,
+    free: &System,
+    axes: &Mat<f64>,
+    of: &[Option<usize>],
+) -> Result<Mat<f64>, InputError> {
+    let units = bulk.parameters.get("AUNITS").copied().unwrap_or(1.0);
+    let all = Mat::from_fn(axes.nrows(), of.len(), |i, j| of[j].map_or(0.0, |axis| axes[(i, axis)] / units));
+    if bulk.supports.is_empty() { Ok(all) } else { carried(bulk, free, &all) }
+}
+
 /// Motions of the g-set as the free motions carry them: those that SPC, GRID or AUTOSPC holds are at rest, and so is what follows them alone. Nastran's
 /// inertia and air are those of the free motions: a mass on a motion that is held is not accelerated, and a load there is the ground's.
 ///

@@ -12,14 +12,15 @@
 //! offsets: both are the same on the two halves.
 
 use crate::deck::cases::refuse_unread;
+use crate::deck::given_load::GivenLoad;
 use crate::deck::grids::DeckGrids;
 use crate::deck::mean_pitch::MeanPitch;
 use crate::deck::monitors::{Monitor, monitors};
 use crate::deck::net_monitors::{NetMonitor, net_monitors};
 use crate::deck::spline::{self, Splined};
 use crate::deck::structure::{
-    Reduced, assembled, box_displacements, carried, corrections, held, reference_motions, support_motions,
-    support_rotations,
+    Reduced, accelerations_by, assembled, box_displacements, carried, corrections, held, reference_motions,
+    support_motions, support_rotations,
 };
 use crate::deck::variables::{ANTISYMMETRIC, Links, variables};
 use crate::error::AircraftError;
@@ -82,6 +83,8 @@ pub struct TrimDeck {
     sag: Mat<f64>,
     /// SUPORT motions by each variable's inertia, then the reference axes' six: forces to accelerate.
     inertia: Mat<f64>,
+    /// A load set that acts, too.
+    load: Option<GivenLoad>,
     /// The s-set part of the SUPORT motions.
     motions: Mat<f64>,
     /// By how much the mean axes pitch against the SUPORT grid.
@@ -121,26 +124,32 @@ impl TrimDeck {
     /// If the deck has cards that are not read and would change the trim, AEROS is missing, SUPORT names more than one grid, a variable is unknown, no box has a spline, or the structure is
     /// free to move when held at the SUPORT motions.
     pub fn new(bulk: &BulkData, mach: f64) -> Result<Self, AircraftError> {
+        Self::under_load(bulk, mach, None)
+    }
+
+    /// As [`TrimDeck::new`], with a load set of the deck (LOAD of the subcase) that acts beside air and inertia.
+    ///
+    /// # Errors
+    /// As [`TrimDeck::new`]; if the set is not there, has loads that are not read, or enforces motions.
+    pub fn under_load(bulk: &BulkData, mach: f64, load: Option<u32>) -> Result<Self, AircraftError> {
         refuse_unread(bulk)?;
-        let missing = || InputError::general("the deck has no AEROS, which trim needs");
-        let aeros = bulk.aero_reference.clone().ok_or_else(missing)?;
+        let aeros = bulk.aero_reference.clone();
+        let aeros = aeros.ok_or_else(|| InputError::general("the deck has no AEROS, which trim needs"))?;
         let frames = Frames::resolve(bulk)?;
         let stream = stream_axes(&frames, &aeros)?;
         let lattice = Lattice::in_axes(bulk, &stream)?;
         let (free, held) = (assembled(bulk)?, held(bulk)?);
         let Splined { spline, loose } =
             spline::splines(bulk, &lattice, free.node_ids(), free.points(), &stream)?;
-        let axes = frames.axes_at(aeros.rcsid, &aeros.span)?;
-        let origin = frames.origin(aeros.rcsid, &aeros.span)?;
-        let (seen, turned) = (stream.seen(&origin), stream.axes.transpose() * axes);
+        let (axes, origin) =
+            (frames.axes_at(aeros.rcsid, &aeros.span)?, frames.origin(aeros.rcsid, &aeros.span)?);
+        let turned = stream.axes.transpose() * axes;
         let (variables, incidence, accelerations) =
-            variables(bulk, &lattice, &aeros, &seen, &turned, &stream)?;
+            variables(bulk, &lattice, &aeros, &stream.seen(&origin), &turned, &stream)?;
         let integration = Integration::new(&lattice);
         let (s_dofs, d) = (spline.used_dofs(), carried(bulk, &free, &support_motions(bulk, &free)?)?);
         let d6 = reference_motions(&free, &origin, &axes);
-        let a = accelerations_by(bulk, &d6, &accelerations);
-        // All weight of a wing that is clamped and does not fly hangs on its clamps.
-        let a = if bulk.supports.is_empty() { a } else { carried(bulk, &free, &a)? };
+        let a = accelerations_by(bulk, &free, &d6, &accelerations)?;
         let structure = Reduced::new(&free, &held, &d, &a, &s_dofs)?;
         let (corrections, motion) = (corrections(bulk, lattice.len())?, box_displacements(&spline, &s_dofs));
         let theta = Mat::from_fn(lattice.len(), s_dofs.len(), |j, dof| motion[(2 * j + 1, dof)]);
@@ -151,9 +160,9 @@ impl TrimDeck {
         let aero = SteadyAero::new(&lattice, mirror_plane(aeros.symmetry), mach)?;
         let cp_displacement = aero.pressures(theta.as_ref());
         let stiffness = &gather * &cp_displacement;
-        let divergence = divergence(&structure.restrained, &stiffness)?;
         let (monitors, skipped) = stations(bulk, &lattice, &stream)?;
-        let accelerated = free.inertia_loads(a.as_ref());
+        let mut accelerated = free.inertia_loads(a.as_ref());
+        let load = GivenLoad::relieving(bulk, load, [&free, &held], &d, &s_dofs, &mut accelerated)?;
         let (net_monitors, groups) = net_monitors(bulk, &frames, &free, &s_dofs, accelerated.as_ref())?;
         let at = |m: &Mat<f64>| coupling::supported::restrict(m.as_ref(), &s_dofs);
         Ok(Self {
@@ -164,11 +173,12 @@ impl TrimDeck {
             loose_boxes: loose,
             cp_variables: aero.pressures(incidence.as_ref()),
             cp_displacement,
+            divergence: divergence(&structure.restrained, &stiffness)?,
             stiffness,
-            divergence,
             integration,
             motions: at(&d),
             mean_pitch: MeanPitch::new(&structure, &support_rotations(bulk, &free, &d), &stream),
+            load,
             axes: at(&d6),
             gather,
             offset,
@@ -218,17 +228,17 @@ impl TrimDeck {
         loads
     }
 
-    /// Pressures of each variable (boxes by variables); with `inertia`, accelerations bend the structure. Deformations count by `share`
+    /// Pressures of each variable (boxes by variables); with a `sag`, accelerations bend the structure. Deformations count by `share`
     /// (AEQR of TRIM).
-    fn pressures(&self, q: f64, elastic: Elastic, inertia: bool, share: f64) -> Mat<f64> {
+    fn pressures(&self, q: f64, elastic: Elastic, sag: Option<&Mat<f64>>, share: f64) -> Mat<f64> {
         let flexibility = match elastic {
             Elastic::Rigid => return self.cp_variables.clone(),
             Elastic::Restrained => &self.restrained,
             Elastic::Unrestrained => &self.unrestrained,
         };
         let mut u = flexibility * self.loads(&self.cp_variables) * faer::Scale(q);
-        if inertia {
-            u -= &self.sag;
+        if let Some(sag) = sag {
+            u -= sag;
         }
         let s = u.nrows();
         let system = Mat::<f64>::identity(s, s) - flexibility * &self.stiffness * faer::Scale(share * q);
@@ -237,7 +247,8 @@ impl TrimDeck {
 
     /// Force and moment coefficients (`CX`, `CY`, `CZ`, `Cl`, `Cm`, `Cn` in the reference axes, about their origin) per unit of each variable.
     pub fn derivatives(&self, q: f64, elastic: Elastic) -> BTreeMap<String, [f64; 6]> {
-        let cp = self.pressures(q, elastic, elastic == Elastic::Restrained, 1.0);
+        let sag = Some(&self.sag).filter(|_| elastic == Elastic::Restrained);
+        let cp = self.pressures(q, elastic, sag, 1.0);
         let sums = self.axes.transpose() * self.loads(&cp);
         let (b, c) = (self.aeros.span_length, self.aeros.chord);
         let lengths = [1.0, 1.0, 1.0, b, c, b].map(|length| length * self.aeros.area);
@@ -291,9 +302,14 @@ impl TrimDeck {
             })?;
             x[at] = Some(*value);
         }
-        let cp = self.pressures(q, Elastic::Restrained, true, share);
+        let (mut sag, mut inertia) = (self.sag.clone(), self.inertia.clone());
+        if let Some(load) = &self.load {
+            (0..sag.nrows()).for_each(|i| sag[(i, 0)] -= load.displacement[i]);
+            (0..inertia.nrows()).for_each(|i| inertia[(i, 0)] -= load.on_motions[i]);
+        }
+        let cp = self.pressures(q, Elastic::Restrained, Some(&sag), share);
         let air = (self.motions.transpose() * self.loads(&cp)) * faer::Scale(q);
-        let balance = self.links.folded(&(air - &self.inertia), trim, &mut x)?;
+        let balance = self.links.folded(&(air - &inertia), trim, &mut x)?;
         let rows: Vec<usize> = (0..balance.nrows()).collect();
         let row_names = vec!["motions of SUPORT"; rows.len()];
         let asked = Balance { matrix: &balance, rows: &rows, row_names: &row_names, names: &self.variables };
@@ -313,7 +329,9 @@ impl TrimDeck {
             .collect();
         let net = self.net_monitors.iter().map(|one| (one.name.clone(), one.loads(&on_grids, &values)));
         let alpha = self.variables.iter().position(|name| name == "ANGLEA").map(|at| values[at]);
-        let mean = self.mean_pitch.as_ref().map(|pitch| share * pitch.angle_rad(&on_grids, &values));
+        // What a load does to the mean axes is not known.
+        let mean_pitch = self.mean_pitch.as_ref().filter(|_| self.load.is_none());
+        let mean = mean_pitch.map(|pitch| share * pitch.angle_rad(&on_grids, &values));
         Ok(TrimmedDeck {
             mean_angle_of_attack_rad: alpha.zip(mean).map(|(alpha, mean)| alpha + mean),
             lift: loads.values.iter().copied().step_by(2).collect(),
@@ -328,12 +346,6 @@ impl TrimDeck {
 /// Pressures that are always there are the same on both halves, as camber is: an antisymmetric aircraft knows none.
 fn offset(symmetry: i32, weighed: impl FnOnce() -> Vec<f64>, rows: usize) -> Vec<f64> {
     if symmetry == ANTISYMMETRIC { vec![0.0; rows] } else { weighed() }
-}
-
-/// Accelerations of the g-set by each variable: those of the reference axes in units of gravity (PARAM AUNITS), none of the others.
-fn accelerations_by(bulk: &BulkData, axes: &Mat<f64>, of: &[Option<usize>]) -> Mat<f64> {
-    let units = bulk.parameters.get("AUNITS").copied().unwrap_or(1.0);
-    Mat::from_fn(axes.nrows(), of.len(), |i, j| of[j].map_or(0.0, |axis| axes[(i, axis)] / units))
 }
 
 /// Stations of boxes that are seen in the axes of the stream.

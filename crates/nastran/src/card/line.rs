@@ -172,7 +172,12 @@ impl<'a> Columns<'a> {
         let goes_on = |field: &Field| !field.text().is_empty() && !is_mark(field);
         let is_long = count == FIELDS_PER_LINE && data.get(count).is_some_and(goes_on);
         let is_named = data.len() > count && data.len() % count == 1;
-        let tail = data.pop_if(|last| is_named && is_mark(last));
+        // A `+` that begins no number is a name, even where fields before it were left out.
+        let is_short_of = |field: &Field| {
+            field.text().starts_with('+')
+                && !field.text()[1..].starts_with(|c: char| c.is_ascii_digit() || c == '.')
+        };
+        let tail = data.pop_if(|last| (is_named && is_mark(last)) || is_short_of(last));
         if data.len() > count && !is_long {
             let surplus = data[count..].iter().find(|field| goes_on(field)).unwrap_or(&data[count]);
             let message = format!(

@@ -37,6 +37,11 @@ impl Card {
         Ok(Self { name, span: line.head.span, fields: line.data, starts_free: line.is_free, tail: line.tail })
     }
 
+    /// The name of the continuation that it announces; empty if it has all its lines, or announces one without a name.
+    pub(crate) fn announced(&self) -> &str {
+        &self.tail
+    }
+
     /// Adds a continuation line.
     pub(crate) fn extend(&mut self, line: Line) -> Result<(), InputError> {
         let mark = continuation_name(line.head.text());

@@ -90,8 +90,9 @@ impl DeckCard for BeamProperty {
     }
 }
 
-/// PBAR: PID MID A I1 I2 J NSM / C1 C2 D1 D2 E1 E2 F1 F2 / K1 K2 I12; stress points are skipped.
+/// PBAR: PID MID A I1 I2 J NSM / C1 C2 D1 D2 E1 E2 F1 F2 / K1 K2 I12; stress points are skipped, and with I12 so are K1 and K2, as in Nastran.
 fn pbar(card: &Card) -> Result<BeamProperty, InputError> {
+    let given = [card.real_or(16, "K1", 0.0)?, card.real_or(17, "K2", 0.0)?];
     let station = BeamStation {
         x_over_l: 0.0,
         area: card.real_or(2, "A", 0.0)?,
@@ -104,9 +105,9 @@ fn pbar(card: &Card) -> Result<BeamProperty, InputError> {
     Ok(BeamProperty {
         id: card.id(0, "PID")?,
         material: card.id(1, "MID")?,
-        stations: vec![station],
         // An empty K is infinite shear stiffness, which is what zero stands for.
-        shear_factors: [card.real_or(16, "K1", 0.0)?, card.real_or(17, "K2", 0.0)?],
+        shear_factors: if station.i12 == 0.0 { given } else { [0.0; 2] },
+        stations: vec![station],
         nsi: [0.0; 2],
         nsm_offset: [[0.0; 2]; 2],
         neutral_axis: [[0.0; 2]; 2],

@@ -4,8 +4,8 @@ use super::prelude::*;
 use super::solid::{midsides, reordered};
 use crate::card::FIELDS_PER_LINE;
 
-/// Nastran's default of TS/T; the exact 5/6 is not what it computes with.
-const SHEAR_RATIO: f64 = 0.833_333;
+/// Nastran's default of TS/T: what MSC punches of single elements has 5/6 to ten digits.
+const SHEAR_RATIO: f64 = 5.0 / 6.0;
 
 /// The direction a shell's material axes are measured from.
 #[derive(Debug, Clone, Copy, PartialEq)]

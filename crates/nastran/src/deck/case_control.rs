@@ -5,7 +5,7 @@
 
 use crate::deck::include;
 use crate::source::{InputError, Span};
-use crate::text_file::read_text;
+use crate::text_file::read_deck_text;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -13,7 +13,7 @@ use std::sync::Arc;
 /// What a subcase selects.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Subcase {
-    /// Its number; zero for a case control without SUBCASE.
+    /// Its number; one for a case control without SUBCASE, zero for a deck without case control.
     pub id: u32,
     /// LABEL, else SUBTITLE.
     pub label: String,
@@ -35,6 +35,8 @@ pub struct Subcase {
     pub temperature: Option<u32>,
     /// TEMPERATURE(INITIAL): temperatures at which nothing has expanded, in the place of the materials' own.
     pub initial_temperature: Option<u32>,
+    /// TEMPERATURE(MATERIAL): temperatures that the materials' constants are those of.
+    pub material_temperature: Option<u32>,
     /// FMETHOD: FLUTTER.
     pub flutter: Option<u32>,
     /// SDAMPING: TABDMP1.
@@ -55,14 +57,16 @@ pub struct Subcase {
     pub random: Option<u32>,
     /// K2GG and M2GG: matrices (DMIG) that the structure has beside its elements.
     pub matrices: Vec<AddedMatrix>,
-    /// K2PP, M2PP, B2PP: matrices (DMIG) beside the structure's; TFL: transfer functions.
+    /// K2PP, M2PP, B2PP, B2GG, K42GG: matrices (DMIG) beside the structure's; TFL: transfer functions.
     pub direct: Vec<String>,
     /// Grids of DISPLACEMENT, VELOCITY and ACCELERATION.
     pub responses: Asked,
     /// A command for what no program of wingroot computes, such as `ADAPT = 101`.
     pub foreign: Option<(String, Span)>,
-    /// Selections that change stiffness or mass and are not read, such as `NSM = 5`.
+    /// Selections that change stiffness, mass, loads or the choice of modes and are not read, such as `NSM = 5`.
     pub unread: Vec<(String, Span)>,
+    /// Combinations of earlier subcases after this one, such as `SUBCOM 3`, which are not computed.
+    pub combinations: Vec<String>,
 }
 
 /// A matrix that a subcase adds to the structure's.
@@ -97,8 +101,8 @@ pub enum Asked {
     Of(BTreeSet<u32>),
 }
 
-/// Commands that change stiffness or mass of the structure and are not read.
-const CHANGING: [&str; 3] = ["NSM", "STATSUB", "DEFORM"];
+/// Commands that change stiffness, mass, loads or the choice of modes and are not read.
+const CHANGING: [&str; 7] = ["NSM", "STATSUB", "DEFORM", "P2G", "A2GG", "MFLUID", "MODESELECT"];
 
 /// Commands that ask for what wingroot is not for, and what that is.
 const FOREIGN: [(&str, &str); 4] = [
@@ -158,13 +162,16 @@ pub(super) fn read(path: &Path, lines: &[&str]) -> Result<Vec<Subcase>, InputErr
             combined = None;
         } else if COMBINED.contains(&name.as_str()) {
             combined = Some(Subcase::default());
+            if let Some(before) = subcases.last_mut().filter(|_| name != "REPCASE") {
+                before.combinations.push(command.text.clone());
+            }
         } else {
             let case = combined.as_mut().or(subcases.last_mut()).unwrap_or(&mut common);
             select(case, command, &name, value, &sets)?;
         }
     }
     if subcases.is_empty() && (end.is_some() || common != Subcase::default()) {
-        subcases.push(common);
+        subcases.push(Subcase { id: 1, ..common });
     }
     refuse_unlike_matrices(&subcases)?;
     Ok(subcases)
@@ -197,8 +204,8 @@ fn collect(path: &Path, lines: &[&str], from: usize, commands: &mut Vec<Command>
             if include::identity(&inner) == include::identity(path) {
                 return Err(InputError::at(&found.span, format!("{} includes itself", path.display())));
             }
-            let text =
-                read_text(&inner).map_err(|error| InputError { span: Some(found.span.clone()), ..error })?;
+            let text = read_deck_text(&inner)
+                .map_err(|error| InputError { span: Some(found.span.clone()), ..error })?;
             let without_includes: Vec<&str> =
                 text.lines().filter(|line| !include::is_include(line)).collect();
             collect(&inner, &without_includes, 0, commands)?;
@@ -358,8 +365,7 @@ fn select(
         "LOAD" => case.load = one()?,
         "TEMPERATURE" => match said_of(&command.text).get(..3) {
             Some("INI") => case.initial_temperature = one()?,
-            // Materials that change with temperature (MATT1) are refused where temperatures count.
-            Some("MAT") => {}
+            Some("MAT") => case.material_temperature = one()?,
             _ => case.temperature = one()?,
         },
         "FMETHOD" => case.flutter = one()?,
@@ -370,7 +376,7 @@ fn select(
         "TSTEP" => case.time_steps = one()?,
         "RANDOM" => case.random = one()?,
         "K2GG" | "M2GG" => add(case, command, name, value),
-        "K2PP" | "M2PP" | "B2PP" | "TFL" => {
+        "K2PP" | "M2PP" | "B2PP" | "B2GG" | "K42GG" | "TFL" => {
             case.direct.push(format!("{name} {}", value.unwrap_or_default().to_ascii_uppercase()));
         }
         _ if ["DISP", "VELO", "ACCE"].iter().any(|word| name.starts_with(word)) => ask(case, value, sets),

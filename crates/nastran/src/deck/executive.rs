@@ -1,7 +1,7 @@
 //! Executive control, as far as it says what a deck asks for: SOL with a number or a name.
 
 use crate::source::InputError;
-use crate::text_file::read_text;
+use crate::text_file::read_deck_text;
 use std::path::Path;
 
 /// What a solution sequence computes.
@@ -83,6 +83,6 @@ impl Solution {
     /// # Errors
     /// If the file cannot be read.
     pub fn of_file(path: &Path) -> Result<Option<Self>, InputError> {
-        Ok(Self::of(&read_text(path)?))
+        Ok(Self::of(&read_deck_text(path)?))
     }
 }

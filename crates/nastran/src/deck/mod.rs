@@ -5,6 +5,7 @@
 
 pub mod case_control;
 mod checks;
+pub(crate) mod damping;
 mod defaults;
 mod dmi_cards;
 pub mod executive;
@@ -15,12 +16,12 @@ mod superelements;
 mod taken;
 
 use crate::bulk_data::{BulkData, Unread};
-use crate::card::line::Line;
+use crate::card::line::{Line, continuation_name};
 use crate::card::{Card, lists};
 use crate::cards::Spoint;
 use crate::cards::kind::DeckCard;
 use crate::source::{InputError, Span};
-use crate::text_file::{no_file, read_text};
+use crate::text_file::{no_file, read_deck_text};
 use defaults::Defaults;
 use dmi_cards::DmiCards;
 use replication::{Replication, is_replication, refuse_in_continuation};
@@ -47,7 +48,7 @@ const AIR: [&str; 43] = [
 /// If a file cannot be read or has nothing in it, a field is not what its card demands, an identification number is given twice, or
 /// a grid refers to a coordinate system that is not there.
 pub fn read_deck(path: &Path) -> Result<BulkData, InputError> {
-    let text = read_text(path)?;
+    let text = read_deck_text(path)?;
     if text.trim().is_empty() {
         return Err(InputError::in_file(path, "the deck is empty").with_help("expected bulk data cards"));
     }
@@ -86,6 +87,10 @@ struct Reader {
     /// Scalar points named by elements that join nothing else.
     named_points: Vec<Spoint>,
     card: Option<Card>,
+    /// Cards that announce a continuation which has not come yet.
+    waiting: Vec<Card>,
+    /// Names of continuations that went to the card before them, which announces none.
+    adopted: BTreeMap<String, Span>,
     files: BTreeMap<PathBuf, Span>,
     /// Numbers that `THRU` has stood for so far.
     ranges: usize,
@@ -127,6 +132,7 @@ impl Reader {
             plain = (!line.is_continuation()).then_some(number - 1);
             running = None;
             if line.is_continuation() {
+                self.turn_to_parent(&line)?;
                 let Some(card) = &mut self.card else {
                     let error = InputError::at(&line.head.span, "a continuation without a card before it");
                     return Err(error.with_help("a card's name starts in the first column"));
@@ -184,14 +190,56 @@ impl Reader {
                 .with_help("include every file once, and not in a circle"));
         }
         let text =
-            read_text(&path).map_err(|error| InputError { span: Some(found.span.clone()), ..error })?;
+            read_deck_text(&path).map_err(|error| InputError { span: Some(found.span.clone()), ..error })?;
         let lines: Vec<&str> = text.lines().collect();
         self.lines(&path, &lines, 0)
     }
 
-    /// Turns the card that is complete now into its struct.
+    /// Takes up again the card that announces a continuation, if it is not the last one.
+    fn turn_to_parent(&mut self, line: &Line) -> Result<(), InputError> {
+        let mark = continuation_name(line.head.text());
+        let announced = self.card.as_ref().map_or("", Card::announced);
+        if mark.is_empty() || announced == mark {
+            return Ok(());
+        }
+        if let Some(parent) = self.waiting.iter().position(|card| card.announced() == mark) {
+            self.flush()?;
+            self.card = Some(self.waiting.remove(parent));
+        } else if announced.is_empty() {
+            self.adopted.entry(mark.to_owned()).or_insert_with(|| line.head.span.clone());
+        }
+        Ok(())
+    }
+
+    /// Reads the cards whose continuation never came: a name at the end of a line may be a mere remark.
+    fn read_waiting(&mut self) -> Result<(), InputError> {
+        for card in std::mem::take(&mut self.waiting) {
+            if let Some(span) = self.adopted.get(card.announced()) {
+                let message = format!(
+                    "continuation `{}` stands before the card that announces it ({})",
+                    card.announced(),
+                    card.span
+                );
+                return Err(InputError::at(span, message).with_help("put it after that card"));
+            }
+            self.complete(card)?;
+        }
+        Ok(())
+    }
+
+    /// Turns the card that is complete now into its struct; one that announces a continuation waits for it.
     fn flush(&mut self) -> Result<(), InputError> {
-        let Some(card) = self.card.take() else { return Ok(()) };
+        match self.card.take() {
+            Some(card) if card.announced().is_empty() => self.complete(card),
+            Some(card) => {
+                self.waiting.push(card);
+                Ok(())
+            }
+            None => Ok(()),
+        }
+    }
+
+    fn complete(&mut self, card: Card) -> Result<(), InputError> {
         superelements::refuse(&card.name, &card.span)?;
         if card.name == "DMI" {
             return self.matrices.add(card);
@@ -225,6 +273,9 @@ impl Reader {
             let wrong = self.deck.keep(&card).err();
             self.deck.air_errors.extend(wrong);
             return Ok(());
+        }
+        if let Some(name) = damping::of(&card) {
+            self.deck.unknown.entry(name).or_insert_with(|| Unread::first(card.span.clone())).count += 1;
         }
         if !self.deck.keep(&card)? && !self.parameter(&card)? {
             let number: Option<u32> = card.text(0).parse().ok();
@@ -267,6 +318,7 @@ impl Reader {
     }
 
     fn finish(mut self) -> Result<BulkData, InputError> {
+        self.read_waiting()?;
         for card in self.defaults.elements() {
             self.keep(card)?;
         }

@@ -2,7 +2,7 @@
 
 use super::include;
 use crate::source::{InputError, Span};
-use crate::text_file::read_text;
+use crate::text_file::read_deck_text;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -54,7 +54,7 @@ fn found(path: &Path, lines: &[&str], from: usize, seen: &mut BTreeSet<PathBuf>)
             let Ok(target) = include::target(&file, lines, at - 1) else { continue };
             at = target.next_line;
             let inner = path.parent().unwrap_or(Path::new("")).join(&target.path);
-            if let Ok(text) = read_text(&inner) {
+            if let Ok(text) = read_deck_text(&inner) {
                 found(&inner, &text.lines().collect::<Vec<_>>(), 0, seen)?;
             }
             continue;

@@ -10,6 +10,7 @@ use super::{Dependent, rigid_row};
 use crate::model::Node;
 use nalgebra::{Matrix6, Vector6};
 use nastran::{InputError, Rbe3};
+use std::collections::BTreeSet;
 
 /// A share of the largest eigenvalue below which the group does not determine a rigid motion.
 const UNDETERMINED: f64 = 1e-12;
@@ -34,8 +35,9 @@ pub(crate) fn mean(
 ) -> Result<Vec<Dependent>, InputError> {
     let owner = format!("RBE3 {}", card.id);
     let about = nodes[reference].point;
-    let distances = members.iter().map(|member| (nodes[member.node].point - about).norm());
-    let radius_m = mean_radius(distances);
+    // Of the grids, however many components of each are in the group.
+    let grids: BTreeSet<usize> = members.iter().map(|member| member.node).collect();
+    let radius_m = mean_radius(grids.iter().map(|node| (nodes[*node].point - about).norm()));
     // Rotations in units of the radius, so that the matrix has one unit.
     let scale = Vector6::from_fn(|k, _| if k < 3 { 1.0 } else { radius_m });
     let mut normal = Matrix6::zeros();

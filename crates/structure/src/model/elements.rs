@@ -55,7 +55,7 @@ impl ElementCard for BeamElement {
         let beam = Beam::new(self.id, nodes, &placement, property, material, &self.span)?;
         let is_bar_of_deck = builder.nastran.is_some() && !property.is_beam;
         Ok(Arc::new(if is_bar_of_deck {
-            beam.without_twisting_inertia(&placement, property, material)
+            beam.with_mass_of_bars(&placement, property, material)
         } else {
             beam
         }))

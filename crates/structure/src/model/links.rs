@@ -7,6 +7,7 @@ use crate::constraints::equation::solved_for;
 use crate::constraints::joint::{Joint, whole};
 use crate::constraints::{Dependent, rigid};
 use nastran::{InputError, Mpc, Rbar, Rbe2, Rbe3};
+use std::collections::BTreeSet;
 
 impl TieCard for Rbe2 {
     fn dependents(&self, builder: &Builder) -> Result<Vec<Dependent>, InputError> {
@@ -96,7 +97,8 @@ impl TieCard for Rbe3 {
             }
         }
         let about = builder.nodes[reference].point;
-        let distances = members.iter().map(|(node, _, _)| (builder.nodes[*node].point - about).norm());
+        let grids: BTreeSet<usize> = members.iter().map(|(node, _, _)| *node).collect();
+        let distances = grids.iter().map(|node| (builder.nodes[*node].point - about).norm());
         let square = average::mean_radius(distances).powi(2);
         for (_, _, weight) in &mut members {
             *weight *= square;

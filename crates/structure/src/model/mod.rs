@@ -79,7 +79,7 @@ impl Model {
     }
 
     /// Reads the structure of a user's deck as Nastran does: lumped mass unless PARAM COUPMASS is above zero, motions
-    /// without stiffness held unless PARAM AUTOSPC is NO, flat shells with residual bending flexibility and normals of their grids ([`crate::Shell::with_residual_bending`], [`crate::Shell::with_grid_normals`]), under the boundary conditions of a subcase ([`BulkData::bounded`]).
+    /// without stiffness held unless PARAM AUTOSPC is NO, flat shells as its own and with normals of their grids ([`crate::Shell::as_nastran`], [`crate::Shell::with_grid_normals`]), under the boundary conditions of a subcase ([`BulkData::bounded`]).
     ///
     /// # Errors
     /// As [`Model::from_bulk`].

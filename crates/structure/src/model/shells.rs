@@ -45,7 +45,8 @@ impl ElementCard for ShellElement {
             shell = nastran.shell(shell);
         }
         let normal = shell.axes().row(2).transpose();
-        if shell.nodes().iter().all(|node| builder.is_held(*node, &normal)) {
+        // Nastran ties them all the same.
+        if builder.nastran.is_none() && shell.nodes().iter().all(|node| builder.is_held(*node, &normal)) {
             shell = shell.with_drilling_tie(0.0);
         }
         Ok(Arc::new(if self.is_r { shell.with_drilling() } else { shell }))

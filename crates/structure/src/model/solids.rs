@@ -67,6 +67,7 @@ impl Builder<'_> {
             return Ok(AnySolid::WithEdges(solid));
         }
         let solid = Solid::new(card.id, nodes, &points, &material, &card.span)?;
+        let solid = if builder.nastran.is_some() { solid.as_nastran() } else { solid };
         let has_bubbles = matches!(property.points, SolidPoints::Usual);
         let is_standard = property.shear == SolidShear::Full && !has_bubbles;
         Ok(AnySolid::Plain(if is_standard { solid.standard() } else { solid }))

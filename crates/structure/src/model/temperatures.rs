@@ -6,8 +6,6 @@ use std::collections::BTreeMap;
 /// Temperatures that are not read, and would be missing if a set had some.
 const UNREAD: &[&str] =
     &["TEMPP2", "TEMPP3", "TEMPP4", "TEMPG", "TEMPBC", "TEMPF", "TEMPN1", "TEMPAX", "TEMPIC"];
-/// Materials whose constants change with the temperature.
-const CHANGING: &[&str] = &["MATT1", "MATT2", "MATT3", "MATT8", "MATT9", "MATT11"];
 
 /// What the cards of a set say.
 #[derive(Default)]
@@ -33,12 +31,7 @@ impl Warmth {
     /// # Errors
     /// If a set is not there, has temperatures that are not read, or materials change with the temperature.
     pub(super) fn of(bulk: &BulkData, load: u32, initial: Option<u32>) -> Result<Self, InputError> {
-        if let Some((name, unread)) = bulk.unknown.iter().find(|(name, _)| CHANGING.contains(&name.as_str()))
-        {
-            let message = format!("{name} makes a material change with the temperature, which is not read");
-            return Err(InputError::at(&unread.first, message)
-                .with_help("give the constants at the temperature, or take it out"));
-        }
+        bulk.refuse_warm_materials()?;
         let initial = initial.map(|set| Ok((set, Field::of(bulk, set)?))).transpose()?;
         Ok(Self { set: load, now: Field::of(bulk, load)?, initial })
     }

@@ -18,10 +18,14 @@
 
 mod andes;
 mod curved;
+mod frame;
 mod grid_normals;
+mod nastran_quad;
+mod nastran_triangle;
 mod point;
 mod quad;
 mod residual;
+mod side_shears;
 mod strains;
 mod triangle;
 
@@ -30,9 +34,12 @@ pub use strains::ShellStrains;
 
 use crate::element::Element;
 use crate::laminate::ShellSection;
+use frame::Frame;
 use grid_normals::bending_motions;
-use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Point3, SMatrix, SVector, Vector3, Vector6};
+use nalgebra::{DMatrix, DVector, Matrix2, Matrix3, Matrix6, Point3, SMatrix, SVector, Vector3, Vector6};
 use nastran::{InputError, Span};
+use nastran_quad::NastranQuad;
+use nastran_triangle::shear_stiffness;
 use point::{Point, mass, modes_of, stiffness, strains_at, tie_stiffness};
 use residual::Residual;
 use std::borrow::Cow;
@@ -43,9 +50,6 @@ use std::sync::Arc;
 /// beam is 32 % too soft at a thousandth. More stiffens curved shells: their hemisphere is 4 % too stiff at one with
 /// 16 x 16 elements. A tenth keeps both within 2 %.
 const DRILLING: f64 = 0.1;
-
-/// Of three or four corners, an element's sine of the smallest angle below which it is degenerate.
-const DEGENERATE: f64 = 1e-4;
 
 /// The part in the element's plane below which a grid's normal is the element's own.
 const UPRIGHT: f64 = 1e-12;
@@ -68,8 +72,8 @@ pub struct Shell {
     drills: bool,
     /// Stiffness of the rotation about the normal against the membrane's own, in units of the membrane's shear stiffness.
     tie: f64,
-    /// Has the residual bending flexibility.
-    relaxes: bool,
+    /// Bending, shear and tie are Nastran's ([`Self::as_nastran`]).
+    is_nastran: bool,
     /// Thickness at the corners in units of the section's; empty if it is the section's everywhere.
     thickness: Vec<f64>,
     /// Of the corners' grids ([`Self::with_grid_normals`]), in the element's axes; empty if none has one.
@@ -113,7 +117,7 @@ impl Shell {
             angle_rad,
             drills: false,
             tie: DRILLING,
-            relaxes: false,
+            is_nastran: false,
             thickness: Vec::new(),
             normals: Vec::new(),
             triangles: Vec::new(),
@@ -190,11 +194,11 @@ impl Shell {
         Self { normals: own, ..self }
     }
 
-    /// With the shear flexibility that makes up for the linear rotations' lack of bending, as Nastran's CQUAD4 and CTRIA3 have it: strips bend as
-    /// beams do, whatever their number, and bars along their sides with them. Without it thin shells hold bars to straight rotations.
+    /// As Nastran has it: a quadrilateral's bending with incompatible modes, transverse shear with the flexibility that makes up for the linear
+    /// rotations' lack of bending (strips bend as beams do, whatever their number), rotations about the normal tied at the corners.
     #[must_use]
-    pub fn with_residual_bending(self) -> Self {
-        Self { relaxes: true, ..self }
+    pub fn as_nastran(self) -> Self {
+        Self { is_nastran: true, ..self }
     }
 
     /// With thicknesses at the corners (T1 to T4), in units of the section's, linear between.
@@ -257,11 +261,6 @@ impl Shell {
         }
     }
 
-    /// That of [`Self::with_residual_bending`].
-    fn residual(&self, section: &ShellSection) -> Option<Residual> {
-        self.relaxes.then(|| Residual::of(&self.corners, section))
-    }
-
     fn quad_points(&self) -> Vec<Point<24>> {
         self.thickened(quad::points(&self.corners))
     }
@@ -293,6 +292,40 @@ impl Shell {
                 bent + tie_stiffness(points, &section, self.tie)
             }
             None => stiffness(points, &section, residual, self.tie),
+        })
+    }
+
+    /// That of Nastran's CTRIAR and CQUADR.
+    fn residual(&self, section: &ShellSection) -> Option<Residual> {
+        (self.is_nastran && self.drills).then(|| Residual::of(&self.corners, section))
+    }
+
+    /// A triangle's stiffness as Nastran has it ([`Self::as_nastran`]): membrane and bending of its points, shear of its sides, rotations
+    /// about the normal tied at the corners, each with the area of its two sides' parallelogram.
+    fn nastran_triangle(&self) -> DMatrix<f64> {
+        let points = &self.triangle_points();
+        let section = self.section();
+        let ratio = points.iter().map(|point| point.thickness).sum::<f64>() / points.len() as f64;
+        let in_plane = ShellSection { shear: Matrix2::zeros(), ..section };
+        let across = shear_stiffness(&self.corners, self.area_m2(), &section.thickened(ratio));
+        let own = stiffness(points, &in_plane, None, 0.0) + across;
+        let corners = triangle::CORNERS.map(|at| triangle::point(&self.corners, at, 1.0));
+        let tie = tie_stiffness(&self.thickened(corners.into()), &section, self.tie);
+        self.basic(&match self.triangle_motions() {
+            Some(motions) => motions.transpose() * own * motions + tie,
+            None => own + tie,
+        })
+    }
+
+    /// A quadrilateral's stiffness as Nastran has it ([`Self::as_nastran`]), of a section in the element's axes.
+    fn nastran_stiffness(&self, section: &ShellSection) -> DMatrix<f64> {
+        let points = self.quad_points();
+        let quad =
+            NastranQuad { corners: &self.corners, section, points: &points, thickness: &self.thickness };
+        let (own, tie) = (quad.stiffness(), quad.tie(self.tie));
+        self.basic(&match self.quad_motions() {
+            Some(motions) => motions.transpose() * own * motions + tie,
+            None => own + tie,
         })
     }
 
@@ -343,11 +376,15 @@ impl Element for Shell {
     fn stiffness(&self) -> Option<Cow<'_, DMatrix<f64>>> {
         Some(Cow::Owned(if !self.triangles.is_empty() {
             self.drilled_stiffness()
+        } else if self.corners.len() == 4 && self.is_nastran {
+            self.nastran_stiffness(&self.section())
         } else if self.corners.len() == 4 {
             self.bent(&self.quad_points(), self.quad_motions())
         } else if self.drills {
             let points = andes::points(&self.corners, &self.section().membrane);
             self.bent(&self.thickened(points), None)
+        } else if self.is_nastran {
+            self.nastran_triangle()
         } else {
             self.bent(&self.triangle_points(), self.triangle_motions())
         }))
@@ -358,41 +395,5 @@ impl Element for Shell {
         } else {
             self.basic(&mass(&self.triangle_points(), &self.section))
         }))
-    }
-}
-
-/// Where an element lies.
-struct Frame {
-    axes: Matrix3<f64>,
-    /// x, y and height above the plane.
-    corners: Vec<Point3<f64>>,
-}
-
-impl Frame {
-    fn of(points: &[Point3<f64>]) -> Option<Self> {
-        let count = points.len() as f64;
-        let middle = points.iter().map(|point| point.coords).sum::<Vector3<f64>>() / count;
-        let (one, other) = match points {
-            [a, b, c] => (b - a, c - a),
-            [a, b, c, d] => (c - a, d - b),
-            _ => return None,
-        };
-        let normal = one.cross(&other).try_normalize(DEGENERATE * one.norm() * other.norm())?;
-        let side = points[1] - points[0];
-        let x = (side - normal * normal.dot(&side)).try_normalize(1e-12 * one.norm())?;
-        let axes = Matrix3::from_rows(&[x.transpose(), normal.cross(&x).transpose(), normal.transpose()]);
-        let corners = points.iter().map(|point| (axes * (point.coords - middle)).into()).collect();
-        axes.iter().all(|value| value.is_finite()).then_some(Self { axes, corners })
-    }
-
-    /// Whether every corner turns left by a visible angle.
-    fn is_convex(&self) -> bool {
-        let n = self.corners.len();
-        (0..n).all(|at| {
-            let [a, b, c] = [0, 1, 2].map(|step| self.corners[(at + step) % n]);
-            let (one, other) = ([b[0] - a[0], b[1] - a[1]], [c[0] - b[0], c[1] - b[1]]);
-            let cross = one[0] * other[1] - one[1] * other[0];
-            cross > DEGENERATE * one[0].hypot(one[1]) * other[0].hypot(other[1])
-        })
     }
 }

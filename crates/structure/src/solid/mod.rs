@@ -17,6 +17,7 @@
 //! its material.
 
 mod hexa;
+mod nastran_wedge;
 mod penta;
 mod quadratic;
 mod shape;
@@ -27,10 +28,10 @@ pub use quadratic::QuadraticSolid;
 pub(crate) use shape::{gauss_2, gauss_3};
 
 use crate::element::Element;
-use crate::solid_material::{COMPONENTS, SolidMaterial};
-use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Matrix6xX, Point3, SMatrix, Vector3, Vector6};
+use crate::solid_material::SolidMaterial;
+use nalgebra::{DMatrix, DVector, Matrix3, Matrix6xX, Point3, SMatrix, Vector3, Vector6};
 use nastran::{InputError, Span};
-use shape::{Gradients, ModeStrains, Shape, Values};
+use shape::{Gradients, ModeStrains, Shape, Values, strain_transformation};
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -60,6 +61,8 @@ pub struct Solid {
     is_lumped: bool,
     /// Without strain modes.
     is_standard: bool,
+    /// A wedge with Nastran's modes and shear.
+    is_nastran: bool,
 }
 
 impl Solid {
@@ -86,7 +89,16 @@ impl Solid {
             corners.set_column(i, &(point - points[0]));
         }
         let material = Arc::clone(material);
-        let solid = Self { id, nodes, corners, material, shape, is_lumped: false, is_standard: false };
+        let solid = Self {
+            id,
+            nodes,
+            corners,
+            material,
+            shape,
+            is_lumped: false,
+            is_standard: false,
+            is_nastran: false,
+        };
         solid.check(span)?;
         Ok(solid)
     }
@@ -102,6 +114,12 @@ impl Solid {
     #[must_use]
     pub fn standard(self) -> Self {
         Self { is_standard: true, ..self }
+    }
+
+    /// As Nastran has it: a CPENTA's modes and transverse shear are others (`nastran_wedge.rs`).
+    #[must_use]
+    pub fn as_nastran(self) -> Self {
+        Self { is_nastran: self.nodes.len() == 6, ..self }
     }
 
     /// Number of strain modes.
@@ -257,6 +275,11 @@ impl Element for Solid {
     }
 
     fn stiffness(&self) -> Option<Cow<'_, DMatrix<f64>>> {
+        let wedge = (self.is_nastran && !self.is_standard)
+            .then(|| nastran_wedge::stiffness(&self.corners, &self.material.stiffness));
+        if let Some(k) = wedge.flatten() {
+            return Some(Cow::Owned(0.5 * (&k + k.transpose())));
+        }
         let (own, modes) = (3 * self.nodes.len(), self.mode_count());
         let full = self.with_modes();
         let mut k = full.view((0, 0), (own, own)).into_owned();
@@ -299,19 +322,6 @@ fn write_strains(strains: &mut Matrix6xX<f64>, column: usize, g: &Vector3<f64>) 
         strains[(3 + axis, column + axis)] = g[next];
         strains[(3 + axis, column + next)] = g[axis];
     }
-}
-
-/// The six components (engineering shear) of the strain G E G^T from those of E.
-fn strain_transformation(g: &Matrix3<f64>) -> Matrix6<f64> {
-    let mut t = Matrix6::zeros();
-    for (column, (k, l)) in COMPONENTS.into_iter().enumerate() {
-        for (row, (i, j)) in COMPONENTS.into_iter().enumerate() {
-            // An engineering shear stands with one half at two places of E, and is twice its entry of G E G^T.
-            let both = g[(i, k)] * g[(j, l)] + g[(i, l)] * g[(j, k)];
-            t[(row, column)] = if i == j { 0.5 * both } else { both };
-        }
-    }
-    t
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Solids with grids at the middle of their edges: CHEXA (to 20 grids), CPENTA (to 15), CTETRA (to 10).
 //!
-//! Isoparametric, three displacements a grid, the stiffness integrated in full (27, 9 and 4 points). Any of the grids on the edges may
+//! Isoparametric, three displacements a grid, the stiffness integrated in full (27, 21 and 5 points). Any of the grids on the edges may
 //! be missing; the edge is straight then and its displacement linear.
 
 use super::shape::{QuadraturePoint, Shape};
@@ -218,7 +218,12 @@ impl Element for QuadraticSolid {
 
     fn lumped_mass(&self) -> Option<DMatrix<f64>> {
         let by_node = self.mass_by_node();
-        let own: Vec<f64> = by_node.diagonal().iter().copied().collect();
+        let mut own: Vec<f64> = by_node.diagonal().iter().copied().collect();
+        // With grids on all edges as in MSC Nastran, whose load vectors under GRAV have nothing at corners (cube: a twelfth of the weight at each edge). How it
+        // shares the mass of irregular solids among their edges is not known; here by what they have of the consistent mass.
+        if 2 * self.edges.len() == 3 * self.corners() {
+            own.iter_mut().take(self.corners()).for_each(|corner| *corner = 0.0);
+        }
         let masses = serendipity::lumped(&own, by_node.sum());
         Some(DMatrix::from_diagonal(&DVector::from_fn(3 * masses.len(), |i, _| masses[i / 3])))
     }

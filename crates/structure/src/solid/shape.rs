@@ -3,7 +3,8 @@
 //! Arrays are padded with zeros to the largest family, eight corners and 21 modes, so that one element routine
 //! serves all.
 
-use nalgebra::{SMatrix, SVector};
+use crate::solid_material::COMPONENTS;
+use nalgebra::{Matrix3, Matrix6, SMatrix, SVector};
 use std::fmt::Debug;
 
 /// Shape functions at a place, one a corner.
@@ -54,4 +55,17 @@ pub(crate) fn gauss_2() -> [(f64, f64); 2] {
 pub(crate) fn gauss_3() -> [(f64, f64); 3] {
     let x = 0.6_f64.sqrt();
     [(-x, 5.0 / 9.0), (0.0, 8.0 / 9.0), (x, 5.0 / 9.0)]
+}
+
+/// The six components (engineering shear) of the strain G E G^T from those of E.
+pub(crate) fn strain_transformation(g: &Matrix3<f64>) -> Matrix6<f64> {
+    let mut t = Matrix6::zeros();
+    for (column, (k, l)) in COMPONENTS.into_iter().enumerate() {
+        for (row, (i, j)) in COMPONENTS.into_iter().enumerate() {
+            // An engineering shear stands with one half at two places of E, and is twice its entry of G E G^T.
+            let both = g[(i, k)] * g[(j, l)] + g[(i, l)] * g[(j, k)];
+            t[(row, column)] = if i == j { 0.5 * both } else { both };
+        }
+    }
+    t
 }

@@ -64,6 +64,9 @@ pub(super) fn run(path: &Path, subcase: Option<u32>, common: &Common) -> Result<
             if !common.quiet {
                 let modal = &deck.modal;
                 say_what_is_assumed(bulk, &modal.loose_boxes, modal.auto_held(), modal.reduction.clone());
+                if let Some(remark) = bulk.damping_remark() {
+                    show::note(&remark);
+                }
             }
             deck
         };

@@ -88,6 +88,9 @@ struct Trimmed {
     neutral_point_x: [Option<f64>; 3],
     /// Coefficients by trim variable.
     derivatives: BTreeMap<String, Derivative>,
+    /// Whether it is one half of an antisymmetric aircraft.
+    #[serde(skip)]
+    is_antisymmetric: bool,
 }
 
 /// Coefficients per unit of a variable, about the reference axes.
@@ -208,8 +211,8 @@ pub(crate) fn say_what_is_assumed(
     }
 }
 
-/// What a deck is assembled for: what a subcase makes of the cards (SPC, MPC, SUPORT1, symmetry, added matrices), and the Mach number.
-type Conditions = (BulkData, f64);
+/// What a deck is assembled for: what a subcase makes of the cards (SPC, MPC, SUPORT1, symmetry, added matrices), the Mach number and LOAD.
+type Conditions = (BulkData, f64, Option<u32>);
 
 /// The deck in a subcase's conditions; `known` is that of the subcase before.
 fn assembled<'a>(
@@ -218,10 +221,10 @@ fn assembled<'a>(
     mach: f64,
     known: &'a mut Option<(Conditions, TrimDeck)>,
 ) -> Result<&'a TrimDeck, Failure> {
-    let asked = (bulk.in_subcase(subcase)?, mach);
+    let asked = (bulk.in_subcase(subcase)?, mach, subcase.load);
     let deck = match known.take().filter(|(before, _)| *before == asked) {
         Some((_, deck)) => deck,
-        None => TrimDeck::new(&asked.0, mach)?,
+        None => TrimDeck::under_load(&asked.0, mach, subcase.load)?,
     };
     Ok(&known.insert((asked, deck)).1)
 }
@@ -266,6 +269,7 @@ fn numbers(case: &DeckCase, deck: &TrimDeck, found: Result<TrimmedDeck, String>)
         divergence_q: deck.divergence_pressures().iter().copied().take(DIVERGENCES).collect(),
         neutral_point_x: kinds.map(|kind| deck.neutral_point_x(q, kind)),
         derivatives: derivatives.collect(),
+        is_antisymmetric: deck.aeros().symmetry < 0,
     }
 }
 
@@ -288,11 +292,16 @@ fn text(summary: &Summary) -> String {
         if let Some(why) = &case.refused {
             let _ = writeln!(text, "  not trimmed: {why}");
         }
-        let mut table = report::Table::new(&["", "trim", "CZ rigid", "CZ elastic", "Cm rigid", "Cm elastic"]);
+        // Of an antisymmetric half, lift and pitch are those of one side and cancel.
+        let shown: &[&str] = if case.is_antisymmetric { &["CY", "Cl", "Cn"] } else { &["CZ", "Cm"] };
+        let heads: Vec<String> =
+            shown.iter().flat_map(|name| ["rigid", "elastic"].map(|kind| format!("{name} {kind}"))).collect();
+        let heads: Vec<&str> = ["", "trim"].into_iter().chain(heads.iter().map(String::as_str)).collect();
+        let mut table = report::Table::new(&heads);
         for (name, derivative) in &case.derivatives {
             let value = case.values.get(name).map_or("-".to_owned(), |value| format!("{value:.6e}"));
             let (rigid, free) = (&derivative.rigid, &derivative.unrestrained);
-            let cells = [rigid["CZ"], free["CZ"], rigid["Cm"], free["Cm"]].map(|x| format!("{x:.6}"));
+            let cells = shown.iter().flat_map(|name| [rigid[name], free[name]].map(|x| format!("{x:.6}")));
             table.row([name.clone(), value].into_iter().chain(cells));
         }
         let _ = writeln!(text, "{table}");

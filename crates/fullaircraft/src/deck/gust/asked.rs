@@ -2,7 +2,7 @@
 
 use super::signal::Signal;
 use aero::Flow;
-use nastran::{BulkData, Dmig, Gust, InputError, Subcase};
+use nastran::{BulkData, Gust, InputError, Subcase};
 
 /// A subcase that a gust or loads excite.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,7 +47,6 @@ pub fn gust_cases(bulk: &BulkData) -> Result<Vec<GustCase>, InputError> {
 }
 
 fn asked(bulk: &BulkData, case: &Subcase) -> Result<GustCase, InputError> {
-    refuse_direct(bulk, case)?;
     let mut remarks = Vec::new();
     let gust = match case.gust {
         None => None,
@@ -79,21 +78,6 @@ fn asked(bulk: &BulkData, case: &Subcase) -> Result<GustCase, InputError> {
 
 fn missing(name: &str, id: u32) -> InputError {
     InputError::general(format!("the case control selects {name} {id}, which is not there"))
-}
-
-/// Refuses direct matrices that join points of the structure, and transfer functions; those of extra points alone change nothing.
-fn refuse_direct(bulk: &BulkData, case: &Subcase) -> Result<(), InputError> {
-    for selection in &case.direct {
-        let (command, name) = selection.split_once(' ').unwrap_or((selection, ""));
-        let of_name = bulk.direct_matrices.iter().filter(|card| card.name == name);
-        let joined = of_name.flat_map(Dmig::points).find(|id| !bulk.extra_points.contains_key(id));
-        if let (Some(_), _) | (None, "TFL") = (joined, command) {
-            let message = format!("`{command} = {name}` changes the equations of motion and is not read");
-            return Err(InputError::general(message)
-                .with_help("take it out, or write what it adds as elements and masses"));
-        }
-    }
-    Ok(())
 }
 
 /// Airspeed and density by GUST and PARAM Q, and PARAM MACH.
