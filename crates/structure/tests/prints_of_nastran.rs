@@ -228,3 +228,60 @@ fn a_wedge_has_the_forces_that_simcenter_prints() {
         assert!((ours - printed).abs() < 1e-5 * 2282.299, "{ours} beside {printed}");
     }
 }
+
+/// Grid point forces of CTRIA3 8 in the same print: in its plane, across it with the moments of bending, and about its normal (PARAM K6ROT 100).
+#[test]
+fn a_triangle_has_the_forces_that_simcenter_prints() {
+    let deck = "CTRIA3,8,4,4,3,16\nPSHELL,4,1,.25,1,,1\nMAT1,1,2.9+7,1.1+7,.32\nGRID,3,,1.,1.,0.\nGRID,4,,0.,1.,0.\nGRID,16,,1.,1.,-1.\n";
+    let model = Model::from_deck(&parse_deck("t.bdf", deck).expect("a deck"), None).expect("a model");
+    let displacements = [
+        -1.112_120e-3,
+        -2.845_518e-5,
+        7.399_668e-4,
+        3.586_282e-5,
+        -4.268_616e-4,
+        -8.201_584e-6,
+        -1.229_546e-3,
+        -3.114_698e-5,
+        1.249_150e-3,
+        3.663_150e-5,
+        -5.332_371e-4,
+        -7.999_467e-6,
+        -7.128_757e-4,
+        -5.659_520e-7,
+        8.929_982e-4,
+        1.137_302e-6,
+        -4.826_221e-4,
+        -4.237_965e-7,
+    ];
+    let printed = [
+        1.396_531e1,
+        -6.897_006e-3,
+        1.026_748e1,
+        -3.541_889e-1,
+        2.363_533e-2,
+        2.312_085e-1,
+        -2.425_918e1,
+        -2.203_465e0,
+        1.276_314e3,
+        -5.763_794e-3,
+        -5.577_622e-3,
+        -3.267_507e-3,
+        1.029_386e1,
+        2.210_362e0,
+        -1.286_582e3,
+        -1.850_409e0,
+        8.322_313e-3,
+        -2.348_380e-1,
+    ];
+    let k = model.elements().next().expect("one").stiffness().expect("stiff").into_owned();
+    let forces = k * nalgebra::DVector::from_column_slice(&displacements);
+    for (at, (ours, printed)) in forces.iter().zip(printed).enumerate() {
+        let near = match at % 6 {
+            0 | 2 => 1e-5 * 1286.582,
+            4 => 1e-3 * 2.363_533e-2,
+            _ => 2e-5 * 2.210_362,
+        };
+        assert!((ours - printed).abs() < near, "{at}: {ours} beside {printed}");
+    }
+}

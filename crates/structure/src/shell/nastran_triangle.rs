@@ -1,4 +1,4 @@
-//! The transverse shear of Nastran's CTRIA3 and CTRIAR, whose curvature is constant.
+//! The transverse shear of Nastran's CTRIA3, whose curvature is constant.
 //!
 //! The shears along the three sides are those of a constant shear and of a part that goes round, alike along each: e = t . g + r. The
 //! constant one has the flexibility of the section and of the bending that linear rotations lack (MacNeal, A simple quadrilateral shell element, Computers and
