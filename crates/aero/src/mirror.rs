@@ -34,7 +34,7 @@ impl MirrorPlane {
     }
 
     /// Refuses boxes that cross the plane or stand on both sides of it. A fin in the plane is its own image: in symmetric flow it carries
-    /// nothing ([`Self::silent`]), in antisymmetric flow it and its image half of the load each.
+    /// nothing, in antisymmetric flow it and its image half of the load each.
     ///
     /// A box may overlap the plane by a millionth of its size, which is what rounded decks need.
     ///
