@@ -87,8 +87,10 @@ struct Reader {
     /// Scalar points named by elements that join nothing else.
     named_points: Vec<Spoint>,
     card: Option<Card>,
-    /// Cards that announce a continuation which has not come yet.
-    waiting: Vec<Card>,
+    /// Cards that announce a continuation which has not come yet, by its name, with their place among them.
+    waiting: BTreeMap<String, Vec<(usize, Card)>>,
+    /// How many have waited.
+    waited: usize,
     /// Names of continuations that went to the card before them, which announces none.
     adopted: BTreeMap<String, Span>,
     files: BTreeMap<PathBuf, Span>,
@@ -202,9 +204,9 @@ impl Reader {
         if mark.is_empty() || announced == mark {
             return Ok(());
         }
-        if let Some(parent) = self.waiting.iter().position(|card| card.announced() == mark) {
+        if let Some((_, parent)) = self.waiting.get_mut(mark).and_then(Vec::pop) {
             self.flush()?;
-            self.card = Some(self.waiting.remove(parent));
+            self.card = Some(parent);
         } else if announced.is_empty() {
             self.adopted.entry(mark.to_owned()).or_insert_with(|| line.head.span.clone());
         }
@@ -213,7 +215,10 @@ impl Reader {
 
     /// Reads the cards whose continuation never came: a name at the end of a line may be a mere remark.
     fn read_waiting(&mut self) -> Result<(), InputError> {
-        for card in std::mem::take(&mut self.waiting) {
+        let mut waiting: Vec<(usize, Card)> =
+            std::mem::take(&mut self.waiting).into_values().flatten().collect();
+        waiting.sort_by_key(|(place, _)| *place);
+        for (_, card) in waiting {
             if let Some(span) = self.adopted.get(card.announced()) {
                 let message = format!(
                     "continuation `{}` stands before the card that announces it ({})",
@@ -232,7 +237,8 @@ impl Reader {
         match self.card.take() {
             Some(card) if card.announced().is_empty() => self.complete(card),
             Some(card) => {
-                self.waiting.push(card);
+                self.waited += 1;
+                self.waiting.entry(card.announced().to_owned()).or_default().push((self.waited, card));
                 Ok(())
             }
             None => Ok(()),
