@@ -182,6 +182,13 @@ impl BulkData {
         })
     }
 
+    /// Which combinations of subcases (SUBCOM, SYMCOM) are not computed: said to the user.
+    pub fn combination_remarks(&self) -> Vec<String> {
+        let all = self.subcases.iter().flat_map(|case| &case.combinations);
+        all.map(|text| format!("`{text}` is not computed: it combines the answers of other subcases"))
+            .collect()
+    }
+
     /// What of the deck's constraints its case control leaves out or selects in vain, and elements that share a number: said to the user.
     pub fn remarks(&self) -> Vec<String> {
         let selects =
@@ -200,11 +207,7 @@ impl BulkData {
         let sets: BTreeSet<u32> = self.subcases.iter().filter_map(|case| case.mpc).filter(missing).collect();
         remarks
             .extend(sets.iter().map(|set| format!("the case control selects MPC {set}, which is not there")));
-        let combinations = self.subcases.iter().flat_map(|case| &case.combinations);
-        remarks.extend(
-            combinations
-                .map(|text| format!("`{text}` is not computed: it combines the answers of other subcases")),
-        );
+        remarks.extend(self.combination_remarks());
         remarks.extend(self.shared_numbers());
         remarks
     }

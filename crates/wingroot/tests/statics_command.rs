@@ -152,6 +152,17 @@ fn every_subcase_has_the_loads_and_supports_that_it_selects() {
     );
     let one = result(&folder, &["--deck", "wing.bdf", "--subcase", "2"]);
     assert_eq!((z(&one), one.get("further")), (z(&further[0]), None));
+    // A combination is said not to be computed, and the others are.
+    with_subcases(
+        &folder,
+        "SPC = 1\nSUBCASE 1\nLOAD = 30\nSUBCASE 2\nLOAD = 20\nSUBCOM 3\nSUBSEQ = 1.,1.\n",
+        "",
+    );
+    let mut command = Command::new(env!("CARGO_BIN_EXE_wingroot"));
+    command.args(["statics", "--deck", "wing.bdf", "--numbers-only", "--out", "said"]);
+    let output = command.current_dir(&folder).output().expect("the command starts");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success() && said.contains("`SUBCOM 3` is not computed"), "{said}");
     // The second is heated beside its load: the tip moves by alpha T L along the beam, and not across.
     with_subcases(
         &folder,

@@ -58,6 +58,9 @@ pub(crate) fn run(args: &StaticsArgs, common: &Common) -> Result<(), Failure> {
     let Some(deck) = &args.deck else { return statics_air::run(&args.air, args.nonlinear, common) };
     let start = Instant::now();
     let mut bulk = nastran::read_deck(deck)?;
+    for remark in bulk.combination_remarks() {
+        show::note(&remark);
+    }
     statics_cases::refuse_nonlinear_materials(&bulk, deck)?;
     statics_cases::set_aside_lgdisp(&mut bulk, deck)?;
     let wanted = |value: Option<usize>| value.and_then(|value| u32::try_from(value).ok());
