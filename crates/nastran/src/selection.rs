@@ -5,10 +5,34 @@
 
 use crate::bulk_data::BulkData;
 use crate::cards::{Aecomp, Divisions, SetUnion};
-use crate::deck::case_control::{Subcase, foreign_purpose};
+use crate::deck::case_control::{Asked, Subcase, foreign_purpose};
 use crate::source::InputError;
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
+
+impl Subcase {
+    /// Whether both have the same structure, modes and damping: all but what they ask of these (trims, flutter, gusts, loads, answers). What
+    /// is refused of one is refused of the other.
+    pub fn has_modes_of(&self, other: &Self) -> bool {
+        let structure = |case: &Self| Self {
+            id: 0,
+            label: String::new(),
+            trim: None,
+            divergence: None,
+            load: None,
+            flutter: None,
+            gust: None,
+            dynamic_load: None,
+            frequencies: None,
+            time_steps: None,
+            random: None,
+            responses: Asked::Nothing,
+            combinations: Vec::new(),
+            ..case.clone()
+        };
+        structure(self) == structure(other)
+    }
+}
 
 /// Materials whose constants change with the temperature.
 const WARM_MATERIALS: &[&str] = &["MATT1", "MATT2", "MATT3", "MATT8", "MATT9", "MATT11"];

@@ -362,3 +362,28 @@ fn commands_that_would_change_the_answer_are_refused_or_said() {
         assert!(said.contains("MATT1 makes a material change with the temperature"), "{said}");
     }
 }
+
+/// Subcases that ask for different flutter of the same structure share its modes; one that selects anything else of it does not.
+#[test]
+fn subcases_share_modes_where_they_select_the_same_structure() {
+    let shares = |second: &str| {
+        let control = format!(
+            "CEND\nSPC=1\nMETHOD=3\nSUBCASE 1\nFMETHOD=1\nSUBCASE 2\nFMETHOD=2\nLABEL=fast\n{second}BEGIN BULK\n"
+        );
+        let cases = parse_deck("t.bdf", &format!("{control}{CLAMPS}")).expect("a deck").subcases;
+        cases[0].has_modes_of(&cases[1])
+    };
+    assert!(shares("LOAD=4\nDISP=ALL\n"));
+    for other in [
+        "SPC=2\n",
+        "METHOD=4\n",
+        "SDAMP=5\n",
+        "K2PP=KX\n",
+        "B2GG=DAMP\n",
+        "MODESELECT=4\n",
+        "TEMP(MATE)=5\n",
+        "AUTOSPC=NO\n",
+    ] {
+        assert!(!shares(other), "{other}");
+    }
+}

@@ -197,3 +197,24 @@ fn the_motions_that_a_deck_keeps_are_followed_and_said() {
     assert_eq!(flutter["subcases"][0]["frequencies_hz"], modes["frequencies_hz"]);
     std::fs::remove_dir_all(folder).expect("it was made above");
 }
+
+/// Two subcases of one structure, of which the second adds a spring to the equations of motion: it is refused, though the first has its modes.
+#[test]
+fn a_subcase_that_changes_the_equations_is_refused_beside_one_with_the_same_modes() {
+    let folder = folder("direct");
+    let deck = "SOL 145\nCEND\nMETHOD = 6\nSUBCASE 1\nFMETHOD = 8\nSUBCASE 2\nFMETHOD = 8\nK2PP = KX\nBEGIN BULK\n\
+        GRID,1,,.5,0.,0.\nGRID,2,,.5,1.,0.\nCELAS2,1,50.,1,3\nCELAS2,2,50.,1,3,2,3\nCMASS2,3,2.,1,3\nCMASS2,4,2.,2,3\n\
+        DMIG,KX,0,6,1,0\nDMIG,KX,2,3,,2,3,40.\nAERO,,1.,1.,1.225\nCAERO1,101,9,,1,1,,,1\n,0.,0.,0.,1.,0.,1.,0.,1.\nPAERO1,9\n\
+        SPLINE2,5,101,101,101,7\nSET1,7,1,2\nMKAERO1,.0\n,.1,.5\nFLUTTER,8,PK,11,12,13,L\nFLFACT,11,1.\nFLFACT,12,0.\nFLFACT,13,1.,2.\nEIGRL,6,,,1\n";
+    let flutter = |text: &str| {
+        std::fs::write(folder.join("flutter.bdf"), text).expect("a file");
+        run(&folder, &["flutter", "--deck", "flutter.bdf", "--numbers-only"])
+    };
+    let output = flutter(deck);
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(said.contains("`K2PP = KX` changes the equations of motion"), "{said}");
+    let plain = flutter(&deck.replace("K2PP = KX\n", ""));
+    assert!(plain.status.success(), "{}", String::from_utf8_lossy(&plain.stderr));
+    std::fs::remove_dir_all(folder).expect("it was made above");
+}

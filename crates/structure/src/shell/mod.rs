@@ -13,6 +13,7 @@
 //! - rotation about the normal is tied to the membrane's own rotation (Hughes and Brezzi 1989) by a weak stiffness, but
 //!   in a CTRIAR, whose membrane has it, and where the rotations about the normal of all corners are held.
 //!
+//! Those of users' decks have Nastran's bending, transverse shear and tie ([`Shell::as_nastran`]): `nastran_quad.rs`, `nastran_triangle.rs`, `residual.rs`.
 //! Local motions a node: u, v, w, rotations about x, y, z. Strains: u,x; v,y; u,y + v,x. Curvatures: ry,x; -rx,y;
 //! ry,y - rx,x. Transverse shears: w,x + ry; w,y - rx.
 

@@ -56,7 +56,7 @@ pub(super) fn run(path: &Path, subcase: Option<u32>, common: &Common) -> Result<
     let mut table = String::from(HEAD);
     let mut known: Option<(Subcase, FlutterDeck)> = None;
     for (case, card) in &cases {
-        let same = known.take().filter(|(before, _)| is_same(before, case));
+        let same = known.take().filter(|(before, _)| case.has_modes_of(before));
         let deck = if let Some((_, deck)) = same {
             deck
         } else {
@@ -90,12 +90,6 @@ struct Task<'a> {
     deck: &'a FlutterDeck,
     case: &'a Subcase,
     card: &'a Flutter,
-}
-
-/// Whether two subcases have the same structure, modes and damping.
-fn is_same(a: &Subcase, b: &Subcase) -> bool {
-    let of = |case: &Subcase| (case.spc, case.mpc, case.support, case.method, case.damping, case.symmetry);
-    of(a) == of(b)
 }
 
 const HEAD: &str =

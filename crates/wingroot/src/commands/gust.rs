@@ -71,7 +71,7 @@ pub(crate) fn run(args: &GustArgs, common: &Common) -> Result<(), Failure> {
     let bar = progress::bar(common, cases.len(), "gusts");
     let mut solved = Vec::new();
     for case in cases {
-        let place = decks.iter().position(|(before, _)| is_same(before, &case));
+        let place = decks.iter().position(|(before, _)| case.subcase.has_modes_of(&before.subcase));
         let Some(deck) = place else { continue };
         let answer = decks[deck].1.answer(&case)?;
         let grids = grids(args, &decks[deck].1, &case)?;
@@ -113,10 +113,10 @@ fn assembled(
 ) -> Result<Vec<(GustCase, GustDeck)>, Failure> {
     let mut decks: Vec<(GustCase, GustDeck)> = Vec::new();
     for case in cases {
-        if decks.iter().any(|(before, _)| is_same(before, case)) {
+        if decks.iter().any(|(before, _)| case.subcase.has_modes_of(&before.subcase)) {
             continue;
         }
-        let alike: Vec<&GustCase> = cases.iter().filter(|other| is_same(other, case)).collect();
+        let alike: Vec<&GustCase> = cases.iter().filter(|other| case.subcase.has_modes_of(&other.subcase)).collect();
         let deck = GustDeck::new(bulk, &case.subcase, &alike)?;
         if !common.quiet {
             let modal = &deck.modal;
@@ -128,15 +128,6 @@ fn assembled(
         decks.push((case.clone(), deck));
     }
     Ok(decks)
-}
-
-/// Whether two cases have the same structure, modes, damping and air.
-fn is_same(a: &GustCase, b: &GustCase) -> bool {
-    let of = |case: &GustCase| {
-        let subcase = &case.subcase;
-        (subcase.spc, subcase.mpc, subcase.support, subcase.method, subcase.damping, subcase.symmetry)
-    };
-    of(a) == of(b)
 }
 
 /// The grids whose motions are written.
