@@ -116,11 +116,12 @@ fn assembled(
         if decks.iter().any(|(before, _)| case.subcase.has_modes_of(&before.subcase)) {
             continue;
         }
-        let alike: Vec<&GustCase> = cases.iter().filter(|other| case.subcase.has_modes_of(&other.subcase)).collect();
+        let alike: Vec<&GustCase> =
+            cases.iter().filter(|other| case.subcase.has_modes_of(&other.subcase)).collect();
         let deck = GustDeck::new(bulk, &case.subcase, &alike)?;
         if !common.quiet {
             let modal = &deck.modal;
-                say_what_is_assumed(bulk, &modal.loose_boxes, modal.auto_held(), modal.reduction.clone());
+            say_what_is_assumed(bulk, &modal.loose_boxes, modal.auto_held(), modal.reduction.clone());
             if let Some(remark) = bulk.damping_remark() {
                 show::note(&remark);
             }
