@@ -103,6 +103,14 @@ pub const LISTED: &[(&str, &str)] = &[
         "compared in crates/structure/tests/large_shells.rs at every load of the table",
     ),
     (
+        "nl_shell__sze_3_5_pull_out",
+        "compared in crates/structure/tests/large_curved_shells.rs at every load of the table with RUN_SLOW_TESTS",
+    ),
+    (
+        "nl_shell__sze_3_7_semi_cylinder",
+        "compared in crates/structure/tests/large_curved_shells.rs: five loads, with RUN_SLOW_TESTS every one",
+    ),
+    (
         "nl_pazy__static_bending_skin1",
         "compared in crates/structure/tests/large_pazy.rs: the codes' equivalent beam with skin",
     ),

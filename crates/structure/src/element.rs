@@ -5,7 +5,7 @@
 //! of a large model) or kept.
 
 use crate::corotation::Corotation;
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, Vector3};
 use std::borrow::Cow;
 use std::fmt::Debug;
 
@@ -28,6 +28,11 @@ pub trait Element: Debug + Send + Sync {
     /// points have inertia about them.
     fn lumped_mass(&self) -> Option<DMatrix<f64>> {
         None
+    }
+
+    /// Of a shell, the unit normal at each of its nodes (basic axes): what bends is the tilt of it, while rotations about it meet next to nothing.
+    fn directors(&self) -> Vec<Vector3<f64>> {
+        Vec::new()
     }
 
     /// How it turns with nodes that turn far.

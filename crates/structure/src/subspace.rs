@@ -13,6 +13,13 @@ const DEPENDENT: f64 = 1e-24;
 /// Columns of one block whose combination keeps less than this share (of squares of unit columns) are alike.
 const ALIKE: f64 = 1e-13;
 
+/// Rounds of right angles in which a block comes to rest, at most.
+const ROUNDS: usize = 5;
+
+/// A block whose inner products are those of unit vectors at right angles within this has come to rest: the turn that is left does
+/// not bring the basis back in.
+const SAME: f64 = 1e-3;
+
 type SparseRef<'a> = SparseColMatRef<'a, usize, f64>;
 
 /// Ritz pairs: values ascending, vectors M-orthonormal.
@@ -181,46 +188,46 @@ impl<'a> Space<'a> {
         }
     }
 
-    /// Adds the directions of `x` that are new, and says where they stand. Twice, as Gram-Schmidt needs; within the block by
-    /// the eigenvectors of its own inner products (SVQB), dependent and massless directions left out.
+    /// Adds the directions of `x` that are new, and says where they stand: what lies in the basis is taken out, and the block is
+    /// turned to the eigenvectors of its own inner products (SVQB), dependent and massless directions left out; again until a round
+    /// has left the block as it was, which is twice as a rule.
     pub(crate) fn extend(&mut self, mut x: Mat<f64>) -> Option<std::ops::Range<usize>> {
-        let mut momenta = sparse::multiply(self.m, x.as_ref());
-        let before = squares(x.as_ref(), momenta.as_ref());
-        for _ in 0..2 {
-            self.project(&mut x, &mut momenta);
-        }
+        let start = self.basis.ncols();
+        let before = squares(x.as_ref(), sparse::multiply(self.m, x.as_ref()).as_ref());
+        let mut momenta = self.project(&mut x);
         // What is left of each column in units of its own length: a small new direction counts as much as a large one.
         let after = squares(x.as_ref(), momenta.as_ref());
         let new: Vec<usize> = (0..x.ncols()).filter(|j| after[*j] > DEPENDENT * before[*j]).collect();
         let unit =
             |y: &Mat<f64>| Mat::from_fn(y.nrows(), new.len(), |i, j| y[(i, new[j])] / after[new[j]].sqrt());
         (x, momenta) = (unit(&x), unit(&momenta));
-        let mut least = ALIKE;
-        for _ in 0..2 {
+        for round in 0..ROUNDS {
             let gram = inner(x.as_ref(), momenta.as_ref());
             let gram = Mat::from_fn(gram.nrows(), gram.ncols(), |i, j| 0.5 * (gram[(i, j)] + gram[(j, i)]));
             let eigen = gram.self_adjoint_eigen(Side::Lower).ok()?;
             let values: Vec<f64> = eigen.S().column_vector().iter().copied().collect();
+            // What is left after the first round is orthonormal but for round-off.
+            let least = if round == 0 { ALIKE } else { 0.25 };
             let kept: Vec<usize> = (0..values.len()).filter(|at| values[*at] > least).collect();
             let u = eigen.U();
             let turn = Mat::from_fn(u.nrows(), kept.len(), |i, j| u[(i, kept[j])] / values[kept[j]].sqrt());
             x = product(x.as_ref(), turn.as_ref());
+            if round > 0 && values.iter().all(|value| (value - 1.0).abs() < SAME) {
+                momenta = product(momenta.as_ref(), turn.as_ref());
+                break;
+            }
             // Afresh: what came out of small differences has lost its right angle with the basis, and its momentum.
-            momenta = sparse::multiply(self.m, x.as_ref());
-            self.project(&mut x, &mut momenta);
-            // What is left after the first round is orthonormal but for round-off.
-            least = 0.25;
+            momenta = self.project(&mut x);
         }
-        let start = self.basis.ncols();
         self.append(x.as_ref(), momenta.as_ref());
         Some(start..self.basis.ncols())
     }
 
-    /// Takes what lies in the basis out of `x`, and out of its momenta.
-    fn project(&self, x: &mut Mat<f64>, momenta: &mut Mat<f64>) {
+    /// Takes what lies in the basis out of `x`, and returns the momenta of what is left.
+    fn project(&self, x: &mut Mat<f64>) -> Mat<f64> {
         let share = inner(self.momenta.as_ref(), x.as_ref());
         matmul(x.as_mut(), Accum::Add, self.basis.as_ref(), share.as_ref(), -1.0, Par::Seq);
-        matmul(momenta.as_mut(), Accum::Add, self.momenta.as_ref(), share.as_ref(), -1.0, Par::Seq);
+        sparse::multiply(self.m, x.as_ref())
     }
 }
 

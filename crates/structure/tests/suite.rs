@@ -19,6 +19,7 @@ mod enforced;
 mod faces_of_solids;
 mod heat;
 mod large;
+mod large_curved_shells;
 mod large_deflections;
 mod large_laws;
 mod large_limits;

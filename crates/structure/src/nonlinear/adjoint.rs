@@ -45,7 +45,12 @@ impl LargeDeflection {
         let product = |v: &[f64]| -> Vec<f64> {
             let acting = Self::reduced(&map, &change(&expanded(&map, v)));
             let means = self.turning_means(state, &map, &short, v);
-            acting.iter().zip(means).map(|(acting, means)| means - acting).collect()
+            let mut all: Vec<f64> = acting.iter().zip(means).map(|(acting, means)| means - acting).collect();
+            // Transposed: the other sign.
+            if let Some(supports) = self.turning_supports(&map, &short, v) {
+                all.iter_mut().zip(supports).for_each(|(all, own)| *all += own);
+            }
+            all
         };
         let one = |reading: &Vec<f64>| {
             let right: Vec<f64> = Self::reduced(&map, reading).iter().map(|v| -v).collect();
@@ -77,6 +82,20 @@ impl LargeDeflection {
             }
         }
         all.iter().zip(Self::reduced(map, &taken)).map(|(all, taken)| all - taken).collect()
+    }
+
+    /// Half of m x w at the nodes that are half held, m what the nodes are `short` of equilibrium by there, the moment of the support, and w the
+    /// spin of a motion of the free ones: as spins do not commute, the tangent is its symmetric part less this. Nothing if no node is
+    /// half held, or where [`Self::turning_means`] has it among all that turns.
+    pub(super) fn turning_supports(&self, map: &DofMap, short: &[f64], v: &[f64]) -> Option<Vec<f64>> {
+        if self.half_held.is_empty() || self.joints.has_means() {
+            return None;
+        }
+        let mut moments = vec![0.0; short.len()];
+        for dof in self.half_held.iter().flat_map(|node| 6 * node + 3..6 * node + 6) {
+            moments[dof] = 0.5 * short[dof];
+        }
+        Some(Self::reduced(map, &moments_across(&moments, &expanded(map, v))))
     }
 }
 

@@ -1,16 +1,17 @@
 //! An element carried by its frame: force and exact tangent at any places and rotations of its nodes.
 //!
-//! With the frame Q, x the arms from the middle and d = (Q^T x - X, log(Q^T R)) the small motion, the energy is d^T K d / 2. Its
-//! change gives f = T P^T H^T K d, T = diag(Q), H = diag(1, L(theta)), and P = 1 - U V^T, which takes the rigid part off a
+//! With the frame Q, x the arms from the middle and d = (Q^T x - X, theta(Q^T R)) the small motion, the energy is d^T K d / 2; theta is the
+//! rotation vector, in shells tilt and twist of the normal (`rotation.rs`). Its
+//! change gives f = T P^T H^T K d, T = diag(Q), H = diag(1, L), and P = 1 - U V^T, which takes the rigid part off a
 //! motion: U the six rigid motions about the middle, V the mean displacement and the frame's spin G. The tangent is
 //!
 //! T (P^T (H^T K H + diag(0, l - N)) P - F_nm G - G^T F_n^T P) T^T
 //!
-//! with l the change of L^T m by theta (Nour-Omid and Rankin 1991). N is what G changes by where rotations of nodes
+//! with l the change of L^T m by the node's spin (Nour-Omid and Rankin 1991). N is what G changes by where rotations of nodes
 //! have a say about the frame; with it the tangent is exact for every frame and at any strain.
 
 use super::frame::{Fit, Group, spin_of_rotation};
-use super::rotation::{axial, by_spin, logarithm, moment_by_vector};
+use super::rotation::{Measure, Turn, axial};
 use super::state::State;
 use crate::assemble;
 use crate::corotation::Corotation;
@@ -42,6 +43,8 @@ pub(crate) struct Corotated {
     pub(crate) per_node: usize,
     points: Vec<Vector3<f64>>,
     frame: Frame,
+    /// How rotations are measured, node by node; the logarithm beyond the list.
+    measures: Vec<Measure>,
     k: Option<DMatrix<f64>>,
     pub(crate) mass: Option<DMatrix<f64>>,
 }
@@ -51,8 +54,8 @@ pub(crate) struct Placed {
     pub(super) q: Matrix3<f64>,
     /// Q^T x.
     arms: Vec<Vector3<f64>>,
-    /// Q^T R and its logarithm, of elements with rotations.
-    turns: Vec<(Matrix3<f64>, Vector3<f64>)>,
+    /// Q^T R, of elements with rotations.
+    turns: Vec<Turn>,
     fit: Option<Fit>,
     /// d.
     pub(crate) motion: DVector<f64>,
@@ -97,14 +100,24 @@ impl Corotated {
             whole
         };
         let (k, mass) = (k.map(whole), mass.map(whole));
-        Ok(Some(Self { id: element.id(), nodes, per_node, points, frame, k, mass }))
+        let measures = element.directors().into_iter().map(Measure::Tilt).collect();
+        Ok(Some(Self { id: element.id(), nodes, per_node, points, frame, measures, k, mass }))
     }
 
     /// Nodes that carry something, without stiffness and mass of their own.
     pub(super) fn carrier(nodes: &[usize], all: &[Vector3<f64>]) -> Self {
         let points: Vec<Vector3<f64>> = nodes.iter().map(|node| all[*node]).collect();
         let frame = Frame::Moving(Group::of(&points, true));
-        Self { id: 0, nodes: nodes.to_vec(), per_node: 6, points, frame, k: None, mass: None }
+        Self {
+            id: 0,
+            nodes: nodes.to_vec(),
+            per_node: 6,
+            points,
+            frame,
+            measures: Vec::new(),
+            k: None,
+            mass: None,
+        }
     }
 
     /// The same on a state of its own nodes alone.
@@ -142,10 +155,10 @@ impl Corotated {
             let at = self.per_node * node;
             motion.fixed_rows_mut::<3>(at).copy_from(&(arm - undeformed[node]));
             if self.per_node == 6 {
-                let turn = q.transpose() * rotations[node].matrix();
-                let vector = logarithm(&turn);
-                motion.fixed_rows_mut::<3>(at + 3).copy_from(&vector);
-                turns.push((turn, vector));
+                let measure = self.measures.get(node).copied().unwrap_or(Measure::Logarithm);
+                let turn = Turn::of(q.transpose() * rotations[node].matrix(), measure);
+                motion.fixed_rows_mut::<3>(at + 3).copy_from(&turn.theta);
+                turns.push(turn);
             }
         }
         Placed { q, arms, turns, fit, motion }
@@ -169,9 +182,9 @@ impl Corotated {
     /// P^T H^T of a local force.
     pub(super) fn balanced(&self, placed: &Placed, local: &DVector<f64>) -> DVector<f64> {
         let mut own = local.clone();
-        for (node, (_, theta)) in placed.turns.iter().enumerate() {
+        for (node, turn) in placed.turns.iter().enumerate() {
             let at = 6 * node + 3;
-            let moment = by_spin(theta).transpose() * local.fixed_rows::<3>(at);
+            let moment = turn.by_spin.transpose() * local.fixed_rows::<3>(at);
             own.fixed_rows_mut::<3>(at).copy_from(&moment);
         }
         if let Some((u, v)) = self.projector(placed) {
@@ -191,9 +204,9 @@ impl Corotated {
         if let Some((u, v)) = self.projector(placed) {
             local -= &u * (v.transpose() * &local);
         }
-        for (node, (_, theta)) in placed.turns.iter().enumerate() {
+        for (node, turn) in placed.turns.iter().enumerate() {
             let at = 6 * node + 3;
-            let vector = by_spin(theta) * local.fixed_rows::<3>(at);
+            let vector = turn.by_spin * local.fixed_rows::<3>(at);
             local.fixed_rows_mut::<3>(at).copy_from(&vector);
         }
         Some(k * local)
@@ -212,10 +225,10 @@ impl Corotated {
             u.fixed_view_mut::<3, 3>(at, 3).copy_from(&-arm.cross_matrix());
             let spin = fit.inverse * group.arms[node].cross_matrix() * group.weight(node);
             v.fixed_view_mut::<3, 3>(at, 3).copy_from(&spin.transpose());
-            if let Some((turn, _)) = placed.turns.get(node) {
+            if let Some(turn) = placed.turns.get(node) {
                 u.fixed_view_mut::<3, 3>(at + 3, 3).copy_from(&Matrix3::identity());
                 if group.rotations[node] != 0.0 {
-                    let spin = fit.inverse * spin_of_rotation(turn) * group.rotations[node];
+                    let spin = fit.inverse * spin_of_rotation(&turn.rotation) * group.rotations[node];
                     v.fixed_view_mut::<3, 3>(at + 3, 3).copy_from(&spin.transpose());
                 }
             }
@@ -229,16 +242,15 @@ impl Corotated {
         let mut a = self.k.as_ref()?.clone();
         let projector = self.projector(placed);
         // H^T K H and the change of H^T.
-        for (node, (_, theta)) in placed.turns.iter().enumerate() {
-            let (at, l) = (6 * node + 3, by_spin(theta));
+        for (node, turn) in placed.turns.iter().enumerate() {
+            let (at, l) = (6 * node + 3, turn.by_spin);
             let columns = a.fixed_columns::<3>(at) * l;
             a.fixed_columns_mut::<3>(at).copy_from(&columns);
             let rows = l.transpose() * a.fixed_rows::<3>(at);
             a.fixed_rows_mut::<3>(at).copy_from(&rows);
             let moment = local.fixed_rows::<3>(at).into_owned();
-            let change = moment_by_vector(theta, &moment) * l;
             let mut block = a.fixed_view_mut::<3, 3>(at, at);
-            block += change;
+            block += turn.moment_by_spin(&moment);
         }
         if let Some((u, v)) = &projector {
             self.spin_change(placed, local, u, &mut a);
@@ -257,14 +269,15 @@ impl Corotated {
             return;
         }
         let mut own = local.clone();
-        for (node, (_, theta)) in placed.turns.iter().enumerate() {
+        for (node, turn) in placed.turns.iter().enumerate() {
             let at = 6 * node + 3;
-            let moment = by_spin(theta).transpose() * local.fixed_rows::<3>(at);
+            let moment = turn.by_spin.transpose() * local.fixed_rows::<3>(at);
             own.fixed_rows_mut::<3>(at).copy_from(&moment);
         }
         let s = u.columns(3, 3).transpose() * own;
         let q = fit.inverse.transpose() * Vector3::new(s[0], s[1], s[2]);
-        for (node, (r, _)) in placed.turns.iter().enumerate() {
+        for (node, turn) in placed.turns.iter().enumerate() {
+            let r = &turn.rotation;
             let n = (q * axial(r).transpose() + r.transpose() * q.cross_matrix()) * -group.rotations[node];
             let mut block = a.fixed_view_mut::<3, 3>(6 * node + 3, 6 * node + 3);
             block -= n;
@@ -306,7 +319,7 @@ impl Corotated {
         let is_met = |node: usize| k.fixed_rows::<3>(6 * node + 3).amax() > 0.0;
         let turns = self.placed(state).turns;
         let met = turns.iter().enumerate().filter(|(node, _)| is_met(*node));
-        met.map(|(_, (_, theta))| theta.norm()).fold(0.0, f64::max)
+        met.map(|(_, turn)| turn.theta.norm()).fold(0.0, f64::max)
     }
 
     /// In fixed axes with rotations: how far these go, and how far they may, rad.

@@ -143,7 +143,8 @@ fn symmetric_step(factor: &Factor, r: &[f64]) -> Vec<f64> {
     factor.solve(Mat::from_fn(r.len(), 1, |i, _| -r[i]).as_ref()).col(0).iter().copied().collect()
 }
 
-/// The same of what the nodes are `short` of equilibrium by, with what is not in the tangent: means that turn, and loads that follow.
+/// The same of what the nodes are `short` of equilibrium by, with what is not in the tangent: means that turn, supports that hold one rotation
+/// of three, and loads that follow.
 fn linear_step(
     structure: &LargeDeflection,
     state: &State,
@@ -154,11 +155,14 @@ fn linear_step(
     residual: f64,
 ) -> Vec<f64> {
     let r = LargeDeflection::reduced(map, short);
-    if following.is_none() && !structure.joints.has_means() {
+    if following.is_none() && !structure.joints.has_means() && structure.half_held.is_empty() {
         return symmetric_step(factor, &r);
     }
     let product = |v: &[f64]| {
         let mut all = structure.turning_means(state, map, short, v);
+        if let Some(supports) = structure.turning_supports(map, short, v) {
+            all.iter_mut().zip(supports).for_each(|(all, own)| *all -= own);
+        }
         if let Some(near) = following {
             let loads = structure.following_stiffness(state, map, near, v);
             all.iter_mut().zip(loads).for_each(|(all, own)| *all += own);

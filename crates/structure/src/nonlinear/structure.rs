@@ -36,6 +36,8 @@ pub struct LargeDeflection {
     /// Its both triangles.
     both: Arc<Mirrored>,
     pub(super) analysis: Arc<Analysis>,
+    /// Nodes that may turn about two axes and not about the third.
+    pub(super) half_held: Vec<usize>,
     /// Whether the undeformed structure is held, once it was asked.
     held: OnceLock<Result<(), SingularStructure>>,
 }
@@ -74,8 +76,9 @@ impl LargeDeflection {
         let both = Arc::new(Mirrored::of(&pattern));
         let analysis = Arc::new(factor::analysed(both.symbolic()));
         let nodes = model.nodes.clone();
+        let half_held = (0..nodes.len()).filter(|node| is_half_held(&map, *node)).collect();
         let held = OnceLock::new();
-        Ok(Self { nodes, elements, elastic, massive, joints, pattern, both, analysis, held })
+        Ok(Self { nodes, elements, elastic, massive, joints, pattern, both, analysis, half_held, held })
     }
 
     /// The undeformed state.
@@ -294,4 +297,13 @@ impl LargeDeflection {
         let dof = self.joints.free[free];
         (self.nodes[dof / 6].id, [1, 2, 3, 4, 5, 6][dof % 6])
     }
+}
+
+/// Whether a node's rotations are two free motions.
+fn is_half_held(map: &DofMap, node: usize) -> bool {
+    let mut free: Vec<usize> =
+        map.rows[6 * node + 3..6 * node + 6].iter().flatten().map(|(at, _)| *at).collect();
+    free.sort_unstable();
+    free.dedup();
+    free.len() == 2
 }

@@ -148,7 +148,6 @@ impl Shell {
         let frame = Frame::of(&points)?;
         let (sin, cos) = self.angle_rad.sin_cos();
         let along = frame.axes * (self.axes.transpose() * Vector3::new(cos, sin, 0.0));
-        let of_corner = |at: usize| self.thickness.get(at).copied();
         Some(Self {
             nodes: corners.map(|at| self.nodes[at]).into(),
             axes: frame.axes,
@@ -156,7 +155,7 @@ impl Shell {
             section: Arc::new(self.section.membrane_alone()),
             angle_rad: along.y.atan2(along.x),
             drills: true,
-            thickness: corners.iter().filter_map(|at| of_corner(*at)).collect(),
+            thickness: corners.iter().filter_map(|at| self.thickness.get(*at).copied()).collect(),
             normals: Vec::new(),
             triangles: Vec::new(),
             ..*self
@@ -166,8 +165,7 @@ impl Shell {
     /// A quadrilateral's stiffness with drilling: its own in bending and shear, half of each triangle's membrane.
     fn drilled_stiffness(&self) -> DMatrix<f64> {
         let bending = ShellSection { membrane: Matrix3::zeros(), ..self.section() };
-        let residual = self.residual(&bending);
-        let mut k = self.basic(&stiffness(&self.quad_points(), &bending, residual, 0.0));
+        let mut k = self.basic(&stiffness(&self.quad_points(), &bending, self.residual(&bending), 0.0));
         for (triangle, corners) in self.triangles.iter().zip(CUTS) {
             let own = triangle.stiffness().unwrap_or_default();
             let place = |index: usize| 6 * corners[index / 6] + index % 6;
@@ -189,8 +187,7 @@ impl Shell {
     #[must_use]
     pub fn with_grid_normals(self, normals: impl IntoIterator<Item = Option<Vector3<f64>>>) -> Self {
         // The element's own normal changes nothing.
-        let turned =
-            |normal: Vector3<f64>| Some(self.axes * normal).filter(|normal| normal.xy().norm() > UPRIGHT);
+        let turned = |n: Vector3<f64>| Some(self.axes * n).filter(|n| n.xy().norm() > UPRIGHT);
         let own = normals.into_iter().map(|normal| normal.and_then(turned)).collect();
         Self { normals: own, ..self }
     }
@@ -272,9 +269,8 @@ impl Shell {
 
     /// What bends a quadrilateral, by the motions of its corners ([`Self::with_grid_normals`]).
     fn quad_motions(&self) -> Option<SMatrix<f64, 24, 24>> {
-        bending_motions(&self.normals, |corner| {
-            quad::point(&self.corners, quad::CORNERS[corner], 0.0).drilling
-        })
+        let at = |corner| quad::point(&self.corners, quad::CORNERS[corner], 0.0).drilling;
+        bending_motions(&self.normals, at)
     }
 
     /// As [`Self::quad_motions`], of a triangle.
@@ -373,6 +369,10 @@ impl Element for Shell {
     }
     fn nodes(&self) -> &[usize] {
         &self.nodes
+    }
+    fn directors(&self) -> Vec<Vector3<f64>> {
+        let normals = (0..self.nodes.len()).map(|at| self.normals.get(at).copied().flatten());
+        normals.map(|own| self.axes.tr_mul(&own.unwrap_or_else(Vector3::z))).collect()
     }
     fn stiffness(&self) -> Option<Cow<'_, DMatrix<f64>>> {
         Some(Cow::Owned(if !self.triangles.is_empty() {

@@ -342,6 +342,10 @@ impl Element for CurvedShell {
         &self.nodes
     }
 
+    fn directors(&self) -> Vec<Vector3<f64>> {
+        self.normals.clone()
+    }
+
     fn stiffness(&self) -> Option<Cow<'_, DMatrix<f64>>> {
         let k = stiffness(&self.stiffness_points(), &self.section, None, self.tie);
         let order = 6 * self.nodes.len();
