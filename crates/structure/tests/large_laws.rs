@@ -2,7 +2,7 @@
 
 #![expect(clippy::format_push_string, reason = "decks written card by card")]
 
-use crate::large::{force, large, path};
+use crate::large::{beam_along_x, force, large, path};
 use nalgebra::{DMatrix, DVector, Rotation3, Vector3};
 use structure::nonlinear::{Controls, Following, LargeDeflection, Loads, NodeLoad, State};
 
@@ -242,4 +242,39 @@ fn readings_change_with_loads_as_their_adjoint_says() {
         off = off.max((own / difference - 1.0).abs());
     }
     assert!(off < 1e-6, "the adjoint is off by {off:e}");
+}
+
+/// A cantilever bent both ways, its twist held at the tip, whose reaction makes the tangent unsymmetric; also with a weighted mean that carries a load.
+#[test]
+fn so_they_do_where_a_support_holds_one_of_three_rotations() {
+    let mean = "GRID,20,,.9,.1,.05\nRBE3,20,,20,123456,1.,123456,8,9\n";
+    for (ties, carried) in [("", 7), (mean, 9)] {
+        let deck = beam_along_x(8, 1.0, 1.0e6, [0.02, 0.03]) + "SPC1,1,123456,1\nSPC1,1,4,9\n" + ties;
+        let wing = large(&deck);
+        let dead = vec![force(8, [0.0, 0.05, 0.03]), force(carried, [0.0, 0.0, 0.01])];
+        let loads = Loads { dead, ..Loads::default() };
+        let end = to_the_last_digit(&wing, &path(&wing, &loads).end().state, &loads);
+        let twisting = wing.reactions(&end, &loads)[6 * 8 + 3];
+        let mut by_motion = vec![0.0; 6 * wing.nodes().len()];
+        (by_motion[6 * 8 + 2], by_motion[6 * 5 + 1]) = (1.0, 0.3);
+        let outer = wing.load_forces(&end, &loads);
+        let still = |motion: &[f64]| vec![0.0; motion.len()];
+        let lambda = &wing.adjoint(&end, &outer, &still, &[by_motion]).unwrap()[0];
+        let read = |state: &State| state.places[8].z + 0.3 * state.places[5].y;
+        let mut off: f64 = 0.0;
+        for (node, axis) in [(8, 1), (8, 2), (4, 0), (carried, 2)] {
+            let at = |step: f64| {
+                let mut more = loads.clone();
+                more.dead.push(NodeLoad { force: Vector3::ith(axis, step), ..force(node, [0.0; 3]) });
+                read(&to_the_last_digit(&wing, &end, &more))
+            };
+            let difference = (at(1e-5) - at(-1e-5)) / 2e-5;
+            let own = lambda[6 * node + axis];
+            println!(
+                "{twisting:.3e} Nm; node {node}, axis {axis}: {own:.9e}, by differences {difference:.9e}"
+            );
+            off = off.max((own / difference - 1.0).abs());
+        }
+        assert!(off < 1e-6, "the adjoint is off by {off:e}, {carried}");
+    }
 }

@@ -42,13 +42,16 @@ impl LargeDeflection {
         let solve = |b: &[f64]| -> Vec<f64> {
             factor.solve(Mat::from_fn(b.len(), 1, |i, _| -b[i]).as_ref()).col(0).iter().copied().collect()
         };
+        let supports = self.support_moments(state, &short);
         let product = |v: &[f64]| -> Vec<f64> {
             let acting = Self::reduced(&map, &change(&expanded(&map, v)));
             let means = self.turning_means(state, &map, &short, v);
             let mut all: Vec<f64> = acting.iter().zip(means).map(|(acting, means)| means - acting).collect();
-            // Transposed: the other sign.
-            if let Some(supports) = self.turning_supports(&map, &short, v) {
-                all.iter_mut().zip(supports).for_each(|(all, own)| *all += own);
+            // Transposed: with the other sign, which means have as it is.
+            if let Some(moments) = &supports {
+                let times = if self.joints.has_means() { 2.0 } else { 1.0 };
+                let own = Self::turning_supports(&map, moments, v);
+                all.iter_mut().zip(own).for_each(|(all, own)| *all += times * own);
             }
             all
         };
@@ -84,18 +87,27 @@ impl LargeDeflection {
         all.iter().zip(Self::reduced(map, &taken)).map(|(all, taken)| all - taken).collect()
     }
 
-    /// Half of m x w at the nodes that are half held, m what the nodes are `short` of equilibrium by there, the moment of the support, and w the
-    /// spin of a motion of the free ones: as spins do not commute, the tangent is its symmetric part less this. Nothing if no node is
-    /// half held, or where [`Self::turning_means`] has it among all that turns.
-    pub(super) fn turning_supports(&self, map: &DofMap, short: &[f64], v: &[f64]) -> Option<Vec<f64>> {
-        if self.half_held.is_empty() || self.joints.has_means() {
+    /// The moments m with which supports hold one of three rotations of a node, by what the nodes are `short` of equilibrium by (Nm; g-set, basic axes).
+    /// Nothing if no node is half held.
+    pub(super) fn support_moments(&self, state: &State, short: &[f64]) -> Option<Vec<f64>> {
+        if self.half_held.is_empty() {
             return None;
         }
-        let mut moments = vec![0.0; short.len()];
-        for dof in self.half_held.iter().flat_map(|node| 6 * node + 3..6 * node + 6) {
-            moments[dof] = 0.5 * short[dof];
+        let own = self.joints.reactions(state, short);
+        let mut moments = vec![0.0; own.len()];
+        for node in &self.half_held {
+            let moment = Vector3::from_column_slice(&own[6 * node + 3..6 * node + 6]);
+            let basic = self.joints.axes[*node].map_or(moment, |axes| axes * moment);
+            moments[6 * node + 3..6 * node + 6].copy_from_slice(basic.as_slice());
         }
-        Some(Self::reduced(map, &moments_across(&moments, &expanded(map, v))))
+        Some(moments)
+    }
+
+    /// m x w / 2 of these moments and the spins of a motion of the free ones: as spins do not commute, the tangent is its symmetric part less
+    /// this. [`Self::turning_means`] has it among all that turns.
+    pub(super) fn turning_supports(map: &DofMap, moments: &[f64], v: &[f64]) -> Vec<f64> {
+        let across = moments_across(moments, &expanded(map, v));
+        Self::reduced(map, &across).iter().map(|moment| 0.5 * moment).collect()
     }
 }
 

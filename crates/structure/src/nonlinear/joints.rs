@@ -44,7 +44,7 @@ pub(crate) const LINEAR_TURN: f64 = 5.0 * std::f64::consts::PI / 180.0;
 pub(crate) struct Joints {
     steps: Vec<Step>,
     pub(crate) linear: Vec<Linear>,
-    axes: Vec<Option<Matrix3<f64>>>,
+    pub(crate) axes: Vec<Option<Matrix3<f64>>>,
     /// Place among the free motions of each own motion.
     places: Vec<Option<usize>>,
     pub(crate) free: Vec<usize>,

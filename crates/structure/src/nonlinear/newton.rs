@@ -155,13 +155,16 @@ fn linear_step(
     residual: f64,
 ) -> Vec<f64> {
     let r = LargeDeflection::reduced(map, short);
-    if following.is_none() && !structure.joints.has_means() && structure.half_held.is_empty() {
+    let has_means = structure.joints.has_means();
+    let supports = if has_means { None } else { structure.support_moments(state, short) };
+    if following.is_none() && !has_means && supports.is_none() {
         return symmetric_step(factor, &r);
     }
     let product = |v: &[f64]| {
         let mut all = structure.turning_means(state, map, short, v);
-        if let Some(supports) = structure.turning_supports(map, short, v) {
-            all.iter_mut().zip(supports).for_each(|(all, own)| *all -= own);
+        if let Some(moments) = &supports {
+            let own = LargeDeflection::turning_supports(map, moments, v);
+            all.iter_mut().zip(own).for_each(|(all, own)| *all -= own);
         }
         if let Some(near) = following {
             let loads = structure.following_stiffness(state, map, near, v);
