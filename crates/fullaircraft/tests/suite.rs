@@ -7,6 +7,7 @@ mod cases;
 mod common;
 mod deck_beyond;
 mod deck_cards;
+mod deck_derivatives;
 mod deck_flutter;
 mod deck_gust;
 mod deck_plan;

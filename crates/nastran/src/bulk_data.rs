@@ -8,8 +8,8 @@ use crate::cards::{
     Dmig, DynamicLoad, EigenMethod, Flfact, Flutter, FrequencyList, FunctionTable, Genel, Gravity, Grid,
     Gust, LineLoad, LoadSum, Mat1, Mat2, Mat8, Mat9, Mkaero, MonitorPoint, Mpc, Paero1, Pbush, Pcomp,
     PointLoad, Pressure, Prod, Pshear, Pshell, Psolid, Ptube, Randps, Rbar, Rbe2, Rbe3, ScalarElement,
-    ScalarProperty, Set1, SetUnion, ShellElement, SolidElement, Spc1, Spcd, SpectrumTable, Spin, SplineCard,
-    Spoint, Suport, Tabdmp1, Temperature, TimeSteps, Trim,
+    ScalarLoad, ScalarProperty, Set1, SetUnion, ShellElement, SolidElement, Spc1, Spcd, SpectrumTable, Spin,
+    SplineCard, Spoint, Suport, Tabdmp1, Temperature, TimeSteps, Trim,
 };
 use crate::deck::case_control::{AddedMatrix, Subcase};
 use crate::dmi::Dmi;
@@ -39,6 +39,7 @@ impl Unread {
 /// What a deck has beside cards that stand for themselves.
 pub(crate) struct Rest {
     pub(crate) parameters: BTreeMap<String, f64>,
+    pub(crate) bars_twist: bool,
     pub(crate) matrices: BTreeMap<String, Dmi>,
     pub(crate) subcases: Vec<Subcase>,
     pub(crate) added: Vec<AddedMatrix>,
@@ -49,7 +50,7 @@ pub(crate) struct Rest {
 impl Rest {
     /// Puts it into a deck as it is.
     pub(crate) fn put(self, deck: &mut BulkData) {
-        (deck.parameters, deck.matrices) = (self.parameters, self.matrices);
+        (deck.parameters, deck.bars_twist, deck.matrices) = (self.parameters, self.bars_twist, self.matrices);
         (deck.subcases, deck.added) = (self.subcases, self.added);
         (deck.air_errors, deck.unknown) = (self.air_errors, self.unknown);
     }
@@ -78,6 +79,8 @@ macro_rules! kinds {
             pub $field: $cards,)*
             /// PARAM with a number, by name in capitals.
             pub parameters: BTreeMap<String, f64>,
+            /// BARMASS of the NASTRAN statement: bars (CBAR) have twisting inertia.
+            pub bars_twist: bool,
             /// DMI matrices by name.
             pub matrices: BTreeMap<String, Dmi>,
             /// Subcases of the case control.
@@ -96,6 +99,7 @@ macro_rules! kinds {
                 Self {
                     $($field: self.$field.clone(),)*
                     parameters: self.parameters.clone(),
+                    bars_twist: self.bars_twist,
                     matrices: self.matrices.clone(),
                     subcases: self.subcases.clone(),
                     added: self.added.clone(),
@@ -112,7 +116,7 @@ macro_rules! kinds {
         impl BulkData {
             /// Shows all cards to a visitor.
             pub(crate) fn visit(&self, visitor: &mut impl Visitor) {
-                let Self { $($field,)* parameters: _, matrices: _, subcases: _, added: _, air_errors: _, unknown: _ } = self;
+                let Self { $($field,)* parameters: _, bars_twist: _, matrices: _, subcases: _, added: _, air_errors: _, unknown: _ } = self;
                 $(visitor.cards(kind_of(stringify!($field)), $field);)*
             }
 
@@ -121,9 +125,9 @@ macro_rules! kinds {
             /// # Errors
             /// If a change fails, or the other deck has a card with the same number.
             pub(crate) fn pour(self, into: &mut Self, change: &mut impl Change) -> Result<Rest, InputError> {
-                let Self { $($field,)* parameters, matrices, subcases, added, air_errors, unknown } = self;
+                let Self { $($field,)* parameters, bars_twist, matrices, subcases, added, air_errors, unknown } = self;
                 $(pour_kind(kind_of(stringify!($field)), $field, &mut into.$field, change)?;)*
-                Ok(Rest { parameters, matrices, subcases, added, air_errors, unknown })
+                Ok(Rest { parameters, bars_twist, matrices, subcases, added, air_errors, unknown })
             }
 
             /// Keeps what a card says; false if cards of its name are not read.
@@ -187,6 +191,7 @@ kinds! {
     constraint_unions: BTreeMap<u32, SetUnion>, Own, ["SPCADD"];
     equation_unions: BTreeMap<u32, SetUnion>, Own, ["MPCADD"];
     point_loads: Vec<PointLoad>, Own, ["FORCE", "MOMENT"];
+    scalar_loads: Vec<ScalarLoad>, Own, ["SLOAD"];
     line_loads: Vec<LineLoad>, Own, ["FORCE1", "MOMENT1"];
     cross_loads: Vec<CrossLoad>, Own, ["FORCE2", "MOMENT2"];
     beam_loads: Vec<BeamLoad>, Own, ["PLOAD1"];

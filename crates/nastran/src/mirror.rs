@@ -34,10 +34,11 @@ impl BulkData {
         let mut mirror = Mirror { to_basic: &to_basic, boxes, strips: self.strips()? };
         let mut image = Self::default();
         let rest = self.clone().pour(&mut image, &mut mirror)?;
-        let Rest { parameters, mut matrices, subcases: _, added: _, air_errors, unknown } = rest;
+        let Rest { parameters, bars_twist, mut matrices, subcases: _, added: _, air_errors, unknown } = rest;
         let incidence = matrices.remove("W2GJ").map(|matrix| carried(boxes, matrix));
         image.matrices.extend(incidence.map(|matrix| (matrix.name.clone(), matrix)));
-        (image.parameters, image.air_errors, image.unknown) = (parameters, air_errors, unknown);
+        (image.parameters, image.bars_twist) = (parameters, bars_twist);
+        (image.air_errors, image.unknown) = (air_errors, unknown);
         Ok(image)
     }
 

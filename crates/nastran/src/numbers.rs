@@ -139,9 +139,10 @@ impl BulkData {
     /// If both use a number for the same kind of card, or measure mass in different units (PARAM WTMASS).
     pub fn join(&mut self, other: Self) -> Result<(), InputError> {
         other.refuse_added("joined to another model")?;
-        let Rest { parameters, matrices, subcases: _, added: _, air_errors, unknown: _ } =
+        let Rest { parameters, bars_twist, matrices, subcases: _, added: _, air_errors, unknown: _ } =
             other.pour(self, &mut Keep)?;
         self.air_errors.extend(air_errors);
+        self.bars_twist |= bars_twist;
         for (name, value) in parameters {
             let first = self.parameters.entry(name.clone()).or_insert(value);
             if name == "WTMASS" && *first != value {

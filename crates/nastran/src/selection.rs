@@ -79,7 +79,7 @@ impl BulkData {
     /// Of a deck without case control the default subcase is the whole deck, as in [`BulkData::bounded`].
     ///
     /// # Errors
-    /// If a selected set is not there, or one that an SPCADD or MPCADD unites, or it selects something that changes the structure and is not read.
+    /// If a selected set is not there, or none of those that an SPCADD or MPCADD unites, or it selects something that changes the structure and is not read.
     pub fn in_subcase(&self, subcase: &Subcase) -> Result<Self, InputError> {
         if self.subcases.is_empty() && *subcase == Subcase::default() {
             return self.bounded(None).map(Cow::into_owned);
@@ -231,9 +231,31 @@ impl BulkData {
         let sets: BTreeSet<u32> = self.subcases.iter().filter_map(|case| case.mpc).filter(missing).collect();
         remarks
             .extend(sets.iter().map(|set| format!("the case control selects MPC {set}, which is not there")));
+        remarks.extend(self.lacking("SPC", &clamps(self), &self.constraint_unions, |case| case.spc));
+        remarks.extend(self.lacking("MPC", &equations(self), &self.equation_unions, |case| case.mpc));
         remarks.extend(self.combination_remarks());
         remarks.extend(self.shared_numbers());
         remarks
+    }
+}
+
+impl BulkData {
+    /// Sets that a selected union names and that are not there.
+    fn lacking(
+        &self,
+        kind: &str,
+        sets: &BTreeSet<u32>,
+        unions: &BTreeMap<u32, SetUnion>,
+        selected: impl Fn(&Subcase) -> Option<u32>,
+    ) -> Vec<String> {
+        let selected: BTreeSet<u32> = self.subcases.iter().filter_map(selected).collect();
+        let lacks = |(id, union): (&u32, &SetUnion)| {
+            let missing = union.sets.iter().filter(|set| !sets.contains(set)).map(u32::to_string);
+            let missing = missing.collect::<Vec<_>>().join(", ");
+            (!missing.is_empty())
+                .then(|| format!("{kind}ADD {id} unites set(s) {missing}, which are not there"))
+        };
+        unions.iter().filter(|(id, _)| selected.contains(id)).filter_map(lacks).collect()
     }
 }
 
@@ -290,10 +312,11 @@ fn selected(
         let message = format!("{kind} {set} is a set of its own and a union by {kind}ADD");
         return Err(InputError::general(message).with_help("give the union another number"));
     }
-    match united.iter().find(|one| !sets.contains(one)) {
-        Some(missing) => {
-            Err(InputError::general(format!("{kind}ADD {set} unites set {missing}, which is not there")))
-        }
-        None => Ok(united.clone()),
+    // As in Nastran, sets that are not there are left out where others are; [`BulkData::remarks`] says it.
+    let there: Vec<u32> = united.iter().copied().filter(|one| sets.contains(one)).collect();
+    if there.is_empty() {
+        let message = format!("{kind}ADD {set} unites sets of which none is there");
+        return Err(InputError::general(message).with_help("name sets that the bulk data have"));
     }
+    Ok(there)
 }

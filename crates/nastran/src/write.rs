@@ -31,6 +31,9 @@ pub fn write_deck(deck: &BulkData) -> String {
     if linked || deck.aero_reference.is_some() || !deck.trims.is_empty() || !deck.supports.is_empty() {
         text.push_str("$ not written: case control, AEROS, AESTAT, TRIM, SUPORT, AELINK and AECOMP\n");
     }
+    if deck.bars_twist {
+        text.push_str("$ not written: NASTRAN BARMASS = 1, with which bars have twisting inertia\n");
+    }
     text.push_str("BEGIN BULK\n");
     deck.parameters.iter().for_each(|(name, value)| text.push_str(&parameter(name, *value)));
     deck.visit(&mut Text(&mut text));

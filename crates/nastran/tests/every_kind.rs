@@ -118,6 +118,7 @@ SPCADD,5,1
 MPCADD,6,1
 FORCE,2,1,7,2.,.1,.2,.3
 MOMENT,2,1,7,2.,.1,.2,.3
+SLOAD,2,98,4.
 FORCE1,2,1,4.,2,3
 MOMENT1,2,1,4.,2,3
 FORCE2,2,1,4.,2,3,2,1
@@ -196,7 +197,7 @@ fn box_images() -> BTreeMap<u32, u32> {
 
 /// Kinds that an image has no cards of, said beside their types.
 const NO_IMAGE: &str = "\
-    splines monitors constraint_unions equation_unions point_loads line_loads cross_loads beam_loads pressures \
+    splines monitors constraint_unions equation_unions point_loads scalar_loads line_loads cross_loads beam_loads pressures \
      gravities spins load_sums enforced temperatures aero_reference trim_variables trims divergences aero_links aero_components \
      component_lists supports eigen_methods unsteady_reference flutters flutter_factors reduced_frequencies \
      damping_tables gusts dynamic_loads dynamic_sums load_areas direct_matrices frequencies time_steps \

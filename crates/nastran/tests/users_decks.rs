@@ -2,7 +2,7 @@
 
 use nastran::{Analysis, Offt, Solution, parse_deck};
 
-const CLAMPS: &str = "GRID,1\nGRID,2,,1.\nSPC1,1,123,1\nSPC1,2,456,1\nSPC1,3,2,2\nSPCADD,9,1,3\n";
+const CLAMPS: &str = "GRID,1\nGRID,2,,1.\nSPC1,1,123,1\nSPC1,2,456,1\nSPC1,3,2,2\nSPCADD,9,1,3\nSPCADD,10,2,4,5\nSPCADD,11,6\n";
 
 fn held(control: &str, subcase: Option<u32>) -> Result<Vec<u32>, String> {
     let deck = parse_deck("t.bdf", &format!("{control}{CLAMPS}")).map_err(|error| error.to_string())?;
@@ -14,6 +14,11 @@ fn held(control: &str, subcase: Option<u32>) -> Result<Vec<u32>, String> {
 fn the_case_control_selects_and_what_it_does_not_select_does_not_apply() {
     assert_eq!(held("SOL 103\nCEND\nSPC = 2\nBEGIN BULK\n", None).unwrap(), [2]);
     assert_eq!(held("CEND\nSPC=9\nBEGIN BULK\n", None).unwrap(), [1, 3], "a union");
+    assert_eq!(held("CEND\nSPC=10\nBEGIN BULK\n", None).unwrap(), [2], "a union of which two are not there");
+    let remarks = parse_deck("t.bdf", &format!("CEND\nSPC=10\nBEGIN BULK\n{CLAMPS}")).unwrap().remarks();
+    assert_eq!(remarks, ["SPCADD 10 unites set(s) 4, 5, which are not there"]);
+    let none = held("CEND\nSPC=11\nBEGIN BULK\n", None).unwrap_err();
+    assert!(none.starts_with("SPCADD 11 unites sets of which none is there"), "{none}");
     assert_eq!(held("SOL 103\nCEND\nMETHOD = 1\nBEGIN BULK\n", None).unwrap(), [0; 0], "none is selected");
     let two = "CEND\nSUBCASE 1\nSPC=1\nSUBCASE 2\nSPC=2\nBEGIN BULK\n";
     assert_eq!(held(two, Some(2)).unwrap(), [2]);

@@ -74,20 +74,23 @@ impl Beam {
             axes,
             stiffness: at_grids(&local, &to_local),
             mass: at_grids(&beam_mass::consistent(section, length_m), &to_local),
-            lumped_mass: at_grids(&beam_mass::lumped(section, length_m), &to_local),
+            lumped_mass: at_grids(&beam_mass::lumped(section, length_m, property.is_beam), &to_local),
         })
     }
 
-    /// The same with the consistent mass of Nastran's bars.
-    pub(crate) fn with_mass_of_bars(
+    /// The same with Nastran's masses: bars have twisting inertia only where `bars_twist`.
+    pub(crate) fn with_nastran_masses(
         self,
         placement: &BeamPlacement,
         property: &BeamProperty,
         material: &Mat1,
+        bars_twist: bool,
     ) -> Self {
         let to_local = grid_to_element(&self.axes, &placement.offsets);
-        let mass = beam_mass::of_bar(Section { property, material }, self.length_m);
-        Self { mass: at_grids(&mass, &to_local), ..self }
+        let (section, has_twisting) = (Section { property, material }, property.is_beam || bars_twist);
+        let consistent = beam_mass::as_nastran(section, self.length_m, has_twisting);
+        let lumped = beam_mass::lumped(section, self.length_m, has_twisting);
+        Self { mass: at_grids(&consistent, &to_local), lumped_mass: at_grids(&lumped, &to_local), ..self }
     }
 
     /// Length between the element's ends, m.

@@ -10,55 +10,80 @@
 use crate::beam::Matrix12;
 use crate::section::Section;
 use nalgebra::{SMatrix, Vector2};
+use nastran::BeamStation;
 
 type Row = SMatrix<f64, 1, 12>;
 
 /// Mass in element axes about the element's ends.
 pub(crate) fn consistent(section: Section, length: f64) -> Matrix12 {
-    let mut mass = of_lines(section, length);
-    for (x, weight) in section.quadrature() {
-        let station = section.at(x);
-        let twist = Shape::at(x, length).twist;
-        let twisting = section.material.rho * (station.i1 + station.i2) + section.nsi(x);
-        mass += twist.transpose() * twist * (twisting * weight * length);
-    }
-    mass
-}
-
-/// As CBAR of a deck, whose mass in Nastran has no twisting inertia (unless the NASTRAN statement says BARMASS=1) and along the bar is the mean of the
-/// lumped and the consistent one: 5/12 and 1/12 of it for 1/3 and 1/6.
-pub(crate) fn of_bar(section: Section, length: f64) -> Matrix12 {
-    let mut mass = of_lines(section, length);
-    let stretch = row(&[(0, -1.0), (6, 1.0)]);
-    for (x, weight) in section.quadrature() {
-        let station = section.at(x);
-        let per_length = section.material.rho * station.area + station.nsm;
-        mass += stretch.transpose() * stretch * (per_length * weight * length / 12.0);
-    }
-    mass
-}
-
-/// Of the lines on which the mass stands, without twisting inertia.
-fn of_lines(section: Section, length: f64) -> Matrix12 {
     let mut mass = Matrix12::zeros();
     for (x, weight) in section.quadrature() {
-        let station = section.at(x);
-        let shape = Shape::at(x, length);
-        let dx = weight * length;
+        let (station, shape, dx) = (section.at(x), Shape::at(x, length), weight * length);
         let material = (section.material.rho * station.area, section.neutral_axis(x));
         for (per_length, offset) in [material, (station.nsm, section.nsm_offset(x))] {
             for row in shape.displacement(offset) {
                 mass += row.transpose() * row * (per_length * dx);
             }
         }
+        mass += shape.twist.transpose() * shape.twist * (twisting(section, x) * dx);
     }
     mass
 }
 
+/// As Nastran has it in decks: each line of mass is a beam of its own (cubic across, linear along) between what rigid arms make of the
+/// element's ends. A bar without twisting inertia has along itself the mean of the lumped and the consistent mass: 5/12 and 1/12 of it
+/// for 1/3 and 1/6.
+pub(crate) fn as_nastran(section: Section, length: f64, has_twisting: bool) -> Matrix12 {
+    type Line<'a> = (&'a dyn Fn(&BeamStation) -> f64, &'a dyn Fn(f64) -> Vector2<f64>);
+    let rho = section.material.rho;
+    let lines: [Line; 2] = [
+        (&|station| rho * station.area, &|x| section.neutral_axis(x)),
+        (&|station| station.nsm, &|x| section.nsm_offset(x)),
+    ];
+    let mut mass = Matrix12::zeros();
+    for (per_length, offset) in lines {
+        let mut own = Matrix12::zeros();
+        for (x, weight) in section.quadrature() {
+            for row in Shape::at(x, length).displacement(Vector2::zeros()) {
+                own += row.transpose() * row * (per_length(&section.at(x)) * weight * length);
+            }
+        }
+        let arms = rigid_arms([0.0, 1.0].map(offset));
+        mass += arms.transpose() * own * arms;
+    }
+    let stretch = row(&[(0, -1.0), (6, 1.0)]);
+    for (x, weight) in section.quadrature() {
+        let (station, dx) = (section.at(x), weight * length);
+        if has_twisting {
+            let twist = row(&[(3, 1.0 - x), (9, x)]);
+            mass += twist.transpose() * twist * (twisting(section, x) * dx);
+        } else {
+            mass += stretch.transpose() * stretch * ((rho * station.area + station.nsm) * dx / 12.0);
+        }
+    }
+    mass
+}
+
+/// Motions of a line at both ends by those of the element, whose ends carry it on rigid arms (y, z).
+fn rigid_arms(offsets: [Vector2<f64>; 2]) -> Matrix12 {
+    let mut arms = Matrix12::identity();
+    for (end, offset) in [0, 6].into_iter().zip(offsets) {
+        (arms[(end, end + 4)], arms[(end, end + 5)]) = (offset.y, -offset.x);
+        (arms[(end + 1, end + 3)], arms[(end + 2, end + 3)]) = (-offset.y, offset.x);
+    }
+    arms
+}
+
+/// Twisting inertia per length: rho (I1 + I2) + NSI.
+fn twisting(section: Section, x: f64) -> f64 {
+    let station = section.at(x);
+    section.material.rho * (station.i1 + station.i2) + section.nsi(x)
+}
+
 /// Mass as points at the ends, in element axes: each line's mass goes to the ends by its lever, where it stands off the axis with
-/// the inertia that it has there. A beam (PBEAM) also has its twisting inertia at the ends, a bar (PBAR) has none: what Nastran's
-/// lumped mass has.
-pub(crate) fn lumped(section: Section, length: f64) -> Matrix12 {
+/// the inertia that it has there. A beam (PBEAM) also has its twisting inertia at the ends, a bar (PBAR) has none unless the NASTRAN
+/// statement says BARMASS=1: what Nastran's lumped mass has.
+pub(crate) fn lumped(section: Section, length: f64, has_twisting: bool) -> Matrix12 {
     let mut mass = Matrix12::zeros();
     for (x, weight) in section.quadrature() {
         let station = section.at(x);
@@ -77,9 +102,8 @@ pub(crate) fn lumped(section: Section, length: f64) -> Matrix12 {
                     mass += row.transpose() * row * (per_length * dx * share);
                 }
             }
-            if section.property.is_beam {
-                let twisting = rho * (station.i1 + station.i2) + section.nsi(x);
-                mass[(end + 3, end + 3)] += twisting * dx * share;
+            if has_twisting {
+                mass[(end + 3, end + 3)] += twisting(section, x) * dx * share;
             }
         }
     }

@@ -2,6 +2,7 @@
 
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, MatRef, Par};
+use rayon::prelude::*;
 
 /// Numbers between -1 and 1 from a fixed seed (Marsaglia's xorshift with a final multiplication): the same start
 /// on every machine, and without any symmetry of the structure.
@@ -33,18 +34,31 @@ impl Noise {
     }
 }
 
-/// A^T B on one thread: the sum must not depend on the number of cores.
+/// Rows that a thread works on at a time, always the same ones: sums do not depend on the number of threads.
+const ROWS: usize = 8192;
+
+/// A^T B.
 pub(crate) fn inner(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
-    let mut product = Mat::zeros(a.ncols(), b.ncols());
-    matmul(product.as_mut(), Accum::Replace, a.transpose(), b, 1.0, Par::Seq);
+    let part = |(a, b): (MatRef<'_, f64>, MatRef<'_, f64>)| {
+        let mut part = Mat::zeros(a.ncols(), b.ncols());
+        matmul(part.as_mut(), Accum::Replace, a.transpose(), b, 1.0, Par::Seq);
+        part
+    };
+    let parts: Vec<Mat<f64>> = a.par_row_chunks(ROWS).zip(b.par_row_chunks(ROWS)).map(part).collect();
+    parts.into_iter().reduce(|sum, part| sum + part).unwrap_or_else(|| Mat::zeros(a.ncols(), b.ncols()))
+}
+
+/// A B.
+pub(crate) fn product(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
+    let mut product = Mat::zeros(a.nrows(), b.ncols());
+    add_product(&mut product, 1.0, a, b);
     product
 }
 
-/// A B on one thread.
-pub(crate) fn product(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
-    let mut product = Mat::zeros(a.nrows(), b.ncols());
-    matmul(product.as_mut(), Accum::Replace, a, b, 1.0, Par::Seq);
-    product
+/// Adds so many times A B.
+pub(crate) fn add_product(sum: &mut Mat<f64>, times: f64, a: MatRef<'_, f64>, b: MatRef<'_, f64>) {
+    let rows = sum.par_row_chunks_mut(ROWS).zip(a.par_row_chunks(ROWS));
+    rows.for_each(|(sum, a)| matmul(sum, Accum::Add, a, b, times, Par::Seq));
 }
 
 #[cfg(test)]

@@ -8,14 +8,17 @@
 //!
 //! This file is the seam to faer's sparse factorisation.
 
+mod loose;
 mod panels;
 
-use self::panels::{Panels, Row, TOGETHER};
+use self::loose::{absolute_energy, loose_among, pivots_of};
+use self::panels::Panels;
 use crate::blocks::{Noise, inner};
 use crate::ordering::{self, levels::reverse_cuthill_mckee};
 use crate::sparse;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::ldlt::factor::LdltRegularization;
+use faer::linalg::matmul::matmul;
 use faer::perm::PermRef;
 use faer::reborrow::{Reborrow as _, ReborrowMut as _};
 use faer::sparse::linalg::SupernodalThreshold;
@@ -23,8 +26,8 @@ use faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, LdltRef, SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky,
 };
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
-use faer::{Conj, Mat, MatMut, MatRef, Par, Side, Spec};
-use rayon::iter::ParallelIterator as _;
+use faer::{Accum, Conj, Mat, MatMut, MatRef, Par, Side, Spec};
+use rayon::prelude::*;
 use std::sync::Arc;
 
 /// Scaled pivots up to this one are held at once.
@@ -41,6 +44,9 @@ const WEAKEST: usize = 8;
 
 /// Inverse iterations on them. A motion that meets no stiffness stands out after the first.
 const ITERATIONS: usize = 3;
+
+/// Right-hand sides that go through the factor together.
+const TOGETHER: usize = 8;
 
 /// Structures of more motions are ordered grid by grid, and their right-hand sides go through the factor side by side. In smaller
 /// ones there is little to be won, and all modes of a slender wing, which range over twelve decimals, hang on the rounding.
@@ -143,15 +149,16 @@ impl Factor {
         let scaled = scaled(a, &scale, springs);
         let symbolic = Arc::clone(analysis);
         let mut values = vec![0.0; symbolic.len_val()];
-        let mut memory =
-            MemBuffer::new(symbolic.factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Spec::default()));
+        // faer's own tasks for each panel cost more than they save: a tenth more clock time on two cores, twice the system's.
+        let par = Par::Seq;
+        let mut memory = MemBuffer::new(symbolic.factorize_numeric_ldlt_scratch::<f64>(par, Spec::default()));
         symbolic
             .factorize_numeric_ldlt(
                 &mut values,
                 scaled.matrix(),
                 Side::Lower,
                 regularization,
-                Par::Seq,
+                par,
                 MemStack::new(&mut memory),
                 Spec::default(),
             )
@@ -243,18 +250,16 @@ impl Factor {
         self.solve_scaled(b, |dof| self.scale[dof])
     }
 
-    /// S (L D L^T)^-1 S b for a scale S of each degree of freedom. Columns go in groups of a fixed size: the result is the same on any
-    /// number of threads.
+    /// S (L D L^T)^-1 S b for a scale S of each degree of freedom. A column's result is the same beside however many others and on any number
+    /// of threads; in a small structure, whose columns go in groups of a fixed size, on any number of threads.
     fn solve_scaled(&self, b: MatRef<'_, f64>, scale: impl Fn(usize) -> f64 + Sync) -> Mat<f64> {
-        let mut x = Mat::from_fn(b.nrows(), b.ncols(), |i, j| scale(i) * b[(i, j)]);
-        let is_small = b.nrows() <= SMALL;
-        let one_group = |group| if is_small { self.solve_few(group) } else { self.solve_side_by_side(group) };
-        x.par_col_chunks_mut(TOGETHER).for_each(one_group);
-        for j in 0..x.ncols() {
-            for i in 0..x.nrows() {
-                x[(i, j)] *= scale(i);
-            }
+        if b.nrows() <= SMALL {
+            let mut x = Mat::from_fn(b.nrows(), b.ncols(), |i, j| scale(i) * b[(i, j)]);
+            x.par_col_chunks_mut(TOGETHER).for_each(|group| self.solve_few(group));
+            return Mat::from_fn(b.nrows(), b.ncols(), |i, j| scale(i) * x[(i, j)]);
         }
+        let mut x = Mat::zeros(b.nrows(), b.ncols());
+        self.solve_side_by_side::<TOGETHER>(b, x.as_mut(), scale);
         x
     }
 
@@ -264,15 +269,29 @@ impl Factor {
         factor.solve_in_place_with_conj(Conj::No, x, Par::Seq, MemStack::new(&mut memory));
     }
 
-    fn solve_side_by_side(&self, mut x: MatMut<'_, f64>) {
-        let mut rows: Vec<Row> = vec![[0.0; TOGETHER]; x.nrows()];
-        for (place, row) in rows.iter_mut().enumerate() {
-            row.iter_mut().zip(x.rb().row(self.dof_at(place)).iter()).for_each(|(own, x)| *own = *x);
-        }
-        Panels::of(&self.symbolic, &self.values).solve(&mut rows);
-        for (place, row) in rows.iter().enumerate() {
-            x.rb_mut().row_mut(self.dof_at(place)).iter_mut().zip(row).for_each(|(x, own)| *x = *own);
-        }
+    /// Groups of `WIDTH` columns, each with a thread of its own.
+    fn solve_side_by_side<const WIDTH: usize>(
+        &self,
+        b: MatRef<'_, f64>,
+        x: MatMut<'_, f64>,
+        scale: impl Fn(usize) -> f64 + Sync,
+    ) {
+        let panels = Panels::of(&self.symbolic, &self.values);
+        let one_group = |(mut x, b): (MatMut<'_, f64>, MatRef<'_, f64>)| {
+            let mut rows = vec![[0.0; WIDTH]; x.nrows()];
+            for (place, row) in rows.iter_mut().enumerate() {
+                let dof = self.dof_at(place);
+                let scale = scale(dof);
+                row.iter_mut().zip(b.row(dof).iter()).for_each(|(own, b)| *own = scale * b);
+            }
+            panels.solve(&mut rows);
+            for (place, row) in rows.iter().enumerate() {
+                let dof = self.dof_at(place);
+                let scale = scale(dof);
+                x.rb_mut().row_mut(dof).iter_mut().zip(row).for_each(|(x, own)| *x = scale * own);
+            }
+        };
+        x.par_col_chunks_mut(WIDTH).zip(b.par_col_chunks(WIDTH)).for_each(one_group);
     }
 
     /// The degree of freedom at a place in the order of elimination.
@@ -302,77 +321,20 @@ pub(crate) fn analysed(pattern: SymbolicSparseColMatRef<'_, usize>) -> SymbolicC
     if by_level.len_val() < by_degree.len_val() { by_level } else { by_degree }
 }
 
-/// One degree of freedom for each of those motions that cannot be told from a loose one.
-fn loose_among(a: SparseColMatRef<'_, usize, f64>, motions: &Mat<f64>) -> Vec<usize> {
-    let forces = sparse::multiply(a, motions.as_ref());
-    let diagonal = sparse::diagonal(a);
-    let mut loose = Vec::new();
-    for j in 0..motions.ncols() {
-        let x: Vec<f64> = motions.col(j).iter().copied().collect();
-        let energy: f64 = x.iter().zip(forces.col(j).iter()).map(|(x, f)| x * f).sum();
-        let size = absolute_energy(a, &x);
-        if size > 0.0 && energy.abs() <= MARGIN * f64::EPSILON * size {
-            loose.push(x.iter().zip(&diagonal).map(|(x, d)| x * d.max(0.0).sqrt()).collect());
-        }
-    }
-    pivots_of(loose)
-}
-
-/// |x|^T |A| |x|.
-fn absolute_energy(a: SparseColMatRef<'_, usize, f64>, x: &[f64]) -> f64 {
-    let mut energy = 0.0;
-    for (j, value) in x.iter().enumerate() {
-        let column = a.row_idx_of_col(j).zip(a.val_of_col(j));
-        energy += value.abs() * column.map(|(i, a)| x[i].abs() * a.abs()).sum::<f64>();
-    }
-    energy
-}
-
 /// Gram-Schmidt, twice for each column; a column that vanishes stays zero.
 fn orthonormalise(x: &mut Mat<f64>) {
     for j in 0..x.ncols() {
+        let (done, mut own) = x.as_mut().split_at_col_mut(j);
+        let (done, mut own) = (done.rb(), own.rb_mut().subcols_mut(0, 1));
         for _ in 0..2 {
-            for k in 0..j {
-                let share: f64 = x.col(k).iter().zip(x.col(j).iter()).map(|(a, b)| a * b).sum();
-                for i in 0..x.nrows() {
-                    x[(i, j)] -= share * x[(i, k)];
-                }
-            }
-            let norm = x.col(j).iter().map(|v| v * v).sum::<f64>().sqrt();
-            if norm > 0.0 && norm.is_finite() {
-                for i in 0..x.nrows() {
-                    x[(i, j)] /= norm;
-                }
-            }
+            let shares = inner(done, own.rb());
+            matmul(own.rb_mut(), Accum::Add, done, shares.as_ref(), -1.0, Par::Seq);
+        }
+        let norm = own.rb().col(0).norm_l2();
+        if norm > 0.0 && norm.is_finite() {
+            own.col_mut(0).iter_mut().for_each(|x| *x /= norm);
         }
     }
-}
-
-/// One place for each of some independent motions, so that holding these places holds them all: elimination with the
-/// largest entry as pivot.
-fn pivots_of(mut motions: Vec<Vec<f64>>) -> Vec<usize> {
-    let mut places = Vec::new();
-    while !motions.is_empty() {
-        let peak = |x: &Vec<f64>| {
-            x.iter()
-                .enumerate()
-                .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
-                .map_or((0, 0.0), |(at, v)| (at, *v))
-        };
-        let largest = (0..motions.len())
-            .max_by(|a, b| peak(&motions[*a]).1.abs().total_cmp(&peak(&motions[*b]).1.abs()));
-        let pivot = motions.swap_remove(largest.unwrap_or(0));
-        let (place, value) = peak(&pivot);
-        if value == 0.0 {
-            break;
-        }
-        places.push(place);
-        for motion in &mut motions {
-            let share = motion[place] / value;
-            motion.iter_mut().zip(&pivot).for_each(|(x, p)| *x -= share * p);
-        }
-    }
-    places
 }
 
 fn scaled<'a>(a: SparseColMatRef<'a, usize, f64>, scale: &[f64], springs: &[usize]) -> Scaled<'a> {

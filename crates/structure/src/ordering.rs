@@ -26,17 +26,23 @@ pub(crate) fn of_least_fill(pattern: PatternRef<'_>) -> Vec<usize> {
     let groups = alike(pattern);
     let graph = graph(pattern, &groups);
     let graph = graph.as_ref();
-    let by_degree = counted(graph, SymmetricOrdering::Amd);
+    let with_fill = |name: &'static str, order: Vec<usize>| {
+        let inverse = inverse(&order);
+        let custom = SymmetricOrdering::Custom(PermRef::new_checked(&order, &inverse, order.len()));
+        let fill = counted(graph, custom).len_val();
+        (name, order, fill)
+    };
+    let ((by_degree, levels), dissected) = rayon::join(
+        || {
+            let levels = || with_fill("levels", levels::reverse_cuthill_mckee(graph));
+            rayon::join(|| counted(graph, SymmetricOrdering::Amd), levels)
+        },
+        || with_fill("dissection", dissection(graph)),
+    );
     let mut least = by_degree.len_val();
     let mut order =
         by_degree.perm().map_or_else(|| (0..groups.len()).collect(), |perm| perm.arrays().0.to_vec());
-    for (name, other) in [("levels", levels::reverse_cuthill_mckee(graph)), ("dissection", dissection(graph))]
-    {
-        let fill = counted(
-            graph,
-            SymmetricOrdering::Custom(PermRef::new_checked(&other, &inverse(&other), other.len())),
-        )
-        .len_val();
+    for (name, other, fill) in [levels, dissected] {
         tracing::debug!(by_degree = by_degree.len_val(), fill, name, "entries of the factor, by grids");
         if fill < least {
             (least, order) = (fill, other);

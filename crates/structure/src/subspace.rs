@@ -1,11 +1,10 @@
 //! A block Krylov space, M-orthonormal, and its Rayleigh-Ritz values: one sweep of subspace iteration.
 
-use crate::blocks::{inner, product};
+use crate::blocks::{add_product, inner, product};
 use crate::factor::Factor;
 use crate::sparse;
-use faer::linalg::matmul::matmul;
 use faer::sparse::SparseColMatRef;
-use faer::{Accum, Mat, MatRef, Par, Side};
+use faer::{Mat, MatRef, Side};
 
 /// A direction that keeps less than this share of the square of its length is in the space of those before it.
 const DEPENDENT: f64 = 1e-24;
@@ -82,10 +81,10 @@ impl Inverse<'_> {
         let Rigid { motions, momenta: of_rigid } = self.rigid;
         let mut balanced = momenta;
         let resultant = inner(motions.as_ref(), balanced.as_ref());
-        matmul(balanced.as_mut(), Accum::Add, of_rigid.as_ref(), resultant.as_ref(), -1.0, Par::Seq);
+        add_product(&mut balanced, -1.0, of_rigid.as_ref(), resultant.as_ref());
         let mut x = self.factor.solve(balanced.as_ref());
         let share = inner(of_rigid.as_ref(), x.as_ref());
-        matmul(x.as_mut(), Accum::Add, motions.as_ref(), share.as_ref(), -1.0, Par::Seq);
+        add_product(&mut x, -1.0, motions.as_ref(), share.as_ref());
         x
     }
 }
@@ -226,7 +225,7 @@ impl<'a> Space<'a> {
     /// Takes what lies in the basis out of `x`, and returns the momenta of what is left.
     fn project(&self, x: &mut Mat<f64>) -> Mat<f64> {
         let share = inner(self.momenta.as_ref(), x.as_ref());
-        matmul(x.as_mut(), Accum::Add, self.basis.as_ref(), share.as_ref(), -1.0, Par::Seq);
+        add_product(x, -1.0, self.basis.as_ref(), share.as_ref());
         sparse::multiply(self.m, x.as_ref())
     }
 }

@@ -38,6 +38,28 @@ fn near(own: Vector3<f64>, expected: [f64; 3], what: &str) {
     assert!((own - expected).norm() < 1e-9 * (1.0 + expected.norm()), "{what}: {own} for {expected}");
 }
 
+/// Springs of 2 and 3 N/m in a row from the ground, loaded by 6 and 1.5 N: u1 = 7.5/2, u2 = u1 + 1.5/3.
+#[test]
+fn loads_of_scalar_points_act_on_their_one_motion() {
+    let chain = "CELAS4,1,2.,7\nCELAS4,2,3.,7,9\nGRID,1,,0.,0.,0.,,123456\n";
+    let bulk = deck(&(chain.to_owned() + "SLOAD,5,7,6.,9,1.5\nLOAD,6,2.,1.,5\n"));
+    let system = System::assemble(&Model::from_deck(&bulk, None).expect("a model")).expect("a system");
+    for (set, times) in [(5, 1.0), (6, 2.0)] {
+        let loads = system.forces_of(&loads_of(&bulk, set).expect("loads"));
+        let held = Flexibility::new(&system).expect("it is held");
+        let u = system.expand(held.displacements(system.reduce(loads.as_ref()).as_ref()).as_ref());
+        for (point, expected) in [(7, 3.75), (9, 4.25)] {
+            let own = u[(6 * system.node_index(point).expect("a point"), 0)];
+            assert!((own - times * expected).abs() < 1e-12, "{point}: {own}");
+        }
+    }
+    let wrong = loads_of(&deck(&(chain.to_owned() + "SLOAD,5,1,6.\n")), 5).unwrap_err().to_string();
+    assert!(
+        wrong.contains("1 is a GRID, not a scalar point (hint: load a GRID by FORCE or MOMENT)"),
+        "{wrong}"
+    );
+}
+
 #[test]
 fn pressures_push_along_the_normal_of_shells_and_into_solids() {
     // The plate's grids run so that its normal is +z: 6 m^2 at the middle (1, 1.5).

@@ -1,11 +1,12 @@
-//! Displacements that MSC Nastran prints, of decks so coarse that each kind of element shows its own.
+//! Displacements and frequencies that Nastran prints, of decks so coarse that each kind of element shows its own.
 
 use crate::large::published;
 use nalgebra::DMatrix;
 use nastran::parse_deck;
 use serde_json::Value;
+use std::f64::consts::TAU;
 use std::fmt::Write as _;
-use structure::{Flexibility, Model, System, loads_of};
+use structure::{Flexibility, Model, System, loads_of, normal_modes};
 
 /// Displacement of a component of a grid under load set 5.
 fn displaced(deck: &str) -> impl Fn(u32, usize) -> f64 + use<> {
@@ -284,4 +285,102 @@ fn a_triangle_has_the_forces_that_simcenter_prints() {
         };
         assert!((ours - printed).abs() < near, "{at}: {ours} beside {printed}");
     }
+}
+
+/// Frequencies (Hz) of a deck's structure, held as its SPC1 say.
+fn frequencies_hz(deck: &str, count: usize) -> Vec<f64> {
+    let bulk = parse_deck("deck.bdf", deck).expect("a deck");
+    let system = System::assemble(&Model::from_deck(&bulk, None).expect("a model")).expect("a structure");
+    normal_modes(&system, count).expect("modes").omega_rad_s.iter().map(|w| w / TAU).collect()
+}
+
+fn assert_frequencies(deck: &str, printed: &[f64], near: f64) {
+    for (ours, printed) in frequencies_hz(deck, printed.len()).into_iter().zip(printed) {
+        assert!((ours / printed - 1.0).abs() < near, "{ours} Hz beside {printed}");
+    }
+}
+
+/// Beams along x between `elements + 1` grids of a metre, clamped; consistent mass, and bars that have twisting inertia.
+fn cantilever(elements: u32) -> String {
+    let mut deck =
+        "NASTRAN BUFFSIZE=8193, BARMASS = 1\nSOL 103\nCEND\nSPC = 1\nBEGIN BULK\nPARAM,COUPMASS,1\n\
+        MAT1,1,7.17+10,,.33,2810.\nSPC1,1,123456,1\n"
+            .to_owned();
+    for at in 0..=elements {
+        let _ = writeln!(deck, "GRID,{},,{:?},0.,0.", at + 1, f64::from(at) / f64::from(elements));
+    }
+    deck
+}
+
+/// Fifty CBEAM that taper to half of a section of 6.25 by 25 mm, turned, off their grids, with neutral axis and other mass off the shear
+/// centre: frequencies printed by Nastran (TACS, nastran_beam_compat, `cbeam_pbeam_taper_rotation_wa_n_nsm_m`; five digits of the sections). With
+/// masses on lines that move with the section between the element's ends they are up to a hundredth off.
+#[test]
+fn beams_whose_masses_are_on_lines_of_their_own_have_the_printed_frequencies() {
+    let mut deck = cantilever(50);
+    let section = |at: u32| {
+        let [thin, wide] = [0.00625, 0.025].map(|side| side * (1.0 - f64::from(at) / 100.0));
+        let slender = thin / wide;
+        let twisting = wide * thin.powi(3) * (1.0 / 3.0 - 0.21 * slender * (1.0 - slender.powi(4) / 12.0));
+        let [i1, i2] = [wide * thin.powi(3) / 12.0, thin * wide.powi(3) / 12.0];
+        format!("{:.4e},{i1:.4e},{i2:.4e},,{twisting:.4e},.4390625", thin * wide)
+    };
+    for at in 0..50 {
+        let (id, next) = (at + 1, at + 2);
+        let _ = writeln!(deck, "CBEAM,{id},{id},{id},{next},0.,.8660254,.5\n,,,,.0125,.05,,.0125,.05");
+        let _ = writeln!(deck, "PBEAM,{id},1,{}\n,,,,,,,,", section(at));
+        let _ = writeln!(deck, ",NO,1.,{}", section(at + 1));
+        let _ = writeln!(deck, ",.8333333,.8333333\n,.00625,.025,,,.0125,.05");
+    }
+    let printed = [
+        3.402_032_684_3,
+        13.585_184_614,
+        15.484_585_105,
+        38.639_044_432,
+        61.250_571_652,
+        71.531_582_313,
+        112.547_807_36,
+        122.953_689_62,
+        150.459_803_54,
+        161.958_918_74,
+        213.440_337_88,
+        270.141_641_60,
+    ];
+    assert_frequencies(&deck, &printed, 2e-5);
+}
+
+/// Thirty CBAR, turned and off their grids, with other mass, of which BARMASS = 1 makes twisting inertia: printed by Nastran (the same source,
+/// `cbar_pbar_rotation_wa_nsm`). The fourth is of torsion: without that inertia there is none.
+#[test]
+fn bars_twist_with_the_inertia_that_the_nastran_statement_gives_them() {
+    let mut deck = cantilever(30) + "PBAR,1,1,.01,3.3333-5,2.0833-6,7.0213-6,28.1\n,\n,.8333333,.8333333\n";
+    for id in 1..=30 {
+        let _ = writeln!(deck, "CBAR,{id},1,{id},{},0.,.8660254,.5\n,,,,.4,.1,,.4,.1", id + 1);
+    }
+    let printed = [
+        28.805_012_084,
+        112.638_116_15,
+        178.879_279_67,
+        344.796_135_31,
+        493.740_062_30,
+        623.251_061_96,
+        893.060_832_62,
+        948.244_402_98,
+        1_035.333_915_7,
+        1_506.692_199_4,
+    ];
+    assert_frequencies(&deck, &printed, 2e-5);
+}
+
+/// A CTRIAR of slender thickness and a CQUADR, each held along a side and pushed at the other: tips as MSC Nastran 2005 prints them (pyNastran,
+/// `models/sol200/d200obus`). Bending under a transverse force has 3/4 of the flexibility that the mean square of the arm gives.
+#[test]
+fn one_element_with_rotations_about_its_normal_bends_as_msc_prints() {
+    let deck = "MAT1,1,1.,.8,.1\nCTRIAR,7051,7051,7051,7052,7053\nGRID,7051,,0.,0.,0.\nGRID,7052,,1.,0.,0.\n\
+        GRID,7053,,.5,1.,0.\nSPC1,1,6,7053\nSPC1,1,12345,7051,7052\nFORCE,5,7053,,1.,0.,0.,1.\nPSHELL,7051,1,.1,1,1000.,1,1.\n\
+        CQUADR,9901,9901,9901,9902,9903,9904\nGRID,9901,,0.,0.,0.\nGRID,9902,,1.,0.,0.\nGRID,9903,,1.,1.,0.\nGRID,9904,,0.,1.,0.\n\
+        SPC1,1,125,9902,9903\nSPC1,1,12345,9901,9904\nFORCE,5,9902,,1.,0.,0.,1.\nFORCE,5,9903,,1.,0.,0.,1.\n\
+        PSHELL,9901,1,1.,1,120.,1,1.\n";
+    assert_printed(deck, [3], &[(7053, [31.93])], 2e-7);
+    assert_printed(deck, [3], &[(9902, [2.512_375])], 2e-7);
 }

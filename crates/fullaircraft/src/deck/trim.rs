@@ -91,6 +91,8 @@ pub struct TrimDeck {
     mean_pitch: Option<MeanPitch>,
     /// The s-set part of the six motions of the reference axes.
     axes: Mat<f64>,
+    /// The same as free motions carry them.
+    carried_axes: Mat<f64>,
     /// The structure whose grids carry the loads.
     pub grids: DeckGrids,
 }
@@ -156,7 +158,6 @@ impl TrimDeck {
         let loads = integration.corrected(&corrections);
         let gather = loads.rows_by_pressure(motion.transpose());
         let offset = offset(aeros.symmetry, || loads.offset_weighed(motion.transpose()), gather.nrows());
-        // one factorisation of the influence coefficients for all dynamic pressures
         let aero = SteadyAero::new(&lattice, mirror_plane(aeros.symmetry), mach)?;
         let cp_displacement = aero.pressures(theta.as_ref());
         let stiffness = &gather * &cp_displacement;
@@ -180,6 +181,7 @@ impl TrimDeck {
             mean_pitch: MeanPitch::new(&structure, &support_rotations(bulk, &free, &d), &stream),
             load,
             axes: at(&d6),
+            carried_axes: at(&carried(bulk, &free, &d6)?),
             gather,
             offset,
             corrections,
@@ -245,21 +247,47 @@ impl TrimDeck {
         &self.cp_variables + &self.cp_displacement * system.partial_piv_lu().solve(&u) * faer::Scale(share)
     }
 
-    /// Force and moment coefficients (`CX`, `CY`, `CZ`, `Cl`, `Cm`, `Cn` in the reference axes, about their origin) per unit of each variable.
+    /// Force and moment coefficients (`CX`, `CY`, `CZ`, `Cl`, `Cm`, `Cn` in the reference axes, about their origin) per unit of each variable; of
+    /// an antisymmetric half those that its other half cancels are zero. Of the elastic aircraft the air on free motions is counted: what reaches
+    /// a motion that SPC or AUTOSPC holds is the ground's.
     pub fn derivatives(&self, q: f64, elastic: Elastic) -> BTreeMap<String, [f64; 6]> {
+        self.coefficients((q, 1.0), elastic, self.counted(elastic))
+    }
+
+    /// As [`TrimDeck::derivatives`], for a TRIM card, whose AEQR says what deformations count.
+    pub fn derivatives_of_card(&self, card: &Trim, elastic: Elastic) -> BTreeMap<String, [f64; 6]> {
+        self.coefficients((card.q, card.elastic_share), elastic, self.counted(elastic))
+    }
+
+    /// Those of the rigid aircraft by the air on free motions alone, as the elastic aircraft has it ("splined" in Nastran's prints).
+    pub fn splined_derivatives(&self) -> BTreeMap<String, [f64; 6]> {
+        self.coefficients((0.0, 1.0), Elastic::Rigid, &self.carried_axes)
+    }
+
+    /// What sums the air up.
+    fn counted(&self, elastic: Elastic) -> &Mat<f64> {
+        if elastic == Elastic::Rigid { &self.axes } else { &self.carried_axes }
+    }
+
+    fn coefficients(
+        &self,
+        (q, share): (f64, f64),
+        elastic: Elastic,
+        axes: &Mat<f64>,
+    ) -> BTreeMap<String, [f64; 6]> {
         let sag = Some(&self.sag).filter(|_| elastic == Elastic::Restrained);
-        let cp = self.pressures(q, elastic, sag, 1.0);
-        let sums = self.axes.transpose() * self.loads(&cp);
+        let cp = self.pressures(q, elastic, sag, share);
+        let sums = axes.transpose() * self.loads(&cp);
         let (b, c) = (self.aeros.span_length, self.aeros.chord);
         let lengths = [1.0, 1.0, 1.0, b, c, b].map(|length| length * self.aeros.area);
-        let of = |j: usize| std::array::from_fn(|i| sums[(i, j)] / lengths[i]);
+        let cancels = |i: usize| self.aeros.symmetry == ANTISYMMETRIC && i.is_multiple_of(2);
+        let of = |j: usize| std::array::from_fn(|i| if cancels(i) { 0.0 } else { sums[(i, j)] / lengths[i] });
         self.variables.iter().enumerate().map(|(j, name)| (name.clone(), of(j))).collect()
     }
 
-    /// Neutral point: x in the axes of the stream (ACSID) about which the moment does not follow the angle of attack; nothing without ANGLEA.
-    pub fn neutral_point_x(&self, q: f64, elastic: Elastic) -> Option<f64> {
-        let all = self.derivatives(q, elastic);
-        let alpha = all.get("ANGLEA")?;
+    /// Neutral point by derivatives: x in the axes of the stream (ACSID) about which the moment does not follow the angle of attack; nothing without ANGLEA.
+    pub fn neutral_point_x(&self, derivatives: &BTreeMap<String, [f64; 6]>) -> Option<f64> {
+        let alpha = derivatives.get("ANGLEA")?;
         Some(self.origin.x + self.aeros.chord * alpha[4] / alpha[2])
     }
 
@@ -291,7 +319,13 @@ impl TrimDeck {
         if self.divergence.first().is_some_and(|first| share * q >= *first)
             && let Some(first) = self.free_divergence()?.filter(|first| share * q >= *first)
         {
-            return Err(CouplingError::Diverged { q_pa: q, divergence_pa: Some(first) }.into());
+            let held = self.divergence[0];
+            let message = format!(
+                "it diverges: free in the motions of SUPORT at a dynamic pressure of {first:.4}, held there at {held:.4}, where {q:.4} is asked for"
+            );
+            return Err(InputError::general(message)
+                .with_help("lower the dynamic pressure, or stiffen the structure")
+                .into());
         }
         let mut x: Vec<Option<f64>> = vec![None; self.variables.len()];
         x[0] = Some(1.0);

@@ -1,5 +1,5 @@
-//! Loads at grids: FORCE and MOMENT in fixed directions, FORCE1 and MOMENT1 along a line between grids, FORCE2 and MOMENT2 across two
-//! lines.
+//! Loads at grids and scalar points: FORCE and MOMENT in fixed directions, FORCE1 and MOMENT1 along a line between grids, FORCE2 and MOMENT2
+//! across two lines, SLOAD.
 
 use super::prelude::*;
 use nalgebra::Vector3;
@@ -43,6 +43,46 @@ impl DeckCard for PointLoad {
 
     // Sets keep their numbers.
     raises!(cards: grid; systems: cid);
+
+    // An image has no case control that selects loads.
+    no_image!();
+}
+
+/// A load on a scalar point (SLOAD).
+#[derive(Debug, Clone, PartialEq)]
+pub struct ScalarLoad {
+    /// Load set.
+    pub set: u32,
+    /// Scalar point it acts on.
+    pub point: u32,
+    /// Size.
+    pub size: f64,
+    /// Where the card stands.
+    pub span: Span,
+}
+
+impl DeckCard for ScalarLoad {
+    keyed!(u32, set);
+    /// SLOAD: SID S1 F1 S2 F2 S3 F3.
+    fn read(card: &Card) -> Result<Vec<Self>, InputError> {
+        card.ends_after(7)?;
+        let set = card.id(0, "SID")?;
+        let mut loads = Vec::new();
+        for at in [1, 3, 5] {
+            if at == 1 || !card.text(at).is_empty() || !card.text(at + 1).is_empty() {
+                let (point, size) = (card.id(at, "S")?, card.real(at + 1, "F")?);
+                loads.push(Self { set, point, size, span: card.span.clone() });
+            }
+        }
+        Ok(loads)
+    }
+
+    fn write(&self, card: Fields) -> Fields {
+        card.ints([self.set, self.point]).real(self.size)
+    }
+
+    // Sets keep their numbers.
+    raises!(cards: point);
 
     // An image has no case control that selects loads.
     no_image!();

@@ -57,7 +57,7 @@ pub use dmig::{Dmig, DmigHead};
 pub use eigen::EigenMethod;
 pub use enforced::Spcd;
 pub use flutter::{Aero, DampingKind, Flfact, Flutter, FlutterMethod, Mkaero, Tabdmp1};
-pub use force::{CrossLoad, LineLoad, PointLoad};
+pub use force::{CrossLoad, LineLoad, PointLoad, ScalarLoad};
 pub use genel::Genel;
 pub use gravity::{Gravity, LoadSum};
 pub use grid::{Grid, Set1};

@@ -74,6 +74,7 @@ fn parse_at(path: &Path, text: &str) -> Result<BulkData, InputError> {
     // PARAM may stand in the case control, too. One that differs between subcases, or from the bulk data, is refused as given twice.
     let parameters: Vec<&str> = lines[..bulk].iter().map(|line| sections::parameter_in(line)).collect();
     reader.lines(path, &parameters, 0)?;
+    reader.deck.bars_twist = sections::bars_twist(&lines[..bulk]);
     let read = reader.lines(path, &lines, bulk).and_then(|()| reader.finish());
     read.map_err(|error| superelements::explain(error, path, &lines, bulk))
 }
@@ -171,7 +172,8 @@ impl Reader {
 
     /// Whether no card has been read.
     fn is_empty(&self) -> bool {
-        self.deck == BulkData { subcases: self.deck.subcases.clone(), ..BulkData::default() }
+        let BulkData { subcases, bars_twist, .. } = &self.deck;
+        self.deck == BulkData { subcases: subcases.clone(), bars_twist: *bars_twist, ..BulkData::default() }
     }
 
     fn include(&mut self, from: &Path, found: &include::Target) -> Result<(), InputError> {

@@ -63,3 +63,18 @@ pub(super) fn parameter_in(line: &str) -> &str {
     let line = if text.contains(',') { text } else { line };
     if is_parameter { line } else { "" }
 }
+
+/// Whether the NASTRAN statements before the bulk data give bars twisting inertia: BARMASS, by its name or the number of its cell.
+pub(super) fn bars_twist(lines: &[&str]) -> bool {
+    let cell = |line: &&str| -> Option<f64> {
+        let line = said(line).to_ascii_uppercase();
+        let words: Vec<&str> = line
+            .split(|c: char| c.is_whitespace() || ",=".contains(c))
+            .filter(|word| !word.is_empty())
+            .collect();
+        let cell = words.windows(2).rfind(|pair| ["BARMASS", "SYSTEM(398)"].contains(&pair[0]));
+        cell.and_then(|pair| pair[1].parse().ok())
+    };
+    let statements = lines.iter().filter(|line| begins_with(line, "NASTRAN"));
+    statements.filter_map(cell).next_back().is_some_and(|value| value > 0.0)
+}

@@ -62,10 +62,11 @@ fn plate(long: usize, wide: usize) -> Sparse {
     for grid in 0..long * wide {
         let neighbours = [(grid % wide + 1 < wide, grid + 1), (grid + wide < long * wide, grid + wide)];
         for at in 3 * grid..3 * grid + 3 {
-            entries.push((at, at, 9.0 + at as f64 * 0.1));
+            let size = (at % 200) as f64;
+            entries.push((at, at, 9.0 + size * 0.1));
             entries.extend((3 * grid..at).map(|other| (at, other, 0.7)));
             for (_, other) in neighbours.iter().filter(|(is_there, _)| *is_there) {
-                entries.extend((3 * other..3 * other + 3).map(|other| (other, at, 0.3 - 0.01 * at as f64)));
+                entries.extend((3 * other..3 * other + 3).map(|other| (other, at, 0.3 - 0.01 * size)));
             }
         }
     }
@@ -83,12 +84,14 @@ fn solutions_are_those_of_the_whole_matrix_however_many_columns() {
         let all = DMatrix::from_fn(n, columns, |i, j| b[(i, j)]);
         let expected = dense(&a).lu().solve(&all).expect("regular");
         let x = factor.solve(b.as_ref());
-        let few = columns.min(TOGETHER);
-        let mut beside = Mat::from_fn(n, few, |i, j| factor.scale[i] * b[(i, j)]);
-        factor.solve_side_by_side(beside.as_mut());
+        let scale = |dof: usize| factor.scale[dof];
+        let [mut four, mut eight] = [0, 1].map(|_| Mat::zeros(n, columns));
+        factor.solve_side_by_side::<4>(b.as_ref(), four.as_mut(), scale);
+        factor.solve_side_by_side::<8>(b.as_ref(), eight.as_mut(), scale);
+        assert_eq!(four, eight);
         for (i, j) in (0..n).flat_map(|i| (0..columns).map(move |j| (i, j))) {
             assert!((x[(i, j)] - expected[(i, j)]).abs() < 1e-13, "{i} {j} of {n}: {}", x[(i, j)]);
-            let side = if j < few { factor.scale[i] * beside[(i, j)] } else { x[(i, j)] };
+            let side = eight[(i, j)];
             assert!((side - expected[(i, j)]).abs() < 1e-13, "side by side, {i} {j} of {n}: {side}");
         }
     }
@@ -102,6 +105,24 @@ fn solutions_are_those_of_the_whole_matrix_however_many_columns() {
     let widths = panels(&plate(9, 5));
     assert!(widths.iter().any(|(width, rows)| *width > 4 && width % 4 > 0 && *rows > 0), "{widths:?}");
     assert!(widths.len() > 4);
+}
+
+#[test]
+fn a_factor_and_its_solutions_are_the_same_to_the_last_bit_on_any_number_of_threads() {
+    let a = plate(70, 40);
+    let b = Mat::from_fn(a.ncols(), 5, |i, j| (1.1 * i as f64 + 0.7 * j as f64).sin());
+    let on = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+        pool.install(|| {
+            let factor = Factor::held(&analysis(&a), a.as_ref());
+            let x = factor.solve(b.as_ref());
+            (factor.values, factor.weak, x)
+        })
+    };
+    let one = on(1);
+    for threads in [2, 3, 4] {
+        assert!(one == on(threads), "{threads} threads");
+    }
 }
 
 #[test]

@@ -53,12 +53,10 @@ impl ElementCard for BeamElement {
     fn element(&self, builder: &mut Builder) -> Result<Arc<dyn Element>, InputError> {
         let BeamParts { nodes, placement, property, material } = beam_parts(self, builder)?;
         let beam = Beam::new(self.id, nodes, &placement, property, material, &self.span)?;
-        let is_bar_of_deck = builder.nastran.is_some() && !property.is_beam;
-        Ok(Arc::new(if is_bar_of_deck {
-            beam.with_mass_of_bars(&placement, property, material)
-        } else {
-            beam
-        }))
+        if builder.nastran.is_none() {
+            return Ok(Arc::new(beam));
+        }
+        Ok(Arc::new(beam.with_nastran_masses(&placement, property, material, builder.bulk.bars_twist)))
     }
 
     fn property(&self) -> Option<u32> {

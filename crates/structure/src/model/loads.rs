@@ -9,12 +9,12 @@ use crate::nonlinear::{Following, Loads, NodeLoad, pressure_shares};
 use nalgebra::Vector3;
 use nastran::{
     BeamLoad, BulkData, CrossLoad, Gravity, InputError, LineLoad, LoadSum, PointLoad, Pressed, Pressure,
-    SolidElement, Span, Unread,
+    ScalarLoad, SolidElement, Span, Unread,
 };
 use std::collections::BTreeSet;
 
 /// Loads that are not read, and would be missing if a set had some.
-const UNREAD: &[&str] = &["PLOADX1", "ACCEL", "ACCEL1", "SLOAD", "DEFORM", "CLOAD"];
+const UNREAD: &[&str] = &["PLOADX1", "ACCEL", "ACCEL1", "DEFORM", "CLOAD"];
 
 /// Sine of an angle that is round-off of places.
 const ROUND_OFF: f64 = 1e-9;
@@ -23,6 +23,7 @@ const ROUND_OFF: f64 = 1e-9;
 pub fn load_sets(bulk: &BulkData) -> Vec<u32> {
     let sums = bulk.load_sums.keys().copied();
     let points = bulk.point_loads.iter().map(|load| load.set);
+    let scalars = bulk.scalar_loads.iter().map(|load| load.set);
     let lines = bulk.line_loads.iter().map(|load| load.set);
     let across = bulk.cross_loads.iter().map(|load| load.set);
     let beams = bulk.beam_loads.iter().map(|load| load.set);
@@ -32,6 +33,7 @@ pub fn load_sets(bulk: &BulkData) -> Vec<u32> {
     let enforced = bulk.enforced.iter().map(|card| card.set);
     let all: BTreeSet<u32> = sums
         .chain(points)
+        .chain(scalars)
         .chain(lines)
         .chain(across)
         .chain(beams)
@@ -93,6 +95,9 @@ fn single(builder: &Builder, set: u32, asked: Option<&Span>) -> Result<Loads, In
     for load in bulk.point_loads.iter().filter(|load| load.set == set) {
         loads.dead.push(point(builder, load)?);
     }
+    for load in bulk.scalar_loads.iter().filter(|load| load.set == set) {
+        loads.dead.push(scalar(builder, load)?);
+    }
     for load in bulk.line_loads.iter().filter(|load| load.set == set) {
         loads.following.push(line(builder, load)?);
     }
@@ -133,6 +138,16 @@ fn point(builder: &Builder, load: &PointLoad) -> Result<NodeLoad, InputError> {
     let (own, none) = (axes * load.vector, Vector3::zeros());
     let (force, moment) = if load.is_moment { (none, own) } else { (own, none) };
     Ok(NodeLoad { node, force, moment })
+}
+
+/// The one motion of a scalar point is the first of its six.
+fn scalar(builder: &Builder, load: &ScalarLoad) -> Result<NodeLoad, InputError> {
+    let node = builder.node(load.point, &format!("SLOAD of set {}", load.set), &load.span)?;
+    if !builder.nodes[node].is_scalar {
+        let message = format!("SLOAD of set {}: {} is a GRID, not a scalar point", load.set, load.point);
+        return Err(InputError::at(&load.span, message).with_help("load a GRID by FORCE or MOMENT"));
+    }
+    Ok(NodeLoad { node, force: Vector3::x() * load.size, moment: Vector3::zeros() })
 }
 
 fn line(builder: &Builder, load: &LineLoad) -> Result<Following, InputError> {

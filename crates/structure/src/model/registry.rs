@@ -55,11 +55,11 @@ pub(crate) fn visit(bulk: &BulkData, visitor: &mut impl Visitor) -> Result<(), I
         // Read by the elements and ties that refer to them, and by the clamps.
         coords: _, grids: _, scalar_points: _, beam_properties: _, rod_properties: _, tube_properties: _, panel_sections: _, shell_properties: _, laminates: _,
         solid_properties: _, bush_properties: _, spring_properties: _, mass_properties: _, materials: _,
-        plane_materials: _, ply_materials: _, solid_materials: _, constraints: _, parameters: _,
+        plane_materials: _, ply_materials: _, solid_materials: _, constraints: _, parameters: _, bars_twist: _,
         // Read as a whole, once all nodes are there.
         direct_matrices: _, added: _,
         // Taken by the load set that is asked for.
-        point_loads: _, line_loads: _, cross_loads: _, beam_loads: _, pressures: _, gravities: _, spins: _, load_sums: _, enforced: _, temperatures: _,
+        point_loads: _, scalar_loads: _, line_loads: _, cross_loads: _, beam_loads: _, pressures: _, gravities: _, spins: _, load_sums: _, enforced: _, temperatures: _,
         // Of the air and of the case control.
         sets: _, panels: _, panel_properties: _, factors: _, surfaces: _, box_lists: _, splines: _, monitors: _,
         matrices: _, aero_reference: _, trim_variables: _, trims: _, divergences: _, aero_links: _, aero_components: _, component_lists: _, supports: _, analysis_sets: _, eigen_methods: _,

@@ -1,16 +1,20 @@
 //! The residual bending flexibility of Nastran's CTRIAR and CQUADR (MacNeal, A simple quadrilateral shell element, Computers
-//! and Structures 8, 1978), with which the elastic modes of mAEWing2, a wing of CTRIAR, are within 1 % of their print. (Those of CTRIA3 and CQUAD4 are known
+//! and Structures 8, 1978, but for a factor), with which the elastic modes of mAEWing2, a wing of CTRIAR, are within 1 % of their print. (Those of CTRIA3 and CQUAD4 are known
 //! to all digits, and other: with CTRIA3's the same modes are up to 3 % off.)
 //!
 //! A transverse force Q bends what it crosses, by a moment that is linear in between; linear rotations have no such bending, and
 //! elements without it are too stiff. So bending is counted as flexibility of the transverse shear. Of a force that is the
 //! same everywhere, the moment Q x has the flexibility <x^2> / D11, the mean over the element about its middle: a^2 / 12 D11 of a
-//! rectangle a by b, a^2 / 18 D11 of its half. A force that is linear across, Q y, is carried by that bending and by the twisting moment
+//! rectangle a by b, a^2 / 18 D11 of its half (of which MSC's have [`OF_MSC`]). A force that is linear across, Q y, is carried by that bending and by the twisting moment
 //! Q y^2 / 2, whose part beyond its mean has the flexibility (<y^4> - <y^2>^2) / 4 <y^2> D33, b^2 / 60 D33 of a rectangle and 7 b^2 / 360 D33 of its
 //! half: it deforms as both, side by side, do. (Bending alone would let a strip of single elements twist several times too easily.)
 
 use crate::laminate::ShellSection;
 use nalgebra::{Matrix2, Point3, Vector2, Vector3};
+
+/// What MSC's elements have of the flexibility of a uniform force: 3/4, by prints of a single CTRIAR and a single CQUADR to seven digits (pyNastran's
+/// d200obus). Of a force that varies no print of so few elements is known.
+const OF_MSC: f64 = 0.75;
 
 /// Flexibilities of transverse shear, m/N.
 #[derive(Debug, Clone, Copy)]
@@ -42,7 +46,7 @@ impl Residual {
         // Side by side, stiffnesses add up.
         let stiffness = [bending, twisting].map(|part| part.try_inverse().unwrap_or_else(Matrix2::zeros));
         let varying = (stiffness[0] + stiffness[1]).try_inverse().unwrap_or_else(Matrix2::zeros);
-        Self { uniform: bending, varying }
+        Self { uniform: bending * OF_MSC, varying }
     }
 
     /// Shear stiffness of a section with this flexibility, of uniform and of varying shear; `ratio` is that of the thickness there to the
@@ -88,7 +92,7 @@ mod tests {
         for corners in [&triangle[..], &parallelogram] {
             let found = Residual::of(corners, &section(3.0, 1.5)).uniform;
             for (i, j) in [(0, 0), (0, 1), (1, 1)] {
-                let expected = mean(corners, |r| r[i] * r[j]) / 3.0;
+                let expected = OF_MSC * mean(corners, |r| r[i] * r[j]) / 3.0;
                 assert!(
                     (found[(i, j)] - expected).abs() < 5e-3 * found.norm(),
                     "{i} {j}: {} {expected}",

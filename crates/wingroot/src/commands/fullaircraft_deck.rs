@@ -98,6 +98,8 @@ struct Trimmed {
 struct Derivative {
     /// Of the rigid aircraft.
     rigid: BTreeMap<&'static str, f64>,
+    /// Of the rigid aircraft by the air that reaches free motions: Nastran's "splined".
+    splined: BTreeMap<&'static str, f64>,
     /// Of the elastic aircraft, held.
     restrained: BTreeMap<&'static str, f64>,
     /// Of the elastic aircraft, free.
@@ -240,12 +242,14 @@ fn divergence(case: &DivergenceCase, mach: f64, deck: &TrimDeck) -> Divergence {
 }
 
 fn numbers(case: &DeckCase, deck: &TrimDeck, found: Result<TrimmedDeck, String>) -> Trimmed {
-    let (q, kinds) = (case.trim.q, [Elastic::Rigid, Elastic::Restrained, Elastic::Unrestrained]);
-    let [rigid, restrained, unrestrained] = kinds.map(|kind| deck.derivatives(q, kind));
+    let kinds = [Elastic::Rigid, Elastic::Restrained, Elastic::Unrestrained];
+    let [rigid, restrained, unrestrained] = kinds.map(|kind| deck.derivatives_of_card(&case.trim, kind));
+    let splined = deck.splined_derivatives();
     let named = |values: &[f64; 6]| COEFFICIENTS.into_iter().zip(*values).collect();
     let derivatives = deck.variables.iter().map(|name| {
         let derivative = Derivative {
             rigid: named(&rigid[name]),
+            splined: named(&splined[name]),
             restrained: named(&restrained[name]),
             unrestrained: named(&unrestrained[name]),
         };
@@ -260,14 +264,14 @@ fn numbers(case: &DeckCase, deck: &TrimDeck, found: Result<TrimmedDeck, String>)
         label: case.subcase.label.clone(),
         trim: case.trim.id,
         mach: case.trim.mach,
-        q,
+        q: case.trim.q,
         refused,
         values: trimmed.as_ref().map(|trimmed| trimmed.values.clone()).unwrap_or_default(),
         mean_angle_of_attack_rad: trimmed.as_ref().and_then(|trimmed| trimmed.mean_angle_of_attack_rad),
         lift: trimmed.as_ref().map(|trimmed| trimmed.lift.iter().sum()),
         monitors: trimmed.map(|trimmed| trimmed.monitors).unwrap_or_default(),
         divergence_q: deck.divergence_pressures().iter().copied().take(DIVERGENCES).collect(),
-        neutral_point_x: kinds.map(|kind| deck.neutral_point_x(q, kind)),
+        neutral_point_x: [&rigid, &restrained, &unrestrained].map(|all| deck.neutral_point_x(all)),
         derivatives: derivatives.collect(),
         is_antisymmetric: deck.aeros().symmetry < 0,
     }

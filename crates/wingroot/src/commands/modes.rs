@@ -7,6 +7,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use nastran::EigenMethod;
+use rayon::prelude::*;
 use report::Table;
 use structure::{Modes, ModesError, count_below, effective_masses, masses_along, normal_modes};
 
@@ -68,10 +69,10 @@ pub(crate) fn run(args: &ModesArgs, common: &Common) -> Result<(), Failure> {
     let files: Vec<String> =
         (1..=modes.omega_rad_s.len()).map(|mode| format!("mode_{mode:02}.vtu")).collect();
     let frame = modes_pictures::frame(&structure.system, &cells);
-    for (mode, file) in files.iter().enumerate() {
+    files.par_iter().enumerate().try_for_each(|(mode, file)| {
         let moved = modes_pictures::moved(&modes_pictures::scaled(&structure.system, &modes, mode));
-        folder.write_text(file, &frame.with(&moved))?;
-    }
+        folder.write_text(file, &frame.with(&moved))
+    })?;
     modes_shapes::write(&folder, &structure.name, &structure.system, &cells, &modes, &files)?;
     if let Some(figure) = modes_pictures::figure(&structure, &modes) {
         let caption = "Displacements of all nodes, scaled to the largest of a mode.";

@@ -90,7 +90,7 @@ fn flow(bulk: &BulkData, gust: Option<&Gust>, remarks: &mut Vec<String>) -> Resu
         InputError::at(&aero.span, "AERO has no VELOCITY above zero, which loads in the air need")
     })?;
     if let Some(other) = aero.velocity.filter(|other| *other > 0.0 && (other / v_m_s - 1.0).abs() > 1e-3) {
-        remarks.push(format!("VELOCITY of AERO is {other} and V of GUST {v_m_s}: the gust's is taken"));
+        remarks.push(format!("VELOCITY of AERO is {other} and V of GUST {v_m_s}: the gust's is taken, also for reduced frequencies, which MSC Nastran takes by AERO's"));
     }
     let parameter = |name: &str| bulk.parameters.get(name).copied();
     let rho_kg_m3 = match parameter("Q") {

@@ -1,0 +1,59 @@
+//! Which degrees of freedom hold motions that cannot be told from loose ones.
+
+use super::MARGIN;
+use crate::sparse;
+use faer::Mat;
+use faer::sparse::SparseColMatRef;
+
+/// One degree of freedom for each of those motions that cannot be told from a loose one.
+pub(super) fn loose_among(a: SparseColMatRef<'_, usize, f64>, motions: &Mat<f64>) -> Vec<usize> {
+    let forces = sparse::multiply(a, motions.as_ref());
+    let diagonal = sparse::diagonal(a);
+    let mut loose = Vec::new();
+    for j in 0..motions.ncols() {
+        let x: Vec<f64> = motions.col(j).iter().copied().collect();
+        let energy: f64 = x.iter().zip(forces.col(j).iter()).map(|(x, f)| x * f).sum();
+        let size = absolute_energy(a, &x);
+        if size > 0.0 && energy.abs() <= MARGIN * f64::EPSILON * size {
+            loose.push(x.iter().zip(&diagonal).map(|(x, d)| x * d.max(0.0).sqrt()).collect());
+        }
+    }
+    pivots_of(loose)
+}
+
+/// |x|^T |A| |x|.
+pub(super) fn absolute_energy(a: SparseColMatRef<'_, usize, f64>, x: &[f64]) -> f64 {
+    let mut energy = 0.0;
+    for (j, value) in x.iter().enumerate() {
+        let column = a.row_idx_of_col(j).zip(a.val_of_col(j));
+        energy += value.abs() * column.map(|(i, a)| x[i].abs() * a.abs()).sum::<f64>();
+    }
+    energy
+}
+
+/// One place for each of some independent motions, so that holding these places holds them all: elimination with the
+/// largest entry as pivot.
+pub(super) fn pivots_of(mut motions: Vec<Vec<f64>>) -> Vec<usize> {
+    let mut places = Vec::new();
+    while !motions.is_empty() {
+        let peak = |x: &Vec<f64>| {
+            x.iter()
+                .enumerate()
+                .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
+                .map_or((0, 0.0), |(at, v)| (at, *v))
+        };
+        let largest = (0..motions.len())
+            .max_by(|a, b| peak(&motions[*a]).1.abs().total_cmp(&peak(&motions[*b]).1.abs()));
+        let pivot = motions.swap_remove(largest.unwrap_or(0));
+        let (place, value) = peak(&pivot);
+        if value == 0.0 {
+            break;
+        }
+        places.push(place);
+        for motion in &mut motions {
+            let share = motion[place] / value;
+            motion.iter_mut().zip(&pivot).for_each(|(x, p)| *x -= share * p);
+        }
+    }
+    places
+}
