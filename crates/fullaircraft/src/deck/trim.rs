@@ -139,8 +139,7 @@ impl TrimDeck {
         let aeros = aeros.ok_or_else(|| InputError::general("the deck has no AEROS, which trim needs"))?;
         let frames = Frames::resolve(bulk)?;
         let stream = stream_axes(&frames, &aeros)?;
-        let lattice = Lattice::in_axes(bulk, &stream)?;
-        let (free, held) = (assembled(bulk)?, held(bulk)?);
+        let (lattice, free, held) = (Lattice::in_axes(bulk, &stream)?, assembled(bulk)?, held(bulk)?);
         let Splined { spline, loose } =
             spline::splines(bulk, &lattice, free.node_ids(), free.points(), &stream)?;
         let (axes, origin) =
