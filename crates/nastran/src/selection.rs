@@ -231,32 +231,28 @@ impl BulkData {
         let sets: BTreeSet<u32> = self.subcases.iter().filter_map(|case| case.mpc).filter(missing).collect();
         remarks
             .extend(sets.iter().map(|set| format!("the case control selects MPC {set}, which is not there")));
-        remarks.extend(self.lacking("SPC", &clamps(self), &self.constraint_unions, |case| case.spc));
-        remarks.extend(self.lacking("MPC", &equations(self), &self.equation_unions, |case| case.mpc));
+        let all = |of: fn(&Subcase) -> Option<u32>| self.subcases.iter().filter_map(of).collect();
+        remarks.extend(lacking("SPC", &clamps(self), &self.constraint_unions, &all(|case| case.spc)));
+        remarks.extend(lacking("MPC", &equations(self), &self.equation_unions, &all(|case| case.mpc)));
         remarks.extend(self.combination_remarks());
         remarks.extend(self.shared_numbers());
         remarks
     }
 }
 
-impl BulkData {
-    /// Sets that a selected union names and that are not there.
-    fn lacking(
-        &self,
-        kind: &str,
-        sets: &BTreeSet<u32>,
-        unions: &BTreeMap<u32, SetUnion>,
-        selected: impl Fn(&Subcase) -> Option<u32>,
-    ) -> Vec<String> {
-        let selected: BTreeSet<u32> = self.subcases.iter().filter_map(selected).collect();
-        let lacks = |(id, union): (&u32, &SetUnion)| {
-            let missing = union.sets.iter().filter(|set| !sets.contains(set)).map(u32::to_string);
-            let missing = missing.collect::<Vec<_>>().join(", ");
-            (!missing.is_empty())
-                .then(|| format!("{kind}ADD {id} unites set(s) {missing}, which are not there"))
-        };
-        unions.iter().filter(|(id, _)| selected.contains(id)).filter_map(lacks).collect()
-    }
+/// Sets that a union of the `selected` ones names and that are not there.
+fn lacking(
+    kind: &str,
+    sets: &BTreeSet<u32>,
+    unions: &BTreeMap<u32, SetUnion>,
+    selected: &BTreeSet<u32>,
+) -> Vec<String> {
+    let lacks = |(id, union): (&u32, &SetUnion)| {
+        let missing = union.sets.iter().filter(|set| !sets.contains(set)).map(u32::to_string);
+        let missing = missing.collect::<Vec<_>>().join(", ");
+        (!missing.is_empty()).then(|| format!("{kind}ADD {id} unites set(s) {missing}, which are not there"))
+    };
+    unions.iter().filter(|(id, _)| selected.contains(id)).filter_map(lacks).collect()
 }
 
 fn clamps(bulk: &BulkData) -> BTreeSet<u32> {

@@ -12,7 +12,7 @@ mod loose;
 mod panels;
 
 use self::loose::{absolute_energy, loose_among, pivots_of};
-use self::panels::Panels;
+use self::panels::{Panels, Row, TOGETHER};
 use crate::blocks::{Noise, inner};
 use crate::ordering::{self, levels::reverse_cuthill_mckee};
 use crate::sparse;
@@ -44,9 +44,6 @@ const WEAKEST: usize = 8;
 
 /// Inverse iterations on them. A motion that meets no stiffness stands out after the first.
 const ITERATIONS: usize = 3;
-
-/// Right-hand sides that go through the factor together.
-const TOGETHER: usize = 8;
 
 /// Structures of more motions are ordered grid by grid, and their right-hand sides go through the factor side by side. In smaller
 /// ones there is little to be won, and all modes of a slender wing, which range over twelve decimals, hang on the rounding.
@@ -149,7 +146,7 @@ impl Factor {
         let scaled = scaled(a, &scale, springs);
         let symbolic = Arc::clone(analysis);
         let mut values = vec![0.0; symbolic.len_val()];
-        // faer's own tasks for each panel cost more than they save: a tenth more clock time on two cores, twice the system's.
+        // On one thread: faer's tasks for each panel took a sixth more clock time on two cores for 12,000 shells.
         let par = Par::Seq;
         let mut memory = MemBuffer::new(symbolic.factorize_numeric_ldlt_scratch::<f64>(par, Spec::default()));
         symbolic
@@ -250,8 +247,8 @@ impl Factor {
         self.solve_scaled(b, |dof| self.scale[dof])
     }
 
-    /// S (L D L^T)^-1 S b for a scale S of each degree of freedom. A column's result is the same beside however many others and on any number
-    /// of threads; in a small structure, whose columns go in groups of a fixed size, on any number of threads.
+    /// S (L D L^T)^-1 S b for a scale S of each degree of freedom. Columns go in groups of a fixed size: the result is the same on any
+    /// number of threads.
     fn solve_scaled(&self, b: MatRef<'_, f64>, scale: impl Fn(usize) -> f64 + Sync) -> Mat<f64> {
         if b.nrows() <= SMALL {
             let mut x = Mat::from_fn(b.nrows(), b.ncols(), |i, j| scale(i) * b[(i, j)]);
@@ -259,7 +256,7 @@ impl Factor {
             return Mat::from_fn(b.nrows(), b.ncols(), |i, j| scale(i) * x[(i, j)]);
         }
         let mut x = Mat::zeros(b.nrows(), b.ncols());
-        self.solve_side_by_side::<TOGETHER>(b, x.as_mut(), scale);
+        self.solve_side_by_side(b, x.as_mut(), scale);
         x
     }
 
@@ -269,8 +266,7 @@ impl Factor {
         factor.solve_in_place_with_conj(Conj::No, x, Par::Seq, MemStack::new(&mut memory));
     }
 
-    /// Groups of `WIDTH` columns, each with a thread of its own.
-    fn solve_side_by_side<const WIDTH: usize>(
+    fn solve_side_by_side(
         &self,
         b: MatRef<'_, f64>,
         x: MatMut<'_, f64>,
@@ -278,7 +274,7 @@ impl Factor {
     ) {
         let panels = Panels::of(&self.symbolic, &self.values);
         let one_group = |(mut x, b): (MatMut<'_, f64>, MatRef<'_, f64>)| {
-            let mut rows = vec![[0.0; WIDTH]; x.nrows()];
+            let mut rows: Vec<Row> = vec![[0.0; TOGETHER]; x.nrows()];
             for (place, row) in rows.iter_mut().enumerate() {
                 let dof = self.dof_at(place);
                 let scale = scale(dof);
@@ -291,7 +287,7 @@ impl Factor {
                 x.rb_mut().row_mut(dof).iter_mut().zip(row).for_each(|(x, own)| *x = scale * own);
             }
         };
-        x.par_col_chunks_mut(WIDTH).zip(b.par_col_chunks(WIDTH)).for_each(one_group);
+        x.par_col_chunks_mut(TOGETHER).zip(b.par_col_chunks(TOGETHER)).for_each(one_group);
     }
 
     /// The degree of freedom at a place in the order of elimination.

@@ -1,4 +1,4 @@
-//! Noise as published.
+//! Noise as published; products of many rows.
 
 use super::*;
 
@@ -27,4 +27,22 @@ fn products_are_those_of_rows_and_columns() {
     assert_eq!([own[(0, 0)], own[(0, 1)], own[(1, 0)], own[(1, 1)]], [8.0, -4.0, 17.0, -13.0]);
     let own = product(a.as_ref(), Mat::from_fn(2, 1, |i, _| 1.0 + i as f64).as_ref());
     assert_eq!([own[(0, 0)], own[(1, 0)], own[(2, 0)]], [9.0, 12.0, 15.0]);
+}
+
+/// More rows than a thread works on at a time: sums of whole numbers, which are exact, and of others, the same on any number of threads.
+#[test]
+fn products_of_many_rows_are_whole_and_the_same_on_any_number_of_threads() {
+    let n = 2 * ROWS + 3;
+    let a = Mat::from_fn(n, 2, |i, j| if j == 0 { 1.0 } else { i as f64 });
+    let own = inner(a.as_ref(), a.as_ref());
+    let (count, sum) = (n as f64, (n * (n - 1) / 2) as f64);
+    assert_eq!([own[(0, 0)], own[(0, 1)], own[(1, 0)]], [count, sum, sum]);
+    let turned = product(a.as_ref(), Mat::from_fn(2, 1, |i, _| [3.0, 2.0][i]).as_ref());
+    assert!((0..n).all(|i| turned[(i, 0)] == 3.0 + 2.0 * i as f64));
+    let b = Mat::from_fn(n, 3, |i, j| (1.1 * i as f64 + j as f64).sin());
+    let on = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+        pool.install(|| (inner(b.as_ref(), b.as_ref()), product(b.as_ref(), Mat::identity(3, 3).as_ref())))
+    };
+    assert!(on(1) == on(3));
 }
