@@ -14,10 +14,6 @@
 
 #![expect(clippy::inline_always, reason = "a call would leave the vector instructions of the loop around it")]
 
-mod on_surfaces;
-
-pub(crate) use on_surfaces::horseshoes_on_surfaces;
-
 use crate::geometry::AeroBox;
 use crate::lattice::Lattice;
 use nalgebra::{Point3, Vector3};
@@ -54,11 +50,6 @@ impl Horseshoe {
             circulation: panel.chord_m() / 2.0,
         }
     }
-
-    /// What 4 pi times the velocity along a normal is multiplied by to be so many times the incidence that is lacking.
-    fn scale(&self, factor: f64) -> f64 {
-        -factor * self.circulation / (4.0 * PI)
-    }
 }
 
 /// Points that receive velocity, each with the direction of which the component is taken.
@@ -93,9 +84,13 @@ impl Receivers {
         all
     }
 
-    /// Adds `factor` times the incidence that each receiver's flow lacks for a unit `cp` of one box whose legs run along the stream: -v.n/V.
+    /// Adds `factor` times the incidence that each receiver's flow lacks for a unit `cp` of one box: -v.n/V.
     pub(crate) fn add_incidence(&self, vortex: &Horseshoe, factor: f64, out: &mut [f64]) {
-        Arch::new().dispatch(Sum { to: self, of: vortex, scale: vortex.scale(factor), out });
+        let sum = Sum { to: self, of: vortex, scale: -factor * vortex.circulation / (4.0 * PI), out };
+        match &vortex.edges {
+            None => Arch::new().dispatch(Along(sum)),
+            Some(edges) => Arch::new().dispatch(OnSurface(sum, edges)),
+        }
     }
 }
 
@@ -107,18 +102,43 @@ struct Sum<'a> {
     out: &'a mut [f64],
 }
 
-impl WithSimd for Sum<'_> {
+/// Of a horseshoe whose legs run along the stream.
+struct Along<'a>(Sum<'a>);
+
+/// Of one whose legs run along the surface to edges.
+struct OnSurface<'a>(Sum<'a>, &'a [(Vector3<f64>, f64); 2]);
+
+impl WithSimd for Along<'_> {
     type Output = ();
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
+        let vortex = *self.0.of;
+        self.0.add(|point, core| velocity(&vortex, point, core));
+    }
+}
+
+impl WithSimd for OnSurface<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let (vortex, edges) = (*self.0.of, *self.1);
+        self.0.add(|point, core| velocity_on_surface(&vortex, &edges, point, core));
+    }
+}
+
+impl Sum<'_> {
+    /// With velocities at points whose vortices have a core.
+    #[inline(always)]
+    fn add(self, velocity: impl Fn([f64; 3], f64) -> [f64; 3]) {
         // Equal lengths known to the compiler: no bounds checks inside.
         let (count, Self { to, of, scale, out }) = (self.out.len(), self);
         let [px, py, pz] = to.point.each_ref().map(|values| &values[..count]);
         let [nx, ny, nz] = to.normal.each_ref().map(|values| &values[..count]);
         let (cores, own_core) = (&to.core[..count], of.core);
         for i in 0..count {
-            let v = velocity(of, [px[i], py[i], pz[i]], cores[i].min(own_core));
+            let v = velocity([px[i], py[i], pz[i]], cores[i].min(own_core));
             out[i] += scale * (v[0] * nx[i] + v[1] * ny[i] + v[2] * nz[i]);
         }
     }
@@ -127,6 +147,24 @@ impl WithSimd for Sum<'_> {
 /// The horseshoes of all boxes, x stretched by `1/beta`.
 pub(crate) fn horseshoes(lattice: &Lattice, beta: f64) -> Vec<Horseshoe> {
     lattice.boxes.iter().map(|panel| Horseshoe::new(panel, panel, beta)).collect()
+}
+
+/// The horseshoes of boxes that stand at an angle to the stream or to each other: they run along the corners of the same boxes `closed`
+/// (joined where they meet), their legs along the sides of the strip to its trailing edge, and leave it along the stream.
+pub(crate) fn horseshoes_on_surfaces(lattice: &Lattice, closed: &Lattice, beta: f64) -> Vec<Horseshoe> {
+    let boxes = lattice.boxes.iter().zip(&closed.boxes);
+    let mut all: Vec<Horseshoe> = boxes.map(|(panel, at)| Horseshoe::new(panel, at, beta)).collect();
+    for surface in &lattice.surfaces {
+        for at in 0..surface.spanwise * surface.chordwise {
+            let last = surface.first_box + at - at % surface.chordwise + surface.chordwise - 1;
+            let [_, side_1, side_2, _] = &closed.boxes[last].corners;
+            let vortex = &mut all[surface.first_box + at];
+            let (edge_1, edge_2) = (stretched(side_1, beta), stretched(side_2, beta));
+            let lengths_2 = [(vortex.from - edge_1).norm_squared(), (edge_2 - vortex.to).norm_squared()];
+            vortex.edges = Some([(edge_1, lengths_2[0]), (edge_2, lengths_2[1])]);
+        }
+    }
+    all
 }
 
 pub(crate) fn stretched(p: &Point3<f64>, beta: f64) -> Vector3<f64> {
@@ -162,9 +200,34 @@ fn segment((r1, l1): ([f64; 3], f64), (r2, l2): ([f64; 3], f64), length_2: f64, 
 #[inline(always)]
 fn velocity(vortex: &Horseshoe, point: [f64; 3], core: f64) -> [f64; 3] {
     let (from, to) = (seen_from(&vortex.from, point, core), seen_from(&vortex.to, point, core));
+    let bound = segment(from, to, vortex.length_2, core * core);
+    with_legs(bound, from, to, core)
+}
+
+/// The same of one whose legs run along the surface to its edge before they leave.
+#[inline(always)]
+fn velocity_on_surface(
+    vortex: &Horseshoe,
+    edges: &[(Vector3<f64>, f64); 2],
+    point: [f64; 3],
+    core: f64,
+) -> [f64; 3] {
+    let [(edge_1, length_1_2), (edge_2, length_2_2)] = edges;
+    let (from, to) = (seen_from(&vortex.from, point, core), seen_from(&vortex.to, point, core));
+    let (in_at, out_at) = (seen_from(edge_1, point, core), seen_from(edge_2, point, core));
     let core_2 = core * core;
-    let v = segment(from, to, vortex.length_2, core_2);
-    let ((r1, l1), (r2, l2)) = (from, to);
+    // Circulation runs in along side 1, out along side 2.
+    let side_1 = segment(in_at, from, *length_1_2, core_2);
+    let bound = segment(from, to, vortex.length_2, core_2);
+    let side_2 = segment(to, out_at, *length_2_2, core_2);
+    let sum = [0, 1, 2].map(|axis| side_1[axis] + bound[axis] + side_2[axis]);
+    with_legs(sum, in_at, out_at, core)
+}
+
+/// With what legs along +x add that come in at one end and leave at the other.
+#[inline(always)]
+fn with_legs(v: [f64; 3], (r1, l1): ([f64; 3], f64), (r2, l2): ([f64; 3], f64), core: f64) -> [f64; 3] {
+    let core_2 = core * core;
     let leg_1 = leg(r1[0], r1[1] * r1[1] + r1[2] * r1[2], l1, core_2);
     let leg_2 = leg(r2[0], r2[1] * r2[1] + r2[2] * r2[2], l2, core_2);
     [v[0], v[1] - leg_2 * r2[2] + leg_1 * r1[2], v[2] + leg_2 * r2[1] - leg_1 * r1[1]]
@@ -182,9 +245,14 @@ fn leg(x: f64, rho_2: f64, r: f64, core_2: f64) -> f64 {
 mod tests {
     use super::*;
 
-    pub(super) fn vortex(from: [f64; 3], to: [f64; 3]) -> Horseshoe {
+    fn vortex(from: [f64; 3], to: [f64; 3]) -> Horseshoe {
         let (from, to) = (Vector3::from(from), Vector3::from(to));
         Horseshoe { edges: None, from, to, length_2: (to - from).norm_squared(), core: 1.0, circulation: 1.0 }
+    }
+
+    fn on_surface(vortex: &Horseshoe, edges: &[Vector3<f64>; 2], point: [f64; 3], core: f64) -> [f64; 3] {
+        let [side_1, side_2] = [vortex.from - edges[0], edges[1] - vortex.to].map(|side| side.norm_squared());
+        velocity_on_surface(vortex, &[(edges[0], side_1), (edges[1], side_2)], point, core)
     }
 
     /// Far downstream a leg is a straight vortex: 4 pi v = 2/rho outside of the core, and 2 rho/core² in it (Rankine).
@@ -254,7 +322,7 @@ mod tests {
     }
 
     /// Biot and Savart's law for the pieces of a line by Simpson's rule: 4 pi times the velocity of circulation 1.
-    pub(super) fn biot_savart(line: &[Vector3<f64>], point: &Vector3<f64>) -> Vector3<f64> {
+    fn biot_savart(line: &[Vector3<f64>], point: &Vector3<f64>) -> Vector3<f64> {
         let parts = 4000_u32;
         let of = |ends: &[Vector3<f64>]| -> Vector3<f64> {
             let along = ends[1] - ends[0];
@@ -269,7 +337,7 @@ mod tests {
     }
 
     /// The corners of a horseshoe whose legs leave the surface at `edges`, from far downstream to far downstream.
-    pub(super) fn line(vortex: &Horseshoe, edges: [Vector3<f64>; 2]) -> Vec<Vector3<f64>> {
+    fn line(vortex: &Horseshoe, edges: [Vector3<f64>; 2]) -> Vec<Vector3<f64>> {
         let away = |edge: Vector3<f64>| [3.0, 10.0, 100.0, 1e3, 1e4, 1e5].map(|x| edge + Vector3::x() * x);
         let mut all: Vec<_> = away(edges[0]).into_iter().rev().collect();
         all.extend([edges[0], vortex.from, vortex.to, edges[1]]);
@@ -277,27 +345,56 @@ mod tests {
         all
     }
 
-    pub(super) fn points(own: &Horseshoe) -> Vec<Vector3<f64>> {
+    #[test]
+    fn horseshoes_along_the_stream_or_the_surface_obey_biot_and_savart() {
+        let own = vortex([0.3, -0.4, 0.1], [0.5, 0.7, 0.3]);
+        let edges = [Vector3::new(1.1, -0.5, -0.1), Vector3::new(1.4, 0.8, 0.2)];
+        let straight = [own.from + Vector3::x(), own.to + Vector3::x()];
         let mut points: Vec<Vector3<f64>> = Vec::new();
         for x in [-30.0, -0.6, 0.4, 0.9, 2.5] {
             points.extend(
                 [[-1.3, 0.5], [0.2, -0.6], [0.4, 0.9], [2.1, 0.1]].map(|[y, z]| Vector3::new(x, y, z)),
             );
         }
-        // On the extensions of the bound line and, upstream, of a leg: nothing comes of these themselves.
+        // On the extensions of the bound line, of the side and, upstream, of a leg: nothing comes of these
+        // themselves.
         points.extend([own.to + (own.to - own.from) * 0.8, own.from + (own.from - own.to) * 1.5]);
-        points.push(own.to - Vector3::x() * 0.9);
-        points
-    }
-
-    #[test]
-    fn horseshoes_along_the_stream_obey_biot_and_savart() {
-        let own = vortex([0.3, -0.4, 0.1], [0.5, 0.7, 0.3]);
-        let straight = [own.from + Vector3::x(), own.to + Vector3::x()];
-        for point in points(&own) {
-            let plain = Vector3::from(velocity(&own, point.into(), 1e-6));
+        points.extend([edges[0] + (edges[0] - own.from), own.from + (own.from - edges[0]) * 0.7]);
+        points.extend([own.to - Vector3::x() * 0.9, edges[1] - Vector3::x() * 2.0]);
+        for point in points {
+            let at = point.into();
+            let plain = Vector3::from(velocity(&own, at, 1e-6));
             let want = biot_savart(&line(&own, straight), &point);
             assert!((plain - want).norm() < 1e-6 * (1e-3 + want.norm()), "{point}: {plain} {want}");
+            let same = Vector3::from(on_surface(&own, &straight, at, 1e-6)) - plain;
+            assert!(same.norm() < 1e-10 * plain.norm(), "{point}: {same}");
+            let bent = Vector3::from(on_surface(&own, &edges, at, 1e-6));
+            let want = biot_savart(&line(&own, edges), &point);
+            assert!((bent - want).norm() < 1e-6 * (1e-3 + want.norm()), "{point}: {bent} {want}");
+        }
+    }
+
+    /// In the middle of a long side 4 pi v = 2/rho outside of the core and 2 rho/core² in it, round the
+    /// side's direction.
+    #[test]
+    fn sides_along_the_surface_have_the_same_core() {
+        let (long, core) = (1e6, 0.01);
+        let direction = Vector3::new(0.8, 0.0, 0.6);
+        for side in [0, 1] {
+            let mut ends = [[0.0, 0.0, 0.0], [0.0, 0.0, 0.0]].map(Vector3::from);
+            ends[1 - side].y = if side == 0 { 1e12 } else { -1e12 };
+            let own = vortex((ends[0] - direction * long).into(), (ends[1] - direction * long).into());
+            let edges = [ends[0] + direction * long, ends[1] + direction * long];
+            // It comes in along side 1 and goes out along side 2.
+            let along = if side == 0 { -direction } else { direction };
+            for rho in [1e-4, 0.002, 0.0099, 0.0101, 0.02, 1.0] {
+                for away in [Vector3::y(), direction.cross(&Vector3::y())] {
+                    let r = away * rho;
+                    let got = Vector3::from(on_surface(&own, &edges, r.into(), core));
+                    let want = along.cross(&r) * 2.0 / f64::max(rho * rho, core * core);
+                    assert!((got - want).norm() < 1e-3 * want.norm(), "side {side} at {rho}: {got} {want}");
+                }
+            }
         }
     }
 }

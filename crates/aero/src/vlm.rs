@@ -48,18 +48,9 @@ pub fn influence_of_moved(
     check(lattice, mach)?;
     let vortices = horseshoes_on_surfaces(lattice, &seams.closed(lattice), beta(mach));
     let mut matrix = Mat::zeros(lattice.len(), lattice.len());
-    let image = plane.image().map(|(y_m, sign)| (Some(y_m), sign));
-    for (mirror_m, sign) in [(None, 1.0)].into_iter().chain(image) {
-        let receivers = Receivers::new(lattice, beta(mach), mirror_m);
-        for surface in &lattice.surfaces {
-            let (first, count) = (surface.first_box, surface.spanwise * surface.chordwise);
-            let columns = matrix.as_mut().subcols_mut(first, count);
-            let own = &vortices[first..first + count];
-            receivers.add_incidences_of_surface(own, surface.chordwise, sign, columns);
-        }
-        for (at, vortex) in vortices.iter().enumerate().filter(|(_, vortex)| vortex.edges.is_none()) {
-            add_vortices(matrix.as_mut().subcols_mut(at, 1), &[*vortex], &receivers, sign);
-        }
+    add_vortices(&mut matrix, &vortices, &Receivers::new(lattice, beta(mach), None), 1.0);
+    if let Some((y_m, sign)) = plane.image() {
+        add_vortices(&mut matrix, &vortices, &Receivers::new(lattice, beta(mach), Some(y_m)), sign);
     }
     Ok(matrix)
 }
@@ -100,11 +91,10 @@ pub(crate) fn influence_of_image(lattice: &Lattice, mach: f64, y_m: f64) -> Mat<
 /// Adds `factor` times the influence of the lattice on itself, or of its image about a plane.
 fn add(matrix: &mut Mat<f64>, lattice: &Lattice, mach: f64, plane: Option<f64>, factor: f64) {
     let receivers = Receivers::new(lattice, beta(mach), plane);
-    add_vortices(matrix.as_mut(), &horseshoes(lattice, beta(mach)), &receivers, factor);
+    add_vortices(matrix, &horseshoes(lattice, beta(mach)), &receivers, factor);
 }
 
-/// Of vortices whose legs run along the stream, a column each.
-fn add_vortices(matrix: MatMut<'_, f64>, vortices: &[Horseshoe], receivers: &Receivers, factor: f64) {
+fn add_vortices(matrix: &mut Mat<f64>, vortices: &[Horseshoe], receivers: &Receivers, factor: f64) {
     matrix.par_col_iter_mut().zip(vortices.par_iter()).for_each(|(column, vortex)| {
         // A column of a new matrix is contiguous.
         let Some(column) = column.try_as_col_major_mut() else { return };
