@@ -11,7 +11,7 @@
 mod loose;
 mod panels;
 
-use self::loose::{absolute_energy, loose_among, pivots_of};
+use self::loose::{absolute_energy, loose_among, pivots_of, stands_out};
 use self::panels::{Panels, Row, TOGETHER};
 use crate::blocks::{Noise, inner};
 use crate::ordering::{self, levels::reverse_cuthill_mckee};
@@ -32,9 +32,6 @@ use std::sync::Arc;
 
 /// Scaled pivots up to this one are held at once.
 const LOOSE: f64 = 1e-14;
-
-/// The energy of a motion must exceed the effect of rounding the entries by this factor.
-const MARGIN: f64 = 4.0;
 
 /// What a loose pivot is replaced by: greater than any scaled pivot of a positive definite matrix, which is at most one.
 const HELD: f64 = 2.0;
@@ -194,7 +191,7 @@ impl Factor {
         let mut loose: Vec<Vec<f64>> = Vec::new();
         for (at, energy) in energies.iter().enumerate() {
             let x: Vec<f64> = vectors.col(at).iter().copied().collect();
-            if *energy <= MARGIN * f64::EPSILON * absolute_energy(scaled.matrix(), &x) {
+            if *energy <= 0.0 || !stands_out(*energy, absolute_energy(scaled.matrix(), &x)) {
                 loose.push(x);
             }
         }
@@ -206,7 +203,7 @@ impl Factor {
     fn has_certain_signs(&self, scaled: &Scaled<'_>) -> bool {
         let (vectors, energies) = self.weakest(scaled);
         let rounded = self.factor_energies(vectors.as_ref());
-        energies.iter().zip(rounded).all(|(energy, rounded)| energy.abs() > MARGIN * f64::EPSILON * rounded)
+        energies.iter().zip(rounded).all(|(energy, rounded)| stands_out(*energy, rounded))
     }
 
     /// The weakest motions of the scaled matrix, orthonormal, and their energies (of either sign).

@@ -1,9 +1,16 @@
 //! Which degrees of freedom hold motions that cannot be told from loose ones.
 
-use super::MARGIN;
 use crate::sparse;
 use faer::Mat;
 use faer::sparse::SparseColMatRef;
+
+/// The energy of a motion must exceed the effect of rounding the entries by this factor.
+const MARGIN: f64 = 4.0;
+
+/// Whether an energy is more than rounding its terms, whose magnitudes sum up to `size`, may have made.
+pub(super) fn stands_out(energy: f64, size: f64) -> bool {
+    energy.abs() > MARGIN * f64::EPSILON * size
+}
 
 /// One degree of freedom for each of those motions that cannot be told from a loose one.
 pub(super) fn loose_among(a: SparseColMatRef<'_, usize, f64>, motions: &Mat<f64>) -> Vec<usize> {
@@ -14,7 +21,7 @@ pub(super) fn loose_among(a: SparseColMatRef<'_, usize, f64>, motions: &Mat<f64>
         let x: Vec<f64> = motions.col(j).iter().copied().collect();
         let energy: f64 = x.iter().zip(forces.col(j).iter()).map(|(x, f)| x * f).sum();
         let size = absolute_energy(a, &x);
-        if size > 0.0 && energy.abs() <= MARGIN * f64::EPSILON * size {
+        if size > 0.0 && !stands_out(energy, size) {
             loose.push(x.iter().zip(&diagonal).map(|(x, d)| x * d.max(0.0).sqrt()).collect());
         }
     }
