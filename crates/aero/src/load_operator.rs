@@ -9,6 +9,7 @@
 
 use crate::corrections::Corrections;
 use crate::integration::{BoxLoads, Integration};
+use faer::traits::ComplexField;
 use faer::{Mat, MatRef};
 use std::iter::Sum;
 use std::ops::Mul;
@@ -53,11 +54,19 @@ impl LoadOperator<'_> {
     ///
     /// # Panics
     /// If there is not one row a box.
-    pub fn of_pressures<T: Copy + Mul<f64, Output = T>>(&self, q_pa: f64, cp: MatRef<'_, T>) -> Mat<T> {
+    pub fn of_pressures<T>(&self, q_pa: f64, cp: MatRef<'_, T>) -> Mat<T>
+    where
+        T: ComplexField + Copy + Mul<f64, Output = T>,
+    {
         assert_eq!(cp.nrows(), self.integration.len(), "pressures are for another number of boxes");
-        Mat::from_fn(2 * cp.nrows(), cp.ncols(), |row, column| {
-            self.of_pressure(q_pa, row / 2, cp[(row / 2, column)])[row % 2]
-        })
+        let mut loads = Mat::zeros(2 * cp.nrows(), cp.ncols());
+        for (column, cp) in cp.col_iter().enumerate() {
+            let (boxes, _) = loads.col_as_slice_mut(column).as_chunks_mut();
+            for (j, (load, cp)) in boxes.iter_mut().zip(cp.iter()).enumerate() {
+                *load = self.of_pressure(q_pa, j, *cp);
+            }
+        }
+        loads
     }
 
     /// Adds `q S f_e` to one column of box loads.

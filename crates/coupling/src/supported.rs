@@ -12,6 +12,8 @@ use structure::{Flexibility, System};
 
 /// Unit loads whose displacements of the whole structure are in memory at a time.
 const TOGETHER: usize = 64;
+/// Columns of loads that meet each entry of the spline side by side.
+const COLUMNS: usize = 8;
 
 /// A clamped structure reduced to the degrees of freedom that carry boxes.
 #[derive(Debug, Clone)]
@@ -149,12 +151,20 @@ impl SupportedStructure {
     /// `Gᵀ P`: loads on the s-set of box loads (two rows a box), column by column.
     pub fn gather(&self, p_k: MatRef<'_, f64>) -> Mat<f64> {
         let mut loads = Mat::zeros(self.size(), p_k.ncols());
-        for (column, p_k) in p_k.col_iter().enumerate() {
-            let loads = loads.col_as_slice_mut(column);
-            for (entries, p_k) in self.spline_rows.iter().zip(p_k.iter()) {
+        let mut block = vec![[0.0; COLUMNS]; self.size()];
+        for first in (0..p_k.ncols()).step_by(COLUMNS) {
+            let columns = first..p_k.ncols().min(first + COLUMNS);
+            block.fill([0.0; COLUMNS]);
+            for (row, entries) in self.spline_rows.iter().enumerate() {
+                let mut p = [0.0; COLUMNS];
+                p.iter_mut().zip(columns.clone()).for_each(|(p, column)| *p = p_k[(row, column)]);
                 for &(dof, value) in entries {
-                    loads[dof] += value * p_k;
+                    block[dof].iter_mut().zip(p).for_each(|(sum, p)| *sum += value * p);
                 }
+            }
+            for (at, column) in columns.enumerate() {
+                let sums = block.iter().map(|sums| sums[at]);
+                loads.col_as_slice_mut(column).iter_mut().zip(sums).for_each(|(load, sum)| *load = sum);
             }
         }
         loads

@@ -65,8 +65,7 @@ fn use_all(pages: &[(PathBuf, bool)]) {
     let Some(browser) = Browser::start() else { return };
     for (page, with_curves) in pages {
         use_page(&browser, page, *with_curves);
-        looks::fits_every_width(&browser, page);
-        looks::is_readable_in_the_dark(&browser, page);
+        looks::on_screens(&browser, page, &looks::SCREENS[1..]);
         looks::prints_whole(&browser, page);
     }
 }
@@ -179,8 +178,7 @@ fn documents_link_to_each_other_and_show_their_pictures() {
     }
     let Some(browser) = Browser::start() else { return };
     for page in &pages {
-        looks::fits_every_width(&browser, page);
-        looks::is_readable_in_the_dark(&browser, page);
+        looks::on_screens(&browser, page, &looks::SCREENS);
         let seen = "return Array.from(document.images).every(picture => picture.complete && picture.naturalWidth > 0)";
         assert_eq!(browser.script(seen), true, "{}: a picture is not shown", page.display());
         assert_eq!(browser.console_errors(), Vec::<String>::new(), "{}", page.display());

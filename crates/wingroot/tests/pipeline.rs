@@ -67,8 +67,7 @@ fn pages(out: &Path) {
         use_page(&browser, &page, true);
         // pages of a figure a run are too long to print in a test
         if !["simulate", "discover"].contains(&step) {
-            looks::fits_every_width(&browser, &page);
-            looks::is_readable_in_the_dark(&browser, &page);
+            looks::on_screens(&browser, &page, &looks::SCREENS[1..]);
             looks::prints_whole(&browser, &page);
         }
     }

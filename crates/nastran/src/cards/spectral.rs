@@ -92,14 +92,12 @@ impl TimeSteps {
     /// The times at which answers are written, s.
     pub fn times(&self) -> Vec<f64> {
         let mut times = vec![0.0];
-        let (mut start, mut before) = (0.0, 0);
+        let mut start = 0.0;
         for (count, step, every) in &self.runs {
             let kept = (1..=*count).filter(|i| i % every == 0 || i == count);
             times.extend(kept.map(|i| start + step * f64::from(i)));
             start += step * f64::from(*count);
-            before += count;
         }
-        debug_assert!(before > 0, "a run has steps");
         times
     }
 }

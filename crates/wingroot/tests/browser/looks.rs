@@ -6,46 +6,51 @@ use serde_json::{Value, json};
 
 use super::{Browser, draw_all, wait};
 
-/// Widths of windows, px: a screen, a tablet, a phone.
-const WIDTHS: [u64; 3] = [1400, 800, 390];
+/// Windows: width, px, and scheme of colours of a screen, a tablet and a phone.
+pub(crate) const SCREENS: [(u64, &str); 3] = [(1400, "light"), (800, "dark"), (390, "light")];
 /// The least contrast of curves with the background, and of words (WCAG 2, level AA).
 const CONTRAST: [f64; 2] = [3.0, 4.5];
 /// Sheets are not wider, px.
 const SHEET: f64 = 690.0;
 
-/// Opens a page at every width: nothing is wider than the window, no panel overlaps another, and the buttons of a figure do not
-/// lie over its names.
-pub(crate) fn fits_every_width(browser: &Browser, page: &Path) {
-    for width in WIDTHS {
+/// Opens a page on screens and comes past all of its figures: it fits, and in the dark it is readable.
+pub(crate) fn on_screens(browser: &Browser, page: &Path, screens: &[(u64, &str)]) {
+    for (width, scheme) in screens {
         let name = format!("{} at {width} px", page.display());
-        browser.resize(width);
+        browser.resize(*width);
+        browser.prefer(scheme);
         browser.open(page);
         draw_all(browser, &name);
-        let wide = browser.script("return document.documentElement.scrollWidth").as_u64();
-        assert!(wide <= Some(width), "{name} is {wide:?} px wide");
-        let wrong = browser.script(&format!(
-            "const wrong = [], box = e => e.getBoundingClientRect(); \
-             const apart = (a, b) => a.right <= b.left + 1 || b.right <= a.left + 1 || a.bottom <= b.top + 1 || b.bottom <= a.top + 1; \
-             for (const p of document.querySelectorAll('.plot[data-drawn]')) {{ \
-               if (!p.offsetParent) continue; \
-               const legend = p.querySelector('.legend'), buttons = p.querySelector('.modebar'); \
-               if (legend && buttons && !apart(box(legend), box(buttons))) wrong.push('buttons over names'); \
-               const boxes = Array.from(p.querySelectorAll('.cartesianlayer .plot')).map(box); \
-               boxes.forEach((a, i) => boxes.slice(i + 1).forEach(b => {{ if (!apart(a, b)) wrong.push('panels overlap'); }})); \
-               if (box(p).right > {width} || p.querySelector('.main-svg').clientWidth > {width}) wrong.push('wider than the window'); \
-             }} return Array.from(new Set(wrong));"
-        ));
-        assert_eq!(wrong, json!([]), "{name}");
+        fits(browser, &name, *width);
+        if *scheme == "dark" {
+            is_readable_in_the_dark(browser, &format!("{name} in the dark"));
+        }
     }
+    browser.prefer("light");
     browser.resize(1200);
 }
 
-/// Opens a page in the dark: the background is dark, and curves and words can be told from it, as the browser paints them.
-pub(crate) fn is_readable_in_the_dark(browser: &Browser, page: &Path) {
-    let name = format!("{} in the dark", page.display());
-    browser.prefer("dark");
-    browser.open(page);
-    draw_all(browser, &name);
+/// Nothing on a drawn page is wider than the window, no panel overlaps another, and the buttons of a figure do not lie over its names.
+pub(crate) fn fits(browser: &Browser, name: &str, width: u64) {
+    let wide = browser.script("return document.documentElement.scrollWidth").as_u64();
+    assert!(wide <= Some(width), "{name} is {wide:?} px wide");
+    let wrong = browser.script(&format!(
+        "const wrong = [], box = e => e.getBoundingClientRect(); \
+         const apart = (a, b) => a.right <= b.left + 1 || b.right <= a.left + 1 || a.bottom <= b.top + 1 || b.bottom <= a.top + 1; \
+         for (const p of document.querySelectorAll('.plot[data-drawn]')) {{ \
+           if (!p.offsetParent) continue; \
+           const legend = p.querySelector('.legend'), buttons = p.querySelector('.modebar'); \
+           if (legend && buttons && !apart(box(legend), box(buttons))) wrong.push('buttons over names'); \
+           const boxes = Array.from(p.querySelectorAll('.cartesianlayer .plot')).map(box); \
+           boxes.forEach((a, i) => boxes.slice(i + 1).forEach(b => {{ if (!apart(a, b)) wrong.push('panels overlap'); }})); \
+           if (box(p).right > {width} || p.querySelector('.main-svg').clientWidth > {width}) wrong.push('wider than the window'); \
+         }} return Array.from(new Set(wrong));"
+    ));
+    assert_eq!(wrong, json!([]), "{name}");
+}
+
+/// The background of a drawn page is dark, and curves and words can be told from it, as the browser paints them.
+fn is_readable_in_the_dark(browser: &Browser, name: &str) {
     // colours through the filter of their figure, painted by the browser itself
     let seen = browser.script(
         "const canvas = document.createElement('canvas'), c = canvas.getContext('2d', { willReadFrequently: true }); \
@@ -59,7 +64,6 @@ pub(crate) fn is_readable_in_the_dark(browser: &Browser, page: &Path) {
          return { ground: painted(getComputedStyle(document.body).backgroundColor), words, \
            letters: all('.legendtext, .xtitle, .ytitle, .xtick text', 'fill'), curves: all('.scatterlayer .js-line', 'stroke') };",
     );
-    browser.prefer("light");
     let ground = luminance(&seen["ground"]);
     assert!(ground < 0.05, "{name}: the background is no dark one ({})", seen["ground"]);
     for (kind, least) in [("words", CONTRAST[1]), ("letters", CONTRAST[1]), ("curves", CONTRAST[0])] {

@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 pub(crate) mod looks;
 
 /// What is waited for at most: machines that test are busy.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_secs(180);
 
 /// A browser with one window, closed when it is dropped.
 pub(crate) struct Browser {
@@ -159,7 +159,7 @@ impl Browser {
     /// One request of the protocol: HTTP with JSON, a connection each.
     fn try_request(&self, method: &str, path: &str, body: &Value) -> Option<Value> {
         let mut stream = TcpStream::connect(("127.0.0.1", self.port)).ok()?;
-        stream.set_read_timeout(Some(10 * PATIENCE)).ok()?;
+        stream.set_read_timeout(Some(4 * PATIENCE)).ok()?;
         let body = if body.is_null() { String::new() } else { body.to_string() };
         write!(
             stream,
@@ -222,11 +222,12 @@ pub(crate) fn wait(what: &str, holds: impl Fn() -> bool) {
     }
 }
 
-/// Opens a page and uses it: nothing is loaded from elsewhere, the console has no error, every figure that stands open is
+/// Opens a page on the widest screen and uses it: it fits, nothing is loaded from elsewhere, the console has no error, every figure that stands open is
 /// drawn, the first curve of the first can be hidden by a click on its name and shown again, and the pointer reads a value
 /// with its unit.
 pub(crate) fn use_page(browser: &Browser, page: &Path, with_curves: bool) {
-    let name = page.display();
+    let (name, width) = (page.display(), looks::SCREENS[0].0);
+    browser.resize(width);
     browser.open(page);
     assert_ne!(browser.script("return document.querySelector('h1').textContent"), "", "{name}");
     let numbers = browser.script("return document.querySelectorAll('.number .value').length");
@@ -241,6 +242,7 @@ pub(crate) fn use_page(browser: &Browser, page: &Path, with_curves: bool) {
         hide_a_curve(browser, &name.to_string());
         read_a_value(browser, &name.to_string());
     }
+    looks::fits(browser, &name.to_string(), width);
     let loaded = browser.script(
         "return performance.getEntriesByType('resource').map(e => e.name).filter(n => !n.startsWith('data:') && !n.startsWith('blob:'))",
     );
