@@ -232,11 +232,15 @@ fn loads_and_displacements_of_given_structures_do_the_same_work() {
     let lattice = flat();
     let (spline, held) = carried(&lattice, Point3::new(1.5, 3.0, 0.5));
     let motion = Mat::from_fn(6, 1, |i, _| (0.9 * i as f64).sin());
-    let loads = Mat::from_fn(12, 1, |i, _| (0.7 * i as f64).cos());
+    // more columns than are gathered together
+    let loads = Mat::from_fn(12, 19, |i, column| (0.7 * i as f64 + 0.3 * column as f64).cos());
     let on_boxes = &held.k_displacements() * &motion;
     let gathered = held.gather(loads.as_ref());
     let work = |a: &Mat<f64>, b: &Mat<f64>| -> f64 { (0..a.nrows()).map(|i| a[(i, 0)] * b[(i, 0)]).sum() };
     assert!((work(&on_boxes, &loads) - work(&gathered, &motion)).abs() < 1e-12);
+    let by_hand = held.k_displacements().transpose() * &loads;
+    assert_eq!([gathered.nrows(), gathered.ncols()], [6, 19]);
+    assert!((&gathered - by_hand).norm_max() < 1e-12);
     // resultants about the node: all forces and moments of the boxes
     let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
     for (j, panel) in lattice.boxes.iter().enumerate() {
