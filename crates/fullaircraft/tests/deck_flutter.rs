@@ -114,6 +114,44 @@ fn k_and_ke_find_the_flutter_of_pk() {
     }
 }
 
+/// Of one mode, a damper at the tip is the modal damping that its share of the mode makes: that of SDAMPING with the same 1/s.
+#[test]
+fn a_damper_is_the_damping_of_the_modes_that_move_it() {
+    const STRUCTURAL: f64 = 0.04;
+    let text = wing_text(&Rotation3::identity(), 0, PK)
+        .replace("PARAM,COUPMASS,1", "PARAM,COUPMASS,1\nPARAM,LMODES,1");
+    let bare = parse_deck("wing", &text).expect("a deck");
+    let modal = assembled(&bare).0.modal;
+    assert_eq!((modal.omega_rad_s.len(), modal.damping[(0, 0)]), (1, 0.0));
+    let damped = |cards: &str, command: &str| {
+        let text = text.replace("BEGIN BULK\n", &format!("{command}BEGIN BULK\n{cards}"));
+        parse_deck("wing", &text).unwrap_or_else(|error| panic!("{error}"))
+    };
+    let table =
+        damped(&format!("TABDMP1,7,G,,,,,,\n,0.,{STRUCTURAL},100.,{STRUCTURAL},ENDT\n"), "SDAMPING = 7\n");
+    // A damper of one at the tip shows the square of the mode there.
+    let of_one = assembled(&damped("CDAMP2,900,1.,9,3\n", "")).0.modal.damping[(0, 0)];
+    let size = STRUCTURAL * modal.omega_rad_s[0] / of_one;
+    for cards in [
+        format!("CDAMP2,900,{size:.13},9,3\n"),
+        format!("CDAMP1,900,901,9,3\nPDAMP,901,{size:.13}\n"),
+        // The clamped root is the ground.
+        format!("CBUSH,900,901,9,,,,,0\nPBUSH,901,B,,,{size:.13}\n"),
+        format!("GRID,900,,.2,2.,-1.,,123456\nCVISC,900,901,900,9\nPVISC,901,{size:.13}\n"),
+    ] {
+        let bulk = damped(&cards, "");
+        assert_eq!(assembled(&bulk).0.modal.dampers.len(), 1, "{cards}");
+        for (a, b) in curves(&table).branches.iter().zip(&curves(&bulk).branches) {
+            for (one, other) in a.roots.iter().zip(&b.roots) {
+                assert!((one.p - other.p).norm() < 1e-9 * one.p.norm(), "{cards}{one:?} {other:?}");
+            }
+        }
+    }
+    // And it damps.
+    let growth = |bulk: &BulkData| curves(bulk).branches[0].roots[0].p.re;
+    assert!(growth(&table) < growth(&bare));
+}
+
 #[test]
 fn points_are_those_of_the_lists() {
     let bulk = wing(&Rotation3::identity(), 0, "FLUTTER,6,PK,4,2,3\nFLFACT,3,20.,10.,-20.\nFLFACT,4,1.,.5");

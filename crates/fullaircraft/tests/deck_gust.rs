@@ -1,5 +1,6 @@
 //! Gusts of decks (SOL 146): a rigid wing beside another doublet lattice, one spring beside closed forms, and laws.
 
+use faer::c64;
 use fullaircraft::{DeckGust, DynamicAnswer, GustCase, GustDeck, gust_cases};
 use nalgebra::{Rotation3, Vector3};
 use nastran::{BulkData, parse_deck};
@@ -191,13 +192,17 @@ fn gusts_add_up_and_grow_with_their_scale() {
 
 /// A mass on a spring with a box in air so thin that it does nothing.
 pub(crate) fn spring(control: &str, cards: &str) -> BulkData {
-    let deck = format!(
+    parse_deck("spring", &spring_text(control, cards)).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The text of [`spring`].
+fn spring_text(control: &str, cards: &str) -> String {
+    format!(
         "SOL 146\nCEND\nSPC = 1\nMETHOD = 5\nSDAMP = 6\n{control}BEGIN BULK\nGRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\nGRID,3,,0.,1.,0.\n\
          RBE2,13,1,123456,2,3\nCONM2,11,1,,2.\nCELAS2,14,800.,1,3\nSPC1,1,12456,1\nEIGRL,5,,,1\nTABDMP1,6,CRIT\n,0.,.05,99.,.05,ENDT\n\
          PAERO1,1\nCAERO1,1001,1,,1,1,,,1\n,0.,0.,0.,1.,0.,1.,0.,1.\nSET1,30,1,2,3\nSPLINE1,20,1001,1001,1001,30\n\
          AERO,0,1.+3,1.,1.\nPARAM,Q,1.-12\nMKAERO1,0.\n,.001,.1\nDAREA,9,1,3,4.\n{cards}"
-    );
-    parse_deck("spring", &deck).unwrap_or_else(|error| panic!("{error}"))
+    )
 }
 
 #[test]
@@ -217,6 +222,37 @@ fn a_load_on_a_mass_on_a_spring_is_answered_as_in_closed_form() {
         let wave = (damped * t).cos() + zeta * omega / damped * (damped * t).sin();
         let expected = 4.0 / 800.0 * (1.0 - decay * wave);
         assert!((motion[0][2] - expected).abs() < 2e-6, "{t}: {} {expected}", motion[0][2]);
+    }
+}
+
+#[test]
+fn a_spring_with_a_loss_factor_beside_a_damper_is_answered_as_in_closed_form() {
+    // k = 800 (1 + i (.06 + .04)), m = 2, c = 4 of the mode and 3 of a damper
+    for (spring_cards, damper) in [
+        ("CELAS2,14,800.,1,3,,,.06", "CDAMP2,15,3.,1,3"),
+        ("CELAS1,14,16,1,3\nPELAS,17,1.,.3,,16,800.,.06", "CDAMP1,15,18,1,3\nPDAMP,18,3."),
+        ("CBUSH,14,16,1,,,,,0\nPBUSH,16,K,,,800.\n,,GE,.06\n,,B,,,3.", ""),
+        (
+            "CBUSH,14,16,1,,,,,0\nPBUSH,16,K,5.,,800.\n,,GE,.3,.3,.06",
+            "CBUSH1D,15,19,1,,20\nPBUSH1D,19,,3.\nCORD2R,20,,0.,0.,0.,1.,0.,0.\n,0.,0.,1.",
+        ),
+    ] {
+        let cards = format!("RLOAD1,8,9,,,1.\nFREQ1,10,.5,.5,12\nPARAM,G,.04\n{damper}\n");
+        let text = spring_text("DLOAD = 8\nFREQ = 10\n", &cards).replace("CELAS2,14,800.,1,3", spring_cards);
+        let (_, deck, answer) =
+            solved(&parse_deck("spring", &text).unwrap_or_else(|error| panic!("{error}")));
+        let shape = deck.shapes_at(1).expect("a grid")[(2, 0)];
+        for (hz, x) in answer.hz.iter().zip(&answer.modal) {
+            let omega = TAU * hz;
+            let stiffness = c64::new(800.0 - 2.0 * omega * omega, 80.0 + 7.0 * omega);
+            let off = (x[0] * shape - c64::from(4.0) / stiffness).norm() * stiffness.norm() / 4.0;
+            assert!(
+                off < 1e-6,
+                "{spring_cards} at {hz} Hz: {} beside {}",
+                x[0] * shape,
+                c64::from(4.0) / stiffness
+            );
+        }
     }
 }
 

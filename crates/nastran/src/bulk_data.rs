@@ -3,15 +3,17 @@
 use crate::card::Card;
 use crate::cards::kind::{CardKind, Cards, DeckCard, Family};
 use crate::cards::{
-    Aecomp, Aecompl, Aefact, Aelink, Aelist, Aero, Aeros, Aestat, Aesurf, AnalysisSet, BeamElement, BeamLoad,
-    BeamProperty, Caero1, Cbush, Conm1, Conm2, Conrod, Coord, Crod, CrossLoad, Cshear, Ctube, Darea, Diverg,
-    Dmig, DynamicLoad, EigenMethod, Flfact, Flutter, FrequencyList, FunctionTable, Genel, Gravity, Grid,
-    Gust, LineLoad, LoadSum, Mat1, Mat2, Mat8, Mat9, Mkaero, MonitorPoint, Mpc, Paero1, Pbush, Pcomp,
-    PointLoad, Pressure, Prod, Pshear, Pshell, Psolid, Ptube, Randps, Rbar, Rbe2, Rbe3, ScalarElement,
-    ScalarLoad, ScalarProperty, Set1, SetUnion, ShellElement, SolidElement, Spc1, Spcd, SpectrumTable, Spin,
-    SplineCard, Spoint, Suport, Tabdmp1, Temperature, TimeSteps, Trim,
+    Acceleration, Aecomp, Aecompl, Aefact, Aelink, Aelist, Aero, Aeros, Aestat, Aesurf, AnalysisSet,
+    BeamElement, BeamLoad, BeamProperty, Caero1, Cbush, Cbush1d, Conm1, Conm2, Conrod, Coord, Crod,
+    CrossLoad, Cshear, Ctube, Cvisc, Darea, Diverg, Dmig, DynamicLoad, EigenMethod, Flfact, Flutter,
+    FrequencyList, FunctionTable, Genel, Gravity, Grid, Gust, LineLoad, LoadSum, Mat1, Mat2, Mat8, Mat9,
+    Mkaero, MonitorPoint, Mpc, Paero1, Pbush, Pbush1d, Pcomp, PointLoad, Pressure, Prod, Pshear, Pshell,
+    Psolid, Ptube, Pvisc, Randps, Rbe2, Rbe3, RigidBody, Rrod, ScalarElement, ScalarLoad, ScalarProperty,
+    Set1, SetUnion, ShellElement, SolidElement, Spc1, Spcd, SpectrumTable, Spin, SplineCard, Spoint, Suport,
+    Tabdmp1, Temperature, TimeSteps, Trim,
 };
 use crate::deck::case_control::{AddedMatrix, Subcase};
+use crate::deck::damping::LossFactors;
 use crate::dmi::Dmi;
 use crate::source::{InputError, Span};
 use std::collections::{BTreeMap, BTreeSet};
@@ -40,6 +42,7 @@ impl Unread {
 pub(crate) struct Rest {
     pub(crate) parameters: BTreeMap<String, f64>,
     pub(crate) bars_twist: bool,
+    pub(crate) loss_factors: LossFactors,
     pub(crate) matrices: BTreeMap<String, Dmi>,
     pub(crate) subcases: Vec<Subcase>,
     pub(crate) added: Vec<AddedMatrix>,
@@ -51,7 +54,7 @@ impl Rest {
     /// Puts it into a deck as it is.
     pub(crate) fn put(self, deck: &mut BulkData) {
         (deck.parameters, deck.bars_twist, deck.matrices) = (self.parameters, self.bars_twist, self.matrices);
-        (deck.subcases, deck.added) = (self.subcases, self.added);
+        (deck.subcases, deck.added, deck.loss_factors) = (self.subcases, self.added, self.loss_factors);
         (deck.air_errors, deck.unknown) = (self.air_errors, self.unknown);
     }
 }
@@ -81,6 +84,8 @@ macro_rules! kinds {
             pub parameters: BTreeMap<String, f64>,
             /// BARMASS of the NASTRAN statement: bars (CBAR) have twisting inertia.
             pub bars_twist: bool,
+            /// Structural damping of materials and elements (GE).
+            pub loss_factors: LossFactors,
             /// DMI matrices by name.
             pub matrices: BTreeMap<String, Dmi>,
             /// Subcases of the case control.
@@ -100,6 +105,7 @@ macro_rules! kinds {
                     $($field: self.$field.clone(),)*
                     parameters: self.parameters.clone(),
                     bars_twist: self.bars_twist,
+                    loss_factors: self.loss_factors.clone(),
                     matrices: self.matrices.clone(),
                     subcases: self.subcases.clone(),
                     added: self.added.clone(),
@@ -116,7 +122,7 @@ macro_rules! kinds {
         impl BulkData {
             /// Shows all cards to a visitor.
             pub(crate) fn visit(&self, visitor: &mut impl Visitor) {
-                let Self { $($field,)* parameters: _, bars_twist: _, matrices: _, subcases: _, added: _, air_errors: _, unknown: _ } = self;
+                let Self { $($field,)* parameters: _, bars_twist: _, loss_factors: _, matrices: _, subcases: _, added: _, air_errors: _, unknown: _ } = self;
                 $(visitor.cards(kind_of(stringify!($field)), $field);)*
             }
 
@@ -125,9 +131,9 @@ macro_rules! kinds {
             /// # Errors
             /// If a change fails, or the other deck has a card with the same number.
             pub(crate) fn pour(self, into: &mut Self, change: &mut impl Change) -> Result<Rest, InputError> {
-                let Self { $($field,)* parameters, bars_twist, matrices, subcases, added, air_errors, unknown } = self;
+                let Self { $($field,)* parameters, bars_twist, loss_factors, matrices, subcases, added, air_errors, unknown } = self;
                 $(pour_kind(kind_of(stringify!($field)), $field, &mut into.$field, change)?;)*
-                Ok(Rest { parameters, bars_twist, matrices, subcases, added, air_errors, unknown })
+                Ok(Rest { parameters, bars_twist, loss_factors, matrices, subcases, added, air_errors, unknown })
             }
 
             /// Keeps what a card says; false if cards of its name are not read.
@@ -149,7 +155,7 @@ kinds! {
     grids: BTreeMap<u32, Grid>, Own, ["GRID"];
     scalar_points: BTreeMap<u32, Spoint>, Own, ["SPOINT"];
     beams: BTreeMap<u32, BeamElement>, Element, ["CBAR", "CBEAM"];
-    beam_properties: BTreeMap<u32, BeamProperty>, BeamProperty, ["PBAR", "PBEAM", "PBARL", "PBEAML"];
+    beam_properties: BTreeMap<u32, BeamProperty>, BeamProperty, ["PBAR", "PBEAM", "PBARL", "PBEAML", "PBCOMP"];
     materials: BTreeMap<u32, Mat1>, Material, ["MAT1"];
     masses: BTreeMap<u32, Conm2>, MassElement, ["CONM2"];
     rigid: BTreeMap<u32, Rbe2>, RigidElement, ["RBE2"];
@@ -162,11 +168,15 @@ kinds! {
     shear_panels: BTreeMap<u32, Cshear>, Element, ["CSHEAR"];
     conrods: BTreeMap<u32, Conrod>, Element, ["CONROD"];
     bushes: BTreeMap<u32, Cbush>, Element, ["CBUSH"];
+    line_bushes: BTreeMap<u32, Cbush1d>, Element, ["CBUSH1D"];
+    dampers: BTreeMap<u32, Cvisc>, Element, ["CVISC"];
+    scalar_dampers: BTreeMap<u32, ScalarElement>, Element, ["CDAMP1", "CDAMP2", "CDAMP3", "CDAMP4"];
     springs: BTreeMap<u32, ScalarElement>, Element, ["CELAS1", "CELAS2", "CELAS3", "CELAS4"];
     scalar_masses: BTreeMap<u32, ScalarElement>, MassElement, ["CMASS1", "CMASS2", "CMASS3", "CMASS4"];
     general: BTreeMap<u32, Genel>, Element, ["GENEL"];
     mass_matrices: BTreeMap<u32, Conm1>, MassElement, ["CONM1"];
-    rigid_bars: BTreeMap<u32, Rbar>, RigidElement, ["RBAR"];
+    rigid_bodies: BTreeMap<u32, RigidBody>, RigidElement, ["RBAR", "RBE1", "RBAR1", "RTRPLT", "RTRPLT1"];
+    rigid_rods: BTreeMap<u32, Rrod>, RigidElement, ["RROD"];
     averages: BTreeMap<u32, Rbe3>, RigidElement, ["RBE3"];
     equations: Vec<Mpc>, Own, ["MPC"];
     shell_properties: BTreeMap<u32, Pshell>, ShellProperty, ["PSHELL"];
@@ -176,6 +186,9 @@ kinds! {
     tube_properties: BTreeMap<u32, Ptube>, Own, ["PTUBE"];
     panel_sections: BTreeMap<u32, Pshear>, Own, ["PSHEAR"];
     bush_properties: BTreeMap<u32, Pbush>, Own, ["PBUSH"];
+    line_bush_properties: BTreeMap<u32, Pbush1d>, Own, ["PBUSH1D"];
+    damper_properties: BTreeMap<u32, Pvisc>, Own, ["PVISC"];
+    damping_properties: BTreeMap<u32, ScalarProperty>, Own, ["PDAMP"];
     spring_properties: BTreeMap<u32, ScalarProperty>, Own, ["PELAS"];
     mass_properties: BTreeMap<u32, ScalarProperty>, Own, ["PMASS"];
     plane_materials: BTreeMap<u32, Mat2>, Material, ["MAT2"];
@@ -198,6 +211,7 @@ kinds! {
     pressures: Vec<Pressure>, Own, ["PLOAD", "PLOAD2", "PLOAD4"];
     gravities: Vec<Gravity>, Own, ["GRAV"];
     spins: Vec<Spin>, Own, ["RFORCE"];
+    accelerations: Vec<Acceleration>, Own, ["ACCEL1"];
     load_sums: BTreeMap<u32, LoadSum>, Own, ["LOAD"];
     enforced: Vec<Spcd>, Own, ["SPCD"];
     temperatures: Vec<Temperature>, Own, ["TEMP", "TEMPD", "TEMPRB", "TEMPP1"];

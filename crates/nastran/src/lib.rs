@@ -30,6 +30,7 @@ pub mod write;
 pub use bulk_data::{BulkData, CARD_KINDS, Unread};
 pub use cards::*;
 pub use deck::case_control::{Added, AddedMatrix, Asked, Subcase};
+pub use deck::damping::LossFactors;
 pub use deck::executive::{Analysis, Solution};
 pub use deck::{parse_deck, read_deck};
 pub use dmi::Dmi;

@@ -22,7 +22,7 @@ impl Change for Mirror<'_> {
 impl BulkData {
     /// The mirror image about y = 0, every number kept; `boxes` is the image of each box number, one to one. Mirrored
     /// twice, a model in basic axes is itself again. Left out are splines, monitoring stations, matrices other than
-    /// `W2GJ`, and what is asked of the whole aircraft (case control, unions of sets, trims).
+    /// `W2GJ`, structural damping, and what is asked of the whole aircraft (case control, unions of sets, trims).
     ///
     /// # Errors
     /// If a grid's displacement system or a mass's system is not basic, an AEFACT divides both span and chord, a card
@@ -34,7 +34,16 @@ impl BulkData {
         let mut mirror = Mirror { to_basic: &to_basic, boxes, strips: self.strips()? };
         let mut image = Self::default();
         let rest = self.clone().pour(&mut image, &mut mirror)?;
-        let Rest { parameters, bars_twist, mut matrices, subcases: _, added: _, air_errors, unknown } = rest;
+        let Rest {
+            parameters,
+            bars_twist,
+            mut matrices,
+            subcases: _,
+            added: _,
+            loss_factors: _,
+            air_errors,
+            unknown,
+        } = rest;
         let incidence = matrices.remove("W2GJ").map(|matrix| carried(boxes, matrix));
         image.matrices.extend(incidence.map(|matrix| (matrix.name.clone(), matrix)));
         (image.parameters, image.bars_twist) = (parameters, bars_twist);

@@ -2,6 +2,7 @@
 
 use crate::bulk_data::{BulkData, Change, Rest, Visitor};
 use crate::cards::kind::{CardKind, Cards, DeckCard, Family, Step};
+use crate::deck::damping::LossFactors;
 use crate::source::InputError;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -118,14 +119,14 @@ impl BulkData {
         numbers.found
     }
 
-    /// The model with numbers raised and `prefix` before the labels of its control surfaces.
+    /// The model with numbers raised and `prefix` before the labels of its control surfaces, without structural damping (GE).
     ///
     /// # Errors
     /// If numbers reach the end of their range and meet there.
     pub fn raised(self, by: Step, prefix: &str) -> Result<Self, InputError> {
         let mut new = Self::default();
         let rest = self.pour(&mut new, &mut Raise(by))?;
-        rest.put(&mut new);
+        Rest { loss_factors: LossFactors::default(), ..rest }.put(&mut new);
         for surface in new.surfaces.values_mut() {
             surface.label = format!("{prefix}{}", surface.label);
         }
@@ -133,14 +134,22 @@ impl BulkData {
     }
 
     /// Adds the cards of `other`; columns of matrices that both have are put behind each other, so its panels must have
-    /// the higher numbers. Subcases and cards that were not read are not taken over.
+    /// the higher numbers. Subcases, structural damping and cards that were not read are not taken over.
     ///
     /// # Errors
     /// If both use a number for the same kind of card, or measure mass in different units (PARAM WTMASS).
     pub fn join(&mut self, other: Self) -> Result<(), InputError> {
         other.refuse_added("joined to another model")?;
-        let Rest { parameters, bars_twist, matrices, subcases: _, added: _, air_errors, unknown: _ } =
-            other.pour(self, &mut Keep)?;
+        let Rest {
+            parameters,
+            bars_twist,
+            matrices,
+            subcases: _,
+            added: _,
+            loss_factors: _,
+            air_errors,
+            unknown: _,
+        } = other.pour(self, &mut Keep)?;
         self.air_errors.extend(air_errors);
         self.bars_twist |= bars_twist;
         for (name, value) in parameters {
@@ -176,7 +185,7 @@ impl BulkData {
         for family in ties {
             let (mut new, mut change) = (Self::default(), Distinct { family, taken, next });
             let rest = self.pour(&mut new, &mut change).expect("numbers that are not taken do not meet");
-            rest.put(&mut new);
+            Rest { loss_factors: LossFactors::default(), ..rest }.put(&mut new);
             (self, taken, next) = (new, change.taken, change.next);
         }
         self

@@ -5,7 +5,6 @@
 //! is what counts only if the case control selects it (loads, `NSM`, `DMIG`).
 
 use crate::bulk_data::{BulkData, Unread};
-use crate::deck::damping;
 use crate::source::InputError;
 
 /// Elements, masses and rigid elements of the Quick Reference Guides of MSC, NX and NASTRAN-95 that are not read, and
@@ -18,7 +17,7 @@ const ELEMENTS: &[(&str, &str)] = &[
     ("CWEDGE CPENPR CIFPENT", "CPENTA"),
     ("CTETPR CPYRAM CPYRA", "CTETRA and CPENTA"),
     ("CBEND CBEAM3", "CBEAM"),
-    ("CBUSH1D CBUSH2D CGAP CBEAR CROTORG", "CBUSH with the stiffness at the working point"),
+    ("CBUSH2D CGAP CBEAR CROTORG", "CBUSH with the stiffness at the working point"),
     ("CWELD CFAST CSEAM", "CBUSH between RBE3"),
     (DAMPERS, "a damping ratio of the modes"),
     (
@@ -30,14 +29,14 @@ const ELEMENTS: &[(&str, &str)] = &[
     ("EGRID CGEN GRIDG GRIDU", "GRID and elements, which the mesh generator would have made, for"),
     ("RINGFL AXIF RINGAX AXIC", "a model in space"),
     ("PLPLANE PLSOLID MATHP MATHE", "PSHELL or PSOLID of an elastic material for hyperelastic"),
-    ("RROD CRROD RJOINT CRIGDR", "RBAR or MPC"),
-    ("RBAR1 CRBAR", "RBAR"),
-    ("RBE1 CRBE1 CRBE2 CRIGD1 CRIGD2 RTRPLT RTRPLT1 CRTRPLT RSSCON", "RBE2 or MPC"),
+    ("CRROD RJOINT CRIGDR", "RROD or MPC"),
+    ("CRBAR", "RBAR"),
+    ("CRBE1 CRBE2 CRIGD1 CRIGD2 CRTRPLT RSSCON", "RBE1, RBE2 or MPC"),
     ("RSPLINE CRSPLINE CRBE3 CRIGD3 RBE2GS", "RBE3 or MPC"),
 ];
 
 /// Dampers, which have no part in statics, natural modes and trims.
-const DAMPERS: &str = "CDAMP1 CDAMP2 CDAMP3 CDAMP4 CDAMP5 CVISC";
+const DAMPERS: &str = "CDAMP5";
 
 impl BulkData {
     /// How many cards of which names are not read, parameters with theirs (`1 EIGC, 2 PARAM (OGEOM, PRGPST)`); nothing if all are.
@@ -47,18 +46,17 @@ impl BulkData {
             let names = if names.is_empty() { String::new() } else { format!(" ({})", names.join(", ")) };
             format!("{} {card}{names}", unread.count)
         };
-        let cards = self.unknown.iter().filter(|(name, _)| !name.starts_with(damping::PREFIX));
-        let list: Vec<String> = cards.map(counted).collect();
+        let list: Vec<String> = self.unknown.iter().map(counted).collect();
         (!list.is_empty()).then(|| list.join(", "))
     }
 
-    /// Which damping of materials and elements is not computed with: said where damping counts.
+    /// Which structural damping of materials and elements flutter is computed without.
     pub fn damping_remark(&self) -> Option<String> {
-        let damped = self.unknown.iter().filter(|(name, _)| name.starts_with(damping::PREFIX));
-        let list: Vec<String> = damped.map(|(name, unread)| format!("{name} ({})", unread.count)).collect();
+        let counts = self.loss_factors.counts.iter();
+        let list: Vec<String> = counts.map(|(name, count)| format!("GE of {name} ({count})")).collect();
         (!list.is_empty()).then(|| {
             format!(
-                "damping on cards is not computed with: {}; give it by frequency (SDAMPING and TABDMP1), or as a whole (PARAM G, gusts)",
+                "structural damping on cards is not computed with in flutter: {}; give it by frequency (SDAMPING and TABDMP1)",
                 list.join(", ")
             )
         })

@@ -48,7 +48,7 @@ const BREAKS: &[(&str, &str, &str, usize)] = &[
     ("PSHELL,1,1,.01,1,,1", "PSHELL,1,1,.01,,,1", "a shear material (MID3) but no bending material", 17),
     ("PSHELL,1,1,.01,1,", "PSHELL,1,1,.01,-1,", "plane strain", 17),
     ("PCOMP,2,", "PCOMP,1,", "PCOMP 1 has the number of another shell property, PSHELL 1", 18),
-    (",,,SYM\n,2,", ",,,MEM\n,2,", "`MEM` in field LAM of PCOMP is not empty or SYM", 18),
+    (",,,SYM\n,2,", ",,,SIM\n,2,", "`SIM` in field LAM of PCOMP is not empty or SYM, MEM", 18),
     ("\n,2,.001,45.,,,,-45.\n", "\n", "PCOMP 2 has no plies", 18),
     (
         ",2,.001,45.,,",
@@ -94,7 +94,8 @@ const BREAKS: &[(&str, &str, &str, usize)] = &[
     ("CBUSH,20,5,1,2", "CBUSH,20,5,1,1", "grid 1 stands twice in CBUSH 20", 33),
     ("CBUSH,20,5,1,2,,,,0", "CBUSH,20,5,1", "ends at the ground but names no coordinate system", 33),
     ("\n,.5\nPBUSH", "\n,1.5\nPBUSH", "`1.5` in field S of CBUSH is not from 0 to 1", 34),
-    ("PBUSH,5,K,", "PBUSH,5,M,", "field M of PBUSH is not read", 35),
+    ("PBUSH,5,K,", "PBUSH,5,T,", "field ALPHA of PBUSH is not read", 35),
+    ("PBUSH,5,K,", "PBUSH,5,M,-", "in field M of PBUSH", 35),
     ("PBUSH,5,K,", "PBUSH,5,Q,", "`Q` in field FLAG of PBUSH is not K", 35),
     (
         "CELAS2,21,100.,1,3",

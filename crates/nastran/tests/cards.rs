@@ -245,9 +245,18 @@ fn a_concentrated_mass_may_be_inertia_alone() {
 }
 
 #[test]
+fn a_grid_that_is_given_again_as_it_was_is_one_grid() {
+    let again = "GRDSET,,,,,,,456\nGRID,1,,1.,2.,3.\nGRID,2\nGRID*,1,,1.,2.\n*,3.\n";
+    let deck = parse_deck("t.bdf", again).unwrap();
+    assert_eq!((deck.grids.len(), deck.grids[&1].ps.len()), (2, 3));
+    let other = parse_deck("t.bdf", "GRID,1,,1.,2.,3.\nGRID,1,,1.,2.,3.,,4\n").unwrap_err().to_string();
+    assert!(other.starts_with("t.bdf:2:6: GRID 1 is given twice"), "{other}");
+}
+
+#[test]
 fn a_number_given_twice_is_refused_with_both_places() {
     assert_eq!(
-        error("GRID,1\n$\nGRID,2\nGRID,1\n"),
+        error("GRID,1\n$\nGRID,2\nGRID,1,,.5\n"),
         "t.bdf:4:6: GRID 1 is given twice; the number or name is taken since t.bdf:1:1"
     );
     assert_eq!(

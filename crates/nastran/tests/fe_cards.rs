@@ -1,8 +1,8 @@
 //! Cards of general finite elements: fields, Nastran's defaults, and what is refused.
 
 use nastran::{
-    BulkData, BushAxes, MaterialDirection, Orientation, ScalarValue, SolidPoints, SolidShear, SplineKind,
-    parse_deck,
+    BulkData, BushAxes, LaminateOption, MaterialDirection, Orientation, ScalarValue, SolidPoints, SolidShear,
+    SplineKind, parse_deck,
 };
 
 fn parse(text: &str) -> BulkData {
@@ -58,7 +58,7 @@ fn plies_repeat_material_and_thickness_of_the_ply_before() {
     let plies: Vec<_> = laminate.plies.iter().map(|p| (p.material, p.thickness, p.angle_deg)).collect();
     assert_eq!(plies, [(8, 0.1, 45.0), (8, 0.1, -45.0), (9, 0.2, 0.0)]);
     assert_eq!(
-        (laminate.z0, laminate.nsm, laminate.is_symmetric, laminate.is_global),
+        (laminate.z0, laminate.nsm, laminate.option == LaminateOption::Symmetric, laminate.is_global),
         (Some(-0.5), 0.1, true, false)
     );
     let deck = parse("PCOMPG,2\n,101,8,.1,45.\n,102,,,-45.,NO\n");
@@ -160,8 +160,9 @@ fn rigid_elements() {
         "RBAR,1,1,2,123456,,,123\n",
         "RBE3,2,,100,123456,1.,123,1,2\n,3,.5,123456,4,THRU,6\n,UM,100,456,1,3\n,ALPHA,1.-5\n"
     ));
-    let bar = &deck.rigid_bars[&1];
-    assert_eq!((bar.independent[0].len(), &bar.dependent[1]), (6, &vec![1, 2, 3]));
+    let bar = &deck.rigid_bodies[&1];
+    assert_eq!(bar.independent, [(1, vec![1, 2, 3, 4, 5, 6])]);
+    assert_eq!(bar.dependent, [(2, vec![1, 2, 3])]);
     let mean = &deck.averages[&2];
     assert_eq!((mean.reference, mean.components.len()), (100, 6));
     assert_eq!((mean.groups[0].weight, &mean.groups[0].grids), (1.0, &vec![1, 2, 3]));

@@ -28,7 +28,7 @@ fn files_are_relative_to_the_file_that_includes_them() {
         &[
             ("main.bdf", "SOL 101\nBEGIN BULK\nGRID,1\nINCLUDE 'parts/a.bdf'\nGRID,4\n"),
             ("parts/a.bdf", "GRID,2\ninclude \"b.b\n  df\" $ two lines\n"),
-            ("parts/b.bdf", "GRID,3\nINCLUDE c.bdf $ no quotes\n"),
+            ("parts/b.bdf", "GRID,3\nINCLUDE = c.bdf $ no quotes\n"),
             ("parts/c.bdf", "$ nothing\n"),
         ],
     );
@@ -71,7 +71,7 @@ fn a_missing_file_blames_the_include() {
 
 #[test]
 fn numbers_given_twice_name_both_files() {
-    let folder = folder("twice", &[("main.bdf", "GRID,1\nINCLUDE 'a.bdf'\n"), ("a.bdf", "\nGRID,1\n")]);
+    let folder = folder("twice", &[("main.bdf", "GRID,1\nINCLUDE 'a.bdf'\n"), ("a.bdf", "\nGRID,1,,.5\n")]);
     let error = read_deck(&folder.join("main.bdf")).unwrap_err();
     assert_eq!(
         message(&folder, &error),

@@ -3,9 +3,10 @@
 use crate::common::content;
 use nastran::{
     BulkData, BushAxes, Cbush, Conm1, Coord, CoordDefinition, CoordKind, CornerThickness, Crod, Expansion,
-    Genel, Mat2, Mat8, Mat9, MaterialDirection, Motion, Mpc, Orientation, Pbush, Pcomp, Ply, Prod, Pshell,
-    Psolid, Rbar, Rbe3, Rbe3Group, ScalarElement, ScalarProperty, ScalarValue, ShellElement, SolidElement,
-    SolidPoints, SolidShear, Span, SplineCard, SplineKind, parse_deck, real, write_deck,
+    Genel, LaminateOption, Mat2, Mat8, Mat9, MaterialDirection, Motion, Mpc, Orientation, Pbush, Pcomp, Ply,
+    Prod, Pshell, Psolid, Rbe3, Rbe3Group, RigidBody, ScalarElement, ScalarKind, ScalarProperty, ScalarValue,
+    ShellElement, SolidElement, SolidPoints, SolidShear, Span, SplineCard, SplineKind, parse_deck, real,
+    write_deck,
 };
 use proptest::prelude::*;
 
@@ -146,7 +147,11 @@ fn springs_and_masses(dice: &mut Dice, deck: &mut BulkData) {
         let (property, location, offset) = (dice.id(), [0.0, 0.25, 1.0][dice.up_to(3)], dice.optional(place));
         deck.bushes.insert(id, Cbush { id, property, grids, axes, location, offset, span: span() });
     }
-    for (map, is_mass) in [(&mut deck.springs, false), (&mut deck.scalar_masses, true)] {
+    for (map, kind) in [
+        (&mut deck.springs, ScalarKind::Spring),
+        (&mut deck.scalar_masses, ScalarKind::Mass),
+        (&mut deck.scalar_dampers, ScalarKind::Damper),
+    ] {
         for grounded in [None, Some(0), Some(1)] {
             let (id, motions) = (dice.id(), dice.motions(2));
             let mut ends = [Some(motions[0]), Some(motions[1])];
@@ -155,7 +160,7 @@ fn springs_and_masses(dice: &mut Dice, deck: &mut BulkData) {
             }
             let property = ScalarValue::Property(dice.id());
             let value = if dice.yes() { property } else { ScalarValue::Given(dice.real()) };
-            map.insert(id, ScalarElement { id, value, ends, is_mass, span: span() });
+            map.insert(id, ScalarElement { id, value, ends, kind, span: span() });
         }
     }
     let (id, grid, cid) = (dice.id(), dice.id(), dice.id());
@@ -184,11 +189,20 @@ fn general(dice: &mut Dice, deck: &mut BulkData) {
 }
 
 fn constraints(dice: &mut Dice, deck: &mut BulkData) {
-    let (id, grids, split) = (dice.id(), dice.grids(2).try_into().expect("two"), dice.components());
-    let rest: Vec<u8> = (1..=6).filter(|digit| !split.contains(digit)).collect();
-    let dependent = if dice.yes() { [rest.clone(), split.clone()] } else { [vec![], vec![]] };
-    let independent = [split, rest];
-    deck.rigid_bars.insert(id, Rbar { id, grids, independent, dependent, span: span() });
+    for count in [2, 3, 5] {
+        let (id, grids, split) = (dice.id(), dice.grids(count), dice.components());
+        let rest: Vec<u8> = (1..=6).filter(|digit| !split.contains(digit)).collect();
+        let independent = [(grids[0], split.clone()), (grids[1], rest.clone())];
+        let independent = independent.into_iter().filter(|(_, digits)| !digits.is_empty()).collect();
+        let both = dice.yes() || split.is_empty();
+        let mut dependent = vec![(grids[1], split)];
+        if both {
+            dependent.insert(0, (grids[0], rest));
+        }
+        dependent.retain(|(_, digits)| !digits.is_empty());
+        dependent.extend(grids[2..].iter().map(|grid| (*grid, dice.components())));
+        deck.rigid_bodies.insert(id, RigidBody { id, independent, dependent, span: span() });
+    }
     let (id, reference, components) = (dice.id(), dice.id(), dice.components());
     let (group_count, um_count) = (dice.up_to(3) + 1, dice.up_to(9));
     let groups = (0..group_count)
@@ -233,9 +247,10 @@ fn properties(dice: &mut Dice, deck: &mut BulkData) {
             })
             .collect();
         let z0 = dice.real();
-        let (z0, nsm, is_symmetric) = (dice.optional(z0), dice.real(), dice.yes());
+        let options = [LaminateOption::All, LaminateOption::Symmetric, LaminateOption::Smeared];
+        let (z0, nsm, option) = (dice.optional(z0), dice.real(), options[dice.up_to(3)]);
         deck.laminates
-            .insert(id, Pcomp { id, z0, nsm, reference: 0.0, plies, is_symmetric, is_global, span: span() });
+            .insert(id, Pcomp { id, z0, nsm, reference: 0.0, plies, option, is_global, span: span() });
     }
     let (id, material, cordm) = (dice.id(), dice.id(), i32::try_from(dice.up_to(9)).expect("small") - 1);
     let points = [SolidPoints::Usual, SolidPoints::One, SolidPoints::Two, SolidPoints::Three][dice.up_to(4)];
@@ -244,7 +259,8 @@ fn properties(dice: &mut Dice, deck: &mut BulkData) {
     let (id, material, area, j, nsm) = (dice.id(), dice.id(), dice.positive(), dice.positive(), dice.real());
     deck.rod_properties.insert(id, Prod { id, material, area, j, nsm, span: span() });
     let (id, stiffness) = (dice.id(), std::array::from_fn(|_| dice.positive()));
-    deck.bush_properties.insert(id, Pbush { id, stiffness, span: span() });
+    let (damping, mass) = (std::array::from_fn(|_| dice.positive()), dice.positive());
+    deck.bush_properties.insert(id, Pbush { id, stiffness, damping, mass, span: span() });
     for map in [&mut deck.spring_properties, &mut deck.mass_properties] {
         let (id, value) = (dice.id(), dice.real());
         map.insert(id, ScalarProperty { id, value, span: span() });

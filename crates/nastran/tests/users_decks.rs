@@ -132,11 +132,11 @@ fn decks_of_superelements_are_refused_as_such_whatever_else_is_wrong_with_them()
         assert_eq!(error(&format!("GRID,1\n{card}\n")), expected);
     }
     // Parts share numbers, and refer to points that only Nastran makes.
-    let twice = error("GRID,1\nGRID,1\nSEBULK,101\n");
+    let twice = error("GRID,1\nGRID,1,,.5\nSEBULK,101\n");
     assert!(twice.starts_with("t.bdf:3:1: SEBULK makes this a deck of superelements"), "{twice}");
     let first = error("GRID,1\nBEGIN SUPER=1\nEXTRN,1,123\n");
     assert!(first.starts_with("t.bdf:2:1: `BEGIN SUPER=1` begins another part of the deck"), "{first}");
-    let part = error("GRID,1\nGRID,1\nBEGIN SUPER=1\n");
+    let part = error("GRID,1\nGRID,1,,.5\nBEGIN SUPER=1\n");
     assert!(part.starts_with("t.bdf:2:6: GRID 1 is given twice"), "{part}");
 }
 

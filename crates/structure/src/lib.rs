@@ -10,6 +10,7 @@ mod cell_shape;
 mod condensation;
 mod constraints;
 mod corotation;
+mod damper;
 mod dofs;
 pub mod effective_mass;
 pub mod element;
@@ -46,6 +47,7 @@ pub use condensation::{Reduced, reduced};
 pub use constraints::Dependent;
 pub use constraints::joint::{Joint, Tie};
 pub use corotation::Corotation;
+pub use damper::{Damper, modal_damping};
 pub use effective_mass::{effective_masses, masses_along};
 pub use element::Element;
 pub use flexibility::{Flexibility, SingularStructure};
@@ -54,7 +56,10 @@ pub use mass_properties::MassProperties;
 pub use masses::PointMass;
 pub use matrix_element::MatrixElement;
 pub use mesh::{CellShape, MeshCell};
-pub use model::{Clamp, MassForm, Model, Node, enforced_motions, load_sets, loads_of, thermal_loads};
+pub use model::{
+    Clamp, MassForm, Model, Node, dampers, enforced_motions, load_sets, loads_of, modal_structural_damping,
+    thermal_loads,
+};
 pub use modes::{Modes, ModesError, normal_modes, normal_modes_below};
 pub use plane_material::PlaneMaterial;
 pub use shell::{CurvedPlace, CurvedShell, SectionAxis, Shell, ShellStrains};

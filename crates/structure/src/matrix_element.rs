@@ -43,10 +43,20 @@ impl MatrixElement {
         }
     }
 
-    /// Stiffness and mass over the same motions.
-    pub fn new(id: u32, dofs: Vec<usize>, stiffness: DMatrix<f64>, mass: DMatrix<f64>) -> Self {
-        let nodes = nodes_of(&dofs);
-        Self { id, nodes, dofs, stiffness: Some(stiffness), mass: Some(mass), corotation: Corotation::Fit }
+    /// Stiffness and mass over the same motions; those without either are left out.
+    pub fn new(id: u32, dofs: &[usize], stiffness: &DMatrix<f64>, mass: &DMatrix<f64>) -> Self {
+        let is_used = |i: &usize| [stiffness, mass].iter().any(|matrix| matrix.row(*i).amax() != 0.0);
+        let used: Vec<usize> = (0..dofs.len()).filter(is_used).collect();
+        let small = |matrix: &DMatrix<f64>| matrix.select_rows(&used).select_columns(&used);
+        let dofs: Vec<usize> = used.iter().map(|i| dofs[*i]).collect();
+        Self {
+            id,
+            nodes: nodes_of(&dofs),
+            dofs,
+            stiffness: Some(small(stiffness)),
+            mass: Some(small(mass)),
+            corotation: Corotation::Fit,
+        }
     }
 
     /// The same matrices, turning in another way than with the best fit of the nodes.

@@ -110,11 +110,11 @@ impl Section<'_> {
         f
     }
 
-    /// Which of the six end forces (N, Vy, Vz, T, My, Mz) the section carries: a zero area, I or J carries none.
+    /// Which of the six end forces (N, Vy, Vz, T, My, Mz) the section carries: a zero area, I or J carries none, nor does J without G.
     pub(crate) fn carried(&self) -> [bool; 6] {
         let s = &self.property.stations[0];
         let (axial, plane_1, plane_2) = (s.area > 0.0, s.i1 > 0.0, s.i2 > 0.0);
-        [axial, plane_1, plane_2, s.j > 0.0, plane_2, plane_1]
+        [axial, plane_1, plane_2, s.j > 0.0 && self.material.g > 0.0, plane_2, plane_1]
     }
 
     /// Refuses what no section can be.
@@ -149,11 +149,24 @@ impl Section<'_> {
             return bad("a shear factor is negative");
         }
         let needs_e = p.stations.iter().any(|s| s.area > 0.0 || s.i1 > 0.0 || s.i2 > 0.0);
-        let needs_g = p.stations.iter().any(|s| s.j > 0.0) || p.shear_factors.iter().any(|k| *k > 0.0);
-        if (needs_e && m.e <= 0.0) || (needs_g && m.g <= 0.0) || m.rho < 0.0 {
+        if (needs_e && m.e <= 0.0) || m.g < 0.0 || m.rho < 0.0 {
             let message = format!("material {} has E = {}, G = {}, rho = {}", m.id, m.e, m.g, m.rho);
-            let help = "the beams that use it need positive moduli and a density of zero or more";
+            let help = "the beams that use it need a positive E, and G and a density of zero or more";
             return Err(InputError::at(&m.span, message).with_help(help));
+        }
+        Ok(())
+    }
+
+    /// Refuses a material without G (MAT1 with E alone), with which Nastran's beams neither twist stiffly nor shear.
+    pub(crate) fn check_shear(&self) -> Result<(), InputError> {
+        let (p, m) = (self.property, self.material);
+        let needs_g = p.stations.iter().any(|s| s.j > 0.0) || p.shear_factors.iter().any(|k| *k > 0.0);
+        if needs_g && m.g <= 0.0 {
+            let message = format!(
+                "material {} has G = {}, and beam property {} has J or a shear factor",
+                m.id, m.g, p.id
+            );
+            return Err(InputError::at(&m.span, message).with_help("give G or NU beside E"));
         }
         Ok(())
     }

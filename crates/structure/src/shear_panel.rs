@@ -60,7 +60,7 @@ pub(crate) fn panel(
     let k = DMatrix::from_fn(12, 12, |i, j| 0.5 * (k[(i, j)] + k[(j, i)]));
     let mass = (material.rho * t + property.nsm) * place.area / 4.0;
     let m = DMatrix::from_diagonal(&DVector::from_element(12, mass));
-    Ok(if mass == 0.0 { MatrixElement::spring(id, &dofs, &k) } else { MatrixElement::new(id, dofs, k, m) })
+    Ok(if mass == 0.0 { MatrixElement::spring(id, &dofs, &k) } else { MatrixElement::new(id, &dofs, &k, &m) })
 }
 
 /// Where a panel lies: corners in its mean plane, and Airy's function there.

@@ -5,7 +5,10 @@ use crate::element::Element;
 use crate::matrix_element::MatrixElement;
 use crate::model::Node;
 use nalgebra::{DMatrix, DVector, Matrix3, Point3, Vector3};
-use nastran::{Conm1, Crod, Genel, InputError, Mat1, Pbush, Prod};
+use nastran::{Conm1, Crod, Genel, InputError, Mat1, Pbush, Prod, Span};
+
+/// Motions as degrees of freedom of the g-set, and a matrix over them.
+pub(crate) type OverMotions = (Vec<usize>, DMatrix<f64>);
 
 /// One motion of a node in its own axes (component 0 to 5) as degrees of freedom of the g-set.
 pub(crate) fn motion(nodes: &[Node], node: usize, component: usize) -> [(usize, f64); 3] {
@@ -15,11 +18,7 @@ pub(crate) fn motion(nodes: &[Node], node: usize, component: usize) -> [(usize, 
 }
 
 /// `value` times the square of the difference of two motions (one, if the other is the ground).
-pub(crate) fn scalar(
-    nodes: &[Node],
-    ends: [Option<(usize, usize)>; 2],
-    value: f64,
-) -> (Vec<usize>, DMatrix<f64>) {
+pub(crate) fn scalar(nodes: &[Node], ends: [Option<(usize, usize)>; 2], value: f64) -> OverMotions {
     let (mut dofs, mut difference) = (Vec::new(), Vec::new());
     for (end, sign) in ends.into_iter().zip([1.0, -1.0]) {
         for (dof, factor) in end.into_iter().flat_map(|(node, component)| motion(nodes, node, component)) {
@@ -35,35 +34,112 @@ pub(crate) fn scalar(
     (dofs, &difference * difference.transpose() * value)
 }
 
-/// A bush at `place` between two nodes, or a node and the ground. Columns of `axes` are its x, y, z.
-pub(crate) fn bush(
-    id: u32,
-    nodes: &[Node],
-    ends: (usize, Option<usize>),
-    place: &Point3<f64>,
-    axes: &Matrix3<f64>,
-    property: &Pbush,
-) -> MatrixElement {
-    let all: Vec<usize> = [Some(ends.0), ends.1].into_iter().flatten().collect();
+/// Six values (stiffness or damping) of a bush at `place` between two nodes, or a node and the ground, as a matrix over all motions of
+/// these. Columns of `axes` are its x, y, z.
+pub(crate) fn bush(nodes: &[Node], place: &BushPlace, values: &[f64; 6]) -> OverMotions {
+    let all = place.nodes();
     let dofs: Vec<usize> = all.iter().flat_map(|node| (0..6).map(move |c| 6 * node + c)).collect();
     let mut strain = DMatrix::zeros(6, dofs.len());
     // The motion of the spring's ends at its place: displacement u + theta x r, rotation theta.
     for (end, node) in all.iter().enumerate() {
         let sign = if end == 0 { -1.0 } else { 1.0 };
-        let lever = -(place - nodes[*node].point).cross_matrix();
-        let turn = axes.transpose() * sign;
+        let lever = -(place.point - nodes[*node].point).cross_matrix();
+        let turn = place.axes.transpose() * sign;
         strain.view_mut((0, 6 * end), (3, 3)).copy_from(&turn);
         strain.view_mut((0, 6 * end + 3), (3, 3)).copy_from(&(turn * lever));
         strain.view_mut((3, 6 * end + 3), (3, 3)).copy_from(&turn);
     }
-    let k = DMatrix::from_diagonal(&DVector::from_column_slice(&property.stiffness));
-    let bush = MatrixElement::spring(id, &dofs, &(strain.transpose() * k * &strain));
-    // Its axes turn with end A; nodes are listed in ascending order, and an end that meets no stiffness is not among them.
-    let turning = match bush.nodes().iter().position(|node| *node == ends.0) {
-        Some(node) if ends.1.is_some() => Corotation::Node(node),
-        _ => Corotation::Ground,
+    let diagonal = DMatrix::from_diagonal(&DVector::from_column_slice(values));
+    (dofs, strain.transpose() * diagonal * &strain)
+}
+
+/// Where a bush is.
+pub(crate) struct BushPlace {
+    /// Its nodes; without a second one it ends at the ground.
+    pub(crate) ends: (usize, Option<usize>),
+    /// Place of the spring.
+    pub(crate) point: Point3<f64>,
+    /// Columns are its x, y, z.
+    pub(crate) axes: Matrix3<f64>,
+}
+
+impl BushPlace {
+    fn nodes(&self) -> Vec<usize> {
+        [Some(self.ends.0), self.ends.1].into_iter().flatten().collect()
+    }
+
+    /// A bush with the stiffness and mass of a property. Its axes turn with end A; nodes are listed in ascending order, and an end that
+    /// meets no stiffness is not among them.
+    pub(crate) fn element(&self, id: u32, nodes: &[Node], property: &Pbush) -> MatrixElement {
+        let (dofs, k) = bush(nodes, self, &property.stiffness);
+        let element = if property.mass > 0.0 {
+            MatrixElement::new(id, &dofs, &k, &self.mass(nodes, property.mass))
+        } else {
+            MatrixElement::spring(id, &dofs, &k)
+        };
+        let turning = match element.nodes().iter().position(|node| *node == self.ends.0) {
+            Some(node) if self.ends.1.is_some() => Corotation::Node(node),
+            _ => Corotation::Ground,
+        };
+        element.turning(turning)
+    }
+
+    /// Its mass goes to the ends as its distance from them says (QRG, PBUSH, remark 13).
+    fn mass(&self, nodes: &[Node], mass: f64) -> DMatrix<f64> {
+        let all = self.nodes();
+        let distance = |node: usize| (self.point - nodes[node].point).norm();
+        let from_a = distance(self.ends.0);
+        let between = from_a + self.ends.1.map_or(0.0, distance);
+        let to_b = if between > 0.0 { from_a / between } else { 0.5 };
+        let shares = [1.0 - to_b, to_b];
+        let own = |i: usize| if i % 6 < 3 { shares[i / 6] * mass } else { 0.0 };
+        DMatrix::from_diagonal(&DVector::from_fn(6 * all.len(), |i, _| own(i)))
+    }
+}
+
+/// What stretches and twists a line between two nodes: rows over their twelve motions.
+///
+/// # Errors
+/// If it has no length; `user` is the card.
+fn along_line(
+    nodes: &[Node],
+    ends: [usize; 2],
+    user: &str,
+    span: &Span,
+) -> Result<[DVector<f64>; 2], InputError> {
+    let [a, b] = ends.map(|node| nodes[node].point);
+    let Some(x) = (b - a).try_normalize(1e-12 * (a.coords.norm() + b.coords.norm())) else {
+        let message = format!("{user} has no length: both ends are at ({}, {}, {})", a.x, a.y, a.z);
+        return Err(InputError::at(span, message).with_help("check its two grids"));
     };
-    bush.turning(turning)
+    let along = |from: usize| {
+        DVector::from_fn(12, |i, _| {
+            let sign = if i < 6 { -1.0 } else { 1.0 };
+            if (from..from + 3).contains(&(i % 6)) { sign * x[i % 6 - from] } else { 0.0 }
+        })
+    };
+    Ok([along(0), along(3)])
+}
+
+/// All motions of two nodes.
+fn motions_of(ends: [usize; 2]) -> Vec<usize> {
+    ends.iter().flat_map(|node| (0..6).map(move |c| 6 * node + c)).collect()
+}
+
+/// A stretching and a twisting value (stiffness or damping) of a line between two nodes, over all motions of these.
+///
+/// # Errors
+/// If the line has no length; `user` is the card.
+pub(crate) fn line(
+    nodes: &[Node],
+    ends: [usize; 2],
+    [stretching, twisting]: [f64; 2],
+    user: &str,
+    span: &Span,
+) -> Result<OverMotions, InputError> {
+    let [stretch, twist] = along_line(nodes, ends, user, span)?;
+    let matrix = &stretch * stretch.transpose() * stretching + &twist * twist.transpose() * twisting;
+    Ok((motions_of(ends), matrix))
 }
 
 /// A rod: stretch and twist, and its mass on the displacements.
@@ -77,32 +153,24 @@ pub(crate) fn rod(
     property: &Prod,
     material: &Mat1,
 ) -> Result<MatrixElement, InputError> {
-    let [a, b] = ends.map(|node| nodes[node].point);
-    let length = (b - a).norm();
-    let Some(x) = (b - a).try_normalize(1e-12 * (a.coords.norm() + b.coords.norm())) else {
-        let message = format!("CROD {} has no length: both ends are at ({}, {}, {})", card.id, a.x, a.y, a.z);
-        return Err(InputError::at(&card.span, message).with_help("check its two grids"));
-    };
-    let dofs: Vec<usize> = ends.iter().flat_map(|node| (0..6).map(move |c| 6 * node + c)).collect();
-    let along = |from: usize| {
-        DVector::from_fn(12, |i, _| {
-            let sign = if i < 6 { -1.0 } else { 1.0 };
-            if (from..from + 3).contains(&(i % 6)) { sign * x[i % 6 - from] } else { 0.0 }
-        })
-    };
-    let (stretch, twist) = (along(0), along(3));
-    let k = &stretch * stretch.transpose() * (material.e * property.area / length)
-        + &twist * twist.transpose() * (material.g * property.j / length);
+    let length = (nodes[ends[1]].point - nodes[ends[0]].point).norm();
+    let per_length = [material.e * property.area, material.g * property.j].map(|value| value / length);
+    let (dofs, k) = line(nodes, ends, per_length, &format!("CROD {}", card.id), &card.span)?;
     let mass = (material.rho * property.area + property.nsm) * length;
     let m = DMatrix::from_fn(12, 12, |i, j| {
         let same = i % 6 == j % 6 && i % 6 < 3;
         if same { mass / if i == j { 3.0 } else { 6.0 } } else { 0.0 }
     });
-    let used: Vec<usize> = (0..12).filter(|i| k[(*i, *i)] != 0.0 || m[(*i, *i)] != 0.0).collect();
-    let small =
-        |matrix: &DMatrix<f64>| DMatrix::from_fn(used.len(), used.len(), |i, j| matrix[(used[i], used[j])]);
-    let (k, m) = (small(&k), small(&m));
-    Ok(MatrixElement::new(card.id, used.into_iter().map(|i| dofs[i]).collect(), k, m))
+    Ok(MatrixElement::new(card.id, &dofs, &k, &m))
+}
+
+/// A value (stiffness or damping) along one direction between two nodes, or a node and the ground, over their displacements.
+pub(crate) fn along(ends: (usize, Option<usize>), direction: &Vector3<f64>, value: f64) -> OverMotions {
+    let all: Vec<usize> = [Some(ends.0), ends.1].into_iter().flatten().collect();
+    let dofs = all.iter().flat_map(|node| (0..3).map(move |c| 6 * node + c)).collect();
+    let difference =
+        DVector::from_fn(3 * all.len(), |i, _| if i < 3 { -direction[i] } else { direction[i - 3] });
+    (dofs, &difference * difference.transpose() * value)
 }
 
 /// A general element: K over (ui, ud) = `[k, -k S; -S^T k, S^T k S]`, k the given stiffness or the inverse of the given

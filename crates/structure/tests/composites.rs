@@ -35,6 +35,63 @@ fn a_symmetric_list_of_plies_is_the_list_followed_by_itself_backwards() {
     same(&half, &whole, "plies 1 2 3 3 2 1");
 }
 
+/// One ply of an isotropic material is a plate, and what LAM leaves out of it is a material that PSHELL leaves empty (Nastran Quick
+/// Reference Guide, PCOMP).
+#[test]
+fn lam_computes_what_a_plate_without_some_materials_does() {
+    let element = "CQUAD4,1,1,1,2,3,4\n";
+    for (option, plate) in [
+        ("", "PSHELL,1,3,.004,3,,3\n"),
+        ("MEM", "PSHELL,1,3,.004\n"),
+        ("BEND", "PSHELL,1,,.004,3\n"),
+        ("SMEAR", "PSHELL,1,3,.004,3\n"),
+    ] {
+        let laminate = format!("{element}PCOMP,1,,,,,,,{option}\n,3,.001,,,3,.003\n");
+        same(&laminate, &format!("{element}{plate}"), option);
+    }
+}
+
+#[test]
+fn smeared_plies_have_the_membrane_of_any_sequence_and_bend_as_one_plate_of_it() {
+    let element = "CQUAD4,1,1,1,2,3,4\n";
+    let [one, other] = ["1,.001,0.,,1,.003,90.", "1,.003,90.,,1,.001,0."]
+        .map(|plies| format!("{element}PCOMP,1,,,,,,,SMEAR\n,{plies}\n"));
+    same(&one, &other, "0/90 and 90/0");
+    // Thin layers that change often approach it.
+    let mut many = format!("{element}PCOMP,1\n");
+    for _ in 0..100 {
+        many.push_str(",1,1.-5,0.,,1,3.-5,90.\n");
+    }
+    let bent = DVector::from_iterator(
+        24,
+        [0.0, 0.5, 0.6, 0.0].into_iter().flat_map(|x| [0.0, 0.0, -x * x, 0.0, 2.0 * x, 0.0]),
+    );
+    let energy = |deck: &str| bent.dot(&(&matrices(deck)[0] * &bent));
+    close(energy(&one), energy(&many), 2e-3, "bending of one and of two hundred layers");
+}
+
+#[test]
+fn a_core_has_half_of_the_mean_of_its_faces_on_either_side() {
+    let element = "CQUAD4,1,1,1,2,3,4,15.\n";
+    let given = format!("{element}PCOMP,1,,,,,,,SMCORE\n,1,.002,,,2,.01,30.\n");
+    let whole = format!("{element}PCOMP,1\n,1,.001,,,2,.01,30.\n,1,.001\n");
+    same(&given, &whole, "one ply in the faces");
+    // A plate of two materials in its faces has the mean of their stiffness there.
+    let mixed = |plies: &str| format!("{element}PCOMP,1,,,,,,,SMCORE\n,{plies}\n,3,.01\n");
+    same(&mixed("1,.001,20.,,2,.003"), &mixed("2,.003,,,1,.001,20."), "the sequence of the faces' plies");
+    let refused = |cards: &str| {
+        let bulk = parse_deck("test.bdf", &format!("{GRIDS}{MATERIALS}{element}{cards}")).expect("a deck");
+        Model::from_bulk(&bulk).expect_err("refused").to_string()
+    };
+    let error = refused("PCOMP,1,0.,,,,,,SMEAR\n,1,.001\n");
+    assert!(
+        error.contains("PCOMP 1 has Z0 0 with LAM SMEAR, which stands on its middle (Z0 -0.0005)"),
+        "{error}"
+    );
+    let error = refused("PCOMP,1,,,,,,,SMCORE\n,1,.001\n");
+    assert!(error.contains("PCOMP 1 with LAM SMCORE has no faces"), "{error}");
+}
+
 #[test]
 fn z0_is_the_height_of_the_lowest_face_over_the_grids() {
     let (t, z0) = (0.004, 0.01);

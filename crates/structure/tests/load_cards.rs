@@ -38,6 +38,33 @@ fn near(own: Vector3<f64>, expected: [f64; 3], what: &str) {
     assert!((own - expected).norm() < 1e-9 * (1.0 + expected.norm()), "{what}: {own} for {expected}");
 }
 
+#[test]
+fn sums_of_loads_may_be_summed_but_not_in_a_circle() {
+    let cards = "FORCE,1,7,,2.,1.,0.,3.\nFORCE,2,6,,1.,0.,1.,0.\nLOAD,3,2.,1.,1,.5,2\nLOAD,4,3.,1.,3,-1.,2\n";
+    // 3 (2 (F1 + .5 F2) - F2) = 6 F1
+    near(summed(cards, 4).0, [12.0, 0.0, 36.0], "twice");
+    let circle = deck(&format!("{BOX}{cards}LOAD,5,1.,1.,6\nLOAD,6,1.,1.,5,1.,1\n"));
+    let error = loads_of(&circle, 6).expect_err("refused").to_string();
+    assert!(error.contains("LOAD 6 is a part of itself"), "{error}");
+}
+
+#[test]
+fn accelerated_grids_push_the_masses_that_they_carry() {
+    // Eighths of the box's 2400 kg at its corners, quarters of the plate's 60 kg at the upper ones (.1 m of 100 kg/m³), and a body.
+    let at = |cards: &str| summed(&format!("CONM2,9,7,,5.,.5,0.,0.\n{cards}"), 1);
+    near(at("ACCEL1,1,,2.,1.,0.,3.\n,1\n").0, [600.0, 0.0, 1800.0], "a corner below");
+    let (force, moment) = at("ACCEL1,1,,2.,0.,0.,1.\n,7\n");
+    near(force, [0.0, 0.0, 640.0], "a corner above");
+    near(moment, [3.0 * 640.0, -2.0 * 630.0 - 2.5 * 10.0, 0.0], "the body stands beside its grid");
+    // All of them are weight.
+    let all = at("ACCEL1,1,,2.,1.,0.,3.\n,1,THRU,8\n");
+    let weight = at("GRAV,1,,2.,1.,0.,3.\n");
+    near(all.0, weight.0.into(), "force");
+    near(all.1, weight.1.into(), "moment");
+    let error = loads_of(&deck(&format!("{BOX}ACCEL1,1,,2.,1.\n,77\n")), 1).unwrap_err().to_string();
+    assert!(error.contains("ACCEL1 of set 1 refers to GRID 77"), "{error}");
+}
+
 /// Springs of 2 and 3 N/m in a row from the ground, loaded by 6 and 1.5 N: u1 = 7.5/2, u2 = u1 + 1.5/3.
 #[test]
 fn loads_of_scalar_points_act_on_their_one_motion() {

@@ -36,6 +36,14 @@ fn rigid_elements_with_all_displacements_turn_and_others_are_linear() {
         ("RBAR,7,1,3,123456,,,12\n", Joint::Linear),
         ("RBAR,7,1,3,,123456,1234\n", Joint::Linear),
         ("RBAR,7,1,3,1234,23\n", Joint::Linear),
+        ("RBAR1,7,1,3\n", rigid(0, &[2], true)),
+        ("RBAR1,7,1,3,123\n", rigid(0, &[2], false)),
+        ("RBAR1,7,1,3,1235\n", Joint::Linear),
+        ("RTRPLT1,7,2,1,3\n", rigid(1, &[0, 2], true)),
+        ("RTRPLT1,7,2,1,3,123,123456\n", Joint::Linear),
+        ("RBE1,7,2,123456\n,UM,1,123,3,123\n", rigid(1, &[0, 2], false)),
+        ("RBE1,7,2,123,1,23,3,3\n,UM,2,456\n", Joint::Linear),
+        ("RROD,7,1,3,1\n", Joint::Linear),
     ] {
         assert_eq!(joint(cards), expected, "{cards}");
     }
@@ -127,6 +135,26 @@ fn rows_of_ties_hold_under_every_rigid_motion() {
             [of(0, &[5]), of(3, &[1, 6])].concat(),
             [of(0, &[1, 2, 3, 4]), of(3, &[2, 3])].concat(),
         ),
+        // A component that is not named follows nothing.
+        ("RBAR1,7,4,1,1246\n", of(0, &[1, 2, 4, 6]), all(3)),
+        (
+            "RTRPLT,7,1,2,4,1235,3,3\n",
+            [of(0, &[4, 6]), of(1, &[1, 2, 4, 5, 6]), of(3, &[1, 2, 4, 5, 6])].concat(),
+            [of(0, &[1, 2, 3, 5]), of(1, &[3]), of(3, &[3])].concat(),
+        ),
+        (
+            "RTRPLT,7,1,2,4,1235,3,3\n,,1,16\n",
+            [of(1, &[1]), of(3, &[1, 6])].concat(),
+            [of(0, &[1, 2, 3, 5]), of(1, &[3]), of(3, &[3])].concat(),
+        ),
+        ("RTRPLT1,7,4,1,2,,35\n", [all(0), of(1, &[3, 5])].concat(), all(3)),
+        // Six independent motions of four grids, two lines of them, and the rest of some.
+        (
+            "RBE1,7,1,123,2,3,3,3\n,,4,1\n,UM,1,456,2,12,9,123456\n,,4,26,6.5-6\n",
+            [of(0, &[4, 5, 6]), of(1, &[1, 2]), of(3, &[2, 6]), all(4)].concat(),
+            [of(0, &[1, 2, 3]), of(1, &[3]), of(2, &[3]), of(3, &[1])].concat(),
+        ),
+        ("RROD,7,4,9,2\n", of(3, &[2]), [of(3, &[1, 3]), of(4, &[1, 2, 3])].concat()),
         ("RBE2,7,4,135,2,1\n", [of(0, &[1, 3, 5]), of(1, &[1, 3, 5])].concat(), all(3)),
         ("RBE3,7,,9,26,1.,123,1,2\n,2.,13,4,3\n", of(4, &[2, 6]), [all(0), all(1), all(2), all(3)].concat()),
         (
@@ -159,11 +187,32 @@ fn motions_that_do_not_hold_a_bar_are_refused() {
     for cards in ["RBAR,7,11,12,123,123\n", "RBAR,7,11,12,1235,16\n"] {
         let error = read(&format!("{flat}{cards}")).expect_err("refused");
         assert!(
-            error.contains("RBAR 7: its independent motions do not determine the motion of the bar"),
+            error.contains("RBAR 7: its independent motions do not determine the motion of the body"),
             "{error}"
         );
     }
     assert!(read(&format!("{flat}RBAR,7,11,12,1234,23\n")).is_ok());
+}
+
+#[test]
+fn a_rigid_rod_keeps_the_distance_of_its_ends_and_nothing_else() {
+    let model = read("RROD,7,4,9,,3\n").expect("a rod");
+    let row = &model.dependents[0];
+    assert_eq!((row.dof, model.dependents.len()), (6 * 4 + 2, 1));
+    // Any motions of the two ends, the dependent one by its row.
+    let mut motion = [0.0; 30];
+    for (dof, value) in motion.iter_mut().enumerate() {
+        *value = (1.7 * dof as f64).sin();
+    }
+    motion[row.dof] = row.row.iter().map(|(dof, factor)| factor * motion[*dof]).sum();
+    let moved = |node: usize| {
+        model.nodes[node].axes * nalgebra::Vector3::from_column_slice(&motion[6 * node..6 * node + 3])
+    };
+    let along = model.nodes[4].point - model.nodes[3].point;
+    assert!((moved(4) - moved(3)).dot(&along).abs() < 1e-14 && (moved(4) - moved(3)).norm() > 0.5);
+    let across = "GRID,11,,0.,0.,0.\nGRID,12,,2.,0.,0.\nRROD,7,11,12,2\n";
+    let error = read(across).expect_err("refused");
+    assert!(error.contains("RROD 7: component 2 of GRID 11 is across the rod"), "{error}");
 }
 
 /// Equations solved for their first motion: x = -(sum of the others) / its own factor.

@@ -315,3 +315,22 @@ fn shells_share_the_normal_of_a_grid_up_to_the_angle_of_snorm() {
         assert!((folded("PARAM,SNORM,0.\n", second) / own - 1.0).abs() < 1e-9, "zero: no shared normals");
     }
 }
+
+/// MAT1 with E alone has NU and G of zero (QRG, MAT1, remark 2): bars of it bend, and AUTOSPC holds their twist; a wing is not left without.
+#[test]
+fn bars_without_a_shear_modulus_bend_and_do_not_twist() {
+    let bar = |material: &str, kind: &str| {
+        format!(
+            "GRID,1,,0.,0.,0.,,123456\nGRID,2,,1.,0.,0.\n{kind}\nPBAR,1,1,1.-4,1.-8,2.-8,1.-8\nPBEAM,2,1,1.-4,1.-8,2.-8,,1.-8\n\
+             CONM2,3,2,,3.\n{material}\n"
+        )
+    };
+    for kind in ["CBAR,1,1,1,2,0.,0.,1.", "CBEAM,1,2,1,2,0.,0.,1."] {
+        let bare = bar("MAT1,1,7.+10", kind);
+        assert_eq!(deck_system(&bare, None).auto_held(), [(2, 4)], "{kind}");
+        // A shear modulus that is too large to be felt.
+        assert_near(&hertz(&bare, None, 3), &hertz(&bar("MAT1,1,7.+10,7.+13", kind), None, 3), 1e-6, kind);
+        let error = Model::from_bulk(&parse_deck("deck.bdf", &bare).expect("a deck")).expect_err("refused");
+        assert!(error.to_string().contains("material 1 has G = 0, and beam property"), "{error}");
+    }
+}

@@ -185,6 +185,7 @@ fn answers(structure: &Value) -> Answers {
         Mat::from_fn(12, 12, |i, j| if i == j { value(modes.omega_rad_s[i]) } else { 0.0 })
     };
     let (mass, damping) = (diagonal(&|_| 1.0), diagonal(&|omega| DAMPING_G * omega));
+    let undamped = diagonal(&|_| 0.0);
     let wing = Aeroelastic::new(mass, damping, diagonal(&|omega| omega * omega), &air).expect("twelve modes");
     let flow = Flow { v_m_s: V, rho_kg_m3: RHO };
     let hz: Vec<f64> = (1..40).map(|i| 0.25 * f64::from(i)).collect();
@@ -192,7 +193,8 @@ fn answers(structure: &Value) -> Answers {
         let omega = TAU * hz;
         let load = gust.at(omega / V, 78.75 + GUST_X).expect("within the table");
         let load = load * faer::Scale(c64::from(WG * flow.dynamic_pressure_pa()));
-        let x = elastic_response(&wing, flow, omega, 0.0, load.as_ref()).expect("within the table");
+        let x =
+            elastic_response(&wing, flow, omega, undamped.as_ref(), load.as_ref()).expect("within the table");
         std::array::from_fn(|i| (0..12).map(|mode| x[(mode, 0)] * outputs[(i, mode)]).sum())
     });
     Answers { values: values.collect(), hz }

@@ -7,7 +7,7 @@ use crate::row::Row;
 use crate::{list, number, numbers};
 use nastran::{
     BeamElement, BeamProperty, BeamStation, BulkData, Conm1, Expansion, Genel, Grid, Mat1, Mpc, Orientation,
-    ScalarElement, ScalarValue, Spc1,
+    ScalarElement, ScalarKind, ScalarValue, Spc1,
 };
 use serde_json::Value;
 use structure::{Model, System};
@@ -173,7 +173,7 @@ pub(super) fn bah_system(inputs: &Value) -> System {
     let mut bulk = bah_structure(inputs);
     bulk.springs.insert(81, scalar(81, 5_142_671.0, [Some((12, 5)), None]));
     bulk.scalar_masses
-        .insert(82, ScalarElement { is_mass: true, ..scalar(82, 13_967.2, [Some((12, 5)), None]) });
+        .insert(82, ScalarElement { kind: ScalarKind::Mass, ..scalar(82, 13_967.2, [Some((12, 5)), None]) });
     bulk.constraints.push(Spc1 {
         set: 1,
         components: vec![4, 5],
@@ -185,7 +185,7 @@ pub(super) fn bah_system(inputs: &Value) -> System {
 }
 
 pub(super) fn scalar(id: u32, value: f64, ends: [Option<(u32, u8)>; 2]) -> ScalarElement {
-    ScalarElement { id, value: ScalarValue::Given(value), ends, is_mass: false, span: span() }
+    ScalarElement { id, value: ScalarValue::Given(value), ends, kind: ScalarKind::Spring, span: span() }
 }
 
 pub(super) fn bah_structure(inputs: &Value) -> BulkData {
@@ -222,7 +222,8 @@ pub(super) fn bah_structure(inputs: &Value) -> BulkData {
             (0..).zip([(own, [Some(a), None]), (coupling, [Some(a), Some(b)]), (other, [Some(b), None])])
         {
             let id = 10 + 3 * pair + at;
-            bulk.scalar_masses.insert(id, ScalarElement { is_mass: true, ..scalar(id, value, ends) });
+            bulk.scalar_masses
+                .insert(id, ScalarElement { kind: ScalarKind::Mass, ..scalar(id, value, ends) });
         }
     }
     let root = &inputs["conm1_11"];

@@ -1,7 +1,7 @@
 //! Laminates of the published plates: one ply material, angles, simply supported edges.
 
 use super::{Mesh, span};
-use nastran::{Expansion, Mat8, Pcomp, Ply};
+use nastran::{Expansion, LaminateOption, Mat8, Pcomp, Ply};
 
 /// A ply's elastic constants and density.
 #[derive(Debug, Clone, Copy)]
@@ -71,7 +71,7 @@ impl Mesh {
             nsm: 0.0,
             reference: 0.0,
             plies,
-            is_symmetric: false,
+            option: LaminateOption::All,
             is_global: false,
             span: span(),
         };

@@ -10,7 +10,10 @@ use coupling::Spline;
 use faer::Mat;
 use nastran::{Aero, BulkData, Dmig, EigenMethod, Frames, InputError, Subcase};
 use std::f64::consts::TAU;
-use structure::{Modes, ModesError, Reduced, System, count_below, normal_modes, reduced};
+use structure::{
+    Damper, Modes, ModesError, Reduced, System, count_below, dampers, modal_damping,
+    modal_structural_damping, normal_modes, reduced,
+};
 
 /// Modes of a deck that asks for none in particular.
 const MODES: usize = 10;
@@ -24,8 +27,10 @@ pub struct ModalDeck {
     pub lattice: Lattice,
     /// Natural frequencies, rad/s; zero for rigid motions.
     pub omega_rad_s: Vec<f64>,
-    /// Viscous damping of each mode, per unit of its mass, 1/s.
-    pub damping: Vec<f64>,
+    /// Viscous damping of the modes, forces by velocities per unit of their masses, 1/s: that of TABDMP1 (diagonal) and of dampers.
+    pub damping: Mat<f64>,
+    /// Dampers of the deck, such as `CDAMP 12`.
+    pub dampers: Vec<Damper>,
     /// References: chord, density, symmetry.
     pub aero: Aero,
     /// Boxes without a spline, which neither move nor load the structure.
@@ -82,6 +87,7 @@ impl ModalDeck {
             spline::splines(&bulk, &lattice, system.node_ids(), system.points(), &stream)?;
         let shapes = system.expand(modes.shapes.as_ref());
         let motion = spline.displace(shapes.as_ref());
+        let dampers = dampers(&bulk)?;
         let pairs: Vec<(f64, f64)> =
             bulk.reduced_frequencies.iter().flat_map(|card| card.pairs.iter().copied()).collect();
         if pairs.is_empty() {
@@ -89,7 +95,8 @@ impl ModalDeck {
             return Err(error.with_help("list Mach numbers and reduced frequencies").into());
         }
         Ok(Self {
-            damping: damping(&bulk, subcase, &modes)?,
+            damping: damping(&bulk, subcase, &modes)? + modal_damping(&dampers, shapes.as_ref()),
+            dampers,
             omega_rad_s: modes.omega_rad_s,
             corrections: corrections(&bulk, lattice.len())?,
             lattice,
@@ -103,6 +110,19 @@ impl ModalDeck {
             motion,
             pairs,
         })
+    }
+
+    /// Structural damping forces on the modes by their displacements, per unit of their masses, 1/s²: PARAM G and GE of the elements.
+    ///
+    /// # Errors
+    /// As where the elements are made.
+    pub(crate) fn structural_damping(&self) -> Result<Mat<f64>, InputError> {
+        let g = self.bulk.parameters.get("G").copied().unwrap_or(0.0);
+        let mut damping = modal_structural_damping(&self.bulk, self.shapes.as_ref())?;
+        for (mode, omega) in self.omega_rad_s.iter().enumerate() {
+            damping[(mode, mode)] += g * omega.powi(2);
+        }
+        Ok(damping)
     }
 
     /// Grid and component of the motions that AUTOSPC holds; their masses and loads act on nothing.
@@ -175,9 +195,10 @@ fn wanted(method: Option<&EigenMethod>, system: &System) -> Result<usize, ModesE
     }
 }
 
-/// Viscous damping of the modes, 1/s: g omega.
-fn damping(bulk: &BulkData, subcase: &Subcase, modes: &Modes) -> Result<Vec<f64>, InputError> {
-    let Some(id) = subcase.damping else { return Ok(vec![0.0; modes.omega_rad_s.len()]) };
+/// Viscous damping of the modes by SDAMPING, 1/s: g omega on the diagonal.
+fn damping(bulk: &BulkData, subcase: &Subcase, modes: &Modes) -> Result<Mat<f64>, InputError> {
+    let n = modes.omega_rad_s.len();
+    let Some(id) = subcase.damping else { return Ok(Mat::zeros(n, n)) };
     let missing =
         || InputError::general(format!("the case control selects SDAMPING {id}, which is not there"));
     let table = bulk.damping_tables.get(&id).ok_or_else(missing)?;
@@ -189,7 +210,7 @@ fn damping(bulk: &BulkData, subcase: &Subcase, modes: &Modes) -> Result<Vec<f64>
         return Err(InputError::at(&table.span, message)
             .with_help("leave out PARAM KDAMP: then g times a mode's frequency is its viscous damping"));
     }
-    Ok(all)
+    Ok(Mat::from_fn(n, n, |i, j| if i == j { all[i] } else { 0.0 }))
 }
 
 /// Refuses direct matrices that join points of the structure, and transfer functions; those of extra points alone change nothing.

@@ -201,7 +201,10 @@ impl DeckPlan {
     /// The deck's modes with the air's frequencies (omega/V) of a Mach number.
     fn modal(&self, model: usize, mach: f64, kappa: &[f64]) -> Result<ModalDeck, AircraftError> {
         let (bulk, subcase) = self.moved(model, mach, kappa)?;
-        ModalDeck::new(&bulk, &subcase, "the answer to a gust")
+        let modal = ModalDeck::new(&bulk, &subcase, "the answer to a gust")?;
+        let Some(damper) = modal.dampers.first() else { return Ok(modal) };
+        let message = format!("{}: loads of stations in gusts would be without its forces", damper.owner);
+        Err(InputError::at(&damper.span, message).with_help("damp modes by SDAMPING").into())
     }
 }
 

@@ -132,6 +132,7 @@ pub fn structure_of(deck: &BulkData, origin: &[String]) -> String {
         pressures: Vec::new(),
         gravities: Vec::new(),
         spins: Vec::new(),
+        accelerations: Vec::new(),
         load_sums: BTreeMap::new(),
         aero_reference: None,
         trim_variables: BTreeMap::new(),

@@ -1,4 +1,4 @@
-//! Sections of bars and beams along their length: PBAR, PBEAM, and by the name of a section PBARL and PBEAML.
+//! Sections of bars and beams along their length: PBAR, PBEAM, by the name of a section PBARL and PBEAML, and PBCOMP.
 
 use super::named_section::{self, NamedStation};
 use super::prelude::*;
@@ -55,6 +55,7 @@ impl DeckCard for BeamProperty {
         let property = match card.name.as_str() {
             "PBAR" => pbar(card)?,
             "PBEAM" => pbeam(card)?,
+            "PBCOMP" => pbcomp(card)?,
             _ => named(card)?,
         };
         Ok(vec![property])
@@ -219,6 +220,33 @@ fn named(card: &Card) -> Result<BeamProperty, InputError> {
         nsm_offset: [[0.0; 2]; 2],
         neutral_axis: if is_beam { neutral_axis } else { [[0.0; 2]; 2] },
         is_beam,
+        span: card.span.clone(),
+    })
+}
+
+/// PBCOMP: PID MID A I1 I2 I12 J NSM / K1 K2 M1 M2 N1 N2 SYMOPT, without its areas.
+fn pbcomp(card: &Card) -> Result<BeamProperty, InputError> {
+    let station = BeamStation {
+        x_over_l: 0.0,
+        area: card.positive(2, "A")?,
+        i1: card.not_negative(3, "I1", 0.0)?,
+        i2: card.not_negative(4, "I2", 0.0)?,
+        i12: card.real_or(5, "I12", 0.0)?,
+        j: card.not_negative(6, "J", 0.0)?,
+        nsm: card.real_or(7, "NSM", 0.0)?,
+    };
+    let line = FIELDS_PER_LINE;
+    let of_nsm = [card.real_or(line + 2, "M1", 0.0)?, card.real_or(line + 3, "M2", 0.0)?];
+    let neutral = [card.real_or(line + 4, "N1", 0.0)?, card.real_or(line + 5, "N2", 0.0)?];
+    Ok(BeamProperty {
+        id: card.id(0, "PID")?,
+        material: card.id(1, "MID")?,
+        stations: vec![station, BeamStation { x_over_l: 1.0, ..station }],
+        shear_factors: [card.real_or(line, "K1", 1.0)?, card.real_or(line + 1, "K2", 1.0)?],
+        nsi: [0.0; 2],
+        nsm_offset: [of_nsm; 2],
+        neutral_axis: [neutral; 2],
+        is_beam: true,
         span: card.span.clone(),
     })
 }

@@ -114,42 +114,58 @@ impl DeckCard for Cbush {
     }
 }
 
-/// A bush's property (PBUSH): six stiffnesses.
+/// A bush's property (PBUSH): six stiffnesses, six dampings and a mass.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pbush {
     /// Identification number.
     pub id: u32,
     /// K1 to K6.
     pub stiffness: [f64; 6],
+    /// B1 to B6: viscous damping, force per velocity.
+    pub damping: [f64; 6],
+    /// M: mass, at the place of the spring.
+    pub mass: f64,
     /// Where the card stands.
     pub span: Span,
 }
 
 impl DeckCard for Pbush {
     numbered!();
-    /// PBUSH: PID, then rows of a word and its values: K K1 ... K6 is read; B, GE and RCV are skipped, M is refused.
+    /// PBUSH: PID, then rows of a word and its values: K, B and M are read, GE and RCV are skipped, thermal expansion (T) is refused.
     fn read(card: &Card) -> Result<Vec<Self>, InputError> {
-        let mut stiffness = [0.0; 6];
+        let (mut stiffness, mut damping, mut mass) = ([0.0; 6], [0.0; 6], 0.0);
         for row in (0..card.len()).step_by(FIELDS_PER_LINE) {
-            match card.text(row + 1).to_uppercase().as_str() {
-                "K" => {
-                    let names = ["K1", "K2", "K3", "K4", "K5", "K6"];
-                    for (index, name) in names.into_iter().enumerate() {
-                        stiffness[index] = card.not_negative(row + 2 + index, name, 0.0)?;
-                    }
+            let six = |letter: &str| -> Result<[f64; 6], InputError> {
+                let mut values = [0.0; 6];
+                for (index, value) in values.iter_mut().enumerate() {
+                    *value = card.not_negative(row + 2 + index, &format!("{letter}{}", index + 1), 0.0)?;
                 }
-                "M" => card.unset(row + 2, "M")?,
-                "B" | "GE" | "RCV" | "" => {}
+                Ok(values)
+            };
+            match card.text(row + 1).to_uppercase().as_str() {
+                "K" => stiffness = six("K")?,
+                "B" => damping = six("B")?,
+                "M" => mass = card.not_negative(row + 2, "M", 0.0)?,
+                "T" => card.unset(row + 2, "ALPHA")?,
+                "GE" | "RCV" | "" => {}
                 _ => {
-                    return Err(card.wrong(row + 1, "FLAG", "K, B, GE or RCV, the only rows that are known"));
+                    let known = "K, B, M, GE, RCV or T, the only rows that are known";
+                    return Err(card.wrong(row + 1, "FLAG", known));
                 }
             }
         }
-        Ok(vec![Pbush { id: card.id(0, "PID")?, stiffness, span: card.span.clone() }])
+        Ok(vec![Pbush { id: card.id(0, "PID")?, stiffness, damping, mass, span: card.span.clone() }])
     }
 
     fn write(&self, card: Fields) -> Fields {
-        card.int(self.id).text("K").reals(&self.stiffness)
+        let mut card = card.int(self.id).text("K").reals(&self.stiffness);
+        if self.damping != [0.0; 6] {
+            card = card.blanks(1).text("B").reals(&self.damping);
+        }
+        if self.mass != 0.0 {
+            card = card.blanks(1).text("M").real(self.mass);
+        }
+        card
     }
 
     raises!(cards: id);

@@ -1,6 +1,7 @@
 //! Weight (GRAV), and sums of load sets (LOAD).
 
 use super::prelude::*;
+use crate::bulk_data::BulkData;
 use nalgebra::Vector3;
 
 /// An acceleration of gravity on all masses (GRAV).
@@ -38,6 +39,44 @@ impl DeckCard for Gravity {
 
     // An image has no case control that selects loads.
     no_image!();
+}
+
+impl BulkData {
+    /// The sets without a LOAD of their own that a set sums, each with its factor; LOAD may sum others (QRG, LOAD, remark 5). A set that is
+    /// no sum is itself.
+    ///
+    /// # Errors
+    /// If a sum is part of itself.
+    pub fn summed_sets(&self, set: u32) -> Result<Vec<(f64, u32)>, InputError> {
+        let mut found = Vec::new();
+        self.add_summed(set, 1.0, &mut Vec::new(), &mut found)?;
+        Ok(found)
+    }
+
+    fn add_summed(
+        &self,
+        set: u32,
+        factor: f64,
+        within: &mut Vec<u32>,
+        found: &mut Vec<(f64, u32)>,
+    ) -> Result<(), InputError> {
+        let Some(sum) = self.load_sums.get(&set) else {
+            found.push((factor, set));
+            return Ok(());
+        };
+        if within.contains(&set) {
+            let message = format!("LOAD {set} is a part of itself");
+            return Err(
+                InputError::at(&sum.span, message).with_help("a LOAD may sum others, but not in a circle")
+            );
+        }
+        within.push(set);
+        for (own, part) in &sum.parts {
+            self.add_summed(*part, factor * sum.scale * own, within, found)?;
+        }
+        within.pop();
+        Ok(())
+    }
 }
 
 /// A sum of load sets (LOAD).

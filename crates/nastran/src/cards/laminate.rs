@@ -22,6 +22,46 @@ impl Ids for Ply {
     }
 }
 
+/// LAM: which plies are listed and what is computed of them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LaminateOption {
+    /// Blank: all plies, all stiffness.
+    All,
+    /// SYM: the lower half of the plies, all stiffness.
+    Symmetric,
+    /// MEM: all plies, membrane stiffness alone.
+    Membrane,
+    /// BEND: all plies, bending stiffness alone.
+    Bending,
+    /// SMEAR: all plies, whose sequence does not matter: a plate of their mean.
+    Smeared,
+    /// SMCORE: the faces' plies and, last, the core; half of the faces' mean lies below and half above it.
+    SmearedFaces,
+}
+
+impl LaminateOption {
+    const WORDS: [(&'static str, Self); 5] = [
+        ("SYM", Self::Symmetric),
+        ("MEM", Self::Membrane),
+        ("BEND", Self::Bending),
+        ("SMEAR", Self::Smeared),
+        ("SMCORE", Self::SmearedFaces),
+    ];
+
+    /// Field LAM of a card.
+    fn read(card: &Card) -> Result<Self, InputError> {
+        card.word(7, "LAM", &Self::WORDS.map(|(word, _)| word))?;
+        let given = card.text(7);
+        let found = Self::WORDS.into_iter().find(|(word, _)| word.eq_ignore_ascii_case(given));
+        Ok(found.map_or(Self::All, |(_, option)| option))
+    }
+
+    /// Its word; none for all plies and all stiffness.
+    pub fn word(self) -> Option<&'static str> {
+        Self::WORDS.into_iter().find(|(_, option)| *option == self).map(|(word, _)| word)
+    }
+}
+
 /// A laminate (PCOMP, PCOMPG), plies from bottom to top.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pcomp {
@@ -33,10 +73,10 @@ pub struct Pcomp {
     pub nsm: f64,
     /// TREF: the temperature at which nothing has expanded, in the place of the plies' own.
     pub reference: f64,
-    /// The plies the card lists. With `is_symmetric` these are the lower half only.
+    /// The plies the card lists.
     pub plies: Vec<Ply>,
-    /// LAM = SYM.
-    pub is_symmetric: bool,
+    /// LAM: whether these are all, and what is computed of them.
+    pub option: LaminateOption,
     /// True for PCOMPG.
     pub is_global: bool,
     /// Where the card stands.
@@ -53,7 +93,7 @@ impl DeckCard for Pcomp {
     /// Strength and damping (SB, FT, GE) are skipped. Four empty fields are no ply.
     fn read(card: &Card) -> Result<Vec<Self>, InputError> {
         let is_global = card.name == "PCOMPG";
-        card.word(7, "LAM", &["SYM"])?;
+        let option = LaminateOption::read(card)?;
         let (stride, first) = if is_global { (FIELDS_PER_LINE, 1) } else { (4, 0) };
         let mut plies: Vec<Ply> = Vec::new();
         for start in (FIELDS_PER_LINE..card.len()).step_by(stride) {
@@ -85,7 +125,7 @@ impl DeckCard for Pcomp {
             nsm: card.real_or(2, "NSM", 0.0)?,
             reference: card.real_or(5, "TREF", 0.0)?,
             plies,
-            is_symmetric: !card.text(7).is_empty(),
+            option,
             is_global,
             span: card.span.clone(),
         }])
@@ -95,7 +135,10 @@ impl DeckCard for Pcomp {
         let card = card.int(self.id).optional_real(self.z0).real(self.nsm).blanks(2);
         let warm = Some(self.reference).filter(|reference| *reference != 0.0);
         let card = card.optional_real(warm).blanks(1);
-        let mut card = if self.is_symmetric { card.text("SYM") } else { card.blanks(1) };
+        let mut card = match self.option.word() {
+            Some(word) => card.text(word),
+            None => card.blanks(1),
+        };
         for ply in &self.plies {
             if self.is_global {
                 card = card.next_line().int(ply.global_id.unwrap_or(1));

@@ -1,4 +1,4 @@
-//! Rigid elements and weighted means: RBE2, RBAR and RBE3. Thermal expansion is skipped.
+//! Rigid elements about one grid and weighted means: RBE2 and RBE3. Thermal expansion is skipped.
 
 use super::prelude::*;
 use crate::real;
@@ -43,55 +43,6 @@ impl DeckCard for Rbe2 {
     }
 
     raises!(cards: id, independent, dependent);
-
-    own_image!();
-}
-
-/// A rigid bar (RBAR).
-#[derive(Debug, Clone, PartialEq)]
-pub struct Rbar {
-    /// Identification number.
-    pub id: u32,
-    /// End grids.
-    pub grids: [u32; 2],
-    /// CNA, CNB: independent components at the ends, six in all.
-    pub independent: [Vec<u8>; 2],
-    /// CMA, CMB: dependent components at the ends; both empty means all that are not independent.
-    pub dependent: [Vec<u8>; 2],
-    /// Where the card stands.
-    pub span: Span,
-}
-
-impl DeckCard for Rbar {
-    numbered!();
-    /// RBAR: EID GA GB CNA CNB CMA CMB ALPHA; thermal expansion is skipped.
-    fn read(card: &Card) -> Result<Vec<Self>, InputError> {
-        card.ends_after(8)?;
-        let id = card.id(0, "EID")?;
-        let grids = card.corners(1, &["GA", "GB"])?;
-        let independent = [card.components(3, "CNA")?, card.components(4, "CNB")?];
-        let dependent = [card.components(5, "CMA")?, card.components(6, "CMB")?];
-        let count = independent[0].len() + independent[1].len();
-        if count != 6 {
-            let message = format!("RBAR {id} has {count} independent components in CNA and CNB, not six");
-            return Err(card.error(3, message).with_help("for instance CNA 123456 and CNB empty"));
-        }
-        for end in 0..2 {
-            if let Some(digit) = dependent[end].iter().find(|digit| independent[end].contains(digit)) {
-                let message =
-                    format!("component {digit} of RBAR {id} is independent and dependent at one end");
-                return Err(card.error(5 + end, message));
-            }
-        }
-        Ok(vec![Rbar { id, grids: [grids[0], grids[1]], independent, dependent, span: card.span.clone() }])
-    }
-
-    fn write(&self, card: Fields) -> Fields {
-        let card = card.int(self.id).ints(self.grids);
-        self.independent.iter().chain(&self.dependent).fold(card, |card, digits| card.digits(digits))
-    }
-
-    raises!(cards: id, grids);
 
     own_image!();
 }

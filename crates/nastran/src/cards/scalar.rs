@@ -1,15 +1,48 @@
-//! Springs and masses between single motions: CELAS1 to CELAS4, PELAS, CMASS1 to CMASS4 and PMASS.
+//! Springs, masses and dampers between single motions: CELAS1 to CELAS4, PELAS, CMASS1 to CMASS4, PMASS, CDAMP1 to CDAMP4 and PDAMP.
 
 use super::prelude::*;
 use crate::card::FIELDS_PER_LINE;
 use crate::motion::{Motion, keeps_sign};
 
+/// What a scalar element is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ScalarKind {
+    /// A stiffness (CELAS).
+    Spring,
+    /// A mass (CMASS).
+    Mass,
+    /// A viscous damping, force per velocity (CDAMP).
+    Damper,
+}
+
+impl ScalarKind {
+    /// Of the card of an element or a property.
+    fn of(name: &str) -> Self {
+        match name {
+            "PMASS" => Self::Mass,
+            "PDAMP" => Self::Damper,
+            _ if name.starts_with("CMASS") => Self::Mass,
+            _ if name.starts_with("CDAMP") => Self::Damper,
+            _ => Self::Spring,
+        }
+    }
+
+    /// The letter of its value on cards.
+    fn letter(self) -> &'static str {
+        match self {
+            Self::Spring => "K",
+            Self::Mass => "M",
+            Self::Damper => "B",
+        }
+    }
+}
+
 /// What a scalar element's number is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ScalarValue {
-    /// Given on the element (CELAS2, CMASS2).
+    /// Given on the element (CELAS2, CMASS2, CDAMP2).
     Given(f64),
-    /// Given by a property (CELAS1: PELAS, CMASS1: PMASS).
+    /// Given by a property (CELAS1: PELAS, CMASS1: PMASS, CDAMP1: PDAMP).
     Property(u32),
 }
 
@@ -21,23 +54,23 @@ impl Ids for ScalarValue {
     }
 }
 
-/// A scalar spring (CELAS1 to CELAS4) or mass (CMASS1 to CMASS4) between two motions, or a motion and the ground.
+/// A scalar spring (CELAS1 to CELAS4), mass (CMASS1 to CMASS4) or damper (CDAMP1 to CDAMP4) between two motions, or a motion and the ground.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ScalarElement {
     /// Identification number.
     pub id: u32,
-    /// Stiffness or mass.
+    /// Stiffness, mass or damping.
     pub value: ScalarValue,
     /// The motions at both ends; none is the ground.
     pub ends: [Option<Motion>; 2],
-    /// True for CMASS1 and CMASS2, false for CELAS1 and CELAS2.
-    pub is_mass: bool,
+    /// Which of them.
+    pub kind: ScalarKind,
     /// Where the card stands.
     pub span: Span,
 }
 
 impl ScalarElement {
-    /// Whether it joins scalar points only (CELAS3, CELAS4, CMASS3, CMASS4).
+    /// Whether it joins scalar points only (CELAS3, CMASS4 and the like).
     fn joins_points(&self) -> bool {
         self.ends.iter().flatten().all(|(_, component)| *component == 0)
     }
@@ -49,8 +82,8 @@ impl DeckCard for ScalarElement {
         usize::from(matches!(card.value, ScalarValue::Given(_))) + 2 * usize::from(card.joins_points())
     });
 
-    /// CELAS1, CMASS1: EID PID G1 C1 G2 C2; CELAS2: EID K G1 C1 G2 C2 GE S; CMASS2: EID M G1 C1 G2 C2; CELAS3, CMASS3:
-    /// EID PID S1 S2; CELAS4: EID K S1 S2; CMASS4: EID M S1 S2.
+    /// CELAS1: EID PID G1 C1 G2 C2; CELAS2: EID K G1 C1 G2 C2 GE S; CELAS3: EID PID S1 S2; CELAS4: EID K S1 S2; so, with M or B for
+    /// K and no GE and S, CMASS1 to CMASS4 and CDAMP1 to CDAMP4.
     ///
     /// Damping and stress coefficients are skipped.
     fn read(card: &Card) -> Result<Vec<Self>, InputError> {
@@ -62,11 +95,11 @@ impl DeckCard for ScalarElement {
         } else {
             6
         })?;
-        let id = card.id(0, "EID")?;
-        let value = match card.name.as_str() {
-            "CELAS2" | "CELAS4" => ScalarValue::Given(card.real(1, "K")?),
-            "CMASS2" | "CMASS4" => ScalarValue::Given(card.real(1, "M")?),
-            _ => ScalarValue::Property(card.id_or(1, "PID", id)?),
+        let (id, kind) = (card.id(0, "EID")?, ScalarKind::of(&card.name));
+        let value = if card.name.ends_with(['2', '4']) {
+            ScalarValue::Given(card.real(1, kind.letter())?)
+        } else {
+            ScalarValue::Property(card.id_or(1, "PID", id)?)
         };
         let ends = if is_scalar {
             let point = |at: usize, name: &str| {
@@ -85,13 +118,7 @@ impl DeckCard for ScalarElement {
             };
             return Err(card.error(2, message));
         }
-        Ok(vec![ScalarElement {
-            id,
-            value,
-            ends,
-            is_mass: card.name.starts_with("CMASS"),
-            span: card.span.clone(),
-        }])
+        Ok(vec![ScalarElement { id, value, ends, kind, span: card.span.clone() }])
     }
 
     fn write(&self, card: Fields) -> Fields {
@@ -132,12 +159,12 @@ fn end(card: &Card, index: usize, grid: &str, digit: &str) -> Result<Option<Moti
     card.motion(index, grid, digit).map(Some)
 }
 
-/// The value of a scalar property (PELAS K1, PMASS M1).
+/// The value of a scalar property (PELAS K1, PMASS M1, PDAMP B1).
 #[derive(Debug, Clone, PartialEq)]
 pub struct ScalarProperty {
     /// Identification number.
     pub id: u32,
-    /// Stiffness or mass.
+    /// Stiffness, mass or damping.
     pub value: f64,
     /// Where the card stands.
     pub span: Span,
@@ -145,9 +172,10 @@ pub struct ScalarProperty {
 
 impl DeckCard for ScalarProperty {
     numbered!();
-    /// PELAS: PID K GE S, twice on one card; PMASS: PID M, four times on one card.
+    /// PELAS: PID K GE S, twice on one card; PMASS and PDAMP: PID M or B, four times on one card.
     fn read(card: &Card) -> Result<Vec<Self>, InputError> {
-        let (stride, what) = if card.name == "PELAS" { (4, "K") } else { (2, "M") };
+        let kind = ScalarKind::of(&card.name);
+        let (stride, what) = (if kind == ScalarKind::Spring { 4 } else { 2 }, kind.letter());
         card.ends_after(FIELDS_PER_LINE)?;
         let mut properties = Vec::new();
         for at in (0..card.len().max(1)).step_by(stride) {

@@ -19,7 +19,8 @@ pub(super) fn material_axes(deck: &BulkData) -> Result<(), InputError> {
 
 /// Demands a component wherever a spring, mass or equation names a grid; only scalar points have none.
 pub(super) fn components(deck: &BulkData) -> Result<(), InputError> {
-    let elements = deck.springs.values().chain(deck.scalar_masses.values());
+    let elements =
+        deck.springs.values().chain(deck.scalar_masses.values()).chain(deck.scalar_dampers.values());
     let of_elements =
         elements.flat_map(|card| card.ends.iter().flatten().map(move |motion| (motion, &card.span)));
     let of_equations =

@@ -16,14 +16,15 @@ pub(crate) struct Target {
 
 /// True if the line is an INCLUDE statement.
 pub(crate) fn is_include(line: &str) -> bool {
-    let word = line.trim_start().split(|c: char| c.is_whitespace() || c == '\'' || c == '"').next();
+    let word = line.trim_start().split(|c: char| c.is_whitespace() || "'\"=".contains(c)).next();
     word.is_some_and(|word| word.eq_ignore_ascii_case("INCLUDE"))
 }
 
 /// Reads the statement that starts in line `start`.
 pub(crate) fn target(file: &Arc<PathBuf>, lines: &[&str], start: usize) -> Result<Target, InputError> {
     let line = lines[start];
-    let rest = line.trim_start().get("INCLUDE".len()..).unwrap_or("").trim();
+    let rest = line.trim_start().get("INCLUDE".len()..).unwrap_or("").trim_start();
+    let rest = rest.strip_prefix('=').unwrap_or(rest).trim();
     let span = Span::new(file, start + 1, 1, line.trim_end().chars().count() + 1);
     let mut next_line = start + 1;
     let name = match rest.chars().next() {

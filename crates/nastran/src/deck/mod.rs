@@ -5,7 +5,7 @@
 
 pub mod case_control;
 mod checks;
-pub(crate) mod damping;
+pub mod damping;
 mod defaults;
 mod dmi_cards;
 pub mod executive;
@@ -18,8 +18,9 @@ mod taken;
 use crate::bulk_data::{BulkData, Unread};
 use crate::card::line::{Line, continuation_name};
 use crate::card::{Card, lists};
-use crate::cards::Spoint;
+use crate::cards::composite_section::LumpedAreas;
 use crate::cards::kind::DeckCard;
+use crate::cards::{Grid, Spoint};
 use crate::source::{InputError, Span};
 use crate::text_file::{no_file, read_deck_text};
 use defaults::Defaults;
@@ -87,6 +88,8 @@ struct Reader {
     numbers: Numbers,
     /// Scalar points named by elements that join nothing else.
     named_points: Vec<Spoint>,
+    /// Areas of sections, whose materials may stand behind them.
+    areas: Vec<LumpedAreas>,
     card: Option<Card>,
     /// Cards that announce a continuation which has not come yet, by its name, with their place among them.
     waiting: BTreeMap<String, Vec<(usize, Card)>>,
@@ -266,7 +269,7 @@ impl Reader {
     }
 
     fn keep(&mut self, card: Card) -> Result<(), InputError> {
-        if matches!(card.name.as_str(), "CELAS3" | "CELAS4" | "CMASS3" | "CMASS4") {
+        if matches!(card.name.as_str(), "CELAS3" | "CELAS4" | "CMASS3" | "CMASS4" | "CDAMP3" | "CDAMP4") {
             let ends = [card.count_or(2, "S1", 0)?, card.count_or(3, "S2", 0)?];
             let points = ends.into_iter().filter(|id| *id > 0);
             self.named_points.extend(points.map(|id| Spoint { id, span: card.span.clone() }));
@@ -276,15 +279,19 @@ impl Reader {
             self.named_points.extend(Spoint::read(&card)?);
             return Ok(());
         }
+        if card.name == "GRID" && self.is_known(&card)? {
+            return Ok(());
+        }
+        if card.name == "PBCOMP" {
+            self.areas.extend(LumpedAreas::read(&card)?);
+        }
         if AIR.contains(&card.name.as_str()) {
             // A structure does without them, and whoever needs them asks for what was wrong.
             let wrong = self.deck.keep(&card).err();
             self.deck.air_errors.extend(wrong);
             return Ok(());
         }
-        if let Some(name) = damping::of(&card) {
-            self.deck.unknown.entry(name).or_insert_with(|| Unread::first(card.span.clone())).count += 1;
-        }
+        self.deck.loss_factors.keep(&card);
         if !self.deck.keep(&card)? && !self.parameter(&card)? {
             let number: Option<u32> = card.text(0).parse().ok();
             let parameter = (card.name == "PARAM").then(|| card.text(0).to_uppercase());
@@ -294,6 +301,13 @@ impl Reader {
             unread.parameters.extend(parameter);
         }
         Ok(())
+    }
+
+    /// Whether a GRID is there already and says the same, which Nastran takes.
+    fn is_known(&self, card: &Card) -> Result<bool, InputError> {
+        let Some(known) = self.deck.grids.get(&card.id(0, "ID")?) else { return Ok(false) };
+        let again = Grid::read(card)?;
+        Ok(again.iter().all(|grid| Grid { span: known.span.clone(), ..grid.clone() } == *known))
     }
 
     /// Keeps a PARAM with a number.
@@ -310,7 +324,7 @@ impl Reader {
         Ok(true)
     }
 
-    /// Scalar points that only CELAS3, CELAS4, CMASS3 and CMASS4 name; a point cannot be a grid as well.
+    /// Scalar points that only CELAS3, CELAS4 and the like name; a point cannot be a grid as well.
     fn scalar_points(&mut self) -> Result<(), InputError> {
         for Spoint { id, span } in std::mem::take(&mut self.named_points) {
             self.deck.scalar_points.entry(id).or_insert(Spoint { id, span });
@@ -331,6 +345,9 @@ impl Reader {
             self.keep(card)?;
         }
         self.defaults.grids(&mut self.deck)?;
+        for areas in &self.areas {
+            areas.settle(&mut self.deck.beam_properties, &self.deck.materials)?;
+        }
         self.scalar_points()?;
         self.deck.matrices = self.matrices.assemble()?;
         crate::geometry::check_grids(&self.deck)?;

@@ -23,7 +23,7 @@ pub(crate) struct Builder<'a> {
     pub(super) solid_materials: BTreeMap<u32, Arc<SolidMaterial>>,
     /// What makes flat shells those of Nastran, if they are to be.
     pub(super) nastran: Option<NastranShells>,
-    /// Which rotations of each node clamps hold, about the axes of its displacement system; empty before [`Self::hold`].
+    /// Which rotations of each node clamps hold, about the axes of its displacement system; empty before [`Self::prepared`].
     held: Vec<[bool; 3]>,
     places: BTreeMap<u32, usize>,
 }
@@ -63,8 +63,21 @@ impl<'a> Builder<'a> {
         })
     }
 
+    /// With what its clamps hold and, for a user's deck, what makes flat shells those of Nastran; and its clamps.
+    pub(super) fn prepared(
+        bulk: &'a BulkData,
+        shear: ShearModel,
+        as_nastran: bool,
+    ) -> Result<(Self, Vec<Clamp>), InputError> {
+        let mut builder = Self::new(bulk, shear)?;
+        builder.nastran = as_nastran.then(|| NastranShells::new(bulk, &builder.nodes)).transpose()?;
+        let clamps = builder.clamps()?;
+        builder.hold(&clamps);
+        Ok((builder, clamps))
+    }
+
     /// Notes which rotations `clamps` hold.
-    pub(super) fn hold(&mut self, clamps: &[Clamp]) {
+    fn hold(&mut self, clamps: &[Clamp]) {
         self.held = vec![[false; 3]; self.nodes.len()];
         for clamp in clamps {
             for component in clamp.components.iter().filter(|component| **component > 3) {
@@ -146,6 +159,11 @@ impl<'a> Builder<'a> {
         }
         Ok(clamps)
     }
+}
+
+/// GE of a material, zero if it has none.
+pub(super) fn loss_of(bulk: &BulkData, material: Option<u32>) -> f64 {
+    material.and_then(|id| bulk.loss_factors.materials.get(&id)).copied().unwrap_or(0.0)
 }
 
 /// Which edges have a grid, and these grids.

@@ -1,11 +1,11 @@
 //! Rods with their section on the card (CONROD).
 
-use super::build::{Builder, found};
+use super::build::{Builder, found, loss_of};
 use super::registry::ElementCard;
 use crate::cell_shape::CellShape;
 use crate::element::Element;
 use crate::springs;
-use nastran::{Conrod, Crod, InputError, Prod};
+use nastran::{BulkData, Conrod, Crod, InputError, Prod};
 use std::sync::Arc;
 
 impl ElementCard for Conrod {
@@ -22,5 +22,9 @@ impl ElementCard for Conrod {
 
     fn cell(&self) -> Option<(CellShape, Vec<u32>)> {
         Some((CellShape::Line, self.grids.to_vec()))
+    }
+
+    fn loss_factor(&self, bulk: &BulkData) -> f64 {
+        loss_of(bulk, Some(self.material))
     }
 }

@@ -1,20 +1,16 @@
-//! Beams, rods, springs and masses: cards to elements.
+//! Beams, rods, general elements and masses: cards to elements.
 
-use super::build::{Builder, found};
+use super::build::{Builder, found, loss_of};
 use super::registry::ElementCard;
 use crate::beam::{Beam, BeamPlacement};
 use crate::beam_load::BeamParts;
 use crate::cell_shape::CellShape;
-use crate::corotation::Corotation;
 use crate::element::Element;
 use crate::masses::PointMass;
-use crate::matrix_element::MatrixElement;
+use crate::section::Section;
 use crate::springs;
 use nalgebra::Vector3;
-use nastran::{
-    BeamElement, BushAxes, Cbush, Conm1, Conm2, Crod, Genel, InputError, Motion, Orientation, ScalarElement,
-    ScalarValue, Span,
-};
+use nastran::{BeamElement, BulkData, Conm1, Conm2, Crod, Genel, InputError, Motion, Orientation, Span};
 use std::sync::Arc;
 
 /// What a bar or beam is made of.
@@ -54,6 +50,7 @@ impl ElementCard for BeamElement {
         let BeamParts { nodes, placement, property, material } = beam_parts(self, builder)?;
         let beam = Beam::new(self.id, nodes, &placement, property, material, &self.span)?;
         if builder.nastran.is_none() {
+            Section { property, material }.check_shear()?;
             return Ok(Arc::new(beam));
         }
         Ok(Arc::new(beam.with_nastran_masses(&placement, property, material, builder.bulk.bars_twist)))
@@ -65,6 +62,10 @@ impl ElementCard for BeamElement {
 
     fn cell(&self) -> Option<(CellShape, Vec<u32>)> {
         Some((CellShape::Line, self.grids.to_vec()))
+    }
+
+    fn loss_factor(&self, bulk: &BulkData) -> f64 {
+        loss_of(bulk, bulk.beam_properties.get(&self.property).map(|property| property.material))
     }
 }
 
@@ -94,81 +95,9 @@ impl ElementCard for Crod {
     fn cell(&self) -> Option<(CellShape, Vec<u32>)> {
         Some((CellShape::Line, self.grids.to_vec()))
     }
-}
 
-impl ElementCard for Cbush {
-    fn element(&self, builder: &mut Builder) -> Result<Arc<dyn Element>, InputError> {
-        let user = format!("CBUSH {}", self.id);
-        let end_a = builder.node(self.grids.0, &user, &self.span)?;
-        let end_b = self.grids.1.map(|grid| builder.node(grid, &user, &self.span)).transpose()?;
-        let property = found(&builder.bulk.bush_properties, self.property, &user, "PBUSH", &self.span)?;
-        let a = builder.nodes[end_a].point;
-        let along = end_b.map_or_else(Vector3::zeros, |b| builder.nodes[b].point - a);
-        let place = match self.offset {
-            Some((system, xyz)) => builder.frames.point(system, xyz, &self.span)?,
-            None => a + along * self.location,
-        };
-        let axes = match &self.axes {
-            BushAxes::System(system) => Some(builder.frames.axes_at_point(*system, &place, &self.span)?),
-            BushAxes::Oriented(orientation) => {
-                let vector = builder.orientation(orientation, end_a, &user, &self.span)?;
-                springs::line_axes(&along, Some(&vector))
-            }
-            BushAxes::Line => springs::line_axes(&along, None),
-        };
-        let crosswise = [1, 2, 4, 5].iter().any(|at| property.stiffness[*at] != 0.0);
-        let needs_more = self.axes == BushAxes::Line && crosswise;
-        let Some(axes) = axes.filter(|_| !needs_more) else {
-            let message = format!("{user}: the axes of its stiffnesses are not determined");
-            let help = "give a coordinate system in field CID (0 is the basic one), or an orientation vector";
-            return Err(InputError::at(&self.span, message).with_help(help));
-        };
-        if let Some(value) = property.stiffness.iter().find(|value| !(**value >= 0.0 && value.is_finite())) {
-            let message = format!("PBUSH {} has the stiffness {value}", property.id);
-            return Err(InputError::at(&property.span, message).with_help("a stiffness is zero or positive"));
-        }
-        Ok(Arc::new(springs::bush(self.id, &builder.nodes, (end_a, end_b), &place, &axes, property)))
-    }
-
-    fn property(&self) -> Option<u32> {
-        Some(self.property)
-    }
-
-    fn cell(&self) -> Option<(CellShape, Vec<u32>)> {
-        self.grids.1.map(|end| (CellShape::Line, vec![self.grids.0, end]))
-    }
-}
-
-impl ElementCard for ScalarElement {
-    fn element(&self, builder: &mut Builder) -> Result<Arc<dyn Element>, InputError> {
-        let bulk = builder.bulk;
-        let (name, kind, properties) = if self.is_mass {
-            ("CMASS", "PMASS", &bulk.mass_properties)
-        } else {
-            ("CELAS", "PELAS", &bulk.spring_properties)
-        };
-        let user = format!("{name} {}", self.id);
-        let value = match self.value {
-            ScalarValue::Given(value) => value,
-            ScalarValue::Property(id) => found(properties, id, &user, kind, &self.span)?.value,
-        };
-        let mut ends = [None; 2];
-        for (end, given) in ends.iter_mut().zip(self.ends) {
-            if let Some(motion) = given {
-                *end = builder.motions(&[motion], &user, &self.span)?.first().copied();
-            }
-        }
-        let (dofs, matrix) = springs::scalar(&builder.nodes, ends, value);
-        let make = if self.is_mass { MatrixElement::mass } else { MatrixElement::spring };
-        Ok(Arc::new(make(self.id, &dofs, &matrix).turning(Corotation::Axes)))
-    }
-
-    /// Only springs are drawn.
-    fn cell(&self) -> Option<(CellShape, Vec<u32>)> {
-        match self.ends {
-            [Some(a), Some(b)] if !self.is_mass => Some((CellShape::Line, vec![a.0, b.0])),
-            _ => None,
-        }
+    fn loss_factor(&self, bulk: &BulkData) -> f64 {
+        loss_of(bulk, bulk.rod_properties.get(&self.property).map(|property| property.material))
     }
 }
 
@@ -198,11 +127,11 @@ impl ElementCard for Conm1 {
 
 impl Builder<'_> {
     /// Positions of the two grids of a line.
-    fn ends(&self, [a, b]: [u32; 2], user: &str, span: &Span) -> Result<[usize; 2], InputError> {
+    pub(super) fn ends(&self, [a, b]: [u32; 2], user: &str, span: &Span) -> Result<[usize; 2], InputError> {
         Ok([self.node(a, user, span)?, self.node(b, user, span)?])
     }
 
-    fn orientation(
+    pub(super) fn orientation(
         &self,
         orientation: &Orientation,
         end_a: usize,
@@ -218,7 +147,7 @@ impl Builder<'_> {
         }
     }
 
-    fn motions(
+    pub(super) fn motions(
         &self,
         motions: &[Motion],
         user: &str,

@@ -16,7 +16,8 @@ use crate::plane_material::strain_rotation;
 use crate::shell::Shell;
 use nalgebra::{DVector, Matrix6, Point3, Vector3, Vector6};
 use nastran::{
-    BeamElement, BulkData, Expansion, InputError, Pcomp, Pshell, ShellElement, SolidElement, Span,
+    BeamElement, BulkData, Expansion, InputError, LaminateOption, Pcomp, Pshell, ShellElement, SolidElement,
+    Span,
 };
 
 /// The forces (N, Nm; g-set, basic axes) that temperatures of the set `load` put on the nodes of a deck under its boundary conditions
@@ -213,6 +214,10 @@ fn laminate(
     let expands = |id: u32| expansion(builder.bulk, id).strain != [0.0; 6];
     if !layers.iter().any(|(_, material)| expands(*material)) {
         return Ok(Free::zeros());
+    }
+    if let Some(word) = card.option.word().filter(|_| card.option != LaminateOption::Symmetric) {
+        let message = format!("PCOMP {} has LAM {word}, and its thermal expansion is not computed", card.id);
+        return Err(InputError::at(&card.span, message).with_help("list all plies and leave LAM empty"));
     }
     let [rise, gradient] = warm(card.reference)?;
     let (mut stiff, mut push) = (Matrix6::<f64>::zeros(), Free::zeros());

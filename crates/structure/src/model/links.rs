@@ -2,11 +2,12 @@
 
 use super::build::Builder;
 use super::registry::TieCard;
+use crate::constraints::Dependent;
 use crate::constraints::average::{self, Member};
 use crate::constraints::equation::solved_for;
 use crate::constraints::joint::{Joint, whole};
-use crate::constraints::{Dependent, rigid};
-use nastran::{InputError, Mpc, Rbar, Rbe2, Rbe3};
+use crate::constraints::rigid::{self, NodeMotion};
+use nastran::{GridComponents, InputError, Mpc, Rbe2, Rbe3, RigidBody, Rrod};
 use std::collections::BTreeSet;
 
 impl TieCard for Rbe2 {
@@ -29,24 +30,48 @@ impl TieCard for Rbe2 {
     }
 }
 
-impl TieCard for Rbar {
+impl TieCard for RigidBody {
     fn dependents(&self, builder: &Builder) -> Result<Vec<Dependent>, InputError> {
-        let user = format!("RBAR {}", self.id);
-        let a = builder.node(self.grids[0], &user, &self.span)?;
-        let b = builder.node(self.grids[1], &user, &self.span)?;
-        rigid::bar(&builder.nodes, self, [a, b])
+        let user = self.name();
+        let motions = |list: &[GridComponents]| -> Result<Vec<NodeMotion>, InputError> {
+            let mut motions = Vec::new();
+            for (grid, components) in list {
+                let node = builder.node(*grid, &user, &self.span)?;
+                motions.extend(components.iter().map(|digit| (node, usize::from(*digit) - 1)));
+            }
+            Ok(motions)
+        };
+        rigid::body(&builder.nodes, self, &motions(&self.independent)?, &motions(&self.dependent)?)
     }
 
     fn joint(&self, builder: &Builder) -> Result<Joint, InputError> {
-        let user = format!("RBAR {}", self.id);
-        let Some(end) = (0..2).find(|end| whole(&self.independent[*end]) == Some(true)) else {
-            return Ok(Joint::Linear);
-        };
-        let dependent = &self.dependent[1 - end];
-        let turns = if dependent.is_empty() { Some(true) } else { whole(dependent) };
-        let Some(turns) = turns.filter(|_| self.dependent[end].is_empty()) else { return Ok(Joint::Linear) };
-        let from = builder.node(self.grids[end], &user, &self.span)?;
-        Ok(Joint::Rigid { from, to: vec![builder.node(self.grids[1 - end], &user, &self.span)?], turns })
+        let [(from, components)] = &self.independent[..] else { return Ok(Joint::Linear) };
+        let turning: Option<Vec<bool>> = self.dependent.iter().map(|(_, digits)| whole(digits)).collect();
+        let turns = turning
+            .filter(|_| whole(components) == Some(true))
+            .filter(|turning| turning.iter().all(|turns| *turns == turning[0]) && !turning.is_empty());
+        let Some(turns) = turns.map(|turning| turning[0]) else { return Ok(Joint::Linear) };
+        let user = self.name();
+        let followers: Vec<u32> = self.dependent.iter().map(|(grid, _)| *grid).collect();
+        let from = builder.node(*from, &user, &self.span)?;
+        Ok(Joint::Rigid { from, to: builder.nodes_of(&followers, &user, &self.span)?, turns })
+    }
+
+    fn arms(&self) -> (u32, Vec<[u32; 2]>) {
+        let grids = self.grids();
+        (self.id, grids[1..].iter().map(|grid| [grids[0], *grid]).collect())
+    }
+}
+
+impl TieCard for Rrod {
+    fn dependents(&self, builder: &Builder) -> Result<Vec<Dependent>, InputError> {
+        let user = format!("RROD {}", self.id);
+        let ends = builder.nodes_of(&self.grids, &user, &self.span)?;
+        rigid::rod(&builder.nodes, self, [ends[0], ends[1]])
+    }
+
+    fn joint(&self, _: &Builder) -> Result<Joint, InputError> {
+        Ok(Joint::Linear)
     }
 
     fn arms(&self) -> (u32, Vec<[u32; 2]>) {

@@ -2,7 +2,7 @@
 
 use super::build::{Builder, found, present};
 use super::elements::beam_parts;
-use super::spin::outward;
+use super::inertial::{accelerated, outward};
 use crate::beam_load::on_grids;
 use crate::laminate::ShearModel;
 use crate::nonlinear::{Following, Loads, NodeLoad, pressure_shares};
@@ -14,7 +14,7 @@ use nastran::{
 use std::collections::BTreeSet;
 
 /// Loads that are not read, and would be missing if a set had some.
-const UNREAD: &[&str] = &["PLOADX1", "ACCEL", "ACCEL1", "DEFORM", "CLOAD"];
+const UNREAD: &[&str] = &["PLOADX1", "ACCEL", "DEFORM", "CLOAD"];
 
 /// Sine of an angle that is round-off of places.
 const ROUND_OFF: f64 = 1e-9;
@@ -30,6 +30,7 @@ pub fn load_sets(bulk: &BulkData) -> Vec<u32> {
     let pressures = bulk.pressures.iter().map(|load| load.set);
     let weights = bulk.gravities.iter().map(|load| load.set);
     let spins = bulk.spins.iter().map(|load| load.set);
+    let accelerations = bulk.accelerations.iter().map(|load| load.set);
     let enforced = bulk.enforced.iter().map(|card| card.set);
     let all: BTreeSet<u32> = sums
         .chain(points)
@@ -40,30 +41,28 @@ pub fn load_sets(bulk: &BulkData) -> Vec<u32> {
         .chain(pressures)
         .chain(weights)
         .chain(spins)
+        .chain(accelerations)
         .chain(enforced)
         .collect();
     all.into_iter().collect()
 }
 
-/// The loads of a set: LOAD sums up others. FORCE, MOMENT, PLOAD1, GRAV and RFORCE keep their direction, FORCE1, MOMENT1, FORCE2, MOMENT2
+/// The loads of a set: LOAD sums up others. FORCE, MOMENT, PLOAD1, GRAV, ACCEL1 and RFORCE keep their direction, FORCE1, MOMENT1, FORCE2, MOMENT2
 /// and pressures follow the structure.
 ///
 /// # Errors
 /// If there is no such set, it names what is not there, or the deck has loads that are not read.
 pub fn loads_of(bulk: &BulkData, set: u32) -> Result<Loads, InputError> {
-    let parts =
-        bulk.load_sums.get(&set).map_or_else(Vec::new, |sum| sum.parts.iter().map(|part| part.1).collect());
-    let is_meant = |unread: &Unread| {
-        unread.numbers.contains(&set) || parts.iter().any(|part| unread.numbers.contains(part))
-    };
+    let parts = bulk.summed_sets(set)?;
+    let is_meant = |unread: &Unread| parts.iter().any(|(_, part)| unread.numbers.contains(part));
     let mut unread = bulk.unknown.iter().filter(|(name, _)| UNREAD.contains(&name.as_str()));
     if let Some((name, unread)) = unread.find(|(_, unread)| is_meant(unread)) {
         let message = format!("{name} is a load that is not read: leaving it out would change the loads");
-        let help = "give it as FORCE, MOMENT, FORCE1, FORCE2, PLOAD, PLOAD1, PLOAD2, PLOAD4, GRAV or RFORCE, or take it out of the deck";
+        let help = "give it as FORCE, MOMENT, FORCE1, FORCE2, PLOAD, PLOAD1, PLOAD2, PLOAD4, GRAV, ACCEL1 or RFORCE, or take it out of the deck";
         return Err(InputError::at(&unread.first, message).with_help(help));
     }
     let builder = Builder::new(bulk, ShearModel::Equilibrium)?;
-    let Some(LoadSum { scale, parts, span, .. }) = bulk.load_sums.get(&set) else {
+    let Some(LoadSum { span, .. }) = bulk.load_sums.get(&set) else {
         let is_enforced = || bulk.enforced.iter().any(|card| card.set == set);
         return match single(&builder, set, None) {
             // Motions alone may load a structure.
@@ -78,7 +77,7 @@ pub fn loads_of(bulk: &BulkData, set: u32) -> Result<Loads, InputError> {
     }
     let mut sum = Loads::default();
     for (factor, part) in parts {
-        sum = sum.and(&single(&builder, *part, Some(span))?.times(scale * factor));
+        sum = sum.and(&single(&builder, part, Some(span))?.times(factor));
     }
     Ok(sum)
 }
@@ -115,6 +114,9 @@ fn single(builder: &Builder, set: u32, asked: Option<&Span>) -> Result<Loads, In
     }
     for load in bulk.spins.iter().filter(|load| load.set == set) {
         loads.dead.extend(outward(builder, load)?);
+    }
+    for load in bulk.accelerations.iter().filter(|load| load.set == set) {
+        loads.dead.extend(accelerated(builder, load)?);
     }
     if loads == Loads::default() {
         let known: Vec<String> = load_sets(bulk).iter().map(u32::to_string).collect();

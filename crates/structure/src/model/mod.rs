@@ -4,11 +4,15 @@
 //! and scalar elements name, beam offsets and orientation vectors.
 
 mod build;
+mod bushes;
 mod conrod;
+mod dampers;
 mod direct;
 mod elements;
 mod enforced;
 mod heat;
+mod inertial;
+mod laminates;
 mod links;
 mod loads;
 mod nastran_shells;
@@ -17,10 +21,10 @@ pub(crate) mod registry;
 mod shear;
 mod shells;
 mod solids;
-mod spin;
 mod temperatures;
 mod tube;
 
+pub use dampers::{dampers, modal_structural_damping};
 pub use enforced::enforced_motions;
 pub use heat::thermal_loads;
 pub use loads::{load_sets, loads_of};
@@ -31,7 +35,6 @@ use crate::constraints::joint::Tie;
 use crate::element::Element;
 use crate::laminate::ShearModel;
 use nastran::{BulkData, InputError};
-use nastran_shells::NastranShells;
 use registry::{ElementCard, TieCard};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -72,7 +75,7 @@ impl Model {
     /// Reads the structure of a wing or of a part from bulk data: consistent mass unless PARAM COUPMASS says otherwise.
     ///
     /// # Errors
-    /// If the deck has elements that are not read, a card refers to something that is not there or describes no possible element (the card is blamed and
+    /// If the deck has elements that are not read or dampers, a card refers to something that is not there or describes no possible element (the card is blamed and
     /// the hint lists what there is), or it is left open which constraints apply ([`BulkData::bounded`]).
     pub fn from_bulk(bulk: &BulkData) -> Result<Self, InputError> {
         Self::from_bulk_with(bulk, ShearModel::Equilibrium)
@@ -99,15 +102,19 @@ impl Model {
     /// As [`Model::from_bulk`].
     pub fn from_bulk_with(bulk: &BulkData, shear: ShearModel) -> Result<Self, InputError> {
         bulk.refuse_unread_elements()?;
-        Self::read(&*bulk.bounded(None)?, shear, false)
+        let bulk = &*bulk.bounded(None)?;
+        if let Some(damper) = dampers(bulk)?.first() {
+            let message = format!("{} is a damper, which wings are computed without", damper.owner);
+            return Err(InputError::at(&damper.span, message).with_help(
+                "take it out and give modes a damping ratio; flutter --deck and gust --deck compute with it",
+            ));
+        }
+        Self::read(bulk, shear, false)
     }
 
     /// Reads what is there, under the constraints that are there.
     fn read(bulk: &BulkData, shear: ShearModel, as_nastran: bool) -> Result<Self, InputError> {
-        let mut builder = build::Builder::new(bulk, shear)?;
-        builder.nastran = as_nastran.then(|| NastranShells::new(bulk, &builder.nodes)).transpose()?;
-        let clamps = builder.clamps()?;
-        builder.hold(&clamps);
+        let (builder, clamps) = build::Builder::prepared(bulk, shear, as_nastran)?;
         let mut read = Reading { builder, elements: Vec::new(), dependents: Vec::new(), ties: Vec::new() };
         registry::visit(bulk, &mut read)?;
         let Reading { builder, mut elements, dependents, ties } = read;

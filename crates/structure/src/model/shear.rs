@@ -1,11 +1,11 @@
 //! Shear panels: CSHEAR with PSHEAR.
 
-use super::build::{Builder, found};
+use super::build::{Builder, found, loss_of};
 use super::registry::ElementCard;
 use crate::cell_shape::CellShape;
 use crate::element::Element;
 use crate::shear_panel;
-use nastran::{Cshear, InputError};
+use nastran::{BulkData, Cshear, InputError};
 use std::sync::Arc;
 
 impl ElementCard for Cshear {
@@ -28,5 +28,9 @@ impl ElementCard for Cshear {
 
     fn cell(&self) -> Option<(CellShape, Vec<u32>)> {
         Some((CellShape::Quadrilateral, self.grids.to_vec()))
+    }
+
+    fn loss_factor(&self, bulk: &BulkData) -> f64 {
+        loss_of(bulk, bulk.panel_sections.get(&self.property).map(|property| property.material))
     }
 }

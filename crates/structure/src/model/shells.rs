@@ -1,14 +1,14 @@
 //! Shells and their sections: CQUAD4 (CQUADR), CTRIA3, CTRIAR, CQUAD8 and CTRIA6 with PSHELL, PCOMP and PCOMPG.
 
-use super::build::{Builder, present, undefined};
+use super::build::{Builder, loss_of, present, undefined};
 use super::registry::ElementCard;
 use crate::cell_shape::CellShape;
 use crate::element::Element;
-use crate::laminate::{PlacedPly, ShellSection};
+use crate::laminate::ShellSection;
 use crate::plane_material::PlaneMaterial;
 use crate::shell::{CurvedPlace, CurvedShell, SectionAxis, Shell};
 use nalgebra::{Matrix2, Matrix3, Point3, Vector3};
-use nastran::{InputError, Mat2, MaterialDirection, Pcomp, Ply, Pshell, ShellElement, Span};
+use nastran::{BulkData, InputError, LaminateOption, Mat2, MaterialDirection, Pshell, ShellElement, Span};
 use std::sync::Arc;
 
 /// Length of a unit vector's projection that is round-off.
@@ -60,6 +60,14 @@ impl ElementCard for ShellElement {
         let shape = if self.grids.len() == 3 { CellShape::Triangle } else { CellShape::Quadrilateral };
         Some((shape, self.grids.clone()))
     }
+
+    /// Of a plate that of its membrane's material (QRG, PSHELL), of a laminate its own.
+    fn loss_factor(&self, bulk: &BulkData) -> f64 {
+        if let Some(plate) = bulk.shell_properties.get(&self.property) {
+            return loss_of(bulk, plate.membrane.or(plate.bending));
+        }
+        bulk.loss_factors.laminates.get(&self.property).copied().unwrap_or(0.0)
+    }
 }
 
 impl Builder<'_> {
@@ -68,7 +76,7 @@ impl Builder<'_> {
         let plain = self.bulk.shell_properties.get(&card.property).map(|property| property.thickness);
         let laminate = self.bulk.laminates.get(&card.property).map(|laminate| {
             let listed: f64 = laminate.plies.iter().map(|ply| ply.thickness).sum();
-            if laminate.is_symmetric { 2.0 * listed } else { listed }
+            if laminate.option == LaminateOption::Symmetric { 2.0 * listed } else { listed }
         });
         let ratios = plain.or(laminate).and_then(|thickness| card.thickness.ratios(thickness));
         let blamed = if laminate.is_some() {
@@ -225,39 +233,8 @@ impl Builder<'_> {
         Ok(Matrix3::new(g11, g12, g13, g12, g22, g23, g13, g23, g33))
     }
 
-    fn laminate(&self, card: &Pcomp) -> Result<ShellSection, InputError> {
-        let placed: Vec<PlacedPly> = self.layers(card)?.into_iter().map(|(ply, _)| ply).collect();
-        Ok(ShellSection::laminate(&placed, card.nsm, self.shear))
-    }
-
-    /// Layers of a laminate from bottom to top, each with the number of its material.
-    pub(super) fn layers(&self, card: &Pcomp) -> Result<Vec<(PlacedPly, u32)>, InputError> {
-        let user = format!("PCOMP {}", card.id);
-        let mirrored: &[Ply] = if card.is_symmetric { &card.plies } else { &[] };
-        let plies: Vec<&Ply> = card.plies.iter().chain(mirrored.iter().rev()).collect();
-        let total: f64 = plies.iter().map(|ply| ply.thickness).sum();
-        let wrong = plies.iter().find(|ply| !(ply.thickness > 0.0 && ply.thickness.is_finite()));
-        if plies.is_empty() || wrong.is_some() {
-            let message = match wrong {
-                Some(ply) => format!("{user} has a ply of thickness {}", ply.thickness),
-                None => format!("{user} has no plies"),
-            };
-            return Err(InputError::at(&card.span, message).with_help("every ply has a positive thickness"));
-        }
-        let mut low = card.z0.unwrap_or(-0.5 * total);
-        let mut placed = Vec::with_capacity(plies.len());
-        for ply in plies {
-            let material = self.plane(ply.material, &user, &card.span)?;
-            let high = low + ply.thickness;
-            let angle_rad = ply.angle_deg.to_radians();
-            placed.push((PlacedPly { material, angle_rad, z_low_m: low, z_high_m: high }, ply.material));
-            low = high;
-        }
-        Ok(placed)
-    }
-
     /// A plane material by its number, whatever its kind.
-    fn plane(&self, id: u32, user: &str, span: &Span) -> Result<PlaneMaterial, InputError> {
+    pub(super) fn plane(&self, id: u32, user: &str, span: &Span) -> Result<PlaneMaterial, InputError> {
         let bulk = self.bulk;
         if let Some(card) = bulk.ply_materials.get(&id) {
             return PlaneMaterial::ply(card);

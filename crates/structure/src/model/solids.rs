@@ -1,13 +1,13 @@
 //! Solids: CHEXA, CPENTA and CTETRA with PSOLID and MAT1 or MAT9.
 
-use super::build::{Builder, found, present, undefined};
+use super::build::{Builder, found, loss_of, present, undefined};
 use super::registry::ElementCard;
 use crate::cell_shape::CellShape;
 use crate::element::Element;
 use crate::solid::{QuadraticSolid, Solid};
 use crate::solid_material::SolidMaterial;
 use nalgebra::{Matrix3, Point3, Vector3, Vector6};
-use nastran::{InputError, Psolid, SolidElement, SolidPoints, SolidShear};
+use nastran::{BulkData, InputError, Psolid, SolidElement, SolidPoints, SolidShear};
 use std::sync::Arc;
 
 /// A solid of either kind.
@@ -35,6 +35,10 @@ impl ElementCard for SolidElement {
             _ => CellShape::Hexahedron,
         };
         Some((shape, self.grids.clone()))
+    }
+
+    fn loss_factor(&self, bulk: &BulkData) -> f64 {
+        loss_of(bulk, bulk.solid_properties.get(&self.property).map(|property| property.material))
     }
 }
 

@@ -1,11 +1,11 @@
 //! Rods of a tube's section (CTUBE).
 
-use super::build::{Builder, found};
+use super::build::{Builder, found, loss_of};
 use super::registry::ElementCard;
 use crate::cell_shape::CellShape;
 use crate::element::Element;
 use crate::springs;
-use nastran::{Crod, Ctube, InputError, Prod};
+use nastran::{BulkData, Crod, Ctube, InputError, Prod};
 use std::sync::Arc;
 
 impl ElementCard for Ctube {
@@ -30,5 +30,9 @@ impl ElementCard for Ctube {
 
     fn cell(&self) -> Option<(CellShape, Vec<u32>)> {
         Some((CellShape::Line, self.grids.to_vec()))
+    }
+
+    fn loss_factor(&self, bulk: &BulkData) -> f64 {
+        loss_of(bulk, bulk.tube_properties.get(&self.property).map(|property| property.material))
     }
 }

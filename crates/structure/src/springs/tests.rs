@@ -67,7 +67,8 @@ fn a_scalar_spring_stretches_by_the_difference_along_the_grids_own_axes() {
 #[test]
 fn a_bush_feels_how_its_ends_move_apart_at_its_place() {
     let (nodes, motion, axes) = (nodes(), moved(), turned() * turned());
-    let property = Pbush { id: 1, stiffness: [5.0, 4.0, 3.0, 2.0, 1.5, 0.5], span: span() };
+    let stiffness = [5.0, 4.0, 3.0, 2.0, 1.5, 0.5];
+    let property = Pbush { id: 1, stiffness, damping: [0.0; 6], mass: 0.0, span: span() };
     let place = Point3::new(0.7, 0.1, -0.3);
     // Displacement of a node's end of the spring, u + theta x r, and its rotation.
     let end = |node: usize| {
@@ -79,7 +80,7 @@ fn a_bush_feels_how_its_ends_move_apart_at_its_place() {
         ((0, Some(1)), Corotation::Node(0)),
         ((1, None), Corotation::Ground),
     ] {
-        let element = bush(7, &nodes, ends, &place, &axes, &property);
+        let element = BushPlace { ends, point: place, axes }.element(7, &nodes, &property);
         let none = (Vector3::zeros(), Vector3::zeros());
         let (a, b) = (end(ends.0), ends.1.map_or(none, end));
         let (apart, twist) = (axes.transpose() * (b.0 - a.0), axes.transpose() * (b.1 - a.1));

@@ -122,9 +122,6 @@ fn assembled(
         if !common.quiet {
             let modal = &deck.modal;
             say_what_is_assumed(bulk, &modal.loose_boxes, modal.auto_held(), modal.reduction.clone());
-            if let Some(remark) = bulk.damping_remark() {
-                show::note(&remark);
-            }
         }
         decks.push((case.clone(), deck));
     }

@@ -163,8 +163,8 @@ impl Bounded {
             return refused(message, "leave out --nonlinear and PARAM LGDISP, or press by forces");
         }
         let turns = |set: u32| bulk.spins.iter().any(|spin| spin.set == set);
-        let sum = case.load.and_then(|set| bulk.load_sums.get(&set));
-        if case.load.is_some_and(turns) || sum.is_some_and(|sum| sum.parts.iter().any(|part| turns(part.1))) {
+        let sets = case.load.map_or_else(|| Ok(Vec::new()), |set| bulk.summed_sets(set))?;
+        if sets.iter().any(|(_, set)| turns(*set)) {
             let message = "large deflections know no RFORCE, whose forces grow as the masses move outward";
             return refused(message, "leave out --nonlinear and PARAM LGDISP, or give its forces as FORCE");
         }

@@ -10,7 +10,7 @@ use super::layup::{FIRST_PLY_MATERIAL, Layup};
 use super::mesh::Mesh;
 use super::settings::Surface;
 use crate::planform::panels::card_number;
-use nastran::{BulkData, Expansion, Mat8, Pcomp, Ply, Span};
+use nastran::{BulkData, Expansion, LaminateOption, Mat8, Pcomp, Ply, Span};
 
 const FIRST_LAMINATE: u32 = 1001;
 
@@ -96,7 +96,7 @@ impl<'wing> Laminates<'wing> {
                 nsm: laminate.nsm_kg_m2,
                 reference: 0.0,
                 plies: laminate.plies,
-                is_symmetric: false,
+                option: LaminateOption::All,
                 is_global: false,
                 span: span.clone(),
             };

@@ -82,7 +82,8 @@ impl Mesh<'_> {
         let (kx, ky, kz, kmx, kmy, kmz) = self.settings.balance_stiffness;
         let stiffness = [kx, ky, kz, kmx, kmy, kmz];
         let id = BALANCE_BUSH;
-        bulk.bush_properties.insert(id, Pbush { id, stiffness, span: span.clone() });
+        let property = Pbush { id, stiffness, damping: [0.0; 6], mass: 0.0, span: span.clone() };
+        bulk.bush_properties.insert(id, property);
         let bush = Cbush {
             id,
             property: id,

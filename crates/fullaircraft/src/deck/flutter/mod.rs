@@ -4,7 +4,7 @@
 //! [M p² + C p + K - q (Re Q(k) + p/(kappa V) Im Q(k))] u = 0,   kappa = omega/V = 2 k/REFC,   q = rho V²/2,   rho = RHOREF ratio
 //! ```
 //! in the deck's own units. C is the structural damping of TABDMP1 as viscous damping, g times the mode's frequency, which is
-//! what Nastran does unless PARAM KDAMP is negative. Beside the frequencies of the deck the steady air (k = 0) is a row of the
+//! what Nastran does unless PARAM KDAMP is negative, and that of dampers (CDAMP, CVISC, CBUSH, CBUSH1D) on the modes. Beside the frequencies of the deck the steady air (k = 0) is a row of the
 //! table of forces, and the doublet lattice has Nastran's approximations, so that its prints are met; roots without oscillation are of the air at rest.
 //! Beyond the deck's highest k, Re Q and Im Q/k are held ([`maneuver::flutter::GeneralisedForces::split`]).
 
@@ -140,7 +140,7 @@ impl FlutterDeck {
         let n = self.modal.omega_rad_s.len();
         let diagonal =
             |value: &dyn Fn(usize) -> f64| Mat::from_fn(n, n, |i, j| if i == j { value(i) } else { 0.0 });
-        let damping = diagonal(&|i| if is_damped { self.modal.damping[i] } else { 0.0 });
+        let damping = if is_damped { self.modal.damping.clone() } else { Mat::zeros(n, n) };
         Aeroelastic::new(
             diagonal(&|_| 1.0),
             damping,

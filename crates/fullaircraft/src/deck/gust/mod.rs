@@ -1,10 +1,10 @@
 //! Gusts of a user's deck (SOL 146): discrete ones (GUST with TLOAD) and random ones (GUST with RLOAD, RANDPS).
 //!
 //! ```text
-//! [-omega² M + i omega C + (1 + i G) K - q Q(k)] x = q Q_g(k) WG f(omega) + Phiᵀ A f(omega)
+//! [-omega² M + i omega C + K + i D - q Q(k)] x = q Q_g(k) WG f(omega) + Phiᵀ A f(omega)
 //! y(t) = 1/pi sum_n C_n Re[y(omega_n) exp(i omega_n t)],   S_y = |y|² S
 //! ```
-//! in the deck's own units, with the modes of METHOD and the doublet lattice of flutter (Rodden and Johnson, *MSC/NASTRAN Aeroelastic
+//! in the deck's own units, D = G K (PARAM G) and what elements have by GE, with the modes of METHOD and the doublet lattice of flutter (Rodden and Johnson, *MSC/NASTRAN Aeroelastic
 //! Analysis User's Guide*, 1994, sec. 2.9). C_n is the distance of the frequencies, so that equal ones give a Fourier series: what it
 //! answers is periodic, and without a frequency of zero its mean is. Stations of grids add air less mass times acceleration.
 
@@ -145,10 +145,9 @@ impl GustDeck {
         let n = modal.omega_rad_s.len();
         let diagonal =
             |value: &dyn Fn(usize) -> f64| Mat::from_fn(n, n, |i, j| if i == j { value(i) } else { 0.0 });
-        let damping = diagonal(&|i| modal.damping[i]);
         let stiffness = diagonal(&|i| modal.omega_rad_s[i].powi(2));
-        let system = Aeroelastic::new(diagonal(&|_| 1.0), damping, stiffness, &self.air.modal)?;
-        let structural_g = modal.bulk.parameters.get("G").copied().unwrap_or(0.0);
+        let system = Aeroelastic::new(diagonal(&|_| 1.0), modal.damping.clone(), stiffness, &self.air.modal)?;
+        let structural = modal.structural_damping()?;
         let areas = self.areas(&case.load_signal);
         let q = case.flow.dynamic_pressure_pa();
         let mut answer = DynamicAnswer {
@@ -173,7 +172,7 @@ impl GustDeck {
                 let one = Signal { parts: vec![part.clone()] }.transform(&modal.bulk, omega);
                 (0..n).for_each(|i| load[(i, 0)] += one * area[i]);
             }
-            let x = elastic_response(&system, case.flow, omega, structural_g, load.as_ref())?;
+            let x = elastic_response(&system, case.flow, omega, structural.as_ref(), load.as_ref())?;
             if x.col(0).iter().any(|value| !value.is_finite()) {
                 let message = format!("a free structure has no answer at {hz} Hz");
                 return Err(InputError::general(message)

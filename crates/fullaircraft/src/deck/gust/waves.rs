@@ -1,7 +1,7 @@
 //! A deck's answers to waves of a gust, by frequency: amplitudes of the modes, and the air's loads on rows of its boxes.
 //!
 //! ```text
-//! [-omega² + i omega C + (1 + i G) K - q Q(omega/V)] x = q Q_g(omega/V) w/V,   p = q (P x + P_g w/V)
+//! [-omega² + i omega C + K + i D - q Q(omega/V)] x = q Q_g(omega/V) w/V,   p = q (P x + P_g w/V)
 //! ```
 //! The equations of SOL 146 per unit velocity w of the gust, its phase zero where the foremost box feels it.
 
@@ -20,8 +20,8 @@ pub(crate) struct GustWaves {
     pub(crate) modal: ModalDeck,
     air: GustAir,
     flow: Flow,
-    /// The structure's damping as a share of its stiffness (PARAM G).
-    pub(crate) structural_g: f64,
+    /// Structural damping forces on the modes by their displacements (PARAM G, GE).
+    structural: Mat<f64>,
     /// Where the foremost box feels a gust, the deck's unit of length.
     foremost: f64,
 }
@@ -52,8 +52,8 @@ impl GustWaves {
         let air = GustAir::new(&modal, rows, mach, highest_rad_s / flow.v_m_s, direction)?;
         let places = modal.lattice.boxes.iter().map(|panel| panel.three_quarter_point().x);
         let foremost = places.fold(f64::INFINITY, f64::min);
-        let structural_g = modal.bulk.parameters.get("G").copied().unwrap_or(0.0);
-        Ok(Self { modal, air, flow, structural_g, foremost })
+        let structural = modal.structural_damping()?;
+        Ok(Self { modal, air, flow, structural, foremost })
     }
 
     /// Share of the air forces by which their splines over frequency miss them at worst.
@@ -66,9 +66,8 @@ impl GustWaves {
         let n = modal.omega_rad_s.len();
         let diagonal =
             |value: &dyn Fn(usize) -> f64| Mat::from_fn(n, n, |i, j| if i == j { value(i) } else { 0.0 });
-        let damping = diagonal(&|i| modal.damping[i]);
         let stiffness = diagonal(&|i| modal.omega_rad_s[i].powi(2));
-        Ok(Aeroelastic::new(diagonal(&|_| 1.0), damping, stiffness, &self.air.modal)?)
+        Ok(Aeroelastic::new(diagonal(&|_| 1.0), modal.damping.clone(), stiffness, &self.air.modal)?)
     }
 
     /// Roots of the deck in the flow by the p-k method, 1/s.
@@ -94,7 +93,13 @@ impl GustWaves {
             let kappa = omega / self.flow.v_m_s;
             let incidence = c64::from(1.0 / self.flow.v_m_s);
             let by_gust = self.air.of_gust(kappa, self.foremost, incidence)? * Scale(q);
-            let x = elastic_response(&system, self.flow, *omega, self.structural_g, by_gust.subrows(0, n))?;
+            let x = elastic_response(
+                &system,
+                self.flow,
+                *omega,
+                self.structural.as_ref(),
+                by_gust.subrows(0, n),
+            )?;
             let mut on_rows = by_gust.subrows(n, by_gust.nrows() - n).to_owned();
             if let Some(by_motion) = self.air.on_stations(kappa, x.as_ref()) {
                 on_rows += by_motion * Scale(q);
@@ -117,12 +122,14 @@ impl Waves {
         })
     }
 
-    /// The modes' damping forces per unit of their masses (`-(i omega C + i G K) x`).
+    /// The modes' damping forces per unit of their masses (`-(i omega C + i D) x`).
     pub(crate) fn damping(&self, of: &GustWaves) -> Mat<c64> {
-        Mat::from_fn(self.modes.nrows(), self.modes.ncols(), |i, k| {
-            let viscous = self.omega_rad_s[k] * of.modal.damping[i];
-            let structural = of.structural_g * of.modal.omega_rad_s[i].powi(2);
-            self.modes[(i, k)] * c64::new(0.0, -(viscous + structural))
+        let n = self.modes.nrows();
+        let complex = |of: &Mat<f64>| Mat::from_fn(n, n, |i, j| c64::from(of[(i, j)]));
+        let by_rate = complex(&of.modal.damping) * &self.modes;
+        let by_place = complex(&of.structural) * &self.modes;
+        Mat::from_fn(n, self.modes.ncols(), |i, k| {
+            (by_rate[(i, k)] * self.omega_rad_s[k] + by_place[(i, k)]) * c64::new(0.0, -1.0)
         })
     }
 }

@@ -1,4 +1,4 @@
-//! Loads of a steady rotation (RFORCE): what pushes the masses outward.
+//! Loads on masses: of a steady rotation (RFORCE), which pushes them outward, and of accelerations at single grids (ACCEL1).
 
 use super::build::Builder;
 use super::{MassForm, Model};
@@ -6,7 +6,8 @@ use crate::assemble::mass_matrix;
 use crate::laminate::ShearModel;
 use crate::nonlinear::NodeLoad;
 use nalgebra::{DMatrix, DVector, Matrix3, Point3, Vector3};
-use nastran::{InputError, Spin};
+use nastran::{Acceleration, InputError, Spin};
+use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
 /// Forces and moments on the nodes: M c, c = -w x (w x (r - r0)) at the nodes, of the masses in the form that Nastran gives them. A body beside its
@@ -18,13 +19,9 @@ pub(super) fn outward(builder: &Builder, card: &Spin) -> Result<Vec<NodeLoad>, I
         Some(grid) => builder.nodes[builder.node(grid, &user, &card.span)?].point,
         None => Point3::origin(),
     };
-    let mut model = Model::read(builder.bulk, ShearModel::Equilibrium, true)?;
-    let is_consistent = builder.bulk.parameters.get("COUPMASS").is_some_and(|value| *value > 0.0);
-    model.mass_form = if is_consistent { MassForm::Consistent } else { MassForm::Lumped };
+    let model = with_masses(builder)?;
     let at = |place: &Point3<f64>| -omega.cross(&omega.cross(&(place - through)));
-    let mut loads: Vec<NodeLoad> = (0..model.nodes.len())
-        .map(|node| NodeLoad { node, force: Vector3::zeros(), moment: Vector3::zeros() })
-        .collect();
+    let mut loads = unloaded(&model);
     for element in &model.elements {
         let dofs = element.dofs();
         let Some(mass) = mass_matrix(&model, element, &dofs) else { continue };
@@ -35,16 +32,55 @@ pub(super) fn outward(builder: &Builder, card: &Spin) -> Result<Vec<NodeLoad>, I
             loads[*node].moment += body.arm_m.cross(&force) - omega.cross(&(body.inertia_kg_m2 * omega));
             continue;
         }
-        let own = |dof: &usize| if dof % 6 < 3 { at(&model.nodes[dof / 6].point)[dof % 6] } else { 0.0 };
-        let pushed = mass * DVector::from_iterator(dofs.len(), dofs.iter().map(own));
-        for (dof, value) in dofs.iter().zip(&pushed) {
-            let load = &mut loads[dof / 6];
-            let vector = if dof % 6 < 3 { &mut load.force } else { &mut load.moment };
-            vector[dof % 3] += value;
+        push(&mut loads, &mass, &dofs, |node| at(&model.nodes[node].point));
+    }
+    Ok(loaded(loads))
+}
+
+/// Forces and moments on the nodes: M a, a the acceleration at the grids of the card and zero at all others.
+pub(super) fn accelerated(builder: &Builder, card: &Acceleration) -> Result<Vec<NodeLoad>, InputError> {
+    let user = format!("ACCEL1 of set {}", card.set);
+    let vector = builder.frames.axes_at(card.cid, &card.span)? * card.vector;
+    let grids: BTreeSet<usize> = builder.nodes_of(&card.grids, &user, &card.span)?.into_iter().collect();
+    let model = with_masses(builder)?;
+    let mut loads = unloaded(&model);
+    for element in &model.elements {
+        let dofs = element.dofs();
+        if let Some(mass) = mass_matrix(&model, element, &dofs) {
+            let at = |node: usize| if grids.contains(&node) { vector } else { Vector3::zeros() };
+            push(&mut loads, &mass, &dofs, at);
         }
     }
+    Ok(loaded(loads))
+}
+
+/// The deck's model with masses in the form that Nastran gives them.
+fn with_masses(builder: &Builder) -> Result<Model, InputError> {
+    let mut model = Model::read(builder.bulk, ShearModel::Equilibrium, true)?;
+    let is_consistent = builder.bulk.parameters.get("COUPMASS").is_some_and(|value| *value > 0.0);
+    model.mass_form = if is_consistent { MassForm::Consistent } else { MassForm::Lumped };
+    Ok(model)
+}
+
+fn unloaded(model: &Model) -> Vec<NodeLoad> {
+    let none = |node| NodeLoad { node, force: Vector3::zeros(), moment: Vector3::zeros() };
+    (0..model.nodes.len()).map(none).collect()
+}
+
+fn loaded(mut loads: Vec<NodeLoad>) -> Vec<NodeLoad> {
     loads.retain(|load| load.force != Vector3::zeros() || load.moment != Vector3::zeros());
-    Ok(loads)
+    loads
+}
+
+/// Adds what a mass over some motions does to accelerations of its nodes.
+fn push(loads: &mut [NodeLoad], mass: &DMatrix<f64>, dofs: &[usize], at: impl Fn(usize) -> Vector3<f64>) {
+    let own = |dof: &usize| if dof % 6 < 3 { at(dof / 6)[dof % 6] } else { 0.0 };
+    let pushed = mass * DVector::from_iterator(dofs.len(), dofs.iter().map(own));
+    for (dof, value) in dofs.iter().zip(&pushed) {
+        let load = &mut loads[dof / 6];
+        let vector = if dof % 6 < 3 { &mut load.force } else { &mut load.moment };
+        vector[dof % 3] += value;
+    }
 }
 
 /// A rigid body at a node.
