@@ -8,9 +8,9 @@ use crate::cards::{
     CrossLoad, Cshear, Ctube, Cvisc, Darea, Diverg, Dmig, DynamicLoad, EigenMethod, Flfact, Flutter,
     FrequencyList, FunctionTable, Genel, Gravity, Grid, Gust, LineLoad, LoadSum, Mat1, Mat2, Mat8, Mat9,
     Mkaero, MonitorPoint, Mpc, Paero1, Pbush, Pbush1d, Pcomp, PointLoad, Pressure, Prod, Pshear, Pshell,
-    Psolid, Ptube, Pvisc, Randps, Rbe2, Rbe3, RigidBody, Rrod, ScalarElement, ScalarLoad, ScalarProperty,
-    Set1, SetUnion, ShellElement, SolidElement, Spc1, Spcd, SpectrumTable, Spin, SplineCard, Spoint, Suport,
-    Tabdmp1, Temperature, TimeSteps, Trim,
+    Psolid, Ptube, Pvisc, Randps, Rbe2, Rbe3, RigidBody, Rrod, Rspline, ScalarElement, ScalarLoad,
+    ScalarProperty, Set1, SetUnion, ShellElement, SolidElement, Spc1, Spcd, SpectrumTable, Spin, SplineCard,
+    Spoint, Suport, Tabdmp1, Temperature, TimeSteps, Trim,
 };
 use crate::deck::case_control::{AddedMatrix, Subcase};
 use crate::deck::damping::LossFactors;
@@ -177,6 +177,7 @@ kinds! {
     mass_matrices: BTreeMap<u32, Conm1>, MassElement, ["CONM1"];
     rigid_bodies: BTreeMap<u32, RigidBody>, RigidElement, ["RBAR", "RBE1", "RBAR1", "RTRPLT", "RTRPLT1"];
     rigid_rods: BTreeMap<u32, Rrod>, RigidElement, ["RROD"];
+    rigid_splines: BTreeMap<u32, Rspline>, RigidElement, ["RSPLINE"];
     averages: BTreeMap<u32, Rbe3>, RigidElement, ["RBE3"];
     equations: Vec<Mpc>, Own, ["MPC"];
     shell_properties: BTreeMap<u32, Pshell>, ShellProperty, ["PSHELL"];

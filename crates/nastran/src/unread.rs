@@ -32,7 +32,7 @@ const ELEMENTS: &[(&str, &str)] = &[
     ("CRROD RJOINT CRIGDR", "RROD or MPC"),
     ("CRBAR", "RBAR"),
     ("CRBE1 CRBE2 CRIGD1 CRIGD2 CRTRPLT RSSCON", "RBE1, RBE2 or MPC"),
-    ("RSPLINE CRSPLINE CRBE3 CRIGD3 RBE2GS", "RBE3 or MPC"),
+    ("CRSPLINE CRBE3 CRIGD3 RBE2GS", "RSPLINE, RBE3 or MPC"),
 ];
 
 /// Dampers, which have no part in statics, natural modes and trims.

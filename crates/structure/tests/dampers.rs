@@ -92,6 +92,9 @@ fn wings_are_not_computed_with_dampers_and_statics_do_without() {
     let error = Model::from_bulk(&bulk).expect_err("refused").to_string();
     assert!(error.starts_with("t.bdf:8:1: CDAMP 1 is a damper, which wings are computed without"), "{error}");
     assert_eq!(Model::from_deck(&bulk, None).expect("a deck").elements.len(), 1);
+    let missing = parse_deck("t.bdf", &format!("{GRIDS}CELAS2,2,4.,1,2\nCDAMP2,1,3.,9,2\n")).expect("a deck");
+    let error = Model::from_deck(&missing, None).expect_err("refused").to_string();
+    assert!(error.starts_with("t.bdf:8:1: CDAMP 1 refers to GRID 9, which is not in the deck"), "{error}");
 }
 
 #[test]

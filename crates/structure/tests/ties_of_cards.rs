@@ -215,6 +215,69 @@ fn a_rigid_rod_keeps_the_distance_of_its_ends_and_nothing_else() {
     assert!(error.contains("RROD 7: component 2 of GRID 11 is across the rod"), "{error}");
 }
 
+/// A straight line of grids with axes of their own: across it a cubic, along it a line, between motions of the grids that are free.
+/// MYSTRAN 18's rows of such a line (.6, .4; .648, .288, .352, -.192; .72, -.12, -.32 at two fifths of it) are these.
+#[test]
+fn grids_on_a_straight_spline_follow_a_cubic() {
+    let line = "GRID,31,,0.,0.,0.\nGRID,32,,.8,0.,0.,5\nGRID,33,,2.,0.,0.\nGRID,34,,2.,1.,0.\nGRID,35,,2.,1.5,0.\nGRID,36,,2.,2.,0.\n";
+    let model = read(&format!("{line}RSPLINE,7,,31,32,123456,33\n")).expect("a spline");
+    let at = |id: u32| model.nodes.iter().position(|node| node.id == id).expect("a node");
+    let mut motion = vec![0.0; 6 * model.nodes.len()];
+    let ends = [[0.3, -0.2, 0.5, 0.1, -0.4, 0.2], [-0.1, 0.4, 0.25, -0.3, 0.15, 0.35]];
+    for (id, end) in [31, 33].into_iter().zip(&ends) {
+        motion[6 * at(id)..6 * at(id) + 6].copy_from_slice(end);
+    }
+    for row in &model.dependents {
+        motion[row.dof] = row.row.iter().map(|(dof, factor)| factor * motion[*dof]).sum();
+    }
+    let node = at(32);
+    let own = |first: usize| {
+        model.nodes[node].axes
+            * nalgebra::Vector3::from_column_slice(&motion[6 * node + first..6 * node + first + 3])
+    };
+    let [a, b] = ends;
+    let mix = |axis: usize| 0.6 * a[axis] + 0.4 * b[axis];
+    // Slopes are rotations about z in the plane x-y, minus those about y in x-z; two metres long.
+    let across = |w: [f64; 2], slope: [f64; 2]| {
+        (
+            0.648 * w[0] + 0.288 * slope[0] + 0.352 * w[1] - 0.192 * slope[1],
+            -0.72 * w[0] - 0.12 * slope[0] + 0.72 * w[1] - 0.32 * slope[1],
+        )
+    };
+    let (y, turn_z) = across([a[1], b[1]], [a[5], b[5]]);
+    let (z, minus_turn_y) = across([a[2], b[2]], [-a[4], -b[4]]);
+    let (moved, turned) = (own(0), own(3));
+    for (own, expected) in [
+        (moved.x, mix(0)),
+        (moved.y, y),
+        (moved.z, z),
+        (turned.x, mix(3)),
+        (turned.y, -minus_turn_y),
+        (turned.z, turn_z),
+    ] {
+        assert!((own - expected).abs() < 1e-12, "{own} for {expected}");
+    }
+    // Round a corner that is free, with components that are free in between: true of every rigid motion.
+    let cards = format!("{line}RSPLINE,7,.3,31,32,123,33,,34\n,123456,35,1256,36\n");
+    let model = read(&cards).expect("a spline");
+    assert_eq!(model.dependents.len(), 3 + 6 + 4);
+    for row in &model.dependents {
+        let mut follows = [0.0; 6];
+        for (dof, factor) in &row.row {
+            follows.iter_mut().zip(rigid(&model, *dof)).for_each(|(sum, part)| *sum += factor * part);
+        }
+        for (follows, own) in follows.iter().zip(rigid(&model, row.dof)) {
+            assert!((follows - own).abs() < 1e-9, "{}: {follows} for {own}", row.dof);
+        }
+    }
+    let error = read(&format!("{line}RSPLINE,7,,31,33,123,36\n")).expect_err("refused");
+    assert!(error.contains("RSPLINE 7: its line bends at GRID 33, which follows"), "{error}");
+    for cards in ["RSPLINE,7,,31,32,123\n", "RSPLINE,7,,31,33\n", "RSPLINE,7,,31,32,,33\n"] {
+        let error = read(&format!("{line}{cards}")).expect_err("refused");
+        assert!(error.contains("RSPLINE 7 does not end with a grid that nothing constrains"), "{error}");
+    }
+}
+
 /// Equations solved for their first motion: x = -(sum of the others) / its own factor.
 #[test]
 fn an_equation_gives_its_first_motion() {

@@ -33,9 +33,9 @@ impl RigidBody {
         grids
     }
 
-    /// The card and its number, such as `RBAR 12`: one of two grids is a bar, whatever its card.
+    /// Its name in messages, such as `RBAR 12`; one of more than two grids may be of several cards.
     pub fn name(&self) -> String {
-        format!("{} {}", if self.grids().len() == 2 { "RBAR" } else { "RBE1" }, self.id)
+        format!("{} {}", if self.grids().len() == 2 { "RBAR" } else { "rigid element" }, self.id)
     }
 
     /// Components that a list has for a grid.

@@ -8,6 +8,7 @@ pub(crate) mod average;
 pub(crate) mod equation;
 pub(crate) mod joint;
 pub(crate) mod rigid;
+pub(crate) mod spline;
 
 use crate::model::Node;
 use nalgebra::{RowVector6, Vector3};

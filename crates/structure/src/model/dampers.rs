@@ -2,7 +2,7 @@
 //! and trims.
 
 use super::build::Builder;
-use super::registry::{self, DamperCard, ElementCard, TieCard, Visitor};
+use super::registry::{self, DamperCard, ElementCard, Visitor};
 use crate::damper::{Damper, on_modes};
 use crate::laminate::ShearModel;
 use faer::{Mat, MatRef};
@@ -14,6 +14,11 @@ use std::collections::BTreeMap;
 /// # Errors
 /// If one refers to something that is not there, or has no length or axes.
 pub fn dampers(bulk: &BulkData) -> Result<Vec<Damper>, InputError> {
+    let mut count = Count(0);
+    registry::visit(bulk, &mut count)?;
+    if count.0 == 0 {
+        return Ok(Vec::new());
+    }
     let builder = Builder::new(bulk, ShearModel::Equilibrium)?;
     let mut found = Dampers { builder, all: Vec::new() };
     registry::visit(bulk, &mut found)?;
@@ -36,6 +41,16 @@ pub fn modal_structural_damping(bulk: &BulkData, shapes: MatRef<'_, f64>) -> Res
     Ok(sum.sum)
 }
 
+/// How many cards may damp.
+struct Count(usize);
+
+impl Visitor for Count {
+    fn dampers<C: DamperCard>(&mut self, cards: &BTreeMap<u32, C>) -> Result<(), InputError> {
+        self.0 += cards.len();
+        Ok(())
+    }
+}
+
 struct Hysteretic<'a> {
     builder: Builder<'a>,
     shapes: MatRef<'a, f64>,
@@ -51,10 +66,6 @@ impl Visitor for Hysteretic<'_> {
         }
         Ok(())
     }
-
-    fn ties<'a, C: TieCard + 'a>(&mut self, _: impl IntoIterator<Item = &'a C>) -> Result<(), InputError> {
-        Ok(())
-    }
 }
 
 struct Dampers<'a> {
@@ -63,14 +74,6 @@ struct Dampers<'a> {
 }
 
 impl Visitor for Dampers<'_> {
-    fn elements<C: ElementCard>(&mut self, _: &BTreeMap<u32, C>) -> Result<(), InputError> {
-        Ok(())
-    }
-
-    fn ties<'a, C: TieCard + 'a>(&mut self, _: impl IntoIterator<Item = &'a C>) -> Result<(), InputError> {
-        Ok(())
-    }
-
     fn dampers<C: DamperCard>(&mut self, cards: &BTreeMap<u32, C>) -> Result<(), InputError> {
         for card in cards.values() {
             self.all.extend(card.damper(&self.builder)?);

@@ -7,7 +7,8 @@ use crate::constraints::average::{self, Member};
 use crate::constraints::equation::solved_for;
 use crate::constraints::joint::{Joint, whole};
 use crate::constraints::rigid::{self, NodeMotion};
-use nastran::{GridComponents, InputError, Mpc, Rbe2, Rbe3, RigidBody, Rrod};
+use crate::constraints::spline;
+use nastran::{GridComponents, InputError, Mpc, Rbe2, Rbe3, RigidBody, Rrod, Rspline};
 use std::collections::BTreeSet;
 
 impl TieCard for Rbe2 {
@@ -76,6 +77,22 @@ impl TieCard for Rrod {
 
     fn arms(&self) -> (u32, Vec<[u32; 2]>) {
         (self.id, vec![self.grids])
+    }
+}
+
+impl TieCard for Rspline {
+    fn dependents(&self, builder: &Builder) -> Result<Vec<Dependent>, InputError> {
+        let user = format!("RSPLINE {}", self.id);
+        let grids: Vec<u32> = self.grids.iter().map(|(grid, _)| *grid).collect();
+        spline::spline(&builder.nodes, self, &builder.nodes_of(&grids, &user, &self.span)?)
+    }
+
+    fn joint(&self, _: &Builder) -> Result<Joint, InputError> {
+        Ok(Joint::Linear)
+    }
+
+    fn arms(&self) -> (u32, Vec<[u32; 2]>) {
+        (self.id, self.grids.windows(2).map(|pair| [pair[0].0, pair[1].0]).collect())
     }
 }
 

@@ -89,6 +89,8 @@ impl Model {
     pub fn from_deck(bulk: &BulkData, subcase: Option<u32>) -> Result<Self, InputError> {
         bulk.refuse_unread_undamped()?;
         let bulk = &*bulk.bounded(subcase)?;
+        // They have no part here, but what they name must be there.
+        dampers(bulk)?;
         let mut model = Self::read(bulk, ShearModel::Equilibrium, true)?;
         let is_consistent = bulk.parameters.get("COUPMASS").is_some_and(|value| *value > 0.0);
         model.holds_loose = bulk.parameters.get("AUTOSPC") != Some(&0.0);

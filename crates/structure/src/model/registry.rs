@@ -57,17 +57,20 @@ pub(crate) trait TieCard {
     fn arms(&self) -> (u32, Vec<[u32; 2]>);
 }
 
-/// What goes over all of these cards.
+/// What goes over all of these cards, and passes by those that it does not look at.
 pub(crate) trait Visitor {
+    /// The elements of one kind, in ascending number.
+    fn elements<C: ElementCard>(&mut self, _: &BTreeMap<u32, C>) -> Result<(), InputError> {
+        Ok(())
+    }
     /// The dampers of one kind, in ascending number.
     fn dampers<C: DamperCard>(&mut self, _: &BTreeMap<u32, C>) -> Result<(), InputError> {
         Ok(())
     }
-    /// The elements of one kind, in ascending number.
-    fn elements<C: ElementCard>(&mut self, cards: &BTreeMap<u32, C>) -> Result<(), InputError>;
     /// The ties of one kind.
-    fn ties<'a, C: TieCard + 'a>(&mut self, cards: impl IntoIterator<Item = &'a C>)
-    -> Result<(), InputError>;
+    fn ties<'a, C: TieCard + 'a>(&mut self, _: impl IntoIterator<Item = &'a C>) -> Result<(), InputError> {
+        Ok(())
+    }
 }
 
 /// Shows all elements, in the order in which they are summed, then all dampers and ties. Kinds of cards that are neither are named
@@ -76,7 +79,7 @@ pub(crate) trait Visitor {
 pub(crate) fn visit(bulk: &BulkData, visitor: &mut impl Visitor) -> Result<(), InputError> {
     let BulkData {
         beams, rods, conrods, tubes, shear_panels, shells, solids, bushes, line_bushes, springs, general, masses, mass_matrices,
-        scalar_masses, dampers, scalar_dampers, rigid, rigid_bodies, rigid_rods, averages, equations,
+        scalar_masses, dampers, scalar_dampers, rigid, rigid_bodies, rigid_rods, rigid_splines, averages, equations,
         // Read by the elements and ties that refer to them, and by the clamps.
         coords: _, grids: _, scalar_points: _, beam_properties: _, rod_properties: _, tube_properties: _, panel_sections: _, shell_properties: _, laminates: _,
         solid_properties: _, bush_properties: _, line_bush_properties: _, damper_properties: _, damping_properties: _, spring_properties: _, mass_properties: _, materials: _,
@@ -115,6 +118,7 @@ pub(crate) fn visit(bulk: &BulkData, visitor: &mut impl Visitor) -> Result<(), I
     visitor.ties(rigid.values())?;
     visitor.ties(rigid_bodies.values())?;
     visitor.ties(rigid_rods.values())?;
+    visitor.ties(rigid_splines.values())?;
     visitor.ties(averages.values())?;
     visitor.ties(equations)
 }

@@ -6,7 +6,7 @@
 
 use super::measurements::{MeasuredDeflection, MeasuredMode, Measurements, Parameter, Quantity};
 use crate::model::Model;
-use crate::model::registry::{self, ElementCard, TieCard, Visitor};
+use crate::model::registry::{self, ElementCard, Visitor};
 use crate::system::System;
 use nalgebra::Point3;
 use nastran::{BulkData, InputError, Table, ron_file};
@@ -308,10 +308,6 @@ struct Properties(BTreeMap<u32, u32>);
 impl Visitor for Properties {
     fn elements<C: ElementCard>(&mut self, cards: &BTreeMap<u32, C>) -> Result<(), InputError> {
         self.0.extend(cards.iter().filter_map(|(id, card)| Some((*id, card.property()?))));
-        Ok(())
-    }
-
-    fn ties<'a, C: TieCard + 'a>(&mut self, _: impl IntoIterator<Item = &'a C>) -> Result<(), InputError> {
         Ok(())
     }
 }
