@@ -15,7 +15,7 @@ use nastran::{
 };
 use std::sync::Arc;
 
-/// Where a bush is and what it is made of; `is_used` are the directions in which it has something.
+/// Where a bush is and what it is made of; `values` of its property are those whose axes must be determined.
 fn bush<'a>(
     card: &Cbush,
     builder: &Builder<'a>,
