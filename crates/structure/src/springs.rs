@@ -61,6 +61,8 @@ pub(crate) struct BushPlace {
     pub(crate) point: Point3<f64>,
     /// Columns are its x, y, z.
     pub(crate) axes: Matrix3<f64>,
+    /// Share of its mass at the second end; the rest is at the first.
+    pub(crate) mass_at_b: f64,
 }
 
 impl BushPlace {
@@ -73,7 +75,7 @@ impl BushPlace {
     pub(crate) fn element(&self, id: u32, nodes: &[Node], property: &Pbush) -> MatrixElement {
         let (dofs, k) = bush(nodes, self, &property.stiffness);
         let element = if property.mass > 0.0 {
-            MatrixElement::new(id, &dofs, &k, &self.mass(nodes, property.mass))
+            MatrixElement::new(id, &dofs, &k, &self.mass(property.mass))
         } else {
             MatrixElement::spring(id, &dofs, &k)
         };
@@ -84,16 +86,11 @@ impl BushPlace {
         element.turning(turning)
     }
 
-    /// Its mass goes to the ends as its distance from them says (QRG, PBUSH, remark 13).
-    fn mass(&self, nodes: &[Node], mass: f64) -> DMatrix<f64> {
-        let all = self.nodes();
-        let distance = |node: usize| (self.point - nodes[node].point).norm();
-        let from_a = distance(self.ends.0);
-        let between = from_a + self.ends.1.map_or(0.0, distance);
-        let to_b = if between > 0.0 { from_a / between } else { 0.5 };
-        let shares = [1.0 - to_b, to_b];
+    /// Its mass at the ends, the ground's share left out (QRG, PBUSH, remark 13).
+    fn mass(&self, mass: f64) -> DMatrix<f64> {
+        let shares = [1.0 - self.mass_at_b, self.mass_at_b];
         let own = |i: usize| if i % 6 < 3 { shares[i / 6] * mass } else { 0.0 };
-        DMatrix::from_diagonal(&DVector::from_fn(6 * all.len(), |i, _| own(i)))
+        DMatrix::from_diagonal(&DVector::from_fn(6 * self.nodes().len(), |i, _| own(i)))
     }
 }
 

@@ -114,6 +114,9 @@ fn springs_along_one_axis_and_bushes_have_the_mass_of_their_property() {
     // Two fifths of the way from A to B (QRG, PBUSH, remark 13).
     let [a, b] = masses("CBUSH,1,9,1,3,,,,5\n,.4\nPBUSH,9,K,7.\n,,M,3.\n");
     assert!((a - 1.8).abs() < 1e-12 && (b - 1.2).abs() < 1e-12, "{a} {b}");
+    // At the place of B in a system of its own.
+    let [a, b] = masses("CBUSH,1,9,1,3,,,,5\n,,0,1.,1.5,.2\nPBUSH,9,K,7.\n,,M,3.\n");
+    assert!(a.abs() < 1e-12 && (b - 3.0).abs() < 1e-12, "{a} {b}");
 }
 
 /// An element of each kind, each with its own loss factor; the deck says it in as many ways.

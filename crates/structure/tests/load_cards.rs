@@ -43,6 +43,14 @@ fn sums_of_loads_may_be_summed_but_not_in_a_circle() {
     let cards = "FORCE,1,7,,2.,1.,0.,3.\nFORCE,2,6,,1.,0.,1.,0.\nLOAD,3,2.,1.,1,.5,2\nLOAD,4,3.,1.,3,-1.,2\n";
     // 3 (2 (F1 + .5 F2) - F2) = 6 F1
     near(summed(cards, 4).0, [12.0, 0.0, 36.0], "twice");
+    // Each sums the one before it twice, sixty times over; and one within the other a hundred thousand times.
+    let sums = |sets: std::ops::Range<u32>, parts: &dyn Fn(u32) -> String| {
+        sets.map(|set| format!("LOAD,{},1.,{}\n", set + 1, parts(set))).collect::<Vec<_>>().concat()
+    };
+    let doubled = sums(10..70, &|set| format!(".5,{set},.5,{set}"));
+    near(summed(&format!("FORCE,10,7,,2.,1.,0.,3.\n{doubled}"), 70).0, [2.0, 0.0, 6.0], "doubled");
+    let deep = sums(10..100_010, &|set| format!("1.,{set}"));
+    assert_eq!(deck(&deep).summed_sets(100_010), Ok(vec![(1.0, 10)]));
     let circle = deck(&format!("{BOX}{cards}LOAD,5,1.,1.,6\nLOAD,6,1.,1.,5,1.,1\n"));
     let error = loads_of(&circle, 6).expect_err("refused").to_string();
     assert!(error.contains("LOAD 6 is a part of itself"), "{error}");

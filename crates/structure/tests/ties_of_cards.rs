@@ -272,6 +272,11 @@ fn grids_on_a_straight_spline_follow_a_cubic() {
     }
     let error = read(&format!("{line}RSPLINE,7,,31,33,123,36\n")).expect_err("refused");
     assert!(error.contains("RSPLINE 7: its line bends at GRID 33, which follows"), "{error}");
+    let long = (100..500).map(|grid| format!("GRID,{grid},,{grid}.,0.,0.\n")).collect::<Vec<_>>().concat();
+    let digits = |grid: u32| if grid < 499 { "123" } else { "" };
+    let list = (101..500).map(|grid| format!("{grid},{},", digits(grid))).collect::<Vec<_>>().concat();
+    let error = read(&format!("{long}RSPLINE,7,,100,{list}\n")).expect_err("refused");
+    assert!(error.contains("RSPLINE 7 has 400 grids, more than 300"), "{error}");
     for cards in ["RSPLINE,7,,31,32,123\n", "RSPLINE,7,,31,33\n", "RSPLINE,7,,31,32,,33\n"] {
         let error = read(&format!("{line}{cards}")).expect_err("refused");
         assert!(error.contains("RSPLINE 7 does not end with a grid that nothing constrains"), "{error}");

@@ -3,6 +3,7 @@
 use super::prelude::*;
 use crate::bulk_data::BulkData;
 use nalgebra::Vector3;
+use std::collections::BTreeMap;
 
 /// An acceleration of gravity on all masses (GRAV).
 #[derive(Debug, Clone, PartialEq)]
@@ -48,34 +49,42 @@ impl BulkData {
     /// # Errors
     /// If a sum is part of itself.
     pub fn summed_sets(&self, set: u32) -> Result<Vec<(f64, u32)>, InputError> {
+        // Each sum before its parts, however often and however deep it is summed itself.
+        let (mut order, mut is_open) = (Vec::new(), BTreeMap::new());
+        let mut way = vec![(set, false)];
+        while let Some((at, is_done)) = way.pop() {
+            let sum = self.load_sums.get(&at);
+            if is_done {
+                is_open.insert(at, false);
+                order.push(at);
+                continue;
+            }
+            match (is_open.get(&at), sum) {
+                (Some(true), Some(sum)) => {
+                    let message = format!("LOAD {at} is a part of itself");
+                    return Err(InputError::at(&sum.span, message)
+                        .with_help("a LOAD may sum others, but not in a circle"));
+                }
+                (Some(_), _) => continue,
+                (None, _) => _ = is_open.insert(at, true),
+            }
+            way.push((at, true));
+            let parts = sum.map_or(&[][..], |sum| &sum.parts);
+            way.extend(parts.iter().rev().map(|(_, part)| (*part, false)));
+        }
+        let mut factors: BTreeMap<u32, f64> = [(set, 1.0)].into();
         let mut found = Vec::new();
-        self.add_summed(set, 1.0, &mut Vec::new(), &mut found)?;
+        for at in order.into_iter().rev() {
+            let own = factors.get(&at).copied().unwrap_or(0.0);
+            let Some(sum) = self.load_sums.get(&at) else {
+                found.push((own, at));
+                continue;
+            };
+            for (factor, part) in &sum.parts {
+                *factors.entry(*part).or_default() += own * sum.scale * factor;
+            }
+        }
         Ok(found)
-    }
-
-    fn add_summed(
-        &self,
-        set: u32,
-        factor: f64,
-        within: &mut Vec<u32>,
-        found: &mut Vec<(f64, u32)>,
-    ) -> Result<(), InputError> {
-        let Some(sum) = self.load_sums.get(&set) else {
-            found.push((factor, set));
-            return Ok(());
-        };
-        if within.contains(&set) {
-            let message = format!("LOAD {set} is a part of itself");
-            return Err(
-                InputError::at(&sum.span, message).with_help("a LOAD may sum others, but not in a circle")
-            );
-        }
-        within.push(set);
-        for (own, part) in &sum.parts {
-            self.add_summed(*part, factor * sum.scale * own, within, found)?;
-        }
-        within.pop();
-        Ok(())
     }
 }
 

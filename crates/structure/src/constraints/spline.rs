@@ -11,15 +11,22 @@ use crate::model::Node;
 use nalgebra::{DMatrix, Vector3};
 use nastran::{BeamProperty, BeamStation, Expansion, InputError, Mat1, Rspline};
 
+/// The most grids of one spline: its stiffness is a full matrix.
+const MOST: usize = 300;
 /// Sine of the largest angle by which a line may bend at a grid that follows.
 const STRAIGHT: f64 = 1e-3;
 
 /// The rows of an RSPLINE whose grids are at positions `grids` among the nodes, in their order.
 ///
 /// # Errors
-/// If the line bends at a grid that follows, or two grids are at one place.
+/// If it has more than 300 grids, its line bends at a grid that follows, or two grids are at one place.
 pub(crate) fn spline(nodes: &[Node], card: &Rspline, grids: &[usize]) -> Result<Vec<Dependent>, InputError> {
     let owner = format!("RSPLINE {}", card.id);
+    if grids.len() > MOST {
+        let message = format!("{owner} has {} grids, more than {MOST}", grids.len());
+        return Err(InputError::at(&card.span, message)
+            .with_help("divide it at grids that are free, which changes nothing"));
+    }
     let place = |at: usize| nodes[grids[at]].point;
     let segments: Vec<Vector3<f64>> = (1..grids.len()).map(|at| place(at) - place(at - 1)).collect();
     for (at, pair) in segments.windows(2).enumerate() {

@@ -27,9 +27,13 @@ fn bush<'a>(
     let property = found(&builder.bulk.bush_properties, card.property, &user, "PBUSH", &card.span)?;
     let a = builder.nodes[end_a].point;
     let along = end_b.map_or_else(Vector3::zeros, |b| builder.nodes[b].point - a);
-    let point = match card.offset {
-        Some((system, xyz)) => builder.frames.point(system, xyz, &card.span)?,
-        None => a + along * card.location,
+    let (point, mass_at_b) = match card.offset {
+        Some((system, xyz)) => {
+            let point = builder.frames.point(system, xyz, &card.span)?;
+            let [from_a, to_b] = [a, a + along].map(|end| (point - end).norm());
+            (point, if from_a > 0.0 { from_a / (from_a + to_b) } else { 0.0 })
+        }
+        None => (a + along * card.location, card.location),
     };
     let axes = match &card.axes {
         BushAxes::System(system) => Some(builder.frames.axes_at_point(*system, &point, &card.span)?),
@@ -51,7 +55,7 @@ fn bush<'a>(
         let message = format!("PBUSH {} has the stiffness or damping {value}", property.id);
         return Err(InputError::at(&property.span, message).with_help("it is zero or positive"));
     }
-    Ok((BushPlace { ends: (end_a, end_b), point, axes }, property))
+    Ok((BushPlace { ends: (end_a, end_b), point, axes, mass_at_b }, property))
 }
 
 impl ElementCard for Cbush {

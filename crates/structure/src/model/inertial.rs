@@ -57,8 +57,7 @@ pub(super) fn accelerated(builder: &Builder, card: &Acceleration) -> Result<Vec<
 /// The deck's model with masses in the form that Nastran gives them.
 fn with_masses(builder: &Builder) -> Result<Model, InputError> {
     let mut model = Model::read(builder.bulk, ShearModel::Equilibrium, true)?;
-    let is_consistent = builder.bulk.parameters.get("COUPMASS").is_some_and(|value| *value > 0.0);
-    model.mass_form = if is_consistent { MassForm::Consistent } else { MassForm::Lumped };
+    model.mass_form = MassForm::of_deck(builder.bulk);
     Ok(model)
 }
 

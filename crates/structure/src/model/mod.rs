@@ -50,6 +50,14 @@ pub enum MassForm {
     Lumped,
 }
 
+impl MassForm {
+    /// Nastran's of a deck: lumped unless PARAM COUPMASS is above zero.
+    fn of_deck(bulk: &BulkData) -> Self {
+        let is_consistent = bulk.parameters.get("COUPMASS").is_some_and(|value| *value > 0.0);
+        if is_consistent { Self::Consistent } else { Self::Lumped }
+    }
+}
+
 /// A structure: nodes, elements, constraints and clamps.
 #[derive(Debug, Clone)]
 pub struct Model {
@@ -92,9 +100,8 @@ impl Model {
         // They have no part here, but what they name must be there.
         dampers(bulk)?;
         let mut model = Self::read(bulk, ShearModel::Equilibrium, true)?;
-        let is_consistent = bulk.parameters.get("COUPMASS").is_some_and(|value| *value > 0.0);
         model.holds_loose = bulk.parameters.get("AUTOSPC") != Some(&0.0);
-        model.mass_form = if is_consistent { MassForm::Consistent } else { MassForm::Lumped };
+        model.mass_form = MassForm::of_deck(bulk);
         Ok(model)
     }
 

@@ -80,7 +80,7 @@ fn a_bush_feels_how_its_ends_move_apart_at_its_place() {
         ((0, Some(1)), Corotation::Node(0)),
         ((1, None), Corotation::Ground),
     ] {
-        let element = BushPlace { ends, point: place, axes }.element(7, &nodes, &property);
+        let element = BushPlace { ends, point: place, axes, mass_at_b: 0.5 }.element(7, &nodes, &property);
         let none = (Vector3::zeros(), Vector3::zeros());
         let (a, b) = (end(ends.0), ends.1.map_or(none, end));
         let (apart, twist) = (axes.transpose() * (b.0 - a.0), axes.transpose() * (b.1 - a.1));
