@@ -69,6 +69,14 @@ fn told_apart<'a>(columns: Vec<(Column<'a>, Option<&str>)>) -> Vec<Column<'a>> {
 
 /// Nine significant digits, without trailing zeros.
 fn nine_digits(value: f64) -> String {
+    /// Powers of ten up to this one are exact: the quotient is what the nine digits would be read as.
+    const EXACT: f64 = 22.0;
+    let power = 8.0 - value.abs().log10().floor();
+    if (0.0..=EXACT).contains(&power) {
+        #[expect(clippy::cast_possible_truncation, reason = "a whole number up to 22")]
+        let scale = 10.0_f64.powi(power as i32);
+        return ((value * scale).round() / scale).to_string();
+    }
     format!("{value:.8e}").parse::<f64>().map_or(String::new(), |value| value.to_string())
 }
 
@@ -82,7 +90,20 @@ fn quoted(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::nine_digits;
     use crate::figure::{Figure, Panel, Series, Style};
+
+    #[test]
+    fn nine_digits_are_those_of_the_standard_library() {
+        let sizes = (-330..300).map(|power| format!("{}e{power}", 1.234_567_890_1 + f64::from(power)));
+        let others = ["0", "-0", "1", "1000", "999999999.7", "0.1", "123456789", "5e-324"].map(String::from);
+        for text in sizes.chain(others) {
+            for value in [1.0, -0.7].map(|sign| sign * text.parse::<f64>().expect("a number")) {
+                let expected = format!("{value:.8e}").parse::<f64>().expect("a number");
+                assert_eq!(nine_digits(value), expected.to_string(), "{text}");
+            }
+        }
+    }
 
     #[test]
     fn curves_share_a_column_of_abscissae_and_short_ones_end_in_empty_cells() {

@@ -7,7 +7,7 @@
 use crate::dofs::DofMap;
 use crate::element::Element;
 use crate::model::{MassForm, Model};
-use crate::sparse::{self, Pattern, Sparse, Values};
+use crate::sparse::{Lower, Pattern, Sparse, Values};
 use nalgebra::DMatrix;
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -17,7 +17,7 @@ const BATCH: usize = 512;
 
 /// Stiffness and mass of the g-set and of the f-set.
 pub(crate) struct Assembled {
-    pub(crate) k_gg: Sparse,
+    pub(crate) k_gg: Lower,
     pub(crate) m_gg: Sparse,
     pub(crate) k_ff: Sparse,
     pub(crate) m_ff: Sparse,
@@ -60,10 +60,10 @@ pub(crate) fn assembled(
             }
         }
     }
-    let (k_gg, m_gg) = all.symmetric();
-    let part = |a: &Sparse| sparse::block(a.as_ref(), &map.free);
-    let (k_ff, m_ff) = own.map_or_else(|| (part(&k_gg), part(&m_gg)), |own| own.sums.symmetric());
-    Assembled { k_gg, m_gg, k_ff, m_ff }
+    let (k_gg, m_gg) = all.lower();
+    let parts = || (k_gg.block(&map.free), m_gg.block(&map.free));
+    let (k_ff, m_ff) = own.map_or_else(parts, |own| own.sums.symmetric());
+    Assembled { m_gg: m_gg.symmetric(), k_gg, k_ff, m_ff }
 }
 
 /// The sums of the free motions, where some motions follow others.
@@ -92,10 +92,10 @@ pub(crate) fn matrices(
 
 /// Mass of an element in the form and unit the model asks for.
 pub(crate) fn mass_matrix(model: &Model, element: &Arc<dyn Element>, dofs: &[usize]) -> Option<DMatrix<f64>> {
-    let m = element.mass().map(std::borrow::Cow::into_owned)?;
-    let is_lumped = model.mass_form == MassForm::Lumped && element.stiffness().is_some();
-    let m = if is_lumped { element.lumped_mass().unwrap_or_else(|| lumped(&m, dofs)) } else { m };
-    Some(m * model.mass_factor)
+    let is_lumped = model.mass_form == MassForm::Lumped && element.is_elastic();
+    let own = || element.mass().map(std::borrow::Cow::into_owned);
+    let m = if is_lumped { element.lumped_mass().or_else(|| own().map(|m| lumped(&m, dofs))) } else { own() };
+    m.map(|m| m * model.mass_factor)
 }
 
 /// Each displacement keeps the sum of its row over displacements of the same component.

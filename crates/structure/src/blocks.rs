@@ -37,14 +37,25 @@ impl Noise {
 /// Rows that a thread works on at a time, always the same ones: sums do not depend on the number of threads.
 const ROWS: usize = 8192;
 
+/// Products of two numbers that are worth another thread: about a millisecond's.
+const SHARED: usize = 4_000_000;
+
 /// A^T B.
 pub(crate) fn inner(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
-    let part = |(a, b): (MatRef<'_, f64>, MatRef<'_, f64>)| {
+    let part = |start: usize| {
+        let rows = ROWS.min(a.nrows() - start);
         let mut part = Mat::zeros(a.ncols(), b.ncols());
+        let (a, b) = (a.subrows(start, rows), b.subrows(start, rows));
         matmul(part.as_mut(), Accum::Replace, a.transpose(), b, 1.0, Par::Seq);
         part
     };
-    let parts: Vec<Mat<f64>> = a.par_row_chunks(ROWS).zip(b.par_row_chunks(ROWS)).map(part).collect();
+    let starts: Vec<usize> = (0..a.nrows()).step_by(ROWS).collect();
+    let is_shared = a.nrows() * a.ncols() * b.ncols() > SHARED;
+    let parts: Vec<Mat<f64>> = if is_shared {
+        starts.into_par_iter().map(part).collect()
+    } else {
+        starts.into_iter().map(part).collect()
+    };
     parts.into_iter().reduce(|sum, part| sum + part).unwrap_or_else(|| Mat::zeros(a.ncols(), b.ncols()))
 }
 
@@ -57,6 +68,9 @@ pub(crate) fn product(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
 
 /// Adds so many times A B.
 pub(crate) fn add_product(sum: &mut Mat<f64>, times: f64, a: MatRef<'_, f64>, b: MatRef<'_, f64>) {
+    if a.nrows() * a.ncols() * b.ncols() <= SHARED {
+        return matmul(sum.as_mut(), Accum::Add, a, b, times, Par::Seq);
+    }
     let rows = sum.par_row_chunks_mut(ROWS).zip(a.par_row_chunks(ROWS));
     rows.for_each(|(sum, a)| matmul(sum, Accum::Add, a, b, times, Par::Seq));
 }

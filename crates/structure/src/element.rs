@@ -22,10 +22,14 @@ pub trait Element: Debug + Send + Sync {
     }
     /// Stiffness over [`Element::dofs`], N/m and Nm/rad, symmetric; `None` if it has none.
     fn stiffness(&self) -> Option<Cow<'_, DMatrix<f64>>>;
+    /// Whether it has a stiffness, which need not be computed to say so.
+    fn is_elastic(&self) -> bool {
+        true
+    }
     /// Mass over [`Element::dofs`], kg and kg m^2, symmetric; `None` if it has none.
     fn mass(&self) -> Option<Cow<'_, DMatrix<f64>>>;
-    /// Mass as points at its ends, if the element knows better than the sums of [`Element::mass`]'s rows: off the grids (offsets)
-    /// points have inertia about them.
+    /// Mass as points at its ends, if the element knows better than the sums of [`Element::mass`]'s rows (off the grids, by offsets,
+    /// points have inertia about them) or has these sums without it.
     fn lumped_mass(&self) -> Option<DMatrix<f64>> {
         None
     }

@@ -11,7 +11,7 @@
 mod loose;
 mod panels;
 
-use self::loose::{absolute_energy, loose_among, pivots_of, stands_out};
+use self::loose::{absolute_energies, loose_among, pivots_of, sizes, stands_out};
 use self::panels::{Panels, Row, TOGETHER};
 use crate::blocks::{Noise, inner};
 use crate::ordering::{self, levels::reverse_cuthill_mckee};
@@ -37,10 +37,10 @@ const LOOSE: f64 = 1e-14;
 const HELD: f64 = 2.0;
 
 /// How many of the weakest motions are looked at together: a free body has six.
-const WEAKEST: usize = 8;
+const WEAKEST: usize = TOGETHER;
 
 /// Inverse iterations on them. A motion that meets no stiffness stands out after the first.
-const ITERATIONS: usize = 3;
+const ITERATIONS: usize = 2;
 
 /// Structures of more motions are ordered grid by grid, and their right-hand sides go through the factor side by side. In smaller
 /// ones there is little to be won, and all modes of a slender wing, which range over twelve decimals, hang on the rounding.
@@ -63,13 +63,43 @@ pub(crate) struct Factor {
     pub(crate) is_certain: bool,
 }
 
+/// The memory of a factor that is done with, for another one: what is asked of the system anew takes longer than to write it.
+#[derive(Debug, Default)]
+pub(crate) struct Room(Vec<f64>);
+
 /// The matrix that is factorised: S A S, with springs.
-struct Scaled<'a> {
+pub(crate) struct Scaled<'a> {
     pattern: SymbolicSparseColMatRef<'a, usize>,
     values: Vec<f64>,
+    scale: Vec<f64>,
 }
 
-impl Scaled<'_> {
+impl<'a> Scaled<'a> {
+    /// Of a matrix by its pattern and values, scaled to the size of each degree of freedom.
+    pub(crate) fn of(
+        pattern: SymbolicSparseColMatRef<'a, usize>,
+        mut values: Vec<f64>,
+        size: &[f64],
+    ) -> Self {
+        let scale: Vec<f64> = size.iter().map(|d| if *d > 0.0 { 1.0 / d.sqrt() } else { 1.0 }).collect();
+        for j in 0..pattern.ncols() {
+            for (i, value) in pattern.row_idx_of_col(j).zip(&mut values[pattern.col_range(j)]) {
+                *value = scale[i] * *value * scale[j];
+            }
+        }
+        Self { pattern, values, scale }
+    }
+
+    /// With springs of one on the diagonal.
+    fn held(mut self, springs: &[usize]) -> Self {
+        for dof in springs {
+            let rows = self.pattern.row_idx_of_col_raw(*dof);
+            let place = rows.binary_search(dof).expect("every diagonal entry is there");
+            self.values[self.pattern.col_range(*dof).start + place] += 1.0;
+        }
+        self
+    }
+
     fn matrix(&self) -> SparseColMatRef<'_, usize, f64> {
         SparseColMatRef::new(self.pattern, &self.values)
     }
@@ -113,36 +143,29 @@ impl Factor {
             dynamic_regularization_delta: HELD,
             dynamic_regularization_epsilon: LOOSE,
         };
-        let (mut factor, scaled) = Self::new(analysis, a, &sparse::diagonal(a), springs, regularization)
+        let scaled = Scaled::of(a.symbolic(), a.val().to_vec(), &sparse::diagonal(a)).held(springs);
+        let mut factor = Self::new(analysis, &scaled, regularization, Room::default())
             .expect("a positive pivot is put in the place of every other, and entries are finite");
         let loose = factor.pivots().into_iter().filter(|(_, pivot)| *pivot == HELD).map(|(dof, _)| dof);
         factor.loose = loose.collect();
         (factor, scaled)
     }
 
-    /// Of an indefinite matrix, without pivoting; `None` if a pivot is exactly zero. `size` gives the scale of
-    /// each degree of freedom.
-    pub(crate) fn indefinite(
-        analysis: &Arc<Analysis>,
-        a: SparseColMatRef<'_, usize, f64>,
-        size: &[f64],
-    ) -> Option<Self> {
-        let (mut factor, scaled) = Self::new(analysis, a, size, &[], LdltRegularization::default())?;
-        factor.is_certain = factor.has_certain_signs(&scaled);
+    /// Of an indefinite matrix, without pivoting; `None` if a pivot is exactly zero.
+    pub(crate) fn indefinite(analysis: &Arc<Analysis>, scaled: &Scaled<'_>, room: Room) -> Option<Self> {
+        let mut factor = Self::new(analysis, scaled, LdltRegularization::default(), room)?;
+        factor.is_certain = factor.has_certain_signs(scaled);
         Some(factor)
     }
 
-    fn new<'a>(
+    fn new(
         analysis: &Arc<Analysis>,
-        a: SparseColMatRef<'a, usize, f64>,
-        size: &[f64],
-        springs: &[usize],
+        scaled: &Scaled<'_>,
         regularization: LdltRegularization<'_, f64>,
-    ) -> Option<(Self, Scaled<'a>)> {
-        let scale: Vec<f64> = size.iter().map(|d| if *d > 0.0 { 1.0 / d.sqrt() } else { 1.0 }).collect();
-        let scaled = scaled(a, &scale, springs);
+        Room(mut values): Room,
+    ) -> Option<Self> {
         let symbolic = Arc::clone(analysis);
-        let mut values = vec![0.0; symbolic.len_val()];
+        values.resize(symbolic.len_val(), 0.0);
         // On one thread: faer's tasks for each panel took a sixth more clock time on two cores for 12,000 shells.
         let par = Par::Seq;
         let mut memory = MemBuffer::new(symbolic.factorize_numeric_ldlt_scratch::<f64>(par, Spec::default()));
@@ -157,10 +180,13 @@ impl Factor {
                 Spec::default(),
             )
             .ok()?;
-        Some((
-            Self { symbolic, values, scale, loose: Vec::new(), weak: Mat::new(), is_certain: false },
-            scaled,
-        ))
+        let scale = scaled.scale.clone();
+        Some(Self { symbolic, values, scale, loose: Vec::new(), weak: Mat::new(), is_certain: false })
+    }
+
+    /// What it leaves behind.
+    pub(crate) fn into_room(self) -> Room {
+        Room(self.values)
     }
 
     /// Calls `see` for each column of L in the order of elimination: its number, pivot, and the entries below it (row in
@@ -189,10 +215,10 @@ impl Factor {
         let (vectors, energies) = self.weakest(scaled);
         self.weak = Mat::from_fn(vectors.nrows(), vectors.ncols(), |i, j| self.scale[i] * vectors[(i, j)]);
         let mut loose: Vec<Vec<f64>> = Vec::new();
-        for (at, energy) in energies.iter().enumerate() {
-            let x: Vec<f64> = vectors.col(at).iter().copied().collect();
-            if *energy <= 0.0 || !stands_out(*energy, absolute_energy(scaled.matrix(), &x)) {
-                loose.push(x);
+        let sizes = absolute_energies(scaled.matrix(), vectors.as_ref());
+        for (at, (energy, size)) in energies.iter().zip(sizes).enumerate() {
+            if *energy <= 0.0 || !stands_out(*energy, size) {
+                loose.push(vectors.col(at).iter().copied().collect());
             }
         }
         pivots_of(loose)
@@ -222,17 +248,14 @@ impl Factor {
         (&x * eigen.U(), eigen.S().column_vector().iter().copied().collect())
     }
 
-    /// |x|^T |L| |D| |L|^T |x| of each column: what the elimination's rounding is measured by.
-    fn factor_energies(&self, x: MatRef<'_, f64>) -> Vec<f64> {
-        // All at one place of the structure stand together: the factor is read once.
-        let sizes = Mat::from_fn(x.ncols(), x.nrows(), |j, i| x[(i, j)].abs());
-        let at_place = |at: usize| sizes.col(self.dof_at(at)).iter();
-        let mut energies = vec![0.0; x.ncols()];
-        let mut sums = vec![0.0; x.ncols()];
+    /// |x|^T |L| |D| |L|^T |x| of each column, at most [`TOGETHER`]: what the elimination's rounding is measured by.
+    fn factor_energies(&self, x: MatRef<'_, f64>) -> Row {
+        let sizes = sizes(x, (0..x.nrows()).map(|place| self.dof_at(place)));
+        let mut energies = [0.0; TOGETHER];
         self.columns(|at, pivot, below| {
-            sums.iter_mut().zip(at_place(at)).for_each(|(sum, x)| *sum = *x);
+            let mut sums = sizes[at];
             for (place, value) in below {
-                sums.iter_mut().zip(at_place(place)).for_each(|(sum, x)| *sum += value.abs() * x);
+                sums.iter_mut().zip(&sizes[place]).for_each(|(sum, x)| *sum += value.abs() * x);
             }
             energies.iter_mut().zip(&sums).for_each(|(energy, sum)| *energy += pivot.abs() * sum * sum);
         });
@@ -284,6 +307,9 @@ impl Factor {
                 x.rb_mut().row_mut(dof).iter_mut().zip(row).for_each(|(x, own)| *x = scale * own);
             }
         };
+        if b.ncols() <= TOGETHER {
+            return one_group((x, b));
+        }
         x.par_col_chunks_mut(TOGETHER).zip(b.par_col_chunks(TOGETHER)).for_each(one_group);
     }
 
@@ -328,17 +354,6 @@ fn orthonormalise(x: &mut Mat<f64>) {
             own.col_mut(0).iter_mut().for_each(|x| *x /= norm);
         }
     }
-}
-
-fn scaled<'a>(a: SparseColMatRef<'a, usize, f64>, scale: &[f64], springs: &[usize]) -> Scaled<'a> {
-    let mut values = Vec::with_capacity(a.val().len());
-    for j in 0..a.ncols() {
-        for (i, value) in a.row_idx_of_col(j).zip(a.val_of_col(j)) {
-            let spring = if i == j && springs.contains(&i) { 1.0 } else { 0.0 };
-            values.push(scale[i] * value * scale[j] + spring);
-        }
-    }
-    Scaled { pattern: a.symbolic(), values }
 }
 
 #[cfg(test)]

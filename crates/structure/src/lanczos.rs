@@ -7,11 +7,9 @@
 //! whose frequencies range widely.
 
 use crate::blocks::{Noise, inner, product};
-use crate::sparse;
-use crate::subspace::{Inverse, Ritz, Space, beside};
+use crate::subspace::{Inverse, New, Ritz, Space, beside};
 use faer::sparse::SparseColMatRef;
-use faer::{Mat, MatRef, Side};
-use std::ops::Range;
+use faer::{Mat, Side};
 
 /// Directions that the operator is applied to together, as many as the factor solves together.
 const BLOCK: usize = 8;
@@ -58,9 +56,9 @@ pub(crate) fn lowest(
     // Eigenpairs of a large small matrix take longer than some steps.
     let looks = (elastic / (ROOM * BLOCK)).max(1);
     for step in 0..STEPS {
-        let is_complete = lanczos.next.is_empty() && !lanczos.begins(noise)?;
+        let is_complete = lanczos.next.columns.is_empty() && !lanczos.begins(noise)?;
         let coupling = lanczos.step()?;
-        let is_full = lanczos.next.end + BLOCK > inverse.rigid.count() + longest;
+        let is_full = lanczos.next.columns.end + BLOCK > inverse.rigid.count() + longest;
         let is_due = lanczos.small.ncols() >= elastic && step % looks == 0;
         if !(is_complete || is_full || is_due) {
             continue;
@@ -85,8 +83,8 @@ struct Lanczos<'a> {
     space: Space<'a>,
     /// The operator between the directions that it was applied to.
     small: Mat<f64>,
-    /// Where in the basis the block is that it is applied to next.
-    next: Range<usize>,
+    /// The block that it is applied to next.
+    next: New,
 }
 
 /// Eigenpairs of the small matrix, the largest eigenvalue first, and how far each is from a mode.
@@ -112,10 +110,11 @@ impl<'a> Lanczos<'a> {
                 |i, j| if i == j { 1.0 / (known.values[j] + inverse.shift) } else { 0.0 },
             );
         if count > 0 {
-            space.append(known.vectors.as_ref(), sparse::multiply(m, known.vectors.as_ref()).as_ref());
+            space.append(known.vectors.as_ref());
         }
         let end = space.basis.ncols();
-        Self { inverse, space, small, next: end..end }
+        let next = New { columns: end..end, momenta: Mat::zeros(m.ncols(), 0) };
+        Self { inverse, space, small, next }
     }
 
     fn first(&self) -> usize {
@@ -131,15 +130,17 @@ impl<'a> Lanczos<'a> {
         } else {
             noise.extend(Mat::zeros(self.space.m.ncols(), 0).as_ref(), BLOCK)
         };
-        self.next = self.space.extend(self.inverse.solve(sparse::multiply(self.space.m, start.as_ref())))?;
-        Some(!self.next.is_empty())
+        self.next = self.space.extend(self.inverse.solve(self.space.momenta(start.as_ref())))?;
+        Some(!self.next.columns.is_empty())
     }
 
     /// Applies the operator to the next block; what of that is new comes next, and how it hangs together with the block is returned.
     fn step(&mut self) -> Option<Mat<f64>> {
-        let (first, start) = (self.first(), self.next.start - self.first());
-        let image = self.inverse.solve(self.momenta(self.next.clone()).to_owned());
-        let shares = inner(self.momenta(first..self.next.end), image.as_ref());
+        let (first, start) = (self.first(), self.next.columns.start - self.first());
+        let image = self.inverse.solve(std::mem::replace(&mut self.next.momenta, Mat::new()));
+        let momenta = self.space.momenta(image.as_ref());
+        let all = inner(self.space.basis.as_ref(), momenta.as_ref());
+        let shares = all.subrows(first, all.nrows() - first);
         let small = &self.small;
         self.small = Mat::from_fn(shares.nrows(), shares.nrows(), |i, j| match (i < start, j < start) {
             (true, true) => small[(i, j)],
@@ -147,12 +148,8 @@ impl<'a> Lanczos<'a> {
             (false, true) => shares[(j, i - start)],
             (false, false) => 0.5 * (shares[(i, j - start)] + shares[(j, i - start)]),
         });
-        self.next = self.space.extend(image.clone())?;
-        Some(inner(self.momenta(self.next.clone()), image.as_ref()))
-    }
-
-    fn momenta(&self, columns: Range<usize>) -> MatRef<'_, f64> {
-        self.space.momenta.subcols(columns.start, columns.len())
+        self.next = self.space.extend_by(image.clone(), &momenta, &all)?;
+        Some(inner(self.next.momenta.as_ref(), image.as_ref()))
     }
 
     /// The operator takes a pair out of the basis by the coupling times the pair's part in the block that came last.
@@ -172,15 +169,13 @@ impl<'a> Lanczos<'a> {
     fn restart(&mut self, pairs: &Pairs, count: usize, longest: usize) {
         let (first, n) = (self.first(), self.small.ncols());
         let turn = pairs.turn.subcols(0, count);
-        let of = |all: &Mat<f64>| {
-            let kept = product(all.subcols(first, n), turn);
-            beside(kept.as_ref(), all.subcols(self.next.start, self.next.len()))
-        };
-        let (basis, momenta) = (of(&self.space.basis), of(&self.space.momenta));
+        let kept = product(self.space.basis.subcols(first, n), turn);
+        let columns = self.next.columns.clone();
+        let basis = beside(kept.as_ref(), self.space.basis.subcols(columns.start, columns.len()));
         self.space.clear(self.inverse.rigid, first + longest);
-        self.space.append(basis.as_ref(), momenta.as_ref());
+        self.space.append(basis.as_ref());
         self.small = Mat::from_fn(count, count, |i, j| if i == j { pairs.values[i] } else { 0.0 });
-        self.next = first + count..first + basis.ncols();
+        self.next.columns = first + count..first + basis.ncols();
     }
 
     /// At least `count` pairs, if there are as many, and those of the same block of solves that are nearly modes.

@@ -101,6 +101,9 @@ impl Element for PointMass {
     fn stiffness(&self) -> Option<Cow<'_, DMatrix<f64>>> {
         None
     }
+    fn is_elastic(&self) -> bool {
+        false
+    }
     fn mass(&self) -> Option<Cow<'_, DMatrix<f64>>> {
         Some(Cow::Borrowed(&self.mass))
     }

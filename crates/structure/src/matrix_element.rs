@@ -95,6 +95,9 @@ impl Element for MatrixElement {
     fn stiffness(&self) -> Option<Cow<'_, DMatrix<f64>>> {
         self.stiffness.as_ref().map(Cow::Borrowed)
     }
+    fn is_elastic(&self) -> bool {
+        self.stiffness.is_some()
+    }
     fn mass(&self) -> Option<Cow<'_, DMatrix<f64>>> {
         self.mass.as_ref().map(Cow::Borrowed)
     }

@@ -17,7 +17,7 @@ mod way;
 pub use error::ModesError;
 
 use crate::blocks::Noise;
-use crate::factor::Factor;
+use crate::factor::{Factor, Room};
 use crate::flexibility::SingularStructure;
 use crate::jacobi;
 use crate::lanczos::{self, Asked};
@@ -33,8 +33,9 @@ use way::Way;
 /// Residual at which a mode is converged; its eigenvalue's relative error is about the square of it, or round-off.
 const CONVERGED: f64 = 1e-9;
 
-/// The same for structures of more than [`LARGE`] motions, whose round-off does not allow less.
-const CONVERGED_LARGE: f64 = 1e-7;
+/// The same for structures of more than [`LARGE`] motions, whose round-off does not allow much less: eigenvalues have twelve digits, and the
+/// step after it ([`subspace::refined`]) takes more off shapes.
+const CONVERGED_LARGE: f64 = 1e-6;
 
 /// Number of motions of a large structure.
 const LARGE: usize = 3000;
@@ -189,16 +190,17 @@ impl<'a> Search<'a> {
                 None if self.shift > 0.0 => shifted(self.system, self.shift)?,
                 None => held(self.system),
             };
+            let mut room = Room::default();
             match self.way {
                 Way::Lanczos => {
                     self.by_lanczos(&factor, asked)?;
                     // The count has one of its own.
-                    drop(factor);
+                    room = factor.into_room();
                 }
                 Way::Rotations => self.by_rotations(factor)?,
                 Way::Sweeps => self.by_sweeps(factor)?,
             }
-            match self.check()? {
+            match self.check(room)? {
                 None => return Ok(self.modes()),
                 Some(difference) if self.is_exhausted => return Err(difference),
                 Some(_) => {}
@@ -311,7 +313,7 @@ impl<'a> Search<'a> {
     }
 
     /// Compares the modes found with the count of eigenvalues that is known, or else just above the last one.
-    fn check(&self) -> Result<Option<ModesError>, ModesError> {
+    fn check(&self, room: Room) -> Result<Option<ModesError>, ModesError> {
         let below = |square: f64| self.ritz.values.iter().filter(|value| **value < square).count();
         if self.known.is_some_and(|known| known.below == self.count && below(known.square) == known.below) {
             return Ok(None);
@@ -323,7 +325,7 @@ impl<'a> Search<'a> {
         };
         // A nearby frequency that belongs to a pair shall be on the same side, the nudged shift included.
         let above = (last * (1.0 + 1e-5)).max(rigid_below);
-        let counted = sturm::count_below_square(self.system, above)?;
+        let counted = sturm::count_below_square(self.system, above, room)?;
         let found = below(above);
         let difference = ModesError::Incomplete { found, counted, omega_rad_s: above.sqrt() };
         Ok((found != counted).then_some(difference))

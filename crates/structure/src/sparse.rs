@@ -1,197 +1,44 @@
-//! Symmetric sparse matrices with one pattern for stiffness and mass.
-//!
-//! Entries are summed in the order of the elements, whatever the number of threads, and only once for both
-//! triangles: the matrices are the same on every run and exactly symmetric.
+//! Symmetric sparse matrices, and their products and parts.
+
+mod sums;
+
+pub(crate) use sums::{Lower, Mirrored, Pattern, Values};
 
 use faer::reborrow::ReborrowMut as _;
-use faer::sparse::{SparseColMat, SparseColMatRef, SymbolicSparseColMat, SymbolicSparseColMatRef};
+use faer::sparse::{SparseColMat, SparseColMatRef, SymbolicSparseColMat, SymbolicSparseColMatRef, Triplet};
 use faer::{Mat, MatMut, MatRef};
 use nalgebra::DMatrix;
 use rayon::prelude::*;
-use std::sync::Arc;
 
 /// Sparse matrix of this crate.
 pub(crate) type Sparse = SparseColMat<usize, f64>;
 
-/// Where entries can stand in a symmetric matrix: the lower triangle, column by column, rows ascending.
-#[derive(Debug, Clone)]
-pub(crate) struct Pattern {
-    columns: Arc<[usize]>,
-    rows: Arc<[usize]>,
+/// A mass with another added over some motions; `None` where the stiffness has no entry (`joined`) for one.
+pub(crate) fn with_sum(
+    m: &Sparse,
+    dofs: &[usize],
+    change: &DMatrix<f64>,
+    joined: impl Fn(usize, usize) -> bool,
+) -> Option<Sparse> {
+    let pairs = || {
+        dofs.iter()
+            .enumerate()
+            .flat_map(|(j, column)| dofs.iter().enumerate().map(move |(i, row)| ((i, j), (*row, *column))))
+    };
+    if !pairs().all(|(_, (row, column))| joined(row, column)) {
+        return None;
+    }
+    let of_mass = m.triplet_iter().map(|entry| Triplet::new(entry.row, entry.col, *entry.val));
+    let added = pairs().map(|(at, (row, column))| Triplet::new(row, column, change[at]));
+    let all: Vec<_> = of_mass.chain(added).collect();
+    let sum =
+        Sparse::try_new_from_triplets(m.nrows(), m.ncols(), &all).expect("rows and columns of the mass");
+    Some(without_zeros(sum.symbolic(), |at| sum.val()[at]))
 }
 
-impl Pattern {
-    /// Of a matrix of order `n` whose entries join the motions of each list. Every diagonal entry is in it.
-    pub(crate) fn of(n: usize, lists: &[Vec<usize>]) -> Self {
-        let mut users: Vec<Vec<u32>> = vec![Vec::new(); n];
-        for (list, dofs) in (0_u32..).zip(lists) {
-            for dof in dofs {
-                users[*dof].push(list);
-            }
-        }
-        let column = |(j, users): (usize, &Vec<u32>)| {
-            let mut rows = vec![j];
-            for list in users {
-                rows.extend(lists[*list as usize].iter().filter(|row| **row > j));
-            }
-            rows.sort_unstable();
-            rows.dedup();
-            rows
-        };
-        let filled: Vec<Vec<usize>> = users.par_iter().enumerate().map(column).collect();
-        let mut columns = vec![0; n + 1];
-        for (j, rows) in filled.iter().enumerate() {
-            columns[j + 1] = columns[j] + rows.len();
-        }
-        Self { columns: columns.into(), rows: filled.concat().into() }
-    }
-
-    /// The matrices with this pattern, zero so far.
-    pub(crate) fn values(self) -> Values {
-        let count = self.rows.len();
-        Values { pattern: self, k: vec![0.0; count], m: vec![0.0; count] }
-    }
-}
-
-/// Stiffness and mass of one pattern, while they are summed.
-pub(crate) struct Values {
-    pattern: Pattern,
-    k: Vec<f64>,
-    m: Vec<f64>,
-}
-
-impl Values {
-    /// Adds matrices over `dofs`.
-    pub(crate) fn add(&mut self, dofs: &[usize], k: Option<&DMatrix<f64>>, m: Option<&DMatrix<f64>>) {
-        self.add_pairs(dofs.iter().copied().enumerate().collect(), k, m);
-    }
-
-    /// Adds those rows and columns of matrices that have a place.
-    pub(crate) fn add_where(
-        &mut self,
-        places: &[Option<usize>],
-        k: Option<&DMatrix<f64>>,
-        m: Option<&DMatrix<f64>>,
-    ) {
-        let pairs = places.iter().enumerate().filter_map(|(i, place)| place.map(|place| (i, place)));
-        self.add_pairs(pairs.collect(), k, m);
-    }
-
-    /// Adds one entry of the lower triangle, `row` >= `column`, which the pattern has.
-    pub(crate) fn add_entry(&mut self, row: usize, column: usize, [k, m]: [f64; 2]) {
-        let start = self.pattern.columns[column];
-        let rows = &self.pattern.rows[start..self.pattern.columns[column + 1]];
-        let entry = start + rows.binary_search(&row).expect("the pattern has the entry");
-        self.k[entry] += k;
-        self.m[entry] += m;
-    }
-
-    fn add_pairs(
-        &mut self,
-        mut pairs: Vec<(usize, usize)>,
-        k: Option<&DMatrix<f64>>,
-        m: Option<&DMatrix<f64>>,
-    ) {
-        pairs.sort_by_key(|(_, dof)| *dof);
-        for (at, (j, column)) in pairs.iter().enumerate() {
-            let range = self.pattern.columns[*column]..self.pattern.columns[column + 1];
-            let rows = &self.pattern.rows[range.clone()];
-            let mut place = 0;
-            for (i, row) in &pairs[at..] {
-                place += rows[place..].binary_search(row).expect("the pattern has every entry of an element");
-                let entry = range.start + place;
-                if let Some(k) = k {
-                    self.k[entry] += k[(*i, *j)];
-                }
-                if let Some(m) = m {
-                    self.m[entry] += m[(*i, *j)];
-                }
-            }
-        }
-    }
-
-    /// Both matrices with both triangles, the mass without entries that are zero: a lumped mass has a few in each column where
-    /// the stiffness has dozens.
-    pub(crate) fn symmetric(self) -> (Sparse, Sparse) {
-        let both = Mirrored::of(&self.pattern);
-        let m = without_zeros(both.symbolic(), |at| self.m[both.source[at]]);
-        (both.matrix(&self.k), m)
-    }
-
-    /// The stiffness alone, for which both triangles are known already.
-    pub(crate) fn stiffness(self, both: &Mirrored) -> Sparse {
-        both.matrix(&self.k)
-    }
-}
-
-/// Both triangles of a pattern, and where in it their values stand.
-#[derive(Debug, Clone)]
-pub(crate) struct Mirrored {
-    symbolic: SymbolicSparseColMat<usize>,
-    source: Vec<usize>,
-}
-
-impl Mirrored {
-    pub(crate) fn of(pattern: &Pattern) -> Self {
-        let Pattern { columns, rows } = pattern;
-        let n = columns.len() - 1;
-        let mut counts = vec![0; n + 1];
-        for j in 0..n {
-            for row in &rows[columns[j]..columns[j + 1]] {
-                counts[j + 1] += 1;
-                if *row != j {
-                    counts[row + 1] += 1;
-                }
-            }
-        }
-        for j in 0..n {
-            counts[j + 1] += counts[j];
-        }
-        let mut next = counts.clone();
-        let mut full = vec![0; counts[n]];
-        let mut source = vec![0; counts[n]];
-        // The upper triangle first, from columns in ascending order, then the lower one: rows ascend.
-        for upper in [true, false] {
-            for j in 0..n {
-                let entries = columns[j]..columns[j + 1];
-                for (entry, below) in entries.clone().zip(&rows[entries]) {
-                    let (row, column) = if upper { (j, *below) } else { (*below, j) };
-                    if upper && row == column {
-                        continue;
-                    }
-                    full[next[column]] = row;
-                    source[next[column]] = entry;
-                    next[column] += 1;
-                }
-            }
-        }
-        Self { symbolic: SymbolicSparseColMat::new_checked(n, n, counts, None, full), source }
-    }
-
-    /// Of the matrix alone.
-    pub(crate) fn symbolic(&self) -> SymbolicSparseColMatRef<'_, usize> {
-        self.symbolic.as_ref()
-    }
-
-    /// The matrix of the pattern's values.
-    fn matrix(&self, values: &[f64]) -> Sparse {
-        let all: Vec<f64> = self.source.iter().map(|entry| values[*entry]).collect();
-        Sparse::new(self.symbolic.clone(), all)
-    }
-}
-
-/// A mass with another added over some motions; `None` where the stiffness `k` has no entry for one.
-pub(crate) fn with_sum(m: &Sparse, dofs: &[usize], change: &DMatrix<f64>, k: &Sparse) -> Option<Sparse> {
-    let mut values = vec![0.0; k.val().len()];
-    add(&mut values, k.symbolic(), 1.0, m.as_ref());
-    for (j, column) in dofs.iter().enumerate() {
-        let range = k.symbolic().col_range(*column);
-        let rows = k.symbolic().row_idx_of_col_raw(*column);
-        for (i, row) in dofs.iter().enumerate() {
-            values[range.start + rows.binary_search(row).ok()?] += change[(i, j)];
-        }
-    }
-    Some(without_zeros(k.symbolic(), |at| values[at]))
+/// Whether a matrix has an entry.
+pub(crate) fn has(a: &Sparse, row: usize, column: usize) -> bool {
+    a.symbolic().row_idx_of_col_raw(column).binary_search(&row).is_ok()
 }
 
 /// The values of `k + factor m` in the pattern of `k`.
@@ -204,25 +51,15 @@ pub(crate) fn combine(
     m: SparseColMatRef<'_, usize, f64>,
 ) -> Vec<f64> {
     let mut values = k.val().to_vec();
-    add(&mut values, k.symbolic(), factor, m);
-    values
-}
-
-/// Adds `factor m` to the values of a pattern that has all of its entries.
-fn add(
-    values: &mut [f64],
-    pattern: SymbolicSparseColMatRef<'_, usize>,
-    factor: f64,
-    m: SparseColMatRef<'_, usize, f64>,
-) {
     for j in 0..m.ncols() {
-        let mut places = pattern.col_range(j).zip(pattern.row_idx_of_col_raw(j));
+        let mut places = k.symbolic().col_range(j).zip(k.symbolic().row_idx_of_col_raw(j));
         for (row, value) in m.row_idx_of_col(j).zip(m.val_of_col(j)) {
             let (place, _) =
                 places.find(|(_, own)| **own == row).expect("the pattern has every entry of the mass");
             values[place] += factor * value;
         }
     }
+    values
 }
 
 /// The entries of a pattern whose value, by their place in it, is not zero.
@@ -273,7 +110,8 @@ pub(crate) fn components(pattern: SymbolicSparseColMatRef<'_, usize>) -> Vec<Vec
 pub(crate) fn block(a: SparseColMatRef<'_, usize, f64>, kept: &[usize]) -> Sparse {
     let mut place = vec![None; a.nrows()];
     kept.iter().enumerate().for_each(|(at, row)| place[*row] = Some(at));
-    let (mut columns, mut rows, mut values) = (vec![0], Vec::new(), Vec::new());
+    let most = kept.iter().map(|column| a.symbolic().row_idx_of_col_raw(*column).len()).sum();
+    let (mut columns, mut rows, mut values) = (vec![0], Vec::with_capacity(most), Vec::with_capacity(most));
     for column in kept {
         for (row, value) in a.row_idx_of_col(*column).zip(a.val_of_col(*column)) {
             if let Some(at) = place[row] {
@@ -290,29 +128,62 @@ pub(crate) fn block(a: SparseColMatRef<'_, usize, f64>, kept: &[usize]) -> Spars
 /// Columns that are worked on together: the matrix is read once for all of them.
 const TOGETHER: usize = 4;
 
+/// Numbers in the result that are worth another thread.
+const SHARED: usize = 240_000;
+
 /// `a x`; each column of the result is summed in the same order on any number of threads.
 pub(crate) fn multiply(a: SparseColMatRef<'_, usize, f64>, x: MatRef<'_, f64>) -> Mat<f64> {
-    let mut products = Mat::zeros(a.nrows(), x.ncols());
-    let one_group = |(group, mut columns): (usize, MatMut<'_, f64>)| {
-        let x = x.subcols(group * TOGETHER, columns.ncols());
-        let mut sums = vec![[0.0; TOGETHER]; a.nrows()];
-        for j in 0..a.ncols() {
-            let mut factor = [0.0; TOGETHER];
-            factor.iter_mut().zip(x.row(j).iter()).for_each(|(factor, x)| *factor = *x);
-            if factor == [0.0; TOGETHER] {
-                continue;
-            }
-            for (row, value) in a.row_idx_of_col(j).zip(a.val_of_col(j)) {
-                for (sum, factor) in sums[row].iter_mut().zip(factor) {
-                    *sum += value * factor;
+    // A lumped mass: to put rows side by side would take longer than the product.
+    if a.val().len() <= a.ncols() {
+        let mut products = Mat::zeros(a.nrows(), x.ncols());
+        for (x, mut own) in x.col_iter().zip(products.col_iter_mut()) {
+            for (j, factor) in x.iter().enumerate() {
+                for (row, value) in a.row_idx_of_col(j).zip(a.val_of_col(j)) {
+                    own[row] += value * factor;
                 }
             }
         }
+        return products;
+    }
+    by_groups(a.nrows(), x, |x, sums| {
+        for (j, factor) in x.iter().enumerate().filter(|(_, factor)| **factor != [0.0; TOGETHER]) {
+            for (row, value) in a.row_idx_of_col(j).zip(a.val_of_col(j)) {
+                add_times(&mut sums[row], *value, factor);
+            }
+        }
+    })
+}
+
+fn add_times(sum: &mut [f64; TOGETHER], value: f64, x: &[f64; TOGETHER]) {
+    sum.iter_mut().zip(x).for_each(|(sum, x)| *sum += value * x);
+}
+
+/// A matrix of so many rows and as many columns as `x`, a group of these at a time: `add` gets the rows of `x` and adds to sums.
+fn by_groups(
+    rows: usize,
+    x: MatRef<'_, f64>,
+    add: impl Fn(&[[f64; TOGETHER]], &mut [[f64; TOGETHER]]) + Sync,
+) -> Mat<f64> {
+    let mut products = Mat::zeros(rows, x.ncols());
+    let one_group = |(group, mut columns): (usize, MatMut<'_, f64>)| {
+        let mut own = vec![[0.0; TOGETHER]; x.nrows()];
+        for (at, x) in x.subcols(group * TOGETHER, columns.ncols()).col_iter().enumerate() {
+            own.iter_mut().zip(x.iter()).for_each(|(own, x)| own[at] = *x);
+        }
+        let mut sums = vec![[0.0; TOGETHER]; rows];
+        add(&own, &mut sums);
         for column in 0..columns.ncols() {
             columns.rb_mut().col_mut(column).iter_mut().zip(&sums).for_each(|(own, sum)| *own = sum[column]);
         }
     };
-    products.par_col_chunks_mut(TOGETHER).enumerate().for_each(one_group);
+    if rows * x.ncols() <= SHARED {
+        (0..x.ncols()).step_by(TOGETHER).for_each(|start| {
+            let columns = products.subcols_mut(start, TOGETHER.min(x.ncols() - start));
+            one_group((start / TOGETHER, columns));
+        });
+    } else {
+        products.par_col_chunks_mut(TOGETHER).enumerate().for_each(one_group);
+    }
     products
 }
 

@@ -5,11 +5,10 @@
 //! of the matrix or of a leading block of it a pivot may be within round-off, and its sign means nothing. Then the
 //! shift is moved by a few millionths, and if that does not help the count is refused.
 
-use crate::factor::Factor;
+use crate::factor::{Factor, Room, Scaled};
 use crate::modes::ModesError;
 use crate::sparse;
 use crate::system::System;
-use faer::sparse::SparseColMatRef;
 
 /// Relative changes of the shift that are tried, one after the other.
 const NUDGES: [f64; 5] = [0.0, 1e-6, -1e-6, 3e-6, -3e-6];
@@ -24,25 +23,25 @@ pub fn count_below(system: &System, omega_rad_s: f64) -> Result<usize, ModesErro
     if omega_rad_s.is_nan() || omega_rad_s <= 0.0 {
         return Ok(0);
     }
-    count_below_square(system, omega_rad_s * omega_rad_s)
+    count_below_square(system, omega_rad_s * omega_rad_s, Room::default())
 }
 
-/// Eigenvalues of K x = lambda M x below a positive `shift`.
-pub(crate) fn count_below_square(system: &System, shift: f64) -> Result<usize, ModesError> {
+/// Eigenvalues of K x = lambda M x below a positive `shift`, by a factor in the room of another one.
+pub(crate) fn count_below_square(system: &System, shift: f64, mut room: Room) -> Result<usize, ModesError> {
     let (k, m) = (system.stiffness(), system.mass());
     let mass = sparse::diagonal(m);
     for nudge in NUDGES {
         let shift = shift * (1.0 + nudge);
         let size: Vec<f64> =
             sparse::diagonal(k).iter().zip(&mass).map(|(k, m)| k.abs() + shift * m).collect();
-        let values = sparse::combine(k, -shift, m);
-        let shifted = SparseColMatRef::new(k.symbolic(), &values);
-        let Some(factor) = Factor::indefinite(system.analysis(), shifted, &size) else {
+        let shifted = Scaled::of(k.symbolic(), sparse::combine(k, -shift, m), &size);
+        let Some(factor) = Factor::indefinite(system.analysis(), &shifted, std::mem::take(&mut room)) else {
             continue;
         };
         if factor.is_certain {
             return Ok(factor.pivots().iter().filter(|(_, pivot)| *pivot < 0.0).count());
         }
+        room = factor.into_room();
     }
     Err(ModesError::Uncountable { omega_rad_s: shift.sqrt() })
 }

@@ -64,7 +64,8 @@ impl Rigid {
         factor.loose.iter().enumerate().for_each(|(j, dof)| forces[(*dof, j)] = 1.0);
         let mut space = Space::new(m, &Self::none(m.ncols()), factor.loose.len());
         let found = space.extend(factor.solve(forces.as_ref()))?;
-        (found.len() == factor.loose.len()).then_some(Self { motions: space.basis, momenta: space.momenta })
+        (found.columns.len() == factor.loose.len())
+            .then_some(Self { motions: space.basis, momenta: found.momenta })
     }
 
     /// Number of rigid motions.
@@ -107,7 +108,7 @@ pub(crate) fn sweep(
     // The start itself may have parts without mass; what the factor makes of it has not.
     let mut last = space.extend(inverse.solve(sparse::multiply(m, x)))?;
     for _ in 0..DEPTH {
-        last = space.extend(inverse.solve(space.momenta.subcols(last.start, last.len()).to_owned()))?;
+        last = space.extend(inverse.solve(last.momenta))?;
     }
     let basis = space.basis;
     let projected = inner(basis.as_ref(), sparse::multiply(k, basis.as_ref()).as_ref());
@@ -154,46 +155,63 @@ pub(crate) fn refined(
     Some((refined, misses))
 }
 
-/// An M-orthonormal basis with its momenta M x.
+/// An M-orthonormal basis.
 pub(crate) struct Space<'a> {
     pub(crate) m: SparseRef<'a>,
     pub(crate) basis: Mat<f64>,
+}
+
+/// What a block has brought: where in the basis it stands, and its momenta M x.
+pub(crate) struct New {
+    pub(crate) columns: std::ops::Range<usize>,
     pub(crate) momenta: Mat<f64>,
 }
 
 impl<'a> Space<'a> {
     /// The rigid motions, with room for `columns` directions in all.
     pub(crate) fn new(m: SparseRef<'a>, rigid: &Rigid, columns: usize) -> Self {
-        let mut space = Self { m, basis: Mat::new(), momenta: Mat::new() };
+        let mut space = Self { m, basis: Mat::new() };
         space.clear(rigid, columns);
         space
     }
 
     /// The rigid motions alone again.
     pub(crate) fn clear(&mut self, rigid: &Rigid, columns: usize) {
-        let n = self.m.ncols();
-        for own in [&mut self.basis, &mut self.momenta] {
-            own.reserve(n, columns);
-            own.resize_with(n, 0, |_, _| 0.0);
-        }
-        self.append(rigid.motions.as_ref(), rigid.momenta.as_ref());
+        self.basis.reserve(self.m.ncols(), columns);
+        self.basis.resize_with(self.m.ncols(), 0, |_, _| 0.0);
+        self.append(rigid.motions.as_ref());
     }
 
-    /// Adds directions that are M-orthonormal with all before them, with their momenta.
-    pub(crate) fn append(&mut self, x: MatRef<'_, f64>, momenta: MatRef<'_, f64>) {
+    /// Adds directions that are M-orthonormal with all before them.
+    pub(crate) fn append(&mut self, x: MatRef<'_, f64>) {
         let start = self.basis.ncols();
-        for (own, new) in [(&mut self.basis, x), (&mut self.momenta, momenta)] {
-            own.resize_with(new.nrows(), start + new.ncols(), |i, j| new[(i, j - start)]);
-        }
+        self.basis.resize_with(x.nrows(), start + x.ncols(), |i, j| x[(i, j - start)]);
     }
 
-    /// Adds the directions of `x` that are new, and says where they stand: what lies in the basis is taken out, and the block is
+    /// M x.
+    pub(crate) fn momenta(&self, x: MatRef<'_, f64>) -> Mat<f64> {
+        sparse::multiply(self.m, x)
+    }
+
+    /// As [`Space::extend_by`] of a block of which nothing is known.
+    pub(crate) fn extend(&mut self, x: Mat<f64>) -> Option<New> {
+        let momenta = self.momenta(x.as_ref());
+        let shares = inner(self.basis.as_ref(), momenta.as_ref());
+        self.extend_by(x, &momenta, &shares)
+    }
+
+    /// Adds the directions of `x` (its momenta, and what they share with the basis) that are new: what lies in the basis is taken out, and the block is
     /// turned to the eigenvectors of its own inner products (SVQB), dependent and massless directions left out; again until a round
     /// has left the block as it was, which is twice as a rule.
-    pub(crate) fn extend(&mut self, mut x: Mat<f64>) -> Option<std::ops::Range<usize>> {
+    pub(crate) fn extend_by(
+        &mut self,
+        mut x: Mat<f64>,
+        momenta: &Mat<f64>,
+        shares: &Mat<f64>,
+    ) -> Option<New> {
         let start = self.basis.ncols();
-        let before = squares(x.as_ref(), sparse::multiply(self.m, x.as_ref()).as_ref());
-        let mut momenta = self.project(&mut x);
+        let before = squares(x.as_ref(), momenta.as_ref());
+        let mut momenta = self.project(&mut x, shares);
         // What is left of each column in units of its own length: a small new direction counts as much as a large one.
         let after = squares(x.as_ref(), momenta.as_ref());
         let new: Vec<usize> = (0..x.ncols()).filter(|j| after[*j] > DEPENDENT * before[*j]).collect();
@@ -216,17 +234,17 @@ impl<'a> Space<'a> {
                 break;
             }
             // Afresh: what came out of small differences has lost its right angle with the basis, and its momentum.
-            momenta = self.project(&mut x);
+            let shares = inner(self.basis.as_ref(), self.momenta(x.as_ref()).as_ref());
+            momenta = self.project(&mut x, &shares);
         }
-        self.append(x.as_ref(), momenta.as_ref());
-        Some(start..self.basis.ncols())
+        self.append(x.as_ref());
+        Some(New { columns: start..self.basis.ncols(), momenta })
     }
 
-    /// Takes what lies in the basis out of `x`, and returns the momenta of what is left.
-    fn project(&self, x: &mut Mat<f64>) -> Mat<f64> {
-        let share = inner(self.momenta.as_ref(), x.as_ref());
-        add_product(x, -1.0, self.basis.as_ref(), share.as_ref());
-        sparse::multiply(self.m, x.as_ref())
+    /// Takes its shares of the basis out of `x`, and returns the momenta of what is left.
+    fn project(&self, x: &mut Mat<f64>, shares: &Mat<f64>) -> Mat<f64> {
+        add_product(x, -1.0, self.basis.as_ref(), shares.as_ref());
+        self.momenta(x.as_ref())
     }
 }
 

@@ -5,7 +5,7 @@ use crate::autospc;
 use crate::dofs::{DofMap, Sets};
 use crate::factor::{self, Analysis};
 use crate::model::Model;
-use crate::sparse::{self, Pattern, Sparse};
+use crate::sparse::{self, Lower, Pattern, Sparse};
 use faer::sparse::SparseColMatRef;
 use faer::{Mat, MatRef};
 use nalgebra::{DMatrix, Point3};
@@ -24,7 +24,7 @@ pub struct System {
     /// Scalar points, which no rigid motion of the whole moves.
     scalar: Vec<usize>,
     dofs: DofMap,
-    k_gg: Arc<Sparse>,
+    k_gg: Arc<Lower>,
     m_gg: Arc<Sparse>,
     k_ff: Sparse,
     m_ff: Sparse,
@@ -135,11 +135,12 @@ impl System {
             for pair in &filled {
                 values.add_entry(pair[1], pair[0], entry(pair[1], pair[0]));
             }
-            values.symmetric()
+            values.lower()
         };
         let all: Vec<usize> = (0..n).collect();
         let ((k_gg, m_gg), (k_ff, m_ff)) = (sum(&all), sum(&dofs.free));
-        let system = Self::of_parts(ids, points, dofs, [k_gg, m_gg], [k_ff, m_ff]);
+        let parts = [k_ff.symmetric(), m_ff.symmetric()];
+        let system = Self::of_parts(ids, points, dofs, (k_gg, m_gg.symmetric()), parts);
         assert!(system.is_finite(), "stiffness and mass are finite numbers");
         system
     }
@@ -149,7 +150,7 @@ impl System {
         ids: Vec<u32>,
         points: Vec<Point3<f64>>,
         dofs: DofMap,
-        [k_gg, m_gg]: [Sparse; 2],
+        (k_gg, m_gg): (Lower, Sparse),
         [k_ff, m_ff]: [Sparse; 2],
     ) -> Self {
         let (k_gg, m_gg) = (Arc::new(k_gg), Arc::new(m_gg));
@@ -175,16 +176,17 @@ impl System {
     /// If there are not as many rows as motions.
     pub fn with_mass_change(&self, dofs: &[usize], change: &DMatrix<f64>) -> Option<Self> {
         assert_eq!(change.nrows(), dofs.len(), "one row a motion");
-        let m_gg = sparse::with_sum(&self.m_gg, dofs, change, &self.k_gg)?;
+        let m_gg = sparse::with_sum(&self.m_gg, dofs, change, |i, j| self.k_gg.has(i, j))?;
+        let joined = |i: usize, j: usize| sparse::has(&self.k_ff, i, j);
         let m_ff = match assemble::free_motions(dofs, &self.dofs) {
             Free::Combined { dofs, t } => {
-                sparse::with_sum(&self.m_ff, &dofs, &(t.transpose() * change * t), &self.k_ff)?
+                sparse::with_sum(&self.m_ff, &dofs, &(t.transpose() * change * t), joined)?
             }
             Free::Places(places) => {
                 let free: Vec<usize> = (0..dofs.len()).filter(|at| places[*at].is_some()).collect();
                 let own = change.select_rows(&free).select_columns(&free);
                 let places: Vec<usize> = places.into_iter().flatten().collect();
-                sparse::with_sum(&self.m_ff, &places, &own, &self.k_ff)?
+                sparse::with_sum(&self.m_ff, &places, &own, joined)?
             }
         };
         Some(Self { m_gg: Arc::new(m_gg), m_ff, ..self.clone() })
@@ -239,9 +241,9 @@ impl System {
     }
 
     fn is_finite(&self) -> bool {
-        [&*self.k_gg, &*self.m_gg, &self.k_ff, &self.m_ff]
+        [self.k_gg.values(), self.m_gg.val(), self.k_ff.val(), self.m_ff.val()]
             .iter()
-            .all(|a| a.val().iter().all(|v| v.is_finite()))
+            .all(|values| values.iter().all(|v| v.is_finite()))
     }
 
     /// Number of nodes.
@@ -334,7 +336,7 @@ impl System {
     /// `K_gg` u: the forces (N, Nm) that hold the shape `u_g`, g-set; minus the applied loads these are the
     /// reactions at the clamps.
     pub fn elastic_loads(&self, u_g: MatRef<'_, f64>) -> Mat<f64> {
-        sparse::multiply((*self.k_gg).as_ref(), u_g)
+        self.k_gg.multiply(u_g)
     }
 
     /// Stiffness of the f-set.

@@ -129,6 +129,23 @@ fn shells_with_normals_of_their_grids_keep_the_contract() {
     }
 }
 
+/// Of an unsymmetric laminate off its grids: the masses of a displacement's row stand at its grid, and nothing else.
+#[test]
+fn lumped_masses_are_the_sums_of_the_rows() {
+    let triangle = [[0.1, 0.2, 0.3], [1.3, 0.1, 0.1], [0.4, 0.9, 0.5]].map(Point3::from);
+    let warped = [[0.1, 0.2, 0.1], [1.3, 0.1, -0.1], [1.1, 0.9, 0.2], [0.0, 0.7, -0.1]].map(Point3::from);
+    for points in [&triangle[..], &warped] {
+        let turned = Rotation3::from_euler_angles(0.3, -0.7, 1.1);
+        let shell = shell(&turned, points, 0.05);
+        let (whole, lumped) = (shell.mass().expect("a shell"), shell.lumped_mass().expect("a shell"));
+        for (i, j) in (0..lumped.nrows()).flat_map(|i| (0..lumped.ncols()).map(move |j| (i, j))) {
+            let sum: f64 = (i % 6..whole.ncols()).step_by(6).map(|j| whole[(i, j)]).sum();
+            let expected = if i == j && i % 6 < 3 { sum } else { 0.0 };
+            assert!((lumped[(i, j)] - expected).abs() < 1e-13 * whole.amax(), "{i} {j} of {}", points.len());
+        }
+    }
+}
+
 #[test]
 fn a_rectangle_has_the_inertia_of_a_plate() {
     let (a, b) = (1.2, 0.5);

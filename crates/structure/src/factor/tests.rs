@@ -48,6 +48,14 @@ fn ring(sign: f64) -> Sparse {
     matrix(9, &entries)
 }
 
+fn scaled(a: &Sparse) -> Scaled<'_> {
+    Scaled::of(a.symbolic(), a.val().to_vec(), &sizes(a))
+}
+
+fn indefinite(a: &Sparse) -> Option<Factor> {
+    Factor::indefinite(&analysis(a), &scaled(a), Room::default())
+}
+
 fn analysis(a: &Sparse) -> Arc<Analysis> {
     Arc::new(analysed(a.symbolic()))
 }
@@ -79,7 +87,7 @@ fn solutions_are_those_of_the_whole_matrix_however_many_columns() {
     for (a, columns) in [(ring(1.0), 11), (ring(-1.0), 11), (plate(9, 5), 1), (plate(9, 5), 8), (diagonal, 9)]
     {
         let n = a.ncols();
-        let factor = Factor::indefinite(&analysis(&a), a.as_ref(), &sizes(&a)).expect("regular");
+        let factor = indefinite(&a).expect("regular");
         let b = Mat::from_fn(n, columns, |i, j| (1.1 * i as f64 + 0.7 * j as f64).sin());
         let all = DMatrix::from_fn(n, columns, |i, j| b[(i, j)]);
         let expected = dense(&a).lu().solve(&all).expect("regular");
@@ -94,7 +102,7 @@ fn solutions_are_those_of_the_whole_matrix_however_many_columns() {
         }
     }
     let panels = |a: &Sparse| {
-        let factor = Factor::indefinite(&analysis(a), a.as_ref(), &sizes(a)).expect("regular");
+        let factor = indefinite(a).expect("regular");
         let panels = Panels::of(&factor.symbolic, &factor.values);
         (0..panels.count())
             .map(|at| (panels.panel(at).width, panels.panel(at).rows.len()))
@@ -127,13 +135,13 @@ fn a_factor_and_its_solutions_are_the_same_to_the_last_bit_on_any_number_of_thre
 fn pivots_are_named_once_and_multiply_to_the_determinant_of_the_scaled_matrix() {
     for sign in [1.0, -1.0] {
         let a = ring(sign);
-        let factor = Factor::indefinite(&analysis(&a), a.as_ref(), &sizes(&a)).expect("regular");
+        let factor = indefinite(&a).expect("regular");
         let pivots = factor.pivots();
         let mut dofs: Vec<usize> = pivots.iter().map(|(dof, _)| *dof).collect();
         dofs.sort_unstable();
         assert_eq!(dofs, (0..9).collect::<Vec<_>>());
         let product: f64 = pivots.iter().map(|(_, pivot)| pivot).product();
-        let expected = dense(&a).determinant() / sizes(&a).iter().product::<f64>();
+        let expected = dense(&a).determinant() * factor.scale.iter().map(|s| s * s).product::<f64>();
         assert!((product / expected - 1.0).abs() < 1e-12, "{product} for {expected}");
         let negative = pivots.iter().filter(|(_, pivot)| *pivot < 0.0).count();
         let below = dense(&a).symmetric_eigenvalues().iter().filter(|value| **value < 0.0).count();
@@ -141,11 +149,27 @@ fn pivots_are_named_once_and_multiply_to_the_determinant_of_the_scaled_matrix() 
     }
     // A diagonal matrix, each pivot its own sign.
     let a = matrix(4, &[(0, 0, 2.0), (1, 1, -3.0), (2, 2, 0.5), (3, 3, -1e6)]);
-    let factor = Factor::indefinite(&analysis(&a), a.as_ref(), &sizes(&a)).expect("regular");
+    let factor = indefinite(&a).expect("regular");
     let mut pivots = factor.pivots();
     pivots.sort_by_key(|(dof, _)| *dof);
     for ((dof, own), expected) in pivots.into_iter().zip([1.0, -1.0, 1.0, -1.0]) {
         assert!((own - expected).abs() < 1e-14, "{dof}: {own}");
+    }
+}
+
+/// Whatever stands in the memory of another factor, longer or shorter.
+#[test]
+fn a_factor_in_the_room_of_another_is_the_same() {
+    for a in [ring(1.0), ring(-1.0), chain(&[1.0; 40]), matrix(3, &[(0, 0, 2.0), (1, 1, -3.0), (2, 2, 0.5)])]
+    {
+        let own = indefinite(&a).expect("regular");
+        for count in [1, own.values.len(), 3 * own.values.len()] {
+            let room = Room(vec![f64::NAN; count]);
+            let other = Factor::indefinite(&analysis(&a), &scaled(&a), room).expect("regular");
+            assert_eq!((own.pivots(), own.is_certain), (other.pivots(), other.is_certain));
+            let b = Mat::from_fn(a.ncols(), 3, |i, j| (1.1 * i as f64 + 0.7 * j as f64).sin());
+            assert_eq!(own.solve(b.as_ref()), other.solve(b.as_ref()));
+        }
     }
 }
 
@@ -154,9 +178,9 @@ fn pivots_are_named_once_and_multiply_to_the_determinant_of_the_scaled_matrix() 
 fn energies_of_rounding_are_those_of_absolute_values() {
     for a in [ring(1.0), ring(-1.0), matrix(3, &[(0, 0, 2.0), (1, 1, -3.0), (2, 2, 0.5)])] {
         let n = a.ncols();
-        let factor = Factor::indefinite(&analysis(&a), a.as_ref(), &sizes(&a)).expect("regular");
+        let factor = indefinite(&a).expect("regular");
         let order: Vec<usize> = factor.pivots().iter().map(|(dof, _)| *dof).collect();
-        let scale: Vec<f64> = sizes(&a).iter().map(|size| 1.0 / size.sqrt()).collect();
+        let scale = &factor.scale;
         let all = dense(&a);
         let scaled = DMatrix::from_fn(n, n, |i, j| scale[i] * all[(i, j)] * scale[j]);
         let mut rest = DMatrix::from_fn(n, n, |i, j| scaled[(order[i], order[j])]);
@@ -173,15 +197,16 @@ fn energies_of_rounding_are_those_of_absolute_values() {
         let x: Vec<f64> = (0..n).map(|i| (2.3 * i as f64 + 0.4).sin()).collect();
         let absolute: f64 =
             (0..n * n).map(|at| (x[at / n] * scaled[(at / n, at % n)] * x[at % n]).abs()).sum();
-        let scaled = super::scaled(a.as_ref(), &scale, &[]);
-        assert!((absolute_energy(scaled.matrix(), &x) / absolute - 1.0).abs() < 1e-13);
+        let scaled = super::tests::scaled(&a);
+        let column = Mat::from_fn(n, 1, |i, _| x[i]);
+        assert!((absolute_energies(scaled.matrix(), column.as_ref())[0] / absolute - 1.0).abs() < 1e-13);
         let of_column = |column: usize| -> f64 {
             let sum: f64 = (column..n).map(|row| (lower[(row, column)] * x[order[row]]).abs()).sum();
             rest[(column, column)].abs() * sum * sum
         };
         let expected: f64 = (0..n).map(of_column).sum();
         let both = Mat::from_fn(n, 2, |i, j| if j == 0 { -3.0 * x[i] } else { x[i] });
-        let [tripled, own] = factor.factor_energies(both.as_ref())[..] else { panic!("two columns") };
+        let [tripled, own, ..] = factor.factor_energies(both.as_ref());
         assert!((own / expected - 1.0).abs() < 1e-12, "{expected}");
         assert!((tripled / (9.0 * expected) - 1.0).abs() < 1e-12, "{expected}");
     }
@@ -193,7 +218,7 @@ fn energies_of_rounding_are_those_of_absolute_values() {
 fn signs_are_certain_where_energies_exceed_rounding() {
     let of = |weak: f64| {
         let a = matrix(2, &[(0, 0, 1.0), (1, 1, 1.0 + weak), (1, 0, -1.0)]);
-        Factor::indefinite(&analysis(&a), a.as_ref(), &sizes(&a)).is_some_and(|factor| factor.is_certain)
+        indefinite(&a).is_some_and(|factor| factor.is_certain)
     };
     assert!(of(1e-12) && of(-1e-12) && of(0.5));
     assert!(!of(2.0 * f64::EPSILON) && !of(-2.0 * f64::EPSILON));
@@ -282,7 +307,8 @@ fn columns_are_made_orthonormal_and_a_zero_stays() {
 #[test]
 fn springs_stand_on_the_diagonal_of_the_scaled_matrix_alone() {
     let a = chain(&[1.0, 3.0]);
-    let own = dense_of(scaled(a.as_ref(), &[1.0, 0.5, 2.0], &[1]).matrix());
+    let held = Scaled::of(a.symbolic(), a.val().to_vec(), &[1.0, 4.0, 0.25]).held(&[1]);
+    let own = dense_of(held.matrix());
     let expected = DMatrix::from_row_slice(3, 3, &[1.0, -0.5, 0.0, -0.5, 1.0 + 1.0, -3.0, 0.0, -3.0, 12.0]);
     assert!((&own - &expected).amax() < 1e-14, "{own} {expected}");
 }

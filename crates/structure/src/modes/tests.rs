@@ -43,7 +43,8 @@ fn modes_that_the_iteration_does_not_see_are_missed_by_the_count() {
     let mut blind = half_blind(&system, 6, None);
     let factor = blind.factor.take().expect("a factor");
     blind.by_sweeps(factor).expect("it converges, on half of the modes");
-    let difference = blind.check().expect("it can be counted").expect("and the count contradicts");
+    let difference =
+        blind.check(Room::default()).expect("it can be counted").expect("and the count contradicts");
     let ModesError::Incomplete { found, counted, .. } = difference else { panic!("{difference}") };
     assert_eq!((found, counted), (6, 12));
     pairs(half_blind(&system, 6, None).run().expect("the block grows until all are found"));
@@ -164,14 +165,15 @@ fn what_was_found_is_compared_with_what_is_counted() {
     let known = |below: usize, square: f64| Some(Count { square, below });
     let between = 0.5 * (squares[1] + squares[2]);
     let mut search = come_to(&system, &squares[..2], 0, 0.0);
-    assert_eq!(search.check(), Ok(None), "both are there");
+    assert_eq!(search.check(Room::default()), Ok(None), "both are there");
     search.known = known(2, between);
-    assert_eq!(search.check(), Ok(None), "as is known");
+    assert_eq!(search.check(Room::default()), Ok(None), "as is known");
     // A wrong count that is known, beside one that is taken.
     search.known = known(3, between);
-    assert_eq!(search.check(), Ok(None), "counted afresh");
+    assert_eq!(search.check(Room::default()), Ok(None), "counted afresh");
     let missed = come_to(&system, &[squares[0], squares[2]], 0, 0.0);
-    let Ok(Some(ModesError::Incomplete { found, counted, omega_rad_s })) = missed.check() else {
+    let Ok(Some(ModesError::Incomplete { found, counted, omega_rad_s })) = missed.check(Room::default())
+    else {
         panic!("incomplete")
     };
     assert_eq!((found, counted), (2, 3));
@@ -179,15 +181,15 @@ fn what_was_found_is_compared_with_what_is_counted() {
     // A value that is known to lie below, and does not.
     let mut beyond = come_to(&system, &[squares[0], squares[2]], 0, 0.0);
     beyond.known = known(2, between);
-    assert!(matches!(beyond.check(), Ok(Some(_))), "one of two lies below");
+    assert!(matches!(beyond.check(Room::default()), Ok(Some(_))), "one of two lies below");
     // Rigid motions are counted below a thousandth of the first elastic value.
     let free = row(false);
     let squares: Vec<f64> =
         normal_modes(&free, 4).expect("modes").omega_rad_s.iter().map(|o| o * o).collect();
-    assert_eq!(come_to(&free, &[1e-12, squares[1]], 1, 0.0).check(), Ok(None));
+    assert_eq!(come_to(&free, &[1e-12, squares[1]], 1, 0.0).check(Room::default()), Ok(None));
     let mut one = come_to(&free, &[1e-12, squares[1]], 1, 0.0);
     one.count = 1;
-    assert_eq!(one.check(), Ok(None), "the rigid one alone");
+    assert_eq!(one.check(Room::default()), Ok(None), "the rigid one alone");
 }
 
 /// The largest displacement along z is positive; of what hardly moves along z the largest; of rotations alone the

@@ -11,7 +11,7 @@ use super::krylov;
 use super::state::State;
 use super::structure::LargeDeflection;
 use crate::dofs::DofMap;
-use crate::factor::Factor;
+use crate::factor::{Factor, Room, Scaled};
 use crate::sparse;
 use faer::Mat;
 use nalgebra::Vector3;
@@ -37,8 +37,13 @@ impl LargeDeflection {
         let (map, inner) = (self.map(state), self.inner(state));
         let short: Vec<f64> = inner.forces.iter().zip(forces).map(|(i, o)| i - o).collect();
         let k = self.tangent(state, &map, &inner.placed, &inner.local, &short);
-        let scale: Vec<f64> = sparse::diagonal(k.as_ref()).iter().map(|d| d.abs()).collect();
-        let factor = Factor::indefinite(&self.analysis, k.as_ref(), &scale)?;
+        let size: Vec<f64> = sparse::diagonal(k.as_ref()).iter().map(|d| d.abs()).collect();
+        let (pattern, values) = k.into_parts();
+        let factor = Factor::indefinite(
+            &self.analysis,
+            &Scaled::of(pattern.as_ref(), values, &size),
+            Room::default(),
+        )?;
         let solve = |b: &[f64]| -> Vec<f64> {
             factor.solve(Mat::from_fn(b.len(), 1, |i, _| -b[i]).as_ref()).col(0).iter().copied().collect()
         };

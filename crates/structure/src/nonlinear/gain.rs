@@ -4,7 +4,7 @@ use super::near::Near;
 use super::state::State;
 use super::structure::LargeDeflection;
 use crate::blocks::Noise;
-use crate::factor::Factor;
+use crate::factor::{Factor, Room, Scaled};
 use crate::sparse;
 use crate::unsymmetric::eigenvalues;
 use faer::Mat;
@@ -26,8 +26,13 @@ impl LargeDeflection {
         let (map, inner) = (self.map(state), self.inner(state));
         let short: Vec<f64> = inner.forces.iter().zip(near.forces()).map(|(i, o)| i - o).collect();
         let k = self.tangent(state, &map, &inner.placed, &inner.local, &short);
-        let scale: Vec<f64> = sparse::diagonal(k.as_ref()).iter().map(|d| d.abs()).collect();
-        let factor = Factor::indefinite(&self.analysis, k.as_ref(), &scale)?;
+        let size: Vec<f64> = sparse::diagonal(k.as_ref()).iter().map(|d| d.abs()).collect();
+        let (pattern, values) = k.into_parts();
+        let factor = Factor::indefinite(
+            &self.analysis,
+            &Scaled::of(pattern.as_ref(), values, &size),
+            Room::default(),
+        )?;
         if factor.pivots().iter().any(|(_, pivot)| *pivot < 0.0) {
             return None;
         }

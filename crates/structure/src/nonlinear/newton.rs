@@ -10,7 +10,7 @@ use super::near::Near;
 use super::state::State;
 use super::structure::{Inner, LargeDeflection};
 use crate::dofs::DofMap;
-use crate::factor::Factor;
+use crate::factor::{Factor, Room, Scaled};
 use crate::sparse;
 use faer::Mat;
 use nalgebra::DVector;
@@ -134,8 +134,9 @@ fn factored_tangent(
     short: &[f64],
 ) -> Option<Factor> {
     let k = structure.tangent(state, map, &inner.placed, local, short);
-    let scale: Vec<f64> = sparse::diagonal(k.as_ref()).iter().map(|d| d.abs()).collect();
-    Factor::indefinite(&structure.analysis, k.as_ref(), &scale)
+    let size: Vec<f64> = sparse::diagonal(k.as_ref()).iter().map(|d| d.abs()).collect();
+    let (pattern, values) = k.into_parts();
+    Factor::indefinite(&structure.analysis, &Scaled::of(pattern.as_ref(), values, &size), Room::default())
 }
 
 /// -K^-1 r.

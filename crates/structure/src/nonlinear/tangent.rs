@@ -44,9 +44,9 @@ impl LargeDeflection {
                 Free::Combined { dofs, .. } => own.add(dofs, reduced.as_ref(), None),
             }
         }
-        let ((k_gg, m_gg), (k_ff, m_ff)) = (all.symmetric(), own.symmetric());
+        let ((k_gg, m_gg), (k_ff, m_ff)) = (all.lower(), own.symmetric());
         let ids = self.nodes.iter().map(|node| node.id).collect();
         let points = state.places.iter().map(|place| Point3::from(*place)).collect();
-        System::of_parts(ids, points, map, [k_gg, m_gg], [k_ff, m_ff])
+        System::of_parts(ids, points, map, (k_gg, m_gg.symmetric()), [k_ff, m_ff])
     }
 }

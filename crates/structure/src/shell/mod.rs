@@ -19,6 +19,7 @@
 
 mod andes;
 mod curved;
+mod element;
 mod frame;
 mod grid_normals;
 mod nastran_quad;
@@ -33,7 +34,7 @@ mod triangle;
 pub use curved::{CurvedPlace, CurvedShell, SectionAxis};
 pub use strains::ShellStrains;
 
-use crate::element::Element;
+use crate::element::Element as _;
 use crate::laminate::ShellSection;
 use frame::Frame;
 use grid_normals::bending_motions;
@@ -41,9 +42,8 @@ use nalgebra::{DMatrix, DVector, Matrix2, Matrix3, Matrix6, Point3, SMatrix, SVe
 use nastran::{InputError, Span};
 use nastran_quad::NastranQuad;
 use nastran_triangle::shear_stiffness;
-use point::{Point, mass, modes_of, stiffness, strains_at, tie_stiffness};
+use point::{Point, modes_of, stiffness, strains_at, tie_stiffness};
 use residual::Residual;
-use std::borrow::Cow;
 use std::sync::Arc;
 
 /// Stiffness of the rotation about the normal, in units of the membrane's shear stiffness (Hughes and Brezzi take one).
@@ -360,41 +360,5 @@ impl Shell {
         // What rounding leaves of the blocks on the diagonal.
         matrix.fill_upper_triangle_with_lower_triangle();
         matrix
-    }
-}
-
-impl Element for Shell {
-    fn id(&self) -> u32 {
-        self.id
-    }
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-    fn directors(&self) -> Vec<Vector3<f64>> {
-        let normals = (0..self.nodes.len()).map(|at| self.normals.get(at).copied().flatten());
-        normals.map(|own| self.axes.tr_mul(&own.unwrap_or_else(Vector3::z))).collect()
-    }
-    fn stiffness(&self) -> Option<Cow<'_, DMatrix<f64>>> {
-        Some(Cow::Owned(if !self.triangles.is_empty() {
-            self.drilled_stiffness()
-        } else if self.corners.len() == 4 && self.is_nastran {
-            self.nastran_stiffness(&self.section())
-        } else if self.corners.len() == 4 {
-            self.bent(&self.quad_points(), self.quad_motions())
-        } else if self.drills {
-            let points = andes::points(&self.corners, &self.section().membrane);
-            self.bent(&self.thickened(points), None)
-        } else if self.is_nastran {
-            self.nastran_triangle()
-        } else {
-            self.bent(&self.triangle_points(), self.triangle_motions())
-        }))
-    }
-    fn mass(&self) -> Option<Cow<'_, DMatrix<f64>>> {
-        Some(Cow::Owned(if self.corners.len() == 4 {
-            self.basic(&mass(&self.quad_points(), &self.section))
-        } else {
-            self.basic(&mass(&self.triangle_points(), &self.section))
-        }))
     }
 }

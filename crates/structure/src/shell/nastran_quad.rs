@@ -12,7 +12,7 @@ use super::point::{Point, tie_stiffness};
 use super::quad::{self, CORNERS};
 use super::side_shears::{along, side_shears};
 use crate::laminate::ShellSection;
-use nalgebra::{Matrix2, Matrix4, Point3, RowVector4, SMatrix, Vector2, Vector3};
+use nalgebra::{Matrix2, Matrix3, Matrix4, Point3, RowVector4, SMatrix, Vector2, Vector3};
 use std::ops::AddAssign as _;
 
 type Matrix24 = SMatrix<f64, 24, 24>;
@@ -25,6 +25,12 @@ const GAUSS: f64 = 0.577_350_269_189_625_8;
 
 /// Natural coordinates of the middles of the sides.
 const MIDDLES: [[f64; 2]; 4] = [[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]];
+
+/// Motions that stretch the middle surface, deflections that of a warped one.
+const MEMBRANE: [usize; 12] = [0, 1, 2, 6, 7, 8, 12, 13, 14, 18, 19, 20];
+
+/// Motions that bend it.
+const BENDING: [usize; 8] = [3, 4, 9, 10, 15, 16, 21, 22];
 
 /// A quadrilateral: its corners over its plane, its section and what its thickness is in units of the section's.
 pub(super) struct NastranQuad<'a> {
@@ -59,9 +65,49 @@ impl NastranQuad<'_> {
 
     /// Membrane and bending, the incompatible modes of both condensed.
     fn in_plane(&self) -> Matrix24 {
+        if self.section.is_coupled() {
+            return self.coupled();
+        }
+        let mut all = Matrix24::zeros();
+        self.add_alone(&mut all, MEMBRANE, |point| &point.membrane, |section| &section.membrane);
+        self.add_alone(&mut all, BENDING, |point| &point.bending, |section| &section.bending);
+        all
+    }
+
+    /// Adds membrane or bending of a section that does not couple them: strains of some motions and of the modes.
+    fn add_alone<const M: usize>(
+        &self,
+        all: &mut Matrix24,
+        motions: [usize; M],
+        strains: fn(&Point<24>) -> &SMatrix<f64, 3, 24>,
+        stiffness: fn(&ShellSection) -> &Matrix3<f64>,
+    ) {
+        let (mut uu, mut ua) = (SMatrix::<f64, M, M>::zeros(), SMatrix::<f64, M, 4>::zeros());
+        let mut aa = Matrix4::zeros();
+        for point in self.points {
+            let own = SMatrix::<f64, 3, M>::from_fn(|i, j| strains(point)[(i, motions[j])]);
+            let stiffness = stiffness(&self.section.thickened(point.thickness)) * point.area_m2;
+            let stress = stiffness * own;
+            uu += own.transpose() * stress;
+            ua += stress.transpose() * point.modes;
+            aa += point.modes.transpose() * stiffness * point.modes;
+        }
+        // A section may have a membrane alone, or bending alone.
+        if let Some(factor) = aa.cholesky() {
+            uu -= ua * factor.solve(&ua.transpose());
+        }
+        for (j, column) in motions.into_iter().enumerate() {
+            for (i, row) in motions.into_iter().enumerate() {
+                all[(row, column)] += uu[(i, j)];
+            }
+        }
+    }
+
+    /// Membrane and bending of a section that couples them.
+    fn coupled(&self) -> Matrix24 {
         let mut uu = Matrix24::zeros();
-        let (mut ua, mut ub) = (SMatrix::<f64, 24, 4>::zeros(), SMatrix::<f64, 24, 4>::zeros());
-        let (mut aa, mut ab, mut bb) = (Matrix4::zeros(), Matrix4::zeros(), Matrix4::zeros());
+        let mut across = SMatrix::<f64, 24, 8>::zeros();
+        let mut of_modes = SMatrix::<f64, 8, 8>::zeros();
         for point in self.points {
             let section = self.section.thickened(point.thickness);
             let (a, b, d) = (&section.membrane, &section.coupling, &section.bending);
@@ -69,29 +115,15 @@ impl NastranQuad<'_> {
             let force = (a * m + b * k) * point.area_m2;
             let moment = (b * m + d * k) * point.area_m2;
             uu += m.transpose() * force + k.transpose() * moment;
-            ua += force.transpose() * modes;
-            ub += moment.transpose() * modes;
-            let work = |stiffness| modes.transpose() * stiffness * modes * point.area_m2;
-            aa += work(a);
-            ab += work(b);
-            bb += work(d);
-        }
-        if self.section.is_coupled() {
-            let (mut of_modes, mut across) = (SMatrix::<f64, 8, 8>::zeros(), SMatrix::<f64, 24, 8>::zeros());
-            for (at, block) in [((0, 0), aa), ((0, 4), ab), ((4, 0), ab.transpose()), ((4, 4), bb)] {
-                of_modes.fixed_view_mut::<4, 4>(at.0, at.1).copy_from(&block);
+            for (at, stress) in [(0, force), (4, moment)] {
+                across.fixed_columns_mut::<4>(at).add_assign(&(stress.transpose() * modes));
             }
-            across.fixed_columns_mut::<4>(0).copy_from(&ua);
-            across.fixed_columns_mut::<4>(4).copy_from(&ub);
-            return of_modes.cholesky().map_or(uu, |factor| uu - across * factor.solve(&across.transpose()));
-        }
-        // A section may have a membrane alone, or bending alone.
-        for (across, of_modes) in [(ua, aa), (ub, bb)] {
-            if let Some(factor) = of_modes.cholesky() {
-                uu -= across * factor.solve(&across.transpose());
+            for ((i, j), stiffness) in [((0, 0), a), ((0, 4), b), ((4, 0), b), ((4, 4), d)] {
+                let work = modes.transpose() * stiffness * modes * point.area_m2;
+                of_modes.fixed_view_mut::<4, 4>(i, j).add_assign(&work);
             }
         }
-        uu
+        of_modes.cholesky().map_or(uu, |factor| uu - across * factor.solve(&across.transpose()))
     }
 
     /// Transverse shear.
@@ -177,4 +209,42 @@ fn halving(corners: &[Point3<f64>]) -> Matrix2<f64> {
         [corners[2] - corners[0], corners[3] - corners[1]].map(|diagonal| diagonal.xy().normalize());
     let x = (one - other).normalize();
     Matrix2::new(x.x, x.y, -x.y, x.x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A warped tapered quadrilateral of growing thickness: what is condensed apart and what is condensed together are the same.
+    #[test]
+    fn membrane_and_bending_that_are_not_coupled_are_so_together_and_apart() {
+        let corners =
+            [[0.1, 0.2, 0.1], [1.3, 0.1, -0.1], [1.1, 0.9, 0.1], [0.0, 0.7, -0.1]].map(Point3::from);
+        let section = ShellSection {
+            membrane: Matrix3::new(3.0, 1.0, 0.2, 1.0, 4.0, -0.3, 0.2, -0.3, 1.5),
+            coupling: Matrix3::zeros(),
+            bending: Matrix3::new(0.5, 0.1, 0.0, 0.1, 0.3, 0.05, 0.0, 0.05, 0.2),
+            shear: Matrix2::identity(),
+            mass_kg_m2: 0.0,
+            nsm_kg_m2: 0.0,
+            mass_moment_kg_m: 0.0,
+            mass_inertia_kg: 0.0,
+        };
+        let mut points = quad::points(&corners);
+        for (point, thickness) in points.iter_mut().zip([1.0, 1.2, 1.4, 1.1]) {
+            point.thickness = thickness;
+        }
+        for section in [
+            section,
+            ShellSection { membrane: Matrix3::zeros(), ..section },
+            ShellSection { bending: Matrix3::zeros(), ..section },
+        ] {
+            let quad = NastranQuad { corners: &corners, section: &section, points: &points, thickness: &[] };
+            let own = quad.in_plane();
+            assert!(own.amax() > 0.0, "a stiffness");
+            let is_whole = section.membrane.amax() > 0.0 && section.bending.amax() > 0.0;
+            assert!(!is_whole || (own - quad.coupled()).amax() < 1e-14 * own.amax(), "{own}");
+            assert!((own - own.transpose()).amax() < 1e-15 * own.amax());
+        }
+    }
 }

@@ -3,7 +3,7 @@
 use super::residual::Residual;
 use super::strains::ShellStrains;
 use crate::laminate::ShellSection;
-use nalgebra::{Matrix3, Matrix4, Matrix6, RowSVector, SMatrix, SVector};
+use nalgebra::{DMatrix, Matrix3, Matrix4, Matrix6, RowSVector, SMatrix, SVector};
 
 /// Strain operators at one point, D = 6 motions a node.
 pub(super) struct Point<const D: usize> {
@@ -143,6 +143,18 @@ pub(super) fn mass<const D: usize>(points: &[Point<D>], section: &ShellSection) 
                     sum[(i + row, j + column)] += share * value;
                 }
             }
+        }
+    }
+    sum
+}
+
+/// As [`mass`] with all of it at the grids: the shape functions add to one, so that the sum of a displacement's row is the integral of its own.
+pub(super) fn lumped_mass<const D: usize>(points: &[Point<D>], section: &ShellSection) -> DMatrix<f64> {
+    let mut sum = DMatrix::zeros(D, D);
+    for point in points {
+        let mass_kg = section.thickened(point.thickness).mass_kg_m2 * point.area_m2;
+        for (i, share) in point.shape.iter().enumerate() {
+            (6 * i..6 * i + 3).for_each(|at| sum[(at, at)] += share * mass_kg);
         }
     }
     sum

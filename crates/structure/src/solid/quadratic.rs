@@ -217,6 +217,9 @@ impl Element for QuadraticSolid {
     }
 
     fn lumped_mass(&self) -> Option<DMatrix<f64>> {
+        if self.material.density <= 0.0 {
+            return None;
+        }
         let by_node = self.mass_by_node();
         let mut own: Vec<f64> = by_node.diagonal().iter().copied().collect();
         // With grids on all edges as in MSC Nastran, whose load vectors under GRAV have nothing at corners (cube: a twelfth of the weight at each edge). How it

@@ -27,7 +27,7 @@ fn dense(a: &Sparse) -> DMatrix<f64> {
 }
 
 /// Stiffness and mass of all lists, and the same added up one by one.
-fn summed() -> ([Sparse; 2], [DMatrix<f64>; 2]) {
+fn summed() -> (Values, [DMatrix<f64>; 2]) {
     let mut values = Pattern::of(N, &lists()).values();
     let mut all = [DMatrix::zeros(N, N), DMatrix::zeros(N, N)];
     for (at, dofs) in lists().iter().enumerate() {
@@ -54,13 +54,18 @@ fn summed() -> ([Sparse; 2], [DMatrix<f64>; 2]) {
         all[0][(i, j)] += 0.5;
         all[1][(i, j)] += 0.25;
     }
+    (values, all)
+}
+
+fn symmetric() -> ([Sparse; 2], [DMatrix<f64>; 2]) {
+    let (values, all) = summed();
     let (k, m) = values.symmetric();
     ([k, m], all)
 }
 
 #[test]
 fn entries_are_summed_and_stand_in_both_triangles() {
-    let (sparse, expected) = summed();
+    let (sparse, expected) = symmetric();
     for (own, expected) in sparse.iter().zip(&expected) {
         let own = dense(own);
         assert!((&own - expected).amax() < 1e-14, "{own} {expected}");
@@ -72,24 +77,25 @@ fn entries_are_summed_and_stand_in_both_triangles() {
 
 #[test]
 fn a_change_of_mass_is_added_where_the_stiffness_has_entries() {
-    let ([k, m], [_, expected]) = summed();
+    let ([k, m], [_, expected]) = symmetric();
     let (dofs, change) = ([4, 2, 1], own(3, 40));
-    let changed = dense(&with_sum(&m, &dofs, &change, &k).expect("one element joins them"));
+    let joined = |i: usize, j: usize| has(&k, i, j);
+    let changed = dense(&with_sum(&m, &dofs, &change, joined).expect("one element joins them"));
     let mut expected = expected;
     for (i, j) in (0..9).map(|at| (at / 3, at % 3)) {
         expected[(dofs[i], dofs[j])] += change[(i, j)];
     }
     assert!((changed - &expected).amax() < 1e-14);
-    assert!(with_sum(&m, &[0, 4], &own(2, 1), &k).is_none(), "no element joins them");
+    assert!(with_sum(&m, &[0, 4], &own(2, 1), joined).is_none(), "no element joins them");
     // What a change takes away is no entry any more.
     let mass = dense(&m)[(3, 3)];
-    let without = with_sum(&m, &[3], &DMatrix::from_element(1, 1, -mass), &k).expect("it is there");
+    let without = with_sum(&m, &[3], &DMatrix::from_element(1, 1, -mass), joined).expect("it is there");
     assert_eq!((without.val().len(), dense(&without)[(3, 3)]), (m.val().len() - 1, 0.0));
 }
 
 #[test]
 fn sums_products_and_parts_are_those_of_the_whole_matrices() {
-    let ([k, m], [k_all, m_all]) = summed();
+    let ([k, m], [k_all, m_all]) = symmetric();
     assert!(m.val().len() < k.val().len(), "the mass has fewer entries");
     let sum = combine(k.as_ref(), -2.5, m.as_ref());
     let sum = dense(&Sparse::new(k.symbolic().to_owned().expect("memory"), sum));
@@ -106,6 +112,28 @@ fn sums_products_and_parts_are_those_of_the_whole_matrices() {
         assert_eq!((own.nrows(), own.ncols()), (N, columns));
         for (i, j) in (0..N).flat_map(|i| (0..columns).map(move |j| (i, j))) {
             assert!((own[(i, j)] - expected[(i, j)]).abs() < 1e-13, "{i} {j} of {columns}");
+        }
+    }
+}
+
+#[test]
+fn a_lower_triangle_multiplies_and_gives_parts_as_the_whole_does() {
+    let (whole, [k_all, m_all]) = symmetric();
+    let (k, m) = summed().0.lower();
+    let x = Mat::from_fn(N, 5, |i, j| (1.3 * i as f64 - 0.7 * j as f64).cos());
+    for ((lower, whole), all) in [&k, &m].into_iter().zip(&whole).zip([k_all, m_all]) {
+        // The sums have the same order: the same to the last bit.
+        assert_eq!(lower.multiply(x.as_ref()), multiply(whole.as_ref(), x.as_ref()));
+        for kept in [vec![1, 2, 4], vec![0, 5], vec![]] {
+            let part = all.select_rows(&kept).select_columns(&kept);
+            assert!((dense(&lower.block(&kept)) - part).iter().all(|miss| miss.abs() < 1e-14), "{kept:?}");
+        }
+        for (i, j) in (0..N).flat_map(|i| (0..N).map(move |j| (i, j))) {
+            assert_eq!(
+                (lower.has(i, j), has(whole, i, j)),
+                (all[(i, j)] != 0.0, all[(i, j)] != 0.0),
+                "{i} {j}"
+            );
         }
     }
 }
