@@ -63,7 +63,7 @@ pub(crate) struct Factor {
     pub(crate) is_certain: bool,
 }
 
-/// The memory of a factor that is done with, for another one: what is asked of the system anew takes longer than to write it.
+/// The memory of a factor that is done with, for another one: to ask the system for as much again takes as long as to fill it.
 #[derive(Debug, Default)]
 pub(crate) struct Room(Vec<f64>);
 

@@ -200,9 +200,9 @@ impl<'a> Space<'a> {
         self.extend_by(x, &momenta, &shares)
     }
 
-    /// Adds the directions of `x` (its momenta, and what they share with the basis) that are new: what lies in the basis is taken out, and the block is
-    /// turned to the eigenvectors of its own inner products (SVQB), dependent and massless directions left out; again until a round
-    /// has left the block as it was, which is twice as a rule.
+    /// Adds the directions of `x` that are new; given are its momenta and what these share with the basis. What lies in the basis is
+    /// taken out, and the block is turned to the eigenvectors of its own inner products (SVQB), dependent and massless directions left
+    /// out; again until a round has left the block as it was, which is twice as a rule.
     pub(crate) fn extend_by(
         &mut self,
         mut x: Mat<f64>,

@@ -11,8 +11,6 @@ use super::krylov;
 use super::state::State;
 use super::structure::LargeDeflection;
 use crate::dofs::DofMap;
-use crate::factor::{Factor, Room, Scaled};
-use crate::sparse;
 use faer::Mat;
 use nalgebra::Vector3;
 use rayon::prelude::*;
@@ -36,14 +34,7 @@ impl LargeDeflection {
     ) -> Option<Vec<Vec<f64>>> {
         let (map, inner) = (self.map(state), self.inner(state));
         let short: Vec<f64> = inner.forces.iter().zip(forces).map(|(i, o)| i - o).collect();
-        let k = self.tangent(state, &map, &inner.placed, &inner.local, &short);
-        let size: Vec<f64> = sparse::diagonal(k.as_ref()).iter().map(|d| d.abs()).collect();
-        let (pattern, values) = k.into_parts();
-        let factor = Factor::indefinite(
-            &self.analysis,
-            &Scaled::of(pattern.as_ref(), values, &size),
-            Room::default(),
-        )?;
+        let factor = self.factored_tangent(state, &map, &inner.placed, &inner.local, &short)?;
         let solve = |b: &[f64]| -> Vec<f64> {
             factor.solve(Mat::from_fn(b.len(), 1, |i, _| -b[i]).as_ref()).col(0).iter().copied().collect()
         };

@@ -4,8 +4,6 @@ use super::near::Near;
 use super::state::State;
 use super::structure::LargeDeflection;
 use crate::blocks::Noise;
-use crate::factor::{Factor, Room, Scaled};
-use crate::sparse;
 use crate::unsymmetric::eigenvalues;
 use faer::Mat;
 
@@ -25,14 +23,7 @@ impl LargeDeflection {
     pub fn following_gain(&self, state: &State, near: &dyn Near) -> Option<f64> {
         let (map, inner) = (self.map(state), self.inner(state));
         let short: Vec<f64> = inner.forces.iter().zip(near.forces()).map(|(i, o)| i - o).collect();
-        let k = self.tangent(state, &map, &inner.placed, &inner.local, &short);
-        let size: Vec<f64> = sparse::diagonal(k.as_ref()).iter().map(|d| d.abs()).collect();
-        let (pattern, values) = k.into_parts();
-        let factor = Factor::indefinite(
-            &self.analysis,
-            &Scaled::of(pattern.as_ref(), values, &size),
-            Room::default(),
-        )?;
+        let factor = self.factored_tangent(state, &map, &inner.placed, &inner.local, &short)?;
         if factor.pivots().iter().any(|(_, pivot)| *pivot < 0.0) {
             return None;
         }

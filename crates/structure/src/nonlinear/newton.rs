@@ -8,10 +8,9 @@ use super::acting::Acting;
 use super::krylov;
 use super::near::Near;
 use super::state::State;
-use super::structure::{Inner, LargeDeflection};
+use super::structure::LargeDeflection;
 use crate::dofs::DofMap;
-use crate::factor::{Factor, Room, Scaled};
-use crate::sparse;
+use crate::factor::Factor;
 use faer::Mat;
 use nalgebra::DVector;
 use rayon::prelude::*;
@@ -83,7 +82,7 @@ pub(super) fn converge(
         let short: Vec<f64> = inner.forces.iter().zip(near.forces()).map(|(i, o)| i - o).collect();
         let same = kept.take().filter(|_| acting.follows() && last_spin < SAME_TANGENT);
         let local = promised.as_ref().unwrap_or(&inner.local);
-        let factored = || factored_tangent(structure, &state, &map, &inner, local, &short);
+        let factored = || structure.factored_tangent(&state, &map, &inner.placed, local, &short);
         let Some(factor) = same.or_else(factored) else { return Err(failed(negative)) };
         negative = factor.pivots().iter().filter(|(_, pivot)| *pivot < 0.0).count();
         on_the_way = on_the_way.max(negative);
@@ -122,21 +121,6 @@ pub(super) fn converge(
         (kept, last_spin) = (Some(factor), spin);
     }
     Err(Failed { negative, iterations: ITERATIONS })
-}
-
-/// The tangent's factor, its geometric terms by the forces of `local`; `short` is what the nodes are short of equilibrium by.
-fn factored_tangent(
-    structure: &LargeDeflection,
-    state: &State,
-    map: &DofMap,
-    inner: &Inner,
-    local: &[DVector<f64>],
-    short: &[f64],
-) -> Option<Factor> {
-    let k = structure.tangent(state, map, &inner.placed, local, short);
-    let size: Vec<f64> = sparse::diagonal(k.as_ref()).iter().map(|d| d.abs()).collect();
-    let (pattern, values) = k.into_parts();
-    Factor::indefinite(&structure.analysis, &Scaled::of(pattern.as_ref(), values, &size), Room::default())
 }
 
 /// -K^-1 r.

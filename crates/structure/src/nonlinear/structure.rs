@@ -7,10 +7,10 @@ use super::near::Near;
 use super::state::State;
 use crate::assemble::{Free, free_motions};
 use crate::dofs::{DofMap, Sets};
-use crate::factor::{self, Analysis, Factor};
+use crate::factor::{self, Analysis, Factor, Room, Scaled};
 use crate::flexibility::SingularStructure;
 use crate::model::{Model, Node};
-use crate::sparse::{Mirrored, Pattern, Sparse};
+use crate::sparse::{self, Mirrored, Pattern, Sparse};
 use nalgebra::{DMatrix, DVector};
 use nastran::InputError;
 use rayon::prelude::*;
@@ -204,6 +204,21 @@ impl LargeDeflection {
             }
         }
         reduced
+    }
+
+    /// The factor of [`Self::tangent`], scaled by the size of its diagonal; `None` if a pivot is exactly zero.
+    pub(super) fn factored_tangent(
+        &self,
+        state: &State,
+        map: &DofMap,
+        placed: &[Placed],
+        local: &[DVector<f64>],
+        unbalanced: &[f64],
+    ) -> Option<Factor> {
+        let k = self.tangent(state, map, placed, local, unbalanced);
+        let size: Vec<f64> = sparse::diagonal(k.as_ref()).iter().map(|d| d.abs()).collect();
+        let (pattern, values) = k.into_parts();
+        Factor::indefinite(&self.analysis, &Scaled::of(pattern.as_ref(), values, &size), Room::default())
     }
 
     /// The tangent over the free motions, its symmetric part: `local` are the forces of the geometric terms, `unbalanced` (g-set) what the

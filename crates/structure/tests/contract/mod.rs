@@ -39,6 +39,7 @@ pub fn rigid(points: &[Point3<f64>]) -> DMatrix<f64> {
 #[track_caller]
 pub fn contract<E: Element>(build: impl Fn(&Rotation3<f64>) -> Specimen<E>) {
     let straight = build(&Rotation3::identity());
+    assert!(straight.element.is_elastic(), "an element with a stiffness says so");
     let k = straight.element.stiffness().expect("has stiffness").into_owned();
     let m = straight.element.mass().expect("has mass").into_owned();
     assert_eq!(k, k.transpose(), "the stiffness is symmetric");
