@@ -103,7 +103,8 @@ pub fn calibrate<M: SteadyModel>(
     let done = AtomicUsize::new(0);
     let fitted = |(index, airspeed): (usize, &AirspeedData)| {
         let fitted = context.airspeed(airspeed).and_then(|fitted| {
-            let left_out = left_out_angles(&context, &campaign, index, &fitted.line)?;
+            let predicted = || left_out_angles(&context, &campaign, index, &fitted.line);
+            let left_out = if settings.left_out { predicted()? } else { None };
             Ok(AirspeedCalibration { left_out, ..fitted })
         });
         let done = done.fetch_add(1, Ordering::Relaxed) + 1;
@@ -111,7 +112,8 @@ pub fn calibrate<M: SteadyModel>(
         fitted
     };
     let mut airspeeds = each.par_iter().enumerate().map(fitted).collect::<Result<Vec<_>, _>>()?;
-    let across = left_out_airspeeds(&context, &campaign, &airspeeds)?;
+    let across =
+        if settings.left_out { left_out_airspeeds(&context, &campaign, &airspeeds)? } else { Vec::new() };
     for (airspeed, left_out) in airspeeds.iter_mut().zip(across) {
         airspeed.left_out_airspeed = left_out;
     }

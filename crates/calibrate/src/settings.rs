@@ -34,6 +34,9 @@ pub struct Settings {
     pub most_halvings: usize,
     /// Probability below which nonlinearity is called significant, shared among all channels and airspeeds tested.
     pub significance: f64,
+    /// Whether angles and airspeeds are left out in turn and predicted, which takes as many more fits: who asks for corrections alone
+    /// does without.
+    pub left_out: bool,
 }
 
 impl Default for Settings {
@@ -50,6 +53,7 @@ impl Default for Settings {
             most_cone_programs: 6,
             most_halvings: 8,
             significance: 0.01,
+            left_out: true,
         }
     }
 }

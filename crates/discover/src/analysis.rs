@@ -66,13 +66,20 @@ impl<'a> Rigs<'a> {
         let settings = AirModel::default().doublets();
         let shared = settings.map(|settings| SharedAir::of(wing, settings)).transpose();
         let shared = shared.map_err(CouplingError::from).map_err(SimulatorError::from)?;
-        let own = SplitRig::in_air(file, wing, AirModel::default(), how, shared.as_ref())?;
-        let mut variants = vec![SplitRig::in_air(file, wing, lag_variant(how), how, shared.as_ref())?];
-        variants.push(match lattice {
-            Some(lattice) => SplitRig::on_lattice(lattice, kernel_variant(), how)?,
-            None => SplitRig::new(file, wing, kernel_variant(), how)?,
-        });
-        Ok(Self { rules: Arc::new(rules), own, variants })
+        let own = || {
+            let own = SplitRig::in_air(file, wing, AirModel::default(), how, shared.as_ref())?;
+            let lags = own.in_other_air(lag_variant(how), shared.as_ref())?;
+            Ok::<_, SimulatorError>([own, lags])
+        };
+        let on_lattice =
+            || lattice.map(|lattice| SplitRig::on_lattice(lattice, kernel_variant(), how)).transpose();
+        let (own, on_lattice) = rayon::join(own, on_lattice);
+        let [own, lags] = own?;
+        let kernel = match on_lattice? {
+            Some(on_lattice) => on_lattice,
+            None => own.in_other_air(kernel_variant(), None)?,
+        };
+        Ok(Self { rules: Arc::new(rules), own, variants: vec![lags, kernel] })
     }
 }
 
@@ -143,6 +150,19 @@ impl Prepared {
         own_corrections: bool,
     ) -> Result<Self, DiscoverError> {
         let data = Dataset::read(campaign, rigs.own.wing(), &rigs.rules)?;
+        Self::of_data(rigs, schedule, data, own_corrections)
+    }
+
+    /// The same with a campaign's data, read for the rigs' wing and rules.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn of_data(
+        rigs: &Rigs<'_>,
+        schedule: &Schedule,
+        data: Dataset,
+        own_corrections: bool,
+    ) -> Result<Self, DiscoverError> {
         let (simulator, variants) = rigs.simulators(schedule, &data)?;
         let controls = rigs.own.controls();
         let places: Vec<usize> = (0..data.runs.len()).map(|i| data.place_of_run(i)).collect();

@@ -92,7 +92,7 @@ impl std::fmt::Debug for Loads {
 
 impl LoadModel for Loads {
     fn models(&self, _effects: &[Active], _before: Option<&Models>) -> Models {
-        Vec::new()
+        Models::default()
     }
 
     fn fly(&self, _models: &Models, effects: &[Active], wanted: &[usize]) -> Vec<Flown> {

@@ -81,8 +81,7 @@ impl<'a> CurrentModel<'a> {
         let mut effects = self.effects.clone();
         effects.remove(which);
         let models = setting.model.models(&effects, Some(&self.models));
-        let own = self.contributions[which].iter();
-        let flown: Vec<Flown> = self.flown.iter().zip(own).map(|(all, own)| difference(all, own)).collect();
+        let flown = setting.model.fly(&models, &effects, &self.problem.places());
         let problem = self.problem.without_tolerances();
         let residual = problem.residual(&flown);
         let shared = Shared::new(&[], problem.len());

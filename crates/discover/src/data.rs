@@ -11,6 +11,7 @@ use coupling::ElasticWing;
 use maneuver::effects::{Inputs, Stimulus};
 use maneuver::{Run, Smooth, smooth_from_rest, zero_phase};
 use nastran::{InputError, named_file};
+use rayon::prelude::*;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -62,7 +63,7 @@ impl Dataset {
             (0..read.len()).filter(|i| (0..3).any(|c| read[*i].load(c).is_some())).collect();
         let controls: Vec<&str> = wing.controls.iter().map(|control| control.name.as_str()).collect();
         let runs: Vec<RunData> = measured
-            .iter()
+            .par_iter()
             .map(|&i| {
                 let (run, entry) = (&read[i], &campaign.runs[i]);
                 let repeats = |file: &String| measured.iter().position(|j| &campaign.runs[*j].file == file);
@@ -161,8 +162,7 @@ impl Dataset {
 
 /// All runs; a control that the wing does not have is an error.
 fn read_runs(campaign: &Campaign, wing: &ElasticWing, listed_in: &Path) -> Result<Vec<Run>, InputError> {
-    let mut read = Vec::with_capacity(campaign.runs.len());
-    for entry in &campaign.runs {
+    let one = |entry: &RunEntry| {
         let path = named_file(listed_in, &entry.file)?;
         let run = Run::read_named(&path, &campaign.columns)?;
         for (control, _) in &run.controls_rad {
@@ -173,9 +173,11 @@ fn read_runs(campaign: &Campaign, wing: &ElasticWing, listed_in: &Path) -> Resul
                     .with_help(format!("the wing's controls: {}", known.join(", "))));
             }
         }
-        read.push(run);
-    }
-    Ok(read)
+        Ok(run)
+    };
+    let read: Vec<Result<Run, InputError>> = campaign.runs.par_iter().map(one).collect();
+    // the first that is wrong in the campaign's order is said
+    read.into_iter().collect()
 }
 
 /// Airspeeds that are one are the slowest of them; what is held out moves none that training data are flown at.

@@ -2,11 +2,16 @@
 //!
 //! [`crate::simulator::Simulator`] flies the wing; a test may answer with columns that it knows.
 
-use maneuver::effects::{Active, Flown, Model};
-use std::sync::Arc;
+use maneuver::effects::{Active, Flown, LinearFlight, Model};
+use std::sync::{Arc, OnceLock};
 
-/// Linear parts at every airspeed.
-pub type Models = Vec<Arc<Model>>;
+/// Linear parts at every airspeed, and the first flights with them, from which flights with a little more take what is the same.
+#[derive(Debug, Clone, Default)]
+pub struct Models {
+    pub(crate) parts: Vec<Arc<Model>>,
+    /// By place among [`crate::data::Dataset::stimuli`].
+    pub(crate) flights: Arc<[OnceLock<LinearFlight>]>,
+}
 
 /// See the module.
 pub trait LoadModel: std::fmt::Debug + Sync {

@@ -14,6 +14,7 @@ use crate::transform::{count, first_cosines, frequency_hz};
 use calibrate::Use;
 use coupling::{ByLoad, Load};
 use maneuver::effects::{Flown, Stimulus};
+use rayon::prelude::*;
 
 /// One run or static group in the residual.
 #[derive(Debug, Clone)]
@@ -131,14 +132,12 @@ impl<'a> Problem<'a> {
     /// Sets the tolerances around a simulation (one entry a segment); `found` are the contributions of effects that were
     /// found, each one entry a segment.
     pub fn set_tolerances(&mut self, simulated: &[Flown], found: &[Vec<Flown>]) {
-        for (index, segment) in self.segments.iter_mut().enumerate() {
+        let Self { segments, data, offset, .. } = self;
+        segments.par_iter_mut().enumerate().for_each(|(index, segment)| {
             let contributions: Vec<&Flown> = found.iter().map(|effect| &effect[index]).collect();
-            segment.tolerance = segment.kind.tolerances(
-                &simulated[index],
-                &contributions,
-                &Bounds { offset: self.offset, data: self.data, place: segment.place },
-            );
-        }
+            let bounds = Bounds { offset: *offset, data, place: segment.place };
+            segment.tolerance = segment.kind.tolerances(&simulated[index], &contributions, &bounds);
+        });
     }
 
     /// The same where nothing is allowed to runs.
@@ -266,16 +265,10 @@ impl Kind {
                         let slope = |i: usize| load[(i + 1).min(samples - 1)] - load[i.saturating_sub(1)];
                         (0..*samples).map(|i| by_s * slope(i) / (2.0 * time_step_s)).collect()
                     };
-                    let whitened = |column: &[f64]| -> Vec<f64> {
-                        let all = first_cosines(&[column], *coefficients).remove(0);
-                        all.into_iter().zip(&sigma[c]).map(|(value, sigma)| value / sigma).collect()
-                    };
-                    let still = whitened(&vec![
-                        (rules.run_mean_gain * mean)
-                            .hypot(offset[Load::ALL[c]] / repeats.sqrt());
+                    let still = vec![
+                        (rules.run_mean_gain * mean).hypot(offset[Load::ALL[c]] / repeats.sqrt());
                         *samples
-                    ]);
-                    let mut columns = vec![still];
+                    ];
                     let form = |flown: &&Flown| {
                         let own = &flown.loads[c];
                         [
@@ -283,14 +276,17 @@ impl Kind {
                             later(own, rules.found_shift_s),
                         ]
                     };
-                    let run = [moving, later(load, rules.run_shift_s)];
-                    for column in run.into_iter().chain(found.iter().flat_map(form)) {
-                        columns.extend(in_bands(
-                            &data.rules,
-                            &whitened(&column),
-                            *samples as f64 * time_step_s,
-                        ));
+                    let mut records = vec![still, moving, later(load, rules.run_shift_s)];
+                    records.extend(found.iter().flat_map(form));
+                    let records: Vec<&[f64]> = records.iter().map(Vec::as_slice).collect();
+                    let mut whitened = first_cosines(&records, *coefficients);
+                    for record in &mut whitened {
+                        record.iter_mut().zip(&sigma[c]).for_each(|(value, sigma)| *value /= sigma);
                     }
+                    let length_s = *samples as f64 * time_step_s;
+                    let mut columns = vec![whitened.remove(0)];
+                    columns
+                        .extend(whitened.iter().flat_map(|column| in_bands(&data.rules, column, length_s)));
                     Tolerance::new(place * coefficients..(place + 1) * coefficients, &columns)
                 })
                 .collect(),

@@ -7,13 +7,13 @@ use crate::rules::{Rules, VariantRules};
 use aero::{Corrections, Flow};
 use calibrate::Schedule;
 use coupling::{CouplingError, ElasticWing, Mount, WingFile};
-use maneuver::effects::{Active, Flown, Model, Stimulus, fly};
+use maneuver::effects::{Active, Flown, Model, Stimulus, fly, fly_beside, fly_first};
 use maneuver::rom::{ReducedOrderModel, StiffnessParts};
 use maneuver::{AirModel, DeflectionCorrection, Rig, RigError, RigSettings, SharedAir};
 use nastran::InputError;
 use rayon::prelude::*;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, OnceLock};
 
 /// Why a wing cannot be flown through a campaign.
 #[derive(Debug, thiserror::Error)]
@@ -81,6 +81,15 @@ impl<'a> SplitRig<'a> {
         let rig = Rig::in_air(wing, settings, shared)?;
         let parts = StiffnessParts::new(&rig, &file.bulk(Mount::Tunnel)?)?;
         Ok(Self { file, wing, rig, parts, boxes: None })
+    }
+
+    /// The same wing in other air.
+    ///
+    /// # Errors
+    /// If the lattice cannot be solved.
+    pub fn in_other_air(&self, air: AirModel, shared: Option<&SharedAir>) -> Result<Self, SimulatorError> {
+        let rig = self.rig.in_other_air(air, shared)?;
+        Ok(Self { file: self.file, wing: self.wing, rig, parts: self.parts.clone(), boxes: self.boxes })
     }
 
     /// Sets up the rig of a wing on another lattice.
@@ -170,26 +179,53 @@ impl Simulator {
 impl LoadModel for Simulator {
     fn models(&self, effects: &[Active], before: Option<&Models>) -> Models {
         let effects = &self.with_matched(effects);
-        self.rigs
-            .iter()
-            .enumerate()
-            .map(|(i, rig)| match before.map(|models| &models[i]).filter(|m| m.serves(rig, effects)) {
-                Some(model) => Arc::clone(model),
-                None => Arc::new(Model::new(rig, effects, None)),
-            })
-            .collect()
+        let part = |(i, rig): (usize, &ReducedOrderModel)| {
+            let before = before.map(|models| &models.parts[i]).filter(|part| part.serves(rig, effects));
+            before.map_or_else(|| Arc::new(Model::whole(rig, effects)), Arc::clone)
+        };
+        Models {
+            parts: self.rigs.iter().enumerate().map(part).collect(),
+            flights: self.stimuli.iter().map(|_| OnceLock::new()).collect(),
+        }
     }
 
     fn fly(&self, models: &Models, effects: &[Active], wanted: &[usize]) -> Vec<Flown> {
         self.runs.fetch_add(1, Ordering::Relaxed);
         let effects = &self.with_matched(effects);
-        wanted
-            .iter()
-            .map(|&place| {
-                let (airspeed, stimulus) = &self.stimuli[place];
-                fly(&self.rigs[*airspeed], &models[*airspeed], effects, stimulus)
-            })
-            .collect()
+        let one = |&place: &usize| {
+            let (airspeed, stimulus) = &self.stimuli[place];
+            let (rig, part) = (&self.rigs[*airspeed], &models.parts[*airspeed]);
+            if let Some(before) = models.flights[place].get() {
+                return fly_beside(rig, part, effects, stimulus, before);
+            }
+            let (flown, flight) = fly_first(rig, part, effects, stimulus);
+            // who flew it at the same time flew the same
+            let _ = models.flights[place].set(flight);
+            flown
+        };
+        wanted.par_iter().map(one).collect()
+    }
+
+    fn flown(&self, effects: &[Active], before: Option<&Models>, wanted: &[usize]) -> Vec<Flown> {
+        let Some(before) = before else { return self.fly(&self.models(effects, None), effects, wanted) };
+        self.runs.fetch_add(1, Ordering::Relaxed);
+        let effects = &self.with_matched(effects);
+        let is_flown = |airspeed: &usize| wanted.iter().any(|place| self.stimuli[*place].0 == *airspeed);
+        let part = |airspeed: usize| {
+            let (rig, before) = (&self.rigs[airspeed], &before.parts[airspeed]);
+            let serves = !is_flown(&airspeed) || before.serves(rig, effects);
+            if serves { Arc::clone(before) } else { Arc::new(Model::new(rig, effects, None)) }
+        };
+        let parts: Vec<Arc<Model>> = (0..self.rigs.len()).into_par_iter().map(part).collect();
+        let one = |&place: &usize| {
+            let (airspeed, stimulus) = &self.stimuli[place];
+            let (rig, part) = (&self.rigs[*airspeed], &parts[*airspeed]);
+            match before.flights[place].get() {
+                Some(before) => fly_beside(rig, part, effects, stimulus, before),
+                None => fly(rig, part, effects, stimulus),
+            }
+        };
+        wanted.par_iter().map(one).collect()
     }
 }
 

@@ -1,6 +1,8 @@
 //! What a run may be off by without any effect, taken out of its residual.
 
-use faer::{Mat, Side};
+use faer::linalg::matmul::matmul;
+use faer::reborrow::ReborrowMut;
+use faer::{Accum, ColMut, Mat, MatRef, Par, Side};
 
 /// Orthonormal directions and what of them is left.
 #[derive(Debug, Clone)]
@@ -13,35 +15,33 @@ pub(crate) struct Tolerance {
 impl Tolerance {
     /// `(I + L L')^(-1/2) = I - U diag(1 - 1/sqrt(1 + s²)) U'`, L the columns.
     pub(crate) fn new(rows: std::ops::Range<usize>, columns: &[Vec<f64>]) -> Self {
-        let k = columns.len();
-        let dot = |i: usize, j: usize| columns[i].iter().zip(&columns[j]).map(|(a, b)| a * b).sum::<f64>();
-        let gram = Mat::from_fn(k, k, dot);
-        let mut directions = Vec::new();
-        let mut taken = Vec::new();
-        if let Ok(eigen) = gram.self_adjoint_eigen(Side::Lower) {
-            for j in 0..k {
-                let square = eigen.S()[j];
-                if square > 1e-8 {
-                    let scale = 1.0 / square.sqrt();
-                    let direction: Vec<f64> = (0..rows.len())
-                        .map(|row| scale * (0..k).map(|i| columns[i][row] * eigen.U()[(i, j)]).sum::<f64>())
-                        .collect();
-                    directions.push(direction);
-                    taken.push(1.0 - 1.0 / (1.0 + square).sqrt());
-                }
-            }
-        }
-        let directions = Mat::from_fn(rows.len(), taken.len(), |row, j| directions[j][row]);
+        let columns = Mat::from_fn(rows.len(), columns.len(), |row, k| columns[k][row]);
+        let gram = product(columns.transpose(), columns.as_ref());
+        let Ok(eigen) = gram.self_adjoint_eigen(Side::Lower) else {
+            return Self { directions: Mat::zeros(rows.len(), 0), taken: Vec::new(), rows };
+        };
+        let kept: Vec<usize> = (0..columns.ncols()).filter(|j| eigen.S()[*j] > 1e-8).collect();
+        let of = |i: usize, j: usize| eigen.U()[(i, kept[j])] / eigen.S()[kept[j]].sqrt();
+        let shares = Mat::from_fn(columns.ncols(), kept.len(), of);
+        let directions = product(columns.as_ref(), shares.as_ref());
+        let taken = kept.iter().map(|j| 1.0 - 1.0 / (1.0 + eigen.S()[*j]).sqrt()).collect();
         Self { rows, directions, taken }
     }
 
     /// Takes the directions out of the values of the segment they belong to.
     pub(crate) fn free(&self, own: &mut [f64]) {
-        let part = &mut own[self.rows.clone()];
+        let mut part = ColMut::from_slice_mut(&mut own[self.rows.clone()]).as_mat_mut();
+        let mut shares = product(self.directions.transpose(), part.as_ref());
         for (j, taken) in self.taken.iter().enumerate() {
-            let direction = self.directions.col_as_slice(j);
-            let share: f64 = direction.iter().zip(part.iter()).map(|(d, p)| d * p).sum();
-            part.iter_mut().zip(direction).for_each(|(p, d)| *p -= taken * share * d);
+            shares[(j, 0)] *= taken;
         }
+        matmul(part.rb_mut(), Accum::Add, self.directions.as_ref(), shares.as_ref(), -1.0, Par::Seq);
     }
+}
+
+/// On one thread, so that the result does not depend on their number.
+fn product(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
+    let mut product = Mat::zeros(a.nrows(), b.ncols());
+    matmul(product.as_mut(), Accum::Replace, a, b, 1.0, Par::Seq);
+    product
 }

@@ -127,6 +127,9 @@ impl Trial<'_> {
         let parameters = self.effect.parameters();
         let allowed = self.active(sizes).values;
         let sizes: Vec<f64> = allowed.iter().zip(&parameters).map(|(value, p)| value / p.plausible).collect();
+        if sizes.iter().all(|size| *size == 0.0) {
+            return self.point_at_rest();
+        }
         let change = self.change(&sizes);
         let residual = difference(&self.current.residual, &change);
         let chi2 = self.current.shared.norm(&residual);

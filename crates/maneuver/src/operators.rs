@@ -60,6 +60,36 @@ impl RigOperators {
             (Some(supported), Some((system, _))) => structural(wing, supported, system, settings)?,
             _ => rigid(wing, settings),
         };
+        Self::of_parts(parts, wing, settings, shared)
+    }
+
+    /// The same structure in air of other settings.
+    pub(crate) fn in_air(
+        &self,
+        wing: &ElasticWing,
+        settings: &RigSettings,
+        shared: Option<&SharedAir>,
+    ) -> Result<Self, RigError> {
+        let parts = Structural {
+            omega_rad_s: self.omega_rad_s.clone(),
+            shapes: self.shapes.clone(),
+            shapes_g: self.shapes_g.clone(),
+            residual: self.residual.clone(),
+            residual_fields: self.residual_fields.clone(),
+            modal_fields: self.modal_fields.clone(),
+            loads: self.loads.clone(),
+            sensor_shapes: self.sensor_shapes.clone(),
+            sensor_arms_m: self.sensor_arms_m.clone(),
+        };
+        Self::of_parts(parts, wing, settings, shared)
+    }
+
+    fn of_parts(
+        parts: Structural,
+        wing: &ElasticWing,
+        settings: &RigSettings,
+        shared: Option<&SharedAir>,
+    ) -> Result<Self, RigError> {
         let motion = wing.supported.as_ref().map(|supported| &supported.k_displacements() * &parts.shapes);
         let columns = columns(wing, motion.as_ref(), settings.pitch_axis_x_m);
         let modes = parts.omega_rad_s.len();

@@ -161,6 +161,16 @@ impl<'a> Rig<'a> {
         Ok(Self { wing, settings, operators })
     }
 
+    /// The same rig in other air: its modes are not computed again.
+    ///
+    /// # Errors
+    /// If the lattice cannot be solved.
+    pub fn in_other_air(&self, air: AirModel, shared: Option<&SharedAir>) -> Result<Self, RigError> {
+        let settings = RigSettings { air, ..self.settings.clone() };
+        let operators = self.operators.in_air(self.wing, &settings, shared)?;
+        Ok(Self { wing: self.wing, settings, operators })
+    }
+
     /// The wing.
     pub fn wing(&self) -> &'a ElasticWing {
         self.wing

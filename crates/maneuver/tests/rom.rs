@@ -6,7 +6,7 @@ use crate::common::{uneven, wing_with};
 use aero::{Corrections, Flow};
 use coupling::{ElasticWing, SteadyCase};
 use faer::{Mat, c64};
-use maneuver::rom::{Change, Constants, Drive, Outputs, ReducedOrderModel, ResponseTable};
+use maneuver::rom::{Change, Constants, Drive, Driven, Outputs, ReducedOrderModel, ResponseTable};
 use maneuver::{Actuator, Motion, Rig, RigSettings, Smooth};
 use std::f64::consts::TAU;
 
@@ -157,17 +157,15 @@ fn a_history_by_fourier_transform_is_the_one_stepped_in_time() {
         let g = rom.gravity_m_s2();
         let sin: Vec<f64> = coarse.alpha.value.iter().map(|a| g * a.sin()).collect();
         let cos: Vec<f64> = coarse.alpha.value.iter().map(|a| g * a.cos()).collect();
-        let mut drives: Vec<(usize, &[f64])> =
-            vec![(Drive::PITCH, &coarse.alpha.value), (Drive::G_SIN, &sin), (Drive::G_COS, &cos)];
+        let pitch = Driven::new(Drive::PITCH, coarse.alpha.value.clone());
+        let mut drives = vec![pitch, Driven::new(Drive::G_SIN, sin), Driven::new(Drive::G_COS, cos)];
         let servo = Actuator::from(file.servos);
-        let turned: Vec<Vec<f64>> =
-            coarse.controls_rad.iter().map(|command| servo.follow(command, 0.01)).collect();
-        let controls = turned.iter().enumerate();
-        drives.extend(controls.map(|(c, values)| (Drive::CONTROLS + c, values.as_slice())));
+        let controls = coarse.controls_rad.iter().map(|command| servo.follow(command, 0.01)).enumerate();
+        drives.extend(controls.map(|(c, values)| Driven::new(Drive::CONTROLS + c, values)));
         let rows: Vec<usize> = (0..table.rest.len()).collect();
         let mut ours: Vec<Vec<f64>> =
             table.rest.iter().map(|rest| vec![*rest; coarse.alpha.value.len()]).collect();
-        table.add_flown(&drives, 0.01, &rows, &mut ours);
+        table.add_flown(&drives.iter().collect::<Vec<_>>(), 0.01, &rows, &mut ours);
         let theirs = model.fly(&fine);
         for (row, name) in ["Fz_N", "Mx_Nm", "My_Nm", "tip_z_m"].into_iter().enumerate() {
             let theirs: Vec<f64> = theirs.get(name).unwrap().iter().step_by(10).copied().collect();

@@ -249,7 +249,8 @@ pub(crate) fn calibrated(
     wing: &ElasticWing,
     campaign: &Campaign,
 ) -> Result<Calibration, CouplingError> {
-    let calibration = calibrate(wing, campaign, &Settings::of_wing(&file.correction))?;
+    let settings = Settings { left_out: false, ..Settings::of_wing(&file.correction) };
+    let calibration = calibrate(wing, campaign, &settings)?;
     if !calibration.data.is_more_than_root_loads() {
         return Ok(calibration);
     }

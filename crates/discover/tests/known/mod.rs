@@ -72,7 +72,7 @@ struct Sum;
 
 impl LoadModel for Sum {
     fn models(&self, _effects: &[Active], _before: Option<&Models>) -> Models {
-        Vec::new()
+        Models::default()
     }
 
     fn fly(&self, _models: &Models, effects: &[Active], wanted: &[usize]) -> Vec<Flown> {

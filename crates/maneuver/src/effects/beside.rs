@@ -2,7 +2,8 @@
 //! the histories of the rig itself. So a wing without effects flies as the rig does, bit for bit.
 
 use super::active::Active;
-use super::flight::{Model, Stimulus, fly};
+use super::flight::fly;
+use super::model::{Model, Stimulus};
 use super::place::Inputs;
 use crate::history::TimeHistory;
 use crate::rig::{Rig, RigError};

@@ -69,6 +69,16 @@ impl Outputs {
         self.heights() + self.zones
     }
 
+    /// Rows of the balance with the tip, of the zones' lifts, heights and twists.
+    pub fn kinds(self) -> [std::ops::Range<usize>; 4] {
+        [
+            0..self.lifts(),
+            self.lifts()..self.heights(),
+            self.heights()..self.twists(),
+            self.twists()..self.len(true),
+        ]
+    }
+
     /// Number of outputs, those of zones included or not.
     pub fn len(self, everything: bool) -> usize {
         if everything { self.twists() + self.zones } else { BALANCE + 1 }

@@ -12,6 +12,7 @@
 mod blocks;
 mod change;
 mod drive;
+mod driven;
 mod response;
 mod spectrum;
 mod stiffness;
@@ -20,6 +21,7 @@ mod zones;
 
 pub use change::{Change, PointMass};
 pub use drive::{Constants, Drive, Outputs};
+pub use driven::Driven;
 pub use spectrum::ResponseTable;
 pub use stiffness::StiffnessParts;
 pub use zones::Zones;

@@ -5,10 +5,12 @@
 //! again. A causal system does not see that before the record ends, so within the record the periodic answer is the
 //! answer from rest. Drives are band limited between samples (their continuation is smooth).
 
+use super::driven::{Driven, Period, SECOND, transform};
 use super::{Constants, ReducedOrderModel};
-use crate::periodic::{RETURN_S, continued, steps};
+use crate::periodic::{RETURN_S, steps};
 use faer::{Mat, c64};
 use fourier::fast_length;
+use pulp::{Arch, Simd, WithSimd};
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
@@ -64,89 +66,54 @@ impl ResponseTable {
         }
     }
 
-    /// Adds what steady drives (column of the response, values) make of some outputs (rows of it), sample by sample.
-    pub fn add_steady(&self, drives: &[(usize, &[f64])], rows: &[usize], sums: &mut [Vec<f64>]) {
+    /// Adds what steady drives make of some outputs (rows of the response), sample by sample.
+    pub fn add_steady(&self, drives: &[&Driven], rows: &[usize], sums: &mut [Vec<f64>]) {
         for (row, sums) in rows.iter().zip(sums) {
-            for (column, values) in drives {
-                let response = self.responses[0][(*row, *column)].re;
-                sums.iter_mut().zip(*values).for_each(|(sum, value)| *sum += response * value);
+            for drive in drives {
+                let response = self.responses[0][(*row, drive.column)].re;
+                sums.iter_mut().zip(drive.values()).for_each(|(sum, value)| *sum += response * value);
             }
         }
     }
 
     /// The same of drives that begin at rest, all of one length and time step.
-    pub fn add_flown(
-        &self,
-        drives: &[(usize, &[f64])],
-        time_step_s: f64,
-        rows: &[usize],
-        sums: &mut [Vec<f64>],
-    ) {
-        let Some(samples) = drives.iter().map(|(_, values)| values.len()).max() else { return };
-        let length = fast_length(samples + steps(RETURN_S + self.rest_s, time_step_s));
-        let moving: Vec<&(usize, &[f64])> =
-            drives.iter().filter(|(_, values)| values.iter().any(|value| *value != values[0])).collect();
-        let spectra: Vec<Vec<c64>> = moving
-            .chunks(2)
-            .flat_map(|pair| {
-                let mut both = vec![c64::new(0.0, 0.0); length];
-                for (one, (_, values)) in [ONE, SECOND].into_iter().zip(pair) {
-                    let values = continued(values, length, time_step_s);
-                    both.iter_mut().zip(values).for_each(|(both, value)| *both += one * value);
-                }
-                fourier::forward(&mut both);
-                parted(&both, pair.len())
-            })
-            .collect();
-        let columns: Vec<usize> = moving.iter().map(|(column, _)| *column).collect();
-        let mut outputs = self.answered(&columns, &spectra, rows, length, time_step_s);
-        for both in &mut outputs {
-            fourier::backward(both);
-        }
-        let scale = 1.0 / length as f64;
+    pub fn add_flown(&self, drives: &[&Driven], time_step_s: f64, rows: &[usize], sums: &mut [Vec<f64>]) {
+        let Some(samples) = drives.iter().map(|drive| drive.values().len()).max() else { return };
         let first = &self.responses[0];
-        for (k, (row, sums)) in rows.iter().zip(sums).enumerate() {
-            let start: f64 = drives.iter().map(|(column, v)| first[(*row, *column)].re * v[0]).sum();
-            let is_second = k % 2 == 1;
-            for (sum, both) in sums.iter_mut().zip(&outputs[k / 2]) {
-                // what differs from the first sample, as the record begins at rest
-                *sum += start + scale * if is_second { both.im } else { both.re };
+        for (row, sums) in rows.iter().zip(sums.iter_mut()) {
+            let start: f64 = drives.iter().map(|d| first[(*row, d.column)].re * d.values()[0]).sum();
+            sums.iter_mut().for_each(|sum| *sum += start);
+        }
+        let moving: Vec<&Driven> = drives.iter().copied().filter(|drive| drive.moves()).collect();
+        if moving.is_empty() {
+            return;
+        }
+        let length = fast_length(samples + steps(RETURN_S + self.rest_s, time_step_s));
+        let weights = self.weights_of_bins(length, time_step_s);
+        transform(&moving, Period { length, bins: weights.len(), time_step_s });
+        let scale = 1.0 / length as f64;
+        for (pair, both) in sums.chunks_mut(2).zip(self.answered(&moving, rows, &weights, length)) {
+            // what differs from the first sample, as the record begins at rest
+            for (is_second, sums) in pair.iter_mut().enumerate() {
+                let of = |both: &c64| if is_second == 1 { both.im } else { both.re };
+                sums.iter_mut().zip(&both).for_each(|(sum, both)| *sum += scale * of(both));
             }
         }
     }
 
-    /// Spectra of outputs, two real ones in one: the second is the imaginary part.
+    /// Outputs behind their first samples and times the number of samples, two real ones in one: the second is the imaginary part.
     fn answered(
         &self,
-        columns: &[usize],
-        spectra: &[Vec<c64>],
+        drives: &[&Driven],
         rows: &[usize],
+        weights: &[Weights],
         length: usize,
-        time_step_s: f64,
     ) -> Vec<Vec<c64>> {
-        let zero = c64::new(0.0, 0.0);
-        let mut outputs = vec![vec![zero; length]; rows.len().div_ceil(2)];
-        let (mut sums, mut between) = (vec![zero; rows.len()], vec![zero; rows.len()]);
-        for (bin, weights) in self.weights_of_bins(length, time_step_s).iter().enumerate() {
-            sums.fill(zero);
-            for (column, spectrum) in columns.iter().zip(spectra) {
-                between.fill(zero);
-                for &(k, weight) in weights {
-                    let responses = self.responses[k].col_as_slice(*column);
-                    between.iter_mut().zip(rows).for_each(|(sum, row)| *sum += responses[*row] * weight);
-                }
-                let drive = spectrum[bin];
-                sums.iter_mut().zip(&between).for_each(|(sum, h)| *sum += h * drive);
-            }
-            for (pair, both) in sums.chunks(2).zip(&mut outputs) {
-                let (a, b) = (pair[0], pair.get(1).copied().unwrap_or(zero));
-                if bin == 0 || 2 * bin == length {
-                    both[bin] = c64::new(a.re, b.re);
-                } else {
-                    both[bin] = a + SECOND * b;
-                    both[length - bin] = a.conj() + SECOND * b.conj();
-                }
-            }
+        let mut outputs = vec![vec![c64::new(0.0, 0.0); length]; rows.len().div_ceil(2)];
+        let picked = Picked::new(self, drives, rows);
+        Arch::new().dispatch(Answering { picked, weights, drives, rows: rows.len(), outputs: &mut outputs });
+        for both in &mut outputs {
+            fourier::backward(both);
         }
         outputs
     }
@@ -206,22 +173,73 @@ fn steps_between(from: f64, to: f64, step: f64) -> usize {
     steps(to - from, step)
 }
 
-/// What the first and the second of two real records count in the complex one that holds both.
-const ONE: c64 = c64::new(1.0, 0.0);
-/// See above.
-const SECOND: c64 = c64::new(0.0, 1.0);
+/// Responses of some outputs by some drives, frequency by frequency: drive by drive the real parts of the outputs, then the imaginary ones.
+struct Picked {
+    values: Vec<f64>,
+    /// Numbers a frequency.
+    width: usize,
+}
 
-/// The spectra of one or two real records from that of both in one, to half its length: that of a real record is its own
-/// mirror image, conjugate.
-fn parted(both: &[c64], count: usize) -> Vec<Vec<c64>> {
-    let length = both.len();
-    let mirrored = |bin: usize| both[(length - bin) % length].conj();
-    let first = |bin: usize| 0.5 * (both[bin] + mirrored(bin));
-    let second = |bin: usize| c64::new(0.0, -0.5) * (both[bin] - mirrored(bin));
-    let bins = 0..=length / 2;
-    match count {
-        1 => vec![both[bins].to_vec()],
-        _ => vec![bins.clone().map(first).collect(), bins.map(second).collect()],
+impl Picked {
+    fn new(table: &ResponseTable, drives: &[&Driven], rows: &[usize]) -> Self {
+        let width = 2 * rows.len() * drives.len();
+        let mut values = Vec::with_capacity(width * table.responses.len());
+        for responses in table.responses.iter() {
+            for drive in drives {
+                let column = responses.col_as_slice(drive.column);
+                values.extend(rows.iter().map(|row| column[*row].re));
+                values.extend(rows.iter().map(|row| column[*row].im));
+            }
+        }
+        Self { values, width }
+    }
+}
+
+/// Spectra of outputs, two real ones in one.
+struct Answering<'a> {
+    picked: Picked,
+    weights: &'a [Weights],
+    drives: &'a [&'a Driven],
+    rows: usize,
+    outputs: &'a mut [Vec<c64>],
+}
+
+impl WithSimd for Answering<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _simd: S) {
+        let Self { picked: Picked { values, width }, weights, drives, rows, outputs } = self;
+        let (mut between, mut sums) = (vec![0.0; width], vec![0.0; 2 * rows]);
+        for (bin, weights) in weights.iter().enumerate() {
+            let [a, b, c, d] = weights.map(|(frequency, _)| &values[frequency * width..][..width]);
+            let by = weights.map(|(_, weight)| weight);
+            for ((((between, a), b), c), d) in between.iter_mut().zip(a).zip(b).zip(c).zip(d) {
+                *between = by[0] * a + by[1] * b + by[2] * c + by[3] * d;
+            }
+            sums.fill(0.0);
+            let (re, im) = sums.split_at_mut(rows);
+            for (response, drive) in between.chunks_exact(2 * rows).zip(drives) {
+                let drive = drive.spectrum()[bin];
+                let (own_re, own_im) = response.split_at(rows);
+                for ((re, im), (own_re, own_im)) in re.iter_mut().zip(&mut *im).zip(own_re.iter().zip(own_im))
+                {
+                    *re += own_re * drive.re - own_im * drive.im;
+                    *im += own_re * drive.im + own_im * drive.re;
+                }
+            }
+            for (both, (re, im)) in outputs.iter_mut().zip(re.chunks(2).zip(im.chunks(2))) {
+                let length = both.len();
+                let a = c64::new(re[0], im[0]);
+                let b = c64::new(re.get(1).copied().unwrap_or(0.0), im.get(1).copied().unwrap_or(0.0));
+                if bin == 0 || 2 * bin == length {
+                    both[bin] = c64::new(a.re, b.re);
+                } else {
+                    both[bin] = a + SECOND * b;
+                    both[length - bin] = a.conj() + SECOND * b.conj();
+                }
+            }
+        }
     }
 }
 

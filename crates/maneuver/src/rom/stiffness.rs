@@ -28,16 +28,13 @@ impl StiffnessParts {
     /// If the deck is not the rig's: it cannot be assembled, or has other grids.
     pub fn new(rig: &Rig<'_>, bulk: &BulkData) -> Result<Option<Self>, RigError> {
         let (shapes, omega) = (&rig.operators.shapes_g, &rig.operators.omega_rad_s);
-        if omega.is_empty() {
+        let Some((plain, _)) = rig.wing.structure.as_ref().filter(|_| !omega.is_empty()) else {
             return Ok(None);
-        }
-        let assemble = |bulk: &BulkData| {
-            let model = Model::from_bulk(bulk).map_err(CouplingError::from)?;
-            System::assemble(&model).map_err(CouplingError::from)
         };
-        let (plain, stiff) = (assemble(bulk)?, assemble(&stiffer_in_torsion(bulk))?);
+        let model = Model::from_bulk(&stiffer_in_torsion(bulk)).map_err(CouplingError::from)?;
+        let stiff = System::assemble(&model).map_err(CouplingError::from)?;
         let modal = |system: &System| shapes.transpose() * system.elastic_loads(shapes.as_ref());
-        let torsion = Scale(1.0 / SHARE) * (modal(&stiff) - modal(&plain));
+        let torsion = Scale(1.0 / SHARE) * (modal(&stiff) - modal(plain));
         let m = omega.len();
         let bending = Mat::from_fn(m, m, |i, j| {
             let whole = if i == j { omega[i] * omega[i] } else { 0.0 };

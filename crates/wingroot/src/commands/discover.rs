@@ -8,16 +8,16 @@ use std::time::Instant;
 
 use calibrate::Campaign;
 use discover::analysis::{DiscoverError, Prepared, Rigs};
+use discover::data::Dataset;
 use discover::model_form::LatticeVariant;
+use discover::recalibration::without_held_out;
 use discover::rules::Rules;
 use nastran::InputError;
 
 use crate::args::{Common, Given};
 use crate::commands::discover_campaigns;
 use crate::commands::discover_nulls::Asked;
-use crate::commands::discover_search::{
-    Searched, check_without_effects, refuse, seed, without_held_out_airspeeds,
-};
+use crate::commands::discover_search::{Searched, check_without_effects, refuse, seed};
 use crate::corrections::{CorrectedWing, as_given, corrected_wing};
 use crate::failure::Failure;
 use crate::show;
@@ -87,10 +87,11 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
     check_without_effects(&corrected.file)?;
     let own = args.given.corrections.is_none() || args.own_corrections;
     let rules = Rules::default();
-    let corrected = if own { without_held_out_points(corrected, &campaign, &rules)? } else { corrected };
+    let data = Dataset::read(&campaign, &corrected.wing, &Arc::new(rules.clone()))?;
+    let corrected = if own { without_held_out_points(corrected, &campaign, &data)? } else { corrected };
     let lattice = LatticeVariant::of(&corrected.file, &corrected.wing, &rules.variants);
     let rigs = Rigs::new(&corrected.file, &corrected.wing, lattice.as_ref(), rules)?;
-    let prepared = Prepared::new(&rigs, &corrected.schedule, &campaign, own)?;
+    let prepared = Prepared::of_data(&rigs, &corrected.schedule, data, own)?;
     let out = common.out("discover");
     let faults = prepared.defects();
     if !faults.is_empty() {
@@ -126,10 +127,9 @@ pub(crate) fn run(args: &DiscoverArgs, common: &Common) -> Result<(), Failure> {
 fn without_held_out_points(
     corrected: CorrectedWing,
     campaign: &Campaign,
-    rules: &Rules,
+    data: &Dataset,
 ) -> Result<CorrectedWing, Failure> {
-    let kept = without_held_out_airspeeds(&corrected, campaign, &Arc::new(rules.clone()))?;
-    let Some(kept) = kept else { return Ok(corrected) };
+    let Some(kept) = without_held_out(campaign, data) else { return Ok(corrected) };
     Ok(CorrectedWing {
         schedule: corrected.calibrated(&kept)?,
         origin: "calibrated without the static points of held-out airspeeds".to_owned(),

@@ -11,6 +11,7 @@ use discover::data::Dataset;
 use discover::model_form::LatticeVariant;
 use discover::null_distribution::NullDistribution;
 use discover::null_key::NullKey;
+use discover::recalibration::without_held_out;
 use discover::result::DiscoverResult;
 use discover::rules::Rules;
 use discover::verdict::VerdictKind;
@@ -20,9 +21,7 @@ use nastran::ron_or_json::in_folder;
 use crate::args::{Common, Given};
 use crate::commands::discover_campaigns_result::{CampaignVerdict, CampaignsResult};
 use crate::commands::discover_nulls::{beside_or_last, made_now};
-use crate::commands::discover_search::{
-    Searched, check_without_effects, refuse, seed, without_held_out_airspeeds,
-};
+use crate::commands::discover_search::{Searched, check_without_effects, refuse, seed};
 use crate::corrections::{CorrectedWing, as_given, corrected_wing, wing_without_corrections};
 use crate::failure::Failure;
 use crate::output::ResultFolder;
@@ -114,7 +113,8 @@ fn calibration(
     given: &Given,
     campaign: &Campaign,
 ) -> Result<calibrate::Schedule, Failure> {
-    let kept = without_held_out_airspeeds(corrected, campaign, &rigs.rules)?;
+    let data = Dataset::read(campaign, &corrected.wing, &rigs.rules)?;
+    let kept = without_held_out(campaign, &data);
     corrected.calibrated_for(given, kept.as_ref().unwrap_or(campaign))
 }
 

@@ -1,19 +1,16 @@
 //! One campaign of `discover` searched and written, by itself or as one of many.
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::time::Instant;
 
 use calibrate::{Campaign, Schedule};
 use coupling::WingFile;
 use discover::analysis::{Prepared, Rigs};
-use discover::data::Dataset;
 use discover::data_checks::Defect;
 use discover::finding::{Finding, Sources};
 use discover::null_distribution::NullDistribution;
-use discover::recalibration::{recalibrated, without_held_out};
+use discover::recalibration::recalibrated;
 use discover::result::DiscoverResult;
-use discover::rules::Rules;
 use nastran::InputError;
 
 use crate::commands::{discover_figures, discover_results};
@@ -83,16 +80,6 @@ impl Searched<'_> {
 
 pub(crate) fn seed(common: &Common) -> u64 {
     common.seed.unwrap_or(1)
-}
-
-/// A campaign without the static points of airspeeds that are held out; none if it has no such airspeed.
-pub(crate) fn without_held_out_airspeeds(
-    corrected: &CorrectedWing,
-    campaign: &Campaign,
-    rules: &Arc<Rules>,
-) -> Result<Option<Campaign>, Failure> {
-    let data = Dataset::read(campaign, &corrected.wing, rules)?;
-    Ok(without_held_out(campaign, &data))
 }
 
 /// What is said of data at fault, written beside the place of a good result.

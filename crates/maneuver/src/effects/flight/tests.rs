@@ -1,9 +1,11 @@
 //! A small model with effects of one's own: what answers and what is asked again, in closed form.
 
 use super::super::effect::Effect;
+use super::super::linear_flight::turned;
 use super::super::spec::{Parameter, Spec};
 use super::*;
 use crate::rom::tests::small;
+use crate::rom::{Change, Constants};
 use crate::smoothing::Smooth;
 use std::sync::Arc;
 
@@ -230,7 +232,7 @@ fn commands_pass_the_changed_servo_between_inputs_and_surfaces_but_not_at_static
     for steady in [true, false] {
         let place = place(&rom, &effects, 0.02, steady, 1.5);
         assert_eq!((place.actuator.frequency_hz, place.time_step_s, place.clock_h), (14.0, 0.02, 1.5));
-        let turned = turned(&place, &effects, inputs.clone());
+        let turned = turned(&place, &effects, inputs.clone(), None).0;
         let servo = crate::rig::Actuator { frequency_hz: 14.0, damping_ratio: 0.7 };
         let followed = if steady { tripled.clone() } else { servo.follow(&tripled, 0.02) };
         for (found, wanted) in turned.controls_rad[0].iter().zip(&followed) {
@@ -272,4 +274,39 @@ fn a_run_in_which_nothing_drives_the_wing_rests() {
     // what moves does not rest
     let moving = fly(&rom, &model, &[], &stimulus(&[0.0, 0.3, 0.1], false));
     assert!(moving.loads[0].iter().any(|load| (load - model.table.rest[0]).abs() > 1e-6));
+}
+
+#[test]
+fn a_flight_beside_another_is_the_flight_alone() {
+    let rom = small(25.0);
+    let all = [
+        Act::Mass,
+        Act::Constants,
+        Act::Lift,
+        Act::Modal,
+        Act::LiftByLift,
+        Act::DoubledCommand,
+        Act::AddedAngle,
+        Act::FasterServo,
+        Act::AddedLoad,
+    ];
+    let bumps: Vec<f64> = (0..90).map(|i| 0.2 * (0.3 * f64::from(i)).sin()).collect();
+    for (steady, own) in all.iter().flat_map(|own| [(true, *own), (false, *own)]) {
+        let stimulus = stimulus(&bumps, steady);
+        let mut first = acting(&[(own, 1.2)]);
+        let whole = Model::whole(&rom, &first);
+        let (_, before) = fly_first(&rom, &whole, &first, &stimulus);
+        for next in all {
+            first.truncate(1);
+            first.extend(acting(&[(next, 1.3)]));
+            let model = Model::new(&rom, &first, Some(&whole));
+            let alone = fly(&rom, &model, &first, &stimulus);
+            let beside = fly_beside(&rom, &model, &first, &stimulus, &before);
+            for (alone, beside) in alone.loads.iter().zip(&beside.loads) {
+                let largest = alone.iter().fold(0.0, |largest: f64, load| largest.max(load.abs()));
+                let off = alone.iter().zip(beside).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                assert!(largest > 1e-3 && off < 1e-11 * largest, "{own:?} {next:?}: {off} of {largest}");
+            }
+        }
+    }
 }

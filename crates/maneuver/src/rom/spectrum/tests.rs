@@ -1,5 +1,6 @@
 //! The grid, the interpolation and the transform against closed forms.
 
+use super::super::driven::parted;
 use super::super::tests::small;
 use super::*;
 
@@ -43,8 +44,12 @@ fn at_rest(table: &ResponseTable, samples: usize) -> Vec<Vec<f64>> {
 /// All outputs, from rest on.
 fn flown(table: &ResponseTable, drives: &[(usize, &[f64])], dt: f64) -> Vec<Vec<f64>> {
     let mut outputs = at_rest(table, drives.first().map_or(0, |(_, values)| values.len()));
-    table.add_flown(drives, dt, &rows(table), &mut outputs);
+    table.add_flown(&driven(drives).iter().collect::<Vec<_>>(), dt, &rows(table), &mut outputs);
     outputs
+}
+
+fn driven(drives: &[(usize, &[f64])]) -> Vec<Driven> {
+    drives.iter().map(|(column, values)| Driven::new(*column, values.to_vec())).collect()
 }
 
 #[test]
@@ -53,7 +58,7 @@ fn some_outputs_in_any_order_are_added_to_what_is_there() {
     let drive: Vec<f64> = (0..100).map(|k| bell(f64::from(k) * 0.01, 0.3, 1.0, 0.5)[0]).collect();
     let all = flown(&table, &[(1, &drive)], 0.01);
     let mut some = vec![vec![7.0; 100], vec![-7.0; 100]];
-    table.add_flown(&[(1, &drive)], 0.01, &[2, 1], &mut some);
+    table.add_flown(&[&Driven::new(1, drive)], 0.01, &[2, 1], &mut some);
     for (row, level, some) in [(2, 7.0, &some[0]), (1, -7.0, &some[1])] {
         let off = some.iter().zip(&all[row]).map(|(some, all)| some - level - (all - table.rest[row]));
         assert!(off.map(f64::abs).fold(0.0, f64::max) < 1e-12, "{row}");
@@ -103,7 +108,7 @@ fn two_records_in_one_complex_one_come_apart_into_their_own_spectra() {
         let zero = vec![0.0; n];
         let together = complex(&first, &second);
         let both: Vec<c64> = (0..n).map(|bin| dft(&together, bin)).collect();
-        let found = parted(&both, 2);
+        let found = parted(&both, 2, n / 2 + 1);
         assert_eq!((found.len(), found[0].len(), found[1].len()), (2, n / 2 + 1, n / 2 + 1));
         for (spectrum, values) in found.iter().zip([&first, &second]) {
             let alone = complex(values, &zero);
@@ -113,7 +118,7 @@ fn two_records_in_one_complex_one_come_apart_into_their_own_spectra() {
         }
         let alone = complex(&first, &zero);
         let one: Vec<c64> = (0..n).map(|bin| dft(&alone, bin)).collect();
-        assert_eq!(parted(&one, 1), [one[..=n / 2].to_vec()]);
+        assert_eq!(parted(&one, 1, n / 2), [one[..n / 2].to_vec()]);
     }
 }
 
@@ -155,7 +160,7 @@ fn what_answers_value_rate_and_acceleration_gives_these_of_every_drive() {
             }
         }
         let mut steady = at_rest(&table, COUNT);
-        table.add_steady(&drives, &rows(&table), &mut steady);
+        table.add_steady(&driven(&drives).iter().collect::<Vec<_>>(), &rows(&table), &mut steady);
         for (i, steady) in steady.iter().enumerate() {
             let wanted: f64 = drives.iter().map(|(j, v)| gain(i, *j, 0) * v[90]).sum();
             assert!((steady[90] - wanted - 0.5 - i as f64).abs() < 1e-12 && steady.len() == COUNT);
